@@ -1,0 +1,74 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "lessons/tutor/items.hpp"
+
+namespace byhand::tutor {
+
+/// What one step records, in the order in which it is read. Terminal, Markdown and the table of claims
+/// present the same page, so text, numbers and figures cannot drift apart.
+///
+/// Words may use *emphasis*, **strong** and `code`; a blank line starts a new paragraph, lines that begin
+/// with "- " are a list. Each `@` is replaced by the next value (see Value). Greek, dots and superscripts are
+/// written as they are: "JM⁻¹Jᵀ".
+class Page {
+ public:
+  template <class... T>
+  void text(std::string_view words, const T&... values) {
+    add(Text{fill(words, {Value(values)...})});
+  }
+
+  /// The article's formula `number`, 1 to 23, as it stands there. Throws LessonError for any other number.
+  void equation(int number);
+
+  /// The same, and then with this scene's numbers in it:
+  /// `page.equation(17, "λ = −(@ + @) / @ = @ N·s", R"(\lambda = \frac{-(@ + @)}{@} = @\,\mathrm{N\,s})", jv,
+  /// b, k, lambda)`.
+  template <class... T>
+  void equation(int number, std::string_view plain, std::string_view latex, const T&... values) {
+    equation(number, fill(plain, latex, {Value(values)...}));
+  }
+
+  /// A formula that is not in the article.
+  template <class... T>
+  void formula(std::string_view plain, std::string_view latex, const T&... values) {
+    add(Equation{0, fill(plain, latex, {Value(values)...})});
+  }
+
+  /// The lines between two lines `//! [tag]` of `file` (a path from the root of the repository,
+  /// "solver/row.hpp"). Throws LessonError when the file or the pair of markers is missing.
+  void excerpt(const std::string& file, const std::string& tag);
+
+  /// A result by name; when a parameter is changed, the old and the new value stand side by side.
+  void measure(std::string quantity, double value, std::string unit);
+
+  /// A chart: figures/<name>.png and data/<name>.csv. Names are [a-z0-9_]+ and unique in a lesson.
+  void figure(std::string name, std::string caption, renderer::Chart chart);
+
+  /// A picture. `draw` runs later, and only if pictures are wanted: let it capture by value.
+  void figure(std::string name, std::string caption, Drawing draw);
+
+  /// Frames, drawn later by a fresh copy of `draw` at times that never decrease; `--frames last` asks for the
+  /// last time only. So let it capture its simulation by value, be `mutable`, and advance the simulation *up
+  /// to* the time it is given.
+  void sequence(std::string name, std::string caption, std::variant<Seconds, Frames> length,
+                FrameDrawing draw);
+
+  void predict(Prediction question);
+  void choose(Choice question);
+  void claim(Claim claim);
+
+  const std::vector<Item>& items() const { return items_; }
+
+ private:
+  void equation(int number, Formula numbers);
+  void add(Item item) { items_.push_back(std::move(item)); }
+
+  std::vector<Item> items_;
+};
+
+}  // namespace byhand::tutor

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <concepts>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace byhand::tutor {
+
+/// A real number as a reader expects it: `digits` significant digits, "−" for minus, "1.2·10⁻⁵" below 1e-4
+/// and from 1e6 on, no trailing zeros.
+std::string number(double value, int digits = 4);
+
+/// The same number for LaTeX: "-1.2\cdot 10^{-5}".
+std::string latex_number(double value, int digits = 4);
+
+template <class T>
+concept Number = std::integral<T> || std::floating_point<T>;
+
+template <class T>
+concept NumberList = requires(const T& list) {
+  { list[0] } -> std::convertible_to<double>;
+  { list.size() } -> std::convertible_to<long>;
+}
+&&!std::convertible_to<T, std::string>;
+
+/// What may stand where a text says `@`: a number, a list of numbers such as an Eigen vector (in brackets),
+/// or words.
+class Value {
+ public:
+  template <Number T>
+  Value(T value) : Value(static_cast<double>(value), std::integral<T> ? 15 : 4) {}
+  template <NumberList T>
+  Value(const T& list) : Value(numbers_of(list)) {}
+  Value(std::string words) : plain_(words), latex_("\\text{" + std::move(words) + "}") {}
+  Value(const char* words) : Value(std::string(words)) {}
+  Value(double value, int digits);
+  Value(const std::vector<double>& list);
+
+  const std::string& plain() const { return plain_; }
+  const std::string& latex() const { return latex_; }
+
+ private:
+  template <NumberList T>
+  static std::vector<double> numbers_of(const T& list) {
+    std::vector<double> numbers;
+    for (long i = 0; i < static_cast<long>(list.size()); ++i) numbers.push_back(static_cast<double>(list[i]));
+    return numbers;
+  }
+
+  std::string plain_, latex_;
+};
+
+/// A formula twice: as the terminal shows it (Unicode) and as the page does (LaTeX without dollar signs).
+struct Formula {
+  std::string plain, latex;
+};
+
+/// Puts the values, one after the other, where `words` says `@`.
+/// Throws LessonError when there are more or fewer of one than of the other.
+std::string fill(std::string_view words, const std::vector<Value>& values);
+Formula fill(std::string_view plain, std::string_view latex, const std::vector<Value>& values);
+
+/// `say("@ links weigh @ N", n, weight)`: no number of a lesson is typed by hand.
+template <class... T>
+std::string say(std::string_view words, const T&... values) {
+  return fill(words, {Value(values)...});
+}
+
+}  // namespace byhand::tutor
