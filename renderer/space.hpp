@@ -1,0 +1,69 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "renderer/palette.hpp"
+#include "renderer/rectangle.hpp"
+
+namespace byhand::renderer {
+
+/// Looks at space from `eye` towards `target`, in perspective.
+struct SpaceCamera {
+  Rectangle frame;  ///< on the page, in points
+  Point3 eye{6, -8, 4};
+  Point3 target{0, 0, 0};
+  Point3 up{0, 0, 1};
+  double field_of_view = 0.5;  ///< radians from the frame's lower to its upper edge
+};
+
+/// The camera that sees the whole ball around `centre` in `frame`, looking along `direction` (need not be
+/// unit).
+SpaceCamera fit(const Point3& centre, double radius, const Point3& direction, const Rectangle& frame,
+                const Point3& up = {0, 0, 1});
+
+/// A scene in space: plain shapes with a light and depth. Draw it with `Canvas::draw`.
+class Space {
+ public:
+  /// Throws std::invalid_argument when the eye is at the target, looks along `up`, or the frame is empty.
+  explicit Space(const SpaceCamera& camera);
+
+  void sphere(const Point3& centre, double radius, Colour colour);
+  void box(const Point3& centre, const Point3& size, const Eigen::Quaterniond& orientation, Colour colour);
+  /// A cylinder with round ends.
+  void rod(const Point3& a, const Point3& b, double radius, Colour colour);
+  void path(const std::vector<Point3>& points, double radius, Colour colour);
+  /// A shaft and a cone, `to` is the tip.
+  void arrow(const Point3& from, const Point3& to, double radius, Colour colour);
+  /// A plane through `centre` across `up`, with a grid of `spacing` that fades out at `extent`; shapes throw
+  /// soft shadows on it. At most one.
+  void ground(const Point3& centre, double extent, double spacing = 1);
+
+  /// Where a point appears on the page, in points.
+  Point project(const Point3& point) const;
+  /// How many points a length of one appears at this place.
+  double scale_at(const Point3& point) const;
+  const SpaceCamera& camera() const { return camera_; }
+
+ private:
+  friend class Painter;
+  struct Vertex {
+    std::array<float, 3> position, normal;
+    Colour colour;
+  };
+  struct Ground {
+    Point3 centre;
+    double extent, spacing;
+  };
+  void surface(const std::vector<Point3>& profile, const Point3& from, const Point3& to, Colour colour);
+  void triangle(const std::array<Point3, 3>& corners, const std::array<Point3, 3>& normals, Colour colour);
+
+  SpaceCamera camera_;
+  Eigen::Matrix4d matrix_;
+  std::vector<Vertex> triangles_;
+  std::optional<Ground> ground_;
+};
+
+}  // namespace byhand::renderer
