@@ -68,7 +68,7 @@ SinCos<T> sin_cos_within_quarter_pi(const T& x, double low) {
 
 }  // namespace detail
 
-/// Sine and cosine of `angle` [rad], to 1 ulp for |angle| <= 1e6; beyond that the reduction runs out of
+/// Sine and cosine of `angle` [rad], to 1 ulp for |angle| <= 1e5; beyond that the reduction runs out of
 /// digits.
 template <class T>
 SinCos<T> sin_cos(const T& angle) {
@@ -170,6 +170,16 @@ template <class T, class Vector>
 Eigen::Matrix<T, 3, 1> rotate(const Eigen::Quaternion<T>& q, const Eigen::MatrixBase<Vector>& v) {
   const Eigen::Matrix<T, 3, 1> u = v.template cast<T>();
   return q * u;
+}
+
+/// The rotation that undoes `r`.
+template <class T>
+PlaneRotation<T> inverse(const PlaneRotation<T>& r) {
+  return {r.cos, -r.sin};
+}
+template <class T>
+Eigen::Quaternion<T> inverse(const Eigen::Quaternion<T>& q) {
+  return q.conjugate();
 }
 
 }  // namespace byhand
