@@ -100,6 +100,11 @@ TEST(PlaneRotation, OfASumOfAnglesIsTheProduct) {
   EXPECT_NEAR(angle(sum), 2.6, 1e-15);
 }
 
+TEST(PlaneRotation, IsUndoneByItsInverse) {
+  const PlaneRotation<> r = plane_rotation(2.3);
+  EXPECT_LE((rotate(inverse(r), rotate(r, Vector2d(1, 2))) - Vector2d(1, 2)).norm(), 1e-15);
+}
+
 TEST(PlaneRotation, StaysAUnitNumberAndKeepsItsAngleOverAMillionSteps) {
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> step(-0.5, 0.7);
@@ -161,6 +166,11 @@ TEST(SpaceRotation, TurnsAboutTheAxesOfTheWorld) {
   q = rotated_by<double>(q, {0, 0, pi / 2});  // the body's x now points along y
   q = rotated_by<double>(q, {pi / 2, 0, 0});  // and, about the world's x, along z
   EXPECT_LE((rotate(q, Vector3d(1, 0, 0)) - Vector3d(0, 0, 1)).norm(), 1e-15);
+}
+
+TEST(SpaceRotation, IsUndoneByItsInverse) {
+  const Quaterniond q = space_rotation<double>({0.3, 1.1, -0.4});
+  EXPECT_LE((rotate(inverse(q), rotate(q, Vector3d(1, 2, 3))) - Vector3d(1, 2, 3)).norm(), 2e-15);
 }
 
 TEST(SpaceRotation, InThePlaneIsThePlaneRotation) {
