@@ -1,0 +1,26 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+namespace byhand {
+
+/// Numbers of extended precision: minimal coordinates and their rates.
+using ExtendedState = std::vector<long double>;
+
+/// `rate` of `state`, written into a vector of the same size.
+using Rate = std::function<void(const ExtendedState& state, ExtendedState& rate)>;
+
+/// A state and the largest error that any of its numbers may be expected to have.
+struct Certified {
+  std::vector<double> state;
+  double uncertainty = 0;
+};
+
+/// Integrates from 0 to `time` [s] twice, by two unrelated methods in extended precision (Fehlberg's
+/// Runge-Kutta of order 8 and Bulirsch and Stoer's extrapolation); the uncertainty is twice their difference,
+/// and a rounding to double. Throws std::invalid_argument unless the start is finite and `time` finite and >=
+/// 0.
+Certified certified_integration(const Rate& rate, const std::vector<double>& start, double time);
+
+}  // namespace byhand
