@@ -63,6 +63,7 @@ class Page {
   void claim(Claim claim);
 
   const std::vector<Item>& items() const { return items_; }
+  std::vector<Item>& items() { return items_; }
 
  private:
   void equation(int number, Formula numbers);

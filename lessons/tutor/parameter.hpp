@@ -24,6 +24,13 @@ struct ParameterRecord {
   void set(std::string_view text);
 };
 
+/// "0.5", "-2", "1/60", "1e-3", with "−" or "-". Throws std::invalid_argument unless the whole text is one
+/// finite number.
+double read_number(std::string_view text);
+
+/// As a reader would type it: 0.2, 1/60, 1e-05.
+std::string typed(double value);
+
 /// A number that the reader may change between two runs of a step. Converts to T wherever one is wanted;
 /// `p()` says so where a template would not.
 template <class T>
@@ -32,6 +39,7 @@ class Parameter {
   explicit Parameter(const ParameterRecord& record) : record_(&record) {}
   T operator()() const { return static_cast<T>(record_->value); }
   operator T() const { return (*this)(); }
+  operator Value() const { return Value(typed(record_->value), typed(record_->value)); }
 
  private:
   const ParameterRecord* record_;

@@ -3,6 +3,7 @@
 #include <concepts>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace byhand::tutor {
@@ -35,6 +36,7 @@ class Value {
   Value(std::string words) : plain_(words), latex_("\\text{" + std::move(words) + "}") {}
   Value(const char* words) : Value(std::string(words)) {}
   Value(double value, int digits);
+  Value(std::string plain, std::string latex) : plain_(std::move(plain)), latex_(std::move(latex)) {}
   Value(const std::vector<double>& list);
 
   const std::string& plain() const { return plain_; }

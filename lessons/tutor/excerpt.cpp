@@ -1,0 +1,57 @@
+#include "lessons/tutor/excerpt.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <vector>
+
+#include "lessons/tutor/error.hpp"
+
+namespace byhand::tutor {
+namespace {
+
+std::string trimmed(const std::string& line) {
+  const auto first = line.find_first_not_of(' ');
+  return first == std::string::npos ? "" : line.substr(first, line.find_last_not_of(" \r") - first + 1);
+}
+
+bool is_marker(const std::string& line) {
+  const std::string words = trimmed(line);
+  return words.starts_with("//! [") && words.ends_with("]");
+}
+
+std::string without_common_indentation(const std::vector<std::string>& lines) {
+  size_t indentation = std::string::npos;
+  for (const std::string& line : lines) indentation = std::min(indentation, line.find_first_not_of(' '));
+  std::string code;
+  for (const std::string& line : lines)
+    code += (line.size() > indentation ? line.substr(indentation) : "") + "\n";
+  return code;
+}
+
+}  // namespace
+
+Excerpt read_excerpt(const std::string& root, const std::string& file, const std::string& tag) {
+  std::ifstream source(root + "/" + file);
+  if (!source) throw LessonError(fmt::format("the excerpt [{}] is from {}, which cannot be read", tag, file));
+  const std::string marker = "//! [" + tag + "]";
+  Excerpt excerpt{file, 0, ""};
+  std::vector<std::string> lines;
+  int number = 0, markers = 0;
+  for (std::string line; markers < 2 && std::getline(source, line);) {
+    ++number;
+    if (trimmed(line) == marker) {
+      ++markers;
+    } else if (markers == 1 && !is_marker(line)) {
+      if (lines.empty()) excerpt.line = number;
+      lines.push_back(line);
+    }
+  }
+  if (markers < 2 || lines.empty())
+    throw LessonError(fmt::format("{} has no lines between two markers \"{}\"", file, marker));
+  excerpt.code = without_common_indentation(lines);
+  return excerpt;
+}
+
+}  // namespace byhand::tutor

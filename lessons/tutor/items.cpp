@@ -1,0 +1,18 @@
+#include "lessons/tutor/items.hpp"
+
+#include <cmath>
+
+namespace byhand::tutor {
+
+bool Tolerance::met(double expected, double measured) const {
+  if (!std::isfinite(expected) || !std::isfinite(measured)) return false;
+  switch (kind) {
+    case Kind::absolute: return std::abs(measured - expected) <= size;
+    case Kind::relative: return std::abs(measured - expected) <= size * std::abs(expected);
+    case Kind::at_most: return measured <= expected;
+    case Kind::at_least: return measured >= expected;
+  }
+  return false;
+}
+
+}  // namespace byhand::tutor

@@ -1,0 +1,55 @@
+#include "lessons/tutor/keyboard.hpp"
+
+#include <poll.h>
+#include <unistd.h>
+
+#include <array>
+#include <csignal>
+
+namespace byhand::tutor {
+namespace {
+
+volatile std::sig_atomic_t waiting = 0, interrupted = 0;
+
+extern "C" void on_interrupt(int) {
+  interrupted = 1;
+  if (waiting) return;
+  constexpr char plain[] = "\033[0m\n";
+  [[maybe_unused]] const auto written = write(STDOUT_FILENO, plain, sizeof plain - 1);
+  _exit(0);
+}
+
+struct sigaction former;
+
+}  // namespace
+
+Keyboard::Keyboard() {
+  struct sigaction action {};
+  action.sa_handler = on_interrupt;  // without SA_RESTART, so that a wait ends
+  sigaction(SIGINT, &action, &former);
+}
+
+Keyboard::~Keyboard() { sigaction(SIGINT, &former, nullptr); }
+
+std::optional<std::string> Keyboard::line() {
+  for (auto end = rest_.find('\n'); end == std::string::npos; end = rest_.find('\n')) {
+    std::array<char, 512> buffer{};
+    waiting = 1;
+    const ssize_t count = interrupted ? -1 : read(STDIN_FILENO, buffer.data(), buffer.size());
+    waiting = 0;
+    if (count <= 0) return std::nullopt;
+    rest_.append(buffer.data(), static_cast<size_t>(count));
+  }
+  const auto end = rest_.find('\n');
+  std::string line = rest_.substr(0, end);
+  rest_.erase(0, end + 1);
+  return line;
+}
+
+bool Keyboard::pressed_within(int milliseconds) {
+  if (!rest_.empty()) return true;
+  pollfd input{STDIN_FILENO, POLLIN, 0};
+  return poll(&input, 1, milliseconds) > 0;
+}
+
+}  // namespace byhand::tutor

@@ -1,0 +1,31 @@
+#include "lessons/tutor/manifest.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace byhand::tutor {
+
+std::string manifest(const Lesson& lesson, const Options& options, const std::string& gl) {
+  using Json = nlohmann::ordered_json;
+  Json parameters = Json::object();
+  Json time_step = nullptr;
+  for (const ParameterRecord& p : lesson.parameters()) {
+    parameters[p.name] = {{"value", p.value}, {"unit", p.unit}};
+    if (p.name == "h") time_step = parameters[p.name];
+  }
+  const Json json = {
+      {"lesson", lesson.about().slug},
+      {"options",
+       {{"quality", options.quality.name},
+        {"width", options.quality.width},
+        {"height", options.quality.height},
+        {"frames_per_second", options.quality.rate},
+        {"frames", to_string(options.frames)},
+        {"parameters", parameters}}},
+      {"time_step", time_step},
+      {"method", lesson.about().method},
+      {"gl", gl},
+  };
+  return json.dump(2) + "\n";
+}
+
+}  // namespace byhand::tutor

@@ -1,0 +1,183 @@
+#include "lessons/tutor/markdown.hpp"
+
+#include <fmt/format.h>
+
+#include <sstream>
+
+#include "lessons/tutor/equations.hpp"
+#include "lessons/tutor/speech.hpp"
+#include "lessons/tutor/studio.hpp"
+
+namespace byhand::tutor {
+namespace {
+
+/// A list needs a blank line before it, or a renderer takes it for more of the paragraph.
+std::string with_parted_lists(const std::string& words) {
+  std::string all;
+  bool in_list = true;
+  std::istringstream lines(words);
+  for (std::string line; std::getline(lines, line);) {
+    const bool item = line.starts_with("- ");
+    if (item && !in_list) all += "\n";
+    in_list = item || line.empty() || (in_list && !all.empty() && line.starts_with("  "));
+    all += line + "\n";
+  }
+  return all;
+}
+
+/// A bar would end the cell of a table.
+std::string cell(const std::string& words) {
+  std::string escaped;
+  for (const char c : words) escaped += c == '|' ? "\\|" : c == '\n' ? " " : std::string(1, c);
+  return escaped;
+}
+
+std::string row(const std::vector<std::string>& cells) {
+  std::string line = "|";
+  for (const std::string& words : cells) line += " " + cell(words) + " |";
+  return line + "\n";
+}
+
+std::string rule(size_t columns) {
+  std::string line = "|";
+  for (size_t i = 0; i < columns; ++i) line += "---|";
+  return line + "\n";
+}
+
+std::string folded(const std::string& summary, const std::string& words) {
+  return fmt::format("<details><summary>{}</summary>\n\n{}\n</details>\n", summary, words);
+}
+
+std::string picture(const std::string& caption, const std::string& path) {
+  return fmt::format("![{0}]({1})\n\n*{0}*\n", caption, path);
+}
+
+/// Writes the items of one page; a claim or a measure that follows another goes on with its table.
+class PageWriter {
+ public:
+  PageWriter(std::string& page, FramesWanted frames) : page_(page), frames_(frames) {}
+
+  void operator()(const Text& text) { paragraph(with_parted_lists(text.words)); }
+
+  void operator()(const Equation& equation) {
+    if (equation.number > 0)
+      paragraph(
+          fmt::format("$$\n{} \\tag{{{}}}\n$$\n", article_equation(equation.number).latex, equation.number));
+    if (!equation.numbers.latex.empty()) paragraph(fmt::format("$$\n{}\n$$\n", equation.numbers.latex));
+  }
+
+  void operator()(const Excerpt& excerpt) {
+    paragraph(fmt::format("`{}`, line {}:\n\n```cpp\n{}```\n", excerpt.file, excerpt.line, excerpt.code));
+  }
+
+  void operator()(const Measure& measure) {
+    table_row(Table::measures, {"quantity", "value"},
+              {measure.quantity, quantity(measure.value, measure.unit)});
+  }
+
+  void operator()(const Figure& figure) {
+    std::string lines = picture(figure.caption, figure_path(figure.name));
+    if (std::holds_alternative<renderer::Chart>(figure.picture))
+      lines += fmt::format("\n[data]({})\n", data_path(figure.name));
+    paragraph(lines);
+  }
+
+  void operator()(const Sequence& sequence) {
+    if (frames_ == FramesWanted::none)
+      paragraph(fmt::format("*{}*\n", sequence.caption));
+    else
+      paragraph(picture(sequence.caption, strip_path(sequence.name)) +
+                fmt::format("\n[{}]({}/)\n", frames_ == FramesWanted::all ? "all frames" : "the last frame",
+                            frames_folder(sequence.name)));
+  }
+
+  void operator()(const Prediction& question) {
+    std::string answer =
+        fmt::format("**{}**. {}\n", quantity(question.answer, question.unit, 4), question.right);
+    for (const WrongAnswer& wrong : question.wrong)
+      answer += fmt::format("\nNot {}: {}\n", quantity(wrong.value, question.unit, 4), wrong.reply);
+    ask(question.ask, question.hint, answer);
+  }
+
+  void operator()(const Choice& question) {
+    std::string words = question.ask + "\n\n", answer;
+    int index = 0;
+    for (const Option& option : question.options) {
+      const bool right = index == question.answer;
+      words += fmt::format("{}. {}\n", ++index, option.words);
+      answer += fmt::format("{}{}. {}{} {}\n\n", right ? "**" : "Not ", index, option.words,
+                            right ? "**." : ":", option.reply);
+    }
+    ask(words, question.hint, answer);
+  }
+
+  void operator()(const Claim& claim) {
+    const std::string range = claim.range.empty() ? "" : fmt::format(" (for {})", claim.range);
+    table_row(Table::claims, {"claim", "measured", "expected", "after", "verdict"},
+              {claim.quantity + range, measurement(claim), expectation(claim), claim.source, verdict(claim)});
+  }
+
+ private:
+  enum class Table { none, measures, claims };
+
+  void paragraph(const std::string& words) {
+    page_ += "\n" + words;
+    table_ = Table::none;
+  }
+
+  void table_row(Table table, const std::vector<std::string>& head, const std::vector<std::string>& cells) {
+    if (table_ != table) page_ += "\n" + row(head) + rule(head.size());
+    page_ += row(cells);
+    table_ = table;
+  }
+
+  void ask(const std::string& words, const std::string& hint, const std::string& answer) {
+    paragraph("**Before you read on.** " + words + (words.ends_with('\n') ? "" : "\n"));
+    if (!hint.empty()) paragraph(folded("Hint", hint + "\n"));
+    paragraph(folded("Answer", answer));
+  }
+
+  std::string& page_;
+  FramesWanted frames_;
+  Table table_ = Table::none;
+};
+
+std::string parameters(const Lesson& lesson) {
+  if (lesson.parameters().empty()) return "";
+  std::string lines = "\n" + row({"parameter", "value", "unit", "range", "meaning"}) + rule(5);
+  for (const ParameterRecord& p : lesson.parameters())
+    lines += row({"`" + p.name + "`", typed(p.value), p.unit,
+                  typed(p.range.low) + " … " + typed(p.range.high), p.meaning});
+  return lines;
+}
+
+std::string closing(const Closing& closing) {
+  std::string words;
+  if (!closing.now_you_know.empty()) {
+    words += "\n## What you now know\n\n";
+    for (const std::string& known : closing.now_you_know) words += "- " + known + "\n";
+  }
+  if (!closing.tries.empty()) {
+    words += "\n## To try\n";
+    for (const Try& attempt : closing.tries)
+      words += fmt::format("\n{}\n\n```sh\n{}\n```\n", attempt.what, attempt.command);
+  }
+  if (!closing.next.empty()) words += "\n## What comes next\n\n" + closing.next + "\n";
+  return words;
+}
+
+}  // namespace
+
+std::string markdown(const Lesson& lesson, const std::vector<Told>& told, FramesWanted frames) {
+  std::string page =
+      fmt::format("# {}. {}\n\n{}\n", lesson.number(), lesson.about().title, lesson.about().summary);
+  page += parameters(lesson);
+  for (const Told& t : told) {
+    page += fmt::format("\n## {} {}{}\n", t.step->label, t.step->title, t.step->deeper ? " *(deeper)*" : "");
+    PageWriter write(page, frames);
+    for (const Item& item : t.page.items()) std::visit(write, item);
+  }
+  return page + closing(lesson.closing());
+}
+
+}  // namespace byhand::tutor

@@ -1,0 +1,128 @@
+#include "lessons/tutor/options.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+#include "lessons/tutor/lesson.hpp"
+
+namespace byhand::tutor {
+namespace {
+
+const std::array<Quality, 3> qualities = {
+    {{"low", 854, 480, 15}, {"medium", 1280, 720, 30}, {"high", 1920, 1080, 60}}};
+
+/// The project's own output folder, said as briefly as the present folder allows.
+std::filesystem::path default_output() {
+  const std::filesystem::path folder = std::filesystem::path(BYHAND_SOURCE_DIR) / "output";
+  const std::filesystem::path nearby = std::filesystem::proximate(folder);
+  return *nearby.begin() == ".." ? folder : nearby;
+}
+
+std::pair<std::string, std::string> split_setting(const std::string& setting) {
+  const auto equals = setting.find('=');
+  if (equals == std::string::npos || equals == 0)
+    throw std::invalid_argument(
+        fmt::format("--set {}: write NAME=VALUE, for example --set h=1/120", setting));
+  return {setting.substr(0, equals), setting.substr(equals + 1)};
+}
+
+std::string teach(const Lesson& lesson) {
+  std::string words =
+      "At a terminal the lesson goes step by step. Type a prediction when it asks for one, and\n"
+      "  Enter goes on    b goes back      d goes deeper    h hints    s shows the answer\n"
+      "  beta 0.5, h 1/120  change a parameter: the step runs again, old and new side by side\n"
+      "  r reads the step again    ? helps    q leaves and remembers where\n\n"
+      "Parameters of this lesson:\n";
+  for (const ParameterRecord& p : lesson.parameters())
+    words += fmt::format("  {} = {} [{}], from {} to {}: {}\n", p.name, typed(p.initial), p.unit,
+                         typed(p.range.low), typed(p.range.high), p.meaning);
+  words += fmt::format(
+      "\nExamples:\n"
+      "  ./lessons/run {0}                      read it\n"
+      "  ./lessons/run {0} --check              are all its numbers true?\n"
+      "  ./lessons/run {0} --quality high       pictures for a talk, in output/{1}/\n",
+      lesson.number(), lesson.about().slug);
+  if (!lesson.parameters().empty())
+    words += fmt::format("  ./lessons/run {} --set {}={}   the same with another value\n", lesson.number(),
+                         lesson.parameters().front().name, typed(lesson.parameters().front().initial));
+  return words +
+         "\nExit status: 0 fine, 1 a claim is false, 2 bad usage or value, 3 the environment (no OpenGL,\n"
+         "disk full, folder not writable).";
+}
+
+void require_step(const Lesson& lesson, const std::string& label) {
+  std::string labels;
+  for (const Step& step : lesson.steps()) {
+    if (step.label == label) return;
+    labels += (labels.empty() ? "" : ", ") + step.label;
+  }
+  throw std::invalid_argument(fmt::format("--step {}: this lesson has the steps {}", label, labels));
+}
+
+}  // namespace
+
+std::string_view to_string(FramesWanted frames) {
+  constexpr std::array<std::string_view, 3> names = {"none", "last", "all"};
+  return names[static_cast<size_t>(frames)];
+}
+
+Options read_options(const Lesson& lesson, int argc, const char* const* argv, bool at_terminal) {
+  Options options;
+  options.output = default_output();
+  std::string quality = "medium", frames;
+  std::vector<std::string> settings;
+
+  CLI::App app(fmt::format("{}. {}\n{}", lesson.number(), lesson.about().title, lesson.about().summary),
+               fmt::format("./lessons/run {}", lesson.number()));
+  app.footer(teach(lesson));
+  app.get_formatter()->column_width(36);
+  app.set_help_flag("--help", "this page");
+  const auto* interactive = app.add_flag("--interactive,!--no-interactive", options.interactive,
+                                         "step by step or straight through (default: step by step if both "
+                                         "standard input and output are terminals)");
+  app.add_option("--output", options.output, "where lesson.md, figures, frames and data go (default output/)")
+      ->type_name("DIR");
+  app.add_option("--quality", quality, "854×480 at 15/s, 1280×720 at 30/s (default) or 1920×1080 at 60/s")
+      ->type_name("low|medium|high")
+      ->check(CLI::IsMember({"low", "medium", "high"}));
+  app.add_option("--frames", frames, "frames of the sequences (default all; last when step by step)")
+      ->type_name("none|last|all")
+      ->check(CLI::IsMember({"none", "last", "all"}));
+  app.add_option("--set", settings, "give a parameter another value; may be repeated")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
+  app.add_flag("--list-parameters", options.list_parameters,
+               "what can be set: default, unit, range, meaning");
+  app.add_flag("--check", options.check, "no pictures, only the claims, as a table");
+  app.add_option("--step", options.step,
+                 "only this step (3, or 3a for what goes deeper); at a terminal: begin there")
+      ->type_name("N");
+  app.add_flag("--quiet", options.quiet, "no text and no progress, only what is wrong");
+  app.add_flag("--about", options.about, "the lesson in one line of JSON, for the course")->group("");
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    throw Answered{app.help()};
+  } catch (const CLI::ParseError& bad) {
+    throw std::invalid_argument(fmt::format("{} (--help shows the options)", bad.what()));
+  }
+
+  if (interactive->empty()) options.interactive = at_terminal;
+  if (options.check || options.quiet) options.interactive = false;
+  options.quality =
+      *std::find_if(qualities.begin(), qualities.end(), [&](const Quality& q) { return q.name == quality; });
+  if (frames.empty()) frames = options.interactive ? "last" : "all";
+  options.frames = frames == "none"   ? FramesWanted::none
+                   : frames == "last" ? FramesWanted::last
+                                      : FramesWanted::all;
+  for (const std::string& setting : settings) options.set.push_back(split_setting(setting));
+  if (!options.step.empty()) require_step(lesson, options.step);
+  return options;
+}
+
+}  // namespace byhand::tutor

@@ -1,0 +1,72 @@
+#include "lessons/tutor/page.hpp"
+
+#include <fmt/format.h>
+
+#include "lessons/tutor/equations.hpp"
+#include "lessons/tutor/error.hpp"
+#include "lessons/tutor/excerpt.hpp"
+
+namespace byhand::tutor {
+namespace {
+
+void require_file_name(const std::string& name) {
+  if (name.empty() || name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") != std::string::npos)
+    throw LessonError(fmt::format("\"{}\" cannot name a picture: use a-z, 0-9 and _", name));
+}
+
+}  // namespace
+
+void Page::equation(int number) { equation(number, Formula{}); }
+
+void Page::equation(int number, Formula numbers) {
+  article_equation(number);
+  add(Equation{number, std::move(numbers)});
+}
+
+void Page::excerpt(const std::string& file, const std::string& tag) {
+  add(read_excerpt(BYHAND_SOURCE_DIR, file, tag));
+}
+
+void Page::measure(std::string quantity, double value, std::string unit) {
+  add(Measure{std::move(quantity), value, std::move(unit)});
+}
+
+void Page::figure(std::string name, std::string caption, renderer::Chart chart) {
+  require_file_name(name);
+  add(Figure{std::move(name), std::move(caption), std::move(chart)});
+}
+
+void Page::figure(std::string name, std::string caption, Drawing draw) {
+  require_file_name(name);
+  add(Figure{std::move(name), std::move(caption), std::move(draw)});
+}
+
+void Page::sequence(std::string name, std::string caption, std::variant<Seconds, Frames> length,
+                    FrameDrawing draw) {
+  require_file_name(name);
+  add(Sequence{std::move(name), std::move(caption), length, std::move(draw)});
+}
+
+void Page::predict(Prediction question) {
+  if (!(question.tolerance > 0))
+    throw LessonError(fmt::format("\"{}\" needs a tolerance above zero", question.ask));
+  add(std::move(question));
+}
+
+void Page::choose(Choice question) {
+  if (question.answer < 0 || question.answer >= static_cast<int>(question.options.size()))
+    throw LessonError(fmt::format("\"{}\" has no option {}", question.ask, question.answer));
+  add(std::move(question));
+}
+
+void Page::claim(Claim claim) {
+  if (claim.source.empty())
+    throw LessonError(
+        fmt::format("the claim \"{}\" does not say where its expectation comes from", claim.quantity));
+  if (!claim.claimed && claim.range.empty())
+    throw LessonError(
+        fmt::format("the claim \"{}\" is not claimed here, but does not say where it is", claim.quantity));
+  add(std::move(claim));
+}
+
+}  // namespace byhand::tutor

@@ -1,0 +1,63 @@
+#include "lessons/tutor/progress.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+
+namespace byhand::tutor {
+
+using namespace std::chrono_literals;
+
+Progress::Progress(std::string what, int total, bool quiet) : what_(std::move(what)), total_(total) {
+  if (!quiet) thread_ = std::thread([this] { speak(); });
+}
+
+Progress::~Progress() {
+  if (!thread_.joinable()) return;
+  {
+    const std::lock_guard lock(mutex_);
+    over_ = true;
+  }
+  changed_.notify_all();
+  thread_.join();
+}
+
+void Progress::speak() {
+  // Ctrl-C is the business of the thread that talks to the reader.
+  sigset_t signals;
+  sigfillset(&signals);
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+
+  std::unique_lock lock(mutex_);
+  const auto over = [this] { return over_; };
+  if (changed_.wait_for(lock, 1s, over)) return;
+  if (!isatty(STDERR_FILENO)) {
+    fmt::print(stderr, "{} …\n", what_);
+    return;
+  }
+  for (int tick = 0; !over_; ++tick) {
+    show_bar(tick);
+    changed_.wait_for(lock, 200ms, over);
+  }
+  fmt::print(stderr, "\r\033[K");
+  std::fflush(stderr);
+}
+
+void Progress::show_bar(int tick) const {
+  constexpr int width = 24;
+  std::string bar;
+  if (total_ > 0) {
+    const int filled = done_ * width / total_;
+    for (int i = 0; i < width; ++i) bar += i < filled ? "━" : "╌";
+    bar += fmt::format(" {}/{}", done_, total_);
+  } else {
+    for (int i = 0; i < width; ++i) bar += i == tick % width ? "━" : "╌";
+  }
+  fmt::print(stderr, "\r\033[K{} {}", bar, what_);
+  std::fflush(stderr);
+}
+
+}  // namespace byhand::tutor

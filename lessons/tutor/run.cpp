@@ -1,0 +1,80 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <filesystem>
+#include <new>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <system_error>
+
+#include "lessons/tutor/dialogue.hpp"
+#include "lessons/tutor/lesson.hpp"
+#include "lessons/tutor/options.hpp"
+#include "lessons/tutor/speech.hpp"
+#include "lessons/tutor/straight.hpp"
+#include "renderer/error.hpp"
+
+namespace byhand::tutor {
+namespace {
+
+enum ExitStatus { fine = 0, false_claim = 1, bad_usage = 2, environment = 3 };
+
+int refuse(ExitStatus status, const char* sentence) {
+  fmt::print(stderr, "{}\n", sentence);
+  return status;
+}
+
+std::string about(const Lesson& lesson) {
+  std::vector<std::string> core;
+  for (const Step& step : lesson.steps())
+    if (!step.deeper) core.push_back(step.label);
+  const nlohmann::ordered_json json = {{"slug", lesson.about().slug},
+                                       {"number", lesson.number()},
+                                       {"title", lesson.about().title},
+                                       {"summary", lesson.about().summary},
+                                       {"core_steps", core.size()}};
+  return json.dump() + "\n";
+}
+
+int answer(Lesson& lesson, int argc, const char* const* argv) {
+  const Options options = read_options(lesson, argc, argv, isatty(STDIN_FILENO) && isatty(STDOUT_FILENO));
+  for (const auto& [name, value] : options.set) lesson.set(name, value);
+  if (options.about)
+    fmt::print("{}", about(lesson));
+  else if (options.list_parameters)
+    fmt::print("{}", say_parameters(lesson));
+  else
+    return options.interactive ? run_dialogue(lesson, options) : run_straight(lesson, options);
+  return fine;
+}
+
+}  // namespace
+
+int Lesson::run(int argc, const char* const* argv) {
+  try {
+    int status = fine;
+    try {
+      status = answer(*this, argc, argv);
+    } catch (const Answered& answered) {
+      fmt::print("{}", answered.words);
+    }
+    if (std::fflush(stdout) != 0) throw std::system_error(errno, std::generic_category(), "standard output");
+    return status;
+  } catch (const renderer::EnvironmentError& error) {
+    return refuse(environment, error.what());
+  } catch (const std::system_error& error) {
+    return refuse(environment, error.what());
+  } catch (const std::bad_alloc&) {
+    return refuse(environment, "There is not enough memory.");
+  } catch (const std::invalid_argument& error) {
+    return refuse(bad_usage, error.what());
+  } catch (const std::exception& error) {
+    return refuse(false_claim, fmt::format("{} is written wrongly: {}", about_.slug, error.what()).c_str());
+  }
+}
+
+}  // namespace byhand::tutor

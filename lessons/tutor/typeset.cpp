@@ -1,0 +1,161 @@
+#include "lessons/tutor/typeset.hpp"
+
+#include <fmt/format.h>
+#include <glib.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace byhand::tutor {
+namespace {
+
+constexpr char escape = '\033';
+
+std::string_view code_of(Tone tone) {
+  switch (tone) {
+    case Tone::title: return "1;36";
+    case Tone::quiet: return "2";
+    case Tone::formula: return "1";
+    case Tone::code: return "36";
+    case Tone::good: return "32";
+    case Tone::bad: return "31";
+    case Tone::question: return "1;33";
+  }
+  return "0";
+}
+
+std::string indentation(int columns) { return std::string(static_cast<size_t>(std::max(0, columns)), ' '); }
+
+/// One paragraph, its lines behind `indent` blanks, the first one behind `first`.
+std::string wrapped_paragraph(const std::string& paragraph, const Style& style, const std::string& first,
+                              int indent) {
+  std::string lines, line = first;
+  int column = display_width(first);
+  bool empty = true;
+  std::istringstream words(with_emphasis(paragraph, style));
+  for (std::string word; words >> word;) {
+    const int width = display_width(word);
+    if (!empty && column + 1 + width > style.width) {
+      lines += line + "\n";
+      line = indentation(indent);
+      column = indent;
+      empty = true;
+    }
+    line += (empty ? "" : " ") + word;
+    column += width + (empty ? 0 : 1);
+    empty = false;
+  }
+  return lines + line + "\n";
+}
+
+}  // namespace
+
+std::string toned(std::string_view words, Tone tone, const Style& style) {
+  if (!style.colours) return std::string(words);
+  return fmt::format("{}[{}m{}{}[0m", escape, code_of(tone), words, escape);
+}
+
+int display_width(std::string_view words) {
+  int columns = 0;
+  for (const char* at = words.data(); at < words.data() + words.size();) {
+    if (*at == escape) {
+      while (at < words.data() + words.size() && *at != 'm') ++at;
+      ++at;
+      continue;
+    }
+    const gunichar character = g_utf8_get_char_validated(at, words.data() + words.size() - at);
+    if (character == static_cast<gunichar>(-1) || character == static_cast<gunichar>(-2)) {
+      ++columns;
+      ++at;
+      continue;
+    }
+    if (!g_unichar_iszerowidth(character)) columns += g_unichar_iswide(character) ? 2 : 1;
+    at = g_utf8_next_char(at);
+  }
+  return columns;
+}
+
+std::string padded(std::string_view words, int width) {
+  return std::string(words) + indentation(width - display_width(words));
+}
+
+std::string with_emphasis(std::string_view words, const Style& style) {
+  struct Markup {
+    std::string_view mark, on, off;
+    bool keeps_mark_without_colours;
+  };
+  static const Markup markups[] = {{"`", "\033[36m", "\033[39m", true},
+                                   {"**", "\033[1m", "\033[22m", false},
+                                   {"*", "\033[3m", "\033[23m", false}};
+  std::string shown;
+  const Markup* open = nullptr;
+  while (!words.empty()) {
+    const Markup* found = nullptr;
+    for (const Markup& markup : markups) {
+      const bool could_open = !open && words.starts_with(markup.mark) && words.size() > markup.mark.size() &&
+                              words[markup.mark.size()] != ' ' &&
+                              words.find(markup.mark, markup.mark.size()) != std::string_view::npos;
+      if (could_open || (open == &markup && words.starts_with(markup.mark))) {
+        found = &markup;
+        break;
+      }
+    }
+    if (!found) {
+      shown += words.front();
+      words.remove_prefix(1);
+      continue;
+    }
+    if (style.colours)
+      shown += open ? found->off : found->on;
+    else if (found->keeps_mark_without_colours)
+      shown += found->mark;
+    open = open ? nullptr : found;
+    words.remove_prefix(found->mark.size());
+  }
+  return shown;
+}
+
+std::string wrapped(std::string_view words, const Style& style, int indent) {
+  std::string all, paragraph, first = indentation(indent);
+  int hanging = indent;
+  const auto flush = [&] {
+    if (!paragraph.empty()) all += wrapped_paragraph(paragraph, style, first, hanging);
+    paragraph.clear();
+    first = indentation(indent);
+    hanging = indent;
+  };
+  std::istringstream lines{std::string(words)};
+  for (std::string line; std::getline(lines, line);) {
+    if (line.find_first_not_of(' ') == std::string::npos) {
+      flush();
+      if (!all.empty()) all += "\n";
+    } else if (line.starts_with("- ")) {
+      flush();
+      first = indentation(indent) + "• ";
+      hanging = indent + 2;
+      paragraph = line.substr(2);
+    } else {
+      paragraph += (paragraph.empty() ? "" : " ") + line;
+    }
+  }
+  flush();
+  return all;
+}
+
+std::string table(const std::vector<std::vector<std::string>>& rows, int indent) {
+  std::vector<int> widths;
+  for (const auto& row : rows) {
+    widths.resize(std::max(widths.size(), row.size()));
+    for (size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], display_width(row[i]));
+  }
+  std::string all;
+  for (const auto& row : rows) {
+    std::string line = indentation(indent);
+    for (size_t i = 0; i < row.size(); ++i)
+      line += i + 1 < row.size() ? padded(row[i], widths[i] + 2) : row[i];
+    all += line + "\n";
+  }
+  return all;
+}
+
+}  // namespace byhand::tutor
