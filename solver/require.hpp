@@ -17,9 +17,7 @@ void require(bool holds, std::string_view name, const T& value, std::string_view
 }
 
 /// " [m]" for the unit "m", nothing for a pure number.
-inline std::string in_brackets(std::string_view unit) {
-  return unit.empty() ? "" : fmt::format(" [{}]", unit);
-}
+inline std::string in_brackets(std::string_view unit) { return unit.empty() ? "" : fmt::format(" [{}]", unit); }
 
 /// Refuses NaN and infinity.
 inline void require_finite(std::string_view name, double value, std::string_view unit = "") {
@@ -33,8 +31,7 @@ inline void require_positive(std::string_view name, double value, std::string_vi
 }
 
 /// Refuses everything but low <= value <= high.
-inline void require_in(std::string_view name, double value, double low, double high,
-                       std::string_view unit = "") {
+inline void require_in(std::string_view name, double value, double low, double high, std::string_view unit = "") {
   if (!(low <= value && value <= high))
     require(false, name, value, fmt::format("between {} and {}{}", low, high, in_brackets(unit)));
 }

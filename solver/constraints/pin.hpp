@@ -1,0 +1,51 @@
+#pragma once
+
+#include "solver/constraints/anchors.hpp"
+
+// A joint is a system of constraints: two points coincide, one row for each axis e_k of the world.
+//
+//   C                C_k = e_k · (P2 - P1)                                                   [m]
+//   differentiate    Ċ_k = e_k · ((v2 + ω2 × r2) - (v1 + ω1 × r1))
+//   isolate V        Ċ_k = e_k·v2 + (r2 × e_k)·ω2 - e_k·v1 - (r1 × e_k)·ω1   (triple product, as in (13))
+//   J by inspection  J_k = [ -e_k   -r1 × e_k   e_k   r2 × e_k ]
+//
+// Two rows in the plane, three in space (a ball joint); λ is the impulse on body 2 in world axes [N s].
+namespace byhand {
+
+template <class M>
+struct Pin {
+  static constexpr int rows = M::linear;
+  static constexpr Bound bound = Bound::none;
+  static constexpr bool drifts = true;
+
+  Anchors<M> at;
+  double softness = 0;  // γ [1/kg] >= 0
+
+  /// P2 - P1 at two poses [m], for any scalar.
+  template <class T>
+  Rows<rows, T> value(const Pose<M, T>& pose1, const Pose<M, T>& pose2) const {
+    return at.separation(pose1, pose2);
+  }
+
+  /// J at two poses [1, and m where a body turns].
+  Jacobian<M, rows> jacobian(const Pose<M>& pose1, const Pose<M>& pose2) const {
+    const Arm<M> r1 = in_world<M, double>(pose1, at.arms.first), r2 = in_world<M, double>(pose2, at.arms.second);
+    Jacobian<M, rows> J;
+    for (int k = 0; k < rows; ++k) set_row_along<M, rows>(J, k, Linear<M>::Unit(k), r1, r2);
+    return J;
+  }
+
+  /// Throws std::invalid_argument for softness < 0 or anchors that name no bodies.
+  void require_valid(const Bodies<M>& bodies) const {
+    at.require_valid(bodies);
+    require_in("softness", softness, 0, 1e300);
+  }
+};
+
+/// A pin at a world point [m] of two bodies as they now stand.
+template <class M>
+Pin<M> pin(const Bodies<M>& bodies, int body1, int body2, const Linear<M>& point) {
+  return {between<M>(bodies, body1, point, body2, point)};
+}
+
+}  // namespace byhand

@@ -1,0 +1,145 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/simulation.hpp"
+
+// What can be read off a scene: each a plain sum over bodies or rows, so that what is claimed can be checked.
+namespace byhand {
+
+struct PositionError {
+  double max = 0, rms = 0;  // of |C|, in the unit of C
+};
+
+/// How far the scene is from its position constraints: over all rows that have a C; of one-sided rows only
+/// overlap counts.
+template <class S>
+PositionError position_error(const S& scene) {
+  double largest = 0, sum = 0;
+  int rows = 0;
+  scene.for_each([&](const auto& constraint) {
+    using Kind = std::remove_cvref_t<decltype(constraint)>;
+    if constexpr (Kind::drifts) {
+      const auto C = constraint.template value<double>(scene.bodies.pose[constraint.at.body1],
+                                                       scene.bodies.pose[constraint.at.body2]);
+      for (const double c : C) {
+        const double error = Kind::bound == Bound::interval ? std::max(0.0, -c) : std::abs(c);
+        largest = std::max(largest, error);
+        sum += error * error;
+        ++rows;
+      }
+    }
+  });
+  return {largest, rows > 0 ? std::sqrt(sum / rows) : 0.0};
+}
+
+/// I of one body in the world [kg m²]: a number in the plane, 3 × 3 in space.
+template <class M>
+Eigen::Matrix<double, M::angular, M::angular> inertia(const InverseMass<M>& mass, const Pose<M>& pose) {
+  if constexpr (M::angular == 3) {
+    const Eigen::Matrix3d R = pose.rotation.toRotationMatrix();
+    return R * mass.angular.cwiseInverse().asDiagonal() * R.transpose();
+  } else {
+    return mass.angular.cwiseInverse();
+  }
+}
+
+/// ½mv² + ½ω·Iω over all bodies that move [J].
+template <class M>
+double kinetic_energy(const Bodies<M>& bodies) {
+  double energy = 0;
+  for (int i = 0; i < bodies.size(); ++i) {
+    if (!moves(bodies.inverse_mass[i])) continue;
+    const Velocity<M>& V = bodies.velocity[i];
+    energy += 0.5 * V.template head<M::linear>().squaredNorm() / bodies.inverse_mass[i].linear;
+    if constexpr (M::angular > 0) {
+      const Angular<M> spin = V.template tail<M::angular>();
+      energy += 0.5 * spin.dot(inertia<M>(bodies.inverse_mass[i], bodies.pose[i]) * spin);
+    }
+  }
+  return energy;
+}
+
+/// -m g·x over all bodies that move [J], zero at the origin.
+template <class S, class M = typename S::model>
+double potential_energy(const S& scene) {
+  double energy = 0;
+  for (int i = 0; i < scene.bodies.size(); ++i)
+    if (moves(scene.bodies.inverse_mass[i]))
+      energy -= scene.gravity.dot(scene.bodies.pose[i].position) / scene.bodies.inverse_mass[i].linear;
+  return energy;
+}
+
+/// Kinetic and potential energy [J].
+template <class S>
+double energy(const S& scene) {
+  return kinetic_energy(scene.bodies) + potential_energy(scene);
+}
+
+/// Σ m v over all bodies that move [kg m/s].
+template <class M>
+Linear<M> linear_momentum(const Bodies<M>& bodies) {
+  Linear<M> sum = Linear<M>::Zero();
+  for (int i = 0; i < bodies.size(); ++i)
+    if (moves(bodies.inverse_mass[i]))
+      sum += bodies.velocity[i].template head<M::linear>() / bodies.inverse_mass[i].linear;
+  return sum;
+}
+
+/// Σ (x - about) × m v + Iω over all bodies that move [kg m²/s]: one number in the plane, three in space.
+template <class M>
+auto angular_momentum(const Bodies<M>& bodies, const Linear<M>& about = Linear<M>::Zero()) {
+  decltype(cross(about, about)) sum;
+  sum.setZero();
+  for (int i = 0; i < bodies.size(); ++i) {
+    if (!moves(bodies.inverse_mass[i])) continue;
+    const Linear<M> momentum = bodies.velocity[i].template head<M::linear>() / bodies.inverse_mass[i].linear;
+    sum += cross(Linear<M>(bodies.pose[i].position - about), momentum);
+    if constexpr (M::angular > 0)
+      sum += inertia<M>(bodies.inverse_mass[i], bodies.pose[i]) * bodies.velocity[i].template tail<M::angular>();
+  }
+  return sum;
+}
+
+/// The largest |JV + b + γλ| over the rows as they were last written and solved [units of C per second], at
+/// velocities V. A bounded row that leans on its bound counts only what drives it off.
+template <class M>
+double residual(const System<M>& system, const std::vector<Velocity<M>>& V) {
+  double largest = 0;
+  system.for_each_run([&]<int K, Bound B>(std::span<const Block<M, K, B>> blocks) {
+    for (const auto& block : blocks) {
+      const Eigen::Map<const Rows<K>> lambda(&system.lambda[block.row]), gamma(&system.gamma[block.row]),
+          bias(&system.bias[block.row]);
+      Rows<K> error = dot(block.J, V[block.body1], V[block.body2]) + bias + gamma.cwiseProduct(lambda);
+      if constexpr (B != Bound::none) {
+        // What a step along -error of one more (17) would still change, in units of the error.
+        const double A = inverse_effective_mass(block.J, block.W).diagonal().maxCoeff() + gamma.maxCoeff();
+        if (A == 0) continue;
+        const double leader = B == Bound::ball ? system.lambda[block.leader] : 0.0;
+        error = A * (bounded<K, B>(lambda - error / A, system.lower[block.row], system.upper[block.row], leader) -
+                     lambda);
+      }
+      largest = std::max(largest, error.cwiseAbs().maxCoeff());
+    }
+  });
+  return largest;
+}
+
+/// How far one step of the simulation's method leaves the velocities from those of the direct solve of the
+/// same rows: the largest difference over all bodies [m/s, rad/s]. What is left of the step's error is not
+/// the solver's.
+template <class S>
+double algebraic_error(Simulation<S> simulation, double h) {
+  Simulation<S> exact = simulation;
+  exact.method.solver = Direct{Factorisation::dense};
+  simulation.step(h);
+  exact.step(h);
+  double largest = 0;
+  for (int i = 0; i < simulation.scene.bodies.size(); ++i)
+    largest = std::max(
+        largest, (simulation.scene.bodies.velocity[i] - exact.scene.bodies.velocity[i]).cwiseAbs().maxCoeff());
+  return largest;
+}
+
+}  // namespace byhand

@@ -1,0 +1,299 @@
+#include "solver/methods/direct.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+namespace byhand {
+namespace {
+
+// A pivot below this share of its row's own diagonal is rounding, not physics.
+constexpr double smallest_pivot = 1e-13;
+constexpr int largest_size = 6;  // of any model's rows or degrees of freedom
+
+[[noreturn]] void refuse_singular() {
+  throw SingularSystem(
+      "the direct solve met a row that repeats or contradicts other rows, so that its impulses have no "
+      "single answer; "
+      "remove what repeats, or set a regularisation above 0 (1e-9 is a good start)");
+}
+
+/// A block's size, known to the compiler where it can be: all edges have S rows, all hubs dof; S = 0 asks the
+/// node.
+template <int S, int dof, class F>
+inline void with_size(const Elimination::Node& node, F&& f) {
+  if constexpr (S == 0)
+    f(node.size);
+  else if (S == dof || node.edge >= 0)
+    f(std::integral_constant<int, S>());
+  else
+    f(std::integral_constant<int, dof>());
+}
+
+/// Inverse of a symmetric n × n matrix in place, by symmetric sweeps without pivoting: the order of
+/// elimination makes every pivot definite, positive for edges and negative for hubs. A row that has no effect
+/// to begin with (zero on its `diagonal`) gets zeros, and so no impulse. Returns whether every pivot stands
+/// out from rounding.
+template <class Size>
+inline bool invert(double* A, const double* diagonal, Size n) {
+  bool regular = true;
+  for (int p = 0; p < n; ++p) {
+    double* row = A + p * n;
+    const double pivot = row[p];
+    regular = regular && (std::abs(pivot) > smallest_pivot * std::abs(diagonal[p]) || diagonal[p] == 0);
+    const double inverse = diagonal[p] == 0 ? 0.0 : 1 / pivot;
+    for (int i = 0; i < n; ++i)
+      if (i != p) {
+        const double scale = A[i * n + p] * inverse;
+        for (int j = 0; j < n; ++j)
+          if (j != p) A[i * n + j] -= scale * row[j];
+      }
+    for (int i = 0; i < n; ++i)
+      if (i != p) A[i * n + p] = row[i] = -row[i] * inverse;
+    row[p] = -inverse;
+  }
+  for (int i = 0; i < n * n; ++i) A[i] = -A[i];
+  return regular;
+}
+
+/// -M of a hub, which is where its unknown ΔV enters: Jᵀλ - M ΔV = 0.
+template <class M>
+void write_minus_mass(const InverseMass<M>& inverse_mass, const Pose<M>& pose, double* D) {
+  constexpr int dof = M::dof;
+  Eigen::Map<Eigen::Matrix<double, dof, dof, Eigen::RowMajor>> mass(D);
+  mass.setZero();
+  mass.diagonal().template head<M::linear>().setConstant(-1 / inverse_mass.linear);
+  if constexpr (M::angular == 1) mass(M::linear, M::linear) = -1 / inverse_mass.angular[0];
+  if constexpr (M::angular == 3) {
+    const Eigen::Matrix3d R = pose.rotation.toRotationMatrix();
+    mass.template bottomRightCorner<3, 3>() =
+        -(R * inverse_mass.angular.cwiseInverse().asDiagonal() * R.transpose());
+  }
+}
+
+/// Fills the blocks with the matrix and the unknowns with the right-hand side.
+template <int S, class M>
+void assemble(const Direct& solver, const System<M>& system, const Bodies<M>& bodies, DirectWork<M>& work) {
+  constexpr int dof = M::dof;
+  const Elimination& plan = work.plan;
+  const double* V = bodies.velocity.front().data();
+  std::fill(work.values.begin(), work.values.end(), 0.0);
+  for (std::size_t p = 0; p < plan.nodes.size(); ++p) {
+    const auto& node = plan.nodes[p];
+    double *D = &work.values[node.diagonal], *b = &work.unknowns[node.row], *diagonal = &work.diagonal[node.row];
+    if (node.edge < 0) {
+      write_minus_mass<M>(bodies.inverse_mass[node.hub], bodies.pose[node.hub], D);
+      for (int i = 0; i < dof; ++i) {
+        diagonal[i] = D[i * (dof + 1)];
+        b[i] = 0;
+      }
+      continue;
+    }
+    const auto& view = work.views[p];
+    const double *v1 = V + dof * view.body1, *v2 = V + dof * view.body2;
+    with_size<S, dof>(node, [&](auto n) {
+      for (int k = 0; k < n; ++k) {
+        const double *J = view.J + 2 * dof * k, *W = view.W;
+        double rate = system.bias[view.row + k];
+        for (int i = 0; i < dof; ++i) rate += J[i] * v1[i] + J[dof + i] * v2[i];
+        b[k] = -rate;
+        for (int l = 0; l < n; ++l, W += 2 * dof) {
+          double by_body1 = 0, by_body2 = 0;
+          for (int i = 0; i < dof; ++i) {
+            by_body1 += J[i] * W[i];
+            by_body2 += J[dof + i] * W[dof + i];
+          }
+          D[k * n + l] = (view.folded1 ? by_body1 : 0.0) + (view.folded2 ? by_body2 : 0.0);
+          if (k == l) diagonal[k] = by_body1 + by_body2;
+        }
+        const double soft = solver.regularisation * diagonal[k] + system.gamma[view.row + k];
+        D[k * (n + 1)] += soft;
+        diagonal[k] += soft;
+      }
+    });
+  }
+  for (const auto& coupling : plan.couplings) {
+    const auto &earlier = plan.nodes[coupling.earlier], &later = plan.nodes[coupling.later];
+    double* block = &work.values[coupling.block];
+    const double* J = (earlier.edge < 0 ? work.views[coupling.later].J + dof * coupling.later_side
+                                        : work.views[coupling.earlier].J + dof * coupling.earlier_side);
+    if (later.edge < 0) {
+      with_size<S, dof>(earlier, [&](auto n) {
+        for (int i = 0; i < dof; ++i)
+          for (int k = 0; k < n; ++k) block[i * n + k] = J[2 * dof * k + i];
+      });
+    } else if (earlier.edge < 0) {
+      with_size<S, dof>(later, [&](auto n) {
+        for (int k = 0; k < n; ++k)
+          for (int i = 0; i < dof; ++i) block[k * dof + i] = J[2 * dof * k + i];
+      });
+    } else {
+      const double* W = work.views[coupling.later].W + dof * coupling.later_side;
+      with_size<S, dof>(earlier, [&](auto n) {
+        with_size<S, dof>(later, [&](auto m) {
+          for (int l = 0; l < m; ++l)
+            for (int k = 0; k < n; ++k)
+              for (int i = 0; i < dof; ++i) block[l * n + k] += W[2 * dof * l + i] * J[2 * dof * k + i];
+        });
+      });
+    }
+  }
+}
+
+//! [factor]
+/// Eliminates node after node: the blocks become L and the inverses of the pivots D, A = L D Lᵀ, and the
+/// unknowns become L⁻¹ times the right-hand side.
+template <int S, int dof>
+void eliminate(const Elimination& plan, double* values, double* unknowns, const double* diagonal) {
+  bool regular = true;
+  for (const auto& node : plan.nodes)
+    with_size<S, dof>(node, [&](auto n) {
+      double* D = values + node.diagonal;
+      const double* x = unknowns + node.row;
+      regular = invert(D, diagonal + node.row, n) && regular;
+      for (int a = node.first; a < node.last; ++a) {
+        const auto& neighbour = plan.neighbours[a];
+        with_size<S, dof>(plan.nodes[neighbour.node], [&](auto m) {
+          double* A = values + neighbour.block;
+          double L[largest_size * largest_size];
+          for (int i = 0; i < m; ++i)
+            for (int k = 0; k < n; ++k) {
+              double sum = A[i * n] * D[k];
+              for (int l = 1; l < n; ++l) sum += A[i * n + l] * D[l * n + k];
+              L[i * n + k] = sum;
+            }
+          const int* target = &plan.targets[neighbour.targets];
+          for (int b = a; b < node.last; ++b, ++target) {
+            const double* B = values + plan.neighbours[b].block;
+            double* into = values + *target;
+            with_size<S, dof>(plan.nodes[plan.neighbours[b].node], [&](auto r) {
+              for (int j = 0; j < r; ++j)
+                for (int i = 0; i < m; ++i)
+                  for (int k = 0; k < n; ++k) into[j * m + i] -= B[j * n + k] * L[i * n + k];
+            });
+          }
+          double* y = unknowns + plan.nodes[neighbour.node].row;
+          for (int i = 0; i < m; ++i)
+            for (int k = 0; k < n; ++k) y[i] -= L[i * n + k] * x[k];
+          for (int i = 0; i < m * n; ++i) A[i] = L[i];
+        });
+      }
+    });
+  if (!regular) refuse_singular();
+}
+//! [factor]
+
+/// From the last node back to the first: x = D⁻¹y - Lᵀ x_later.
+template <int S, int dof>
+void substitute_back(const Elimination& plan, const double* values, double* unknowns) {
+  for (auto node = plan.nodes.rbegin(); node != plan.nodes.rend(); ++node)
+    with_size<S, dof>(*node, [&](auto n) {
+      const double* D = values + node->diagonal;
+      double* x = unknowns + node->row;
+      double solved[largest_size];
+      for (int k = 0; k < n; ++k) {
+        double sum = D[k * n] * x[0];
+        for (int l = 1; l < n; ++l) sum += D[k * n + l] * x[l];
+        solved[k] = sum;
+      }
+      for (int a = node->first; a < node->last; ++a) {
+        const auto& later = plan.nodes[plan.neighbours[a].node];
+        const double *L = values + plan.neighbours[a].block, *y = unknowns + later.row;
+        with_size<S, dof>(later, [&](auto m) {
+          for (int i = 0; i < m; ++i)
+            for (int k = 0; k < n; ++k) solved[k] -= L[i * n + k] * y[i];
+        });
+      }
+      for (int k = 0; k < n; ++k) x[k] = solved[k];
+    });
+}
+
+template <int S, class M>
+void solve_structured(const Direct& solver, System<M>& system, Bodies<M>& bodies, DirectWork<M>& work) {
+  assemble<S, M>(solver, system, bodies, work);
+  eliminate<S, M::dof>(work.plan, work.values.data(), work.unknowns.data(), work.diagonal.data());
+  substitute_back<S, M::dof>(work.plan, work.values.data(), work.unknowns.data());
+  for (std::size_t p = 0; p < work.plan.nodes.size(); ++p) {
+    const auto& node = work.plan.nodes[p];
+    if (node.edge >= 0) std::copy_n(&work.unknowns[node.row], node.size, &system.lambda[work.views[p].row]);
+  }
+}
+
+/// Where each node finds its J and M⁻¹Jᵀ; returns the one size that all edges have, or 0.
+template <class M>
+int view_blocks(const System<M>& system, DirectWork<M>& work) {
+  const Elimination& plan = work.plan;
+  work.views.resize(plan.nodes.size());
+  int common = -1;
+  std::size_t p = 0;
+  system.for_each_run([&]<int K, Bound B>(std::span<const Block<M, K, B>> blocks) {
+    common = common == -1 || common == K ? K : 0;
+    for (const auto& block : blocks) {
+      while (p < plan.nodes.size() && plan.nodes[p].edge < 0) ++p;
+      if (p == plan.nodes.size()) return;  // edges between fixed bodies follow, and have no node
+      work.views[p++] = {
+          block.J.matrix.data(),         block.W.matrix.data(),        block.row, block.body1, block.body2,
+          plan.folded[block.body1] != 0, plan.folded[block.body2] != 0};
+    }
+  });
+  return common;
+}
+
+template <class M>
+void solve_dense(const Direct& solver, System<M>& system, const Bodies<M>& bodies) {
+  constexpr int dof = M::dof;
+  const int rows = system.rows();
+  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(rows, dof * bodies.size()), W = J;
+  Eigen::VectorXd V(dof * bodies.size());
+  for (int body = 0; body < bodies.size(); ++body) V.segment<dof>(dof * body) = bodies.velocity[body];
+  system.for_each_run([&]<int K, Bound B>(std::span<const Block<M, K, B>> blocks) {
+    for (const auto& block : blocks) {
+      J.block<K, dof>(block.row, dof * block.body1) = block.J.side1();
+      J.block<K, dof>(block.row, dof * block.body2) = block.J.side2();
+      W.block<K, dof>(block.row, dof * block.body1) = block.W.side1();
+      W.block<K, dof>(block.row, dof * block.body2) = block.W.side2();
+    }
+  });
+  Eigen::MatrixXd A = J * W.transpose();
+  Eigen::VectorXd right = -(J * V + Eigen::Map<const Eigen::VectorXd>(system.bias.data(), rows));
+  for (int i = 0; i < rows; ++i) {
+    A(i, i) += solver.regularisation * A(i, i) + system.gamma[i];
+    if (A(i, i) == 0) A(i, i) = 1, right[i] = 0;  // a row without effect gets no impulse
+  }
+  const Eigen::LDLT<Eigen::MatrixXd> factor(A);
+  const Eigen::VectorXd pivots = factor.vectorD(), diagonal = factor.transpositionsP() * A.diagonal();
+  if ((pivots.array().abs() <= smallest_pivot * diagonal.array()).any()) refuse_singular();
+  Eigen::Map<Eigen::VectorXd>(system.lambda.data(), rows) = factor.solve(right);
+}
+
+}  // namespace
+
+void require_valid(const Direct& solver) { require_in("regularisation", solver.regularisation, 0, 1); }
+
+template <class M>
+void solve(const Direct& solver, System<M>& system, Bodies<M>& bodies, DirectWork<M>& work) {
+  if (system.rows() == 0) return;
+  if (solver.factorisation == Factorisation::dense) {
+    solve_dense(solver, system, bodies);
+  } else {
+    work.values.resize(work.plan.values);
+    work.unknowns.resize(work.plan.unknowns);
+    work.diagonal.resize(work.plan.unknowns);
+    std::fill(system.lambda.begin(), system.lambda.end(), 0.0);
+    switch (view_blocks(system, work)) {
+      case 1: solve_structured<1>(solver, system, bodies, work); break;
+      case M::linear: solve_structured<M::linear>(solver, system, bodies, work); break;
+      default: solve_structured<0>(solver, system, bodies, work);
+    }
+  }
+  apply_all(system, bodies.velocity);
+}
+
+#define BYHAND_INSTANTIATE(M) template void solve(const Direct&, System<M>&, Bodies<M>&, DirectWork<M>&)
+BYHAND_INSTANTIATE(PlaneParticle);
+BYHAND_INSTANTIATE(PlaneBody);
+BYHAND_INSTANTIATE(SpaceParticle);
+BYHAND_INSTANTIATE(SpaceBody);
+#undef BYHAND_INSTANTIATE
+
+}  // namespace byhand

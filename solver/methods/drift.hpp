@@ -1,0 +1,62 @@
+#pragma once
+
+#include <variant>
+
+#include "solver/system.hpp"
+
+// JV = 0 keeps a constraint's rate at zero, not its value: C drifts. A cure turns C into the bias b of (21).
+namespace byhand {
+
+/// No cure: b = 0, (4).
+struct NoDriftCure {};
+
+/// What β means. The article's (22), JV = -βC, is dimensionally short of a time: read per step it is JV =
+/// -(β/h)C, with β unitless and stable in [0, 2]; read as it is printed β carries 1/s and is stable in [0,
+/// 2/h].
+enum class BetaReading { per_step, literal };
+
+/// Baumgarte's correction (21)(22): a share β of the error is removed in each step by a velocity, whose
+/// energy stays.
+struct Baumgarte {
+  double beta = 0.2;  // in [0, 3] per step, so that the boundary at 2 can be crossed and seen; literal: >= 0 [1/s]
+  BetaReading reading = BetaReading::per_step;
+};
+
+using DriftCure = std::variant<NoDriftCure, Baumgarte>;
+
+/// Throws std::invalid_argument for β outside the range above.
+inline void require_valid(const NoDriftCure&) {}
+inline void require_valid(const Baumgarte& cure) {
+  if (cure.reading == BetaReading::per_step)
+    require_in("beta", cure.beta, 0, 3);
+  else
+    require_in("beta", cure.beta, 0, 1e6, "1/s");
+}
+
+//! [bias]
+/// b of (21) for C of one row at time step h: by (22), b = (β/h) C.
+inline double bias(const NoDriftCure&, double, double) { return 0; }
+inline double bias(const Baumgarte& cure, double C, double h) {
+  return cure.reading == BetaReading::per_step ? cure.beta / h * C : cure.beta * C;
+}
+//! [bias]
+
+/// Sets the bias of every row. A one-sided row that is still open (C > 0) may close its gap within the step
+/// and not more: b = C/h, whatever the cure.
+template <class M>
+void set_bias(const DriftCure& cure, double h, System<M>& system) {
+  std::visit(
+      [&](const auto& choice) {
+        for (int i = 0; i < system.rows(); ++i) system.bias[i] = bias(choice, system.C[i], h);
+      },
+      cure);
+  if (!system.bounded) return;
+  system.for_each_run([&]<int K, Bound B>(std::span<const Block<M, K, B>> blocks) {
+    if constexpr (B == Bound::interval)
+      for (const auto& block : blocks)
+        if (system.lower[block.row] == 0 && system.C[block.row] > 0)
+          system.bias[block.row] = system.C[block.row] / h;
+  });
+}
+
+}  // namespace byhand

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "solver/methods/prepared.hpp"
+
+namespace byhand {
+
+/// In which order the rows of a sweep are solved: as the constraints were added, the other way round, or
+/// colour by colour, which is red–black on a chain.
+enum class SweepOrder { natural, reverse, coloured };
+
+/// Projected Gauss–Seidel, which is sequential impulses: each block of rows is solved by (17) with what the
+/// blocks before it have already changed, over and over. A choice, not a state: λ is kept in the System.
+struct GaussSeidel {
+  int sweeps = 10;         // >= 1
+  bool warm_start = true;  // begin with the λ of the last step
+  SweepOrder order = SweepOrder::natural;
+  BlockSolve block_solve = BlockSolve::whole;
+  double relaxation = 1;  // in (0, 2); other than 1 this is SOR
+};
+
+/// Throws std::invalid_argument for a choice outside the ranges above.
+void require_valid(const GaussSeidel& solver);
+
+/// Solves the system's rows for λ and puts the impulses into the velocities. `prepared` is scratch that is
+/// kept only so that no step allocates.
+template <class M>
+void solve(const GaussSeidel& solver, System<M>& system, std::vector<Velocity<M>>& velocities,
+           Prepared<M>& prepared);
+
+/// One sweep over prepared rows.
+template <class M>
+void sweep(const System<M>& system, const Prepared<M>& prepared, double* lambda, double* V);
+
+}  // namespace byhand

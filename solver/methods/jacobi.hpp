@@ -1,0 +1,30 @@
+#pragma once
+
+#include "solver/methods/prepared.hpp"
+
+namespace byhand {
+
+/// Jacobi: every block is solved by (17) from the same velocities, then all impulses are applied at once. It
+/// converges only while the largest eigenvalue of D⁻¹A stays below 2/relaxation.
+struct Jacobi {
+  int sweeps = 10;         // >= 1
+  bool warm_start = true;  // begin with the λ of the last step
+  double relaxation = 1;   // in (0, 2)
+  BlockSolve block_solve = BlockSolve::whole;
+};
+
+/// Throws std::invalid_argument for a choice outside the ranges above.
+void require_valid(const Jacobi& solver);
+
+/// Scratch of Jacobi's, kept so that no step allocates.
+template <class M>
+struct JacobiWork {
+  Prepared<M> prepared;
+  std::vector<double> change;  // one number a row
+};
+
+/// Solves the system's rows for λ and puts the impulses into the velocities.
+template <class M>
+void solve(const Jacobi& solver, System<M>& system, std::vector<Velocity<M>>& velocities, JacobiWork<M>& work);
+
+}  // namespace byhand

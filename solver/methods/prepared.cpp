@@ -1,0 +1,81 @@
+#include "solver/methods/prepared.hpp"
+
+namespace byhand {
+namespace {
+
+template <int K>
+Eigen::Matrix<double, K, K> inverse_of(Eigen::Matrix<double, K, K> A, BlockSolve block_solve) {
+  if (block_solve == BlockSolve::whole || K == 1) return inverse_or_zero<K>(A);
+  // Forward substitution on each unit vector: row k sees what the rows before it have already changed.
+  Eigen::Matrix<double, K, K> E = Eigen::Matrix<double, K, K>::Zero();
+  for (int k = 0; k < K; ++k) {
+    if (!(A(k, k) > 0)) continue;
+    E.row(k) = -A.row(k).head(k) * E.topRows(k);
+    E(k, k) += 1;
+    E.row(k) /= A(k, k);
+  }
+  return E;
+}
+
+template <class M, int K, Bound B>
+void prepare(const Block<M, K, B>& block, const System<M>& system, BlockSolve block_solve, double relaxation,
+             PreparedBlock<M, K, B>& result) {
+  using Numbers = Eigen::Map<Eigen::Matrix<double, K, 2 * M::dof, Eigen::RowMajor>>;
+  using Square = Eigen::Matrix<double, K, K>;
+  const Eigen::Map<const Rows<K>> gamma(&system.gamma[block.row]), bias(&system.bias[block.row]);
+  Square A = inverse_effective_mass(block.J, block.W);
+  A.diagonal() += gamma;
+  const Square minus_E = -relaxation * inverse_of<K>(A, block_solve);
+  result.body1 = block.body1;
+  result.body2 = block.body2;
+  result.moves1 = block.moves1;
+  result.moves2 = block.moves2;
+  result.row = block.row;
+  result.leader = block.leader;
+  Numbers(&result.J[0][0]).noalias() = minus_E * block.J.matrix;
+  Numbers(&result.W[0][0]) = block.W.matrix;
+  Eigen::Map<Rows<K>>(result.bias) = minus_E * bias;
+  if constexpr (K == 1)
+    result.gamma[0][0] = minus_E(0, 0) * gamma[0];
+  else
+    Eigen::Map<Eigen::Matrix<double, K, K, Eigen::RowMajor>>(&result.gamma[0][0]) = minus_E * gamma.asDiagonal();
+  result.lower = system.lower[block.row];
+  result.upper = system.upper[block.row];
+}
+
+}  // namespace
+
+template <class M>
+void prepare(const System<M>& system, BlockSolve block_solve, double relaxation, Prepared<M>& prepared) {
+  prepared.soft = std::any_of(system.gamma.begin(), system.gamma.end(), [](double gamma) { return gamma != 0; });
+  for (const Run& run : system.runs)
+    for_type<M>(run.type, [&](auto type) {
+      auto& results = std::get<type>(prepared.blocks);
+      results.resize(std::get<type>(system.blocks).size());
+      const auto blocks = part<type>(system.blocks, run);
+      for (int i = 0; i < run.count; ++i)
+        prepare(blocks[i], system, block_solve, relaxation, results[run.first + i]);
+    });
+}
+
+template <class M>
+void apply_all(const System<M>& system, std::vector<Velocity<M>>& velocities) {
+  system.for_each_run([&]<int K, Bound B>(std::span<const Block<M, K, B>> blocks) {
+    for (const auto& block : blocks) {
+      const Eigen::Map<const Rows<K>> lambda(&system.lambda[block.row]);
+      if (block.moves1) velocities[block.body1] += block.W.side1().transpose() * lambda;
+      if (block.moves2) velocities[block.body2] += block.W.side2().transpose() * lambda;
+    }
+  });
+}
+
+#define BYHAND_INSTANTIATE(M)                                                \
+  template void prepare(const System<M>&, BlockSolve, double, Prepared<M>&); \
+  template void apply_all(const System<M>&, std::vector<Velocity<M>>&)
+BYHAND_INSTANTIATE(PlaneParticle);
+BYHAND_INSTANTIATE(PlaneBody);
+BYHAND_INSTANTIATE(SpaceParticle);
+BYHAND_INSTANTIATE(SpaceBody);
+#undef BYHAND_INSTANTIATE
+
+}  // namespace byhand

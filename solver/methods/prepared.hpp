@@ -1,0 +1,115 @@
+#pragma once
+
+#include "solver/system.hpp"
+
+// What the row solvers share: (17) for a block of rows, Δλ = -E(JV + b + γλ) with E = (JM⁻¹Jᵀ + γ)⁻¹,
+// multiplied out beforehand so that the inner loop is two short sums. A sweep then costs half of what it
+// costs with E, J and W apart.
+namespace byhand {
+
+/// How a block's E is made: the inverse of the whole K × K matrix, or of its lower triangle, which solves its
+/// rows one after the other.
+enum class BlockSolve { whole, row_by_row };
+
+template <class M, int K, Bound B>
+struct PreparedBlock {
+  int body1, body2;
+  bool moves1, moves2;
+  int row, leader;
+  double J[K][2 * M::dof];  // -E J
+  double W[K][2 * M::dof];  // M⁻¹Jᵀ
+  double bias[K];           // -E b
+  double gamma[K][K];       // -E γ
+  double lower, upper;
+};
+
+template <class M>
+struct Prepared {
+  template <int K, Bound B>
+  using BlockOf = PreparedBlock<M, K, B>;
+
+  PerBlock<M, BlockOf> blocks;
+  bool soft = false;  // whether any γ is not zero
+};
+
+/// Inverse of a symmetric positive semidefinite K × K matrix by symmetric sweeps; a pivot that vanishes
+/// beside its diagonal gets a zero row, so that rows without effect (two fixed bodies, J = 0, a repeated row)
+/// get no impulse rather than an infinite one.
+template <int K>
+Eigen::Matrix<double, K, K> inverse_or_zero(Eigen::Matrix<double, K, K> A) {
+  const Eigen::Matrix<double, K, 1> diagonal = A.diagonal();
+  for (int p = 0; p < K; ++p) {
+    const double pivot = A(p, p);
+    if (!(pivot > 1e-13 * diagonal[p])) {
+      A.row(p).setZero();
+      A.col(p).setZero();
+      continue;
+    }
+    const double inverse = 1 / pivot;
+    const Eigen::Matrix<double, K, 1> column = A.col(p);
+    for (int i = 0; i < K; ++i)
+      for (int j = 0; j < K; ++j)
+        if (i != p && j != p) A(i, j) -= column[i] * inverse * column[j];
+    for (int i = 0; i < K; ++i)
+      if (i != p) A(i, p) = A(p, i) = -column[i] * inverse;
+    A(p, p) = -inverse;
+  }
+  return -A;
+}
+
+/// Fills `prepared` from the system's rows as they are. `relaxation` multiplies every Δλ.
+template <class M>
+void prepare(const System<M>& system, BlockSolve block_solve, double relaxation, Prepared<M>& prepared);
+
+/// (17) for one prepared block at velocities V (dof numbers a body): the Δλ of its rows, within their bounds.
+template <bool soft, class M, int K, Bound B>
+inline Rows<K> solve(const PreparedBlock<M, K, B>& block, const double* V, const double* lambda) {
+  constexpr int dof = M::dof;
+  const double *v1 = V + dof * block.body1, *v2 = V + dof * block.body2;
+  Rows<K> change;
+  for (int k = 0; k < K; ++k) {
+    // Body 1 last: along a chain it is the one that the block before has just written.
+    double sum = block.bias[k];
+    for (int i = 0; i < dof; ++i) sum += block.J[k][dof + i] * v2[i];
+    double late = block.J[k][0] * v1[0];
+    for (int i = 1; i < dof; ++i) late += block.J[k][i] * v1[i];
+    change[k] = sum + late;
+  }
+  if constexpr (soft)
+    for (int k = 0; k < K; ++k)
+      for (int l = 0; l < K; ++l) change[k] += block.gamma[k][l] * lambda[block.row + l];
+  if constexpr (B != Bound::none) {
+    const Eigen::Map<const Rows<K>> now(lambda + block.row);
+    const double leader = B == Bound::ball ? lambda[block.leader] : 0.0;
+    change = bounded<K, B>(now + change, block.lower, block.upper, leader) - now;
+  }
+  return change;
+}
+
+/// (20) for one prepared block.
+template <class M, int K, Bound B>
+inline void apply(const PreparedBlock<M, K, B>& block, const Rows<K>& change, double* V) {
+  constexpr int dof = M::dof;
+  const auto add = [&](double* v, int side) {
+    for (int i = 0; i < dof; ++i) {
+      double sum = block.W[0][side + i] * change[0];
+      for (int k = 1; k < K; ++k) sum += block.W[k][side + i] * change[k];
+      v[i] += sum;
+    }
+  };
+  if (block.moves1) add(V + dof * block.body1, 0);
+  if (block.moves2) add(V + dof * block.body2, dof);
+}
+
+/// Velocities of all bodies as plain numbers, dof a body.
+template <class M>
+double* numbers(std::vector<Velocity<M>>& velocities) {
+  static_assert(sizeof(Velocity<M>) == M::dof * sizeof(double));
+  return velocities.empty() ? nullptr : velocities.front().data();
+}
+
+/// V += M⁻¹Jᵀλ for all rows: the warm start, and how a direct solution reaches the bodies.
+template <class M>
+void apply_all(const System<M>& system, std::vector<Velocity<M>>& velocities);
+
+}  // namespace byhand

@@ -1,0 +1,203 @@
+#pragma once
+
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "solver/body.hpp"
+#include "solver/graph.hpp"
+#include "solver/system.hpp"
+
+namespace byhand {
+
+/// The bodies and constraints of one scene. The kinds of constraint are part of the type: a kind that is not
+/// named costs nothing, neither a branch nor a byte. `Scene<PlaneParticle, Distance>` is a mesh of rods in
+/// the plane.
+template <class M, template <class> class... Kinds>
+class Scene {
+ public:
+  using model = M;
+
+  Bodies<M> bodies;
+  Linear<M> gravity = -9.81 * Linear<M>::Unit(1);  // [m/s²]; y is up
+
+  /// Adds a body (see InverseMass for how to fix one) and returns its index.
+  int add_body(const Pose<M>& pose, const InverseMass<M>& mass,
+               const Velocity<M>& velocity = Velocity<M>::Zero()) {
+    return bodies.add(pose, mass, velocity);
+  }
+  /// Adds an unturned body at a point [m].
+  int add_body(const Linear<M>& position, const InverseMass<M>& mass,
+               const Velocity<M>& velocity = Velocity<M>::Zero()) {
+    Pose<M> pose;
+    pose.position = position;
+    return bodies.add(pose, mass, velocity);
+  }
+
+  /// Adds a constraint and returns its number: constraints are counted in the order in which they come,
+  /// whatever their kind, and that is their natural order. Throws std::invalid_argument for what the kind
+  /// refuses.
+  template <template <class> class Kind>
+  int add(const Kind<M>& constraint) {
+    constraint.require_valid(bodies);
+    if constexpr (Kind<M>::bound == Bound::ball) {
+      require_in("leading constraint", constraint.leader, 0, static_cast<double>(count()) - 1);
+    }
+    auto& all = std::get<std::vector<Kind<M>>>(constraints_);
+    constexpr int kind = kind_of<Kind<M>>();
+    numbered_.push_back({kind, static_cast<int>(all.size())});
+    all.push_back(constraint);
+    return count() - 1;
+  }
+
+  int count() const { return static_cast<int>(numbered_.size()); }
+
+  template <template <class> class Kind>
+  const std::vector<Kind<M>>& all() const {
+    return std::get<std::vector<Kind<M>>>(constraints_);
+  }
+  /// Constraints may be changed between steps in all but their bodies.
+  template <template <class> class Kind>
+  std::vector<Kind<M>>& all() {
+    return std::get<std::vector<Kind<M>>>(constraints_);
+  }
+
+  /// Calls f(constraint) for each constraint in natural order.
+  template <class F>
+  void for_each(F&& f) const {
+    for (const Number& number : numbered_) visit(number, f);
+  }
+
+  /// What the order of solving depends on; a body that does not move takes no part.
+  Graph graph() const;
+
+  /// Lays the system's blocks out in this order of constraint numbers. λ is kept for constraints that stay.
+  void lay_out(const std::vector<int>& order, System<M>& system) const;
+
+  /// Writes J, M⁻¹Jᵀ, C, γ and bounds of every row at the current poses.
+  void write_rows(System<M>& system) const;
+
+ private:
+  struct Number {
+    int kind, index;
+  };
+
+  template <class Kind>
+  static constexpr int kind_of() {
+    int index = 0, found = -1;
+    ((std::is_same_v<Kind, Kinds<M>> ? void(found = index++) : void(index++)), ...);
+    return found;
+  }
+
+  template <class F>
+  void visit(const Number& number, F&& f) const {
+    [&]<std::size_t... I>(std::index_sequence<I...>) {
+      (void)((static_cast<int>(I) == number.kind && (f(std::get<I>(constraints_)[number.index]), true)) || ...);
+    }
+    (std::index_sequence_for<Kinds<M>...>());
+  }
+
+  /// Calls f with the vector of constraints of one kind.
+  template <class F>
+  void visit_kind(int kind, F&& f) const {
+    [&]<std::size_t... I>(std::index_sequence<I...>) {
+      (void)((static_cast<int>(I) == kind && (f(std::get<I>(constraints_)), true)) || ...);
+    }
+    (std::index_sequence_for<Kinds<M>...>());
+  }
+
+  template <class Kind, class BlockOfKind>
+  void write(const Kind& constraint, BlockOfKind& block, System<M>& system) const;
+
+  std::tuple<std::vector<Kinds<M>>...> constraints_;
+  std::vector<Number> numbered_;
+};
+
+template <class M, template <class> class... Kinds>
+Graph Scene<M, Kinds...>::graph() const {
+  Graph graph{bodies.size(), {}};
+  for_each([&](const auto& constraint) {
+    const auto end = [&](int body) { return moves(bodies.inverse_mass[body]) ? body : Edge::no_body; };
+    graph.edges.push_back(
+        {end(constraint.at.body1), end(constraint.at.body2), std::remove_cvref_t<decltype(constraint)>::rows});
+  });
+  return graph;
+}
+
+template <class M, template <class> class... Kinds>
+void Scene<M, Kinds...>::lay_out(const std::vector<int>& order, System<M>& system) const {
+  const std::vector<int> old_row = std::move(system.row_of);
+  const std::vector<double> old_lambda = system.lambda;
+  std::apply([](auto&... blocks) { (blocks.clear(), ...); }, system.blocks);
+  system.runs.clear();
+  system.source.clear();
+  system.row_of.assign(count(), 0);
+  system.bounded = false;
+  int row = 0;
+  for (const int number : order) {
+    const auto [kind, index] = numbered_[number];
+    visit(numbered_[number], [&, k = kind, i = index](const auto& constraint) {
+      using Kind = std::remove_cvref_t<decltype(constraint)>;
+      constexpr int type = block_type<M, Kind::rows, Kind::bound>();
+      auto& blocks = std::get<type>(system.blocks);
+      if (system.runs.empty() || system.runs.back().kind != k)
+        system.runs.push_back({k, type, static_cast<int>(blocks.size()), 0, row});
+      ++system.runs.back().count;
+      auto& block = blocks.emplace_back();
+      block.body1 = constraint.at.body1;
+      block.body2 = constraint.at.body2;
+      block.moves1 = moves(bodies.inverse_mass[block.body1]);
+      block.moves2 = moves(bodies.inverse_mass[block.body2]);
+      block.row = row;
+      system.source.push_back(i);
+      system.row_of[number] = row;
+      system.bounded = system.bounded || Kind::bound != Bound::none;
+      row += Kind::rows;
+    });
+  }
+  for (auto* numbers : {&system.lambda, &system.C, &system.bias, &system.gamma, &system.lower, &system.upper})
+    numbers->assign(row, 0.0);
+  for (std::size_t number = 0; number < old_row.size(); ++number)
+    visit(numbered_[number], [&](const auto& constraint) {
+      for (int k = 0; k < std::remove_cvref_t<decltype(constraint)>::rows; ++k)
+        system.lambda[system.row_of[number] + k] = old_lambda[old_row[number] + k];
+    });
+}
+
+//! [write_rows]
+template <class M, template <class> class... Kinds>
+void Scene<M, Kinds...>::write_rows(System<M>& system) const {
+  const int* source = system.source.data();
+  for (const Run& run : system.runs)
+    visit_kind(run.kind, [&]<class Kind>(const std::vector<Kind>& constraints) {
+      auto& blocks = std::get<block_type<M, Kind::rows, Kind::bound>()>(system.blocks);
+      for (int i = run.first; i < run.first + run.count; ++i) write(constraints[*source++], blocks[i], system);
+    });
+}
+
+template <class M, template <class> class... Kinds>
+template <class Kind, class BlockOfKind>
+void Scene<M, Kinds...>::write(const Kind& constraint, BlockOfKind& block, System<M>& system) const {
+  const Pose<M>&pose1 = bodies.pose[block.body1], &pose2 = bodies.pose[block.body2];
+  const Jacobian<M, Kind::rows> J = constraint.jacobian(pose1, pose2);
+  if constexpr (Kind::drifts) {
+    const Rows<Kind::rows> C = constraint.template value<double>(pose1, pose2);
+    for (int k = 0; k < Kind::rows; ++k) system.C[block.row + k] = C[k];
+  }
+  block.J = J;
+  block.W =
+      times_inverse_mass(J, bodies.inverse_mass[block.body1], pose1, bodies.inverse_mass[block.body2], pose2);
+  for (int k = 0; k < Kind::rows; ++k) system.gamma[block.row + k] = constraint.softness;
+  if constexpr (Kind::bound == Bound::interval) {
+    const auto [lower, upper] = constraint.bounds();
+    system.lower[block.row] = lower;
+    system.upper[block.row] = upper;
+  }
+  if constexpr (Kind::bound == Bound::ball) {
+    system.upper[block.row] = constraint.coefficient;
+    block.leader = system.row_of[constraint.leader];
+  }
+}
+//! [write_rows]
+
+}  // namespace byhand
