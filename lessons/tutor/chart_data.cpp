@@ -49,14 +49,13 @@ void add_heat_map(const Chart& chart, std::vector<Column>& columns) {
 
 void add_bars(const Chart& chart, std::vector<Column>& columns) {
   columns.push_back({chart.x.label, chart.bar_names});
-  for (const auto& bars : chart.bars)
-    columns.push_back(column(joined(bars.label, chart.y.label), bars.values));
+  for (const auto& bars : chart.bars) columns.push_back(column(joined(bars.label, chart.y.label), bars.values));
 }
 
 void add_curves(const Chart& chart, std::vector<Column>& columns) {
   const auto& curves = chart.curves;
-  const bool shared = std::all_of(curves.begin(), curves.end(),
-                                  [&](const Curve& curve) { return curve.x == curves.front().x; });
+  const bool shared =
+      std::all_of(curves.begin(), curves.end(), [&](const Curve& curve) { return curve.x == curves.front().x; });
   for (const Curve& curve : curves) {
     if (!shared)
       columns.push_back(column(joined(curve.label, chart.x.label), curve.x));

@@ -10,8 +10,7 @@
 namespace byhand::tutor {
 
 std::string check_table(const std::vector<Told>& lesson) {
-  std::vector<std::vector<std::string>> rows = {
-      {"step", "verdict", "measured", "expected", "quantity (source)"}};
+  std::vector<std::vector<std::string>> rows = {{"step", "verdict", "measured", "expected", "quantity (source)"}};
   std::map<std::string, int> count;
   for (const Told& told : lesson) {
     for (const Claim& claim : claims(told.page)) {
@@ -30,9 +29,8 @@ std::string false_claims(const Lesson& lesson, const std::vector<Told>& told) {
   for (const Told& t : told)
     for (const Claim& claim : claims(t.page))
       if (claim.is_false())
-        lines +=
-            fmt::format("{} step {}: {} is false: measured {}, expected {} ({})\n", lesson.about().slug,
-                        t.step->label, claim.quantity, measurement(claim), expectation(claim), claim.source);
+        lines += fmt::format("{} step {}: {} is false: measured {}, expected {} ({})\n", lesson.about().slug,
+                             t.step->label, claim.quantity, measurement(claim), expectation(claim), claim.source);
   return lines;
 }
 

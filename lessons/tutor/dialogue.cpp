@@ -246,15 +246,12 @@ std::optional<Dialogue::Move> Dialogue::obey(const Command& command, size_t item
     case Command::Kind::hint: {
       const std::string hint =
           asking ? of_question(page_.items()[item], [](const auto& q) { return q.hint; }) : "";
-      tell_reader("{}", !asking        ? "There is no question here."
-                        : hint.empty() ? "This one has no hint."
-                                       : hint);
+      tell_reader("{}", !asking ? "There is no question here." : hint.empty() ? "This one has no hint." : hint);
       break;
     }
     case Command::Kind::show:
       if (asking) {
-        fmt::print("{}",
-                   of_question(page_.items()[item], [&](const auto& q) { return say_answer(q, style_); }));
+        fmt::print("{}", of_question(page_.items()[item], [&](const auto& q) { return say_answer(q, style_); }));
         return Move::answered;
       }
       tell_reader("There is no question here.");
@@ -274,8 +271,7 @@ std::optional<Dialogue::Move> Dialogue::obey(const Command& command, size_t item
 
 std::optional<Dialogue::Move> Dialogue::answer(const std::string& words, size_t item) {
   if (item >= page_.items().size()) {
-    tell_reader("There is no question here, and no key or parameter is called \"{}\": `?` lists them.",
-                words);
+    tell_reader("There is no question here, and no key or parameter is called \"{}\": `?` lists them.", words);
     return std::nullopt;
   }
   const Grade given =
@@ -302,8 +298,7 @@ void Dialogue::change(const Command& command, size_t item) {
     tell_reader("{}. Nothing was changed.", bad.what());
     return;
   }
-  fmt::print("\n{}\n",
-             toned(fmt::format("  {}: {} → {}", command.name, old, value()), Tone::question, style_));
+  fmt::print("\n{}\n", toned(fmt::format("  {}: {} → {}", command.name, old, value()), Tone::question, style_));
   fmt::print("{}", say_changes(page_, *now, item, style_));
   page_ = std::move(*now);
   if (item > page_.items().size()) return;

@@ -59,16 +59,14 @@ const std::array<Formula, 23> article = {{
      R"(F = \lambda J^T, \quad V_{final} = V_{initial} + m^{-1} F, \quad \begin{bmatrix} v_1 \\ \omega_1 \\ v_2 \\ \omega_2 \end{bmatrix} \mathrel{+}= \begin{bmatrix} m_1^{-1} & 0 & 0 & 0 \\ 0 & I_1^{-1} & 0 & 0 \\ 0 & 0 & m_2^{-1} & 0 \\ 0 & 0 & 0 & I_2^{-1} \end{bmatrix} \begin{bmatrix} \lambda l_1 \\ \lambda a_1 \\ \lambda l_2 \\ \lambda a_2 \end{bmatrix})"},
     {"Ċ = JV + b = 0", R"(\dot{C} = JV + b = 0)"},
     {"JV = −βC", R"(JV = -\beta C)"},
-    {"C = [ −x₁  −r₁  x₂  r₂ ]·n",
-     R"(C = \begin{bmatrix} -x_1 & -r_1 & x_2 & r_2 \end{bmatrix} \cdot \vec{n})"},
+    {"C = [ −x₁  −r₁  x₂  r₂ ]·n", R"(C = \begin{bmatrix} -x_1 & -r_1 & x_2 & r_2 \end{bmatrix} \cdot \vec{n})"},
 }};
 
 }  // namespace
 
 const Formula& article_equation(int number) {
   if (number < 1 || number > static_cast<int>(article.size()))
-    throw LessonError(
-        fmt::format("the article has no equation ({}), only (1) to ({})", number, article.size()));
+    throw LessonError(fmt::format("the article has no equation ({}), only (1) to ({})", number, article.size()));
   return article[static_cast<size_t>(number - 1)];
 }
 

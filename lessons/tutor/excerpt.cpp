@@ -25,8 +25,7 @@ std::string without_common_indentation(const std::vector<std::string>& lines) {
   size_t indentation = std::string::npos;
   for (const std::string& line : lines) indentation = std::min(indentation, line.find_first_not_of(' '));
   std::string code;
-  for (const std::string& line : lines)
-    code += (line.size() > indentation ? line.substr(indentation) : "") + "\n";
+  for (const std::string& line : lines) code += (line.size() > indentation ? line.substr(indentation) : "") + "\n";
   return code;
 }
 

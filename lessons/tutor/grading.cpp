@@ -39,10 +39,9 @@ Grade grade(const Choice& question, const std::string& typed) {
   for (size_t i = 0; i < question.options.size(); ++i)
     if (typed == std::to_string(i + 1) || typed == question.options[i].words)
       return {static_cast<int>(i) == question.answer, question.options[i].reply};
-  return {
-      false,
-      fmt::format("\"{}\" is not one of them: type a number from 1 to {}, or `?` for what else can be typed.",
-                  typed, question.options.size())};
+  return {false,
+          fmt::format("\"{}\" is not one of them: type a number from 1 to {}, or `?` for what else can be typed.",
+                      typed, question.options.size())};
 }
 
 }  // namespace byhand::tutor

@@ -26,8 +26,7 @@ Lesson::Lesson(About about) : about_(std::move(about)) {
 int Lesson::number() const { return std::stoi(about_.slug); }
 
 ParameterRecord& Lesson::record(ParameterRecord record) {
-  if (is_parameter(record.name))
-    throw LessonError(fmt::format("the parameter {} is there twice", record.name));
+  if (is_parameter(record.name)) throw LessonError(fmt::format("the parameter {} is there twice", record.name));
   try {
     record.set(fmt::format("{}", record.initial));
   } catch (const std::invalid_argument& bad) {
@@ -45,8 +44,7 @@ Parameter<double> Lesson::parameter(std::string name, double initial, std::strin
 Parameter<int> Lesson::parameter(std::string name, int initial, std::string unit, Range range,
                                  std::string meaning) {
   const double value = initial;
-  return Parameter<int>(
-      record({std::move(name), std::move(unit), std::move(meaning), range, value, value, true}));
+  return Parameter<int>(record({std::move(name), std::move(unit), std::move(meaning), range, value, value, true}));
 }
 
 void Lesson::step(std::string title, StepFunction run) {
@@ -74,8 +72,7 @@ bool Lesson::is_parameter(const std::string& name) const {
 }
 
 void Lesson::set(const std::string& name, std::string_view value) {
-  if (parameters_.empty())
-    throw std::invalid_argument(fmt::format("{}: this lesson has no parameters", name));
+  if (parameters_.empty()) throw std::invalid_argument(fmt::format("{}: this lesson has no parameters", name));
   std::string names;
   for (ParameterRecord& p : parameters_) {
     if (p.name == name) return p.set(value);
@@ -85,8 +82,7 @@ void Lesson::set(const std::string& name, std::string_view value) {
 }
 
 bool Lesson::at_defaults() const {
-  return std::all_of(parameters_.begin(), parameters_.end(),
-                     [](const auto& p) { return p.value == p.initial; });
+  return std::all_of(parameters_.begin(), parameters_.end(), [](const auto& p) { return p.value == p.initial; });
 }
 
 }  // namespace byhand::tutor

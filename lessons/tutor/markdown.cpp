@@ -61,8 +61,7 @@ class PageWriter {
 
   void operator()(const Equation& equation) {
     if (equation.number > 0)
-      paragraph(
-          fmt::format("$$\n{} \\tag{{{}}}\n$$\n", article_equation(equation.number).latex, equation.number));
+      paragraph(fmt::format("$$\n{} \\tag{{{}}}\n$$\n", article_equation(equation.number).latex, equation.number));
     if (!equation.numbers.latex.empty()) paragraph(fmt::format("$$\n{}\n$$\n", equation.numbers.latex));
   }
 
@@ -71,8 +70,7 @@ class PageWriter {
   }
 
   void operator()(const Measure& measure) {
-    table_row(Table::measures, {"quantity", "value"},
-              {measure.quantity, quantity(measure.value, measure.unit)});
+    table_row(Table::measures, {"quantity", "value"}, {measure.quantity, quantity(measure.value, measure.unit)});
   }
 
   void operator()(const Figure& figure) {
@@ -92,8 +90,7 @@ class PageWriter {
   }
 
   void operator()(const Prediction& question) {
-    std::string answer =
-        fmt::format("**{}**. {}\n", quantity(question.answer, question.unit, 4), question.right);
+    std::string answer = fmt::format("**{}**. {}\n", quantity(question.answer, question.unit, 4), question.right);
     for (const WrongAnswer& wrong : question.wrong)
       answer += fmt::format("\nNot {}: {}\n", quantity(wrong.value, question.unit, 4), wrong.reply);
     ask(question.ask, question.hint, answer);
@@ -105,8 +102,8 @@ class PageWriter {
     for (const Option& option : question.options) {
       const bool right = index == question.answer;
       words += fmt::format("{}. {}\n", ++index, option.words);
-      answer += fmt::format("{}{}. {}{} {}\n\n", right ? "**" : "Not ", index, option.words,
-                            right ? "**." : ":", option.reply);
+      answer += fmt::format("{}{}. {}{} {}\n\n", right ? "**" : "Not ", index, option.words, right ? "**." : ":",
+                            option.reply);
     }
     ask(words, question.hint, answer);
   }
@@ -146,8 +143,8 @@ std::string parameters(const Lesson& lesson) {
   if (lesson.parameters().empty()) return "";
   std::string lines = "\n" + row({"parameter", "value", "unit", "range", "meaning"}) + rule(5);
   for (const ParameterRecord& p : lesson.parameters())
-    lines += row({"`" + p.name + "`", typed(p.value), p.unit,
-                  typed(p.range.low) + " … " + typed(p.range.high), p.meaning});
+    lines += row(
+        {"`" + p.name + "`", typed(p.value), p.unit, typed(p.range.low) + " … " + typed(p.range.high), p.meaning});
   return lines;
 }
 

@@ -15,18 +15,10 @@ namespace {
 const std::array<Quality, 3> qualities = {
     {{"low", 854, 480, 15}, {"medium", 1280, 720, 30}, {"high", 1920, 1080, 60}}};
 
-/// The project's own output folder, said as briefly as the present folder allows.
-std::filesystem::path default_output() {
-  const std::filesystem::path folder = std::filesystem::path(BYHAND_SOURCE_DIR) / "output";
-  const std::filesystem::path nearby = std::filesystem::proximate(folder);
-  return *nearby.begin() == ".." ? folder : nearby;
-}
-
 std::pair<std::string, std::string> split_setting(const std::string& setting) {
   const auto equals = setting.find('=');
   if (equals == std::string::npos || equals == 0)
-    throw std::invalid_argument(
-        fmt::format("--set {}: write NAME=VALUE, for example --set h=1/120", setting));
+    throw std::invalid_argument(fmt::format("--set {}: write NAME=VALUE, for example --set h=1/120", setting));
   return {setting.substr(0, equals), setting.substr(equals + 1)};
 }
 
@@ -70,6 +62,12 @@ std::string_view to_string(FramesWanted frames) {
   return names[static_cast<size_t>(frames)];
 }
 
+std::filesystem::path default_output() {
+  const std::filesystem::path folder = std::filesystem::path(BYHAND_SOURCE_DIR) / "output";
+  const std::filesystem::path nearby = std::filesystem::proximate(folder);
+  return *nearby.begin() == ".." ? folder : nearby;
+}
+
 Options read_options(const Lesson& lesson, int argc, const char* const* argv, bool at_terminal) {
   Options options;
   options.output = default_output();
@@ -95,8 +93,7 @@ Options read_options(const Lesson& lesson, int argc, const char* const* argv, bo
   app.add_option("--set", settings, "give a parameter another value; may be repeated")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
-  app.add_flag("--list-parameters", options.list_parameters,
-               "what can be set: default, unit, range, meaning");
+  app.add_flag("--list-parameters", options.list_parameters, "what can be set: default, unit, range, meaning");
   app.add_flag("--check", options.check, "no pictures, only the claims, as a table");
   app.add_option("--step", options.step,
                  "only this step (3, or 3a for what goes deeper); at a terminal: begin there")

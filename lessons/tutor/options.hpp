@@ -31,6 +31,9 @@ struct Options {
   std::string step;  // its label; empty: all
 };
 
+/// The project's own output folder, said as briefly as the present folder allows.
+std::filesystem::path default_output();
+
 /// What to do at once instead of running: words for standard output (`--help`).
 struct Answered {
   std::string words;

@@ -55,8 +55,7 @@ class Page {
   /// Frames, drawn later by a fresh copy of `draw` at times that never decrease; `--frames last` asks for the
   /// last time only. So let it capture its simulation by value, be `mutable`, and advance the simulation *up
   /// to* the time it is given.
-  void sequence(std::string name, std::string caption, std::variant<Seconds, Frames> length,
-                FrameDrawing draw);
+  void sequence(std::string name, std::string caption, std::variant<Seconds, Frames> length, FrameDrawing draw);
 
   void predict(Prediction question);
   void choose(Choice question);

@@ -59,8 +59,7 @@ void ParameterRecord::set(std::string_view text) {
     throw std::invalid_argument(fmt::format("{} = {} is out of range: {} goes from {} to {} [{}]", name, text,
                                             name, typed(range.low), typed(range.high), unit));
   if (integer && read != std::round(read))
-    throw std::invalid_argument(
-        fmt::format("{} = {} is not a whole number, and {} counts", name, text, name));
+    throw std::invalid_argument(fmt::format("{} = {} is not a whole number, and {} counts", name, text, name));
   value = read;
 }
 

@@ -49,8 +49,7 @@ const Measure* find(const Page& page, const Measure& like) {
 
 const Claim* find(const Page& page, const Claim& like) {
   for (const Item& item : page.items())
-    if (const auto* claim = std::get_if<Claim>(&item); claim && claim->quantity == like.quantity)
-      return claim;
+    if (const auto* claim = std::get_if<Claim>(&item); claim && claim->quantity == like.quantity) return claim;
   return nullptr;
 }
 
@@ -84,8 +83,8 @@ std::string expectation(const Claim& claim) {
 std::string measurement(const Claim& claim) { return quantity(claim.measured, claim.unit); }
 
 std::string say_heading(const Lesson& lesson, const Style& style) {
-  return "\n" + toned(fmt::format("{}. {}", lesson.number(), lesson.about().title), Tone::title, style) +
-         "\n" + wrapped(lesson.about().summary, style);
+  return "\n" + toned(fmt::format("{}. {}", lesson.number(), lesson.about().title), Tone::title, style) + "\n" +
+         wrapped(lesson.about().summary, style);
 }
 
 std::string say_title(const Lesson& lesson, const Step& step, const Style& style) {
@@ -108,8 +107,7 @@ std::string say_closing(const Lesson& lesson, const Style& style) {
   if (!closing.tries.empty()) {
     words += "\n" + toned("To try", Tone::title, style) + "\n";
     for (const Try& attempt : closing.tries)
-      words +=
-          wrapped("- " + attempt.what, style) + "    " + toned(attempt.command, Tone::code, style) + "\n";
+      words += wrapped("- " + attempt.what, style) + "    " + toned(attempt.command, Tone::code, style) + "\n";
   }
   if (!closing.next.empty())
     words += "\n" + toned("What comes next", Tone::title, style) + "\n" + wrapped(closing.next, style);
@@ -132,8 +130,7 @@ std::string say(const Excerpt& excerpt, const Style& style) {
 }
 
 std::string say(const Measure& measure, const Style& style) {
-  return toned("  " + measure.quantity + " = ", Tone::quiet, style) + quantity(measure.value, measure.unit) +
-         "\n";
+  return toned("  " + measure.quantity + " = ", Tone::quiet, style) + quantity(measure.value, measure.unit) + "\n";
 }
 
 std::string say(const Claim& claim, const Style& style) {
@@ -172,8 +169,7 @@ std::string say_caption(const std::string& caption, const std::string& path, con
 }
 
 std::string say_answer(const Prediction& question, const Style& style) {
-  return wrapped(fmt::format("**{}**. {}", quantity(question.answer, question.unit, 4), question.right),
-                 style, 2);
+  return wrapped(fmt::format("**{}**. {}", quantity(question.answer, question.unit, 4), question.right), style, 2);
 }
 
 std::string say_answer(const Choice& question, const Style& style) {
@@ -203,10 +199,9 @@ std::string say_parameters(const Lesson& lesson) {
   if (lesson.parameters().empty()) return "This lesson has no parameters.\n";
   std::vector<std::vector<std::string>> rows = {{"name", "value", "default", "unit", "range", "meaning"}};
   for (const ParameterRecord& p : lesson.parameters())
-    rows.push_back(
-        {p.name, typed(p.value), typed(p.initial), p.unit,
-         fmt::format("{} … {}{}", typed(p.range.low), typed(p.range.high), p.integer ? ", whole" : ""),
-         p.meaning});
+    rows.push_back({p.name, typed(p.value), typed(p.initial), p.unit,
+                    fmt::format("{} … {}{}", typed(p.range.low), typed(p.range.high), p.integer ? ", whole" : ""),
+                    p.meaning});
   return table(rows);
 }
 

@@ -23,8 +23,8 @@ void print(const Told& told, const Lesson& lesson, const Studio& studio) {
         [&](const auto& it) {
           using Kind = std::decay_t<decltype(it)>;
           if constexpr (std::is_same_v<Kind, Figure>)
-            words += say(it, style) +
-                     say_caption(it.caption, (studio.folder() / figure_path(it.name)).string(), style);
+            words +=
+                say(it, style) + say_caption(it.caption, (studio.folder() / figure_path(it.name)).string(), style);
           else if constexpr (std::is_same_v<Kind, Sequence>)
             words += say_caption(it.caption, (studio.folder() / strip_path(it.name)).string(), style);
           else if constexpr (std::is_same_v<Kind, Prediction> || std::is_same_v<Kind, Choice>)
@@ -50,8 +50,7 @@ void write_pictures(const Page& page, Studio& studio) {
   }
 }
 
-void publish(const Lesson& lesson, const std::vector<Told>& told, const Options& options,
-             const Studio& studio) {
+void publish(const Lesson& lesson, const std::vector<Told>& told, const Options& options, const Studio& studio) {
   renderer::write_whole(studio.folder() / "lesson.md", markdown(lesson, told, options.frames));
   renderer::write_whole(studio.folder() / "manifest.json", manifest(lesson, options, studio.gl()));
   if (!options.quiet)

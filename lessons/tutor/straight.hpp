@@ -12,8 +12,7 @@ namespace byhand::tutor {
 int run_straight(const Lesson& lesson, const Options& options);
 
 /// Writes lesson.md and manifest.json beside the pictures that were drawn, and says where.
-void publish(const Lesson& lesson, const std::vector<Told>& told, const Options& options,
-             const Studio& studio);
+void publish(const Lesson& lesson, const std::vector<Told>& told, const Options& options, const Studio& studio);
 
 /// Draws and writes every picture of the page.
 void write_pictures(const Page& page, Studio& studio);

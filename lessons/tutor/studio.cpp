@@ -44,8 +44,7 @@ void remove_frames(const fs::path& folder) {
   std::error_code error;
   fs::remove_all(folder, error);
   if (error)
-    throw renderer::EnvironmentError(
-        fmt::format("{} cannot be removed: {}", folder.string(), error.message()));
+    throw renderer::EnvironmentError(fmt::format("{} cannot be removed: {}", folder.string(), error.message()));
 }
 
 }  // namespace
@@ -83,8 +82,8 @@ void Studio::write(const Sequence& sequence) {
   const int frames = count(sequence);
   const std::vector<int> in_strip = renderer::spread(frames, strip_frames);
   const bool all = frames_ == FramesWanted::all;
-  Progress progress(fmt::format("drawing {}", sequence.name),
-                    all ? frames : static_cast<int>(in_strip.size()), quiet_);
+  Progress progress(fmt::format("drawing {}", sequence.name), all ? frames : static_cast<int>(in_strip.size()),
+                    quiet_);
   renderer::FrameWriter writer(folder);
   std::vector<Image> strip;
   FrameDrawing drawing = sequence.draw;

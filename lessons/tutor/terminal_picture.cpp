@@ -29,11 +29,10 @@ std::string terminal_picture(const renderer::Image& image, int columns, int rows
   chafa_calc_canvas_geometry(image.width, image.height, &columns, &rows, 0.5F, TRUE, FALSE);
 
   const std::unique_ptr<ChafaSymbolMap, Release<chafa_symbol_map_unref>> symbols(chafa_symbol_map_new());
-  chafa_symbol_map_add_by_tags(
-      symbols.get(), static_cast<ChafaSymbolTags>(CHAFA_SYMBOL_TAG_BLOCK | CHAFA_SYMBOL_TAG_BORDER |
-                                                  CHAFA_SYMBOL_TAG_DIAGONAL | CHAFA_SYMBOL_TAG_SPACE));
-  const std::unique_ptr<ChafaCanvasConfig, Release<chafa_canvas_config_unref>> config(
-      chafa_canvas_config_new());
+  chafa_symbol_map_add_by_tags(symbols.get(),
+                               static_cast<ChafaSymbolTags>(CHAFA_SYMBOL_TAG_BLOCK | CHAFA_SYMBOL_TAG_BORDER |
+                                                            CHAFA_SYMBOL_TAG_DIAGONAL | CHAFA_SYMBOL_TAG_SPACE));
+  const std::unique_ptr<ChafaCanvasConfig, Release<chafa_canvas_config_unref>> config(chafa_canvas_config_new());
   chafa_canvas_config_set_geometry(config.get(), columns, rows);
   chafa_canvas_config_set_symbol_map(config.get(), symbols.get());
   chafa_canvas_config_set_canvas_mode(

@@ -73,8 +73,7 @@ class Grid {
   Grid(int rows, int columns) : columns_(columns), cells_(static_cast<size_t>(rows * columns)) {}
 
   void put(int row, int column, const char* sign, int colour) {
-    if (row < 0 || column < 0 || column >= columns_ || row >= static_cast<int>(cells_.size()) / columns_)
-      return;
+    if (row < 0 || column < 0 || column >= columns_ || row >= static_cast<int>(cells_.size()) / columns_) return;
     cells_[static_cast<size_t>(row * columns_ + column)] = {sign, colour};
   }
 
@@ -82,8 +81,7 @@ class Grid {
     std::string line;
     for (int column = 0; column < columns_; ++column) {
       const Cell& cell = cells_[static_cast<size_t>(row * columns_ + column)];
-      line +=
-          style.colours && cell.colour ? fmt::format("\033[{}m{}\033[0m", cell.colour, cell.sign) : cell.sign;
+      line += style.colours && cell.colour ? fmt::format("\033[{}m{}\033[0m", cell.colour, cell.sign) : cell.sign;
     }
     return line;
   }

@@ -20,8 +20,8 @@ void part_answers(Prediction& question, bool at_defaults) {
       answers.push_back(wrong.value);
       kept.push_back(std::move(wrong));
     } else if (at_defaults) {
-      throw LessonError(fmt::format("\"{}\": the answer {} lies within {} of another", question.ask,
-                                    wrong.value, question.tolerance));
+      throw LessonError(fmt::format("\"{}\": the answer {} lies within {} of another", question.ask, wrong.value,
+                                    question.tolerance));
     }
   }
   question.wrong = std::move(kept);

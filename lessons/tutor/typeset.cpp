@@ -151,8 +151,7 @@ std::string table(const std::vector<std::vector<std::string>>& rows, int indent)
   std::string all;
   for (const auto& row : rows) {
     std::string line = indentation(indent);
-    for (size_t i = 0; i < row.size(); ++i)
-      line += i + 1 < row.size() ? padded(row[i], widths[i] + 2) : row[i];
+    for (size_t i = 0; i < row.size(); ++i) line += i + 1 < row.size() ? padded(row[i], widths[i] + 2) : row[i];
     all += line + "\n";
   }
   return all;

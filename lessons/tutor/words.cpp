@@ -31,8 +31,7 @@ Decimal decimal(double value, int digits) {
   const int exponent = std::stoi(scientific.substr(e + 1));
   if (exponent < -4 || exponent >= std::max(6, digits))
     return {value < 0, without_trailing_zeros(scientific.substr(0, e)), exponent};
-  return {value < 0, without_trailing_zeros(fmt::format("{:.{}f}", size, std::max(0, digits - 1 - exponent))),
-          0};
+  return {value < 0, without_trailing_zeros(fmt::format("{:.{}f}", size, std::max(0, digits - 1 - exponent))), 0};
 }
 
 std::string superscript(int exponent) {
@@ -64,8 +63,7 @@ std::string replace_marks(std::string_view words, const Next& next) {
 
 void require_as_many(std::string_view words, size_t values) {
   const auto marks = static_cast<size_t>(std::count(words.begin(), words.end(), '@'));
-  if (marks != values)
-    throw LessonError(fmt::format("\"{}\" has {} places for {} values", words, marks, values));
+  if (marks != values) throw LessonError(fmt::format("\"{}\" has {} places for {} values", words, marks, values));
 }
 
 }  // namespace

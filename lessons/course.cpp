@@ -1,0 +1,199 @@
+// The course: which lessons there are, how far the reader got, and which one to run. `lessons/run` starts it.
+
+#include <fmt/format.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "lessons/tutor/keyboard.hpp"
+#include "lessons/tutor/options.hpp"
+#include "lessons/tutor/place.hpp"
+#include "lessons/tutor/typeset.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace byhand::tutor;
+using Arguments = std::vector<std::string>;
+
+constexpr auto usage = R"(./lessons/run [LESSON] [OPTIONS]
+
+Without a lesson: the course at a terminal, every lesson straight through otherwise.
+
+  LESSON        its number or name: ./lessons/run 3, ./lessons/run baumgarte
+  --all         every lesson straight through; further options go to each
+  --no-install  list the Debian packages that are missing and stop
+  --help        this page; ./lessons/run LESSON --help shows the options of a lesson
+
+Lessons:
+)";
+
+fs::path program(const std::string& slug) { return fs::read_symlink("/proc/self/exe").parent_path() / slug; }
+
+std::vector<std::string> all_slugs() {
+  std::vector<std::string> slugs;
+  std::istringstream listed(BYHAND_SLUGS);
+  for (std::string slug; std::getline(listed, slug, ',');) slugs.push_back(slug);
+  return slugs;
+}
+
+/// Runs a lesson and returns its exit status. Ctrl-C is the lesson's to understand while it runs.
+int run_lesson(const std::string& slug, Arguments arguments) {
+  const std::string path = program(slug).string();
+  arguments.insert(arguments.begin(), path);
+  std::vector<char*> argv;
+  for (std::string& argument : arguments) argv.push_back(argument.data());
+  argv.push_back(nullptr);
+
+  std::fflush(stdout);
+  const pid_t child = fork();
+  if (child < 0) throw std::runtime_error("no process could be started for " + slug);
+  if (child == 0) {
+    execv(path.c_str(), argv.data());
+    fmt::print(stderr, "{} could not be started\n", path);
+    _exit(3);
+  }
+  const auto former = std::signal(SIGINT, SIG_IGN);
+  int status = 0;
+  waitpid(child, &status, 0);
+  std::signal(SIGINT, former);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+/// What a lesson says of itself.
+nlohmann::json about(const std::string& slug) {
+  const std::unique_ptr<FILE, int (*)(FILE*)> output(
+      popen(fmt::format("'{}' --about", program(slug).string()).c_str(), "r"), pclose);
+  if (!output) throw std::runtime_error(slug + " could not be asked what it is about");
+  return nlohmann::json::parse(output.get());
+}
+
+std::string progress(const Place& place, int core_steps) {
+  if (!place.step.empty()) return fmt::format("step {} of {}", place.step, core_steps);
+  return place.finished ? "finished" : "";
+}
+
+std::string overview(const std::vector<std::string>& slugs) {
+  std::vector<std::vector<std::string>> rows;
+  std::string lines;
+  for (const std::string& slug : slugs) {
+    const auto lesson = about(slug);
+    const std::string title = lesson.at("title"), summary = lesson.at("summary");
+    lines += fmt::format("  {}  {} {}\n", lesson.at("number").get<int>(), padded(title, 28),
+                         progress(read_place(slug), lesson.at("core_steps")));
+    lines += wrapped(summary, {}, 5);
+  }
+  return lines;
+}
+
+std::optional<std::string> find_lesson(const std::vector<std::string>& slugs, const std::string& called) {
+  for (const std::string& slug : slugs)
+    if (called == slug || called == slug.substr(3) || called == slug.substr(0, 2) ||
+        called == std::to_string(std::stoi(slug)))
+      return slug;
+  return std::nullopt;
+}
+
+std::string unknown(const std::vector<std::string>& slugs, const std::string& called) {
+  std::string names;
+  for (const std::string& slug : slugs)
+    names += fmt::format("{}{} {}", names.empty() ? "" : ", ", std::stoi(slug), slug.substr(3));
+  return fmt::format("There is no lesson \"{}\"; there are {}.\n", called, names);
+}
+
+std::string output_of(const Arguments& arguments) {
+  for (size_t i = 0; i < arguments.size(); ++i) {
+    if (arguments[i].starts_with("--output=")) return arguments[i].substr(9);
+    if (arguments[i] == "--output" && i + 1 < arguments.size()) return arguments[i + 1];
+  }
+  return default_output().string();
+}
+
+int run_all(const std::vector<std::string>& slugs, Arguments arguments) {
+  arguments.insert(arguments.begin(), "--no-interactive");
+  int worst = 0;
+  for (const std::string& slug : slugs) {
+    const int status = run_lesson(slug, arguments);
+    if (status != 0) fmt::print(stderr, "{} ended with status {}\n", slug, status);
+    worst = std::max(worst, status);
+  }
+  if (std::find(arguments.begin(), arguments.end(), "--check") == arguments.end())
+    fmt::print("\nAll pictures are in {}/LESSON/figures and frames, beside LESSON/lesson.md.\n",
+               output_of(arguments));
+  return worst;
+}
+
+/// The first lesson that was begun and not ended, else the first that was not finished.
+std::optional<std::string> next_lesson(const std::vector<std::string>& slugs) {
+  const auto begun =
+      std::find_if(slugs.begin(), slugs.end(), [](const auto& slug) { return !read_place(slug).step.empty(); });
+  if (begun != slugs.end()) return *begun;
+  const auto open =
+      std::find_if(slugs.begin(), slugs.end(), [](const auto& slug) { return !read_place(slug).finished; });
+  return open == slugs.end() ? std::nullopt : std::optional(*open);
+}
+
+int open_course(const std::vector<std::string>& slugs) {
+  Keyboard keyboard;
+  fmt::print("\nConstraints by Hand\n");
+  while (true) {
+    const auto next = next_lesson(slugs);
+    fmt::print(
+        "\n{}\n{}a number chooses, q leaves ▸ ", overview(slugs),
+        next ? fmt::format("Enter goes on with lesson {}, ", std::stoi(*next)) : "All lessons are finished: ");
+    std::fflush(stdout);
+    const auto line = keyboard.line();
+    if (!line) fmt::print("\n");
+    if (!line || *line == "q") return 0;
+    const auto chosen = line->empty() ? next : find_lesson(slugs, *line);
+    if (!chosen) {
+      fmt::print("{}", line->empty() ? "Type the number of a lesson, or q.\n" : unknown(slugs, *line));
+      continue;
+    }
+    const int status = run_lesson(*chosen, {});
+    if (status != 0 || !read_place(*chosen).step.empty()) return status;
+  }
+}
+
+int run(Arguments arguments) {
+  const std::vector<std::string> slugs = all_slugs();
+  const bool at_terminal = isatty(STDIN_FILENO) && isatty(STDOUT_FILENO);
+  if (arguments.empty() && at_terminal) return open_course(slugs);
+  if (!arguments.empty() && arguments.front() == "--help") {
+    fmt::print("{}{}", usage, overview(slugs));
+    return 0;
+  }
+  if (arguments.empty() || arguments.front().starts_with("--")) {
+    const auto all = std::remove(arguments.begin(), arguments.end(), "--all");
+    arguments.erase(all, arguments.end());
+    return run_all(slugs, arguments);
+  }
+  const auto slug = find_lesson(slugs, arguments.front());
+  if (!slug) {
+    fmt::print(stderr, "{}", unknown(slugs, arguments.front()));
+    return 2;
+  }
+  return run_lesson(*slug, {arguments.begin() + 1, arguments.end()});
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run({argv + 1, argv + argc});
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return 3;
+  }
+}
