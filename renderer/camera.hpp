@@ -7,7 +7,7 @@ namespace byhand::renderer {
 /// Looks at the plane: `centre` of the world appears in the middle of `frame`, one world unit `scale` points
 /// long.
 struct Camera {
-  Rectangle frame;     ///< on the page, in points
+  Rectangle frame{};   ///< on the page, in points
   Point centre{0, 0};  ///< in the world
   double scale = 1;    ///< points per world unit
 

@@ -54,7 +54,7 @@ struct TextStyle {
 struct ArrowKind {
   Colour colour = palette::force;
   double scale = 1;
-  std::string unit;
+  std::string unit{};
 };
 
 /// One frame, drawn without a window. Shapes are given in the units of the camera that looks at them; widths
@@ -91,6 +91,7 @@ class Canvas {
   void disc(const Point& centre, double radius, const Look& look = body_look);
   /// A box of the given width and height, turned by `angle` radians anticlockwise.
   void box(const Point& centre, const Point& size, double angle, const Look& look = body_look);
+  /// An upright box with its sides on whole pixels: bars, cells of a map.
   void rectangle(const Rectangle& rectangle, const Look& look);
   /// A convex polygon, in either sense of turning.
   void polygon(std::span<const Point> corners, const Look& look);
@@ -106,8 +107,8 @@ class Canvas {
               const Stroke& stroke = {palette::constraint});
   /// A pin that joins bodies.
   void hinge(const Point& at);
-  /// A pin held by the world: a hatched bracket, `up` is the side where the body hangs or stands.
-  void anchor(const Point& at, const Point& up = {0, -1});
+  /// A pin held by the world: a hatched bracket; `body_side` is where the body hangs (below) or stands.
+  void anchor(const Point& at, const Point& body_side = {0, -1});
   /// A surface from `a` to `b`, hatched on its right-hand side seen along that way.
   void ground(const Point& a, const Point& b);
   void mark(const Point& at, Mark mark, Colour colour, double size = 9);

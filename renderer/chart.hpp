@@ -11,12 +11,12 @@
 namespace byhand::renderer {
 
 struct Axis {
-  std::string label;  ///< quantity with its unit: "stretch (mm)"
+  std::string label{};  ///< quantity with its unit: "stretch (mm)"
   Scale scale = Scale::linear;
   std::optional<std::pair<double, double>>
-      range;                ///< lowest and highest value; chosen from the data when absent
-  bool reversed = false;    ///< low values at the right or top: rows of a matrix
-  std::vector<Tick> ticks;  ///< instead of the automatic ones: names, multiples of π
+      range{};                ///< lowest and highest value; chosen from the data when absent
+  bool reversed = false;      ///< low values at the right or top: rows of a matrix
+  std::vector<Tick> ticks{};  ///< instead of the automatic ones: names, multiples of π
 };
 
 enum class CurveStyle {
@@ -30,36 +30,36 @@ enum class CurveStyle {
 /// Values of y over x, of one length. NaN in either leaves a gap. An infinite value is a run that failed: a
 /// cross at the edge of the chart on its side.
 struct Curve {
-  std::string label;
-  std::vector<double> x, y;
+  std::string label{};
+  std::vector<double> x{}, y{};
   CurveStyle style = CurveStyle::line;
-  std::optional<Colour> colour;           ///< the next of the series (theory: palette::theory) when absent
-  std::vector<std::string> point_labels;  ///< a text at each point (the knob that was turned there), or none
+  std::optional<Colour> colour{};           ///< the next of the series (theory: palette::theory) when absent
+  std::vector<std::string> point_labels{};  ///< a text at each point (the knob that was turned there), or none
 };
 
 /// One bar for each of `Chart::bar_names`; several series stand side by side.
 struct Bars {
-  std::string label;
-  std::vector<double> values;
-  std::optional<Colour> colour;
+  std::string label{};
+  std::vector<double> values{};
+  std::optional<Colour> colour{};
 };
 
 /// Values over a grid of cells. x and y are the centres of columns and rows, rising or falling; `values` go
 /// along x first: value(row, column) = values[row · x.size() + column]. NaN leaves the cell empty, an
 /// infinite value (a run that failed) is crossed out.
 struct HeatMap {
-  std::string label;  ///< of the colour bar, with unit
-  std::vector<double> x, y, values;
+  std::string label{};  ///< of the colour bar, with unit
+  std::vector<double> x{}, y{}, values{};
   bool diverging = false;  ///< zero is paper, signs differ in hue
   Scale scale = Scale::linear;
-  std::optional<std::pair<double, double>> range;
+  std::optional<std::pair<double, double>> range{};
   bool square = false;  ///< cells as high as wide: matrices
 };
 
 /// A text at a place in the units of the axes, with a dot.
 struct Annotation {
   double x = 0, y = 0;
-  std::string text;
+  std::string text{};
 };
 
 /// A thin dashed line across the chart at a value of one axis.
@@ -67,20 +67,20 @@ struct Reference {
   enum class Across { x, y };
   Across axis = Across::y;  ///< whose value it marks: y draws a level line
   double value = 0;
-  std::string label;
+  std::string label{};
 };
 
 /// A chart as a value: it can be drawn, printed as text or written as data. Curves and a heat map share the
 /// axes; bars stand at 0, 1, 2, … of x under `bar_names`, and curves may be drawn over them there.
 struct Chart {
-  std::string title;
-  Axis x, y;
-  std::vector<Curve> curves;
-  std::vector<std::string> bar_names;
-  std::vector<Bars> bars;
-  std::optional<HeatMap> heat_map;
-  std::vector<Annotation> annotations;
-  std::vector<Reference> references;
+  std::string title{};
+  Axis x{}, y{};
+  std::vector<Curve> curves{};
+  std::vector<std::string> bar_names{};
+  std::vector<Bars> bars{};
+  std::optional<HeatMap> heat_map{};
+  std::vector<Annotation> annotations{};
+  std::vector<Reference> references{};
 };
 
 /// What each axis shows: its range if given, else the data's with a little room (zero included for bars and
@@ -90,6 +90,13 @@ struct ChartRanges {
   std::pair<double, double> x, y;
 };
 ChartRanges ranges(const Chart& chart);
+
+/// The values that the two ends of a heat map's colour bar stand for: its range if given, else the least and the
+/// greatest finite value; symmetric about zero when it is diverging.
+std::pair<double, double> value_range(const HeatMap& map);
+
+/// The n + 1 borders of n cells with these centres: halfway between them on the axis.
+std::vector<double> cell_edges(const std::vector<double>& centres, Scale scale);
 
 /// Draws the chart into `frame` (points on the page), axes and labels included; the canvas's camera stays as
 /// it was. Labels stand at the ends of the curves where they fit, else in a legend where the chart is

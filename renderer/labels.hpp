@@ -20,6 +20,9 @@ class Labels {
   void avoid_disc(const Point& centre, double radius);
   void avoid_path(std::span<const Point> points);
 
+  /// The area, in square points, of what a rectangle on the page would cover.
+  double covered(const Rectangle& on_page) const;
+
   /// Draws `text` beside `at` (camera's units), `gap` points away: right, left, above, below, the corners,
   /// then farther out; the first place that is free, else the one that covers least. Returns its box in
   /// points.

@@ -17,9 +17,7 @@ struct Rectangle {
   double right() const { return x + width; }
   double top() const { return y + height; }
   Point centre() const { return {x + width / 2, y + height / 2}; }
-  bool contains(const Point& p) const {
-    return p.x() >= x && p.x() <= right() && p.y() >= y && p.y() <= top();
-  }
+  bool contains(const Point& p) const { return p.x() >= x && p.x() <= right() && p.y() >= y && p.y() <= top(); }
   /// The area shared with `other`; zero when they do not touch.
   double overlap(const Rectangle& other) const {
     const double w = std::min(right(), other.right()) - std::max(x, other.x);

@@ -12,7 +12,7 @@ namespace byhand::renderer {
 
 /// Looks at space from `eye` towards `target`, in perspective.
 struct SpaceCamera {
-  Rectangle frame;  ///< on the page, in points
+  Rectangle frame{};  ///< on the page, in points
   Point3 eye{6, -8, 4};
   Point3 target{0, 0, 0};
   Point3 up{0, 0, 1};

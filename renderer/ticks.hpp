@@ -11,7 +11,7 @@ enum class Scale { linear, logarithmic };
 /// A value on an axis; minor ones have no label.
 struct Tick {
   double value = 0;
-  std::string label;  ///< UTF-8, with a true minus sign and raised digits: "−0.5", "10⁻³"
+  std::string label{};  ///< UTF-8, with a true minus sign and raised digits: "−0.5", "10⁻³"
 };
 
 /// The ticks of an axis and the power of ten that was taken out of their labels (0: none).

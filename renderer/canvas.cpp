@@ -1,0 +1,422 @@
+#include "renderer/canvas.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "renderer/font.hpp"
+#include "renderer/outline.hpp"
+#include "renderer/painter.hpp"
+#include "renderer/ticks.hpp"
+
+namespace byhand::renderer {
+namespace {
+
+constexpr double page_height = 720;  // points
+constexpr double cap_height = 0.73;  // of DejaVu's capitals, in sizes
+constexpr double descent = 0.22, line_height = 1.3;
+
+Point turned(const Point& v, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return {c * v.x() - s * v.y(), s * v.x() + c * v.y()};
+}
+
+Point left_of(const Point& direction) { return {-direction.y(), direction.x()}; }
+
+Point unit_or(const Point& v, const Point& otherwise) { return v.norm() > 0 ? Point(v.normalized()) : otherwise; }
+
+// Where in its box, 0 … 1 from the lower left, a text is held.
+Point share(Anchor anchor) {
+  switch (anchor) {
+    case Anchor::centre: return {0.5, 0.5};
+    case Anchor::left: return {0, 0.5};
+    case Anchor::right: return {1, 0.5};
+    case Anchor::top: return {0.5, 1};
+    case Anchor::bottom: return {0.5, 0};
+    case Anchor::top_left: return {0, 1};
+    case Anchor::top_right: return {1, 1};
+    case Anchor::bottom_left: return {0, 0};
+    case Anchor::bottom_right: return {1, 0};
+  }
+  return {0.5, 0.5};
+}
+
+std::array<Point, 4> corners(const Point& centre, const Point& half, double angle) {
+  return {centre + turned({-half.x(), -half.y()}, angle), centre + turned({half.x(), -half.y()}, angle),
+          centre + turned({half.x(), half.y()}, angle), centre + turned({-half.x(), half.y()}, angle)};
+}
+
+}  // namespace
+
+Mark series_mark(int i) {
+  static constexpr std::array<Mark, 8> marks{Mark::disc,          Mark::square,      Mark::triangle,
+                                             Mark::diamond,       Mark::circle,      Mark::open_square,
+                                             Mark::open_triangle, Mark::open_diamond};
+  return marks[std::size_t(i % 8 + 8) % 8];
+}
+
+// Everything below the public functions works in pixels, y down.
+struct Canvas::State {
+  State(int width_, int height_)
+      : width(width_), height(height_), scale(height / page_height), painter(width, height) {}
+
+  Rectangle page() const { return {0, 0, width / scale, page_height}; }
+  Point pixel(const Point& page_point) const { return {page_point.x() * scale, height - page_point.y() * scale}; }
+  Point seen(const Point& world) const { return pixel(camera.to_page(world)); }
+  std::vector<Point> seen(std::span<const Point> world) const {
+    std::vector<Point> pixels;
+    pixels.reserve(world.size());
+    for (const Point& p : world) pixels.push_back(seen(p));
+    return pixels;
+  }
+  PixelBox box(const Rectangle& r) const {
+    const auto pixel_of = [](double v, int most) { return int(std::lround(std::clamp(v, 0.0, double(most)))); };
+    const int left = pixel_of(r.x * scale, width), right = pixel_of(r.right() * scale, width);
+    const int upper = pixel_of(height - r.top() * scale, height), lower = pixel_of(height - r.y * scale, height);
+    return {left, upper, right - left, lower - upper};
+  }
+  Rectangle reach(double margin) const {
+    return Rectangle{double(clip.x), double(clip.y), double(clip.width), double(clip.height)}.inset(-margin);
+  }
+
+  void restart() {
+    vertices.clear();
+    batches.clear();
+    camera = {page(), page().centre(), 1};
+    clip = {0, 0, width, height};
+  }
+
+  void draw_fill(std::span<const Point> pixels, Colour colour) {
+    for (const Point& p : pixels)
+      if (!p.allFinite()) return;
+    if (colour.a > 0) fill(vertices, pixels, colour);
+  }
+
+  // `fading`: from nothing at the first point to the full colour at the last.
+  void draw_stroke(std::span<const Point> pixels, const Stroke& style, bool fading = false) {
+    const double w = style.width * scale;
+    if (w <= 0) return;
+    const std::vector<std::vector<Point>> runs = clipped(pixels, reach(w + 2));
+    double whole = 0, done = 0;
+    for (const std::vector<Point>& run : runs) whole += length(run);
+    for (const std::vector<Point>& run : runs) {
+      if (fading) {
+        const double first = done / whole;
+        done += length(run);
+        stroke(vertices, run, w, style.colour, false, first, done / whole);
+      } else if (style.dash == Dash::solid) {
+        stroke(vertices, run, w, style.colour);
+      } else {
+        const bool dots = style.dash == Dash::dotted;
+        const double on = scale * (dots ? 2 : 9), off = scale * (dots ? 5 : 5.5);
+        for (const std::vector<Point>& piece : dashed(run, on, off)) stroke(vertices, piece, w, style.colour);
+      }
+    }
+  }
+
+  void draw_outline(std::span<const Point> pixels, const Stroke& style) {
+    for (const Point& p : pixels)
+      if (!p.allFinite()) return;
+    stroke(vertices, pixels, style.width * scale, style.colour, true);
+  }
+
+  void draw_shape(std::span<const Point> pixels, const Look& look) {
+    draw_fill(pixels, look.fill);
+    draw_outline(pixels, look.edge);
+  }
+
+  void draw_arrow(const Point& tail, const Point& tip, const Stroke& style) {
+    const Point way = tip - tail;
+    const double length = way.norm(), w = style.width * scale;
+    if (!way.allFinite()) return;
+    if (length < 0.75 * w) return draw_fill(circle(tip, 1.2 * w), style.colour);
+    const Point ahead = way / length;
+    // Short arrows keep their shape: the head never takes more than 60 % of the length.
+    const double head = std::min(5.2 * w, 0.6 * length), half = 0.38 * head;
+    const Point neck = tip - head * ahead;
+    const std::array<Point, 2> shaft{tail, neck + 0.3 * head * ahead};
+    draw_stroke(shaft, {style.colour, std::min(style.width, 0.36 * head / scale), style.dash});
+    draw_fill(std::array<Point, 3>{tip, neck + half * left_of(ahead), neck - half * left_of(ahead)}, style.colour);
+  }
+
+  // Short strokes that lean away from the line from `a` to `b`, on its right as seen on the page.
+  void draw_hatching(const Point& a, const Point& b) {
+    const double spacing = 9 * scale, depth = 9 * scale;
+    const Point ahead = unit_or(b - a, {1, 0});
+    const Point lean = depth * (left_of(ahead) - 0.8 * ahead);  // left with y down is right with y up
+    for (const std::vector<Point>& run : clipped(std::array<Point, 2>{a, b}, reach(2 * depth)))
+      for (double s = 0.9 * spacing; s <= length(run); s += spacing)
+        draw_stroke(std::array<Point, 2>{run.front() + s * ahead, run.front() + s * ahead + lean},
+                    {palette::muted, 1.2});
+  }
+
+  // Everything since the last batch becomes one.
+  void close_batch() {
+    const std::size_t first = batches.empty() ? 0 : batches.back().first + batches.back().count;
+    if (vertices.size() > first) batches.push_back({clip, first, vertices.size() - first, std::nullopt});
+  }
+
+  int width, height;
+  double scale;  // pixels per point
+  Painter painter;
+  Font font;
+  Vertices vertices;
+  std::vector<Batch> batches;
+  Camera camera;
+  PixelBox clip;
+  Colour paper = palette::paper;
+};
+
+Canvas::Canvas(int width, int height) {
+  constexpr int least = 16, most = 8192;
+  if (std::min(width, height) < least || std::max(width, height) > most)
+    throw std::invalid_argument(
+        fmt::format("A page has {} to {} pixels on each side; got {} × {}.", least, most, width, height));
+  state_ = std::make_unique<State>(width, height);
+  clear();
+}
+Canvas::Canvas(Canvas&&) noexcept = default;
+Canvas& Canvas::operator=(Canvas&&) noexcept = default;
+Canvas::~Canvas() = default;
+
+int Canvas::width() const { return state_->width; }
+int Canvas::height() const { return state_->height; }
+Rectangle Canvas::page() const { return state_->page(); }
+const std::string& Canvas::describe() const { return state_->painter.describe(); }
+
+void Canvas::clear(Colour paper) {
+  state_->restart();
+  state_->paper = paper;
+}
+
+void Canvas::look(const Camera& camera) { state_->camera = camera; }
+void Canvas::look_at_page() { look({page(), page().centre(), 1}); }
+const Camera& Canvas::camera() const { return state_->camera; }
+
+void Canvas::clip(const std::optional<Rectangle>& rectangle) {
+  const PixelBox box = state_->box(rectangle.value_or(page()));
+  if (box == state_->clip) return;
+  state_->close_batch();
+  state_->clip = box;
+}
+
+void Canvas::disc(const Point& centre, double radius, const Look& look) {
+  const double pixels = radius * state_->camera.scale * state_->scale;
+  if (pixels > 0 && std::isfinite(pixels)) state_->draw_shape(circle(state_->seen(centre), pixels), look);
+}
+
+void Canvas::box(const Point& centre, const Point& size, double angle, const Look& look) {
+  polygon(corners(centre, size / 2, angle), look);
+}
+
+void Canvas::rectangle(const Rectangle& r, const Look& look) {
+  // Whole pixels: cells of a map meet without a seam, and bars are crisp.
+  const auto snapped = [](const Point& p) { return Point(std::round(p.x()), std::round(p.y())); };
+  const Point a = snapped(state_->seen(Point(r.x, r.y))), c = snapped(state_->seen(Point(r.right(), r.top())));
+  if (!a.allFinite() || !c.allFinite()) return;
+  const std::array<Point, 4> outline{a, Point(c.x(), a.y()), c, Point(a.x(), c.y())};
+  fill_sharply(state_->vertices, outline, look.fill);
+  state_->draw_outline(outline, look.edge);
+}
+
+void Canvas::polygon(std::span<const Point> points, const Look& look) {
+  state_->draw_shape(state_->seen(points), look);
+}
+
+void Canvas::rod(const Point& a, const Point& b, const Look& look, double thickness) {
+  const Point from = state_->seen(a), to = state_->seen(b);
+  const double radius = thickness / 2 * state_->scale;
+  const Point side = radius * left_of(unit_or(to - from, {1, 0}));
+  constexpr int steps = 12;
+  std::vector<Point> outline;
+  for (int i = 0; i <= steps; ++i) outline.push_back(from + turned(side, std::numbers::pi * i / steps));
+  for (int i = 0; i <= steps; ++i) outline.push_back(to - turned(side, std::numbers::pi * i / steps));
+  state_->draw_shape(outline, look);
+}
+
+void Canvas::line(const Point& a, const Point& b, const Stroke& style) { path(std::array<Point, 2>{a, b}, style); }
+
+void Canvas::path(std::span<const Point> points, const Stroke& style) {
+  state_->draw_stroke(state_->seen(points), style);
+}
+
+void Canvas::trail(std::span<const Point> points, const Stroke& style) {
+  state_->draw_stroke(state_->seen(points), style, true);
+}
+
+void Canvas::spring(const Point& a, const Point& b, int turns, double thickness, const Stroke& style) {
+  const Point from = state_->seen(a), to = state_->seen(b), ahead = unit_or(to - from, {1, 0});
+  const double whole = (to - from).norm(), lead = std::min(10 * state_->scale, whole / 6);
+  constexpr int steps = 16;  // a winding
+  std::vector<Point> coil{from};
+  for (int i = 0; i <= turns * steps; ++i) {
+    const double s = lead + (whole - 2 * lead) * i / (turns * steps);
+    const double swing = std::sin(2 * std::numbers::pi * i / steps);
+    coil.push_back(from + s * ahead + thickness / 2 * state_->scale * swing * left_of(ahead));
+  }
+  coil.push_back(to);
+  state_->draw_stroke(coil, style);
+}
+
+void Canvas::hinge(const Point& at) {
+  state_->draw_shape(circle(state_->seen(at), 4.5 * state_->scale), {palette::paper, {palette::ink, 1.8}});
+}
+
+void Canvas::anchor(const Point& at, const Point& body_side) {
+  const double unit = state_->scale;
+  const Point pin = state_->seen(at);
+  const Point down = unit_or({body_side.x(), -body_side.y()}, {0, 1}), side = left_of(down);
+  const Point base = pin - 16 * unit * down;
+  const std::array<Point, 3> bracket{pin, base + 12 * unit * side, base - 12 * unit * side};
+  state_->draw_shape(bracket, fixed_look);
+  const Point a = base - 22 * unit * side, b = base + 22 * unit * side;
+  state_->draw_hatching(a, b);
+  state_->draw_stroke(std::array<Point, 2>{a, b}, {palette::ink, 1.8});
+  hinge(at);
+}
+
+void Canvas::ground(const Point& a, const Point& b) {
+  state_->draw_hatching(state_->seen(a), state_->seen(b));
+  line(a, b, {palette::ink, 1.8});
+}
+
+void Canvas::mark(const Point& at, Mark mark, Colour colour, double size) {
+  const Point p = state_->seen(at);
+  const double r = size / 2 * state_->scale, line = 1.8;
+  const Look full{colour, {colour, 0}}, open{palette::paper, {colour, line}};
+  const auto regular = [&](int n, double radius, double angle) {
+    std::vector<Point> points;
+    for (int i = 0; i < n; ++i) points.push_back(p + turned({0, -radius}, angle + 2 * std::numbers::pi * i / n));
+    return points;
+  };
+  if (!p.allFinite()) return;
+  // Radii that give all shapes about the same area.
+  switch (mark) {
+    case Mark::disc: return state_->draw_shape(circle(p, r), full);
+    case Mark::square: return state_->draw_shape(regular(4, 1.25 * r, std::numbers::pi / 4), full);
+    case Mark::triangle: return state_->draw_shape(regular(3, 1.45 * r, 0), full);
+    case Mark::diamond: return state_->draw_shape(regular(4, 1.35 * r, 0), full);
+    case Mark::circle: return state_->draw_shape(circle(p, 0.85 * r), open);
+    case Mark::open_square: return state_->draw_shape(regular(4, 1.1 * r, std::numbers::pi / 4), open);
+    case Mark::open_triangle: return state_->draw_shape(regular(3, 1.3 * r, 0), open);
+    case Mark::open_diamond: return state_->draw_shape(regular(4, 1.2 * r, 0), open);
+    case Mark::cross:
+      for (const double s : {-0.9 * r, 0.9 * r})
+        state_->draw_stroke(std::array<Point, 2>{p + Point(-0.9 * r, -s), p + Point(0.9 * r, s)}, {colour, 2.4});
+  }
+}
+
+void Canvas::arrow(const Point& from, const Point& to, const Stroke& style) {
+  state_->draw_arrow(state_->seen(from), state_->seen(to), style);
+}
+
+void Canvas::vector(const Point& from, const Point& quantity, const ArrowKind& kind) {
+  arrow(from, from + kind.scale * quantity, {kind.colour, 3});
+}
+
+void Canvas::arrow_key(const Point& at, const ArrowKind& kind, std::string_view name) {
+  const double points_per_unit = kind.scale * camera().scale, wanted = 60 / points_per_unit;
+  if (!(wanted > 0 && std::isfinite(wanted)))
+    throw std::invalid_argument(fmt::format("An arrow's scale is a positive length; got {}.", kind.scale));
+  const double decade = std::pow(10, std::floor(std::log10(wanted)));
+  const double round = decade * (wanted >= 5 * decade ? 5 : wanted >= 2 * decade ? 2 : 1);
+  const Camera before = camera();
+  look_at_page();
+  const Point tip = at + Point(round * points_per_unit, 0);
+  arrow(at, tip, {kind.colour, 3});
+  const std::string value = fmt::format("{}{}{}", number(round), kind.unit.empty() ? "" : " ", kind.unit);
+  text(tip, name.empty() ? value : fmt::format("{} {}", name, value),
+       {.size = 16, .colour = kind.colour, .anchor = Anchor::left, .offset = {8, 0}});
+  look(before);
+}
+
+void Canvas::dimension(const Point& a, const Point& b, std::string_view label, double offset) {
+  const Camera before = camera();
+  const Point from = before.to_page(a), to = before.to_page(b);
+  const Point ahead = unit_or(to - from, {1, 0}), aside = left_of(ahead);
+  const Point p = from + offset * aside, q = to + offset * aside;
+  look_at_page();
+  const Stroke thin{palette::muted, 1.3};
+  line(p, q, thin);
+  for (const Point& end : {p, q}) line(end - 5 * aside, end + 5 * aside, thin);
+  // Beside the line, on the side away from what is measured: held at the nearest edge of its box.
+  const Rectangle box = measure({0, 0}, label, {.size = 16});
+  const double away = 6 + 0.5 * (std::abs(aside.x()) * box.width + std::abs(aside.y()) * box.height);
+  text((p + q) / 2 + (offset < 0 ? -away : away) * aside, label, {.size = 16, .halo = 3});
+  look(before);
+}
+
+namespace {
+
+struct TextBlock {
+  std::vector<std::string_view> lines;
+  std::vector<double> widths;  // points
+  Rectangle box;               // points on the page
+  double letters;  // height of the lines from the last baseline to the top of the first line's capitals
+};
+
+}  // namespace
+
+static TextBlock lay_out(const Font& font, double scale, const Point& at, std::string_view text,
+                         const TextStyle& style) {
+  TextBlock block;
+  double width = 0;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    block.lines.push_back(text.substr(begin, end - begin));
+    block.widths.push_back(font.width(block.lines.back(), style.size * scale, style.bold) / scale);
+    width = std::max(width, block.widths.back());
+    begin = end + 1;
+  }
+  block.letters = (cap_height + line_height * double(block.lines.size() - 1)) * style.size;
+  const double height = block.letters + descent * style.size;
+  const Point held = share(style.anchor), corner = at + style.offset;
+  // In the middle it is the capitals that are centred, not the room for what hangs below them.
+  const auto begin = [&](double where, double extent) {
+    return where == 0.5 ? -extent + block.letters / 2 : -where * extent;
+  };
+  if (style.upright)
+    block.box = {corner.x() - held.x() * width, corner.y() + begin(held.y(), height), width, height};
+  else
+    block.box = {corner.x() - height - begin(1 - held.x(), height), corner.y() - held.y() * width, height, width};
+  return block;
+}
+
+void Canvas::text(const Point& at, std::string_view text, const TextStyle& style) {
+  const Point where = camera().to_page(at);
+  if (!where.allFinite() || text.empty()) return;
+  State& s = *state_;
+  const TextBlock block = lay_out(s.font, s.scale, where, text, style);
+  const Point held = share(style.anchor);
+  const auto write = [&](Colour colour, double halo) {
+    for (std::size_t i = 0; i < block.lines.size(); ++i) {
+      const double fall = cap_height * style.size + double(i) * line_height * style.size;
+      const Rectangle& box = block.box;
+      const Point begin = style.upright ? Point(box.x + held.x() * (box.width - block.widths[i]), box.top() - fall)
+                                        : Point(box.x + fall, box.y + held.y() * (box.height - block.widths[i]));
+      s.font.write(s.vertices, block.lines[i], s.pixel(begin), style.size * s.scale, style.bold, colour,
+                   halo * s.scale, style.upright);
+    }
+  };
+  if (style.halo > 0) write(s.paper, style.halo);
+  write(style.colour, 0);
+}
+
+Rectangle Canvas::measure(const Point& at, std::string_view text, const TextStyle& style) const {
+  return lay_out(state_->font, state_->scale, camera().to_page(at), text, style).box;
+}
+
+void Canvas::draw(const Space& space) {
+  state_->close_batch();
+  state_->batches.push_back({state_->box(space.camera().frame), state_->vertices.size(), 0, space});
+}
+
+Image Canvas::image() {
+  state_->close_batch();
+  return state_->painter.paint(state_->paper, state_->vertices, state_->batches, state_->font);
+}
+
+}  // namespace byhand::renderer

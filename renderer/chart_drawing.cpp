@@ -1,0 +1,623 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "renderer/chart.hpp"
+#include "renderer/labels.hpp"
+
+namespace byhand::renderer {
+namespace {
+
+constexpr double title_size = 19, label_size = 17, tick_size = 16, small_size = 15;
+constexpr double line_height = 1.3;
+constexpr double curve_width = 2.6;
+const Stroke axis_line{palette::muted, 1.4};
+const Stroke grid_line{palette::grid, 1.2};
+const Stroke faint_line{fade(palette::grid, 0.55), 1};
+
+// A value's place on an axis, 0 … 1 from its left or lower end.
+class Position {
+ public:
+  Position(const Axis& axis, std::pair<double, double> range)
+      : scale_(axis.scale), reversed_(axis.reversed), low_(on(range.first)), high_(on(range.second)) {}
+
+  double operator()(double value) const {
+    const double share = (on(value) - low_) / (high_ - low_);
+    return reversed_ ? 1 - share : share;
+  }
+
+ private:
+  double on(double value) const {
+    if (scale_ == Scale::linear) return value;
+    return value > 0 ? std::log10(value) : std::numeric_limits<double>::quiet_NaN();
+  }
+
+  Scale scale_;
+  bool reversed_;
+  double low_, high_;
+};
+
+// One entry of the legend, or a label at a curve's end.
+struct Entry {
+  std::string label;
+  Colour colour;
+  CurveStyle style;
+  Mark mark;
+  bool bar;
+  const Curve* curve;  // none for bars
+};
+
+bool has_line(CurveStyle s) {
+  return s == CurveStyle::line || s == CurveStyle::line_and_markers || s == CurveStyle::theory;
+}
+bool has_marks(CurveStyle s) { return s != CurveStyle::line && s != CurveStyle::theory; }
+
+class ChartDrawing {
+ public:
+  ChartDrawing(Canvas& canvas, const Chart& chart, const Rectangle& frame)
+      : canvas_(canvas),
+        chart_(chart),
+        frame_(frame),
+        ranges_(ranges(chart)),
+        x_(chart.x, ranges_.x),
+        y_(chart.y, ranges_.y) {}
+
+  void draw() {
+    list_entries();
+    lay_out();
+    draw_heat_map();
+    draw_axes();
+    draw_bars();
+    draw_curves();
+    draw_references();
+    draw_texts();
+  }
+
+ private:
+  void list_entries();
+  void lay_out();
+  void choose_ticks();
+  bool labels_fit_at_ends();
+  bool legend_fits_inside();
+  double legend_rows(bool drawing);
+
+  void draw_axes();
+  void draw_heat_map();
+  void draw_colour_bar();
+  void draw_bars();
+  void draw_curves();
+  void draw_stems(const Curve& curve, Colour colour);
+  void draw_marks(const Entry& entry);
+  void draw_failure(double x, double y, Colour colour);
+  void draw_references();
+  void draw_texts();
+  void draw_sample(const Point& at, const Entry& entry);
+  void draw_end_labels();
+
+  Point at(double x, double y) const { return {plot_.x + x_(x) * plot_.width, plot_.y + y_(y) * plot_.height}; }
+  std::vector<Point> points(const Curve& curve) const {
+    std::vector<Point> places;
+    for (std::size_t i = 0; i < curve.x.size(); ++i) places.push_back(at(curve.x[i], curve.y[i]));
+    return places;
+  }
+  // Bar `i` of series `series`.
+  Rectangle bar(std::size_t series, std::size_t i) const {
+    const double n = double(chart_.bars.size()), width = 0.76 / n;
+    const double left = double(i) - 0.38 + double(series) * width;
+    const Point a = at(left, 0), b = at(left + 0.94 * width, chart_.bars[series].values[i]);
+    return {a.x(), std::min(a.y(), b.y()), b.x() - a.x(), std::abs(b.y() - a.y())};
+  }
+  double width(std::string_view text, double size, bool bold = false) const {
+    return canvas_.measure({0, 0}, text, {.size = size, .bold = bold}).width;
+  }
+  std::string wrapped(const std::string& text, double size, bool bold) const;
+  double widest(const std::vector<Tick>& ticks) const {
+    double most = 0;
+    for (const Tick& tick : ticks) most = std::max(most, width(tick.label, tick_size));
+    return most;
+  }
+  // The label of an axis with the power of ten that its ticks leave out.
+  std::string axis_label(const Axis& axis, const Ticks& ticks) const {
+    if (ticks.exponent == 0) return axis.label;
+    const std::string power = "×" + number(std::pow(10.0, ticks.exponent), 1);
+    return axis.label.empty() ? power : axis.label + "  " + power;
+  }
+  // How dark the chart is under a rectangle: points of its curves and bars that lie within.
+  double covered(const Rectangle& box) const;
+
+  Canvas& canvas_;
+  const Chart& chart_;
+  Rectangle frame_, plot_;
+  ChartRanges ranges_;
+  Position x_, y_;
+  Ticks x_ticks_, y_ticks_;
+  std::vector<Entry> entries_;
+  enum class Labelling { none, at_ends, inside, above } labelling_ = Labelling::none;
+  std::vector<double> end_heights_;
+  Rectangle legend_;
+  std::string title_, y_label_;
+  std::vector<Point> failures_;
+};
+
+void ChartDrawing::list_entries() {
+  int next = 0;
+  for (const Bars& bars : chart_.bars) {
+    entries_.push_back(
+        {bars.label, bars.colour.value_or(palette::series(next)), CurveStyle::line, Mark::square, true, nullptr});
+    ++next;
+  }
+  for (const Curve& curve : chart_.curves) {
+    const bool theory = curve.style == CurveStyle::theory;
+    const Colour colour = curve.colour.value_or(theory ? palette::theory : palette::series(next));
+    entries_.push_back({curve.label, colour, curve.style, series_mark(next), false, &curve});
+    if (!theory) ++next;
+  }
+}
+
+// Breaks a text that is wider than the frame between words.
+std::string ChartDrawing::wrapped(const std::string& text, double size, bool bold) const {
+  std::string lines, line;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find(' ', begin), text.size());
+    const std::string word = text.substr(begin, end - begin);
+    if (!line.empty() && width(line + " " + word, size, bold) > frame_.width) {
+      lines += line + "\n";
+      line.clear();
+    }
+    line += line.empty() ? word : " " + word;
+    begin = end + 1;
+  }
+  return lines + line;
+}
+
+void ChartDrawing::choose_ticks() {
+  const auto given = [](const Axis& axis, std::pair<double, double> range) {
+    Ticks result;
+    for (const Tick& tick : axis.ticks)
+      if (tick.value >= range.first && tick.value <= range.second) result.major.push_back(tick);
+    return result;
+  };
+  if (!chart_.y.ticks.empty()) {
+    y_ticks_ = given(chart_.y, ranges_.y);
+  } else {
+    y_ticks_ = ticks(chart_.y.scale, ranges_.y.first, ranges_.y.second, std::max(2, int(plot_.height / 44)));
+  }
+  if (!chart_.bar_names.empty() && chart_.x.ticks.empty()) {
+    x_ticks_ = {};
+    double room = 0;
+    for (const std::string& name : chart_.bar_names) room = std::max(room, width(name, tick_size) + 10);
+    const double step = plot_.width / (ranges_.x.second - ranges_.x.first);
+    const int stride = std::max(1, int(std::ceil(room / step)));
+    for (std::size_t i = 0; i < chart_.bar_names.size(); i += std::size_t(stride))
+      x_ticks_.major.push_back({double(i), chart_.bar_names[i]});
+  } else if (!chart_.x.ticks.empty()) {
+    x_ticks_ = given(chart_.x, ranges_.x);
+  } else {
+    // As many as stand side by side with room between them.
+    for (int most = std::max(2, int(plot_.width / 60)); most >= 2; --most) {
+      x_ticks_ = ticks(chart_.x.scale, ranges_.x.first, ranges_.x.second, most);
+      double nearest = plot_.width;
+      for (std::size_t i = 0; i + 1 < x_ticks_.major.size(); ++i)
+        nearest = std::min(nearest,
+                           std::abs(x_(x_ticks_.major[i + 1].value) - x_(x_ticks_.major[i].value)) * plot_.width);
+      if (nearest >= widest(x_ticks_.major) + 18) break;
+    }
+  }
+}
+
+void ChartDrawing::lay_out() {
+  const auto lines = [](const std::string& text) {
+    return text.empty() ? 0.0 : 1.0 + double(std::count(text.begin(), text.end(), '\n'));
+  };
+  title_ = wrapped(chart_.title, title_size, true);
+  // Ticks need a height, and their labels' power of ten belongs to the axis label: a first guess will do.
+  plot_ = frame_.inset(40);
+  choose_ticks();
+  const auto& map = chart_.heat_map;
+  double right = 10;
+  if (map) right = 36 + 10 + widest(ticks(map->scale, value_range(*map).first, value_range(*map).second, 6).major);
+  y_label_ = wrapped(axis_label(chart_.y, y_ticks_), label_size, false);
+
+  const double title_room = lines(title_) * line_height * title_size + (title_.empty() ? 0 : 4);
+  const double y_label_room = lines(y_label_) * line_height * label_size;
+  const bool map_label = map && !map->label.empty();
+  const double top = title_room + std::max(y_label_room, map_label ? line_height * label_size : 0) + 8;
+  const double bottom =
+      1.55 * tick_size + (chart_.x.label.empty() && x_ticks_.exponent == 0 ? 0 : 1.35 * label_size) + 2;
+  const auto place = [&](double extra_top) {
+    const double left = widest(y_ticks_.major) + 10;
+    plot_ = {frame_.x + left, frame_.y + bottom, frame_.width - left - right,
+             frame_.height - top - bottom - extra_top};
+    if (map && map->square) {
+      const double cell = std::min(plot_.width / double(map->x.size()), plot_.height / double(map->y.size()));
+      const double w = cell * double(map->x.size()), h = cell * double(map->y.size());
+      plot_ = {plot_.x, plot_.top() - h, w, h};
+    }
+    choose_ticks();
+  };
+  place(0);
+  const bool any_label =
+      std::any_of(entries_.begin(), entries_.end(), [](const Entry& e) { return !e.label.empty(); });
+  if (!any_label) return place(0);
+
+  if (!map && labels_fit_at_ends()) {
+    labelling_ = Labelling::at_ends;
+    for (const Entry& e : entries_) right = std::max(right, width(e.label, small_size + 1) + 22);
+    place(0);
+    labels_fit_at_ends();  // again, for the heights on the narrower plot
+  } else if (!map && legend_fits_inside()) {
+    labelling_ = Labelling::inside;
+  } else {
+    labelling_ = Labelling::above;
+    place(legend_rows(false));
+  }
+}
+
+bool ChartDrawing::labels_fit_at_ends() {
+  const double spacing = 1.22 * (small_size + 1);
+  std::vector<std::pair<double, std::size_t>> ends;
+  end_heights_.assign(entries_.size(), std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    const Entry& e = entries_[i];
+    if (e.label.empty()) continue;
+    if (!e.curve || !has_line(e.style) || width(e.label, small_size + 1) > 0.3 * frame_.width) return false;
+    std::size_t last = e.curve->x.size();
+    while (last > 0 && !at(e.curve->x[last - 1], e.curve->y[last - 1]).allFinite()) --last;
+    if (last == 0) return false;
+    const Point end = at(e.curve->x[last - 1], e.curve->y[last - 1]);
+    if (end.x() < plot_.x + 0.93 * plot_.width || end.x() > plot_.right() + 1 || end.y() < plot_.y - 1 ||
+        end.y() > plot_.top() + 1)
+      return false;
+    ends.push_back({end.y(), i});
+  }
+  std::sort(ends.begin(), ends.end());
+  // Pushed up where they would overlap, then down from the top: what remains is shared by moving halfway.
+  std::vector<double> up, down(ends.size());
+  for (const auto& [y, i] : ends) up.push_back(std::max(y, up.empty() ? -1e9 : up.back() + spacing));
+  for (std::size_t k = ends.size(); k-- > 0;)
+    down[k] = std::min(ends[k].first, k + 1 == ends.size() ? plot_.top() : down[k + 1] - spacing);
+  for (std::size_t k = 0; k < ends.size(); ++k) {
+    const double y = 0.5 * (up[k] + down[k]);
+    if (std::abs(y - ends[k].first) > 1.3 * spacing || y < plot_.y || y > plot_.top() + 4) return false;
+    if (k > 0 && y - 0.5 * (up[k - 1] + down[k - 1]) < 0.98 * spacing) return false;
+    end_heights_[ends[k].second] = y;
+  }
+  return true;
+}
+
+double ChartDrawing::covered(const Rectangle& box) const {
+  double hits = 0;
+  for (const Entry& e : entries_) {
+    if (!e.curve) continue;
+    const std::vector<Point> places = points(*e.curve);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      if (box.contains(places[i])) ++hits;
+      if (e.style == CurveStyle::stems) {
+        const double foot =
+            std::clamp(at(0, chart_.y.scale == Scale::linear ? 0 : ranges_.y.first).y(), plot_.y, plot_.top());
+        const Rectangle stem{places[i].x() - 1, std::min(foot, places[i].y()), 2, std::abs(foot - places[i].y())};
+        hits += stem.overlap(box) > 0;
+      }
+      if (i + 1 == places.size() || !has_line(e.style)) continue;
+      const Point step = places[i + 1] - places[i];
+      const double length = std::min(step.norm(), 4000.0);
+      for (double s = 4; s < length; s += 4) hits += box.contains(places[i] + s / length * step);
+    }
+  }
+  for (std::size_t series = 0; series < chart_.bars.size(); ++series)
+    for (std::size_t i = 0; i < chart_.bar_names.size(); ++i) hits += bar(series, i).overlap(box) > 0;
+  for (const Annotation& a : chart_.annotations) hits += box.contains(at(a.x, a.y));
+  for (const Reference& r : chart_.references) {
+    const Point p = at(r.axis == Reference::Across::x ? r.value : ranges_.x.first,
+                       r.axis == Reference::Across::y ? r.value : ranges_.y.first);
+    hits +=
+        r.axis == Reference::Across::x ? p.x() > box.x && p.x() < box.right() : p.y() > box.y && p.y() < box.top();
+  }
+  return hits;
+}
+
+bool ChartDrawing::legend_fits_inside() {
+  double w = 0, h = 0;
+  for (const Entry& e : entries_) {
+    if (e.label.empty()) continue;
+    w = std::max(w, width(e.label, small_size) + 42);
+    h += line_height * small_size;
+  }
+  w += 8, h += 8;
+  if (w > 0.6 * plot_.width || h > 0.7 * plot_.height) return false;
+  const double gap = 8;
+  const double left = plot_.x + gap, right = plot_.right() - w - gap, middle = plot_.centre().x() - w / 2;
+  const double top = plot_.top() - h - gap, bottom = plot_.y + gap, half = plot_.centre().y() - h / 2;
+  const std::array<Point, 8> corners{Point(right, top),   Point(left, top),     Point(right, bottom),
+                                     Point(left, bottom), Point(middle, top),   Point(right, half),
+                                     Point(left, half),   Point(middle, bottom)};
+  for (const Point& corner : corners) {
+    legend_ = {corner.x(), corner.y(), w, h};
+    if (covered(legend_.inset(-4)) == 0) return true;
+  }
+  return false;
+}
+
+// The height of the legend as rows above the plot.
+double ChartDrawing::legend_rows(bool drawing) {
+  const double row = line_height * small_size;
+  double x = frame_.x, y = plot_.top() + legend_.height;
+  double rows = 1;
+  for (const Entry& e : entries_) {
+    if (e.label.empty()) continue;
+    const double w = width(e.label, small_size) + 36;
+    if (x > frame_.x && x + w > frame_.right()) x = frame_.x, y -= row, ++rows;
+    if (drawing) {
+      draw_sample({x, y - row / 2}, e);
+      canvas_.text({x + 34, y - row / 2}, e.label, {.size = small_size, .anchor = Anchor::left});
+    }
+    x += w + 18;
+  }
+  legend_.height = rows * row + 8;
+  return legend_.height;
+}
+
+void ChartDrawing::draw_axes() {
+  if (!chart_.heat_map) {
+    const auto upright = [&](double value, const Stroke& s) {
+      const double x = plot_.x + x_(value) * plot_.width;
+      canvas_.line({x, plot_.y}, {x, plot_.top()}, s);
+    };
+    const auto level = [&](double value, const Stroke& s) {
+      const double y = plot_.y + y_(value) * plot_.height;
+      canvas_.line({plot_.x, y}, {plot_.right(), y}, s);
+    };
+    // Minor lines help to read logarithms; on a linear axis they are clutter.
+    if (chart_.x.scale == Scale::logarithmic)
+      for (const double v : x_ticks_.minor) upright(v, faint_line);
+    if (chart_.y.scale == Scale::logarithmic)
+      for (const double v : y_ticks_.minor) level(v, faint_line);
+    if (chart_.bars.empty())
+      for (const Tick& t : x_ticks_.major) upright(t.value, grid_line);
+    for (const Tick& t : y_ticks_.major) level(t.value, grid_line);
+    if (chart_.y.scale == Scale::linear && ranges_.y.first < 0 && ranges_.y.second > 0) level(0, axis_line);
+    canvas_.line({plot_.x, plot_.y}, {plot_.right(), plot_.y}, axis_line);
+    canvas_.line({plot_.x, plot_.y}, {plot_.x, plot_.top()}, axis_line);
+  }
+  const TextStyle ticks_style{.size = tick_size, .colour = palette::ink};
+  TextStyle below = ticks_style, beside = ticks_style;
+  below.anchor = Anchor::top, below.offset = {0, -7};
+  beside.anchor = Anchor::right, beside.offset = {-8, 0};
+  for (const Tick& t : x_ticks_.major)
+    canvas_.text({plot_.x + x_(t.value) * plot_.width, plot_.y}, t.label, below);
+  for (const Tick& t : y_ticks_.major)
+    canvas_.text({plot_.x, plot_.y + y_(t.value) * plot_.height}, t.label, beside);
+  canvas_.text({plot_.centre().x(), plot_.y - 1.55 * tick_size}, axis_label(chart_.x, x_ticks_),
+               {.size = label_size, .anchor = Anchor::top, .offset = {0, -3}});
+
+  const double above = labelling_ == Labelling::above ? legend_.height : 0;
+  canvas_.text({frame_.x, plot_.top() + above + 10}, y_label_,
+               {.size = label_size, .anchor = Anchor::bottom_left});
+  canvas_.text({frame_.x, frame_.top()}, title_, {.size = title_size, .anchor = Anchor::top_left, .bold = true});
+}
+
+void ChartDrawing::draw_heat_map() {
+  if (!chart_.heat_map) return;
+  const HeatMap& map = *chart_.heat_map;
+  const Position shade({.scale = map.scale}, value_range(map));
+  const std::vector<double> xs = cell_edges(map.x, chart_.x.scale), ys = cell_edges(map.y, chart_.y.scale);
+  for (std::size_t row = 0; row < map.y.size(); ++row) {
+    for (std::size_t column = 0; column < map.x.size(); ++column) {
+      const double value = map.values[row * map.x.size() + column];
+      const Point a = at(xs[column], ys[row]), b = at(xs[column + 1], ys[row + 1]);
+      const Rectangle cell = bounds(std::array<Point, 2>{a, b});
+      if (std::isinf(value)) {
+        canvas_.rectangle(cell, {palette::fixed, {{}, 0}});
+        const Stroke cross{palette::ink, 1.3};
+        const Rectangle inner = cell.inset(0.3 * cell.width, 0.3 * cell.height);
+        canvas_.line({inner.x, inner.y}, {inner.right(), inner.top()}, cross);
+        canvas_.line({inner.x, inner.top()}, {inner.right(), inner.y}, cross);
+      } else if (const double t = shade(value); std::isfinite(t)) {
+        canvas_.rectangle(cell, {map.diverging ? palette::diverging(2 * t - 1) : palette::sequential(t), {{}, 0}});
+      }
+    }
+  }
+  const Stroke outline{palette::muted, 1.2};
+  canvas_.rectangle(plot_, {fade(palette::paper, 0), outline});
+  draw_colour_bar();
+}
+
+void ChartDrawing::draw_colour_bar() {
+  const HeatMap& map = *chart_.heat_map;
+  const auto range = value_range(map);
+  const Rectangle bar{plot_.right() + 14, plot_.y, 16, plot_.height};
+  constexpr int shades = 128;
+  for (int i = 0; i < shades; ++i) {
+    const double t = (i + 0.5) / shades;
+    canvas_.rectangle({bar.x, bar.y + bar.height * i / shades, bar.width, bar.height / shades},
+                      {map.diverging ? palette::diverging(2 * t - 1) : palette::sequential(t), {{}, 0}});
+  }
+  canvas_.rectangle(bar, {fade(palette::paper, 0), {palette::muted, 1.2}});
+  const Position place({.scale = map.scale}, range);
+  const Ticks marks = ticks(map.scale, range.first, range.second, std::max(2, int(bar.height / 48)));
+  for (const Tick& t : marks.major)
+    canvas_.text({bar.right(), bar.y + place(t.value) * bar.height}, t.label,
+                 {.size = tick_size, .anchor = Anchor::left, .offset = {6, 0}});
+  Axis axis;
+  axis.label = map.label;
+  canvas_.text({frame_.right(), plot_.top() + (labelling_ == Labelling::above ? legend_.height : 0) + 10},
+               axis_label(axis, marks), {.size = label_size, .anchor = Anchor::bottom_right});
+}
+
+void ChartDrawing::draw_bars() {
+  canvas_.clip(plot_);
+  for (std::size_t series = 0; series < chart_.bars.size(); ++series)
+    for (std::size_t i = 0; i < chart_.bar_names.size(); ++i)
+      if (std::isfinite(chart_.bars[series].values[i]))
+        canvas_.rectangle(bar(series, i), {entries_[series].colour, {{}, 0}});
+  canvas_.clip(std::nullopt);
+  for (std::size_t series = 0; series < chart_.bars.size(); ++series)
+    for (std::size_t i = 0; i < chart_.bar_names.size(); ++i)
+      if (const double v = chart_.bars[series].values[i]; std::isinf(v))
+        draw_failure(double(i), v, entries_[series].colour);
+  if (!chart_.bars.empty() && ranges_.y.first <= 0 && ranges_.y.second >= 0) {
+    const double y = at(0, 0).y();
+    canvas_.line({plot_.x, y}, {plot_.right(), y}, axis_line);
+  }
+}
+
+void ChartDrawing::draw_curves() {
+  canvas_.clip(plot_.inset(-0.5 * curve_width));
+  for (const bool theory : {false, true}) {
+    for (const Entry& e : entries_) {
+      if (!e.curve || (e.style == CurveStyle::theory) != theory) continue;
+      if (e.style == CurveStyle::stems) draw_stems(*e.curve, e.colour);
+      if (has_line(e.style))
+        canvas_.path(points(*e.curve),
+                     {e.colour, theory ? 2.0 : curve_width, theory ? Dash::dashed : Dash::solid});
+    }
+  }
+  canvas_.clip(std::nullopt);
+  for (const Entry& e : entries_) {
+    if (!e.curve) continue;
+    if (has_marks(e.style)) draw_marks(e);
+    for (std::size_t i = 0; i < e.curve->x.size(); ++i) {
+      const double x = e.curve->x[i], y = e.curve->y[i];
+      if ((std::isinf(x) || std::isinf(y)) && !std::isnan(x) && !std::isnan(y)) draw_failure(x, y, e.colour);
+    }
+  }
+}
+
+void ChartDrawing::draw_stems(const Curve& curve, Colour colour) {
+  const double foot =
+      chart_.y.scale == Scale::linear ? std::clamp(0.0, ranges_.y.first, ranges_.y.second) : ranges_.y.first;
+  for (std::size_t i = 0; i < curve.x.size(); ++i)
+    canvas_.line(at(curve.x[i], foot), at(curve.x[i], curve.y[i]), {fade(colour, 0.75), 1.8});
+}
+
+void ChartDrawing::draw_marks(const Entry& e) {
+  const std::vector<Point> places = points(*e.curve);
+  const double size = places.size() > 80 && e.style == CurveStyle::markers ? 6 : 9;
+  // A line that is dense with points carries a marker now and then.
+  const double apart = e.style == CurveStyle::line_and_markers && places.size() > 40 ? 26 : 0;
+  Point last(-1e9, -1e9);
+  for (const Point& p : places) {
+    if (!p.allFinite() || !plot_.inset(-3).contains(p) || (p - last).norm() < apart) continue;
+    canvas_.mark(p, e.mark, e.colour, size);
+    last = p;
+  }
+}
+
+// A cross at the edge on the side of what is infinite; further ones at the same place step inwards.
+void ChartDrawing::draw_failure(double x, double y, Colour colour) {
+  const auto edge = [](double value, const Position& position, double begin, double extent) {
+    if (std::isfinite(value)) return begin + position(value) * extent;
+    return (value > 0) == (position(1e300) > position(1e-300)) ? begin + extent - 7 : begin + 7;
+  };
+  Point p(edge(x, x_, plot_.x, plot_.width), edge(y, y_, plot_.y, plot_.height));
+  if (!p.allFinite()) return;
+  const Point inwards = std::isinf(y) ? Point(0, y > 0 ? -13 : 13) : Point(x > 0 ? -13 : 13, 0);
+  while (std::any_of(failures_.begin(), failures_.end(), [&](const Point& f) { return (f - p).norm() < 10; }))
+    p += inwards;
+  failures_.push_back(p);
+  canvas_.mark(p, Mark::cross, colour, 12);
+}
+
+void ChartDrawing::draw_references() {
+  for (const Reference& r : chart_.references) {
+    const bool level = r.axis == Reference::Across::y;
+    const double share = level ? y_(r.value) : x_(r.value);
+    if (!(share >= 0 && share <= 1)) continue;
+    const Point a =
+        level ? Point(plot_.x, plot_.y + share * plot_.height) : Point(plot_.x + share * plot_.width, plot_.y);
+    const Point b = level ? Point(plot_.right(), a.y()) : Point(a.x(), plot_.top());
+    canvas_.line(a, b, {palette::theory, 1.6, Dash::dotted});
+  }
+}
+
+void ChartDrawing::draw_sample(const Point& p, const Entry& e) {
+  const Point end = p + Point(26, 0), middle = p + Point(13, 0);
+  if (e.bar) return canvas_.rectangle({p.x() + 5, p.y() - 6, 16, 12}, {e.colour, {{}, 0}});
+  if (has_line(e.style))
+    canvas_.line(p, end, {e.colour, curve_width, e.style == CurveStyle::theory ? Dash::dashed : Dash::solid});
+  if (has_marks(e.style)) canvas_.mark(middle, e.mark, e.colour);
+}
+
+void ChartDrawing::draw_end_labels() {
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    const Entry& e = entries_[i];
+    if (e.label.empty()) continue;
+    const Point place(plot_.right() + 18, end_heights_[i]);
+    std::size_t last = e.curve->x.size();
+    while (!at(e.curve->x[last - 1], e.curve->y[last - 1]).allFinite()) --last;
+    const Point end = at(e.curve->x[last - 1], e.curve->y[last - 1]);
+    if (std::abs(end.y() - place.y()) > 3 || end.x() < plot_.right() - 4)
+      canvas_.line(end + Point(3, 0), place - Point(3, 0), {fade(e.colour, 0.6), 1.2});
+    canvas_.text(place, e.label, {.size = small_size + 1, .colour = e.colour, .anchor = Anchor::left});
+  }
+}
+
+void ChartDrawing::draw_texts() {
+  Labels labels(canvas_, plot_);
+  for (const Entry& e : entries_)
+    if (e.curve) labels.avoid_path(points(*e.curve));
+  for (std::size_t series = 0; series < chart_.bars.size(); ++series)
+    for (std::size_t i = 0; i < chart_.bar_names.size(); ++i) labels.avoid(bar(series, i));
+  if (labelling_ == Labelling::at_ends) draw_end_labels();
+  if (labelling_ == Labelling::above) legend_rows(true);
+  if (labelling_ == Labelling::inside) {
+    labels.avoid(legend_);
+    double y = legend_.top() - 4 - 0.5 * line_height * small_size;
+    for (const Entry& e : entries_) {
+      if (e.label.empty()) continue;
+      draw_sample({legend_.x + 4, y}, e);
+      canvas_.text({legend_.x + 38, y}, e.label, {.size = small_size, .anchor = Anchor::left});
+      y -= line_height * small_size;
+    }
+  }
+  for (const Reference& r : chart_.references) {
+    if (r.label.empty()) continue;
+    const bool level = r.axis == Reference::Across::y;
+    const double share = level ? y_(r.value) : x_(r.value);
+    if (!(share >= 0 && share <= 1)) continue;
+    const TextStyle style{.size = small_size, .colour = palette::theory, .halo = 3};
+    // Somewhere along the line where nothing is: a level line from its right, an upright one from its top.
+    const double length = level ? plot_.width : plot_.height;
+    const Rectangle box = canvas_.measure({0, 0}, r.label, style);
+    const double need = level ? box.width : box.height;
+    Point best;
+    double least = std::numeric_limits<double>::infinity();
+    for (double s = length - need / 2 - 4; s > need / 2; s -= 12) {
+      for (const double side : {1.0, -1.0}) {
+        const Point p = level ? Point(plot_.x + s, plot_.y + share * plot_.height + side * 12)
+                              : Point(plot_.x + share * plot_.width + side * (box.width / 2 + 7), plot_.y + s);
+        const Rectangle here = canvas_.measure(p, r.label, style);
+        const double outside = 4 * (here.width * here.height - here.overlap(plot_));
+        const double under = labels.covered(here) + (outside > 1e-6 ? outside : 0);
+        if (under < least) least = under, best = p;
+      }
+      if (least == 0) break;
+    }
+    canvas_.text(best, r.label, style);
+    labels.avoid(canvas_.measure(best, r.label, style));
+  }
+  for (const Entry& e : entries_)
+    if (e.curve)
+      for (std::size_t i = 0; i < e.curve->point_labels.size(); ++i)
+        if (const Point p = at(e.curve->x[i], e.curve->y[i]); plot_.contains(p))
+          labels.place(p, e.curve->point_labels[i], {.size = 14, .colour = e.colour, .halo = 2.5});
+  for (const Annotation& a : chart_.annotations) {
+    const Point p = at(a.x, a.y);
+    if (!plot_.inset(-1).contains(p)) continue;
+    canvas_.mark(p, Mark::disc, palette::ink, 7);
+    labels.place(p, a.text, {.size = small_size, .halo = 3});
+  }
+}
+
+}  // namespace
+
+void draw(Canvas& canvas, const Chart& chart, const Rectangle& frame) {
+  const Camera before = canvas.camera();
+  canvas.look_at_page();
+  ChartDrawing(canvas, chart, frame).draw();
+  canvas.look(before);
+}
+
+}  // namespace byhand::renderer

@@ -1,0 +1,52 @@
+#include <GL/osmesa.h>
+
+#include <array>
+
+#include "renderer/error.hpp"
+#include "renderer/offscreen.hpp"
+
+namespace byhand::renderer {
+namespace {
+
+class OSMesa : public Context {
+ public:
+  OSMesa() {
+    const int attributes[] = {OSMESA_FORMAT,
+                              OSMESA_RGBA,
+                              OSMESA_DEPTH_BITS,
+                              0,
+                              OSMESA_PROFILE,
+                              OSMESA_CORE_PROFILE,
+                              OSMESA_CONTEXT_MAJOR_VERSION,
+                              3,
+                              OSMESA_CONTEXT_MINOR_VERSION,
+                              3,
+                              0};
+    context_ = OSMesaCreateContextAttribs(attributes, nullptr);
+    if (!context_) throw EnvironmentError("OSMesa offers no OpenGL 3.3 core context: apt install libosmesa6.");
+    make_current();
+  }
+  OSMesa(const OSMesa&) = delete;
+  OSMesa& operator=(const OSMesa&) = delete;
+  ~OSMesa() override { OSMesaDestroyContext(context_); }
+
+  void make_current() override {
+    if (OSMesaGetCurrentContext() == context_) return;
+    if (!OSMesaMakeCurrent(context_, unused_.data(), GL_UNSIGNED_BYTE, side, side))
+      throw EnvironmentError("OSMesa's OpenGL context cannot be made current.");
+  }
+
+  const char* name() const override { return "OSMesa"; }
+
+ private:
+  // OSMesa insists on a framebuffer of its own. Its pixels differ from EGL's, so nothing is ever drawn there.
+  static constexpr int side = 16;
+  std::array<unsigned char, 4 * side * side> unused_{};
+  OSMesaContext context_ = nullptr;
+};
+
+}  // namespace
+
+std::unique_ptr<Context> Context::make() { return std::make_unique<OSMesa>(); }
+
+}  // namespace byhand::renderer

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "renderer/font.hpp"
+#include "renderer/gl.hpp"
+#include "renderer/image.hpp"
+#include "renderer/offscreen.hpp"
+#include "renderer/outline.hpp"
+#include "renderer/space.hpp"
+
+namespace byhand::renderer {
+
+/// A rectangle of pixels, y down.
+struct PixelBox {
+  int x = 0, y = 0, width = 0, height = 0;
+  bool operator==(const PixelBox&) const = default;
+};
+
+/// What is drawn next: flat triangles cut off outside `clip`, or a scene in space filling it.
+struct Batch {
+  PixelBox clip;
+  std::size_t first = 0, count = 0;
+  std::optional<Space> space;
+};
+
+/// OpenGL's half of the canvas: a framebuffer, the programs that draw into it, and its pixels read back.
+class Painter {
+ public:
+  Painter(int width, int height);
+  Painter(const Painter&) = delete;
+  Painter& operator=(const Painter&) = delete;
+  ~Painter();
+
+  const std::string& describe() const { return description_; }
+  Image paint(Colour paper, std::span<const Vertex> vertices, std::span<const Batch> batches, const Font& font);
+
+ private:
+  void paint_flat(const Batch& batch);
+  void paint_space(const Space& space, const PixelBox& frame, Colour paper);
+  void make_space();
+
+  int width_, height_;
+  std::unique_ptr<Context> context_;
+  std::string description_;
+  GLuint page_ = 0, page_colour_ = 0, atlas_ = 0, flat_ = 0, flat_array_ = 0, flat_buffer_ = 0;
+  // For scenes in space, made with the first: four samples a pixel with depth, and the map of shadows.
+  GLuint samples_ = 0, samples_colour_ = 0, samples_depth_ = 0, shadow_ = 0, shadow_map_ = 0;
+  GLuint solid_ = 0, caster_ = 0, floor_ = 0, solid_array_ = 0, solid_buffer_ = 0, no_array_ = 0;
+};
+
+}  // namespace byhand::renderer

@@ -1,0 +1,83 @@
+#include "renderer/palette.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace byhand::renderer {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+// Oklab, B. Ottosson, "A perceptual color space for image processing" (2020): linear sRGB -> LMS -> Lab.
+const Matrix3d to_lms = (Matrix3d() << 0.4122214708, 0.5363325363, 0.0514459929, 0.2119034982, 0.6806995451,
+                         0.1073969566, 0.0883024619, 0.2817188376, 0.6299787005)
+                            .finished();
+const Matrix3d to_lab = (Matrix3d() << 0.2104542553, 0.7936177850, -0.0040720468, 1.9779984951, -2.4285922050,
+                         0.4505937099, 0.0259040371, 0.7827717662, -0.8086757660)
+                            .finished();
+
+double linear(std::uint8_t channel) {
+  const double c = channel / 255.0;
+  return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+}
+
+std::uint8_t encoded(double c) {
+  c = std::clamp(c, 0.0, 1.0);
+  return std::uint8_t(std::lround(255 * (c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1 / 2.4) - 0.055)));
+}
+
+Vector3d oklab(Colour c) {
+  const Vector3d lms = to_lms * Vector3d(linear(c.r), linear(c.g), linear(c.b));
+  return to_lab * lms.array().max(0).pow(1.0 / 3).matrix();
+}
+
+Colour from_oklab(const Vector3d& lab) {
+  const Vector3d lms = (to_lab.inverse() * lab).array().cube();
+  const Vector3d rgb = to_lms.inverse() * lms;
+  return {encoded(rgb.x()), encoded(rgb.y()), encoded(rgb.z())};
+}
+
+}  // namespace
+
+Colour mix(Colour a, Colour b, double t) {
+  Colour colour = from_oklab((1 - t) * oklab(a) + t * oklab(b));
+  colour.a = std::uint8_t(std::lround((1 - t) * a.a + t * b.a));
+  return colour;
+}
+
+namespace palette {
+
+Colour series(int i) {
+  static constexpr std::array<Colour, 8> colours{{{0, 114, 178},
+                                                  {213, 94, 0},
+                                                  {0, 140, 102},
+                                                  {176, 72, 134},
+                                                  {230, 159, 0},
+                                                  {86, 180, 233},
+                                                  {38, 41, 48},
+                                                  {140, 116, 60}}};
+  return colours[std::size_t(i % 8 + 8) % 8];
+}
+
+Colour sequential(double t) {
+  t = std::clamp(t, 0.0, 1.0);
+  // Equal distances in Oklab from one stop to the next make equal steps of t look equal.
+  static const std::array<Vector3d, 3> stops{Vector3d(0.965, -0.012, 0.045), Vector3d(0.665, -0.085, -0.045),
+                                             Vector3d(0.30, -0.005, -0.115)};
+  static const double first = (stops[1] - stops[0]).norm(), second = (stops[2] - stops[1]).norm();
+  const double at = t * (first + second);
+  return from_oklab(at < first ? stops[0] + at / first * (stops[1] - stops[0])
+                               : stops[1] + (at - first) / second * (stops[2] - stops[1]));
+}
+
+Colour diverging(double t) {
+  t = std::clamp(t, -1.0, 1.0);
+  static const Vector3d middle = oklab(paper), cold(0.47, -0.055, -0.135), warm(0.47, 0.13, 0.09);
+  return from_oklab(middle + std::abs(t) * ((t < 0 ? cold : warm) - middle));
+}
+
+}  // namespace palette
+}  // namespace byhand::renderer

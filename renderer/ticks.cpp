@@ -1,0 +1,138 @@
+#include "renderer/ticks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+namespace byhand::renderer {
+namespace {
+
+constexpr const char* minus = "−";
+
+std::string raised(int exponent) {
+  static constexpr std::array<const char*, 10> digits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string text = exponent < 0 ? "⁻" : "";
+  for (const char c : fmt::format("{}", std::abs(exponent))) text += digits[std::size_t(c - '0')];
+  return text;
+}
+
+// `value` with so many decimals and a true minus sign; never "−0".
+std::string fixed(double value, int decimals) {
+  std::string text = fmt::format("{:.{}f}", std::abs(value), decimals);
+  const bool zero = text.find_first_not_of("0.") == std::string::npos;
+  return value < 0 && !zero ? minus + text : text;
+}
+
+double power_of_ten(int exponent) { return std::pow(10.0, exponent); }
+
+Ticks linear_ticks(double low, double high, int most) {
+  Ticks result;
+  // The smallest step 1, 2, 5 × 10^e that leaves at most `most` ticks.
+  const auto count = [&](double step) {
+    return std::floor(high / step + 1e-9) - std::ceil(low / step - 1e-9) + 1;
+  };
+  int exponent = int(std::floor(std::log10((high - low) / std::max(most, 2)))) - 1, mantissa = 1;
+  const auto step = [&] { return mantissa * power_of_ten(exponent); };
+  while (count(step()) > std::max(most, 2)) {
+    if (mantissa == 5)
+      mantissa = 1, ++exponent;
+    else
+      mantissa = mantissa == 1 ? 2 : 5;
+  }
+  const double largest = std::max(std::abs(low), std::abs(high));
+  const int magnitude = int(std::floor(std::log10(largest)));
+  if (magnitude >= 5 || magnitude <= -4) result.exponent = magnitude;
+  const int decimals = std::max(0, result.exponent - exponent);
+  const double first = std::ceil(low / step() - 1e-9), last = std::floor(high / step() + 1e-9);
+  for (double i = first; i <= last; ++i) {
+    const double value = mantissa * i * power_of_ten(exponent);
+    result.major.push_back({value, fixed(value / power_of_ten(result.exponent), decimals)});
+  }
+  const int parts = mantissa == 2 ? 4 : 5;
+  const double fine = step() / parts;
+  for (double i = std::ceil(low / fine - 1e-9); i <= std::floor(high / fine + 1e-9); ++i)
+    if (std::fmod(std::abs(i), parts) != 0) result.minor.push_back(i * fine);
+  return result;
+}
+
+std::string decade_label(int exponent) {
+  if (exponent >= -2 && exponent <= 3) return fixed(power_of_ten(exponent), std::max(0, -exponent));
+  return "10" + raised(exponent);
+}
+
+Ticks logarithmic_ticks(double low, double high, int most) {
+  Ticks result;
+  const double slack = 1e-9;
+  const int first = int(std::ceil(std::log10(low) - slack)), last = int(std::floor(std::log10(high) + slack));
+  const int decades = last - first + 1;
+  if (decades < 2) {
+    // Less than two whole decades: 1, 2, 5, or a linear choice where even those are too few.
+    for (int e = first - 1; e <= last; ++e)
+      for (const int m : {1, 2, 5})
+        if (const double v = m * power_of_ten(e); v >= low * (1 - slack) && v <= high * (1 + slack))
+          result.major.push_back({v, e >= -3 && e <= 3 ? fixed(v, std::max(0, -e)) : number(v, 1)});
+    if (result.major.size() < 2 || int(result.major.size()) > most) {
+      Ticks coarse = linear_ticks(low, high, most);
+      if (coarse.exponent != 0)
+        for (Tick& tick : coarse.major) tick.label = number(tick.value);
+      coarse.exponent = 0;
+      return coarse;
+    }
+  } else {
+    int stride = 1;
+    while ((decades + stride - 1) / stride > std::max(most, 2)) ++stride;
+    // Decades keep one form on an axis: 10⁻³ beside 10⁻², not beside 0.01.
+    const bool plain = first >= -2 && last <= 3;
+    for (int e = first; e <= last; ++e) {
+      const bool labelled = (e - first) % stride == 0;
+      if (labelled)
+        result.major.push_back({power_of_ten(e), plain ? decade_label(e) : "10" + raised(e)});
+      else
+        result.minor.push_back(power_of_ten(e));
+    }
+    if (decades > 12) return result;
+  }
+  for (int e = first - 1; e <= last; ++e)
+    for (int m = 2; m <= 9; ++m) {
+      const double v = m * power_of_ten(e);
+      const bool major = std::any_of(result.major.begin(), result.major.end(),
+                                     [&](const Tick& t) { return std::abs(t.value - v) < slack * v; });
+      if (v >= low && v <= high && !major) result.minor.push_back(v);
+    }
+  return result;
+}
+
+}  // namespace
+
+Ticks ticks(Scale scale, double low, double high, int most) {
+  const bool logarithmic = scale == Scale::logarithmic;
+  if (!(std::isfinite(low) && std::isfinite(high) && low < high && (!logarithmic || low > 0)))
+    throw std::invalid_argument(fmt::format("An axis goes from a lower to a higher {} number; got {} to {}.",
+                                            logarithmic ? "positive" : "finite", low, high));
+  return logarithmic ? logarithmic_ticks(low, high, most) : linear_ticks(low, high, most);
+}
+
+std::string number(double value, int digits) {
+  if (std::isnan(value)) return "–";
+  if (std::isinf(value)) return value < 0 ? "−∞" : "∞";
+  if (value == 0) return "0";
+  // Rounding first: 9.996 with three digits is 10.0.
+  const std::string scientific = fmt::format("{:.{}e}", std::abs(value), std::max(digits, 1) - 1);
+  const std::size_t e = scientific.find('e');
+  const int exponent = std::stoi(scientific.substr(e + 1));
+  if (exponent >= -4 && exponent <= 5) {
+    std::string text = fixed(value, std::max(0, digits - 1 - exponent));
+    if (text.find('.') != std::string::npos) text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text.pop_back();
+    return text;
+  }
+  std::string mantissa = scientific.substr(0, e);
+  if (mantissa.find('.') != std::string::npos) mantissa.erase(mantissa.find_last_not_of('0') + 1);
+  if (mantissa.back() == '.') mantissa.pop_back();
+  return fmt::format("{}{}10{}", value < 0 ? minus : "", mantissa == "1" ? "" : mantissa + "·", raised(exponent));
+}
+
+}  // namespace byhand::renderer
