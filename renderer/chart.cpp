@@ -24,8 +24,9 @@ class Extent {
     for (const double value : values) include(value);
   }
 
-  // The axis' own range, else the extent with `room` (a share of it) on either side; none beyond `floor`.
-  std::pair<double, double> range(double room, const char* name, double floor = infinity) const {
+  // The axis' own range, else the extent with `room` (a share of it) on either side; a quantity of one sign
+  // that comes near zero begins there if `at_zero`.
+  std::pair<double, double> range(double room, const char* name, bool at_zero = false) const {
     const bool logarithmic = axis_.scale == Scale::logarithmic;
     if (axis_.range) {
       const auto [low, high] = *axis_.range;
@@ -46,7 +47,8 @@ class Extent {
       return {low_ / factor, high_ * factor};
     }
     const double margin = low_ < high_ ? room * (high_ - low_) : low_ == 0 ? 1 : 0.1 * std::abs(low_);
-    return {low_ == floor ? low_ : low_ - margin, high_ == floor && low_ < high_ ? high_ : high_ + margin};
+    return {at_zero && low_ >= 0 && low_ < margin ? 0 : low_ - margin,
+            at_zero && high_ <= 0 && high_ > -margin ? 0 : high_ + margin};
   }
 
  private:
@@ -105,26 +107,26 @@ std::vector<double> cell_edges(const std::vector<double>& centres, Scale scale) 
 ChartRanges ranges(const Chart& chart) {
   check_lengths(chart);
   Extent x(chart.x), y(chart.y);
-  bool only_lines = true, from_zero = !chart.bars.empty();
+  bool only_lines = true;
   for (const Curve& c : chart.curves) {
+    if (chart.heat_map) break;  // the map is the frame; curves over it are cut off there
     for (std::size_t i = 0; i < c.x.size(); ++i) {
       if (!std::isnan(c.y[i])) x.include(c.x[i]);
       if (!std::isnan(c.x[i])) y.include(c.y[i]);
     }
     only_lines = only_lines && (c.style == CurveStyle::line || c.style == CurveStyle::theory);
-    from_zero = from_zero || c.style == CurveStyle::stems;
+    if (c.style == CurveStyle::stems) y.include(0.0);
   }
   for (const Bars& b : chart.bars) y.include(b.values);
-  if (!chart.bars.empty()) x.include(-0.6), x.include(double(chart.bar_names.size()) - 0.4);
+  if (!chart.bars.empty()) x.include(-0.6), x.include(double(chart.bar_names.size()) - 0.4), y.include(0.0);
   if (const auto& map = chart.heat_map; map) {
     x.include(cell_edges(map->x, chart.x.scale));
     y.include(cell_edges(map->y, chart.y.scale));
   }
-  if (from_zero) y.include(0);
   for (const Annotation& a : chart.annotations) x.include(a.x), y.include(a.y);
   for (const Reference& r : chart.references) (r.axis == Reference::Across::x ? x : y).include(r.value);
   const bool tight = chart.heat_map.has_value();
-  return {x.range(tight || only_lines ? 0 : 0.04, "x"), y.range(tight ? 0 : 0.06, "y", from_zero ? 0 : infinity)};
+  return {x.range(tight || only_lines ? 0 : 0.04, "x"), y.range(tight ? 0 : 0.06, "y", true)};
 }
 
 }  // namespace byhand::renderer

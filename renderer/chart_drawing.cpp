@@ -64,7 +64,7 @@ class ChartDrawing {
         x_(chart.x, ranges_.x),
         y_(chart.y, ranges_.y) {}
 
-  void draw() {
+  Rectangle draw() {
     list_entries();
     lay_out();
     draw_heat_map();
@@ -73,6 +73,7 @@ class ChartDrawing {
     draw_curves();
     draw_references();
     draw_texts();
+    return plot_;
   }
 
  private:
@@ -182,7 +183,7 @@ void ChartDrawing::choose_ticks() {
   if (!chart_.y.ticks.empty()) {
     y_ticks_ = given(chart_.y, ranges_.y);
   } else {
-    y_ticks_ = ticks(chart_.y.scale, ranges_.y.first, ranges_.y.second, std::max(2, int(plot_.height / 44)));
+    y_ticks_ = ticks(chart_.y.scale, ranges_.y.first, ranges_.y.second, std::max(3, int(plot_.height / 44)));
   }
   if (!chart_.bar_names.empty() && chart_.x.ticks.empty()) {
     x_ticks_ = {};
@@ -196,7 +197,7 @@ void ChartDrawing::choose_ticks() {
     x_ticks_ = given(chart_.x, ranges_.x);
   } else {
     // As many as stand side by side with room between them.
-    for (int most = std::max(2, int(plot_.width / 60)); most >= 2; --most) {
+    for (int most = std::max(4, int(plot_.width / 70)); most >= 2; --most) {
       x_ticks_ = ticks(chart_.x.scale, ranges_.x.first, ranges_.x.second, most);
       double nearest = plot_.width;
       for (std::size_t i = 0; i + 1 < x_ticks_.major.size(); ++i)
@@ -442,8 +443,10 @@ void ChartDrawing::draw_colour_bar() {
                  {.size = tick_size, .anchor = Anchor::left, .offset = {6, 0}});
   Axis axis;
   axis.label = map.label;
-  canvas_.text({frame_.right(), plot_.top() + (labelling_ == Labelling::above ? legend_.height : 0) + 10},
-               axis_label(axis, marks), {.size = label_size, .anchor = Anchor::bottom_right});
+  const std::string label = axis_label(axis, marks);
+  canvas_.text({std::min(bar.x, frame_.right() - width(label, label_size)),
+                plot_.top() + (labelling_ == Labelling::above ? legend_.height : 0) + 10},
+               label, {.size = label_size, .anchor = Anchor::bottom_left});
 }
 
 void ChartDrawing::draw_bars() {
@@ -613,11 +616,12 @@ void ChartDrawing::draw_texts() {
 
 }  // namespace
 
-void draw(Canvas& canvas, const Chart& chart, const Rectangle& frame) {
+Rectangle draw(Canvas& canvas, const Chart& chart, const Rectangle& frame) {
   const Camera before = canvas.camera();
   canvas.look_at_page();
-  ChartDrawing(canvas, chart, frame).draw();
+  const Rectangle plot = ChartDrawing(canvas, chart, frame).draw();
   canvas.look(before);
+  return plot;
 }
 
 }  // namespace byhand::renderer

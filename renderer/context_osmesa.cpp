@@ -5,6 +5,18 @@
 #include "renderer/error.hpp"
 #include "renderer/offscreen.hpp"
 
+#if defined(__SANITIZE_ADDRESS__)
+#define BYHAND_LEAKS_ARE_REPORTED
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define BYHAND_LEAKS_ARE_REPORTED
+#endif
+#endif
+#ifdef BYHAND_LEAKS_ARE_REPORTED
+// What OSMesa keeps to the end of the program is its own affair.
+extern "C" const char* __lsan_default_suppressions() { return "leak:libOSMesa\n"; }
+#endif
+
 namespace byhand::renderer {
 namespace {
 

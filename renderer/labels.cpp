@@ -28,8 +28,9 @@ void Labels::avoid_path(std::span<const Point> points) {
 }
 
 double Labels::covered(const Rectangle& box) const {
+  constexpr double air = 2;  // points between a text and what it stands beside
   double area = 0;
-  for (const Rectangle& other : taken_) area += box.overlap(other);
+  for (const Rectangle& other : taken_) area += box.inset(-air).overlap(other);
   return area;
 }
 
@@ -49,7 +50,7 @@ Rectangle Labels::place(const Point& at, std::string_view text, TextStyle style,
   const Point offset = style.offset;
   TextStyle best = style;
   double least = std::numeric_limits<double>::infinity();
-  for (const double distance : {1.0, 2.0, 3.5}) {
+  for (const double distance : {1.0, 1.7, 2.5, 3.5, 5.0}) {
     for (const Candidate& candidate : candidates) {
       style.anchor = candidate.anchor;
       style.offset = offset + distance * gap * candidate.direction;

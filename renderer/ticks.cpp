@@ -30,17 +30,20 @@ double power_of_ten(int exponent) { return std::pow(10.0, exponent); }
 
 Ticks linear_ticks(double low, double high, int most) {
   Ticks result;
-  // The smallest step 1, 2, 5 × 10^e that leaves at most `most` ticks.
-  const auto count = [&](double step) {
-    return std::floor(high / step + 1e-9) - std::ceil(low / step - 1e-9) + 1;
-  };
+  // The smallest step 1, 2, 5 × 10^e that leaves at most `most` ticks, but one smaller rather than a single tick.
   int exponent = int(std::floor(std::log10((high - low) / std::max(most, 2)))) - 1, mantissa = 1;
   const auto step = [&] { return mantissa * power_of_ten(exponent); };
-  while (count(step()) > std::max(most, 2)) {
+  const auto count = [&] { return std::floor(high / step() + 1e-9) - std::ceil(low / step() - 1e-9) + 1; };
+  while (count() > std::max(most, 2)) {
+    const int before = mantissa;
     if (mantissa == 5)
       mantissa = 1, ++exponent;
     else
       mantissa = mantissa == 1 ? 2 : 5;
+    if (count() >= 2) continue;
+    if (before == 5) --exponent;
+    mantissa = before;
+    break;
   }
   const double largest = std::max(std::abs(low), std::abs(high));
   const int magnitude = int(std::floor(std::log10(largest)));
@@ -58,49 +61,46 @@ Ticks linear_ticks(double low, double high, int most) {
   return result;
 }
 
-std::string decade_label(int exponent) {
-  if (exponent >= -2 && exponent <= 3) return fixed(power_of_ten(exponent), std::max(0, -exponent));
-  return "10" + raised(exponent);
-}
-
 Ticks logarithmic_ticks(double low, double high, int most) {
   Ticks result;
-  const double slack = 1e-9;
+  constexpr double slack = 1e-9;
   const int first = int(std::ceil(std::log10(low) - slack)), last = int(std::floor(std::log10(high) + slack));
+  const auto inside = [&](double v) { return v >= low * (1 - slack) && v <= high * (1 + slack); };
   const int decades = last - first + 1;
-  if (decades < 2) {
-    // Less than two whole decades: 1, 2, 5, or a linear choice where even those are too few.
-    for (int e = first - 1; e <= last; ++e)
-      for (const int m : {1, 2, 5})
-        if (const double v = m * power_of_ten(e); v >= low * (1 - slack) && v <= high * (1 + slack))
-          result.major.push_back({v, e >= -3 && e <= 3 ? fixed(v, std::max(0, -e)) : number(v, 1)});
-    if (result.major.size() < 2 || int(result.major.size()) > most) {
-      Ticks coarse = linear_ticks(low, high, most);
-      if (coarse.exponent != 0)
-        for (Tick& tick : coarse.major) tick.label = number(tick.value);
-      coarse.exponent = 0;
-      return coarse;
-    }
-  } else {
-    int stride = 1;
-    while ((decades + stride - 1) / stride > std::max(most, 2)) ++stride;
+
+  std::vector<Tick> fine;  // 1, 2, 5, 10, …: where there is little to show and room for it
+  for (int e = first - 1; e <= last && decades <= 3; ++e)
+    for (const int m : {1, 2, 5})
+      if (const double v = m * power_of_ten(e); inside(v))
+        fine.push_back({v, e >= -3 && e <= 3 ? fixed(v, std::max(0, -e)) : number(v, 1)});
+  if (fine.size() >= 2 && int(fine.size()) <= most) {
+    result.major = fine;
+  } else if (decades >= 2) {
+    const int stride = (decades + std::max(most, 2) - 1) / std::max(most, 2);
     // Decades keep one form on an axis: 10⁻³ beside 10⁻², not beside 0.01.
     const bool plain = first >= -2 && last <= 3;
     for (int e = first; e <= last; ++e) {
-      const bool labelled = (e - first) % stride == 0;
-      if (labelled)
-        result.major.push_back({power_of_ten(e), plain ? decade_label(e) : "10" + raised(e)});
-      else
+      if ((e - first) % stride != 0)
         result.minor.push_back(power_of_ten(e));
+      else
+        result.major.push_back(
+            {power_of_ten(e), plain ? fixed(power_of_ten(e), std::max(0, -e)) : "10" + raised(e)});
     }
-    if (decades > 12) return result;
+    if (stride > 1) return result;
+  } else {
+    // A fraction of a decade is nearly linear.
+    result = linear_ticks(low, high, most);
+    if (result.exponent != 0)
+      for (Tick& tick : result.major) tick.label = number(tick.value);
+    result.exponent = 0;
+    return result;
   }
   for (int e = first - 1; e <= last; ++e)
     for (int m = 2; m <= 9; ++m) {
       const double v = m * power_of_ten(e);
       const bool major = std::any_of(result.major.begin(), result.major.end(),
                                      [&](const Tick& t) { return std::abs(t.value - v) < slack * v; });
-      if (v >= low && v <= high && !major) result.minor.push_back(v);
+      if (inside(v) && !major) result.minor.push_back(v);
     }
   return result;
 }
