@@ -24,8 +24,7 @@ Eigen::Vector2d CompoundPendulum::pivot_force(double time) const {
   const double theta = angle(time), omega = angular_velocity(time);
   const Eigen::Vector2d outward(std::sin(theta), -std::cos(theta)), onward(std::cos(theta), std::sin(theta));
   const double angular_acceleration = -1.5 * gravity_ / length_ * std::sin(theta);
-  const Eigen::Vector2d acceleration =
-      length_ / 2 * (angular_acceleration * onward - omega * omega * outward);
+  const Eigen::Vector2d acceleration = length_ / 2 * (angular_acceleration * onward - omega * omega * outward);
   return mass_ * (acceleration + gravity_ * Eigen::Vector2d::UnitY());
 }
 

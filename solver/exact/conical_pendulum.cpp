@@ -9,15 +9,12 @@ namespace byhand {
 
 ConicalPendulum::ConicalPendulum(double angle, double length, double gravity)
     : angle_(angle), length_(length), gravity_(gravity) {
-  require(0 <= angle && angle < std::numbers::pi / 2, "the cone's angle", angle,
-          "at least 0 and below π/2 [rad]");
+  require(0 <= angle && angle < std::numbers::pi / 2, "the cone's angle", angle, "at least 0 and below π/2 [rad]");
   require_positive("the pendulum's length", length, "m");
   require_positive("gravity", gravity, "m/s²");
 }
 
-double ConicalPendulum::angular_velocity() const {
-  return std::sqrt(gravity_ / (length_ * std::cos(angle_)));
-}
+double ConicalPendulum::angular_velocity() const { return std::sqrt(gravity_ / (length_ * std::cos(angle_))); }
 
 double ConicalPendulum::period() const { return 2 * std::numbers::pi / angular_velocity(); }
 

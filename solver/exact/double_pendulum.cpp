@@ -7,8 +7,8 @@
 
 namespace byhand {
 
-DoublePendulum::DoublePendulum(const State& start, const Eigen::Vector2d& lengths,
-                               const Eigen::Vector2d& masses, double gravity)
+DoublePendulum::DoublePendulum(const State& start, const Eigen::Vector2d& lengths, const Eigen::Vector2d& masses,
+                               double gravity)
     : start_(start), lengths_(lengths), masses_(masses), gravity_(gravity) {
   for (int i = 0; i < 2; ++i) {
     require_finite("an angle of the double pendulum", start.angles[i], "rad");
@@ -42,10 +42,8 @@ double DoublePendulum::energy(const State& state) const {
   const auto turn = [](double theta) { return Eigen::Vector2d(std::cos(theta), std::sin(theta)); };
   const Eigen::Vector2d v1 = lengths_[0] * state.angular_velocities[0] * turn(state.angles[0]);
   const Eigen::Vector2d v2 = v1 + lengths_[1] * state.angular_velocities[1] * turn(state.angles[1]);
-  const double y1 = -lengths_[0] * std::cos(state.angles[0]),
-               y2 = y1 - lengths_[1] * std::cos(state.angles[1]);
-  return masses_[0] * (v1.squaredNorm() / 2 + gravity_ * y1) +
-         masses_[1] * (v2.squaredNorm() / 2 + gravity_ * y2);
+  const double y1 = -lengths_[0] * std::cos(state.angles[0]), y2 = y1 - lengths_[1] * std::cos(state.angles[1]);
+  return masses_[0] * (v1.squaredNorm() / 2 + gravity_ * y1) + masses_[1] * (v2.squaredNorm() / 2 + gravity_ * y2);
 }
 
 }  // namespace byhand

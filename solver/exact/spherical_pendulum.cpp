@@ -24,10 +24,9 @@ Roots roots(double u0, double c) {
 
 SphericalPendulum::SphericalPendulum(double angle, double azimuth_rate, double length, double gravity)
     : angle_(angle), azimuth_rate_(azimuth_rate), length_(length), gravity_(gravity) {
-  require(0 < angle && angle < std::numbers::pi, "the pendulum's first angle", angle,
-          "above 0 and below π [rad]");
-  require(std::isfinite(azimuth_rate) && azimuth_rate != 0, "the pendulum's rate about the vertical",
-          azimuth_rate, "a finite number other than 0 [rad/s]");
+  require(0 < angle && angle < std::numbers::pi, "the pendulum's first angle", angle, "above 0 and below π [rad]");
+  require(std::isfinite(azimuth_rate) && azimuth_rate != 0, "the pendulum's rate about the vertical", azimuth_rate,
+          "a finite number other than 0 [rad/s]");
   require_positive("the pendulum's length", length, "m");
   require_positive("gravity", gravity, "m/s²");
 }
@@ -48,8 +47,7 @@ double SphericalPendulum::nutation_period() const {
 
 // θ̈ = φ̇²·sinθ·cosθ − (g/L)·sinθ with φ̇ from the angular momentum, which gravity cannot change.
 SphericalPendulum::State SphericalPendulum::at(double time) const {
-  const long double sine0 = std::sin(static_cast<long double>(angle_)),
-                    momentum = sine0 * sine0 * azimuth_rate_;
+  const long double sine0 = std::sin(static_cast<long double>(angle_)), momentum = sine0 * sine0 * azimuth_rate_;
   const long double g_over_l = static_cast<long double>(gravity_) / length_;
   const auto rate = [=](const ExtendedState& x, ExtendedState& dxdt) {
     const long double sine = std::sin(x[0]), azimuth_rate = momentum / (sine * sine);

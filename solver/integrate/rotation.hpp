@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
-// Rotations that advance by + - * / and square roots alone: libm's sine is not the same on every processor.
+// Rotations that advance by + − × ÷ and square roots alone: libm's sine is not the same on every processor.
 // Every function takes any scalar with `.value()` (Eigen::AutoDiffScalar, also nested) besides double, and
 // branches on the value only where both sides have the same derivatives.
 namespace byhand {
@@ -26,7 +26,7 @@ double value_of(const T& x) {
   return value_of(x.value());
 }
 
-/// c0 + c1 z + ... + c5 z^5 by Estrin's scheme, whose three independent pairs halve Horner's latency.
+/// c0 + c1·z + … + c5·z⁵ by Estrin's scheme, whose three independent pairs halve Horner's latency.
 template <class T>
 T quintic(const T& z, const double (&c)[6]) {
   const T z2 = z * z;
@@ -34,31 +34,30 @@ T quintic(const T& z, const double (&c)[6]) {
   return low + z2 * (middle + z2 * high);
 }
 
-// Minimax coefficients for |x| <= pi/4, z = x^2, from fdlibm's k_sin.c and k_cos.c (Sun Microsystems, 1993).
+// Minimax coefficients for |x| <= π/4, z = x², from fdlibm's k_sin.c and k_cos.c (Sun Microsystems, 1993).
 
-/// (sin(x)/x - 1)/z
+/// (sin(x)/x − 1)/z
 template <class T>
 T sine_tail(const T& z) {
   return quintic<T>(z, {-1.66666666666666324348e-01, 8.33333333332248946124e-03, -1.98412698298579493134e-04,
                         2.75573137070700676789e-06, -2.50507602534068634195e-08, 1.58969099521155010221e-10});
 }
 
-/// (cos(x) - 1 + z/2)/z^2
+/// (cos(x) − 1 + z/2)/z²
 template <class T>
 T cosine_tail(const T& z) {
-  return quintic<T>(z,
-                    {4.16666666666666019037e-02, -1.38888888888741095749e-03, 2.48015872894767294178e-05,
-                     -2.75573143513906633035e-07, 2.08757232129817482790e-09, -1.13596475577881948265e-11});
+  return quintic<T>(z, {4.16666666666666019037e-02, -1.38888888888741095749e-03, 2.48015872894767294178e-05,
+                        -2.75573143513906633035e-07, 2.08757232129817482790e-09, -1.13596475577881948265e-11});
 }
 
-/// 1 - half_z + rest; what is lost when 1 - half_z is rounded goes back in with the small terms.
+/// 1 − z/2 + rest; what is lost when 1 − z/2 is rounded goes back in with the small terms.
 template <class T>
 T one_minus(const T& half_z, const T& rest) {
   const T rounded = 1.0 - half_z;
   return rounded + (((1.0 - rounded) - half_z) + rest);
 }
 
-/// Sine and cosine of x + low for |x| <= pi/4; `low` is what x was too short to hold.
+/// Sine and cosine of x + low for |x| <= π/4; `low` is what x was too short to hold.
 template <class T>
 SinCos<T> sin_cos_within_quarter_pi(const T& x, double low) {
   const T z = x * x, half_z = 0.5 * z;
@@ -75,18 +74,17 @@ SinCos<T> sin_cos(const T& angle) {
   const double value = detail::value_of(angle);
   if (std::abs(value) <= detail::quarter_pi) return detail::sin_cos_within_quarter_pi<T>(angle, 0.0);
 
-  // Cody and Waite: pi/2 in three parts, the first two of 33 bits so that their multiples are exact. Adding
-  // 1.5 * 2^52 rounds to a whole number and leaves it, modulo 4, in the last two bits.
+  // Cody and Waite: π/2 in three parts, the first two of 33 bits so that their multiples are exact. Adding
+  // 1.5·2^52 rounds to a whole number and leaves it, modulo 4, in the last two bits.
   constexpr double two_over_pi = 0x1.45f306dc9c883p-1, to_whole = 0x1.8p52;
   constexpr double high = 0x1.921fb544p+0, middle = 0x1.0b4611a6p-34, low = 0x1.3198a2e037073p-69;
   const double shifted = value * two_over_pi + to_whole, quarters = shifted - to_whole;
   const T first = angle - quarters * high, second = first - quarters * middle;
-  const double lost =
-      ((detail::value_of(first) - detail::value_of(second)) - quarters * middle) - quarters * low;
+  const double lost = ((detail::value_of(first) - detail::value_of(second)) - quarters * middle) - quarters * low;
   const T reduced = second + lost;
   const double rest = (detail::value_of(second) - detail::value_of(reduced)) + lost;
 
-  const SinCos<T> at = detail::sin_cos_within_quarter_pi<T>(reduced, rest);
+  SinCos<T> at = detail::sin_cos_within_quarter_pi<T>(reduced, rest);
   switch (std::bit_cast<std::uint64_t>(shifted) & 3) {
     case 0: return at;
     case 1: return {at.cos, -at.sin};
@@ -115,6 +113,12 @@ PlaneRotation<T> operator*(const PlaneRotation<T>& a, const PlaneRotation<T>& b)
   return {a.cos * b.cos - a.sin * b.sin, a.sin * b.cos + a.cos * b.sin};
 }
 
+/// The rotation that undoes `r`.
+template <class T>
+PlaneRotation<T> inverse(const PlaneRotation<T>& r) {
+  return {r.cos, -r.sin};
+}
+
 /// `r` turned on by `angle` [rad]. One Newton step for 1/|r| holds |r| = 1 to rounding, over any number of
 /// turns.
 template <class T>
@@ -127,11 +131,11 @@ PlaneRotation<T> rotated_by(const PlaneRotation<T>& r, const T& angle) {
 /// The vector `v`, given in the body's axes, in the world's.
 template <class T, class Vector>
 Eigen::Matrix<T, 2, 1> rotate(const PlaneRotation<T>& r, const Eigen::MatrixBase<Vector>& v) {
-  const Eigen::Matrix<typename Vector::Scalar, 2, 1> u = v;
+  const auto& u = v.eval();
   return {r.cos * u.x() - r.sin * u.y(), r.sin * u.x() + r.cos * u.y()};
 }
 
-/// The angle of `r` in (-pi, pi] [rad]. Measures only: it is libm's.
+/// The angle of `r` in (−π, π] [rad]. Measures only: it is libm's.
 inline double angle(const PlaneRotation<>& r) { return std::atan2(r.sin, r.cos); }
 
 static_assert(sizeof(Eigen::Quaterniond) == 32);
@@ -156,7 +160,13 @@ Eigen::Quaternion<T> space_rotation(const Eigen::Matrix<T, 3, 1>& turn) {
   return {cos, sine_over_angle * half.x(), sine_over_angle * half.y(), sine_over_angle * half.z()};
 }
 
-/// `q` turned on by `turn` = omega h [rad], a vector in the world's axes; |q| = 1 is held as in the plane.
+/// The rotation that undoes the unit quaternion `q`.
+template <class T>
+Eigen::Quaternion<T> inverse(const Eigen::Quaternion<T>& q) {
+  return q.conjugate();
+}
+
+/// `q` turned on by `turn` = ω·h [rad], a vector in the world's axes; |q| = 1 is held as in the plane.
 template <class T>
 Eigen::Quaternion<T> rotated_by(const Eigen::Quaternion<T>& q, const Eigen::Matrix<T, 3, 1>& turn) {
   Eigen::Quaternion<T> turned = space_rotation<T>(turn) * q;
@@ -168,18 +178,8 @@ Eigen::Quaternion<T> rotated_by(const Eigen::Quaternion<T>& q, const Eigen::Matr
 /// The vector `v`, given in the body's axes, in the world's.
 template <class T, class Vector>
 Eigen::Matrix<T, 3, 1> rotate(const Eigen::Quaternion<T>& q, const Eigen::MatrixBase<Vector>& v) {
-  const Eigen::Matrix<T, 3, 1> u = v.template cast<T>();
+  const Eigen::Matrix<T, 3, 1>& u = v.template cast<T>();
   return q * u;
-}
-
-/// The rotation that undoes `r`.
-template <class T>
-PlaneRotation<T> inverse(const PlaneRotation<T>& r) {
-  return {r.cos, -r.sin};
-}
-template <class T>
-Eigen::Quaternion<T> inverse(const Eigen::Quaternion<T>& q) {
-  return q.conjugate();
 }
 
 }  // namespace byhand

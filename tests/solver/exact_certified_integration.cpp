@@ -28,9 +28,7 @@ TEST(CertifiedIntegration, IsGoodToNearlyAllDigitsOfADouble) {
 }
 
 TEST(CertifiedIntegration, IsLessSureOfAnUnstableProblem) {
-  const Rate inverted = [](const ExtendedState& x, ExtendedState& rate) {
-    rate = {x[1], 9 * std::sin(x[0])};
-  };
+  const Rate inverted = [](const ExtendedState& x, ExtendedState& rate) { rate = {x[1], 9 * std::sin(x[0])}; };
   const double soon = certified_integration(inverted, {1e-9, 0}, 1).uncertainty;
   const double late = certified_integration(inverted, {1e-9, 0}, 20).uncertainty;
   EXPECT_GT(late, 100 * soon);

@@ -59,8 +59,7 @@ TEST(CompoundPendulum, HingeForceIsWhatTheCentresAccelerationNeeds) {
     return length / 2 * Vector2d(std::sin(rod.angle(time)), -std::cos(rod.angle(time)));
   };
   for (double time = 0; time < 4; time += 0.31) {
-    const Vector2d acceleration =
-        (centre(time + step) - 2 * centre(time) + centre(time - step)) / (step * step);
+    const Vector2d acceleration = (centre(time + step) - 2 * centre(time) + centre(time - step)) / (step * step);
     EXPECT_LE((mass * (acceleration + gravity * Vector2d::UnitY()) - rod.pivot_force(time)).norm(), 2e-5);
   }
 }

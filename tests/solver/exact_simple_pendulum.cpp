@@ -46,8 +46,8 @@ TEST(SimplePendulum, PeriodGrowsFromTheSmallAngleOneAsItsSeries) {
   for (const double start : {1e-5, 0.01, 0.1, 0.3}) {
     const double square = start * start;
     const double series = 1 + square / 16 + 11 * square * square / 3072;
-    EXPECT_NEAR(SimplePendulum(start, length, gravity).period() / (2 * pi * std::sqrt(length / gravity)),
-                series, 1e-15 + 2 * 173.0 / 737280 * square * square * square);
+    EXPECT_NEAR(SimplePendulum(start, length, gravity).period() / (2 * pi * std::sqrt(length / gravity)), series,
+                1e-15 + 2 * 173.0 / 737280 * square * square * square);
   }
 }
 
@@ -123,8 +123,7 @@ TEST(SimplePendulum, RefusesWhatHasNoPeriod) {
   EXPECT_THAT([] { SimplePendulum(1, -1, 9.81); },
               ThrowsMessage<std::invalid_argument>(HasSubstr("length is -1")));
   EXPECT_THROW(SimplePendulum(1, INFINITY, 9.81), std::invalid_argument);
-  EXPECT_THAT([] { SimplePendulum(1, 1, 0); },
-              ThrowsMessage<std::invalid_argument>(HasSubstr("gravity is 0")));
+  EXPECT_THAT([] { SimplePendulum(1, 1, 0); }, ThrowsMessage<std::invalid_argument>(HasSubstr("gravity is 0")));
   const SimplePendulum pendulum(1, 1, 9.81);
   EXPECT_THROW(pendulum.angle(NAN), std::invalid_argument);
   EXPECT_THROW(pendulum.angular_velocity(INFINITY), std::invalid_argument);

@@ -44,10 +44,10 @@ TEST(SphericalPendulum, AgreesWithAPointOnARodInCartesianCoordinates) {
   const SphericalPendulum pendulum(angle, azimuth_rate, length, gravity);
   for (const double time : {0.4, 1.7, 6.0}) {
     const State end = pendulum.at(time);
-    const Certified truth = certified_integration(rate,
-                                                  {length * std::sin(angle), 0, -length * std::cos(angle), 0,
-                                                   length * std::sin(angle) * azimuth_rate, 0},
-                                                  time);
+    const Certified truth = certified_integration(
+        rate,
+        {length * std::sin(angle), 0, -length * std::cos(angle), 0, length * std::sin(angle) * azimuth_rate, 0},
+        time);
     const Vector3d x = length * Vector3d(std::sin(end.angle) * std::cos(end.azimuth),
                                          std::sin(end.angle) * std::sin(end.azimuth), -std::cos(end.angle));
     EXPECT_LE((x - Vector3d(truth.state[0], truth.state[1], truth.state[2])).norm(), 1e-13) << time;
@@ -60,8 +60,7 @@ TEST(SphericalPendulum, KeepsEnergyAndAngularMomentum) {
     const State at = pendulum.at(time);
     const double radius = length * std::sin(at.angle);
     const double speed_squared = std::pow(length * at.angle_rate, 2) + std::pow(radius * at.azimuth_rate, 2);
-    EXPECT_NEAR(mass * (speed_squared / 2 - gravity * length * std::cos(at.angle)), pendulum.energy(mass),
-                1e-12);
+    EXPECT_NEAR(mass * (speed_squared / 2 - gravity * length * std::cos(at.angle)), pendulum.energy(mass), 1e-12);
     EXPECT_NEAR(mass * radius * radius * at.azimuth_rate, pendulum.angular_momentum(mass), 1e-12);
   }
 }
@@ -85,8 +84,7 @@ TEST(SphericalPendulum, StartedAtTheConicalRateStaysOnItsConeAndNutatesAboutIt) 
   EXPECT_NEAR(cone.at(3).angle, angle, 1e-13);
   EXPECT_NEAR(cone.at(3).azimuth, 3 * omega, 1e-13);
   // Small nutations about a cone have the rate ω·√(1 + 3cos²θ).
-  EXPECT_NEAR(cone.nutation_period(), 2 * pi / (omega * std::sqrt(1 + 3 * std::pow(std::cos(angle), 2))),
-              1e-14);
+  EXPECT_NEAR(cone.nutation_period(), 2 * pi / (omega * std::sqrt(1 + 3 * std::pow(std::cos(angle), 2))), 1e-14);
 }
 
 TEST(SphericalPendulum, HardlyTurningNutatesTwiceInASimplePendulumsPeriod) {

@@ -23,8 +23,7 @@ TEST(CircleTension, IsTheRateAtWhichMomentumTurns) {
 }
 
 TEST(CircleTension, RefusesBadNumbers) {
-  EXPECT_THAT([] { circle_tension(3, 4, 0); },
-              ThrowsMessage<std::invalid_argument>(HasSubstr("radius is 0")));
+  EXPECT_THAT([] { circle_tension(3, 4, 0); }, ThrowsMessage<std::invalid_argument>(HasSubstr("radius is 0")));
   EXPECT_THROW(circle_tension(-3, 4, 1), std::invalid_argument);
   EXPECT_THROW(circle_tension(3, NAN, 1), std::invalid_argument);
 }
@@ -35,8 +34,8 @@ TEST(ConicalPendulum, BalancesWeightUpwardsAndTurnsMomentumInwards) {
     const ConicalPendulum cone(angle, length, gravity);
     const double omega = cone.angular_velocity();
     EXPECT_NEAR(cone.tension(mass) * std::cos(angle), mass * gravity, 1e-13 * mass * gravity);
-    EXPECT_NEAR(cone.tension(mass) * std::sin(angle),
-                circle_tension(mass, omega * cone.radius(), cone.radius()), 1e-13 * cone.tension(mass));
+    EXPECT_NEAR(cone.tension(mass) * std::sin(angle), circle_tension(mass, omega * cone.radius(), cone.radius()),
+                1e-13 * cone.tension(mass));
     EXPECT_NEAR(cone.period() * omega, 2 * pi, 1e-14);
   }
 }
@@ -47,9 +46,8 @@ TEST(ConicalPendulum, NearlyHangingTurnsAsASmallSwing) {
 }
 
 TEST(ConicalPendulum, RefusesToTurnLevel) {
-  EXPECT_THAT(
-      [] { ConicalPendulum(pi / 2, 2, 9.81); },
-      ThrowsMessage<std::invalid_argument>(HasSubstr("is 1.5707963267948966, but it must be at least 0")));
+  EXPECT_THAT([] { ConicalPendulum(pi / 2, 2, 9.81); },
+              ThrowsMessage<std::invalid_argument>(HasSubstr("is 1.5707963267948966, but it must be at least 0")));
   EXPECT_THROW(ConicalPendulum(-0.1, 2, 9.81), std::invalid_argument);
   EXPECT_THROW(ConicalPendulum(NAN, 2, 9.81), std::invalid_argument);
   EXPECT_THROW(ConicalPendulum(1, 0, 9.81), std::invalid_argument);

@@ -12,9 +12,9 @@ using testing::StrEq, testing::ThrowsMessage;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 TEST(Require, SaysTheNameTheValueAndWhatIsAllowed) {
-  EXPECT_THAT([] { require_positive("length", -1, "m"); },
-              ThrowsMessage<std::invalid_argument>(
-                  StrEq("length is -1, but it must be a positive finite number [m]")));
+  EXPECT_THAT(
+      [] { require_positive("length", -1, "m"); },
+      ThrowsMessage<std::invalid_argument>(StrEq("length is -1, but it must be a positive finite number [m]")));
   EXPECT_THAT([] { require_finite("speed", std::nan("")); },
               ThrowsMessage<std::invalid_argument>(StrEq("speed is nan, but it must be a finite number")));
   EXPECT_THAT([] { require_in("beta", 2.5, 0, 2); },

@@ -115,16 +115,14 @@ TEST(PlaneRotation, StaysAUnitNumberAndKeepsItsAngleOverAMillionSteps) {
     const double by = step(random);
     r = rotated_by(r, by);
     total += by;
-    const long double squared =
-        static_cast<long double>(r.cos) * r.cos + static_cast<long double>(r.sin) * r.sin;
+    const long double squared = static_cast<long double>(r.cos) * r.cos + static_cast<long double>(r.sin) * r.sin;
     worst = std::max(worst, static_cast<double>(std::abs(std::sqrt(squared) - 1)));
   }
   EXPECT_LE(worst, std::numeric_limits<double>::epsilon());
   // Rounding is a random walk: a million steps of about 1e-16 end about 1e-13 away.
-  EXPECT_NEAR(
-      std::remainder(static_cast<double>(angle(r) - std::fmod(total, 2 * std::numbers::pi_v<long double>)),
-                     2 * pi),
-      0, 1e-12);
+  EXPECT_NEAR(std::remainder(static_cast<double>(angle(r) - std::fmod(total, 2 * std::numbers::pi_v<long double>)),
+                             2 * pi),
+              0, 1e-12);
 }
 
 TEST(PlaneRotation, PullsALengthThatIsOffBackToOne) {
@@ -139,8 +137,7 @@ TEST(PlaneRotation, DerivativeOfARotatedArmIsOmegaCrossIt) {
   const auto arm = rotate(rotated_by(r, Dual(0.0, 3, 0)), Vector2d(1, 2));
   EXPECT_NEAR(arm.x().derivatives()(0), -arm.y().value(), 1e-15);
   EXPECT_NEAR(arm.y().derivatives()(0), arm.x().value(), 1e-15);
-  const auto twice =
-      rotate(rotated_by(PlaneRotation<SecondDual>{}, twice_differentiable(0.0)), Vector2d(1, 2));
+  const auto twice = rotate(rotated_by(PlaneRotation<SecondDual>{}, twice_differentiable(0.0)), Vector2d(1, 2));
   EXPECT_NEAR(second_derivative(twice.x()), -1, 1e-15);
   EXPECT_NEAR(second_derivative(twice.y()), -2, 1e-15);
 }
@@ -151,13 +148,11 @@ TEST(SpaceRotation, IsTheRotationAboutTheAxisByTheLength) {
   std::mt19937_64 random(11);
   std::normal_distribution<double> normal;
   for (const double size : {0.0, 1e-200, 1e-12, 1e-4, 0.3, 1.5707, 1.5709, 3.0, 6.0, 50.0}) {
-    const Vector3d axis = Vector3d(normal(random), normal(random), normal(random)).normalized(),
-                   v(1, -2, 0.5);
+    const Vector3d axis = Vector3d(normal(random), normal(random), normal(random)).normalized(), v(1, -2, 0.5);
     const Vector3d turned = rotate(space_rotation<double>(size * axis), v);
     const Vector3d expected = Eigen::AngleAxisd(size, axis) * v;
     // `size * axis` is itself rounded: one epsilon of the whole turn.
-    EXPECT_LE((turned - expected).norm(), (size + 8) * std::numeric_limits<double>::epsilon() * v.norm())
-        << size;
+    EXPECT_LE((turned - expected).norm(), (size + 8) * std::numeric_limits<double>::epsilon() * v.norm()) << size;
   }
 }
 
@@ -191,8 +186,8 @@ TEST(SpaceRotation, StaysAUnitQuaternionAndKeepsItsAngleOverAMillionSteps) {
   double worst = 0;
   for (int i = 0; i < 1'000'000; ++i) {
     q = rotated_by<double>(q, turn);
-    worst = std::max(
-        worst, static_cast<double>(std::abs(std::sqrt(q.coeffs().cast<long double>().squaredNorm()) - 1)));
+    worst = std::max(worst,
+                     static_cast<double>(std::abs(std::sqrt(q.coeffs().cast<long double>().squaredNorm()) - 1)));
   }
   EXPECT_LE(worst, 2 * std::numeric_limits<double>::epsilon());
   // A turn that is rounded the same way each time drifts linearly: 1e6 steps of at most 1e-16 each.
