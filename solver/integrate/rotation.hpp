@@ -67,8 +67,7 @@ SinCos<T> sin_cos_within_quarter_pi(const T& x, double low) {
 
 }  // namespace detail
 
-/// Sine and cosine of `angle` [rad], to 1 ulp for |angle| <= 1e5; beyond that the reduction runs out of
-/// digits.
+/// Sine and cosine of `angle` [rad], to 1 ulp for |angle| <= 1e5; far beyond, the reduction runs out of digits.
 template <class T>
 SinCos<T> sin_cos(const T& angle) {
   const double value = detail::value_of(angle);
