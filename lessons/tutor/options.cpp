@@ -1,6 +1,7 @@
 #include "lessons/tutor/options.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -34,16 +35,23 @@ std::string teach(const Lesson& lesson) {
                          typed(p.range.low), typed(p.range.high), p.meaning);
   words += fmt::format(
       "\nExamples:\n"
-      "  ./lessons/run {0}                      read it\n"
-      "  ./lessons/run {0} --check              are all its numbers true?\n"
-      "  ./lessons/run {0} --quality high       pictures for a talk, in output/{1}/\n",
+      "  ./lessons/run {0}                   read it\n"
+      "  ./lessons/run {0} --check           are all its numbers true?\n"
+      "  ./lessons/run {0} --quality high    pictures for a talk, in output/{1}/\n",
       lesson.number(), lesson.about().slug);
   if (!lesson.parameters().empty())
-    words += fmt::format("  ./lessons/run {} --set {}={}   the same with another value\n", lesson.number(),
+    words += fmt::format("  ./lessons/run {} --set {}={}    with a parameter of your own\n", lesson.number(),
                          lesson.parameters().front().name, typed(lesson.parameters().front().initial));
   return words +
          "\nExit status: 0 fine, 1 a claim is false, 2 bad usage or value, 3 the environment (no OpenGL,\n"
          "disk full, folder not writable).";
+}
+
+void add_choice(CLI::App& app, const std::string& name, std::string& value,
+                const std::vector<std::string>& choices, const std::string& meaning) {
+  app.add_option(name, value, meaning)
+      ->type_name(fmt::format("{}", fmt::join(choices, "|")))
+      ->check(CLI::IsMember(choices).description(""));
 }
 
 void require_step(const Lesson& lesson, const std::string& label) {
@@ -77,28 +85,24 @@ Options read_options(const Lesson& lesson, int argc, const char* const* argv, bo
   CLI::App app(fmt::format("{}. {}\n{}", lesson.number(), lesson.about().title, lesson.about().summary),
                fmt::format("./lessons/run {}", lesson.number()));
   app.footer(teach(lesson));
-  app.get_formatter()->column_width(36);
+  app.get_formatter()->column_width(30);
   app.set_help_flag("--help", "this page");
-  const auto* interactive = app.add_flag("--interactive,!--no-interactive", options.interactive,
-                                         "step by step or straight through (default: step by step if both "
-                                         "standard input and output are terminals)");
-  app.add_option("--output", options.output, "where lesson.md, figures, frames and data go (default output/)")
-      ->type_name("DIR");
-  app.add_option("--quality", quality, "854×480 at 15/s, 1280×720 at 30/s (default) or 1920×1080 at 60/s")
-      ->type_name("low|medium|high")
-      ->check(CLI::IsMember({"low", "medium", "high"}));
-  app.add_option("--frames", frames, "frames of the sequences (default all; last when step by step)")
-      ->type_name("none|last|all")
-      ->check(CLI::IsMember({"none", "last", "all"}));
-  app.add_option("--set", settings, "give a parameter another value; may be repeated")
+  bool step_by_step = false, straight = false;
+  app.add_flag("--interactive", step_by_step, "step by step (default at a terminal)");
+  app.add_flag("--no-interactive", straight, "straight through, no questions asked");
+  app.add_option("--output", options.output, "folder of pages and pictures (default output/)")->type_name("DIR");
+  add_choice(app, "--quality", quality, {"low", "medium", "high"},
+             "854×480 at 15/s, 1280×720 at 30/s (default),\n1920×1080 at 60/s");
+  add_choice(app, "--frames", frames, {"none", "last", "all"},
+             "of each sequence; default all, at a terminal last");
+  app.add_option("--set", settings, "give a parameter another value; repeatable")
       ->type_name("NAME=VALUE")
-      ->allow_extra_args(false);
-  app.add_flag("--list-parameters", options.list_parameters, "what can be set: default, unit, range, meaning");
+      ->expected(1)
+      ->take_all();
+  app.add_flag("--list-parameters", options.list_parameters, "what can be set: unit, range, meaning");
   app.add_flag("--check", options.check, "no pictures, only the claims, as a table");
-  app.add_option("--step", options.step,
-                 "only this step (3, or 3a for what goes deeper); at a terminal: begin there")
-      ->type_name("N");
-  app.add_flag("--quiet", options.quiet, "no text and no progress, only what is wrong");
+  app.add_option("--step", options.step, "only this step, 3 or 3a; at a terminal from there")->type_name("N");
+  app.add_flag("--quiet", options.quiet, "no text, no progress, only what is wrong");
   app.add_flag("--about", options.about, "the lesson in one line of JSON, for the course")->group("");
 
   try {
@@ -109,7 +113,9 @@ Options read_options(const Lesson& lesson, int argc, const char* const* argv, bo
     throw std::invalid_argument(fmt::format("{} (--help shows the options)", bad.what()));
   }
 
-  if (interactive->empty()) options.interactive = at_terminal;
+  if (step_by_step && straight)
+    throw std::invalid_argument("--interactive and --no-interactive: choose one of them");
+  options.interactive = step_by_step || (at_terminal && !straight);
   if (options.check || options.quiet) options.interactive = false;
   options.quality =
       *std::find_if(qualities.begin(), qualities.end(), [&](const Quality& q) { return q.name == quality; });

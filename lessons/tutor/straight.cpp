@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <filesystem>
+#include <system_error>
 #include <type_traits>
 
 #include "lessons/tutor/check.hpp"
 #include "lessons/tutor/manifest.hpp"
 #include "lessons/tutor/markdown.hpp"
 #include "lessons/tutor/speech.hpp"
+#include "renderer/error.hpp"
 #include "renderer/file.hpp"
 
 namespace byhand::tutor {
@@ -40,7 +43,13 @@ void print(const Told& told, const Lesson& lesson, const Studio& studio) {
 }  // namespace
 
 Studio studio_of(const Lesson& lesson, const Options& options) {
-  return {options.output / lesson.about().slug, options.quality, options.frames, options.quiet};
+  const std::filesystem::path folder = options.output / lesson.about().slug;
+  std::error_code error;
+  // Better refused now than after a minute's work.
+  if (!options.check && !std::filesystem::create_directories(folder, error) && error)
+    throw renderer::EnvironmentError(
+        fmt::format("Cannot make the folder {}: {}.", folder.string(), error.message()));
+  return {folder, options.quality, options.frames, options.quiet};
 }
 
 void write_pictures(const Page& page, Studio& studio) {

@@ -281,7 +281,7 @@ std::string plot(const Chart& chart, const Style& style) {
 
   std::string key;
   const auto add_key = [&](const std::string& sign, const std::string& label) {
-    if (!label.empty()) key += "- " + sign + " " + label + "\n";
+    if (!label.empty()) key += wrapped(sign + " " + label, style, margin + 1);
   };
   for (size_t i = 0; i < with.size(); ++i) add_key(with[i].sign, chart.curves[i].label);
   for (const auto& line : chart.references)
@@ -289,7 +289,7 @@ std::string plot(const Chart& chart, const Style& style) {
   for (const auto& note : chart.annotations)
     add_key("◆", fmt::format("{} at ({}, {})", note.text, number(note.x, 3), number(note.y, 3)));
   if (chart.heat_map) add_key("▒", Shading(*chart.heat_map).key());
-  return text + wrapped(key, style, margin - 1);
+  return text + key;
 }
 
 std::string bars(const Chart& chart, const Style& style) {

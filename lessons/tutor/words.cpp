@@ -72,14 +72,18 @@ std::string number(double value, int digits) {
   if (std::isnan(value)) return "not a number";
   if (std::isinf(value)) return value < 0 ? "−∞" : "∞";
   const Decimal d = decimal(value, digits);
-  return (d.negative ? "−" : "") + d.digits + (d.exponent ? "·10" + superscript(d.exponent) : "");
+  const std::string sign = d.negative ? "−" : "";
+  if (d.exponent == 0) return sign + d.digits;
+  return sign + (d.digits == "1" ? "" : d.digits + "·") + "10" + superscript(d.exponent);
 }
 
 std::string latex_number(double value, int digits) {
   if (std::isnan(value)) return "\\text{not a number}";
   if (std::isinf(value)) return value < 0 ? "-\\infty" : "\\infty";
   const Decimal d = decimal(value, digits);
-  return (d.negative ? "-" : "") + d.digits + (d.exponent ? fmt::format("\\cdot 10^{{{}}}", d.exponent) : "");
+  const std::string sign = d.negative ? "-" : "";
+  if (d.exponent == 0) return sign + d.digits;
+  return sign + (d.digits == "1" ? "" : d.digits + "\\cdot ") + fmt::format("10^{{{}}}", d.exponent);
 }
 
 Value::Value(double value, int digits) : plain_(number(value, digits)), latex_(latex_number(value, digits)) {}
