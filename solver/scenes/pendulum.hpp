@@ -33,18 +33,26 @@ Scene<M, Rod> pendulum(double angle, double length, double mass) {
 }
 
 /// A uniform thin rod of `mass` [kg] and `length` [m], hinged by one end at the origin, at rest at `angle` [rad]
-/// from straight down: the compound pendulum. Body 0 is the ground, body 1 the rod.
-inline Scene<PlaneBody, Pin> hinged_rod(double angle, double length, double mass) {
+/// from straight down: the compound pendulum. In space it is a hundredth as thick as it is long and hangs on a
+/// ball joint. Body 0 is the ground, body 1 the rod.
+template <class M = PlaneBody>
+Scene<M, Pin> hinged_rod(double angle, double length, double mass) {
   require_positive("length", length, "m");
   require_positive("mass", mass, "kg");
-  Scene<PlaneBody, Pin> scene;
-  const int ground = scene.add_body(Linear<PlaneBody>(0, 0), fixed<PlaneBody>());
-  Pose<PlaneBody> pose;
-  pose.position = length / 2 * from_straight_down<PlaneBody>(angle);
-  pose.rotation = plane_rotation(angle);
-  const int rod =
-      scene.add_body(pose, with_mass<PlaneBody>(mass, Angular<PlaneBody>(mass * length * length / 12)));
-  scene.add(pin<PlaneBody>(scene.bodies, ground, rod, {0, 0}));
+  Scene<M, Pin> scene;
+  const int ground = scene.add_body(Linear<M>(Linear<M>::Zero()), fixed<M>());
+  const double across = mass * length * length / 12;
+  Pose<M> pose;
+  pose.position = length / 2 * from_straight_down<M>(angle);
+  Angular<M> inertia = Angular<M>::Constant(across);
+  if constexpr (M::angular == 1) {
+    pose.rotation = plane_rotation(angle);
+  } else {
+    pose.rotation = space_rotation(Angular<M>(0, 0, angle));
+    inertia.y() = across / 1e4;
+  }
+  const int rod = scene.add_body(pose, with_mass<M>(mass, inertia));
+  scene.add(pin<M>(scene.bodies, ground, rod, Linear<M>(Linear<M>::Zero())));
   return scene;
 }
 

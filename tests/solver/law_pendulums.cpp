@@ -1,0 +1,203 @@
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "solver/exact/compound_pendulum.hpp"
+#include "solver/exact/double_pendulum.hpp"
+#include "solver/exact/simple_pendulum.hpp"
+#include "solver/scenes/chain.hpp"
+#include "solver/scenes/conical_pendulum.hpp"
+#include "tests/solver/law_motion.hpp"
+
+namespace {
+
+using namespace byhand;
+constexpr double pi = std::numbers::pi, g = 9.81;
+
+struct Swing {
+  double period_error;  // relative, of the first swing through the bottom and back
+  double angle_error;   // after 1 s [rad]
+  double stretch;       // largest |C| [m or m²]
+  double energy_gain;   // in units of m g L
+};
+
+/// Ten seconds of a pendulum from rest at 90°, against the elliptic functions.
+template <template <class> class Rod>
+Swing swing(const DriftCure& cure, double h, double length = 1, double mass = 1) {
+  const SimplePendulum exact(pi / 2, length, g);
+  Simulation<Scene<PlaneParticle, Rod>> simulation{pendulum<PlaneParticle, Rod>(pi / 2, length, mass),
+                                                   {Direct{}, cure}};
+  const double start = energy(simulation.scene);
+  Swing result{};
+  ZeroCrossings bottom(pi / 2);
+  run(simulation, 10, h, [&] {
+    const double angle = rod_angle(simulation.scene, 0, 1);
+    bottom.add(angle, simulation.time, h);
+    result.stretch = std::max(result.stretch, position_error(simulation.scene).max);
+    if (std::abs(simulation.time - 1) < h / 2) result.angle_error = angle - exact.angle(1);
+  });
+  result.period_error = (bottom.times.at(2) - bottom.times.at(0)) / exact.period() - 1;
+  result.energy_gain = (energy(simulation.scene) - start) / (mass * g * length);
+  return result;
+}
+
+/// The atlas gives two digits: its number and ours may differ by one unit of the last.
+void expect_two_digits(double measured, double atlas, const char* what) {
+  const double unit = std::pow(10, std::floor(std::log10(std::abs(atlas))) - 1);
+  EXPECT_NEAR(measured, atlas, unit) << what;
+}
+void expect_row(const Swing& measured, const Swing& atlas) {
+  expect_two_digits(measured.period_error, atlas.period_error, "period");
+  expect_two_digits(measured.angle_error, atlas.angle_error, "angle after 1 s");
+  expect_two_digits(measured.stretch, atlas.stretch, "stretch");
+  expect_two_digits(measured.energy_gain, atlas.energy_gain, "energy");
+}
+
+TEST(LawA1, WithoutACureThePendulumErrsAsTheAtlasSays) {
+  expect_row(swing<NormalisedDistance>(NoDriftCure{}, 1.0 / 60), {1.1e-2, 0.14, 0.47, -0.86});
+}
+TEST(LawA1, WithAFifthOfTheErrorPerStepItErrsAsTheAtlasSays) {
+  expect_row(swing<NormalisedDistance>(Baumgarte{0.2}, 1.0 / 60), {3.0e-3, 6.4e-3, 1.3e-2, -0.10});
+}
+TEST(LawA1, WithTheWholeErrorPerStepItErrsAsTheAtlasSays) {
+  expect_row(swing<NormalisedDistance>(Baumgarte{1}, 1.0 / 60), {1.1e-3, -1.2e-2, 2.7e-3, -0.016});
+}
+TEST(LawA1, OffTheRodsLengthTheSquaredFormDiffers) {
+  const double squared = swing<Distance>(Baumgarte{0.2}, 1.0 / 60).angle_error;
+  expect_two_digits(squared, 6.6e-3, "angle after 1 s");
+  EXPECT_GT(squared - swing<NormalisedDistance>(Baumgarte{0.2}, 1.0 / 60).angle_error, 1e-4);
+}
+
+TEST(LawA1, TheAngleAtAFixedTimeConvergesWithOrderOne) {
+  for (const DriftCure& cure : {DriftCure{NoDriftCure{}}, DriftCure{Baumgarte{0.2}}, DriftCure{Baumgarte{1}}}) {
+    const double coarse = swing<NormalisedDistance>(cure, 1.0 / 1920).angle_error;
+    const double fine = swing<NormalisedDistance>(cure, 1.0 / 3840).angle_error;
+    EXPECT_NEAR(order(coarse, fine), 1, 0.05);
+  }
+}
+
+// From one passage of the bottom to another the half step by which v runs ahead of x drops out.
+TEST(LawA1, ThePeriodConvergesWithOrderTwo) {
+  for (const DriftCure& cure : {DriftCure{NoDriftCure{}}, DriftCure{Baumgarte{0.2}}, DriftCure{Baumgarte{1}}}) {
+    const double coarse = swing<NormalisedDistance>(cure, 1.0 / 1920).period_error;
+    const double fine = swing<NormalisedDistance>(cure, 1.0 / 3840).period_error;
+    EXPECT_NEAR(order(coarse, fine), 2, 0.05);
+  }
+}
+
+TEST(LawA1, ErrorsScaleAsDimensionsSay) {
+  const Swing small = swing<NormalisedDistance>(Baumgarte{0.2}, 1.0 / 60);
+  const Simulation<Scene<PlaneParticle, NormalisedDistance>> start{
+      pendulum<PlaneParticle, NormalisedDistance>(pi / 2, 4, 3), {Direct{}, Baumgarte{0.2}}};
+  auto tall = start;
+  double stretch = 0;
+  run(tall, 20, 1.0 / 30, [&] { stretch = std::max(stretch, position_error(tall.scene).max); });
+  EXPECT_NEAR(stretch, 4 * small.stretch, 1e-12);
+  EXPECT_NEAR((energy(tall.scene) - energy(start.scene)) / (3 * g * 4), small.energy_gain, 1e-12);
+}
+
+// In small swings, where the drift of the rod is of second order, explicit Euler multiplies the energy of the
+// sideways oscillation by 1 + (ωh)² a step; symplectic Euler only lets it ripple by ωh.
+TEST(LawA1, ExplicitEulerGainsEnergyAndSymplecticDoesNot) {
+  const double length = 2, omega = std::sqrt(g / length), h = 1.0 / 60;
+  const int steps = 300;
+  const auto gain = [&](Euler euler) {
+    Simulation<Scene<PlaneParticle, NormalisedDistance>> simulation{
+        pendulum<PlaneParticle, NormalisedDistance>(1e-5, length, 3), {Direct{}, NoDriftCure{}, euler}};
+    const Bodies<PlaneParticle>& bodies = simulation.scene.bodies;
+    const auto sideways = [&] {
+      return std::pow(bodies.velocity[1].x(), 2) + std::pow(omega * bodies.pose[1].position.x(), 2);
+    };
+    const double start = sideways();
+    for (int i = 0; i < steps; ++i) simulation.step(h);
+    return sideways() / start;
+  };
+  EXPECT_NEAR(gain(Euler::explicit_) / std::pow(1 + omega * omega * h * h, steps), 1, 1e-6);
+  EXPECT_NEAR(gain(Euler::symplectic), 1, omega * h);
+}
+
+template <class M>
+class LawA2 : public testing::Test {};
+using BodyModels = testing::Types<PlaneBody, SpaceBody>;
+TYPED_TEST_SUITE(LawA2, BodyModels);
+
+TYPED_TEST(LawA2, ReleasedLevelTheHingeCarriesAQuarterOfTheWeightAtOnce) {
+  for (const double h : {1.0 / 30, 1.0 / 60, 1e-4}) {
+    Simulation<Scene<TypeParam, Pin>> simulation{hinged_rod<TypeParam>(pi / 2, 2, 3), {Direct{}, NoDriftCure{}}};
+    simulation.step(h);
+    EXPECT_NEAR(force(simulation.work, 0, 1) / (3 * g), 0.25, 1e-13);
+    EXPECT_NEAR(force(simulation.work, 0, 0) / (3 * g), 0, 1e-13);
+  }
+}
+
+TYPED_TEST(LawA2, AHingedRodSwingsAsAPointAtTwoThirdsOfIt) {
+  const CompoundPendulum exact(pi / 2, 2, 3, g);
+  EXPECT_EQ(exact.period(), SimplePendulum(pi / 2, 4.0 / 3, g).period());
+  const auto errors = [&](double h) {
+    Simulation<Scene<TypeParam, Pin>> simulation{hinged_rod<TypeParam>(pi / 2, 2, 3), {Direct{}, Baumgarte{1}}};
+    ZeroCrossings bottom(pi / 2);
+    double angle = 0, pull = 0;
+    run(simulation, 4, h, [&] {
+      bottom.add(angle_from_down(simulation.scene.bodies.pose[1].position), simulation.time, h);
+      if (std::abs(simulation.time - 1) < h / 2) {
+        angle = angle_from_down(simulation.scene.bodies.pose[1].position);
+        pull = force(simulation.work, 0, 1);
+      }
+    });
+    return std::array{(bottom.times.at(2) - bottom.times.at(0)) / exact.period() - 1, angle - exact.angle(1),
+                      (pull - exact.pivot_force(1).y()) / (3 * g)};
+  };
+  const auto coarse = errors(1.0 / 1000), fine = errors(1.0 / 2000);
+  EXPECT_LT(std::abs(fine[0]), 1e-5);
+  for (const int i : {1, 2}) {
+    EXPECT_LT(std::abs(fine[i]), 3e-3);
+    EXPECT_NEAR(order(coarse[i], fine[i]), 1, 0.1);
+  }
+}
+
+TEST(LawA3, AConicalPendulumCirclesAtItsRateAndPullsItsTension) {
+  for (const double angle : {0.2, 0.8, pi / 3, 1.3}) {
+    const double length = 2, mass = 3;
+    const ConicalPendulum exact(angle, length, g);
+    const auto errors = [&](double h) {
+      Simulation<Scene<SpaceParticle, NormalisedDistance>> simulation{conical_pendulum(angle, length, mass),
+                                                                      {Direct{}, Baumgarte{0.2}}};
+      ZeroCrossings front(1e-300);
+      double pull = 0;
+      int samples = 0;
+      run(simulation, 6 * exact.period(), h, [&] {
+        front.add(simulation.scene.bodies.pose[1].position.z(), simulation.time, h);
+        pull -= force(simulation.work, 0);
+        ++samples;
+      });
+      const double turn = (front.times.back() - front.times.front()) * 2 / (front.times.size() - 1);
+      return std::array{turn / exact.period() - 1, pull / samples / exact.tension(mass) - 1};
+    };
+    const auto coarse = errors(exact.period() / 500), fine = errors(exact.period() / 1000);
+    for (const int i : {0, 1}) {
+      EXPECT_LT(std::abs(fine[i]), 3e-3) << angle << (i == 0 ? " period" : " tension");
+      EXPECT_GT(order(coarse[i], fine[i]), 0.9) << angle << (i == 0 ? " period" : " tension");
+    }
+  }
+}
+
+TEST(LawA4, ADoublePendulumConvergesWithOrderOneToTheCertifiedAnswer) {
+  const DoublePendulum exact({{pi / 2, pi / 2}, {0, 0}}, {1, 1}, {1, 1}, g);
+  for (const double time : {1.0, 2.0}) {
+    const auto error = [&](double h) -> Eigen::Vector2d {
+      Simulation<Scene<PlaneParticle, NormalisedDistance>> simulation{
+          rod_chain<PlaneParticle, NormalisedDistance>({.links = 2, .angle = pi / 2}), {Direct{}, Baumgarte{1}}};
+      run(simulation, time, h);
+      const Eigen::Vector2d angles(rod_angle(simulation.scene, 0, 1), rod_angle(simulation.scene, 1, 2));
+      return angles - exact.at(time).angles;
+    };
+    const Eigen::Vector2d coarse = error(1.0 / 8000), fine = error(1.0 / 16000);
+    for (const int i : {0, 1}) {
+      EXPECT_LT(std::abs(fine[i]), 2e-3) << "angle " << i << " at " << time;
+      EXPECT_NEAR(order(coarse[i], fine[i]), 1, 0.05) << "angle " << i << " at " << time;
+      EXPECT_LT(std::abs(2 * fine[i] - coarse[i]), 1e-5) << "extrapolated, angle " << i << " at " << time;
+    }
+  }
+}
+
+}  // namespace
