@@ -66,17 +66,17 @@ InverseMass<M> box(double mass, const Linear<M>& sides) {
     return with_mass<M>(mass, Angular<M>(mass / 12 * (squares.sum() - squares.array())));
 }
 
-/// M⁻¹ times a column of Jᵀ (18): `direction` holds l and a. In space I⁻¹ belongs to the body, so the moment
-/// is turned into the body, divided there and turned back: R I⁻¹ Rᵀ a.
+/// I⁻¹ of (18) in the world [1/(kg m²)]: a number in the plane. In space it belongs to the body and turns with it:
+/// R I⁻¹ Rᵀ.
 template <class M>
-Velocity<M> times(const InverseMass<M>& inverse_mass, const Pose<M>& pose, const Velocity<M>& direction) {
-  Velocity<M> result = inverse_mass.linear * direction;
-  if constexpr (M::angular == 1) result[M::linear] = inverse_mass.angular[0] * direction[M::linear];
+Eigen::Matrix<double, M::angular, M::angular> inverse_inertia(const InverseMass<M>& inverse_mass,
+                                                              const Pose<M>& pose) {
   if constexpr (M::angular == 3) {
-    const Angular<M> moment = rotate(inverse(pose.rotation), Angular<M>(direction.template tail<3>()));
-    result.template tail<3>() = rotate(pose.rotation, Angular<M>(inverse_mass.angular.cwiseProduct(moment)));
+    const Eigen::Matrix3d R = pose.rotation.toRotationMatrix();
+    return R * inverse_mass.angular.asDiagonal() * R.transpose();
+  } else {
+    return inverse_mass.angular;
   }
-  return result;
 }
 
 /// All bodies of a scene, each quantity contiguous: the solver's inner loop reads velocities alone.

@@ -31,11 +31,13 @@ struct Jacobian {
   }
 };
 
+//! [along]
 /// The row that (14), (15) and (16) share, along a world direction u: [-u  -r1 × u  u  r2 × u].
 template <class M, int K>
 void set_row_along(Jacobian<M, K>& J, int k, const Linear<M>& u, const Arm<M>& r1, const Arm<M>& r2) {
   J.set_row(k, -u, -cross(r1, u), u, cross(r2, u));
 }
+//! [along]
 
 //! [8]
 /// (8): JV, the rate at which the constraint's value changes [units of C per second].

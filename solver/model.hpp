@@ -103,15 +103,20 @@ Arm<M> arm_to(const Pose<M>& pose, const Linear<M>& point) {
     return rotate(inverse(pose.rotation), Linear<M>(point - pose.position));
 }
 
-/// The pose after moving with `velocity` for `time` [s]: exact for constant v and ω.
+/// Moves a pose with `velocity` for `time` [s]: exact for constant v and ω.
 template <class M, class T>
-Pose<M, T> moved(const Pose<M, T>& pose, const Velocity<M, T>& velocity, const T& time) {
-  Pose<M, T> result = pose;
-  result.position += velocity.template head<M::linear>() * time;
-  if constexpr (M::angular == 1) result.rotation = rotated_by(pose.rotation, T(velocity[M::linear] * time));
+void move(Pose<M, T>& pose, const Velocity<M, T>& velocity, const T& time) {
+  pose.position += velocity.template head<M::linear>() * time;
+  if constexpr (M::angular == 1) pose.rotation = rotated_by(pose.rotation, T(velocity[M::linear] * time));
   if constexpr (M::angular == 3)
-    result.rotation = rotated_by(pose.rotation, Angular<M, T>(velocity.template tail<3>() * time));
-  return result;
+    pose.rotation = rotated_by(pose.rotation, Angular<M, T>(velocity.template tail<3>() * time));
+}
+
+/// The pose that `move` leads to.
+template <class M, class T>
+Pose<M, T> moved(Pose<M, T> pose, const Velocity<M, T>& velocity, const T& time) {
+  move(pose, velocity, time);
+  return pose;
 }
 
 /// The same pose in another scalar, so that dual numbers can go through a constraint's `value`.

@@ -13,9 +13,11 @@ template <class M, int K>
 Jacobian<M, K> times_inverse_mass(const Jacobian<M, K>& J, const InverseMass<M>& m1, const Pose<M>& pose1,
                                   const InverseMass<M>& m2, const Pose<M>& pose2) {
   Jacobian<M, K> W;
-  for (int k = 0; k < K; ++k) {
-    W.matrix.row(k).template head<M::dof>() = times(m1, pose1, Velocity<M>(J.side1().row(k).transpose()));
-    W.matrix.row(k).template tail<M::dof>() = times(m2, pose2, Velocity<M>(J.side2().row(k).transpose()));
+  W.matrix.template middleCols<M::linear>(0) = m1.linear * J.l1();
+  W.matrix.template middleCols<M::linear>(M::dof) = m2.linear * J.l2();
+  if constexpr (M::angular > 0) {
+    W.matrix.template middleCols<M::angular>(M::linear) = J.a1() * inverse_inertia(m1, pose1);
+    W.matrix.template middleCols<M::angular>(M::dof + M::linear) = J.a2() * inverse_inertia(m2, pose2);
   }
   return W;
 }

@@ -179,14 +179,15 @@ template <class M, template <class> class... Kinds>
 template <class Kind, class BlockOfKind>
 void Scene<M, Kinds...>::write(const Kind& constraint, BlockOfKind& block, System<M>& system) const {
   const Pose<M>&pose1 = bodies.pose[block.body1], &pose2 = bodies.pose[block.body2];
-  const Jacobian<M, Kind::rows> J = constraint.jacobian(pose1, pose2);
   if constexpr (Kind::drifts) {
     const Rows<Kind::rows> C = constraint.template value<double>(pose1, pose2);
     for (int k = 0; k < Kind::rows; ++k) system.C[block.row + k] = C[k];
   }
-  block.J = J;
-  block.W =
-      times_inverse_mass(J, bodies.inverse_mass[block.body1], pose1, bodies.inverse_mass[block.body2], pose2);
+  // Made in place: assigned, they would be written number by number and at once read back in pairs, which stalls.
+  using J = Jacobian<M, Kind::rows>;
+  new (&block.J) J(constraint.jacobian(pose1, pose2));
+  new (&block.W) J(times_inverse_mass(block.J, bodies.inverse_mass[block.body1], pose1,
+                                      bodies.inverse_mass[block.body2], pose2));
   for (int k = 0; k < Kind::rows; ++k) system.gamma[block.row + k] = constraint.softness;
   if constexpr (Kind::bound == Bound::interval) {
     const auto [lower, upper] = constraint.bounds();

@@ -93,22 +93,29 @@ void assemble(const Direct& solver, const System<M>& system, const Bodies<M>& bo
     const double *v1 = V + dof * view.body1, *v2 = V + dof * view.body2;
     with_size<S, dof>(node, [&](auto n) {
       for (int k = 0; k < n; ++k) {
-        const double *J = view.J + 2 * dof * k, *W = view.W;
-        double rate = system.bias[view.row + k];
-        for (int i = 0; i < dof; ++i) rate += J[i] * v1[i] + J[dof + i] * v2[i];
-        b[k] = -rate;
-        for (int l = 0; l < n; ++l, W += 2 * dof) {
-          double by_body1 = 0, by_body2 = 0;
-          for (int i = 0; i < dof; ++i) {
+        const double* J = view.J + 2 * dof * k;
+        double rate = 0, late = system.bias[view.row + k];
+        for (int i = 0; i < dof; ++i) {
+          rate += J[i] * v1[i];
+          late += J[dof + i] * v2[i];
+        }
+        b[k] = -(rate + late);
+        for (int l = 0; l <= k; ++l) {
+          const double* W = view.W + 2 * dof * l;
+          double by_body1 = J[0] * W[0], by_body2 = J[dof] * W[dof];
+          for (int i = 1; i < dof; ++i) {
             by_body1 += J[i] * W[i];
             by_body2 += J[dof + i] * W[dof + i];
           }
-          D[k * n + l] = (view.folded1 ? by_body1 : 0.0) + (view.folded2 ? by_body2 : 0.0);
-          if (k == l) diagonal[k] = by_body1 + by_body2;
+          double entry = (view.folded1 ? by_body1 : 0.0) + (view.folded2 ? by_body2 : 0.0);
+          if (k == l) {
+            const double whole = by_body1 + by_body2;
+            const double soft = solver.regularisation * whole + system.gamma[view.row + k];
+            diagonal[k] = whole + soft;
+            entry += soft;
+          }
+          D[k * n + l] = D[l * n + k] = entry;
         }
-        const double soft = solver.regularisation * diagonal[k] + system.gamma[view.row + k];
-        D[k * (n + 1)] += soft;
-        diagonal[k] += soft;
       }
     });
   }
@@ -132,8 +139,11 @@ void assemble(const Direct& solver, const System<M>& system, const Bodies<M>& bo
       with_size<S, dof>(earlier, [&](auto n) {
         with_size<S, dof>(later, [&](auto m) {
           for (int l = 0; l < m; ++l)
-            for (int k = 0; k < n; ++k)
-              for (int i = 0; i < dof; ++i) block[l * n + k] += W[2 * dof * l + i] * J[2 * dof * k + i];
+            for (int k = 0; k < n; ++k) {
+              double sum = W[2 * dof * l] * J[2 * dof * k];
+              for (int i = 1; i < dof; ++i) sum += W[2 * dof * l + i] * J[2 * dof * k + i];
+              block[l * n + k] += sum;
+            }
         });
       });
     }
@@ -168,13 +178,19 @@ void eliminate(const Elimination& plan, double* values, double* unknowns, const 
             double* into = values + *target;
             with_size<S, dof>(plan.nodes[plan.neighbours[b].node], [&](auto r) {
               for (int j = 0; j < r; ++j)
-                for (int i = 0; i < m; ++i)
-                  for (int k = 0; k < n; ++k) into[j * m + i] -= B[j * n + k] * L[i * n + k];
+                for (int i = 0; i < m; ++i) {
+                  double sum = B[j * n] * L[i * n];
+                  for (int k = 1; k < n; ++k) sum += B[j * n + k] * L[i * n + k];
+                  into[j * m + i] -= sum;
+                }
             });
           }
           double* y = unknowns + plan.nodes[neighbour.node].row;
-          for (int i = 0; i < m; ++i)
-            for (int k = 0; k < n; ++k) y[i] -= L[i * n + k] * x[k];
+          for (int i = 0; i < m; ++i) {
+            double sum = L[i * n] * x[0];
+            for (int k = 1; k < n; ++k) sum += L[i * n + k] * x[k];
+            y[i] -= sum;
+          }
           for (int i = 0; i < m * n; ++i) A[i] = L[i];
         });
       }
@@ -215,13 +231,18 @@ void solve_structured(const Direct& solver, System<M>& system, Bodies<M>& bodies
   substitute_back<S, M::dof>(work.plan, work.values.data(), work.unknowns.data());
   for (std::size_t p = 0; p < work.plan.nodes.size(); ++p) {
     const auto& node = work.plan.nodes[p];
-    if (node.edge >= 0) std::copy_n(&work.unknowns[node.row], node.size, &system.lambda[work.views[p].row]);
+    if (node.edge < 0) continue;
+    const double* x = &work.unknowns[node.row];
+    double* lambda = &system.lambda[work.views[p].row];
+    with_size<S, M::dof>(node, [&](auto n) {
+      for (int k = 0; k < n; ++k) lambda[k] = x[k];
+    });
   }
 }
 
 /// Where each node finds its J and M⁻¹Jᵀ; returns the one size that all edges have, or 0.
 template <class M>
-int view_blocks(const System<M>& system, DirectWork<M>& work) {
+int view_blocks(System<M>& system, DirectWork<M>& work) {
   const Elimination& plan = work.plan;
   work.views.resize(plan.nodes.size());
   int common = -1;
@@ -230,7 +251,10 @@ int view_blocks(const System<M>& system, DirectWork<M>& work) {
     common = common == -1 || common == K ? K : 0;
     for (const auto& block : blocks) {
       while (p < plan.nodes.size() && plan.nodes[p].edge < 0) ++p;
-      if (p == plan.nodes.size()) return;  // edges between fixed bodies follow, and have no node
+      if (p == plan.nodes.size()) {  // edges between fixed bodies follow; nothing they do matters
+        for (int k = 0; k < K; ++k) system.lambda[block.row + k] = 0;
+        continue;
+      }
       work.views[p++] = {
           block.J.matrix.data(),         block.W.matrix.data(),        block.row, block.body1, block.body2,
           plan.folded[block.body1] != 0, plan.folded[block.body2] != 0};
@@ -279,7 +303,6 @@ void solve(const Direct& solver, System<M>& system, Bodies<M>& bodies, DirectWor
     work.values.resize(work.plan.values);
     work.unknowns.resize(work.plan.unknowns);
     work.diagonal.resize(work.plan.unknowns);
-    std::fill(system.lambda.begin(), system.lambda.end(), 0.0);
     switch (view_blocks(system, work)) {
       case 1: solve_structured<1>(solver, system, bodies, work); break;
       case M::linear: solve_structured<M::linear>(solver, system, bodies, work); break;

@@ -12,7 +12,7 @@ template <bool soft, class M, int K, Bound B>
   for (; block != end; ++block) {
     const Rows<K> change = solve<soft>(*block, V, lambda);
     for (int k = 0; k < K; ++k) lambda[block->row + k] += change[k];
-    apply(*block, change, V);
+    apply<M, K>(*block, change, V);
   }
 }
 //! [sweep]

@@ -19,7 +19,7 @@ void sweep(System<M>& system, const Prepared<M>& prepared, std::vector<double>& 
   for_each_block(system, prepared, [&]<int K, Bound B>(const PreparedBlock<M, K, B>& block) {
     const Rows<K> by = Eigen::Map<const Rows<K>>(change.data() + block.row);
     Eigen::Map<Rows<K>>(system.lambda.data() + block.row) += by;
-    apply(block, by, V);
+    apply<M, K>(block, by, V);
   });
 }
 

@@ -20,7 +20,6 @@ Eigen::Matrix<double, K, K> inverse_of(Eigen::Matrix<double, K, K> A, BlockSolve
 template <class M, int K, Bound B>
 void prepare(const Block<M, K, B>& block, const System<M>& system, BlockSolve block_solve, double relaxation,
              PreparedBlock<M, K, B>& result) {
-  using Numbers = Eigen::Map<Eigen::Matrix<double, K, 2 * M::dof, Eigen::RowMajor>>;
   using Square = Eigen::Matrix<double, K, K>;
   const Eigen::Map<const Rows<K>> gamma(&system.gamma[block.row]), bias(&system.bias[block.row]);
   Square A = inverse_effective_mass(block.J, block.W);
@@ -32,9 +31,9 @@ void prepare(const Block<M, K, B>& block, const System<M>& system, BlockSolve bl
   result.moves2 = block.moves2;
   result.row = block.row;
   result.leader = block.leader;
-  Numbers(&result.J[0][0]).noalias() = minus_E * block.J.matrix;
-  Numbers(&result.W[0][0]) = block.W.matrix;
-  Eigen::Map<Rows<K>>(result.bias) = minus_E * bias;
+  result.J.noalias() = minus_E * block.J.matrix;
+  result.W = block.W;
+  result.bias = minus_E * bias;
   if constexpr (K == 1)
     result.gamma[0][0] = minus_E(0, 0) * gamma[0];
   else
@@ -60,11 +59,11 @@ void prepare(const System<M>& system, BlockSolve block_solve, double relaxation,
 
 template <class M>
 void apply_all(const System<M>& system, std::vector<Velocity<M>>& velocities) {
+  double* V = numbers<M>(velocities);
   system.for_each_run([&]<int K, Bound B>(std::span<const Block<M, K, B>> blocks) {
     for (const auto& block : blocks) {
-      const Eigen::Map<const Rows<K>> lambda(&system.lambda[block.row]);
-      if (block.moves1) velocities[block.body1] += block.W.side1().transpose() * lambda;
-      if (block.moves2) velocities[block.body2] += block.W.side2().transpose() * lambda;
+      const Rows<K> lambda = Eigen::Map<const Rows<K>>(&system.lambda[block.row]);
+      apply<M, K>(block, lambda, V);
     }
   });
 }

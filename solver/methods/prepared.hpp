@@ -16,10 +16,10 @@ struct PreparedBlock {
   int body1, body2;
   bool moves1, moves2;
   int row, leader;
-  double J[K][2 * M::dof];  // -E J
-  double W[K][2 * M::dof];  // M⁻¹Jᵀ
-  double bias[K];           // -E b
-  double gamma[K][K];       // -E γ
+  Eigen::Matrix<double, K, 2 * M::dof> J;  // -E J, by columns: the K sums of (8) run side by side
+  Jacobian<M, K> W;                        // M⁻¹Jᵀ
+  Rows<K> bias;                            // -E b
+  double gamma[K][K];                      // -E γ
   double lower, upper;
 };
 
@@ -66,15 +66,11 @@ template <bool soft, class M, int K, Bound B>
 inline Rows<K> solve(const PreparedBlock<M, K, B>& block, const double* V, const double* lambda) {
   constexpr int dof = M::dof;
   const double *v1 = V + dof * block.body1, *v2 = V + dof * block.body2;
-  Rows<K> change;
-  for (int k = 0; k < K; ++k) {
-    // Body 1 last: along a chain it is the one that the block before has just written.
-    double sum = block.bias[k];
-    for (int i = 0; i < dof; ++i) sum += block.J[k][dof + i] * v2[i];
-    double late = block.J[k][0] * v1[0];
-    for (int i = 1; i < dof; ++i) late += block.J[k][i] * v1[i];
-    change[k] = sum + late;
-  }
+  // Two chains of sums, body 1 in the second: along a chain it is the body that the block before has just written.
+  Rows<K> change = block.bias, late = block.J.col(0) * v1[0];
+  for (int i = 0; i < dof; ++i) change += block.J.col(dof + i) * v2[i];
+  for (int i = 1; i < dof; ++i) late += block.J.col(i) * v1[i];
+  change += late;
   if constexpr (soft)
     for (int k = 0; k < K; ++k)
       for (int l = 0; l < K; ++l) change[k] += block.gamma[k][l] * lambda[block.row + l];
@@ -86,16 +82,18 @@ inline Rows<K> solve(const PreparedBlock<M, K, B>& block, const double* V, const
   return change;
 }
 
-/// (20) for one prepared block.
-template <class M, int K, Bound B>
-inline void apply(const PreparedBlock<M, K, B>& block, const Rows<K>& change, double* V) {
+/// (20) for a Block or PreparedBlock: V += M⁻¹Jᵀ `change` on the bodies that move.
+template <class M, int K, class AnyBlock>
+inline void apply(const AnyBlock& block, const Rows<K>& change, double* V) {
   constexpr int dof = M::dof;
+  const double* W = block.W.matrix.data();
   const auto add = [&](double* v, int side) {
+    double gain[dof];
     for (int i = 0; i < dof; ++i) {
-      double sum = block.W[0][side + i] * change[0];
-      for (int k = 1; k < K; ++k) sum += block.W[k][side + i] * change[k];
-      v[i] += sum;
+      gain[i] = W[side + i] * change[0];
+      for (int k = 1; k < K; ++k) gain[i] += W[2 * dof * k + side + i] * change[k];
     }
+    for (int i = 0; i < dof; ++i) v[i] += gain[i];
   };
   if (block.moves1) add(V + dof * block.body1, 0);
   if (block.moves2) add(V + dof * block.body2, dof);
