@@ -1,0 +1,321 @@
+#include <gtest/gtest.h>
+
+#include "solver/constraints/contact.hpp"
+#include "solver/constraints/distance.hpp"
+#include "solver/constraints/friction.hpp"
+#include "solver/constraints/normalised_distance.hpp"
+#include "solver/constraints/pin.hpp"
+#include "solver/measure.hpp"
+#include "solver/scenes/pendulum.hpp"
+#include "tests/solver/random.hpp"
+
+// Equations (5)-(8) and (17)-(22): from J to impulses, and the bias.
+namespace {
+
+using namespace byhand;
+
+constexpr int draws = 100;
+
+template <class M>
+using Stacked = Eigen::Matrix<double, 2 * M::dof, 1>;
+template <class M>
+using Dense = Eigen::Matrix<double, 2 * M::dof, 2 * M::dof>;
+
+template <class M>
+Stacked<M> stacked(const Velocity<M>& V1, const Velocity<M>& V2) {
+  Stacked<M> V;
+  V << V1, V2;
+  return V;
+}
+
+/// The matrix of (18) as it is printed, the inertia of a body in space turned into the world: R I Rᵀ, inverted
+/// as a matrix.
+template <class M>
+Dense<M> dense_inverse_mass(const Pair<M>& pair) {
+  Dense<M> result = Dense<M>::Zero();
+  const auto set = [&](int first, const InverseMass<M>& m, const Pose<M>& pose) {
+    for (int i = 0; i < M::linear; ++i) result(first + i, first + i) = m.linear;
+    if constexpr (M::angular > 0) {
+      Eigen::Matrix<double, M::angular, M::angular> I = m.angular.cwiseInverse().asDiagonal();
+      if constexpr (M::angular == 3) {
+        const Eigen::Matrix3d R = pose.rotation.toRotationMatrix();
+        I = R * I * R.transpose();
+      }
+      result.template block<M::angular, M::angular>(first + M::linear, first + M::linear) = I.inverse();
+    }
+  };
+  set(0, pair.m1, pair.pose1);
+  set(M::dof, pair.m2, pair.pose2);
+  return result;
+}
+
+template <class M>
+Jacobian<M, 1> rod_row(const Pair<M>& pair) {
+  return Distance<M>{pair.at, 1}.jacobian(pair.pose1, pair.pose2);
+}
+template <class M, int K>
+Jacobian<M, K> weighted(const Jacobian<M, K>& J, const Pair<M>& pair) {
+  return times_inverse_mass(J, pair.m1, pair.pose1, pair.m2, pair.pose2);
+}
+
+/// A number's share of the sum of sizes that it came from.
+double relative(double x, double scale) { return std::abs(x) / std::max(1.0, scale); }
+
+TEST(Equation5, ForceIsLambdaTimesTheRow) {
+  in_all_models(
+      []<class M>(Random& random) {
+        const auto pair = random_pair<M>(random);
+        const auto J = rod_row(pair);
+        const double lambda = random.uniform(-5, 5);
+        Velocity<M> V1 = pair.V1, V2 = pair.V2;
+        apply_impulse(weighted(J, pair), Rows<1>(lambda), V1, V2);
+        const Stacked<M> momentum_gained =
+            dense_inverse_mass(pair).inverse() * (stacked<M>(V1, V2) - stacked<M>(pair.V1, pair.V2));
+        EXPECT_LE(difference(momentum_gained, J.matrix.transpose() * lambda), 1e-11);
+      },
+      draws);
+}
+
+TEST(Equation6, HasSixNumbersInThePlaneAndTwelveInSpace) {
+  EXPECT_EQ((decltype(Jacobian<PlaneBody, 1>::matrix)::SizeAtCompileTime), 6);
+  EXPECT_EQ((decltype(Jacobian<SpaceBody, 1>::matrix)::SizeAtCompileTime), 12);
+  EXPECT_EQ((decltype(Jacobian<PlaneParticle, 1>::matrix)::SizeAtCompileTime), 4);
+  EXPECT_EQ((decltype(Jacobian<SpaceParticle, 1>::matrix)::SizeAtCompileTime), 6);
+}
+
+TEST(Equation6, ListsLinearAndAngularOfBody1ThenOfBody2) {
+  in_all_models([]<class M>(Random& random) {
+    const Linear<M> l1 = random.vector<M::linear>(1), l2 = random.vector<M::linear>(1);
+    const Angular<M> a1 = random.vector<M::angular>(1), a2 = random.vector<M::angular>(1);
+    Jacobian<M, 1> J;
+    J.set_row(0, l1, a1, l2, a2);
+    Stacked<M> listed;
+    listed << l1, a1, l2, a2;
+    EXPECT_EQ(J.matrix.transpose(), listed);
+    EXPECT_EQ(J.l1().transpose(), l1);
+    EXPECT_EQ(J.l2().transpose(), l2);
+    EXPECT_EQ(difference(J.a1().transpose(), a1), 0);
+    EXPECT_EQ(difference(J.a2().transpose(), a2), 0);
+  });
+}
+
+TEST(Equation7, IsTheMatrixProductWithTheStackedVelocities) {
+  in_all_models(
+      []<class M>(Random& random) {
+        const auto pair = random_pair<M>(random);
+        const auto J = Pin<M>{pair.at}.jacobian(pair.pose1, pair.pose2);
+        EXPECT_LE(difference(dot(J, pair.V1, pair.V2), J.matrix * stacked<M>(pair.V1, pair.V2)), 1e-13);
+      },
+      draws);
+}
+
+TEST(Equation8, IsFourDotProducts) {
+  in_all_models(
+      []<class M>(Random& random) {
+        const auto pair = random_pair<M>(random);
+        const auto J = rod_row(pair);
+        double sum = 0;
+        for (int i = 0; i < M::linear; ++i) sum += J.l1()(0, i) * pair.V1[i] + J.l2()(0, i) * pair.V2[i];
+        for (int i = 0; i < M::angular; ++i)
+          sum += J.a1()(0, i) * pair.V1[M::linear + i] + J.a2()(0, i) * pair.V2[M::linear + i];
+        EXPECT_NEAR(dot(J, pair.V1, pair.V2)[0], sum, 1e-12);
+      },
+      draws);
+}
+
+TEST(Equation17, MakesTheRowVanish) {
+  in_all_models(
+      []<class M>(Random& random) {
+        const auto pair = random_pair<M>(random);
+        const auto J = rod_row(pair), W = weighted(J, pair);
+        const double b = random.uniform(-2, 2);
+        Velocity<M> V1 = pair.V1, V2 = pair.V2;
+        apply_impulse(W, Rows<1>(impulse(J, W, V1, V2, b)), V1, V2);
+        EXPECT_LE(relative(dot(J, V1, V2)[0] + b, dot(J, pair.V1, pair.V2).norm()), 1e-13);
+      },
+      draws);
+}
+
+TEST(Equation17, IsTheSmallestChangeOfVelocityInTheMetricOfTheMasses) {
+  in_all_models(
+      []<class M>(Random& random) {
+        const auto pair = random_pair<M>(random);
+        const auto J = rod_row(pair), W = weighted(J, pair);
+        const Stacked<M> change = W.matrix.transpose() * impulse(J, W, pair.V1, pair.V2, 0);
+        const Dense<M> mass = dense_inverse_mass(pair).inverse();
+        // Any other change that also makes JV vanish differs by something that J does not see.
+        Stacked<M> unseen = stacked<M>(random.velocity<M>(), random.velocity<M>());
+        unseen -= J.matrix.transpose() * (J.matrix * unseen) / J.matrix.squaredNorm();
+        const Stacked<M> other = change + unseen;
+        EXPECT_LT(change.dot(mass * change), other.dot(mass * other));
+        EXPECT_LE(std::abs(change.dot(mass * unseen)), 1e-10);
+      },
+      draws);
+}
+
+TEST(Equation17, OfAPendulumAtThirtyDegrees) {
+  auto scene = pendulum<PlaneParticle, NormalisedDistance>(std::acos(-1.0) / 6, 2, 3);
+  Work<PlaneParticle> work;
+  advance(scene, {GaussSeidel{1}, NoDriftCure{}}, 1.0 / 60, work);
+  EXPECT_NEAR(work.system.lambda[0], -3 * 9.81 / 60 * std::sqrt(3) / 2, 1e-14) << "it pulls: λ < 0";
+}
+
+TEST(Equation17, GivesNoImpulseWhereItWouldDivideByZero) {
+  in_all_models([]<class M>(Random& random) {
+    auto pair = random_pair<M>(random);
+    Jacobian<M, 1> zero;
+    zero.matrix.setZero();
+    EXPECT_EQ(impulse(zero, weighted(zero, pair), pair.V1, pair.V2, 1), 0) << "J is zero";
+    pair.m1 = pair.m2 = fixed<M>();
+    const auto J = rod_row(pair);
+    EXPECT_EQ(impulse(J, weighted(J, pair), pair.V1, pair.V2, 1), 0) << "neither body moves";
+  });
+}
+
+TEST(Equation18, IsTheProductWithTheMatrixThatIsNeverMade) {
+  in_all_models(
+      []<class M>(Random& random) {
+        const auto pair = random_pair<M>(random);
+        const auto J = Pin<M>{pair.at}.jacobian(pair.pose1, pair.pose2);
+        const auto expected = (dense_inverse_mass(pair) * J.matrix.transpose()).transpose();
+        EXPECT_LE(difference(weighted(J, pair).matrix, expected), 1e-12 * expected.cwiseAbs().maxCoeff());
+      },
+      draws);
+}
+
+TEST(Equation19, IsTheDenseProduct) {
+  in_all_models(
+      []<class M>(Random& random) {
+        const auto pair = random_pair<M>(random);
+        const auto J = Pin<M>{pair.at}.jacobian(pair.pose1, pair.pose2);
+        const auto K = inverse_effective_mass(J, weighted(J, pair));
+        const Eigen::MatrixXd expected = J.matrix * dense_inverse_mass(pair) * J.matrix.transpose();
+        EXPECT_LE(difference(K, expected), 1e-12 * expected.norm());
+      },
+      draws);
+}
+
+TEST(Equation19, IsTheSumOfFourTerms) {
+  in_all_models(
+      []<class M>(Random& random) {
+        const auto pair = random_pair<M>(random);
+        const auto J = rod_row(pair);
+        const Dense<M> inverse_mass = dense_inverse_mass(pair);
+        const auto turn = [&](const auto& a, int first) {
+          const Angular<M> arm = a.transpose();
+          return M::angular == 0
+                     ? 0.0
+                     : arm.dot(inverse_mass.template block<M::angular, M::angular>(first, first) * arm);
+        };
+        const double sum = J.l1().squaredNorm() * pair.m1.linear + J.l2().squaredNorm() * pair.m2.linear +
+                           turn(J.a1(), M::linear) + turn(J.a2(), M::dof + M::linear);
+        EXPECT_NEAR(inverse_effective_mass(J, weighted(J, pair))(0, 0), sum, 1e-12 * sum);
+      },
+      draws);
+}
+
+TEST(Equation19, OfOneAndFourKilogramsIsFiveQuarters) {
+  in_all_models([]<class M>(Random& random) {
+    Pair<M> pair = random_pair<M>(random);
+    pair.at.arms = {};  // held by the centres, so that turning takes no part
+    const auto weigh = [&](double m1, double m2) {
+      if constexpr (M::angular == 0) {
+        pair.m1 = with_mass<M>(m1), pair.m2 = with_mass<M>(m2);
+      } else {
+        pair.m1 = ball<M>(m1, 1), pair.m2 = ball<M>(m2, 1);
+      }
+      const auto J = NormalisedDistance<M>{pair.at, 1}.jacobian(pair.pose1, pair.pose2);
+      return inverse_effective_mass(J, weighted(J, pair))(0, 0);
+    };
+    EXPECT_NEAR(weigh(1, 4), 1.25, 1e-14);
+    EXPECT_NEAR(weigh(2, 8), 0.625, 1e-14) << "doubled masses halve it";
+  });
+}
+
+TEST(Equation20, AddsTheInverseMassTimesTheForce) {
+  in_all_models(
+      []<class M>(Random& random) {
+        const auto pair = random_pair<M>(random);
+        const auto J = Pin<M>{pair.at}.jacobian(pair.pose1, pair.pose2);
+        const Rows<Pin<M>::rows> lambda = random.vector<Pin<M>::rows>(3);
+        Velocity<M> V1 = pair.V1, V2 = pair.V2;
+        apply_impulse(weighted(J, pair), lambda, V1, V2);
+        const Stacked<M> gained = dense_inverse_mass(pair) * J.matrix.transpose() * lambda;
+        const Stacked<M> expected = stacked<M>(pair.V1, pair.V2) + gained;
+        EXPECT_LE(difference(stacked<M>(V1, V2), expected), 1e-12 * expected.norm());
+      },
+      draws);
+}
+
+TEST(Equation20, KeepsMomentumAndStopsTheRow) {
+  in_all_models(
+      []<class M>(Random& random) {
+        const auto pair = random_pair<M>(random);
+        const auto J = rod_row(pair), W = weighted(J, pair);
+        Bodies<M> bodies = pair.bodies();
+        const Linear<M> about = random.vector<M::linear>(1);
+        const auto linear = linear_momentum(bodies);
+        const auto angular = angular_momentum(bodies, about);
+        apply_impulse(W, Rows<1>(impulse(J, W, pair.V1, pair.V2, 0)), bodies.velocity[0], bodies.velocity[1]);
+        EXPECT_LE(relative(dot(J, bodies.velocity[0], bodies.velocity[1])[0], dot(J, pair.V1, pair.V2).norm()),
+                  1e-13);
+        EXPECT_LE(difference(linear_momentum(bodies), linear), 1e-12);
+        EXPECT_LE(difference(angular_momentum(bodies, about), angular), 1e-12);
+      },
+      draws);
+}
+
+TEST(Equation21, BiasIsTheRateThatRemains) {
+  in_all_models(
+      []<class M>(Random& random) {
+        const auto pair = random_pair<M>(random);
+        Scene<M, Pin> scene;
+        scene.bodies = pair.bodies();
+        scene.gravity.setZero();
+        scene.add(Pin<M>{pair.at});
+        Work<M> work;
+        const auto J = Pin<M>{pair.at}.jacobian(pair.pose1, pair.pose2);
+        const auto C = Pin<M>{pair.at}.template value<double>(pair.pose1, pair.pose2);
+        const double h = 0.25, beta = 0.5;
+        advance(scene, {GaussSeidel{1}, Baumgarte{beta}}, h, work);
+        const auto JV = dot(J, scene.bodies.velocity[0], scene.bodies.velocity[1]);
+        EXPECT_LE(difference(JV, -beta / h * C), 1e-11);
+      },
+      draws);
+}
+
+TEST(Equation22, IsBetaOverHTimesC) {
+  EXPECT_DOUBLE_EQ(bias(Baumgarte{0.2}, 0.1, 1.0 / 60), 0.2 * 60 * 0.1);
+  EXPECT_DOUBLE_EQ(bias(Baumgarte{0.2, BetaReading::literal}, 0.1, 1.0 / 60), 0.02) << "as it is printed";
+  EXPECT_EQ(bias(NoDriftCure{}, 0.1, 1.0 / 60), 0);
+}
+
+/// The share of a normalised rod's error that is left after one step without gravity.
+template <class M>
+double share_left(const Baumgarte& cure, double h) {
+  auto scene = pendulum<M, NormalisedDistance>(0, 2, 3);
+  scene.gravity.setZero();
+  scene.bodies.pose[1].position *= 1.05;
+  const double before = position_error(scene).max;
+  Work<M> work;
+  advance(scene, {GaussSeidel{1}, cure}, h, work);
+  return position_error(scene).max / before;
+}
+
+TEST(Equation22, RemovesAShareBetaOfTheErrorInAStep) {
+  in_all_models([]<class M>(Random&) {
+    for (const double beta : {0.0, 0.1, 0.2, 0.3, 1.0, 1.5, 2.0, 2.1})
+      for (const double h : {1.0 / 30, 1.0 / 60, 1.0 / 120})
+        EXPECT_NEAR(share_left<M>(Baumgarte{beta}, h), std::abs(1 - beta), 1e-12) << beta << ", " << h;
+  });
+}
+
+TEST(Equation22, ReadLiterallyRemovesAShareBetaOfTheErrorInASecond) {
+  in_all_models([]<class M>(Random&) {
+    for (const double beta : {0.2, 60.0, 119.0, 121.0})
+      for (const double h : {1.0 / 60, 1.0 / 120})
+        EXPECT_NEAR(share_left<M>({beta, BetaReading::literal}, h), std::abs(1 - beta * h), 1e-12);
+  });
+}
+
+}  // namespace

@@ -1,0 +1,134 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <iostream>
+#include <random>
+
+#include "solver/constraints/anchors.hpp"
+#include "solver/row.hpp"
+
+// Random bodies for properties that hold whatever the numbers are, drawn from one fixed seed that every program
+// prints.
+namespace byhand {
+
+inline constexpr std::uint64_t seed = 20261121;
+
+class Random {
+ public:
+  double uniform(double low, double high) {
+    return low + (high - low) * static_cast<double>(bits_() >> 11) * 0x1p-53;
+  }
+  int index(int count) { return static_cast<int>(uniform(0, count)); }
+
+  template <int n>
+  Eigen::Matrix<double, n, 1> vector(double size) {
+    Eigen::Matrix<double, n, 1> result;
+    for (double& x : result) x = uniform(-size, size);
+    return result;
+  }
+  template <class M>
+  Linear<M> direction() {
+    for (;;) {
+      const Linear<M> v = vector<M::linear>(1);
+      if (v.norm() > 0.1 && v.norm() <= 1) return v.normalized();
+    }
+  }
+  /// Within 2 m of the origin on each axis, turned anyhow.
+  template <class M>
+  Pose<M> pose() {
+    Pose<M> result;
+    result.position = vector<M::linear>(2);
+    if constexpr (M::angular == 1) result.rotation = plane_rotation(uniform(-4, 4));
+    if constexpr (M::angular == 3) result.rotation = Eigen::Quaterniond(vector<4>(1)).normalized();
+    return result;
+  }
+  template <class M>
+  Velocity<M> velocity() {
+    return vector<M::dof>(3);
+  }
+  /// 0.2 to 5 kg, three moments that a body can have.
+  template <class M>
+  InverseMass<M> mass() {
+    const double m = uniform(0.2, 5);
+    if constexpr (M::angular == 0)
+      return with_mass<M>(m);
+    else
+      return box<M>(m, Linear<M>(Linear<M>::Constant(1.1) + vector<M::linear>(0.8)));
+  }
+  template <class M>
+  Arms<M> arms() {
+    if constexpr (M::angular == 0)
+      return {};
+    else
+      return {vector<M::linear>(1), vector<M::linear>(1)};
+  }
+
+ private:
+  std::mt19937_64 bits_{seed};
+};
+
+/// Two bodies with all that one constraint between them can see.
+template <class M>
+struct Pair {
+  Pose<M> pose1, pose2;
+  Velocity<M> V1, V2;
+  InverseMass<M> m1, m2;
+  Anchors<M> at;
+
+  Arm<M> r1() const { return in_world<M, double>(pose1, at.arms.first); }
+  Arm<M> r2() const { return in_world<M, double>(pose2, at.arms.second); }
+  Linear<M> P1() const { return anchor<M, double>(pose1, r1()); }
+  Linear<M> P2() const { return anchor<M, double>(pose2, r2()); }
+  Bodies<M> bodies() const { return {{pose1, pose2}, {V1, V2}, {m1, m2}}; }
+};
+
+template <class M>
+Pair<M> random_pair(Random& random) {
+  return {random.pose<M>(), random.pose<M>(), random.velocity<M>(),    random.velocity<M>(),
+          random.mass<M>(), random.mass<M>(), {0, 1, random.arms<M>()}};
+}
+
+template <class M>
+constexpr const char* name_of() {
+  if constexpr (M::angular == 0)
+    return M::linear == 2 ? "particle in the plane" : "particle in space";
+  else
+    return M::linear == 2 ? "body in the plane" : "body in space";
+}
+
+/// Calls f.template operator()<M>(random) for each model `draws` times, and says on failure which draw of which
+/// model it was.
+template <class... Models, class F>
+void in_models(F&& f, int draws = 1) {
+  const auto in_one = [&]<class M>(Random random) {
+    for (int draw = 0; draw < draws && !testing::Test::HasFatalFailure(); ++draw) {
+      SCOPED_TRACE(testing::Message() << name_of<M>() << ", draw " << draw << ", seed " << seed);
+      f.template operator()<M>(random);
+    }
+  };
+  (in_one.template operator()<Models>(Random()), ...);
+}
+template <class F>
+void in_all_models(F&& f, int draws = 1) {
+  in_models<PlaneParticle, PlaneBody, SpaceParticle, SpaceBody>(f, draws);
+}
+/// The models that turn.
+template <class F>
+void in_both_bodies(F&& f, int draws = 1) {
+  in_models<PlaneBody, SpaceBody>(f, draws);
+}
+
+/// The largest difference between two matrices of any size, zero sizes too.
+template <class A, class B>
+double difference(const Eigen::MatrixBase<A>& a, const Eigen::MatrixBase<B>& b) {
+  return a.size() == 0 ? 0.0 : (a - b).cwiseAbs().maxCoeff();
+}
+
+class PrintsTheSeed : public testing::Environment {
+  void SetUp() override { std::cout << "random seed " << seed << '\n'; }
+};
+inline const testing::Environment* const prints_the_seed = testing::AddGlobalTestEnvironment(new PrintsTheSeed);
+
+}  // namespace byhand
