@@ -336,6 +336,7 @@ void Canvas::arrow_key(const Point& at, const ArrowKind& kind, std::string_view 
 void Canvas::dimension(const Point& a, const Point& b, std::string_view label, double offset) {
   const Camera before = camera();
   const Point from = before.to_page(a), to = before.to_page(b);
+  if (!from.allFinite() || !to.allFinite()) return;
   const Point ahead = unit_or(to - from, {1, 0}), aside = left_of(ahead);
   const Point p = from + offset * aside, q = to + offset * aside;
   look_at_page();

@@ -48,7 +48,7 @@ class Extent {
     }
     const double margin = low_ < high_ ? room * (high_ - low_) : low_ == 0 ? 1 : 0.1 * std::abs(low_);
     return {at_zero && low_ >= 0 && low_ < margin ? 0 : low_ - margin,
-            at_zero && high_ <= 0 && high_ > -margin ? 0 : high_ + margin};
+            at_zero && low_ < 0 && high_ <= 0 && high_ > -margin ? 0 : high_ + margin};
   }
 
  private:

@@ -221,7 +221,7 @@ void ChartDrawing::lay_out() {
   if (map) right = 36 + 10 + widest(ticks(map->scale, value_range(*map).first, value_range(*map).second, 6).major);
   y_label_ = wrapped(axis_label(chart_.y, y_ticks_), label_size, false);
 
-  const double title_room = lines(title_) * line_height * title_size + (title_.empty() ? 0 : 4);
+  const double title_room = lines(title_) * line_height * title_size + (title_.empty() ? 0 : 6);
   const double y_label_room = lines(y_label_) * line_height * label_size;
   const bool map_label = map && !map->label.empty();
   const double top = title_room + std::max(y_label_room, map_label ? line_height * label_size : 0) + 8;
@@ -396,7 +396,9 @@ void ChartDrawing::draw_axes() {
   const double above = labelling_ == Labelling::above ? legend_.height : 0;
   canvas_.text({frame_.x, plot_.top() + above + 10}, y_label_,
                {.size = label_size, .anchor = Anchor::bottom_left});
-  canvas_.text({frame_.x, frame_.top()}, title_, {.size = title_size, .anchor = Anchor::top_left, .bold = true});
+  // A raised letter stands out above the others.
+  canvas_.text({frame_.x, frame_.top() - 3}, title_,
+               {.size = title_size, .anchor = Anchor::top_left, .bold = true});
 }
 
 void ChartDrawing::draw_heat_map() {

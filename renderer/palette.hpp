@@ -24,7 +24,7 @@ Colour mix(Colour a, Colour b, double t);
 namespace palette {
 inline constexpr Colour paper{252, 251, 247};
 inline constexpr Colour ink{38, 41, 48};
-inline constexpr Colour muted{112, 117, 126};
+inline constexpr Colour muted{108, 113, 122};
 inline constexpr Colour grid{229, 228, 222};
 inline constexpr Colour body{203, 216, 228};
 inline constexpr Colour fixed{176, 176, 170};

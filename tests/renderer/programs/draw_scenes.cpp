@@ -1,0 +1,24 @@
+// Draws every scene into the given folder: run with other backends, threads and vector widths to compare pixels.
+
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+
+#include "renderer/png.hpp"
+#include "tests/renderer/scenes.hpp"
+
+int main(int, char** arguments) {
+  using namespace byhand::renderer;
+  try {
+    Canvas canvas(854, 480);
+    std::puts(canvas.describe().c_str());
+    for (const scenes::Scene& scene : scenes::all) {
+      canvas.clear();
+      scene.draw(canvas);
+      write_png(std::filesystem::path(arguments[1]) / (std::string(scene.name) + ".png"), canvas.image());
+    }
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 3;
+  }
+}
