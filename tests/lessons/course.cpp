@@ -1,0 +1,68 @@
+// The course, with the fixture as its only lesson.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/lessons/process.hpp"
+#include "tests/lessons/terminal.hpp"
+
+namespace byhand::tests {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+TEST(Course, AnUnknownLessonIsRefusedWithThoseThatExist) {
+  const Finished finished = run(std::string(BYHAND_COURSE) + " 7");
+  EXPECT_EQ(finished.status, 2);
+  EXPECT_EQ(finished.complained, "There is no lesson \"7\"; there are 99 fixture.\n");
+}
+
+TEST(Course, FindsALessonByNumberNameOrFolder) {
+  for (const char* name : {"99", "fixture", "99_fixture"})
+    EXPECT_EQ(run(std::string(BYHAND_COURSE) + " " + name + " --check").status, 0) << name;
+}
+
+TEST(Course, HandsOptionsAndStatusThrough) {
+  EXPECT_EQ(run(std::string(BYHAND_COURSE) + " fixture --set beta=7").status, 2);
+  EXPECT_THAT(run(std::string(BYHAND_COURSE) + " fixture --list-parameters --set beta=0.5").said,
+              HasSubstr("0.5"));
+}
+
+TEST(Course, WithoutATerminalRunsAllAndSaysWhereThePicturesAre) {
+  const Folder folder;
+  const Finished finished =
+      run(std::string(BYHAND_COURSE) + " --all --quality low --output " + folder.path().string());
+  EXPECT_EQ(finished.status, 0);
+  EXPECT_THAT(finished.said,
+              AllOf(HasSubstr("It settles"), HasSubstr("All pictures are in " + folder.path().string())));
+  EXPECT_EQ(run(std::string(BYHAND_COURSE) + " --check").status, 0);
+}
+
+TEST(Course, ShowsHowFarTheReaderGotAndGoesOnThere) {
+  const Folder folder;
+  const std::map<std::string, std::string> environment = {{"TERM", "dumb"},
+                                                          {"XDG_STATE_HOME", folder.path().string()}};
+  {
+    Terminal reader({BYHAND_COURSE}, environment);
+    reader.expect("99  Fixture");
+    reader.expect("Enter goes on with lesson 99");
+    reader.enter("5");
+    reader.expect("There is no lesson \"5\"");
+    reader.expect("▸");
+    reader.enter("99");
+    reader.expect("1/2  The error shrinks");
+    reader.expect("▸");
+    reader.type("\x03");
+    reader.expect("Until next time");
+    EXPECT_EQ(reader.leave(), 0);
+  }
+  Terminal reader({BYHAND_COURSE}, environment);
+  reader.expect("step 1 of 2");
+  reader.expect("▸");
+  reader.type("\x04");
+  EXPECT_EQ(reader.leave(), 0);
+}
+
+}  // namespace
+}  // namespace byhand::tests

@@ -1,0 +1,73 @@
+// Every lesson of the course, found by its folder.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/lessons/process.hpp"
+
+namespace byhand::tests {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+std::vector<std::string> slugs() {
+  std::vector<std::string> all;
+  std::istringstream listed(BYHAND_LISTED);
+  for (std::string slug; std::getline(listed, slug, ',');) all.push_back(slug);
+  return all;
+}
+
+class EveryLesson : public testing::TestWithParam<std::string> {
+ protected:
+  static std::string program() { return std::string(BYHAND_LESSON_FOLDER) + "/" + GetParam(); }
+  static Finished lesson(const std::string& options) { return run(program() + " " + options); }
+};
+
+TEST_P(EveryLesson, HoldsItsClaims) {
+  const Finished finished = lesson("--check");
+  EXPECT_EQ(finished.status, 0) << finished.said << finished.complained;
+  EXPECT_THAT(finished.said, HasSubstr(" hold, 0 false"));
+}
+
+TEST_P(EveryLesson, IsCalledAsItsFolder) {
+  const auto about = nlohmann::json::parse(lesson("--about").said);
+  EXPECT_EQ(about.at("slug"), GetParam());
+  EXPECT_LE(about.at("core_steps").get<int>(), 7);
+  EXPECT_FALSE(about.at("title").get<std::string>().empty());
+  EXPECT_FALSE(about.at("summary").get<std::string>().empty());
+}
+
+TEST_P(EveryLesson, LeavesAPageWhoseLinksLeadSomewhereAndWhoseCommandsWork) {
+  const Folder folder;
+  const Finished finished = lesson("--quality low --frames last --output " + folder.path().string());
+  ASSERT_EQ(finished.status, 0) << finished.complained;
+  const fs::path output = folder / GetParam();
+  const std::string page = contents(output / "lesson.md");
+  const std::regex link(R"(\]\(([^)\s]+)\))"), command(R"(\n\./lessons/run (\S+)([^\n]*)\n)");
+  for (std::sregex_iterator at(page.begin(), page.end(), link), end; at != end; ++at)
+    EXPECT_TRUE(fs::exists(output / (*at)[1].str())) << (*at)[1];
+
+  // What to try ends well, whatever the claims say outside their range.
+  int commands = 0;
+  for (std::sregex_iterator at(page.begin(), page.end(), command), end; at != end; ++at, ++commands) {
+    const Finished tried =
+        run(std::string(BYHAND_REAL_COURSE) + " " + (*at)[1].str() + (*at)[2].str() + " --check");
+    EXPECT_EQ(tried.status, 0) << (*at)[0] << tried.complained;
+  }
+  EXPECT_GE(commands, 2);
+}
+
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(EveryLesson);
+INSTANTIATE_TEST_SUITE_P(Lessons, EveryLesson, testing::ValuesIn(slugs()),
+                         [](const auto& slug) { return slug.param; });
+
+}  // namespace
+}  // namespace byhand::tests

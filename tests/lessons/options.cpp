@@ -1,0 +1,116 @@
+// The options of a lesson and its exit status, as a script meets them.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <string>
+
+#include "tests/lessons/process.hpp"
+
+namespace byhand::tests {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+Finished fixture(const std::string& options) { return run(std::string(BYHAND_FIXTURE) + " " + options); }
+
+TEST(Options, HelpNamesAllOfThemAndTeaches) {
+  const Finished finished = fixture("--help");
+  EXPECT_EQ(finished.status, 0);
+  for (const char* option :
+       {"--interactive", "--no-interactive", "--output", "--quality", "--frames", "--set", "--list-parameters",
+        "--check", "--step", "--quiet", "beta = 0.2 [1], from 0 to 3", "--set beta=", "Exit status"})
+    EXPECT_THAT(finished.said, HasSubstr(option));
+}
+
+TEST(Options, CheckShowsTheClaimsAndWritesNothing) {
+  const Folder folder;
+  const Finished finished = fixture("--check --output " + (folder / "output").string());
+  EXPECT_EQ(finished.status, 0);
+  EXPECT_THAT(finished.said, AllOf(HasSubstr("|C| at the end"), HasSubstr("2 hold, 0 false")));
+  EXPECT_FALSE(std::filesystem::exists(folder / "output"));
+}
+
+TEST(Options, OutsideItsRangeAClaimIsNotClaimedAndNoFailure) {
+  const Finished finished = fixture("--check --set beta=2.1");
+  EXPECT_EQ(finished.status, 0);
+  EXPECT_THAT(finished.said, HasSubstr("1 hold, 0 false, 1 not claimed"));
+}
+
+TEST(Options, ListParametersGivesUnitRangeAndMeaning) {
+  const Finished finished = fixture("--list-parameters --set h=1/30");
+  EXPECT_EQ(finished.status, 0);
+  EXPECT_THAT(finished.said,
+              AllOf(HasSubstr("1/30"), HasSubstr("1/60"), HasSubstr("0.0001 … 0.1"), HasSubstr("time step")));
+}
+
+TEST(Options, QuietSaysNothingWhenAllIsWell) {
+  const Folder folder;
+  const Finished finished = fixture("--quiet --quality low --output " + folder.path().string());
+  EXPECT_EQ(finished.status, 0);
+  EXPECT_THAT(finished.said + finished.complained, IsEmpty());
+  EXPECT_TRUE(std::filesystem::exists(folder / "99_fixture/lesson.md"));
+}
+
+TEST(Options, OneStepRunsAloneAndLeavesThePageAlone) {
+  const Folder folder;
+  const Finished finished = fixture("--step 1a --quality low --output " + folder.path().string());
+  EXPECT_EQ(finished.status, 0);
+  EXPECT_THAT(finished.said, AllOf(HasSubstr("What a picture adds"), Not(HasSubstr("It settles"))));
+  EXPECT_TRUE(std::filesystem::exists(folder / "99_fixture/figures/bob.png"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "99_fixture/lesson.md"));
+}
+
+TEST(Options, WithoutATerminalNothingWaits) {
+  const Folder folder;
+  const Finished finished = fixture("--quality low --frames none --output " + folder.path().string());
+  EXPECT_EQ(finished.status, 0);
+  EXPECT_THAT(finished.said, AllOf(HasSubstr("What a picture adds"), HasSubstr("Answer"), Not(HasSubstr("▸")),
+                                   Not(HasSubstr("\033["))));
+}
+
+struct Refusal {
+  const char *options, *sentence;
+};
+
+class Refused : public testing::TestWithParam<Refusal> {};
+
+TEST_P(Refused, InOneSentenceWithStatusTwo) {
+  const Finished finished = fixture(GetParam().options);
+  EXPECT_EQ(finished.status, 2);
+  EXPECT_THAT(finished.complained, HasSubstr(GetParam().sentence));
+  EXPECT_EQ(std::count(finished.complained.begin(), finished.complained.end(), '\n'), 1);
+  EXPECT_THAT(finished.said, IsEmpty());
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Options, Refused,
+    testing::Values(Refusal{"--quality huge", "huge"}, Refusal{"--frames some", "some"},
+                    Refusal{"--set beta", "NAME=VALUE"}, Refusal{"--set beta=x", "\"x\" is not a number"},
+                    Refusal{"--set beta=0.2.1", "not a number"}, Refusal{"--set gamma=1", "only beta, h, steps"},
+                    Refusal{"--set beta=3.5", "from 0 to 3"}, Refusal{"--set beta=inf", "not a number"},
+                    Refusal{"--set steps=2.5", "not a whole number"}, Refusal{"--set h=1/0", "divides by zero"},
+                    Refusal{"--step 9", "1, 1a, 2"}, Refusal{"--output", "--output"},
+                    Refusal{"--interactive --no-interactive", "choose one"}, Refusal{"--surprise", "--surprise"}));
+
+TEST(Environment, AnUnusableOutputFolderIsStatusThree) {
+  const Folder folder;
+  const Finished finished = run("touch " + (folder / "file").string() + "; " + BYHAND_FIXTURE + " --output " +
+                                (folder / "file").string());
+  EXPECT_EQ(finished.status, 3);
+  EXPECT_THAT(finished.complained, HasSubstr((folder / "file").string()));
+  EXPECT_THAT(finished.said, IsEmpty());
+}
+
+TEST(Environment, AFullDiskIsStatusThree) {
+  const Finished finished = run(std::string(BYHAND_FIXTURE) + " --check >/dev/full");
+  EXPECT_EQ(finished.status, 3);
+  EXPECT_THAT(finished.complained, HasSubstr("No space left"));
+}
+
+}  // namespace
+}  // namespace byhand::tests

@@ -1,0 +1,101 @@
+// Numbers and words as a reader sees them.
+
+#include "lessons/tutor/words.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Core>
+#include <random>
+#include <sstream>
+
+#include "lessons/tutor/equations.hpp"
+#include "lessons/tutor/parameter.hpp"
+#include "lessons/tutor/typeset.hpp"
+
+namespace byhand::tests {
+namespace {
+
+using namespace byhand::tutor;
+
+TEST(Number, HasTheDigitsThatMatterAndATrueMinus) {
+  EXPECT_EQ(number(0), "0");
+  EXPECT_EQ(number(-0.0), "0");
+  EXPECT_EQ(number(-0.42477), "−0.4248");
+  EXPECT_EQ(number(2), "2");
+  EXPECT_EQ(number(123456.7), "123457");
+  EXPECT_EQ(number(9.99996), "10");
+  EXPECT_EQ(number(-1.25e-7), "−1.25·10⁻⁷");
+  EXPECT_EQ(number(1e-12), "10⁻¹²");
+  EXPECT_EQ(number(2.5e6), "2.5·10⁶");
+  EXPECT_EQ(number(-std::numeric_limits<double>::infinity()), "−∞");
+  EXPECT_EQ(latex_number(-1.25e-7), "-1.25\\cdot 10^{-7}");
+}
+
+TEST(Say, PutsNumbersListsAndWordsInTheirPlaces) {
+  EXPECT_EQ(say("@ links, d = @, @", 10, Eigen::Vector2d(1.2, -1.6), "taut"), "10 links, d = (1.2, −1.6), taut");
+  EXPECT_EQ(say("@", 1234567), "1234567");
+  const Formula formula = fill("λ = @", R"(\lambda = @)", {Value(-0.5)});
+  EXPECT_EQ(formula.plain, "λ = −0.5");
+  EXPECT_EQ(formula.latex, R"(\lambda = -0.5)");
+}
+
+TEST(ReadNumber, TakesWhatPeopleType) {
+  EXPECT_EQ(read_number("0.5"), 0.5);
+  EXPECT_EQ(read_number("+.5"), 0.5);
+  EXPECT_EQ(read_number("−2"), -2);
+  EXPECT_EQ(read_number("1/60"), 1.0 / 60);
+  EXPECT_EQ(read_number("1e-3"), 1e-3);
+  for (const char* bad : {"", "x", "1x", "1/0", "0/0", "1//2", "/", "nan", "inf", "1e999", "1 2", "0x10"})
+    EXPECT_THROW(read_number(bad), std::invalid_argument) << bad;
+}
+
+TEST(Typed, IsReadBackAsTheSameNumber) {
+  std::mt19937 random(2026);
+  std::uniform_real_distribution<double> exponent(-6, 6);
+  EXPECT_EQ(typed(1.0 / 60), "1/60");
+  EXPECT_EQ(typed(0.2), "0.2");
+  for (int i = 0; i < 1000; ++i) {
+    const double value = std::pow(10, exponent(random));
+    EXPECT_EQ(read_number(typed(value)), value);
+    EXPECT_EQ(read_number(typed(1 / std::ceil(value))), 1 / std::ceil(value));
+  }
+}
+
+TEST(DisplayWidth, CountsColumnsNotBytes) {
+  EXPECT_EQ(display_width("JM⁻¹Jᵀ"), 6);
+  EXPECT_EQ(display_width("λ̇"), 1);  // a combining dot
+  EXPECT_EQ(display_width("表"), 2);
+  EXPECT_EQ(display_width("\033[1;36mβ\033[0m"), 1);
+}
+
+TEST(Wrapped, KeepsEveryLineWithinTheWidthAndEveryWord) {
+  const std::string words =
+      "Die *Geschwindigkeit* λ̇ of `JM⁻¹Jᵀ` and **β**, said at length so that the line must break somewhere.\n\n- "
+      "one item that is "
+      "longer than a line of forty columns can hold\n- another";
+  for (const bool colours : {false, true}) {
+    std::istringstream lines(wrapped(words, {40, colours}, 4));
+    std::string line;
+    int count = 0;
+    for (; std::getline(lines, line); ++count) {
+      EXPECT_LE(display_width(line), 40) << line;
+      if (!line.empty()) EXPECT_TRUE(line.starts_with("    ")) << line;
+    }
+    EXPECT_GE(count, 6);
+  }
+  EXPECT_EQ(wrapped("*a* `b` **c** 2 * 3", {80, false}), "a `b` c 2 * 3\n");
+}
+
+TEST(ArticleEquation, IsThereFrom1To23InBothForms) {
+  for (int number = 1; number <= 23; ++number) {
+    const Formula& formula = article_equation(number);
+    EXPECT_FALSE(formula.plain.empty());
+    EXPECT_EQ(std::count(formula.latex.begin(), formula.latex.end(), '{'),
+              std::count(formula.latex.begin(), formula.latex.end(), '}'));
+    std::istringstream lines(formula.plain);
+    for (std::string line; std::getline(lines, line);) EXPECT_LE(display_width(line), 80 - 6 - 6) << line;
+  }
+}
+
+}  // namespace
+}  // namespace byhand::tests
