@@ -91,6 +91,7 @@ class ChartDrawing {
   void draw_curves();
   void draw_stems(const Curve& curve, Colour colour);
   void draw_marks(const Entry& entry);
+  Point failure_place(double x, double y) const;
   void draw_failure(double x, double y, Colour colour);
   void draw_references();
   void draw_texts();
@@ -289,12 +290,14 @@ bool ChartDrawing::labels_fit_at_ends() {
 }
 
 double ChartDrawing::covered(const Rectangle& box) const {
+  constexpr double margin = 8;  // points about a cross
   double hits = 0;
   for (const Entry& e : entries_) {
     if (!e.curve) continue;
     const std::vector<Point> places = points(*e.curve);
     for (std::size_t i = 0; i < places.size(); ++i) {
-      if (box.contains(places[i])) ++hits;
+      hits += box.contains(places[i]);
+      hits += box.inset(-margin).contains(failure_place(e.curve->x[i], e.curve->y[i]));
       if (e.style == CurveStyle::stems) {
         const double foot =
             std::clamp(at(0, chart_.y.scale == Scale::linear ? 0 : ranges_.y.first).y(), plot_.y, plot_.top());
@@ -483,10 +486,7 @@ void ChartDrawing::draw_curves() {
   for (const Entry& e : entries_) {
     if (!e.curve) continue;
     if (has_marks(e.style)) draw_marks(e);
-    for (std::size_t i = 0; i < e.curve->x.size(); ++i) {
-      const double x = e.curve->x[i], y = e.curve->y[i];
-      if ((std::isinf(x) || std::isinf(y)) && !std::isnan(x) && !std::isnan(y)) draw_failure(x, y, e.colour);
-    }
+    for (std::size_t i = 0; i < e.curve->x.size(); ++i) draw_failure(e.curve->x[i], e.curve->y[i], e.colour);
   }
 }
 
@@ -510,13 +510,20 @@ void ChartDrawing::draw_marks(const Entry& e) {
   }
 }
 
-// A cross at the edge on the side of what is infinite; further ones at the same place step inwards.
-void ChartDrawing::draw_failure(double x, double y, Colour colour) {
-  const auto edge = [](double value, const Position& position, double begin, double extent) {
-    if (std::isfinite(value)) return begin + position(value) * extent;
-    return (value > 0) == (position(1e300) > position(1e-300)) ? begin + extent - 7 : begin + 7;
+// Where a failed run stands: at the edge on the side of what is infinite. Not finite for any other point.
+Point ChartDrawing::failure_place(double x, double y) const {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN(), margin = 7;
+  if (!std::isinf(x) && !std::isinf(y)) return {nan, nan};
+  const auto along = [&](double value, const Axis& axis, const Position& position, double begin, double extent) {
+    if (!std::isinf(value)) return begin + position(value) * extent;
+    return (value > 0) != axis.reversed ? begin + extent - margin : begin + margin;
   };
-  Point p(edge(x, x_, plot_.x, plot_.width), edge(y, y_, plot_.y, plot_.height));
+  return {along(x, chart_.x, x_, plot_.x, plot_.width), along(y, chart_.y, y_, plot_.y, plot_.height)};
+}
+
+// A cross at its place; further ones there step inwards.
+void ChartDrawing::draw_failure(double x, double y, Colour colour) {
+  Point p = failure_place(x, y);
   if (!p.allFinite()) return;
   const Point inwards = std::isinf(y) ? Point(0, y > 0 ? -13 : 13) : Point(x > 0 ? -13 : 13, 0);
   while (std::any_of(failures_.begin(), failures_.end(), [&](const Point& f) { return (f - p).norm() < 10; }))
@@ -561,8 +568,11 @@ void ChartDrawing::draw_end_labels() {
 
 void ChartDrawing::draw_texts() {
   Labels labels(canvas_, plot_);
+  const bool any_inside = !chart_.references.empty() || !chart_.annotations.empty() ||
+                          std::any_of(chart_.curves.begin(), chart_.curves.end(),
+                                      [](const Curve& c) { return !c.point_labels.empty(); });
   for (const Entry& e : entries_)
-    if (e.curve) labels.avoid_path(points(*e.curve));
+    if (e.curve && any_inside) labels.avoid_path(points(*e.curve));
   for (std::size_t series = 0; series < chart_.bars.size(); ++series)
     for (std::size_t i = 0; i < chart_.bar_names.size(); ++i) labels.avoid(bar(series, i));
   if (labelling_ == Labelling::at_ends) draw_end_labels();

@@ -110,9 +110,10 @@ Image strip(std::span<const Image> images, int columns, int width, int gap) {
 }
 
 std::vector<int> spread(int count, int n) {
+  const int shown = std::min(count, n);
+  if (shown == 1) return {count - 1};
   std::vector<int> indices;
-  for (int i = 0; i < std::min(n, count); ++i)
-    indices.push_back(n == 1 ? count - 1 : int(std::int64_t(i) * (count - 1) / (std::min(n, count) - 1)));
+  for (int i = 0; i < shown; ++i) indices.push_back(int(std::int64_t(i) * (count - 1) / (shown - 1)));
   return indices;
 }
 

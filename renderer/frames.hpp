@@ -59,7 +59,8 @@ class FrameWriter {
 /// otherwise.
 Image strip(std::span<const Image> images, int columns, int width = 1920, int gap = 12);
 
-/// At most `n` indices spread evenly over 0 … count−1, first and last among them: the frames a strip shows.
+/// At most `n` indices spread evenly over 0 … count−1, first and last among them (for n = 1 the last): the frames
+/// that a strip shows.
 std::vector<int> spread(int count, int n);
 
 }  // namespace byhand::renderer

@@ -185,8 +185,9 @@ inline void space(Canvas& canvas) {
   scene.box({-0.8, 0, -0.6}, {0.8, 0.5, 0.8}, Eigen::Quaterniond(Eigen::AngleAxisd(0.4, Point3::UnitZ())),
             palette::highlight);
   canvas.draw(scene);
-  canvas.text(scene.project({0.9, 0.4, 0.1}), "bob",
-              {.size = 24, .anchor = Anchor::left, .halo = 3, .offset = {44, 0}});
+  const Point3 bob(0.9, 0.4, 0.1);
+  canvas.text(scene.project(bob), "bob",
+              {.size = 24, .anchor = Anchor::right, .halo = 3, .offset = {-8 - 0.25 * scene.scale_at(bob), 0}});
 }
 
 struct Scene {

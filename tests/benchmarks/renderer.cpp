@@ -1,0 +1,57 @@
+// A lesson's frame, a scene beside two charts at 1280 × 720: how long it takes to draw, to encode, and both with
+// the file written. The goal is 40 frames a second on two cores.
+
+#include <benchmark/benchmark.h>
+#include <unistd.h>
+
+#include <filesystem>
+
+#include "renderer/frames.hpp"
+#include "renderer/png.hpp"
+#include "tests/renderer/scenes.hpp"
+
+namespace byhand::renderer {
+namespace {
+
+constexpr int width = 1280, height = 720;
+
+Image frame(Canvas& canvas, int index) {
+  canvas.clear();
+  scenes::lesson_frame(canvas, 0.7 * std::sin(0.05 * index));
+  return canvas.image();
+}
+
+void draw(benchmark::State& state) {
+  Canvas canvas(width, height);
+  int index = 0;
+  for (auto _ : state) benchmark::DoNotOptimize(frame(canvas, index++));
+}
+BENCHMARK(draw)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void encode(benchmark::State& state) {
+  Canvas canvas(width, height);
+  const Image image = frame(canvas, 0);
+  for (auto _ : state) benchmark::DoNotOptimize(encode_png(image));
+  state.counters["bytes"] = double(encode_png(image).size());
+}
+BENCHMARK(encode)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void frames_to_disk(benchmark::State& state, FrameWriter::Encoding encoding) {
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("byhand_frames_" + std::to_string(getpid()));
+  Canvas canvas(width, height);
+  FrameWriter writer(folder, encoding);
+  for (auto _ : state) writer.write(frame(canvas, writer.count()));
+  writer.finish();
+  state.counters["frames/s"] = benchmark::Counter(double(writer.count()), benchmark::Counter::kIsRate);
+  std::filesystem::remove_all(folder);
+}
+BENCHMARK_CAPTURE(frames_to_disk, beside, FrameWriter::Encoding::beside)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(frames_to_disk, at_once, FrameWriter::Encoding::at_once)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
+}  // namespace
+}  // namespace byhand::renderer
