@@ -1,0 +1,202 @@
+#include "solver/constraints/contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lessons/01_jacobian/picture.hpp"
+
+// (15): the same recipe along a normal, and the term that it drops.
+namespace byhand::lesson01 {
+namespace {
+
+using renderer::Point;
+namespace palette = renderer::palette;
+using M = PlaneBody;
+
+/// A tilted plank (body 1) and a box (body 2) whose corner touches it; the normal is the plank's.
+struct Touch {
+  Contact<M> contact;
+  Pose<M> plank, box;
+  Velocity<M> V1, V2;
+  Linear<M> plank_sides, box_sides;
+
+  Linear<M> normal_of_plank() const { return rotate(plank.rotation, Linear<M>(0, 1)); }
+  Linear<M> along_plank() const { return rotate(plank.rotation, Linear<M>(1, 0)); }
+  Jacobian<M, 1> row() const { return contact.jacobian(plank, box); }
+  double value() const { return contact.value<double>(plank, box)[0]; }
+
+  /// The same after `time` [s]; the normal turns with the plank, as a surface's normal does.
+  Touch after(double time) const {
+    Touch later = *this;
+    later.plank = moved<M, double>(plank, V1, time);
+    later.box = moved<M, double>(box, V2, time);
+    later.contact.normal = later.normal_of_plank();
+    return later;
+  }
+};
+
+/// `gap` and `aside` [m]: where P₂ lies from P₁, along n and along the surface.
+Touch touch(const Settings& set, double gap, double aside) {
+  const double length = set.length, speed = set.speed, spin = set.spin;
+  Touch at;
+  at.plank_sides = length * Linear<M>(1.5, 0.15);
+  at.box_sides = length * Linear<M>(0.55, 0.4);
+  at.plank.rotation = plane_rotation(0.25);
+  at.box.rotation = plane_rotation(0.6);
+  const Linear<M> r1(0.15 * length, 0.075 * length), r2 = -0.5 * at.box_sides;
+  at.contact.at = {0, 1, {r1, r2}};
+  at.contact.normal = at.normal_of_plank();
+  at.box.position = rotate(at.plank.rotation, r1) + gap * at.contact.normal + aside * at.along_plank() -
+                    rotate(at.box.rotation, r2);
+  at.V1 = {0.05 * speed, 0.1 * speed, 0.5 * spin};
+  at.V2 = {-0.2 * speed, 0.3 * speed, -spin};
+  return at;
+}
+
+double difference(const Touch& at, double step) {
+  return (at.after(step).value() - at.after(-step).value()) / (2 * step);
+}
+
+struct Dropped {
+  renderer::Chart chart;
+  double slope = 0;           // of Ċ − JV over the sideways offset [1/s]
+  double straight_above = 0;  // the largest |Ċ − JV| with P₂ straight above or below P₁ [m/s]
+};
+
+Dropped dropped_term(const Settings& set, double step) {
+  const auto missing = [&](double gap, double aside) {
+    const Touch at = touch(set, gap, aside);
+    return difference(at, step) - dot(at.row(), at.V1, at.V2)[0];
+  };
+  const double reach = set.length / 20;
+  renderer::Curve term{
+      .label = "Ċ − JV", .style = renderer::CurveStyle::line_and_markers, .colour = palette::error};
+  Dropped dropped;
+  for (int i = -10; i <= 10; ++i) {
+    const double aside = reach * i / 10;
+    term.x.push_back(aside);
+    term.y.push_back(missing(0, aside));
+    dropped.straight_above = std::max(dropped.straight_above, std::abs(missing(aside, 0)));
+  }
+  dropped.slope = (term.y.back() - term.y.front()) / (2 * reach);
+  dropped.chart = {.x = {.label = "how far P₂ lies beside P₁ (m)"},
+                   .y = {.label = "what (15) drops (m/s)"},
+                   .curves = {term},
+                   .references = {{renderer::Reference::Across::y, 0, ""}}};
+  return dropped;
+}
+
+void draw_touch(renderer::Canvas& canvas, const Settings& set) {
+  const double length = set.length;
+  const Touch at = touch(set, -0.02 * length, 0);
+  const Point n = at.contact.normal, p1 = at.plank.position + rotate(at.plank.rotation, at.contact.at.arms.first);
+  const Point p2 = at.box.position + rotate(at.box.rotation, at.contact.at.arms.second);
+  canvas.look(
+      renderer::fit({-0.95 * length, -0.7 * length, 1.9 * length, 1.55 * length}, canvas.page().inset(10), 8));
+  canvas.box(at.plank.position, at.plank_sides, angle(at.plank.rotation), renderer::fixed_look);
+  canvas.box(at.box.position, at.box_sides, angle(at.box.rotation));
+  canvas.line(at.plank.position, p1, {palette::muted, 1.8, renderer::Dash::dashed});
+  canvas.line(at.box.position, p2, {palette::muted, 1.8, renderer::Dash::dashed});
+  const Jacobian<M, 1> J = at.row();
+  draw_row(canvas, J, at.plank.position, at.box.position,
+           {0.3 * length, 3.5 / length, 0.13 * length, "l_1 = −n",
+            tutor::say("a_1 = −r_1 × n = @ m", tutor::Value(J.a1()(0, 0), 3)), "l_2 = n",
+            tutor::say("a_2 = r_2 × n = @ m", tutor::Value(J.a2()(0, 0), 3))});
+  canvas.arrow(p2, p2 + 0.25 * length * n, {palette::ink, 3});
+  renderer::TextStyle style{.size = 20, .anchor = renderer::Anchor::right, .halo = 3, .offset = {-10, 6}};
+  canvas.text(p2 + 0.25 * length * n, "n", style);
+  canvas.mark(p2, renderer::Mark::disc, palette::error, 10);
+  const renderer::TextStyle name{.size = 20, .colour = palette::muted, .halo = 3};
+  canvas.text(at.plank.position - 0.55 * length * at.along_plank(), "body 1", name);
+  canvas.text(at.box.position + rotate(at.box.rotation, Linear<M>(0.1 * length, 0.14 * length)), "body 2", name);
+}
+
+}  // namespace
+
+void contact(tutor::Page& page, const Settings& set) {
+  const double length = set.length, step = 1e-4 * length / (length * std::abs(set.spin()) + set.speed);
+  const Touch at = touch(set, -0.02 * length, 0);
+  const Jacobian<M, 1> J = at.row();
+
+  page.text(
+      "One recipe, another constraint. Two bodies touch at P₁ and P₂ along a unit normal n, and may not enter "
+      "each "
+      "other. C is how far P₂ is outside of body 1, measured along n: C = (P₂ − P₁)·n, and it must not be "
+      "negative. Differentiate, isolate, look. Where d stood in (14), n stands now.");
+  page.equation(15, "J = [ @  @  @  @ ]", R"(J = \begin{bmatrix} @ & @ & @ & @ \end{bmatrix})",
+                vector(J.l1().transpose()), J.a1()(0, 0), vector(J.l2().transpose()), J.a2()(0, 0));
+  page.excerpt("solver/constraints/contact.hpp", "jacobian");
+  page.figure("contact", "A contact's row on its two bodies; n points from body 1 to body 2.",
+              [=](renderer::Canvas& canvas) { draw_touch(canvas, set); });
+
+  Touch turned = at, exchanged = at;
+  turned.contact.normal = -at.contact.normal;
+  std::swap(exchanged.contact.at.arms.first, exchanged.contact.at.arms.second);
+  const auto row_of_exchanged = [&](const Linear<M>& normal) {
+    exchanged.contact.normal = normal;
+    const Jacobian<M, 1> other = exchanged.contact.jacobian(at.box, at.plank);
+    Jacobian<M, 1> by_body;  // the plank's part first again
+    by_body.matrix << other.side2(), other.side1();
+    return by_body;
+  };
+  const double kept = (row_of_exchanged(at.contact.normal).matrix + J.matrix).cwiseAbs().maxCoeff();
+  const double flipped = (row_of_exchanged(-at.contact.normal).matrix - J.matrix).cwiseAbs().maxCoeff();
+  page.text(
+      "*Which way does the normal point?* From body 1 to body 2. Then JV > 0 means that they part, overlap is "
+      "negative, and the push that keeps them apart has λ ≥ 0. Name the bodies the other way round and turn n "
+      "round with them: every arrow stays on its body. Forget to turn n, and the whole row changes sign: the "
+      "solver "
+      "would then pull overlapping bodies together and hold parting ones. A rod forgives the exchange, a contact "
+      "does not.");
+
+  const Dropped dropped = dropped_term(set, step);
+  page.text(
+      "*What is dropped?* C is a product of two things that move, so Ċ has two terms: (Ṗ₂ − Ṗ₁)·n, which is (15), "
+      "and "
+      "(P₂ − P₁)·ṅ, which is left out. When may you? ṅ is square to n, so a gap or an overlap straight along n "
+      "costs "
+      "nothing. Only where P₂ lies *beside* P₁ does the turning normal sweep over it, at ω₁ times the offset. "
+      "Contact "
+      "points are chosen on top of each other, and there the dropped term is zero.");
+  page.figure("dropped", "What (15) leaves out, while the plank turns: a straight line through zero.",
+              dropped.chart);
+
+  const double w1 = at.V1[2];
+  const double C = -0.02 * length;
+  page.claim({.quantity = "C of the overlapping box",
+              .unit = "m",
+              .expected = C,
+              .source = "the overlap, negative",
+              .measured = at.value(),
+              .tolerance = tutor::absolute(1e-14 * length)});
+  page.claim({.quantity = "exchange the bodies and turn n: change of the row",
+              .unit = "1, m",
+              .expected = 0,
+              .source = "C is the same",
+              .measured = flipped,
+              .tolerance = tutor::absolute(1e-14 * (1 + length))});
+  page.claim({.quantity = "exchange the bodies, keep n: row + old row",
+              .unit = "1, m",
+              .expected = 0,
+              .source = "C changes its sign",
+              .measured = kept,
+              .tolerance = tutor::absolute(1e-14 * (1 + length))});
+  // Central differences: speeds times (turn in a step)²/6, a few times over, and rounding of C over the step.
+  const double turn = (2 * std::abs(set.spin()) + set.speed / length) * step;
+  const double speeds = set.speed + length * std::abs(set.spin());
+  const double tolerance = 4 * speeds * turn * turn + 1e-14 * length / step;
+  page.claim({.quantity = "what (15) drops, P₂ straight above or below P₁",
+              .unit = "m/s",
+              .expected = tolerance,
+              .source = "ṅ is square to n; the differences' own error",
+              .measured = dropped.straight_above,
+              .tolerance = tutor::at_most()});
+  page.claim({.quantity = "what (15) drops, per metre beside",
+              .unit = "1/s",
+              .expected = -w1,
+              .source = "(P₂ − P₁)·ṅ with ṅ = ω₁ × n",
+              .measured = dropped.slope,
+              .tolerance = tutor::absolute(20 * tolerance / length)});
+}
+
+}  // namespace byhand::lesson01

@@ -1,0 +1,139 @@
+#include <algorithm>
+#include <cmath>
+
+#include "lessons/01_jacobian/picture.hpp"
+#include "lessons/pictures/growing.hpp"
+
+// (9) and (10): the rate of C, from the velocities of the two ends.
+namespace byhand::lesson01 {
+namespace {
+
+using renderer::Point;
+namespace palette = renderer::palette;
+
+/// Ċ of (9) for a bob that moves at `v` while the other end rests, from (8) [m²/s].
+double rate_of_bob(const Linear<PlaneParticle>& d, const Linear<PlaneParticle>& v, double length) {
+  const Distance<PlaneParticle> rod{{0, 1}, length};
+  Pose<PlaneParticle> anchor, bob;
+  bob.position = d;
+  return dot(rod.jacobian(anchor, bob), Velocity<PlaneParticle>(0, 0), Velocity<PlaneParticle>(v))[0];
+}
+
+struct Rates {
+  renderer::Chart value, rate;  // over time: C, and Ċ by both ways
+  double largest_difference = 0, tolerance = 0;
+};
+
+Rates rates(const Pair& start, double time, double step) {
+  renderer::Curve value{.label = "C", .colour = palette::error};
+  renderer::Curve formula{.label = "by (10)", .colour = palette::constraint};
+  renderer::Curve differences{
+      .label = "differences of C", .style = renderer::CurveStyle::markers, .colour = palette::error};
+  Rates rates;
+  for (int i = 0; i <= 120; ++i) {
+    const double t = time * i / 120;
+    const Pair pair = start.after(t);
+    const double measured = difference(pair, step);
+    rates.largest_difference = std::max(rates.largest_difference, std::abs(measured - pair.rate()));
+    value.x.push_back(t);
+    value.y.push_back(pair.value());
+    formula.x.push_back(t);
+    formula.y.push_back(pair.rate());
+    if (i % 8 != 0) continue;
+    differences.x.push_back(t);
+    differences.y.push_back(measured);
+  }
+  rates.tolerance = step * step / 6 * start.third_rate_bound(time + step) + rounding(start, time + step) / step;
+  rates.value = {.x = {.label = "time (s)"},
+                 .y = {.label = "C (m²)"},
+                 .curves = {value},
+                 .references = {{renderer::Reference::Across::y, 0, ""}}};
+  rates.rate = {.x = {.label = "time (s)"},
+                .y = {.label = "Ċ (m²/s)"},
+                .curves = {formula, differences},
+                .references = {{renderer::Reference::Across::y, 0, ""}}};
+  return rates;
+}
+
+}  // namespace
+
+void differentiate(tutor::Page& page, const Settings& set) {
+  const double length = set.length, speed = set.speed, time = watched(set), step = set.h / 100;
+  const Pair pair = pair_of(set);
+  const Linear<PlaneBody> d = pair.d(), v1 = pair.V1.head<2>(), v2 = pair.V2.head<2>();
+
+  page.text(
+      "Solving C = 0 for positions is hard, for C is curved. Its rate is easier: how fast is C changing *now*? "
+      "Differentiate ½(P₂ − P₁)² by the product rule and the half is gone. L is constant and leaves no trace.");
+  page.equation(9);
+  page.text(
+      "The product is a dot product: only the part of the velocity along P₂ − P₁ counts. Try it on the bob "
+      "before the bodies begin to turn.");
+  const Linear<PlaneParticle> place = length * Linear<PlaneParticle>(0.6, -0.8), moving(speed, 0);
+  const double bob = rate_of_bob(place, moving, length);
+  page.predict({.ask = tutor::say("P₂ − P₁ is (@, @) m, the bob moves with v₂ = (@, 0) m/s and the anchor stands still. "
+                           "How large is Ċ of (9)?",
+                           place.x(), place.y(), speed),
+                .answer = bob,
+                .unit = "m²/s",
+                .tolerance = 0.02 * length * speed,
+                .wrong = {{speed, "Only the part of v along d changes the length, and (9) multiplies it by |d|."},
+                          {bob / length, "That is d|d|/dt, the row divided by |d|; (14) is not divided."},
+                          {length * speed, "That takes all of v; the part across d only turns the rod."}},
+                .hint = "Multiply component by component, then add.",
+                .right = "Its unit is m²/s: C is in m², and so is its change."});
+  page.text(
+      "An anchor point on a turning body has two reasons to move: its body's centre goes somewhere, and the arm r "
+      "from the centre to the point swings round. In the plane ω × r is ω(−r_y, r_x).");
+  page.equation(10, "Ċ = @·((@ + @) − (@ + @)) = @ m²/s",
+                R"(\dot C = @ \cdot ((@ + @) - (@ + @)) = @\,\mathrm{m^2/s})", vector(d), vector(v2),
+                vector(pair.V2[2] * Linear<PlaneBody>(-pair.r2().y(), pair.r2().x())), vector(v1),
+                vector(pair.V1[2] * Linear<PlaneBody>(-pair.r1().y(), pair.r1().x())), pair.rate());
+  page.text(
+      "Do not believe a derivative: check it. Here two boxes drift and spin for @ s with the rod between them as "
+      "a "
+      "mere tape measure; nobody holds anything yet. The curve is (10) at each moment. The dots know nothing of "
+      "(10): they read C a little later and a little earlier, subtract, and divide by the time between, @ s.",
+      tutor::Value(time, 3), tutor::Value(2 * step, 3));
+  const Rates all = rates(pair, time, step);
+  constexpr double seconds = 4;
+  const Linear<PlaneBody> sides = box_sides(set);
+  page.sequence("motion",
+                tutor::say("Two boxes in @ s of flight, slowed down. The dots are differences of C, the curve is (10).",
+                    tutor::Value(time, 3)),
+                tutor::Seconds{seconds}, [=](renderer::Canvas& canvas, double at) {
+                  const auto [left, right] = canvas.page().inset(16).split_columns(0.56);
+                  const auto [upper, lower] = right.split_rows(0.5, 16);
+                  const double now = time * at / seconds;
+                  const Pair then = pair.after(now);
+                  canvas.look(renderer::fit({-0.5 * length, -0.9 * length, 2.9 * length, 1.8 * length}, left, 8));
+                  draw(canvas, then, sides, true);
+                  const renderer::ArrowKind kind{palette::velocity, 0.25 * length / speed, "m/s"};
+                  const Point p1 = then.pose1.position + then.r1(), p2 = then.pose2.position + then.r2();
+                  canvas.vector(p1, then.V1.head<2>() + then.V1[2] * Point(-then.r1().y(), then.r1().x()), kind);
+                  canvas.vector(p2, then.V2.head<2>() + then.V2[2] * Point(-then.r2().y(), then.r2().x()), kind);
+                  canvas.arrow_key({left.x + 12, left.y + 16}, kind, "Ṗ");
+                  renderer::draw(canvas, pictures::grown_to(all.value, now), upper);
+                  renderer::draw(canvas, pictures::grown_to(all.rate, now), lower);
+                });
+  page.figure("rate", "Ċ of the two boxes: the formula and the differences along the motion.", all.rate);
+  page.text(
+      "Over the whole flight the two differ by at most @ m²/s. A centred difference is allowed @ m²/s: its own "
+      "error shrinks with the square of its step.",
+      all.largest_difference, all.tolerance);
+
+  page.claim({.quantity = "Ċ of the bob",
+              .unit = "m²/s",
+              .expected = 0.6 * length * speed,
+              .source = "d·v by hand",
+              .measured = bob,
+              .tolerance = tutor::relative(1e-14)});
+  page.claim({.quantity = "largest difference between (10) and differences of C",
+              .unit = "m²/s",
+              .expected = all.tolerance,
+              .source = "step²/6 · bound on the third derivative, and rounding",
+              .measured = all.largest_difference,
+              .tolerance = tutor::at_most()});
+}
+
+}  // namespace byhand::lesson01

@@ -1,0 +1,151 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "lessons/01_jacobian/picture.hpp"
+#include "solver/constraints/normalised_distance.hpp"
+#include "solver/row.hpp"
+#include "solver/scenes/pendulum.hpp"
+
+// (5): Jᵀ takes λ to a force. It is J's dual, not its inverse.
+namespace byhand::lesson01 {
+namespace {
+
+using renderer::Point;
+namespace palette = renderer::palette;
+using M = PlaneParticle;
+using Row = Jacobian<M, 1>;
+
+struct Rod {
+  Scene<M, NormalisedDistance> scene;
+  Row J, W;
+  double inverse_mass;  // (19)
+};
+
+Rod rod_of(const Settings& set) {
+  Rod rod{pendulum<M, NormalisedDistance>(0.6, set.length, set.mass), {}, {}, 0};
+  const auto& bodies = rod.scene.bodies;
+  rod.J = rod.scene.all<NormalisedDistance>()[0].jacobian(bodies.pose[0], bodies.pose[1]);
+  rod.W =
+      times_inverse_mass(rod.J, bodies.inverse_mass[0], bodies.pose[0], bodies.inverse_mass[1], bodies.pose[1]);
+  rod.inverse_mass = inverse_effective_mass(rod.J, rod.W)(0, 0);
+  return rod;
+}
+
+/// The power of a pull of λ = −1 N on a bob that moves at 1 m/s, over the direction of that motion.
+renderer::Chart power(const Row& J, double& largest_difference) {
+  renderer::Curve of_force{.label = "F·V", .style = renderer::CurveStyle::markers, .colour = palette::force};
+  renderer::Curve of_row{.label = "λ·JV", .colour = palette::constraint};
+  largest_difference = 0;
+  const Linear<M> force = -J.l2().transpose();
+  for (int degrees = 0; degrees <= 360; degrees += 6) {
+    const double at = degrees * std::numbers::pi / 180;
+    const Velocity<M> V(std::cos(at), std::sin(at));
+    const double by_row = -dot(J, Velocity<M>(0, 0), V)[0];
+    of_row.x.push_back(degrees);
+    of_row.y.push_back(by_row);
+    of_force.x.push_back(degrees);
+    of_force.y.push_back(force.dot(V));
+    largest_difference = std::max(largest_difference, std::abs(force.dot(V) - by_row));
+  }
+  return {.x = {.label = "direction of the bob's motion (°)",
+                .range = std::pair{0.0, 360.0},
+                .ticks = {{0, "0"}, {90, "90"}, {180, "180"}, {270, "270"}, {360, "360"}}},
+          .y = {.label = "power of the rod's force (W)"},
+          .curves = {of_row, of_force},
+          .references = {{renderer::Reference::Across::y, 0, "no work"}}};
+}
+
+void draw_force(renderer::Canvas& canvas, const Row& J, double length) {
+  const Point n = J.l2().transpose(), along(-n.y(), n.x()), bob = length * n;
+  canvas.look(renderer::fit({-0.75 * length, -1.5 * length, 2.4 * length, 1.7 * length}, canvas.page(), 16));
+  std::vector<Point> circle;
+  for (int i = 0; i <= 60; ++i) circle.push_back(length * from_straight_down<M>(-0.6 + 2.2 * i / 60));
+  canvas.path(circle, {palette::theory, 1.6, renderer::Dash::dashed});
+  canvas.anchor({0, 0});
+  canvas.rod({0, 0}, bob);
+  canvas.hinge({0, 0});
+  canvas.disc(bob, 15 / canvas.camera().scale);
+  canvas.arrow(bob, bob - 0.45 * length * n, {palette::force, 4});
+  canvas.arrow(bob, bob + 0.35 * length * n, {palette::constraint, 4});
+  canvas.arrow(bob, bob + 0.5 * length * along, {palette::velocity, 4});
+  renderer::TextStyle style{.size = 20, .anchor = renderer::Anchor::left, .halo = 3, .offset = {10, 0}};
+  style.colour = palette::force;
+  canvas.text(bob - 0.45 * length * n, "F = λJ^T, λ < 0", style);
+  style.colour = palette::constraint;
+  canvas.text(bob + 0.35 * length * n, "J", style);
+  style.colour = palette::velocity;
+  canvas.text(bob + 0.5 * length * along, "V that the rod allows: JV = 0", style);
+}
+
+}  // namespace
+
+void dual_map(tutor::Page& page, const Settings& set) {
+  const Rod rod = rod_of(set);
+  const Row& J = rod.J;
+  page.text(
+      "J takes velocities to a rate of C. The article takes the way back, from λ to a force on the bodies, by the "
+      "transpose, and calls it the inverse.");
+  page.equation(5);
+  const double JJt = (J.matrix * J.matrix.transpose())(0, 0);
+  page.text(
+      "J has no inverse: it is one row and swallows all but one of the directions in which bodies can move. And "
+      "Jᵀ does "
+      "not even undo that one. Take the row of |d| − L, a rod between two bodies. Ask for Ċ = 1, use V = Jᵀ·1, "
+      "and look "
+      "what you get: JJᵀ = @, not 1. (With (14) it would be 2|d|², which is not even a number without a unit; and "
+      "where bodies turn, square metres are added to metres to the fourth.)",
+      JJt);
+  page.text(
+      "What Jᵀ truly is, you have known since you pushed a door. A lever that multiplies a speed divides a force, "
+      "so that "
+      "the *power* is the same on both sides: (λJᵀ)·V = λ(JV), for every V. That makes Jᵀ the dual of J. And it "
+      "says why "
+      "constraint forces point along J: where JV = 0, where the bodies do what the constraint allows, the force "
+      "does no "
+      "work. A rod neither drives nor brakes its bob.");
+  double difference = 0;
+  const renderer::Chart chart = power(J, difference);
+  page.figure("dual", "The rod's force is square to every motion that the rod allows.",
+              [J, length = set.length()](renderer::Canvas& canvas) { draw_force(canvas, J, length); });
+  page.figure("power",
+              "Power of a pull of 1 N on a bob that moves at 1 m/s in any direction: F·V and λ·JV are one.",
+              chart);
+  const double back = (J.matrix * rod.W.matrix.transpose())(0, 0) / rod.inverse_mass;
+  page.text(
+      "The way back that does deserve the name is longer: M⁻¹Jᵀ(JM⁻¹Jᵀ)⁻¹. It gives the velocities of least "
+      "kinetic "
+      "energy with the wanted Ċ, and J times it is @. It needs the masses, and it is what (17) and (20) do "
+      "together: "
+      "next lesson.",
+      back);
+
+  const Linear<M> n = J.l2().transpose();
+  const Velocity<M> allowed(-n.y() * set.speed, n.x() * set.speed);
+  page.claim({.quantity = "JJᵀ of a unit row between two particles",
+              .unit = "1",
+              .expected = 2,
+              .source = "n·n + n·n",
+              .measured = JJt,
+              .tolerance = tutor::absolute(1e-14)});
+  page.claim({.quantity = "F·V along the circle at λ = 1 N",
+              .unit = "W",
+              .expected = 0,
+              .source = "the tangent is square to the rod",
+              .measured = n.dot(allowed),
+              .tolerance = tutor::absolute(1e-15 * set.speed)});
+  page.claim({.quantity = "F·V − λ·JV over all directions, largest",
+              .unit = "W",
+              .expected = 1e-15,
+              .source = "Jᵀ is the dual map",
+              .measured = difference,
+              .tolerance = tutor::at_most()});
+  page.claim({.quantity = "J·M⁻¹Jᵀ(JM⁻¹Jᵀ)⁻¹",
+              .unit = "1",
+              .expected = 1,
+              .source = "a right inverse",
+              .measured = back,
+              .tolerance = tutor::absolute(1e-15)});
+}
+
+}  // namespace byhand::lesson01

@@ -1,0 +1,170 @@
+#include <unsupported/Eigen/AutoDiff>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "lessons/01_jacobian/picture.hpp"
+#include "solver/constraints/contact.hpp"
+#include "solver/constraints/friction.hpp"
+#include "solver/constraints/normalised_distance.hpp"
+#include "solver/constraints/pin.hpp"
+
+// The machine differentiates `value` by itself, to rounding; what was derived by hand is held against it.
+namespace byhand::lesson01 {
+namespace {
+
+namespace palette = renderer::palette;
+
+//! [gradient]
+/// J without a derivation: C(x + δ) with a dual number δ for each of the 2 dof ways to move.
+template <class M, template <class> class Kind>
+auto gradient(const Kind<M>& constraint, const Pose<M>& pose1, const Pose<M>& pose2) {
+  constexpr int ways = 2 * M::dof;
+  using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<double, ways, 1>>;
+  const auto nudged = [](const Pose<M>& pose, int first) {
+    Velocity<M, Dual> nudge;
+    for (int i = 0; i < M::dof; ++i) nudge[i] = Dual(0.0, ways, first + i);
+    return moved<M, Dual>(cast<Dual>(pose), nudge, Dual(1.0));
+  };
+  const auto C = constraint.template value<Dual>(nudged(pose1, 0), nudged(pose2, M::dof));
+  Eigen::Matrix<double, Kind<M>::rows, ways> J;
+  for (int k = 0; k < J.rows(); ++k) J.row(k) = C[k].derivatives().transpose();
+  return J;
+}
+//! [gradient]
+
+/// Numbers in [−1, 1), the same in every run.
+class Random {
+ public:
+  double operator()() { return static_cast<double>(engine_()) / 0x1p63 - 1; }
+  template <class V>
+  V vector() {
+    V v;
+    for (double& x : v) x = (*this)();
+    return v;
+  }
+
+ private:
+  std::mt19937_64 engine_{1992};
+};
+
+template <class M>
+Pose<M> random_pose(Random& random, double size) {
+  Pose<M> pose;
+  pose.position = size * random.vector<Linear<M>>();
+  if constexpr (M::angular == 1) pose.rotation = plane_rotation(3.0 * random());
+  if constexpr (M::angular == 3)
+    pose.rotation = space_rotation<double>(Angular<M>(3.0 * random.vector<Angular<M>>()));
+  return pose;
+}
+
+template <class M>
+Anchors<M> random_anchors(Random& random, double size) {
+  Anchors<M> at{0, 1};
+  if constexpr (M::angular > 0) at.arms = {size * random.vector<Linear<M>>(), size * random.vector<Linear<M>>()};
+  return at;
+}
+
+/// The largest entry of |J by hand − J by dual numbers| over all kinds of constraint, over the largest of J.
+template <class M>
+double largest_difference(double size, int draws) {
+  Random random;
+  double largest = 0;
+  for (int i = 0; i < draws; ++i) {
+    const Pose<M> pose1 = random_pose<M>(random, size), pose2 = random_pose<M>(random, size);
+    const Anchors<M> at = random_anchors<M>(random, size);
+    const Linear<M> normal = random.vector<Linear<M>>().normalized();
+    const auto compare = [&]<template <class> class Kind>(const Kind<M>& constraint) {
+      const auto by_hand = constraint.jacobian(pose1, pose2).matrix;
+      const double difference = (by_hand - gradient<M>(constraint, pose1, pose2)).cwiseAbs().maxCoeff();
+      largest = std::max(largest, difference / by_hand.cwiseAbs().maxCoeff());
+    };
+    compare(Distance<M>{at, size});
+    compare(NormalisedDistance<M>{at, size});
+    compare(Pin<M>{at});
+    compare(Contact<M>{at, normal});
+    compare(Friction<M>{at, tangents_of<M>(normal), 0.5});
+  }
+  return largest;
+}
+
+/// The error of Ċ by differences, over their step; and by dual numbers.
+struct Accuracy {
+  renderer::Chart chart;
+  double dual = 0, best_one_sided = 1e300, best_centred = 1e300;
+};
+
+Accuracy accuracy(const Pair& pair) {
+  Eigen::Matrix<double, 6, 1> V;
+  V << pair.V1, pair.V2;
+  // The reference is (14): it is exact, and the dual numbers are held against it in the same way.
+  const double exact = pair.rate();
+  const double dual = (gradient<PlaneBody>(pair.rod, pair.pose1, pair.pose2) * V)(0, 0);
+  Accuracy all{.dual = std::abs(dual - exact)};
+  renderer::Curve one{
+      .label = "one-sided", .style = renderer::CurveStyle::line_and_markers, .colour = palette::force};
+  renderer::Curve two{
+      .label = "centred", .style = renderer::CurveStyle::line_and_markers, .colour = palette::error};
+  const double still = 1e-16 * std::abs(exact);  // where a lucky difference of zero is drawn
+  for (int i = 0; i <= 28; ++i) {
+    const double step = std::pow(10, -1 - i / 2.0);
+    const double one_sided = std::abs((pair.after(step).value() - pair.value()) / step - exact);
+    const double centred = std::abs(difference(pair, step) - exact);
+    all.best_one_sided = std::min(all.best_one_sided, one_sided);
+    all.best_centred = std::min(all.best_centred, centred);
+    one.x.push_back(step);
+    one.y.push_back(std::max(one_sided, still));
+    two.x.push_back(step);
+    two.y.push_back(std::max(centred, still));
+  }
+  all.chart = {.x = {.label = "step of the difference (s)", .scale = renderer::Scale::logarithmic},
+               .y = {.label = "error of Ċ (m²/s)", .scale = renderer::Scale::logarithmic},
+               .curves = {one, two},
+               .references = {{renderer::Reference::Across::y, std::max(all.dual, still), "dual numbers"}}};
+  return all;
+}
+
+}  // namespace
+
+void dual_numbers(tutor::Page& page, const Settings& set) {
+  const Pair pair = pair_of(set);
+  page.text(
+      "Differences are honest but blunt: a large step misses the bend, a small one drowns in rounding. There is a "
+      "way "
+      "to differentiate a program to the last digit. Give every number a second part that says how it changes, "
+      "(a, a′), and teach + and × the rules of differentiation: (a, a′)(b, b′) = (ab, a′b + ab′). These are dual "
+      "numbers. Push them through the one line that computes C and J falls out, with no derivation at all.");
+  page.excerpt("lessons/01_jacobian/dual_numbers.cpp", "gradient");
+  const Accuracy all = accuracy(pair);
+  page.figure("accuracy",
+              "How well differences know Ċ, over their step; the dashed line is what dual numbers miss.",
+              all.chart);
+  page.text(
+      "At their best the one-sided difference misses Ċ by @ m²/s and the centred one by @ m²/s. The dual number "
+      "misses by @ m²/s.",
+      tutor::Value(all.best_one_sided, 2), tutor::Value(all.best_centred, 2), tutor::Value(all.dual, 2));
+  constexpr int draws = 200;
+  page.text(
+      "So why derive by hand? Because the hand finds what the machine cannot: that (14) is four short "
+      "expressions, "
+      "that it costs a handful of products, what it means and when it vanishes. The machine is the referee. "
+      "Below, "
+      "every kind of constraint of the solver has its J compared at @ random poses, in all four models.",
+      draws);
+  const double tolerance = 100 * std::numeric_limits<double>::epsilon();
+  const auto claim = [&](const char* model, double difference) {
+    page.claim({.quantity = tutor::say("J by hand against dual numbers, @, relative", model),
+                .unit = "1",
+                .expected = tolerance,
+                .source = "some hundred roundings",
+                .measured = difference,
+                .tolerance = tutor::at_most()});
+  };
+  claim("particles in the plane", largest_difference<PlaneParticle>(set.length, draws));
+  claim("bodies in the plane", largest_difference<PlaneBody>(set.length, draws));
+  claim("particles in space", largest_difference<SpaceParticle>(set.length, draws));
+  claim("bodies in space", largest_difference<SpaceBody>(set.length, draws));
+}
+
+}  // namespace byhand::lesson01

@@ -1,0 +1,237 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "lessons/01_jacobian/picture.hpp"
+
+// (14): J read off (13), and why there is only one.
+namespace byhand::lesson01 {
+namespace {
+
+using renderer::Point;
+namespace palette = renderer::palette;
+using Row = Eigen::Matrix<double, 1, 6>;
+
+constexpr int entries = 6;
+const std::array<const char*, entries> names = {"l₁ x", "l₁ y", "a₁", "l₂ x", "l₂ y", "a₂"};
+
+/// The pair moving in one of its six ways alone, at 1 m/s or 1 rad/s.
+Pair moving_in(Pair pair, int way) {
+  Eigen::Matrix<double, entries, 1> V = Eigen::Matrix<double, entries, 1>::Unit(way);
+  pair.V1 = V.head<3>();
+  pair.V2 = V.tail<3>();
+  return pair;
+}
+
+/// All six entries by six small movements; knows C, not J.
+Row probed(const Pair& pair, double step) {
+  Row row;
+  for (int way = 0; way < entries; ++way) row[way] = difference(moving_in(pair, way), step);
+  return row;
+}
+
+/// How far a probe may miss its entry.
+double probe_tolerance(const Pair& pair, double step) {
+  double largest = 0;
+  for (int way = 0; way < entries; ++way)
+    largest = std::max(largest, difference_tolerance(moving_in(pair, way), step));
+  return largest;
+}
+
+/// The same rod with its two ends exchanged, bodies and arms.
+Jacobian<PlaneBody, 1> swapped(const Pair& pair) {
+  Distance<PlaneBody> rod = pair.rod;
+  std::swap(rod.at.arms.first, rod.at.arms.second);
+  return rod.jacobian(pair.pose2, pair.pose1);
+}
+
+/// The row's two blocks, exchanged.
+Row exchanged(const Row& row) {
+  Row other;
+  other << row.tail<3>(), row.head<3>();
+  return other;
+}
+
+renderer::Chart bars(const Row& row, int shown) {
+  renderer::Bars all{.label = "", .colour = palette::constraint};
+  renderer::Chart chart{.x = {.label = "moved by 1 m/s or 1 rad/s"}, .y = {.label = "Ċ = entry of J (m, m²)"}};
+  for (int i = 0; i < entries; ++i) {
+    chart.bar_names.emplace_back(names[static_cast<std::size_t>(i)]);
+    all.values.push_back(i < shown ? row[i] : std::nan(""));
+  }
+  chart.bars = {all};
+  const double largest = 1.15 * row.cwiseAbs().maxCoeff();
+  chart.y.range = std::pair{-largest, largest};
+  return chart;
+}
+
+void draw_probe(renderer::Canvas& canvas, const Pair& pair, const Row& row, const Linear<PlaneBody>& sides,
+                double length, double time, double each) {
+  const int way = std::min(static_cast<int>(time / each), entries - 1);
+  const double phase = std::min(time / each - way, 1.0);
+  const auto [left, right] = canvas.page().inset(16).split_columns(0.56);
+  const renderer::Camera camera =
+      renderer::fit({-0.55 * length, -0.85 * length, 2.5 * length, 1.7 * length}, left, 8);
+  canvas.look(camera);
+  const double size = way % 3 == 2 ? 0.5 : 0.22 * length;  // of the movement to be seen [rad or m]
+  const Pair nudged = moving_in(pair, way).after(size * std::sin(2 * std::numbers::pi * phase));
+  draw(canvas, nudged, sides, true);
+  canvas.look_at_page();
+  canvas.text({left.x + 16, left.top() - 24},
+              tutor::say("only body @ @", way < 3 ? 1 : 2,
+                         way % 3 == 0   ? "moves along x"
+                         : way % 3 == 1 ? "moves along y"
+                                        : "turns"),
+              {.size = 22, .anchor = renderer::Anchor::left, .bold = true});
+  canvas.text({left.x + 16, left.top() - 58},
+              tutor::say("@ = @", names[static_cast<std::size_t>(way)], tutor::Value(row[way], 3)),
+              {.size = 22, .colour = palette::constraint, .anchor = renderer::Anchor::left});
+  renderer::draw(canvas, bars(row, way + 1), right);
+}
+
+/// Where J's arrow on the bob points, for bobs outside and inside the circle.
+void draw_field(renderer::Canvas& canvas, double length) {
+  canvas.look(renderer::fit({-2.75 * length, -1.45 * length, 5.5 * length, 2.9 * length}, canvas.page(), 10));
+  std::vector<Point> circle;
+  for (int i = 0; i <= 120; ++i) {
+    const double at = 2 * std::numbers::pi * i / 120;
+    circle.push_back(length * Point(std::cos(at), std::sin(at)));
+  }
+  canvas.path(circle, {palette::theory, 2, renderer::Dash::dashed});
+  const renderer::ArrowKind kind{palette::constraint, 0.3, "m"};
+  const Distance<PlaneParticle> rod{{0, 1}, length};
+  Pose<PlaneParticle> anchor, bob;
+  for (const double radius : {0.55, 1.0, 1.3})
+    for (int i = 0; i < 12; ++i) {
+      const double at = 2 * std::numbers::pi * (i + (radius == 1.0 ? 0.5 : 0.0)) / 12;
+      bob.position = radius * length * Point(std::cos(at), std::sin(at));
+      const double C = rod.value<double>(anchor, bob)[0];
+      canvas.vector(bob.position, rod.jacobian(anchor, bob).l2().transpose(), kind);
+      const renderer::Colour inside = radius == 1.0 ? palette::body : C > 0 ? palette::error : palette::velocity;
+      canvas.disc(bob.position, 7 / canvas.camera().scale, {inside, {palette::ink, 1.2}});
+    }
+  canvas.anchor({0, 0});
+  canvas.hinge({0, 0});
+  canvas.look_at_page();
+  const renderer::TextStyle style{.size = 19, .anchor = renderer::Anchor::left};
+  canvas.mark({40, 640}, renderer::Mark::disc, palette::error, 13);
+  canvas.text({56, 640}, "too long, C > 0", style);
+  canvas.mark({40, 604}, renderer::Mark::disc, palette::body, 13);
+  canvas.text({56, 604}, "on the circle, C = 0", style);
+  canvas.mark({40, 568}, renderer::Mark::disc, palette::velocity, 13);
+  canvas.text({56, 568}, "too short, C < 0", style);
+  canvas.look(renderer::fit({-2.75 * length, -1.45 * length, 5.5 * length, 2.9 * length}, canvas.page(), 10));
+  canvas.arrow_key({40, 520}, kind, "l_2 = d,");
+}
+
+void say_swap(tutor::Page& page, const Pair& pair, const Row& row, double exact) {
+  const Row other = swapped(pair).matrix;
+  page.text(
+      "*What if you name the bodies the other way round?* Then d turns into −d. Written as a list, the linear "
+      "entries of the row change sign: l₁ was @ and becomes @.\n\nBut look at the bodies and not at the list: "
+      "that "
+      "new l₁ belongs to what used to be body 2. The two blocks of the row have changed places, and so each body "
+      "keeps its arrows. It has to be so: (2) does not care which end you call the first.",
+      vector(row.segment<2>(0).transpose()), vector(other.segment<2>(0).transpose()));
+  page.claim({.quantity = "row after the swap − row with its blocks exchanged",
+              .unit = "m, m²",
+              .expected = exact,
+              .source = "C of (2) is the same from both ends",
+              .measured = (other - exchanged(row)).cwiseAbs().maxCoeff(),
+              .tolerance = tutor::at_most()});
+}
+
+}  // namespace
+
+void inspection(tutor::Page& page, const Settings& set) {
+  const double length = set.length, step = 1e-3;
+  const Pair pair = pair_of(set);
+  const Jacobian<PlaneBody, 1> J = pair.row();
+  const Row row = J.matrix, by_probe = probed(pair, step);
+  const Linear<PlaneBody> sides = box_sides(set);
+
+  page.text(
+      "The last of the four steps is to look. In (13) every velocity stands alone behind its coefficient; the "
+      "coefficients, in the order of the velocities, *are* J.");
+  page.equation(14, "J = [ @  @  @  @ ]", R"(J = \begin{bmatrix} @ & @ & @ & @ \end{bmatrix})",
+                vector(J.l1().transpose()), J.a1()(0, 0), vector(J.l2().transpose()), J.a2()(0, 0));
+  page.excerpt("solver/jacobian.hpp", "along");
+  page.text(
+      "\"By inspection\" sounds like a licence to guess. It is not: Ċ = JV holds for *every* V, and that leaves "
+      "no "
+      "choice. Let one coordinate of one body move at 1 and all else rest, and JV is one entry of J. Six such "
+      "movements, six entries; any two rows that agree on all motions are the same row.");
+  constexpr double each = 0.6;
+  page.sequence("probes", "Six movements find six numbers: each time Ċ is read off C, with no J in sight.",
+                tutor::Seconds{entries * each}, [=](renderer::Canvas& canvas, double time) {
+                  draw_probe(canvas, pair, by_probe, sides, length, time, each);
+                });
+
+  page.text(
+      "A row is a picture on its bodies. l is an arrow on the body's centre, a is a bow around it; an arrow on "
+      "one "
+      "side has its counterpart on the other.");
+  page.figure("row", "The four parts of J, drawn on the bodies that they belong to.",
+              [=](renderer::Canvas& canvas) {
+                canvas.look(renderer::fit({-1.05 * length, -0.7 * length, 3.9 * length, 1.8 * length},
+                                          canvas.page().inset(10), 10));
+                draw(canvas, pair, sides, false);
+                draw_row(canvas, J, pair.pose1.position, pair.pose2.position,
+                         {0.32, 4 / (length * length), 0.16 * length, tutor::say("l_1 = −d"),
+                          tutor::say("a_1 = −r_1 × d = @ m²", tutor::Value(J.a1()(0, 0), 3)), "l_2 = d",
+                          tutor::say("a_2 = r_2 × d = @ m²", tutor::Value(J.a2()(0, 0), 3))});
+                canvas.arrow_key({40, 40}, {palette::constraint, 0.32, "m"}, "l");
+              });
+
+  // J's arrow on a bob of a rod with this pair's error, and the way out from the anchor.
+  const Distance<PlaneParticle> rod{{0, 1}, length};
+  Pose<PlaneParticle> anchor, bob;
+  bob.position = (length + set.stretch) * Linear<PlaneParticle>(0.6, -0.8);
+  const double C = rod.value<double>(anchor, bob)[0], out = rod.jacobian(anchor, bob).l2().dot(bob.position);
+  page.choose({.ask = tutor::say("A rod from an anchor to a bob is @: C = @ m². Does J's arrow on the bob point to the "
+                          "anchor or away from it?",
+                          C > 0   ? "too long"
+                          : C < 0 ? "too short"
+                                  : "just right",
+                          C),
+               .options = {{"to the anchor",
+                            "J is the gradient: it points where C grows. The minus in (17) turns the "
+                            "push round. (The article says \"towards the target\".)"},
+                           {"away from the anchor",
+                            "J is the gradient of C: away from the anchor is where C grows, "
+                            "whether the rod is too long or too short."},
+                           {"that depends on the sign of C",
+                            "d does not ask for C: (14) contains neither C nor L. Only λ will ask."}},
+               .answer = out < 0 ? 0 : 1,
+               .hint = "(14) says l₂ = d. From where to where does d point?"});
+  page.figure("field", "J's arrow on the bob points where C grows: outwards, also where the rod is too short.",
+              [=](renderer::Canvas& canvas) { draw_field(canvas, length); });
+  page.text(
+      "So the article's \"always points towards the target\" needs a grain of salt. Move both bodies a little "
+      "along "
+      "J and C grows by |J|² times that little. Whether to go there or back is not J's business: it is the sign "
+      "of "
+      "λ, and that is the next lesson.");
+
+  say_swap(page, pair, row, 1e-13 * (1 + length * length));
+
+  Pair along = pair;  // both bodies moving along J
+  along.V1 = row.head<3>().transpose();
+  along.V2 = row.tail<3>().transpose();
+  const double along_step = step / (1 + row.norm());
+  page.claim({.quantity = "six probes against (14), largest difference",
+              .unit = "m, m²",
+              .expected = probe_tolerance(pair, step),
+              .source = "step²/6 · bound on the third derivative, and rounding",
+              .measured = (by_probe - row).cwiseAbs().maxCoeff(),
+              .tolerance = tutor::at_most()});
+  page.claim({.quantity = "Ċ when both bodies move along J",
+              .unit = "m⁴/s",
+              .expected = row.squaredNorm(),
+              .source = "|J|² > 0: C grows there",
+              .measured = difference(along, along_step),
+              .tolerance = tutor::absolute(difference_tolerance(along, along_step))});
+}
+
+}  // namespace byhand::lesson01

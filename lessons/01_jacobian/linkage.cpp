@@ -1,0 +1,133 @@
+#include <algorithm>
+#include <cmath>
+
+#include "lessons/01_jacobian/picture.hpp"
+#include "lessons/pictures/rods_and_bobs.hpp"
+#include "solver/scenes/chain.hpp"
+
+// (6) to (8): many rows, nearly all of them zero.
+namespace byhand::lesson01 {
+namespace {
+
+using M = PlaneBody;
+namespace palette = renderer::palette;
+
+Scene<M, Pin> chain_of(const Settings& set) {
+  return pinned_chain<M>(
+      {.links = set.links, .length = set.length, .mass = set.mass, .end_mass = set.mass, .angle = 0.9});
+}
+
+/// J of the whole chain: two rows a pin, three columns a link (the anchor has none: nothing moves it).
+Eigen::MatrixXd whole(const Scene<M, Pin>& scene) {
+  const int links = scene.bodies.size() - 1;
+  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(2 * scene.count(), 3 * links);
+  int row = 0;
+  for (const Pin<M>& pin : scene.all<Pin>()) {
+    const auto part = pin.jacobian(scene.bodies.pose[pin.at.body1], scene.bodies.pose[pin.at.body2]);
+    if (pin.at.body1 > 0) J.block<2, 3>(row, 3 * (pin.at.body1 - 1)) = part.side1();
+    J.block<2, 3>(row, 3 * (pin.at.body2 - 1)) = part.side2();
+    row += 2;
+  }
+  return J;
+}
+
+/// A pin's row takes one component of v and, with it, one ω of each of its two links: 2 · 2 entries that are not
+/// zero for the first pin, which has one link, and 2 · 4 for each other.
+double share_of_zeros(int links) { return 1 - (8.0 * links - 4) / (2.0 * links * 3 * links); }
+
+renderer::Chart picture_of(const Eigen::MatrixXd& J) {
+  renderer::HeatMap map{.label = "entry of J (1, m)", .diverging = true, .square = true};
+  for (int column = 0; column < J.cols(); ++column) map.x.push_back(column + 1);
+  for (int row = 0; row < J.rows(); ++row) map.y.push_back(row + 1);
+  for (int row = 0; row < J.rows(); ++row)
+    for (int column = 0; column < J.cols(); ++column) {
+      const double entry = J(row, column);
+      map.values.push_back(entry == 0 ? std::nan("") : entry);
+    }
+  return {.x = {.label = "velocity: v_x, v_y, ω of link 1, 2, …"},
+          .y = {.label = "row: two for each pin", .reversed = true},
+          .heat_map = map};
+}
+
+/// How many entries of a row are stored.
+template <class Model>
+constexpr int stored = decltype(Jacobian<Model, 1>::matrix)::ColsAtCompileTime;
+
+}  // namespace
+
+void linkage(tutor::Page& page, const Settings& set) {
+  page.text(
+      "A constraint between two bodies has one row with four parts, one for each kind of velocity of each body. "
+      "Multiplied out, it is four dot products.");
+  page.equation(6);
+  page.equation(7);
+  page.equation(8);
+  page.excerpt("solver/jacobian.hpp", "8");
+  page.text(
+      "How many numbers is that? In the plane a body can turn in one way only, so a is *one* number and a row is "
+      "(2 + 1)·2 = @. In space it is (3 + 3)·2 = @. (The article's \"two scalar values in 2D, and three in 3D\" "
+      "fits l.) A "
+      "bob that does not turn needs @ in the plane and @ in space, and the solver stores no more than that.",
+      stored<PlaneBody>, stored<SpaceBody>, stored<PlaneParticle>, stored<SpaceParticle>);
+
+  const Scene<M, Pin> scene = chain_of(set);
+  const Eigen::MatrixXd J = whole(scene);
+  const int links = set.links;
+  const double zeros = double((J.array() == 0).count()) / double(J.size());
+  page.text(
+      "Now @ links, pinned end to end. A pin is two constraints, so there are @ rows, and all the bodies together "
+      "have "
+      "@ velocities: a matrix of @ numbers. Here it is, with every entry that is exactly zero left empty.",
+      links, J.rows(), J.cols(), J.size());
+  page.figure("linkage", "The chain: each pin speaks of two neighbours and of nobody else.",
+              [=](renderer::Canvas& canvas) {
+                const auto linkage = pictures::rods_and_bobs(scene);
+                std::vector<renderer::Point> corners{{0, 0}};
+                for (const auto& link : linkage.links) corners.push_back(link.to);
+                canvas.look(renderer::fit(renderer::bounds(corners), canvas.page(), 60));
+                pictures::draw(canvas, linkage);
+              });
+  page.figure("matrix", "J of the chain. Empty cells are zero.", picture_of(J));
+  page.text(
+      "@ % of it is nothing, and for twice as long a chain it would be @ %. That is why no solver here ever "
+      "builds this "
+      "matrix: it keeps the rows, each with the numbers of its own two bodies, and (8) skips the rest.",
+      tutor::Value(100 * zeros, 3), tutor::Value(100 * share_of_zeros(2 * links), 3));
+
+  Eigen::VectorXd V = Eigen::VectorXd::Zero(J.cols());
+  for (int i = 0; i < V.size(); ++i) V[i] = double((37 * i + 11) % 23) / 23 - 0.5;  // anything at all
+  const Eigen::VectorXd by_matrix = J * V;
+  double difference = 0;
+  for (int i = 0; i < scene.count(); ++i) {
+    const Pin<M>& pin = scene.all<Pin>()[static_cast<std::size_t>(i)];
+    const Velocity<M> V1 =
+        pin.at.body1 > 0 ? Velocity<M>(V.segment<3>(3 * (pin.at.body1 - 1))) : Velocity<M>::Zero();
+    const Velocity<M> V2 = V.segment<3>(3 * (pin.at.body2 - 1));
+    const auto row = pin.jacobian(scene.bodies.pose[pin.at.body1], scene.bodies.pose[pin.at.body2]);
+    difference = std::max(difference, (dot(row, V1, V2) - by_matrix.segment<2>(2 * i)).cwiseAbs().maxCoeff());
+  }
+  const auto claim_numbers = [&](const char* model, int expected, int measured) {
+    page.claim({.quantity = tutor::say("numbers in a row, @", model),
+                .unit = "1",
+                .expected = double(expected),
+                .source = "(7): l and a of two bodies",
+                .measured = double(measured),
+                .tolerance = tutor::absolute(0)});
+  };
+  claim_numbers("bodies in the plane", 2 * (2 + 1), stored<PlaneBody>);
+  claim_numbers("bodies in space", 2 * (3 + 3), stored<SpaceBody>);
+  page.claim({.quantity = "share of zeros in J of the chain",
+              .unit = "1",
+              .expected = share_of_zeros(links),
+              .source = "counted by pins: 4 entries for the first, 8 for each other",
+              .measured = zeros,
+              .tolerance = tutor::absolute(1e-12)});
+  page.claim({.quantity = "JV by (8) against the whole matrix, largest difference",
+              .unit = "m/s",
+              .expected = 1e-14 * (1 + set.length),
+              .source = "zeros add nothing",
+              .measured = difference,
+              .tolerance = tutor::at_most()});
+}
+
+}  // namespace byhand::lesson01

@@ -1,0 +1,86 @@
+#include "lessons/01_jacobian/picture.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "renderer/labels.hpp"
+
+namespace byhand::lesson01 {
+
+using renderer::Canvas;
+using renderer::Point;
+using renderer::Stroke;
+namespace palette = renderer::palette;
+
+tutor::Value vector(const Linear<PlaneBody>& v) { return tutor::say("(@, @)", v.x(), v.y()); }
+
+void draw(Canvas& canvas, const Pair& pair, const Linear<PlaneBody>& sides, bool named) {
+  const Point c1 = pair.pose1.position, c2 = pair.pose2.position, p1 = c1 + pair.r1(), p2 = c2 + pair.r2();
+  canvas.box(c1, sides, angle(pair.pose1.rotation));
+  canvas.box(c2, sides, angle(pair.pose2.rotation));
+  canvas.rod(p1, p2);
+  for (const auto& [centre, tip] : {std::pair{c1, p1}, std::pair{c2, p2}}) {
+    canvas.line(centre, tip, {palette::muted, 1.8, renderer::Dash::dashed});
+    canvas.mark(centre, renderer::Mark::cross, palette::muted, 8);
+    canvas.hinge(tip);
+  }
+  if (!named) return;
+  const renderer::TextStyle style{.size = 20, .halo = 3};
+  renderer::Labels labels(canvas, canvas.camera().frame);
+  for (const auto& [from, to] : {std::pair{c1, p1}, std::pair{c2, p2}, std::pair{p1, p2}})
+    labels.avoid_path(std::vector<Point>{from, to});
+  labels.place((c1 + p1) / 2, "r_1", style);
+  labels.place((c2 + p2) / 2, "r_2", style);
+  labels.place((p1 + p2) / 2, "d", style);
+  labels.place(p1, "P_1", style, 14);
+  labels.place(p2, "P_2", style, 14);
+}
+
+void draw_bow(Canvas& canvas, const Point& centre, double radius, double from, double turn, const Stroke& stroke) {
+  const auto at = [&](double angle) { return Point(centre + radius * Point(std::cos(angle), std::sin(angle))); };
+  if (std::abs(turn) < 1e-9) return;
+  // The head is a short arrow along the bow's last stretch.
+  const double head = std::min(std::abs(turn), 4.5 * stroke.width / (radius * canvas.camera().scale));
+  const double neck = from + turn - std::copysign(head, turn);
+  std::vector<Point> bow;
+  for (int i = 0; i <= 40; ++i) bow.push_back(at(from + (neck - from) * i / 40));
+  canvas.path(bow, stroke);
+  canvas.arrow(at(neck), at(from + turn), {stroke.colour, 1.7 * stroke.width});
+}
+
+void draw_row(Canvas& canvas, const Jacobian<PlaneBody, 1>& J, const Point& centre1, const Point& centre2,
+              const RowArrows& arrows) {
+  const Stroke stroke{palette::constraint, 3.4};
+  struct Side {
+    Point centre;
+    Point l;
+    double a;
+    const std::string &l_text, &a_text;
+  };
+  for (const Side& side : {Side{centre1, J.l1().transpose(), J.a1()(0, 0), arrows.l1, arrows.a1},
+                           Side{centre2, J.l2().transpose(), J.a2()(0, 0), arrows.l2, arrows.a2}}) {
+    const Point tip = side.centre + arrows.scale * side.l;
+    canvas.arrow(side.centre, tip, stroke);
+    // Bows open on the side away from the arrow.
+    const double back = std::atan2(-side.l.y(), -side.l.x());
+    const double turn = std::clamp(arrows.turn * side.a, -1.8 * std::numbers::pi, 1.8 * std::numbers::pi);
+    draw_bow(canvas, side.centre, arrows.radius, back - turn / 2, turn, stroke);
+    const renderer::TextStyle style{.size = 18, .colour = palette::constraint, .halo = 3};
+    if (!side.l_text.empty()) {
+      renderer::TextStyle beside = style;
+      beside.anchor = side.l.x() > 0 ? renderer::Anchor::left : renderer::Anchor::right;
+      beside.offset = {side.l.x() > 0 ? 10.0 : -10.0, 0};
+      canvas.text(tip, side.l_text, beside);
+    }
+    if (!side.a_text.empty()) {
+      renderer::TextStyle below = style;
+      below.anchor = renderer::Anchor::top;
+      below.offset = {0, -8};
+      canvas.text(side.centre - Point(0, arrows.radius), side.a_text, below);
+    }
+  }
+}
+
+}  // namespace byhand::lesson01

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+
+#include "lessons/01_jacobian/pair.hpp"
+#include "renderer/canvas.hpp"
+
+namespace byhand::lesson01 {
+
+/// A vector in words: "(1.2, −1.6)"; in LaTeX as well.
+tutor::Value vector(const Linear<PlaneBody>& v);
+
+/// The boxes, the rod, the arms and their names, in the world of the canvas's camera.
+void draw(renderer::Canvas& canvas, const Pair& pair, const Linear<PlaneBody>& sides, bool named);
+
+/// The four parts of a row on its two bodies: l as an arrow from the centre, `scale` world units for one metre of
+/// J, and a as a bow round it that opens by `turn` radians for one square metre. Texts beside them, if not empty.
+struct RowArrows {
+  double scale = 1, turn = 1, radius = 0.3;
+  std::string l1 = {}, a1 = {}, l2 = {}, a2 = {};
+};
+void draw_row(renderer::Canvas& canvas, const Jacobian<PlaneBody, 1>& J, const renderer::Point& centre1,
+              const renderer::Point& centre2, const RowArrows& arrows);
+
+/// A bow with a head at its end: from the angle `from` [rad] round `centre`, opened by `turn` [rad], anticlockwise
+/// if positive.
+void draw_bow(renderer::Canvas& canvas, const renderer::Point& centre, double radius, double from, double turn,
+              const renderer::Stroke& stroke);
+
+}  // namespace byhand::lesson01

@@ -1,0 +1,109 @@
+#include <cmath>
+
+#include "lessons/01_jacobian/picture.hpp"
+#include "solver/constraints/contact.hpp"
+
+// (23), read so that it can be computed.
+namespace byhand::lesson01 {
+namespace {
+
+using renderer::Point;
+namespace palette = renderer::palette;
+using M = PlaneBody;
+
+/// Two discs that overlap, each turned somehow; arms are kept in the discs' own frames.
+struct Discs {
+  double radius1, radius2;
+  Pose<M> first, second;
+  Contact<M> contact;
+
+  double value() const { return contact.value<double>(first, second)[0]; }
+};
+
+Discs discs(double length, double distance) {
+  Discs at{0.35 * length, 0.22 * length, {}, {}, {}};
+  const Point n = Point(0.8, 0.6);
+  at.first.rotation = plane_rotation(1.1);
+  at.second.rotation = plane_rotation(-0.7);
+  at.second.position = distance * n;
+  at.contact.normal = n;
+  at.contact.at = {
+      0, 1, {arm_to<M>(at.first, at.radius1 * n), arm_to<M>(at.second, at.second.position - at.radius2 * n)}};
+  return at;
+}
+
+void draw_discs(renderer::Canvas& canvas, const Discs& at, double length) {
+  canvas.look(
+      renderer::fit({-0.45 * length, -0.42 * length, 1.35 * length, 1.05 * length}, canvas.page().inset(10), 8));
+  const Point x1 = at.first.position, x2 = at.second.position, n = at.contact.normal;
+  const Point p1 = x1 + at.radius1 * n, p2 = x2 - at.radius2 * n;
+  canvas.disc(x1, at.radius1, {renderer::fade(palette::body, 0.8), {palette::ink, 1.8}});
+  canvas.disc(x2, at.radius2, {renderer::fade(palette::body, 0.8), {palette::ink, 1.8}});
+  canvas.arrow(x1, p1, {palette::ink, 3});
+  canvas.arrow(x2, p2, {palette::ink, 3});
+  canvas.line(p1, p2, {palette::error, 7});
+  const Point aside(-n.y(), n.x());
+  const renderer::TextStyle style{.size = 20, .halo = 3};
+  renderer::TextStyle red = style;
+  red.colour = palette::error;
+  red.anchor = renderer::Anchor::left;
+  canvas.mark(x1, renderer::Mark::disc, palette::ink, 9);
+  canvas.mark(x2, renderer::Mark::disc, palette::ink, 9);
+  canvas.text(x1 - 0.05 * length * n, "x_1", style);
+  canvas.text(x2 + 0.05 * length * n, "x_2", style);
+  canvas.text(x1 + 0.5 * at.radius1 * n + 0.05 * length * aside, "r_1", style);
+  canvas.text(x2 - 0.55 * at.radius2 * n + 0.05 * length * aside, "r_2", style);
+  canvas.arrow(x2 + at.radius2 * n, x2 + (at.radius2 + 0.16 * length) * n, {palette::constraint, 3});
+  renderer::TextStyle blue = style;
+  blue.colour = palette::constraint;
+  canvas.text(x2 + (at.radius2 + 0.2 * length) * n, "n", blue);
+  canvas.text((p1 + p2) / 2 - 0.14 * length * aside + Point(0.02 * length, 0),
+              tutor::say("C = @ m", tutor::Value(at.value(), 3)), red);
+}
+
+}  // namespace
+
+void separation(tutor::Page& page, const Settings& set) {
+  const double length = set.length, distance = 0.5 * length;
+  const Discs at = discs(length, distance);
+  page.text("For contacts the article prints C itself, before it is differentiated.");
+  page.equation(23);
+  page.text(
+      "As printed it is a riddle: four vectors in brackets, dotted with one. Read the brackets as a sum, with "
+      "each r "
+      "the arm *in the world*, from the centre x to the contact point:");
+  page.formula("C = ((x₂ + r₂) − (x₁ + r₁))·n = @ m", R"(C = ((x_2 + r_2) - (x_1 + r_1)) \cdot n = @\,\mathrm{m})",
+               at.value());
+  page.text(
+      "Now it is P₂ − P₁ along n, and the rest follows: it is a length in metres, negative where the bodies "
+      "overlap; "
+      "the article's \"interpenetration depth\" is −C. Its rate with n held still is (15). Two discs show it "
+      "without "
+      "any formula for contacts: their gap is the distance of the centres less both radii.");
+  page.figure("discs", "Two discs overlap. C is the short stretch between the tips of both arms, counted along n.",
+              [=](renderer::Canvas& canvas) { draw_discs(canvas, at, length); });
+  const auto& arms = at.contact.at.arms;
+  const double literal =
+      (at.second.position + arms.second - at.first.position - arms.first).dot(at.contact.normal);
+  page.text(
+      "And \"in the world\" matters. These discs have turned; take their arms as they are stored, in the bodies' "
+      "own "
+      "frames, and (23) says @ m.",
+      literal);
+  page.claim({.quantity = "C of (23) for two overlapping discs",
+              .unit = "m",
+              .expected = distance - at.radius1 - at.radius2,
+              .source = "distance less both radii",
+              .measured = at.value(),
+              .tolerance = tutor::absolute(4e-15 * length)});
+  const double apart = 0.8 * length;
+  const Discs gap = discs(length, apart);
+  page.claim({.quantity = "C of two discs that are apart",
+              .unit = "m",
+              .expected = apart - gap.radius1 - gap.radius2,
+              .source = "distance less both radii",
+              .measured = gap.value(),
+              .tolerance = tutor::absolute(4e-15 * length)});
+}
+
+}  // namespace byhand::lesson01

@@ -1,0 +1,171 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+
+#include "lessons/01_jacobian/picture.hpp"
+
+// (11) to (13): how ω leaves the cross product.
+namespace byhand::lesson01 {
+namespace {
+
+using renderer::Point;
+namespace palette = renderer::palette;
+
+/// A body at the origin with its arm along x, and a rod whose other end is placed so that P₂ − P₁ is `d`.
+Pair arm_and_rod(const Point& r, const Point& d) {
+  Pair pair{{{0, 1, {Point(0, 0), r}}, d.norm()}, {}, {}, {0, 0, 0}, {0, 0, 0}};
+  pair.pose1.position = r - d;
+  return pair;
+}
+
+/// The largest |d·(ω × r) − ω·(r × d)| over random vectors in space, relative to |d| |ω| |r|.
+double largest_mismatch(int draws) {
+  std::mt19937_64 random(2013);
+  const auto draw = [&] {
+    Eigen::Vector3d v;
+    for (double& x : v) x = static_cast<double>(random()) / 0x1p63 - 1;
+    return v;
+  };
+  double largest = 0;
+  for (int i = 0; i < draws; ++i) {
+    const Eigen::Vector3d d = draw(), w = draw(), r = draw();
+    largest =
+        std::max(largest, std::abs(d.dot(w.cross(r)) - w.dot(r.cross(d))) / (d.norm() * w.norm() * r.norm()));
+  }
+  return largest;
+}
+
+struct Turning {
+  renderer::Chart chart;
+  double largest_difference = 0;
+};
+
+/// The entry a₂ while d turns once round: by (14), by turning the body a little, and by its lever arm.
+Turning entry_over_direction(double arm, double size) {
+  renderer::Curve entry{.label = "a₂ of (14)", .colour = palette::constraint};
+  renderer::Curve probed{
+      .label = "Ċ at ω₂ = 1 rad/s", .style = renderer::CurveStyle::markers, .colour = palette::error};
+  Turning turning;
+  for (int degrees = 0; degrees <= 360; degrees += 3) {
+    const double at = degrees * std::numbers::pi / 180;
+    Pair pair = arm_and_rod({arm, 0}, size * Point(std::cos(at), std::sin(at)));
+    const double a2 = pair.row().a2()(0, 0), by_hand = arm * size * std::sin(at);
+    turning.largest_difference = std::max(turning.largest_difference, std::abs(a2 - by_hand));
+    entry.x.push_back(degrees);
+    entry.y.push_back(a2);
+    if (degrees % 15 != 0) continue;
+    pair.V2[2] = 1;
+    probed.x.push_back(degrees);
+    probed.y.push_back(difference(pair, 1e-4));
+  }
+  turning.chart = {.x = {.label = "direction of d, from r₂ (°)",
+                         .range = std::pair{0.0, 360.0},
+                         .ticks = {{0, "0"}, {90, "90"}, {180, "180"}, {270, "270"}, {360, "360"}}},
+                   .y = {.label = "a₂ (m²)"},
+                   .curves = {entry, probed},
+                   .references = {{renderer::Reference::Across::y, 0, ""}}};
+  return turning;
+}
+
+void draw_lever(renderer::Canvas& canvas, const renderer::Rectangle& frame, const Pair& pair) {
+  const Point r = pair.r2(), d = pair.d(), ahead = d.normalized();
+  const double arm = r.norm(), size = d.norm();
+  const Point foot = r - ahead * r.dot(ahead);  // where the line of d passes closest to the centre
+  canvas.look(renderer::fit({-1.1 * arm, -1.35 * size, 3 * arm, 2.5 * size}, frame, 8));
+  canvas.box({0, 0}, {2 * arm, 1.2 * arm}, 0);
+  canvas.line(r - 1.25 * size * ahead, r + 1.25 * size * ahead, {palette::muted, 1.5, renderer::Dash::dashed});
+  canvas.arrow({0, 0}, r, {palette::ink, 3});
+  canvas.arrow(r, r + d, {palette::constraint, 4});
+  canvas.line({0, 0}, foot, {palette::error, 5});
+  canvas.mark({0, 0}, renderer::Mark::disc, palette::ink, 10);
+  const double bow = pair.row().a2()(0, 0) < 0 ? -2.2 : 2.2;
+  draw_bow(canvas, {0, 0}, 0.42 * arm, 0.5 * std::numbers::pi + (bow < 0 ? 1.4 : -1.4), bow,
+           {palette::constraint, 3});
+  const renderer::TextStyle style{.size = 20, .halo = 3};
+  renderer::TextStyle of_rod = style, of_lever = style, of_arm = style, of_turn = style;
+  of_rod.colour = of_turn.colour = palette::constraint;
+  of_lever.colour = palette::error;
+  of_rod.anchor = renderer::Anchor::left;
+  of_rod.offset = {12, 0};
+  of_lever.offset = {0, -22};
+  of_arm.offset = {0, 20};
+  of_turn.anchor = renderer::Anchor::bottom;
+  of_turn.offset = {0, 8};
+  canvas.text(r + 0.6 * d, "d", of_rod);
+  canvas.text(foot / 2, "lever arm", of_lever);
+  canvas.text(r / 2, "r_2", of_arm);
+  canvas.text({0, 0.62 * arm}, bow < 0 ? "a_2 < 0: turns clockwise" : "a_2 > 0: turns anticlockwise", of_turn);
+}
+
+}  // namespace
+
+void triple_product(tutor::Page& page, const Settings& set) {
+  const double arm = set.length / 4, size = set.length / 2, area = arm * size;
+  const Pair pair = arm_and_rod({arm, 0}, {0, -size});
+  const double a2 = pair.row().a2()(0, 0);
+
+  page.text("The vector between the anchor points gets a name, and the brackets of (10) are opened.");
+  page.equation(11);
+  page.equation(12);
+  page.text(
+      "The linear velocities already stand alone, each behind its coefficient d. The two ω are still locked in a "
+      "cross product. The scalar triple product frees them: a·(b × c) is the volume of the box that a, b, c span, "
+      "and the volume stays when the three change places in turn.");
+  page.formula("d·(ω × r) = ω·(r × d)", R"(d \cdot (\omega \times r) = \omega \cdot (r \times d))");
+  page.equation(13);
+  page.text(
+      "In turn, not at will: r × d and d × r differ by a sign, and this is where most hand-made Jacobians go "
+      "wrong. In the plane r × d is one number, r_x d_y − r_y d_x: |d| times the lever arm with which d passes "
+      "the "
+      "centre.");
+  page.predict(
+      {.ask =
+           tutor::say("A body's arm is r₂ = (@, 0) m and d = (0, @) m. How large is its angular entry a₂?", arm, -size),
+       .answer = a2,
+       .unit = "m²",
+       .tolerance = 0.05 * area,
+       .wrong = {{-a2, "That is d × r; the step from (12) to (13) gives r × d."},
+                 {0, "d does not pass through the centre, so it has a lever arm."},
+                 {arm, "That is the lever arm alone; (13) multiplies it by |d|."}},
+       .hint = "r_x d_y − r_y d_x.",
+       .right = "Turn the body anticlockwise (ω₂ > 0) and P₂ rises, against d: the rod gets shorter, so a "
+                "negative entry is what you should expect."});
+  const Turning turning = entry_over_direction(arm, size);
+  page.figure("lever", "d acts on the body with a lever arm; a₂ is |d| times that arm, with a sign.",
+              [=](renderer::Canvas& canvas) { draw_lever(canvas, canvas.page().inset(20), pair); });
+  page.text(
+      "Turn d once round the tip of the arm. Where it points through the centre, at 0° and 180°, turning the body "
+      "does not change C, and a₂ is zero. Square to the arm it is largest, @ m². The dots turn the body a little "
+      "and watch C.",
+      area);
+  page.figure("entry", "a₂ while d turns round the tip of the arm.", turning.chart);
+  constexpr int draws = 1000;
+  const double mismatch = largest_mismatch(draws);
+  page.text(
+      "In space all three are vectors and nothing changes: over @ random triples both sides agree to @ of their "
+      "size.",
+      draws, tutor::Value(mismatch, 2));
+
+  page.claim({.quantity = "a₂ of the question",
+              .unit = "m²",
+              .expected = -area,
+              .source = "r_x d_y − r_y d_x",
+              .measured = a2,
+              .tolerance = tutor::relative(1e-14)});
+  page.claim({.quantity = "a₂ while d turns round: largest difference",
+              .unit = "m²",
+              .expected = 1e-14 * area,
+              .source = "|r| |d| sin of the angle between them",
+              .measured = turning.largest_difference,
+              .tolerance = tutor::at_most()});
+  page.claim({.quantity = "d·(ω × r) − ω·(r × d) in space, relative",
+              .unit = "1",
+              .expected = 0,
+              .source = "the volume of one and the same box",
+              .measured = mismatch,
+              .tolerance = tutor::absolute(8 * std::numeric_limits<double>::epsilon())});
+}
+
+}  // namespace byhand::lesson01

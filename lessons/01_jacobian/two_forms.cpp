@@ -1,0 +1,179 @@
+#include <cmath>
+
+#include "lessons/01_jacobian/picture.hpp"
+#include "solver/row.hpp"
+#include "solver/scenes/pendulum.hpp"
+#include "solver/simulation.hpp"
+
+// ½(d² − L²) or |d| − L: the same impulse, another λ, and what happens when C and J are taken from two of them.
+namespace byhand::lesson01 {
+namespace {
+
+namespace palette = renderer::palette;
+using M = PlaneParticle;
+
+//! [mixed]
+/// A rod with the C of (2) and the J of |d| − L: each is right, but not together.
+template <class Model>
+struct Mixed : Distance<Model> {
+  Jacobian<Model, 1> jacobian(const Pose<Model>& pose1, const Pose<Model>& pose2) const {
+    return NormalisedDistance<Model>{this->at, this->length}.jacobian(pose1, pose2);
+  }
+};
+//! [mixed]
+
+constexpr double share = 0.01;  // of the rod's length that it is too long at first
+
+/// The stretches [m] of a bob at rest in weightlessness while Baumgarte's cure with `beta` acts.
+template <template <class> class Rod>
+std::vector<double> stretches(double length, double mass, double beta, double h, int steps) {
+  Simulation<Scene<M, Rod>> simulation{{}, {.solver = GaussSeidel{.sweeps = 1}, .drift = Baumgarte{.beta = beta}}};
+  Scene<M, Rod>& scene = simulation.scene;
+  scene.gravity.setZero();
+  scene.add_body(Linear<M>(0, 0), fixed<M>());
+  scene.add_body(Linear<M>((1 + share) * length * from_straight_down<M>(0.6)), with_mass<M>(mass));
+  Rod<M> rod;
+  rod.at = {0, 1};
+  rod.length = length;
+  scene.add(rod);
+  std::vector<double> all;
+  for (int i = 0; i <= steps; ++i) {
+    all.push_back(scene.bodies.pose[1].position.norm() - length);
+    if (i < steps) simulation.step(h);
+  }
+  return all;
+}
+
+/// Which share of the stretch the first step removes.
+template <template <class> class Rod>
+double gain(double length, const Settings& set) {
+  const auto stretch = stretches<Rod>(length, set.mass, set.beta, set.h, 1);
+  return 1 - stretch[1] / stretch[0];
+}
+
+/// The same on paper: of (2), C/d = e (2L + e) / (2(L + e)); of |d| − L, C = e; mixed, C = e (2L + e) / 2.
+double squared_on_paper(double beta) { return beta * (2 + share) / (2 * (1 + share)); }
+double mixed_on_paper(double beta, double length) { return beta * length * (2 + share) / 2; }
+
+renderer::Chart gains(const Settings& set) {
+  renderer::Curve squared{
+      .label = "(2) with (14)", .style = renderer::CurveStyle::markers, .colour = palette::constraint};
+  renderer::Curve normalised{
+      .label = "|d| − L with n", .style = renderer::CurveStyle::markers, .colour = palette::velocity};
+  renderer::Curve mixed{.label = "(2) with n", .style = renderer::CurveStyle::markers, .colour = palette::force};
+  renderer::Curve flat{.label = "β", .style = renderer::CurveStyle::theory};
+  renderer::Curve steep{.label = "β·L", .style = renderer::CurveStyle::theory};
+  for (int i = 0; i <= 12; ++i) {
+    const double length = 0.25 * std::pow(2, i / 2.0);
+    squared.y.push_back(gain<Distance>(length, set));
+    normalised.y.push_back(gain<NormalisedDistance>(length, set));
+    mixed.y.push_back(gain<Mixed>(length, set));
+    flat.y.push_back(set.beta);
+    steep.y.push_back(mixed_on_paper(set.beta, length));
+    for (renderer::Curve* curve : {&squared, &normalised, &mixed, &flat, &steep}) curve->x.push_back(length);
+  }
+  return {.x = {.label = "length of the rod (m)", .scale = renderer::Scale::logarithmic},
+          .y = {.label = "share of the stretch removed in a step", .scale = renderer::Scale::logarithmic},
+          .curves = {mixed, squared, normalised, flat, steep},
+          .references = {{renderer::Reference::Across::y, 2, "beyond 2 it diverges"}}};
+}
+
+}  // namespace
+
+void two_forms(tutor::Page& page, const Settings& set) {
+  const double length = set.length;
+  page.text(
+      "You could have begun with |d| − L, an error in metres. Its gradient is n = d/|d|: (14) divided by the "
+      "length of "
+      "d. Which one is right? Both. Let a bob fly outwards and let (17) stop it at the end of its rod, once with "
+      "each "
+      "row (lesson 2 is about that formula):");
+  const auto at = pendulum<M>(0.6, length, set.mass);
+  const Pose<M>&anchor = at.bodies.pose[0], &bob = at.bodies.pose[1];
+  const InverseMass<M>&m1 = at.bodies.inverse_mass[0], &m2 = at.bodies.inverse_mass[1];
+  const Velocity<M> still = Velocity<M>::Zero(), flying(set.speed, 0);
+  struct Impulse {
+    double lambda;
+    Linear<M> on_bob;
+  };
+  const auto stop = [&](const Jacobian<M, 1>& J) {
+    const Jacobian<M, 1> W = times_inverse_mass(J, m1, anchor, m2, bob);
+    const double lambda = impulse(J, W, still, flying, 0);
+    return Impulse{lambda, lambda * J.l2().transpose()};
+  };
+  const Impulse squared = stop(Distance<M>{{0, 1}, length}.jacobian(anchor, bob));
+  const Impulse normalised = stop(NormalisedDistance<M>{{0, 1}, length}.jacobian(anchor, bob));
+  page.text(
+      "- from (2): λ = @ N·s/m, the impulse λJᵀ on the bob is @ N·s\n- from |d| − L: λ = @ N·s, the impulse is @ "
+      "N·s",
+      squared.lambda, vector(squared.on_bob), normalised.lambda, vector(normalised.on_bob));
+  page.text(
+      "The same blow. λ differs by the factor |d| and carries another unit, N·s/m, so never compare λ across the "
+      "two "
+      "forms, and never bound one with the other's limit.\n\nThe trouble begins when C is needed too. A cure for "
+      "drift "
+      "(lesson 4) asks for JV = −(β/h)C: a share β of the error, each step. Take C and J of one and the same form "
+      "and "
+      "each removes nearly that share. Take C from (2) and J from |d| − L, as it is easily done when the "
+      "article's "
+      "C meets a normalised row, and the share becomes β·L: it depends on the unit in which you measure!");
+  page.excerpt("lessons/01_jacobian/two_forms.cpp", "mixed");
+  page.figure(
+      "gains",
+      tutor::say("Which share of a stretch one step removes, for rods of many lengths, at β = @.", set.beta),
+      gains(set));
+  const double diverges = 2 / set.beta;
+  page.text(
+      "On a rod of 1 m you would never notice. At β = @ the mixed rod overshoots from L = @ m on and diverges "
+      "from "
+      "about @ m on. This is why no scene of this course has L = 1 m.",
+      set.beta, 1 / set.beta, diverges);
+
+  const auto own = stretches<Distance>(10, set.mass, 0.2, set.h, 20),
+             mixed = stretches<Mixed>(12, set.mass, 0.2, set.h, 5);
+  const double size = squared.on_bob.norm();
+  page.claim({.quantity = "impulse of both forms, difference",
+              .unit = "N·s",
+              .expected = 0,
+              .source = "λ grows by |d| where J shrinks by it",
+              .measured = (squared.on_bob - normalised.on_bob).norm(),
+              .tolerance = tutor::absolute(1e-14 * size)});
+  page.claim({.quantity = "λ of |d| − L over λ of (2)",
+              .unit = "m",
+              .expected = length,
+              .source = "|d|",
+              .measured = normalised.lambda / squared.lambda,
+              .tolerance = tutor::relative(1e-14)});
+  page.claim({.quantity = "share removed, (2) with (14)",
+              .unit = "1",
+              .expected = squared_on_paper(set.beta),
+              .source = "β(2L + e)/(2(L + e))",
+              .measured = gain<Distance>(length, set),
+              .tolerance = tutor::absolute(1e-11)});
+  page.claim({.quantity = "share removed, |d| − L with n",
+              .unit = "1",
+              .expected = set.beta,
+              .source = "β",
+              .measured = gain<NormalisedDistance>(length, set),
+              .tolerance = tutor::absolute(1e-11)});
+  page.claim({.quantity = "share removed, (2) with n",
+              .unit = "1",
+              .expected = mixed_on_paper(set.beta, length),
+              .source = "βL(1 + e/(2L))",
+              .measured = gain<Mixed>(length, set),
+              .tolerance = tutor::absolute(1e-11 * (1 + length))});
+  page.claim({.quantity = "10 m rod at β = 0.2 after 20 steps, own J: share left",
+              .unit = "1",
+              .expected = std::pow(1 - squared_on_paper(0.2), 20) * (1 + 1e-9),
+              .source = "the first step's share is the least",
+              .measured = std::abs(own.back() / own.front()),
+              .tolerance = tutor::at_most()});
+  page.claim({.quantity = "12 m rod at β = 0.2 after 5 steps, mixed: growth",
+              .unit = "1",
+              .expected = 1,
+              .source = "β·L > 2 diverges",
+              .measured = std::abs(mixed.back() / mixed.front()),
+              .tolerance = tutor::at_least()});
+}
+
+}  // namespace byhand::lesson01

@@ -1,0 +1,168 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "lessons/01_jacobian/picture.hpp"
+#include "lessons/pictures/growing.hpp"
+#include "lessons/pictures/rods_and_bobs.hpp"
+#include "solver/scenes/pendulum.hpp"
+
+// (1) and (2): C is one number that says how wrong things are.
+namespace byhand::lesson01 {
+namespace {
+
+using M = PlaneParticle;
+using renderer::Point;
+
+constexpr double three_four_five = 0.6435011087932844;  // the angle whose sine is 0.6 and cosine 0.8
+
+Scene<M, Distance> bob_at(const Point& place, double length, double mass) {
+  Scene<M, Distance> scene = pendulum<M>(0, length, mass);
+  scene.bodies.pose[1].position = place;
+  return scene;
+}
+
+/// C of (2) with the bob at `place` and the other end at the origin [m²].
+double value_at(const Point& place, double length, double mass) {
+  const auto scene = bob_at(place, length, mass);
+  return scene.all<Distance>()[0].value<double>(scene.bodies.pose[0], scene.bodies.pose[1])[0];
+}
+
+/// Where a hand holds the bob `time` seconds into the sequence: out, back, along the circle, in, back.
+Point nudged(double time, double length) {
+  const auto swing = [&](double from, double to) {
+    const double u = std::clamp((time - from) / (to - from), 0.0, 1.0);
+    return (1 - std::cos(std::numbers::pi * u)) / 2;
+  };
+  const double out = swing(0.2, 0.8) - swing(0.8, 1.4), in = swing(2.6, 3.2) - swing(3.2, 3.8);
+  const double angle = three_four_five - 1.4 * swing(1.4, 2.6), radius = length * (1 + 0.3 * (out - in));
+  return radius * from_straight_down<M>(angle);
+}
+
+constexpr double duration = 4;  // of the sequence [s]
+
+renderer::Chart value_over_time(double length, double mass) {
+  renderer::Curve curve{.label = "C", .colour = renderer::palette::error};
+  for (int i = 0; i <= 200; ++i) {
+    curve.x.push_back(duration * i / 200);
+    curve.y.push_back(value_at(nudged(curve.x.back(), length), length, mass));
+  }
+  return {.x = {.label = "time (s)", .range = std::pair{0.0, duration}},
+          .y = {.label = "C (m²)"},
+          .curves = {curve},
+          .references = {{renderer::Reference::Across::y, 0, "the rod is content"}}};
+}
+
+renderer::Chart landscape(double length, double mass) {
+  constexpr int cells = 75;
+  renderer::HeatMap map{.label = "C (m²)", .diverging = true, .square = true};
+  for (int i = 0; i < cells; ++i) {
+    const double at = 1.5 * length * (2.0 * i / (cells - 1) - 1);
+    map.x.push_back(at);
+    map.y.push_back(at);
+  }
+  for (const double y : map.y)
+    for (const double x : map.x) map.values.push_back(value_at({x, y}, length, mass));
+  renderer::Curve circle{
+      .label = "C = 0", .style = renderer::CurveStyle::theory, .colour = renderer::palette::ink};
+  for (int i = 0; i <= 120; ++i) {
+    const Point at = length * from_straight_down<M>(2 * std::numbers::pi * i / 120);
+    circle.x.push_back(at.x());
+    circle.y.push_back(at.y());
+  }
+  return {.x = {.label = "x of the bob (m)"},
+          .y = {.label = "y of the bob (m)"},
+          .curves = {circle},
+          .heat_map = map,
+          .annotations = {{0, 0, "anchor"}}};
+}
+
+}  // namespace
+
+void what_c_says(tutor::Page& page, const Settings& set) {
+  const double length = set.length, mass = set.mass, stretch = set.stretch, far = length + stretch;
+  const double C = value_at(far * from_straight_down<M>(three_four_five), length, mass);
+
+  page.text(
+      "A constraint is a number. It is zero while all is well, and it says how wrong things are when they are "
+      "not. The article calls it C and lets it depend on where two bodies are and how they are turned.");
+  page.equation(1);
+  page.text(
+      "Ours is a rod of @ m from a fixed anchor to a bob. With P₁ the anchor and P₂ the bob, the article "
+      "writes it with squares, so that no root stands in the way when we differentiate.",
+      length);
+  page.equation(2, "C = ½(@² − @²) = @ m²", R"(C = \tfrac{1}{2}(@^2 - @^2) = @\,\mathrm{m^2})", far, length, C);
+  page.text("The solver says the same in one line. `at.separation` is P₂ − P₁.");
+  page.excerpt("solver/constraints/distance.hpp", "value");
+
+  page.predict(
+      {.ask = tutor::say("The rod is @ m long and the bob is @ m from the anchor. How large is C of (2)?", length, far),
+       .answer = C,
+       .unit = "m²",
+       .tolerance = 0.02 * length * std::abs(stretch),
+       .wrong = {{stretch,
+                  "That is the stretch in metres; (2) is ½(d² − L²), about L times the stretch, "
+                  "in square metres."},
+                 {2 * C, "That is d² − L²; the half in front is there to swallow the 2 of the derivative."},
+                 {-C, "Too long counts as positive: d² comes first."}},
+       .hint = "Square both lengths, subtract, halve.",
+       .right = "Close to L times the stretch: C is not the stretch itself, and its unit is not the metre."});
+
+  page.text(
+      "Now take the bob in your hand and nudge it: out, back, along the circle, in, back. Watch C. Along the rod "
+      "it answers at once, and its sign tells too long from too short. Along the circle it does not move at all: "
+      "that is the direction in which the rod leaves the bob free.");
+  page.sequence("nudge", "A hand nudges the bob. C rises outside the circle, falls inside, and rests on it.",
+                tutor::Seconds{duration}, [=](renderer::Canvas& canvas, double time) {
+                  const auto [left, right] = canvas.page().inset(16).split_columns(0.5);
+                  const renderer::Chart whole = value_over_time(length, mass);
+                  canvas.look(renderer::fit({-0.7 * length, -1.4 * length, 2 * length, 1.6 * length}, left));
+                  std::vector<Point> circle;
+                  for (int i = 0; i <= 60; ++i)
+                    circle.push_back(length * from_straight_down<M>(-0.9 + 2.6 * i / 60));
+                  canvas.path(circle, {renderer::palette::theory, 1.6, renderer::Dash::dashed});
+                  const Point at = nudged(time, length);
+                  pictures::draw(canvas, pictures::rods_and_bobs(bob_at(at, length, mass)));
+                  const double now = value_at(at, length, mass);
+                  canvas.text(at, tutor::say("C = @ m²", tutor::Value(std::abs(now) < 1e-9 ? 0 : now, 2)),
+                              {.size = 20,
+                               .colour = renderer::palette::error,
+                               .anchor = renderer::Anchor::top,
+                               .halo = 3,
+                               .offset = {0, -24}});
+                  renderer::draw(canvas, pictures::grown_to(whole, time), right);
+                });
+  page.text(
+      "Put the bob anywhere and colour the place by its C: a landscape. It is a bowl, −½L² deep at the anchor, "
+      "and "
+      "the rod asks the bob to stay on one contour of it. Everything in this lesson is about the slope of that "
+      "landscape under the bob.");
+  page.figure("landscape",
+              "C over the place of the bob. Red is too long, blue too short; on the dashed contour C = 0.",
+              landscape(length, mass));
+
+  double along = 0;
+  for (int i = 0; i < 60; ++i)
+    along = std::max(along, std::abs(value_at(length * from_straight_down<M>(0.1 * i), length, mass)));
+  const double exact = 1e-14 * length * length;
+  page.claim({.quantity = "C of the stretched rod",
+              .unit = "m²",
+              .expected = stretch * (length + stretch / 2),
+              .source = "L s + ½ s² for a stretch s",
+              .measured = C,
+              .tolerance = tutor::absolute(exact)});
+  page.claim({.quantity = "C at the anchor",
+              .unit = "m²",
+              .expected = -length * length / 2,
+              .source = "−½ L²",
+              .measured = value_at({0, 0}, length, mass),
+              .tolerance = tutor::absolute(exact)});
+  page.claim({.quantity = "largest |C| along the circle",
+              .unit = "m²",
+              .expected = exact,
+              .source = "rounding of L²",
+              .measured = along,
+              .tolerance = tutor::at_most()});
+}
+
+}  // namespace byhand::lesson01
