@@ -49,6 +49,37 @@ std::array<Point, 4> corners(const Point& centre, const Point& half, double angl
           centre + turned({half.x(), half.y()}, angle), centre + turned({-half.x(), half.y()}, angle)};
 }
 
+struct TextBlock {
+  std::vector<std::string_view> lines;
+  std::vector<double> widths;  // points
+  Rectangle box;               // points on the page
+  double letters;  // height of the lines from the last baseline to the top of the first line's capitals
+};
+
+TextBlock lay_out(const Font& font, double scale, const Point& at, std::string_view text, const TextStyle& style) {
+  TextBlock block;
+  double width = 0;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    block.lines.push_back(text.substr(begin, end - begin));
+    block.widths.push_back(font.width(block.lines.back(), style.size * scale, style.bold) / scale);
+    width = std::max(width, block.widths.back());
+    begin = end + 1;
+  }
+  block.letters = (cap_height + line_height * double(block.lines.size() - 1)) * style.size;
+  const double height = block.letters + descent * style.size;
+  const Point held = share(style.anchor), corner = at + style.offset;
+  // In the middle it is the capitals that are centred, not the room for what hangs below them.
+  const auto begin = [&](double where, double extent) {
+    return where == 0.5 ? -extent + block.letters / 2 : -where * extent;
+  };
+  if (style.upright)
+    block.box = {corner.x() - held.x() * width, corner.y() + begin(held.y(), height), width, height};
+  else
+    block.box = {corner.x() - height - begin(1 - held.x(), height), corner.y() - held.y() * width, height, width};
+  return block;
+}
+
 }  // namespace
 
 Mark series_mark(int i) {
@@ -348,42 +379,6 @@ void Canvas::dimension(const Point& a, const Point& b, std::string_view label, d
   const double away = 6 + 0.5 * (std::abs(aside.x()) * box.width + std::abs(aside.y()) * box.height);
   text((p + q) / 2 + (offset < 0 ? -away : away) * aside, label, {.size = 16, .halo = 3});
   look(before);
-}
-
-namespace {
-
-struct TextBlock {
-  std::vector<std::string_view> lines;
-  std::vector<double> widths;  // points
-  Rectangle box;               // points on the page
-  double letters;  // height of the lines from the last baseline to the top of the first line's capitals
-};
-
-}  // namespace
-
-static TextBlock lay_out(const Font& font, double scale, const Point& at, std::string_view text,
-                         const TextStyle& style) {
-  TextBlock block;
-  double width = 0;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    block.lines.push_back(text.substr(begin, end - begin));
-    block.widths.push_back(font.width(block.lines.back(), style.size * scale, style.bold) / scale);
-    width = std::max(width, block.widths.back());
-    begin = end + 1;
-  }
-  block.letters = (cap_height + line_height * double(block.lines.size() - 1)) * style.size;
-  const double height = block.letters + descent * style.size;
-  const Point held = share(style.anchor), corner = at + style.offset;
-  // In the middle it is the capitals that are centred, not the room for what hangs below them.
-  const auto begin = [&](double where, double extent) {
-    return where == 0.5 ? -extent + block.letters / 2 : -where * extent;
-  };
-  if (style.upright)
-    block.box = {corner.x() - held.x() * width, corner.y() + begin(held.y(), height), width, height};
-  else
-    block.box = {corner.x() - height - begin(1 - held.x(), height), corner.y() - held.y() * width, height, width};
-  return block;
 }
 
 void Canvas::text(const Point& at, std::string_view text, const TextStyle& style) {

@@ -101,7 +101,7 @@ std::vector<double> cell_edges(const std::vector<double>& centres, Scale scale);
 /// Draws the chart into `frame` (points on the page), axes and labels included; the canvas's camera stays as
 /// it was. Labels stand at the ends of the curves where they fit, else in a legend where the chart is
 /// emptiest.
-/// Returns the rectangle between the axes.
+/// Returns the rectangle between the axes. Throws as `ranges` does, and for a frame without room for the labels.
 Rectangle draw(Canvas& canvas, const Chart& chart, const Rectangle& frame);
 
 }  // namespace byhand::renderer

@@ -1,8 +1,10 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <stdexcept>
 
 #include "renderer/chart.hpp"
 #include "renderer/labels.hpp"
@@ -45,8 +47,7 @@ struct Entry {
   Colour colour;
   CurveStyle style;
   Mark mark;
-  bool bar;
-  const Curve* curve;  // none for bars
+  const Curve* curve;  // none: bars
 };
 
 bool has_line(CurveStyle s) {
@@ -147,13 +148,13 @@ void ChartDrawing::list_entries() {
   int next = 0;
   for (const Bars& bars : chart_.bars) {
     entries_.push_back(
-        {bars.label, bars.colour.value_or(palette::series(next)), CurveStyle::line, Mark::square, true, nullptr});
+        {bars.label, bars.colour.value_or(palette::series(next)), CurveStyle::line, Mark::square, nullptr});
     ++next;
   }
   for (const Curve& curve : chart_.curves) {
     const bool theory = curve.style == CurveStyle::theory;
     const Colour colour = curve.colour.value_or(theory ? palette::theory : palette::series(next));
-    entries_.push_back({curve.label, colour, curve.style, series_mark(next), false, &curve});
+    entries_.push_back({curve.label, colour, curve.style, series_mark(next), &curve});
     if (!theory) ++next;
   }
 }
@@ -237,24 +238,27 @@ void ChartDrawing::lay_out() {
       const double w = cell * double(map->x.size()), h = cell * double(map->y.size());
       plot_ = {plot_.x, plot_.top() - h, w, h};
     }
+    if (!(plot_.width > 0 && plot_.height > 0))
+      throw std::invalid_argument(fmt::format("A chart needs room for its labels; {} × {} points are too few.",
+                                              frame_.width, frame_.height));
     choose_ticks();
   };
   place(0);
-  const bool any_label =
-      std::any_of(entries_.begin(), entries_.end(), [](const Entry& e) { return !e.label.empty(); });
-  if (!any_label) return place(0);
+  if (!map) right = std::max(right, widest(x_ticks_.major) / 2 + 2);
+  place(0);
+  if (std::all_of(entries_.begin(), entries_.end(), [](const Entry& e) { return e.label.empty(); })) return;
 
   if (!map && labels_fit_at_ends()) {
-    labelling_ = Labelling::at_ends;
+    const double without_labels = right;
     for (const Entry& e : entries_) right = std::max(right, width(e.label, small_size + 1) + 22);
     place(0);
-    labels_fit_at_ends();  // again, for the heights on the narrower plot
-  } else if (!map && legend_fits_inside()) {
-    labelling_ = Labelling::inside;
-  } else {
-    labelling_ = Labelling::above;
-    place(legend_rows(false));
+    labelling_ = Labelling::at_ends;
+    if (labels_fit_at_ends()) return;  // on the narrower plot too
+    right = without_labels;
+    place(0);
   }
+  labelling_ = !map && legend_fits_inside() ? Labelling::inside : Labelling::above;
+  if (labelling_ == Labelling::above) place(legend_rows(false));
 }
 
 bool ChartDrawing::labels_fit_at_ends() {
@@ -546,7 +550,7 @@ void ChartDrawing::draw_references() {
 
 void ChartDrawing::draw_sample(const Point& p, const Entry& e) {
   const Point end = p + Point(26, 0), middle = p + Point(13, 0);
-  if (e.bar) return canvas_.rectangle({p.x() + 5, p.y() - 6, 16, 12}, {e.colour, {{}, 0}});
+  if (!e.curve) return canvas_.rectangle({p.x() + 5, p.y() - 6, 16, 12}, {e.colour, {{}, 0}});
   if (has_line(e.style))
     canvas_.line(p, end, {e.colour, curve_width, e.style == CurveStyle::theory ? Dash::dashed : Dash::solid});
   if (has_marks(e.style)) canvas_.mark(middle, e.mark, e.colour);
@@ -579,6 +583,7 @@ void ChartDrawing::draw_texts() {
   if (labelling_ == Labelling::above) legend_rows(true);
   if (labelling_ == Labelling::inside) {
     labels.avoid(legend_);
+    canvas_.rectangle(legend_, {fade(palette::paper, 0.85), {{}, 0}});  // over the grid
     double y = legend_.top() - 4 - 0.5 * line_height * small_size;
     for (const Entry& e : entries_) {
       if (e.label.empty()) continue;

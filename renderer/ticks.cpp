@@ -68,23 +68,25 @@ Ticks logarithmic_ticks(double low, double high, int most) {
   const auto inside = [&](double v) { return v >= low * (1 - slack) && v <= high * (1 + slack); };
   const int decades = last - first + 1;
 
-  std::vector<Tick> fine;  // 1, 2, 5, 10, …: where there is little to show and room for it
+  // 1, 2, 5, 10, …: where there is little to show, room for it, and numbers that need no power of ten.
+  const bool plain = low >= 1e-3 * (1 - slack) && high < 1e4;
+  std::vector<Tick> fine;
   for (int e = first - 1; e <= last && decades <= 3; ++e)
     for (const int m : {1, 2, 5})
       if (const double v = m * power_of_ten(e); inside(v))
-        fine.push_back({v, e >= -3 && e <= 3 ? fixed(v, std::max(0, -e)) : number(v, 1)});
-  if (fine.size() >= 2 && int(fine.size()) <= most) {
+        fine.push_back({v, plain ? fixed(v, std::max(0, -e)) : number(v, 1)});
+  if (fine.size() >= 2 && int(fine.size()) <= most && (plain || decades < 2)) {
     result.major = fine;
   } else if (decades >= 2) {
     const int stride = (decades + std::max(most, 2) - 1) / std::max(most, 2);
     // Decades keep one form on an axis: 10⁻³ beside 10⁻², not beside 0.01.
-    const bool plain = first >= -2 && last <= 3;
+    const bool short_numbers = first >= -2 && last <= 3;
     for (int e = first; e <= last; ++e) {
       if ((e - first) % stride != 0)
         result.minor.push_back(power_of_ten(e));
       else
         result.major.push_back(
-            {power_of_ten(e), plain ? fixed(power_of_ten(e), std::max(0, -e)) : "10" + raised(e)});
+            {power_of_ten(e), short_numbers ? fixed(power_of_ten(e), std::max(0, -e)) : "10" + raised(e)});
     }
     if (stride > 1) return result;
   } else {

@@ -14,6 +14,8 @@ namespace {
 using scenes::infinity;
 using scenes::nan;
 
+int difference(Colour a, Colour b) { return std::abs(a.r - b.r) + std::abs(a.g - b.g) + std::abs(a.b - b.b); }
+
 // How many pixels of `area` (points) have about this colour.
 int count(const Canvas& canvas, const Image& image, const Rectangle& area, Colour colour) {
   const auto [left, bottom] = pixel_of(canvas, {area.x, area.y});
@@ -22,9 +24,14 @@ int count(const Canvas& canvas, const Image& image, const Rectangle& area, Colou
   for (int y = std::max(top, 0); y <= std::min(bottom, image.height - 1); ++y)
     for (int x = std::max(left, 0); x <= std::min(right, image.width - 1); ++x) {
       const Colour c = colour_at(image, {x, y});
-      found += std::abs(c.r - colour.r) + std::abs(c.g - colour.g) + std::abs(c.b - colour.b) < 24;
+      found += difference(c, colour) < 24;
     }
   return found;
+}
+
+// The border of a thin line or a marker is mixed with what lies beside it.
+bool nearer_than_paper(Colour seen, Colour expected) {
+  return difference(seen, expected) < difference(seen, palette::paper);
 }
 
 Chart line_of(std::vector<double> x, std::vector<double> y) {
@@ -100,7 +107,8 @@ TEST(Chart, ACurvePassesThroughItsPoints) {
     const Rectangle plot = draw(canvas, chart, canvas.page().inset(40));
     const double share = logarithmic ? std::log(10 / 0.5) / std::log(200 / 0.5) : (10 - 0.5) / (200 - 0.5);
     const Point at(plot.x + share * plot.width, plot.y + share * plot.height);
-    EXPECT_EQ(colour_at(canvas.image(), pixel_of(canvas, at)), palette::series(0)) << logarithmic;
+    EXPECT_TRUE(nearer_than_paper(colour_at(canvas.image(), pixel_of(canvas, at)), palette::series(0)))
+        << logarithmic;
   }
 }
 
@@ -111,7 +119,7 @@ TEST(Chart, AReversedAxisRunsTheOtherWay) {
   chart.y.reversed = true;
   const Rectangle plot = draw(canvas, chart, canvas.page().inset(40));
   const Point at(plot.centre().x(), plot.y + 0.1 * plot.height);
-  EXPECT_EQ(colour_at(canvas.image(), pixel_of(canvas, at)), palette::series(0));
+  EXPECT_TRUE(nearer_than_paper(colour_at(canvas.image(), pixel_of(canvas, at)), palette::series(0)));
 }
 
 TEST(Chart, AFailedRunIsACrossAtTheEdgeOnItsSide) {
@@ -226,10 +234,15 @@ TEST(Chart, TheLegendCoversNoCurve) {
         const double y = (chart.curves[k].y[i] - r.y.first) / (r.y.second - r.y.first);
         const Colour c = colour_at(image, pixel_of(canvas, {plot.x + x * plot.width, plot.y + y * plot.height}));
         bool marker = false;
-        for (int other = 0; other < 3; ++other) marker = marker || c == palette::series(other);
+        for (int other = 0; other < 3; ++other) marker = marker || nearer_than_paper(c, palette::series(other));
         EXPECT_TRUE(marker) << "shape " << shape << ", curve " << k << ", point " << i;
       }
   }
+}
+
+TEST(Chart, RefusesAFrameWithoutRoom) {
+  Canvas canvas(320, 180);
+  EXPECT_THROW(draw(canvas, scenes::two_orders(), {0, 0, 40, 30}), std::invalid_argument);
 }
 
 TEST(Chart, LeavesTheCameraAsItWas) {
