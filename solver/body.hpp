@@ -79,6 +79,14 @@ Eigen::Matrix<double, M::angular, M::angular> inverse_inertia(const InverseMass<
   }
 }
 
+/// I in the world [kg m²].
+template <class M>
+Eigen::Matrix<double, M::angular, M::angular> inertia(const InverseMass<M>& inverse_mass, const Pose<M>& pose) {
+  InverseMass<M> mass = inverse_mass;
+  mass.angular = inverse_mass.angular.cwiseInverse();
+  return inverse_inertia(mass, pose);
+}
+
 /// All bodies of a scene, each quantity contiguous: the solver's inner loop reads velocities alone.
 template <class M>
 struct Bodies {
@@ -88,11 +96,13 @@ struct Bodies {
 
   int size() const { return static_cast<int>(pose.size()); }
 
-  /// Adds a body and returns its index. Throws std::invalid_argument for numbers that are not finite.
+  /// Adds a body and returns its index. Throws std::invalid_argument for numbers that are not finite, a rotation
+  /// that is none, and an inverse mass that is neither positive nor zero throughout.
   int add(const Pose<M>& at, const InverseMass<M>& mass, const Velocity<M>& moving) {
     for (const double x : at.position) require_finite("position", x, "m");
     for (const double v : moving) require_finite("velocity", v, "m/s or rad/s");
     if constexpr (M::angular > 0) require_unit(at.rotation);
+    require_mass(mass);
     require(moves(mass) || moving.isZero(0), "velocity of a fixed body", moving.norm(), "zero");
     pose.push_back(at);
     velocity.push_back(moving);
@@ -101,6 +111,13 @@ struct Bodies {
   }
 
  private:
+  static void require_mass(const InverseMass<M>& mass) {
+    const auto fits = [&](double share) { return moves(mass) ? share > 0 && std::isfinite(share) : share == 0; };
+    constexpr auto allowed = "positive and finite, or zero throughout for a fixed body";
+    require(fits(mass.linear), "inverse mass", mass.linear, allowed);
+    if constexpr (M::angular > 0)
+      for (const double share : mass.angular) require(fits(share), "inverse moment of inertia", share, allowed);
+  }
   static void require_unit(const Rotation<M>& rotation) {
     double norm2 = 0;
     if constexpr (M::angular == 1) norm2 = rotation.cos * rotation.cos + rotation.sin * rotation.sin;

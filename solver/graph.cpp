@@ -217,6 +217,12 @@ Elimination plan_elimination(const Graph& graph, int dof) {
   }
   std::sort(plan.couplings.begin(), plan.couplings.end(),
             [](const auto& x, const auto& y) { return x.block < y.block; });
+  std::set<int> met;
+  for (auto& coupling : plan.couplings) coupling.adds = !met.insert(coupling.block).second;
+  for (const auto& node : plan.nodes)
+    for (int a = node.first; a < node.last; ++a)
+      if (!met.contains(plan.neighbours[a].block))
+        plan.fill_in.push_back({plan.neighbours[a].block, plan.nodes[plan.neighbours[a].node].size * node.size});
   plan.multiplications = multiplications(plan);
 
   for (int e = 0; e < static_cast<int>(graph.edges.size()); ++e)

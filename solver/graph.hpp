@@ -51,12 +51,17 @@ struct Elimination {
     int earlier = 0, later = 0;
     int block = 0;
     int earlier_side = 0, later_side = 0;
+    bool adds = false;  // the same two edges have met before, in another body
   };
 
   std::vector<Node> nodes;
   std::vector<Neighbour> neighbours;
   std::vector<int> targets;
   std::vector<Coupling> couplings;
+  struct Range {
+    int first, count;
+  };
+  std::vector<Range> fill_in;     // blocks that begin as zero
   std::vector<int> order;         // edge numbers as they are eliminated; edges between fixed bodies come last
   std::vector<char> folded;       // by body: whether it is folded into A = JM⁻¹Jᵀ
   int values = 0;                 // how many numbers all blocks hold

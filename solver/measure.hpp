@@ -34,17 +34,6 @@ PositionError position_error(const S& scene) {
   return {largest, rows > 0 ? std::sqrt(sum / rows) : 0.0};
 }
 
-/// I of one body in the world [kg m²]: a number in the plane, 3 × 3 in space.
-template <class M>
-Eigen::Matrix<double, M::angular, M::angular> inertia(const InverseMass<M>& mass, const Pose<M>& pose) {
-  if constexpr (M::angular == 3) {
-    const Eigen::Matrix3d R = pose.rotation.toRotationMatrix();
-    return R * mass.angular.cwiseInverse().asDiagonal() * R.transpose();
-  } else {
-    return mass.angular.cwiseInverse();
-  }
-}
-
 /// ½mv² + ½ω·Iω over all bodies that move [J].
 template <class M>
 double kinetic_energy(const Bodies<M>& bodies) {

@@ -36,6 +36,17 @@ inline void with_size(const Elimination::Node& node, F&& f) {
 /// out from rounding.
 template <class Size>
 inline bool invert(double* A, const double* diagonal, Size n) {
+  if constexpr (std::is_same_v<Size, std::integral_constant<int, 2>>) {
+    const double determinant = A[0] * A[3] - A[1] * A[1];
+    if (std::abs(determinant) > smallest_pivot * std::abs(diagonal[0] * diagonal[1])) {
+      // One division instead of two that wait for each other.
+      const double inverse = 1 / determinant, first = A[0];
+      A[0] = A[3] * inverse;
+      A[3] = first * inverse;
+      A[1] = A[2] = -A[1] * inverse;
+      return true;
+    }
+  }
   bool regular = true;
   for (int p = 0; p < n; ++p) {
     double* row = A + p * n;
@@ -59,16 +70,11 @@ inline bool invert(double* A, const double* diagonal, Size n) {
 /// -M of a hub, which is where its unknown ΔV enters: Jᵀλ - M ΔV = 0.
 template <class M>
 void write_minus_mass(const InverseMass<M>& inverse_mass, const Pose<M>& pose, double* D) {
-  constexpr int dof = M::dof;
-  Eigen::Map<Eigen::Matrix<double, dof, dof, Eigen::RowMajor>> mass(D);
+  Eigen::Map<Eigen::Matrix<double, M::dof, M::dof, Eigen::RowMajor>> mass(D);
   mass.setZero();
   mass.diagonal().template head<M::linear>().setConstant(-1 / inverse_mass.linear);
-  if constexpr (M::angular == 1) mass(M::linear, M::linear) = -1 / inverse_mass.angular[0];
-  if constexpr (M::angular == 3) {
-    const Eigen::Matrix3d R = pose.rotation.toRotationMatrix();
-    mass.template bottomRightCorner<3, 3>() =
-        -(R * inverse_mass.angular.cwiseInverse().asDiagonal() * R.transpose());
-  }
+  if constexpr (M::angular > 0)
+    mass.template bottomRightCorner<M::angular, M::angular>() = -inertia(inverse_mass, pose);
 }
 
 /// Fills the blocks with the matrix and the unknowns with the right-hand side.
@@ -77,7 +83,7 @@ void assemble(const Direct& solver, const System<M>& system, const Bodies<M>& bo
   constexpr int dof = M::dof;
   const Elimination& plan = work.plan;
   const double* V = bodies.velocity.front().data();
-  std::fill(work.values.begin(), work.values.end(), 0.0);
+  for (const auto& [first, count] : plan.fill_in) std::fill_n(&work.values[first], count, 0.0);
   for (std::size_t p = 0; p < plan.nodes.size(); ++p) {
     const auto& node = plan.nodes[p];
     double *D = &work.values[node.diagonal], *b = &work.unknowns[node.row], *diagonal = &work.diagonal[node.row];
@@ -142,7 +148,7 @@ void assemble(const Direct& solver, const System<M>& system, const Bodies<M>& bo
             for (int k = 0; k < n; ++k) {
               double sum = W[2 * dof * l] * J[2 * dof * k];
               for (int i = 1; i < dof; ++i) sum += W[2 * dof * l + i] * J[2 * dof * k + i];
-              block[l * n + k] += sum;
+              block[l * n + k] = coupling.adds ? block[l * n + k] + sum : sum;
             }
         });
       });
