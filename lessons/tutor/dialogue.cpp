@@ -25,8 +25,6 @@
 namespace byhand::tutor {
 namespace {
 
-constexpr int picture_rows = 22;
-
 Style terminal_style() {
   winsize size{};
   const bool known = ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
@@ -35,7 +33,9 @@ Style terminal_style() {
   const bool colours =
       isatty(STDOUT_FILENO) && !(no_colour && *no_colour) && terminal && std::string_view(terminal) != "dumb";
   // Longer lines than 80 columns are hard to read, shorter ones than 40 break formulas.
-  return {std::clamp<int>(known ? size.ws_col : 80, 40, 80), colours};
+  // A picture must fit above the cursor, or it cannot be played in place.
+  return {std::clamp<int>(known ? size.ws_col : 80, 40, 80), colours,
+          std::clamp<int>(known ? size.ws_row - 2 : 22, 8, 22)};
 }
 
 bool is_question(const Item& item) {
@@ -158,7 +158,7 @@ void Dialogue::show(const Item& item) {
     fmt::print("{}", say(*figure, style_));
     std::fflush(stdout);
     if (style_.colours && std::holds_alternative<Drawing>(figure->picture))
-      fmt::print("{}\n", terminal_picture(studio_.small(*figure), style_.width, picture_rows));
+      fmt::print("{}\n", terminal_picture(studio_.small(*figure), style_.width, style_.picture_rows));
     studio_.write(*figure);
     fmt::print("{}",
                say_caption(figure->caption, (studio_.folder() / figure_path(figure->name)).string(), style_));
@@ -190,7 +190,7 @@ void Dialogue::play(const Sequence& sequence) {
   for (int i = 0; i < pictures; ++i) {
     if (skipped && i + 1 < pictures) continue;
     const double time = i + 1 == pictures ? last : counted ? i : i / 10.0;
-    const std::string picture = terminal_picture(studio_.small(draw, time), style_.width, picture_rows);
+    const std::string picture = terminal_picture(studio_.small(draw, time), style_.width, style_.picture_rows);
     if (i > 0) fmt::print("\033[{}A\r", std::count(picture.begin(), picture.end(), '\n') + 1);
     fmt::print("{}\n", picture);
     std::fflush(stdout);

@@ -10,6 +10,7 @@ namespace byhand::tutor {
 struct Style {
   int width = 80;        // columns
   bool colours = false;  // escape sequences for colour and weight are understood
+  int picture_rows = 22;
 };
 
 enum class Tone { title, quiet, formula, code, good, bad, question };
