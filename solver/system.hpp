@@ -25,27 +25,39 @@ struct Block {
 
 namespace detail {
 
-template <template <int, Bound> class Element, bool in_space, class Sizes>
-struct PerBlockType;
-/// One vector of Element<K, B> for each kind of block that a model can have.
-template <template <int, Bound> class Element, int... K>
-struct PerBlockType<Element, false, std::integer_sequence<int, K...>> {
-  using type = std::tuple<std::vector<Element<K + 1, Bound::none>>..., std::vector<Element<1, Bound::interval>>,
-                          std::vector<Element<1, Bound::ball>>>;
+template <template <int, Bound> class Element, int linear>
+struct PerBlock;
+template <template <int, Bound> class Element>
+struct PerBlock<Element, 2> {
+  using type = std::tuple<std::vector<Element<1, Bound::none>>, std::vector<Element<2, Bound::none>>,
+                          std::vector<Element<1, Bound::interval>>, std::vector<Element<1, Bound::ball>>>;
 };
-template <template <int, Bound> class Element, int... K>
-struct PerBlockType<Element, true, std::integer_sequence<int, K...>> {
-  using type = std::tuple<std::vector<Element<K + 1, Bound::none>>..., std::vector<Element<1, Bound::interval>>,
-                          std::vector<Element<1, Bound::ball>>, std::vector<Element<2, Bound::ball>>>;
+template <template <int, Bound> class Element>
+struct PerBlock<Element, 3> {
+  using type = std::tuple<std::vector<Element<1, Bound::none>>, std::vector<Element<3, Bound::none>>,
+                          std::vector<Element<1, Bound::interval>>, std::vector<Element<1, Bound::ball>>,
+                          std::vector<Element<2, Bound::ball>>>;
 };
 
 }  // namespace detail
 
-/// Storage for something per block, contiguous by (K, bound): unbounded blocks of 1 … dof rows, single rows
-/// with an interval, and friction in one axis or, in space, two.
+/// Storage for something per block, contiguous by (K, bound): unbounded rows one by one or as many as there are
+/// axes, single rows with an interval, and friction in one axis or, in space, two.
 template <class M, template <int, Bound> class Element>
-using PerBlock =
-    typename detail::PerBlockType<Element, M::linear == 3, std::make_integer_sequence<int, M::dof>>::type;
+using PerBlock = typename detail::PerBlock<Element, M::linear>::type;
+
+/// The place of blocks of K rows with bound B among the vectors of PerBlock.
+template <class M, int K, Bound B>
+constexpr int block_type() {
+  static_assert(B != Bound::none || K == 1 || K == M::linear,
+                "PerBlock has no blocks of this many unbounded rows");
+  if constexpr (B == Bound::none)
+    return K == 1 ? 0 : 1;
+  else if constexpr (B == Bound::interval)
+    return 2;
+  else
+    return 2 + K;
+}
 
 /// Consecutive blocks of one type and one kind of constraint, in solve order.
 struct Run {
@@ -59,7 +71,7 @@ struct Run {
 /// Calls f(std::integral_constant) with the place of a type of block among the vectors of PerBlock.
 template <class M, class F>
 void for_type(int type, F&& f) {
-  constexpr std::size_t types = M::dof + M::linear;
+  constexpr std::size_t types = M::linear + 2;
   [&]<std::size_t... I>(std::index_sequence<I...>) {
     (void)((static_cast<int>(I) == type && (f(std::integral_constant<std::size_t, I>()), true)) || ...);
   }
@@ -95,18 +107,6 @@ struct System {
     for (const Run& run : runs) for_type<M>(run.type, [&](auto type) { f(part<type>(blocks, run)); });
   }
 };
-
-/// The place of blocks of K rows with bound B among the vectors of PerBlock.
-template <class M, int K, Bound B>
-constexpr int block_type() {
-  static_assert(K >= 1 && K <= M::dof, "a constraint has at most as many rows as a body has degrees of freedom");
-  if constexpr (B == Bound::none)
-    return K - 1;
-  else if constexpr (B == Bound::interval)
-    return M::dof;
-  else
-    return M::dof + K;
-}
 
 //! [bound]
 /// λ held within its bound: an interval, or the ball of radius `upper` times the leader's λ.
