@@ -263,6 +263,7 @@ void Canvas::rod(const Point& a, const Point& b, const Look& look, double thickn
   const Point side = radius * left_of(unit_or(to - from, {1, 0}));
   constexpr int steps = 12;
   std::vector<Point> outline;
+  outline.reserve(2 * (steps + 1));
   for (int i = 0; i <= steps; ++i) outline.push_back(from + turned(side, std::numbers::pi * i / steps));
   for (int i = 0; i <= steps; ++i) outline.push_back(to - turned(side, std::numbers::pi * i / steps));
   state_->draw_shape(outline, look);

@@ -164,12 +164,14 @@ std::string ChartDrawing::wrapped(const std::string& text, double size, bool bol
   std::string lines, line;
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = std::min(text.find(' ', begin), text.size());
-    const std::string word = text.substr(begin, end - begin);
-    if (!line.empty() && width(line + " " + word, size, bold) > frame_.width) {
+    const std::string longer =
+        fmt::format("{}{}{}", line, line.empty() ? "" : " ", text.substr(begin, end - begin));
+    if (!line.empty() && width(longer, size, bold) > frame_.width) {
       lines += line + "\n";
-      line.clear();
+      line = text.substr(begin, end - begin);
+    } else {
+      line = longer;
     }
-    line += line.empty() ? word : " " + word;
     begin = end + 1;
   }
   return lines + line;

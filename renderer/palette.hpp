@@ -12,7 +12,7 @@ struct Colour {
 
 /// The same colour at `opacity` 0 … 1.
 constexpr Colour fade(Colour colour, double opacity) {
-  return {colour.r, colour.g, colour.b, std::uint8_t(colour.a * opacity + 0.5)};
+  return {colour.r, colour.g, colour.b, std::uint8_t(colour.a * opacity)};
 }
 
 /// From `a` (t = 0) to `b` (t = 1) along a straight line in Oklab, so that equal steps of t look equal.
