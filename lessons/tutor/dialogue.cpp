@@ -1,15 +1,11 @@
 #include "lessons/tutor/dialogue.hpp"
 
 #include <fmt/format.h>
-#include <sys/ioctl.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 #include <optional>
 #include <stdexcept>
-#include <string_view>
 
 #include "lessons/tutor/check.hpp"
 #include "lessons/tutor/command.hpp"
@@ -17,26 +13,13 @@
 #include "lessons/tutor/keyboard.hpp"
 #include "lessons/tutor/place.hpp"
 #include "lessons/tutor/speech.hpp"
+#include "lessons/tutor/stage.hpp"
 #include "lessons/tutor/straight.hpp"
 #include "lessons/tutor/studio.hpp"
-#include "lessons/tutor/terminal_picture.hpp"
 #include "lessons/tutor/told.hpp"
 
 namespace byhand::tutor {
 namespace {
-
-Style terminal_style() {
-  winsize size{};
-  const bool known = ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
-  const char* const no_colour = std::getenv("NO_COLOR");
-  const char* const terminal = std::getenv("TERM");
-  const bool colours =
-      isatty(STDOUT_FILENO) && !(no_colour && *no_colour) && terminal && std::string_view(terminal) != "dumb";
-  // Longer lines than 80 columns are hard to read, shorter ones than 40 break formulas.
-  // A picture must fit above the cursor, or it cannot be played in place.
-  return {std::clamp<int>(known ? size.ws_col : 80, 40, 80), colours,
-          std::clamp<int>(known ? size.ws_row - 2 : 22, 8, 22)};
-}
 
 bool is_question(const Item& item) {
   return std::holds_alternative<Prediction>(item) || std::holds_alternative<Choice>(item);
@@ -51,7 +34,11 @@ auto of_question(const Item& item, const Visitor& visit) {
 class Dialogue {
  public:
   Dialogue(Lesson& lesson, const Options& options)
-      : lesson_(lesson), options_(options), studio_(studio_of(lesson, options)), style_(terminal_style()) {}
+      : lesson_(lesson),
+        options_(options),
+        studio_(studio_of(lesson, options)),
+        style_(terminal_style()),
+        stage_(studio_, keyboard_, style_) {}
 
   int run();
 
@@ -60,8 +47,6 @@ class Dialogue {
   enum class Move { go_on, answered, again, back, deeper, quit };
 
   Move visit(size_t step);
-  void show(const Item& item);
-  void play(const Sequence& sequence);
   Move talk(size_t item);
   std::optional<Move> obey(const Command& command, size_t item);
   std::optional<Move> answer(const std::string& words, size_t item);
@@ -81,9 +66,10 @@ class Dialogue {
 
   Lesson& lesson_;
   const Options& options_;
+  Keyboard keyboard_;
   Studio studio_;
   Style style_;
-  Keyboard keyboard_;
+  Stage stage_;
   size_t at_ = 0;  // the step
   Page page_;      // of that step
   bool remembered_ = true;
@@ -135,7 +121,7 @@ Dialogue::Move Dialogue::visit(size_t step) {
     const bool ended = item >= page_.items().size();
     if (!ended) {
       fmt::print("\n");
-      show(page_.items()[item]);
+      stage_.show(page_.items()[item]);
       if (!is_question(page_.items()[item])) {
         ++item;
         continue;
@@ -149,55 +135,6 @@ Dialogue::Move Dialogue::visit(size_t step) {
       ++item;
     } else {
       return move;
-    }
-  }
-}
-
-void Dialogue::show(const Item& item) {
-  if (const auto* figure = std::get_if<Figure>(&item)) {
-    fmt::print("{}", say(*figure, style_));
-    std::fflush(stdout);
-    if (style_.colours && std::holds_alternative<Drawing>(figure->picture))
-      fmt::print("{}\n", terminal_picture(studio_.small(*figure), style_.width, style_.picture_rows));
-    studio_.write(*figure);
-    fmt::print("{}",
-               say_caption(figure->caption, (studio_.folder() / figure_path(figure->name)).string(), style_));
-  } else if (const auto* sequence = std::get_if<Sequence>(&item)) {
-    if (style_.colours) play(*sequence);
-    studio_.write(*sequence);
-    const std::string path =
-        options_.frames == FramesWanted::none ? "" : (studio_.folder() / strip_path(sequence->name)).string();
-    fmt::print("{}", say_caption(sequence->caption, path, style_));
-  } else {
-    std::visit(
-        [&](const auto& it) {
-          if constexpr (requires { say(it, style_); }) fmt::print("{}", say(it, style_));
-        },
-        item);
-  }
-  std::fflush(stdout);
-}
-
-/// Plays a sequence in place, ten pictures a second or, where frames are counted, two; Enter jumps to its
-/// end.
-void Dialogue::play(const Sequence& sequence) {
-  const bool counted = std::holds_alternative<Frames>(sequence.length);
-  const int frames = studio_.count(sequence);
-  const double last = studio_.time(sequence, frames - 1);
-  const int pictures = counted ? frames : static_cast<int>(last * 10) + 1;
-  FrameDrawing draw = sequence.draw;
-  bool skipped = false;
-  for (int i = 0; i < pictures; ++i) {
-    if (skipped && i + 1 < pictures) continue;
-    const double time = i + 1 == pictures ? last : counted ? i : i / 10.0;
-    const std::string picture = terminal_picture(studio_.small(draw, time), style_.width, style_.picture_rows);
-    if (i > 0) fmt::print("\033[{}A\r", std::count(picture.begin(), picture.end(), '\n') + 1);
-    fmt::print("{}\n", picture);
-    std::fflush(stdout);
-    if (!skipped && i + 1 < pictures && keyboard_.pressed_within(counted ? 500 : 100)) {
-      skipped = true;
-      if (!keyboard_.line()) return;
-      fmt::print("\033[A");
     }
   }
 }
@@ -304,9 +241,9 @@ void Dialogue::change(const Command& command, size_t item) {
   if (item > page_.items().size()) return;
   for (size_t i = 0; i < item; ++i) {
     const Item& seen = page_.items()[i];
-    if (std::holds_alternative<Figure>(seen) || std::holds_alternative<Sequence>(seen)) show(seen);
+    if (std::holds_alternative<Figure>(seen) || std::holds_alternative<Sequence>(seen)) stage_.show(seen);
   }
-  if (item < page_.items().size() && is_question(page_.items()[item])) show(page_.items()[item]);
+  if (item < page_.items().size() && is_question(page_.items()[item])) stage_.show(page_.items()[item]);
 }
 
 void Dialogue::help() const {

@@ -9,7 +9,8 @@ std::string manifest(const Lesson& lesson, const Options& options, const std::st
   Json parameters = Json::object();
   Json time_step = nullptr;
   for (const ParameterRecord& p : lesson.parameters()) {
-    parameters[p.name] = {{"value", p.value}, {"unit", p.unit}};
+    const Json value = p.integer ? Json(static_cast<int>(p.value)) : Json(p.value);
+    parameters[p.name] = {{"value", value}, {"unit", p.unit}};
     if (p.name == "h") time_step = parameters[p.name];
   }
   const Json json = {

@@ -48,8 +48,13 @@ std::string folded(const std::string& summary, const std::string& words) {
   return fmt::format("<details><summary>{}</summary>\n\n{}\n</details>\n", summary, words);
 }
 
-std::string picture(const std::string& caption, const std::string& path) {
-  return fmt::format("![{0}]({1})\n\n*{0}*\n", caption, path);
+/// Picture and caption in one paragraph: alone in one, pandoc would print the caption twice.
+std::string picture(const std::string& caption, const std::string& path, const std::string& link,
+                    const std::string& to) {
+  std::string alternative;
+  for (const char c : caption) alternative += c == '[' || c == ']' ? std::string("\\") + c : std::string(1, c);
+  return fmt::format("![{}]({})  \n{}{}\n", alternative, path, caption,
+                     link.empty() ? "" : fmt::format(" ([{}]({}))", link, to));
 }
 
 /// Writes the items of one page; a claim or a measure that follows another goes on with its table.
@@ -74,19 +79,17 @@ class PageWriter {
   }
 
   void operator()(const Figure& figure) {
-    std::string lines = picture(figure.caption, figure_path(figure.name));
-    if (std::holds_alternative<renderer::Chart>(figure.picture))
-      lines += fmt::format("\n[data]({})\n", data_path(figure.name));
-    paragraph(lines);
+    const bool has_data = std::holds_alternative<renderer::Chart>(figure.picture);
+    paragraph(picture(figure.caption, figure_path(figure.name), has_data ? "data" : "", data_path(figure.name)));
   }
 
   void operator()(const Sequence& sequence) {
     if (frames_ == FramesWanted::none)
-      paragraph(fmt::format("*{}*\n", sequence.caption));
+      paragraph(sequence.caption + "\n");
     else
-      paragraph(picture(sequence.caption, strip_path(sequence.name)) +
-                fmt::format("\n[{}]({}/)\n", frames_ == FramesWanted::all ? "all frames" : "the last frame",
-                            frames_folder(sequence.name)));
+      paragraph(picture(sequence.caption, strip_path(sequence.name),
+                        frames_ == FramesWanted::all ? "all frames" : "the last frame",
+                        frames_folder(sequence.name) + "/"));
   }
 
   void operator()(const Prediction& question) {
@@ -102,15 +105,15 @@ class PageWriter {
     for (const Option& option : question.options) {
       const bool right = index == question.answer;
       words += fmt::format("{}. {}\n", ++index, option.words);
-      answer += fmt::format("{}{}. {}{} {}\n\n", right ? "**" : "Not ", index, option.words, right ? "**." : ":",
-                            option.reply);
+      answer += fmt::format("{}{}{}. {}{} {}\n", index == 1 ? "" : "\n", right ? "**" : "Not ", index,
+                            option.words, right ? "**." : ":", option.reply);
     }
     ask(words, question.hint, answer);
   }
 
   void operator()(const Claim& claim) {
     const std::string range = claim.range.empty() ? "" : fmt::format(" (for {})", claim.range);
-    table_row(Table::claims, {"claim", "measured", "expected", "after", "verdict"},
+    table_row(Table::claims, {"claim", "measured", "expected", "according to", "verdict"},
               {claim.quantity + range, measurement(claim), expectation(claim), claim.source, verdict(claim)});
   }
 

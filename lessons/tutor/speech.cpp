@@ -165,7 +165,7 @@ std::string say(const Figure& figure, const Style& style) {
 }
 
 std::string say_caption(const std::string& caption, const std::string& path, const Style& style) {
-  return wrapped(caption, style, 2) + toned("  " + path, Tone::quiet, style) + "\n";
+  return wrapped(caption, style, 2) + (path.empty() ? "" : toned("  " + path, Tone::quiet, style) + "\n");
 }
 
 std::string say_answer(const Prediction& question, const Style& style) {

@@ -26,10 +26,9 @@ void print(const Told& told, const Lesson& lesson, const Studio& studio) {
         [&](const auto& it) {
           using Kind = std::decay_t<decltype(it)>;
           if constexpr (std::is_same_v<Kind, Figure>)
-            words +=
-                say(it, style) + say_caption(it.caption, (studio.folder() / figure_path(it.name)).string(), style);
+            words += say(it, style) + say_caption(it.caption, studio.path(it), style);
           else if constexpr (std::is_same_v<Kind, Sequence>)
-            words += say_caption(it.caption, (studio.folder() / strip_path(it.name)).string(), style);
+            words += say_caption(it.caption, studio.path(it), style);
           else if constexpr (std::is_same_v<Kind, Prediction> || std::is_same_v<Kind, Choice>)
             words += say(it, style) + "\n  Answer\n" + say_answer(it, style);
           else

@@ -115,6 +115,12 @@ double Studio::time(const Sequence& sequence, int index) const {
   return static_cast<double>(index) / quality_.rate;
 }
 
+std::string Studio::path(const Figure& figure) const { return (folder_ / figure_path(figure.name)).string(); }
+
+std::string Studio::path(const Sequence& sequence) const {
+  return frames_ == FramesWanted::none ? "" : (folder_ / strip_path(sequence.name)).string();
+}
+
 std::string Studio::gl() const { return canvas_ ? canvas_->describe() : ""; }
 
 }  // namespace byhand::tutor

@@ -37,6 +37,10 @@ class Studio {
   int count(const Sequence& sequence) const;
   double time(const Sequence& sequence, int index) const;
 
+  /// Where the picture, or the strip, is written; empty when no frames are wanted.
+  std::string path(const Figure& figure) const;
+  std::string path(const Sequence& sequence) const;
+
   const std::filesystem::path& folder() const { return folder_; }
   /// OpenGL's renderer and version, once something was drawn.
   std::string gl() const;
