@@ -1,0 +1,142 @@
+// Step 3: the matrix of all rows, its factor and its inverse.
+
+#include <Eigen/Cholesky>
+#include <cmath>
+
+#include "lessons/03_iterations/held_step.hpp"
+#include "lessons/03_iterations/knobs.hpp"
+#include "renderer/canvas.hpp"
+#include "solver/exact/hanging_chain.hpp"
+
+namespace byhand::iterations {
+namespace {
+
+using namespace tutor;
+
+/// JM⁻¹Jᵀ [m²/kg] from the rows as the solver wrote them; the step must be in natural order.
+Eigen::MatrixXd matrix_of(const System<PlaneParticle>& system, int bodies) {
+  constexpr int dof = PlaneParticle::dof;
+  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(system.rows(), dof * bodies), W = J;
+  for (const auto& block : std::get<block_type<PlaneParticle, 1, Bound::none>()>(system.blocks)) {
+    J.block<1, dof>(block.row, dof * block.body1) = block.J.side1();
+    J.block<1, dof>(block.row, dof * block.body2) = block.J.side2();
+    W.block<1, dof>(block.row, dof * block.body1) = block.W.side1();
+    W.block<1, dof>(block.row, dof * block.body2) = block.W.side2();
+  }
+  return J * W.transpose();
+}
+
+int nonzeros(const Eigen::MatrixXd& matrix) {
+  return static_cast<int>((matrix.array().abs() > 1e-9 * matrix.cwiseAbs().maxCoeff()).count());
+}
+
+/// The matrix as a map, cells that are zero left empty.
+renderer::Chart map_of(const Eigen::MatrixXd& matrix, std::string title, std::string unit, bool diverging) {
+  const auto n = static_cast<int>(matrix.rows());
+  renderer::HeatMap map{.label = std::move(unit), .diverging = diverging, .square = true};
+  for (int i = 1; i <= n; ++i) {
+    map.x.push_back(i);
+    map.y.push_back(i);
+  }
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j)
+      map.values.push_back(std::abs(matrix(i, j)) > 1e-9 * matrix.cwiseAbs().maxCoeff() ? matrix(i, j) : NAN);
+  if (!diverging) map.range = {0, matrix.maxCoeff()};
+  renderer::Chart chart;
+  chart.title = std::move(title);
+  chart.x.label = "column: joint";
+  chart.y.label = "row: joint";
+  chart.y.reversed = true;
+  chart.heat_map = std::move(map);
+  return chart;
+}
+
+}  // namespace
+
+void all_at_once(Page& page, const Knobs& knobs) {
+  const ChainOptions chain = knobs.chain();
+  const int n = knobs.links;
+  const double m = knobs.mass, L = knobs.length;
+  HeldStep held(chain, knobs.h);
+  const Eigen::MatrixXd A = matrix_of(held.work().system, held.scene().bodies.size());
+  const Eigen::MatrixXd factor = Eigen::LLT<Eigen::MatrixXd>(A).matrixL();
+  const Eigen::MatrixXd inverse = A.llt().solve(Eigen::MatrixXd::Identity(n, n));
+
+  page.text(
+      "Why go round at all? Write (17) once for every row, let each see what *all* the others do to its bobs, and "
+      "it becomes one linear system, with the inverse effective masses of (19) on the diagonal and the shared "
+      "bobs "
+      "beside it:");
+  page.formula("A λ = −(JV + b),   A = JM⁻¹Jᵀ, @ × @",
+               R"(A\,\lambda = -(JV + b), \qquad A = JM^{-1}J^T, \quad @ \times @)", n, n);
+  page.text(
+      "Row i of A has three numbers that are not zero, because a joint shares bobs only with the one above and "
+      "the "
+      "one below: A is *sparse*, @ of @ entries. Its inverse is *full*: every joint's λ depends on every row's "
+      "error. "
+      "Read a column of A⁻¹ as an answer: \"if only this row is wrong, what must each joint do?\" The blow goes "
+      "through all joints up to the anchor, at full strength, and joints below feel what hangs on them. One "
+      "sweep of the last step could not know that; A⁻¹ does.",
+      nonzeros(A), n * n);
+  page.figure("matrices",
+              say("Left: A, @ entries that are not zero. Middle: its Cholesky factor, A = GGᵀ, with @. Right: its "
+                  "inverse, with @. Empty cells are zero.",
+                  nonzeros(A), nonzeros(factor), nonzeros(inverse)),
+              [=](renderer::Canvas& canvas) {
+                const auto cells = canvas.page().inset(16, 120).cells(1, 3, 18);
+                draw(canvas, map_of(A, "A = JM⁻¹Jᵀ", "m²/kg", true), cells[0]);
+                draw(canvas, map_of(factor, "its factor G", "m/√kg", true), cells[1]);
+                draw(canvas, map_of(inverse, "A⁻¹", "kg/m²", false), cells[2]);
+              });
+  page.text(
+      "The article calls solving everything at once \"very inefficient\". It would be, with that full inverse. "
+      "But "
+      "nobody needs the inverse: eliminate one joint after the other and you need only the *factor* in the "
+      "middle, "
+      "which is as sparse as A. On a chain the direct solve stores @ numbers, two a joint; on a tree it is the "
+      "same. "
+      "What it costs is for the deeper part of this lesson.",
+      2 * n - 1);
+
+  HeldStep direct(chain, knobs.h, Direct{});
+  direct.solve();
+  const std::vector<double> masses(static_cast<std::size_t>(n), m);
+  const std::vector<double> tensions = hanging_chain_tensions(masses, Knobs::gravity);
+  double worst_tension = 0, worst_inverse = 0;
+  for (int i = 0; i < n; ++i) {
+    worst_tension = std::max(worst_tension, std::abs(direct.shares()[i] * knobs.weight() / tensions[i] - 1));
+    for (int j = 0; j < n; ++j)
+      worst_inverse = std::max(worst_inverse, std::abs(inverse(i, j) * L * L / (m * (n - std::max(i, j))) - 1));
+  }
+  page.text(
+      "Solved directly, once: the top joint carries @ N, the lowest @ N, and no row has an error left worth the "
+      "name (@ gh).",
+      direct.shares().front() * knobs.weight(), direct.shares().back() * knobs.weight(),
+      direct.error() / knobs.fall());
+  page.claim({.quantity = "largest relative error of the joints' forces",
+              .unit = "1",
+              .expected = 0,
+              .source = "the weight below each joint",
+              .measured = worst_tension,
+              .tolerance = absolute(1e-12 * n)});
+  page.claim({.quantity = "largest relative error of A⁻¹, entry by entry",
+              .unit = "1",
+              .expected = 0,
+              .source = "(A⁻¹)ᵢⱼ = m (N + 1 − max(i, j)) / L²",
+              .measured = worst_inverse,
+              .tolerance = absolute(1e-12 * n)});
+  page.claim({.quantity = "entries of A that are not zero",
+              .unit = "1",
+              .expected = 3.0 * n - 2,
+              .source = "3N − 2",
+              .measured = static_cast<double>(nonzeros(A)),
+              .tolerance = absolute(0)});
+  page.claim({.quantity = "numbers that the direct solve stores",
+              .unit = "1",
+              .expected = 2.0 * n - 1,
+              .source = "2N − 1: nothing fills in",
+              .measured = static_cast<double>(direct.work().direct.plan.values),
+              .tolerance = absolute(0)});
+}
+
+}  // namespace byhand::iterations

@@ -1,0 +1,110 @@
+// Deeper: a heavy bob at the end.
+
+#include <cmath>
+
+#include "lessons/03_iterations/held_step.hpp"
+#include "lessons/03_iterations/knobs.hpp"
+#include "lessons/03_iterations/textbook.hpp"
+
+namespace byhand::iterations {
+namespace {
+
+using namespace tutor;
+
+ChainOptions with_heavy_end(ChainOptions chain, double ratio) {
+  chain.end_mass = ratio * chain.mass;
+  return chain;
+}
+
+double digit(const ChainOptions& chain, double h) {
+  return sweeps_per_digit(measured_factor(GaussSeidel{.warm_start = false}, chain, h));
+}
+
+double textbook_digit(const ChainOptions& chain) {
+  const double factor = textbook_jacobi_factor(textbook_matrix(chain));
+  return sweeps_per_digit(factor * factor);
+}
+
+}  // namespace
+
+void heavy_end(Page& page, const Knobs& knobs) {
+  const int n = knobs.links;
+  const double h = knobs.h, ratio = knobs.ratio;
+  const ChainOptions heavy = with_heavy_end(knobs.chain(), ratio);
+  const double light_digit = digit(knobs.chain(), h), heavy_digit = digit(heavy, h);
+
+  page.text("The same @ links, but the bob at the end weighs @ times as much as each of the others.", n, ratio);
+  page.predict(
+      {.ask = say("With equal bobs one more digit takes @ sweeps. With an end bob @ times as heavy?",
+                  std::round(light_digit), ratio),
+       .answer = heavy_digit,
+       .unit = "sweeps",
+       .tolerance = 0.25 * heavy_digit,
+       .wrong = {{light_digit,
+                  "Mass cancels in one pendulum, not between rows: each sweep hands over only 1/r of what is "
+                  "missing."}},
+       .hint =
+           "The last row joins a light bob and a heavy one, and its impulse is the same for both. Which of the "
+           "two does it move?",
+       .right = "Each sweep hands over only about 1/r of what is missing."});
+  page.text(
+      "The last row finds the heavy bob falling away from the light one and makes their speeds meet. But in that "
+      "trade the light bob gives way: it takes r/(1 + r) of the change, the heavy one 1/(1 + r). The heavy bob "
+      "hardly "
+      "slows down, while the light one is yanked out of the row above. So the weight climbs the chain in "
+      "portions of 1/r, and for large r ρ ≈ 1 − 1/(r(N − 1)):");
+  renderer::Curve measured{.label = "measured", .style = renderer::CurveStyle::markers};
+  renderer::Curve exact{.label = "eigenvalues", .style = renderer::CurveStyle::theory};
+  renderer::Curve law{
+      .label = "ln 10 · r(N − 1)", .style = renderer::CurveStyle::theory, .colour = renderer::palette::force};
+  for (const double r : {1.0, 3.0, 10.0, 30.0, 100.0, 300.0, 1000.0}) {
+    const ChainOptions chain = with_heavy_end(knobs.chain(), r);
+    for (renderer::Curve* curve : {&measured, &exact, &law}) curve->x.push_back(r);
+    measured.y.push_back(digit(chain, h));
+    measured.point_labels.push_back(number(measured.y.back(), 2));
+    exact.y.push_back(textbook_digit(chain));
+    law.y.push_back(std::log(10.0) * r * (n - 1));
+  }
+  renderer::Chart chart;
+  chart.x = {.label = "end bob's mass, in masses of the others (1)", .scale = renderer::Scale::logarithmic};
+  chart.y = {.label = "sweeps for one more digit (1)", .scale = renderer::Scale::logarithmic};
+  chart.curves = {measured, exact, law};
+  page.figure("heavy_end", say("Sweeps for one more digit against the end bob's mass, @ links.", n), chart);
+
+  HeldStep sweep(heavy, h), direct(heavy, h, Direct{});
+  for (int i = 0; i < 10; ++i) sweep.solve_sweep();
+  direct.solve();
+  page.text(
+      "After 10 sweeps the top joint carries @ of the weight. The direct solve, same rows: @. It "
+      "sees all rows at once, and a ratio of masses is only a number in A.",
+      sweep.shares().front(), direct.shares().front());
+  page.claim({.quantity = "sweeps for one more digit, heavy end",
+              .unit = "1",
+              .expected = textbook_digit(heavy),
+              .source = "largest eigenvalue of D⁻¹A, dense",
+              .measured = heavy_digit,
+              .tolerance = relative(1e-4)});
+  page.claim({.quantity = "the same, law B4",
+              .unit = "1",
+              .expected = std::log(10.0) * ratio * (n - 1),
+              .source = "ρ ≈ 1 − 1/(r(N − 1))",
+              .measured = heavy_digit,
+              .tolerance = relative(n / ratio),
+              .claimed = ratio >= 5 * n,
+              .range = "r ≥ 5N"});
+  page.claim(
+      {.quantity = "two links: share that a sweep leaves",
+       .unit = "1",
+       .expected = ratio / (1 + ratio),
+       .source = "r/(1 + r)",
+       .measured = measured_factor(GaussSeidel{.warm_start = false}, with_heavy_end(knobs.chain(2), ratio), h),
+       .tolerance = relative(1e-6)});
+  page.claim({.quantity = "direct solve: share at the top joint",
+              .unit = "1",
+              .expected = 1,
+              .source = "all the weight hangs there",
+              .measured = direct.shares().front(),
+              .tolerance = relative(1e-9)});
+}
+
+}  // namespace byhand::iterations

@@ -1,0 +1,123 @@
+// Deeper: Jacobi's limit, law B5.
+
+#include <cmath>
+
+#include "lessons/03_iterations/knobs.hpp"
+#include "renderer/palette.hpp"
+#include "solver/constraints/normalised_distance.hpp"
+#include "solver/measure.hpp"
+#include "solver/methods/velocity_stepping.hpp"
+
+namespace byhand::iterations {
+namespace {
+
+using namespace tutor;
+
+/// Where `rods` parallel rods hold a box of unit width, from its middle.
+std::vector<double> places(int rods) {
+  std::vector<double> x;
+  for (int i = 0; i < rods; ++i) x.push_back(static_cast<double>(i) / (rods - 1) - 0.5);
+  return x;
+}
+
+/// A square box hung on parallel rods, spread evenly over its width.
+Scene<PlaneBody, NormalisedDistance> hung_box(int rods, double side, double mass) {
+  Scene<PlaneBody, NormalisedDistance> scene;
+  const int ceiling = scene.add_body(Linear<PlaneBody>(0, 0), fixed<PlaneBody>());
+  const int box = scene.add_body(Linear<PlaneBody>(0, -1.5 * side),
+                                 byhand::box<PlaneBody>(mass, Linear<PlaneBody>(side, side)));
+  for (const double x : places(rods))
+    scene.add(NormalisedDistance<PlaneBody>{
+        between<PlaneBody>(scene.bodies, ceiling, {x * side, 0}, box, {x * side, -side}), side});
+  return scene;
+}
+
+/// The error [m/s] that so many sweeps leave in the step that finds the box at rest.
+template <class Solver>
+double error_after(int sweeps, Solver solver, int rods, const Knobs& knobs) {
+  auto scene = hung_box(rods, knobs.length, knobs.mass);
+  Work<PlaneBody> work;
+  solver.sweeps = sweeps;
+  solver.warm_start = false;
+  lay_out(scene, solver, work);
+  scene.write_rows(work.system);
+  add_gravity(scene.bodies, scene.gravity, knobs.h());
+  solve_rows(solver, scene.bodies, work);
+  return residual(work.system, scene.bodies.velocity);
+}
+
+double factor(const Jacobi& solver, int rods, const Knobs& knobs) {
+  return std::sqrt(error_after(6, solver, rods, knobs) / error_after(4, solver, rods, knobs));
+}
+
+/// The eigenvalue of D⁻¹A for the box falling straight: each rod corrects 1/(1 + m x²/I) of the whole error.
+double mu(int rods) {
+  double sum = 0;
+  for (const double x : places(rods)) sum += 1 / (1 + 6 * x * x);  // I = m/6 for a unit square
+  return sum;
+}
+
+}  // namespace
+
+void limit_of_jacobi(Page& page, const Knobs& knobs) {
+  page.text(
+      "On a chain Jacobi is only slow. It can also fail. Hang *one* square box of @ kg on several parallel rods. "
+      "Each row looks "
+      "at the falling box and corrects the whole of what it sees; then all of them push at once. Two rods may, "
+      "four "
+      "push far too much:",
+      knobs.mass);
+  renderer::Chart chart;
+  chart.x.label = "sweeps (1)";
+  chart.y = {.label = "largest error (gh)", .scale = renderer::Scale::logarithmic, .range = {{1e-6, 1e6}}};
+  constexpr int last = 20;
+  int colour = 0;
+  for (const int rods : {2, 3, 4, 8}) {
+    renderer::Curve measured{.label = say("@ rods", rods), .style = renderer::CurveStyle::markers};
+    renderer::Curve law{.style = renderer::CurveStyle::theory};
+    measured.colour = law.colour = renderer::palette::series(colour++);
+    for (int sweeps = 1; sweeps <= last; ++sweeps) {
+      const double error = error_after(sweeps, Jacobi{}, rods, knobs) / knobs.fall();
+      if (error < 1e-6 || error > 1e6) break;
+      measured.x.push_back(sweeps);
+      measured.y.push_back(error);
+      law.x.push_back(sweeps);
+      law.y.push_back(std::pow(std::abs(1 - mu(rods)), sweeps));
+    }
+    chart.curves.push_back(measured);
+    chart.curves.push_back(law);
+  }
+  page.figure("limit_of_jacobi",
+              "One box on 2, 3, 4 and 8 rods, Jacobi from λ = 0. Markers: measured; dashed: |1 − μ|ⁿ.", chart);
+  page.text(
+      "All that matters is μ, the largest eigenvalue of D⁻¹A, where D is the diagonal of A: an error is "
+      "multiplied by 1 − μ in each "
+      "sweep, and beyond μ = 2 it grows. For the box it is @ with 3 rods and @ with 4. On a chain μ never "
+      "reaches 2. The cure is to take a share ω of each step (*relaxation*): ω < 2/μ, which is @ for 4 rods. "
+      "Gauss–Seidel needs no cure: the second row sees what the first has done.",
+      Value(mu(3), 3), Value(mu(4), 3), Value(2 / mu(4), 3));
+  for (const int rods : {2, 3, 4, 8})
+    page.claim({.quantity = say("@ rods: growth of the error a sweep", rods),
+                .unit = "1",
+                .expected = std::abs(1 - mu(rods)),
+                .source = "law B5: |1 − μ|, μ = Σ 1/(1 + m x²/I)",
+                .measured = factor(Jacobi{}, rods, knobs),
+                .tolerance = relative(1e-9)});
+  for (const double share : {0.99, 1.01}) {
+    const double relaxation = share * 2 / mu(4);
+    page.claim({.quantity = say("4 rods, relaxed to @", Value(relaxation, 3)),
+                .unit = "1",
+                .expected = std::abs(1 - relaxation * mu(4)),
+                .source = "|1 − ωμ|",
+                .measured = factor(Jacobi{.relaxation = relaxation}, 4, knobs),
+                .tolerance = relative(1e-9)});
+  }
+  page.claim({.quantity = "Gauss–Seidel on 4 rods: error after 20 sweeps",
+              .unit = "gh",
+              .expected = 1e-3,
+              .source = "it converges: at most",
+              .measured = error_after(20, GaussSeidel{}, 4, knobs) / knobs.fall(),
+              .tolerance = at_most()});
+}
+
+}  // namespace byhand::iterations

@@ -1,0 +1,155 @@
+// Step 4: how errors shrink from sweep to sweep.
+
+#include <array>
+#include <cmath>
+
+#include "lessons/03_iterations/held_step.hpp"
+#include "lessons/03_iterations/knobs.hpp"
+#include "lessons/03_iterations/textbook.hpp"
+#include "solver/measure.hpp"
+#include "solver/simulation.hpp"
+
+namespace byhand::iterations {
+namespace {
+
+using namespace tutor;
+
+struct Named {
+  std::string name;
+  GaussSeidel solver;
+};
+const std::array<Named, 3> orders{{{"top-down", {.warm_start = false, .order = SweepOrder::natural}},
+                                   {"bottom-up", {.warm_start = false, .order = SweepOrder::reverse}},
+                                   {"red–black", {.warm_start = false, .order = SweepOrder::coloured}}}};
+
+/// About sixty whole numbers from 1 to `last`.
+std::vector<int> sweep_counts(int last) {
+  std::vector<int> counts;
+  for (int i = 1; i <= last; i += 1 + last / 60) counts.push_back(i);
+  return counts;
+}
+
+/// The error [gh] over sweeps, each point a solve of its own.
+template <class Solver>
+renderer::Curve curve_of(std::string label, const Solver& solver, const Knobs& knobs,
+                         const std::vector<int>& counts) {
+  renderer::Curve curve{.label = std::move(label)};
+  for (const int count : counts) {
+    curve.x.push_back(count);
+    curve.y.push_back(error_after(count, solver, knobs.chain(), knobs.h) / knobs.fall());
+  }
+  return curve;
+}
+
+/// The same for the step that comes after `seconds` of warm steps with the reader's number of sweeps.
+renderer::Curve warm_curve(double seconds, const Knobs& knobs, const std::vector<int>& counts) {
+  Simulation simulation{rod_chain<PlaneParticle>(knobs.chain()),
+                        VelocityStepping{.solver = GaussSeidel{.sweeps = knobs.sweeps}, .drift = NoDriftCure{}}};
+  while (simulation.time < seconds) simulation.step(knobs.h);
+  renderer::Curve curve{.label = "top-down, warm"};
+  for (const int count : counts) {
+    auto next = simulation;
+    next.method.solver = GaussSeidel{.sweeps = count};
+    next.step(knobs.h);
+    const double error = residual(next.work.system, next.scene.bodies.velocity) / knobs.length / knobs.fall();
+    curve.x.push_back(count);
+    curve.y.push_back(error > 1e-15 ? error : NAN);
+  }
+  return curve;
+}
+
+renderer::Curve theory(std::string label, double factor, const std::vector<int>& counts) {
+  renderer::Curve curve{.label = std::move(label), .style = renderer::CurveStyle::theory};
+  for (const int count : counts) {
+    curve.x.push_back(count);
+    curve.y.push_back(std::pow(factor, count));
+  }
+  return curve;
+}
+
+}  // namespace
+
+void many_sweeps(Page& page, const Knobs& knobs) {
+  const ChainOptions chain = knobs.chain();
+  const double rho = chain_factor(knobs.links), digit = sweeps_per_digit(rho), h = knobs.h;
+  std::array<double, 3> digits{};
+  for (int i = 0; i < 3; ++i) digits[i] = sweeps_per_digit(measured_factor(orders[i].solver, chain, h));
+  const double jacobi = sweeps_per_digit(measured_factor(Jacobi{.warm_start = false}, chain, h));
+
+  page.text(
+      "How fast is going round? Solve the same step, hanging chain, gravity just in V, with 1, 2, 3, … sweeps and "
+      "look at the largest error each time. Four ways to go round, all from λ = 0:\n\n"
+      "- *Jacobi*: every row looks at the same V, then all push at once. It could run in parallel.\n"
+      "- *Gauss–Seidel* top-down, bottom-up, or *red–black*: all odd rows, then all even ones (rows of one colour "
+      "share no bob, so these could run in parallel too).");
+  constexpr double same = 1e-6;
+  const bool alike = std::abs(digits[1] / digits[0] - 1) < same && std::abs(digits[2] / digits[0] - 1) < same;
+  const auto steepest = static_cast<int>(std::min_element(digits.begin(), digits.end()) - digits.begin());
+  page.choose(
+      {.ask = "Top-down, bottom-up, red–black: whose error falls most steeply in the end?",
+       .options = {{"top-down",
+                    "It follows the chain from its anchor, but the load comes from below. The first "
+                    "sweeps differ; the slow wave along the chain decides the slope."},
+                   {"bottom-up",
+                    "It follows the load, and the first sweep shows it; then the slow wave along "
+                    "the chain decides, and no order sees that."},
+                   {"red–black",
+                    "Its rows do not wait for each other, which makes it fast on a processor, not "
+                    "steeper a sweep."},
+                   {"all the same",
+                    "The first sweeps differ; the slow wave along the chain decides the slope, "
+                    "and no order sees it."}},
+       .answer = alike ? 3 : steepest,
+       .hint = "After a few sweeps every order has smoothed the errors out: neighbours are wrong by nearly the "
+               "same. What can one row still see of that?"});
+
+  const double second = 1.0;
+  const std::vector<int> counts = sweep_counts(std::max(12, static_cast<int>(4.3 * digit)));
+  renderer::Chart chart;
+  chart.x.label = "sweeps (1)";
+  chart.y.label = "largest error (gh)";
+  chart.y.scale = renderer::Scale::logarithmic;
+  chart.y.range = {{1e-5, 2}};
+  chart.curves.push_back(curve_of("Jacobi", Jacobi{.warm_start = false}, knobs, counts));
+  for (const Named& order : orders) chart.curves.push_back(curve_of(order.name, order.solver, knobs, counts));
+  chart.curves.push_back(warm_curve(second, knobs, counts));
+  chart.curves.push_back(theory("cosⁿ(π/2N)", std::sqrt(rho), counts));
+  chart.curves.push_back(theory("cos²ⁿ(π/2N)", rho, counts));
+  page.figure(
+      "error_over_sweeps",
+      say("The largest error against sweeps, @ links. Dashed: the rates that theory predicts, drawn from 1. "
+          "Top-down and bottom-up lie near each other, red–black beside them; all fall alike. The warm curve is "
+          "the "
+          "step after @ s of @ warm sweeps a step.",
+          knobs.links, second, knobs.sweeps),
+      chart);
+  page.text(
+      "On this scale a straight line means: each sweep leaves the same share of the error. For N equal links "
+      "hanging "
+      "from an anchor that share is cos(π/2N) for Jacobi and its square for Gauss–Seidel in *any* order:");
+  page.formula(
+      "ρ = cos²(π/2N) = @ for N = @,   one more digit: ln 10 / −ln ρ = @ sweeps",
+      R"(\rho = \cos^2\frac{\pi}{2N} = @ \text{ for } N = @, \qquad \frac{\ln 10}{-\ln\rho} = @ \text{ sweeps a digit})",
+      rho, knobs.links, digit);
+  page.text(
+      "A *warm start* begins with the λ of the step before instead of 0. It begins lower, and then it falls no "
+      "faster: a "
+      "better guess is worth a head start, not a steeper line. What that is worth over many steps comes in step "
+      "6.");
+  page.measure("sweeps for one more digit", digits[0], "1");
+  for (int i = 0; i < 3; ++i)
+    page.claim({.quantity = say("sweeps for one more digit, @", orders[i].name),
+                .unit = "1",
+                .expected = digit,
+                .source = "law B4: ρ = cos²(π/2N)",
+                .measured = digits[i],
+                .tolerance = relative(same)});
+  page.claim({.quantity = "the same for Jacobi",
+              .unit = "1",
+              .expected = 2 * digit,
+              .source = "its factor is √ρ",
+              .measured = jacobi,
+              .tolerance = relative(same)});
+}
+
+}  // namespace byhand::iterations

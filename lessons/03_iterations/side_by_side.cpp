@@ -1,0 +1,180 @@
+// Step 7: the same chain with few sweeps, many and all at once.
+
+#include <cmath>
+#include <optional>
+
+#include "lessons/03_iterations/knobs.hpp"
+#include "lessons/03_iterations/textbook.hpp"
+#include "lessons/pictures/growing.hpp"
+#include "lessons/pictures/rods_and_bobs.hpp"
+#include "renderer/canvas.hpp"
+#include "solver/simulation.hpp"
+
+namespace byhand::iterations {
+namespace {
+
+using namespace tutor;
+namespace palette = renderer::palette;
+using Chain = Simulation<Scene<PlaneParticle, Distance>>;
+
+constexpr double seconds = 5;
+constexpr double lost = 50;  // lengths of a link: a chain that is stretched that far is watched no longer
+const std::vector<int> sweep_counts{1, 4, 16, 64};
+
+Chain swinging(const Knobs& knobs, std::optional<int> sweeps, double degrees) {
+  ChainOptions options = knobs.chain();
+  options.angle = degrees * M_PI / 180;
+  VelocityStepping method{.solver = Direct{}, .drift = Baumgarte{knobs.beta}};
+  if (sweeps) method.solver = GaussSeidel{.sweeps = *sweeps, .warm_start = knobs.warm() == 1};
+  return {rod_chain<PlaneParticle>(options), method};
+}
+
+/// The largest | |d| - L | of all links [m].
+double stretch(const Chain& chain) {
+  double worst = 0;
+  chain.scene.for_each([&](const Distance<PlaneParticle>& rod) {
+    const auto& pose = chain.scene.bodies.pose;
+    const double d = rod.at.separation(pose[rod.at.body1], pose[rod.at.body2]).norm();
+    worst = std::max(worst, std::isfinite(d) ? std::abs(d - rod.length) : INFINITY);
+  });
+  return worst;
+}
+
+/// One chain of the comparison: what it is called, how it begins, how it goes.
+struct Run {
+  std::string name;
+  Chain chain;
+  renderer::Curve stretch;  // [mm] over time
+  double lost_at = INFINITY;
+  renderer::Point reach{0, 0};  // farthest to either side, and down
+};
+
+Run run_of(std::string name, Chain start, double h, double length) {
+  Run run{std::move(name), start, {}};
+  run.stretch.label = run.name;
+  while (start.time < seconds) {
+    start.step(h);
+    const double now = stretch(start);
+    run.stretch.x.push_back(start.time);
+    run.stretch.y.push_back(now < lost * length ? std::max(1000 * now, 1e-9) : INFINITY);
+    if (now >= lost * length) {
+      run.lost_at = start.time;
+      break;
+    }
+    for (const auto& pose : start.scene.bodies.pose)
+      run.reach = run.reach.cwiseMax(renderer::Point(std::abs(pose.position.x()), -pose.position.y()));
+  }
+  return run;
+}
+
+double worst(const Run& run) { return *std::max_element(run.stretch.y.begin(), run.stretch.y.end()); }
+
+/// The largest stretch [m] of the chain hanging at rest, started cold in every step, once it has settled.
+double settled_stretch(const Knobs& knobs, int sweeps) {
+  Chain chain = swinging(knobs, sweeps, 0);
+  // The slow wave's errors follow z² - (1 + q - (1 - q)β)z + q = 0.
+  const double q = std::pow(chain_factor(knobs.links), sweeps), beta = knobs.beta, trace = 1 + q - (1 - q) * beta;
+  const double root = trace * trace - 4 * q;
+  const double z = root > 0 ? (trace + std::sqrt(root)) / 2 : std::sqrt(q);
+  const int steps = 100 + static_cast<int>(std::log(1e-10) / std::log(z));
+  for (int i = 0; i < steps; ++i) chain.step(knobs.h);
+  return stretch(chain);
+}
+
+/// The same from the textbook's matrices: the bias that makes up for what k sweeps leave is as large as the speed
+/// at which links part without it, (β/h) C / |d| = r, and C = ½(d² - L²).
+double textbook_stretch(const Knobs& knobs, int sweeps) {
+  const double r = textbook_cold_errors(knobs.chain(), sweeps, knobs.fall()).maxCoeff(), L = knobs.length;
+  const double s = r * knobs.h / knobs.beta;
+  return s + std::sqrt(s * s + L * L) - L;
+}
+
+void draw_runs(renderer::Canvas& canvas, const std::vector<Run>& runs, const renderer::Rectangle& world,
+               double time, const renderer::Rectangle& frame) {
+  const auto cells = frame.cells(1, static_cast<int>(runs.size()), 6);
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const renderer::Rectangle& cell = cells[i];
+    canvas.look_at_page();
+    canvas.text({cell.centre().x(), cell.top() - 12}, runs[i].name,
+                {.size = 21, .colour = palette::series(static_cast<int>(i)), .bold = true});
+    const renderer::Rectangle below{cell.x, cell.y, cell.width, cell.height - 28};
+    const renderer::Camera camera = renderer::fit(world, below, 4);
+    canvas.clip(below);
+    canvas.look(camera);
+    if (time < runs[i].lost_at) {
+      pictures::draw(canvas, pictures::rods_and_bobs(runs[i].chain.scene), {.bob = 6, .rod = 2.6});
+    } else {
+      canvas.look_at_page();
+      canvas.text(below.centre(), say("flew apart\nafter @ s", Value(runs[i].lost_at, 2)), {.size = 20});
+    }
+    canvas.clip({});
+  }
+  canvas.look_at_page();
+}
+
+}  // namespace
+
+void side_by_side(Page& page, const Knobs& knobs) {
+  const double h = knobs.h, L = knobs.length;
+  std::vector<Run> runs;
+  for (const int sweeps : sweep_counts)
+    runs.push_back(
+        run_of(say(sweeps == 1 ? "@ sweep" : "@ sweeps", sweeps), swinging(knobs, sweeps, knobs.angle), h, L));
+  runs.push_back(run_of("direct", swinging(knobs, {}, knobs.angle), h, L));
+
+  renderer::Rectangle world{0, 0, 0, 0};
+  renderer::Chart chart;
+  chart.x.label = "time (s)";
+  chart.y = {.label = "largest stretch (mm)", .scale = renderer::Scale::logarithmic};
+  renderer::Point reach{0, 0};
+  for (const Run& run : runs) {
+    chart.curves.push_back(run.stretch);
+    if (std::isinf(run.lost_at)) reach = reach.cwiseMax(run.reach);
+  }
+  reach = reach.cwiseMin(renderer::Point::Constant(3 * knobs.links * L)) + renderer::Point::Constant(0.4 * L);
+  world = {-reach.x(), -reach.y(), 2 * reach.x(), reach.y() + L};
+
+  page.text(
+      "Now let it swing: released at @° from straight down, @ s, and with the correction of lesson 4 (β = @) "
+      "pulling "
+      "stretched links back. Five times the same chain, started @; only the number of sweeps a step differs, and "
+      "the "
+      "last solves all rows at once.",
+      knobs.angle, seconds, knobs.beta, knobs.warm() == 1 ? "warm" : "cold");
+  page.sequence(
+      "sweeps_side_by_side",
+      say("The same chain of @ links with @, @, @ and @ sweeps a step, and solved directly. Below: the largest "
+          "stretch of any link.",
+          knobs.links, sweep_counts[0], sweep_counts[1], sweep_counts[2], sweep_counts[3]),
+      Seconds{seconds}, [=, runs = runs](renderer::Canvas& canvas, double time) mutable {
+        for (Run& run : runs)
+          while (run.chain.time < time - 0.5 * h && run.chain.time < run.lost_at) run.chain.step(h);
+        const auto [upper, lower] = canvas.page().inset(14).split_rows(0.55, 8);
+        draw_runs(canvas, runs, world, time, upper);
+        draw(canvas, pictures::grown_to(chart, time), lower);
+      });
+  for (const Run& run : runs) page.measure(say("largest stretch, @", run.name), worst(run), "mm");
+  page.text(
+      "Few sweeps do not look wrong, they look *soft*: the chain becomes a rubber band, and nobody asked for "
+      "rubber. How soft can be "
+      "said beforehand. Where the chain hangs still, the correction must make up in each step for what the sweeps "
+      "leave: "
+      "the parting speed r of step 6 is answered by a bias of the same size, (β/h)C/|d| = r. So the "
+      "worst link hangs out by about r·h/β:");
+  const bool claimed = knobs.warm() == 0 && knobs.beta >= 0.01;
+  for (const int sweeps : sweep_counts)
+    page.claim({.quantity = say("stretch at rest, sweeps a step: @", sweeps),
+                .unit = "m",
+                .expected = claimed ? textbook_stretch(knobs, sweeps) : 0,
+                .source = "(β/h) C/|d| = (1 − Gᵏ)⁻¹Gᵏ gh",
+                .measured = claimed ? settled_stretch(knobs, sweeps) : 0,
+                .tolerance = absolute(1e-6 * L),
+                .claimed = claimed,
+                .range = "cold, β ≥ 0.01"});
+  page.text(
+      "Solved directly nothing is left of that; what still stretches it is the step itself, the tangent of lesson "
+      "2. "
+      "So ask of a soft chain first which of the two it is: more sweeps mend one, smaller steps the other.");
+}
+
+}  // namespace byhand::iterations

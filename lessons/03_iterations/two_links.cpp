@@ -1,0 +1,144 @@
+// Step 1: two links, and each row undoes what the other did.
+
+#include <cmath>
+
+#include "lessons/03_iterations/held_step.hpp"
+#include "lessons/03_iterations/knobs.hpp"
+#include "lessons/pictures/rods_and_bobs.hpp"
+#include "renderer/canvas.hpp"
+
+namespace byhand::iterations {
+namespace {
+
+using namespace tutor;
+namespace palette = renderer::palette;
+using renderer::Point;
+
+/// What a panel shows: speeds and errors in units of gh.
+struct Instant {
+  std::string title;
+  int solved = -1;  // the joint whose row was just solved
+  pictures::Linkage linkage;
+  std::vector<double> speeds, errors;
+};
+
+Instant instant(std::string title, int solved, const HeldStep& step, double fall) {
+  Instant now{std::move(title), solved, pictures::rods_and_bobs(step.scene()), step.speeds(), step.errors()};
+  for (double& speed : now.speeds) speed /= fall;
+  for (double& error : now.errors) error /= fall;
+  return now;
+}
+
+/// "0", "½ gh", "gh", as one says it.
+std::string in_falls(double value) {
+  if (std::abs(value) < 1e-12) return "0";
+  if (std::abs(value - 1) < 1e-12) return "gh";
+  return number(value, 3) + " gh";
+}
+
+void draw_instant(renderer::Canvas& canvas, const Instant& now, double length, const renderer::Rectangle& frame) {
+  canvas.look_at_page();
+  canvas.text({frame.centre().x(), frame.top() - 30}, now.title, {.size = 23, .bold = true});
+  const renderer::Rectangle below{frame.x, frame.y, frame.width, frame.height - 60};
+  const renderer::Camera camera =
+      renderer::fit({-0.6 * length, -2.6 * length, 1.2 * length, 2.8 * length}, below, 10);
+  canvas.look(camera);
+  pictures::draw(canvas, now.linkage, {.bob = 24, .rod = 9});
+  canvas.look_at_page();
+  for (int i = 0; i < 2; ++i) {
+    const auto& rod = now.linkage.rods[i];
+    const Point middle = camera.to_page((rod.from + rod.to) / 2), bob = camera.to_page(now.linkage.bobs[i].at);
+    if (i == now.solved) {
+      const Point up = camera.to_page(rod.from), down = camera.to_page(rod.to);
+      canvas.rod(up - Point(0, 18), down + Point(0, 26), {palette::highlight, {palette::ink, 0}}, 11);
+    }
+    canvas.text(middle - Point(16, 0), in_falls(now.errors[i]),
+                {.size = 24, .colour = palette::error, .anchor = renderer::Anchor::right, .bold = true});
+    const Point foot = bob + Point(44, 20);
+    canvas.vector(foot, {0, -now.speeds[i]}, {palette::velocity, 62});
+    canvas.text(foot + Point(14, -30), in_falls(now.speeds[i]),
+                {.size = 21, .colour = palette::velocity, .anchor = renderer::Anchor::left});
+  }
+}
+
+}  // namespace
+
+void two_links(Page& page, const Knobs& knobs) {
+  const double fall = knobs.fall(), m = knobs.mass, L = knobs.length, h = knobs.h;
+  HeldStep step(knobs.chain(2), h);
+  std::vector<Instant> instants{instant("gravity is in V", -1, step, fall)};
+  const auto solve = [&](int joint) {
+    step.solve_row();
+    instants.push_back(instant(say("row @ solved", joint + 1), joint, step, fall));
+  };
+  solve(0);
+  const double rate = step.errors()[1] * L;
+  solve(1);
+  const double left = step.errors()[0] / fall, lambda = step.lambda()[1];
+  solve(0);
+
+  page.text(
+      "In lesson 2 one constraint was solved, once, and was done: after (17) and (20) its JV was zero and stayed "
+      "zero for the step. Hang a second link below the first and that is over, because the two rows *share a "
+      "bob*.\n\n"
+      "Two bobs of @ kg hang on rods of @ m. Gravity is already in V, so in this step of @ s both fall at gh = @ "
+      "m/s. The upper rod is getting longer at exactly that rate. The lower one is not: its two ends fall "
+      "together.",
+      m, L, knobs.h, fall);
+  page.text(
+      "Row 1 goes first. By (17) it stops the upper bob, and row 1 is content. But now the lower bob falls away "
+      "from one that stands still. Row 2's turn:");
+  page.equation(17, "λ₂ = −(@ + 0) / (@²/@ + @²/@) = @ N·s/m",
+                R"(\lambda_2 = \frac{-(@ + 0)}{@^2/@ + @^2/@} = @\,\mathrm{N\,s/m})", rate, L, m, L, m, lambda);
+  page.predict(
+      {.ask = "Row 1 has been solved, then row 2. How large is row 1's error now, in units of gh?",
+       .answer = left,
+       .unit = "gh",
+       .tolerance = 0.05,
+       .wrong = {{0, "Row 2 pulled on the bob they share."},
+                 {1, "Only half of row 2's impulse was needed: the other half of it lifted the lower bob."}},
+       .hint = "Row 2's impulse acts on both bobs, equal and opposite, and both weigh the same. How fast do "
+               "they move when their speeds have met?",
+       .right = "The two bobs meet in the middle: the lower one slows down by half of gh, the upper one is "
+                "pulled back into falling by the other half."});
+  page.figure(
+      "two_links",
+      say("Four moments of one solve. Green: how fast each bob falls. Purple: how fast each rod is getting "
+          "longer, its row's error. Yellow: the row just solved. gh = @ m/s.",
+          fall),
+      [=](renderer::Canvas& canvas) {
+        const auto cells = canvas.page().inset(20).cells(1, 4, 10);
+        for (std::size_t i = 0; i < cells.size(); ++i) draw_instant(canvas, instants[i], L, cells[i]);
+      });
+  page.text(
+      "So row 2 undid half of what row 1 had done; and when row 1 mends that, it undoes half of what row 2 did. "
+      "Nothing is wrong with (17): it is exact for *one* row while the others hold still. Written for \"the "
+      "system\", as the article has it, it is one *sub-step* of a method that goes round and round: "
+      "Gauss–Seidel, which the article knows as Sequential Impulses. One round over all rows is a *sweep*, and "
+      "this "
+      "is the loop that makes it:");
+  page.excerpt("solver/methods/gauss_seidel.cpp", "sweep");
+
+  constexpr int rounds = 10;
+  HeldStep many(knobs.chain(2), h);
+  for (int i = 0; i < rounds; ++i) many.solve_sweep();
+  const double after = many.errors()[0] / fall;
+  page.text(
+      "Each round halves what is left. After @ sweeps @ of gh remain, and the two rods carry @ and @ of the "
+      "weight. It converges; the question of this lesson is how fast.",
+      rounds, after, many.shares()[0], many.shares()[1]);
+  page.claim({.quantity = "row 1's error after row 2",
+              .unit = "gh",
+              .expected = 0.5,
+              .source = "equal masses share the blow",
+              .measured = left,
+              .tolerance = absolute(1e-12)});
+  page.claim({.quantity = say("row 1's error after @ sweeps", rounds),
+              .unit = "gh",
+              .expected = std::pow(0.5, rounds),
+              .source = "(½)ⁿ",
+              .measured = after,
+              .tolerance = absolute(1e-12)});
+}
+
+}  // namespace byhand::iterations
