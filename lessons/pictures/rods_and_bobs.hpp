@@ -17,11 +17,11 @@ struct Linkage {
   struct Bar {
     renderer::Point from, to;
   };
-  std::vector<Bob> bobs;                 // bodies that move, held by rods
-  std::vector<Bar> rods;                 // massless rods: Distance, NormalisedDistance
-  std::vector<Bar> links;                // bodies that move, held by pins: from the first pin through the centre
-  std::vector<renderer::Point> hinges;   // pins between two bodies that move
-  std::vector<renderer::Point> anchors;  // where the world holds the scene
+  std::vector<Bob> bobs = {};   // bodies that move, held by rods
+  std::vector<Bar> rods = {};   // massless rods: Distance, NormalisedDistance
+  std::vector<Bar> links = {};  // bodies that move, held by pins: from the first pin through the centre
+  std::vector<renderer::Point> hinges = {};   // pins between two bodies that move
+  std::vector<renderer::Point> anchors = {};  // where the world holds the scene
 };
 
 /// Reads the linkage off a scene of particles or bodies in the plane, held by rods, pins or both. A fixed body

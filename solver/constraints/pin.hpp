@@ -27,6 +27,7 @@ struct Pin {
     return at.separation(pose1, pose2);
   }
 
+  //! [jacobian]
   /// J at two poses [1, and m where a body turns].
   Jacobian<M, rows> jacobian(const Pose<M>& pose1, const Pose<M>& pose2) const {
     const Arm<M> r1 = in_world<M, double>(pose1, at.arms.first), r2 = in_world<M, double>(pose2, at.arms.second);
@@ -34,6 +35,7 @@ struct Pin {
     for (int k = 0; k < rows; ++k) set_row_along<M, rows>(J, k, Linear<M>::Unit(k), r1, r2);
     return J;
   }
+  //! [jacobian]
 
   /// Throws std::invalid_argument for softness < 0 or anchors that name no bodies.
   void require_valid(const Bodies<M>& bodies) const {

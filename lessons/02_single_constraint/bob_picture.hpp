@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lessons/02_single_constraint/setting.hpp"
+#include "lessons/pictures/rods_and_bobs.hpp"
+
+namespace byhand::single_constraint {
+
+/// A rod, its bobs and what acts on them, seen close enough for arrows of half the rod's length.
+struct BobPicture {
+  struct Arrow {
+    Vector from, by;  // [m]: what is shown, scaled by whoever fills this in
+    renderer::Colour colour;
+    std::string label;
+    double width = 4;
+  };
+  explicit BobPicture(const Pendulum& scene);
+
+  std::string title = {};
+  std::vector<Arrow> arrows = {};
+  bool guides = true;  // dashed: the way of d beyond the second body, and the tangent
+
+  pictures::Linkage linkage;
+  Vector first, second;  // where the two bodies are [m]
+};
+
+void draw(renderer::Canvas& canvas, const BobPicture& picture, const renderer::Rectangle& frame);
+/// Pictures side by side over the whole page.
+void draw(renderer::Canvas& canvas, const std::vector<BobPicture>& pictures);
+
+}  // namespace byhand::single_constraint

@@ -1,0 +1,124 @@
+#include <array>
+
+#include "lessons/02_single_constraint/steps.hpp"
+#include "renderer/canvas.hpp"
+
+namespace byhand::single_constraint {
+namespace {
+
+using namespace tutor;
+using namespace renderer;
+
+using Row4 = Eigen::RowVector4d;
+using Matrix4 = Eigen::Matrix4d;
+
+/// The matrix that the article asks not to build, built here once to be compared with: diag(m₁⁻¹, m₁⁻¹, m₂⁻¹,
+/// m₂⁻¹).
+Matrix4 inverse_mass_matrix(const Pendulum& scene) {
+  const double m1 = scene.bodies.inverse_mass[0].linear, m2 = scene.bodies.inverse_mass[1].linear;
+  return Eigen::Vector4d(m1, m1, m2, m2).asDiagonal();
+}
+
+/// A matrix as cells with their numbers; zeros are pale. Returns the right edge.
+double draw_matrix(Canvas& canvas, const Eigen::MatrixXd& matrix, double x, double middle, const Colour& colour,
+                   const std::string& name) {
+  const double cell = 92, top = middle + cell * matrix.rows() / 2;
+  for (int i = 0; i < matrix.rows(); ++i)
+    for (int j = 0; j < matrix.cols(); ++j) {
+      const Rectangle box{x + j * cell, top - (i + 1) * cell, cell, cell};
+      const bool zero = matrix(i, j) == 0;
+      canvas.rectangle(box, {zero ? palette::paper : fade(colour, 0.25), {palette::grid, 1.5}});
+      canvas.text(box.centre(), tutor::number(matrix(i, j), 3),
+                  {.size = 22, .colour = zero ? palette::muted : palette::ink});
+    }
+  const double right = x + cell * matrix.cols();
+  canvas.text({(x + right) / 2, top + 16}, name,
+              {.size = 24, .colour = colour, .anchor = Anchor::bottom, .bold = true});
+  return right;
+}
+
+void draw_product(Canvas& canvas, const Row4& J, const Matrix4& inverse_mass, double K) {
+  const double middle = 400, gap = 30;
+  double x = draw_matrix(canvas, J, 40, middle, palette::constraint, "J") + gap;
+  x = draw_matrix(canvas, inverse_mass, x, middle, palette::force, "M⁻¹") + gap;
+  x = draw_matrix(canvas, J.transpose(), x, middle, palette::constraint, "Jᵀ") + gap;
+  canvas.text({x, middle}, say("= @ m²/kg", K), {.size = 26, .anchor = Anchor::left, .bold = true});
+  const auto zeros = (inverse_mass.array() == 0).count();
+  canvas.text({canvas.page().centre().x(), 130},
+              say("@ of the @ numbers of M⁻¹ are zero, and the others are two numbers, each written twice.", zeros,
+                  inverse_mass.size()),
+              {.size = 22, .colour = palette::muted});
+}
+
+}  // namespace
+
+void effective_mass(const Setting& setting, Page& page) {
+  const Pendulum scene = let_go(setting);
+  const OneRow row(scene);
+  const double length = setting.length(), m1 = scene.bodies.inverse_mass[0].linear,
+               m2 = scene.bodies.inverse_mass[1].linear;
+
+  page.text(
+      "How stubborn is JV? Push with one unit of impulse along Jᵀ and see by how much JV changes: that is JM⁻¹Jᵀ, "
+      "and "
+      "(17) will divide by it. M⁻¹ is written as a matrix,");
+  page.equation(18);
+  page.text(
+      "but please never build one. A particle needs one number, m⁻¹; what turns needs I⁻¹ as well. So a row "
+      "between "
+      "two bodies needs at most four things, two of them here.");
+  page.equation(19, "JM⁻¹Jᵀ = |l₁|²·m₁⁻¹ + |l₂|²·m₂⁻¹ = @·@ + @·@ = @ m²/kg",
+                R"(JM^{-1}J^T = |l_1|^2 m_1^{-1} + |l_2|^2 m_2^{-1} = @\cdot @ + @\cdot @ = @\ \mathrm{m^2/kg})",
+                row.J.l1().squaredNorm(), m1, row.J.l2().squaredNorm(), m2, row.K);
+  page.excerpt("solver/row.hpp", "18");
+  page.excerpt("solver/row.hpp", "19");
+
+  Row4 J = row.J.matrix;
+  const Matrix4 inverse_mass = inverse_mass_matrix(scene);
+  const double product = J * inverse_mass * J.transpose();
+  page.figure(
+      "no_matrix",
+      say("What (19) is in full. The held point is a body with an inverse mass of 0: infinitely heavy, said "
+          "without infinity. Four multiplications do not care; a product of matrices would make @.",
+          4 * 4 + 4),
+      [=](Canvas& canvas) { draw_product(canvas, J, inverse_mass, product); });
+
+  page.text(
+      "Two names in the article are loose. M⁻¹ is not \"the mass of the constraint\" but the bodies' *inverse* "
+      "mass "
+      "matrix, and JM⁻¹Jᵀ is not the \"constraint mass\" but the *inverse* effective mass: heavier bodies make it "
+      "smaller. Turn it over, E = @ kg/m²; for a unit step along the rod that is E·|d|² = @ kg, the bob's own "
+      "mass, "
+      "for nothing else moves.",
+      1 / row.K, length * length / row.K);
+  const Pendulum pair = two_free_bobs(setting);
+  const double light = setting.mass(), heavy = 4 * light, together = length * length / OneRow(pair).K;
+  page.text(
+      "Let both ends of a rod move, @ kg at one and @ kg at the other, and the effective mass along it is @ kg: "
+      "less "
+      "than the lighter one, for the other end gives way too.",
+      light, heavy, together);
+
+  Pendulum twice = scene;
+  twice.bodies.inverse_mass[1].linear /= 2;
+  page.claim({.quantity = "JM⁻¹Jᵀ from four numbers",
+              .unit = "m²/kg",
+              .expected = product,
+              .source = "J, M⁻¹ and Jᵀ multiplied as matrices",
+              .measured = row.K,
+              .tolerance = relative(1e-14)});
+  page.claim({.quantity = "JM⁻¹Jᵀ with twice the mass, against once",
+              .unit = "1",
+              .expected = 0.5,
+              .source = "it is an inverse mass",
+              .measured = OneRow(twice).K / row.K,
+              .tolerance = relative(1e-14)});
+  page.claim({.quantity = "effective mass of two free bobs along the rod",
+              .unit = "kg",
+              .expected = light * heavy / (light + heavy),
+              .source = "m₁m₂/(m₁ + m₂)",
+              .measured = together,
+              .tolerance = relative(1e-13)});
+}
+
+}  // namespace byhand::single_constraint

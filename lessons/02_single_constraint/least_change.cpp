@@ -1,0 +1,115 @@
+#include "lessons/02_single_constraint/steps.hpp"
+#include "renderer/chart.hpp"
+#include "solver/measure.hpp"
+
+namespace byhand::single_constraint {
+namespace {
+
+using namespace tutor;
+using namespace renderer;
+
+/// Kinetic energy of the scene after an impulse λ along its row [J].
+double energy_after(const Pendulum& scene, const OneRow& row, double lambda) {
+  Bodies<PlaneParticle> bodies = scene.bodies;
+  std::tie(bodies.velocity[0], bodies.velocity[1]) = row.velocities_after(lambda);
+  return kinetic_energy(bodies);
+}
+
+/// All (u₁, u₂) whose change from `before` costs as much as that of `through`: an ellipse in the mass metric.
+Curve equal_cost(const Eigen::Vector2d& before, const Eigen::Vector2d& through, double m1, double m2) {
+  const Eigen::Vector2d change = through - before;
+  const double cost = m1 * change.x() * change.x() + m2 * change.y() * change.y();
+  Curve ellipse{.label = "", .colour = fade(palette::force, 0.6)};
+  for (int i = 0; i <= 180; ++i) {
+    const auto [sin, cos] = sin_cos(radians(2 * i));
+    ellipse.x.push_back(before.x() + std::sqrt(cost / m1) * cos);
+    ellipse.y.push_back(before.y() + std::sqrt(cost / m2) * sin);
+  }
+  return ellipse;
+}
+
+}  // namespace
+
+void least_change(const Setting& setting, Page& page) {
+  const Pendulum scene = let_go(setting);
+  const OneRow row(scene);
+  const double gain = gravity() * setting.h(), unit = setting.mass() * gain / setting.length();
+  const auto energy = [&](double lambda) { return energy_after(scene, row, lambda); };
+
+  page.text(
+      "(17) was found by asking for JV = 0. Ask something else: of all λ, which leaves the least kinetic energy? "
+      "½|V + M⁻¹Jᵀλ|² in the mass metric is a parabola in λ, JM⁻¹Jᵀ is its curvature, and JV its slope at λ = 0. "
+      "So its "
+      "lowest point is (17) again.");
+  Curve parabola{.label = "kinetic energy", .colour = palette::force};
+  for (int i = 0; i <= 80; ++i) {
+    parabola.x.push_back(unit * (-2 + 3.0 * i / 80));
+    parabola.y.push_back(energy(parabola.x.back()));
+  }
+  page.figure("parabola",
+              say("Kinetic energy after an impulse λ along the row. The dot is λ of (17), @ N·s/m.", row.lambda),
+              Chart{.x = {.label = "λ (N·s/m)"},
+                    .y = {.label = "kinetic energy (J)"},
+                    .curves = {parabola},
+                    .annotations = {{row.lambda, energy(row.lambda), "λ of (17)"}}});
+  const double left = energy(-unit), middle = energy(0), right = energy(unit);
+  page.claim({.quantity = "λ with the least kinetic energy",
+              .unit = "N·s/m",
+              .expected = row.lambda,
+              .source = "(17)",
+              .measured = unit * (left - right) / (2 * (left - 2 * middle + right)),
+              .tolerance = absolute(1e-13 * unit)});
+
+  // Along the rod alone, two free bobs are two numbers u1, u2, and JV = 0 says that they are equal.
+  const double m1 = setting.mass(), m2 = 4 * m1, speed = std::sqrt(gravity() * setting.length());
+  const Vector along = from_straight_down<PlaneParticle>(radians(setting.angle()));
+  const Pendulum pair = two_free_bobs(setting, speed * along);
+  const auto [v1, v2] = OneRow(pair).velocities_after();
+  const Eigen::Vector2d before(speed, 0), solved(along.dot(v1), along.dot(v2));
+  const auto cost = [&](const Eigen::Vector2d& u) {
+    return 0.5 * m1 * (u.x() - before.x()) * (u.x() - before.x()) +
+           0.5 * m2 * (u.y() - before.y()) * (u.y() - before.y());
+  };
+  const Eigen::Vector2d only1(0, 0), only2(speed, speed);
+  page.text(
+      "But why push along Jᵀ at all? Other impulses make JV = 0 as well. Two free bobs, @ kg and @ kg, the first "
+      "runs "
+      "at @ m/s into the rod. Stopping the first alone would do. So would speeding up the second alone. Measure "
+      "each by "
+      "the change it makes, ½ΔV·MΔV:\n\n- push the first alone: @ J\n- push the second alone: @ J\n- push both, "
+      "by "
+      "M⁻¹Jᵀλ: @ J",
+      m1, m2, speed, cost(only1), cost(only2), cost(solved));
+  Curve rule{.label = "JV = 0",
+             .x = {-0.1 * speed, 1.2 * speed},
+             .y = {-0.1 * speed, 1.2 * speed},
+             .colour = palette::constraint};
+  page.figure(
+      "least_change",
+      "Velocities along the rod. On the line JV = 0; on each ellipse the change of V costs the same. The "
+      "solver's answer is where the smallest ellipse that reaches the line touches it: nothing else on the line "
+      "changes V as little, and it is the only one that keeps the momentum.",
+      Chart{.x = {.label = "u₁ (m/s)", .range = std::pair{-0.3 * speed, 1.6 * speed}},
+            .y = {.label = "u₂ (m/s)", .range = std::pair{-0.4 * speed, 1.2 * speed}},
+            .curves = {rule, equal_cost(before, solved, m1, m2), equal_cost(before, only1, m1, m2)},
+            .annotations = {{before.x(), before.y(), "V before"},
+                            {solved.x(), solved.y(), "V after (20)"},
+                            {only1.x(), only1.y(), "first alone"},
+                            {only2.x(), only2.y(), "second alone"}}});
+  double least = cost(only1);
+  for (int i = 0; i <= 10000; ++i) least = std::min(least, cost(Eigen::Vector2d::Constant(speed * i / 10000)));
+  page.claim({.quantity = "change of V by (20), in the mass metric",
+              .unit = "J",
+              .expected = 0.5 * m1 * m2 / (m1 + m2) * speed * speed,
+              .source = "½·E·(JV)², E the effective mass",
+              .measured = cost(solved),
+              .tolerance = relative(1e-12)});
+  page.claim({.quantity = "the same, against every other way to JV = 0",
+              .unit = "J",
+              .expected = least * (1 + 1e-12),
+              .source = "the least of 10,000 points on the line",
+              .measured = cost(solved),
+              .tolerance = at_most()});
+}
+
+}  // namespace byhand::single_constraint

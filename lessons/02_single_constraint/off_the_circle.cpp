@@ -1,0 +1,136 @@
+#include "lessons/02_single_constraint/steps.hpp"
+#include "lessons/02_single_constraint/swing.hpp"
+#include "lessons/pictures/rods_and_bobs.hpp"
+
+namespace byhand::single_constraint {
+namespace {
+
+using namespace tutor;
+using namespace renderer;
+
+constexpr double speed = 3;  // [m/s]
+
+/// The bob at the lowest point, moving sideways, without gravity: JV = 0 from the start.
+Pendulum weightless(const Setting& setting) {
+  Pendulum scene = pendulum<PlaneParticle>(0, setting.length(), setting.mass());
+  scene.gravity.setZero();
+  scene.bodies.velocity[1] = {speed, 0};
+  return scene;
+}
+
+/// By how much the rod is too long after one step of h [m].
+double stretch(const Setting& setting, double h) {
+  return swing(weightless(setting), h, h).back().position.norm() - setting.length();
+}
+
+void draw_steps(Canvas& canvas, const Swing& run, double length) {
+  std::vector<Point> circle, steps;
+  for (int i = 0; i <= 200; ++i) circle.emplace_back(length * from_straight_down<PlaneParticle>(radians(1.8 * i)));
+  for (const Sample& sample : run) steps.emplace_back(sample.position);
+  canvas.look(fit(united(bounds(steps), bounds(circle)), canvas.page().inset(20), 30));
+  canvas.path(circle, {palette::theory, 2, Dash::dashed});
+  canvas.path(steps, {palette::velocity, 2});
+  for (const Point& point : steps) canvas.line({0, 0}, point, {fade(palette::constraint, 0.25), 2});
+  pictures::draw(canvas, {.bobs = {{steps.back(), 1}}, .rods = {{{0, 0}, steps.back()}}, .anchors = {{0, 0}}});
+  for (std::size_t i = 0; i + 1 < steps.size(); ++i) canvas.mark(steps[i], Mark::disc, palette::velocity, 10);
+  canvas.arrow(steps[0], steps[1], {palette::velocity, 3.5});
+  canvas.text(steps[0], "start", {.size = 20, .anchor = Anchor::top, .halo = 3, .offset = {0, -12}});
+}
+
+}  // namespace
+
+void off_the_circle(const Setting& setting, Page& page) {
+  const double length = setting.length(), h = setting.h(), millimetre = 1e-3;
+  const double one = stretch(setting, h), law = speed * speed * h * h / (2 * length);
+  page.text(
+      "JV = 0 is kept to the last bit. So the rod keeps its length? Take gravity away: the bob is at the lowest "
+      "point, "
+      "moves sideways at @ m/s, and JV = 0. λ has nothing to do.",
+      speed);
+  page.excerpt("solver/integrate/euler.hpp", "advance");
+  page.predict(
+      {.ask = say("It moves one step of h = @ s at @ m/s. By how much is the @ m rod wrong then?", setting.h,
+                  speed, length),
+       .answer = one / millimetre,
+       .unit = "mm",
+       .tolerance = 0.1 * one / millimetre,
+       .wrong = {{0, "JV = 0 sends the bob along the tangent, and the tangent leaves the circle by (vh)²/2L."},
+                 {speed * h / millimetre, "That is how far the bob moves; nearly all of it is sideways."}},
+       .hint = "Pythagoras: L one way, v·h the other.",
+       .right = say("(vh)²/2L is @ mm.", law / millimetre)});
+  page.formula("√(L² + (vh)²) − L = @ mm,   (vh)²/2L = @ mm",
+               R"(\sqrt{L^2 + (vh)^2} - L = @\ \mathrm{mm}, \qquad \frac{(vh)^2}{2L} = @\ \mathrm{mm})",
+               one / millimetre, law / millimetre);
+
+  const double coarse = 0.45 * length / speed;
+  const Swing steps = swing(weightless(setting), coarse, 8 * coarse);
+  page.figure(
+      "off_the_circle",
+      say("The same bob in steps of @ s, so coarse that the eye can follow. Each step leaves at right angles to "
+          "the rod as it is, the next rod is the longer one, and no step ever comes back.",
+          coarse),
+      [=](Canvas& canvas) { draw_steps(canvas, steps, length); });
+
+  Curve measured{.label = "one step of the solver", .style = CurveStyle::line_and_markers};
+  Curve theory{.label = "(vh)²/2L", .style = CurveStyle::theory};
+  for (int i = 0; i <= 6; ++i) {
+    const double step = h / (1 << i);
+    measured.x.push_back(step);
+    measured.y.push_back(stretch(setting, step));
+    theory.x.push_back(step);
+    theory.y.push_back(speed * speed * step * step / (2 * length));
+  }
+  const double slope = std::log2(measured.y[0] / measured.y[1]);
+  page.figure(
+      "one_step",
+      "How much too long the rod is after one step. Half the step: a quarter of the error. But a second then "
+      "has twice as many steps, so the drift over a *time* only halves.",
+      Chart{.x = {.label = "time step h (s)", .scale = Scale::logarithmic},
+            .y = {.label = "stretch after one step (m)", .scale = Scale::logarithmic},
+            .curves = {measured, theory}});
+
+  const double second = 1;
+  const Swing round = swing(weightless(setting), h, second);
+  const Sample& last = round.back();
+  const double radius = last.position.norm(), momentum = cross(last.position, last.velocity)[0];
+  const double grown = length * std::pow(1 + 2 * speed * speed * h * second / (length * length), 0.25);
+  page.text(
+      "After one second of this the rod is @ m long instead of @ m, and the bob is slower, @ m/s: each impulse "
+      "acts "
+      "along the rod, so it cannot change the angular momentum, v times R.",
+      radius, length, last.velocity.norm());
+
+  const double ratio = speed * h / length;
+  page.claim({.quantity = "stretch after one step",
+              .unit = "mm",
+              .expected = law / millimetre,
+              .source = "(vh)²/2L",
+              .measured = one / millimetre,
+              .tolerance = relative(0.3 * ratio * ratio + 1e-11 / (ratio * ratio)),
+              .claimed = ratio <= 0.5,
+              .range = "v·h ≤ L/2"});
+  page.claim({.quantity = "its slope against h",
+              .unit = "1",
+              .expected = 2,
+              .source = "a tangent leaves a circle quadratically",
+              .measured = slope,
+              .tolerance = absolute(0.5 * ratio * ratio + 1e-10 / (ratio * ratio)),
+              .claimed = ratio <= 0.5,
+              .range = "v·h ≤ L/2"});
+  page.claim({.quantity = "angular momentum for 1 kg, after a second",
+              .unit = "m²/s",
+              .expected = speed * length,
+              .source = "v·R at the start: the rod has no lever arm",
+              .measured = momentum,
+              .tolerance = relative(1e-11)});
+  page.claim({.quantity = "length of the rod after a second",
+              .unit = "m",
+              .expected = grown,
+              .source = "R₀(1 + 2v²ht/R₀²)^¼",
+              .measured = radius,
+              .tolerance = relative(ratio * ratio),
+              .claimed = ratio <= 0.1,
+              .range = "v·h ≤ L/10"});
+}
+
+}  // namespace byhand::single_constraint

@@ -1,0 +1,108 @@
+#include "lessons/02_single_constraint/bob_picture.hpp"
+#include "lessons/02_single_constraint/steps.hpp"
+
+namespace byhand::single_constraint {
+
+using namespace tutor;
+using renderer::Canvas;
+namespace palette = renderer::palette;
+
+void onto_the_tangent(const Setting& setting, Page& page) {
+  const Pendulum scene = let_go(setting);
+  const OneRow row(scene);
+  const double length = setting.length(), gain = gravity() * setting.h();
+  Pendulum after = scene;
+  std::tie(after.bodies.velocity[0], after.bodies.velocity[1]) = row.velocities_after();
+  const OneRow solved(after);
+
+  page.text(
+      "λ goes back to the bodies the way the rate came from them: through the same row, transposed. The article "
+      "calls "
+      "the product a force. λ came from velocities, so it is an *impulse*: F = P/h is the force.");
+  page.equation(5, "P = λ·d = @·@ = @ N·s on the bob", R"(P = \lambda\,d = @\cdot @ = @\ \mathrm{N\,s})",
+                row.lambda, row.d, Vector(row.lambda * row.d));
+  page.equation(20, "v₂ = @ + @·@ = @ m/s", R"(v_2 = @ + @\cdot @ = @\ \mathrm{m/s})", row.v2,
+                scene.bodies.inverse_mass[1].linear, Vector(row.lambda * row.d), solved.v2);
+  page.excerpt("solver/row.hpp", "20");
+
+  BobPicture picture(scene);
+  const double scale = 0.58 * length / gain;
+  const Vector tip = picture.second + scale * row.v2;
+  picture.title = "V + M⁻¹Jᵀλ";
+  picture.arrows = {{picture.second, scale * row.v2, palette::velocity, "V with gravity"},
+                    {tip, scale * (solved.v2 - row.v2), palette::force, "m⁻¹λd"},
+                    {picture.second, scale * solved.v2, palette::constraint, "V after"}};
+  page.figure(
+      "onto_the_tangent",
+      "The impulse is perpendicular to the velocity that it leaves behind: it takes away what lay along d and "
+      "touches nothing else.",
+      [picture](Canvas& canvas) { draw(canvas, {picture}); });
+
+  const Vector impulse = row.lambda * row.d;
+  page.text(
+      "JV is now @ m²/s, which is rounding and nothing else. One row by itself is solved *exactly* by one "
+      "formula; "
+      "nothing is iterated.\n\nThe article calls Jᵀ the inverse of J. A row has no inverse: JJᵀ here is @ m². "
+      "What is "
+      "true is better. Because it is the same row both ways, the impulse does no work on any motion that obeys "
+      "the "
+      "rod: P·V = @ J.",
+      solved.JV, row.J.matrix.squaredNorm(), impulse.dot(solved.v2));
+
+  const double speed = std::sqrt(gravity() * length);
+  const Pendulum pair = two_free_bobs(setting, Vector(speed / 2, -speed));
+  const OneRow hit(pair);
+  Pendulum freed = pair;
+  std::tie(freed.bodies.velocity[0], freed.bodies.velocity[1]) = hit.velocities_after();
+  const Vector before_momentum = linear_momentum(pair.bodies), after_momentum = linear_momentum(freed.bodies);
+  BobPicture blow(pair), answer(freed);
+  const double shown = 0.45 * length / speed;
+  blow.title = "before: the first bob is hit";
+  blow.arrows = {{blow.first, shown * hit.v1, palette::velocity, "v₁"}};
+  answer.title = "after: JV = 0";
+  answer.arrows = {{answer.first, shown * freed.bodies.velocity[0], palette::velocity, "v₁"},
+                   {answer.second, shown * freed.bodies.velocity[1], palette::velocity, "v₂"},
+                   {answer.first, -shown * hit.lambda * hit.d / setting.mass(), palette::force, "−λd"},
+                   {answer.second, shown * hit.lambda * hit.d / setting.mass(), palette::force, "λd"}};
+  blow.guides = answer.guides = false;
+  page.text(
+      "On the other end of the rod acts −λd. A held point swallows it; two free bobs show what it is for. Hit one "
+      "of "
+      "@ kg, with one of @ kg at the other end: what one gains the other loses, and the momentum stays @ kg·m/s.",
+      setting.mass(), 4 * setting.mass(), after_momentum);
+  page.figure(
+      "momentum_kept",
+      "Two free bobs, the second four times as heavy. The rod answers with two equal and opposite impulses "
+      "(orange) along itself; the velocities along the rod are equal afterwards, those across it untouched.",
+      [blow, answer](Canvas& canvas) {
+        draw(canvas, {blow, answer});
+      });
+
+  page.claim({.quantity = "JV after the impulse",
+              .unit = "m²/s",
+              .expected = 0,
+              .source = "(4)",
+              .measured = solved.JV,
+              .tolerance = absolute(1e-14 * length * gain)});
+  page.claim({.quantity = "speed of the bob after the impulse",
+              .unit = "m/s",
+              .expected = gain * std::sin(radians(setting.angle())),
+              .source = "g·h·sinθ, the part of gravity along the tangent",
+              .measured = solved.v2.norm(),
+              .tolerance = absolute(1e-14 * gain)});
+  page.claim({.quantity = "change of momentum of two free bobs",
+              .unit = "kg·m/s",
+              .expected = 0,
+              .source = "action and reaction",
+              .measured = (after_momentum - before_momentum).norm(),
+              .tolerance = absolute(1e-14 * setting.mass() * speed)});
+  const auto spin = [](const Pendulum& bobs) { return angular_momentum(bobs.bodies)[0]; };
+  page.claim({.quantity = "change of angular momentum of two free bobs",
+              .unit = "kg·m²/s",
+              .expected = 0,
+              .source = "both impulses lie on one line",
+              .measured = spin(freed) - spin(pair),
+              .tolerance = absolute(1e-14 * setting.mass() * speed * length)});
+}
+
+}  // namespace byhand::single_constraint

@@ -1,0 +1,162 @@
+#include <algorithm>
+
+#include "lessons/02_single_constraint/steps.hpp"
+#include "lessons/02_single_constraint/swing.hpp"
+#include "lessons/pictures/growing.hpp"
+#include "lessons/pictures/rods_and_bobs.hpp"
+#include "solver/exact/compound_pendulum.hpp"
+#include "solver/exact/simple_pendulum.hpp"
+
+namespace byhand::single_constraint {
+namespace {
+
+using namespace tutor;
+using namespace renderer;
+
+/// A rigid rod that swings from a hinge: what is seen of it at the beginning of a step.
+struct RodSample {
+  double time, angle;  // [s], [rad]
+  Vector end;          // of the rod [m]
+  Vector hinge_force;  // of the step [N]
+};
+
+std::vector<RodSample> swing_rod(const Setting& setting, double angle, double h, double seconds) {
+  Simulation simulation{hinged_rod(angle, setting.length(), setting.mass()), one_row_solved()};
+  std::vector<RodSample> samples;
+  const auto steps = static_cast<int>(std::lround(seconds / h));
+  for (int i = 0; i <= steps; ++i) {
+    const Vector centre = simulation.scene.bodies.pose[1].position;
+    const PlaneRotation<double> rotation = simulation.scene.bodies.pose[1].rotation;
+    simulation.step(h);
+    const auto& lambda = simulation.work.system.lambda;
+    samples.push_back(
+        {i * h, std::atan2(rotation.sin, rotation.cos), Vector(2 * centre), Vector(lambda[0], lambda[1]) / h});
+  }
+  return samples;
+}
+
+/// Twice the time between the first two passages through the lowest point [s].
+double measured_period(const std::vector<RodSample>& samples) {
+  std::vector<double> passages;
+  for (std::size_t i = 1; i < samples.size() && passages.size() < 2; ++i) {
+    const RodSample &a = samples[i - 1], &b = samples[i];
+    if ((a.angle > 0) != (b.angle > 0) && std::abs(a.angle) < 1.5)
+      passages.push_back(a.time + (b.time - a.time) * a.angle / (a.angle - b.angle));
+  }
+  return passages.size() == 2 ? 2 * (passages[1] - passages[0]) : 0;
+}
+
+void draw_both(Canvas& canvas, const Sample& bob, const RodSample& rod, double length, const Chart& chart) {
+  const auto [scene, beside] = canvas.page().inset(20).split_columns(0.56);
+  canvas.look(fit({-1.25 * length, -1.3 * length, 2.5 * length, 2.4 * length}, scene, 10));
+  pictures::draw(canvas, {.bobs = {{bob.position, 1}}, .rods = {{{0, 0}, bob.position}}});
+  pictures::draw(canvas, {.links = {{{0, 0}, rod.end}}, .anchors = {{0, 0}}},
+                 {.bodies = {palette::highlight, {palette::ink, 1.8}}});
+  draw(canvas, pictures::grown_to(chart, bob.time), beside);
+}
+
+}  // namespace
+
+void rigid_rod(const Setting& setting, Page& page) {
+  const double length = setting.length(), mass = setting.mass(), h = setting.h(),
+               start = radians(setting.release());
+  const CompoundPendulum exact(start, length, mass, gravity());
+  const SimplePendulum bob(start, length, gravity());
+  page.text(
+      "So far two numbers moved: a bob in the plane. Put the same @ kg evenly along the rod instead and it turns: "
+      "a "
+      "third number, ω, and an inertia I = mL²/12 about its centre. Its constraint is a pin of two rows (the "
+      "hinge may "
+      "not move along x nor along y), and its J gets the arms that (14) had all along.",
+      mass);
+  page.excerpt("solver/constraints/pin.hpp", "jacobian");
+
+  const auto level = swing_rod(setting, pi / 2, h, h);
+  const double share = level[0].hinge_force.y() / (mass * gravity());
+  page.predict(
+      {.ask = "The rod is held level and let go. Which share of its weight does the hinge carry in the first "
+              "instant?",
+       .answer = share,
+       .unit = "weights",
+       .tolerance = 0.02,
+       .wrong = {{0.5, say("Half holds a rod that is supported at both ends; here the centre falls with @ g.",
+                           1 - share)},
+                 {1, "Then the centre would not fall."}},
+       .hint = "The rod turns about the hinge with I = mL²/3. How fast does its centre fall?",
+       .right = say("The centre falls with @ g, and only the rest is held.", 1 - share)});
+
+  const double end = 1.05 * exact.period();
+  const auto rod = swing_rod(setting, start, h, end);
+  const Swing bobs = swing(setting, h, end);
+  Curve turned{.label = "rod", .colour = palette::highlight}, swung{.label = "bob", .colour = palette::constraint};
+  for (const RodSample& sample : rod) {
+    turned.x.push_back(sample.time);
+    turned.y.push_back(sample.angle * 180 / pi);
+  }
+  swung.x = each(bobs, [](const Sample& s) { return s.time; });
+  swung.y = each(bobs, [](const Sample& s) { return s.angle() * 180 / pi; });
+  Curve rod_exact{.label = "exact", .style = CurveStyle::theory},
+      bob_exact{.label = "", .style = CurveStyle::theory};
+  for (int i = 0; i <= 200; ++i) {
+    const double time = end * i / 200;
+    rod_exact.x.push_back(time);
+    rod_exact.y.push_back(exact.angle(time) * 180 / pi);
+    bob_exact.x.push_back(time);
+    bob_exact.y.push_back(bob.angle(time) * 180 / pi);
+  }
+  const Chart chart{
+      .x = {.label = "time (s)"}, .y = {.label = "angle (°)"}, .curves = {turned, swung, rod_exact, bob_exact}};
+  page.figure("rod_and_bob",
+              "The rigid rod swings faster than the bob, as a bob on two thirds of its length would.", chart);
+  page.sequence(
+      "rod_and_bob",
+      "The same length and mass, let go together: a bob on a massless rod (blue) and a rigid rod (yellow).",
+      Seconds{std::min(end, 4.0)}, [=](Canvas& canvas, double time) {
+        const auto now = std::upper_bound(rod.begin(), rod.end(), time + 1e-9,
+                                          [](double t, const RodSample& sample) { return t < sample.time; });
+        draw_both(canvas, at(bobs, time), *(now - 1), length, chart);
+      });
+
+  using Point2 = PlaneParticle;
+  using Rigid = PlaneBody;
+  const auto bytes = [](std::size_t size) { return static_cast<double>(size); };
+  const Chart cost{.y = {.label = "bytes"},
+                   .bar_names = {"velocity", "pose", "M⁻¹", "J"},
+                   .bars = {{.label = "bob on a rod",
+                             .values = {bytes(sizeof(Velocity<Point2>)), bytes(sizeof(Pose<Point2>)),
+                                        bytes(sizeof(InverseMass<Point2>)), bytes(sizeof(Jacobian<Point2, 1>))},
+                             .colour = palette::constraint},
+                            {.label = "hinged rigid rod",
+                             .values = {bytes(sizeof(Velocity<Rigid>)), bytes(sizeof(Pose<Rigid>)),
+                                        bytes(sizeof(InverseMass<Rigid>)), bytes(sizeof(Jacobian<Rigid, 2>))},
+                             .colour = palette::highlight}}};
+  page.figure("what_it_costs", "What the larger model stores for one body and its constraint.", cost);
+  page.text(
+      "So the larger model adds what the smaller cannot say: a period of @ s instead of @ s, and a hinge that "
+      "carries "
+      "@ of the weight at first. It costs @ numbers of J instead of @, a 2×2 effective mass instead of one "
+      "number, and "
+      "a sine and cosine in every step. Take it where things turn; a bob does not.",
+      exact.period(), bob.period(), share, Jacobian<Rigid, 2>().matrix.size(),
+      Jacobian<Point2, 1>().matrix.size());
+
+  const double coarse = measured_period(rod), fine = measured_period(swing_rod(setting, start, h / 2, end));
+  const double step = std::sqrt(1.5 * gravity() / length) * h;
+  page.measure("period of the rigid rod", coarse, "s");
+  page.claim({.quantity = "share of the weight on the hinge, released level",
+              .unit = "weights",
+              .expected = 0.25,
+              .source = "mg − m·¾g",
+              .measured = share,
+              .tolerance = absolute(1e-12)});
+  page.claim({.quantity = "period of the rigid rod, from h and h/2 towards h = 0",
+              .unit = "s",
+              .expected = exact.period(),
+              .source = "elliptic integral, length 2L/3",
+              .measured = 2 * fine - coarse,
+              .tolerance = relative(10 * step * step),
+              .claimed = step <= 0.06 && setting.release() <= 150,
+              .range = "h·√(3g/2L) ≤ 0.06, release ≤ 150°"});
+}
+
+}  // namespace byhand::single_constraint
