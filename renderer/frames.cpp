@@ -113,6 +113,7 @@ std::vector<int> spread(int count, int n) {
   const int shown = std::min(count, n);
   if (shown == 1) return {count - 1};
   std::vector<int> indices;
+  indices.reserve(std::size_t(std::max(shown, 0)));
   for (int i = 0; i < shown; ++i) indices.push_back(int(std::int64_t(i) * (count - 1) / (shown - 1)));
   return indices;
 }

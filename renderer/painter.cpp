@@ -146,7 +146,8 @@ void require_complete() {
 
 void attribute(GLuint index, GLint size, GLenum type, bool normalised, std::size_t stride, std::size_t offset) {
   glEnableVertexAttribArray(index);
-  glVertexAttribPointer(index, size, type, normalised, GLsizei(stride), reinterpret_cast<const void*>(offset));
+  const void* place = reinterpret_cast<const void*>(offset);  // NOLINT(performance-no-int-to-ptr): so OpenGL asks
+  glVertexAttribPointer(index, size, type, normalised, GLsizei(stride), place);
 }
 
 void set(GLuint program, const char* name, double value) {
@@ -239,7 +240,7 @@ void Painter::make_space() {
 Image Painter::paint(Colour paper, std::span<const Vertex> vertices, std::span<const Batch> batches,
                      const Font& font) {
   context_->make_current();
-  if (font.atlas().size() != 0) {
+  if (!font.atlas().empty()) {
     glBindTexture(GL_TEXTURE_2D, atlas_);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_R8, Font::atlas_width, font.atlas_height(), 0, GL_RED, GL_UNSIGNED_BYTE,
                  font.atlas().data());
