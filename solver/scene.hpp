@@ -41,7 +41,11 @@ class Scene {
   int add(const Kind<M>& constraint) {
     constraint.require_valid(bodies);
     if constexpr (Kind<M>::bound == Bound::ball) {
-      require_in("leading constraint", constraint.leader, 0, static_cast<double>(count()) - 1);
+      bool presses = false;
+      if (0 <= constraint.leader && constraint.leader < count())
+        visit(numbered_[constraint.leader],
+              [&]<class Leader>(const Leader&) { presses = Leader::bound == Bound::interval; });
+      require(presses, "leading constraint", constraint.leader, "the number of a contact that was added before");
     }
     auto& all = std::get<std::vector<Kind<M>>>(constraints_);
     constexpr int kind = kind_of<Kind<M>>();

@@ -20,6 +20,13 @@ struct Arms<Model<L, 0>> {
   static constexpr NoArm first = {}, second = {};
 };
 
+/// Throws std::invalid_argument unless `body` is the index of one of them.
+template <class M>
+void require_body(const Bodies<M>& bodies, int body) {
+  require(0 <= body && body < bodies.size(), "body index", body,
+          fmt::format("at least 0 and less than {}, the number of bodies", bodies.size()));
+}
+
 /// The two bodies of a constraint and the points where it holds them; the arms are in the frames of their
 /// bodies [m].
 template <class M>
@@ -37,8 +44,8 @@ struct Anchors {
   /// Throws std::invalid_argument unless both indices name bodies, two different ones, and both arms are
   /// finite.
   void require_valid(const Bodies<M>& bodies) const {
-    require_in("body index", body1, 0, bodies.size() - 1);
-    require_in("body index", body2, 0, bodies.size() - 1);
+    require_body(bodies, body1);
+    require_body(bodies, body2);
     require(body1 != body2, "body index", body2, "another one than the constraint's first");
     if constexpr (M::angular > 0)
       for (const Arm<M>& arm : {arms.first, arms.second})
@@ -50,8 +57,8 @@ struct Anchors {
 template <class M>
 Anchors<M> between(const Bodies<M>& bodies, int body1, const Linear<M>& point1, int body2,
                    const Linear<M>& point2) {
-  require_in("body index", body1, 0, bodies.size() - 1);
-  require_in("body index", body2, 0, bodies.size() - 1);
+  require_body(bodies, body1);
+  require_body(bodies, body2);
   Anchors<M> anchors{body1, body2};
   if constexpr (M::angular > 0)
     anchors.arms = {arm_to<M>(bodies.pose[body1], point1), arm_to<M>(bodies.pose[body2], point2)};

@@ -1,0 +1,101 @@
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <new>
+
+#include "solver/constraints/friction.hpp"
+#include "solver/scenes/branches.hpp"
+#include "solver/scenes/chain.hpp"
+#include "tests/solver/solving.hpp"
+
+namespace {
+long allocations = 0;
+
+void* counted(std::size_t size) {
+  ++allocations;
+  if (void* memory = std::malloc(size)) return memory;
+  throw std::bad_alloc();
+}
+}  // namespace
+
+// Every allocation of this program passes through here; the aligned and array forms fall back on these.
+void* operator new(std::size_t size) { return counted(size); }
+void* operator new[](std::size_t size) { return counted(size); }
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete[](void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace {
+
+using namespace byhand;
+
+template <class F>
+long allocations_in(F&& f) {
+  const long before = allocations;
+  f();
+  return allocations - before;
+}
+
+const RowSolver solvers[] = {GaussSeidel{}, GaussSeidel{10, false, SweepOrder::reverse},
+                             GaussSeidel{10, true, SweepOrder::coloured}, Jacobi{}, Direct{}};
+
+template <class S>
+void expect_none_after_the_first_step(S scene, const RowSolver& solver) {
+  Work<typename S::model> work;
+  VelocityStepping method{solver};
+  method.substeps = 2;
+  EXPECT_GT(allocations_in([&] { advance(scene, method, time_step, work); }), 0) << "the counter counts";
+  EXPECT_EQ(allocations_in([&] {
+              for (int i = 0; i < 5; ++i) advance(scene, method, time_step, work);
+            }),
+            0);
+}
+
+TEST(Allocation, HappensInNoStepAfterTheFirst) {
+  in_all_models([]<class M>(Random& random) {
+    for (const auto& solver : solvers) {
+      SCOPED_TRACE(solver.index());
+      expect_none_after_the_first_step(rod_chain<M>({.links = 10, .angle = 1}), solver);
+      expect_none_after_the_first_step(random_graph<M>(random, 10, 25), solver);
+      if constexpr (M::angular > 0) expect_none_after_the_first_step(pinned_star<M>(9), solver);
+    }
+  });
+}
+
+TEST(Allocation, HappensInNoStepWithContactsAfterTheFirst) {
+  in_all_models([]<class M>(Random& random) {
+    for (const auto& solver : {solvers[0], solvers[2], solvers[3]}) {
+      Scene<M, Contact, Friction> scene;
+      const int ground = scene.add_body(random.pose<M>(), fixed<M>());
+      for (int i = 0; i < 4; ++i) {
+        const int body = scene.add_body(random.pose<M>(), random.mass<M>());
+        const int contact = scene.add(Contact<M>{{ground, body}, Linear<M>::Unit(1)});
+        scene.add(Friction<M>{{ground, body}, tangents_of<M>(Linear<M>::Unit(1)), 0.5, contact});
+      }
+      expect_none_after_the_first_step(scene, solver);
+    }
+  });
+}
+
+TEST(Allocation, HappensOnlyToPlanWhenAGraphIsLaidAgainWithinItsLargestSize) {
+  in_all_models([]<class M>(Random&) {
+    // Laying out anew needs a new order; the rows, blocks and scratch it is written to have their room already.
+    for (const auto& solver : solvers) {
+      SCOPED_TRACE(solver.index());
+      auto scene = rod_chain<M>({.links = 40, .angle = 1});
+      Work<M> work;
+      advance(scene, {solver}, time_step, work);
+      work.layout = Layout::none;
+      const auto* rows = work.system.lambda.data();
+      const auto* values = work.direct.values.data();
+      const auto* blocks = std::get<0>(work.system.blocks).data();
+      advance(scene, {solver}, time_step, work);
+      EXPECT_EQ(work.system.lambda.data(), rows);
+      EXPECT_EQ(work.direct.values.data(), values);
+      EXPECT_EQ(std::get<0>(work.system.blocks).data(), blocks);
+    }
+  });
+}
+
+}  // namespace

@@ -1,0 +1,191 @@
+#include <gtest/gtest.h>
+
+#include "solver/constraints/contact.hpp"
+#include "solver/constraints/friction.hpp"
+#include "tests/solver/solving.hpp"
+
+// Contacts push and never pull; friction holds no more than the contact presses.
+namespace {
+
+using namespace byhand;
+
+template <class M>
+InverseMass<M> bob(double mass) {
+  if constexpr (M::angular == 0)
+    return with_mass<M>(mass);
+  else
+    return ball<M>(mass, 0.1);
+}
+
+/// A bob of 3 kg, `gap` above the ground, on a contact and with friction of coefficient `mu`, held by its centre.
+template <class M>
+Scene<M, Contact, Friction> on_the_ground(double gap, double mu) {
+  Scene<M, Contact, Friction> scene;
+  const Linear<M> up = Linear<M>::Unit(1);
+  const int ground = scene.add_body(Linear<M>(Linear<M>::Zero()), fixed<M>());
+  const int body = scene.add_body(Linear<M>(gap * up), bob<M>(3));
+  const int contact = scene.add(Contact<M>{{ground, body}, up});
+  scene.add(Friction<M>{{ground, body}, tangents_of<M>(up), mu, contact});
+  return scene;
+}
+
+template <class M>
+Linear<M> after_a_step(Scene<M, Contact, Friction> scene, const RowSolver& solver = GaussSeidel{}) {
+  Work<M> work;
+  advance(scene, {solver, NoDriftCure{}}, time_step, work);
+  return scene.bodies.velocity[1].template head<M::linear>();
+}
+
+TEST(Contact, PushesAndNeverPulls) {
+  in_all_models([]<class M>(Random&) {
+    for (const RowSolver& solver : {RowSolver(GaussSeidel{}), RowSolver(Jacobi{})}) {
+      auto scene = on_the_ground<M>(0, 0);
+      EXPECT_NEAR(after_a_step<M>(scene, solver)[1], 0, 1e-15) << "it carries what falls on it";
+      scene.bodies.velocity[1][1] = 2;
+      EXPECT_NEAR(after_a_step<M>(scene, solver)[1], 2 - 9.81 * time_step, 1e-15) << "it lets go";
+    }
+  });
+}
+
+TEST(Contact, CarriesTheWeight) {
+  in_all_models([]<class M>(Random&) {
+    auto scene = on_the_ground<M>(0, 0);
+    Work<M> work;
+    for (int i = 0; i < 10; ++i) advance(scene, {GaussSeidel{}}, time_step, work);
+    EXPECT_NEAR(work.system.lambda[0], 3 * 9.81 * time_step, 1e-12);
+    EXPECT_NEAR(scene.bodies.pose[1].position[1], 0, 1e-13);
+  });
+}
+
+TEST(Contact, ClosesItsGapInAStepAndNotMore) {
+  in_all_models([]<class M>(Random&) {
+    for (const double beta : {0.0, 0.2, 1.0}) {
+      auto scene = on_the_ground<M>(0.1, 0);
+      scene.bodies.velocity[1][1] = -30;
+      Work<M> work;
+      advance(scene, {GaussSeidel{}, Baumgarte{beta}}, time_step, work);
+      EXPECT_NEAR(scene.bodies.pose[1].position[1], 0, 1e-15) << "30 m/s would have gone 0.5 m";
+      auto slow = on_the_ground<M>(0.1, 0);
+      slow.bodies.velocity[1][1] = -1;
+      advance(slow, {GaussSeidel{}, Baumgarte{beta}}, time_step, work = {});
+      EXPECT_NEAR(slow.bodies.velocity[1][1], -1 - 9.81 * time_step, 1e-14) << "what does not reach is not held";
+    }
+  });
+}
+
+TEST(Contact, AccumulatesSoThatAnEarlyPushCanBeTakenBack) {
+  // Two contacts under a box thrust one corner first: clamping increments instead would leave it tipping.
+  Scene<PlaneBody, Contact> scene;
+  const int ground = scene.add_body({0, 0}, fixed<PlaneBody>());
+  const int body = scene.add_body({0, 0.5}, box<PlaneBody>(1, {0.2, 1}));
+  for (const double x : {-0.1, 0.1})
+    scene.add(Contact<PlaneBody>{between<PlaneBody>(scene.bodies, ground, {x, 0}, body, {x, 0}), {0, 1}});
+  const auto answer = solved(scene, GaussSeidel{500, false}, NoDriftCure{});
+  EXPECT_NEAR(answer.lambda[0], 9.81 * time_step / 2, 1e-12);
+  EXPECT_NEAR(answer.lambda[1], 9.81 * time_step / 2, 1e-12);
+  EXPECT_LE(largest(answer.velocity), 1e-12);
+  const auto after_one = solved(scene, GaussSeidel{1, false}, NoDriftCure{});
+  EXPECT_GT(after_one.lambda[0], 0.6 * 9.81 * time_step) << "row 1 gave too much before row 2 spoke";
+}
+
+TEST(Friction, HoldsUpToMuTimesTheNormalImpulseAndSlidesBeyond) {
+  in_all_models([]<class M>(Random&) {
+    const double mu = 0.4, held = mu * 9.81 * time_step;
+    const auto slide = [&](double push) {
+      auto scene = on_the_ground<M>(0, mu);
+      scene.bodies.velocity[1][0] = push;
+      return after_a_step<M>(scene)[0];
+    };
+    EXPECT_NEAR(slide(0.999 * held), 0, 1e-15);
+    EXPECT_NEAR(slide(-0.999 * held), 0, 1e-15);
+    EXPECT_NEAR(slide(2 * held), held, 1e-14);
+    EXPECT_NEAR(slide(-2 * held), -held, 1e-14);
+  });
+}
+
+TEST(Friction, DoesNothingWhereNothingPresses) {
+  in_all_models([]<class M>(Random&) {
+    auto scene = on_the_ground<M>(1, 10);
+    scene.bodies.velocity[1][0] = 1;
+    EXPECT_EQ(after_a_step<M>(scene)[0], 1);
+  });
+}
+
+TEST(Friction, InSpaceHoldsAlikeInEveryDirection) {
+  in_models<SpaceParticle, SpaceBody>([]<class M>(Random&) {
+    for (int degrees = 0; degrees < 360; degrees += 15) {
+      const auto [sin, cos] = sin_cos(degrees * std::acos(-1.0) / 180);
+      auto scene = on_the_ground<M>(0, 0.4);
+      const double held = 0.4 * 9.81 * time_step, speed = 3 * held;
+      scene.bodies.velocity[1][0] = speed * cos;
+      scene.bodies.velocity[1][2] = speed * sin;
+      const Linear<M> left = after_a_step<M>(scene);
+      EXPECT_NEAR(left[0], (speed - held) * cos, 1e-14) << degrees << "°";
+      EXPECT_NEAR(left[2], (speed - held) * sin, 1e-14) << degrees << "°";
+    }
+  });
+}
+
+TEST(Friction, StaysWithinItsBallOnEveryRandomScene) {
+  in_all_models(
+      []<class M>(Random& random) {
+        Scene<M, Contact, Friction> scene;
+        for (int i = 0; i < 6; ++i)
+          scene.add_body(random.pose<M>(), i == 0 ? fixed<M>() : random.mass<M>(),
+                         i == 0 ? Velocity<M>(Velocity<M>::Zero()) : random.velocity<M>());
+        for (int i = 0; i < 8; ++i) {
+          const int body1 = random.index(6), body2 = (body1 + 1 + random.index(5)) % 6;
+          const Anchors<M> at{body1, body2, random.arms<M>()};
+          const Linear<M> n = random.direction<M>();
+          const int contact = scene.add(Contact<M>{at, n});
+          scene.add(Friction<M>{at, tangents_of<M>(n), random.uniform(0, 1), contact});
+        }
+        for (const auto order : {SweepOrder::natural, SweepOrder::reverse, SweepOrder::coloured}) {
+          Work<M> work;
+          auto copy = scene;
+          advance(copy, {GaussSeidel{40, true, order}, NoDriftCure{}}, time_step, work);
+          for (const auto& friction : scene.template all<Friction>()) {
+            const double pressing = work.system.lambda[work.system.row_of[friction.leader]];
+            const int row = work.system.row_of[friction.leader + 1];
+            const Eigen::Map<const Rows<Friction<M>::rows>> rubbing(&work.system.lambda[row]);
+            EXPECT_GE(pressing, 0);
+            // In the other orders a contact may still give way after its friction was held within it.
+            if (order == SweepOrder::natural) EXPECT_LE(rubbing.norm(), friction.coefficient * pressing + 1e-12);
+          }
+        }
+      },
+      30);
+}
+
+TEST(Friction, SolvedBeforeItsContactDoesNothingOnAColdStart) {
+  in_all_models([]<class M>(Random&) {
+    auto scene = on_the_ground<M>(0, 0.4);
+    scene.bodies.velocity[1][0] = 1;
+    EXPECT_EQ(after_a_step<M>(scene, GaussSeidel{1, false, SweepOrder::reverse})[0], 1);
+    EXPECT_LT(after_a_step<M>(scene, GaussSeidel{1, false, SweepOrder::natural})[0], 1);
+    EXPECT_LT(after_a_step<M>(scene, GaussSeidel{2, false, SweepOrder::reverse})[0], 1);
+  });
+}
+
+TEST(BoundedRows, MeetAtTheSameAnswerInEveryOrder) {
+  in_all_models([]<class M>(Random&) {
+    auto scene = on_the_ground<M>(0, 0.4);
+    scene.bodies.velocity[1][0] = 1;
+    scene.bodies.velocity[1][1] = -2;
+    const Linear<M> expected = after_a_step<M>(scene, GaussSeidel{50, false});
+    for (const auto order : {SweepOrder::reverse, SweepOrder::coloured})
+      EXPECT_LE(difference(after_a_step<M>(scene, GaussSeidel{50, false, order}), expected), 1e-14);
+    Jacobi jacobi{200, false};
+    jacobi.relaxation = 0.7;
+    EXPECT_LE(difference(after_a_step<M>(scene, jacobi), expected), 1e-13);
+    EXPECT_LE(solved(scene, GaussSeidel{50, false}).residual, 1e-13);
+  });
+}
+
+TEST(BoundedRows, AreRefusedByADirectSolve) {
+  auto scene = on_the_ground<PlaneBody>(0, 0.4);
+  Work<PlaneBody> work;
+  EXPECT_THROW(advance(scene, {Direct{}}, time_step, work), std::invalid_argument);
+}
+
+}  // namespace
