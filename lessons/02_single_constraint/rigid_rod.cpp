@@ -106,10 +106,10 @@ void rigid_rod(const Setting& setting, Page& page) {
   }
   const Chart chart{
       .x = {.label = "time (s)"}, .y = {.label = "angle (°)"}, .curves = {turned, swung, rod_exact, bob_exact}};
-  page.figure("rod_and_bob",
+  page.figure("rod_and_bob_angles",
               "The rigid rod swings faster than the bob, as a bob on two thirds of its length would.", chart);
   page.sequence(
-      "rod_and_bob",
+      "rod_and_bob_swing",
       "The same length and mass, let go together: a bob on a massless rod (blue) and a rigid rod (yellow).",
       Seconds{std::min(end, 4.0)}, [=](Canvas& canvas, double time) {
         const auto now = std::upper_bound(rod.begin(), rod.end(), time + 1e-9,

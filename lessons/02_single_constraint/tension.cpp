@@ -92,13 +92,13 @@ void tension(const Setting& setting, Page& page) {
   const Swing run = swing(setting, h, end);
   const Chart chart = tension_chart(run, exact, mass, end);
   page.figure(
-      "tension",
+      "tension_over_time",
       say("What the solver's λ says the rod pulls with, against m(g·cosθ + Lθ̇²) of the exact pendulum, over @ "
           "s from @°. Nothing was told about circles: it is all in (17).",
           end, setting.release()),
       chart);
   page.sequence(
-      "tension", "The swing, the pull of the rod (orange) and the weight (grey), and λ|d|/h as it comes.",
+      "swing", "The swing, the pull of the rod (orange) and the weight (grey), and λ|d|/h as it comes.",
       Seconds{end}, [=](Canvas& canvas, double time) { draw_frame(canvas, at(run, time), run, chart, weight); });
 
   const double error = peak_tension(setting, h, period) / weight - lowest,
