@@ -71,17 +71,18 @@ void differentiate(tutor::Page& page, const Settings& set) {
       "before the bodies begin to turn.");
   const Linear<PlaneParticle> place = length * Linear<PlaneParticle>(0.6, -0.8), moving(speed, 0);
   const double bob = rate_of_bob(place, moving, length);
-  page.predict({.ask = tutor::say("P₂ − P₁ is (@, @) m, the bob moves with v₂ = (@, 0) m/s and the anchor stands still. "
-                           "How large is Ċ of (9)?",
-                           place.x(), place.y(), speed),
-                .answer = bob,
-                .unit = "m²/s",
-                .tolerance = 0.02 * length * speed,
-                .wrong = {{speed, "Only the part of v along d changes the length, and (9) multiplies it by |d|."},
-                          {bob / length, "That is d|d|/dt, the row divided by |d|; (14) is not divided."},
-                          {length * speed, "That takes all of v; the part across d only turns the rod."}},
-                .hint = "Multiply component by component, then add.",
-                .right = "Its unit is m²/s: C is in m², and so is its change."});
+  page.predict(
+      {.ask = tutor::say("P₂ − P₁ is (@, @) m, the bob moves with v₂ = (@, 0) m/s and the anchor stands still. "
+                         "How large is Ċ of (9)?",
+                         place.x(), place.y(), speed),
+       .answer = bob,
+       .unit = "m²/s",
+       .tolerance = 0.02 * length * speed,
+       .wrong = {{speed, "Only the part of v along d changes the length, and (9) multiplies it by |d|."},
+                 {bob / length, "That is d|d|/dt, the row divided by |d|; (14) is not divided."},
+                 {length * speed, "That takes all of v; the part across d only turns the rod."}},
+       .hint = "Multiply component by component, then add.",
+       .right = "Its unit is m²/s: C is in m², and so is its change."});
   page.text(
       "An anchor point on a turning body has two reasons to move: its body's centre goes somewhere, and the arm r "
       "from the centre to the point swings round. In the plane ω × r is ω(−r_y, r_x).");
@@ -98,24 +99,25 @@ void differentiate(tutor::Page& page, const Settings& set) {
   const Rates all = rates(pair, time, step);
   constexpr double seconds = 4;
   const Linear<PlaneBody> sides = box_sides(set);
-  page.sequence("motion",
-                tutor::say("Two boxes in @ s of flight, slowed down. The dots are differences of C, the curve is (10).",
-                    tutor::Value(time, 3)),
-                tutor::Seconds{seconds}, [=](renderer::Canvas& canvas, double at) {
-                  const auto [left, right] = canvas.page().inset(16).split_columns(0.56);
-                  const auto [upper, lower] = right.split_rows(0.5, 16);
-                  const double now = time * at / seconds;
-                  const Pair then = pair.after(now);
-                  canvas.look(renderer::fit({-0.5 * length, -0.9 * length, 2.9 * length, 1.8 * length}, left, 8));
-                  draw(canvas, then, sides, true);
-                  const renderer::ArrowKind kind{palette::velocity, 0.25 * length / speed, "m/s"};
-                  const Point p1 = then.pose1.position + then.r1(), p2 = then.pose2.position + then.r2();
-                  canvas.vector(p1, then.V1.head<2>() + then.V1[2] * Point(-then.r1().y(), then.r1().x()), kind);
-                  canvas.vector(p2, then.V2.head<2>() + then.V2[2] * Point(-then.r2().y(), then.r2().x()), kind);
-                  canvas.arrow_key({left.x + 12, left.y + 16}, kind, "Ṗ");
-                  renderer::draw(canvas, pictures::grown_to(all.value, now), upper);
-                  renderer::draw(canvas, pictures::grown_to(all.rate, now), lower);
-                });
+  page.sequence(
+      "motion",
+      tutor::say("Two boxes in @ s of flight, slowed down. The dots are differences of C, the curve is (10).",
+                 tutor::Value(time, 3)),
+      tutor::Seconds{seconds}, [=](renderer::Canvas& canvas, double at) {
+        const auto [left, right] = canvas.page().inset(16).split_columns(0.56);
+        const auto [upper, lower] = right.split_rows(0.5, 16);
+        const double now = time * at / seconds;
+        const Pair then = pair.after(now);
+        canvas.look(renderer::fit({-0.5 * length, -0.9 * length, 2.9 * length, 1.8 * length}, left, 8));
+        draw(canvas, then, sides, true);
+        const renderer::ArrowKind kind{palette::velocity, 0.25 * length / speed, "m/s"};
+        const Point p1 = then.pose1.position + then.r1(), p2 = then.pose2.position + then.r2();
+        canvas.vector(p1, then.V1.head<2>() + then.V1[2] * Point(-then.r1().y(), then.r1().x()), kind);
+        canvas.vector(p2, then.V2.head<2>() + then.V2[2] * Point(-then.r2().y(), then.r2().x()), kind);
+        canvas.arrow_key({left.x + 12, left.y + 16}, kind, "Ṗ");
+        renderer::draw(canvas, pictures::grown_to(all.value, now), upper);
+        renderer::draw(canvas, pictures::grown_to(all.rate, now), lower);
+      });
   page.figure("rate", "Ċ of the two boxes: the formula and the differences along the motion.", all.rate);
   page.text(
       "Over the whole flight the two differ by at most @ m²/s. A centred difference is allowed @ m²/s: its own "

@@ -1,3 +1,4 @@
+#include <Eigen/Core>
 #include <unsupported/Eigen/AutoDiff>
 
 #include <algorithm>
@@ -101,7 +102,8 @@ Accuracy accuracy(const Pair& pair) {
   // The reference is (14): it is exact, and the dual numbers are held against it in the same way.
   const double exact = pair.rate();
   const double dual = (gradient<PlaneBody>(pair.rod, pair.pose1, pair.pose2) * V)(0, 0);
-  Accuracy all{.dual = std::abs(dual - exact)};
+  Accuracy all;
+  all.dual = std::abs(dual - exact);
   renderer::Curve one{
       .label = "one-sided", .style = renderer::CurveStyle::line_and_markers, .colour = palette::force};
   renderer::Curve two{

@@ -189,22 +189,23 @@ void inspection(tutor::Page& page, const Settings& set) {
   Pose<PlaneParticle> anchor, bob;
   bob.position = (length + set.stretch) * Linear<PlaneParticle>(0.6, -0.8);
   const double C = rod.value<double>(anchor, bob)[0], out = rod.jacobian(anchor, bob).l2().dot(bob.position);
-  page.choose({.ask = tutor::say("A rod from an anchor to a bob is @: C = @ m². Does J's arrow on the bob point to the "
-                          "anchor or away from it?",
-                          C > 0   ? "too long"
-                          : C < 0 ? "too short"
-                                  : "just right",
-                          C),
-               .options = {{"to the anchor",
-                            "J is the gradient: it points where C grows. The minus in (17) turns the "
-                            "push round. (The article says \"towards the target\".)"},
-                           {"away from the anchor",
-                            "J is the gradient of C: away from the anchor is where C grows, "
-                            "whether the rod is too long or too short."},
-                           {"that depends on the sign of C",
-                            "d does not ask for C: (14) contains neither C nor L. Only λ will ask."}},
-               .answer = out < 0 ? 0 : 1,
-               .hint = "(14) says l₂ = d. From where to where does d point?"});
+  page.choose(
+      {.ask = tutor::say("A rod from an anchor to a bob is @: C = @ m². Does J's arrow on the bob point to the "
+                         "anchor or away from it?",
+                         C > 0   ? "too long"
+                         : C < 0 ? "too short"
+                                 : "just right",
+                         C),
+       .options = {{"to the anchor",
+                    "J is the gradient: it points where C grows. The minus in (17) turns the "
+                    "push round. (The article says \"towards the target\".)"},
+                   {"away from the anchor",
+                    "J is the gradient of C: away from the anchor is where C grows, "
+                    "whether the rod is too long or too short."},
+                   {"that depends on the sign of C",
+                    "d does not ask for C: (14) contains neither C nor L. Only λ will ask."}},
+       .answer = out < 0 ? 0 : 1,
+       .hint = "(14) says l₂ = d. From where to where does d point?"});
   page.figure("field", "J's arrow on the bob points where C grows: outwards, also where the rod is too short.",
               [=](renderer::Canvas& canvas) { draw_field(canvas, length); });
   page.text(

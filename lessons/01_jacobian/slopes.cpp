@@ -39,17 +39,18 @@ void slopes(tutor::Page& page, const Settings& set) {
       "h².");
   const double at_h = left_over(bob, bob.row(), h), at_half = left_over(bob, bob.row(), h / 2);
   const double factor = at_h / at_half, exact = 0.5 * set.speed * set.speed * h * h;
-  page.predict({.ask = tutor::say("A bob flies past its anchor at @ m/s. You halve the step h. By what factor does "
-                           "|ΔC − h·JV| shrink?",
-                           set.speed),
-                .answer = factor,
-                .unit = "1",
-                .tolerance = 0.2,
-                .wrong = {{2, "J already took the first-order part away; what is left is second order."},
-                          {8, "That would be third order: C of (2) bends, and bending is second order."},
-                          {1, "Then the rest would not depend on h at all."}},
-                .hint = "Expand ½(d + hv)² by hand.",
-                .right = tutor::say("For (2) and a bob the rest is exactly ½h²v², here @ m².", exact)});
+  page.predict(
+      {.ask = tutor::say("A bob flies past its anchor at @ m/s. You halve the step h. By what factor does "
+                         "|ΔC − h·JV| shrink?",
+                         set.speed),
+       .answer = factor,
+       .unit = "1",
+       .tolerance = 0.2,
+       .wrong = {{2, "J already took the first-order part away; what is left is second order."},
+                 {8, "That would be third order: C of (2) bends, and bending is second order."},
+                 {1, "Then the rest would not depend on h at all."}},
+       .hint = "Expand ½(d + hv)² by hand.",
+       .right = tutor::say("For (2) and a bob the rest is exactly ½h²v², here @ m².", exact)});
   page.text(
       "For the bob you can do it on paper: ½(d + hv)² − ½d² = h d·v + ½h²v². For two turning boxes the rest is "
       "½h²C̈ and a little more. Now spoil the row: turn the sign of a₂ round, the mistake that d × r would have "

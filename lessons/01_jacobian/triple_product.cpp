@@ -121,14 +121,13 @@ void triple_product(tutor::Page& page, const Settings& set) {
       "the "
       "centre.");
   page.predict(
-      {.ask =
-           tutor::say("A body's arm is r₂ = (@, 0) m and d = (0, @) m. How large is its angular entry a₂?", arm, -size),
+      {.ask = tutor::say("A body's arm is r₂ = (@, 0) m and d = (0, @) m. How large is its angular entry a₂?", arm,
+                         -size),
        .answer = a2,
        .unit = "m²",
        .tolerance = 0.05 * area,
        .wrong = {{-a2, "That is d × r; the step from (12) to (13) gives r × d."},
-                 {0, "d does not pass through the centre, so it has a lever arm."},
-                 {arm, "That is the lever arm alone; (13) multiplies it by |d|."}},
+                 {0, "d does not pass through the centre, so it has a lever arm."}},
        .hint = "r_x d_y − r_y d_x.",
        .right = "Turn the body anticlockwise (ω₂ > 0) and P₂ rises, against d: the rod gets shorter, so a "
                 "negative entry is what you should expect."});

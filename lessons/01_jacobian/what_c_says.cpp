@@ -96,7 +96,8 @@ void what_c_says(tutor::Page& page, const Settings& set) {
   page.excerpt("solver/constraints/distance.hpp", "value");
 
   page.predict(
-      {.ask = tutor::say("The rod is @ m long and the bob is @ m from the anchor. How large is C of (2)?", length, far),
+      {.ask = tutor::say("The rod is @ m long and the bob is @ m from the anchor. How large is C of (2)?", length,
+                         far),
        .answer = C,
        .unit = "m²",
        .tolerance = 0.02 * length * std::abs(stretch),
