@@ -53,6 +53,7 @@ int run_lesson(const std::string& slug, Arguments arguments) {
   const std::string path = program(slug).string();
   arguments.insert(arguments.begin(), path);
   std::vector<char*> argv;
+  argv.reserve(arguments.size() + 1);
   for (std::string& argument : arguments) argv.push_back(argument.data());
   argv.push_back(nullptr);
 

@@ -39,7 +39,7 @@ double read_number(std::string_view text) {
 }
 
 std::string typed(double value) {
-  const std::string shortest = fmt::format("{}", value);
+  std::string shortest = fmt::format("{}", value);
   const double reciprocal = std::round(1 / value);
   // 1/60 reads better than 0.016666666666666666; 0.2 better than 1/5.
   if (shortest.size() > 8 && std::abs(reciprocal) < 1e6 && 1 / reciprocal == value)

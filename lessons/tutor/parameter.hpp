@@ -45,11 +45,4 @@ class Parameter {
   const ParameterRecord* record_;
 };
 
-/// "0.5", "-2", "1/60", "1e-3", with "−" or "-". Throws std::invalid_argument unless the whole text is one
-/// finite number.
-double read_number(std::string_view text);
-
-/// As a reader would type it: 0.2, 1/60, 1e-05.
-std::string typed(double value);
-
 }  // namespace byhand::tutor

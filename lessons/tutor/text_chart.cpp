@@ -70,20 +70,18 @@ class Ruler {
 /// Characters in rows, each with a colour of the terminal (0: its own).
 class Grid {
  public:
-  Grid(int rows, int columns) : columns_(columns), cells_(static_cast<size_t>(rows * columns)) {}
+  Grid(int rows, int columns) : rows_(rows, std::vector<Cell>(columns)) {}
 
   void put(int row, int column, const char* sign, int colour) {
-    if (row < 0 || column < 0 || column >= columns_ || row >= static_cast<int>(cells_.size()) / columns_) return;
-    cells_[static_cast<size_t>(row * columns_ + column)] = {sign, colour};
+    const int rows = static_cast<int>(rows_.size()), columns = static_cast<int>(rows_.front().size());
+    if (row >= 0 && row < rows && column >= 0 && column < columns) rows_[row][column] = {sign, colour};
   }
 
   std::string row(int row, const Style& style) const {
     std::string line;
-    for (int column = 0; column < columns_; ++column) {
-      const Cell& cell = cells_[static_cast<size_t>(row * columns_ + column)];
+    for (const Cell& cell : rows_[row])
       line += style.colours && cell.colour ? fmt::format("\033[{}m{}\033[0m", cell.colour, cell.sign) : cell.sign;
-    }
-    return line;
+    return line.erase(line.find_last_not_of(' ') + 1);
   }
 
  private:
@@ -91,8 +89,7 @@ class Grid {
     const char* sign = " ";
     int colour = 0;
   };
-  int columns_;
-  std::vector<Cell> cells_;
+  std::vector<std::vector<Cell>> rows_;
 };
 
 struct Pen {
@@ -170,7 +167,7 @@ class Shading {
     if (std::isnan(value)) return {" ", 0};
     if (std::isinf(value)) return {"✗", 31};
     const double share = high_ > low_ ? (on_scale(value) - low_) / (high_ - low_) : 0;
-    const auto shade = static_cast<size_t>(std::clamp(share, 0.0, 1.0) * (shades.size() - 1) + 0.5);
+    const auto shade = static_cast<size_t>(std::lround(std::clamp(share, 0.0, 1.0) * (shades.size() - 1)));
     return {shades[shade], map_.diverging && value < 0 ? 34 : 33};
   }
 

@@ -24,6 +24,7 @@ class Terminal {
     if (program_ == 0) {
       for (const auto& [name, value] : environment) setenv(name.c_str(), value.c_str(), 1);
       std::vector<char*> argv;
+      argv.reserve(command.size() + 1);
       for (std::string& word : command) argv.push_back(word.data());
       argv.push_back(nullptr);
       execv(argv[0], argv.data());
