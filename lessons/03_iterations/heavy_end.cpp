@@ -72,12 +72,13 @@ void heavy_end(Page& page, const Knobs& knobs) {
   page.figure("heavy_end", say("Sweeps for one more digit against the end bob's mass, @ links.", n), chart);
 
   HeldStep sweep(heavy, h), direct(heavy, h, Direct{});
-  for (int i = 0; i < 10; ++i) sweep.solve_sweep();
+  constexpr int few = 10;
+  for (int i = 0; i < few; ++i) sweep.solve_sweep();
   direct.solve();
   page.text(
-      "After 10 sweeps the top joint carries @ of the weight. The direct solve, same rows: @. It "
+      "After @ sweeps the top joint carries @ of the weight. The direct solve, same rows: @. It "
       "sees all rows at once, and a ratio of masses is only a number in A.",
-      sweep.shares().front(), direct.shares().front());
+      few, sweep.shares().front(), direct.shares().front());
   page.claim({.quantity = "sweeps for one more digit, heavy end",
               .unit = "1",
               .expected = textbook_digit(heavy),

@@ -19,7 +19,7 @@ int main(int argc, char** argv) {
       .h = lesson.parameter("h", 1.0 / 60, "s", {1e-3, 0.05}, "time step"),
       .sweeps = lesson.parameter("sweeps", 10, "1", {1, 100}, "sweeps a step where a chain is stepped (step 6)"),
       .beta = lesson.parameter("beta", 0.2, "1", {0, 1}, "share of the stretch that a step corrects (step 7)"),
-      .angle = lesson.parameter("angle", 30.0, "°", {1, 80}, "from which the chain is released (step 7)"),
+      .angle = lesson.parameter("angle", 20.0, "°", {1, 80}, "from which the chain is released (step 7)"),
       .warm = lesson.parameter("warm", 0, "1", {0, 1}, "1: steps begin with the λ of the last one (step 7)"),
       .ratio = lesson.parameter("ratio", 100.0, "1", {1, 1000}, "mass of the end bob over the others (deeper)")};
   const auto step = [&](const char* title, void (*tell)(Page&, const Knobs&)) {

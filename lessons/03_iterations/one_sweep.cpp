@@ -63,7 +63,7 @@ renderer::Chart bars_of(const std::vector<double>& values, std::string label, re
 
 /// The weight below each joint, as a share of the whole.
 renderer::Curve right_shares(int links) {
-  renderer::Curve curve{.label = "the weight below it", .style = renderer::CurveStyle::theory};
+  renderer::Curve curve{.style = renderer::CurveStyle::theory};
   for (int joint = 0; joint < links; ++joint) {
     curve.x.push_back(joint);
     curve.y.push_back(1.0 - static_cast<double>(joint) / links);
@@ -148,7 +148,8 @@ void one_sweep(Page& page, const Knobs& knobs) {
   page.sequence(
       "row_by_row",
       say("Two sweeps row by row, then whole sweeps in growing strides. Left: how fast each bob still falls. "
-          "Above: what each joint carries, as a share of all @ N. Below: each row's error. The row being "
+          "Above: what each joint carries, as a share of all @ N (dashed: the weight below it). Below: each row's "
+          "error. The row being "
           "solved is yellow; watch its error vanish and its neighbours' grow.",
           knobs.weight()),
       Frames{static_cast<int>(frames.size())}, [=](renderer::Canvas& canvas, double at) {
@@ -185,7 +186,7 @@ void one_sweep(Page& page, const Knobs& knobs) {
               .expected = std::pow(0.5, knobs.links() - 1) / knobs.links(),
               .source = "halved at each joint",
               .measured = shares.back(),
-              .tolerance = relative(1e-12)});
+              .tolerance = absolute(1e-15)});
 }
 
 }  // namespace byhand::iterations

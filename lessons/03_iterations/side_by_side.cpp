@@ -90,7 +90,7 @@ double textbook_stretch(const Knobs& knobs, int sweeps) {
 }
 
 void draw_runs(renderer::Canvas& canvas, const std::vector<Run>& runs, const renderer::Rectangle& world,
-               double time, const renderer::Rectangle& frame) {
+               const std::vector<renderer::Point>& right_length, double time, const renderer::Rectangle& frame) {
   const auto cells = frame.cells(1, static_cast<int>(runs.size()), 6);
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const renderer::Rectangle& cell = cells[i];
@@ -102,6 +102,7 @@ void draw_runs(renderer::Canvas& canvas, const std::vector<Run>& runs, const ren
     canvas.clip(below);
     canvas.look(camera);
     if (time < runs[i].lost_at) {
+      canvas.path(right_length, {palette::muted, 1.5, renderer::Dash::dashed});
       pictures::draw(canvas, pictures::rods_and_bobs(runs[i].chain.scene), {.bob = 6, .rod = 2.6});
     } else {
       canvas.look_at_page();
@@ -132,7 +133,17 @@ void side_by_side(Page& page, const Knobs& knobs) {
     if (std::isinf(run.lost_at)) reach = reach.cwiseMax(run.reach);
   }
   reach = reach.cwiseMin(renderer::Point::Constant(3 * knobs.links * L)) + renderer::Point::Constant(0.4 * L);
+  double least = INFINITY, most = 0;
+  for (const Run& run : runs) {
+    least = std::min(least, worst(run));
+    if (std::isinf(run.lost_at)) most = std::max(most, worst(run));
+  }
+  chart.y.range = {{0.02 * least, 3 * std::max(most, least)}};
   world = {-reach.x(), -reach.y(), 2 * reach.x(), reach.y() + L};
+  std::vector<renderer::Point> right_length;  // where the end of a chain that does not stretch swings
+  for (double part = -1; part <= 1.001; part += 0.05)
+    right_length.emplace_back(knobs.links * L *
+                              from_straight_down<PlaneParticle>(part * knobs.angle * M_PI / 180));
 
   page.text(
       "Now let it swing: released at @° from straight down, @ s, and with the correction of lesson 4 (β = @) "
@@ -144,23 +155,42 @@ void side_by_side(Page& page, const Knobs& knobs) {
   page.sequence(
       "sweeps_side_by_side",
       say("The same chain of @ links with @, @, @ and @ sweeps a step, and solved directly. Below: the largest "
-          "stretch of any link.",
+          "stretch of any link. Dashed: where the end of a chain that does not stretch would swing.",
           knobs.links, sweep_counts[0], sweep_counts[1], sweep_counts[2], sweep_counts[3]),
       Seconds{seconds}, [=, runs = runs](renderer::Canvas& canvas, double time) mutable {
         for (Run& run : runs)
           while (run.chain.time < time - 0.5 * h && run.chain.time < run.lost_at) run.chain.step(h);
-        const auto [upper, lower] = canvas.page().inset(14).split_rows(0.55, 8);
-        draw_runs(canvas, runs, world, time, upper);
+        const auto [upper, lower] = canvas.page().inset(14).split_rows(0.62, 8);
+        draw_runs(canvas, runs, world, right_length, time, upper);
         draw(canvas, pictures::grown_to(chart, time), lower);
       });
-  for (const Run& run : runs) page.measure(say("largest stretch, @", run.name), worst(run), "mm");
-  page.text(
-      "Few sweeps do not look wrong, they look *soft*: the chain becomes a rubber band, and nobody asked for "
-      "rubber. How soft can be "
-      "said beforehand. Where the chain hangs still, the correction must make up in each step for what the sweeps "
-      "leave: "
-      "the parting speed r of step 6 is answered by a bias of the same size, (β/h)C/|d| = r. So the "
-      "worst link hangs out by about r·h/β:");
+  for (const Run& run : runs) {
+    if (std::isinf(run.lost_at))
+      page.measure(say("largest stretch, @", run.name), worst(run), "mm");
+    else
+      page.text("With @ a step the chain flew apart after @ s.", run.name, Value(run.lost_at, 2));
+  }
+  if (knobs.warm() == 1) {
+    std::vector<double> limits;
+    for (const int sweeps : sweep_counts) {
+      const double q = std::pow(chain_factor(knobs.links), sweeps);
+      limits.push_back((1 - q) / q);
+    }
+    page.text(
+        "Warm, the limit of step 6 decides, (1 − q)/q: @ for these sweeps (and never more than 2). Here β = @. A "
+        "chain "
+        "whose limit is lower shakes itself to pieces sooner or later.",
+        limits, knobs.beta);
+  } else {
+    page.text(
+        "Few sweeps do not look wrong, they look *soft*: the chain is a rubber band, and nobody asked for rubber. "
+        "How "
+        "soft can be said beforehand. Where the chain hangs still, the correction must make up in each step for "
+        "what "
+        "the sweeps leave: the parting speed r of step 6 is answered by a bias of the same size, (β/h)C/|d| = r. "
+        "So "
+        "the worst link hangs out by about r·h/β:");
+  }
   const bool claimed = knobs.warm() == 0 && knobs.beta >= 0.01;
   for (const int sweeps : sweep_counts)
     page.claim({.quantity = say("stretch at rest, sweeps a step: @", sweeps),

@@ -101,7 +101,9 @@ void warm_start(Page& page, const Knobs& knobs) {
   const int k = knobs.sweeps, n = knobs.links;
   const double q = std::pow(chain_factor(n), k), fall = knobs.fall(), seconds = 3;
   const bool visible = q >= 0.01;
-  const std::string range = "a slow wave that is there to see: q ≥ 0.01";
+  // A chain that falls a link's length in a few steps passes through itself; (14) is then another row.
+  const bool calm = n * Knobs::gravity * knobs.h * knobs.h < knobs.length;
+  const std::string range = "q ≥ 0.01, N g h² < L";
 
   page.text(
       "A simulation does not take the sweeps it needs: it takes @ a step and moves on. What k = @ sweeps leave of "
@@ -192,9 +194,9 @@ void warm_start(Page& page, const Knobs& knobs) {
               .unit = "1",
               .expected = std::sqrt(q),
               .source = "√q, q = cos²ᵏ(π/2N) (law B6 at β = 0)",
-              .measured = visible ? std::sqrt(measured_q(knobs, q)) : 0,
+              .measured = visible ? std::sqrt(measured_q(knobs, q)) : std::sqrt(q),
               .tolerance = relative(1e-6),
-              .claimed = visible,
+              .claimed = visible && calm,
               .range = range});
   page.claim({.quantity = "cold: the worst link's speed of parting",
               .unit = "m/s",
@@ -202,7 +204,7 @@ void warm_start(Page& page, const Knobs& knobs) {
               .source = "(1 − Gᵏ)⁻¹Gᵏ of the sweep's matrix G",
               .measured = rate,
               .tolerance = relative(1e-6),
-              .claimed = visible,
+              .claimed = visible && calm,
               .range = range});
   page.claim({.quantity = "cold: force at the top joint all the same",
               .unit = "N",
