@@ -37,7 +37,7 @@ void draw(Canvas& canvas, const BobPicture& picture, const Rectangle& frame) {
     labels.avoid_path(std::array<Point, 2>{arrow.from, arrow.from + arrow.by});
   }
   for (const BobPicture::Arrow& arrow : picture.arrows)
-    labels.place(arrow.from + 0.8 * arrow.by, arrow.label, {.size = 22, .colour = arrow.colour, .halo = 4}, 14);
+    labels.place(arrow.from + 0.8 * arrow.by, arrow.label, {.size = 22, .colour = arrow.colour, .halo = 4}, 18);
   canvas.look_at_page();
   canvas.text(top.centre(), picture.title, {.size = 22, .bold = true});
 }

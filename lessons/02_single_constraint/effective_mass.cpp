@@ -44,10 +44,10 @@ void draw_product(Canvas& canvas, const Row4& J, const Matrix4& inverse_mass, do
   x = draw_matrix(canvas, J.transpose(), x, middle, palette::constraint, "Jᵀ") + gap;
   canvas.text({x, middle}, say("= @ m²/kg", K), {.size = 26, .anchor = Anchor::left, .bold = true});
   const auto zeros = (inverse_mass.array() == 0).count();
-  canvas.text({canvas.page().centre().x(), 130},
-              say("@ of the @ numbers of M⁻¹ are zero, and the others are two numbers, each written twice.", zeros,
-                  inverse_mass.size()),
-              {.size = 22, .colour = palette::muted});
+  canvas.text(
+      {canvas.page().centre().x(), 130},
+      say("@ of the @ numbers of M⁻¹ are zero; what is left is m₂⁻¹, written twice.", zeros, inverse_mass.size()),
+      {.size = 22, .colour = palette::muted});
 }
 
 }  // namespace
@@ -79,8 +79,8 @@ void effective_mass(const Setting& setting, Page& page) {
   page.figure(
       "no_matrix",
       say("What (19) is in full. The held point is a body with an inverse mass of 0: infinitely heavy, said "
-          "without infinity. Four multiplications do not care; a product of matrices would make @.",
-          4 * 4 + 4),
+          "without infinity. (19) multiplies @ times; as a product of matrices it would be @ times.",
+          2 * (PlaneParticle::linear + 1), 4 * 4 + 4),
       [=](Canvas& canvas) { draw_product(canvas, J, inverse_mass, product); });
 
   page.text(

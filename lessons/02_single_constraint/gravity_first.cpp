@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "lessons/02_single_constraint/bob_picture.hpp"
 #include "lessons/02_single_constraint/steps.hpp"
 
@@ -41,8 +43,12 @@ void gravity_first(const Setting& setting, Page& page) {
                   "tangent that a rigid rod would leave open. If nothing answers, the rod will @ at @ m/s.",
                   change, std::abs(rate)),
               [picture](Canvas& canvas) { draw(canvas, {picture}); });
-  page.text("JV is @: not zero. At @ m/s along d the rod would @, and JV divided by |d| is just that speed.",
-            row.JV, rate, change);
+  if (std::abs(rate) > 1e-12 * gain)
+    page.text("JV is @, not zero. Left alone, the rod would @ by @ m in every second: that is JV divided by |d|.",
+              row.JV, change, std::abs(rate));
+  else
+    page.text(
+        "You let go level with the held point, where gravity lies along the tangent: JV is 0 but for rounding.");
 
   page.claim({.quantity = "JV after gravity",
               .unit = "m²/s",

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "lessons/02_single_constraint/bob_picture.hpp"
 #include "lessons/02_single_constraint/steps.hpp"
 
@@ -18,20 +20,23 @@ void lambda(const Setting& setting, Page& page) {
       "Now (17): the one number λ with which JV becomes 0. There is no bias yet, b = 0. First its sign, and that "
       "without any arithmetic: JM⁻¹Jᵀ is a sum of squares, so only JV decides.");
   page.equation(17);
-  page.choose(
-      {.ask = say("J's arrow on the bob is d: it points away from the held point, where C grows. Gravity has "
-                  "just made JV @. Which sign has λ?",
-                  pulls ? "positive" : "negative (or zero)"),
-       .options = {{"negative",
-                    "Yes: the push on the bob is λd, so it points against d, to the held point. "
-                    "A rod that pulls has λ < 0."},
-                   {"positive",
-                    "Yes: the push on the bob is λd, so it points along d, away from the held "
-                    "point. This rod has to push."}},
-       .answer = pulls ? 0 : 1,
-       .hint = "The minus in (17) turns it round."});
-  if (!pulls)
-    page.text("(You have put the bob level with the held point or above it, so here the rod does not pull.)");
+  if (std::abs(along) > 1e-12 * full) {
+    const std::string
+        toward = "The push on the bob is λd. With λ < 0 it points against d, to the held point: the rod pulls.",
+        away =
+            "The push on the bob is λd. With λ > 0 it points along d, away from the held point: the rod "
+            "pushes.";
+    page.choose(
+        {.ask = say("J's arrow on the bob is d: it points away from the held point, where C grows. Gravity has "
+                    "just made JV @. Which sign has λ?",
+                    pulls ? "positive" : "negative"),
+         .options = {{"negative", toward}, {"positive", away}},
+         .answer = pulls ? 0 : 1,
+         .hint = "The minus in (17) turns it round."});
+  } else {
+    page.text(
+        "You have put the bob level with the held point, where JV is 0 but for rounding: λ has nothing to do.");
+  }
 
   page.predict(
       {.ask = say(
@@ -48,9 +53,9 @@ void lambda(const Setting& setting, Page& page) {
        .hint = "JV over |d| is the speed along d. Which mass has to lose it?",
        .right = say("m·g·h is @ N·s; the rod answers for its part along d.", full)});
 
-  page.equation(17, "λ = −(@ + 0) / @ = @ N·s/m, and λ·|d| = @ N·s",
-                R"(\lambda = \frac{-(@ + 0)}{@} = @\ \mathrm{N\,s/m}, \qquad \lambda\,|d| = @\ \mathrm{N\,s})",
-                row.JV, row.K, row.lambda, along);
+  page.formula("λ = −(@ + 0) / @ = @ N·s/m, and λ·|d| = @ N·s",
+               R"(\lambda = \frac{-(@ + 0)}{@} = @\ \mathrm{N\,s/m}, \qquad \lambda\,|d| = @\ \mathrm{N\,s})",
+               row.JV, row.K, row.lambda, along);
   page.excerpt("solver/row.hpp", "17");
 
   BobPicture row_picture(scene), push(scene);

@@ -71,7 +71,7 @@ void off_the_circle(const Setting& setting, Page& page) {
           coarse),
       [=](Canvas& canvas) { draw_steps(canvas, steps, length); });
 
-  Curve measured{.label = "one step of the solver", .style = CurveStyle::line_and_markers};
+  Curve measured{.label = "one step of the solver", .style = CurveStyle::markers};
   Curve theory{.label = "(vh)²/2L", .style = CurveStyle::theory};
   for (int i = 0; i <= 6; ++i) {
     const double step = h / (1 << i);

@@ -50,20 +50,21 @@ void onto_the_tangent(const Setting& setting, Page& page) {
       solved.JV, row.J.matrix.squaredNorm(), impulse.dot(solved.v2));
 
   const double speed = std::sqrt(gravity() * length);
-  const Pendulum pair = two_free_bobs(setting, Vector(speed / 2, -speed));
+  const Pendulum pair = two_free_bobs(setting, Vector(0.9 * speed, -0.5 * speed));
   const OneRow hit(pair);
   Pendulum freed = pair;
   std::tie(freed.bodies.velocity[0], freed.bodies.velocity[1]) = hit.velocities_after();
   const Vector before_momentum = linear_momentum(pair.bodies), after_momentum = linear_momentum(freed.bodies);
   BobPicture blow(pair), answer(freed);
-  const double shown = 0.45 * length / speed;
-  blow.title = "before: the first bob is hit";
-  blow.arrows = {{blow.first, shown * hit.v1, palette::velocity, "v₁"}};
+  const double shown = 0.7 * length / speed;
+  blow.title = "the first bob is hit, the rod answers";
+  const Vector answered = shown * hit.lambda * hit.d / setting.mass();
+  blow.arrows = {{blow.first, -answered, palette::force, "−λd"},
+                 {blow.second, answered, palette::force, "λd"},
+                 {blow.first, shown * hit.v1, palette::velocity, "v₁"}};
   answer.title = "after: JV = 0";
   answer.arrows = {{answer.first, shown * freed.bodies.velocity[0], palette::velocity, "v₁"},
-                   {answer.second, shown * freed.bodies.velocity[1], palette::velocity, "v₂"},
-                   {answer.first, -shown * hit.lambda * hit.d / setting.mass(), palette::force, "−λd"},
-                   {answer.second, shown * hit.lambda * hit.d / setting.mass(), palette::force, "λd"}};
+                   {answer.second, shown * freed.bodies.velocity[1], palette::velocity, "v₂"}};
   blow.guides = answer.guides = false;
   page.text(
       "On the other end of the rod acts −λd. A held point swallows it; two free bobs show what it is for. Hit one "

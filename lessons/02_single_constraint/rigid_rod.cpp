@@ -107,7 +107,10 @@ void rigid_rod(const Setting& setting, Page& page) {
   const Chart chart{
       .x = {.label = "time (s)"}, .y = {.label = "angle (°)"}, .curves = {turned, swung, rod_exact, bob_exact}};
   page.figure("rod_and_bob_angles",
-              "The rigid rod swings faster than the bob, as a bob on two thirds of its length would.", chart);
+              "The rigid rod swings faster than the bob, as a bob on two thirds of its length would. Both lose "
+              "height, for "
+              "nothing cures their drift.",
+              chart);
   page.sequence(
       "rod_and_bob_swing",
       "The same length and mass, let go together: a bob on a massless rod (blue) and a rigid rod (yellow).",

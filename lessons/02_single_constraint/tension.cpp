@@ -23,7 +23,7 @@ Chart tension_chart(const Swing& run, const SimplePendulum& exact, double mass, 
     theory.x.push_back(end * i / 400);
     theory.y.push_back(exact.tension(theory.x.back(), mass));
   }
-  const Curve measured{.label = "λ|d|/h",
+  const Curve measured{.label = "−λ|d|/h",
                        .x = each(run, [](const Sample& s) { return s.time; }),
                        .y = each(run, [](const Sample& s) { return s.tension; }),
                        .colour = palette::force};
@@ -40,11 +40,11 @@ void draw_frame(Canvas& canvas, const Sample& now, const Swing& run, const Chart
   pictures::draw(canvas, {.bobs = {{now.position, 1}}, .rods = {{{0, 0}, now.position}}, .anchors = {{0, 0}}});
   canvas.vector(now.position, -now.tension * now.position / now.position.norm(), force);
   canvas.vector(now.position, Vector(0, -weight), {palette::muted, newton, "N"});
-  canvas.text(now.position + Vector(0, -newton * weight), say("m·g = @ N", Value(weight, 3)),
-              {.size = 18, .colour = palette::muted, .anchor = Anchor::top, .halo = 3, .offset = {0, -4}});
   canvas.look_at_page();
   canvas.text({scene.centre().x(), scene.top() - 14}, say("the rod pulls with @ N", Value(now.tension, 3)),
               {.size = 22, .colour = palette::force, .bold = true});
+  canvas.text({scene.centre().x(), scene.top() - 44}, say("its weight is @ N", Value(weight, 3)),
+              {.size = 20, .colour = palette::muted});
   draw(canvas, pictures::grown_to(chart, now.time), beside);
 }
 
@@ -59,11 +59,18 @@ void tension(const Setting& setting, Page& page) {
     return -OneRow(scene).lambda * length / step;
   };
   page.text(
-      "An impulse is a force times the time it acts. So λ by itself means little, half the step, half the λ, but "
-      "λ|d|/h is a force, and it is the rod's tension. Take the first step again, from @°:\n\n- with h = @ s: @ "
-      "N\n- "
-      "with h/4: @ N\n- with h/64: @ N\n- what the rod must hold, m·g·cosθ: @ N",
-      setting.angle(), setting.h, pull(h), pull(h / 4), pull(h / 64), held);
+      "An impulse is a force times the time it acts. So λ by itself means little: half the step, half the λ. But "
+      "λ|d|/h "
+      "is the force along d, and −λ|d|/h the pull of the rod, its tension. Take the first step again, from @°:
+
+      "
+      "- with h = @ s it is @ N
+          - with h / 4
+      : @N - with h / 64
+      : @N - what the rod must hold, m·g·cosθ
+      : @N ",
+        setting.angle(),
+        setting.h, pull(h), pull(h / 4), pull(h / 64), held);
   double worst = 0;
   for (int i = 0; i <= 6; ++i) worst = std::max(worst, std::abs(pull(h / (1 << i)) - held));
   page.claim({.quantity = "tension at release, the worst of h … h/64",
@@ -94,12 +101,13 @@ void tension(const Setting& setting, Page& page) {
   page.figure(
       "tension_over_time",
       say("What the solver's λ says the rod pulls with, against m(g·cosθ + Lθ̇²) of the exact pendulum, over @ "
-          "s from @°. Nothing was told about circles: it is all in (17).",
+          "s from @°. Nobody told the solver about circles. It begins exact and then falls short; the next two "
+          "steps show why.",
           end, setting.release()),
       chart);
-  page.sequence(
-      "swing", "The swing, the pull of the rod (orange) and the weight (grey), and λ|d|/h as it comes.",
-      Seconds{end}, [=](Canvas& canvas, double time) { draw_frame(canvas, at(run, time), run, chart, weight); });
+  page.sequence("swing", "The swing, the pull of the rod (orange) and the weight (grey), and −λ|d|/h as it comes.",
+                Seconds{end},
+                [=](Canvas& canvas, double time) { draw_frame(canvas, at(run, time), run, chart, weight); });
 
   const double error = peak_tension(setting, h, period) / weight - lowest,
                half = peak_tension(setting, h / 2, period) / weight - lowest,

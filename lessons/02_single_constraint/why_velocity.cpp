@@ -21,7 +21,7 @@ void why_velocity(const Setting& setting, Page& page) {
       stretched);
   Curve left{.label = "position: |C| left", .style = CurveStyle::line_and_markers, .colour = palette::error};
   std::vector<double> distances;
-  for (int i = 0; i <= 4; ++i) {
+  for (int i = 0; i <= 3; ++i) {
     const OneRow row(scene);
     left.x.push_back(i);
     left.y.push_back(std::abs(error()));
@@ -32,7 +32,7 @@ void why_velocity(const Setting& setting, Page& page) {
       "why_velocity",
       "|C| after each push of the position. It is Newton's method: the error is squared each time, quick, but "
       "never done. JV = 0 is linear in V, and one push solves it to rounding.",
-      Chart{.x = {.label = "pushes", .ticks = {{0, "0"}, {1, "1"}, {2, "2"}, {3, "3"}, {4, "4"}}},
+      Chart{.x = {.label = "pushes", .ticks = {{0, "0"}, {1, "1"}, {2, "2"}, {3, "3"}}},
             .y = {.label = "|C| (m²)", .scale = Scale::logarithmic},
             .curves = {left}});
   page.text(
