@@ -1,6 +1,7 @@
 // Step 3: the matrix of all rows, its factor and its inverse.
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
 
 #include "lessons/03_iterations/held_step.hpp"
@@ -70,13 +71,15 @@ void all_at_once(Page& page, const Knobs& knobs) {
   page.formula("A λ = −(JV + b),   A = JM⁻¹Jᵀ, @ × @",
                R"(A\,\lambda = -(JV + b), \qquad A = JM^{-1}J^T, \quad @ \times @)", n, n);
   page.text(
-      "Row i of A has three numbers that are not zero, because a joint shares bobs only with the one above and "
-      "the "
-      "one below: A is *sparse*, @ of @ entries. Its inverse is *full*: every joint's λ depends on every row's "
-      "error. "
-      "Read a column of A⁻¹ as an answer: \"if only this row is wrong, what must each joint do?\" The blow goes "
-      "through all joints up to the anchor, at full strength, and joints below feel what hangs on them. One "
-      "sweep of the last step could not know that; A⁻¹ does.",
+      "Row i of A has at most three numbers that are not zero, because a joint shares bobs only with the one "
+      "above and "
+      "the one below: A is *sparse*, @ of @ entries. Its inverse is *full*: every joint's λ depends on every "
+      "row's "
+      "error. Read a column of A⁻¹ as an answer: \"if only this row is wrong, what must each joint do?\" The pull "
+      "goes "
+      "at full strength through all joints up to the anchor; below, each joint passes on what the bobs under it "
+      "need. "
+      "One sweep of the last step could not know that; A⁻¹ does.",
       nonzeros(A), n * n);
   page.figure("matrices",
               say("Left: A, @ entries that are not zero. Middle: its Cholesky factor, A = GGᵀ, with @. Right: its "

@@ -1,5 +1,6 @@
 // Step 4: how errors shrink from sweep to sweep.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 

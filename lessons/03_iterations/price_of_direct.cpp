@@ -1,6 +1,6 @@
 // Deeper: what the direct solve of a chain costs.
 
-#include <cmath>
+#include <algorithm>
 
 #include "lessons/03_iterations/held_step.hpp"
 #include "lessons/03_iterations/knobs.hpp"

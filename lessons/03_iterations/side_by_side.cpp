@@ -1,5 +1,6 @@
 // Step 7: the same chain with few sweeps, many and all at once.
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
