@@ -35,10 +35,12 @@ class Game {
   }
   bool over() const { return queue_.empty(); }
 
-  void release(int node) {
-    if (!waiting_[node]) return;
+  /// Lets a node go that waits; returns whether it did.
+  bool release(int node) {
+    if (!waiting_[node]) return false;
     waiting_[node] = false;
     enqueue(node);
+    return true;
   }
 
   /// Eliminates the next node and makes its neighbours a clique.
@@ -75,6 +77,31 @@ class Game {
   std::set<std::tuple<std::size_t, long, int>> queue_;
   long next_ticket_ = 0;
 };
+
+/// Which edges can have a folded body each, no two the same. Leaves are given away first, so that trees are served
+/// whole.
+std::vector<char> with_own_body(const Graph& graph, const std::vector<std::vector<int>>& edges,
+                                const std::vector<char>& folded) {
+  std::vector<char> served(graph.edges.size(), 0);
+  std::vector<int> unserved(graph.bodies, 0), stack;  // what is pushed last is given away first
+  for (int body = 0; body < graph.bodies; ++body) {
+    if (!folded[body]) continue;
+    unserved[body] = static_cast<int>(edges[body].size());
+    stack.push_back(body);
+  }
+  std::stable_partition(stack.begin(), stack.end(), [&](int body) { return unserved[body] != 1; });
+  while (!stack.empty()) {
+    const int body = stack.back();
+    stack.pop_back();
+    if (unserved[body] <= 0) continue;
+    const int edge = *std::find_if(edges[body].begin(), edges[body].end(), [&](int e) { return !served[e]; });
+    served[edge] = 1;
+    unserved[body] = 0;
+    for (const int end : {graph.edges[edge].body1, graph.edges[edge].body2})
+      if (end != Edge::no_body && end != body && --unserved[end] == 1) stack.push_back(end);
+  }
+  return served;
+}
 
 long long multiplications(const Elimination& plan) {
   long long count = 0;
@@ -152,19 +179,22 @@ Elimination plan_elimination(const Graph& graph, int dof) {
   const int count = edge_nodes + static_cast<int>(hub_of.size());
   Game game(count);
   for (const Meeting& meeting : meetings) game.join(meeting.a, meeting.b);
-  const auto folded = [&](int body) { return body != Edge::no_body && plan.folded[body]; };
-  for (int node = 0; node < edge_nodes; ++node) {
-    const Edge& edge = graph.edges[edge_of[node]];
-    if (!folded(edge.body1) && !folded(edge.body2)) game.let_wait(node);
+  if (!hub_of.empty()) {
+    const auto served = with_own_body(graph, edges, plan.folded);
+    for (int node = 0; node < edge_nodes; ++node)
+      if (!served[edge_of[node]]) game.let_wait(node);
   }
   game.start();
   std::vector<int> sequence, place(count);
-  while (!game.over()) {
+  while (static_cast<int>(sequence.size()) < count) {
+    if (game.over())  // the hubs are gone, and what is left of A is whole
+      for (int node = 0; node < edge_nodes; ++node) game.release(node);
     const int node = game.eliminate();
     place[node] = static_cast<int>(sequence.size());
     sequence.push_back(node);
     if (node >= edge_nodes)
-      for (const int e : edges[hub_of[node - edge_nodes]]) game.release(node_of_edge[e]);
+      for (const int e : edges[hub_of[node - edge_nodes]])
+        if (game.release(node_of_edge[e])) break;  // the hub is now a body of its own for one of them
   }
 
   const auto take = [&](int rows, int columns) {

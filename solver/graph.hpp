@@ -70,9 +70,9 @@ struct Elimination {
 };
 
 /// Plans by minimum degree with first-in-first-out ties, which takes a chain from both ends. A body with at
-/// most three edges is folded into A; with more it would make a clique of them, and stays an unknown. An edge
-/// waits until a body of its own is folded or eliminated, else its own block would be empty. `dof` is the
-/// size of a hub.
+/// most three edges is folded into A; with more it would make a clique of them, and stays an unknown. Before
+/// the hubs have gone A lacks their share, and is definite only among edges that have a body each, folded or
+/// eliminated: the others wait. `dof` is the size of a hub.
 Elimination plan_elimination(const Graph& graph, int dof);
 
 }  // namespace byhand

@@ -1,0 +1,255 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "solver/constraints/contact.hpp"
+#include "solver/constraints/friction.hpp"
+#include "solver/scenes/branches.hpp"
+#include "solver/scenes/chain.hpp"
+#include "tests/solver/solving.hpp"
+
+// Bad input is refused where it enters, in one sentence with the value and what is allowed, and leaves nothing
+// behind.
+namespace {
+
+using namespace byhand;
+using testing::AllOf, testing::HasSubstr, testing::StartsWith, testing::ThrowsMessage;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+const double nan = std::nan("");
+
+/// Expects the sentence "`name` is `value`, but it must be `allowed`".
+template <class F>
+void expect_refusal(F&& f, const std::string& name_and_value, const std::string& allowed) {
+  EXPECT_THAT(f, ThrowsMessage<std::invalid_argument>(
+                     AllOf(StartsWith(name_and_value), HasSubstr(", but it must be "), HasSubstr(allowed))));
+}
+
+TEST(Mass, MustBePositiveAndFinite) {
+  for (const auto& [bad, text] : {std::pair(0.0, "0"), {-3.0, "-3"}, {infinity, "inf"}, {nan, "nan"}}) {
+    const double mass = bad;
+    const std::string name = std::string("mass is ") + text;
+    expect_refusal([&] { with_mass<PlaneParticle>(mass); }, name, "positive finite number [kg]");
+    expect_refusal([&] { with_mass<SpaceBody>(mass, {1, 1, 1}); }, name, "positive finite number [kg]");
+    expect_refusal([&] { ball<PlaneBody>(mass, 1); }, name, "positive finite number [kg]");
+    expect_refusal([&] { box<SpaceBody>(mass, {1, 1, 1}); }, name, "positive finite number [kg]");
+  }
+  expect_refusal([] { with_mass<SpaceBody>(1, {1, -2, 1}); }, "moment of inertia is -2", "[kg m²]");
+  expect_refusal([] { ball<PlaneBody>(1, 0); }, "radius is 0", "[m]");
+  expect_refusal([] { box<SpaceBody>(1, {1, 1, nan}); }, "side is nan", "[m]");
+}
+
+/// A scene of two bodies, and a check that what is refused leaves it as it was.
+template <class M>
+struct Subject {
+  Scene<M, Distance, NormalisedDistance, Pin, Contact, Friction> scene;
+  Random random;
+
+  Subject() {
+    for (int i = 0; i < 2; ++i) scene.add_body(random.pose<M>(), random.mass<M>());
+  }
+  template <class F>
+  void refuses(F&& f, const std::string& name_and_value, const std::string& allowed) {
+    const int bodies = scene.bodies.size(), constraints = scene.count();
+    expect_refusal(f, name_and_value, allowed);
+    EXPECT_EQ(scene.bodies.pose.size(), bodies);
+    EXPECT_EQ(scene.bodies.velocity.size(), bodies);
+    EXPECT_EQ(scene.bodies.inverse_mass.size(), bodies);
+    EXPECT_EQ(scene.count(), constraints);
+    int visited = 0;
+    scene.for_each([&](const auto&) { ++visited; });
+    EXPECT_EQ(visited, constraints);
+    EXPECT_EQ(scene.template all<Distance>().size() + scene.template all<Pin>().size() +
+                  scene.template all<NormalisedDistance>().size() + scene.template all<Contact>().size() +
+                  scene.template all<Friction>().size(),
+              constraints);
+  }
+};
+
+TEST(Body, MustBeSomewhereFiniteWithAMassThatIsPositiveOrNone) {
+  in_all_models([]<class M>(Random& random) {
+    Subject<M> subject;
+    auto& scene = subject.scene;
+    const auto mass = random.mass<M>();
+    for (const double bad : {infinity, -infinity, nan}) {
+      Pose<M> pose;
+      pose.position[1] = bad;
+      Velocity<M> V = Velocity<M>::Zero();
+      V[M::dof - 1] = bad;
+      subject.refuses([&] { scene.add_body(pose, mass); }, fmt::format("position is {}", bad),
+                      "finite number [m]");
+      subject.refuses([&] { scene.add_body(Pose<M>{}, mass, V); }, fmt::format("velocity is {}", bad),
+                      "finite number");
+    }
+    for (const double bad : {-1.0, infinity, nan}) {
+      InverseMass<M> wrong = mass;
+      wrong.linear = bad;
+      subject.refuses([&] { scene.add_body(Pose<M>{}, wrong); }, fmt::format("inverse mass is {}", bad),
+                      "positive and finite, or zero throughout for a fixed body");
+    }
+    subject.refuses([&] { scene.add_body(Pose<M>{}, fixed<M>(), Velocity<M>(Velocity<M>::Unit(0))); },
+                    "velocity of a fixed body is 1", "zero");
+  });
+  in_both_bodies([]<class M>(Random& random) {
+    Subject<M> subject;
+    auto& scene = subject.scene;
+    InverseMass<M> cannot_turn = random.mass<M>(), only_turns = cannot_turn;
+    cannot_turn.angular.setZero();
+    only_turns.linear = 0;
+    subject.refuses([&] { scene.add_body(Pose<M>{}, cannot_turn); }, "inverse moment of inertia is 0", "positive");
+    subject.refuses([&] { scene.add_body(Pose<M>{}, only_turns); }, "inverse moment of inertia is",
+                    "zero throughout");
+  });
+  Subject<PlaneBody> plane;
+  Pose<PlaneBody> pose;
+  pose.rotation = {2, 0};
+  plane.refuses([&] { plane.scene.add_body(pose, ball<PlaneBody>(1, 1)); }, "squared length of the rotation is 4",
+                "1");
+  Subject<SpaceBody> space;
+  Pose<SpaceBody> turned;
+  turned.rotation.coeffs() << nan, 0, 0, 1;
+  space.refuses([&] { space.scene.add_body(turned, ball<SpaceBody>(1, 1)); },
+                "squared length of the rotation is nan", "1");
+}
+
+TEST(Constraint, MustJoinTwoBodiesOfTheScene) {
+  in_all_models([]<class M>(Random&) {
+    Subject<M> subject;
+    auto& scene = subject.scene;
+    const std::string allowed = "at least 0 and less than 2, the number of bodies";
+    subject.refuses([&] { scene.add(Distance<M>{{0, 2}}); }, "body index is 2", allowed);
+    subject.refuses([&] { scene.add(NormalisedDistance<M>{{-1, 0}}); }, "body index is -1", allowed);
+    subject.refuses([&] { scene.add(Pin<M>{{7, 0}}); }, "body index is 7", allowed);
+    subject.refuses([&] { scene.add(Contact<M>{{0, 3}}); }, "body index is 3", allowed);
+    subject.refuses([&] { scene.add(Pin<M>{{1, 1}}); }, "body index is 1", "another one");
+    subject.refuses([&] { pin<M>(scene.bodies, 0, 5, Linear<M>::Zero()); }, "body index is 5", allowed);
+    if constexpr (M::angular > 0) {
+      Pin<M> far{{0, 1}};
+      far.at.arms.second[1] = infinity;
+      subject.refuses([&] { scene.add(far); }, "arm is inf", "finite number [m]");
+    }
+  });
+}
+
+TEST(Rod, MustHaveALengthAndADirection) {
+  in_all_models([]<class M>(Random&) {
+    Subject<M> subject;
+    auto& scene = subject.scene;
+    for (const double bad : {0.0, -1.0, infinity, nan}) {
+      const std::string name = fmt::format("length is {}", bad);
+      subject.refuses([&] { scene.add(Distance<M>{{0, 1}, bad}); }, name, "positive finite number [m]");
+      subject.refuses([&] { scene.add(NormalisedDistance<M>{{0, 1}, bad}); }, name, "positive finite number [m]");
+    }
+    scene.bodies.pose[1] = scene.bodies.pose[0];
+    const std::string name = "distance between the rod's ends is 0";
+    subject.refuses([&] { scene.add(Distance<M>{{0, 1}, 1}); }, name, "above zero [m]");
+    subject.refuses([&] { scene.add(NormalisedDistance<M>{{0, 1}, 1}); }, name, "above zero [m]");
+  });
+}
+
+TEST(Softness, MustNotBeNegative) {
+  in_all_models([]<class M>(Random&) {
+    Subject<M> subject;
+    auto& scene = subject.scene;
+    for (const double bad : {-1.0, infinity, nan}) {
+      const std::string name = fmt::format("softness is {}", bad);
+      subject.refuses([&] { scene.add(Distance<M>{{0, 1}, 1, bad}); }, name, "between 0 and");
+      subject.refuses([&] { scene.add(NormalisedDistance<M>{{0, 1}, 1, bad}); }, name, "between 0 and");
+      subject.refuses([&] { scene.add(Pin<M>{{0, 1}, bad}); }, name, "between 0 and");
+      subject.refuses([&] { scene.add(Contact<M>{{0, 1}, Linear<M>::Unit(0), bad}); }, name, "between 0 and");
+    }
+  });
+}
+
+TEST(Contact, MustHaveAUnitNormal) {
+  in_all_models([]<class M>(Random&) {
+    Subject<M> subject;
+    auto& scene = subject.scene;
+    for (const double bad : {0.0, 2.0, nan})
+      subject.refuses(
+          [&] {
+            scene.add(Contact<M>{{0, 1}, bad * Linear<M>::Unit(0)});
+          },
+          fmt::format("length of the normal is {}", bad), "between 0.999999999 and 1.000000001");
+  });
+}
+
+TEST(Friction, MustFollowAContactWithUnitTangentsAndACoefficient) {
+  in_all_models([]<class M>(Random&) {
+    Subject<M> subject;
+    auto& scene = subject.scene;
+    const auto tangents = tangents_of<M>(Linear<M>::Unit(1));
+    const std::string allowed = "the number of a contact that was added before";
+    subject.refuses([&] { scene.add(Friction<M>{{0, 1}, tangents, 0.5, 0}); }, "leading constraint is 0", allowed);
+    const int rod = scene.add(Distance<M>{{0, 1}, 1});
+    const int contact = scene.add(Contact<M>{{0, 1}, Linear<M>::Unit(1)});
+    subject.refuses(
+        [&] {
+          scene.add(Friction<M>{{0, 1}, tangents, 0.5, rod});
+        },
+        "leading constraint is 0", allowed);
+    subject.refuses(
+        [&] {
+          scene.add(Friction<M>{{0, 1}, tangents, 0.5, -1});
+        },
+        "leading constraint is -1", allowed);
+    subject.refuses([&] { scene.add(Friction<M>{{0, 1}, tangents, 0.5, 2}); }, "leading constraint is 2", allowed);
+    subject.refuses(
+        [&] {
+          scene.add(Friction<M>{{0, 1}, tangents, -0.5, contact});
+        },
+        "friction coefficient is -0.5", "between 0 and");
+    subject.refuses(
+        [&] {
+          scene.add(Friction<M>{{0, 1}, 2 * tangents, 0.5, contact});
+        },
+        "distance of the tangents from orthonormal is", "between 0 and");
+    EXPECT_NO_THROW(scene.add(Friction<M>{{0, 1}, tangents, 0.5, contact}));
+  });
+}
+
+TEST(Step, MustHaveATimeAndChoicesWithinTheirRange) {
+  in_all_models([]<class M>(Random&) {
+    auto scene = rod_chain<M>({.links = 2, .angle = 1});
+    const auto before = scene;
+    Work<M> work;
+    const auto refuses = [&](double h, const VelocityStepping& method, const std::string& name_and_value,
+                             const std::string& allowed) {
+      expect_refusal([&] { advance(scene, method, h, work); }, name_and_value, allowed);
+      EXPECT_EQ(numbers_of<M>(scene.bodies.velocity), numbers_of<M>(before.bodies.velocity));
+      EXPECT_EQ(scene.bodies.pose[2].position, before.bodies.pose[2].position);
+    };
+    for (const double bad : {0.0, -1.0, infinity, nan})
+      refuses(bad, {}, fmt::format("time step is {}", bad), "positive finite number [s]");
+    for (const double bad : {-0.1, 3.1, nan})
+      refuses(0.1, {GaussSeidel{}, Baumgarte{bad}}, fmt::format("beta is {}", bad), "between 0 and 3");
+    refuses(0.1, {GaussSeidel{}, Baumgarte{-1, BetaReading::literal}}, "beta is -1", "[1/s]");
+    refuses(0.1, {GaussSeidel{0}}, "number of sweeps is 0", "at least 1");
+    refuses(0.1, {Jacobi{-2}}, "number of sweeps is -2", "at least 1");
+    for (const double bad : {0.0, 2.0, nan}) {
+      GaussSeidel sweeps;
+      sweeps.relaxation = bad;
+      refuses(0.1, {sweeps}, fmt::format("relaxation is {}", bad), "above 0 and below 2");
+      Jacobi jacobi;
+      jacobi.relaxation = bad;
+      refuses(0.1, {jacobi}, fmt::format("relaxation is {}", bad), "above 0 and below 2");
+    }
+    refuses(0.1, {Direct{Factorisation::structured, -1}}, "regularisation is -1", "between 0 and 1");
+    VelocityStepping method;
+    method.substeps = 0;
+    refuses(0.1, method, "number of substeps is 0", "at least 1");
+  });
+}
+
+TEST(Scenes, RefuseWhatTheyCannotBuild) {
+  expect_refusal([] { rod_chain<PlaneParticle>({.links = 0}); }, "number of links is 0", "at least 1");
+  expect_refusal([] { pinned_chain<PlaneBody>({.length = -1}); }, "length of a link is -1", "[m]");
+  expect_refusal([] { rod_chain<SpaceParticle>({.mass = 0}); }, "mass is 0", "[kg]");
+  expect_refusal([] { rod_chain<SpaceParticle>({.end_mass = 0}); }, "end mass is 0", "[kg]");
+  expect_refusal([] { rod_chain<SpaceParticle>({.angle = nan}); }, "position is nan", "finite");
+  expect_refusal([] { pendulum<PlaneParticle>(1, 0, 1); }, "length is 0", "[m]");
+  expect_refusal([] { hinged_rod(1, 1, -1); }, "mass is -1", "[kg]");
+  expect_refusal([] { pinned_tree<PlaneBody>(0); }, "number of levels is 0", "between 1 and 20");
+  expect_refusal([] { pinned_star<PlaneBody>(0); }, "number of arms is 0", "at least 1");
+}
+
+}  // namespace

@@ -1,0 +1,258 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "solver/scenes/branches.hpp"
+#include "solver/scenes/chain.hpp"
+#include "tests/solver/solving.hpp"
+
+// The structured direct solve is held against the dense one on every shape of graph that could break it.
+namespace {
+
+using namespace byhand;
+
+template <class S>
+void expect_structured_is_dense(const S& scene, double regularisation = 0) {
+  const auto structured = solved(scene, Direct{Factorisation::structured, regularisation});
+  const auto dense = solved(scene, Direct{Factorisation::dense, regularisation});
+  EXPECT_LE(difference(structured.velocity, dense.velocity), 1e-9 * (1 + largest(dense.velocity)));
+  EXPECT_LE(difference(structured.lambda, dense.lambda), 1e-8 * (1 + largest(dense.lambda)));
+  if (regularisation == 0) {
+    EXPECT_LE(structured.residual, 1e-10 * (1 + largest(dense.velocity)));
+    EXPECT_LE(dense.residual, 1e-10 * (1 + largest(dense.velocity)));
+  }
+}
+
+TEST(StructuredDirect, IsTheDenseSolveOnChains) {
+  in_all_models([]<class M>(Random& random) {
+    for (const int links : {1, 2, 3, 10, 57}) {
+      SCOPED_TRACE(links);
+      expect_structured_is_dense(with_random_velocities(rod_chain<M>({.links = links, .angle = 1}), random));
+    }
+  });
+  in_both_bodies([]<class M>(Random& random) {
+    for (const int links : {1, 2, 3, 10, 57}) {
+      SCOPED_TRACE(links);
+      expect_structured_is_dense(
+          with_random_velocities(pinned_chain<M>({.links = links, .end_mass = 30, .angle = 1}), random));
+    }
+  });
+}
+
+TEST(StructuredDirect, IsTheDenseSolveOnTrees) {
+  in_both_bodies([]<class M>(Random& random) {
+    for (const int levels : {1, 2, 5})
+      expect_structured_is_dense(with_random_velocities(pinned_tree<M>(levels), random));
+  });
+}
+
+TEST(StructuredDirect, IsTheDenseSolveOnStars) {
+  in_both_bodies([]<class M>(Random& random) {
+    for (const int arms : {1, 2, 3, 4, 5, 30})
+      expect_structured_is_dense(with_random_velocities(pinned_star<M>(arms), random));
+  });
+  Random random;
+  expect_structured_is_dense(with_random_velocities(pinned_star<PlaneBody>(200), random));
+}
+
+TEST(StructuredDirect, IsTheDenseSolveOnRings) {
+  in_all_models([]<class M>(Random& random) {
+    for (const int links : {4, 5, 12}) expect_structured_is_dense(ring<M>(random, links));
+  });
+}
+
+TEST(StructuredDirect, IsTheDenseSolveOnGridsOfHubs) {
+  in_all_models([]<class M>(Random& random) {
+    for (const int n : {2, 3, 4, 6}) expect_structured_is_dense(grid<M>(random, n));
+  });
+}
+
+TEST(StructuredDirect, IsTheDenseSolveWhereALineOfRodsJoinsTwoHubs) {
+  in_all_models([]<class M>(Random& random) {
+    Scene<M, Distance> scene;
+    const int hubs[] = {0, 2};
+    for (int i = 0; i < 3; ++i)
+      scene.add_body(Linear<M>(2.0 * i * Linear<M>::Unit(0)), random.mass<M>(), random.velocity<M>());
+    for (const int hub : hubs) {
+      scene.add(Distance<M>{{hub, 1}, 2});
+      for (int i = 0; i < 4; ++i)
+        scene.add(Distance<M>{{hub, scene.add_body(random.pose<M>(), random.mass<M>(), random.velocity<M>())}});
+    }
+    expect_structured_is_dense(scene);
+  });
+}
+
+TEST(StructuredDirect, IsTheDenseSolveWhereALinkJoinsTwoHubs) {
+  in_both_bodies([]<class M>(Random& random) {
+    Scene<M, Pin> scene;
+    const auto body = [&] { return scene.add_body(random.pose<M>(), random.mass<M>(), random.velocity<M>()); };
+    const auto join = [&](int a, int b) {
+      scene.add(pin<M>(scene.bodies, a, b, Linear<M>(random.vector<M::linear>(2))));
+    };
+    const int link = body();
+    for (const int hub : {body(), body()}) {
+      join(hub, link);
+      for (int i = 0; i < 4; ++i) join(hub, body());
+    }
+    expect_structured_is_dense(scene);
+  });
+}
+
+TEST(StructuredDirect, IsTheDenseSolveOnMixedKinds) {
+  in_all_models([]<class M>(Random& random) { expect_structured_is_dense(mixed_chain<M>(random, 20)); }, 5);
+}
+
+TEST(StructuredDirect, IsTheDenseSolveOnRandomGraphs) {
+  in_all_models(
+      []<class M>(Random& random) {
+        const int bodies = 3 + random.index(12);
+        expect_structured_is_dense(random_graph<M>(random, bodies, 1 + random.index(3 * bodies)));
+        expect_structured_is_dense(random_graph<M>(random, bodies, 1 + random.index(3 * bodies)), 1e-3);
+      },
+      50);
+}
+
+TEST(Direct, DividesByARegularisedDiagonal) {
+  auto scene = rod_chain<PlaneParticle>({.links = 1});
+  const double hard = solved(scene, Direct{}).lambda[0];
+  for (const auto factorisation : {Factorisation::structured, Factorisation::dense})
+    EXPECT_NEAR(solved(scene, Direct{factorisation, 0.25}).lambda[0], hard / 1.25, 1e-14);
+}
+
+TEST(Direct, ForgetsWhatLambdaWasBefore) {
+  auto scene = rod_chain<PlaneParticle>({.links = 5, .angle = 1});
+  Work<PlaneParticle> used;
+  for (int i = 0; i < 5; ++i) advance(scene, {Direct{}}, time_step, used);
+  auto fresh = scene;
+  Work<PlaneParticle> none;
+  advance(scene, {Direct{}}, time_step, used);
+  advance(fresh, {Direct{}}, time_step, none);
+  EXPECT_EQ(used.system.lambda, none.system.lambda);
+}
+
+TEST(Direct, RunsASceneWithoutConstraints) {
+  Scene<PlaneParticle, Distance> scene;
+  scene.add_body({0, 0}, with_mass<PlaneParticle>(1));
+  for (const auto factorisation : {Factorisation::structured, Factorisation::dense}) {
+    Work<PlaneParticle> work;
+    EXPECT_NO_THROW(advance(scene, {Direct{factorisation}}, time_step, work));
+  }
+  EXPECT_NEAR(scene.bodies.velocity[0].y(), -2 * 9.81 * time_step, 1e-15);
+}
+
+/// A hanging bob whose one rod is there twice, with two lengths.
+template <class M>
+Scene<M, NormalisedDistance> doubled_rod(double length1, double length2) {
+  Scene<M, NormalisedDistance> scene;
+  scene.add_body(Linear<M>(Linear<M>::Zero()), fixed<M>());
+  InverseMass<M> bob;
+  if constexpr (M::angular == 0)
+    bob = with_mass<M>(3);
+  else
+    bob = ball<M>(3, 0.1);
+  scene.add_body(Linear<M>(-length1 * Linear<M>::Unit(1)), bob);
+  scene.add(NormalisedDistance<M>{{0, 1}, length1});
+  scene.add(NormalisedDistance<M>{{0, 1}, length2});
+  return scene;
+}
+
+TEST(SingularSystem, IsRefusedInASentenceAndLeavesTheVelocities) {
+  in_all_models([]<class M>(Random&) {
+    for (const auto factorisation : {Factorisation::structured, Factorisation::dense}) {
+      auto scene = doubled_rod<M>(1, 1);
+      scene.gravity.setZero();
+      scene.bodies.velocity[1][0] = 1;
+      Work<M> work;
+      EXPECT_THAT([&] { advance(scene, {Direct{factorisation}}, time_step, work); },
+                  testing::ThrowsMessage<SingularSystem>(testing::HasSubstr("regularisation above 0")));
+      EXPECT_EQ(scene.bodies.velocity[1], Velocity<M>(Velocity<M>::Unit(0)));
+    }
+  });
+}
+
+TEST(SingularSystem, WithRegularisationHasTheRightSumOfImpulses) {
+  in_all_models([]<class M>(Random&) {
+    for (const auto factorisation : {Factorisation::structured, Factorisation::dense}) {
+      const auto answer = solved(doubled_rod<M>(1, 1), Direct{factorisation, 1e-9});
+      EXPECT_NEAR(answer.lambda[0] + answer.lambda[1], -3 * 9.81 * time_step, 1e-8);
+      EXPECT_NEAR(answer.lambda[0], answer.lambda[1], 1e-6) << "two equal rods share";
+    }
+  });
+}
+
+TEST(SingularSystem, OfALoopWithoutFreedomIsFound) {
+  // A body pinned three times to the ground: six rows for three freedoms.
+  Scene<PlaneBody, Pin> scene;
+  const int ground = scene.add_body({0, 0}, fixed<PlaneBody>());
+  const int body = scene.add_body({0.3, 0.2}, ball<PlaneBody>(1, 1));
+  for (const double x : {-1.0, 0.5, 2.0}) scene.add(pin<PlaneBody>(scene.bodies, ground, body, {x, x * x}));
+  EXPECT_THROW(solved(scene, Direct{}), SingularSystem);
+  EXPECT_THROW(solved(scene, Direct{Factorisation::dense}), SingularSystem);
+  const auto soft = solved(scene, Direct{Factorisation::structured, 1e-9});
+  EXPECT_LE(largest(soft.velocity), 1e-7);
+}
+
+/// |λ| of both rods of 1.0 m and 1.1 m after so many steps.
+template <class M>
+double conflict(const RowSolver& solver, double softness, int steps) {
+  auto scene = doubled_rod<M>(1.0, 1.1);
+  scene.bodies.pose[1].position *= 1.05;
+  for (auto& rod : scene.template all<NormalisedDistance>()) rod.softness = softness;
+  Work<M> work;
+  for (int i = 0; i < steps; ++i) advance(scene, {solver}, time_step, work);
+  EXPECT_LE(position_error(scene).max, 0.11) << "the picture looks calm";
+  return std::max(std::abs(work.system.lambda[0]), std::abs(work.system.lambda[1]));
+}
+
+TEST(ConflictingRods, GrowWithoutBoundUnderWarmStart) {
+  in_all_models([]<class M>(Random&) {
+    const double at_300 = conflict<M>(GaussSeidel{}, 0, 300), at_600 = conflict<M>(GaussSeidel{}, 0, 600),
+                 at_900 = conflict<M>(GaussSeidel{}, 0, 900);
+    EXPECT_GT(at_600, 1.5 * at_300);
+    EXPECT_NEAR(at_900 - at_600, at_600 - at_300, 1e-3 * at_300) << "linearly";
+  });
+}
+
+TEST(ConflictingRods, AreBoundedBySoftnessAndByARegularisedDirectSolve) {
+  in_all_models([]<class M>(Random&) {
+    const double softness = 1e-2 / 3;  // a hundredth of JM⁻¹Jᵀ
+    EXPECT_NEAR(conflict<M>(GaussSeidel{}, softness, 900), conflict<M>(GaussSeidel{}, softness, 1800), 0.1);
+    const Direct direct{Factorisation::structured, 1e-2};
+    EXPECT_NEAR(conflict<M>(direct, 0, 300), conflict<M>(direct, 0, 600), 1e-6);
+    EXPECT_LE(conflict<M>(direct, 0, 900), 1.1 * 0.2 * 0.05 / time_step / softness)
+        << "half of the conflict, β/h · 0.05 m, over the softness";
+  });
+}
+
+TEST(RowsWithoutEffect, GetNoImpulseInAnySolver) {
+  in_all_models([]<class M>(Random& random) {
+    Scene<M, Distance, Pin> scene;
+    const int post1 = scene.add_body(random.pose<M>(), fixed<M>());
+    const int post2 = scene.add_body(random.pose<M>(), fixed<M>());
+    const int bob = scene.add_body(random.pose<M>(), random.mass<M>(), random.velocity<M>());
+    scene.add(Distance<M>{{post1, post2}, 1});
+    scene.add(Distance<M>{{post1, bob}, 1});
+    scene.add(Pin<M>{{post2, post1}});
+    for (const RowSolver& solver :
+         {RowSolver(GaussSeidel{}), RowSolver(GaussSeidel{5, true, SweepOrder::coloured}),
+          RowSolver(GaussSeidel{5, true, SweepOrder::natural, BlockSolve::row_by_row}), RowSolver(Jacobi{}),
+          RowSolver(Direct{}), RowSolver(Direct{Factorisation::dense})}) {
+      const auto answer = solved(scene, solver);
+      EXPECT_EQ(answer.lambda[0], 0);
+      EXPECT_NE(answer.lambda[1], 0);
+      for (int k = 0; k < M::linear; ++k) EXPECT_EQ(answer.lambda[2 + k], 0);
+      EXPECT_LT(largest(answer.velocity), 1e3);
+    }
+    // A rod whose ends have come together since it was added: J is zero.
+    Scene<M, Distance, NormalisedDistance> vanishing;
+    vanishing.add_body(Linear<M>(Linear<M>::Zero()), fixed<M>());
+    vanishing.add_body(Linear<M>(Linear<M>::Unit(0)), random.mass<M>());
+    vanishing.add(Distance<M>{{0, 1}, 1});
+    vanishing.add(NormalisedDistance<M>{{0, 1}, 1});
+    vanishing.bodies.pose[1].position.setZero();
+    for (const RowSolver& solver : {RowSolver(GaussSeidel{}), RowSolver(Jacobi{}), RowSolver(Direct{}),
+                                    RowSolver(Direct{Factorisation::dense})})
+      EXPECT_EQ(largest(solved(vanishing, solver).lambda), 0);
+  });
+}
+
+}  // namespace
