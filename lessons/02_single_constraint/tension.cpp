@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "lessons/02_single_constraint/steps.hpp"
 #include "lessons/02_single_constraint/swing.hpp"
 #include "lessons/pictures/growing.hpp"
@@ -41,7 +43,8 @@ void draw_frame(Canvas& canvas, const Sample& now, const Swing& run, const Chart
   canvas.vector(now.position, -now.tension * now.position / now.position.norm(), force);
   canvas.vector(now.position, Vector(0, -weight), {palette::muted, newton, "N"});
   canvas.look_at_page();
-  canvas.text({scene.centre().x(), scene.top() - 14}, say("the rod pulls with @ N", Value(now.tension, 3)),
+  canvas.text({scene.centre().x(), scene.top() - 14},
+              say("the rod pulls with @ N", std::round(10 * now.tension) / 10),
               {.size = 22, .colour = palette::force, .bold = true});
   canvas.text({scene.centre().x(), scene.top() - 44}, say("its weight is @ N", Value(weight, 3)),
               {.size = 20, .colour = palette::muted});
@@ -60,17 +63,10 @@ void tension(const Setting& setting, Page& page) {
   };
   page.text(
       "An impulse is a force times the time it acts. So λ by itself means little: half the step, half the λ. But "
-      "λ|d|/h "
-      "is the force along d, and −λ|d|/h the pull of the rod, its tension. Take the first step again, from @°:
-
-      "
-      "- with h = @ s it is @ N
-          - with h / 4
-      : @N - with h / 64
-      : @N - what the rod must hold, m·g·cosθ
-      : @N ",
-        setting.angle(),
-        setting.h, pull(h), pull(h / 4), pull(h / 64), held);
+      "λ|d|/h is the force along d, and −λ|d|/h the pull of the rod, its tension. Take the first step again, from "
+      "@°:\n\n- with h = @ s it is @ N\n- with h/4: @ N\n- with h/64: @ N\n- what the rod must hold, m·g·cosθ: @ "
+      "N",
+      setting.angle(), setting.h, pull(h), pull(h / 4), pull(h / 64), held);
   double worst = 0;
   for (int i = 0; i <= 6; ++i) worst = std::max(worst, std::abs(pull(h / (1 << i)) - held));
   page.claim({.quantity = "tension at release, the worst of h … h/64",
