@@ -99,16 +99,21 @@ void draw_touch(renderer::Canvas& canvas, const Settings& set) {
   canvas.line(at.box.position, p2, {palette::muted, 1.8, renderer::Dash::dashed});
   const Jacobian<M, 1> J = at.row();
   draw_row(canvas, J, at.plank.position, at.box.position,
-           {0.3 * length, 3.5 / length, 0.13 * length, "l_1 = −n",
-            tutor::say("a_1 = −r_1 × n = @ m", tutor::Value(J.a1()(0, 0), 3)), "l_2 = n",
-            tutor::say("a_2 = r_2 × n = @ m", tutor::Value(J.a2()(0, 0), 3))});
+           {.scale = 0.36 * length,
+            .radius = 0.11 * length,
+            .l1 = "l_1 = −n",
+            .a1 = tutor::say("a_1 = −r_1 × n = @ m", tutor::Value(J.a1()(0, 0), 3)),
+            .l2 = "l_2 = n",
+            .a2 = tutor::say("a_2 = r_2 × n = @ m", tutor::Value(J.a2()(0, 0), 3)),
+            .a1_aside = {-0.3 * length, -0.22 * length},
+            .a2_aside = {0.56 * length, 0.02 * length}});
   canvas.arrow(p2, p2 + 0.25 * length * n, {palette::ink, 3});
   renderer::TextStyle style{.size = 20, .anchor = renderer::Anchor::right, .halo = 3, .offset = {-10, 6}};
   canvas.text(p2 + 0.25 * length * n, "n", style);
   canvas.mark(p2, renderer::Mark::disc, palette::error, 10);
   const renderer::TextStyle name{.size = 20, .colour = palette::muted, .halo = 3};
-  canvas.text(at.plank.position - 0.55 * length * at.along_plank(), "body 1", name);
-  canvas.text(at.box.position + rotate(at.box.rotation, Linear<M>(0.1 * length, 0.14 * length)), "body 2", name);
+  canvas.text(at.plank.position - 0.6 * length * at.along_plank(), "body 1", name);
+  canvas.text(at.box.position + rotate(at.box.rotation, Linear<M>(0.12 * length, 0.14 * length)), "body 2", name);
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ void draw_sliding(renderer::Canvas& canvas, const Settings& set) {
   space.sphere({0, 0, shaft}, 1.6 * shaft, palette::error);
   canvas.draw(space);
   for (const Named& arrow : arrows)
-    canvas.text(space.project(arrow.tip * 1.1), arrow.name, {.size = 22, .colour = arrow.colour, .halo = 3});
+    canvas.text(space.project(arrow.tip * 1.2), arrow.name, {.size = 22, .colour = arrow.colour, .halo = 3});
 }
 
 }  // namespace

@@ -92,7 +92,7 @@ void draw_probe(renderer::Canvas& canvas, const Pair& pair, const Row& row, cons
 
 /// Where J's arrow on the bob points, for bobs outside and inside the circle.
 void draw_field(renderer::Canvas& canvas, double length) {
-  canvas.look(renderer::fit({-2.75 * length, -1.45 * length, 5.5 * length, 2.9 * length}, canvas.page(), 10));
+  canvas.look(renderer::fit({-2.75 * length, -1.8 * length, 5.5 * length, 3.6 * length}, canvas.page(), 10));
   std::vector<Point> circle;
   for (int i = 0; i <= 120; ++i) {
     const double at = 2 * std::numbers::pi * i / 120;
@@ -121,7 +121,7 @@ void draw_field(renderer::Canvas& canvas, double length) {
   canvas.text({56, 604}, "on the circle, C = 0", style);
   canvas.mark({40, 568}, renderer::Mark::disc, palette::velocity, 13);
   canvas.text({56, 568}, "too short, C < 0", style);
-  canvas.look(renderer::fit({-2.75 * length, -1.45 * length, 5.5 * length, 2.9 * length}, canvas.page(), 10));
+  canvas.look(renderer::fit({-2.75 * length, -1.8 * length, 5.5 * length, 3.6 * length}, canvas.page(), 10));
   canvas.arrow_key({40, 520}, kind, "l_2 = d,");
 }
 
@@ -130,8 +130,8 @@ void say_swap(tutor::Page& page, const Pair& pair, const Row& row, double exact)
   page.text(
       "*What if you name the bodies the other way round?* Then d turns into −d. Written as a list, the linear "
       "entries of the row change sign: l₁ was @ and becomes @.\n\nBut look at the bodies and not at the list: "
-      "that "
-      "new l₁ belongs to what used to be body 2. The two blocks of the row have changed places, and so each body "
+      "that new "
+      "l₁ belongs to what used to be body 2. The two blocks of the row have changed places, and so each body "
       "keeps its arrows. It has to be so: (2) does not care which end you call the first.",
       vector(row.segment<2>(0).transpose()), vector(other.segment<2>(0).transpose()));
   page.claim({.quantity = "row after the swap − row with its blocks exchanged",
@@ -172,17 +172,22 @@ void inspection(tutor::Page& page, const Settings& set) {
       "A row is a picture on its bodies. l is an arrow on the body's centre, a is a bow around it; an arrow on "
       "one "
       "side has its counterpart on the other.");
-  page.figure("row", "The four parts of J, drawn on the bodies that they belong to.",
-              [=](renderer::Canvas& canvas) {
-                canvas.look(renderer::fit({-1.05 * length, -0.7 * length, 3.9 * length, 1.8 * length},
-                                          canvas.page().inset(10), 10));
-                draw(canvas, pair, sides, false);
-                draw_row(canvas, J, pair.pose1.position, pair.pose2.position,
-                         {0.32, 4 / (length * length), 0.16 * length, tutor::say("l_1 = −d"),
-                          tutor::say("a_1 = −r_1 × d = @ m²", tutor::Value(J.a1()(0, 0), 3)), "l_2 = d",
-                          tutor::say("a_2 = r_2 × d = @ m²", tutor::Value(J.a2()(0, 0), 3))});
-                canvas.arrow_key({40, 40}, {palette::constraint, 0.32, "m"}, "l");
-              });
+  page.figure(
+      "row", "The four parts of J, drawn on the bodies that they belong to.", [=](renderer::Canvas& canvas) {
+        canvas.look(
+            renderer::fit({-0.75 * length, -0.65 * length, 3.1 * length, 1.5 * length}, canvas.page(), 10));
+        draw(canvas, pair, sides, false);
+        draw_row(canvas, J, pair.pose1.position, pair.pose2.position,
+                 {.scale = 0.5 * length / J.l2().norm(),
+                  .radius = 0.14 * length,
+                  .l1 = "l_1 = −d",
+                  .a1 = tutor::say("a_1 = −r_1 × d = @ m²", tutor::Value(J.a1()(0, 0), 3)),
+                  .l2 = "l_2 = d",
+                  .a2 = tutor::say("a_2 = r_2 × d = @ m²", tutor::Value(J.a2()(0, 0), 3)),
+                  .a1_aside = {0, -0.46 * length},
+                  .a2_aside = {0, -0.5 * length}});
+        canvas.arrow_key({40, 40}, {palette::constraint, 0.5 * length / J.l2().norm(), "m"}, "l:");
+      });
 
   // J's arrow on a bob of a rod with this pair's error, and the way out from the anchor.
   const Distance<PlaneParticle> rod{{0, 1}, length};

@@ -52,34 +52,25 @@ void draw_bow(Canvas& canvas, const Point& centre, double radius, double from, d
 
 void draw_row(Canvas& canvas, const Jacobian<PlaneBody, 1>& J, const Point& centre1, const Point& centre2,
               const RowArrows& arrows) {
-  const Stroke stroke{palette::constraint, 3.4};
   struct Side {
-    Point centre;
-    Point l;
+    Point centre, l;
     double a;
     const std::string &l_text, &a_text;
+    Point aside;
   };
-  for (const Side& side : {Side{centre1, J.l1().transpose(), J.a1()(0, 0), arrows.l1, arrows.a1},
-                           Side{centre2, J.l2().transpose(), J.a2()(0, 0), arrows.l2, arrows.a2}}) {
-    const Point tip = side.centre + arrows.scale * side.l;
-    canvas.arrow(side.centre, tip, stroke);
-    // Bows open on the side away from the arrow.
-    const double back = std::atan2(-side.l.y(), -side.l.x());
-    const double turn = std::clamp(arrows.turn * side.a, -1.8 * std::numbers::pi, 1.8 * std::numbers::pi);
-    draw_bow(canvas, side.centre, arrows.radius, back - turn / 2, turn, stroke);
-    const renderer::TextStyle style{.size = 18, .colour = palette::constraint, .halo = 3};
-    if (!side.l_text.empty()) {
-      renderer::TextStyle beside = style;
-      beside.anchor = side.l.x() > 0 ? renderer::Anchor::left : renderer::Anchor::right;
-      beside.offset = {side.l.x() > 0 ? 10.0 : -10.0, 0};
-      canvas.text(tip, side.l_text, beside);
-    }
-    if (!side.a_text.empty()) {
-      renderer::TextStyle below = style;
-      below.anchor = renderer::Anchor::top;
-      below.offset = {0, -8};
-      canvas.text(side.centre - Point(0, arrows.radius), side.a_text, below);
-    }
+  const double a1 = J.a1()(0, 0), a2 = J.a2()(0, 0), largest = std::max({std::abs(a1), std::abs(a2), 1e-12});
+  const renderer::TextStyle style{.size = 20, .colour = palette::constraint, .halo = 3};
+  for (const Side& side : {Side{centre1, J.l1().transpose(), a1, arrows.l1, arrows.a1, arrows.a1_aside},
+                           Side{centre2, J.l2().transpose(), a2, arrows.l2, arrows.a2, arrows.a2_aside}}) {
+    const Point tip = side.centre + arrows.scale * side.l, ahead = side.l.normalized();
+    canvas.arrow(side.centre, tip, {palette::constraint, 4});
+    // Bows open on the side away from the arrow; the larger one over 230°.
+    const double back = std::atan2(-ahead.y(), -ahead.x()), turn = 4 * side.a / largest;
+    draw_bow(canvas, side.centre, arrows.radius, back - turn / 2, turn, {palette::constraint, 3.4});
+    renderer::TextStyle beyond = style;
+    beyond.offset = {32 * ahead.x(), 18 * ahead.y()};
+    canvas.text(tip, side.l_text, beyond);
+    canvas.text(side.centre + side.aside, side.a_text, style);
   }
 }
 

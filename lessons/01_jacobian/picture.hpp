@@ -13,11 +13,13 @@ tutor::Value vector(const Linear<PlaneBody>& v);
 /// The boxes, the rod, the arms and their names, in the world of the canvas's camera.
 void draw(renderer::Canvas& canvas, const Pair& pair, const Linear<PlaneBody>& sides, bool named);
 
-/// The four parts of a row on its two bodies: l as an arrow from the centre, `scale` world units for one metre of
-/// J, and a as a bow round it that opens by `turn` radians for one square metre. Texts beside them, if not empty.
+/// The four parts of a row on its two bodies: l as an arrow from the centre, `scale` world units for one unit of
+/// l, and a as a bow round it, `radius` wide, that opens the farther the larger it is. The texts of a stand at a
+/// place beside the centre, in the world.
 struct RowArrows {
-  double scale = 1, turn = 1, radius = 0.3;
+  double scale = 1, radius = 0.3;
   std::string l1 = {}, a1 = {}, l2 = {}, a2 = {};
+  renderer::Point a1_aside{0, 0}, a2_aside{0, 0};
 };
 void draw_row(renderer::Canvas& canvas, const Jacobian<PlaneBody, 1>& J, const renderer::Point& centre1,
               const renderer::Point& centre2, const RowArrows& arrows);

@@ -57,8 +57,7 @@ void draw_discs(renderer::Canvas& canvas, const Discs& at, double length) {
   renderer::TextStyle blue = style;
   blue.colour = palette::constraint;
   canvas.text(x2 + (at.radius2 + 0.2 * length) * n, "n", blue);
-  canvas.text((p1 + p2) / 2 - 0.14 * length * aside + Point(0.02 * length, 0),
-              tutor::say("C = @ m", tutor::Value(at.value(), 3)), red);
+  canvas.text((p1 + p2) / 2 - 0.25 * length * aside, tutor::say("C = @ m", tutor::Value(at.value(), 3)), red);
 }
 
 }  // namespace

@@ -73,14 +73,14 @@ void draw_lever(renderer::Canvas& canvas, const renderer::Rectangle& frame, cons
   const Point r = pair.r2(), d = pair.d(), ahead = d.normalized();
   const double arm = r.norm(), size = d.norm();
   const Point foot = r - ahead * r.dot(ahead);  // where the line of d passes closest to the centre
-  canvas.look(renderer::fit({-1.1 * arm, -1.35 * size, 3 * arm, 2.5 * size}, frame, 8));
-  canvas.box({0, 0}, {2 * arm, 1.2 * arm}, 0);
-  canvas.line(r - 1.25 * size * ahead, r + 1.25 * size * ahead, {palette::muted, 1.5, renderer::Dash::dashed});
+  canvas.look(renderer::fit({-2.1 * arm, -1.15 * size, 4.6 * arm, 1.75 * size}, frame, 8));
+  canvas.box({0, 0}, {2.6 * arm, 2 * arm}, 0);
+  canvas.line(foot - 0.4 * arm * ahead, r + 1.2 * size * ahead, {palette::muted, 1.5, renderer::Dash::dashed});
   canvas.arrow({0, 0}, r, {palette::ink, 3});
   canvas.arrow(r, r + d, {palette::constraint, 4});
   canvas.line({0, 0}, foot, {palette::error, 5});
   canvas.mark({0, 0}, renderer::Mark::disc, palette::ink, 10);
-  const double bow = pair.row().a2()(0, 0) < 0 ? -2.2 : 2.2;
+  const double bow = pair.row().a2()(0, 0) < 0 ? -2.7 : 2.7;
   draw_bow(canvas, {0, 0}, 0.42 * arm, 0.5 * std::numbers::pi + (bow < 0 ? 1.4 : -1.4), bow,
            {palette::constraint, 3});
   const renderer::TextStyle style{.size = 20, .halo = 3};
@@ -89,14 +89,15 @@ void draw_lever(renderer::Canvas& canvas, const renderer::Rectangle& frame, cons
   of_lever.colour = palette::error;
   of_rod.anchor = renderer::Anchor::left;
   of_rod.offset = {12, 0};
-  of_lever.offset = {0, -22};
-  of_arm.offset = {0, 20};
+  of_lever.anchor = renderer::Anchor::bottom_right;
+  of_lever.offset = {-8, 4};
+  of_arm.offset = {0, -20};
   of_turn.anchor = renderer::Anchor::bottom;
   of_turn.offset = {0, 8};
   canvas.text(r + 0.6 * d, "d", of_rod);
   canvas.text(foot / 2, "lever arm", of_lever);
   canvas.text(r / 2, "r_2", of_arm);
-  canvas.text({0, 0.62 * arm}, bow < 0 ? "a_2 < 0: turns clockwise" : "a_2 > 0: turns anticlockwise", of_turn);
+  canvas.text({0, 1.02 * arm}, bow < 0 ? "a_2 < 0: turns clockwise" : "a_2 > 0: turns anticlockwise", of_turn);
 }
 
 }  // namespace
@@ -133,7 +134,9 @@ void triple_product(tutor::Page& page, const Settings& set) {
                 "negative entry is what you should expect."});
   const Turning turning = entry_over_direction(arm, size);
   page.figure("lever", "d acts on the body with a lever arm; a₂ is |d| times that arm, with a sign.",
-              [=](renderer::Canvas& canvas) { draw_lever(canvas, canvas.page().inset(20), pair); });
+              [oblique = arm_and_rod({arm, 0}, size * Point(0.5, -std::sqrt(0.75)))](renderer::Canvas& canvas) {
+                draw_lever(canvas, canvas.page().inset(20), oblique);
+              });
   page.text(
       "Turn d once round the tip of the arm. Where it points through the centre, at 0° and 180°, turning the body "
       "does not change C, and a₂ is zero. Square to the arm it is largest, @ m². The dots turn the body a little "
