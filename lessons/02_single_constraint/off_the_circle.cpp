@@ -43,7 +43,7 @@ void off_the_circle(const Setting& setting, Page& page) {
   const double length = setting.length(), h = setting.h(), millimetre = 1e-3;
   const double one = stretch(setting, h), law = speed * speed * h * h / (2 * length);
   page.text(
-      "JV = 0 is kept to the last bit. So the rod keeps its length? Take gravity away: the bob is at the lowest "
+      "JV = 0 is kept, but for rounding. So the rod keeps its length? Take gravity away: the bob is at the lowest "
       "point, "
       "moves sideways at @ m/s, and JV = 0. λ has nothing to do.",
       speed);

@@ -58,7 +58,10 @@ void ten_seconds(const Setting& setting, Page& page) {
   const Sample &first = run.front(), &last = run.back();
   const double stretch = last.position.norm() / length - 1, change = last.energy - first.energy;
 
-  page.text("Here is the whole step, and nothing of it is hidden. You have now met every line but the bias b.");
+  page.text(
+      "Here is the whole step; nothing of it is hidden. Two of its lines wait for later: the λ of the last step "
+      "(lesson "
+      "3) and the bias b (lesson 4), which is 0 here.");
   page.excerpt("solver/methods/velocity_stepping.hpp", "step");
   page.text("Let it run for @ seconds from @°, beside the exact pendulum, with C of (2) beneath.", seconds,
             setting.release());
