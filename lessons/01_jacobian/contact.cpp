@@ -105,8 +105,8 @@ void draw_touch(renderer::Canvas& canvas, const Settings& set) {
             .a1 = tutor::say("a_1 = −r_1 × n = @ m", tutor::Value(J.a1()(0, 0), 3)),
             .l2 = "l_2 = n",
             .a2 = tutor::say("a_2 = r_2 × n = @ m", tutor::Value(J.a2()(0, 0), 3)),
-            .a1_aside = {-0.3 * length, -0.22 * length},
-            .a2_aside = {0.56 * length, 0.02 * length}});
+            .a1_aside = {-0.38 * length, -0.3 * length},
+            .a2_aside = {0.68 * length, -0.02 * length}});
   canvas.arrow(p2, p2 + 0.25 * length * n, {palette::ink, 3});
   renderer::TextStyle style{.size = 20, .anchor = renderer::Anchor::right, .halo = 3, .offset = {-10, 6}};
   canvas.text(p2 + 0.25 * length * n, "n", style);

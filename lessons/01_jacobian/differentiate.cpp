@@ -108,7 +108,7 @@ void differentiate(tutor::Page& page, const Settings& set) {
         const auto [upper, lower] = right.split_rows(0.5, 16);
         const double now = time * at / seconds;
         const Pair then = pair.after(now);
-        canvas.look(renderer::fit({-0.5 * length, -0.9 * length, 2.9 * length, 1.8 * length}, left, 8));
+        canvas.look(renderer::fit({-0.5 * length, -0.95 * length, 3.35 * length, 1.9 * length}, left, 0));
         draw(canvas, then, sides, true);
         const renderer::ArrowKind kind{palette::velocity, 0.25 * length / speed, "m/s"};
         const Point p1 = then.pose1.position + then.r1(), p2 = then.pose2.position + then.r2();

@@ -122,7 +122,7 @@ void slopes(tutor::Page& page, const Settings& set) {
               .measured = measured_slope,
               .tolerance = tutor::absolute(slope_tolerance(share)),
               .claimed = share < 0.2,
-              .range = "where C̈ is not close to 0"});
+              .range = "C̈ not close to 0"});
   page.claim({.quantity = "slope with a₂ of the wrong sign",
               .unit = "1",
               .expected = 1,
@@ -130,7 +130,7 @@ void slopes(tutor::Page& page, const Settings& set) {
               .measured = spoilt_slope,
               .tolerance = tutor::absolute(slope_tolerance(spoilt_share)),
               .claimed = spoilt_share < 0.2,
-              .range = "where a₂ω₂ outweighs hC̈"});
+              .range = "a₂ω₂ well above hC̈"});
 }
 
 }  // namespace byhand::lesson01

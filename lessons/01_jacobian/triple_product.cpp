@@ -81,8 +81,7 @@ void draw_lever(renderer::Canvas& canvas, const renderer::Rectangle& frame, cons
   canvas.line({0, 0}, foot, {palette::error, 5});
   canvas.mark({0, 0}, renderer::Mark::disc, palette::ink, 10);
   const double bow = pair.row().a2()(0, 0) < 0 ? -2.7 : 2.7;
-  draw_bow(canvas, {0, 0}, 0.42 * arm, 0.5 * std::numbers::pi + (bow < 0 ? 1.4 : -1.4), bow,
-           {palette::constraint, 3});
+  draw_bow(canvas, {0, 0}, 0.55 * arm, std::numbers::pi - bow / 2, bow, {palette::constraint, 4});
   const renderer::TextStyle style{.size = 20, .halo = 3};
   renderer::TextStyle of_rod = style, of_lever = style, of_arm = style, of_turn = style;
   of_rod.colour = of_turn.colour = palette::constraint;

@@ -100,7 +100,7 @@ void what_c_says(tutor::Page& page, const Settings& set) {
                          far),
        .answer = C,
        .unit = "m²",
-       .tolerance = 0.02 * length * std::abs(stretch),
+       .tolerance = 0.02 * length * std::max(std::abs(stretch), 1e-3),
        .wrong = {{stretch,
                   "That is the stretch in metres; (2) is ½(d² − L²), about L times the stretch, "
                   "in square metres."},
