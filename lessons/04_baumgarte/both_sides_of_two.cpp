@@ -1,0 +1,158 @@
+// Step 3: stems for several β, and the factor on both sides of 2.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "lessons/04_baumgarte/rod_end.hpp"
+#include "lessons/04_baumgarte/runs.hpp"
+#include "lessons/04_baumgarte/steps.hpp"
+
+namespace byhand::baumgarte {
+namespace {
+
+using namespace tutor;
+using namespace renderer;
+
+constexpr int steps = 10;
+constexpr std::array shown{0.1, 0.2, 0.3, 1.0, 1.5, 1.9, 2.1};
+
+struct Panel {
+  double beta;
+  std::vector<double> errors;  // [m]
+
+  double reach() const {
+    double largest = 0;
+    for (const double error : errors) largest = std::max(largest, std::abs(error));
+    return largest;
+  }
+};
+
+/// One β for ten steps, or until the bob would be thrown through the anchor.
+Panel panel(const Setting& setting, double beta) {
+  std::vector<double> all = errors(setting, {beta}, setting.h, steps);
+  std::size_t kept = 0;
+  while (kept < all.size() && std::pow(std::abs(1 - beta), kept) * setting.error() < 0.9 * setting.length())
+    ++kept;
+  all.resize(kept);
+  return {beta, all};
+}
+
+void draw_panel(Canvas& canvas, const Panel& panel, std::size_t now, const Rectangle& cell) {
+  now = std::min(now, panel.errors.size() - 1);
+  const double reach = panel.reach();
+  canvas.text({cell.centre().x(), cell.top() - 12}, say("β = @", panel.beta), {.size = 20, .bold = true});
+  const auto [left, right] = Rectangle{cell.x, cell.y, cell.width, cell.height - 26}.split_columns(0.24, 2);
+  draw_rod_end(canvas, left, panel.errors[now], 1.1 * reach, say("@ cm", Value(100 * panel.errors[now], 2)));
+  Curve stems{.style = CurveStyle::stems, .colour = palette::error};
+  for (std::size_t i = 0; i <= now; ++i) {
+    stems.x.push_back(static_cast<double>(i));
+    stems.y.push_back(100 * panel.errors[i]);
+  }
+  const bool one_side = panel.beta <= 1;
+  draw(canvas,
+       {.x = {.label = "step", .range = {{-0.5, steps + 0.5}}},
+        .y = {.label = "C (cm)", .range = {{one_side ? -5 * reach : -115 * reach, 115 * reach}}},
+        .curves = {stems}},
+       right);
+}
+
+void draw_key(Canvas& canvas, const Rectangle& cell) {
+  canvas.text(cell.centre(),
+              "Left: the end of the rod,\ndashed where it belongs.\nRight: its error C\nafter every step.",
+              {.size = 19, .colour = palette::muted});
+}
+
+void draw_panels(Canvas& canvas, const std::vector<Panel>& panels, std::size_t now) {
+  const auto cells = canvas.page().inset(14).cells(2, 4, 14);
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    if (i < panels.size())
+      draw_panel(canvas, panels[i], now, cells[i]);
+    else
+      draw_key(canvas, cells[i]);
+}
+
+/// What a step leaves of the error.
+double factor(const Setting& setting, double beta) {
+  const std::vector<double> run = errors(setting, {beta}, setting.h, 1);
+  return std::abs(run[1] / run[0]);
+}
+
+Chart factors(const Setting& setting) {
+  Curve measured{.label = "measured", .style = CurveStyle::markers};
+  for (int i = 1; i <= 30; ++i) {
+    measured.x.push_back(i / 10.0);
+    measured.y.push_back(factor(setting, i / 10.0));
+  }
+  return {.x = {.label = "β (1)", .range = {{0, 3.05}}},
+          .y = {.label = "|C after a step| / |C before| (1)", .range = {{0, 2.1}}},
+          .curves = {measured, {.label = "|1 − β|", .x = {0, 1, 3}, .y = {1, 0, 2}, .style = CurveStyle::theory}},
+          .annotations = {{1, 0, "all of it at once"}, {2, 1, "beyond: it grows"}},
+          .references = {{Reference::Across::y, 1, "as wrong as before"}}};
+}
+
+}  // namespace
+
+void both_sides_of_two(const Setting& setting, Page& page) {
+  const double e = setting.error(), bold = 1.5;
+  const Panel overshooting = panel(setting, bold);
+  const double after = overshooting.errors[1];
+  const bool settles = std::abs(overshooting.errors.back()) < std::abs(e);
+
+  page.text("β is a share, so what happens if you take more than all of it?");
+  page.predict({.ask = say("@ cm too long and β = @. How much too long is the rod after one step?", 100 * e, bold),
+                .answer = 100 * after,
+                .unit = "cm",
+                .tolerance = 100 * e * 0.03,
+                .wrong = {{-100 * after, "The size is right, but the bob has gone past its place: mind the sign."},
+                          {-100 * e * bold, "That is by how much the step moves the bob, not where it arrives."}},
+                .hint = "The step moves the bob by −βC.",
+                .right = "It has overshot by half."});
+  page.choose({.ask = say("And if it goes on like that, with β = @, does it settle?", bold),
+               .options = {{"yes",
+                            "It overshoots by half each time, and half of half still goes to zero. Beyond 2 it "
+                            "does not."},
+                           {"no",
+                            "It overshoots by half each time; half of half still goes to zero. Beyond 2 it does "
+                            "not."}},
+               .answer = settles ? 0 : 1,
+               .hint = "What is left after two steps? After three?"});
+
+  std::vector<Panel> panels;
+  for (const double beta : shown) panels.push_back(panel(setting, beta));
+  const bool known = std::any_of(shown.begin(), shown.end(), [&](double b) { return b == setting.beta(); });
+  if (!known) panels.push_back(panel(setting, setting.beta()));
+  page.sequence(
+      "stems",
+      say("The same rod with @ values of β, every step shown. Up to 1 the error shrinks from one side, between "
+          "1 and 2 it changes sides and shrinks, beyond 2 it changes sides and grows (its axis is wider).",
+          panels.size()),
+      Frames{steps + 1}, [panels](Canvas& canvas, double time) {
+        draw_panels(canvas, panels, static_cast<std::size_t>(std::lround(time)));
+      });
+  page.figure("stems_of_ten_steps", "The stems after ten steps.",
+              [panels](Canvas& canvas) { draw_panels(canvas, panels, steps); });
+  page.text(
+      "One number says it all: each step multiplies the error by 1 − β, so |1 − β| decides. Below 1 it shrinks; "
+      "at β = 1 "
+      "one step does everything; at β = 2 the bob jumps from one side to the other for ever.");
+  page.figure("factor", "The measured factor of one step on both sides of 1 and of 2. Dashed: |1 − β|.",
+              factors(setting));
+  page.measure("what a step leaves", factor(setting, setting.beta()), "1");
+
+  page.claim({.quantity = "what a step leaves with this β",
+              .unit = "1",
+              .expected = std::abs(1 - setting.beta()),
+              .source = "law B1: |1 − β|",
+              .measured = factor(setting, setting.beta()),
+              .tolerance = absolute(1e-14 * setting.length() / e)});
+  for (const double beta : {1.99, 2.0, 2.01})
+    page.claim({.quantity = say("left after fifty steps, β = @", beta),
+                .unit = "1",
+                .expected = std::pow(std::abs(1 - beta), 50),
+                .source = "law B1: |1 − β|⁵⁰",
+                .measured = std::abs(errors(setting, {beta}, setting.h, 50).back() / e),
+                .tolerance = absolute(1e-11 * setting.length() / e)});
+}
+
+}  // namespace byhand::baumgarte

@@ -1,0 +1,106 @@
+// Step 5: a number without unit may still depend on the frame rate.
+
+#include <cmath>
+
+#include "lessons/04_baumgarte/runs.hpp"
+#include "lessons/04_baumgarte/steps.hpp"
+
+namespace byhand::baumgarte {
+namespace {
+
+using namespace tutor;
+using namespace renderer;
+
+/// Half-time as a run shows it [s].
+double measured_half_time(const Setting& setting, double beta, double h) {
+  const std::vector<double> run = errors(setting, {beta}, h, 2);
+  return half_time(std::sqrt(run[2] / run[0]), h);
+}
+
+Chart half_times(const Setting& setting, double beta0) {
+  const double h0 = setting.h;
+  Curve same_beta{.label = say("β = @ kept", beta0), .style = CurveStyle::markers},
+      same_time{.label = "h/β kept", .style = CurveStyle::markers};
+  Curve law_of_beta{.label = "ln 2/−ln(1 − β) · h", .style = CurveStyle::theory},
+      law_of_time{.label = "", .style = CurveStyle::theory};
+  for (int cut = 1; cut <= 16; cut *= 2) {
+    const double h = h0 / cut;
+    for (Curve* curve : {&same_beta, &same_time, &law_of_beta, &law_of_time}) curve->x.push_back(1000 * h);
+    same_beta.y.push_back(1000 * measured_half_time(setting, beta0, h));
+    same_time.y.push_back(1000 * measured_half_time(setting, beta0 / cut, h));
+    law_of_beta.y.push_back(1000 * half_time(1 - beta0, h));
+    law_of_time.y.push_back(1000 * half_time(1 - beta0 / cut, h));
+  }
+  return {.x = {.label = "h (ms)", .scale = Scale::logarithmic},
+          .y = {.label = "half-time (ms)", .scale = Scale::logarithmic},
+          .curves = {same_beta, same_time, law_of_beta, law_of_time}};
+}
+
+}  // namespace
+
+void frame_rate(const Setting& setting, Page& page) {
+  const double h = setting.h(), length = setting.length(), e = setting.error();
+  const bool one_side = setting.beta() <= 0.95;
+  // Beyond, the error has no half-time: what follows is then told for a usual β.
+  const double beta = one_side ? setting.beta() : 0.2;
+  const double half = measured_half_time(setting, beta, h), finer = measured_half_time(setting, beta, h / 2),
+               kept = measured_half_time(setting, beta / 2, h / 2);
+
+  if (!one_side)
+    page.text(
+        "With β = @ the error is gone within a step or two, or changes sides: there is no half-time to speak of.",
+        setting.beta);
+  page.text(
+      "Divided by h, β is a share *per step*. It has no unit, as the article says, and it still depends on how "
+      "many "
+      "steps a second has. With β = @ and h = @ s half of the error is gone after @ ms.",
+      beta, setting.h, Value(1000 * half, 3));
+  page.predict(
+      {.ask = say("β = @ stays, h is halved. What becomes of the half-time of @ ms?", beta, Value(1000 * half, 3)),
+       .answer = 1000 * finer,
+       .unit = "ms",
+       .tolerance = 50 * half,
+       .wrong = {{1000 * half, "β is per step: what has a time in it is h/β. Keep h/β if you change h."},
+                 {2000 * half, "The steps are shorter, and each still takes the same share."}},
+       .hint = "How many steps does it take? How long do they last now?",
+       .right = "The same number of steps, each half as long."});
+  page.formula(
+      "half-time = h · ln 2/(−ln(1 − β)) ≈ 0.69 h/β,   h/β = @ ms",
+      R"(t_{1/2} = h\,\frac{\ln 2}{-\ln(1-\beta)} \approx 0.69\,\frac{h}{\beta}, \qquad \frac{h}{\beta} = @\ \mathrm{ms})",
+      1000 * h / beta);
+  page.text(
+      "What has a time in it is h/β. A game that was tuned at one frame rate and runs at another has stiffer or "
+      "softer "
+      "joints, without anyone having touched β. Keep h/β instead: with h halved *and* β halved the half-time goes "
+      "from "
+      "@ ms to @ ms.",
+      Value(1000 * half, 3), Value(1000 * kept, 3));
+  page.figure(
+      "half_time_over_h",
+      "Half-time over the time step. With β kept it shrinks with h (slope 1); with h/β kept it stays nearly "
+      "where it was.",
+      half_times(setting, beta));
+  page.measure("half-time", 1000 * half, "ms");
+
+  const Tolerance rounding = relative(1e-13 * length / e / (beta * (1 - beta)));
+  page.claim({.quantity = "half-time",
+              .unit = "s",
+              .expected = h * std::log(2) / -std::log1p(-beta),
+              .source = "law B1: h·ln 2/(−ln(1 − β))",
+              .measured = half,
+              .tolerance = rounding});
+  page.claim({.quantity = "half-time with half the step",
+              .unit = "s",
+              .expected = half / 2,
+              .source = "proportional to h",
+              .measured = finer,
+              .tolerance = rounding});
+  page.claim({.quantity = "half-time with h/β kept",
+              .unit = "s",
+              .expected = std::log(2) * h / beta,
+              .source = "ln 2·h/β, short by about β/4 for β/2",
+              .measured = kept,
+              .tolerance = relative(0.3 * beta)});
+}
+
+}  // namespace byhand::baumgarte

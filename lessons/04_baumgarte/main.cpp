@@ -1,0 +1,57 @@
+#include "lessons/04_baumgarte/steps.hpp"
+
+// Drift, its cure and the limits of the cure: from a rod that grows, by (21) and (22), to the β that a scene can
+// bear.
+int main(int argc, char** argv) {
+  using namespace byhand;
+  using namespace byhand::baumgarte;
+
+  tutor::Lesson lesson({.slug = "04_baumgarte",
+                        .title = "Baumgarte",
+                        .summary = "why rods grow, how (22) pulls them back, and how much of it a scene can bear",
+                        .method = "symplectic Euler; one row solved exactly by (17), or Gauss–Seidel; Baumgarte"});
+  const Setting setting{
+      .beta = lesson.parameter("beta", 0.2, "1", {0.01, 3}, "share of the error that a step takes away"),
+      .h = lesson.parameter("h", 1.0 / 60, "s", {1e-3, 0.05}, "time step"),
+      .length = lesson.parameter("length", 2.0, "m", {0.5, 20}, "length of a rod"),
+      .mass = lesson.parameter("mass", 3.0, "kg", {0.01, 1000}, "mass of a bob"),
+      .error = lesson.parameter("error", 0.1, "m", {0.001, 0.1}, "how much too long the rod begins"),
+      .speed = lesson.parameter("speed", 6.0, "m/s", {0.5, 10}, "of the bob that goes round"),
+      .release = lesson.parameter("release", 90.0, "deg", {5, 170}, "where the pendulum starts"),
+      .links = lesson.parameter("links", 10, "1", {2, 30}, "links of the chain"),
+      .sweeps = lesson.parameter("sweeps", 1, "1", {1, 60}, "sweeps over the chain in a step"),
+  };
+  const auto with = [setting](void (*step)(const Setting&, tutor::Page&)) {
+    return [=](tutor::Page& page) { step(setting, page); };
+  };
+
+  lesson.step("Drift, and the law of how it grows", with(drift));
+  lesson.step("A share β of the error in each step", with(a_share_of_the_error));
+  lesson.step("Both sides of 2", with(both_sides_of_two));
+  lesson.step("Read literally, (22) has no 1/h", with(read_literally));
+  lesson.step("No unit, and still a matter of frame rate", with(frame_rate));
+  lesson.step("What β costs on a pendulum", with(what_it_costs));
+
+  lesson.deeper("What a spin leaves", with(steady_spin));
+  lesson.deeper("The trap: warm start and few sweeps", with(the_trap));
+
+  lesson.closing(
+      {.now_you_know =
+           {"JV = 0 leaves the circle along its tangent: C grows at hv²/2L, then ever more slowly, and energy "
+            "falls.",
+            "JV = −(β/h)C leaves (1 − β) of an error: monotone to 1, overshooting to 2, growing beyond.",
+            "Printed without 1/h, β is a rate in 1/s; with it, a share a step, and h/β is the time in it.",
+            "On a pendulum it lends energy and takes it back; over a swing energy falls, whatever β.",
+            "What a turn feeds in stays: C/L = (ωh)²/(2β).",
+            "With a warm start and few sweeps the limit is (1 − q)/q, and that may be far below 0.1."},
+       .tries = {{"Just beyond the limit: what do the rod, the claims and the stems do?",
+                  "./lessons/run baumgarte --set beta=2.1"},
+                 {"Twice the frame rate, and the time constant h/β kept.",
+                  "./lessons/run baumgarte --set h=1/120 --set beta=0.1"},
+                 {"Out of the trap: how many sweeps does ten links' chain need at this β?",
+                  "./lessons/run baumgarte --step 6b --set sweeps=8"}},
+       .next =
+           "What pulls in a rod also pushes out what overlaps. The next lesson meets contacts and friction, whose "
+           "rows may only push."});
+  return lesson.run(argc, argv);
+}

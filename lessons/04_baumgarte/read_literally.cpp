@@ -1,0 +1,102 @@
+// Step 4: (22) as it is printed, without 1/h.
+
+#include <cmath>
+
+#include "lessons/04_baumgarte/runs.hpp"
+#include "lessons/04_baumgarte/steps.hpp"
+
+namespace byhand::baumgarte {
+namespace {
+
+using namespace tutor;
+using namespace renderer;
+
+constexpr double seconds = 10;
+
+Curve decay(const Setting& setting, std::string label, const Baumgarte& cure, int steps) {
+  const std::vector<double> run = errors(setting, cure, setting.h, steps);
+  Curve curve{.label = std::move(label)};
+  for (std::size_t i = 0; i < run.size(); ++i) {
+    curve.x.push_back(static_cast<double>(i) * setting.h);
+    curve.y.push_back(100 * std::abs(run[i]));
+    if (curve.y.back() < 1e-3 * setting.error()) break;
+  }
+  return curve;
+}
+
+}  // namespace
+
+void read_literally(const Setting& setting, Page& page) {
+  const double beta = setting.beta(), h = setting.h(), e = setting.error(), length = setting.length();
+  const int steps = static_cast<int>(std::lround(seconds / h));
+  const Baumgarte literal{beta, BetaReading::literal};
+  const std::vector<double> run = errors(setting, literal, h, steps);
+  const double half = half_time(run[1] / run[0], h), left = run.back() / e;
+
+  page.text("Now read (22) as it stands, letter by letter:");
+  page.equation(22, "JV = −@ s⁻¹ · @ m = @ m/s",
+                R"(JV = -@\,\mathrm{s}^{-1}\cdot @\,\mathrm{m} = @\,\mathrm{m/s})", setting.beta, setting.error,
+                -beta * e);
+  page.text(
+      "For the units to agree β must be a *rate* in 1/s, so it is not \"unit-less\" here, and C decays like "
+      "e^(−βt) "
+      "whatever the step. With a number \"between 0.1 and 0.3\" that is a slow rate.");
+  Prediction question{
+      .ask =
+          say("Read literally, with β = @ s⁻¹: after how many seconds is half of the error gone?", setting.beta),
+      .answer = half,
+      .unit = "s",
+      .tolerance = 0.04 * half,
+      .wrong = {{1 / beta, "By then 1/e, about a third, is left; half is left a little sooner."},
+                {0.5 / beta, "It goes more slowly as there is less of it: e^(−βt), not 1 − βt."}},
+      .hint = "e^(−βt) = ½.",
+      .right = "ln 2/β, and h hardly matters."};
+  if (beta < 1)
+    question.wrong.push_back({half_time(1 - beta, h), "Without 1/h, β is a rate per second, not per step."});
+  page.predict(question);
+
+  const Curve per_step =
+      decay(setting, say("per step: −(β/h)C, β = @", setting.beta), {beta}, static_cast<int>(std::lround(1 / h)));
+  Curve law{.label = "e^{−βt}", .style = CurveStyle::theory};
+  for (int i = 0; i <= 40; ++i) {
+    law.x.push_back(i * seconds / 40);
+    law.y.push_back(100 * e * std::exp(-beta * law.x.back()));
+  }
+  page.figure(
+      "literal_and_per_step",
+      say("The same number β = @, read in two ways, over @ s. Read literally @ % of the error is still there at "
+          "the end.",
+          setting.beta, seconds, Value(100 * left, 3)),
+      Chart{.x = {.label = "time (s)", .range = {{0, seconds}}},
+            .y = {.label = "|C| (cm)", .scale = Scale::logarithmic, .range = {{1e-2 * e, 200 * e}}},
+            .curves = {decay(setting, say("as printed: −βC, β = @ s⁻¹", setting.beta), literal, steps), per_step,
+                       law}});
+  page.text(
+      "Both readings are in use, and both are right if you know which you have. Per step, the limit is β = 2; as "
+      "printed "
+      "it is 2/h = @ s⁻¹. The solver of this course divides by h and calls the other one `BetaReading::literal`.",
+      2 / h);
+  page.measure("half-time as printed", half, "s");
+
+  page.claim({.quantity = "half-time as printed",
+              .unit = "s",
+              .expected = std::log(2) / beta,
+              .source = "ln 2/β",
+              .measured = half,
+              .tolerance = relative(0.6 * beta * h)});
+  page.claim({.quantity = say("still there after @ s, as printed", seconds),
+              .unit = "1",
+              .expected = std::pow(1 - beta * h, steps),
+              .source = "(1 − βh)ⁿ",
+              .measured = left,
+              .tolerance = absolute(1e-12 * length / e)});
+  for (const double side : {1.99, 2.01})
+    page.claim({.quantity = say("left after fifty steps, β = @ s⁻¹ = @/h", side / h, side),
+                .unit = "1",
+                .expected = std::pow(side - 1, 50),
+                .source = "law B1: |1 − βh|⁵⁰",
+                .measured = std::abs(errors(setting, {side / h, BetaReading::literal}, h, 50).back() / e),
+                .tolerance = absolute(1e-11 * length / e)});
+}
+
+}  // namespace byhand::baumgarte

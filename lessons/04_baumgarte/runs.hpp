@@ -1,0 +1,47 @@
+#pragma once
+
+#include <vector>
+
+#include "lessons/04_baumgarte/setting.hpp"
+#include "solver/methods/drift.hpp"
+#include "solver/model.hpp"
+
+namespace byhand::baumgarte {
+
+using Vector = Linear<PlaneParticle>;
+
+/// A bob at rest in weightlessness, on a rod that begins `error` [m] too long: the error [m] at the beginning and
+/// after each step of h [s].
+std::vector<double> errors(const Setting& setting, const Baumgarte& cure, double h, int steps);
+
+/// The same rod in the article's squared form (2), after one step [m].
+double error_in_squared_form(const Setting& setting);
+
+/// How long an error takes to halve when a step of h leaves the share `factor` of it [s].
+double half_time(double factor, double h);
+
+/// A bob after a step.
+struct Sample {
+  double time;  // [s]
+  Vector position, velocity;
+  double kinetic, potential;  // [J]; potential is zero at the anchor's height
+};
+using Track = std::vector<Sample>;
+
+/// A bob that goes round the anchor without gravity: the beginning and every step.
+Track circling(const Setting& setting, double speed, const DriftCure& cure, double h, int steps);
+/// A pendulum let go at the lesson's `release`: the beginning and every step.
+Track swinging(const Setting& setting, const DriftCure& cure, double h, int steps);
+
+/// The sample that shows at a time [s].
+const Sample& at(const Track& track, double time);
+
+/// A number of each sample, for a chart.
+template <class F>
+std::vector<double> each(const Track& track, F&& number) {
+  std::vector<double> numbers;
+  for (const Sample& sample : track) numbers.push_back(number(sample));
+  return numbers;
+}
+
+}  // namespace byhand::baumgarte

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "lessons/tutor/lesson.hpp"
+
+namespace byhand::baumgarte {
+
+/// The lesson's parameters.
+struct Setting {
+  tutor::Parameter<double> beta, h;              // [1], [s]
+  tutor::Parameter<double> length, mass, error;  // of the rod [m], of the bob [kg], at the start [m]
+  tutor::Parameter<double> speed, release;       // round the circle [m/s], of the pendulum [deg]
+  tutor::Parameter<int> links, sweeps;           // of the chain
+};
+
+inline constexpr double gravity = 9.81;  // [m/s²], as Scene has it
+inline constexpr double pi = 3.14159265358979323846;
+inline double radians(double degrees) { return degrees / 180 * pi; }
+
+}  // namespace byhand::baumgarte

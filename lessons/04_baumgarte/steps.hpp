@@ -1,0 +1,17 @@
+#pragma once
+
+#include "lessons/04_baumgarte/setting.hpp"
+
+// The steps, each in the file of its name.
+namespace byhand::baumgarte {
+
+void drift(const Setting& setting, tutor::Page& page);
+void a_share_of_the_error(const Setting& setting, tutor::Page& page);
+void both_sides_of_two(const Setting& setting, tutor::Page& page);
+void read_literally(const Setting& setting, tutor::Page& page);
+void frame_rate(const Setting& setting, tutor::Page& page);
+void what_it_costs(const Setting& setting, tutor::Page& page);
+void steady_spin(const Setting& setting, tutor::Page& page);
+void the_trap(const Setting& setting, tutor::Page& page);
+
+}  // namespace byhand::baumgarte
