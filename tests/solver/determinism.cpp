@@ -1,0 +1,152 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <functional>
+
+#include "solver/constraints/contact.hpp"
+#include "solver/constraints/friction.hpp"
+#include "solver/scenes/branches.hpp"
+#include "solver/scenes/chain.hpp"
+#include "solver/simulation.hpp"
+
+// The same scene and method give the same bits whatever the compiler, its options and the processor: each run of
+// ten seconds ends in a number that is written down here. A test that
+// fails prints the new one, for changes that are meant to change the arithmetic.
+namespace {
+
+using namespace byhand;
+
+/// FNV-1a, 64 bits, over the bytes of every pose and velocity.
+class Hash {
+ public:
+  template <class M>
+  explicit Hash(const Bodies<M>& bodies) {
+    for (int i = 0; i < bodies.size(); ++i) {
+      add(bodies.pose[i].position.data(), M::linear);
+      if constexpr (M::angular == 1) {
+        add(&bodies.pose[i].rotation.cos, 1);
+        add(&bodies.pose[i].rotation.sin, 1);
+      }
+      if constexpr (M::angular == 3) add(bodies.pose[i].rotation.coeffs().data(), 4);
+      add(bodies.velocity[i].data(), M::dof);
+    }
+  }
+  std::uint64_t value() const { return value_; }
+
+ private:
+  void add(const double* numbers, int count) {
+    for (int i = 0; i < count; ++i)
+      for (std::uint64_t bits = std::bit_cast<std::uint64_t>(numbers[i]), byte = 0; byte < 8; ++byte)
+        value_ = (value_ ^ ((bits >> (8 * byte)) & 0xff)) * 0x100000001b3;
+  }
+  std::uint64_t value_ = 0xcbf29ce484222325;
+};
+
+template <class S>
+std::uint64_t after_ten_seconds(const S& scene, const VelocityStepping& method) {
+  Simulation<S> simulation{scene, method};
+  for (int i = 0; i < 600; ++i) simulation.step(1.0 / 60);
+  for (const auto& V : simulation.scene.bodies.velocity) EXPECT_TRUE(V.allFinite());
+  return Hash(simulation.scene.bodies).value();
+}
+
+/// A stack of four boxes that slides off a slope on contacts and friction at the corners of each.
+template <class M>
+Scene<M, Contact, Friction> sliding_stack() {
+  Scene<M, Contact, Friction> scene;
+  scene.gravity = 3 * Linear<M>::Unit(0) - 9 * Linear<M>::Unit(1);
+  scene.add_body(Linear<M>(Linear<M>::Zero()), fixed<M>());
+  const Linear<M> up = Linear<M>::Unit(1);
+  for (int i = 1; i <= 4; ++i) {
+    scene.add_body(Linear<M>((i - 0.5) * up), box<M>(1, Linear<M>::Ones()));
+    for (const double x : {-0.5, 0.5})
+      for (const double z : {-0.4, 0.5}) {
+        if (M::linear == 2 && z > 0) continue;
+        Linear<M> point = (i - 1) * up + x * Linear<M>::Unit(0);
+        if constexpr (M::linear == 3) point[2] = z;
+        const auto at = between<M>(scene.bodies, i - 1, point, i, point);
+        const int contact = scene.add(Contact<M>{at, up});
+        scene.add(Friction<M>{at, tangents_of<M>(up), 0.2, contact});
+      }
+  }
+  return scene;
+}
+
+struct Case {
+  const char* name;
+  std::function<std::uint64_t()> hash;
+  std::uint64_t expected;
+};
+
+VelocityStepping with_substeps(const RowSolver& solver, int substeps) {
+  VelocityStepping method{solver};
+  method.substeps = substeps;
+  return method;
+}
+
+const ChainOptions swinging{.links = 10, .length = 0.5, .mass = 3, .end_mass = 7, .angle = 1.2};
+constexpr GaussSeidel red_black{20, true, SweepOrder::coloured};
+
+const Case cases[] = {
+    {"PlaneBodiesGaussSeidel",
+     [] {
+       return after_ten_seconds(pinned_chain<PlaneBody>(swinging), {GaussSeidel{40}, Baumgarte{0.1}});
+     },
+     0xb135589261770427},
+    {"PlaneBodiesRedBlack",
+     [] { return after_ten_seconds(pinned_chain<PlaneBody>(swinging), with_substeps(red_black, 4)); },
+     0x839505d02ab9adcb},
+    {"PlaneBodiesJacobi",
+     [] {
+       return after_ten_seconds(pinned_chain<PlaneBody>(swinging), with_substeps(Jacobi{20, false, 0.6}, 4));
+     },
+     0x7cde5a909ce3d567},
+    {"PlaneBodiesDirect",
+     [] { return after_ten_seconds(pinned_chain<PlaneBody>(swinging), with_substeps(Direct{}, 4)); },
+     0x0b44c763f1ffc375},
+    {"PlaneTreeDirect", [] { return after_ten_seconds(pinned_tree<PlaneBody>(5), with_substeps(Direct{}, 8)); },
+     0xdaea18344cf92c9c},
+    {"PlaneStarDirect", [] { return after_ten_seconds(pinned_star<PlaneBody>(12), with_substeps(Direct{}, 4)); },
+     0x29e1f863774b1793},
+    {"SpaceBodiesGaussSeidel",
+     [] { return after_ten_seconds(pinned_chain<SpaceBody>(swinging), with_substeps(GaussSeidel{20}, 4)); },
+     0xa527e00d47a95333},
+    {"SpaceBodiesDirect",
+     [] { return after_ten_seconds(pinned_chain<SpaceBody>(swinging), with_substeps(Direct{}, 4)); },
+     0x39f52760324ba2a6},
+    {"PlaneParticlesRowByRow",
+     [] {
+       return after_ten_seconds(rod_chain<PlaneParticle>(swinging),
+                                with_substeps(GaussSeidel{20, true, SweepOrder::reverse}, 4));
+     },
+     0x34dd349eb00082d5},
+    {"PlaneParticlesDirect",
+     [] {
+       return after_ten_seconds(rod_chain<PlaneParticle, NormalisedDistance>(swinging),
+                                with_substeps(Direct{}, 4));
+     },
+     0x8ccde4b151132e32},
+    {"SpaceParticlesDirect",
+     [] { return after_ten_seconds(rod_chain<SpaceParticle>(swinging), with_substeps(Direct{}, 4)); },
+     0x117a77f54ef7e30b},
+    {"PlaneStackSlides", [] { return after_ten_seconds(sliding_stack<PlaneBody>(), {GaussSeidel{}}); },
+     0x162fcdd7332ef549},
+    {"SpaceStackSlides", [] { return after_ten_seconds(sliding_stack<SpaceBody>(), {GaussSeidel{}}); },
+     0xd58ccb090f94673b},
+};
+
+void PrintTo(const Case& one, std::ostream* out) { *out << one.name; }
+
+class Determinism : public testing::TestWithParam<Case> {};
+
+TEST_P(Determinism, EndsInTheNumberWrittenDown) {
+  const std::uint64_t hash = GetParam().hash();
+  EXPECT_EQ(hash, GetParam().expected) << fmt::format("if the arithmetic was meant to change, write {:#018x}",
+                                                      hash);
+}
+
+INSTANTIATE_TEST_SUITE_P(, Determinism, testing::ValuesIn(cases),
+                         [](const auto& one) { return std::string(one.param.name); });
+
+}  // namespace
