@@ -27,7 +27,7 @@ Jacobian<M, K> times_inverse_mass(const Jacobian<M, K>& J, const InverseMass<M>&
 /// (19): J M⁻¹ Jᵀ, K × K. The article calls it the constraint mass; it is the *inverse* effective mass.
 template <class M, int K>
 Eigen::Matrix<double, K, K> inverse_effective_mass(const Jacobian<M, K>& J, const Jacobian<M, K>& W) {
-  return J.matrix * W.matrix.transpose();
+  return J.matrix.lazyProduct(W.matrix.transpose());
 }
 //! [19]
 

@@ -44,19 +44,6 @@ inline double bias(const Baumgarte& cure, double C, double h) {
 /// Sets the bias of every row. A one-sided row that is still open (C > 0) may close its gap within the step
 /// and not more: b = C/h, whatever the cure.
 template <class M>
-void set_bias(const DriftCure& cure, double h, System<M>& system) {
-  std::visit(
-      [&](const auto& choice) {
-        for (int i = 0; i < system.rows(); ++i) system.bias[i] = bias(choice, system.C[i], h);
-      },
-      cure);
-  if (!system.bounded) return;
-  system.for_each_run([&]<int K, Bound B>(std::span<const Block<M, K, B>> blocks) {
-    if constexpr (B == Bound::interval)
-      for (const auto& block : blocks)
-        if (system.lower[block.row] == 0 && system.C[block.row] > 0)
-          system.bias[block.row] = system.C[block.row] / h;
-  });
-}
+void set_bias(const DriftCure& cure, double h, System<M>& system);
 
 }  // namespace byhand
