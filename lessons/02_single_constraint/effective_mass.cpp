@@ -60,13 +60,11 @@ void effective_mass(const Setting& setting, Page& page) {
 
   page.text(
       "How stubborn is JV? Push with one unit of impulse along Jᵀ and see by how much JV changes: that is JM⁻¹Jᵀ, "
-      "and "
-      "(17) will divide by it. M⁻¹ is written as a matrix,");
+      "and (17) will divide by it. M⁻¹ is written as a matrix,");
   page.equation(18);
   page.text(
       "but please never build one. A particle needs one number, m⁻¹; what turns needs I⁻¹ as well. So a row "
-      "between "
-      "two bodies needs at most four things, two of them here.");
+      "between two bodies needs at most four things, two of them here.");
   page.equation(19, "JM⁻¹Jᵀ = |l₁|²·m₁⁻¹ + |l₂|²·m₂⁻¹ = @·@ + @·@ = @ m²/kg",
                 R"(JM^{-1}J^T = |l_1|^2 m_1^{-1} + |l_2|^2 m_2^{-1} = @\cdot @ + @\cdot @ = @\ \mathrm{m^2/kg})",
                 row.J.l1().squaredNorm(), m1, row.J.l2().squaredNorm(), m2, row.K);
@@ -85,18 +83,15 @@ void effective_mass(const Setting& setting, Page& page) {
 
   page.text(
       "Two names in the article are loose. M⁻¹ is not \"the mass of the constraint\" but the bodies' *inverse* "
-      "mass "
-      "matrix, and JM⁻¹Jᵀ is not the \"constraint mass\" but the *inverse* effective mass: heavier bodies make it "
-      "smaller. Turn it over, E = @ kg/m²; for a unit step along the rod that is E·|d|² = @ kg, the bob's own "
-      "mass, "
-      "for nothing else moves.",
+      "mass matrix, and JM⁻¹Jᵀ is not the \"constraint mass\" but the *inverse* effective mass: heavier bodies "
+      "make it smaller. Turn it over, E = @ kg/m²; for a unit step along the rod that is E·|d|² = @ kg, the bob's "
+      "own mass, for nothing else moves.",
       1 / row.K, length * length / row.K);
   const Pendulum pair = two_free_bobs(setting);
   const double light = setting.mass(), heavy = 4 * light, together = length * length / OneRow(pair).K;
   page.text(
       "Let both ends of a rod move, @ kg at one and @ kg at the other, and the effective mass along it is @ kg: "
-      "less "
-      "than the lighter one, for the other end gives way too.",
+      "less than the lighter one, for the other end gives way too.",
       light, heavy, together);
 
   Pendulum twice = scene;

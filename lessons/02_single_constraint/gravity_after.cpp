@@ -36,12 +36,9 @@ void gravity_after(const Setting& setting, Page& page) {
               wrong = sinking(setting, Gravity::after_the_solve, second);
   page.text(
       "The article does not say when gravity enters. Let a bob hang at rest, straight down, and exchange the two "
-      "lines: "
-      "solve first, then add gravity, then move. In the first step JV = 0, so λ = 0; gravity then makes the bob "
-      "fall at "
-      "gh, and it moves. The next solve sees that and stops it, and gravity comes again, unseen. It falls at gh "
-      "for "
-      "ever.");
+      "lines: solve first, then add gravity, then move. In the first step JV = 0, so λ = 0; gravity then makes "
+      "the bob fall at gh, and it moves. The next solve sees that and stops it, and gravity comes again, unseen. "
+      "It falls at gh for ever.");
   page.figure(
       "gravity_after",
       say("A hanging bob. With gravity before λ it hangs; with gravity after λ it sinks at gh = @ m/s: @ m in @ "

@@ -24,8 +24,7 @@ void lambda(const Setting& setting, Page& page) {
     const std::string
         toward = "The push on the bob is λd. With λ < 0 it points against d, to the held point: the rod pulls.",
         away =
-            "The push on the bob is λd. With λ > 0 it points along d, away from the held point: the rod "
-            "pushes.";
+            "The push on the bob is λd. With λ > 0 it points along d, away from the held point: the rod pushes.";
     page.choose(
         {.ask = say("J's arrow on the bob is d: it points away from the held point, where C grows. Gravity has "
                     "just made JV @. Which sign has λ?",
@@ -69,15 +68,14 @@ void lambda(const Setting& setting, Page& page) {
   page.figure(
       "lambda_sign",
       "Left: the row's two arrows point away from the rod, where C grows (drawn shorter than they are). Right: "
-      "the impulses λJᵀ on the bob and on the held point, which has the mass of the world behind it and does "
-      "not notice. The minus in (17) has turned them round wherever JV is positive.",
+      "the impulses λJᵀ on the bob and on the held point, which has the mass of the world behind it and does not "
+      "notice. The minus in (17) has turned them round wherever JV is positive.",
       [row_picture, push](Canvas& canvas) {
         draw(canvas, {row_picture, push});
       });
   page.text(
       "The article says that J \"points towards the target\". It does not: a gradient points where C *grows*, and "
-      "the "
-      "minus in (17) does the rest.");
+      "the minus in (17) does the rest.");
 
   page.claim({.quantity = "λ·|d| of the first step",
               .unit = "N·s",

@@ -17,8 +17,7 @@ void onto_the_tangent(const Setting& setting, Page& page) {
 
   page.text(
       "λ goes back to the bodies the way the rate came from them: through the same row, transposed. The article "
-      "calls "
-      "the product a force. λ came from velocities, so it is an *impulse*: F = P/h is the force.");
+      "calls the product a force. λ came from velocities, so it is an *impulse*: F = P/h is the force.");
   page.equation(5, "P = λ·d = @·@ = @ N·s on the bob", R"(P = \lambda\,d = @\cdot @ = @\ \mathrm{N\,s})",
                 row.lambda, row.d, Vector(row.lambda * row.d));
   page.equation(20, "v₂ = @ + @·@ = @ m/s", R"(v_2 = @ + @\cdot @ = @\ \mathrm{m/s})", row.v2,
@@ -41,12 +40,9 @@ void onto_the_tangent(const Setting& setting, Page& page) {
   const Vector impulse = row.lambda * row.d;
   page.text(
       "JV is now @ m²/s, which is rounding and nothing else. One row by itself is solved *exactly* by one "
-      "formula; "
-      "nothing is iterated.\n\nThe article calls Jᵀ the inverse of J. A row has no inverse: JJᵀ here is @ m². "
-      "What is "
-      "true is better. Because it is the same row both ways, the impulse does no work on any motion that obeys "
-      "the "
-      "rod: P·V = @ J.",
+      "formula; nothing is iterated.\n\nThe article calls Jᵀ the inverse of J. A row has no inverse: JJᵀ here is "
+      "@ m². What is true is better. Because it is the same row both ways, the impulse does no work on any motion "
+      "that obeys the rod: P·V = @ J.",
       solved.JV, row.J.matrix.squaredNorm(), impulse.dot(solved.v2));
 
   const double speed = std::sqrt(gravity() * length);
@@ -68,8 +64,8 @@ void onto_the_tangent(const Setting& setting, Page& page) {
   blow.guides = answer.guides = false;
   page.text(
       "On the other end of the rod acts −λd. A held point swallows it; two free bobs show what it is for. Hit one "
-      "of "
-      "@ kg, with one of @ kg at the other end: what one gains the other loses, and the momentum stays @ kg·m/s.",
+      "of @ kg, with one of @ kg at the other end: what one gains the other loses, and the momentum stays @ "
+      "kg·m/s.",
       setting.mass(), 4 * setting.mass(), after_momentum);
   page.figure(
       "momentum_kept",

@@ -64,10 +64,8 @@ void rigid_rod(const Setting& setting, Page& page) {
   const SimplePendulum bob(start, length, gravity());
   page.text(
       "So far two numbers moved: a bob in the plane. Put the same @ kg evenly along the rod instead and it turns: "
-      "a "
-      "third number, ω, and an inertia I = mL²/12 about its centre. Its constraint is a pin of two rows (the "
-      "hinge may "
-      "not move along x nor along y), and its J gets the arms that (14) had all along.",
+      "a third number, ω, and an inertia I = mL²/12 about its centre. Its constraint is a pin of two rows (the "
+      "hinge may not move along x nor along y), and its J gets the arms that (14) had all along.",
       mass);
   page.excerpt("solver/constraints/pin.hpp", "jacobian");
 
@@ -108,8 +106,7 @@ void rigid_rod(const Setting& setting, Page& page) {
       .x = {.label = "time (s)"}, .y = {.label = "angle (°)"}, .curves = {turned, swung, rod_exact, bob_exact}};
   page.figure("rod_and_bob_angles",
               "The rigid rod swings faster than the bob, as a bob on two thirds of its length would. Both lose "
-              "height, for "
-              "nothing cures their drift.",
+              "height, for nothing cures their drift.",
               chart);
   page.sequence(
       "rod_and_bob_swing",
@@ -136,10 +133,8 @@ void rigid_rod(const Setting& setting, Page& page) {
   page.figure("what_it_costs", "What the larger model stores for one body and its constraint.", cost);
   page.text(
       "So the larger model adds what the smaller cannot say: a period of @ s instead of @ s, and a hinge that "
-      "carries "
-      "@ of the weight at first. It costs @ numbers of J instead of @, a 2×2 effective mass instead of one "
-      "number, and "
-      "a sine and cosine in every step. Take it where things turn; a bob does not.",
+      "carries @ of the weight at first. It costs @ numbers of J instead of @, a 2×2 effective mass instead of "
+      "one number, and a sine and cosine in every step. Take it where things turn; a bob does not.",
       exact.period(), bob.period(), share, Jacobian<Rigid, 2>().matrix.size(),
       Jacobian<Point2, 1>().matrix.size());
 

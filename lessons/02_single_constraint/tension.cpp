@@ -110,8 +110,7 @@ void tension(const Setting& setting, Page& page) {
                step = std::sqrt(gravity() / length) * h;
   page.text(
       "At the bottom the run pulls with @ weights where the exact answer is @. What is missing is the step's "
-      "error, not "
-      "the solver's: with h/2 the error is @ instead of @.",
+      "error, not the solver's: with h/2 the error is @ instead of @.",
       lowest + error, lowest, half, error);
   const bool fine = step <= 0.05 && setting.release() >= 30 && setting.release() <= 120;
   const std::string range = "h·√(g/L) ≤ 0.05, release 30° … 120°";

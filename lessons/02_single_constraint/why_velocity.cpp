@@ -15,8 +15,7 @@ void why_velocity(const Setting& setting, Page& page) {
 
   page.text(
       "Why not push the *position* until C = 0, with the same row? Pull the bob out to @ L and try. C of (2) has "
-      "a "
-      "square in it, so J is only true where you stand: each push along M⁻¹Jᵀ of −C/(JM⁻¹Jᵀ) leaves something "
+      "a square in it, so J is only true where you stand: each push along M⁻¹Jᵀ of −C/(JM⁻¹Jᵀ) leaves something "
       "over.",
       stretched);
   Curve left{.label = "position: |C| left", .style = CurveStyle::line_and_markers, .colour = palette::error};
@@ -39,9 +38,8 @@ void why_velocity(const Setting& setting, Page& page) {
       "After one push @ m² of @ m² are left, after two @ m². Newton would do; but the pushed bob also keeps its "
       "velocity. If it was on its way out, it is out again in the next step: moving the position repairs what has "
       "happened, while an impulse stops it from happening. And with many rods each push spoils its neighbours, "
-      "where a "
-      "linear system still has one answer. So solve V first; whoever wants C = 0 as well adds it to that (lesson "
-      "4).",
+      "where a linear system still has one answer. So solve V first; whoever wants C = 0 as well adds it to that "
+      "(lesson 4).",
       left.y[1], left.y[0], left.y[2]);
 
   const double C0 = left.y[0];
