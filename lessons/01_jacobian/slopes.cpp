@@ -51,11 +51,12 @@ void slopes(tutor::Page& page, const Settings& set) {
                  {1, "Then the rest would not depend on h at all."}},
        .hint = "Expand ½(d + hv)² by hand.",
        .right = tutor::say("For (2) and a bob the rest is exactly ½h²v², here @ m².", exact)});
+  const double first_order = 2 * J.matrix(0, 5) * pair.V2[2];
   page.text(
       "For the bob you can do it on paper: ½(d + hv)² − ½d² = h d·v + ½h²v². For two turning boxes the rest is "
       "½h²C̈ and a little more. Now spoil the row: turn the sign of a₂ round, the mistake that d × r would have "
-      "made. The rest becomes 2h·a₂ω₂ = @·h: of *first* order.",
-      2 * J.matrix(0, 5) * pair.V2[2]);
+      "made. The rest gains 2h·a₂ω₂ = @·h, @.",
+      first_order, first_order != 0 ? "a term of *first* order" : "nothing, for ω₂ is 0 here");
 
   renderer::Curve right{
       .label = "(14), two boxes", .style = renderer::CurveStyle::line_and_markers, .colour = palette::constraint};
