@@ -180,7 +180,7 @@ void side_by_side(Page& page, const Knobs& knobs) {
     page.text(
         "Warm, the limit of step 6 decides, (1 − q)/q: @ for these sweeps (and never more than 2). Here β = @. A "
         "chain "
-        "whose limit is lower shakes itself to pieces sooner or later.",
+        "whose limit is lower does not come to rest: it quivers, or crumples.",
         limits, knobs.beta);
   } else {
     page.text(
