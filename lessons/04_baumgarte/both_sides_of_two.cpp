@@ -43,7 +43,8 @@ void draw_panel(Canvas& canvas, const Panel& panel, std::size_t now, const Recta
   const double reach = panel.reach();
   canvas.text({cell.centre().x(), cell.top() - 12}, say("β = @", panel.beta), {.size = 20, .bold = true});
   const auto [left, right] = Rectangle{cell.x, cell.y, cell.width, cell.height - 26}.split_columns(0.24, 2);
-  draw_rod_end(canvas, left, panel.errors[now], 1.1 * reach, say("@ cm", Value(100 * panel.errors[now], 2)));
+  draw_rod_end(canvas, left, panel.errors[now], 1.1 * reach,
+               say("@ cm", std::round(1e4 * panel.errors[now]) / 100));
   Curve stems{.style = CurveStyle::stems, .colour = palette::error};
   for (std::size_t i = 0; i <= now; ++i) {
     stems.x.push_back(static_cast<double>(i));

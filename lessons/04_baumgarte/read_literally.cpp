@@ -1,5 +1,6 @@
 // Step 4: (22) as it is printed, without 1/h.
 
+#include <algorithm>
 #include <cmath>
 
 #include "lessons/04_baumgarte/runs.hpp"
@@ -13,10 +14,10 @@ using namespace renderer;
 
 constexpr double seconds = 10;
 
-Curve decay(const Setting& setting, std::string label, const Baumgarte& cure, int steps) {
+Curve decay(const Setting& setting, std::string label, const Baumgarte& cure, int steps, std::size_t every) {
   const std::vector<double> run = errors(setting, cure, setting.h, steps);
-  Curve curve{.label = std::move(label)};
-  for (std::size_t i = 0; i < run.size(); ++i) {
+  Curve curve{.label = std::move(label), .style = CurveStyle::markers};
+  for (std::size_t i = 0; i < run.size(); i += every) {
     curve.x.push_back(static_cast<double>(i) * setting.h);
     curve.y.push_back(100 * std::abs(run[i]));
     if (curve.y.back() < 1e-3 * setting.error()) break;
@@ -55,8 +56,8 @@ void read_literally(const Setting& setting, Page& page) {
     question.wrong.push_back({half_time(1 - beta, h), "Without 1/h, β is a rate per second, not per step."});
   page.predict(question);
 
-  const Curve per_step =
-      decay(setting, say("per step: −(β/h)C, β = @", setting.beta), {beta}, static_cast<int>(std::lround(1 / h)));
+  const Curve per_step = decay(setting, say("per step: −(β/h)C, β = @", setting.beta), {beta},
+                               static_cast<int>(std::lround(1 / h)), 1);
   Curve law{.label = "e^{−βt}", .style = CurveStyle::theory};
   for (int i = 0; i <= 40; ++i) {
     law.x.push_back(i * seconds / 40);
@@ -69,8 +70,9 @@ void read_literally(const Setting& setting, Page& page) {
           setting.beta, seconds, Value(100 * left, 3)),
       Chart{.x = {.label = "time (s)", .range = {{0, seconds}}},
             .y = {.label = "|C| (cm)", .scale = Scale::logarithmic, .range = {{1e-2 * e, 200 * e}}},
-            .curves = {decay(setting, say("as printed: −βC, β = @ s⁻¹", setting.beta), literal, steps), per_step,
-                       law}});
+            .curves = {decay(setting, say("as printed: −βC, β = @ s⁻¹", setting.beta), literal, steps,
+                             static_cast<std::size_t>(std::max(1, steps / 40))),
+                       per_step, law}});
   page.text(
       "Both readings are in use, and both are right if you know which you have. Per step, the limit is β = 2; as "
       "printed "

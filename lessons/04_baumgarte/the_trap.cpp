@@ -73,7 +73,7 @@ struct Film {
     const std::pair<const HangingChain*, const char*> both[] = {{&warm, "warm"}, {&cold, "cold"}};
     for (int i = 0; i < 2; ++i) {
       const auto& [chain, name] = both[i];
-      const Rectangle below{frames[i].x, frames[i].y, frames[i].width, frames[i].height - 40};
+      const Rectangle below{frames[i].x, frames[i].y + 30, frames[i].width, frames[i].height - 70};
       canvas.text({frames[i].centre().x(), frames[i].top() - 16}, name,
                   {.size = 24, .colour = palette::series(i), .bold = true});
       canvas.look(fit({-0.1 * view, -view, 0.2 * view, 1.06 * view}, below, 6));
@@ -83,6 +83,9 @@ struct Film {
                      {.bob = std::min(13.0, 0.3 * spacing), .rod = std::min(5.0, 0.15 * spacing)});
       canvas.clip({});
       canvas.look_at_page();
+      canvas.text({frames[i].centre().x(), frames[i].y + 12},
+                  say("|C| to @ L", Value(chain->largest_error() / length, 2)),
+                  {.size = 18, .colour = palette::error});
     }
     renderer::draw(canvas, pictures::grown_to(beside, time), right.inset(0, 40));
   }
@@ -94,9 +97,9 @@ Film film(const Setting& setting, double beta) {
     return HangingChain({setting.links, setting.sweeps, beta, warm}, length, setting.mass, h);
   };
   Film film{hanging(true), hanging(false), length, 0, {}, setting.links};
-  film.beside = {.x = {.label = "time (s)"},
-                 .y = {.label = "largest |C|/L (1)", .scale = Scale::logarithmic, .range = {{1e-5, 30}}}};
-  double depth = setting.links * length;
+  film.beside = {.x = {.label = "time (s)"}, .y = {.label = "largest |C|/L (1)", .scale = Scale::logarithmic}};
+  constexpr double least = 1e-5;  // of the chart
+  double depth = setting.links * length, most = 0.1;
   for (const auto& [start, name] : {std::pair{&film.warm, "warm"}, std::pair{&film.cold, "cold"}}) {
     HangingChain chain = *start;
     Curve curve{.label = name};
@@ -104,12 +107,14 @@ Film film(const Setting& setting, double beta) {
       chain.step();
       curve.x.push_back(chain.time());
       const double error = chain.largest_error() / length;
-      curve.y.push_back(error > 0 ? std::clamp(error, 1e-5, 30.0) : NAN);
+      curve.y.push_back(error > least ? error : NAN);
+      most = std::max(most, error);
     }
     const double lowest = -chain.linkage().bobs.back().at.y();
     if (start == &film.cold && lowest < 2 * depth) depth = std::max(depth, lowest);
     film.beside.curves.push_back(curve);
   }
+  film.beside.y.range = {least, 2 * most};
   film.view = 1.08 * depth;
   return film;
 }
@@ -121,6 +126,7 @@ void the_trap(const Setting& setting, Page& page) {
   const double beta = setting.beta(), q = slow_wave(links, sweeps), limit = limit_of_beta(links, sweeps);
   const double growth = measured_growth({links, sweeps, beta}, setting.h, 2000),
                cold = measured_growth({links, sweeps, beta, false}, setting.h, 2000);
+  const bool dies_out = growth < 1;
 
   page.text(
       "One row, solved exactly, takes any β below 2. Now the chain of lesson 3: @ links, warm start, and @ "
@@ -129,21 +135,24 @@ void the_trap(const Setting& setting, Page& page) {
   page.choose(
       {.ask = say("\"Usually between 0.1 and 0.3\": β = @, @ links, @ warm sweeps a step. Does an error die out?",
                   setting.beta, links, sweeps),
-       .options = {{"yes", say("It is multiplied by @ a step. λ remembers the correction of last step and pays "
-                               "it twice; see (1 − q)/q.",
-                               growth)},
-                   {"no", say("It is multiplied by @ a step: λ remembers last step's correction and pays it "
-                              "again, more than was due.",
-                              growth)}},
-       .answer = growth < 1 ? 0 : 1,
+       .options = {{"yes", dies_out
+                               ? say("Yes, it is multiplied by @ a step: β is below (1 − q)/q = @.", growth, limit)
+                               : say("It is multiplied by @ a step. λ remembers the correction of last step and "
+                                     "pays it twice; see (1 − q)/q.",
+                                     growth)},
+                   {"no",
+                    dies_out ? say("It is multiplied by @ a step, and that is less than 1.", growth)
+                             : say("No, it is multiplied by @ a step: λ remembers last step's correction and pays "
+                                   "it again, more than was due.",
+                                   growth)}},
+       .answer = dies_out ? 0 : 1,
        .hint = "λ starts from last step's, and that held a correction too."});
-  if (growth < 1) page.text("With these numbers it does die out.");
   page.sequence(
       "warm_and_cold",
-      say("The same chain of @ m with β = @ and @ sweeps a step, warm and cold. The warm one carries its "
-          "weight sooner, and @; the cold one sags, and stays.",
+      say("The same chain of @ m with β = @ and @ sweeps a step, warm and cold. The warm one @; the cold one @.",
           links * setting.length(), setting.beta, sweeps,
-          growth < 1 ? "calms down" : "its errors ring louder with every swing until it flies apart"),
+          dies_out ? "calms down" : "rings louder with every swing",
+          cold < 1 ? "sags, and stays" : "does no better"),
       Seconds{seconds}, [film = film(setting, beta), h = setting.h()](Canvas& canvas, double time) mutable {
         film.draw(canvas, time, h);
       });
@@ -181,13 +190,17 @@ void the_trap(const Setting& setting, Page& page) {
               .expected = growth_law({links, sweeps, beta}),
               .source = "largest root z over all waves",
               .measured = growth,
-              .tolerance = absolute(1e-3)});
+              .tolerance = absolute(1e-3),
+              .claimed = beta <= 2,
+              .range = "β ≤ 2"});
   page.claim({.quantity = "growth in a step, cold",
               .unit = "1",
               .expected = growth_law({links, sweeps, beta, false}),
               .source = "z² − [1 + q − (1 − q)β]z + q = 0",
               .measured = cold,
-              .tolerance = absolute(1e-3)});
+              .tolerance = absolute(1e-3),
+              .claimed = beta <= 2,
+              .range = "β ≤ 2"});
   const bool in_reach = limit >= 0.02 && limit <= 1.9 && links <= 20;
   page.claim({.quantity = "β at which an error neither grows nor dies out",
               .unit = "1",

@@ -74,6 +74,11 @@ double law_of_loss(const Setting& setting, const SimplePendulum& exact, double b
   return h * h * h * (2 - beta) / (4 * beta * beta) * integral * exact.period() / (gravity * setting.length());
 }
 
+/// The time in β, h/β, against that of the pendulum [1]: the laws want it small.
+double lag(const Setting& setting, double beta) {
+  return setting.h() / beta * std::sqrt(gravity / setting.length());
+}
+
 /// The largest stretch, (ωh)²/(2β) where the bob is fastest.
 double law_of_drift(const Setting& setting, double beta) {
   const double h = setting.h();
@@ -111,8 +116,9 @@ void what_it_costs(const Setting& setting, Page& page) {
     drift.y.push_back(errors.drift);
     energy.y.push_back(errors.energy < 0 ? -errors.energy : NAN);
     time.y.push_back(std::abs(errors.period));
-    drift_law.y.push_back(law_of_drift(setting, b));
-    energy_law.y.push_back((swings - 1) * law_of_loss(setting, exact, b, h));
+    const bool quick = lag(setting, b) <= 0.3;
+    drift_law.y.push_back(quick ? law_of_drift(setting, b) : NAN);
+    energy_law.y.push_back(quick ? (swings - 1) * law_of_loss(setting, exact, b, h) : NAN);
     most = std::max(most, errors.energy);
     const std::array found{errors.drift, std::abs(errors.energy), std::abs(errors.period)};
     const std::array best{&best_drift, &best_energy, &best_period};
@@ -146,14 +152,15 @@ void what_it_costs(const Setting& setting, Page& page) {
             .y = {.label = "error (1)", .scale = Scale::logarithmic},
             .curves = {drift, energy, time, drift_law, energy_law}});
   page.text(
-      "The drift is least at β = @, the loss of energy at β = @, the error of the period at β = @. So on *one* "
-      "row, "
-      "solved exactly, more is better for quite some way, and 0.1 to 0.3 looks timid. What β costs is "
-      "elsewhere:\n\n"
+      "The drift is least at β = @, the loss of energy at β = @, the error of the period at β = @ (a dip of that "
+      "curve "
+      "is where it changes its sign, and no virtue). On *one* row, solved exactly, much β costs little, and 0.1 "
+      "to 0.3 "
+      "looks timid. What it costs is elsewhere:\n\n"
       "- An error that is suddenly there leaves at β·C/h: @ cm at β = 1 at @ m/s, which everyone sees. At β = @ "
       "it is @ "
       "m/s.\n"
-      "- Beyond 1 each correction overshoots and the next one turns it round; λ/h is no tension any more.\n"
+      "- Beyond 1 the correction of a sudden error overshoots, and the next one has to turn it round.\n"
       "- When rows are *not* solved exactly, the limit is far below 2: that is the trap of the last step.",
       best_drift, best_energy, best_period, 100 * setting.error(), setting.error() / h, setting.beta,
       beta * setting.error() / h);
@@ -172,14 +179,14 @@ void what_it_costs(const Setting& setting, Page& page) {
               .tolerance = at_most(),
               .claimed = usual,
               .range = "30° ≤ release ≤ 120°, a swing ≥ 100 steps"});
-  const double lag = h / beta * std::sqrt(gravity / length);
+  const double behind = lag(setting, beta);
   page.claim({.quantity = "largest drift, over L",
               .unit = "1",
               .expected = law_of_drift(setting, beta),
               .source = "law B1: (ωh)²/(2β) at the lowest point",
               .measured = own.drift,
-              .tolerance = relative(0.05 + 2 * lag * lag),
-              .claimed = usual && lag <= 0.3 && beta <= 1,
+              .tolerance = relative(0.05 + 2 * behind * behind),
+              .claimed = usual && behind <= 0.3 && beta <= 1,
               .range = "h/β·√(g/L) ≤ 0.3, β ≤ 1, 30° ≤ release ≤ 120°, a swing ≥ 100 steps"});
   constexpr int fine = 1500;
   const std::vector<double> means =
