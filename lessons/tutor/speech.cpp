@@ -10,20 +10,8 @@
 namespace byhand::tutor {
 namespace {
 
-std::string indented(const std::string& block, int columns) {
-  const std::string blanks(static_cast<size_t>(columns), ' ');
-  std::string all;
-  size_t from = 0;
-  while (from < block.size()) {
-    const size_t end = std::min(block.find('\n', from), block.size());
-    all += blanks + block.substr(from, end - from) + "\n";
-    from = end + 1;
-  }
-  return all;
-}
-
 std::string formula(const std::string& block, const std::string& label, const Style& style) {
-  std::string lines = indented(block, 6);
+  std::string lines = folded(block, style, 6);
   if (!label.empty()) {
     const size_t first = std::min(lines.find('\n'), lines.size());
     const int room = std::max(style.width - 6, display_width(std::string_view(lines).substr(0, first)) + 2);
@@ -126,7 +114,7 @@ std::string say(const Equation& equation, const Style& style) {
 
 std::string say(const Excerpt& excerpt, const Style& style) {
   return toned(fmt::format("  {}:{}", excerpt.file, excerpt.line), Tone::quiet, style) + "\n" +
-         toned(indented(excerpt.code, 4), Tone::code, style);
+         toned(folded(excerpt.code, style, 4), Tone::code, style);
 }
 
 std::string say(const Measure& measure, const Style& style) {

@@ -259,7 +259,11 @@ std::string plot(const Chart& chart, const Style& style) {
     }
   }
   const auto with = pens(chart.curves);
-  for (size_t i = 0; i < with.size(); ++i) draw_curve(grid, x, y, chart.curves[i], with[i]);
+  // What was measured lies over what theory says.
+  for (const bool theory : {true, false})
+    for (size_t i = 0; i < with.size(); ++i)
+      if ((chart.curves[i].style == CurveStyle::theory) == theory)
+        draw_curve(grid, x, y, chart.curves[i], with[i]);
   for (const auto& note : chart.annotations) {
     if (x.shows(note.x) && y.shows(note.y)) grid.put(y.cell(note.y), x.cell(note.x), "◆", 0);
   }

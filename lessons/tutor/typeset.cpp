@@ -142,6 +142,37 @@ std::string wrapped(std::string_view words, const Style& style, int indent) {
   return all;
 }
 
+std::string folded(std::string_view lines, const Style& style, int indent) {
+  std::string all;
+  std::istringstream stream{std::string(lines)};
+  for (std::string line; std::getline(stream, line);) {
+    const auto text = line.find_first_not_of(' ');
+    if (text == std::string::npos) {
+      all += "\n";
+      continue;
+    }
+    std::string shown = indentation(indent) + line.substr(0, text);
+    const int further = display_width(shown) + 4;
+    bool empty = true;
+    for (size_t at = text; at < line.size();) {
+      // A word with the blanks before it, so that columns stay aligned.
+      const size_t end =
+          std::min(line.find(' ', std::min(line.find_first_not_of(' ', at), line.size())), line.size());
+      std::string word = line.substr(at, end - at);
+      if (!empty && display_width(shown) + display_width(word) > style.width) {
+        all += shown + "\n";
+        shown = indentation(further);
+        word.erase(0, word.find_first_not_of(' '));
+      }
+      shown += word;
+      empty = false;
+      at = end;
+    }
+    all += shown + "\n";
+  }
+  return all;
+}
+
 std::string table(const std::vector<std::vector<std::string>>& rows, int indent) {
   std::vector<int> widths;
   for (const auto& row : rows) {

@@ -31,6 +31,10 @@ std::string with_emphasis(std::string_view words, const Style& style);
 /// lines part paragraphs; lines that begin with "- " are items of a list. Ends with a newline.
 std::string wrapped(std::string_view words, const Style& style, int indent = 0);
 
+/// Lines as they are, each behind `indent` blanks; what is longer than `style.width` goes on below, four blanks
+/// further in.
+std::string folded(std::string_view lines, const Style& style, int indent);
+
 /// Rows in columns, each as wide as its widest cell, two blanks apart.
 std::string table(const std::vector<std::vector<std::string>>& rows, int indent = 0);
 

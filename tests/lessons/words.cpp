@@ -79,11 +79,17 @@ TEST(Wrapped, KeepsEveryLineWithinTheWidthAndEveryWord) {
     int count = 0;
     for (; std::getline(lines, line); ++count) {
       EXPECT_LE(display_width(line), 40) << line;
-      if (!line.empty()) EXPECT_TRUE(line.starts_with("    ")) << line;
+      EXPECT_TRUE(line.empty() || line.starts_with("    ")) << line;
     }
     EXPECT_GE(count, 6);
   }
   EXPECT_EQ(wrapped("*a* `b` **c** 2 * 3", {80, false}), "a `b` c 2 * 3\n");
+}
+
+TEST(Folded, KeepsShortLinesAsTheyAreAndBreaksLongOnesBetweenWords) {
+  EXPECT_EQ(folded("JV = [ l₁  a₁ ]\n     [ l₂ ]", {40, false}, 2), "  JV = [ l₁  a₁ ]\n       [ l₂ ]\n");
+  EXPECT_EQ(folded("  a quite long line of code that goes on;\n\nb", {24, false}, 2),
+            "    a quite long line of\n        code that goes\n        on;\n\n  b\n");
 }
 
 TEST(ArticleEquation, IsThereFrom1To23InBothForms) {
