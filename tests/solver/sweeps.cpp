@@ -168,6 +168,20 @@ TEST(GaussSeidel, WarmStartBeginsWithTheImpulsesOfTheLastStep) {
   EXPECT_LT(residual_after_a_step(time_step / 2), 1e-10) << "λ is an impulse and halves with the step";
 }
 
+TEST(ColdStart, ForgetsWhatLambdaWasBefore) {
+  in_all_models([]<class M>(Random&) {
+    for (const RowSolver& solver : {RowSolver(GaussSeidel{3, false}), RowSolver(Jacobi{3, false})}) {
+      auto scene = rod_chain<M>({.links = 5, .angle = 1});
+      Work<M> used, none;
+      for (int i = 0; i < 5; ++i) advance(scene, {solver}, time_step, used);
+      auto fresh = scene;
+      advance(scene, {solver}, time_step, used);
+      advance(fresh, {solver}, time_step, none);
+      EXPECT_EQ(used.system.lambda, none.system.lambda);
+    }
+  });
+}
+
 TEST(GaussSeidel, RelaxesFasterAtTheBestFactor) {
   // SOR theory: ω = 2/(1+√(1-ρ²)) with ρ = cos(π/2N) of Jacobi takes the rate from ρ² to ω - 1.
   const auto scene = rod_chain<PlaneParticle, NormalisedDistance>({.links = 10});
