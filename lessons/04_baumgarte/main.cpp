@@ -50,7 +50,8 @@ int main(int argc, char** argv) {
                   "./lessons/run baumgarte --set h=1/120 --set beta=0.1"},
                  {"Out of the trap: how many sweeps does ten links' chain need at this β?",
                   "./lessons/run baumgarte --step 6b --set sweeps=8"}},
-       .next = "What pulls in a rod also pushes out what overlaps: contacts and friction come next, whose "
-               "rows may only push."});
+       .next =
+           "What pulls in a rod also pushes out what overlaps: contacts come next, whose rows may only push, and "
+           "friction, which leans on them."});
   return lesson.run(argc, argv);
 }

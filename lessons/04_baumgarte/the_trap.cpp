@@ -149,7 +149,8 @@ void the_trap(const Setting& setting, Page& page) {
        .hint = "λ starts from last step's, and that held a correction too."});
   page.sequence(
       "warm_and_cold",
-      say("The same chain of @ m with β = @ and @ sweeps a step, warm and cold. The warm one @; the cold one @.",
+      say("The same chain of @ m with β = @ and @ sweeps a step, warm and cold. The warm one @; the cold one @. "
+          "What leaves the picture goes on in the chart.",
           links * setting.length(), setting.beta, sweeps,
           dies_out ? "calms down" : "rings louder with every swing",
           cold < 1 ? "sags, and stays" : "does no better"),
@@ -185,22 +186,25 @@ void the_trap(const Setting& setting, Page& page) {
       Value(std::min(2.0, limit_of_beta(links, 10 * sweeps)), 3));
   page.measure("growth of an error in a step", growth, "1");
 
+  // The waves that a sweep in chain order removes at once hang together; in a long chain rounding feeds them.
+  const bool pure = beta <= 1.5 || (beta <= 2 && links <= 12);
+  const std::string range = "β ≤ 1.5, or β ≤ 2 and at most 12 links";
   page.claim({.quantity = "growth in a step, warm",
               .unit = "1",
               .expected = growth_law({links, sweeps, beta}),
               .source = "largest root z over all waves",
               .measured = growth,
               .tolerance = absolute(1e-3),
-              .claimed = beta <= 2,
-              .range = "β ≤ 2"});
+              .claimed = pure,
+              .range = range});
   page.claim({.quantity = "growth in a step, cold",
               .unit = "1",
               .expected = growth_law({links, sweeps, beta, false}),
               .source = "z² − [1 + q − (1 − q)β]z + q = 0",
               .measured = cold,
               .tolerance = absolute(1e-3),
-              .claimed = beta <= 2,
-              .range = "β ≤ 2"});
+              .claimed = pure,
+              .range = range});
   const bool in_reach = limit >= 0.02 && limit <= 1.9 && links <= 20;
   page.claim({.quantity = "β at which an error neither grows nor dies out",
               .unit = "1",
