@@ -257,8 +257,9 @@ int view_blocks(System<M>& system, DirectWork<M>& work) {
     common = common == -1 || common == K ? K : 0;
     for (const auto& block : blocks) {
       while (p < plan.nodes.size() && plan.nodes[p].edge < 0) ++p;
-      if (p == plan.nodes.size()) {  // edges between fixed bodies follow; nothing they do matters
-        for (int k = 0; k < K; ++k) system.lambda[block.row + k] = 0;
+      if (p == plan.nodes.size()) {  // edges between fixed bodies follow: only their softness can answer them
+        for (int k = block.row; k < block.row + K; ++k)
+          system.lambda[k] = system.gamma[k] > 0 ? -system.bias[k] / system.gamma[k] : 0.0;
         continue;
       }
       work.views[p++] = {

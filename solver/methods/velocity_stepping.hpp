@@ -78,6 +78,7 @@ void rescale_impulses(Work<M>& work, double h) {
 template <class S, class M = typename S::model>
 void advance(S& scene, const VelocityStepping& method, double step, Work<M>& work) {
   require_positive("time step", step, "s");
+  for (const double g : scene.gravity) require_finite("gravity", g, "m/s²");
   require_valid(method);
   lay_out(scene, method.solver, work);
   if (const std::string reason = refusal(method, work.system.bounded); !reason.empty())
