@@ -35,7 +35,7 @@ void a_share_of_the_error(const Setting& setting, Page& page) {
   const std::vector<double> run = errors(setting, {beta}, h, steps);
   // Beyond the anchor |d| − L is another error, and n has turned round.
   const bool this_side = std::pow(std::abs(1 - beta), steps) * e < 0.9 * length;
-  const std::string range = "the bob stays on its side of the anchor";
+  const std::string range = "a bob that stays on its side of the anchor";
 
   page.text(
       "The cure is to ask for another rate than zero. (21) adds a bias b to it, and (22) chooses b so that the "
@@ -77,12 +77,12 @@ void a_share_of_the_error(const Setting& setting, Page& page) {
   const double push = 0.5 * setting.mass() * std::pow(beta * e / h, 2);
   page.text(
       "The article calls this \"a small addition of energy\", and here you can see it: nothing moved, and after "
-      "one step "
-      "the bob flies at @ m/s and carries @ J. The next step slows it down, as there is less to correct, and so "
-      "it goes "
-      "on: velocity is lent, at 1 − β of the rate a step, and taken back. Whether that adds up to a gain in a "
-      "scene that "
-      "moves is for step 6 to measure.",
+      "one "
+      "step the bob flies at @ m/s and carries @ J. The next step finds less to correct and asks for less speed, "
+      "and so "
+      "it goes on: what was lent is taken back. Whether that adds up to a gain in a scene that moves is for step "
+      "6 to "
+      "measure.",
       beta * e / h, push);
   page.measure("error after five steps", 100 * run.back(), "cm");
 
