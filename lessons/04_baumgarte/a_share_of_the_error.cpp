@@ -79,10 +79,10 @@ void a_share_of_the_error(const Setting& setting, Page& page) {
       "The article calls this \"a small addition of energy\", and here you can see it: nothing moved, and after "
       "one "
       "step the bob flies at @ m/s and carries @ J. The next step finds less to correct and asks for less speed, "
-      "and so "
-      "it goes on: what was lent is taken back. Whether that adds up to a gain in a scene that moves is for step "
-      "6 to "
-      "measure.",
+      "and "
+      "so it goes on: what was lent is taken back. Whether that adds up to a gain in a scene that moves is for "
+      "step 6 "
+      "to measure.",
       beta * e / h, push);
   page.measure("error after five steps", 100 * run.back(), "cm");
 

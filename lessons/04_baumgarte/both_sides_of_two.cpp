@@ -120,6 +120,7 @@ void both_sides_of_two(const Setting& setting, Page& page) {
                .hint = "What is left after two steps? After three?"});
 
   std::vector<Panel> panels;
+  panels.reserve(shown.size() + 1);
   for (const double beta : shown) panels.push_back(panel(setting, beta));
   const bool known = std::any_of(shown.begin(), shown.end(), [&](double b) { return b == setting.beta(); });
   if (!known) panels.push_back(panel(setting, setting.beta()));

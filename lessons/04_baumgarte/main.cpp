@@ -37,8 +37,7 @@ int main(int argc, char** argv) {
 
   lesson.closing(
       {.now_you_know =
-           {"JV = 0 leaves the circle along its tangent: C grows at hv²/2L, then ever more slowly, and energy "
-            "falls.",
+           {"JV = 0 follows the tangent: C grows at hv²/2L, later more slowly, and energy falls.",
             "JV = −(β/h)C leaves (1 − β) of an error: monotone to 1, overshooting to 2, growing beyond.",
             "Printed without 1/h, β is a rate in 1/s; with it, a share a step, and h/β is the time in it.",
             "On a pendulum it lends energy and takes it back; over a swing energy falls, whatever β.",

@@ -11,7 +11,6 @@ namespace byhand::baumgarte {
 
 using namespace renderer;
 using tutor::say;
-using tutor::Value;
 
 PendulumFilm::PendulumFilm(const Setting& setting)
     : betas_(film_betas(setting)),
