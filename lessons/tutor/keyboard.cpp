@@ -9,11 +9,16 @@
 namespace byhand::tutor {
 namespace {
 
-volatile std::sig_atomic_t waiting = 0, interrupted = 0;
+volatile std::sig_atomic_t interrupted = 0;
 
+/// What is being said or drawn has a second to come to the next question, where the reader is taken leave of; a
+/// drawing that takes longer is left at once.
 extern "C" void on_interrupt(int) {
   interrupted = 1;
-  if (waiting) return;
+  alarm(1);
+}
+
+extern "C" void on_alarm(int) {
   constexpr char plain[] = "\033[0m\n";
   [[maybe_unused]] const auto written = write(STDOUT_FILENO, plain, sizeof plain - 1);
   _exit(0);
@@ -27,6 +32,7 @@ Keyboard::Keyboard() {
   struct sigaction action {};
   action.sa_handler = on_interrupt;  // without SA_RESTART, so that a wait ends
   sigaction(SIGINT, &action, &former);
+  std::signal(SIGALRM, on_alarm);
 }
 
 Keyboard::~Keyboard() { sigaction(SIGINT, &former, nullptr); }
@@ -34,9 +40,7 @@ Keyboard::~Keyboard() { sigaction(SIGINT, &former, nullptr); }
 std::optional<std::string> Keyboard::line() {
   for (auto end = rest_.find('\n'); end == std::string::npos; end = rest_.find('\n')) {
     std::array<char, 512> buffer{};
-    waiting = 1;
     const ssize_t count = interrupted ? -1 : read(STDIN_FILENO, buffer.data(), buffer.size());
-    waiting = 0;
     if (count <= 0) return std::nullopt;
     rest_.append(buffer.data(), static_cast<size_t>(count));
   }

@@ -5,9 +5,9 @@
 
 namespace byhand::tutor {
 
-/// Lines from standard input while a reader is there. As long as it lives, Ctrl-C ends a wait for a line as
-/// the end of input does, and at any other time ends the program at once with the terminal as it was: a place
-/// kept before is all that need survive.
+/// Lines from standard input while a reader is there. As long as it lives, Ctrl-C ends a wait for a line as the
+/// end of input does; what takes longer than a second to come to that wait is ended then, with the terminal as it
+/// was: a place kept before is all that need survive.
 class Keyboard {
  public:
   Keyboard();
