@@ -150,7 +150,9 @@ TEST(Friction, StaysWithinItsBallOnEveryRandomScene) {
             const Eigen::Map<const Rows<Friction<M>::rows>> rubbing(&work.system.lambda[row]);
             EXPECT_GE(pressing, 0);
             // In the other orders a contact may still give way after its friction was held within it.
-            if (order == SweepOrder::natural) EXPECT_LE(rubbing.norm(), friction.coefficient * pressing + 1e-12);
+            if (order == SweepOrder::natural) {
+              EXPECT_LE(rubbing.norm(), friction.coefficient * pressing + 1e-12);
+            }
           }
         }
       },
