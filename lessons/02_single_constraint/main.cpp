@@ -8,7 +8,7 @@ int main(int argc, char** argv) {
 
   tutor::Lesson lesson({.slug = "02_single_constraint",
                         .title = "Single constraint",
-                        .summary = "one bob, one rod: solve (17), apply (20), and watch what that does not solve",
+                        .summary = "One bob, one rod: solve (17), apply (20), and watch what that does not solve.",
                         .method = "symplectic Euler; one row solved exactly by (17); no drift cure"});
   const Setting setting{
       .length = lesson.parameter("length", 2.0, "m", {0.1, 20}, "length of the rod"),

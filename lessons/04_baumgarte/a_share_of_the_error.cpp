@@ -42,7 +42,7 @@ void a_share_of_the_error(const Setting& setting, Page& page) {
       "error is "
       "on its way out:");
   page.equation(21);
-  page.equation(22, "JV = −(β/h)·C = −(@/@ s)·@ m = @ m/s",
+  page.equation(22, "JV = −(β/h)·C = −(@/(@ s))·@ m = @ m/s",
                 R"(JV = -\frac{\beta}{h}\,C = -\frac{@}{@\,\mathrm{s}}\cdot @\,\mathrm{m} = @\,\mathrm{m/s})",
                 setting.beta, setting.h, setting.error, -beta * e / h);
   page.text(

@@ -8,7 +8,7 @@ int main(int argc, char** argv) {
 
   tutor::Lesson lesson({.slug = "04_baumgarte",
                         .title = "Baumgarte",
-                        .summary = "why rods grow, how (22) pulls them back, and how much of it a scene can bear",
+                        .summary = "Why rods grow, how (22) pulls them back, and how much of it a scene can bear.",
                         .method = "symplectic Euler; one row solved exactly by (17), or Gauss–Seidel; Baumgarte"});
   const Setting setting{
       .beta = lesson.parameter("beta", 0.2, "1", {0.01, 3}, "share of the error that a step takes away"),
