@@ -93,14 +93,6 @@ class Scene {
     return found;
   }
 
-  template <class F>
-  void visit(const Number& number, F&& f) const {
-    [&]<std::size_t... I>(std::index_sequence<I...>) {
-      (void)((static_cast<int>(I) == number.kind && (f(std::get<I>(constraints_)[number.index]), true)) || ...);
-    }
-    (std::index_sequence_for<Kinds<M>...>());
-  }
-
   /// Calls f with the vector of constraints of one kind.
   template <class F>
   void visit_kind(int kind, F&& f) const {
@@ -108,6 +100,11 @@ class Scene {
       (void)((static_cast<int>(I) == kind && (f(std::get<I>(constraints_)), true)) || ...);
     }
     (std::index_sequence_for<Kinds<M>...>());
+  }
+
+  template <class F>
+  void visit(const Number& number, F&& f) const {
+    visit_kind(number.kind, [&](const auto& constraints) { f(constraints[number.index]); });
   }
 
   template <class Kind, class BlockOfKind>
