@@ -20,11 +20,11 @@ PositionError position_error(const S& scene) {
   int rows = 0;
   scene.for_each([&](const auto& constraint) {
     using Kind = std::remove_cvref_t<decltype(constraint)>;
-    if constexpr (Kind::drifts) {
+    if constexpr (Kind::drifting > 0) {
       const auto C = constraint.template value<double>(scene.bodies.pose[constraint.at.body1],
                                                        scene.bodies.pose[constraint.at.body2]);
-      for (const double c : C) {
-        const double error = Kind::bound == Bound::interval ? std::max(0.0, -c) : std::abs(c);
+      for (const double c : C.template head<Kind::drifting>()) {
+        const double error = Kind::bound == Bound::none ? std::abs(c) : std::max(0.0, -c);
         largest = std::max(largest, error);
         sum += error * error;
         ++rows;

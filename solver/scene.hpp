@@ -78,8 +78,8 @@ class Scene {
   /// Lays the system's blocks out in this order of constraint numbers. λ is kept for constraints that stay.
   void lay_out(const std::vector<int>& order, System<M>& system) const;
 
-  /// Writes J, M⁻¹Jᵀ, C, γ and bounds of every row at the current poses.
-  void write_rows(System<M>& system) const;
+  /// Writes J, M⁻¹Jᵀ, C, γ, bounds and what a row adds to its bias, at the current poses, for a time step h [s].
+  void write_rows(System<M>& system, double h) const;
 
  private:
   struct Number {
@@ -108,7 +108,7 @@ class Scene {
   }
 
   template <class Kind, class BlockOfKind>
-  void write(const Kind& constraint, BlockOfKind& block, System<M>& system) const;
+  void write(const Kind& constraint, BlockOfKind& block, double h, System<M>& system) const;
 
   std::tuple<std::vector<Kinds<M>>...> constraints_;
   std::vector<Number> numbered_;
@@ -156,7 +156,8 @@ void Scene<M, Kinds...>::lay_out(const std::vector<int>& order, System<M>& syste
       row += Kind::rows;
     });
   }
-  for (auto* numbers : {&system.lambda, &system.C, &system.bias, &system.gamma, &system.lower, &system.upper})
+  for (auto* numbers : {&system.lambda, &system.C, &system.bias, &system.gamma, &system.rate, &system.lower,
+                        &system.upper, &system.restitution})
     numbers->assign(row, 0.0);
   for (std::size_t number = 0; number < old_row.size(); ++number)
     visit(numbered_[number], [&](const auto& constraint) {
@@ -167,34 +168,42 @@ void Scene<M, Kinds...>::lay_out(const std::vector<int>& order, System<M>& syste
 
 //! [write_rows]
 template <class M, template <class> class... Kinds>
-void Scene<M, Kinds...>::write_rows(System<M>& system) const {
+void Scene<M, Kinds...>::write_rows(System<M>& system, double h) const {
   const int* source = system.source.data();
   for (const Run& run : system.runs)
     visit_kind(run.kind, [&]<class Kind>(const std::vector<Kind>& constraints) {
       auto& blocks = std::get<block_type<M, Kind::rows, Kind::bound>()>(system.blocks);
-      for (int i = run.first; i < run.first + run.count; ++i) write(constraints[*source++], blocks[i], system);
+      for (int i = run.first; i < run.first + run.count; ++i) write(constraints[*source++], blocks[i], h, system);
     });
 }
 
 template <class M, template <class> class... Kinds>
 template <class Kind, class BlockOfKind>
-void Scene<M, Kinds...>::write(const Kind& constraint, BlockOfKind& block, System<M>& system) const {
+void Scene<M, Kinds...>::write(const Kind& constraint, BlockOfKind& block, double h, System<M>& system) const {
   const Pose<M>&pose1 = bodies.pose[block.body1], &pose2 = bodies.pose[block.body2];
-  if constexpr (Kind::drifts) {
+  if constexpr (Kind::drifting > 0) {
     const Rows<Kind::rows> C = constraint.template value<double>(pose1, pose2);
-    for (int k = 0; k < Kind::rows; ++k) system.C[block.row + k] = C[k];
+    for (int k = 0; k < Kind::drifting; ++k) system.C[block.row + k] = C[k];
   }
   // Made in place: assigned, they would be written number by number and at once read back in pairs, which stalls.
   using J = Jacobian<M, Kind::rows>;
   new (&block.J) J(constraint.jacobian(pose1, pose2));
   new (&block.W) J(times_inverse_mass(block.J, bodies.inverse_mass[block.body1], pose1,
                                       bodies.inverse_mass[block.body2], pose2));
-  for (int k = 0; k < Kind::rows; ++k) system.gamma[block.row + k] = constraint.softness;
+  if constexpr (requires { constraint.soft(pose1, pose2, h); }) {
+    const Soft soft = constraint.soft(pose1, pose2, h);
+    system.gamma[block.row] = soft.gamma;
+    system.rate[block.row] = soft.rate;
+  } else {
+    for (int k = 0; k < Kind::rows; ++k) system.gamma[block.row + k] = constraint.softness;
+  }
+  if constexpr (requires { constraint.restitution; }) system.restitution[block.row] = constraint.restitution;
   if constexpr (Kind::bound == Bound::interval) {
-    const auto [lower, upper] = constraint.bounds();
+    const auto [lower, upper] = constraint.bounds(h);
     system.lower[block.row] = lower;
     system.upper[block.row] = upper;
   }
+  if constexpr (Kind::bound == Bound::face) system.upper[block.row] = constraint.coefficient;
   if constexpr (Kind::bound == Bound::ball) {
     system.upper[block.row] = constraint.coefficient;
     block.leader = system.row_of[constraint.leader];

@@ -23,40 +23,66 @@ struct Block {
   Jacobian<M, K> J, W;  // W = M⁻¹Jᵀ, row for row
 };
 
+/// A type of block: how many rows it has and what bounds them.
+template <int K, Bound B>
+struct BlockType {};
+template <class... Types>
+struct BlockTypes {};
+
+/// The types of block that a model's constraints are made of: single rows, points held along every axis, what
+/// leaves a body none, one or (in space) some of its degrees of freedom; limits; contacts and their friction.
+template <class M>
+struct BlockTypesOf;
+template <>
+struct BlockTypesOf<PlaneParticle> {
+  using type = BlockTypes<BlockType<1, Bound::none>, BlockType<2, Bound::none>, BlockType<1, Bound::interval>,
+                          BlockType<1, Bound::ball>>;
+};
+template <>
+struct BlockTypesOf<PlaneBody> {
+  using type = BlockTypes<BlockType<1, Bound::none>, BlockType<2, Bound::none>, BlockType<3, Bound::none>,
+                          BlockType<1, Bound::interval>, BlockType<1, Bound::ball>, BlockType<3, Bound::face>>;
+};
+template <>
+struct BlockTypesOf<SpaceParticle> {
+  using type = BlockTypes<BlockType<1, Bound::none>, BlockType<3, Bound::none>, BlockType<1, Bound::interval>,
+                          BlockType<1, Bound::ball>, BlockType<2, Bound::ball>>;
+};
+template <>
+struct BlockTypesOf<SpaceBody> {
+  using type = BlockTypes<BlockType<1, Bound::none>, BlockType<3, Bound::none>, BlockType<5, Bound::none>,
+                          BlockType<6, Bound::none>, BlockType<1, Bound::interval>, BlockType<1, Bound::ball>,
+                          BlockType<2, Bound::ball>>;
+};
+
 namespace detail {
 
-template <template <int, Bound> class Element, int linear>
-struct PerBlock;
-template <template <int, Bound> class Element>
-struct PerBlock<Element, 2> {
-  using type = std::tuple<std::vector<Element<1, Bound::none>>, std::vector<Element<2, Bound::none>>,
-                          std::vector<Element<1, Bound::interval>>, std::vector<Element<1, Bound::ball>>>;
+template <template <int, Bound> class Element, class Types>
+struct PerType;
+template <template <int, Bound> class Element, int... K, Bound... B>
+struct PerType<Element, BlockTypes<BlockType<K, B>...>> {
+  using type = std::tuple<std::vector<Element<K, B>>...>;
 };
-template <template <int, Bound> class Element>
-struct PerBlock<Element, 3> {
-  using type = std::tuple<std::vector<Element<1, Bound::none>>, std::vector<Element<3, Bound::none>>,
-                          std::vector<Element<1, Bound::interval>>, std::vector<Element<1, Bound::ball>>,
-                          std::vector<Element<2, Bound::ball>>>;
-};
+
+template <class Type, class... Types>
+constexpr int place_of(BlockTypes<Types...>) {
+  int place = 0, found = -1;
+  ((std::is_same_v<Type, Types> ? void(found = place++) : void(++place)), ...);
+  return found;
+}
 
 }  // namespace detail
 
-/// Storage for something per block, contiguous by (K, bound): unbounded rows one by one or as many as there are
-/// axes, single rows with an interval, and friction in one axis or, in space, two.
+/// Storage for something per block, contiguous by type.
 template <class M, template <int, Bound> class Element>
-using PerBlock = typename detail::PerBlock<Element, M::linear>::type;
+using PerBlock = typename detail::PerType<Element, typename BlockTypesOf<M>::type>::type;
 
 /// The place of blocks of K rows with bound B among the vectors of PerBlock.
 template <class M, int K, Bound B>
 constexpr int block_type() {
-  static_assert(B != Bound::none || K == 1 || K == M::linear,
-                "PerBlock has no blocks of this many unbounded rows");
-  if constexpr (B == Bound::none)
-    return K == 1 ? 0 : 1;
-  else if constexpr (B == Bound::interval)
-    return 2;
-  else
-    return 2 + K;
+  constexpr int place = detail::place_of<BlockType<K, B>>(typename BlockTypesOf<M>::type());
+  static_assert(place >= 0, "this model has no blocks of so many rows with that bound: see BlockTypesOf");
+  return place;
 }
 
 /// Consecutive blocks of one type and one kind of constraint, in solve order.
@@ -71,11 +97,12 @@ struct Run {
 /// Calls f(std::integral_constant) with the place of a type of block among the vectors of PerBlock.
 template <class M, class F>
 void for_type(int type, F&& f) {
-  constexpr std::size_t types = M::linear + 2;
-  [&]<std::size_t... I>(std::index_sequence<I...>) {
-    (void)((static_cast<int>(I) == type && (f(std::integral_constant<std::size_t, I>()), true)) || ...);
-  }
-  (std::make_index_sequence<types>());
+  [&]<class... Types>(BlockTypes<Types...>) {
+    [&]<std::size_t... I>(std::index_sequence<I...>) {
+      (void)((static_cast<int>(I) == type && (f(std::integral_constant<std::size_t, I>()), true)) || ...);
+    }
+    (std::index_sequence_for<Types...>());
+  }(typename BlockTypesOf<M>::type());
 }
 
 /// A run's elements in any PerBlock storage.
@@ -92,8 +119,9 @@ struct System {
   using BlockOf = Block<M, K, B>;
 
   PerBlock<M, BlockOf> blocks;
-  std::vector<Run> runs;                                     // in solve order
-  std::vector<double> lambda, C, bias, gamma, lower, upper;  // one number a row; `upper` of a ball is μ
+  std::vector<Run> runs;  // in solve order
+  std::vector<double> lambda, C, bias, gamma, rate, lower, upper,
+      restitution;          // one number a row; of a ball or face `upper` is μ
   std::vector<int> source;  // for each block in solve order, its constraint's place among those of its kind
   std::vector<int> row_of;  // for each constraint by its number, its first row
   bool bounded = false;     // whether any row is
@@ -109,14 +137,19 @@ struct System {
 };
 
 //! [bound]
-/// λ held within its bound: an interval, or the ball of radius `upper` times the leader's λ.
+/// λ held within its bound: an interval, the ball of radius `upper` times the leader's λ, or of a face the two
+/// normals at zero or above and friction within `upper` times their sum.
 template <int K, Bound B>
 Rows<K> bounded(const Rows<K>& lambda, double lower, double upper, double leader) {
   if constexpr (B == Bound::none)
     return lambda;
   else if constexpr (B == Bound::interval)
     return Rows<K>(std::clamp(lambda[0], lower, upper));
-  else {
+  else if constexpr (B == Bound::face) {
+    const double first = std::max(0.0, lambda[0]), second = std::max(0.0, lambda[1]);
+    const double radius = upper * (first + second);
+    return {first, second, std::clamp(lambda[2], -radius, radius)};
+  } else {
     const double radius = upper * leader, length = lambda.norm();
     return length > radius ? Rows<K>(lambda * (radius / length)) : lambda;
   }

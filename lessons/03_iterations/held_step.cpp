@@ -7,7 +7,7 @@ namespace byhand::iterations {
 HeldStep::HeldStep(const ChainOptions& chain, double h, const RowSolver& solver)
     : chain_(chain), h_(h), solver_(solver), scene_(rod_chain<PlaneParticle>(chain)) {
   lay_out(scene_, solver_, work_);
-  scene_.write_rows(work_.system);
+  scene_.write_rows(work_.system, h);
   add_gravity(scene_.bodies, scene_.gravity, h);
   prepare(work_.system, BlockSolve::whole, 1.0, work_.gauss_seidel);
 }

@@ -5,9 +5,14 @@
 
 namespace byhand {
 
-/// What bounds the accumulated impulse of a constraint: nothing; an interval; or a ball whose radius follows
-/// the impulse of a leading row (friction).
-enum class Bound { none, interval, ball };
+/// What bounds the accumulated impulse of a constraint: nothing; an interval; a ball whose radius follows the
+/// impulse of a leading row (friction); or, for the three rows of a face, both at once.
+enum class Bound { none, interval, ball, face };
+
+/// What a row that acts like a spring or a motor asks for over a time step: Δλ = -E(JV + rate + γλ).
+struct Soft {
+  double gamma = 0, rate = 0;  // γ, and what is added to the bias [units of C per second]
+};
 
 /// The arms of a constraint's two anchors, each in the frame of its body [m]; a particle has none, and they take
 /// no space.

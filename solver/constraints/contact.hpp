@@ -21,13 +21,16 @@ template <class M>
 struct Contact {
   static constexpr int rows = 1;
   static constexpr Bound bound = Bound::interval;
-  static constexpr bool drifts = true;
+  static constexpr int drifting = rows;
 
   Anchors<M> at;
   Linear<M> normal = Linear<M>::Unit(M::linear - 1);  // n, a unit vector in the world
+  double restitution = 0;                             // e in [0, 1]
   double softness = 0;                                // γ [1/kg] >= 0
 
-  static constexpr std::array<double, 2> bounds() { return {0, std::numeric_limits<double>::infinity()}; }
+  static constexpr std::array<double, 2> bounds(double /*h*/) {
+    return {0, std::numeric_limits<double>::infinity()};
+  }
 
   /// (23) at two poses [m], for any scalar; n stays as it is, or (15) would not be the gradient.
   template <class T>
@@ -45,10 +48,11 @@ struct Contact {
   }
   //! [jacobian]
 
-  /// Throws std::invalid_argument unless the normal has length 1 and softness >= 0.
+  /// Throws std::invalid_argument unless the normal has length 1, e is in [0, 1] and softness >= 0.
   void require_valid(const Bodies<M>& bodies) const {
     at.require_valid(bodies);
     require_in("length of the normal", normal.norm(), 1 - 1e-9, 1 + 1e-9);
+    require_in("restitution", restitution, 0, 1);
     require_in("softness", softness, 0, 1e300);
   }
 };

@@ -18,7 +18,7 @@ template <class M>
 struct Distance {
   static constexpr int rows = 1;
   static constexpr Bound bound = Bound::none;
-  static constexpr bool drifts = true;
+  static constexpr int drifting = rows;
 
   Anchors<M> at;
   double length = 1;    // L [m] > 0

@@ -19,7 +19,7 @@ template <class M>
 struct Friction {
   static constexpr int rows = M::linear - 1;
   static constexpr Bound bound = Bound::ball;
-  static constexpr bool drifts = false;
+  static constexpr int drifting = 0;
 
   Anchors<M> at;
   Eigen::Matrix<double, M::linear, rows> tangents;  // t_k, unit vectors in the world, as columns

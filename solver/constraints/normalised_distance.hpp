@@ -17,7 +17,7 @@ template <class M>
 struct NormalisedDistance {
   static constexpr int rows = 1;
   static constexpr Bound bound = Bound::none;
-  static constexpr bool drifts = true;
+  static constexpr int drifting = rows;
 
   Anchors<M> at;
   double length = 1;    // L [m] > 0

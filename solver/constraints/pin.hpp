@@ -16,7 +16,7 @@ template <class M>
 struct Pin {
   static constexpr int rows = M::linear;
   static constexpr Bound bound = Bound::none;
-  static constexpr bool drifts = true;
+  static constexpr int drifting = rows;
 
   Anchors<M> at;
   double softness = 0;  // γ [1/kg] >= 0

@@ -310,11 +310,15 @@ void solve(const Direct& solver, System<M>& system, Bodies<M>& bodies, DirectWor
     work.values.resize(work.plan.values);
     work.unknowns.resize(work.plan.unknowns);
     work.diagonal.resize(work.plan.unknowns);
-    switch (view_blocks(system, work)) {
-      case 1: solve_structured<1>(solver, system, bodies, work); break;
-      case M::linear: solve_structured<M::linear>(solver, system, bodies, work); break;
-      default: solve_structured<0>(solver, system, bodies, work);
-    }
+    const int size = view_blocks(system, work);
+    if (size == 1)
+      solve_structured<1>(solver, system, bodies, work);
+    else if (size == M::linear)
+      solve_structured<M::linear>(solver, system, bodies, work);
+    else if (M::dof == 3 && size == 3)  // welds and faces
+      solve_structured<3>(solver, system, bodies, work);
+    else
+      solve_structured<0>(solver, system, bodies, work);
   }
   apply_all(system, bodies.velocity);
 }

@@ -6,16 +6,21 @@ template <class M>
 void set_bias(const DriftCure& cure, double h, System<M>& system) {
   std::visit(
       [&](const auto& choice) {
-        for (int i = 0; i < system.rows(); ++i) system.bias[i] = bias(choice, system.C[i], h);
+        for (int i = 0; i < system.rows(); ++i) system.bias[i] = bias(choice, system.C[i], h) + system.rate[i];
+        if (!system.bounded) return;
+        const auto set_one_sided = [&](int row) {
+          const double C = system.C[row];
+          system.bias[row] = (C > 0 ? C / h : bias_of_overlap(choice, C, h)) + system.rate[row];
+        };
+        system.for_each_run([&]<int K, Bound B>(std::span<const Block<M, K, B>> blocks) {
+          for (const auto& block : blocks) {
+            if constexpr (B == Bound::interval)
+              if (system.lower[block.row] == 0) set_one_sided(block.row);
+            if constexpr (B == Bound::face) set_one_sided(block.row), set_one_sided(block.row + 1);
+          }
+        });
       },
       cure);
-  if (!system.bounded) return;
-  system.for_each_run([&]<int K, Bound B>(std::span<const Block<M, K, B>> blocks) {
-    if constexpr (B == Bound::interval)
-      for (const auto& block : blocks)
-        if (system.lower[block.row] == 0 && system.C[block.row] > 0)
-          system.bias[block.row] = system.C[block.row] / h;
-  });
 }
 
 #define BYHAND_INSTANTIATE(M) template void set_bias(const DriftCure&, double, System<M>&)

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <limits>
 #include <variant>
 
 #include "solver/system.hpp"
@@ -20,6 +22,10 @@ enum class BetaReading { per_step, literal };
 struct Baumgarte {
   double beta = 0.2;  // in [0, 3] per step, so that the boundary at 2 can be crossed and seen; literal: >= 0 [1/s]
   BetaReading reading = BetaReading::per_step;
+  // Of one-sided rows alone: how much overlap is left alone, so that contacts at rest stay touching [m] >= 0, and
+  // how fast what is more is pushed out at most [m/s] > 0.
+  double slop = 0;
+  double speed_cap = std::numeric_limits<double>::infinity();
 };
 
 using DriftCure = std::variant<NoDriftCure, Baumgarte>;
@@ -31,6 +37,8 @@ inline void require_valid(const Baumgarte& cure) {
     require_in("beta", cure.beta, 0, 3);
   else
     require_in("beta", cure.beta, 0, 1e6, "1/s");
+  require_in("slop", cure.slop, 0, 1e300, "m");
+  require(cure.speed_cap > 0, "speed cap", cure.speed_cap, "above zero [m/s]");
 }
 
 //! [bias]
@@ -40,6 +48,12 @@ inline double bias(const Baumgarte& cure, double C, double h) {
   return cure.reading == BetaReading::per_step ? cure.beta / h * C : cure.beta * C;
 }
 //! [bias]
+
+/// b of a one-sided row that overlaps, C <= 0.
+inline double bias_of_overlap(const NoDriftCure&, double, double) { return 0; }
+inline double bias_of_overlap(const Baumgarte& cure, double C, double h) {
+  return std::max(bias(cure, std::min(C + cure.slop, 0.0), h), -cure.speed_cap);
+}
 
 /// Sets the bias of every row. A one-sided row that is still open (C > 0) may close its gap within the step
 /// and not more: b = C/h, whatever the cure.

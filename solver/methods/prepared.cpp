@@ -42,6 +42,36 @@ void prepare(const Block<M, K, B>& block, const System<M>& system, BlockSolve bl
   result.upper = system.upper[block.row];
 }
 
+void prepare(const Block<PlaneBody, 3, Bound::face>& block, const System<PlaneBody>& system,
+             BlockSolve block_solve, double relaxation, PreparedBlock<PlaneBody, 3, Bound::face>& result) {
+  Eigen::Matrix3d A = inverse_effective_mass(block.J, block.W);
+  result.body1 = block.body1;
+  result.body2 = block.body2;
+  result.moves1 = block.moves1;
+  result.moves2 = block.moves2;
+  result.row = block.row;
+  result.J = block.J.matrix;
+  result.W = block.W;
+  for (int k = 0; k < 3; ++k) {
+    result.bias[k] = system.bias[block.row + k];
+    result.gamma[k] = system.gamma[block.row + k];
+    A(k, k) += result.gamma[k];
+  }
+  const Eigen::Matrix2d E = inverse_or_zero<2>(A.topLeftCorner<2, 2>());
+  result.A00 = A(0, 0);
+  result.A01 = A(0, 1);
+  result.A11 = A(1, 1);
+  result.A02 = A(0, 2);
+  result.A12 = A(1, 2);
+  result.E00 = E(0, 0);
+  result.E01 = E(0, 1);
+  result.E11 = E(1, 1);
+  result.E22 = A(2, 2) > 0 ? 1 / A(2, 2) : 0.0;
+  result.coefficient = system.upper[block.row];
+  result.relaxation = relaxation;
+  result.row_by_row = block_solve == BlockSolve::row_by_row;
+}
+
 }  // namespace
 
 template <class M>

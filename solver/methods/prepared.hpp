@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "solver/system.hpp"
 
 // What the row solvers share: (17) for a block of rows, Δλ = -E(JV + b + γλ) with E = (JM⁻¹Jᵀ + γ)⁻¹,
@@ -21,6 +23,21 @@ struct PreparedBlock {
   Rows<K> bias;                            // -E b
   double gamma[K][K];                      // -E γ
   double lower, upper;
+};
+
+/// A face's rows act on each other while bounds hold some of them back, so that A = JM⁻¹Jᵀ + γ is needed beside E.
+template <class M>
+struct PreparedBlock<M, 3, Bound::face> {
+  int body1, body2;
+  bool moves1, moves2;
+  int row;
+  Eigen::Matrix<double, 3, 2 * M::dof> J;  // by columns
+  Jacobian<M, 3> W;
+  Rows<3> bias, gamma;
+  double A00, A01, A11, A02, A12;  // of A
+  double E00, E01, E11, E22;       // of the inverse of A's normal rows, and of its friction row
+  double coefficient, relaxation;
+  bool row_by_row;
 };
 
 template <class M>
@@ -81,6 +98,45 @@ inline Rows<K> solve(const PreparedBlock<M, K, B>& block, const double* V, const
   }
   return change;
 }
+
+//! [face]
+/// λ of a face's two ends, both >= 0, that leaves no rate of approach, given its rates at the λ that is there: the
+/// complementarity problem of two rows, by trying which of them press.
+template <class Block>
+inline std::array<double, 2> ends_that_press(const Block& face, const Rows<3>& rate, const double* lambda) {
+  if (face.row_by_row) {
+    const double first = face.A00 > 0 ? std::max(0.0, lambda[0] - rate[0] / face.A00) : 0.0;
+    const double rate1 = rate[1] + face.A01 * (first - lambda[0]);
+    return {first, face.A11 > 0 ? std::max(0.0, lambda[1] - rate1 / face.A11) : 0.0};
+  }
+  const double first = lambda[0] - (face.E00 * rate[0] + face.E01 * rate[1]);
+  const double second = lambda[1] - (face.E01 * rate[0] + face.E11 * rate[1]);
+  if (first >= 0 && second >= 0) return {first, second};
+  const double alone0 = face.A00 > 0 ? lambda[0] - (rate[0] - face.A01 * lambda[1]) / face.A00 : 0.0;
+  if (alone0 >= 0 && rate[1] + face.A01 * (alone0 - lambda[0]) - face.A11 * lambda[1] >= 0) return {alone0, 0};
+  const double alone1 = face.A11 > 0 ? lambda[1] - (rate[1] - face.A01 * lambda[0]) / face.A11 : 0.0;
+  if (alone1 >= 0 && rate[0] + face.A01 * (alone1 - lambda[1]) - face.A00 * lambda[0] >= 0) return {0, alone1};
+  return {0, 0};
+}
+
+/// (17) for a face: its ends together, then friction at the rate that they leave, within what they press.
+template <bool soft, class M>
+inline Rows<3> solve(const PreparedBlock<M, 3, Bound::face>& face, const double* V, const double* lambda) {
+  constexpr int dof = M::dof;
+  const double *v1 = V + dof * face.body1, *v2 = V + dof * face.body2, *now = lambda + face.row;
+  Rows<3> rate = face.bias;
+  for (int i = 0; i < dof; ++i) rate += face.J.col(i) * v1[i] + face.J.col(dof + i) * v2[i];
+  if constexpr (soft)
+    for (int k = 0; k < 3; ++k) rate[k] += face.gamma[k] * now[k];
+  const auto [first, second] = ends_that_press(face, rate, now);
+  Rows<3> change(first - now[0], second - now[1], 0);
+  change.template head<2>() *= face.relaxation;
+  const double slip = rate[2] + face.A02 * change[0] + face.A12 * change[1];
+  const double radius = face.coefficient * (now[0] + change[0] + now[1] + change[1]);
+  change[2] = std::clamp(now[2] - face.relaxation * face.E22 * slip, -radius, radius) - now[2];
+  return change;
+}
+//! [face]
 
 /// (20) for a Block or PreparedBlock: V += M⁻¹Jᵀ `change` on the bodies that move.
 template <class M, int K, class AnyBlock>

@@ -85,7 +85,7 @@ void advance(S& scene, const VelocityStepping& method, double step, Work<M>& wor
     throw std::invalid_argument(reason);
   const double h = step / method.substeps;
   for (int i = 0; i < method.substeps; ++i) {
-    scene.write_rows(work.system);           // J, C, M⁻¹Jᵀ at the current poses
+    scene.write_rows(work.system, h);        // J, C, M⁻¹Jᵀ at the current poses
     set_bias(method.drift, h, work.system);  // b of (21), (22)
     if (method.euler == Euler::explicit_) advance_poses(scene.bodies, h);
     add_gravity(scene.bodies, scene.gravity, h);    // before λ, or the rows cannot answer it

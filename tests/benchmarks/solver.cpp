@@ -88,7 +88,7 @@ void part_of_step(benchmark::State& state, void (*part)(Simulation<Scene<PlaneBo
   state.counters["per_joint"] = time_per(200);
 }
 void write_rows(Simulation<Scene<PlaneBody, Pin>>& simulation) {
-  simulation.scene.write_rows(simulation.work.system);
+  simulation.scene.write_rows(simulation.work.system, step);
 }
 void solve_rows_directly(Simulation<Scene<PlaneBody, Pin>>& simulation) {
   solve_rows(simulation.method.solver, simulation.scene.bodies, simulation.work);
