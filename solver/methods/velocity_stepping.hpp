@@ -3,6 +3,7 @@
 #include <variant>
 
 #include "solver/integrate/euler.hpp"
+#include "solver/integrate/gyroscopic.hpp"
 #include "solver/methods/direct.hpp"
 #include "solver/methods/drift.hpp"
 #include "solver/methods/gauss_seidel.hpp"
@@ -20,6 +21,7 @@ struct VelocityStepping {
   DriftCure drift = Baumgarte{};
   Euler euler = Euler::symplectic;
   int substeps = 1;  // >= 1
+  Gyroscopic gyroscopic = Gyroscopic::none;  // of bodies in space
 };
 
 /// Throws std::invalid_argument for a choice outside its range.
@@ -88,10 +90,12 @@ void advance(S& scene, const VelocityStepping& method, double step, Work<M>& wor
     scene.write_rows(work.system, h);        // J, C, M⁻¹Jᵀ at the current poses
     set_bias(method.drift, h, work.system);  // b of (21), (22)
     if (method.euler == Euler::explicit_) advance_poses(scene.bodies, h);
+    begin_turn(method.gyroscopic, scene.bodies, h);
     add_gravity(scene.bodies, scene.gravity, h);    // before λ, or the rows cannot answer it
     rescale_impulses(work, h);                      // λ of last step, for the warm start
     solve_rows(method.solver, scene.bodies, work);  // (17) and (20) over all rows
     if (method.euler == Euler::symplectic) advance_poses(scene.bodies, h);
+    end_turn(method.gyroscopic, scene.bodies, h);
   }
 }
 //! [step]
