@@ -1,6 +1,7 @@
 #include "solver/graph.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <set>
 #include <tuple>
 
@@ -119,6 +120,23 @@ long long multiplications(const Elimination& plan) {
 }
 
 }  // namespace
+
+bool has_no_loops(const Graph& graph) {
+  std::vector<int> parent(graph.bodies + 1);  // the last stands for all that does not move
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&](int body) {
+    if (body == Edge::no_body) body = graph.bodies;
+    while (parent[body] != body) body = parent[body] = parent[parent[body]];
+    return body;
+  };
+  for (const Edge& edge : graph.edges) {
+    if (edge.inert()) continue;
+    const int one = root(edge.body1), other = root(edge.body2);
+    if (one == other) return false;
+    parent[one] = other;
+  }
+  return true;
+}
 
 std::vector<int> coloured_order(const Graph& graph) {
   const auto edges = edges_of_bodies(graph);

@@ -21,6 +21,10 @@ struct Graph {
   std::vector<Edge> edges;
 };
 
+/// Whether no two ways lead from one body to another, what does not move counting as one body. Then the rows are
+/// independent wherever each constraint's own are.
+bool has_no_loops(const Graph& graph);
+
 /// Edge numbers such that those of one colour share no moving body and stand together: a greedy colouring in
 /// natural order, colour by colour. A chain comes out red–black.
 std::vector<int> coloured_order(const Graph& graph);

@@ -5,10 +5,28 @@
 #include <vector>
 
 #include "solver/body.hpp"
+#include "solver/collide/shape.hpp"
+#include "solver/constraints/contact.hpp"
+#include "solver/constraints/face_contact.hpp"
 #include "solver/graph.hpp"
 #include "solver/system.hpp"
 
 namespace byhand {
+
+/// How a body's surface behaves. Two that touch have the friction √(μ1 μ2) and the larger restitution.
+struct Surface {
+  double friction = 0.6;   // μ >= 0
+  double restitution = 0;  // e in [0, 1]
+};
+
+/// What of the bodies can touch, by body.
+template <class M>
+struct Colliders {
+  std::vector<Shape<M>> shapes;
+  std::vector<Surface> surfaces;
+  double margin = 0.02;  // what is nearer than this becomes a contact, for it may touch within the step [m]
+};
+struct NoColliders {};
 
 /// The bodies and constraints of one scene. The kinds of constraint are part of the type: a kind that is not
 /// named costs nothing, neither a branch nor a byte. `Scene<PlaneParticle, Distance>` is a mesh of rods in
@@ -18,8 +36,19 @@ class Scene {
  public:
   using model = M;
 
+  template <template <class> class Kind>
+  static constexpr bool names = (std::is_same_v<Kind<M>, Kinds<M>> || ...);
+  /// Whether contacts are looked for: only where the scene's type names what they would become.
+  static constexpr bool touches = [] {
+    if constexpr (std::is_same_v<M, PlaneBody>)
+      return names<Contact> || names<FaceContact>;
+    else
+      return M::angular > 0 && names<Contact>;
+  }();
+
   Bodies<M> bodies;
   Linear<M> gravity = -9.81 * Linear<M>::Unit(1);  // [m/s²]; y is up
+  [[no_unique_address]] std::conditional_t<touches, Colliders<M>, NoColliders> colliders;
 
   /// Adds a body (see InverseMass for how to fix one) and returns its index.
   int add_body(const Pose<M>& pose, const InverseMass<M>& mass,
@@ -32,6 +61,18 @@ class Scene {
     Pose<M> pose;
     pose.position = position;
     return bodies.add(pose, mass, velocity);
+  }
+
+  /// Lets a body touch others. Throws std::invalid_argument for a shape or surface outside its range.
+  void set_shape(int body, const Shape<M>& shape, const Surface& surface = {}) requires touches {
+    require_body(bodies, body);
+    require_valid<M>(shape);
+    require_in("friction coefficient", surface.friction, 0, 1e300);
+    require_in("restitution", surface.restitution, 0, 1);
+    colliders.shapes.resize(bodies.size());
+    colliders.surfaces.resize(bodies.size());
+    colliders.shapes[body] = shape;
+    colliders.surfaces[body] = surface;
   }
 
   /// Adds a constraint and returns its number: constraints are counted in the order in which they come,
@@ -47,14 +88,35 @@ class Scene {
               [&]<class Leader>(const Leader&) { presses = Leader::bound == Bound::interval; });
       require(presses, "leading constraint", constraint.leader, "the number of a contact that was added before");
     }
-    auto& all = std::get<std::vector<Kind<M>>>(constraints_);
-    constexpr int kind = kind_of<Kind<M>>();
-    numbered_.push_back({kind, static_cast<int>(all.size())});
-    all.push_back(constraint);
-    return count() - 1;
+    forget_found();
+    const int number = append(constraint);
+    lasting_ = count();
+    return number;
   }
 
   int count() const { return static_cast<int>(numbered_.size()); }
+  /// How many of them were added and stay; the others were found.
+  int lasting() const { return lasting_; }
+  /// Changes whenever constraints come or go.
+  int version() const { return version_; }
+
+  /// Adds a constraint that stands only until the next look for contacts, and returns its number.
+  template <template <class> class Kind>
+  int add_found(const Kind<M>& constraint) {
+    return append(constraint);
+  }
+  /// Removes all constraints that were found.
+  void forget_found() {
+    if (count() == lasting_) return;
+    numbered_.resize(lasting_);
+    std::apply([&](auto&... kinds) { (kinds.resize(how_many_of(kinds)), ...); }, constraints_);
+    ++version_;
+  }
+  /// The constraint of that number, which is of that kind.
+  template <template <class> class Kind>
+  Kind<M>& at(int number) {
+    return std::get<std::vector<Kind<M>>>(constraints_)[numbered_[number].index];
+  }
 
   template <template <class> class Kind>
   const std::vector<Kind<M>>& all() const {
@@ -75,7 +137,8 @@ class Scene {
   /// What the order of solving depends on; a body that does not move takes no part.
   Graph graph() const;
 
-  /// Lays the system's blocks out in this order of constraint numbers. λ is kept for constraints that stay.
+  /// Lays the system's blocks out in this order of constraint numbers. λ is kept for constraints that were added
+  /// and stay.
   void lay_out(const std::vector<int>& order, System<M>& system) const;
 
   /// Writes J, M⁻¹Jᵀ, C, γ, bounds and what a row adds to its bias, at the current poses, for a time step h [s].
@@ -107,11 +170,27 @@ class Scene {
     visit_kind(number.kind, [&](const auto& constraints) { f(constraints[number.index]); });
   }
 
+  template <template <class> class Kind>
+  int append(const Kind<M>& constraint) {
+    auto& all = std::get<std::vector<Kind<M>>>(constraints_);
+    numbered_.push_back({kind_of<Kind<M>>(), static_cast<int>(all.size())});
+    all.push_back(constraint);
+    ++version_;
+    return count() - 1;
+  }
+  /// How many of a kind the numbers name.
+  template <class Kind>
+  std::size_t how_many_of(const std::vector<Kind>&) const {
+    return std::count_if(numbered_.begin(), numbered_.end(),
+                         [](const Number& number) { return number.kind == kind_of<Kind>(); });
+  }
+
   template <class Kind, class BlockOfKind>
   void write(const Kind& constraint, BlockOfKind& block, double h, System<M>& system) const;
 
   std::tuple<std::vector<Kinds<M>>...> constraints_;
   std::vector<Number> numbered_;
+  int lasting_ = 0, version_ = 0;
 };
 
 template <class M, template <class> class... Kinds>
@@ -159,11 +238,12 @@ void Scene<M, Kinds...>::lay_out(const std::vector<int>& order, System<M>& syste
   for (auto* numbers : {&system.lambda, &system.C, &system.bias, &system.gamma, &system.rate, &system.lower,
                         &system.upper, &system.restitution})
     numbers->assign(row, 0.0);
-  for (std::size_t number = 0; number < old_row.size(); ++number)
+  for (int number = 0; number < system.lasting; ++number)
     visit(numbered_[number], [&](const auto& constraint) {
       for (int k = 0; k < std::remove_cvref_t<decltype(constraint)>::rows; ++k)
         system.lambda[system.row_of[number] + k] = old_lambda[old_row[number] + k];
     });
+  system.lasting = lasting_;
 }
 
 //! [write_rows]

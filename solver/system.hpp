@@ -124,6 +124,7 @@ struct System {
       restitution;          // one number a row; of a ball or face `upper` is μ
   std::vector<int> source;  // for each block in solve order, its constraint's place among those of its kind
   std::vector<int> row_of;  // for each constraint by its number, its first row
+  int lasting = 0;          // how many constraints, the first, were added rather than found
   bool bounded = false;     // whether any row is
 
   int rows() const { return static_cast<int>(lambda.size()); }

@@ -79,7 +79,8 @@ void write_minus_mass(const InverseMass<M>& inverse_mass, const Pose<M>& pose, d
 
 /// Fills the blocks with the matrix and the unknowns with the right-hand side.
 template <int S, class M>
-void assemble(const Direct& solver, const System<M>& system, const Bodies<M>& bodies, DirectWork<M>& work) {
+void assemble(const Direct& solver, const System<M>& system, const double* offset, const Bodies<M>& bodies,
+              DirectWork<M>& work) {
   constexpr int dof = M::dof;
   const Elimination& plan = work.plan;
   const double* V = bodies.velocity.front().data();
@@ -100,7 +101,7 @@ void assemble(const Direct& solver, const System<M>& system, const Bodies<M>& bo
     with_size<S, dof>(node, [&](auto n) {
       for (int k = 0; k < n; ++k) {
         const double* J = view.J + 2 * dof * k;
-        double rate = 0, late = system.bias[view.row + k];
+        double rate = 0, late = offset[view.row + k];
         for (int i = 0; i < dof; ++i) {
           rate += J[i] * v1[i];
           late += J[dof + i] * v2[i];
@@ -231,26 +232,51 @@ void substitute_back(const Elimination& plan, const double* values, double* unkn
 }
 
 template <int S, class M>
-void solve_structured(const Direct& solver, System<M>& system, Bodies<M>& bodies, DirectWork<M>& work) {
-  assemble<S, M>(solver, system, bodies, work);
+void solve_structured(const Direct& solver, const System<M>& system, const double* offset, const Bodies<M>& bodies,
+                      DirectWork<M>& work, double* change) {
+  assemble<S, M>(solver, system, offset, bodies, work);
   eliminate<S, M::dof>(work.plan, work.values.data(), work.unknowns.data(), work.diagonal.data());
   substitute_back<S, M::dof>(work.plan, work.values.data(), work.unknowns.data());
   for (std::size_t p = 0; p < work.plan.nodes.size(); ++p) {
     const auto& node = work.plan.nodes[p];
     if (node.edge < 0) continue;
     const double* x = &work.unknowns[node.row];
-    double* lambda = &system.lambda[work.views[p].row];
+    double* to = change + work.views[p].row;
     with_size<S, M::dof>(node, [&](auto n) {
-      for (int k = 0; k < n; ++k) lambda[k] = x[k];
+      for (int k = 0; k < n; ++k) to[k] = x[k];
     });
+  }
+}
+
+/// The block without its inactive rows; the block itself where all are active.
+template <class M, int K, Bound B>
+const Block<M, K, B>& masked(const Block<M, K, B>& block, DirectWork<M>& work) {
+  if constexpr (B == Bound::none) {
+    return block;
+  } else {
+    if (work.active.empty()) return block;
+    const char* active = &work.active[block.row];
+    if (std::all_of(active, active + K, [](char on) { return on != 0; })) return block;
+    auto& copy = std::get<block_type<M, K, B>()>(work.masked).emplace_back(block);
+    for (int k = 0; k < K; ++k)
+      if (!active[k]) {
+        copy.J.matrix.row(k).setZero();
+        copy.W.matrix.row(k).setZero();
+      }
+    return copy;
   }
 }
 
 /// Where each node finds its J and M⁻¹Jᵀ; returns the one size that all edges have, or 0.
 template <class M>
-int view_blocks(System<M>& system, DirectWork<M>& work) {
+int view_blocks(const System<M>& system, const double* offset, DirectWork<M>& work, double* change) {
   const Elimination& plan = work.plan;
   work.views.resize(plan.nodes.size());
+  // Views point into the copies, which therefore must not move.
+  [&]<std::size_t... I>(std::index_sequence<I...>) {
+    ((std::get<I>(work.masked).clear(), std::get<I>(work.masked).reserve(std::get<I>(system.blocks).size())), ...);
+  }
+  (std::make_index_sequence<std::tuple_size_v<decltype(work.masked)>>());
   int common = -1;
   std::size_t p = 0;
   system.for_each_run([&]<int K, Bound B>(std::span<const Block<M, K, B>> blocks) {
@@ -259,11 +285,12 @@ int view_blocks(System<M>& system, DirectWork<M>& work) {
       while (p < plan.nodes.size() && plan.nodes[p].edge < 0) ++p;
       if (p == plan.nodes.size()) {  // edges between fixed bodies follow: only their softness can answer them
         for (int k = block.row; k < block.row + K; ++k)
-          system.lambda[k] = system.gamma[k] > 0 ? -system.bias[k] / system.gamma[k] : 0.0;
+          change[k] = system.gamma[k] > 0 ? -offset[k] / system.gamma[k] : 0.0;
         continue;
       }
+      const auto& seen = masked(block, work);
       work.views[p++] = {
-          block.J.matrix.data(),         block.W.matrix.data(),        block.row, block.body1, block.body2,
+          seen.J.matrix.data(),          seen.W.matrix.data(),         block.row, block.body1, block.body2,
           plan.folded[block.body1] != 0, plan.folded[block.body2] != 0};
     }
   });
@@ -271,7 +298,8 @@ int view_blocks(System<M>& system, DirectWork<M>& work) {
 }
 
 template <class M>
-void solve_dense(const Direct& solver, System<M>& system, const Bodies<M>& bodies) {
+void solve_dense(const Direct& solver, const System<M>& system, const double* offset, const Bodies<M>& bodies,
+                 const std::vector<char>& active, double* change) {
   constexpr int dof = M::dof;
   const int rows = system.rows();
   Eigen::MatrixXd J = Eigen::MatrixXd::Zero(rows, dof * bodies.size()), W = J;
@@ -286,44 +314,52 @@ void solve_dense(const Direct& solver, System<M>& system, const Bodies<M>& bodie
     }
   });
   Eigen::MatrixXd A = J * W.transpose();
-  Eigen::VectorXd right = -(J * V + Eigen::Map<const Eigen::VectorXd>(system.bias.data(), rows));
+  Eigen::VectorXd right = -(J * V + Eigen::Map<const Eigen::VectorXd>(offset, rows));
   for (int i = 0; i < rows; ++i) {
+    if (!active.empty() && !active[i]) {
+      A.row(i).setZero();
+      A.col(i).setZero();
+      right[i] = 0;
+      A(i, i) = 1;
+      continue;
+    }
     A(i, i) += solver.regularisation * A(i, i) + system.gamma[i];
     if (A(i, i) == 0) A(i, i) = 1, right[i] = 0;  // a row without effect gets no impulse
   }
   const Eigen::LDLT<Eigen::MatrixXd> factor(A);
   const Eigen::VectorXd pivots = factor.vectorD(), diagonal = factor.transpositionsP() * A.diagonal();
   if ((pivots.array().abs() <= smallest_pivot * diagonal.array()).any()) refuse_singular();
-  Eigen::Map<Eigen::VectorXd>(system.lambda.data(), rows) = factor.solve(right);
+  Eigen::Map<Eigen::VectorXd>(change, rows) = factor.solve(right);
 }
 
 }  // namespace
 
-void require_valid(const Direct& solver) { require_in("regularisation", solver.regularisation, 0, 1); }
-
 template <class M>
-void solve(const Direct& solver, System<M>& system, Bodies<M>& bodies, DirectWork<M>& work) {
-  if (system.rows() == 0) return;
+void solve_equations(const Direct& solver, const System<M>& system, const std::vector<double>& offset,
+                     const Bodies<M>& bodies, DirectWork<M>& work, std::vector<double>& change) {
+  const double* b = offset.data();
+  double* x = change.data();
   if (solver.factorisation == Factorisation::dense) {
-    solve_dense(solver, system, bodies);
-  } else {
-    work.values.resize(work.plan.values);
-    work.unknowns.resize(work.plan.unknowns);
-    work.diagonal.resize(work.plan.unknowns);
-    const int size = view_blocks(system, work);
-    if (size == 1)
-      solve_structured<1>(solver, system, bodies, work);
-    else if (size == M::linear)
-      solve_structured<M::linear>(solver, system, bodies, work);
-    else if (M::dof == 3 && size == 3)  // welds and faces
-      solve_structured<3>(solver, system, bodies, work);
-    else
-      solve_structured<0>(solver, system, bodies, work);
+    solve_dense(solver, system, b, bodies, work.active, x);
+    return;
   }
-  apply_all(system, bodies.velocity);
+  work.values.resize(work.plan.values);
+  work.unknowns.resize(work.plan.unknowns);
+  work.diagonal.resize(work.plan.unknowns);
+  const int size = view_blocks(system, b, work, x);
+  if (size == 1)
+    solve_structured<1>(solver, system, b, bodies, work, x);
+  else if (size == M::linear)
+    solve_structured<M::linear>(solver, system, b, bodies, work, x);
+  else if (M::dof == 3 && size == 3)  // welds and faces
+    solve_structured<3>(solver, system, b, bodies, work, x);
+  else
+    solve_structured<0>(solver, system, b, bodies, work, x);
 }
 
-#define BYHAND_INSTANTIATE(M) template void solve(const Direct&, System<M>&, Bodies<M>&, DirectWork<M>&)
+#define BYHAND_INSTANTIATE(M)                                                                                  \
+  template void solve_equations(const Direct&, const System<M>&, const std::vector<double>&, const Bodies<M>&, \
+                                DirectWork<M>&, std::vector<double>&)
 BYHAND_INSTANTIATE(PlaneParticle);
 BYHAND_INSTANTIATE(PlaneBody);
 BYHAND_INSTANTIATE(SpaceParticle);

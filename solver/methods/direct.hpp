@@ -3,7 +3,7 @@
 #include <stdexcept>
 
 #include "solver/graph.hpp"
-#include "solver/methods/prepared.hpp"
+#include "solver/methods/gauss_seidel.hpp"
 
 namespace byhand {
 
@@ -11,10 +11,16 @@ namespace byhand {
 /// chains, trees and stars; or as one dense matrix, the reference.
 enum class Factorisation { structured, dense };
 
-/// All rows at once and exactly: (JM⁻¹Jᵀ + γ)λ = -(JV + b). For rows without bounds.
+/// All rows at once and exactly: (JM⁻¹Jᵀ + γ)λ = -(JV + b).
+///
+/// With bounds, by an active set: the rows that are not held at a bound are solved, what then breaks a bound is
+/// held, and one sweep of Gauss–Seidel tells what else has to change; over again until a sweep finds nothing to
+/// do, or after `rounds` by sweeps alone.
 struct Direct {
   Factorisation factorisation = Factorisation::structured;
   double regularisation = 0;  // >= 0: this share of each row's own JM⁻¹Jᵀ is added to its γ
+  int rounds = 10;            // >= 1, with bounds
+  double tolerance = 1e-5;    // > 0, with bounds: what a last sweep may still change [m/s, rad/s]
 };
 
 /// Throws std::invalid_argument for a choice outside the ranges above.
@@ -28,20 +34,35 @@ struct SingularSystem : std::runtime_error {
 /// What the direct solve keeps: the plan while the graph stays, and scratch so that no step allocates.
 template <class M>
 struct DirectWork {
+  template <int K, Bound B>
+  using BlockOf = Block<M, K, B>;
   struct View {
     const double *J, *W;  // rows × 2 dof, row-major
     int row, body1, body2;
     bool folded1, folded2;
   };
+
   Elimination plan;
   std::vector<double> values, unknowns, diagonal;
   std::vector<View> views;  // by node
+  // Of rows with bounds:
+  std::vector<char> active;            // by row: whether it takes part; empty while all do
+  PerBlock<M, BlockOf> masked;         // blocks without their inactive rows
+  std::vector<double> offset, change;  // b + γλ and Δλ, by row
+  Prepared<M> prepared;
 };
 
-/// Solves the system's rows for λ and puts the impulses into the velocities; what λ was before does not
-/// matter. The system must be laid out in the order of `work.plan`. Throws SingularSystem, and leaves the
-/// velocities alone then.
+/// Solves the system's rows for λ and puts the impulses into the velocities; without bounds, what λ was before
+/// does not matter. The system must be laid out in the order of `work.plan`. Throws SingularSystem, and leaves the
+/// velocities alone then if there are no bounds. Returns how often all rows were solved.
 template <class M>
-void solve(const Direct& solver, System<M>& system, Bodies<M>& bodies, DirectWork<M>& work);
+int solve(const Direct& solver, System<M>& system, Bodies<M>& bodies, DirectWork<M>& work,
+          Begin begin = Begin::step);
+
+/// One exact solve: `change` becomes x of (JM⁻¹Jᵀ + γ)x = -(JV + offset), with a row x = 0 where `work.active` is
+/// set and says so.
+template <class M>
+void solve_equations(const Direct& solver, const System<M>& system, const std::vector<double>& offset,
+                     const Bodies<M>& bodies, DirectWork<M>& work, std::vector<double>& change);
 
 }  // namespace byhand

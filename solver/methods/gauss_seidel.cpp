@@ -22,6 +22,7 @@ template <bool soft, class M, int K, Bound B>
 void require_valid(const GaussSeidel& solver) {
   require(solver.sweeps >= 1, "number of sweeps", solver.sweeps, "at least 1");
   require_inside("relaxation", solver.relaxation, 0, 2);
+  require_in("tolerance", solver.tolerance, 0, 1e300, "m/s");
 }
 
 template <class M>
@@ -38,19 +39,36 @@ void sweep(const System<M>& system, const Prepared<M>& prepared, double* lambda,
 }
 
 template <class M>
-void solve(const GaussSeidel& solver, System<M>& system, std::vector<Velocity<M>>& velocities,
-           Prepared<M>& prepared) {
-  prepare(system, solver.block_solve, solver.relaxation, prepared);
-  if (solver.warm_start)
-    apply_all(system, velocities);
-  else
-    std::fill(system.lambda.begin(), system.lambda.end(), 0.0);
-  for (int i = 0; i < solver.sweeps; ++i) sweep(system, prepared, system.lambda.data(), numbers<M>(velocities));
+double watched_sweep(System<M>& system, Prepared<M>& prepared, std::vector<Velocity<M>>& velocities) {
+  prepared.before = velocities;
+  sweep(system, prepared, system.lambda.data(), numbers<M>(velocities));
+  double largest = 0;
+  for (std::size_t i = 0; i < velocities.size(); ++i)
+    largest = std::max(largest, (velocities[i] - prepared.before[i]).cwiseAbs().maxCoeff());
+  return largest;
 }
 
-#define BYHAND_INSTANTIATE(M)                                                  \
-  template void sweep(const System<M>&, const Prepared<M>&, double*, double*); \
-  template void solve(const GaussSeidel&, System<M>&, std::vector<Velocity<M>>&, Prepared<M>&)
+template <class M>
+int solve(const GaussSeidel& solver, System<M>& system, std::vector<Velocity<M>>& velocities,
+          Prepared<M>& prepared, Begin begin) {
+  prepare(system, solver.block_solve, solver.relaxation, prepared);
+  if (begin == Begin::step && solver.warm_start)
+    apply_all(system, system.lambda, velocities);
+  else if (begin == Begin::step)
+    std::fill(system.lambda.begin(), system.lambda.end(), 0.0);
+  for (int i = 1; i <= solver.sweeps; ++i) {
+    if (solver.tolerance == 0)
+      sweep(system, prepared, system.lambda.data(), numbers<M>(velocities));
+    else if (watched_sweep(system, prepared, velocities) <= solver.tolerance)
+      return i;
+  }
+  return solver.sweeps;
+}
+
+#define BYHAND_INSTANTIATE(M)                                                         \
+  template void sweep(const System<M>&, const Prepared<M>&, double*, double*);        \
+  template double watched_sweep(System<M>&, Prepared<M>&, std::vector<Velocity<M>>&); \
+  template int solve(const GaussSeidel&, System<M>&, std::vector<Velocity<M>>&, Prepared<M>&, Begin)
 BYHAND_INSTANTIATE(PlaneParticle);
 BYHAND_INSTANTIATE(PlaneBody);
 BYHAND_INSTANTIATE(SpaceParticle);

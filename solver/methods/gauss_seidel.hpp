@@ -16,19 +16,24 @@ struct GaussSeidel {
   SweepOrder order = SweepOrder::natural;
   BlockSolve block_solve = BlockSolve::whole;
   double relaxation = 1;  // in (0, 2); other than 1 this is SOR
+  double tolerance = 0;   // >= 0: no further sweep once one changes no velocity by more [m/s, rad/s]
 };
 
 /// Throws std::invalid_argument for a choice outside the ranges above.
 void require_valid(const GaussSeidel& solver);
 
 /// Solves the system's rows for λ and puts the impulses into the velocities. `prepared` is scratch that is
-/// kept only so that no step allocates.
+/// kept only so that no step allocates. Returns how many sweeps it took.
 template <class M>
-void solve(const GaussSeidel& solver, System<M>& system, std::vector<Velocity<M>>& velocities,
-           Prepared<M>& prepared);
+int solve(const GaussSeidel& solver, System<M>& system, std::vector<Velocity<M>>& velocities,
+          Prepared<M>& prepared, Begin begin = Begin::step);
 
 /// One sweep over prepared rows.
 template <class M>
 void sweep(const System<M>& system, const Prepared<M>& prepared, double* lambda, double* V);
+
+/// One sweep, and by how much it changed any velocity at most [m/s, rad/s].
+template <class M>
+double watched_sweep(System<M>& system, Prepared<M>& prepared, std::vector<Velocity<M>>& velocities);
 
 }  // namespace byhand

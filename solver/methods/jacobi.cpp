@@ -31,12 +31,13 @@ void require_valid(const Jacobi& solver) {
 }
 
 template <class M>
-void solve(const Jacobi& solver, System<M>& system, std::vector<Velocity<M>>& velocities, JacobiWork<M>& work) {
+void solve(const Jacobi& solver, System<M>& system, std::vector<Velocity<M>>& velocities, JacobiWork<M>& work,
+           Begin begin) {
   prepare(system, solver.block_solve, solver.relaxation, work.prepared);
   work.change.resize(system.rows());
-  if (solver.warm_start)
-    apply_all(system, velocities);
-  else
+  if (begin == Begin::step && solver.warm_start)
+    apply_all(system, system.lambda, velocities);
+  else if (begin == Begin::step)
     std::fill(system.lambda.begin(), system.lambda.end(), 0.0);
   for (int i = 0; i < solver.sweeps; ++i) {
     if (work.prepared.soft)
@@ -47,7 +48,7 @@ void solve(const Jacobi& solver, System<M>& system, std::vector<Velocity<M>>& ve
 }
 
 #define BYHAND_INSTANTIATE(M) \
-  template void solve(const Jacobi&, System<M>&, std::vector<Velocity<M>>&, JacobiWork<M>&)
+  template void solve(const Jacobi&, System<M>&, std::vector<Velocity<M>>&, JacobiWork<M>&, Begin)
 BYHAND_INSTANTIATE(PlaneParticle);
 BYHAND_INSTANTIATE(PlaneBody);
 BYHAND_INSTANTIATE(SpaceParticle);

@@ -25,6 +25,7 @@ struct JacobiWork {
 
 /// Solves the system's rows for λ and puts the impulses into the velocities.
 template <class M>
-void solve(const Jacobi& solver, System<M>& system, std::vector<Velocity<M>>& velocities, JacobiWork<M>& work);
+void solve(const Jacobi& solver, System<M>& system, std::vector<Velocity<M>>& velocities, JacobiWork<M>& work,
+           Begin begin = Begin::step);
 
 }  // namespace byhand

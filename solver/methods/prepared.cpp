@@ -88,19 +88,19 @@ void prepare(const System<M>& system, BlockSolve block_solve, double relaxation,
 }
 
 template <class M>
-void apply_all(const System<M>& system, std::vector<Velocity<M>>& velocities) {
+void apply_all(const System<M>& system, const std::vector<double>& lambda, std::vector<Velocity<M>>& velocities) {
   double* V = numbers<M>(velocities);
   system.for_each_run([&]<int K, Bound B>(std::span<const Block<M, K, B>> blocks) {
     for (const auto& block : blocks) {
-      const Rows<K> lambda = Eigen::Map<const Rows<K>>(&system.lambda[block.row]);
-      apply<M, K>(block, lambda, V);
+      const Rows<K> change = Eigen::Map<const Rows<K>>(&lambda[block.row]);
+      apply<M, K>(block, change, V);
     }
   });
 }
 
 #define BYHAND_INSTANTIATE(M)                                                \
   template void prepare(const System<M>&, BlockSolve, double, Prepared<M>&); \
-  template void apply_all(const System<M>&, std::vector<Velocity<M>>&)
+  template void apply_all(const System<M>&, const std::vector<double>&, std::vector<Velocity<M>>&)
 BYHAND_INSTANTIATE(PlaneParticle);
 BYHAND_INSTANTIATE(PlaneBody);
 BYHAND_INSTANTIATE(SpaceParticle);

@@ -46,7 +46,8 @@ struct Prepared {
   using BlockOf = PreparedBlock<M, K, B>;
 
   PerBlock<M, BlockOf> blocks;
-  bool soft = false;  // whether any γ is not zero
+  std::vector<Velocity<M>> before;  // a watched sweep
+  bool soft = false;                // whether any γ is not zero
 };
 
 /// Inverse of a symmetric positive semidefinite K × K matrix by symmetric sweeps; a pivot that vanishes
@@ -162,8 +163,13 @@ double* numbers(std::vector<Velocity<M>>& velocities) {
   return velocities.empty() ? nullptr : velocities.front().data();
 }
 
-/// V += M⁻¹Jᵀλ for all rows: the warm start, and how a direct solution reaches the bodies.
+/// V += M⁻¹Jᵀλ for all rows, λ given as one number a row: the warm start, and how a direct solution reaches the
+/// bodies.
 template <class M>
-void apply_all(const System<M>& system, std::vector<Velocity<M>>& velocities);
+void apply_all(const System<M>& system, const std::vector<double>& lambda, std::vector<Velocity<M>>& velocities);
+
+/// Where a solve begins: at the start of a step, with no λ or the last step's as the solver chooses; or once more
+/// from the λ that the velocities hold already.
+enum class Begin { step, again };
 
 }  // namespace byhand

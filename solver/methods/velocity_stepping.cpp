@@ -4,25 +4,33 @@
 
 namespace byhand {
 
+void require_valid(const ByGraph& choice) {
+  require_valid(choice.loopless);
+  require_valid(choice.loops);
+}
+
 void require_valid(const VelocityStepping& method) {
   std::visit([](const auto& solver) { require_valid(solver); }, method.solver);
   std::visit([](const auto& cure) { require_valid(cure); }, method.drift);
   require(method.substeps >= 1, "number of substeps", method.substeps, "at least 1");
+  require_in("bounce threshold", method.bounce_threshold, 0, 1e300, "m/s");
 }
 
-std::string refusal(const VelocityStepping& method, bool bounded) {
-  if (bounded && std::holds_alternative<Direct>(method.solver))
-    return "the direct solver cannot hold bounds (contacts, friction); use Gauss-Seidel or Jacobi there";
-  return {};
-}
-
-Layout wanted_layout(const RowSolver& solver) {
-  if (const auto* direct = std::get_if<Direct>(&solver))
-    return direct->factorisation == Factorisation::structured ? Layout::elimination : Layout::natural;
-  if (const auto* gauss_seidel = std::get_if<GaussSeidel>(&solver)) {
-    if (gauss_seidel->order == SweepOrder::reverse) return Layout::reverse;
-    if (gauss_seidel->order == SweepOrder::coloured) return Layout::coloured;
-  }
+Layout wanted_layout(const RowSolver& solver, bool loopless) {
+  const auto of_direct = [](const Direct& direct) {
+    return direct.factorisation == Factorisation::structured ? Layout::elimination : Layout::natural;
+  };
+  const auto of_sweeps = [](const GaussSeidel& sweeps) {
+    switch (sweeps.order) {
+      case SweepOrder::reverse: return Layout::reverse;
+      case SweepOrder::coloured: return Layout::coloured;
+      default: return Layout::natural;
+    }
+  };
+  if (const auto* direct = std::get_if<Direct>(&solver)) return of_direct(*direct);
+  if (const auto* sweeps = std::get_if<GaussSeidel>(&solver)) return of_sweeps(*sweeps);
+  if (const auto* by_graph = std::get_if<ByGraph>(&solver))
+    return loopless ? of_direct(by_graph->loopless) : of_sweeps(by_graph->loops);
   return Layout::natural;
 }
 
@@ -50,20 +58,31 @@ long long direct_row_solves(const Direct& solver, const Elimination& plan, long 
 }  // namespace
 
 template <class M>
-void solve_rows(const RowSolver& solver, Bodies<M>& bodies, Work<M>& work) {
+void solve_rows(const RowSolver& solver, Bodies<M>& bodies, Work<M>& work, Begin begin) {
+  const long long rows = work.system.rows();
+  const auto sweeps = [&](const GaussSeidel& choice) {
+    work.row_solves += rows * solve(choice, work.system, bodies.velocity, work.gauss_seidel, begin);
+  };
+  const auto directly = [&](const Direct& choice) {
+    const int rounds = solve(choice, work.system, bodies, work.direct, begin);
+    work.row_solves +=
+        rounds * (direct_row_solves(choice, work.direct.plan, rows, M::dof) + (work.system.bounded ? rows : 0));
+  };
   if (const auto* gauss_seidel = std::get_if<GaussSeidel>(&solver)) {
-    solve(*gauss_seidel, work.system, bodies.velocity, work.gauss_seidel);
-    work.row_solves += static_cast<long long>(gauss_seidel->sweeps) * work.system.rows();
+    sweeps(*gauss_seidel);
   } else if (const auto* jacobi = std::get_if<Jacobi>(&solver)) {
-    solve(*jacobi, work.system, bodies.velocity, work.jacobi);
-    work.row_solves += static_cast<long long>(jacobi->sweeps) * work.system.rows();
+    solve(*jacobi, work.system, bodies.velocity, work.jacobi, begin);
+    work.row_solves += jacobi->sweeps * rows;
+  } else if (const auto* direct = std::get_if<Direct>(&solver)) {
+    directly(*direct);
+  } else if (const auto& by_graph = std::get<ByGraph>(solver); work.loopless) {
+    directly(by_graph.loopless);
   } else {
-    solve(std::get<Direct>(solver), work.system, bodies, work.direct);
-    work.row_solves += direct_row_solves(std::get<Direct>(solver), work.direct.plan, work.system.rows(), M::dof);
+    sweeps(by_graph.loops);
   }
 }
 
-#define BYHAND_INSTANTIATE(M) template void solve_rows(const RowSolver&, Bodies<M>&, Work<M>&)
+#define BYHAND_INSTANTIATE(M) template void solve_rows(const RowSolver&, Bodies<M>&, Work<M>&, Begin)
 BYHAND_INSTANTIATE(PlaneParticle);
 BYHAND_INSTANTIATE(PlaneBody);
 BYHAND_INSTANTIATE(SpaceParticle);

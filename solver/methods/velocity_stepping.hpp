@@ -8,11 +8,20 @@
 #include "solver/methods/drift.hpp"
 #include "solver/methods/gauss_seidel.hpp"
 #include "solver/methods/jacobi.hpp"
+#include "solver/methods/restitution.hpp"
 #include "solver/scene.hpp"
+#include "solver/touching.hpp"
 
 namespace byhand {
 
-using RowSolver = std::variant<GaussSeidel, Jacobi, Direct>;
+/// The choice left to the scene's graph: what has no loops (chains, trees, columns) is solved directly, the rest
+/// by sweeps in coloured order that stop when they have nothing more to do.
+struct ByGraph {
+  Direct loopless = {};
+  GaussSeidel loops = {.sweeps = 26, .order = SweepOrder::coloured, .tolerance = 1e-5};
+};
+
+using RowSolver = std::variant<GaussSeidel, Jacobi, Direct, ByGraph>;
 
 /// The article's method, as choices: how rows are solved, how drift is cured, when positions move, and into
 /// how many equal substeps a step is cut. Cost of a step: substeps × (rows written once + sweeps over them).
@@ -20,8 +29,9 @@ struct VelocityStepping {
   RowSolver solver = GaussSeidel{};
   DriftCure drift = Baumgarte{};
   Euler euler = Euler::symplectic;
-  int substeps = 1;  // >= 1
+  int substeps = 1;                          // >= 1
   Gyroscopic gyroscopic = Gyroscopic::none;  // of bodies in space
+  double bounce_threshold = 0.5;  // slower than this nothing bounces, or what rests would rattle [m/s] >= 0
 };
 
 /// Throws std::invalid_argument for a choice outside its range.
@@ -37,33 +47,34 @@ struct Work {
   Prepared<M> gauss_seidel;
   JacobiWork<M> jacobi;
   DirectWork<M> direct;
+  std::conditional_t<M::angular == 0, NoTouching, Touching<M>> touching;
+  std::vector<double> approach;  // JV of rows that may bounce, before they are solved
   Layout layout = Layout::none;
-  int constraints = 0;       // in the layout
+  int version = 0;           // of the scene that is laid out
+  bool loopless = false;     // its graph
   double h = 0;              // the substep that λ belongs to [s]
   long long row_solves = 0;  // so far; a direct solve counts as the row-solves that its multiplications would buy
 };
 
-/// Why the method cannot run a system, in one sentence; empty if it can.
-std::string refusal(const VelocityStepping& method, bool bounded);
-
-/// The layout that a solver wants.
-Layout wanted_layout(const RowSolver& solver);
+/// The layout that a solver wants; `loopless` is whether the scene's graph has no loops.
+Layout wanted_layout(const RowSolver& solver, bool loopless);
 
 /// Constraint numbers in that layout; for Layout::elimination this also makes `plan`.
 std::vector<int> solve_order(Layout layout, const Graph& graph, int dof, Elimination& plan);
 
 /// Solves the rows of `work.system` by the chosen solver and puts the impulses into the velocities.
 template <class M>
-void solve_rows(const RowSolver& solver, Bodies<M>& bodies, Work<M>& work);
+void solve_rows(const RowSolver& solver, Bodies<M>& bodies, Work<M>& work, Begin begin = Begin::step);
 
 /// Lays the rows out anew if constraints were added or the solver wants another order.
 template <class S, class M = typename S::model>
 void lay_out(const S& scene, const RowSolver& solver, Work<M>& work) {
-  const Layout layout = wanted_layout(solver);
-  if (work.layout == layout && work.constraints == scene.count()) return;
-  scene.lay_out(solve_order(layout, scene.graph(), M::dof, work.direct.plan), work.system);
-  work.layout = layout;
-  work.constraints = scene.count();
+  if (work.version == scene.version() && work.layout == wanted_layout(solver, work.loopless)) return;
+  const Graph graph = scene.graph();
+  work.loopless = has_no_loops(graph);
+  work.layout = wanted_layout(solver, work.loopless);
+  work.version = scene.version();
+  scene.lay_out(solve_order(work.layout, graph, M::dof, work.direct.plan), work.system);
 }
 
 /// λ is an impulse, a force times h: when the step changes, so does the guess that a warm start makes.
@@ -74,29 +85,40 @@ void rescale_impulses(Work<M>& work, double h) {
   work.h = h;
 }
 
+/// The second solve of contacts that bounce, once positions have moved.
+template <class M>
+void bounce(const VelocityStepping& method, Bodies<M>& bodies, Work<M>& work) {
+  if (!set_bounce(work.approach, method.bounce_threshold, work.system)) return;
+  solve_rows(method.solver, bodies, work, Begin::again);
+  forget_bounce(work.approach, method.bounce_threshold, work.system);
+}
+
 //! [step]
-/// One time step h [s] of the article's method. Throws std::invalid_argument for h <= 0 or a method that
-/// cannot run the scene, SingularSystem from a direct solve.
+/// One time step h [s] of the article's method. Throws std::invalid_argument for h <= 0 or a method outside its
+/// range, SingularSystem from a direct solve.
 template <class S, class M = typename S::model>
 void advance(S& scene, const VelocityStepping& method, double step, Work<M>& work) {
   require_positive("time step", step, "s");
   for (const double g : scene.gravity) require_finite("gravity", g, "m/s²");
   require_valid(method);
+  if constexpr (S::touches) work.touching.find(scene);  // the article's n, P1 and P2, from shapes
   lay_out(scene, method.solver, work);
-  if (const std::string reason = refusal(method, work.system.bounded); !reason.empty())
-    throw std::invalid_argument(reason);
+  if constexpr (S::touches) work.touching.template write_impulses<S>(work.system);
   const double h = step / method.substeps;
   for (int i = 0; i < method.substeps; ++i) {
     scene.write_rows(work.system, h);        // J, C, M⁻¹Jᵀ at the current poses
     set_bias(method.drift, h, work.system);  // b of (21), (22)
     if (method.euler == Euler::explicit_) advance_poses(scene.bodies, h);
+    note_approach(work.system, scene.bodies.velocity, work.approach);
     begin_turn(method.gyroscopic, scene.bodies, h);
     add_gravity(scene.bodies, scene.gravity, h);    // before λ, or the rows cannot answer it
     rescale_impulses(work, h);                      // λ of last step, for the warm start
     solve_rows(method.solver, scene.bodies, work);  // (17) and (20) over all rows
     if (method.euler == Euler::symplectic) advance_poses(scene.bodies, h);
     end_turn(method.gyroscopic, scene.bodies, h);
+    bounce(method, scene.bodies, work);
   }
+  if constexpr (S::touches) work.touching.template read_impulses<S>(work.system);
 }
 //! [step]
 

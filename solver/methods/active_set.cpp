@@ -1,0 +1,110 @@
+#include "solver/methods/direct.hpp"
+
+namespace byhand {
+namespace {
+
+/// Whether each row of a block can still give way: λ is not at a bound.
+template <int K, Bound B>
+void note_active(const double* lambda, double lower, double upper, double leader, char* active) {
+  if constexpr (B == Bound::interval) {
+    active[0] = lower < lambda[0] && lambda[0] < upper;
+  } else if constexpr (B == Bound::ball) {
+    const bool inside = Eigen::Map<const Rows<K>>(lambda).norm() < upper * leader;
+    for (int k = 0; k < K; ++k) active[k] = inside;
+  } else if constexpr (B == Bound::face) {
+    active[0] = lambda[0] > 0;
+    active[1] = lambda[1] > 0;
+    active[2] = std::abs(lambda[2]) < upper * (lambda[0] + lambda[1]);
+  }
+}
+
+template <class M>
+void find_active(const System<M>& system, std::vector<char>& active) {
+  active.assign(system.rows(), 1);
+  system.for_each_run([&]<int K, Bound B>(std::span<const Block<M, K, B>> blocks) {
+    if constexpr (B != Bound::none)
+      for (const auto& block : blocks)
+        note_active<K, B>(&system.lambda[block.row], system.lower[block.row], system.upper[block.row],
+                          system.lambda[block.leader], &active[block.row]);
+  });
+}
+
+/// Holds λ within all bounds; `change` becomes what that takes.
+template <class M>
+void hold(System<M>& system, std::vector<double>& change) {
+  std::fill(change.begin(), change.end(), 0.0);
+  system.for_each_run([&]<int K, Bound B>(std::span<const Block<M, K, B>> blocks) {
+    if constexpr (B != Bound::none)
+      for (const auto& block : blocks) {
+        Eigen::Map<Rows<K>> lambda(&system.lambda[block.row]);
+        const Rows<K> held =
+            bounded<K, B>(lambda, system.lower[block.row], system.upper[block.row], system.lambda[block.leader]);
+        for (int k = 0; k < K; ++k) change[block.row + k] = held[k] - lambda[k];
+        lambda = held;
+      }
+  });
+}
+
+template <class M>
+void solve_active(const Direct& solver, System<M>& system, Bodies<M>& bodies, DirectWork<M>& work) {
+  for (int k = 0; k < system.rows(); ++k) work.offset[k] = system.bias[k] + system.gamma[k] * system.lambda[k];
+  solve_equations(solver, system, work.offset, bodies, work, work.change);
+  for (int k = 0; k < system.rows(); ++k) {
+    if (!work.active[k]) work.change[k] = 0;
+    system.lambda[k] += work.change[k];
+  }
+  apply_all(system, work.change, bodies.velocity);
+  hold(system, work.change);
+  apply_all(system, work.change, bodies.velocity);
+}
+
+//! [active_set]
+/// Solve what is not at a bound, hold what breaks one, let a sweep tell what else would move.
+template <class M>
+int solve_with_bounds(const Direct& solver, System<M>& system, Bodies<M>& bodies, DirectWork<M>& work,
+                      Begin begin) {
+  prepare(system, BlockSolve::whole, 1.0, work.prepared);
+  if (begin == Begin::step) apply_all(system, system.lambda, bodies.velocity);
+  for (int round = 1; round <= solver.rounds; ++round) {
+    find_active(system, work.active);
+    solve_active(solver, system, bodies, work);
+    if (watched_sweep(system, work.prepared, bodies.velocity) <= solver.tolerance) return round;
+  }
+  for (int sweep = 0; sweep < 10 * solver.rounds; ++sweep)
+    if (watched_sweep(system, work.prepared, bodies.velocity) <= solver.tolerance) break;
+  return solver.rounds;
+}
+//! [active_set]
+
+}  // namespace
+
+void require_valid(const Direct& solver) {
+  require_in("regularisation", solver.regularisation, 0, 1);
+  require(solver.rounds >= 1, "number of rounds", solver.rounds, "at least 1");
+  require_positive("tolerance", solver.tolerance, "m/s");
+}
+
+template <class M>
+int solve(const Direct& solver, System<M>& system, Bodies<M>& bodies, DirectWork<M>& work, Begin begin) {
+  if (system.rows() == 0) return 0;
+  if (system.bounded) {
+    work.offset.resize(system.rows());
+    work.change.resize(system.rows());
+    return solve_with_bounds(solver, system, bodies, work, begin);
+  }
+  work.active.clear();
+  if (begin == Begin::step) {
+    solve_equations(solver, system, system.bias, bodies, work, system.lambda);
+    apply_all(system, system.lambda, bodies.velocity);
+  }
+  return 1;
+}
+
+#define BYHAND_INSTANTIATE(M) template int solve(const Direct&, System<M>&, Bodies<M>&, DirectWork<M>&, Begin)
+BYHAND_INSTANTIATE(PlaneParticle);
+BYHAND_INSTANTIATE(PlaneBody);
+BYHAND_INSTANTIATE(SpaceParticle);
+BYHAND_INSTANTIATE(SpaceBody);
+#undef BYHAND_INSTANTIATE
+
+}  // namespace byhand
