@@ -177,7 +177,7 @@ TEST(Equation18, IsTheProductWithTheMatrixThatIsNeverMade) {
       []<class M>(Random& random) {
         const auto pair = random_pair<M>(random);
         const auto J = Pin<M>{pair.at}.jacobian(pair.pose1, pair.pose2);
-        const auto expected = (dense_inverse_mass(pair) * J.matrix.transpose()).transpose();
+        const Eigen::MatrixXd expected = (dense_inverse_mass(pair) * J.matrix.transpose()).transpose();
         EXPECT_LE(difference(weighted(J, pair).matrix, expected), 1e-12 * expected.cwiseAbs().maxCoeff());
       },
       draws);
