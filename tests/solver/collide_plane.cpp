@@ -1,0 +1,229 @@
+#include "tests/solver/colliding.hpp"
+
+namespace {
+
+using namespace byhand;
+using Eigen::Vector2d;
+using M = PlaneBody;
+
+constexpr double pi = std::numbers::pi;
+
+Solid<M> box(double width, double height, const Vector2d& at, double angle = 0) {
+  return {Box<M>{{width / 2, height / 2}}, {at, plane_rotation(angle)}};
+}
+Solid<M> random_box_solid(Random& random) { return {random_box<M>(random), random.pose<M>()}; }
+
+template <class F>
+void in_random_pairs(F&& f, int draws) {
+  Random random;
+  for (int draw = 0; draw < draws && !testing::Test::HasFatalFailure(); ++draw) {
+    SCOPED_TRACE(testing::Message() << "draw " << draw << ", seed " << seed);
+    f(random, random_box_solid(random), random_box_solid(random));
+  }
+}
+
+TEST(CollidePlane, SeparationIsTheLeastTranslationThatParts) {
+  int overlaps = 0;
+  in_random_pairs(
+      [&](Random&, const auto& first, const auto& second) {
+        const auto manifold = touch(first, second, 0);
+        ASSERT_NO_FATAL_FAILURE(expect_sound(first, second, 0, manifold));
+        const double truth = largest_gap(first, second);
+        if (manifold.empty()) {
+          EXPECT_GT(truth, -1e-4) << "they overlap";
+          return;
+        }
+        ++overlaps;
+        EXPECT_NEAR(gap_along<M>(first, second, manifold.normal), least_separation(manifold), rounding);
+        EXPECT_GE(least_separation(manifold), truth - rounding) << "a shorter way out";
+      },
+      3000);
+  EXPECT_GT(overlaps, 500);
+}
+
+TEST(CollidePlane, SeparationOfBoxesApartIsTheirDistanceToOnePerCent) {
+  int apart = 0;
+  in_random_pairs(
+      [&](Random& random, const auto& first, const auto& second) {
+        const double margin = random.uniform(0, 2);
+        const auto manifold = touch(first, second, margin);
+        ASSERT_NO_FATAL_FAILURE(expect_sound(first, second, margin, manifold));
+        if (manifold.empty()) {
+          EXPECT_GT(largest_gap(first, second), margin - 1e-4);
+          return;
+        }
+        const double nearest = least_separation(manifold);
+        if (nearest <= 0) return;
+        ++apart;
+        // No direction shows a distance that is much less, and two points of theirs are that far apart.
+        EXPECT_GE(largest_gap(first, second), 0.99 * nearest - 1e-6);
+        const auto at = std::find_if(manifold.begin(), manifold.end(),
+                                     [&](const auto& point) { return point.separation == nearest; });
+        EXPECT_NEAR((at->p2 - at->p1).norm(), nearest, rounding);
+      },
+      3000);
+  EXPECT_GT(apart, 500);
+}
+
+TEST(CollidePlane, SwappedShapesGiveTheMirroredAnswer) {
+  in_random_pairs(
+      [](Random&, const auto& first, const auto& second) {
+        expect_same(touch(first, second, 1), mirrored<M>(touch(second, first, 1)), rounding);
+      },
+      3000);
+}
+
+TEST(CollidePlane, MovingBothMovesTheAnswer) {
+  in_random_pairs(
+      [](Random& random, const auto& first, const auto& second) {
+        const auto by = random.pose<M>();
+        auto expected = touch(first, second, 1);
+        expected.normal = rotate(by.rotation, expected.normal);
+        for (auto& point : expected.points)
+          point.p1 = to_world<M>(by, point.p1), point.p2 = to_world<M>(by, point.p2);
+        expect_same(touch(Solid<M>{first.shape, carried<M>(by, first.pose)},
+                          Solid<M>{second.shape, carried<M>(by, second.pose)}, 1),
+                    expected, 10 * rounding);
+      },
+      3000);
+}
+
+TEST(CollidePlane, PartingAlongTheNormalPartsByAsMuch) {
+  in_random_pairs(
+      [](Random& random, const auto& first, Solid<M> second) {
+        const auto before = touch(first, second, 0);
+        if (before.empty()) return;
+        const double by = random.uniform(0, -least_separation(before));
+        second.pose.position += by * before.normal;
+        EXPECT_NEAR(least_separation(touch(first, second, 1)), least_separation(before) + by, rounding);
+      },
+      3000);
+}
+
+TEST(CollidePlane, FeaturesStayWhileTheBoxesHardlyMove) {
+  in_random_pairs(
+      [](Random& random, const auto& first, Solid<M> second) {
+        const auto before = touch(first, second, 0.5);
+        move<M>(second.pose, Velocity<M>(random.vector<3>(1)), 1e-7);
+        const auto after = touch(first, second, 0.5, before.reference);
+        ASSERT_EQ(before.size, after.size);
+        for (int i = 0; i < before.size; ++i) EXPECT_EQ(before.points[i].feature, after.points[i].feature);
+      },
+      3000);
+}
+
+TEST(CollidePlane, FeaturesOfEqualBoxesOnEachOtherOutlastSwayAndTilt) {
+  const Solid<M> below = box(1, 1, {0, 0});
+  const auto first = touch(below, box(1, 1, {0, 1}), 0.02);
+  ASSERT_EQ(first.size, 2);
+  Random random;
+  std::uint32_t reference = first.reference;
+  for (int i = 0; i < 1000; ++i) {
+    const Solid<M> above =
+        box(1, 1, {random.uniform(-5e-3, 5e-3), random.uniform(0.997, 1)}, random.uniform(-2e-3, 2e-3));
+    const auto manifold = touch(below, above, 0.02, reference);
+    reference = manifold.reference;
+    ASSERT_EQ(manifold.size, 2);
+    for (const auto& point : manifold)
+      EXPECT_TRUE(point.feature == first.points[0].feature || point.feature == first.points[1].feature);
+    EXPECT_GT(manifold.normal.y(), 0.99);
+  }
+}
+
+TEST(CollidePlane, TheReferenceFaceYieldsOnlyToOneBetterByTheHysteresis) {
+  const Solid<M> corner = box(1, 1, {0, 0});
+  const auto in_corner = [](double x, double y) { return box(1, 1, {1 - x, 1 - y}); };
+  const auto before = touch(corner, in_corner(0.02, 0.01), 0);
+  EXPECT_EQ(before.normal, Vector2d(0, 1));
+  const double almost = 0.9 * reference_hysteresis, enough = 1.1 * reference_hysteresis;
+  EXPECT_EQ(touch(corner, in_corner(0.02, 0.02 + almost), 0).normal, Vector2d(1, 0));
+  EXPECT_EQ(touch(corner, in_corner(0.02, 0.02 + almost), 0, before.reference).normal, Vector2d(0, 1));
+  EXPECT_EQ(touch(corner, in_corner(0.02, 0.02 + enough), 0, before.reference).normal, Vector2d(1, 0));
+}
+
+TEST(CollidePlane, AnOldReferenceNeverSaysThatBoxesApartOverlapNorTheReverse) {
+  const Solid<M> ledge = box(1, 1, {0, 0});
+  const auto on_it = touch(ledge, box(1, 1, {0.9, 0.999}), 0.02);
+  EXPECT_EQ(on_it.normal, Vector2d(0, 1));
+  const auto past_it = touch(ledge, box(1, 1, {1.001, 0.999}), 0.02, on_it.reference);
+  EXPECT_EQ(past_it.normal, Vector2d(1, 0));
+  EXPECT_NEAR(least_separation(past_it), 0.001, rounding);
+
+  in_random_pairs(
+      [](Random&, const auto& first, const auto& second) {
+        const auto plain = touch(first, second, 1);
+        for (std::uint32_t hint = 1; hint <= 4; ++hint) {
+          const auto hinted = touch(first, second, 1, hint);
+          ASSERT_NO_FATAL_FAILURE(expect_sound(first, second, 1, hinted));
+          EXPECT_EQ(least_separation(hinted) > 0, least_separation(plain) > 0);
+          if (least_separation(plain) > 0) continue;
+          EXPECT_NEAR(least_separation(hinted), least_separation(plain), reference_hysteresis);
+        }
+      },
+      3000);
+}
+
+TEST(CollidePlane, ABoxOnABoxTouchesAtBothEndsOfTheOverlap) {
+  const auto manifold = touch(box(2, 1, {0, 0}), box(1, 1, {1, 0.99}), 0.02);
+  ASSERT_EQ(manifold.size, 2);
+  EXPECT_LE(difference(manifold.normal, Vector2d(0, 1)), rounding);
+  for (const auto& point : manifold) EXPECT_NEAR(point.separation, -0.01, rounding);
+  EXPECT_NEAR(std::min(manifold.points[0].p1.x(), manifold.points[1].p1.x()), 0.5, rounding);
+  EXPECT_NEAR(std::max(manifold.points[0].p1.x(), manifold.points[1].p1.x()), 1, rounding);
+}
+
+TEST(CollidePlane, BoxesWhoseCornersAreNearestTouchThere) {
+  const auto manifold = touch(box(1, 1, {0, 0}), box(1, 1, {1.003, 1.004}), 0.02);
+  ASSERT_EQ(manifold.size, 1);
+  EXPECT_NEAR(manifold.points[0].separation, 0.005, rounding);
+  EXPECT_LE(difference(manifold.normal, Vector2d(0.6, 0.8)), 1e-10);
+  EXPECT_TRUE(touch(box(1, 1, {0, 0}), box(1, 1, {1.003, 1.004}), 0.0049).empty());
+}
+
+TEST(CollidePlane, BoxesWithOneCentrePartAlongTheFirstsShorterWayOut) {
+  const auto manifold = touch(box(1, 2, {3, 4}), box(1, 2, {3, 4}), 0);
+  EXPECT_EQ(manifold.normal, Vector2d(1, 0));
+  EXPECT_EQ(least_separation(manifold), -1);
+}
+
+/// Places and turns that meet exactly, or miss by a rounding error.
+Solid<M> degenerate(Random& random) {
+  const double noise[] = {0, 0, 0, 1e-300, 1e-17, -1e-16, 1e-15, 1e-12, -1e-9};
+  const auto off = [&] { return noise[random.index(9)]; };
+  const double sizes[] = {0.5, 1, 2, 1e-6, 1e3};
+  const double width = sizes[random.index(5)], height = sizes[random.index(5)];
+  return box(width, height, Vector2d(0.25 * random.index(5) + off(), 0.25 * random.index(5) + off()),
+             pi / 4 * random.index(8) + off());
+}
+
+TEST(CollidePlane, DegenerateBoxesGiveSoundAnswers) {
+  Random random;
+  int touching = 0;
+  for (int draw = 0; draw < 100'000; ++draw) {
+    SCOPED_TRACE(testing::Message() << "draw " << draw << ", seed " << seed);
+    const auto first = degenerate(random), second = degenerate(random);
+    const double margin = random.index(2) * 0.02;
+    const auto manifold = touch(first, second, margin, random.index(6));
+    const double size = reach<M>(first, {1, 0}) + reach<M>(second, {1, 0}) + 1;
+    ASSERT_TRUE(manifold.size == 0 || std::abs(manifold.normal.norm() - 1) < rounding);
+    for (const auto& point : manifold) {
+      ASSERT_LE(point.separation, margin);
+      ASSERT_LE(std::abs(height_over(first, point.p1)), rounding * size);
+      ASSERT_LE(std::abs(height_over(second, point.p2)), rounding * size);
+      ASSERT_LE(std::abs(point.separation - (point.p2 - point.p1).dot(manifold.normal)), rounding * size);
+    }
+    double gap = -1e9;
+    for (const auto& u :
+         {Vector2d(1, 0), Vector2d(0, 1), Vector2d(1, 1).normalized().eval(), Vector2d(1, -1).normalized().eval()})
+      gap = std::max({gap, gap_along<M>(first, second, u), gap_along<M>(first, second, -u)});
+    // These are all the normals there are, to the noise.
+    if (gap < -1e-5) {
+      ASSERT_FALSE(manifold.empty());
+      ASSERT_LE(std::abs(least_separation(manifold) - gap), reference_hysteresis + 1e-5);
+    }
+    touching += !manifold.empty();
+  }
+  EXPECT_GT(touching, 30'000);
+}
+
+}  // namespace
