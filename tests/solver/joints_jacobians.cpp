@@ -1,0 +1,55 @@
+#include <gtest/gtest.h>
+
+#include "solver/constraints/hinge.hpp"
+#include "solver/constraints/motor.hpp"
+#include "solver/constraints/slider.hpp"
+#include "solver/constraints/weld.hpp"
+#include "tests/solver/dual.hpp"
+#include "tests/solver/random.hpp"
+
+// J of every joint, derived by hand, against its C by dual numbers: at any pose, far from where the joint holds.
+namespace {
+
+using namespace byhand;
+constexpr int draws = 200;
+
+template <class M>
+Turn<M> random_turn(Random& random, const Bodies<M>& bodies) {
+  if constexpr (M::angular == 1)
+    return turn<M>(bodies, 0, 1);
+  else
+    return turn<M>(bodies, 0, 1, random.direction<M>());
+}
+
+/// Moves each of the 2 dof numbers of the pair by itself.
+template <class Kind, class M>
+void expect_gradient(const Kind& kind, const Pair<M>& pair, double tolerance) {
+  const auto J = kind.jacobian(pair.pose1, pair.pose2);
+  const Velocity<M> still = Velocity<M>::Zero();
+  for (int i = 0; i < 2 * M::dof; ++i) {
+    const bool first = i < M::dof;
+    const Velocity<M> one = Velocity<M>::Unit(i % M::dof);
+    const auto rate = rate_by_duals(kind, pair.pose1, first ? one : still, pair.pose2, first ? still : one);
+    EXPECT_LE(difference(rate, J.matrix.col(i)), tolerance) << "number " << i;
+  }
+}
+
+TEST(Joints, JacobiansAreGradientsOfCAtEveryPose) {
+  in_both_bodies(
+      []<class M>(Random& random) {
+        const auto made = random_pair<M>(random), moved = random_pair<M>(random);
+        const Bodies<M> bodies = made.bodies();
+        const Linear<M> point = random.vector<M::linear>(2), axis = random.direction<M>();
+        expect_gradient(weld<M>(bodies, 0, 1, point), moved, 1e-12);
+        expect_gradient(slider<M>(bodies, 0, 1, point, axis), moved, 1e-12);
+        expect_gradient(motor<M>(slide<M>(bodies, 0, 1, point, axis), 1, 1), moved, 1e-12);
+        if constexpr (M::angular == 3) expect_gradient(hinge<M>(bodies, 0, 1, point, axis), moved, 1e-12);
+        // Near half a turn across its axis an angle has no gradient: 1/(w² + z²) tells how near.
+        const auto spin = motor<M>(random_turn(random, bodies), 1, 1);
+        const double steep = spin.jacobian(moved.pose1, moved.pose2).matrix.cwiseAbs().maxCoeff();
+        expect_gradient(spin, moved, 1e-13 * std::max(10.0, steep * steep));
+      },
+      draws);
+}
+
+}  // namespace
