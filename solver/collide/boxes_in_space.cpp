@@ -20,15 +20,7 @@ struct Solid {
   Vector3d half;
 };
 
-/// 3 bits for an axis, one for its side.
 int face_number(int axis, bool negative) { return axis + 3 * negative; }
-
-/// Direction `v`, in the axes of the first box, as the face of that box it points to; `not_along` is out of
-/// question.
-int nearest_face(const Vector3d& v, int not_along) {
-  const int a = (not_along + 1) % 3, b = (not_along + 2) % 3, axis = std::abs(v[a]) >= std::abs(v[b]) ? a : b;
-  return face_number(axis, v[axis] < 0);
-}
 
 struct Corner {
   Vector3d at;  // in the axes of the reference box
@@ -58,47 +50,80 @@ Polygon trimmed(const Polygon& polygon, const Vector3d& direction, double reach,
   return result;
 }
 
-/// Four of the corners, far apart, the deepest among them: it, the one furthest from it, and the furthest on
-/// either side of the line between. Depths that differ by less than `level` [m] count as one, so that the choice
-/// lasts.
-std::array<int, 4> four_of(const Polygon& polygon, const Vector3d& out) {
+/// At most four of the corners that hold nearly all of the area: the deepest, the one furthest from it, the one
+/// furthest from the line between, and the one furthest outside this triangle. Differences below `level` [m] count
+/// for nothing, so that the choice lasts; above them, a corner of a box goes before a crossing of like edges.
+struct Choice {
+  std::array<int, 4> corners;
+  int size;
+};
+Choice at_most_four(const Polygon& polygon, const Vector3d& out) {
+  if (polygon.size <= 4) return {{0, 1, 2, 3}, polygon.size};
   constexpr double level = 1e-4;
-  const auto best = [&](auto&& score, double by) {
+  const auto best = [&](auto&& distance) {
+    const auto score = [&](int i) {
+      const bool crossing = polygon.before(i).side == polygon[i].side;
+      return distance(polygon[i].at) - (crossing ? 2 * level : 0);
+    };
     int chosen = 0;
     for (int i = 1; i < polygon.size; ++i)
-      if (score(polygon[i].at) > score(polygon[chosen].at) + by) chosen = i;
+      if (score(i) > score(chosen) + level) chosen = i;
     return chosen;
   };
-  const int deepest = best([&](const Vector3d& p) { return -out.dot(p); }, level);
+  const auto left_of = [&](const Vector3d& from, const Vector3d& to) -> Vector3d {
+    return out.cross(to - from).normalized();
+  };
+  const int deepest = best([&](const Vector3d& p) { return -out.dot(p); });
   const Vector3d a = polygon[deepest].at;
-  const int furthest = best([&](const Vector3d& p) { return (p - a).squaredNorm(); }, 0);
-  const Vector3d across = out.cross(polygon[furthest].at - a);
-  return {deepest, furthest, best([&](const Vector3d& p) { return across.dot(p - a); }, 0),
-          best([&](const Vector3d& p) { return -across.dot(p - a); }, 0)};
+  const int furthest = best([&](const Vector3d& p) { return (p - a).norm(); });
+  const Vector3d b = polygon[furthest].at, across = left_of(a, b);
+  const int aside = best([&](const Vector3d& p) { return std::abs(across.dot(p - a)); });
+  const Vector3d c = polygon[aside].at;
+  const double turn = across.dot(c - a) > 0 ? -1 : 1;  // outwards of the triangle
+  const int outside = best([&, bc = left_of(b, c), ca = left_of(c, a)](const Vector3d& p) {
+    return std::max({turn * across.dot(p - a), turn * bc.dot(p - b), turn * ca.dot(p - c)});
+  });
+  return {{deepest, furthest, aside, outside}, 4};
 }
 
-/// An edge by its middle, direction and half length; in all, number = 4 axis + two bits for the sides of the
-/// others.
-struct Line {
+/// An edge by its middle, direction and half length. In all, number = 4 axis + two bits for the sides of the other
+/// axes.
+struct Edge {
   Vector3d middle, direction;
   double half;
+  int number;
+
+  Vector3d at(double s) const { return middle + s * direction; }
+  /// 0–11 for the edge, 12–19 for the corners of the box that are its ends.
+  int feature_at(double s) const {
+    if (std::abs(s) < half) return number;
+    const int axis = number / 4, side[2] = {number & 1, number >> 1 & 1};
+    return 12 + ((s < 0) << axis | side[0] << (axis + 1) % 3 | side[1] << (axis + 2) % 3);
+  }
 };
-Line edge(const Solid& box, int number) {
+Edge edge(const Solid& box, int number) {
   const int axis = number / 4, j = (axis + 1) % 3, k = (axis + 2) % 3;
   const double sj = number & 1 ? -1 : 1, sk = number & 2 ? -1 : 1;
   return {box.centre + sj * box.half[j] * box.axes.col(j) + sk * box.half[k] * box.axes.col(k), box.axes.col(axis),
-          box.half[axis]};
+          box.half[axis], number};
 }
 
-/// The nearest points of two edges (C. Ericson, Real-Time Collision Detection, 2005, 5.1.9).
-std::pair<Vector3d, Vector3d> nearest_points(const Line& a, const Line& b) {
+/// A point on each surface and what they lie on.
+struct Meeting {
+  Vector3d p1, p2;
+  std::uint32_t feature;
+};
+
+/// Where two edges are nearest (C. Ericson, Real-Time Collision Detection, 2005, 5.1.9). Features begin beyond
+/// those of faces.
+Meeting nearest(const Edge& a, const Edge& b) {
   const Vector3d d = a.middle - b.middle;
   const double cos = a.direction.dot(b.direction), da = a.direction.dot(d), db = b.direction.dot(d);
   const double sin2 = 1 - cos * cos;
   double s = sin2 > 1e-12 ? std::clamp((cos * db - da) / sin2, -a.half, a.half) : 0;
   const double t = std::clamp(cos * s + db, -b.half, b.half);
   s = std::clamp(cos * t - da, -a.half, a.half);
-  return {a.middle + s * a.direction, b.middle + t * b.direction};
+  return {a.at(s), b.at(t), 256u + 20u * a.feature_at(s) + b.feature_at(t)};
 }
 
 /// Two boxes as they stand.
@@ -129,10 +154,24 @@ Touches touch_face(const Boxes& boxes, int reference) {
   int facing;
   turn.row(axis).cwiseAbs().maxCoeff(&facing);
   const double facing_side = turn(axis, facing) * side > 0 ? -1 : 1;
-  const int in_face[2] = {(facing + 1) % 3, (facing + 2) % 3}, sides[2] = {(axis + 1) % 3, (axis + 2) % 3};
+  const int sides[2] = {(axis + 1) % 3, (axis + 2) % 3}, in_face[2] = {(facing + 1) % 3, (facing + 2) % 3};
+
+  // Names must not depend on which box is the reference, nor on which of two edges on top of each other cuts:
+  // every edge is named by the side of the first box that looks its way.
+  const auto like = [&](int i, int j) {
+    return std::abs(turn(sides[0], in_face[i]) * turn(sides[1], in_face[j]));
+  };
+  const bool crosswise = like(1, 0) > like(0, 1);
   const int face1 = second ? face_number(facing, facing_side < 0) : face_number(axis, side < 0);
-  const auto name = [&](const Vector3d& v) {
-    return nearest_face(second ? Vector3d(boxes.turn * v) : v, face1 % 3);
+  const auto name_of_side = [&](int i, double s) {
+    if (!second) return face_number(sides[i], s < 0);
+    const int like_it = in_face[crosswise ? 1 - i : i];
+    return face_number(like_it, s * turn(sides[i], like_it) < 0);
+  };
+  const auto name_of_edge = [&](int i, double s) {
+    if (second) return face_number(in_face[i], s < 0);
+    const int like_it = sides[crosswise ? 1 - i : i];
+    return face_number(like_it, s * turn(like_it, in_face[i]) < 0);
   };
 
   Polygon polygon;
@@ -140,47 +179,42 @@ Touches touch_face(const Boxes& boxes, int reference) {
   for (const auto& [s, t] : {std::pair{1, 1}, {-1, 1}, {-1, -1}, {1, -1}}) {
     const Vector3d a = s * turn.col(in_face[0]), b = t * turn.col(in_face[1]);
     // Going round, the edge that begins at (+, +) lies on the second axis's side, the next on the first's.
-    polygon.add({middle + other.half[in_face[0]] * a + other.half[in_face[1]] * b, name(s == t ? b : a)});
+    polygon.add({middle + other.half[in_face[0]] * a + other.half[in_face[1]] * b,
+                 s == t ? name_of_edge(1, t) : name_of_edge(0, s)});
   }
-  for (const int i : sides)
-    for (const double s : {1, -1}) {
-      const Vector3d direction = s * Vector3d::Unit(i);
-      polygon = trimmed(polygon, direction, box.half[i], name(direction));
-    }
+  for (const int i : {0, 1})
+    for (const double s : {1, -1})
+      polygon = trimmed(polygon, s * Vector3d::Unit(sides[i]), box.half[sides[i]], name_of_side(i, s));
 
   Touches result;
   result.manifold.reference = reference + 1;
   const Vector3d n = box.axes * out;
   result.manifold.normal = second ? Vector3d(-n) : n;
-  if (polygon.size == 0) return result;
-  std::uint32_t written = 0;
-  for (const int i : four_of(polygon, out)) {
-    if (written >> i & 1) continue;
-    written |= 1u << i;
+  const Choice choice = at_most_four(polygon, out);
+  for (int k = 0; k < choice.size; ++k) {
+    const int i = choice.corners[k];
     const Corner& corner = polygon[i];
     const double separation = side * corner.at[axis] - box.half[axis];
     result.nearest = std::min(result.nearest, separation);
     if (!(separation <= boxes.margin)) continue;
     const Vector3d q = box.centre + box.axes * corner.at, p = q - separation * n;
-    const auto [low, high] = std::minmax(polygon.before(i).side, corner.side);
-    const std::uint32_t feature = (face1 * 6 + low) * 6 + high;
+    int from = polygon.before(i).side, to = corner.side;
+    if (second == (facing_side > 0)) std::swap(from, to);  // as seen from the first box
+    const std::uint32_t feature = (face1 * 6 + from) * 6 + to;
     result.manifold.add({second ? q : p, second ? p : q, separation, feature});
   }
   return result;
 }
 
-Touches one_point(const Boxes& boxes, const Vector3d& n, const std::pair<Vector3d, Vector3d>& points,
-                  std::uint32_t reference, std::uint32_t feature) {
+Touches one_point(const Boxes& boxes, const Vector3d& n, const Meeting& meeting, std::uint32_t reference) {
   Touches result;
-  result.nearest = n.dot(points.second - points.first);
+  result.nearest = n.dot(meeting.p2 - meeting.p1);
   result.manifold.normal = n;
   result.manifold.reference = reference;
-  if (result.nearest <= boxes.margin) result.manifold.add({points.first, points.second, result.nearest, feature});
+  if (result.nearest <= boxes.margin)
+    result.manifold.add({meeting.p1, meeting.p2, result.nearest, meeting.feature});
   return result;
 }
-
-/// Features beyond those of faces: one for every two edges.
-std::uint32_t edge_feature(int edge1, int edge2) { return 256 + 12 * edge1 + edge2; }
 
 /// Where edges along axis i of the first box and axis j of the second cross.
 Touches touch_edges(const Boxes& boxes, int i, int j) {
@@ -190,24 +224,23 @@ Touches touch_edges(const Boxes& boxes, int i, int j) {
     const auto behind = [&](int k) { return direction.dot(box.axes.col(k % 3)) < 0; };
     return 4 * axis + behind(axis + 1) + 2 * behind(axis + 2);
   };
-  const int edge1 = furthest(boxes.first, i, n), edge2 = furthest(boxes.second, j, -n);
-  return one_point(boxes, n, nearest_points(edge(boxes.first, edge1), edge(boxes.second, edge2)), 7 + 3 * i + j,
-                   edge_feature(edge1, edge2));
+  const Edge edge1 = edge(boxes.first, furthest(boxes.first, i, n)),
+             edge2 = edge(boxes.second, furthest(boxes.second, j, -n));
+  return one_point(boxes, n, nearest(edge1, edge2), 7 + 3 * i + j);
 }
 
 /// The nearest edges of boxes that are apart, if they are nearer than `limit`; `otherwise` if not.
 Touches nearest_edges(const Boxes& boxes, double limit, const Touches& otherwise) {
-  std::pair<Vector3d, Vector3d> points;
-  std::uint32_t feature = 0;
+  Meeting best{{}, {}, 0};
   for (int i = 0; i < 12; ++i)
     for (int j = 0; j < 12; ++j) {
-      const auto candidate = nearest_points(edge(boxes.first, i), edge(boxes.second, j));
-      const double distance = (candidate.second - candidate.first).norm();
-      if (distance < limit) limit = distance, points = candidate, feature = edge_feature(i, j);
+      const Meeting meeting = nearest(edge(boxes.first, i), edge(boxes.second, j));
+      const double distance = (meeting.p2 - meeting.p1).norm();
+      if (distance < limit) limit = distance, best = meeting;
     }
-  if (feature == 0) return otherwise;
-  const Vector3d n = limit > 1e-12 ? Vector3d((points.second - points.first) / limit) : otherwise.manifold.normal;
-  return one_point(boxes, n, points, otherwise.manifold.reference, feature);
+  if (best.feature == 0) return otherwise;
+  const Vector3d n = limit > 1e-12 ? Vector3d((best.p2 - best.p1) / limit) : otherwise.manifold.normal;
+  return one_point(boxes, n, best, otherwise.manifold.reference);
 }
 
 /// By how much each of the fifteen directions parts the boxes [m]: faces as in `touch_face`, then 6 + 3i + j for
@@ -274,7 +307,10 @@ Manifold<SpaceBody> touch_boxes(const Box<SpaceBody>& box1, const Pose<SpaceBody
                 : clearly * touches.nearest <= gap[best])
       return touches.manifold;
   }
-  return nearest_edges(boxes, clearly * touches.nearest, touches).manifold;
+  const double limit = clearly * touches.nearest;
+  if (touches.manifold.reference == 0)
+    touches = touch_reference(boxes, best);  // for its normal, should edges meet
+  return nearest_edges(boxes, limit, touches).manifold;
 }
 
 }  // namespace byhand

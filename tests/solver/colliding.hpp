@@ -79,6 +79,17 @@ double height_over(const Solid<M>& solid, const Linear<M>& point) {
   return std::get<HalfSpace<M>>(solid.shape).normal.dot(p);
 }
 
+/// The point of a ball or box that is nearest to a world point.
+template <class M>
+Linear<M> nearest_point(const Solid<M>& solid, const Linear<M>& point) {
+  const Linear<M> p = to_body<M>(solid.pose, point);
+  if constexpr (M::angular > 0)
+    if (const auto* box = std::get_if<Box<M>>(&solid.shape))
+      return to_world<M>(solid.pose, p.cwiseMin(box->half).cwiseMax(-box->half));
+  const double radius = std::get<Ball<M>>(solid.shape).radius;
+  return p.norm() <= radius ? point : to_world<M>(solid.pose, p.normalized() * radius);
+}
+
 /// `count` unit vectors that leave no large gap: evenly round the circle, or along a spiral over the sphere.
 template <class M>
 std::vector<Linear<M>> directions(int count) {
@@ -97,7 +108,8 @@ std::vector<Linear<M>> directions(int count) {
 }
 
 /// The largest gap over all directions: the distance of solids that are apart, minus the least translation that
-/// parts those that overlap. A dense search, then a closer one about the best; never too large.
+/// parts those that overlap. A dense search, then a closer one about the best, and for those apart the line
+/// between two points that go to each other (von Neumann's alternating projections); never too large.
 template <class M>
 double largest_gap(const Solid<M>& first, const Solid<M>& second) {
   static const auto all = directions<M>(M::linear == 2 ? 360 : 1000);
@@ -108,9 +120,13 @@ double largest_gap(const Solid<M>& first, const Solid<M>& second) {
     if (gap > best) best = gap, at = u;
   };
   for (const auto& u : all) try_direction(u);
-  for (double step = 0.1; step > 1e-5; step *= 0.6) {
+  Linear<M> p = first.pose.position, q = second.pose.position;
+  for (int i = 0; i < 1000 && (q - p).norm() > 1e-9; ++i)
+    q = nearest_point(second, p), p = nearest_point(first, q);
+  if ((q - p).norm() > 1e-9) try_direction((q - p).normalized());
+  for (double step = 0.1; step > 1e-6; step *= 0.8) {
     const Linear<M> about = at;
-    for (std::size_t i = 0; i < all.size(); i += all.size() / 12)
+    for (std::size_t i = 0; i < all.size(); i += all.size() / 40)
       try_direction((about + step * all[i]).normalized());
   }
   return best;

@@ -1,0 +1,229 @@
+#include "tests/solver/colliding.hpp"
+
+namespace {
+
+using namespace byhand;
+using Eigen::Vector3d, Eigen::Quaterniond;
+using M = SpaceBody;
+
+constexpr double pi = std::numbers::pi;
+
+Solid<M> box(const Vector3d& sides, const Vector3d& at, const Vector3d& turn = Vector3d::Zero()) {
+  return {Box<M>{sides / 2}, {at, space_rotation<double>(turn)}};
+}
+Solid<M> random_box_solid(Random& random) {
+  Solid<M> result{random_box<M>(random), random.pose<M>()};
+  result.pose.position /= 2;
+  return result;
+}
+
+bool has_feature(const Manifold<M>& manifold, std::uint32_t feature) {
+  return std::any_of(manifold.begin(), manifold.end(),
+                     [&](const auto& point) { return point.feature == feature; });
+}
+
+template <class F>
+void in_random_pairs(F&& f, int draws) {
+  Random random;
+  for (int draw = 0; draw < draws && !testing::Test::HasFatalFailure(); ++draw) {
+    SCOPED_TRACE(testing::Message() << "draw " << draw << ", seed " << seed);
+    f(random, random_box_solid(random), random_box_solid(random));
+  }
+}
+
+TEST(CollideSpace, SeparationIsTheLeastTranslationThatPartsToTheHysteresis) {
+  int overlaps = 0, several = 0;
+  in_random_pairs(
+      [&](Random&, const auto& first, const auto& second) {
+        const auto manifold = touch(first, second, 0);
+        ASSERT_NO_FATAL_FAILURE(expect_sound(first, second, 0, manifold));
+        const double truth = largest_gap(first, second);
+        if (manifold.empty()) {
+          EXPECT_GT(truth, -1e-3) << "they overlap";
+          return;
+        }
+        ++overlaps;
+        several += manifold.size > 1;
+        const double along = gap_along<M>(first, second, manifold.normal);
+        EXPECT_GE(along, truth - reference_hysteresis - rounding) << "a shorter way out";
+        EXPECT_GE(least_separation(manifold), along - rounding);
+        EXPECT_LE(least_separation(manifold), along + 2 * reference_hysteresis);
+      },
+      2000);
+  EXPECT_GT(overlaps, 500);
+  EXPECT_GT(several, 200);
+}
+
+TEST(CollideSpace, SeparationOfBoxesApartIsTheirDistanceToOnePerCent) {
+  int apart = 0;
+  in_random_pairs(
+      [&](Random& random, const auto& first, const auto& second) {
+        const double margin = random.uniform(0, 2);
+        const auto manifold = touch(first, second, margin);
+        ASSERT_NO_FATAL_FAILURE(expect_sound(first, second, margin, manifold));
+        if (manifold.empty()) {
+          EXPECT_GT(largest_gap(first, second), margin - 1e-3);
+          return;
+        }
+        const double nearest = least_separation(manifold);
+        if (nearest <= 0) return;
+        ++apart;
+        // No direction shows a distance that is much less, and two points of theirs are that far apart.
+        EXPECT_GE(largest_gap(first, second), 0.99 * nearest - 1e-6);
+        const auto at = std::find_if(manifold.begin(), manifold.end(),
+                                     [&](const auto& point) { return point.separation == nearest; });
+        EXPECT_NEAR((at->p2 - at->p1).norm(), nearest, rounding);
+      },
+      2000);
+  EXPECT_GT(apart, 300);
+}
+
+TEST(CollideSpace, SwappedShapesGiveTheMirroredAnswer) {
+  in_random_pairs(
+      [](Random&, const auto& first, const auto& second) {
+        expect_same(touch(first, second, 0.5), mirrored<M>(touch(second, first, 0.5)), rounding);
+      },
+      3000);
+}
+
+TEST(CollideSpace, MovingBothMovesTheAnswer) {
+  in_random_pairs(
+      [](Random& random, const auto& first, const auto& second) {
+        const auto by = random.pose<M>();
+        auto expected = touch(first, second, 0.5);
+        expected.normal = rotate(by.rotation, expected.normal);
+        for (auto& point : expected.points)
+          point.p1 = to_world<M>(by, point.p1), point.p2 = to_world<M>(by, point.p2);
+        expect_same(touch(Solid<M>{first.shape, carried<M>(by, first.pose)},
+                          Solid<M>{second.shape, carried<M>(by, second.pose)}, 0.5),
+                    expected, 1e-10);
+      },
+      3000);
+}
+
+TEST(CollideSpace, FeaturesStayWhileTheBoxesHardlyMove) {
+  in_random_pairs(
+      [](Random& random, const auto& first, Solid<M> second) {
+        const auto before = touch(first, second, 0.5);
+        move<M>(second.pose, Velocity<M>(random.vector<6>(1)), 1e-7);
+        const auto after = touch(first, second, 0.5, before.reference);
+        ASSERT_EQ(before.size, after.size);
+        for (const auto& point : before) EXPECT_TRUE(has_feature(after, point.feature));
+      },
+      3000);
+}
+
+TEST(CollideSpace, FeaturesOfEqualBoxesOnEachOtherOutlastSwayAndTilt) {
+  const Solid<M> below = box({1, 1, 1}, {0, 0, 0});
+  const auto first = touch(below, box({1, 1, 1}, {0, 0, 1}), 0.02);
+  ASSERT_EQ(first.size, 4);
+  Random random;
+  std::uint32_t reference = first.reference;
+  for (int i = 0; i < 1000; ++i) {
+    const Vector3d sway(random.uniform(-5e-3, 5e-3), random.uniform(-5e-3, 5e-3), random.uniform(0.996, 0.998));
+    const auto manifold = touch(below, box({1, 1, 1}, sway, random.vector<3>(1e-3)), 0.02, reference);
+    reference = manifold.reference;
+    EXPECT_GT(manifold.normal.z(), 0.99);
+    for (const auto& point : first) EXPECT_TRUE(has_feature(manifold, point.feature));
+  }
+}
+
+TEST(CollideSpace, ABoxThatLiesOnAnotherTouchesAtTheCornersOfTheOverlap) {
+  for (const double turn : {0.0, pi / 2, 0.3, pi / 4}) {
+    const auto manifold = touch(box({4, 4, 1}, {0, 0, 0}), box({1, 1, 1}, {1, 0, 0.99}, {0, 0, turn}), 0.02);
+    ASSERT_EQ(manifold.size, 4);
+    EXPECT_LE(difference(manifold.normal, Vector3d(0, 0, 1)), rounding);
+    for (const auto& point : manifold) {
+      EXPECT_NEAR(point.separation, -0.01, rounding);
+      EXPECT_NEAR((point.p1 - Vector3d(1, 0, 0.5)).norm(), std::sqrt(0.5), rounding);
+    }
+  }
+}
+
+TEST(CollideSpace, OfEightCornersFourAreKeptThatHoldTheMiddle) {
+  const auto manifold = touch(box({1, 1, 1}, {0, 0, 0}), box({1, 1, 1}, {0, 0, 0.99}, {0, 0, pi / 4}), 0.02);
+  ASSERT_EQ(manifold.size, 4);
+  for (const auto& direction : directions<PlaneBody>(16)) {
+    double furthest = 0;
+    for (const auto& point : manifold) furthest = std::max(furthest, point.p1.head<2>().dot(direction));
+    EXPECT_GT(furthest, 0.15) << direction.transpose();
+  }
+}
+
+TEST(CollideSpace, EdgesThatCrossTouchAtOnePoint) {
+  const double height = std::sqrt(0.5);
+  const auto manifold = touch(box({4, 1, 1}, {0, 0, 0}, {pi / 4, 0, 0}),
+                              box({1, 4, 1}, {0, 0, 2 * height - 0.01}, {0, pi / 4, 0}), 0.02);
+  ASSERT_EQ(manifold.size, 1);
+  EXPECT_LE(difference(manifold.normal, Vector3d(0, 0, 1)), rounding);
+  EXPECT_NEAR(manifold.points[0].separation, -0.01, rounding);
+  EXPECT_LE(difference(manifold.points[0].p1, Vector3d(0, 0, height)), rounding);
+}
+
+TEST(CollideSpace, BoxesWhoseCornersAreNearestTouchThere) {
+  const auto manifold = touch(box({1, 1, 1}, {0, 0, 0}), box({1, 1, 1}, {1.001, 1.002, 1.002}), 0.02);
+  ASSERT_EQ(manifold.size, 1);
+  EXPECT_NEAR(manifold.points[0].separation, 0.003, rounding);
+  EXPECT_LE(difference(manifold.normal, Vector3d(1, 2, 2) / 3), 1e-10);
+}
+
+TEST(CollideSpace, ATurnAboutOneAxisIsThePlane) {
+  Random random;
+  for (int draw = 0; draw < 2000; ++draw) {
+    const auto flat = [&] {
+      return Solid<PlaneBody>{random_box<PlaneBody>(random),
+                              {random.vector<2>(1), plane_rotation(random.uniform(-4, 4))}};
+    };
+    const auto raised = [](const Solid<PlaneBody>& solid) {
+      const auto& half = std::get<Box<PlaneBody>>(solid.shape).half;
+      return Solid<M>{Box<M>{{half.x(), half.y(), 5}},
+                      {{solid.pose.position.x(), solid.pose.position.y(), 0},
+                       space_rotation<double>({0, 0, angle(solid.pose.rotation)})}};
+    };
+    const auto first = flat(), second = flat();
+    const auto plane = touch(first, second, 0);
+    const auto space = touch(raised(first), raised(second), 0);
+    ASSERT_EQ(plane.empty(), space.empty());
+    if (plane.empty()) continue;
+    EXPECT_LE(difference(space.normal.head<2>(), plane.normal), rounding);
+    EXPECT_NEAR(least_separation(space), least_separation(plane), rounding);
+    EXPECT_EQ(space.size, 2 * plane.size);
+  }
+}
+
+/// Places and turns that meet exactly, or miss by a rounding error.
+Solid<M> degenerate(Random& random) {
+  const double noise[] = {0, 0, 0, 1e-300, 1e-17, -1e-16, 1e-15, 1e-12, -1e-9};
+  const auto off = [&] { return noise[random.index(9)]; };
+  const double sizes[] = {0.5, 1, 2, 1e-6, 1e3};
+  const auto size = [&] { return sizes[random.index(5)]; };
+  const auto place = [&] { return 0.25 * random.index(5) + off(); };
+  Solid<M> result = box({size(), size(), size()}, {place(), place(), place()});
+  for (int axis = 0; axis < 3; ++axis)
+    result.pose.rotation =
+        rotated_by<double>(result.pose.rotation, Vector3d::Unit(axis) * (pi / 4 * random.index(8) + off()));
+  return result;
+}
+
+TEST(CollideSpace, DegenerateBoxesGiveSoundAnswers) {
+  Random random;
+  int touching = 0;
+  for (int draw = 0; draw < 100'000; ++draw) {
+    SCOPED_TRACE(testing::Message() << "draw " << draw << ", seed " << seed);
+    const auto first = degenerate(random), second = degenerate(random);
+    const double margin = random.index(2) * 0.02;
+    const auto manifold = touch(first, second, margin, random.index(17));
+    const double size = 4000;
+    ASSERT_TRUE(manifold.size == 0 || std::abs(manifold.normal.norm() - 1) < rounding);
+    for (const auto& point : manifold) {
+      ASSERT_LE(point.separation, margin);
+      ASSERT_LE(std::abs(height_over(first, point.p1)), rounding * size);
+      ASSERT_LE(std::abs(height_over(second, point.p2)), rounding * size);
+      ASSERT_LE(std::abs(point.separation - (point.p2 - point.p1).dot(manifold.normal)), rounding * size);
+    }
+    touching += !manifold.empty();
+  }
+  EXPECT_GT(touching, 30'000);
+}
+
+}  // namespace
