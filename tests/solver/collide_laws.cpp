@@ -1,0 +1,107 @@
+#include "tests/solver/colliding.hpp"
+
+// Laws that hold whatever touches whatever.
+namespace {
+
+using namespace byhand;
+
+/// Any shape; with `degenerate`, where and as large as makes surfaces, corners and centres meet.
+template <class M>
+Solid<M> any_solid(Random& random, bool degenerate) {
+  Solid<M> solid{{}, random.pose<M>()};
+  const auto quarter = [&] { return 0.25 * (1 + random.index(4)); };
+  switch (random.index(M::angular > 0 ? 3 : 2)) {
+    case 0: solid.shape = degenerate ? Shape<M>(Ball<M>{quarter()}) : random_ball<M>(random); break;
+    case 1:
+      solid.shape = degenerate ? Shape<M>(HalfSpace<M>{Linear<M>::Unit(random.index(M::linear))})
+                               : random_half_space<M>(random);
+      break;
+    default:
+      if constexpr (M::angular > 0)
+        solid.shape = degenerate ? Shape<M>(Box<M>{Linear<M>::Constant(quarter())}) : random_box<M>(random);
+  }
+  if (!degenerate) return solid;
+  const double noise[] = {0, 0, 0, 1e-300, 1e-160, 1e-17, -1e-16, 1e-15, 1e-12, -1e-9};
+  for (double& x : solid.pose.position) x = 0.25 * random.index(4) + noise[random.index(10)];
+  if (random.index(2) == 0) {
+    if constexpr (M::angular == 1) solid.pose.rotation = {};
+    if constexpr (M::angular == 3) solid.pose.rotation.setIdentity();
+  }
+  return solid;
+}
+
+template <class F>
+void in_random_pairs(F&& f, int draws) {
+  in_all_models(
+      [&]<class M>(Random& random) {
+        const auto first = any_solid<M>(random, false), second = any_solid<M>(random, false);
+        f.template operator()<M>(random, first, second);
+      },
+      draws);
+}
+
+TEST(CollideLaws, SwappedShapesGiveTheMirroredAnswer) {
+  in_random_pairs(
+      []<class M>(Random&, const Solid<M>& first, const Solid<M>& second) {
+        expect_same(touch(first, second, 0.5), mirrored<M>(touch(second, first, 0.5)), rounding);
+      },
+      2000);
+}
+
+TEST(CollideLaws, MovingBothMovesTheAnswer) {
+  in_random_pairs(
+      []<class M>(Random& random, const Solid<M>& first, const Solid<M>& second) {
+        const auto by = random.pose<M>();
+        auto expected = touch(first, second, 0.5);
+        expected.normal = detail::turned<M>(by, expected.normal);
+        for (auto& point : expected.points)
+          point.p1 = to_world<M>(by, point.p1), point.p2 = to_world<M>(by, point.p2);
+        expect_same(touch(Solid<M>{first.shape, carried<M>(by, first.pose)},
+                          Solid<M>{second.shape, carried<M>(by, second.pose)}, 0.5),
+                    expected, 100 * rounding);
+      },
+      2000);
+}
+
+TEST(CollideLaws, PartingAlongTheNormalPartsByAsMuch) {
+  in_random_pairs(
+      []<class M>(Random& random, const Solid<M>& first, Solid<M> second) {
+        // Between boxes in space a face goes before an edge that is a little better.
+        const bool boxes_in_space = M::angular == 3 && first.shape.index() == 2 && second.shape.index() == 2;
+        const double tolerance = boxes_in_space ? 2 * reference_hysteresis : rounding;
+        const auto before = touch(first, second, 0);
+        if (before.empty()) return;
+        const double by = random.uniform(0, -least_separation(before));
+        second.pose.position += by * before.normal;
+        EXPECT_NEAR(least_separation(touch(first, second, 1)), least_separation(before) + by, tolerance);
+      },
+      2000);
+}
+
+TEST(CollideLaws, DegenerateShapesGiveSoundAnswers) {
+  int touching = 0;
+  in_all_models(
+      [&]<class M>(Random& random) {
+        const auto first = any_solid<M>(random, true), second = any_solid<M>(random, true);
+        const double margin = random.index(2) * 0.02;
+        const auto manifold = touch(first, second, margin);
+        expect_sound(first, second, margin, manifold);
+        touching += !manifold.empty();
+      },
+      100'000);
+  EXPECT_GT(touching, 200'000);
+}
+
+TEST(CollideLaws, TouchOnlyWithinTheMargin) {
+  in_random_pairs(
+      []<class M>(Random&, const Solid<M>& first, const Solid<M>& second) {
+        const auto wide = touch(first, second, 2);
+        if (wide.empty()) return;
+        const double least = least_separation(wide);
+        EXPECT_TRUE(touch(first, second, least - 1e-9).empty());
+        EXPECT_FALSE(touch(first, second, least + 1e-9).empty());
+      },
+      2000);
+}
+
+}  // namespace
