@@ -17,6 +17,14 @@ Eigen::Matrix<double, K, K> inverse_of(Eigen::Matrix<double, K, K> A, BlockSolve
   return E;
 }
 
+/// E of friction in space: one number for both tangents, the inverse of the largest eigenvalue of A. Held to its
+/// disc, λ comes to rest along -E JV; only a multiple of the identity makes that the direction against the slip.
+Eigen::Matrix2d isotropic_inverse_of(const Eigen::Matrix2d& A) {
+  const double mean = 0.5 * (A(0, 0) + A(1, 1)), half = 0.5 * (A(0, 0) - A(1, 1));
+  const double largest = mean + std::sqrt(half * half + A(0, 1) * A(0, 1));
+  return Eigen::Matrix2d::Identity() * (largest > 0 ? 1 / largest : 0.0);
+}
+
 template <class M, int K, Bound B>
 void prepare(const Block<M, K, B>& block, const System<M>& system, BlockSolve block_solve, double relaxation,
              PreparedBlock<M, K, B>& result) {
@@ -24,7 +32,11 @@ void prepare(const Block<M, K, B>& block, const System<M>& system, BlockSolve bl
   const Eigen::Map<const Rows<K>> gamma(&system.gamma[block.row]), bias(&system.bias[block.row]);
   Square A = inverse_effective_mass(block.J, block.W);
   A.diagonal() += gamma;
-  const Square minus_E = -relaxation * inverse_of<K>(A, block_solve);
+  Square minus_E;
+  if constexpr (K == 2 && B == Bound::ball)
+    minus_E = -relaxation * isotropic_inverse_of(A);
+  else
+    minus_E = -relaxation * inverse_of<K>(A, block_solve);
   result.body1 = block.body1;
   result.body2 = block.body2;
   result.moves1 = block.moves1;
