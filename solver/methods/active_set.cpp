@@ -59,19 +59,23 @@ void solve_active(const Direct& solver, System<M>& system, Bodies<M>& bodies, Di
 }
 
 //! [active_set]
-/// Solve what is not at a bound, hold what breaks one, let a sweep tell what else would move.
+/// Solve what is not at a bound, hold what breaks one, let sweeps tell what else would move.
 template <class M>
 int solve_with_bounds(const Direct& solver, System<M>& system, Bodies<M>& bodies, DirectWork<M>& work,
                       Begin begin) {
   prepare(system, BlockSolve::whole, 1.0, work.prepared);
   if (begin == Begin::step) apply_all(system, system.lambda, bodies.velocity);
+  const auto sweeps_settle = [&](int most) {
+    for (int i = 0; i < most; ++i)
+      if (watched_sweep(system, work.prepared, bodies.velocity) <= solver.tolerance) return true;
+    return false;
+  };
   for (int round = 1; round <= solver.rounds; ++round) {
     find_active(system, work.active);
     solve_active(solver, system, bodies, work);
-    if (watched_sweep(system, work.prepared, bodies.velocity) <= solver.tolerance) return round;
+    if (sweeps_settle(3)) return round;
   }
-  for (int sweep = 0; sweep < 10 * solver.rounds; ++sweep)
-    if (watched_sweep(system, work.prepared, bodies.velocity) <= solver.tolerance) break;
+  sweeps_settle(100 * solver.rounds);
   return solver.rounds;
 }
 //! [active_set]

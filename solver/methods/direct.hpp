@@ -19,7 +19,7 @@ enum class Factorisation { structured, dense };
 struct Direct {
   Factorisation factorisation = Factorisation::structured;
   double regularisation = 0;  // >= 0: this share of each row's own JM⁻¹Jᵀ is added to its γ
-  int rounds = 10;            // >= 1, with bounds
+  int rounds = 20;            // >= 1, with bounds
   double tolerance = 1e-5;    // > 0, with bounds: what a last sweep may still change [m/s, rad/s]
 };
 

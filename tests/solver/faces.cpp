@@ -1,0 +1,139 @@
+#include <gtest/gtest.h>
+
+#include "solver/methods/velocity_stepping.hpp"
+#include "solver/scenes/boxes.hpp"
+#include "tests/solver/dual.hpp"
+#include "tests/solver/random.hpp"
+
+namespace {
+
+using namespace byhand;
+using M = PlaneBody;
+
+FaceContact<M> random_face(Random& random, const Pair<M>& pair) {
+  FaceContact<M> face;
+  face.at = pair.at;
+  face.second = random.arms<M>();
+  face.point = random.uniform(0, 1) < 0.2;
+  face.normal = random.direction<M>();
+  face.coefficient = random.uniform(0, 1.5);
+  return face;
+}
+
+TEST(FaceContact, JacobianIsTheGradientOfItsEndsAndOfItsSlip) {
+  Random random;
+  for (int i = 0; i < 200; ++i) {
+    const auto pair = random_pair<M>(random);
+    const auto face = random_face(random, pair);
+    EXPECT_LE(
+        difference(face.jacobian(pair.pose1, pair.pose2).matrix, gradient_by_duals(face, pair.pose1, pair.pose2)),
+        1e-13);
+  }
+}
+
+TEST(FaceContact, WithoutASecondEndIsAContactWithItsFriction) {
+  Random random;
+  for (int i = 0; i < 50; ++i) {
+    const auto pair = random_pair<M>(random);
+    auto face = random_face(random, pair);
+    face.point = true;
+    const auto J = face.jacobian(pair.pose1, pair.pose2);
+    const Contact<M> contact{pair.at, face.normal};
+    const Friction<M> friction{pair.at, tangents_of<M>(face.normal), 1, 0};
+    EXPECT_EQ(J.matrix.row(0), (contact.jacobian(pair.pose1, pair.pose2).matrix.row(0)));
+    EXPECT_TRUE(J.matrix.row(1).isZero(0));
+    EXPECT_EQ(J.matrix.row(2), (friction.jacobian(pair.pose1, pair.pose2).matrix.row(0)));
+  }
+}
+
+/// One random face between two moving bodies, with λ that may be anything a bound allows.
+struct Face {
+  Scene<M, FaceContact> scene;
+  Work<M> work;
+
+  explicit Face(Random& random) {
+    const auto pair = random_pair<M>(random);
+    scene.add_body(pair.pose1, pair.m1, pair.V1);
+    scene.add_body(pair.pose2, pair.m2, pair.V2);
+    scene.add(random_face(random, pair));
+    lay_out(scene, GaussSeidel{}, work);
+    scene.write_rows(work.system, 1.0 / 60);
+    set_bias(NoDriftCure{}, 1.0 / 60, work.system);
+    for (int k = 0; k < 2; ++k)
+      if (random.uniform(0, 1) < 0.7) work.system.lambda[k] = random.uniform(0, 3);
+    const double mu = work.system.upper[0], radius = mu * (work.system.lambda[0] + work.system.lambda[1]);
+    work.system.lambda[2] = random.uniform(-radius, radius);
+    for (int k = 0; k < 3; ++k) work.system.bias[k] += random.uniform(-1, 1);
+  }
+  Rows<3> rate() const {
+    const auto& block = std::get<block_type<M, 3, Bound::face>()>(work.system.blocks)[0];
+    Rows<3> rate = dot(block.J, scene.bodies.velocity[0], scene.bodies.velocity[1]);
+    for (int k = 0; k < 3; ++k) rate[k] += work.system.bias[k];
+    return rate;
+  }
+};
+
+TEST(FaceContact, OneSweepLeavesEachEndEitherPressingOrParting) {
+  Random random;
+  int pressing[3] = {};
+  for (int i = 0; i < 2000; ++i) {
+    Face face(random);
+    const bool point = face.scene.all<FaceContact>()[0].point;
+    face.work.system.upper[0] = face.work.system.lambda[2] = 0;  // friction comes after the ends and turns them again
+    prepare(face.work.system, BlockSolve::whole, 1.0, face.work.gauss_seidel);
+    sweep(face.work.system, face.work.gauss_seidel, face.work.system.lambda.data(),
+          numbers<M>(face.scene.bodies.velocity));
+    const auto& lambda = face.work.system.lambda;
+    // Friction comes after the ends and turns the bodies once more, so without it alone the ends are left in
+    // peace.
+    if (std::abs(lambda[2]) > 0) continue;
+    const Rows<3> rate = face.rate();
+    int press = 0;
+    for (int k = 0; k < (point ? 1 : 2); ++k) {
+      EXPECT_GE(lambda[k], 0);
+      EXPECT_GE(rate[k], -1e-9);
+      EXPECT_NEAR(lambda[k] * rate[k], 0, 1e-9);
+      press += lambda[k] > 0;
+    }
+    ++pressing[press];
+  }
+  EXPECT_GT(pressing[0], 20) << "all cases are to occur";
+}
+
+TEST(FaceContact, ManySweepsLeaveComplementaryEndsAndFrictionWithinWhatTheyPress) {
+  Random random;
+  for (const BlockSolve way : {BlockSolve::whole, BlockSolve::row_by_row}) {
+    int stuck = 0, slid = 0, both = 0, one = 0;
+    for (int i = 0; i < 500; ++i) {
+      Face face(random);
+      // Above this friction a point can jam, where Coulomb's law has no answer or several.
+      face.work.system.upper[0] = std::min(face.work.system.upper[0], 0.3);
+      GaussSeidel solver{.sweeps = 3000, .block_solve = way};
+      solve(solver, face.work.system, face.scene.bodies.velocity, face.work.gauss_seidel, Begin::again);
+      const auto& lambda = face.work.system.lambda;
+      const Rows<3> rate = face.rate();
+      const double radius = face.work.system.upper[0] * (lambda[0] + lambda[1]);
+      const bool point = face.scene.all<FaceContact>()[0].point;
+      for (int k = 0; k < (point ? 1 : 2); ++k) {
+        EXPECT_GE(lambda[k], 0);
+        EXPECT_NEAR(std::min(lambda[k], rate[k]), 0, 1e-7);
+      }
+      EXPECT_LE(std::abs(lambda[2]), radius + 1e-12);
+      if (radius > 1e-6 && std::abs(lambda[2]) < 0.999 * radius) {
+        EXPECT_NEAR(rate[2], 0, 1e-7) << "what holds within its bound sticks";
+        ++stuck;
+      } else if (radius > 1e-6) {
+        EXPECT_LE(rate[2] * lambda[2], 1e-9) << "what slips is rubbed against its slip";
+        ++slid;
+      }
+      both += lambda[0] > 0 && lambda[1] > 0;
+      one += (lambda[0] > 0) != (lambda[1] > 0);
+    }
+    EXPECT_GT(stuck, 10);
+    EXPECT_GT(slid, 10);
+    EXPECT_GT(both, 10);
+    EXPECT_GT(one, 10);
+  }
+}
+
+}  // namespace
