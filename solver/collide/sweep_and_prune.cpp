@@ -9,71 +9,80 @@ template <int dim>
 const std::vector<BodyPair>& SweepAndPrune<dim>::overlapping(const std::vector<Bounds>& bounds) {
   update(bounds);
   found_.clear();
-  const auto try_pair = [&](const Bounds& a, int i, const Bounds& b, int j) {
-    if ((a.min().array() <= b.max().array()).all() && (b.min().array() <= a.max().array()).all())
-      found_.push_back({std::min(i, j), std::max(i, j)});
+  const auto add = [this](const Entry& a, const Entry& b) {
+    found_.push_back({std::min(a.index, b.index), std::max(a.index, b.index)});
   };
-  for (std::size_t i = 0; i < sorted_.size(); ++i) {
-    const Entry& a = sorted_[i];
-    for (std::size_t j = i + 1; j < sorted_.size() && sorted_[j].bounds.min()[axis_] <= a.bounds.max()[axis_]; ++j)
-      try_pair(a.bounds, a.index, sorted_[j].bounds, sorted_[j].index);
-  }
-  for (const int i : unlimited_)
-    for (const Entry& b : sorted_) try_pair(bounds[i], i, b.bounds, b.index);
-  sort_pairs(static_cast<int>(bounds.size()));
+  const auto overlap_from = [](int axis, const Entry& a, const Entry& b) {
+    bool all = true;
+    for (; axis < dim; ++axis) all &= (a.low[axis] <= b.high[axis]) & (b.low[axis] <= a.high[axis]);
+    return all;
+  };
+  for (auto a = sorted_.begin(); a != sorted_.end(); ++a)
+    for (auto b = a + 1; b != sorted_.end() && b->low[0] <= a->high[0]; ++b)
+      if (overlap_from(1, *a, *b)) add(*a, *b);
+  for (const Entry& a : unlimited_)
+    for (const Entry& b : sorted_)
+      if (overlap_from(0, a, b)) add(a, b);
+  sort_pairs(bounds.size());
   return pairs_;
 }
 
 /// Takes in where the bounds are now, in the order of the last call, and mends that order.
 template <int dim>
 void SweepAndPrune<dim>::update(const std::vector<Bounds>& bounds) {
-  const auto lower = [this](const Entry& entry) { return entry.bounds.min()[axis_]; };
+  const auto entry = [&](int i) {
+    Entry result{{}, {}, i};
+    for (int k = 0; k < dim; ++k) {
+      result.low[k] = bounds[i].min()[(axis_ + k) % dim];
+      result.high[k] = bounds[i].max()[(axis_ + k) % dim];
+    }
+    return result;
+  };
   const auto extent = [this](const Bounds& box) {
     if (box.isEmpty()) return Extent::none;
     return std::isfinite(box.min()[axis_]) && std::isfinite(box.max()[axis_]) ? Extent::limited
                                                                               : Extent::unlimited;
   };
+  const int bodies = static_cast<int>(bounds.size());
   bool as_before = extents_.size() == bounds.size();
   extents_.resize(bounds.size());
-  for (std::size_t i = 0; i < bounds.size(); ++i) {
+  for (int i = 0; i < bodies; ++i) {
     const Extent now = extent(bounds[i]);
     as_before = as_before && extents_[i] == now;
     extents_[i] = now;
   }
 
   if (as_before) {
-    for (Entry& entry : sorted_) entry.bounds = bounds[entry.index];
-    for (std::size_t i = 1; i < sorted_.size(); ++i) {
-      const Entry moving = sorted_[i];
-      std::size_t to = i;
-      for (; to > 0 && lower(sorted_[to - 1]) > lower(moving); --to) sorted_[to] = sorted_[to - 1];
-      sorted_[to] = moving;
+    for (Entry& unlimited : unlimited_) unlimited = entry(unlimited.index);
+    for (auto next = sorted_.begin(); next != sorted_.end(); ++next) {
+      const Entry moving = entry(next->index);
+      auto to = next;
+      for (; to != sorted_.begin() && (to - 1)->low[0] > moving.low[0]; --to) *to = *(to - 1);
+      *to = moving;
     }
   } else {
     sorted_.clear();
     unlimited_.clear();
-    for (int i = 0; i < static_cast<int>(bounds.size()); ++i) {
-      if (extents_[i] == Extent::limited) sorted_.push_back({bounds[i], i});
-      if (extents_[i] == Extent::unlimited) unlimited_.push_back(i);
+    for (int i = 0; i < bodies; ++i) {
+      if (extents_[i] == Extent::limited) sorted_.push_back(entry(i));
+      if (extents_[i] == Extent::unlimited) unlimited_.push_back(entry(i));
     }
-    std::ranges::sort(sorted_, {}, lower);
+    std::ranges::sort(sorted_, {}, [](const Entry& limited) { return limited.low[0]; });
   }
 }
 
-/// By counting: `found_` in order of the first body, then each body's few partners.
+/// By counting, first by the one body and then, in this order, by the other.
 template <int dim>
-void SweepAndPrune<dim>::sort_pairs(int bodies) {
-  begin_.assign(bodies + 1, 0);
-  for (const BodyPair& pair : found_) ++begin_[pair.first + 1];
-  for (int i = 0; i < bodies; ++i) begin_[i + 1] += begin_[i];
-  pairs_.resize(found_.size());
-  for (const BodyPair& pair : found_) pairs_[begin_[pair.first]++] = pair;
-  auto from = pairs_.begin();
-  for (int i = 0; i < bodies; ++i) {
-    const auto to = pairs_.begin() + begin_[i];
-    std::sort(from, to);
-    from = to;
-  }
+void SweepAndPrune<dim>::sort_pairs(std::size_t bodies) {
+  const auto sort_by = [&](int BodyPair::*body, const std::vector<BodyPair>& from, std::vector<BodyPair>& to) {
+    begin_.assign(bodies + 1, 0);
+    for (const BodyPair& pair : from) ++begin_[pair.*body + 1];
+    for (std::size_t i = 0; i < bodies; ++i) begin_[i + 1] += begin_[i];
+    to.resize(from.size());
+    for (const BodyPair& pair : from) to[begin_[pair.*body]++] = pair;
+  };
+  sort_by(&BodyPair::second, found_, by_second_);
+  sort_by(&BodyPair::first, by_second_, pairs_);
 }
 
 template class SweepAndPrune<2>;

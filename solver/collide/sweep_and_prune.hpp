@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "solver/collide/shape.hpp"
@@ -27,20 +28,20 @@ class SweepAndPrune {
   const std::vector<BodyPair>& overlapping(const std::vector<Bounds>& bounds);
 
  private:
+  /// The bounds of one body, axes rotated so that the one they are sorted along comes first.
   struct Entry {
-    Bounds bounds;
+    std::array<double, dim> low, high;
     int index;
   };
   enum class Extent : char { none, limited, unlimited };
 
   void update(const std::vector<Bounds>& bounds);
-  void sort_pairs(int bodies);
+  void sort_pairs(std::size_t bodies);
 
   int axis_;
-  std::vector<Entry> sorted_;  // by lower limit along the axis
-  std::vector<int> unlimited_;
+  std::vector<Entry> sorted_, unlimited_;
   std::vector<Extent> extents_;  // by body, to tell whether the order of the last call still serves
-  std::vector<BodyPair> found_, pairs_;
+  std::vector<BodyPair> found_, by_second_, pairs_;
   std::vector<int> begin_;
 };
 
