@@ -1,0 +1,154 @@
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "solver/constraints/limit.hpp"
+#include "solver/constraints/motor.hpp"
+#include "solver/constraints/pin.hpp"
+#include "solver/constraints/servo.hpp"
+#include "solver/scenes/pendulum.hpp"
+#include "tests/solver/law_motion.hpp"
+
+// Limits, motors and servos of a hinged rod of 1 m and 2 kg, held level at first: gravity turns it down.
+namespace {
+
+using namespace byhand;
+using M = PlaneBody;
+constexpr double pi = std::numbers::pi, h = 1.0 / 240, weight = 2 * 9.81;
+using Hinged = Simulation<Scene<M, Pin, AngleLimit, AngleMotor, AngleServo>>;
+
+/// The rod at an angle [rad] from straight down; its turn is counted from there.
+Hinged level_rod(const RowSolver& solver = Direct{}, double start = pi / 2) {
+  const auto rod = hinged_rod(start, 1, 2);
+  Hinged simulation{{}, {solver, Baumgarte{0.2}}};
+  simulation.scene.bodies = rod.bodies;
+  simulation.scene.add(rod.all<Pin>()[0]);
+  return simulation;
+}
+Turn<M> turn_of(const Hinged& simulation) { return turn<M>(simulation.scene.bodies, 0, 1); }
+double turned(const Hinged& simulation) { return angle(simulation.scene.bodies.pose[1].rotation) - pi / 2; }
+
+const RowSolver solvers[] = {Direct{}, GaussSeidel{.sweeps = 30}};
+
+TEST(Limit, StopsATurnAndCarriesWhatRestsOnIt) {
+  for (const RowSolver& solver : solvers) {
+    Hinged simulation = level_rod(solver);
+    const int limit = simulation.scene.add(at_least<M>(-0.5, turn_of(simulation)));
+    run(simulation, 10, h, [&] {
+      const double lambda = simulation.work.system.lambda[simulation.work.system.row_of[limit]];
+      ASSERT_GE(lambda, 0);
+      ASSERT_GT(turned(simulation), -0.5 - 1e-3);
+    });
+    EXPECT_NEAR(turned(simulation), -0.5, 1e-6);
+    EXPECT_NEAR(force(simulation.work, limit), weight / 2 * std::cos(0.5), 1e-5);
+  }
+}
+
+TEST(Limit, AnUpperOneIsALowerOneSeenFromTheOtherBody) {
+  Hinged lower = level_rod(), upper = level_rod();
+  lower.scene.add(at_least<M>(-0.5, turn_of(lower)));
+  upper.scene.add(at_most<M>(0.5, turn<M>(upper.scene.bodies, 1, 0)));
+  for (int i = 0; i < 500; ++i) {
+    lower.step(h);
+    upper.step(h);
+    ASSERT_EQ(turned(lower), turned(upper));
+  }
+}
+
+TEST(Limit, DoesNothingBeforeItIsReached) {
+  Hinged with = level_rod(), without = level_rod();
+  with.scene.add(at_least<M>(-3, turn_of(with)));
+  with.scene.add(at_most<M>(1, turn_of(with)));
+  for (int i = 0; i < 100; ++i) {
+    with.step(h);
+    without.step(h);
+    ASSERT_NEAR(turned(with), turned(without), 1e-12);
+  }
+}
+
+TEST(Motor, TurnsAtItsSpeedWithinItsStrength) {
+  for (const RowSolver& solver : solvers) {
+    Hinged simulation = level_rod(solver);
+    const int motor_row = simulation.scene.add(motor<M>(turn_of(simulation), 2, 0.6 * weight));
+    run(simulation, 3, h, [&] {
+      const double lambda = simulation.work.system.lambda[simulation.work.system.row_of[motor_row]];
+      ASSERT_LE(std::abs(lambda), 0.6 * weight * h);
+    });
+    EXPECT_NEAR(simulation.scene.bodies.velocity[1][2], 2, 1e-3);
+  }
+}
+
+TEST(Motor, AtItsBoundItGivesExactlyItsStrength) {
+  for (const RowSolver& solver : solvers) {
+    Hinged simulation = level_rod(solver);
+    const double strength = weight / 4;
+    const int motor_row = simulation.scene.add(motor<M>(turn_of(simulation), 0, strength));
+    for (int i = 0; i < 60; ++i) {
+      simulation.step(h);
+      ASSERT_EQ(simulation.work.system.lambda[simulation.work.system.row_of[motor_row]], strength * h);
+    }
+  }
+}
+
+// It holds wherever gravity's moment is within its strength: W/2 cosφ <= strength.
+TEST(Motor, HoldsWhatItCanCarry) {
+  for (const double share : {0.99, 1.01}) {
+    Hinged simulation = level_rod();
+    simulation.scene.add(motor<M>(turn_of(simulation), 0, share * weight / 2));
+    run(simulation, 2, h);
+    if (share > 1) {
+      EXPECT_NEAR(turned(simulation), 0, 1e-10);
+    } else {
+      EXPECT_LT(turned(simulation), -1e-2);
+    }
+  }
+}
+
+TEST(Servo, GoesToItsTargetButForItsSag) {
+  Hinged simulation = level_rod();
+  const double stiffness = 500;
+  simulation.scene.add(servo<M>(turn_of(simulation), 0.7, {stiffness, 60}, 1e3));
+  run(simulation, 20, h);
+  const double q = turned(simulation);
+  EXPECT_NEAR(stiffness * (q - 0.7), -weight / 2 * std::cos(q), 1e-6);
+}
+
+TEST(Servo, NeverGivesMoreThanItsStrength) {
+  Hinged simulation = level_rod(GaussSeidel{});
+  const int row = simulation.scene.add(servo<M>(turn_of(simulation), 0.7, {5000, 10}, weight));
+  bool at_bound = false;
+  run(simulation, 5, h, [&] {
+    const double lambda = simulation.work.system.lambda[simulation.work.system.row_of[row]];
+    ASSERT_LE(std::abs(lambda), weight * h);
+    at_bound = at_bound || std::abs(lambda) == weight * h;
+  });
+  EXPECT_TRUE(at_bound);
+}
+
+TEST(BadInput, OfLimitsMotorsAndServosIsRefusedInOneSentence) {
+  Hinged simulation = level_rod();
+  auto& scene = simulation.scene;
+  const Turn<M> q = turn_of(simulation);
+  const auto refused = [&](const auto& joint, const std::string& start) {
+    try {
+      scene.add(joint);
+      ADD_FAILURE() << "accepted: " << start;
+    } catch (const std::invalid_argument& error) {
+      EXPECT_EQ(std::string(error.what()).rfind(start, 0), 0U) << error.what();
+    }
+  };
+  refused(at_least<M>(3.2, q), "place of the stop is 3.2, but it must be above -3.14 and below 3.14 [rad]");
+  refused(motor<M>(q, std::nan(""), 1), "speed of the motor is nan");
+  refused(motor<M>(q, 1, -1), "strength of the motor is -1");
+  refused(servo<M>(q, 0, {0, 1}, 1), "stiffness is 0");
+  refused(servo<M>(q, 0, {1, -1}, 1), "damping is -1");
+  refused(servo<M>(q, 4, {1, 1}, 1), "target of the servo is 4");
+  Turn<M> bad = q;
+  bad.body2 = 7;
+  refused(motor<M>(bad, 1, 1), "body index is 7");
+  bad = q;
+  bad.rest = {2, 0};
+  refused(motor<M>(bad, 1, 1), "squared length of the joint's rotation is 4");
+}
+
+}  // namespace
