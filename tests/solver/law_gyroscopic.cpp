@@ -1,0 +1,197 @@
+#include <gtest/gtest.h>
+
+#include "solver/exact/free_top.hpp"
+#include "solver/scenes/top.hpp"
+#include "tests/solver/law_motion.hpp"
+#include "tests/solver/random.hpp"
+
+namespace {
+
+using namespace byhand;
+using M = SpaceBody;
+using Top = Simulation<Scene<M, Pin>>;
+constexpr double h = 1.0 / 60;
+const Eigen::Vector3d moments(1, 2, 3);
+
+Top top(Gyroscopic gyroscopic, const Eigen::Vector3d& spin) {
+  return {free_top(moments, spin), {Direct{}, NoDriftCure{}, Euler::symplectic, 1, gyroscopic}};
+}
+Eigen::Vector3d spin_of(const Top& top) {  // in the body's axes
+  return rotate(inverse(top.scene.bodies.pose[0].rotation),
+                Eigen::Vector3d(top.scene.bodies.velocity[0].tail<3>()));
+}
+/// Near the middle axis.
+Eigen::Vector3d wobbling(double speed) { return {0.01 * speed, speed, 0.01 * speed}; }
+
+struct Worst {
+  double energy = 0, momentum = 0, size = 0;  // relative changes; of |Iω| alone
+};
+Worst after(Top top, double time) {
+  const double E = kinetic_energy(top.scene.bodies);
+  const Eigen::Vector3d L = angular_momentum(top.scene.bodies);
+  Worst worst;
+  run(top, time, h, [&] {
+    const Eigen::Vector3d now = angular_momentum(top.scene.bodies);
+    worst.energy = std::max(worst.energy, std::abs(kinetic_energy(top.scene.bodies) / E - 1));
+    worst.momentum = std::max(worst.momentum, (now - L).norm() / L.norm());
+    worst.size = std::max(worst.size, std::abs(now.norm() / L.norm() - 1));
+  });
+  return worst;
+}
+
+TEST(LawB13, ImplicitlyEnergyAndMomentumOfAFreeTopStayToRounding) {
+  for (const double speed : {1.0, 10.0, 30.0, 60.0}) {  // 60 rad/s is 1 rad a step
+    const Worst worst = after(top(Gyroscopic::implicit, wobbling(speed)), 20);
+    EXPECT_LT(worst.energy, 3e-14) << speed;
+    EXPECT_LT(worst.momentum, 3e-14) << speed;
+  }
+}
+
+TEST(LawB13, ImplicitlyTheyStayFromAnySpinOfAnyBody) {
+  Random random;
+  for (int i = 0; i < 50; ++i) {
+    Scene<M, Pin> scene;
+    scene.gravity.setZero();
+    Velocity<M> V = Velocity<M>::Zero();
+    V.tail<3>() = random.vector<3>(40);
+    scene.add_body(random.pose<M>(), random.mass<M>(), V);
+    const Worst worst = after({scene, {Direct{}, NoDriftCure{}, Euler::symplectic, 1, Gyroscopic::implicit}}, 5);
+    EXPECT_LT(worst.energy, 1e-13) << "draw " << i;
+    EXPECT_LT(worst.momentum, 1e-13) << "draw " << i;
+  }
+}
+
+TEST(LawB13, ExplicitlyTheTopGainsEnergyUntilItExplodes) {
+  const auto gain = [](double speed, double time) {
+    Top explicit_top = top(Gyroscopic::explicit_, wobbling(speed));
+    const double E = kinetic_energy(explicit_top.scene.bodies);
+    double before = E;
+    run(explicit_top, time, h, [&] {
+      ASSERT_GE(kinetic_energy(explicit_top.scene.bodies), before * (1 - 1e-14));
+      before = kinetic_energy(explicit_top.scene.bodies);
+    });
+    return before / E - 1;
+  };
+  EXPECT_GT(gain(10, 10), 1);  // it has doubled
+  EXPECT_GT(gain(30, 2.4), 1);
+  EXPECT_LT(gain(1, 10), 0.1);  // slowly turning it is only wrong
+}
+
+// The energy that a step of it gains, in the head of gyroscopic.hpp.
+TEST(LawB13, AnExplicitStepGainsHalfTheSquareOfItsKick) {
+  const Eigen::Vector3d spin(3, -2, 4), kick = moments.cwiseProduct(spin).cross(spin);
+  Top explicit_top = top(Gyroscopic::explicit_, spin);
+  const double E = kinetic_energy(explicit_top.scene.bodies);
+  explicit_top.step(h);
+  EXPECT_NEAR(kinetic_energy(explicit_top.scene.bodies) - E, h * h / 2 * kick.dot(kick.cwiseQuotient(moments)),
+              1e-12);
+}
+
+TEST(LawA12, LeftOutTheSpinStaysAndTheMomentumTurns) {
+  Top left_out = top(Gyroscopic::none, wobbling(10));
+  const Eigen::Vector3d omega = left_out.scene.bodies.velocity[0].tail<3>();
+  const Eigen::Vector3d L = angular_momentum(left_out.scene.bodies);
+  double turned = 0;
+  run(left_out, 20, h, [&] {
+    ASSERT_EQ(Eigen::Vector3d(left_out.scene.bodies.velocity[0].tail<3>()), omega);
+    turned = std::max(turned, (angular_momentum(left_out.scene.bodies) - L).norm() / L.norm());
+  });
+  EXPECT_GT(turned, 0.01);
+}
+
+// Part C (18): with I left in the body's first axes Iω would be constant, and be wrong by the turn of the body.
+TEST(LawA12, OfAnInertiaThatIsNotTurnedTheMomentumDoesNotHold) {
+  Top turning = top(Gyroscopic::implicit, wobbling(10));
+  const Eigen::Vector3d L = angular_momentum(turning.scene.bodies);
+  double unturned = 0;
+  run(turning, 2, h, [&] {
+    const Eigen::Vector3d omega = turning.scene.bodies.velocity[0].tail<3>();
+    unturned = std::max(unturned, (moments.cwiseProduct(omega) - L).norm() / L.norm());
+    ASSERT_LT((angular_momentum(turning.scene.bodies) - L).norm() / L.norm(), 1e-13);
+  });
+  EXPECT_GT(unturned, 0.1);
+}
+
+TEST(LawA12, NearTheMiddleAxisATopTurnsOverEveryHalfPeriod) {
+  const auto flips = [](double step) {
+    Top flipping = top(Gyroscopic::implicit, wobbling(10));
+    ZeroCrossings crossings(10);
+    run(flipping, 20, step, [&] { crossings.add(spin_of(flipping).y(), flipping.time, step); });
+    return crossings.times;
+  };
+  const double half_period = FreeTop(moments, wobbling(10)).period() / 2;
+  const auto error = [&](double step) {
+    const auto times = flips(step);
+    EXPECT_GE(times.size(), 9U);
+    return (times.back() - times.front()) / (times.size() - 1.0) / half_period - 1;
+  };
+  const double coarse = error(1.0 / 120), fine = error(1.0 / 240);
+  EXPECT_NEAR(fine, 0, 1e-3);
+  EXPECT_NEAR(order(coarse, fine), 2, 0.3);
+}
+
+TEST(LawA12, SpinConvergesWithOrderTwo) {
+  const Eigen::Vector3d spin(3, -2, 4);
+  const FreeTop::Spin exact = FreeTop(moments, spin).at(2);
+  const auto error = [&](double step) {
+    Top turning = top(Gyroscopic::implicit, spin);
+    run(turning, 2, step);
+    return (spin_of(turning) - exact.value).norm();
+  };
+  EXPECT_LT(error(1.0 / 480), 1e-2);
+  EXPECT_NEAR(order(error(1.0 / 480), error(1.0 / 960)), 2, 0.1);
+}
+
+TEST(LawA12, ABallHasNoGyroscopicTerm) {
+  for (const auto choice : {Gyroscopic::explicit_, Gyroscopic::implicit}) {
+    Simulation<Scene<M, Pin>> rolling{free_top({2, 2, 2}, {3, -5, 40}), {}};
+    rolling.method.gyroscopic = choice;
+    const Velocity<M> V = rolling.scene.bodies.velocity[0];
+    run(rolling, 5, h);
+    EXPECT_LT((rolling.scene.bodies.velocity[0] - V).norm(), 1e-13);
+  }
+}
+
+constexpr double along = 0.08, across = 0.25;  // about the tip [kg m²]
+const HeavyTop gyroscope{.mass = 2, .arm = 0.3, .moment_along = along, .moment_across = across, .spin = 60};
+
+struct Precession {
+  double rate, lean_error;  // the mean one over four seconds [rad/s], and what its lean changed at most [rad]
+};
+Precession measured(Gyroscopic choice, double lean, double step) {
+  Top top{spinning_top(gyroscope, lean, gyroscope.precession(lean)[0]), {Direct{}, Baumgarte{0.2}}};
+  top.method.gyroscopic = choice;
+  double azimuth = 0, lean_error = 0;
+  Eigen::Vector3d before = top.scene.bodies.pose[1].position;
+  run(top, 4, step, [&] {
+    const Eigen::Vector3d x = top.scene.bodies.pose[1].position;
+    azimuth += std::atan2(before.z() * x.x() - before.x() * x.z(), before.x() * x.x() + before.z() * x.z());
+    lean_error = std::max(lean_error, std::abs(std::acos(x.y() / x.norm()) - lean));
+    before = x;
+  });
+  return {azimuth / 4, lean_error};
+}
+
+TEST(LawHeavyTop, AGyroscopePrecessesAtItsRateAndKeepsItsLean) {
+  for (const double lean : {0.4, 1.2, 1.5707963267948966}) {
+    const double exact = gyroscope.precession(lean)[0];
+    const Precession coarse = measured(Gyroscopic::implicit, lean, 1.0 / 960),
+                     fine = measured(Gyroscopic::implicit, lean, 1.0 / 1920);
+    EXPECT_NEAR(fine.rate / exact, 1, 1e-3) << "lean " << lean;
+    EXPECT_LT(fine.lean_error, 0.015) << "lean " << lean;
+    // What symplectic Euler and a J that is held over the step lose is of first order.
+    EXPECT_NEAR(order(coarse.rate - exact, fine.rate - exact), 1, 0.2) << "lean " << lean;
+    EXPECT_NEAR(order(coarse.lean_error, fine.lean_error), 1, 0.2) << "lean " << lean;
+  }
+}
+
+// About its centre it then has the spin of a ball with its moment across.
+TEST(LawHeavyTop, WithoutTheGyroscopicTermItPrecessesAsABallWould) {
+  HeavyTop ball = gyroscope;
+  ball.moment_along = across - gyroscope.mass * gyroscope.arm * gyroscope.arm;
+  const double rate = measured(Gyroscopic::none, 1.2, 1.0 / 1920).rate;
+  EXPECT_NEAR(rate / ball.precession(1.2)[0], 1, 1e-2);
+  EXPECT_GT(rate / gyroscope.precession(1.2)[0], 1.1);
+}
+
+}  // namespace
