@@ -1,0 +1,74 @@
+#include <gtest/gtest.h>
+
+#include "solver/scenes/boxes.hpp"
+#include "solver/scenes/bridge.hpp"
+#include "solver/scenes/ragdoll.hpp"
+#include "tests/solver/law_motion.hpp"
+
+namespace {
+
+using namespace byhand;
+using M = PlaneBody;
+constexpr double g = 9.81;
+
+TEST(Bridge, EachAnchorCarriesHalfAndThePullIsTheSameAllAlong) {
+  const BridgeOptions options{.planks = 12, .length = 0.5, .mass = 3};
+  Simulation<Scene<M, Pin>> simulation{bridge(options), {Direct{}, Baumgarte{0.2}}};
+  EXPECT_LT(position_error(simulation.scene).max, 1e-14);
+  // Only friction would bring it to rest: here what moves is taken away, a little in each step.
+  run(simulation, 60, 1.0 / 60, [&] {
+    for (auto& V : simulation.scene.bodies.velocity) V *= 0.95;
+  });
+  const double weight = options.planks * options.mass * g;
+  EXPECT_NEAR(force(simulation.work, 0, 1), weight / 2, 1e-6 * weight);
+  EXPECT_NEAR(force(simulation.work, options.planks, 1), -weight / 2, 1e-6 * weight);
+  const double pull = force(simulation.work, 0, 0);
+  EXPECT_LT(pull, 0);  // on the first plank, towards its anchor
+  for (int i = 0; i <= options.planks; ++i) {
+    EXPECT_NEAR(force(simulation.work, i, 0), pull, 1e-6 * weight);
+    EXPECT_NEAR(force(simulation.work, i, 1), weight * (0.5 - static_cast<double>(i) / options.planks),
+                1e-6 * weight);
+  }
+}
+
+using Doll = Scene<M, FaceContact, Pin, AngleLimit>;
+
+double largest_break(const Doll& scene) {
+  double largest = 0;
+  for (const auto& limit : scene.all<AngleLimit>()) {
+    const auto& poses = scene.bodies.pose;
+    largest = std::max(largest, -limit.value<double>(poses[limit.at.body1], poses[limit.at.body2])[0]);
+  }
+  return largest;
+}
+
+TEST(Ragdoll, FallsOnAStairAndLiesThereWithinItsLimits) {
+  Simulation<Doll> simulation{{},
+                              {GaussSeidel{.sweeps = 20}, Baumgarte{.beta = 0.2, .slop = 1e-3, .speed_cap = 3}}};
+  Doll& scene = simulation.scene;
+  add_ground(scene, {0.6});
+  for (int i = 0; i < 4; ++i) {
+    Pose<M> step;
+    step.position = {0.3 * i, 0.1 * (3 - i)};
+    const int body = scene.add_body(step, fixed<M>());
+    scene.set_shape(body, Box<M>{{0.15, 0.1 * (3 - i) + 1e-3}}, {0.6});
+  }
+  const int torso = add_ragdoll(scene, {0.2, 2.2});
+  EXPECT_EQ(scene.bodies.size(), torso + ragdoll::parts);
+  EXPECT_LT(position_error(scene).max, 1e-12);
+  double mass = 0;
+  for (int i = torso; i < scene.bodies.size(); ++i) mass += 1 / scene.bodies.inverse_mass[i].linear;
+  EXPECT_NEAR(mass, 70, 1e-9);
+  scene.bodies.velocity[torso] = {1, 0, -2};
+  double worst = 0;
+  run(simulation, 12, 1.0 / 120, [&] {
+    worst = std::max(worst, largest_break(scene));
+    for (const auto& V : scene.bodies.velocity) ASSERT_TRUE(V.allFinite());
+  });
+  EXPECT_LT(worst, 0.4);
+  EXPECT_LT(largest_break(scene), 0.02);
+  EXPECT_LT(kinetic_energy(scene.bodies), 0.05 * 70);  // it lies, or nearly
+  for (int i = torso; i < scene.bodies.size(); ++i) EXPECT_GT(scene.bodies.pose[i].position.y(), 0);
+}
+
+}  // namespace
