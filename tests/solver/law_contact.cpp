@@ -1,0 +1,167 @@
+#include <gtest/gtest.h>
+
+#include "solver/scenes/balls.hpp"
+#include "tests/solver/law_motion.hpp"
+
+// Atlas A8, A9 and B2: what a contact carries, gives back and pushes out.
+namespace {
+
+using namespace byhand;
+constexpr double g = 9.81, h = 1.0 / 60;
+
+/// What the found face between body i - 1 and body i of a stack presses with [N].
+double pressing(const Simulation<Boxes>& stack, int i) {
+  return force(stack.work, i - 1) + force(stack.work, i - 1, 1);
+}
+
+void expect_weights(double top, const RowSolver& solver, double error) {
+  Simulation<Boxes> simulation{stack(10, top), {solver}};
+  run(simulation, 5, h);
+  for (int i = 1; i <= 10; ++i) EXPECT_NEAR(pressing(simulation, i) / ((10 - i + top) * g), 1, error) << i;
+}
+
+TEST(LawA8, EachLayerOfAStackPressesWithTheWeightAboveIt) {
+  expect_weights(1, GaussSeidel{300}, 1e-3);
+  for (const double top : {1.0, 100.0}) {
+    expect_weights(top, Direct{}, 1e-13);
+    expect_weights(top, ByGraph{}, 1e-13);
+  }
+}
+
+TEST(LawA9, FreeFallIsTheSumOfItsSteps) {
+  Simulation<Scene<PlaneBody, Contact>> simulation{bouncing_ball<PlaneBody>(10, 1), {}};
+  for (int n = 1; n <= 60; ++n) {
+    simulation.step(h);
+    EXPECT_NEAR(simulation.scene.bodies.pose[1].position.y(), 10.5 - g * h * h * n * (n + 1) / 2, 1e-12);
+  }
+}
+
+/// The heights of the first peaks after a fall from 1 m. The ground is seen from `margin` [m] above it.
+template <class M>
+std::vector<double> peaks(double restitution, int count, double step, double margin = 0.2) {
+  Simulation<Scene<M, Contact>> simulation{bouncing_ball<M>(1, restitution), {}};
+  simulation.scene.colliders.margin = margin;
+  std::vector<double> result;
+  double before = 1, now = 1;
+  while (static_cast<int>(result.size()) < count && simulation.time < 20) {
+    simulation.step(step);
+    const double next = simulation.scene.bodies.pose[1].position.y() - 0.5;
+    if (now > before && now >= next) result.push_back(now);
+    before = now;
+    now = next;
+    EXPECT_GE(now, margin < 0.1 ? -std::sqrt(2 * g) * step : -1e-12) << "it turns round on the ground";
+  }
+  return result;
+}
+
+TEST(LawA9, PeaksGoAsTheSquareOfTheRestitutionForEachBounce) {
+  for (const double e : {1.0, 0.8, 0.5})
+    for (const double step : {h, h / 4, h / 32}) {
+      const auto measured = peaks<PlaneBody>(e, 3, step);
+      ASSERT_EQ(measured.size(), 3u);
+      // Of the step of the bounce a part is lost on the way down and a part on the way up: 2 h v of height at
+      // most.
+      for (int n = 1; n <= 3; ++n)
+        EXPECT_NEAR(measured[n - 1], std::pow(e, 2 * n), 2 * n * step * std::sqrt(2 * g))
+            << "e " << e << ", h " << step;
+    }
+}
+
+TEST(LawA9, ABounceNeverGainsHeight) {
+  for (const double step : {1.0 / 30, h, h / 3})
+    for (const double margin : {0.2, 0.02}) {  // as seen in time, and too late
+      double last = 1;
+      for (const double peak : peaks<SpaceBody>(1, 5, step, margin)) {
+        EXPECT_LE(peak, last + 1e-12);
+        last = peak;
+      }
+      EXPECT_GT(last, 0.1) << step;
+    }
+}
+
+TEST(LawA9, ASlowTouchDoesNotBounceAndALongFallEndsAtRest) {
+  Simulation<Scene<PlaneBody, Contact>> simulation{bouncing_ball<PlaneBody>(1, 0.8), {}};
+  run(simulation, 10, h);
+  EXPECT_NEAR(simulation.scene.bodies.velocity[1].norm(), 0, 1e-12);
+  EXPECT_NEAR(simulation.scene.bodies.pose[1].position.y(), 0.5, 1e-12);
+}
+
+/// A ball in free fall that is thrown back by the article's row, b = e JV, once it overlaps: what the second solve
+/// after the move is there to avoid.
+std::vector<double> peaks_by_overlap(int count) {
+  using M = PlaneParticle;
+  const Contact<M> contact{{0, 1}};
+  Pose<M> ground, ball;
+  ball.position.y() = 1;
+  const InverseMass<M> mass = with_mass<M>(1);
+  const Jacobian<M, 1> J = contact.jacobian(ground, ball), W = times_inverse_mass(J, {}, ground, mass, ball);
+  Velocity<M> still(0, 0), v(0, 0);
+  std::vector<double> result;
+  for (bool rising = false; static_cast<int>(result.size()) < count;) {
+    v.y() -= g * h;
+    const double approach = dot(J, still, v)[0];
+    if (contact.value<double>(ground, ball)[0] < 0 && approach < 0)
+      apply_impulse<M, 1>(W, Rows<1>(impulse(J, W, still, v, approach)), still, v);
+    if (rising && v.y() < 0) result.push_back(ball.position.y());
+    rising = v.y() > 0;
+    move(ball, v, h);
+  }
+  return result;
+}
+
+TEST(LawA9, BouncingOnOverlapGainsAStepOfItsSpeedInHeight) {
+  const auto measured = peaks_by_overlap(3);
+  // It falls on for a step of gravity before it is thrown back: h times the speed of the impact more.
+  EXPECT_NEAR(measured[0], 1 + 28 * g * h * h, 1e-12);
+  const double atlas[] = {1.074, 1.155, 1.234};
+  for (int n = 0; n < 3; ++n) EXPECT_NEAR(measured[n], atlas[n], 0.0035);
+}
+
+Boxes pressed_in(double overlap) {
+  Boxes scene = stack(1);
+  scene.bodies.pose[1].position.y() -= overlap;
+  return scene;
+}
+/// How high over the ground a box gets that begins `overlap` deep in it.
+double pop(double overlap, const Baumgarte& cure) {
+  Simulation<Boxes> simulation{pressed_in(overlap), {Direct{}, cure}};
+  double highest = -overlap;
+  run(simulation, 3, h, [&] { highest = std::max(highest, simulation.scene.bodies.pose[1].position.y() - 0.5); });
+  return highest;
+}
+
+TEST(LawB2, AnOverlapLeavesAtBetaTimesItsDepthPerStep) {
+  for (const double beta : {0.05, 0.2, 0.8})
+    for (const double overlap : {0.01, 0.3}) {
+      Simulation<Boxes> simulation{pressed_in(overlap), {Direct{}, Baumgarte{beta}}};
+      simulation.step(h);
+      EXPECT_NEAR(simulation.scene.bodies.velocity[1].y(), beta * overlap / h, 1e-12);
+    }
+}
+
+TEST(LawB2, ItPopsOffTheGroundAboveTheCriticalOverlapAndNotBelow) {
+  for (const double beta : {0.1, 0.2, 0.5}) {
+    const double critical = (1 - beta / 2) * 2 * g * h * h / (beta * beta);
+    EXPECT_LE(pop(0.99 * critical, {beta}), 1e-9) << beta;
+    EXPECT_GT(pop(1.03 * critical, {beta}), 1e-4) << beta;
+  }
+  EXPECT_NEAR((1 - 0.1) * 2 * g * h * h / 0.04, 0.1226, 1e-4);
+  EXPECT_NEAR((1 - 0.05) * 2 * g * h * h / 0.01, 0.518, 1e-3);
+}
+
+TEST(LawB2, ASpeedCapLowersTheJump) {
+  const double free = pop(0.4, {.beta = 0.2});
+  EXPECT_GT(free, 0.5);
+  EXPECT_LE(pop(0.4, {.beta = 0.2, .speed_cap = 1}), 1e-9);
+  Simulation<Boxes> simulation{pressed_in(0.4), {Direct{}, Baumgarte{.beta = 0.2, .speed_cap = 1}}};
+  simulation.step(h);
+  EXPECT_NEAR(simulation.scene.bodies.velocity[1].y(), 1, 1e-12);
+}
+
+TEST(LawB2, SlopIsLeftAlone) {
+  Simulation<Boxes> simulation{pressed_in(0.01), {Direct{}, Baumgarte{.beta = 0.2, .slop = 0.002}}};
+  run(simulation, 5, h);
+  EXPECT_NEAR(simulation.scene.bodies.pose[1].position.y() - 0.5, -0.002, 1e-9);
+}
+
+}  // namespace
