@@ -130,6 +130,38 @@ TEST(CollidePlane, FeaturesOfEqualBoxesOnEachOtherOutlastSwayAndTilt) {
   }
 }
 
+TEST(CollidePlane, FeaturesDoNotDependOnWhichBoxIsTheReference) {
+  Random random;
+  for (int draw = 0; draw < 1000; ++draw) {
+    const auto quarter_turns = [&] { return pi / 2 * random.index(4) + random.uniform(-1e-3, 1e-3); };
+    const Solid<M> below = box(1, 1, {0, 0}, quarter_turns());
+    const Solid<M> above = box(0.8, 0.8, {random.uniform(-0.7, 0.7), 0.897}, quarter_turns());
+    std::array<Manifold<M>, 4> by_hint;
+    std::array<bool, 2> seen = {};
+    for (std::uint32_t hint = 1; hint <= 4; ++hint) {
+      const auto manifold = touch(below, above, 0.02, hint);
+      ASSERT_EQ(manifold.size, 2);
+      seen[(manifold.reference - 1) / 2] = true;
+      by_hint[hint - 1] = manifold;
+    }
+    EXPECT_TRUE(seen[0] && seen[1]) << "both boxes have been the reference";
+    for (const auto& manifold : by_hint)
+      for (const auto& point : manifold)
+        EXPECT_TRUE(point.feature == by_hint[0].points[0].feature ||
+                    point.feature == by_hint[0].points[1].feature);
+  }
+}
+
+TEST(CollidePlane, ADrawBetweenTwoFacesFallsAlikeForSwappedBoxes) {
+  for (const Vector2d& apart : {Vector2d(0, 1.08), Vector2d(1.08, 0)})
+    for (const double tilt : {0.1, -0.1}) {
+      const Solid<M> first = box(1, 1, {0, 0}, tilt), second = box(1, 1, apart, -tilt);
+      const auto manifold = touch(first, second, 0.02);
+      ASSERT_FALSE(manifold.empty());
+      expect_same(manifold, mirrored<M>(touch(second, first, 0.02)), rounding);
+    }
+}
+
 TEST(CollidePlane, TheReferenceFaceYieldsOnlyToOneBetterByTheHysteresis) {
   const Solid<M> corner = box(1, 1, {0, 0});
   const auto in_corner = [](double x, double y) { return box(1, 1, {1 - x, 1 - y}); };

@@ -114,17 +114,50 @@ TEST(CollideSpace, FeaturesStayWhileTheBoxesHardlyMove) {
 }
 
 TEST(CollideSpace, FeaturesOfEqualBoxesOnEachOtherOutlastSwayAndTilt) {
-  const Solid<M> below = box({1, 1, 1}, {0, 0, 0});
-  const auto first = touch(below, box({1, 1, 1}, {0, 0, 1}), 0.02);
-  ASSERT_EQ(first.size, 4);
   Random random;
-  std::uint32_t reference = first.reference;
-  for (int i = 0; i < 1000; ++i) {
-    const Vector3d sway(random.uniform(-5e-3, 5e-3), random.uniform(-5e-3, 5e-3), random.uniform(0.996, 0.998));
-    const auto manifold = touch(below, box({1, 1, 1}, sway, random.vector<3>(1e-3)), 0.02, reference);
-    reference = manifold.reference;
-    EXPECT_GT(manifold.normal.z(), 0.99);
-    for (const auto& point : first) EXPECT_TRUE(has_feature(manifold, point.feature));
+  const Solid<M> below = box({1, 1, 1}, {0, 0, 0});
+  for (const double quarter_turn : {0.0, pi / 2}) {
+    Solid<M> above = box({1, 1, 1}, {0, 0, 1}, {0, 0, quarter_turn});
+    const auto at_rest = above.pose;
+    const auto first = touch(below, above, 0.02);
+    ASSERT_EQ(first.size, 4);
+    std::uint32_t reference = first.reference;
+    for (int i = 0; i < 1000; ++i) {
+      above.pose.position = {random.uniform(-5e-3, 5e-3), random.uniform(-5e-3, 5e-3),
+                             random.uniform(0.996, 0.998)};
+      above.pose.rotation = rotated_by<double>(at_rest.rotation, random.vector<3>(1e-3));
+      const auto manifold = touch(below, above, 0.02, reference);
+      reference = manifold.reference;
+      EXPECT_GT(manifold.normal.z(), 0.99);
+      for (const auto& point : first) EXPECT_TRUE(has_feature(manifold, point.feature));
+    }
+  }
+}
+
+TEST(CollideSpace, FeaturesDoNotDependOnWhichBoxIsTheReference) {
+  Random random;
+  for (int draw = 0; draw < 1000; ++draw) {
+    const auto quarter_turned = [&](const Vector3d& sides, const Vector3d& at) {
+      Solid<M> result = box(sides, at, random.vector<3>(3e-4));
+      for (int axis = 0; axis < 3; ++axis)
+        result.pose.rotation =
+            result.pose.rotation * space_rotation<double>(Vector3d::Unit(axis) * (pi / 2 * random.index(4)));
+      return result;
+    };
+    const auto below = quarter_turned({1, 1, 1}, {0, 0, 0});
+    const auto above =
+        quarter_turned({0.8, 0.8, 0.8}, {random.uniform(0.2, 0.7), random.uniform(-0.7, -0.2), 0.895});
+    std::array<Manifold<M>, 6> by_hint;
+    std::array<bool, 2> seen = {};
+    for (std::uint32_t hint = 1; hint <= 6; ++hint) {
+      const auto manifold = touch(below, above, 0.02, hint);
+      ASSERT_EQ(manifold.size, 4);
+      seen[(manifold.reference - 1) / 3] = true;
+      by_hint[hint - 1] = manifold;
+    }
+    EXPECT_TRUE(seen[0] && seen[1]) << "both boxes have been the reference";
+    for (const auto& manifold : by_hint)
+      for (const auto& point : manifold) EXPECT_TRUE(has_feature(by_hint[0], point.feature));
   }
 }
 
