@@ -104,6 +104,19 @@ TEST(Motor, HoldsWhatItCanCarry) {
   }
 }
 
+// Sliding at its bound it is a brake of constant moment: the rod falls through x until gravity's work, W/2 sin x,
+// is used up, W/4 x, which is past the lowest point; there W/2 |cos x| is less than the brake holds.
+TEST(Motor, TooWeakToHoldItBrakesTheFallPastTheLowestPoint) {
+  const double exact = 1.8954942670339809;  // sin x = x/2
+  for (const double step : {1.0 / 240, 1.0 / 960}) {
+    Hinged simulation = level_rod();
+    simulation.scene.add(motor<M>(turn_of(simulation), 0, weight / 4));
+    run(simulation, 5, step);
+    EXPECT_NEAR(turned(simulation), -exact, 0.05 * step);
+    EXPECT_NEAR(simulation.scene.bodies.velocity[1][2], 0, 1e-12);
+  }
+}
+
 TEST(Servo, GoesToItsTargetButForItsSag) {
   Hinged simulation = level_rod();
   const double stiffness = 500;

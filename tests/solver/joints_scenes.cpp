@@ -44,7 +44,7 @@ double largest_break(const Doll& scene) {
 
 TEST(Ragdoll, FallsOnAStairAndLiesThereWithinItsLimits) {
   Simulation<Doll> simulation{{},
-                              {GaussSeidel{.sweeps = 20}, Baumgarte{.beta = 0.2, .slop = 1e-3, .speed_cap = 3}}};
+                              {GaussSeidel{.sweeps = 60}, Baumgarte{.beta = 0.2, .slop = 1e-3, .speed_cap = 3}}};
   Doll& scene = simulation.scene;
   add_ground(scene, {0.6});
   for (int i = 0; i < 4; ++i) {
@@ -61,13 +61,13 @@ TEST(Ragdoll, FallsOnAStairAndLiesThereWithinItsLimits) {
   EXPECT_NEAR(mass, 70, 1e-9);
   scene.bodies.velocity[torso] = {1, 0, -2};
   double worst = 0;
-  run(simulation, 12, 1.0 / 120, [&] {
+  run(simulation, 20, 1.0 / 120, [&] {
     worst = std::max(worst, largest_break(scene));
     for (const auto& V : scene.bodies.velocity) ASSERT_TRUE(V.allFinite());
   });
-  EXPECT_LT(worst, 0.4);
-  EXPECT_LT(largest_break(scene), 0.02);
-  EXPECT_LT(kinetic_energy(scene.bodies), 0.05 * 70);  // it lies, or nearly
+  EXPECT_LT(worst, 0.1);
+  EXPECT_LT(largest_break(scene), 2e-3);
+  EXPECT_LT(kinetic_energy(scene.bodies), 1e-6);  // it lies
   for (int i = torso; i < scene.bodies.size(); ++i) EXPECT_GT(scene.bodies.pose[i].position.y(), 0);
 }
 
