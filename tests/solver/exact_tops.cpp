@@ -17,11 +17,9 @@ TEST(FreeTop, ComesBackAfterAPeriodAndTurnsOverAfterHalfOfOne) {
   for (const auto& [moments, spin] : cases) {
     const FreeTop top(moments, spin);
     EXPECT_LT((top.at(top.period()).value - spin).norm(), 1e-10);
-    int middle = 0;
-    moments
-        .unaryExpr(
-            [&](double m) { return std::abs(m - (moments.sum() - moments.maxCoeff() - moments.minCoeff())); })
-        .minCoeff(&middle);
+    const double middle_moment = moments.sum() - moments.maxCoeff() - moments.minCoeff();
+    Eigen::Index middle = 0;
+    (moments.array() - middle_moment).abs().minCoeff(&middle);
     EXPECT_NEAR(top.at(top.period() / 2).value[middle], -spin[middle], 1e-10);
   }
 }
