@@ -58,13 +58,39 @@ void solve_active(const Direct& solver, System<M>& system, Bodies<M>& bodies, Di
   apply_all(system, work.change, bodies.velocity);
 }
 
+/// ½Δλᵀ(A + γ)Δλ + Δλᵀ(JV + b + γλ) of what a solve has added, from both velocities: what impulses within their
+/// bounds lower, and begin with at zero. Above it an answer makes energy that no bias asked for.
+template <class M>
+double objective(const System<M>& system, const std::vector<double>& lambda_before,
+                 const std::vector<Velocity<M>>& before, const std::vector<Velocity<M>>& after) {
+  double sum = 0;
+  system.for_each_run([&]<int K, Bound B>(std::span<const Block<M, K, B>> blocks) {
+    for (const auto& block : blocks) {
+      const Rows<K> rates = dot(block.J, before[block.body1], before[block.body2]) +
+                            dot(block.J, after[block.body1], after[block.body2]);
+      for (int k = 0; k < K; ++k) {
+        const int row = block.row + k;
+        const double now = system.lambda[row], was = lambda_before[row];
+        sum += (now - was) * (0.5 * (rates[k] + system.gamma[row] * (now + was)) + system.bias[row]);
+      }
+    }
+  });
+  return sum;
+}
+
 //! [active_set]
-/// Solve what is not at a bound, hold what breaks one, let sweeps tell what else would move.
+/// Solve what is not at a bound, hold what breaks one, let sweeps tell what else would move. Friction that slides
+/// is held at a bound that lags behind its normal; where the two drive each other up, sweeps begin anew.
 template <class M>
 int solve_with_bounds(const Direct& solver, System<M>& system, Bodies<M>& bodies, DirectWork<M>& work,
                       Begin begin) {
   prepare(system, BlockSolve::whole, 1.0, work.prepared);
-  if (begin == Begin::step) apply_all(system, system.lambda, bodies.velocity);
+  work.velocity_before = bodies.velocity;
+  work.lambda_before = system.lambda;
+  if (begin == Begin::step) {
+    apply_all(system, system.lambda, bodies.velocity);
+    std::fill(work.lambda_before.begin(), work.lambda_before.end(), 0.0);
+  }
   const auto sweeps_settle = [&](int most) {
     for (int i = 0; i < most; ++i)
       if (watched_sweep(system, work.prepared, bodies.velocity) <= solver.tolerance) return true;
@@ -74,6 +100,10 @@ int solve_with_bounds(const Direct& solver, System<M>& system, Bodies<M>& bodies
     find_active(system, work.active);
     solve_active(solver, system, bodies, work);
     if (sweeps_settle(3)) return round;
+  }
+  if (!(objective(system, work.lambda_before, work.velocity_before, bodies.velocity) <= 0)) {
+    system.lambda = work.lambda_before;
+    bodies.velocity = work.velocity_before;
   }
   sweeps_settle(100 * solver.rounds);
   return solver.rounds;

@@ -49,6 +49,8 @@ struct DirectWork {
   std::vector<char> active;            // by row: whether it takes part; empty while all do
   PerBlock<M, BlockOf> masked;         // blocks without their inactive rows
   std::vector<double> offset, change;  // b + γλ and Δλ, by row
+  std::vector<Velocity<M>> velocity_before;
+  std::vector<double> lambda_before;  // a way back
   Prepared<M> prepared;
 };
 
