@@ -92,6 +92,23 @@ TEST(CollideLaws, DegenerateShapesGiveSoundAnswers) {
   EXPECT_GT(touching, 200'000);
 }
 
+// The number was written down from g++ -O3.
+TEST(CollideLaws, GiveTheSameBitsEverywhere) {
+  std::uint64_t hash = 14695981039346656037u;  // FNV-1a
+  const auto mix = [&](std::uint64_t bits) { hash = (hash ^ bits) * 1099511628211u; };
+  in_random_pairs(
+      [&]<class M>(Random&, const Solid<M>& first, const Solid<M>& second) {
+        const auto manifold = touch(first, second, 0.1);
+        for (const auto& point : manifold) {
+          mix(point.feature);
+          for (const Linear<M>& v : {manifold.normal, point.p1, point.p2})
+            for (const double x : v) mix(std::bit_cast<std::uint64_t>(x));
+        }
+      },
+      500);
+  EXPECT_EQ(hash, 5082058914088589159u);
+}
+
 TEST(CollideLaws, TouchOnlyWithinTheMargin) {
   in_random_pairs(
       []<class M>(Random&, const Solid<M>& first, const Solid<M>& second) {
