@@ -1,0 +1,118 @@
+// Step 3: a bob that circles, and what its rod carries.
+
+#include <cmath>
+
+#include "lessons/07_space/rounds.hpp"
+#include "lessons/07_space/steps.hpp"
+#include "lessons/pictures/space_scene.hpp"
+#include "renderer/labels.hpp"
+#include "solver/exact/conical_pendulum.hpp"
+
+namespace byhand::space {
+namespace {
+
+using namespace tutor;
+using namespace renderer;
+
+Chart over_angle(const Setting& setting) {
+  const double weight = setting.mass * gravity;
+  Chart chart{.x = {.label = "angle (deg)"}, .y = {.label = "tension (weights)", .range = {{0, 5}}}};
+  Curve run{.label = "λ/h", .style = CurveStyle::markers}, theory{.label = "1/cosθ", .style = CurveStyle::theory},
+      along{.label = "cosθ", .style = CurveStyle::theory};
+  for (double angle = 10; angle <= 76; angle += 6) {
+    run.x.push_back(angle);
+    run.y.push_back(third_turn(circling(setting, radians(angle)), setting.h).tension / weight);
+  }
+  for (double angle = 0; angle <= 77; angle += 1) {
+    theory.x.push_back(angle);
+    theory.y.push_back(1 / std::cos(radians(angle)));
+    along.x.push_back(angle);
+    along.y.push_back(std::cos(radians(angle)));
+  }
+  chart.curves = {run, theory, along};
+  return chart;
+}
+
+void draw_cone(Canvas& canvas, double angle, double tension) {
+  const Rectangle frame = canvas.page().inset(10);
+  Space space(pictures::from_aside({0, -0.62, 0}, 1.15, frame, 0, 0.22));
+  const Point3 bob(std::sin(angle), -std::cos(angle), 0);
+  space.ground({0, -1.45, 0}, 2.6, 0.4);
+  pictures::add_ring(space, {0, bob.y(), 0}, bob.x(), 0.012, palette::muted);
+  space.rod({0, 0, 0}, {0, bob.y(), 0}, 0.005, palette::muted);
+  space.rod({0, 0, 0}, bob, 0.014, palette::constraint);
+  space.sphere({0, 0, 0}, 0.035, palette::fixed);
+  space.sphere(bob, 0.085, palette::body);
+  const double scale = std::min(0.32, 0.75 / tension);
+  const Point3 pull = bob - scale * tension * bob, weight = bob - Point3(0, scale, 0);
+  space.arrow(bob - 0.09 * bob, pull - 0.09 * bob, 0.016, palette::force);
+  space.arrow(bob - Point3(0, 0.085, 0), weight - Point3(0, 0.085, 0), 0.016, palette::force);
+  space.arrow(bob + Point3(0, 0, -0.085), bob + Point3(0, 0, -0.45), 0.016, palette::velocity);
+  canvas.draw(space);
+  const TextStyle style{
+      .size = 20, .colour = palette::force, .anchor = renderer::Anchor::left, .halo = 3, .offset = {14, 4}};
+  canvas.text(space.project(pull - 0.09 * bob), say("@ weights", Value(tension, 3)), style);
+  canvas.text(space.project(weight), "1 weight", style);
+  canvas.text(space.project({0, 0.5 * bob.y(), 0}), say("θ = @°", Value(degrees(angle), 3)),
+              {.size = 20, .anchor = renderer::Anchor::right, .halo = 3, .offset = {-10, 0}});
+}
+
+}  // namespace
+
+void conical(const Setting& setting, Page& page) {
+  const double angle = radians(setting.angle), weight = setting.mass * gravity, h = setting.h;
+  const ConicalPendulum exact(angle, setting.length, gravity);
+  const Turn turn = third_turn(circling(setting, angle), h), fine = third_turn(circling(setting, angle), h / 16);
+  const double measured = turn.tension / weight;
+
+  page.text(
+      "A bob needs no orientation: it is a `SpaceParticle`, and its rod the same one row as in lesson 2, now of "
+      "six "
+      "numbers. Start it sideways at the right speed, and it circles at a steady angle: the conical pendulum.");
+  page.predict(
+      {.ask = say("It circles on a cone at @° from straight down. What does the rod pull with, in weights of "
+                  "the bob?",
+                  setting.angle),
+       .answer = measured,
+       .unit = "weights",
+       .tolerance = 0.05 * measured,
+       .wrong = {{std::cos(angle),
+                  "That is the weight along the rod; but here the *vertical* must balance: "
+                  "T·cosθ = mg."},
+                 {1, "It holds the weight, but aslant: only T·cosθ of it points up."},
+                 {std::tan(angle), "That is the part that turns the bob, T·sinθ."}},
+       .hint = "The bob stays at its height. Which part of the pull carries the weight?",
+       .right = say("1/cosθ = @; what is left is the error of a step of @ s.", 1 / std::cos(angle), setting.h)});
+  page.formula("T·cosθ = mg,   T·sinθ = mω²L·sinθ   ⟹   T = mg/cosθ = @ N,   ω² = g/(L·cosθ)",
+               R"(T\cos\theta = mg, \quad T\sin\theta = m\omega^2 L\sin\theta \quad\Rightarrow\quad )"
+               R"(T = \frac{mg}{\cos\theta} = @\ \mathrm{N}, \quad \omega^2 = \frac{g}{L\cos\theta})",
+               exact.tension(setting.mass));
+  page.figure("cone",
+              "Forces on the bob (orange) as the run has them, with its velocity (green). The rod's pull both "
+              "carries the weight and turns the bob.",
+              [=](Canvas& canvas) { draw_cone(canvas, angle, measured); });
+  page.figure("tension_over_angle",
+              "The rod's pull over the angle of the cone: λ/h, averaged over the third turn. Between the dashed "
+              "lines lies "
+              "the mistake of taking the weight along the rod.",
+              over_angle(setting));
+  page.measure("tension", measured, "weights");
+  page.measure("one turn", turn.period, "s");
+
+  // A step leaves the circle by ½(vh)² and β pulls that back; to first order in h both periods and pulls are off.
+  const double turned = exact.angular_velocity() * h / 16;
+  page.claim({.quantity = "tension at h/16",
+              .unit = "N",
+              .expected = exact.tension(setting.mass),
+              .source = "mg/cosθ",
+              .measured = fine.tension,
+              .tolerance = relative(turned)});
+  page.claim({.quantity = "one turn at h/16",
+              .unit = "s",
+              .expected = exact.period(),
+              .source = "2π√(L·cosθ/g)",
+              .measured = fine.period,
+              .tolerance = relative(turned)});
+}
+
+}  // namespace byhand::space

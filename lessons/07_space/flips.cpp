@@ -1,0 +1,202 @@
+// Step 6: the gyroscopic term left out, explicit and implicit, against the elliptic answer.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "lessons/07_space/steps.hpp"
+#include "lessons/07_space/thrown.hpp"
+#include "lessons/pictures/growing.hpp"
+#include "lessons/pictures/space_scene.hpp"
+#include "solver/exact/free_top.hpp"
+
+namespace byhand::space {
+namespace {
+
+using namespace tutor;
+using namespace renderer;
+
+constexpr double film_seconds = 5, seconds = 20;
+constexpr std::array choices{Gyroscopic::none, Gyroscopic::explicit_, Gyroscopic::implicit};
+constexpr std::array names{"left out", "explicit", "implicit"};
+
+/// What the film shows.
+struct Film {
+  std::array<Flight, 3> flights;
+  Chart below;
+
+  void draw(Canvas& canvas, double time) const {
+    const auto [above, under] = canvas.page().inset(16).split_rows(0.55, 6);
+    const auto frames = above.cells(1, 3, 8);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Rectangle frame{frames[i].x, frames[i].y, frames[i].width, frames[i].height - 34};
+      const Instant& now = at(flights[i], time);
+      Space space(pictures::from_aside({0, 0.05, 0}, 0.98, frame, 0.6, 0.3));
+      space.ground({0, -0.85, 0}, 2, 0.4);
+      pictures::add_book(space, now.pose, book_sides());
+      const Point3 L = 0.95 / flights[i][0].momentum.norm() * now.momentum;
+      space.arrow(L.normalized() * 0.1, L, 0.022, palette::error);
+      canvas.draw(space);
+      canvas.text({frames[i].centre().x(), frames[i].top() - 14}, names[i],
+                  {.size = 22, .colour = palette::series(static_cast<int>(i)), .bold = true});
+    }
+    renderer::draw(canvas, pictures::grown_to(below, time), under);
+  }
+};
+
+Film film_of(const Setting& setting) {
+  Film film;
+  film.below = {.x = {.label = "time (s)"}, .y = {.label = "Ω_y, about the book's own y (rad/s)"}};
+  const FreeTop exact(moments_of(setting), first_spin(setting));
+  double fastest = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    film.flights[i] = thrown(setting, choices[i], setting.h, film_seconds);
+    Curve curve{.label = names[i]};
+    for (const Instant& now : film.flights[i]) {
+      curve.x.push_back(now.time);
+      curve.y.push_back(now.spin().y());
+      fastest = std::max(fastest, std::abs(curve.y.back()));
+    }
+    film.below.curves.push_back(std::move(curve));
+  }
+  Curve theory{.label = "exact", .style = CurveStyle::theory};
+  for (int i = 0; i <= 100; ++i) {
+    theory.x.push_back(i * film_seconds / 100);
+    theory.y.push_back(exact.at(theory.x.back()).value.y());
+  }
+  film.below.curves.push_back(std::move(theory));
+  const double shown = std::min(fastest, 3 * setting.spin());
+  film.below.y.range = {{-1.15 * shown, 1.15 * shown}};
+  return film;
+}
+
+/// Largest relative changes along a flight.
+struct Kept {
+  Curve energy, momentum;
+  double worst_energy = 0, worst_momentum = 0;
+};
+Kept kept_in(const Flight& flight, const char* name) {
+  Kept kept;
+  kept.energy.label = kept.momentum.label = name;
+  for (const Instant& now : flight) {
+    const double energy = std::abs(now.energy / flight[0].energy - 1),
+                 momentum = (now.momentum - flight[0].momentum).norm() / flight[0].momentum.norm();
+    kept.worst_energy = std::max(kept.worst_energy, energy);
+    kept.worst_momentum = std::max(kept.worst_momentum, momentum);
+    kept.energy.x.push_back(now.time);
+    kept.momentum.x.push_back(now.time);
+    kept.energy.y.push_back(std::max(kept.worst_energy, 1e-17));
+    kept.momentum.y.push_back(std::max(kept.worst_momentum, 1e-17));
+  }
+  return kept;
+}
+
+/// The mean time from one flip to the next [s].
+double between_flips(const Flight& flight) {
+  const auto times = flips_of(flight);
+  return times.size() < 2 ? NAN : (times.back() - times.front()) / (static_cast<double>(times.size()) - 1);
+}
+
+}  // namespace
+
+void flips(const Setting& setting, Page& page) {
+  const double h = setting.h;
+  const Eigen::Vector3d moments = moments_of(setting), spin = first_spin(setting);
+  const double half_period = FreeTop(moments, spin).period() / 2;
+  std::array<Flight, 3> flights;
+  std::array<Kept, 3> kept;
+  for (std::size_t i = 0; i < 3; ++i) {
+    flights[i] = thrown(setting, choices[i], h, seconds);
+    kept[i] = kept_in(flights[i], names[i]);
+  }
+  const Flight& implicit_flight = flights[2];
+  const double measured = between_flips(implicit_flight);
+
+  page.text(
+      "A real book turns over, again and again: try it, with a rubber band round it. About the middle axis a spin "
+      "is "
+      "unstable; what is off grows until the book has flipped, then it rests for a while, and flips back. Euler's "
+      "equations have the exact answer, an elliptic sine; here the book flips every @ s, half its period.",
+      half_period);
+  page.text(
+      "So the term must be added. There are two ways. *Explicit*: ω += −h I⁻¹(ω × Iω), from what is known at the "
+      "start of the step. *Implicit*: the ω that turns the book is the mean of before and after, which takes "
+      "three "
+      "small equations and a few steps of Newton's for each body. In the step they stand around the rows:");
+  page.excerpt("solver/integrate/gyroscopic.hpp", "gyroscopic");
+  page.sequence(
+      "three_books",
+      "The same book thrown with the term left out, explicit and implicit. The yellow end shows which way up it "
+      "is, the arrow is Iω, which should not move. Below: the spin about the book's own y; dashed the exact one.",
+      Seconds{film_seconds}, [film = film_of(setting)](Canvas& canvas, double time) { film.draw(canvas, time); });
+
+  const Eigen::Vector3d kick = moments.cwiseProduct(spin).cross(spin);
+  const double gain = h * h / 2 * kick.dot(kick.cwiseQuotient(moments));
+  page.choose(
+      {.ask = "The explicit term is a kick at right angles to ω: it does no work. What does the energy do over "
+              "many flips?",
+       .options = {{"it stays",
+                    "At right angles to ω at the *start* of the step. A step along the tangent of a "
+                    "sphere leaves the sphere, always outward."},
+                   {"it rises",
+                    "Yes: each step adds ½h²k·I⁻¹k, with k = Iω × ω, the square of its kick; never "
+                    "less than nothing."},
+                   {"it falls", "Nothing is thrown away here as the rod does; the kick is only added."}},
+       .answer = flights[1].back().energy > flights[1][0].energy ? 1 : 2,
+       .hint = "Think of the tangent of lesson 2: to which side of the circle does it leave?"});
+  Chart energy{.x = {.label = "time (s)"}, .y = {.label = "largest |ΔE|/E (1)", .scale = Scale::logarithmic}},
+      momentum{.x = {.label = "time (s)"},
+               .y = {.label = "largest |Δ(Iω)|/|Iω| (1)", .scale = Scale::logarithmic}};
+  for (const Kept& each : kept) {
+    energy.curves.push_back(each.energy);
+    momentum.curves.push_back(each.momentum);
+  }
+  page.figure("what_is_kept",
+              say("Energy (left) and angular momentum (right) over @ s, the largest relative change so far. Left "
+                  "out keeps "
+                  "the one, explicit neither, implicit both, to rounding.",
+                  seconds),
+              [=](Canvas& canvas) {
+                const auto [left, right] = canvas.page().inset(20, 90).split_columns(0.5, 24);
+                renderer::draw(canvas, energy, left);
+                renderer::draw(canvas, momentum, right);
+              });
+  if (flew_apart(flights[1], seconds))
+    page.text("The explicit book is past any use after @ s: its spin has passed a hundredfold.",
+              flights[1].back().time);
+  else
+    page.text("After @ s the explicit book has @ times the energy it was thrown with.", seconds,
+              flights[1].back().energy / flights[1][0].energy);
+  page.measure("from flip to flip, implicit", measured, "s");
+
+  const double turned = spin.norm() * h;
+  const bool flips_twice = std::isfinite(measured);
+  page.claim({.quantity = "implicit: from flip to flip",
+              .unit = "s",
+              .expected = half_period,
+              .source = "elliptic half period",
+              .measured = flips_twice ? measured : half_period,
+              .tolerance = relative(turned * turned / 2),
+              .claimed = flips_twice,
+              .range = say("two flips within @ s", seconds)});
+  page.claim({.quantity = "implicit: largest |ΔE|/E",
+              .unit = "1",
+              .expected = 1e-12,
+              .source = "it is kept",
+              .measured = kept[2].worst_energy,
+              .tolerance = at_most()});
+  page.claim({.quantity = "implicit: largest |Δ(Iω)|/|Iω|",
+              .unit = "1",
+              .expected = 1e-12,
+              .source = "it is kept",
+              .measured = kept[2].worst_momentum,
+              .tolerance = at_most()});
+  page.claim({.quantity = "explicit: energy gained in the first step",
+              .unit = "J",
+              .expected = gain,
+              .source = "½h²k·I⁻¹k, k = Iω × ω",
+              .measured = flights[1][1].energy - flights[1][0].energy,
+              .tolerance = absolute(1e-13 * flights[1][0].energy)});
+}
+
+}  // namespace byhand::space

@@ -1,0 +1,146 @@
+// Step 5: in space Iω stays, so ω must turn; and what happens if nobody turns it.
+
+#include <algorithm>
+#include <cmath>
+
+#include "lessons/07_space/steps.hpp"
+#include "lessons/07_space/thrown.hpp"
+#include "lessons/pictures/space_scene.hpp"
+#include "renderer/labels.hpp"
+
+namespace byhand::space {
+namespace {
+
+using namespace tutor;
+using namespace renderer;
+
+constexpr double seconds = 5;
+
+double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+/// How far Iω has gone from where it was if it is fixed in a body that turns steadily about ω, α from it [rad].
+double carried_round(double alpha, double turned) {
+  return 2 * std::asin(std::min(1.0, std::abs(std::sin(alpha) * std::sin(turned / 2))));
+}
+
+Chart off_over_time(const Flight& flight) {
+  const double alpha = angle_between(flight[0].omega, flight[0].momentum), rate = flight[0].omega.norm();
+  const double turns = 3 * 2 * pi / rate;
+  Chart chart{.x = {.label = "time (s)", .range = {{0, turns}}}, .y = {.label = "Iω from where it was (deg)"}};
+  Curve run{.label = "run", .style = CurveStyle::markers, .colour = palette::error},
+      theory{.label = "carried round ω", .style = CurveStyle::theory};
+  for (const Instant& now : flight) {
+    if (now.time > turns) break;
+    run.x.push_back(now.time);
+    run.y.push_back(degrees(angle_between(now.momentum, flight[0].momentum)));
+  }
+  for (int i = 0; i <= 240; ++i) {
+    theory.x.push_back(i * turns / 240);
+    theory.y.push_back(degrees(carried_round(alpha, rate * theory.x.back())));
+  }
+  chart.curves = {run, theory};
+  return chart;
+}
+
+void draw_fan(Canvas& canvas, const Flight& flight, const Chart& chart) {
+  const auto [left, right] = canvas.page().inset(20).split_columns(0.55, 16);
+  Space space(pictures::from_aside({0, 0.42, 0}, 1.25, left, 0.6, 0.3));
+  space.ground({0, -0.75, 0}, 2.4, 0.4);
+  pictures::add_book(space, flight[0].pose, book_sides());
+  const double L = flight[0].momentum.norm(), turn = 2 * pi / flight[0].omega.norm();
+  const auto tip = [&](const Instant& now) { return Point3(1.45 / L * now.momentum); };
+  for (int i = 7; i >= 0; --i)
+    space.arrow({0, 0, 0}, tip(at(flight, i * turn / 8)), 0.014, mix(palette::error, palette::paper, 0.1 * i));
+  const Point3 omega = 1.6 * flight[0].omega.normalized();
+  space.arrow({0, 0, 0}, omega, 0.02, palette::velocity);
+  canvas.draw(space);
+  Labels labels(canvas, left);
+  labels.avoid(Rectangle{space.project(omega).x() - 30, space.project(omega).y() - 50, 60, 60});
+  labels.place(space.project(omega), "ω stays", {.size = 20, .colour = palette::velocity, .halo = 3}, 12);
+  labels.place(space.project(tip(at(flight, turn / 2))), "Iω goes round",
+               {.size = 20, .colour = palette::error, .halo = 3}, 24);
+  renderer::draw(canvas, chart, right.inset(0, 70));
+}
+
+}  // namespace
+
+void left_out(const Setting& setting, Page& page) {
+  const Flight flight = thrown(setting, Gyroscopic::none, setting.h, seconds);
+  const Eigen::Vector3d moments = moments_of(setting), spin = first_spin(setting);
+  const double alpha = angle_between(moments.cwiseProduct(spin), spin);
+  double turned = 0, energy = 0, off_law = 0;
+  for (const Instant& now : flight) {
+    const double off = angle_between(now.momentum, flight[0].momentum);
+    turned = std::max(turned, off);
+    off_law = std::max(off_law, std::abs(off - carried_round(alpha, spin.norm() * now.time)));
+    energy = std::max(energy, std::abs(now.energy / flight[0].energy - 1));
+  }
+
+  page.text(
+      "Throw the book, spinning at @ rad/s about its middle axis, with a little (@ of it) about the two others. "
+      "No "
+      "gravity, no constraint, nothing in any row: so V stays. Or does it? What must stay is the angular momentum "
+      "Iω. "
+      "In the plane that is the same thing. Here I turns:",
+      setting.spin, setting.wobble);
+  page.formula("d(Iω)/dt = 0   ⟹   Iω̇ = −ω × Iω",
+               R"(\frac{d}{dt}(I\omega) = 0 \quad\Rightarrow\quad I\dot\omega = -\,\omega\times I\omega)");
+  page.text(
+      "So ω turns without any force, wherever Iω and ω do not point the same way. That is the *gyroscopic term*. "
+      "It "
+      "is no constraint and has no row; a step must add it, as it adds gravity, and the article's does not.");
+  const auto flipped = flips_of(flight).size();
+  page.choose(
+      {.ask = say("The solver steps the book for @ s with the term left out. Does the book flip over?", seconds),
+       .options = {{"never",
+                    "Yes: without ω × Iω nothing turns ω. The book spins on about the axis it was given; it is "
+                    "Iω in the world that goes astray."},
+                   {"every now and then",
+                    "A real book does. But without ω × Iω nothing turns ω; look at what happens to the angular "
+                    "momentum instead."},
+                   {"once, and then it stays", "Then something would have to turn ω once. Nothing does."}},
+       .answer = flipped == 0 ? 0 : 1,
+       .hint = "Which line of the step would change V?"});
+  page.figure(
+      "left_out",
+      say("The gyroscopic term left out. ω stays where it is, at @° from Iω, and carries Iω round with the book: "
+          "arrows an eighth of a turn apart. Right: how far Iω is from where it was.",
+          Value(degrees(alpha), 3)),
+      [=, chart = off_over_time(flight)](Canvas& canvas) { draw_fan(canvas, flight, chart); });
+  page.text(
+      "It looks harmless: the energy is kept, ω is kept, |Iω| is kept. But the *direction* of Iω is off by up to "
+      "@°, "
+      "and a real book does something else altogether.",
+      Value(degrees(turned), 3));
+  page.measure("Iω off by up to", degrees(turned), "deg");
+
+  const double step = spin.norm() * setting.h;  // how near to half a turn some step comes
+  page.claim({.quantity = "flips in the run",
+              .unit = "1",
+              .expected = 0,
+              .source = "nothing turns ω",
+              .measured = static_cast<double>(flipped),
+              .tolerance = absolute(0)});
+  page.claim({.quantity = "Iω off by up to",
+              .unit = "rad",
+              .expected = 2 * alpha,
+              .source = "twice the angle from ω to Iω",
+              .measured = turned,
+              .tolerance = relative(step * step / 8)});
+  page.claim({.quantity = "all angles from those of the law, at most",
+              .unit = "rad",
+              .expected = 0,
+              .source = "Iω carried round ω",
+              .measured = off_law,
+              .tolerance = absolute(1e-7)});
+  page.claim({.quantity = "energy, largest relative change",
+              .unit = "1",
+              .expected = 0,
+              .source = "ω fixed in world and body",
+              .measured = energy,
+              .tolerance = absolute(1e-11)});
+}
+
+}  // namespace byhand::space

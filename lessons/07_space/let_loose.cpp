@@ -1,0 +1,196 @@
+// Deeper: found contacts in space: a box thrown along the ground.
+
+#include <algorithm>
+#include <cmath>
+
+#include "lessons/07_space/steps.hpp"
+#include "lessons/pictures/growing.hpp"
+#include "lessons/pictures/space_scene.hpp"
+#include "solver/measure.hpp"
+#include "solver/scenes/boxes.hpp"
+
+namespace byhand::space {
+namespace {
+
+using namespace tutor;
+using namespace renderer;
+using M = SpaceBody;
+using Loose = Scene<M, Contact, Friction>;
+
+constexpr double film_seconds = 3, seconds = 6;
+
+/// A book above or on the ground, 60 sweeps a step, turning as the implicit term has it.
+Simulation<Loose> on_the_ground(const Setting& setting, const Pose<M>& pose, const Velocity<M>& velocity) {
+  Simulation<Loose> loose{{}, {GaussSeidel{60}, Baumgarte{.beta = 0.2, .slop = 0.001}}};
+  loose.method.gyroscopic = Gyroscopic::implicit;
+  const Surface surface{.friction = setting.friction};
+  add_ground(loose.scene, surface);
+  const int book = add_box(loose.scene, pose, setting.mass, Linear<M>(book_sides()), surface);
+  loose.scene.bodies.velocity[book] = velocity;
+  return loose;
+}
+
+/// Lying flat, its shortest side upright.
+Pose<M> lying() {
+  Pose<M> pose;
+  pose.rotation = space_rotation(Angular<M>(pi / 2, 0, 0));
+  pose.position.y() = 0.5 * book_sides().z();
+  return pose;
+}
+
+Simulation<Loose> tumbling(const Setting& setting) {
+  Pose<M> pose;
+  pose.position = {-2, 1.2, 0.4};
+  pose.rotation = space_rotation(Angular<M>(0.4, 0.3, 0.9));
+  Velocity<M> V;
+  V << setting.speed, 0, -0.3 * setting.speed, 3, 2, -4;
+  return on_the_ground(setting, pose, V);
+}
+
+/// How far a flat book gets, and when it comes to rest, if it also spins at `spin` [rad/s] about the vertical.
+struct Stop {
+  double distance, time;  // [m], [s]
+};
+Stop slid(const Setting& setting, double speed, double spin) {
+  Velocity<M> V = Velocity<M>::Zero();
+  V[0] = speed;
+  V[4] = spin;
+  auto book = on_the_ground(setting, lying(), V);
+  const auto& bodies = book.scene.bodies;
+  while (bodies.velocity[1].norm() > 1e-3 && book.time < 30) book.step(setting.h);
+  return {bodies.pose[1].position.x(), book.time};
+}
+
+struct Film {
+  std::vector<double> time;
+  std::vector<Pose<M>> pose;
+  Chart beside;
+
+  void draw(Canvas& canvas, double now) const {
+    const auto [left, right] = canvas.page().inset(16).split_columns(0.62, 12);
+    std::size_t last = 0;
+    while (last + 1 < time.size() && time[last + 1] <= now + 1e-9) ++last;
+    const double reach = 0.5 * (pose.back().position - pose.front().position).norm() + 0.5;
+    Point3 middle = 0.5 * (pose.back().position + pose.front().position);
+    middle.y() = 0.4;
+    Space space(pictures::from_aside(middle, reach, left, 0.35, 0.4));
+    space.ground({middle.x(), 0, middle.z()}, 2 * reach, 0.5);
+    std::vector<Point3> trail;
+    for (std::size_t i = 0; i <= last; i += 3) trail.push_back(pose[i].position);
+    pictures::add_trail(space, trail, 0.012, palette::velocity);
+    pictures::add_book(space, pose[last], book_sides());
+    canvas.draw(space);
+    canvas.text({left.x + 4, left.top() - 14}, say("@ s", Value(std::floor(now * 10 + 1e-6) / 10, 3)),
+                {.size = 22, .anchor = renderer::Anchor::left, .bold = true});
+    renderer::draw(canvas, pictures::grown_to(beside, now), right.inset(0, 70));
+  }
+};
+
+/// What a tumbling book shows.
+struct Tumble {
+  Film film;
+  double largest_gain = 0;  // of energy in a step that nothing touches [J]
+  double pressed = 0;       // the ground's push at the end, over the weight [1]
+  double flatness = 0;      // the largest |cosine| between an axis of the book and the vertical, at the end
+  double deepest = 0;       // overlap at the end [m]
+};
+Tumble tumble(const Setting& setting) {
+  Tumble tumble;
+  auto book = tumbling(setting);
+  const auto& bodies = book.scene.bodies;
+  Curve total{.label = "energy"};
+  for (const double h = setting.h; book.time <= seconds; book.step(h)) {
+    tumble.film.time.push_back(book.time);
+    tumble.film.pose.push_back(bodies.pose[1]);
+    if (book.time > film_seconds) continue;
+    total.x.push_back(book.time);
+    total.y.push_back(energy(book.scene));
+  }
+  tumble.film.beside = {.x = {.label = "time (s)"}, .y = {.label = "energy (J)"}, .curves = {total}};
+  const auto& system = book.work.system;
+  int number = 0;
+  book.scene.for_each([&]<class Kind>(const Kind&) {
+    if constexpr (std::is_same_v<Kind, Contact<M>>)
+      tumble.pressed += system.lambda[system.row_of[number]] / (setting.mass * gravity * setting.h);
+    ++number;
+  });
+  tumble.flatness = bodies.pose[1].rotation.toRotationMatrix().row(1).cwiseAbs().maxCoeff();
+  tumble.deepest = position_error(book.scene).max;
+  return tumble;
+}
+
+}  // namespace
+
+void let_loose(const Setting& setting, Page& page) {
+  const Tumble thrown = tumble(setting);
+  page.text(
+      "So far the contacts were given. Let the solver find them: a scene that names `Contact` and `Friction` in "
+      "its "
+      "type and gives its bodies shapes looks for the points where they touch, in every step, and makes two rows "
+      "of "
+      "friction and one contact of each. Here is a book thrown along the ground at @ m/s, μ = @.",
+      setting.speed, setting.friction);
+  page.sequence(
+      "tumbling",
+      "A book thrown along the ground: it tumbles, slides on a corner, an edge, a face, and comes to rest. Right: "
+      "its energy, which each knock and all rubbing take from.",
+      Seconds{film_seconds}, [film = thrown.film](Canvas& canvas, double time) { film.draw(canvas, time); });
+
+  const double speed = setting.speed, a = setting.friction * gravity;
+  const double half_diagonal = 0.5 * std::hypot(book_sides().x(), book_sides().y());
+  const double spin = speed / half_diagonal;
+  const Stop straight = slid(setting, speed, 0), spinning = slid(setting, speed, spin),
+             whirl = slid(setting, 0, spin);
+  page.text(
+      "Friction at four corners also brakes a spin. Lying flat and spinning only, at ω = @ rad/s, each corner "
+      "slips at "
+      "right angles to its arm r = @ m with the whole of its μmg/4, so the moment is μmgr; and I = mr²/3:",
+      spin, half_diagonal);
+  page.formula(
+      "ω̇ = −3μg/r   ⟹   it rests after ωr/(3μg) = @ s",
+      R"(\dot\omega = -\frac{3\mu g}{r} \quad\Rightarrow\quad t = \frac{\omega r}{3\mu g} = @\ \mathrm{s})",
+      spin * half_diagonal / (3 * a));
+  page.choose(
+      {.ask = "The flat book slides at the same speed as before, once straight and once spinning as well. Which "
+              "gets farther?",
+       .options = {{"the one that does not spin",
+                    "There is more to brake in the other, and no more friction to do "
+                    "it with: the disc is shared."},
+                   {"the one that spins", say("Yes: @ m instead of @ m. Each corner's friction has one length, "
+                                              "and part of it now goes against the spin.",
+                                              spinning.distance, straight.distance)},
+                   {"both get equally far",
+                    "That would be so if spin and slide each had a friction of their own: "
+                    "the pyramid's mistake."}},
+       .answer = spinning.distance > straight.distance ? 1 : 0,
+       .hint = "Each corner has an impulse of fixed length, against its own slip."});
+  page.measure("straight", straight.distance, "m");
+  page.measure("spinning as well", spinning.distance, "m");
+
+  page.claim({.quantity = "tumbled: what presses at the end, over the weight",
+              .unit = "1",
+              .expected = 1,
+              .source = "nothing moves",
+              .measured = thrown.pressed,
+              .tolerance = absolute(1e-3)});
+  page.claim({.quantity = "tumbled: cosine of the upright axis",
+              .unit = "1",
+              .expected = 1,
+              .source = "it lies on a face",
+              .measured = thrown.flatness,
+              .tolerance = absolute(1e-4)});
+  page.claim({.quantity = "flat and straight: distance",
+              .unit = "m",
+              .expected = speed * speed / (2 * a) - speed * setting.h / 2,
+              .source = "law A7: v²/2μg − vh/2",
+              .measured = straight.distance,
+              .tolerance = absolute(a * setting.h * setting.h)});
+  page.claim({.quantity = "flat, spinning only: time to rest",
+              .unit = "s",
+              .expected = spin * half_diagonal / (3 * a),
+              .source = "ωr/(3μg)",
+              .measured = whirl.time,
+              .tolerance = absolute(2 * setting.h)});
+}
+
+}  // namespace byhand::space

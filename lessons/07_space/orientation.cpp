@@ -1,0 +1,163 @@
+// Deeper: an orientation by unit quaternion, and how it is turned on.
+
+#include <cmath>
+
+#include "lessons/07_space/steps.hpp"
+#include "lessons/pictures/space_scene.hpp"
+
+namespace byhand::space {
+namespace {
+
+using namespace tutor;
+using namespace renderer;
+using Vector = Eigen::Vector3d;
+using Quaternion = Eigen::Quaterniond;
+
+/// The angle of the turn from one orientation to another [rad].
+double angle_between(const Quaternion& a, const Quaternion& b) {
+  const Quaternion turn = a.conjugate() * b;
+  return 2 * std::atan2(turn.vec().norm(), std::abs(turn.w()));
+}
+
+Quaternion quarter(const Vector& axis) { return space_rotation(Vector(pi / 2 * axis)); }
+
+/// The first terms of the exponential's series alone: q += ½ωq h.
+Quaternion first_order(const Quaternion& q, const Vector& turn) {
+  const Quaternion rate = Quaternion(0, turn.x(), turn.y(), turn.z()) * q;
+  return Quaternion(q.coeffs() + 0.5 * rate.coeffs());
+}
+
+/// What a second of turning at `rate` [rad/s] gives.
+struct Turned {
+  double lag, stretched;  // too little [rad], and by what factor |q| is too long
+};
+Turned by_first_order(double rate, double h) {
+  const Vector axis(0.36, 0.48, 0.8);
+  Quaternion q = Quaternion::Identity();
+  double goal = 0, got = 0;
+  for (int i = 0; i < std::lround(1 / h); ++i) {
+    const Quaternion next = first_order(q, rate * h * axis);
+    got += angle_between(q.normalized(), next.normalized());
+    goal += rate * h;
+    q = next;
+  }
+  return {goal - got, q.norm()};
+}
+double by_exponential(double rate, double h) {
+  const Vector axis(0.36, 0.48, 0.8);
+  Quaternion q = Quaternion::Identity();
+  const long steps = std::lround(1 / h);
+  for (long i = 0; i < steps; ++i) q = rotated_by(q, Vector(rate * h * axis));
+  return angle_between(q, space_rotation(Vector(static_cast<double>(steps) * rate * h * axis)));
+}
+
+Chart lag_over_rate(double h) {
+  Chart chart{.x = {.label = "angle of one step ωh (rad)", .scale = Scale::logarithmic},
+              .y = {.label = "error after 1 s (rad)", .scale = Scale::logarithmic, .range = {{1e-17, 100}}}};
+  Curve first{.label = "q + ½ωqh, made unit", .style = CurveStyle::markers},
+      exact{.label = "exp(½ωh)q", .style = CurveStyle::markers},
+      law{.label = "(ωh)³/12 a step", .style = CurveStyle::theory};
+  for (double turn = 0.01; turn < 2; turn *= 1.6) {
+    first.x.push_back(turn);
+    first.y.push_back(by_first_order(turn / h, h).lag);
+    exact.x.push_back(turn);
+    exact.y.push_back(std::max(by_exponential(turn / h, h), 1e-16));
+    law.x.push_back(turn);
+    law.y.push_back(std::pow(turn, 3) / 12 * static_cast<double>(std::lround(1 / h)));
+  }
+  chart.curves = {first, exact, law};
+  return chart;
+}
+
+void draw_orders(Canvas& canvas) {
+  const auto cells = canvas.page().inset(16).cells(2, 3, 10);
+  const Quaternion x = quarter(Vector::UnitX()), y = quarter(Vector::UnitY());
+  const std::array<Quaternion, 6> stages{Quaternion::Identity(), x, y * x, Quaternion::Identity(), y, x * y};
+  const std::array<const char*, 6> names{"", "first about x", "then about y", "", "first about y", "then about x"};
+  for (std::size_t i = 0; i < 6; ++i) {
+    const Rectangle frame{cells[i].x, cells[i].y, cells[i].width, cells[i].height - 32};
+    Space space(pictures::from_aside({0, 0, 0}, 0.95, frame, 0.5, 0.4));
+    space.ground({0, -0.75, 0}, 1.9, 0.4);
+    Pose<SpaceBody> pose;
+    pose.rotation = stages[i];
+    pictures::add_book(space, pose, book_sides());
+    canvas.draw(space);
+    canvas.text({cells[i].centre().x(), cells[i].top() - 14}, names[i], {.size = 20, .bold = true});
+  }
+}
+
+}  // namespace
+
+void orientation(const Setting& setting, Page& page) {
+  const double h = setting.h, rate = setting.spin, turn = rate * h;
+  const Quaternion x = quarter(Vector::UnitX()), y = quarter(Vector::UnitY());
+  const double apart = angle_between(y * x, x * y);
+  const Turned first = by_first_order(rate, h);
+  const auto steps = static_cast<double>(std::lround(1 / h));
+
+  page.text(
+      "In the plane an orientation is an angle, and turns add up: whatever the order. In space they do not.");
+  page.predict(
+      {.ask = "Turn a book by 90° about x, then by 90° about y; and another first about y, then about x. By what "
+              "angle would you have to turn the one to make it lie as the other?",
+       .answer = degrees(apart),
+       .unit = "deg",
+       .tolerance = 2,
+       .wrong = {{0, "Turns in space do not add up as numbers do; try it with a book."},
+                 {180, "That is both turns together; about a slanting axis less will do."},
+                 {90, "It looks like a quarter turn, but about no edge of the book."}},
+       .hint = "The axis of the turn between them is a diagonal of a cube. How much turns one edge into the next?",
+       .right = "About a diagonal of a cube, which carries each axis into the next."});
+  page.figure("order_of_turns",
+              "The same two quarter turns in either order (the yellow end is the book's +y). The results "
+              "differ by a third of a full turn.",
+              [](Canvas& canvas) { draw_orders(canvas); });
+  page.text(
+      "So no three angles that simply add up will do. The solver keeps four numbers, a *unit quaternion*, "
+      "q = (cos ½θ, sin ½θ·n) for a turn by θ about n. One product puts two turns together, and a turn at a "
+      "steady ω "
+      "for a step is");
+  page.formula(
+      "q ← exp(½ωh) q,   exp(½ωh) = (cos ½|ω|h, sin ½|ω|h · ω/|ω|)",
+      R"(q \leftarrow \exp(\tfrac12\omega h)\,q, \qquad )"
+      R"(\exp(\tfrac12\omega h) = \bigl(\cos\tfrac12|\omega|h,\ \sin\tfrac12|\omega|h\ \tfrac{\omega}{|\omega|}\bigr))");
+  page.text(
+      "Often you will see q + ½ωqh in its place, made unit afterwards: the first two terms of the series. It goes "
+      "along the tangent of a sphere, as the bob of lesson 2 along that of a circle, and turns by 2·atan(½ωh) "
+      "where "
+      "ωh was wanted. At @ rad/s, @ rad a step, it is @° behind after a second, and without being made unit |q| "
+      "has grown to @.",
+      setting.spin, Value(turn, 3), Value(degrees(first.lag), 3), first.stretched);
+  page.figure(
+      "lag",
+      "How far an orientation is off after a second of steady turning, over the angle of one step. Dashed: "
+      "the first term of ωh − 2·atan(½ωh).",
+      lag_over_rate(h));
+
+  page.claim({.quantity = "angle between the two orders",
+              .unit = "rad",
+              .expected = 2 * pi / 3,
+              .source = "about a cube's diagonal",
+              .measured = apart,
+              .tolerance = absolute(1e-12)});
+  page.claim({.quantity = "exponential: error after 1 s",
+              .unit = "rad",
+              .expected = 0,
+              .source = "exact for steady ω",
+              .measured = by_exponential(rate, h),
+              .tolerance = absolute(1e-12)});
+  page.claim({.quantity = "first order: behind after 1 s",
+              .unit = "rad",
+              .expected = steps * (turn - 2 * std::atan(turn / 2)),
+              .source = "ωh − 2·atan(½ωh) a step",
+              .measured = first.lag,
+              .tolerance = absolute(1e-6)});
+  page.claim({.quantity = "first order, not made unit: |q| after 1 s",
+              .unit = "1",
+              .expected = std::pow(1 + turn * turn / 4, steps / 2),
+              .source = "√(1 + ¼(ωh)²) a step",
+              .measured = first.stretched,
+              .tolerance = relative(1e-10)});
+}
+
+}  // namespace byhand::space

@@ -1,0 +1,184 @@
+// Step 1: what three dimensions change in the code, and what they do not.
+
+#include <cmath>
+
+#include "lessons/07_space/steps.hpp"
+#include "lessons/pictures/rods_and_bobs.hpp"
+#include "lessons/pictures/space_scene.hpp"
+#include "solver/scenes/pendulum.hpp"
+#include "solver/simulation.hpp"
+
+namespace byhand::space {
+namespace {
+
+using namespace tutor;
+using namespace renderer;
+
+constexpr double seconds = 2;
+
+/// How many numbers a model's state and rows take.
+struct Numbers {
+  double row, velocity, pose, inertia;
+};
+template <class M>
+Numbers numbers_of() {
+  double orientation = 0;
+  if constexpr (M::angular == 1) orientation = sizeof(PlaneRotation<>) / sizeof(double);
+  if constexpr (M::angular == 3) orientation = sizeof(Eigen::Quaterniond) / sizeof(double);
+  return {sizeof(Jacobian<M, 1>) / sizeof(double), Velocity<M>::SizeAtCompileTime, M::linear + orientation,
+          M::angular};
+}
+
+Chart how_many() {
+  const std::array<Numbers, 4> models{numbers_of<PlaneParticle>(), numbers_of<PlaneBody>(),
+                                      numbers_of<SpaceParticle>(), numbers_of<SpaceBody>()};
+  Chart chart{.y = {.label = "numbers"}, .bar_names = {"<2,0>", "<2,1>", "<3,0>", "<3,3>"}};
+  const auto bars = [&](const char* label, double Numbers::*count) {
+    Bars result{.label = label};
+    for (const Numbers& model : models) result.values.push_back(model.*count);
+    chart.bars.push_back(std::move(result));
+  };
+  bars("a row of J", &Numbers::row);
+  bars("pose", &Numbers::pose);
+  bars("V", &Numbers::velocity);
+  bars("I", &Numbers::inertia);
+  return chart;
+}
+
+/// One line for all models.
+template <class M>
+Simulation<Scene<M, Pin>> swinging(const Setting& setting) {
+  return {hinged_rod<M>(radians(setting.angle), setting.length, setting.mass), {Direct{}, Baumgarte{0.2}}};
+}
+
+/// The same rod in the plane and in space, every tenth of a second.
+struct Twins {
+  std::vector<Point> plane;   // centres [m]
+  std::vector<Point3> space;  // centres [m]
+  double apart = 0;           // the largest distance between the two in any step [m]
+};
+Twins twins(const Setting& setting) {
+  auto plane = swinging<PlaneBody>(setting);
+  auto space = swinging<SpaceBody>(setting);
+  const double h = setting.h;
+  Twins twins;
+  const auto every = std::max(1L, std::lround(0.1 / h));
+  for (long i = 0; i * h <= seconds; ++i) {
+    const Point x = plane.scene.bodies.pose[1].position;
+    const Point3 y = space.scene.bodies.pose[1].position;
+    twins.apart = std::max(twins.apart, (Point3(x.x(), x.y(), 0) - y).norm());
+    if (i % every == 0 && i * h < 0.75) {
+      twins.plane.push_back(x);
+      twins.space.push_back(y);
+    }
+    plane.step(h);
+    space.step(h);
+  }
+  return twins;
+}
+
+void draw_twins(Canvas& canvas, const Twins& twins, double length) {
+  const auto [left, right] = canvas.page().inset(24).split_columns(0.5, 24);
+  const Rectangle under{left.x, left.y, left.width, left.height - 50};
+  const auto age = [&](std::size_t i) {
+    return static_cast<double>(i + 1) / static_cast<double>(twins.plane.size());
+  };
+  canvas.look(fit({-length, -1.15 * length, 2 * length, 1.3 * length}, under, 10));
+  for (std::size_t i = 0; i < twins.plane.size(); ++i)
+    canvas.rod({0, 0}, 2 * twins.plane[i],
+               {mix(palette::constraint, palette::paper, 0.85 * (1 - age(i))), {palette::ink, 0}}, 12);
+  canvas.anchor({0, 0});
+  canvas.look_at_page();
+  Space space(
+      pictures::from_aside({0, -0.6 * length, 0}, 0.95 * length, {right.x, right.y, right.width, under.height}));
+  space.ground({0, -1.25 * length, 0}, 2.2 * length, 0.4 * length);
+  for (std::size_t i = 0; i < twins.space.size(); ++i)
+    space.rod({0, 0, 0}, 2 * twins.space[i], 0.025 * length,
+              mix(palette::constraint, palette::paper, 0.85 * (1 - age(i))));
+  space.sphere({0, 0, 0}, 0.05 * length, palette::fixed);
+  canvas.draw(space);
+  canvas.text({left.centre().x(), left.top() - 16}, "hinged_rod<PlaneBody>", {.size = 21, .bold = true});
+  canvas.text({right.centre().x(), right.top() - 16}, "hinged_rod<SpaceBody>", {.size = 21, .bold = true});
+}
+
+}  // namespace
+
+void same_code(const Setting& setting, Page& page) {
+  const Numbers plane = numbers_of<PlaneBody>(), space = numbers_of<SpaceBody>();
+  page.text(
+      "Everything so far moved in the plane. Here is the row of lesson 1 again, as the solver has it, and the "
+      "product "
+      "(8) that each sweep takes. Look for a 2:");
+  page.excerpt("solver/jacobian.hpp", "along");
+  page.excerpt("solver/jacobian.hpp", "8");
+  page.text(
+      "There is none. A body's type says along how many axes it moves and about how many it turns: the bodies of "
+      "the "
+      "last lessons were `Model<2, 1>`, this lesson's are `Model<3, 3>`, and nothing else is written twice. Four "
+      "things grow with it, and each gets its step:\n\n"
+      "- r × n is one number in the plane (how much a push turns) and three in space (about which axis);\n"
+      "- I is one number in the plane; in space it is three, along axes that turn with the body;\n"
+      "- an orientation is a cosine and a sine in the plane and a quaternion in space;\n"
+      "- Iω and ω need not point the same way, and that turns ω without any force.");
+  page.figure(
+      "numbers",
+      "Numbers in a row of J (both bodies), in a body's pose, velocity and inertia, by model. A block of three "
+      "rows, a ball joint, is three times the first bar.",
+      how_many());
+  page.text(
+      "A row has @ numbers now instead of @, and a body's velocity @ instead of @. One step costs about twice "
+      "as much; that is all that changes for sweeps, β and warm starts: they only see rows.",
+      space.row, plane.row, space.velocity, plane.velocity);
+
+  const Twins pair = twins(setting);
+  page.text(
+      "To see that nothing else has changed, let the same rod swing in both: `hinged_rod<M>`, @ m long, @ kg, "
+      "released at @°, with two rows for its pin in the plane and three in space.",
+      setting.length, setting.mass, setting.angle);
+  page.figure("twins",
+              "One description of a scene in two models: a rod that swings on a pin, a tenth of a second from one "
+              "picture to the next, in the plane and on a ball joint in space.",
+              [=, length = setting.length()](Canvas& canvas) { draw_twins(canvas, pair, length); });
+
+  const Eigen::Vector3d sides = book_sides();
+  const double mass = setting.mass;
+  const auto inertia = [&](auto model, double scale) {
+    using M = decltype(model);
+    const double volume = std::pow(scale, M::linear);
+    return 1 / box<M>(volume * mass, scale * sides.head<M::linear>().eval()).angular[0];
+  };
+  const double growth = inertia(SpaceBody(), 2) / inertia(SpaceBody(), 1),
+               growth_in_plane = inertia(PlaneBody(), 2) / inertia(PlaneBody(), 1);
+  page.predict({.ask =
+                    "Every side of a box is doubled; it is made of the same wood. By what factor does each of its "
+                    "three moments of inertia grow?",
+                .answer = growth,
+                .unit = "1",
+                .tolerance = 0.02 * growth,
+                .wrong = {{4, "That is the square of the arm alone; there is more wood too."},
+                          {8, "That is the mass alone; it also lies twice as far out."},
+                          {growth_in_plane, "That is a plate in the plane: mass 4 times, arm² 4 times."}},
+                .hint = "I is a sum of mass × arm². How does the mass grow, how the arm?",
+                .right = say("Mass 8 times, arm² 4 times. In the plane it is @.", growth_in_plane)});
+
+  page.claim({.quantity = "numbers in a row",
+              .unit = "1",
+              .expected = 2 * (3 + 3),
+              .source = "(6): l1 a1 l2 a2, three each",
+              .measured = space.row,
+              .tolerance = absolute(0)});
+  page.claim({.quantity = "growth of I, sides doubled",
+              .unit = "1",
+              .expected = std::pow(2, 5),
+              .source = "mass 2³, arm² 2²",
+              .measured = growth,
+              .tolerance = relative(1e-12)});
+  page.claim({.quantity = say("rod in space from rod in the plane, over @ s", seconds),
+              .unit = "m",
+              .expected = 0,
+              .source = "the same rod <2,1>",
+              .measured = pair.apart,
+              .tolerance = absolute(1e-10 * setting.length())});
+}
+
+}  // namespace byhand::space

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "lessons/tutor/lesson.hpp"
+
+namespace byhand::space {
+
+/// The lesson's parameters.
+struct Setting {
+  tutor::Parameter<double> h;                         // [s]
+  tutor::Parameter<double> length, mass;              // of rods [m], of each body [kg]
+  tutor::Parameter<double> tilt;                      // of the book that is caught [deg]
+  tutor::Parameter<double> angle, share;              // of the cone [deg], of the speed that keeps it [1]
+  tutor::Parameter<double> spin, wobble;              // of the book [rad/s], beside its middle axis [1]
+  tutor::Parameter<double> friction, speed, heading;  // μ [1], of the pucks [m/s], [deg]
+};
+
+inline constexpr double gravity = 9.81;  // [m/s²], as Scene has it
+inline constexpr double pi = 3.14159265358979323846;
+inline double radians(double degrees) { return degrees / 180 * pi; }
+inline double degrees(double radians) { return radians / pi * 180; }
+
+/// A thick book [m]: the moments about x, y and z differ, y is the middle one.
+inline Eigen::Vector3d book_sides() { return {1.2, 0.8, 0.2}; }
+
+}  // namespace byhand::space

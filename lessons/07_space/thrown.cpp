@@ -1,0 +1,54 @@
+#include "lessons/07_space/thrown.hpp"
+
+#include "solver/measure.hpp"
+#include "solver/scenes/top.hpp"
+
+namespace byhand::space {
+
+Eigen::Vector3d moments_of(const Setting& setting) {
+  return box<SpaceBody>(setting.mass, book_sides()).angular.cwiseInverse();
+}
+
+Eigen::Vector3d first_spin(const Setting& setting) {
+  return setting.spin() * Eigen::Vector3d(setting.wobble, 1, setting.wobble);
+}
+
+Flight thrown(const Setting& setting, Gyroscopic choice, double h, double seconds) {
+  Simulation<Scene<SpaceBody, Pin>> book{free_top(moments_of(setting), first_spin(setting)),
+                                         {Direct{}, NoDriftCure{}}};
+  book.method.gyroscopic = choice;
+  const auto& bodies = book.scene.bodies;
+  const auto steps = std::lround(seconds / h);
+  const double limit = 100 * first_spin(setting).norm();
+  Flight flight;
+  for (long i = 0; i <= steps; ++i) {
+    const Eigen::Vector3d omega = bodies.velocity[0].tail<3>();
+    if (!(omega.norm() < limit)) break;
+    flight.push_back({i * h, bodies.pose[0], omega, angular_momentum(bodies), kinetic_energy(bodies)});
+    book.step(h);
+  }
+  return flight;
+}
+
+const Instant& at(const Flight& flight, double time) {
+  std::size_t i = 0;
+  while (i + 1 < flight.size() && flight[i + 1].time <= time + 1e-9) ++i;
+  return flight[i];
+}
+
+bool flew_apart(const Flight& flight, double seconds) {
+  const double h = flight[1].time - flight[0].time;
+  return flight.back().time < seconds - h;
+}
+
+std::vector<double> flips_of(const Flight& flight) {
+  std::vector<double> times;
+  for (std::size_t i = 1; i < flight.size(); ++i) {
+    const double before = flight[i - 1].spin().y(), now = flight[i].spin().y();
+    if (before * now < 0)
+      times.push_back(flight[i].time - (flight[i].time - flight[i - 1].time) * now / (now - before));
+  }
+  return times;
+}
+
+}  // namespace byhand::space

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <vector>
+
+#include "lessons/07_space/setting.hpp"
+#include "solver/integrate/gyroscopic.hpp"
+#include "solver/model.hpp"
+
+namespace byhand::space {
+
+/// The book's principal moments [kg m²] and its spin at first [rad/s], both about its own axes.
+Eigen::Vector3d moments_of(const Setting& setting);
+Eigen::Vector3d first_spin(const Setting& setting);
+
+/// A book that has been thrown, at one instant.
+struct Instant {
+  double time;  // [s]
+  Pose<SpaceBody> pose;
+  Eigen::Vector3d omega;     // in the world [rad/s]
+  Eigen::Vector3d momentum;  // Iω in the world [kg m²/s]
+  double energy;             // [J]
+
+  /// In the book's own axes [rad/s].
+  Eigen::Vector3d spin() const { return rotate(inverse(pose.rotation), omega); }
+};
+using Flight = std::vector<Instant>;
+
+/// The flight without gravity, from its start on, one instant a step of h [s]. It ends early once the spin passes
+/// a hundredfold of what it was.
+Flight thrown(const Setting& setting, Gyroscopic choice, double h, double seconds);
+
+/// The last instant of a flight by `time` [s].
+const Instant& at(const Flight& flight, double time);
+/// Whether it ended before it should.
+bool flew_apart(const Flight& flight, double seconds);
+/// The times at which the spin about the middle axis changes sign [s].
+std::vector<double> flips_of(const Flight& flight);
+
+}  // namespace byhand::space

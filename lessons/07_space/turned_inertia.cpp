@@ -1,0 +1,187 @@
+// Step 2: the inertia of (18) belongs to the body, and turns with it.
+
+#include <Eigen/LU>
+#include <cmath>
+
+#include "lessons/07_space/steps.hpp"
+#include "lessons/pictures/space_scene.hpp"
+#include "renderer/labels.hpp"
+#include "solver/constraints/pin.hpp"
+#include "solver/measure.hpp"
+
+namespace byhand::space {
+namespace {
+
+using namespace tutor;
+using namespace renderer;
+using M = SpaceBody;
+
+constexpr double fall = 3;  // [m/s]
+
+/// A body that falls and is caught by its corner on a nail at the origin.
+struct Catch {
+  Pose<M> pose;
+  InverseMass<M> mass;
+  Velocity<M> after = Velocity<M>::Zero();
+  Eigen::Vector3d before_L, after_L;  // angular momentum about the nail [kg m²/s]
+  double corner = 0;                  // how fast the corner still moves [m/s]
+
+  double lost() const { return (after_L - before_L).norm() / before_L.norm(); }
+};
+
+Bodies<M> bodies_of(const Catch& caught, const Velocity<M>& velocity) {
+  Bodies<M> bodies;
+  bodies.add({}, fixed<M>(), Velocity<M>::Zero());
+  bodies.add(caught.pose, caught.mass, velocity);
+  return bodies;
+}
+
+/// A box of `sides` [m], turned by `tilt` [rad] about an axis askew to all of its own.
+Catch fallen_on_a_nail(const Eigen::Vector3d& sides, double mass, double tilt, bool turned) {
+  Catch caught;
+  caught.mass = box<M>(mass, sides);
+  caught.pose.rotation = space_rotation(Angular<M>(tilt * Eigen::Vector3d(0.36, 0.48, 0.8)));
+  caught.pose.position = rotate(caught.pose.rotation, Eigen::Vector3d(-0.5 * sides));
+  Velocity<M> V = Velocity<M>::Zero(), ground = V;
+  V.y() = -fall;
+  const Bodies<M> bodies = bodies_of(caught, V);
+  caught.before_L = angular_momentum(bodies);
+  const Pin<M> nail = pin<M>(bodies, 0, 1, Linear<M>(0, 0, 0));
+
+  //! [caught]
+  Pose<M> seen = caught.pose;
+  if (!turned) seen.rotation = Eigen::Quaterniond::Identity();  // the mistake
+  const auto J = nail.jacobian(bodies.pose[0], caught.pose);
+  const auto W = times_inverse_mass(J, fixed<M>(), bodies.pose[0], caught.mass, seen);  // (18)
+  const Rows<3> lambda = -inverse_effective_mass(J, W).inverse() * dot(J, ground, V);   // (17), b = 0
+  apply_impulse(W, lambda, ground, V);                                                  // (20)
+  //! [caught]
+
+  caught.after = V;
+  caught.after_L = angular_momentum(bodies_of(caught, V));
+  caught.corner = dot(J, ground, V).norm();
+  return caught;
+}
+
+Chart over_tilt(double mass, double limit) {
+  Chart chart{.x = {.label = "turned by (deg)", .range = {{0, limit}}}, .y = {.label = "change of L (%)"}};
+  struct Body {
+    const char* name;
+    Eigen::Vector3d sides;
+    bool turned;
+  };
+  for (const Body& body :
+       {Body{"book, I left as it was", book_sides(), false}, Body{"book, RIRᵀ", book_sides(), true},
+        Body{"cube, I left as it was", {0.8, 0.8, 0.8}, false}}) {
+    Curve curve{.label = body.name};
+    if (body.sides.x() == body.sides.z()) curve.style = CurveStyle::markers;
+    for (double tilt = 0; tilt <= limit; tilt += curve.style == CurveStyle::markers ? 10 : 1) {
+      curve.x.push_back(tilt);
+      curve.y.push_back(100 * fallen_on_a_nail(body.sides, mass, radians(tilt), body.turned).lost());
+    }
+    chart.curves.push_back(std::move(curve));
+  }
+  return chart;
+}
+
+void draw_catch(Canvas& canvas, const Catch& caught, const std::string& words, const Rectangle& frame) {
+  const Rectangle below{frame.x, frame.y, frame.width, frame.height - 70};
+  Space space(pictures::from_aside({0, -0.15, 0}, 1.15, below, 0.6, 0.3));
+  space.ground({0, -1.25, 0}, 2.2, 0.4);
+  pictures::add_book(space, caught.pose, book_sides());
+  space.sphere({0, 0, 0}, 0.05, palette::fixed);
+  const double scale = 0.9 / caught.before_L.norm();
+  const Point3 before = scale * caught.before_L, after = scale * caught.after_L;
+  space.arrow({0, 0, 0}, before, 0.022, palette::theory);
+  if ((after - before).norm() > 0.01) space.arrow({0, 0, 0}, after, 0.022, palette::error);
+  canvas.draw(space);
+  Labels labels(canvas, below);
+  labels.avoid(Rectangle{space.project(before).x() - 4, space.project(before).y() - 4, 8, 8});
+  labels.place(space.project(before), (after - before).norm() > 0.01 ? "L before" : "L before and after",
+               {.size = 19, .colour = palette::theory, .halo = 3});
+  if ((after - before).norm() > 0.01)
+    labels.place(space.project(after), "L after", {.size = 19, .colour = palette::error, .halo = 3});
+  canvas.text({frame.centre().x(), frame.top() - 16}, words, {.size = 21, .bold = true});
+  canvas.text({frame.centre().x(), frame.top() - 46},
+              say("corner @ m/s,  L changed by @ %", Value(caught.corner < 1e-9 ? 0 : caught.corner, 2),
+                  Value(caught.lost() < 1e-9 ? 0 : 100 * caught.lost(), 3)),
+              {.size = 18, .colour = palette::muted});
+}
+
+}  // namespace
+
+void turned_inertia(const Setting& setting, Page& page) {
+  const double mass = setting.mass, tilt = radians(setting.tilt);
+  const Catch right = fallen_on_a_nail(book_sides(), mass, tilt, true),
+              wrong = fallen_on_a_nail(book_sides(), mass, tilt, false);
+  const Eigen::Vector3d moments = right.mass.angular.cwiseInverse();
+
+  page.text(
+      "(18) has I⁻¹ in it, and says nothing of its axes. In the plane there is one, and it never turns. A body in "
+      "space has three: this book of @ m and @ kg has the moments @ kg m² about its own x, y and z. Turn the book "
+      "and they turn with it. What the world sees is",
+      book_sides(), setting.mass, moments);
+  page.formula("I(world) = R I Rᵀ,   I⁻¹(world) = R I⁻¹ Rᵀ",
+               R"(I_{\text{world}} = R\,I\,R^{\mathsf T}, \qquad I^{-1}_{\text{world}} = R\,I^{-1}R^{\mathsf T})");
+  page.text("to be made anew whenever the body has turned, so in every step. `inverse_inertia` below does that:");
+  page.excerpt("solver/row.hpp", "18");
+  page.text(
+      "What if it is forgotten? The book falls flat at @ m/s, turned by @°, and its corner catches on a nail: a "
+      "pin, three rows, solved as a block. Here it is with the mistake as an option:",
+      fall, setting.tilt);
+  page.excerpt("lessons/07_space/turned_inertia.cpp", "caught");
+  page.choose(
+      {.ask = "The inertia is left in the body's axes, and the rows are solved. What can you tell it by?",
+       .options =
+           {{"JV is not zero: the corner moves on",
+             "λ is solved for with the same W that hands it on, so whatever M⁻¹ is, JV vanishes. You would see "
+             "nothing at the joint."},
+            {"the angular momentum about the nail has changed",
+             "Yes. The nail pushes at the point about which you count, so it cannot give any."}},
+       .answer = right.corner < 1e-9 && wrong.corner < 1e-9 ? 1 : 0,
+       .hint = "(17) divides by JM⁻¹Jᵀ and (20) multiplies by M⁻¹Jᵀ, with whatever M⁻¹ you gave them."});
+  page.figure(
+      "caught_on_a_nail",
+      say("The book just caught, with I turned (left) and left as it was (right). Both corners stand still. L is "
+          "the angular momentum about the nail, which the nail's push cannot change; on the right it has, by @ %.",
+          Value(100 * wrong.lost(), 3)),
+      [=](Canvas& canvas) {
+        const auto [left, beside] = canvas.page().inset(20).split_columns(0.5, 20);
+        draw_catch(canvas, right, "I⁻¹ turned: RI⁻¹Rᵀ", left);
+        draw_catch(canvas, wrong, "I⁻¹ in the body's axes", beside);
+      });
+  page.text(
+      "A symmetric joint looks calm, the body only turns about a wrong axis at a wrong rate. And the mistake "
+      "hides "
+      "well: a body that has not turned yet does not show it, nor does a ball or a cube, whose I is the same "
+      "about "
+      "every axis. So test with a book, and turn it first.");
+  page.figure(
+      "lost_by_tilt",
+      "How much of the angular momentum about the nail one solve changes, over how far the body was turned.",
+      over_tilt(mass, 90));
+  page.measure("change of L, I not turned", 100 * wrong.lost(), "%");
+
+  page.claim({.quantity = "speed of the corner, I not turned",
+              .unit = "m/s",
+              .expected = 0,
+              .source = "JV = 0, whatever M⁻¹",
+              .measured = wrong.corner,
+              .tolerance = absolute(1e-12 * fall)});
+  page.claim({.quantity = "change of L about the nail, I turned",
+              .unit = "1",
+              .expected = 0,
+              .source = "the push has no arm",
+              .measured = right.lost(),
+              .tolerance = absolute(1e-12)});
+  const Eigen::Matrix3d R = right.pose.rotation.toRotationMatrix(), I = moments.asDiagonal();
+  const Eigen::Vector3d missing = (R * I * R.transpose() - I) * wrong.after.tail<3>();
+  page.claim({.quantity = "change of L, I not turned",
+              .unit = "kg m²/s",
+              .expected = missing.norm(),
+              .source = "(RIRᵀ − I)ω",
+              .measured = (wrong.after_L - wrong.before_L).norm(),
+              .tolerance = absolute(1e-12 * right.before_L.norm())});
+}
+
+}  // namespace byhand::space

@@ -1,0 +1,178 @@
+// Step 7: friction in space has two axes, and one bound.
+
+#include <cmath>
+
+#include "lessons/07_space/pucks.hpp"
+#include "lessons/07_space/steps.hpp"
+#include "lessons/pictures/space_scene.hpp"
+
+namespace byhand::space {
+namespace {
+
+using namespace tutor;
+using namespace renderer;
+
+constexpr int pucks = 24;
+
+/// Pucks pushed off in all directions.
+std::vector<double> all_round() {
+  std::vector<double> headings;
+  for (int i = 0; i < pucks; ++i) headings.push_back(2 * pi * i / pucks);
+  return headings;
+}
+
+/// What the film shows: the ways of all pucks under either bound.
+struct Film {
+  std::vector<Way> pyramid, disc;
+  double h, reach, friction;
+
+  void draw_ways(Canvas& canvas, const std::vector<Way>& ways, const std::string& name, const Rectangle& frame,
+                 double time) const {
+    const Rectangle below{frame.x, frame.y, frame.width, frame.height - 40};
+    Space space(pictures::from_aside({0, 0, 0}, 1.12 * reach, below, 0.35, 0.75));
+    space.ground({0, 0, 0}, 1.9 * reach, reach / 2);
+    const double size = 0.045 * reach;
+    const auto last = static_cast<std::size_t>(std::floor(time / h + 1e-6));
+    for (const Way& way : ways) {
+      const std::size_t end = std::min(last, way.size() - 1), every = std::max<std::size_t>(1, end / 10);
+      const auto place = [&](std::size_t i) { return Point3(way[i].x(), size, way[i].y()); };
+      std::vector<Point3> trail;
+      for (std::size_t i = 0; i < end; i += every) trail.emplace_back(way[i].x(), 0.01 * reach, way[i].y());
+      trail.emplace_back(way[end].x(), 0.01 * reach, way[end].y());
+      pictures::add_trail(space, trail, 0.01 * reach, palette::velocity);
+      space.sphere(place(end), size, palette::highlight);
+    }
+    canvas.draw(space);
+    canvas.text({frame.centre().x(), frame.top() - 16}, name, {.size = 22, .bold = true});
+  }
+
+  void draw(Canvas& canvas, double time) const {
+    const auto [left, right] = canvas.page().inset(14).split_columns(0.5, 10);
+    draw_ways(canvas, pyramid, "each axis by itself", left, time);
+    draw_ways(canvas, disc, "both together: a disc", right, time);
+  }
+};
+
+Chart stopped_at(const Film& film, double disc) {
+  Chart chart{.x = {.label = "x (m)", .range = {{-0.1 * disc, 1.15 * disc}}},
+              .y = {.label = "z (m)", .range = {{-0.1 * disc, 1.15 * disc}}}};
+  Curve square{.label = "each axis", .style = CurveStyle::markers},
+      circle{.label = "disc", .style = CurveStyle::markers},
+      straight{.label = "|x| + |z| = v²/2μg", .style = CurveStyle::theory},
+      round{.label = "v²/2μg", .style = CurveStyle::theory};
+  for (int i = 0; i <= pucks / 4; ++i) {
+    square.x.push_back(film.pyramid[i].back().x());
+    square.y.push_back(film.pyramid[i].back().y());
+    circle.x.push_back(film.disc[i].back().x());
+    circle.y.push_back(film.disc[i].back().y());
+  }
+  straight.x = {0, disc};
+  straight.y = {disc, 0};
+  for (int i = 0; i <= 60; ++i) {
+    round.x.push_back(disc * std::cos(i * pi / 120));
+    round.y.push_back(disc * std::sin(i * pi / 120));
+  }
+  chart.curves = {square, circle, straight, round};
+  return chart;
+}
+
+}  // namespace
+
+void two_axes(const Setting& setting, Page& page) {
+  const double h = setting.h, v = setting.speed, a = setting.friction * gravity,
+               heading = radians(setting.heading);
+  const auto distance = [&](double angle, Bounds bounds, double turned = 0) {
+    return slide(setting, {angle}, bounds, turned)[0].back().norm();
+  };
+  const double disc = distance(pi / 4, Bounds::disc), pyramid = distance(pi / 4, Bounds::pyramid);
+  const Eigen::Vector2d closely = slide(setting, {heading}, Bounds::pyramid)[0].back();
+  const double final_heading = std::atan2(closely.y(), closely.x());
+
+  page.text(
+      "\"t is an axis of friction (2D has one axis, 3D has two)\", says the article at (16), and leaves it at "
+      "that. So "
+      "a contact in space has two rows of (16), along t₁ and t₂ at right angles:");
+  page.equation(16);
+  page.text(
+      "The bound was μ times the normal's λ. In the plane that is an interval. The obvious way is to hold each of "
+      "the "
+      "two rows to it, by itself:");
+  page.excerpt("lessons/07_space/pucks.cpp", "pyramid");
+  page.predict(
+      {.ask = say("Pucks are pushed off at @ m/s, μ = @. One slides along t₁, and stops after some distance. The "
+                  "other slides at 45° between t₁ and t₂. How far does that one get, over a right one's distance?",
+                  setting.speed, setting.friction),
+       .answer = pyramid / disc,
+       .unit = "1",
+       .tolerance = 0.03,
+       .wrong = {{1, "Two full bounds at right angles add up to √2μ."},
+                 {0.5, "Two full bounds, but at right angles: they add up to √2, not to 2."}},
+       .hint = "Both rows brake with all of μmg. How long is the sum of the two?",
+       .right = say("1/√2 = @, and a little less for a finite step.", 1 / std::sqrt(2.0))});
+  const std::vector<double> headings = all_round();
+  const Film film{slide(setting, headings, Bounds::pyramid), slide(setting, headings, Bounds::disc), h,
+                  v * v / (2 * a), setting.friction};
+  page.sequence(
+      "pyramid_and_disc",
+      say("@ pucks pushed off in all directions at @ m/s. Left: each axis clamped by itself. Right: the two "
+          "impulses scaled together. In nature no direction is special.",
+          pucks, setting.speed),
+      Seconds{std::min(2.5, 1.15 * v / a)}, [film](Canvas& canvas, double time) { film.draw(canvas, time); });
+  page.text(
+      "Two things are wrong on the left. Between the axes the brake is stronger, up to √2. And where one axis has "
+      "less to stop it is done sooner, so the way *bends*: v₁ is gone after v₁/μg, v₂ after v₂/μg. Distances go "
+      "with "
+      "the square, so a puck that sets out at φ stops at the angle");
+  page.formula("tan φ' = tan² φ:  from @° to @°", R"(\tan\varphi' = \tan^2\varphi: \quad @^\circ \to @^\circ)",
+               setting.heading, degrees(std::atan(std::pow(std::tan(heading), 2))));
+  page.text(
+      "and all of them stop on a square: cos²φ + sin²φ = 1. What is more, the axes are nobody's but the solver's: "
+      "turn t₁ and t₂ by 45°, and another puck is the favoured one. Coulomb's law knows one number, the length of "
+      "the impulse. So the two rows are one block, solved together and scaled together to a disc:");
+  page.excerpt("solver/system.hpp", "bound");
+  page.figure("where_they_stop",
+              "Where the pucks of a quarter stop, seen from above. Dashed: what each bound should give.",
+              stopped_at(film, v * v / (2 * a)));
+  page.measure("distance at 45°, each axis over disc", pyramid / disc, "1");
+  page.measure("heading at the end, each axis", degrees(final_heading), "deg");
+
+  const auto stop = [&](double share) { return stopping_distance(share * v, a, h); };
+  const double root = std::sqrt(0.5), within = 1e-9 * v * v / a;
+  page.claim({.quantity = "distance at 45°, each axis over disc",
+              .unit = "1",
+              .expected = std::sqrt(2.0) * stop(root) / stop(1),
+              .source = "√2·s(v/√2)/s(v), s summed step by step",
+              .measured = pyramid / disc,
+              .tolerance = relative(1e-8)});
+  page.claim({.quantity = say("where the puck at @° stops, each axis: x", setting.heading),
+              .unit = "m",
+              .expected = stop(std::cos(heading)),
+              .source = "one axis by itself",
+              .measured = closely.x(),
+              .tolerance = absolute(within)});
+  page.claim({.quantity = "the same, z",
+              .unit = "m",
+              .expected = stop(std::sin(heading)),
+              .source = "one axis by itself",
+              .measured = closely.y(),
+              .tolerance = absolute(within)});
+  double nearest = INFINITY, farthest = 0;
+  for (const Way& way : film.disc) {
+    nearest = std::min(nearest, way.back().norm());
+    farthest = std::max(farthest, way.back().norm());
+  }
+  page.claim({.quantity = "disc: nearest of all directions",
+              .unit = "m",
+              .expected = stop(1),
+              .source = "the plane's",
+              .measured = nearest,
+              .tolerance = absolute(within)});
+  page.claim({.quantity = "disc: farthest of all directions",
+              .unit = "m",
+              .expected = stop(1),
+              .source = "the plane's",
+              .measured = farthest,
+              .tolerance = absolute(within)});
+}
+
+}  // namespace byhand::space
