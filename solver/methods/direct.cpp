@@ -47,6 +47,21 @@ inline bool invert(double* A, const double* diagonal, Size n) {
       return true;
     }
   }
+  if constexpr (std::is_same_v<Size, std::integral_constant<int, 3>>) {
+    const double c00 = A[4] * A[8] - A[5] * A[5], c01 = A[5] * A[2] - A[1] * A[8], c02 = A[1] * A[5] - A[4] * A[2];
+    const double determinant = A[0] * c00 + A[1] * c01 + A[2] * c02;
+    if (std::abs(determinant) > smallest_pivot * std::abs(diagonal[0] * diagonal[1] * diagonal[2])) {
+      const double inverse = 1 / determinant;
+      const double c11 = A[0] * A[8] - A[2] * A[2], c12 = A[1] * A[2] - A[0] * A[5], c22 = A[0] * A[4] - A[1] * A[1];
+      A[0] = c00 * inverse;
+      A[4] = c11 * inverse;
+      A[8] = c22 * inverse;
+      A[1] = A[3] = c01 * inverse;
+      A[2] = A[6] = c02 * inverse;
+      A[5] = A[7] = c12 * inverse;
+      return true;
+    }
+  }
   bool regular = true;
   for (int p = 0; p < n; ++p) {
     double* row = A + p * n;
