@@ -39,6 +39,7 @@ void note_approach(const System<M>& system, const std::vector<Velocity<M>>& velo
   });
 }
 
+//! [bounce]
 template <class M>
 bool set_bounce(const std::vector<double>& approach, double threshold, System<M>& system) {
   bool any = false;
@@ -49,6 +50,7 @@ bool set_bounce(const std::vector<double>& approach, double threshold, System<M>
   });
   return any;
 }
+//! [bounce]
 
 template <class M>
 void forget_bounce(const std::vector<double>& approach, double threshold, System<M>& system) {
