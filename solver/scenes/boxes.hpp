@@ -64,6 +64,7 @@ void kick(S& scene, double speed) {
   auto& bodies = scene.bodies;
   double top = 0;
   for (const auto& pose : bodies.pose) top = std::max(top, pose.position.y());
+  require_positive("height of the topmost body", top, "m");
   for (int i = 0; i < bodies.size(); ++i)
     if (moves(bodies.inverse_mass[i])) bodies.velocity[i].x() += speed * bodies.pose[i].position.y() / top;
 }
