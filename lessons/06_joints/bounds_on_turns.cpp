@@ -1,0 +1,221 @@
+// Step 5: stops and motors, which are one row between two bounds.
+
+#include <cmath>
+
+#include "lessons/06_joints/mechanism.hpp"
+#include "lessons/06_joints/steps.hpp"
+#include "lessons/pictures/growing.hpp"
+#include "solver/constraints/limit.hpp"
+#include "solver/constraints/motor.hpp"
+#include "solver/scenes/pendulum.hpp"
+#include "solver/simulation.hpp"
+
+namespace byhand::joints {
+namespace {
+
+using namespace tutor;
+using namespace renderer;
+using M = PlaneBody;
+using Held = Simulation<Scene<M, Pin, AngleLimit, AngleMotor>>;
+
+constexpr double seconds = 1.6, settles = 6;      // [s]
+constexpr double stop_at = pi / 3, enough = 0.6;  // below level [rad]; a motor that can hold [mgl]
+
+/// A uniform bar hinged at the origin, at rest at an angle below level [rad].
+Held arm(const Setting& setting, double below) {
+  const auto rod = hinged_rod(pi / 2 - below, setting.length, setting.mass);
+  Held arm{{}, {.solver = Direct{}, .drift = Baumgarte{setting.beta}}};
+  arm.scene.bodies = rod.bodies;
+  arm.scene.add(rod.all<Pin>()[0]);
+  return arm;
+}
+
+Turn<M> turn_of(const Held& arm) { return turn<M>(arm.scene.bodies, 0, 1); }
+
+double weight_moment(const Setting& setting) { return setting.mass() * gravity * setting.length(); }
+
+/// An arm that a motor of some strength [mgl] tries to hold where it is.
+Held held(const Setting& setting, double strength, double below = 0) {
+  Held held = arm(setting, below);
+  held.scene.add(motor<M>(turn_of(held), 0, strength * weight_moment(setting)));
+  return held;
+}
+
+Held stopped(const Setting& setting) {
+  Held stopped = arm(setting, 0);
+  stopped.scene.add(at_least<M>(-stop_at, turn_of(stopped)));
+  return stopped;
+}
+
+/// Below level [rad].
+double below_level(const Held& arm) {
+  const auto& rotation = arm.scene.bodies.pose[1].rotation;
+  return std::atan2(rotation.cos, rotation.sin);
+}
+
+/// What the bounded row gives [mgl].
+double moment(const Held& arm, const Setting& setting) {
+  const auto& system = arm.work.system;
+  return system.rows() == 0 ? 0 : system.lambda[system.row_of[1]] / arm.work.h / weight_moment(setting);
+}
+
+Held after(Held arm, double time, double h) {
+  while (arm.time < time - h / 2) arm.step(h);
+  return arm;
+}
+
+/// Where a brake of that strength [mgl] has used up what gravity gave: ½ sin φ = s φ [rad].
+double braked_at(double strength) {
+  double low = 1e-6, high = pi;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = (low + high) / 2;
+    (0.5 * std::sin(middle) > strength * middle ? low : high) = middle;
+  }
+  return (low + high) / 2;
+}
+
+struct Shown {
+  std::string name;
+  Held arm;
+};
+
+struct Film {
+  std::vector<Shown> shown;
+  Setting setting;
+  Chart beside;
+
+  void draw(Canvas& canvas, double time) {
+    const double length = setting.length(), h = setting.h();
+    const auto [upper, lower] = canvas.page().inset(14).split_rows(0.56, 8);
+    const auto cells = upper.cells(1, static_cast<int>(shown.size()), 10);
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+      Held& arm = shown[i].arm;
+      arm = after(arm, time, h);
+      canvas.text({cells[i].centre().x(), cells[i].top() - 14}, shown[i].name,
+                  {.size = 20, .colour = palette::series(static_cast<int>(i)), .bold = true});
+      const Rectangle below{cells[i].x, cells[i].y, cells[i].width, cells[i].height - 34};
+      canvas.look(fit({-0.75 * length, -1.1 * length, 1.9 * length, 1.5 * length}, below, 4));
+      if (i == 0) draw_stop(canvas, {0, 0}, -stop_at - 0.09, length);
+      canvas.anchor({0, 0}, {0, -1});
+      draw_bar(canvas, {{0, 0}, 2 * arm.scene.bodies.pose[1].position});
+      canvas.hinge({0, 0});
+      const double given = std::min(moment(arm, setting), 1.0), phi = -below_level(arm);
+      if (given > 1e-6)
+        draw_turn(canvas, {0, 0}, phi - 0.12 - 3 * given, phi - 0.12, 0.42 * length, {palette::force, 4});
+      canvas.look_at_page();
+    }
+    renderer::draw(canvas, pictures::grown_to(beside, time), lower);
+  }
+};
+
+}  // namespace
+
+void bounds_on_turns(const Setting& setting, Page& page) {
+  const double h = setting.h(), strength = setting.strength();
+  page.text(
+      "A stop and a motor share one row, the turn's J = [0 −1 0 1]. What makes them two things is where λ may go, "
+      "and the solver holds that with the line you know from contacts:");
+  page.excerpt("solver/system.hpp", "bound");
+  page.formula("stop:  JV ≥ −(β/h)C,  0 ≤ λ        motor:  JV = s,  |λ| ≤ τh",
+               R"(\text{stop: } JV \ge -\tfrac{\beta}{h}C,\ 0 \le \lambda \qquad
+                  \text{motor: } JV = s,\ |\lambda| \le \tau h)");
+  page.text(
+      "The bound is on the *impulse* of a step, so a strength in N m is multiplied by h. (Forget that and a motor "
+      "is twice as strong at twice the frame rate.) Take a bar of @ m and @ kg, hinged at one end, held level and "
+      "let go. To hold it there takes mgl/2 = @ N m.",
+      setting.length, setting.mass, 0.5 * weight_moment(setting));
+
+  const double law = braked_at(strength), balance = strength < 0.5 ? std::acos(2 * strength) : 0;
+  const Held weak = held(setting, strength), at_rest = after(weak, settles, h);
+  const double rest = below_level(at_rest);
+  const bool brakes = strength >= 0.24 && strength <= 0.48;
+  if (brakes)
+    page.predict(
+        {.ask = say("A motor of at most @ mgl is told to hold the bar (s = 0). It is too weak by far. How many "
+                    "degrees below level does the bar come to rest?",
+                    setting.strength),
+         .answer = degrees(rest),
+         .unit = "°",
+         .tolerance = 3,
+         .wrong = {{degrees(balance),
+                    "There its strength balances the weight's moment. But the bar arrives with "
+                    "speed, and it takes more way to spend that."},
+                   {90, "So it would with no motor at all and some friction; this one still pushes back there."},
+                   {0, "It needs mgl/2 there, and has not got it."}},
+         .hint =
+             "At its bound it is a brake that always gives the same. Gravity's work is ½mgl sin φ; what is the "
+             "brake's?",
+         .right = "There ½ sin φ = φ times the strength over mgl, and from there on it can hold."});
+  page.text(
+      "All the way down its λ sits on the bound, so it takes the energy τφ. Gravity gave ½mgl sin φ. They are "
+      "equal "
+      "at @°, beyond the lowest point if the motor is weak; there the weight needs only @ mgl, which is less than "
+      "it has, and the motor holds. If you *set the bar down gently*, the answer is another one: it stays from "
+      "arccos(2τ/mgl) = @° on.",
+      Value(degrees(law), 4), Value(0.5 * std::abs(std::cos(law)), 3), Value(degrees(balance), 4));
+  const std::vector<Shown> shown{{say("stop at @°", Value(degrees(stop_at), 3)), stopped(setting)},
+                                 {say("motor of @ mgl", enough), held(setting, enough)},
+                                 {say("motor of @ mgl", setting.strength), weak}};
+  Chart chart{.x = {.label = "time (s)"}, .y = {.label = "moment (mgl)", .range = {{-0.05, 1}}}};
+  for (const Shown& one : shown) {
+    Curve curve{.label = one.name};
+    Held now = one.arm;
+    while (now.time < seconds - h / 2) {
+      now.step(h);
+      curve.x.push_back(now.time);
+      curve.y.push_back(std::min(moment(now, setting), 1.0));
+    }
+    chart.curves.push_back(curve);
+  }
+  chart.references.push_back({Reference::Across::y, 0.5, "the weight's moment, level"});
+  page.sequence(
+      "stop_and_motors",
+      "A bar let go level, and the moment that its stop or motor gives it (λ/h; the blow of the stop goes "
+      "off the chart). The arrows are that moment.",
+      Seconds{seconds},
+      [film = Film{shown, setting, chart}](Canvas& canvas, double time) mutable { film.draw(canvas, time); });
+
+  const Held on_stop = after(shown[0].arm, settles, h), holds = after(shown[1].arm, settles, h);
+  page.text(
+      "The stop gives nothing for @°, one blow when the bar arrives, and then what the bar leans on it "
+      "with: ½mgl cos @° = @ mgl. The strong motor gives exactly the weight's moment and not its strength: a "
+      "bound "
+      "is no command. Only the weak one knows its bound.",
+      Value(degrees(stop_at), 3), Value(degrees(stop_at), 3), Value(moment(on_stop, setting), 4));
+  page.measure("the weak motor's bar at rest, below level", degrees(rest), "°");
+  page.claim({.quantity = "where the weak motor stops the bar, below level",
+              .unit = "rad",
+              .expected = law,
+              .source = "½ sin φ = (τ/mgl) φ",
+              .measured = rest,
+              .tolerance = absolute(2 * h * h * gravity / setting.length + 1e-3),
+              .claimed = brakes && h * h * gravity / setting.length < 0.01,
+              .range = "0.24 ≤ strength ≤ 0.48 mgl, gh² < L/100"});
+  for (const double share : {0.98, 1.02}) {
+    const double set_down = std::acos(std::min(1.0, 2 * strength)) / share;
+    const bool stays = share < 1;
+    const double moves = std::abs(below_level(after(held(setting, strength, set_down), 2, h)) - set_down);
+    page.claim({.quantity = say("set down gently at @°, it moves in two seconds by", Value(degrees(set_down), 4)),
+                .unit = "rad",
+                .expected = stays ? 1e-9 : 0.02,
+                .source = stays ? "½ cos φ < τ/mgl" : "½ cos φ > τ/mgl",
+                .measured = moves,
+                .tolerance = stays ? at_most() : at_least(),
+                .claimed = strength <= 0.48 && strength >= 0.05,
+                .range = "0.05 ≤ strength ≤ 0.48 mgl"});
+  }
+  page.claim({.quantity = "what the stop carries at rest",
+              .unit = "mgl",
+              .expected = 0.5 * std::cos(stop_at),
+              .source = "½ cos φ",
+              .measured = moment(on_stop, setting),
+              .tolerance = absolute(1e-3)});
+  page.claim({.quantity = "what the strong motor gives",
+              .unit = "mgl",
+              .expected = 0.5,
+              .source = "the weight's moment",
+              .measured = moment(holds, setting),
+              .tolerance = absolute(1e-9)});
+}
+
+}  // namespace byhand::joints

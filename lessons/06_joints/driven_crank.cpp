@@ -1,0 +1,231 @@
+// Step 6: a motor, a crank, a rod and a piston.
+
+#include <cmath>
+
+#include "lessons/06_joints/linkage.hpp"
+#include "lessons/06_joints/mechanism.hpp"
+#include "lessons/06_joints/steps.hpp"
+#include "lessons/pictures/growing.hpp"
+#include "solver/exact/slider_crank.hpp"
+#include "solver/scenes/slider_crank.hpp"
+
+namespace byhand::joints {
+namespace {
+
+using namespace tutor;
+using namespace renderer;
+using Machine = Simulation<Scene<PlaneBody, Pin, Slider, AngleMotor>>;
+
+constexpr double turns = 1.5;  // of the crank, watched
+constexpr double start = 0.3;  // of the crank [rad]
+enum Body { ground, crank, rod, piston };
+constexpr int motor_row = 4;
+constexpr int finer = 4;  // steps for one of the lesson's: forces are known to the first order in h
+
+SliderCrankOptions options_of(const Setting& setting) {
+  SliderCrankOptions machine;
+  machine.crank = setting.crank;
+  machine.rod = setting.length;
+  machine.crank_mass = machine.rod_mass = machine.piston_mass = setting.mass;
+  machine.speed = setting.speed;
+  machine.strength = 1e9;
+  machine.angle = start;
+  return machine;
+}
+
+Machine machine_of(const SliderCrankOptions& options) { return {slider_crank(options), exactly()}; }
+
+/// Kinetic energy of the whole machine over ½ω², a moment of inertia that the crank's angle decides [kg m²].
+double inertia_at(const SliderCrankOptions& machine, double angle) {
+  const SliderCrank exact(machine.crank, machine.rod);
+  const double r = machine.crank, x = r * std::cos(angle), y = r * std::sin(angle);
+  const double rod_speed = -x / std::sqrt(machine.rod * machine.rod - y * y), slide = exact.speed(angle);
+  const Point middle((slide - y) / 2, x / 2);  // velocity of the rod's centre over ω
+  return machine.crank_mass * r * r / 3 + machine.piston_mass * slide * slide +
+         machine.rod_mass * (middle.squaredNorm() + std::pow(machine.rod * rod_speed, 2) / 12);
+}
+
+/// The motor's moment at a steady speed: τω is what the kinetic energy gains [N m].
+double moment_at(const SliderCrankOptions& machine, double angle) {
+  const double d = 1e-5;
+  return 0.5 * machine.speed * machine.speed * (inertia_at(machine, angle + d) - inertia_at(machine, angle - d)) /
+         (2 * d);
+}
+
+/// What the machine did, beside its closed form.
+struct Run {
+  Curve position{.label = "piston"}, moment{.label = "motor"};
+  double position_off = 0, moment_off = 0, speed_off = 0;  // largest [m], [N m], [rad/s]
+};
+
+Run run_of(const SliderCrankOptions& options, double h) {
+  const SliderCrank exact(options.crank, options.rod);
+  Machine machine = machine_of(options);
+  Run run;
+  const double end = turns * 2 * pi / options.speed;
+  while (machine.time < end - h / 2) {
+    machine.step(h);
+    const double angle = options.angle + options.speed * machine.time;
+    const double x = machine.scene.bodies.pose[piston].position.x();
+    const auto& system = machine.work.system;
+    const double moment = system.lambda[system.row_of[motor_row]] / h;
+    run.position_off = std::max(run.position_off, std::abs(x - exact.position(angle)));
+    run.speed_off = std::max(run.speed_off, std::abs(machine.scene.bodies.velocity[crank][2] - options.speed));
+    // An impulse changes V from the middle of the last step to that of this one. The first step has no last.
+    if (machine.time > 1.5 * h)
+      run.moment_off = std::max(run.moment_off, std::abs(moment - moment_at(options, angle - options.speed * h)));
+    run.position.x.push_back(machine.time);
+    run.position.y.push_back(x);
+    run.moment.x.push_back(machine.time);
+    run.moment.y.push_back(machine.time > 1.5 * h ? moment : NAN);
+  }
+  return run;
+}
+
+struct Film {
+  Machine machine;
+  SliderCrankOptions options;
+  double h;
+  Chart position, moment;
+
+  void draw(Canvas& canvas, double time) {
+    while (machine.time < time - 0.5 * h) machine.step(h);
+    const auto [upper, lower] = canvas.page().inset(14).split_rows(0.46, 8);
+    const double r = options.crank, l = options.rod;
+    const auto& pose = machine.scene.bodies.pose;
+    canvas.look(fit({-1.3 * r, -1.3 * r, l + 3.1 * r, 2.6 * r}, upper, 4));
+    canvas.clip(upper);
+    draw_rail(canvas, {l, -0.36 * r}, 0, 1.5 * r);
+    draw_rail(canvas, {l, 0.36 * r}, 0, 1.5 * r);
+    canvas.anchor({0, 0});
+    canvas.box(pose[piston].position, {0.6 * r, 0.6 * r}, 0);
+    draw_bar(canvas, bar_of(pose[rod], l), 14);
+    draw_bar(canvas, bar_of(pose[crank], r), 18);
+    for (const Point& at : {bar_of(pose[crank], r).from, bar_of(pose[rod], l).from, bar_of(pose[rod], l).to})
+      canvas.hinge(at);
+    const auto& system = machine.work.system;
+    if (system.rows() > 0) {
+      const double given = system.lambda[system.row_of[motor_row]] / machine.work.h,
+                   most = ranges(moment).y.second;
+      if (std::abs(given) > 0.02 * most)
+        draw_turn(canvas, {0, 0}, -pi / 2, -pi / 2 + std::clamp(2 * given / most, -2.0, 2.0), 0.75 * r,
+                  {palette::force, 4});
+    }
+    canvas.clip({});
+    canvas.look_at_page();
+    const auto charts = lower.cells(1, 2, 20);
+    renderer::draw(canvas, pictures::grown_to(position, time), charts[0]);
+    renderer::draw(canvas, pictures::grown_to(moment, time), charts[1]);
+  }
+};
+
+}  // namespace
+
+void driven_crank(const Setting& setting, Page& page) {
+  const SliderCrankOptions options = options_of(setting);
+  const SliderCrank exact(options.crank, options.rod);
+  const double h = setting.h / finer, r = options.crank, l = options.rod, end = turns * 2 * pi / options.speed;
+  const double turn = options.speed * h;
+  const Run run = run_of(options, h), fine = run_of(options, h / 2);
+
+  page.text(
+      "Every joint of this lesson in one machine: a motor turns a crank of @ m at @ rad/s, a rod of @ m joins it "
+      "by "
+      "two pins to a piston, and a slider keeps the piston on its way. Three bodies of @ kg are nine numbers; "
+      "three "
+      "pins and a slider take eight, and the motor's row the last. Nothing is left to chance, so there is a "
+      "closed "
+      "form for all of it:",
+      setting.crank, setting.speed, setting.length, setting.mass);
+  page.formula("x = r cos θ + √(l² − r² sin² θ),   θ = θ₀ + ωt,   τ = ½ω² dI/dθ",
+               R"(x = r\cos\theta + \sqrt{l^2 - r^2\sin^2\theta},\quad \theta = \theta_0 + \omega t,\quad
+                  \tau = \tfrac12\omega^2\,\frac{dI}{d\theta})");
+  page.text(
+      "I(θ) is what the machine's kinetic energy is over ½ω²: the crank's own @ kg m², and what rod and piston "
+      "add, "
+      "which the angle decides. The motor pays for every rise of it and is paid back at every fall.",
+      Value(options.crank_mass * r * r / 3, 3));
+
+  double peak = 0;
+  Curve position{.label = "closed form", .style = CurveStyle::theory}, moment = position;
+  for (int i = 0; i <= 240; ++i) {
+    const double t = i * end / 240, angle = start + options.speed * t;
+    position.x.push_back(t);
+    position.y.push_back(exact.position(angle));
+    moment.x.push_back(t);
+    moment.y.push_back(moment_at(options, angle));
+    peak = std::max(peak, std::abs(moment.y.back()));
+  }
+  Film film{machine_of(options),
+            options,
+            h,
+            {.x = {.label = "time (s)"}, .y = {.label = "piston (m)"}, .curves = {run.position, position}},
+            {.x = {.label = "time (s)"},
+             .y = {.label = "motor's moment (N m)", .range = {{-1.3 * peak, 1.3 * peak}}},
+             .curves = {run.moment, moment}}};
+  page.sequence(
+      "slider_crank",
+      "One turn and a half of the crank, all rows solved at once (β = 1). Orange: the motor's moment. Dashed: the "
+      "closed forms, which the solver has never seen.",
+      Seconds{std::min(end, 3.0)}, [film](Canvas& canvas, double time) mutable { film.draw(canvas, time); });
+  page.predict(
+      {.ask = say("The motor turns twice as fast. By what factor does the peak of its moment grow? (Now it "
+                  "is @ N m.)",
+                  Value(peak, 3)),
+       .answer =
+           [&] {
+             SliderCrankOptions fast = options;
+             fast.speed *= 2;
+             return moment_at(fast, 1) / moment_at(options, 1);
+           }(),
+       .unit = "1",
+       .tolerance = 0.1,
+       .wrong = {{2,
+                  "The energy goes with the square of the speed. (The power, moment times speed, goes "
+                  "with its cube.)"},
+                 {8, "That is the power; the moment is the power over the speed."}},
+       .hint = "There is no gravity here: all that the motor does is to give and take kinetic energy."});
+  page.text(
+      "The crank turns at exactly its speed (off by @ rad/s at most): a motor with strength to spare is a row "
+      "like any other. The piston is off by @ mm at most, @ of that at half the step; that is the tangent of "
+      "every "
+      "step, (ωh)², with ωh = @ here.",
+      Value(run.speed_off, 1), Value(1000 * run.position_off, 3), Value(fine.position_off / run.position_off, 2),
+      Value(turn, 3));
+
+  const bool calm = turn <= 0.04 && l >= 1.5 * r;
+  const std::string range = "ωh ≤ 0.04, l ≥ 1.5 r";
+  page.measure("piston off at most", 1000 * run.position_off, "mm");
+  page.claim({.quantity = "crank's speed, largest difference",
+              .unit = "rad/s",
+              .expected = 0,
+              .source = "the motor's own row",
+              .measured = run.speed_off,
+              .tolerance = absolute(1e-9 * options.speed)});
+  page.claim({.quantity = "piston beside its closed form, largest difference",
+              .unit = "m",
+              .expected = 0,
+              .source = "r cos θ + √(l² − r² sin² θ)",
+              .measured = run.position_off,
+              .tolerance = absolute(turn * turn * r),
+              .claimed = calm,
+              .range = range});
+  page.claim({.quantity = "the same, h over h/2",
+              .unit = "1",
+              .expected = 4,
+              .source = "second order",
+              .measured = run.position_off / fine.position_off,
+              .tolerance = absolute(1),
+              .claimed = calm,
+              .range = range});
+  page.claim({.quantity = "motor's moment beside its closed form, largest difference over the peak",
+              .unit = "1",
+              .expected = 0,
+              .source = "½ω² dI/dθ",
+              .measured = run.moment_off / peak,
+              .tolerance = absolute(6 * turn),
+              .claimed = calm,
+              .range = range});
+}
+
+}  // namespace byhand::joints

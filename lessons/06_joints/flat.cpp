@@ -1,0 +1,291 @@
+// Step 4: rows that repeat what others say, at one pose or at all of them.
+
+#include <cmath>
+
+#include "lessons/06_joints/dense.hpp"
+#include "lessons/06_joints/linkage.hpp"
+#include "lessons/06_joints/steps.hpp"
+#include "lessons/pictures/rods_and_bobs.hpp"
+#include "solver/measure.hpp"
+
+namespace byhand::joints {
+namespace {
+
+using namespace tutor;
+using namespace renderer;
+
+constexpr double seconds = 1.8, misfit = 1e-3, shown_share = 1e-9;  // [s], [m], regularisation [1]
+
+Eigen::MatrixXd jacobian_at(const Setting& setting, double from_flat, int arms = 2) {
+  return dense_jacobian(four_bar(bars_of(setting, pi / 2 - from_flat, arms)));
+}
+
+double least_at(const Setting& setting, double from_flat) {
+  return least_eigenvalue(dense_matrix(four_bar(bars_of(setting, pi / 2 - from_flat))));
+}
+
+/// What the direct solve says to a scene, or nothing.
+std::string complaint(FourBar linkage, double h) {
+  linkage.method = exactly();
+  try {
+    linkage.step(h);
+    return "";
+  } catch (const SingularSystem& error) {
+    return error.what();
+  }
+}
+
+/// A flat linkage whose right-hand pivot was set `misfit` too far out, regularised by that share of A, after a
+/// step: the impulse along the bars [N s].
+double self_pull(const Setting& setting, double share) {
+  FourBar linkage{four_bar(bars_of(setting, pi / 2)),
+                  {.solver = Direct{.regularisation = share}, .drift = Baumgarte{setting.beta}}};
+  linkage.scene.all<Pin>()[2].at.arms.first.x() += misfit;
+  linkage.step(setting.h);
+  return std::abs(linkage.work.system.lambda[linkage.work.system.row_of[0]]);
+}
+
+/// The same by hand: the bars' rows along the line all say one thing, and ε Σ A of them is all that answers.
+double self_pull_by_hand(const Setting& setting, double share) {
+  return setting.beta / setting.h * misfit / (share * (4 / setting.mass() + 2 / setting.coupler()));
+}
+
+/// How fast the pins of a flat linkage part in the first step of its fall [m/s].
+double parting_speed(const Setting& setting, double share) {
+  FourBar linkage{four_bar(bars_of(setting, pi / 2)), exactly(share)};
+  const Eigen::MatrixXd J = dense_jacobian(linkage.scene);
+  linkage.step(setting.h);
+  Eigen::VectorXd V(J.cols());
+  for (int body = 1; body <= 3; ++body) V.segment<3>(3 * (body - 1)) = linkage.scene.bodies.velocity[body];
+  return (J * V).cwiseAbs().maxCoeff();
+}
+
+/// The flat linkage set going, without gravity, with its second arm at `speed` [rad/s] and its first at that times
+/// `ratio`.
+FourBar sent_off(const Setting& setting, double speed, double ratio) {
+  const FourBarOptions bars = bars_of(setting, pi / 2);
+  FourBar linkage{four_bar(bars), exactly(shown_share)};
+  linkage.scene.gravity.setZero();
+  const double left = bars.arm * speed * ratio, right = bars.arm * speed;  // of the arms' free ends, upwards
+  auto& V = linkage.scene.bodies.velocity;
+  V[1] = {0, left / 2, speed * ratio};
+  V[2] = {0, right / 2, speed};
+  V[3] = {0, (left + right) / 2, (right - left) / bars.coupler};
+  return linkage;
+}
+
+/// ω₁/ω₂ with which the linkage leaves the flat pose crossed.
+double crossed_ratio(const FourBarOptions& bars) { return -(bars.coupler - bars.arm) / (bars.coupler + bars.arm); }
+
+double from_level(const FourBar& linkage, int arm) { return arm_angle(linkage, arm) - pi / 2; }
+
+/// How far a crossed linkage is from its closed form tan(θ₂/2) = tan(θ₁/2)/ratio, θ from level, at most until
+/// `time` [rad].
+double off_the_crossed_way(FourBar linkage, double ratio, double h, double time) {
+  double worst = 0;
+  while (linkage.time < time - h / 2) {
+    linkage.step(h);
+    const double second = 2 * std::atan(std::tan(from_level(linkage, 1) / 2) / ratio);
+    worst = std::max(worst, std::abs(std::remainder(from_level(linkage, 2) - second, 2 * pi)));
+  }
+  return worst;
+}
+
+/// What is left of its kinetic energy after `time` [1].
+double kept_energy(FourBar linkage, double h, double time) {
+  const double before = kinetic_energy(linkage.scene.bodies);
+  while (linkage.time < time - h / 2) linkage.step(h);
+  return kinetic_energy(linkage.scene.bodies) / before;
+}
+
+struct Way {
+  std::string name;
+  FourBar linkage;
+  std::vector<Point> trail = {};  // of the coupler's middle
+};
+
+struct Film {
+  std::vector<Way> ways;
+  FourBarOptions bars;
+  double h;
+
+  void draw(Canvas& canvas, double time) {
+    const auto cells = canvas.page().inset(16).cells(1, static_cast<int>(ways.size()), 16);
+    const double a = bars.arm, c = bars.coupler;
+    for (std::size_t i = 0; i < ways.size(); ++i) {
+      auto& [name, linkage, trail] = ways[i];
+      if (trail.empty()) trail.push_back(linkage.scene.bodies.pose[3].position);
+      while (linkage.time < time - 0.5 * h) {
+        linkage.step(h);
+        trail.push_back(linkage.scene.bodies.pose[3].position);
+      }
+      canvas.text({cells[i].centre().x(), cells[i].top() - 20}, name, {.size = 24, .bold = true});
+      const Rectangle below{cells[i].x, cells[i].y, cells[i].width, cells[i].height - 44};
+      canvas.look(fit({-1.1 * a, -1.25 * a, c + 2.2 * a, 2.5 * a}, below, 4));
+      canvas.clip(below);
+      canvas.line({0, 0}, {c, 0}, {palette::grid, 3});
+      if (trail.size() > 1) canvas.trail(trail, {palette::velocity, 3});
+      pictures::draw(canvas, pictures::rods_and_bobs(linkage.scene));
+      canvas.clip({});
+      canvas.look_at_page();
+    }
+  }
+};
+
+}  // namespace
+
+void flat(const Setting& setting, Page& page) {
+  const FourBarOptions bars = bars_of(setting, pi / 2);
+  const double h = setting.h();
+  const Eigen::MatrixXd J = jacobian_at(setting, 0), three = jacobian_at(setting, radians(30), 3);
+  const int at_flat = rank(J), rank_of_three = rank(three), rows_of_three = static_cast<int>(three.rows());
+  const FourBar third{four_bar(bars_of(setting, radians(60), 3)), exactly()};
+
+  page.text(
+      "Count the rank, not the rows. Hang a third arm between the two of the last step, parallel and of the same "
+      "length: one body and two pins more, @ numbers and @ rows.",
+      static_cast<int>(three.cols()), rows_of_three);
+  page.choose(
+      {.ask = say("@ − @ = @. Does it still move?", static_cast<int>(three.cols()), rows_of_three,
+                  static_cast<int>(three.cols()) - rows_of_three),
+       .options = {{"no", "One row repeats what the others say; count the rank, not the rows."},
+                   {"yes", say("The rank is @: the coupler is level already, and the third arm says so once more.",
+                               rank_of_three)}},
+       .answer = static_cast<int>(three.cols()) > rank_of_three ? 1 : 0,
+       .hint = "Look at the coupler's motion with two arms. Does the third arm object?"});
+  page.text(
+      "So A has no inverse, and the direct solve says so instead of dividing by it: \"@\". (A sweep never "
+      "notices. "
+      "It only ever divides by blocks of its own.)\n\n"
+      "The linkage with two arms gets there by itself, for one moment: *flat*, with all bars in one line. Then "
+      "the "
+      "four pins' rows along that line say one thing twice, and the rank falls from @ to @:",
+      complaint(third, h), static_cast<int>(J.rows()), at_flat);
+  Curve least{.label = "least eigenvalue of A", .style = CurveStyle::line_and_markers},
+      square{.label = "slope 2", .style = CurveStyle::theory};
+  for (int i = 0; i <= 12; ++i) {
+    const double off = 90 * std::pow(10, -i / 3.0);
+    least.x.push_back(off);
+    least.y.push_back(least_at(setting, radians(off)));
+  }
+  square.x = {30, least.x.back()};
+  for (const double off : square.x) square.y.push_back(least.y.back() * std::pow(off / least.x.back(), 2));
+  page.figure("towards_flat", "The nearer to flat, the nearer to singular: with the square of the angle.",
+              Chart{.x = {.label = "arms from level (°)", .scale = Scale::logarithmic},
+                    .y = {.label = "least eigenvalue of A (1/kg)", .scale = Scale::logarithmic},
+                    .curves = {least, square}});
+
+  const double ratio = crossed_ratio(bars), speed = pi / 2;
+  page.text(
+      "A row less is a freedom more. At that moment the linkage has two, and *two ways lead on*: it can stay a "
+      "parallelogram, or fold into a crossed one, whose arms turn against each other and at first as (c + a) to "
+      "(c − a), @ to 1. Nothing in J knows which; the velocities do. "
+      "What if they ask for neither? J at the flat pose has nothing against it, so the first step goes that way, "
+      "and the next one finds pins that have parted: @ % of the energy is left when the linkage is back on a way "
+      "that exists.",
+      Value(-1 / ratio, 3), Value(100 * kept_energy(sent_off(setting, speed, -1), h, seconds), 2));
+  page.sequence(
+      "ways_on",
+      say("The same flat pose, sent off in three ways, without gravity; regularisation @. Only two of them "
+          "lead anywhere.",
+          shown_share),
+      Seconds{seconds},
+      [film = Film{{{"both arms alike", sent_off(setting, speed, 1)},
+                    {say("one against the other, 1 : −@", Value(-1 / ratio, 3)), sent_off(setting, speed, ratio)},
+                    {"1 : −1", sent_off(setting, speed, -1)}},
+                   bars,
+                   h}](Canvas& canvas, double time) mutable { film.draw(canvas, time); });
+  page.text(
+      "**Regularisation** carries the direct solve across: add a small share ε of A's own diagonal to it, (A + "
+      "εD)λ "
+      "= −(JV + b). It is softness, γ = εD: each row may give way a little, by γλ. Its price is that pins part at "
+      "a "
+      "speed of about ε times what they carry; what it buys is a bound for λ. You need one. Let the right-hand "
+      "pivot be set @ mm too far out: flat, the bars cannot reach, and their pull on themselves moves nothing "
+      "that "
+      "could stop it. Only ε answers:",
+      1000 * misfit);
+  page.formula("λ = (β/h) δ / (ε (4/m_a + 2/m_c)) = @ N·s for ε = 10⁻⁶, where mgh = @ N·s",
+               R"(\lambda = \frac{\beta\,\delta/h}{\varepsilon\,(4/m_a + 2/m_c)} = @\,\mathrm{N\,s}
+                  \text{ for } \varepsilon = 10^{-6}, \text{ where } mgh = @\,\mathrm{N\,s})",
+               self_pull_by_hand(setting, 1e-6), setting.mass() * gravity * h);
+  Chart price{.x = {.label = "regularisation ε (1)", .scale = Scale::logarithmic},
+              .y = {.label = "pins part at (m/s)", .scale = Scale::logarithmic}};
+  Chart gain{.x = price.x, .y = {.label = "self-pull of a misfit (N s)", .scale = Scale::logarithmic}};
+  Curve parting{.label = "measured", .style = CurveStyle::line_and_markers},
+      pull{.label = "measured", .style = CurveStyle::markers}, law{.label = "law", .style = CurveStyle::theory};
+  for (int decade = -9; decade <= -1; ++decade) {
+    const double share = std::pow(10, decade);
+    parting.x.push_back(share);
+    parting.y.push_back(parting_speed(setting, share));
+    pull.x.push_back(share);
+    pull.y.push_back(self_pull(setting, share));
+    law.x.push_back(share);
+    law.y.push_back(self_pull_by_hand(setting, share));
+  }
+  price.curves = {parting};
+  gain.curves = {pull, law};
+  page.figure("price_of_regularisation",
+              say("What ε costs and what it buys, in the first step from flat. Left: how fast pins part when the "
+                  "linkage falls. Right: with what it pulls at itself when its pivots are @ mm too far apart.",
+                  1000 * misfit),
+              [price, gain](Canvas& canvas) {
+                const auto cells = canvas.page().inset(14, 60).cells(1, 2, 24);
+                draw(canvas, price, cells[0]);
+                draw(canvas, gain, cells[1]);
+              });
+  page.text(
+      "Between the two lies room: with ε = 10⁻⁴ pins part by @ mm/s and the pull is @ N·s. So regularise *always* "
+      "where loops close, by as much as you do not see.",
+      Value(1000 * parting_speed(setting, 1e-4), 2), Value(self_pull(setting, 1e-4), 3));
+
+  page.claim({.quantity = "rank of the three-armed linkage",
+              .unit = "1",
+              .expected = 11,
+              .source = "twelve rows, one of them said twice",
+              .measured = static_cast<double>(rank_of_three),
+              .tolerance = absolute(0)});
+  page.claim({.quantity = "rank of the flat linkage",
+              .unit = "1",
+              .expected = 7,
+              .source = "eight rows, one of them said twice",
+              .measured = static_cast<double>(at_flat),
+              .tolerance = absolute(0)});
+  page.claim({.quantity = "least eigenvalue of A, at 1° over at 0.5°",
+              .unit = "1",
+              .expected = 4,
+              .source = "square of the angle",
+              .measured = least_at(setting, radians(1)) / least_at(setting, radians(0.5)),
+              .tolerance = absolute(0.01)});
+  page.claim({.quantity = "self-pull of the misfit, ε = 10⁻⁶",
+              .unit = "N s",
+              .expected = self_pull_by_hand(setting, 1e-6),
+              .source = "βδ/(hε(4/m_a + 2/m_c))",
+              .measured = self_pull(setting, 1e-6),
+              .tolerance = relative(1e-4)});
+  page.claim({.quantity = "speed at which pins part, ε = 10⁻⁴ over ε = 10⁻⁶",
+              .unit = "1",
+              .expected = 100,
+              .source = "proportional to ε",
+              .measured = parting_speed(setting, 1e-4) / parting_speed(setting, 1e-6),
+              .tolerance = absolute(0.5)});
+  for (const double way : {1.0, ratio})
+    page.claim({.quantity = say("energy that is left, sent off @ : 1", Value(way, 3)),
+                .unit = "1",
+                .expected = 1,
+                .source = "pins do no work",
+                .measured = kept_energy(sent_off(setting, speed, way), h, seconds),
+                .tolerance = absolute(0.01),
+                .claimed = h <= 1.0 / 50,
+                .range = "h ≤ 1/50 s"});
+  page.claim({.quantity = "the crossed way beside its closed form, largest difference",
+              .unit = "rad",
+              .expected = 0,
+              .source = "tan(θ₂/2) = −tan(θ₁/2) (c + a)/(c − a)",
+              .measured = off_the_crossed_way(sent_off(setting, speed, ratio), ratio, h, seconds),
+              .tolerance = absolute(0.05),
+              .claimed = h <= 1.0 / 50,
+              .range = "h ≤ 1/50 s"});
+}
+
+}  // namespace byhand::joints

@@ -1,0 +1,190 @@
+// Step 3: three bodies and four pins that are one pendulum.
+
+#include <cmath>
+
+#include "lessons/06_joints/dense.hpp"
+#include "lessons/06_joints/linkage.hpp"
+#include "lessons/06_joints/steps.hpp"
+#include "lessons/pictures/growing.hpp"
+#include "lessons/pictures/rods_and_bobs.hpp"
+#include "renderer/labels.hpp"
+#include "solver/exact/simple_pendulum.hpp"
+#include "solver/measure.hpp"
+
+namespace byhand::joints {
+namespace {
+
+using namespace tutor;
+using namespace renderer;
+
+constexpr double seconds = 2.5, measured_for = 10;  // [s]
+
+/// What a run of ten seconds says.
+struct Swing {
+  Curve angle{.label = "arms"};  // [°] over [s], of the film's time
+  double period = 0;             // [s], over all swings
+  double off = 0;                // largest distance from the pendulum's angle, half a step on [rad]
+  double tilt = 0;               // of the coupler, largest [rad]
+};
+
+Swing swing_of(const FourBarOptions& bars, const SimplePendulum& pendulum, double h) {
+  FourBar linkage{four_bar(bars), exactly()};
+  Swing swing;
+  std::vector<double> crossings;
+  double last = bars.angle;
+  while (linkage.time < measured_for - h / 2) {
+    linkage.step(h);
+    const double now = arm_angle(linkage);
+    const auto& coupler = linkage.scene.bodies.pose[3].rotation;
+    swing.off = std::max(swing.off, std::abs(now - pendulum.angle(linkage.time + h / 2)));
+    swing.tilt = std::max(swing.tilt, std::abs(std::atan2(coupler.sin, coupler.cos)));
+    if (last * now < 0) crossings.push_back(linkage.time - h * now / (now - last));
+    last = now;
+    if (linkage.time > seconds + h) continue;
+    swing.angle.x.push_back(linkage.time);
+    swing.angle.y.push_back(degrees(now));
+  }
+  if (crossings.size() > 1)
+    swing.period = 2 * (crossings.back() - crossings.front()) / (static_cast<double>(crossings.size()) - 1);
+  return swing;
+}
+
+struct Film {
+  FourBar linkage;
+  FourBarOptions bars;
+  SimplePendulum pendulum;
+  double h;
+  Chart beside;
+
+  void draw(Canvas& canvas, double time) {
+    while (linkage.time < time - 0.5 * h) linkage.step(h);
+    const auto [upper, lower] = canvas.page().inset(16).split_rows(0.6, 10);
+    const auto [left, right] = upper.split_columns(0.66, 10);
+    const double a = bars.arm, c = bars.coupler, length = pendulum_length(bars);
+    canvas.look(fit({-a, -1.1 * a, c + 2 * a, 1.35 * a}, left, 8));
+    pictures::draw(canvas, pictures::rods_and_bobs(linkage.scene));
+    canvas.look_at_page();
+    canvas.text({left.x + 10, left.top() - 16}, say("@ s", Value(std::floor(time * 10 + 1e-9) / 10, 3)),
+                {.size = 22, .anchor = Anchor::left, .bold = true});
+    canvas.look(fit({-a, -1.1 * a, 2 * a, 1.35 * a}, right, 8));
+    const Point bob = length * from_straight_down<PlaneBody>(pendulum.angle(time));
+    pictures::draw(canvas, {.bobs = {{bob, 1}}, .rods = {{{0, 0}, bob}}, .anchors = {{0, 0}}});
+    canvas.look_at_page();
+    canvas.text({right.centre().x(), right.top() - 16}, say("a rod of @ m", Value(length, 3)),
+                {.size = 20, .colour = palette::theory});
+    renderer::draw(canvas, pictures::grown_to(beside, time), lower);
+  }
+};
+
+}  // namespace
+
+void four_bar_linkage(const Setting& setting, Page& page) {
+  const double h = setting.h(), release = radians(setting.angle());
+  const FourBarOptions bars = bars_of(setting, release);
+  const double length = pendulum_length(bars);
+  const SimplePendulum pendulum(release, length, gravity);
+  const FourBar start{four_bar(bars), exactly()};
+  const Eigen::MatrixXd J = dense_jacobian(start.scene);
+  const int numbers = static_cast<int>(J.cols()), rows = static_cast<int>(J.rows()), freedom = numbers - rank(J);
+
+  page.text(
+      "Two arms of @ m and @ kg hang from the ground and carry a coupler of @ m and @ kg between their lower "
+      "ends: "
+      "three bodies, four pins.",
+      setting.length, setting.mass, bars.coupler, setting.coupler);
+  page.predict({.ask = "How many degrees of freedom does this four-bar linkage have?",
+                .answer = static_cast<double>(freedom),
+                .unit = "1",
+                .tolerance = 0.1,
+                .wrong = {{3,
+                           "Three is what is left if you count the ground as a body: it does not move, and "
+                           "brings no numbers."},
+                          {5, "A pin in the plane is two rows, not one."}},
+                .hint = "Each body moves with three numbers. How many rows do four pins have?",
+                .right = say("@ numbers less @ rows.", numbers, rows)});
+  page.text(
+      "One is what a pendulum has, and this *is* one. The coupler keeps level, so it moves with the arms' ends as "
+      "if all of it were there; each arm is a uniform rod about its end, which counts ⅓ of its mass in inertia "
+      "and "
+      "½ in weight. Two arms and a coupler swing like a bob on a rod without weight of the length");
+  page.formula("ℓ = a (⅔ m_a + m_c)/(m_a + m_c) = @ m",
+               R"(\ell = a\,\frac{\tfrac23 m_a + m_c}{m_a + m_c} = @\,\mathrm{m})", length);
+  const Swing swing = swing_of(bars, pendulum, h), fine = swing_of(bars, pendulum, h / 2);
+  Curve exact{.label = "that pendulum", .style = CurveStyle::theory};
+  for (int i = 0; i <= 150; ++i) {
+    exact.x.push_back(i * seconds / 150);
+    exact.y.push_back(degrees(pendulum.angle(exact.x.back())));
+  }
+  page.sequence(
+      "four_bar",
+      say("The linkage, solved directly (β = 1), and beside it the pendulum of @ m by its elliptic integral. "
+          "Below: "
+          "both angles.",
+          Value(length, 3)),
+      Seconds{seconds},
+      [film = Film{start,
+                   bars,
+                   pendulum,
+                   h,
+                   {.x = {.label = "time (s)"}, .y = {.label = "angle (°)"}, .curves = {swing.angle, exact}}}](
+          Canvas& canvas, double time) mutable { film.draw(canvas, time); });
+  page.text(
+      "The solver has never heard of that formula. It knows @ rows; the pins' impulses, forward and back along "
+      "the "
+      "bars, are what holds the coupler level. Period: @ s measured over @ s, @ s by the elliptic integral. Half "
+      "the "
+      "step brings the difference down by @.",
+      rows, Value(swing.period, 6), measured_for, Value(pendulum.period(), 6),
+      Value((swing.period - pendulum.period()) / (fine.period - pendulum.period()), 3));
+  page.text(
+      "(One trick to compare the angles: symplectic Euler's positions are half a step ahead of the clock, for it "
+      "moves with the velocity of the step's *end*. Held against the pendulum at t + h/2 the arms are off by @° "
+      "at "
+      "most in @ s; held against t it would be the first order in h, and it would hide the second.)",
+      Value(degrees(swing.off), 2), measured_for);
+
+  const double turn = std::sqrt(gravity / length) * h;  // of the small swing in a step
+  const bool swings = setting.angle() <= 90 && turn <= 0.06 && swing.period > 0 && fine.period > 0;
+  const std::string range = "released up to 90°, ωh ≤ 0.06";
+  page.measure("period", swing.period, "s");
+  page.claim({.quantity = "degrees of freedom",
+              .unit = "1",
+              .expected = 1,
+              .source = "nine numbers less eight rows",
+              .measured = static_cast<double>(freedom),
+              .tolerance = absolute(0)});
+  page.claim({.quantity = "period",
+              .unit = "s",
+              .expected = pendulum.period(),
+              .source = "law A11: elliptic integral, ℓ = a(⅔m_a + m_c)/(m_a + m_c)",
+              .measured = swing.period,
+              .tolerance = relative(turn * turn / 3),
+              .claimed = swings,
+              .range = range});
+  page.claim({.quantity = "error of the period, h over h/2",
+              .unit = "1",
+              .expected = 4,
+              .source = "second order",
+              .measured = (swing.period - pendulum.period()) / (fine.period - pendulum.period()),
+              .tolerance = absolute(0.7),
+              .claimed = swings,
+              .range = range});
+  page.claim({.quantity = say("angle beside the pendulum's, largest difference in @ s", measured_for),
+              .unit = "rad",
+              .expected = 0,
+              .source = "elliptic function at t + h/2",
+              .measured = swing.off,
+              .tolerance = absolute(turn * turn * std::sqrt(gravity / length) * measured_for / 3),
+              .claimed = swings,
+              .range = range});
+  page.claim({.quantity = "tilt of the coupler, largest",
+              .unit = "rad",
+              .expected = 0,
+              .source = "a parallelogram keeps level",
+              .measured = swing.tilt,
+              .tolerance = absolute(turn * turn),
+              .claimed = swings,
+              .range = range});
+}
+
+}  // namespace byhand::joints

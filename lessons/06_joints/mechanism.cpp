@@ -1,0 +1,51 @@
+#include "lessons/06_joints/mechanism.hpp"
+
+#include <cmath>
+
+namespace byhand::joints {
+
+using namespace renderer;
+
+namespace {
+
+Point direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
+
+}  // namespace
+
+Bar bar_of(const Pose<PlaneBody>& pose, double length) {
+  const Point half = length / 2 * Point(pose.rotation.cos, pose.rotation.sin);
+  return {pose.position - half, pose.position + half};
+}
+
+void draw_bar(Canvas& canvas, const Bar& bar, double thickness) {
+  canvas.rod(bar.from, bar.to, body_look, thickness);
+}
+
+void draw_weld(Canvas& canvas, const Point& at) {
+  const double side = 26 / canvas.camera().scale;
+  canvas.box(at, {side, side}, 0, {palette::constraint, {palette::ink, 1.8}});
+}
+
+void draw_sleeve(Canvas& canvas, const Point& at, double angle) {
+  const double scale = canvas.camera().scale;
+  canvas.box(at, {44 / scale, 26 / scale}, angle, {palette::constraint, {palette::ink, 1.8}});
+}
+
+void draw_rail(Canvas& canvas, const Point& at, double angle, double reach) {
+  canvas.line(at - reach * direction(angle), at + reach * direction(angle), {palette::muted, 4});
+}
+
+void draw_stop(Canvas& canvas, const Point& hinge, double angle, double length) {
+  const Point end = hinge + length * direction(angle);
+  canvas.ground(hinge + 0.25 * (end - hinge), end);
+}
+
+void draw_turn(Canvas& canvas, const Point& hinge, double from, double to, double radius, const Stroke& stroke) {
+  constexpr int pieces = 40;
+  std::vector<Point> arc;
+  for (int i = 0; i < pieces; ++i) arc.push_back(hinge + radius * direction(from + (to - from) * i / pieces));
+  canvas.path(arc, stroke);
+  canvas.arrow(arc.back(), hinge + radius * direction(to), stroke);
+}
+
+}  // namespace byhand::joints

@@ -1,0 +1,131 @@
+// Deeper: everything at once.
+
+#include <cmath>
+#include <memory>
+
+#include "lessons/06_joints/steps.hpp"
+#include "lessons/pictures/boxes.hpp"
+#include "solver/measure.hpp"
+#include "solver/scenes/boxes.hpp"
+#include "solver/scenes/ragdoll.hpp"
+
+namespace byhand::joints {
+namespace {
+
+using namespace tutor;
+using namespace renderer;
+using M = PlaneBody;
+using Doll = Simulation<Scene<M, FaceContact, Pin, AngleLimit>>;
+
+constexpr double seconds = 3, settles = 20, step = 1.0 / 120;  // [s]
+constexpr int sweeps = 60, stairs = 4;
+
+Doll above_a_stair() {
+  Doll doll{{}, {GaussSeidel{.sweeps = sweeps}, Baumgarte{.beta = 0.2, .slop = 1e-3, .speed_cap = 3}}};
+  auto& scene = doll.scene;
+  add_ground(scene, {0.6});
+  for (int i = 0; i + 1 < stairs; ++i) {
+    const double high = 0.2 * (stairs - 1 - i);  // [m]
+    const int body = scene.add_body(Linear<M>(0.3 * i, high / 2), fixed<M>());
+    scene.set_shape(body, Box<M>{{0.15, high / 2}}, {0.6});
+  }
+  const int torso = add_ragdoll(scene, {0.2, 2.2});
+  scene.bodies.velocity[torso] = {1, 0, -2};
+  return doll;
+}
+
+/// By how much the joints' stops are passed at most [rad].
+double passed(const Doll& doll) {
+  double worst = 0;
+  const auto& poses = doll.scene.bodies.pose;
+  for (const auto& stop : doll.scene.all<AngleLimit>())
+    worst = std::max(worst, -stop.value<double>(poses[stop.at.body1], poses[stop.at.body2])[0]);
+  return worst;
+}
+
+/// The least λ of all stops as the last step left them [N m s].
+double least_of_stops(const Doll& doll) {
+  double least = INFINITY;
+  int number = 0;
+  doll.scene.for_each([&]<class Kind>(const Kind&) {
+    const double lambda = doll.work.system.lambda[doll.work.system.row_of[number++]];
+    if constexpr (std::is_same_v<Kind, AngleLimit<M>>) least = std::min(least, lambda);
+  });
+  return least;
+}
+
+/// What ground and stairs carry, upright [N].
+double carried(const Doll& doll) {
+  double sum = 0;
+  int number = 0;
+  doll.scene.for_each([&]<class Kind>(const Kind& contact) {
+    const int row = doll.work.system.row_of[number++];
+    if constexpr (std::is_same_v<Kind, FaceContact<M>>) {
+      if (moves(doll.scene.bodies.inverse_mass[contact.at.body1])) return;
+      const auto* lambda = &doll.work.system.lambda[row];
+      const Point n = contact.normal, t(n.y(), -n.x());
+      sum += (lambda[0] + lambda[1]) * n.y() + lambda[2] * t.y();
+    }
+  });
+  return sum / doll.work.h;
+}
+
+}  // namespace
+
+void ragdoll_on_a_stair(const Setting&, Page& page) {
+  const Doll start = above_a_stair();
+  double worst = 0, least = INFINITY, weight = 0;
+  Doll doll = start;
+  for (const auto& mass : doll.scene.bodies.inverse_mass)
+    if (moves(mass)) weight += gravity / mass.linear;
+  while (doll.time < settles) {
+    doll.step(step);
+    worst = std::max(worst, passed(doll));
+    least = std::min(least, least_of_stops(doll));
+  }
+  const double at_rest = passed(doll);
+
+  page.text(
+      "Ten boxes, nine pins, two stops to each pin, and contacts wherever something touches: a ragdoll of @ kg "
+      "falls "
+      "on a stair. Not one line of the solver knows what a ragdoll is. (@ sweeps a step of @ s, β = @, @ mm of "
+      "slop.)",
+      Value(weight / gravity, 3), sweeps, Value(step, 3), 0.2, 1);
+  page.sequence("ragdoll", "Head, torso, arms and legs are boxes; each joint is a pin with two stops.",
+                Seconds{seconds}, [doll = start](Canvas& canvas, double time) mutable {
+                  while (doll.time < time - 0.5 * step) doll.step(step);
+                  canvas.look(fit({-1.5, -0.15, 4.6, 3.3}, canvas.page(), 0));
+                  pictures::draw(canvas, pictures::shapes_of(doll.scene));
+                  for (const auto& joint : doll.scene.all<Pin>()) {
+                    const Pose<M>& pose = doll.scene.bodies.pose[joint.at.body2];
+                    canvas.hinge(anchor<M, double>(pose, in_world<M, double>(pose, joint.at.arms.second)));
+                  }
+                  canvas.look_at_page();
+                });
+  page.text(
+      "A joint's stop is one more row that sweeps have to bring into line with all others, so it gives way under "
+      "a "
+      "blow: @° at most here. At rest nothing is left of that (@°), the stops only ever pushed, and the ground "
+      "carries @ N, which is the doll's weight.",
+      Value(degrees(worst), 2), Value(degrees(at_rest), 2), Value(carried(doll), 5));
+  page.claim({.quantity = "least λ of any stop in any step",
+              .unit = "N m s",
+              .expected = 0,
+              .source = "its bound, kept exactly",
+              .measured = least,
+              .tolerance = at_least()});
+  page.claim({.quantity = say("what the ground and the stairs carry after @ s", settles),
+              .unit = "N",
+              .expected = weight,
+              .source = "the doll's weight",
+              .measured = carried(doll),
+              .tolerance = relative(1e-3)});
+  page.claim({.quantity = "stops passed at rest",
+              .unit = "rad",
+              .expected = 2e-3,
+              .source = "nothing pushes any more",
+              .measured = at_rest,
+              .tolerance = at_most()});
+}
+
+}  // namespace byhand::joints

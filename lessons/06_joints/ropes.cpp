@@ -1,0 +1,115 @@
+// Deeper: a rod with one sign of λ missing.
+
+#include <cmath>
+
+#include "lessons/06_joints/steps.hpp"
+#include "lessons/pictures/rods_and_bobs.hpp"
+#include "solver/constraints/rope.hpp"
+#include "solver/scenes/pendulum.hpp"
+#include "solver/simulation.hpp"
+
+namespace byhand::joints {
+namespace {
+
+using namespace tutor;
+using namespace renderer;
+using M = PlaneParticle;
+
+constexpr int finer = 16;  // steps for one of the lesson's: the moment of letting go is known to a step
+
+/// Where a bob went and what held it.
+struct Track {
+  std::vector<double> time, pull;  // [s], [mg]
+  std::vector<Point> path;
+  double let_go = NAN;  // cos θ from straight down where it was first let go
+};
+
+template <class S>
+Track track_of(Simulation<S> simulation, const Setting& setting, double seconds) {
+  const double h = setting.h / finer, weight = setting.mass() * gravity * h;
+  Track track;
+  while (simulation.time < seconds - h / 2) {
+    simulation.step(h);
+    const Point at = simulation.scene.bodies.pose[1].position;
+    const double lambda = simulation.work.system.lambda[0];
+    track.time.push_back(simulation.time);
+    track.pull.push_back(std::abs(lambda) / weight);
+    track.path.push_back(at);
+    if (std::isnan(track.let_go) && lambda == 0) track.let_go = -at.y() / at.norm();
+  }
+  return track;
+}
+
+/// A bob at the lowest point with the speed that would take it just to the top.
+template <template <class> class Holder>
+Simulation<Scene<M, Holder>> thrown(const Setting& setting, double speed) {
+  const double length = setting.length();
+  Simulation<Scene<M, Holder>> simulation{{}, {.solver = Direct{}, .drift = Baumgarte{setting.beta}}};
+  auto& scene = simulation.scene;
+  scene.add_body(Linear<M>(0, 0), fixed<M>());
+  scene.add_body(Linear<M>(0, -length), with_mass<M>(setting.mass), Linear<M>(speed, 0));
+  scene.add(Holder<M>{{0, 1}, length});
+  return simulation;
+}
+
+}  // namespace
+
+void ropes(const Setting& setting, Page& page) {
+  const double length = setting.length(), speed = std::sqrt(4 * gravity * length),
+               seconds = 3.2 * std::sqrt(length / gravity);
+  const Track rope = track_of(thrown<Rope>(setting, speed), setting, seconds),
+              rod = track_of(thrown<NormalisedDistance>(setting, speed), setting, seconds);
+  page.text(
+      "A rope is a rod that can only pull: the same J, and λ ≥ 0 for its tension. Take a bob of @ kg on @ m, at "
+      "the "
+      "lowest point, and throw it at √(4gL) = @ m/s. That is just enough for a rod to carry it to the top.",
+      setting.mass, setting.length, Value(speed, 3));
+  page.predict({.ask = "At which angle from straight down does the rope go slack, in degrees?",
+                .answer = degrees(std::acos(rope.let_go)),
+                .unit = "°",
+                .tolerance = 4,
+                .wrong = {{180, "The bob would have to arrive there with no speed, held up by the rope."},
+                          {90, "There it is still fast: the rope has to turn it round, at twice the weight."}},
+                .hint = "The pull is m(v²/L + g cos θ), and v² = 4gL − 2gL(1 − cos θ).",
+                .right = "The pull mg(2 + 3 cos θ) ends where cos θ = −2/3."});
+  Chart chart{.x = {.label = "time (s)"}, .y = {.label = "pull or push, |λ|/h (mg)"}};
+  chart.curves = {{.label = "rope", .x = rope.time, .y = rope.pull},
+                  {.label = "rod", .x = rod.time, .y = rod.pull}};
+  chart.y.range = {{0, 6.5}};
+  for (Curve& curve : chart.curves)
+    for (double& pull : curve.y)
+      if (pull > 6.5) pull = NAN;
+  page.figure(
+      "rope_and_rod",
+      "The same throw on a rope and on a rod. The rope's bob leaves the circle and flies a parabola until it "
+      "is caught; the rod pushes it on.",
+      [=](Canvas& canvas) {
+        const auto [left, right] = canvas.page().inset(16).split_columns(0.5, 20);
+        canvas.look(fit({-1.2 * length, -1.2 * length, 2.4 * length, 2.4 * length}, left, 10));
+        std::vector<Point> circle;
+        for (int i = 0; i <= 120; ++i)
+          circle.emplace_back(length * std::cos(i * pi / 60), length * std::sin(i * pi / 60));
+        canvas.path(circle, {palette::theory, 1.6, Dash::dashed});
+        canvas.path(rod.path, {palette::series(1), 3});
+        canvas.path(rope.path, {palette::series(0), 3});
+        canvas.anchor({0, 0});
+        canvas.line({0, 0}, rope.path.back(), {palette::series(0), 2.4, Dash::dotted});
+        canvas.rod({0, 0}, rod.path.back(), {palette::series(1), {palette::ink, 0}}, 6);
+        canvas.hinge({0, 0});
+        for (const Track* track : {&rod, &rope}) canvas.disc(track->path.back(), 0.07 * length);
+        canvas.look_at_page();
+        draw(canvas, chart, right.inset(0, 60));
+      });
+  page.text(
+      "Nothing switches here. While the rope is shorter than its length the row lets it close the gap within the "
+      "step and no more, JV ≥ −C/h, and (17) would need a negative λ to do so: it is clamped to zero and the bob "
+      "flies. When it would overshoot, the same row catches it.");
+  page.claim({.quantity = "cos θ where the rope goes slack",
+              .unit = "1",
+              .expected = -2.0 / 3,
+              .source = "mg(2 + 3 cos θ) = 0",
+              .measured = rope.let_go,
+              .tolerance = absolute(8 * setting.h / finer / std::sqrt(length) + 1e-3)});
+}
+
+}  // namespace byhand::joints

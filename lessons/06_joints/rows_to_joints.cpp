@@ -1,0 +1,189 @@
+// Step 1: a joint is a system of constraints, and what else it does is a bound.
+
+#include <cmath>
+
+#include "lessons/06_joints/mechanism.hpp"
+#include "lessons/06_joints/number_grid.hpp"
+#include "lessons/06_joints/samples.hpp"
+#include "lessons/06_joints/steps.hpp"
+#include "solver/constraints/motor.hpp"
+#include "solver/constraints/slider.hpp"
+#include "solver/constraints/weld.hpp"
+#include "solver/scenes/rod.hpp"
+
+namespace byhand::joints {
+namespace {
+
+using namespace tutor;
+using namespace renderer;
+using M = PlaneBody;
+
+constexpr double first_angle = 0.35, second_angle = -0.9;  // of the two bars [rad]
+
+/// Two equal bars that meet at the origin.
+Bodies<M> two_bars(const Setting& setting) {
+  Bodies<M> bodies;
+  const auto add = [&](const Point& from, const Point& to) {
+    const PlaneRod bar(from, to, setting.mass);
+    bodies.add(bar.pose, bar.mass, Velocity<M>::Zero());
+  };
+  const double L = setting.length;
+  add(-L * Point(std::cos(first_angle), std::sin(first_angle)), {0, 0});
+  add({0, 0}, L * Point(std::cos(second_angle), std::sin(second_angle)));
+  return bodies;
+}
+
+/// A joint's matrices between the two bars, and how far JV is from the slope of C.
+struct Matrices {
+  Eigen::MatrixXd J, A;
+  double slope_error;
+};
+
+template <class Kind>
+Matrices matrices_of(const Bodies<M>& bodies, const Kind& joint) {
+  const Pose<M>&pose1 = bodies.pose[0], &pose2 = bodies.pose[1];
+  const auto J = joint.jacobian(pose1, pose2);
+  const auto W = times_inverse_mass(J, bodies.inverse_mass[0], pose1, bodies.inverse_mass[1], pose2);
+  const Velocity<M> V1(0.3, -0.7, 0.9), V2(-0.5, 0.2, -1.1);
+  const double t = 1e-5;
+  const auto C = [&](double time) {
+    return joint.template value<double>(moved<M, double>(pose1, V1, time), moved<M, double>(pose2, V2, time));
+  };
+  return {J.matrix, inverse_effective_mass(J, W),
+          ((C(t) - C(-t)) / (2 * t) - dot(J, V1, V2)).cwiseAbs().maxCoeff()};
+}
+
+/// A of a weld by its closed form: the masses on the diagonal, and every arm once with each axis.
+Eigen::Matrix3d weld_by_hand(const Bodies<M>& bodies) {
+  Eigen::Matrix3d A = Eigen::Matrix3d::Zero();
+  for (int i = 0; i < 2; ++i) {
+    const Point r = -bodies.pose[i].position;
+    const Eigen::Vector3d turn(-r.y(), r.x(), 1);  // r × e_x, r × e_y, and the turn itself
+    A += bodies.inverse_mass[i].angular[0] * turn * turn.transpose();
+    A.diagonal().head<2>().array() += bodies.inverse_mass[i].linear;
+  }
+  return A;
+}
+
+struct Column {
+  std::string name, bound;
+  Matrices matrices;
+  std::vector<std::string> rows;
+};
+
+void draw_column(Canvas& canvas, const Column& column, const Bodies<M>& bodies, double length,
+                 const Rectangle& frame) {
+  const bool slides = column.name == "slider", turns = column.name == "stop, motor";
+  canvas.text({frame.centre().x(), frame.top() - 14}, column.name, {.size = 24, .bold = true});
+  canvas.text({frame.centre().x(), frame.top() - 44}, column.bound, {.size = 17, .colour = palette::muted});
+  const auto [picture, numbers] = Rectangle{frame.x, frame.y, frame.width, frame.height - 60}.split_rows(0.36, 0);
+  canvas.look(fit({-length, -0.8 * length, 1.7 * length, 1.0 * length}, picture, 12));
+  const Bar first = bar_of(bodies.pose[0], length), second = bar_of(bodies.pose[1], length);
+  if (slides) draw_rail(canvas, {0, 0}, first_angle, 0.45 * length);
+  draw_bar(canvas, first);
+  draw_bar(canvas, second);
+  if (column.name == "weld")
+    draw_weld(canvas, {0, 0});
+  else if (slides)
+    draw_sleeve(canvas, {0, 0}, first_angle);
+  else
+    canvas.hinge({0, 0});
+  if (turns) draw_turn(canvas, {0, 0}, first_angle, second_angle, 0.45 * length, {palette::force, 3});
+  canvas.look_at_page();
+  const Point cell((frame.width - 44) / 6, 34);
+  const Point at(frame.x + 40, numbers.top() - 24);
+  draw_grid(canvas, column.matrices.J, at, cell, {{"x₁", "y₁", "ω₁", "x₂", "y₂", "ω₂"}, column.rows});
+  const Point below(at.x() + 1.5 * cell.x(), at.y() - 3 * cell.y() - 66);
+  canvas.text({frame.x + 40, below.y() - 18}, "A", {.size = 20, .anchor = Anchor::left, .bold = true});
+  draw_grid(canvas, column.matrices.A, below, cell, {column.rows, column.rows});
+}
+
+}  // namespace
+
+void rows_to_joints(const Setting& setting, Page& page) {
+  const Bodies<M> bodies = two_bars(setting);
+  const Linear<M> here(0, 0), along(std::cos(first_angle), std::sin(first_angle));
+  const std::vector<Column> columns{
+      {"pin", "two rows", matrices_of(bodies, pin<M>(bodies, 0, 1, here)), {"x", "y"}},
+      {"weld", "three rows", matrices_of(bodies, weld<M>(bodies, 0, 1, here)), {"x", "y", "φ"}},
+      {"slider", "two rows", matrices_of(bodies, slider<M>(bodies, 0, 1, here, along)), {"t", "φ"}},
+      {"stop, motor",
+       "one row, beside a pin's two",
+       matrices_of(bodies, motor<M>(turn<M>(bodies, 0, 1), 0, 0)),
+       {"φ"}}};
+  const Eigen::MatrixXd &pin_A = columns[0].matrices.A, &weld_A = columns[1].matrices.A;
+  const double length = setting.length;
+
+  page.text(
+      "The article says it in passing: a system of constraints can form a joint. You have all that it takes. Lay "
+      "two bars of @ m and @ kg end to end and ask that the two ends, P₁ and P₂, stay together. That is C = P₂ − "
+      "P₁ = 0, a *vector*: one row for each axis of the world. Differentiate, isolate V, and each row is the one "
+      "that (14), (15) and (16) share, with e_x or e_y for its direction:",
+      setting.length, setting.mass);
+  page.excerpt("solver/constraints/pin.hpp", "jacobian");
+  page.text(
+      "That is a **pin**. Ask besides that the bars do not turn against each other, φ̇ = ω₂ − ω₁ = 0, and the row "
+      "[0 −1 0 1] makes it a **weld**. Keep that row and one across a rail, and it is a **slider**: what is not "
+      "forbidden, along the rail, is free. Nothing else is new. (17) becomes K equations for K numbers, and the "
+      "effective mass a K × K block: A = JM⁻¹Jᵀ is inverted as a whole.");
+  page.figure(
+      "joints",
+      say("Two bars of @ m and @ kg, four ways to join them, and the numbers that say so: above J with a column "
+          "for each of the two bodies' velocities, below A = JM⁻¹Jᵀ (1/kg, 1/(kg m) and 1/(kg m²)).",
+          setting.length, setting.mass),
+      [=](Canvas& canvas) {
+        const auto cells = canvas.page().inset(18, 16).cells(1, 4, 22);
+        for (std::size_t i = 0; i < columns.size(); ++i) draw_column(canvas, columns[i], bodies, length, cells[i]);
+      });
+  page.text(
+      "Look at A. Beside the diagonal stands what one row does to the other: here @ 1/kg between the pin's x and "
+      "y. To push one end along x you turn the bar, and its end moves along y too. Two pins at the *centres* of "
+      "two "
+      "bodies would have zeros there; the longer the arms and the smaller the inertia, the more the rows are "
+      "in each other's way. The next step shows what that costs.",
+      Value(pin_A(0, 1), 3));
+  page.text(
+      "And the rest of what joints do is *not a row but a bound*, the same that made a contact of a row. The "
+      "turn's "
+      "row [0 −1 0 1] with 0 ≤ λ is a **stop**: it pushes back at the end of the way, and never pulls. With a "
+      "speed "
+      "for its target and |λ| ≤ τh it is a **motor** of strength τ. A rod's row with λ ≥ 0 for its pull is a "
+      "**rope**. "
+      "Here they all are at work:");
+  page.sequence(
+      "six_joints",
+      say("What joints leave free. Above equations, below bounds: the bar of the stop ends at @°, the motor turns "
+          "once in @ s, the rope is slack at first. Arrows: what the joint gives the bar (λ/h).",
+          Value(degrees(sample_stop), 3), sample_seconds),
+      Seconds{sample_seconds},
+      [samples = Samples(setting)](Canvas& canvas, double time) mutable { samples.draw(canvas, time); });
+
+  const std::vector<int> free{6 - static_cast<int>(pin_A.rows()), 6 - static_cast<int>(weld_A.rows())};
+  page.text(
+      "Two bodies in the plane move with six numbers. A pin takes two of them and leaves @, a weld takes three "
+      "and "
+      "leaves @: the two bodies are one.",
+      free[0], free[1]);
+  double slope_error = 0;
+  for (const Column& column : columns) slope_error = std::max(slope_error, column.matrices.slope_error);
+  page.claim({.quantity = "JV beside the slope of C, largest difference over the four joints",
+              .unit = "m/s, rad/s",
+              .expected = 0,
+              .source = "difference quotient of C along V",
+              .measured = slope_error,
+              .tolerance = absolute(1e-8 * std::max(1.0, length))});
+  page.claim({.quantity = "A of the weld, largest difference relative to its largest entry",
+              .unit = "1",
+              .expected = 0,
+              .source = "Σ 1/m on x and y, Σ (r × e)(r × e)ᵀ/I",
+              .measured = (weld_A - weld_by_hand(bodies)).cwiseAbs().maxCoeff() / weld_A.cwiseAbs().maxCoeff(),
+              .tolerance = absolute(1e-14)});
+  page.claim({.quantity = "A of the pin beside the first two rows of the weld's, largest difference",
+              .unit = "1/kg",
+              .expected = 0,
+              .source = "the same two rows",
+              .measured = (weld_A.topLeftCorner<2, 2>() - pin_A).cwiseAbs().maxCoeff(),
+              .tolerance = absolute(0)});
+}
+
+}  // namespace byhand::joints

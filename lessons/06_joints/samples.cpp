@@ -1,0 +1,108 @@
+#include "lessons/06_joints/samples.hpp"
+
+#include "lessons/06_joints/mechanism.hpp"
+#include "solver/scenes/rod.hpp"
+
+namespace byhand::joints {
+
+using namespace renderer;
+using M = PlaneBody;
+
+namespace {
+
+constexpr double rail = 0.35;  // slope of the slider's rail [rad]
+
+enum Sample { pinned, welded, sliding, stopped, driven, roped };
+
+struct Words {
+  const char *name, *rows;
+};
+constexpr Words words[] = {{"pin", "2 rows"},
+                           {"weld", "3 rows"},
+                           {"slider", "2 rows"},
+                           {"pin and stop", "2 rows, and λ ≥ 0"},
+                           {"pin and motor", "2 rows, and |λ| ≤ τh"},
+                           {"rope", "λ ≥ 0"}};
+
+}  // namespace
+
+Samples::Samples(const Setting& setting)
+    : length_(setting.length),
+      weight_(setting.mass() * gravity),
+      h_(setting.h),
+      simulation_{{}, VelocityStepping{.solver = Direct{}, .drift = Baumgarte{}}} {
+  auto& scene = simulation_.scene;
+  const Linear<M> origin(0, 0), along(std::cos(rail), std::sin(rail));
+  const int ground = scene.add_body(origin, fixed<M>());
+  for (int i = pinned; i <= roped; ++i) {
+    const PlaneRod bar(origin, {length_, 0}, setting.mass);
+    scene.add_body(bar.pose, bar.mass);
+  }
+  const auto body = [](Sample sample) { return 1 + sample; };
+  for (const Sample sample : {pinned, stopped, driven})
+    scene.add(pin<M>(scene.bodies, ground, body(sample), origin));
+  scene.add(weld<M>(scene.bodies, ground, body(welded), origin));
+  scene.add(slider<M>(scene.bodies, ground, body(sliding), origin, along));
+  scene.add(at_least<M>(sample_stop, turn<M>(scene.bodies, ground, body(stopped))));
+  scene.add(motor<M>(turn<M>(scene.bodies, ground, body(driven)), 2 * pi / sample_seconds, 1e9));
+  scene.add(Rope<M>{between<M>(scene.bodies, ground, Linear<M>(0, 0), body(roped), origin), 0.5 * length_});
+  const double up = gravity * std::sin(rail) * sample_seconds / 2;  // it comes back in that time
+  scene.bodies.velocity[body(sliding)].head<2>() = std::min(up, 2.5 * length_ / sample_seconds) * along;
+}
+
+void Samples::draw(Canvas& canvas, double time) {
+  while (simulation_.time < time - 0.5 * h_) simulation_.step(h_);
+  const auto& scene = simulation_.scene;
+  const ArrowKind kind{palette::force, 0.35 * length_ / weight_, "N"};
+  const auto cells = canvas.page().inset(12).cells(2, 3, 8);
+  for (int i = pinned; i <= roped; ++i) {
+    const Rectangle& cell = cells[i];
+    canvas.look_at_page();
+    canvas.text({cell.x + 14, cell.top() - 22}, words[i].name, {.size = 24, .anchor = Anchor::left, .bold = true});
+    canvas.text({cell.x + 14, cell.top() - 50}, words[i].rows,
+                {.size = 18, .colour = palette::muted, .anchor = Anchor::left});
+    canvas.clip(cell);
+    canvas.look(fit({-1.3 * length_, -1.15 * length_, 2.6 * length_, 2.2 * length_}, cell, 0));
+    const Pose<M>& pose = scene.bodies.pose[1 + i];
+    const Bar bar = bar_of(pose, length_);
+    if (i == sliding) draw_rail(canvas, {0, 0}, rail, 3 * length_);
+    if (i == stopped) draw_stop(canvas, {0, 0}, sample_stop - 0.06, length_);
+    if (i == roped) {
+      const bool slack = bar.from.norm() < 0.499 * length_;
+      canvas.line({0, 0}, bar.from, {palette::constraint, 3, slack ? Dash::dotted : Dash::solid});
+    }
+    if (i != sliding) canvas.anchor({0, 0});
+    draw_bar(canvas, bar);
+    if (i == welded)
+      draw_weld(canvas, {0, 0});
+    else if (i == sliding)
+      draw_sleeve(canvas, bar.from, rail);
+    else
+      canvas.hinge(bar.from);
+    canvas.clip({});
+  }
+  const auto& system = simulation_.work.system;
+  if (system.rows() == 0) {
+    canvas.look_at_page();
+    return;
+  }
+  int number = 0;
+  scene.for_each([&]<class Kind>(const Kind& joint) {
+    const int row = system.row_of[number++], body = joint.at.body2;
+    Point force(0, 0);
+    if constexpr (std::is_same_v<Kind, Pin<M>> || std::is_same_v<Kind, Weld<M>>)
+      force = {system.lambda[row], system.lambda[row + 1]};
+    if constexpr (std::is_same_v<Kind, Slider<M>>) force = system.lambda[row] * joint.across.col(0);
+    if constexpr (std::is_same_v<Kind, Rope<M>>)
+      force = -system.lambda[row] * bar_of(scene.bodies.pose[body], length_).from.normalized();
+    if (force.squaredNorm() == 0) return;
+    const Rectangle& cell = cells[body - 1];
+    canvas.clip(cell);
+    canvas.look(fit({-1.3 * length_, -1.15 * length_, 2.6 * length_, 2.2 * length_}, cell, 0));
+    canvas.vector(bar_of(scene.bodies.pose[body], length_).from, force / simulation_.work.h, kind);
+    canvas.clip({});
+  });
+  canvas.look_at_page();
+}
+
+}  // namespace byhand::joints

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "lessons/06_joints/setting.hpp"
+#include "renderer/canvas.hpp"
+#include "solver/constraints/limit.hpp"
+#include "solver/constraints/motor.hpp"
+#include "solver/constraints/pin.hpp"
+#include "solver/constraints/rope.hpp"
+#include "solver/constraints/slider.hpp"
+#include "solver/constraints/weld.hpp"
+#include "solver/simulation.hpp"
+
+namespace byhand::joints {
+
+inline constexpr double sample_seconds = 1.6;
+inline constexpr double sample_stop = -1;  // angle of the stop from level [rad]
+
+/// Six bars, each joined to the ground in another way, which move without touching each other.
+class Samples {
+ public:
+  explicit Samples(const Setting& setting);
+
+  /// Draws them `time` [s] after they began; times must not decrease.
+  void draw(renderer::Canvas& canvas, double time);
+
+ private:
+  using Joined = Simulation<Scene<PlaneBody, Pin, Weld, Slider, AngleLimit, AngleMotor, Rope>>;
+
+  double length_, weight_, h_;
+  Joined simulation_;
+};
+
+}  // namespace byhand::joints

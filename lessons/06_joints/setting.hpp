@@ -1,0 +1,23 @@
+#pragma once
+
+#include "lessons/tutor/lesson.hpp"
+
+namespace byhand::joints {
+
+/// The lesson's parameters.
+struct Setting {
+  tutor::Parameter<double> length, mass, h, beta;  // of bars and rods [m], [kg], [s], [1]
+  tutor::Parameter<double> side;                   // of the box on the arm [m]
+  tutor::Parameter<double> angle, coupler;         // release of the four-bar [deg], its coupler's mass [kg]
+  tutor::Parameter<double> strength;               // of the motor that holds an arm [mgl]
+  tutor::Parameter<double> crank, speed;           // of the slider-crank [m], [rad/s]
+  tutor::Parameter<double> gap;                    // between the lengths of two rods [m]
+  tutor::Parameter<int> sweeps;                    // over rows in a step
+};
+
+inline constexpr double gravity = 9.81;  // [m/s²], as Scene has it
+inline constexpr double pi = 3.14159265358979323846;
+inline double radians(double degrees) { return degrees / 180 * pi; }
+inline double degrees(double radians) { return radians / pi * 180; }
+
+}  // namespace byhand::joints

@@ -1,0 +1,150 @@
+// Deeper: springs as rows that give way.
+
+#include <cmath>
+
+#include "lessons/06_joints/steps.hpp"
+#include "solver/constraints/spring.hpp"
+#include "solver/scenes/pendulum.hpp"
+#include "solver/simulation.hpp"
+
+namespace byhand::joints {
+namespace {
+
+using namespace tutor;
+using namespace renderer;
+using M = PlaneParticle;
+using Hanging = Simulation<Scene<M, Spring, NormalisedDistance>>;
+
+/// A bob on a spring that is tuned to it by frequency [rad/s] and damping ratio, and below it, on a rod, a load of
+/// `load` bobs' weight if that is not zero.
+Hanging on_spring(const Setting& setting, double frequency, double damping_ratio, double load) {
+  const double length = setting.length(), mass = setting.mass();
+  Hanging hanging{{}, {.solver = Direct{}, .drift = Baumgarte{1}}};
+  auto& scene = hanging.scene;
+  scene.add_body(Linear<M>(0, 0), fixed<M>());
+  scene.add_body(Linear<M>(0, -length), with_mass<M>(mass));
+  Spring<M> spring{{0, 1}, length};
+  spring.elastic = tuned(scene.bodies, spring, frequency, damping_ratio);
+  scene.add(spring);
+  if (load > 0) {
+    scene.add_body(Linear<M>(0, -2 * length), with_mass<M>(load * mass));
+    scene.add(NormalisedDistance<M>{{1, 2}, length});
+  }
+  return hanging;
+}
+
+double stretch(const Hanging& hanging, double length) {
+  return hanging.scene.bodies.pose[1].position.norm() - length;
+}
+
+/// How far it hangs out once it has come to rest [m].
+double sag(const Setting& setting, double frequency, double load) {
+  Hanging hanging = on_spring(setting, frequency, 1, load);
+  const double time = 40 * (1 + load) / frequency + 50 * setting.h;
+  while (hanging.time < time) hanging.step(setting.h);
+  return stretch(hanging, setting.length);
+}
+
+}  // namespace
+
+void soft_rows(const Setting& setting, Page& page) {
+  const double h = setting.h(), length = setting.length(), heavy = 10, shown = 20;  // load [1], ω [rad/s]
+  page.text(
+      "Let a row give way on purpose. Ask for the impulse that a spring and a damper would give, λ/h = −(kC + "
+      "cĊ), "
+      "both taken at the *end* of the step; C there is C + h JV. Gather JV, and it is a row again, with a bias "
+      "and a "
+      "softness γ:");
+  page.formula("JV + (k/(c + hk)) C + γλ = 0,   γ = 1/(h(c + hk))",
+               R"(JV + \frac{k}{c + hk}\,C + \gamma\lambda = 0, \qquad \gamma = \frac{1}{h(c + hk)})");
+  page.text(
+      "Nobody tunes k and c by hand: say a frequency ω and a damping ζ, and take k = m ω² and c = 2mζω with the "
+      "row's own effective mass (19). An unloaded spring then hangs out by g/ω², whatever the bob weighs. But m "
+      "is "
+      "the mass that *this row* sees, not what hangs below it.");
+  const double light = sag(setting, shown, 0), loaded = sag(setting, shown, heavy);
+  page.predict(
+      {.ask = say("At ω = @ rad/s the bob hangs out by @ mm. Now hang one of @ times its mass below it. How "
+                  "far does the spring hang out, in mm?",
+                  shown, Value(1000 * light, 3), heavy),
+       .answer = 1000 * loaded,
+       .unit = "mm",
+       .tolerance = 60 * light,
+       .wrong = {{1000 * light,
+                  "The spring was tuned to its own bob. What it carries is now more, and its "
+                  "stiffness is not."},
+                 {1000 * heavy * light, "It still carries its own bob too."}},
+       .hint = "C = T/k, and k = m ω² with the first bob's m.",
+       .right = "C = T/(mω²), and T is the weight of both."});
+  Chart sags{.x = {.label = "ω (rad/s)", .scale = Scale::logarithmic},
+             .y = {.label = "sag (m)", .scale = Scale::logarithmic}};
+  for (const double load : {0.0, heavy}) {
+    Curve measured{.label = load == 0 ? "bob alone" : say("and @ more below", load), .style = CurveStyle::markers},
+        law{.label = load == 0 ? "T/(mω²)" : "", .style = CurveStyle::theory};
+    for (const double frequency : {5.0, 10.0, 20.0, 50.0, 100.0, 300.0, 1000.0}) {
+      measured.x.push_back(frequency);
+      measured.y.push_back(sag(setting, frequency, load));
+      law.x.push_back(frequency);
+      law.y.push_back(gravity * (1 + load) / (frequency * frequency));
+    }
+    sags.curves.push_back(measured);
+    sags.curves.push_back(law);
+  }
+  sags.references.push_back({Reference::Across::x, 1 / h, "ωh = 1"});
+  Chart rings{.x = {.label = "steps (1)"}, .y = {.label = "stretch over its start (1)"}};
+  double worst = 0;
+  for (const double turn : {0.1, 0.5, 2.0, 10.0}) {
+    Hanging hanging = on_spring(setting, turn / h, 0, 0);
+    hanging.scene.gravity.setZero();
+    const double begin = 0.05 * length, k = hanging.scene.all<Spring>()[0].elastic.stiffness;
+    hanging.scene.bodies.pose[1].position.y() = -length - begin;
+    Curve curve{.label = say("ωh = @", turn), .x = {0}, .y = {1}};
+    double energy = 0.5 * k * begin * begin;
+    for (int i = 1; i <= 100; ++i) {
+      hanging.step(h);
+      const double C = stretch(hanging, length),
+                   now = 0.5 * k * C * C + 0.5 * setting.mass() * hanging.scene.bodies.velocity[1].squaredNorm();
+      worst = std::max(worst, now / energy);
+      energy = std::max(now, 1e-12);
+      curve.x.push_back(i);
+      curve.y.push_back(C / begin);
+    }
+    rings.curves.push_back(curve);
+  }
+  page.figure(
+      "soft_rows",
+      "Left: how far a spring hangs out, tuned to its own bob; points are runs, dashed the law. Right: a "
+      "spring without damping, pulled out and let go. The step itself damps it, the more the stiffer it is.",
+      [sags, rings](Canvas& canvas) {
+        const auto cells = canvas.page().inset(14, 60).cells(1, 2, 24);
+        draw(canvas, sags, cells[0]);
+        draw(canvas, rings, cells[1]);
+      });
+  page.text(
+      "An explicit spring would blow up beyond ωh = 2; this one cannot, for every k, c and h, as long as its row "
+      "is "
+      "solved exactly. It loses energy instead: at ωh = 2 not one swing is left. A spring that shall swing needs "
+      "ωh "
+      "well below 1; one that shall only be *firm* may be as stiff as you like, and what it hangs out by is known "
+      "beforehand.");
+  page.claim({.quantity = "sag of the bob alone",
+              .unit = "m",
+              .expected = gravity / (shown * shown),
+              .source = "law B11: T/(m_eff ω²) = g/ω²",
+              .measured = light,
+              .tolerance = relative(1e-6)});
+  page.claim({.quantity = say("sag with @ times its mass below", heavy),
+              .unit = "m",
+              .expected = gravity * (1 + heavy) / (shown * shown),
+              .source = "law B11: T/(m_eff ω²)",
+              .measured = loaded,
+              .tolerance = relative(1e-4)});
+  page.claim({.quantity = "energy after a step over before, at most, ωh up to 10",
+              .unit = "1",
+              .expected = 1 + 1e-9,
+              .source = "implicit Euler never gains",
+              .measured = worst,
+              .tolerance = at_most()});
+}
+
+}  // namespace byhand::joints
