@@ -6,6 +6,7 @@
 #include "solver/constraints/friction.hpp"
 #include "solver/scenes/branches.hpp"
 #include "solver/scenes/chain.hpp"
+#include "solver/scenes/incline.hpp"
 #include "tests/solver/solving.hpp"
 
 namespace {
@@ -81,6 +82,24 @@ TEST(Allocation, HappensInNoStepWithContactsAfterTheFirst) {
       expect_none_after_the_first_step(scene, solver);
     }
   });
+}
+
+template <class S>
+void expect_none_at_rest(const S& scene, const RowSolver& solver) {
+  Simulation<S> simulation{scene, {solver}};
+  for (int i = 0; i < 30; ++i) simulation.step(time_step);
+  EXPECT_EQ(allocations_in([&] {
+              for (int i = 0; i < 30; ++i) simulation.step(time_step);
+            }),
+            0);
+}
+
+TEST(Allocation, HappensInNoStepWhileTheSameContactsAreFound) {
+  for (const RowSolver& solver : {RowSolver(GaussSeidel{}), RowSolver(ByGraph{})}) {
+    expect_none_at_rest(stack(5), solver);
+    expect_none_at_rest(pyramid(4), solver);
+    expect_none_at_rest(box_on_incline<Scene<SpaceBody, Contact, Friction>>(0.1, 0.5, 1), solver);
+  }
 }
 
 TEST(Allocation, HappensOnlyToPlanWhenAGraphIsLaidAgainWithinItsLargestSize) {
