@@ -1,0 +1,243 @@
+// Step 5: restitution, where it enters, and why a bounce on overlap gains energy.
+
+#include <algorithm>
+#include <cmath>
+
+#include "lessons/05_contact/steps.hpp"
+#include "lessons/pictures/boxes.hpp"
+#include "lessons/pictures/growing.hpp"
+#include "solver/scenes/balls.hpp"
+
+namespace byhand::contact {
+namespace {
+
+using namespace tutor;
+using namespace renderer;
+
+constexpr double seconds = 3, radius = 0.15;  // [s], of the ball [m]
+constexpr int bounces = 3, fine = 16;
+
+using Solved = Simulation<Scene<PlaneBody, Contact>>;
+
+Solved solved(const Setting& setting, double e) {
+  Solved simulation{bouncing_ball<PlaneBody>(setting.drop, e, radius), {}};
+  simulation.method.bounce_threshold = 0.1;
+  simulation.scene.colliders.margin = 0.5;  // it comes fast: the contact is to be known before it is there
+  return simulation;
+}
+
+double height(const Solved& ball) { return ball.scene.bodies.pose[1].position.y() - radius; }
+
+/// A particle that bounces when it finds itself under the ground: JV⁺ = -e JV⁻, with the V that a step has made.
+struct OnOverlap {
+  double h, e;
+  Pose<PlaneParticle> pose;
+  Velocity<PlaneParticle> velocity = Velocity<PlaneParticle>::Zero();
+  double time = 0;
+
+  void step() {
+    //! [on_overlap]
+    velocity.y() -= gravity * h;
+    if (pose.position.y() < 0 && velocity.y() < 0) velocity.y() = -e * velocity.y();
+    pose.position += h * velocity;
+    //! [on_overlap]
+    time += h;
+  }
+};
+double height(const OnOverlap& ball) { return ball.pose.position.y(); }
+
+OnOverlap on_overlap(const Setting& setting, double e) {
+  return {setting.h, e, {Linear<PlaneParticle>(0, setting.drop)}};
+}
+
+void step(Solved& ball, double h) { ball.step(h); }
+void step(OnOverlap& ball, double) { ball.step(); }
+
+/// The highest points after each bounce [m].
+template <class AnyBall>
+std::vector<double> peaks(AnyBall ball, double h, int count) {
+  std::vector<double> peaks;
+  double before = height(ball), now = before;
+  bool rising = false;
+  while (static_cast<int>(peaks.size()) < count && ball.time < 60) {
+    step(ball, h);
+    before = std::exchange(now, height(ball));
+    if (rising && now < before) peaks.push_back(before);
+    if (now != before) rising = now > before;  // at the top it may stand for a step
+  }
+  return peaks;
+}
+
+template <class AnyBall>
+Curve heights(std::string name, AnyBall ball, double h, Colour colour) {
+  Curve curve{.label = std::move(name), .x = {0}, .y = {height(ball)}, .colour = colour};
+  while (ball.time < seconds - 0.5 * h) {
+    step(ball, h);
+    curve.x.push_back(ball.time);
+    curve.y.push_back(height(ball));
+  }
+  return curve;
+}
+
+struct Film {
+  OnOverlap overlap;
+  Solved coarse, finer;
+  double h, top;
+  Chart chart;
+
+  void draw(Canvas& canvas, double time) {
+    while (overlap.time < time - 0.5 * h) {
+      overlap.step();
+      coarse.step(h);
+      for (int i = 0; i < fine; ++i) finer.step(h / fine);
+    }
+    const auto [left, right] = canvas.page().inset(16).split_columns(0.42, 20);
+    canvas.look(fit({-1.2, -0.2, 2.4, top + 2 * radius + 0.3}, left, 4));
+    canvas.ground({-1.2, 0}, {1.2, 0});
+    const double all[] = {height(overlap), height(coarse), height(finer)};
+    for (int i = 0; i < 3; ++i)
+      canvas.disc({0.75 * (i - 1), all[i] + radius}, radius, {palette::series(i), {palette::ink, 1.8}});
+    canvas.look_at_page();
+    renderer::draw(canvas, pictures::grown_to(chart, time), right.inset(0, 60));
+  }
+};
+
+Film film(const Setting& setting) {
+  const double h = setting.h();
+  Film film{on_overlap(setting, 1), solved(setting, 1), solved(setting, 1), h, 0, {}};
+  film.chart = {.x = {.label = "time (s)"}, .y = {.label = "height (m)"}};
+  film.chart.curves = {heights("on overlap", film.overlap, h, palette::series(0)),
+                       heights("solver, h", film.coarse, h, palette::series(1)),
+                       heights(say("solver, h/@", fine), film.finer, h / fine, palette::series(2))};
+  film.chart.references.push_back({.value = setting.drop, .label = "dropped from here"});
+  for (const Curve& curve : film.chart.curves)
+    film.top = std::max(film.top, *std::max_element(curve.y.begin(), curve.y.end()));
+  return film;
+}
+
+Chart peaks_over_bounces(const Setting& setting) {
+  const double e = setting.restitution, h = setting.h();
+  constexpr int shown = 6;
+  Chart chart{.x = {.label = "bounce"}, .y = {.label = "peak (m)", .scale = Scale::logarithmic}};
+  const auto add = [&](std::string name, const std::vector<double>& heights) {
+    Curve curve{.label = std::move(name), .style = CurveStyle::line_and_markers};
+    for (std::size_t i = 0; i < heights.size(); ++i) {
+      curve.x.push_back(static_cast<double>(i + 1));
+      curve.y.push_back(heights[i]);
+    }
+    chart.curves.push_back(std::move(curve));
+  };
+  add("on overlap, h", peaks(on_overlap(setting, e), h, shown));
+  add("solver, h", peaks(solved(setting, e), h, shown));
+  add(say("solver, h/@", fine), peaks(solved(setting, e), h / fine, shown));
+  Curve law{.label = "e²ⁿ", .style = CurveStyle::theory};
+  for (int n = 1; n <= shown; ++n) {
+    law.x.push_back(n);
+    law.y.push_back(setting.drop() * std::pow(e * e, n));
+    chart.x.ticks.push_back({static_cast<double>(n), say("@", n)});
+  }
+  chart.curves.push_back(law);
+  chart.y.range = {0.2 * law.y.back(), 2 * setting.drop()};
+  return chart;
+}
+
+/// What symplectic Euler and a bounce at the speed of the step before may cost by the n-th peak [m]: a fall up to
+/// 3/2 hv, of which e² is left, and half of hv on the way up.
+double allowance(const Setting& setting, double e, double h, int n) {
+  double speed = std::sqrt(2 * gravity * setting.drop()), sum = 0;
+  for (int i = 0; i < n; ++i) {
+    sum = e * e * (sum + 1.5 * h * speed) + 0.5 * h * e * speed;
+    speed *= e;
+  }
+  return sum + gravity * h * h;
+}
+
+}  // namespace
+
+void bounce(const Setting& setting, Page& page) {
+  const double e = setting.restitution, h = setting.h(), drop = setting.drop();
+
+  page.text(
+      "Until now a contact stopped what came. Let it give some of the speed back: a share e, the restitution, of "
+      "the "
+      "rate at which the two approached.");
+  page.formula("JV⁺ = −e JV⁻,   that is (21) with b = e JV⁻", R"(JV^+ = -e\,JV^-, \qquad b = e\,JV^-)");
+  page.predict({.ask = say("e = @, dropped from @ m. How high is the @rd peak?", setting.restitution, setting.drop,
+                           bounces),
+                .answer = drop * std::pow(e, 2 * bounces),
+                .unit = "m",
+                .tolerance = 0.05 * drop * std::pow(e, 2 * bounces),
+                .wrong = {{drop * std::pow(e, bounces), "e scales speed; height goes with its square."},
+                          {drop * std::pow(e, 2 * bounces - 2), "That is the peak before."}},
+                .hint = "How does the height of a throw go with its speed?",
+                .right = "Each bounce leaves e² of the height."});
+  page.text(
+      "One line, it seems: where the ball is under the ground, turn its speed round. Here it is, with all that "
+      "belongs "
+      "to a step:");
+  page.excerpt("lessons/05_contact/bounce.cpp", "on_overlap");
+  const std::vector<double> overlap = peaks(on_overlap(setting, 1), h, bounces),
+                            own = peaks(solved(setting, 1), h, bounces);
+  page.sequence(
+      "three_balls",
+      say("e = 1, dropped from @ m. Blue: turned round when it is found under the ground. The others: the solver, "
+          "with steps of h and of h/@.",
+          setting.drop, fine),
+      Seconds{seconds}, [film = film(setting)](Canvas& canvas, double time) mutable { film.draw(canvas, time); });
+  page.text(
+      "With e = 1 it ought to come back to @ m. Bouncing on overlap its peaks are @ m: it *gains*. Look where: V "
+      "already "
+      "holds this step's gravity when it is turned round, and so gh that pulled down now pulls up. The way up "
+      "begins "
+      "with gh more than the way down ended with and takes one step more; the peak is higher by h·v, the depth of "
+      "one "
+      "step's fall. Each time.",
+      setting.drop, overlap);
+  page.text(
+      "The solver does it in two solves. First the row closes the gap, as ever (b = C/h), and positions move: the "
+      "ball "
+      "arrives *on* the ground. Then the rows are solved again with b = e JV⁻, where JV⁻ was noted before gravity "
+      "and "
+      "before any impulse. That second solve goes on from the λ that the first has accumulated, so that the sum "
+      "is what "
+      "is clamped, and a slow approach is let be, or what rests would rattle:");
+  page.excerpt("solver/methods/restitution.cpp", "bounce");
+  page.text(
+      "Its peaks are @ m. It loses instead, by up to 2hv a bounce: a speed that is noted before the step lacks "
+      "the last "
+      "bit of the fall. A loss is what one can live with, and it goes with h. The lower the bounce, the more it "
+      "shows:",
+      own);
+  page.figure("peaks",
+              say("Peaks after each bounce, e = @, dropped from @ m. Dashed: e²ⁿ of that.", setting.restitution,
+                  setting.drop),
+              peaks_over_bounces(setting));
+
+  page.measure("first peak, e = 1, on overlap", overlap.front(), "m");
+  page.measure("first peak, e = 1, solver", own.front(), "m");
+  // After n steps it is h²g n(n + 1)/2 lower; the step after that turns g h (n + 1) round.
+  const double n = std::ceil((std::sqrt(1 + 8 * drop / (gravity * h * h)) - 1) / 2);
+  page.claim({.quantity = "first peak on overlap, e = 1",
+              .unit = "m",
+              .expected = drop + gravity * h * h * (n + 1),
+              .source = "hv above the start, step by step",
+              .measured = overlap.front(),
+              .tolerance = absolute(1e-9 * drop)});
+  page.claim({.quantity = "highest peak of the solver, e = 1",
+              .unit = "m",
+              .expected = drop,
+              .source = "nothing is gained",
+              .measured = *std::max_element(own.begin(), own.end()),
+              .tolerance = at_most()});
+  const double step = h / 256;
+  const std::vector<double> exact = peaks(solved(setting, e), step, bounces);
+  for (int k = 0; k < bounces; ++k)
+    page.claim({.quantity = say("peak @ of the solver, h/256", k + 1),
+                .unit = "m",
+                .expected = drop * std::pow(e * e, k + 1),
+                .source = "law A9: e²ⁿ, less what h may cost",
+                .measured = k < static_cast<int>(exact.size()) ? exact[k] : NAN,
+                .tolerance = absolute(allowance(setting, e, step, k + 1))});
+}
+
+}  // namespace byhand::contact

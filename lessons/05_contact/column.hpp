@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include "solver/measure.hpp"
+#include "solver/scenes/boxes.hpp"
+
+namespace byhand::contact {
+
+using Pile = Simulation<Boxes>;
+
+/// What a contact of a pile presses with [N], the contact's lower body and its upper one, as the last step left
+/// it.
+struct Pressed {
+  int body1, body2;
+  double force;
+};
+std::vector<Pressed> pressed(const Pile& pile, double h);
+
+/// What each layer of a stack presses on the one below with [N], the lowest first.
+std::vector<double> layer_forces(const Pile& stack, double h);
+
+/// A stack of unit boxes of 1 kg, the topmost of `top_mass` [kg], kicked to 0.02 m/s at its top, or left alone.
+Pile column(int boxes, const RowSolver& solver, double kick_speed = 0.02, double top_mass = 1);
+
+/// Whether its topmost box has come down by half a box.
+bool has_fallen(const Pile& stack);
+/// Steps until `time` [s] or until it has fallen; returns when it fell, infinity if it stands.
+double falls_at(Pile stack, double time, double h);
+
+/// How far the topmost box is to the side of where it began [m].
+double shift(const Pile& stack);
+
+}  // namespace byhand::contact

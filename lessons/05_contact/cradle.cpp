@@ -1,0 +1,203 @@
+// Step 6: a row of balls, where rows cannot say what happens.
+
+#include <cmath>
+
+#include "lessons/05_contact/hanging_cradle.hpp"
+#include "lessons/05_contact/steps.hpp"
+#include "renderer/canvas.hpp"
+#include "solver/measure.hpp"
+#include "solver/scenes/balls.hpp"
+
+namespace byhand::contact {
+namespace {
+
+using namespace tutor;
+using namespace renderer;
+
+using Row = Simulation<Scene<PlaneBody, Contact>>;
+
+Row row_of_balls(const Setting& setting, const RowSolver& solver, double gap = 0) {
+  Row row{newtons_cradle<PlaneBody>(setting.balls, 1, setting.speed()), {solver}};
+  for (int i = 0; i < setting.balls; ++i) row.scene.bodies.pose[i].position.x() += gap * i;
+  return row;
+}
+
+/// Of each ball, in units of the first one's before.
+std::vector<double> speeds(const Row& row, double speed) {
+  std::vector<double> speeds;
+  for (const auto& V : row.scene.bodies.velocity) speeds.push_back(V.x() / speed);
+  return speeds;
+}
+
+std::vector<double> after_a_step(const Setting& setting, const RowSolver& solver) {
+  Row row = row_of_balls(setting, solver);
+  row.step(setting.h);
+  return speeds(row, setting.speed);
+}
+
+/// Once the blow has run through balls that are `gap` [m] apart, in steps of h [s].
+std::vector<double> after_the_blow(const Setting& setting, double gap, double h) {
+  Row row = row_of_balls(setting, Direct{}, gap);
+  const double end = (setting.balls + 2) * (gap / setting.speed() + 2 * h);
+  while (row.time < end) row.step(h);
+  return speeds(row, setting.speed);
+}
+
+/// All at once: momentum, and every ball but the first as fast as the next.
+std::vector<double> shared(int balls) {
+  std::vector<double> speeds(static_cast<std::size_t>(balls), 2.0 / balls);
+  speeds.front() -= 1;
+  return speeds;
+}
+
+double sum(const std::vector<double>& values, int power) {
+  double sum = 0;
+  for (const double value : values) sum += std::pow(value, power);
+  return sum;
+}
+
+double largest_difference(const std::vector<double>& one, const std::vector<double>& other) {
+  double largest = 0;
+  for (std::size_t i = 0; i < one.size(); ++i) largest = std::max(largest, std::abs(one[i] - other[i]));
+  return largest;
+}
+
+Chart gaps(const Setting& setting) {
+  Curve first{.label = "first ball", .style = CurveStyle::line_and_markers},
+      last{.label = "last ball", .style = CurveStyle::line_and_markers};
+  const double gap = 0.001, crossing = gap / setting.speed();
+  for (int i = -6; i <= 14; ++i) {
+    const double share = std::pow(2, 0.5 * i);
+    const std::vector<double> speeds = after_the_blow(setting, gap, share * crossing);
+    first.x.push_back(share);
+    first.y.push_back(speeds.front());
+    last.x.push_back(share);
+    last.y.push_back(speeds.back());
+  }
+  return {.x = {.label = "h, in times that a ball takes to cross a gap (1)", .scale = Scale::logarithmic},
+          .y = {.label = "speed after the blow (v)"},
+          .curves = {first, last},
+          .references = {{Reference::Across::x, 1, "h = gap/v"}}};
+}
+
+}  // namespace
+
+void cradle(const Setting& setting, Page& page) {
+  const int n = setting.balls;
+  const double v = setting.speed();
+  const std::vector<double> direct = after_a_step(setting, Direct{});
+  const GaussSeidel forward{.sweeps = 1, .warm_start = false},
+      backward{.sweeps = 1, .warm_start = false, .order = SweepOrder::reverse},
+      many{.sweeps = 200 * n, .warm_start = false};
+
+  page.text(
+      "@ balls of one mass in a row, just touching, e = 1; the first comes at @ m/s. You know what happens: the "
+      "last one "
+      "leaves, and the others stay. Now ask (17), for all contacts at once.",
+      n, setting.speed);
+  page.predict(
+      {.ask = say("@ balls, all contacts solved at once, e = 1. How fast is the first ball afterwards, in "
+                  "units of its speed before?",
+                  n),
+       .answer = direct.front(),
+       .unit = "v",
+       .tolerance = 0.04,
+       .wrong = {{0, "That is nature. The smallest change of V that parts all pairs shares the blow among all."},
+                 {-1, "Then the others would have all of the momentum, twice over."}},
+       .hint = "Only the first pair approached, so only it must part, at v. The others must not approach. What is "
+               "the least that does both?",
+       .right = say("(2 − N)/N, and all the others go off together at 2/N = @ v.", 2.0 / n)});
+  const std::vector<double> one_forward = after_a_step(setting, forward),
+                            one_backward = after_a_step(setting, backward);
+  std::vector<double> nature(static_cast<std::size_t>(n), 0.0);
+  nature.back() = 1;
+  Chart bars{.x = {.label = "ball"}, .y = {.label = "speed after the blow (v)"}};
+  for (int i = 1; i <= n; ++i) bars.bar_names.push_back(say("@", i));
+  bars.bars = {{"all at once", direct, {}},
+               {"one sweep, first contact first", one_forward, {}},
+               {"one sweep, last contact first", one_backward, {}},
+               {"nature", nature, palette::muted}};
+  page.figure("cradle_speeds",
+              say("What becomes of @ balls in one step: solved at once, by one sweep in either direction (for the "
+                  "stop and "
+                  "for the bounce), and in nature.",
+                  n),
+              bars);
+  page.text(
+      "Momentum is right in all of them, and solved at once the energy is right as well. Still it is not what "
+      "happens. One sweep gives something else, and with the contacts taken from the other end something else "
+      "again; "
+      "energy is left lying about (@ and @ of it are there). More sweeps do not lead to nature either, they lead "
+      "to the "
+      "first answer: it is the one where no row wants anything any more.",
+      Value(sum(one_forward, 2), 2), Value(sum(one_backward, 2), 2));
+  page.text(
+      "What do the rows not know? *When*. Steel balls touch one after the other, in a few hundred-thousandths of "
+      "a second "
+      "each; rows say that all of it happens at the same instant, and then momentum and energy are two equations "
+      "for @ "
+      "unknowns. Tell them: leave a hair of air between the balls, and take steps so short that one collision is "
+      "over "
+      "before the next begins.",
+      n);
+  page.figure(
+      "cradle_gaps",
+      "Balls a millimetre apart, all contacts solved at once in each step. Left, with steps shorter than the "
+      "flight across a gap: nature. Right: everything in one step.",
+      gaps(setting));
+  page.sequence(
+      "two_cradles",
+      "Above: balls that touch, all contacts at once. Below: the same solver, a few millimetres between the "
+      "balls, and steps short enough.",
+      Seconds{HangingCradle::seconds},
+      [touching = HangingCradle(n, 0, HangingCradle::touching_step),
+       apart = HangingCradle(n, HangingCradle::gap, HangingCradle::gap_step)](Canvas& canvas,
+                                                                              double time) mutable {
+        const auto [upper, lower] = canvas.page().inset(16).split_rows(0.5, 12);
+        touching.advance(time);
+        apart.advance(time);
+        touching.draw(canvas, upper, "touching");
+        apart.draw(canvas, lower, say("@ mm apart", 1000 * HangingCradle::gap));
+      });
+  page.text(
+      "So the question what a solver *should* do here has no answer in (17). It is good to know which one yours "
+      "gives: a "
+      "pile that is hit from one side behaves like the first.");
+
+  page.measure("first ball, all at once", direct.front(), "v");
+  page.claim({.quantity = "largest difference from (2 − N)/N and 2/N, all at once",
+              .unit = "v",
+              .expected = 0,
+              .source = "law A10",
+              .measured = largest_difference(direct, shared(n)),
+              .tolerance = absolute(1e-9)});
+  page.claim({.quantity = "energy, all at once",
+              .unit = "½mv²",
+              .expected = 1,
+              .source = "e = 1",
+              .measured = sum(direct, 2),
+              .tolerance = absolute(1e-9)});
+  for (const auto& [name, speeds] :
+       {std::pair{"first contact first", one_forward}, std::pair{"last contact first", one_backward}})
+    page.claim({.quantity = say("momentum, one sweep, @", name),
+                .unit = "mv",
+                .expected = 1,
+                .source = "(20) gives both bodies the same λ",
+                .measured = sum(speeds, 1),
+                .tolerance = absolute(1e-12)});
+  page.claim({.quantity = say("largest difference between @ sweeps and all at once", many.sweeps),
+              .unit = "v",
+              .expected = 0,
+              .source = "one answer",
+              .measured = largest_difference(after_a_step(setting, many), direct),
+              .tolerance = absolute(1e-6)});
+  const double gap = 0.001;
+  page.claim({.quantity = "last ball, steps of half a gap's flight",
+              .unit = "v",
+              .expected = 1,
+              .source = "nature: one collision after the other",
+              .measured = after_the_blow(setting, gap, 0.5 * gap / v).back(),
+              .tolerance = absolute(1e-9)});
+}
+
+}  // namespace byhand::contact

@@ -1,0 +1,300 @@
+// Step 3: friction's row, why JV is computed again for it, and in which order rows are solved.
+
+#include <array>
+#include <cmath>
+
+#include "lessons/05_contact/steps.hpp"
+#include "renderer/canvas.hpp"
+#include "solver/constraints/contact.hpp"
+#include "solver/constraints/friction.hpp"
+#include "solver/simulation.hpp"
+
+namespace byhand::contact {
+namespace {
+
+using namespace tutor;
+using namespace renderer;
+
+constexpr double tilt = 30;  // of the box that comes down on its corner [deg]
+
+/// A unit box that comes straight down on a corner, and what its two rows make of that, one after the other.
+class OnACorner {
+ public:
+  OnACorner(double mass, double speed, double friction) : friction_(friction) {
+    const auto [sin, cos] = sin_cos(radians(tilt));
+    corner_ = {0.5 * (sin - cos), -0.5 * (sin + cos)};
+    const int ground = bodies_.add({}, fixed<PlaneBody>(), Velocity<PlaneBody>::Zero());
+    const int box = bodies_.add({-corner_, plane_rotation(radians(tilt))}, byhand::box<PlaneBody>(mass, {1, 1}),
+                                {0, -speed, 0});
+    const Contact<PlaneBody> contact{between<PlaneBody>(bodies_, ground, {0, 0}, box, {0, 0})};
+    normal_ = contact.jacobian(bodies_.pose[0], bodies_.pose[1]);
+    tangent_ = Friction<PlaneBody>{contact.at, tangents_of<PlaneBody>(contact.normal)}.jacobian(bodies_.pose[0],
+                                                                                                bodies_.pose[1]);
+  }
+
+  void solve_normal() { pressed_ += solve(normal_, 0, INFINITY, pressed_); }
+  void solve_friction() { rubbed_ += solve(tangent_, -friction_ * pressed_, friction_ * pressed_, rubbed_); }
+
+  double approach() const { return rate(normal_); }
+  double slip() const { return rate(tangent_); }
+  double pressed() const { return pressed_; }
+  double rubbed() const { return rubbed_; }
+  /// A = JM⁻¹Jᵀ between two rows, in 1/m.
+  double coupling(double mass) const { return mass * entry(tangent_, normal_); }
+  double normal_share(double mass) const { return mass * entry(normal_, normal_); }
+  double tangent_share(double mass) const { return mass * entry(tangent_, tangent_); }
+
+  Point centre() const { return bodies_.pose[1].position; }
+  Point corner_velocity() const { return {slip(), approach()}; }
+  double spin() const { return bodies_.velocity[1][2]; }
+
+ private:
+  using Row = Jacobian<PlaneBody, 1>;
+
+  Row over_mass(const Row& J) const {
+    return times_inverse_mass(J, bodies_.inverse_mass[0], bodies_.pose[0], bodies_.inverse_mass[1],
+                              bodies_.pose[1]);
+  }
+  double rate(const Row& J) const { return dot(J, bodies_.velocity[0], bodies_.velocity[1])[0]; }
+  double entry(const Row& one, const Row& other) const { return one.matrix.dot(over_mass(other).matrix); }
+  double solve(const Row& J, double lower, double upper, double before) {
+    const Row W = over_mass(J);
+    const double wanted = before + impulse(J, W, bodies_.velocity[0], bodies_.velocity[1], 0.0);
+    const double change = std::clamp(wanted, lower, upper) - before;
+    apply_impulse(W, Rows<1>(change), bodies_.velocity[0], bodies_.velocity[1]);
+    return change;
+  }
+
+  Bodies<PlaneBody> bodies_;
+  Point corner_;  // from the centre [m]
+  Row normal_, tangent_;
+  double friction_, pressed_ = 0, rubbed_ = 0;
+};
+
+/// Without what rounding leaves, to three digits.
+Value tidy(double value) { return {std::abs(value) < 1e-9 ? 0 : value, 3}; }
+
+/// A box on its corner: how its corner moves, and the impulses so far.
+void draw_corner(Canvas& canvas, const OnACorner& box, double speed, double mass, const std::string& words,
+                 const Rectangle& frame) {
+  canvas.look_at_page();
+  canvas.text({frame.centre().x(), frame.top() - 24}, words, {.size = 22, .bold = true});
+  canvas.text(
+      {frame.centre().x(), frame.y + 20},
+      say("corner: @ m/s along, @ m/s up\nω = @ rad/s", tidy(box.slip()), tidy(box.approach()), tidy(box.spin())),
+      {.size = 18, .anchor = Anchor::bottom});
+  const Rectangle below{frame.x, frame.y + 78, frame.width, frame.height - 130};
+  canvas.clip(below);
+  canvas.look(fit({-1.1, -0.75, 2.2, 2.2}, below, 0));
+  canvas.ground({-1.1, 0}, {1.1, 0});
+  canvas.box(box.centre(), {1, 1}, radians(tilt));
+  const double scale = 0.7 / speed;
+  if (box.pressed() > 0)
+    canvas.vector({0, 0}, Point(box.rubbed(), box.pressed()), {palette::force, 0.25 / (speed * mass), "N s"});
+  if (box.corner_velocity().norm() > 1e-9 * speed)
+    canvas.vector({0, 0}, box.corner_velocity(), {palette::velocity, scale, "m/s"});
+  canvas.clip({});
+  canvas.look_at_page();
+}
+
+using Puck = Simulation<Scene<PlaneParticle, Contact, Friction>>;
+
+/// A particle that slides on level ground: one contact, one row of friction.
+Puck puck(const Setting& setting, const GaussSeidel& solver) {
+  Scene<PlaneParticle, Contact, Friction> scene;
+  const int ground = scene.add_body(Linear<PlaneParticle>(0, 0), fixed<PlaneParticle>());
+  const int puck =
+      scene.add_body(Linear<PlaneParticle>(0, 0), with_mass<PlaneParticle>(setting.mass()), {setting.speed(), 0});
+  const Contact<PlaneParticle> contact{{ground, puck}};
+  const int leader = scene.add(contact);
+  scene.add(
+      Friction<PlaneParticle>{contact.at, tangents_of<PlaneParticle>(contact.normal), setting.friction(), leader});
+  return {scene, {solver}};
+}
+
+struct Order {
+  std::string name;
+  GaussSeidel solver;
+};
+const std::array<Order, 4> orders{{
+    {"normal first, 1 cold sweep", {.sweeps = 1, .warm_start = false}},
+    {"friction first, 1 cold sweep", {.sweeps = 1, .warm_start = false, .order = SweepOrder::reverse}},
+    {"friction first, 2 cold sweeps", {.sweeps = 2, .warm_start = false, .order = SweepOrder::reverse}},
+    {"friction first, 1 warm sweep", {.sweeps = 1, .warm_start = true, .order = SweepOrder::reverse}},
+}};
+
+/// λ of friction in the first step [N s].
+double rubbed_in_a_step(const Setting& setting, const GaussSeidel& solver) {
+  Puck simulation = puck(setting, solver);
+  simulation.step(setting.h);
+  return simulation.work.system.lambda[simulation.work.system.row_of[1]];
+}
+
+Chart speeds(const Setting& setting) {
+  const double stop = setting.speed() / (setting.friction() * gravity);
+  Chart chart{.x = {.label = "time (s)"}, .y = {.label = "speed (m/s)"}};
+  for (std::size_t i = 0; i < orders.size(); ++i) {
+    Puck simulation = puck(setting, orders[i].solver);
+    Curve curve{.label = orders[i].name,
+                .x = {0},
+                .y = {setting.speed()},
+                .style = i == 0 ? CurveStyle::line : CurveStyle::line_and_markers};
+    const int every = std::max(1, static_cast<int>(stop / setting.h() / 16));
+    for (int step = 1; simulation.time < 1.3 * stop; ++step) {
+      simulation.step(setting.h);
+      if (step % every != static_cast<int>(i) * every / 4) continue;
+      curve.x.push_back(simulation.time);
+      curve.y.push_back(simulation.scene.bodies.velocity[1].x());
+    }
+    chart.curves.push_back(std::move(curve));
+  }
+  return chart;
+}
+
+double stopping_distance(const Setting& setting, const GaussSeidel& solver) {
+  Puck simulation = puck(setting, solver);
+  while (simulation.time < 1.1 * setting.speed() / (setting.friction() * gravity) + 2 * setting.h())
+    simulation.step(setting.h);
+  return simulation.scene.bodies.pose[1].position.x();
+}
+
+}  // namespace
+
+void friction_row(const Setting& setting, Page& page) {
+  const double mass = setting.mass(), speed = setting.speed(), mu = setting.friction(), h = setting.h();
+  const OnACorner before(mass, speed, mu);
+  OnACorner pressed = before;
+  pressed.solve_normal();
+  OnACorner rubbed = pressed;
+  rubbed.solve_friction();
+  OnACorner settled = rubbed;
+  for (int i = 0; i < 60; ++i) {
+    settled.solve_normal();
+    settled.solve_friction();
+  }
+  const bool sticks = std::abs(settled.slip()) < 1e-6 * speed;
+
+  page.text(
+      "Friction is (15) once more, with a tangent t in the place of n. It has no C to keep; it only wants JV = 0, "
+      "no "
+      "slip. What is new is its bound. Coulomb's law: at most μ times what presses, so its bound is another row's "
+      "λ:");
+  page.equation(16);
+  page.formula("−μ λₙ ≤ λₜ ≤ μ λₙ", R"(-\mu\,\lambda_n \le \lambda_t \le \mu\,\lambda_n)");
+  page.text(
+      "λₙ is the *accumulated* one of the contact, and so is λₜ. The two rows act at one point of one body, and "
+      "so it "
+      "is tempting to compute the velocity of that point once and give it to both. Here is a box of @ kg that "
+      "comes "
+      "straight down on its corner, turned by @° and not turning. The corner moves straight down, too: friction "
+      "has "
+      "nothing to do, has it?",
+      setting.mass, tilt);
+  page.predict(
+      {.ask = say(
+           "The corner comes down at @ m/s and does not slip. The normal's row stops it. How fast does it slip "
+           "then? (To the right is positive.)",
+           setting.speed),
+       .answer = pressed.slip(),
+       .unit = "m/s",
+       .tolerance = 0.1 * std::abs(pressed.slip()),
+       .wrong =
+           {{0,
+             "The push is straight up, but it is not under the centre: it turns the box, and the corner with it."},
+            {-pressed.slip(),
+             "The push passes to the left of the centre, so it turns the box clockwise. Which "
+             "way does a point below the centre go?"}},
+       .hint = "The push passes beside the centre of mass. What does it do besides stopping the corner?",
+       .right = say("−A_{tn}/A_{nn} times the approach: @ of it.",
+                    Value(-before.coupling(mass) / before.normal_share(mass), 3))});
+  page.figure(
+      "on_a_corner",
+      "Left: the corner comes straight down. Middle: the normal's push (orange) has stopped it and made it slip. "
+      "Right: friction has answered what it found *then*. Green: how the corner moves.",
+      [=](Canvas& canvas) {
+        const auto frames = canvas.page().inset(16).cells(1, 3, 12);
+        draw_corner(canvas, before, speed, mass, "before", frames[0]);
+        draw_corner(canvas, pressed, speed, mass, "after the normal", frames[1]);
+        draw_corner(canvas, rubbed, speed, mass, "after friction", frames[2]);
+      });
+  page.text(
+      "So JV is computed again for each row, from V as the row before has left it. That is not care, that is what "
+      "the "
+      "*sequential* in sequential impulses means: with the old JV friction would have found 0 and given 0, and "
+      "the "
+      "corner would slip away at @ m/s. For the same reason the tangent needs an effective mass of its own. (19) "
+      "is "
+      "@/m along n and @/m along t: this corner gives way sideways @ times as easily as upwards.",
+      Value(std::abs(pressed.slip()), 3), Value(before.normal_share(mass), 3),
+      Value(before.tangent_share(mass), 3), Value(before.tangent_share(mass) / before.normal_share(mass), 3));
+  page.text(sticks ? "And friction's push has disturbed the normal in turn (@ m/s up): another sweep, until both "
+                     "are at rest. "
+                     "With μ = @ the corner then sticks."
+                   : "And friction's push has disturbed the normal in turn (@ m/s up): another sweep, until "
+                     "nothing changes. "
+                     "With μ = @ the bound is too small and the corner still slips.",
+            Value(rubbed.approach(), 3), setting.friction);
+  page.text(
+      "If friction leans on the normal, which of the two comes first? Take the simplest thing that slides, a "
+      "particle "
+      "of @ kg at @ m/s on level ground, μ = @: one contact, one row of friction.",
+      setting.mass, setting.speed, setting.friction);
+  const double full = mu * mass * gravity * h, first = rubbed_in_a_step(setting, orders[1].solver);
+  page.predict(
+      {.ask = say("Friction's row first, then the normal's; one sweep, from λ = 0. Friction's impulse? (μmgh "
+                  "is @ N s.)",
+                  Value(full, 3)),
+       .answer = first,
+       .unit = "N s",
+       .tolerance = 0.05 * full,
+       .wrong = {{full, "Its bound is μ times a normal impulse, and that one is still zero."}},
+       .hint = "What is λₙ when friction's turn comes?",
+       .right = "Nothing presses yet, so nothing rubs."});
+  page.figure("order_of_rows",
+              say("A particle slides at @ m/s, μ = @. One cold sweep with friction first never slows it.",
+                  setting.speed, setting.friction),
+              speeds(setting));
+  page.text(
+      "With two sweeps the second finds what the first has left, and a warm start remembers what pressed a step "
+      "ago: "
+      "both hide the mistake, but for a step's delay. Normals first is right from the beginning. It has its "
+      "price: what friction then disturbs, no normal comes after to mend, and bodies sink a little where they "
+      "rub. "
+      "Many engines therefore solve friction first and rely on the warm start.");
+
+  page.measure("slip after the normal's impulse", pressed.slip(), "m/s");
+  page.measure("stopping distance", stopping_distance(setting, orders[0].solver), "m");
+  const double lever = 6 * std::pow(0.5 * (std::cos(radians(tilt)) - std::sin(radians(tilt))), 2);
+  const double moment = -6 * 0.5 * (std::cos(radians(tilt)) - std::sin(radians(tilt))) * 0.5 *
+                        (std::cos(radians(tilt)) + std::sin(radians(tilt)));
+  page.claim({.quantity = "slip after the normal's impulse",
+              .unit = "m/s",
+              .expected = speed * moment / (1 + lever),
+              .source = "v·rₓr_y m/I over 1 + rₓ² m/I, by hand",
+              .measured = pressed.slip(),
+              .tolerance = relative(1e-12)});
+  page.claim({.quantity = "friction's impulse, friction first, 1 cold sweep",
+              .unit = "N s",
+              .expected = 0,
+              .source = "law B10: the bound is zero",
+              .measured = first,
+              .tolerance = absolute(0)});
+  page.claim({.quantity = "friction's impulse, normal first, 1 cold sweep",
+              .unit = "N s",
+              .expected = -full,
+              .source = "−μmgh, against the motion",
+              .measured = rubbed_in_a_step(setting, orders[0].solver),
+              .tolerance = relative(1e-12)});
+  const double steps = speed / (mu * gravity * h);
+  page.claim({.quantity = "stopping distance, normal first",
+              .unit = "m",
+              .expected = speed * speed / (2 * mu * gravity) - speed * h / 2,
+              .source = "law A7: v²/(2μg) − vh/2",
+              .measured = stopping_distance(setting, orders[0].solver),
+              // A last step that is not a whole one: f(1 − f)/2 of μgh², f its share.
+              .tolerance = absolute(mu * gravity * h * h / 8 + 1e-9),
+              .claimed = steps > 4,
+              .range = "more than four steps"});
+}
+
+}  // namespace byhand::contact

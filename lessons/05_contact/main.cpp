@@ -1,0 +1,66 @@
+#include "lessons/05_contact/steps.hpp"
+
+// Rows that may only push, friction that leans on them, and what becomes of many of them: bounces, cradles,
+// stacks.
+int main(int argc, char** argv) {
+  using namespace byhand;
+  using namespace byhand::contact;
+
+  tutor::Lesson lesson(
+      {.slug = "05_contact",
+       .title = "Contact and friction",
+       .summary =
+           "Rows that may only push, friction that leans on them, bounces, and what a stack asks of a solver.",
+       .method = "symplectic Euler; Gauss–Seidel or direct with an active set; Baumgarte"});
+  const Setting setting{
+      .h = lesson.parameter("h", 1.0 / 60, "s", {1e-3, 0.05}, "time step"),
+      .beta = lesson.parameter("beta", 0.2, "1", {0.05, 1}, "share of an overlap that a step takes away"),
+      .mass = lesson.parameter("mass", 3.0, "kg", {0.1, 100}, "mass of a single box"),
+      .width = lesson.parameter("width", 0.2, "m", {0.1, 2}, "of the box that stands on two contacts, 1 m high"),
+      .depth = lesson.parameter("depth", 0.3, "m", {0.01, 0.4}, "overlap with which a box begins"),
+      .cap = lesson.parameter("cap", 1.0, "m/s", {0.1, 10}, "limit on the speed with which overlap is cured"),
+      .friction = lesson.parameter("friction", 0.4, "1", {0.05, 1}, "coefficient μ"),
+      .slope = lesson.parameter("slope", 25.0, "deg", {5, 40}, "of the incline"),
+      .speed = lesson.parameter("speed", 3.0, "m/s", {1, 10}, "of the box that is pushed along"),
+      .restitution = lesson.parameter("e", 0.5, "1", {0.3, 0.95}, "restitution of the ball"),
+      .drop = lesson.parameter("drop", 1.0, "m", {0.3, 5}, "height from which the ball falls"),
+      .balls = lesson.parameter("balls", 5, "1", {2, 10}, "of the cradle"),
+      .boxes = lesson.parameter("boxes", 20, "1", {2, 30}, "of the stack"),
+      .sweeps = lesson.parameter("sweeps", 10, "1", {1, 100}, "sweeps over the stack in a step"),
+      .base = lesson.parameter("base", 10, "1", {2, 20}, "boxes in the pyramid's lowest row"),
+      .ratio = lesson.parameter("ratio", 100.0, "1", {1, 1000}, "mass of the upper box over that of the lower"),
+  };
+  const auto with = [setting](void (*step)(const Setting&, tutor::Page&)) {
+    return [=](tutor::Page& page) { step(setting, page); };
+  };
+
+  lesson.step("A row that may only push", with(push_only));
+  lesson.step("The pop of a deep contact", with(deep_contact));
+  lesson.step("Friction leans on the normal", with(friction_row));
+  lesson.step("Sticks or slides", with(sticks_or_slides));
+  lesson.step("A bounce", with(bounce));
+  lesson.step("Newton’s cradle", with(cradle));
+  lesson.step("A stack", with(stack_of_boxes));
+  lesson.deeper("A pyramid", with(wall_of_boxes));
+  lesson.deeper("A heavy box on a light one", with(heavy_on_light));
+
+  lesson.closing(
+      {.now_you_know =
+           {"A contact is an inequality: JV + b ≥ 0, λ ≥ 0, one of them zero; what is clamped is the sum.",
+            "An overlap d leaves at βd/h, and pops off the ground beyond (1 − β/2)·2gh²/β².",
+            "Friction is (16) within μ times the normal's λ; each row computes JV anew, normals first.",
+            "It sticks while tanθ ≤ μ, and then slides by ½at(t + h).",
+            "A bounce is b = e JV⁻, with JV⁻ from before the step; reversed on overlap it gains h·v each time.",
+            "Where many touch at once, rows have an answer and nature has another.",
+            "A stack's weight is easily carried; what falls is its bending, for which sweeps are too slow."},
+       .tries = {{"A square box hides the wrong clamp, a slim one shows it. Where between the two does it begin?",
+                  "./lessons/run contact --step 1 --set width=0.7"},
+                 {"How many sweeps does it take to keep this stack on its feet?",
+                  "./lessons/run contact --step 7 --set boxes=15 --set sweeps=32"},
+                 {"Half the step: which of the bounces come nearer to the law?",
+                  "./lessons/run contact --step 5 --set h=1/120"}},
+       .next = "Two rows made a contact with friction. Next, rows are put together into joints: pins, hinges, "
+               "sliders, "
+               "limits and motors."});
+  return lesson.run(argc, argv);
+}

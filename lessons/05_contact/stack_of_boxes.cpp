@@ -1,0 +1,279 @@
+// Step 7: a stack, and what it asks of a solver.
+
+#include <algorithm>
+#include <cmath>
+
+#include "lessons/05_contact/column.hpp"
+#include "lessons/05_contact/steps.hpp"
+#include "lessons/pictures/boxes.hpp"
+#include "lessons/pictures/growing.hpp"
+
+namespace byhand::contact {
+namespace {
+
+using namespace tutor;
+using namespace renderer;
+
+constexpr double seconds = 3.5, hurry = 2;  // of film [s]; seconds of the stack in one of the film
+constexpr double patience = 20;             // how long a stack must stand [s]
+
+double weight_above(int boxes, int layer) { return (boxes - layer) * gravity; }
+
+/// The same column as points on a line, swept from below: what each layer presses with after so many sweeps from
+/// zero [N].
+std::vector<double> swept_by_hand(int boxes, int sweeps, double h) {
+  const auto n = static_cast<std::size_t>(boxes);
+  std::vector<double> lambda(n, 0.0), v(n + 1, -gravity * h);
+  v[0] = 0;
+  for (int sweep = 0; sweep < sweeps; ++sweep)
+    for (std::size_t i = 0; i < n; ++i) {
+      const double share = i == 0 ? 1 : 0.5;
+      const double change = std::max(-lambda[i], -share * (v[i + 1] - v[i]));
+      lambda[i] += change;
+      v[i + 1] += change;
+      if (i > 0) v[i] -= change;
+    }
+  for (double& impulse : lambda) impulse /= h;
+  return lambda;
+}
+
+std::vector<double> forces_after(Pile pile, int steps, double h) {
+  for (int i = 0; i < steps; ++i) pile.step(h);
+  return layer_forces(pile, h);
+}
+
+GaussSeidel sweeping(int sweeps, bool warm) { return {.sweeps = sweeps, .warm_start = warm}; }
+
+Chart forces(const Setting& setting) {
+  const int n = setting.boxes, sweeps = setting.sweeps;
+  const double h = setting.h();
+  Chart chart{.x = {.label = "contact, from the ground up"}, .y = {.label = "presses with (weights of a box)"}};
+  const auto add = [&](std::string name, const std::vector<double>& forces, CurveStyle style) {
+    Curve curve{.label = std::move(name), .style = style};
+    for (std::size_t i = 0; i < forces.size(); ++i) {
+      curve.x.push_back(static_cast<double>(i + 1));
+      curve.y.push_back(forces[i] / gravity);
+    }
+    chart.curves.push_back(std::move(curve));
+  };
+  const auto resting = [&](bool warm) { return column(n, sweeping(sweeps, warm), 0); };
+  add("1 step from zero", forces_after(resting(true), 1, h), CurveStyle::line_and_markers);
+  add("4 warm steps", forces_after(resting(true), 4, h), CurveStyle::line_and_markers);
+  add("16 warm steps", forces_after(resting(true), 16, h), CurveStyle::line_and_markers);
+  add("direct, 1 step", forces_after(column(n, Direct{}, 0), 1, h), CurveStyle::markers);
+  std::vector<double> weights;
+  for (int i = 0; i < n; ++i) weights.push_back(weight_above(n, i));
+  add("the weight above", weights, CurveStyle::theory);
+  return chart;
+}
+
+/// The fewest sweeps of a list with which the stack stands.
+double sweeps_needed(int boxes, double h) {
+  for (const int sweeps : {1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192})
+    if (std::isinf(falls_at(column(boxes, sweeping(sweeps, true)), patience, h))) return sweeps;
+  return INFINITY;
+}
+
+/// The largest difference between the velocities that so many cold sweeps leave and those of the direct solve, in
+/// the step after the kick [m/s, rad/s].
+double left_after(int boxes, int sweeps, double h) {
+  Pile swept = column(boxes, sweeping(sweeps, false)), direct = column(boxes, Direct{});
+  swept.step(h);
+  direct.step(h);
+  double largest = 0;
+  for (int i = 1; i <= boxes; ++i)
+    largest = std::max(largest,
+                       (swept.scene.bodies.velocity[i] - direct.scene.bodies.velocity[i]).cwiseAbs().maxCoeff());
+  return largest;
+}
+
+/// The share that a sweep takes from the slowest error, where only that is left.
+double share_taken(int boxes, double h) {
+  const int begin = boxes * boxes * boxes * boxes, span = begin / 2;
+  return -std::log(left_after(boxes, begin + span, h) / left_after(boxes, begin, h)) / span;
+}
+
+Chart needed(double h) {
+  Curve stands{.label = say("stands @ s", patience), .style = CurveStyle::line_and_markers},
+      digit{.label = "one more digit", .style = CurveStyle::markers},
+      law{.label = "ln 10 · N⁴/2", .style = CurveStyle::theory};
+  for (const int boxes : {4, 5, 6, 8, 10, 12, 15, 18, 21}) {
+    for (Curve* curve : {&stands, &digit, &law}) curve->x.push_back(boxes);
+    stands.y.push_back(sweeps_needed(boxes, h));
+    stands.point_labels.push_back(tutor::number(stands.y.back()));
+    digit.y.push_back(std::log(10) / share_taken(boxes, h));
+    law.y.push_back(std::log(10) * std::pow(boxes, 4) / 2);
+  }
+  return {.x = {.label = "boxes N (1)", .scale = Scale::logarithmic},
+          .y = {.label = "sweeps (1)", .scale = Scale::logarithmic},
+          .curves = {stands, digit, law}};
+}
+
+/// What friction has to do with it: the same stack with surfaces that cannot slip.
+std::string without_slip(int boxes, const GaussSeidel& solver, double h) {
+  const double fell = falls_at(column(boxes, solver), patience, h);
+  if (std::isinf(fell)) return "(This one stands; take fewer sweeps or more boxes.)";
+  Pile sticky{stack(boxes, 1, {.friction = 1e4}), {solver}};
+  kick(sticky.scene, 0.02);
+  return say("Not for want of friction: with μ = 10⁴ it falls after @ s instead of @ s.",
+             Value(falls_at(sticky, patience, h), 3), Value(fell, 3));
+}
+
+struct Run {
+  std::string name;
+  Pile pile;
+};
+
+Chart shifts(const std::vector<Run>& runs, double h) {
+  Chart chart{.x = {.label = "time (s)"},
+              .y = {.label = "top box is off by (m)", .scale = Scale::logarithmic, .range = {{1e-6, 20}}}};
+  for (Run run : runs) {
+    Curve curve{.label = run.name};
+    while (run.pile.time < hurry * seconds) {
+      run.pile.step(h);
+      curve.x.push_back(run.pile.time);
+      curve.y.push_back(std::max(1e-6, shift(run.pile)));
+    }
+    chart.curves.push_back(std::move(curve));
+  }
+  return chart;
+}
+
+void draw_runs(Canvas& canvas, const std::vector<Run>& runs, const Rectangle& frame, int boxes) {
+  const auto cells = frame.cells(1, static_cast<int>(runs.size()), 8);
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const Rectangle below{cells[i].x, cells[i].y, cells[i].width, cells[i].height - 36};
+    canvas.look_at_page();
+    canvas.text({cells[i].centre().x(), cells[i].top() - 16}, runs[i].name,
+                {.size = 20, .colour = palette::series(static_cast<int>(i)), .bold = true});
+    canvas.clip(below);
+    canvas.look(fit({-0.16 * boxes, -0.03 * boxes, 0.32 * boxes, 1.06 * boxes}, below, 0));
+    pictures::Shapes shapes = pictures::shapes_of(runs[i].pile.scene);
+    for (auto& box : shapes.boxes) box.look.edge.width = 1;
+    pictures::draw(canvas, shapes);
+    canvas.clip({});
+  }
+  canvas.look_at_page();
+}
+
+}  // namespace
+
+void stack_of_boxes(const Setting& setting, Page& page) {
+  const int n = setting.boxes, sweeps = setting.sweeps;
+  const double h = setting.h();
+  const std::vector<double> cold = forces_after(column(n, sweeping(sweeps, false), 0), 1, h),
+                            by_hand = swept_by_hand(n, sweeps, h),
+                            direct = forces_after(column(n, Direct{}, 0), 1, h);
+
+  page.text(
+      "A stack is lesson 3's chain standing on its head: @ unit boxes of 1 kg, and each contact has to carry all "
+      "that is "
+      "above it. From here on two boxes touch along a face, and a face is one block of three rows: the normals at "
+      "its two "
+      "ends, solved together (one after the other they would take turns at tilting the box), and then one row of "
+      "friction.",
+      n);
+  page.predict(
+      {.ask = say("λ = 0 at first, @ sweeps from the ground up. What does the lowest contact carry then, of the @ "
+                  "boxes that stand on it?",
+                  sweeps, n),
+       .answer = cold.front() / gravity,
+       .unit = "boxes",
+       .tolerance = 0.1 * n,
+       .wrong = {{static_cast<double>(n),
+                  "It will. But news of the upper boxes comes down one contact a sweep, "
+                  "and half of it is turned back at each."}},
+       .hint = "How far down the chain did weight come in as many sweeps?",
+       .right = "As in lesson 3: the error is a wave as long as the stack."});
+  page.figure("layers", say("What each contact carries, @ sweeps a step, and solved at once.", sweeps),
+              forces(setting));
+  page.text(
+      "With a warm start each step goes on where the last one stopped, and before a second is over every contact "
+      "carries "
+      "the weight above it. Standing still is easy. Now a kick, sideways, @ m/s at the top and less below, as of "
+      "a door "
+      "that falls shut:",
+      0.02);
+  std::vector<Run> runs{{say("@ cold", sweeps), column(n, sweeping(sweeps, false))},
+                        {say("@ warm", sweeps), column(n, sweeping(sweeps, true))},
+                        {"direct", column(n, Direct{})}};
+  const Chart chart = shifts(runs, h);
+  page.sequence(
+      "stack",
+      say("@ boxes after a kick, with @ cold sweeps a step, @ warm ones, and solved directly; shown at twice the "
+          "speed. Right: how far the top box is from where it stood.",
+          n, sweeps, sweeps),
+      Seconds{seconds}, [=, runs = runs](Canvas& canvas, double time) mutable {
+        for (Run& run : runs)
+          while (run.pile.time < hurry * time - 0.5 * h) run.pile.step(h);
+        const auto [left, right] = canvas.page().inset(14).split_columns(0.56, 16);
+        draw_runs(canvas, runs, left, n);
+        renderer::draw(canvas, pictures::grown_to(chart, hurry * time), right.inset(0, 50));
+      });
+  std::vector<std::string> fates;
+  for (const Run& run : runs) {
+    const double fall = falls_at(run.pile, patience, h);
+    fates.push_back(std::isinf(fall) ? say("stands for @ s", patience)
+                                     : say("has come down after @ s", Value(fall, 2)));
+  }
+  page.text("Cold it @; warm it @; solved directly it @.", fates[0], fates[1], fates[2]);
+  page.text(
+      "Why does it fall, if every contact carries its weight? @ A column that leans is pushed on by gravity, as a "
+      "pencil on its tip is, and its contacts answer by pressing "
+      "more on one side. *That* answer is a bending of the whole column, the slowest thing there is for sweeps: "
+      "they take "
+      "about 2/N⁴ of it each, where of the weight they took π²/4N². Warm steps add up, and a few of them "
+      "suffice against a slow fall; but where gravity gains more in a step than the sweeps take away, the column "
+      "creeps, "
+      "creeps faster, and falls.",
+      without_slip(n, sweeping(sweeps, true), h));
+  page.figure("sweeps_needed",
+              say("Above: sweeps for one more digit of a stack's slowest error. Below: how many warm sweeps a "
+                  "step (of 1, 2, "
+                  "3, 4, 6, 8, …) a kicked stack needs to stand @ s, h = @ s.",
+                  patience, setting.h),
+              needed(h));
+  page.text(
+      "The direct solve goes by rows that press: it solves those exactly (lesson 3's elimination; a column is a "
+      "chain), lets "
+      "go of what would pull, takes in what would sink, and looks again. Nothing is left over that could creep. "
+      "In a "
+      "column that costs no more than a few sweeps.");
+  page.excerpt("solver/methods/active_set.cpp", "active_set");
+
+  page.measure("lowest contact after the first step, sweeps", cold.front() / gravity, "boxes");
+  double worst_cold = 0, worst_direct = 0;
+  for (int i = 0; i < n; ++i) {
+    worst_cold = std::max(worst_cold, std::abs(cold[i] - by_hand[i]));
+    worst_direct = std::max(worst_direct, std::abs(direct[i] / weight_above(n, i) - 1));
+  }
+  page.claim({.quantity = "largest difference of a layer from points swept on a line",
+              .unit = "N",
+              .expected = 0,
+              .source = "the same sweeps by hand",
+              .measured = worst_cold,
+              .tolerance = absolute(1e-9)});
+  page.claim({.quantity = "a layer over the weight above it, solved directly: largest deviation from 1",
+              .unit = "1",
+              .expected = 0,
+              .source = "law A8",
+              .measured = worst_direct,
+              .tolerance = absolute(1e-9)});
+  constexpr int measured_boxes = 12;
+  page.claim({.quantity = say("share of the slowest error that a sweep takes, @ boxes, times N⁴", measured_boxes),
+              .unit = "1",
+              .expected = 2,
+              .source = "law B18: 2.0/N⁴",
+              .measured = share_taken(measured_boxes, h) * std::pow(measured_boxes, 4),
+              .tolerance = relative(0.1)});
+  Pile standing = column(n, Direct{});
+  while (standing.time < patience) standing.step(h);
+  page.claim({.quantity = say("solved directly, the top box is off after @ s", patience),
+              .unit = "m",
+              .expected = 1e-3,
+              .source = "law B20: it stands",
+              .measured = shift(standing),
+              .tolerance = at_most()});
+}
+
+}  // namespace byhand::contact

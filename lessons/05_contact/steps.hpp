@@ -1,0 +1,18 @@
+#pragma once
+
+#include "lessons/05_contact/setting.hpp"
+
+// The steps, each in the file of its name.
+namespace byhand::contact {
+
+void push_only(const Setting& setting, tutor::Page& page);
+void deep_contact(const Setting& setting, tutor::Page& page);
+void friction_row(const Setting& setting, tutor::Page& page);
+void sticks_or_slides(const Setting& setting, tutor::Page& page);
+void bounce(const Setting& setting, tutor::Page& page);
+void cradle(const Setting& setting, tutor::Page& page);
+void stack_of_boxes(const Setting& setting, tutor::Page& page);
+void wall_of_boxes(const Setting& setting, tutor::Page& page);
+void heavy_on_light(const Setting& setting, tutor::Page& page);
+
+}  // namespace byhand::contact

@@ -1,0 +1,175 @@
+// Step 4: a box on a slope, on both sides of tanθ = μ.
+
+#include <cmath>
+
+#include "lessons/05_contact/steps.hpp"
+#include "lessons/pictures/boxes.hpp"
+#include "solver/scenes/incline.hpp"
+
+namespace byhand::contact {
+namespace {
+
+using namespace tutor;
+using namespace renderer;
+
+constexpr double seconds = 2;
+const Linear<PlaneBody> sides(0.8, 0.5);  // of the box [m]
+
+Simulation<Boxes> on_slope(const Setting& setting, double angle, double speed = 0) {
+  return {box_on_incline<Boxes>(angle, setting.friction(), speed, sides, setting.mass()),
+          {GaussSeidel{.sweeps = 30, .tolerance = 1e-14}}};
+}
+
+/// How far the box has come along the slope [m].
+double slid(const Simulation<Boxes>& simulation, double angle) {
+  return simulation.scene.bodies.pose[1].position.dot(Linear<PlaneBody>(std::cos(angle), -std::sin(angle)));
+}
+
+double slid_after(Simulation<Boxes> simulation, double angle, double time, double h) {
+  while (simulation.time < time - 0.5 * h) simulation.step(h);
+  return slid(simulation, angle);
+}
+
+/// Along the slope, once it slides [m/s²].
+double acceleration(double angle, double friction) {
+  return std::max(0.0, gravity * (std::sin(angle) - friction * std::cos(angle)));
+}
+
+/// ½at(t + h) of symplectic Euler [m].
+double law_of_sliding(double angle, double friction, double time, double h) {
+  return 0.5 * acceleration(angle, friction) * time * (time + h);
+}
+
+/// Where it begins to slide [rad], by bisection.
+double measured_limit(const Setting& setting) {
+  double sticks = 0, slides = radians(60);
+  for (int i = 0; i < 40; ++i) {
+    const double middle = 0.5 * (sticks + slides);
+    (slid_after(on_slope(setting, middle), middle, 0.5, setting.h) > 1e-9 ? slides : sticks) = middle;
+  }
+  return 0.5 * (sticks + slides);
+}
+
+struct Slope {
+  double angle;
+  Simulation<Boxes> box;
+};
+
+void draw_slope(Canvas& canvas, const Slope& slope, const Rectangle& frame, const Rectangle& world, double weight,
+                double h) {
+  canvas.look_at_page();
+  const double distance = slid(slope.box, slope.angle);
+  canvas.text({frame.centre().x(), frame.top() - 22}, say("@°", Value(degrees(slope.angle), 3)),
+              {.size = 24, .bold = true});
+  canvas.text({frame.centre().x(), frame.y + 16},
+              say("has slid @ m", Value(std::abs(distance) < 5e-7 ? 0 : distance, 3)), {.size = 20});
+  const Rectangle below{frame.x, frame.y + 40, frame.width, frame.height - 90};
+  canvas.clip(below);
+  canvas.look(fit(world, below, 0));
+  pictures::draw(canvas, pictures::shapes_of(slope.box.scene));
+  if (slope.box.time > 0)
+    pictures::draw(canvas, pictures::pushes(slope.box.scene, slope.box.work.system),
+                   {palette::force, 0.9 / (weight * h), "mg"});
+  canvas.vector(slope.box.scene.bodies.pose[1].position, Point(0, -weight), {palette::muted, 0.9 / weight, "N"});
+  canvas.clip({});
+  canvas.look_at_page();
+}
+
+Chart distances(const Setting& setting, double limit) {
+  const double h = setting.h(), mu = setting.friction(), time = std::round(1 / h) * h;
+  Curve measured{.label = "measured", .style = CurveStyle::markers},
+      law{.label = "½at(t + h)", .style = CurveStyle::theory};
+  for (double angle = radians(4); angle < radians(41); angle += radians(2)) {
+    measured.x.push_back(degrees(angle));
+    measured.y.push_back(slid_after(on_slope(setting, angle), angle, time, h));
+  }
+  for (double angle = radians(4); angle < radians(41); angle += radians(0.5)) {
+    law.x.push_back(degrees(angle));
+    law.y.push_back(law_of_sliding(angle, mu, time, h));
+  }
+  return {.x = {.label = "slope (°)"},
+          .y = {.label = "slid in 1 s (m)"},
+          .curves = {measured, law},
+          .references = {{Reference::Across::x, degrees(limit), "tanθ = μ"}}};
+}
+
+}  // namespace
+
+void sticks_or_slides(const Setting& setting, Page& page) {
+  const double mu = setting.friction(), h = setting.h(), mass = setting.mass(), limit = std::atan(mu);
+  const double slope = radians(setting.slope);
+
+  page.text(
+      "Put a box of @ kg on a slope. Its weight has a part mg·cosθ that presses and a part mg·sinθ that pulls "
+      "along, "
+      "and the bound allows μ times the first. Nothing in the solver says \"static\" or \"kinetic\": the same "
+      "row, "
+      "JV = 0 within ±μλₙ, sticks where its λ stays inside and slides where it is at the bound.",
+      setting.mass);
+  page.predict({.ask = say("μ = @. From which slope on does the box slide?", setting.friction),
+                .answer = degrees(measured_limit(setting)),
+                .unit = "°",
+                .tolerance = 0.4,
+                .wrong = {{degrees(std::asin(std::min(1.0, mu))),
+                           "That is sinθ = μ: the normal force is mg·cosθ, not mg."}},
+                .hint = "mg·sinθ pulls, mg·cosθ presses.",
+                .right = "tanθ = μ; the mass is on both sides."});
+  const double farthest = law_of_sliding(slope, mu, seconds, h) + 0.9;
+  const double steepest = std::max(slope, limit + radians(1)), fall = farthest * std::sin(steepest);
+  const Rectangle world{-0.8, -0.4 - fall, 0.8 + farthest * std::cos(slope), 1.4 + fall};
+  page.sequence(
+      "three_slopes",
+      say("μ = @: one degree below tanθ = μ, one degree above, and @°. Orange: the contacts' forces, normal and "
+          "friction in one; grey: the weight. Where the box sticks they cancel.",
+          setting.friction, setting.slope),
+      Seconds{seconds},
+      [slopes = std::vector<Slope>{{limit - radians(1), on_slope(setting, limit - radians(1))},
+                                   {limit + radians(1), on_slope(setting, limit + radians(1))},
+                                   {slope, on_slope(setting, slope)}},
+       world, h, mass](Canvas& canvas, double time) mutable {
+        const auto frames = canvas.page().inset(16).cells(1, static_cast<int>(slopes.size()), 14);
+        for (std::size_t i = 0; i < slopes.size(); ++i) {
+          while (slopes[i].box.time < time - 0.5 * h) slopes[i].box.step(h);
+          draw_slope(canvas, slopes[i], frames[i], world, mass * gravity, h);
+        }
+      });
+  page.text(
+      "The edge is sharp. A thousandth below it the box has not moved after a second by more than rounding; a "
+      "thousandth above it slides, with the acceleration of the book, a = g(sinθ − μ·cosθ). Its velocity is "
+      "exactly "
+      "a·t, for each step adds a·h. The distance is not ½at² but ½at(t + h): symplectic Euler moves with the "
+      "velocity "
+      "of the *end* of each step.");
+  page.figure("distance_over_slope",
+              say("How far the box slides in a second, μ = @, and the law.", setting.friction),
+              distances(setting, limit));
+
+  const double time = std::round(1 / h) * h, beside = 0.001;
+  page.measure("slid in 1 s on the third slope", slid_after(on_slope(setting, slope), slope, time, h), "m");
+  page.claim({.quantity = "slope at which it begins to slide",
+              .unit = "°",
+              .expected = degrees(limit),
+              .source = "law A7: tanθ = μ",
+              .measured = degrees(measured_limit(setting)),
+              .tolerance = absolute(1e-5)});
+  page.claim({.quantity = "slid in 1 s a thousandth below it",
+              .unit = "m",
+              .expected = 0,
+              .source = "it sticks",
+              .measured = slid_after(on_slope(setting, (1 - beside) * limit), (1 - beside) * limit, time, h),
+              .tolerance = absolute(1e-9)});
+  page.claim({.quantity = "slid in 1 s a thousandth above it",
+              .unit = "m",
+              .expected = law_of_sliding((1 + beside) * limit, mu, time, h),
+              .source = "½at(t + h)",
+              .measured = slid_after(on_slope(setting, (1 + beside) * limit), (1 + beside) * limit, time, h),
+              .tolerance = absolute(1e-9)});
+  page.claim({.quantity = "slid in 1 s on the third slope",
+              .unit = "m",
+              .expected = law_of_sliding(slope, mu, time, h),
+              .source = "½at(t + h), 0 where it sticks",
+              .measured = slid_after(on_slope(setting, slope), slope, time, h),
+              .tolerance = absolute(1e-9)});
+}
+
+}  // namespace byhand::contact
