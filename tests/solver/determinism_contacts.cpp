@@ -1,0 +1,42 @@
+#include <gtest/gtest.h>
+
+#include "solver/scenes/box_pile.hpp"
+#include "solver/scenes/dominoes.hpp"
+#include "tests/solver/hash.hpp"
+
+// As determinism.cpp, for scenes whose contacts are found.
+namespace {
+
+using namespace byhand;
+using SpacePoints = Scene<SpaceBody, Contact, Friction>;
+
+Boxes kicked_stack(int count) {
+  Boxes scene = stack(count);
+  kick(scene, 0.02);
+  return scene;
+}
+
+const Case cases[] = {
+    {"StackDirect", [] { return after_ten_seconds(kicked_stack(12), {Direct{}}); }, 0x7db347fac517a9a1},
+    {"StackRedBlack",
+     [] {
+       return after_ten_seconds(kicked_stack(12), {GaussSeidel{20, true, SweepOrder::coloured}});
+     },
+     0x3dd24c7b2a1f71db},
+    {"PyramidByGraph", [] { return after_ten_seconds(pyramid(8), {ByGraph{}}); }, 0x8330c9507bc660ed},
+    {"DominoesByGraph", [] { return after_ten_seconds(dominoes(8, 0.5, 1.5), {ByGraph{}}); }, 0x7ce76dbee0c5d6f1},
+    {"PileBounces", [] { return after_ten_seconds(box_pile<Boxes>(7), {GaussSeidel{}}); }, 0xba14ee3fd1594d59},
+    {"SpacePileBounces", [] { return after_ten_seconds(box_pile<SpacePoints>(7), {GaussSeidel{}}); },
+     0x1616756f7f02ea10},
+    {"SpacePileByGraph", [] { return after_ten_seconds(box_pile<SpacePoints>(8), {ByGraph{}}); },
+     0x5acdc54a224ea315},
+};
+
+class ContactDeterminism : public testing::TestWithParam<Case> {};
+
+TEST_P(ContactDeterminism, EndsInTheNumberWrittenDown) { expect_hash(GetParam()); }
+
+INSTANTIATE_TEST_SUITE_P(, ContactDeterminism, testing::ValuesIn(cases),
+                         [](const auto& one) { return std::string(one.param.name); });
+
+}  // namespace
