@@ -54,7 +54,7 @@ Chart way_of_sweeps(const Setting& setting, double side) {
   Chart chart{.title = say("box of @ m on an arm of @ m", side, setting.length),
               .x = {.label = "λ of the x row (mgh)", .range = {{-0.7, 0.15}}},
               .y = {.label = "λ of the y row (mgh)", .range = {{-0.1, 0.75}}}};
-  Curve x_row{.label = "x row = 0", .style = CurveStyle::theory, .colour = palette::series(1)},
+  Curve x_row{.label = "x row = 0", .style = CurveStyle::theory},
       y_row{.label = "y row = 0", .style = CurveStyle::theory, .colour = palette::series(2)};
   for (const double t : {-0.7, 0.15}) {
     x_row.x.push_back(t);
@@ -62,11 +62,7 @@ Chart way_of_sweeps(const Setting& setting, double side) {
     y_row.x.push_back(t);
     y_row.y.push_back((1 - half * t) / (1 + half));
   }
-  Curve way{.label = say("@ sweeps, row by row", shown_sweeps),
-            .x = {0},
-            .y = {0},
-            .style = CurveStyle::line_and_markers,
-            .colour = palette::constraint};
+  Curve way{.label = "row by row", .x = {0}, .y = {0}, .colour = palette::constraint};
   for (int sweeps = 1; sweeps <= shown_sweeps; ++sweeps) {
     const Point lambda = impulse_after(setting, side, sweeps, BlockSolve::row_by_row) / unit;
     way.x.push_back(lambda.x());
@@ -80,7 +76,8 @@ Chart way_of_sweeps(const Setting& setting, double side) {
               .y = {0, whole.y()},
               .style = CurveStyle::line_and_markers,
               .colour = palette::force};
-  chart.curves = {x_row, y_row, way, block};
+  chart.curves = {x_row, y_row, block, way};
+  chart.annotations.push_back({way.x.back(), way.y.back(), say("after @ sweeps", shown_sweeps)});
   return chart;
 }
 
@@ -95,15 +92,16 @@ struct Film {
   Chart beside;
 
   void draw(Canvas& canvas, double time) {
-    const auto [left, right] = canvas.page().inset(16).split_columns(0.56, 20);
-    const auto cells = left.cells(1, static_cast<int>(rivals.size()), 6);
+    const auto [left, right] = canvas.page().inset(16).split_columns(0.48, 20);
+    const auto cells = left.cells(static_cast<int>(rivals.size()), 1, 10);
     for (std::size_t i = 0; i < rivals.size(); ++i) {
       Held& box = rivals[i].box;
       while (box.time < time - 0.5 * h) box.step(h);
-      const Rectangle below{cells[i].x, cells[i].y, cells[i].width, cells[i].height - 44};
-      canvas.text({cells[i].centre().x(), cells[i].top() - 18}, rivals[i].name,
-                  {.size = 21, .colour = palette::series(static_cast<int>(i)), .bold = true});
-      canvas.look(fit({-1.35 * length, -2 * length, 2.7 * length, 2.5 * length}, below, 0));
+      const Rectangle& below = cells[i];
+      canvas.text(
+          {below.x + 8, below.top() - 16}, rivals[i].name,
+          {.size = 22, .colour = palette::series(static_cast<int>(i)), .anchor = Anchor::left, .bold = true});
+      canvas.look(fit({-1.3 * length, -1.45 * length, 2.6 * length, 1.7 * length}, below, 0));
       canvas.clip(below);
       const Pose<PlaneBody>& pose = box.scene.bodies.pose[1];
       const Point arm = in_world<PlaneBody, double>(pose, box.scene.all<Pin>()[0].at.arms.second);
@@ -158,23 +156,20 @@ void block_or_row(const Setting& setting, Page& page) {
                R"(A = \frac1m\begin{bmatrix}1+c & c\\ c & 1+c\end{bmatrix},\quad c = \frac{r^2m}{2I} = @;
                   \qquad \Bigl(\frac{c}{1+c}\Bigr)^2 = @ \text{ is left by one sweep})",
                Value(c / 2, 4), Value(rho, 5));
-  page.figure(
-      "two_rows",
-      "One step from rest at 45°, in the plane of the pin's two impulses. Dashed: where one row is content; where "
-      "they cross, both are. Row by row the way goes from one line to the other and back. The nearer the lines, "
-      "the "
-      "shorter its stairs.",
-      [plump = way_of_sweeps(setting, 1.25 * length), small = way_of_sweeps(setting, side)](Canvas& canvas) {
-        const auto cells = canvas.page().inset(14, 30).cells(1, 2, 24);
-        draw(canvas, plump, cells[0]);
-        draw(canvas, small, cells[1]);
-      });
+  page.figure("two_rows",
+              "One step from rest at 45°, in the plane of the pin's two impulses. Dashed: where one row is "
+              "content; where they cross, both are. Row by row the way goes from one line to the other and back. "
+              "The nearer the lines, the shorter its stairs.",
+              [plump = way_of_sweeps(setting, length), small = way_of_sweeps(setting, side)](Canvas& canvas) {
+                const auto cells = canvas.page().inset(14, 30).cells(1, 2, 24);
+                draw(canvas, plump, cells[0]);
+                draw(canvas, small, cells[1]);
+              });
   page.text(
       "At the left a box as large as its arm: the two rows disagree only a little, and a few sweeps will do. At "
-      "the "
-      "right our small one. Both rows mean nearly the same thing (\"do not turn\") and neither says what matters "
-      "(\"do not fall along the arm\"): that lies in their *difference*, and the stairs between the lines climb "
-      "there slowly. As a block it is one stride: the 2 × 2 matrix knows its own off-diagonal.");
+      "the right our small one. Both rows mean nearly the same thing (\"do not turn\") and neither says what "
+      "matters (\"do not fall along the arm\"): that lies in their *difference*, and the stairs between the lines "
+      "climb there slowly. As a block it is one stride: the 2 × 2 matrix knows its own off-diagonal.");
   page.predict(
       {.ask = say("After @ sweeps, row by row: what share of the pin's impulse is still missing?", sweeps),
        .answer = left,
@@ -185,13 +180,13 @@ void block_or_row(const Setting& setting, Page& page) {
        .hint = say("Each sweep leaves @ of what it finds.", Value(rho, 5)),
        .right = "What is missing stays in V, and the next step begins with it."});
 
-  Film film{
-      {{"as a block", held_box(setting, side, pi / 2, sweeps, BlockSolve::whole, Baumgarte{beta})},
-       {"row by row", held_box(setting, side, pi / 2, sweeps, BlockSolve::row_by_row, Baumgarte{beta})}},
-      length,
-      side,
-      h,
-      {.x = {.label = "time (s)"}, .y = {.label = "how far the pin is off (mm)", .scale = Scale::logarithmic}}};
+  Film film{{{"as a block", held_box(setting, side, pi / 2, sweeps, BlockSolve::whole, Baumgarte{beta})},
+             {"row by row", held_box(setting, side, pi / 2, sweeps, BlockSolve::row_by_row, Baumgarte{beta})}},
+            length,
+            side,
+            h,
+            {.x = {.label = "time (s)"},
+             .y = {.label = "how far the pin is off (mm)", .scale = Scale::logarithmic, .range = {{0.1, 3000}}}}};
   std::vector<double> worst;
   for (const Rival& rival : film.rivals) {
     const Drift drift = drift_of(rival, h);
@@ -213,8 +208,8 @@ void block_or_row(const Setting& setting, Page& page) {
           .worst;
   page.text(
       "A warm start takes row by row to @ mm, and more sweeps would do the rest; a block needs neither. That is "
-      "the "
-      "whole reason for solving a joint's rows together: **rows that lean on the same arm belong in one block.**",
+      "the whole reason for solving a joint's rows together: **rows that lean on the same arm belong in one "
+      "block.**",
       Value(1000 * warm, 3));
 
   page.measure("pin off at most, row by row", 1000 * worst[1], "mm");
@@ -226,9 +221,9 @@ void block_or_row(const Setting& setting, Page& page) {
               .tolerance = absolute(1e-9)});
   page.claim({.quantity = "the same, large box",
               .unit = "1",
-              .expected = rate(setting, 1.25 * length),
+              .expected = rate(setting, length),
               .source = "A₁₂²/(A₁₁A₂₂)",
-              .measured = measured_rate(setting, 1.25 * length),
+              .measured = measured_rate(setting, length),
               .tolerance = absolute(1e-9)});
   const double tangent = gravity * h * h / beta;
   const bool tame = beta >= 0.1 && beta <= 1 && gravity * h * h / length < 0.02;

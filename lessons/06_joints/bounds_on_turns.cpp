@@ -99,9 +99,10 @@ struct Film {
       canvas.anchor({0, 0}, {0, -1});
       draw_bar(canvas, {{0, 0}, 2 * arm.scene.bodies.pose[1].position});
       canvas.hinge({0, 0});
-      const double given = std::min(moment(arm, setting), 1.0), phi = -below_level(arm);
-      if (given > 1e-6)
-        draw_turn(canvas, {0, 0}, phi - 0.12 - 3 * given, phi - 0.12, 0.42 * length, {palette::force, 4});
+      const double given = std::min(moment(arm, setting), 1.0), phi = -below_level(arm),
+                   aside = given > 0 ? -0.12 : 0.12;
+      if (std::abs(given) > 0.01)
+        draw_turn(canvas, {0, 0}, phi + aside - 3 * given, phi + aside, 0.42 * length, {palette::force, 4});
       canvas.look_at_page();
     }
     renderer::draw(canvas, pictures::grown_to(beside, time), lower);
@@ -138,49 +139,46 @@ void bounds_on_turns(const Setting& setting, Page& page) {
          .unit = "°",
          .tolerance = 3,
          .wrong = {{degrees(balance),
-                    "There its strength balances the weight's moment. But the bar arrives with "
-                    "speed, and it takes more way to spend that."},
+                    "There its strength balances the weight's moment. But the bar arrives with speed, and it "
+                    "takes more way to spend that."},
                    {90, "So it would with no motor at all and some friction; this one still pushes back there."},
                    {0, "It needs mgl/2 there, and has not got it."}},
-         .hint =
-             "At its bound it is a brake that always gives the same. Gravity's work is ½mgl sin φ; what is the "
-             "brake's?",
+         .hint = "At its bound it is a brake that always gives the same. Gravity's work is ½mgl sin φ; what is "
+                 "the brake's?",
          .right = "There ½ sin φ = φ times the strength over mgl, and from there on it can hold."});
   page.text(
       "All the way down its λ sits on the bound, so it takes the energy τφ. Gravity gave ½mgl sin φ. They are "
-      "equal "
-      "at @°, beyond the lowest point if the motor is weak; there the weight needs only @ mgl, which is less than "
-      "it has, and the motor holds. If you *set the bar down gently*, the answer is another one: it stays from "
-      "arccos(2τ/mgl) = @° on.",
+      "equal at @°, beyond the lowest point if the motor is weak; there the weight needs only @ mgl, which is "
+      "less than it has, and the motor holds. If you *set the bar down gently*, the answer is another one: it "
+      "stays from arccos(2τ/mgl) = @° on.",
       Value(degrees(law), 4), Value(0.5 * std::abs(std::cos(law)), 3), Value(degrees(balance), 4));
   const std::vector<Shown> shown{{say("stop at @°", Value(degrees(stop_at), 3)), stopped(setting)},
                                  {say("motor of @ mgl", enough), held(setting, enough)},
                                  {say("motor of @ mgl", setting.strength), weak}};
-  Chart chart{.x = {.label = "time (s)"}, .y = {.label = "moment (mgl)", .range = {{-0.05, 1}}}};
+  Chart chart{.x = {.label = "time (s)"}, .y = {.label = "moment (mgl)", .range = {{-0.25, 1}}}};
   for (const Shown& one : shown) {
     Curve curve{.label = one.name};
     Held now = one.arm;
     while (now.time < seconds - h / 2) {
       now.step(h);
       curve.x.push_back(now.time);
-      curve.y.push_back(std::min(moment(now, setting), 1.0));
+      curve.y.push_back(std::min(moment(now, setting), 2.0));
     }
     chart.curves.push_back(curve);
   }
   chart.references.push_back({Reference::Across::y, 0.5, "the weight's moment, level"});
-  page.sequence(
-      "stop_and_motors",
-      "A bar let go level, and the moment that its stop or motor gives it (λ/h; the blow of the stop goes "
-      "off the chart). The arrows are that moment.",
-      Seconds{seconds},
-      [film = Film{shown, setting, chart}](Canvas& canvas, double time) mutable { film.draw(canvas, time); });
+  page.sequence("stop_and_motors",
+                "A bar let go level, and the moment that its stop or motor gives it (λ/h; the blow of the stop "
+                "goes off the chart). The arrows are that moment.",
+                Seconds{seconds}, [film = Film{shown, setting, chart}](Canvas& canvas, double time) mutable {
+                  film.draw(canvas, time);
+                });
 
   const Held on_stop = after(shown[0].arm, settles, h), holds = after(shown[1].arm, settles, h);
   page.text(
-      "The stop gives nothing for @°, one blow when the bar arrives, and then what the bar leans on it "
-      "with: ½mgl cos @° = @ mgl. The strong motor gives exactly the weight's moment and not its strength: a "
-      "bound "
-      "is no command. Only the weak one knows its bound.",
+      "The stop gives nothing for @°, one blow when the bar arrives, and then what the bar leans on it with: ½mgl "
+      "cos @° = @ mgl. The strong motor gives exactly the weight's moment and not its strength: a bound is no "
+      "command. Only the weak one knows its bound.",
       Value(degrees(stop_at), 3), Value(degrees(stop_at), 3), Value(moment(on_stop, setting), 4));
   page.measure("the weak motor's bar at rest, below level", degrees(rest), "°");
   page.claim({.quantity = "where the weak motor stops the bar, below level",

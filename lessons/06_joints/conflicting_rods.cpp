@@ -86,12 +86,16 @@ struct Film {
     const Rectangle picture{left.x, left.y + 96, left.width, left.height - 96};
     draw_rods(canvas, rods, length, gap, picture);
     const bool begun = rods.work.system.rows() > 0;
-    const auto force = [&](int rod) { return begun ? -lambda(rods, rod) / h / weight : 0.0; };
+    const auto says = [&](int rod) {
+      const double pull = begun ? -lambda(rods, rod) / h / weight : 0;
+      return say("@ rod @ with @ mg", rod == 0 ? "short" : "long", pull < 0 ? "pushes" : "pulls",
+                 Value(std::abs(pull), 3));
+    };
     canvas.text({left.x + 10, left.y + 70}, say("@ s", Value(std::floor(time * 10 + 1e-9) / 10, 3)),
                 {.size = 24, .anchor = Anchor::left, .bold = true});
-    canvas.text({left.x + 10, left.y + 40}, say("short rod pulls with @ mg", Value(force(0), 3)),
+    canvas.text({left.x + 10, left.y + 40}, says(0),
                 {.size = 19, .colour = palette::constraint, .anchor = Anchor::left});
-    canvas.text({left.x + 10, left.y + 12}, say("long rod pulls with @ mg", Value(force(1), 3)),
+    canvas.text({left.x + 10, left.y + 12}, says(1),
                 {.size = 19, .colour = palette::series(1), .anchor = Anchor::left});
     renderer::draw(canvas, pictures::grown_to(beside, time), right.inset(0, 40));
   }
@@ -120,9 +124,8 @@ void conflicting_rods(const Setting& setting, Page& page) {
       setting.mass, setting.length, weight * h);
   page.text(
       "- sweeps, started cold: the first row takes everything (@ and @ N·s), for when it is done the second finds "
-      "nothing wrong;\n"
-      "- sweeps, started warm from λ = (@, @): they stay in quarrel (@ and @ N·s), for nobody sees a difference;\n"
-      "- directly with a regularisation: half each (@ and @ N·s), the least λ that will do.",
+      "nothing wrong;\n- sweeps, started warm from λ = (@, @): they stay in quarrel (@ and @ N·s), for nobody "
+      "sees a difference;\n- directly with a regularisation: half each (@ and @ N·s), the least λ that will do.",
       -lambda(first, 0), -lambda(first, 1), m, -m, lambda(biased, 0), lambda(biased, 1), -lambda(shared, 0),
       -lambda(shared, 1));
   for (const auto& [rods, name] :
@@ -139,7 +142,7 @@ void conflicting_rods(const Setting& setting, Page& page) {
   const double a_step = sweeps * m * beta * gap / h;  // what a step adds to either λ
   const double grown = quarrel(end);
   page.text(
-      "A shared row is harmless. Now make one of them @ m longer. No place of the bob suits both: each row's C "
+      "A repeated row is harmless. Now make one of them @ m longer. No place of the bob suits both: each row's C "
       "tells the other that it is wrong. Warm start, @ sweeps a step, β = @, and the bob starts at rest.",
       gap, sweeps, setting.beta);
   const double halfway = lambda(after(start, watched / 2, h), 1), doubled = lambda(end, 1) / halfway;
@@ -152,8 +155,8 @@ void conflicting_rods(const Setting& setting, Page& page) {
             {say("it is some @ N·s, and stays so", Value(a_step, 3)),
              "That is what one step adds; warm start keeps the sum. Look at λ, not at the picture."},
             {"it grows in proportion to time",
-             say("Each step corrects the other's correction, and warm start keeps the sum: @ N·s after @ s, "
-                 "@ N·s after @ s.",
+             say("Each step corrects the other's correction, and warm start keeps the sum: @ N·s after @ s, @ N·s "
+                 "after @ s.",
                  Value(halfway, 5), watched / 2, Value(lambda(end, 1), 5), watched)},
             {"it explodes", "It would if each correction were larger than the last; they are all the same."}},
        .answer = doubled > 2.5               ? 3
@@ -164,10 +167,8 @@ void conflicting_rods(const Setting& setting, Page& page) {
                    m * beta * gap / h)});
   page.text(
       "Follow one sweep. The short rod's row asks for a speed inwards, (β/h)C₁, and gets it by an impulse. The "
-      "long "
-      "one's row finds its own C₂ violated by that speed, and takes it back. The bob stands still where the "
-      "*last* "
-      "row wants it; in every sweep the two have pushed against each other with");
+      "long one's row finds its own C₂ violated by that speed, and takes it back. The bob stands still where the "
+      "*last* row wants it; in every sweep the two have pushed against each other with");
   page.formula("Δλ = m β ΔL/h = @ N·s,   @ sweeps a step:   λ grows by @ N·s a step, without end",
                R"(\Delta\lambda = \frac{m\,\beta\,\Delta L}{h} = @\,\mathrm{N\,s},\qquad @ \text{ sweeps a step: }
                   \lambda \text{ grows by } @\,\mathrm{N\,s} \text{ a step, without end})",
@@ -195,20 +196,16 @@ void conflicting_rods(const Setting& setting, Page& page) {
   page.text(
       "After @ s the rods fight with @ times the bob's weight, and nothing moves. What reads λ is misled: a joint "
       "that breaks above some force, a friction whose bound is μλ, an arrow in a debugger. And when a rod is "
-      "taken "
-      "away, the other begins its next step with all of that. So **test for conflicts by |λ|, not by looking**, "
-      "and give the quarrel an end:",
+      "taken away, the other begins its next step with all of that. So **test for conflicts by |λ|, not by "
+      "looking**, and give the quarrel an end:",
       watched, Value(grown / h / weight, 3));
   const Rods chilled = after(cures[1].rods, 2, h), soft = after(cures[2].rods, watched, h),
              regularised = after(cures[3].rods, watched, h);
   const double soft_end = beta * gap / (2 * h * softness), regularised_end = beta * gap * m / (2 * h * share);
   page.text(
-      "- a *cold start* forgets it each step: @ N·s, as much as one step adds;\n"
-      "- *softness* γ lets a rod give way by γλ, so that both can be content: λ₂ − λ₁ = βΔL/(hγ), here ± @ N·s "
-      "for γ "
-      "= @ 1/kg;\n"
-      "- a *regularisation* ε is the same with γ = εA for each row: ± @ N·s for ε = @. The bob then stands "
-      "halfway "
+      "- a *cold start* forgets it each step: @ N·s, as much as one step adds;\n- *softness* γ lets a rod give "
+      "way by γλ, so that both can be content: λ₂ − λ₁ = βΔL/(hγ), here ± @ N·s for γ = @ 1/kg;\n- a "
+      "*regularisation* ε is the same with γ = εA for each row: ± @ N·s for ε = @. The bob then stands halfway "
       "between the two lengths, which is the fairest answer to a question that has none.",
       Value(quarrel(chilled), 4), Value(quarrel(soft), 4), softness, Value(quarrel(regularised), 4), share);
 
@@ -219,7 +216,7 @@ void conflicting_rods(const Setting& setting, Page& page) {
               .source = "law B8: k m β ΔL/h a step",
               .measured = lambda(end, 1),
               .tolerance = relative(1e-9)});
-  page.claim({.quantity = "height of the bob meanwhile, below where the last row wants it",
+  page.claim({.quantity = "how far the bob is from where the last row wants it",
               .unit = "m",
               .expected = 0,
               .source = "the last row of a sweep is always content",

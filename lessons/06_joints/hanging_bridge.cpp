@@ -44,9 +44,8 @@ void hanging_bridge(const Setting& setting, Page& page) {
   page.text(
       "@ planks of @ m and @ kg, pinned end to end between two anchors: @ rows in a path, which the direct solve "
       "takes at one go. At rest two things can be said of it without a computer. Each anchor carries half the "
-      "weight; and the level part of the pull, H, is the same in every pin, for nothing else pulls sideways. So "
-      "the "
-      "middle of each plank slopes as what hangs beyond it over H:",
+      "weight; and the level part of the pull, H, is the same in every pin, for nothing else pulls sideways. So a "
+      "plank slopes as the weight between its middle and the lowest point of the bridge, over H:",
       planks, setting.length, setting.mass, 2 * (planks + 1));
   page.formula(
       "tan θᵢ = (i − (n + 1)/2) w/H,   w = @ N, H = @ N",
@@ -54,7 +53,7 @@ void hanging_bridge(const Setting& setting, Page& page) {
       plank, Value(pull, 4));
   Curve level{.label = "level", .style = CurveStyle::line_and_markers},
       upright{.label = "upright", .style = CurveStyle::line_and_markers},
-      law{.label = "weight beyond", .style = CurveStyle::theory};
+      law{.label = "statics", .style = CurveStyle::theory};
   std::vector<std::pair<Point, Point>> arrows;
   double worst = 0, worst_level = 0, worst_slope = 0;
   const auto& scene = bridge_now.scene;
@@ -79,24 +78,23 @@ void hanging_bridge(const Setting& setting, Page& page) {
   }
   Chart chart{
       .x = {.label = "pin (1)"}, .y = {.label = "force (weight of the bridge)"}, .curves = {level, upright, law}};
-  page.figure(
-      "bridge",
-      "The bridge at rest; arrows: what each pin gives the plank on its right. Below: their level part, the "
-      "same in all, and their upright part, the weight beyond.",
-      [=](Canvas& canvas) {
-        const auto [upper, lower] = canvas.page().inset(16).split_rows(0.48, 10);
-        const double span = planks * setting.length();
-        canvas.look(fit({-0.04 * span, -0.22 * span, 1.04 * span, 0.3 * span}, upper, 8));
-        pictures::draw(canvas, pictures::rods_and_bobs(bridge_now.scene), {.link = 12});
-        for (const auto& [at, given] : arrows) canvas.vector(at, given, {palette::force, 0.08 * span / pull, "N"});
-        canvas.look_at_page();
-        draw(canvas, chart, lower);
-      });
+  page.figure("bridge",
+              "The bridge at rest; arrows: what each pin gives to what is on its right (the last one: to the "
+              "anchor). Below: their level part, the same in all, and their upright part, the weight beyond.",
+              [=](Canvas& canvas) {
+                const auto [upper, lower] = canvas.page().inset(16).split_rows(0.48, 10);
+                const double span = planks * setting.length();
+                canvas.look(fit({-0.04 * span, -0.22 * span, 1.04 * span, 0.3 * span}, upper, 8));
+                pictures::draw(canvas, pictures::rods_and_bobs(bridge_now.scene), {.link = 12});
+                for (const auto& [at, given] : arrows)
+                  canvas.vector(at, given, {palette::force, 0.08 * span / pull, "N"});
+                canvas.look_at_page();
+                draw(canvas, chart, lower);
+              });
   page.text(
-      "The flatter the bridge, the larger H: an anchor of this one carries @ N, @ of the whole weight. That is "
-      "why "
-      "bridges are the hard case for sweeps (lesson 3: tension along a chain) and why planks of game bridges are "
-      "laid in an arc.",
+      "The flatter the bridge, the larger H: an anchor of this one carries @ N, @ of the whole weight, and a "
+      "level one would have to pull without end. That is why this one is laid in an arc; and its tension, all "
+      "along the chain, is what makes bridges a hard case for sweeps (lesson 3).",
       Value(force(bridge_now, 0).norm(), 4), Value(force(bridge_now, 0).norm() / weight, 3));
   const std::string source = "statics: the weight beyond the pin";
   page.claim({.quantity = "upright force of each pin, largest difference over the weight",

@@ -43,7 +43,9 @@ void draw_stop(Canvas& canvas, const Point& hinge, double angle, double length) 
 void draw_turn(Canvas& canvas, const Point& hinge, double from, double to, double radius, const Stroke& stroke) {
   constexpr int pieces = 40;
   std::vector<Point> arc;
-  for (int i = 0; i < pieces; ++i) arc.push_back(hinge + radius * direction(from + (to - from) * i / pieces));
+  const double head = 16 / (canvas.camera().scale * radius);  // what the arrow's head takes of the way [rad]
+  const double shaft = std::copysign(std::max(0.0, std::abs(to - from) - head), to - from);
+  for (int i = 0; i <= pieces; ++i) arc.push_back(hinge + radius * direction(from + shaft * i / pieces));
   canvas.path(arc, stroke);
   canvas.arrow(arc.back(), hinge + radius * direction(to), stroke);
 }

@@ -33,7 +33,8 @@ Track track_of(Simulation<S> simulation, const Setting& setting, double seconds)
     const Point at = simulation.scene.bodies.pose[1].position;
     const double lambda = simulation.work.system.lambda[0];
     track.time.push_back(simulation.time);
-    track.pull.push_back(std::abs(lambda) / weight);
+    // The first steps take up that the throw is along the tangent.
+    track.pull.push_back(simulation.time < 20 * h ? NAN : std::abs(lambda) / weight);
     track.path.push_back(at);
     if (std::isnan(track.let_go) && lambda == 0) track.let_go = -at.y() / at.norm();
   }
@@ -61,8 +62,7 @@ void ropes(const Setting& setting, Page& page) {
               rod = track_of(thrown<NormalisedDistance>(setting, speed), setting, seconds);
   page.text(
       "A rope is a rod that can only pull: the same J, and λ ≥ 0 for its tension. Take a bob of @ kg on @ m, at "
-      "the "
-      "lowest point, and throw it at √(4gL) = @ m/s. That is just enough for a rod to carry it to the top.",
+      "the lowest point, and throw it at √(4gL) = @ m/s. That is just enough for a rod to carry it to the top.",
       setting.mass, setting.length, Value(speed, 3));
   page.predict({.ask = "At which angle from straight down does the rope go slack, in degrees?",
                 .answer = degrees(std::acos(rope.let_go)),
@@ -79,27 +79,26 @@ void ropes(const Setting& setting, Page& page) {
   for (Curve& curve : chart.curves)
     for (double& pull : curve.y)
       if (pull > 6.5) pull = NAN;
-  page.figure(
-      "rope_and_rod",
-      "The same throw on a rope and on a rod. The rope's bob leaves the circle and flies a parabola until it "
-      "is caught; the rod pushes it on.",
-      [=](Canvas& canvas) {
-        const auto [left, right] = canvas.page().inset(16).split_columns(0.5, 20);
-        canvas.look(fit({-1.2 * length, -1.2 * length, 2.4 * length, 2.4 * length}, left, 10));
-        std::vector<Point> circle;
-        for (int i = 0; i <= 120; ++i)
-          circle.emplace_back(length * std::cos(i * pi / 60), length * std::sin(i * pi / 60));
-        canvas.path(circle, {palette::theory, 1.6, Dash::dashed});
-        canvas.path(rod.path, {palette::series(1), 3});
-        canvas.path(rope.path, {palette::series(0), 3});
-        canvas.anchor({0, 0});
-        canvas.line({0, 0}, rope.path.back(), {palette::series(0), 2.4, Dash::dotted});
-        canvas.rod({0, 0}, rod.path.back(), {palette::series(1), {palette::ink, 0}}, 6);
-        canvas.hinge({0, 0});
-        for (const Track* track : {&rod, &rope}) canvas.disc(track->path.back(), 0.07 * length);
-        canvas.look_at_page();
-        draw(canvas, chart, right.inset(0, 60));
-      });
+  page.figure("rope_and_rod",
+              "The same throw on a rope and on a rod. The rope's bob leaves the circle and flies a parabola until "
+              "it is caught; the rod pushes it on.",
+              [=](Canvas& canvas) {
+                const auto [left, right] = canvas.page().inset(16).split_columns(0.5, 20);
+                canvas.look(fit({-1.2 * length, -1.2 * length, 2.4 * length, 2.4 * length}, left, 10));
+                std::vector<Point> circle;
+                for (int i = 0; i <= 120; ++i)
+                  circle.emplace_back(length * std::cos(i * pi / 60), length * std::sin(i * pi / 60));
+                canvas.path(circle, {palette::theory, 1.6, Dash::dashed});
+                canvas.path(rod.path, {palette::series(1), 3});
+                canvas.path(rope.path, {palette::series(0), 3});
+                canvas.anchor({0, 0});
+                canvas.line({0, 0}, rope.path.back(), {palette::series(0), 2.4, Dash::dotted});
+                canvas.rod({0, 0}, rod.path.back(), {palette::series(1), {palette::ink, 0}}, 6);
+                canvas.hinge({0, 0});
+                for (const Track* track : {&rod, &rope}) canvas.disc(track->path.back(), 0.07 * length);
+                canvas.look_at_page();
+                draw(canvas, chart, right.inset(0, 60));
+              });
   page.text(
       "Nothing switches here. While the rope is shorter than its length the row lets it close the gap within the "
       "step and no more, JV ≥ −C/h, and (17) would need a negative λ to do so: it is clamped to zero and the bob "

@@ -76,7 +76,7 @@ void draw_column(Canvas& canvas, const Column& column, const Bodies<M>& bodies, 
   const bool slides = column.name == "slider", turns = column.name == "stop, motor";
   canvas.text({frame.centre().x(), frame.top() - 14}, column.name, {.size = 24, .bold = true});
   canvas.text({frame.centre().x(), frame.top() - 44}, column.bound, {.size = 17, .colour = palette::muted});
-  const auto [picture, numbers] = Rectangle{frame.x, frame.y, frame.width, frame.height - 60}.split_rows(0.36, 0);
+  const auto [picture, numbers] = Rectangle{frame.x, frame.y, frame.width, frame.height - 60}.split_rows(0.40, 0);
   canvas.look(fit({-length, -0.8 * length, 1.7 * length, 1.0 * length}, picture, 12));
   const Bar first = bar_of(bodies.pose[0], length), second = bar_of(bodies.pose[1], length);
   if (slides) draw_rail(canvas, {0, 0}, first_angle, 0.45 * length);
@@ -90,11 +90,12 @@ void draw_column(Canvas& canvas, const Column& column, const Bodies<M>& bodies, 
     canvas.hinge({0, 0});
   if (turns) draw_turn(canvas, {0, 0}, first_angle, second_angle, 0.45 * length, {palette::force, 3});
   canvas.look_at_page();
-  const Point cell((frame.width - 44) / 6, 34);
-  const Point at(frame.x + 40, numbers.top() - 24);
+  const Point cell((frame.width - 26) / 6, 38);
+  const Point at(frame.x + 26, numbers.top() - 20);
   draw_grid(canvas, column.matrices.J, at, cell, {{"x₁", "y₁", "ω₁", "x₂", "y₂", "ω₂"}, column.rows});
-  const Point below(at.x() + 1.5 * cell.x(), at.y() - 3 * cell.y() - 66);
-  canvas.text({frame.x + 40, below.y() - 18}, "A", {.size = 20, .anchor = Anchor::left, .bold = true});
+  canvas.text({frame.x, at.y() + 12}, "J", {.size = 20, .anchor = Anchor::left, .bold = true});
+  const Point below(at.x() + 1.5 * cell.x(), at.y() - 3 * cell.y() - 50);
+  canvas.text({below.x() - 26, below.y() + 12}, "A", {.size = 20, .anchor = Anchor::left, .bold = true});
   draw_grid(canvas, column.matrices.A, below, cell, {column.rows, column.rows});
 }
 
@@ -138,18 +139,14 @@ void rows_to_joints(const Setting& setting, Page& page) {
   page.text(
       "Look at A. Beside the diagonal stands what one row does to the other: here @ 1/kg between the pin's x and "
       "y. To push one end along x you turn the bar, and its end moves along y too. Two pins at the *centres* of "
-      "two "
-      "bodies would have zeros there; the longer the arms and the smaller the inertia, the more the rows are "
+      "two bodies would have zeros there; the longer the arms and the smaller the inertia, the more the rows are "
       "in each other's way. The next step shows what that costs.",
       Value(pin_A(0, 1), 3));
   page.text(
       "And the rest of what joints do is *not a row but a bound*, the same that made a contact of a row. The "
-      "turn's "
-      "row [0 −1 0 1] with 0 ≤ λ is a **stop**: it pushes back at the end of the way, and never pulls. With a "
-      "speed "
-      "for its target and |λ| ≤ τh it is a **motor** of strength τ. A rod's row with λ ≥ 0 for its pull is a "
-      "**rope**. "
-      "Here they all are at work:");
+      "turn's row [0 −1 0 1] with 0 ≤ λ is a **stop**: it pushes back at the end of the way, and never pulls. "
+      "With a speed for its target and |λ| ≤ τh it is a **motor** of strength τ. A rod's row with λ ≥ 0 for its "
+      "pull is a **rope**. Here they all are at work:");
   page.sequence(
       "six_joints",
       say("What joints leave free. Above equations, below bounds: the bar of the stop ends at @°, the motor turns "
@@ -161,8 +158,7 @@ void rows_to_joints(const Setting& setting, Page& page) {
   const std::vector<int> free{6 - static_cast<int>(pin_A.rows()), 6 - static_cast<int>(weld_A.rows())};
   page.text(
       "Two bodies in the plane move with six numbers. A pin takes two of them and leaves @, a weld takes three "
-      "and "
-      "leaves @: the two bodies are one.",
+      "and leaves @: the two bodies are one.",
       free[0], free[1]);
   double slope_error = 0;
   for (const Column& column : columns) slope_error = std::max(slope_error, column.matrices.slope_error);

@@ -24,6 +24,11 @@ constexpr Words words[] = {{"pin", "2 rows"},
                            {"pin and motor", "2 rows, and |λ| ≤ τh"},
                            {"rope", "λ ≥ 0"}};
 
+/// What is seen of each, in lengths of a bar.
+constexpr Rectangle swinging{-1.1, -1.1, 2.2, 1.6}, turning{-1.1, -1.1, 2.2, 2.2};
+constexpr Rectangle views[] = {swinging, swinging, {-0.7, -0.6, 2.8, 1.9},
+                               swinging, turning,  {-1.6, -1.6, 3.2, 2.1}};
+
 }  // namespace
 
 Samples::Samples(const Setting& setting)
@@ -50,28 +55,48 @@ Samples::Samples(const Setting& setting)
   scene.bodies.velocity[body(sliding)].head<2>() = std::min(up, 2.5 * length_ / sample_seconds) * along;
 }
 
+std::array<Point, 6> Samples::forces() const {
+  std::array<Point, 6> forces;
+  forces.fill(Point(0, 0));
+  const auto& system = simulation_.work.system;
+  int number = 0;
+  simulation_.scene.for_each([&]<class Kind>(const Kind& joint) {
+    if (system.rows() == 0) return;
+    const double* lambda = &system.lambda[system.row_of[number++]];
+    Point& force = forces[joint.at.body2 - 1];
+    if constexpr (std::is_same_v<Kind, Pin<M>> || std::is_same_v<Kind, Weld<M>>) force = {lambda[0], lambda[1]};
+    if constexpr (std::is_same_v<Kind, Slider<M>>) force = lambda[0] * joint.across.col(0);
+    if constexpr (std::is_same_v<Kind, Rope<M>>)
+      force = -lambda[0] * bar_of(simulation_.scene.bodies.pose[joint.at.body2], length_).from.normalized();
+  });
+  for (Point& force : forces) force /= h_;
+  return forces;
+}
+
 void Samples::draw(Canvas& canvas, double time) {
   while (simulation_.time < time - 0.5 * h_) simulation_.step(h_);
-  const auto& scene = simulation_.scene;
-  const ArrowKind kind{palette::force, 0.35 * length_ / weight_, "N"};
+  const auto given = forces();
   const auto cells = canvas.page().inset(12).cells(2, 3, 8);
   for (int i = pinned; i <= roped; ++i) {
     const Rectangle& cell = cells[i];
     canvas.look_at_page();
-    canvas.text({cell.x + 14, cell.top() - 22}, words[i].name, {.size = 24, .anchor = Anchor::left, .bold = true});
-    canvas.text({cell.x + 14, cell.top() - 50}, words[i].rows,
+    canvas.text({cell.x + 14, cell.top() - 18}, words[i].name, {.size = 24, .anchor = Anchor::left, .bold = true});
+    canvas.text({cell.x + 14, cell.top() - 46}, words[i].rows,
                 {.size = 18, .colour = palette::muted, .anchor = Anchor::left});
-    canvas.clip(cell);
-    canvas.look(fit({-1.3 * length_, -1.15 * length_, 2.6 * length_, 2.2 * length_}, cell, 0));
-    const Pose<M>& pose = scene.bodies.pose[1 + i];
-    const Bar bar = bar_of(pose, length_);
-    if (i == sliding) draw_rail(canvas, {0, 0}, rail, 3 * length_);
+    const Rectangle below{cell.x, cell.y, cell.width, cell.height - 62};
+    const auto& seen = views[i];
+    canvas.look(fit({seen.x * length_, seen.y * length_, seen.width * length_, seen.height * length_}, below, 0));
+    canvas.clip(below);
+    const Bar bar = bar_of(simulation_.scene.bodies.pose[1 + i], length_);
+    if (i == sliding)
+      draw_rail(canvas, {0, 0}, rail, 3 * length_);
+    else
+      canvas.anchor({0, 0});
     if (i == stopped) draw_stop(canvas, {0, 0}, sample_stop - 0.06, length_);
     if (i == roped) {
       const bool slack = bar.from.norm() < 0.499 * length_;
       canvas.line({0, 0}, bar.from, {palette::constraint, 3, slack ? Dash::dotted : Dash::solid});
     }
-    if (i != sliding) canvas.anchor({0, 0});
     draw_bar(canvas, bar);
     if (i == welded)
       draw_weld(canvas, {0, 0});
@@ -79,29 +104,10 @@ void Samples::draw(Canvas& canvas, double time) {
       draw_sleeve(canvas, bar.from, rail);
     else
       canvas.hinge(bar.from);
+    if (given[i].norm() > 1e-3 * weight_)
+      canvas.vector(bar.from, given[i], {palette::force, 0.3 * length_ / weight_});
     canvas.clip({});
   }
-  const auto& system = simulation_.work.system;
-  if (system.rows() == 0) {
-    canvas.look_at_page();
-    return;
-  }
-  int number = 0;
-  scene.for_each([&]<class Kind>(const Kind& joint) {
-    const int row = system.row_of[number++], body = joint.at.body2;
-    Point force(0, 0);
-    if constexpr (std::is_same_v<Kind, Pin<M>> || std::is_same_v<Kind, Weld<M>>)
-      force = {system.lambda[row], system.lambda[row + 1]};
-    if constexpr (std::is_same_v<Kind, Slider<M>>) force = system.lambda[row] * joint.across.col(0);
-    if constexpr (std::is_same_v<Kind, Rope<M>>)
-      force = -system.lambda[row] * bar_of(scene.bodies.pose[body], length_).from.normalized();
-    if (force.squaredNorm() == 0) return;
-    const Rectangle& cell = cells[body - 1];
-    canvas.clip(cell);
-    canvas.look(fit({-1.3 * length_, -1.15 * length_, 2.6 * length_, 2.2 * length_}, cell, 0));
-    canvas.vector(bar_of(scene.bodies.pose[body], length_).from, force / simulation_.work.h, kind);
-    canvas.clip({});
-  });
   canvas.look_at_page();
 }
 

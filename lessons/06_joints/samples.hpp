@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "lessons/06_joints/setting.hpp"
 #include "renderer/canvas.hpp"
 #include "solver/constraints/limit.hpp"
@@ -25,6 +27,9 @@ class Samples {
 
  private:
   using Joined = Simulation<Scene<PlaneBody, Pin, Weld, Slider, AngleLimit, AngleMotor, Rope>>;
+
+  /// What each joint gives its bar [N].
+  std::array<renderer::Point, 6> forces() const;
 
   double length_, weight_, h_;
   Joined simulation_;
