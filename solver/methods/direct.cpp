@@ -52,7 +52,8 @@ inline bool invert(double* A, const double* diagonal, Size n) {
     const double determinant = A[0] * c00 + A[1] * c01 + A[2] * c02;
     if (std::abs(determinant) > smallest_pivot * std::abs(diagonal[0] * diagonal[1] * diagonal[2])) {
       const double inverse = 1 / determinant;
-      const double c11 = A[0] * A[8] - A[2] * A[2], c12 = A[1] * A[2] - A[0] * A[5], c22 = A[0] * A[4] - A[1] * A[1];
+      const double c11 = A[0] * A[8] - A[2] * A[2], c12 = A[1] * A[2] - A[0] * A[5],
+                   c22 = A[0] * A[4] - A[1] * A[1];
       A[0] = c00 * inverse;
       A[4] = c11 * inverse;
       A[8] = c22 * inverse;

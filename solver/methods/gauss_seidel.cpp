@@ -52,10 +52,7 @@ template <class M>
 int solve(const GaussSeidel& solver, System<M>& system, std::vector<Velocity<M>>& velocities,
           Prepared<M>& prepared, Begin begin) {
   prepare(system, solver.block_solve, solver.relaxation, prepared);
-  if (begin == Begin::step && solver.warm_start)
-    apply_all(system, system.lambda, velocities);
-  else if (begin == Begin::step)
-    std::fill(system.lambda.begin(), system.lambda.end(), 0.0);
+  begin_sweeps(system, solver.warm_start, begin, velocities);
   for (int i = 1; i <= solver.sweeps; ++i) {
     if (solver.tolerance == 0)
       sweep(system, prepared, system.lambda.data(), numbers<M>(velocities));

@@ -35,10 +35,7 @@ void solve(const Jacobi& solver, System<M>& system, std::vector<Velocity<M>>& ve
            Begin begin) {
   prepare(system, solver.block_solve, solver.relaxation, work.prepared);
   work.change.resize(system.rows());
-  if (begin == Begin::step && solver.warm_start)
-    apply_all(system, system.lambda, velocities);
-  else if (begin == Begin::step)
-    std::fill(system.lambda.begin(), system.lambda.end(), 0.0);
+  begin_sweeps(system, solver.warm_start, begin, velocities);
   for (int i = 0; i < solver.sweeps; ++i) {
     if (work.prepared.soft)
       sweep<true>(system, work.prepared, work.change, numbers<M>(velocities));

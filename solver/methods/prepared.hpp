@@ -172,4 +172,14 @@ void apply_all(const System<M>& system, const std::vector<double>& lambda, std::
 /// from the λ that the velocities hold already.
 enum class Begin { step, again };
 
+/// Puts the λ that sweeps begin with into the velocities.
+template <class M>
+void begin_sweeps(System<M>& system, bool warm_start, Begin begin, std::vector<Velocity<M>>& velocities) {
+  if (begin == Begin::again) return;
+  if (warm_start)
+    apply_all(system, system.lambda, velocities);
+  else
+    std::fill(system.lambda.begin(), system.lambda.end(), 0.0);
+}
+
 }  // namespace byhand

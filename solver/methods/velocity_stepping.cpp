@@ -20,17 +20,18 @@ Layout wanted_layout(const RowSolver& solver, bool loopless) {
   const auto of_direct = [](const Direct& direct) {
     return direct.factorisation == Factorisation::structured ? Layout::elimination : Layout::natural;
   };
-  const auto of_sweeps = [](const GaussSeidel& sweeps) {
-    switch (sweeps.order) {
+  const auto of_sweeps = [](SweepOrder order) {
+    switch (order) {
       case SweepOrder::reverse: return Layout::reverse;
       case SweepOrder::coloured: return Layout::coloured;
       default: return Layout::natural;
     }
   };
   if (const auto* direct = std::get_if<Direct>(&solver)) return of_direct(*direct);
-  if (const auto* sweeps = std::get_if<GaussSeidel>(&solver)) return of_sweeps(*sweeps);
+  if (const auto* sweeps = std::get_if<GaussSeidel>(&solver)) return of_sweeps(sweeps->order);
+  if (const auto* conjugate = std::get_if<ConjugateSweeps>(&solver)) return of_sweeps(conjugate->order);
   if (const auto* by_graph = std::get_if<ByGraph>(&solver))
-    return loopless ? of_direct(by_graph->loopless) : of_sweeps(by_graph->loops);
+    return loopless ? of_direct(by_graph->loopless) : of_sweeps(by_graph->loops.order);
   return Layout::natural;
 }
 
@@ -60,8 +61,8 @@ long long direct_row_solves(const Direct& solver, const Elimination& plan, long 
 template <class M>
 void solve_rows(const RowSolver& solver, Bodies<M>& bodies, Work<M>& work, Begin begin) {
   const long long rows = work.system.rows();
-  const auto sweeps = [&](const GaussSeidel& choice) {
-    work.row_solves += rows * solve(choice, work.system, bodies.velocity, work.gauss_seidel, begin);
+  const auto by_conjugate_sweeps = [&](const ConjugateSweeps& choice) {
+    work.row_solves += rows * solve(choice, work.system, bodies.velocity, work.conjugate, begin);
   };
   const auto directly = [&](const Direct& choice) {
     const int rounds = solve(choice, work.system, bodies, work.direct, begin);
@@ -69,16 +70,18 @@ void solve_rows(const RowSolver& solver, Bodies<M>& bodies, Work<M>& work, Begin
         rounds * (direct_row_solves(choice, work.direct.plan, rows, M::dof) + (work.system.bounded ? rows : 0));
   };
   if (const auto* gauss_seidel = std::get_if<GaussSeidel>(&solver)) {
-    sweeps(*gauss_seidel);
+    work.row_solves += rows * solve(*gauss_seidel, work.system, bodies.velocity, work.gauss_seidel, begin);
   } else if (const auto* jacobi = std::get_if<Jacobi>(&solver)) {
     solve(*jacobi, work.system, bodies.velocity, work.jacobi, begin);
     work.row_solves += jacobi->sweeps * rows;
   } else if (const auto* direct = std::get_if<Direct>(&solver)) {
     directly(*direct);
+  } else if (const auto* conjugate = std::get_if<ConjugateSweeps>(&solver)) {
+    by_conjugate_sweeps(*conjugate);
   } else if (const auto& by_graph = std::get<ByGraph>(solver); work.loopless) {
     directly(by_graph.loopless);
   } else {
-    sweeps(by_graph.loops);
+    by_conjugate_sweeps(by_graph.loops);
   }
 }
 

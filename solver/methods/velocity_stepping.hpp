@@ -4,6 +4,7 @@
 
 #include "solver/integrate/euler.hpp"
 #include "solver/integrate/gyroscopic.hpp"
+#include "solver/methods/conjugate_sweeps.hpp"
 #include "solver/methods/direct.hpp"
 #include "solver/methods/drift.hpp"
 #include "solver/methods/gauss_seidel.hpp"
@@ -15,13 +16,13 @@
 namespace byhand {
 
 /// The choice left to the scene's graph: what has no loops (chains, trees, columns) is solved directly, the rest
-/// by sweeps in coloured order that stop when they have nothing more to do.
+/// by conjugate sweeps that stop when they have nothing more to do.
 struct ByGraph {
   Direct loopless = {};
-  GaussSeidel loops = {.sweeps = 26, .order = SweepOrder::coloured, .tolerance = 1e-5};
+  ConjugateSweeps loops = {};
 };
 
-using RowSolver = std::variant<GaussSeidel, Jacobi, Direct, ByGraph>;
+using RowSolver = std::variant<GaussSeidel, Jacobi, Direct, ConjugateSweeps, ByGraph>;
 
 /// The article's method, as choices: how rows are solved, how drift is cured, when positions move, and into
 /// how many equal substeps a step is cut. Cost of a step: substeps × (rows written once + sweeps over them).
@@ -47,6 +48,7 @@ struct Work {
   Prepared<M> gauss_seidel;
   JacobiWork<M> jacobi;
   DirectWork<M> direct;
+  ConjugateWork<M> conjugate;
   std::conditional_t<M::angular == 0, NoTouching, Touching<M>> touching;
   std::vector<double> approach;  // JV of rows that may bounce, before they are solved
   Layout layout = Layout::none;
