@@ -47,7 +47,7 @@ double measured_pop(double beta, double h) {
   double stays = 0.5 * law_of_pop(beta, h), pops = 1.5 * law_of_pop(beta, h);
   for (int i = 0; i < 30; ++i) {
     const double middle = 0.5 * (stays + pops);
-    (peak(sunk(middle, {beta}), h) > 1e-9 ? pops : stays) = middle;
+    (peak(sunk(middle, {beta}), h) > 1e-11 ? pops : stays) = middle;
   }
   return 0.5 * (stays + pops);
 }
