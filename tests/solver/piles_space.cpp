@@ -37,7 +37,7 @@ TEST(PilesInSpace, KeepEveryImpulseWithinItsBound) {
     Simulation<Points> simulation{box_pile<Points>(seed, pile), {GaussSeidel{3}}};
     run(simulation, 1, h, [&] {
       const auto& system = simulation.work.system;
-      for (const double upper : system.lambda) ASSERT_TRUE(std::isfinite(upper));
+      for (const double lambda : system.lambda) ASSERT_TRUE(std::isfinite(lambda));
       for (const auto& contact : std::get<block_type<M, 1, Bound::interval>()>(system.blocks))
         EXPECT_GE(system.lambda[contact.row], 0);
       for (const auto& friction : std::get<block_type<M, 2, Bound::ball>()>(system.blocks)) {
