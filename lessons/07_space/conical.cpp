@@ -5,7 +5,6 @@
 #include "lessons/07_space/rounds.hpp"
 #include "lessons/07_space/steps.hpp"
 #include "lessons/pictures/space_scene.hpp"
-#include "renderer/labels.hpp"
 #include "solver/exact/conical_pendulum.hpp"
 
 namespace byhand::space {
@@ -16,9 +15,10 @@ using namespace renderer;
 
 Chart over_angle(const Setting& setting) {
   const double weight = setting.mass * gravity;
-  Chart chart{.x = {.label = "angle (deg)"}, .y = {.label = "tension (weights)", .range = {{0, 5}}}};
-  Curve run{.label = "λ/h", .style = CurveStyle::markers}, theory{.label = "1/cosθ", .style = CurveStyle::theory},
-      along{.label = "cosθ", .style = CurveStyle::theory};
+  Chart chart{.x = {.label = "angle (deg)", .range = {{0, 90}}},
+              .y = {.label = "tension (weights)", .range = {{0, 5}}}};
+  Curve run{.label = "λ/h", .style = CurveStyle::markers}, theory{.style = CurveStyle::theory},
+      along{.style = CurveStyle::theory};
   for (double angle = 10; angle <= 76; angle += 6) {
     run.x.push_back(angle);
     run.y.push_back(third_turn(circling(setting, radians(angle)), setting.h).tension / weight);
@@ -30,14 +30,15 @@ Chart over_angle(const Setting& setting) {
     along.y.push_back(std::cos(radians(angle)));
   }
   chart.curves = {run, theory, along};
+  chart.annotations = {{theory.x.back(), theory.y.back(), "1/cosθ"}, {along.x.back(), along.y.back(), "cosθ"}};
   return chart;
 }
 
 void draw_cone(Canvas& canvas, double angle, double tension) {
   const Rectangle frame = canvas.page().inset(10);
-  Space space(pictures::from_aside({0, -0.62, 0}, 1.15, frame, 0, 0.22));
+  Space space(pictures::from_aside({0.1, -0.66, 0}, 1.0, frame, -0.7, 0.3));
   const Point3 bob(std::sin(angle), -std::cos(angle), 0);
-  space.ground({0, -1.45, 0}, 2.6, 0.4);
+  space.ground({0, -1.35, 0}, 2.4, 0.4);
   pictures::add_ring(space, {0, bob.y(), 0}, bob.x(), 0.012, palette::muted);
   space.rod({0, 0, 0}, {0, bob.y(), 0}, 0.005, palette::muted);
   space.rod({0, 0, 0}, bob, 0.014, palette::constraint);
@@ -47,10 +48,10 @@ void draw_cone(Canvas& canvas, double angle, double tension) {
   const Point3 pull = bob - scale * tension * bob, weight = bob - Point3(0, scale, 0);
   space.arrow(bob - 0.09 * bob, pull - 0.09 * bob, 0.016, palette::force);
   space.arrow(bob - Point3(0, 0.085, 0), weight - Point3(0, 0.085, 0), 0.016, palette::force);
-  space.arrow(bob + Point3(0, 0, -0.085), bob + Point3(0, 0, -0.45), 0.016, palette::velocity);
+  space.arrow(bob + Point3(0, 0, 0.085), bob + Point3(0, 0, 0.5), 0.016, palette::velocity);
   canvas.draw(space);
   const TextStyle style{
-      .size = 20, .colour = palette::force, .anchor = renderer::Anchor::left, .halo = 3, .offset = {14, 4}};
+      .size = 20, .colour = palette::force, .anchor = renderer::Anchor::left, .halo = 3, .offset = {14, 12}};
   canvas.text(space.project(pull - 0.09 * bob), say("@ weights", Value(tension, 3)), style);
   canvas.text(space.project(weight), "1 weight", style);
   canvas.text(space.project({0, 0.5 * bob.y(), 0}), say("θ = @°", Value(degrees(angle), 3)),
@@ -73,16 +74,16 @@ void conical(const Setting& setting, Page& page) {
       {.ask = say("It circles on a cone at @° from straight down. What does the rod pull with, in weights of "
                   "the bob?",
                   setting.angle),
-       .answer = measured,
+       .answer = fine.tension / weight,
        .unit = "weights",
-       .tolerance = 0.05 * measured,
+       .tolerance = 0.03 * measured,
        .wrong = {{std::cos(angle),
                   "That is the weight along the rod; but here the *vertical* must balance: "
                   "T·cosθ = mg."},
                  {1, "It holds the weight, but aslant: only T·cosθ of it points up."},
                  {std::tan(angle), "That is the part that turns the bob, T·sinθ."}},
        .hint = "The bob stays at its height. Which part of the pull carries the weight?",
-       .right = say("1/cosθ = @; what is left is the error of a step of @ s.", 1 / std::cos(angle), setting.h)});
+       .right = say("1/cosθ. With steps of @ s the run has @.", setting.h, measured)});
   page.formula("T·cosθ = mg,   T·sinθ = mω²L·sinθ   ⟹   T = mg/cosθ = @ N,   ω² = g/(L·cosθ)",
                R"(T\cos\theta = mg, \quad T\sin\theta = m\omega^2 L\sin\theta \quad\Rightarrow\quad )"
                R"(T = \frac{mg}{\cos\theta} = @\ \mathrm{N}, \quad \omega^2 = \frac{g}{L\cos\theta})",

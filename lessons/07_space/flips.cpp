@@ -31,11 +31,12 @@ struct Film {
     for (std::size_t i = 0; i < 3; ++i) {
       const Rectangle frame{frames[i].x, frames[i].y, frames[i].width, frames[i].height - 34};
       const Instant& now = at(flights[i], time);
-      Space space(pictures::from_aside({0, 0.05, 0}, 0.98, frame, 0.6, 0.3));
+      Space space(pictures::from_aside({0, 0.1, 0}, 1.02, frame, 0.6, 0.3));
       space.ground({0, -0.85, 0}, 2, 0.4);
       pictures::add_book(space, now.pose, book_sides());
-      const Point3 L = 0.95 / flights[i][0].momentum.norm() * now.momentum;
-      space.arrow(L.normalized() * 0.1, L, 0.022, palette::error);
+      const double size = now.momentum.norm() / flights[i][0].momentum.norm();
+      const Point3 L = std::min(0.85 * size, 1.2) * now.momentum.normalized();
+      space.arrow(0.1 * L, L, 0.024, palette::error);
       canvas.draw(space);
       canvas.text({frames[i].centre().x(), frames[i].top() - 14}, names[i],
                   {.size = 22, .colour = palette::series(static_cast<int>(i)), .bold = true});
@@ -47,10 +48,10 @@ struct Film {
 Film film_of(const Setting& setting) {
   Film film;
   film.below = {.x = {.label = "time (s)"}, .y = {.label = "Ω_y, about the book's own y (rad/s)"}};
-  const FreeTop exact(moments_of(setting), first_spin(setting));
+  const FreeTop exact(moments_of(setting), first_spin(setting, setting.wobble));
   double fastest = 0;
   for (std::size_t i = 0; i < 3; ++i) {
-    film.flights[i] = thrown(setting, choices[i], setting.h, film_seconds);
+    film.flights[i] = thrown(setting, setting.wobble, choices[i], film_seconds);
     Curve curve{.label = names[i]};
     for (const Instant& now : film.flights[i]) {
       curve.x.push_back(now.time);
@@ -101,12 +102,12 @@ double between_flips(const Flight& flight) {
 
 void flips(const Setting& setting, Page& page) {
   const double h = setting.h;
-  const Eigen::Vector3d moments = moments_of(setting), spin = first_spin(setting);
+  const Eigen::Vector3d moments = moments_of(setting), spin = first_spin(setting, setting.wobble);
   const double half_period = FreeTop(moments, spin).period() / 2;
   std::array<Flight, 3> flights;
   std::array<Kept, 3> kept;
   for (std::size_t i = 0; i < 3; ++i) {
-    flights[i] = thrown(setting, choices[i], h, seconds);
+    flights[i] = thrown(setting, setting.wobble, choices[i], seconds);
     kept[i] = kept_in(flights[i], names[i]);
   }
   const Flight& implicit_flight = flights[2];
@@ -157,7 +158,7 @@ void flips(const Setting& setting, Page& page) {
                   "the one, explicit neither, implicit both, to rounding.",
                   seconds),
               [=](Canvas& canvas) {
-                const auto [left, right] = canvas.page().inset(20, 90).split_columns(0.5, 24);
+                const auto [left, right] = canvas.page().inset(20, 60).split_columns(0.5, 24);
                 renderer::draw(canvas, energy, left);
                 renderer::draw(canvas, momentum, right);
               });

@@ -20,10 +20,11 @@ using Loose = Scene<M, Contact, Friction>;
 constexpr double film_seconds = 3, seconds = 6;
 
 /// A book above or on the ground, 60 sweeps a step, turning as the implicit term has it.
-Simulation<Loose> on_the_ground(const Setting& setting, const Pose<M>& pose, const Velocity<M>& velocity) {
+Simulation<Loose> on_the_ground(const Setting& setting, const Pose<M>& pose, const Velocity<M>& velocity,
+                                double restitution = 0) {
   Simulation<Loose> loose{{}, {GaussSeidel{60}, Baumgarte{.beta = 0.2, .slop = 0.001}}};
   loose.method.gyroscopic = Gyroscopic::implicit;
-  const Surface surface{.friction = setting.friction};
+  const Surface surface{.friction = setting.friction, .restitution = restitution};
   add_ground(loose.scene, surface);
   const int book = add_box(loose.scene, pose, setting.mass, Linear<M>(book_sides()), surface);
   loose.scene.bodies.velocity[book] = velocity;
@@ -40,11 +41,11 @@ Pose<M> lying() {
 
 Simulation<Loose> tumbling(const Setting& setting) {
   Pose<M> pose;
-  pose.position = {-2, 1.2, 0.4};
-  pose.rotation = space_rotation(Angular<M>(0.4, 0.3, 0.9));
+  pose.position = {0, 1.2, 0};
+  pose.rotation = space_rotation(Angular<M>(0.4, 0.3, 0.5));
   Velocity<M> V;
-  V << setting.speed, 0, -0.3 * setting.speed, 3, 2, -4;
-  return on_the_ground(setting, pose, V);
+  V << setting.speed, 0, -0.3 * setting.speed, 2, 1, -9;
+  return on_the_ground(setting, pose, V, 0.4);
 }
 
 /// How far a flat book gets, and when it comes to rest, if it also spins at `spin` [rad/s] about the vertical.
@@ -67,22 +68,23 @@ struct Film {
   Chart beside;
 
   void draw(Canvas& canvas, double now) const {
-    const auto [left, right] = canvas.page().inset(16).split_columns(0.62, 12);
+    const auto [above, under] = canvas.page().inset(16).split_rows(0.62, 8);
     std::size_t last = 0;
     while (last + 1 < time.size() && time[last + 1] <= now + 1e-9) ++last;
-    const double reach = 0.5 * (pose.back().position - pose.front().position).norm() + 0.5;
+    const double way = (pose.back().position - pose.front().position).norm();
+    const double reach = (0.5 * way + 0.9) * above.height / above.width;
     Point3 middle = 0.5 * (pose.back().position + pose.front().position);
-    middle.y() = 0.4;
-    Space space(pictures::from_aside(middle, reach, left, 0.35, 0.4));
-    space.ground({middle.x(), 0, middle.z()}, 2 * reach, 0.5);
+    middle.y() = 0.5;
+    Space space(pictures::from_aside(middle, reach, above, 0.25, 0.3));
+    space.ground({middle.x(), 0, middle.z()}, way + 2, 0.5);
     std::vector<Point3> trail;
     for (std::size_t i = 0; i <= last; i += 3) trail.push_back(pose[i].position);
-    pictures::add_trail(space, trail, 0.012, palette::velocity);
+    pictures::add_trail(space, trail, 0.02, palette::velocity);
     pictures::add_book(space, pose[last], book_sides());
     canvas.draw(space);
-    canvas.text({left.x + 4, left.top() - 14}, say("@ s", Value(std::floor(now * 10 + 1e-6) / 10, 3)),
+    canvas.text({above.x + 4, above.top() - 14}, say("@ s", Value(std::floor(now * 10 + 1e-6) / 10, 3)),
                 {.size = 22, .anchor = renderer::Anchor::left, .bold = true});
-    renderer::draw(canvas, pictures::grown_to(beside, now), right.inset(0, 70));
+    renderer::draw(canvas, pictures::grown_to(beside, now), under);
   }
 };
 

@@ -73,7 +73,8 @@ void draw_orders(Canvas& canvas) {
   const auto cells = canvas.page().inset(16).cells(2, 3, 10);
   const Quaternion x = quarter(Vector::UnitX()), y = quarter(Vector::UnitY());
   const std::array<Quaternion, 6> stages{Quaternion::Identity(), x, y * x, Quaternion::Identity(), y, x * y};
-  const std::array<const char*, 6> names{"", "first about x", "then about y", "", "first about y", "then about x"};
+  const std::array<const char*, 6> names{"the book", "first about x", "then about y",
+                                         "the book", "first about y", "then about x"};
   for (std::size_t i = 0; i < 6; ++i) {
     const Rectangle frame{cells[i].x, cells[i].y, cells[i].width, cells[i].height - 32};
     Space space(pictures::from_aside({0, 0, 0}, 0.95, frame, 0.5, 0.4));
@@ -81,7 +82,12 @@ void draw_orders(Canvas& canvas) {
     Pose<SpaceBody> pose;
     pose.rotation = stages[i];
     pictures::add_book(space, pose, book_sides());
+    const std::array<std::pair<const char*, Point3>, 2> axes{{{"x", {1.05, 0, 0}}, {"y", {0, 0.85, 0}}}};
+    for (const auto& [name, tip] : axes) space.arrow({0, 0, 0}, tip, 0.015, palette::theory);
     canvas.draw(space);
+    for (const auto& [name, tip] : axes)
+      canvas.text(space.project(tip), name,
+                  {.size = 18, .anchor = renderer::Anchor::left, .halo = 3, .offset = {8, 0}});
     canvas.text({cells[i].centre().x(), cells[i].top() - 14}, names[i], {.size = 20, .bold = true});
   }
 }

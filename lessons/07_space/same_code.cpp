@@ -83,22 +83,22 @@ void draw_twins(Canvas& canvas, const Twins& twins, double length) {
   const auto age = [&](std::size_t i) {
     return static_cast<double>(i + 1) / static_cast<double>(twins.plane.size());
   };
-  canvas.look(fit({-length, -1.15 * length, 2 * length, 1.3 * length}, under, 10));
+  canvas.look(fit({-0.8 * length, -1.1 * length, 1.85 * length, 1.25 * length}, under, 10));
   for (std::size_t i = 0; i < twins.plane.size(); ++i)
     canvas.rod({0, 0}, 2 * twins.plane[i],
                {mix(palette::constraint, palette::paper, 0.85 * (1 - age(i))), {palette::ink, 0}}, 12);
   canvas.anchor({0, 0});
   canvas.look_at_page();
-  Space space(
-      pictures::from_aside({0, -0.6 * length, 0}, 0.95 * length, {right.x, right.y, right.width, under.height}));
+  Space space(pictures::from_aside({0.1 * length, -0.55 * length, 0}, 0.85 * length,
+                                   {right.x, right.y, right.width, under.height}));
   space.ground({0, -1.25 * length, 0}, 2.2 * length, 0.4 * length);
   for (std::size_t i = 0; i < twins.space.size(); ++i)
     space.rod({0, 0, 0}, 2 * twins.space[i], 0.025 * length,
               mix(palette::constraint, palette::paper, 0.85 * (1 - age(i))));
   space.sphere({0, 0, 0}, 0.05 * length, palette::fixed);
   canvas.draw(space);
-  canvas.text({left.centre().x(), left.top() - 16}, "hinged_rod<PlaneBody>", {.size = 21, .bold = true});
-  canvas.text({right.centre().x(), right.top() - 16}, "hinged_rod<SpaceBody>", {.size = 21, .bold = true});
+  canvas.text({left.centre().x(), left.top() - 16}, "hinged\\_rod<PlaneBody>", {.size = 21, .bold = true});
+  canvas.text({right.centre().x(), right.top() - 16}, "hinged\\_rod<SpaceBody>", {.size = 21, .bold = true});
 }
 
 }  // namespace
@@ -126,7 +126,7 @@ void same_code(const Setting& setting, Page& page) {
       "rows, a ball joint, is three times the first bar.",
       how_many());
   page.text(
-      "A row has @ numbers now instead of @, and a body's velocity @ instead of @. One step costs about twice "
+      "A row has @ numbers now instead of @, and a body's velocity @ instead of @. A sweep multiplies twice "
       "as much; that is all that changes for sweeps, β and warm starts: they only see rows.",
       space.row, plane.row, space.velocity, plane.velocity);
 

@@ -9,17 +9,18 @@ Eigen::Vector3d moments_of(const Setting& setting) {
   return box<SpaceBody>(setting.mass, book_sides()).angular.cwiseInverse();
 }
 
-Eigen::Vector3d first_spin(const Setting& setting) {
-  return setting.spin() * Eigen::Vector3d(setting.wobble, 1, setting.wobble);
+Eigen::Vector3d first_spin(const Setting& setting, double wobble) {
+  return setting.spin() * Eigen::Vector3d(wobble, 1, wobble);
 }
 
-Flight thrown(const Setting& setting, Gyroscopic choice, double h, double seconds) {
-  Simulation<Scene<SpaceBody, Pin>> book{free_top(moments_of(setting), first_spin(setting)),
-                                         {Direct{}, NoDriftCure{}}};
+Flight thrown(const Setting& setting, double wobble, Gyroscopic choice, double seconds) {
+  const double h = setting.h;
+  const Eigen::Vector3d spin = first_spin(setting, wobble);
+  Simulation<Scene<SpaceBody, Pin>> book{free_top(moments_of(setting), spin), {Direct{}, NoDriftCure{}}};
   book.method.gyroscopic = choice;
   const auto& bodies = book.scene.bodies;
   const auto steps = std::lround(seconds / h);
-  const double limit = 100 * first_spin(setting).norm();
+  const double limit = 100 * spin.norm();
   Flight flight;
   for (long i = 0; i <= steps; ++i) {
     const Eigen::Vector3d omega = bodies.velocity[0].tail<3>();

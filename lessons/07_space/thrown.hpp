@@ -8,9 +8,11 @@
 
 namespace byhand::space {
 
-/// The book's principal moments [kg m²] and its spin at first [rad/s], both about its own axes.
+/// The book's principal moments [kg m²].
 Eigen::Vector3d moments_of(const Setting& setting);
-Eigen::Vector3d first_spin(const Setting& setting);
+/// Its spin at first about its own axes [rad/s]: about the middle one, and a share `wobble` of that about the
+/// others.
+Eigen::Vector3d first_spin(const Setting& setting, double wobble);
 
 /// A book that has been thrown, at one instant.
 struct Instant {
@@ -25,9 +27,9 @@ struct Instant {
 };
 using Flight = std::vector<Instant>;
 
-/// The flight without gravity, from its start on, one instant a step of h [s]. It ends early once the spin passes
-/// a hundredfold of what it was.
-Flight thrown(const Setting& setting, Gyroscopic choice, double h, double seconds);
+/// The flight without gravity, from its start on, one instant a step. It ends early once the spin passes a
+/// hundredfold of what it was.
+Flight thrown(const Setting& setting, double wobble, Gyroscopic choice, double seconds);
 
 /// The last instant of a flight by `time` [s].
 const Instant& at(const Flight& flight, double time);

@@ -5,7 +5,6 @@
 
 #include "lessons/07_space/steps.hpp"
 #include "lessons/pictures/space_scene.hpp"
-#include "renderer/labels.hpp"
 #include "solver/constraints/pin.hpp"
 #include "solver/measure.hpp"
 
@@ -16,15 +15,15 @@ using namespace tutor;
 using namespace renderer;
 using M = SpaceBody;
 
-constexpr double fall = 3;  // [m/s]
+Eigen::Vector3d flight() { return {1.5, -3, 0}; }  // [m/s]
 
-/// A body that falls and is caught by its corner on a nail at the origin.
+/// A body that flies by and is caught by the middle of its +y side on a nail at the origin.
 struct Catch {
   Pose<M> pose;
   InverseMass<M> mass;
   Velocity<M> after = Velocity<M>::Zero();
   Eigen::Vector3d before_L, after_L;  // angular momentum about the nail [kg m²/s]
-  double corner = 0;                  // how fast the corner still moves [m/s]
+  double slip = 0;                    // how fast the point on the nail still moves [m/s]
 
   double lost() const { return (after_L - before_L).norm() / before_L.norm(); }
 };
@@ -36,14 +35,14 @@ Bodies<M> bodies_of(const Catch& caught, const Velocity<M>& velocity) {
   return bodies;
 }
 
-/// A box of `sides` [m], turned by `tilt` [rad] about an axis askew to all of its own.
-Catch fallen_on_a_nail(const Eigen::Vector3d& sides, double mass, double tilt, bool turned) {
+/// A box of `sides` [m], turned by `tilt` [rad] about an axis askew to its own.
+Catch caught_on_a_nail(const Eigen::Vector3d& sides, double mass, double tilt, bool turned) {
   Catch caught;
   caught.mass = box<M>(mass, sides);
-  caught.pose.rotation = space_rotation(Angular<M>(tilt * Eigen::Vector3d(0.36, 0.48, 0.8)));
-  caught.pose.position = rotate(caught.pose.rotation, Eigen::Vector3d(-0.5 * sides));
+  caught.pose.rotation = space_rotation(Angular<M>(tilt * Eigen::Vector3d(0.6, 0.8, 0)));
+  caught.pose.position = rotate(caught.pose.rotation, Eigen::Vector3d(0, -0.5 * sides.y(), 0));
   Velocity<M> V = Velocity<M>::Zero(), ground = V;
-  V.y() = -fall;
+  V.head<3>() = flight();
   const Bodies<M> bodies = bodies_of(caught, V);
   caught.before_L = angular_momentum(bodies);
   const Pin<M> nail = pin<M>(bodies, 0, 1, Linear<M>(0, 0, 0));
@@ -59,7 +58,7 @@ Catch fallen_on_a_nail(const Eigen::Vector3d& sides, double mass, double tilt, b
 
   caught.after = V;
   caught.after_L = angular_momentum(bodies_of(caught, V));
-  caught.corner = dot(J, ground, V).norm();
+  caught.slip = dot(J, ground, V).norm();
   return caught;
 }
 
@@ -77,7 +76,7 @@ Chart over_tilt(double mass, double limit) {
     if (body.sides.x() == body.sides.z()) curve.style = CurveStyle::markers;
     for (double tilt = 0; tilt <= limit; tilt += curve.style == CurveStyle::markers ? 10 : 1) {
       curve.x.push_back(tilt);
-      curve.y.push_back(100 * fallen_on_a_nail(body.sides, mass, radians(tilt), body.turned).lost());
+      curve.y.push_back(100 * caught_on_a_nail(body.sides, mass, radians(tilt), body.turned).lost());
     }
     chart.curves.push_back(std::move(curve));
   }
@@ -86,8 +85,8 @@ Chart over_tilt(double mass, double limit) {
 
 void draw_catch(Canvas& canvas, const Catch& caught, const std::string& words, const Rectangle& frame) {
   const Rectangle below{frame.x, frame.y, frame.width, frame.height - 70};
-  Space space(pictures::from_aside({0, -0.15, 0}, 1.15, below, 0.6, 0.3));
-  space.ground({0, -1.25, 0}, 2.2, 0.4);
+  Space space(pictures::from_aside({0, -0.25, 0}, 1.0, below, -1.3, 0.35));
+  space.ground({0, -1.1, 0}, 2.2, 0.4);
   pictures::add_book(space, caught.pose, book_sides());
   space.sphere({0, 0, 0}, 0.05, palette::fixed);
   const double scale = 0.9 / caught.before_L.norm();
@@ -95,15 +94,17 @@ void draw_catch(Canvas& canvas, const Catch& caught, const std::string& words, c
   space.arrow({0, 0, 0}, before, 0.022, palette::theory);
   if ((after - before).norm() > 0.01) space.arrow({0, 0, 0}, after, 0.022, palette::error);
   canvas.draw(space);
-  Labels labels(canvas, below);
-  labels.avoid(Rectangle{space.project(before).x() - 4, space.project(before).y() - 4, 8, 8});
-  labels.place(space.project(before), (after - before).norm() > 0.01 ? "L before" : "L before and after",
-               {.size = 19, .colour = palette::theory, .halo = 3});
-  if ((after - before).norm() > 0.01)
-    labels.place(space.project(after), "L after", {.size = 19, .colour = palette::error, .halo = 3});
+  const bool changed = (after - before).norm() > 0.01;
+  canvas.text(
+      space.project(before), changed ? "L before" : "L before and after",
+      {.size = 20, .colour = palette::theory, .anchor = renderer::Anchor::top, .halo = 3, .offset = {0, -12}});
+  if (changed)
+    canvas.text(
+        space.project(after), "L after",
+        {.size = 20, .colour = palette::error, .anchor = renderer::Anchor::bottom, .halo = 3, .offset = {0, 12}});
   canvas.text({frame.centre().x(), frame.top() - 16}, words, {.size = 21, .bold = true});
   canvas.text({frame.centre().x(), frame.top() - 46},
-              say("corner @ m/s,  L changed by @ %", Value(caught.corner < 1e-9 ? 0 : caught.corner, 2),
+              say("held point @ m/s,  L changed by @ %", Value(caught.slip < 1e-9 ? 0 : caught.slip, 2),
                   Value(caught.lost() < 1e-9 ? 0 : 100 * caught.lost(), 3)),
               {.size = 18, .colour = palette::muted});
 }
@@ -112,8 +113,8 @@ void draw_catch(Canvas& canvas, const Catch& caught, const std::string& words, c
 
 void turned_inertia(const Setting& setting, Page& page) {
   const double mass = setting.mass, tilt = radians(setting.tilt);
-  const Catch right = fallen_on_a_nail(book_sides(), mass, tilt, true),
-              wrong = fallen_on_a_nail(book_sides(), mass, tilt, false);
+  const Catch right = caught_on_a_nail(book_sides(), mass, tilt, true),
+              wrong = caught_on_a_nail(book_sides(), mass, tilt, false);
   const Eigen::Vector3d moments = right.mass.angular.cwiseInverse();
 
   page.text(
@@ -126,23 +127,26 @@ void turned_inertia(const Setting& setting, Page& page) {
   page.text("to be made anew whenever the body has turned, so in every step. `inverse_inertia` below does that:");
   page.excerpt("solver/row.hpp", "18");
   page.text(
-      "What if it is forgotten? The book falls flat at @ m/s, turned by @°, and its corner catches on a nail: a "
+      "What if it is forgotten? The book flies by at @ m/s, turned by @°, and the middle of its yellow side "
+      "catches "
+      "on a nail: a "
       "pin, three rows, solved as a block. Here it is with the mistake as an option:",
-      fall, setting.tilt);
+      flight(), setting.tilt);
   page.excerpt("lessons/07_space/turned_inertia.cpp", "caught");
   page.choose(
       {.ask = "The inertia is left in the body's axes, and the rows are solved. What can you tell it by?",
        .options =
-           {{"JV is not zero: the corner moves on",
+           {{"JV is not zero: the held point moves on",
              "λ is solved for with the same W that hands it on, so whatever M⁻¹ is, JV vanishes. You would see "
              "nothing at the joint."},
             {"the angular momentum about the nail has changed",
              "Yes. The nail pushes at the point about which you count, so it cannot give any."}},
-       .answer = right.corner < 1e-9 && wrong.corner < 1e-9 ? 1 : 0,
+       .answer = right.slip < 1e-9 && wrong.slip < 1e-9 ? 1 : 0,
        .hint = "(17) divides by JM⁻¹Jᵀ and (20) multiplies by M⁻¹Jᵀ, with whatever M⁻¹ you gave them."});
   page.figure(
       "caught_on_a_nail",
-      say("The book just caught, with I turned (left) and left as it was (right). Both corners stand still. L is "
+      say("The book just caught, with I turned (left) and left as it was (right). Both held points stand still. L "
+          "is "
           "the angular momentum about the nail, which the nail's push cannot change; on the right it has, by @ %.",
           Value(100 * wrong.lost(), 3)),
       [=](Canvas& canvas) {
@@ -151,7 +155,7 @@ void turned_inertia(const Setting& setting, Page& page) {
         draw_catch(canvas, wrong, "I⁻¹ in the body's axes", beside);
       });
   page.text(
-      "A symmetric joint looks calm, the body only turns about a wrong axis at a wrong rate. And the mistake "
+      "The joint looks calm; the body only turns about a wrong axis at a wrong rate. And the mistake "
       "hides "
       "well: a body that has not turned yet does not show it, nor does a ball or a cube, whose I is the same "
       "about "
@@ -162,12 +166,12 @@ void turned_inertia(const Setting& setting, Page& page) {
       over_tilt(mass, 90));
   page.measure("change of L, I not turned", 100 * wrong.lost(), "%");
 
-  page.claim({.quantity = "speed of the corner, I not turned",
+  page.claim({.quantity = "speed of the held point, I not turned",
               .unit = "m/s",
               .expected = 0,
               .source = "JV = 0, whatever M⁻¹",
-              .measured = wrong.corner,
-              .tolerance = absolute(1e-12 * fall)});
+              .measured = wrong.slip,
+              .tolerance = absolute(1e-12 * flight().norm())});
   page.claim({.quantity = "change of L about the nail, I turned",
               .unit = "1",
               .expected = 0,

@@ -35,12 +35,12 @@ struct Film {
     const auto last = static_cast<std::size_t>(std::floor(time / h + 1e-6));
     for (const Way& way : ways) {
       const std::size_t end = std::min(last, way.size() - 1), every = std::max<std::size_t>(1, end / 10);
-      const auto place = [&](std::size_t i) { return Point3(way[i].x(), size, way[i].y()); };
+      const auto place = [&](std::size_t i) { return Point3(way[i].x(), 0.5 * size, way[i].y()); };
       std::vector<Point3> trail;
       for (std::size_t i = 0; i < end; i += every) trail.emplace_back(way[i].x(), 0.01 * reach, way[i].y());
       trail.emplace_back(way[end].x(), 0.01 * reach, way[end].y());
-      pictures::add_trail(space, trail, 0.01 * reach, palette::velocity);
-      space.sphere(place(end), size, palette::highlight);
+      pictures::add_trail(space, trail, 0.02 * reach, palette::velocity);
+      space.box(place(end), {2 * size, size, 2 * size}, Eigen::Quaterniond::Identity(), palette::highlight);
     }
     canvas.draw(space);
     canvas.text({frame.centre().x(), frame.top() - 16}, name, {.size = 22, .bold = true});
@@ -54,21 +54,21 @@ struct Film {
 };
 
 Chart stopped_at(const Film& film, double disc) {
-  Chart chart{.x = {.label = "x (m)", .range = {{-0.1 * disc, 1.15 * disc}}},
-              .y = {.label = "z (m)", .range = {{-0.1 * disc, 1.15 * disc}}}};
+  Chart chart{.x = {.label = "x (m)", .range = {{-1.17 * disc, 1.17 * disc}}},
+              .y = {.label = "z (m)", .range = {{-0.06 * disc, 1.14 * disc}}}};
   Curve square{.label = "each axis", .style = CurveStyle::markers},
       circle{.label = "disc", .style = CurveStyle::markers},
-      straight{.label = "|x| + |z| = v²/2μg", .style = CurveStyle::theory},
-      round{.label = "v²/2μg", .style = CurveStyle::theory};
-  for (int i = 0; i <= pucks / 4; ++i) {
+      straight{.label = "square and circle of v²/2μg", .style = CurveStyle::theory},
+      round{.style = CurveStyle::theory};
+  for (int i = 0; i <= pucks / 2; ++i) {
     square.x.push_back(film.pyramid[i].back().x());
     square.y.push_back(film.pyramid[i].back().y());
     circle.x.push_back(film.disc[i].back().x());
     circle.y.push_back(film.disc[i].back().y());
   }
-  straight.x = {0, disc};
-  straight.y = {disc, 0};
-  for (int i = 0; i <= 60; ++i) {
+  straight.x = {-disc, 0, disc};
+  straight.y = {0, disc, 0};
+  for (int i = 0; i <= 120; ++i) {
     round.x.push_back(disc * std::cos(i * pi / 120));
     round.y.push_back(disc * std::sin(i * pi / 120));
   }
@@ -131,7 +131,7 @@ void two_axes(const Setting& setting, Page& page) {
       "the impulse. So the two rows are one block, solved together and scaled together to a disc:");
   page.excerpt("solver/system.hpp", "bound");
   page.figure("where_they_stop",
-              "Where the pucks of a quarter stop, seen from above. Dashed: what each bound should give.",
+              "Where the pucks of one half stop, seen from above. Dashed: what each bound should give.",
               stopped_at(film, v * v / (2 * a)));
   page.measure("distance at 45°, each axis over disc", pyramid / disc, "1");
   page.measure("heading at the end, each axis", degrees(final_heading), "deg");

@@ -23,21 +23,34 @@ void add_book(Space& space, const Pose<SpaceBody>& pose, const Point3& sides, Co
   part(0.5 - share, 0.5, palette::highlight);
 }
 
-void add_trail(Space& space, const std::vector<Point3>& points, double radius, Colour colour) {
+namespace {
+
+/// A thin bar, for lines so fine that nobody sees whether they are round.
+void add_bar(Space& space, const Point3& a, const Point3& b, double thickness, Colour colour) {
+  const Point3 way = b - a, across = way.cross(Point3::UnitY());
+  Eigen::Matrix3d axes;  // one side level, so that neighbours shade alike
+  axes.col(0) = way.normalized();
+  axes.col(2) = across.norm() > 1e-9 * way.norm() ? Point3(across.normalized()) : Point3::UnitZ();
+  axes.col(1) = axes.col(2).cross(axes.col(0));
+  space.box(0.5 * (a + b), {way.norm() + 0.5 * thickness, thickness, thickness}, Eigen::Quaterniond(axes), colour);
+}
+
+}  // namespace
+
+void add_trail(Space& space, const std::vector<Point3>& points, double thickness, Colour colour) {
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
     const double age = 1 - static_cast<double>(i + 1) / static_cast<double>(points.size());
-    space.rod(points[i], points[i + 1], radius, mix(colour, palette::paper, 0.9 * age));
+    add_bar(space, points[i], points[i + 1], thickness, mix(colour, palette::paper, 0.9 * age));
   }
 }
 
 void add_ring(Space& space, const Point3& centre, double radius, double thickness, Colour colour) {
-  constexpr int segments = 48;
-  std::vector<Point3> points;
-  for (int i = 0; i <= segments; ++i) {
+  constexpr int segments = 72;
+  const auto at = [&](int i) {
     const double angle = 2 * std::numbers::pi * i / segments;
-    points.push_back(centre + radius * Point3(std::cos(angle), 0, std::sin(angle)));
-  }
-  space.path(points, thickness / 2, colour);
+    return Point3(centre + radius * Point3(std::cos(angle), 0, std::sin(angle)));
+  };
+  for (int i = 0; i < segments; ++i) add_bar(space, at(i), at(i + 1), thickness, colour);
 }
 
 }  // namespace byhand::pictures

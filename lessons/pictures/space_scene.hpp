@@ -20,7 +20,7 @@ void add_book(renderer::Space& space, const Pose<SpaceBody>& pose, const Eigen::
               renderer::Colour colour = renderer::palette::body);
 
 /// Where something has been: pale at its first point, in full colour at its last.
-void add_trail(renderer::Space& space, const std::vector<Eigen::Vector3d>& points, double radius,
+void add_trail(renderer::Space& space, const std::vector<Eigen::Vector3d>& points, double thickness,
                renderer::Colour colour);
 
 /// Level circle around the vertical through `centre`, `radius` [m], with a line of `thickness` [m].
