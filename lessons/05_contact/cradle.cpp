@@ -132,13 +132,12 @@ void cradle(const Setting& setting, Page& page) {
       "first answer: it is the one where no row wants anything any more.",
       Value(sum(one_forward, 2), 2), Value(sum(one_backward, 2), 2));
   page.text(
-      "What do the rows not know? *When*. Steel balls touch one after the other, in a few hundred-thousandths of "
-      "a second "
-      "each; rows say that all of it happens at the same instant, and then momentum and energy are two equations "
-      "for @ "
-      "unknowns. Tell them: leave a hair of air between the balls, and take steps so short that one collision is "
-      "over "
-      "before the next begins.",
+      "What do the rows not know? *When*. A blow runs through steel balls from one to the next, and takes about a "
+      "ten-thousandth of a second for each; rows say that all of it happens at the same instant, and then "
+      "momentum and "
+      "energy are two equations for @ unknowns. Tell them: leave a hair of air between the balls, and take steps "
+      "so short "
+      "that one collision is over before the next begins.",
       n);
   page.figure(
       "cradle_gaps",

@@ -260,7 +260,7 @@ void friction_row(const Setting& setting, Page& page) {
       "both hide the mistake, but for a step's delay. Normals first is right from the beginning. It has its "
       "price: what friction then disturbs, no normal comes after to mend, and bodies sink a little where they "
       "rub. "
-      "Many engines therefore solve friction first and rely on the warm start.");
+      "So there are engines, Box2D among them, that solve friction first and rely on the warm start.");
 
   page.measure("slip after the normal's impulse", pressed.slip(), "m/s");
   page.measure("stopping distance", stopping_distance(setting, orders[0].solver), "m");

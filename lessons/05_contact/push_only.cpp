@@ -164,10 +164,11 @@ void push_only(const Setting& setting, Page& page) {
                   \text{positive for } w < \text{height}/\sqrt2)",
                1 - s);
   page.text(
-      "So: **the sum is clamped**. A row may take back what it gave, down to zero; that the last step of a sweep "
-      "pulls is no harm as long as all of them together push. The solver does it in one line for every bound "
-      "there "
-      "is, with 0 and ∞ for a contact:");
+      "So: **the sum is clamped**. A row may take back what it gave, down to zero; a late change that pulls does "
+      "no harm "
+      "as long as all of them together push. The solver says it once for every bound there is; a contact is the "
+      "interval "
+      "from 0 to ∞:");
   page.excerpt("solver/system.hpp", "bound");
 
   page.measure("speed upwards after one step, each clamped", up, "gh");

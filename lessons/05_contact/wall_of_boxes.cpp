@@ -90,10 +90,9 @@ void wall_of_boxes(const Setting& setting, Page& page) {
                 }
               });
   page.text(
-      "The load goes down the flanks and through the middle alike; there are many ways to hand it down that all "
-      "keep every "
-      "box at rest, and the sweeps end at one of them. Only the sum is sure: the ground carries @ N, the weight "
-      "of all.",
+      "There are many ways to hand the load down that all keep every box at rest, and the sweeps end at one of "
+      "them. Only "
+      "the sum is sure: the ground carries @ N, the weight of all.",
       Value(ground, 5));
   page.figure("pyramid_overlap",
               say("The largest overlap anywhere in the pyramid after the kick, with 2 and 8 coloured warm sweeps "
