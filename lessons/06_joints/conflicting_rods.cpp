@@ -135,7 +135,7 @@ void conflicting_rods(const Setting& setting, Page& page) {
                 .expected = -weight * h,
                 .source = "the weight, whoever carries it",
                 .measured = sum(*rods),
-                .tolerance = absolute(1e-9 * weight * h + 1e-12 * m)});
+                .tolerance = absolute(1e-6 * weight * h + 1e-12 * m)});
 
   // Two lengths.
   const Rods start = two_rods(setting, gap, warm), end = after(start, watched, h);
@@ -221,7 +221,7 @@ void conflicting_rods(const Setting& setting, Page& page) {
               .expected = 0,
               .source = "the last row of a sweep is always content",
               .measured = end.scene.bodies.pose[1].position.norm() - (length + gap),
-              .tolerance = absolute(1e-9 * length),
+              .tolerance = absolute(1e-9 * length + 2 * gap * std::pow(1 - beta, steps)),
               .claimed = beta > 0.02,
               .range = "β > 0.02"});
   page.claim({.quantity = "rod against rod, cold",

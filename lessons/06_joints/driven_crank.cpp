@@ -2,12 +2,12 @@
 
 #include <cmath>
 
-#include "lessons/06_joints/linkage.hpp"
 #include "lessons/06_joints/mechanism.hpp"
 #include "lessons/06_joints/steps.hpp"
 #include "lessons/pictures/growing.hpp"
 #include "solver/exact/slider_crank.hpp"
 #include "solver/scenes/slider_crank.hpp"
+#include "solver/simulation.hpp"
 
 namespace byhand::joints {
 namespace {
@@ -71,13 +71,13 @@ Run run_of(const SliderCrankOptions& options, double h) {
     run.position_off = std::max(run.position_off, std::abs(x - exact.position(angle)));
     run.speed_off = std::max(run.speed_off, std::abs(machine.scene.bodies.velocity[crank][2] - options.speed));
     // An impulse changes V from the middle of the last step to that of this one. The first steps still take up
-    // what the start was off by.
+    // that nothing has drifted yet, while later ones always correct a little.
     if (machine.time > 10 * h)
       run.moment_off = std::max(run.moment_off, std::abs(moment - moment_at(options, angle - options.speed * h)));
     run.position.x.push_back(machine.time);
     run.position.y.push_back(x);
-    run.moment.x.push_back(machine.time);
-    run.moment.y.push_back(moment);
+    run.moment.x.push_back(machine.time - h);  // the time of the poses whose rows were solved
+    run.moment.y.push_back(machine.time > 3.5 * h ? moment : NAN);
   }
   return run;
 }
@@ -182,10 +182,10 @@ void driven_crank(const Setting& setting, Page& page) {
             {8, "That is the power; the moment is the power over the speed."}},
        .hint = "There is no gravity here: all that the motor does is to give and take kinetic energy."});
   page.text(
-      "(The first few steps of the moment ring: they take up what the start was off by.) The crank turns at "
-      "exactly its speed (off by @ rad/s at most): a motor with strength to spare is a row like any other. The "
-      "piston is off by @ mm at most, @ of that at half the step; that is the tangent of every step, (ωh)², with "
-      "ωh = @ here.",
+      "(The first few steps of the moment are not drawn: they take up that nothing has drifted yet.) The crank "
+      "turns at exactly its speed (off by @ rad/s at most): a motor with strength to spare is a row like any "
+      "other. The piston is off by @ mm at most, @ of that at half the step; that is the tangent of every step, "
+      "(ωh)², with ωh = @ here.",
       Value(run.speed_off, 1), Value(1000 * run.position_off, 3), Value(fine.position_off / run.position_off, 2),
       Value(turn, 3));
 

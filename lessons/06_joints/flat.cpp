@@ -271,7 +271,7 @@ void flat(const Setting& setting, Page& page) {
               .expected = self_pull_by_hand(setting, strict),
               .source = "βδ/(hε(4/m_a + 2/m_c))",
               .measured = self_pull(setting, strict),
-              .tolerance = relative(1e-4)});
+              .tolerance = relative(4 * strict * (1 + setting.coupler() / setting.mass()))});
   page.claim({.quantity = say("speed at which pins part, ε = @ over ε = @", loose, strict),
               .unit = "1",
               .expected = loose / strict,

@@ -14,9 +14,4 @@ FourBarOptions bars_of(const Setting& setting, double angle, int arms = 2);
 /// Its angle from straight down [rad], read off one of its arms, 1 or 2.
 double arm_angle(const FourBar& linkage, int arm = 1);
 
-/// All rows at once, and as much of the error as one step can take: what is left is the step's own.
-inline VelocityStepping exactly(double regularisation = 0) {
-  return {.solver = Direct{.regularisation = regularisation}, .drift = Baumgarte{1}};
-}
-
 }  // namespace byhand::joints

@@ -16,7 +16,7 @@ int main(int argc, char** argv) {
       .mass = lesson.parameter("mass", 3.0, "kg", {0.1, 100}, "mass of a bar or bob"),
       .h = lesson.parameter("h", 1.0 / 60, "s", {1e-3, 0.03}, "time step"),
       .beta = lesson.parameter("beta", 0.2, "1", {0.05, 1}, "share of the error that a step takes away"),
-      .side = lesson.parameter("side", 0.2, "m", {0.05, 5}, "of the box on the arm (step 2)"),
+      .side = lesson.parameter("side", 0.2, "m", {0.05, 2}, "of the box on the arm (step 2)"),
       .angle = lesson.parameter("angle", 60.0, "deg", {5, 85}, "from which the four-bar is released (step 3)"),
       .coupler = lesson.parameter("coupler", 2.0, "kg", {0.1, 100}, "mass of the four-bar's coupler (steps 3, 4)"),
       .strength = lesson.parameter("strength", 0.25, "mgl", {0, 0.48}, "of the motor that is too weak (step 5)"),

@@ -23,7 +23,7 @@ void draw_grid(Canvas& canvas, const Eigen::MatrixXd& matrix, const Point& at, c
       canvas.rectangle(box,
                        {value == 0 ? palette::paper : palette::diverging(0.5 * value / most), {palette::grid, 1}});
       canvas.text(box.centre(), tutor::number(value, 2),
-                  {.size = 14, .colour = value == 0 ? palette::muted : palette::ink});
+                  {.size = 13, .colour = value == 0 ? palette::muted : palette::ink});
     }
   }
 }

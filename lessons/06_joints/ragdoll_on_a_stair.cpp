@@ -17,7 +17,7 @@ using namespace renderer;
 using M = PlaneBody;
 using Doll = Simulation<Scene<M, FaceContact, Pin, AngleLimit>>;
 
-constexpr double seconds = 3, settles = 20, step = 1.0 / 120;  // [s]
+constexpr double seconds = 2.7, settles = 20, step = 1.0 / 120;  // [s]
 constexpr int sweeps = 60, stairs = 4;
 
 Doll above_a_stair() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "lessons/tutor/lesson.hpp"
+#include "solver/methods/velocity_stepping.hpp"
 
 namespace byhand::joints {
 
@@ -19,5 +20,10 @@ inline constexpr double gravity = 9.81;  // [m/s²], as Scene has it
 inline constexpr double pi = 3.14159265358979323846;
 inline double radians(double degrees) { return degrees / 180 * pi; }
 inline double degrees(double radians) { return radians / pi * 180; }
+
+/// All rows at once, and as much of the error as one step can take: what is left is the step's own.
+inline VelocityStepping exactly(double regularisation = 0) {
+  return {.solver = Direct{.regularisation = regularisation}, .drift = Baumgarte{1}};
+}
 
 }  // namespace byhand::joints
