@@ -39,7 +39,7 @@ void draw_cone(Canvas& canvas, double angle, double tension) {
   Space space(pictures::from_aside({0.1, -0.66, 0}, 1.0, frame, -0.7, 0.3));
   const Point3 bob(std::sin(angle), -std::cos(angle), 0);
   space.ground({0, -1.35, 0}, 2.4, 0.4);
-  pictures::add_ring(space, {0, bob.y(), 0}, bob.x(), 0.012, palette::muted);
+  pictures::add_ring(space, {0, bob.y(), 0}, Point3::UnitY(), bob.x(), 0.012, palette::muted);
   space.rod({0, 0, 0}, {0, bob.y(), 0}, 0.005, palette::muted);
   space.rod({0, 0, 0}, bob, 0.014, palette::constraint);
   space.sphere({0, 0, 0}, 0.035, palette::fixed);
@@ -68,18 +68,17 @@ void conical(const Setting& setting, Page& page) {
 
   page.text(
       "A bob needs no orientation: it is a `SpaceParticle`, and its rod the same one row as in lesson 2, now of "
-      "six "
-      "numbers. Start it sideways at the right speed, and it circles at a steady angle: the conical pendulum.");
+      "six numbers. Start it sideways at the right speed, and it circles at a steady angle: the conical "
+      "pendulum.");
   page.predict(
-      {.ask = say("It circles on a cone at @° from straight down. What does the rod pull with, in weights of "
-                  "the bob?",
-                  setting.angle),
+      {.ask = say(
+           "It circles on a cone at @° from straight down. What does the rod pull with, in weights of the bob?",
+           setting.angle),
        .answer = fine.tension / weight,
        .unit = "weights",
        .tolerance = 0.03 * measured,
        .wrong = {{std::cos(angle),
-                  "That is the weight along the rod; but here the *vertical* must balance: "
-                  "T·cosθ = mg."},
+                  "That is the weight along the rod; but here the *vertical* must balance: T·cosθ = mg."},
                  {1, "It holds the weight, but aslant: only T·cosθ of it points up."},
                  {std::tan(angle), "That is the part that turns the bob, T·sinθ."}},
        .hint = "The bob stays at its height. Which part of the pull carries the weight?",
@@ -93,9 +92,8 @@ void conical(const Setting& setting, Page& page) {
               "carries the weight and turns the bob.",
               [=](Canvas& canvas) { draw_cone(canvas, angle, measured); });
   page.figure("tension_over_angle",
-              "The rod's pull over the angle of the cone: λ/h, averaged over the third turn. Between the dashed "
-              "lines lies "
-              "the mistake of taking the weight along the rod.",
+              "The rod's pull over the angle of the cone: λ/h, averaged over the third turn. The lower dashed "
+              "line is the mistake of taking the weight along the rod for it.",
               over_angle(setting));
   page.measure("tension", measured, "weights");
   page.measure("one turn", turn.period, "s");

@@ -115,15 +115,14 @@ void flips(const Setting& setting, Page& page) {
 
   page.text(
       "A real book turns over, again and again: try it, with a rubber band round it. About the middle axis a spin "
-      "is "
-      "unstable; what is off grows until the book has flipped, then it rests for a while, and flips back. Euler's "
-      "equations have the exact answer, an elliptic sine; here the book flips every @ s, half its period.",
+      "is unstable; what is off grows until the book has flipped, then it spins steadily for a while, and flips "
+      "back. Euler's equations have the exact answer, an elliptic sine; here the book flips every @ s, half its "
+      "period.",
       half_period);
   page.text(
       "So the term must be added. There are two ways. *Explicit*: ω += −h I⁻¹(ω × Iω), from what is known at the "
       "start of the step. *Implicit*: the ω that turns the book is the mean of before and after, which takes "
-      "three "
-      "small equations and a few steps of Newton's for each body. In the step they stand around the rows:");
+      "three small equations and a few steps of Newton's for each body. In the step they stand around the rows:");
   page.excerpt("solver/integrate/gyroscopic.hpp", "gyroscopic");
   page.sequence(
       "three_books",
@@ -136,13 +135,13 @@ void flips(const Setting& setting, Page& page) {
   page.choose(
       {.ask = "The explicit term is a kick at right angles to ω: it does no work. What does the energy do over "
               "many flips?",
-       .options = {{"it stays",
-                    "At right angles to ω at the *start* of the step. A step along the tangent of a "
-                    "sphere leaves the sphere, always outward."},
-                   {"it rises",
-                    "Yes: each step adds ½h²k·I⁻¹k, with k = Iω × ω, the square of its kick; never "
-                    "less than nothing."},
-                   {"it falls", "Nothing is thrown away here as the rod does; the kick is only added."}},
+       .options =
+           {{"it stays",
+             "At right angles to ω at the *start* of the step. A step along the tangent of a sphere leaves the "
+             "sphere, always outward."},
+            {"it rises",
+             "Yes: each step adds ½h²k·I⁻¹k, with k = Iω × ω, the square of its kick; never less than nothing."},
+            {"it falls", "Nothing is thrown away here as the rod does; the kick is only added."}},
        .answer = flights[1].back().energy > flights[1][0].energy ? 1 : 2,
        .hint = "Think of the tangent of lesson 2: to which side of the circle does it leave?"});
   Chart energy{.x = {.label = "time (s)"}, .y = {.label = "largest |ΔE|/E (1)", .scale = Scale::logarithmic}},
@@ -154,8 +153,7 @@ void flips(const Setting& setting, Page& page) {
   }
   page.figure("what_is_kept",
               say("Energy (left) and angular momentum (right) over @ s, the largest relative change so far. Left "
-                  "out keeps "
-                  "the one, explicit neither, implicit both, to rounding.",
+                  "out keeps the one, explicit neither, implicit both, to rounding.",
                   seconds),
               [=](Canvas& canvas) {
                 const auto [left, right] = canvas.page().inset(20, 60).split_columns(0.5, 24);

@@ -72,7 +72,7 @@ struct Film {
     std::size_t last = 0;
     while (last + 1 < time.size() && time[last + 1] <= now + 1e-9) ++last;
     const double way = (pose.back().position - pose.front().position).norm();
-    const double reach = (0.5 * way + 0.9) * above.height / above.width;
+    const double reach = std::max(1.5, (0.5 * way + 1.3) * above.height / above.width);
     Point3 middle = 0.5 * (pose.back().position + pose.front().position);
     middle.y() = 0.5;
     Space space(pictures::from_aside(middle, reach, above, 0.25, 0.3));
@@ -91,16 +91,15 @@ struct Film {
 /// What a tumbling book shows.
 struct Tumble {
   Film film;
-  double largest_gain = 0;  // of energy in a step that nothing touches [J]
-  double pressed = 0;       // the ground's push at the end, over the weight [1]
-  double flatness = 0;      // the largest |cosine| between an axis of the book and the vertical, at the end
-  double deepest = 0;       // overlap at the end [m]
+  double pressed = 0;   // the ground's push at the end, over the weight [1]
+  double flatness = 0;  // the largest |cosine| between an axis of the book and the vertical, at the end
+  double deepest = 0;   // overlap at the end [m]
 };
 Tumble tumble(const Setting& setting) {
   Tumble tumble;
   auto book = tumbling(setting);
   const auto& bodies = book.scene.bodies;
-  Curve total{.label = "energy"};
+  Curve total;
   for (const double h = setting.h; book.time <= seconds; book.step(h)) {
     tumble.film.time.push_back(book.time);
     tumble.film.pose.push_back(bodies.pose[1]);
@@ -127,16 +126,14 @@ void let_loose(const Setting& setting, Page& page) {
   const Tumble thrown = tumble(setting);
   page.text(
       "So far the contacts were given. Let the solver find them: a scene that names `Contact` and `Friction` in "
-      "its "
-      "type and gives its bodies shapes looks for the points where they touch, in every step, and makes two rows "
-      "of "
-      "friction and one contact of each. Here is a book thrown along the ground at @ m/s, μ = @.",
+      "its type and gives its bodies shapes looks for the points where they touch, in every step, and makes two "
+      "rows of friction and one contact of each. Here is a book thrown along the ground at @ m/s, μ = @.",
       setting.speed, setting.friction);
-  page.sequence(
-      "tumbling",
-      "A book thrown along the ground: it tumbles, slides on a corner, an edge, a face, and comes to rest. Right: "
-      "its energy, which each knock and all rubbing take from.",
-      Seconds{film_seconds}, [film = thrown.film](Canvas& canvas, double time) { film.draw(canvas, time); });
+  page.sequence("tumbling",
+                "A book thrown along the ground: it tumbles over corners and edges, slides on a face, and comes "
+                "to rest. Below: its energy, which each knock and all rubbing take from.",
+                Seconds{film_seconds},
+                [film = thrown.film](Canvas& canvas, double time) { film.draw(canvas, time); });
 
   const double speed = setting.speed, a = setting.friction * gravity;
   const double half_diagonal = 0.5 * std::hypot(book_sides().x(), book_sides().y());
@@ -145,8 +142,8 @@ void let_loose(const Setting& setting, Page& page) {
              whirl = slid(setting, 0, spin);
   page.text(
       "Friction at four corners also brakes a spin. Lying flat and spinning only, at ω = @ rad/s, each corner "
-      "slips at "
-      "right angles to its arm r = @ m with the whole of its μmg/4, so the moment is μmgr; and I = mr²/3:",
+      "slips at right angles to its arm r = @ m with the whole of its μmg/4, so the moment is μmgr; and I = "
+      "mr²/3:",
       spin, half_diagonal);
   page.formula(
       "ω̇ = −3μg/r   ⟹   it rests after ωr/(3μg) = @ s",
@@ -155,15 +152,14 @@ void let_loose(const Setting& setting, Page& page) {
   page.choose(
       {.ask = "The flat book slides at the same speed as before, once straight and once spinning as well. Which "
               "gets farther?",
-       .options = {{"the one that does not spin",
-                    "There is more to brake in the other, and no more friction to do "
-                    "it with: the disc is shared."},
-                   {"the one that spins", say("Yes: @ m instead of @ m. Each corner's friction has one length, "
-                                              "and part of it now goes against the spin.",
-                                              spinning.distance, straight.distance)},
-                   {"both get equally far",
-                    "That would be so if spin and slide each had a friction of their own: "
-                    "the pyramid's mistake."}},
+       .options =
+           {{"the one that does not spin",
+             "There is more to brake in the other, and no more friction to do it with: the disc is shared."},
+            {"the one that spins", say("Yes: @ m instead of @ m. Each corner's friction has one length, and part "
+                                       "of it now goes against the spin.",
+                                       spinning.distance, straight.distance)},
+            {"both get equally far",
+             "That would be so if spin and slide each had a friction of their own: the pyramid's mistake."}},
        .answer = spinning.distance > straight.distance ? 1 : 0,
        .hint = "Each corner has an impulse of fixed length, against its own slip."});
   page.measure("straight", straight.distance, "m");

@@ -38,6 +38,7 @@ int main(int argc, char** argv) {
   lesson.step("Two axes of friction", with(two_axes));
 
   lesson.deeper("An orientation is four numbers", with(orientation));
+  lesson.deeper("A gyroscope does not fall", with(gyroscope));
   lesson.deeper("Let loose on the ground", with(let_loose));
 
   lesson.closing(

@@ -13,6 +13,7 @@ void left_out(const Setting& setting, tutor::Page& page);
 void flips(const Setting& setting, tutor::Page& page);
 void two_axes(const Setting& setting, tutor::Page& page);
 void orientation(const Setting& setting, tutor::Page& page);
+void gyroscope(const Setting& setting, tutor::Page& page);
 void let_loose(const Setting& setting, tutor::Page& page);
 
 }  // namespace byhand::space

@@ -15,7 +15,7 @@ using namespace tutor;
 using namespace renderer;
 using M = SpaceBody;
 
-Eigen::Vector3d flight() { return {1.5, -3, 0}; }  // [m/s]
+Eigen::Vector3d flight() { return {0, -3, 1.5}; }  // [m/s]
 
 /// A body that flies by and is caught by the middle of its +y side on a nail at the origin.
 struct Catch {
@@ -85,7 +85,7 @@ Chart over_tilt(double mass, double limit) {
 
 void draw_catch(Canvas& canvas, const Catch& caught, const std::string& words, const Rectangle& frame) {
   const Rectangle below{frame.x, frame.y, frame.width, frame.height - 70};
-  Space space(pictures::from_aside({0, -0.25, 0}, 1.0, below, -1.3, 0.35));
+  Space space(pictures::from_aside({-0.15, -0.3, 0}, 0.95, below, 0.25, 0.4));
   space.ground({0, -1.1, 0}, 2.2, 0.4);
   pictures::add_book(space, caught.pose, book_sides());
   space.sphere({0, 0, 0}, 0.05, palette::fixed);
@@ -95,9 +95,12 @@ void draw_catch(Canvas& canvas, const Catch& caught, const std::string& words, c
   if ((after - before).norm() > 0.01) space.arrow({0, 0, 0}, after, 0.022, palette::error);
   canvas.draw(space);
   const bool changed = (after - before).norm() > 0.01;
-  canvas.text(
-      space.project(before), changed ? "L before" : "L before and after",
-      {.size = 20, .colour = palette::theory, .anchor = renderer::Anchor::top, .halo = 3, .offset = {0, -12}});
+  canvas.text(space.project(before), changed ? "L before" : "L before and after",
+              {.size = 20,
+               .colour = palette::theory,
+               .anchor = renderer::Anchor::top_left,
+               .halo = 3,
+               .offset = {0, -12}});
   if (changed)
     canvas.text(
         space.project(after), "L after",
@@ -128,37 +131,30 @@ void turned_inertia(const Setting& setting, Page& page) {
   page.excerpt("solver/row.hpp", "18");
   page.text(
       "What if it is forgotten? The book flies by at @ m/s, turned by @°, and the middle of its yellow side "
-      "catches "
-      "on a nail: a "
-      "pin, three rows, solved as a block. Here it is with the mistake as an option:",
+      "catches on a nail: a pin, three rows, solved as a block. Here it is with the mistake as an option:",
       flight(), setting.tilt);
   page.excerpt("lessons/07_space/turned_inertia.cpp", "caught");
-  page.choose(
-      {.ask = "The inertia is left in the body's axes, and the rows are solved. What can you tell it by?",
-       .options =
-           {{"JV is not zero: the held point moves on",
-             "λ is solved for with the same W that hands it on, so whatever M⁻¹ is, JV vanishes. You would see "
-             "nothing at the joint."},
-            {"the angular momentum about the nail has changed",
-             "Yes. The nail pushes at the point about which you count, so it cannot give any."}},
-       .answer = right.slip < 1e-9 && wrong.slip < 1e-9 ? 1 : 0,
-       .hint = "(17) divides by JM⁻¹Jᵀ and (20) multiplies by M⁻¹Jᵀ, with whatever M⁻¹ you gave them."});
-  page.figure(
-      "caught_on_a_nail",
-      say("The book just caught, with I turned (left) and left as it was (right). Both held points stand still. L "
-          "is "
-          "the angular momentum about the nail, which the nail's push cannot change; on the right it has, by @ %.",
-          Value(100 * wrong.lost(), 3)),
-      [=](Canvas& canvas) {
-        const auto [left, beside] = canvas.page().inset(20).split_columns(0.5, 20);
-        draw_catch(canvas, right, "I⁻¹ turned: RI⁻¹Rᵀ", left);
-        draw_catch(canvas, wrong, "I⁻¹ in the body's axes", beside);
-      });
+  page.choose({.ask = "The inertia is left in the body's axes, and the rows are solved. What can you tell it by?",
+               .options = {{"JV is not zero: the held point moves on",
+                            "λ is solved for with the same W that hands it on, so whatever M⁻¹ is, JV vanishes. "
+                            "You would see nothing at the joint."},
+                           {"the angular momentum about the nail has changed",
+                            "Yes. The nail pushes at the point about which you count, so it cannot give any."}},
+               .answer = right.slip < 1e-9 && wrong.slip < 1e-9 ? 1 : 0,
+               .hint = "(17) divides by JM⁻¹Jᵀ and (20) multiplies by M⁻¹Jᵀ, with whatever M⁻¹ you gave them."});
+  page.figure("caught_on_a_nail",
+              say("The book just caught, with I turned (left) and left as it was (right). Both held points stand "
+                  "still. L is the angular momentum about the nail, which the nail's push cannot change; on the "
+                  "right it has, by @ %.",
+                  Value(100 * wrong.lost(), 3)),
+              [=](Canvas& canvas) {
+                const auto [left, beside] = canvas.page().inset(20).split_columns(0.5, 20);
+                draw_catch(canvas, right, "I⁻¹ turned: RI⁻¹Rᵀ", left);
+                draw_catch(canvas, wrong, "I⁻¹ in the body's axes", beside);
+              });
   page.text(
-      "The joint looks calm; the body only turns about a wrong axis at a wrong rate. And the mistake "
-      "hides "
-      "well: a body that has not turned yet does not show it, nor does a ball or a cube, whose I is the same "
-      "about "
+      "The joint looks calm; the body only turns about a wrong axis at a wrong rate. And the mistake hides well: "
+      "a body that has not turned yet does not show it, nor does a ball or a cube, whose I is the same about "
       "every axis. So test with a book, and turn it first.");
   page.figure(
       "lost_by_tilt",

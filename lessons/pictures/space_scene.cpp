@@ -44,11 +44,13 @@ void add_trail(Space& space, const std::vector<Point3>& points, double thickness
   }
 }
 
-void add_ring(Space& space, const Point3& centre, double radius, double thickness, Colour colour) {
+void add_ring(Space& space, const Point3& centre, const Point3& axis, double radius, double thickness,
+              Colour colour) {
   constexpr int segments = 72;
+  const Point3 first = axis.unitOrthogonal(), second = axis.cross(first);
   const auto at = [&](int i) {
     const double angle = 2 * std::numbers::pi * i / segments;
-    return Point3(centre + radius * Point3(std::cos(angle), 0, std::sin(angle)));
+    return Point3(centre + radius * (std::cos(angle) * first + std::sin(angle) * second));
   };
   for (int i = 0; i < segments; ++i) add_bar(space, at(i), at(i + 1), thickness, colour);
 }

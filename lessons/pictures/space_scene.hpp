@@ -23,8 +23,8 @@ void add_book(renderer::Space& space, const Pose<SpaceBody>& pose, const Eigen::
 void add_trail(renderer::Space& space, const std::vector<Eigen::Vector3d>& points, double thickness,
                renderer::Colour colour);
 
-/// Level circle around the vertical through `centre`, `radius` [m], with a line of `thickness` [m].
-void add_ring(renderer::Space& space, const Eigen::Vector3d& centre, double radius, double thickness,
-              renderer::Colour colour);
+/// A circle of `radius` [m] around the unit vector `axis` through `centre`, with a line of `thickness` [m].
+void add_ring(renderer::Space& space, const Eigen::Vector3d& centre, const Eigen::Vector3d& axis, double radius,
+              double thickness, renderer::Colour colour);
 
 }  // namespace byhand::pictures

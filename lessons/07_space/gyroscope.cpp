@@ -1,0 +1,161 @@
+// Deeper: a top on its tip, whose axis is level.
+
+#include <cmath>
+
+#include "lessons/07_space/steps.hpp"
+#include "lessons/pictures/space_scene.hpp"
+#include "solver/scenes/top.hpp"
+#include "solver/simulation.hpp"
+
+namespace byhand::space {
+namespace {
+
+using namespace tutor;
+using namespace renderer;
+
+constexpr double arm = 0.3, wheel = 0.25, rate = 60, seconds = 4;  // [m], [m], [rad/s], [s]
+constexpr double level = pi / 2;
+
+/// A thin wheel at the end of an axle that stands on a post by its other end.
+HeavyTop gyroscope_of(double mass) {
+  const double along = mass * wheel * wheel;
+  return {.mass = mass,
+          .arm = arm,
+          .moment_along = along,
+          .moment_across = along / 2 + mass * arm * arm,
+          .spin = rate,
+          .gravity = gravity};
+}
+
+/// Where the axle points over time.
+struct Run {
+  std::vector<double> time, azimuth;  // [s], [rad]
+  std::vector<Point3> place;          // of the wheel [m]
+};
+Run let_go(const Setting& setting, Gyroscopic choice, double precession) {
+  Simulation<Scene<SpaceBody, Pin>> top{spinning_top(gyroscope_of(setting.mass), level, precession),
+                                        {Direct{}, Baumgarte{0.2}}};
+  top.method.gyroscopic = choice;
+  const double h = setting.h / 64;
+  Run run;
+  double azimuth = 0;
+  Point3 x = top.scene.bodies.pose[1].position;
+  for (int i = 0; top.time < seconds; ++i) {
+    if (i % 64 == 0) {
+      run.time.push_back(top.time);
+      run.azimuth.push_back(azimuth);
+      run.place.push_back(x);
+    }
+    top.step(h);
+    const Point3 next = top.scene.bodies.pose[1].position;
+    azimuth += std::atan2(x.z() * next.x() - x.x() * next.z(), x.x() * next.x() + x.z() * next.z());
+    x = next;
+  }
+  return run;
+}
+
+double mean_rate(const Run& run) { return run.azimuth.back() / run.time.back(); }
+
+void draw_wheel(Space& space, const Point3& place, double shade) {
+  const auto pale = [&](Colour colour) { return mix(palette::paper, colour, shade); };
+  const Point3 axis = place.normalized();
+  pictures::add_ring(space, place, axis, wheel, 0.03, pale(palette::constraint));
+  const Point3 out = axis.unitOrthogonal();
+  for (const Point3& spoke : {out, Point3(axis.cross(out))})
+    space.rod(place - wheel * spoke, place + wheel * spoke, 0.007, pale(palette::body));
+  space.rod({0, 0, 0}, 1.15 * place, 0.012, pale(palette::fixed));
+}
+
+void draw_run(Canvas& canvas, const Run& run, const Chart& chart) {
+  const auto [left, right] = canvas.page().inset(20).split_columns(0.5, 16);
+  Space space(pictures::from_aside({0, -0.12, 0}, 0.68, left, 0.5, 0.4));
+  space.ground({0, -0.6, 0}, 1.4, 0.2);
+  space.rod({0, -0.6, 0}, {0, -0.02, 0}, 0.02, palette::fixed);
+  const std::size_t last = run.place.size() - 1;
+  for (const std::size_t i : {std::size_t{0}, last / 3, 2 * last / 3, last})
+    draw_wheel(space, run.place[i], 0.25 + 0.75 * static_cast<double>(i) / static_cast<double>(last));
+  const Point3 axis = run.place[last].normalized();
+  space.arrow(1.15 * run.place[last], run.place[last] + 0.32 * axis, 0.012, palette::error);
+  space.arrow(run.place[last], run.place[last] - Point3(0, 0.42, 0), 0.012, palette::force);
+  canvas.draw(space);
+  canvas.text(space.project(run.place[last] + 0.32 * axis), "Iω",
+              {.size = 20, .colour = palette::error, .halo = 3, .offset = {0, 20}});
+  canvas.text(space.project(run.place[last] - Point3(0, 0.42, 0)), "mg",
+              {.size = 20, .colour = palette::force, .halo = 3, .offset = {0, -16}});
+  renderer::draw(canvas, chart, right.inset(0, 70));
+}
+
+}  // namespace
+
+void gyroscope(const Setting& setting, Page& page) {
+  const HeavyTop top = gyroscope_of(setting.mass);
+  // Left out, each ω counts alike, as if the wheel were a ball with its moment across.
+  HeavyTop ball = top;
+  ball.moment_along = top.moment_across - top.mass * arm * arm;
+  const double exact = top.precession(level)[0], as_ball = ball.precession(level)[0];
+  const Run run = let_go(setting, Gyroscopic::implicit, exact),
+            without = let_go(setting, Gyroscopic::none, as_ball);
+
+  page.text(
+      "Now let gravity pull on a spinning body: a thin wheel of @ kg on an axle, spinning at @ rad/s, its other "
+      "end "
+      "on a ball joint on a post, three rows. Its weight has an arm of @ m about the post. Let go.",
+      setting.mass, rate, arm);
+  page.predict(
+      {.ask = say("The wheel's Iω is mR²ω = @ kg m²/s along the axle, and the weight's moment is mga = @ N m. By "
+                  "how many rad/s does the axle go round?",
+                  top.moment_along * rate, top.mass * gravity * arm),
+       .answer = exact,
+       .unit = "rad/s",
+       .tolerance = 0.03 * exact,
+       .wrong = {{0, "Then it would have to fall: a moment changes Iω. It changes it sideways."},
+                 {gravity * arm / (wheel * wheel + arm * arm),
+                  "That is the angular acceleration with which it would begin to fall if it did not spin."}},
+       .hint = "The moment is level and at right angles to the axle: in a second it adds mga to Iω, sideways.",
+       .right = "mga/(mR²ω) = ga/(R²ω); the mass does not matter."});
+  page.formula(
+      "d(Iω)/dt = mga   ⟹   rate = ga/(R²ω) = @ rad/s",
+      R"(\frac{d(I\omega)}{dt} = mga \quad\Rightarrow\quad \dot\varphi = \frac{ga}{R^2\omega} = @\ \mathrm{rad/s})",
+      exact);
+  Chart chart{.x = {.label = "time (s)"}, .y = {.label = "turned about the vertical (deg)"}};
+  const auto curve = [&](const char* name, const Run& of, double by) {
+    Curve measured{.label = name},
+        theory{.label = name == std::string("implicit") ? "exact" : "", .style = CurveStyle::theory};
+    measured.x = of.time;
+    for (const double azimuth : of.azimuth) measured.y.push_back(degrees(azimuth));
+    theory.x = {0, seconds};
+    theory.y = {0, degrees(by * seconds)};
+    chart.curves.push_back(std::move(measured));
+    chart.curves.push_back(std::move(theory));
+  };
+  curve("implicit", run, exact);
+  curve("left out", without, as_ball);
+  page.figure(
+      "gyroscope",
+      say("The gyroscope over @ s, from pale to dark: it does not fall, it goes round. Right: how far, with the "
+          "term and without. Dashed: the wheel's rate, and that of a ball.",
+          seconds),
+      [=](Canvas& canvas) { draw_run(canvas, run, chart); });
+  page.text(
+      "With the gyroscopic term left out it goes round too, and it looks right; but at @ times the rate. The "
+      "solver "
+      "then treats the wheel as a ball, all of whose moments are ½mR². Nothing in the picture tells you; a number "
+      "does.",
+      mean_rate(without) / mean_rate(run));
+
+  const double turned = rate * setting.h / 64;
+  page.claim({.quantity = "precession at h/64",
+              .unit = "rad/s",
+              .expected = exact,
+              .source = "steady heavy top",
+              .measured = mean_rate(run),
+              .tolerance = relative(turned)});
+  page.claim({.quantity = "the same, gyroscopic term left out",
+              .unit = "rad/s",
+              .expected = as_ball,
+              .source = "a ball with the moment across",
+              .measured = mean_rate(without),
+              .tolerance = relative(turned)});
+}
+
+}  // namespace byhand::space
