@@ -35,7 +35,7 @@ struct Film {
       space.ground({0, -0.85, 0}, 2, 0.4);
       pictures::add_book(space, now.pose, book_sides());
       const double size = now.momentum.norm() / flights[i][0].momentum.norm();
-      const Point3 L = std::min(0.85 * size, 1.2) * now.momentum.normalized();
+      const Point3 L = std::min(0.85 * size, 1.05) * now.momentum.normalized();
       space.arrow(0.1 * L, L, 0.024, palette::error);
       canvas.draw(space);
       canvas.text({frames[i].centre().x(), frames[i].top() - 14}, names[i],

@@ -59,7 +59,7 @@ double mean_rate(const Run& run) { return run.azimuth.back() / run.time.back(); 
 void draw_wheel(Space& space, const Point3& place, double shade) {
   const auto pale = [&](Colour colour) { return mix(palette::paper, colour, shade); };
   const Point3 axis = place.normalized();
-  pictures::add_ring(space, place, axis, wheel, 0.03, pale(palette::constraint));
+  pictures::add_ring(space, place, axis, wheel, 0.028, pale(palette::constraint));
   const Point3 out = axis.unitOrthogonal();
   for (const Point3& spoke : {out, Point3(axis.cross(out))})
     space.rod(place - wheel * spoke, place + wheel * spoke, 0.007, pale(palette::body));
@@ -72,7 +72,7 @@ void draw_run(Canvas& canvas, const Run& run, const Chart& chart) {
   space.ground({0, -0.6, 0}, 1.4, 0.2);
   space.rod({0, -0.6, 0}, {0, -0.02, 0}, 0.02, palette::fixed);
   const std::size_t last = run.place.size() - 1;
-  for (const std::size_t i : {std::size_t{0}, last / 3, 2 * last / 3, last})
+  for (const std::size_t i : {std::size_t{0}, last / 2, last})
     draw_wheel(space, run.place[i], 0.25 + 0.75 * static_cast<double>(i) / static_cast<double>(last));
   const Point3 axis = run.place[last].normalized();
   space.arrow(1.15 * run.place[last], run.place[last] + 0.32 * axis, 0.012, palette::error);

@@ -91,16 +91,16 @@ void draw_catch(Canvas& canvas, const Catch& caught, const std::string& words, c
   space.sphere({0, 0, 0}, 0.05, palette::fixed);
   const double scale = 0.9 / caught.before_L.norm();
   const Point3 before = scale * caught.before_L, after = scale * caught.after_L;
-  space.arrow({0, 0, 0}, before, 0.022, palette::theory);
-  if ((after - before).norm() > 0.01) space.arrow({0, 0, 0}, after, 0.022, palette::error);
-  canvas.draw(space);
   const bool changed = (after - before).norm() > 0.01;
+  space.arrow({0, 0, 0}, before, 0.022, palette::theory);
+  if (changed) space.arrow({0, 0, 0}, after, 0.022, palette::error);
+  canvas.draw(space);
   canvas.text(space.project(before), changed ? "L before" : "L before and after",
               {.size = 20,
                .colour = palette::theory,
-               .anchor = renderer::Anchor::top_left,
+               .anchor = changed ? renderer::Anchor::top_left : renderer::Anchor::bottom_left,
                .halo = 3,
-               .offset = {0, -12}});
+               .offset = {0, changed ? -16.0 : 14.0}});
   if (changed)
     canvas.text(
         space.project(after), "L after",
@@ -145,8 +145,9 @@ void turned_inertia(const Setting& setting, Page& page) {
   page.figure("caught_on_a_nail",
               say("The book just caught, with I turned (left) and left as it was (right). Both held points stand "
                   "still. L is the angular momentum about the nail, which the nail's push cannot change; on the "
-                  "right it has, by @ %.",
-                  Value(100 * wrong.lost(), 3)),
+                  "right @.",
+                  wrong.lost() > 1e-9 ? say("it has, by @ %", Value(100 * wrong.lost(), 3))
+                                      : "it has not either, for this book is not turned yet"),
               [=](Canvas& canvas) {
                 const auto [left, beside] = canvas.page().inset(20).split_columns(0.5, 20);
                 draw_catch(canvas, right, "I⁻¹ turned: RI⁻¹Rᵀ", left);

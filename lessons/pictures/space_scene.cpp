@@ -32,7 +32,7 @@ void add_bar(Space& space, const Point3& a, const Point3& b, double thickness, C
   axes.col(0) = way.normalized();
   axes.col(2) = across.norm() > 1e-9 * way.norm() ? Point3(across.normalized()) : Point3::UnitZ();
   axes.col(1) = axes.col(2).cross(axes.col(0));
-  space.box(0.5 * (a + b), {way.norm() + 0.5 * thickness, thickness, thickness}, Eigen::Quaterniond(axes), colour);
+  space.box(0.5 * (a + b), {way.norm() + 0.1 * thickness, thickness, thickness}, Eigen::Quaterniond(axes), colour);
 }
 
 }  // namespace
