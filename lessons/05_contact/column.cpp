@@ -22,7 +22,7 @@ std::vector<double> layer_forces(const Pile& stack, double h) {
 }
 
 Pile column(int boxes, const RowSolver& solver, double kick_speed, double top_mass) {
-  Pile pile{stack(boxes, top_mass), {solver}};
+  Pile pile{stack(boxes, top_mass), {solver, left_alone}};
   kick(pile.scene, kick_speed);
   return pile;
 }
