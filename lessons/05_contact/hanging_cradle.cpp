@@ -1,5 +1,7 @@
 #include "lessons/05_contact/hanging_cradle.hpp"
 
+#include "lessons/pictures/boxes.hpp"
+
 namespace byhand::contact {
 namespace {
 
@@ -33,11 +35,10 @@ void HangingCradle::draw(renderer::Canvas& canvas, const renderer::Rectangle& fr
   canvas.clip(frame);
   canvas.look(renderer::fit({-0.9, -1.2, right + 1.8, 1.28}, frame, 4));
   canvas.line({-0.2, 0}, {right + 0.2, 0}, {renderer::palette::ink, 4});
-  for (std::size_t i = 0; i < pose.size(); i += 2) {
+  for (std::size_t i = 0; i < pose.size(); i += 2)
     canvas.rod(pose[i].position, pose[i + 1].position,
                {renderer::palette::constraint, {renderer::palette::ink, 0}}, 3);
-    canvas.disc(pose[i + 1].position, radius);
-  }
+  pictures::draw(canvas, pictures::shapes_of(simulation_.scene));
   canvas.clip({});
   canvas.look_at_page();
   canvas.text({frame.x + 10, frame.top() - 20}, name,

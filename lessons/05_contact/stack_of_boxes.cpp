@@ -148,7 +148,7 @@ struct Run {
 
 Chart shifts(const std::vector<Run>& runs, double h) {
   Chart chart{.x = {.label = "time (s)"},
-              .y = {.label = "top box is off by (m)", .scale = Scale::logarithmic, .range = {{1e-6, 20}}}};
+              .y = {.label = "top box is off by (m)", .scale = Scale::logarithmic, .range = {{1e-6, 100}}}};
   for (Run run : runs) {
     Curve curve{.label = run.name};
     while (run.pile.time < hurry * seconds) {
