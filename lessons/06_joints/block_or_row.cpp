@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "lessons/06_joints/mechanism.hpp"
+#include "lessons/06_joints/runs.hpp"
 #include "lessons/06_joints/steps.hpp"
 #include "lessons/pictures/growing.hpp"
 #include "solver/measure.hpp"
@@ -96,7 +97,7 @@ struct Film {
     const auto cells = left.cells(static_cast<int>(rivals.size()), 1, 10);
     for (std::size_t i = 0; i < rivals.size(); ++i) {
       Held& box = rivals[i].box;
-      while (box.time < time - 0.5 * h) box.step(h);
+      advance_to(box, time, h);
       const Rectangle& below = cells[i];
       canvas.text(
           {below.x + 8, below.top() - 16}, rivals[i].name,
@@ -128,14 +129,13 @@ struct Drift {
 Drift drift_of(const Rival& rival, double h) {
   Drift drift{{.label = rival.name}, 0};
   Held box = rival.box;
-  while (box.time < watched) {
-    box.step(h);
+  advance_to(box, watched, h, [&] {
     const double error = position_error(box.scene).max;
     drift.worst = std::max(drift.worst, error);
-    if (box.time > seconds + h) continue;
+    if (box.time > seconds + h) return;
     drift.curve.x.push_back(box.time);
     drift.curve.y.push_back(1000 * error);
-  }
+  });
   return drift;
 }
 

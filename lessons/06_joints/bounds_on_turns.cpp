@@ -3,12 +3,12 @@
 #include <cmath>
 
 #include "lessons/06_joints/mechanism.hpp"
+#include "lessons/06_joints/runs.hpp"
 #include "lessons/06_joints/steps.hpp"
 #include "lessons/pictures/growing.hpp"
 #include "solver/constraints/limit.hpp"
 #include "solver/constraints/motor.hpp"
 #include "solver/scenes/pendulum.hpp"
-#include "solver/simulation.hpp"
 
 namespace byhand::joints {
 namespace {
@@ -59,11 +59,6 @@ double moment(const Held& arm, const Setting& setting) {
   return system.rows() == 0 ? 0 : system.lambda[system.row_of[1]] / arm.work.h / weight_moment(setting);
 }
 
-Held after(Held arm, double time, double h) {
-  while (arm.time < time - h / 2) arm.step(h);
-  return arm;
-}
-
 /// Where a brake of that strength [mgl] has used up what gravity gave: ½ sin φ = s φ [rad].
 double braked_at(double strength) {
   double low = 1e-6, high = pi;
@@ -90,7 +85,7 @@ struct Film {
     const auto cells = upper.cells(1, static_cast<int>(shown.size()), 10);
     for (std::size_t i = 0; i < shown.size(); ++i) {
       Held& arm = shown[i].arm;
-      arm = after(arm, time, h);
+      advance_to(arm, time, h);
       canvas.text({cells[i].centre().x(), cells[i].top() - 14}, shown[i].name,
                   {.size = 20, .colour = palette::series(static_cast<int>(i)), .bold = true});
       const Rectangle below{cells[i].x, cells[i].y, cells[i].width, cells[i].height - 34};
@@ -161,11 +156,10 @@ void bounds_on_turns(const Setting& setting, Page& page) {
   for (const Shown& one : shown) {
     Curve curve{.label = one.name};
     Held now = one.arm;
-    while (now.time < seconds - h / 2) {
-      now.step(h);
+    advance_to(now, seconds, h, [&] {
       curve.x.push_back(now.time);
       curve.y.push_back(std::min(moment(now, setting), 2.0));
-    }
+    });
     chart.curves.push_back(curve);
   }
   chart.references.push_back({Reference::Across::y, 0.5, "the weight's moment, level"});

@@ -2,11 +2,11 @@
 
 #include <cmath>
 
+#include "lessons/06_joints/runs.hpp"
 #include "lessons/06_joints/steps.hpp"
 #include "lessons/pictures/growing.hpp"
 #include "lessons/pictures/rods_and_bobs.hpp"
 #include "solver/scenes/pendulum.hpp"
-#include "solver/simulation.hpp"
 
 namespace byhand::joints {
 namespace {
@@ -43,17 +43,11 @@ struct Cure {
 Curve over_time(const Cure& cure, const Setting& setting) {
   Curve curve{.label = cure.name};
   Rods rods = cure.rods;
-  while (rods.time < watched - setting.h / 2) {
-    rods.step(setting.h);
+  advance_to(rods, watched, setting.h, [&] {
     curve.x.push_back(rods.time);
     curve.y.push_back(quarrel(rods) / setting.h / (setting.mass() * gravity));
-  }
+  });
   return curve;
-}
-
-Rods after(Rods rods, double time, double h) {
-  while (rods.time < time - h / 2) rods.step(h);
-  return rods;
 }
 
 void draw_rods(Canvas& canvas, const Rods& rods, double length, double gap, const Rectangle& frame) {
@@ -81,7 +75,7 @@ struct Film {
 
   void draw(Canvas& canvas, double frame) {
     const double time = watched * frame / (frames - 1);
-    rods = after(rods, time, h);
+    advance_to(rods, time, h);
     const auto [left, right] = canvas.page().inset(16).split_columns(0.36, 20);
     const Rectangle picture{left.x, left.y + 96, left.width, left.height - 96};
     draw_rods(canvas, rods, length, gap, picture);
@@ -115,7 +109,7 @@ void conflicting_rods(const Setting& setting, Page& page) {
        shared = two_rods(setting, 0, Direct{.regularisation = 1e-6});
   biased.step(h);
   biased.work.system.lambda = {m, -m};  // any quarrel that makes no sum
-  for (Rods* rods : {&first, &biased, &shared}) *rods = after(*rods, 1, h);
+  for (Rods* rods : {&first, &biased, &shared}) advance_to(*rods, 1, h);
   const auto sum = [](const Rods& rods) { return lambda(rods, 0) + lambda(rods, 1); };
   page.text(
       "Hang a bob of @ kg not from one rod of @ m but from two, between the same two points. Their rows are the "
@@ -203,8 +197,8 @@ void conflicting_rods(const Setting& setting, Page& page) {
              regularised = after(cures[3].rods, watched, h);
   const double soft_end = beta * gap / (2 * h * softness), regularised_end = beta * gap * m / (2 * h * share);
   page.text(
-      "- a *cold start* forgets it each step: @ N·s, as much as one step adds;\n- *softness* γ lets a rod give "
-      "way by γλ, so that both can be content: λ₂ − λ₁ = βΔL/(hγ), here ± @ N·s for γ = @ 1/kg;\n- a "
+      "- a *cold start* forgets it each step: @ N·s, what one step adds and half the weight;\n- *softness* γ lets "
+      "a rod give way by γλ, so that both can be content: λ₂ − λ₁ = βΔL/(hγ), here ± @ N·s for γ = @ 1/kg;\n- a "
       "*regularisation* ε is the same with γ = εA for each row: ± @ N·s for ε = @. The bob then stands halfway "
       "between the two lengths, which is the fairest answer to a question that has none.",
       Value(quarrel(chilled), 4), Value(quarrel(soft), 4), softness, Value(quarrel(regularised), 4), share);

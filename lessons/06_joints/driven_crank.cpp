@@ -3,11 +3,11 @@
 #include <cmath>
 
 #include "lessons/06_joints/mechanism.hpp"
+#include "lessons/06_joints/runs.hpp"
 #include "lessons/06_joints/steps.hpp"
 #include "lessons/pictures/growing.hpp"
 #include "solver/exact/slider_crank.hpp"
 #include "solver/scenes/slider_crank.hpp"
-#include "solver/simulation.hpp"
 
 namespace byhand::joints {
 namespace {
@@ -62,8 +62,7 @@ Run run_of(const SliderCrankOptions& options, double h) {
   Machine machine = machine_of(options);
   Run run;
   const double end = turns * 2 * pi / options.speed;
-  while (machine.time < end - h / 2) {
-    machine.step(h);
+  advance_to(machine, end, h, [&] {
     const double angle = options.angle + options.speed * machine.time;
     const double x = machine.scene.bodies.pose[piston].position.x();
     const auto& system = machine.work.system;
@@ -78,7 +77,7 @@ Run run_of(const SliderCrankOptions& options, double h) {
     run.position.y.push_back(x);
     run.moment.x.push_back(machine.time - h);  // the time of the poses whose rows were solved
     run.moment.y.push_back(machine.time > 3.5 * h ? moment : NAN);
-  }
+  });
   return run;
 }
 
@@ -89,7 +88,7 @@ struct Film {
   Chart position, moment;
 
   void draw(Canvas& canvas, double time) {
-    while (machine.time < time - 0.5 * h) machine.step(h);
+    advance_to(machine, time, h);
     const auto [upper, lower] = canvas.page().inset(14).split_rows(0.46, 8);
     const double r = options.crank, l = options.rod;
     const auto& pose = machine.scene.bodies.pose;

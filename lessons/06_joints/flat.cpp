@@ -4,6 +4,7 @@
 
 #include "lessons/06_joints/dense.hpp"
 #include "lessons/06_joints/linkage.hpp"
+#include "lessons/06_joints/runs.hpp"
 #include "lessons/06_joints/steps.hpp"
 #include "lessons/pictures/growing.hpp"
 #include "lessons/pictures/rods_and_bobs.hpp"
@@ -85,11 +86,10 @@ double from_level(const FourBar& linkage, int arm) { return arm_angle(linkage, a
 /// `time` [rad].
 double off_the_crossed_way(FourBar linkage, double ratio, double h, double time) {
   double worst = 0;
-  while (linkage.time < time - h / 2) {
-    linkage.step(h);
+  advance_to(linkage, time, h, [&] {
     const double second = 2 * std::atan(std::tan(from_level(linkage, 1) / 2) / ratio);
     worst = std::max(worst, std::abs(std::remainder(from_level(linkage, 2) - second, 2 * pi)));
-  }
+  });
   return worst;
 }
 
@@ -105,11 +105,10 @@ Curve energy_of(const Way& way, double h) {
   FourBar linkage = way.linkage;
   const double before = kinetic_energy(linkage.scene.bodies);
   Curve curve{.label = way.name, .x = {0}, .y = {1}};
-  while (linkage.time < seconds - h / 2) {
-    linkage.step(h);
+  advance_to(linkage, seconds, h, [&] {
     curve.x.push_back(linkage.time);
     curve.y.push_back(kinetic_energy(linkage.scene.bodies) / before);
-  }
+  });
   return curve;
 }
 
@@ -124,13 +123,11 @@ struct Film {
     const auto cells = upper.cells(1, static_cast<int>(ways.size()), 12);
     const double a = bars.arm, c = bars.coupler;
     for (std::size_t i = 0; i < ways.size(); ++i) {
-      auto& [name, linkage, trail] = ways[i];
+      FourBar& linkage = ways[i].linkage;
+      std::vector<Point>& trail = ways[i].trail;
       if (trail.empty()) trail.push_back(linkage.scene.bodies.pose[3].position);
-      while (linkage.time < time - 0.5 * h) {
-        linkage.step(h);
-        trail.push_back(linkage.scene.bodies.pose[3].position);
-      }
-      canvas.text({cells[i].centre().x(), cells[i].top() - 14}, name,
+      advance_to(linkage, time, h, [&] { trail.push_back(linkage.scene.bodies.pose[3].position); });
+      canvas.text({cells[i].centre().x(), cells[i].top() - 14}, ways[i].name,
                   {.size = 22, .colour = palette::series(static_cast<int>(i)), .bold = true});
       const Rectangle below{cells[i].x, cells[i].y, cells[i].width, cells[i].height - 32};
       canvas.look(fit({-1.1 * a, -1.25 * a, c + 2.2 * a, 2.5 * a}, below, 4));

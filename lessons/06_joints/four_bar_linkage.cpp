@@ -4,6 +4,7 @@
 
 #include "lessons/06_joints/dense.hpp"
 #include "lessons/06_joints/linkage.hpp"
+#include "lessons/06_joints/runs.hpp"
 #include "lessons/06_joints/steps.hpp"
 #include "lessons/pictures/growing.hpp"
 #include "lessons/pictures/rods_and_bobs.hpp"
@@ -32,18 +33,17 @@ Swing swing_of(const FourBarOptions& bars, const SimplePendulum& pendulum, doubl
   Swing swing;
   std::vector<double> crossings;
   double last = bars.angle;
-  while (linkage.time < measured_for - h / 2) {
-    linkage.step(h);
+  advance_to(linkage, measured_for, h, [&] {
     const double now = arm_angle(linkage);
     const auto& coupler = linkage.scene.bodies.pose[3].rotation;
     swing.off = std::max(swing.off, std::abs(now - pendulum.angle(linkage.time + h / 2)));
     swing.tilt = std::max(swing.tilt, std::abs(std::atan2(coupler.sin, coupler.cos)));
     if (last * now < 0) crossings.push_back(linkage.time - h * now / (now - last));
     last = now;
-    if (linkage.time > seconds + h) continue;
+    if (linkage.time > seconds + h) return;
     swing.angle.x.push_back(linkage.time);
     swing.angle.y.push_back(degrees(now));
-  }
+  });
   if (crossings.size() > 1)
     swing.period = 2 * (crossings.back() - crossings.front()) / (static_cast<double>(crossings.size()) - 1);
   return swing;
@@ -57,7 +57,7 @@ struct Film {
   Chart beside;
 
   void draw(Canvas& canvas, double time) {
-    while (linkage.time < time - 0.5 * h) linkage.step(h);
+    advance_to(linkage, time, h);
     const auto [upper, lower] = canvas.page().inset(16).split_rows(0.6, 10);
     const auto [left, right] = upper.split_columns(0.66, 10);
     const double a = bars.arm, c = bars.coupler, length = pendulum_length(bars);

@@ -19,7 +19,8 @@ int main(int argc, char** argv) {
       .side = lesson.parameter("side", 0.2, "m", {0.05, 2}, "of the box on the arm (step 2)"),
       .angle = lesson.parameter("angle", 60.0, "deg", {5, 85}, "from which the four-bar is released (step 3)"),
       .coupler = lesson.parameter("coupler", 2.0, "kg", {0.1, 100}, "mass of the four-bar's coupler (steps 3, 4)"),
-      .strength = lesson.parameter("strength", 0.25, "mgl", {0, 0.48}, "of the motor that is too weak (step 5)"),
+      .strength =
+          lesson.parameter("strength", 0.25, "mgl", {0.05, 0.48}, "of the motor that is too weak (step 5)"),
       .crank = lesson.parameter("crank", 0.4, "m", {0.05, 0.45}, "length of the crank (step 6)"),
       .speed = lesson.parameter("speed", 6.0, "rad/s", {1, 20}, "of the motor (step 6)"),
       .gap = lesson.parameter("gap", 0.2, "m", {0.01, 0.5}, "by which one rod is longer (step 7)"),

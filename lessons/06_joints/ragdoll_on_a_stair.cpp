@@ -3,6 +3,7 @@
 #include <cmath>
 #include <memory>
 
+#include "lessons/06_joints/runs.hpp"
 #include "lessons/06_joints/steps.hpp"
 #include "lessons/pictures/boxes.hpp"
 #include "solver/measure.hpp"
@@ -78,11 +79,10 @@ void ragdoll_on_a_stair(const Setting&, Page& page) {
   Doll doll = start;
   for (const auto& mass : doll.scene.bodies.inverse_mass)
     if (moves(mass)) weight += gravity / mass.linear;
-  while (doll.time < settles) {
-    doll.step(step);
+  advance_to(doll, settles, step, [&] {
     worst = std::max(worst, passed(doll));
     least = std::min(least, least_of_stops(doll));
-  }
+  });
   const double at_rest = passed(doll);
 
   page.text(
@@ -92,7 +92,7 @@ void ragdoll_on_a_stair(const Setting&, Page& page) {
       Value(weight / gravity, 3), sweeps, Value(step, 3), 0.2, 1);
   page.sequence("ragdoll", "Head, torso, arms and legs are boxes; each joint is a pin with two stops.",
                 Seconds{seconds}, [doll = start](Canvas& canvas, double time) mutable {
-                  while (doll.time < time - 0.5 * step) doll.step(step);
+                  advance_to(doll, time, step);
                   canvas.look(fit({-1.5, -0.15, 4.6, 3.3}, canvas.page(), 0));
                   pictures::draw(canvas, pictures::shapes_of(doll.scene));
                   for (const auto& joint : doll.scene.all<Pin>()) {

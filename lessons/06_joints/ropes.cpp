@@ -2,11 +2,11 @@
 
 #include <cmath>
 
+#include "lessons/06_joints/runs.hpp"
 #include "lessons/06_joints/steps.hpp"
 #include "lessons/pictures/rods_and_bobs.hpp"
 #include "solver/constraints/rope.hpp"
 #include "solver/scenes/pendulum.hpp"
-#include "solver/simulation.hpp"
 
 namespace byhand::joints {
 namespace {
@@ -28,8 +28,7 @@ template <class S>
 Track track_of(Simulation<S> simulation, const Setting& setting, double seconds) {
   const double h = setting.h / finer, weight = setting.mass() * gravity * h;
   Track track;
-  while (simulation.time < seconds - h / 2) {
-    simulation.step(h);
+  advance_to(simulation, seconds, h, [&] {
     const Point at = simulation.scene.bodies.pose[1].position;
     const double lambda = simulation.work.system.lambda[0];
     track.time.push_back(simulation.time);
@@ -37,7 +36,7 @@ Track track_of(Simulation<S> simulation, const Setting& setting, double seconds)
     track.pull.push_back(simulation.time < 20 * h ? NAN : std::abs(lambda) / weight);
     track.path.push_back(at);
     if (std::isnan(track.let_go) && lambda == 0) track.let_go = -at.y() / at.norm();
-  }
+  });
   return track;
 }
 

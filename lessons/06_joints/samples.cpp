@@ -1,6 +1,7 @@
 #include "lessons/06_joints/samples.hpp"
 
 #include "lessons/06_joints/mechanism.hpp"
+#include "lessons/06_joints/runs.hpp"
 #include "solver/scenes/rod.hpp"
 
 namespace byhand::joints {
@@ -74,7 +75,7 @@ std::array<Point, 6> Samples::forces() const {
 }
 
 void Samples::draw(Canvas& canvas, double time) {
-  while (simulation_.time < time - 0.5 * h_) simulation_.step(h_);
+  advance_to(simulation_, time, h_);
   const auto given = forces();
   const auto cells = canvas.page().inset(12).cells(2, 3, 8);
   for (int i = pinned; i <= roped; ++i) {

@@ -2,10 +2,10 @@
 
 #include <cmath>
 
+#include "lessons/06_joints/runs.hpp"
 #include "lessons/06_joints/steps.hpp"
 #include "solver/constraints/spring.hpp"
 #include "solver/scenes/pendulum.hpp"
-#include "solver/simulation.hpp"
 
 namespace byhand::joints {
 namespace {
@@ -41,7 +41,7 @@ double stretch(const Hanging& hanging, double length) {
 double sag(const Setting& setting, double frequency, double load) {
   Hanging hanging = on_spring(setting, frequency, 1, load);
   const double time = 40 * (1 + load) / frequency + 50 * setting.h;
-  while (hanging.time < time) hanging.step(setting.h);
+  advance_to(hanging, time, setting.h);
   return stretch(hanging, setting.length);
 }
 
@@ -57,8 +57,8 @@ void soft_rows(const Setting& setting, Page& page) {
                R"(JV + \frac{k}{c + hk}\,C + \gamma\lambda = 0, \qquad \gamma = \frac{1}{h(c + hk)})");
   page.text(
       "Nobody tunes k and c by hand: say a frequency ω and a damping ζ, and take k = m ω² and c = 2mζω with the "
-      "row's own effective mass (19). An unloaded spring then hangs out by g/ω², whatever the bob weighs. But m "
-      "is the mass that *this row* sees, not what hangs below it.");
+      "row's own effective mass (19). A spring that carries only its own bob then hangs out by g/ω², whatever the "
+      "bob weighs. But m is the mass that *this row* sees, not what hangs below it.");
   const double light = sag(setting, shown, 0), loaded = sag(setting, shown, heavy);
   page.predict(
       {.ask = say("At ω = @ rad/s the bob hangs out by @ mm. Now hang one of @ times its mass below it. How far "
@@ -117,10 +117,10 @@ void soft_rows(const Setting& setting, Page& page) {
         draw(canvas, rings, cells[1]);
       });
   page.text(
-      "An explicit spring would blow up beyond ωh = 2; this one cannot, for every k, c and h, as long as its row "
-      "is solved exactly. It loses energy instead: at ωh = 2 not one swing is left. A spring that shall swing "
-      "needs ωh well below 1; one that shall only be *firm* may be as stiff as you like, and what it hangs out by "
-      "is known beforehand.");
+      "A spring that is a plain force, stepped by symplectic Euler, blows up beyond ωh = 2; this one cannot, for "
+      "every k, c and h, as long as its row is solved exactly. It loses energy instead: at ωh = 2 not one swing "
+      "is left. A spring that shall swing needs ωh well below 1; one that shall only be *firm* may be as stiff as "
+      "you like, and what it hangs out by is known beforehand.");
   page.claim({.quantity = "sag of the bob alone",
               .unit = "m",
               .expected = gravity / (shown * shown),
