@@ -51,10 +51,10 @@ TEST(Rest, OfAStackAndAPyramidBySweepsIsExactOnceTheyHaveSunkIntoTheSlop) {
   }
 }
 
-// Sweeps that stop early leave what they stopped at: 1e-5 m/s in each step, at each of ten layers.
+// Sweeps that stop early leave some multiple of what they stopped at, 3e-8 m/s in each step.
 TEST(Rest, OfAPyramidByGraphIsWithinWhatItsSweepsStopAt) {
   const Unrest left = unrest(pyramid(10), {ByGraph{}, with_slop});
-  EXPECT_LE(left.speed, 0.003);
+  EXPECT_LE(left.speed, 1e-5);
   EXPECT_LE(left.shift, 0.004);
 }
 
@@ -66,7 +66,7 @@ TEST(Rest, WithoutSlopTheCorrectionKeepsATallStackAwake) {
 TEST(Rest, OfAHouseOfCardsIsFrictionsWork) {
   for (const int storeys : {1, 3}) {
     const Unrest left = unrest(card_house(storeys), {ByGraph{}, with_slop});
-    EXPECT_LE(left.speed, 1e-3) << storeys;
+    EXPECT_LE(left.speed, 1e-5) << storeys;
     EXPECT_LE(left.shift, 0.004) << storeys;
   }
   EXPECT_GT(unrest(card_house(1, 0.3, {0.1}), {ByGraph{}, with_slop}).shift, 0.1) << "on ice it slides apart";
