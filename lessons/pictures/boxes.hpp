@@ -8,8 +8,8 @@
 
 namespace byhand::pictures {
 
-/// What a scene of shapes in the plane looks like at one instant: a value, so that a figure or a frame can be drawn
-/// later, when the scene has moved on. Fixed bodies have their own look; each body's can be changed.
+/// What a scene of shapes in the plane looks like at one instant: a value, so that a figure or a frame can be
+/// drawn later, when the scene has moved on. Fixed bodies have their own look; each body's can be changed.
 struct Shapes {
   struct Box {
     int body;
@@ -57,8 +57,8 @@ Shapes shapes_of(const S& scene) {
   return shapes;
 }
 
-/// The impulses of a scene's contacts as its last step left them, normal and friction together, at the points where
-/// they act: a face's friction at both its ends, in proportion to what they press.
+/// The impulses of a scene's contacts as its last step left them, normal and friction together, at the points
+/// where they act: a face's friction at both its ends, in proportion to what they press.
 template <class S>
 std::vector<Push> pushes(const S& scene, const System<typename S::model>& system) {
   using M = typename S::model;

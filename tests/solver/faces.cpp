@@ -79,7 +79,8 @@ TEST(FaceContact, OneSweepLeavesEachEndEitherPressingOrParting) {
   for (int i = 0; i < 2000; ++i) {
     Face face(random);
     const bool point = face.scene.all<FaceContact>()[0].point;
-    face.work.system.upper[0] = face.work.system.lambda[2] = 0;  // friction comes after the ends and turns them again
+    face.work.system.upper[0] = face.work.system.lambda[2] =
+        0;  // friction comes after the ends and turns them again
     prepare(face.work.system, BlockSolve::whole, 1.0, face.work.gauss_seidel);
     sweep(face.work.system, face.work.gauss_seidel, face.work.system.lambda.data(),
           numbers<M>(face.scene.bodies.velocity));
