@@ -147,7 +147,8 @@ void nutation(const Setting& setting, Page& page) {
   page.text(
       "That may surprise you: the drift of lesson 4 fell with h alone. But symplectic Euler's velocities are "
       "those of the leapfrog, which is of second order, half a step late; and this bob sets out at a turning "
-      "point, where half a step makes no difference to first order.");
+      "point, where half a step makes no difference to first order. Let it set out anywhere else, and the error "
+      "falls with h alone.");
   page.measure("one nutation", run.period, "s");
   page.measure("precession in it", degrees(run.precession), "deg");
 

@@ -153,6 +153,12 @@ void two_axes(const Setting& setting, Page& page) {
               .source = "one axis by itself",
               .measured = closely.y(),
               .tolerance = absolute(within)});
+  page.claim({.quantity = "the puck at 45°, each axis, both axes turned by 45°",
+              .unit = "m",
+              .expected = stop(1),
+              .source = "now it goes along one axis",
+              .measured = distance(pi / 4, Bounds::pyramid, pi / 4),
+              .tolerance = absolute(within)});
   double nearest = INFINITY, farthest = 0;
   for (const Way& way : film.disc) {
     nearest = std::min(nearest, way.back().norm());

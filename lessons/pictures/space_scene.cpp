@@ -25,13 +25,14 @@ void add_book(Space& space, const Pose<SpaceBody>& pose, const Point3& sides, Co
 
 namespace {
 
-/// A thin bar, for lines so fine that nobody sees whether they are round.
-void add_bar(Space& space, const Point3& a, const Point3& b, double thickness, Colour colour) {
-  const Point3 way = b - a, across = way.cross(Point3::UnitY());
-  Eigen::Matrix3d axes;  // one side level, so that neighbours shade alike
+/// A thin bar, for lines so fine that nobody sees whether they are round; neighbours with the same `side` shade
+/// alike.
+void add_bar(Space& space, const Point3& a, const Point3& b, const Point3& side, double thickness, Colour colour) {
+  const Point3 way = b - a, across = side.cross(way);
+  Eigen::Matrix3d axes;
   axes.col(0) = way.normalized();
-  axes.col(2) = across.norm() > 1e-9 * way.norm() ? Point3(across.normalized()) : Point3::UnitZ();
-  axes.col(1) = axes.col(2).cross(axes.col(0));
+  axes.col(1) = across.norm() > 1e-9 * way.norm() ? across.normalized() : Point3(axes.col(0)).unitOrthogonal();
+  axes.col(2) = axes.col(0).cross(axes.col(1));
   space.box(0.5 * (a + b), {way.norm() + 0.1 * thickness, thickness, thickness}, Eigen::Quaterniond(axes), colour);
 }
 
@@ -40,7 +41,7 @@ void add_bar(Space& space, const Point3& a, const Point3& b, double thickness, C
 void add_trail(Space& space, const std::vector<Point3>& points, double thickness, Colour colour) {
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
     const double age = 1 - static_cast<double>(i + 1) / static_cast<double>(points.size());
-    add_bar(space, points[i], points[i + 1], thickness, mix(colour, palette::paper, 0.9 * age));
+    add_bar(space, points[i], points[i + 1], Point3::UnitY(), thickness, mix(colour, palette::paper, 0.9 * age));
   }
 }
 
@@ -52,7 +53,7 @@ void add_ring(Space& space, const Point3& centre, const Point3& axis, double rad
     const double angle = 2 * std::numbers::pi * i / segments;
     return Point3(centre + radius * (std::cos(angle) * first + std::sin(angle) * second));
   };
-  for (int i = 0; i < segments; ++i) add_bar(space, at(i), at(i + 1), thickness, colour);
+  for (int i = 0; i < segments; ++i) add_bar(space, at(i), at(i + 1), axis, thickness, colour);
 }
 
 }  // namespace byhand::pictures
