@@ -13,9 +13,9 @@ const std::vector<BodyPair>& SweepAndPrune<dim>::overlapping(const std::vector<B
     found_.push_back({std::min(a.index, b.index), std::max(a.index, b.index)});
   };
   const auto overlap_from = [](int axis, const Entry& a, const Entry& b) {
-    bool all = true;
-    for (; axis < dim; ++axis) all &= (a.low[axis] <= b.high[axis]) & (b.low[axis] <= a.high[axis]);
-    return all;
+    int all = 1;  // no branches: which bounds overlap cannot be foretold
+    for (; axis < dim; ++axis) all &= int(a.low[axis] <= b.high[axis]) & int(b.low[axis] <= a.high[axis]);
+    return all != 0;
   };
   for (auto a = sorted_.begin(); a != sorted_.end(); ++a)
     for (auto b = a + 1; b != sorted_.end() && b->low[0] <= a->high[0]; ++b)

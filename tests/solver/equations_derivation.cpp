@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "solver/constraints/axis_friction.hpp"
 #include "solver/constraints/contact.hpp"
 #include "solver/constraints/distance.hpp"
 #include "solver/constraints/friction.hpp"
@@ -368,6 +369,22 @@ TEST(Equation16, FrictionJacobianIsTheGradientOfTheSlip) {
         EXPECT_LE(difference(J.matrix, gradient_by_duals(friction, pair.pose1, pair.pose2)), rounding);
         for (int k = 0; k < Friction<M>::rows; ++k)
           expect_row_along<M>(J, k, Linear<M>(friction.tangents.col(k)), pair);
+      },
+      draws);
+}
+
+TEST(Equation16, OnOneAxisByItselfIsThatRowOfFriction) {
+  in_all_models(
+      []<class M>(Random& random) {
+        const auto pair = random_pair<M>(random);
+        const auto tangents = tangents_of<M>(random.direction<M>());
+        const auto both = Friction<M>{pair.at, tangents, 0.5, 0}.jacobian(pair.pose1, pair.pose2);
+        for (int k = 0; k < M::linear - 1; ++k) {
+          const AxisFriction<M> friction{pair.at, tangents.col(k), 0.5, 0};
+          const auto J = friction.jacobian(pair.pose1, pair.pose2);
+          EXPECT_EQ(J.matrix.row(0), both.matrix.row(k));
+          EXPECT_LE(difference(J.matrix, gradient_by_duals(friction, pair.pose1, pair.pose2)), rounding);
+        }
       },
       draws);
 }

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "solver/constraints/axis_friction.hpp"
 #include "solver/scenes/incline.hpp"
 #include "tests/solver/law_motion.hpp"
 
@@ -55,32 +56,11 @@ TEST(LawB10, InTheDiscABoxStopsAlikeInEveryDirectionAndKeepsItsHeading) {
   }
 }
 
-/// Friction along one of two tangents by itself: two of these make the square, the "box pyramid".
-template <class Model>
-struct FrictionOnOneAxis {
-  static constexpr int rows = 1;
-  static constexpr Bound bound = Bound::ball;
-  static constexpr int drifting = 0;
-
-  Anchors<Model> at;
-  Linear<Model> tangent;
-  double coefficient = 0;
-  int leader = 0;
-  double softness = 0;
-
-  Jacobian<Model, 1> jacobian(const Pose<Model>&, const Pose<Model>&) const {
-    Jacobian<Model, 1> J;
-    set_row_along<Model, 1>(J, 0, tangent, {}, {});
-    return J;
-  }
-  void require_valid(const Bodies<Model>&) const {}
-};
-
 /// A particle on the ground with friction within a disc or within a square.
 enum class Shape { disc, square };
 Slide slide_of_a_particle(Shape shape, double heading, double v0) {
   using P = SpaceParticle;
-  Scene<P, Contact, Friction, FrictionOnOneAxis> scene;
+  Scene<P, Contact, Friction, AxisFriction> scene;
   const Linear<P> up(0, 1, 0);
   const int ground = scene.add_body({0, 0, 0}, fixed<P>());
   const int particle =
@@ -90,7 +70,7 @@ Slide slide_of_a_particle(Shape shape, double heading, double v0) {
     scene.add(Friction<P>{{ground, particle}, tangents_of<P>(up), mu, contact});
   } else {
     for (const Linear<P>& tangent : {Linear<P>(1, 0, 0), Linear<P>(0, 0, 1)})
-      scene.add(FrictionOnOneAxis<P>{{ground, particle}, tangent, mu, contact});
+      scene.add(AxisFriction<P>{{ground, particle}, tangent, mu, contact});
   }
   Simulation<decltype(scene)> simulation{std::move(scene), {GaussSeidel{}}};
   run(simulation, 2, h);
