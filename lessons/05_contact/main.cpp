@@ -39,7 +39,7 @@ int main(int argc, char** argv) {
   lesson.step("Friction leans on the normal", with(friction_row));
   lesson.step("Sticks or slides", with(sticks_or_slides));
   lesson.step("A bounce", with(bounce));
-  lesson.step("Newton’s cradle", with(cradle));
+  lesson.step("Newton's cradle", with(cradle));
   lesson.step("A stack", with(stack_of_boxes));
   lesson.deeper("A pyramid", with(wall_of_boxes));
   lesson.deeper("A heavy box on a light one", with(heavy_on_light));
