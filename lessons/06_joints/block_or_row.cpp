@@ -250,6 +250,14 @@ void block_or_row(const Setting& setting, Page& page) {
               .tolerance = at_least(),
               .claimed = tame && left > 0.7,
               .range = "a share above 0.7 is missing after the sweeps"});
+  page.claim({.quantity = "the same, started warm",
+              .unit = "1",
+              .expected = 2,
+              .source = "law B15: a warm start helps, and not enough",
+              .measured = warm / worst[0],
+              .tolerance = at_least(),
+              .claimed = tame && left > 0.7 && h >= 1.0 / 150,
+              .range = "a share above 0.7 is missing after the sweeps, h ≥ 1/150 s"});
 }
 
 }  // namespace byhand::joints

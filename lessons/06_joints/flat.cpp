@@ -245,6 +245,7 @@ void flat(const Setting& setting, Page& page) {
       "where loops close, by as much as you do not see.",
       loose, Value(1000 * parting_speed(setting, loose), 2), Value(self_pull(setting, loose), 3));
 
+  page.measure("energy left, sent off neither way", kept(2), "1");
   page.claim({.quantity = "rank of the three-armed linkage",
               .unit = "1",
               .expected = 11,

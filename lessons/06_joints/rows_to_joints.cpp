@@ -127,15 +127,16 @@ void rows_to_joints(const Setting& setting, Page& page) {
       "[0 −1 0 1] makes it a **weld**. Keep that row and one across a rail, and it is a **slider**: what is not "
       "forbidden, along the rail, is free. Nothing else is new. (17) becomes K equations for K numbers, and the "
       "effective mass a K × K block: A = JM⁻¹Jᵀ is inverted as a whole.");
-  page.figure(
-      "joints",
-      say("Two bars of @ m and @ kg, four ways to join them, and the numbers that say so: above J with a column "
-          "for each of the two bodies' velocities, below A = JM⁻¹Jᵀ (1/kg, 1/(kg m) and 1/(kg m²)).",
-          setting.length, setting.mass),
-      [=](Canvas& canvas) {
-        const auto cells = canvas.page().inset(18, 16).cells(1, 4, 22);
-        for (std::size_t i = 0; i < columns.size(); ++i) draw_column(canvas, columns[i], bodies, length, cells[i]);
-      });
+  page.figure("joints",
+              say("Two bars of @ m and @ kg, four ways to join them, and the numbers that say so: above J with a "
+                  "column for each of the two bodies' velocities, below A = JM⁻¹Jᵀ (1/kg, 1/(kg m) and 1/(kg "
+                  "m²)). Rows: x and y of the world, t across the rail, φ the turn.",
+                  setting.length, setting.mass),
+              [=](Canvas& canvas) {
+                const auto cells = canvas.page().inset(18, 16).cells(1, 4, 22);
+                for (std::size_t i = 0; i < columns.size(); ++i)
+                  draw_column(canvas, columns[i], bodies, length, cells[i]);
+              });
   page.text(
       "Look at A. Beside the diagonal stands what one row does to the other: here @ 1/kg between the pin's x and "
       "y. To push one end along x you turn the bar, and its end moves along y too. Two pins at the *centres* of "
@@ -150,7 +151,7 @@ void rows_to_joints(const Setting& setting, Page& page) {
   page.sequence(
       "six_joints",
       say("What joints leave free. Above equations, below bounds: the bar of the stop ends at @°, the motor turns "
-          "once in @ s, the rope is slack at first. Arrows: what the joint gives the bar (λ/h).",
+          "once in @ s, the rope is slack at first. Arrows: the force that the joint gives the bar (λ/h).",
           Value(degrees(sample_stop), 3), sample_seconds),
       Seconds{sample_seconds},
       [samples = Samples(setting)](Canvas& canvas, double time) mutable { samples.draw(canvas, time); });
