@@ -38,7 +38,8 @@ struct Film {
       const Point3 L = std::min(0.85 * size, 1.05) * now.momentum.normalized();
       space.arrow(0.1 * L, L, 0.024, palette::error);
       canvas.draw(space);
-      canvas.text({frames[i].centre().x(), frames[i].top() - 14}, names[i],
+      const bool lost = flew_apart(flights[i], film_seconds) && time > flights[i].back().time;
+      canvas.text({frames[i].centre().x(), frames[i].top() - 14}, lost ? say("@: lost", names[i]) : names[i],
                   {.size = 22, .colour = palette::series(static_cast<int>(i)), .bold = true});
     }
     renderer::draw(canvas, pictures::grown_to(below, time), under);
@@ -89,6 +90,11 @@ Kept kept_in(const Flight& flight, const char* name) {
     kept.energy.y.push_back(std::max(kept.worst_energy, 1e-17));
     kept.momentum.y.push_back(std::max(kept.worst_momentum, 1e-17));
   }
+  if (flew_apart(flight, seconds))
+    for (Curve* curve : {&kept.energy, &kept.momentum}) {
+      curve->x.push_back(flight.back().time);
+      curve->y.push_back(INFINITY);
+    }
   return kept;
 }
 

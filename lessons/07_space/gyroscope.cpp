@@ -98,8 +98,7 @@ void gyroscope(const Setting& setting, Page& page) {
 
   page.text(
       "Now let gravity pull on a spinning body: a thin wheel of @ kg on an axle, spinning at @ rad/s, its other "
-      "end "
-      "on a ball joint on a post, three rows. Its weight has an arm of @ m about the post. Let go.",
+      "end on a ball joint on a post, three rows. Its weight has an arm of @ m about the post. Let go.",
       setting.mass, rate, arm);
   page.predict(
       {.ask = say("The wheel's Iω is mR²ω = @ kg m²/s along the axle, and the weight's moment is mga = @ N m. By "
@@ -130,17 +129,15 @@ void gyroscope(const Setting& setting, Page& page) {
   };
   curve("implicit", run, exact);
   curve("left out", without, as_ball);
-  page.figure(
-      "gyroscope",
-      say("The gyroscope over @ s, from pale to dark: it does not fall, it goes round. Right: how far, with the "
-          "term and without. Dashed: the wheel's rate, and that of a ball.",
-          seconds),
-      [=](Canvas& canvas) { draw_run(canvas, run, chart); });
+  page.figure("gyroscope",
+              say("The gyroscope over @ s, from pale to dark: it does not fall, it goes round. Right: how far, "
+                  "with the term and without. Dashed: the wheel's rate, and that of a ball.",
+                  seconds),
+              [=](Canvas& canvas) { draw_run(canvas, run, chart); });
   page.text(
       "With the gyroscopic term left out it goes round too, and it looks right; but at @ times the rate. The "
-      "solver "
-      "then treats the wheel as a ball, all of whose moments are ½mR². Nothing in the picture tells you; a number "
-      "does.",
+      "solver then treats the wheel as a ball, all of whose moments are ½mR². Nothing in the picture tells you; a "
+      "number does.",
       mean_rate(without) / mean_rate(run));
 
   const double turned = rate * setting.h / 64;

@@ -142,17 +142,17 @@ void turned_inertia(const Setting& setting, Page& page) {
                             "Yes. The nail pushes at the point about which you count, so it cannot give any."}},
                .answer = right.slip < 1e-9 && wrong.slip < 1e-9 ? 1 : 0,
                .hint = "(17) divides by JM⁻¹Jᵀ and (20) multiplies by M⁻¹Jᵀ, with whatever M⁻¹ you gave them."});
-  page.figure("caught_on_a_nail",
-              say("The book just caught, with I turned (left) and left as it was (right). Both held points stand "
-                  "still. L is the angular momentum about the nail, which the nail's push cannot change; on the "
-                  "right @.",
-                  wrong.lost() > 1e-9 ? say("it has, by @ %", Value(100 * wrong.lost(), 3))
-                                      : "it has not either, for this book is not turned yet"),
-              [=](Canvas& canvas) {
-                const auto [left, beside] = canvas.page().inset(20).split_columns(0.5, 20);
-                draw_catch(canvas, right, "I⁻¹ turned: RI⁻¹Rᵀ", left);
-                draw_catch(canvas, wrong, "I⁻¹ in the body's axes", beside);
-              });
+  page.figure(
+      "caught_on_a_nail",
+      say("The book just caught, with I turned (left) and left as it was (right). Both held points stand still. L "
+          "is the angular momentum about the nail, which the nail's push cannot change; on the right @.",
+          wrong.lost() > 1e-9 ? say("it has, by @ %", Value(100 * wrong.lost(), 3))
+                              : "it has not either, for this book is not turned yet"),
+      [=](Canvas& canvas) {
+        const auto [left, beside] = canvas.page().inset(20).split_columns(0.5, 20);
+        draw_catch(canvas, right, "I⁻¹ turned: RI⁻¹Rᵀ", left);
+        draw_catch(canvas, wrong, "I⁻¹ in the body's axes", beside);
+      });
   page.text(
       "The joint looks calm; the body only turns about a wrong axis at a wrong rate. And the mistake hides well: "
       "a body that has not turned yet does not show it, nor does a ball or a cube, whose I is the same about "
