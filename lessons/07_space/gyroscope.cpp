@@ -108,7 +108,7 @@ void gyroscope(const Setting& setting, Page& page) {
        .unit = "rad/s",
        .tolerance = 0.03 * exact,
        .wrong = {{0, "Then it would have to fall: a moment changes Iω. It changes it sideways."},
-                 {gravity * arm / (wheel * wheel + arm * arm),
+                 {top.mass * gravity * arm / top.moment_across,
                   "That is the angular acceleration with which it would begin to fall if it did not spin."}},
        .hint = "The moment is level and at right angles to the axle: in a second it adds mga to Iω, sideways.",
        .right = "mga/(mR²ω) = ga/(R²ω); the mass does not matter."});
