@@ -98,7 +98,8 @@ void gyroscope(const Setting& setting, Page& page) {
 
   page.text(
       "Now let gravity pull on a spinning body: a thin wheel of @ kg on an axle, spinning at @ rad/s, its other "
-      "end on a ball joint on a post, three rows. Its weight has an arm of @ m about the post. Let go.",
+      "end on a ball joint on a post, three rows. Its weight has an arm of @ m about the post. It is set going "
+      "round at just the rate that lasts; let go from rest it would nod a little as well.",
       setting.mass, rate, arm);
   page.predict(
       {.ask = say("The wheel's Iω is mR²ω = @ kg m²/s along the axle, and the weight's moment is mga = @ N m. By "
