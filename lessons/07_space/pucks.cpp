@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "lessons/07_space/axis_friction.hpp"
+#include "solver/constraints/axis_friction.hpp"
 #include "solver/constraints/contact.hpp"
 #include "solver/constraints/friction.hpp"
 #include "solver/simulation.hpp"
