@@ -90,7 +90,7 @@ struct Film {
                   {.size = 20, .colour = palette::series(static_cast<int>(i)), .bold = true});
       const Rectangle below{cells[i].x, cells[i].y, cells[i].width, cells[i].height - 34};
       canvas.look(fit({-0.75 * length, -1.1 * length, 1.9 * length, 1.5 * length}, below, 4));
-      if (i == 0) draw_stop(canvas, {0, 0}, -stop_at - 0.09, length);
+      if (i == 0) draw_stop(canvas, {0, 0}, -stop_at, length);
       canvas.anchor({0, 0}, {0, -1});
       draw_bar(canvas, {{0, 0}, 2 * arm.scene.bodies.pose[1].position});
       canvas.hinge({0, 0});

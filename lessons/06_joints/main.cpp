@@ -24,7 +24,7 @@ int main(int argc, char** argv) {
       .crank = lesson.parameter("crank", 0.4, "m", {0.05, 0.45}, "length of the crank (step 6)"),
       .speed = lesson.parameter("speed", 6.0, "rad/s", {1, 20}, "of the motor (step 6)"),
       .gap = lesson.parameter("gap", 0.2, "m", {0.01, 0.5}, "by which one rod is longer (step 7)"),
-      .sweeps = lesson.parameter("sweeps", 10, "1", {1, 60}, "sweeps a step (steps 2, 7, bridge, ragdoll)"),
+      .sweeps = lesson.parameter("sweeps", 10, "1", {1, 60}, "sweeps a step (steps 2, 7)"),
   };
   const auto with = [setting](void (*step)(const Setting&, tutor::Page&)) {
     return [=](tutor::Page& page) { step(setting, page); };

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "lessons/06_joints/setting.hpp"
+
 namespace byhand::joints {
 
 using namespace renderer;
@@ -36,8 +38,8 @@ void draw_rail(Canvas& canvas, const Point& at, double angle, double reach) {
 }
 
 void draw_stop(Canvas& canvas, const Point& hinge, double angle, double length) {
-  const Point end = hinge + length * direction(angle);
-  canvas.ground(hinge + 0.25 * (end - hinge), end);
+  const Point along = length * direction(angle), aside = 9 / canvas.camera().scale * direction(angle - pi / 2);
+  canvas.ground(hinge + aside + 0.25 * along, hinge + aside + along);
 }
 
 void draw_turn(Canvas& canvas, const Point& hinge, double from, double to, double radius, const Stroke& stroke) {

@@ -23,7 +23,7 @@ void draw_sleeve(renderer::Canvas& canvas, const renderer::Point& at, double ang
 /// A straight guide through a point, `reach` [m] to both sides.
 void draw_rail(renderer::Canvas& canvas, const renderer::Point& at, double angle, double reach);
 
-/// A stop, of `length` [m] from a hinge in that direction [rad].
+/// A stop below a bar that points in that direction [rad] from its hinge, `length` [m] long.
 void draw_stop(renderer::Canvas& canvas, const renderer::Point& hinge, double angle, double length);
 
 /// An arrow round a hinge from one angle to another [rad], of `radius` [m].

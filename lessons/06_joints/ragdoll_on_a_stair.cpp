@@ -25,8 +25,8 @@ Doll above_a_stair() {
   Doll doll{{}, {GaussSeidel{.sweeps = sweeps}, Baumgarte{.beta = 0.2, .slop = 1e-3, .speed_cap = 3}}};
   auto& scene = doll.scene;
   add_ground(scene, {0.6});
-  for (int i = 0; i + 1 < stairs; ++i) {
-    const double high = 0.2 * (stairs - 1 - i);  // [m]
+  for (int i = 0; i < stairs; ++i) {
+    const double high = 0.2 * (stairs - i);  // [m]
     const int body = scene.add_body(Linear<M>(0.3 * i, high / 2), fixed<M>());
     scene.set_shape(body, Box<M>{{0.15, high / 2}}, {0.6});
   }
@@ -103,8 +103,8 @@ void ragdoll_on_a_stair(const Setting&, Page& page) {
                 });
   page.text(
       "A joint's stop is one more row that sweeps have to bring into line with all others, so it gives way under "
-      "a blow: @° at most here. At rest nothing is left of that (@°), the stops only ever pushed, and the ground "
-      "carries @ N, which is the doll's weight.",
+      "a blow: @° at most here. At rest hardly anything is left of that (@°), the stops only ever pushed, and the "
+      "ground carries @ N, which is the doll's weight.",
       Value(degrees(worst), 2), Value(degrees(at_rest), 2), Value(carried(doll), 5));
   page.claim({.quantity = "least λ of any stop in any step",
               .unit = "N m s",

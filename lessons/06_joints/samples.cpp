@@ -93,7 +93,7 @@ void Samples::draw(Canvas& canvas, double time) {
       draw_rail(canvas, {0, 0}, rail, 3 * length_);
     else
       canvas.anchor({0, 0});
-    if (i == stopped) draw_stop(canvas, {0, 0}, sample_stop - 0.06, length_);
+    if (i == stopped) draw_stop(canvas, {0, 0}, sample_stop, length_);
     if (i == roped) {
       const bool slack = bar.from.norm() < 0.499 * length_;
       canvas.line({0, 0}, bar.from, {palette::constraint, 3, slack ? Dash::dotted : Dash::solid});
