@@ -20,12 +20,13 @@ constexpr double seconds = 2;
 struct Numbers {
   double row, velocity, pose, inertia;
 };
+template <class T>
+constexpr int doubles_in = sizeof(T) / sizeof(double);
 template <class M>
 Numbers numbers_of() {
-  double orientation = 0;
-  if constexpr (M::angular == 1) orientation = sizeof(PlaneRotation<>) / sizeof(double);
-  if constexpr (M::angular == 3) orientation = sizeof(Eigen::Quaterniond) / sizeof(double);
-  return {sizeof(Jacobian<M, 1>) / sizeof(double), Velocity<M>::SizeAtCompileTime, M::linear + orientation,
+  int orientation = 0;
+  if constexpr (M::angular > 0) orientation = doubles_in<Rotation<M>>;
+  return {doubles_in<Jacobian<M, 1>>, Velocity<M>::SizeAtCompileTime, static_cast<double>(M::linear + orientation),
           M::angular};
 }
 
