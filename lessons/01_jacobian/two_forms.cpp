@@ -65,9 +65,9 @@ renderer::Chart gains(const Settings& set) {
   renderer::Curve steep{.label = "β·L", .style = renderer::CurveStyle::theory};
   for (int i = 0; i <= 12; ++i) {
     const double length = 0.25 * std::pow(2, i / 2.0);
-    const auto add = [length](renderer::Curve& curve, double share) {
+    const auto add = [length](renderer::Curve& curve, double gained) {
       curve.x.push_back(length);
-      curve.y.push_back(share);
+      curve.y.push_back(gained);
     };
     // Both forms lie on β: taken in turn, so that neither hides the other.
     if (i % 2 == 0)
