@@ -25,8 +25,8 @@ struct Contact {
 
   Anchors<M> at;
   Linear<M> normal = Linear<M>::Unit(M::linear - 1);  // n, a unit vector in the world
-  double restitution = 0;                             // e in [0, 1]
   double softness = 0;                                // γ [1/kg] >= 0
+  double restitution = 0;                             // e in [0, 1]
 
   static constexpr std::array<double, 2> bounds(double /*h*/) {
     return {0, std::numeric_limits<double>::infinity()};
