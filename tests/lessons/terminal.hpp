@@ -95,4 +95,17 @@ class Terminal {
   size_t read_to_ = 0;
 };
 
+/// Without pseudo-terminals (a bare chroot) nobody can sit at one: such programs say so and test nothing.
+class NeedsPseudoTerminals : public testing::Environment {
+  void SetUp() override {
+    int reader = -1, program = -1;
+    if (openpty(&reader, &program, nullptr, nullptr, nullptr) != 0)
+      GTEST_SKIP() << "this machine has no pseudo-terminals: mount -t devpts devpts /dev/pts";
+    close(reader);
+    close(program);
+  }
+};
+inline const testing::Environment* const needs_pseudo_terminals =
+    testing::AddGlobalTestEnvironment(new NeedsPseudoTerminals);
+
 }  // namespace byhand::tests
