@@ -177,28 +177,28 @@ class Touching {
     scene.forget_found();
     for (Touch& touch : touches_) {
       touch.constraint = scene.count();
-      if constexpr (makes_faces<S>) {
-        scene.add_found(face(touch, scene));
-      } else {
-        for (int p = 0; p < touch.size; ++p) {
-          const int leader = scene.add_found(contact(touch, p, scene));
-          if constexpr (S::template names<Friction>) scene.add_found(friction(touch, p, leader, scene));
-        }
-      }
+      for_each_constraint(touch, scene, [&](const auto& constraint) { return scene.add_found(constraint); });
     }
   }
   template <class S>
   void rewrite(const Touch& touch, S& scene) {
     if (!stirred_[touch.body1] && !stirred_[touch.body2]) return;
-    int constraint = touch.constraint;
+    int number = touch.constraint;
+    for_each_constraint(touch, scene, [&]<template <class> class Kind>(const Kind<M>& constraint) {
+      scene.template at<Kind>(number) = constraint;
+      return number++;
+    });
+  }
+
+  /// Calls put(constraint) for each constraint that comes of a touch; it returns the number that this one has.
+  template <class S, class Put>
+  static void for_each_constraint(const Touch& touch, const S& scene, Put&& put) {
     if constexpr (makes_faces<S>) {
-      scene.template at<FaceContact>(constraint) = face(touch, scene);
+      put(face(touch, scene));
     } else {
       for (int p = 0; p < touch.size; ++p) {
-        const int leader = constraint;
-        scene.template at<Contact>(constraint++) = contact(touch, p, scene);
-        if constexpr (S::template names<Friction>)
-          scene.template at<Friction>(constraint++) = friction(touch, p, leader, scene);
+        const int leader = put(contact(touch, p, scene));
+        if constexpr (S::template names<Friction>) put(friction(touch, p, leader, scene));
       }
     }
   }
