@@ -18,12 +18,9 @@ int solve(const ConjugateSweeps& solver, System<M>& system, std::vector<Velocity
   double last = 0;  // the square of the last gradient
   for (int k = 1; k <= solver.sweeps; ++k) {
     work.before = system.lambda;
-    work.V_before = velocities;
-    sweep(system, work.prepared, system.lambda.data(), numbers<M>(velocities));
-    double change = 0, square = 0;
-    for (std::size_t i = 0; i < velocities.size(); ++i)
-      change = std::max(change, (velocities[i] - work.V_before[i]).cwiseAbs().maxCoeff());
+    const double change = watched_sweep(system, work.prepared, velocities);
     if (change <= solver.tolerance || k == solver.sweeps) return k;
+    double square = 0;
     for (int i = 0; i < system.rows(); ++i) {
       const double gradient = system.lambda[i] - work.before[i];
       square += gradient * gradient;
@@ -36,7 +33,7 @@ int solve(const ConjugateSweeps& solver, System<M>& system, std::vector<Velocity
       work.direction[i] = onward + gradient;
     }
     for (std::size_t i = 0; i < velocities.size(); ++i) {
-      const Velocity<M> gradient = velocities[i] - work.V_before[i], onward = share * work.V_direction[i];
+      const Velocity<M> gradient = velocities[i] - work.prepared.before[i], onward = share * work.V_direction[i];
       velocities[i] += onward;
       work.V_direction[i] = onward + gradient;
     }

@@ -29,8 +29,8 @@ void require_valid(const ConjugateSweeps& solver);
 template <class M>
 struct ConjugateWork {
   Prepared<M> prepared;
-  std::vector<double> before, direction;           // of λ, by row
-  std::vector<Velocity<M>> V_before, V_direction;  // what they do to V
+  std::vector<double> before, direction;  // of λ, by row
+  std::vector<Velocity<M>> V_direction;   // what it does to V
 };
 
 /// Solves the system's rows for λ and puts the impulses into the velocities. Returns how many sweeps it took.
