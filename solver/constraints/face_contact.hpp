@@ -33,7 +33,7 @@ struct FaceContact {
   /// (23) at both ends and the slip in the middle, at two poses [m], for any scalar; n and t stay as they are.
   template <class T>
   Rows<3, T> value(const Pose<M, T>& pose1, const Pose<M, T>& pose2) const {
-    const Linear<M, T> n = normal.template cast<T>(), t(n.y(), -n.x());
+    const Linear<M, T> n = normal.template cast<T>(), t = tangents_of<M>(normal).template cast<T>();
     const Linear<M, T> first = at.separation(pose1, pose2);
     if (point) return {first.dot(n), T(0), first.dot(t)};
     const Linear<M, T> last = Anchors<M>{at.body1, at.body2, second}.separation(pose1, pose2);
@@ -42,7 +42,7 @@ struct FaceContact {
 
   /// (15), (15) and (16) at two poses [1 and m].
   Jacobian<M, 3> jacobian(const Pose<M>& pose1, const Pose<M>& pose2) const {
-    const Linear<M> t(normal.y(), -normal.x());
+    const Linear<M> t = tangents_of<M>(normal);
     const auto r1 = in_world<M, double>(pose1, at.arms.first), r2 = in_world<M, double>(pose2, at.arms.second);
     Jacobian<M, 3> J;
     set_row_along<M, 3>(J, 0, normal, r1, r2);

@@ -3,7 +3,7 @@
 #include <array>
 #include <limits>
 
-#include "solver/constraints/anchors.hpp"
+#include "solver/constraints/normalised_distance.hpp"
 
 // A rope pulls and never pushes: two points come no further apart than L.
 //
@@ -32,17 +32,13 @@ struct Rope {
   /// L - |P2 - P1| at two poses [m], for any scalar.
   template <class T>
   Rows<1, T> value(const Pose<M, T>& pose1, const Pose<M, T>& pose2) const {
-    using std::sqrt;
-    return Rows<1, T>(T(length - sqrt(at.separation(pose1, pose2).squaredNorm())));
+    return -rod().template value<T>(pose1, pose2);
   }
 
   /// J at two poses [1, and m where a body turns]; zero where the points coincide: the rope is slack there.
   Jacobian<M, 1> jacobian(const Pose<M>& pose1, const Pose<M>& pose2) const {
-    const Arm<M> r1 = in_world<M, double>(pose1, at.arms.first), r2 = in_world<M, double>(pose2, at.arms.second);
-    const Linear<M> d = anchor<M, double>(pose2, r2) - anchor<M, double>(pose1, r1);
-    const double distance = d.norm();
-    Jacobian<M, 1> J;
-    set_row_along<M, 1>(J, 0, distance > 0 ? Linear<M>(-d / distance) : Linear<M>::Zero(), r1, r2);
+    Jacobian<M, 1> J = rod().jacobian(pose1, pose2);
+    J.matrix *= -1;
     return J;
   }
 
@@ -52,6 +48,9 @@ struct Rope {
     require_positive("length", length, "m");
     require_in("softness", softness, 0, 1e300);
   }
+
+ private:
+  NormalisedDistance<M> rod() const { return {at, length}; }
 };
 
 }  // namespace byhand

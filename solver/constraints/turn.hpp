@@ -25,8 +25,7 @@ struct Turn {
 
   int body1 = 0, body2 = 0;
   Rotation<M> rest = Pose<M>().rotation;  // q0: body 1's orientation in body 2's axes at φ = 0
-  [[no_unique_address]] std::conditional_t<M::angular == 3, Linear<M>, NoArm> axis =
-      {};  // a, in the frame of body 1
+  [[no_unique_address]] Axis axis = {};   // a, in the frame of body 1
 
   /// φ at two poses [rad], for any scalar.
   template <class T>
@@ -71,12 +70,6 @@ struct Turn {
   }
 
  private:
-  static Axis upright() {
-    if constexpr (M::angular == 3)
-      return Axis::UnitZ();
-    else
-      return {};
-  }
   template <class T>
   Rotation<M, T> since_rest(const Pose<M, T>& pose1, const Pose<M, T>& pose2) const {
     Pose<M> at_rest;
