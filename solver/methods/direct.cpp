@@ -289,9 +289,10 @@ int view_blocks(const System<M>& system, const double* offset, DirectWork<M>& wo
   const Elimination& plan = work.plan;
   work.views.resize(plan.nodes.size());
   // Views point into the copies, which therefore must not move.
-  [&]<std::size_t... I>(std::index_sequence<I...>) {
-    ((std::get<I>(work.masked).clear(), std::get<I>(work.masked).reserve(std::get<I>(system.blocks).size())), ...);
-  }
+  if (!work.active.empty()) [&]<std::size_t... I>(std::index_sequence<I...>) {
+      ((std::get<I>(work.masked).clear(), std::get<I>(work.masked).reserve(std::get<I>(system.blocks).size())),
+       ...);
+    }
   (std::make_index_sequence<std::tuple_size_v<decltype(work.masked)>>());
   int common = -1;
   std::size_t p = 0;
