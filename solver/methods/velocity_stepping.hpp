@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <variant>
 
 #include "solver/integrate/euler.hpp"
@@ -24,9 +25,15 @@ struct ByGraph {
 
 using RowSolver = std::variant<GaussSeidel, Jacobi, Direct, ConjugateSweeps, ByGraph>;
 
+template <class M>
+struct Work;
+
 /// The article's method, as choices: how rows are solved, how drift is cured, when positions move, and into
 /// how many equal substeps a step is cut. Cost of a step: substeps × (rows written once + sweeps over them).
 struct VelocityStepping {
+  template <class M>
+  using Work = byhand::Work<M>;
+
   RowSolver solver = GaussSeidel{};
   DriftCure drift = Baumgarte{};
   Euler euler = Euler::symplectic;
@@ -37,6 +44,12 @@ struct VelocityStepping {
 
 /// Throws std::invalid_argument for a choice outside its range.
 void require_valid(const VelocityStepping& method);
+
+/// Why this scene cannot be run so, in one sentence; empty where it can.
+template <class S>
+std::string refusal(const S&, const VelocityStepping&) {
+  return {};
+}
 
 /// The orders in which rows can be laid out.
 enum class Layout { none, natural, reverse, coloured, elimination };
