@@ -1,0 +1,8 @@
+#include "solver/catalogue/held.hpp"
+#include "solver/constraints/normalised_distance.hpp"
+
+namespace byhand {
+
+template AnyScene any_scene(Scene<PlaneBody, NormalisedDistance>);
+
+}  // namespace byhand

@@ -1,0 +1,9 @@
+#include "solver/catalogue/held.hpp"
+#include "solver/constraints/face_contact.hpp"
+#include "solver/constraints/pin.hpp"
+
+namespace byhand {
+
+template AnyScene any_scene(Scene<PlaneBody, Pin, FaceContact>);
+
+}  // namespace byhand
