@@ -4,6 +4,7 @@
 #include <limits>
 #include <variant>
 
+#include "solver/methods/projection.hpp"
 #include "solver/system.hpp"
 
 // JV = 0 keeps a constraint's rate at zero, not its value: C drifts. A cure turns C into the bias b of (21).
@@ -28,7 +29,7 @@ struct Baumgarte {
   double speed_cap = std::numeric_limits<double>::infinity();
 };
 
-using DriftCure = std::variant<NoDriftCure, Baumgarte>;
+using DriftCure = std::variant<NoDriftCure, Baumgarte, Projection>;
 
 /// Throws std::invalid_argument for β outside the range above.
 inline void require_valid(const NoDriftCure&) {}
@@ -44,6 +45,7 @@ inline void require_valid(const Baumgarte& cure) {
 //! [bias]
 /// b of (21) for C of one row at time step h: by (22), b = (β/h) C.
 inline double bias(const NoDriftCure&, double, double) { return 0; }
+inline double bias(const Projection&, double, double) { return 0; }
 inline double bias(const Baumgarte& cure, double C, double h) {
   return cure.reading == BetaReading::per_step ? cure.beta / h * C : cure.beta * C;
 }
@@ -51,6 +53,7 @@ inline double bias(const Baumgarte& cure, double C, double h) {
 
 /// b of a one-sided row that overlaps, C <= 0.
 inline double bias_of_overlap(const NoDriftCure&, double, double) { return 0; }
+inline double bias_of_overlap(const Projection&, double, double) { return 0; }
 inline double bias_of_overlap(const Baumgarte& cure, double C, double h) {
   return std::max(bias(cure, std::min(C + cure.slop, 0.0), h), -cure.speed_cap);
 }
@@ -59,5 +62,12 @@ inline double bias_of_overlap(const Baumgarte& cure, double C, double h) {
 /// and not more: b = C/h, whatever the cure.
 template <class M>
 void set_bias(const DriftCure& cure, double h, System<M>& system);
+
+/// The cure's second half, if it has one on poses. Returns how many rows were solved.
+template <class S>
+long long project(const DriftCure& cure, S& scene) {
+  const auto* projection = std::get_if<Projection>(&cure);
+  return projection ? project(*projection, scene) : 0;
+}
 
 }  // namespace byhand

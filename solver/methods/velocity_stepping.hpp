@@ -130,6 +130,7 @@ void advance(S& scene, const VelocityStepping& method, double step, Work<M>& wor
     rescale_impulses(work, h);                      // λ of last step, for the warm start
     solve_rows(method.solver, scene.bodies, work);  // (17) and (20) over all rows
     if (method.euler == Euler::symplectic) advance_poses(scene.bodies, h);
+    work.row_solves += project(method.drift, scene);  // the cure's second half, if it has one on poses
     end_turn(method.gyroscopic, scene.bodies, h);
     bounce(method, scene.bodies, work);
   }
