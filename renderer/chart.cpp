@@ -76,6 +76,12 @@ void check_lengths(const Chart& chart) {
     const std::size_t cells = map->x.size() * map->y.size();
     require(map->values.size() == cells && cells > 0, "A heat map has at least one cell and one value for each",
             map->values.size(), cells);
+    if (!map->classes.empty())
+      for (const double value : map->values)
+        if (std::isfinite(value) &&
+            !(value >= 0 && value < double(map->classes.size()) && value == std::floor(value)))
+          throw std::invalid_argument(fmt::format("A cell of a map of {} classes is one of 0 to {}; got {}.",
+                                                  map->classes.size(), map->classes.size() - 1, value));
   }
 }
 
@@ -88,6 +94,11 @@ std::pair<double, double> value_range(const HeatMap& map) {
   if (map.diverging)
     for (const double value : map.values) extent.include(-value);
   return extent.range(0, "colour");
+}
+
+std::string class_name(const HeatMap& map, double value) {
+  if (std::isinf(value)) return "failed";
+  return std::isnan(value) ? "" : map.classes.at(std::size_t(value)).name;
 }
 
 std::vector<double> cell_edges(const std::vector<double>& centres, Scale scale) {

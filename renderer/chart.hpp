@@ -44,6 +44,12 @@ struct Bars {
   std::optional<Colour> colour{};
 };
 
+/// What a cell may be, where it is one of a few things rather than a number.
+struct CellClass {
+  std::string name{};
+  Colour colour{};
+};
+
 /// Values over a grid of cells. x and y are the centres of columns and rows, rising or falling; `values` go
 /// along x first: value(row, column) = values[row · x.size() + column]. NaN leaves the cell empty, an
 /// infinite value (a run that failed) is crossed out.
@@ -53,7 +59,8 @@ struct HeatMap {
   bool diverging = false;  ///< zero is paper, signs differ in hue
   Scale scale = Scale::linear;
   std::optional<std::pair<double, double>> range{};
-  bool square = false;  ///< cells as high as wide: matrices
+  bool square = false;               ///< cells as high as wide: matrices
+  std::vector<CellClass> classes{};  ///< if there are any, values are their indices and the legend names them
 };
 
 /// A text at a place in the units of the axes, with a dot.
@@ -97,6 +104,9 @@ std::pair<double, double> value_range(const HeatMap& map);
 
 /// The n + 1 borders of n cells with these centres: halfway between them on the axis.
 std::vector<double> cell_edges(const std::vector<double>& centres, Scale scale);
+
+/// The name of the class that a cell of a map with classes has; empty for a cell that is empty.
+std::string class_name(const HeatMap& map, double value);
 
 /// Draws the chart into `frame` (points on the page), axes and labels included; the canvas's camera stays as
 /// it was. Labels stand at the ends of the curves where they fit, else in a legend where the chart is

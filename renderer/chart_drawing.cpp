@@ -47,7 +47,7 @@ struct Entry {
   Colour colour;
   CurveStyle style;
   Mark mark;
-  const Curve* curve;  // none: bars
+  const Curve* curve;  // none: bars, classes of cells
 };
 
 bool has_line(CurveStyle s) {
@@ -151,6 +151,9 @@ void ChartDrawing::list_entries() {
         {bars.label, bars.colour.value_or(palette::series(next)), CurveStyle::line, Mark::square, nullptr});
     ++next;
   }
+  if (chart_.heat_map)
+    for (const CellClass& cell : chart_.heat_map->classes)
+      entries_.push_back({cell.name, cell.colour, CurveStyle::line, Mark::square, nullptr});
   for (const Curve& curve : chart_.curves) {
     const bool theory = curve.style == CurveStyle::theory;
     const Colour colour = curve.colour.value_or(theory ? palette::theory : palette::series(next));
@@ -222,12 +225,14 @@ void ChartDrawing::lay_out() {
   choose_ticks();
   const auto& map = chart_.heat_map;
   double right = 10;
-  if (map) right = 36 + 10 + widest(ticks(map->scale, value_range(*map).first, value_range(*map).second, 6).major);
+  const bool colour_bar = map && map->classes.empty();
+  if (colour_bar)
+    right = 36 + 10 + widest(ticks(map->scale, value_range(*map).first, value_range(*map).second, 6).major);
   y_label_ = wrapped(axis_label(chart_.y, y_ticks_), label_size, false);
 
   const double title_room = lines(title_) * line_height * title_size + (title_.empty() ? 0 : 6);
   const double y_label_room = lines(y_label_) * line_height * label_size;
-  const bool map_label = map && !map->label.empty();
+  const bool map_label = colour_bar && !map->label.empty();
   const double top = title_room + std::max(y_label_room, map_label ? line_height * label_size : 0) + 8;
   const double bottom =
       1.55 * tick_size + (chart_.x.label.empty() && x_ticks_.exponent == 0 ? 0 : 1.35 * label_size) + 2;
@@ -246,7 +251,7 @@ void ChartDrawing::lay_out() {
     choose_ticks();
   };
   place(0);
-  if (!map) right = std::max(right, widest(x_ticks_.major) / 2 + 2);
+  if (!colour_bar) right = std::max(right, widest(x_ticks_.major) / 2 + 2);
   place(0);
   if (std::all_of(entries_.begin(), entries_.end(), [](const Entry& e) { return e.label.empty(); })) return;
 
@@ -414,6 +419,11 @@ void ChartDrawing::draw_heat_map() {
   if (!chart_.heat_map) return;
   const HeatMap& map = *chart_.heat_map;
   const Position shade({.scale = map.scale}, value_range(map));
+  const auto colour = [&](double value) {
+    if (!map.classes.empty()) return map.classes[std::size_t(value)].colour;
+    const double t = shade(value);
+    return map.diverging ? palette::diverging(2 * t - 1) : palette::sequential(t);
+  };
   const std::vector<double> xs = cell_edges(map.x, chart_.x.scale), ys = cell_edges(map.y, chart_.y.scale);
   for (std::size_t row = 0; row < map.y.size(); ++row) {
     for (std::size_t column = 0; column < map.x.size(); ++column) {
@@ -426,14 +436,14 @@ void ChartDrawing::draw_heat_map() {
         const Rectangle inner = cell.inset(0.3 * cell.width, 0.3 * cell.height);
         canvas_.line({inner.x, inner.y}, {inner.right(), inner.top()}, cross);
         canvas_.line({inner.x, inner.top()}, {inner.right(), inner.y}, cross);
-      } else if (const double t = shade(value); std::isfinite(t)) {
-        canvas_.rectangle(cell, {map.diverging ? palette::diverging(2 * t - 1) : palette::sequential(t), {{}, 0}});
+      } else if (std::isfinite(shade(value))) {
+        canvas_.rectangle(cell, {colour(value), {{}, 0}});
       }
     }
   }
   const Stroke outline{palette::muted, 1.2};
   canvas_.rectangle(plot_, {fade(palette::paper, 0), outline});
-  draw_colour_bar();
+  if (map.classes.empty()) draw_colour_bar();
 }
 
 void ChartDrawing::draw_colour_bar() {

@@ -45,6 +45,9 @@ void add_heat_map(const Chart& chart, std::vector<Column>& columns) {
   columns.push_back(column(chart.x.label, x));
   columns.push_back(column(chart.y.label, y));
   columns.push_back(column(chart.heat_map->label, chart.heat_map->values));
+  if (chart.heat_map->classes.empty()) return;
+  for (std::size_t i = 0; i < chart.heat_map->values.size(); ++i)
+    columns.back().cells[i] = class_name(*chart.heat_map, chart.heat_map->values[i]);
 }
 
 void add_bars(const Chart& chart, std::vector<Column>& columns) {

@@ -156,6 +156,10 @@ class Shading {
       low_ = std::min(low_, at);
       high_ = std::max(high_, at);
     }
+    if (!map.classes.empty()) {
+      low_ = 0;
+      high_ = static_cast<double>(map.classes.size() - 1);
+    }
     if (map.range) {
       low_ = on_scale(map.range->first);
       high_ = on_scale(map.range->second);
@@ -172,6 +176,13 @@ class Shading {
   }
 
   std::string key() const {
+    if (!map_.classes.empty()) {
+      std::string names;
+      for (std::size_t i = 0; i < map_.classes.size(); ++i)
+        names +=
+            fmt::format("{}{} {}", i == 0 ? "" : ", ", pen(static_cast<double>(i)).sign, map_.classes[i].name);
+      return map_.label + ": " + names;
+    }
     const auto value = [&](double at) {
       return number(map_.scale == Scale::logarithmic ? std::pow(10, at) : at, 3);
     };

@@ -80,6 +80,14 @@ TEST(TextChart, FitsEightyColumnsWithOrWithoutColours) {
         EXPECT_LE(display_width(line), style.width) << line;
 }
 
+TEST(TextChart, NamesTheClassesOfAMap) {
+  Chart chart = map();
+  chart.heat_map->label = "how it ends";
+  chart.heat_map->values = {0, 1, 2, 0, 1, 2};
+  chart.heat_map->classes = {{"settles", {}}, {"rings", {}}, {"explodes", {}}};
+  EXPECT_THAT(text_chart(chart, {}), HasSubstr("how it ends: · settles, ▒ rings, █ explodes"));
+}
+
 TEST(TextChart, IsAboutTwentyLines) { EXPECT_LE(lines_of(text_chart(powers(), {})).size(), 22u); }
 
 TEST(TextChart, NamesAxesCurvesAndTicks) {

@@ -177,6 +177,36 @@ TEST(Chart, ACellOfAHeatMapHasTheColourOfItsValue) {
   EXPECT_EQ(cell(2, 1), palette::fixed) << "a failed run is crossed out";
 }
 
+TEST(Chart, ACellOfAMapOfClassesHasTheColourOfItsClassAndTheLegendShowsAll) {
+  Canvas canvas(960, 540);
+  Chart chart;
+  chart.heat_map = HeatMap{.x = {0, 1}, .y = {0, 1}, .values = {1, 0, nan, infinity}};
+  chart.heat_map->classes = {{"calm", palette::force}, {"wild", palette::velocity}, {"never", palette::highlight}};
+  const Rectangle plot = draw(canvas, chart, canvas.page().inset(40));
+  const Image image = canvas.image();
+  const auto cell = [&](int column, int row) {
+    const Point at(plot.x + (column + 0.15) / 2 * plot.width, plot.y + (row + 0.15) / 2 * plot.height);
+    return colour_at(image, pixel_of(canvas, at));
+  };
+  EXPECT_EQ(cell(0, 0), palette::velocity);
+  EXPECT_EQ(cell(1, 0), palette::force);
+  EXPECT_EQ(cell(0, 1), palette::paper);
+  EXPECT_EQ(cell(1, 1), palette::fixed);
+  const Rectangle above{0, plot.top() + 2, canvas.page().width, canvas.page().height - plot.top() - 2};
+  for (const CellClass& each : chart.heat_map->classes)
+    EXPECT_GT(count(canvas, image, above, each.colour), 60) << each.name;
+  EXPECT_EQ(class_name(*chart.heat_map, 1), "wild");
+  EXPECT_EQ(class_name(*chart.heat_map, nan), "");
+}
+
+TEST(Chart, AMapRefusesAClassThatItDoesNotHave) {
+  for (const double value : {-1.0, 2.0, 0.5}) {
+    Chart chart;
+    chart.heat_map = HeatMap{.x = {0}, .y = {0}, .values = {value}, .classes = {{"a", {}}, {"b", {}}}};
+    EXPECT_THROW(ranges(chart), std::invalid_argument) << value;
+  }
+}
+
 TEST(Chart, CellEdgesLieHalfwayOnTheAxis) {
   EXPECT_EQ(cell_edges({1, 2, 4}, Scale::linear), (std::vector{0.5, 1.5, 3.0, 5.0}));
   const std::vector<double> logarithmic = cell_edges({1, 4, 16}, Scale::logarithmic);
