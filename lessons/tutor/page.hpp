@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lessons/tutor/items.hpp"
+#include "lessons/tutor/side_by_side.hpp"
 
 namespace byhand::tutor {
 
@@ -52,6 +53,10 @@ class Page {
   /// A picture. `draw` runs later, and only if pictures are wanted: let it capture by value.
   void figure(std::string name, std::string caption, Drawing draw);
 
+  /// A chart of what a clock measures, on this machine and at this moment. `measure` runs later, alone, and only
+  /// if the chart is wanted: let it capture by value. Everything else of a lesson is the same bytes in each run.
+  void clocked(std::string name, std::string caption, std::function<renderer::Chart()> measure);
+
   /// Frames, drawn later by a fresh copy of `draw` at times that never decrease; `--frames last` asks for the
   /// last time only. So let it capture its simulation by value, be `mutable`, and advance the simulation *up
   /// to* the time it is given.
@@ -61,6 +66,18 @@ class Page {
   void choose(Choice question);
   void claim(Claim claim);
 
+  /// work(0), …, work(count − 1), found side by side on all cores and returned in that order: the same whatever
+  /// the number of threads, if each result depends on nothing but its number. The reader sees how far it is.
+  template <class F>
+  auto side_by_side(int count, const F& work) const {
+    std::vector<decltype(work(0))> results(static_cast<std::size_t>(count));
+    tutor::side_by_side(
+        count, [&](int i) { results[static_cast<std::size_t>(i)] = work(i); }, progress_);
+    return results;
+  }
+  /// Who is told how far that work is; nobody if null.
+  void watch(Progress* progress) { progress_ = progress; }
+
   const std::vector<Item>& items() const { return items_; }
   std::vector<Item>& items() { return items_; }
 
@@ -69,6 +86,7 @@ class Page {
   void add(Item item) { items_.push_back(std::move(item)); }
 
   std::vector<Item> items_;
+  Progress* progress_ = nullptr;
 };
 
 }  // namespace byhand::tutor

@@ -49,10 +49,10 @@ void Progress::speak() {
 void Progress::show_bar(int tick) const {
   constexpr int width = 24;
   std::string bar;
-  if (total_ > 0) {
-    const int filled = done_ * width / total_;
+  if (const int total = total_; total > 0) {
+    const int filled = done_ * width / total;
     for (int i = 0; i < width; ++i) bar += i < filled ? "━" : "╌";
-    bar += fmt::format(" {}/{}", done_, total_);
+    bar += fmt::format(" {}/{}", done_, total);
   } else {
     for (int i = 0; i < width; ++i) bar += i == tick % width ? "━" : "╌";
   }

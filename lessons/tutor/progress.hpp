@@ -19,13 +19,15 @@ class Progress {
   ~Progress();
 
   void advance() { ++done_; }
+  /// `more` steps are to come beside those that are known.
+  void expect(int more) { total_ += more; }
 
  private:
   void speak();
   void show_bar(int tick) const;
 
   std::string what_;
-  int total_;
+  std::atomic<int> total_;
   std::atomic<int> done_{0};
   bool over_ = false;
   std::mutex mutex_;

@@ -30,9 +30,11 @@ void part_answers(Prediction& question, bool at_defaults) {
 }  // namespace
 
 Told tell(const Lesson& lesson, const Step& step, bool quiet) {
-  const Progress progress(fmt::format("step {}: {}", step.label, step.title), 0, quiet);
+  Progress progress(fmt::format("step {}: {}", step.label, step.title), 0, quiet);
   Told told{&step, {}};
+  told.page.watch(&progress);
   step.run(told.page);
+  told.page.watch(nullptr);
   for (Item& item : told.page.items())
     if (auto* question = std::get_if<Prediction>(&item)) part_answers(*question, lesson.at_defaults());
   return told;
