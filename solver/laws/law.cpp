@@ -1,0 +1,41 @@
+#include "solver/laws/law.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "solver/laws/baumgarte.hpp"
+#include "solver/laws/transverse.hpp"
+#include "solver/laws/warm_start.hpp"
+#include "solver/require.hpp"
+
+namespace byhand::laws {
+
+std::vector<Law> all() {
+  std::vector<Law> laws;
+  laws.push_back(one_row());
+  laws.push_back(warm_start());
+  laws.push_back(transverse());
+  return laws;
+}
+
+double bisect(const std::function<bool(double)>& holds, double low, double high, double resolution) {
+  require_positive("lower end", low, "");
+  const bool held = holds(low);
+  require(holds(high) != held, "outcome at both ends", held ? "good" : "bad", "good at one and bad at the other");
+  while (high / low > 1 + resolution) {
+    const double middle = std::sqrt(low * high);
+    (holds(middle) == held ? low : high) = middle;
+  }
+  return std::sqrt(low * high);
+}
+
+Boundary bisected(Boundary boundary) {
+  boundary.measured = [holds = boundary.holds, at = boundary.predicted, tolerance = boundary.tolerance] {
+    for (double width = 1 + 2 * tolerance; width < 8; width *= width)
+      if (holds(at / width) != holds(at * width)) return bisect(holds, at / width, at * width, tolerance / 10);
+    return std::numeric_limits<double>::quiet_NaN();
+  };
+  return boundary;
+}
+
+}  // namespace byhand::laws

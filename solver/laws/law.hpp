@@ -1,0 +1,49 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+// Where methods fail: each law says at which value of a knob, from a derivation that stands at the head of its
+// file, and brings the experiment that finds the same value without it. Runs are cheap (milliseconds), keep
+// nothing and share nothing, so that many can be made side by side.
+namespace byhand::laws {
+
+/// How a run ends: where it should be; held off from there or still moving away; swinging about it for ever; or in
+/// another place altogether, or nowhere.
+enum class Outcome { settles, drifts, rings, explodes };
+
+/// One number that a law predicts, for one setting of all else.
+struct Boundary {
+  std::string quantity, unit;  // the knob that is turned, or what is measured; "" for a pure number
+  std::string setting;         // what is held fixed, with units
+  double predicted = 0;
+  double tolerance = 0;                    // the share of it by which an experiment may differ
+  std::function<double()> measured;        // the same by experiment: many runs
+  std::function<bool(double)> holds = {};  // one run: whether it goes well at a value of the knob. It does below
+                                           // the boundary and not above. Empty where the law has no two sides.
+};
+
+/// The four families of failures.
+enum class Family { too_few_iterations, overshooting_correction, too_large_a_step, wrong_rows };
+
+struct Law {
+  int number;
+  Family family;
+  std::string name;     // the law in one sentence
+  std::string formula;  // where the boundary is
+  std::vector<Boundary> boundaries;
+};
+
+/// All laws in order of their numbers; making them runs nothing.
+std::vector<Law> all();
+
+/// Where `holds` changes between low and high, both > 0, by halving their ratio until it is below 1 + resolution.
+/// Throws std::invalid_argument where it does not change.
+double bisect(const std::function<bool(double)>& holds, double low, double high, double resolution);
+
+/// Gives a boundary its experiment: bisection around the predicted value, to a tenth of the tolerance; NaN where
+/// nothing changes within a factor of 8.
+Boundary bisected(Boundary boundary);
+
+}  // namespace byhand::laws
