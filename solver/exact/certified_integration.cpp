@@ -10,8 +10,10 @@
 namespace byhand {
 namespace odeint = boost::numeric::odeint;
 
-Certified certified_integration(const Rate& rate, const std::vector<double>& start, double time) {
+Certified certified_integration(const Rate& rate, const std::vector<double>& start, double time,
+                                double tolerance) {
   require(std::isfinite(time) && time >= 0, "time", time, "a finite number >= 0 [s]");
+  require_positive("tolerance", tolerance);
   for (const double number : start) require_finite("a number of the first state", number);
 
   const auto system = [&](const ExtendedState& x, ExtendedState& dxdt, long double) { rate(x, dxdt); };
@@ -20,11 +22,11 @@ Certified certified_integration(const Rate& rate, const std::vector<double>& sta
     odeint::integrate_adaptive(stepper, system, x, 0.0L, static_cast<long double>(time), 1e-3L);
     return x;
   };
-  const long double tolerance = 1e-17L;
+  const long double allowed = tolerance;
   using Fehlberg = odeint::runge_kutta_fehlberg78<ExtendedState, long double, ExtendedState, long double>;
   using Extrapolation = odeint::bulirsch_stoer<ExtendedState, long double, ExtendedState, long double>;
-  const ExtendedState first = end(odeint::make_controlled<Fehlberg>(tolerance, tolerance));
-  const ExtendedState second = end(Extrapolation(tolerance, tolerance));
+  const ExtendedState first = end(odeint::make_controlled<Fehlberg>(allowed, allowed));
+  const ExtendedState second = end(Extrapolation(allowed, allowed));
 
   Certified result{{first.begin(), first.end()}, 0};
   for (std::size_t i = 0; i < first.size(); ++i) {

@@ -19,8 +19,9 @@ struct Certified {
 
 /// Integrates from 0 to `time` [s] twice, by two unrelated methods in extended precision (Fehlberg's
 /// Runge-Kutta of order 8 and Bulirsch and Stoer's extrapolation); the uncertainty is twice their difference,
-/// and a rounding to double. Throws std::invalid_argument unless the start is finite and `time` finite and >=
-/// 0.
-Certified certified_integration(const Rate& rate, const std::vector<double>& start, double time);
+/// and a rounding to double. `tolerance`, > 0, is what a step of either may get wrong, relative and absolute.
+/// Throws std::invalid_argument unless the start is finite and `time` finite and >= 0.
+Certified certified_integration(const Rate& rate, const std::vector<double>& start, double time,
+                                double tolerance = 1e-17);
 
 }  // namespace byhand
