@@ -196,9 +196,7 @@ std::optional<Dialogue::Move> Dialogue::obey(const Command& command, size_t item
     case Command::Kind::help: help(); break;
     case Command::Kind::look_up:
       for (const ParameterRecord& p : lesson_.parameters())
-        if (p.name == command.name)
-          tell_reader("{} = {} [{}], from {} to {}: {}", p.name, typed(p.value), p.unit, typed(p.range.low),
-                      typed(p.range.high), p.meaning);
+        if (p.name == command.name) tell_reader("{}", p.described(p.value));
       break;
     case Command::Kind::set: change(command, item); break;
     case Command::Kind::words: return answer(command.value, item);
@@ -222,7 +220,7 @@ std::optional<Dialogue::Move> Dialogue::answer(const std::string& words, size_t 
 void Dialogue::change(const Command& command, size_t item) {
   const auto value = [&] {
     for (const ParameterRecord& p : lesson_.parameters())
-      if (p.name == command.name) return typed(p.value);
+      if (p.name == command.name) return p.typed(p.value);
     return std::string();
   };
   const std::string old = value();
@@ -258,13 +256,13 @@ void Dialogue::help() const {
   if (lesson_.parameters().empty()) return;
   const ParameterRecord& first = lesson_.parameters().front();
   tell_reader(
-      "A name and a number change a parameter and run the step again: `{} {}`. A name alone tells what it "
+      "A name and a value change a parameter and run the step again: `{} {}`. A name alone tells what it "
       "is.",
-      first.name, typed(first.value));
+      first.name, first.typed(first.value));
   std::vector<std::vector<std::string>> rows;
   for (const ParameterRecord& p : lesson_.parameters())
-    rows.push_back({p.name, fmt::format("{} [{}]", typed(p.value), p.unit),
-                    fmt::format("{} … {}", typed(p.range.low), typed(p.range.high)), p.meaning});
+    rows.push_back(
+        {p.name, p.typed(p.value) + (p.choices.empty() ? " [" + p.unit + "]" : ""), p.allowed(), p.meaning});
   fmt::print("{}", table(rows, 2));
 }
 

@@ -4,6 +4,11 @@
 
 namespace byhand::tutor {
 
+const renderer::Chart* chart_of(const Figure& figure) {
+  if (const auto* clocked = std::get_if<Clocked>(&figure.picture)) return &clocked->chart();
+  return std::get_if<renderer::Chart>(&figure.picture);
+}
+
 bool Tolerance::met(double expected, double measured) const {
   if (!std::isfinite(expected) || !std::isfinite(measured)) return false;
   switch (kind) {

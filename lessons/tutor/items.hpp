@@ -42,11 +42,20 @@ struct Measure {
 using Drawing = std::function<void(renderer::Canvas&)>;
 using FrameDrawing = std::function<void(renderer::Canvas&, double time)>;
 
+/// A chart of what a clock measured. It is no two times the same, so it is measured only where it is wanted, when
+/// nothing else of the lesson runs, once; and manifest.json names its files.
+struct Clocked {
+  std::function<const renderer::Chart&()> chart;
+};
+
 /// A still picture: figures/<name>.png; of a chart also data/<name>.csv.
 struct Figure {
   std::string name, caption;
-  std::variant<renderer::Chart, Drawing> picture;
+  std::variant<renderer::Chart, Drawing, Clocked> picture;
 };
+
+/// Its chart, measured now if it has not been yet; none if it is drawn otherwise.
+const renderer::Chart* chart_of(const Figure& figure);
 
 /// Real time: as many frames as the quality has in so many seconds. The drawing gets the time in seconds.
 struct Seconds {

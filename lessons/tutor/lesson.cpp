@@ -11,9 +11,12 @@ namespace {
 
 constexpr int most_core_steps = 7;
 
+bool is_name(const std::string& name) {
+  return !name.empty() && name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") == std::string::npos;
+}
+
 bool is_slug(const std::string& slug) {
-  return slug.size() > 3 && std::isdigit(slug[0]) && std::isdigit(slug[1]) && slug[2] == '_' &&
-         slug.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") == std::string::npos;
+  return slug.size() > 3 && std::isdigit(slug[0]) && std::isdigit(slug[1]) && slug[2] == '_' && is_name(slug);
 }
 
 }  // namespace
@@ -28,7 +31,7 @@ int Lesson::number() const { return std::stoi(about_.slug); }
 ParameterRecord& Lesson::record(ParameterRecord record) {
   if (is_parameter(record.name)) throw LessonError(fmt::format("the parameter {} is there twice", record.name));
   try {
-    record.set(fmt::format("{}", record.initial));
+    record.set(record.typed(record.initial));
   } catch (const std::invalid_argument& bad) {
     throw LessonError(bad.what());
   }
@@ -45,6 +48,23 @@ Parameter<int> Lesson::parameter(std::string name, int initial, std::string unit
                                  std::string meaning) {
   const double value = initial;
   return Parameter<int>(record({std::move(name), std::move(unit), std::move(meaning), range, value, value, true}));
+}
+
+Parameter<std::string> Lesson::parameter(std::string name, std::string initial, std::vector<std::string> choices,
+                                         std::string meaning) {
+  for (const std::string& choice : choices)
+    if (!is_name(choice))
+      throw LessonError(fmt::format("\"{}\" cannot name a choice: use a-z, 0-9 and _", choice));
+  const auto place = std::find(choices.begin(), choices.end(), initial);
+  if (place == choices.end())
+    throw LessonError(
+        fmt::format("the parameter {} begins as \"{}\", which is none of its choices", name, initial));
+  const auto value = static_cast<double>(place - choices.begin());
+  return Parameter<std::string>(record({.name = std::move(name),
+                                        .meaning = std::move(meaning),
+                                        .initial = value,
+                                        .value = value,
+                                        .choices = std::move(choices)}));
 }
 
 void Lesson::step(std::string title, StepFunction run) {

@@ -63,6 +63,9 @@ class Lesson {
   Parameter<double> parameter(std::string name, double initial, std::string unit, Range range,
                               std::string meaning);
   Parameter<int> parameter(std::string name, int initial, std::string unit, Range range, std::string meaning);
+  /// One of `choices`, typed by its name; names are [a-z0-9_]+.
+  Parameter<std::string> parameter(std::string name, std::string initial, std::vector<std::string> choices,
+                                   std::string meaning);
 
   /// A core step; at most seven, else LessonError.
   void step(std::string title, StepFunction run);

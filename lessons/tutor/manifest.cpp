@@ -2,17 +2,32 @@
 
 #include <nlohmann/json.hpp>
 
+#include "lessons/tutor/studio.hpp"
+
 namespace byhand::tutor {
 
-std::string manifest(const Lesson& lesson, const Options& options, const std::string& gl) {
+std::string manifest(const Lesson& lesson, const std::vector<Told>& told, const Options& options,
+                     const std::string& gl) {
   using Json = nlohmann::ordered_json;
   Json parameters = Json::object();
   Json time_step = nullptr;
   for (const ParameterRecord& p : lesson.parameters()) {
+    if (!p.choices.empty()) {
+      parameters[p.name] = {{"value", p.typed(p.value)}};
+      continue;
+    }
     const Json value = p.integer ? Json(static_cast<int>(p.value)) : Json(p.value);
     parameters[p.name] = {{"value", value}, {"unit", p.unit}};
     if (p.name == "h") time_step = parameters[p.name];
   }
+  Json clocked = Json::array();
+  for (const Told& t : told)
+    for (const Item& item : t.page.items())
+      if (const auto* figure = std::get_if<Figure>(&item);
+          figure && std::holds_alternative<Clocked>(figure->picture)) {
+        clocked.push_back(figure_path(figure->name));
+        clocked.push_back(data_path(figure->name));
+      }
   const Json json = {
       {"lesson", lesson.about().slug},
       {"options",
@@ -25,6 +40,7 @@ std::string manifest(const Lesson& lesson, const Options& options, const std::st
       {"time_step", time_step},
       {"method", lesson.about().method},
       {"gl", gl},
+      {"clocked", clocked},
   };
   return json.dump(2) + "\n";
 }

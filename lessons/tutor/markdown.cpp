@@ -79,7 +79,7 @@ class PageWriter {
   }
 
   void operator()(const Figure& figure) {
-    const bool has_data = std::holds_alternative<renderer::Chart>(figure.picture);
+    const bool has_data = !std::holds_alternative<Drawing>(figure.picture);
     paragraph(picture(figure.caption, figure_path(figure.name), has_data ? "data" : "", data_path(figure.name)));
   }
 
@@ -144,10 +144,9 @@ class PageWriter {
 
 std::string parameters(const Lesson& lesson) {
   if (lesson.parameters().empty()) return "";
-  std::string lines = "\n" + row({"parameter", "value", "unit", "range", "meaning"}) + rule(5);
+  std::string lines = "\n" + row({"parameter", "value", "unit", "allowed", "meaning"}) + rule(5);
   for (const ParameterRecord& p : lesson.parameters())
-    lines += row(
-        {"`" + p.name + "`", typed(p.value), p.unit, typed(p.range.low) + " … " + typed(p.range.high), p.meaning});
+    lines += row({"`" + p.name + "`", p.typed(p.value), p.unit, p.allowed(), p.meaning});
   return lines;
 }
 

@@ -30,9 +30,7 @@ std::string teach(const Lesson& lesson) {
       "  beta 0.5, h 1/120  change a parameter: the step runs again, old and new side by side\n"
       "  r reads the step again    ? helps    q leaves and remembers where\n\n"
       "Parameters of this lesson:\n";
-  for (const ParameterRecord& p : lesson.parameters())
-    words += fmt::format("  {} = {} [{}], from {} to {}: {}\n", p.name, typed(p.initial), p.unit,
-                         typed(p.range.low), typed(p.range.high), p.meaning);
+  for (const ParameterRecord& p : lesson.parameters()) words += fmt::format("  {}\n", p.described(p.initial));
   words += fmt::format(
       "\nExamples:\n"
       "  ./lessons/run {0}                   read it\n"
@@ -41,7 +39,8 @@ std::string teach(const Lesson& lesson) {
       lesson.number(), lesson.about().slug);
   if (!lesson.parameters().empty())
     words += fmt::format("  ./lessons/run {} --set {}={}    with a parameter of your own\n", lesson.number(),
-                         lesson.parameters().front().name, typed(lesson.parameters().front().initial));
+                         lesson.parameters().front().name,
+                         lesson.parameters().front().typed(lesson.parameters().front().initial));
   return words +
          "\nExit status: 0 fine, 1 a claim is false, 2 bad usage or value, 3 the environment (no OpenGL,\n"
          "disk full, folder not writable).";

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <memory>
+#include <optional>
+
 #include "lessons/tutor/equations.hpp"
 #include "lessons/tutor/error.hpp"
 #include "lessons/tutor/excerpt.hpp"
@@ -39,6 +42,16 @@ void Page::figure(std::string name, std::string caption, renderer::Chart chart) 
 void Page::figure(std::string name, std::string caption, Drawing draw) {
   require_file_name(name);
   add(Figure{std::move(name), std::move(caption), std::move(draw)});
+}
+
+void Page::clocked(std::string name, std::string caption, std::function<renderer::Chart()> measure) {
+  require_file_name(name);
+  auto measured = std::make_shared<std::optional<renderer::Chart>>();
+  auto once = [measure = std::move(measure), measured]() -> const renderer::Chart& {
+    if (!*measured) *measured = measure();
+    return **measured;
+  };
+  add(Figure{std::move(name), std::move(caption), Clocked{std::move(once)}});
 }
 
 void Page::sequence(std::string name, std::string caption, std::variant<Seconds, Frames> length,

@@ -1,10 +1,14 @@
 #include "lessons/tutor/parameter.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace byhand::tutor {
 namespace {
@@ -26,6 +30,19 @@ std::string with_ascii_minus(std::string_view text) {
   return ascii;
 }
 
+/// Units that can be typed for another, and how many of them make one of that.
+struct Family {
+  std::string_view unit;
+  std::vector<std::pair<std::string_view, double>> members;
+};
+const std::array<Family, 3> families = {{{"s", {{"ms", 1e3}, {"us", 1e6}, {"µs", 1e6}, {"μs", 1e6}, {"ns", 1e9}}},
+                                         {"m", {{"cm", 1e2}, {"mm", 1e3}, {"um", 1e6}, {"µm", 1e6}, {"μm", 1e6}}},
+                                         {"kg", {{"g", 1e3}}}}};
+
+std::string_view without_space_behind(std::string_view text) {
+  return text.substr(0, text.find_last_not_of(' ') + 1);
+}
+
 }  // namespace
 
 double read_number(std::string_view text) {
@@ -38,6 +55,26 @@ double read_number(std::string_view text) {
   return value;
 }
 
+double read_quantity(std::string_view text, const std::string& unit) {
+  // The longest unit first, or "5 ms" would be five of something that ends in s.
+  std::string_view behind;
+  double parts = 1;
+  const auto try_unit = [&](std::string_view name, double of_them) {
+    if (name.size() > behind.size() && text.size() > name.size() && text.ends_with(name))
+      behind = name, parts = of_them;
+  };
+  try_unit(unit, 1);
+  for (const Family& family : families)
+    if (family.unit == unit)
+      for (const auto& [name, of_them] : family.members) try_unit(name, of_them);
+  if (unit == "1" || behind.empty()) return read_number(text);
+  try {
+    return read_number(without_space_behind(text.substr(0, text.size() - behind.size()))) / parts;
+  } catch (const std::invalid_argument&) {
+    throw std::invalid_argument(fmt::format("\"{}\" is not a number", text));
+  }
+}
+
 std::string typed(double value) {
   std::string shortest = fmt::format("{}", value);
   const double reciprocal = std::round(1 / value);
@@ -47,17 +84,39 @@ std::string typed(double value) {
   return shortest;
 }
 
+std::string ParameterRecord::typed(double any) const {
+  return choices.empty() ? tutor::typed(any) : choices[static_cast<size_t>(any)];
+}
+
+std::string ParameterRecord::allowed() const {
+  if (!choices.empty()) return fmt::format("{}", fmt::join(choices, ", "));
+  return fmt::format("{} … {}{}", tutor::typed(range.low), tutor::typed(range.high), integer ? ", whole" : "");
+}
+
+std::string ParameterRecord::described(double any) const {
+  if (!choices.empty()) return fmt::format("{} = {}, one of {}: {}", name, typed(any), allowed(), meaning);
+  return fmt::format("{} = {} [{}], from {} to {}: {}", name, typed(any), unit, tutor::typed(range.low),
+                     tutor::typed(range.high), meaning);
+}
+
 void ParameterRecord::set(std::string_view text) {
+  if (!choices.empty()) {
+    const auto chosen = std::find(choices.begin(), choices.end(), text);
+    if (chosen == choices.end())
+      throw std::invalid_argument(fmt::format("{} = {} is none of its choices: {}", name, text, allowed()));
+    value = static_cast<double>(chosen - choices.begin());
+    return;
+  }
   double read = 0;
   try {
-    read = read_number(text);
+    read = read_quantity(text, unit);
   } catch (const std::invalid_argument& bad) {
     throw std::invalid_argument(fmt::format("{}: {} wants a number from {} to {} [{}]", bad.what(), name,
-                                            typed(range.low), typed(range.high), unit));
+                                            tutor::typed(range.low), tutor::typed(range.high), unit));
   }
   if (!(read >= range.low && read <= range.high))
     throw std::invalid_argument(fmt::format("{} = {} is out of range: {} goes from {} to {} [{}]", name, text,
-                                            name, typed(range.low), typed(range.high), unit));
+                                            name, tutor::typed(range.low), tutor::typed(range.high), unit));
   if (integer && read != std::round(read))
     throw std::invalid_argument(fmt::format("{} = {} is not a whole number, and {} counts", name, text, name));
   value = read;

@@ -148,7 +148,7 @@ std::string say(const Choice& question, const Style& style) {
 }
 
 std::string say(const Figure& figure, const Style& style) {
-  const auto* chart = std::get_if<renderer::Chart>(&figure.picture);
+  const auto* chart = chart_of(figure);
   return chart ? text_chart(*chart, style) : "";
 }
 
@@ -185,11 +185,9 @@ std::string say_changes(const Page& before, const Page& now, size_t items, const
 
 std::string say_parameters(const Lesson& lesson) {
   if (lesson.parameters().empty()) return "This lesson has no parameters.\n";
-  std::vector<std::vector<std::string>> rows = {{"name", "value", "default", "unit", "range", "meaning"}};
+  std::vector<std::vector<std::string>> rows = {{"name", "value", "default", "unit", "allowed", "meaning"}};
   for (const ParameterRecord& p : lesson.parameters())
-    rows.push_back({p.name, typed(p.value), typed(p.initial), p.unit,
-                    fmt::format("{} … {}{}", typed(p.range.low), typed(p.range.high), p.integer ? ", whole" : ""),
-                    p.meaning});
+    rows.push_back({p.name, p.typed(p.value), p.typed(p.initial), p.unit, p.allowed(), p.meaning});
   return table(rows);
 }
 

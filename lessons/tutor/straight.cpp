@@ -60,7 +60,7 @@ void write_pictures(const Page& page, Studio& studio) {
 
 void publish(const Lesson& lesson, const std::vector<Told>& told, const Options& options, const Studio& studio) {
   renderer::write_whole(studio.folder() / "lesson.md", markdown(lesson, told, options.frames));
-  renderer::write_whole(studio.folder() / "manifest.json", manifest(lesson, options, studio.gl()));
+  renderer::write_whole(studio.folder() / "manifest.json", manifest(lesson, told, options, studio.gl()));
   if (!options.quiet)
     fmt::print("\nThe lesson as a page: {0}/lesson.md; its pictures: {0}/figures and {0}/frames\n",
                studio.folder().string());

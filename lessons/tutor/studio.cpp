@@ -26,7 +26,7 @@ constexpr int strip_frames = 6, strip_columns = 3;
 
 Image draw(Canvas& canvas, const Figure& figure) {
   canvas.clear();
-  if (const auto* chart = std::get_if<Chart>(&figure.picture))
+  if (const auto* chart = chart_of(figure))
     renderer::draw(canvas, *chart, canvas.page().inset(12));
   else
     std::get<Drawing>(figure.picture)(canvas);
@@ -69,8 +69,7 @@ Canvas& Studio::small_canvas() {
 
 void Studio::write(const Figure& figure) {
   renderer::write_png(folder_ / figure_path(figure.name), draw(canvas(), figure));
-  if (const auto* chart = std::get_if<Chart>(&figure.picture))
-    renderer::write_whole(folder_ / data_path(figure.name), csv(*chart));
+  if (const auto* chart = chart_of(figure)) renderer::write_whole(folder_ / data_path(figure.name), csv(*chart));
 }
 
 void Studio::write(const Sequence& sequence) {

@@ -151,6 +151,12 @@ TEST_F(Dialogue, FractionsAreNumbersAndKeysMayBeNames) {
   reader.enter("h 1/120");
   reader.expect("h: 1/60 → 1/120");
   reader.expect(prompt);
+  reader.enter("h 2 ms");
+  reader.expect("h: 1/120 → 0.002");
+  reader.expect(prompt);
+  reader.enter("bob box");
+  reader.expect("bob: disc → box");
+  reader.expect(prompt);
   reader.enter("h");
   reader.expect("Multiply by the same number each time.");
 }
@@ -162,7 +168,8 @@ TEST_F(Dialogue, ABadValueIsRefusedInASentenceAndChangesNothing) {
                                           {"beta much", "\"much\" is not a number"},
                                           {"beta nan", "is not a number"},
                                           {"steps 2.5", "is not a whole number"},
-                                          {"h 1/0", "divides by zero"}}) {
+                                          {"h 1/0", "divides by zero"},
+                                          {"bob sphere", "is none of its choices"}}) {
     reader.expect(prompt);
     reader.enter(typed);
     reader.expect(sentence);
@@ -171,6 +178,9 @@ TEST_F(Dialogue, ABadValueIsRefusedInASentenceAndChangesNothing) {
   reader.expect(prompt);
   reader.enter("beta");
   reader.expect("beta = 0.2 [1], from 0 to 3");
+  reader.expect(prompt);
+  reader.enter("bob");
+  reader.expect("bob = disc, one of disc, box: how it is drawn");
   reader.expect(prompt);
   reader.enter("gamma 3");
   reader.expect("\"gamma 3\" is not a number");

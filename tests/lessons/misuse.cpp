@@ -158,6 +158,8 @@ TEST(Lesson, RefusesParametersThatContradictThemselves) {
   lesson.parameter("h", 0.1, "s", {0, 1}, "time step");
   EXPECT_THROW(lesson.parameter("h", 0.1, "s", {0, 1}, "again"), LessonError);
   EXPECT_THROW(lesson.parameter("beta", 2.0, "1", {0, 1}, "out of its range"), LessonError);
+  EXPECT_THROW(lesson.parameter("scene", "tower", {"chain", "stack"}, "none of its choices"), LessonError);
+  EXPECT_THROW(lesson.parameter("scene", "a chain", {"a chain"}, "cannot be typed"), LessonError);
 }
 
 }  // namespace

@@ -48,6 +48,23 @@ TEST(Options, ListParametersGivesUnitRangeAndMeaning) {
               AllOf(HasSubstr("1/30"), HasSubstr("1/60"), HasSubstr("0.0001 … 0.1"), HasSubstr("time step")));
 }
 
+TEST(Options, AChoiceIsTypedByItsName) {
+  const Finished listed = fixture("--list-parameters --set bob=box");
+  EXPECT_EQ(listed.status, 0);
+  EXPECT_THAT(listed.said, testing::ContainsRegex("bob +box +disc +disc, box +how it is drawn"));
+  const Folder folder;
+  const Finished told = fixture("--step 1a --set bob=box --quality low --output " + folder.path().string());
+  EXPECT_EQ(told.status, 0);
+  EXPECT_THAT(told.said, HasSubstr("The bob, a box, is"));
+}
+
+TEST(Options, ANumberMayCarryItsUnitOrASmallerOneOfItsFamily) {
+  for (const char* typed : {"0.005", "1/200", "5ms", "5e3us", "5000µs", "5e6ns", "0.005s", "'5 ms'"})
+    EXPECT_THAT(fixture(std::string("--list-parameters --set h=") + typed).said,
+                testing::ContainsRegex("h +0.005 +1/60 +s "))
+        << typed;
+}
+
 TEST(Options, QuietSaysNothingWhenAllIsWell) {
   const Folder folder;
   const Finished finished = fixture("--quiet --quality low --output " + folder.path().string());
@@ -94,6 +111,10 @@ INSTANTIATE_TEST_SUITE_P(
                     Refusal{"--set beta=0.2.1", "not a number"}, Refusal{"--set gamma=1", "only beta, h, steps"},
                     Refusal{"--set beta=3.5", "from 0 to 3"}, Refusal{"--set beta=inf", "not a number"},
                     Refusal{"--set steps=2.5", "not a whole number"}, Refusal{"--set h=1/0", "divides by zero"},
+                    Refusal{"--set h=5kg", "\"5kg\" is not a number"},
+                    Refusal{"--set h=ms", "\"ms\" is not a number"},
+                    Refusal{"--set h=5s", "h = 5s is out of range"}, Refusal{"--set beta=5ms", "\"5ms\" is not"},
+                    Refusal{"--set bob=sphere", "bob = sphere is none of its choices: disc, box"},
                     Refusal{"--step 9", "1, 1a, 2"}, Refusal{"--output", "--output"},
                     Refusal{"--interactive --no-interactive", "choose one"}, Refusal{"--surprise", "--surprise"}));
 
