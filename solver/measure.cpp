@@ -25,10 +25,7 @@ double residual(const System<M>& system, const std::vector<Velocity<M>>& V) {
 }
 
 #define BYHAND_INSTANTIATE(M) template double residual(const System<M>&, const std::vector<Velocity<M>>&)
-BYHAND_INSTANTIATE(PlaneParticle);
-BYHAND_INSTANTIATE(PlaneBody);
-BYHAND_INSTANTIATE(SpaceParticle);
-BYHAND_INSTANTIATE(SpaceBody);
+BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);
 #undef BYHAND_INSTANTIATE
 
 }  // namespace byhand

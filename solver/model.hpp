@@ -23,6 +23,13 @@ using PlaneBody = Model<2, 1>;
 using SpaceParticle = Model<3, 0>;
 using SpaceBody = Model<3, 3>;
 
+/// What a source file instantiates, once for each model: `instantiate` is a macro of the model's name.
+#define BYHAND_FOR_EACH_MODEL(instantiate) \
+  instantiate(PlaneParticle);              \
+  instantiate(PlaneBody);                  \
+  instantiate(SpaceParticle);              \
+  instantiate(SpaceBody)
+
 /// A point or direction in the model's world: 2 or 3 numbers.
 template <class M, class T = double>
 using Linear = Eigen::Matrix<T, M::linear, 1>;

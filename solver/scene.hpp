@@ -221,7 +221,7 @@ void Scene<M, Kinds...>::lay_out(const std::vector<int>& order, System<M>& syste
       constexpr int type = block_type<M, Kind::rows, Kind::bound>();
       auto& blocks = std::get<type>(system.blocks);
       if (system.runs.empty() || system.runs.back().kind != k)
-        system.runs.push_back({k, type, static_cast<int>(blocks.size()), 0, row});
+        system.runs.push_back({k, type, static_cast<int>(blocks.size()), 0, row, Kind::drifting});
       ++system.runs.back().count;
       auto& block = blocks.emplace_back();
       block.body1 = constraint.at.body1;
@@ -290,5 +290,16 @@ void Scene<M, Kinds...>::write(const Kind& constraint, BlockOfKind& block, doubl
   }
 }
 //! [write_rows]
+
+/// Whether any row of the scene is bounded, or would be of what may come to touch.
+template <class S>
+bool has_bounds(const S& scene) {
+  bool any = false;
+  if constexpr (S::touches) any = !scene.colliders.shapes.empty();
+  scene.for_each([&](const auto& constraint) {
+    any = any || std::remove_cvref_t<decltype(constraint)>::bound != Bound::none;
+  });
+  return any;
+}
 
 }  // namespace byhand

@@ -91,7 +91,8 @@ struct Run {
   int type;   // which vector of PerBlock
   int first;  // the first block in that vector
   int count;
-  int row;  // the first row; a run's rows are contiguous
+  int row;       // the first row; a run's rows are contiguous
+  int drifting;  // how many of a block's rows have a C
 };
 
 /// Calls f(std::integral_constant) with the place of a type of block among the vectors of PerBlock.
@@ -136,6 +137,12 @@ struct System {
     for (const Run& run : runs) for_type<M>(run.type, [&](auto type) { f(part<type>(blocks, run)); });
   }
 };
+
+/// Whether row k of a block pushes only, as a contact does: λ >= 0, and C > 0 is no error.
+template <class M, int K, Bound B>
+bool one_sided(const System<M>& system, const Block<M, K, B>& block, int k) {
+  return (B == Bound::interval && system.lower[block.row] == 0) || (B == Bound::face && k < 2);
+}
 
 //! [bound]
 /// λ held within its bound: an interval, the ball of radius `upper` times the leader's λ, or of a face the two

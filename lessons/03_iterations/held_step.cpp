@@ -9,12 +9,12 @@ HeldStep::HeldStep(const ChainOptions& chain, double h, const RowSolver& solver)
   lay_out(scene_, solver_, work_);
   scene_.write_rows(work_.system, h);
   add_gravity(scene_.bodies, scene_.gravity, h);
-  prepare(work_.system, BlockSolve::whole, 1.0, work_.gauss_seidel);
+  prepare(work_.system, BlockSolve::whole, 1.0, work_.prepared);
 }
 
 //! [row]
 void HeldStep::solve_row() {
-  const auto& rows = std::get<block_type<PlaneParticle, 1, Bound::none>()>(work_.gauss_seidel.blocks);
+  const auto& rows = std::get<block_type<PlaneParticle, 1, Bound::none>()>(work_.prepared.blocks);
   const auto& row = rows[next_];
   double *lambda = work_.system.lambda.data(), *V = numbers<PlaneParticle>(scene_.bodies.velocity);
   const Rows<1> change = byhand::solve<false>(row, V, lambda);  // (17)

@@ -45,15 +45,21 @@ void hold(System<M>& system, std::vector<double>& change) {
   });
 }
 
+/// Solves for what λ has still to change by, with rows that are not active left as they are.
 template <class M>
-void solve_active(const Direct& solver, System<M>& system, Bodies<M>& bodies, DirectWork<M>& work) {
+void solve_change(const Direct& solver, System<M>& system, Bodies<M>& bodies, DirectWork<M>& work) {
   for (int k = 0; k < system.rows(); ++k) work.offset[k] = system.bias[k] + system.gamma[k] * system.lambda[k];
   solve_equations(solver, system, work.offset, bodies, work, work.change);
   for (int k = 0; k < system.rows(); ++k) {
-    if (!work.active[k]) work.change[k] = 0;
+    if (!work.active.empty() && !work.active[k]) work.change[k] = 0;
     system.lambda[k] += work.change[k];
   }
   apply_all(system, work.change, bodies.velocity);
+}
+
+template <class M>
+void solve_active(const Direct& solver, System<M>& system, Bodies<M>& bodies, DirectWork<M>& work) {
+  solve_change(solver, system, bodies, work);
   hold(system, work.change);
   apply_all(system, work.change, bodies.velocity);
 }
@@ -82,9 +88,9 @@ double objective(const System<M>& system, const std::vector<double>& lambda_befo
 /// Solve what is not at a bound, hold what breaks one, let sweeps tell what else would move. Friction that slides
 /// is held at a bound that lags behind its normal; where the two drive each other up, sweeps begin anew.
 template <class M>
-int solve_with_bounds(const Direct& solver, System<M>& system, Bodies<M>& bodies, DirectWork<M>& work,
-                      Begin begin) {
-  prepare(system, BlockSolve::whole, 1.0, work.prepared);
+int solve_with_bounds(const Direct& solver, System<M>& system, Bodies<M>& bodies, Prepared<M>& prepared,
+                      DirectWork<M>& work, Begin begin) {
+  prepare(system, BlockSolve::whole, 1.0, prepared);
   work.velocity_before = bodies.velocity;
   work.lambda_before = system.lambda;
   if (begin == Begin::step) {
@@ -93,7 +99,7 @@ int solve_with_bounds(const Direct& solver, System<M>& system, Bodies<M>& bodies
   }
   const auto sweeps_settle = [&](int most) {
     for (int i = 0; i < most; ++i)
-      if (watched_sweep(system, work.prepared, bodies.velocity) <= solver.tolerance) return true;
+      if (watched_sweep(system, prepared, bodies.velocity) <= solver.tolerance) return true;
     return false;
   };
   for (int round = 1; round <= solver.rounds; ++round) {
@@ -119,26 +125,27 @@ void require_valid(const Direct& solver) {
 }
 
 template <class M>
-int solve(const Direct& solver, System<M>& system, Bodies<M>& bodies, DirectWork<M>& work, Begin begin) {
+int solve(const Direct& solver, System<M>& system, Bodies<M>& bodies, Prepared<M>& prepared, DirectWork<M>& work,
+          Begin begin) {
   if (system.rows() == 0) return 0;
-  if (system.bounded) {
+  if (system.bounded || begin == Begin::again) {
     work.offset.resize(system.rows());
     work.change.resize(system.rows());
-    return solve_with_bounds(solver, system, bodies, work, begin);
   }
+  if (system.bounded) return solve_with_bounds(solver, system, bodies, prepared, work, begin);
   work.active.clear();
-  if (begin == Begin::step) {
+  if (begin == Begin::again) {
+    solve_change(solver, system, bodies, work);
+  } else {
     solve_equations(solver, system, system.bias, bodies, work, system.lambda);
     apply_all(system, system.lambda, bodies.velocity);
   }
   return 1;
 }
 
-#define BYHAND_INSTANTIATE(M) template int solve(const Direct&, System<M>&, Bodies<M>&, DirectWork<M>&, Begin)
-BYHAND_INSTANTIATE(PlaneParticle);
-BYHAND_INSTANTIATE(PlaneBody);
-BYHAND_INSTANTIATE(SpaceParticle);
-BYHAND_INSTANTIATE(SpaceBody);
+#define BYHAND_INSTANTIATE(M) \
+  template int solve(const Direct&, System<M>&, Bodies<M>&, Prepared<M>&, DirectWork<M>&, Begin)
+BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);
 #undef BYHAND_INSTANTIATE
 
 }  // namespace byhand

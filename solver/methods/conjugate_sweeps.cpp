@@ -10,16 +10,17 @@ void require_valid(const ConjugateSweeps& solver) {
 //! [conjugate]
 template <class M>
 int solve(const ConjugateSweeps& solver, System<M>& system, std::vector<Velocity<M>>& velocities,
-          ConjugateWork<M>& work, Begin begin) {
-  prepare(system, BlockSolve::whole, 1.0, work.prepared);
+          Prepared<M>& prepared, ConjugateWork<M>& work, Begin begin) {
+  prepare(system, BlockSolve::whole, 1.0, prepared);
   begin_sweeps(system, solver.warm_start, begin, velocities);
   work.direction.assign(system.rows(), 0.0);
   work.V_direction.assign(velocities.size(), Velocity<M>::Zero());
+  const int ways = byhand::ways(solver.order);
   double last = 0;  // the square of the last gradient
   for (int k = 1; k <= solver.sweeps; ++k) {
     work.before = system.lambda;
-    const double change = watched_sweep(system, work.prepared, velocities);
-    if (change <= solver.tolerance || k == solver.sweeps) return k;
+    const double change = watched_sweep(system, prepared, velocities, ways);
+    if (change <= solver.tolerance || k == solver.sweeps) return ways * k;
     double square = 0;
     for (int i = 0; i < system.rows(); ++i) {
       const double gradient = system.lambda[i] - work.before[i];
@@ -33,21 +34,19 @@ int solve(const ConjugateSweeps& solver, System<M>& system, std::vector<Velocity
       work.direction[i] = onward + gradient;
     }
     for (std::size_t i = 0; i < velocities.size(); ++i) {
-      const Velocity<M> gradient = velocities[i] - work.prepared.before[i], onward = share * work.V_direction[i];
+      const Velocity<M> gradient = velocities[i] - prepared.before[i], onward = share * work.V_direction[i];
       velocities[i] += onward;
       work.V_direction[i] = onward + gradient;
     }
   }
-  return solver.sweeps;
+  return ways * solver.sweeps;
 }
 //! [conjugate]
 
-#define BYHAND_INSTANTIATE(M) \
-  template int solve(const ConjugateSweeps&, System<M>&, std::vector<Velocity<M>>&, ConjugateWork<M>&, Begin)
-BYHAND_INSTANTIATE(PlaneParticle);
-BYHAND_INSTANTIATE(PlaneBody);
-BYHAND_INSTANTIATE(SpaceParticle);
-BYHAND_INSTANTIATE(SpaceBody);
+#define BYHAND_INSTANTIATE(M)                                                                     \
+  template int solve(const ConjugateSweeps&, System<M>&, std::vector<Velocity<M>>&, Prepared<M>&, \
+                     ConjugateWork<M>&, Begin)
+BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);
 #undef BYHAND_INSTANTIATE
 
 }  // namespace byhand

@@ -28,7 +28,6 @@ void require_valid(const ConjugateSweeps& solver);
 /// Scratch, kept so that no step allocates.
 template <class M>
 struct ConjugateWork {
-  Prepared<M> prepared;
   std::vector<double> before, direction;  // of λ, by row
   std::vector<Velocity<M>> V_direction;   // what it does to V
 };
@@ -36,6 +35,6 @@ struct ConjugateWork {
 /// Solves the system's rows for λ and puts the impulses into the velocities. Returns how many sweeps it took.
 template <class M>
 int solve(const ConjugateSweeps& solver, System<M>& system, std::vector<Velocity<M>>& velocities,
-          ConjugateWork<M>& work, Begin begin = Begin::step);
+          Prepared<M>& prepared, ConjugateWork<M>& work, Begin begin = Begin::step);
 
 }  // namespace byhand

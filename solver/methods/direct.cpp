@@ -114,6 +114,7 @@ void assemble(const Direct& solver, const System<M>& system, const double* offse
     }
     const auto& view = work.views[p];
     const double *v1 = V + dof * view.body1, *v2 = V + dof * view.body2;
+    const bool folded = view.folded1 && view.folded2;
     with_size<S, dof>(node, [&](auto n) {
       for (int k = 0; k < n; ++k) {
         const double* J = view.J + 2 * dof * k;
@@ -130,9 +131,9 @@ void assemble(const Direct& solver, const System<M>& system, const double* offse
             by_body1 += J[i] * W[i];
             by_body2 += J[dof + i] * W[dof + i];
           }
-          double entry = (view.folded1 ? by_body1 : 0.0) + (view.folded2 ? by_body2 : 0.0);
+          const double whole = by_body1 + by_body2;
+          double entry = folded ? whole : (view.folded1 ? by_body1 : 0.0) + (view.folded2 ? by_body2 : 0.0);
           if (k == l) {
-            const double whole = by_body1 + by_body2;
             const double soft = solver.regularisation * whole + system.gamma[view.row + k];
             diagonal[k] = whole + soft;
             entry += soft;
@@ -247,12 +248,9 @@ void substitute_back(const Elimination& plan, const double* values, double* unkn
     });
 }
 
+/// Reads the edges' unknowns out of the nodes' order.
 template <int S, class M>
-void solve_structured(const Direct& solver, const System<M>& system, const double* offset, const Bodies<M>& bodies,
-                      DirectWork<M>& work, double* change) {
-  assemble<S, M>(solver, system, offset, bodies, work);
-  eliminate<S, M::dof>(work.plan, work.values.data(), work.unknowns.data(), work.diagonal.data());
-  substitute_back<S, M::dof>(work.plan, work.values.data(), work.unknowns.data());
+void read_edges(const DirectWork<M>& work, double* change) {
   for (std::size_t p = 0; p < work.plan.nodes.size(); ++p) {
     const auto& node = work.plan.nodes[p];
     if (node.edge < 0) continue;
@@ -262,6 +260,15 @@ void solve_structured(const Direct& solver, const System<M>& system, const doubl
       for (int k = 0; k < n; ++k) to[k] = x[k];
     });
   }
+}
+
+template <int S, class M>
+void solve_structured(const Direct& solver, const System<M>& system, const double* offset, const Bodies<M>& bodies,
+                      DirectWork<M>& work, double* change) {
+  assemble<S, M>(solver, system, offset, bodies, work);
+  eliminate<S, M::dof>(work.plan, work.values.data(), work.unknowns.data(), work.diagonal.data());
+  substitute_back<S, M::dof>(work.plan, work.values.data(), work.unknowns.data());
+  read_edges<S>(work, change);
 }
 
 /// The block without its inactive rows; the block itself where all are active.
@@ -374,13 +381,46 @@ void solve_equations(const Direct& solver, const System<M>& system, const std::v
     solve_structured<0>(solver, system, b, bodies, work, x);
 }
 
+template <class M>
+void solve_again(const std::vector<double>& offset, DirectWork<M>& work, std::vector<double>& change) {
+  const Elimination& plan = work.plan;
+  std::fill(work.unknowns.begin(), work.unknowns.end(), 0.0);
+  std::fill(change.begin(), change.end(), 0.0);
+  for (std::size_t p = 0; p < plan.nodes.size(); ++p)
+    for (int k = 0; plan.nodes[p].edge >= 0 && k < plan.nodes[p].size; ++k)
+      work.unknowns[plan.nodes[p].row + k] = -offset[work.views[p].row + k];
+  for (const auto& node : plan.nodes)  // L⁻¹ times the right-hand side
+    for (int a = node.first; a < node.last; ++a) {
+      const auto& later = plan.nodes[plan.neighbours[a].node];
+      const double* L = &work.values[plan.neighbours[a].block];
+      for (int i = 0; i < later.size; ++i)
+        for (int k = 0; k < node.size; ++k)
+          work.unknowns[later.row + i] -= L[i * node.size + k] * work.unknowns[node.row + k];
+    }
+  substitute_back<0, M::dof>(plan, work.values.data(), work.unknowns.data());
+  read_edges<0>(work, change.data());
+}
+
+long long direct_row_solves(const Direct& solver, const Elimination& plan, long long rows, int dof) {
+  const long long dense = rows * rows * rows / 6 + rows * rows;
+  return (solver.factorisation == Factorisation::dense ? dense : plan.multiplications) / (4 * dof) + 1;
+}
+
+long long row_solves_again(const Elimination& plan, int dof) {
+  long long multiplications = 0;
+  for (const auto& node : plan.nodes) {
+    multiplications += node.size * node.size;
+    for (int a = node.first; a < node.last; ++a)
+      multiplications += 2 * node.size * plan.nodes[plan.neighbours[a].node].size;
+  }
+  return multiplications / (4 * dof) + 1;
+}
+
 #define BYHAND_INSTANTIATE(M)                                                                                  \
+  template void solve_again(const std::vector<double>&, DirectWork<M>&, std::vector<double>&);                 \
   template void solve_equations(const Direct&, const System<M>&, const std::vector<double>&, const Bodies<M>&, \
                                 DirectWork<M>&, std::vector<double>&)
-BYHAND_INSTANTIATE(PlaneParticle);
-BYHAND_INSTANTIATE(PlaneBody);
-BYHAND_INSTANTIATE(SpaceParticle);
-BYHAND_INSTANTIATE(SpaceBody);
+BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);
 #undef BYHAND_INSTANTIATE
 
 }  // namespace byhand

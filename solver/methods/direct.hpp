@@ -44,21 +44,20 @@ struct DirectWork {
 
   Elimination plan;
   std::vector<double> values, unknowns, diagonal;
-  std::vector<View> views;  // by node
-  // Of rows with bounds:
-  std::vector<char> active;            // by row: whether it takes part; empty while all do
-  PerBlock<M, BlockOf> masked;         // blocks without their inactive rows
+  std::vector<View> views;             // by node
   std::vector<double> offset, change;  // b + γλ and Δλ, by row
+  // Of rows with bounds:
+  std::vector<char> active;     // by row: whether it takes part; empty while all do
+  PerBlock<M, BlockOf> masked;  // blocks without their inactive rows
   std::vector<Velocity<M>> velocity_before;
   std::vector<double> lambda_before;  // a way back
-  Prepared<M> prepared;
 };
 
-/// Solves the system's rows for λ and puts the impulses into the velocities; without bounds, what λ was before
-/// does not matter. The system must be laid out in the order of `work.plan`. Throws SingularSystem, and leaves the
-/// velocities alone then if there are no bounds. Returns how often all rows were solved.
+/// Solves the system's rows for λ and puts the impulses into the velocities; without bounds, what λ was before a
+/// step does not matter. The system must be laid out in the order of `work.plan`. Throws SingularSystem, and
+/// leaves the velocities alone then if there are no bounds. Returns how often all rows were solved.
 template <class M>
-int solve(const Direct& solver, System<M>& system, Bodies<M>& bodies, DirectWork<M>& work,
+int solve(const Direct& solver, System<M>& system, Bodies<M>& bodies, Prepared<M>& prepared, DirectWork<M>& work,
           Begin begin = Begin::step);
 
 /// One exact solve: `change` becomes x of (JM⁻¹Jᵀ + γ)x = -(JV + offset), with a row x = 0 where `work.active` is
@@ -66,5 +65,15 @@ int solve(const Direct& solver, System<M>& system, Bodies<M>& bodies, DirectWork
 template <class M>
 void solve_equations(const Direct& solver, const System<M>& system, const std::vector<double>& offset,
                      const Bodies<M>& bodies, DirectWork<M>& work, std::vector<double>& change);
+
+/// The structured solve once more for another right-hand side, with the factor that `solve_equations` has left in
+/// `work`: `change` becomes x of (JM⁻¹Jᵀ + γ)x = -offset, at a part of the cost.
+template <class M>
+void solve_again(const std::vector<double>& offset, DirectWork<M>& work, std::vector<double>& change);
+
+/// What a direct solve costs in row-solves: one of those multiplies 2 dof numbers for JV (8) and 2 dof for (20).
+long long direct_row_solves(const Direct& solver, const Elimination& plan, long long rows, int dof);
+/// What `solve_again` does.
+long long row_solves_again(const Elimination& plan, int dof);
 
 }  // namespace byhand

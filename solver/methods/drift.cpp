@@ -14,9 +14,8 @@ void set_bias(const DriftCure& cure, double h, System<M>& system) {
         };
         system.for_each_run([&]<int K, Bound B>(std::span<const Block<M, K, B>> blocks) {
           for (const auto& block : blocks) {
-            if constexpr (B == Bound::interval)
-              if (system.lower[block.row] == 0) set_one_sided(block.row);
-            if constexpr (B == Bound::face) set_one_sided(block.row), set_one_sided(block.row + 1);
+            for (int k = 0; k < K; ++k)
+              if (one_sided(system, block, k)) set_one_sided(block.row + k);
           }
         });
       },
@@ -24,10 +23,7 @@ void set_bias(const DriftCure& cure, double h, System<M>& system) {
 }
 
 #define BYHAND_INSTANTIATE(M) template void set_bias(const DriftCure&, double, System<M>&)
-BYHAND_INSTANTIATE(PlaneParticle);
-BYHAND_INSTANTIATE(PlaneBody);
-BYHAND_INSTANTIATE(SpaceParticle);
-BYHAND_INSTANTIATE(SpaceBody);
+BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);
 #undef BYHAND_INSTANTIATE
 
 }  // namespace byhand

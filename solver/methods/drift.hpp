@@ -5,6 +5,8 @@
 #include <variant>
 
 #include "solver/methods/projection.hpp"
+#include "solver/methods/soft_constraints.hpp"
+#include "solver/methods/split_impulse.hpp"
 #include "solver/system.hpp"
 
 // JV = 0 keeps a constraint's rate at zero, not its value: C drifts. A cure turns C into the bias b of (21).
@@ -29,7 +31,7 @@ struct Baumgarte {
   double speed_cap = std::numeric_limits<double>::infinity();
 };
 
-using DriftCure = std::variant<NoDriftCure, Baumgarte, Projection>;
+using DriftCure = std::variant<NoDriftCure, Baumgarte, Projection, SplitImpulse, SoftConstraints>;
 
 /// Throws std::invalid_argument for β outside the range above.
 inline void require_valid(const NoDriftCure&) {}
@@ -43,31 +45,29 @@ inline void require_valid(const Baumgarte& cure) {
 }
 
 //! [bias]
-/// b of (21) for C of one row at time step h: by (22), b = (β/h) C.
-inline double bias(const NoDriftCure&, double, double) { return 0; }
-inline double bias(const Projection&, double, double) { return 0; }
+/// b of (21) for C of one row at time step h: by (22), b = (β/h) C. Cures that leave velocities alone have none.
+template <class Cure>
+inline double bias(const Cure&, double /*C*/, double /*h*/) {
+  return 0;
+}
 inline double bias(const Baumgarte& cure, double C, double h) {
   return cure.reading == BetaReading::per_step ? cure.beta / h * C : cure.beta * C;
 }
+inline double bias(const SoftConstraints& cure, double C, double h) { return softness_of(cure, h).rate * C; }
 //! [bias]
 
 /// b of a one-sided row that overlaps, C <= 0.
-inline double bias_of_overlap(const NoDriftCure&, double, double) { return 0; }
-inline double bias_of_overlap(const Projection&, double, double) { return 0; }
-inline double bias_of_overlap(const Baumgarte& cure, double C, double h) {
-  return std::max(bias(cure, std::min(C + cure.slop, 0.0), h), -cure.speed_cap);
+template <class Cure>
+inline double bias_of_overlap(const Cure& cure, double C, double h) {
+  if constexpr (requires { cure.speed_cap; })
+    return std::max(bias(cure, std::min(C + cure.slop, 0.0), h), -cure.speed_cap);
+  else
+    return bias(cure, C, h);
 }
 
 /// Sets the bias of every row. A one-sided row that is still open (C > 0) may close its gap within the step
 /// and not more: b = C/h, whatever the cure.
 template <class M>
 void set_bias(const DriftCure& cure, double h, System<M>& system);
-
-/// The cure's second half, if it has one on poses. Returns how many rows were solved.
-template <class S>
-long long project(const DriftCure& cure, S& scene) {
-  const auto* projection = std::get_if<Projection>(&cure);
-  return projection ? project(*projection, scene) : 0;
-}
 
 }  // namespace byhand

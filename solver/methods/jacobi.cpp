@@ -31,25 +31,24 @@ void require_valid(const Jacobi& solver) {
 }
 
 template <class M>
-void solve(const Jacobi& solver, System<M>& system, std::vector<Velocity<M>>& velocities, JacobiWork<M>& work,
-           Begin begin) {
-  prepare(system, solver.block_solve, solver.relaxation, work.prepared);
-  work.change.resize(system.rows());
+int solve(const Jacobi& solver, System<M>& system, std::vector<Velocity<M>>& velocities, Prepared<M>& prepared,
+          std::vector<double>& change, Begin begin) {
+  prepare(system, solver.block_solve, solver.relaxation, prepared);
+  change.resize(system.rows());
   begin_sweeps(system, solver.warm_start, begin, velocities);
   for (int i = 0; i < solver.sweeps; ++i) {
-    if (work.prepared.soft)
-      sweep<true>(system, work.prepared, work.change, numbers<M>(velocities));
+    if (prepared.soft)
+      sweep<true>(system, prepared, change, numbers<M>(velocities));
     else
-      sweep<false>(system, work.prepared, work.change, numbers<M>(velocities));
+      sweep<false>(system, prepared, change, numbers<M>(velocities));
   }
+  return solver.sweeps;
 }
 
-#define BYHAND_INSTANTIATE(M) \
-  template void solve(const Jacobi&, System<M>&, std::vector<Velocity<M>>&, JacobiWork<M>&, Begin)
-BYHAND_INSTANTIATE(PlaneParticle);
-BYHAND_INSTANTIATE(PlaneBody);
-BYHAND_INSTANTIATE(SpaceParticle);
-BYHAND_INSTANTIATE(SpaceBody);
+#define BYHAND_INSTANTIATE(M)                                                                                  \
+  template int solve(const Jacobi&, System<M>&, std::vector<Velocity<M>>&, Prepared<M>&, std::vector<double>&, \
+                     Begin)
+BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);
 #undef BYHAND_INSTANTIATE
 
 }  // namespace byhand

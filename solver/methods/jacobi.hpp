@@ -16,16 +16,10 @@ struct Jacobi {
 /// Throws std::invalid_argument for a choice outside the ranges above.
 void require_valid(const Jacobi& solver);
 
-/// Scratch of Jacobi's, kept so that no step allocates.
+/// Solves the system's rows for λ and puts the impulses into the velocities. `prepared` and `change` are scratch
+/// that is kept only so that no step allocates. Returns how many sweeps it took.
 template <class M>
-struct JacobiWork {
-  Prepared<M> prepared;
-  std::vector<double> change;  // one number a row
-};
-
-/// Solves the system's rows for λ and puts the impulses into the velocities.
-template <class M>
-void solve(const Jacobi& solver, System<M>& system, std::vector<Velocity<M>>& velocities, JacobiWork<M>& work,
-           Begin begin = Begin::step);
+int solve(const Jacobi& solver, System<M>& system, std::vector<Velocity<M>>& velocities, Prepared<M>& prepared,
+          std::vector<double>& change, Begin begin = Begin::step);
 
 }  // namespace byhand

@@ -110,13 +110,19 @@ void apply_all(const System<M>& system, const std::vector<double>& lambda, std::
   });
 }
 
-#define BYHAND_INSTANTIATE(M)                                                \
-  template void prepare(const System<M>&, BlockSolve, double, Prepared<M>&); \
-  template void apply_all(const System<M>&, const std::vector<double>&, std::vector<Velocity<M>>&)
-BYHAND_INSTANTIATE(PlaneParticle);
-BYHAND_INSTANTIATE(PlaneBody);
-BYHAND_INSTANTIATE(SpaceParticle);
-BYHAND_INSTANTIATE(SpaceBody);
+template <class M>
+void rates_of(const System<M>& system, const std::vector<Velocity<M>>& V, std::vector<double>& rates) {
+  system.for_each_run([&]<int K, Bound B>(std::span<const Block<M, K, B>> blocks) {
+    for (const auto& block : blocks)
+      Eigen::Map<Rows<K>>(&rates[block.row]) = dot(block.J, V[block.body1], V[block.body2]);
+  });
+}
+
+#define BYHAND_INSTANTIATE(M)                                                                       \
+  template void prepare(const System<M>&, BlockSolve, double, Prepared<M>&);                        \
+  template void apply_all(const System<M>&, const std::vector<double>&, std::vector<Velocity<M>>&); \
+  template void rates_of(const System<M>&, const std::vector<Velocity<M>>&, std::vector<double>&)
+BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);
 #undef BYHAND_INSTANTIATE
 
 }  // namespace byhand

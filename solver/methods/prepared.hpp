@@ -168,6 +168,10 @@ double* numbers(std::vector<Velocity<M>>& velocities) {
 template <class M>
 void apply_all(const System<M>& system, const std::vector<double>& lambda, std::vector<Velocity<M>>& velocities);
 
+/// `rates` = JV for all rows, one number a row.
+template <class M>
+void rates_of(const System<M>& system, const std::vector<Velocity<M>>& velocities, std::vector<double>& rates);
+
 /// Where a solve begins: at the start of a step, with no λ or the last step's as the solver chooses; or once more
 /// from the λ that the velocities hold already.
 enum class Begin { step, again };

@@ -61,10 +61,7 @@ void forget_bounce(const std::vector<double>& approach, double threshold, System
   template void note_approach(const System<M>&, const std::vector<Velocity<M>>&, std::vector<double>&); \
   template bool set_bounce(const std::vector<double>&, double, System<M>&);                             \
   template void forget_bounce(const std::vector<double>&, double, System<M>&)
-BYHAND_INSTANTIATE(PlaneParticle);
-BYHAND_INSTANTIATE(PlaneBody);
-BYHAND_INSTANTIATE(SpaceParticle);
-BYHAND_INSTANTIATE(SpaceBody);
+BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);
 #undef BYHAND_INSTANTIATE
 
 }  // namespace byhand

@@ -5,25 +5,12 @@
 
 #include "solver/integrate/euler.hpp"
 #include "solver/integrate/gyroscopic.hpp"
-#include "solver/methods/conjugate_sweeps.hpp"
-#include "solver/methods/direct.hpp"
 #include "solver/methods/drift.hpp"
-#include "solver/methods/gauss_seidel.hpp"
-#include "solver/methods/jacobi.hpp"
 #include "solver/methods/restitution.hpp"
-#include "solver/scene.hpp"
+#include "solver/methods/row_solvers.hpp"
 #include "solver/touching.hpp"
 
 namespace byhand {
-
-/// The choice left to the scene's graph: what has no loops (chains, trees, columns) is solved directly, the rest
-/// by conjugate sweeps that stop when they have nothing more to do.
-struct ByGraph {
-  Direct loopless = {};
-  ConjugateSweeps loops = {};
-};
-
-using RowSolver = std::variant<GaussSeidel, Jacobi, Direct, ConjugateSweeps, ByGraph>;
 
 template <class M>
 struct Work;
@@ -47,50 +34,22 @@ void require_valid(const VelocityStepping& method);
 
 /// Why this scene cannot be run so, in one sentence; empty where it can.
 template <class S>
-std::string refusal(const S&, const VelocityStepping&) {
+std::string refusal(const S& scene, const VelocityStepping& method) {
+  if (std::holds_alternative<ConjugateGradients>(method.solver) && has_bounds(scene))
+    return "conjugate gradients hold no bounds, and this scene has contacts or other rows with bounds: conjugate "
+           "sweeps or an accelerated gradient would";
   return {};
 }
 
-/// The orders in which rows can be laid out.
-enum class Layout { none, natural, reverse, coloured, elimination };
-
-/// What is kept between steps: λ with its system, the layout it was made for, and scratch.
+/// What is kept between steps.
 template <class M>
-struct Work {
-  System<M> system;
-  Prepared<M> gauss_seidel;
-  JacobiWork<M> jacobi;
-  DirectWork<M> direct;
-  ConjugateWork<M> conjugate;
+struct Work : RowWork<M> {
   std::conditional_t<M::angular == 0, NoTouching, Touching<M>> touching;
-  std::vector<double> approach;  // JV of rows that may bounce, before they are solved
-  Layout layout = Layout::none;
-  int version = 0;           // of the scene that is laid out
-  bool loopless = false;     // its graph
-  double h = 0;              // the substep that λ belongs to [s]
-  long long row_solves = 0;  // so far; a direct solve counts as the row-solves that its multiplications would buy
+  std::vector<double> approach;             // JV of rows that may bounce, before they are solved
+  std::vector<double> lambda, gamma, rate;  // by row, what a cure changes for its second half
+  std::vector<Velocity<M>> velocity;        // as much
+  double h = 0;                             // the substep that λ belongs to [s]
 };
-
-/// The layout that a solver wants; `loopless` is whether the scene's graph has no loops.
-Layout wanted_layout(const RowSolver& solver, bool loopless);
-
-/// Constraint numbers in that layout; for Layout::elimination this also makes `plan`.
-std::vector<int> solve_order(Layout layout, const Graph& graph, int dof, Elimination& plan);
-
-/// Solves the rows of `work.system` by the chosen solver and puts the impulses into the velocities.
-template <class M>
-void solve_rows(const RowSolver& solver, Bodies<M>& bodies, Work<M>& work, Begin begin = Begin::step);
-
-/// Lays the rows out anew if constraints were added or the solver wants another order.
-template <class S, class M = typename S::model>
-void lay_out(const S& scene, const RowSolver& solver, Work<M>& work) {
-  if (work.version == scene.version() && work.layout == wanted_layout(solver, work.loopless)) return;
-  const Graph graph = scene.graph();
-  work.loopless = has_no_loops(graph);
-  work.layout = wanted_layout(solver, work.loopless);
-  work.version = scene.version();
-  scene.lay_out(solve_order(work.layout, graph, M::dof, work.direct.plan), work.system);
-}
 
 /// λ is an impulse, a force times h: when the step changes, so does the guess that a warm start makes.
 template <class M>
@@ -108,21 +67,59 @@ void bounce(const VelocityStepping& method, Bodies<M>& bodies, Work<M>& work) {
   forget_bounce(work.approach, method.bounce_threshold, work.system);
 }
 
+/// The second half of split impulse: poses move with what (22) adds to the velocities, which stay as they are.
+template <class M>
+void push_poses(const SplitImpulse& cure, const RowSolver& solver, double h, Bodies<M>& bodies, Work<M>& work);
+
+/// The second half of soft constraints: the rows are solved again, hard and without bias, from the λ that stands.
+template <class S, class M = typename S::model>
+void relax(const SoftConstraints& cure, const RowSolver& solver, double h, S& scene, Work<M>& work) {
+  if (!cure.relax) return;
+  System<M>& system = work.system;
+  if (cure.refresh) {
+    work.rate = system.rate;
+    scene.write_rows(system, h);
+    system.rate = work.rate;  // a spring's, or it would push twice
+  } else {
+    system.gamma = work.gamma;
+  }
+  set_bias(NoDriftCure{}, h, system);
+  solve_rows(solver, scene.bodies, work, Begin::again);
+}
+
+/// The cure's first half, before the rows are solved: b of (21), and γ where rows are to be soft.
+template <class M>
+void begin_cure(const DriftCure& cure, double h, Work<M>& work) {
+  set_bias(cure, h, work.system);
+  if (const auto* soft = std::get_if<SoftConstraints>(&cure)) soften(*soft, h, work.system, work.gamma);
+}
+
+/// The cure's second half, once the poses have moved.
+template <class S, class M = typename S::model>
+void end_cure(const VelocityStepping& method, double h, S& scene, Work<M>& work) {
+  if (const auto* projection = std::get_if<Projection>(&method.drift))
+    work.row_solves += project(*projection, scene);
+  if (const auto* split = std::get_if<SplitImpulse>(&method.drift))
+    push_poses(*split, method.solver, h, scene.bodies, work);
+  if (const auto* soft = std::get_if<SoftConstraints>(&method.drift)) relax(*soft, method.solver, h, scene, work);
+}
+
 //! [step]
 /// One time step h [s] of the article's method. Throws std::invalid_argument for h <= 0 or a method outside its
-/// range, SingularSystem from a direct solve.
+/// range or one that refuses the scene, SingularSystem from a direct solve.
 template <class S, class M = typename S::model>
 void advance(S& scene, const VelocityStepping& method, double step, Work<M>& work) {
   require_positive("time step", step, "s");
   for (const double g : scene.gravity) require_finite("gravity", g, "m/s²");
   require_valid(method);
+  if (const std::string reason = refusal(scene, method); !reason.empty()) throw std::invalid_argument(reason);
   if constexpr (S::touches) work.touching.find(scene);  // the article's n, P1 and P2, from shapes
   lay_out(scene, method.solver, work);
   if constexpr (S::touches) work.touching.template write_impulses<S>(work.system);
   const double h = step / method.substeps;
   for (int i = 0; i < method.substeps; ++i) {
-    scene.write_rows(work.system, h);        // J, C, M⁻¹Jᵀ at the current poses
-    set_bias(method.drift, h, work.system);  // b of (21), (22)
+    scene.write_rows(work.system, h);   // J, C, M⁻¹Jᵀ at the current poses
+    begin_cure(method.drift, h, work);  // b of (21), (22)
     if (method.euler == Euler::explicit_) advance_poses(scene.bodies, h);
     note_approach(work.system, scene.bodies.velocity, work.approach);
     begin_turn(method.gyroscopic, scene.bodies, h);
@@ -130,7 +127,7 @@ void advance(S& scene, const VelocityStepping& method, double step, Work<M>& wor
     rescale_impulses(work, h);                      // λ of last step, for the warm start
     solve_rows(method.solver, scene.bodies, work);  // (17) and (20) over all rows
     if (method.euler == Euler::symplectic) advance_poses(scene.bodies, h);
-    work.row_solves += project(method.drift, scene);  // the cure's second half, if it has one on poses
+    end_cure(method, h, scene, work);  // its second half, if it has one
     end_turn(method.gyroscopic, scene.bodies, h);
     bounce(method, scene.bodies, work);
   }

@@ -30,7 +30,7 @@ void sweep_chain(benchmark::State& state, SweepOrder order) {
   Simulation<decltype(scene)> simulation{scene, {GaussSeidel{.sweeps = 1, .order = order}}};
   simulation.step(step);
   auto& system = simulation.work.system;
-  auto& prepared = simulation.work.gauss_seidel;
+  auto& prepared = simulation.work.prepared;
   for (auto _ : state) {
     sweep(system, prepared, system.lambda.data(), numbers<M>(simulation.scene.bodies.velocity));
     benchmark::ClobberMemory();

@@ -81,8 +81,8 @@ TEST(FaceContact, OneSweepLeavesEachEndEitherPressingOrParting) {
     const bool point = face.scene.all<FaceContact>()[0].point;
     face.work.system.upper[0] = face.work.system.lambda[2] =
         0;  // friction comes after the ends and turns them again
-    prepare(face.work.system, BlockSolve::whole, 1.0, face.work.gauss_seidel);
-    sweep(face.work.system, face.work.gauss_seidel, face.work.system.lambda.data(),
+    prepare(face.work.system, BlockSolve::whole, 1.0, face.work.prepared);
+    sweep(face.work.system, face.work.prepared, face.work.system.lambda.data(),
           numbers<M>(face.scene.bodies.velocity));
     const auto& lambda = face.work.system.lambda;
     // Friction comes after the ends and turns the bodies once more, so without it alone the ends are left in
@@ -110,7 +110,7 @@ TEST(FaceContact, ManySweepsLeaveComplementaryEndsAndFrictionWithinWhatTheyPress
       // Above this friction a point can jam, where Coulomb's law has no answer or several.
       face.work.system.upper[0] = std::min(face.work.system.upper[0], 0.3);
       GaussSeidel solver{.sweeps = 3000, .block_solve = way};
-      solve(solver, face.work.system, face.scene.bodies.velocity, face.work.gauss_seidel, Begin::again);
+      solve(solver, face.work.system, face.scene.bodies.velocity, face.work.prepared, Begin::again);
       const auto& lambda = face.work.system.lambda;
       const Rows<3> rate = face.rate();
       const double radius = face.work.system.upper[0] * (lambda[0] + lambda[1]);
