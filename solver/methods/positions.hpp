@@ -82,6 +82,15 @@ void begin_rows(const Kind& constraint, const Bodies<M>& bodies, double h, int r
   }
 }
 
+/// Lets one-sided rows that overlap by more than `way` [m] come out by no more than that in a step that begins
+/// here.
+template <class Kind, class M>
+void push_out_slowly(const Kind& constraint, const Bodies<M>& bodies, double way, int row, PositionRows& rows) {
+  const Rows<Kind::rows> C =
+      constraint.template value<double>(bodies.pose[constraint.at.body1], bodies.pose[constraint.at.body2]);
+  for (int k = 0; k < Kind::drifting; ++k) rows.ask[row + k] = std::max(0.0, -(C[k] + way));
+}
+
 /// C - C₀ + h rate of a constraint's rows where its bodies now stand. An angle that passed half a turn goes on
 /// there.
 template <class Kind, class M>
