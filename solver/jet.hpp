@@ -1,0 +1,97 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+
+#include "solver/jacobian.hpp"
+
+namespace byhand {
+
+/// A quantity along time: its value and its first two derivatives by t, cut off there. Ours because Eigen's dual
+/// numbers, nested to a second derivative, take twice as long to compile and to run: they hold the first one
+/// twice.
+struct Jet {
+  double at = 0, rate = 0, bend = 0;
+
+  Jet() = default;
+  Jet(double constant) : at(constant) {}
+  Jet(double value, double first, double second) : at(value), rate(first), bend(second) {}
+
+  double value() const { return at; }
+
+  friend Jet operator-(const Jet& a) { return {-a.at, -a.rate, -a.bend}; }
+  friend Jet operator+(const Jet& a, const Jet& b) { return {a.at + b.at, a.rate + b.rate, a.bend + b.bend}; }
+  friend Jet operator-(const Jet& a, const Jet& b) { return {a.at - b.at, a.rate - b.rate, a.bend - b.bend}; }
+  friend Jet operator*(const Jet& a, const Jet& b) {
+    return {a.at * b.at, a.rate * b.at + a.at * b.rate, a.bend * b.at + 2 * a.rate * b.rate + a.at * b.bend};
+  }
+  friend Jet operator/(const Jet& a, const Jet& b) {  // from a = q b, derivative by derivative
+    const double q = a.at / b.at, q_rate = (a.rate - q * b.rate) / b.at;
+    return {q, q_rate, (a.bend - 2 * q_rate * b.rate - q * b.bend) / b.at};
+  }
+  Jet& operator+=(const Jet& b) { return *this = *this + b; }
+  Jet& operator-=(const Jet& b) { return *this = *this - b; }
+  Jet& operator*=(const Jet& b) { return *this = *this * b; }
+  Jet& operator/=(const Jet& b) { return *this = *this / b; }
+};
+
+/// q̇ = ½ω q, of a quaternion whose body turns at ω [rad/s] about the world's axes.
+inline Eigen::Quaterniond turning(const Eigen::Quaterniond& q, const Eigen::Vector3d& spin) {
+  return Eigen::Quaterniond(0, spin.x() / 2, spin.y() / 2, spin.z() / 2) * q;
+}
+
+inline Jet sqrt(const Jet& a) {  // from a = r²
+  const double r = std::sqrt(a.at), r_rate = a.rate / (2 * r);
+  return {r, r_rate, (a.bend - 2 * r_rate * r_rate) / (2 * r)};
+}
+
+/// A body on its way with constant V, at the present moment: a rotation by ωt has the derivatives ½ω q and -¼|ω|²
+/// q (in the plane ω i r and -ω² r).
+template <class M>
+Pose<M, Jet> on_its_way(const Pose<M>& pose, const Velocity<M>& V) {
+  Pose<M, Jet> path;
+  for (int i = 0; i < M::linear; ++i) path.position[i] = {pose.position[i], V[i], 0};
+  if constexpr (M::angular == 1) {
+    const auto [cos, sin] = pose.rotation;
+    const double spin = V[M::linear];
+    path.rotation = {{cos, -spin * sin, -spin * spin * cos}, {sin, spin * cos, -spin * spin * sin}};
+  }
+  if constexpr (M::angular == 3) {
+    const Eigen::Quaterniond& q = pose.rotation;
+    const Eigen::Quaterniond rate = turning(q, V.template tail<3>());
+    const double bend = -0.25 * V.template tail<3>().squaredNorm();
+    for (int i = 0; i < 4; ++i)
+      path.rotation.coeffs()[i] = {q.coeffs()[i], rate.coeffs()[i], bend * q.coeffs()[i]};
+  }
+  return path;
+}
+
+//! [bias_acceleration]
+/// J̇V: what of C̈ = J V̇ + J̇V is there without any acceleration, from the constraint's own C of (1) alone: its
+/// second derivative along bodies that move on with constant V [units of C per second²].
+template <class Kind, class M>
+Rows<Kind::rows> bias_acceleration(const Kind& constraint, const Pose<M, Jet>& path1, const Pose<M, Jet>& path2) {
+  const Rows<Kind::rows, Jet> C = constraint.template value<Jet>(path1, path2);
+  Rows<Kind::rows> result;
+  for (int k = 0; k < Kind::rows; ++k) result[k] = C[k].bend;
+  return result;
+}
+//! [bias_acceleration]
+
+}  // namespace byhand
+
+template <>
+struct Eigen::NumTraits<byhand::Jet> : Eigen::NumTraits<double> {
+  using Real = byhand::Jet;
+  using NonInteger = byhand::Jet;
+  using Nested = byhand::Jet;
+  enum {
+    IsComplex = 0,
+    IsInteger = 0,
+    IsSigned = 1,
+    RequireInitialization = 1,
+    ReadCost = 3,
+    AddCost = 3,
+    MulCost = 8
+  };
+};
