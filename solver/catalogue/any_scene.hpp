@@ -94,8 +94,9 @@ class AnyScene {
   std::unique_ptr<RunningScene> running_;
 };
 
-/// Hides the type of a scene. Compiled for each type in a file of its own: solver/catalogue/scenes.
-template <class S>
+/// Hides the type of a scene, which then runs those families of methods. Compiled for each type in a file of its
+/// own: solver/catalogue/scenes.
+template <class S, class Families = Method>
 AnyScene any_scene(S scene);
 
 }  // namespace byhand

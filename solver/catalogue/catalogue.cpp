@@ -36,11 +36,13 @@ SceneParameter angle_of(double initial, const char* meaning = "from straight dow
 }
 SceneParameter length_of(const char* meaning) { return {"length", "m", meaning, 1, 1e-3, 1e3}; }
 
-template <class S>
+template <class Families = Method, class S>
 AnyScene pulled(S scene, const Problem& problem) {
   scene.gravity = -problem["gravity"] * Linear<typename S::model>::Unit(1);
-  return any_scene(std::move(scene));
+  return any_scene<S, Families>(std::move(scene));
 }
+/// Those that are here to show what their model costs.
+using Costed = std::variant<VelocityStepping>;
 
 /// Something that turns about z at the origin, its centre `arm` [m] from there.
 ExactState on_a_circle(double angle, double rate, double arm, double kilograms) {
@@ -50,11 +52,12 @@ ExactState on_a_circle(double angle, double rate, double arm, double kilograms) 
 
 AnyScene make_pendulum(const Problem& p) {
   const double angle = radians(p["angle"]), length = p["length"], kilograms = p["mass"];
-  if (p.model() == balls) return pulled(pendulum<PlaneBody, NormalisedDistance>(angle, length, kilograms), p);
+  if (p.model() == balls)
+    return pulled<Costed>(pendulum<PlaneBody, NormalisedDistance>(angle, length, kilograms), p);
   if (p.model() == space_bobs)
     return pulled(pendulum<SpaceParticle, NormalisedDistance>(angle, length, kilograms), p);
   if (p.model() == space_balls)
-    return pulled(pendulum<SpaceBody, NormalisedDistance>(angle, length, kilograms), p);
+    return pulled<Costed>(pendulum<SpaceBody, NormalisedDistance>(angle, length, kilograms), p);
   return pulled(pendulum<PlaneParticle, NormalisedDistance>(angle, length, kilograms), p);
 }
 Exact exact_pendulum(const Problem& p) {
@@ -88,11 +91,11 @@ Scene<PlaneBody, Pin, FaceContact> that_could_touch(const Scene<PlaneBody, Pin>&
 }
 AnyScene make_chain(const Problem& p, const ChainOptions& chain) {
   if (p.model() == bobs) return pulled(rod_chain<PlaneParticle, NormalisedDistance>(chain), p);
-  if (p.model() == balls) return pulled(rod_chain<PlaneBody, NormalisedDistance>(chain), p);
+  if (p.model() == balls) return pulled<Costed>(rod_chain<PlaneBody, NormalisedDistance>(chain), p);
   if (p.model() == space_bobs) return pulled(rod_chain<SpaceParticle, NormalisedDistance>(chain), p);
-  if (p.model() == space_balls) return pulled(rod_chain<SpaceBody, NormalisedDistance>(chain), p);
+  if (p.model() == space_balls) return pulled<Costed>(rod_chain<SpaceBody, NormalisedDistance>(chain), p);
   if (p.model() == space_links) return pulled(pinned_chain<SpaceBody>(chain), p);
-  if (p.model() == touching_links) return pulled(that_could_touch(pinned_chain<PlaneBody>(chain)), p);
+  if (p.model() == touching_links) return pulled<Costed>(that_could_touch(pinned_chain<PlaneBody>(chain)), p);
   return pulled(pinned_chain<PlaneBody>(chain), p);
 }
 Exact exact_chain(const Problem& p, const ChainOptions& chain) {

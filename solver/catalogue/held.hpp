@@ -40,7 +40,12 @@ Eigen::Matrix3d rotation_in_space(const Pose<M>& pose) {
   return R;
 }
 
-template <class S>
+template <class Family, class Families>
+inline constexpr bool is_among = false;
+template <class Family, class... Families>
+inline constexpr bool is_among<Family, std::variant<Families...>> = (std::is_same_v<Family, Families> || ...);
+
+template <class S, class Families>
 class HeldScene final : public RunningScene {
   using M = typename S::model;
 
@@ -50,18 +55,26 @@ class HeldScene final : public RunningScene {
   std::unique_ptr<RunningScene> clone() const override { return std::make_unique<HeldScene>(*this); }
 
   void use(const Method& method) override {
+    std::visit([](const auto& family) { require_valid(family); }, method);
+    if (const std::string reason = refusal(method); !reason.empty()) throw std::invalid_argument(reason);
     std::visit(
         [&]<class Family>(const Family& family) {
-          require_valid(family);
-          if (const std::string reason = byhand::refusal(scene(), family); !reason.empty())
-            throw std::invalid_argument(reason);
-          const double now = time();
-          simulation_ = Simulation<S, Family>{S(scene()), family, {}, now};
+          if constexpr (is_among<Family, Families>) {
+            const double now = time();
+            simulation_ = Simulation<S, Family>{S(scene()), family, {}, now};
+          }
         },
         method);
   }
   std::string refusal(const Method& method) const override {
-    return std::visit([&](const auto& family) { return byhand::refusal(scene(), family); }, method);
+    return std::visit(
+        [&]<class Family>(const Family& family) -> std::string {
+          if constexpr (is_among<Family, Families>)
+            return byhand::refusal(scene(), family);
+          else
+            return "this scene shows what its model costs, and is stepped by velocities alone";
+        },
+        method);
   }
 
   void step(double h) override {
@@ -188,14 +201,14 @@ class HeldScene final : public RunningScene {
       if (moves(masses[i])) f(i, 1 / masses[i].linear);
   }
 
-  typename SimulationsOf<S, Method>::type simulation_;
+  typename SimulationsOf<S, Families>::type simulation_;
 };
 
 }  // namespace detail
 
-template <class S>
+template <class S, class Families>
 AnyScene any_scene(S scene) {
-  return AnyScene(std::make_unique<detail::HeldScene<S>>(std::move(scene)));
+  return AnyScene(std::make_unique<detail::HeldScene<S, Families>>(std::move(scene)));
 }
 
 }  // namespace byhand

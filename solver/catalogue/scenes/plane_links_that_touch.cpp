@@ -4,6 +4,7 @@
 
 namespace byhand {
 
-template AnyScene any_scene(Scene<PlaneBody, Pin, FaceContact>);
+template AnyScene any_scene<Scene<PlaneBody, Pin, FaceContact>, std::variant<VelocityStepping>>(
+    Scene<PlaneBody, Pin, FaceContact>);
 
 }  // namespace byhand
