@@ -113,8 +113,10 @@ void apply_all(const System<M>& system, const std::vector<double>& lambda, std::
 template <class M>
 void rates_of(const System<M>& system, const std::vector<Velocity<M>>& V, std::vector<double>& rates) {
   system.for_each_run([&]<int K, Bound B>(std::span<const Block<M, K, B>> blocks) {
-    for (const auto& block : blocks)
-      Eigen::Map<Rows<K>>(&rates[block.row]) = dot(block.J, V[block.body1], V[block.body2]);
+    for (const auto& block : blocks) {
+      const Rows<K> rate = dot(block.J, V[block.body1], V[block.body2]);
+      for (int k = 0; k < K; ++k) rates[block.row + k] = rate[k];
+    }
   });
 }
 
