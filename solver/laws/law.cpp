@@ -4,6 +4,8 @@
 #include <limits>
 
 #include "solver/laws/baumgarte.hpp"
+#include "solver/laws/creep.hpp"
+#include "solver/laws/hopping.hpp"
 #include "solver/laws/transverse.hpp"
 #include "solver/laws/warm_start.hpp"
 #include "solver/require.hpp"
@@ -11,11 +13,7 @@
 namespace byhand::laws {
 
 std::vector<Law> all() {
-  std::vector<Law> laws;
-  laws.push_back(one_row());
-  laws.push_back(warm_start());
-  laws.push_back(transverse());
-  return laws;
+  return {one_row(), warm_start(), transverse(), heavy_on_light(), creep(), hopping(), exact_columns()};
 }
 
 double bisect(const std::function<bool(double)>& holds, double low, double high, double resolution) {
@@ -32,7 +30,7 @@ double bisect(const std::function<bool(double)>& holds, double low, double high,
 Boundary bisected(Boundary boundary) {
   boundary.measured = [holds = boundary.holds, at = boundary.predicted, tolerance = boundary.tolerance] {
     for (double width = 1 + 2 * tolerance; width < 8; width *= width)
-      if (holds(at / width) != holds(at * width)) return bisect(holds, at / width, at * width, tolerance / 10);
+      if (holds(at / width) != holds(at * width)) return bisect(holds, at / width, at * width, tolerance / 5);
     return std::numeric_limits<double>::quiet_NaN();
   };
   return boundary;

@@ -42,7 +42,7 @@ std::vector<Law> all();
 /// Throws std::invalid_argument where it does not change.
 double bisect(const std::function<bool(double)>& holds, double low, double high, double resolution);
 
-/// Gives a boundary its experiment: bisection around the predicted value, to a tenth of the tolerance; NaN where
+/// Gives a boundary its experiment: bisection around the predicted value, to a fifth of the tolerance; NaN where
 /// nothing changes within a factor of 8.
 Boundary bisected(Boundary boundary);
 

@@ -6,10 +6,17 @@
 #include <span>
 
 namespace byhand::laws {
+namespace {
+
+constexpr std::size_t long_enough = 500;  // steps
+
+}  // namespace
 
 bool Record::note(double x) {
   numbers_.push_back(x);
-  return std::abs(x) <= large_;
+  largest_ = std::max(largest_, std::abs(x));
+  quiet_ = std::abs(x) <= 1e-4 * disturbance_ ? quiet_ + 1 : 0;
+  return std::abs(x) <= large_ && quiet_ < long_enough;
 }
 
 Outcome Record::outcome() const {
@@ -21,9 +28,10 @@ Outcome Record::outcome() const {
     return std::inner_product(x.begin(), x.end(), x.begin(), 0.0);
   };
   const auto [low, high] = std::minmax_element(last.begin(), last.end());
-  const bool gone = std::max(-*low, *high) <= small_;
   constexpr double for_certain = 1 - 1e-9;  // what is held off does not change but for rounding
-  if (gone || square(last) < for_certain * square(before)) return Outcome::settles;
+  const bool gone = quiet_ >= std::min(third, long_enough);
+  const bool dying = largest_ <= 1e4 * disturbance_ && square(last) < for_certain * square(before);
+  if (gone || dying) return Outcome::settles;
   return *low < 0 && *high > 0 ? Outcome::rings : Outcome::drifts;
 }
 

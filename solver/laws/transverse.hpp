@@ -13,7 +13,8 @@ struct TautChain {
   int substeps = 1;
   int sweeps = 0;  // of Gauss–Seidel; 0 solves each step exactly
 };
-/// Settles as long as it swings no wider than a thousand times as far as it began to: a chain does swing.
+/// Settles as long as it swings no wider than a thousand times as far as at first: a chain does swing. What swings
+/// wider explodes, or rings where its links' own stretch holds it.
 Outcome run(const TautChain& chain);
 
 /// The heaviest end that this chain bears [kg].

@@ -46,7 +46,7 @@ Outcome run(const WarmChain& chain) {
   simulation.scene.gravity.setZero();
   auto& pose = simulation.scene.bodies.pose;
   for (int i = 1; i <= chain.links; ++i) pose[i].position.y() += size * uneven(i);
-  Record record(1e-3 * size, 0.5);
+  Record record(size, 0.5);
   for (int i = 0; i < chain.steps; ++i) {
     simulation.step(1.0 / 60);
     if (!record.note(pose[chain.links].position.y() + chain.links)) break;
