@@ -1,6 +1,6 @@
 #pragma once
 
-#include "solver/methods/velocity_stepping.hpp"
+#include "solver/shared_scenes.hpp"
 
 namespace byhand {
 

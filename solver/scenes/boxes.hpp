@@ -69,4 +69,8 @@ void kick(S& scene, double speed) {
     if (moves(bodies.inverse_mass[i])) bodies.velocity[i].x() += speed * bodies.pose[i].position.y() / top;
 }
 
+// Compiled once, in the library.
+extern template Boxes stack(int, double, const Surface&);
+extern template Boxes pyramid(int, const Surface&);
+
 }  // namespace byhand

@@ -66,4 +66,16 @@ Scene<M, Pin> pinned_chain(const ChainOptions& chain) {
   return scene;
 }
 
+// Compiled once, in the library.
+extern template Scene<PlaneParticle, Distance> rod_chain(const ChainOptions&);
+extern template Scene<PlaneParticle, NormalisedDistance> rod_chain(const ChainOptions&);
+extern template Scene<PlaneBody, Distance> rod_chain(const ChainOptions&);
+extern template Scene<PlaneBody, NormalisedDistance> rod_chain(const ChainOptions&);
+extern template Scene<SpaceParticle, Distance> rod_chain(const ChainOptions&);
+extern template Scene<SpaceParticle, NormalisedDistance> rod_chain(const ChainOptions&);
+extern template Scene<SpaceBody, Distance> rod_chain(const ChainOptions&);
+extern template Scene<SpaceBody, NormalisedDistance> rod_chain(const ChainOptions&);
+extern template Scene<PlaneBody, Pin> pinned_chain(const ChainOptions&);
+extern template Scene<SpaceBody, Pin> pinned_chain(const ChainOptions&);
+
 }  // namespace byhand

@@ -56,4 +56,16 @@ Scene<M, Pin> hinged_rod(double angle, double length, double mass) {
   return scene;
 }
 
+// Compiled once, in the library.
+extern template Scene<PlaneParticle, Distance> pendulum(double, double, double);
+extern template Scene<PlaneParticle, NormalisedDistance> pendulum(double, double, double);
+extern template Scene<PlaneBody, Distance> pendulum(double, double, double);
+extern template Scene<PlaneBody, NormalisedDistance> pendulum(double, double, double);
+extern template Scene<SpaceParticle, Distance> pendulum(double, double, double);
+extern template Scene<SpaceParticle, NormalisedDistance> pendulum(double, double, double);
+extern template Scene<SpaceBody, Distance> pendulum(double, double, double);
+extern template Scene<SpaceBody, NormalisedDistance> pendulum(double, double, double);
+extern template Scene<PlaneBody, Pin> hinged_rod(double, double, double);
+extern template Scene<SpaceBody, Pin> hinged_rod(double, double, double);
+
 }  // namespace byhand
