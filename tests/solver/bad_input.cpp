@@ -18,8 +18,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 const double nan = std::nan("");
 
 /// Expects the sentence "`name` is `value`, but it must be `allowed`".
-template <class F>
-void expect_refusal(F&& f, const std::string& name_and_value, const std::string& allowed) {
+void expect_refusal(const std::function<void()>& f, const std::string& name_and_value,
+                    const std::string& allowed) {
   EXPECT_THAT(f, ThrowsMessage<std::invalid_argument>(
                      AllOf(StartsWith(name_and_value), HasSubstr(", but it must be "), HasSubstr(allowed))));
 }
@@ -47,8 +47,7 @@ struct Subject {
   Subject() {
     for (int i = 0; i < 2; ++i) scene.add_body(random.pose<M>(), random.mass<M>());
   }
-  template <class F>
-  void refuses(F&& f, const std::string& name_and_value, const std::string& allowed) {
+  void refuses(const std::function<void()>& f, const std::string& name_and_value, const std::string& allowed) {
     const int bodies = scene.bodies.size(), constraints = scene.count();
     expect_refusal(f, name_and_value, allowed);
     EXPECT_EQ(scene.bodies.pose.size(), bodies);
