@@ -134,6 +134,12 @@ class Scene {
     for (const Number& number : numbered_) visit(number, f);
   }
 
+  /// Calls f(constraint) for the constraint of that number.
+  template <class F>
+  void visit(int number, F&& f) const {
+    visit(numbered_[number], f);
+  }
+
   /// What the order of solving depends on; a body that does not move takes no part.
   Graph graph() const;
 

@@ -77,17 +77,17 @@ class Touching {
     version_ = scene.version();
   }
 
-  /// Gives the found rows of the scene's system the impulses that their contacts had.
-  template <class S>
-  void write_impulses(System<M>& system) const {
+  /// Gives the found rows of the scene, in a System or PositionRows, the impulses that their contacts had.
+  template <class S, class AnyRows>
+  void write_impulses(AnyRows& rows) const {
     for (const Touch& touch : touches_)
-      for_each_row<S>(touch, system.row_of, [&](int row, double kept) { system.lambda[row] = kept; });
+      for_each_row<S>(touch, rows.row_of, [&](int row, double kept) { rows.lambda[row] = kept; });
   }
   /// Keeps the impulses of the found rows for the next step.
-  template <class S>
-  void read_impulses(const System<M>& system) {
+  template <class S, class AnyRows>
+  void read_impulses(const AnyRows& rows) {
     for (Touch& touch : touches_)
-      for_each_row<S>(touch, system.row_of, [&](int row, double& kept) { kept = system.lambda[row]; });
+      for_each_row<S>(touch, rows.row_of, [&](int row, double& kept) { kept = rows.lambda[row]; });
   }
 
  private:

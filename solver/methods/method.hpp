@@ -1,6 +1,7 @@
 #pragma once
 
 #include "solver/methods/accelerations.hpp"
+#include "solver/methods/avbd.hpp"
 #include "solver/methods/rattle.hpp"
 #include "solver/methods/velocity_stepping.hpp"
 #include "solver/methods/xpbd.hpp"
@@ -13,6 +14,6 @@ namespace byhand {
 ///   require_valid(family)                    throws std::invalid_argument for a choice outside its range
 ///   refusal(scene, family)                   why it cannot run a scene, in one sentence; empty where it can
 ///   advance(scene, family, step, work)       one time step [s]; throws std::invalid_argument with the refusal
-using Method = std::variant<VelocityStepping, Accelerations, Rattle, Xpbd>;
+using Method = std::variant<VelocityStepping, Accelerations, Rattle, Xpbd, Avbd>;
 
 }  // namespace byhand

@@ -26,12 +26,15 @@ namespace byhand {
 
 /// The rows of a scene as methods on positions see them: one number a row, constraints in natural order.
 struct PositionRows {
-  std::vector<double> impulse;  // Λ = hλ [kg m, or what C's unit makes of it]
-  std::vector<double> gamma;    // γ
-  std::vector<double> from;     // C₀ of rows whose change counts, 0 of rows with a C
-  std::vector<double> ask;      // what the row adds to that: h rate
-  std::vector<int> row_of;      // for each constraint by its number, its first row
-  int version = -1;             // of the scene
+  std::vector<double> impulse;   // Λ = hλ [kg m, or what C's unit makes of it]
+  std::vector<double> gamma;     // γ
+  std::vector<double> from;      // C₀ of rows whose change counts, 0 of rows with a C
+  std::vector<double> ask;       // what the row adds to that: h rate
+  std::vector<double> approach;  // JV before the step, of rows that may bounce
+  std::vector<double> lambda;    // λ = Λ/h of the last step [N s]
+  std::vector<int> row_of;       // for each constraint by its number, its first row
+  int version = -1;              // of the scene
+  int lasting = 0;               // how many rows, the first, are of constraints that were added rather than found
 
   int rows() const { return static_cast<int>(impulse.size()); }
 };
@@ -46,25 +49,36 @@ void for_each_with_row(const S& scene, F&& f) {
   });
 }
 
-/// Makes room for the scene's rows if constraints came or went. Λ of those that were added and stay is kept.
+/// Makes room for the scene's rows if constraints came or went. λ of those that were added and stay is kept.
 /// Returns whether anything changed.
 template <class S>
 bool lay_out(const S& scene, PositionRows& rows) {
   if (rows.version == scene.version()) return false;
   rows.version = scene.version();
   rows.row_of.clear();
-  int count = 0, lasting = 0;
+  const int kept = rows.lasting;
+  int count = 0;
+  rows.lasting = 0;
   for_each_with_row(scene, [&](const auto& constraint, int row) {
     rows.row_of.push_back(row);
     count = row + std::remove_cvref_t<decltype(constraint)>::rows;
-    if (static_cast<int>(rows.row_of.size()) == scene.lasting()) lasting = count;
+    if (static_cast<int>(rows.row_of.size()) == scene.lasting()) rows.lasting = count;
   });
-  rows.impulse.resize(std::min(lasting, rows.rows()));
-  for (auto* numbers : {&rows.impulse, &rows.gamma, &rows.from, &rows.ask}) numbers->resize(count);
+  rows.lambda.resize(std::min(kept, rows.lasting));
+  for (auto* numbers : {&rows.lambda, &rows.impulse, &rows.gamma, &rows.from, &rows.ask, &rows.approach})
+    numbers->resize(count);
   return true;
 }
 
-/// Writes what a constraint's rows ask for over a step h [s] that begins at these poses.
+/// Notes JV of a contact before the step.
+template <class Kind, class M>
+void note_approach(const Kind& contact, const Bodies<M>& bodies, int row, PositionRows& rows) {
+  const int body1 = contact.at.body1, body2 = contact.at.body2;
+  Eigen::Map<Rows<Kind::rows>>(&rows.approach[row]) = dot(contact.jacobian(bodies.pose[body1], bodies.pose[body2]),
+                                                          bodies.velocity[body1], bodies.velocity[body2]);
+}
+
+/// Writes what a constraint's rows ask for over a step h [s] that begins at these poses and velocities.
 template <class Kind, class M>
 void begin_rows(const Kind& constraint, const Bodies<M>& bodies, double h, int row, PositionRows& rows) {
   const Pose<M>&pose1 = bodies.pose[constraint.at.body1], &pose2 = bodies.pose[constraint.at.body2];
@@ -80,6 +94,7 @@ void begin_rows(const Kind& constraint, const Bodies<M>& bodies, double h, int r
   } else {
     for (int k = 0; k < Kind::rows; ++k) rows.gamma[row + k] = constraint.softness;
   }
+  if constexpr (requires { constraint.restitution; }) note_approach(constraint, bodies, row, rows);
 }
 
 /// Lets one-sided rows that overlap by more than `way` [m] come out by no more than that in a step that begins
@@ -176,5 +191,60 @@ void solve_on_positions(const Kind& constraint, Bodies<M>& bodies, double h, int
   });
 }
 //! [newton]
+
+/// The velocity with which `move` comes from one pose to another in a time h [s], by less than half a turn: in
+/// space the exact logarithm, as `move` takes the exact exponential. (Twice the vector part of the turn, as XPBD's
+/// paper has it, is sin(φ/2)/(φ/2) of that, and brakes a body that nothing holds.)
+template <class M>
+Velocity<M> velocity_between(const Pose<M>& before, const Pose<M>& after, double h) {
+  Velocity<M> V;
+  V.template head<M::linear>() = (after.position - before.position) / h;
+  if constexpr (M::angular == 1) V[M::linear] = principal_angle(after.rotation * inverse(before.rotation)) / h;
+  if constexpr (M::angular == 3) V.template tail<3>() = turn_of(after.rotation * inverse(before.rotation)) / h;
+  return V;
+}
+template <class M>
+void velocities_between(const std::vector<Pose<M>>& before, double h, Bodies<M>& bodies) {
+  for (int i = 0; i < bodies.size(); ++i)
+    if (moves(bodies.inverse_mass[i])) bodies.velocity[i] = velocity_between<M>(before[i], bodies.pose[i], h);
+}
+
+/// Gives a contact that was met faster than `threshold` [m/s] and pressed the velocity -e JV⁻ with which it parts:
+/// its rows once more, for velocities, from the λ that stands. Returns whether it bounced.
+template <class Kind, class M>
+bool bounce(const Kind& contact, Bodies<M>& bodies, double threshold, int row, PositionRows& rows) {
+  constexpr int K = Kind::rows;
+  Eigen::Map<Rows<K>> lambda(&rows.lambda[row]);
+  Rows<K> parting = Rows<K>::Zero();
+  for (int k = 0; k < Kind::drifting; ++k)
+    if (lambda[k] > 0 && rows.approach[row + k] < -threshold)
+      parting[k] = -contact.restitution * rows.approach[row + k];
+  if (parting.isZero(0)) return false;
+  const int body1 = contact.at.body1, body2 = contact.at.body2;
+  const InverseMass<M>&mass1 = bodies.inverse_mass[body1], &mass2 = bodies.inverse_mass[body2];
+  const Pose<M>&pose1 = bodies.pose[body1], &pose2 = bodies.pose[body2];
+  Velocity<M>&V1 = bodies.velocity[body1], &V2 = bodies.velocity[body2];
+  const Jacobian<M, K> J = contact.jacobian(pose1, pose2);
+  const Jacobian<M, K> W = times_inverse_mass(J, mass1, pose1, mass2, pose2);
+  const Rows<K> change = bounded_newton<Kind::bound, K>(inverse_effective_mass(J, W), dot(J, V1, V2) - parting,
+                                                        lambda, impulse_bounds(contact, 1, rows));
+  lambda += change;
+  if (moves(mass1)) V1 += W.side1().transpose() * change;
+  if (moves(mass2)) V2 += W.side2().transpose() * change;
+  return true;
+}
+
+/// Ends a step h [s] of all rows: λ from Λ, and the contacts that bounce. Returns how many rows of those were
+/// solved.
+template <class S>
+long long end_rows(S& scene, double h, double threshold, PositionRows& rows) {
+  long long solved = 0;
+  for (int row = 0; row < rows.rows(); ++row) rows.lambda[row] = rows.impulse[row] / h;
+  for_each_with_row(scene, [&]<class Kind>(const Kind& constraint, int row) {
+    if constexpr (requires { constraint.restitution; })
+      if (bounce(constraint, scene.bodies, threshold, row, rows)) solved += Kind::rows;
+  });
+  return solved;
+}
 
 }  // namespace byhand
