@@ -1,6 +1,7 @@
 #include "solver/catalogue/chooser.hpp"
 
 #include <algorithm>
+#include <numbers>
 
 namespace byhand {
 namespace {
@@ -164,16 +165,19 @@ double margin(const Problem& problem, const Point& point, Error error, double li
                                       [&](const SceneParameter& one) { return one.name == scene.stress; });
   const double value = problem[scene.stress];
   const auto holds = [&](double factor) {
+    if (factor == 1) return true;
     const Point again = measure(problem.with(scene.stress, factor * value), *point.configuration, point.knob,
                                 point.tuning, {error == Error::algebraic, error, limit});
     return again.has(error) && again[error] <= limit;
   };
   if (!(value > 0)) return NAN;
-  double low = 1, high = std::min(2.0, parameter->high / value);
-  while (holds(high)) {
+  const double most = std::min(1000.0, parameter->high / value);
+  double low = 1, high = 1;
+  while (
+      holds(high)) {  // in short strides: where steps are too long for a stiff scene, good bands follow bad ones
     low = high;
-    if (high * value >= parameter->high) return INFINITY;
-    high = std::min(2 * high, parameter->high / value);
+    if (high >= most) return INFINITY;
+    high = std::min(std::numbers::sqrt2 * high, most);
   }
   while (high > 1.05 * low) {
     const double middle = std::sqrt(low * high);

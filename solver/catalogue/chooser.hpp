@@ -22,8 +22,8 @@ struct Choice {
   std::vector<Point> passed;      // what cannot run this scene or failed, one point a configuration
   std::optional<Point> finer;     // the cheapest of all with a tenth of the error; where accuracy is wanted
   // The factor on the scene's stress parameter at which what is recommended no longer reaches the accuracy, or
-  // twice the error that it has within a budget; infinite if it still does at the parameter's upper end,
-  // NaN if the parameter is not above zero.
+  // twice the error that it has within a budget; infinite if it does at a thousand and at the parameter's upper
+  // end, NaN if the parameter is not above zero.
   double margin = NAN;
 };
 
@@ -33,9 +33,9 @@ struct Search {
 };
 
 /// Runs the configurations over the problem with their knobs doubled and then halved in between, and chooses. The
-/// answer has been run. With Cost::wall_time runs are also timed, one after the other. Throws
-/// std::invalid_argument unless the wish names an accuracy or a budget, one of them and above zero, and an error
-/// that this scene has.
+/// answer has been run, and points into `among`. With Cost::wall_time runs are also timed, one after the other.
+/// Throws std::invalid_argument unless the wish names an accuracy or a budget, one of them and above zero, and an
+/// error that this scene has.
 Choice choose(const Problem& problem, const Wish& wish, const std::vector<Configuration>& among = configurations(),
               const Search& search = {});
 

@@ -79,9 +79,14 @@ std::vector<Configuration> make_configurations() {
   relaxed.setting = [](int count, double omega) {
     return Setting{stepping(GaussSeidel{.sweeps = count, .relaxation = omega}, NoDriftCure{})};
   };
+  const auto avbd = [](int iterations, double alpha) {
+    return Setting{Avbd{.iterations = iterations, .alpha = alpha, .gyroscopic = Gyroscopic::implicit}};
+  };
+
   return {
       direct,
       by_default(direct, 0.2),
+      by_substeps("conjugate sweeps", 64, ConjugateSweeps{}, "β", betas, baumgarte),
       by_substeps("RATTLE", 64, Rattle{}),
       by_substeps("implicit midpoint", 64, Accelerations{Scheme::implicit_midpoint}),
       by_substeps("RK4", 64, Accelerations{Scheme::rk4}),
@@ -103,6 +108,7 @@ std::vector<Configuration> make_configurations() {
                 [](int count) { return ConjugateGradients{.iterations = count, .tolerance = 0}; }),
       by_sweeps("accelerated gradient", "iterations", 1024,
                 [](int count) { return AcceleratedGradient{.iterations = count, .tolerance = 0}; }),
+      {"AVBD, iterations", "iterations", doubling(1, 1024), "α", {0, 0.95}, false, false, avbd},
   };
 }
 

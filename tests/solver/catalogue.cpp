@@ -76,8 +76,10 @@ TEST_P(EveryScene, BeginsOnItsConstraintsWhereItsReferenceDoes) {
 TEST_P(EveryScene, ComesToItsReferenceAsStepsAreShortened) {
   // The rows of each substep solved exactly: what is left is the time step's error, of first order.
   const Problem problem = small(GetParam());
-  const Configuration& direct = configuration_named("direct, substeps");
-  const Point coarse = measure(problem, direct, 16, 1), fine = measure(problem, direct, 64, 1);
+  // A pyramid's rows repeat each other, which the direct solve refuses.
+  const bool repeats = GetParam().scene == "pyramid";
+  const Configuration& exact = configuration_named(repeats ? "conjugate sweeps, substeps" : "direct, substeps");
+  const Point coarse = measure(problem, exact, 16, 1), fine = measure(problem, exact, 64, 1);
   ASSERT_EQ(fine.outcome, Outcome::finished) << fine.reason;
   const double rounding = std::max(1e-9, 10 * problem.reference().uncertainty);
   for (const Error error : {Error::drift, Error::trajectory}) {

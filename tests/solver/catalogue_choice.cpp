@@ -13,15 +13,16 @@ using testing::ThrowsMessage;
 Configuration only(const std::string& name, int values) {
   Configuration configuration = configuration_named(name);
   configuration.values.resize(values);
+  configuration.tunings = {0, 0.2};
   return configuration;
 }
 
 /// Ways that are quick to compare.
 std::vector<Configuration> a_few() {
-  return {only("Gauss–Seidel, sweeps", 8), only("Gauss–Seidel, substeps", 7), only("direct, substeps", 6)};
+  return {only("Gauss–Seidel, sweeps", 6), only("Gauss–Seidel, substeps", 6), only("direct, substeps", 5)};
 }
 
-Problem short_chain() { return Problem("chain", {{"links", 8}, {"end_mass", 20}}); }
+Problem short_chain() { return Problem("chain", {{"links", 4}, {"end_mass", 20}}); }
 
 std::vector<Point> swept(const Problem& problem, const Configuration& configuration, double tuning) {
   std::vector<Point> points;
@@ -87,10 +88,10 @@ TEST(FittedOrder, IsNoneWhereTheStepIsNotShortened) {
 
 TEST(Measure, TellsStableFromAccurate) {
   // More sweeps bring a chain to the direct solve of the same step, and no further: the rest is the step's.
-  const Problem problem = short_chain();
+  const Problem problem("chain", {{"links", 4}});
   const Configuration& sweeps = configuration_named("Gauss–Seidel, sweeps");
   const Point few = measure(problem, sweeps, 4, 0.2, {.algebraic = true}),
-              many = measure(problem, sweeps, 1024, 0.2, {.algebraic = true}),
+              many = measure(problem, sweeps, 256, 0.2, {.algebraic = true}),
               direct = measure(problem, configuration_named("direct, substeps"), 1, 0.2, {.algebraic = true});
   EXPECT_GT(few[Error::algebraic], 1e-3);
   EXPECT_LT(many[Error::algebraic], 1e-6);
@@ -100,8 +101,7 @@ TEST(Measure, TellsStableFromAccurate) {
 }
 
 TEST(Measure, KeepsAFailureAsAPointWithItsReason) {
-  Configuration wild = configuration_named("direct, substeps");
-  const Point blown = measure(Problem("chain", {{"links", 20}, {"end_mass", 1e4}}), wild, 1, 1);
+  const Point blown = measure(short_chain(), configuration_named("Gauss–Seidel, substeps"), 32, 1);
   EXPECT_EQ(blown.outcome, Outcome::failed);
   EXPECT_THAT(blown.reason, HasSubstr("blew up after"));
   EXPECT_FALSE(blown.has(Error::drift));
@@ -118,7 +118,7 @@ TEST(Measure, GivesTheSameNumbersTwice) {
 TEST(Chooser, RecommendsTheCheapestThatReachesTheAccuracy) {
   const Problem problem = short_chain();
   const auto among = a_few();
-  const Wish wish{.error = Error::drift, .accuracy = 1e-3};
+  const Wish wish{.error = Error::drift, .accuracy = 1e-2};
   const Choice choice = choose(problem, wish, among);
   ASSERT_TRUE(choice.reached);
   // It does when it is run again; the next smaller knob does not, with any tuning.
@@ -141,8 +141,9 @@ TEST(Chooser, RecommendsTheCheapestThatReachesTheAccuracy) {
 
 TEST(Chooser, FindsTheMarginByRunning) {
   const Problem problem = short_chain();
-  const Wish wish{.error = Error::drift, .accuracy = 1e-3};
-  const Choice choice = choose(problem, wish, {only("Gauss–Seidel, substeps", 9)});
+  const Wish wish{.error = Error::drift, .accuracy = 1e-2};
+  const std::vector<Configuration> among{only("direct, substeps", 5)};
+  const Choice choice = choose(problem, wish, among);
   ASSERT_TRUE(choice.reached);
   ASSERT_TRUE(std::isfinite(choice.margin));
   const auto drift = [&](double factor) {
@@ -150,7 +151,9 @@ TEST(Chooser, FindsTheMarginByRunning) {
     return measure(problem.with("end_mass", factor * 20), *best.configuration, best.knob, best.tuning)[wish.error];
   };
   EXPECT_GT(drift(choice.margin), wish.accuracy);
-  EXPECT_LE(drift(std::max(1.0, choice.margin / 1.06)), wish.accuracy);
+  EXPECT_GT(choice.margin, 1);
+  for (double factor = 1; factor < choice.margin / 1.05; factor *= std::sqrt(2.0))
+    EXPECT_LE(drift(factor), wish.accuracy) << factor;
 }
 
 TEST(Chooser, SpendsABudgetOnTheMostAccurate) {
