@@ -16,6 +16,11 @@
 // goes round at ω leaves its circle by (ωh)²/2 of its radius in each step, of which β takes its share back, so
 // that it stays too long by C/L = (ωh)²/2β.
 //
+// Law 3. Without a cure nothing takes (vh)²/2R back, and the distance R grows by that in every step; vR, the
+// angular momentum, stays: dR/dt = h v²/2R = h (v0 R0)²/2R³, so that
+//
+//   R = R0 (1 + 2 v0² h t/R0²)^¼,  first linear in t, then its fourth root
+//
 // J. Baumgarte, "Stabilization of constraints and integrals of motion in dynamical systems", Computer Methods in
 // Applied Mechanics and Engineering 1, 1972, for the idea; the limit per step is the geometric series'.
 namespace byhand::laws {
@@ -30,6 +35,13 @@ double stretch_of_a_spinning_rod(double beta, double turn) {
   Simulation<Rod> simulation{particle_on_a_circle<M>(1, turn / h, 1), {GaussSeidel{}, Baumgarte{beta}}};
   for (int i = 0; i < 300; ++i) simulation.step(h);
   return simulation.scene.bodies.pose[1].position.norm() - 1;
+}
+
+/// R/R0 of a particle that nothing draws back, after 1 s.
+double spread(double speed, double step) {
+  Simulation<Rod> simulation{particle_on_a_circle<M>(1, speed, 1), {GaussSeidel{}, NoDriftCure{}}};
+  while (simulation.time < 1 - 0.5 * step) simulation.step(step);
+  return simulation.scene.bodies.pose[1].position.norm();
 }
 
 }  // namespace
@@ -64,6 +76,19 @@ Law one_row() {
     law.boundaries.push_back({"C/L", "", fmt::format("β {}, {} rad a step", beta, turn), turn * turn / (2 * beta),
                               0.01, [=] { return stretch_of_a_spinning_rod(beta, turn); }});
   }
+  return law;
+}
+
+Law uncorrected_drift() {
+  Law law{3,
+          Family::too_large_a_step,
+          "without a correction what turns drifts outwards",
+          "R = R0 (1 + 2 v0² h t/R0²)^¼",
+          {}};
+  for (const auto& [speed, rate] : {std::pair{1, 60}, {3, 60}, {10, 60}, {30, 60}, {30, 240}})
+    law.boundaries.push_back({"R/R0 after 1 s", "", fmt::format("{} m/s on 1 m, {} Hz", speed, rate),
+                              std::pow(1 + 2.0 * speed * speed / rate, 0.25), 0.01,
+                              [speed = speed, rate = rate] { return spread(speed, 1.0 / rate); }});
   return law;
 }
 

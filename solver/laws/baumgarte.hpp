@@ -10,4 +10,7 @@ Outcome stretched_rod(double beta, double step, bool literally = false);
 /// Law 1: what a correction by β leaves of one row's error.
 Law one_row();
 
+/// Law 3: drift without correction.
+Law uncorrected_drift();
+
 }  // namespace byhand::laws

@@ -1,6 +1,7 @@
 #include "solver/laws/column.hpp"
 
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "solver/laws/record.hpp"
@@ -16,6 +17,7 @@ using M = PlaneBody;
 Simulation<Boxes> put_down(const Column& column, double overlap) {
   VelocityStepping method{GaussSeidel{column.sweeps}, Baumgarte{column.beta}};
   if (column.sweeps == 0) method.solver = Direct{.regularisation = column.regularisation};
+  if (column.frequency > 0) method.drift = SoftConstraints{.frequency = 2 * std::numbers::pi * column.frequency};
   method.substeps = column.substeps;
   Simulation<Boxes> simulation{{}, method};
   Boxes& scene = simulation.scene;
@@ -73,6 +75,27 @@ Outcome hop(const Column& column) {
     if (quiet == 500) return Outcome::settles;
   }
   return Outcome::rings;
+}
+
+bool pops(const Column& column, double overlap) {
+  Simulation<Boxes> simulation = put_down(column, overlap);
+  for (int i = 0; i < column.steps; ++i) {
+    simulation.step(column.step);
+    if (simulation.scene.bodies.pose[1].position.y() > 0.5 + 1e-9) return true;
+  }
+  return false;
+}
+
+Outcome buckle(const Column& column) {
+  Simulation<Boxes> simulation = put_down(column, 0);
+  const double push = 1e-7;
+  kick(simulation.scene, push);
+  Record record(push, 1);
+  for (int i = 0; i < column.steps; ++i) {
+    simulation.step(column.step);
+    if (!record.note(simulation.scene.bodies.pose[column.boxes].position.x())) break;
+  }
+  return record.outcome();
 }
 
 double time_to_fall(const Column& column, double time) {

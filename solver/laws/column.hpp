@@ -13,6 +13,7 @@ struct Column {
   double top_mass = 1;     // of the topmost box [kg]
   double step = 1.0 / 60;  // [s]
   int substeps = 1;
+  double frequency = 0;  // of soft contacts [Hz], critically damped; 0: hard ones, with β
   double friction = 0.6;
   double regularisation = 0;  // of the exact solve
   int steps = 3000;
@@ -24,6 +25,13 @@ Outcome lean(const Column& column);
 
 /// Whether a column comes to rest that is put down: its first steps bear no weight, so that it sinks by about gh².
 Outcome hop(const Column& column);
+
+/// Whether a column that begins with each box sunk into the one below by `overlap` [m] leaves the ground.
+bool pops(const Column& column, double overlap);
+
+/// Whether a column on soft contacts, of `frequency`, that is pushed sideways by a ten-millionth of a metre per
+/// second comes back.
+Outcome buckle(const Column& column);
 
 /// How long a column stands whose top is pushed sideways with 0.02 m/s [s], at most `time`.
 double time_to_fall(const Column& column, double time);

@@ -4,16 +4,42 @@
 #include <limits>
 
 #include "solver/laws/baumgarte.hpp"
+#include "solver/laws/buckling.hpp"
 #include "solver/laws/creep.hpp"
+#include "solver/laws/friction.hpp"
 #include "solver/laws/hopping.hpp"
+#include "solver/laws/pop.hpp"
+#include "solver/laws/redundant.hpp"
+#include "solver/laws/soft.hpp"
+#include "solver/laws/spin.hpp"
+#include "solver/laws/sweeps.hpp"
 #include "solver/laws/transverse.hpp"
+#include "solver/laws/tunnelling.hpp"
 #include "solver/laws/warm_start.hpp"
 #include "solver/require.hpp"
 
 namespace byhand::laws {
 
 std::vector<Law> all() {
-  return {one_row(), warm_start(), transverse(), heavy_on_light(), creep(), hopping(), exact_columns()};
+  return {one_row(),
+          pop(),
+          uncorrected_drift(),
+          slow_sweeps(),
+          jacobi_overshoots(),
+          warm_start(),
+          transverse(),
+          conflicting_rows(),
+          heavy_on_light(),
+          friction(),
+          springs(),
+          substeps(),
+          spin(),
+          block_or_rows(),
+          tunnelling(),
+          buckling(),
+          creep(),
+          hopping(),
+          exact_columns()};
 }
 
 double bisect(const std::function<bool(double)>& holds, double low, double high, double resolution) {

@@ -38,8 +38,9 @@ double largest_beta(double q) { return std::min(2.0, (1 - q) / q); }
 Outcome run(const WarmChain& chain) {
   using M = PlaneParticle;
   const double size = 1e-7;
-  VelocityStepping method{GaussSeidel{.sweeps = chain.sweeps, .warm_start = chain.warm_start},
-                          Baumgarte{chain.beta}};
+  VelocityStepping method{
+      GaussSeidel{.sweeps = chain.sweeps, .warm_start = chain.warm_start, .order = chain.order},
+      Baumgarte{chain.beta}};
   method.substeps = chain.substeps;
   Simulation<Scene<M, NormalisedDistance>> simulation{rod_chain<M, NormalisedDistance>({.links = chain.links}),
                                                       method};

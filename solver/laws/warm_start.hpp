@@ -2,6 +2,10 @@
 
 #include "solver/laws/law.hpp"
 
+namespace byhand {
+enum class SweepOrder;
+}
+
 namespace byhand::laws {
 
 /// A straight chain of unit links without weight, each bob off by about a ten-millionth of a link along it.
@@ -9,6 +13,7 @@ struct WarmChain {
   int links = 10, sweeps = 1;
   double beta = 0.2;
   bool warm_start = true;
+  SweepOrder order = {};  // natural
   int substeps = 1;
   int steps = 4500;  // fewer are enough away from the boundary
 };
