@@ -42,8 +42,7 @@ std::string refusal_unless_equalities(const S& scene, std::string_view method) {
     using Kind = std::remove_cvref_t<decltype(constraint)>;
     if (!reason.empty()) return;
     if constexpr (Kind::bound != Bound::none)
-      reason =
-          fmt::format("{} holds equalities alone, and the impulse of constraint {} is bounded", method, number);
+      reason = fmt::format("{} holds equalities alone, and constraint {} is bounded", method, number);
     else if constexpr (Kind::drifting < Kind::rows)
       reason = fmt::format("{} holds equalities alone, and constraint {} is a spring", method, number);
     else if (constraint.softness > 0)

@@ -20,39 +20,61 @@ double rod_angle(const S& scene, int from, int to) {
   return angle_from_down((scene.bodies.pose[to].position - scene.bodies.pose[from].position).eval());
 }
 
+/// How fast that angle grows, of bodies that the rod holds by their centres, in the plane z = 0 [rad/s].
+template <class S>
+double rod_rate(const S& scene, int from, int to) {
+  const auto d = (scene.bodies.pose[to].position - scene.bodies.pose[from].position).eval();
+  const auto v = (scene.bodies.velocity[to] - scene.bodies.velocity[from]).eval();
+  return (d.x() * v.y() - d.y() * v.x()) / d.squaredNorm();
+}
+
 /// Runs for `time` [s] in steps of h [s], which must divide it, and calls `look` after each.
-template <class S, class F>
-void run(Simulation<S>& simulation, double time, double h, F&& look) {
+template <class S, class Method, class F>
+void run(Simulation<S, Method>& simulation, double time, double h, F&& look) {
   const long steps = std::lround(time / h);
   for (long i = 0; i < steps; ++i) {
     simulation.step(h);
     look();
   }
 }
-template <class S>
-void run(Simulation<S>& simulation, double time, double h) {
+template <class S, class Method>
+void run(Simulation<S, Method>& simulation, double time, double h) {
   run(simulation, time, h, [] {});
 }
 
-/// The times at which a sampled quantity changes sign, by linear interpolation [s].
+/// The times at which a sampled quantity changes sign, by linear interpolation, or by a cubic where its rate is
+/// given [s].
 class ZeroCrossings {
  public:
-  explicit ZeroCrossings(double first) : last_(first) {}
+  explicit ZeroCrossings(double first, double first_rate = 0) : last_(first), last_rate_(first_rate) {}
 
   void add(double value, double time, double h) {
     if (last_ * value < 0) times.push_back(time - h * value / (value - last_));
     last_ = value;
   }
+  void add(double value, double rate, double time, double h) {
+    if (last_ * value < 0) {
+      double s = last_ / (last_ - value);  // of the way from the last sample to this one, by Newton
+      for (int i = 0; i < 5; ++i) {
+        const double c = 3 * (value - last_) - h * (2 * last_rate_ + rate);
+        const double d = 2 * (last_ - value) + h * (last_rate_ + rate);
+        s -= (last_ + s * (h * last_rate_ + s * (c + s * d))) / (h * last_rate_ + s * (2 * c + s * 3 * d));
+      }
+      times.push_back(time - h * (1 - s));
+    }
+    last_ = value;
+    last_rate_ = rate;
+  }
 
   std::vector<double> times;
 
  private:
-  double last_;
+  double last_, last_rate_;
 };
 
 /// λ/h of a constraint's rows [units of C's conjugate force].
-template <class M>
-double force(const Work<M>& work, int constraint, int row = 0) {
+template <class AnyWork>
+double force(const AnyWork& work, int constraint, int row = 0) {
   return work.system.lambda[work.system.row_of[constraint] + row] / work.h;
 }
 
