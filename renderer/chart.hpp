@@ -25,16 +25,19 @@ enum class CurveStyle {
   line_and_markers,
   stems,   ///< a thin line from zero up to a marker
   theory,  ///< dashed: what should be, not what was measured
+  front,   ///< a broad pale staircase under the others, level and then upright from each point to the next: what
+           ///< can be had
 };
 
 /// Values of y over x, of one length. NaN in either leaves a gap. An infinite value is a run that failed: a
-/// cross at the edge of the chart on its side.
+/// cross at the edge of the chart on its side. A curve without points stands in the legend alone.
 struct Curve {
   std::string label{};
   std::vector<double> x{}, y{};
   CurveStyle style = CurveStyle::line;
-  std::optional<Colour> colour{};           ///< the next of the series (theory: palette::theory) when absent
-  std::vector<std::string> point_labels{};  ///< a text at each point (the knob that was turned there), or none
+  std::optional<Colour> colour{};  ///< the next of the series (theory: palette::theory) when absent
+  std::vector<std::string>
+      point_labels{};  ///< a text at each point (the knob turned there, why it failed), or none
 };
 
 /// One bar for each of `Chart::bar_names`; several series stand side by side.

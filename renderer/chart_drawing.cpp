@@ -51,9 +51,20 @@ struct Entry {
 };
 
 bool has_line(CurveStyle s) {
-  return s == CurveStyle::line || s == CurveStyle::line_and_markers || s == CurveStyle::theory;
+  return s == CurveStyle::line || s == CurveStyle::line_and_markers || s == CurveStyle::theory ||
+         s == CurveStyle::front;
 }
-bool has_marks(CurveStyle s) { return s != CurveStyle::line && s != CurveStyle::theory; }
+Stroke stroke(const Entry& e) {
+  if (e.style == CurveStyle::theory) return {e.colour, 2.0, Dash::dashed};
+  return {e.colour, e.style == CurveStyle::front ? 9 : curve_width};
+}
+bool has_marks(CurveStyle s) { return s != CurveStyle::line && s != CurveStyle::theory && s != CurveStyle::front; }
+// Neither takes a colour or a mark of the series.
+bool stands_apart(CurveStyle s) { return s == CurveStyle::theory || s == CurveStyle::front; }
+Colour own_colour(CurveStyle s, int next) {
+  if (s == CurveStyle::theory) return palette::theory;
+  return s == CurveStyle::front ? fade(palette::highlight, 0.4) : palette::series(next);
+}
 
 class ChartDrawing {
  public:
@@ -93,7 +104,7 @@ class ChartDrawing {
   void draw_stems(const Curve& curve, Colour colour);
   void draw_marks(const Entry& entry);
   Point failure_place(double x, double y) const;
-  void draw_failure(double x, double y, Colour colour);
+  Point draw_failure(double x, double y, Colour colour);
   void draw_references();
   void draw_texts();
   void draw_sample(const Point& at, const Entry& entry);
@@ -102,7 +113,10 @@ class ChartDrawing {
   Point at(double x, double y) const { return {plot_.x + x_(x) * plot_.width, plot_.y + y_(y) * plot_.height}; }
   std::vector<Point> points(const Curve& curve) const {
     std::vector<Point> places;
-    for (std::size_t i = 0; i < curve.x.size(); ++i) places.push_back(at(curve.x[i], curve.y[i]));
+    for (std::size_t i = 0; i < curve.x.size(); ++i) {
+      if (curve.style == CurveStyle::front && i > 0) places.push_back(at(curve.x[i], curve.y[i - 1]));
+      places.push_back(at(curve.x[i], curve.y[i]));
+    }
     return places;
   }
   // Bar `i` of series `series`.
@@ -142,6 +156,12 @@ class ChartDrawing {
   Rectangle legend_;
   std::string title_, y_label_;
   std::vector<Point> failures_;
+  struct Reason {
+    Point at;
+    std::string text;
+    Colour colour;
+  };
+  std::vector<Reason> reasons_;  // why runs failed
 };
 
 void ChartDrawing::list_entries() {
@@ -155,10 +175,9 @@ void ChartDrawing::list_entries() {
     for (const CellClass& cell : chart_.heat_map->classes)
       entries_.push_back({cell.name, cell.colour, CurveStyle::line, Mark::square, nullptr});
   for (const Curve& curve : chart_.curves) {
-    const bool theory = curve.style == CurveStyle::theory;
-    const Colour colour = curve.colour.value_or(theory ? palette::theory : palette::series(next));
-    entries_.push_back({curve.label, colour, curve.style, series_mark(next), &curve});
-    if (!theory) ++next;
+    entries_.push_back({curve.label, curve.colour.value_or(own_colour(curve.style, next)), curve.style,
+                        series_mark(next), &curve});
+    if (!stands_apart(curve.style)) ++next;
   }
 }
 
@@ -306,9 +325,10 @@ double ChartDrawing::covered(const Rectangle& box) const {
   for (const Entry& e : entries_) {
     if (!e.curve) continue;
     const std::vector<Point> places = points(*e.curve);
+    for (std::size_t i = 0; i < e.curve->x.size(); ++i)
+      hits += box.inset(-margin).contains(failure_place(e.curve->x[i], e.curve->y[i]));
     for (std::size_t i = 0; i < places.size(); ++i) {
       hits += box.contains(places[i]);
-      hits += box.inset(-margin).contains(failure_place(e.curve->x[i], e.curve->y[i]));
       if (e.style == CurveStyle::stems) {
         const double foot =
             std::clamp(at(0, chart_.y.scale == Scale::linear ? 0 : ranges_.y.first).y(), plot_.y, plot_.top());
@@ -489,20 +509,24 @@ void ChartDrawing::draw_bars() {
 
 void ChartDrawing::draw_curves() {
   canvas_.clip(plot_.inset(-0.5 * curve_width));
-  for (const bool theory : {false, true}) {
+  // A front lies under the others, a theory over them.
+  const auto layer = [](CurveStyle s) { return s == CurveStyle::front ? 0 : s == CurveStyle::theory ? 2 : 1; };
+  for (const int now : {0, 1, 2}) {
     for (const Entry& e : entries_) {
-      if (!e.curve || (e.style == CurveStyle::theory) != theory) continue;
+      if (!e.curve || layer(e.style) != now) continue;
       if (e.style == CurveStyle::stems) draw_stems(*e.curve, e.colour);
-      if (has_line(e.style))
-        canvas_.path(points(*e.curve),
-                     {e.colour, theory ? 2.0 : curve_width, theory ? Dash::dashed : Dash::solid});
+      if (has_line(e.style)) canvas_.path(points(*e.curve), stroke(e));
     }
   }
   canvas_.clip(std::nullopt);
   for (const Entry& e : entries_) {
     if (!e.curve) continue;
     if (has_marks(e.style)) draw_marks(e);
-    for (std::size_t i = 0; i < e.curve->x.size(); ++i) draw_failure(e.curve->x[i], e.curve->y[i], e.colour);
+    for (std::size_t i = 0; i < e.curve->x.size(); ++i) {
+      const Point p = draw_failure(e.curve->x[i], e.curve->y[i], e.colour);
+      if (p.allFinite() && !e.curve->point_labels.empty())
+        reasons_.push_back({p, e.curve->point_labels[i], e.colour});
+    }
   }
 }
 
@@ -537,15 +561,16 @@ Point ChartDrawing::failure_place(double x, double y) const {
   return {along(x, chart_.x, x_, plot_.x, plot_.width), along(y, chart_.y, y_, plot_.y, plot_.height)};
 }
 
-// A cross at its place; further ones there step inwards.
-void ChartDrawing::draw_failure(double x, double y, Colour colour) {
+// A cross at its place, which it returns; further ones there step inwards.
+Point ChartDrawing::draw_failure(double x, double y, Colour colour) {
   Point p = failure_place(x, y);
-  if (!p.allFinite()) return;
+  if (!p.allFinite()) return p;
   const Point inwards = std::isinf(y) ? Point(0, y > 0 ? -13 : 13) : Point(x > 0 ? -13 : 13, 0);
   while (std::any_of(failures_.begin(), failures_.end(), [&](const Point& f) { return (f - p).norm() < 10; }))
     p += inwards;
   failures_.push_back(p);
   canvas_.mark(p, Mark::cross, colour, 12);
+  return p;
 }
 
 void ChartDrawing::draw_references() {
@@ -563,8 +588,7 @@ void ChartDrawing::draw_references() {
 void ChartDrawing::draw_sample(const Point& p, const Entry& e) {
   const Point end = p + Point(26, 0), middle = p + Point(13, 0);
   if (!e.curve) return canvas_.rectangle({p.x() + 5, p.y() - 6, 16, 12}, {e.colour, {{}, 0}});
-  if (has_line(e.style))
-    canvas_.line(p, end, {e.colour, curve_width, e.style == CurveStyle::theory ? Dash::dashed : Dash::solid});
+  if (has_line(e.style)) canvas_.line(p, end, stroke(e));
   if (has_marks(e.style)) canvas_.mark(middle, e.mark, e.colour);
 }
 
@@ -589,6 +613,7 @@ void ChartDrawing::draw_texts() {
                                       [](const Curve& c) { return !c.point_labels.empty(); });
   for (const Entry& e : entries_)
     if (e.curve && any_inside) labels.avoid_path(points(*e.curve));
+  for (const Point& p : failures_) labels.avoid({p.x() - 7, p.y() - 7, 14, 14});
   for (std::size_t series = 0; series < chart_.bars.size(); ++series)
     for (std::size_t i = 0; i < chart_.bar_names.size(); ++i) labels.avoid(bar(series, i));
   if (labelling_ == Labelling::at_ends) draw_end_labels();
@@ -635,6 +660,8 @@ void ChartDrawing::draw_texts() {
       for (std::size_t i = 0; i < e.curve->point_labels.size(); ++i)
         if (const Point p = at(e.curve->x[i], e.curve->y[i]); plot_.contains(p))
           labels.place(p, e.curve->point_labels[i], {.size = 14, .colour = e.colour, .halo = 2.5});
+  for (const Reason& reason : reasons_)
+    labels.place(reason.at, reason.text, {.size = 14, .colour = reason.colour, .halo = 2.5});
   for (const Annotation& a : chart_.annotations) {
     const Point p = at(a.x, a.y);
     if (!plot_.inset(-1).contains(p)) continue;

@@ -50,7 +50,7 @@ Rectangle Labels::place(const Point& at, std::string_view text, TextStyle style,
   const Point offset = style.offset;
   TextStyle best = style;
   double least = std::numeric_limits<double>::infinity();
-  for (const double distance : {1.0, 1.7, 2.5, 3.5, 5.0}) {
+  for (const double distance : {1.0, 1.7, 2.5, 3.5, 5.0, 7.0, 10.0}) {
     for (const Candidate& candidate : candidates) {
       style.anchor = candidate.anchor;
       style.offset = offset + distance * gap * candidate.direction;

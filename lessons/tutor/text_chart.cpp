@@ -104,6 +104,8 @@ std::vector<Pen> pens(const std::vector<Curve>& curves) {
   for (const Curve& curve : curves) {
     if (curve.style == CurveStyle::theory)
       all.push_back({"·", 0});
+    else if (curve.style == CurveStyle::front)
+      all.push_back({"░", 33});
     else {
       all.push_back({marks[measured % marks.size()], mark_colours[measured % mark_colours.size()]});
       ++measured;
@@ -126,16 +128,26 @@ void draw_segment(Grid& grid, const Ruler& x, const Ruler& y, const Curve& curve
   }
 }
 
+/// Level from each point to the next, then upright.
+void draw_front(Grid& grid, const Ruler& x, const Ruler& y, Curve curve, const Pen& pen) {
+  for (size_t i = curve.x.size(); i-- > 1;) {
+    curve.x.insert(curve.x.begin() + static_cast<long>(i), curve.x[i]);
+    curve.y.insert(curve.y.begin() + static_cast<long>(i), curve.y[i - 1]);
+  }
+  for (size_t i = 1; i < curve.x.size(); ++i) draw_segment(grid, x, y, curve, i, pen);
+}
+
 void draw_curve(Grid& grid, const Ruler& x, const Ruler& y, const Curve& curve, const Pen& pen) {
+  if (curve.style == CurveStyle::front) return draw_front(grid, x, y, curve, pen);
   const bool joined = curve.style == CurveStyle::line || curve.style == CurveStyle::line_and_markers ||
                       curve.style == CurveStyle::theory;
   for (size_t i = 0; i < curve.x.size(); ++i) {
     if (joined && i > 0) draw_segment(grid, x, y, curve, i, pen);
-    if (std::isinf(curve.y[i]) && x.shows(curve.x[i])) {
-      // A run that failed stands at the edge.
+    // A run that failed stands at the edge.
+    if (std::isinf(curve.y[i]) && x.shows(curve.x[i]))
       grid.put(curve.y[i] > 0 ? 0 : y.count() - 1, x.cell(curve.x[i]), "✗", 31);
-      continue;
-    }
+    if (std::isinf(curve.x[i]) && y.shows(curve.y[i]))
+      grid.put(y.cell(curve.y[i]), curve.x[i] > 0 ? x.count() - 1 : 0, "✗", 31);
     if (!x.shows(curve.x[i]) || !std::isfinite(y.position(curve.y[i]))) continue;
     if (curve.style == CurveStyle::stems) {
       const int from = y.cell(0), to = y.cell(curve.y[i]);
@@ -271,10 +283,12 @@ std::string plot(const Chart& chart, const Style& style) {
   }
   const auto with = pens(chart.curves);
   // What was measured lies over what theory says.
-  for (const bool theory : {true, false})
+  const auto measured = [](const Curve& curve) {
+    return curve.style != CurveStyle::theory && curve.style != CurveStyle::front;
+  };
+  for (const bool now : {false, true})
     for (size_t i = 0; i < with.size(); ++i)
-      if ((chart.curves[i].style == CurveStyle::theory) == theory)
-        draw_curve(grid, x, y, chart.curves[i], with[i]);
+      if (measured(chart.curves[i]) == now) draw_curve(grid, x, y, chart.curves[i], with[i]);
   for (const auto& note : chart.annotations) {
     if (x.shows(note.x) && y.shows(note.y)) grid.put(y.cell(note.y), x.cell(note.x), "◆", 0);
   }

@@ -139,6 +139,41 @@ TEST(Chart, AFailedRunIsACrossAtTheEdgeOnItsSide) {
   }
 }
 
+TEST(Chart, AFailedRunSaysWhy) {
+  Canvas canvas(960, 540);
+  for (const bool says : {false, true}) {
+    canvas.clear();
+    Chart chart = line_of({0, 1, infinity}, {1, 2, 1.5});
+    chart.curves[0].style = CurveStyle::markers;
+    if (says) chart.curves[0].point_labels = {"", "", "explodes"};
+    const Rectangle plot = draw(canvas, chart, canvas.page().inset(40));
+    const Image image = canvas.image();
+    int letters = 0;
+    for (double x = plot.right() - 90; x < plot.right() - 18; ++x)
+      for (double y = plot.centre().y() - 40; y < plot.centre().y() + 40; ++y)
+        letters += nearer_than_paper(colour_at(image, pixel_of(canvas, {x, y})), palette::series(0));
+    EXPECT_EQ(letters > 20, says);
+  }
+}
+
+TEST(Chart, AFrontIsLevelFromAPointAndThenUpright) {
+  Canvas canvas(960, 540);
+  Chart chart = line_of({0, 1}, {2, 1});
+  chart.curves[0].style = CurveStyle::front;
+  chart.curves[0].colour = palette::series(0);
+  chart.x.range = chart.y.range = std::pair(-1.0, 3.0);
+  const Rectangle plot = draw(canvas, chart, canvas.page().inset(40));
+  const Image image = canvas.image();
+  const auto at = [&](double x, double y) {
+    return colour_at(image,
+                     pixel_of(canvas, {plot.x + (x + 1) / 4 * plot.width, plot.y + (y + 1) / 4 * plot.height}));
+  };
+  EXPECT_EQ(at(0.4, 2), palette::series(0));
+  EXPECT_EQ(at(1, 1.4), palette::series(0));
+  EXPECT_EQ(at(0.4, 1.6), palette::paper) << "not straight across";
+  EXPECT_EQ(at(0.1, 1.4), palette::paper) << "not upright first";
+}
+
 TEST(Chart, NanLeavesAGap) {
   Canvas canvas(960, 540);
   const Rectangle plot =
