@@ -85,6 +85,28 @@ void Lesson::deeper(std::string title, StepFunction run) {
   steps_.push_back({std::move(label), std::move(title), true, std::move(run)});
 }
 
+void Lesson::answers(const std::vector<std::string>& parameters) {
+  if (steps_.empty()) throw LessonError("there is no step yet that could answer to a parameter");
+  for (const std::string& name : parameters) {
+    const auto found =
+        std::find_if(parameters_.begin(), parameters_.end(), [&](const auto& p) { return p.name == name; });
+    if (found == parameters_.end())
+      throw LessonError(fmt::format("step {} answers to {}, which is no parameter", steps_.back().label, name));
+    found->step = steps_.back().label;
+  }
+}
+
+std::string Lesson::step_of(const std::vector<std::pair<std::string, std::string>>& settings) const {
+  std::string step;
+  for (const auto& [name, value] : settings)
+    for (const ParameterRecord& p : parameters_) {
+      if (p.name != name) continue;
+      if (p.step.empty() || (!step.empty() && step != p.step)) return "";
+      step = p.step;
+    }
+  return step;
+}
+
 void Lesson::closing(Closing closing) { closing_ = std::move(closing); }
 
 bool Lesson::is_parameter(const std::string& name) const {

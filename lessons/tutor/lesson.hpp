@@ -3,6 +3,7 @@
 #include <deque>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "lessons/tutor/error.hpp"
@@ -74,6 +75,10 @@ class Lesson {
   /// terminal.
   void deeper(std::string title, StepFunction run);
 
+  /// Says that the step added last is the only one that looks at these parameters: setting them and no others on
+  /// the command line asks for that step alone.
+  void answers(const std::vector<std::string>& parameters);
+
   void closing(Closing closing);
 
   /// Runs as the options say. Returns 0 fine, 1 a claim is false (or the lesson is written wrongly), 2 bad
@@ -89,6 +94,8 @@ class Lesson {
   /// Throws std::invalid_argument for an unknown name, saying which there are, or for a bad value.
   void set(const std::string& name, std::string_view value);
   bool is_parameter(const std::string& name) const;
+  /// The label of the step that alone looks at all these parameters; empty if there is none.
+  std::string step_of(const std::vector<std::pair<std::string, std::string>>& settings) const;
   bool at_defaults() const;
 
  private:

@@ -21,6 +21,7 @@ struct ParameterRecord {
   double initial = 0, value = 0;
   bool integer = false;
   std::vector<std::string> choices = {};  // if any, the values are places in this list and are typed by name
+  std::string step = {};                  // the only one that looks at it; empty: any may
 
   /// Reads "0.5", "1/120", "−3", "200us" or the name of a choice; `value` stays as it is unless the text is a
   /// number in range or a choice. Throws std::invalid_argument with one sentence that names the text and what is

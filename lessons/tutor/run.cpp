@@ -41,8 +41,9 @@ std::string about(const Lesson& lesson) {
 }
 
 int answer(Lesson& lesson, int argc, const char* const* argv) {
-  const Options options = read_options(lesson, argc, argv, isatty(STDIN_FILENO) && isatty(STDOUT_FILENO));
+  Options options = read_options(lesson, argc, argv, isatty(STDIN_FILENO) && isatty(STDOUT_FILENO));
   for (const auto& [name, value] : options.set) lesson.set(name, value);
+  if (options.step.empty()) options.step = lesson.step_of(options.set);
   if (options.about)
     fmt::print("{}", about(lesson));
   else if (options.list_parameters)

@@ -153,11 +153,24 @@ TEST(Lesson, IsNamedByNumberAndWord) {
   EXPECT_EQ(Lesson({.slug = "04_baumgarte"}).number(), 4);
 }
 
+TEST(Lesson, AStepAnswersToParametersThatItAloneLooksAt) {
+  Lesson lesson({.slug = "98_parameters"});
+  for (const char* name : {"h", "budget", "drift"}) lesson.parameter(name, 0.1, "1", {0, 1}, "a number");
+  lesson.step("Any", [](Page&) {});
+  lesson.step("The one", [](Page&) {});
+  lesson.answers({"budget", "drift"});
+  EXPECT_THROW(lesson.answers({"nothing"}), LessonError);
+  EXPECT_EQ(lesson.step_of({{"budget", "1"}, {"drift", "1"}}), "2");
+  EXPECT_EQ(lesson.step_of({{"budget", "1"}, {"h", "1"}}), "") << "another step looks at h";
+  EXPECT_EQ(lesson.step_of({}), "");
+}
+
 TEST(Lesson, RefusesParametersThatContradictThemselves) {
   Lesson lesson({.slug = "98_parameters"});
   lesson.parameter("h", 0.1, "s", {0, 1}, "time step");
   EXPECT_THROW(lesson.parameter("h", 0.1, "s", {0, 1}, "again"), LessonError);
   EXPECT_THROW(lesson.parameter("beta", 2.0, "1", {0, 1}, "out of its range"), LessonError);
+  EXPECT_THROW(lesson.answers({"h"}), LessonError) << "before any step";
   EXPECT_THROW(lesson.parameter("scene", "tower", {"chain", "stack"}, "none of its choices"), LessonError);
   EXPECT_THROW(lesson.parameter("scene", "a chain", {"a chain"}, "cannot be typed"), LessonError);
 }
