@@ -57,6 +57,24 @@ void solve_change(const Direct& solver, System<M>& system, Bodies<M>& bodies, Di
   apply_all(system, work.change, bodies.velocity);
 }
 
+/// Solves from the λ that stands, without bounds. Once poses have moved, a hub in space has turned its inertia
+/// away from that of the rows, if they stand as they were: what this leaves is a small share, and is solved for
+/// again.
+template <class M>
+int settle(const Direct& solver, System<M>& system, Bodies<M>& bodies, DirectWork<M>& work) {
+  const auto& nodes = work.plan.nodes;
+  const bool turned = M::angular == 3 && solver.factorisation == Factorisation::structured &&
+                      std::any_of(nodes.begin(), nodes.end(), [](const auto& node) { return node.edge < 0; });
+  const auto largest = [](const std::vector<double>& numbers) {
+    return std::abs(*std::max_element(numbers.begin(), numbers.end(),
+                                      [](double a, double b) { return std::abs(a) < std::abs(b); }));
+  };
+  for (int round = 1;; ++round) {
+    solve_change(solver, system, bodies, work);
+    if (!turned || round == solver.rounds || largest(work.change) <= 1e-14 * largest(system.lambda)) return round;
+  }
+}
+
 template <class M>
 void solve_active(const Direct& solver, System<M>& system, Bodies<M>& bodies, DirectWork<M>& work) {
   solve_change(solver, system, bodies, work);
@@ -134,12 +152,9 @@ int solve(const Direct& solver, System<M>& system, Bodies<M>& bodies, Prepared<M
   }
   if (system.bounded) return solve_with_bounds(solver, system, bodies, prepared, work, begin);
   work.active.clear();
-  if (begin == Begin::again) {
-    solve_change(solver, system, bodies, work);
-  } else {
-    solve_equations(solver, system, system.bias, bodies, work, system.lambda);
-    apply_all(system, system.lambda, bodies.velocity);
-  }
+  if (begin == Begin::again) return settle(solver, system, bodies, work);
+  solve_equations(solver, system, system.bias, bodies, work, system.lambda);
+  apply_all(system, system.lambda, bodies.velocity);
   return 1;
 }
 

@@ -232,6 +232,18 @@ TEST(Step, MustHaveATimeAndChoicesWithinTheirRange) {
       jacobi.relaxation = bad;
       refuses(0.1, {jacobi}, fmt::format("relaxation is {}", bad), "above 0 and below 2");
     }
+    refuses(0.1, {ConjugateGradients{0}}, "number of iterations is 0", "at least 1");
+    refuses(0.1, {ConjugateGradients{1, -1}}, "tolerance is -1", "between 0 and");
+    refuses(0.1, {AcceleratedGradient{-1}}, "number of iterations is -1", "at least 1");
+    refuses(0.1, {AcceleratedGradient{1, nan}}, "tolerance is nan", "between 0 and");
+    refuses(0.1, {GaussSeidel{}, SplitImpulse{3.1}}, "beta is 3.1", "between 0 and 3");
+    refuses(0.1, {GaussSeidel{}, SplitImpulse{.slop = -1}}, "slop is -1", "[m]");
+    refuses(0.1, {GaussSeidel{}, SplitImpulse{.speed_cap = 0}}, "speed cap is 0", "[m/s]");
+    for (const double bad : {0.0, -1.0, infinity, nan})
+      refuses(0.1, {GaussSeidel{}, SoftConstraints{bad}}, fmt::format("frequency is {}", bad), "[rad/s]");
+    refuses(0.1, {GaussSeidel{}, SoftConstraints{1, -0.1}}, "damping ratio is -0.1", "between 0 and");
+    refuses(0.1, {GaussSeidel{}, SoftConstraints{.slop = nan}}, "slop is nan", "[m]");
+    refuses(0.1, {GaussSeidel{}, SoftConstraints{.speed_cap = nan}}, "speed cap is nan", "[m/s]");
     refuses(0.1, {Direct{Factorisation::structured, -1}}, "regularisation is -1", "between 0 and 1");
     VelocityStepping method;
     method.substeps = 0;

@@ -86,6 +86,40 @@ const Case cases[] = {
     {"SpaceParticlesDirect",
      [] { return after_ten_seconds(rod_chain<SpaceParticle>(swinging), with_substeps(Direct{}, 4)); },
      0x117a77f54ef7e30b},
+    {"PlaneBodiesConjugateGradients",
+     [] { return after_ten_seconds(pinned_chain<PlaneBody>(swinging), with_substeps(ConjugateGradients{12}, 4)); },
+     0xe7deb206dcfe05cb},
+    {"SpaceBodiesConjugateGradients",
+     [] { return after_ten_seconds(pinned_chain<SpaceBody>(swinging), with_substeps(ConjugateGradients{12}, 4)); },
+     0x853b0b7f7d7cda69},
+    {"PlaneParticlesAcceleratedGradient",
+     [] {
+       return after_ten_seconds(rod_chain<PlaneParticle>(swinging), with_substeps(AcceleratedGradient{20}, 4));
+     },
+     0xaaa933a50c4a109c},
+    {"SpaceStackAcceleratedGradient",
+     [] { return after_ten_seconds(sliding_stack<SpaceBody>(), {AcceleratedGradient{}}); }, 0xe2afe4aeee8a78cb},
+    {"PlaneBodiesSymmetricSplitImpulse",
+     [] {
+       return after_ten_seconds(pinned_chain<PlaneBody>(swinging),
+                                {GaussSeidel{20, true, SweepOrder::symmetric}, SplitImpulse{}});
+     },
+     0x97424026e1cdcb49},
+    {"SpaceBodiesSoftConstraints",
+     [] {
+       return after_ten_seconds(pinned_chain<SpaceBody>(swinging), {GaussSeidel{20}, SoftConstraints{}});
+     },
+     0x7d0faa11a242f554},
+    {"PlaneStackSoftConstraints",
+     [] {
+       return after_ten_seconds(sliding_stack<PlaneBody>(), {GaussSeidel{}, SoftConstraints{.refresh = false}});
+     },
+     0x9fde5d8a09825c1b},
+    {"PlaneBodiesSoftConstraintsDirect",
+     [] {
+       return after_ten_seconds(pinned_chain<PlaneBody>(swinging), {Direct{}, SoftConstraints{}});
+     },
+     0xe97a456d521a07b6},
     {"PlaneStackSlides", [] { return after_ten_seconds(sliding_stack<PlaneBody>(), {GaussSeidel{}}); },
      0x162fcdd7332ef549},
     {"SpaceStackSlides", [] { return after_ten_seconds(sliding_stack<SpaceBody>(), {GaussSeidel{}}); },

@@ -1,0 +1,239 @@
+#include <gtest/gtest.h>
+
+#include "solver/scenes/box_pile.hpp"
+#include "solver/scenes/boxes.hpp"
+#include "solver/scenes/chain.hpp"
+#include "tests/solver/solving.hpp"
+
+// Every way to solve rows against one exact answer: without bounds the dense direct solve, with bounds conjugate
+// sweeps that go on until nothing changes.
+namespace {
+
+using namespace byhand;
+using Rods = Scene<PlaneParticle, NormalisedDistance>;
+
+Rods hanging(int links, double end_mass = 1) {
+  return rod_chain<PlaneParticle, NormalisedDistance>({.links = links, .end_mass = end_mass});
+}
+
+const RowSolver patient[] = {
+    GaussSeidel{3000},
+    GaussSeidel{1500, true, SweepOrder::symmetric},
+    GaussSeidel{.sweeps = 3000, .order = SweepOrder::coloured, .relaxation = 1.3},
+    Direct{},
+    ConjugateSweeps{.sweeps = 3000, .tolerance = 1e-14},
+    ConjugateSweeps{.sweeps = 1500, .order = SweepOrder::symmetric, .tolerance = 1e-14},
+    ByGraph{.loops = {.sweeps = 3000, .tolerance = 1e-14}},
+    ConjugateGradients{.iterations = 300, .tolerance = 1e-13},
+    AcceleratedGradient{.iterations = 5000, .tolerance = 1e-12},
+};
+
+TEST(RowSolvers, MeetTheDenseDirectSolveOnEveryGraph) {
+  in_all_models(
+      []<class M>(Random& random) {
+        const auto scene = random_graph<M>(random, 8, 12);
+        const auto exact = solved(scene, Direct{Factorisation::dense});
+        for (const RowSolver& solver : patient) {
+          const auto answer = solved(scene, solver);
+          EXPECT_LE(difference(answer.velocity, exact.velocity), 1e-9 * (1 + largest(exact.velocity)))
+              << "solver " << solver.index();
+          EXPECT_LE(difference(answer.lambda, exact.lambda), 1e-9 * (1 + largest(exact.lambda)))
+              << "solver " << solver.index();
+        }
+      },
+      4);
+}
+
+TEST(ConjugateGradients, SolveAChainInAsManyIterationsAsItHasLinksAndNoFewer) {
+  for (const int links : {2, 5, 10, 30}) {
+    const auto chain = hanging(links);
+    const auto exact = solved(chain, Direct{Factorisation::dense});
+    const auto error = [&](int iterations) {
+      return difference(solved(chain, ConjugateGradients{iterations, 0, false}).velocity, exact.velocity);
+    };
+    EXPECT_LE(error(links), 1e-13 * links) << links;
+    EXPECT_GE(error(links - 1), 1e-4) << links;
+  }
+}
+
+TEST(ConjugateGradients, StopOnTheirToleranceAndAtOnceWhereNothingIsLeft) {
+  auto scene = hanging(40);
+  Work<PlaneParticle> work;
+  advance(scene, {ConjugateGradients{.iterations = 1000, .tolerance = 1e-6}, NoDriftCure{}}, time_step, work);
+  EXPECT_LE(residual(work.system, scene.bodies.velocity), 1.01e-6);
+  EXPECT_LE(work.row_solves, 41 * 40);
+  for (int i = 0; i < 5; ++i)
+    advance(scene, {ConjugateGradients{.iterations = 1000, .tolerance = 1e-6}, NoDriftCure{}}, time_step, work);
+  const long long before = work.row_solves;
+  advance(scene, {ConjugateGradients{.iterations = 1000, .tolerance = 1e-5}, NoDriftCure{}}, time_step, work);
+  EXPECT_EQ(work.row_solves, before) << "a warm start has the answer";
+}
+
+TEST(ConjugateGradients, RefuseScenesWithBoundsInOneSentence) {
+  Boxes boxes = stack(1);
+  Scene<PlaneBody, Contact> contact;
+  contact.add_body({0, 0}, fixed<PlaneBody>());
+  contact.add_body({0, 1}, ball<PlaneBody>(1, 1));
+  EXPECT_EQ(refusal(contact, VelocityStepping{ConjugateGradients{}}), "");
+  contact.add(Contact<PlaneBody>{{0, 1}});
+  EXPECT_NE(refusal(contact, VelocityStepping{ConjugateGradients{}}), "");
+  EXPECT_EQ(refusal(boxes, VelocityStepping{GaussSeidel{}}), "");
+  Work<PlaneBody> work;
+  try {
+    advance(boxes, VelocityStepping{ConjugateGradients{}}, time_step, work);
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_EQ(error.what(), refusal(boxes, VelocityStepping{ConjugateGradients{}}));
+  }
+}
+
+// 1 - ρ of Gauss–Seidel on a chain is θ², θ = π/2N. One sweep forth and back has M = A + L D⁻¹ Lᵀ for its matrix;
+// on the slowest wave the second part is ½ (one row's share of a row before it), and A is θ²: 1 - ρ = 2θ², the
+// same for each of its two sweeps.
+TEST(SymmetricSweeps, LeaveOfASlowWaveWhatTwoSweepsLeave) {
+  const double pi = std::acos(-1.0);
+  for (const int links : {10, 20, 40}) {
+    const auto chain = hanging(links);
+    const auto error = [&](int sweeps) {
+      return solved(chain, GaussSeidel{sweeps, false, SweepOrder::symmetric}, NoDriftCure{}).residual;
+    };
+    const int settled = links * links / 2;
+    const double rate = std::pow(error(settled + 20) / error(settled), 1.0 / 20);
+    EXPECT_NEAR((1 - rate) / (2 * std::pow(pi / (2 * links), 2)), 1, 2.0 / links) << links;
+  }
+}
+
+TEST(SymmetricSweeps, CountAsTwo) {
+  auto once = hanging(7), twice = once;
+  Work<PlaneParticle> work1, work2;
+  advance(once, {GaussSeidel{3, false, SweepOrder::symmetric}}, time_step, work1);
+  advance(twice, {GaussSeidel{3, false}}, time_step, work2);
+  EXPECT_EQ(work1.row_solves, 2 * work2.row_solves);
+}
+
+/// A few boxes of random sides and masses that lean on each other and on the ground, struck at random.
+Boxes random_boxes(Random& random, double friction) {
+  Boxes scene;
+  add_ground(scene, {random.uniform(0, friction)});
+  const int count = 2 + random.index(4);
+  double top = 0;
+  for (int i = 0; i < count; ++i) {
+    const Linear<PlaneBody> sides(random.uniform(0.5, 2), random.uniform(0.3, 1));
+    Pose<PlaneBody> pose;
+    const bool beside = random.uniform(0, 1) < 0.4;
+    pose.position = {random.uniform(-0.4, 0.4) + (beside ? 1.5 : 0.0), (beside ? 0.0 : top) + 0.5 * sides.y()};
+    if (!beside) top += sides.y();
+    const int box = add_box(scene, pose, random.uniform(0.5, 5), sides, {random.uniform(0, friction)});
+    scene.bodies.velocity[box] = 0.3 * random.velocity<PlaneBody>();
+  }
+  return scene;
+}
+
+const RowSolver with_bounds[] = {GaussSeidel{.sweeps = 1000000, .tolerance = 1e-15},
+                                 GaussSeidel{.sweeps = 500000, .order = SweepOrder::symmetric, .tolerance = 1e-15},
+                                 AcceleratedGradient{.iterations = 100000, .tolerance = 1e-12}};
+
+// Without friction the velocities are those of a convex problem, and there is one answer.
+TEST(RowSolvers, MeetTheReferenceOnRandomBoxesWithoutFriction) {
+  int direct = 0;
+  in_models<PlaneBody>(
+      [&]<class M>(Random& random) {
+        const Boxes scene = random_boxes(random, 0);
+        const auto exact = solved(scene, exact_sweeps());
+        EXPECT_LE(exact.residual, 1e-12);
+        for (const RowSolver& solver : with_bounds)
+          EXPECT_LE(difference(solved(scene, solver).velocity, exact.velocity), 1e-9)
+              << "solver " << solver.index();
+        try {
+          EXPECT_LE(difference(solved(scene, Direct{.tolerance = 1e-12}).velocity, exact.velocity), 1e-9);
+          ++direct;
+        } catch (const SingularSystem&) {  // boxes on more points than they need
+        }
+      },
+      40);
+  EXPECT_GE(direct, 20);
+}
+
+// Coulomb's law may have several answers where boxes wedge: every solver finds one, and mostly it is the same.
+TEST(RowSolvers, EachFindAnAnswerOnRandomBoxesWithFriction) {
+  int same = 0, others = 0;
+  in_models<PlaneBody>(
+      [&]<class M>(Random& random) {
+        const Boxes scene = random_boxes(random, 0.8);
+        const auto exact = solved(scene, exact_sweeps());
+        for (const RowSolver& solver : with_bounds) {
+          const auto answer = solved(scene, solver);
+          EXPECT_LE(answer.residual, 1e-10) << "solver " << solver.index();
+          ++(difference(answer.velocity, exact.velocity) <= 1e-9 ? same : others);
+        }
+      },
+      40);
+  EXPECT_GE(same, 3 * others);
+}
+
+TEST(RowSolvers, MeetTheReferenceOnRandomPiles) {
+  for (int seed = 0; seed < 8; ++seed) {
+    Simulation<Boxes> pile{box_pile<Boxes>(seed, {.count = 6, .speed = 3, .decades = 1, .surface = {}}),
+                           VelocityStepping{GaussSeidel{50}}};
+    for (int i = 0; i < 90; ++i) pile.step(time_step);
+    const auto exact = solved(pile.scene, exact_sweeps());
+    for (const RowSolver& solver : {with_bounds[0], with_bounds[2]})
+      EXPECT_LE(difference(solved(pile.scene, solver).velocity, exact.velocity), 1e-9)
+          << "solver " << solver.index() << ", pile " << seed;
+  }
+}
+
+TEST(AcceleratedGradient, KeepsEveryBoundAtWhateverIterationItStops) {
+  for (int iterations = 1; iterations <= 12; ++iterations) {
+    Boxes scene = pyramid(5);
+    kick(scene, 2);
+    Work<PlaneBody> work;
+    for (int i = 0; i < 20; ++i) {
+      advance(scene, VelocityStepping{AcceleratedGradient{.iterations = iterations}}, time_step, work);
+      for (std::size_t k = 0; k < work.system.lambda.size(); k += 3) {
+        const double* lambda = &work.system.lambda[k];
+        ASSERT_GE(std::min(lambda[0], lambda[1]), 0);
+        ASSERT_LE(std::abs(lambda[2]), work.system.upper[k] * (lambda[0] + lambda[1]) * (1 + 1e-12));
+      }
+    }
+  }
+}
+
+TEST(AcceleratedGradient, TakesInProportionToAChainsLinksWhatSweepsTakeBySquare) {
+  const auto iterations = [](int links) {
+    auto scene = hanging(links);
+    Work<PlaneParticle> work;
+    advance(scene, {AcceleratedGradient{.iterations = 100000, .tolerance = 1e-6, .warm_start = false}}, time_step,
+            work);
+    EXPECT_LE(residual(work.system, scene.bodies.velocity), 1e-5);
+    return static_cast<double>(work.row_solves) / links;
+  };
+  EXPECT_LT(iterations(80) / iterations(20), 8);  // by square it would be 16
+}
+
+TEST(Direct, GoesOnFromTheImpulsesThatStand) {
+  in_all_models(
+      []<class M>(Random& random) {
+        auto scene = random_graph<M>(random, 8, 12);
+        for (const auto factorisation : {Factorisation::structured, Factorisation::dense}) {
+          const RowSolver direct = Direct{factorisation};
+          Work<M> work;
+          auto copy = scene;
+          advance(copy, {direct, NoDriftCure{}}, time_step, work);
+          auto& system = work.system;
+          const auto V = copy.bodies.velocity;
+          const auto lambda = system.lambda;
+          solve_rows(direct, copy.bodies, work, Begin::again);
+          EXPECT_LE(difference(system.lambda, lambda), 1e-10 * (1 + largest(lambda))) << "nothing is left to do";
+          for (int i = 0; i < system.rows(); ++i) {
+            system.bias[i] += random.uniform(-1, 1);
+            system.gamma[i] = random.uniform(0.01, 0.1);
+          }
+          solve_rows(direct, copy.bodies, work, Begin::again);
+          EXPECT_LE(residual(system, copy.bodies.velocity), 1e-9) << "another bias and softness";
+        }
+      },
+      5);
+}
+
+}  // namespace
