@@ -34,7 +34,7 @@ void correct_kick(RattleWork<M>& work) {
 }
 
 template <class M>
-void factor(const Bodies<M>& bodies, double regularisation, RattleWork<M>& work) {
+void factor_rows(const Bodies<M>& bodies, double regularisation, RattleWork<M>& work) {
   std::fill(work.offset.begin(), work.offset.end(), 0.0);
   solve_rows(regularisation, bodies, work);
 }
@@ -44,10 +44,10 @@ void stop_rates(Bodies<M>& bodies, RattleWork<M>& work) {
   give(bodies.velocity, work);
 }
 
-#define BYHAND_INSTANTIATE(M)                                     \
-  template void move_kicked(Bodies<M>&, const RattleWork<M>&);    \
-  template void correct_kick(RattleWork<M>&);                     \
-  template void factor(const Bodies<M>&, double, RattleWork<M>&); \
+#define BYHAND_INSTANTIATE(M)                                          \
+  template void move_kicked(Bodies<M>&, const RattleWork<M>&);         \
+  template void correct_kick(RattleWork<M>&);                          \
+  template void factor_rows(const Bodies<M>&, double, RattleWork<M>&); \
   template void stop_rates(Bodies<M>&, RattleWork<M>&)
 BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);
 #undef BYHAND_INSTANTIATE

@@ -78,7 +78,7 @@ void correct_kick(RattleWork<M>& work);
 
 /// Factors the rows as they are written, and finds the impulses that would leave JV = 0.
 template <class M>
-void factor(const Bodies<M>& bodies, double regularisation, RattleWork<M>& work);
+void factor_rows(const Bodies<M>& bodies, double regularisation, RattleWork<M>& work);
 /// Puts those impulses into V, and to λ.
 template <class M>
 void stop_rates(Bodies<M>& bodies, RattleWork<M>& work);
@@ -97,7 +97,7 @@ void rattle(S& scene, const Rattle& family, RattleWork<M>& work) {
   end_turn(Gyroscopic::implicit, scene.bodies, work.h);
   scene.write_rows(work.system, work.h);
   add_gravity(scene.bodies, scene.gravity, work.h / 2);
-  factor(scene.bodies, family.regularisation, work);
+  factor_rows(scene.bodies, family.regularisation, work);
   stop_rates(scene.bodies, work);
 }
 //! [rattle]
@@ -109,7 +109,7 @@ template <class S, class M = typename S::model>
 void advance(S& scene, const Rattle& family, double step, RattleWork<M>& work) {
   begin_step(scene, family, step, work);
   scene.write_rows(work.system, work.h);
-  factor(scene.bodies, family.regularisation, work);
+  factor_rows(scene.bodies, family.regularisation, work);
   for (int i = 0; i < family.substeps; ++i) {
     work.begin = scene.bodies;
     or_back_to(work.begin, scene.bodies, [&] { rattle(scene, family, work); });
