@@ -1,0 +1,46 @@
+// Deeper: chains of 10, 50 and 200 links with end masses of 1, 100 and 1000.
+
+#include <cmath>
+
+#include "lessons/09_what_accuracy_costs/steps.hpp"
+#include "lessons/09_what_accuracy_costs/survey.hpp"
+
+namespace byhand::accuracy {
+
+using namespace tutor;
+
+void chains(Page& page) {
+  page.text(
+      "One knob of the scene at a time: longer downwards, heavier at the end within each length. Look for what "
+      "moves "
+      "and what does not. The curves by sweeps climb with the square of the length and with the end mass; the "
+      "direct "
+      "solve with substeps moves up with the length alone, because a chain costs it a fixed price a link; and the "
+      "number "
+      "of substeps at which its crosses end is set by T·h²/(m·l) = 1, tension against step.");
+  for (const int links : {10, 50, 200})
+    for (const int end_mass : {1, 100, 1000}) {
+      const Problem problem("chain",
+                            {{"links", static_cast<double>(links)}, {"end_mass", static_cast<double>(end_mass)}});
+      const Survey& all = survey(page, problem, Error::drift, links == 50 && end_mass == 100 ? 1e7 : 4e6);
+      const std::string name = say("chain_@_@", links, end_mass);
+      if (links != 50 || end_mass != 100) show(page, name + "_drift", all, Error::drift);
+      show(page, name + "_trajectory", all, Error::trajectory);
+      if (end_mass == 100) {
+        show(page, name + "_reaction", all, Error::reaction);
+        show(page, name + "_energy", all, Error::energy);
+      }
+      const Series* direct = all.find("direct, substeps");
+      double least = INFINITY;
+      for (const byhand::Point& point : direct->points)
+        if (point.has(Error::drift)) least = std::min(least, point[Error::drift]);
+      page.claim({.quantity = say("@ links, end mass @: least drift of the direct solve", links, end_mass),
+                  .unit = "m",
+                  .expected = 1e-3 * links,
+                  .source = "a thousandth of its length, whatever hangs on it",
+                  .measured = least,
+                  .tolerance = at_most()});
+    }
+}
+
+}  // namespace byhand::accuracy

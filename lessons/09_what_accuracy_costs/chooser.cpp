@@ -1,0 +1,191 @@
+// Step 7: ask the program.
+
+#include "solver/catalogue/chooser.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "lessons/09_what_accuracy_costs/steps.hpp"
+#include "lessons/09_what_accuracy_costs/survey.hpp"
+
+namespace byhand::accuracy {
+namespace {
+
+using namespace tutor;
+
+/// The scene that is asked about, with those of the numbers that it has.
+Problem problem_of(const Setting& setting) {
+  const std::string name = setting.scene;
+  const Values numbers{{"links", setting.links()}, {"end_mass", setting.end_mass()},
+                       {"mass", setting.mass()},   {"length", setting.length()},
+                       {"boxes", setting.boxes()}, {"top_mass", setting.top_mass()},
+                       {"base", setting.base()}};
+  Values values;
+  for (const SceneParameter& parameter : named_scene(name).parameters)
+    if (const auto found = numbers.find(parameter.name); found != numbers.end()) values.insert(*found);
+  return Problem(name, values);
+}
+
+/// Which error, and how much of it or of time: drift, unless another is named.
+Wish wish_of(const Setting& setting) {
+  Wish wish{.error = Error::drift, .accuracy = setting.drift()};
+  std::string named;
+  for (const auto& [error, bound] :
+       {std::pair{Error::trajectory, setting.trajectory()}, std::pair{Error::energy, setting.energy()},
+        std::pair{Error::momentum, setting.momentum()}, std::pair{Error::reaction, setting.reaction()}}) {
+    if (bound == 0) continue;
+    const std::string name(name_of(error));
+    if (!named.empty())
+      throw std::invalid_argument(fmt::format("{} and {}: ask for one error at a time", named, name));
+    named = name;
+    wish.error = error, wish.accuracy = bound;
+  }
+  if (setting.budget() > 0) {
+    wish.accuracy = NAN;
+    wish.budget = 1e9 * setting.budget();
+    wish.cost = Cost::wall_time;
+  }
+  return wish;
+}
+
+std::string unit(Error error) { return unit_of(error) == "1" ? "" : " " + std::string(unit_of(error)); }
+
+std::string error_in_words(const byhand::Point& point, Error error) {
+  return say("@ of @@", std::string(name_of(error)), Value(point[error], 2), unit(error));
+}
+
+std::string cost_in_words(const byhand::Point& point, Cost cost) {
+  if (cost == Cost::wall_time) return say("@ µs a frame", Value(point.nanoseconds / 1000, 3));
+  return say("@ row-solves a frame", Value(point.row_solves, 4));
+}
+
+renderer::Chart chart_of(const byhand::Choice& choice, const Problem& problem, const Wish& wish) {
+  using namespace renderer;
+  Chart chart{.title = title_of(problem),
+              .x = {.label = say("@@", std::string(name_of(wish.error)),
+                                 unit_of(wish.error) == "1" ? "" : say(" (@)", std::string(unit_of(wish.error)))),
+                    .scale = Scale::logarithmic},
+              .y = {.label = wish.cost == Cost::wall_time ? "cost (µs a frame)" : "cost (row-solves a frame)",
+                    .scale = Scale::logarithmic}};
+  const auto add = [&](const byhand::Point& point, const std::string& label) {
+    const double cost = cost_of(point, wish.cost);
+    chart.curves.push_back({.label = label,
+                            .x = {std::max(point[wish.error], 1e-16)},
+                            .y = {wish.cost == Cost::wall_time ? cost / 1000 : cost},
+                            .style = CurveStyle::markers,
+                            .point_labels = {std::to_string(point.knob)}});
+  };
+  add(choice.best, choice.best.described());
+  for (const byhand::Point& point : choice.runners_up)
+    if (point.has(wish.error)) add(point, point.described());
+  if (choice.finer) add(*choice.finer, "a tenth: " + choice.finer->described());
+  if (std::isfinite(wish.accuracy))
+    chart.references.push_back(
+        {.axis = renderer::Reference::Across::x, .value = wish.accuracy, .label = "asked for"});
+  else
+    chart.references.push_back(
+        {.axis = renderer::Reference::Across::y, .value = wish.budget / 1000, .label = "budget"});
+  return chart;
+}
+
+std::string runners_up(const byhand::Choice& choice, const Wish& wish) {
+  std::string lines;
+  int most = 4;
+  for (const byhand::Point& point : choice.runners_up) {
+    if (most-- == 0) break;
+    const double times = cost_of(point, wish.cost) / cost_of(choice.best, wish.cost);
+    lines += say("\n- @: @ for @ (×@)", point.described(), error_in_words(point, wish.error),
+                 cost_in_words(point, wish.cost), Value(times, 2));
+  }
+  return lines;
+}
+
+std::string passed(const byhand::Choice& choice) {
+  std::string lines;
+  for (const byhand::Point& point : choice.passed)
+    lines += fmt::format("\n- {}: {}", point.configuration->name, point.reason);
+  return lines;
+}
+
+std::string margin_in_words(const byhand::Choice& choice, const Problem& problem) {
+  const std::string& stress = problem.scene().stress;
+  if (std::isinf(choice.margin)) return say("It still holds with the largest @ that can be asked for.", stress);
+  return say("It fails from @ ×@ (@).", stress, Value(choice.margin, 2),
+             Value(choice.margin * problem[stress], 3));
+}
+
+}  // namespace
+
+void chooser(Page& page, const Setting& setting) {
+  const Problem problem = problem_of(setting);
+  const Wish wish = wish_of(setting);
+  const bool by_budget = std::isfinite(wish.budget);
+  const std::string error(name_of(wish.error));
+  page.text(
+      "No chart answers for *your* scene. The program does: it runs every method on it, doubles each knob until "
+      "the "
+      "error is small enough, halves in between, and recommends what it has run.");
+  page.text(by_budget ? say("**You ask:** @. Within @ µs a frame, by this machine's clock: what has the least @?",
+                            description(problem), setting.budget() * 1e6, error)
+                      : say("**You ask:** @. A @ of at most @@: what is cheapest?", description(problem), error,
+                            wish.accuracy, unit(wish.error)));
+  const byhand::Choice choice = choose(problem, wish);
+  const byhand::Point& best = choice.best;
+
+  if (choice.reached) {
+    page.text("**Answer:** @: @ for @. @", best.described(), error_in_words(best, wish.error),
+              cost_in_words(best, wish.cost), margin_in_words(choice, problem));
+    if (const std::string others = runners_up(choice, wish); !others.empty()) page.text("Runners-up:\n" + others);
+    if (choice.finer)
+      page.text("Ten times more accuracy would cost @ times as much: @, @.",
+                Value(cost_of(*choice.finer, wish.cost) / cost_of(best, wish.cost), 2), choice.finer->described(),
+                error_in_words(*choice.finer, wish.error));
+    else if (!by_budget)
+      page.text("Ten times more accuracy nothing here reaches.");
+  } else if (best.has(wish.error)) {
+    page.text(by_budget ? "**Nothing runs within that budget.** The nearest: @, @ for @."
+                        : "**Nothing reaches that here.** The best that was reached: @, @ for @.",
+              best.described(), error_in_words(best, wish.error), cost_in_words(best, wish.cost));
+  } else {
+    page.text("**Nothing reaches that here:** no method ran this scene to its end.");
+  }
+  if (const std::string out = passed(choice); !out.empty()) page.text("Not considered:\n" + out);
+
+  const std::string caption =
+      "What was found, the best of each method; the knob stands at the points. Left of the dotted line is "
+      "accurate "
+      "enough, below it cheap enough.";
+  if (best.has(wish.error)) {
+    if (by_budget)
+      page.clocked("choice", caption, [=] { return chart_of(choice, problem, wish); });
+    else
+      page.figure("choice", caption, chart_of(choice, problem, wish));
+    page.measure("error of what is recommended", best[wish.error], std::string(unit_of(wish.error)));
+    page.measure("its row-solves a frame", best.row_solves, "1");
+  }
+
+  const byhand::Point again = measure(problem, *best.configuration, best.knob, best.tuning);
+  page.claim({.quantity = error + " of what is recommended, run again",
+              .unit = std::string(unit_of(wish.error)),
+              .expected = by_budget ? best[wish.error] : wish.accuracy,
+              .source = by_budget ? "the same run" : "asked for",
+              .measured = again.has(wish.error) ? again[wish.error] : INFINITY,
+              .tolerance = at_most(),
+              .claimed = choice.reached,
+              .range = "wishes that can be had"});
+  if (choice.finer)
+    page.claim({.quantity = error + " of the finer one",
+                .unit = std::string(unit_of(wish.error)),
+                .expected = wish.accuracy / 10,
+                .source = "a tenth of what was asked for",
+                .measured = (*choice.finer)[wish.error],
+                .tolerance = at_most()});
+  page.text(
+      "Ask again with your own: any scene of this lesson by name, any error (`drift`, `trajectory`, `energy`, "
+      "`momentum`, `reaction`), or a `budget` of time a frame, such as 200us.");
+}
+
+}  // namespace byhand::accuracy

@@ -1,0 +1,32 @@
+// Deeper: a block that slides and is held back by friction.
+
+#include <cmath>
+
+#include "lessons/09_what_accuracy_costs/steps.hpp"
+#include "lessons/09_what_accuracy_costs/survey.hpp"
+
+namespace byhand::accuracy {
+
+using namespace tutor;
+
+void incline(Page& page) {
+  const Problem problem("incline");
+  const Survey& all = survey(page, problem, Error::trajectory);
+  page.text(
+      "A block sets out down a slope of @° at @ m/s; friction, μ = @, stops it. Sliding is exact in velocity and "
+      "late "
+      "by half a step in position, so the order is 1 and a single sweep will do: sweeps buy nothing here, "
+      "substeps do.",
+      problem["angle"], problem["speed"], problem["friction"]);
+  show(page, "incline_trajectory", all, Error::trajectory);
+  show(page, "incline_drift", all, Error::drift);
+  const Series* direct = all.find("direct, substeps");
+  page.claim({.quantity = "incline: order of the direct solve with substeps",
+              .unit = "1",
+              .expected = 1,
+              .source = "s = ½ a t (t + h)",
+              .measured = fitted_order(direct->points, Error::trajectory),
+              .tolerance = absolute(0.25)});
+}
+
+}  // namespace byhand::accuracy

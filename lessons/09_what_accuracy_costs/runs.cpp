@@ -1,0 +1,31 @@
+#include "lessons/09_what_accuracy_costs/runs.hpp"
+
+#include <vector>
+
+namespace byhand::accuracy {
+
+double error_of(const Problem& problem, const byhand::Setting& setting, Error error) {
+  Configuration alone;
+  alone.setting = [&](int, double) { return setting; };
+  const byhand::Point point = measure(problem, alone, 1, 0);
+  return point.has(error) ? point[error] : INFINITY;
+}
+
+double period(const Problem& problem, const byhand::Setting& setting) {
+  AnyScene scene = problem.start();
+  scene->use(setting.method);
+  const auto aside = [&] { return scene->placements()[1].position.x(); };
+  const double h = frame / setting.steps;
+  std::vector<double> passages;
+  double before = aside();
+  while (passages.size() < 3 && scene->time() < problem.scene().duration) {
+    scene->step(h);
+    const double now = aside();
+    // At the lowest point x has no curvature, so a straight line finds the passage.
+    if ((before > 0) != (now > 0)) passages.push_back(scene->time() - h * now / (now - before));
+    before = now;
+  }
+  return passages.size() < 3 ? NAN : passages[2] - passages[0];
+}
+
+}  // namespace byhand::accuracy

@@ -1,0 +1,151 @@
+// Step 2: errors that are kept apart, because a method may have one and not the other.
+
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "lessons/09_what_accuracy_costs/runs.hpp"
+#include "lessons/09_what_accuracy_costs/steps.hpp"
+#include "lessons/09_what_accuracy_costs/survey.hpp"
+#include "renderer/canvas.hpp"
+#include "solver/exact/simple_pendulum.hpp"
+
+namespace byhand::accuracy {
+namespace {
+
+using namespace tutor;
+namespace palette = renderer::palette;
+
+constexpr double seconds = 6;
+
+/// A pendulum with a method, and what is seen of it.
+struct Swing {
+  std::string name;
+  renderer::Colour colour;
+  AnyScene scene;
+  byhand::Setting setting;
+  renderer::Curve energy;
+
+  Swing(std::string called, renderer::Colour painted, const Problem& problem, const byhand::Setting& chosen)
+      : name(std::move(called)), colour(painted), scene(problem.start()), setting(chosen), energy{.label = name} {
+    scene->use(setting.method);
+    energy.colour = colour;
+  }
+  /// Goes on to `time`, frame by frame of the scene.
+  void go_on(double time, double start) {
+    while (scene->time() < time - 0.5 * frame) {
+      for (int i = 0; i < setting.steps; ++i) scene->step(frame / setting.steps);
+      energy.x.push_back(scene->time());
+      energy.y.push_back((scene->energy() - start) / scene->energy_scale());
+    }
+  }
+};
+
+void draw_swings(renderer::Canvas& canvas, const std::vector<Swing>& swings, const SimplePendulum& exact,
+                 double length, double time) {
+  const auto [left, right] = canvas.page().inset(20).split_columns(0.46, 20);
+  const auto cells = left.cells(static_cast<int>(swings.size()), 1, 8);
+  for (std::size_t i = 0; i < swings.size(); ++i) {
+    const Swing& swing = swings[i];
+    canvas.look_at_page();
+    canvas.text({cells[i].x, cells[i].top() - 12}, swing.name,
+                {.size = 19, .colour = swing.colour, .anchor = renderer::Anchor::left, .bold = true});
+    canvas.look(renderer::fit({-1.15 * length, -1.15 * length, 2.3 * length, 1.35 * length}, cells[i], 4));
+    const double angle = exact.angle(time);
+    const renderer::Point true_bob(length * std::sin(angle), -length * std::cos(angle));
+    canvas.line({0, 0}, true_bob, {palette::theory, 1.8, renderer::Dash::dashed});
+    canvas.disc(true_bob, 0.07 * length, {renderer::fade(palette::paper, 0), {palette::theory, 1.8}});
+    const Eigen::Vector3d bob = swing.scene->placements()[1].position;
+    canvas.rod({0, 0}, {bob.x(), bob.y()});
+    canvas.disc({bob.x(), bob.y()}, 0.07 * length, {swing.colour, {palette::ink, 1.5}});
+    canvas.anchor({0, 0});
+  }
+  renderer::Chart chart{.x = {.label = "time (s)", .range = {{0, seconds}}},
+                        .y = {.label = "energy, change over mgL (1)", .range = {{-1, 0.15}}}};
+  for (const Swing& swing : swings) chart.curves.push_back(swing.energy);
+  canvas.look_at_page();
+  renderer::draw(canvas, chart, right);
+}
+
+}  // namespace
+
+void stable_is_not_accurate(Page& page) {
+  const Problem problem("pendulum", {{"length", 2}, {"mass", 3}});
+  const double length = problem["length"];
+  const Survey& all = survey(page, problem, Error::trajectory);
+  const Configuration &xpbd = configuration_named("XPBD, substeps"),
+                      &rattle = configuration_named("RATTLE, substeps"),
+                      &direct = configuration_named("direct, substeps");
+
+  page.text(
+      "\"How accurate is it?\" is five questions. *Drift*: how far is a joint from holding? *Trajectory*: is the "
+      "bob "
+      "where it should be? *Energy and momentum*: what was lost or made? *Reaction force*: would the bolt break? "
+      "And, "
+      "of a solver alone, the *algebraic* error: how far are the rows from solved? A method may be perfect in one "
+      "and "
+      "hopeless in another. The same runs as before, by drift:");
+  show(page, "pendulum_drift", all, Error::drift);
+  page.text("And the very same, by energy:");
+  show(page, "pendulum_energy", all, Error::energy);
+
+  const byhand::Point once = measure(problem, xpbd, 1, 0), symmetric = measure(problem, rattle, 1, 0);
+  const double left = 100 * (1 - once[Error::energy]);
+  page.predict(
+      {.ask = say("XPBD with zero compliance puts the bob back onto its circle in every step: over @ s the rod "
+                  "is never wrong by more than @ m. Released from @°, one step a frame: how much of the "
+                  "energy m·g·L with which it sets out is left?",
+                  problem.scene().duration, Value(once[Error::drift], 2), problem["angle"]),
+       .answer = left,
+       .unit = "%",
+       .tolerance = 4,
+       .wrong = {{100, "Stable and on the constraint, and wrong: the velocity is read off a chord."},
+                 {70, "Worse. It loses that much in the first seconds, and goes on."}},
+       .hint = "The velocity is read off the chord between two points of the circle.",
+       .right = "Its error is of first order in the step, and all of one sign."});
+  page.measure("XPBD, energy left", left, "%");
+  const SimplePendulum exact(problem["angle"] * std::numbers::pi / 180, length, problem["gravity"]);
+  std::vector<Swing> swings{{"XPBD", palette::error, problem, xpbd.setting(1, 0)},
+                            {"direct, β = 0.2", palette::force, problem, direct.setting(1, 0.2)},
+                            {"RATTLE", palette::velocity, problem, rattle.setting(1, 0)}};
+  page.sequence(
+      "stable_and_wrong",
+      "One step a frame, three methods, all stable. Dashed: where the bob should be. Right: the energy that "
+      "is gone. The rod of the uppermost has the right length to rounding throughout.",
+      Seconds{seconds}, [=, energy = problem.start()->energy()](renderer::Canvas& canvas, double time) mutable {
+        for (Swing& swing : swings) swing.go_on(time, energy);
+        draw_swings(canvas, swings, exact, length, time);
+      });
+  page.claim({.quantity = "XPBD, largest drift",
+              .unit = "m",
+              .expected = 1e-6 * length,
+              .source = "C = 0 is solved by Newton's method",
+              .measured = once[Error::drift],
+              .tolerance = at_most()});
+  page.claim({.quantity = "XPBD, energy lost all the same",
+              .unit = "1",
+              .expected = 0.5,
+              .source = "stable is not accurate",
+              .measured = once[Error::energy],
+              .tolerance = at_least()});
+  page.claim({.quantity = "RATTLE, largest drift",
+              .unit = "m",
+              .expected = 1e-12 * length,
+              .source = "C = 0 is solved to rounding",
+              .measured = symmetric[Error::drift],
+              .tolerance = at_most()});
+  page.claim({.quantity = "RATTLE, largest change of energy, over XPBD's",
+              .unit = "1",
+              .expected = 0.01,
+              .source = "it swings about the true energy and keeps near it",
+              .measured = symmetric[Error::energy] / once[Error::energy],
+              .tolerance = at_most()});
+  page.text(
+      "So ask first which error your scene cannot bear. A rope bridge in a game must not come apart: drift. A "
+      "clock "
+      "must keep time: trajectory and energy. A crane must not break its bolts: the reaction force. There is a "
+      "chart "
+      "for each; the deeper steps have them all, scene by scene.");
+}
+
+}  // namespace byhand::accuracy

@@ -1,0 +1,107 @@
+// Step 3: what to do with a heavy chain: sweep longer, step more often, or solve all rows at once.
+
+#include <cmath>
+#include <limits>
+
+#include "lessons/09_what_accuracy_costs/runs.hpp"
+#include "lessons/09_what_accuracy_costs/steps.hpp"
+#include "lessons/09_what_accuracy_costs/survey.hpp"
+
+namespace byhand::accuracy {
+namespace {
+
+using namespace tutor;
+
+/// Least trajectory error over β for so many substeps of so many warm sweeps.
+double best_error(const Problem& problem, int substeps, int sweeps) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const double beta : {0.0, 0.05, 0.2, 0.5, 1.0}) {
+    VelocityStepping method{GaussSeidel{sweeps}, Baumgarte{beta}};
+    method.substeps = substeps;
+    least = std::min(least, error_of(problem, {method}, Error::trajectory));
+  }
+  return least;
+}
+
+}  // namespace
+
+void substeps_or_sweeps(Page& page) {
+  const Problem ten("chain", {{"links", 10}});
+  const std::vector<std::pair<int, int>> ways{{1, 64}, {8, 8}, {64, 1}};
+  const std::vector<double> error = page.side_by_side(3, [&](int i) {
+    return best_error(ten, ways[static_cast<std::size_t>(i)].first, ways[static_cast<std::size_t>(i)].second);
+  });
+  const auto best = std::min_element(error.begin(), error.end()) - error.begin();
+
+  page.text(
+      "You have time for @ sweeps a frame over a swinging chain of @ links. Spend them all on one step; or cut "
+      "the "
+      "step and sweep each part less?",
+      64, ten["links"]);
+  Choice question{.ask = "Which comes nearest to the true motion after a second (each with its best β)?",
+                  .answer = static_cast<int>(best),
+                  .hint = "What is wrong with a step that is solved very exactly?"};
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    const auto [substeps, sweeps] = ways[i];
+    question.options.push_back(
+        {say(substeps == 1 ? "@ step of @ sweeps"
+             : sweeps == 1 ? "@ substeps of @ sweep"
+                           : "@ substeps of @ sweeps",
+             substeps, sweeps),
+         substeps == 1
+             ? say("It solves very exactly a step that is itself wrong: @ m off.", Value(error[i], 2))
+             : say("@ m off. A warm start carries λ from substep to substep, so no sweep is wasted, and the "
+                   "step's own error shrinks too.",
+                   Value(error[i], 2))});
+  }
+  page.choose(std::move(question));
+  page.claim({.quantity = "64 × 1 over 1 × 64, error of the trajectory",
+              .unit = "1",
+              .expected = 1,
+              .source = "law B12: substeps beat sweeps at equal row-solves",
+              .measured = error[2] / error[0],
+              .tolerance = at_most()});
+
+  const Problem heavy("chain", {{"links", 50}, {"end_mass", 100}});
+  const Survey& all = survey(page, heavy, Error::drift);
+  page.text(
+      "Now the hard one: @ links, the last of them @ times as heavy as the others, let go level. By the laws of "
+      "lesson "
+      "8 sweeps need about the square of the length times the mass ratio for each digit, and no number of sweeps "
+      "helps "
+      "where the step is too long for light links under tension. Here they all are:",
+      heavy["links"], heavy["end_mass"] / heavy["mass"]);
+  show(page, "chain_50_100_drift", all, Error::drift);
+  show_clocked(page, "chain_50_100_drift_clocked", all, Error::drift);
+
+  const double wanted = 1e-4;
+  const auto is_direct = [](const Configuration& c) { return c.name.starts_with("direct"); };
+  const auto sweeps = [](const Configuration& c) {
+    return c.name.starts_with("Gauss–Seidel") || c.name.starts_with("Jacobi") ||
+           c.name.find("conjugate") != std::string::npos || c.name.starts_with("SOR");
+  };
+  const double direct = least_cost(all, Error::drift, wanted, is_direct),
+               swept = least_cost(all, Error::drift, wanted, sweeps);
+  page.text(
+      "Read it at @ m, a tenth of a millimetre on a chain of @ m. The structured direct solve with substeps is "
+      "there "
+      "for @ row-solves a frame, @ for each of its rows.",
+      wanted, heavy["links"] * heavy["length"], direct, Value(direct / heavy.start()->rows(), 3));
+  page.text(std::isfinite(swept)
+                ? say("The cheapest way by sweeps costs @, @ times as much.", swept, Value(swept / direct, 2))
+                : std::string("No way by sweeps gets there at all within this chart."));
+  page.claim({.quantity = say("direct with substeps: drift of at most @ m", wanted),
+              .unit = "row-solves a row",
+              .expected = 200,
+              .source = "800 ns a joint and frame at 2 ns a row-solve",
+              .measured = direct / heavy.start()->rows(),
+              .tolerance = at_most()});
+  page.claim({.quantity = "the same by sweeps, over the direct solve",
+              .unit = "1",
+              .expected = 10,
+              .source = "atlas B': nothing that sweeps is within ten times of it",
+              .measured = std::min(swept, 1e12) / direct,
+              .tolerance = at_least()});
+}
+
+}  // namespace byhand::accuracy

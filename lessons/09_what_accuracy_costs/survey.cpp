@@ -1,0 +1,88 @@
+#include "lessons/09_what_accuracy_costs/survey.hpp"
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <map>
+#include <utility>
+
+namespace byhand::accuracy {
+namespace {
+
+Series run(const Problem& problem, const Configuration& configuration, Error tuned_for, double most) {
+  const double frames = problem.scene().duration / frame;
+  Series series{&configuration, best_tuning(problem, configuration, tuned_for), {}};
+  int last = 0;
+  double spent = 0;  // row-solves of the last run
+  for (const int knob : configuration.values) {
+    // Costs rise with the knob, so the next run's is known before it is made.
+    if (last > 0 && spent * knob / last > most) break;
+    series.points.push_back(
+        measure(problem, configuration, knob, series.tuning, {.algebraic = tuned_for == Error::algebraic}));
+    last = knob;
+    spent = frames * series.points.back().row_solves;
+    if (series.points.back().outcome == Outcome::refused) break;
+  }
+  return series;
+}
+
+std::string key(const Problem& problem, Error tuned_for, double most) {
+  return fmt::format("{} {} {} {}", description(problem), problem.model(), static_cast<int>(tuned_for), most);
+}
+
+}  // namespace
+
+std::string description(const Problem& problem) {
+  std::string text = problem.scene().title;
+  const char* before = ": ";
+  for (const SceneParameter& parameter : problem.scene().parameters) {
+    if (parameter.name == "gravity") continue;
+    text += fmt::format("{}{} = {:.4g}", before, parameter.name, problem[parameter.name]);
+    if (parameter.unit != "1") text += " " + parameter.unit;
+    before = ", ";
+  }
+  return text;
+}
+
+std::vector<byhand::Point> Survey::points() const {
+  std::vector<byhand::Point> all;
+  for (const Series& one : series) all.insert(all.end(), one.points.begin(), one.points.end());
+  return all;
+}
+
+const Series* Survey::find(std::string_view configuration) const {
+  for (const Series& one : series)
+    if (one.configuration->name == configuration) return &one;
+  return nullptr;
+}
+
+const Survey& survey(const tutor::Page& page, const Problem& problem, Error tuned_for, double most) {
+  static std::map<std::string, Survey> known;
+  const std::string name = key(problem, tuned_for, most);
+  if (const auto found = known.find(name); found != known.end()) return found->second;
+  const auto& all = configurations();
+  problem.reference();  // before the threads, which would wait for it
+  auto series = page.side_by_side(static_cast<int>(all.size()), [&](int i) {
+    return run(problem, all[static_cast<std::size_t>(i)], tuned_for, most);
+  });
+  return known.emplace(name, Survey{problem, tuned_for, std::move(series)}).first->second;
+}
+
+std::string refusals(const Survey& survey) {
+  std::string text;
+  for (const Series& series : survey.series)
+    if (!series.points.empty() && series.points.front().outcome == Outcome::refused)
+      text += fmt::format("\n- {}: {}", series.configuration->name, series.points.front().reason);
+  return text;
+}
+
+double least_cost(const Survey& survey, Error error, double at_most,
+                  const std::function<bool(const Configuration&)>& counts) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const byhand::Point& point : survey.points())
+    if (counts(*point.configuration) && point.has(error) && point[error] <= at_most)
+      least = std::min(least, point.row_solves);
+  return least;
+}
+
+}  // namespace byhand::accuracy
