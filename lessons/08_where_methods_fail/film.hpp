@@ -1,0 +1,108 @@
+#pragma once
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "lessons/pictures/growing.hpp"
+#include "lessons/tutor/page.hpp"
+#include "renderer/canvas.hpp"
+#include "solver/simulation.hpp"
+
+// Films of one scene that is run in several ways, beside each other; each stops where it fails.
+namespace byhand::failures {
+
+/// One of the runs.
+template <class S>
+struct Take {
+  std::string name;
+  Simulation<S> run;
+};
+
+/// What a film shows and for how long.
+template <class S>
+struct Shooting {
+  std::vector<Take<S>> takes = {};
+  renderer::Rectangle view = {};                               // of the world [m]
+  double seconds = 3.5;                                        // of film
+  double hurry = 1;                                            // seconds of the scene in one of the film
+  renderer::Axis gauge = {};                                   // what the chart beside shows
+  std::function<double(const S&)> read = {};                   // and how it is read off the scene
+  std::function<bool(const S&)> failed = {};                   // where a run stops
+  std::string failure = {};                                    // what is said of it then: "falls"
+  std::function<void(renderer::Canvas&, const S&)> draw = {};  // in the world
+};
+
+/// Draws a run's cell on the page: its name above, what is said of it below, the scene by `draw` in between.
+void draw_cell(renderer::Canvas& canvas, const renderer::Rectangle& cell, const renderer::Rectangle& view,
+               int number, const std::string& name, const std::string& words, bool failed,
+               const std::function<void()>& draw);
+
+/// The runs made and their gauges read: what is then drawn, as often as it is wanted.
+template <class S>
+class Film {
+ public:
+  explicit Film(Shooting<S> shooting);
+
+  double seconds() const { return plan_.seconds; }
+  double hurry() const { return plan_.hurry; }
+  /// When a run failed, in words: "falls at 2.4 s", or "does not".
+  std::string fate(int take) const;
+  /// What its gauge says at the end.
+  double last(int take) const { return gauges_.curves[take].y.back(); }
+  tutor::FrameDrawing drawing() const;
+
+ private:
+  static constexpr double step = 1.0 / 60;
+
+  Shooting<S> plan_;
+  std::vector<double> fails_at_;  // [s]; infinity for a run that does not
+  renderer::Chart gauges_;
+};
+
+template <class S>
+Film<S>::Film(Shooting<S> shooting) : plan_(std::move(shooting)) {
+  const double end = plan_.hurry * plan_.seconds;
+  gauges_ = {.x = {.label = "time (s)", .range = {{0, end}}}, .y = plan_.gauge};
+  for (const Take<S>& take : plan_.takes) {
+    renderer::Curve curve{.label = take.name};
+    Simulation<S> run = take.run;
+    for (;; run.step(step)) {
+      const double value = plan_.read(run.scene);
+      const bool shown = plan_.gauge.scale == renderer::Scale::linear || value > 0;
+      curve.x.push_back(run.time);
+      curve.y.push_back(shown ? value : NAN);
+      if (run.time > end - 0.5 * step || plan_.failed(run.scene)) break;
+    }
+    fails_at_.push_back(plan_.failed(run.scene) ? run.time : std::numeric_limits<double>::infinity());
+    gauges_.curves.push_back(std::move(curve));
+  }
+}
+
+template <class S>
+std::string Film<S>::fate(int take) const {
+  const double time = fails_at_[take];
+  return std::isfinite(time) ? tutor::say("@ at @ s", plan_.failure, tutor::Value(time, 3)) : "does not";
+}
+
+template <class S>
+tutor::FrameDrawing Film<S>::drawing() const {
+  return [film = *this, takes = plan_.takes](renderer::Canvas& canvas, double time) mutable {
+    const Shooting<S>& plan = film.plan_;
+    const auto [left, right] = canvas.page().inset(14).split_columns(0.58, 16);
+    const auto cells = left.cells(1, static_cast<int>(takes.size()), 8);
+    for (int i = 0; i < static_cast<int>(takes.size()); ++i) {
+      Simulation<S>& run = takes[i].run;
+      while (run.time < plan.hurry * time - 0.5 * step && !plan.failed(run.scene)) run.step(step);
+      const bool failed = plan.failed(run.scene);
+      draw_cell(canvas, cells[i], plan.view, i, takes[i].name,
+                failed ? film.fate(i) : tutor::say("@ s", tutor::Value(run.time, 2)), failed,
+                [&] { plan.draw(canvas, run.scene); });
+    }
+    renderer::draw(canvas, pictures::grown_to(film.gauges_, plan.hurry * time + 1e-9), right.inset(0, 40));
+  };
+}
+
+}  // namespace byhand::failures

@@ -1,0 +1,61 @@
+#include "lessons/08_where_methods_fail/steps.hpp"
+
+// Where methods fail: four families, each with its symptom, its law, a map that shows where it lives, and the knob
+// that helps.
+int main(int argc, char** argv) {
+  using namespace byhand;
+  using namespace byhand::failures;
+
+  tutor::Lesson lesson(
+      {.slug = "08_where_methods_fail",
+       .title = "Where methods fail",
+       .summary =
+           "Four families of failures: their symptoms, maps of where they live, the laws behind, the knobs.",
+       .method = "symplectic Euler; Gauss–Seidel, NNCG or direct; Baumgarte, projection"});
+  const Setting setting{
+      .resolution = lesson.parameter("resolution", 20, "1", {4, 64}, "cells a side of each map"),
+      .boxes = lesson.parameter("boxes", 15, "1", {8, 24}, "of the stack that is filmed"),
+      .sweeps = lesson.parameter("sweeps", 4, "1", {1, 30}, "sweeps a step that are too few"),
+      .links = lesson.parameter("links", 10, "1", {3, 20}, "links of the chain that rings"),
+      .beta = lesson.parameter("beta", 0.3, "1", {0, 1}, "its share of an error that a step corrects"),
+      .end_mass = lesson.parameter("end_mass", 600.0, "kg", {1, 1e5}, "of the chain whose links weigh 1 kg"),
+      .hertz = lesson.parameter("hertz", 30.0, "Hz", {5, 240}, "of soft contacts"),
+      .conflict = lesson.parameter("conflict", 0.1, "m", {1e-4, 0.5}, "by which two rods of one bob disagree"),
+  };
+  const auto with = [setting](void (*step)(const Setting&, tutor::Page&)) {
+    return [=](tutor::Page& page) { step(setting, page); };
+  };
+
+  lesson.step("Too few iterations", with(too_few_iterations));
+  lesson.step("The correction overshoots", with(overshoots));
+  lesson.step("The step is too large", with(too_large_a_step));
+  lesson.step("The contact is too soft", with(too_soft));
+  lesson.step("The rows are wrong", with(wrong_rows));
+  lesson.step("Which knob?", with(which_knob));
+  lesson.step("All laws on one diagonal", with(all_laws));
+
+  lesson.deeper("A heavy box on a light one", with(heavy_on_light));
+  lesson.deeper("Four contacts on one box", with(many_contacts));
+  lesson.deeper("Springs by hand", with(springs));
+  lesson.deeper("Faster than it is seen", with(unseen));
+
+  lesson.closing(
+      {.now_you_know =
+           {"It creeps, always one way, and each sweep helps: too few iterations. Chains ask for N² sweeps, "
+            "stacks for N³; "
+            "a direct solve for none.",
+            "It rings: the correction overshoots. A warm start bears β < (1 − q)/q and not a hair more.",
+            "It flies apart, and sweeps change nothing: the step. Sideways a taut chain is an explicit spring, ωh "
+            "< 2; a "
+            "stack on soft contacts buckles like a tree.",
+            "It is calm, and λ grows: the rows. Regularise, reorder, refresh.",
+            "Look first, then turn a knob: a cure for one family does nothing for another."},
+       .tries = {{"A finer map of where a warm start rings:", "./lessons/run 8 --step 2 --set resolution=40"},
+                 {"A taller stack, and sweeps that are nearly enough:",
+                  "./lessons/run where_methods --step 1 --set boxes=20 --set sweeps=12"},
+                 {"A lighter end, on this side of the boundary:", "./lessons/run 8 --step 3 --set end_mass=200"},
+                 {"Stiffer contacts, taller stacks:", "./lessons/run 8 --step 4 --set hertz=60"}},
+       .next = "You know where each method ends. Lesson 9 asks what it costs before that: error against work, on "
+               "one chart."});
+  return lesson.run(argc, argv);
+}

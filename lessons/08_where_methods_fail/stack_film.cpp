@@ -1,0 +1,28 @@
+#include "lessons/08_where_methods_fail/stack_film.hpp"
+
+#include "lessons/pictures/boxes.hpp"
+
+namespace byhand::failures {
+
+Film<Boxes> film_of_stacks(int boxes, const std::vector<SolvedStack>& stacks, double hurry) {
+  Boxes kicked = stack(boxes);
+  kick(kicked, 0.02);
+  const double height = boxes;
+  Shooting<Boxes> shooting{
+      .view = {-0.16 * height, -0.03 * height, 0.32 * height, 1.06 * height},
+      .hurry = hurry,
+      .gauge = {.label = "top box is off by (m)", .scale = renderer::Scale::logarithmic, .range = {{1e-5, 30}}},
+      .read = [](const Boxes& scene) { return std::abs(scene.bodies.pose.back().position.x()); },
+      .failed = [=](const Boxes& scene) { return !(scene.bodies.pose.back().position.y() > height - 1.5); },
+      .failure = "falls",
+      .draw =
+          [](renderer::Canvas& canvas, const Boxes& scene) {
+            pictures::Shapes shapes = pictures::shapes_of(scene);
+            for (auto& box : shapes.boxes) box.look.edge.width = 1;
+            pictures::draw(canvas, shapes);
+          }};
+  for (const SolvedStack& solved : stacks) shooting.takes.push_back({solved.name, {kicked, solved.method}});
+  return Film<Boxes>(std::move(shooting));
+}
+
+}  // namespace byhand::failures
