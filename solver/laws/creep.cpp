@@ -90,7 +90,7 @@ Law exact_columns() {
           "solved exactly any column stands, whatever its friction, but only while little is regularised",
           "r < 1.236/(σ²h²N⁴)",
           {}};
-  for (const auto& [boxes, rate] : {std::pair{20, 60}, {30, 60}, {40, 60}}) {
+  for (const auto& [boxes, rate] : {std::pair{20, 60}, {25, 60}, {30, 60}}) {
     const Column column{.boxes = boxes, .sweeps = 0, .step = 1.0 / rate, .steps = 4000};
     law.boundaries.push_back(bisected({"regularisation",
                                        "of the diagonal",

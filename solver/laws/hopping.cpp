@@ -15,7 +15,9 @@
 // ½.
 //
 // Law 9. A box of 1 kg on the ground bears one of mass r: ρ = r/(1 + r), law 4's two bodies. At β = 0.2 the limit
-// stands at q = 0.73, and rᵏ/(1 + r)ᵏ reaches that at about r = 3k.
+// stands at q = 0.73, and rᵏ/(1 + r)ᵏ reaches that at about r = 3k. Heavier
+// ones never settle. Lighter ones do or do not by how they are put down, for two contacts have a kink each:
+// between 1.5k and 3k there are masses that ring on.
 //
 // Both derived for this course; the factor and the 3 had been measured before.
 namespace byhand::laws {
@@ -51,21 +53,21 @@ double heaviest_top(int sweeps, double beta) {
 Law heavy_on_light() {
   Law law{9,
           Family::too_few_iterations,
-          "heavy on light hops once its mass is about three times the sweeps",
+          "heavy on light settles for certain no more once its mass is about three times the sweeps",
           "r < about 3k at β = 0.2",
           {}};
-  for (const int sweeps : {1, 2, 4, 8})
+  for (const int sweeps : {1, 2, 4, 8}) {
+    const double heaviest = heaviest_top(sweeps, 0.2);
     law.boundaries.push_back(
-        bisected({"upper mass",
-                  "of the lower",
-                  fmt::format("β 0.2, {} sweep{}", sweeps, sweeps == 1 ? "" : "s"),
-                  heaviest_top(sweeps, 0.2),
-                  0.12,
-                  {},
-                  [=](double mass) {
-                    return hop({.boxes = 2, .sweeps = sweeps, .beta = 0.2, .top_mass = mass, .steps = 10'000}) ==
-                           Outcome::settles;
-                  }}));
+        {"heaviest that settles", "of the lower", fmt::format("β 0.2, {} sweep{}", sweeps, sweeps == 1 ? "" : "s"),
+         heaviest, 0.05, [=] {
+           double mass = 1.3 * heaviest;
+           while (hop({.boxes = 2, .sweeps = sweeps, .beta = 0.2, .top_mass = mass, .steps = 10'000}) !=
+                  Outcome::settles)
+             mass /= 1.01;
+           return mass;
+         }});
+  }
   return law;
 }
 

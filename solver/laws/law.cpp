@@ -34,6 +34,7 @@ std::vector<Law> all() {
           springs(),
           substeps(),
           spin(),
+          stale_rows(),
           block_or_rows(),
           tunnelling(),
           buckling(),
