@@ -39,27 +39,47 @@ struct Found {
   Point point;  // the cheapest that reaches it, or what came nearest
 };
 
+/// Whether an error has stopped to fall while the knob was doubled.
+class Stall {
+ public:
+  bool now(double error) {
+    if (!std::isfinite(error)) return false;
+    waited_ = error < enough_ ? 0 : waited_ + 1;
+    if (waited_ == 0) enough_ = 2.0 / 3 * error;
+    return waited_ == 3;
+  }
+
+ private:
+  double enough_ = INFINITY;
+  int waited_ = 0;
+};
+
 /// The least knob at which a configuration has an error of at most `accuracy`, from `first` on.
 Found reach(const Problem& problem, const Configuration& configuration, Error error, double accuracy, int first,
             double most_row_solves) {
   Found found;
-  int before = first - 1;
-  const auto reaches = [&](int knob) {
+  const auto run = [&](int knob) {
     const double limit = found.point.has(error) ? std::max(accuracy, found.point[error]) : INFINITY;
     const Point point = best_at(problem, configuration, knob, error, limit);
-    const bool now = point.has(error) && point[error] <= accuracy;
+    const bool reached = point.has(error) && point[error] <= accuracy;
     const bool nearer = point.has(error) && !(found.point.has(error) && found.point[error] <= point[error]);
-    if (!found.point.configuration || now || (!found.reached && nearer)) found.point = point;
-    found.reached = found.reached || now;
-    return now;
+    if (!found.point.configuration || reached || (!found.reached && nearer)) found.point = point;
+    found.reached = found.reached || reached;
+    return point;
   };
+  int before = first - 1;
+  Stall stall;
   for (const int knob : configuration.values) {
     if (knob < first) continue;
-    if (reaches(knob)) {
-      bisect(before, knob, reaches);
+    const Point point = run(knob);
+    if (found.reached) {
+      bisect(before, knob, [&](int between) {
+        const Point finer = run(between);
+        return finer.has(error) && finer[error] <= accuracy;
+      });
       break;
     }
-    if (found.point.outcome == Outcome::refused || found.point.row_solves > most_row_solves) break;
+    if (point.outcome == Outcome::refused || point.row_solves > most_row_solves || stall.now(point[error])) break;
     before = knob;
   }
   return found;
@@ -80,12 +100,13 @@ Found afford(const Problem& problem, const Configuration& configuration, const W
     found.reached = true;
     return false;
   };
+  Stall stall;
   for (const int knob : configuration.values) {
     if (too_dear(knob)) {
       if (knob > configuration.values.front()) bisect(before, knob, too_dear);
       break;
     }
-    if (found.point.outcome == Outcome::refused) break;
+    if (found.point.outcome == Outcome::refused || stall.now(found.point[wish.error])) break;
     before = knob;
   }
   return found;

@@ -28,7 +28,9 @@ struct Choice {
 };
 
 struct Search {
-  double give_up = 30;  // a configuration is left when it costs so many times the cheapest that reaches the wish
+  // A configuration is left when it costs so many times the cheapest that reaches the wish, or when three
+  // doublings of its knob have not brought the error down by a third.
+  double give_up = 10;
   std::function<void(const std::string&)> told = [](const std::string&) {};  // of each configuration as it begins
 };
 

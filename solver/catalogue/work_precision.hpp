@@ -42,13 +42,13 @@ struct Setting {
 
 /// One way to go about a scene, with a knob that buys accuracy.
 struct Configuration {
-  std::string name;         // "direct, substeps"
-  std::string knob;         // "substeps", "sweeps", "steps"
-  std::vector<int> values;  // of the knob, ascending
-  std::string tuning;       // what is chosen best for each scene, "β"; empty where there is nothing
-  std::vector<double> tunings;
-  bool defaults = false;      // what people leave as it comes
-  bool shortens_step = true;  // whether the knob divides the time step, so that an order can be fitted
+  std::string name;             // "direct, substeps"
+  std::string knob;             // "substeps", "sweeps", "steps"
+  std::vector<int> values;      // of the knob, ascending
+  std::string tuning;           // what is chosen best for each scene, "β"; empty where there is nothing
+  std::vector<double> tunings;  // at least one
+  bool defaults = false;        // what people leave as it comes
+  bool shortens_step = true;    // whether the knob divides the time step, so that an order can be fitted
   std::function<Setting(int knob, double tuning)> setting;
 };
 
