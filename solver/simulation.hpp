@@ -20,6 +20,8 @@ struct Simulation {
   }
 };
 
+template <class S>
+Simulation(S, VelocityStepping) -> Simulation<S>;
 template <class S, class Method>
 Simulation(S, Method) -> Simulation<S, Method>;
 
