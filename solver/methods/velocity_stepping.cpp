@@ -13,10 +13,18 @@ void require_valid(const VelocityStepping& method) {
 template <class M>
 void push_poses(const SplitImpulse& cure, const RowSolver& solver, double h, Bodies<M>& bodies, Work<M>& work) {
   System<M>& system = work.system;
+  Pushes& pushes = work.pushes;
   work.velocity = bodies.velocity;
   work.lambda = system.lambda;
+  if (!cure.warm_start || pushes.version != work.version || pushes.layout != work.layout)
+    pushes.lambda.assign(system.rows(), 0.0);
+  pushes.version = work.version;
+  pushes.layout = work.layout;
+  for (int i = 0; i < system.rows(); ++i) system.lambda[i] += pushes.lambda[i];
+  apply_all(system, pushes.lambda, bodies.velocity);
   set_bias(Baumgarte{cure.beta, BetaReading::per_step, cure.slop, cure.speed_cap}, h, system);
   solve_rows(solver, bodies, work, Begin::again);
+  for (int i = 0; i < system.rows(); ++i) pushes.lambda[i] = system.lambda[i] - work.lambda[i];
   for (int i = 0; i < bodies.size(); ++i) bodies.velocity[i] -= work.velocity[i];  // P
   advance_poses(bodies, h);
   bodies.velocity = work.velocity;

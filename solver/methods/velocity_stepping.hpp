@@ -41,6 +41,13 @@ std::string refusal(const S& scene, const VelocityStepping& method) {
   return {};
 }
 
+/// What split impulse keeps: the impulses of its pseudo-velocities, by row, and the layout they belong to.
+struct Pushes {
+  std::vector<double> lambda;
+  int version = 0;
+  Layout layout = Layout::none;
+};
+
 /// What is kept between steps.
 template <class M>
 struct Work : RowWork<M> {
@@ -48,7 +55,8 @@ struct Work : RowWork<M> {
   std::vector<double> approach;             // JV of rows that may bounce, before they are solved
   std::vector<double> lambda, gamma, rate;  // by row, what a cure changes for its second half
   std::vector<Velocity<M>> velocity;        // as much
-  double h = 0;                             // the substep that λ belongs to [s]
+  Pushes pushes;
+  double h = 0;  // the substep that λ belongs to [s]
 };
 
 /// λ is an impulse, a force times h: when the step changes, so does the guess that a warm start makes.

@@ -1,55 +1,31 @@
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <new>
-
 #include "solver/constraints/friction.hpp"
+#include "solver/methods/accelerations.hpp"
+#include "solver/methods/rattle.hpp"
 #include "solver/scenes/branches.hpp"
 #include "solver/scenes/chain.hpp"
 #include "solver/scenes/incline.hpp"
+#include "tests/solver/allocations.hpp"
 #include "tests/solver/solving.hpp"
-
-namespace {
-long allocations = 0;
-
-void* counted(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size)) return memory;
-  throw std::bad_alloc();
-}
-}  // namespace
-
-// Every allocation of this program passes through here, also those that may fail in silence.
-void* operator new(std::size_t size) { return counted(size); }
-void* operator new[](std::size_t size) { return counted(size); }
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
-  ++allocations;
-  return std::malloc(size);
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete[](void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete(void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
 
 namespace {
 
 using namespace byhand;
 
-template <class F>
-long allocations_in(F&& f) {
-  const long before = allocations;
-  f();
-  return allocations - before;
-}
-
-const RowSolver solvers[] = {GaussSeidel{}, GaussSeidel{10, false, SweepOrder::reverse},
-                             GaussSeidel{10, true, SweepOrder::coloured}, Jacobi{}, Direct{}};
+const RowSolver solvers[] = {GaussSeidel{},
+                             GaussSeidel{10, false, SweepOrder::reverse},
+                             GaussSeidel{10, true, SweepOrder::coloured},
+                             Jacobi{},
+                             Direct{},
+                             ConjugateSweeps{},
+                             ConjugateGradients{},
+                             AcceleratedGradient{}};
 
 template <class S>
-void expect_none_after_the_first_step(S scene, const RowSolver& solver) {
+void expect_none_after_the_first_step(S scene, const RowSolver& solver, const DriftCure& cure = Baumgarte{}) {
   Work<typename S::model> work;
-  VelocityStepping method{solver};
+  VelocityStepping method{solver, cure};
   method.substeps = 2;
   EXPECT_GT(allocations_in([&] { advance(scene, method, time_step, work); }), 0) << "the counter counts";
   EXPECT_EQ(allocations_in([&] {
@@ -69,9 +45,18 @@ TEST(Allocation, HappensInNoStepAfterTheFirst) {
   });
 }
 
+TEST(Allocation, HappensInNoStepOfAnyCureAfterTheFirst) {
+  in_all_models([]<class M>(Random&) {
+    for (const DriftCure& cure : {DriftCure(Projection{}), DriftCure(SplitImpulse{}), DriftCure(SoftConstraints{}),
+                                  DriftCure(SoftConstraints{.refresh = false})})
+      for (const RowSolver& solver : {RowSolver(GaussSeidel{}), RowSolver(Direct{})})
+        expect_none_after_the_first_step(rod_chain<M>({.links = 10, .angle = 1}), solver, cure);
+  });
+}
+
 TEST(Allocation, HappensInNoStepWithContactsAfterTheFirst) {
   in_all_models([]<class M>(Random& random) {
-    for (const auto& solver : {solvers[0], solvers[2], solvers[3]}) {
+    for (const auto& solver : {solvers[0], solvers[2], solvers[3], solvers[5], solvers[7]}) {
       Scene<M, Contact, Friction> scene;
       const int ground = scene.add_body(random.pose<M>(), fixed<M>());
       for (int i = 0; i < 4; ++i) {
@@ -82,6 +67,26 @@ TEST(Allocation, HappensInNoStepWithContactsAfterTheFirst) {
       expect_none_after_the_first_step(scene, solver);
     }
   });
+}
+
+template <class S, class Method>
+void expect_none_after_the_first_step_by(const S& scene, const Method& method) {
+  Simulation<S, Method> simulation{scene, method};
+  simulation.step(time_step);
+  EXPECT_EQ(allocations_in([&] {
+              for (int i = 0; i < 5; ++i) simulation.step(time_step);
+            }),
+            0);
+}
+
+TEST(Allocation, HappensInNoStepOfAccelerationsOrRattleAfterTheFirst) {
+  const auto expect_none = [](const auto& scene) {
+    for (const Scheme scheme : {Scheme::rk4, Scheme::implicit_midpoint})
+      expect_none_after_the_first_step_by(scene, Accelerations{scheme, 2});
+    expect_none_after_the_first_step_by(scene, Rattle{2});
+  };
+  expect_none(rod_chain<PlaneParticle>({.links = 10, .angle = 1}));
+  expect_none(pinned_chain<SpaceBody>({.links = 10, .angle = 1}));
 }
 
 template <class S>
