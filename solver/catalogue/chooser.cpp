@@ -192,7 +192,7 @@ double margin(const Problem& problem, const Point& point, Error error, double li
     return again.has(error) && again[error] <= limit;
   };
   if (!(value > 0)) return NAN;
-  const double most = std::min(1000.0, parameter->high / value);
+  const double most = parameter->high / value;
   double low = 1, high = 1;
   while (
       holds(high)) {  // in short strides: where steps are too long for a stiff scene, good bands follow bad ones
