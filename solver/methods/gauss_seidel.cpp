@@ -48,8 +48,7 @@ void sweep(const System<M>& system, const Prepared<M>& prepared, double* lambda,
 }
 
 template <class M>
-double watched_sweep(System<M>& system, Prepared<M>& prepared, std::vector<Velocity<M>>& velocities,
-                     int ways) {
+double watched_sweep(System<M>& system, Prepared<M>& prepared, std::vector<Velocity<M>>& velocities, int ways) {
   prepared.before = velocities;
   sweep(system, prepared, system.lambda.data(), numbers<M>(velocities), ways);
   double largest = 0;
@@ -73,7 +72,7 @@ int solve(const GaussSeidel& solver, System<M>& system, std::vector<Velocity<M>>
   return ways * solver.sweeps;
 }
 
-#define BYHAND_INSTANTIATE(M)                                                               \
+#define BYHAND_INSTANTIATE(M)                                                              \
   template void sweep(const System<M>&, const Prepared<M>&, double*, double*, int);        \
   template double watched_sweep(System<M>&, Prepared<M>&, std::vector<Velocity<M>>&, int); \
   template int solve(const GaussSeidel&, System<M>&, std::vector<Velocity<M>>&, Prepared<M>&, Begin)
