@@ -60,18 +60,17 @@ Law buckling() {
   for (const auto& [boxes, substeps, steps] :
        {Setting{8, 1, 3000}, {8, 4, 3000}, {14, 1, 3000}, {22, 1, 3000}, {30, 1, 3000}}) {
     const Column column{.boxes = boxes, .sweeps = 0, .substeps = substeps, .steps = steps};
-    law.boundaries.push_back(
-        bisected({"softness of the contacts",
-                  "s",
-                  fmt::format("{} boxes, {} substep{}", boxes, substeps, substeps == 1 ? "" : "s"),
-                  1 / softest_contacts(boxes),
-                  0.03,
-                  {},
-                  [=](double period) {
-                    Column softened = column;
-                    softened.frequency = 1 / period;
-                    return buckle(softened) == Outcome::settles;
-                  }}));
+    law.boundaries.push_back(bisected({"softness of the contacts",
+                                       "s",
+                                       fmt::format("{} boxes, {}", boxes, counted(substeps, "substep")),
+                                       1 / softest_contacts(boxes),
+                                       0.03,
+                                       {},
+                                       [=](double period) {
+                                         Column softened = column;
+                                         softened.frequency = 1 / period;
+                                         return buckle(softened) == Outcome::settles;
+                                       }}));
   }
   for (const double frequency : {30.0, 60.0, 120.0}) {
     const double stiffness = std::pow(2 * std::numbers::pi * frequency, 2) / 5,

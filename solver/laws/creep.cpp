@@ -39,7 +39,11 @@
 //
 // Both derived for this course.
 namespace byhand::laws {
+namespace {
+
 constexpr double cantilever = 12.362;  // 1.8751⁴, where cos x cosh x = -1
+
+}  // namespace
 
 double bending_left_by_a_sweep(int boxes) { return 1 - cantilever / (6 * std::pow(boxes, 4)); }
 
@@ -64,18 +68,13 @@ Law creep() {
     Column column{.boxes = boxes, .sweeps = sweeps, .step = 1.0 / rate};
     const double left = std::pow(bending_left_by_a_sweep(boxes), sweeps);
     column.steps = static_cast<int>(4 / (1 - left)) + 1000;  // the other root of the two is q
-    law.boundaries.push_back(
-        bisected({"gravity",
-                  "m/s²",
-                  fmt::format("{} boxes, {} sweep{}, {} Hz", boxes, sweeps, sweeps == 1 ? "" : "s", rate),
-                  gravity_that_sweeps_hold(boxes, sweeps, column.step),
-                  0.05,
-                  {},
-                  [=](double gravity) {
-                    Column heavier = column;
-                    heavier.gravity = gravity;
-                    return lean(heavier) == Outcome::settles;
-                  }}));
+    law.boundaries.push_back(bisected({"gravity",
+                                       "m/s²",
+                                       fmt::format("{} boxes, {}, {} Hz", boxes, counted(sweeps, "sweep"), rate),
+                                       gravity_that_sweeps_hold(boxes, sweeps, column.step),
+                                       0.05,
+                                       {},
+                                       settles(column, &Column::gravity, lean)}));
   }
   return law;
 }
@@ -98,11 +97,7 @@ Law exact_columns() {
                                        regularisation_that_holds(boxes, column.step),
                                        0.1,
                                        {},
-                                       [=](double share) {
-                                         Column softened = column;
-                                         softened.regularisation = share;
-                                         return lean(softened) == Outcome::settles;
-                                       }}));
+                                       settles(column, &Column::regularisation, lean)}));
   }
   law.boundaries.push_back(
       {"time to fall with μ = 10⁴", "of that with μ = 0.6", "15 boxes, 4 sweeps", 1, 0.02, [] {

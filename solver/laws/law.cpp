@@ -43,6 +43,10 @@ std::vector<Law> all() {
           exact_columns()};
 }
 
+std::string counted(int count, const std::string& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
 double bisect(const std::function<bool(double)>& holds, double low, double high, double resolution) {
   require_positive("lower end", low, "");
   const bool held = holds(low);

@@ -38,6 +38,19 @@ struct Law {
 /// All laws in order of their numbers; making them runs nothing.
 std::vector<Law> all();
 
+/// For a boundary's `holds`: whether a run settles with one knob of its scene turned.
+template <class Scene>
+std::function<bool(double)> settles(const Scene& scene, double Scene::*knob, Outcome (*run)(const Scene&)) {
+  return [=](double value) {
+    Scene turned = scene;
+    turned.*knob = value;
+    return run(turned) == Outcome::settles;
+  };
+}
+
+/// "1 sweep", "2 sweeps".
+std::string counted(int count, const std::string& what);
+
 /// Where `holds` changes between low and high, both > 0, by halving their ratio until it is below 1 + resolution.
 /// Throws std::invalid_argument where it does not change.
 double bisect(const std::function<bool(double)>& holds, double low, double high, double resolution);

@@ -41,11 +41,11 @@ Law conflicting_rows() {
   for (const ConflictingRods& rods :
        {ConflictingRods{}, {.conflict = 0.01}, {.beta = 0.05}, {.sweeps = 1}, {.step = 1.0 / 240}}) {
     const double h = rods.step;
-    law.boundaries.push_back(
-        {"growth of the pulls' difference", "N/s",
-         fmt::format("Δ {} m, β {}, {} sweeps, {:.0f} Hz", rods.conflict, rods.beta, rods.sweeps, 1 / h),
-         2 * rods.sweeps * 3 * rods.beta * rods.conflict / (h * h * h), 0.02,
-         [=] { return (pull_apart(rods, 4) - pull_apart(rods, 2)) / 2; }});
+    law.boundaries.push_back({"growth of the pulls' difference", "N/s",
+                              fmt::format("Δ {} m, β {}, {}, {:.0f} Hz", rods.conflict, rods.beta,
+                                          counted(rods.sweeps, "sweep"), 1 / h),
+                              2 * rods.sweeps * 3 * rods.beta * rods.conflict / (h * h * h), 0.02,
+                              [=] { return (pull_apart(rods, 4) - pull_apart(rods, 2)) / 2; }});
   }
   for (const double softness : {1e-3, 1e-2}) {
     ConflictingRods rods;

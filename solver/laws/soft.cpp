@@ -122,11 +122,7 @@ Law springs() {
                                        std::numbers::sqrt2 / (2 * std::numbers::pi),
                                        0.02,
                                        {},
-                                       [chain](double frequency) {
-                                         SoftChain tuned = chain;
-                                         tuned.frequency = frequency;
-                                         return run(tuned) == Outcome::settles;
-                                       }}));
+                                       settles(chain, &SoftChain::frequency, run)}));
   }
   return law;
 }
@@ -153,11 +149,7 @@ Law substeps() {
                                        largest_beta(left_by_a_sweep(links)),
                                        0.02,
                                        {},
-                                       [chain](double beta) {
-                                         WarmChain corrected = chain;
-                                         corrected.beta = beta;
-                                         return run(corrected) == Outcome::settles;
-                                       }}));
+                                       settles(chain, &WarmChain::beta, run)}));
   }
   return law;
 }

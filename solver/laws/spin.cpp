@@ -156,15 +156,12 @@ Law block_or_rows() {
           "row by row β < (1 - q)/q, q = (A12/A11)²ᵏ; as a block β < 2",
           {}};
   const auto add = [&](std::string setting, const LongArm& box, double limit) {
-    law.boundaries.push_back(bisected({"β", "", std::move(setting), limit, 0.02, {}, [box](double beta) {
-                                         LongArm corrected = box;
-                                         corrected.beta = beta;
-                                         return run(corrected) == Outcome::settles;
-                                       }}));
+    law.boundaries.push_back(
+        bisected({"β", "", std::move(setting), limit, 0.02, {}, settles(box, &LongArm::beta, run)}));
   };
   for (const auto& [side, sweeps] : {std::pair{0.1, 10}, {0.1, 30}, {0.3, 1}, {0.3, 4}}) {
     const LongArm box{.side = side, .sweeps = sweeps};
-    add(fmt::format("side {} m, row by row, {} sweep{}", side, sweeps, sweeps == 1 ? "" : "s"), box,
+    add(fmt::format("side {} m, row by row, {}", side, counted(sweeps, "sweep")), box,
         largest_beta(std::pow(left_by_a_sweep(box), sweeps)));
   }
   add("side 0.1 m, as a block, 1 sweep", {.sweeps = 1, .block = true}, 2);

@@ -81,12 +81,13 @@ Law transverse() {
           "ω h < 2, about T h²/(m l) < 1",
           {}};
   const auto add = [&](std::string setting, TautChain chain) {
-    law.boundaries.push_back(
-        bisected({"end mass", "kg", std::move(setting), heaviest_end(chain), 0.005, {}, [=](double end_mass) {
-                    TautChain turned = chain;
-                    turned.end_mass = end_mass;
-                    return run(turned) == Outcome::settles;
-                  }}));
+    law.boundaries.push_back(bisected({"end mass",
+                                       "kg",
+                                       std::move(setting),
+                                       heaviest_end(chain),
+                                       0.005,
+                                       {},
+                                       settles(chain, &TautChain::end_mass, run)}));
   };
   for (const int rate : {30, 60, 120, 240})
     add(fmt::format("6 links of 1 kg and 1 m, {} Hz", rate), {.step = 1.0 / rate});

@@ -70,15 +70,11 @@ Law warm_start() {
     const double law_says = largest_beta(std::pow(left_by_a_sweep(links), sweeps));
     law.boundaries.push_back(bisected({"β",
                                        "",
-                                       fmt::format("{} links, {} sweep{}", links, sweeps, sweeps == 1 ? "" : "s"),
+                                       fmt::format("{} links, {}", links, counted(sweeps, "sweep")),
                                        law_says,
                                        0.02,
                                        {},
-                                       [=](double beta) {
-                                         WarmChain turned = chain;
-                                         turned.beta = beta;
-                                         return run(turned) == Outcome::settles;
-                                       }}));
+                                       settles(chain, &WarmChain::beta, run)}));
   }
   return law;
 }
