@@ -120,6 +120,15 @@ void note_curvature(const Kind& constraint, const Bodies<M>& bodies, int row, Av
   }
 }
 
+/// Friction has one k for both of its axes, or F would not oppose the slip.
+template <class Kind>
+void share_stiffness(const Kind&, int row, std::vector<double>& stiffness) {
+  if constexpr (Kind::bound == Bound::ball) {
+    Eigen::Map<Rows<Kind::rows>> both(&stiffness[row]);
+    both.setConstant(both.maxCoeff());
+  }
+}
+
 /// Sets how a row begins a step: its Λ and k, and how much of C it asks for.
 template <class Kind, class M>
 void warm_start(const Kind& constraint, const Bodies<M>& bodies, const Avbd& method, double h, int row,
@@ -142,6 +151,7 @@ void warm_start(const Kind& constraint, const Bodies<M>& bodies, const Avbd& met
     double& stiffness = work.stiffness[row + k];
     stiffness = hard ? std::min(std::max(method.memory * stiffness, least), method.stiffest) : 1 / (h * h * gamma);
   }
+  share_stiffness(constraint, row, work.stiffness);
 }
 
 /// F of a constraint's rows where its bodies now stand, in units of Λ.
@@ -174,20 +184,27 @@ void update_rows(const Kind& constraint, const Bodies<M>& bodies, const Avbd& me
       stiffness =
           std::min(stiffness + method.beta * std::abs(C[k]), gamma == 0 ? method.stiffest : 1 / (h * h * gamma));
   }
+  share_stiffness(constraint, row, work.stiffness);
   Eigen::Map<Rows<K>>(&work.rows.impulse[row]) = F;
 }
+
+/// Sets H and slope of a body that nothing holds: M, and M (x - y).
+template <class M>
+void begin_descent(const InverseMass<M>& mass, const Pose<M>& pose, const Pose<M>& free,
+                   Eigen::Matrix<double, M::dof, M::dof>& H, Velocity<M>& slope);
+/// Moves a pose by -H⁻¹ slope.
+template <class M>
+void end_descent(const Eigen::Matrix<double, M::dof, M::dof>& H, const Velocity<M>& slope, Pose<M>& pose);
 
 /// One Newton step of one body while the others stand still. Returns how many rows it has seen.
 template <class S, class M>
 int descend(S& scene, int body, double h, Avbd::Work<M>& work) {
   constexpr int dof = M::dof;
   Bodies<M>& bodies = scene.bodies;
-  const InverseMass<M>& mass = bodies.inverse_mass[body];
   Pose<M>& pose = bodies.pose[body];
-  Eigen::Matrix<double, dof, dof> H = Eigen::Matrix<double, dof, dof>::Zero();
-  H.diagonal().template head<M::linear>().setConstant(1 / mass.linear);
-  if constexpr (M::angular > 0) H.template bottomRightCorner<M::angular, M::angular>() = inertia<M>(mass, pose);
-  Velocity<M> slope = H.lazyProduct(velocity_between<M>(work.free[body], pose, 1));
+  Eigen::Matrix<double, dof, dof> H;
+  Velocity<M> slope;
+  begin_descent<M>(bodies.inverse_mass[body], pose, work.free[body], H, slope);
   int seen = 0;
   for (int i = work.first[body]; i < work.first[body + 1]; ++i)
     scene.visit(work.constraint[i], [&]<class Kind>(const Kind& constraint) {
@@ -205,7 +222,7 @@ int descend(S& scene, int body, double h, Avbd::Work<M>& work) {
       slope -= side.transpose() * F;
       seen += K;
     });
-  move<M, double>(pose, -H.ldlt().solve(slope), 1);
+  end_descent<M>(H, slope, pose);
   return seen;
 }
 

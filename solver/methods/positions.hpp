@@ -140,6 +140,23 @@ ImpulseBounds impulse_bounds(const Kind& constraint, double h, const PositionRow
   }
 }
 
+/// x of Ax = b, or where that is outside the disc of `radius`, of (A + s)x = b on its rim: friction within
+/// Coulomb's disc, whose slip Ax - b = -sx then opposes it. By Newton on 1/|x| = 1/radius, from s = 0 upwards.
+/// (Source: J. J. Moré, D. C. Sorensen, Computing a trust region step, SIAM J. Sci. Stat. Comput. 4, 1983.)
+template <int K>
+Rows<K> within_disc(Eigen::Matrix<double, K, K> A, const Rows<K>& b, double radius) {
+  if (!(radius > 0)) return Rows<K>::Zero();
+  Rows<K> x = inverse_or_zero<K>(A).lazyProduct(b);
+  double length = x.norm();
+  for (int i = 0; i < 8 && length > radius * (1 + 1e-12); ++i) {
+    const Rows<K> slope = inverse_or_zero<K>(A).lazyProduct(x);
+    A.diagonal().array() += (length - radius) / radius * length * length / x.dot(slope);
+    x = inverse_or_zero<K>(A).lazyProduct(b);
+    length = x.norm();
+  }
+  return length > radius ? Rows<K>(x * (radius / length)) : x;
+}
+
 //! [newton]
 /// ΔΛ = -A⁻¹ `residual` of K rows with A = JM⁻¹Jᵀ + γ, such that Λ + ΔΛ is within its bounds.
 template <Bound B, int K>
@@ -156,6 +173,8 @@ Rows<K> bounded_newton(const Eigen::Matrix<double, K, K>& A, const Rows<K>& resi
     const double rubbed = A(2, 2) > 0 ? impulse[2] - slip / A(2, 2) : 0.0;
     const double radius = bounds.upper * (first + second);
     return Rows<K>(first, second, std::clamp(rubbed, -radius, radius)) - impulse;
+  } else if constexpr (B == Bound::ball) {
+    return within_disc<K>(A, A.lazyProduct(impulse) - residual, bounds.upper * bounds.leader) - impulse;
   } else {
     const Rows<K> wanted = impulse - inverse_or_zero<K>(A).lazyProduct(residual);
     return bounded<K, B>(wanted, bounds.lower, bounds.upper, bounds.leader) - impulse;
@@ -196,18 +215,10 @@ void solve_on_positions(const Kind& constraint, Bodies<M>& bodies, double h, int
 /// space the exact logarithm, as `move` takes the exact exponential. (Twice the vector part of the turn, as XPBD's
 /// paper has it, is sin(φ/2)/(φ/2) of that, and brakes a body that nothing holds.)
 template <class M>
-Velocity<M> velocity_between(const Pose<M>& before, const Pose<M>& after, double h) {
-  Velocity<M> V;
-  V.template head<M::linear>() = (after.position - before.position) / h;
-  if constexpr (M::angular == 1) V[M::linear] = principal_angle(after.rotation * inverse(before.rotation)) / h;
-  if constexpr (M::angular == 3) V.template tail<3>() = turn_of(after.rotation * inverse(before.rotation)) / h;
-  return V;
-}
+Velocity<M> velocity_between(const Pose<M>& before, const Pose<M>& after, double h);
+/// That velocity for all bodies that move.
 template <class M>
-void velocities_between(const std::vector<Pose<M>>& before, double h, Bodies<M>& bodies) {
-  for (int i = 0; i < bodies.size(); ++i)
-    if (moves(bodies.inverse_mass[i])) bodies.velocity[i] = velocity_between<M>(before[i], bodies.pose[i], h);
-}
+void velocities_between(const std::vector<Pose<M>>& before, double h, Bodies<M>& bodies);
 
 /// Gives a contact that was met faster than `threshold` [m/s] and pressed the velocity -e JV⁻ with which it parts:
 /// its rows once more, for velocities, from the λ that stands. Returns whether it bounced.
@@ -242,7 +253,10 @@ long long end_rows(S& scene, double h, double threshold, PositionRows& rows) {
   for (int row = 0; row < rows.rows(); ++row) rows.lambda[row] = rows.impulse[row] / h;
   for_each_with_row(scene, [&]<class Kind>(const Kind& constraint, int row) {
     if constexpr (requires { constraint.restitution; })
-      if (bounce(constraint, scene.bodies, threshold, row, rows)) solved += Kind::rows;
+      if (bounce(constraint, scene.bodies, threshold, row, rows)) {
+        Eigen::Map<Rows<Kind::rows>>(&rows.lambda[row]).setZero();
+        solved += Kind::rows;
+      }
   });
   return solved;
 }
