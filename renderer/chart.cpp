@@ -67,6 +67,9 @@ void check_lengths(const Chart& chart) {
     require(c.point_labels.empty() || c.point_labels.size() == c.x.size(),
             fmt::format("Curve '{}' has one label for each point, or none", c.label), c.point_labels.size(),
             c.x.size());
+    require(c.point_names.empty() || c.point_names.size() == c.x.size(),
+            fmt::format("Curve '{}' has one name for each point, or none", c.label), c.point_names.size(),
+            c.x.size());
   }
   for (const Bars& b : chart.bars)
     require(b.values.size() == chart.bar_names.size(),

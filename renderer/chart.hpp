@@ -38,6 +38,7 @@ struct Curve {
   std::optional<Colour> colour{};  ///< the next of the series (theory: palette::theory) when absent
   std::vector<std::string>
       point_labels{};  ///< a text at each point (the knob turned there, why it failed), or none
+  std::vector<std::string> point_names{};  ///< what the data call each point, where not all have room for a label
 };
 
 /// One bar for each of `Chart::bar_names`; several series stand side by side.
@@ -113,7 +114,7 @@ std::string class_name(const HeatMap& map, double value);
 
 /// Draws the chart into `frame` (points on the page), axes and labels included; the canvas's camera stays as
 /// it was. Labels stand at the ends of the curves where they fit, else in a legend where the chart is
-/// emptiest.
+/// emptiest, or beside it where there are many.
 /// Returns the rectangle between the axes. Throws as `ranges` does, and for a frame without room for the labels.
 Rectangle draw(Canvas& canvas, const Chart& chart, const Rectangle& frame);
 

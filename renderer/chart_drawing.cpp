@@ -66,6 +66,9 @@ Colour own_colour(CurveStyle s, int next) {
   return s == CurveStyle::front ? fade(palette::highlight, 0.4) : palette::series(next);
 }
 
+// A front is too pale to write in.
+Colour label_colour(const Entry& e) { return e.style == CurveStyle::front ? palette::ink : e.colour; }
+
 class ChartDrawing {
  public:
   ChartDrawing(Canvas& canvas, const Chart& chart, const Rectangle& frame)
@@ -93,6 +96,7 @@ class ChartDrawing {
   void lay_out();
   void choose_ticks();
   bool labels_fit_at_ends();
+  Point legend_size() const;
   bool legend_fits_inside();
   double legend_rows(bool drawing);
 
@@ -151,7 +155,7 @@ class ChartDrawing {
   Position x_, y_;
   Ticks x_ticks_, y_ticks_;
   std::vector<Entry> entries_;
-  enum class Labelling { none, at_ends, inside, above } labelling_ = Labelling::none;
+  enum class Labelling { none, at_ends, inside, beside, above } labelling_ = Labelling::none;
   std::vector<double> end_heights_;
   Rectangle legend_;
   std::string title_, y_label_;
@@ -283,6 +287,16 @@ void ChartDrawing::lay_out() {
     right = without_labels;
     place(0);
   }
+  const Point legend = legend_size();
+  const auto many =
+      std::count_if(entries_.begin(), entries_.end(), [](const Entry& e) { return !e.label.empty(); });
+  if (!map && many > 8 && legend.x() < 0.4 * frame_.width && legend.y() < plot_.height) {
+    labelling_ = Labelling::beside;
+    right = std::max(right, legend.x() + 14);
+    place(0);
+    legend_ = {frame_.right() - legend.x(), plot_.top() - legend.y(), legend.x(), legend.y()};
+    return;
+  }
   labelling_ = !map && legend_fits_inside() ? Labelling::inside : Labelling::above;
   if (labelling_ == Labelling::above) place(legend_rows(false));
 }
@@ -353,14 +367,19 @@ double ChartDrawing::covered(const Rectangle& box) const {
   return hits;
 }
 
-bool ChartDrawing::legend_fits_inside() {
+// Of the legend as a column.
+Point ChartDrawing::legend_size() const {
   double w = 0, h = 0;
   for (const Entry& e : entries_) {
     if (e.label.empty()) continue;
     w = std::max(w, width(e.label, small_size) + 42);
     h += line_height * small_size;
   }
-  w += 8, h += 8;
+  return {w + 8, h + 8};
+}
+
+bool ChartDrawing::legend_fits_inside() {
+  const double w = legend_size().x(), h = legend_size().y();
   if (w > 0.6 * plot_.width || h > 0.7 * plot_.height) return false;
   const double gap = 8;
   const double left = plot_.x + gap, right = plot_.right() - w - gap, middle = plot_.centre().x() - w / 2;
@@ -621,6 +640,8 @@ void ChartDrawing::draw_texts() {
   if (labelling_ == Labelling::inside) {
     labels.avoid(legend_);
     canvas_.rectangle(legend_, {fade(palette::paper, 0.85), {{}, 0}});  // over the grid
+  }
+  if (labelling_ == Labelling::inside || labelling_ == Labelling::beside) {
     double y = legend_.top() - 4 - 0.5 * line_height * small_size;
     for (const Entry& e : entries_) {
       if (e.label.empty()) continue;
@@ -659,7 +680,7 @@ void ChartDrawing::draw_texts() {
     if (e.curve)
       for (std::size_t i = 0; i < e.curve->point_labels.size(); ++i)
         if (const Point p = at(e.curve->x[i], e.curve->y[i]); plot_.contains(p))
-          labels.place(p, e.curve->point_labels[i], {.size = 14, .colour = e.colour, .halo = 2.5});
+          labels.place(p, e.curve->point_labels[i], {.size = 14, .colour = label_colour(e), .halo = 2.5});
   for (const Reason& reason : reasons_)
     labels.place(reason.at, reason.text, {.size = 14, .colour = reason.colour, .halo = 2.5});
   for (const Annotation& a : chart_.annotations) {

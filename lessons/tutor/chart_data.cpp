@@ -65,7 +65,8 @@ void add_curves(const Chart& chart, std::vector<Column>& columns) {
     else if (&curve == &curves.front())
       columns.push_back(column(chart.x.label, curve.x));
     columns.push_back(column(joined(curve.label, chart.y.label), curve.y));
-    if (!curve.point_labels.empty()) columns.push_back({joined(curve.label, "label"), curve.point_labels});
+    const auto& names = curve.point_names.empty() ? curve.point_labels : curve.point_names;
+    if (!names.empty()) columns.push_back({joined(curve.label, "label"), names});
   }
 }
 
