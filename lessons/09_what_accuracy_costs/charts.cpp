@@ -47,6 +47,14 @@ Colour colour_of(const Configuration& configuration) {
   return palette::ink;
 }
 
+/// Its name without its knob, where no other would then be called the same.
+std::string short_name(const Configuration& configuration) {
+  const auto bare = [](const Configuration& c) { return c.name.substr(0, c.name.find(',')); };
+  for (const Configuration& other : configurations())
+    if (bare(other) == bare(configuration) && other.knob != configuration.knob) return configuration.name;
+  return bare(configuration) + (configuration.defaults ? ", defaults" : "");
+}
+
 /// Whether the error falls from knob to knob, or it has no order that is worth a number.
 bool keeps_falling(const std::vector<byhand::Point>& points, Error error) {
   double last = infinity;
@@ -62,9 +70,9 @@ bool keeps_falling(const std::vector<byhand::Point>& points, Error error) {
 
 std::string label_of(const Series& series, Error error) {
   const Configuration& configuration = *series.configuration;
-  std::string label = configuration.name;
+  std::string label = short_name(configuration);
   if (!configuration.tuning.empty() && !configuration.defaults)
-    label += fmt::format(", {} {:g}", configuration.tuning, series.tuning);
+    label += fmt::format(" ({} {:g})", configuration.tuning, series.tuning);
   if (series.points.empty()) return label;
   if (series.points.front().outcome == Outcome::refused) return label + ": cannot";
   const double order = fitted_order(series.points, error);
@@ -72,11 +80,17 @@ std::string label_of(const Series& series, Error error) {
   return label;
 }
 
-/// "it blew up after 0.3 s" at a cross, in the few words that fit there.
+/// "RATTLE 4"
+std::string named(const byhand::Point& point) {
+  const std::string& name = point.configuration->name;
+  return fmt::format("{} {}", name.substr(0, name.find(',')), point.knob);
+}
+
+/// Why a run failed, in the few words that fit at a cross; the page has the whole sentence.
 std::string reason_of(const byhand::Point& point) {
-  std::string reason = point.reason.substr(0, point.reason.find(':'));
-  if (reason.starts_with("it ")) reason.erase(0, 3);
-  return fmt::format("{}: {}", point.knob, reason);
+  if (point.reason.find("blew up") != std::string::npos) return fmt::format("{}: blows up", point.knob);
+  if (std::isfinite(point.row_solves)) return fmt::format("{}: no solution", point.knob);
+  return point.configuration->name.substr(0, point.configuration->name.find(',')) + ": no solution";
 }
 
 using Place = std::pair<double, double>;
@@ -104,9 +118,13 @@ Chart work_precision(const Survey& survey, Error error, Cost cost) {
 
   Curve best{.label = "front: no other beats these in both", .style = CurveStyle::front};
   std::set<Place> on_front;
+  const Configuration* last = nullptr;
   for (const byhand::Point& point : front) {
     const Place place = place_of(point, error, cost);
     best.x.push_back(place.first), best.y.push_back(place.second);
+    const bool same = std::exchange(last, point.configuration) == point.configuration;
+    best.point_labels.push_back(same ? std::to_string(point.knob) : named(point));
+    best.point_names.push_back(point.described());
     on_front.insert(place);
   }
   chart.curves.push_back(std::move(best));
@@ -121,39 +139,47 @@ Chart work_precision(const Survey& survey, Error error, Cost cost) {
       if (point.outcome == Outcome::refused || (point.outcome == Outcome::finished && !point.has(error))) continue;
       const Place place = place_of(point, error, cost);
       curve.x.push_back(place.first), curve.y.push_back(place.second);
+      curve.point_names.push_back(std::to_string(point.knob));
       const bool ends = &point == &series.points.front() || &point == &series.points.back();
       if (point.outcome == Outcome::failed)
-        curve.point_labels.push_back(std::exchange(failed, true) ? "" : reason_of(point));
+        curve.point_labels.push_back(std::exchange(failed, true) ? std::to_string(point.knob) : reason_of(point));
       else
-        curve.point_labels.push_back(!series.configuration->defaults && (ends || on_front.contains(place))
+        curve.point_labels.push_back(ends && !series.configuration->defaults && !on_front.contains(place)
                                          ? std::to_string(point.knob)
                                          : "");
     }
     if (!series.points.empty()) chart.curves.push_back(std::move(curve));
   }
-  if (error == Error::trajectory)
-    chart.references.push_back({.axis = renderer::Reference::Across::x,
-                                .value = std::max(survey.problem.reference().uncertainty, rounding),
-                                .label = "uncertainty of the reference"});
+  if (const double uncertainty = survey.problem.reference().uncertainty;
+      error == Error::trajectory && uncertainty > rounding)
+    chart.references.push_back(
+        {.axis = renderer::Reference::Across::x, .value = uncertainty, .label = "uncertainty of the reference"});
   return chart;
 }
 
 void show(tutor::Page& page, const std::string& name, const Survey& survey, Error error) {
   const NamedScene& scene = survey.problem.scene();
+  const double uncertainty = survey.problem.reference().uncertainty;
   std::string caption =
       error == Error::trajectory
-          ? tutor::say("Trajectory after @ s, held against a reference: @, uncertain by @ m.", scene.time,
-                       scene.reference, tutor::Value(survey.problem.reference().uncertainty, 2))
+          ? tutor::say("Trajectory after @ s, held against a reference: @, @.", scene.time, scene.reference,
+                       uncertainty > 0 ? tutor::say("uncertain by @ m", tutor::Value(uncertainty, 2))
+                                       : std::string("which is exact"))
       : error == Error::reaction
           ? tutor::say(
                 "Force of what holds the scene, mean over the last frame before @ s, held against the "
                 "reference (@).",
                 scene.time, scene.reference)
+      : error == Error::algebraic
+          ? tutor::say("Velocities after one step at @ s, against those of the direct solve of the same step.",
+                       scene.time)
           : tutor::say("@ over @ s.", error == Error::drift ? "Drift, the largest" : "The largest change",
                        scene.duration);
-  caption +=
-      tutor::say(" At the points: the swept knob. Tuned for least @; defaults as dots. Crosses: runs that failed.",
-                 std::string(name_of(survey.tuned_for)));
+  caption += tutor::say(
+      " At the points: the swept knob, substeps or sweeps a frame. Tuned for least @; marks without a line: "
+      "defaults. "
+      "Crosses at the edge: runs that failed.",
+      std::string(name_of(survey.tuned_for)));
   page.figure(name, caption, work_precision(survey, error));
 }
 

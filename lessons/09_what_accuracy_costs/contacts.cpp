@@ -23,8 +23,7 @@ void contacts(Page& page) {
       "the stack lies on the ground.",
       stack["kick"], stack.scene().time);
   show(page, "stack_trajectory", column, Error::trajectory);
-  const std::string cannot = refusals(column);
-  if (!cannot.empty()) page.text("Some methods stay away, and say why:\n" + cannot);
+  page.text("Some methods stay away, and say why:\n" + failures(column));
   show(page, "stack_drift", column, Error::drift);
 
   const Survey& wall = survey(page, pyramid, Error::drift, 5e6);
@@ -36,6 +35,8 @@ void contacts(Page& page) {
       "another.");
   show(page, "pyramid_drift", wall, Error::drift);
   show_clocked(page, "pyramid_drift_clocked", wall, Error::drift);
+  if (const std::string failed = failures(wall); !failed.empty())
+    page.text("What cannot or fails here:\n" + failed);
   page.text(
       "The rule of lesson 3 stands on both charts: what has no loops (chains, columns) directly, the rest by "
       "sweeps, "

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <limits>
 #include <map>
 #include <utility>
@@ -21,7 +22,10 @@ Series run(const Problem& problem, const Configuration& configuration, Error tun
         measure(problem, configuration, knob, series.tuning, {.algebraic = tuned_for == Error::algebraic}));
     last = knob;
     spent = frames * series.points.back().row_solves;
-    if (series.points.back().outcome == Outcome::refused) break;
+    const byhand::Point& now = series.points.back();
+    // What fails before its first frame is over fails with every knob.
+    if (now.outcome == Outcome::refused || (now.outcome == Outcome::failed && !std::isfinite(now.row_solves)))
+      break;
   }
   return series;
 }
@@ -68,11 +72,18 @@ const Survey& survey(const tutor::Page& page, const Problem& problem, Error tune
   return known.emplace(name, Survey{problem, tuned_for, std::move(series)}).first->second;
 }
 
-std::string refusals(const Survey& survey) {
+std::string failures(const Survey& survey) {
   std::string text;
-  for (const Series& series : survey.series)
-    if (!series.points.empty() && series.points.front().outcome == Outcome::refused)
-      text += fmt::format("\n- {}: {}", series.configuration->name, series.points.front().reason);
+  for (const Series& series : survey.series) {
+    std::string knobs, reason;
+    for (const byhand::Point& point : series.points) {
+      if (point.outcome == Outcome::finished) continue;
+      if (point.outcome == Outcome::failed) knobs += fmt::format("{}{}", knobs.empty() ? " " : ", ", point.knob);
+      if (reason.empty()) reason = point.reason;
+    }
+    if (reason.empty()) continue;
+    text += fmt::format("\n- {}{}{}: {}", series.configuration->name, knobs.empty() ? "" : " =", knobs, reason);
+  }
   return text;
 }
 

@@ -49,8 +49,8 @@ void show(tutor::Page& page, const std::string& name, const Survey& survey, Erro
 /// The same against wall time, measured when it is wanted.
 void show_clocked(tutor::Page& page, const std::string& name, const Survey& survey, Error error);
 
-/// What cannot run the problem and why, a sentence each; empty if all can.
-std::string refusals(const Survey& survey);
+/// What cannot run the problem or fails, at which knobs, and why, as a list; empty if all goes well.
+std::string failures(const Survey& survey);
 
 /// The least cost [row-solves a frame] at which any configuration that `counts` has at most that error; infinite
 /// if none has.
