@@ -7,6 +7,7 @@
 #include "solver/laws/creep.hpp"
 #include "solver/laws/hopping.hpp"
 #include "solver/laws/law.hpp"
+#include "solver/laws/record.hpp"
 #include "solver/laws/spin.hpp"
 #include "solver/laws/sweeps.hpp"
 #include "solver/laws/transverse.hpp"
@@ -74,6 +75,25 @@ TEST(Bisection, FindsWhereAPropertyChanges) {
   }
   EXPECT_THROW(bisect([](double) { return true; }, 1, 2, 1e-3), std::invalid_argument);
   EXPECT_TRUE(std::isnan(bisected({"", "", "", 1, 0.1, {}, [](double) { return true; }}).measured()));
+}
+
+TEST(Record, TellsFourOutcomesApart) {
+  const auto outcome = [](auto x) {
+    Record record(1, 1e6);
+    for (int i = 0; i < 3000 && record.note(x(i)); ++i) {
+    }
+    return record.outcome();
+  };
+  const auto sign = [](int i) { return i % 2 == 0 ? 1.0 : -1.0; };
+  EXPECT_EQ(outcome([](int i) { return std::pow(0.999, i); }), Outcome::settles);
+  EXPECT_EQ(outcome([&](int i) { return sign(i) * std::pow(0.9999, i); }), Outcome::settles);
+  EXPECT_EQ(outcome([](int i) { return i < 10 ? 1.0 : 0.0; }), Outcome::settles);
+  EXPECT_EQ(outcome([](int) { return 1.0; }), Outcome::drifts);
+  EXPECT_EQ(outcome([](int i) { return 1 + 1e-3 * i; }), Outcome::drifts);
+  EXPECT_EQ(outcome([&](int i) { return sign(i); }), Outcome::rings);
+  EXPECT_EQ(outcome([&](int i) { return sign(i) * (i < 2500 ? 1e5 : 1e3); }), Outcome::rings) << "it has grown";
+  EXPECT_EQ(outcome([&](int i) { return sign(i) * std::pow(1.01, i); }), Outcome::explodes);
+  EXPECT_EQ(outcome([](int i) { return i < 100 ? 0.1 : std::nan(""); }), Outcome::explodes);
 }
 
 TEST(Law6, AColdStartIsStableToTwo) {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "solver/constraints/axis_friction.hpp"
+#include "solver/laws/friction.hpp"
 #include "solver/scenes/incline.hpp"
 #include "tests/solver/law_motion.hpp"
 
@@ -56,44 +56,17 @@ TEST(LawB10, InTheDiscABoxStopsAlikeInEveryDirectionAndKeepsItsHeading) {
   }
 }
 
-/// A particle on the ground with friction within a disc or within a square.
-enum class Shape { disc, square };
-Slide slide_of_a_particle(Shape shape, double heading, double v0) {
-  using P = SpaceParticle;
-  Scene<P, Contact, Friction, AxisFriction> scene;
-  const Linear<P> up(0, 1, 0);
-  const int ground = scene.add_body({0, 0, 0}, fixed<P>());
-  const int particle =
-      scene.add_body({0, 0, 0}, with_mass<P>(1), v0 * Velocity<P>(std::cos(heading), 0, std::sin(heading)));
-  const int contact = scene.add(Contact<P>{{ground, particle}, up});
-  if (shape == Shape::disc) {
-    scene.add(Friction<P>{{ground, particle}, tangents_of<P>(up), mu, contact});
-  } else {
-    for (const Linear<P>& tangent : {Linear<P>(1, 0, 0), Linear<P>(0, 0, 1)})
-      scene.add(AxisFriction<P>{{ground, particle}, tangent, mu, contact});
+// Law 10's square is among the laws' boundaries; the disc it is compared with is not turned.
+TEST(LawB10, InTheDiscAParticleStopsAlikeInEveryDirectionAndKeepsItsHeading) {
+  for (const double heading : {0 * degree, 30 * degree, 45 * degree, 80 * degree}) {
+    const laws::Slide disc = laws::slide(laws::FrictionBound::disc, heading, 3);
+    EXPECT_NEAR(disc.distance, 9 / (2 * mu * g) - 3 * h / 2, 1e-3);
+    EXPECT_NEAR(disc.heading, heading, 1e-12);
   }
-  Simulation<decltype(scene)> simulation{std::move(scene), {GaussSeidel{}}};
-  run(simulation, 2, h);
-  const Linear<P> gone = simulation.scene.bodies.pose[1].position;
-  return {gone.norm(), std::atan2(gone.z(), gone.x())};
 }
 
-TEST(LawB10, InTheSquareADiagonalSlideStopsInSevenTenthsOfTheDistance) {
-  const double heading = 45 * degree, v0 = 3;
-  const Slide disc = slide_of_a_particle(Shape::disc, heading, v0),
-              square = slide_of_a_particle(Shape::square, heading, v0);
-  EXPECT_NEAR(disc.distance, v0 * v0 / (2 * mu * g) - v0 * h / 2, 1e-3);
-  EXPECT_NEAR(square.distance, v0 * v0 / (2 * std::sqrt(2) * mu * g) - v0 * h / 2, 1e-3);
-  EXPECT_NEAR(square.distance / disc.distance, 0.69, 0.01) << "1/√2, but for half a step";
-  EXPECT_NEAR(square.heading, heading, 1e-12) << "on the diagonal both axes stop together";
-}
-
-TEST(LawB10, InTheSquareASlideTurnsTowardsItsGreaterPart) {
-  const double heading = 30 * degree, v0 = 3;
-  EXPECT_NEAR(slide_of_a_particle(Shape::disc, heading, v0).heading, heading, 1e-12);
-  // Each axis stops by itself after v²/(2μg), so that tan(heading) is squared.
-  const double law = std::atan(std::pow(std::tan(heading), 2));
-  EXPECT_NEAR(slide_of_a_particle(Shape::square, heading, v0).heading, law, 0.5 * degree);
+TEST(LawB10, InTheSquareADiagonalSlideKeepsItsHeadingForBothAxesStopTogether) {
+  EXPECT_NEAR(laws::slide(laws::FrictionBound::square, 45 * degree, 3).heading, 45 * degree, 1e-12);
 }
 
 }  // namespace
