@@ -1,0 +1,118 @@
+#include "solver/methods/avbd.hpp"
+
+#include <gmock/gmock.h>
+
+#include "solver/scenes/top.hpp"
+#include "tests/solver/position_laws.hpp"
+
+namespace {
+
+using namespace byhand;
+constexpr double h = 1.0 / 60;
+
+Avbd with_iterations(int iterations) {
+  Avbd method;
+  method.iterations = iterations;
+  return method;
+}
+
+// Both minimise the same function of the poses: converged, a step is implicit Euler's, and so is XPBD's with one
+// substep.
+TEST(Avbd, ErrsOnAPendulumAsPositionBasedDynamicsDoes) {
+  const Swing row = swing<NormalisedDistance>(with_iterations(30), h);
+  expect_two_digits(row.period_error, -7.2e-2, "period");
+  expect_two_digits(row.angle_error, 0.23, "angle after 1 s");
+  expect_two_digits(row.energy_gain, -0.90, "energy");
+  EXPECT_LT(row.stretch, 1e-10);
+}
+
+TEST(Avbd, ConvergesWithOrderOneInItsStep) {
+  const Swing coarse = swing<NormalisedDistance>(Avbd{}, h / 16), fine = swing<NormalisedDistance>(Avbd{}, h / 32);
+  EXPECT_NEAR(order(coarse.period_error, fine.period_error), 1, 0.05);
+  EXPECT_NEAR(order(coarse.angle_error, fine.angle_error), 1, 0.05);
+}
+
+TEST(Avbd, SagsByItsCompliance) {
+  for (const double stiffness : {30.0, 1e5}) expect_static_sag<PlaneParticle>(Avbd{}, h, stiffness);
+  expect_static_sag<PlaneParticle>(with_iterations(1), h / 4, 1e3);
+  in_models<PlaneBody, SpaceParticle, SpaceBody>([]<class M>(Random&) { expect_static_sag<M>(Avbd{}, h, 1e3); });
+}
+
+TEST(Avbd, CarriesAHangingChainAsFarAsItsRoundsConverge) {
+  expect_tensions(Avbd{}, 0.02);
+  expect_tensions(with_iterations(60), 1e-4);
+}
+
+// Without the second derivatives of C the light links in between come apart by metres: see the method.
+TEST(Avbd, HoldsALongChainWithAHeavyEnd) {
+  Simulation simulation{
+      pinned_chain<PlaneBody>({.links = 50, .length = 0.2, .end_mass = 1000, .angle = std::numbers::pi / 2}),
+      Avbd{}};
+  double furthest = 0;
+  run(simulation, 5, h, [&] { furthest = std::max(furthest, position_error(simulation.scene).max); });
+  EXPECT_LT(furthest, 0.1);
+}
+
+TEST(Avbd, KeepsMomentumAsFarAsItsRoundsConverge) {
+  using M = PlaneParticle;
+  const auto lost = [](int iterations) {
+    Scene<M, NormalisedDistance> scene;
+    scene.gravity.setZero();
+    for (const double x : {-1.0, 1.0}) {
+      Velocity<M> V(0.3, x);
+      scene.add_body(Linear<M>(x, 0), with_mass<M>(2 + x), V);
+    }
+    scene.add(NormalisedDistance<M>{{0, 1}, 2});
+    const Linear<M> before = linear_momentum(scene.bodies);
+    Simulation simulation{scene, with_iterations(iterations)};
+    run(simulation, 1, h);
+    return (linear_momentum(simulation.scene.bodies) - before).norm();
+  };
+  EXPECT_GT(lost(2), 1e-6);
+  EXPECT_LT(lost(200), 1e-9);
+}
+
+TEST(Avbd, LeavesAFreeBodyItsSpin) {
+  const Eigen::Vector3d spin(7, -4, 11);
+  Simulation plain{free_top({1, 2, 3}, spin), Avbd{}};
+  run(plain, 5, h);
+  EXPECT_LT((plain.scene.bodies.velocity[0].tail<3>() - spin).norm(), 1e-10);
+}
+
+TEST(Avbd, ObeysTheAngleOfFriction) {
+  expect_friction_angle<Boxes>(Avbd{}, 1e-5);
+  expect_friction_angle<Scene<SpaceBody, Contact, Friction>>(Avbd{}, 1e-4);
+}
+TEST(Avbd, LetsAStackStand) {
+  expect_standing_stack<Boxes>(Avbd{}, 5, 1e-3, 0.02);
+  expect_standing_stack<Scene<SpaceBody, Contact, Friction>>(Avbd{}, 3, 1e-3, 0.02);
+}
+TEST(Avbd, BouncesABallByItsRestitution) { expect_bounces(Avbd{}, h / 16); }
+
+TEST(Avbd, AllocatesInNoStepOnceAScenesRowsAreLaidOut) {
+  expect_no_allocation(rod_chain<PlaneParticle, NormalisedDistance>({.links = 3, .angle = 1}), Avbd{});
+  expect_no_allocation(stack(3), Avbd{});
+}
+
+TEST(Avbd, CountsEachRowAtEachOfItsMovingBodiesAndOnceForItsMultiplier) {
+  Simulation simulation{rod_chain<PlaneParticle, NormalisedDistance>({.links = 7}), with_iterations(4)};
+  simulation.step(h);
+  EXPECT_EQ(simulation.work.row_solves, 4 * (13 + 7));
+}
+
+TEST(Avbd, RefusesChoicesOutsideTheirRange) {
+  const auto refuses = [](const Avbd& method, const char* sentence) {
+    auto scene = pendulum<PlaneParticle, NormalisedDistance>(1, 1, 1);
+    Avbd::Work<PlaneParticle> work;
+    EXPECT_THAT([&] { advance(scene, method, h, work); },
+                testing::ThrowsMessage<std::invalid_argument>(testing::HasSubstr(sentence)));
+  };
+  refuses({.iterations = 0}, "number of iterations is 0, but it must be at least 1");
+  refuses({.alpha = 1.5}, "alpha is 1.5, but it must be between 0 and 1");
+  refuses({.beta = -1}, "beta is -1, but it must be between 0 and");
+  refuses({.memory = 2}, "memory is 2, but it must be between 0 and 1");
+  refuses({.softest = 0}, "softest is 0, but it must be a positive finite number");
+  refuses({.stiffest = -1}, "stiffest is -1, but it must be a positive finite number [N/m]");
+}
+
+}  // namespace
