@@ -71,30 +71,40 @@ std::string with_unit(const std::string& quantity, const std::string& unit) {
 
 /// One line for each law, its first setting.
 void draw_table(Canvas& canvas, const std::vector<Line>& lines, const Rectangle& frame) {
-  std::vector<Line> first;
-  std::copy_if(lines.begin(), lines.end(), std::back_inserter(first), [](const Line& line) { return line.first; });
-  const double row = std::min(30.0, frame.height / (static_cast<double>(first.size()) + 1)), size = 0.5 * row;
-  const double dot = frame.x + 8, law = dot + 40, quantity = law + 12, setting = quantity + 0.19 * frame.width,
-               predicted = frame.right() - 0.13 * frame.width, measured = frame.right();
-  double y = frame.top() - row / 2;
+  struct Row {
+    std::string law, what, predicted, measured;
+    int family;
+  };
+  std::vector<Row> rows;
+  for (const Line& line : lines)
+    if (line.first)
+      rows.push_back({std::to_string(line.law), say("@: @", with_unit(line.quantity, line.unit), line.setting),
+                      tutor::number(line.predicted, 3), tutor::number(line.measured, 3),
+                      static_cast<int>(line.family)});
+  const double height = std::min(32.0, frame.height / (static_cast<double>(rows.size()) + 1));
+  const double dot = frame.x + 6, law = dot + 34, what = law + 10, measured = frame.right(),
+               predicted = measured - 100;
+  double size = 15;
+  for (const Row& row : rows) {
+    const double width = canvas.measure({0, 0}, row.what, {.size = size}).width;
+    size = std::min(size, size * (predicted - 86 - what) / width);
+  }
+  double y = frame.top() - height / 2;
   const auto put = [&](double x, const std::string& words, Anchor anchor, bool bold = false) {
     canvas.text({x, y}, words, {.size = size, .anchor = anchor, .bold = bold});
   };
   put(law, "law", Anchor::right, true);
-  put(quantity, "what", Anchor::left, true);
-  put(setting, "where", Anchor::left, true);
+  put(what, "what and where", Anchor::left, true);
   put(predicted, "predicted", Anchor::right, true);
   put(measured, "measured", Anchor::right, true);
-  for (const Line& line : first) {
-    y -= row;
-    canvas.line({frame.x, y + row / 2}, {frame.right(), y + row / 2}, {palette::grid, 1});
-    const int family = static_cast<int>(line.family);
-    canvas.mark({dot, y}, series_mark(family), palette::series(family), 8);
-    put(law, std::to_string(line.law), Anchor::right);
-    put(quantity, with_unit(line.quantity, line.unit), Anchor::left);
-    put(setting, line.setting, Anchor::left);
-    put(predicted, tutor::number(line.predicted, 3), Anchor::right);
-    put(measured, tutor::number(line.measured, 3), Anchor::right);
+  for (const Row& row : rows) {
+    y -= height;
+    canvas.line({frame.x, y + height / 2}, {frame.right(), y + height / 2}, {palette::grid, 1});
+    canvas.mark({dot, y}, series_mark(row.family), palette::series(row.family), 8);
+    put(law, row.law, Anchor::right);
+    put(what, row.what, Anchor::left);
+    put(predicted, row.predicted, Anchor::right);
+    put(measured, row.measured, Anchor::right);
   }
 }
 
@@ -108,21 +118,18 @@ void all_laws(const Setting&, Page& page) {
 
   page.text(
       "A law is worth what it foresees. Here all @ of them stand at once, each at several settings: what it says "
-      "from a "
-      "derivation, and what bisection finds without it, by running scenes on both sides until they meet. The "
-      "derivations "
-      "stand at the heads of the files in `solver/laws`.",
+      "from a derivation, and what bisection finds without it, by running scenes on both sides until they meet. "
+      "The derivations stand at the heads of the files in `solver/laws`.",
       laws.size());
-  page.figure(
-      "all_laws",
-      say("@ boundaries of @ laws. Left: predicted against measured; numbers are the laws'. Right: one setting of "
-          "each law. All are in the table below.",
-          all.size(), laws.size()),
-      [all](Canvas& canvas) {
-        const auto [left, right] = canvas.page().inset(14).split_columns(0.43, 18);
-        renderer::draw(canvas, diagonal(all), left.inset(0, 30));
-        draw_table(canvas, all, right.inset(0, 10));
-      });
+  page.figure("all_laws",
+              say("@ boundaries of @ laws. Left: predicted against measured; numbers are the laws'. Right: one "
+                  "setting of each law. All are in the table below.",
+                  all.size(), laws.size()),
+              [all](Canvas& canvas) {
+                const auto [left, right] = canvas.page().inset(14).split_columns(0.4, 16);
+                renderer::draw(canvas, diagonal(all), left.inset(0, 24));
+                draw_table(canvas, all, right.inset(0, 14));
+              });
   std::string list;
   for (const Law& law : laws)
     list +=

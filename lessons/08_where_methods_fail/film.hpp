@@ -30,6 +30,7 @@ struct Shooting {
   double hurry = 1;                                            // seconds of the scene in one of the film
   renderer::Axis gauge = {};                                   // what the chart beside shows
   std::function<double(const S&)> read = {};                   // and how it is read off the scene
+  std::vector<renderer::Curve> laws = {};                      // drawn over it
   std::function<bool(const S&)> failed = {};                   // where a run stops
   std::string failure = {};                                    // what is said of it then: "falls"
   std::function<void(renderer::Canvas&, const S&)> draw = {};  // in the world
@@ -79,6 +80,7 @@ Film<S>::Film(Shooting<S> shooting) : plan_(std::move(shooting)) {
     fails_at_.push_back(plan_.failed(run.scene) ? run.time : std::numeric_limits<double>::infinity());
     gauges_.curves.push_back(std::move(curve));
   }
+  gauges_.curves.insert(gauges_.curves.end(), plan_.laws.begin(), plan_.laws.end());
 }
 
 template <class S>

@@ -42,12 +42,10 @@ int main(int argc, char** argv) {
   lesson.closing(
       {.now_you_know =
            {"It creeps, always one way, and each sweep helps: too few iterations. Chains ask for N² sweeps, "
-            "stacks for N³; "
-            "a direct solve for none.",
+            "stacks for N³; a direct solve for none.",
             "It rings: the correction overshoots. A warm start bears β < (1 − q)/q and not a hair more.",
             "It flies apart, and sweeps change nothing: the step. Sideways a taut chain is an explicit spring, ωh "
-            "< 2; a "
-            "stack on soft contacts buckles like a tree.",
+            "< 2; a stack on soft contacts buckles like a tree.",
             "It is calm, and λ grows: the rows. Regularise, reorder, refresh.",
             "Look first, then turn a knob: a cure for one family does nothing for another."},
        .tries = {{"A finer map of where a warm start rings:", "./lessons/run 8 --step 2 --set resolution=40"},

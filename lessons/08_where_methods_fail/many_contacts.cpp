@@ -17,19 +17,17 @@ void many_contacts(const Setting& setting, Page& page) {
 
   page.text(
       "A box lies on @ points in a row. All rows see the same fall, and by Jacobi each answers as if it were "
-      "alone; then all "
-      "push at once.",
+      "alone; then all push at once.",
       contacts);
   page.predict(
       {.ask = say("Jacobi on @ contacts of one box: by what is the error multiplied in each iteration?", contacts),
        .answer = growth,
        .unit = "1",
        .tolerance = 0.15 * growth,
-       .wrong = {{0.5 * growth,
-                  "It does not shrink: each of the rows corrects all of one error, together more than "
-                  "twice too much."},
-                 {contacts - 1.0,
-                  "If all rows were the same, yes. They lie apart, and share the turn of the box."}},
+       .wrong =
+           {{0.5 * growth,
+             "It does not shrink: each of the rows corrects all of one error, together more than twice too much."},
+            {contacts - 1.0, "If all rows were the same, yes. They lie apart, and share the turn of the box."}},
        .hint = "Together the rows correct μ times the error, μ being the largest eigenvalue of D⁻¹A.",
        .right = "Together they correct the error μ times; 1 − μ of it is left, with its sign changed."});
   page.formula("|1 − ω μ| < 1:   ω < 2/μ = 2/@ = @",
@@ -47,15 +45,16 @@ void many_contacts(const Setting& setting, Page& page) {
   const double foreseen = share_foreseen(map, [&](double n, double omega) { return omega < boundary(n); });
   page.text(
       "It is family two without any β: each row is right by itself and all together overshoot. Gauss–Seidel, "
-      "where each row "
-      "sees what those before it did, cannot. Of @ runs the law foresees @ %.",
+      "where each row sees what those before it did, cannot. Of @ runs the law foresees @ %.",
       map.outcomes.size(), Value(100 * foreseen, 3));
   page.claim({.quantity = "share of runs that end as the law says",
               .unit = "1",
               .expected = 0.97,
               .source = "law B5",
               .measured = foreseen,
-              .tolerance = at_least()});
+              .tolerance = at_least(),
+              .claimed = setting.resolution >= 10,
+              .range = "10 cells a side or more"});
   page.claim(
       {.quantity = say("relaxation from which @ contacts diverge, by bisection", contacts),
        .unit = "1",

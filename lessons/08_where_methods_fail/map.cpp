@@ -12,21 +12,23 @@ using laws::Outcome;
 using renderer::Scale;
 namespace palette = renderer::palette;
 
-double between(const Knob& knob, double share) {
+/// From one end of the outermost cells to the other, where a law is drawn.
+std::vector<double> along(const Knob& knob) {
   const std::vector<double> edges = renderer::cell_edges(knob.values, knob.axis.scale);
   const double low = edges.front(), high = edges.back();
-  return knob.axis.scale == Scale::linear ? low + share * (high - low) : low * std::pow(high / low, share);
+  std::vector<double> all;
+  if (knob.whole)
+    for (double x = std::ceil(low); x <= high; ++x) all.push_back(x);
+  constexpr int points = 200;
+  for (int i = 0; i <= points && !knob.whole; ++i) {
+    const double share = static_cast<double>(i) / points;
+    all.push_back(knob.axis.scale == Scale::linear ? low + share * (high - low)
+                                                   : low * std::pow(high / low, share));
+  }
+  return all;
 }
 
 }  // namespace
-
-// From pale to dark: in grey they still tell what is worse.
-std::vector<renderer::CellClass> classes() {
-  return {{"settles", {222, 232, 236}},
-          {"drifts", {122, 178, 214}},
-          {"rings", palette::highlight},
-          {"explodes", renderer::mix(palette::force, palette::ink, 0.45)}};
-}
 
 Knob knob(std::string label, double low, double high, int cells, Scale scale) {
   Knob knob{{.label = std::move(label), .scale = scale}, {}};
@@ -39,6 +41,7 @@ Knob knob(std::string label, double low, double high, int cells, Scale scale) {
 
 Knob counting_knob(std::string label, double low, double high, int cells, Scale scale) {
   Knob whole = knob(std::move(label), low, high, cells, scale);
+  whole.whole = true;
   for (double& value : whole.values) value = std::round(value);
   whole.values.erase(std::unique(whole.values.begin(), whole.values.end()), whole.values.end());
   return whole;
@@ -53,25 +56,33 @@ double share_foreseen(const Map& map, const std::function<bool(double x, double 
   return right / static_cast<double>(map.outcomes.size());
 }
 
-double share(const Map& map, Outcome outcome) {
-  return static_cast<double>(std::count(map.outcomes.begin(), map.outcomes.end(), outcome)) /
-         static_cast<double>(map.outcomes.size());
+renderer::HeatMap cells(std::vector<double> x, std::vector<double> y,
+                        const std::vector<std::optional<Outcome>>& outcomes) {
+  renderer::HeatMap map{.label = "how the run ends", .x = std::move(x), .y = std::move(y)};
+  // From pale to dark: in grey they still tell what is worse.
+  map.classes = {{"settles", {205, 227, 214}},
+                 {"drifts", {112, 172, 212}},
+                 {"rings", palette::highlight},
+                 {"explodes", renderer::mix(palette::force, palette::ink, 0.45)}};
+  for (const auto& outcome : outcomes) map.values.push_back(outcome ? static_cast<double>(*outcome) : NAN);
+  for (std::size_t i = 0; i < map.classes.size(); ++i)
+    if (std::count(map.values.begin(), map.values.end(), static_cast<double>(i)) == 0) map.classes[i].name.clear();
+  return map;
 }
 
 renderer::Chart chart(const Map& map, std::string law, const std::function<double(double x)>& boundary) {
-  renderer::HeatMap cells{.label = "how the run ends", .x = map.x.values, .y = map.y.values};
-  for (const Outcome outcome : map.outcomes) cells.values.push_back(static_cast<double>(outcome));
-  cells.classes = classes();
+  const std::vector<double> edges = renderer::cell_edges(map.y.values, map.y.axis.scale);
   renderer::Curve curve{.label = std::move(law), .style = renderer::CurveStyle::theory};
   curve.colour = palette::ink;
-  const double low = between(map.y, 0), high = between(map.y, 1);
-  constexpr int points = 200;
-  for (int i = 0; i <= points; ++i) {
-    const double x = between(map.x, static_cast<double>(i) / points), y = boundary(x);
+  for (const double x : along(map.x)) {
+    const double y = boundary(x);
     curve.x.push_back(x);
-    curve.y.push_back(y >= low && y <= high ? y : NAN);
+    curve.y.push_back(y >= edges.front() && y <= edges.back() ? y : NAN);
   }
-  return {.x = map.x.axis, .y = map.y.axis, .curves = {std::move(curve)}, .heat_map = std::move(cells)};
+  return {.x = map.x.axis,
+          .y = map.y.axis,
+          .curves = {std::move(curve)},
+          .heat_map = cells(map.x.values, map.y.values, {map.outcomes.begin(), map.outcomes.end()})};
 }
 
 }  // namespace byhand::failures

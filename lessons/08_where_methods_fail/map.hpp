@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "lessons/tutor/page.hpp"
@@ -12,6 +13,7 @@ namespace byhand::failures {
 struct Knob {
   renderer::Axis axis;
   std::vector<double> values;
+  bool whole = false;
 };
 /// `cells` values from `low` to `high`, evenly apart on the scale.
 Knob knob(std::string label, double low, double high, int cells,
@@ -35,16 +37,14 @@ Map map_of(const tutor::Page& page, const Knob& x, const Knob& y, const Run& run
           })};
 }
 
-/// What a cell may be, in the order of Outcome.
-std::vector<renderer::CellClass> classes();
-
 /// The share of all runs that settle where a law says so, or do not where it says that.
 double share_foreseen(const Map& map, const std::function<bool(double x, double y)>& settles);
 
-/// The share of all runs that end so.
-double share(const Map& map, laws::Outcome outcome);
+/// Cells that are outcomes, or empty where there is none. The legend names those that occur.
+renderer::HeatMap cells(std::vector<double> x, std::vector<double> y,
+                        const std::vector<std::optional<laws::Outcome>>& outcomes);
 
-/// The map with the laws' boundaries over it: y at which each law puts it for any x, drawn from end to end.
+/// The map with a law's boundary over it: y for any x, or for whole x alone if its knob counts.
 renderer::Chart chart(const Map& map, std::string law, const std::function<double(double x)>& boundary);
 
 }  // namespace byhand::failures

@@ -9,9 +9,9 @@ Film<Boxes> film_of_stacks(int boxes, const std::vector<SolvedStack>& stacks, do
   kick(kicked, 0.02);
   const double height = boxes;
   Shooting<Boxes> shooting{
-      .view = {-0.16 * height, -0.03 * height, 0.32 * height, 1.06 * height},
+      .view = {-0.19 * height, -0.03 * height, 0.38 * height, 1.06 * height},
       .hurry = hurry,
-      .gauge = {.label = "top box is off by (m)", .scale = renderer::Scale::logarithmic, .range = {{1e-5, 30}}},
+      .gauge = {.label = "top box is off by (m)", .scale = renderer::Scale::logarithmic, .range = {{1e-8, 100}}},
       .read = [](const Boxes& scene) { return std::abs(scene.bodies.pose.back().position.x()); },
       .failed = [=](const Boxes& scene) { return !(scene.bodies.pose.back().position.y() > height - 1.5); },
       .failure = "falls",

@@ -18,21 +18,25 @@ using laws::Outcome;
 
 constexpr double gravity = 9.81;
 
-Column column(int boxes, double hertz) { return {.boxes = boxes, .sweeps = 0, .frequency = hertz, .steps = 1500}; }
+constexpr int sweeps = 40;  // more than law 18 asks for
+
+Column column(int boxes, double hertz) {
+  return {.boxes = boxes, .sweeps = sweeps, .frequency = hertz, .steps = 900};
+}
 
 bool stands(int boxes, double hertz) { return laws::buckle(column(boxes, hertz)) == Outcome::settles; }
 
-/// The tallest column that contacts of this frequency bear, by the law.
+/// The tallest column that stands on contacts of this frequency, by building it up.
 int tallest(double hertz) {
   int boxes = 2;
-  while (laws::softest_contacts(boxes + 1) < hertz) ++boxes;
+  while (boxes < 40 && stands(boxes + 1, hertz)) ++boxes;
   return boxes;
 }
 
 Film<Boxes> film(int boxes, double hertz) {
   const auto soft = [](std::string name, double frequency, int substeps) {
     return SolvedStack{std::move(name),
-                       {.solver = Direct{},
+                       {.solver = GaussSeidel{sweeps},
                         .drift = SoftConstraints{.frequency = 2 * std::numbers::pi * frequency},
                         .substeps = substeps}};
   };
@@ -50,16 +54,13 @@ void too_soft(const Setting& setting, Page& page) {
 
   page.text(
       "**The same family, another face.** Engines make contacts soft, each a damped spring tuned to a frequency ω "
-      "that suits "
-      "the box alone: k = mω². It is stable at every ωh, and the stack of such boxes leans, bows and falls. "
-      "*Neither "
-      "sweeps nor substeps change when*: the springs are solved exactly, and they are springs.");
+      "that suits the box alone: k = mω². It is stable at every ωh, and the stack of such boxes leans, bows and "
+      "falls. *Neither sweeps nor substeps change when*: the springs are solved as well as you like, and they are "
+      "springs.");
   page.text(
       "It is the oldest law here. In 1881 A. G. Greenhill asked how tall a tree can grow before it buckles under "
-      "its own "
-      "weight. A column of N boxes on soft faces is his tree: a box that turns by θ is set up by kw²θ/2 across "
-      "its width w, "
-      "and tipped over by all that stands above.");
+      "its own weight. A column of N boxes on soft faces is his tree: a box that turns by θ is set up by kw²θ/2 "
+      "across its width w, and tipped over by all that stands above.");
   page.formula("N³ < 7.84 k w²/(2 m g):   @ boxes at @ Hz",
                R"(N^3 < 7.84\,\frac{k w^2}{2 m g}: \quad @ \text{ boxes at } @\ \mathrm{Hz})", highest, hertz);
   page.predict(
@@ -77,36 +78,37 @@ void too_soft(const Setting& setting, Page& page) {
   const Film<Boxes> stacks = film(filmed, hertz);
   page.sequence(
       "buckling_stack",
-      say("@ boxes on soft contacts, solved exactly, after a small kick; @ times as fast as it was. @ Hz: @. In 4 "
-          "substeps: @. @ Hz: @.",
-          filmed, stacks.hurry(), hertz, stacks.fate(0), stacks.fate(1), 4 * hertz, stacks.fate(2)),
+      say("@ boxes on soft contacts, @ sweeps a step, after a small kick; @ times as fast as it was. @ Hz: @. In "
+          "4 substeps: @. @ Hz: @.",
+          filmed, sweeps, stacks.hurry(), hertz, stacks.fate(0), stacks.fate(1), 4 * hertz, stacks.fate(2)),
       Seconds{stacks.seconds()}, stacks.drawing());
 
-  const Map map = map_of(page, counting_knob("boxes N (1)", 4, 40, setting.resolution, renderer::Scale::linear),
-                         knob("frequency of the contacts (Hz)", 5, 150, setting.resolution),
+  const Map map = map_of(page, counting_knob("boxes N (1)", 4, 22, setting.resolution, renderer::Scale::linear),
+                         knob("frequency of the contacts (Hz)", 8, 100, setting.resolution),
                          [](double n, double hz) { return laws::buckle(column(static_cast<int>(n), hz)); });
   const auto boundary = [](double n) { return laws::softest_contacts(static_cast<int>(std::lround(n))); };
   page.figure(
       "boxes_and_stiffness",
-      "Each cell is a run of an exactly solved column at 60 Hz that was nudged. \"Explodes\" is: has fallen. "
-      "Dashed: Greenhill's law for N boxes.",
+      say("Each cell is a run of a nudged column at 60 Hz, @ sweeps a step, more than enough. \"Drifts\" is: "
+          "leans further and further. \"Explodes\" is: has fallen. Dashed: Greenhill's law for N boxes.",
+          sweeps),
       chart(map, "N³ = 7.84 kw²/2mg", boundary));
   const double foreseen = share_foreseen(map, [&](double n, double hz) { return hz > boundary(n); });
   page.text("Of @ runs the law foresees @ %.", map.outcomes.size(), Value(100 * foreseen, 3));
   page.text(
       "**Which knob?** Stiffness. Engines do not let a contact be stiffer than a quarter of the rate of steps, so "
-      "their "
-      "substeps help after all: they allow stiffer contacts. Hard contacts have no such limit, only that of the "
-      "first "
-      "family.");
+      "their substeps help after all: they allow stiffer contacts. Hard contacts have no such limit, only that of "
+      "the first family.");
 
   page.claim({.quantity = "share of runs that end as the law says",
               .unit = "1",
               .expected = 0.93,
               .source = "law B17",
               .measured = foreseen,
-              .tolerance = at_least()});
-  const bool in_reach = highest >= 4 && highest <= 40;
+              .tolerance = at_least(),
+              .claimed = setting.resolution >= 10,
+              .range = "10 cells a side or more"});
+  const bool in_reach = highest >= 4 && highest <= 22;
   const double law = laws::softest_contacts(highest);
   page.claim({.quantity = say("softest contacts on which @ boxes stand, by bisection", highest),
               .unit = "Hz",
@@ -117,7 +119,7 @@ void too_soft(const Setting& setting, Page& page) {
                                    : 0,
               .tolerance = relative(0.04),
               .claimed = in_reach,
-              .range = "4 to 40 boxes"});
+              .range = "4 to 22 boxes"});
 }
 
 }  // namespace byhand::failures

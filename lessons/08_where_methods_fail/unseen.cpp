@@ -28,9 +28,9 @@ void unseen(const Setting& setting, Page& page) {
   const double passed = balls * laws::share_that_passes({.speed = speed, .wall = wall}, balls);
 
   page.predict(
-      {.ask = say("@ balls of @ cm radius fly at @ m/s at a wall @ m thick, 60 steps a second. How many come "
-                  "through?",
-                  balls, 100 * radius, speed, wall),
+      {.ask = say(
+           "@ balls of @ cm radius fly at @ m/s at a wall @ m thick, 60 steps a second. How many come through?",
+           balls, 100 * radius, speed, wall),
        .answer = passed,
        .unit = "balls",
        .tolerance = 0.06 * balls,
@@ -43,8 +43,7 @@ void unseen(const Setting& setting, Page& page) {
            "A ball is seen along its radius, the margin and half of the wall; the rest of its step it is not."});
   page.text(
       "Family three at its plainest: contacts are looked for once a step. A ball that is found anywhere from the "
-      "margin "
-      "before the wall to the wall's middle is turned back. That way is @ m, a step @ m.",
+      "margin before the wall to the wall's middle is turned back. That way is @ m, a step @ m.",
       Value(seen_for(wall), 3), speed * step);
   const Knob speeds = knob("speed (m/s)", 2, 100, setting.resolution),
              walls = knob("thickness of the wall (m)", 0.01, 1, setting.resolution);
@@ -70,8 +69,7 @@ void unseen(const Setting& setting, Page& page) {
               renderer::Chart{.x = speeds.axis, .y = walls.axis, .curves = {law}, .heat_map = map});
   page.text(
       "**Which knob?** The step; a thicker wall; a wider margin, if contacts may be made before they touch "
-      "(speculative "
-      "contacts). A half-space has no other side, and nothing passes it.");
+      "(speculative contacts). A half-space has no other side, and nothing passes it.");
   page.claim({.quantity = "balls that pass",
               .unit = "1",
               .expected = balls * share_by_law(speed, wall),

@@ -191,8 +191,9 @@ class Shading {
     if (!map_.classes.empty()) {
       std::string names;
       for (std::size_t i = 0; i < map_.classes.size(); ++i)
-        names +=
-            fmt::format("{}{} {}", i == 0 ? "" : ", ", pen(static_cast<double>(i)).sign, map_.classes[i].name);
+        if (!map_.classes[i].name.empty())
+          names += fmt::format("{}{} {}", names.empty() ? "" : ", ", pen(static_cast<double>(i)).sign,
+                               map_.classes[i].name);
       return map_.label + ": " + names;
     }
     const auto value = [&](double at) {
