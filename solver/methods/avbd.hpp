@@ -32,7 +32,7 @@
 // share 1 - α, or the push would become speed; a contact still open may close. A row that gives way (a spring, a
 // softness) has the k of its material, 1/(h²γ) with the γ of its row, and F = -κ C. (The paper lets that k grow
 // too, from little and forgetting some in each step; then a stiff spring gives way by more than its k says: 2.3
-// times where 2 kg hang on 1e5 N/m.)
+// times where 2 kg hang on 1e5 N/m and β is 1e5.)
 //
 // The rounds set out from x₀ + h v₀, not from y: what rests is then where it belongs. Rows are those of
 // positions.hpp, with C - C₀ + h rate for C where they have none; a spring's damping, a motor's speed and
