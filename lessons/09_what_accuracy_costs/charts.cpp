@@ -105,7 +105,7 @@ Place place_of(const byhand::Point& point, Error error, Cost cost) {
 
 std::string title_of(const Problem& problem) {
   std::string title;
-  for (const char c : description(problem)) title += c == '_' ? "\\_" : std::string(1, c);
+  for (const char c : description(problem)) title += c == '_' ? ' ' : c;
   return title;
 }
 
@@ -150,8 +150,9 @@ Chart work_precision(const Survey& survey, Error error, Cost cost) {
     }
     if (!series.points.empty()) chart.curves.push_back(std::move(curve));
   }
-  if (const double uncertainty = survey.problem.reference().uncertainty;
-      error == Error::trajectory && uncertainty > rounding)
+  // Far below all errors it would only make the chart narrow; the caption names it too.
+  const double uncertainty = survey.problem.reference().uncertainty;
+  if (error == Error::trajectory && !front.empty() && uncertainty > front.front()[error] / 100)
     chart.references.push_back(
         {.axis = renderer::Reference::Across::x, .value = uncertainty, .label = "uncertainty of the reference"});
   return chart;

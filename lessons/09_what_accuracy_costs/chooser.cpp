@@ -16,6 +16,8 @@ namespace {
 
 using namespace tutor;
 
+constexpr std::size_t shown = 5;  // runners-up
+
 /// The scene that is asked about, with those of the numbers that it has.
 Problem problem_of(const Setting& setting) {
   const std::string name = setting.scene;
@@ -79,8 +81,8 @@ renderer::Chart chart_of(const byhand::Choice& choice, const Problem& problem, c
                             .point_labels = {std::to_string(point.knob)}});
   };
   add(choice.best, choice.best.described());
-  for (const byhand::Point& point : choice.runners_up)
-    if (point.has(wish.error)) add(point, point.described());
+  for (std::size_t i = 0; i < std::min<std::size_t>(choice.runners_up.size(), shown); ++i)
+    if (choice.runners_up[i].has(wish.error)) add(choice.runners_up[i], choice.runners_up[i].described());
   if (choice.finer) add(*choice.finer, "a tenth: " + choice.finer->described());
   if (std::isfinite(wish.accuracy))
     chart.references.push_back(
@@ -93,9 +95,8 @@ renderer::Chart chart_of(const byhand::Choice& choice, const Problem& problem, c
 
 std::string runners_up(const byhand::Choice& choice, const Wish& wish) {
   std::string lines;
-  int most = 4;
-  for (const byhand::Point& point : choice.runners_up) {
-    if (most-- == 0) break;
+  for (std::size_t i = 0; i < std::min<std::size_t>(choice.runners_up.size(), shown); ++i) {
+    const byhand::Point& point = choice.runners_up[i];
     const double times = cost_of(point, wish.cost) / cost_of(choice.best, wish.cost);
     lines += say("\n- @: @ for @ (×@)", point.described(), error_in_words(point, wish.error),
                  cost_in_words(point, wish.cost), Value(times, 2));

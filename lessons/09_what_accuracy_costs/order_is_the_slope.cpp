@@ -52,12 +52,11 @@ void order_is_the_slope(Page& page) {
       "next, and it never decides anything in this course.");
   show_clocked(page, "pendulum_trajectory_clocked", all, Error::trajectory);
   page.text(
-      "Both axes are logarithmic, and so a power law is a straight line: an error that falls as hᵖ, for a cost "
-      "that "
-      "grows as 1/h, is a line whose slope is the *order* p. The legend has the slope that was fitted. What does "
-      "it "
-      "buy?");
-
+      "Both axes are logarithmic, so a power law is a straight line: where the error falls as hᵖ and the cost "
+      "grows as "
+      "1/h, ten times the cost go p decades to the left. That p is the *order*, and the legend has it as it was "
+      "fitted. "
+      "What does it buy?");
   const Configuration& euler = configuration_named("direct, substeps");
   const Configuration& rattle = configuration_named("RATTLE, substeps");
   const double first = gain_in_place(problem, euler, 1), second = gain_in_place(problem, rattle, 0);

@@ -10,18 +10,23 @@
 namespace byhand::accuracy {
 namespace {
 
+/// The same with those values of its knob at which a run costs at most so many row-solves. Costs rise with the
+/// knob, so one run tells.
+Configuration affordable(const Problem& problem, const Configuration& configuration, double most) {
+  Configuration cheaper = configuration;
+  const int first = configuration.values.front();
+  const double tuning = configuration.tunings.empty() ? 0 : configuration.tunings.back();
+  const double cost = measure(problem, configuration, first, tuning).row_solves * problem.scene().duration / frame;
+  while (cheaper.values.size() > 1 && cost * cheaper.values.back() / first > most) cheaper.values.pop_back();
+  return cheaper;
+}
+
 Series run(const Problem& problem, const Configuration& configuration, Error tuned_for, double most) {
-  const double frames = problem.scene().duration / frame;
-  Series series{&configuration, best_tuning(problem, configuration, tuned_for), {}};
-  int last = 0;
-  double spent = 0;  // row-solves of the last run
-  for (const int knob : configuration.values) {
-    // Costs rise with the knob, so the next run's is known before it is made.
-    if (last > 0 && spent * knob / last > most) break;
+  const Configuration cheaper = affordable(problem, configuration, most);
+  Series series{&configuration, best_tuning(problem, cheaper, tuned_for), {}};
+  for (const int knob : cheaper.values) {
     series.points.push_back(
         measure(problem, configuration, knob, series.tuning, {.algebraic = tuned_for == Error::algebraic}));
-    last = knob;
-    spent = frames * series.points.back().row_solves;
     const byhand::Point& now = series.points.back();
     // What fails before its first frame is over fails with every knob.
     if (now.outcome == Outcome::refused || (now.outcome == Outcome::failed && !std::isfinite(now.row_solves)))

@@ -36,7 +36,7 @@ const Survey& survey(const tutor::Page& page, const Problem& problem, Error tune
 
 /// "chain: links = 50, end_mass = 100 kg, …".
 std::string description(const Problem& problem);
-/// The same for a chart, where _ would lower a letter.
+/// The same for a chart, where _ would lower a letter: with spaces.
 std::string title_of(const Problem& problem);
 
 /// Error against cost in row-solves, log–log: a curve a configuration with its tuning and its fitted order in the
