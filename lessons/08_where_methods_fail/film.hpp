@@ -52,7 +52,7 @@ class Film {
   /// When a run failed, in words: "falls at 2.4 s", or "does not".
   std::string fate(int take) const;
   /// What its gauge says at the end.
-  double last(int take) const { return gauges_.curves[take].y.back(); }
+  double last(int take) const { return last_[take]; }
   tutor::FrameDrawing drawing() const;
 
  private:
@@ -60,6 +60,7 @@ class Film {
 
   Shooting<S> plan_;
   std::vector<double> fails_at_;  // [s]; infinity for a run that does not
+  std::vector<double> last_;      // what the gauges say in the end
   renderer::Chart gauges_;
 };
 
@@ -78,6 +79,7 @@ Film<S>::Film(Shooting<S> shooting) : plan_(std::move(shooting)) {
       if (run.time > end - 0.5 * step || plan_.failed(run.scene)) break;
     }
     fails_at_.push_back(plan_.failed(run.scene) ? run.time : std::numeric_limits<double>::infinity());
+    last_.push_back(plan_.read(run.scene));
     gauges_.curves.push_back(std::move(curve));
   }
   gauges_.curves.insert(gauges_.curves.end(), plan_.laws.begin(), plan_.laws.end());

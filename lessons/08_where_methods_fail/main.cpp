@@ -19,7 +19,7 @@ int main(int argc, char** argv) {
       .links = lesson.parameter("links", 10, "1", {3, 20}, "links of the chain that rings"),
       .beta = lesson.parameter("beta", 0.3, "1", {0, 1}, "its share of an error that a step corrects"),
       .end_mass = lesson.parameter("end_mass", 600.0, "kg", {1, 1e5}, "of the chain whose links weigh 1 kg"),
-      .hertz = lesson.parameter("hertz", 30.0, "Hz", {5, 240}, "of soft contacts"),
+      .hertz = lesson.parameter("hertz", 30.0, "Hz", {10, 60}, "of soft contacts"),
       .conflict = lesson.parameter("conflict", 0.1, "m", {1e-4, 0.5}, "by which two rods of one bob disagree"),
   };
   const auto with = [setting](void (*step)(const Setting&, tutor::Page&)) {

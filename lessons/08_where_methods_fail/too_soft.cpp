@@ -13,18 +13,21 @@ namespace byhand::failures {
 namespace {
 
 using namespace tutor;
-using laws::Column;
 using laws::Outcome;
 
 constexpr double gravity = 9.81;
 
-constexpr int sweeps = 40;  // more than law 18 asks for
+// More than law 18 asks for. Solved exactly the boundary is the same, but what has buckled goes slowly.
+constexpr int sweeps = 40, sweeps_filmed = 100;
 
-Column column(int boxes, double hertz) {
-  return {.boxes = boxes, .sweeps = sweeps, .frequency = hertz, .steps = 900};
+Outcome nudged(int boxes, double hertz) {
+  return laws::buckle({.boxes = boxes, .sweeps = sweeps, .frequency = hertz, .steps = 900});
 }
 
-bool stands(int boxes, double hertz) { return laws::buckle(column(boxes, hertz)) == Outcome::settles; }
+/// Whether it stands if each step is solved exactly.
+bool stands(int boxes, double hertz) {
+  return laws::buckle({.boxes = boxes, .sweeps = 0, .frequency = hertz}) == Outcome::settles;
+}
 
 /// The tallest column that stands on contacts of this frequency, by building it up.
 int tallest(double hertz) {
@@ -36,7 +39,7 @@ int tallest(double hertz) {
 Film<Boxes> film(int boxes, double hertz) {
   const auto soft = [](std::string name, double frequency, int substeps) {
     return SolvedStack{std::move(name),
-                       {.solver = GaussSeidel{sweeps},
+                       {.solver = GaussSeidel{sweeps_filmed},
                         .drift = SoftConstraints{.frequency = 2 * std::numbers::pi * frequency},
                         .substeps = substeps}};
   };
@@ -80,12 +83,12 @@ void too_soft(const Setting& setting, Page& page) {
       "buckling_stack",
       say("@ boxes on soft contacts, @ sweeps a step, after a small kick; @ times as fast as it was. @ Hz: @. In "
           "4 substeps: @. @ Hz: @.",
-          filmed, sweeps, stacks.hurry(), hertz, stacks.fate(0), stacks.fate(1), 4 * hertz, stacks.fate(2)),
+          filmed, sweeps_filmed, stacks.hurry(), hertz, stacks.fate(0), stacks.fate(1), 4 * hertz, stacks.fate(2)),
       Seconds{stacks.seconds()}, stacks.drawing());
 
   const Map map = map_of(page, counting_knob("boxes N (1)", 4, 22, setting.resolution, renderer::Scale::linear),
                          knob("frequency of the contacts (Hz)", 8, 100, setting.resolution),
-                         [](double n, double hz) { return laws::buckle(column(static_cast<int>(n), hz)); });
+                         [](double n, double hz) { return nudged(static_cast<int>(n), hz); });
   const auto boundary = [](double n) { return laws::softest_contacts(static_cast<int>(std::lround(n))); };
   page.figure(
       "boxes_and_stiffness",
@@ -108,7 +111,7 @@ void too_soft(const Setting& setting, Page& page) {
               .tolerance = at_least(),
               .claimed = setting.resolution >= 10,
               .range = "10 cells a side or more"});
-  const bool in_reach = highest >= 4 && highest <= 22;
+  const bool in_reach = highest >= 8 && highest <= 30;
   const double law = laws::softest_contacts(highest);
   page.claim({.quantity = say("softest contacts on which @ boxes stand, by bisection", highest),
               .unit = "Hz",
@@ -119,7 +122,7 @@ void too_soft(const Setting& setting, Page& page) {
                                    : 0,
               .tolerance = relative(0.04),
               .claimed = in_reach,
-              .range = "4 to 22 boxes"});
+              .range = "8 to 30 boxes"});
 }
 
 }  // namespace byhand::failures
