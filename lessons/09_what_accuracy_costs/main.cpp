@@ -65,7 +65,7 @@ int main(int argc, char** argv) {
                   "./lessons/run 9 --set scene=chain --set links=50 --set budget=200us"},
                  {"A force that is right to a hundredth, in a four-bar linkage:",
                   "./lessons/run 9 --set scene=four_bar --set reaction=0.01"},
-                 {"Too much to ask:", "./lessons/run 9 --set scene=pyramid --set drift=1e-12"}},
+                 {"Too much to ask:", "./lessons/run 9 --set scene=spherical_pendulum --set trajectory=1e-16"}},
        .next = "Choose a scene of your own, name its kinds in its type, and measure. That is all of it."});
   return lesson.run(argc, argv);
 }

@@ -91,6 +91,13 @@ void substeps_or_sweeps(Page& page) {
   page.text(std::isfinite(swept)
                 ? say("The cheapest way by sweeps costs @, @ times as much.", swept, Value(swept / direct, 2))
                 : std::string("No way by sweeps gets there at all within this chart."));
+  const double rattle =
+      least_cost(all, Error::drift, wanted, [](const Configuration& c) { return c.name.starts_with("RATTLE"); });
+  page.text(
+      "What stands near it rests on the same structured solve: RATTLE is there for @, and has then no drift at "
+      "all, "
+      "but only once its steps are short enough to be stable.",
+      rattle);
   page.claim({.quantity = say("direct with substeps: drift of at most @ m", wanted),
               .unit = "row-solves a row",
               .expected = 100,
