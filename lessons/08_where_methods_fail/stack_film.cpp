@@ -11,7 +11,7 @@ Film<Boxes> film_of_stacks(int boxes, const std::vector<SolvedStack>& stacks, do
   Shooting<Boxes> shooting{
       .view = {-0.19 * height, -0.03 * height, 0.38 * height, 1.06 * height},
       .hurry = hurry,
-      .gauge = {.label = "top box is off by (m)", .scale = renderer::Scale::logarithmic, .range = {{1e-8, 100}}},
+      .gauge = {.label = "top box is off by (m)", .scale = renderer::Scale::logarithmic, .range = {{1e-5, 100}}},
       .read = [](const Boxes& scene) { return std::abs(scene.bodies.pose.back().position.x()); },
       .failed = [=](const Boxes& scene) { return !(scene.bodies.pose.back().position.y() > height - 1.5); },
       .failure = "falls",

@@ -87,7 +87,8 @@ void too_few_iterations(const Setting& setting, Page& page) {
   const Film<Boxes> stacks = film(boxes, sweeps);
   page.sequence("leaning_stack",
                 say("@ boxes after a kick of @ m/s at the top, @ times as fast as it was. @ sweeps a step: @. By "
-                    "conjugate sweeps (NNCG): @. Directly: @. Right: how far the top box is from where it stood.",
+                    "conjugate sweeps (NNCG): @. Directly: @. Right: how far the top box is from where it stood "
+                    "(directly: less than can be shown).",
                     boxes, 0.02, stacks.hurry(), sweeps, stacks.fate(0), stacks.fate(1), stacks.fate(2)),
                 Seconds{stacks.seconds()}, stacks.drawing());
 

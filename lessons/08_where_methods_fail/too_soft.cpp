@@ -15,8 +15,6 @@ namespace {
 using namespace tutor;
 using laws::Outcome;
 
-constexpr double gravity = 9.81;
-
 // More than law 18 asks for. Solved exactly the boundary is the same, but what has buckled goes slowly.
 constexpr int sweeps = 40, sweeps_filmed = 100;
 
