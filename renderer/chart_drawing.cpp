@@ -480,6 +480,12 @@ void ChartDrawing::draw_heat_map() {
       }
     }
   }
+  if (!map.classes.empty()) {
+    // Equal neighbours are still two cells.
+    const Stroke seam{fade(palette::paper, 0.6), 1};
+    for (const double x : xs) canvas_.line(at(x, ys.front()), at(x, ys.back()), seam);
+    for (const double y : ys) canvas_.line(at(xs.front(), y), at(xs.back(), y), seam);
+  }
   const Stroke outline{palette::muted, 1.2};
   canvas_.rectangle(plot_, {fade(palette::paper, 0), outline});
   if (map.classes.empty()) draw_colour_bar();
