@@ -141,7 +141,7 @@ Chart work_precision(const Survey& survey, Error error, Cost cost) {
       curve.x.push_back(place.first), curve.y.push_back(place.second);
       curve.point_names.push_back(std::to_string(point.knob));
       const bool ends = &point == &series.points.front() || &point == &series.points.back();
-      if (point.outcome == Outcome::failed)
+      if (point.outcome == Outcome::failed && !series.configuration->defaults)
         curve.point_labels.push_back(std::exchange(failed, true) ? std::to_string(point.knob) : reason_of(point));
       else
         curve.point_labels.push_back(ends && !series.configuration->defaults && !on_front.contains(place)

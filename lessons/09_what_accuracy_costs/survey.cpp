@@ -28,8 +28,9 @@ Series run(const Problem& problem, const Configuration& configuration, Error tun
     series.points.push_back(
         measure(problem, configuration, knob, series.tuning, {.algebraic = tuned_for == Error::algebraic}));
     const byhand::Point& now = series.points.back();
-    // What fails before its first frame is over fails with every knob.
-    if (now.outcome == Outcome::refused || (now.outcome == Outcome::failed && !std::isfinite(now.row_solves)))
+    // What fails before its first frame is over fails with every knob; and what fell down at first was cheap then.
+    const bool at_once = now.outcome == Outcome::failed && !std::isfinite(now.row_solves);
+    if (now.outcome == Outcome::refused || at_once || now.row_solves * problem.scene().duration / frame > most)
       break;
   }
   return series;
