@@ -33,12 +33,10 @@ int solve(const GaussSeidel& solver, System<M>& system, std::vector<Velocity<M>>
 
 /// One sweep over prepared rows in the order in which they are laid out, and one back where there are two `ways`.
 template <class M>
-void sweep(const System<M>& system, const Prepared<M>& prepared, double* lambda, double* V,
-           int ways = 1);
+void sweep(const System<M>& system, const Prepared<M>& prepared, double* lambda, double* V, int ways = 1);
 
 /// One sweep, and by how much it changed any velocity at most [m/s, rad/s].
 template <class M>
-double watched_sweep(System<M>& system, Prepared<M>& prepared, std::vector<Velocity<M>>& velocities,
-                     int ways = 1);
+double watched_sweep(System<M>& system, Prepared<M>& prepared, std::vector<Velocity<M>>& velocities, int ways = 1);
 
 }  // namespace byhand
