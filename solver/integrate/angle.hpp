@@ -49,8 +49,8 @@ T principal_angle(const PlaneRotation<T>& r) {
   return angle_from_half<T>(detail::half_of<T>({r.sin, r.cos}));
 }
 
-/// The turn [rad], a vector of at most π in the world's axes, whose rotation is the unit quaternion `q`: the inverse
-/// of `space_rotation`, to a few ulps.
+/// The turn [rad], a vector of at most π in the world's axes, whose rotation is the unit quaternion `q`: the
+/// inverse of `space_rotation`, to a few ulps.
 inline Eigen::Vector3d turn_of(const Eigen::Quaterniond& q) {
   const double sign = q.w() < 0 ? -1 : 1, sin = q.vec().norm();
   return sin > 0 ? Eigen::Vector3d(sign * angle_from_half<double>({sin, sign * q.w()}) / sin * q.vec())
