@@ -98,8 +98,7 @@ void find_contacts_of_all_that_moves(Boxed& s) {
 void write_rows(Boxed& s) { s.scene.write_rows(s.work.system, h); }
 void prepare_rows(Boxed& s) { prepare(s.work.system, BlockSolve::whole, 1.0, s.work.prepared); }
 void sweep_once(Boxed& s) {
-  sweep(s.work.system, s.work.prepared, s.work.system.lambda.data(),
-        numbers<PlaneBody>(s.scene.bodies.velocity));
+  sweep(s.work.system, s.work.prepared, s.work.system.lambda.data(), numbers<PlaneBody>(s.scene.bodies.velocity));
 }
 void solve_all_rows(Boxed& s) {
   const auto velocity = s.scene.bodies.velocity;
