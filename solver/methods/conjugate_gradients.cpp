@@ -5,6 +5,9 @@
 namespace byhand {
 namespace {
 
+// Of r·z beside what it was at first: once r is rounding, the directions that it gives lead anywhere.
+constexpr double rounding = 1e-30;
+
 /// E of each block.
 template <class M>
 void invert_blocks(const System<M>& system, ConjugateGradientWork<M>& work) {
@@ -66,11 +69,12 @@ int solve(const ConjugateGradients& solver, System<M>& system, std::vector<Veloc
   begin_sweeps(system, solver.warm_start, begin, velocities);
   rates_of(system, velocities, r);
   for (int i = 0; i < rows; ++i) r[i] = -(r[i] + system.bias[i] + system.gamma[i] * system.lambda[i]);
-  double rz_before = 0;
+  double rz_before = 0, rz_first = 0;
   for (int k = 0; k < solver.iterations; ++k) {
     precondition(system, work);
     const double rz = sum_of_products(r, z);
-    if (largest(r) <= solver.tolerance || !(rz > 0)) return k;
+    if (k == 0) rz_first = rz;
+    if (largest(r) <= solver.tolerance || !(rz > rounding * rz_first)) return k;
     const double onward = k == 0 ? 0.0 : rz / rz_before;
     for (int i = 0; i < rows; ++i) p[i] = z[i] + onward * p[i];
     q.assign(velocities.size(), Velocity<M>::Zero());

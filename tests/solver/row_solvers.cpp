@@ -69,6 +69,21 @@ TEST(ConjugateGradients, StopOnTheirToleranceAndAtOnceWhereNothingIsLeft) {
   EXPECT_EQ(work.row_solves, before) << "a warm start has the answer";
 }
 
+TEST(ConjugateGradients, StayWithTheAnswerHoweverManyIterationsMayFollow) {
+  Simulation<Rods> swinging{rod_chain<PlaneParticle, NormalisedDistance>({.links = 2, .angle = 1.57}),
+                            VelocityStepping{ConjugateGradients{.iterations = 1000, .tolerance = 0}}};
+  Simulation<Rods> exact = swinging;
+  exact.method.solver = Direct{};
+  for (int i = 0; i < 60; ++i) {
+    swinging.step(time_step);
+    exact.step(time_step);
+    EXPECT_LE(difference(numbers_of<PlaneParticle>(swinging.scene.bodies.velocity),
+                         numbers_of<PlaneParticle>(exact.scene.bodies.velocity)),
+              1e-9)
+        << "step " << i;
+  }
+}
+
 TEST(ConjugateGradients, RefuseScenesWithBoundsInOneSentence) {
   Boxes boxes = stack(1);
   Scene<PlaneBody, Contact> contact;
