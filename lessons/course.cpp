@@ -98,12 +98,16 @@ std::string overview(const std::vector<std::string>& slugs) {
   return lines;
 }
 
+/// The lesson of that number or name, or the only one with that in its name.
 std::optional<std::string> find_lesson(const std::vector<std::string>& slugs, const std::string& called) {
-  for (const std::string& slug : slugs)
+  std::vector<std::string> like;
+  for (const std::string& slug : slugs) {
     if (called == slug || called == slug.substr(3) || called == slug.substr(0, 2) ||
         called == std::to_string(std::stoi(slug)))
       return slug;
-  return std::nullopt;
+    if (!called.empty() && slug.find(called, 3) != std::string::npos) like.push_back(slug);
+  }
+  return like.size() == 1 ? std::optional(like.front()) : std::nullopt;
 }
 
 std::string unknown(const std::vector<std::string>& slugs, const std::string& called) {

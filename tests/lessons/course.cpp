@@ -21,8 +21,17 @@ TEST(Course, AnUnknownLessonIsRefusedWithThoseThatExist) {
 }
 
 TEST(Course, FindsALessonByNumberNameOrFolder) {
-  for (const char* name : {"99", "fixture", "99_fixture"})
+  for (const char* name : {"99", "fixture", "99_fixture", "fix"})
     EXPECT_EQ(run(std::string(BYHAND_COURSE) + " " + name + " --check").status, 0) << name;
+}
+
+TEST(Course, FindsALessonByAPartThatNoOtherNameHas) {
+  const auto listed = [](const char* part) {
+    return run(std::string(BYHAND_REAL_COURSE) + " " + part + " --list-parameters").status;
+  };
+  EXPECT_EQ(listed("where_methods"), 0);
+  EXPECT_EQ(listed("contact"), 0) << "a whole name";
+  EXPECT_EQ(listed("a"), 2) << "a part of several";
 }
 
 TEST(Course, HandsOptionsAndStatusThrough) {
