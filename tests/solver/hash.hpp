@@ -37,9 +37,9 @@ class Hash {
   std::uint64_t value_ = 0xcbf29ce484222325;
 };
 
-template <class S>
-std::uint64_t after_ten_seconds(const S& scene, const VelocityStepping& method) {
-  Simulation<S> simulation{scene, method};
+template <class S, class Method = VelocityStepping>
+std::uint64_t after_ten_seconds(const S& scene, const Method& method) {
+  Simulation<S, Method> simulation{scene, method};
   for (int i = 0; i < 600; ++i) simulation.step(1.0 / 60);
   for (const auto& V : simulation.scene.bodies.velocity) EXPECT_TRUE(V.allFinite());
   return Hash(simulation.scene.bodies).value();
