@@ -1,6 +1,5 @@
 // Every lesson of the course, found by its folder.
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -16,7 +15,6 @@ namespace byhand::tests {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::HasSubstr;
 
 std::vector<std::string> slugs() {
   std::vector<std::string> all;
@@ -31,12 +29,6 @@ class EveryLesson : public testing::TestWithParam<std::string> {
   static Finished lesson(const std::string& options) { return run(program() + " " + options); }
 };
 
-TEST_P(EveryLesson, HoldsItsClaims) {
-  const Finished finished = lesson("--check");
-  EXPECT_EQ(finished.status, 0) << finished.said << finished.complained;
-  EXPECT_THAT(finished.said, HasSubstr(" hold, 0 false"));
-}
-
 TEST_P(EveryLesson, IsCalledAsItsFolder) {
   const auto about = nlohmann::json::parse(lesson("--about").said);
   EXPECT_EQ(about.at("slug"), GetParam());
@@ -45,10 +37,10 @@ TEST_P(EveryLesson, IsCalledAsItsFolder) {
   EXPECT_FALSE(about.at("summary").get<std::string>().empty());
 }
 
-TEST_P(EveryLesson, LeavesAPageWhoseLinksLeadSomewhereAndWhoseCommandsWork) {
+TEST_P(EveryLesson, HoldsItsClaimsAndLeavesAPageWhoseLinksLeadSomewhereAndWhoseCommandsWork) {
   const Folder folder;
   const Finished finished = lesson("--quality low --frames last --output " + folder.path().string());
-  ASSERT_EQ(finished.status, 0) << finished.complained;
+  ASSERT_EQ(finished.status, 0) << "1 is a false claim: " << finished.said << finished.complained;
   const fs::path output = folder / GetParam();
   const std::string page = contents(output / "lesson.md");
   const std::regex link(R"(\]\(([^)\s]+)\))"), command(R"(\n\./lessons/run (\S+)([^\n]*)\n)");
