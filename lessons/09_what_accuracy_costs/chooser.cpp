@@ -98,8 +98,9 @@ std::string runners_up(const byhand::Choice& choice, const Wish& wish) {
   for (std::size_t i = 0; i < std::min<std::size_t>(choice.runners_up.size(), shown); ++i) {
     const byhand::Point& point = choice.runners_up[i];
     const double times = cost_of(point, wish.cost) / cost_of(choice.best, wish.cost);
-    lines += say("\n- @: @ for @ (×@)", point.described(), error_in_words(point, wish.error),
-                 cost_in_words(point, wish.cost), Value(times, 2));
+    const bool misses = std::isfinite(wish.accuracy) && !(point[wish.error] <= wish.accuracy);
+    lines += say("\n- @: @ for @ (×@)@", point.described(), error_in_words(point, wish.error),
+                 cost_in_words(point, wish.cost), Value(times, 2), misses ? ", not quite what you ask" : "");
   }
   return lines;
 }
