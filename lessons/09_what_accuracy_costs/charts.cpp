@@ -184,6 +184,11 @@ void show(tutor::Page& page, const std::string& name, const Survey& survey, Erro
   page.figure(name, caption, work_precision(survey, error));
 }
 
+void show(tutor::Page& page, const std::string& prefix, const Survey& survey,
+          std::initializer_list<Error> errors) {
+  for (const Error error : errors) show(page, fmt::format("{}_{}", prefix, name_of(error)), survey, error);
+}
+
 void show_clocked(tutor::Page& page, const std::string& name, const Survey& survey, Error error) {
   page.clocked(name,
                "The same against wall time, median of a frame, measured on the machine and at the moment of the "
@@ -196,6 +201,16 @@ void show_clocked(tutor::Page& page, const std::string& name, const Survey& surv
                            survey.problem, series.configuration->setting(point.knob, series.tuning), 0.02);
                  return work_precision(survey, error, Cost::wall_time);
                });
+}
+
+void claim_first_order(tutor::Page& page, const std::string& scene, const Survey& survey,
+                       const std::string& source) {
+  page.claim({.quantity = scene + ": order of the direct solve with substeps",
+              .unit = "1",
+              .expected = 1,
+              .source = source,
+              .measured = fitted_order(survey.find("direct, substeps")->points, Error::trajectory),
+              .tolerance = tutor::absolute(0.25)});
 }
 
 }  // namespace byhand::accuracy

@@ -20,10 +20,7 @@ void five_errors(Page& page) {
       "A rod on a pin has two rows, and they are solved as one block; so a single sweep is exact and the curves "
       "by "
       "sweeps are upright lines: more sweeps cost and buy nothing.");
-  show(page, "compound_trajectory", compound, Error::trajectory);
-  show(page, "compound_drift", compound, Error::drift);
-  show(page, "compound_energy", compound, Error::energy);
-  show(page, "compound_reaction", compound, Error::reaction);
+  show(page, "compound", compound, {Error::trajectory, Error::drift, Error::energy, Error::reaction});
   const Survey& twice =
       survey(page, Problem("double_pendulum", {{"length", 2}, {"mass", 3}, {"end_mass", 3}}), Error::trajectory);
   page.text(
@@ -31,19 +28,8 @@ void five_errors(Page& page) {
       "trajectories "
       "says nothing about a method.",
       twice.problem.scene().time);
-  show(page, "double_trajectory", twice, Error::trajectory);
-  show(page, "double_drift", twice, Error::drift);
-  show(page, "double_energy", twice, Error::energy);
-  show(page, "double_reaction", twice, Error::reaction);
-  for (const auto* one : {&simple, &compound, &twice}) {
-    const Series* direct = one->find("direct, substeps");
-    page.claim({.quantity = one->problem.scene().title + ": order of the direct solve with substeps",
-                .unit = "1",
-                .expected = 1,
-                .source = "symplectic Euler",
-                .measured = fitted_order(direct->points, Error::trajectory),
-                .tolerance = absolute(0.25)});
-  }
+  show(page, "double", twice, {Error::trajectory, Error::drift, Error::energy, Error::reaction});
+  for (const auto* one : {&simple, &compound, &twice}) claim_first_order(page, one->problem.scene().title, *one);
 }
 
 }  // namespace byhand::accuracy

@@ -1,7 +1,5 @@
 // Deeper: a block that slides and is held back by friction.
 
-#include <cmath>
-
 #include "lessons/09_what_accuracy_costs/steps.hpp"
 #include "lessons/09_what_accuracy_costs/survey.hpp"
 
@@ -18,15 +16,8 @@ void incline(Page& page) {
       "by half a step in position, so the order is 1 and a single sweep will do: sweeps buy nothing here, "
       "substeps do.",
       problem["angle"], problem["speed"], problem["friction"]);
-  show(page, "incline_trajectory", all, Error::trajectory);
-  show(page, "incline_drift", all, Error::drift);
-  const Series* direct = all.find("direct, substeps");
-  page.claim({.quantity = "incline: order of the direct solve with substeps",
-              .unit = "1",
-              .expected = 1,
-              .source = "s = ½ a t (t + h)",
-              .measured = fitted_order(direct->points, Error::trajectory),
-              .tolerance = absolute(0.25)});
+  show(page, "incline", all, {Error::trajectory, Error::drift});
+  claim_first_order(page, "incline", all, "s = ½ a t (t + h)");
 }
 
 }  // namespace byhand::accuracy

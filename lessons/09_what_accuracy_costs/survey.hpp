@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -48,6 +50,13 @@ void show(tutor::Page& page, const std::string& name, const Survey& survey, Erro
 
 /// The same against wall time, measured when it is wanted.
 void show_clocked(tutor::Page& page, const std::string& name, const Survey& survey, Error error);
+
+/// The charts of several errors, each named "prefix_error".
+void show(tutor::Page& page, const std::string& prefix, const Survey& survey, std::initializer_list<Error> errors);
+
+/// Claims that the trajectory of the direct solve with substeps is of order 1, from what `source` says.
+void claim_first_order(tutor::Page& page, const std::string& scene, const Survey& survey,
+                       const std::string& source = "symplectic Euler");
 
 /// What cannot run the problem or fails, at which knobs, and why, as a list; empty if all goes well.
 std::string failures(const Survey& survey);
