@@ -308,4 +308,14 @@ bool has_bounds(const S& scene) {
   return any;
 }
 
+/// What every step begins with: throws std::invalid_argument for a time step [s] that is not positive, gravity
+/// that is no number, a method outside its range, and a method that refuses the scene.
+template <class S, class Method>
+void require_steppable(const S& scene, const Method& method, double step) {
+  require_positive("time step", step, "s");
+  for (const double g : scene.gravity) require_finite("gravity", g, "m/s²");
+  require_valid(method);
+  if (const std::string reason = refusal(scene, method); !reason.empty()) throw std::invalid_argument(reason);
+}
+
 }  // namespace byhand

@@ -136,6 +136,12 @@ struct System {
   void for_each_run(F&& f) const {
     for (const Run& run : runs) for_type<M>(run.type, [&](auto type) { f(part<type>(blocks, run)); });
   }
+
+  /// Calls f(all blocks of a type) for each type.
+  template <class F>
+  void for_each_type(F&& f) const {
+    std::apply([&](const auto&... of_a_type) { (f(of_a_type), ...); }, blocks);
+  }
 };
 
 /// Whether row k of a block pushes only, as a contact does: λ >= 0, and C > 0 is no error.

@@ -232,9 +232,7 @@ int descend(S& scene, int body, double h, Avbd::Work<M>& work) {
 /// One time step [s]. Throws std::invalid_argument for a step <= 0 or a method outside its range.
 template <class S, class M = typename S::model>
 void advance(S& scene, const Avbd& method, double h, Avbd::Work<M>& work) {
-  require_positive("time step", h, "s");
-  for (const double g : scene.gravity) require_finite("gravity", g, "m/s²");
-  require_valid(method);
+  require_steppable(scene, method, h);
   if constexpr (S::touches) work.touching.find(scene);
   if (const int kept = work.rows.lasting; lay_out(scene, work.rows)) {
     work.stiffness.resize(std::min(kept, work.rows.lasting));

@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace byhand {
@@ -98,12 +99,16 @@ template <int S, class M>
 void assemble(const Direct& solver, const System<M>& system, const double* offset, const Bodies<M>& bodies,
               DirectWork<M>& work) {
   constexpr int dof = M::dof;
-  const Elimination& plan = work.plan;
-  const double* V = bodies.velocity.front().data();
-  for (const auto& [first, count] : plan.fill_in) std::fill_n(&work.values[first], count, 0.0);
-  for (std::size_t p = 0; p < plan.nodes.size(); ++p) {
-    const auto& node = plan.nodes[p];
-    double *D = &work.values[node.diagonal], *b = &work.unknowns[node.row], *diagonal = &work.diagonal[node.row];
+  // Held here, for all the compiler knows each number that is written might move the vectors.
+  const std::span nodes(work.plan.nodes);
+  const auto* views = work.views.data();
+  double *values = work.values.data(), *unknowns = work.unknowns.data(), *diagonals = work.diagonal.data();
+  const double *V = bodies.velocity.front().data(), *gamma = system.gamma.data();
+  const double regularisation = solver.regularisation;
+  for (const auto& [first, count] : work.plan.fill_in) std::fill_n(values + first, count, 0.0);
+  for (std::size_t p = 0; p < nodes.size(); ++p) {
+    const auto& node = nodes[p];
+    double *D = values + node.diagonal, *b = unknowns + node.row, *diagonal = diagonals + node.row;
     if (node.edge < 0) {
       write_minus_mass<M>(bodies.inverse_mass[node.hub], bodies.pose[node.hub], D);
       for (int i = 0; i < dof; ++i) {
@@ -112,7 +117,7 @@ void assemble(const Direct& solver, const System<M>& system, const double* offse
       }
       continue;
     }
-    const auto& view = work.views[p];
+    const auto view = views[p];
     const double *v1 = V + dof * view.body1, *v2 = V + dof * view.body2;
     const bool folded = view.folded1 && view.folded2;
     with_size<S, dof>(node, [&](auto n) {
@@ -134,7 +139,7 @@ void assemble(const Direct& solver, const System<M>& system, const double* offse
           const double whole = by_body1 + by_body2;
           double entry = folded ? whole : (view.folded1 ? by_body1 : 0.0) + (view.folded2 ? by_body2 : 0.0);
           if (k == l) {
-            const double soft = solver.regularisation * whole + system.gamma[view.row + k];
+            const double soft = regularisation * whole + gamma[view.row + k];
             diagonal[k] = whole + soft;
             entry += soft;
           }
@@ -143,11 +148,11 @@ void assemble(const Direct& solver, const System<M>& system, const double* offse
       }
     });
   }
-  for (const auto& coupling : plan.couplings) {
-    const auto &earlier = plan.nodes[coupling.earlier], &later = plan.nodes[coupling.later];
-    double* block = &work.values[coupling.block];
-    const double* J = (earlier.edge < 0 ? work.views[coupling.later].J + dof * coupling.later_side
-                                        : work.views[coupling.earlier].J + dof * coupling.earlier_side);
+  for (const auto& coupling : work.plan.couplings) {
+    const auto &earlier = nodes[coupling.earlier], &later = nodes[coupling.later];
+    double* block = values + coupling.block;
+    const double* J = (earlier.edge < 0 ? views[coupling.later].J + dof * coupling.later_side
+                                        : views[coupling.earlier].J + dof * coupling.earlier_side);
     if (later.edge < 0) {
       with_size<S, dof>(earlier, [&](auto n) {
         for (int i = 0; i < dof; ++i)
@@ -159,7 +164,7 @@ void assemble(const Direct& solver, const System<M>& system, const double* offse
           for (int i = 0; i < dof; ++i) block[k * dof + i] = J[2 * dof * k + i];
       });
     } else {
-      const double* W = work.views[coupling.later].W + dof * coupling.later_side;
+      const double* W = views[coupling.later].W + dof * coupling.later_side;
       with_size<S, dof>(earlier, [&](auto n) {
         with_size<S, dof>(later, [&](auto m) {
           for (int l = 0; l < m; ++l)
@@ -223,41 +228,35 @@ void eliminate(const Elimination& plan, double* values, double* unknowns, const 
 }
 //! [factor]
 
-/// From the last node back to the first: x = D⁻¹y - Lᵀ x_later.
-template <int S, int dof>
-void substitute_back(const Elimination& plan, const double* values, double* unknowns) {
-  for (auto node = plan.nodes.rbegin(); node != plan.nodes.rend(); ++node)
-    with_size<S, dof>(*node, [&](auto n) {
-      const double* D = values + node->diagonal;
-      double* x = unknowns + node->row;
+/// From the last node back to the first: x = D⁻¹y - Lᵀ x_later, of which `change` becomes the edges' part.
+template <int S, class M>
+void substitute_back(DirectWork<M>& work, double* change) {
+  const Elimination& plan = work.plan;
+  const double* values = work.values.data();
+  double* unknowns = work.unknowns.data();
+  for (std::size_t p = plan.nodes.size(); p-- > 0;) {
+    const auto& node = plan.nodes[p];
+    with_size<S, M::dof>(node, [&](auto n) {
+      const double* D = values + node.diagonal;
+      double* x = unknowns + node.row;
       double solved[largest_size];
       for (int k = 0; k < n; ++k) {
         double sum = D[k * n] * x[0];
         for (int l = 1; l < n; ++l) sum += D[k * n + l] * x[l];
         solved[k] = sum;
       }
-      for (int a = node->first; a < node->last; ++a) {
+      for (int a = node.first; a < node.last; ++a) {
         const auto& later = plan.nodes[plan.neighbours[a].node];
         const double *L = values + plan.neighbours[a].block, *y = unknowns + later.row;
-        with_size<S, dof>(later, [&](auto m) {
+        with_size<S, M::dof>(later, [&](auto m) {
           for (int i = 0; i < m; ++i)
             for (int k = 0; k < n; ++k) solved[k] -= L[i * n + k] * y[i];
         });
       }
       for (int k = 0; k < n; ++k) x[k] = solved[k];
-    });
-}
-
-/// Reads the edges' unknowns out of the nodes' order.
-template <int S, class M>
-void read_edges(const DirectWork<M>& work, double* change) {
-  for (std::size_t p = 0; p < work.plan.nodes.size(); ++p) {
-    const auto& node = work.plan.nodes[p];
-    if (node.edge < 0) continue;
-    const double* x = &work.unknowns[node.row];
-    double* to = change + work.views[p].row;
-    with_size<S, M::dof>(node, [&](auto n) {
-      for (int k = 0; k < n; ++k) to[k] = x[k];
+      if (node.edge < 0) return;
+      double* to = change + work.views[p].row;
+      for (int k = 0; k < n; ++k) to[k] = solved[k];
     });
   }
 }
@@ -265,60 +264,58 @@ void read_edges(const DirectWork<M>& work, double* change) {
 template <int S, class M>
 void solve_structured(const Direct& solver, const System<M>& system, const double* offset, const Bodies<M>& bodies,
                       DirectWork<M>& work, double* change) {
-  assemble<S, M>(solver, system, offset, bodies, work);
+  assemble<S>(solver, system, offset, bodies, work);
   eliminate<S, M::dof>(work.plan, work.values.data(), work.unknowns.data(), work.diagonal.data());
-  substitute_back<S, M::dof>(work.plan, work.values.data(), work.unknowns.data());
-  read_edges<S>(work, change);
+  substitute_back<S>(work, change);
 }
 
-/// The block without its inactive rows; the block itself where all are active.
-template <class M, int K, Bound B>
-const Block<M, K, B>& masked(const Block<M, K, B>& block, DirectWork<M>& work) {
-  if constexpr (B == Bound::none) {
-    return block;
-  } else {
-    if (work.active.empty()) return block;
-    const char* active = &work.active[block.row];
-    if (std::all_of(active, active + K, [](char on) { return on != 0; })) return block;
-    auto& copy = std::get<block_type<M, K, B>()>(work.masked).emplace_back(block);
-    for (int k = 0; k < K; ++k)
-      if (!active[k]) {
-        copy.J.matrix.row(k).setZero();
-        copy.W.matrix.row(k).setZero();
-      }
-    return copy;
-  }
-}
-
-/// Where each node finds its J and M⁻¹Jᵀ; returns the one size that all edges have, or 0.
+/// Copies the blocks that have bounds, without their inactive rows.
 template <class M>
-int view_blocks(const System<M>& system, const double* offset, DirectWork<M>& work, double* change) {
-  const Elimination& plan = work.plan;
-  work.views.resize(plan.nodes.size());
-  // Views point into the copies, which therefore must not move.
-  if (!work.active.empty()) [&]<std::size_t... I>(std::index_sequence<I...>) {
-      ((std::get<I>(work.masked).clear(), std::get<I>(work.masked).reserve(std::get<I>(system.blocks).size())),
-       ...);
-    }
-  (std::make_index_sequence<std::tuple_size_v<decltype(work.masked)>>());
-  int common = -1;
-  std::size_t p = 0;
-  system.for_each_run([&]<int K, Bound B>(std::span<const Block<M, K, B>> blocks) {
-    common = common == -1 || common == K ? K : 0;
-    for (const auto& block : blocks) {
-      while (p < plan.nodes.size() && plan.nodes[p].edge < 0) ++p;
-      if (p == plan.nodes.size()) {  // edges between fixed bodies follow: only their softness can answer them
-        for (int k = block.row; k < block.row + K; ++k)
-          change[k] = system.gamma[k] > 0 ? -offset[k] / system.gamma[k] : 0.0;
-        continue;
-      }
-      const auto& seen = masked(block, work);
-      work.views[p++] = {
-          seen.J.matrix.data(),          seen.W.matrix.data(),         block.row, block.body1, block.body2,
-          plan.folded[block.body1] != 0, plan.folded[block.body2] != 0};
+void mask_blocks(const System<M>& system, DirectWork<M>& work) {
+  system.for_each_type([&]<int K, Bound B>(const std::vector<Block<M, K, B>>& blocks) {
+    if constexpr (B != Bound::none) {
+      auto& masked = std::get<block_type<M, K, B>()>(work.masked);
+      masked = blocks;
+      for (auto& block : masked)
+        for (int k = 0; k < K; ++k)
+          if (!work.active[block.row + k]) {
+            block.J.matrix.row(k).setZero();
+            block.W.matrix.row(k).setZero();
+          }
     }
   });
-  return common;
+}
+
+/// Where each node finds its J and M⁻¹Jᵀ. That changes only with the layout, or where the blocks stand.
+template <class M>
+void view_blocks(const System<M>& system, DirectWork<M>& work) {
+  const Elimination& plan = work.plan;
+  const auto seen = [&]<int K, Bound B>(const std::vector<Block<M, K, B>>& blocks) -> const auto& {
+    return B == Bound::none || work.active.empty() ? blocks : std::get<block_type<M, K, B>()>(work.masked);
+  };
+  typename DirectWork<M>::FirstJ first{};
+  system.for_each_type([&]<int K, Bound B>(const std::vector<Block<M, K, B>>& blocks) {
+    if (!blocks.empty()) first[block_type<M, K, B>()] = seen(blocks).front().J.matrix.data();
+  });
+  if (!work.views.empty() && work.viewed == first) return;
+  work.viewed = first;
+  work.views.resize(plan.nodes.size());
+  work.size = -1;
+  work.answered = 0;
+  std::size_t p = 0;
+  for (const Run& run : system.runs)
+    for_type<M>(run.type, [&](auto type) {
+      for (const auto& block : std::span(seen(std::get<type>(system.blocks))).subspan(run.first, run.count)) {
+        while (p < plan.nodes.size() && plan.nodes[p].edge < 0) ++p;
+        if (p == plan.nodes.size()) return;  // edges between fixed bodies follow
+        const int rows = plan.nodes[p].size;
+        work.size = work.size == -1 || work.size == rows ? rows : 0;
+        work.answered = block.row + rows;
+        work.views[p++] = {
+            block.J.matrix.data(),         block.W.matrix.data(),        block.row, block.body1, block.body2,
+            plan.folded[block.body1] != 0, plan.folded[block.body2] != 0};
+      }
+    });
 }
 
 template <class M>
@@ -370,15 +367,19 @@ void solve_equations(const Direct& solver, const System<M>& system, const std::v
   work.values.resize(work.plan.values);
   work.unknowns.resize(work.plan.unknowns);
   work.diagonal.resize(work.plan.unknowns);
-  const int size = view_blocks(system, b, work, x);
-  if (size == 1)
+  if (!work.active.empty()) mask_blocks(system, work);
+  view_blocks(system, work);
+  if (work.size == 1)
     solve_structured<1>(solver, system, b, bodies, work, x);
-  else if (size == M::linear)
+  else if (work.size == M::linear)
     solve_structured<M::linear>(solver, system, b, bodies, work, x);
-  else if (M::dof == 3 && size == 3)  // welds and faces
+  else if (M::dof == 3 && work.size == 3)  // welds and faces
     solve_structured<3>(solver, system, b, bodies, work, x);
   else
     solve_structured<0>(solver, system, b, bodies, work, x);
+  // Between fixed bodies a row's own softness alone can answer.
+  for (int row = work.answered; row < system.rows(); ++row)
+    x[row] = system.gamma[row] > 0 ? -b[row] / system.gamma[row] : 0.0;
 }
 
 template <class M>
@@ -397,8 +398,7 @@ void solve_again(const std::vector<double>& offset, DirectWork<M>& work, std::ve
         for (int k = 0; k < node.size; ++k)
           work.unknowns[later.row + i] -= L[i * node.size + k] * work.unknowns[node.row + k];
     }
-  substitute_back<0, M::dof>(plan, work.values.data(), work.unknowns.data());
-  read_edges<0>(work, change.data());
+  substitute_back<0>(work, change.data());
 }
 
 long long direct_row_solves(const Direct& solver, const Elimination& plan, long long rows, int dof) {

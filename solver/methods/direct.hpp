@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <stdexcept>
 
 #include "solver/graph.hpp"
@@ -41,14 +42,19 @@ struct DirectWork {
     int row, body1, body2;
     bool folded1, folded2;
   };
+  /// Of each type of block, where the J of the first stands.
+  using FirstJ = std::array<const double*, std::tuple_size_v<PerBlock<M, BlockOf>>>;
 
   Elimination plan;
   std::vector<double> values, unknowns, diagonal;
-  std::vector<View> views;             // by node
+  std::vector<View> views;             // by node; to be emptied with each new layout
+  FirstJ viewed{};                     // the blocks that they look at
+  int size = 0;                        // that all edges have, or 0
+  int answered = 0;                    // rows of all edges that can move something; the others follow
   std::vector<double> offset, change;  // b + γλ and Δλ, by row
   // Of rows with bounds:
   std::vector<char> active;     // by row: whether it takes part; empty while all do
-  PerBlock<M, BlockOf> masked;  // blocks without their inactive rows
+  PerBlock<M, BlockOf> masked;  // bounded blocks without their inactive rows
   std::vector<Velocity<M>> velocity_before;
   std::vector<double> lambda_before;  // a way back
 };

@@ -56,15 +56,13 @@ std::string refusal_unless_equalities(const S& scene, std::string_view method) {
 /// What every step of theirs begins with: refuses bad input, and lays the rows out anew if constraints were added.
 template <class S, class Family, class M = typename S::model>
 void begin_step(const S& scene, const Family& family, double step, EqualitiesWork<M>& work) {
-  require_positive("time step", step, "s");
-  for (const double g : scene.gravity) require_finite("gravity", g, "m/s²");
-  require_valid(family);
-  if (const std::string reason = refusal(scene, family); !reason.empty()) throw std::invalid_argument(reason);
+  require_steppable(scene, family, step);
   work.h = step / family.substeps;
   if (work.version == scene.version()) return;
   work.version = scene.version();
   work.direct.plan = plan_elimination(scene.graph(), M::dof);
   scene.lay_out(work.direct.plan.order, work.system);
+  work.direct.views.clear();
   for (auto* numbers : {&work.offset, &work.change}) numbers->assign(work.system.rows(), 0.0);
 }
 

@@ -64,6 +64,7 @@ void lay_out(const S& scene, const RowSolver& solver, RowWork<M>& work) {
   work.layout = wanted_layout(solver, work.loopless);
   work.version = scene.version();
   scene.lay_out(solve_order(work.layout, graph, M::dof, work.direct.plan), work.system);
+  work.direct.views.clear();
 }
 
 /// Solves the rows of `work.system` by the chosen solver and puts the impulses into the velocities.

@@ -117,10 +117,7 @@ void end_cure(const VelocityStepping& method, double h, S& scene, Work<M>& work)
 /// range or one that refuses the scene, SingularSystem from a direct solve.
 template <class S, class M = typename S::model>
 void advance(S& scene, const VelocityStepping& method, double step, Work<M>& work) {
-  require_positive("time step", step, "s");
-  for (const double g : scene.gravity) require_finite("gravity", g, "m/s²");
-  require_valid(method);
-  if (const std::string reason = refusal(scene, method); !reason.empty()) throw std::invalid_argument(reason);
+  require_steppable(scene, method, step);
   if constexpr (S::touches) work.touching.find(scene);  // the article's n, P1 and P2, from shapes
   lay_out(scene, method.solver, work);
   if constexpr (S::touches) work.touching.template write_impulses<S>(work.system);

@@ -66,9 +66,7 @@ struct Xpbd::Work {
 /// One time step [s]. Throws std::invalid_argument for a step <= 0 or a method outside its range.
 template <class S, class M = typename S::model>
 void advance(S& scene, const Xpbd& method, double step, Xpbd::Work<M>& work) {
-  require_positive("time step", step, "s");
-  for (const double g : scene.gravity) require_finite("gravity", g, "m/s²");
-  require_valid(method);
+  require_steppable(scene, method, step);
   if constexpr (S::touches) work.touching.find(scene);
   lay_out(scene, work.rows);
   Bodies<M>& bodies = scene.bodies;
