@@ -7,15 +7,14 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
-#include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "lessons/tutor/about.hpp"
 #include "lessons/tutor/keyboard.hpp"
 #include "lessons/tutor/options.hpp"
 #include "lessons/tutor/place.hpp"
@@ -41,11 +40,14 @@ Lessons:
 
 fs::path program(const std::string& slug) { return fs::read_symlink("/proc/self/exe").parent_path() / slug; }
 
-std::vector<std::string> all_slugs() {
-  std::vector<std::string> slugs;
-  std::istringstream listed(BYHAND_SLUGS);
-  for (std::string slug; std::getline(listed, slug, ',');) slugs.push_back(slug);
-  return slugs;
+/// Builds what is to be run, where BYHAND_BUILD says how: a reader of one lesson need not wait for the others.
+/// Returns 0, or the exit status of what failed.
+int build(const std::string& target) {
+  const char* builder = std::getenv("BYHAND_BUILD");
+  if (builder == nullptr) return 0;
+  std::fflush(stdout);
+  const int status = std::system(fmt::format("'{}' {}", builder, target).c_str());
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 3;
 }
 
 /// Runs a lesson and returns its exit status. Ctrl-C is the lesson's to understand while it runs.
@@ -72,28 +74,22 @@ int run_lesson(const std::string& slug, Arguments arguments) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
-/// What a lesson says of itself.
-nlohmann::json about(const std::string& slug) {
-  const std::unique_ptr<FILE, int (*)(FILE*)> output(
-      popen(fmt::format("'{}' --about", program(slug).string()).c_str(), "r"), pclose);
-  if (!output) throw std::runtime_error(slug + " could not be asked what it is about");
-  return nlohmann::json::parse(output.get());
+int build_and_run(const std::string& slug, const Arguments& arguments) {
+  if (const int failed = build(slug)) return failed;
+  return run_lesson(slug, arguments);
 }
 
-std::string progress(const Place& place, int core_steps) {
-  if (!place.step.empty()) return fmt::format("step {} of {}", place.step, core_steps);
+std::string progress(const Place& place) {
+  if (!place.step.empty()) return fmt::format("at step {}", place.step);
   return place.finished ? "finished" : "";
 }
 
-std::string overview(const std::vector<std::string>& slugs) {
-  std::vector<std::vector<std::string>> rows;
+std::string overview() {
   std::string lines;
-  for (const std::string& slug : slugs) {
-    const auto lesson = about(slug);
-    const std::string title = lesson.at("title"), summary = lesson.at("summary");
-    lines += fmt::format("  {}  {} {}\n", lesson.at("number").get<int>(), padded(title, 28),
-                         progress(read_place(slug), lesson.at("core_steps")));
-    lines += wrapped(summary, {}, 5);
+  for (const About& lesson : contents()) {
+    lines += fmt::format("  {}  {} {}\n", std::stoi(lesson.slug), padded(lesson.title, 28),
+                         progress(read_place(lesson.slug)));
+    lines += wrapped(lesson.summary, {}, 5);
   }
   return lines;
 }
@@ -126,6 +122,7 @@ std::string output_of(const Arguments& arguments) {
 }
 
 int run_all(const std::vector<std::string>& slugs, Arguments arguments) {
+  if (const int failed = build("lessons")) return failed;
   arguments.insert(arguments.begin(), "--no-interactive");
   int worst = 0;
   for (const std::string& slug : slugs) {
@@ -155,7 +152,7 @@ int open_course(const std::vector<std::string>& slugs) {
   while (true) {
     const auto next = next_lesson(slugs);
     fmt::print(
-        "\n{}\n{}a number chooses, q leaves ▸ ", overview(slugs),
+        "\n{}\n{}a number chooses, q leaves ▸ ", overview(),
         next ? fmt::format("Enter goes on with lesson {}, ", std::stoi(*next)) : "All lessons are finished: ");
     std::fflush(stdout);
     const auto line = keyboard.line();
@@ -166,17 +163,18 @@ int open_course(const std::vector<std::string>& slugs) {
       fmt::print("{}", line->empty() ? "Type the number of a lesson, or q.\n" : unknown(slugs, *line));
       continue;
     }
-    const int status = run_lesson(*chosen, {});
+    const int status = build_and_run(*chosen, {});
     if (status != 0 || !read_place(*chosen).step.empty()) return status;
   }
 }
 
 int run(Arguments arguments) {
-  const std::vector<std::string> slugs = all_slugs();
+  std::vector<std::string> slugs;
+  for (const About& lesson : contents()) slugs.push_back(lesson.slug);
   const bool at_terminal = isatty(STDIN_FILENO) && isatty(STDOUT_FILENO);
   if (arguments.empty() && at_terminal) return open_course(slugs);
   if (!arguments.empty() && arguments.front() == "--help") {
-    fmt::print("{}{}", usage, overview(slugs));
+    fmt::print("{}{}", usage, overview());
     return 0;
   }
   if (arguments.empty() || arguments.front().starts_with("--")) {
@@ -189,7 +187,7 @@ int run(Arguments arguments) {
     fmt::print(stderr, "{}", unknown(slugs, arguments.front()));
     return 2;
   }
-  return run_lesson(*slug, {arguments.begin() + 1, arguments.end()});
+  return build_and_run(*slug, {arguments.begin() + 1, arguments.end()});
 }
 
 }  // namespace

@@ -18,19 +18,20 @@ namespace {
 namespace palette = renderer::palette;
 
 //! [gradient]
-/// J without a derivation: C(x + δ) with a dual number δ for each of the 2 dof ways to move.
+/// J without a derivation: a dual number δ moves the bodies in one of the 2 dof ways after the other, and C(x + δ)
+/// holds that way's column.
 template <class M, template <class> class Kind>
 auto gradient(const Kind<M>& constraint, const Pose<M>& pose1, const Pose<M>& pose2) {
-  constexpr int ways = 2 * M::dof;
-  using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<double, ways, 1>>;
-  const auto nudged = [](const Pose<M>& pose, int first) {
-    Velocity<M, Dual> nudge;
-    for (int i = 0; i < M::dof; ++i) nudge[i] = Dual(0.0, ways, first + i);
-    return moved<M, Dual>(cast<Dual>(pose), nudge, Dual(1.0));
-  };
-  const auto C = constraint.template value<Dual>(nudged(pose1, 0), nudged(pose2, M::dof));
-  Eigen::Matrix<double, Kind<M>::rows, ways> J;
-  for (int k = 0; k < J.rows(); ++k) J.row(k) = C[k].derivatives().transpose();
+  using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<double, 1, 1>>;
+  const Dual delta(0.0, 1, 0);
+  Eigen::Matrix<double, Kind<M>::rows, 2 * M::dof> J;
+  for (int way = 0; way < J.cols(); ++way) {
+    Velocity<M, Dual> nudge1 = Velocity<M, Dual>::Zero(), nudge2 = nudge1;
+    (way < M::dof ? nudge1[way] : nudge2[way - M::dof]) = delta;
+    const auto C = constraint.template value<Dual>(moved<M, Dual>(cast<Dual>(pose1), nudge1, Dual(1.0)),
+                                                   moved<M, Dual>(cast<Dual>(pose2), nudge2, Dual(1.0)));
+    for (int k = 0; k < J.rows(); ++k) J(k, way) = C[k].derivatives()[0];
+  }
   return J;
 }
 //! [gradient]

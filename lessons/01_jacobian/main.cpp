@@ -7,11 +7,7 @@ using namespace byhand;
 using namespace byhand::lesson01;
 
 int main(int argc, char** argv) {
-  tutor::Lesson lesson(
-      {.slug = "01_jacobian",
-       .title = "Jacobian",
-       .summary = "Derive J by hand, see it on the bodies, and test it.",
-       .method = "poses move with constant velocities; two forms: one sweep of Gauss–Seidel a step"});
+  tutor::Lesson lesson(tutor::contents().at(0));
   const Settings set{
       lesson.parameter("length", 2.0, "m", {0.2, 20}, "length L of the rod"),
       lesson.parameter("stretch", 0.1, "m", {-0.1, 1}, "how much too long the rod is at first"),

@@ -6,10 +6,7 @@ int main(int argc, char** argv) {
   using namespace byhand;
   using namespace byhand::single_constraint;
 
-  tutor::Lesson lesson({.slug = "02_single_constraint",
-                        .title = "Single constraint",
-                        .summary = "One bob, one rod: solve (17), apply (20), and watch what that does not solve.",
-                        .method = "symplectic Euler; one row solved exactly by (17); no drift cure"});
+  tutor::Lesson lesson(tutor::contents().at(1));
   const Setting setting{
       .length = lesson.parameter("length", 2.0, "m", {0.1, 20}, "length of the rod"),
       .mass = lesson.parameter("mass", 3.0, "kg", {0.01, 1000}, "mass of the bob"),

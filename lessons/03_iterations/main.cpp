@@ -7,11 +7,7 @@ using namespace byhand::iterations;
 using namespace byhand::tutor;
 
 int main(int argc, char** argv) {
-  Lesson lesson(
-      {.slug = "03_iterations",
-       .title = "Iterations",
-       .summary = "Rows that share bodies undo each other's work: sweeps, their rate, and all rows at once.",
-       .method = "velocity stepping, symplectic Euler"});
+  Lesson lesson(contents().at(2));
   const Knobs knobs{
       .links = lesson.parameter("links", 10, "1", {2, 40}, "links of the chain"),
       .length = lesson.parameter("length", 2.0, "m", {0.1, 10}, "length of a link"),

@@ -6,10 +6,7 @@ int main(int argc, char** argv) {
   using namespace byhand;
   using namespace byhand::baumgarte;
 
-  tutor::Lesson lesson({.slug = "04_baumgarte",
-                        .title = "Baumgarte",
-                        .summary = "Why rods grow, how (22) pulls them back, and how much of it a scene can bear.",
-                        .method = "symplectic Euler; one row solved exactly by (17), or Gauss–Seidel; Baumgarte"});
+  tutor::Lesson lesson(tutor::contents().at(3));
   const Setting setting{
       .beta = lesson.parameter("beta", 0.2, "1", {0.01, 3}, "share of the error that a step takes away"),
       .h = lesson.parameter("h", 1.0 / 60, "s", {1e-3, 0.05}, "time step"),

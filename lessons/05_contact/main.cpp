@@ -6,12 +6,7 @@ int main(int argc, char** argv) {
   using namespace byhand;
   using namespace byhand::contact;
 
-  tutor::Lesson lesson(
-      {.slug = "05_contact",
-       .title = "Contact and friction",
-       .summary =
-           "Rows that may only push, friction that leans on them, bounces, and what a stack asks of a solver.",
-       .method = "symplectic Euler; Gauss–Seidel or direct with an active set; Baumgarte"});
+  tutor::Lesson lesson(tutor::contents().at(4));
   const Setting setting{
       .h = lesson.parameter("h", 1.0 / 60, "s", {1e-3, 0.05}, "time step"),
       .beta = lesson.parameter("beta", 0.2, "1", {0.05, 1}, "share of an overlap that a step takes away"),

@@ -5,12 +5,7 @@ int main(int argc, char** argv) {
   using namespace byhand;
   using namespace byhand::joints;
 
-  tutor::Lesson lesson(
-      {.slug = "06_joints",
-       .title = "Joints",
-       .summary =
-           "Pins, welds, sliders, stops and motors from rows and bounds; machines against their closed forms.",
-       .method = "symplectic Euler; all rows directly, or Gauss–Seidel; Baumgarte"});
+  tutor::Lesson lesson(tutor::contents().at(5));
   const Setting setting{
       .length = lesson.parameter("length", 2.0, "m", {0.5, 5}, "length of a bar or rod"),
       .mass = lesson.parameter("mass", 3.0, "kg", {0.1, 100}, "mass of a bar or bob"),

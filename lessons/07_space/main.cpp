@@ -6,12 +6,7 @@ int main(int argc, char** argv) {
   using namespace byhand;
   using namespace byhand::space;
 
-  tutor::Lesson lesson(
-      {.slug = "07_space",
-       .title = "Three dimensions",
-       .summary = "The same code with three axes more: turning inertia, tops that flip, friction along two axes.",
-       .method =
-           "symplectic Euler; Gauss–Seidel or direct; Baumgarte; gyroscopic term none, explicit or implicit"});
+  tutor::Lesson lesson(tutor::contents().at(6));
   const Setting setting{
       .h = lesson.parameter("h", 1.0 / 60, "s", {1.0 / 480, 1.0 / 30}, "time step"),
       .length = lesson.parameter("length", 2.0, "m", {0.5, 10}, "length of the rods"),

@@ -6,12 +6,7 @@ int main(int argc, char** argv) {
   using namespace byhand;
   using namespace byhand::failures;
 
-  tutor::Lesson lesson(
-      {.slug = "08_where_methods_fail",
-       .title = "Where methods fail",
-       .summary =
-           "Four families of failures: their symptoms, maps of where they live, the laws behind, the knobs.",
-       .method = "symplectic Euler; Gauss–Seidel, NNCG or direct; Baumgarte, projection"});
+  tutor::Lesson lesson(tutor::contents().at(7));
   const Setting setting{
       .resolution = lesson.parameter("resolution", 20, "1", {4, 64}, "cells a side of each map"),
       .boxes = lesson.parameter("boxes", 15, "1", {8, 24}, "of the stack that is filmed"),

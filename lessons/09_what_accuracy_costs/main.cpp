@@ -8,12 +8,7 @@ int main(int argc, char** argv) {
   using namespace byhand;
   using namespace byhand::accuracy;
 
-  tutor::Lesson lesson({.slug = "09_what_accuracy_costs",
-                        .title = "What accuracy costs",
-                        .summary =
-                            "Error against cost for every method, the price of the model, and a program that "
-                            "chooses.",
-                        .method = "all that the solver has, each with its best settings and with its defaults"});
+  tutor::Lesson lesson(tutor::contents().at(8));
   std::vector<std::string> scenes;
   for (const NamedScene& scene : catalogue()) scenes.push_back(scene.name);
   const accuracy::Setting setting{

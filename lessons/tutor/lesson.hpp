@@ -6,19 +6,12 @@
 #include <utility>
 #include <vector>
 
+#include "lessons/tutor/about.hpp"
 #include "lessons/tutor/error.hpp"
 #include "lessons/tutor/page.hpp"
 #include "lessons/tutor/parameter.hpp"
 
 namespace byhand::tutor {
-
-/// What a lesson is, before it runs.
-struct About {
-  std::string slug = {};     // its folder, "04_baumgarte"; the number is read from it
-  std::string title = {};    // "Baumgarte"
-  std::string summary = {};  // one line for the course
-  std::string method = {};   // how its scenes are stepped unless a step says otherwise, for manifest.json
-};
 
 /// Something to try, with the command that does it: "./lessons/run baumgarte --set beta=2.1".
 struct Try {

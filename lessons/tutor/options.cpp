@@ -102,7 +102,6 @@ Options read_options(const Lesson& lesson, int argc, const char* const* argv, bo
   app.add_flag("--check", options.check, "no pictures, only the claims, as a table");
   app.add_option("--step", options.step, "only this step, 3 or 3a; at a terminal from there")->type_name("N");
   app.add_flag("--quiet", options.quiet, "no text, no progress, only what is wrong");
-  app.add_flag("--about", options.about, "the lesson in one line of JSON, for the course")->group("");
 
   try {
     app.parse(argc, argv);

@@ -27,7 +27,7 @@ struct Options {
   Quality quality;
   FramesWanted frames = FramesWanted::all;
   std::vector<std::pair<std::string, std::string>> set;  // name, value
-  bool list_parameters = false, check = false, quiet = false, about = false;
+  bool list_parameters = false, check = false, quiet = false;
   std::string step;  // its label; empty: all
 };
 

@@ -7,7 +7,6 @@
 #include <exception>
 #include <filesystem>
 #include <new>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <system_error>
 
@@ -28,25 +27,11 @@ int refuse(ExitStatus status, const char* sentence) {
   return status;
 }
 
-std::string about(const Lesson& lesson) {
-  std::vector<std::string> core;
-  for (const Step& step : lesson.steps())
-    if (!step.deeper) core.push_back(step.label);
-  const nlohmann::ordered_json json = {{"slug", lesson.about().slug},
-                                       {"number", lesson.number()},
-                                       {"title", lesson.about().title},
-                                       {"summary", lesson.about().summary},
-                                       {"core_steps", core.size()}};
-  return json.dump() + "\n";
-}
-
 int answer(Lesson& lesson, int argc, const char* const* argv) {
   Options options = read_options(lesson, argc, argv, isatty(STDIN_FILENO) && isatty(STDOUT_FILENO));
   for (const auto& [name, value] : options.set) lesson.set(name, value);
   if (options.step.empty()) options.step = lesson.step_of(options.set);
-  if (options.about)
-    fmt::print("{}", about(lesson));
-  else if (options.list_parameters)
+  if (options.list_parameters)
     fmt::print("{}", say_parameters(lesson));
   else
     return options.interactive ? run_dialogue(lesson, options) : run_straight(lesson, options);

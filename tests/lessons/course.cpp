@@ -1,9 +1,11 @@
 // The course, with the fixture as its only lesson.
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 
 #include "tests/lessons/process.hpp"
 #include "tests/lessons/terminal.hpp"
@@ -13,6 +15,8 @@ namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
 
 TEST(Course, AnUnknownLessonIsRefusedWithThoseThatExist) {
   const Finished finished = run(std::string(BYHAND_COURSE) + " 7");
@@ -50,6 +54,23 @@ TEST(Course, WithoutATerminalRunsAllAndSaysWhereThePicturesAre) {
   EXPECT_EQ(run(std::string(BYHAND_COURSE) + " --check").status, 0);
 }
 
+TEST(Course, BuildsALessonWhenItsReaderComesToIt) {
+  const Folder folder;
+  const std::string builder = (folder / "build").string();
+  std::ofstream(builder) << "#!/bin/sh\necho built $1\nexit $status\n";
+  std::filesystem::permissions(builder, std::filesystem::perms::owner_all);
+  const auto course = [&](int status, const std::string& arguments) {
+    return run(fmt::format("status={} BYHAND_BUILD={} {} {} --check", status, builder, BYHAND_COURSE, arguments));
+  };
+  EXPECT_THAT(course(0, "fixture").said, AllOf(StartsWith("built 99_fixture\n"), HasSubstr("It settles")));
+  EXPECT_THAT(course(0, "--all").said, AllOf(StartsWith("built lessons\n"), HasSubstr("It settles")));
+  for (const char* arguments : {"fixture", "--all"}) {
+    const Finished finished = course(3, arguments);
+    EXPECT_EQ(finished.status, 3);
+    EXPECT_THAT(finished.said, Not(HasSubstr("It settles")));
+  }
+}
+
 TEST(Course, ShowsHowFarTheReaderGotAndGoesOnThere) {
   const Folder folder;
   const std::map<std::string, std::string> environment = {{"TERM", "dumb"},
@@ -69,7 +90,7 @@ TEST(Course, ShowsHowFarTheReaderGotAndGoesOnThere) {
     EXPECT_EQ(reader.leave(), 0);
   }
   Terminal reader({BYHAND_COURSE}, environment);
-  reader.expect("step 1 of 2");
+  reader.expect("at step 1");
   reader.expect("▸");
   reader.type("\x04");
   EXPECT_EQ(reader.leave(), 0);
