@@ -7,19 +7,16 @@
 // A constraint's derivatives from its `value` alone, by dual numbers: what a J derived by hand is held against.
 namespace byhand {
 
-template <int n>
-using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<double, n, 1>>;
-
 /// dC/dt at the present moment of bodies that move with constant V.
 template <class Kind, class M>
 Rows<Kind::rows> rate_by_duals(const Kind& constraint, const Pose<M>& pose1, const Velocity<M>& V1,
                                const Pose<M>& pose2, const Velocity<M>& V2) {
-  using D = Dual<1>;
-  const D time(0.0, 1, 0);
+  using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<double, 1, 1>>;
+  const Dual time(0.0, 1, 0);
   const auto at = [&](const Pose<M>& pose, const Velocity<M>& V) {
-    return moved<M, D>(cast<D, M>(pose), Velocity<M, D>(V.template cast<D>()), time);
+    return moved<M, Dual>(cast<Dual, M>(pose), Velocity<M, Dual>(V.template cast<Dual>()), time);
   };
-  const Rows<Kind::rows, D> C = constraint.template value<D>(at(pose1, V1), at(pose2, V2));
+  const Rows<Kind::rows, Dual> C = constraint.template value<Dual>(at(pose1, V1), at(pose2, V2));
   Rows<Kind::rows> rate;
   for (int k = 0; k < Kind::rows; ++k) rate[k] = C[k].derivatives()[0];
   return rate;
@@ -29,15 +26,12 @@ Rows<Kind::rows> rate_by_duals(const Kind& constraint, const Pose<M>& pose1, con
 template <class Kind, class M>
 Eigen::Matrix<double, Kind::rows, 2 * M::dof> gradient_by_duals(const Kind& constraint, const Pose<M>& pose1,
                                                                 const Pose<M>& pose2) {
-  using D = Dual<2 * M::dof>;
-  const auto nudged = [&](const Pose<M>& pose, int first) {
-    Velocity<M, D> nudge;
-    for (int i = 0; i < M::dof; ++i) nudge[i] = D(0.0, 2 * M::dof, first + i);
-    return moved<M, D>(cast<D, M>(pose), nudge, D(1.0));
-  };
-  const Rows<Kind::rows, D> C = constraint.template value<D>(nudged(pose1, 0), nudged(pose2, M::dof));
   Eigen::Matrix<double, Kind::rows, 2 * M::dof> gradient;
-  for (int k = 0; k < Kind::rows; ++k) gradient.row(k) = C[k].derivatives().transpose();
+  for (int i = 0; i < 2 * M::dof; ++i) {
+    Velocity<M> V1 = Velocity<M>::Zero(), V2 = V1;
+    (i < M::dof ? V1[i] : V2[i - M::dof]) = 1;
+    gradient.col(i) = rate_by_duals(constraint, pose1, V1, pose2, V2);
+  }
   return gradient;
 }
 

@@ -13,7 +13,7 @@ TEST(Softness, LeavesEachRowAtMinusGammaLambda) {
   in_all_models(
       []<class M>(Random& random) {
         const auto scene = random_graph<M>(random, 8, 12);
-        for (const RowSolver& solver : {RowSolver(GaussSeidel{30000, false}), RowSolver(Direct{}),
+        for (const RowSolver& solver : {RowSolver(exact_sweeps()), RowSolver(Direct{}),
                                         RowSolver(Direct{Factorisation::dense})}) {
           auto copy = scene;
           Work<M> work;
