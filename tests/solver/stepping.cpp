@@ -13,8 +13,8 @@ TEST(Softness, LeavesEachRowAtMinusGammaLambda) {
   in_all_models(
       []<class M>(Random& random) {
         const auto scene = random_graph<M>(random, 8, 12);
-        for (const RowSolver& solver : {RowSolver(exact_sweeps()), RowSolver(Direct{}),
-                                        RowSolver(Direct{Factorisation::dense})}) {
+        for (const RowSolver& solver :
+             {RowSolver(exact_sweeps()), RowSolver(Direct{}), RowSolver(Direct{Factorisation::dense})}) {
           auto copy = scene;
           Work<M> work;
           advance(copy, {solver}, time_step, work);
