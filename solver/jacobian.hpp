@@ -40,12 +40,11 @@ void set_row_along(Jacobian<M, K>& J, int k, const Linear<M>& u, const Arm<M>& r
 //! [along]
 
 //! [8]
-/// (8): JV, the rate at which the constraint's value changes [units of C per second].
+/// (8): JV = (l1·v1 + a1·ω1) + (l2·v2 + a2·ω2), the rate at which the constraint's value changes [units of C per
+/// second].
 template <class M, int K>
 Rows<K> dot(const Jacobian<M, K>& J, const Velocity<M>& V1, const Velocity<M>& V2) {
-  const auto v1 = V1.template head<M::linear>(), v2 = V2.template head<M::linear>();
-  const auto w1 = V1.template tail<M::angular>(), w2 = V2.template tail<M::angular>();
-  return J.l1() * v1 + J.a1() * w1 + J.l2() * v2 + J.a2() * w2;
+  return J.side1().lazyProduct(V1) + J.side2().lazyProduct(V2);
 }
 //! [8]
 

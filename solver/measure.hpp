@@ -115,8 +115,7 @@ double algebraic_error(Simulation<S> simulation, double h) {
 #define BYHAND_SHARED_SCENE(M, ...)                                           \
   extern template PositionError position_error(const Scene<M, __VA_ARGS__>&); \
   extern template double potential_energy(const Scene<M, __VA_ARGS__>&);      \
-  extern template double energy(const Scene<M, __VA_ARGS__>&);                \
-  extern template double algebraic_error(Simulation<Scene<M, __VA_ARGS__>>, double)
+  extern template double energy(const Scene<M, __VA_ARGS__>&)
 BYHAND_FOR_EACH_SHARED_SCENE(BYHAND_SHARED_SCENE);
 #undef BYHAND_SHARED_SCENE
 

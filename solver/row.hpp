@@ -16,8 +16,8 @@ Jacobian<M, K> times_inverse_mass(const Jacobian<M, K>& J, const InverseMass<M>&
   W.matrix.template middleCols<M::linear>(0) = m1.linear * J.l1();
   W.matrix.template middleCols<M::linear>(M::dof) = m2.linear * J.l2();
   if constexpr (M::angular > 0) {
-    W.matrix.template middleCols<M::angular>(M::linear) = J.a1() * inverse_inertia(m1, pose1);
-    W.matrix.template middleCols<M::angular>(M::dof + M::linear) = J.a2() * inverse_inertia(m2, pose2);
+    W.matrix.template middleCols<M::angular>(M::linear) = J.a1().lazyProduct(inverse_inertia(m1, pose1));
+    W.matrix.template middleCols<M::angular>(M::dof + M::linear) = J.a2().lazyProduct(inverse_inertia(m2, pose2));
   }
   return W;
 }

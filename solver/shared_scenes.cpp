@@ -11,8 +11,7 @@ namespace byhand {
   template void advance(Scene<M, __VA_ARGS__>&, const VelocityStepping&, double, Work<M>&); \
   template PositionError position_error(const Scene<M, __VA_ARGS__>&);                      \
   template double potential_energy(const Scene<M, __VA_ARGS__>&);                           \
-  template double energy(const Scene<M, __VA_ARGS__>&);                                     \
-  template double algebraic_error(Simulation<Scene<M, __VA_ARGS__>>, double)
+  template double energy(const Scene<M, __VA_ARGS__>&)
 BYHAND_FOR_EACH_SHARED_SCENE(BYHAND_SHARED_SCENE);
 #undef BYHAND_SHARED_SCENE
 

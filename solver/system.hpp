@@ -106,10 +106,19 @@ void for_type(int type, F&& f) {
   }(typename BlockTypesOf<M>::type());
 }
 
+/// A run's elements of all of its type.
+template <class Element>
+std::span<Element> part(std::vector<Element>& all, const Run& run) {
+  return {all.data() + run.first, static_cast<std::size_t>(run.count)};
+}
+template <class Element>
+std::span<const Element> part(const std::vector<Element>& all, const Run& run) {
+  return {all.data() + run.first, static_cast<std::size_t>(run.count)};
+}
 /// A run's elements in any PerBlock storage.
 template <std::size_t type, class Storage>
 auto part(Storage& storage, const Run& run) {
-  return std::span(std::get<type>(storage)).subspan(run.first, run.count);
+  return part(std::get<type>(storage), run);
 }
 
 /// The linear system of one step: (JM⁻¹Jᵀ + γ)λ = -(JV + b) within bounds, as blocks in solve order. It knows

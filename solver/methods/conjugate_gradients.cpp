@@ -8,20 +8,20 @@ namespace {
 // Of r·z beside what it was at first: once r is rounding, the directions that it gives lead anywhere.
 constexpr double rounding = 1e-30;
 
-/// E of each block.
+/// E of each block; there are none with bounds.
 template <class M>
 void invert_blocks(const System<M>& system, ConjugateGradientWork<M>& work) {
-  for (const Run& run : system.runs)
-    for_type<M>(run.type, [&](auto type) {
-      auto& inverses = std::get<type>(work.inverses);
-      inverses.resize(std::get<type>(system.blocks).size());
-      const auto blocks = part<type>(system.blocks, run);
-      for (int i = 0; i < run.count; ++i) {
+  system.for_each_type([&]<int K, Bound B>(const std::vector<Block<M, K, B>>& blocks) {
+    if constexpr (B == Bound::none) {
+      auto& inverses = std::get<block_type<M, K, B>()>(work.inverses);
+      inverses.resize(blocks.size());
+      for (std::size_t i = 0; i < blocks.size(); ++i) {
         auto A = inverse_effective_mass(blocks[i].J, blocks[i].W);
-        for (int k = 0; k < A.rows(); ++k) A(k, k) += system.gamma[blocks[i].row + k];
-        inverses[run.first + i] = inverse_or_zero<A.RowsAtCompileTime>(A);
+        for (int k = 0; k < K; ++k) A(k, k) += system.gamma[blocks[i].row + k];
+        inverses[i] = inverse_or_zero<K>(A);
       }
-    });
+    }
+  });
 }
 
 /// z = E r.

@@ -305,7 +305,7 @@ void view_blocks(const System<M>& system, DirectWork<M>& work) {
   std::size_t p = 0;
   for (const Run& run : system.runs)
     for_type<M>(run.type, [&](auto type) {
-      for (const auto& block : std::span(seen(std::get<type>(system.blocks))).subspan(run.first, run.count)) {
+      for (const auto& block : part(seen(std::get<type>(system.blocks)), run)) {
         while (p < plan.nodes.size() && plan.nodes[p].edge < 0) ++p;
         if (p == plan.nodes.size()) return;  // edges between fixed bodies follow
         const int rows = plan.nodes[p].size;
@@ -327,12 +327,14 @@ void solve_dense(const Direct& solver, const System<M>& system, const double* of
   Eigen::VectorXd V(dof * bodies.size());
   for (int body = 0; body < bodies.size(); ++body) V.segment<dof>(dof * body) = bodies.velocity[body];
   system.for_each_run([&]<int K, Bound B>(std::span<const Block<M, K, B>> blocks) {
-    for (const auto& block : blocks) {
-      J.block<K, dof>(block.row, dof * block.body1) = block.J.side1();
-      J.block<K, dof>(block.row, dof * block.body2) = block.J.side2();
-      W.block<K, dof>(block.row, dof * block.body1) = block.W.side1();
-      W.block<K, dof>(block.row, dof * block.body2) = block.W.side2();
-    }
+    for (const auto& block : blocks)
+      for (int k = 0; k < K; ++k)
+        for (int i = 0; i < dof; ++i) {
+          J(block.row + k, dof * block.body1 + i) = block.J.matrix(k, i);
+          J(block.row + k, dof * block.body2 + i) = block.J.matrix(k, dof + i);
+          W(block.row + k, dof * block.body1 + i) = block.W.matrix(k, i);
+          W(block.row + k, dof * block.body2 + i) = block.W.matrix(k, dof + i);
+        }
   });
   Eigen::MatrixXd A = J * W.transpose();
   Eigen::VectorXd right = -(J * V + Eigen::Map<const Eigen::VectorXd>(offset, rows));

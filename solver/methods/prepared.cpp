@@ -8,12 +8,12 @@ Eigen::Matrix<double, K, K> inverse_of(Eigen::Matrix<double, K, K> A, BlockSolve
   if (block_solve == BlockSolve::whole || K == 1) return inverse_or_zero<K>(A);
   // Forward substitution on each unit vector: row k sees what the rows before it have already changed.
   Eigen::Matrix<double, K, K> E = Eigen::Matrix<double, K, K>::Zero();
-  for (int k = 0; k < K; ++k) {
-    if (!(A(k, k) > 0)) continue;
-    E.row(k) = -A.row(k).head(k) * E.topRows(k);
-    E(k, k) += 1;
-    E.row(k) /= A(k, k);
-  }
+  for (int k = 0; k < K; ++k)
+    for (int j = 0; j <= k && A(k, k) > 0; ++j) {
+      double left = k == j ? 1 : 0;
+      for (int i = j; i < k; ++i) left -= A(k, i) * E(i, j);
+      E(k, j) = left / A(k, k);
+    }
   return E;
 }
 
@@ -28,11 +28,9 @@ Eigen::Matrix2d isotropic_inverse_of(const Eigen::Matrix2d& A) {
 template <class M, int K, Bound B>
 void prepare(const Block<M, K, B>& block, const System<M>& system, BlockSolve block_solve, double relaxation,
              PreparedBlock<M, K, B>& result) {
-  using Square = Eigen::Matrix<double, K, K>;
-  const Eigen::Map<const Rows<K>> gamma(&system.gamma[block.row]), bias(&system.bias[block.row]);
-  Square A = inverse_effective_mass(block.J, block.W);
-  A.diagonal() += gamma;
-  Square minus_E;
+  const double *gamma = &system.gamma[block.row], *bias = &system.bias[block.row];
+  Eigen::Matrix<double, K, K> A = inverse_effective_mass(block.J, block.W), minus_E;
+  for (int k = 0; k < K; ++k) A(k, k) += gamma[k];
   if constexpr (K == 2 && B == Bound::ball)
     minus_E = -relaxation * isotropic_inverse_of(A);
   else
@@ -45,11 +43,12 @@ void prepare(const Block<M, K, B>& block, const System<M>& system, BlockSolve bl
   result.leader = block.leader;
   result.J.noalias() = minus_E * block.J.matrix;
   result.W = block.W;
-  result.bias = minus_E * bias;
-  if constexpr (K == 1)
-    result.gamma[0][0] = minus_E(0, 0) * gamma[0];
-  else
-    Eigen::Map<Eigen::Matrix<double, K, K, Eigen::RowMajor>>(&result.gamma[0][0]) = minus_E * gamma.asDiagonal();
+  result.bias.setZero();
+  for (int k = 0; k < K; ++k)
+    for (int l = 0; l < K; ++l) {
+      result.bias[k] += minus_E(k, l) * bias[l];
+      result.gamma[k][l] = minus_E(k, l) * gamma[l];
+    }
   result.lower = system.lower[block.row];
   result.upper = system.upper[block.row];
 }
