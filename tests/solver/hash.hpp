@@ -38,11 +38,16 @@ class Hash {
 };
 
 template <class S, class Method = VelocityStepping>
-std::uint64_t after_ten_seconds(const S& scene, const Method& method) {
+std::uint64_t after(int seconds, const S& scene, const Method& method) {
   Simulation<S, Method> simulation{scene, method};
-  for (int i = 0; i < 600; ++i) simulation.step(1.0 / 60);
+  for (int i = 0; i < 60 * seconds; ++i) simulation.step(1.0 / 60);
   for (const auto& V : simulation.scene.bodies.velocity) EXPECT_TRUE(V.allFinite());
   return Hash(simulation.scene.bodies).value();
+}
+
+template <class S, class Method = VelocityStepping>
+std::uint64_t after_ten_seconds(const S& scene, const Method& method) {
+  return after(10, scene, method);
 }
 
 struct Case {
