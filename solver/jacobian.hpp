@@ -40,8 +40,8 @@ void set_row_along(Jacobian<M, K>& J, int k, const Linear<M>& u, const Arm<M>& r
 //! [along]
 
 //! [8]
-/// (8): JV = (l1·v1 + a1·ω1) + (l2·v2 + a2·ω2), the rate at which the constraint's value changes [units of C per
-/// second].
+/// (8): JV = l1·v1 + a1·ω1 + l2·v2 + a2·ω2, the rate at which the constraint's value changes [units of C per
+/// second]. A side of J is its l and a, as V is v and ω.
 template <class M, int K>
 Rows<K> dot(const Jacobian<M, K>& J, const Velocity<M>& V1, const Velocity<M>& V2) {
   return J.side1().lazyProduct(V1) + J.side2().lazyProduct(V2);
