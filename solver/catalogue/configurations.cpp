@@ -23,7 +23,7 @@ VelocityStepping stepping(const RowSolver& solver, const DriftCure& cure, int su
 
 /// Rows solved by `solver(sweeps)` in one step a frame.
 template <class Solver>
-Configuration by_sweeps(std::string name, std::string knob, int most, Solver solver) {
+Configuration by_sweeps(const std::string& name, std::string knob, int most, Solver solver) {
   return {name + ", " + knob, knob, doubling(1, most), "β", betas, false, false, [=](int sweeps, double beta) {
             return Setting{stepping(solver(sweeps), Baumgarte{beta})};
           }};
@@ -31,7 +31,7 @@ Configuration by_sweeps(std::string name, std::string knob, int most, Solver sol
 
 /// Rows solved by `solver` in each of so many substeps, with `cure(tuning, substep)`.
 template <class Cure>
-Configuration by_substeps(std::string name, int most, const RowSolver& solver, std::string tuning,
+Configuration by_substeps(const std::string& name, int most, const RowSolver& solver, std::string tuning,
                           std::vector<double> tunings, Cure cure) {
   return {name + ", substeps",
           "substeps",
@@ -47,7 +47,7 @@ Configuration by_substeps(std::string name, int most, const RowSolver& solver, s
 
 /// A family that has substeps and nothing to tune.
 template <class Family>
-Configuration by_substeps(std::string name, int most, Family family) {
+Configuration by_substeps(const std::string& name, int most, Family family) {
   return {name + ", substeps", "substeps", doubling(1, most), "", {0}, false, true, [=](int substeps, double) {
             Family method = family;
             method.substeps = substeps;
