@@ -19,7 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using renderer::Canvas;
-using renderer::Chart;
 using renderer::Image;
 
 constexpr int strip_frames = 6, strip_columns = 3;
