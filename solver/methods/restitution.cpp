@@ -32,7 +32,7 @@ void note_approach(const System<M>& system, const std::vector<Velocity<M>>& velo
     return;
   approach.resize(system.rows());
   system.for_each_run([&]<int K, Bound B>(std::span<const Block<M, K, B>> blocks) {
-    if constexpr (normals < B >> 0)
+    if constexpr (normals<B> != 0)
       for (const auto& block : blocks) {
         const Rows<K> rate = dot(block.J, velocities[block.body1], velocities[block.body2]);
         for (int k = 0; k < normals<B>; ++k) approach[block.row + k] = rate[k];
