@@ -2,12 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <regex>
 #include <set>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "lessons/tutor/about.hpp"
 #include "tests/lessons/process.hpp"
 
 namespace byhand::tests {
@@ -29,7 +31,15 @@ class EveryLesson : public testing::TestWithParam<std::string> {
 };
 
 TEST_P(EveryLesson, IsCalledAsItsFolder) {
-  EXPECT_NE(lesson("--help").said.find("output/" + GetParam()), std::string::npos);
+  const auto& course = tutor::contents();
+  const auto listed = std::find_if(course.begin(), course.end(),
+                                   [](const tutor::About& about) { return about.slug == GetParam(); });
+  ASSERT_NE(listed, course.end());
+  EXPECT_FALSE(listed->title.empty());
+  EXPECT_FALSE(listed->summary.empty());
+  const Finished help = lesson("--help");
+  EXPECT_EQ(help.status, 0) << "more than 7 core steps would be refused: " << help.complained;
+  EXPECT_NE(help.said.find("output/" + GetParam()), std::string::npos);
 }
 
 TEST_P(EveryLesson, HoldsItsClaimsAndLeavesAPageWhoseLinksLeadSomewhereAndWhoseCommandsWork) {

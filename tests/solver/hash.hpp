@@ -37,7 +37,7 @@ class Hash {
   std::uint64_t value_ = 0xcbf29ce484222325;
 };
 
-template <class S, class Method = VelocityStepping>
+template <class S, class Method>
 std::uint64_t after(int seconds, const S& scene, const Method& method) {
   Simulation<S, Method> simulation{scene, method};
   for (int i = 0; i < 60 * seconds; ++i) simulation.step(1.0 / 60);

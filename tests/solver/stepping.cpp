@@ -14,7 +14,8 @@ TEST(Softness, LeavesEachRowAtMinusGammaLambda) {
       []<class M>(Random& random) {
         const auto scene = random_graph<M>(random, 8, 12);
         for (const RowSolver& solver :
-             {RowSolver(exact_sweeps()), RowSolver(Direct{}), RowSolver(Direct{Factorisation::dense})}) {
+             {RowSolver(GaussSeidel{.sweeps = 30000, .warm_start = false, .tolerance = 1e-14}),
+              RowSolver(Direct{}), RowSolver(Direct{Factorisation::dense})}) {
           auto copy = scene;
           Work<M> work;
           advance(copy, {solver}, time_step, work);
