@@ -3,9 +3,9 @@
 #include <numbers>
 
 #include "lessons/01_jacobian/picture.hpp"
+#include "lessons/scenes/pendulum.hpp"
 #include "solver/constraints/normalised_distance.hpp"
 #include "solver/row.hpp"
-#include "solver/scenes/pendulum.hpp"
 
 // (5): Jᵀ takes λ to a force. It is J's dual, not its inverse.
 namespace byhand::lesson01 {

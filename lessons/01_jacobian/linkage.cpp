@@ -3,7 +3,7 @@
 
 #include "lessons/01_jacobian/picture.hpp"
 #include "lessons/pictures/rods_and_bobs.hpp"
-#include "solver/scenes/chain.hpp"
+#include "lessons/scenes/chain.hpp"
 
 // (6) to (8): many rows, nearly all of them zero.
 namespace byhand::lesson01 {

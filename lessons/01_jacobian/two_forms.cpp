@@ -1,8 +1,8 @@
 #include <cmath>
 
 #include "lessons/01_jacobian/picture.hpp"
+#include "lessons/scenes/pendulum.hpp"
 #include "solver/row.hpp"
-#include "solver/scenes/pendulum.hpp"
 #include "solver/simulation.hpp"
 
 // ½(d² − L²) or |d| − L: the same impulse, another λ, and what happens when C and J are taken from two of them.

@@ -5,7 +5,7 @@
 #include "lessons/01_jacobian/picture.hpp"
 #include "lessons/pictures/growing.hpp"
 #include "lessons/pictures/rods_and_bobs.hpp"
-#include "solver/scenes/pendulum.hpp"
+#include "lessons/scenes/pendulum.hpp"
 
 // (1) and (2): C is one number that says how wrong things are.
 namespace byhand::lesson01 {

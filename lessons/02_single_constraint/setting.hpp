@@ -1,9 +1,9 @@
 #pragma once
 
+#include "lessons/scenes/pendulum.hpp"
 #include "lessons/tutor/lesson.hpp"
 #include "solver/integrate/euler.hpp"
 #include "solver/row.hpp"
-#include "solver/scenes/pendulum.hpp"
 
 namespace byhand::single_constraint {
 

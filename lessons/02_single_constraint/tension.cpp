@@ -2,9 +2,9 @@
 
 #include "lessons/02_single_constraint/steps.hpp"
 #include "lessons/02_single_constraint/swing.hpp"
+#include "lessons/exact/simple_pendulum.hpp"
 #include "lessons/pictures/growing.hpp"
 #include "lessons/pictures/rods_and_bobs.hpp"
-#include "solver/exact/simple_pendulum.hpp"
 
 namespace byhand::single_constraint {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "lessons/03_iterations/held_step.hpp"
 #include "lessons/03_iterations/knobs.hpp"
+#include "lessons/exact/hanging_chain.hpp"
 #include "renderer/canvas.hpp"
-#include "solver/exact/hanging_chain.hpp"
 
 namespace byhand::iterations {
 namespace {

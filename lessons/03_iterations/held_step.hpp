@@ -3,8 +3,8 @@
 #include <cmath>
 #include <vector>
 
+#include "lessons/scenes/chain.hpp"
 #include "solver/methods/velocity_stepping.hpp"
-#include "solver/scenes/chain.hpp"
 
 namespace byhand::iterations {
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "lessons/scenes/chain.hpp"
 #include "lessons/tutor/lesson.hpp"
-#include "solver/scenes/chain.hpp"
 
 namespace byhand::iterations {
 

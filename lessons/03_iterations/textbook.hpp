@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "solver/scenes/chain.hpp"
+#include "lessons/scenes/chain.hpp"
 
 // The hanging chain as a textbook writes it, from its masses alone: dense matrices that the lesson's measurements
 // are held against. Rows are taken per metre (J = n), so errors are rates of stretch [m/s].

@@ -4,8 +4,8 @@
 
 #include "lessons/pictures/growing.hpp"
 #include "lessons/pictures/rods_and_bobs.hpp"
+#include "lessons/scenes/pendulum.hpp"
 #include "renderer/canvas.hpp"
-#include "solver/scenes/pendulum.hpp"
 
 namespace byhand::baumgarte {
 

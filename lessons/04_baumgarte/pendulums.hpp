@@ -3,8 +3,8 @@
 #include <array>
 
 #include "lessons/04_baumgarte/runs.hpp"
+#include "lessons/exact/simple_pendulum.hpp"
 #include "renderer/chart.hpp"
-#include "solver/exact/simple_pendulum.hpp"
 
 namespace byhand::baumgarte {
 

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
+#include "lessons/scenes/circle.hpp"
+#include "lessons/scenes/pendulum.hpp"
 #include "solver/measure.hpp"
-#include "solver/scenes/circle.hpp"
-#include "solver/scenes/pendulum.hpp"
 
 namespace byhand::baumgarte {
 namespace {

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <random>
 
+#include "lessons/scenes/chain.hpp"
 #include "solver/measure.hpp"
-#include "solver/scenes/chain.hpp"
 
 namespace byhand::baumgarte {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "lessons/04_baumgarte/pendulums.hpp"
 #include "lessons/04_baumgarte/steps.hpp"
-#include "solver/exact/simple_pendulum.hpp"
+#include "lessons/exact/simple_pendulum.hpp"
 
 namespace byhand::baumgarte {
 namespace {

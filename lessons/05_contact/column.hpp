@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "lessons/scenes/boxes.hpp"
 #include "solver/measure.hpp"
-#include "solver/scenes/boxes.hpp"
 
 namespace byhand::contact {
 

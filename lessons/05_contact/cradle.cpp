@@ -4,9 +4,9 @@
 
 #include "lessons/05_contact/hanging_cradle.hpp"
 #include "lessons/05_contact/steps.hpp"
+#include "lessons/scenes/balls.hpp"
 #include "renderer/canvas.hpp"
 #include "solver/measure.hpp"
-#include "solver/scenes/balls.hpp"
 
 namespace byhand::contact {
 namespace {

@@ -6,7 +6,7 @@
 #include "lessons/05_contact/steps.hpp"
 #include "lessons/pictures/boxes.hpp"
 #include "lessons/pictures/growing.hpp"
-#include "solver/scenes/boxes.hpp"
+#include "lessons/scenes/boxes.hpp"
 
 namespace byhand::contact {
 namespace {

@@ -1,8 +1,8 @@
 #include "lessons/05_contact/standing_box.hpp"
 
+#include "lessons/scenes/boxes.hpp"
 #include "solver/integrate/euler.hpp"
 #include "solver/methods/drift.hpp"
-#include "solver/scenes/boxes.hpp"
 
 namespace byhand::contact {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "lessons/05_contact/steps.hpp"
 #include "lessons/pictures/boxes.hpp"
-#include "solver/scenes/incline.hpp"
+#include "lessons/scenes/incline.hpp"
 
 namespace byhand::contact {
 namespace {

@@ -6,8 +6,8 @@
 #include "lessons/06_joints/runs.hpp"
 #include "lessons/06_joints/steps.hpp"
 #include "lessons/pictures/growing.hpp"
+#include "lessons/scenes/box_on_an_arm.hpp"
 #include "solver/measure.hpp"
-#include "solver/scenes/box_on_an_arm.hpp"
 
 namespace byhand::joints {
 namespace {

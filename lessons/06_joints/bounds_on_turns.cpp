@@ -6,9 +6,9 @@
 #include "lessons/06_joints/runs.hpp"
 #include "lessons/06_joints/steps.hpp"
 #include "lessons/pictures/growing.hpp"
+#include "lessons/scenes/pendulum.hpp"
 #include "solver/constraints/limit.hpp"
 #include "solver/constraints/motor.hpp"
-#include "solver/scenes/pendulum.hpp"
 
 namespace byhand::joints {
 namespace {

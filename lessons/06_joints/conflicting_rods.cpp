@@ -6,7 +6,7 @@
 #include "lessons/06_joints/steps.hpp"
 #include "lessons/pictures/growing.hpp"
 #include "lessons/pictures/rods_and_bobs.hpp"
-#include "solver/scenes/pendulum.hpp"
+#include "lessons/scenes/pendulum.hpp"
 
 namespace byhand::joints {
 namespace {

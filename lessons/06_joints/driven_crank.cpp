@@ -5,9 +5,9 @@
 #include "lessons/06_joints/mechanism.hpp"
 #include "lessons/06_joints/runs.hpp"
 #include "lessons/06_joints/steps.hpp"
+#include "lessons/exact/slider_crank.hpp"
 #include "lessons/pictures/growing.hpp"
-#include "solver/exact/slider_crank.hpp"
-#include "solver/scenes/slider_crank.hpp"
+#include "lessons/scenes/slider_crank.hpp"
 
 namespace byhand::joints {
 namespace {

@@ -6,10 +6,10 @@
 #include "lessons/06_joints/linkage.hpp"
 #include "lessons/06_joints/runs.hpp"
 #include "lessons/06_joints/steps.hpp"
+#include "lessons/exact/simple_pendulum.hpp"
 #include "lessons/pictures/growing.hpp"
 #include "lessons/pictures/rods_and_bobs.hpp"
 #include "renderer/labels.hpp"
-#include "solver/exact/simple_pendulum.hpp"
 #include "solver/measure.hpp"
 
 namespace byhand::joints {

@@ -5,7 +5,7 @@
 #include "lessons/06_joints/mechanism.hpp"
 #include "lessons/06_joints/steps.hpp"
 #include "lessons/pictures/rods_and_bobs.hpp"
-#include "solver/scenes/bridge.hpp"
+#include "lessons/scenes/bridge.hpp"
 #include "solver/simulation.hpp"
 
 namespace byhand::joints {

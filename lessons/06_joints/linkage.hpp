@@ -1,7 +1,7 @@
 #pragma once
 
 #include "lessons/06_joints/setting.hpp"
-#include "solver/scenes/four_bar.hpp"
+#include "lessons/scenes/four_bar.hpp"
 #include "solver/simulation.hpp"
 
 namespace byhand::joints {

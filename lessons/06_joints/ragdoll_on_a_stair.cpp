@@ -6,9 +6,9 @@
 #include "lessons/06_joints/runs.hpp"
 #include "lessons/06_joints/steps.hpp"
 #include "lessons/pictures/boxes.hpp"
+#include "lessons/scenes/boxes.hpp"
+#include "lessons/scenes/ragdoll.hpp"
 #include "solver/measure.hpp"
-#include "solver/scenes/boxes.hpp"
-#include "solver/scenes/ragdoll.hpp"
 
 namespace byhand::joints {
 namespace {

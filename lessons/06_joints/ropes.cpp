@@ -5,8 +5,8 @@
 #include "lessons/06_joints/runs.hpp"
 #include "lessons/06_joints/steps.hpp"
 #include "lessons/pictures/rods_and_bobs.hpp"
+#include "lessons/scenes/pendulum.hpp"
 #include "solver/constraints/rope.hpp"
-#include "solver/scenes/pendulum.hpp"
 
 namespace byhand::joints {
 namespace {

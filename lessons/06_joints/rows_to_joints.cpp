@@ -6,10 +6,10 @@
 #include "lessons/06_joints/number_grid.hpp"
 #include "lessons/06_joints/samples.hpp"
 #include "lessons/06_joints/steps.hpp"
+#include "lessons/scenes/rod.hpp"
 #include "solver/constraints/motor.hpp"
 #include "solver/constraints/slider.hpp"
 #include "solver/constraints/weld.hpp"
-#include "solver/scenes/rod.hpp"
 
 namespace byhand::joints {
 namespace {

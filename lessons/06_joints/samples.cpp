@@ -2,7 +2,7 @@
 
 #include "lessons/06_joints/mechanism.hpp"
 #include "lessons/06_joints/runs.hpp"
-#include "solver/scenes/rod.hpp"
+#include "lessons/scenes/rod.hpp"
 
 namespace byhand::joints {
 

@@ -4,8 +4,8 @@
 
 #include "lessons/06_joints/runs.hpp"
 #include "lessons/06_joints/steps.hpp"
+#include "lessons/scenes/pendulum.hpp"
 #include "solver/constraints/spring.hpp"
-#include "solver/scenes/pendulum.hpp"
 
 namespace byhand::joints {
 namespace {

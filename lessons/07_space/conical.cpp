@@ -4,8 +4,8 @@
 
 #include "lessons/07_space/rounds.hpp"
 #include "lessons/07_space/steps.hpp"
+#include "lessons/exact/conical_pendulum.hpp"
 #include "lessons/pictures/space_scene.hpp"
-#include "solver/exact/conical_pendulum.hpp"
 
 namespace byhand::space {
 namespace {

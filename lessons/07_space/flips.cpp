@@ -6,9 +6,9 @@
 
 #include "lessons/07_space/steps.hpp"
 #include "lessons/07_space/thrown.hpp"
+#include "lessons/exact/free_top.hpp"
 #include "lessons/pictures/growing.hpp"
 #include "lessons/pictures/space_scene.hpp"
-#include "solver/exact/free_top.hpp"
 
 namespace byhand::space {
 namespace {

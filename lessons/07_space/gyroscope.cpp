@@ -4,7 +4,7 @@
 
 #include "lessons/07_space/steps.hpp"
 #include "lessons/pictures/space_scene.hpp"
-#include "solver/scenes/top.hpp"
+#include "lessons/scenes/top.hpp"
 #include "solver/simulation.hpp"
 
 namespace byhand::space {

@@ -5,9 +5,9 @@
 
 #include "lessons/07_space/steps.hpp"
 #include "lessons/07_space/thrown.hpp"
+#include "lessons/exact/free_top.hpp"
 #include "lessons/pictures/space_scene.hpp"
 #include "renderer/labels.hpp"
-#include "solver/exact/free_top.hpp"
 
 namespace byhand::space {
 namespace {

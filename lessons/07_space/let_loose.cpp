@@ -6,8 +6,8 @@
 #include "lessons/07_space/steps.hpp"
 #include "lessons/pictures/growing.hpp"
 #include "lessons/pictures/space_scene.hpp"
+#include "lessons/scenes/boxes.hpp"
 #include "solver/measure.hpp"
-#include "solver/scenes/boxes.hpp"
 
 namespace byhand::space {
 namespace {

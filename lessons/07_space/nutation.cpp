@@ -4,10 +4,10 @@
 
 #include "lessons/07_space/rounds.hpp"
 #include "lessons/07_space/steps.hpp"
+#include "lessons/exact/conical_pendulum.hpp"
+#include "lessons/exact/spherical_pendulum.hpp"
 #include "lessons/pictures/growing.hpp"
 #include "lessons/pictures/space_scene.hpp"
-#include "solver/exact/conical_pendulum.hpp"
-#include "solver/exact/spherical_pendulum.hpp"
 #include "solver/measure.hpp"
 
 namespace byhand::space {

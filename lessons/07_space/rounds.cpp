@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "solver/scenes/conical_pendulum.hpp"
-#include "solver/scenes/spherical_pendulum.hpp"
+#include "lessons/scenes/conical_pendulum.hpp"
+#include "lessons/scenes/spherical_pendulum.hpp"
 
 namespace byhand::space {
 namespace {

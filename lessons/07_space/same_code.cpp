@@ -5,7 +5,7 @@
 #include "lessons/07_space/steps.hpp"
 #include "lessons/pictures/rods_and_bobs.hpp"
 #include "lessons/pictures/space_scene.hpp"
-#include "solver/scenes/pendulum.hpp"
+#include "lessons/scenes/pendulum.hpp"
 #include "solver/simulation.hpp"
 
 namespace byhand::space {

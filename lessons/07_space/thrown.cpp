@@ -1,7 +1,7 @@
 #include "lessons/07_space/thrown.hpp"
 
+#include "lessons/scenes/top.hpp"
 #include "solver/measure.hpp"
-#include "solver/scenes/top.hpp"
 
 namespace byhand::space {
 

@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 
+#include "lessons/08_where_methods_fail/laws/law.hpp"
 #include "lessons/08_where_methods_fail/steps.hpp"
 #include "renderer/canvas.hpp"
-#include "solver/laws/law.hpp"
 
 namespace byhand::failures {
 namespace {

@@ -2,10 +2,10 @@
 
 #include <cmath>
 
+#include "lessons/08_where_methods_fail/laws/column.hpp"
+#include "lessons/08_where_methods_fail/laws/hopping.hpp"
 #include "lessons/08_where_methods_fail/map.hpp"
 #include "lessons/08_where_methods_fail/steps.hpp"
-#include "solver/laws/column.hpp"
-#include "solver/laws/hopping.hpp"
 
 namespace byhand::failures {
 namespace {

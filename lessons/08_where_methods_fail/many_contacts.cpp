@@ -2,9 +2,9 @@
 
 #include <cmath>
 
+#include "lessons/08_where_methods_fail/laws/sweeps.hpp"
 #include "lessons/08_where_methods_fail/map.hpp"
 #include "lessons/08_where_methods_fail/steps.hpp"
-#include "solver/laws/sweeps.hpp"
 
 namespace byhand::failures {
 

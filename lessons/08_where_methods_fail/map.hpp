@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "lessons/08_where_methods_fail/laws/law.hpp"
 #include "lessons/tutor/page.hpp"
-#include "solver/laws/law.hpp"
 
 namespace byhand::failures {
 

@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include "lessons/08_where_methods_fail/film.hpp"
+#include "lessons/08_where_methods_fail/laws/warm_start.hpp"
 #include "lessons/08_where_methods_fail/map.hpp"
 #include "lessons/08_where_methods_fail/steps.hpp"
 #include "lessons/pictures/rods_and_bobs.hpp"
-#include "solver/laws/warm_start.hpp"
-#include "solver/scenes/chain.hpp"
+#include "lessons/scenes/chain.hpp"
 
 namespace byhand::failures {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
+#include "lessons/08_where_methods_fail/laws/soft.hpp"
 #include "lessons/08_where_methods_fail/map.hpp"
 #include "lessons/08_where_methods_fail/steps.hpp"
-#include "solver/laws/soft.hpp"
 
 namespace byhand::failures {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "lessons/08_where_methods_fail/film.hpp"
-#include "solver/scenes/boxes.hpp"
+#include "lessons/scenes/boxes.hpp"
 
 namespace byhand::failures {
 

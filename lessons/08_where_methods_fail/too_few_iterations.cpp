@@ -2,11 +2,11 @@
 
 #include <cmath>
 
+#include "lessons/08_where_methods_fail/laws/column.hpp"
+#include "lessons/08_where_methods_fail/laws/creep.hpp"
 #include "lessons/08_where_methods_fail/map.hpp"
 #include "lessons/08_where_methods_fail/stack_film.hpp"
 #include "lessons/08_where_methods_fail/steps.hpp"
-#include "solver/laws/column.hpp"
-#include "solver/laws/creep.hpp"
 
 namespace byhand::failures {
 namespace {

@@ -3,11 +3,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "lessons/08_where_methods_fail/laws/buckling.hpp"
+#include "lessons/08_where_methods_fail/laws/column.hpp"
 #include "lessons/08_where_methods_fail/map.hpp"
 #include "lessons/08_where_methods_fail/stack_film.hpp"
 #include "lessons/08_where_methods_fail/steps.hpp"
-#include "solver/laws/buckling.hpp"
-#include "solver/laws/column.hpp"
 
 namespace byhand::failures {
 namespace {

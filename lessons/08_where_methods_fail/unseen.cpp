@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lessons/08_where_methods_fail/laws/tunnelling.hpp"
 #include "lessons/08_where_methods_fail/map.hpp"
 #include "lessons/08_where_methods_fail/steps.hpp"
-#include "solver/laws/tunnelling.hpp"
 
 namespace byhand::failures {
 namespace {

@@ -3,12 +3,12 @@
 #include <cmath>
 #include <optional>
 
+#include "lessons/08_where_methods_fail/laws/column.hpp"
+#include "lessons/08_where_methods_fail/laws/redundant.hpp"
+#include "lessons/08_where_methods_fail/laws/transverse.hpp"
+#include "lessons/08_where_methods_fail/laws/warm_start.hpp"
 #include "lessons/08_where_methods_fail/map.hpp"
 #include "lessons/08_where_methods_fail/steps.hpp"
-#include "solver/laws/column.hpp"
-#include "solver/laws/redundant.hpp"
-#include "solver/laws/transverse.hpp"
-#include "solver/laws/warm_start.hpp"
 
 namespace byhand::failures {
 namespace {

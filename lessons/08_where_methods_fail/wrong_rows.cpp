@@ -3,11 +3,11 @@
 #include <cmath>
 
 #include "lessons/08_where_methods_fail/film.hpp"
+#include "lessons/08_where_methods_fail/laws/redundant.hpp"
 #include "lessons/08_where_methods_fail/map.hpp"
 #include "lessons/08_where_methods_fail/steps.hpp"
 #include "lessons/pictures/rods_and_bobs.hpp"
-#include "solver/laws/redundant.hpp"
-#include "solver/scenes/circle.hpp"
+#include "lessons/scenes/circle.hpp"
 
 namespace byhand::failures {
 namespace {

@@ -1,6 +1,6 @@
 // Step 7: ask the program.
 
-#include "solver/catalogue/chooser.hpp"
+#include "lessons/09_what_accuracy_costs/catalogue/chooser.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 // Lesson 9: what accuracy costs, by method, by model, and for the reader's own scene.
 
+#include "lessons/09_what_accuracy_costs/catalogue/catalogue.hpp"
 #include "lessons/09_what_accuracy_costs/steps.hpp"
 #include "lessons/tutor/lesson.hpp"
-#include "solver/catalogue/catalogue.hpp"
 
 int main(int argc, char** argv) {
   using namespace byhand;

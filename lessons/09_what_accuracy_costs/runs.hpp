@@ -1,6 +1,6 @@
 #pragma once
 
-#include "solver/catalogue/work_precision.hpp"
+#include "lessons/09_what_accuracy_costs/catalogue/work_precision.hpp"
 
 // Single runs that several steps look at.
 namespace byhand::accuracy {

@@ -7,8 +7,8 @@
 #include "lessons/09_what_accuracy_costs/runs.hpp"
 #include "lessons/09_what_accuracy_costs/steps.hpp"
 #include "lessons/09_what_accuracy_costs/survey.hpp"
+#include "lessons/exact/simple_pendulum.hpp"
 #include "renderer/canvas.hpp"
-#include "solver/exact/simple_pendulum.hpp"
 
 namespace byhand::accuracy {
 namespace {

@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
+#include "lessons/09_what_accuracy_costs/catalogue/work_precision.hpp"
 #include "lessons/tutor/page.hpp"
 #include "renderer/chart.hpp"
-#include "solver/catalogue/work_precision.hpp"
 
 // All ways to go about a scene, measured, and drawn as a work–precision chart.
 namespace byhand::accuracy {

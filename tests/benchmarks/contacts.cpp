@@ -1,9 +1,9 @@
 #include <benchmark/benchmark.h>
 
+#include "lessons/scenes/boxes.hpp"
+#include "lessons/scenes/bridge.hpp"
+#include "lessons/scenes/ragdoll.hpp"
 #include "solver/measure.hpp"
-#include "solver/scenes/boxes.hpp"
-#include "solver/scenes/bridge.hpp"
-#include "solver/scenes/ragdoll.hpp"
 
 // What a step with contacts costs, the whole of it and its parts, and what it leaves: a quick step that lets boxes
 // sink or creep would be no step. What stands is kicked sideways to begin with, 0.02 m/s at the top.

@@ -2,8 +2,8 @@
 
 #include <benchmark/benchmark.h>
 
+#include "lessons/scenes/chain.hpp"
 #include "solver/measure.hpp"
-#include "solver/scenes/chain.hpp"
 
 // What a step of each family costs on one scene: a chain of 50 rods with a bob of 100 times the others' mass,
 // which swings gently, again and again for five seconds. Explicit Euler is not

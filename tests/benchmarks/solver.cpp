@@ -1,8 +1,8 @@
 #include <benchmark/benchmark.h>
 
+#include "lessons/scenes/branches.hpp"
+#include "lessons/scenes/chain.hpp"
 #include "solver/measure.hpp"
-#include "solver/scenes/branches.hpp"
-#include "solver/scenes/chain.hpp"
 
 // What a row, a joint and a step cost. The counters are seconds per row or per joint: "4.7n" is 4.7 ns.
 namespace {

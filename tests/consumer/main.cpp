@@ -1,7 +1,7 @@
 #include <cstdio>
 
+#include "lessons/scenes/pendulum.hpp"
 #include "solver/measure.hpp"
-#include "solver/scenes/pendulum.hpp"
 
 int main() {
   using namespace byhand;

@@ -1,11 +1,11 @@
 #include "solver/methods/accelerations.hpp"
 
+#include "lessons/exact/double_pendulum.hpp"
+#include "lessons/scenes/chain.hpp"
+#include "lessons/scenes/circle.hpp"
+#include "lessons/scenes/top.hpp"
 #include "solver/constraints/contact.hpp"
 #include "solver/constraints/spring.hpp"
-#include "solver/exact/double_pendulum.hpp"
-#include "solver/scenes/chain.hpp"
-#include "solver/scenes/circle.hpp"
-#include "solver/scenes/top.hpp"
 #include "tests/solver/equalities.hpp"
 #include "tests/solver/swing.hpp"
 

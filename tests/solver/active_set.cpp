@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "lessons/scenes/boxes.hpp"
 #include "solver/measure.hpp"
-#include "solver/scenes/boxes.hpp"
 #include "tests/solver/random.hpp"
 
 namespace {

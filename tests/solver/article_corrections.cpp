@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
 
+#include "lessons/scenes/chain.hpp"
+#include "lessons/scenes/pendulum.hpp"
 #include "solver/constraints/distance.hpp"
 #include "solver/constraints/normalised_distance.hpp"
 #include "solver/measure.hpp"
-#include "solver/scenes/chain.hpp"
-#include "solver/scenes/pendulum.hpp"
 #include "tests/solver/random.hpp"
 
 // Where the article speaks loosely: each statement that is true instead, as a check.

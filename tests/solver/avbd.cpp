@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "solver/scenes/top.hpp"
+#include "lessons/scenes/top.hpp"
 #include "tests/solver/position_laws.hpp"
 
 namespace {

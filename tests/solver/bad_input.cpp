@@ -1,10 +1,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "lessons/scenes/branches.hpp"
+#include "lessons/scenes/chain.hpp"
 #include "solver/constraints/contact.hpp"
 #include "solver/constraints/friction.hpp"
-#include "solver/scenes/branches.hpp"
-#include "solver/scenes/chain.hpp"
 #include "tests/solver/solving.hpp"
 
 // Bad input is refused where it enters, in one sentence with the value and what is allowed, and leaves nothing

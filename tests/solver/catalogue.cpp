@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "solver/catalogue/work_precision.hpp"
-#include "solver/exact/compound_pendulum.hpp"
-#include "solver/exact/swinging_chain.hpp"
+#include "lessons/09_what_accuracy_costs/catalogue/work_precision.hpp"
+#include "lessons/exact/compound_pendulum.hpp"
+#include "lessons/exact/swinging_chain.hpp"
 
 // Scenes by name: what they are held against, and that every method runs them or says why not.
 namespace {

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "solver/catalogue/chooser.hpp"
+#include "lessons/09_what_accuracy_costs/catalogue/chooser.hpp"
 
 // Work against precision, and the choice that follows from it.
 namespace {

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
+#include "lessons/scenes/boxes.hpp"
+#include "lessons/scenes/chain.hpp"
 #include "solver/measure.hpp"
-#include "solver/scenes/boxes.hpp"
-#include "solver/scenes/chain.hpp"
 
 namespace {
 

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
+#include "lessons/scenes/boxes.hpp"
+#include "lessons/scenes/chain.hpp"
 #include "solver/constraints/spring.hpp"
-#include "solver/scenes/boxes.hpp"
-#include "solver/scenes/chain.hpp"
 #include "tests/solver/solving.hpp"
 
 // Cures of drift beside Baumgarte's: what each leaves in the poses, and what in the velocities.

@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
+#include "lessons/scenes/branches.hpp"
+#include "lessons/scenes/chain.hpp"
 #include "solver/constraints/contact.hpp"
 #include "solver/constraints/friction.hpp"
-#include "solver/scenes/branches.hpp"
-#include "solver/scenes/chain.hpp"
 #include "tests/solver/hash.hpp"
 
 // The same scene and method give the same bits whatever the compiler, its options and the processor: each run of

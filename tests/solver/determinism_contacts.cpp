@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "solver/scenes/box_pile.hpp"
-#include "solver/scenes/dominoes.hpp"
+#include "lessons/scenes/box_pile.hpp"
+#include "lessons/scenes/dominoes.hpp"
 #include "tests/solver/hash.hpp"
 
 // As determinism.cpp, for scenes whose contacts are found.

@@ -1,8 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "solver/scenes/branches.hpp"
-#include "solver/scenes/chain.hpp"
+#include "lessons/scenes/branches.hpp"
+#include "lessons/scenes/chain.hpp"
 #include "tests/solver/solving.hpp"
 
 // The structured direct solve is held against the dense one on every shape of graph that could break it.

@@ -3,11 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "lessons/scenes/pendulum.hpp"
+#include "lessons/scenes/top.hpp"
 #include "solver/constraints/contact.hpp"
 #include "solver/constraints/spring.hpp"
 #include "solver/methods/equalities.hpp"
-#include "solver/scenes/pendulum.hpp"
-#include "solver/scenes/top.hpp"
 #include "tests/solver/law_motion.hpp"
 
 // What is asked alike of all methods for scenes of equalities.

@@ -1,12 +1,12 @@
 #include <gtest/gtest.h>
 
+#include "lessons/scenes/pendulum.hpp"
 #include "solver/constraints/contact.hpp"
 #include "solver/constraints/distance.hpp"
 #include "solver/constraints/friction.hpp"
 #include "solver/constraints/normalised_distance.hpp"
 #include "solver/constraints/pin.hpp"
 #include "solver/measure.hpp"
-#include "solver/scenes/pendulum.hpp"
 #include "tests/solver/random.hpp"
 
 // Equations (5)-(8) and (17)-(22): from J to impulses, and the bias.

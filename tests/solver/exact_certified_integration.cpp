@@ -1,4 +1,4 @@
-#include "solver/exact/certified_integration.hpp"
+#include "lessons/exact/certified_integration.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,11 +1,11 @@
-#include "solver/exact/compound_pendulum.hpp"
+#include "lessons/exact/compound_pendulum.hpp"
 
 #include <gmock/gmock.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "solver/exact/certified_integration.hpp"
+#include "lessons/exact/certified_integration.hpp"
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "solver/exact/double_pendulum.hpp"
+#include "lessons/exact/double_pendulum.hpp"
 
 #include <gmock/gmock.h>
 
@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "solver/exact/certified_integration.hpp"
-#include "solver/exact/simple_pendulum.hpp"
+#include "lessons/exact/certified_integration.hpp"
+#include "lessons/exact/simple_pendulum.hpp"
 
 namespace {
 

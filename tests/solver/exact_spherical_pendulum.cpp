@@ -1,4 +1,4 @@
-#include "solver/exact/spherical_pendulum.hpp"
+#include "lessons/exact/spherical_pendulum.hpp"
 
 #include <gmock/gmock.h>
 
@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "solver/exact/certified_integration.hpp"
-#include "solver/exact/conical_pendulum.hpp"
-#include "solver/exact/simple_pendulum.hpp"
+#include "lessons/exact/certified_integration.hpp"
+#include "lessons/exact/conical_pendulum.hpp"
+#include "lessons/exact/simple_pendulum.hpp"
 
 namespace {
 

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "solver/exact/circle.hpp"
-#include "solver/exact/conical_pendulum.hpp"
-#include "solver/exact/hanging_chain.hpp"
+#include "lessons/exact/circle.hpp"
+#include "lessons/exact/conical_pendulum.hpp"
+#include "lessons/exact/hanging_chain.hpp"
 
 namespace {
 

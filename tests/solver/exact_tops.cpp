@@ -2,8 +2,8 @@
 
 #include <numbers>
 
-#include "solver/exact/free_top.hpp"
-#include "solver/exact/heavy_top.hpp"
+#include "lessons/exact/free_top.hpp"
+#include "lessons/exact/heavy_top.hpp"
 
 namespace {
 

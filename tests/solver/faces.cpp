@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "lessons/scenes/boxes.hpp"
 #include "solver/methods/velocity_stepping.hpp"
-#include "solver/scenes/boxes.hpp"
 #include "tests/solver/dual.hpp"
 #include "tests/solver/random.hpp"
 

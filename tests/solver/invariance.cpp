@@ -2,8 +2,8 @@
 
 #include <functional>
 
+#include "lessons/scenes/chain.hpp"
 #include "solver/constraints/friction.hpp"
-#include "solver/scenes/chain.hpp"
 #include "tests/solver/solving.hpp"
 
 // What no method may change: momentum, and the answer when the same scene is looked at from elsewhere.

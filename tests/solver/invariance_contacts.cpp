@@ -2,7 +2,7 @@
 
 #include <numeric>
 
-#include "solver/scenes/dominoes.hpp"
+#include "lessons/scenes/dominoes.hpp"
 #include "solver/simulation.hpp"
 #include "tests/solver/random.hpp"
 

@@ -2,11 +2,11 @@
 
 #include <numbers>
 
+#include "lessons/scenes/pendulum.hpp"
 #include "solver/constraints/limit.hpp"
 #include "solver/constraints/motor.hpp"
 #include "solver/constraints/pin.hpp"
 #include "solver/constraints/servo.hpp"
-#include "solver/scenes/pendulum.hpp"
 #include "tests/solver/law_motion.hpp"
 
 // Limits, motors and servos of a hinged rod of 1 m and 2 kg, held level at first: gravity turns it down.

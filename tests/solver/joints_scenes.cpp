@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "solver/scenes/boxes.hpp"
-#include "solver/scenes/bridge.hpp"
-#include "solver/scenes/ragdoll.hpp"
+#include "lessons/scenes/boxes.hpp"
+#include "lessons/scenes/bridge.hpp"
+#include "lessons/scenes/ragdoll.hpp"
 #include "tests/solver/law_motion.hpp"
 
 namespace {

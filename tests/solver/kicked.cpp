@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "lessons/scenes/boxes.hpp"
 #include "solver/measure.hpp"
-#include "solver/scenes/boxes.hpp"
 #include "tests/solver/random.hpp"
 
 // What stands only as long as nobody looks is unmasked by a kick: sideways, at random between nothing and 0.02 m/s

@@ -2,9 +2,9 @@
 
 #include <numbers>
 
-#include "solver/exact/simple_pendulum.hpp"
-#include "solver/scenes/circle.hpp"
-#include "solver/scenes/pendulum.hpp"
+#include "lessons/exact/simple_pendulum.hpp"
+#include "lessons/scenes/circle.hpp"
+#include "lessons/scenes/pendulum.hpp"
 #include "tests/solver/law_motion.hpp"
 
 namespace {

@@ -2,16 +2,16 @@
 
 #include <cmath>
 
-#include "solver/laws/buckling.hpp"
-#include "solver/laws/column.hpp"
-#include "solver/laws/creep.hpp"
-#include "solver/laws/hopping.hpp"
-#include "solver/laws/law.hpp"
-#include "solver/laws/record.hpp"
-#include "solver/laws/spin.hpp"
-#include "solver/laws/sweeps.hpp"
-#include "solver/laws/transverse.hpp"
-#include "solver/laws/warm_start.hpp"
+#include "lessons/08_where_methods_fail/laws/buckling.hpp"
+#include "lessons/08_where_methods_fail/laws/column.hpp"
+#include "lessons/08_where_methods_fail/laws/creep.hpp"
+#include "lessons/08_where_methods_fail/laws/hopping.hpp"
+#include "lessons/08_where_methods_fail/laws/law.hpp"
+#include "lessons/08_where_methods_fail/laws/record.hpp"
+#include "lessons/08_where_methods_fail/laws/spin.hpp"
+#include "lessons/08_where_methods_fail/laws/sweeps.hpp"
+#include "lessons/08_where_methods_fail/laws/transverse.hpp"
+#include "lessons/08_where_methods_fail/laws/warm_start.hpp"
 #include "solver/methods/gauss_seidel.hpp"
 
 // Each law of solver/laws: where it says, on both sides of that, and where its experiment finds it.

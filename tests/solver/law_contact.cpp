@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "solver/laws/pop.hpp"
-#include "solver/scenes/balls.hpp"
+#include "lessons/08_where_methods_fail/laws/pop.hpp"
+#include "lessons/scenes/balls.hpp"
 #include "tests/solver/law_motion.hpp"
 
 // Atlas A8, A9 and B2: what a contact carries, gives back and pushes out.

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "solver/scenes/balls.hpp"
+#include "lessons/scenes/balls.hpp"
 #include "tests/solver/law_motion.hpp"
 
 // Atlas A10: what a cradle of touching balls does depends on who is asked first.

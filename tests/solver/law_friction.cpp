@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "solver/scenes/incline.hpp"
+#include "lessons/scenes/incline.hpp"
 #include "tests/solver/law_motion.hpp"
 
 // Atlas A7 and B10 in the plane: a box on a slope, found as a face or as two points with friction each.

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "solver/laws/friction.hpp"
-#include "solver/scenes/incline.hpp"
+#include "lessons/08_where_methods_fail/laws/friction.hpp"
+#include "lessons/scenes/incline.hpp"
 #include "tests/solver/law_motion.hpp"
 
 // Atlas A7 and B10 in space: friction has two axes there, and what the solver holds within a disc it may also hold

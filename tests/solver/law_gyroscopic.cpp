@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "solver/exact/free_top.hpp"
-#include "solver/scenes/top.hpp"
+#include "lessons/exact/free_top.hpp"
+#include "lessons/scenes/top.hpp"
 #include "tests/solver/law_motion.hpp"
 #include "tests/solver/random.hpp"
 

@@ -2,8 +2,8 @@
 
 #include <numbers>
 
-#include "solver/exact/simple_pendulum.hpp"
-#include "solver/scenes/four_bar.hpp"
+#include "lessons/exact/simple_pendulum.hpp"
+#include "lessons/scenes/four_bar.hpp"
 #include "tests/solver/law_motion.hpp"
 
 namespace {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "solver/exact/slider_crank.hpp"
-#include "solver/scenes/slider_crank.hpp"
+#include "lessons/exact/slider_crank.hpp"
+#include "lessons/scenes/slider_crank.hpp"
 #include "tests/solver/law_motion.hpp"
 
 namespace {

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
+#include "lessons/scenes/pendulum.hpp"
 #include "solver/constraints/rope.hpp"
 #include "solver/constraints/spring.hpp"
-#include "solver/scenes/pendulum.hpp"
 #include "tests/solver/law_motion.hpp"
 
 namespace {

@@ -2,11 +2,11 @@
 
 #include <numbers>
 
-#include "solver/exact/compound_pendulum.hpp"
-#include "solver/exact/double_pendulum.hpp"
-#include "solver/exact/simple_pendulum.hpp"
-#include "solver/scenes/chain.hpp"
-#include "solver/scenes/conical_pendulum.hpp"
+#include "lessons/exact/compound_pendulum.hpp"
+#include "lessons/exact/double_pendulum.hpp"
+#include "lessons/exact/simple_pendulum.hpp"
+#include "lessons/scenes/chain.hpp"
+#include "lessons/scenes/conical_pendulum.hpp"
 #include "tests/solver/swing.hpp"
 
 namespace {

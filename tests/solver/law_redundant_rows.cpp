@@ -3,7 +3,7 @@
 
 #include <numbers>
 
-#include "solver/scenes/pendulum.hpp"
+#include "lessons/scenes/pendulum.hpp"
 #include "tests/solver/law_motion.hpp"
 
 namespace {

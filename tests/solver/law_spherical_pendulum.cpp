@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "solver/exact/spherical_pendulum.hpp"
-#include "solver/scenes/spherical_pendulum.hpp"
+#include "lessons/exact/spherical_pendulum.hpp"
+#include "lessons/scenes/spherical_pendulum.hpp"
 #include "tests/solver/law_motion.hpp"
 
 namespace {

@@ -2,7 +2,7 @@
 
 #include <random>
 
-#include "solver/scenes/chain.hpp"
+#include "lessons/scenes/chain.hpp"
 #include "tests/solver/law_motion.hpp"
 
 // What stands beside law 6, whose limit is among the laws' boundaries: where it does not bind, and what it does

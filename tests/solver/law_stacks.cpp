@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "solver/laws/creep.hpp"
-#include "solver/scenes/boxes.hpp"
+#include "lessons/08_where_methods_fail/laws/creep.hpp"
+#include "lessons/scenes/boxes.hpp"
 #include "tests/solver/law_motion.hpp"
 
 // Atlas B9, B18 and B20: what makes columns sink, lean and fall, and what does not.

@@ -3,8 +3,8 @@
 #include <numbers>
 #include <random>
 
-#include "solver/scenes/box_on_contacts.hpp"
-#include "solver/scenes/chain.hpp"
+#include "lessons/scenes/box_on_contacts.hpp"
+#include "lessons/scenes/chain.hpp"
 #include "tests/solver/law_motion.hpp"
 
 namespace {

@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
 
-#include "solver/exact/circle.hpp"
-#include "solver/exact/hanging_chain.hpp"
-#include "solver/scenes/chain.hpp"
-#include "solver/scenes/circle.hpp"
-#include "solver/scenes/slack_chain.hpp"
+#include "lessons/exact/circle.hpp"
+#include "lessons/exact/hanging_chain.hpp"
+#include "lessons/scenes/chain.hpp"
+#include "lessons/scenes/circle.hpp"
+#include "lessons/scenes/slack_chain.hpp"
 #include "tests/solver/law_motion.hpp"
 
 namespace {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "solver/scenes/balls.hpp"
+#include "lessons/scenes/balls.hpp"
 #include "tests/solver/law_motion.hpp"
 
 // What stands beside law 16, whose limit is among the laws' boundaries.

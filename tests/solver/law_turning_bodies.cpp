@@ -2,8 +2,8 @@
 
 #include <numbers>
 
-#include "solver/scenes/box_on_an_arm.hpp"
-#include "solver/scenes/pendulum.hpp"
+#include "lessons/scenes/box_on_an_arm.hpp"
+#include "lessons/scenes/pendulum.hpp"
 #include "tests/solver/law_motion.hpp"
 
 namespace {

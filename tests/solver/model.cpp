@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include "lessons/scenes/chain.hpp"
+#include "lessons/scenes/pendulum.hpp"
 #include "solver/constraints/contact.hpp"
 #include "solver/constraints/distance.hpp"
 #include "solver/constraints/friction.hpp"
 #include "solver/constraints/pin.hpp"
-#include "solver/scenes/chain.hpp"
-#include "solver/scenes/pendulum.hpp"
 #include "solver/simulation.hpp"
 #include "tests/solver/random.hpp"
 

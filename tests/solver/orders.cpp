@@ -3,14 +3,14 @@
 #include <functional>
 #include <numbers>
 
-#include "solver/exact/compound_pendulum.hpp"
-#include "solver/exact/free_top.hpp"
-#include "solver/exact/simple_pendulum.hpp"
-#include "solver/exact/spherical_pendulum.hpp"
+#include "lessons/exact/compound_pendulum.hpp"
+#include "lessons/exact/free_top.hpp"
+#include "lessons/exact/simple_pendulum.hpp"
+#include "lessons/exact/spherical_pendulum.hpp"
+#include "lessons/scenes/spherical_pendulum.hpp"
+#include "lessons/scenes/top.hpp"
 #include "solver/methods/accelerations.hpp"
 #include "solver/methods/rattle.hpp"
-#include "solver/scenes/spherical_pendulum.hpp"
-#include "solver/scenes/top.hpp"
 #include "tests/solver/law_motion.hpp"
 
 // The order of each method: the slope of its error over its step, fitted over four steps, of particles and bodies,

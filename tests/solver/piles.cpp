@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "solver/scenes/box_pile.hpp"
+#include "lessons/scenes/box_pile.hpp"
 #include "tests/solver/law_motion.hpp"
 
 // Whatever is thrown together: no number that is none, impulses within their bounds, and no more energy than was

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "solver/scenes/box_pile.hpp"
+#include "lessons/scenes/box_pile.hpp"
 #include "tests/solver/law_motion.hpp"
 
 // Random piles in space. See piles.cpp for the plane, where energy can be told to the last step: in space a

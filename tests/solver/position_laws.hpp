@@ -2,10 +2,10 @@
 
 #include <numbers>
 
+#include "lessons/exact/hanging_chain.hpp"
+#include "lessons/scenes/chain.hpp"
+#include "lessons/scenes/incline.hpp"
 #include "solver/constraints/spring.hpp"
-#include "solver/exact/hanging_chain.hpp"
-#include "solver/scenes/chain.hpp"
-#include "solver/scenes/incline.hpp"
 #include "tests/solver/allocations.hpp"
 #include "tests/solver/random.hpp"
 #include "tests/solver/swing.hpp"

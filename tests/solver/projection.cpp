@@ -2,9 +2,9 @@
 
 #include <gmock/gmock.h>
 
+#include "lessons/scenes/boxes.hpp"
 #include "solver/constraints/spring.hpp"
 #include "solver/methods/xpbd.hpp"
-#include "solver/scenes/boxes.hpp"
 #include "tests/solver/random.hpp"
 #include "tests/solver/swing.hpp"
 

@@ -1,7 +1,7 @@
 #include "solver/methods/rattle.hpp"
 
-#include "solver/scenes/chain.hpp"
-#include "solver/scenes/circle.hpp"
+#include "lessons/scenes/chain.hpp"
+#include "lessons/scenes/circle.hpp"
 #include "tests/solver/equalities.hpp"
 #include "tests/solver/swing.hpp"
 

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "solver/scenes/card_house.hpp"
-#include "solver/scenes/dominoes.hpp"
+#include "lessons/scenes/card_house.hpp"
+#include "lessons/scenes/dominoes.hpp"
 #include "tests/solver/law_motion.hpp"
 
 // What stands stays: a minute of it, by how fast anything is in its second half and how far anything has gone.

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "solver/scenes/box_pile.hpp"
-#include "solver/scenes/boxes.hpp"
-#include "solver/scenes/chain.hpp"
+#include "lessons/scenes/box_pile.hpp"
+#include "lessons/scenes/boxes.hpp"
+#include "lessons/scenes/chain.hpp"
 #include "tests/solver/solving.hpp"
 
 // Every way to solve rows against one exact answer: without bounds the dense direct solve, with bounds conjugate

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "solver/scenes/chain.hpp"
-#include "solver/scenes/pendulum.hpp"
+#include "lessons/scenes/chain.hpp"
+#include "lessons/scenes/pendulum.hpp"
 #include "tests/solver/solving.hpp"
 
 // Softness, substeps, integrators and what the measures say.

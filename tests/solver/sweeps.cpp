@@ -4,7 +4,7 @@
 #include <numeric>
 #include <set>
 
-#include "solver/scenes/chain.hpp"
+#include "lessons/scenes/chain.hpp"
 #include "tests/solver/solving.hpp"
 
 // Gauss–Seidel and Jacobi: the fused loops against (17) and (20) as the article writes them, orders, warm start.

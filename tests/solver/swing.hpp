@@ -4,8 +4,8 @@
 
 #include <numbers>
 
-#include "solver/exact/simple_pendulum.hpp"
-#include "solver/scenes/pendulum.hpp"
+#include "lessons/exact/simple_pendulum.hpp"
+#include "lessons/scenes/pendulum.hpp"
 #include "tests/solver/law_motion.hpp"
 
 // What the rows of table A1 are measured by, for any method.

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "lessons/scenes/balls.hpp"
 #include "solver/constraints/pin.hpp"
-#include "solver/scenes/balls.hpp"
 #include "tests/solver/law_motion.hpp"
 
 // Contacts that are found: what becomes of them in a scene, and that their impulses are handed on from step to

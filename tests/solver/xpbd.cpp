@@ -2,8 +2,8 @@
 
 #include <gmock/gmock.h>
 
-#include "solver/scenes/circle.hpp"
-#include "solver/scenes/top.hpp"
+#include "lessons/scenes/circle.hpp"
+#include "lessons/scenes/top.hpp"
 #include "tests/solver/position_laws.hpp"
 
 namespace {

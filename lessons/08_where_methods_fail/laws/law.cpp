@@ -1,0 +1,70 @@
+#include "lessons/08_where_methods_fail/laws/law.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "lessons/08_where_methods_fail/laws/baumgarte.hpp"
+#include "lessons/08_where_methods_fail/laws/buckling.hpp"
+#include "lessons/08_where_methods_fail/laws/creep.hpp"
+#include "lessons/08_where_methods_fail/laws/friction.hpp"
+#include "lessons/08_where_methods_fail/laws/hopping.hpp"
+#include "lessons/08_where_methods_fail/laws/pop.hpp"
+#include "lessons/08_where_methods_fail/laws/redundant.hpp"
+#include "lessons/08_where_methods_fail/laws/soft.hpp"
+#include "lessons/08_where_methods_fail/laws/spin.hpp"
+#include "lessons/08_where_methods_fail/laws/sweeps.hpp"
+#include "lessons/08_where_methods_fail/laws/transverse.hpp"
+#include "lessons/08_where_methods_fail/laws/tunnelling.hpp"
+#include "lessons/08_where_methods_fail/laws/warm_start.hpp"
+#include "solver/require.hpp"
+
+namespace byhand::laws {
+
+std::vector<Law> all() {
+  return {one_row(),
+          pop(),
+          uncorrected_drift(),
+          slow_sweeps(),
+          jacobi_overshoots(),
+          warm_start(),
+          transverse(),
+          conflicting_rows(),
+          heavy_on_light(),
+          friction(),
+          springs(),
+          substeps(),
+          spin(),
+          stale_rows(),
+          block_or_rows(),
+          tunnelling(),
+          buckling(),
+          creep(),
+          hopping(),
+          exact_columns()};
+}
+
+std::string counted(int count, const std::string& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+double bisect(const std::function<bool(double)>& holds, double low, double high, double resolution) {
+  require_positive("lower end", low, "");
+  const bool held = holds(low);
+  require(holds(high) != held, "outcome at both ends", held ? "good" : "bad", "good at one and bad at the other");
+  while (high / low > 1 + resolution) {
+    const double middle = std::sqrt(low * high);
+    (holds(middle) == held ? low : high) = middle;
+  }
+  return std::sqrt(low * high);
+}
+
+Boundary bisected(Boundary boundary) {
+  boundary.measured = [holds = boundary.holds, at = boundary.predicted, tolerance = boundary.tolerance] {
+    for (double width = 1 + 2 * tolerance; width < 8; width *= width)
+      if (holds(at / width) != holds(at * width)) return bisect(holds, at / width, at * width, tolerance / 5);
+    return std::numeric_limits<double>::quiet_NaN();
+  };
+  return boundary;
+}
+
+}  // namespace byhand::laws

@@ -1,0 +1,9 @@
+#include "lessons/09_what_accuracy_costs/catalogue/held.hpp"
+#include "solver/constraints/normalised_distance.hpp"
+
+namespace byhand {
+
+template AnyScene any_scene<Scene<PlaneBody, NormalisedDistance>, std::variant<VelocityStepping>>(
+    Scene<PlaneBody, NormalisedDistance>);
+
+}  // namespace byhand

@@ -1,0 +1,8 @@
+#include "lessons/09_what_accuracy_costs/catalogue/held.hpp"
+#include "solver/constraints/pin.hpp"
+
+namespace byhand {
+
+template AnyScene any_scene(Scene<SpaceBody, Pin>);
+
+}  // namespace byhand

@@ -1,9 +1,0 @@
-#include "solver/catalogue/held.hpp"
-#include "solver/constraints/normalised_distance.hpp"
-
-namespace byhand {
-
-template AnyScene any_scene<Scene<PlaneBody, NormalisedDistance>, std::variant<VelocityStepping>>(
-    Scene<PlaneBody, NormalisedDistance>);
-
-}  // namespace byhand

@@ -1,8 +1,0 @@
-#include "solver/scenes/boxes.hpp"
-
-namespace byhand {
-
-template Boxes stack(int, double, const Surface&);
-template Boxes pyramid(int, const Surface&);
-
-}  // namespace byhand
