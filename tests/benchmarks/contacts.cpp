@@ -26,7 +26,7 @@ VelocityStepping method(const RowSolver& solver) {
 /// Five seconds from a kick: seconds a step in the mean, and what became of the topmost body.
 template <class S>
 void five_seconds(benchmark::State& state, const S& scene, const RowSolver& solver) {
-  Simulation<S> simulation{scene, method(solver)};
+  Simulation simulation{scene, method(solver)};
   for (auto _ : state) {
     state.PauseTiming();
     simulation = {scene, method(solver)};

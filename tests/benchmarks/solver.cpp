@@ -49,7 +49,7 @@ void sweep_chain_in_coloured_order(benchmark::State& state) {
 
 template <class S>
 void whole_step(benchmark::State& state, S scene, const RowSolver& solver) {
-  Simulation<S> simulation{std::move(scene), {solver}};
+  Simulation simulation{std::move(scene), {solver}};
   simulation.step(step);
   for (auto _ : state) {
     simulation.step(step);

@@ -10,7 +10,7 @@ using namespace byhand;
 using M = PlaneBody;
 
 /// A column of boxes of random widths and masses, a little askew, that falls, leans or slides.
-Boxes random_column(Random& random, int count) {
+Scene<PlaneBody> random_column(Random& random, int count) {
   Scene<PlaneBody> scene;
   add_ground(scene, {random.uniform(0, 0.5)});
   double height = 0;
@@ -36,7 +36,7 @@ TEST(ActiveSet, FindsWhatSweepsConvergeTo) {
   Random random;
   for (int i = 0; i < 60; ++i) {
     Scene<PlaneBody> scene = random_column(random, 1 + random.index(6));
-    Boxes swept = scene;
+    Scene<PlaneBody> swept = scene;
     Direct direct;
     direct.tolerance = 1e-12;
     Work<M> work, reference;
@@ -95,14 +95,14 @@ TEST(ActiveSet, ChangesNothingWhereNothingTouches) {
 }
 
 TEST(ByGraph, SolvesAColumnDirectlyAndAWallBySweeps) {
-  Boxes column = stack(5), wall = pyramid(4);
+  Scene<PlaneBody> column = stack(5), wall = pyramid(4);
   Work<M> of_column, of_wall;
   advance(column, {ByGraph{}}, 1.0 / 60, of_column);
   advance(wall, {ByGraph{}}, 1.0 / 60, of_wall);
   EXPECT_EQ(of_column.layout, Layout::elimination);
   EXPECT_EQ(of_wall.layout, Layout::coloured);
 
-  Boxes same = stack(5);
+  Scene<PlaneBody> same = stack(5);
   Work<M> work;
   advance(same, {Direct{}}, 1.0 / 60, work);
   EXPECT_EQ(difference_of(column, same), 0);
@@ -119,7 +119,7 @@ TEST(HasNoLoops, CountsAllThatDoesNotMoveAsOneBody) {
 }
 
 TEST(Tolerance, StopsSweepsThatHaveNothingMoreToDo) {
-  Boxes fixed_number = stack(3), until_done = fixed_number;
+  Scene<PlaneBody> fixed_number = stack(3), until_done = fixed_number;
   Work<M> work1, work2;
   for (int i = 0; i < 120; ++i) {
     advance(fixed_number, {GaussSeidel{.sweeps = 200}}, 1.0 / 60, work1);

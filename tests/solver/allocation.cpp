@@ -71,7 +71,7 @@ TEST(Allocation, HappensInNoStepWithContactsAfterTheFirst) {
 
 template <class S, class Method>
 void expect_none_after_the_first_step_by(const S& scene, const Method& method) {
-  Simulation<S, Method> simulation{scene, method};
+  Simulation simulation{scene, method};
   simulation.step(time_step);
   EXPECT_EQ(allocations_in([&] {
               for (int i = 0; i < 5; ++i) simulation.step(time_step);
@@ -91,7 +91,7 @@ TEST(Allocation, HappensInNoStepOfAccelerationsOrRattleAfterTheFirst) {
 
 template <class S>
 void expect_none_at_rest(const S& scene, const RowSolver& solver) {
-  Simulation<S> simulation{scene, {solver}};
+  Simulation simulation{scene, {solver}};
   for (int i = 0; i < 30; ++i) simulation.step(time_step);
   EXPECT_EQ(allocations_in([&] {
               for (int i = 0; i < 30; ++i) simulation.step(time_step);

@@ -8,7 +8,6 @@
 namespace {
 
 using namespace byhand;
-using SpacePoints = Scene<SpaceBody>;
 
 Scene<PlaneBody> kicked_stack(int count) {
   Scene<PlaneBody> scene = stack(count);
@@ -26,9 +25,9 @@ const Case cases[] = {
     {"PyramidByGraph", [] { return after_ten_seconds(pyramid(8), {ByGraph{}}); }, 0xe2a3013a619a0ed1},
     {"DominoesByGraph", [] { return after_ten_seconds(dominoes(8, 0.5, 1.5), {ByGraph{}}); }, 0x6509e62f4f11ab1f},
     {"PileBounces", [] { return after_ten_seconds(box_pile<PlaneBody>(7), {GaussSeidel{}}); }, 0xba14ee3fd1594d59},
-    {"SpacePileBounces", [] { return after_ten_seconds(box_pile<SpacePoints>(7), {GaussSeidel{}}); },
+    {"SpacePileBounces", [] { return after_ten_seconds(box_pile<SpaceBody>(7), {GaussSeidel{}}); },
      0xd0aa8875cf6822e5},
-    {"SpacePileByGraph", [] { return after_ten_seconds(box_pile<SpacePoints>(8), {ByGraph{}}); },
+    {"SpacePileByGraph", [] { return after_ten_seconds(box_pile<SpaceBody>(8), {ByGraph{}}); },
      0x741aab538269784b},
 };
 

@@ -34,7 +34,7 @@ inline Scene<SpaceBody> leaning_top() {
 /// long again [m].
 template <class S, class Method>
 double way_back(const S& scene, const Method& method) {
-  Simulation<S, Method> simulation{scene, method};
+  Simulation simulation{scene, method};
   run(simulation, 2, 1.0 / 100);
   for (auto& V : simulation.scene.bodies().velocity) V = -V;
   run(simulation, 2, 1.0 / 100);
@@ -52,7 +52,7 @@ void expect_reversible(const S& scene, const Method& method) {
 /// The step throws, and moves nothing.
 template <class Error, class S, class Method>
 void expect_thrown(const S& scene, const Method& method, double step, const std::string& words) {
-  Simulation<S, Method> simulation{scene, method};
+  Simulation simulation{scene, method};
   try {
     simulation.step(step);
     ADD_FAILURE() << "nothing was thrown";

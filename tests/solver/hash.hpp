@@ -39,7 +39,7 @@ class Hash {
 
 template <class S, class Method>
 std::uint64_t after(int seconds, const S& scene, const Method& method) {
-  Simulation<S, Method> simulation{scene, method};
+  Simulation simulation{scene, method};
   for (int i = 0; i < 60 * seconds; ++i) simulation.step(1.0 / 60);
   for (const auto& V : simulation.scene.bodies().velocity) EXPECT_TRUE(V.allFinite());
   return Hash(simulation.scene.bodies()).value();

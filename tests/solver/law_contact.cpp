@@ -118,7 +118,7 @@ TEST(LawA9, BouncingOnOverlapGainsAStepOfItsSpeedInHeight) {
   for (int n = 0; n < 3; ++n) EXPECT_NEAR(measured[n], atlas[n], 0.0035);
 }
 
-Boxes pressed_in(double overlap) {
+Scene<PlaneBody> pressed_in(double overlap) {
   Scene<PlaneBody> scene = stack(1);
   scene.state().pose[1].position.y() -= overlap;
   return scene;

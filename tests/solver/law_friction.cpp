@@ -17,7 +17,7 @@ struct Slide {
 };
 template <class S>
 Slide slide(const S& scene, double angle, const RowSolver& solver, double time = 5, double step = h) {
-  Simulation<S> simulation{scene, {solver}};
+  Simulation simulation{scene, {solver}};
   run(simulation, time, step);
   const auto [sin, cos] = sin_cos(angle);
   const Linear<PlaneBody> along(cos, -sin);

@@ -20,7 +20,7 @@ struct Slide {
 template <class S>
 Slide slide(S scene, const RowSolver& solver, double time) {
   const Linear<M> start = scene.bodies().pose[1].position.template head<3>();
-  Simulation<S> simulation{std::move(scene), {solver}};
+  Simulation simulation{std::move(scene), {solver}};
   run(simulation, time, h);
   const Linear<M> gone = simulation.scene.bodies().pose[1].position - start;
   return {gone.norm(), std::atan2(gone.z(), gone.x())};

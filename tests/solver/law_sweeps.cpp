@@ -28,7 +28,7 @@ Chain disturbed_chain(int links, double end_mass = 1, bool anchored = true) {
 /// short that nothing moves, so that one step is one sweep.
 template <class S>
 double rate(S scene, const RowSolver& one_sweep, int settle, int measure) {
-  Simulation<S> simulation{std::move(scene), {one_sweep, NoDriftCure{}}};
+  Simulation simulation{std::move(scene), {one_sweep, NoDriftCure{}}};
   double log_sum = 0;
   for (int i = 0; i < settle + measure; ++i) {
     simulation.step(1e-200);

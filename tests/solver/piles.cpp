@@ -31,7 +31,7 @@ double allowance(const System<M>& system) {
 /// The most energy [J] that any step of a pile makes beyond its allowance, as a share of what there was at first.
 template <class S>
 double energy_made(const S& pile, const VelocityStepping& method, int steps) {
-  Simulation<S> simulation{pile, method};
+  Simulation simulation{pile, method};
   const double first = energy(simulation.scene);
   double before = first, most = 0;
   for (int i = 0; i < steps; ++i) {

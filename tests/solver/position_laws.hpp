@@ -60,7 +60,7 @@ void expect_friction_angle(const Method& method, double creep) {
   constexpr double g = 9.81, mu = 0.5, time = 5;
   for (const double share : {0.99, 1.1}) {
     const double angle = share * std::atan(mu);
-    Simulation<S, Method> simulation{box_on_incline<S>(angle, mu), method};
+    Simulation simulation{box_on_incline<S>(angle, mu), method};
     run(simulation, time, 1.0 / 60);
     const double speed = simulation.scene.bodies().velocity[1].template head<2>().norm();
     if (share < 1)
@@ -73,7 +73,7 @@ void expect_friction_angle(const Method& method, double creep) {
 /// A stack of boxes stands for 10 s with its top within `sunk` [m] of where it belongs, and the ground carries it.
 template <class S, class Method>
 void expect_standing_stack(const Method& method, int boxes, double sunk, double tolerance) {
-  Simulation<S, Method> simulation{stack<S>(boxes), method};
+  Simulation simulation{stack<S>(boxes), method};
   run(simulation, 10, 1.0 / 60);
   const auto& top = simulation.scene.bodies().pose[boxes].position;
   EXPECT_NEAR(top.y(), boxes - 0.5, sunk);
@@ -97,7 +97,7 @@ void expect_bounces(const Method& method, double h) {
   add_ground(scene, {.restitution = 0.5});
   const int body = scene.add_body(Linear<PlaneBody>(0, 1.5), ball<PlaneBody>(2, 0.5));
   scene.set_shape(body, Ball<PlaneBody>{0.5}, {.restitution = 0.5});
-  Simulation<Boxes, Method> simulation{scene, method};
+  Simulation<PlaneBody, Method> simulation{scene, method};
   std::vector<double> peaks;
   double rising = 0;
   run(simulation, 1.6, h, [&] {
@@ -113,7 +113,7 @@ void expect_bounces(const Method& method, double h) {
 /// Nothing is allocated once a scene has been laid out.
 template <class S, class Method>
 void expect_no_allocation(const S& scene, const Method& method) {
-  Simulation<S, Method> simulation{scene, method};
+  Simulation simulation{scene, method};
   EXPECT_GT(allocations_in([&] { simulation.step(1.0 / 60); }), 0) << "the counter counts";
   for (int i = 0; i < 30; ++i) simulation.step(1.0 / 60);
   EXPECT_EQ(allocations_in([&] {

@@ -85,7 +85,7 @@ TEST(ConjugateGradients, StayWithTheAnswerHoweverManyIterationsMayFollow) {
 }
 
 TEST(ConjugateGradients, RefuseScenesWithBoundsInOneSentence) {
-  Boxes boxes = stack(1);
+  Scene<PlaneBody> boxes = stack(1);
   Scene<PlaneBody> contact;
   contact.add_body({0, 0}, fixed<PlaneBody>());
   contact.add_body({0, 1}, ball<PlaneBody>(1, 1));
