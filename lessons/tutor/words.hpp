@@ -63,6 +63,12 @@ struct Formula {
 std::string fill(std::string_view words, const std::vector<Value>& values);
 Formula fill(std::string_view plain, std::string_view latex, const std::vector<Value>& values);
 
+/// Prose as it stands in a source, R"(...)" over several lines, with one line for each paragraph and each item of
+/// a list: a line break and the blanks around it become one blank, but for a blank line and a line that begins
+/// with
+/// "- ".
+std::string unwrapped(std::string_view source);
+
 /// `say("@ links weigh @ N", n, weight)`: no number of a lesson is typed by hand.
 template <class... T>
 std::string say(std::string_view words, const T&... values) {
