@@ -108,7 +108,8 @@ void two_forms(tutor::Page& page, const Settings& set) {
   const Impulse squared = stop(Distance<M>{{0, 1}, length}.jacobian(anchor, bob));
   const Impulse normalised = stop(NormalisedDistance<M>{{0, 1}, length}.jacobian(anchor, bob));
   page.text(
-      R"(- from (2): λ = @ N·s/m, the impulse λJᵀ on the bob is @ N·s
+      R"(
+      - from (2): λ = @ N·s/m, the impulse λJᵀ on the bob is @ N·s
       - from |d| − L: λ = @ N·s, the impulse is @ N·s)",
       squared.lambda, vector(squared.on_bob), normalised.lambda, vector(normalised.on_bob));
   page.text(

@@ -83,7 +83,7 @@ void many_sweeps(Page& page, const Knobs& knobs) {
 
       - *Jacobi*: every row looks at the same V, then all push at once. It could run in parallel.
       - *Gauss–Seidel* top-down, bottom-up, or *red–black*: all odd rows, then all even ones (rows of one colour
-      share no bob, so these could run in parallel too).)");
+        share no bob, so these could run in parallel too).)");
   constexpr double same = 1e-6;
   const bool alike = std::abs(digits[1] / digits[0] - 1) < same && std::abs(digits[2] / digits[0] - 1) < same;
   const auto steepest = static_cast<int>(std::min_element(digits.begin(), digits.end()) - digits.begin());

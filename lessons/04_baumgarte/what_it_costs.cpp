@@ -156,7 +156,7 @@ void what_it_costs(const Setting& setting, Page& page) {
       0.1 to 0.3 looks timid. What it costs is elsewhere:
 
       - An error that is suddenly there leaves at β·C/h: @ cm at β = 1 at @ m/s, which everyone sees. At β = @ it
-      is @ m/s.
+        is @ m/s.
       - Beyond 1 the correction of a sudden error overshoots, and the next one has to turn it round.
       - When rows are *not* solved exactly, the limit is far below 2: that is the trap of the last step.)",
       best_drift, best_energy, best_period, 100 * setting.error(), setting.error() / h, setting.beta,

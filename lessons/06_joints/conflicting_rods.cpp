@@ -117,8 +117,9 @@ void conflicting_rods(const Setting& setting, Page& page) {
       weight, mgh = @ N·s; how the two share it is anybody's guess, and each solver has its own:)",
       setting.mass, setting.length, weight * h);
   page.text(
-      R"(- sweeps, started cold: the first row takes everything (@ and @ N·s), for when it is done the second finds
-      nothing wrong;
+      R"(
+      - sweeps, started cold: the first row takes everything (@ and @ N·s), for when it is done the second finds
+        nothing wrong;
       - sweeps, started warm from λ = (@, @): they stay in quarrel (@ and @ N·s), for nobody sees a difference;
       - directly with a regularisation: half each (@ and @ N·s), the least λ that will do.)",
       -lambda(first, 0), -lambda(first, 1), m, -m, lambda(biased, 0), lambda(biased, 1), -lambda(shared, 0),
@@ -198,11 +199,12 @@ void conflicting_rods(const Setting& setting, Page& page) {
              regularised = after(cures[3].rods, watched, h);
   const double soft_end = beta * gap / (2 * h * softness), regularised_end = beta * gap * m / (2 * h * share);
   page.text(
-      R"(- a *cold start* forgets it each step: @ N·s, what one step adds and half the weight;
+      R"(
+      - a *cold start* forgets it each step: @ N·s, what one step adds and half the weight;
       - *softness* γ lets a rod give way by γλ, so that both can be content: λ₂ − λ₁ = βΔL/(hγ), here ± @ N·s for γ
-      = @ 1/kg;
+        = @ 1/kg;
       - a *regularisation* ε is the same with γ = εA for each row: ± @ N·s for ε = @. The bob then stands halfway
-      between the two lengths, which is the fairest answer to a question that has none.)",
+        between the two lengths, which is the fairest answer to a question that has none.)",
       Value(quarrel(chilled), 4), Value(quarrel(soft), 4), softness, Value(quarrel(regularised), 4), share);
 
   page.measure("rod against rod at the end", grown / h / weight, "mg");
