@@ -133,7 +133,7 @@ void the_trap(const Setting& setting, Page& page) {
       Gauss–Seidel sweeps a step, as an engine would do it. β = @.)",
       links, sweeps, setting.beta);
   page.choose(
-      {.ask = say("\"Usually between 0.1 and 0.3\": β = @, @ links, @ warm sweeps a step. Does an error die out?",
+      {.ask = say(R"("Usually between 0.1 and 0.3": β = @, @ links, @ warm sweeps a step. Does an error die out?)",
                   setting.beta, links, sweeps),
        .options = {{"yes", dies_out
                                ? say("Yes, it is multiplied by @ a step: β is below (1 − q)/q = @.", growth, limit)

@@ -52,7 +52,7 @@ void heavy_on_light(const Setting& setting, Page& page) {
   const auto boundary = [&](double k) { return limits[std::min(17, static_cast<int>(std::lround(k)))]; };
   page.figure(
       "mass_and_sweeps",
-      say("Each cell is a run of two boxes, β = @. Dashed: the law, about r = 3k. \"Rings\" is: goes on hopping.",
+      say(R"(Each cell is a run of two boxes, β = @. Dashed: the law, about r = 3k. "Rings" is: goes on hopping.)",
           beta),
       chart(map, "about r = 3k", boundary));
   const double foreseen = share_foreseen(map, [&](double k, double ratio) { return ratio < boundary(k); });

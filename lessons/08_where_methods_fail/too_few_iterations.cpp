@@ -98,7 +98,7 @@ void too_few_iterations(const Setting& setting, Page& page) {
                return laws::lean(Column{.boxes = static_cast<int>(n), .sweeps = static_cast<int>(k)});
              });
   page.figure("boxes_and_sweeps",
-              "Each cell is a run of a column that was nudged. \"Explodes\" is: has fallen. Dashed: the law.",
+              R"(Each cell is a run of a column that was nudged. "Explodes" is: has fallen. Dashed: the law.)",
               chart(map, "(σh)² = (1 − q)/q, about ¾ gh²N³", [](double n) { return sweeps_to_stand(n); }));
   const double foreseen = share_foreseen(map, [](double n, double k) { return k > sweeps_to_stand(n); });
   page.text("Of @ runs the law foresees @ %.", map.outcomes.size(), Value(100 * foreseen, 3));
