@@ -1,6 +1,6 @@
 #pragma once
 
-#include "solver/shared_scenes.hpp"
+#include "solver/step.hpp"
 
 namespace byhand {
 

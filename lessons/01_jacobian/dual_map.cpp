@@ -17,14 +17,14 @@ using M = PlaneParticle;
 using Row = Jacobian<M, 1>;
 
 struct Rod {
-  Scene<M, NormalisedDistance> scene;
+  Scene<M> scene;
   Row J, W;
   double inverse_mass;  // (19)
 };
 
 Rod rod_of(const Settings& set) {
   Rod rod{pendulum<M, NormalisedDistance>(0.6, set.length, set.mass), {}, {}, 0};
-  const auto& bodies = rod.scene.bodies;
+  const auto& bodies = rod.scene.bodies();
   rod.J = rod.scene.all<NormalisedDistance>()[0].jacobian(bodies.pose[0], bodies.pose[1]);
   rod.W =
       times_inverse_mass(rod.J, bodies.inverse_mass[0], bodies.pose[0], bodies.inverse_mass[1], bodies.pose[1]);

@@ -3,7 +3,7 @@
 #include "lessons/01_jacobian/picture.hpp"
 #include "lessons/scenes/pendulum.hpp"
 #include "solver/row.hpp"
-#include "solver/simulation.hpp"
+#include "solver/step.hpp"
 
 // ½(d² − L²) or |d| − L: the same impulse, another λ, and what happens when C and J are taken from two of them.
 namespace byhand::lesson01 {
@@ -27,8 +27,8 @@ constexpr double share = 0.01;  // of the rod's length that it is too long at fi
 /// The stretches [m] of a bob at rest in weightlessness while Baumgarte's cure with `beta` acts.
 template <template <class> class Rod>
 std::vector<double> stretches(double length, double mass, double beta, double h, int steps) {
-  Simulation<Scene<M, Rod>> simulation{{}, {.solver = GaussSeidel{.sweeps = 1}, .drift = Baumgarte{.beta = beta}}};
-  Scene<M, Rod>& scene = simulation.scene;
+  Simulation<M> simulation{{}, {.solver = GaussSeidel{.sweeps = 1}, .drift = Baumgarte{.beta = beta}}};
+  Scene<M>& scene = simulation.scene;
   scene.gravity.setZero();
   scene.add_body(Linear<M>(0, 0), fixed<M>());
   scene.add_body(Linear<M>((1 + share) * length * from_straight_down<M>(0.6)), with_mass<M>(mass));
@@ -38,7 +38,7 @@ std::vector<double> stretches(double length, double mass, double beta, double h,
   scene.add(rod);
   std::vector<double> all;
   for (int i = 0; i <= steps; ++i) {
-    all.push_back(scene.bodies.pose[1].position.norm() - length);
+    all.push_back(scene.bodies().pose[1].position.norm() - length);
     if (i < steps) simulation.step(h);
   }
   return all;
@@ -93,8 +93,8 @@ void two_forms(tutor::Page& page, const Settings& set) {
       length of d. Which one is right? Both. Let a bob fly outwards and let (17) stop it at the end of its rod,
       once with each row (lesson 2 is about that formula):)");
   const auto at = pendulum<M>(0.6, length, set.mass);
-  const Pose<M>&anchor = at.bodies.pose[0], &bob = at.bodies.pose[1];
-  const InverseMass<M>&m1 = at.bodies.inverse_mass[0], &m2 = at.bodies.inverse_mass[1];
+  const Pose<M>&anchor = at.bodies().pose[0], &bob = at.bodies().pose[1];
+  const InverseMass<M>&m1 = at.bodies().inverse_mass[0], &m2 = at.bodies().inverse_mass[1];
   const Velocity<M> still = Velocity<M>::Zero(), flying(set.speed, 0);
   struct Impulse {
     double lambda;

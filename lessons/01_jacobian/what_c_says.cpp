@@ -16,16 +16,16 @@ using renderer::Point;
 
 constexpr double three_four_five = 0.6435011087932844;  // the angle whose sine is 0.6 and cosine 0.8
 
-Scene<M, Distance> bob_at(const Point& place, double length, double mass) {
-  Scene<M, Distance> scene = pendulum<M>(0, length, mass);
-  scene.bodies.pose[1].position = place;
+Scene<M> bob_at(const Point& place, double length, double mass) {
+  Scene<M> scene = pendulum<M>(0, length, mass);
+  scene.state().pose[1].position = place;
   return scene;
 }
 
 /// C of (2) with the bob at `place` and the other end at the origin [m²].
 double value_at(const Point& place, double length, double mass) {
   const auto scene = bob_at(place, length, mass);
-  return scene.all<Distance>()[0].value<double>(scene.bodies.pose[0], scene.bodies.pose[1])[0];
+  return scene.all<Distance>()[0].value<double>(scene.bodies().pose[0], scene.bodies().pose[1])[0];
 }
 
 /// Where a hand holds the bob `time` seconds into the sequence: out, back, along the circle, in, back.

@@ -15,7 +15,7 @@ using Matrix4 = Eigen::Matrix4d;
 /// The matrix that the article asks not to build, built here once to be compared with: diag(m₁⁻¹, m₁⁻¹, m₂⁻¹,
 /// m₂⁻¹).
 Matrix4 inverse_mass_matrix(const Pendulum& scene) {
-  const double m1 = scene.bodies.inverse_mass[0].linear, m2 = scene.bodies.inverse_mass[1].linear;
+  const double m1 = scene.bodies().inverse_mass[0].linear, m2 = scene.bodies().inverse_mass[1].linear;
   return Eigen::Vector4d(m1, m1, m2, m2).asDiagonal();
 }
 
@@ -55,8 +55,8 @@ void draw_product(Canvas& canvas, const Row4& J, const Matrix4& inverse_mass, do
 void effective_mass(const Setting& setting, Page& page) {
   const Pendulum scene = let_go(setting);
   const OneRow row(scene);
-  const double length = setting.length(), m1 = scene.bodies.inverse_mass[0].linear,
-               m2 = scene.bodies.inverse_mass[1].linear;
+  const double length = setting.length(), m1 = scene.bodies().inverse_mass[0].linear,
+               m2 = scene.bodies().inverse_mass[1].linear;
 
   page.text(
       R"(How stubborn is JV? Push with one unit of impulse along Jᵀ and see by how much JV changes: that is JM⁻¹Jᵀ,
@@ -95,7 +95,7 @@ void effective_mass(const Setting& setting, Page& page) {
       light, heavy, together);
 
   Pendulum twice = scene;
-  twice.bodies.inverse_mass[1].linear /= 2;
+  twice.bodies().inverse_mass[1].linear /= 2;
   page.claim({.quantity = "JM⁻¹Jᵀ from four numbers",
               .unit = "m²/kg",
               .expected = product,

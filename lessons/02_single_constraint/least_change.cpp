@@ -10,7 +10,7 @@ using namespace renderer;
 
 /// Kinetic energy of the scene after an impulse λ along its row [J].
 double energy_after(const Pendulum& scene, const OneRow& row, double lambda) {
-  Bodies<PlaneParticle> bodies = scene.bodies;
+  Bodies<PlaneParticle> bodies = scene.bodies();
   std::tie(bodies.velocity[0], bodies.velocity[1]) = row.velocities_after(lambda);
   return kinetic_energy(bodies);
 }

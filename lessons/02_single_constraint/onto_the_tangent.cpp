@@ -12,7 +12,7 @@ void onto_the_tangent(const Setting& setting, Page& page) {
   const OneRow row(scene);
   const double length = setting.length(), gain = gravity() * setting.h();
   Pendulum after = scene;
-  std::tie(after.bodies.velocity[0], after.bodies.velocity[1]) = row.velocities_after();
+  std::tie(after.state().velocity[0], after.state().velocity[1]) = row.velocities_after();
   const OneRow solved(after);
 
   page.text(
@@ -21,7 +21,7 @@ void onto_the_tangent(const Setting& setting, Page& page) {
   page.equation(5, "P = λ·d = @·@ = @ N·s on the bob", R"(P = \lambda\,d = @\cdot @ = @\ \mathrm{N\,s})",
                 row.lambda, row.d, Vector(row.lambda * row.d));
   page.equation(20, "v₂ = @ + @·@ = @ m/s", R"(v_2 = @ + @\cdot @ = @\ \mathrm{m/s})", row.v2,
-                scene.bodies.inverse_mass[1].linear, Vector(row.lambda * row.d), solved.v2);
+                scene.bodies().inverse_mass[1].linear, Vector(row.lambda * row.d), solved.v2);
   page.excerpt("solver/row.hpp", "20");
 
   BobPicture picture(scene);
@@ -51,8 +51,8 @@ void onto_the_tangent(const Setting& setting, Page& page) {
   const Pendulum pair = two_free_bobs(setting, Vector(0.9 * speed, -0.5 * speed));
   const OneRow hit(pair);
   Pendulum freed = pair;
-  std::tie(freed.bodies.velocity[0], freed.bodies.velocity[1]) = hit.velocities_after();
-  const Vector before_momentum = linear_momentum(pair.bodies), after_momentum = linear_momentum(freed.bodies);
+  std::tie(freed.state().velocity[0], freed.state().velocity[1]) = hit.velocities_after();
+  const Vector before_momentum = linear_momentum(pair.bodies()), after_momentum = linear_momentum(freed.bodies());
   BobPicture blow(pair), answer(freed);
   const double shown = 0.7 * length / speed;
   blow.title = "the first bob is hit, the rod answers";
@@ -61,8 +61,8 @@ void onto_the_tangent(const Setting& setting, Page& page) {
                  {blow.second, answered, palette::force, "λd"},
                  {blow.first, shown * hit.v1, palette::velocity, "v₁"}};
   answer.title = "after: JV = 0";
-  answer.arrows = {{answer.first, shown * freed.bodies.velocity[0], palette::velocity, "v₁"},
-                   {answer.second, shown * freed.bodies.velocity[1], palette::velocity, "v₂"}};
+  answer.arrows = {{answer.first, shown * freed.bodies().velocity[0], palette::velocity, "v₁"},
+                   {answer.second, shown * freed.bodies().velocity[1], palette::velocity, "v₂"}};
   blow.guides = answer.guides = false;
   page.text(
       R"(On the other end of the rod acts −λd. A held point swallows it; two free bobs show what it is for. Hit one
@@ -95,7 +95,7 @@ void onto_the_tangent(const Setting& setting, Page& page) {
               .source = "action and reaction",
               .measured = (after_momentum - before_momentum).norm(),
               .tolerance = absolute(1e-14 * setting.mass() * speed)});
-  const auto spin = [](const Pendulum& bobs) { return angular_momentum(bobs.bodies)[0]; };
+  const auto spin = [](const Pendulum& bobs) { return angular_momentum(bobs.bodies())[0]; };
   page.claim({.quantity = "change of angular momentum of two free bobs",
               .unit = "kg·m²/s",
               .expected = 0,

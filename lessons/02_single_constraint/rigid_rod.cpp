@@ -25,8 +25,8 @@ std::vector<RodSample> swing_rod(const Setting& setting, double angle, double h,
   std::vector<RodSample> samples;
   const auto steps = static_cast<int>(std::lround(seconds / h));
   for (int i = 0; i <= steps; ++i) {
-    const Vector centre = simulation.scene.bodies.pose[1].position;
-    const PlaneRotation<double> rotation = simulation.scene.bodies.pose[1].rotation;
+    const Vector centre = simulation.scene.bodies().pose[1].position;
+    const PlaneRotation<double> rotation = simulation.scene.bodies().pose[1].rotation;
     simulation.step(h);
     const auto& lambda = simulation.work.system.lambda;
     samples.push_back(
@@ -51,7 +51,7 @@ void draw_both(Canvas& canvas, const Sample& bob, const RodSample& rod, double l
   canvas.look(fit({-1.25 * length, -1.3 * length, 2.5 * length, 2.4 * length}, scene, 10));
   pictures::draw(canvas, {.bobs = {{bob.position, 1}}, .rods = {{{0, 0}, bob.position}}});
   pictures::draw(canvas, {.links = {{{0, 0}, rod.end}}, .anchors = {{0, 0}}},
-                 {.bodies = {palette::highlight, {palette::ink, 1.8}}});
+                 {.bodies() = {palette::highlight, {palette::ink, 1.8}}});
   draw(canvas, pictures::grown_to(chart, bob.time), beside);
 }
 

@@ -9,9 +9,9 @@ using namespace renderer;
 void why_velocity(const Setting& setting, Page& page) {
   const double length = setting.length(), stretched = 1.2;
   Pendulum scene = pendulum<PlaneParticle>(radians(setting.angle()), length, setting.mass());
-  scene.bodies.pose[1].position *= stretched;
+  scene.state().pose[1].position *= stretched;
   const auto& rod = scene.all<Distance>().front();
-  const auto error = [&] { return rod.value<double>(scene.bodies.pose[0], scene.bodies.pose[1])[0]; };
+  const auto error = [&] { return rod.value<double>(scene.bodies().pose[0], scene.bodies().pose[1])[0]; };
 
   page.text(
       R"(Why not push the *position* until C = 0, with the same row? Pull the bob out to @ L and try. C of (2) has
@@ -25,7 +25,7 @@ void why_velocity(const Setting& setting, Page& page) {
     left.x.push_back(i);
     left.y.push_back(std::abs(error()));
     distances.push_back(row.d.norm());
-    scene.bodies.pose[1].position += row.W.l2().transpose() * (-error() / row.K);
+    scene.state().pose[1].position += row.W.l2().transpose() * (-error() / row.K);
   }
   page.figure(
       "why_velocity",

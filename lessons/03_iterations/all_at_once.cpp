@@ -59,7 +59,7 @@ void all_at_once(Page& page, const Knobs& knobs) {
   const int n = knobs.links;
   const double m = knobs.mass, L = knobs.length;
   HeldStep held(chain, knobs.h);
-  const Eigen::MatrixXd A = matrix_of(held.work().system, held.scene().bodies.size());
+  const Eigen::MatrixXd A = matrix_of(held.work().system, held.scene().bodies().size());
   const Eigen::MatrixXd factor = Eigen::LLT<Eigen::MatrixXd>(A).matrixL();
   const Eigen::MatrixXd inverse = A.llt().solve(Eigen::MatrixXd::Identity(n, n));
 

@@ -6,7 +6,7 @@
 #include "renderer/palette.hpp"
 #include "solver/constraints/normalised_distance.hpp"
 #include "solver/measure.hpp"
-#include "solver/methods/velocity_stepping.hpp"
+#include "solver/step.hpp"
 
 namespace byhand::iterations {
 namespace {
@@ -21,14 +21,14 @@ std::vector<double> places(int rods) {
 }
 
 /// A square box hung on parallel rods, spread evenly over its width.
-Scene<PlaneBody, NormalisedDistance> hung_box(int rods, double side, double mass) {
-  Scene<PlaneBody, NormalisedDistance> scene;
+Scene<PlaneBody> hung_box(int rods, double side, double mass) {
+  Scene<PlaneBody> scene;
   const int ceiling = scene.add_body(Linear<PlaneBody>(0, 0), fixed<PlaneBody>());
   const int box = scene.add_body(Linear<PlaneBody>(0, -1.5 * side),
                                  byhand::box<PlaneBody>(mass, Linear<PlaneBody>(side, side)));
   for (const double x : places(rods))
     scene.add(NormalisedDistance<PlaneBody>{
-        between<PlaneBody>(scene.bodies, ceiling, {x * side, 0}, box, {x * side, -side}), side});
+        between<PlaneBody>(scene.bodies(), ceiling, {x * side, 0}, box, {x * side, -side}), side});
   return scene;
 }
 
@@ -41,9 +41,9 @@ double error_after(int sweeps, Solver solver, int rods, const Knobs& knobs) {
   solver.warm_start = false;
   lay_out(scene, solver, work);
   scene.write_rows(work.system, knobs.h());
-  add_gravity(scene.bodies, scene.gravity, knobs.h());
-  solve_rows(solver, scene.bodies, work);
-  return residual(work.system, scene.bodies.velocity);
+  add_gravity(scene.bodies(), scene.gravity, knobs.h());
+  solve_rows(solver, scene.bodies(), work);
+  return residual(work.system, scene.bodies().velocity);
 }
 
 double factor(const Jacobi& solver, int rods, const Knobs& knobs) {

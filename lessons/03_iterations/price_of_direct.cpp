@@ -43,7 +43,7 @@ void price_of_direct(Page& page, const Knobs& knobs) {
       numbers in this model: @ for JV, as many for the impulse. The direct solve eliminates one joint after the
       other, a handful of multiplications each, and walks back:)",
       4 * PlaneParticle::dof, 2 * PlaneParticle::dof);
-  page.excerpt("solver/methods/direct.cpp", "factor");
+  page.excerpt("solver/direct/direct.cpp", "factor");
   // J·W of a row itself and with its neighbour, JV and M⁻¹Jᵀλ, each a sum over the degrees of freedom of the
   // bodies.
   const double around = (2.0 + 1 + 2 + 2) * PlaneParticle::dof / (4 * PlaneParticle::dof);

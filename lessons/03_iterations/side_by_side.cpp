@@ -9,14 +9,14 @@
 #include "lessons/pictures/growing.hpp"
 #include "lessons/pictures/rods_and_bobs.hpp"
 #include "renderer/canvas.hpp"
-#include "solver/simulation.hpp"
+#include "solver/step.hpp"
 
 namespace byhand::iterations {
 namespace {
 
 using namespace tutor;
 namespace palette = renderer::palette;
-using Chain = Simulation<Scene<PlaneParticle, Distance>>;
+using Chain = Simulation<PlaneParticle>;
 
 constexpr double seconds = 5;
 constexpr double lost = 50;  // lengths of a link: a chain that is stretched that far is watched no longer
@@ -34,7 +34,7 @@ Chain swinging(const Knobs& knobs, std::optional<int> sweeps, double degrees) {
 double stretch(const Chain& chain) {
   double worst = 0;
   chain.scene.for_each([&](const Distance<PlaneParticle>& rod) {
-    const auto& pose = chain.scene.bodies.pose;
+    const auto& pose = chain.scene.bodies().pose;
     const double d = rod.at.separation(pose[rod.at.body1], pose[rod.at.body2]).norm();
     worst = std::max(worst, std::isfinite(d) ? std::abs(d - rod.length) : INFINITY);
   });
@@ -62,7 +62,7 @@ Run run_of(std::string name, Chain start, double h, double length) {
       run.lost_at = start.time;
       break;
     }
-    for (const auto& pose : start.scene.bodies.pose)
+    for (const auto& pose : start.scene.bodies().pose)
       run.reach = run.reach.cwiseMax(renderer::Point(std::abs(pose.position.x()), -pose.position.y()));
   }
   return run;

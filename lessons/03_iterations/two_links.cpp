@@ -116,7 +116,7 @@ void two_links(Page& page, const Knobs& knobs) {
       as the article has it, it is one *sub-step* of a method that goes round and round: Gauss–Seidel, which the
       article knows as Sequential Impulses. One round over all rows is a *sweep*, and this is the loop that makes
       it:)");
-  page.excerpt("solver/methods/gauss_seidel.cpp", "sweep");
+  page.excerpt("solver/gauss_seidel.cpp", "sweep");
 
   constexpr int rounds = 10;
   HeldStep many(knobs.chain(2), h);

@@ -9,14 +9,14 @@
 #include "lessons/pictures/growing.hpp"
 #include "lessons/pictures/rods_and_bobs.hpp"
 #include "renderer/canvas.hpp"
-#include "solver/simulation.hpp"
+#include "solver/step.hpp"
 
 namespace byhand::iterations {
 namespace {
 
 using namespace tutor;
 namespace palette = renderer::palette;
-using Chain = Simulation<Scene<PlaneParticle, Distance>>;
+using Chain = Simulation<PlaneParticle>;
 
 /// The hanging chain without a cure for drift, so that only (17) and (20) are at work.
 Chain hanging(const Knobs& knobs, bool warm) {
@@ -28,8 +28,8 @@ Chain hanging(const Knobs& knobs, bool warm) {
 /// How fast each link of a vertical chain is getting longer [m/s].
 std::vector<double> stretching(const Chain& chain) {
   std::vector<double> rates;
-  for (int bob = 1; bob < chain.scene.bodies.size(); ++bob)
-    rates.push_back(chain.scene.bodies.velocity[bob - 1].y() - chain.scene.bodies.velocity[bob].y());
+  for (int bob = 1; bob < chain.scene.bodies().size(); ++bob)
+    rates.push_back(chain.scene.bodies().velocity[bob - 1].y() - chain.scene.bodies().velocity[bob].y());
   return rates;
 }
 
@@ -115,7 +115,7 @@ void warm_start(Page& page, const Knobs& knobs) {
   const Chain settled = settled_cold(knobs, visible ? q : 0.01);
   const double rate = largest(stretching(settled));
   // λ belongs to the rod's length before the poses moved on.
-  const auto& bodies = settled.scene.bodies;
+  const auto& bodies = settled.scene.bodies();
   const double held = knobs.h * bodies.velocity[1].y() - bodies.pose[1].position.y();
   const double carried = settled.work.system.lambda.front() * -held / knobs.h;
   page.text(
@@ -152,7 +152,7 @@ void warm_start(Page& page, const Knobs& knobs) {
 
   Chain last = cold;
   while (last.time < seconds) last.step(knobs.h);
-  const double pitch = knobs.length, depth = 0.6 * pitch - last.scene.bodies.pose.back().position.y();
+  const double pitch = knobs.length, depth = 0.6 * pitch - last.scene.bodies().pose.back().position.y();
   page.sequence(
       "cold_and_warm",
       say(R"(The same chain with @ sweeps a step, cold and warm, without any correction of positions; both began at

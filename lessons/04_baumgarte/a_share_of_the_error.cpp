@@ -47,7 +47,7 @@ void a_share_of_the_error(const Setting& setting, Page& page) {
   page.text(
       R"(You will have noticed a 1/h that is not printed in (22). Without it m/s would stand on one side and m on
       the other; step 4 is about that. In the solver the choice is one line, and (17) does the rest:)");
-  page.excerpt("solver/methods/drift.hpp", "bias");
+  page.excerpt("solver/drift.hpp", "bias");
   page.text(
       R"(See it act alone, in weightlessness: a bob at rest on a rod of @ m that is @ m too long. C is |d| − L
       here, in metres, and its J is (14) divided by |d|.)",

@@ -17,7 +17,7 @@ using namespace renderer;
 constexpr double seconds = 3, radius = 0.15;  // [s], of the ball [m]
 constexpr int bounces = 3, fine = 16;
 
-using Solved = Simulation<Scene<PlaneBody, Contact>>;
+using Solved = Simulation<PlaneBody>;
 
 Solved solved(const Setting& setting, double e) {
   Solved simulation{bouncing_ball<PlaneBody>(setting.drop, e, radius), {}};
@@ -26,7 +26,7 @@ Solved solved(const Setting& setting, double e) {
   return simulation;
 }
 
-double height(const Solved& ball) { return ball.scene.bodies.pose[1].position.y() - radius; }
+double height(const Solved& ball) { return ball.scene.bodies().pose[1].position.y() - radius; }
 
 /// A particle that bounces when it finds itself under the ground: JV⁺ = -e JV⁻, with the V that a step has made.
 struct OnOverlap {
@@ -193,7 +193,7 @@ void bounce(const Setting& setting, Page& page) {
       ball arrives *on* the ground. Then the rows are solved again with b = e JV⁻, where JV⁻ was noted before
       gravity and before any impulse. That second solve goes on from the λ that the first has accumulated, so that
       the sum is what is clamped, and a slow approach is let be, or what rests would rattle:)");
-  page.excerpt("solver/methods/restitution.cpp", "bounce");
+  page.excerpt("solver/contact/restitution.cpp", "bounce");
   page.text(
       R"(Its peaks are @ m. It loses instead, by up to 2hv a bounce: a speed that is noted before the step lacks
       the last bit of the fall. A loss is what one can live with, and it goes with h. The lower the bounce, the

@@ -14,18 +14,18 @@ namespace {
 using namespace tutor;
 using namespace renderer;
 
-using Row = Simulation<Scene<PlaneBody, Contact>>;
+using Row = Simulation<PlaneBody>;
 
 Row row_of_balls(const Setting& setting, const RowSolver& solver, double gap = 0) {
   Row row{newtons_cradle<PlaneBody>(setting.balls, 1, setting.speed()), {solver}};
-  for (int i = 0; i < setting.balls; ++i) row.scene.bodies.pose[i].position.x() += gap * i;
+  for (int i = 0; i < setting.balls; ++i) row.scene.state().pose[i].position.x() += gap * i;
   return row;
 }
 
 /// Of each ball, in units of the first one's before.
 std::vector<double> speeds(const Row& row, double speed) {
   std::vector<double> speeds;
-  for (const auto& V : row.scene.bodies.velocity) speeds.push_back(V.x() / speed);
+  for (const auto& V : row.scene.bodies().velocity) speeds.push_back(V.x() / speed);
   return speeds;
 }
 

@@ -17,18 +17,18 @@ using namespace renderer;
 constexpr double seconds = 1.5;
 
 /// A unit box that begins `depth` [m] deep in the ground.
-Simulation<Boxes> sunk(double depth, const Baumgarte& cure) {
-  Simulation<Boxes> simulation{stack(1), {GaussSeidel{}, cure}};
-  simulation.scene.bodies.pose[1].position.y() -= depth;
+Simulation<PlaneBody> sunk(double depth, const Baumgarte& cure) {
+  Simulation<PlaneBody> simulation{stack(1), {GaussSeidel{}, cure}};
+  simulation.scene.state().pose[1].position.y() -= depth;
   return simulation;
 }
 
 /// How far its lower side is above the ground [m].
-double clearance(const Simulation<Boxes>& simulation) {
-  return simulation.scene.bodies.pose[1].position.y() - 0.5;
+double clearance(const Simulation<PlaneBody>& simulation) {
+  return simulation.scene.bodies().pose[1].position.y() - 0.5;
 }
 
-double peak(Simulation<Boxes> simulation, double h) {
+double peak(Simulation<PlaneBody> simulation, double h) {
   double highest = clearance(simulation);
   while (simulation.time < seconds) {
     simulation.step(h);
@@ -60,7 +60,7 @@ double law_of_peak(double depth, double beta, double h) {
 
 struct Run {
   std::string name;
-  Simulation<Boxes> box;
+  Simulation<PlaneBody> box;
 };
 
 /// Heights over time, one curve for each run.
@@ -120,9 +120,9 @@ Chart peaks(const Setting& setting) {
 void deep_contact(const Setting& setting, Page& page) {
   const double h = setting.h(), beta = setting.beta(), depth = setting.depth(), cap = setting.cap();
   const double law = law_of_pop(beta, h), speed = beta * depth / h;
-  Simulation<Boxes> first = sunk(depth, {beta});
+  Simulation<PlaneBody> first = sunk(depth, {beta});
   first.step(h);
-  const double leaves_at = first.scene.bodies.velocity[1].y();
+  const double leaves_at = first.scene.bodies().velocity[1].y();
 
   page.text(
       R"(Where C is positive there is still room: the row lets the gap close within the step and no further, b =

@@ -7,7 +7,7 @@
 #include "renderer/canvas.hpp"
 #include "solver/constraints/contact.hpp"
 #include "solver/constraints/friction.hpp"
-#include "solver/simulation.hpp"
+#include "solver/step.hpp"
 
 namespace byhand::contact {
 namespace {
@@ -97,11 +97,11 @@ void draw_corner(Canvas& canvas, const OnACorner& box, double speed, double mass
   canvas.look_at_page();
 }
 
-using Puck = Simulation<Scene<PlaneParticle, Contact, Friction>>;
+using Puck = Simulation<PlaneParticle>;
 
 /// A particle that slides on level ground: one contact, one row of friction.
 Puck puck(const Setting& setting, const GaussSeidel& solver) {
-  Scene<PlaneParticle, Contact, Friction> scene;
+  Scene<PlaneParticle> scene;
   const int ground = scene.add_body(Linear<PlaneParticle>(0, 0), fixed<PlaneParticle>());
   const int puck =
       scene.add_body(Linear<PlaneParticle>(0, 0), with_mass<PlaneParticle>(setting.mass()), {setting.speed(), 0});
@@ -144,7 +144,7 @@ Chart speeds(const Setting& setting) {
       simulation.step(setting.h);
       if (step % every != static_cast<int>(i) * every / 4) continue;
       curve.x.push_back(simulation.time);
-      curve.y.push_back(simulation.scene.bodies.velocity[1].x());
+      curve.y.push_back(simulation.scene.bodies().velocity[1].x());
     }
     chart.curves.push_back(std::move(curve));
   }
@@ -155,7 +155,7 @@ double stopping_distance(const Setting& setting, const GaussSeidel& solver) {
   Puck simulation = puck(setting, solver);
   while (simulation.time < 1.1 * setting.speed() / (setting.friction() * gravity) + 2 * setting.h())
     simulation.step(setting.h);
-  return simulation.scene.bodies.pose[1].position.x();
+  return simulation.scene.bodies().pose[1].position.x();
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ Pile pair(const RowSolver& solver, double ratio, double beta) {
 }
 
 /// Of the upper box, below where it began [m].
-double sunk(const Pile& pile) { return 1.5 - pile.scene.bodies.pose[2].position.y(); }
+double sunk(const Pile& pile) { return 1.5 - pile.scene.bodies().pose[2].position.y(); }
 
 /// The least and the largest of that in the last second of a run [m].
 std::pair<double, double> range_of_sinking(Pile pile, double h) {

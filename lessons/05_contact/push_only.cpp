@@ -70,7 +70,7 @@ void draw_stand(Canvas& canvas, const Stand& stand, const Rectangle& frame, doub
   pictures::draw(canvas, pictures::shapes_of(stand.box.scene()));
   const auto& contacts = stand.box.scene().all<Contact>();
   for (std::size_t i = 0; i < stand.box.lambda().size(); ++i) {
-    const Pose<PlaneBody>& pose = stand.box.scene().bodies.pose[contacts[i].at.body2];
+    const Pose<PlaneBody>& pose = stand.box.scene().bodies().pose[contacts[i].at.body2];
     const Point at =
         anchor<PlaneBody, double>(pose, in_world<PlaneBody, double>(pose, contacts[i].at.arms.second));
     if (stand.box.lambda()[i] > 0)

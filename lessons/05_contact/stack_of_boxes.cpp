@@ -90,7 +90,7 @@ std::vector<Velocity<PlaneBody>> nudged(int boxes, int sweeps, double h) {
   kick(pile.scene, 1e-4);
   pile.method.solver = sweeping(sweeps, true);
   pile.step(h);
-  return pile.scene.bodies.velocity;
+  return pile.scene.bodies().velocity;
 }
 
 double largest_difference(const std::vector<Velocity<PlaneBody>>& one,
@@ -264,8 +264,8 @@ void stack_of_boxes(const Setting& setting, Page& page) {
   while (standing.time < patience) standing.step(h);
   const double steps = std::round(standing.time / h);
   page.text(
-      R"(The direct solve (`solver/methods/active_set.cpp`) goes by the rows that press. It solves those exactly,
-      by lesson 3's elimination, for a column is a chain; lets go of what would pull, takes in what would sink, and
+      R"(The direct solve (`solver/direct/active_set.cpp`) goes by the rows that press. It solves those exactly, by
+      lesson 3's elimination, for a column is a chain; lets go of what would pull, takes in what would sink, and
       solves again, until there is nothing to change. So nothing is left over that could creep; and by its
       multiplications a step has cost as much as @ sweeps.)",
       Value(static_cast<double>(standing.work.row_solves) / standing.work.system.rows() / steps, 2));

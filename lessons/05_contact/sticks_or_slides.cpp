@@ -15,17 +15,17 @@ using namespace renderer;
 constexpr double seconds = 2;
 const Linear<PlaneBody> sides(0.8, 0.5);  // of the box [m]
 
-Simulation<Boxes> on_slope(const Setting& setting, double angle, double speed = 0) {
-  return {box_on_incline<Boxes>(angle, setting.friction(), speed, sides, setting.mass()),
+Simulation<PlaneBody> on_slope(const Setting& setting, double angle, double speed = 0) {
+  return {box_on_incline<PlaneBody>(angle, setting.friction(), speed, sides, setting.mass()),
           {GaussSeidel{.sweeps = 30, .tolerance = 1e-14}}};
 }
 
 /// How far the box has come along the slope [m].
-double slid(const Simulation<Boxes>& simulation, double angle) {
-  return simulation.scene.bodies.pose[1].position.dot(Linear<PlaneBody>(std::cos(angle), -std::sin(angle)));
+double slid(const Simulation<PlaneBody>& simulation, double angle) {
+  return simulation.scene.bodies().pose[1].position.dot(Linear<PlaneBody>(std::cos(angle), -std::sin(angle)));
 }
 
-double slid_after(Simulation<Boxes> simulation, double angle, double time, double h) {
+double slid_after(Simulation<PlaneBody> simulation, double angle, double time, double h) {
   while (simulation.time < time - 0.5 * h) simulation.step(h);
   return slid(simulation, angle);
 }
@@ -52,7 +52,7 @@ double measured_limit(const Setting& setting) {
 
 struct Slope {
   double angle;
-  Simulation<Boxes> box;
+  Simulation<PlaneBody> box;
 };
 
 void draw_slope(Canvas& canvas, const Slope& slope, const Rectangle& frame, const Rectangle& world, double weight,
@@ -70,7 +70,7 @@ void draw_slope(Canvas& canvas, const Slope& slope, const Rectangle& frame, cons
   if (slope.box.time > 0)
     pictures::draw(canvas, pictures::pushes(slope.box.scene, slope.box.work.system),
                    {palette::force, 0.9 / (weight * h), "mg"});
-  canvas.vector(slope.box.scene.bodies.pose[1].position, Point(0, -weight), {palette::muted, 0.9 / weight, "N"});
+  canvas.vector(slope.box.scene.bodies().pose[1].position, Point(0, -weight), {palette::muted, 0.9 / weight, "N"});
   canvas.clip({});
   canvas.look_at_page();
 }

@@ -47,7 +47,7 @@ void wall_of_boxes(const Setting& setting, Page& page) {
   const double h = setting.h();
   const ByGraph solver;
   Pile pile = wall(base, solver);
-  const auto top = pile.scene.bodies.pose.back().position;
+  const auto top = pile.scene.bodies().pose.back().position;
   while (pile.time < seconds - 0.5 * h) pile.step(h);
 
   page.text(
@@ -69,7 +69,7 @@ void wall_of_boxes(const Setting& setting, Page& page) {
               say(R"(@ boxes of 1 kg, @ s after a kick. Darker: carried by more; the darkest contact presses with @
                   N. Lines: what presses on what, as thick as the force.)",
                   boxes, seconds, Value(most, 3)),
-              [shapes = pictures::shapes_of(pile.scene), pose = pile.scene.bodies.pose, contacts, most,
+              [shapes = pictures::shapes_of(pile.scene), pose = pile.scene.bodies().pose, contacts, most,
                base](Canvas& canvas) mutable {
                 std::vector<double> load(pose.size(), 0.0);
                 for (const Pressed& contact : contacts) load[contact.body2] += contact.force;
@@ -114,7 +114,7 @@ void wall_of_boxes(const Setting& setting, Page& page) {
               .unit = "m",
               .expected = 0.004,
               .source = "4 mm: it stands",
-              .measured = (pile.scene.bodies.pose.back().position - top).norm(),
+              .measured = (pile.scene.bodies().pose.back().position - top).norm(),
               .tolerance = at_most(),
               .claimed = h <= 0.02,
               .range = "h ≤ 0.02 s"});

@@ -14,7 +14,7 @@ namespace {
 
 using namespace tutor;
 using namespace renderer;
-using Held = Simulation<Scene<PlaneBody, Pin>>;
+using Held = Simulation<PlaneBody>;
 
 constexpr double seconds = 1.7, watched = 5;  // of the film, of the drift [s]
 constexpr int shown_sweeps = 10;
@@ -104,7 +104,7 @@ struct Film {
           {.size = 22, .colour = palette::series(static_cast<int>(i)), .anchor = Anchor::left, .bold = true});
       canvas.look(fit({-1.3 * length, -1.45 * length, 2.6 * length, 1.7 * length}, below, 0));
       canvas.clip(below);
-      const Pose<PlaneBody>& pose = box.scene.bodies.pose[1];
+      const Pose<PlaneBody>& pose = box.scene.bodies().pose[1];
       const Point arm = in_world<PlaneBody, double>(pose, box.scene.all<Pin>()[0].at.arms.second);
       canvas.anchor({0, 0});
       canvas.rod(pose.position, pose.position + arm, {palette::body, {palette::ink, 1.4}}, 8);

@@ -16,7 +16,7 @@ namespace {
 using namespace tutor;
 using namespace renderer;
 using M = PlaneBody;
-using Held = Simulation<Scene<M, Pin, AngleLimit, AngleMotor>>;
+using Held = Simulation<M>;
 
 constexpr double seconds = 1.6, settles = 6;      // [s]
 constexpr double stop_at = pi / 3, enough = 0.6;  // below level [rad]; a motor that can hold [mgl]
@@ -25,12 +25,12 @@ constexpr double stop_at = pi / 3, enough = 0.6;  // below level [rad]; a motor 
 Held arm(const Setting& setting, double below) {
   const auto rod = hinged_rod(pi / 2 - below, setting.length, setting.mass);
   Held arm{{}, exactly()};
-  arm.scene.bodies = rod.bodies;
+  arm.scene.bodies() = rod.bodies();
   arm.scene.add(rod.all<Pin>()[0]);
   return arm;
 }
 
-Turn<M> turn_of(const Held& arm) { return turn<M>(arm.scene.bodies, 0, 1); }
+Turn<M> turn_of(const Held& arm) { return turn<M>(arm.scene.bodies(), 0, 1); }
 
 double weight_moment(const Setting& setting) { return setting.mass() * gravity * setting.length(); }
 
@@ -49,7 +49,7 @@ Held stopped(const Setting& setting) {
 
 /// Below level [rad].
 double below_level(const Held& arm) {
-  const auto& rotation = arm.scene.bodies.pose[1].rotation;
+  const auto& rotation = arm.scene.bodies().pose[1].rotation;
   return std::atan2(rotation.cos, rotation.sin);
 }
 
@@ -92,7 +92,7 @@ struct Film {
       canvas.look(fit({-0.75 * length, -1.1 * length, 1.9 * length, 1.5 * length}, below, 4));
       if (i == 0) draw_stop(canvas, {0, 0}, -stop_at, length);
       canvas.anchor({0, 0}, {0, -1});
-      draw_bar(canvas, {{0, 0}, 2 * arm.scene.bodies.pose[1].position});
+      draw_bar(canvas, {{0, 0}, 2 * arm.scene.bodies().pose[1].position});
       canvas.hinge({0, 0});
       const double given = std::min(moment(arm, setting), 1.0), phi = -below_level(arm),
                    aside = given > 0 ? -0.12 : 0.12;

@@ -14,7 +14,7 @@ namespace {
 using namespace tutor;
 using namespace renderer;
 using M = PlaneParticle;
-using Rods = Simulation<Scene<M, NormalisedDistance>>;
+using Rods = Simulation<M>;
 
 constexpr double watched = 10;              // [s]
 constexpr double share = 0.01, give = 0.1;  // of each row's A: what the regularisation and the softness add
@@ -53,7 +53,7 @@ Curve over_time(const Cure& cure, const Setting& setting) {
 void draw_rods(Canvas& canvas, const Rods& rods, double length, double gap, const Rectangle& frame) {
   const double apart = 0.09 * length;  // the rods are one line; drawn side by side they can be told apart
   canvas.look(fit({-0.6 * length, -1.3 * (length + gap), 1.2 * length, 1.45 * (length + gap)}, frame, 6));
-  const Point bob = rods.scene.bodies.pose[1].position;
+  const Point bob = rods.scene.bodies().pose[1].position;
   canvas.anchor({0, 0});
   for (const auto& [side, colour] : {std::pair{-1, palette::constraint}, std::pair{1, palette::series(1)}}) {
     const Point off(side * apart, 0);
@@ -218,7 +218,7 @@ void conflicting_rods(const Setting& setting, Page& page) {
               .unit = "m",
               .expected = 0,
               .source = "the last row of a sweep is always content",
-              .measured = end.scene.bodies.pose[1].position.norm() - (length + gap),
+              .measured = end.scene.bodies().pose[1].position.norm() - (length + gap),
               .tolerance = absolute(1e-9 * length + 2 * gap * std::pow(1 - beta, steps)),
               .claimed = beta > 0.02,
               .range = "β > 0.02"});

@@ -14,7 +14,7 @@ namespace {
 
 using namespace tutor;
 using namespace renderer;
-using Machine = Simulation<Scene<PlaneBody, Pin, Slider, AngleMotor>>;
+using Machine = Simulation<PlaneBody>;
 
 constexpr double turns = 1.5;  // of the crank, watched
 constexpr double start = 0.3;  // of the crank [rad]
@@ -64,11 +64,11 @@ Run run_of(const SliderCrankOptions& options, double h) {
   const double end = turns * 2 * pi / options.speed;
   advance_to(machine, end, h, [&] {
     const double angle = options.angle + options.speed * machine.time;
-    const double x = machine.scene.bodies.pose[piston].position.x();
+    const double x = machine.scene.bodies().pose[piston].position.x();
     const auto& system = machine.work.system;
     const double moment = system.lambda[system.row_of[motor_row]] / h;
     run.position_off = std::max(run.position_off, std::abs(x - exact.position(angle)));
-    run.speed_off = std::max(run.speed_off, std::abs(machine.scene.bodies.velocity[crank][2] - options.speed));
+    run.speed_off = std::max(run.speed_off, std::abs(machine.scene.bodies().velocity[crank][2] - options.speed));
     // An impulse changes V from the middle of the last step to that of this one. The first steps still take up
     // that nothing has drifted yet, while later ones always correct a little.
     if (machine.time > 10 * h)
@@ -91,7 +91,7 @@ struct Film {
     advance_to(machine, time, h);
     const auto [upper, lower] = canvas.page().inset(14).split_rows(0.46, 8);
     const double r = options.crank, l = options.rod;
-    const auto& pose = machine.scene.bodies.pose;
+    const auto& pose = machine.scene.bodies().pose;
     canvas.look(fit({-1.3 * r, -1.3 * r, l + 3.1 * r, 2.6 * r}, upper, 4));
     canvas.clip(upper);
     draw_rail(canvas, {l, -0.36 * r}, 0, 1.5 * r);

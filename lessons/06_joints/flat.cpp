@@ -59,7 +59,7 @@ double parting_speed(const Setting& setting, double share) {
   const Eigen::MatrixXd J = dense_jacobian(linkage.scene);
   linkage.step(setting.h);
   Eigen::VectorXd V(J.cols());
-  for (int body = 1; body <= 3; ++body) V.segment<3>(3 * (body - 1)) = linkage.scene.bodies.velocity[body];
+  for (int body = 1; body <= 3; ++body) V.segment<3>(3 * (body - 1)) = linkage.scene.bodies().velocity[body];
   return (J * V).cwiseAbs().maxCoeff();
 }
 
@@ -70,7 +70,7 @@ FourBar sent_off(const Setting& setting, double speed, double ratio) {
   FourBar linkage{four_bar(bars), exactly(shown_share)};
   linkage.scene.gravity.setZero();
   const double left = bars.arm * speed * ratio, right = bars.arm * speed;  // of the arms' free ends, upwards
-  auto& V = linkage.scene.bodies.velocity;
+  auto& V = linkage.scene.bodies().velocity;
   V[1] = {0, left / 2, speed * ratio};
   V[2] = {0, right / 2, speed};
   V[3] = {0, (left + right) / 2, (right - left) / bars.coupler};
@@ -103,11 +103,11 @@ struct Way {
 /// Its kinetic energy over that at the start, over time.
 Curve energy_of(const Way& way, double h) {
   FourBar linkage = way.linkage;
-  const double before = kinetic_energy(linkage.scene.bodies);
+  const double before = kinetic_energy(linkage.scene.bodies());
   Curve curve{.label = way.name, .x = {0}, .y = {1}};
   advance_to(linkage, seconds, h, [&] {
     curve.x.push_back(linkage.time);
-    curve.y.push_back(kinetic_energy(linkage.scene.bodies) / before);
+    curve.y.push_back(kinetic_energy(linkage.scene.bodies()) / before);
   });
   return curve;
 }
@@ -125,8 +125,8 @@ struct Film {
     for (std::size_t i = 0; i < ways.size(); ++i) {
       FourBar& linkage = ways[i].linkage;
       std::vector<Point>& trail = ways[i].trail;
-      if (trail.empty()) trail.push_back(linkage.scene.bodies.pose[3].position);
-      advance_to(linkage, time, h, [&] { trail.push_back(linkage.scene.bodies.pose[3].position); });
+      if (trail.empty()) trail.push_back(linkage.scene.bodies().pose[3].position);
+      advance_to(linkage, time, h, [&] { trail.push_back(linkage.scene.bodies().pose[3].position); });
       canvas.text({cells[i].centre().x(), cells[i].top() - 14}, ways[i].name,
                   {.size = 22, .colour = palette::series(static_cast<int>(i)), .bold = true});
       const Rectangle below{cells[i].x, cells[i].y, cells[i].width, cells[i].height - 32};

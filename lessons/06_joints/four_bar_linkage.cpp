@@ -35,7 +35,7 @@ Swing swing_of(const FourBarOptions& bars, const SimplePendulum& pendulum, doubl
   double last = bars.angle;
   advance_to(linkage, measured_for, h, [&] {
     const double now = arm_angle(linkage);
-    const auto& coupler = linkage.scene.bodies.pose[3].rotation;
+    const auto& coupler = linkage.scene.bodies().pose[3].rotation;
     swing.off = std::max(swing.off, std::abs(now - pendulum.angle(linkage.time + h / 2)));
     swing.tilt = std::max(swing.tilt, std::abs(std::atan2(coupler.sin, coupler.cos)));
     if (last * now < 0) crossings.push_back(linkage.time - h * now / (now - last));

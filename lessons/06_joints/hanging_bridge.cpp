@@ -6,14 +6,14 @@
 #include "lessons/06_joints/steps.hpp"
 #include "lessons/pictures/rods_and_bobs.hpp"
 #include "lessons/scenes/bridge.hpp"
-#include "solver/simulation.hpp"
+#include "solver/step.hpp"
 
 namespace byhand::joints {
 namespace {
 
 using namespace tutor;
 using namespace renderer;
-using Bridge = Simulation<Scene<PlaneBody, Pin>>;
+using Bridge = Simulation<PlaneBody>;
 
 constexpr int planks = 10;
 
@@ -24,7 +24,7 @@ Bridge at_rest(const Setting& setting) {
   const int steps = static_cast<int>(60 / setting.h);
   for (int i = 0; i < steps; ++i) {
     bridge_now.step(setting.h);
-    for (auto& V : bridge_now.scene.bodies.velocity) V *= 1 - 3 * setting.h;
+    for (auto& V : bridge_now.scene.bodies().velocity) V *= 1 - 3 * setting.h;
   }
   return bridge_now;
 }
@@ -70,10 +70,10 @@ void hanging_bridge(const Setting& setting, Page& page) {
     worst_level = std::max(worst_level, std::abs(given.x() + pull) / weight);
     const auto& at = scene.all<Pin>()[i].at;
     const int body = i < planks ? at.body2 : at.body1;
-    const Bar bar = bar_of(scene.bodies.pose[body], setting.length);
+    const Bar bar = bar_of(scene.bodies().pose[body], setting.length);
     arrows.emplace_back(i < planks ? bar.from : bar.to, given);
     if (i == 0) continue;
-    const auto& turn = scene.bodies.pose[i].rotation;
+    const auto& turn = scene.bodies().pose[i].rotation;
     worst_slope = std::max(worst_slope, std::abs(turn.sin / turn.cos - (i - 0.5 * (planks + 1)) * plank / pull));
   }
   Chart chart{

@@ -29,7 +29,7 @@ Track track_of(Simulation<S> simulation, const Setting& setting, double seconds)
   const double h = setting.h / finer, weight = setting.mass() * gravity * h;
   Track track;
   advance_to(simulation, seconds, h, [&] {
-    const Point at = simulation.scene.bodies.pose[1].position;
+    const Point at = simulation.scene.bodies().pose[1].position;
     const double lambda = simulation.work.system.lambda[0];
     track.time.push_back(simulation.time);
     // The first steps take up that the throw is along the tangent.
@@ -42,9 +42,9 @@ Track track_of(Simulation<S> simulation, const Setting& setting, double seconds)
 
 /// A bob at the lowest point with the speed that would take it just to the top.
 template <template <class> class Holder>
-Simulation<Scene<M, Holder>> thrown(const Setting& setting, double speed) {
+Simulation<M> thrown(const Setting& setting, double speed) {
   const double length = setting.length();
-  Simulation<Scene<M, Holder>> simulation{{}, {.solver = Direct{}, .drift = Baumgarte{setting.beta}}};
+  Simulation<M> simulation{{}, {.solver = Direct{}, .drift = Baumgarte{setting.beta}}};
   auto& scene = simulation.scene;
   scene.add_body(Linear<M>(0, 0), fixed<M>());
   scene.add_body(Linear<M>(0, -length), with_mass<M>(setting.mass), Linear<M>(speed, 0));

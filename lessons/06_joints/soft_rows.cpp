@@ -13,7 +13,7 @@ namespace {
 using namespace tutor;
 using namespace renderer;
 using M = PlaneParticle;
-using Hanging = Simulation<Scene<M, Spring, NormalisedDistance>>;
+using Hanging = Simulation<M>;
 
 /// A bob on a spring that is tuned to it by frequency [rad/s] and damping ratio, and below it, on a rod, a load of
 /// `load` bobs' weight if that is not zero.
@@ -24,7 +24,7 @@ Hanging on_spring(const Setting& setting, double frequency, double damping_ratio
   scene.add_body(Linear<M>(0, 0), fixed<M>());
   scene.add_body(Linear<M>(0, -length), with_mass<M>(mass));
   Spring<M> spring{{0, 1}, length};
-  spring.elastic = tuned(scene.bodies, spring, frequency, damping_ratio);
+  spring.elastic = tuned(scene.bodies(), spring, frequency, damping_ratio);
   scene.add(spring);
   if (load > 0) {
     scene.add_body(Linear<M>(0, -2 * length), with_mass<M>(load * mass));
@@ -34,7 +34,7 @@ Hanging on_spring(const Setting& setting, double frequency, double damping_ratio
 }
 
 double stretch(const Hanging& hanging, double length) {
-  return hanging.scene.bodies.pose[1].position.norm() - length;
+  return hanging.scene.bodies().pose[1].position.norm() - length;
 }
 
 /// How far it hangs out once it has come to rest [m].
@@ -93,13 +93,13 @@ void soft_rows(const Setting& setting, Page& page) {
     Hanging hanging = on_spring(setting, turn / h, 0, 0);
     hanging.scene.gravity.setZero();
     const double begin = 0.05 * length, k = hanging.scene.all<Spring>()[0].elastic.stiffness;
-    hanging.scene.bodies.pose[1].position.y() = -length - begin;
+    hanging.scene.state().pose[1].position.y() = -length - begin;
     Curve curve{.label = say("ωh = @", turn), .x = {0}, .y = {1}};
     double energy = 0.5 * k * begin * begin;
     for (int i = 1; i <= 100; ++i) {
       hanging.step(h);
       const double C = stretch(hanging, length),
-                   now = 0.5 * k * C * C + 0.5 * setting.mass() * hanging.scene.bodies.velocity[1].squaredNorm();
+                   now = 0.5 * k * C * C + 0.5 * setting.mass() * hanging.scene.bodies().velocity[1].squaredNorm();
       worst = std::max(worst, now / energy);
       energy = std::max(now, 1e-12);
       curve.x.push_back(i);

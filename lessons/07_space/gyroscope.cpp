@@ -5,7 +5,7 @@
 #include "lessons/07_space/steps.hpp"
 #include "lessons/pictures/space_scene.hpp"
 #include "lessons/scenes/top.hpp"
-#include "solver/simulation.hpp"
+#include "solver/step.hpp"
 
 namespace byhand::space {
 namespace {
@@ -33,13 +33,13 @@ struct Run {
   std::vector<Point3> place;          // of the wheel [m]
 };
 Run let_go(const Setting& setting, Gyroscopic choice, double precession) {
-  Simulation<Scene<SpaceBody, Pin>> top{spinning_top(gyroscope_of(setting.mass), level, precession),
+  Simulation<SpaceBody> top{spinning_top(gyroscope_of(setting.mass), level, precession),
                                         {Direct{}, Baumgarte{0.2}}};
   top.method.gyroscopic = choice;
   const double h = setting.h / 64;
   Run run;
   double azimuth = 0;
-  Point3 x = top.scene.bodies.pose[1].position;
+  Point3 x = top.scene.bodies().pose[1].position;
   for (int i = 0; top.time < seconds; ++i) {
     if (i % 64 == 0) {
       run.time.push_back(top.time);
@@ -47,7 +47,7 @@ Run let_go(const Setting& setting, Gyroscopic choice, double precession) {
       run.place.push_back(x);
     }
     top.step(h);
-    const Point3 next = top.scene.bodies.pose[1].position;
+    const Point3 next = top.scene.bodies().pose[1].position;
     azimuth += std::atan2(x.z() * next.x() - x.x() * next.z(), x.x() * next.x() + x.z() * next.z());
     x = next;
   }

@@ -15,7 +15,7 @@ namespace {
 using namespace tutor;
 using namespace renderer;
 using M = SpaceBody;
-using Loose = Scene<M, Contact, Friction>;
+using Loose = Scene<M>;
 
 constexpr double film_seconds = 3, patience = 30, slop = 1e-3;  // [s], [s], [m]
 
@@ -27,7 +27,7 @@ Simulation<Loose> on_the_ground(const Setting& setting, const Pose<M>& pose, con
   const Surface surface{.friction = setting.friction, .restitution = restitution};
   add_ground(loose.scene, surface);
   const int book = add_box(loose.scene, pose, setting.mass, Linear<M>(book_sides()), surface);
-  loose.scene.bodies.velocity[book] = velocity;
+  loose.scene.state().velocity[book] = velocity;
   return loose;
 }
 
@@ -57,7 +57,7 @@ Stop slid(const Setting& setting, double speed, double spin) {
   V[0] = speed;
   V[4] = spin;
   auto book = on_the_ground(setting, lying(), V);
-  const auto& bodies = book.scene.bodies;
+  const auto& bodies = book.scene.bodies();
   while (bodies.velocity[1].norm() > 1e-3 && book.time < 30) book.step(setting.h);
   return {bodies.pose[1].position.x(), book.time};
 }
@@ -99,7 +99,7 @@ struct Tumble {
 Tumble tumble(const Setting& setting) {
   Tumble tumble;
   auto book = tumbling(setting);
-  const auto& bodies = book.scene.bodies;
+  const auto& bodies = book.scene.bodies();
   Curve total;
   double still = 0;  // for how long it has not moved [s]
   for (const double h = setting.h; book.time <= film_seconds || (still < 1 && book.time < patience);

@@ -61,7 +61,7 @@ Film film_of(const Setting& setting, const SphericalPendulum& exact) {
   Bob bob = set_out(setting);
   for (const double h = setting.h; bob.time <= seconds + 1e-9; bob.step(h)) {
     film.time.push_back(bob.time);
-    film.place.push_back(bob.scene.bodies.pose[1].position);
+    film.place.push_back(bob.scene.bodies().pose[1].position);
     run.x.push_back(bob.time);
     run.y.push_back(degrees(from_down(bob)));
   }
@@ -128,7 +128,7 @@ void nutation(const Setting& setting, Page& page) {
 
   Bob bob = set_out(setting);
   while (bob.time < seconds) bob.step(h);
-  const double kept = angular_momentum(bob.scene.bodies)[1], given = pendulum.angular_momentum(mass);
+  const double kept = angular_momentum(bob.scene.bodies())[1], given = pendulum.angular_momentum(mass);
   page.choose(
       {.ask = "The run errs in its angle and in its energy. And in its angular momentum about the vertical?",
        .options = {{"not at all, to rounding",

@@ -6,7 +6,7 @@
 #include "lessons/pictures/rods_and_bobs.hpp"
 #include "lessons/pictures/space_scene.hpp"
 #include "lessons/scenes/pendulum.hpp"
-#include "solver/simulation.hpp"
+#include "solver/step.hpp"
 
 namespace byhand::space {
 namespace {
@@ -48,7 +48,7 @@ Chart how_many() {
 
 /// One line for all models.
 template <class M>
-Simulation<Scene<M, Pin>> swinging(const Setting& setting) {
+Simulation<M> swinging(const Setting& setting) {
   return {hinged_rod<M>(radians(setting.angle), setting.length, setting.mass), {Direct{}, Baumgarte{0.2}}};
 }
 
@@ -65,8 +65,8 @@ Twins twins(const Setting& setting) {
   Twins twins;
   const auto every = std::max(1L, std::lround(0.1 / h));
   for (long i = 0; i * h <= seconds; ++i) {
-    const Point x = plane.scene.bodies.pose[1].position;
-    const Point3 y = space.scene.bodies.pose[1].position;
+    const Point x = plane.scene.bodies().pose[1].position;
+    const Point3 y = space.scene.bodies().pose[1].position;
     twins.apart = std::max(twins.apart, (Point3(x.x(), x.y(), 0) - y).norm());
     if (i % every == 0 && i * h < 0.75) {
       twins.plane.push_back(x);

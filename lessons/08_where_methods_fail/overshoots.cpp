@@ -32,7 +32,7 @@ double beta_that_rings(int links, int sweeps) {
       0.5 * law, std::min(1.6 * law, 2.3), 0.002);
 }
 
-using Chain = Scene<PlaneParticle, NormalisedDistance>;
+using Chain = Scene<PlaneParticle>;
 
 Film<Chain> film(int links, int sweeps, double beta) {
   const auto hanging = [&](std::string name, const VelocityStepping& method) {

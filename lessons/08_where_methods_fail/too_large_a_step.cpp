@@ -29,7 +29,7 @@ double heaviest_measured(double rate) {
       0.5 * law, 2 * law, 0.002);
 }
 
-using Chain = Scene<PlaneParticle, NormalisedDistance>;
+using Chain = Scene<PlaneParticle>;
 
 Film<Chain> film(double end_mass, int sweeps) {
   const TautChain chain;

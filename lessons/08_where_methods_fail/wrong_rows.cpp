@@ -56,7 +56,7 @@ renderer::Chart over_time(double conflict, const std::vector<double>& shares) {
   return chart;
 }
 
-using Circle = Scene<PlaneParticle, NormalisedDistance>;
+using Circle = Scene<PlaneParticle>;
 
 constexpr double radius = 1, speed = 5, step = 1.0 / 60;  // of what goes round [m], [m/s]; [s]
 
@@ -81,7 +81,7 @@ Film<Circle> rounds() {
        .view = {-1.2 * radius, -1.2 * radius, 2.4 * radius, 2.4 * radius},
        .seconds = filmed,
        .gauge = {.label = "speed (m/s)", .range = {{0, 1.2 * speed}}},
-       .read = [](const Circle& scene) { return scene.bodies.velocity[1].norm(); },
+       .read = [](const Circle& scene) { return scene.bodies().velocity[1].norm(); },
        .laws = {law},
        .failed = [](const Circle&) { return false; },
        .failure = "stops",

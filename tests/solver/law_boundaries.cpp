@@ -12,7 +12,7 @@
 #include "lessons/08_where_methods_fail/laws/sweeps.hpp"
 #include "lessons/08_where_methods_fail/laws/transverse.hpp"
 #include "lessons/08_where_methods_fail/laws/warm_start.hpp"
-#include "solver/methods/gauss_seidel.hpp"
+#include "solver/gauss_seidel.hpp"
 
 // Each law of solver/laws: where it says, on both sides of that, and where its experiment finds it.
 namespace {

@@ -9,7 +9,7 @@ namespace {
 
 using namespace byhand;
 using M = SpaceBody;
-using Points = Scene<M, Contact, Friction>;
+using Points = Scene<M>;
 constexpr double h = 1.0 / 60;
 
 TEST(PilesInSpace, HaveNoNumberThatIsNoneAndComeToRest) {
@@ -20,9 +20,9 @@ TEST(PilesInSpace, HaveNoNumberThatIsNoneAndComeToRest) {
       simulation.method.gyroscopic = Gyroscopic::implicit;
       const double first = energy(simulation.scene);
       run(simulation, 1.5, h, [&] {
-        for (int i = 0; i < simulation.scene.bodies.size(); ++i) {
-          ASSERT_TRUE(simulation.scene.bodies.velocity[i].allFinite()) << "seed " << seed;
-          ASSERT_TRUE(simulation.scene.bodies.pose[i].position.allFinite()) << "seed " << seed;
+        for (int i = 0; i < simulation.scene.bodies().size(); ++i) {
+          ASSERT_TRUE(simulation.scene.bodies().velocity[i].allFinite()) << "seed " << seed;
+          ASSERT_TRUE(simulation.scene.bodies().pose[i].position.allFinite()) << "seed " << seed;
         }
         // The correction's share: what overlaps at first is pushed out at 3 m/s at most.
         ASSERT_LE(energy(simulation.scene), 1.5 * first) << "seed " << seed;
@@ -40,7 +40,7 @@ TEST(PilesInSpace, KeepEveryImpulseWithinItsBound) {
       for (const double lambda : system.lambda) ASSERT_TRUE(std::isfinite(lambda));
       for (const auto& contact : std::get<block_type<M, 1, Bound::interval>()>(system.blocks))
         EXPECT_GE(system.lambda[contact.row], 0);
-      for (const auto& friction : std::get<block_type<M, 2, Bound::ball>()>(system.blocks)) {
+      for (const auto& friction : std::get<block_type<M, 2, Bound::friction>()>(system.blocks)) {
         const double rubbing = std::hypot(system.lambda[friction.row], system.lambda[friction.row + 1]);
         EXPECT_LE(rubbing, 0.6 * system.lambda[friction.leader] + 1e-9);
       }
