@@ -89,11 +89,9 @@ renderer::Chart gains(const Settings& set) {
 void two_forms(tutor::Page& page, const Settings& set) {
   const double length = set.length;
   page.text(
-      "You could have begun with |d| − L, an error in metres. Its gradient is n = d/|d|: (14) divided by the "
-      "length of "
-      "d. Which one is right? Both. Let a bob fly outwards and let (17) stop it at the end of its rod, once with "
-      "each "
-      "row (lesson 2 is about that formula):");
+      R"(You could have begun with |d| − L, an error in metres. Its gradient is n = d/|d|: (14) divided by the
+      length of d. Which one is right? Both. Let a bob fly outwards and let (17) stop it at the end of its rod,
+      once with each row (lesson 2 is about that formula):)");
   const auto at = pendulum<M>(0.6, length, set.mass);
   const Pose<M>&anchor = at.bodies().pose[0], &bob = at.bodies().pose[1];
   const InverseMass<M>&m1 = at.bodies().inverse_mass[0], &m2 = at.bodies().inverse_mass[1];
@@ -110,19 +108,18 @@ void two_forms(tutor::Page& page, const Settings& set) {
   const Impulse squared = stop(Distance<M>{{0, 1}, length}.jacobian(anchor, bob));
   const Impulse normalised = stop(NormalisedDistance<M>{{0, 1}, length}.jacobian(anchor, bob));
   page.text(
-      "- from (2): λ = @ N·s/m, the impulse λJᵀ on the bob is @ N·s\n- from |d| − L: λ = @ N·s, the impulse is @ "
-      "N·s",
+      R"(
+      - from (2): λ = @ N·s/m, the impulse λJᵀ on the bob is @ N·s
+      - from |d| − L: λ = @ N·s, the impulse is @ N·s)",
       squared.lambda, vector(squared.on_bob), normalised.lambda, vector(normalised.on_bob));
   page.text(
-      "The same blow. λ differs by the factor |d| and carries another unit, N·s/m, so never compare λ across the "
-      "two "
-      "forms, and never bound one with the other's limit.\n\nThe trouble begins when C is needed too. A cure for "
-      "drift "
-      "(lesson 4) asks for JV = −(β/h)C: a share β of the error, each step. Take C and J of one and the same form "
-      "and "
-      "each removes nearly that share. Take C from (2) and J from |d| − L, as it is easily done when the "
-      "article's "
-      "C meets a normalised row, and the share becomes β·L: it depends on the unit in which you measure!");
+      R"(The same blow. λ differs by the factor |d| and carries another unit, N·s/m, so never compare λ across the
+      two forms, and never bound one with the other's limit.
+
+      The trouble begins when C is needed too. A cure for drift (lesson 4) asks for JV = −(β/h)C: a share β of the
+      error, each step. Take C and J of one and the same form and each removes nearly that share. Take C from (2)
+      and J from |d| − L, as it is easily done when the article's C meets a normalised row, and the share becomes
+      β·L: it depends on the unit in which you measure!)");
   page.excerpt("lessons/01_jacobian/two_forms.cpp", "mixed");
   page.figure(
       "gains",
@@ -130,9 +127,8 @@ void two_forms(tutor::Page& page, const Settings& set) {
       gains(set));
   const double diverges = 2 / set.beta;
   page.text(
-      "On a rod of 1 m you would never notice. At β = @ the mixed rod overshoots from L = @ m on and diverges "
-      "from "
-      "about @ m on. This is why no scene of this course has L = 1 m.",
+      R"(On a rod of 1 m you would never notice. At β = @ the mixed rod overshoots from L = @ m on and diverges
+      from about @ m on. This is why no scene of this course has L = 1 m.)",
       set.beta, 1 / set.beta, diverges);
 
   const auto own = stretches<Distance>(10, set.mass, 0.2, set.h, 20),

@@ -42,10 +42,10 @@ void hanging_bridge(const Setting& setting, Page& page) {
   const Bridge bridge_now = at_rest(setting);
   const double plank = setting.mass() * gravity, weight = planks * plank, pull = -force(bridge_now, 0).x();
   page.text(
-      "@ planks of @ m and @ kg, pinned end to end between two anchors: @ rows in a path, which the direct solve "
-      "takes at one go. At rest two things can be said of it without a computer. Each anchor carries half the "
-      "weight; and the level part of the pull, H, is the same in every pin, for nothing else pulls sideways. So a "
-      "plank slopes as the weight between its middle and the lowest point of the bridge, over H:",
+      R"(@ planks of @ m and @ kg, pinned end to end between two anchors: @ rows in a path, which the direct solve
+      takes at one go. At rest two things can be said of it without a computer. Each anchor carries half the
+      weight; and the level part of the pull, H, is the same in every pin, for nothing else pulls sideways. So a
+      plank slopes as the weight between its middle and the lowest point of the bridge, over H:)",
       planks, setting.length, setting.mass, 2 * (planks + 1));
   page.formula(
       "tan θᵢ = (i − (n + 1)/2) w/H,   w = @ N, H = @ N",
@@ -79,8 +79,8 @@ void hanging_bridge(const Setting& setting, Page& page) {
   Chart chart{
       .x = {.label = "pin (1)"}, .y = {.label = "force (weight of the bridge)"}, .curves = {level, upright, law}};
   page.figure("bridge",
-              "The bridge at rest; arrows: what each pin gives to what is on its right (the last one: to the "
-              "anchor). Below: their level part, the same in all, and their upright part, the weight beyond.",
+              R"(The bridge at rest; arrows: what each pin gives to what is on its right (the last one: to the
+              anchor). Below: their level part, the same in all, and their upright part, the weight beyond.)",
               [=](Canvas& canvas) {
                 const auto [upper, lower] = canvas.page().inset(16).split_rows(0.48, 10);
                 const double span = planks * setting.length();
@@ -92,9 +92,9 @@ void hanging_bridge(const Setting& setting, Page& page) {
                 draw(canvas, chart, lower);
               });
   page.text(
-      "The flatter the bridge, the larger H: an anchor of this one carries @ N, @ of the whole weight, and a "
-      "level one would have to pull without end. That is why this one is laid in an arc; and its tension, all "
-      "along the chain, is what makes bridges a hard case for sweeps (lesson 3).",
+      R"(The flatter the bridge, the larger H: an anchor of this one carries @ N, @ of the whole weight, and a
+      level one would have to pull without end. That is why this one is laid in an arc; and its tension, all along
+      the chain, is what makes bridges a hard case for sweeps (lesson 3).)",
       Value(force(bridge_now, 0).norm(), 4), Value(force(bridge_now, 0).norm() / weight, 3));
   const std::string source = "statics: the weight beyond the pin";
   page.claim({.quantity = "upright force of each pin, largest difference over the weight",

@@ -60,8 +60,8 @@ void ropes(const Setting& setting, Page& page) {
   const Track rope = track_of(thrown<Rope>(setting, speed), setting, seconds),
               rod = track_of(thrown<NormalisedDistance>(setting, speed), setting, seconds);
   page.text(
-      "A rope is a rod that can only pull: the same J, and λ ≥ 0 for its tension. Take a bob of @ kg on @ m, at "
-      "the lowest point, and throw it at √(4gL) = @ m/s. That is just enough for a rod to carry it to the top.",
+      R"(A rope is a rod that can only pull: the same J, and λ ≥ 0 for its tension. Take a bob of @ kg on @ m, at
+      the lowest point, and throw it at √(4gL) = @ m/s. That is just enough for a rod to carry it to the top.)",
       setting.mass, setting.length, Value(speed, 3));
   page.predict({.ask = "At which angle from straight down does the rope go slack, in degrees?",
                 .answer = degrees(std::acos(rope.let_go)),
@@ -79,8 +79,8 @@ void ropes(const Setting& setting, Page& page) {
     for (double& pull : curve.y)
       if (pull > 6.5) pull = NAN;
   page.figure("rope_and_rod",
-              "The same throw on a rope and on a rod. The rope's bob leaves the circle and flies a parabola until "
-              "it is caught; the rod pushes it on.",
+              R"(The same throw on a rope and on a rod. The rope's bob leaves the circle and flies a parabola until
+              it is caught; the rod pushes it on.)",
               [=](Canvas& canvas) {
                 const auto [left, right] = canvas.page().inset(16).split_columns(0.5, 20);
                 canvas.look(fit({-1.2 * length, -1.2 * length, 2.4 * length, 2.4 * length}, left, 10));
@@ -99,9 +99,9 @@ void ropes(const Setting& setting, Page& page) {
                 draw(canvas, chart, right.inset(0, 60));
               });
   page.text(
-      "Nothing switches here. While the rope is shorter than its length the row lets it close the gap within the "
-      "step and no more, JV ≥ −C/h, and (17) would need a negative λ to do so: it is clamped to zero and the bob "
-      "flies. When it would overshoot, the same row catches it.");
+      R"(Nothing switches here. While the rope is shorter than its length the row lets it close the gap within the
+      step and no more, JV ≥ −C/h, and (17) would need a negative λ to do so: it is clamped to zero and the bob
+      flies. When it would overshoot, the same row catches it.)");
   page.claim({.quantity = "cos θ where the rope goes slack",
               .unit = "1",
               .expected = -2.0 / 3,

@@ -97,13 +97,13 @@ void gyroscope(const Setting& setting, Page& page) {
             without = let_go(setting, Gyroscopic::none, as_ball);
 
   page.text(
-      "Now let gravity pull on a spinning body: a thin wheel of @ kg on an axle, spinning at @ rad/s, its other "
-      "end on a ball joint on a post, three rows. Its weight has an arm of @ m about the post. It is set going "
-      "round at just the rate that lasts; let go from rest it would nod a little as well.",
+      R"(Now let gravity pull on a spinning body: a thin wheel of @ kg on an axle, spinning at @ rad/s, its other
+      end on a ball joint on a post, three rows. Its weight has an arm of @ m about the post. It is set going round
+      at just the rate that lasts; let go from rest it would nod a little as well.)",
       setting.mass, rate, arm);
   page.predict(
-      {.ask = say("The wheel's Iω is mR²ω = @ kg m²/s along the axle, and the weight's moment is mga = @ N m. By "
-                  "how many rad/s does the axle go round?",
+      {.ask = say(R"(The wheel's Iω is mR²ω = @ kg m²/s along the axle, and the weight's moment is mga = @ N m. By
+                  how many rad/s does the axle go round?)",
                   top.moment_along * rate, top.mass * gravity * arm),
        .answer = exact,
        .unit = "rad/s",
@@ -131,14 +131,14 @@ void gyroscope(const Setting& setting, Page& page) {
   curve("implicit", run, exact);
   curve("left out", without, as_ball);
   page.figure("gyroscope",
-              say("The gyroscope over @ s, from pale to dark: it does not fall, it goes round. Right: how far, "
-                  "with the term and without. Dashed: the wheel's rate, and that of a ball.",
+              say(R"(The gyroscope over @ s, from pale to dark: it does not fall, it goes round. Right: how far,
+                  with the term and without. Dashed: the wheel's rate, and that of a ball.)",
                   seconds),
               [=](Canvas& canvas) { draw_run(canvas, run, chart); });
   page.text(
-      "With the gyroscopic term left out it goes round too, and it looks right; but at @ times the rate. The "
-      "solver then treats the wheel as a ball, all of whose moments are ½mR². Nothing in the picture tells you; a "
-      "number does.",
+      R"(With the gyroscopic term left out it goes round too, and it looks right; but at @ times the rate. The
+      solver then treats the wheel as a ball, all of whose moments are ½mR². Nothing in the picture tells you; a
+      number does.)",
       mean_rate(without) / mean_rate(run));
 
   const double turned = rate * setting.h / 64;

@@ -16,6 +16,14 @@ namespace byhand::tutor {
 /// Words may use *emphasis*, **strong** and `code`; a blank line starts a new paragraph, lines that begin
 /// with "- " are a list. Each `@` is replaced by the next value (see Value). Greek, dots and superscripts are
 /// written as they are: "JM⁻¹Jᵀ".
+///
+/// All prose (texts, captions, questions with their replies, the closing of a lesson) may be written over several
+/// lines of the source; how they are indented and where they end makes no difference (see unwrapped):
+///
+///     page.text(
+///         R"(The rod pulls along d only, so it cannot change the
+///         speed across it: @ m/s, before and after.)",
+///         speed);
 class Page {
  public:
   template <class... T>
@@ -83,7 +91,7 @@ class Page {
 
  private:
   void equation(int number, Formula numbers);
-  void add(Item item) { items_.push_back(std::move(item)); }
+  void add(Item item);
 
   std::vector<Item> items_;
   Progress* progress_ = nullptr;

@@ -63,6 +63,10 @@ struct Formula {
 std::string fill(std::string_view words, const std::vector<Value>& values);
 Formula fill(std::string_view plain, std::string_view latex, const std::vector<Value>& values);
 
+/// Prose as a source has it, R"(...)" over several lines, with one line for each paragraph: a line break becomes a
+/// blank, and indentation goes. Blank lines part paragraphs; a line that begins with "- " stays a line of its own.
+std::string unwrapped(std::string_view source);
+
 /// `say("@ links weigh @ N", n, weight)`: no number of a lesson is typed by hand.
 template <class... T>
 std::string say(std::string_view words, const T&... values) {
