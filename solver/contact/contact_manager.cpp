@@ -165,6 +165,7 @@ void ContactManager<M>::add_constraints(Scene<M>& scene) {
     pair.constraint = scene.count();
     for_each_constraint(pair, [&](const auto& constraint) { return scene.add_found(constraint); });
   }
+  if (!pairs_.empty()) scene.changed();
 }
 
 template <class M>
