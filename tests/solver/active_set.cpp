@@ -58,9 +58,6 @@ TEST(ActiveSet, IsTheSameByTheStructuredAndTheDenseFactorisation) {
       dense.method.solver = Direct{.factorisation = Factorisation::dense, .rounds = 100, .tolerance = 1e-12};
       structured.step(1.0 / 60);
       dense.step(1.0 / 60);
-      printf("%d %d %g res %g %g\n", i, step, difference_of(structured.scene, dense.scene),
-             residual(structured.work.system, structured.scene.bodies.velocity),
-             residual(dense.work.system, dense.scene.bodies.velocity));
       ASSERT_LE(difference_of(structured.scene, dense.scene), 1e-7) << "draw " << i << ", step " << step;
     }
   }

@@ -92,12 +92,14 @@ TEST(Piles, WithoutFrictionAreSolvedDirectlyToWhereSweepsConverge) {
       Simulation<Boxes> swept{box_pile<Boxes>(seed, {.decades = 1, .surface = {0, e}}), {}};
       for (int i = 0; i < 30; ++i) {
         Simulation<Boxes> direct = swept;
-        direct.method.solver = Direct{.regularisation = 1e-9};
+        direct.method.solver = Direct{.rounds = 100, .tolerance = 1e-12};
         swept.method.solver = GaussSeidel{.sweeps = 100000, .tolerance = 1e-13};
         direct.step(h);
         swept.step(h);
         for (int body = 0; body < swept.scene.bodies.size(); ++body)
-          ASSERT_LE((direct.scene.bodies.velocity[body] - swept.scene.bodies.velocity[body]).norm(), 1e-3)
+          // Sweeps that end on a change of 1e-13 m/s have 1e-13/(1 - ρ) left to go, and of so few bodies ρ <
+          // 0.9999.
+          ASSERT_LE((direct.scene.bodies.velocity[body] - swept.scene.bodies.velocity[body]).norm(), 1e-9)
               << "seed " << seed << ", step " << i;
       }
     }

@@ -101,7 +101,8 @@ TEST(Xpbd, ObeysTheAngleOfFriction) {
 }
 TEST(Xpbd, LetsAStackStand) {
   expect_standing_stack<Boxes>(Xpbd{}, 10, 1e-3, 1e-6);
-  expect_standing_stack<Scene<SpaceBody, Contact, Friction>>(Xpbd{20, 4}, 1, 1e-3, 1e-2);
+  // In space the points of a face are solved one after the other, and those that come first turn the box a little.
+  expect_standing_stack<Scene<SpaceBody, Contact, Friction>>(Xpbd{40, 10}, 3, 1e-5, 1e-6);
 }
 TEST(Xpbd, BouncesABallByItsRestitution) { expect_bounces(Xpbd{}, h / 4); }
 
