@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "lessons/tutor/about.hpp"
-#include "tests/lessons/process.hpp"
+#include "tests/lessons/tutor/process.hpp"
 
 namespace byhand::tests {
 namespace {

@@ -52,15 +52,12 @@ TEST(ActiveSet, IsTheSameByTheStructuredAndTheDenseFactorisation) {
   Random random;
   for (int i = 0; i < 60; ++i) {
     Simulation<PlaneBody> structured{random_column(random, 1 + random.index(8)),
-                                 VelocityStepping{Direct{.rounds = 100, .tolerance = 1e-12}}};
+                                     VelocityStepping{Direct{.rounds = 100, .tolerance = 1e-12}}};
     for (int step = 0; step < 5; ++step) {
       Simulation<PlaneBody> dense = structured;
       dense.method.solver = Direct{.factorisation = Factorisation::dense, .rounds = 100, .tolerance = 1e-12};
       structured.step(1.0 / 60);
       dense.step(1.0 / 60);
-      printf("%d %d %g res %g %g\n", i, step, difference_of(structured.scene, dense.scene),
-             residual(structured.work.system, structured.scene.bodies().velocity),
-             residual(dense.work.system, dense.scene.bodies().velocity));
       ASSERT_LE(difference_of(structured.scene, dense.scene), 1e-7) << "draw " << i << ", step " << step;
     }
   }

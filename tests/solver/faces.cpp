@@ -79,15 +79,14 @@ TEST(ContactManifold, OneSweepLeavesEachEndEitherPressingOrParting) {
   for (int i = 0; i < 2000; ++i) {
     Face face(random);
     const bool point = face.scene.all<ContactManifold>()[0].point;
-    face.work.system.upper[0] = face.work.system.lambda[2] =
-        0;  // friction comes after the ends and turns them again
+    // Friction comes after the ends and turns the bodies once more: only without it the ends are as they were
+    // left.
+    face.work.system.upper[0] = face.work.system.lambda[2] = 0;
     prepare(face.work.system, BlockSolve::whole, 1.0, face.work.prepared);
     sweep(face.work.system, face.work.prepared, face.work.system.lambda.data(),
           numbers<M>(face.scene.bodies().velocity));
     const auto& lambda = face.work.system.lambda;
-    // Friction comes after the ends and turns the bodies once more, so without it alone the ends are left in
-    // peace.
-    if (std::abs(lambda[2]) > 0) continue;
+    EXPECT_EQ(lambda[2], 0);
     const Rows<3> rate = face.rate();
     int press = 0;
     for (int k = 0; k < (point ? 1 : 2); ++k) {
@@ -98,7 +97,8 @@ TEST(ContactManifold, OneSweepLeavesEachEndEitherPressingOrParting) {
     }
     ++pressing[press];
   }
-  EXPECT_GT(pressing[0], 20) << "all cases are to occur";
+  // Of 2,000 draws each case has its share: a rate is of either sign, and each end presses at first in 7 of 10.
+  for (int press = 0; press <= 2; ++press) EXPECT_GT(pressing[press], 100) << press << " ends press";
 }
 
 TEST(ContactManifold, ManySweepsLeaveComplementaryEndsAndFrictionWithinWhatTheyPress) {

@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include "lessons/08_where_methods_fail/laws/pop.hpp"
 #include "lessons/scenes/balls.hpp"
 #include "tests/solver/law_motion.hpp"
 
@@ -138,11 +137,6 @@ TEST(LawB2, AnOverlapLeavesAtBetaTimesItsDepthPerStep) {
       simulation.step(h);
       EXPECT_NEAR(simulation.scene.bodies().velocity[1].y(), beta * overlap / h, 1e-12);
     }
-}
-
-TEST(LawB2, TheAtlasCriticalOverlaps) {
-  EXPECT_NEAR(laws::popping_overlap(0.2, h), 0.1226, 1e-4);
-  EXPECT_NEAR(laws::popping_overlap(0.1, h), 0.518, 1e-3);
 }
 
 TEST(LawB2, ASpeedCapLowersTheJump) {

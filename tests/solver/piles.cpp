@@ -69,7 +69,8 @@ TEST(Piles, MakeNoEnergyFromAWarmStartThatIsSweptToTheEnd) {
 TEST(Piles, MakeLittleEnergyFromAWarmStartThatIsNot) {
   for (int seed = 1; seed <= 30; ++seed)
     for (const RowSolver& solver : {RowSolver(GaussSeidel{}), RowSolver(ByGraph{})})
-      EXPECT_LE(energy_made(box_pile<PlaneBody>(seed, dead), {solver, NoDriftCure{}}, 100), 0.05) << "seed " << seed;
+      EXPECT_LE(energy_made(box_pile<PlaneBody>(seed, dead), {solver, NoDriftCure{}}, 100), 0.05)
+          << "seed " << seed;
 }
 
 TEST(Piles, BounceAndSpinWithoutANumberThatIsNone) {
@@ -92,12 +93,14 @@ TEST(Piles, WithoutFrictionAreSolvedDirectlyToWhereSweepsConverge) {
       Simulation<PlaneBody> swept{box_pile<PlaneBody>(seed, {.decades = 1, .surface = {0, e}}), {}};
       for (int i = 0; i < 30; ++i) {
         Simulation<PlaneBody> direct = swept;
-        direct.method.solver = Direct{.regularisation = 1e-9};
+        direct.method.solver = Direct{.rounds = 100, .tolerance = 1e-12};
         swept.method.solver = GaussSeidel{.sweeps = 100000, .tolerance = 1e-13};
         direct.step(h);
         swept.step(h);
         for (int body = 0; body < swept.scene.bodies().size(); ++body)
-          ASSERT_LE((direct.scene.bodies().velocity[body] - swept.scene.bodies().velocity[body]).norm(), 1e-3)
+          // Sweeps that end on a change of 1e-13 m/s have 1e-13/(1 - ρ) left to go, and of so few bodies ρ <
+          // 0.9999.
+          ASSERT_LE((direct.scene.bodies().velocity[body] - swept.scene.bodies().velocity[body]).norm(), 1e-9)
               << "seed " << seed << ", step " << i;
       }
     }
@@ -106,7 +109,8 @@ TEST(Piles, WithoutFrictionAreSolvedDirectlyToWhereSweepsConverge) {
 TEST(Piles, KeepEveryImpulseWithinItsBound) {
   int pressing = 0;
   for (int seed = 31; seed <= 50; ++seed) {
-    Simulation<PlaneBody> simulation{box_pile<PlaneBody>(seed, seed % 2 == 0 ? dead : PileOptions{}), {GaussSeidel{3}}};
+    Simulation<PlaneBody> simulation{box_pile<PlaneBody>(seed, seed % 2 == 0 ? dead : PileOptions{}),
+                                     {GaussSeidel{3}}};
     run(simulation, 2, h, [&] {
       const auto& system = simulation.work.system;
       for (const auto& face : std::get<block_type<PlaneBody, 3, Bound::manifold>()>(system.blocks)) {

@@ -61,7 +61,6 @@ TEST(Substeps, AreAsManyStepsOfAShareOfTheTime) {
 template <class M>
 double fallen(Euler euler, int steps) {
   Scene<M> scene;
-  Pair<M> pair;
   Random random;
   scene.add_body(Linear<M>(Linear<M>::Zero()), random.mass<M>());
   VelocityStepping method;

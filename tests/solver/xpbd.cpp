@@ -100,8 +100,9 @@ TEST(Xpbd, ObeysTheAngleOfFriction) {
   expect_friction_angle<SpaceBody>(Xpbd{20, 4}, 3e-3);
 }
 TEST(Xpbd, LetsAStackStand) {
-  expect_standing_stack<PlaneBody>(Xpbd{}, 10, 1e-3, 1e-6);
-  expect_standing_stack<SpaceBody>(Xpbd{20, 4}, 1, 1e-3, 1e-2);
+  expect_standing_stack<Scene<PlaneBody>>(Xpbd{}, 10, 1e-3, 1e-6);
+  // In space the points of a face are solved one after the other, and those that come first turn the box a little.
+  expect_standing_stack<SpaceBody>(Xpbd{40, 10}, 3, 1e-5, 1e-6);
 }
 TEST(Xpbd, BouncesABallByItsRestitution) { expect_bounces(Xpbd{}, h / 4); }
 

@@ -7,6 +7,7 @@
 #include "lessons/08_where_methods_fail/laws/creep.hpp"
 #include "lessons/08_where_methods_fail/laws/hopping.hpp"
 #include "lessons/08_where_methods_fail/laws/law.hpp"
+#include "lessons/08_where_methods_fail/laws/pop.hpp"
 #include "lessons/08_where_methods_fail/laws/record.hpp"
 #include "lessons/08_where_methods_fail/laws/spin.hpp"
 #include "lessons/08_where_methods_fail/laws/sweeps.hpp"
@@ -14,7 +15,7 @@
 #include "lessons/08_where_methods_fail/laws/warm_start.hpp"
 #include "solver/gauss_seidel.hpp"
 
-// Each law of solver/laws: where it says, on both sides of that, and where its experiment finds it.
+// Each law of lesson 8: where it says, on both sides of that, and where its experiment finds it.
 namespace {
 
 using namespace byhand::laws;
@@ -66,6 +67,11 @@ TEST(Laws, AllTwentyAreThereInOrder) {
   const std::vector<Law> laws = all();
   ASSERT_EQ(laws.size(), 20U);
   for (int i = 0; i < 20; ++i) EXPECT_EQ(laws[i].number, i + 1);
+}
+
+TEST(Law2, TheAtlasCriticalOverlaps) {
+  EXPECT_NEAR(popping_overlap(0.2, 1.0 / 60), 0.1226, 1e-4);
+  EXPECT_NEAR(popping_overlap(0.1, 1.0 / 60), 0.518, 1e-3);
 }
 
 TEST(Bisection, FindsWhereAPropertyChanges) {

@@ -78,9 +78,9 @@ struct Misuse {
   StepFunction step;
 };
 
-class Refused : public testing::TestWithParam<Misuse> {};
+class RefusedMisuse : public testing::TestWithParam<Misuse> {};
 
-TEST_P(Refused, WithASentence) {
+TEST_P(RefusedMisuse, WithASentence) {
   const Ran ran = check(GetParam().step);
   EXPECT_EQ(ran.status, 1);
   EXPECT_THAT(ran.complained, HasSubstr(GetParam().sentence));
@@ -117,7 +117,7 @@ const std::vector<Misuse> misuses = {
      [](Page& page) { page.figure("../up", "A picture.", [](renderer::Canvas&) {}); }},
 };
 
-INSTANTIATE_TEST_SUITE_P(Lesson, Refused, testing::ValuesIn(misuses),
+INSTANTIATE_TEST_SUITE_P(Lesson, RefusedMisuse, testing::ValuesIn(misuses),
                          [](const auto& misuse) { return std::string(misuse.param.name); });
 
 TEST(Lesson, AnswersThatMeetAtAnotherParameterAreDropped) {

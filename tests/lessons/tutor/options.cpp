@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "tests/lessons/process.hpp"
+#include "tests/lessons/tutor/process.hpp"
 
 namespace byhand::tests {
 namespace {
@@ -94,9 +94,9 @@ struct Refusal {
   const char *options, *sentence;
 };
 
-class Refused : public testing::TestWithParam<Refusal> {};
+class RefusedOption : public testing::TestWithParam<Refusal> {};
 
-TEST_P(Refused, InOneSentenceWithStatusTwo) {
+TEST_P(RefusedOption, InOneSentenceWithStatusTwo) {
   const Finished finished = fixture(GetParam().options);
   EXPECT_EQ(finished.status, 2);
   EXPECT_THAT(finished.complained, HasSubstr(GetParam().sentence));
@@ -105,7 +105,7 @@ TEST_P(Refused, InOneSentenceWithStatusTwo) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Options, Refused,
+    Options, RefusedOption,
     testing::Values(Refusal{"--quality huge", "huge"}, Refusal{"--frames some", "some"},
                     Refusal{"--set beta", "NAME=VALUE"}, Refusal{"--set beta=x", "\"x\" is not a number"},
                     Refusal{"--set beta=0.2.1", "not a number"}, Refusal{"--set gamma=1", "only beta, h, steps"},

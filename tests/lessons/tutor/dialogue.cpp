@@ -5,8 +5,8 @@
 
 #include <string>
 
-#include "tests/lessons/process.hpp"
-#include "tests/lessons/terminal.hpp"
+#include "tests/lessons/tutor/process.hpp"
+#include "tests/lessons/tutor/terminal.hpp"
 
 namespace byhand::tests {
 namespace {

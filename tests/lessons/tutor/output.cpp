@@ -9,7 +9,7 @@
 #include <sstream>
 #include <string>
 
-#include "tests/lessons/process.hpp"
+#include "tests/lessons/tutor/process.hpp"
 
 namespace byhand::tests {
 namespace {
