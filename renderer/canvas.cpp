@@ -24,8 +24,6 @@ Point turned(const Point& v, double angle) {
   return {c * v.x() - s * v.y(), s * v.x() + c * v.y()};
 }
 
-Point left_of(const Point& direction) { return {-direction.y(), direction.x()}; }
-
 Point unit_or(const Point& v, const Point& otherwise) { return v.norm() > 0 ? Point(v.normalized()) : otherwise; }
 
 // Where in its box, 0 … 1 from the lower left, a text is held.

@@ -10,8 +10,6 @@ namespace {
 constexpr double feather = 0.5;  // pixels on either side of a border
 constexpr double longest_mitre = 3;
 
-Point left_of(const Point& direction) { return {-direction.y(), direction.x()}; }
-
 // Where the offset lines of two edges meet, one unit away from both; beyond a sharp corner the tip is cut
 // short.
 Point mitre(const Point& before, const Point& after) {

@@ -17,6 +17,9 @@ struct Vertex {
 
 using Vertices = std::vector<Vertex>;
 
+/// The vector turned by a quarter, to the left where y points up.
+inline Point left_of(const Point& v) { return {-v.y(), v.x()}; }
+
 /// Triangles of a convex polygon. Its border fades from opaque to clear over the pixel that it crosses:
 /// smoother than multisampling, and cheaper.
 void fill(Vertices& to, std::span<const Point> corners, Colour colour);

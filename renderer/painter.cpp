@@ -160,9 +160,10 @@ void set(GLuint program, const char* name, const Point3& v) {
 
 void set(GLuint program, const char* name, Colour c) { set(program, name, Point3(c.r, c.g, c.b) / 255); }
 
-void set(GLuint program, const char* name, const Eigen::Matrix4d& m) {
-  const Eigen::Matrix4f columns = m.cast<float>();
-  glUniformMatrix4fv(glGetUniformLocation(program, name), 1, GL_FALSE, columns.data());
+void set(GLuint program, const char* name, const std::array<std::array<double, 4>, 4>& columns) {
+  std::array<float, 16> values{};
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = float(columns[i / 4][i % 4]);
+  glUniformMatrix4fv(glGetUniformLocation(program, name), 1, GL_FALSE, values.data());
 }
 
 void clear(Colour c) { glClearColor(c.r / 255.0f, c.g / 255.0f, c.b / 255.0f, 1); }

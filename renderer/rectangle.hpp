@@ -1,14 +1,13 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <span>
+#include <utility>
 #include <vector>
 
-namespace byhand::renderer {
+#include "renderer/point.hpp"
 
-using Point = Eigen::Vector2d;
-using Point3 = Eigen::Vector3d;
+namespace byhand::renderer {
 
 /// An upright rectangle by its lower left corner; y points up, in the world and on the page.
 struct Rectangle {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <Eigen/Geometry>
 #include <array>
 #include <optional>
 #include <vector>
@@ -9,6 +8,17 @@
 #include "renderer/rectangle.hpp"
 
 namespace byhand::renderer {
+
+/// A rotation as a unit quaternion. Converts from any type with these four accessors, such as Eigen::Quaterniond.
+struct Quaternion {
+  double w = 1, x = 0, y = 0, z = 0;
+
+  constexpr Quaternion() = default;
+  constexpr Quaternion(double w_, double x_, double y_, double z_) : w(w_), x(x_), y(y_), z(z_) {}
+  template <class Q>
+  requires requires(const Q& q) { q.w(), q.x(), q.y(), q.z(); }
+  constexpr Quaternion(const Q& q) : Quaternion(q.w(), q.x(), q.y(), q.z()) {}
+};
 
 /// Looks at space from `eye` towards `target`, in perspective.
 struct SpaceCamera {
@@ -31,7 +41,7 @@ class Space {
   explicit Space(const SpaceCamera& camera);
 
   void sphere(const Point3& centre, double radius, Colour colour);
-  void box(const Point3& centre, const Point3& size, const Eigen::Quaterniond& orientation, Colour colour);
+  void box(const Point3& centre, const Point3& size, const Quaternion& orientation, Colour colour);
   /// A cylinder with round ends.
   void rod(const Point3& a, const Point3& b, double radius, Colour colour);
   void path(const std::vector<Point3>& points, double radius, Colour colour);
@@ -53,6 +63,7 @@ class Space {
     std::array<float, 3> position, normal;
     Colour colour;
   };
+  using Homogeneous = std::array<double, 4>;  // x, y, z, w
   struct Ground {
     Point3 centre;
     double extent, spacing;
@@ -60,8 +71,10 @@ class Space {
   void surface(const std::vector<Point3>& profile, const Point3& from, const Point3& to, Colour colour);
   void triangle(const std::array<Point3, 3>& corners, const std::array<Point3, 3>& normals, Colour colour);
 
+  Homogeneous to_clip(const Point3& point) const;
+
   SpaceCamera camera_;
-  Eigen::Matrix4d matrix_;
+  std::array<Homogeneous, 4> matrix_;  // columns; world to clip coordinates
   std::vector<Vertex> triangles_;
   std::optional<Ground> ground_;
 };
