@@ -19,6 +19,8 @@ void require_file_name(const std::string& name) {
 
 }  // namespace
 
+void Page::add(Item item) { items_.push_back(std::move(item)); }
+
 void Page::equation(int number) { equation(number, Formula{}); }
 
 void Page::equation(int number, Formula numbers) {
@@ -51,7 +53,7 @@ void Page::clocked(std::string name, std::string caption, std::function<renderer
     if (!*measured) *measured = measure();
     return **measured;
   };
-  add(Figure{std::move(name), std::move(caption), Clocked{std::move(once)}});
+  add(Figure{std::move(name), std::move(caption), TimedChart{std::move(once)}});
 }
 
 void Page::sequence(std::string name, std::string caption, std::variant<Seconds, Frames> length,
