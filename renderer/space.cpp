@@ -9,7 +9,7 @@
 namespace byhand::renderer {
 namespace {
 
-constexpr int sides = 48;  // of everything round
+constexpr int sides = 48;  // segments of a circle
 constexpr double pi = std::numbers::pi;
 
 using Axes = std::array<Point3, 3>;
@@ -88,9 +88,8 @@ void Space::triangle(const std::array<Point3, 3>& corners, const std::array<Poin
   }
 }
 
-// A surface of revolution about the way from `from` to `to`. Each stop of the profile gives the distance from
-// the axis, the height along it and the slope of the normal: its share outward is cos, along the axis sin of
-// the third.
+// A surface of revolution about the axis from `from` to `to`. Each point of the profile holds the distance from
+// the axis, the height along it and the angle [rad] of the normal towards the axis direction.
 void Space::surface(const std::vector<Point3>& profile, const Point3& from, const Point3& to, Colour colour) {
   const Point3 axis = to - from;
   const Axes axes = axes_with_third(axis.norm() > 0 ? axis.normalized() : Point3::UnitZ());

@@ -8,8 +8,8 @@
 
 namespace byhand::tutor {
 
-/// A number for readers: `digits` significant digits, "−" for minus, "1.2·10⁻⁵" below 1e-4
-/// and from 1e6 on, no trailing zeros.
+/// A number for readers: `digits` significant digits, "−" for minus, "1.2·10⁻⁵" below 1e-4 and from 1e6 on, no
+/// trailing zeros.
 std::string number(double value, int digits = 4);
 
 /// The same number for LaTeX: "-1.2\cdot 10^{-5}".
