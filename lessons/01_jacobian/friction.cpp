@@ -11,7 +11,7 @@
 namespace byhand::lesson01 {
 namespace {
 
-using renderer::Point3;
+using Point3 = Eigen::Vector3d;
 namespace palette = renderer::palette;
 using M = SpaceBody;
 

@@ -3,7 +3,7 @@
 #include "solver/constraints/contact_manifold.hpp"
 #include "solver/scene.hpp"
 
-// Boxes on the ground.
+// Scene<PlaneBody> on the ground.
 namespace byhand {
 
 /// The ground, through the origin, solid against `up`.

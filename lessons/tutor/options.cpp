@@ -106,7 +106,7 @@ Options read_options(const Lesson& lesson, int argc, const char* const* argv, bo
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
-    throw Answered{app.help()};
+    throw HelpRequested{app.help()};
   } catch (const CLI::ParseError& bad) {
     throw std::invalid_argument(fmt::format("{} (--help shows the options)", bad.what()));
   }

@@ -81,7 +81,7 @@ void Page::clocked(std::string name, std::string caption, std::function<renderer
     if (!*measured) *measured = measure();
     return **measured;
   };
-  add(Figure{std::move(name), std::move(caption), Clocked{std::move(once)}});
+  add(Figure{std::move(name), std::move(caption), TimedChart{std::move(once)}});
 }
 
 void Page::sequence(std::string name, std::string caption, std::variant<Seconds, Frames> length,

@@ -38,7 +38,7 @@ TEST(ConjugateSweeps, TakeInProportionToAChainsLinksWhatSweepsTakeBySquare) {
 
 TEST(ConjugateSweeps, EndWherePlainSweepsEnd) {
   for (const int base : {2, 4, 6}) {
-    Boxes conjugate = pyramid(base), plain = conjugate;
+    Scene<PlaneBody> conjugate = pyramid(base), plain = conjugate;
     kick(conjugate, 0.5);
     kick(plain, 0.5);
     Work<PlaneBody> work1, work2;

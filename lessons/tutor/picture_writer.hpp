@@ -11,38 +11,37 @@
 
 namespace byhand::tutor {
 
-/// Where the pictures of a lesson go, from the lesson's folder.
+/// Paths of the files of a lesson, relative to the lesson's folder.
 std::string figure_path(const std::string& name);    // figures/<name>.png
 std::string data_path(const std::string& name);      // data/<name>.csv
 std::string frames_folder(const std::string& name);  // frames/<name>
 std::string strip_path(const std::string& name);     // frames/<name>.png
 
-/// Draws what a lesson shows and writes it into the lesson's folder. OpenGL is asked for with the first
-/// picture, so a run without pictures needs none. Every function throws renderer::EnvironmentError for what
-/// the machine refuses.
-class Studio {
+/// Draws the figures and sequences of a lesson and writes them into its folder. Opens OpenGL at the first picture,
+/// so a run without pictures needs none. Every function may throw renderer::EnvironmentError.
+class PictureWriter {
  public:
-  Studio(std::filesystem::path folder, Quality quality, FramesWanted frames, bool quiet);
+  PictureWriter(std::filesystem::path folder, Quality quality, FramesWanted frames, bool quiet);
 
-  /// The picture, and a chart's data.
+  /// Writes the picture and, for a chart, its data.
   void write(const Figure& figure);
-  /// The frames that are wanted and the strip; frames of an older run are removed.
+  /// Writes the chosen frames and the contact sheet, after removing those of an earlier run.
   void write(const Sequence& sequence);
 
-  /// The same pictures for a terminal, where a few hundred pixels are more than it can show.
+  /// The same pictures at 640 × 360 pixels, for a terminal.
   renderer::Image small(const Figure& figure);
   renderer::Image small(const FrameDrawing& draw, double time);
 
-  /// How many frames a sequence has, and the time that frame `index` is given.
+  /// Number of frames of a sequence, and the time that frame `index` gets.
   int count(const Sequence& sequence) const;
   double time(const Sequence& sequence, int index) const;
 
-  /// Where the picture, or the strip, is written; empty when no frames are wanted.
+  /// File of the picture or of the contact sheet; empty if no frames are written.
   std::string path(const Figure& figure) const;
   std::string path(const Sequence& sequence) const;
 
   const std::filesystem::path& folder() const { return folder_; }
-  /// OpenGL's renderer and version, once something was drawn.
+  /// OpenGL's renderer and version; empty before the first picture.
   std::string gl() const;
 
  private:

@@ -1,4 +1,4 @@
-#include "lessons/tutor/studio.hpp"
+#include "lessons/tutor/picture_writer.hpp"
 
 #include <fmt/format.h>
 
@@ -38,7 +38,7 @@ Image draw(Canvas& canvas, const FrameDrawing& frame, double time) {
   return canvas.image();
 }
 
-/// Frames of a longer or otherwise drawn run must not stand among those of this one.
+/// Frames of an earlier, longer run must not remain among the new ones.
 void remove_frames(const fs::path& folder) {
   std::error_code error;
   fs::remove_all(folder, error);
@@ -53,25 +53,25 @@ std::string data_path(const std::string& name) { return "data/" + name + ".csv";
 std::string frames_folder(const std::string& name) { return "frames/" + name; }
 std::string strip_path(const std::string& name) { return "frames/" + name + ".png"; }
 
-Studio::Studio(fs::path folder, Quality quality, FramesWanted frames, bool quiet)
+PictureWriter::PictureWriter(fs::path folder, Quality quality, FramesWanted frames, bool quiet)
     : folder_(std::move(folder)), quality_(std::move(quality)), frames_(frames), quiet_(quiet) {}
 
-Canvas& Studio::canvas() {
+Canvas& PictureWriter::canvas() {
   if (!canvas_) canvas_.emplace(quality_.width, quality_.height);
   return *canvas_;
 }
 
-Canvas& Studio::small_canvas() {
+Canvas& PictureWriter::small_canvas() {
   if (!small_canvas_) small_canvas_.emplace(640, 360);
   return *small_canvas_;
 }
 
-void Studio::write(const Figure& figure) {
+void PictureWriter::write(const Figure& figure) {
   renderer::write_png(folder_ / figure_path(figure.name), draw(canvas(), figure));
   if (const auto* chart = chart_of(figure)) renderer::write_whole(folder_ / data_path(figure.name), csv(*chart));
 }
 
-void Studio::write(const Sequence& sequence) {
+void PictureWriter::write(const Sequence& sequence) {
   const fs::path folder = folder_ / frames_folder(sequence.name);
   remove_frames(folder);
   remove_frames(folder_ / strip_path(sequence.name));
@@ -100,25 +100,27 @@ void Studio::write(const Sequence& sequence) {
   renderer::write_png(folder_ / strip_path(sequence.name), renderer::strip(strip, strip_columns));
 }
 
-Image Studio::small(const Figure& figure) { return draw(small_canvas(), figure); }
-Image Studio::small(const FrameDrawing& frame, double at) { return draw(small_canvas(), frame, at); }
+Image PictureWriter::small(const Figure& figure) { return draw(small_canvas(), figure); }
+Image PictureWriter::small(const FrameDrawing& frame, double at) { return draw(small_canvas(), frame, at); }
 
-int Studio::count(const Sequence& sequence) const {
+int PictureWriter::count(const Sequence& sequence) const {
   if (const auto* frames = std::get_if<Frames>(&sequence.length)) return std::max(1, frames->value);
   return static_cast<int>(std::lround(std::get<Seconds>(sequence.length).value * quality_.rate)) + 1;
 }
 
-double Studio::time(const Sequence& sequence, int index) const {
+double PictureWriter::time(const Sequence& sequence, int index) const {
   if (std::holds_alternative<Frames>(sequence.length)) return index;
   return static_cast<double>(index) / quality_.rate;
 }
 
-std::string Studio::path(const Figure& figure) const { return (folder_ / figure_path(figure.name)).string(); }
+std::string PictureWriter::path(const Figure& figure) const {
+  return (folder_ / figure_path(figure.name)).string();
+}
 
-std::string Studio::path(const Sequence& sequence) const {
+std::string PictureWriter::path(const Sequence& sequence) const {
   return frames_ == FramesWanted::none ? "" : (folder_ / strip_path(sequence.name)).string();
 }
 
-std::string Studio::gl() const { return canvas_ ? canvas_->describe() : ""; }
+std::string PictureWriter::gl() const { return canvas_ ? canvas_->describe() : ""; }
 
 }  // namespace byhand::tutor

@@ -1,21 +1,21 @@
-#include "lessons/tutor/check.hpp"
+#include "lessons/tutor/claim_table.hpp"
 
 #include <fmt/format.h>
 
 #include <map>
 
-#include "lessons/tutor/speech.hpp"
+#include "lessons/tutor/terminal_text.hpp"
 #include "lessons/tutor/typeset.hpp"
 
 namespace byhand::tutor {
 
-std::string check_table(const std::vector<Told>& lesson) {
+std::string claim_table(const std::vector<RecordedStep>& steps) {
   std::vector<std::vector<std::string>> rows = {{"step", "verdict", "measured", "expected", "quantity (source)"}};
   std::map<std::string, int> count;
-  for (const Told& told : lesson) {
-    for (const Claim& claim : claims(told.page)) {
+  for (const auto& [step, page] : steps) {
+    for (const Claim& claim : claims(page)) {
       ++count[verdict(claim)];
-      rows.push_back({told.step->label, verdict(claim), measurement(claim), expectation(claim),
+      rows.push_back({step->label, verdict(claim), measurement(claim), expectation(claim),
                       fmt::format("{} ({}){}", claim.quantity, claim.source,
                                   claim.claimed ? "" : fmt::format(", only for {}", claim.range))});
     }
@@ -24,13 +24,13 @@ std::string check_table(const std::vector<Told>& lesson) {
                                    count["not claimed"]);
 }
 
-std::string false_claims(const Lesson& lesson, const std::vector<Told>& told) {
+std::string false_claims(const Lesson& lesson, const std::vector<RecordedStep>& steps) {
   std::string lines;
-  for (const Told& t : told)
-    for (const Claim& claim : claims(t.page))
+  for (const auto& [step, page] : steps)
+    for (const Claim& claim : claims(page))
       if (claim.is_false())
         lines += fmt::format("{} step {}: {} is false: measured {}, expected {} ({})\n", lesson.about().slug,
-                             t.step->label, claim.quantity, measurement(claim), expectation(claim), claim.source);
+                             step->label, claim.quantity, measurement(claim), expectation(claim), claim.source);
   return lines;
 }
 

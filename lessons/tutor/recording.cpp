@@ -1,4 +1,4 @@
-#include "lessons/tutor/told.hpp"
+#include "lessons/tutor/recording.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 namespace byhand::tutor {
 namespace {
 
-void part_answers(Prediction& question, bool at_defaults) {
+void drop_ambiguous_answers(Prediction& question, bool at_defaults) {
   std::vector<double> answers = {question.answer};
   std::vector<WrongAnswer> kept;
   for (WrongAnswer& wrong : question.wrong) {
@@ -29,25 +29,25 @@ void part_answers(Prediction& question, bool at_defaults) {
 
 }  // namespace
 
-Told tell(const Lesson& lesson, const Step& step, bool quiet) {
+RecordedStep record_step(const Lesson& lesson, const Step& step, bool quiet) {
   Progress progress(fmt::format("step {}: {}", step.label, step.title), 0, quiet);
-  Told told{&step, {}};
-  told.page.watch(&progress);
-  step.run(told.page);
-  told.page.watch(nullptr);
-  for (Item& item : told.page.items())
-    if (auto* question = std::get_if<Prediction>(&item)) part_answers(*question, lesson.at_defaults());
-  return told;
+  RecordedStep recorded{&step, {}};
+  recorded.page.watch(&progress);
+  step.run(recorded.page);
+  recorded.page.watch(nullptr);
+  for (Item& item : recorded.page.items())
+    if (auto* question = std::get_if<Prediction>(&item)) drop_ambiguous_answers(*question, lesson.at_defaults());
+  return recorded;
 }
 
-void require_whole(const std::vector<Told>& lesson) {
+void validate(const std::vector<RecordedStep>& steps) {
   bool claimed = false;
   std::set<std::string> names;
   const auto require_new = [&](const std::string& name) {
     if (!names.insert(name).second) throw LessonError(fmt::format("two pictures are called {}", name));
   };
-  for (const Told& told : lesson) {
-    for (const Item& item : told.page.items()) {
+  for (const RecordedStep& recorded : steps) {
+    for (const Item& item : recorded.page.items()) {
       if (const auto* figure = std::get_if<Figure>(&item)) require_new(figure->name);
       if (const auto* sequence = std::get_if<Sequence>(&item)) require_new(sequence->name);
       claimed = claimed || std::holds_alternative<Claim>(item);

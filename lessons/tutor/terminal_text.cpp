@@ -1,4 +1,4 @@
-#include "lessons/tutor/speech.hpp"
+#include "lessons/tutor/terminal_text.hpp"
 
 #include <fmt/format.h>
 
@@ -70,12 +70,12 @@ std::string expectation(const Claim& claim) {
 
 std::string measurement(const Claim& claim) { return quantity(claim.measured, claim.unit); }
 
-std::string say_heading(const Lesson& lesson, const Style& style) {
+std::string heading_text(const Lesson& lesson, const Style& style) {
   return "\n" + toned(fmt::format("{}. {}", lesson.number(), lesson.about().title), Tone::title, style) + "\n" +
          wrapped(lesson.about().summary, style);
 }
 
-std::string say_title(const Lesson& lesson, const Step& step, const Style& style) {
+std::string title_text(const Lesson& lesson, const Step& step, const Style& style) {
   const auto core =
       std::count_if(lesson.steps().begin(), lesson.steps().end(), [](const Step& s) { return !s.deeper; });
   const std::string title = step.deeper ? fmt::format("{}  {} (deeper)", step.label, step.title)
@@ -85,7 +85,7 @@ std::string say_title(const Lesson& lesson, const Step& step, const Style& style
   return "\n" + toned(title, Tone::title, style) + "\n" + toned(rule, Tone::title, style) + "\n";
 }
 
-std::string say_closing(const Lesson& lesson, const Style& style) {
+std::string closing_text(const Lesson& lesson, const Style& style) {
   const Closing& closing = lesson.closing();
   std::string words;
   if (!closing.now_you_know.empty()) {
@@ -102,9 +102,9 @@ std::string say_closing(const Lesson& lesson, const Style& style) {
   return words;
 }
 
-std::string say(const Text& text, const Style& style) { return wrapped(text.words, style); }
+std::string item_text(const Text& text, const Style& style) { return wrapped(text.words, style); }
 
-std::string say(const Equation& equation, const Style& style) {
+std::string item_text(const Equation& equation, const Style& style) {
   std::string lines;
   if (equation.number > 0)
     lines += formula(article_equation(equation.number).plain, fmt::format("({})", equation.number), style);
@@ -112,16 +112,16 @@ std::string say(const Equation& equation, const Style& style) {
   return lines;
 }
 
-std::string say(const Excerpt& excerpt, const Style& style) {
+std::string item_text(const Excerpt& excerpt, const Style& style) {
   return toned(fmt::format("  {}:{}", excerpt.file, excerpt.line), Tone::quiet, style) + "\n" +
          toned(folded(excerpt.code, style, 4), Tone::code, style);
 }
 
-std::string say(const Measure& measure, const Style& style) {
+std::string item_text(const Measure& measure, const Style& style) {
   return toned("  " + measure.quantity + " = ", Tone::quiet, style) + quantity(measure.value, measure.unit) + "\n";
 }
 
-std::string say(const Claim& claim, const Style& style) {
+std::string item_text(const Claim& claim, const Style& style) {
   const Tone tone = !claim.claimed ? Tone::quiet : claim.holds() ? Tone::good : Tone::bad;
   const std::string sign = !claim.claimed ? "–" : claim.holds() ? "✓" : "✗";
   std::string words = fmt::format("**{}**: measured {}, expected {} ({})", claim.quantity, measurement(claim),
@@ -135,11 +135,11 @@ std::string say(const Claim& claim, const Style& style) {
   return "  " + toned(sign, tone, style) + lines.substr(3);
 }
 
-std::string say(const Prediction& question, const Style& style) {
+std::string item_text(const Prediction& question, const Style& style) {
   return toned("Predict", Tone::question, style) + "\n" + wrapped(question.ask, style, 2);
 }
 
-std::string say(const Choice& question, const Style& style) {
+std::string item_text(const Choice& question, const Style& style) {
   std::string words = toned("Choose", Tone::question, style) + "\n" + wrapped(question.ask, style, 2);
   int index = 0;
   for (const Option& option : question.options)
@@ -147,25 +147,25 @@ std::string say(const Choice& question, const Style& style) {
   return words;
 }
 
-std::string say(const Figure& figure, const Style& style) {
+std::string item_text(const Figure& figure, const Style& style) {
   const auto* chart = chart_of(figure);
   return chart ? text_chart(*chart, style) : "";
 }
 
-std::string say_caption(const std::string& caption, const std::string& path, const Style& style) {
+std::string caption_text(const std::string& caption, const std::string& path, const Style& style) {
   return wrapped(caption, style, 2) + (path.empty() ? "" : toned("  " + path, Tone::quiet, style) + "\n");
 }
 
-std::string say_answer(const Prediction& question, const Style& style) {
+std::string answer_text(const Prediction& question, const Style& style) {
   return wrapped(fmt::format("**{}**. {}", quantity(question.answer, question.unit, 4), question.right), style, 2);
 }
 
-std::string say_answer(const Choice& question, const Style& style) {
+std::string answer_text(const Choice& question, const Style& style) {
   const Option& right = question.options[static_cast<size_t>(question.answer)];
   return wrapped(fmt::format("**{} {}**. {}", question.answer + 1, right.words, right.reply), style, 2);
 }
 
-std::string say_changes(const Page& before, const Page& now, size_t items, const Style& style) {
+std::string changes_text(const Page& before, const Page& now, size_t items, const Style& style) {
   std::string lines;
   for (size_t i = 0; i < std::min(items, now.items().size()); ++i) {
     const Item& item = now.items()[i];
@@ -183,7 +183,7 @@ std::string say_changes(const Page& before, const Page& now, size_t items, const
   return lines;
 }
 
-std::string say_parameters(const Lesson& lesson) {
+std::string parameters_text(const Lesson& lesson) {
   if (lesson.parameters().empty()) return "This lesson has no parameters.\n";
   std::vector<std::vector<std::string>> rows = {{"name", "value", "default", "unit", "allowed", "meaning"}};
   for (const ParameterRecord& p : lesson.parameters())
