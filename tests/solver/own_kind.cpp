@@ -146,7 +146,9 @@ TEST(OwnKind, KeepsTheMomentumOfTwoThatFloat) {
     EXPECT_GT(std::abs(work.system.lambda[0]), 1e-3);
     scene.state().pose = poses;  // where the row was written
     EXPECT_LE(difference(linear_momentum(scene.bodies()), linear), 1e-12);
-    if constexpr (M::angular > 0) EXPECT_LE(difference(angular_momentum(scene.bodies()), angular), 1e-12);
+    if constexpr (M::angular > 0) {
+      EXPECT_LE(difference(angular_momentum(scene.bodies()), angular), 1e-12);
+    }
   });
 }
 

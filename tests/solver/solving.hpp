@@ -40,9 +40,9 @@ std::vector<double> numbers_of(const std::vector<Velocity<M>>& velocities) {
 template <template <class> class... Kinds, class M, class F>
 void for_each_of(const Scene<M>& scene, F&& f) {
   for (int place = 0; place < scene.count(); ++place) {
-    const auto& [kind, index, id, body1, body2] = scene.entries()[place];
-    const auto call_if = [&, kind = kind, index = index]<class Kind>(std::span<const Kind> all) {
-      if (scene.store(kind).kind() == typeid(Kind)) f(all[index], place);
+    const auto& entry = scene.entries()[place];
+    const auto call_if = [&]<class Kind>(std::span<const Kind> all) {
+      if (scene.store(entry.kind).kind() == typeid(Kind)) f(all[entry.index], place);
     };
     (call_if(scene.template all<Kinds>()), ...);
   }
