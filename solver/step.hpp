@@ -66,9 +66,9 @@ struct Simulation {
     time += h;
   }
 
-  /// The force and torque that a constraint exerted in the last substep. Throws std::invalid_argument for one that took
-  /// no part in it.
-  Reaction<M> reaction(int constraint) const { return byhand::reaction(work, constraint); }
+  /// The force and torque that a constraint exerted in the last substep. Throws std::invalid_argument for one that the
+  /// scene does not have or that took no part in it.
+  Reaction<M> reaction(int constraint) const { return byhand::reaction(scene, work, constraint); }
 };
 
 template <class M>

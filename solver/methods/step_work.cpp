@@ -36,9 +36,13 @@ bool has_bounds(const Scene<M>& scene) {
 }
 
 template <class M>
-Reaction<M> reaction(const StepWork<M>& work, int place) {
+Reaction<M> reaction(const Scene<M>& scene, const StepWork<M>& work, int constraint) {
   Reaction<M> result;
-  const int row = work.system.row_of[place];
+  const std::uint64_t stamp = scene.entries()[scene.place(constraint)].stamp;
+  const auto& stamps = work.system.stamp_of;
+  const auto at = std::lower_bound(stamps.begin(), stamps.end(), stamp);
+  require(at != stamps.end() && *at == stamp, "constraint", constraint, "one that took part in the last step");
+  const int row = work.system.row_of[at - stamps.begin()];
   work.system.for_each_run([&]<int K, Bound B>(std::span<const Block<M, K, B>> blocks) {
     for (const auto& block : blocks) {
       if (block.row != row) continue;
@@ -56,7 +60,7 @@ Reaction<M> reaction(const StepWork<M>& work, int place) {
 #define BYHAND_INSTANTIATE(M)                                          \
   template bool lay_out_naturally(const Scene<M>&, StepWork<M>&);      \
   template bool has_bounds(const Scene<M>&);                           \
-  template Reaction<M> reaction(const StepWork<M>&, int)
+  template Reaction<M> reaction(const Scene<M>&, const StepWork<M>&, int)
 BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);
 #undef BYHAND_INSTANTIATE
 
