@@ -106,9 +106,9 @@ Puck puck(const Setting& setting, const GaussSeidel& solver) {
   const int puck =
       scene.add_body(Linear<PlaneParticle>(0, 0), with_mass<PlaneParticle>(setting.mass()), {setting.speed(), 0});
   const Contact<PlaneParticle> contact{{ground, puck}};
-  const int leader = scene.add(contact);
-  scene.add(
-      Friction<PlaneParticle>{contact.at, tangents_of<PlaneParticle>(contact.normal), setting.friction(), leader});
+  const auto pressing = scene.add(contact);
+  scene.add(Friction<PlaneParticle>{contact.at, tangents_of<PlaneParticle>(contact.normal), setting.friction(),
+                                    pressing});
   return {scene, {solver}};
 }
 
