@@ -6,6 +6,7 @@
 
 #include "lessons/08_where_methods_fail/laws/record.hpp"
 #include "lessons/scenes/boxes.hpp"
+#include "solver/constraints/contact_manifold.hpp"
 #include "solver/step.hpp"
 
 namespace byhand::laws {

@@ -2,6 +2,8 @@
 
 #include "lessons/08_where_methods_fail/laws/creep.hpp"
 #include "lessons/scenes/boxes.hpp"
+#include "solver/constraints/contact.hpp"
+#include "solver/constraints/friction.hpp"
 #include "tests/solver/law_motion.hpp"
 
 // Atlas B9, B18 and B20: what makes columns sink, lean and fall, and what does not.
