@@ -13,6 +13,8 @@ std::uint64_t new_stamp() {
 
 namespace {
 
+constexpr std::uint64_t found_stamp = ~std::uint64_t{};  // of all that were found, which come last
+
 /// Makes room for one more, so that adding it cannot fail half-way.
 template <class T>
 void make_room(std::vector<T>& all) {
@@ -157,7 +159,7 @@ void Scene<M>::prepare_to_add() {
 
 template <class M>
 void Scene<M>::append(int kind, int body1, int body2, int id) {
-  entries_.push_back({kind, stores_[kind]->size() - 1, id, body1, body2, new_stamp()});
+  entries_.push_back({kind, stores_[kind]->size() - 1, id, body1, body2, id < 0 ? found_stamp : new_stamp()});
   if (id < 0) return;
   lasting_ = count();
   changed();
