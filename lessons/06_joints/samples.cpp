@@ -62,6 +62,9 @@ std::array<Point, 6> Samples::forces() const {
   if (simulation_.time == 0) return forces;
   for (const auto& joint : simulation_.scene.entries())
     forces[joint.body2 - 1] += Point(simulation_.reaction(joint.id).force);
+  // The rope has turned with the step since it pulled; its arrow is drawn along it.
+  const Point end = bar_of(simulation_.scene.bodies().pose[1 + roped], length_).from;
+  forces[roped] = -forces[roped].norm() * end.normalized();
   return forces;
 }
 
