@@ -3,19 +3,20 @@
 namespace byhand {
 
 template <class M>
-std::string refusal_unless_equalities(const Scene<M>& scene, const std::string& method) {
+std::string refusal_unless_equalities(const Scene<M>& scene, const char* method) {
+  const auto refusal = [&](const std::string& reason) { return std::string(method) + reason; };
   if (!scene.colliders().shapes.empty())
-    return method + " knows no contacts, and this scene has bodies that may touch";
-  int number = 0;
+    return refusal(" knows no contacts, and this scene has bodies that may touch");
   for (const auto& entry : scene.entries()) {
     const ConstraintStore<M>& store = scene.store(entry.kind);
-    const std::string constraint = "constraint " + std::to_string(number++);
-    if (store.bound != Bound::none) return method + " holds equalities alone, and " + constraint + " is bounded";
-    if (store.position_rows < store.rows)
-      return method + " holds equalities alone, and " + constraint + " is a spring";
-    if (const double softness = store.softness(entry.index); softness > 0)
-      return method + " holds constraints exactly, and " + constraint + " is soft: it gives way by " +
-             text_of(softness) + " in a step";
+    const double softness = store.softness(entry.index);
+    const bool equality = store.bound == Bound::none && store.position_rows == store.rows;
+    if (equality && softness == 0) continue;
+    const std::string constraint = "constraint " + std::to_string(entry.id);
+    if (store.bound != Bound::none) return refusal(" holds equalities alone, and " + constraint + " is bounded");
+    if (!equality) return refusal(" holds equalities alone, and " + constraint + " is a spring");
+    return refusal(" holds constraints exactly, and " + constraint + " is soft: it gives way by " +
+                   text_of(softness) + " in a step");
   }
   return {};
 }
@@ -38,7 +39,7 @@ void solve_rows(double regularisation, const Bodies<M>& bodies, EqualitiesWork<M
 }
 
 #define BYHAND_INSTANTIATE(M)                                                                    \
-  template std::string refusal_unless_equalities(const Scene<M>&, const std::string&);           \
+  template std::string refusal_unless_equalities(const Scene<M>&, const char*);                  \
   template void begin_equalities(const Scene<M>&, double, EqualitiesWork<M>&);                   \
   template void solve_rows(double, const Bodies<M>&, EqualitiesWork<M>&)
 BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);

@@ -26,7 +26,7 @@ struct NoConvergence : std::runtime_error {
 
 /// Why `method` cannot run this scene, in one sentence; empty where it can.
 template <class M>
-std::string refusal_unless_equalities(const Scene<M>& scene, const std::string& method);
+std::string refusal_unless_equalities(const Scene<M>& scene, const char* method);
 
 /// Begins a step: lays the rows out in the order of elimination if the scene has changed.
 template <class M>

@@ -277,8 +277,7 @@ TEST(WarmStart, KeepsTheImpulsesOfThoseThatStayAndGivesNoneToThoseThatCome) {
         if (round % 5 == 0) scene.set_mass(random.index(9), random.mass<M>());
         lay_out(scene, solver, work);
         const auto lambda = [&](int id) { return work.system.lambda[work.system.row_of[scene.place(id)]]; };
-        for (const auto& [id, kept] : before)
-          ASSERT_EQ(scene.has(id) ? lambda(id) : kept, kept);
+        for (const auto& [id, kept] : before) ASSERT_EQ(scene.has(id) ? lambda(id) : kept, kept);
         ASSERT_EQ(lambda(come), 0);
         advance(scene, {solver}, time_step, work);
         ASSERT_EQ(std::count(work.system.lambda.begin(), work.system.lambda.end(), 0.0) < work.system.rows(),
@@ -350,11 +349,12 @@ TEST(Bodies, FreedFixedOrMadeHeavierMoveAsInASceneThatIsBuiltSo) {
 
 TEST(Bodies, FreedFixedMadeHeavierOrRemovedWithinAStackMoveAsInOneThatIsBuiltSo) {
   in_both_bodies([]<class M>(Random&) {
-    // By sweeps alone: in space four points hold what three would.
     Simulation<M> simulation{stack<M>(4), {GaussSeidel{60, false}}};
     Scene<M>& scene = simulation.scene;
+    // Of boxes in space two faces may draw, and then what was seen before decides which one's points are taken.
+    if constexpr (M::linear == 3)
+      for (int i = 1; i <= 4; ++i) scene.set_shape(i, Ball<M>{0.5});
     const auto expect_as_built = [&] {
-      // Contacts of what has been seen before may be told from another of two faces that draw.
       expect_same_motion(simulation, Simulation<M>{built_anew(scene), simulation.method}, 1e-9);
       run(simulation, 0.3, time_step);
     };
@@ -393,8 +393,10 @@ TEST(AssignedScene, LeavesNoRowOfTheOneBefore) {
     for (const DriftCure& cure : {DriftCure(Baumgarte{}), DriftCure(Projection{}), DriftCure(SplitImpulse{}),
                                   DriftCure(SoftConstraints{.refresh = false})})
       for (const RowSolver& solver : {RowSolver(GaussSeidel{}), RowSolver(Direct{}), RowSolver(ByGraph{}),
-                                      RowSolver(GaussSeidel{.order = SweepOrder::coloured})})
+                                      RowSolver(GaussSeidel{.order = SweepOrder::coloured})}) {
+        SCOPED_TRACE(testing::Message() << "cure " << cure.index() << ", solver " << solver.index());
         check(VelocityStepping{solver, cure});
+      }
     check(Xpbd{});
     check(Avbd{});
     check(Rattle{});
@@ -425,8 +427,9 @@ TEST(AssignedScene, WithoutShapesLeavesNoContactOfTheOneBefore) {
     for (int i = 0; i < 3; ++i) simulation.step(time_step);
     simulation.scene = hanging;
     expect_same_motion(simulation, Simulation{hanging, method});
+    simulation.step(time_step);
     simulation.scene = pyramid<M>(2);
-    expect_same_motion(simulation, Simulation{pyramid<M>(2), method}, 1e-12);
+    expect_same_motion(simulation, Simulation{pyramid<M>(2), method});
   };
   check(VelocityStepping{});
   check(Xpbd{});
@@ -629,8 +632,10 @@ void expect_weight_of_a_box(const Method& method, double tolerance) {
       torque2 += found.torque2;
     }
     EXPECT_LT((force / weight - Linear<M>::Unit(1)).norm(), tolerance);
-    EXPECT_LT(torque1.norm() / weight, tolerance);
     EXPECT_LT(torque2.norm() / weight, tolerance);
+    // The ground's centre is the origin, and the opposite force acts on it where the box stands.
+    const Linear<M>& out = simulation.scene.bodies().pose[1].position;
+    EXPECT_LT((torque1 + torque2 + cross(out, force)).norm() / weight, tolerance);
   });
 }
 
