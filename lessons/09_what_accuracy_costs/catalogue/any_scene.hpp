@@ -27,7 +27,7 @@ struct RunningScene {
 /// A scene of any model with any method, for programs that choose both as they run. A value: a copy is a way back.
 class AnyScene {
  public:
-  /// The scene as it is, with the default method.
+  /// The scene as it is, stepped by velocities with Gauss–Seidel.
   template <class M>
   AnyScene(Scene<M> scene);
   // Compiled once, in any_scene.cpp, as all that knows the models is.
