@@ -26,22 +26,23 @@ void refuse(std::string_view name, double value, std::string_view allowed) {
                               std::string(allowed));
 }
 
-void require_finite(std::string_view name, double value, std::string_view unit) {
-  if (!std::isfinite(value)) refuse(name, value, "a finite number" + in_brackets(unit));
+namespace detail {
+
+void refuse_not_finite(std::string_view name, double value, std::string_view unit) {
+  refuse(name, value, "a finite number" + in_brackets(unit));
 }
 
-void require_positive(std::string_view name, double value, std::string_view unit) {
-  if (!(std::isfinite(value) && value > 0)) refuse(name, value, "a positive finite number" + in_brackets(unit));
+void refuse_not_positive(std::string_view name, double value, std::string_view unit) {
+  refuse(name, value, "a positive finite number" + in_brackets(unit));
 }
 
-void require_in(std::string_view name, double value, double low, double high, std::string_view unit) {
-  if (!(low <= value && value <= high))
-    refuse(name, value, "between " + text_of(low) + " and " + text_of(high) + in_brackets(unit));
+void refuse_outside(std::string_view name, double value, double low, double high, std::string_view unit) {
+  refuse(name, value, "between " + text_of(low) + " and " + text_of(high) + in_brackets(unit));
 }
 
-void require_inside(std::string_view name, double value, double low, double high, std::string_view unit) {
-  if (!(low < value && value < high))
-    refuse(name, value, "above " + text_of(low) + " and below " + text_of(high) + in_brackets(unit));
+void refuse_not_inside(std::string_view name, double value, double low, double high, std::string_view unit) {
+  refuse(name, value, "above " + text_of(low) + " and below " + text_of(high) + in_brackets(unit));
 }
 
+}  // namespace detail
 }  // namespace byhand
