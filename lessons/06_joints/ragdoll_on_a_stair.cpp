@@ -57,9 +57,8 @@ double least_of_stops(const Doll& doll) {
 /// What ground and stairs carry, upright [N].
 double carried(const Doll& doll) {
   double sum = 0;
-  for (int place = doll.scene.lasting(); place < doll.scene.count(); ++place)
-    if (!moves(doll.scene.bodies().inverse_mass[doll.scene.entries()[place].body1]))
-      sum += reaction(doll.work, place).force.y();
+  for (const auto& entry : std::span(doll.scene.entries()).subspan(doll.scene.lasting()))  // contacts, all of them
+    if (!moves(doll.scene.bodies().inverse_mass[entry.body1])) sum += doll.reaction(entry.id).force.y();
   return sum;
 }
 
