@@ -114,6 +114,13 @@ class Scene {
     require_kind(entry, typeid(Kind));
     return static_cast<const Constraints<M, Kind>&>(*stores_[entry.kind]).all[entry.index];
   }
+  /// The constraint at a place in natural order, or nullptr if it is of another kind.
+  template <class Kind>
+  const Kind* get_if(int place) const {
+    const Entry& entry = entries_[place];
+    if (stores_[entry.kind]->kind() != typeid(Kind)) return nullptr;
+    return &static_cast<const Constraints<M, Kind>&>(*stores_[entry.kind]).all[entry.index];
+  }
   /// Calls change(constraint) on a copy, and takes that in its place if it is valid. Its bodies have to stay.
   template <class Kind, class F>
   void change(const Handle<Kind>& handle, F&& change) {

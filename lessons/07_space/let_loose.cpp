@@ -117,7 +117,7 @@ Tumble tumble(const Setting& setting) {
       .x = {.label = "time (s)", .range = {{0, film_seconds}}}, .y = {.label = "energy (J)"}, .curves = {total}};
   const auto& system = book.work.system;
   for (int place = 0; place < book.scene.count(); ++place)
-    if (book.scene.store(book.scene.entries()[place].kind).kind() == typeid(Contact<M>))
+    if (book.scene.get_if<Contact<M>>(place))
       tumble.pressed += system.lambda[system.row_of[place]] / (setting.mass * gravity * setting.h);
   tumble.flatness = bodies.pose[1].rotation.toRotationMatrix().row(1).cwiseAbs().maxCoeff();
   tumble.deepest = position_error(book.scene).max;
@@ -129,9 +129,9 @@ Tumble tumble(const Setting& setting) {
 void let_loose(const Setting& setting, Page& page) {
   const Tumble thrown = tumble(setting);
   page.text(
-      R"(So far the contacts were given. Let the solver find them: a scene that names `Contact` and `Friction` in
-      its type and gives its bodies shapes looks for the points where they touch, in every step, and makes two rows
-      of friction and one contact of each. Here is a book thrown along the ground at @ m/s, μ = @.)",
+      R"(So far the contacts were given. Let the solver find them: a scene whose bodies have shapes looks for the
+      points where they touch, in every step, and makes two rows of friction and one contact of each. Here is a book
+      thrown along the ground at @ m/s, μ = @.)",
       setting.speed, setting.friction);
   page.sequence("tumbling",
                 R"(A book thrown along the ground: it tumbles over corners and edges, slides on a face, and comes
