@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <variant>
 
 #include "solver/constraints/contact_manifold.hpp"
 #include "solver/constraints/normalised_distance.hpp"
@@ -56,25 +57,53 @@ std::size_t constraint_bytes(const Scene<M>& scene) {
   return bytes;
 }
 
+/// A scene with any method and what that keeps between steps.
+template <class M>
+struct SceneWithMethod {
+  Scene<M> scene;
+  Method method = {};
+  std::variant<VelocityStepping::Work<M>, Accelerations::Work<M>, Rattle::Work<M>, Xpbd::Work<M>, Avbd::Work<M>>
+      work = {};  // that of the method's family
+
+  explicit SceneWithMethod(Scene<M>&& given) : scene(std::move(given)) {}
+};
+
 }  // namespace
 
+struct AnyScene::Running {
+  std::variant<SceneWithMethod<PlaneParticle>, SceneWithMethod<PlaneBody>, SceneWithMethod<SpaceParticle>,
+               SceneWithMethod<SpaceBody>>
+      one;
+};
+
+/// Calls f(const Scene<M>&).
+template <class F>
+auto AnyScene::read(F&& f) const {
+  return std::visit([&](const auto& running) { return f(running.scene); }, running_->one);
+}
+
 template <class M>
-AnyScene::AnyScene(Scene<M> scene) : running_(RunningScene<M>{std::move(scene)}) {}
-AnyScene::AnyScene(const AnyScene& other) = default;
+AnyScene::AnyScene(Scene<M> scene)
+    : running_(new Running{decltype(Running::one)(std::in_place_type<SceneWithMethod<M>>, std::move(scene))}) {}
+AnyScene::AnyScene(const AnyScene& other)
+    : running_(std::make_unique<Running>(*other.running_)), time_(other.time_) {}
 AnyScene::AnyScene(AnyScene&& other) noexcept = default;
-AnyScene& AnyScene::operator=(const AnyScene& other) = default;
-AnyScene& AnyScene::operator=(AnyScene&& other) noexcept = default;
+AnyScene& AnyScene::operator=(AnyScene other) noexcept {
+  running_.swap(other.running_);
+  time_ = other.time_;
+  return *this;
+}
 AnyScene::~AnyScene() = default;
 
 void AnyScene::use(const Method& method) {
   std::visit([](const auto& family) { require_valid(family); }, method);
   if (const std::string reason = refusal(method); !reason.empty()) throw std::invalid_argument(reason);
   std::visit(
-      [&]<class M, class Family>(RunningScene<M>& running, const Family& family) {
+      [&]<class M, class Family>(SceneWithMethod<M>& running, const Family& family) {
         running.method = family;
-        running.work = typename Family::template Work<M>();
+        running.work.template emplace<typename Family::template Work<M>>();
       },
-      running_, method);
+      running_->one, method);
 }
 
 std::string AnyScene::refusal(const Method& method) const {
@@ -85,14 +114,14 @@ std::string AnyScene::refusal(const Method& method) const {
 
 void AnyScene::step(double h) {
   std::visit(
-      [&]<class M>(RunningScene<M>& running) {
+      [&]<class M>(SceneWithMethod<M>& running) {
         std::visit(
             [&]<class Family>(const Family& family) {
               advance(running.scene, family, h, std::get<typename Family::template Work<M>>(running.work));
             },
             running.method);
       },
-      running_);
+      running_->one);
   time_ += h;
 }
 
@@ -101,7 +130,7 @@ long long AnyScene::row_solves() const {
       [](const auto& running) {
         return std::visit([](const auto& work) { return work.row_solves; }, running.work);
       },
-      running_);
+      running_->one);
 }
 
 double AnyScene::separation() const {
@@ -153,18 +182,18 @@ Eigen::Vector3d AnyScene::weight() const {
 
 double AnyScene::algebraic_error(double h) const {
   return std::visit(
-      [=]<class M>(const RunningScene<M>& running) {
+      [=]<class M>(const SceneWithMethod<M>& running) {
         const auto* method = std::get_if<VelocityStepping>(&running.method);
         if (!method) return static_cast<double>(NAN);
         Simulation<M> one{running.scene, *method, std::get<Work<M>>(running.work)};
         const int substeps = std::exchange(one.method.substeps, 1);
         try {
-          return byhand::algebraic_error(one, h / substeps);
+          return byhand::algebraic_error(std::move(one), h / substeps);
         } catch (const SingularSystem&) {
           return static_cast<double>(NAN);
         }
       },
-      running_);
+      running_->one);
 }
 
 bool AnyScene::finite() const {

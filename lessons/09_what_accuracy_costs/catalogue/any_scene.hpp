@@ -1,7 +1,7 @@
 #pragma once
 
+#include <memory>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "solver/methods/method.hpp"
@@ -15,26 +15,15 @@ struct Placement {
   bool moves = true;
 };
 
-/// A scene of one model with any method and what that keeps between steps.
-template <class M>
-struct RunningScene {
-  Scene<M> scene;
-  Method method = {};
-  std::variant<VelocityStepping::Work<M>, Accelerations::Work<M>, Rattle::Work<M>, Xpbd::Work<M>, Avbd::Work<M>>
-      work = {};  // that of the method's family
-};
-
 /// A scene of any model with any method, for programs that choose both as they run. A value: a copy is a way back.
 class AnyScene {
  public:
   /// The scene as it is, stepped by velocities with Gauss–Seidel.
   template <class M>
   AnyScene(Scene<M> scene);
-  // Compiled once, in any_scene.cpp, as all that knows the models is.
   AnyScene(const AnyScene& other);
   AnyScene(AnyScene&& other) noexcept;
-  AnyScene& operator=(const AnyScene& other);
-  AnyScene& operator=(AnyScene&& other) noexcept;
+  AnyScene& operator=(AnyScene other) noexcept;
   ~AnyScene();
 
   /// Goes on from here with that method and nothing kept. Throws std::invalid_argument for a choice outside its
@@ -83,15 +72,11 @@ class AnyScene {
   std::size_t row_bytes() const;
 
  private:
-  /// Calls f(const Scene<M>&).
+  struct Running;
   template <class F>
-  auto read(F&& f) const {
-    return std::visit([&](const auto& running) { return f(running.scene); }, running_);
-  }
+  auto read(F&& f) const;
 
-  std::variant<RunningScene<PlaneParticle>, RunningScene<PlaneBody>, RunningScene<SpaceParticle>,
-               RunningScene<SpaceBody>>
-      running_;
+  std::unique_ptr<Running> running_;
   double time_ = 0;  // [s]
 };
 
