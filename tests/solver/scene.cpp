@@ -377,11 +377,11 @@ TEST(Bodies, FreedFixedMadeHeavierOrRemovedWithinAStackMoveAsInOneThatIsBuiltSo)
 
 // Both scenes have as many bodies, constraints and rows.
 TEST(AssignedScene, LeavesNoRowOfTheOneBefore) {
-  in_all_models([]<class M>(Random& random) {
+  in_all_models([]<class M>(Random&) {
     const Scene<M> first = rod_chain<M>({.links = 5, .angle = 1});
     const Scene<M> second =
         rod_chain<M, NormalisedDistance>({.links = 5, .length = 0.5, .end_mass = 9, .angle = 0.3});
-    const Scene<M> third = with_random_velocities(rod_chain<M>({.links = 5, .length = 2}), random);
+    const Scene<M> third = rod_chain<M>({.links = 5, .length = 2, .angle = -2});
     const auto check = [&](const auto& method) {
       Simulation simulation{first, method};
       for (const Scene<M>& next : {second, third, first}) {
@@ -633,9 +633,10 @@ void expect_weight_of_a_box(const Method& method, double tolerance) {
     }
     EXPECT_LT((force / weight - Linear<M>::Unit(1)).norm(), tolerance);
     EXPECT_LT(torque2.norm() / weight, tolerance);
-    // The ground's centre is the origin, and the opposite force acts on it where the box stands.
+    // The ground's centre is the origin, and the opposite force acts on it where the box stood when its contact
+    // was found, less than a hundredth of the margin away.
     const Linear<M>& out = simulation.scene.bodies().pose[1].position;
-    EXPECT_LT((torque1 + torque2 + cross(out, force)).norm() / weight, tolerance);
+    EXPECT_LT((torque1 + torque2 + cross(out, force)).norm() / weight, 0.01 * simulation.scene.colliders().margin);
   });
 }
 
