@@ -1,4 +1,5 @@
-// The course: which lessons there are, how far the reader got, and which one to run. `lessons/run` starts it.
+// The menu of the course: lists the lessons with the reader's progress, builds and runs the chosen one. Started by
+// `lessons/run`.
 
 #include <fmt/format.h>
 #include <sys/wait.h>
@@ -15,9 +16,9 @@
 #include <vector>
 
 #include "lessons/tutor/about.hpp"
+#include "lessons/tutor/bookmark.hpp"
 #include "lessons/tutor/keyboard.hpp"
 #include "lessons/tutor/options.hpp"
-#include "lessons/tutor/place.hpp"
 #include "lessons/tutor/typeset.hpp"
 
 namespace {
@@ -40,8 +41,8 @@ Lessons:
 
 fs::path program(const std::string& slug) { return fs::read_symlink("/proc/self/exe").parent_path() / slug; }
 
-/// Builds what is to be run, where BYHAND_BUILD says how: a reader of one lesson need not wait for the others.
-/// Returns 0, or the exit status of what failed.
+/// Builds a target with the command in BYHAND_BUILD, if it is set, so that a reader waits for one lesson only.
+/// Returns its exit status.
 int build(const std::string& target) {
   const char* builder = std::getenv("BYHAND_BUILD");
   if (builder == nullptr) return 0;
@@ -50,7 +51,7 @@ int build(const std::string& target) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 3;
 }
 
-/// Runs a lesson and returns its exit status. Ctrl-C is the lesson's to understand while it runs.
+/// Runs a lesson and returns its exit status. The lesson alone handles Ctrl-C meanwhile.
 int run_lesson(const std::string& slug, Arguments arguments) {
   const std::string path = program(slug).string();
   arguments.insert(arguments.begin(), path);
@@ -79,22 +80,22 @@ int build_and_run(const std::string& slug, const Arguments& arguments) {
   return run_lesson(slug, arguments);
 }
 
-std::string progress(const Place& place) {
-  if (!place.step.empty()) return fmt::format("at step {}", place.step);
-  return place.finished ? "finished" : "";
+std::string progress(const Bookmark& bookmark) {
+  if (!bookmark.step.empty()) return fmt::format("at step {}", bookmark.step);
+  return bookmark.finished ? "finished" : "";
 }
 
 std::string overview() {
   std::string lines;
   for (const About& lesson : contents()) {
     lines += fmt::format("  {}  {} {}\n", std::stoi(lesson.slug), padded(lesson.title, 28),
-                         progress(read_place(lesson.slug)));
+                         progress(read_bookmark(lesson.slug)));
     lines += wrapped(lesson.summary, {}, 5);
   }
   return lines;
 }
 
-/// The lesson of that number or name, or the only one with that in its name.
+/// The lesson with this number or name, or the only one whose name contains `called`.
 std::optional<std::string> find_lesson(const std::vector<std::string>& slugs, const std::string& called) {
   std::vector<std::string> like;
   for (const std::string& slug : slugs) {
@@ -136,13 +137,13 @@ int run_all(const std::vector<std::string>& slugs, Arguments arguments) {
   return worst;
 }
 
-/// The first lesson that was begun and not ended, else the first that was not finished.
+/// The first lesson that is begun but not ended, else the first that is not finished.
 std::optional<std::string> next_lesson(const std::vector<std::string>& slugs) {
   const auto begun =
-      std::find_if(slugs.begin(), slugs.end(), [](const auto& slug) { return !read_place(slug).step.empty(); });
+      std::find_if(slugs.begin(), slugs.end(), [](const auto& slug) { return !read_bookmark(slug).step.empty(); });
   if (begun != slugs.end()) return *begun;
   const auto open =
-      std::find_if(slugs.begin(), slugs.end(), [](const auto& slug) { return !read_place(slug).finished; });
+      std::find_if(slugs.begin(), slugs.end(), [](const auto& slug) { return !read_bookmark(slug).finished; });
   return open == slugs.end() ? std::nullopt : std::optional(*open);
 }
 
@@ -164,7 +165,7 @@ int open_course(const std::vector<std::string>& slugs) {
       continue;
     }
     const int status = build_and_run(*chosen, {});
-    if (status != 0 || !read_place(*chosen).step.empty()) return status;
+    if (status != 0 || !read_bookmark(*chosen).step.empty()) return status;
   }
 }
 

@@ -4,8 +4,7 @@
 
 namespace byhand::renderer {
 
-/// Looks at the plane: `centre` of the world appears in the middle of `frame`, one world unit `scale` points
-/// long.
+/// Maps the plane of the world to the page: `centre` appears in the middle of `frame`, at `scale` points per unit.
 struct Camera {
   Rectangle frame{};   ///< on the page, in points
   Point centre{0, 0};  ///< in the world
@@ -15,9 +14,8 @@ struct Camera {
   Point to_world(const Point& page) const { return centre + (page - frame.centre()) / scale; }
 };
 
-/// The camera that shows all of the box `world` in `frame` as large as it goes, with `margin` points around
-/// it. Throws std::invalid_argument when the frame is smaller than its margins or the box is a point or not
-/// finite.
+/// The camera with the largest scale at which the box `world` fits into `frame` with `margin` points around it.
+/// Throws std::invalid_argument if the frame is smaller than its margins, or the box is a point or not finite.
 Camera fit(const Rectangle& world, const Rectangle& frame, double margin = 32);
 
 }  // namespace byhand::renderer

@@ -24,11 +24,9 @@ Point turned(const Point& v, double angle) {
   return {c * v.x() - s * v.y(), s * v.x() + c * v.y()};
 }
 
-Point left_of(const Point& direction) { return {-direction.y(), direction.x()}; }
-
 Point unit_or(const Point& v, const Point& otherwise) { return v.norm() > 0 ? Point(v.normalized()) : otherwise; }
 
-// Where in its box, 0 … 1 from the lower left, a text is held.
+// Position of the anchor in the box of a text, 0 … 1 from the lower left.
 Point share(Anchor anchor) {
   switch (anchor) {
     case Anchor::centre: return {0.5, 0.5};
@@ -69,7 +67,7 @@ TextBlock lay_out(const Font& font, double scale, const Point& at, std::string_v
   block.letters = (cap_height + line_height * double(block.lines.size() - 1)) * style.size;
   const double height = block.letters + descent * style.size;
   const Point held = share(style.anchor), corner = at + style.offset;
-  // In the middle it is the capitals that are centred, not the room for what hangs below them.
+  // Vertically, the capitals are centred, without the descenders.
   const auto begin = [&](double where, double extent) {
     return where == 0.5 ? -extent + block.letters / 2 : -where * extent;
   };
@@ -89,7 +87,7 @@ Mark series_mark(int i) {
   return marks[std::size_t(i % 8 + 8) % 8];
 }
 
-// Everything below the public functions works in pixels, y down.
+// The members work in pixels, y down.
 struct Canvas::State {
   State(int width_, int height_)
       : width(width_), height(height_), scale(height / page_height), painter(width, height) {}
@@ -126,7 +124,7 @@ struct Canvas::State {
     if (colour.a > 0) fill(vertices, pixels, colour);
   }
 
-  // `fading`: from nothing at the first point to the full colour at the last.
+  // `fading`: opacity from zero at the first point to one at the last.
   void draw_stroke(std::span<const Point> pixels, const Stroke& style, bool fading = false) {
     const double w = style.width * scale;
     if (w <= 0) return;
@@ -165,7 +163,7 @@ struct Canvas::State {
     if (!way.allFinite()) return;
     if (length < 0.75 * w) return draw_fill(circle(tip, 1.2 * w), style.colour);
     const Point ahead = way / length;
-    // Short arrows keep their shape: the head never takes more than 60 % of the length.
+    // A short arrow keeps its shape: its head is at most 60 % of the length.
     const double head = std::min(5.2 * w, 0.6 * length), half = 0.38 * head;
     const Point neck = tip - head * ahead;
     const std::array<Point, 2> shaft{tail, neck + 0.3 * head * ahead};
@@ -173,7 +171,7 @@ struct Canvas::State {
     draw_fill(std::array<Point, 3>{tip, neck + half * left_of(ahead), neck - half * left_of(ahead)}, style.colour);
   }
 
-  // Short strokes that lean away from the line from `a` to `b`, on its right as seen on the page.
+  // Short oblique strokes on the right of the line from `a` to `b`.
   void draw_hatching(const Point& a, const Point& b) {
     const double spacing = 9 * scale, depth = 9 * scale;
     const Point ahead = unit_or(b - a, {1, 0});
@@ -184,7 +182,7 @@ struct Canvas::State {
                     {palette::muted, 1.2});
   }
 
-  // Everything since the last batch becomes one.
+  // Makes a batch of all vertices since the last one.
   void close_batch() {
     const std::size_t first = batches.empty() ? 0 : batches.back().first + batches.back().count;
     if (vertices.size() > first) batches.push_back({clip, first, vertices.size() - first, std::nullopt});
@@ -244,7 +242,7 @@ void Canvas::box(const Point& centre, const Point& size, double angle, const Loo
 }
 
 void Canvas::rectangle(const Rectangle& r, const Look& look) {
-  // Whole pixels: cells of a map meet without a seam, and bars are crisp.
+  // On whole pixels, cells of a heat map meet without a seam and bars are sharp.
   const auto snapped = [](const Point& p) { return Point(std::round(p.x()), std::round(p.y())); };
   const Point a = snapped(state_->seen(Point(r.x, r.y))), c = snapped(state_->seen(Point(r.right(), r.top())));
   if (!a.allFinite() || !c.allFinite()) return;
@@ -325,7 +323,7 @@ void Canvas::mark(const Point& at, Mark mark, Colour colour, double size) {
     return points;
   };
   if (!p.allFinite()) return;
-  // Radii that give all shapes about the same area.
+  // These radii give all shapes about the same area.
   switch (mark) {
     case Mark::disc: return state_->draw_shape(circle(p, r), full);
     case Mark::square: return state_->draw_shape(regular(4, 1.25 * r, std::numbers::pi / 4), full);
@@ -375,7 +373,7 @@ void Canvas::dimension(const Point& a, const Point& b, std::string_view label, d
   const Stroke thin{palette::muted, 1.3};
   line(p, q, thin);
   for (const Point& end : {p, q}) line(end - 5 * aside, end + 5 * aside, thin);
-  // Beside the line, on the side away from what is measured: held at the nearest edge of its box.
+  // The text is on the outer side of the line, its box touching it.
   const Rectangle box = measure({0, 0}, label, {.size = 16});
   const double away = 6 + 0.5 * (std::abs(aside.x()) * box.width + std::abs(aside.y()) * box.height);
   text((p + q) / 2 + (offset < 0 ? -away : away) * aside, label, {.size = 16, .halo = 3});

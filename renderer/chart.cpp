@@ -11,7 +11,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// The extent of the values that an axis can show.
+// The range of the values that an axis can show.
 class Extent {
  public:
   explicit Extent(const Axis& axis) : axis_(axis) {}
@@ -24,8 +24,8 @@ class Extent {
     for (const double value : values) include(value);
   }
 
-  // The axis' own range, else the extent with `room` (a share of it) on either side; a quantity of one sign
-  // that comes near zero begins there if `at_zero`.
+  // The range given for the axis, else the extent with a margin of `room` times its size on either side. If
+  // `at_zero`, a range that begins near zero begins at zero.
   std::pair<double, double> range(double room, const char* name, bool at_zero = false) const {
     const bool logarithmic = axis_.scale == Scale::logarithmic;
     if (axis_.range) {

@@ -13,61 +13,59 @@ namespace byhand::renderer {
 struct Axis {
   std::string label{};  ///< quantity with its unit: "stretch (mm)"
   Scale scale = Scale::linear;
-  std::optional<std::pair<double, double>>
-      range{};                ///< lowest and highest value; chosen from the data when absent
-  bool reversed = false;      ///< low values at the right or top: rows of a matrix
-  std::vector<Tick> ticks{};  ///< instead of the automatic ones: names, multiples of π
+  std::optional<std::pair<double, double>> range{};  ///< lowest and highest value; default: from the data
+  bool reversed = false;      ///< values increase to the left or downwards, as the rows of a matrix do
+  std::vector<Tick> ticks{};  ///< replace the automatic ticks: names, multiples of π
 };
 
 enum class CurveStyle {
   line,
   markers,
   line_and_markers,
-  stems,   ///< a thin line from zero up to a marker
-  theory,  ///< dashed: what should be, not what was measured
-  front,   ///< a broad pale staircase under the others, level and then upright from each point to the next: what
-           ///< can be had
+  stems,   ///< a thin line from zero to each marker
+  theory,  ///< dashed: predicted, not measured
+  front,   ///< a broad pale staircase below the other curves: a Pareto front
 };
 
-/// Values of y over x, of one length. NaN in either leaves a gap. An infinite value is a run that failed: a
-/// cross at the edge of the chart on its side. A curve without points stands in the legend alone.
+/// Values of y over x, equally many. NaN leaves a gap. An infinite value marks a failed run by a cross at that
+/// edge of the chart. A curve without points appears in the legend only.
 struct Curve {
   std::string label{};
   std::vector<double> x{}, y{};
   CurveStyle style = CurveStyle::line;
-  std::optional<Colour> colour{};  ///< the next of the series (theory: palette::theory) when absent
-  std::vector<std::string>
-      point_labels{};  ///< a text at each point (the knob turned there, why it failed), or none
-  std::vector<std::string> point_names{};  ///< what the data call each point, where not all have room for a label
+  std::optional<Colour> colour{};           ///< default: the next of the series; palette::theory for theory
+  std::vector<std::string> point_labels{};  ///< a text at each point, or none
+  std::vector<std::string> point_names{};  ///< names of the points in the CSV file, if they differ from the labels
 };
 
-/// One bar for each of `Chart::bar_names`; several series stand side by side.
+/// One bar for each of `Chart::bar_names`. Several series are grouped.
 struct Bars {
   std::string label{};
   std::vector<double> values{};
   std::optional<Colour> colour{};
 };
 
-/// What a cell may be, where it is one of a few things rather than a number.
+/// A category of cells in a heat map.
 struct CellClass {
   std::string name{};
   Colour colour{};
 };
 
-/// Values over a grid of cells. x and y are the centres of columns and rows, rising or falling; `values` go
-/// along x first: value(row, column) = values[row · x.size() + column]. NaN leaves the cell empty, an
-/// infinite value (a run that failed) is crossed out.
+/// Values on a grid of cells. x and y are the centres of columns and rows, increasing or decreasing. `values` is
+/// row-major: value(row, column) = values[row · x.size() + column]. NaN leaves a cell empty; an infinite value (a
+/// failed run) is crossed out.
 struct HeatMap {
   std::string label{};  ///< of the colour bar, with unit
   std::vector<double> x{}, y{}, values{};
-  bool diverging = false;  ///< zero is paper, signs differ in hue
+  bool diverging = false;  ///< zero has the colour of the paper; the sign decides the hue
   Scale scale = Scale::linear;
   std::optional<std::pair<double, double>> range{};
-  bool square = false;               ///< cells as high as wide: matrices
-  std::vector<CellClass> classes{};  ///< if there are any, values are their indices and the legend names them
+  bool square = false;  ///< square cells, for matrices
+  std::vector<CellClass>
+      classes{};  ///< if not empty, the values are indices into it, and the legend lists the names
 };
 
-/// A text at a place in the units of the axes, with a dot.
+/// A dot with a text; coordinates in units of the axes.
 struct Annotation {
   double x = 0, y = 0;
   std::string text{};
@@ -76,13 +74,13 @@ struct Annotation {
 /// A thin dashed line across the chart at a value of one axis.
 struct Reference {
   enum class Across { x, y };
-  Across axis = Across::y;  ///< whose value it marks: y draws a level line
+  Across axis = Across::y;  ///< the axis of `value`: y draws a horizontal line
   double value = 0;
   std::string label{};
 };
 
-/// A chart as a value: it can be drawn, printed as text or written as data. Curves and a heat map share the
-/// axes; bars stand at 0, 1, 2, … of x under `bar_names`, and curves may be drawn over them there.
+/// A chart, to be drawn, printed as text or written as data. Curves and a heat map share the axes. Bars are at
+/// x = 0, 1, 2, …, labelled with `bar_names`.
 struct Chart {
   std::string title{};
   Axis x{}, y{};
@@ -94,28 +92,27 @@ struct Chart {
   std::vector<Reference> references{};
 };
 
-/// What each axis shows: its range if given, else the data's with a little room (zero included for bars and
-/// stems). Throws std::invalid_argument for lengths that differ, an empty range or nothing to show on a
-/// logarithmic axis.
+/// The range of each axis: the given one, else that of the data with a margin, including zero for bars and stems.
+/// Throws std::invalid_argument if lengths differ, a range is empty, or a logarithmic axis has no positive value.
 struct ChartRanges {
   std::pair<double, double> x, y;
 };
 ChartRanges ranges(const Chart& chart);
 
-/// The values that the two ends of a heat map's colour bar stand for: its range if given, else the least and the
-/// greatest finite value; symmetric about zero when it is diverging.
+/// The values at the ends of the colour bar: the given range, else the least and greatest finite value; symmetric
+/// about zero for a diverging map.
 std::pair<double, double> value_range(const HeatMap& map);
 
-/// The n + 1 borders of n cells with these centres: halfway between them on the axis.
+/// The n + 1 borders of n cells, halfway between their centres on the axis.
 std::vector<double> cell_edges(const std::vector<double>& centres, Scale scale);
 
-/// The name of the class that a cell of a map with classes has; empty for a cell that is empty.
+/// Name of the class of a cell in a map with classes; empty for an empty cell.
 std::string class_name(const HeatMap& map, double value);
 
-/// Draws the chart into `frame` (points on the page), axes and labels included; the canvas's camera stays as
-/// it was. Labels stand at the ends of the curves where they fit, else in a legend where the chart is
-/// emptiest, or beside it where there are many.
-/// Returns the rectangle between the axes. Throws as `ranges` does, and for a frame without room for the labels.
+/// Draws the chart with axes and labels into `frame` (points on the page) and restores the camera. Curves are
+/// labelled at their ends if there is room, else in a legend in the emptiest place, or beside the chart if the
+/// legend is long. Returns the rectangle between the axes. Throws as `ranges` does, and std::invalid_argument for
+/// a frame too small for the labels.
 Rectangle draw(Canvas& canvas, const Chart& chart, const Rectangle& frame);
 
 }  // namespace byhand::renderer

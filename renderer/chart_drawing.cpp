@@ -19,7 +19,7 @@ const Stroke axis_line{palette::muted, 1.4};
 const Stroke grid_line{palette::grid, 1.2};
 const Stroke faint_line{fade(palette::grid, 0.55), 1};
 
-// A value's place on an axis, 0 … 1 from its left or lower end.
+// Maps the values of an axis to 0 … 1, from its left or lower end.
 class Position {
  public:
   Position(const Axis& axis, std::pair<double, double> range)
@@ -41,7 +41,7 @@ class Position {
   double low_, high_;
 };
 
-// One entry of the legend, or a label at a curve's end.
+// An entry of the legend, or the label at the end of a curve.
 struct Entry {
   std::string label;
   Colour colour;
@@ -59,14 +59,14 @@ Stroke stroke(const Entry& e) {
   return {e.colour, e.style == CurveStyle::front ? 9 : curve_width};
 }
 bool has_marks(CurveStyle s) { return s != CurveStyle::line && s != CurveStyle::theory && s != CurveStyle::front; }
-// Neither takes a colour or a mark of the series.
-bool stands_apart(CurveStyle s) { return s == CurveStyle::theory || s == CurveStyle::front; }
+// Styles that do not use the colours and markers of the series.
+bool is_outside_series(CurveStyle s) { return s == CurveStyle::theory || s == CurveStyle::front; }
 Colour own_colour(CurveStyle s, int next) {
   if (s == CurveStyle::theory) return palette::theory;
   return s == CurveStyle::front ? fade(palette::highlight, 0.4) : palette::series(next);
 }
 
-// A front is too pale to write in.
+// The colour of a front is too pale for text.
 Colour label_colour(const Entry& e) { return e.style == CurveStyle::front ? palette::ink : e.colour; }
 
 class ChartDrawing {
@@ -123,7 +123,7 @@ class ChartDrawing {
     }
     return places;
   }
-  // Bar `i` of series `series`.
+  // The rectangle of bar `i` of series `series`.
   Rectangle bar(std::size_t series, std::size_t i) const {
     const double n = double(chart_.bars.size()), width = 0.76 / n;
     const double left = double(i) - 0.38 + double(series) * width;
@@ -139,13 +139,13 @@ class ChartDrawing {
     for (const Tick& tick : ticks) most = std::max(most, width(tick.label, tick_size));
     return most;
   }
-  // The label of an axis with the power of ten that its ticks leave out.
+  // The label of an axis with the power of ten factored out of its ticks.
   std::string axis_label(const Axis& axis, const Ticks& ticks) const {
     if (ticks.exponent == 0) return axis.label;
     const std::string power = "×" + number(std::pow(10.0, ticks.exponent), 1);
     return axis.label.empty() ? power : axis.label + "  " + power;
   }
-  // How dark the chart is under a rectangle: points of its curves and bars that lie within.
+  // Number of points of curves and bars inside a rectangle.
   double covered(const Rectangle& box) const;
 
   Canvas& canvas_;
@@ -181,11 +181,11 @@ void ChartDrawing::list_entries() {
   for (const Curve& curve : chart_.curves) {
     entries_.push_back({curve.label, curve.colour.value_or(own_colour(curve.style, next)), curve.style,
                         series_mark(next), &curve});
-    if (!stands_apart(curve.style)) ++next;
+    if (!is_outside_series(curve.style)) ++next;
   }
 }
 
-// Breaks a text that is wider than the frame between words.
+// Wraps a text at the width of the frame.
 std::string ChartDrawing::wrapped(const std::string& text, double size, bool bold) const {
   std::string lines, line;
   for (std::size_t begin = 0; begin < text.size();) {
@@ -226,7 +226,7 @@ void ChartDrawing::choose_ticks() {
   } else if (!chart_.x.ticks.empty()) {
     x_ticks_ = given(chart_.x, ranges_.x);
   } else {
-    // As many as stand side by side with room between them.
+    // As many ticks as fit without their labels touching.
     for (int most = std::max(4, int(plot_.width / 70)); most >= 2; --most) {
       x_ticks_ = ticks(chart_.x.scale, ranges_.x.first, ranges_.x.second, most);
       double nearest = plot_.width;
@@ -243,7 +243,8 @@ void ChartDrawing::lay_out() {
     return text.empty() ? 0.0 : 1.0 + double(std::count(text.begin(), text.end(), '\n'));
   };
   title_ = wrapped(chart_.title, title_size, true);
-  // Ticks need a height, and their labels' power of ten belongs to the axis label: a first guess will do.
+  // The ticks depend on the height of the plot, which depends on the axis label with the ticks' power of ten:
+  // starts from an estimate.
   plot_ = frame_.inset(40);
   choose_ticks();
   const auto& map = chart_.heat_map;
@@ -319,7 +320,7 @@ bool ChartDrawing::labels_fit_at_ends() {
     ends.push_back({end.y(), i});
   }
   std::sort(ends.begin(), ends.end());
-  // Pushed up where they would overlap, then down from the top: what remains is shared by moving halfway.
+  // Moves overlapping labels up, then those above the top down; the mean of both shares the displacement.
   std::vector<double> up, down(ends.size());
   for (const auto& [y, i] : ends) up.push_back(std::max(y, up.empty() ? -1e9 : up.back() + spacing));
   for (std::size_t k = ends.size(); k-- > 0;)
@@ -367,7 +368,7 @@ double ChartDrawing::covered(const Rectangle& box) const {
   return hits;
 }
 
-// Of the legend as a column.
+// Width and height of the legend as a column.
 Point ChartDrawing::legend_size() const {
   double w = 0, h = 0;
   for (const Entry& e : entries_) {
@@ -394,7 +395,7 @@ bool ChartDrawing::legend_fits_inside() {
   return false;
 }
 
-// The height of the legend as rows above the plot.
+// Height of the legend as rows above the plot; draws it if `drawing`.
 double ChartDrawing::legend_rows(bool drawing) {
   const double row = line_height * small_size;
   double x = frame_.x, y = plot_.top() + legend_.height;
@@ -423,7 +424,7 @@ void ChartDrawing::draw_axes() {
       const double y = plot_.y + y_(value) * plot_.height;
       canvas_.line({plot_.x, y}, {plot_.right(), y}, s);
     };
-    // Minor lines help to read logarithms; on a linear axis they are clutter.
+    // Only a logarithmic axis gets minor grid lines.
     if (chart_.x.scale == Scale::logarithmic)
       for (const double v : x_ticks_.minor) upright(v, faint_line);
     if (chart_.y.scale == Scale::logarithmic)
@@ -449,7 +450,7 @@ void ChartDrawing::draw_axes() {
   const double above = labelling_ == Labelling::above ? legend_.height : 0;
   canvas_.text({frame_.x, plot_.top() + above + 10}, y_label_,
                {.size = label_size, .anchor = Anchor::bottom_left});
-  // A raised letter stands out above the others.
+  // Leaves room for a superscript above the capitals.
   canvas_.text({frame_.x, frame_.top() - 3}, title_,
                {.size = title_size, .anchor = Anchor::top_left, .bold = true});
 }
@@ -481,7 +482,7 @@ void ChartDrawing::draw_heat_map() {
     }
   }
   if (!map.classes.empty()) {
-    // Equal neighbours are still two cells.
+    // Separates neighbours of equal value.
     const Stroke seam{fade(palette::paper, 0.6), 1};
     for (const double x : xs) canvas_.line(at(x, ys.front()), at(x, ys.back()), seam);
     for (const double y : ys) canvas_.line(at(xs.front(), y), at(xs.back(), y), seam);
@@ -534,7 +535,7 @@ void ChartDrawing::draw_bars() {
 
 void ChartDrawing::draw_curves() {
   canvas_.clip(plot_.inset(-0.5 * curve_width));
-  // A front lies under the others, a theory over them.
+  // Fronts are drawn below the other curves, theory above them.
   const auto layer = [](CurveStyle s) { return s == CurveStyle::front ? 0 : s == CurveStyle::theory ? 2 : 1; };
   for (const int now : {0, 1, 2}) {
     for (const Entry& e : entries_) {
@@ -565,7 +566,7 @@ void ChartDrawing::draw_stems(const Curve& curve, Colour colour) {
 void ChartDrawing::draw_marks(const Entry& e) {
   const std::vector<Point> places = points(*e.curve);
   const double size = places.size() > 80 && e.style == CurveStyle::markers ? 6 : 9;
-  // A line that is dense with points carries a marker now and then.
+  // A line with many points has a marker at every n-th only.
   const double apart = e.style == CurveStyle::line_and_markers && places.size() > 40 ? 26 : 0;
   Point last(-1e9, -1e9);
   for (const Point& p : places) {
@@ -575,7 +576,7 @@ void ChartDrawing::draw_marks(const Entry& e) {
   }
 }
 
-// Where a failed run stands: at the edge on the side of what is infinite. Not finite for any other point.
+// Position of the cross of a failed run, at the edge on the infinite side. Not finite for any other point.
 Point ChartDrawing::failure_place(double x, double y) const {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN(), margin = 7;
   if (!std::isinf(x) && !std::isinf(y)) return {nan, nan};
@@ -586,7 +587,7 @@ Point ChartDrawing::failure_place(double x, double y) const {
   return {along(x, chart_.x, x_, plot_.x, plot_.width), along(y, chart_.y, y_, plot_.y, plot_.height)};
 }
 
-// A cross at its place, which it returns; further ones there step inwards.
+// Draws the cross of a failed run and returns its position. Crosses at the same position step inwards.
 Point ChartDrawing::draw_failure(double x, double y, Colour colour) {
   Point p = failure_place(x, y);
   if (!p.allFinite()) return p;
@@ -662,7 +663,7 @@ void ChartDrawing::draw_texts() {
     const double share = level ? y_(r.value) : x_(r.value);
     if (!(share >= 0 && share <= 1)) continue;
     const TextStyle style{.size = small_size, .colour = palette::theory, .halo = 3};
-    // Somewhere along the line where nothing is: a level line from its right, an upright one from its top.
+    // The first free place along the line: from the right on a horizontal line, from the top on a vertical one.
     const double length = level ? plot_.width : plot_.height;
     const Rectangle box = canvas_.measure({0, 0}, r.label, style);
     const double need = level ? box.width : box.height;

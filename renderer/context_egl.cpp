@@ -27,7 +27,7 @@ class Egl : public Context {
   }
   Egl(const Egl&) = delete;
   Egl& operator=(const Egl&) = delete;
-  // The display is the process's own and shared by all contexts: it is not terminated with one of them.
+  // All contexts of the process share the display, so it is not terminated here.
   ~Egl() override {
     if (eglGetCurrentContext() == context_)
       eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);

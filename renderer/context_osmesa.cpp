@@ -13,7 +13,7 @@
 #endif
 #endif
 #ifdef BYHAND_LEAKS_ARE_REPORTED
-// What OSMesa keeps to the end of the program is its own affair.
+// OSMesa never frees some of its memory.
 extern "C" const char* __lsan_default_suppressions() { return "leak:libOSMesa\n"; }
 #endif
 
@@ -51,7 +51,7 @@ class OSMesa : public Context {
   const char* name() const override { return "OSMesa"; }
 
  private:
-  // OSMesa insists on a framebuffer of its own. Its pixels differ from EGL's, so nothing is ever drawn there.
+  // OSMesa requires a default framebuffer. Its pixels differ from EGL's, so nothing is drawn into it.
   static constexpr int side = 16;
   std::array<unsigned char, 4 * side * side> unused_{};
   OSMesaContext context_ = nullptr;

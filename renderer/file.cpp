@@ -29,7 +29,7 @@ void write_whole(const fs::path& path, std::string_view bytes) {
   std::FILE* file = std::fopen(part.c_str(), "wb");
   if (!file) refuse(path, last_error());
   if (std::fwrite(bytes.data(), 1, bytes.size(), file) != bytes.size()) error = last_error();
-  // A full disk may show only when the last buffer leaves.
+  // A full disk may be reported only when the last buffer is flushed.
   if (std::fclose(file) != 0 && !error) error = last_error();
   if (!error) fs::rename(part, path, error);
   if (error) {

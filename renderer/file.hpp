@@ -5,9 +5,8 @@
 
 namespace byhand::renderer {
 
-/// Writes `bytes` to `path`, whole or not at all: into `<path>.part` beside it, then renamed over it. Missing
-/// folders are made. Throws EnvironmentError that names the path and the reason; the old file, if any, then
-/// stays.
+/// Writes a file atomically: writes `<path>.part`, then renames it. Creates missing folders. Throws
+/// EnvironmentError with path and reason, and then leaves an old file unchanged.
 void write_whole(const std::filesystem::path& path, std::string_view bytes);
 
 }  // namespace byhand::renderer

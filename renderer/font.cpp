@@ -16,12 +16,12 @@
 namespace byhand::renderer {
 namespace {
 
-constexpr int phases = 4;       // places within a pixel at which a letter can begin
-constexpr int size_steps = 4;   // sizes are multiples of a quarter of a pixel
-constexpr double small = 0.72;  // raised and lowered letters
+constexpr int phases = 4;       // subpixel positions of a glyph
+constexpr int size_steps = 4;   // font sizes are multiples of a quarter of a pixel
+constexpr double small = 0.72;  // relative size of subscripts and superscripts
 constexpr double raise = 0.36, lower = 0.18;
 
-// The next code point of UTF-8; a byte that is none stands for itself.
+// Decodes the next code point of UTF-8; an invalid byte is returned as it is.
 char32_t next_code_point(std::string_view& text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned char head = byte(0);
@@ -68,7 +68,7 @@ Font::Line Font::lay_out(std::string_view text, double size, const Face& face) {
   int previous = 0;
   struct Box {
     double left, right, top;
-  } base{};  // of the last letter that was no mark, in pixels
+  } base{};  // of the last base letter, in pixels
   while (!text.empty()) {
     char32_t c = next_code_point(text);
     if (group == Group::braces && c == U'}') {
@@ -89,7 +89,7 @@ Font::Line Font::lay_out(std::string_view text, double size, const Face& face) {
     stbtt_GetGlyphHMetrics(&face.info, glyph, &advance, &bearing);
     stbtt_GetGlyphBox(&face.info, glyph, &x0, &y0, &x1, &y1);
     if (combines(c)) {
-      // A mark sits centred over its letter, clear of a tall one: fonts place it for a small letter.
+      // Centres the mark over its letter and lifts it above tall letters: fonts place it for small ones.
       int small_top = 0, unused = 0;
       stbtt_GetCodepointBox(&face.info, 'x', &unused, &unused, &unused, &small_top);
       const double up = std::max(0.0, base.top - scale * small_top);
@@ -101,7 +101,7 @@ Font::Line Font::lay_out(std::string_view text, double size, const Face& face) {
       pen += scale * advance;
       previous = glyph;
     }
-    // A mark after a single raised letter still belongs to it.
+    // A combining mark after a single raised letter belongs to it.
     std::string_view rest = text;
     if (group == Group::one && (rest.empty() || !combines(next_code_point(rest))))
       group = Group::none, factor = 1, shift = 0, previous = 0;
@@ -113,10 +113,10 @@ double Font::width(std::string_view line, double size, bool bold) const {
   return lay_out(line, size, bold ? *bold_ : *regular_).width;
 }
 
-const Font::Slot& Font::slot(const Face& face, bool bold, int glyph, double size, int phase, int halo) {
+const Font::AtlasGlyph& Font::slot(const Face& face, bool bold, int glyph, double size, int phase, int halo) {
   const int steps = int(std::lround(size * size_steps));
   const auto [found, fresh] = slots_.try_emplace({bold, glyph, steps, phase, halo});
-  Slot& slot = found->second;
+  AtlasGlyph& slot = found->second;
   if (!fresh) return slot;
 
   const float scale = float(face.scale(double(steps) / size_steps)), shift = float(phase) / phases;
@@ -134,7 +134,7 @@ const Font::Slot& Font::slot(const Face& face, bool bold, int glyph, double size
   slot = {row_end_, row_top_, width, height, x0 - r, y0 - r};
   row_end_ += width + 1;
 
-  // The swollen letter: at each pixel the darkest of the letter's within reach.
+  // Dilation: the maximum of the glyph within reach of each pixel.
   const double reach = double(halo) / size_steps;
   for (int dy = -r; dy <= r; ++dy) {
     for (int dx = -r; dx <= r; ++dx) {
@@ -154,13 +154,13 @@ const Font::Slot& Font::slot(const Face& face, bool bold, int glyph, double size
 void Font::write(Vertices& to, std::string_view line, const Point& at, double size, bool bold, Colour colour,
                  double halo, bool upright) {
   const Face& face = bold ? *bold_ : *regular_;
-  // Turned a quarter to the left, what was right is up and what was up is left.
+  // Rotated by 90° anticlockwise, right becomes up and up becomes left.
   const double along = upright ? at.x() : -at.y(), down = upright ? at.y() : at.x();
-  for (const Placed& letter : lay_out(line, size, face).letters) {
+  for (const PlacedGlyph& letter : lay_out(line, size, face).letters) {
     const double x = along + letter.x;
     const double column = std::floor(x + 0.5 / phases);
     const int phase = std::clamp(int(std::floor((x - column) * phases + 0.5)), 0, phases - 1);
-    const Slot& s = slot(face, bold, letter.glyph, letter.size, phase, int(std::lround(halo * size_steps)));
+    const AtlasGlyph& s = slot(face, bold, letter.glyph, letter.size, phase, int(std::lround(halo * size_steps)));
     if (s.width == 0) continue;
     const double left = column + s.left, top = std::round(down - letter.y) + s.top;
     const auto corner = [&](int i, int j) {

@@ -15,7 +15,7 @@
 namespace byhand::renderer {
 
 namespace {
-constexpr std::size_t capacity = 4;  // frames that may wait: 11 MB at 1280 × 720
+constexpr std::size_t capacity = 4;  // frames in the queue: 11 MB at 1280 × 720
 }
 
 FrameWriter::FrameWriter(std::filesystem::path folder, Encoding encoding)

@@ -13,29 +13,28 @@
 
 namespace byhand::renderer {
 
-/// Writes an image sequence `<folder>/0000.png`, `0001.png`, …, encoding on a thread of its own beside the
-/// drawing.
+/// Writes an image sequence `<folder>/0000.png`, `0001.png`, …, and encodes it on a background thread.
 class FrameWriter {
  public:
   enum class Encoding { beside, at_once };
 
-  /// `Encoding::at_once` starts no thread: each `write` returns when its file is there.
+  /// `Encoding::at_once` starts no thread: `write` returns once the file exists.
   explicit FrameWriter(std::filesystem::path folder, Encoding encoding = Encoding::beside);
   FrameWriter(const FrameWriter&) = delete;
   FrameWriter& operator=(const FrameWriter&) = delete;
-  /// Waits for the file being written and drops what is still queued: call `finish` when every frame matters.
+  /// Waits for the file being written and drops the queue. Call `finish` first to write all frames.
   ~FrameWriter();
 
-  /// Hands over the next frame; waits while four are queued. Throws what went wrong with an earlier one
-  /// (EnvironmentError for a full disk, …); after that no further frame is written.
+  /// Queues the next frame; waits while four are queued. Rethrows the error of an earlier frame (EnvironmentError
+  /// for a full disk, …), after which no frame is written.
   void write(Image image);
 
-  /// Waits until every frame is written and throws what went wrong with any of them. No frame may follow.
+  /// Waits until every frame is written and rethrows an error. No frame may follow.
   void finish();
 
-  /// Frames handed over so far.
+  /// Number of frames so far.
   int count() const { return count_; }
-  /// The path that frame `index` has.
+  /// Path of frame `index`.
   std::filesystem::path path(int index) const;
 
  private:
@@ -54,13 +53,12 @@ class FrameWriter {
   std::thread thread_;
 };
 
-/// The images in a grid of `columns`, row by row, each shrunk so that the whole is `width` pixels wide, with
-/// `gap` pixels of paper between and around them. All images have one size; throws std::invalid_argument
-/// otherwise.
+/// A contact sheet: the images in `columns` columns, row by row, scaled so that the sheet is `width` pixels wide,
+/// with gaps of `gap` pixels. Throws std::invalid_argument unless all images have the same size.
 Image strip(std::span<const Image> images, int columns, int width = 1920, int gap = 12);
 
-/// At most `n` indices spread evenly over 0 … count−1, first and last among them (for n = 1 the last): the frames
-/// that a strip shows.
+/// At most `n` indices, evenly spaced over 0 … count−1 and including both ends (for n = 1 the last): the frames of
+/// a contact sheet.
 std::vector<int> spread(int count, int n);
 
 }  // namespace byhand::renderer

@@ -1,6 +1,5 @@
 #pragma once
 
-// The library that makes the context (OSMesa, or EGL with libOpenGL) exports these functions itself: no
-// loader.
+// OSMesa and libOpenGL export these functions, so no loader is needed.
 #define GL_GLEXT_PROTOTYPES
 #include <GL/glcorearb.h>

@@ -55,7 +55,7 @@ Rectangle Labels::place(const Point& at, std::string_view text, TextStyle style,
       style.anchor = candidate.anchor;
       style.offset = offset + distance * gap * candidate.direction;
       const Rectangle box = canvas_.measure(at, text, style);
-      // What the edge of the frame cuts off is worse than what lies under the text.
+      // Area outside the frame costs more than overlap.
       const double under = covered(box) + 4 * (box.width * box.height - box.overlap(frame_));
       if (under < least) least = under, best = style;
       if (least < 1e-6) break;

@@ -8,24 +8,22 @@
 
 namespace byhand::renderer {
 
-/// Places texts beside points so that none covers another, a shape it was told to avoid or the edge of
-/// `frame`.
+/// Places labels beside points without overlap between labels, avoided shapes and the edge of the frame.
 class Labels {
  public:
-  /// `frame`, in points on the page, is where texts may stand.
+  /// `frame`: the region for labels, in points on the page.
   Labels(Canvas& canvas, const Rectangle& frame);
 
-  /// Keeps texts off a rectangle (points), a disc or a path (both in the camera's units).
+  /// Keeps labels off a rectangle (points on the page), a disc or a path (both in world units).
   void avoid(const Rectangle& on_page);
   void avoid_disc(const Point& centre, double radius);
   void avoid_path(std::span<const Point> points);
 
-  /// The area, in square points, of what a rectangle on the page would cover.
+  /// Area [points²] of avoided shapes and labels under a rectangle on the page.
   double covered(const Rectangle& on_page) const;
 
-  /// Draws `text` beside `at` (camera's units), `gap` points away: right, left, above, below, the corners,
-  /// then farther out; the first place that is free, else the one that covers least. Returns its box in
-  /// points.
+  /// Draws `text` beside `at` (world units). Tries right, left, above, below and the corners at `gap` points, then
+  /// farther out. Takes the first free place, else the one with the least overlap. Returns its box in points.
   Rectangle place(const Point& at, std::string_view text, TextStyle style = {.halo = 3}, double gap = 10);
 
  private:

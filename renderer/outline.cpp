@@ -7,13 +7,10 @@
 namespace byhand::renderer {
 namespace {
 
-constexpr double feather = 0.5;  // pixels on either side of a border
+constexpr double feather = 0.5;  // half width [pixels] of the fading border
 constexpr double longest_mitre = 3;
 
-Point left_of(const Point& direction) { return {-direction.y(), direction.x()}; }
-
-// Where the offset lines of two edges meet, one unit away from both; beyond a sharp corner the tip is cut
-// short.
+// The offset of a corner whose edges are moved outwards by one unit; limited at sharp corners.
 Point mitre(const Point& before, const Point& after) {
   const Point sum = left_of(before) + left_of(after);
   const double square = sum.squaredNorm();
@@ -76,7 +73,7 @@ void fill_sharply(Vertices& to, std::span<const Point> corners, Colour colour) {
 void stroke(Vertices& to, std::span<const Point> all, double width, Colour colour, bool closed,
             double first_opacity, double last_opacity) {
   if (width <= 0) return;
-  // A line thinner than a pixel is drawn a pixel wide and paler.
+  // A line thinner than a pixel is drawn one pixel wide with less opacity.
   if (width < 1) colour = fade(colour, width), width = 1;
   const std::vector<Point> points = without_repeats(all, closed);
   const std::size_t n = points.size();
@@ -114,7 +111,7 @@ void stroke(Vertices& to, std::span<const Point> all, double width, Colour colou
       join(last, full);
       join(full, rung(points[i] + feather * before, m, fade(c, 0)));
     } else if (i > 0 && before.dot(after) < 0 && width > 1.5) {
-      // A corner sharper than a right angle: end squarely, turn on a disc, begin anew.
+      // A corner sharper than a right angle: a butt end, a round joint, a new beginning.
       const Rung stop = rung(points[i], left_of(before), c), go = rung(points[i], left_of(after), c);
       join(last, stop);
       fill(to, circle(points[i], width / 2), c);

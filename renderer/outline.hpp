@@ -7,8 +7,7 @@
 
 namespace byhand::renderer {
 
-/// A corner of a triangle in pixels, y down. A glyph's corners carry the place in the atlas; u < 0: plain
-/// colour.
+/// A vertex in pixels, y down. u, v: position in the glyph atlas; u < 0 for plain colour.
 struct Vertex {
   float x, y;
   float u, v;
@@ -17,28 +16,31 @@ struct Vertex {
 
 using Vertices = std::vector<Vertex>;
 
-/// Triangles of a convex polygon. Its border fades from opaque to clear over the pixel that it crosses:
-/// smoother than multisampling, and cheaper.
+/// The vector turned by a quarter, to the left where y points up.
+inline Point left_of(const Point& v) { return {-v.y(), v.x()}; }
+
+/// Appends the triangles of a convex polygon. Its border fades out over one pixel, which is smoother than
+/// multisampling and cheaper.
 void fill(Vertices& to, std::span<const Point> corners, Colour colour);
 
-/// The same without the soft border, for sides that lie between pixels.
+/// The same without antialiasing, for edges between pixels.
 void fill_sharply(Vertices& to, std::span<const Point> corners, Colour colour);
 
-/// Triangles of a line `width` pixels wide along `points`, with the same soft border and mitred joints. Its
-/// opacity goes from `first` to `last` along its length.
+/// Appends the triangles of a polyline, `width` pixels wide, with the same antialiasing and mitred joints. Its
+/// opacity changes from `first` to `last` along its length.
 void stroke(Vertices& to, std::span<const Point> points, double width, Colour colour, bool closed = false,
             double first = 1, double last = 1);
 
 /// The length of a path.
 double length(std::span<const Point> points);
 
-/// The corners of a regular polygon that has the area of a disc and looks like one.
+/// A regular polygon that approximates a disc within 0.05 pixels and has its area.
 std::vector<Point> circle(const Point& centre, double radius);
 
-/// The parts of a path that lie inside `box`. Points that are not finite divide it.
+/// The parts of a path inside `box`. Points that are not finite split it.
 std::vector<std::vector<Point>> clipped(std::span<const Point> points, const Rectangle& box);
 
-/// The pieces of a path that a pattern of `on` and `off` pixels leaves.
+/// The dashes of a path: `on` pixels drawn, `off` pixels left out.
 std::vector<std::vector<Point>> dashed(std::span<const Point> points, double on, double off);
 
 }  // namespace byhand::renderer

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int shadow_side = 512;  // pixels
 
-// The page is drawn upside down, so that its rows are read back from top to bottom.
+// The page is drawn upside down, because glReadPixels returns the lowest row first.
 constexpr const char* flat_vertex = R"(#version 330 core
 layout(location = 0) in vec2 place;
 layout(location = 1) in vec2 texel;
@@ -62,7 +62,7 @@ void main() {
   colour = vec4(tint * (0.42 + 0.24 * sky + 0.40 * sun) + 0.16 * shine, 1.0);
 })";
 
-// Shapes flattened along the light onto the ground: white where the ground lies in their shadow.
+// Planar shadows: projects the solids along the light onto the ground; white in shadow.
 constexpr const char* caster_vertex = R"(#version 330 core
 layout(location = 0) in vec3 place;
 uniform vec3 centre, up, light, along, across;
@@ -160,9 +160,10 @@ void set(GLuint program, const char* name, const Point3& v) {
 
 void set(GLuint program, const char* name, Colour c) { set(program, name, Point3(c.r, c.g, c.b) / 255); }
 
-void set(GLuint program, const char* name, const Eigen::Matrix4d& m) {
-  const Eigen::Matrix4f columns = m.cast<float>();
-  glUniformMatrix4fv(glGetUniformLocation(program, name), 1, GL_FALSE, columns.data());
+void set(GLuint program, const char* name, const std::array<std::array<double, 4>, 4>& columns) {
+  std::array<float, 16> values{};
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = float(columns[i / 4][i % 4]);
+  glUniformMatrix4fv(glGetUniformLocation(program, name), 1, GL_FALSE, values.data());
 }
 
 void clear(Colour c) { glClearColor(c.r / 255.0f, c.g / 255.0f, c.b / 255.0f, 1); }
@@ -196,7 +197,7 @@ Painter::Painter(int width, int height)
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
 }
 
-// What belongs to the context goes with it.
+// The OpenGL objects are destroyed with the context.
 Painter::~Painter() = default;
 
 void Painter::make_space() {
@@ -285,7 +286,7 @@ void Painter::paint_space(const Space& space, const PixelBox& frame, Colour pape
   const SpaceCamera& camera = space.camera();
   const Point3 up = camera.up.normalized(), ahead = (camera.target - camera.eye).normalized();
   const Point3 right = ahead.cross(up).normalized();
-  // The sun stands behind the reader's left shoulder.
+  // The light comes from the upper left, behind the viewer.
   const Point3 light = (1.2 * up - 0.6 * right - 0.4 * ahead).normalized();
   glBindBuffer(GL_ARRAY_BUFFER, solid_buffer_);
   glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(space.triangles_.size() * sizeof(Space::Vertex)),

@@ -21,14 +21,14 @@ struct PixelBox {
   bool operator==(const PixelBox&) const = default;
 };
 
-/// What is drawn next: flat triangles cut off outside `clip`, or a scene in space filling it.
+/// A draw call: triangles of the page clipped to `clip`, or a scene in space with `clip` as its viewport.
 struct Batch {
   PixelBox clip;
   std::size_t first = 0, count = 0;
   std::optional<Space> space;
 };
 
-/// OpenGL's half of the canvas: a framebuffer, the programs that draw into it, and its pixels read back.
+/// The OpenGL part of a canvas: its framebuffers and shader programs.
 class Painter {
  public:
   Painter(int width, int height);
@@ -48,7 +48,7 @@ class Painter {
   std::unique_ptr<Context> context_;
   std::string description_;
   GLuint page_ = 0, page_colour_ = 0, atlas_ = 0, flat_ = 0, flat_array_ = 0, flat_buffer_ = 0;
-  // For scenes in space, made with the first: four samples a pixel with depth, and the map of shadows.
+  // For scenes in space, created with the first: a multisampled framebuffer with depth, and the shadow map.
   GLuint samples_ = 0, samples_colour_ = 0, samples_depth_ = 0, shadow_ = 0, shadow_map_ = 0;
   GLuint solid_ = 0, caster_ = 0, floor_ = 0, solid_array_ = 0, solid_buffer_ = 0, no_array_ = 0;
 };

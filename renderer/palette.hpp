@@ -15,12 +15,11 @@ constexpr Colour fade(Colour colour, double opacity) {
   return {colour.r, colour.g, colour.b, std::uint8_t(colour.a * opacity)};
 }
 
-/// From `a` (t = 0) to `b` (t = 1) along a straight line in Oklab, so that equal steps of t look equal.
+/// Interpolates linearly in Oklab from `a` (t = 0) to `b` (t = 1), so that equal steps of t look equal.
 Colour mix(Colour a, Colour b, double t);
 
-/// Few colours, each with one meaning throughout the course. The hues are those of Okabe and Ito (2008),
-/// which people with any of the usual colour deficiencies tell apart; the two darkest are darkened to read as
-/// text.
+/// The colours of the course, each with one meaning. The hues are those of Okabe and Ito (2008), distinguishable
+/// with the usual colour vision deficiencies; two are darkened so that they are legible as text.
 namespace palette {
 inline constexpr Colour paper{252, 251, 247};
 inline constexpr Colour ink{38, 41, 48};
@@ -35,12 +34,13 @@ inline constexpr Colour error{176, 72, 134};
 inline constexpr Colour theory{88, 92, 100};  ///< always dashed
 inline constexpr Colour highlight{240, 174, 20};
 
-/// The colour of curve `i`, 0, 1, …; after eight they repeat (markers and labels then tell them apart).
+/// Colour of curve `i`, 0, 1, …; repeats after eight.
 Colour series(int i);
 
-/// From pale to dark, t = 0 … 1 (clamped): equal steps of t look equal, and lightness falls throughout.
+/// Sequential colour map, pale to dark for t = 0 … 1 (clamped): perceptually uniform, with decreasing lightness.
 Colour sequential(double t);
-/// From blue over paper (t = 0) to vermilion, t = −1 … 1 (clamped), with like lightness on both sides.
+/// Diverging colour map, blue over paper (t = 0) to vermilion for t = −1 … 1 (clamped), with equal lightness on
+/// both sides.
 Colour diverging(double t);
 }  // namespace palette
 

@@ -12,7 +12,7 @@
 
 namespace {
 
-// stb's own compressor takes ten times as long for a file that is a little larger.
+// Replaces stb's compressor, which takes ten times as long for slightly larger files.
 unsigned char* compress(unsigned char* data, int size, int* compressed_size, int /*quality*/) {
   const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(
       libdeflate_alloc_compressor(1), libdeflate_free_compressor);
@@ -38,7 +38,7 @@ unsigned char* compress(unsigned char* data, int size, int* compressed_size, int
 namespace byhand::renderer {
 namespace {
 
-// Flat colours compress as well without a filter, and trying all five costs 20 ms a frame.
+// Flat colours compress as well without a filter, and trying all five costs 20 ms per frame.
 [[maybe_unused]] const int no_filter = stbi_write_force_png_filter = 0;
 
 }  // namespace

@@ -1,16 +1,15 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <span>
+#include <utility>
 #include <vector>
+
+#include "renderer/point.hpp"
 
 namespace byhand::renderer {
 
-using Point = Eigen::Vector2d;
-using Point3 = Eigen::Vector3d;
-
-/// An upright rectangle by its lower left corner; y points up, in the world and on the page.
+/// An axis-aligned rectangle by its lower left corner; y points up, in the world and on the page.
 struct Rectangle {
   double x = 0, y = 0, width = 0, height = 0;
 
@@ -18,21 +17,21 @@ struct Rectangle {
   double top() const { return y + height; }
   Point centre() const { return {x + width / 2, y + height / 2}; }
   bool contains(const Point& p) const { return p.x() >= x && p.x() <= right() && p.y() >= y && p.y() <= top(); }
-  /// The area shared with `other`; zero when they do not touch.
+  /// Area of the intersection with `other`.
   double overlap(const Rectangle& other) const {
     const double w = std::min(right(), other.right()) - std::max(x, other.x);
     const double h = std::min(top(), other.top()) - std::max(y, other.y);
     return w > 0 && h > 0 ? w * h : 0;
   }
-  /// Smaller by `margin` on each side (larger for a negative margin).
+  /// Shrinks by `margin` on each side; a negative margin grows it.
   Rectangle inset(double margin) const { return inset(margin, margin); }
   Rectangle inset(double dx, double dy) const { return {x + dx, y + dy, width - 2 * dx, height - 2 * dy}; }
-  /// The two parts left and right of a gap; the left one has `fraction` of what remains.
+  /// The parts left and right of a gap; the left one gets `fraction` of the remaining width.
   std::pair<Rectangle, Rectangle> split_columns(double fraction, double gap = 24) const {
     const double w = (width - gap) * fraction;
     return {{x, y, w, height}, {x + w + gap, y, width - w - gap, height}};
   }
-  /// The two parts above and below a gap; the upper one has `fraction` of what remains.
+  /// The parts above and below a gap; the upper one gets `fraction` of the remaining height.
   std::pair<Rectangle, Rectangle> split_rows(double fraction, double gap = 24) const {
     const double h = (height - gap) * fraction;
     return {{x, top() - h, width, h}, {x, y, width, height - h - gap}};
@@ -41,10 +40,9 @@ struct Rectangle {
   std::vector<Rectangle> cells(int rows, int columns, double gap = 24) const;
 };
 
-/// The smallest rectangle around both.
+/// Bounding box of both.
 Rectangle united(const Rectangle& a, const Rectangle& b);
-/// The smallest rectangle around the points. Throws std::invalid_argument when there are none or one is not
-/// finite.
+/// Bounding box of the points. Throws std::invalid_argument if there are none or one is not finite.
 Rectangle bounds(std::span<const Point> points);
 
 }  // namespace byhand::renderer

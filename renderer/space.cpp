@@ -1,22 +1,34 @@
 #include "renderer/space.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 
 namespace byhand::renderer {
 namespace {
 
-constexpr int sides = 48;  // of everything round
+constexpr int sides = 48;  // segments of a circle
 constexpr double pi = std::numbers::pi;
 
-// A frame of three axes whose third is `axis`.
-Eigen::Matrix3d frame_along(const Point3& axis) {
-  Eigen::Matrix3d frame;
-  frame.col(2) = axis;
-  frame.col(0) = axis.unitOrthogonal();
-  frame.col(1) = axis.cross(Point3(frame.col(0)));
-  return frame;
+using Axes = std::array<Point3, 3>;
+
+// The vector with these components along the axes.
+Point3 along(const Axes& axes, const Point3& v) { return v.x() * axes[0] + v.y() * axes[1] + v.z() * axes[2]; }
+
+// Three axes at right angles, the third along the unit vector `axis`.
+Axes axes_with_third(const Point3& axis) {
+  const Point3 first = axis.unitOrthogonal();
+  return {first, axis.cross(first), axis};
+}
+
+// The axes of a rotated frame: the columns of its rotation matrix.
+Axes axes_of(const Quaternion& q) {
+  const double x = 2 * q.x, y = 2 * q.y, z = 2 * q.z;
+  return {Point3(1 - (y * q.y + z * q.z), y * q.x + z * q.w, z * q.x - y * q.w),
+          Point3(y * q.x - z * q.w, 1 - (x * q.x + z * q.z), z * q.y + x * q.w),
+          Point3(z * q.x + y * q.w, z * q.y - x * q.w, 1 - (x * q.x + y * q.y))};
 }
 
 }  // namespace
@@ -40,53 +52,51 @@ Space::Space(const SpaceCamera& camera) : camera_(camera) {
         "A camera in space needs a frame with an area, a field of view between 0 and π, and a target away "
         "from the "
         "eye and not straight along up.");
+  // Perspective after view: the view's rows are the camera's axes, with the eye at its origin.
   const double distance = ahead.norm(), near = distance / 20, far = distance * 20;
-  Eigen::Matrix3d axes;
-  axes.row(0) = right.normalized();
-  axes.row(1) = right.cross(ahead).normalized();
-  axes.row(2) = -ahead / distance;
-  Eigen::Matrix4d view = Eigen::Matrix4d::Identity();
-  view.topLeftCorner<3, 3>() = axes;
-  view.topRightCorner<3, 1>() = -axes * camera.eye;
-  Eigen::Matrix4d perspective = Eigen::Matrix4d::Zero();
+  const Axes axes{right.normalized(), right.cross(ahead).normalized(), -ahead / distance};
+  const Point3 eye(-axes[0].dot(camera.eye), -axes[1].dot(camera.eye), -axes[2].dot(camera.eye));
   const double zoom = 1 / std::tan(camera.field_of_view / 2);
-  perspective(0, 0) = zoom * camera.frame.height / camera.frame.width;
-  perspective(1, 1) = zoom;
-  perspective(2, 2) = (near + far) / (near - far);
-  perspective(2, 3) = 2 * near * far / (near - far);
-  perspective(3, 2) = -1;
-  matrix_ = perspective * view;
+  const double wide = zoom * camera.frame.height / camera.frame.width;
+  const double depth = (near + far) / (near - far), depth_offset = 2 * near * far / (near - far);
+  for (int i = 0; i < 3; ++i) matrix_[i] = {wide * axes[0][i], zoom * axes[1][i], depth * axes[2][i], -axes[2][i]};
+  matrix_[3] = {wide * eye.x(), zoom * eye.y(), depth * eye.z() + depth_offset, -eye.z()};
+}
+
+Space::Homogeneous Space::to_clip(const Point3& point) const {
+  Homogeneous clip{};
+  for (int i = 0; i < 4; ++i)
+    clip[i] = matrix_[0][i] * point.x() + matrix_[1][i] * point.y() + matrix_[2][i] * point.z() + matrix_[3][i];
+  return clip;
 }
 
 Point Space::project(const Point3& point) const {
-  const Eigen::Vector4d clip = matrix_ * point.homogeneous();
-  const Point unit = clip.head<2>() / clip.w();
-  return camera_.frame.centre() + 0.5 * unit.cwiseProduct(Point(camera_.frame.width, camera_.frame.height));
+  const auto [x, y, z, w] = to_clip(point);
+  return camera_.frame.centre() + 0.5 * Point(x / w * camera_.frame.width, y / w * camera_.frame.height);
 }
 
 double Space::scale_at(const Point3& point) const {
-  const double depth = (matrix_ * point.homogeneous()).w();
-  return camera_.frame.height / (2 * std::tan(camera_.field_of_view / 2) * depth);
+  return camera_.frame.height / (2 * std::tan(camera_.field_of_view / 2) * to_clip(point)[3]);
 }
 
 void Space::triangle(const std::array<Point3, 3>& corners, const std::array<Point3, 3>& normals, Colour colour) {
   for (int i = 0; i < 3; ++i) {
-    const Eigen::Vector3f p = corners[i].cast<float>(), n = normals[i].cast<float>();
-    triangles_.push_back({{p.x(), p.y(), p.z()}, {n.x(), n.y(), n.z()}, colour});
+    const auto floats = [](const Point3& v) -> std::array<float, 3> {
+      return {float(v.x()), float(v.y()), float(v.z())};
+    };
+    triangles_.push_back({floats(corners[i]), floats(normals[i]), colour});
   }
 }
 
-// A surface of revolution about the way from `from` to `to`. Each stop of the profile gives the distance from
-// the axis, the height along it and the slope of the normal: its share outward is cos, along the axis sin of
-// the third.
+// A surface of revolution about the axis from `from` to `to`. Each point of the profile holds the distance from
+// the axis, the height along it and the angle [rad] of the normal towards the axis direction.
 void Space::surface(const std::vector<Point3>& profile, const Point3& from, const Point3& to, Colour colour) {
   const Point3 axis = to - from;
-  const Eigen::Matrix3d frame = frame_along(axis.norm() > 0 ? Point3(axis.normalized()) : Point3(0, 0, 1));
+  const Axes axes = axes_with_third(axis.norm() > 0 ? axis.normalized() : Point3::UnitZ());
   const auto at = [&](const Point3& stop, int side) -> std::pair<Point3, Point3> {
     const double angle = 2 * pi * side / sides;
-    const Point3 out = frame * Point3(std::cos(angle), std::sin(angle), 0);
-    return {from + stop.x() * out + stop.y() * frame.col(2),
-            std::cos(stop.z()) * out + std::sin(stop.z()) * frame.col(2)};
+    const Point3 out = along(axes, {std::cos(angle), std::sin(angle), 0});
+    return {from + stop.x() * out + stop.y() * axes[2], std::cos(stop.z()) * out + std::sin(stop.z()) * axes[2]};
   };
   for (std::size_t i = 0; i + 1 < profile.size(); ++i) {
     for (int side = 0; side < sides; ++side) {
@@ -128,16 +138,16 @@ void Space::arrow(const Point3& from, const Point3& to, double radius, Colour co
   surface({{2.4 * radius, neck, slope}, {0, length, slope}}, from, to, colour);
 }
 
-void Space::box(const Point3& centre, const Point3& size, const Eigen::Quaterniond& orientation, Colour colour) {
-  const Eigen::Matrix3d turn = orientation.toRotationMatrix();
+void Space::box(const Point3& centre, const Point3& size, const Quaternion& orientation, Colour colour) {
+  const Axes axes = axes_of(orientation);
   for (int axis = 0; axis < 3; ++axis) {
     for (const double sign : {-1.0, 1.0}) {
-      Point3 n = Point3::Zero(), u = Point3::Zero(), v = Point3::Zero();
-      n[axis] = sign, u[(axis + 1) % 3] = 1, v[(axis + 2) % 3] = 1;
+      const Point3 n = sign * Point3::Unit(axis), u = Point3::Unit((axis + 1) % 3),
+                   v = Point3::Unit((axis + 2) % 3);
       const auto corner = [&](double i, double j) -> Point3 {
-        return centre + turn * (0.5 * size.cwiseProduct(n + i * u + j * v));
+        return centre + along(axes, 0.5 * size.cwiseProduct(n + i * u + j * v));
       };
-      const Point3 normal = turn * n;
+      const Point3 normal = along(axes, n);
       triangle({corner(-1, -1), corner(1, -1), corner(1, 1)}, {normal, normal, normal}, colour);
       triangle({corner(-1, -1), corner(1, 1), corner(-1, 1)}, {normal, normal, normal}, colour);
     }

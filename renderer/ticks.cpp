@@ -19,7 +19,7 @@ std::string raised(int exponent) {
   return text;
 }
 
-// `value` with so many decimals and a true minus sign; never "−0".
+// Formats `value` with a Unicode minus sign; never "−0".
 std::string fixed(double value, int decimals) {
   std::string text = fmt::format("{:.{}f}", std::abs(value), decimals);
   const bool zero = text.find_first_not_of("0.") == std::string::npos;
@@ -30,7 +30,8 @@ double power_of_ten(int exponent) { return std::pow(10.0, exponent); }
 
 Ticks linear_ticks(double low, double high, int most) {
   Ticks result;
-  // The smallest step 1, 2, 5 × 10^e that leaves at most `most` ticks, but one smaller rather than a single tick.
+  // The smallest step 1, 2, 5 × 10^e with at most `most` ticks; the next smaller one if that leaves fewer than
+  // two.
   int exponent = int(std::floor(std::log10((high - low) / std::max(most, 2)))) - 1, mantissa = 1;
   const auto step = [&] { return mantissa * power_of_ten(exponent); };
   const auto count = [&] { return std::floor(high / step() + 1e-9) - std::ceil(low / step() - 1e-9) + 1; };
@@ -68,7 +69,7 @@ Ticks logarithmic_ticks(double low, double high, int most) {
   const auto inside = [&](double v) { return v >= low * (1 - slack) && v <= high * (1 + slack); };
   const int decades = last - first + 1;
 
-  // 1, 2, 5, 10, …: where there is little to show, room for it, and numbers that need no power of ten.
+  // Labels at 1, 2, 5, 10, …, if the range is short, they fit, and they need no power of ten.
   const bool plain = low >= 1e-3 * (1 - slack) && high < 1e4;
   std::vector<Tick> fine;
   for (int e = first - 1; e <= last && decades <= 3; ++e)
@@ -79,7 +80,7 @@ Ticks logarithmic_ticks(double low, double high, int most) {
     result.major = fine;
   } else if (decades >= 2) {
     const int stride = (decades + std::max(most, 2) - 1) / std::max(most, 2);
-    // Decades keep one form on an axis: 10⁻³ beside 10⁻², not beside 0.01.
+    // All decades of an axis have the same form: 10⁻³ with 10⁻², not with 0.01.
     const bool short_numbers = first >= -2 && last <= 3;
     for (int e = first; e <= last; ++e) {
       if ((e - first) % stride != 0)
@@ -90,7 +91,7 @@ Ticks logarithmic_ticks(double low, double high, int most) {
     }
     if (stride > 1) return result;
   } else {
-    // A fraction of a decade is nearly linear.
+    // Within a decade, linear ticks are closer to the logarithm than decades are.
     result = linear_ticks(low, high, most);
     if (result.exponent != 0)
       for (Tick& tick : result.major) tick.label = number(tick.value);
@@ -121,7 +122,7 @@ std::string number(double value, int digits) {
   if (std::isnan(value)) return "–";
   if (std::isinf(value)) return value < 0 ? "−∞" : "∞";
   if (value == 0) return "0";
-  // Rounding first: 9.996 with three digits is 10.0.
+  // Rounds before it takes the exponent: 9.996 with three digits is 10.0.
   const std::string scientific = fmt::format("{:.{}e}", std::abs(value), std::max(digits, 1) - 1);
   const std::size_t e = scientific.find('e');
   const int exponent = std::stoi(scientific.substr(e + 1));

@@ -8,26 +8,25 @@ namespace byhand::renderer {
 
 enum class Scale { linear, logarithmic };
 
-/// A value on an axis; minor ones have no label.
+/// A tick of an axis; minor ticks have no label.
 struct Tick {
   double value = 0;
   std::string label{};  ///< UTF-8, with a true minus sign and raised digits: "−0.5", "10⁻³"
 };
 
-/// The ticks of an axis and the power of ten that was taken out of their labels (0: none).
+/// The ticks of an axis. `exponent`: power of ten factored out of the labels (0: none).
 struct Ticks {
   std::vector<Tick> major;
   std::vector<double> minor;
   int exponent = 0;
 };
 
-/// Round values in [low, high], at most `most` labelled ones and, where the range allows, at least two: steps
-/// of 1, 2 or 5 times a power of ten on a linear axis; decades on a logarithmic one, with 2 and 5 between
-/// them when it spans little. Throws std::invalid_argument unless low < high, both finite and, for
-/// logarithms, positive.
+/// Ticks at round values in [low, high], at most `most` major ones and, if the range allows, at least two. A
+/// linear axis has steps of 1, 2 or 5 times a power of ten; a logarithmic one has decades, with 2 and 5 between
+/// few decades. Throws std::invalid_argument unless low < high, both finite and, on a logarithmic axis, positive.
 Ticks ticks(Scale scale, double low, double high, int most);
 
-/// `value` with `digits` significant digits as a reader would write it: "0.25", "−1200", "3.5·10⁻⁷".
+/// Formats `value` with `digits` significant digits: "0.25", "−1200", "3.5·10⁻⁷".
 std::string number(double value, int digits = 3);
 
 }  // namespace byhand::renderer

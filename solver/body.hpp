@@ -1,9 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "solver/model.hpp"
-#include "solver/require.hpp"
+#include "solver/support/require.hpp"
 
 namespace byhand {
 
@@ -87,43 +88,73 @@ Eigen::Matrix<double, M::angular, M::angular> inertia(const InverseMass<M>& inve
   return inverse_inertia(mass, pose);
 }
 
+template <class M>
+class Scene;
+
+/// The inverse masses of all bodies. Whether a body moves decides how rows are laid out, so that only the scene, which
+/// counts such changes, may write them.
+template <class M>
+class InverseMasses {
+ public:
+  const InverseMass<M>& operator[](int body) const { return all_[body]; }
+  auto begin() const { return all_.begin(); }
+  auto end() const { return all_.end(); }
+
+ private:
+  friend class Scene<M>;
+  std::vector<InverseMass<M>> all_;
+};
+
 /// All bodies of a scene, each quantity contiguous: the solver's inner loop reads velocities alone.
 template <class M>
 struct Bodies {
   std::vector<Pose<M>> pose;
   std::vector<Velocity<M>> velocity;
-  std::vector<InverseMass<M>> inverse_mass;
+  InverseMasses<M> inverse_mass;
+  std::vector<int> removed;  // indices that no body has at present
 
   int size() const { return static_cast<int>(pose.size()); }
-
-  /// Adds a body and returns its index. Throws std::invalid_argument for numbers that are not finite, a rotation
-  /// that is none, and an inverse mass that is neither positive nor zero throughout.
-  int add(const Pose<M>& at, const InverseMass<M>& mass, const Velocity<M>& moving) {
-    for (const double x : at.position) require_finite("position", x, "m");
-    for (const double v : moving) require_finite("velocity", v, "m/s or rad/s");
-    if constexpr (M::angular > 0) require_unit(at.rotation);
-    require_mass(mass);
-    require(moves(mass) || moving.isZero(0), "velocity of a fixed body", moving.norm(), "zero");
-    pose.push_back(at);
-    velocity.push_back(moving);
-    inverse_mass.push_back(mass);
-    return size() - 1;
-  }
-
- private:
-  static void require_mass(const InverseMass<M>& mass) {
-    const auto fits = [&](double share) { return moves(mass) ? share > 0 && std::isfinite(share) : share == 0; };
-    constexpr auto allowed = "positive and finite, or zero throughout for a fixed body";
-    require(fits(mass.linear), "inverse mass", mass.linear, allowed);
-    if constexpr (M::angular > 0)
-      for (const double share : mass.angular) require(fits(share), "inverse moment of inertia", share, allowed);
-  }
-  static void require_unit(const Rotation<M>& rotation) {
-    double norm2 = 0;
-    if constexpr (M::angular == 1) norm2 = rotation.cos * rotation.cos + rotation.sin * rotation.sin;
-    if constexpr (M::angular == 3) norm2 = rotation.squaredNorm();
-    require_in("squared length of the rotation", norm2, 1 - 1e-9, 1 + 1e-9);
+  bool has(int body) const {
+    return 0 <= body && body < size() && std::find(removed.begin(), removed.end(), body) == removed.end();
   }
 };
+
+/// Throws std::invalid_argument unless `body` is the index of a body.
+template <class M>
+void require_body(const Bodies<M>& bodies, int body) {
+  if (bodies.has(body)) return;
+  const bool removed = 0 <= body && body < bodies.size();
+  refuse("body index", body,
+         removed ? "that of a body that was not removed"
+                 : "at least 0 and less than " + std::to_string(bodies.size()) + ", the number of bodies");
+}
+
+/// Throws std::invalid_argument for a position that is not finite or a rotation that is not of length 1.
+template <class M>
+void require_valid(const Pose<M>& pose) {
+  for (const double x : pose.position) require_finite("position", x, "m");
+  double norm2 = 1;
+  if constexpr (M::angular == 1)
+    norm2 = pose.rotation.cos * pose.rotation.cos + pose.rotation.sin * pose.rotation.sin;
+  if constexpr (M::angular == 3) norm2 = pose.rotation.squaredNorm();
+  require_in("squared length of the rotation", norm2, 1 - 1e-9, 1 + 1e-9);
+}
+
+/// Throws std::invalid_argument for an inverse mass that is neither positive nor zero throughout.
+template <class M>
+void require_valid(const InverseMass<M>& mass) {
+  const auto fits = [&](double share) { return moves(mass) ? share > 0 && std::isfinite(share) : share == 0; };
+  constexpr auto allowed = "positive and finite, or zero throughout for a fixed body";
+  require(fits(mass.linear), "inverse mass", mass.linear, allowed);
+  if constexpr (M::angular > 0)
+    for (const double share : mass.angular) require(fits(share), "inverse moment of inertia", share, allowed);
+}
+
+/// Throws std::invalid_argument for a velocity that is not finite, or not zero for a body that is fixed.
+template <class M>
+void require_valid(const Velocity<M>& velocity, const InverseMass<M>& mass) {
+  for (const double v : velocity) require_finite("velocity", v, "m/s or rad/s");
+  require(moves(mass) || velocity.isZero(0), "velocity of a fixed body", velocity.norm(), "zero");
+}
 
 }  // namespace byhand

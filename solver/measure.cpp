@@ -14,8 +14,8 @@ double residual(const System<M>& system, const std::vector<Velocity<M>>& V) {
         // What a step along -error of one more (17) would still change, in units of the error.
         const double A = inverse_effective_mass(block.J, block.W).diagonal().maxCoeff() + gamma.maxCoeff();
         if (A == 0) continue;
-        const double leader = B == Bound::ball ? system.lambda[block.leader] : 0.0;
-        error = A * (bounded<K, B>(lambda - error / A, system.lower[block.row], system.upper[block.row], leader) -
+        const double normal_row = B == Bound::friction ? system.lambda[block.normal_row] : 0.0;
+        error = A * (bounded<K, B>(lambda - error / A, system.lower[block.row], system.upper[block.row], normal_row) -
                      lambda);
       }
       largest = std::max(largest, error.cwiseAbs().maxCoeff());
@@ -24,7 +24,42 @@ double residual(const System<M>& system, const std::vector<Velocity<M>>& V) {
   return largest;
 }
 
-#define BYHAND_INSTANTIATE(M) template double residual(const System<M>&, const std::vector<Velocity<M>>&)
+template <class M>
+PositionError position_error(const Scene<M>& scene) {
+  double largest = 0, sum = 0;
+  int rows = 0;
+  for (const auto& entry : scene.entries()) {
+    const ConstraintStore<M>& store = scene.store(entry.kind);
+    if (store.position_rows == 0) continue;
+    double C[6];  // no block has more rows
+    store.write_value(entry.index, scene.bodies(), C);
+    for (int k = 0; k < store.position_rows; ++k) {
+      const double error = store.bound == Bound::none ? std::abs(C[k]) : std::max(0.0, -C[k]);
+      largest = std::max(largest, error);
+      sum += error * error;
+      ++rows;
+    }
+  }
+  return {largest, rows > 0 ? std::sqrt(sum / rows) : 0.0};
+}
+
+template <class M>
+double algebraic_error(Simulation<M> simulation, double h) {
+  Simulation<M> exact = simulation;
+  exact.method.solver = Direct{Factorisation::dense};
+  simulation.step(h);
+  exact.step(h);
+  const auto &found = simulation.scene.bodies().velocity, &expected = exact.scene.bodies().velocity;
+  double largest = 0;
+  for (std::size_t i = 0; i < found.size(); ++i)
+    largest = std::max(largest, (found[i] - expected[i]).cwiseAbs().maxCoeff());
+  return largest;
+}
+
+#define BYHAND_INSTANTIATE(M)                                                    \
+  template PositionError position_error(const Scene<M>&);                        \
+  template double residual(const System<M>&, const std::vector<Velocity<M>>&);   \
+  template double algebraic_error(Simulation<M>, double)
 BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);
 #undef BYHAND_INSTANTIATE
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/simulation.hpp"
+#include "solver/step.hpp"
 
 // What can be read off a scene: each a plain sum over bodies or rows, so that what is claimed can be checked.
 namespace byhand {
@@ -14,25 +14,8 @@ struct PositionError {
 
 /// How far the scene is from its position constraints: over all rows that have a C; of one-sided rows only
 /// overlap counts.
-template <class S>
-PositionError position_error(const S& scene) {
-  double largest = 0, sum = 0;
-  int rows = 0;
-  scene.for_each([&](const auto& constraint) {
-    using Kind = std::remove_cvref_t<decltype(constraint)>;
-    if constexpr (Kind::drifting > 0) {
-      const auto C = constraint.template value<double>(scene.bodies.pose[constraint.at.body1],
-                                                       scene.bodies.pose[constraint.at.body2]);
-      for (const double c : C.template head<Kind::drifting>()) {
-        const double error = Kind::bound == Bound::none ? std::abs(c) : std::max(0.0, -c);
-        largest = std::max(largest, error);
-        sum += error * error;
-        ++rows;
-      }
-    }
-  });
-  return {largest, rows > 0 ? std::sqrt(sum / rows) : 0.0};
-}
+template <class M>
+PositionError position_error(const Scene<M>& scene);
 
 /// ½mv² + ½ω·Iω over all bodies that move [J].
 template <class M>
@@ -51,19 +34,20 @@ double kinetic_energy(const Bodies<M>& bodies) {
 }
 
 /// -m g·x over all bodies that move [J], zero at the origin.
-template <class S, class M = typename S::model>
-double potential_energy(const S& scene) {
+template <class M>
+double potential_energy(const Scene<M>& scene) {
+  const Bodies<M>& bodies = scene.bodies();
   double energy = 0;
-  for (int i = 0; i < scene.bodies.size(); ++i)
-    if (moves(scene.bodies.inverse_mass[i]))
-      energy -= scene.gravity.dot(scene.bodies.pose[i].position) / scene.bodies.inverse_mass[i].linear;
+  for (int i = 0; i < bodies.size(); ++i)
+    if (moves(bodies.inverse_mass[i]))
+      energy -= scene.gravity.dot(bodies.pose[i].position) / bodies.inverse_mass[i].linear;
   return energy;
 }
 
 /// Kinetic and potential energy [J].
-template <class S>
-double energy(const S& scene) {
-  return kinetic_energy(scene.bodies) + potential_energy(scene);
+template <class M>
+double energy(const Scene<M>& scene) {
+  return kinetic_energy(scene.bodies()) + potential_energy(scene);
 }
 
 /// Σ m v over all bodies that move [kg m/s].
@@ -99,24 +83,7 @@ double residual(const System<M>& system, const std::vector<Velocity<M>>& V);
 /// How far one step of the simulation's method leaves the velocities from those of the direct solve of the
 /// same rows: the largest difference over all bodies [m/s, rad/s]. What is left of the step's error is not
 /// the solver's.
-template <class S>
-double algebraic_error(Simulation<S> simulation, double h) {
-  Simulation<S> exact = simulation;
-  exact.method.solver = Direct{Factorisation::dense};
-  simulation.step(h);
-  exact.step(h);
-  double largest = 0;
-  for (int i = 0; i < simulation.scene.bodies.size(); ++i)
-    largest = std::max(
-        largest, (simulation.scene.bodies.velocity[i] - exact.scene.bodies.velocity[i]).cwiseAbs().maxCoeff());
-  return largest;
-}
-
-#define BYHAND_SHARED_SCENE(M, ...)                                           \
-  extern template PositionError position_error(const Scene<M, __VA_ARGS__>&); \
-  extern template double potential_energy(const Scene<M, __VA_ARGS__>&);      \
-  extern template double energy(const Scene<M, __VA_ARGS__>&)
-BYHAND_FOR_EACH_SHARED_SCENE(BYHAND_SHARED_SCENE);
-#undef BYHAND_SHARED_SCENE
+template <class M>
+double algebraic_error(Simulation<M> simulation, double h);
 
 }  // namespace byhand

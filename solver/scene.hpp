@@ -1,17 +1,19 @@
 #pragma once
 
-#include <tuple>
-#include <utility>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
 #include <vector>
 
-#include "solver/body.hpp"
-#include "solver/collide/shape.hpp"
-#include "solver/constraints/contact.hpp"
-#include "solver/constraints/face_contact.hpp"
-#include "solver/graph.hpp"
-#include "solver/system.hpp"
+#include "solver/constraint.hpp"
+#include "solver/contact/shape.hpp"
 
 namespace byhand {
+
+struct Graph;
+template <class M>
+class ContactManager;
 
 /// How a body's surface behaves. Two that touch have the friction √(μ1 μ2) and the larger restitution.
 struct Surface {
@@ -19,303 +21,202 @@ struct Surface {
   double restitution = 0;  // e in [0, 1]
 };
 
-/// What of the bodies can touch, by body.
+/// What bodies that touch become: in the plane one ContactManifold for both points; or a Contact for each point, with
+/// Friction where the surfaces have any. In space always the latter.
+enum class ContactRows { manifold, points };
+
+/// Collision shapes and surfaces, indexed by body; empty where nothing can touch.
 template <class M>
 struct Colliders {
   std::vector<Shape<M>> shapes;
   std::vector<Surface> surfaces;
-  double margin = 0.02;  // what is nearer than this becomes a contact, for it may touch within the step [m]
+  double margin = 0.02;  // bodies nearer than this get a contact, for they may touch within the step [m]
+  ContactRows rows = M::linear == 2 ? ContactRows::manifold : ContactRows::points;
 };
-struct NoColliders {};
 
-/// The bodies and constraints of one scene. The kinds of constraint are part of the type: a kind that is not
-/// named costs nothing, neither a branch nor a byte. `Scene<PlaneParticle, Distance>` is a mesh of rods in
-/// the plane.
-template <class M, template <class> class... Kinds>
+/// Names a constraint as long as its scene has it, whatever else comes and goes.
+template <class Kind>
+struct Handle {
+  int id = -1;
+  operator int() const { return id; }
+};
+
+/// The bodies and constraints of one scene. The model is its type; kinds of constraint are not, and one that no
+/// constraint has costs nothing. Only the scene adds, changes and removes bodies and constraints, and `version` changes
+/// whenever that alters how rows are laid out. A call that throws leaves the scene as it was.
+template <class M>
 class Scene {
  public:
   using model = M;
 
-  template <template <class> class Kind>
-  static constexpr bool names = (std::is_same_v<Kind<M>, Kinds<M>> || ...);
-  /// Whether contacts are looked for: only where the scene's type names what they would become.
-  static constexpr bool touches = [] {
-    if constexpr (std::is_same_v<M, PlaneBody>)
-      return names<Contact> || names<FaceContact>;
-    else
-      return M::angular > 0 && names<Contact>;
-  }();
-
-  Bodies<M> bodies;
   Linear<M> gravity = -9.81 * Linear<M>::Unit(1);  // [m/s²]; y is up
-  [[no_unique_address]] std::conditional_t<touches, Colliders<M>, NoColliders> colliders;
 
-  /// Adds a body (see InverseMass for how to fix one) and returns its index.
+  /// A constraint by its kind's store and its index there, with its bodies; by its place in natural order.
+  struct Entry {
+    int kind = 0, index = 0;
+    int id = 0;  // negative for a constraint that was found
+    int body1 = 0, body2 = 0;
+  };
+
+  Scene();
+  Scene(const Scene& other);
+  Scene& operator=(const Scene& other);
+  Scene(Scene&&) noexcept = default;
+  Scene& operator=(Scene&&) noexcept = default;
+  ~Scene() = default;
+
+  const Bodies<M>& bodies() const { return bodies_; }
+  /// For methods, which move bodies; anyone else uses the functions below, which check what they are given.
+  Bodies<M>& state() { return bodies_; }
+
+  /// Adds a body (`fixed` holds it) and returns its index. That of a removed body is used again.
   int add_body(const Pose<M>& pose, const InverseMass<M>& mass,
-               const Velocity<M>& velocity = Velocity<M>::Zero()) {
-    return bodies.add(pose, mass, velocity);
-  }
+               const Velocity<M>& velocity = Velocity<M>::Zero());
   /// Adds an unturned body at a point [m].
   int add_body(const Linear<M>& position, const InverseMass<M>& mass,
-               const Velocity<M>& velocity = Velocity<M>::Zero()) {
-    Pose<M> pose;
-    pose.position = position;
-    return bodies.add(pose, mass, velocity);
-  }
+               const Velocity<M>& velocity = Velocity<M>::Zero());
+  /// Removes a body and all constraints that hold it.
+  void remove_body(int body);
+  void set_pose(int body, const Pose<M>& pose);
+  void set_position(int body, const Linear<M>& position);  // [m]
+  void set_velocity(int body, const Velocity<M>& velocity);
+  /// Gives a body another mass. `fixed` stops it where it is; a mass frees it again.
+  void set_mass(int body, const InverseMass<M>& mass);
 
   /// Lets a body touch others. Throws std::invalid_argument for a shape or surface outside its range.
-  void set_shape(int body, const Shape<M>& shape, const Surface& surface = {}) requires touches {
-    require_body(bodies, body);
-    require_valid<M>(shape);
-    require_in("friction coefficient", surface.friction, 0, 1e300);
-    require_in("restitution", surface.restitution, 0, 1);
-    colliders.shapes.resize(bodies.size());
-    colliders.surfaces.resize(bodies.size());
-    colliders.shapes[body] = shape;
-    colliders.surfaces[body] = surface;
+  void set_shape(int body, const Shape<M>& shape, const Surface& surface = {})
+  requires(M::angular > 0);
+  /// Bodies nearer than this get a contact [m] > 0.
+  void set_margin(double margin);
+  void set_contact_rows(ContactRows rows);
+  const Colliders<M>& colliders() const { return colliders_; }
+
+  /// Adds a constraint. Constraints are counted in the order in which they come, whatever their kind, and that is their
+  /// natural order. Throws std::invalid_argument for what the kind refuses.
+  template <class Kind>
+  Handle<Kind> add(const Kind& constraint) {
+    constraint.require_valid(bodies_);
+    if constexpr (Kind::bound == Bound::friction) require_presses(constraint.contact);
+    prepare_to_add();
+    const int kind = kind_to_add<Kind>();
+    constraints<Kind>(kind).all.push_back(constraint);
+    append(kind, constraint.at.body1, constraint.at.body2, next_id_);
+    return {next_id_++};
+  }
+  /// Removes a constraint, and with a contact the friction that it presses.
+  void remove(int id);
+  bool has(int id) const { return find(id) >= 0; }
+
+  template <class Kind>
+  const Kind& get(const Handle<Kind>& handle) const {
+    const Entry& entry = entries_[place(handle)];
+    return static_cast<const Constraints<M, Kind>&>(*stores_[entry.kind]).all[entry.index];
+  }
+  /// Calls change(constraint) on a copy, and takes that in its place if it is valid. Its bodies have to stay.
+  template <class Kind, class F>
+  void change(const Handle<Kind>& handle, F&& change) {
+    replace<Kind>(place(handle), std::forward<F>(change));
+  }
+  /// The same for all constraints of a kind that were added.
+  template <template <class> class Kind, class F>
+  void change_all(F&& change) {
+    for (int place = 0; place < lasting_; ++place)
+      if (stores_[entries_[place].kind]->kind() == typeid(Kind<M>)) replace<Kind<M>>(place, change);
   }
 
-  /// Adds a constraint and returns its number: constraints are counted in the order in which they come,
-  /// whatever their kind, and that is their natural order. Throws std::invalid_argument for what the kind
-  /// refuses.
+  /// All constraints of a kind, in natural order.
+  template <class Kind>
+  std::span<const Kind> all() const {
+    const int kind = kind_of<Kind>();
+    if (kind < 0) return {};
+    return static_cast<const Constraints<M, Kind>&>(*stores_[kind]).all;
+  }
   template <template <class> class Kind>
-  int add(const Kind<M>& constraint) {
-    constraint.require_valid(bodies);
-    if constexpr (Kind<M>::bound == Bound::ball) {
-      bool presses = false;
-      if (0 <= constraint.leader && constraint.leader < count())
-        visit(numbered_[constraint.leader],
-              [&]<class Leader>(const Leader&) { presses = Leader::bound == Bound::interval; });
-      require(presses, "leading constraint", constraint.leader, "the number of a contact that was added before");
-    }
-    forget_found();
-    const int number = append(constraint);
-    lasting_ = count();
-    return number;
+  std::span<const Kind<M>> all() const {
+    return all<Kind<M>>();
   }
 
-  int count() const { return static_cast<int>(numbered_.size()); }
-  /// How many of them were added and stay; the others were found.
+  /// How many constraints there are.
+  int count() const { return static_cast<int>(entries_.size()); }
+  /// How many of them, the first, were added; the others were found and last until contacts are looked for again.
   int lasting() const { return lasting_; }
-  /// Changes whenever constraints come or go.
-  int version() const { return version_; }
+  const std::vector<Entry>& entries() const { return entries_; }
+  /// Where a constraint is in natural order. Throws std::invalid_argument if the scene does not have it.
+  int place(int id) const;
+  const ConstraintStore<M>& store(int kind) const { return *stores_[kind]; }
 
-  /// Adds a constraint that stands only until the next look for contacts, and returns its number.
-  template <template <class> class Kind>
-  int add_found(const Kind<M>& constraint) {
-    return append(constraint);
-  }
-  /// Removes all constraints that were found.
-  void forget_found() {
-    if (count() == lasting_) return;
-    numbered_.resize(lasting_);
-    std::apply([&](auto&... kinds) { (kinds.resize(how_many_of(kinds)), ...); }, constraints_);
-    ++version_;
-  }
-  /// The constraint of that number, which is of that kind.
-  template <template <class> class Kind>
-  Kind<M>& at(int number) {
-    return std::get<std::vector<Kind<M>>>(constraints_)[numbered_[number].index];
-  }
-
-  template <template <class> class Kind>
-  const std::vector<Kind<M>>& all() const {
-    return std::get<std::vector<Kind<M>>>(constraints_);
-  }
-  /// Constraints may be changed between steps in all but their bodies.
-  template <template <class> class Kind>
-  std::vector<Kind<M>>& all() {
-    return std::get<std::vector<Kind<M>>>(constraints_);
-  }
-
-  /// Calls f(constraint) for each constraint in natural order.
-  template <class F>
-  void for_each(F&& f) const {
-    for (const Number& number : numbered_) visit(number, f);
-  }
-
-  /// Calls f(constraint) for the constraint of that number.
-  template <class F>
-  void visit(int number, F&& f) const {
-    visit(numbered_[number], f);
-  }
+  /// Equal only if layout, masses and shapes are: of this scene, of a copy, or of any other.
+  std::uint64_t version() const { return version_; }
 
   /// What the order of solving depends on; a body that does not move takes no part.
   Graph graph() const;
-
-  /// Lays the system's blocks out in this order of constraint numbers. λ is kept for constraints that were added
-  /// and stay.
+  /// Lays the system's blocks out in this order of places. λ is kept for constraints that were added and stay.
   void lay_out(const std::vector<int>& order, System<M>& system) const;
-
   /// Writes J, M⁻¹Jᵀ, C, γ, bounds and what a row adds to its bias, at the current poses, for a time step h [s].
-  void write_rows(System<M>& system, double h) const;
+  void write_rows(System<M>& system, double h) const {
+    for (const Run& run : system.runs) stores_[run.kind]->write_rows(run, bodies_, h, system);
+  }
+  /// J̇V of all rows along the paths of the bodies.
+  void write_bias_accelerations(const System<M>& system, const std::vector<Pose<M, Jet>>& paths,
+                                std::vector<double>& result) const {
+    for (const Run& run : system.runs) stores_[run.kind]->write_bias_accelerations(run, paths, system, result);
+  }
 
  private:
-  struct Number {
-    int kind, index;
-  };
+  friend class ContactManager<M>;
+  using Stores = std::vector<std::unique_ptr<ConstraintStore<M>>>;
 
   template <class Kind>
-  static constexpr int kind_of() {
-    int index = 0, found = -1;
-    ((std::is_same_v<Kind, Kinds<M>> ? void(found = index++) : void(index++)), ...);
-    return found;
+  int kind_of() const {
+    for (std::size_t kind = 0; kind < stores_.size(); ++kind)
+      if (stores_[kind]->kind() == typeid(Kind)) return static_cast<int>(kind);
+    return -1;
   }
-
-  /// Calls f with the vector of constraints of one kind.
-  template <class F>
-  void visit_kind(int kind, F&& f) const {
-    [&]<std::size_t... I>(std::index_sequence<I...>) {
-      (void)((static_cast<int>(I) == kind && (f(std::get<I>(constraints_)), true)) || ...);
-    }
-    (std::index_sequence_for<Kinds<M>...>());
-  }
-
-  template <class F>
-  void visit(const Number& number, F&& f) const {
-    visit_kind(number.kind, [&](const auto& constraints) { f(constraints[number.index]); });
-  }
-
-  template <template <class> class Kind>
-  int append(const Kind<M>& constraint) {
-    auto& all = std::get<std::vector<Kind<M>>>(constraints_);
-    numbered_.push_back({kind_of<Kind<M>>(), static_cast<int>(all.size())});
-    all.push_back(constraint);
-    ++version_;
-    return count() - 1;
-  }
-  /// How many of a kind the numbers name.
   template <class Kind>
-  std::size_t how_many_of(const std::vector<Kind>&) const {
-    return std::count_if(numbered_.begin(), numbered_.end(),
-                         [](const Number& number) { return number.kind == kind_of<Kind>(); });
+  int kind_to_add() {
+    const int kind = kind_of<Kind>();
+    if (kind >= 0) return kind;
+    stores_.push_back(make_store<M, Kind>());
+    return static_cast<int>(stores_.size()) - 1;
+  }
+  template <class Kind>
+  Constraints<M, Kind>& constraints(int kind) {
+    return static_cast<Constraints<M, Kind>&>(*stores_[kind]);
+  }
+  template <class Kind, class F>
+  void replace(int place, F&& change) {
+    const Entry& entry = entries_[place];
+    Kind& constraint = constraints<Kind>(entry.kind).all[entry.index];
+    Kind changed = constraint;
+    change(changed);
+    changed.require_valid(bodies_);
+    require_same_bodies(entry, changed.at.body1, changed.at.body2);
+    constraint = changed;
   }
 
-  template <class Kind, class BlockOfKind>
-  void write(const Kind& constraint, BlockOfKind& block, double h, System<M>& system) const;
+  /// Adds a constraint that lasts until contacts are looked for again; returns its identity, -1 - its place.
+  template <class Kind>
+  int add_found(const Kind& constraint) {
+    const int kind = kind_to_add<Kind>(), id = -1 - count();
+    constraints<Kind>(kind).all.push_back(constraint);
+    append(kind, constraint.at.body1, constraint.at.body2, id);
+    return id;
+  }
+  void append(int kind, int body1, int body2, int id);
+  void forget_found();
+  void prepare_to_add();
+  void remove_place(int place);
+  int find(int id) const;
+  void require_presses(int id) const;
+  static void require_same_bodies(const Entry& entry, int body1, int body2);
+  void changed();
 
-  std::tuple<std::vector<Kinds<M>>...> constraints_;
-  std::vector<Number> numbered_;
-  int lasting_ = 0, version_ = 0;
+  Bodies<M> bodies_;
+  Colliders<M> colliders_;
+  Stores stores_;
+  std::vector<Entry> entries_;
+  int lasting_ = 0, next_id_ = 0;
+  std::uint64_t identity_, version_;
 };
-
-template <class M, template <class> class... Kinds>
-Graph Scene<M, Kinds...>::graph() const {
-  Graph graph{bodies.size(), {}};
-  for_each([&](const auto& constraint) {
-    const auto end = [&](int body) { return moves(bodies.inverse_mass[body]) ? body : Edge::no_body; };
-    graph.edges.push_back(
-        {end(constraint.at.body1), end(constraint.at.body2), std::remove_cvref_t<decltype(constraint)>::rows});
-  });
-  return graph;
-}
-
-template <class M, template <class> class... Kinds>
-void Scene<M, Kinds...>::lay_out(const std::vector<int>& order, System<M>& system) const {
-  const std::vector<int> old_row = std::move(system.row_of);
-  const std::vector<double> old_lambda = system.lambda;
-  std::apply([](auto&... blocks) { (blocks.clear(), ...); }, system.blocks);
-  system.runs.clear();
-  system.source.clear();
-  system.row_of.assign(count(), 0);
-  system.bounded = false;
-  int row = 0;
-  for (const int number : order) {
-    const auto [kind, index] = numbered_[number];
-    visit(numbered_[number], [&, k = kind, i = index](const auto& constraint) {
-      using Kind = std::remove_cvref_t<decltype(constraint)>;
-      constexpr int type = block_type<M, Kind::rows, Kind::bound>();
-      auto& blocks = std::get<type>(system.blocks);
-      if (system.runs.empty() || system.runs.back().kind != k)
-        system.runs.push_back({k, type, static_cast<int>(blocks.size()), 0, row, Kind::drifting});
-      ++system.runs.back().count;
-      auto& block = blocks.emplace_back();
-      block.body1 = constraint.at.body1;
-      block.body2 = constraint.at.body2;
-      block.moves1 = moves(bodies.inverse_mass[block.body1]);
-      block.moves2 = moves(bodies.inverse_mass[block.body2]);
-      block.row = row;
-      system.source.push_back(i);
-      system.row_of[number] = row;
-      system.bounded = system.bounded || Kind::bound != Bound::none;
-      row += Kind::rows;
-    });
-  }
-  for (auto* numbers : {&system.lambda, &system.C, &system.bias, &system.gamma, &system.rate, &system.lower,
-                        &system.upper, &system.restitution})
-    numbers->assign(row, 0.0);
-  for (int number = 0; number < system.lasting; ++number)
-    visit(numbered_[number], [&](const auto& constraint) {
-      for (int k = 0; k < std::remove_cvref_t<decltype(constraint)>::rows; ++k)
-        system.lambda[system.row_of[number] + k] = old_lambda[old_row[number] + k];
-    });
-  system.lasting = lasting_;
-}
-
-//! [write_rows]
-template <class M, template <class> class... Kinds>
-void Scene<M, Kinds...>::write_rows(System<M>& system, double h) const {
-  const int* source = system.source.data();
-  for (const Run& run : system.runs)
-    visit_kind(run.kind, [&]<class Kind>(const std::vector<Kind>& constraints) {
-      auto& blocks = std::get<block_type<M, Kind::rows, Kind::bound>()>(system.blocks);
-      for (int i = run.first; i < run.first + run.count; ++i) write(constraints[*source++], blocks[i], h, system);
-    });
-}
-
-template <class M, template <class> class... Kinds>
-template <class Kind, class BlockOfKind>
-void Scene<M, Kinds...>::write(const Kind& constraint, BlockOfKind& block, double h, System<M>& system) const {
-  const Pose<M>&pose1 = bodies.pose[block.body1], &pose2 = bodies.pose[block.body2];
-  if constexpr (Kind::drifting > 0) {
-    const Rows<Kind::rows> C = constraint.template value<double>(pose1, pose2);
-    for (int k = 0; k < Kind::drifting; ++k) system.C[block.row + k] = C[k];
-  }
-  // Made in place: assigned, they would be written number by number and at once read back in pairs, which stalls.
-  using J = Jacobian<M, Kind::rows>;
-  new (&block.J) J(constraint.jacobian(pose1, pose2));
-  new (&block.W) J(times_inverse_mass(block.J, bodies.inverse_mass[block.body1], pose1,
-                                      bodies.inverse_mass[block.body2], pose2));
-  if constexpr (requires { constraint.soft(pose1, pose2, h); }) {
-    const Soft soft = constraint.soft(pose1, pose2, h);
-    system.gamma[block.row] = soft.gamma;
-    system.rate[block.row] = soft.rate;
-  } else {
-    for (int k = 0; k < Kind::rows; ++k) system.gamma[block.row + k] = constraint.softness;
-  }
-  if constexpr (requires { constraint.restitution; }) system.restitution[block.row] = constraint.restitution;
-  if constexpr (Kind::bound == Bound::interval) {
-    const auto [lower, upper] = constraint.bounds(h);
-    system.lower[block.row] = lower;
-    system.upper[block.row] = upper;
-  }
-  if constexpr (Kind::bound == Bound::face) system.upper[block.row] = constraint.coefficient;
-  if constexpr (Kind::bound == Bound::ball) {
-    system.upper[block.row] = constraint.coefficient;
-    block.leader = system.row_of[constraint.leader];
-  }
-}
-//! [write_rows]
-
-/// Whether any row of the scene is bounded, or would be of what may come to touch.
-template <class S>
-bool has_bounds(const S& scene) {
-  bool any = false;
-  if constexpr (S::touches) any = !scene.colliders.shapes.empty();
-  scene.for_each([&](const auto& constraint) {
-    any = any || std::remove_cvref_t<decltype(constraint)>::bound != Bound::none;
-  });
-  return any;
-}
-
-/// What every step begins with: throws std::invalid_argument for a time step [s] that is not positive, gravity
-/// that is no number, a method outside its range, and a method that refuses the scene.
-template <class S, class Method>
-void require_steppable(const S& scene, const Method& method, double step) {
-  require_positive("time step", step, "s");
-  for (const double g : scene.gravity) require_finite("gravity", g, "m/s²");
-  require_valid(method);
-  if (const std::string reason = refusal(scene, method); !reason.empty()) throw std::invalid_argument(reason);
-}
 
 }  // namespace byhand

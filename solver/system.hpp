@@ -1,87 +1,91 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
+#include <cstdint>
 #include <span>
 #include <tuple>
 #include <utility>
 #include <vector>
 
-#include "solver/constraints/anchors.hpp"
 #include "solver/row.hpp"
 
 namespace byhand {
 
-/// One constraint's rows, ready to be solved: (17) needs J, M⁻¹Jᵀ and where its numbers stand.
-template <class M, int K, Bound B>
-struct Block {
+/// What bounds the accumulated λ of a block: nothing; an interval, for single rows; friction, a ball whose radius is μ
+/// times the λ of a normal row in another block; or, for a contact manifold, both: normals at zero or above and friction
+/// within μ times their sum.
+enum class Bound { none, interval, friction, manifold };
+
+/// Which constraint a block holds, and where it stands.
+struct BlockHeader {
   int body1 = 0, body2 = 0;
-  bool moves1 = false,
-       moves2 = false;  // a fixed body is read, for it has a velocity of zero, but never written
-  int row = 0;          // the first of its K rows in λ, bias, γ, …
-  int leader = 0;       // for Bound::ball: the row whose λ scales the bound
+  bool moves1 = false, moves2 = false;  // a fixed body is read, for it has a velocity of zero, but never written
+  int row = 0;                          // the first of its K rows in λ, bias, γ, …
+  int normal_row = 0;                   // for Bound::friction: the row whose λ scales the bound
+  int constraint = 0;                   // its index among those of its kind
+};
+
+/// One constraint's rows, ready to be solved: (17) needs J and M⁻¹Jᵀ.
+template <class M, int K, Bound B>
+struct Block : BlockHeader {
   Jacobian<M, K> J, W;  // W = M⁻¹Jᵀ, row for row
 };
 
-/// A type of block: how many rows it has and what bounds them.
-template <int K, Bound B>
-struct BlockType {};
-template <class... Types>
-struct BlockTypes {};
-
-/// The types of block that a model's constraints are made of: single rows, points held along every axis, what
-/// leaves a body none, one or (in space) some of its degrees of freedom; limits; contacts and their friction.
-template <class M>
-struct BlockTypesOf;
-template <>
-struct BlockTypesOf<PlaneParticle> {
-  using type = BlockTypes<BlockType<1, Bound::none>, BlockType<2, Bound::none>, BlockType<1, Bound::interval>,
-                          BlockType<1, Bound::ball>>;
+/// The types of block that a model's constraints are made of, as storage for something per block: single rows, points
+/// held along every axis, what leaves a body none, one or (in space) some of its degrees of freedom; limits; friction
+/// and contact manifolds.
+template <class M, template <int, Bound> class E>
+struct BlockTypes;
+template <template <int, Bound> class E>
+struct BlockTypes<PlaneParticle, E> {
+  using Storage = std::tuple<std::vector<E<1, Bound::none>>, std::vector<E<2, Bound::none>>,
+                             std::vector<E<1, Bound::interval>>, std::vector<E<1, Bound::friction>>>;
 };
-template <>
-struct BlockTypesOf<PlaneBody> {
-  using type = BlockTypes<BlockType<1, Bound::none>, BlockType<2, Bound::none>, BlockType<3, Bound::none>,
-                          BlockType<1, Bound::interval>, BlockType<1, Bound::ball>, BlockType<3, Bound::face>>;
+template <template <int, Bound> class E>
+struct BlockTypes<PlaneBody, E> {
+  using Storage = std::tuple<std::vector<E<1, Bound::none>>, std::vector<E<2, Bound::none>>,
+                             std::vector<E<3, Bound::none>>, std::vector<E<1, Bound::interval>>,
+                             std::vector<E<1, Bound::friction>>, std::vector<E<3, Bound::manifold>>>;
 };
-template <>
-struct BlockTypesOf<SpaceParticle> {
-  using type = BlockTypes<BlockType<1, Bound::none>, BlockType<3, Bound::none>, BlockType<1, Bound::interval>,
-                          BlockType<1, Bound::ball>, BlockType<2, Bound::ball>>;
+template <template <int, Bound> class E>
+struct BlockTypes<SpaceParticle, E> {
+  using Storage = std::tuple<std::vector<E<1, Bound::none>>, std::vector<E<3, Bound::none>>,
+                             std::vector<E<1, Bound::interval>>, std::vector<E<1, Bound::friction>>,
+                             std::vector<E<2, Bound::friction>>>;
 };
-template <>
-struct BlockTypesOf<SpaceBody> {
-  using type = BlockTypes<BlockType<1, Bound::none>, BlockType<3, Bound::none>, BlockType<5, Bound::none>,
-                          BlockType<6, Bound::none>, BlockType<1, Bound::interval>, BlockType<1, Bound::ball>,
-                          BlockType<2, Bound::ball>>;
+template <template <int, Bound> class E>
+struct BlockTypes<SpaceBody, E> {
+  using Storage = std::tuple<std::vector<E<1, Bound::none>>, std::vector<E<3, Bound::none>>,
+                             std::vector<E<5, Bound::none>>, std::vector<E<6, Bound::none>>,
+                             std::vector<E<1, Bound::interval>>, std::vector<E<1, Bound::friction>>,
+                             std::vector<E<2, Bound::friction>>>;
 };
 
-namespace detail {
+/// Storage for something per block, a vector for each type of block.
+template <class M, template <int, Bound> class E>
+using PerBlock = typename BlockTypes<M, E>::Storage;
 
-template <template <int, Bound> class Element, class Types>
-struct PerType;
-template <template <int, Bound> class Element, int... K, Bound... B>
-struct PerType<Element, BlockTypes<BlockType<K, B>...>> {
-  using type = std::tuple<std::vector<Element<K, B>>...>;
-};
+template <int, Bound>
+struct BlockTag {};
 
-template <class Type, class... Types>
-constexpr int place_of(BlockTypes<Types...>) {
-  int place = 0, found = -1;
-  ((std::is_same_v<Type, Types> ? void(found = place++) : void(++place)), ...);
-  return found;
+/// Calls f(std::integral_constant) with the place of a type of block among the vectors of PerBlock.
+template <class M, class F>
+void for_type(int type, F&& f) {
+  [&]<std::size_t... I>(std::index_sequence<I...>) {
+    (void)((static_cast<int>(I) == type && (f(std::integral_constant<std::size_t, I>()), true)) || ...);
+  }
+  (std::make_index_sequence<std::tuple_size_v<PerBlock<M, BlockTag>>>());
 }
-
-}  // namespace detail
-
-/// Storage for something per block, contiguous by type.
-template <class M, template <int, Bound> class Element>
-using PerBlock = typename detail::PerType<Element, typename BlockTypesOf<M>::type>::type;
 
 /// The place of blocks of K rows with bound B among the vectors of PerBlock.
 template <class M, int K, Bound B>
 constexpr int block_type() {
-  constexpr int place = detail::place_of<BlockType<K, B>>(typename BlockTypesOf<M>::type());
-  static_assert(place >= 0, "this model has no blocks of so many rows with that bound: see BlockTypesOf");
+  constexpr int place = []<class... Tags>(std::tuple<Tags...>*) {
+    int index = 0, found = -1;
+    ((std::is_same_v<std::vector<BlockTag<K, B>>, Tags> ? void(found = index++) : void(++index)), ...);
+    return found;
+  }(static_cast<PerBlock<M, BlockTag>*>(nullptr));
+  static_assert(place >= 0, "this model has no blocks of so many rows with that bound: see BlockTypes");
   return place;
 }
 
@@ -91,20 +95,9 @@ struct Run {
   int type;   // which vector of PerBlock
   int first;  // the first block in that vector
   int count;
-  int row;       // the first row; a run's rows are contiguous
-  int drifting;  // how many of a block's rows have a C
+  int row;            // the first row; a run's rows are contiguous
+  int position_rows;  // how many of a block's rows, the first, have a C; the others have only a rate
 };
-
-/// Calls f(std::integral_constant) with the place of a type of block among the vectors of PerBlock.
-template <class M, class F>
-void for_type(int type, F&& f) {
-  [&]<class... Types>(BlockTypes<Types...>) {
-    [&]<std::size_t... I>(std::index_sequence<I...>) {
-      (void)((static_cast<int>(I) == type && (f(std::integral_constant<std::size_t, I>()), true)) || ...);
-    }
-    (std::index_sequence_for<Types...>());
-  }(typename BlockTypesOf<M>::type());
-}
 
 /// A run's elements of all of its type.
 template <class Element>
@@ -130,12 +123,15 @@ struct System {
 
   PerBlock<M, BlockOf> blocks;
   std::vector<Run> runs;  // in solve order
-  std::vector<double> lambda, C, bias, gamma, rate, lower, upper,
-      restitution;          // one number a row; of a ball or face `upper` is μ
-  std::vector<int> source;  // for each block in solve order, its constraint's place among those of its kind
-  std::vector<int> row_of;  // for each constraint by its number, its first row
-  int lasting = 0;          // how many constraints, the first, were added rather than found
-  bool bounded = false;     // whether any row is
+  // One number a row; with friction `upper` is μ.
+  std::vector<double> lambda, C, bias, gamma, rate, lower, upper, restitution;
+  std::vector<double> stiffness;  // of methods that have one, else empty; kept from layout to layout as λ is
+  // By constraint in natural order:
+  std::vector<int> row_of;  // its first row
+  std::vector<int> id_of;   // its identity in the scene, if it was added and not found
+  std::uint64_t scene = 0;  // whose identities they are
+  std::uint64_t layout = 0;  // changes with every layout
+  bool bounded = false;      // whether any row is
 
   int rows() const { return static_cast<int>(lambda.size()); }
 
@@ -153,30 +149,43 @@ struct System {
   }
 };
 
+/// How many rows of a block, the first, are normals of a contact, which push only.
+template <int K, Bound B>
+inline constexpr int normals = B == Bound::manifold ? K - 1 : 0;
+
 /// Whether row k of a block pushes only, as a contact does: λ >= 0, and C > 0 is no error.
 template <class M, int K, Bound B>
 bool one_sided(const System<M>& system, const Block<M, K, B>& block, int k) {
-  return (B == Bound::interval && system.lower[block.row] == 0) || (B == Bound::face && k < 2);
+  return (B == Bound::interval && system.lower[block.row] == 0) || k < normals<K, B>;
 }
 
 //! [bound]
-/// λ held within its bound: an interval, the ball of radius `upper` times the leader's λ, or of a face the two
+/// λ held within its bound: an interval, the ball of radius `upper` times the λ of the normal row, or of a manifold the
 /// normals at zero or above and friction within `upper` times their sum.
 template <int K, Bound B>
-Rows<K> bounded(const Rows<K>& lambda, double lower, double upper, double leader) {
+Rows<K> bounded(const Rows<K>& lambda, double lower, double upper, double normal) {
   if constexpr (B == Bound::none)
     return lambda;
   else if constexpr (B == Bound::interval)
     return Rows<K>(std::clamp(lambda[0], lower, upper));
-  else if constexpr (B == Bound::face) {
+  else if constexpr (B == Bound::manifold) {
     const double first = std::max(0.0, lambda[0]), second = std::max(0.0, lambda[1]);
     const double radius = upper * (first + second);
     return {first, second, std::clamp(lambda[2], -radius, radius)};
   } else {
-    const double radius = upper * leader, length = lambda.norm();
+    const double radius = upper * normal, length = lambda.norm();
     return length > radius ? Rows<K>(lambda * (radius / length)) : lambda;
   }
 }
 //! [bound]
+
+/// Whether λ of a block has any bound.
+template <class M, int K, Bound B>
+constexpr bool is_bounded(const Block<M, K, B>&) {
+  return B != Bound::none;
+}
+
+/// A number that no other call returns: equal stamps mean that nothing has changed since.
+std::uint64_t new_stamp();
 
 }  // namespace byhand

@@ -124,10 +124,9 @@ void contact(tutor::Page& page, const Settings& set) {
   const Jacobian<M, 1> J = at.row();
 
   page.text(
-      "One recipe, another constraint. Two bodies touch at P₁ and P₂ along a unit normal n, and may not enter "
-      "each "
-      "other. C is how far P₂ is outside of body 1, measured along n: C = (P₂ − P₁)·n, and it must not be "
-      "negative. Differentiate, isolate, look. Where d stood in (14), n stands now.");
+      R"(One recipe, another constraint. Two bodies touch at P₁ and P₂ along a unit normal n, and may not enter
+      each other. C is how far P₂ is outside of body 1, measured along n: C = (P₂ − P₁)·n, and it must not be
+      negative. Differentiate, isolate, look. Where d stood in (14), n stands now.)");
   page.equation(15, "J = [ @  @  @  @ ]", R"(J = \begin{bmatrix} @ & @ & @ & @ \end{bmatrix})",
                 vector(J.l1().transpose()), J.a1()(0, 0), vector(J.l2().transpose()), J.a2()(0, 0));
   page.excerpt("solver/constraints/contact.hpp", "jacobian");
@@ -147,22 +146,18 @@ void contact(tutor::Page& page, const Settings& set) {
   const double kept = (row_of_exchanged(at.contact.normal).matrix + J.matrix).cwiseAbs().maxCoeff();
   const double flipped = (row_of_exchanged(-at.contact.normal).matrix - J.matrix).cwiseAbs().maxCoeff();
   page.text(
-      "*Which way does the normal point?* From body 1 to body 2. Then JV > 0 means that they part, overlap is "
-      "negative, and the push that keeps them apart has λ ≥ 0. Name the bodies the other way round and turn n "
-      "round with them: every arrow stays on its body. Forget to turn n, and the whole row changes sign: the "
-      "solver "
-      "would then pull overlapping bodies together and hold parting ones. A rod forgives the exchange, a contact "
-      "does not.");
+      R"(*Which way does the normal point?* From body 1 to body 2. Then JV > 0 means that they part, overlap is
+      negative, and the push that keeps them apart has λ ≥ 0. Name the bodies the other way round and turn n round
+      with them: every arrow stays on its body. Forget to turn n, and the whole row changes sign: the solver would
+      then pull overlapping bodies together and hold parting ones. A rod forgives the exchange, a contact does
+      not.)");
 
   const Dropped dropped = dropped_term(set, step);
   page.text(
-      "*What is dropped?* C is a product of two things that move, so Ċ has two terms: (Ṗ₂ − Ṗ₁)·n, which is (15), "
-      "and "
-      "(P₂ − P₁)·ṅ, which is left out. When may you? ṅ is square to n, so a gap or an overlap straight along n "
-      "costs "
-      "nothing. Only where P₂ lies *beside* P₁ does the turning normal sweep over it, at ω₁ times the offset. "
-      "Contact "
-      "points are chosen on top of each other, and there the dropped term is zero.");
+      R"(*What is dropped?* C is a product of two things that move, so Ċ has two terms: (Ṗ₂ − Ṗ₁)·n, which is (15),
+      and (P₂ − P₁)·ṅ, which is left out. When may you? ṅ is square to n, so a gap or an overlap straight along n
+      costs nothing. Only where P₂ lies *beside* P₁ does the turning normal sweep over it, at ω₁ times the offset.
+      Contact points are chosen on top of each other, and there the dropped term is zero.)");
   page.figure("dropped", "What (15) leaves out, while the plank turns: a straight line through zero.",
               dropped.chart);
 

@@ -63,17 +63,17 @@ void differentiate(tutor::Page& page, const Settings& set) {
   const Linear<PlaneBody> d = pair.d(), v1 = pair.V1.head<2>(), v2 = pair.V2.head<2>();
 
   page.text(
-      "Solving C = 0 for positions is hard, for C is curved. Its rate is easier: how fast is C changing *now*? "
-      "Differentiate ½(P₂ − P₁)² by the product rule and the half is gone. L is constant and leaves no trace.");
+      R"(Solving C = 0 for positions is hard, for C is curved. Its rate is easier: how fast is C changing *now*?
+      Differentiate ½(P₂ − P₁)² by the product rule and the half is gone. L is constant and leaves no trace.)");
   page.equation(9);
   page.text(
-      "The product is a dot product: only the part of the velocity along P₂ − P₁ counts. Try it on the bob "
-      "before the bodies begin to turn.");
+      R"(The product is a dot product: only the part of the velocity along P₂ − P₁ counts. Try it on the bob before
+      the bodies begin to turn.)");
   const Linear<PlaneParticle> place = length * Linear<PlaneParticle>(0.6, -0.8), moving(speed, 0);
   const double bob = rate_of_bob(place, moving, length);
   page.predict(
-      {.ask = tutor::say("P₂ − P₁ is (@, @) m, the bob moves with v₂ = (@, 0) m/s and the anchor stands still. "
-                         "How large is Ċ of (9)?",
+      {.ask = tutor::say(R"(P₂ − P₁ is (@, @) m, the bob moves with v₂ = (@, 0) m/s and the anchor stands still.
+                         How large is Ċ of (9)?)",
                          place.x(), place.y(), speed),
        .answer = bob,
        .unit = "m²/s",
@@ -84,17 +84,16 @@ void differentiate(tutor::Page& page, const Settings& set) {
        .hint = "Multiply component by component, then add.",
        .right = "Its unit is m²/s: C is in m², and so is its change."});
   page.text(
-      "An anchor point on a turning body has two reasons to move: its body's centre goes somewhere, and the arm r "
-      "from the centre to the point swings round. In the plane ω × r is ω(−r_y, r_x).");
+      R"(An anchor point on a turning body has two reasons to move: its body's centre goes somewhere, and the arm r
+      from the centre to the point swings round. In the plane ω × r is ω(−r_y, r_x).)");
   page.equation(10, "Ċ = @·((@ + @) − (@ + @)) = @ m²/s",
                 R"(\dot C = @ \cdot ((@ + @) - (@ + @)) = @\,\mathrm{m^2/s})", vector(d), vector(v2),
                 vector(pair.V2[2] * Linear<PlaneBody>(-pair.r2().y(), pair.r2().x())), vector(v1),
                 vector(pair.V1[2] * Linear<PlaneBody>(-pair.r1().y(), pair.r1().x())), pair.rate());
   page.text(
-      "Do not believe a derivative: check it. Here two boxes drift and spin for @ s with the rod between them as "
-      "a "
-      "mere tape measure; nobody holds anything yet. The curve is (10) at each moment. The dots know nothing of "
-      "(10): they read C a little later and a little earlier, subtract, and divide by the time between, @ s.",
+      R"(Do not believe a derivative: check it. Here two boxes drift and spin for @ s with the rod between them as
+      a mere tape measure; nobody holds anything yet. The curve is (10) at each moment. The dots know nothing of
+      (10): they read C a little later and a little earlier, subtract, and divide by the time between, @ s.)",
       tutor::Value(time, 3), tutor::Value(2 * step, 3));
   const Rates all = rates(pair, time, step);
   constexpr double seconds = 4;
@@ -120,8 +119,8 @@ void differentiate(tutor::Page& page, const Settings& set) {
       });
   page.figure("rate", "Ċ of the two boxes: the formula and the differences along the motion.", all.rate);
   page.text(
-      "Over the whole flight the two differ by at most @ m²/s. A centred difference is allowed @ m²/s: its own "
-      "error shrinks with the square of its step.",
+      R"(Over the whole flight the two differ by at most @ m²/s. A centred difference is allowed @ m²/s: its own
+      error shrinks with the square of its step.)",
       all.largest_difference, all.tolerance);
 
   page.claim({.quantity = "Ċ of the bob",

@@ -17,14 +17,14 @@ using M = PlaneParticle;
 using Row = Jacobian<M, 1>;
 
 struct Rod {
-  Scene<M, NormalisedDistance> scene;
+  Scene<M> scene;
   Row J, W;
   double inverse_mass;  // (19)
 };
 
 Rod rod_of(const Settings& set) {
   Rod rod{pendulum<M, NormalisedDistance>(0.6, set.length, set.mass), {}, {}, 0};
-  const auto& bodies = rod.scene.bodies;
+  const auto& bodies = rod.scene.bodies();
   rod.J = rod.scene.all<NormalisedDistance>()[0].jacobian(bodies.pose[0], bodies.pose[1]);
   rod.W =
       times_inverse_mass(rod.J, bodies.inverse_mass[0], bodies.pose[0], bodies.inverse_mass[1], bodies.pose[1]);
@@ -87,26 +87,21 @@ void dual_map(tutor::Page& page, const Settings& set) {
   const Rod rod = rod_of(set);
   const Row& J = rod.J;
   page.text(
-      "J takes velocities to a rate of C. The article takes the way back, from λ to a force on the bodies, by the "
-      "transpose, and calls it the inverse.");
+      R"(J takes velocities to a rate of C. The article takes the way back, from λ to a force on the bodies, by the
+      transpose, and calls it the inverse.)");
   page.equation(5);
   const double JJt = (J.matrix * J.matrix.transpose())(0, 0);
   page.text(
-      "J has no inverse: it is one row and swallows all but one of the directions in which bodies can move. And "
-      "Jᵀ does "
-      "not even undo that one. Take the row of |d| − L, a rod between two bodies. Ask for Ċ = 1, use V = Jᵀ·1, "
-      "and look "
-      "what you get: JJᵀ = @, not 1. (With (14) it would be 2|d|², which is not even a number without a unit; and "
-      "where bodies turn, square metres are added to metres to the fourth.)",
+      R"(J has no inverse: it is one row and swallows all but one of the directions in which bodies can move. And
+      Jᵀ does not even undo that one. Take the row of |d| − L, a rod between two bodies. Ask for Ċ = 1, use V =
+      Jᵀ·1, and look what you get: JJᵀ = @, not 1. (With (14) it would be 2|d|², which is not even a number without
+      a unit; and where bodies turn, square metres are added to metres to the fourth.))",
       JJt);
   page.text(
-      "What Jᵀ truly is, you have known since you pushed a door. A lever that multiplies a speed divides a force, "
-      "so that "
-      "the *power* is the same on both sides: (λJᵀ)·V = λ(JV), for every V. That makes Jᵀ the dual of J. And it "
-      "says why "
-      "constraint forces point along J: where JV = 0, where the bodies do what the constraint allows, the force "
-      "does no "
-      "work. A rod neither drives nor brakes its bob.");
+      R"(What Jᵀ truly is, you have known since you pushed a door. A lever that multiplies a speed divides a force,
+      so that the *power* is the same on both sides: (λJᵀ)·V = λ(JV), for every V. That makes Jᵀ the dual of J. And
+      it says why constraint forces point along J: where JV = 0, where the bodies do what the constraint allows,
+      the force does no work. A rod neither drives nor brakes its bob.)");
   double difference = 0;
   const renderer::Chart chart = power(J, difference);
   page.figure("dual", "The rod's force is square to every motion that the rod allows.",
@@ -116,11 +111,9 @@ void dual_map(tutor::Page& page, const Settings& set) {
               chart);
   const double back = (J.matrix * rod.W.matrix.transpose())(0, 0) / rod.inverse_mass;
   page.text(
-      "The way back that does deserve the name is longer: M⁻¹Jᵀ(JM⁻¹Jᵀ)⁻¹. It gives the velocities of least "
-      "kinetic "
-      "energy with the wanted Ċ, and J times it is @. It needs the masses, and it is what (17) and (20) do "
-      "together: "
-      "next lesson.",
+      R"(The way back that does deserve the name is longer: M⁻¹Jᵀ(JM⁻¹Jᵀ)⁻¹. It gives the velocities of least
+      kinetic energy with the wanted Ċ, and J times it is @. It needs the masses, and it is what (17) and (20) do
+      together: next lesson.)",
       back);
 
   const Linear<M> n = J.l2().transpose();

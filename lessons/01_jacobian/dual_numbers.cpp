@@ -133,27 +133,25 @@ Accuracy accuracy(const Pair& pair) {
 void dual_numbers(tutor::Page& page, const Settings& set) {
   const Pair pair = pair_of(set);
   page.text(
-      "Differences are honest but blunt: a large step misses the bend, a small one drowns in rounding. There is a "
-      "way "
-      "to differentiate a program to the last digit. Give every number a second part that says how it changes, "
-      "(a, a′), and teach + and × the rules of differentiation: (a, a′)(b, b′) = (ab, a′b + ab′). These are dual "
-      "numbers. Push them through the one line that computes C and J falls out, with no derivation at all.");
+      R"(Differences are honest but blunt: a large step misses the bend, a small one drowns in rounding. There is a
+      way to differentiate a program to the last digit. Give every number a second part that says how it changes,
+      (a, a′), and teach + and × the rules of differentiation: (a, a′)(b, b′) = (ab, a′b + ab′). These are dual
+      numbers. Push them through the one line that computes C and J falls out, with no derivation at all.)");
   page.excerpt("lessons/01_jacobian/dual_numbers.cpp", "gradient");
   const Accuracy all = accuracy(pair);
   page.figure("accuracy",
               "How well differences know Ċ, over their step; the dashed line is what dual numbers miss.",
               all.chart);
   page.text(
-      "At their best the one-sided difference misses Ċ by @ m²/s and the centred one by @ m²/s. The dual number "
-      "misses by @ m²/s.",
+      R"(At their best the one-sided difference misses Ċ by @ m²/s and the centred one by @ m²/s. The dual number
+      misses by @ m²/s.)",
       tutor::Value(all.best_one_sided, 2), tutor::Value(all.best_centred, 2), tutor::Value(all.dual, 2));
   constexpr int draws = 200;
   page.text(
-      "So why derive by hand? Because the hand finds what the machine cannot: that (14) is four short "
-      "expressions, "
-      "that it costs a handful of products, what it means and when it vanishes. The machine is the referee. "
-      "Below, "
-      "every kind of constraint of the solver has its J compared at @ random poses, in all four models.",
+      R"(So why derive by hand? Because the hand finds what the machine cannot: that (14) is four short
+      expressions, that it costs a handful of products, what it means and when it vanishes. The machine is the
+      referee. Below, every kind of constraint of the solver has its J compared at @ random poses, in all four
+      models.)",
       draws);
   const double tolerance = 100 * std::numeric_limits<double>::epsilon();
   const auto claim = [&](const char* model, double difference) {

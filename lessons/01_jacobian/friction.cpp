@@ -11,7 +11,7 @@
 namespace byhand::lesson01 {
 namespace {
 
-using renderer::Point3;
+using Point3 = Eigen::Vector3d;
 namespace palette = renderer::palette;
 using M = SpaceBody;
 
@@ -73,15 +73,13 @@ void friction(tutor::Page& page, const Settings& set) {
   const Sliding at = sliding(set, 0);
   const Jacobian<M, 2> J = at.rows();
   page.text(
-      "Friction has no C to keep. It has a *rate* that it wants to be zero: how fast P₂ slides past P₁ along the "
-      "surface. Replace n by a tangent t and the recipe has nothing else to do.");
+      R"(Friction has no C to keep. It has a *rate* that it wants to be zero: how fast P₂ slides past P₁ along the
+      surface. Replace n by a tangent t and the recipe has nothing else to do.)");
   page.equation(16);
   page.text(
-      "In the plane there is one tangent, in space there are two, and with them two rows. Here a box slides and "
-      "spins "
-      "on a floor and touches it with one corner. Its l₂ are the tangents, its a₂ the moments that they have "
-      "about "
-      "the centre:");
+      R"(In the plane there is one tangent, in space there are two, and with them two rows. Here a box slides and
+      spins on a floor and touches it with one corner. Its l₂ are the tangents, its a₂ the moments that they have
+      about the centre:)");
   page.formula("t₁: l₂ = @, a₂ = @", R"(t_1:\; l_2 = @,\; a_2 = @)", J.l2().row(0).eval(), J.a2().row(0).eval());
   page.formula("t₂: l₂ = @, a₂ = @", R"(t_2:\; l_2 = @,\; a_2 = @)", J.l2().row(1).eval(), J.a2().row(1).eval());
   page.figure("friction",
@@ -91,11 +89,9 @@ void friction(tutor::Page& page, const Settings& set) {
   const double step = 1e-4 / (1 + std::abs(set.spin()));
   const Rows<2> measured = (at.slip(step) - at.slip(-step)) / (2 * step);
   page.text(
-      "The slip along t₁ and t₂ is @ m/s: JV, with the spin of the box in it. Which two tangents? Any. Turn them "
-      "about "
-      "n and both numbers change, but not the length of the pair. Whoever bounds friction axis by axis makes it "
-      "depend "
-      "on that choice; lesson 7 will show what that does to a slide.",
+      R"(The slip along t₁ and t₂ is @ m/s: JV, with the spin of the box in it. Which two tangents? Any. Turn them
+      about n and both numbers change, but not the length of the pair. Whoever bounds friction axis by axis makes
+      it depend on that choice; lesson 7 will show what that does to a slide.)",
       slip);
 
   double shortest = slip.norm(), longest = slip.norm();

@@ -128,11 +128,12 @@ void draw_field(renderer::Canvas& canvas, double length) {
 void say_swap(tutor::Page& page, const Pair& pair, const Row& row, double exact) {
   const Row other = swapped(pair).matrix;
   page.text(
-      "*What if you name the bodies the other way round?* Then d turns into −d. Written as a list, the linear "
-      "entries of the row change sign: l₁ was @ and becomes @.\n\nBut look at the bodies and not at the list: "
-      "that new "
-      "l₁ belongs to what used to be body 2. The two blocks of the row have changed places, and so each body "
-      "keeps its arrows. It has to be so: (2) does not care which end you call the first.",
+      R"(*What if you name the bodies the other way round?* Then d turns into −d. Written as a list, the linear
+      entries of the row change sign: l₁ was @ and becomes @.
+
+      But look at the bodies and not at the list: that new l₁ belongs to what used to be body 2. The two blocks of
+      the row have changed places, and so each body keeps its arrows. It has to be so: (2) does not care which end
+      you call the first.)",
       vector(row.segment<2>(0).transpose()), vector(other.segment<2>(0).transpose()));
   page.claim({.quantity = "row after the swap − row with its blocks exchanged",
               .unit = "m, m²",
@@ -152,16 +153,15 @@ void inspection(tutor::Page& page, const Settings& set) {
   const Linear<PlaneBody> sides = box_sides(set);
 
   page.text(
-      "The last of the four steps is to look. In (13) every velocity stands alone behind its coefficient; the "
-      "coefficients, in the order of the velocities, *are* J.");
+      R"(The last of the four steps is to look. In (13) every velocity stands alone behind its coefficient; the
+      coefficients, in the order of the velocities, *are* J.)");
   page.equation(14, "J = [ @  @  @  @ ]", R"(J = \begin{bmatrix} @ & @ & @ & @ \end{bmatrix})",
                 vector(J.l1().transpose()), J.a1()(0, 0), vector(J.l2().transpose()), J.a2()(0, 0));
   page.excerpt("solver/jacobian.hpp", "along");
   page.text(
-      "\"By inspection\" sounds like a licence to guess. It is not: Ċ = JV holds for *every* V, and that leaves "
-      "no "
-      "choice. Let one coordinate of one body move at 1 and all else rest, and JV is one entry of J. Six such "
-      "movements, six entries; any two rows that agree on all motions are the same row.");
+      R"("By inspection" sounds like a licence to guess. It is not: Ċ = JV holds for *every* V, and that leaves no
+      choice. Let one coordinate of one body move at 1 and all else rest, and JV is one entry of J. Six such
+      movements, six entries; any two rows that agree on all motions are the same row.)");
   constexpr double each = 0.6;
   page.sequence("probes", "Six movements find six numbers: each time Ċ is read off C, with no J in sight.",
                 tutor::Seconds{entries * each}, [=](renderer::Canvas& canvas, double time) {
@@ -169,9 +169,8 @@ void inspection(tutor::Page& page, const Settings& set) {
                 });
 
   page.text(
-      "A row is a picture on its bodies. l is an arrow on the body's centre, a is a bow around it; an arrow on "
-      "one "
-      "side has its counterpart on the other.");
+      R"(A row is a picture on its bodies. l is an arrow on the body's centre, a is a bow around it; an arrow on
+      one side has its counterpart on the other.)");
   page.figure(
       "row", "The four parts of J, drawn on the bodies that they belong to.", [=](renderer::Canvas& canvas) {
         canvas.look(
@@ -195,18 +194,18 @@ void inspection(tutor::Page& page, const Settings& set) {
   bob.position = (length + set.stretch) * Linear<PlaneParticle>(0.6, -0.8);
   const double C = rod.value<double>(anchor, bob)[0], out = rod.jacobian(anchor, bob).l2().dot(bob.position);
   page.choose(
-      {.ask = tutor::say("A rod from an anchor to a bob is @: C = @ m². Does J's arrow on the bob point to the "
-                         "anchor or away from it?",
+      {.ask = tutor::say(R"(A rod from an anchor to a bob is @: C = @ m². Does J's arrow on the bob point to the
+                         anchor or away from it?)",
                          C > 0   ? "too long"
                          : C < 0 ? "too short"
                                  : "just right",
                          C),
        .options = {{"to the anchor",
-                    "J is the gradient: it points where C grows. The minus in (17) turns the "
-                    "push round. (The article says \"towards the target\".)"},
+                    R"(J is the gradient: it points where C grows. The minus in (17) turns the push round. (The
+                    article says "towards the target".))"},
                    {"away from the anchor",
-                    "J is the gradient of C: away from the anchor is where C grows, "
-                    "whether the rod is too long or too short."},
+                    R"(J is the gradient of C: away from the anchor is where C grows, whether the rod is too long
+                    or too short.)"},
                    {"that depends on the sign of C",
                     "d does not ask for C: (14) contains neither C nor L. Only λ will ask."}},
        .answer = out < 0 ? 0 : 1,
@@ -214,11 +213,9 @@ void inspection(tutor::Page& page, const Settings& set) {
   page.figure("field", "J's arrow on the bob points where C grows: outwards, also where the rod is too short.",
               [=](renderer::Canvas& canvas) { draw_field(canvas, length); });
   page.text(
-      "So the article's \"always points towards the target\" needs a grain of salt. Move both bodies a little "
-      "along "
-      "J and C grows by |J|² times that little. Whether to go there or back is not J's business: it is the sign "
-      "of "
-      "λ, and that is the next lesson.");
+      R"(So the article's "always points towards the target" needs a grain of salt. Move both bodies a little along
+      J and C grows by |J|² times that little. Whether to go there or back is not J's business: it is the sign of
+      λ, and that is the next lesson.)");
 
   say_swap(page, pair, row, 1e-13 * (1 + length * length));
 

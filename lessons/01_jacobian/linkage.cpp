@@ -12,18 +12,18 @@ namespace {
 using M = PlaneBody;
 namespace palette = renderer::palette;
 
-Scene<M, Pin> chain_of(const Settings& set) {
+Scene<M> chain_of(const Settings& set) {
   return pinned_chain<M>(
       {.links = set.links, .length = set.length, .mass = set.mass, .end_mass = set.mass, .angle = 0.9});
 }
 
 /// J of the whole chain: two rows a pin, three columns a link (the anchor has none: nothing moves it).
-Eigen::MatrixXd whole(const Scene<M, Pin>& scene) {
-  const int links = scene.bodies.size() - 1;
+Eigen::MatrixXd whole(const Scene<M>& scene) {
+  const int links = scene.bodies().size() - 1;
   Eigen::MatrixXd J = Eigen::MatrixXd::Zero(2 * scene.count(), 3 * links);
   int row = 0;
   for (const Pin<M>& pin : scene.all<Pin>()) {
-    const auto part = pin.jacobian(scene.bodies.pose[pin.at.body1], scene.bodies.pose[pin.at.body2]);
+    const auto part = pin.jacobian(scene.bodies().pose[pin.at.body1], scene.bodies().pose[pin.at.body2]);
     if (pin.at.body1 > 0) J.block<2, 3>(row, 3 * (pin.at.body1 - 1)) = part.side1();
     J.block<2, 3>(row, 3 * (pin.at.body2 - 1)) = part.side2();
     row += 2;
@@ -57,27 +57,25 @@ constexpr int stored = decltype(Jacobian<Model, 1>::matrix)::ColsAtCompileTime;
 
 void linkage(tutor::Page& page, const Settings& set) {
   page.text(
-      "A constraint between two bodies has one row with four parts, one for each kind of velocity of each body. "
-      "Multiplied out, it is four dot products.");
+      R"(A constraint between two bodies has one row with four parts, one for each kind of velocity of each body.
+      Multiplied out, it is four dot products.)");
   page.equation(6);
   page.equation(7);
   page.equation(8);
   page.excerpt("solver/jacobian.hpp", "8");
   page.text(
-      "How many numbers is that? In the plane a body can turn in one way only, so a is *one* number and a row is "
-      "(2 + 1)·2 = @. In space it is (3 + 3)·2 = @. (The article's \"two scalar values in 2D, and three in 3D\" "
-      "fits l.) A "
-      "bob that does not turn needs @ in the plane and @ in space, and the solver stores no more than that.",
+      R"(How many numbers is that? In the plane a body can turn in one way only, so a is *one* number and a row is
+      (2 + 1)·2 = @. In space it is (3 + 3)·2 = @. (The article's "two scalar values in 2D, and three in 3D" fits
+      l.) A bob that does not turn needs @ in the plane and @ in space, and the solver stores no more than that.)",
       stored<PlaneBody>, stored<SpaceBody>, stored<PlaneParticle>, stored<SpaceParticle>);
 
-  const Scene<M, Pin> scene = chain_of(set);
+  const Scene<M> scene = chain_of(set);
   const Eigen::MatrixXd J = whole(scene);
   const int links = set.links;
   const double zeros = double((J.array() == 0).count()) / double(J.size());
   page.text(
-      "Now @ links, pinned end to end. A pin is two constraints, so there are @ rows, and all the bodies together "
-      "have "
-      "@ velocities: a matrix of @ numbers. Here it is, with every entry that is exactly zero left empty.",
+      R"(Now @ links, pinned end to end. A pin is two constraints, so there are @ rows, and all the bodies together
+      have @ velocities: a matrix of @ numbers. Here it is, with every entry that is exactly zero left empty.)",
       links, J.rows(), J.cols(), J.size());
   page.figure("linkage", "The chain: each pin speaks of two neighbours and of nobody else.",
               [=](renderer::Canvas& canvas) {
@@ -89,9 +87,9 @@ void linkage(tutor::Page& page, const Settings& set) {
               });
   page.figure("matrix", "J of the chain. Empty cells are zero.", picture_of(J));
   page.text(
-      "@ % of it is nothing, and for twice as long a chain it would be @ %. That is why no solver here ever "
-      "builds this "
-      "matrix: it keeps the rows, each with the numbers of its own two bodies, and (8) skips the rest.",
+      R"(@ % of it is nothing, and for twice as long a chain it would be @ %. That is why no solver here ever
+      builds this matrix: it keeps the rows, each with the numbers of its own two bodies, and (8) skips the
+      rest.)",
       tutor::Value(100 * zeros, 3), tutor::Value(100 * share_of_zeros(2 * links), 3));
 
   Eigen::VectorXd V = Eigen::VectorXd::Zero(J.cols());
@@ -103,7 +101,7 @@ void linkage(tutor::Page& page, const Settings& set) {
     const Velocity<M> V1 =
         pin.at.body1 > 0 ? Velocity<M>(V.segment<3>(3 * (pin.at.body1 - 1))) : Velocity<M>::Zero();
     const Velocity<M> V2 = V.segment<3>(3 * (pin.at.body2 - 1));
-    const auto row = pin.jacobian(scene.bodies.pose[pin.at.body1], scene.bodies.pose[pin.at.body2]);
+    const auto row = pin.jacobian(scene.bodies().pose[pin.at.body1], scene.bodies().pose[pin.at.body2]);
     difference = std::max(difference, (dot(row, V1, V2) - by_matrix.segment<2>(2 * i)).cwiseAbs().maxCoeff());
   }
   const auto claim_numbers = [&](const char* model, int expected, int measured) {

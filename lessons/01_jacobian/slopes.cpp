@@ -34,14 +34,14 @@ void slopes(tutor::Page& page, const Settings& set) {
   wrong.matrix(0, 5) = -J.matrix(0, 5);
 
   page.text(
-      "J promises how C will change: ΔC ≈ h·JV over a small step h. Keep the promise honest by looking at what is "
-      "left over, |ΔC − h·JV|. A derivative takes away all that is proportional to h. What remains must go like "
-      "h².");
+      R"(J promises how C will change: ΔC ≈ h·JV over a small step h. Keep the promise honest by looking at what is
+      left over, |ΔC − h·JV|. A derivative takes away all that is proportional to h. What remains must go like
+      h².)");
   const double at_h = left_over(bob, bob.row(), h), at_half = left_over(bob, bob.row(), h / 2);
   const double factor = at_h / at_half, exact = 0.5 * set.speed * set.speed * h * h;
   page.predict(
-      {.ask = tutor::say("A bob flies past its anchor at @ m/s. You halve the step h. By what factor does "
-                         "|ΔC − h·JV| shrink?",
+      {.ask = tutor::say(R"(A bob flies past its anchor at @ m/s. You halve the step h. By what factor does |ΔC −
+                         h·JV| shrink?)",
                          set.speed),
        .answer = factor,
        .unit = "1",
@@ -53,9 +53,9 @@ void slopes(tutor::Page& page, const Settings& set) {
        .right = tutor::say("For (2) and a bob the rest is exactly ½h²v², here @ m².", exact)});
   const double first_order = 2 * J.matrix(0, 5) * pair.V2[2];
   page.text(
-      "For the bob you can do it on paper: ½(d + hv)² − ½d² = h d·v + ½h²v². For two turning boxes the rest is "
-      "½h²C̈ and a little more. Now spoil the row: turn the sign of a₂ round, the mistake that d × r would have "
-      "made. The rest gains 2h·a₂ω₂ = @·h, @.",
+      R"(For the bob you can do it on paper: ½(d + hv)² − ½d² = h d·v + ½h²v². For two turning boxes the rest is
+      ½h²C̈ and a little more. Now spoil the row: turn the sign of a₂ round, the mistake that d × r would have
+      made. The rest gains 2h·a₂ω₂ = @·h, @.)",
       first_order, first_order != 0 ? "a term of *first* order" : "nothing, for ω₂ is 0 here");
 
   renderer::Curve right{
@@ -79,16 +79,15 @@ void slopes(tutor::Page& page, const Settings& set) {
     second.y.push_back(right_there / 3 * step * step / (large * large));
   }
   page.figure("slopes",
-              "What J leaves over of ΔC, for ever smaller steps: slope 2 for the right row, slope 1 for a "
-              "row with one wrong sign.",
+              R"(What J leaves over of ΔC, for ever smaller steps: slope 2 for the right row, slope 1 for a row
+              with one wrong sign.)",
               {.x = {.label = "step h (s)", .scale = renderer::Scale::logarithmic},
                .y = {.label = "|ΔC − h·JV| (m²)", .scale = renderer::Scale::logarithmic},
                .curves = {spoilt, right, simple, first, second}});
   page.text(
-      "This chart is the cheapest test a constraint can have. It needs C and J and nothing else, and no wrong "
-      "entry "
-      "survives it, *if the motion uses that entry*: with ω₂ = 0 a wrong a₂ goes unnoticed, so test with every "
-      "velocity at work. Set `spin` to 0 and see the two lines become one.");
+      R"(This chart is the cheapest test a constraint can have. It needs C and J and nothing else, and no wrong
+      entry survives it, *if the motion uses that entry*: with ω₂ = 0 a wrong a₂ goes unnoticed, so test with every
+      velocity at work. Set `spin` to 0 and see the two lines become one.)");
 
   const double small = h / 16, half = small / 2;
   const double curvature = pair.second_rate(), third = pair.third_rate_bound(small);

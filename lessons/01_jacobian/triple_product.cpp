@@ -110,16 +110,15 @@ void triple_product(tutor::Page& page, const Settings& set) {
   page.equation(11);
   page.equation(12);
   page.text(
-      "The linear velocities already stand alone, each behind its coefficient d. The two ω are still locked in a "
-      "cross product. The scalar triple product frees them: a·(b × c) is the volume of the box that a, b, c span, "
-      "and the volume stays when the three change places in turn.");
+      R"(The linear velocities already stand alone, each behind its coefficient d. The two ω are still locked in a
+      cross product. The scalar triple product frees them: a·(b × c) is the volume of the box that a, b, c span,
+      and the volume stays when the three change places in turn.)");
   page.formula("d·(ω × r) = ω·(r × d)", R"(d \cdot (\omega \times r) = \omega \cdot (r \times d))");
   page.equation(13);
   page.text(
-      "In turn, not at will: r × d and d × r differ by a sign, and this is where most hand-made Jacobians go "
-      "wrong. In the plane r × d is one number, r_x d_y − r_y d_x: |d| times the lever arm with which d passes "
-      "the "
-      "centre.");
+      R"(In turn, not at will: r × d and d × r differ by a sign, and this is where most hand-made Jacobians go
+      wrong. In the plane r × d is one number, r_x d_y − r_y d_x: |d| times the lever arm with which d passes the
+      centre.)");
   page.predict(
       {.ask = tutor::say("A body's arm is r₂ = (@, 0) m and d = (0, @) m. How large is its angular entry a₂?", arm,
                          -size),
@@ -129,24 +128,24 @@ void triple_product(tutor::Page& page, const Settings& set) {
        .wrong = {{-a2, "That is d × r; the step from (12) to (13) gives r × d."},
                  {0, "d does not pass through the centre, so it has a lever arm."}},
        .hint = "r_x d_y − r_y d_x.",
-       .right = "Turn the body anticlockwise (ω₂ > 0) and P₂ rises, against d: the rod gets shorter, so a "
-                "negative entry is what you should expect."});
+       .right = R"(Turn the body anticlockwise (ω₂ > 0) and P₂ rises, against d: the rod gets shorter, so a
+                negative entry is what you should expect.)"});
   const Turning turning = entry_over_direction(arm, size);
   page.figure("lever", "d acts on the body with a lever arm; a₂ is |d| times that arm, with a sign.",
               [oblique = arm_and_rod({arm, 0}, size * Point(0.5, -std::sqrt(0.75)))](renderer::Canvas& canvas) {
                 draw_lever(canvas, canvas.page().inset(20), oblique);
               });
   page.text(
-      "Turn d once round the tip of the arm. Where it points through the centre, at 0° and 180°, turning the body "
-      "does not change C, and a₂ is zero. Square to the arm it is largest, @ m². The dots turn the body a little "
-      "and watch C.",
+      R"(Turn d once round the tip of the arm. Where it points through the centre, at 0° and 180°, turning the body
+      does not change C, and a₂ is zero. Square to the arm it is largest, @ m². The dots turn the body a little and
+      watch C.)",
       area);
   page.figure("entry", "a₂ while d turns round the tip of the arm.", turning.chart);
   constexpr int draws = 1000;
   const double mismatch = largest_mismatch(draws);
   page.text(
-      "In space all three are vectors and nothing changes: over @ random triples both sides agree to @ of their "
-      "size.",
+      R"(In space all three are vectors and nothing changes: over @ random triples both sides agree to @ of their
+      size.)",
       draws, tutor::Value(mismatch, 2));
 
   page.claim({.quantity = "a₂ of the question",

@@ -3,7 +3,7 @@
 #include "lessons/01_jacobian/picture.hpp"
 #include "lessons/scenes/pendulum.hpp"
 #include "solver/row.hpp"
-#include "solver/simulation.hpp"
+#include "solver/step.hpp"
 
 // ½(d² − L²) or |d| − L: the same impulse, another λ, and what happens when C and J are taken from two of them.
 namespace byhand::lesson01 {
@@ -27,8 +27,8 @@ constexpr double share = 0.01;  // of the rod's length that it is too long at fi
 /// The stretches [m] of a bob at rest in weightlessness while Baumgarte's cure with `beta` acts.
 template <template <class> class Rod>
 std::vector<double> stretches(double length, double mass, double beta, double h, int steps) {
-  Simulation<Scene<M, Rod>> simulation{{}, {.solver = GaussSeidel{.sweeps = 1}, .drift = Baumgarte{.beta = beta}}};
-  Scene<M, Rod>& scene = simulation.scene;
+  Simulation<M> simulation{{}, {.solver = GaussSeidel{.sweeps = 1}, .drift = Baumgarte{.beta = beta}}};
+  Scene<M>& scene = simulation.scene;
   scene.gravity.setZero();
   scene.add_body(Linear<M>(0, 0), fixed<M>());
   scene.add_body(Linear<M>((1 + share) * length * from_straight_down<M>(0.6)), with_mass<M>(mass));
@@ -38,7 +38,7 @@ std::vector<double> stretches(double length, double mass, double beta, double h,
   scene.add(rod);
   std::vector<double> all;
   for (int i = 0; i <= steps; ++i) {
-    all.push_back(scene.bodies.pose[1].position.norm() - length);
+    all.push_back(scene.bodies().pose[1].position.norm() - length);
     if (i < steps) simulation.step(h);
   }
   return all;
@@ -89,14 +89,12 @@ renderer::Chart gains(const Settings& set) {
 void two_forms(tutor::Page& page, const Settings& set) {
   const double length = set.length;
   page.text(
-      "You could have begun with |d| − L, an error in metres. Its gradient is n = d/|d|: (14) divided by the "
-      "length of "
-      "d. Which one is right? Both. Let a bob fly outwards and let (17) stop it at the end of its rod, once with "
-      "each "
-      "row (lesson 2 is about that formula):");
+      R"(You could have begun with |d| − L, an error in metres. Its gradient is n = d/|d|: (14) divided by the
+      length of d. Which one is right? Both. Let a bob fly outwards and let (17) stop it at the end of its rod,
+      once with each row (lesson 2 is about that formula):)");
   const auto at = pendulum<M>(0.6, length, set.mass);
-  const Pose<M>&anchor = at.bodies.pose[0], &bob = at.bodies.pose[1];
-  const InverseMass<M>&m1 = at.bodies.inverse_mass[0], &m2 = at.bodies.inverse_mass[1];
+  const Pose<M>&anchor = at.bodies().pose[0], &bob = at.bodies().pose[1];
+  const InverseMass<M>&m1 = at.bodies().inverse_mass[0], &m2 = at.bodies().inverse_mass[1];
   const Velocity<M> still = Velocity<M>::Zero(), flying(set.speed, 0);
   struct Impulse {
     double lambda;
@@ -110,19 +108,18 @@ void two_forms(tutor::Page& page, const Settings& set) {
   const Impulse squared = stop(Distance<M>{{0, 1}, length}.jacobian(anchor, bob));
   const Impulse normalised = stop(NormalisedDistance<M>{{0, 1}, length}.jacobian(anchor, bob));
   page.text(
-      "- from (2): λ = @ N·s/m, the impulse λJᵀ on the bob is @ N·s\n- from |d| − L: λ = @ N·s, the impulse is @ "
-      "N·s",
+      R"(
+      - from (2): λ = @ N·s/m, the impulse λJᵀ on the bob is @ N·s
+      - from |d| − L: λ = @ N·s, the impulse is @ N·s)",
       squared.lambda, vector(squared.on_bob), normalised.lambda, vector(normalised.on_bob));
   page.text(
-      "The same blow. λ differs by the factor |d| and carries another unit, N·s/m, so never compare λ across the "
-      "two "
-      "forms, and never bound one with the other's limit.\n\nThe trouble begins when C is needed too. A cure for "
-      "drift "
-      "(lesson 4) asks for JV = −(β/h)C: a share β of the error, each step. Take C and J of one and the same form "
-      "and "
-      "each removes nearly that share. Take C from (2) and J from |d| − L, as it is easily done when the "
-      "article's "
-      "C meets a normalised row, and the share becomes β·L: it depends on the unit in which you measure!");
+      R"(The same blow. λ differs by the factor |d| and carries another unit, N·s/m, so never compare λ across the
+      two forms, and never bound one with the other's limit.
+
+      The trouble begins when C is needed too. A cure for drift (lesson 4) asks for JV = −(β/h)C: a share β of the
+      error, each step. Take C and J of one and the same form and each removes nearly that share. Take C from (2)
+      and J from |d| − L, as it is easily done when the article's C meets a normalised row, and the share becomes
+      β·L: it depends on the unit in which you measure!)");
   page.excerpt("lessons/01_jacobian/two_forms.cpp", "mixed");
   page.figure(
       "gains",
@@ -130,9 +127,8 @@ void two_forms(tutor::Page& page, const Settings& set) {
       gains(set));
   const double diverges = 2 / set.beta;
   page.text(
-      "On a rod of 1 m you would never notice. At β = @ the mixed rod overshoots from L = @ m on and diverges "
-      "from "
-      "about @ m on. This is why no scene of this course has L = 1 m.",
+      R"(On a rod of 1 m you would never notice. At β = @ the mixed rod overshoots from L = @ m on and diverges
+      from about @ m on. This is why no scene of this course has L = 1 m.)",
       set.beta, 1 / set.beta, diverges);
 
   const auto own = stretches<Distance>(10, set.mass, 0.2, set.h, 20),

@@ -16,16 +16,16 @@ using renderer::Point;
 
 constexpr double three_four_five = 0.6435011087932844;  // the angle whose sine is 0.6 and cosine 0.8
 
-Scene<M, Distance> bob_at(const Point& place, double length, double mass) {
-  Scene<M, Distance> scene = pendulum<M>(0, length, mass);
-  scene.bodies.pose[1].position = place;
+Scene<M> bob_at(const Point& place, double length, double mass) {
+  Scene<M> scene = pendulum<M>(0, length, mass);
+  scene.state().pose[1].position = place;
   return scene;
 }
 
 /// C of (2) with the bob at `place` and the other end at the origin [m²].
 double value_at(const Point& place, double length, double mass) {
   const auto scene = bob_at(place, length, mass);
-  return scene.all<Distance>()[0].value<double>(scene.bodies.pose[0], scene.bodies.pose[1])[0];
+  return scene.all<Distance>()[0].value<double>(scene.bodies().pose[0], scene.bodies().pose[1])[0];
 }
 
 /// Where a hand holds the bob `time` seconds into the sequence: out, back, along the circle, in, back.
@@ -84,12 +84,12 @@ void what_c_says(tutor::Page& page, const Settings& set) {
   const double C = value_at(far * from_straight_down<M>(three_four_five), length, mass);
 
   page.text(
-      "A constraint is a number. It is zero while all is well, and it says how wrong things are when they are "
-      "not. The article calls it C and lets it depend on where two bodies are and how they are turned.");
+      R"(A constraint is a number. It is zero while all is well, and it says how wrong things are when they are
+      not. The article calls it C and lets it depend on where two bodies are and how they are turned.)");
   page.equation(1);
   page.text(
-      "Ours is a rod of @ m from a fixed anchor to a bob. With P₁ the anchor and P₂ the bob, the article "
-      "writes it with squares, so that no root stands in the way when we differentiate.",
+      R"(Ours is a rod of @ m from a fixed anchor to a bob. With P₁ the anchor and P₂ the bob, the article writes
+      it with squares, so that no root stands in the way when we differentiate.)",
       length);
   page.equation(2, "C = ½(@² − @²) = @ m²", R"(C = \tfrac{1}{2}(@^2 - @^2) = @\,\mathrm{m^2})", far, length, C);
   page.text("The solver says the same in one line. `at.separation` is P₂ − P₁.");
@@ -102,17 +102,17 @@ void what_c_says(tutor::Page& page, const Settings& set) {
        .unit = "m²",
        .tolerance = 0.02 * length * std::max(std::abs(stretch), 1e-3),
        .wrong = {{stretch,
-                  "That is the stretch in metres; (2) is ½(d² − L²), about L times the stretch, "
-                  "in square metres."},
+                  R"(That is the stretch in metres; (2) is ½(d² − L²), about L times the stretch, in square
+                  metres.)"},
                  {2 * C, "That is d² − L²; the half in front is there to swallow the 2 of the derivative."},
                  {-C, "Too long counts as positive: d² comes first."}},
        .hint = "Square both lengths, subtract, halve.",
        .right = "Close to L times the stretch: C is not the stretch itself, and its unit is not the metre."});
 
   page.text(
-      "Now take the bob in your hand and nudge it: out, back, along the circle, in, back. Watch C. Along the rod "
-      "it answers at once, and its sign tells too long from too short. Along the circle it does not move at all: "
-      "that is the direction in which the rod leaves the bob free.");
+      R"(Now take the bob in your hand and nudge it: out, back, along the circle, in, back. Watch C. Along the rod
+      it answers at once, and its sign tells too long from too short. Along the circle it does not move at all:
+      that is the direction in which the rod leaves the bob free.)");
   page.sequence("nudge", "A hand nudges the bob. C rises outside the circle, falls inside, and rests on it.",
                 tutor::Seconds{duration}, [=](renderer::Canvas& canvas, double time) {
                   const auto [left, right] = canvas.page().inset(16).split_columns(0.5);
@@ -134,10 +134,9 @@ void what_c_says(tutor::Page& page, const Settings& set) {
                   renderer::draw(canvas, pictures::grown_to(whole, time), right);
                 });
   page.text(
-      "Put the bob anywhere and colour the place by its C: a landscape. It is a bowl, −½L² deep at the anchor, "
-      "and "
-      "the rod asks the bob to stay on one contour of it. Everything in this lesson is about the slope of that "
-      "landscape under the bob.");
+      R"(Put the bob anywhere and colour the place by its C: a landscape. It is a bowl, −½L² deep at the anchor,
+      and the rod asks the bob to stay on one contour of it. Everything in this lesson is about the slope of that
+      landscape under the bob.)");
   page.figure("landscape",
               "C over the place of the bob. Red is too long, blue too short; on the dashed contour C = 0.",
               landscape(length, mass));

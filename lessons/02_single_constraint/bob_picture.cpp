@@ -10,8 +10,8 @@ using namespace renderer;
 
 BobPicture::BobPicture(const Pendulum& scene)
     : linkage(pictures::rods_and_bobs(scene)),
-      first(scene.bodies.pose[0].position),
-      second(scene.bodies.pose[1].position) {}
+      first(scene.bodies().pose[0].position),
+      second(scene.bodies().pose[1].position) {}
 
 void draw(Canvas& canvas, const BobPicture& picture, const Rectangle& frame) {
   const auto [top, rest] = frame.split_rows(0.08, 0);

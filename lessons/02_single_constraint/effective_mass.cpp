@@ -15,7 +15,7 @@ using Matrix4 = Eigen::Matrix4d;
 /// The matrix that the article asks not to build, built here once to be compared with: diag(m₁⁻¹, m₁⁻¹, m₂⁻¹,
 /// m₂⁻¹).
 Matrix4 inverse_mass_matrix(const Pendulum& scene) {
-  const double m1 = scene.bodies.inverse_mass[0].linear, m2 = scene.bodies.inverse_mass[1].linear;
+  const double m1 = scene.bodies().inverse_mass[0].linear, m2 = scene.bodies().inverse_mass[1].linear;
   return Eigen::Vector4d(m1, m1, m2, m2).asDiagonal();
 }
 
@@ -55,16 +55,16 @@ void draw_product(Canvas& canvas, const Row4& J, const Matrix4& inverse_mass, do
 void effective_mass(const Setting& setting, Page& page) {
   const Pendulum scene = let_go(setting);
   const OneRow row(scene);
-  const double length = setting.length(), m1 = scene.bodies.inverse_mass[0].linear,
-               m2 = scene.bodies.inverse_mass[1].linear;
+  const double length = setting.length(), m1 = scene.bodies().inverse_mass[0].linear,
+               m2 = scene.bodies().inverse_mass[1].linear;
 
   page.text(
-      "How stubborn is JV? Push with one unit of impulse along Jᵀ and see by how much JV changes: that is JM⁻¹Jᵀ, "
-      "and (17) will divide by it. M⁻¹ is written as a matrix,");
+      R"(How stubborn is JV? Push with one unit of impulse along Jᵀ and see by how much JV changes: that is JM⁻¹Jᵀ,
+      and (17) will divide by it. M⁻¹ is written as a matrix,)");
   page.equation(18);
   page.text(
-      "but please never build one. A particle needs one number, m⁻¹; what turns needs I⁻¹ as well. So a row "
-      "between two bodies needs at most four things, two of them here.");
+      R"(but please never build one. A particle needs one number, m⁻¹; what turns needs I⁻¹ as well. So a row
+      between two bodies needs at most four things, two of them here.)");
   page.equation(19, "JM⁻¹Jᵀ = |l₁|²·m₁⁻¹ + |l₂|²·m₂⁻¹ = @·@ + @·@ = @ m²/kg",
                 R"(JM^{-1}J^T = |l_1|^2 m_1^{-1} + |l_2|^2 m_2^{-1} = @\cdot @ + @\cdot @ = @\ \mathrm{m^2/kg})",
                 row.J.l1().squaredNorm(), m1, row.J.l2().squaredNorm(), m2, row.K);
@@ -76,26 +76,26 @@ void effective_mass(const Setting& setting, Page& page) {
   const double product = J * inverse_mass * J.transpose();
   page.figure(
       "no_matrix",
-      say("What (19) is in full. The held point is a body with an inverse mass of 0: infinitely heavy, said "
-          "without infinity. (19) multiplies @ times; as a product of matrices it would be @ times.",
+      say(R"(What (19) is in full. The held point is a body with an inverse mass of 0: infinitely heavy, said
+          without infinity. (19) multiplies @ times; as a product of matrices it would be @ times.)",
           2 * (PlaneParticle::linear + 1), 4 * 4 + 4),
       [=](Canvas& canvas) { draw_product(canvas, J, inverse_mass, product); });
 
   page.text(
-      "Two names in the article are loose. M⁻¹ is not \"the mass of the constraint\" but the bodies' *inverse* "
-      "mass matrix, and JM⁻¹Jᵀ is not the \"constraint mass\" but the *inverse* effective mass: heavier bodies "
-      "make it smaller. Turn it over, E = @ kg/m²; for a unit step along the rod that is E·|d|² = @ kg, the bob's "
-      "own mass, for nothing else moves.",
+      R"(Two names in the article are loose. M⁻¹ is not "the mass of the constraint" but the bodies' *inverse* mass
+      matrix, and JM⁻¹Jᵀ is not the "constraint mass" but the *inverse* effective mass: heavier bodies make it
+      smaller. Turn it over, E = @ kg/m²; for a unit step along the rod that is E·|d|² = @ kg, the bob's own mass,
+      for nothing else moves.)",
       1 / row.K, length * length / row.K);
   const Pendulum pair = two_free_bobs(setting);
   const double light = setting.mass(), heavy = 4 * light, together = length * length / OneRow(pair).K;
   page.text(
-      "Let both ends of a rod move, @ kg at one and @ kg at the other, and the effective mass along it is @ kg: "
-      "less than the lighter one, for the other end gives way too.",
+      R"(Let both ends of a rod move, @ kg at one and @ kg at the other, and the effective mass along it is @ kg:
+      less than the lighter one, for the other end gives way too.)",
       light, heavy, together);
 
   Pendulum twice = scene;
-  twice.bodies.inverse_mass[1].linear /= 2;
+  twice.bodies().inverse_mass[1].linear /= 2;
   page.claim({.quantity = "JM⁻¹Jᵀ from four numbers",
               .unit = "m²/kg",
               .expected = product,

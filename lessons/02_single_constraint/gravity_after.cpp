@@ -18,12 +18,12 @@ Curve sinking(const Setting& setting, Gravity order, double seconds) {
       .label = order == Gravity::before_the_solve ? "gravity, then λ" : "λ, then gravity", .x = {0}, .y = {0}};
   const auto steps = static_cast<int>(std::lround(seconds / h));
   for (int i = 1; i <= steps; ++i) {
-    if (order == Gravity::before_the_solve) add_gravity(scene.bodies, scene.gravity, h);
-    std::tie(scene.bodies.velocity[0], scene.bodies.velocity[1]) = OneRow(scene).velocities_after();
-    if (order == Gravity::after_the_solve) add_gravity(scene.bodies, scene.gravity, h);
-    advance_poses(scene.bodies, h);
+    if (order == Gravity::before_the_solve) add_gravity(scene.bodies(), scene.gravity, h);
+    std::tie(scene.state().velocity[0], scene.state().velocity[1]) = OneRow(scene).velocities_after();
+    if (order == Gravity::after_the_solve) add_gravity(scene.bodies(), scene.gravity, h);
+    advance_poses(scene.bodies(), h);
     depth.x.push_back(i * h);
-    depth.y.push_back(-scene.bodies.pose[1].position.y() - setting.length());
+    depth.y.push_back(-scene.bodies().pose[1].position.y() - setting.length());
   }
   return depth;
 }
@@ -35,14 +35,14 @@ void gravity_after(const Setting& setting, Page& page) {
   const Curve right = sinking(setting, Gravity::before_the_solve, second),
               wrong = sinking(setting, Gravity::after_the_solve, second);
   page.text(
-      "The article does not say when gravity enters. Let a bob hang at rest, straight down, and exchange the two "
-      "lines: solve first, then add gravity, then move. In the first step JV = 0, so λ = 0; gravity then makes "
-      "the bob fall at gh, and it moves. The next solve sees that and stops it, and gravity comes again, unseen. "
-      "It falls at gh for ever.");
+      R"(The article does not say when gravity enters. Let a bob hang at rest, straight down, and exchange the two
+      lines: solve first, then add gravity, then move. In the first step JV = 0, so λ = 0; gravity then makes the
+      bob fall at gh, and it moves. The next solve sees that and stops it, and gravity comes again, unseen. It
+      falls at gh for ever.)");
   page.figure(
       "gravity_after",
-      say("A hanging bob. With gravity before λ it hangs; with gravity after λ it sinks at gh = @ m/s: @ m in @ "
-          "s.",
+      say(R"(A hanging bob. With gravity before λ it hangs; with gravity after λ it sinks at gh = @ m/s: @ m in @
+          s.)",
           gravity() * h, wrong.y.back(), wrong.x.back()),
       Chart{.x = {.label = "time (s)"}, .y = {.label = "depth (m)"}, .curves = {right, wrong}});
   page.text("Nothing here is wrong with (17). It answered exactly what it was asked, one step too late.");

@@ -16,16 +16,17 @@ void gravity_first(const Setting& setting, Page& page) {
   const std::string change = row.JV > 0 ? "grow" : "shrink";
 
   page.text(
-      "A bob of @ kg hangs on a rod of @ m. You hold it @° from straight down and let go. In one time step of h = "
-      "@ s nothing but gravity knows that you did: it adds gh to the velocity, straight down.",
+      R"(A bob of @ kg hangs on a rod of @ m. You hold it @° from straight down and let go. In one time step of h =
+      @ s nothing but gravity knows that you did: it adds gh to the velocity, straight down.)",
       setting.mass(), length, setting.angle(), setting.h);
   page.excerpt("solver/integrate/euler.hpp", "gravity");
   page.formula("v₂ = (0, −@)·@ = @ m/s", R"(v_2 = (0, -@)\cdot @ = @\ \mathrm{m/s})", gravity(), setting.h,
                row.v2);
   page.text(
-      "This goes into V *before* anything is solved: the rod can only answer what it is shown.\n\nDoes such a "
-      "velocity break the rod? Ask Ċ = JV. For two particles the row (14) has two parts left, l₁ = −d and l₂ = d "
-      "with d = P₂ − P₁ = @ m. No arms, no angles, and the held point has v₁ = 0.",
+      R"(This goes into V *before* anything is solved: the rod can only answer what it is shown.
+
+      Does such a velocity break the rod? Ask Ċ = JV. For two particles the row (14) has two parts left, l₁ = −d
+      and l₂ = d with d = P₂ − P₁ = @ m. No arms, no angles, and the held point has v₁ = 0.)",
       row.d);
   page.equation(8, "JV = d·v₂ = @·@ + (@)·(@) = @ m²/s",
                 R"(JV = d\cdot v_2 = @\cdot @ + (@)\cdot(@) = @\ \mathrm{m^2/s})", row.d.x(), row.v2.x(),
@@ -38,8 +39,8 @@ void gravity_first(const Setting& setting, Page& page) {
   picture.arrows = {{picture.second, scale * row.v2, palette::velocity, "V = gh"},
                     {picture.second, scale * rate * row.d / length, palette::error, "JV/|d|"}};
   page.figure("gravity_into_v",
-              say("One step of gravity (green) and the part of it along d (purple). Dashed: the way of d, and the "
-                  "tangent that a rigid rod would leave open. If nothing answers, the rod will @ at @ m/s.",
+              say(R"(One step of gravity (green) and the part of it along d (purple). Dashed: the way of d, and the
+                  tangent that a rigid rod would leave open. If nothing answers, the rod will @ at @ m/s.)",
                   change, std::abs(rate)),
               [picture](Canvas& canvas) { draw(canvas, {picture}); });
   if (std::abs(rate) > 1e-12 * gain)

@@ -17,8 +17,8 @@ void lambda(const Setting& setting, Page& page) {
   const bool pulls = row.lambda < 0;
 
   page.text(
-      "Now (17): the one number λ with which JV becomes 0. There is no bias yet, b = 0. First its sign, and that "
-      "without any arithmetic: JM⁻¹Jᵀ is a sum of squares, so only JV decides.");
+      R"(Now (17): the one number λ with which JV becomes 0. There is no bias yet, b = 0. First its sign, and that
+      without any arithmetic: JM⁻¹Jᵀ is a sum of squares, so only JV decides.)");
   page.equation(17);
   if (std::abs(along) > 1e-12 * full) {
     const std::string
@@ -26,8 +26,8 @@ void lambda(const Setting& setting, Page& page) {
         away =
             "The push on the bob is λd. With λ > 0 it points along d, away from the held point: the rod pushes.";
     page.choose(
-        {.ask = say("J's arrow on the bob is d: it points away from the held point, where C grows. Gravity has "
-                    "just made JV @. Which sign has λ?",
+        {.ask = say(R"(J's arrow on the bob is d: it points away from the held point, where C grows. Gravity has
+                    just made JV @. Which sign has λ?)",
                     pulls ? "positive" : "negative"),
          .options = {{"negative", toward}, {"positive", away}},
          .answer = pulls ? 0 : 1,
@@ -39,8 +39,8 @@ void lambda(const Setting& setting, Page& page) {
 
   page.predict(
       {.ask = say(
-           "@ kg at @°, at rest, one step of gravity already in V. λ counts per metre of d; times |d| it is an "
-           "impulse. How large is λ·|d|, with its sign?",
+           R"(@ kg at @°, at rest, one step of gravity already in V. λ counts per metre of d; times |d| it is an
+           impulse. How large is λ·|d|, with its sign?)",
            setting.mass(), setting.angle()),
        .answer = along,
        .unit = "N·s",
@@ -67,15 +67,15 @@ void lambda(const Setting& setting, Page& page) {
                  {push.first, -unit * along / full * row.d / length, palette::force, "λ l₁"}};
   page.figure(
       "lambda_sign",
-      "Left: the row's two arrows point away from the rod, where C grows (drawn shorter than they are). Right: "
-      "the impulses λJᵀ on the bob and on the held point, which has the mass of the world behind it and does not "
-      "notice. The minus in (17) has turned them round wherever JV is positive.",
+      R"(Left: the row's two arrows point away from the rod, where C grows (drawn shorter than they are). Right:
+      the impulses λJᵀ on the bob and on the held point, which has the mass of the world behind it and does not
+      notice. The minus in (17) has turned them round wherever JV is positive.)",
       [row_picture, push](Canvas& canvas) {
         draw(canvas, {row_picture, push});
       });
   page.text(
-      "The article says that J \"points towards the target\". It does not: a gradient points where C *grows*, and "
-      "the minus in (17) does the rest.");
+      R"(The article says that J "points towards the target". It does not: a gradient points where C *grows*, and
+      the minus in (17) does the rest.)");
 
   page.claim({.quantity = "λ·|d| of the first step",
               .unit = "N·s",

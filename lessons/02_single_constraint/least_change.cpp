@@ -10,7 +10,7 @@ using namespace renderer;
 
 /// Kinetic energy of the scene after an impulse λ along its row [J].
 double energy_after(const Pendulum& scene, const OneRow& row, double lambda) {
-  Bodies<PlaneParticle> bodies = scene.bodies;
+  Bodies<PlaneParticle> bodies = scene.bodies();
   std::tie(bodies.velocity[0], bodies.velocity[1]) = row.velocities_after(lambda);
   return kinetic_energy(bodies);
 }
@@ -37,9 +37,9 @@ void least_change(const Setting& setting, Page& page) {
   const auto energy = [&](double lambda) { return energy_after(scene, row, lambda); };
 
   page.text(
-      "(17) was found by asking for JV = 0. Ask something else: of all λ, which leaves the least kinetic energy? "
-      "½|V + M⁻¹Jᵀλ|² in the mass metric is a parabola in λ, JM⁻¹Jᵀ is its curvature, and JV its slope at λ = 0. "
-      "So its lowest point is (17) again.");
+      R"((17) was found by asking for JV = 0. Ask something else: of all λ, which leaves the least kinetic energy?
+      ½|V + M⁻¹Jᵀλ|² in the mass metric is a parabola in λ, JM⁻¹Jᵀ is its curvature, and JV its slope at λ = 0. So
+      its lowest point is (17) again.)");
   Curve parabola{.label = "kinetic energy", .colour = palette::force};
   for (int i = 0; i <= 80; ++i) {
     parabola.x.push_back(unit * (-2 + 3.0 * i / 80));
@@ -71,10 +71,13 @@ void least_change(const Setting& setting, Page& page) {
   };
   const Eigen::Vector2d only1(0, 0), only2(speed, speed);
   page.text(
-      "But why push along Jᵀ at all? Other impulses make JV = 0 as well. Two free bobs, @ kg and @ kg, the first "
-      "runs at @ m/s into the rod. Stopping the first alone would do. So would speeding up the second alone. "
-      "Measure each by the change it makes, ½ΔV·MΔV:\n\n- push the first alone: @ J\n- push the second alone: @ "
-      "J\n- push both, by M⁻¹Jᵀλ: @ J",
+      R"(But why push along Jᵀ at all? Other impulses make JV = 0 as well. Two free bobs, @ kg and @ kg, the first
+      runs at @ m/s into the rod. Stopping the first alone would do. So would speeding up the second alone. Measure
+      each by the change it makes, ½ΔV·MΔV:
+
+      - push the first alone: @ J
+      - push the second alone: @ J
+      - push both, by M⁻¹Jᵀλ: @ J)",
       m1, m2, speed, cost(only1), cost(only2), cost(solved));
   Curve rule{.label = "JV = 0",
              .x = {-0.1 * speed, 1.2 * speed},
@@ -82,9 +85,9 @@ void least_change(const Setting& setting, Page& page) {
              .colour = palette::constraint};
   page.figure(
       "least_change",
-      "Velocities along the rod. On the line JV = 0; on each ellipse the change of V costs the same. The solver's "
-      "answer is where the smallest ellipse that reaches the line touches it: nothing else on the line changes V "
-      "as little, and it is the only one that keeps the momentum.",
+      R"(Velocities along the rod. On the line JV = 0; on each ellipse the change of V costs the same. The solver's
+      answer is where the smallest ellipse that reaches the line touches it: nothing else on the line changes V as
+      little, and it is the only one that keeps the momentum.)",
       Chart{.x = {.label = "u₁ (m/s)", .range = std::pair{-0.3 * speed, 1.6 * speed}},
             .y = {.label = "u₂ (m/s)", .range = std::pair{-0.4 * speed, 1.2 * speed}},
             .curves = {rule, equal_cost(before, solved, m1, m2), equal_cost(before, only1, m1, m2)},

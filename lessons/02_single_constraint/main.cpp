@@ -44,7 +44,7 @@ int main(int argc, char** argv) {
                   "./lessons/run single_constraint --set h=1/180"},
                  {"A light bob on a long rod: which numbers do not notice?",
                   "./lessons/run single_constraint --set mass=0.1 --set length=10"}},
-       .next = "One row is solved exactly by one formula. With two rods that share a bob, solving one spoils the "
-               "other: lesson 3, Iterations. The drift you saw is cured in lesson 4, Baumgarte."});
+       .next = R"(One row is solved exactly by one formula. With two rods that share a bob, solving one spoils the
+               other: lesson 3, Iterations. The drift you saw is cured in lesson 4, Baumgarte.)"});
   return lesson.run(argc, argv);
 }

@@ -14,7 +14,7 @@ constexpr double speed = 3;  // [m/s]
 Pendulum weightless(const Setting& setting) {
   Pendulum scene = pendulum<PlaneParticle>(0, setting.length(), setting.mass());
   scene.gravity.setZero();
-  scene.bodies.velocity[1] = {speed, 0};
+  scene.state().velocity[1] = {speed, 0};
   return scene;
 }
 
@@ -43,8 +43,8 @@ void off_the_circle(const Setting& setting, Page& page) {
   const double length = setting.length(), h = setting.h(), millimetre = 1e-3;
   const double one = stretch(setting, h), law = speed * speed * h * h / (2 * length);
   page.text(
-      "JV = 0 is kept, but for rounding. So the rod keeps its length? Take gravity away: the bob is at the lowest "
-      "point, moves sideways at @ m/s, and JV = 0. λ has nothing to do.",
+      R"(JV = 0 is kept, but for rounding. So the rod keeps its length? Take gravity away: the bob is at the lowest
+      point, moves sideways at @ m/s, and JV = 0. λ has nothing to do.)",
       speed);
   page.excerpt("solver/integrate/euler.hpp", "advance");
   page.predict(
@@ -65,8 +65,8 @@ void off_the_circle(const Setting& setting, Page& page) {
   const Swing steps = swing(weightless(setting), coarse, 8 * coarse);
   page.figure(
       "off_the_circle",
-      say("The same bob in steps of @ s, so coarse that the eye can follow. Each step leaves at right angles to "
-          "the rod as it is, the next rod is the longer one, and no step ever comes back.",
+      say(R"(The same bob in steps of @ s, so coarse that the eye can follow. Each step leaves at right angles to
+          the rod as it is, the next rod is the longer one, and no step ever comes back.)",
           coarse),
       [=](Canvas& canvas) { draw_steps(canvas, steps, length); });
 
@@ -82,8 +82,8 @@ void off_the_circle(const Setting& setting, Page& page) {
   const double slope = std::log2(measured.y[0] / measured.y[1]);
   page.figure(
       "one_step",
-      "How much too long the rod is after one step. Half the step: a quarter of the error. But a second then has "
-      "twice as many steps, so the drift over a *time* only halves.",
+      R"(How much too long the rod is after one step. Half the step: a quarter of the error. But a second then has
+      twice as many steps, so the drift over a *time* only halves.)",
       Chart{.x = {.label = "time step h (s)", .scale = Scale::logarithmic},
             .y = {.label = "stretch after one step (m)", .scale = Scale::logarithmic},
             .curves = {measured, theory}});
@@ -94,8 +94,8 @@ void off_the_circle(const Setting& setting, Page& page) {
   const double radius = last.position.norm(), momentum = cross(last.position, last.velocity)[0];
   const double grown = length * std::pow(1 + 2 * speed * speed * h * second / (length * length), 0.25);
   page.text(
-      "After one second of this the rod is @ m long instead of @ m, and the bob is slower, @ m/s: each impulse "
-      "acts along the rod, so it cannot change the angular momentum, v times R.",
+      R"(After one second of this the rod is @ m long instead of @ m, and the bob is slower, @ m/s: each impulse
+      acts along the rod, so it cannot change the angular momentum, v times R.)",
       radius, length, last.velocity.norm());
 
   const double ratio = speed * h / length;

@@ -12,16 +12,16 @@ void onto_the_tangent(const Setting& setting, Page& page) {
   const OneRow row(scene);
   const double length = setting.length(), gain = gravity() * setting.h();
   Pendulum after = scene;
-  std::tie(after.bodies.velocity[0], after.bodies.velocity[1]) = row.velocities_after();
+  std::tie(after.state().velocity[0], after.state().velocity[1]) = row.velocities_after();
   const OneRow solved(after);
 
   page.text(
-      "λ goes back to the bodies the way the rate came from them: through the same row, transposed. The article "
-      "calls the product a force. λ came from velocities, so it is an *impulse*: F = P/h is the force.");
+      R"(λ goes back to the bodies the way the rate came from them: through the same row, transposed. The article
+      calls the product a force. λ came from velocities, so it is an *impulse*: F = P/h is the force.)");
   page.equation(5, "P = λ·d = @·@ = @ N·s on the bob", R"(P = \lambda\,d = @\cdot @ = @\ \mathrm{N\,s})",
                 row.lambda, row.d, Vector(row.lambda * row.d));
   page.equation(20, "v₂ = @ + @·@ = @ m/s", R"(v_2 = @ + @\cdot @ = @\ \mathrm{m/s})", row.v2,
-                scene.bodies.inverse_mass[1].linear, Vector(row.lambda * row.d), solved.v2);
+                scene.bodies().inverse_mass[1].linear, Vector(row.lambda * row.d), solved.v2);
   page.excerpt("solver/row.hpp", "20");
 
   BobPicture picture(scene);
@@ -33,24 +33,26 @@ void onto_the_tangent(const Setting& setting, Page& page) {
                     {picture.second, scale * solved.v2, palette::constraint, "V after"}};
   page.figure(
       "onto_the_tangent",
-      "The impulse is perpendicular to the velocity that it leaves behind: it takes away what lay along d and "
-      "touches nothing else.",
+      R"(The impulse is perpendicular to the velocity that it leaves behind: it takes away what lay along d and
+      touches nothing else.)",
       [picture](Canvas& canvas) { draw(canvas, {picture}); });
 
   const Vector impulse = row.lambda * row.d;
   page.text(
-      "JV is now @ m²/s, which is rounding and nothing else. One row by itself is solved *exactly* by one "
-      "formula; nothing is iterated.\n\nThe article calls Jᵀ the inverse of J. A row has no inverse: JJᵀ here is "
-      "@ m². What is true is better. Because it is the same row both ways, the impulse does no work on any motion "
-      "that obeys the rod: P·V = @ J.",
+      R"(JV is now @ m²/s, which is rounding and nothing else. One row by itself is solved *exactly* by one
+      formula; nothing is iterated.
+
+      The article calls Jᵀ the inverse of J. A row has no inverse: JJᵀ here is @ m². What is true is better.
+      Because it is the same row both ways, the impulse does no work on any motion that obeys the rod: P·V = @
+      J.)",
       solved.JV, row.J.matrix.squaredNorm(), impulse.dot(solved.v2));
 
   const double speed = std::sqrt(gravity() * length);
   const Pendulum pair = two_free_bobs(setting, Vector(0.9 * speed, -0.5 * speed));
   const OneRow hit(pair);
   Pendulum freed = pair;
-  std::tie(freed.bodies.velocity[0], freed.bodies.velocity[1]) = hit.velocities_after();
-  const Vector before_momentum = linear_momentum(pair.bodies), after_momentum = linear_momentum(freed.bodies);
+  std::tie(freed.state().velocity[0], freed.state().velocity[1]) = hit.velocities_after();
+  const Vector before_momentum = linear_momentum(pair.bodies()), after_momentum = linear_momentum(freed.bodies());
   BobPicture blow(pair), answer(freed);
   const double shown = 0.7 * length / speed;
   blow.title = "the first bob is hit, the rod answers";
@@ -59,18 +61,18 @@ void onto_the_tangent(const Setting& setting, Page& page) {
                  {blow.second, answered, palette::force, "λd"},
                  {blow.first, shown * hit.v1, palette::velocity, "v₁"}};
   answer.title = "after: JV = 0";
-  answer.arrows = {{answer.first, shown * freed.bodies.velocity[0], palette::velocity, "v₁"},
-                   {answer.second, shown * freed.bodies.velocity[1], palette::velocity, "v₂"}};
+  answer.arrows = {{answer.first, shown * freed.bodies().velocity[0], palette::velocity, "v₁"},
+                   {answer.second, shown * freed.bodies().velocity[1], palette::velocity, "v₂"}};
   blow.guides = answer.guides = false;
   page.text(
-      "On the other end of the rod acts −λd. A held point swallows it; two free bobs show what it is for. Hit one "
-      "of @ kg, with one of @ kg at the other end: what one gains the other loses, and the momentum stays @ "
-      "kg·m/s.",
+      R"(On the other end of the rod acts −λd. A held point swallows it; two free bobs show what it is for. Hit one
+      of @ kg, with one of @ kg at the other end: what one gains the other loses, and the momentum stays @
+      kg·m/s.)",
       setting.mass(), 4 * setting.mass(), after_momentum);
   page.figure(
       "momentum_kept",
-      "Two free bobs, the second four times as heavy. The rod answers with two equal and opposite impulses "
-      "(orange) along itself; the velocities along the rod are equal afterwards, those across it untouched.",
+      R"(Two free bobs, the second four times as heavy. The rod answers with two equal and opposite impulses
+      (orange) along itself; the velocities along the rod are equal afterwards, those across it untouched.)",
       [blow, answer](Canvas& canvas) {
         draw(canvas, {blow, answer});
       });
@@ -93,7 +95,7 @@ void onto_the_tangent(const Setting& setting, Page& page) {
               .source = "action and reaction",
               .measured = (after_momentum - before_momentum).norm(),
               .tolerance = absolute(1e-14 * setting.mass() * speed)});
-  const auto spin = [](const Pendulum& bobs) { return angular_momentum(bobs.bodies)[0]; };
+  const auto spin = [](const Pendulum& bobs) { return angular_momentum(bobs.bodies())[0]; };
   page.claim({.quantity = "change of angular momentum of two free bobs",
               .unit = "kg·m²/s",
               .expected = 0,

@@ -25,8 +25,8 @@ std::vector<RodSample> swing_rod(const Setting& setting, double angle, double h,
   std::vector<RodSample> samples;
   const auto steps = static_cast<int>(std::lround(seconds / h));
   for (int i = 0; i <= steps; ++i) {
-    const Vector centre = simulation.scene.bodies.pose[1].position;
-    const PlaneRotation<double> rotation = simulation.scene.bodies.pose[1].rotation;
+    const Vector centre = simulation.scene.bodies().pose[1].position;
+    const PlaneRotation<double> rotation = simulation.scene.bodies().pose[1].rotation;
     simulation.step(h);
     const auto& lambda = simulation.work.system.lambda;
     samples.push_back(
@@ -51,7 +51,7 @@ void draw_both(Canvas& canvas, const Sample& bob, const RodSample& rod, double l
   canvas.look(fit({-1.25 * length, -1.3 * length, 2.5 * length, 2.4 * length}, scene, 10));
   pictures::draw(canvas, {.bobs = {{bob.position, 1}}, .rods = {{{0, 0}, bob.position}}});
   pictures::draw(canvas, {.links = {{{0, 0}, rod.end}}, .anchors = {{0, 0}}},
-                 {.bodies = {palette::highlight, {palette::ink, 1.8}}});
+                 {.bodies() = {palette::highlight, {palette::ink, 1.8}}});
   draw(canvas, pictures::grown_to(chart, bob.time), beside);
 }
 
@@ -63,17 +63,17 @@ void rigid_rod(const Setting& setting, Page& page) {
   const CompoundPendulum exact(start, length, mass, gravity());
   const SimplePendulum bob(start, length, gravity());
   page.text(
-      "So far two numbers moved: a bob in the plane. Put the same @ kg evenly along the rod instead and it turns: "
-      "a third number, ω, and an inertia I = mL²/12 about its centre. Its constraint is a pin of two rows (the "
-      "hinge may not move along x nor along y), and its J gets the arms that (14) had all along.",
+      R"(So far two numbers moved: a bob in the plane. Put the same @ kg evenly along the rod instead and it turns:
+      a third number, ω, and an inertia I = mL²/12 about its centre. Its constraint is a pin of two rows (the hinge
+      may not move along x nor along y), and its J gets the arms that (14) had all along.)",
       mass);
   page.excerpt("solver/constraints/pin.hpp", "jacobian");
 
   const auto level = swing_rod(setting, pi / 2, h, h);
   const double share = level[0].hinge_force.y() / (mass * gravity());
   page.predict(
-      {.ask = "The rod is held level and let go. Which share of its weight does the hinge carry in the first "
-              "instant?",
+      {.ask = R"(The rod is held level and let go. Which share of its weight does the hinge carry in the first
+              instant?)",
        .answer = share,
        .unit = "weights",
        .tolerance = 0.02,
@@ -105,8 +105,8 @@ void rigid_rod(const Setting& setting, Page& page) {
   const Chart chart{
       .x = {.label = "time (s)"}, .y = {.label = "angle (°)"}, .curves = {turned, swung, rod_exact, bob_exact}};
   page.figure("rod_and_bob_angles",
-              "The rigid rod swings faster than the bob, as a bob on two thirds of its length would. Both lose "
-              "height, for nothing cures their drift.",
+              R"(The rigid rod swings faster than the bob, as a bob on two thirds of its length would. Both lose
+              height, for nothing cures their drift.)",
               chart);
   page.sequence(
       "rod_and_bob_swing",
@@ -132,9 +132,9 @@ void rigid_rod(const Setting& setting, Page& page) {
                              .colour = palette::highlight}}};
   page.figure("what_it_costs", "What the larger model stores for one body and its constraint.", cost);
   page.text(
-      "So the larger model adds what the smaller cannot say: a period of @ s instead of @ s, and a hinge that "
-      "carries @ of the weight at first. It costs @ numbers of J instead of @, a 2×2 effective mass instead of "
-      "one number, and a sine and cosine in every step. Take it where things turn; a bob does not.",
+      R"(So the larger model adds what the smaller cannot say: a period of @ s instead of @ s, and a hinge that
+      carries @ of the weight at first. It costs @ numbers of J instead of @, a 2×2 effective mass instead of one
+      number, and a sine and cosine in every step. Take it where things turn; a bob does not.)",
       exact.period(), bob.period(), share, Jacobian<Rigid, 2>().matrix.size(),
       Jacobian<Point2, 1>().matrix.size());
 

@@ -4,12 +4,12 @@ namespace byhand::single_constraint {
 
 OneRow::OneRow(const Pendulum& scene) {
   const auto& rod = scene.all<Distance>().front();
-  const auto& pose = scene.bodies.pose;
-  const auto& inverse_mass = scene.bodies.inverse_mass;
+  const auto& pose = scene.bodies().pose;
+  const auto& inverse_mass = scene.bodies().inverse_mass;
   J = rod.jacobian(pose[0], pose[1]);
   W = times_inverse_mass(J, inverse_mass[0], pose[0], inverse_mass[1], pose[1]);
-  v1 = scene.bodies.velocity[0];
-  v2 = scene.bodies.velocity[1];
+  v1 = scene.bodies().velocity[0];
+  v2 = scene.bodies().velocity[1];
   d = rod.at.separation(pose[0], pose[1]);
   JV = dot(J, v1, v2)[0];
   K = inverse_effective_mass(J, W)(0, 0);

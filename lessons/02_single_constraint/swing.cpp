@@ -9,7 +9,7 @@ Swing swing(Pendulum scene, double h, double seconds) {
   Swing swing;
   const auto steps = static_cast<int>(std::lround(seconds / h));
   for (int i = 0; i <= steps; ++i) {
-    const auto& bodies = simulation.scene.bodies;
+    const auto& bodies = simulation.scene.bodies();
     const auto& rod = simulation.scene.all<Distance>().front();
     const Vector position = bodies.pose[1].position, velocity = bodies.velocity[1];
     const double C = rod.value<double>(bodies.pose[0], bodies.pose[1])[0], now = energy(simulation.scene);

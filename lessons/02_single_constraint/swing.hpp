@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "lessons/02_single_constraint/setting.hpp"
-#include "solver/simulation.hpp"
+#include "solver/step.hpp"
 
 namespace byhand::single_constraint {
 

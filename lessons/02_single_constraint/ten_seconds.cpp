@@ -59,9 +59,9 @@ void ten_seconds(const Setting& setting, Page& page) {
   const double stretch = last.position.norm() / length - 1, change = last.energy - first.energy;
 
   page.text(
-      "Here is the whole step; nothing of it is hidden. Two of its lines wait for later: the λ of the last step "
-      "(lesson 3) and the bias b (lesson 4), which is 0 here.");
-  page.excerpt("solver/methods/velocity_stepping.hpp", "step");
+      R"(Here is the whole step; nothing of it is hidden. Two of its lines wait for later: the λ of the last step
+      (lesson 3) and the bias b (lesson 4), which is 0 here.)");
+  page.excerpt("solver/step.hpp", "step");
   page.text("Let it run for @ seconds from @°, beside the exact pendulum, with C of (2) beneath.", seconds,
             setting.release());
 
@@ -73,20 +73,20 @@ void ten_seconds(const Setting& setting, Page& page) {
                             .colour = palette::error}}};
   page.sequence(
       "ten_seconds",
-      say("Blue: the article's step with b = 0. Dashed: the exact pendulum. C only ever grows, fastest where "
-          "the bob is fast; after @ s the rod is @ % too long.",
+      say(R"(Blue: the article's step with b = 0. Dashed: the exact pendulum. C only ever grows, fastest where the
+          bob is fast; after @ s the rod is @ % too long.)",
           seconds, 100 * stretch),
       Seconds{seconds},
       [film = Film{run, exact, length, C}](Canvas& canvas, double time) { film.draw(canvas, time); });
 
   page.choose(
       {.ask =
-           say("After @ s the rod has grown by @ %, and the bob hangs that much lower at times. Has the energy, "
-               "kinetic and potential, risen or fallen?",
+           say(R"(After @ s the rod has grown by @ %, and the bob hangs that much lower at times. Has the energy,
+               kinetic and potential, risen or fallen?)",
                seconds, 100 * stretch),
        .options = {{"risen", "Every step the next impulse throws the outward part of V away, and ½m·vᵣ² with it."},
-                   {"fallen", say("Yes, by @ m·g·L. Each step the next impulse throws away the outward part of "
-                                  "V that the tangent left, and its kinetic energy with it.",
+                   {"fallen", say(R"(Yes, by @ m·g·L. Each step the next impulse throws away the outward part of V
+                                  that the tangent left, and its kinetic energy with it.)",
                                   -change / scale)}},
        .answer = change > 0 ? 0 : 1,
        .hint = "An impulse that makes JV = 0 takes a part of V away. Does it ever give one?"});
@@ -97,10 +97,10 @@ void ten_seconds(const Setting& setting, Page& page) {
     squares += run[i + 1].velocity.squaredNorm();
   }
   page.text(
-      "Both can be said exactly. C grows by ½|v|²h² in each step, because d·v = 0 leaves only the square. And the "
-      "energy falls by ½m|ΔV|² in each step, where ΔV is all that the step does to V: gravity along the way is "
-      "paid back by the height, and the rod's push does no work on what follows. A sum of squares: this step can "
-      "lose energy and *cannot* gain any. The angle after @ s is @ rad, the exact one @ rad.",
+      R"(Both can be said exactly. C grows by ½|v|²h² in each step, because d·v = 0 leaves only the square. And the
+      energy falls by ½m|ΔV|² in each step, where ΔV is all that the step does to V: gravity along the way is paid
+      back by the height, and the rod's push does no work on what follows. A sum of squares: this step can lose
+      energy and *cannot* gain any. The angle after @ s is @ rad, the exact one @ rad.)",
       seconds, last.angle(), exact.angle(seconds));
   Curve energy{.label = "the step with b = 0",
                .x = each(run, [](const Sample& s) { return s.time; }),

@@ -58,14 +58,18 @@ void tension(const Setting& setting, Page& page) {
   const double held = weight * std::cos(radians(setting.angle()));
   const auto pull = [&](double step) {
     Pendulum scene = pendulum<PlaneParticle>(radians(setting.angle()), length, mass);
-    add_gravity(scene.bodies, scene.gravity, step);
+    add_gravity(scene.bodies(), scene.gravity, step);
     return -OneRow(scene).lambda * length / step;
   };
   page.text(
-      "An impulse is a force times the time it acts. So λ by itself means little: half the step, half the λ. But "
-      "λ|d|/h is the force along d, and −λ|d|/h the pull of the rod, its tension. Take the first step again, from "
-      "@°:\n\n- with h = @ s it is @ N\n- with h/4: @ N\n- with h/64: @ N\n- what the rod must hold, m·g·cosθ: @ "
-      "N",
+      R"(An impulse is a force times the time it acts. So λ by itself means little: half the step, half the λ. But
+      λ|d|/h is the force along d, and −λ|d|/h the pull of the rod, its tension. Take the first step again, from
+      @°:
+
+      - with h = @ s it is @ N
+      - with h/4: @ N
+      - with h/64: @ N
+      - what the rod must hold, m·g·cosθ: @ N)",
       setting.angle(), setting.h, pull(h), pull(h / 4), pull(h / 64), held);
   double worst = 0;
   for (int i = 0; i <= 6; ++i) worst = std::max(worst, std::abs(pull(h / (1 << i)) - held));
@@ -79,8 +83,8 @@ void tension(const Setting& setting, Page& page) {
   const SimplePendulum exact(radians(setting.release()), length, gravity());
   const double period = exact.period(), lowest = exact.tension(period / 4, mass) / weight;
   page.predict(
-      {.ask = say("Now let it swing from rest at @°. How hard does the rod pull when the bob passes the lowest "
-                  "point, in weights of the bob?",
+      {.ask = say(R"(Now let it swing from rest at @°. How hard does the rod pull when the bob passes the lowest
+                  point, in weights of the bob?)",
                   setting.release()),
        .answer = lowest,
        .unit = "weights",
@@ -96,9 +100,9 @@ void tension(const Setting& setting, Page& page) {
   const Chart chart = tension_chart(run, exact, mass, end);
   page.figure(
       "tension_over_time",
-      say("What the solver's λ says the rod pulls with, against m(g·cosθ + Lθ̇²) of the exact pendulum, over @ "
-          "s from @°. Nobody told the solver about circles. It begins exact and then falls short; the next two "
-          "steps show why.",
+      say(R"(What the solver's λ says the rod pulls with, against m(g·cosθ + Lθ̇²) of the exact pendulum, over @ s
+          from @°. Nobody told the solver about circles. It begins exact and then falls short; the next two steps
+          show why.)",
           end, setting.release()),
       chart);
   page.sequence("swing", "The swing, the pull of the rod (orange) and the weight (grey), and −λ|d|/h as it comes.",
@@ -109,8 +113,8 @@ void tension(const Setting& setting, Page& page) {
                half = peak_tension(setting, h / 2, period) / weight - lowest,
                step = std::sqrt(gravity() / length) * h;
   page.text(
-      "At the bottom the run pulls with @ weights where the exact answer is @. What is missing is the step's "
-      "error, not the solver's: with h/2 the error is @ instead of @.",
+      R"(At the bottom the run pulls with @ weights where the exact answer is @. What is missing is the step's
+      error, not the solver's: with h/2 the error is @ instead of @.)",
       lowest + error, lowest, half, error);
   const bool fine = step <= 0.05 && setting.release() >= 30 && setting.release() <= 120;
   const std::string range = "h·√(g/L) ≤ 0.05, release 30° … 120°";

@@ -9,14 +9,14 @@ using namespace renderer;
 void why_velocity(const Setting& setting, Page& page) {
   const double length = setting.length(), stretched = 1.2;
   Pendulum scene = pendulum<PlaneParticle>(radians(setting.angle()), length, setting.mass());
-  scene.bodies.pose[1].position *= stretched;
+  scene.state().pose[1].position *= stretched;
   const auto& rod = scene.all<Distance>().front();
-  const auto error = [&] { return rod.value<double>(scene.bodies.pose[0], scene.bodies.pose[1])[0]; };
+  const auto error = [&] { return rod.value<double>(scene.bodies().pose[0], scene.bodies().pose[1])[0]; };
 
   page.text(
-      "Why not push the *position* until C = 0, with the same row? Pull the bob out to @ L and try. C of (2) has "
-      "a square in it, so J is only true where you stand: each push along M⁻¹Jᵀ of −C/(JM⁻¹Jᵀ) leaves something "
-      "over.",
+      R"(Why not push the *position* until C = 0, with the same row? Pull the bob out to @ L and try. C of (2) has
+      a square in it, so J is only true where you stand: each push along M⁻¹Jᵀ of −C/(JM⁻¹Jᵀ) leaves something
+      over.)",
       stretched);
   Curve left{.label = "position: |C| left", .style = CurveStyle::line_and_markers, .colour = palette::error};
   std::vector<double> distances;
@@ -25,21 +25,21 @@ void why_velocity(const Setting& setting, Page& page) {
     left.x.push_back(i);
     left.y.push_back(std::abs(error()));
     distances.push_back(row.d.norm());
-    scene.bodies.pose[1].position += row.W.l2().transpose() * (-error() / row.K);
+    scene.state().pose[1].position += row.W.l2().transpose() * (-error() / row.K);
   }
   page.figure(
       "why_velocity",
-      "|C| after each push of the position. It is Newton's method: the error is squared each time, quick, but "
-      "never done. JV = 0 is linear in V, and one push solves it to rounding.",
+      R"(|C| after each push of the position. It is Newton's method: the error is squared each time, quick, but
+      never done. JV = 0 is linear in V, and one push solves it to rounding.)",
       Chart{.x = {.label = "pushes", .ticks = {{0, "0"}, {1, "1"}, {2, "2"}, {3, "3"}}},
             .y = {.label = "|C| (m²)", .scale = Scale::logarithmic},
             .curves = {left}});
   page.text(
-      "After one push @ m² of @ m² are left, after two @ m². Newton would do; but the pushed bob also keeps its "
-      "velocity. If it was on its way out, it is out again in the next step: moving the position repairs what has "
-      "happened, while an impulse stops it from happening. And with many rods each push spoils its neighbours, "
-      "where a linear system still has one answer. So solve V first; whoever wants C = 0 as well adds it to that "
-      "(lesson 4).",
+      R"(After one push @ m² of @ m² are left, after two @ m². Newton would do; but the pushed bob also keeps its
+      velocity. If it was on its way out, it is out again in the next step: moving the position repairs what has
+      happened, while an impulse stops it from happening. And with many rods each push spoils its neighbours, where
+      a linear system still has one answer. So solve V first; whoever wants C = 0 as well adds it to that (lesson
+      4).)",
       left.y[1], left.y[0], left.y[2]);
 
   const double C0 = left.y[0];

@@ -59,31 +59,26 @@ void all_at_once(Page& page, const Knobs& knobs) {
   const int n = knobs.links;
   const double m = knobs.mass, L = knobs.length;
   HeldStep held(chain, knobs.h);
-  const Eigen::MatrixXd A = matrix_of(held.work().system, held.scene().bodies.size());
+  const Eigen::MatrixXd A = matrix_of(held.work().system, held.scene().bodies().size());
   const Eigen::MatrixXd factor = Eigen::LLT<Eigen::MatrixXd>(A).matrixL();
   const Eigen::MatrixXd inverse = A.llt().solve(Eigen::MatrixXd::Identity(n, n));
 
   page.text(
-      "Why go round at all? Write (17) once for every row, let each see what *all* the others do to its bobs, and "
-      "it becomes one linear system, with the inverse effective masses of (19) on the diagonal and the shared "
-      "bobs "
-      "beside it:");
+      R"(Why go round at all? Write (17) once for every row, let each see what *all* the others do to its bobs, and
+      it becomes one linear system, with the inverse effective masses of (19) on the diagonal and the shared bobs
+      beside it:)");
   page.formula("A λ = −(JV + b),   A = JM⁻¹Jᵀ, @ × @",
                R"(A\,\lambda = -(JV + b), \qquad A = JM^{-1}J^T, \quad @ \times @)", n, n);
   page.text(
-      "Row i of A has at most three numbers that are not zero, because a joint shares bobs only with the one "
-      "above and "
-      "the one below: A is *sparse*, @ of @ entries. Its inverse is *full*: every joint's λ depends on every "
-      "row's "
-      "error. Read a column of A⁻¹ as an answer: \"if only this row is wrong, what must each joint do?\" The pull "
-      "goes "
-      "at full strength through all joints up to the anchor; below, each joint passes on what the bobs under it "
-      "need. "
-      "One sweep of the last step could not know that; A⁻¹ does.",
+      R"(Row i of A has at most three numbers that are not zero, because a joint shares bobs only with the one
+      above and the one below: A is *sparse*, @ of @ entries. Its inverse is *full*: every joint's λ depends on
+      every row's error. Read a column of A⁻¹ as an answer: "if only this row is wrong, what must each joint do?"
+      The pull goes at full strength through all joints up to the anchor; below, each joint passes on what the bobs
+      under it need. One sweep of the last step could not know that; A⁻¹ does.)",
       nonzeros(A), n * n);
   page.figure("matrices",
-              say("Left: A, @ entries that are not zero. Middle: its Cholesky factor, A = GGᵀ, with @. Right: its "
-                  "inverse, with @. Empty cells are zero.",
+              say(R"(Left: A, @ entries that are not zero. Middle: its Cholesky factor, A = GGᵀ, with @. Right: its
+                  inverse, with @. Empty cells are zero.)",
                   nonzeros(A), nonzeros(factor), nonzeros(inverse)),
               [=](renderer::Canvas& canvas) {
                 const auto cells = canvas.page().inset(16, 120).cells(1, 3, 18);
@@ -92,13 +87,10 @@ void all_at_once(Page& page, const Knobs& knobs) {
                 draw(canvas, map_of(inverse, "A⁻¹", "kg/m²", false), cells[2]);
               });
   page.text(
-      "The article calls solving everything at once \"very inefficient\". It would be, with that full inverse. "
-      "But "
-      "nobody needs the inverse: eliminate one joint after the other and you need only the *factor* in the "
-      "middle, "
-      "which is as sparse as A. On a chain the direct solve stores @ numbers, two a joint; on a tree it is the "
-      "same. "
-      "What it costs is for the deeper part of this lesson.",
+      R"(The article calls solving everything at once "very inefficient". It would be, with that full inverse. But
+      nobody needs the inverse: eliminate one joint after the other and you need only the *factor* in the middle,
+      which is as sparse as A. On a chain the direct solve stores @ numbers, two a joint; on a tree it is the same.
+      What it costs is for the deeper part of this lesson.)",
       2 * n - 1);
 
   HeldStep direct(chain, knobs.h, Direct{});
@@ -112,8 +104,8 @@ void all_at_once(Page& page, const Knobs& knobs) {
       worst_inverse = std::max(worst_inverse, std::abs(inverse(i, j) * L * L / (m * (n - std::max(i, j))) - 1));
   }
   page.text(
-      "Solved directly, once: the top joint carries @ N, the lowest @ N, and no row has an error left worth the "
-      "name (@ gh).",
+      R"(Solved directly, once: the top joint carries @ N, the lowest @ N, and no row has an error left worth the
+      name (@ gh).)",
       direct.shares().front() * knobs.weight(), direct.shares().back() * knobs.weight(),
       direct.error() / knobs.fall());
   page.claim({.quantity = "largest relative error of the joints' forces",

@@ -41,18 +41,17 @@ void heavy_end(Page& page, const Knobs& knobs) {
        .unit = "sweeps",
        .tolerance = 0.25 * heavy_digit,
        .wrong = {{light_digit,
-                  "Mass cancels in one pendulum, not between rows: each sweep hands over only 1/r of what is "
-                  "missing."}},
+                  R"(Mass cancels in one pendulum, not between rows: each sweep hands over only 1/r of what is
+                  missing.)"}},
        .hint =
-           "The last row joins a light bob and a heavy one, and its impulse is the same for both. Which of the "
-           "two does it move?",
+           R"(The last row joins a light bob and a heavy one, and its impulse is the same for both. Which of the
+           two does it move?)",
        .right = "Each sweep hands over only about 1/r of what is missing."});
   page.text(
-      "The last row finds the heavy bob falling away from the light one and makes their speeds meet. But in that "
-      "trade the light bob gives way: it takes r/(1 + r) of the change, the heavy one 1/(1 + r). The heavy bob "
-      "hardly "
-      "slows down, while the light one is yanked out of the row above. So the weight climbs the chain in "
-      "portions of 1/r, and for large r ρ ≈ 1 − 1/(r(N − 1)):");
+      R"(The last row finds the heavy bob falling away from the light one and makes their speeds meet. But in that
+      trade the light bob gives way: it takes r/(1 + r) of the change, the heavy one 1/(1 + r). The heavy bob
+      hardly slows down, while the light one is yanked out of the row above. So the weight climbs the chain in
+      portions of 1/r, and for large r ρ ≈ 1 − 1/(r(N − 1)):)");
   renderer::Curve measured{.label = "measured", .style = renderer::CurveStyle::markers};
   renderer::Curve exact{.label = "eigenvalues", .style = renderer::CurveStyle::theory};
   renderer::Curve law{
@@ -76,8 +75,8 @@ void heavy_end(Page& page, const Knobs& knobs) {
   for (int i = 0; i < few; ++i) sweep.solve_sweep();
   direct.solve();
   page.text(
-      "After @ sweeps the top joint carries @ of the weight. The direct solve, same rows: @. It "
-      "sees all rows at once, and a ratio of masses is only a number in A.",
+      R"(After @ sweeps the top joint carries @ of the weight. The direct solve, same rows: @. It sees all rows at
+      once, and a ratio of masses is only a number in A.)",
       few, sweep.shares().front(), direct.shares().front());
   page.claim({.quantity = "sweeps for one more digit, heavy end",
               .unit = "1",

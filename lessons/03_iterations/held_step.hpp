@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "lessons/scenes/chain.hpp"
-#include "solver/methods/velocity_stepping.hpp"
+#include "solver/step.hpp"
 
 namespace byhand::iterations {
 
@@ -31,7 +31,7 @@ class HeldStep {
   /// How fast each bob moves downwards [m/s].
   std::vector<double> speeds() const;
 
-  const Scene<PlaneParticle, Distance>& scene() const { return scene_; }
+  const Scene<PlaneParticle>& scene() const { return scene_; }
   const Work<PlaneParticle>& work() const { return work_; }
   /// Begins with this λ instead of 0; for solvers that start warm.
   void start_from(const std::vector<double>& lambda);
@@ -40,7 +40,7 @@ class HeldStep {
   ChainOptions chain_;
   double h_;
   RowSolver solver_;
-  Scene<PlaneParticle, Distance> scene_;
+  Scene<PlaneParticle> scene_;
   Work<PlaneParticle> work_;
   std::size_t next_ = 0;  // row to be solved
 };

@@ -6,7 +6,7 @@
 #include "renderer/palette.hpp"
 #include "solver/constraints/normalised_distance.hpp"
 #include "solver/measure.hpp"
-#include "solver/methods/velocity_stepping.hpp"
+#include "solver/step.hpp"
 
 namespace byhand::iterations {
 namespace {
@@ -21,14 +21,14 @@ std::vector<double> places(int rods) {
 }
 
 /// A square box hung on parallel rods, spread evenly over its width.
-Scene<PlaneBody, NormalisedDistance> hung_box(int rods, double side, double mass) {
-  Scene<PlaneBody, NormalisedDistance> scene;
+Scene<PlaneBody> hung_box(int rods, double side, double mass) {
+  Scene<PlaneBody> scene;
   const int ceiling = scene.add_body(Linear<PlaneBody>(0, 0), fixed<PlaneBody>());
   const int box = scene.add_body(Linear<PlaneBody>(0, -1.5 * side),
                                  byhand::box<PlaneBody>(mass, Linear<PlaneBody>(side, side)));
   for (const double x : places(rods))
     scene.add(NormalisedDistance<PlaneBody>{
-        between<PlaneBody>(scene.bodies, ceiling, {x * side, 0}, box, {x * side, -side}), side});
+        between<PlaneBody>(scene.bodies(), ceiling, {x * side, 0}, box, {x * side, -side}), side});
   return scene;
 }
 
@@ -41,9 +41,9 @@ double error_after(int sweeps, Solver solver, int rods, const Knobs& knobs) {
   solver.warm_start = false;
   lay_out(scene, solver, work);
   scene.write_rows(work.system, knobs.h());
-  add_gravity(scene.bodies, scene.gravity, knobs.h());
-  solve_rows(solver, scene.bodies, work);
-  return residual(work.system, scene.bodies.velocity);
+  add_gravity(scene.bodies(), scene.gravity, knobs.h());
+  solve_rows(solver, scene.bodies(), work);
+  return residual(work.system, scene.bodies().velocity);
 }
 
 double factor(const Jacobi& solver, int rods, const Knobs& knobs) {
@@ -61,11 +61,9 @@ double mu(int rods) {
 
 void limit_of_jacobi(Page& page, const Knobs& knobs) {
   page.text(
-      "On a chain Jacobi is only slow. It can also fail. Hang *one* square box of @ kg on several parallel rods. "
-      "Each row looks "
-      "at the falling box and corrects the whole of what it sees; then all of them push at once. Two rods may, "
-      "four "
-      "push far too much:",
+      R"(On a chain Jacobi is only slow. It can also fail. Hang *one* square box of @ kg on several parallel rods.
+      Each row looks at the falling box and corrects the whole of what it sees; then all of them push at once. Two
+      rods may, four push far too much:)",
       knobs.mass);
   renderer::Chart chart;
   chart.x.label = "sweeps (1)";
@@ -90,11 +88,10 @@ void limit_of_jacobi(Page& page, const Knobs& knobs) {
   page.figure("limit_of_jacobi",
               "One box on 2, 3, 4 and 8 rods, Jacobi from λ = 0. Markers: measured; dashed: |1 − μ|ⁿ.", chart);
   page.text(
-      "All that matters is μ, the largest eigenvalue of D⁻¹A, where D is the diagonal of A: an error is "
-      "multiplied by 1 − μ in each "
-      "sweep, and beyond μ = 2 it grows. For the box it is @ with 3 rods and @ with 4. On a chain μ never "
-      "reaches 2. The cure is to take a share ω of each step (*relaxation*): ω < 2/μ, which is @ for 4 rods. "
-      "Gauss–Seidel needs no cure: the second row sees what the first has done.",
+      R"(All that matters is μ, the largest eigenvalue of D⁻¹A, where D is the diagonal of A: an error is
+      multiplied by 1 − μ in each sweep, and beyond μ = 2 it grows. For the box it is @ with 3 rods and @ with 4.
+      On a chain μ never reaches 2. The cure is to take a share ω of each step (*relaxation*): ω < 2/μ, which is @
+      for 4 rods. Gauss–Seidel needs no cure: the second row sees what the first has done.)",
       Value(mu(3), 3), Value(mu(4), 3), Value(2 / mu(4), 3));
   for (const int rods : {2, 3, 4, 8})
     page.claim({.quantity = say("@ rods: growth of the error a sweep", rods),

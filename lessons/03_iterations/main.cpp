@@ -39,9 +39,8 @@ int main(int argc, char** argv) {
   lesson.closing(
       {.now_you_know =
            {"(17) is exact for one row; for rows that share bodies it is one sub-step of Gauss–Seidel.",
-            "A sweep leaves the share cos²(π/2N) of a chain's slowest error, in any order: twice as long, four "
-            "times "
-            "as many sweeps.",
+            R"(A sweep leaves the share cos²(π/2N) of a chain's slowest error, in any order: twice as long, four
+            times as many sweeps.)",
             "A warm start is a head start in one step and the whole way over many; it rings.",
             "Too few sweeps make a chain soft, by an amount that can be computed.",
             "All rows at once cost a chain no more than a few sweeps, and nothing is left over."},

@@ -8,7 +8,7 @@
 #include "lessons/03_iterations/knobs.hpp"
 #include "lessons/03_iterations/textbook.hpp"
 #include "solver/measure.hpp"
-#include "solver/simulation.hpp"
+#include "solver/step.hpp"
 
 namespace byhand::iterations {
 namespace {
@@ -52,7 +52,7 @@ renderer::Curve warm_curve(double seconds, const Knobs& knobs, const std::vector
     auto next = simulation;
     next.method.solver = GaussSeidel{.sweeps = count};
     next.step(knobs.h);
-    const double error = residual(next.work.system, next.scene.bodies.velocity) / knobs.length / knobs.fall();
+    const double error = residual(next.work.system, next.scene.bodies().velocity) / knobs.length / knobs.fall();
     curve.x.push_back(count);
     curve.y.push_back(error > 1e-15 ? error : NAN);
   }
@@ -78,31 +78,32 @@ void many_sweeps(Page& page, const Knobs& knobs) {
   const double jacobi = sweeps_per_digit(measured_factor(Jacobi{.warm_start = false}, chain, h));
 
   page.text(
-      "How fast is going round? Solve the same step, hanging chain, gravity just in V, with 1, 2, 3, … sweeps and "
-      "look at the largest error each time. Four ways to go round, all from λ = 0:\n\n"
-      "- *Jacobi*: every row looks at the same V, then all push at once. It could run in parallel.\n"
-      "- *Gauss–Seidel* top-down, bottom-up, or *red–black*: all odd rows, then all even ones (rows of one colour "
-      "share no bob, so these could run in parallel too).");
+      R"(How fast is going round? Solve the same step, hanging chain, gravity just in V, with 1, 2, 3, … sweeps and
+      look at the largest error each time. Four ways to go round, all from λ = 0:
+
+      - *Jacobi*: every row looks at the same V, then all push at once. It could run in parallel.
+      - *Gauss–Seidel* top-down, bottom-up, or *red–black*: all odd rows, then all even ones (rows of one colour
+        share no bob, so these could run in parallel too).)");
   constexpr double same = 1e-6;
   const bool alike = std::abs(digits[1] / digits[0] - 1) < same && std::abs(digits[2] / digits[0] - 1) < same;
   const auto steepest = static_cast<int>(std::min_element(digits.begin(), digits.end()) - digits.begin());
   page.choose(
       {.ask = "Top-down, bottom-up, red–black: whose error falls most steeply in the end?",
        .options = {{"top-down",
-                    "It follows the chain from its anchor, but the load comes from below. The first "
-                    "sweeps differ; the slow wave along the chain decides the slope."},
+                    R"(It follows the chain from its anchor, but the load comes from below. The first sweeps
+                    differ; the slow wave along the chain decides the slope.)"},
                    {"bottom-up",
-                    "It follows the load, and the first sweep shows it; then the slow wave along "
-                    "the chain decides, and no order sees that."},
+                    R"(It follows the load, and the first sweep shows it; then the slow wave along the chain
+                    decides, and no order sees that.)"},
                    {"red–black",
-                    "Its rows do not wait for each other, which makes it fast on a processor, not "
-                    "steeper a sweep."},
+                    R"(Its rows do not wait for each other, which makes it fast on a processor, not steeper a
+                    sweep.)"},
                    {"all the same",
-                    "The first sweeps differ; the slow wave along the chain decides the slope, "
-                    "and no order sees it."}},
+                    R"(The first sweeps differ; the slow wave along the chain decides the slope, and no order sees
+                    it.)"}},
        .answer = alike ? 3 : steepest,
-       .hint = "After a few sweeps every order has smoothed the errors out: neighbours are wrong by nearly the "
-               "same. What can one row still see of that?"});
+       .hint = R"(After a few sweeps every order has smoothed the errors out: neighbours are wrong by nearly the
+               same. What can one row still see of that?)"});
 
   const double second = 1.0;
   const std::vector<int> counts = sweep_counts(std::max(12, static_cast<int>(4.3 * digit)));
@@ -118,25 +119,22 @@ void many_sweeps(Page& page, const Knobs& knobs) {
   chart.curves.push_back(theory("cos²ⁿ(π/2N)", rho, counts));
   page.figure(
       "error_over_sweeps",
-      say("The largest error against sweeps, @ links. Dashed: the rates that theory predicts, drawn from 1. "
-          "Top-down and bottom-up lie near each other, red–black beside them; all fall alike. The warm curve is "
-          "the "
-          "step after @ s of @ warm sweeps a step.",
+      say(R"(The largest error against sweeps, @ links. Dashed: the rates that theory predicts, drawn from 1.
+          Top-down and bottom-up lie near each other, red–black beside them; all fall alike. The warm curve is the
+          step after @ s of @ warm sweeps a step.)",
           knobs.links, second, knobs.sweeps),
       chart);
   page.text(
-      "On this scale a straight line means: each sweep leaves the same share of the error. For N equal links "
-      "hanging "
-      "from an anchor that share is cos(π/2N) for Jacobi and its square for Gauss–Seidel in *any* order:");
+      R"(On this scale a straight line means: each sweep leaves the same share of the error. For N equal links
+      hanging from an anchor that share is cos(π/2N) for Jacobi and its square for Gauss–Seidel in *any* order:)");
   page.formula(
       "ρ = cos²(π/2N) = @ for N = @,   one more digit: ln 10 / −ln ρ = @ sweeps",
       R"(\rho = \cos^2\frac{\pi}{2N} = @ \text{ for } N = @, \qquad \frac{\ln 10}{-\ln\rho} = @ \text{ sweeps a digit})",
       rho, knobs.links, digit);
   page.text(
-      "A *warm start* begins with the λ of the step before instead of 0. It begins lower, and then it falls no "
-      "faster: a "
-      "better guess is worth a head start, not a steeper line. What that is worth over many steps comes in step "
-      "6.");
+      R"(A *warm start* begins with the λ of the step before instead of 0. It begins lower, and then it falls no
+      faster: a better guess is worth a head start, not a steeper line. What that is worth over many steps comes in
+      step 6.)");
   page.measure("sweeps for one more digit", digits[0], "1");
   for (int i = 0; i < 3; ++i)
     page.claim({.quantity = say("sweeps for one more digit, @", orders[i].name),

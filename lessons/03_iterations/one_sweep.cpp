@@ -123,17 +123,14 @@ void one_sweep(Page& page, const Knobs& knobs) {
   const double right = 1.0;
 
   page.text(
-      "Now @ links, each with a bob of @ kg: @ N in all, and the top joint must carry every newton of it. Each "
-      "joint "
-      "below carries one bob less; that is the dashed line in the pictures below, and it is what the exact λ "
-      "gives "
-      "at any h, since λ is an impulse and the force is λ over h (times L here, because (14) is not divided by "
-      "the "
-      "length).",
+      R"(Now @ links, each with a bob of @ kg: @ N in all, and the top joint must carry every newton of it. Each
+      joint below carries one bob less; that is the dashed line in the pictures below, and it is what the exact λ
+      gives at any h, since λ is an impulse and the force is λ over h (times L here, because (14) is not divided by
+      the length).)",
       knobs.links, knobs.mass, knobs.weight());
   page.predict(
-      {.ask = say("λ is zero everywhere. One sweep from top to bottom, each of the @ rows solved once. What "
-                  "share of the weight does the top joint carry?",
+      {.ask = say(R"(λ is zero everywhere. One sweep from top to bottom, each of the @ rows solved once. What share
+                  of the weight does the top joint carry?)",
                   knobs.links),
        .answer = shares.front(),
        .unit = "1",
@@ -147,21 +144,18 @@ void one_sweep(Page& page, const Knobs& knobs) {
   const auto frames = instants(chain, knobs.h, fall);
   page.sequence(
       "row_by_row",
-      say("Two sweeps row by row, then whole sweeps in growing strides. Left: how fast each bob still falls. "
-          "Above: what each joint carries, as a share of all @ N (dashed: the weight below it). Below: each row's "
-          "error. The row being "
-          "solved is yellow; watch its error vanish and its neighbours' grow.",
+      say(R"(Two sweeps row by row, then whole sweeps in growing strides. Left: how fast each bob still falls.
+          Above: what each joint carries, as a share of all @ N (dashed: the weight below it). Below: each row's
+          error. The row being solved is yellow; watch its error vanish and its neighbours' grow.)",
           knobs.weight()),
       Frames{static_cast<int>(frames.size())}, [=](renderer::Canvas& canvas, double at) {
         draw_instant(canvas, linkage, frames[static_cast<std::size_t>(at)]);
       });
   page.text(
-      "After the first sweep the upper joints carry @ … of the weight. Joint after joint passes *half* of what "
-      "it meets to the next: gh, then gh/2, then gh/4, since each shares its error between two equal bobs. And "
-      "from "
-      "bottom to top it is no better: then every row but the top one finds its two bobs falling side by side, "
-      "sees no "
-      "error and does nothing.",
+      R"(After the first sweep the upper joints carry @ … of the weight. Joint after joint passes *half* of what it
+      meets to the next: gh, then gh/2, then gh/4, since each shares its error between two equal bobs. And from
+      bottom to top it is no better: then every row but the top one finds its two bobs falling side by side, sees
+      no error and does nothing.)",
       std::vector<double>(shares.begin(), shares.begin() + std::min(4, knobs.links())));
   page.claim({.quantity = "share at the top joint, from top to bottom",
               .unit = "1",

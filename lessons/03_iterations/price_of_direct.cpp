@@ -39,20 +39,18 @@ void price_of_direct(Page& page, const Knobs& knobs) {
   const double digit_sweeps = error_after(n, GaussSeidel{}, knobs.chain(), knobs.h) / knobs.fall();
 
   page.text(
-      "\"Iterative solvers are fast\", says the article. Count. One *row-solve*, (17) and (20) once, multiplies @ "
-      "numbers in this model: @ for JV, as many for the impulse. The direct solve eliminates one joint after the "
-      "other, a "
-      "handful of multiplications each, and walks back:",
+      R"("Iterative solvers are fast", says the article. Count. One *row-solve*, (17) and (20) once, multiplies @
+      numbers in this model: @ for JV, as many for the impulse. The direct solve eliminates one joint after the
+      other, a handful of multiplications each, and walks back:)",
       4 * PlaneParticle::dof, 2 * PlaneParticle::dof);
-  page.excerpt("solver/methods/direct.cpp", "factor");
+  page.excerpt("solver/direct/direct.cpp", "factor");
   // J·W of a row itself and with its neighbour, JV and M⁻¹Jᵀλ, each a sum over the degrees of freedom of the
   // bodies.
   const double around = (2.0 + 1 + 2 + 2) * PlaneParticle::dof / (4 * PlaneParticle::dof);
   page.text(
-      "For @ links this multiplies as much as @ row-solves do, @ sweeps; for @ links as @, still @ sweeps. "
-      "Writing A "
-      "down before and putting the impulses into V afterwards cost another @. For the price of a few sweeps "
-      "everything is right to the last digit, while @ sweeps from λ = 0 still leave an error of @ gh.",
+      R"(For @ links this multiplies as much as @ row-solves do, @ sweeps; for @ links as @, still @ sweeps.
+      Writing A down before and putting the impulses into V afterwards cost another @. For the price of a few
+      sweeps everything is right to the last digit, while @ sweeps from λ = 0 still leave an error of @ gh.)",
       n, once.row_solves, Value(once.row_solves / n, 2), 2 * n, twice.row_solves,
       Value(twice.row_solves / (2 * n), 2), around, n, digit_sweeps);
 
@@ -68,16 +66,13 @@ void price_of_direct(Page& page, const Knobs& knobs) {
                             .style = renderer::CurveStyle::markers});
   }
   page.figure("price",
-              "Error against cost, counted in multiplications. Gauss–Seidel pays for every digit again, and the "
-              "more the longer the chain is; "
-              "the direct solve pays once (an error of 0 is drawn at 10⁻¹⁶).",
+              R"(Error against cost, counted in multiplications. Gauss–Seidel pays for every digit again, and the
+              more the longer the chain is; the direct solve pays once (an error of 0 is drawn at 10⁻¹⁶).)",
               chart);
   page.text(
-      "So why does anyone iterate? Because this is a chain. Rows with bounds (contacts, friction) have no one "
-      "linear system; "
-      "loops and piles fill the factor; and when a scene changes by a little, a warm sweep is cheap. The rule of "
-      "this course: paths and "
-      "trees directly, the rest by sweeps.");
+      R"(So why does anyone iterate? Because this is a chain. Rows with bounds (contacts, friction) have no one
+      linear system; loops and piles fill the factor; and when a scene changes by a little, a warm sweep is cheap.
+      The rule of this course: paths and trees directly, the rest by sweeps.)");
   page.claim({.quantity = "direct solve, A and impulses included, in sweeps",
               .unit = "1",
               .expected = 3,

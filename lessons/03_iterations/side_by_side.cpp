@@ -9,14 +9,14 @@
 #include "lessons/pictures/growing.hpp"
 #include "lessons/pictures/rods_and_bobs.hpp"
 #include "renderer/canvas.hpp"
-#include "solver/simulation.hpp"
+#include "solver/step.hpp"
 
 namespace byhand::iterations {
 namespace {
 
 using namespace tutor;
 namespace palette = renderer::palette;
-using Chain = Simulation<Scene<PlaneParticle, Distance>>;
+using Chain = Simulation<PlaneParticle>;
 
 constexpr double seconds = 5;
 constexpr double lost = 50;  // lengths of a link: a chain that is stretched that far is watched no longer
@@ -34,7 +34,7 @@ Chain swinging(const Knobs& knobs, std::optional<int> sweeps, double degrees) {
 double stretch(const Chain& chain) {
   double worst = 0;
   chain.scene.for_each([&](const Distance<PlaneParticle>& rod) {
-    const auto& pose = chain.scene.bodies.pose;
+    const auto& pose = chain.scene.bodies().pose;
     const double d = rod.at.separation(pose[rod.at.body1], pose[rod.at.body2]).norm();
     worst = std::max(worst, std::isfinite(d) ? std::abs(d - rod.length) : INFINITY);
   });
@@ -62,7 +62,7 @@ Run run_of(std::string name, Chain start, double h, double length) {
       run.lost_at = start.time;
       break;
     }
-    for (const auto& pose : start.scene.bodies.pose)
+    for (const auto& pose : start.scene.bodies().pose)
       run.reach = run.reach.cwiseMax(renderer::Point(std::abs(pose.position.x()), -pose.position.y()));
   }
   return run;
@@ -147,16 +147,14 @@ void side_by_side(Page& page, const Knobs& knobs) {
                               from_straight_down<PlaneParticle>(part * knobs.angle * M_PI / 180));
 
   page.text(
-      "Now let it swing: released at @° from straight down, @ s, and with the correction of lesson 4 (β = @) "
-      "pulling "
-      "stretched links back. Five times the same chain, started @; only the number of sweeps a step differs, and "
-      "the "
-      "last solves all rows at once.",
+      R"(Now let it swing: released at @° from straight down, @ s, and with the correction of lesson 4 (β = @)
+      pulling stretched links back. Five times the same chain, started @; only the number of sweeps a step differs,
+      and the last solves all rows at once.)",
       knobs.angle, seconds, knobs.beta, knobs.warm() == 1 ? "warm" : "cold");
   page.sequence(
       "sweeps_side_by_side",
-      say("The same chain of @ links with @, @, @ and @ sweeps a step, and solved directly. Below: the largest "
-          "stretch of any link. Dashed: where the end of a chain that does not stretch would swing.",
+      say(R"(The same chain of @ links with @, @, @ and @ sweeps a step, and solved directly. Below: the largest
+          stretch of any link. Dashed: where the end of a chain that does not stretch would swing.)",
           knobs.links, sweep_counts[0], sweep_counts[1], sweep_counts[2], sweep_counts[3]),
       Seconds{seconds}, [=, runs = runs](renderer::Canvas& canvas, double time) mutable {
         for (Run& run : runs)
@@ -178,19 +176,15 @@ void side_by_side(Page& page, const Knobs& knobs) {
       limits.push_back((1 - q) / q);
     }
     page.text(
-        "Warm, the limit of step 6 decides, (1 − q)/q: @ for these sweeps (and never more than 2). Here β = @. A "
-        "chain "
-        "whose limit is lower does not come to rest: it quivers, or crumples.",
+        R"(Warm, the limit of step 6 decides, (1 − q)/q: @ for these sweeps (and never more than 2). Here β = @. A
+        chain whose limit is lower does not come to rest: it quivers, or crumples.)",
         limits, knobs.beta);
   } else {
     page.text(
-        "Few sweeps do not look wrong, they look *soft*: the chain is a rubber band, and nobody asked for rubber. "
-        "How "
-        "soft can be said beforehand. Where the chain hangs still, the correction must make up in each step for "
-        "what "
-        "the sweeps leave: the parting speed r of step 6 is answered by a bias of the same size, (β/h)C/|d| = r. "
-        "So "
-        "the worst link hangs out by about r·h/β:");
+        R"(Few sweeps do not look wrong, they look *soft*: the chain is a rubber band, and nobody asked for rubber.
+        How soft can be said beforehand. Where the chain hangs still, the correction must make up in each step for
+        what the sweeps leave: the parting speed r of step 6 is answered by a bias of the same size, (β/h)C/|d| =
+        r. So the worst link hangs out by about r·h/β:)");
   }
   const bool claimed = knobs.warm() == 0 && knobs.beta >= 0.01;
   for (const int sweeps : sweep_counts)
@@ -203,9 +197,8 @@ void side_by_side(Page& page, const Knobs& knobs) {
                 .claimed = claimed,
                 .range = "cold, β ≥ 0.01"});
   page.text(
-      "Solved directly nothing is left of that; what still stretches it is the step itself, the tangent of lesson "
-      "2. "
-      "So ask of a soft chain first which of the two it is: more sweeps mend one, smaller steps the other.");
+      R"(Solved directly nothing is left of that; what still stretches it is the step itself, the tangent of lesson
+      2. So ask of a soft chain first which of the two it is: more sweeps mend one, smaller steps the other.)");
 }
 
 }  // namespace byhand::iterations

@@ -76,23 +76,21 @@ void twice_as_long(Page& page, const Knobs& knobs) {
                 .tolerance = 0.12 * twice,
                 .wrong = {{2 * once, "News walks like a drunkard: twice as far takes four times as long."},
                           {once,
-                           "Each sweep does touch every row once, but an error that stretches over the whole "
-                           "chain is hard to see from any one of them."}},
+                           R"(Each sweep does touch every row once, but an error that stretches over the whole
+                           chain is hard to see from any one of them.)"}},
                 .hint =
-                    "An error spreads by halves: half to the joint above, half to the joint below. How far does "
-                    "somebody get who tosses a coin before each step?",
+                    R"(An error spreads by halves: half to the joint above, half to the joint below. How far does
+                    somebody get who tosses a coin before each step?)",
                 .right = say("@ times as many.", Value(twice / once, 3))});
   page.text(
-      "Here is why. Take Jacobi, the simplest. Say e is what is still missing from a joint's λ. Solving its row "
-      "by "
-      "(17) makes the joint right *for what its neighbours now do*, so what is missing from it afterwards is the "
-      "mean "
-      "of what is missing from them:");
+      R"(Here is why. Take Jacobi, the simplest. Say e is what is still missing from a joint's λ. Solving its row
+      by (17) makes the joint right *for what its neighbours now do*, so what is missing from it afterwards is the
+      mean of what is missing from them:)");
   page.formula("eᵢ ← ½ (eᵢ₋₁ + eᵢ₊₁)", R"(e_i \leftarrow \tfrac{1}{2}\,(e_{i-1} + e_{i+1}))");
   page.text(
-      "That is a drunkard's walk: every bit of error goes up or down one joint by the toss of a coin, and is gone "
-      "only when it falls off the free end (at the anchor it turns back). After n steps a walker is about √n from "
-      "where it began. To cross N joints takes about N² sweeps.");
+      R"(That is a drunkard's walk: every bit of error goes up or down one joint by the toss of a coin, and is gone
+      only when it falls off the free end (at the anchor it turns back). After n steps a walker is about √n from
+      where it began. To cross N joints takes about N² sweeps.)");
 
   constexpr int joints = 41;
   constexpr double half = 0.5;
@@ -109,18 +107,16 @@ void twice_as_long(Page& page, const Knobs& knobs) {
   }
   page.figure(
       "drunkard",
-      say("One joint in the middle of @ was wrong; where that error is some sweeps of Jacobi's later (each "
-          "takes @ of its step, else odd and even joints blink by turns). Four times the sweeps, twice the "
-          "width: @, @, @ joints.",
+      say(R"(One joint in the middle of @ was wrong; where that error is some sweeps of Jacobi's later (each takes
+          @ of its step, else odd and even joints blink by turns). Four times the sweeps, twice the width: @, @, @
+          joints.)",
           joints, half, Value(widths[0], 3), Value(widths[1], 3), Value(widths[2], 3)),
       walk);
   page.text(
-      "The last error to go is the smoothest one, a quarter of a wave from anchor to free end: put eᵢ = "
-      "cos((i − 1)θ) into the rule and it comes out multiplied by cos θ; the free end wants cos Nθ = 0, so θ = "
-      "π/2N. "
-      "Gauss–Seidel uses news as it comes in, and does two of Jacobi's sweeps in one: cos²(π/2N). No order of "
-      "rows "
-      "helps, for a wave as long as the chain looks flat from everywhere.");
+      R"(The last error to go is the smoothest one, a quarter of a wave from anchor to free end: put eᵢ = cos((i −
+      1)θ) into the rule and it comes out multiplied by cos θ; the free end wants cos Nθ = 0, so θ = π/2N.
+      Gauss–Seidel uses news as it comes in, and does two of Jacobi's sweeps in one: cos²(π/2N). No order of rows
+      helps, for a wave as long as the chain looks flat from everywhere.)");
   page.figure("digits_over_links", "Sweeps for one more digit against the number of links: a slope of 2.",
               digits_over_links(knobs));
   page.claim({.quantity = say("sweeps for a digit, @ links over @", 2 * knobs.links, knobs.links),

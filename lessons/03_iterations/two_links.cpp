@@ -78,16 +78,16 @@ void two_links(Page& page, const Knobs& knobs) {
   solve(0);
 
   page.text(
-      "In lesson 2 one constraint was solved, once, and was done: after (17) and (20) its JV was zero and stayed "
-      "zero for the step. Hang a second link below the first and that is over, because the two rows *share a "
-      "bob*.\n\n"
-      "Two bobs of @ kg hang on rods of @ m. Gravity is already in V, so in this step of @ s both fall at gh = @ "
-      "m/s. The upper rod is getting longer at exactly that rate. The lower one is not: its two ends fall "
-      "together.",
+      R"(In lesson 2 one constraint was solved, once, and was done: after (17) and (20) its JV was zero and stayed
+      zero for the step. Hang a second link below the first and that is over, because the two rows *share a bob*.
+
+      Two bobs of @ kg hang on rods of @ m. Gravity is already in V, so in this step of @ s both fall at gh = @
+      m/s. The upper rod is getting longer at exactly that rate. The lower one is not: its two ends fall
+      together.)",
       m, L, knobs.h, fall);
   page.text(
-      "Row 1 goes first. By (17) it stops the upper bob, and row 1 is content. But now the lower bob falls away "
-      "from one that stands still. Row 2's turn:");
+      R"(Row 1 goes first. By (17) it stops the upper bob, and row 1 is content. But now the lower bob falls away
+      from one that stands still. Row 2's turn:)");
   page.equation(17, "λ₂ = −(@ + 0) / (@²/@ + @²/@) = @ N·s/m",
                 R"(\lambda_2 = \frac{-(@ + 0)}{@^2/@ + @^2/@} = @\,\mathrm{N\,s/m})", rate, L, m, L, m, lambda);
   page.predict(
@@ -97,35 +97,34 @@ void two_links(Page& page, const Knobs& knobs) {
        .tolerance = 0.05,
        .wrong = {{0, "Row 2 pulled on the bob they share."},
                  {1, "Only half of row 2's impulse was needed: the other half of it lifted the lower bob."}},
-       .hint = "Row 2's impulse acts on both bobs, equal and opposite, and both weigh the same. How fast do "
-               "they move when their speeds have met?",
-       .right = "The two bobs meet in the middle: the lower one slows down by half of gh, the upper one is "
-                "pulled back into falling by the other half."});
+       .hint = R"(Row 2's impulse acts on both bobs, equal and opposite, and both weigh the same. How fast do they
+               move when their speeds have met?)",
+       .right = R"(The two bobs meet in the middle: the lower one slows down by half of gh, the upper one is pulled
+                back into falling by the other half.)"});
   page.figure(
       "two_links",
-      say("Four moments of one solve. Green: how fast each bob falls. Purple: how fast each rod is getting "
-          "longer, its row's error. Yellow: the row just solved. gh = @ m/s.",
+      say(R"(Four moments of one solve. Green: how fast each bob falls. Purple: how fast each rod is getting
+          longer, its row's error. Yellow: the row just solved. gh = @ m/s.)",
           fall),
       [=](renderer::Canvas& canvas) {
         const auto cells = canvas.page().inset(20).cells(1, 4, 10);
         for (std::size_t i = 0; i < cells.size(); ++i) draw_instant(canvas, instants[i], L, cells[i]);
       });
   page.text(
-      "So row 2 undid half of what row 1 had done; and when row 1 mends that, it undoes half of what row 2 did. "
-      "Nothing is wrong with (17): it is exact for *one* row while the others hold still. Written for \"the "
-      "system\", as the article has it, it is one *sub-step* of a method that goes round and round: "
-      "Gauss–Seidel, which the article knows as Sequential Impulses. One round over all rows is a *sweep*, and "
-      "this "
-      "is the loop that makes it:");
-  page.excerpt("solver/methods/gauss_seidel.cpp", "sweep");
+      R"(So row 2 undid half of what row 1 had done; and when row 1 mends that, it undoes half of what row 2 did.
+      Nothing is wrong with (17): it is exact for *one* row while the others hold still. Written for "the system",
+      as the article has it, it is one *sub-step* of a method that goes round and round: Gauss–Seidel, which the
+      article knows as Sequential Impulses. One round over all rows is a *sweep*, and this is the loop that makes
+      it:)");
+  page.excerpt("solver/gauss_seidel.cpp", "sweep");
 
   constexpr int rounds = 10;
   HeldStep many(knobs.chain(2), h);
   for (int i = 0; i < rounds; ++i) many.solve_sweep();
   const double after = many.errors()[0] / fall;
   page.text(
-      "Each round halves what is left. After @ sweeps @ of gh remain, and the two rods carry @ and @ of the "
-      "weight. It converges; the question of this lesson is how fast.",
+      R"(Each round halves what is left. After @ sweeps @ of gh remain, and the two rods carry @ and @ of the
+      weight. It converges; the question of this lesson is how fast.)",
       rounds, after, many.shares()[0], many.shares()[1]);
   page.claim({.quantity = "row 1's error after row 2",
               .unit = "gh",

@@ -9,14 +9,14 @@
 #include "lessons/pictures/growing.hpp"
 #include "lessons/pictures/rods_and_bobs.hpp"
 #include "renderer/canvas.hpp"
-#include "solver/simulation.hpp"
+#include "solver/step.hpp"
 
 namespace byhand::iterations {
 namespace {
 
 using namespace tutor;
 namespace palette = renderer::palette;
-using Chain = Simulation<Scene<PlaneParticle, Distance>>;
+using Chain = Simulation<PlaneParticle>;
 
 /// The hanging chain without a cure for drift, so that only (17) and (20) are at work.
 Chain hanging(const Knobs& knobs, bool warm) {
@@ -28,8 +28,8 @@ Chain hanging(const Knobs& knobs, bool warm) {
 /// How fast each link of a vertical chain is getting longer [m/s].
 std::vector<double> stretching(const Chain& chain) {
   std::vector<double> rates;
-  for (int bob = 1; bob < chain.scene.bodies.size(); ++bob)
-    rates.push_back(chain.scene.bodies.velocity[bob - 1].y() - chain.scene.bodies.velocity[bob].y());
+  for (int bob = 1; bob < chain.scene.bodies().size(); ++bob)
+    rates.push_back(chain.scene.bodies().velocity[bob - 1].y() - chain.scene.bodies().velocity[bob].y());
   return rates;
 }
 
@@ -107,37 +107,32 @@ void warm_start(Page& page, const Knobs& knobs) {
   const std::string range = "q ≥ 0.01";
 
   page.text(
-      "A simulation does not take the sweeps it needs: it takes @ a step and moves on. What k = @ sweeps leave of "
-      "the slow wave is q = ρᵏ = @. Let the chain hang like that for some seconds, without any correction of "
-      "positions, "
-      "once *cold* (each step begins at λ = 0) and once *warm* (each begins with the λ of the last).",
+      R"(A simulation does not take the sweeps it needs: it takes @ a step and moves on. What k = @ sweeps leave of
+      the slow wave is q = ρᵏ = @. Let the chain hang like that for some seconds, without any correction of
+      positions, once *cold* (each step begins at λ = 0) and once *warm* (each begins with the λ of the last).)",
       k, k, q);
 
   const Chain settled = settled_cold(knobs, visible ? q : 0.01);
   const double rate = largest(stretching(settled));
   // λ belongs to the rod's length before the poses moved on.
-  const auto& bodies = settled.scene.bodies;
+  const auto& bodies = settled.scene.bodies();
   const double held = knobs.h * bodies.velocity[1].y() - bodies.pose[1].position.y();
   const double carried = settled.work.system.lambda.front() * -held / knobs.h;
   page.text(
-      "**Cold, it never gets there.** Every step finds the same missing share again, and whatever is left of it "
-      "stays in V and "
-      "is added to the next. It settles where links part at a steady speed: the worst of them at @ m/s. The "
-      "joints "
-      "do carry the weight by then (@ N of @ N at the top), but only because the chain is coming apart: its "
-      "stretching speed "
-      "is what makes the rows pull.",
+      R"(**Cold, it never gets there.** Every step finds the same missing share again, and whatever is left of it
+      stays in V and is added to the next. It settles where links part at a steady speed: the worst of them at @
+      m/s. The joints do carry the weight by then (@ N of @ N at the top), but only because the chain is coming
+      apart: its stretching speed is what makes the rows pull.)",
       rate, carried, knobs.weight());
   page.text(
-      "**Warm, it arrives.** What this step could not finish is where the next one starts. For the slow wave, "
-      "with "
-      "rₙ the error that step n leaves:");
+      R"(**Warm, it arrives.** What this step could not finish is where the next one starts. For the slow wave,
+      with rₙ the error that step n leaves:)");
   page.formula("rₙ₊₁ = q (2rₙ − rₙ₋₁),   so |rₙ| falls by √q = @ a step",
                R"(r_{n+1} = q\,(2r_n - r_{n-1}), \qquad |r_n| \sim \sqrt{q}^{\,n}, \quad \sqrt q = @)",
                std::sqrt(q));
   page.text(
-      "(The step adds to V what it failed to remove, and its λ is off by as much again: hence 2rₙ − rₙ₋₁.) Each "
-      "warm sweep is worth half a cold one, but they add up over steps and cold ones do not.");
+      R"((The step adds to V what it failed to remove, and its λ is off by as much again: hence 2rₙ − rₙ₋₁.) Each
+      warm sweep is worth half a cold one, but they add up over steps and cold ones do not.)");
 
   const Chain cold = hanging(knobs, false), warm = hanging(knobs, true);
   renderer::Chart chart;
@@ -157,11 +152,11 @@ void warm_start(Page& page, const Knobs& knobs) {
 
   Chain last = cold;
   while (last.time < seconds) last.step(knobs.h);
-  const double pitch = knobs.length, depth = 0.6 * pitch - last.scene.bodies.pose.back().position.y();
+  const double pitch = knobs.length, depth = 0.6 * pitch - last.scene.bodies().pose.back().position.y();
   page.sequence(
       "cold_and_warm",
-      say("The same chain with @ sweeps a step, cold and warm, without any correction of positions; both began at "
-          "@ m. Right: the largest error over time, dashed the law √qⁿ.",
+      say(R"(The same chain with @ sweeps a step, cold and warm, without any correction of positions; both began at
+          @ m. Right: the largest error over time, dashed the law √qⁿ.)",
           k, n * knobs.length()),
       Seconds{seconds}, [=, cold = cold, warm = warm](renderer::Canvas& canvas, double time) mutable {
         while (cold.time < time - 0.5 * knobs.h) {
@@ -175,19 +170,16 @@ void warm_start(Page& page, const Knobs& knobs) {
   if (visible) {
     const double arrived = std::pow(q, 0.5 / knobs.h);
     page.text(
-        "After one second of warm steps the slow wave is down to about @ of where it began. One cold step would "
-        "need about @ sweeps for "
-        "that, in every step anew.",
+        R"(After one second of warm steps the slow wave is down to about @ of where it began. One cold step would
+        need about @ sweeps for that, in every step anew.)",
         Value(arrived, 2), Value(std::max(1.0, std::log(arrived) / std::log(chain_factor(n))), 3));
   }
   const auto limit = [](double left) { return (1 - left) / left; };
   page.text(
-      "**And it has a price.** Look at the warm curve: it does not just fall, it *rings*, for the roots of that "
-      "rule are complex. "
-      "λ remembers. As soon as positions are corrected as well, it remembers the "
-      "correction too and pays it twice: then the ringing grows unless β < (1 − q)/q, which is @ here and @ for "
-      "one sweep a "
-      "step. Lesson 4 shows what that looks like.",
+      R"(**And it has a price.** Look at the warm curve: it does not just fall, it *rings*, for the roots of that
+      rule are complex. λ remembers. As soon as positions are corrected as well, it remembers the correction too
+      and pays it twice: then the ringing grows unless β < (1 − q)/q, which is @ here and @ for one sweep a step.
+      Lesson 4 shows what that looks like.)",
       Value(limit(q), 3), Value(limit(chain_factor(n)), 3));
 
   page.measure("largest error of the cold chain", rate / fall, "gh");

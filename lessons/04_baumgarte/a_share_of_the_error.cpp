@@ -38,22 +38,19 @@ void a_share_of_the_error(const Setting& setting, Page& page) {
   const std::string range = "a bob that stays on its side of the anchor";
 
   page.text(
-      "The cure is to ask for another rate than zero. (21) adds a bias b to it, and (22) chooses b so that the "
-      "error is "
-      "on its way out:");
+      R"(The cure is to ask for another rate than zero. (21) adds a bias b to it, and (22) chooses b so that the
+      error is on its way out:)");
   page.equation(21);
   page.equation(22, "JV = −(β/h)·C = −(@/(@ s))·@ m = @ m/s",
                 R"(JV = -\frac{\beta}{h}\,C = -\frac{@}{@\,\mathrm{s}}\cdot @\,\mathrm{m} = @\,\mathrm{m/s})",
                 setting.beta, setting.h, setting.error, -beta * e / h);
   page.text(
-      "You will have noticed a 1/h that is not printed in (22). Without it m/s would stand on one side and m on "
-      "the "
-      "other; step 4 is about that. In the solver the choice is one line, and (17) does the rest:");
-  page.excerpt("solver/methods/drift.hpp", "bias");
+      R"(You will have noticed a 1/h that is not printed in (22). Without it m/s would stand on one side and m on
+      the other; step 4 is about that. In the solver the choice is one line, and (17) does the rest:)");
+  page.excerpt("solver/drift.hpp", "bias");
   page.text(
-      "See it act alone, in weightlessness: a bob at rest on a rod of @ m that is @ m too long. C is |d| − L "
-      "here, in "
-      "metres, and its J is (14) divided by |d|.",
+      R"(See it act alone, in weightlessness: a bob at rest on a rod of @ m that is @ m too long. C is |d| − L
+      here, in metres, and its J is (14) divided by |d|.)",
       length, e);
   page.predict(
       {.ask = say("The rod is @ cm too long and β = @. By how much after five steps?", 100 * e, setting.beta),
@@ -70,19 +67,15 @@ void a_share_of_the_error(const Setting& setting, Page& page) {
           setting.beta),
       [run](Canvas& canvas) { draw_steps(canvas, run); });
   page.text(
-      "A step with JV = −βC/h lasts h and moves the bob by h·JV = −βC along the rod. So what is left is, step by "
-      "step, "
-      "exactly");
+      R"(A step with JV = −βC/h lasts h and moves the bob by h·JV = −βC along the rod. So what is left is, step by
+      step, exactly)");
   page.formula("C after a step = (1 − β) C before it = @ · C", R"(C_{k+1} = (1-\beta)\,C_k = @\; C_k)", 1 - beta);
   const double push = 0.5 * setting.mass() * std::pow(beta * e / h, 2);
   page.text(
-      "The article calls this \"a small addition of energy\", and here you can see it: nothing moved, and after "
-      "one "
-      "step the bob flies at @ m/s and carries @ J. The next step finds less to correct and asks for less speed, "
-      "and "
-      "so it goes on: what was lent is taken back. Whether that adds up to a gain in a scene that moves is for "
-      "step 6 "
-      "to measure.",
+      R"(The article calls this "a small addition of energy", and here you can see it: nothing moved, and after one
+      step the bob flies at @ m/s and carries @ J. The next step finds less to correct and asks for less speed, and
+      so it goes on: what was lent is taken back. Whether that adds up to a gain in a scene that moves is for step
+      6 to measure.)",
       beta * e / h, push);
   page.measure("error after five steps", 100 * run.back(), "cm");
 

@@ -111,11 +111,11 @@ void both_sides_of_two(const Setting& setting, Page& page) {
                 .right = "It has overshot by half."});
   page.choose({.ask = say("And if it goes on like that, with β = @, does it settle?", bold),
                .options = {{"yes",
-                            "It overshoots by half each time, and half of half still goes to zero. Beyond 2 it "
-                            "does not."},
+                            R"(It overshoots by half each time, and half of half still goes to zero. Beyond 2 it
+                            does not.)"},
                            {"no",
-                            "It overshoots by half each time; half of half still goes to zero. Beyond 2 it does "
-                            "not."}},
+                            R"(It overshoots by half each time; half of half still goes to zero. Beyond 2 it does
+                            not.)"}},
                .answer = settles ? 0 : 1,
                .hint = "What is left after two steps? After three?"});
 
@@ -126,8 +126,8 @@ void both_sides_of_two(const Setting& setting, Page& page) {
   if (!known) panels.push_back(panel(setting, setting.beta()));
   page.sequence(
       "stems",
-      say("The same rod with @ values of β, every step shown. Up to 1 the error shrinks from one side, between "
-          "1 and 2 it changes sides and shrinks, beyond 2 it changes sides and grows (its axis is wider).",
+      say(R"(The same rod with @ values of β, every step shown. Up to 1 the error shrinks from one side, between 1
+          and 2 it changes sides and shrinks, beyond 2 it changes sides and grows (its axis is wider).)",
           panels.size()),
       Frames{steps + 1}, [panels](Canvas& canvas, double time) {
         draw_panels(canvas, panels, static_cast<std::size_t>(std::lround(time)));
@@ -135,9 +135,8 @@ void both_sides_of_two(const Setting& setting, Page& page) {
   page.figure("stems_of_ten_steps", "The stems after ten steps.",
               [panels](Canvas& canvas) { draw_panels(canvas, panels, steps); });
   page.text(
-      "One number says it all: each step multiplies the error by 1 − β, so |1 − β| decides. Below 1 it shrinks; "
-      "at β = 1 "
-      "one step does everything; at β = 2 the bob jumps from one side to the other for ever.");
+      R"(One number says it all: each step multiplies the error by 1 − β, so |1 − β| decides. Below 1 it shrinks;
+      at β = 1 one step does everything; at β = 2 the bob jumps from one side to the other for ever.)");
   page.figure("factor", "The measured factor of one step on both sides of 1 and of 2. Dashed: |1 − β|.",
               factors(setting));
   page.measure("what a step leaves", factor(setting, setting.beta()), "1");

@@ -89,11 +89,9 @@ void drift(const Setting& setting, Page& page) {
   const double C = run.back().position.norm() - length, kept = run.back().kinetic / run.front().kinetic;
 
   page.text(
-      "Lesson 2 left you with a rod that grew. Each step sends the bob along its tangent, because JV = 0 asks for "
-      "no "
-      "more, and the tangent leaves the circle. To see that and nothing else, take gravity away: a bob goes round "
-      "at "
-      "@ m/s on a rod of @ m, h is @ s and nothing cures the drift (b = 0).",
+      R"(Lesson 2 left you with a rod that grew. Each step sends the bob along its tangent, because JV = 0 asks for
+      no more, and the tangent leaves the circle. To see that and nothing else, take gravity away: a bob goes round
+      at @ m/s on a rod of @ m, h is @ s and nothing cures the drift (b = 0).)",
       speed, length, setting.h);
   Curve measured{.label = "C",
                  .x = each(run, [](const Sample& s) { return s.time; }),
@@ -108,8 +106,8 @@ void drift(const Setting& setting, Page& page) {
       .x = {.label = "time (s)"}, .y = {.label = "C = |d| − L (cm)"}, .curves = {measured, expected}};
   page.sequence(
       "growing_circle",
-      say("A bob on a rod without weight, b = 0. The circle opens into a spiral: after @ s the rod is @ cm too "
-          "long. Dashed beside it: the law below.",
+      say(R"(A bob on a rod without weight, b = 0. The circle opens into a spiral: after @ s the rod is @ cm too
+          long. Dashed beside it: the law below.)",
           seconds, Value(100 * C, 3)),
       Seconds{seconds},
       [film = Film{run, length, beside}](Canvas& canvas, double time) { film.draw(canvas, time); });
@@ -117,21 +115,20 @@ void drift(const Setting& setting, Page& page) {
       {.ask = say("The bob is @ % farther out than it should be. What has become of its energy?",
                   Value(100 * C / length, 3)),
        .options = {{"risen",
-                    "It has gone outward, but nothing pushed it there. Every step the next impulse "
-                    "throws the outward part of V away, and ½m·vᵣ² with it."},
+                    R"(It has gone outward, but nothing pushed it there. Every step the next impulse throws the
+                    outward part of V away, and ½m·vᵣ² with it.)"},
                    {"the same",
-                    "The pull is along the rod and the bob moves across it, so no work is done: "
-                    "true in the limit. A step of finite size leaves the tangent pointing a little "
-                    "outward, and the next impulse throws that part of V away."},
-                   {"fallen", say("Yes: @ % of it is left. Each impulse throws the outward part of V away, and "
-                                  "½m·vᵣ² with it.",
+                    R"(The pull is along the rod and the bob moves across it, so no work is done: true in the
+                    limit. A step of finite size leaves the tangent pointing a little outward, and the next impulse
+                    throws that part of V away.)"},
+                   {"fallen", say(R"(Yes: @ % of it is left. Each impulse throws the outward part of V away, and
+                                  ½m·vᵣ² with it.)",
                                   Value(100 * kept, 3))}},
        .answer = kept < 1 ? 2 : 0,
        .hint = "An impulse that makes JV = 0 takes a part of V away. Does it ever give one?"});
   page.text(
-      "The law takes two lines. The way h·v is at right angles to d, so Pythagoras says by how much d² grows; and "
-      "the "
-      "rod's pull goes through the anchor, so |v||d|, the angular momentum, stays:");
+      R"(The law takes two lines. The way h·v is at right angles to d, so Pythagoras says by how much d² grows; and
+      the rod's pull goes through the anchor, so |v||d|, the angular momentum, stays:)");
   page.formula("|d|²  grows by  h²|v|²  a step,   |v||d| stays   ⟹   |d| ≈ L (1 + 2hv₀²t/L²)^¼",
                R"(|d|^2 \mathrel{+}= h^2|v|^2, \quad |v||d| = \text{const} \quad\Rightarrow\quad )"
                R"(|d| \approx L\,\bigl(1 + 2hv_0^2t/L^2\bigr)^{1/4})");
@@ -139,15 +136,13 @@ void drift(const Setting& setting, Page& page) {
                R"(\dot C \approx \frac{hv^2}{2L} = @\ \mathrm{cm/s} \text{ at first})",
                100 * h * speed * speed / (2 * length));
   page.text(
-      "So the error grows in proportion to time at first, to h and to the centripetal acceleration v²/L, and "
-      "later with "
-      "the fourth root of time, for the bob gets slower as it gets out. Half the step means half the drift: "
-      "smaller "
-      "steps help, and never cure.");
+      R"(So the error grows in proportion to time at first, to h and to the centripetal acceleration v²/L, and
+      later with the fourth root of time, for the bob gets slower as it gets out. Half the step means half the
+      drift: smaller steps help, and never cure.)");
   page.figure(
       "law_of_drift",
-      "Error over time for three steps. The points are runs, the dashed lines the law: slope 1 at first (each "
-      "quarter of h lowers it by four), bending towards the fourth root.",
+      R"(Error over time for three steps. The points are runs, the dashed lines the law: slope 1 at first (each
+      quarter of h lowers it by four), bending towards the fourth root.)",
       law_of_drift(setting));
   page.measure("C after four seconds", 100 * C, "cm");
 

@@ -51,9 +51,8 @@ void frame_rate(const Setting& setting, Page& page) {
         "With β = @ the error is gone within a step or two, or changes sides: there is no half-time to speak of.",
         setting.beta);
   page.text(
-      "Divided by h, β is a share *per step*. It has no unit, as the article says, and it still depends on how "
-      "many "
-      "steps a second has. With β = @ and h = @ s half of the error is gone after @ ms.",
+      R"(Divided by h, β is a share *per step*. It has no unit, as the article says, and it still depends on how
+      many steps a second has. With β = @ and h = @ s half of the error is gone after @ ms.)",
       beta, setting.h, Value(1000 * half, 3));
   page.predict(
       {.ask = say("β = @ stays, h is halved. What becomes of the half-time of @ ms?", beta, Value(1000 * half, 3)),
@@ -69,16 +68,14 @@ void frame_rate(const Setting& setting, Page& page) {
       R"(t_{1/2} = h\,\frac{\ln 2}{-\ln(1-\beta)} \approx 0.69\,\frac{h}{\beta}, \qquad \frac{h}{\beta} = @\ \mathrm{ms})",
       1000 * h / beta);
   page.text(
-      "What has a time in it is h/β. A game that was tuned at one frame rate and runs at another has stiffer or "
-      "softer "
-      "joints, without anyone having touched β. Keep h/β instead: with h halved *and* β halved the half-time goes "
-      "from "
-      "@ ms to @ ms.",
+      R"(What has a time in it is h/β. A game that was tuned at one frame rate and runs at another has stiffer or
+      softer joints, without anyone having touched β. Keep h/β instead: with h halved *and* β halved the half-time
+      goes from @ ms to @ ms.)",
       Value(1000 * half, 3), Value(1000 * kept, 3));
   page.figure(
       "half_time_over_h",
-      "Half-time over the time step. With β kept it shrinks with h (slope 1); with h/β kept it stays nearly "
-      "where it was.",
+      R"(Half-time over the time step. With β kept it shrinks with h (slope 1); with h/β kept it stays nearly where
+      it was.)",
       half_times(setting, beta));
   page.measure("half-time", 1000 * half, "ms");
 

@@ -39,9 +39,8 @@ void read_literally(const Setting& setting, Page& page) {
                 R"(JV = -@\,\mathrm{s}^{-1}\cdot @\,\mathrm{m} = @\,\mathrm{m/s})", setting.beta, setting.error,
                 -beta * e);
   page.text(
-      "For the units to agree β must be a *rate* in 1/s, so it is not \"unit-less\" here, and C decays like "
-      "e^(−βt) "
-      "whatever the step. With a number \"between 0.1 and 0.3\" that is a slow rate.");
+      R"(For the units to agree β must be a *rate* in 1/s, so it is not "unit-less" here, and C decays like e^(−βt)
+      whatever the step. With a number "between 0.1 and 0.3" that is a slow rate.)");
   Prediction question{
       .ask =
           say("Read literally, with β = @ s⁻¹: after how many seconds is half of the error gone?", setting.beta),
@@ -65,8 +64,8 @@ void read_literally(const Setting& setting, Page& page) {
   }
   page.figure(
       "literal_and_per_step",
-      say("The same number β = @, read in two ways, over @ s. Read literally @ % of the error is still there at "
-          "the end.",
+      say(R"(The same number β = @, read in two ways, over @ s. Read literally @ % of the error is still there at
+          the end.)",
           setting.beta, seconds, Value(100 * left, 3)),
       Chart{.x = {.label = "time (s)", .range = {{0, seconds}}},
             .y = {.label = "|C| (cm)", .scale = Scale::logarithmic, .range = {{1e-2 * e, 200 * e}}},
@@ -74,9 +73,9 @@ void read_literally(const Setting& setting, Page& page) {
                              static_cast<std::size_t>(std::max(1, steps / 40))),
                        per_step, law}});
   page.text(
-      "Both readings are in use, and both are right if you know which you have. Per step, the limit is β = 2; as "
-      "printed "
-      "it is 2/h = @ s⁻¹. The solver of this course divides by h and calls the other one `BetaReading::literal`.",
+      R"(Both readings are in use, and both are right if you know which you have. Per step, the limit is β = 2; as
+      printed it is 2/h = @ s⁻¹. The solver of this course divides by h and calls the other one
+      `BetaReading::literal`.)",
       2 / h);
   page.measure("half-time as printed", half, "s");
 

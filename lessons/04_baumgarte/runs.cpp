@@ -14,10 +14,10 @@ VelocityStepping one_row(const DriftCure& cure) { return {GaussSeidel{.sweeps = 
 
 template <template <class> class Rod>
 std::vector<double> weightless(const Setting& setting, const Baumgarte& cure, double h, int steps) {
-  Simulation<Scene<PlaneParticle, Rod>> simulation{
+  Simulation<PlaneParticle> simulation{
       pendulum<PlaneParticle, Rod>(0, setting.length(), setting.mass()), one_row(cure)};
   simulation.scene.gravity.setZero();
-  Vector& bob = simulation.scene.bodies.pose[1].position;
+  Vector& bob = simulation.scene.bodies().pose[1].position;
   bob *= 1 + setting.error() / setting.length();
   std::vector<double> errors{setting.error()};
   for (int i = 0; i < steps; ++i) {
@@ -27,10 +27,10 @@ std::vector<double> weightless(const Setting& setting, const Baumgarte& cure, do
   return errors;
 }
 
-Track follow(Scene<PlaneParticle, NormalisedDistance> scene, const DriftCure& cure, double h, int steps) {
-  Simulation<Scene<PlaneParticle, NormalisedDistance>> simulation{std::move(scene), one_row(cure)};
+Track follow(Scene<PlaneParticle> scene, const DriftCure& cure, double h, int steps) {
+  Simulation<PlaneParticle> simulation{std::move(scene), one_row(cure)};
   Track track;
-  const auto& bodies = simulation.scene.bodies;
+  const auto& bodies = simulation.scene.bodies();
   for (int i = 0; i <= steps; ++i) {
     if (i > 0) simulation.step(h);
     track.push_back({i * h, bodies.pose[1].position, bodies.velocity[1], kinetic_energy(bodies),

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "lessons/04_baumgarte/setting.hpp"
-#include "solver/methods/drift.hpp"
+#include "solver/drift.hpp"
 #include "solver/model.hpp"
 
 namespace byhand::baumgarte {

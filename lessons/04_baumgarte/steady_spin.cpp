@@ -39,16 +39,15 @@ void steady_spin(const Setting& setting, Page& page) {
   const bool claimed = settles && turn <= 0.1;
 
   page.text(
-      "β removes a share of what is wrong. Where every step puts a new error in, a share of it stays. Let the bob "
-      "of "
-      "step 1 go round again at @ m/s, now with β = @, until nothing changes any more.",
+      R"(β removes a share of what is wrong. Where every step puts a new error in, a share of it stays. Let the bob
+      of step 1 go round again at @ m/s, now with β = @, until nothing changes any more.)",
       setting.speed(), setting.beta);
   const double answer = 1000 * spin.stretch * length, one_step = 500 * turn * turn * length;
   if (claimed)
     page.predict(
         {.ask =
-             say("In each step its tangent leaves the circle by ½(ωh)²L = @ mm. By how much is the rod too long "
-                 "once it has settled?",
+             say(R"(In each step its tangent leaves the circle by ½(ωh)²L = @ mm. By how much is the rod too long
+                 once it has settled?)",
                  one_step),
          .answer = answer,
          .unit = "mm",
@@ -79,14 +78,12 @@ void steady_spin(const Setting& setting, Page& page) {
   }
   chart.references.push_back({Reference::Across::x, 0.1, "claimed up to here"});
   page.figure("steady_stretch",
-              "How much too long a spinning rod stays, over the angle that it turns in one step. Dashed: the law, "
-              "which is "
-              "the first term of an expansion; to the right of the thin line the next ones show.",
+              R"(How much too long a spinning rod stays, over the angle that it turns in one step. Dashed: the law,
+              which is the first term of an expansion; to the right of the thin line the next ones show.)",
               chart);
   page.text(
-      "Half the step, a quarter of the stretch; β can buy no more than a factor. If you keep h/β, as the time "
-      "asks, the "
-      "stretch goes with h.");
+      R"(Half the step, a quarter of the stretch; β can buy no more than a factor. If you keep h/β, as the time
+      asks, the stretch goes with h.)");
   page.measure("settled stretch", 1000 * spin.stretch, "mm per m");
 
   // Next in the expansion are ½β(C/L)² and ⅓(ωh)⁴ beside (ωh)².

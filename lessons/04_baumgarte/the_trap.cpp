@@ -129,28 +129,28 @@ void the_trap(const Setting& setting, Page& page) {
   const bool dies_out = growth < 1;
 
   page.text(
-      "One row, solved exactly, takes any β below 2. Now the chain of lesson 3: @ links, warm start, and @ "
-      "Gauss–Seidel sweeps a step, as an engine would do it. β = @.",
+      R"(One row, solved exactly, takes any β below 2. Now the chain of lesson 3: @ links, warm start, and @
+      Gauss–Seidel sweeps a step, as an engine would do it. β = @.)",
       links, sweeps, setting.beta);
   page.choose(
-      {.ask = say("\"Usually between 0.1 and 0.3\": β = @, @ links, @ warm sweeps a step. Does an error die out?",
+      {.ask = say(R"("Usually between 0.1 and 0.3": β = @, @ links, @ warm sweeps a step. Does an error die out?)",
                   setting.beta, links, sweeps),
        .options = {{"yes", dies_out
                                ? say("Yes, it is multiplied by @ a step: β is below (1 − q)/q = @.", growth, limit)
-                               : say("It is multiplied by @ a step. λ remembers the correction of last step and "
-                                     "pays it twice; see (1 − q)/q.",
+                               : say(R"(It is multiplied by @ a step. λ remembers the correction of last step and
+                                     pays it twice; see (1 − q)/q.)",
                                      growth)},
                    {"no",
                     dies_out ? say("It is multiplied by @ a step, and that is less than 1.", growth)
-                             : say("No, it is multiplied by @ a step: λ remembers last step's correction and pays "
-                                   "it again, more than was due.",
+                             : say(R"(No, it is multiplied by @ a step: λ remembers last step's correction and pays
+                                   it again, more than was due.)",
                                    growth)}},
        .answer = dies_out ? 0 : 1,
        .hint = "λ starts from last step's, and that held a correction too."});
   page.sequence(
       "warm_and_cold",
-      say("The same chain of @ m with β = @ and @ sweeps a step, warm and cold. The warm one @; the cold one @. "
-          "What leaves the picture goes on in the chart.",
+      say(R"(The same chain of @ m with β = @ and @ sweeps a step, warm and cold. The warm one @; the cold one @.
+          What leaves the picture goes on in the chart.)",
           links * setting.length(), setting.beta, sweeps,
           dies_out ? "calms down" : "rings louder with every swing",
           cold < 1 ? "sags, and stays" : "does no better"),
@@ -158,31 +158,26 @@ void the_trap(const Setting& setting, Page& page) {
         film.draw(canvas, time, h);
       });
   page.text(
-      "Follow the slowest wave along the chain, of which k sweeps leave q = cos²ᵏ(π/2N) = @. A warm step begins "
-      "with all "
-      "of last step's λ, the correction that it held included; sweeps take the surplus out again, but only 1 − q "
-      "of it. "
-      "From e′ = e + hV and V′ = V + the new impulse, a step multiplies the wave by a root z of",
+      R"(Follow the slowest wave along the chain, of which k sweeps leave q = cos²ᵏ(π/2N) = @. A warm step begins
+      with all of last step's λ, the correction that it held included; sweeps take the surplus out again, but only
+      1 − q of it. From e′ = e + hV and V′ = V + the new impulse, a step multiplies the wave by a root z of)",
       q);
   page.formula(
       "z³ − [1 + 2q − (1 − q)β] z² + 3q z − q = 0,   |z| < 1 only for β < (1 − q)/q = @",
       R"(z^3 - [1 + 2q - (1-q)\beta]\,z^2 + 3q\,z - q = 0, \qquad |z| < 1 \iff \beta < \frac{1-q}{q} = @)", limit);
   page.text(
-      "The limit is (1 − q)/q, and 2 only where that is more. Few sweeps, or many links, and it is tiny. Nobody "
-      "tells "
-      "you by an error message: the chain just sings.");
+      R"(The limit is (1 − q)/q, and 2 only where that is more. Few sweeps, or many links, and it is tiny. Nobody
+      tells you by an error message: the chain just sings.)");
   page.figure(
       "beta_and_sweeps",
-      say("By how many decades errors along @ links grow (red) or die out (blue) in a hundred steps. Dashed: the "
-          "law.",
+      say(R"(By how many decades errors along @ links grow (red) or die out (blue) in a hundred steps. Dashed: the
+          law.)",
           links),
       map(setting, links));
   page.text(
-      "What helps: more sweeps (here the limit reaches @ with ten times as many), smaller β, a cold start, which "
-      "is "
-      "stable up to 2 and sags, or solving the chain directly, where q = 0 and 2 is the limit again. Later "
-      "lessons keep "
-      "the correction out of what λ remembers.",
+      R"(What helps: more sweeps (here the limit reaches @ with ten times as many), smaller β, a cold start, which
+      is stable up to 2 and sags, or solving the chain directly, where q = 0 and 2 is the limit again. Later
+      lessons keep the correction out of what λ remembers.)",
       Value(std::min(2.0, limit_of_beta(links, 10 * sweeps)), 3));
   page.measure("growth of an error in a step", growth, "1");
 

@@ -11,7 +11,7 @@
 namespace byhand::baumgarte {
 namespace {
 
-using Chain = Simulation<Scene<PlaneParticle, NormalisedDistance>>;
+using Chain = Simulation<PlaneParticle>;
 
 Chain chain(const Sweeping& sweeping, double length, double mass) {
   return {rod_chain<PlaneParticle, NormalisedDistance>(
@@ -22,7 +22,7 @@ Chain chain(const Sweeping& sweeping, double length, double mass) {
 /// Size of all that is wrong, and of what is remembered, in metres: errors, ways of a step, and what λ would move.
 double size(const Chain& straight, double h) {
   double sum = 0;
-  const auto& bodies = straight.scene.bodies;
+  const auto& bodies = straight.scene.bodies();
   for (int i = 1; i < bodies.size(); ++i)
     sum += std::pow(bodies.pose[i].position.y() + i, 2) + bodies.velocity[i].squaredNorm() * h * h;
   for (const double lambda : straight.work.system.lambda) sum += lambda * lambda * h * h;
@@ -30,7 +30,7 @@ double size(const Chain& straight, double h) {
 }
 
 void scale(Chain& straight, double by) {
-  auto& bodies = straight.scene.bodies;
+  auto& bodies = straight.scene.bodies();
   for (int i = 1; i < bodies.size(); ++i) {
     double& y = bodies.pose[i].position.y();
     y = -i + by * (y + i);
@@ -47,7 +47,7 @@ double measured_growth(const Sweeping& sweeping, double h, int steps) {
   straight.scene.gravity.setZero();
   std::mt19937 random(20261121);
   for (int i = 1; i <= sweeping.links; ++i)
-    straight.scene.bodies.pose[i].position.y() += usual * (static_cast<double>(random()) / 4294967296.0 - 0.5);
+    straight.scene.state().pose[i].position.y() += usual * (static_cast<double>(random()) / 4294967296.0 - 0.5);
   double log_size = 0, means[2] = {};
   for (int i = 0; i < 3 * steps; ++i) {
     const double before = size(straight, h);

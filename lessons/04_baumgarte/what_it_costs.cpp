@@ -93,13 +93,13 @@ void what_it_costs(const Setting& setting, Page& page) {
   const double period = exact.period();
 
   page.text(
-      "Now with weight: let the pendulum go from @° and watch three of them, without a cure, with β = @ and with "
-      "β = @.",
+      R"(Now with weight: let the pendulum go from @° and watch three of them, without a cure, with β = @ and with
+      β = @.)",
       setting.release(), Value(film_betas(setting)[1]), Value(film_betas(setting)[2]));
   page.sequence(
       "three_pendulums",
-      "Blue: the article's step; dashed behind it: the exact pendulum. Beneath: how far each rod is from its "
-      "length.",
+      R"(Blue: the article's step; dashed behind it: the exact pendulum. Beneath: how far each rod is from its
+      length.)",
       Seconds{film_seconds},
       [film = PendulumFilm(setting)](Canvas& canvas, double time) { film.draw(canvas, time); });
 
@@ -130,38 +130,35 @@ void what_it_costs(const Setting& setting, Page& page) {
   }
 
   page.choose(
-      {.ask = say("The article calls Baumgarte an addition of energy, and in weightlessness it lent some. From "
-                  "the first swing to the third, for β from @ to @: does the pendulum gain energy or lose it?",
+      {.ask = say(R"(The article calls Baumgarte an addition of energy, and in weightlessness it lent some. From
+                  the first swing to the third, for β from @ to @: does the pendulum gain energy or lose it?)",
                   betas.front(), betas.back()),
        .options = {{"it gains",
-                    "The correction pulls the bob in, but only as far as the step before let it out; "
-                    "what that step's outward velocity carried has been thrown away."},
+                    R"(The correction pulls the bob in, but only as far as the step before let it out; what that
+                    step's outward velocity carried has been thrown away.)"},
                    {"it loses, whatever β",
-                    "What β lends it takes back; what the tangent carries outward is "
-                    "thrown away. The stretch also lags behind the tension, and so the "
-                    "tension does work on it in every swing."},
+                    R"(What β lends it takes back; what the tangent carries outward is thrown away. The stretch
+                    also lags behind the tension, and so the tension does work on it in every swing.)"},
                    {"it depends on β", "How much depends on β, and strongly. The sign does not."}},
        .answer = most <= 0 ? 1 : 2,
        .hint = "Without any cure it lost. Does β give more than it takes back?"});
   page.figure(
       "cost_of_beta",
-      say("What β does to a pendulum from @°, with h = @ s: the largest drift, the energy lost from the first "
-          "swing to the third and the error of the period. Dashed: the laws for small steps.",
+      say(R"(What β does to a pendulum from @°, with h = @ s: the largest drift, the energy lost from the first
+          swing to the third and the error of the period. Dashed: the laws for small steps.)",
           setting.release(), setting.h),
       Chart{.x = {.label = "β (1)", .scale = Scale::logarithmic},
             .y = {.label = "error (1)", .scale = Scale::logarithmic},
             .curves = {drift, energy, time, drift_law, energy_law}});
   page.text(
-      "The drift is least at β = @, the loss of energy at β = @, the error of the period at β = @ (a dip of that "
-      "curve "
-      "is where it changes its sign, and no virtue). On *one* row, solved exactly, much β costs little, and 0.1 "
-      "to 0.3 "
-      "looks timid. What it costs is elsewhere:\n\n"
-      "- An error that is suddenly there leaves at β·C/h: @ cm at β = 1 at @ m/s, which everyone sees. At β = @ "
-      "it is @ "
-      "m/s.\n"
-      "- Beyond 1 the correction of a sudden error overshoots, and the next one has to turn it round.\n"
-      "- When rows are *not* solved exactly, the limit is far below 2: that is the trap of the last step.",
+      R"(The drift is least at β = @, the loss of energy at β = @, the error of the period at β = @ (a dip of that
+      curve is where it changes its sign, and no virtue). On *one* row, solved exactly, much β costs little, and
+      0.1 to 0.3 looks timid. What it costs is elsewhere:
+
+      - An error that is suddenly there leaves at β·C/h: @ cm at β = 1 at @ m/s, which everyone sees. At β = @ it
+        is @ m/s.
+      - Beyond 1 the correction of a sudden error overshoots, and the next one has to turn it round.
+      - When rows are *not* solved exactly, the limit is far below 2: that is the trap of the last step.)",
       best_drift, best_energy, best_period, 100 * setting.error(), setting.error() / h, setting.beta,
       beta * setting.error() / h);
 

@@ -17,7 +17,7 @@ using namespace renderer;
 constexpr double seconds = 3, radius = 0.15;  // [s], of the ball [m]
 constexpr int bounces = 3, fine = 16;
 
-using Solved = Simulation<Scene<PlaneBody, Contact>>;
+using Solved = Simulation<PlaneBody>;
 
 Solved solved(const Setting& setting, double e) {
   Solved simulation{bouncing_ball<PlaneBody>(setting.drop, e, radius), {}};
@@ -26,7 +26,7 @@ Solved solved(const Setting& setting, double e) {
   return simulation;
 }
 
-double height(const Solved& ball) { return ball.scene.bodies.pose[1].position.y() - radius; }
+double height(const Solved& ball) { return ball.scene.bodies().pose[1].position.y() - radius; }
 
 /// A particle that bounces when it finds itself under the ground: JV⁺ = -e JV⁻, with the V that a step has made.
 struct OnOverlap {
@@ -158,9 +158,8 @@ void bounce(const Setting& setting, Page& page) {
   const double e = setting.restitution, h = setting.h(), drop = setting.drop();
 
   page.text(
-      "Until now a contact stopped what came. Let it give some of the speed back: a share e, the restitution, of "
-      "the "
-      "rate at which the two approached.");
+      R"(Until now a contact stopped what came. Let it give some of the speed back: a share e, the restitution, of
+      the rate at which the two approached.)");
   page.formula("JV⁺ = −e JV⁻,   that is (21) with b = e JV⁻", R"(JV^+ = -e\,JV^-, \qquad b = e\,JV^-)");
   page.predict({.ask = say("e = @, dropped from @ m. How high is the @rd peak?", setting.restitution, setting.drop,
                            bounces),
@@ -172,41 +171,33 @@ void bounce(const Setting& setting, Page& page) {
                 .hint = "How does the height of a throw go with its speed?",
                 .right = "Each bounce leaves e² of the height."});
   page.text(
-      "One line, it seems: where the ball is under the ground, turn its speed round. Here it is, with all that "
-      "belongs "
-      "to a step:");
+      R"(One line, it seems: where the ball is under the ground, turn its speed round. Here it is, with all that
+      belongs to a step:)");
   page.excerpt("lessons/05_contact/bounce.cpp", "on_overlap");
   const std::vector<double> overlap = peaks(on_overlap(setting, 1), h, bounces),
                             own = peaks(solved(setting, 1), h, bounces);
   page.sequence(
       "three_balls",
-      say("e = 1, dropped from @ m. Blue: turned round when it is found under the ground. The others: the solver, "
-          "with steps of h and of h/@.",
+      say(R"(e = 1, dropped from @ m. Blue: turned round when it is found under the ground. The others: the solver,
+          with steps of h and of h/@.)",
           setting.drop, fine),
       Seconds{seconds}, [film = film(setting)](Canvas& canvas, double time) mutable { film.draw(canvas, time); });
   page.text(
-      "With e = 1 it ought to come back to @ m. Bouncing on overlap its peaks are @ m: it *gains*. Look where: V "
-      "already "
-      "holds this step's gravity when it is turned round, and so gh that pulled down now pulls up. The way up "
-      "begins "
-      "with gh more than the way down ended with and takes one step more; the peak is higher by h·v, the depth of "
-      "one "
-      "step's fall. Each time.",
+      R"(With e = 1 it ought to come back to @ m. Bouncing on overlap its peaks are @ m: it *gains*. Look where: V
+      already holds this step's gravity when it is turned round, and so gh that pulled down now pulls up. The way
+      up begins with gh more than the way down ended with and takes one step more; the peak is higher by h·v, the
+      depth of one step's fall. Each time.)",
       setting.drop, overlap);
   page.text(
-      "The solver does it in two solves. First the row closes the gap, as ever (b = C/h), and positions move: the "
-      "ball "
-      "arrives *on* the ground. Then the rows are solved again with b = e JV⁻, where JV⁻ was noted before gravity "
-      "and "
-      "before any impulse. That second solve goes on from the λ that the first has accumulated, so that the sum "
-      "is what "
-      "is clamped, and a slow approach is let be, or what rests would rattle:");
-  page.excerpt("solver/methods/restitution.cpp", "bounce");
+      R"(The solver does it in two solves. First the row closes the gap, as ever (b = C/h), and positions move: the
+      ball arrives *on* the ground. Then the rows are solved again with b = e JV⁻, where JV⁻ was noted before
+      gravity and before any impulse. That second solve goes on from the λ that the first has accumulated, so that
+      the sum is what is clamped, and a slow approach is let be, or what rests would rattle:)");
+  page.excerpt("solver/contact/restitution.cpp", "bounce");
   page.text(
-      "Its peaks are @ m. It loses instead, by up to 2hv a bounce: a speed that is noted before the step lacks "
-      "the last "
-      "bit of the fall. A loss is what one can live with, and it goes with h. The lower the bounce, the more it "
-      "shows:",
+      R"(Its peaks are @ m. It loses instead, by up to 2hv a bounce: a speed that is noted before the step lacks
+      the last bit of the fall. A loss is what one can live with, and it goes with h. The lower the bounce, the
+      more it shows:)",
       own);
   page.figure("peaks",
               say("Peaks after each bounce, e = @, dropped from @ m. Dashed: e²ⁿ of that.", setting.restitution,

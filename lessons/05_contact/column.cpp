@@ -8,7 +8,7 @@ std::vector<Pressed> pressed(const Pile& pile, double h) {
   std::vector<Pressed> all;
   const System<PlaneBody>& system = pile.work.system;
   int number = 0;
-  pile.scene.for_each([&](const FaceContact<PlaneBody>& face) {
+  pile.scene.for_each([&](const ContactManifold<PlaneBody>& face) {
     const int row = system.row_of[number++];
     all.push_back({face.at.body1, face.at.body2, (system.lambda[row] + system.lambda[row + 1]) / h});
   });
@@ -16,7 +16,7 @@ std::vector<Pressed> pressed(const Pile& pile, double h) {
 }
 
 std::vector<double> layer_forces(const Pile& stack, double h) {
-  std::vector<double> forces(static_cast<std::size_t>(stack.scene.bodies.size() - 1), 0.0);
+  std::vector<double> forces(static_cast<std::size_t>(stack.scene.bodies().size() - 1), 0.0);
   for (const Pressed& contact : pressed(stack, h)) forces[contact.body2 - 1] += contact.force;
   return forces;
 }
@@ -28,7 +28,7 @@ Pile column(int boxes, const RowSolver& solver, double kick_speed, double top_ma
 }
 
 bool has_fallen(const Pile& stack) {
-  const auto& pose = stack.scene.bodies.pose;
+  const auto& pose = stack.scene.bodies().pose;
   return !(pose.back().position.y() > static_cast<double>(pose.size()) - 2);
 }
 
@@ -40,6 +40,6 @@ double falls_at(Pile stack, double time, double h) {
   return std::numeric_limits<double>::infinity();
 }
 
-double shift(const Pile& stack) { return std::abs(stack.scene.bodies.pose.back().position.x()); }
+double shift(const Pile& stack) { return std::abs(stack.scene.bodies().pose.back().position.x()); }
 
 }  // namespace byhand::contact

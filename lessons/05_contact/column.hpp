@@ -7,7 +7,7 @@
 
 namespace byhand::contact {
 
-using Pile = Simulation<Boxes>;
+using Pile = Simulation<PlaneBody>;
 
 /// What a contact of a pile presses with [N], the contact's lower body and its upper one, as the last step left
 /// it.

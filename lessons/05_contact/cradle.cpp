@@ -14,18 +14,18 @@ namespace {
 using namespace tutor;
 using namespace renderer;
 
-using Row = Simulation<Scene<PlaneBody, Contact>>;
+using Row = Simulation<PlaneBody>;
 
 Row row_of_balls(const Setting& setting, const RowSolver& solver, double gap = 0) {
   Row row{newtons_cradle<PlaneBody>(setting.balls, 1, setting.speed()), {solver}};
-  for (int i = 0; i < setting.balls; ++i) row.scene.bodies.pose[i].position.x() += gap * i;
+  for (int i = 0; i < setting.balls; ++i) row.scene.state().pose[i].position.x() += gap * i;
   return row;
 }
 
 /// Of each ball, in units of the first one's before.
 std::vector<double> speeds(const Row& row, double speed) {
   std::vector<double> speeds;
-  for (const auto& V : row.scene.bodies.velocity) speeds.push_back(V.x() / speed);
+  for (const auto& V : row.scene.bodies().velocity) speeds.push_back(V.x() / speed);
   return speeds;
 }
 
@@ -91,21 +91,20 @@ void cradle(const Setting& setting, Page& page) {
       many{.sweeps = 200 * n, .warm_start = false};
 
   page.text(
-      "@ balls of one mass in a row, just touching, e = 1; the first comes at @ m/s. You know what happens: the "
-      "last one "
-      "leaves, and the others stay. Now ask (17), for all contacts at once.",
+      R"(@ balls of one mass in a row, just touching, e = 1; the first comes at @ m/s. You know what happens: the
+      last one leaves, and the others stay. Now ask (17), for all contacts at once.)",
       n, setting.speed);
   page.predict(
-      {.ask = say("@ balls, all contacts solved at once, e = 1. How fast is the first ball afterwards, in "
-                  "units of its speed before?",
+      {.ask = say(R"(@ balls, all contacts solved at once, e = 1. How fast is the first ball afterwards, in units
+                  of its speed before?)",
                   n),
        .answer = direct.front(),
        .unit = "v",
        .tolerance = 0.04,
        .wrong = {{0, "That is nature. The smallest change of V that parts all pairs shares the blow among all."},
                  {-1, "Then the others would have all of the momentum, twice over."}},
-       .hint = "Only the first pair approached, so only it must part, at v. The others must not approach. What is "
-               "the least that does both?",
+       .hint = R"(Only the first pair approached, so only it must part, at v. The others must not approach. What is
+               the least that does both?)",
        .right = say("(2 − N)/N, and all the others go off together at 2/N = @ v.", 2.0 / n)});
   const std::vector<double> one_forward = after_a_step(setting, forward),
                             one_backward = after_a_step(setting, backward);
@@ -118,36 +117,31 @@ void cradle(const Setting& setting, Page& page) {
                {"one sweep, last contact first", one_backward, {}},
                {"nature", nature, palette::muted}};
   page.figure("cradle_speeds",
-              say("What becomes of @ balls in one step: solved at once, by one sweep in either direction (for the "
-                  "stop and "
-                  "for the bounce), and in nature.",
+              say(R"(What becomes of @ balls in one step: solved at once, by one sweep in either direction (for the
+                  stop and for the bounce), and in nature.)",
                   n),
               bars);
   page.text(
-      "Momentum is right in all of them, and solved at once the energy is right as well. Still it is not what "
-      "happens. One sweep gives something else, and with the contacts taken from the other end something else "
-      "again; "
-      "energy is left lying about (@ and @ of it are there). More sweeps do not lead to nature either, they lead "
-      "to the "
-      "first answer: it is the one where no row wants anything any more.",
+      R"(Momentum is right in all of them, and solved at once the energy is right as well. Still it is not what
+      happens. One sweep gives something else, and with the contacts taken from the other end something else again;
+      energy is left lying about (@ and @ of it are there). More sweeps do not lead to nature either, they lead to
+      the first answer: it is the one where no row wants anything any more.)",
       Value(sum(one_forward, 2), 2), Value(sum(one_backward, 2), 2));
   page.text(
-      "What do the rows not know? *When*. A blow runs through steel balls from one to the next, and takes about a "
-      "ten-thousandth of a second for each; rows say that all of it happens at the same instant, and then "
-      "momentum and "
-      "energy are two equations for @ unknowns. Tell them: leave a hair of air between the balls, and take steps "
-      "so short "
-      "that one collision is over before the next begins.",
+      R"(What do the rows not know? *When*. A blow runs through steel balls from one to the next, and takes about a
+      ten-thousandth of a second for each; rows say that all of it happens at the same instant, and then momentum
+      and energy are two equations for @ unknowns. Tell them: leave a hair of air between the balls, and take steps
+      so short that one collision is over before the next begins.)",
       n);
   page.figure(
       "cradle_gaps",
-      "Balls a millimetre apart, all contacts solved at once in each step. Left, with steps shorter than the "
-      "flight across a gap: nature. Right: everything in one step.",
+      R"(Balls a millimetre apart, all contacts solved at once in each step. Left, with steps shorter than the
+      flight across a gap: nature. Right: everything in one step.)",
       gaps(setting));
   page.sequence(
       "two_cradles",
-      "Above: balls that touch, all contacts at once. Below: the same solver, a few millimetres between the "
-      "balls, and steps short enough.",
+      R"(Above: balls that touch, all contacts at once. Below: the same solver, a few millimetres between the
+      balls, and steps short enough.)",
       Seconds{HangingCradle::seconds},
       [touching = HangingCradle(n, 0, HangingCradle::touching_step),
        apart = HangingCradle(n, HangingCradle::gap, HangingCradle::gap_step)](Canvas& canvas,
@@ -159,9 +153,8 @@ void cradle(const Setting& setting, Page& page) {
         apart.draw(canvas, lower, say("@ mm apart", 1000 * HangingCradle::gap));
       });
   page.text(
-      "So the question what a solver *should* do here has no answer in (17). It is good to know which one yours "
-      "gives: a "
-      "pile that is hit from one side behaves like the first.");
+      R"(So the question what a solver *should* do here has no answer in (17). It is good to know which one yours
+      gives: a pile that is hit from one side behaves like the first.)");
 
   page.measure("first ball, all at once", direct.front(), "v");
   page.claim({.quantity = "largest difference from (2 − N)/N and 2/N, all at once",

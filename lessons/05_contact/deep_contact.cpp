@@ -17,18 +17,18 @@ using namespace renderer;
 constexpr double seconds = 1.5;
 
 /// A unit box that begins `depth` [m] deep in the ground.
-Simulation<Boxes> sunk(double depth, const Baumgarte& cure) {
-  Simulation<Boxes> simulation{stack(1), {GaussSeidel{}, cure}};
-  simulation.scene.bodies.pose[1].position.y() -= depth;
+Simulation<PlaneBody> sunk(double depth, const Baumgarte& cure) {
+  Simulation<PlaneBody> simulation{stack(1), {GaussSeidel{}, cure}};
+  simulation.scene.state().pose[1].position.y() -= depth;
   return simulation;
 }
 
 /// How far its lower side is above the ground [m].
-double clearance(const Simulation<Boxes>& simulation) {
-  return simulation.scene.bodies.pose[1].position.y() - 0.5;
+double clearance(const Simulation<PlaneBody>& simulation) {
+  return simulation.scene.bodies().pose[1].position.y() - 0.5;
 }
 
-double peak(Simulation<Boxes> simulation, double h) {
+double peak(Simulation<PlaneBody> simulation, double h) {
   double highest = clearance(simulation);
   while (simulation.time < seconds) {
     simulation.step(h);
@@ -60,7 +60,7 @@ double law_of_peak(double depth, double beta, double h) {
 
 struct Run {
   std::string name;
-  Simulation<Boxes> box;
+  Simulation<PlaneBody> box;
 };
 
 /// Heights over time, one curve for each run.
@@ -120,16 +120,14 @@ Chart peaks(const Setting& setting) {
 void deep_contact(const Setting& setting, Page& page) {
   const double h = setting.h(), beta = setting.beta(), depth = setting.depth(), cap = setting.cap();
   const double law = law_of_pop(beta, h), speed = beta * depth / h;
-  Simulation<Boxes> first = sunk(depth, {beta});
+  Simulation<PlaneBody> first = sunk(depth, {beta});
   first.step(h);
-  const double leaves_at = first.scene.bodies.velocity[1].y();
+  const double leaves_at = first.scene.bodies().velocity[1].y();
 
   page.text(
-      "Where C is positive there is still room: the row lets the gap close within the step and no further, b = "
-      "C/h. Where "
-      "it is negative, two bodies are inside each other, and (22) has them out again by a share β a step, as it "
-      "did "
-      "with rods. But a rod is held on both sides. Nothing holds a box that comes out of the ground.");
+      R"(Where C is positive there is still room: the row lets the gap close within the step and no further, b =
+      C/h. Where it is negative, two bodies are inside each other, and (22) has them out again by a share β a step,
+      as it did with rods. But a rod is held on both sides. Nothing holds a box that comes out of the ground.)");
   page.equation(22, "JV = −(β/h)·C = −(@/(@ s))·(−@ m) = @ m/s",
                 R"(JV = -\frac{\beta}{h}\,C = -\frac{@}{@\,\mathrm{s}}\cdot(-@\,\mathrm{m}) = @\,\mathrm{m/s})",
                 setting.beta, setting.h, setting.depth, speed);
@@ -151,8 +149,8 @@ void deep_contact(const Setting& setting, Page& page) {
   const double top = std::max(1.2, 1.1 + std::min(4.0, peak(runs[1].box, h)));
   page.sequence(
       "pop",
-      say("Three boxes come out of the ground, β = @: from @ of the limit, from @ m, and from there with a limit "
-          "on the speed.",
+      say(R"(Three boxes come out of the ground, β = @: from @ of the limit, from @ m, and from there with a limit
+          on the speed.)",
           setting.beta, 0.8, setting.depth),
       Seconds{seconds}, [=, runs = runs](Canvas& canvas, double time) mutable {
         for (Run& run : runs)
@@ -162,9 +160,8 @@ void deep_contact(const Setting& setting, Page& page) {
         renderer::draw(canvas, pictures::grown_to(chart, time), right.inset(0, 60));
       });
   page.text(
-      "Once in flight it is a stone that was thrown upwards at βd/h. In the first step it rises by βd; then "
-      "gravity takes "
-      "gh from its speed in every step. Sum that, and the highest point lies above the ground if");
+      R"(Once in flight it is a stone that was thrown upwards at βd/h. In the first step it rises by βd; then
+      gravity takes gh from its speed in every step. Sum that, and the highest point lies above the ground if)");
   page.formula("d > (1 − β/2) · 2gh²/β² = @ m",
                R"(d > \left(1-\tfrac{\beta}{2}\right)\frac{2 g h^2}{\beta^2} = @\,\mathrm{m})", law);
   page.figure(
@@ -173,17 +170,13 @@ void deep_contact(const Setting& setting, Page& page) {
           setting.h),
       peaks(setting));
   page.text(
-      "Twice the β, a quarter of the depth: in a game that spawns things inside each other a large β is a gun. "
-      "Three "
-      "cures are in use. A *smaller* β. A *limit* on the speed that the correction may ask for: below @ m/s, at "
-      "which "
-      "the limiting depth leaves, whatever is stuck comes out and stays down. And *split impulses*, which solve "
-      "the "
-      "correction by itself and throw its velocity away once it has moved the box; they cost a second solve and "
-      "are "
-      "not in this solver. (The few millimetres of *slop* that engines leave alone are for another trouble: a "
-      "contact at "
-      "rest that is corrected to the last is open every other step, and has to be found anew.)",
+      R"(Twice the β, a quarter of the depth: in a game that spawns things inside each other a large β is a gun.
+      Three cures are in use. A *smaller* β. A *limit* on the speed that the correction may ask for: below @ m/s,
+      at which the limiting depth leaves, whatever is stuck comes out and stays down. And *split impulses*, which
+      solve the correction by itself and throw its velocity away once it has moved the box; they cost a second
+      solve and are not in this solver. (The few millimetres of *slop* that engines leave alone are for another
+      trouble: a contact at rest that is corrected to the last is open every other step, and has to be found
+      anew.))",
       Value(harmless_speed(beta, h), 3));
 
   page.measure("peak above the ground", peak(sunk(depth, {beta}), h), "m");

@@ -7,7 +7,7 @@
 #include "renderer/canvas.hpp"
 #include "solver/constraints/contact.hpp"
 #include "solver/constraints/friction.hpp"
-#include "solver/simulation.hpp"
+#include "solver/step.hpp"
 
 namespace byhand::contact {
 namespace {
@@ -97,11 +97,11 @@ void draw_corner(Canvas& canvas, const OnACorner& box, double speed, double mass
   canvas.look_at_page();
 }
 
-using Puck = Simulation<Scene<PlaneParticle, Contact, Friction>>;
+using Puck = Simulation<PlaneParticle>;
 
 /// A particle that slides on level ground: one contact, one row of friction.
 Puck puck(const Setting& setting, const GaussSeidel& solver) {
-  Scene<PlaneParticle, Contact, Friction> scene;
+  Scene<PlaneParticle> scene;
   const int ground = scene.add_body(Linear<PlaneParticle>(0, 0), fixed<PlaneParticle>());
   const int puck =
       scene.add_body(Linear<PlaneParticle>(0, 0), with_mass<PlaneParticle>(setting.mass()), {setting.speed(), 0});
@@ -144,7 +144,7 @@ Chart speeds(const Setting& setting) {
       simulation.step(setting.h);
       if (step % every != static_cast<int>(i) * every / 4) continue;
       curve.x.push_back(simulation.time);
-      curve.y.push_back(simulation.scene.bodies.velocity[1].x());
+      curve.y.push_back(simulation.scene.bodies().velocity[1].x());
     }
     chart.curves.push_back(std::move(curve));
   }
@@ -155,7 +155,7 @@ double stopping_distance(const Setting& setting, const GaussSeidel& solver) {
   Puck simulation = puck(setting, solver);
   while (simulation.time < 1.1 * setting.speed() / (setting.friction() * gravity) + 2 * setting.h())
     simulation.step(setting.h);
-  return simulation.scene.bodies.pose[1].position.x();
+  return simulation.scene.bodies().pose[1].position.x();
 }
 
 }  // namespace
@@ -175,25 +175,21 @@ void friction_row(const Setting& setting, Page& page) {
   const bool sticks = std::abs(settled.slip()) < 1e-6 * speed;
 
   page.text(
-      "Friction is (15) once more, with a tangent t in the place of n. It has no C to keep; it only wants JV = 0, "
-      "no "
-      "slip. What is new is its bound. Coulomb's law: at most μ times what presses, so its bound is another row's "
-      "λ:");
+      R"(Friction is (15) once more, with a tangent t in the place of n. It has no C to keep; it only wants JV = 0,
+      no slip. What is new is its bound. Coulomb's law: at most μ times what presses, so its bound is another row's
+      λ:)");
   page.equation(16);
   page.formula("−μ λₙ ≤ λₜ ≤ μ λₙ", R"(-\mu\,\lambda_n \le \lambda_t \le \mu\,\lambda_n)");
   page.text(
-      "λₙ is the *accumulated* one of the contact, and so is λₜ. The two rows act at one point of one body, and "
-      "so it "
-      "is tempting to compute the velocity of that point once and give it to both. Here is a box of @ kg that "
-      "comes "
-      "straight down on its corner, turned by @° and not turning. The corner moves straight down, too: friction "
-      "has "
-      "nothing to do, has it?",
+      R"(λₙ is the *accumulated* one of the contact, and so is λₜ. The two rows act at one point of one body, and
+      so it is tempting to compute the velocity of that point once and give it to both. Here is a box of @ kg that
+      comes straight down on its corner, turned by @° and not turning. The corner moves straight down, too:
+      friction has nothing to do, has it?)",
       setting.mass, tilt);
   page.predict(
       {.ask = say(
-           "The corner comes down at @ m/s and does not slip. The normal's row stops it. How fast does it slip "
-           "then? (To the right is positive.)",
+           R"(The corner comes down at @ m/s and does not slip. The normal's row stops it. How fast does it slip
+           then? (To the right is positive.))",
            setting.speed),
        .answer = pressed.slip(),
        .unit = "m/s",
@@ -202,15 +198,15 @@ void friction_row(const Setting& setting, Page& page) {
            {{0,
              "The push is straight up, but it is not under the centre: it turns the box, and the corner with it."},
             {-pressed.slip(),
-             "The push passes to the left of the centre, so it turns the box clockwise. Which "
-             "way does a point below the centre go?"}},
+             R"(The push passes to the left of the centre, so it turns the box clockwise. Which way does a point
+             below the centre go?)"}},
        .hint = "The push passes beside the centre of mass. What does it do besides stopping the corner?",
        .right = say("−A_{tn}/A_{nn} times the approach: @ of it.",
                     Value(-before.coupling(mass) / before.normal_share(mass), 3))});
   page.figure(
       "on_a_corner",
-      "Left: the corner comes straight down. Middle: the normal's push (orange) has stopped it and made it slip. "
-      "Right: friction has answered what it found *then*. Green: how the corner moves.",
+      R"(Left: the corner comes straight down. Middle: the normal's push (orange) has stopped it and made it slip.
+      Right: friction has answered what it found *then*. Green: how the corner moves.)",
       [=](Canvas& canvas) {
         const auto frames = canvas.page().inset(16).cells(1, 3, 12);
         draw_corner(canvas, before, speed, mass, "before", frames[0]);
@@ -218,31 +214,25 @@ void friction_row(const Setting& setting, Page& page) {
         draw_corner(canvas, rubbed, speed, mass, "after friction", frames[2]);
       });
   page.text(
-      "So JV is computed again for each row, from V as the row before has left it. That is not care, that is what "
-      "the "
-      "*sequential* in sequential impulses means: with the old JV friction would have found 0 and given 0, and "
-      "the "
-      "corner would slip away at @ m/s. For the same reason the tangent needs an effective mass of its own. (19) "
-      "is "
-      "@/m along n and @/m along t: this corner gives way sideways @ times as easily as upwards.",
+      R"(So JV is computed again for each row, from V as the row before has left it. That is not care, that is what
+      the *sequential* in sequential impulses means: with the old JV friction would have found 0 and given 0, and
+      the corner would slip away at @ m/s. For the same reason the tangent needs an effective mass of its own. (19)
+      is @/m along n and @/m along t: this corner gives way sideways @ times as easily as upwards.)",
       Value(std::abs(pressed.slip()), 3), Value(before.normal_share(mass), 3),
       Value(before.tangent_share(mass), 3), Value(before.tangent_share(mass) / before.normal_share(mass), 3));
-  page.text(sticks ? "And friction's push has disturbed the normal in turn (@ m/s up): another sweep, until both "
-                     "are at rest. "
-                     "With μ = @ the corner then sticks."
-                   : "And friction's push has disturbed the normal in turn (@ m/s up): another sweep, until "
-                     "nothing changes. "
-                     "With μ = @ the bound is too small and the corner still slips.",
+  page.text(sticks ? R"(And friction's push has disturbed the normal in turn (@ m/s up): another sweep, until both
+                     are at rest. With μ = @ the corner then sticks.)"
+                   : R"(And friction's push has disturbed the normal in turn (@ m/s up): another sweep, until
+                     nothing changes. With μ = @ the bound is too small and the corner still slips.)",
             Value(rubbed.approach(), 3), setting.friction);
   page.text(
-      "If friction leans on the normal, which of the two comes first? Take the simplest thing that slides, a "
-      "particle "
-      "of @ kg at @ m/s on level ground, μ = @: one contact, one row of friction.",
+      R"(If friction leans on the normal, which of the two comes first? Take the simplest thing that slides, a
+      particle of @ kg at @ m/s on level ground, μ = @: one contact, one row of friction.)",
       setting.mass, setting.speed, setting.friction);
   const double full = mu * mass * gravity * h, first = rubbed_in_a_step(setting, orders[1].solver);
   page.predict(
-      {.ask = say("Friction's row first, then the normal's; one sweep, from λ = 0. Friction's impulse? (μmgh "
-                  "is @ N s.)",
+      {.ask = say(R"(Friction's row first, then the normal's; one sweep, from λ = 0. Friction's impulse? (μmgh is @
+                  N s.))",
                   Value(full, 3)),
        .answer = first,
        .unit = "N s",
@@ -255,12 +245,10 @@ void friction_row(const Setting& setting, Page& page) {
                   setting.speed, setting.friction),
               speeds(setting));
   page.text(
-      "With two sweeps the second finds what the first has left, and a warm start remembers what pressed a step "
-      "ago: "
-      "both hide the mistake, but for a step's delay. Normals first is right from the beginning. It has its "
-      "price: what friction then disturbs, no normal comes after to mend, and bodies sink a little where they "
-      "rub. "
-      "So there are engines, Box2D among them, that solve friction first and rely on the warm start.");
+      R"(With two sweeps the second finds what the first has left, and a warm start remembers what pressed a step
+      ago: both hide the mistake, but for a step's delay. Normals first is right from the beginning. It has its
+      price: what friction then disturbs, no normal comes after to mend, and bodies sink a little where they rub.
+      So there are engines, Box2D among them, that solve friction first and rely on the warm start.)");
 
   page.measure("slip after the normal's impulse", pressed.slip(), "m/s");
   page.measure("stopping distance", stopping_distance(setting, orders[0].solver), "m");

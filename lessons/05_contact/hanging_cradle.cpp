@@ -30,7 +30,7 @@ void HangingCradle::advance(double time) {
 void HangingCradle::draw(renderer::Canvas& canvas, const renderer::Rectangle& frame,
                          const std::string& name) const {
   using renderer::Point;
-  const auto& pose = simulation_.scene.bodies.pose;
+  const auto& pose = simulation_.scene.bodies().pose;
   const double right = pose[pose.size() - 2].position.x();
   canvas.clip(frame);
   canvas.look(renderer::fit({-0.9, -1.2, right + 1.8, 1.28}, frame, 4));

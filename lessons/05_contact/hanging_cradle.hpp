@@ -4,7 +4,7 @@
 
 #include "renderer/canvas.hpp"
 #include "solver/constraints/normalised_distance.hpp"
-#include "solver/simulation.hpp"
+#include "solver/step.hpp"
 
 namespace byhand::contact {
 
@@ -23,7 +23,7 @@ class HangingCradle {
   void draw(renderer::Canvas& canvas, const renderer::Rectangle& frame, const std::string& name) const;
 
  private:
-  Simulation<Scene<PlaneBody, NormalisedDistance, Contact>> simulation_;
+  Simulation<PlaneBody> simulation_;
   double h_;
 };
 

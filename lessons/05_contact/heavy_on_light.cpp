@@ -29,7 +29,7 @@ Pile pair(const RowSolver& solver, double ratio, double beta) {
 }
 
 /// Of the upper box, below where it began [m].
-double sunk(const Pile& pile) { return 1.5 - pile.scene.bodies.pose[2].position.y(); }
+double sunk(const Pile& pile) { return 1.5 - pile.scene.bodies().pose[2].position.y(); }
 
 /// The least and the largest of that in the last second of a run [m].
 std::pair<double, double> range_of_sinking(Pile pile, double h) {
@@ -112,11 +112,9 @@ void heavy_on_light(const Setting& setting, Page& page) {
   const double q = ratio / (1 + ratio);
 
   page.text(
-      "A box of @ kg on one of 1 kg. The upper row finds the heavy box falling on the light one and makes their "
-      "speeds "
-      "meet; in that trade the light one gives way. The row below stops the light one again, and so on: each "
-      "sweep leaves "
-      "r/(1 + r) = @ of what is missing, and @ sweeps leave @.",
+      R"(A box of @ kg on one of 1 kg. The upper row finds the heavy box falling on the light one and makes their
+      speeds meet; in that trade the light one gives way. The row below stops the light one again, and so on: each
+      sweep leaves r/(1 + r) = @ of what is missing, and @ sweeps leave @.)",
       setting.ratio, Value(q, 4), sweeps, Value(std::pow(q, sweeps), 3));
   Chart chart{.x = {.label = "time (s)"}, .y = {.label = "upper box has sunk by (m)"}};
   for (Run run : runs) {
@@ -130,8 +128,8 @@ void heavy_on_light(const Setting& setting, Page& page) {
   }
   page.sequence(
       "heavy_on_light",
-      say("A box @ times as heavy as the one beneath, put down without a sound. Dashed: where its upper side "
-          "belongs.",
+      say(R"(A box @ times as heavy as the one beneath, put down without a sound. Dashed: where its upper side
+          belongs.)",
           setting.ratio),
       Seconds{seconds}, [=, runs = runs](Canvas& canvas, double time) mutable {
         for (Run& run : runs)
@@ -141,16 +139,14 @@ void heavy_on_light(const Setting& setting, Page& page) {
         renderer::draw(canvas, pictures::grown_to(chart, time), right.inset(0, 60));
       });
   page.text(
-      "Cold, the pair sinks into each other until the correction of the overlap makes up for what the sweeps "
-      "leave, as "
-      "the soft chain did in lesson 3. Warm, λ gets there over many steps; but meanwhile the overlap has grown, "
-      "its "
-      "correction is remembered as well, and beyond r of about 3 × sweeps it does not settle (lesson 4's trap). "
-      "Solved directly a ratio of masses is a number in A.");
+      R"(Cold, the pair sinks into each other until the correction of the overlap makes up for what the sweeps
+      leave, as the soft chain did in lesson 3. Warm, λ gets there over many steps; but meanwhile the overlap has
+      grown, its correction is remembered as well, and beyond r of about 3 × sweeps it does not settle (lesson 4's
+      trap). Solved directly a ratio of masses is a number in A.)");
   page.figure(
       "over_ratio",
-      say("How far the upper box is from its place, at most, in the eighth second; @ sweeps a step. Dashed: from "
-          "the matrices of Gauss–Seidel.",
+      say(R"(How far the upper box is from its place, at most, in the eighth second; @ sweeps a step. Dashed: from
+          the matrices of Gauss–Seidel.)",
           sweeps),
       over_ratio(setting));
 

@@ -47,16 +47,15 @@ int main(int argc, char** argv) {
             "It sticks while tanθ ≤ μ, and then slides by ½at(t + h).",
             "A bounce is b = e JV⁻, with JV⁻ from before the step; reversed on overlap it gains h·v each time.",
             "Where many touch at once, rows have an answer and nature has another.",
-            "A stack's weight is easily carried; its bending is not: to stand it takes ¾gh²N³ warm sweeps, or a "
-            "direct solve."},
+            R"(A stack's weight is easily carried; its bending is not: to stand it takes ¾gh²N³ warm sweeps, or a
+            direct solve.)"},
        .tries = {{"A square box hides the wrong clamp, a slim one shows it. Where between the two does it begin?",
                   "./lessons/run contact --step 1 --set width=0.7"},
                  {"Half the step: a stack that fell stands, with the same sweeps. How far could you raise it?",
                   "./lessons/run contact --step 7 --set h=1/120"},
                  {"Half the step: which of the bounces come nearer to the law?",
                   "./lessons/run contact --step 5 --set h=1/120"}},
-       .next = "Two rows made a contact with friction. Next, rows are put together into joints: pins, hinges, "
-               "sliders, "
-               "limits and motors."});
+       .next = R"(Two rows made a contact with friction. Next, rows are put together into joints: pins, hinges,
+               sliders, limits and motors.)"});
   return lesson.run(argc, argv);
 }

@@ -70,7 +70,7 @@ void draw_stand(Canvas& canvas, const Stand& stand, const Rectangle& frame, doub
   pictures::draw(canvas, pictures::shapes_of(stand.box.scene()));
   const auto& contacts = stand.box.scene().all<Contact>();
   for (std::size_t i = 0; i < stand.box.lambda().size(); ++i) {
-    const Pose<PlaneBody>& pose = stand.box.scene().bodies.pose[contacts[i].at.body2];
+    const Pose<PlaneBody>& pose = stand.box.scene().bodies().pose[contacts[i].at.body2];
     const Point at =
         anchor<PlaneBody, double>(pose, in_world<PlaneBody, double>(pose, contacts[i].at.arms.second));
     if (stand.box.lambda()[i] > 0)
@@ -87,59 +87,56 @@ void push_only(const Setting& setting, Page& page) {
   const double s = leverage(width), up = speed_after_a_step(setting, width, Clamp::each);
 
   page.text(
-      "A rod pulls as willingly as it pushes: its row is an equation, and any λ will do that makes it true. The "
-      "ground only pushes. The article gives its C in (23): with P₁ = x₁ + r₁ and P₂ = x₂ + r₂, the two points "
-      "that are about to touch, it is the gap between them along the normal n:");
+      R"(A rod pulls as willingly as it pushes: its row is an equation, and any λ will do that makes it true. The
+      ground only pushes. The article gives its C in (23): with P₁ = x₁ + r₁ and P₂ = x₂ + r₂, the two points that
+      are about to touch, it is the gap between them along the normal n:)");
   page.equation(23);
   page.text(
-      "n points from body 1 to body 2, so C is positive where there is air and negative in overlap. "
-      "Hold n still for the length of a step, differentiate, and (15) is there by inspection. (Swap the bodies "
-      "and n turns round with them: J, C and λ stay what they are.)");
+      R"(n points from body 1 to body 2, so C is positive where there is air and negative in overlap. Hold n still
+      for the length of a step, differentiate, and (15) is there by inspection. (Swap the bodies and n turns round
+      with them: J, C and λ stay what they are.))");
   page.equation(15);
   page.excerpt("solver/constraints/contact.hpp", "jacobian");
   page.text(
-      "What is wanted of C is no equation. The row may be left alone as long as it opens, and it may push but "
-      "never pull; and where it opens it does not push:");
+      R"(What is wanted of C is no equation. The row may be left alone as long as it opens, and it may push but
+      never pull; and where it opens it does not push:)");
   page.formula("JV + b ≥ 0,   λ ≥ 0,   and one of the two is zero",
                R"(JV + b \ge 0, \qquad \lambda \ge 0, \qquad \lambda\,(JV + b) = 0)");
   page.text(
-      "One such row is easy: solve (17), and if λ is negative, take 0. But a sweep comes by many times, and "
-      "each time (17) gives a *change* of λ. So which is to be kept at zero or above: each change, or their sum? "
-      "Here are both, as this lesson runs them:");
+      R"(One such row is easy: solve (17), and if λ is negative, take 0. But a sweep comes by many times, and each
+      time (17) gives a *change* of λ. So which is to be kept at zero or above: each change, or their sum? Here are
+      both, as this lesson runs them:)");
   page.excerpt("lessons/05_contact/standing_box.cpp", "clamp");
   page.text("Try both on a box that stands on its two lower corners, of @ kg and 1 m high.", setting.mass);
   page.predict(
       {.ask =
-           say("A box of @ × 1 m has stood still. Gravity has made its velocity −gh; now its two rows are swept, "
-               "and *each* change is clamped. How fast does the box move up then, in gh?",
+           say(R"(A box of @ × 1 m has stood still. Gravity has made its velocity −gh; now its two rows are swept,
+               and *each* change is clamped. How fast does the box move up then, in gh?)",
                width),
        .answer = up,
        .unit = "gh",
        .tolerance = 0.015,
        .wrong = {{0, "Row 1 gave its impulse before row 2 spoke, and was not allowed to take any of it back."}},
-       .hint = "The first row finds the whole fall before it and stops its corner alone. Then the second row adds "
-               "what its own corner still needs. Who takes back what is then too much?",
+       .hint = R"(The first row finds the whole fall before it and stops its corner alone. Then the second row adds
+               what its own corner still needs. Who takes back what is then too much?)",
        .right = s < 1 ? say("The first row gave @ of the weight, the second @, and both may only give.",
                             Value(1 / (1 + s), 3), Value(2 * s / (1 + s) / (1 + s), 3))
                       : "This box is so broad that neither row ever has anything to take back."});
   page.figure(
       "two_ways_to_clamp",
-      say("λ of the two rows of a @ × 1 m box, sweep by sweep, in units of mgh. Kept as a sum each comes to half "
-          "the weight.",
+      say(R"(λ of the two rows of a @ × 1 m box, sweep by sweep, in units of mgh. Kept as a sum each comes to half
+          the weight.)",
           width),
       over_sweeps(setting));
   page.text(
-      "@ of gh is little, and in each step the same; a box at rest only rattles on it. But gh could be any speed: "
-      "let "
-      "the boxes *fall* on their two corners from @ m, and what is left over is @ of the speed of the fall, and "
-      "the "
-      "turn that goes with it.",
+      R"(@ of gh is little, and in each step the same; a box at rest only rattles on it. But gh could be any speed:
+      let the boxes *fall* on their two corners from @ m, and what is left over is @ of the speed of the fall, and
+      the turn that goes with it.)",
       Value(up, 2), lift, Value(up, 2));
   page.sequence(
       "hop_and_tip",
-      say("Three boxes that fall flat from @ m. With each change clamped the square one stands and the slim one "
-          "hops and "
-          "tips; with the sum clamped it stands. Arrows: λ of the step (mgh is as long as 0.7 m).",
+      say(R"(Three boxes that fall flat from @ m. With each change clamped the square one stands and the slim one
+          hops and tips; with the sum clamped it stands. Arrows: λ of the step (mgh is as long as 0.7 m).)",
           lift),
       Seconds{seconds},
       [stands =
@@ -155,20 +152,17 @@ void push_only(const Setting& setting, Page& page) {
         }
       });
   page.text(
-      "The square box is a trap for whoever tests there: nothing at all is to be seen. A push at one corner of it "
-      "turns it so much that the other corner *falls faster*: the rows ask each other for more, never for less, "
-      "and "
-      "no change is ever negative. The entry of A = JM⁻¹Jᵀ between the two corners decides:");
+      R"(The square box is a trap for whoever tests there: nothing at all is to be seen. A push at one corner of it
+      turns it so much that the other corner *falls faster*: the rows ask each other for more, never for less, and
+      no change is ever negative. The entry of A = JM⁻¹Jᵀ between the two corners decides:)");
   page.formula("A₁₂ = (1 − r²m/I)/m = @/m,   positive for w < 0.71 · height",
                R"(A_{12} = \tfrac1m\left(1 - \tfrac{r^2 m}{I}\right) = \tfrac{@}{m}, \qquad
                   \text{positive for } w < \text{height}/\sqrt2)",
                1 - s);
   page.text(
-      "So: **the sum is clamped**. A row may take back what it gave, down to zero; a late change that pulls does "
-      "no harm "
-      "as long as all of them together push. The solver says it once for every bound there is; a contact is the "
-      "interval "
-      "from 0 to ∞:");
+      R"(So: **the sum is clamped**. A row may take back what it gave, down to zero; a late change that pulls does
+      no harm as long as all of them together push. The solver says it once for every bound there is; a contact is
+      the interval from 0 to ∞:)");
   page.excerpt("solver/system.hpp", "bound");
 
   page.measure("speed upwards after one step, each clamped", up, "gh");

@@ -90,7 +90,7 @@ std::vector<Velocity<PlaneBody>> nudged(int boxes, int sweeps, double h) {
   kick(pile.scene, 1e-4);
   pile.method.solver = sweeping(sweeps, true);
   pile.step(h);
-  return pile.scene.bodies.velocity;
+  return pile.scene.bodies().velocity;
 }
 
 double largest_difference(const std::vector<Velocity<PlaneBody>>& one,
@@ -188,23 +188,21 @@ void stack_of_boxes(const Setting& setting, Page& page) {
                             direct = forces_after(column(n, Direct{}, 0), 1, h);
 
   page.text(
-      "A stack is lesson 3's chain standing on its head: @ unit boxes of 1 kg, and each contact has to carry all "
-      "that is "
-      "above it. From here on two boxes touch along a face, and a face is one block of three rows: the normals at "
-      "its two "
-      "ends, solved together (one after the other they would take turns at tilting the box), and then one row of "
-      "friction.",
+      R"(A stack is lesson 3's chain standing on its head: @ unit boxes of 1 kg, and each contact has to carry all
+      that is above it. From here on two boxes touch along a face, and a face is one block of three rows: the
+      normals at its two ends, solved together (one after the other they would take turns at tilting the box), and
+      then one row of friction.)",
       n);
   page.predict(
-      {.ask = say("λ = 0 at first, @ sweeps from the ground up. What does the lowest contact carry then, of the @ "
-                  "boxes that stand on it?",
+      {.ask = say(R"(λ = 0 at first, @ sweeps from the ground up. What does the lowest contact carry then, of the @
+                  boxes that stand on it?)",
                   sweeps, n),
        .answer = first.front() / gravity,
        .unit = "boxes",
        .tolerance = 0.1 * n,
        .wrong = {{static_cast<double>(n),
-                  "It will. But news of the upper boxes comes down one contact a sweep, "
-                  "and half of it is turned back at each."}},
+                  R"(It will. But news of the upper boxes comes down one contact a sweep, and half of it is turned
+                  back at each.)"}},
        .hint = "How far down the chain did weight come in as many sweeps?",
        .right = "As in lesson 3: the error is a wave as long as the stack."});
   page.figure("layers", say("What each contact carries, @ sweeps a step, and solved at once.", sweeps),
@@ -217,11 +215,10 @@ void stack_of_boxes(const Setting& setting, Page& page) {
   };
   const double q = std::pow(std::cos(pi / (2 * n)), 2 * sweeps);
   page.text(
-      "With a warm start each step goes on where the last one stopped. After a second the lowest contact carries "
-      "@ boxes, "
-      "after ten @, of @. That is with overlaps of less than @ cm left alone. With a correction of β = @ from the "
-      "first "
-      "hair on it would be @ after ten seconds: contacts know lesson 4's trap, whose limit is (1 − q)/q = @ here.",
+      R"(With a warm start each step goes on where the last one stopped. After a second the lowest contact carries
+      @ boxes, after ten @, of @. That is with overlaps of less than @ cm left alone. With a correction of β = @
+      from the first hair on it would be @ after ten seconds: contacts know lesson 4's trap, whose limit is (1 −
+      q)/q = @ here.)",
       lowest_after(1, left_alone), lowest_after(10, left_alone), n, 100 * left_alone.slop, left_alone.beta,
       lowest_after(10, Baumgarte{}), Value((1 - q) / q, 2));
   page.text("Now a kick, sideways, @ m/s at the top and less below, as of a door that falls shut:", 0.02);
@@ -230,9 +227,8 @@ void stack_of_boxes(const Setting& setting, Page& page) {
                         {"direct", column(n, Direct{})}};
   const Chart chart = shifts(runs, h);
   page.sequence("stack",
-                say("@ boxes after a kick, with @ and with @ warm sweeps a step, and solved directly; shown @ "
-                    "times as fast. Right: how "
-                    "far the top box is from where it stood.",
+                say(R"(@ boxes after a kick, with @ and with @ warm sweeps a step, and solved directly; shown @
+                    times as fast. Right: how far the top box is from where it stood.)",
                     n, sweeps, 2 * sweeps, hurry),
                 Seconds{seconds}, [=, runs = runs](Canvas& canvas, double time) mutable {
                   for (Run& run : runs)
@@ -245,25 +241,21 @@ void stack_of_boxes(const Setting& setting, Page& page) {
   for (const Run& run : runs) fates.push_back(fate(falls_at(run.pile, patience, h)));
   const double cold = falls_at(column(n, sweeping(sweeps, false)), patience, h);
   page.text(
-      "With @ sweeps it @; with @ it @; solved directly it @. (With @ sweeps and a cold start in every step it "
-      "@.)",
+      R"(With @ sweeps it @; with @ it @; solved directly it @. (With @ sweeps and a cold start in every step it
+      @.))",
       sweeps, fates[0], 2 * sweeps, fates[1], fates[2], sweeps, fate(cold));
   page.text(
-      "Why does it fall, if every contact carries its weight? @ A column that leans is pushed on by gravity, as a "
-      "pencil on "
-      "its tip is, and its contacts answer by pressing more on one side. *That* answer is a bending of the whole "
-      "column, the "
-      "slowest thing there is for sweeps: each takes about 2/N⁴ of what is missing of it, where of the weight it "
-      "took π²/4N². "
-      "Warm steps add up. In each step gravity adds the share (σh)² to a lean, where σ² = 3g/2N for a stiff "
-      "column of N unit "
-      "boxes, and k sweeps take away a share of k · 2/N⁴. It stands if that is more:",
+      R"(Why does it fall, if every contact carries its weight? @ A column that leans is pushed on by gravity, as a
+      pencil on its tip is, and its contacts answer by pressing more on one side. *That* answer is a bending of the
+      whole column, the slowest thing there is for sweeps: each takes about 2/N⁴ of what is missing of it, where of
+      the weight it took π²/4N². Warm steps add up. In each step gravity adds the share (σh)² to a lean, where σ² =
+      3g/2N for a stiff column of N unit boxes, and k sweeps take away a share of k · 2/N⁴. It stands if that is
+      more:)",
       without_slip(n, sweeping(sweeps, true), h));
   page.formula("k > ¾ gh²N³ = @ sweeps", R"(k > \tfrac34\, g h^2 N^3 = @\ \text{sweeps})", law_of_standing(n, h));
   page.figure("sweeps_needed",
-              say("Above: sweeps for one more digit of a stack's slowest error. Below: how many warm sweeps a "
-                  "step a kicked "
-                  "stack needs to stand @ s, h = @ s. Dashed: the laws.",
+              say(R"(Above: sweeps for one more digit of a stack's slowest error. Below: how many warm sweeps a
+                  step a kicked stack needs to stand @ s, h = @ s. Dashed: the laws.)",
                   patience, setting.h),
               needed(h));
   page.text(
@@ -272,13 +264,10 @@ void stack_of_boxes(const Setting& setting, Page& page) {
   while (standing.time < patience) standing.step(h);
   const double steps = std::round(standing.time / h);
   page.text(
-      "The direct solve (`solver/methods/active_set.cpp`) goes by the rows that press. It solves those exactly, "
-      "by lesson "
-      "3's elimination, for a column is a chain; lets go of what would pull, takes in what would sink, and solves "
-      "again, "
-      "until there is nothing to change. So nothing is left over that could creep; and by its multiplications a "
-      "step has "
-      "cost as much as @ sweeps.",
+      R"(The direct solve (`solver/direct/active_set.cpp`) goes by the rows that press. It solves those exactly, by
+      lesson 3's elimination, for a column is a chain; lets go of what would pull, takes in what would sink, and
+      solves again, until there is nothing to change. So nothing is left over that could creep; and by its
+      multiplications a step has cost as much as @ sweeps.)",
       Value(static_cast<double>(standing.work.row_solves) / standing.work.system.rows() / steps, 2));
 
   page.measure("lowest contact after the first step, sweeps", first.front() / gravity, "boxes");

@@ -2,7 +2,7 @@
 
 #include "lessons/scenes/boxes.hpp"
 #include "solver/integrate/euler.hpp"
-#include "solver/methods/drift.hpp"
+#include "solver/drift.hpp"
 
 namespace byhand::contact {
 namespace {
@@ -19,7 +19,7 @@ StandingBox::StandingBox(double width, double mass, double h, int sweeps, Clamp 
 }
 
 void StandingBox::sweep() {
-  auto& [poses, velocities, masses] = scene_.bodies;
+  auto& [poses, velocities, masses] = scene_.bodies();
   for (std::size_t i = 0; i < lambda_.size(); ++i) {
     const Contact<PlaneBody>& contact = scene_.all<Contact>()[i];
     const int one = contact.at.body1, two = contact.at.body2;
@@ -40,14 +40,14 @@ void StandingBox::sweep() {
 
 std::vector<std::array<double, 2>> StandingBox::step() {
   touching_.find(scene_);
-  add_gravity(scene_.bodies, scene_.gravity, h_);
+  add_gravity(scene_.bodies(), scene_.gravity, h_);
   lambda_.assign(scene_.all<Contact>().size(), 0.0);
   std::vector<std::array<double, 2>> by_sweep;
   for (int i = 0; i < sweeps_; ++i) {
     sweep();
     by_sweep.push_back({lambda_.empty() ? 0 : lambda_.front(), lambda_.size() < 2 ? 0 : lambda_.back()});
   }
-  advance_poses(scene_.bodies, h_);
+  advance_poses(scene_.bodies(), h_);
   time_ += h_;
   return by_sweep;
 }

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "solver/scene.hpp"
-#include "solver/touching.hpp"
+#include "solver/contact/contact_manager.hpp"
 
 namespace byhand::contact {
 
@@ -21,17 +21,17 @@ class StandingBox {
   /// One time step; returns λ of the two lower corners after each sweep [N s], left and right.
   std::vector<std::array<double, 2>> step();
 
-  const Scene<PlaneBody, Contact>& scene() const { return scene_; }
+  const Scene<PlaneBody>& scene() const { return scene_; }
   double time() const { return time_; }
   /// λ of each contact in the last step [N s].
   const std::vector<double>& lambda() const { return lambda_; }
   /// v and ω of the box [m/s, rad/s].
-  Velocity<PlaneBody> velocity() const { return scene_.bodies.velocity[1]; }
+  Velocity<PlaneBody> velocity() const { return scene_.bodies().velocity[1]; }
 
  private:
   void sweep();
 
-  Scene<PlaneBody, Contact> scene_;
+  Scene<PlaneBody> scene_;
   Touching<PlaneBody> touching_;
   double h_, time_ = 0;
   int sweeps_;

@@ -15,17 +15,17 @@ using namespace renderer;
 constexpr double seconds = 2;
 const Linear<PlaneBody> sides(0.8, 0.5);  // of the box [m]
 
-Simulation<Boxes> on_slope(const Setting& setting, double angle, double speed = 0) {
-  return {box_on_incline<Boxes>(angle, setting.friction(), speed, sides, setting.mass()),
+Simulation<PlaneBody> on_slope(const Setting& setting, double angle, double speed = 0) {
+  return {box_on_incline<PlaneBody>(angle, setting.friction(), speed, sides, setting.mass()),
           {GaussSeidel{.sweeps = 30, .tolerance = 1e-14}}};
 }
 
 /// How far the box has come along the slope [m].
-double slid(const Simulation<Boxes>& simulation, double angle) {
-  return simulation.scene.bodies.pose[1].position.dot(Linear<PlaneBody>(std::cos(angle), -std::sin(angle)));
+double slid(const Simulation<PlaneBody>& simulation, double angle) {
+  return simulation.scene.bodies().pose[1].position.dot(Linear<PlaneBody>(std::cos(angle), -std::sin(angle)));
 }
 
-double slid_after(Simulation<Boxes> simulation, double angle, double time, double h) {
+double slid_after(Simulation<PlaneBody> simulation, double angle, double time, double h) {
   while (simulation.time < time - 0.5 * h) simulation.step(h);
   return slid(simulation, angle);
 }
@@ -52,7 +52,7 @@ double measured_limit(const Setting& setting) {
 
 struct Slope {
   double angle;
-  Simulation<Boxes> box;
+  Simulation<PlaneBody> box;
 };
 
 void draw_slope(Canvas& canvas, const Slope& slope, const Rectangle& frame, const Rectangle& world, double weight,
@@ -70,7 +70,7 @@ void draw_slope(Canvas& canvas, const Slope& slope, const Rectangle& frame, cons
   if (slope.box.time > 0)
     pictures::draw(canvas, pictures::pushes(slope.box.scene, slope.box.work.system),
                    {palette::force, 0.9 / (weight * h), "mg"});
-  canvas.vector(slope.box.scene.bodies.pose[1].position, Point(0, -weight), {palette::muted, 0.9 / weight, "N"});
+  canvas.vector(slope.box.scene.bodies().pose[1].position, Point(0, -weight), {palette::muted, 0.9 / weight, "N"});
   canvas.clip({});
   canvas.look_at_page();
 }
@@ -100,11 +100,9 @@ void sticks_or_slides(const Setting& setting, Page& page) {
   const double slope = radians(setting.slope);
 
   page.text(
-      "Put a box of @ kg on a slope. Its weight has a part mg·cosθ that presses and a part mg·sinθ that pulls "
-      "along, "
-      "and the bound allows μ times the first. Nothing in the solver says \"static\" or \"kinetic\": the same "
-      "row, "
-      "JV = 0 within ±μλₙ, sticks where its λ stays inside and slides where it is at the bound.",
+      R"(Put a box of @ kg on a slope. Its weight has a part mg·cosθ that presses and a part mg·sinθ that pulls
+      along, and the bound allows μ times the first. Nothing in the solver says "static" or "kinetic": the same
+      row, JV = 0 within ±μλₙ, sticks where its λ stays inside and slides where it is at the bound.)",
       setting.mass);
   page.predict({.ask = say("μ = @. From which slope on does the box slide?", setting.friction),
                 .answer = degrees(measured_limit(setting)),
@@ -119,8 +117,8 @@ void sticks_or_slides(const Setting& setting, Page& page) {
   const Rectangle world{-0.8, -0.4 - fall, 0.8 + farthest * std::cos(slope), 1.4 + fall};
   page.sequence(
       "three_slopes",
-      say("μ = @: one degree below tanθ = μ, one degree above, and @°. Orange: the contacts' forces, normal and "
-          "friction in one; grey: the weight. Where the box sticks they cancel.",
+      say(R"(μ = @: one degree below tanθ = μ, one degree above, and @°. Orange: the contacts' forces, normal and
+          friction in one; grey: the weight. Where the box sticks they cancel.)",
           setting.friction, setting.slope),
       Seconds{seconds},
       [slopes = std::vector<Slope>{{limit - radians(1), on_slope(setting, limit - radians(1))},
@@ -134,12 +132,10 @@ void sticks_or_slides(const Setting& setting, Page& page) {
         }
       });
   page.text(
-      "The edge is sharp. A thousandth below it the box has not moved after a second by more than rounding; a "
-      "thousandth above it slides, with the acceleration of the book, a = g(sinθ − μ·cosθ). Its velocity is "
-      "exactly "
-      "a·t, for each step adds a·h. The distance is not ½at² but ½at(t + h): symplectic Euler moves with the "
-      "velocity "
-      "of the *end* of each step.");
+      R"(The edge is sharp. A thousandth below it the box has not moved after a second by more than rounding; a
+      thousandth above it slides, with the acceleration of the book, a = g(sinθ − μ·cosθ). Its velocity is exactly
+      a·t, for each step adds a·h. The distance is not ½at² but ½at(t + h): symplectic Euler moves with the
+      velocity of the *end* of each step.)");
   page.figure("distance_over_slope",
               say("How far the box slides in a second, μ = @, and the law.", setting.friction),
               distances(setting, limit));

@@ -47,19 +47,17 @@ void wall_of_boxes(const Setting& setting, Page& page) {
   const double h = setting.h();
   const ByGraph solver;
   Pile pile = wall(base, solver);
-  const auto top = pile.scene.bodies.pose.back().position;
+  const auto top = pile.scene.bodies().pose.back().position;
   while (pile.time < seconds - 0.5 * h) pile.step(h);
 
   page.text(
-      "In a pyramid every box rests on two others: contacts make loops, and a direct solve would have to be paid "
-      "for them. "
-      "Here sweeps are at home. The weight comes down over @ rows and not over @ boxes, loads may change places "
-      "between "
-      "neighbours, and a base as broad as this does not creep. Rows are taken colour by colour, in groups that "
-      "share no box. Between sweeps λ goes on in the direction in which the sweeps before have led it: conjugate "
-      "sweeps, which reach a wall's slow modes as the square of their number. A sweep that changes no velocity by "
-      "more than @ m/s is the last of its step. That is little, and it is cheap: a wall that is left rocking by "
-      "10⁻⁵ m/s rocks for ever and wants more sweeps than one at rest.",
+      R"(In a pyramid every box rests on two others: contacts make loops, and a direct solve would have to be paid
+      for them. Here sweeps are at home. The weight comes down over @ rows and not over @ boxes, loads may change
+      places between neighbours, and a base as broad as this does not creep. Rows are taken colour by colour, in
+      groups that share no box. Between sweeps λ goes on in the direction in which the sweeps before have led it:
+      conjugate sweeps, which reach a wall's slow modes as the square of their number. A sweep that changes no
+      velocity by more than @ m/s is the last of its step. That is little, and it is cheap: a wall that is left
+      rocking by 10⁻⁵ m/s rocks for ever and wants more sweeps than one at rest.)",
       base, boxes, solver.loops.tolerance);
   const std::vector<Pressed> contacts = pressed(pile, h);
   double most = 0, ground = 0;
@@ -68,11 +66,10 @@ void wall_of_boxes(const Setting& setting, Page& page) {
     if (contact.body1 == 0) ground += contact.force;
   }
   page.figure("pyramid",
-              say("@ boxes of 1 kg, @ s after a kick. Darker: carried by more; the darkest contact presses with @ "
-                  "N. Lines: "
-                  "what presses on what, as thick as the force.",
+              say(R"(@ boxes of 1 kg, @ s after a kick. Darker: carried by more; the darkest contact presses with @
+                  N. Lines: what presses on what, as thick as the force.)",
                   boxes, seconds, Value(most, 3)),
-              [shapes = pictures::shapes_of(pile.scene), pose = pile.scene.bodies.pose, contacts, most,
+              [shapes = pictures::shapes_of(pile.scene), pose = pile.scene.bodies().pose, contacts, most,
                base](Canvas& canvas) mutable {
                 std::vector<double> load(pose.size(), 0.0);
                 for (const Pressed& contact : contacts) load[contact.body2] += contact.force;
@@ -91,13 +88,12 @@ void wall_of_boxes(const Setting& setting, Page& page) {
                 }
               });
   page.text(
-      "There are many ways to hand the load down that all keep every box at rest, and the sweeps end at one of "
-      "them. Only "
-      "the sum is sure: the ground carries @ N, the weight of all.",
+      R"(There are many ways to hand the load down that all keep every box at rest, and the sweeps end at one of
+      them. Only the sum is sure: the ground carries @ N, the weight of all.)",
       Value(ground, 5));
   page.figure("pyramid_overlap",
-              say("The largest overlap anywhere in the pyramid after the kick, with 2 and 8 coloured warm sweeps "
-                  "and with as many conjugate ones as it takes (@ at most). Slop: @ mm.",
+              say(R"(The largest overlap anywhere in the pyramid after the kick, with 2 and 8 coloured warm sweeps
+                  and with as many conjugate ones as it takes (@ at most). Slop: @ mm.)",
                   solver.loops.sweeps, 1000 * slop),
               overlaps(base, h));
 
@@ -118,7 +114,7 @@ void wall_of_boxes(const Setting& setting, Page& page) {
               .unit = "m",
               .expected = 0.004,
               .source = "4 mm: it stands",
-              .measured = (pile.scene.bodies.pose.back().position - top).norm(),
+              .measured = (pile.scene.bodies().pose.back().position - top).norm(),
               .tolerance = at_most(),
               .claimed = h <= 0.02,
               .range = "h ≤ 0.02 s"});

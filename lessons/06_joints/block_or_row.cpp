@@ -14,7 +14,7 @@ namespace {
 
 using namespace tutor;
 using namespace renderer;
-using Held = Simulation<Scene<PlaneBody, Pin>>;
+using Held = Simulation<PlaneBody>;
 
 constexpr double seconds = 1.7, watched = 5;  // of the film, of the drift [s]
 constexpr int shown_sweeps = 10;
@@ -104,7 +104,7 @@ struct Film {
           {.size = 22, .colour = palette::series(static_cast<int>(i)), .anchor = Anchor::left, .bold = true});
       canvas.look(fit({-1.3 * length, -1.45 * length, 2.6 * length, 1.7 * length}, below, 0));
       canvas.clip(below);
-      const Pose<PlaneBody>& pose = box.scene.bodies.pose[1];
+      const Pose<PlaneBody>& pose = box.scene.bodies().pose[1];
       const Point arm = in_world<PlaneBody, double>(pose, box.scene.all<Pin>()[0].at.arms.second);
       canvas.anchor({0, 0});
       canvas.rod(pose.position, pose.position + arm, {palette::body, {palette::ink, 1.4}}, 8);
@@ -148,12 +148,12 @@ void block_or_row(const Setting& setting, Page& page) {
 
   const bool slender = c > 50;
   page.text(
-      "A pin's two rows could as well be solved like any others: x by (17), then y by (17), and round again. Most "
-      "of the time nobody would see the difference. Here is where you do: a box of @ m, pinned to the world by an "
-      "arm of @ m. @",
+      R"(A pin's two rows could as well be solved like any others: x by (17), then y by (17), and round again. Most
+      of the time nobody would see the difference. Here is where you do: a box of @ m, pinned to the world by an
+      arm of @ m. @)",
       setting.side, setting.length,
-      slender ? say("To turn it is so easy and to move it so hard (r²m/I = @) that a push along x or y alone "
-                    "hardly meets its weight: it only spins it.",
+      slender ? say(R"(To turn it is so easy and to move it so hard (r²m/I = @) that a push along x or y alone
+                    hardly meets its weight: it only spins it.)",
                     Value(c, 4))
               : say("(That is, you would with a small one: this box is as hard to turn as to move, r²m/I = @.)",
                     Value(c, 4)));
@@ -162,20 +162,20 @@ void block_or_row(const Setting& setting, Page& page) {
                   \qquad \Bigl(\frac{c}{1+c}\Bigr)^2 = @ \text{ is left by one sweep})",
                Value(c / 2, 4), Value(rho, 5));
   page.figure("two_rows",
-              "One step from rest at 45°, in the plane of the pin's two impulses. Dashed: where one row is "
-              "content; where they cross, both are. Row by row the way goes from one line to the other and back. "
-              "The nearer the lines, the shorter its stairs.",
+              R"(One step from rest at 45°, in the plane of the pin's two impulses. Dashed: where one row is
+              content; where they cross, both are. Row by row the way goes from one line to the other and back. The
+              nearer the lines, the shorter its stairs.)",
               [plump = way_of_sweeps(setting, length), small = way_of_sweeps(setting, side)](Canvas& canvas) {
                 const auto cells = canvas.page().inset(14, 30).cells(1, 2, 24);
                 draw(canvas, plump, cells[0]);
                 draw(canvas, small, cells[1]);
               });
   page.text(
-      "At the left a box as large as its arm: the rows ask for different things, and a few sweeps will do. @ As a "
-      "block it is one stride, whatever the box: the 2 × 2 matrix knows its own off-diagonal.",
-      slender ? "At the right our small one. Both rows mean nearly the same thing (\"do not turn\") and neither "
-                "says what matters (\"do not fall along the arm\"): that lies in their difference, and the stairs "
-                "between the lines climb there slowly."
+      R"(At the left a box as large as its arm: the rows ask for different things, and a few sweeps will do. @ As a
+      block it is one stride, whatever the box: the 2 × 2 matrix knows its own off-diagonal.)",
+      slender ? R"(At the right our small one. Both rows mean nearly the same thing ("do not turn") and neither
+                says what matters ("do not fall along the arm"): that lies in their difference, and the stairs
+                between the lines climb there slowly.)"
               : "At the right ours, which is not small enough to be any different.");
   page.predict(
       {.ask = say("After @ sweeps, row by row: what share of the pin's impulse is still missing?", sweeps),
@@ -201,22 +201,22 @@ void block_or_row(const Setting& setting, Page& page) {
     worst.push_back(drift.worst);
   }
   page.sequence("block_and_row",
-                say("Released level, @ sweeps a step, started cold, β = @. Purple: how far the arm's end is from "
-                    "its pin. (The box is drawn larger than it is.)",
+                say(R"(Released level, @ sweeps a step, started cold, β = @. Purple: how far the arm's end is from
+                    its pin. (The box is drawn larger than it is.))",
                     sweeps, setting.beta),
                 Seconds{seconds}, [film](Canvas& canvas, double time) mutable { film.draw(canvas, time); });
   page.text(
-      "In @ s the pin was off by @ mm at most when its rows were solved as a block, and by @ mm row by row. The "
-      "block's part is the step's own tangent (lesson 4: r(ωh)²/2β, with ω² = 2g/r at the bottom: gh²/β, whatever "
-      "the arm); the rest is what the sweeps left.",
+      R"(In @ s the pin was off by @ mm at most when its rows were solved as a block, and by @ mm row by row. The
+      block's part is the step's own tangent (lesson 4: r(ωh)²/2β, with ω² = 2g/r at the bottom: gh²/β, whatever
+      the arm); the rest is what the sweeps left.)",
       watched, Value(1000 * worst[0], 3), Value(1000 * worst[1], 3));
   const double warm =
       drift_of({"", held_box(setting, side, pi / 2, sweeps, BlockSolve::row_by_row, Baumgarte{beta}, true)}, h)
           .worst;
   page.text(
-      "A warm start takes row by row to @ mm, and more sweeps would do the rest; a block needs neither. That is "
-      "the whole reason for solving a joint's rows together: **rows that lean on the same arm belong in one "
-      "block.**",
+      R"(A warm start takes row by row to @ mm, and more sweeps would do the rest; a block needs neither. That is
+      the whole reason for solving a joint's rows together: **rows that lean on the same arm belong in one
+      block.**)",
       Value(1000 * warm, 3));
 
   page.measure("pin off at most, row by row", 1000 * worst[1], "mm");

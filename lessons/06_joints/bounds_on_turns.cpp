@@ -16,7 +16,7 @@ namespace {
 using namespace tutor;
 using namespace renderer;
 using M = PlaneBody;
-using Held = Simulation<Scene<M, Pin, AngleLimit, AngleMotor>>;
+using Held = Simulation<M>;
 
 constexpr double seconds = 1.6, settles = 6;      // [s]
 constexpr double stop_at = pi / 3, enough = 0.6;  // below level [rad]; a motor that can hold [mgl]
@@ -25,12 +25,12 @@ constexpr double stop_at = pi / 3, enough = 0.6;  // below level [rad]; a motor 
 Held arm(const Setting& setting, double below) {
   const auto rod = hinged_rod(pi / 2 - below, setting.length, setting.mass);
   Held arm{{}, exactly()};
-  arm.scene.bodies = rod.bodies;
+  arm.scene.bodies() = rod.bodies();
   arm.scene.add(rod.all<Pin>()[0]);
   return arm;
 }
 
-Turn<M> turn_of(const Held& arm) { return turn<M>(arm.scene.bodies, 0, 1); }
+Turn<M> turn_of(const Held& arm) { return turn<M>(arm.scene.bodies(), 0, 1); }
 
 double weight_moment(const Setting& setting) { return setting.mass() * gravity * setting.length(); }
 
@@ -49,7 +49,7 @@ Held stopped(const Setting& setting) {
 
 /// Below level [rad].
 double below_level(const Held& arm) {
-  const auto& rotation = arm.scene.bodies.pose[1].rotation;
+  const auto& rotation = arm.scene.bodies().pose[1].rotation;
   return std::atan2(rotation.cos, rotation.sin);
 }
 
@@ -92,7 +92,7 @@ struct Film {
       canvas.look(fit({-0.75 * length, -1.1 * length, 1.9 * length, 1.5 * length}, below, 4));
       if (i == 0) draw_stop(canvas, {0, 0}, -stop_at, length);
       canvas.anchor({0, 0}, {0, -1});
-      draw_bar(canvas, {{0, 0}, 2 * arm.scene.bodies.pose[1].position});
+      draw_bar(canvas, {{0, 0}, 2 * arm.scene.bodies().pose[1].position});
       canvas.hinge({0, 0});
       const double given = std::min(moment(arm, setting), 1.0), phi = -below_level(arm),
                    aside = given > 0 ? -0.12 : 0.12;
@@ -109,16 +109,16 @@ struct Film {
 void bounds_on_turns(const Setting& setting, Page& page) {
   const double h = setting.h(), strength = setting.strength();
   page.text(
-      "A stop and a motor share one row, the turn's J = [0 −1 0 1]. What makes them two things is where λ may go, "
-      "and the solver holds that with the line you know from contacts:");
+      R"(A stop and a motor share one row, the turn's J = [0 −1 0 1]. What makes them two things is where λ may go,
+      and the solver holds that with the line you know from contacts:)");
   page.excerpt("solver/system.hpp", "bound");
   page.formula("stop:  JV ≥ −(β/h)C,  0 ≤ λ        motor:  JV = s,  |λ| ≤ τh",
                R"(\text{stop: } JV \ge -\tfrac{\beta}{h}C,\ 0 \le \lambda \qquad
                   \text{motor: } JV = s,\ |\lambda| \le \tau h)");
   page.text(
-      "The bound is on the *impulse* of a step, so a strength in N m is multiplied by h. (Forget that and a motor "
-      "is twice as strong at twice the frame rate.) Take a bar of @ m and @ kg, hinged at one end, held level and "
-      "let go. To hold it there takes mgl/2 = @ N m.",
+      R"(The bound is on the *impulse* of a step, so a strength in N m is multiplied by h. (Forget that and a motor
+      is twice as strong at twice the frame rate.) Take a bar of @ m and @ kg, hinged at one end, held level and
+      let go. To hold it there takes mgl/2 = @ N m.)",
       setting.length, setting.mass, 0.5 * weight_moment(setting));
 
   const double law = braked_at(strength), balance = strength < 0.5 ? std::acos(2 * strength) : 0;
@@ -127,24 +127,24 @@ void bounds_on_turns(const Setting& setting, Page& page) {
   const bool brakes = strength >= 0.24 && strength <= 0.48;
   if (brakes)
     page.predict(
-        {.ask = say("A motor of at most @ mgl is told to hold the bar (s = 0). It is too weak by far. How many "
-                    "degrees below level does the bar come to rest?",
+        {.ask = say(R"(A motor of at most @ mgl is told to hold the bar (s = 0). It is too weak by far. How many
+                    degrees below level does the bar come to rest?)",
                     setting.strength),
          .answer = degrees(rest),
          .unit = "°",
          .tolerance = 3,
          .wrong = {{degrees(balance),
-                    "There its strength balances the weight's moment. But the bar arrives with speed, and it "
-                    "takes more way to spend that."},
+                    R"(There its strength balances the weight's moment. But the bar arrives with speed, and it
+                    takes more way to spend that.)"},
                    {90, "So it would with no motor at all and some friction; this one still pushes back there."},
                    {0, "It needs mgl/2 there, and has not got it."}},
-         .hint = "At its bound it is a brake that always gives the same. Gravity's work is ½mgl sin φ; what is "
-                 "the brake's?",
+         .hint = R"(At its bound it is a brake that always gives the same. Gravity's work is ½mgl sin φ; what is
+                 the brake's?)",
          .right = "There ½ sin φ = φ times the strength over mgl, and from there on it can hold."});
   page.text(
-      "All the way down its λ sits on the bound, so it takes the energy τφ. Gravity gave ½mgl sin φ. They are "
-      "equal at @°, @ the lowest point; there the weight needs @ mgl, @. If you *set the bar down gently*, the "
-      "answer is another one: it stays from arccos(2τ/mgl) = @° on.",
+      R"(All the way down its λ sits on the bound, so it takes the energy τφ. Gravity gave ½mgl sin φ. They are
+      equal at @°, @ the lowest point; there the weight needs @ mgl, @. If you *set the bar down gently*, the
+      answer is another one: it stays from arccos(2τ/mgl) = @° on.)",
       Value(degrees(law), 4), law > pi / 2 ? "beyond" : "short of", Value(0.5 * std::abs(std::cos(law)), 3),
       brakes ? "which is less than the motor has, and it holds"
              : "which is more than the motor has, and the bar swings back, less far each time",
@@ -164,17 +164,17 @@ void bounds_on_turns(const Setting& setting, Page& page) {
   }
   chart.references.push_back({Reference::Across::y, 0.5, "the weight's moment, level"});
   page.sequence("stop_and_motors",
-                "A bar let go level, and the moment that its stop or motor gives it (λ/h; the blow of the stop "
-                "goes off the chart). The arrows are that moment.",
+                R"(A bar let go level, and the moment that its stop or motor gives it (λ/h; the blow of the stop
+                goes off the chart). The arrows are that moment.)",
                 Seconds{seconds}, [film = Film{shown, setting, chart}](Canvas& canvas, double time) mutable {
                   film.draw(canvas, time);
                 });
 
   const Held on_stop = after(shown[0].arm, settles, h), holds = after(shown[1].arm, settles, h);
   page.text(
-      "The stop gives nothing for @°, one blow when the bar arrives, and then what the bar leans on it with: ½mgl "
-      "cos @° = @ mgl. The strong motor gives exactly the weight's moment and not its strength: a bound is no "
-      "command. Only the weak one knows its bound.",
+      R"(The stop gives nothing for @°, one blow when the bar arrives, and then what the bar leans on it with: ½mgl
+      cos @° = @ mgl. The strong motor gives exactly the weight's moment and not its strength: a bound is no
+      command. Only the weak one knows its bound.)",
       Value(degrees(stop_at), 3), Value(degrees(stop_at), 3), Value(moment(on_stop, setting), 4));
   page.measure("the weak motor's bar at rest, below level", degrees(rest), "°");
   page.claim({.quantity = "where the weak motor stops the bar, below level",

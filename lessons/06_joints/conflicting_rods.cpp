@@ -14,7 +14,7 @@ namespace {
 using namespace tutor;
 using namespace renderer;
 using M = PlaneParticle;
-using Rods = Simulation<Scene<M, NormalisedDistance>>;
+using Rods = Simulation<M>;
 
 constexpr double watched = 10;              // [s]
 constexpr double share = 0.01, give = 0.1;  // of each row's A: what the regularisation and the softness add
@@ -53,7 +53,7 @@ Curve over_time(const Cure& cure, const Setting& setting) {
 void draw_rods(Canvas& canvas, const Rods& rods, double length, double gap, const Rectangle& frame) {
   const double apart = 0.09 * length;  // the rods are one line; drawn side by side they can be told apart
   canvas.look(fit({-0.6 * length, -1.3 * (length + gap), 1.2 * length, 1.45 * (length + gap)}, frame, 6));
-  const Point bob = rods.scene.bodies.pose[1].position;
+  const Point bob = rods.scene.bodies().pose[1].position;
   canvas.anchor({0, 0});
   for (const auto& [side, colour] : {std::pair{-1, palette::constraint}, std::pair{1, palette::series(1)}}) {
     const Point off(side * apart, 0);
@@ -112,14 +112,16 @@ void conflicting_rods(const Setting& setting, Page& page) {
   for (Rods* rods : {&first, &biased, &shared}) advance_to(*rods, 1, h);
   const auto sum = [](const Rods& rods) { return lambda(rods, 0) + lambda(rods, 1); };
   page.text(
-      "Hang a bob of @ kg not from one rod of @ m but from two, between the same two points. Their rows are the "
-      "same row, and A = (1/m)[1 1; 1 1] has no inverse. What is asked of λ is only that the *sum* carries the "
-      "weight, mgh = @ N·s; how the two share it is anybody's guess, and each solver has its own:",
+      R"(Hang a bob of @ kg not from one rod of @ m but from two, between the same two points. Their rows are the
+      same row, and A = (1/m)[1 1; 1 1] has no inverse. What is asked of λ is only that the *sum* carries the
+      weight, mgh = @ N·s; how the two share it is anybody's guess, and each solver has its own:)",
       setting.mass, setting.length, weight * h);
   page.text(
-      "- sweeps, started cold: the first row takes everything (@ and @ N·s), for when it is done the second finds "
-      "nothing wrong;\n- sweeps, started warm from λ = (@, @): they stay in quarrel (@ and @ N·s), for nobody "
-      "sees a difference;\n- directly with a regularisation: half each (@ and @ N·s), the least λ that will do.",
+      R"(
+      - sweeps, started cold: the first row takes everything (@ and @ N·s), for when it is done the second finds
+        nothing wrong;
+      - sweeps, started warm from λ = (@, @): they stay in quarrel (@ and @ N·s), for nobody sees a difference;
+      - directly with a regularisation: half each (@ and @ N·s), the least λ that will do.)",
       -lambda(first, 0), -lambda(first, 1), m, -m, lambda(biased, 0), lambda(biased, 1), -lambda(shared, 0),
       -lambda(shared, 1));
   for (const auto& [rods, name] :
@@ -136,8 +138,8 @@ void conflicting_rods(const Setting& setting, Page& page) {
   const double a_step = sweeps * m * beta * gap / h;  // what a step adds to either λ
   const double grown = quarrel(end);
   page.text(
-      "A repeated row is harmless. Now make one of them @ m longer. No place of the bob suits both: each row's C "
-      "tells the other that it is wrong. Warm start, @ sweeps a step, β = @, and the bob starts at rest.",
+      R"(A repeated row is harmless. Now make one of them @ m longer. No place of the bob suits both: each row's C
+      tells the other that it is wrong. Warm start, @ sweeps a step, β = @, and the bob starts at rest.)",
       gap, sweeps, setting.beta);
   const double halfway = lambda(after(start, watched / 2, h), 1), doubled = lambda(end, 1) / halfway;
   page.choose(
@@ -149,8 +151,8 @@ void conflicting_rods(const Setting& setting, Page& page) {
             {say("it is some @ N·s, and stays so", Value(a_step, 3)),
              "That is what one step adds; warm start keeps the sum. Look at λ, not at the picture."},
             {"it grows in proportion to time",
-             say("Each step corrects the other's correction, and warm start keeps the sum: @ N·s after @ s, @ N·s "
-                 "after @ s.",
+             say(R"(Each step corrects the other's correction, and warm start keeps the sum: @ N·s after @ s, @ N·s
+                 after @ s.)",
                  Value(halfway, 5), watched / 2, Value(lambda(end, 1), 5), watched)},
             {"it explodes", "It would if each correction were larger than the last; they are all the same."}},
        .answer = doubled > 2.5               ? 3
@@ -160,9 +162,9 @@ void conflicting_rods(const Setting& setting, Page& page) {
        .hint = say("In every sweep either row takes back what the other just gave: m β ΔL/h = @ N·s.",
                    m * beta * gap / h)});
   page.text(
-      "Follow one sweep. The short rod's row asks for a speed inwards, (β/h)C₁, and gets it by an impulse. The "
-      "long one's row finds its own C₂ violated by that speed, and takes it back. The bob stands still where the "
-      "*last* row wants it; in every sweep the two have pushed against each other with");
+      R"(Follow one sweep. The short rod's row asks for a speed inwards, (β/h)C₁, and gets it by an impulse. The
+      long one's row finds its own C₂ violated by that speed, and takes it back. The bob stands still where the
+      *last* row wants it; in every sweep the two have pushed against each other with)");
   page.formula("Δλ = m β ΔL/h = @ N·s,   @ sweeps a step:   λ grows by @ N·s a step, without end",
                R"(\Delta\lambda = \frac{m\,\beta\,\Delta L}{h} = @\,\mathrm{N\,s},\qquad @ \text{ sweeps a step: }
                   \lambda \text{ grows by } @\,\mathrm{N\,s} \text{ a step, without end})",
@@ -180,27 +182,29 @@ void conflicting_rods(const Setting& setting, Page& page) {
   }
   chart.y.range = {{0.2 * least, 4 * most}};
   page.sequence("calm_picture",
-                say("Ten seconds in @ frames: two rods, drawn side by side, one for each dashed length. The bob "
-                    "stands. Right: with what force they push and pull against each other.",
+                say(R"(Ten seconds in @ frames: two rods, drawn side by side, one for each dashed length. The bob
+                    stands. Right: with what force they push and pull against each other.)",
                     frames),
                 Frames{frames},
                 [film = Film{start, length, gap, h, weight, chart}](Canvas& canvas, double frame) mutable {
                   film.draw(canvas, frame);
                 });
   page.text(
-      "After @ s the rods fight with @ times the bob's weight, and nothing moves. What reads λ is misled: a joint "
-      "that breaks above some force, a friction whose bound is μλ, an arrow in a debugger. And when a rod is "
-      "taken away, the other begins its next step with all of that. So **test for conflicts by |λ|, not by "
-      "looking**, and give the quarrel an end:",
+      R"(After @ s the rods fight with @ times the bob's weight, and nothing moves. What reads λ is misled: a joint
+      that breaks above some force, a friction whose bound is μλ, an arrow in a debugger. And when a rod is taken
+      away, the other begins its next step with all of that. So **test for conflicts by |λ|, not by looking**, and
+      give the quarrel an end:)",
       watched, Value(grown / h / weight, 3));
   const Rods chilled = after(cures[1].rods, 2, h), soft = after(cures[2].rods, watched, h),
              regularised = after(cures[3].rods, watched, h);
   const double soft_end = beta * gap / (2 * h * softness), regularised_end = beta * gap * m / (2 * h * share);
   page.text(
-      "- a *cold start* forgets it each step: @ N·s, what one step adds and half the weight;\n- *softness* γ lets "
-      "a rod give way by γλ, so that both can be content: λ₂ − λ₁ = βΔL/(hγ), here ± @ N·s for γ = @ 1/kg;\n- a "
-      "*regularisation* ε is the same with γ = εA for each row: ± @ N·s for ε = @. The bob then stands halfway "
-      "between the two lengths, which is the fairest answer to a question that has none.",
+      R"(
+      - a *cold start* forgets it each step: @ N·s, what one step adds and half the weight;
+      - *softness* γ lets a rod give way by γλ, so that both can be content: λ₂ − λ₁ = βΔL/(hγ), here ± @ N·s for γ
+        = @ 1/kg;
+      - a *regularisation* ε is the same with γ = εA for each row: ± @ N·s for ε = @. The bob then stands halfway
+        between the two lengths, which is the fairest answer to a question that has none.)",
       Value(quarrel(chilled), 4), Value(quarrel(soft), 4), softness, Value(quarrel(regularised), 4), share);
 
   page.measure("rod against rod at the end", grown / h / weight, "mg");
@@ -214,7 +218,7 @@ void conflicting_rods(const Setting& setting, Page& page) {
               .unit = "m",
               .expected = 0,
               .source = "the last row of a sweep is always content",
-              .measured = end.scene.bodies.pose[1].position.norm() - (length + gap),
+              .measured = end.scene.bodies().pose[1].position.norm() - (length + gap),
               .tolerance = absolute(1e-9 * length + 2 * gap * std::pow(1 - beta, steps)),
               .claimed = beta > 0.02,
               .range = "β > 0.02"});

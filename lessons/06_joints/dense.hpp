@@ -11,7 +11,7 @@ namespace byhand::joints {
 template <class S>
 Eigen::MatrixXd dense_jacobian(const S& scene) {
   using M = typename S::model;
-  const Bodies<M>& bodies = scene.bodies;
+  const Bodies<M>& bodies = scene.bodies();
   std::vector<int> column(bodies.size(), -1);
   int columns = 0, rows = 0;
   for (int i = 0; i < bodies.size(); ++i)
@@ -42,7 +42,7 @@ Eigen::VectorXd dense_inverse_mass(const Bodies<M>& bodies) {
 template <class S>
 Eigen::MatrixXd dense_matrix(const S& scene) {
   const Eigen::MatrixXd J = dense_jacobian(scene);
-  return J * dense_inverse_mass(scene.bodies).asDiagonal() * J.transpose();
+  return J * dense_inverse_mass(scene.bodies()).asDiagonal() * J.transpose();
 }
 
 /// How many rows of a matrix say something of their own: singular values above 1e-9 of the largest.

@@ -14,7 +14,7 @@ namespace {
 
 using namespace tutor;
 using namespace renderer;
-using Machine = Simulation<Scene<PlaneBody, Pin, Slider, AngleMotor>>;
+using Machine = Simulation<PlaneBody>;
 
 constexpr double turns = 1.5;  // of the crank, watched
 constexpr double start = 0.3;  // of the crank [rad]
@@ -64,11 +64,11 @@ Run run_of(const SliderCrankOptions& options, double h) {
   const double end = turns * 2 * pi / options.speed;
   advance_to(machine, end, h, [&] {
     const double angle = options.angle + options.speed * machine.time;
-    const double x = machine.scene.bodies.pose[piston].position.x();
+    const double x = machine.scene.bodies().pose[piston].position.x();
     const auto& system = machine.work.system;
     const double moment = system.lambda[system.row_of[motor_row]] / h;
     run.position_off = std::max(run.position_off, std::abs(x - exact.position(angle)));
-    run.speed_off = std::max(run.speed_off, std::abs(machine.scene.bodies.velocity[crank][2] - options.speed));
+    run.speed_off = std::max(run.speed_off, std::abs(machine.scene.bodies().velocity[crank][2] - options.speed));
     // An impulse changes V from the middle of the last step to that of this one. The first steps still take up
     // that nothing has drifted yet, while later ones always correct a little.
     if (machine.time > 10 * h)
@@ -91,7 +91,7 @@ struct Film {
     advance_to(machine, time, h);
     const auto [upper, lower] = canvas.page().inset(14).split_rows(0.46, 8);
     const double r = options.crank, l = options.rod;
-    const auto& pose = machine.scene.bodies.pose;
+    const auto& pose = machine.scene.bodies().pose;
     canvas.look(fit({-1.3 * r, -1.3 * r, l + 3.1 * r, 2.6 * r}, upper, 4));
     canvas.clip(upper);
     draw_rail(canvas, {l, -0.36 * r}, 0, 1.5 * r);
@@ -128,17 +128,17 @@ void driven_crank(const Setting& setting, Page& page) {
   const Run run = run_of(options, h), fine = run_of(options, h / 2);
 
   page.text(
-      "Every joint of this lesson in one machine: a motor turns a crank of @ m at @ rad/s, a rod of @ m joins it "
-      "by two pins to a piston, and a slider keeps the piston on its way. Three bodies of @ kg are nine numbers; "
-      "three pins and a slider take eight, and the motor's row the last. Nothing is left to chance, so there is a "
-      "closed form for all of it:",
+      R"(Every joint of this lesson in one machine: a motor turns a crank of @ m at @ rad/s, a rod of @ m joins it
+      by two pins to a piston, and a slider keeps the piston on its way. Three bodies of @ kg are nine numbers;
+      three pins and a slider take eight, and the motor's row the last. Nothing is left to chance, so there is a
+      closed form for all of it:)",
       setting.crank, setting.speed, setting.length, setting.mass);
   page.formula("x = r cos θ + √(l² − r² sin² θ),   θ = θ₀ + ωt,   τ = ½ω² dI/dθ",
                R"(x = r\cos\theta + \sqrt{l^2 - r^2\sin^2\theta},\quad \theta = \theta_0 + \omega t,\quad
                   \tau = \tfrac12\omega^2\,\frac{dI}{d\theta})");
   page.text(
-      "I(θ) is what the machine's kinetic energy is over ½ω²: the crank's own @ kg m², and what rod and piston "
-      "add, which the angle decides. The motor pays for every rise of it and is paid back at every fall.",
+      R"(I(θ) is what the machine's kinetic energy is over ½ω²: the crank's own @ kg m², and what rod and piston
+      add, which the angle decides. The motor pays for every rise of it and is paid back at every fall.)",
       Value(options.crank_mass * r * r / 3, 3));
 
   double peak = 0;
@@ -159,8 +159,8 @@ void driven_crank(const Setting& setting, Page& page) {
              .y = {.label = "motor's moment (N m)", .range = {{-1.3 * peak, 1.3 * peak}}},
              .curves = {run.moment, moment}}};
   page.sequence("slider_crank",
-                "One turn and a half of the crank, all rows solved at once (β = 1). Orange: the motor's moment. "
-                "Dashed: the closed forms, which the solver has never seen.",
+                R"(One turn and a half of the crank, all rows solved at once (β = 1). Orange: the motor's moment.
+                Dashed: the closed forms, which the solver has never seen.)",
                 Seconds{std::min(end, 3.0)},
                 [film](Canvas& canvas, double time) mutable { film.draw(canvas, time); });
   page.predict(
@@ -181,10 +181,10 @@ void driven_crank(const Setting& setting, Page& page) {
             {8, "That is the power; the moment is the power over the speed."}},
        .hint = "There is no gravity here: all that the motor does is to give and take kinetic energy."});
   page.text(
-      "(The first few steps of the moment are not drawn: they take up that nothing has drifted yet.) The crank "
-      "turns at exactly its speed (off by @ rad/s at most): a motor with strength to spare is a row like any "
-      "other. The piston is off by @ mm at most, @ of that at half the step; that is the tangent of every step, "
-      "(ωh)², with ωh = @ here.",
+      R"((The first few steps of the moment are not drawn: they take up that nothing has drifted yet.) The crank
+      turns at exactly its speed (off by @ rad/s at most): a motor with strength to spare is a row like any other.
+      The piston is off by @ mm at most, @ of that at half the step; that is the tangent of every step, (ωh)², with
+      ωh = @ here.)",
       Value(run.speed_off, 1), Value(1000 * run.position_off, 3), Value(fine.position_off / run.position_off, 2),
       Value(turn, 3));
 

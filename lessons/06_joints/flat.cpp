@@ -59,7 +59,7 @@ double parting_speed(const Setting& setting, double share) {
   const Eigen::MatrixXd J = dense_jacobian(linkage.scene);
   linkage.step(setting.h);
   Eigen::VectorXd V(J.cols());
-  for (int body = 1; body <= 3; ++body) V.segment<3>(3 * (body - 1)) = linkage.scene.bodies.velocity[body];
+  for (int body = 1; body <= 3; ++body) V.segment<3>(3 * (body - 1)) = linkage.scene.bodies().velocity[body];
   return (J * V).cwiseAbs().maxCoeff();
 }
 
@@ -70,7 +70,7 @@ FourBar sent_off(const Setting& setting, double speed, double ratio) {
   FourBar linkage{four_bar(bars), exactly(shown_share)};
   linkage.scene.gravity.setZero();
   const double left = bars.arm * speed * ratio, right = bars.arm * speed;  // of the arms' free ends, upwards
-  auto& V = linkage.scene.bodies.velocity;
+  auto& V = linkage.scene.bodies().velocity;
   V[1] = {0, left / 2, speed * ratio};
   V[2] = {0, right / 2, speed};
   V[3] = {0, (left + right) / 2, (right - left) / bars.coupler};
@@ -103,11 +103,11 @@ struct Way {
 /// Its kinetic energy over that at the start, over time.
 Curve energy_of(const Way& way, double h) {
   FourBar linkage = way.linkage;
-  const double before = kinetic_energy(linkage.scene.bodies);
+  const double before = kinetic_energy(linkage.scene.bodies());
   Curve curve{.label = way.name, .x = {0}, .y = {1}};
   advance_to(linkage, seconds, h, [&] {
     curve.x.push_back(linkage.time);
-    curve.y.push_back(kinetic_energy(linkage.scene.bodies) / before);
+    curve.y.push_back(kinetic_energy(linkage.scene.bodies()) / before);
   });
   return curve;
 }
@@ -125,8 +125,8 @@ struct Film {
     for (std::size_t i = 0; i < ways.size(); ++i) {
       FourBar& linkage = ways[i].linkage;
       std::vector<Point>& trail = ways[i].trail;
-      if (trail.empty()) trail.push_back(linkage.scene.bodies.pose[3].position);
-      advance_to(linkage, time, h, [&] { trail.push_back(linkage.scene.bodies.pose[3].position); });
+      if (trail.empty()) trail.push_back(linkage.scene.bodies().pose[3].position);
+      advance_to(linkage, time, h, [&] { trail.push_back(linkage.scene.bodies().pose[3].position); });
       canvas.text({cells[i].centre().x(), cells[i].top() - 14}, ways[i].name,
                   {.size = 22, .colour = palette::series(static_cast<int>(i)), .bold = true});
       const Rectangle below{cells[i].x, cells[i].y, cells[i].width, cells[i].height - 32};
@@ -152,8 +152,8 @@ void flat(const Setting& setting, Page& page) {
   const FourBar third{four_bar(bars_of(setting, radians(60), 3)), exactly()};
 
   page.text(
-      "Count the rank, not the rows. Hang a third arm between the two of the last step, parallel and of the same "
-      "length: one body and two pins more, @ numbers and @ rows.",
+      R"(Count the rank, not the rows. Hang a third arm between the two of the last step, parallel and of the same
+      length: one body and two pins more, @ numbers and @ rows.)",
       static_cast<int>(three.cols()), rows_of_three);
   page.choose(
       {.ask = say("@ − @ = @. Does it still move?", static_cast<int>(three.cols()), rows_of_three,
@@ -164,10 +164,11 @@ void flat(const Setting& setting, Page& page) {
        .answer = static_cast<int>(three.cols()) > rank_of_three ? 1 : 0,
        .hint = "Look at the coupler's motion with two arms. Does the third arm object?"});
   page.text(
-      "So A has no inverse, and the direct solve says so instead of dividing by it: \"@\". (A sweep never "
-      "notices. It only ever divides by blocks of its own.)\n\nThe linkage with two arms gets there by itself, "
-      "for one moment: *flat*, with all bars in one line. Then the four pins' rows along that line say one thing "
-      "twice, and the rank falls from @ to @:",
+      R"(So A has no inverse, and the direct solve says so instead of dividing by it: "@". (A sweep never notices.
+      It only ever divides by blocks of its own.)
+
+      The linkage with two arms gets there by itself, for one moment: *flat*, with all bars in one line. Then the
+      four pins' rows along that line say one thing twice, and the rank falls from @ to @:)",
       complaint(third, h), static_cast<int>(J.rows()), at_flat);
   Curve least{.label = "measured", .style = CurveStyle::line_and_markers},
       square{.label = "slope 2", .style = CurveStyle::theory};
@@ -191,25 +192,25 @@ void flat(const Setting& setting, Page& page) {
   for (const Way& way : ways) energies.curves.push_back(energy_of(way, h));
   const auto kept = [&](int way) { return energies.curves[way].y.back(); };
   page.text(
-      "A row less is a freedom more. At that moment the linkage has two, and *two ways lead on*: it can stay a "
-      "parallelogram, or fold into a crossed one, whose arms turn against each other and at first as (c + a) to "
-      "(c − a), @ to 1. Nothing in J knows which; the velocities do. What if they ask for neither? J at the flat "
-      "pose has nothing against it, so the first step goes that way, and the next one finds pins that have "
-      "parted: @ % of the energy is left when the linkage is back on a way that exists.",
+      R"(A row less is a freedom more. At that moment the linkage has two, and *two ways lead on*: it can stay a
+      parallelogram, or fold into a crossed one, whose arms turn against each other and at first as (c + a) to (c −
+      a), @ to 1. Nothing in J knows which; the velocities do. What if they ask for neither? J at the flat pose has
+      nothing against it, so the first step goes that way, and the next one finds pins that have parted: @ % of the
+      energy is left when the linkage is back on a way that exists.)",
       Value(-1 / ratio, 3), Value(100 * kept(2), 2));
   page.sequence("ways_on",
-                say("The same flat pose, sent off in three ways, without gravity; regularisation @. Only two of "
-                    "them lead on.",
+                say(R"(The same flat pose, sent off in three ways, without gravity; regularisation @. Only two of
+                    them lead on.)",
                     shown_share),
                 Seconds{seconds}, [film = Film{ways, bars, h, energies}](Canvas& canvas, double time) mutable {
                   film.draw(canvas, time);
                 });
   page.text(
-      "**Regularisation** carries the direct solve across: add a small share ε of A's own diagonal to it, (A + "
-      "εD)λ = −(JV + b). It is softness, γ = εD: each row may give way a little, by γλ. Its price is that pins "
-      "part at a speed of about ε times what they carry; what it buys is a bound for λ. You need one. Let the "
-      "right-hand pivot be set @ mm too far out: flat, the bars cannot reach, and their pull on themselves moves "
-      "nothing that could stop it. Only ε answers:",
+      R"(**Regularisation** carries the direct solve across: add a small share ε of A's own diagonal to it, (A +
+      εD)λ = −(JV + b). It is softness, γ = εD: each row may give way a little, by γλ. Its price is that pins part
+      at a speed of about ε times what they carry; what it buys is a bound for λ. You need one. Let the right-hand
+      pivot be set @ mm too far out: flat, the bars cannot reach, and their pull on themselves moves nothing that
+      could stop it. Only ε answers:)",
       1000 * misfit);
   page.formula("λ = (β/h) δ / (ε (4/m_a + 2/m_c)) = @ N·s for ε = @, where mgh = @ N·s",
                R"(\lambda = \frac{\beta\,\delta/h}{\varepsilon\,(4/m_a + 2/m_c)} = @\,\mathrm{N\,s}
@@ -232,8 +233,8 @@ void flat(const Setting& setting, Page& page) {
   price.curves = {parting};
   gain.curves = {pull, law};
   page.figure("price_of_regularisation",
-              say("What ε costs and what it buys, in the first step from flat. Left: how fast pins part when the "
-                  "linkage falls. Right: with what it pulls at itself when its pivots are @ mm too far apart.",
+              say(R"(What ε costs and what it buys, in the first step from flat. Left: how fast pins part when the
+                  linkage falls. Right: with what it pulls at itself when its pivots are @ mm too far apart.)",
                   1000 * misfit),
               [price, gain](Canvas& canvas) {
                 const auto cells = canvas.page().inset(14, 60).cells(1, 2, 24);
@@ -241,8 +242,8 @@ void flat(const Setting& setting, Page& page) {
                 draw(canvas, gain, cells[1]);
               });
   page.text(
-      "Between the two lies room: with ε = @ pins part at @ mm/s and the pull is @ N·s. So regularise *always* "
-      "where loops close, by as much as you do not see.",
+      R"(Between the two lies room: with ε = @ pins part at @ mm/s and the pull is @ N·s. So regularise *always*
+      where loops close, by as much as you do not see.)",
       loose, Value(1000 * parting_speed(setting, loose), 2), Value(self_pull(setting, loose), 3));
 
   page.measure("energy left, sent off neither way", kept(2), "1");

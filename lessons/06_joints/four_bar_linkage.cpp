@@ -35,7 +35,7 @@ Swing swing_of(const FourBarOptions& bars, const SimplePendulum& pendulum, doubl
   double last = bars.angle;
   advance_to(linkage, measured_for, h, [&] {
     const double now = arm_angle(linkage);
-    const auto& coupler = linkage.scene.bodies.pose[3].rotation;
+    const auto& coupler = linkage.scene.bodies().pose[3].rotation;
     swing.off = std::max(swing.off, std::abs(now - pendulum.angle(linkage.time + h / 2)));
     swing.tilt = std::max(swing.tilt, std::abs(std::atan2(coupler.sin, coupler.cos)));
     if (last * now < 0) crossings.push_back(linkage.time - h * now / (now - last));
@@ -88,8 +88,8 @@ void four_bar_linkage(const Setting& setting, Page& page) {
   const int numbers = static_cast<int>(J.cols()), rows = static_cast<int>(J.rows()), freedom = numbers - rank(J);
 
   page.text(
-      "Two arms of @ m and @ kg hang from the ground and carry a coupler of @ m and @ kg between their lower "
-      "ends: three bodies, four pins.",
+      R"(Two arms of @ m and @ kg hang from the ground and carry a coupler of @ m and @ kg between their lower
+      ends: three bodies, four pins.)",
       setting.length, setting.mass, bars.coupler, setting.coupler);
   page.predict(
       {.ask = "How many degrees of freedom does this four-bar linkage have?",
@@ -103,9 +103,9 @@ void four_bar_linkage(const Setting& setting, Page& page) {
        .hint = "Each body moves with three numbers. How many rows do four pins have?",
        .right = say("@ numbers less @ rows.", numbers, rows)});
   page.text(
-      "One is what a pendulum has, and this *is* one. The coupler keeps level, so it moves with the arms' ends as "
-      "if all of it were there; each arm is a uniform rod about its end, which counts ⅓ of its mass in inertia "
-      "and ½ in weight. Two arms and a coupler swing like a bob on a rod without weight of the length");
+      R"(One is what a pendulum has, and this *is* one. The coupler keeps level, so it moves with the arms' ends as
+      if all of it were there; each arm is a uniform rod about its end, which counts ⅓ of its mass in inertia and ½
+      in weight. Two arms and a coupler swing like a bob on a rod without weight of the length)");
   page.formula("ℓ = a (⅔ m_a + m_c)/(m_a + m_c) = @ m",
                R"(\ell = a\,\frac{\tfrac23 m_a + m_c}{m_a + m_c} = @\,\mathrm{m})", length);
   const Swing swing = swing_of(bars, pendulum, h), fine = swing_of(bars, pendulum, h / 2);
@@ -116,8 +116,8 @@ void four_bar_linkage(const Setting& setting, Page& page) {
   }
   page.sequence(
       "four_bar",
-      say("The linkage, solved directly (β = 1), and beside it the pendulum of @ m by its elliptic integral. "
-          "Below: both angles.",
+      say(R"(The linkage, solved directly (β = 1), and beside it the pendulum of @ m by its elliptic integral.
+          Below: both angles.)",
           Value(length, 3)),
       Seconds{seconds},
       [film = Film{start,
@@ -127,15 +127,15 @@ void four_bar_linkage(const Setting& setting, Page& page) {
                    {.x = {.label = "time (s)"}, .y = {.label = "angle (°)"}, .curves = {swing.angle, exact}}}](
           Canvas& canvas, double time) mutable { film.draw(canvas, time); });
   page.text(
-      "The solver has never heard of that formula. It knows @ rows; the pins' impulses, forward and back along "
-      "the bars, are what holds the coupler level. Period: @ s measured over @ s, @ s by the elliptic integral. "
-      "Half the step brings the difference down by @.",
+      R"(The solver has never heard of that formula. It knows @ rows; the pins' impulses, forward and back along
+      the bars, are what holds the coupler level. Period: @ s measured over @ s, @ s by the elliptic integral. Half
+      the step brings the difference down by @.)",
       rows, Value(swing.period, 6), measured_for, Value(pendulum.period(), 6),
       Value((swing.period - pendulum.period()) / (fine.period - pendulum.period()), 3));
   page.text(
-      "(One trick to compare the angles: symplectic Euler's positions are half a step ahead of the clock, for it "
-      "moves with the velocity of the step's *end*. Held against the pendulum at t + h/2 the arms are off by @° "
-      "at most in @ s; held against t it would be the first order in h, and it would hide the second.)",
+      R"((One trick to compare the angles: symplectic Euler's positions are half a step ahead of the clock, for it
+      moves with the velocity of the step's *end*. Held against the pendulum at t + h/2 the arms are off by @° at
+      most in @ s; held against t it would be the first order in h, and it would hide the second.))",
       Value(degrees(swing.off), 2), measured_for);
 
   const double turn = std::sqrt(gravity / length) * h;  // of the small swing in a step

@@ -6,14 +6,14 @@
 #include "lessons/06_joints/steps.hpp"
 #include "lessons/pictures/rods_and_bobs.hpp"
 #include "lessons/scenes/bridge.hpp"
-#include "solver/simulation.hpp"
+#include "solver/step.hpp"
 
 namespace byhand::joints {
 namespace {
 
 using namespace tutor;
 using namespace renderer;
-using Bridge = Simulation<Scene<PlaneBody, Pin>>;
+using Bridge = Simulation<PlaneBody>;
 
 constexpr int planks = 10;
 
@@ -24,7 +24,7 @@ Bridge at_rest(const Setting& setting) {
   const int steps = static_cast<int>(60 / setting.h);
   for (int i = 0; i < steps; ++i) {
     bridge_now.step(setting.h);
-    for (auto& V : bridge_now.scene.bodies.velocity) V *= 1 - 3 * setting.h;
+    for (auto& V : bridge_now.scene.bodies().velocity) V *= 1 - 3 * setting.h;
   }
   return bridge_now;
 }
@@ -42,10 +42,10 @@ void hanging_bridge(const Setting& setting, Page& page) {
   const Bridge bridge_now = at_rest(setting);
   const double plank = setting.mass() * gravity, weight = planks * plank, pull = -force(bridge_now, 0).x();
   page.text(
-      "@ planks of @ m and @ kg, pinned end to end between two anchors: @ rows in a path, which the direct solve "
-      "takes at one go. At rest two things can be said of it without a computer. Each anchor carries half the "
-      "weight; and the level part of the pull, H, is the same in every pin, for nothing else pulls sideways. So a "
-      "plank slopes as the weight between its middle and the lowest point of the bridge, over H:",
+      R"(@ planks of @ m and @ kg, pinned end to end between two anchors: @ rows in a path, which the direct solve
+      takes at one go. At rest two things can be said of it without a computer. Each anchor carries half the
+      weight; and the level part of the pull, H, is the same in every pin, for nothing else pulls sideways. So a
+      plank slopes as the weight between its middle and the lowest point of the bridge, over H:)",
       planks, setting.length, setting.mass, 2 * (planks + 1));
   page.formula(
       "tan θᵢ = (i − (n + 1)/2) w/H,   w = @ N, H = @ N",
@@ -70,17 +70,17 @@ void hanging_bridge(const Setting& setting, Page& page) {
     worst_level = std::max(worst_level, std::abs(given.x() + pull) / weight);
     const auto& at = scene.all<Pin>()[i].at;
     const int body = i < planks ? at.body2 : at.body1;
-    const Bar bar = bar_of(scene.bodies.pose[body], setting.length);
+    const Bar bar = bar_of(scene.bodies().pose[body], setting.length);
     arrows.emplace_back(i < planks ? bar.from : bar.to, given);
     if (i == 0) continue;
-    const auto& turn = scene.bodies.pose[i].rotation;
+    const auto& turn = scene.bodies().pose[i].rotation;
     worst_slope = std::max(worst_slope, std::abs(turn.sin / turn.cos - (i - 0.5 * (planks + 1)) * plank / pull));
   }
   Chart chart{
       .x = {.label = "pin (1)"}, .y = {.label = "force (weight of the bridge)"}, .curves = {level, upright, law}};
   page.figure("bridge",
-              "The bridge at rest; arrows: what each pin gives to what is on its right (the last one: to the "
-              "anchor). Below: their level part, the same in all, and their upright part, the weight beyond.",
+              R"(The bridge at rest; arrows: what each pin gives to what is on its right (the last one: to the
+              anchor). Below: their level part, the same in all, and their upright part, the weight beyond.)",
               [=](Canvas& canvas) {
                 const auto [upper, lower] = canvas.page().inset(16).split_rows(0.48, 10);
                 const double span = planks * setting.length();
@@ -92,9 +92,9 @@ void hanging_bridge(const Setting& setting, Page& page) {
                 draw(canvas, chart, lower);
               });
   page.text(
-      "The flatter the bridge, the larger H: an anchor of this one carries @ N, @ of the whole weight, and a "
-      "level one would have to pull without end. That is why this one is laid in an arc; and its tension, all "
-      "along the chain, is what makes bridges a hard case for sweeps (lesson 3).",
+      R"(The flatter the bridge, the larger H: an anchor of this one carries @ N, @ of the whole weight, and a
+      level one would have to pull without end. That is why this one is laid in an arc; and its tension, all along
+      the chain, is what makes bridges a hard case for sweeps (lesson 3).)",
       Value(force(bridge_now, 0).norm(), 4), Value(force(bridge_now, 0).norm() / weight, 3));
   const std::string source = "statics: the weight beyond the pin";
   page.claim({.quantity = "upright force of each pin, largest difference over the weight",

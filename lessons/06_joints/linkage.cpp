@@ -10,7 +10,7 @@ FourBarOptions bars_of(const Setting& setting, double angle, int arms) {
 }
 
 double arm_angle(const FourBar& linkage, int arm) {
-  const auto& rotation = linkage.scene.bodies.pose[arm].rotation;
+  const auto& rotation = linkage.scene.bodies().pose[arm].rotation;
   return std::atan2(rotation.cos, -rotation.sin);  // the body's x axis runs down the arm
 }
 

@@ -2,11 +2,11 @@
 
 #include "lessons/06_joints/setting.hpp"
 #include "lessons/scenes/four_bar.hpp"
-#include "solver/simulation.hpp"
+#include "solver/step.hpp"
 
 namespace byhand::joints {
 
-using FourBar = Simulation<Scene<PlaneBody, Pin>>;
+using FourBar = Simulation<PlaneBody>;
 
 /// The lesson's four-bar linkage: arms of the lesson's length and mass, a coupler half as long again.
 FourBarOptions bars_of(const Setting& setting, double angle, int arms = 2);

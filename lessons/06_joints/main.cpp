@@ -40,15 +40,15 @@ int main(int argc, char** argv) {
 
   lesson.closing(
       {.now_you_know =
-           {"A joint is K rows of the kind you know: a pin two, a weld three, a slider two. Stops, motors and "
-            "ropes are one row between bounds.",
+           {R"(A joint is K rows of the kind you know: a pin two, a weld three, a slider two. Stops, motors and
+            ropes are one row between bounds.)",
             "Rows that lean on the same arm belong in one block; row by row a sweep leaves A₁₂²/(A₁₁A₂₂).",
-            "Machines made of joints are held to closed forms by nothing but their rows: periods, pistons, "
-            "moments.",
-            "Degrees of freedom are numbers less *rank*. Where rows repeat, A is singular, and a regularisation "
-            "decides.",
-            "Rows that contradict each other fight without end under a warm start, and the picture stays calm: "
-            "look at λ."},
+            R"(Machines made of joints are held to closed forms by nothing but their rows: periods, pistons,
+            moments.)",
+            R"(Degrees of freedom are numbers less *rank*. Where rows repeat, A is singular, and a regularisation
+            decides.)",
+            R"(Rows that contradict each other fight without end under a warm start, and the picture stays calm:
+            look at λ.)"},
        .tries = {{"A box as large as its arm: is there still a difference between block and row?",
                   "./lessons/run joints --step 2 --set side=2"},
                  {"A motor that is a little stronger: where does the bar come to rest now?",

@@ -16,7 +16,7 @@ namespace {
 using namespace tutor;
 using namespace renderer;
 using M = PlaneBody;
-using Doll = Simulation<Scene<M, FaceContact, Pin, AngleLimit>>;
+using Doll = Simulation<M>;
 
 constexpr double seconds = 2.7, settles = 20, step = 1.0 / 120;  // [s]
 constexpr int sweeps = 60, stairs = 4;
@@ -31,14 +31,14 @@ Doll above_a_stair() {
     scene.set_shape(body, Box<M>{{0.15, high / 2}}, {0.6});
   }
   const int torso = add_ragdoll(scene, {0.2, 2.2});
-  scene.bodies.velocity[torso] = {1, 0, -2};
+  scene.state().velocity[torso] = {1, 0, -2};
   return doll;
 }
 
 /// By how much the joints' stops are passed at most [rad].
 double passed(const Doll& doll) {
   double worst = 0;
-  const auto& poses = doll.scene.bodies.pose;
+  const auto& poses = doll.scene.bodies().pose;
   for (const auto& stop : doll.scene.all<AngleLimit>())
     worst = std::max(worst, -stop.value<double>(poses[stop.at.body1], poses[stop.at.body2])[0]);
   return worst;
@@ -61,8 +61,8 @@ double carried(const Doll& doll) {
   int number = 0;
   doll.scene.for_each([&]<class Kind>(const Kind& contact) {
     const int row = doll.work.system.row_of[number++];
-    if constexpr (std::is_same_v<Kind, FaceContact<M>>) {
-      if (moves(doll.scene.bodies.inverse_mass[contact.at.body1])) return;
+    if constexpr (std::is_same_v<Kind, ContactManifold<M>>) {
+      if (moves(doll.scene.bodies().inverse_mass[contact.at.body1])) return;
       const auto* lambda = &doll.work.system.lambda[row];
       const Point n = contact.normal, t(n.y(), -n.x());
       sum += (lambda[0] + lambda[1]) * n.y() + lambda[2] * t.y();
@@ -77,7 +77,7 @@ void ragdoll_on_a_stair(const Setting&, Page& page) {
   const Doll start = above_a_stair();
   double worst = 0, least = INFINITY, weight = 0;
   Doll doll = start;
-  for (const auto& mass : doll.scene.bodies.inverse_mass)
+  for (const auto& mass : doll.scene.bodies().inverse_mass)
     if (moves(mass)) weight += gravity / mass.linear;
   advance_to(doll, settles, step, [&] {
     worst = std::max(worst, passed(doll));
@@ -86,9 +86,9 @@ void ragdoll_on_a_stair(const Setting&, Page& page) {
   const double at_rest = passed(doll);
 
   page.text(
-      "Ten boxes, nine pins, two stops to each pin, and contacts wherever something touches: a ragdoll of @ kg "
-      "falls on a stair. Not one line of the solver knows what a ragdoll is. (@ sweeps a step of @ s, β = @, @ mm "
-      "of slop.)",
+      R"(Ten boxes, nine pins, two stops to each pin, and contacts wherever something touches: a ragdoll of @ kg
+      falls on a stair. Not one line of the solver knows what a ragdoll is. (@ sweeps a step of @ s, β = @, @ mm of
+      slop.))",
       Value(weight / gravity, 3), sweeps, Value(step, 3), 0.2, 1);
   page.sequence("ragdoll", "Head, torso, arms and legs are boxes; each joint is a pin with two stops.",
                 Seconds{seconds}, [doll = start](Canvas& canvas, double time) mutable {
@@ -96,15 +96,15 @@ void ragdoll_on_a_stair(const Setting&, Page& page) {
                   canvas.look(fit({-1.5, -0.15, 4.6, 3.3}, canvas.page(), 0));
                   pictures::draw(canvas, pictures::shapes_of(doll.scene));
                   for (const auto& joint : doll.scene.all<Pin>()) {
-                    const Pose<M>& pose = doll.scene.bodies.pose[joint.at.body2];
+                    const Pose<M>& pose = doll.scene.bodies().pose[joint.at.body2];
                     canvas.hinge(anchor<M, double>(pose, in_world<M, double>(pose, joint.at.arms.second)));
                   }
                   canvas.look_at_page();
                 });
   page.text(
-      "A joint's stop is one more row that sweeps have to bring into line with all others, so it gives way under "
-      "a blow: @° at most here. At rest hardly anything is left of that (@°), the stops only ever pushed, and the "
-      "ground carries @ N, which is the doll's weight.",
+      R"(A joint's stop is one more row that sweeps have to bring into line with all others, so it gives way under
+      a blow: @° at most here. At rest hardly anything is left of that (@°), the stops only ever pushed, and the
+      ground carries @ N, which is the doll's weight.)",
       Value(degrees(worst), 2), Value(degrees(at_rest), 2), Value(carried(doll), 5));
   page.claim({.quantity = "least λ of any stop in any step",
               .unit = "N m s",

@@ -29,7 +29,7 @@ Track track_of(Simulation<S> simulation, const Setting& setting, double seconds)
   const double h = setting.h / finer, weight = setting.mass() * gravity * h;
   Track track;
   advance_to(simulation, seconds, h, [&] {
-    const Point at = simulation.scene.bodies.pose[1].position;
+    const Point at = simulation.scene.bodies().pose[1].position;
     const double lambda = simulation.work.system.lambda[0];
     track.time.push_back(simulation.time);
     // The first steps take up that the throw is along the tangent.
@@ -42,9 +42,9 @@ Track track_of(Simulation<S> simulation, const Setting& setting, double seconds)
 
 /// A bob at the lowest point with the speed that would take it just to the top.
 template <template <class> class Holder>
-Simulation<Scene<M, Holder>> thrown(const Setting& setting, double speed) {
+Simulation<M> thrown(const Setting& setting, double speed) {
   const double length = setting.length();
-  Simulation<Scene<M, Holder>> simulation{{}, {.solver = Direct{}, .drift = Baumgarte{setting.beta}}};
+  Simulation<M> simulation{{}, {.solver = Direct{}, .drift = Baumgarte{setting.beta}}};
   auto& scene = simulation.scene;
   scene.add_body(Linear<M>(0, 0), fixed<M>());
   scene.add_body(Linear<M>(0, -length), with_mass<M>(setting.mass), Linear<M>(speed, 0));
@@ -60,8 +60,8 @@ void ropes(const Setting& setting, Page& page) {
   const Track rope = track_of(thrown<Rope>(setting, speed), setting, seconds),
               rod = track_of(thrown<NormalisedDistance>(setting, speed), setting, seconds);
   page.text(
-      "A rope is a rod that can only pull: the same J, and λ ≥ 0 for its tension. Take a bob of @ kg on @ m, at "
-      "the lowest point, and throw it at √(4gL) = @ m/s. That is just enough for a rod to carry it to the top.",
+      R"(A rope is a rod that can only pull: the same J, and λ ≥ 0 for its tension. Take a bob of @ kg on @ m, at
+      the lowest point, and throw it at √(4gL) = @ m/s. That is just enough for a rod to carry it to the top.)",
       setting.mass, setting.length, Value(speed, 3));
   page.predict({.ask = "At which angle from straight down does the rope go slack, in degrees?",
                 .answer = degrees(std::acos(rope.let_go)),
@@ -79,8 +79,8 @@ void ropes(const Setting& setting, Page& page) {
     for (double& pull : curve.y)
       if (pull > 6.5) pull = NAN;
   page.figure("rope_and_rod",
-              "The same throw on a rope and on a rod. The rope's bob leaves the circle and flies a parabola until "
-              "it is caught; the rod pushes it on.",
+              R"(The same throw on a rope and on a rod. The rope's bob leaves the circle and flies a parabola until
+              it is caught; the rod pushes it on.)",
               [=](Canvas& canvas) {
                 const auto [left, right] = canvas.page().inset(16).split_columns(0.5, 20);
                 canvas.look(fit({-1.2 * length, -1.2 * length, 2.4 * length, 2.4 * length}, left, 10));
@@ -99,9 +99,9 @@ void ropes(const Setting& setting, Page& page) {
                 draw(canvas, chart, right.inset(0, 60));
               });
   page.text(
-      "Nothing switches here. While the rope is shorter than its length the row lets it close the gap within the "
-      "step and no more, JV ≥ −C/h, and (17) would need a negative λ to do so: it is clamped to zero and the bob "
-      "flies. When it would overshoot, the same row catches it.");
+      R"(Nothing switches here. While the rope is shorter than its length the row lets it close the gap within the
+      step and no more, JV ≥ −C/h, and (17) would need a negative λ to do so: it is clamped to zero and the bob
+      flies. When it would overshoot, the same row catches it.)");
   page.claim({.quantity = "cos θ where the rope goes slack",
               .unit = "1",
               .expected = -2.0 / 3,

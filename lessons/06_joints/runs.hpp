@@ -1,6 +1,6 @@
 #pragma once
 
-#include "solver/simulation.hpp"
+#include "solver/step.hpp"
 
 namespace byhand::joints {
 

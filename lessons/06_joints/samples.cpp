@@ -46,14 +46,14 @@ Samples::Samples(const Setting& setting)
   }
   const auto body = [](Sample sample) { return 1 + sample; };
   for (const Sample sample : {pinned, stopped, driven})
-    scene.add(pin<M>(scene.bodies, ground, body(sample), origin));
-  scene.add(weld<M>(scene.bodies, ground, body(welded), origin));
-  scene.add(slider<M>(scene.bodies, ground, body(sliding), origin, along));
-  scene.add(at_least<M>(sample_stop, turn<M>(scene.bodies, ground, body(stopped))));
-  scene.add(motor<M>(turn<M>(scene.bodies, ground, body(driven)), 2 * pi / sample_seconds, 1e9));
-  scene.add(Rope<M>{between<M>(scene.bodies, ground, Linear<M>(0, 0), body(roped), origin), 0.5 * length_});
+    scene.add(pin<M>(scene.bodies(), ground, body(sample), origin));
+  scene.add(weld<M>(scene.bodies(), ground, body(welded), origin));
+  scene.add(slider<M>(scene.bodies(), ground, body(sliding), origin, along));
+  scene.add(at_least<M>(sample_stop, turn<M>(scene.bodies(), ground, body(stopped))));
+  scene.add(motor<M>(turn<M>(scene.bodies(), ground, body(driven)), 2 * pi / sample_seconds, 1e9));
+  scene.add(Rope<M>{between<M>(scene.bodies(), ground, Linear<M>(0, 0), body(roped), origin), 0.5 * length_});
   const double up = gravity * std::sin(rail) * sample_seconds / 2;  // it comes back in that time
-  scene.bodies.velocity[body(sliding)].head<2>() = std::min(up, 2.5 * length_ / sample_seconds) * along;
+  scene.bodies().velocity[body(sliding)].head<2>() = std::min(up, 2.5 * length_ / sample_seconds) * along;
 }
 
 std::array<Point, 6> Samples::forces() const {
@@ -68,7 +68,7 @@ std::array<Point, 6> Samples::forces() const {
     if constexpr (std::is_same_v<Kind, Pin<M>> || std::is_same_v<Kind, Weld<M>>) force = {lambda[0], lambda[1]};
     if constexpr (std::is_same_v<Kind, Slider<M>>) force = lambda[0] * joint.across.col(0);
     if constexpr (std::is_same_v<Kind, Rope<M>>)
-      force = -lambda[0] * bar_of(simulation_.scene.bodies.pose[joint.at.body2], length_).from.normalized();
+      force = -lambda[0] * bar_of(simulation_.scene.bodies().pose[joint.at.body2], length_).from.normalized();
   });
   for (Point& force : forces) force /= h_;
   return forces;
@@ -88,7 +88,7 @@ void Samples::draw(Canvas& canvas, double time) {
     const auto& seen = views[i];
     canvas.look(fit({seen.x * length_, seen.y * length_, seen.width * length_, seen.height * length_}, below, 0));
     canvas.clip(below);
-    const Bar bar = bar_of(simulation_.scene.bodies.pose[1 + i], length_);
+    const Bar bar = bar_of(simulation_.scene.bodies().pose[1 + i], length_);
     if (i == sliding)
       draw_rail(canvas, {0, 0}, rail, 3 * length_);
     else

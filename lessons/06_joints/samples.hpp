@@ -10,7 +10,7 @@
 #include "solver/constraints/rope.hpp"
 #include "solver/constraints/slider.hpp"
 #include "solver/constraints/weld.hpp"
-#include "solver/simulation.hpp"
+#include "solver/step.hpp"
 
 namespace byhand::joints {
 
@@ -26,7 +26,7 @@ class Samples {
   void draw(renderer::Canvas& canvas, double time);
 
  private:
-  using Joined = Simulation<Scene<PlaneBody, Pin, Weld, Slider, AngleLimit, AngleMotor, Rope>>;
+  using Joined = Simulation<PlaneBody>;
 
   /// What each joint gives its bar [N].
   std::array<renderer::Point, 6> forces() const;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "lessons/tutor/lesson.hpp"
-#include "solver/methods/velocity_stepping.hpp"
+#include "solver/step.hpp"
 
 namespace byhand::joints {
 

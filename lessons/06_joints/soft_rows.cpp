@@ -13,7 +13,7 @@ namespace {
 using namespace tutor;
 using namespace renderer;
 using M = PlaneParticle;
-using Hanging = Simulation<Scene<M, Spring, NormalisedDistance>>;
+using Hanging = Simulation<M>;
 
 /// A bob on a spring that is tuned to it by frequency [rad/s] and damping ratio, and below it, on a rod, a load of
 /// `load` bobs' weight if that is not zero.
@@ -24,7 +24,7 @@ Hanging on_spring(const Setting& setting, double frequency, double damping_ratio
   scene.add_body(Linear<M>(0, 0), fixed<M>());
   scene.add_body(Linear<M>(0, -length), with_mass<M>(mass));
   Spring<M> spring{{0, 1}, length};
-  spring.elastic = tuned(scene.bodies, spring, frequency, damping_ratio);
+  spring.elastic = tuned(scene.bodies(), spring, frequency, damping_ratio);
   scene.add(spring);
   if (load > 0) {
     scene.add_body(Linear<M>(0, -2 * length), with_mass<M>(load * mass));
@@ -34,7 +34,7 @@ Hanging on_spring(const Setting& setting, double frequency, double damping_ratio
 }
 
 double stretch(const Hanging& hanging, double length) {
-  return hanging.scene.bodies.pose[1].position.norm() - length;
+  return hanging.scene.bodies().pose[1].position.norm() - length;
 }
 
 /// How far it hangs out once it has come to rest [m].
@@ -50,19 +50,19 @@ double sag(const Setting& setting, double frequency, double load) {
 void soft_rows(const Setting& setting, Page& page) {
   const double h = setting.h(), length = setting.length(), heavy = 10, shown = 20;  // load [1], ω [rad/s]
   page.text(
-      "Let a row give way on purpose. Ask for the impulse that a spring and a damper would give, λ/h = −(kC + "
-      "cĊ), both taken at the *end* of the step; C there is C + h JV. Gather JV, and it is a row again, with a "
-      "bias and a softness γ:");
+      R"(Let a row give way on purpose. Ask for the impulse that a spring and a damper would give, λ/h = −(kC +
+      cĊ), both taken at the *end* of the step; C there is C + h JV. Gather JV, and it is a row again, with a bias
+      and a softness γ:)");
   page.formula("JV + (k/(c + hk)) C + γλ = 0,   γ = 1/(h(c + hk))",
                R"(JV + \frac{k}{c + hk}\,C + \gamma\lambda = 0, \qquad \gamma = \frac{1}{h(c + hk)})");
   page.text(
-      "Nobody tunes k and c by hand: say a frequency ω and a damping ζ, and take k = m ω² and c = 2mζω with the "
-      "row's own effective mass (19). A spring that carries only its own bob then hangs out by g/ω², whatever the "
-      "bob weighs. But m is the mass that *this row* sees, not what hangs below it.");
+      R"(Nobody tunes k and c by hand: say a frequency ω and a damping ζ, and take k = m ω² and c = 2mζω with the
+      row's own effective mass (19). A spring that carries only its own bob then hangs out by g/ω², whatever the
+      bob weighs. But m is the mass that *this row* sees, not what hangs below it.)");
   const double light = sag(setting, shown, 0), loaded = sag(setting, shown, heavy);
   page.predict(
-      {.ask = say("At ω = @ rad/s the bob hangs out by @ mm. Now hang one of @ times its mass below it. How far "
-                  "does the spring hang out, in mm?",
+      {.ask = say(R"(At ω = @ rad/s the bob hangs out by @ mm. Now hang one of @ times its mass below it. How far
+                  does the spring hang out, in mm?)",
                   shown, Value(1000 * light, 3), heavy),
        .answer = 1000 * loaded,
        .unit = "mm",
@@ -93,13 +93,13 @@ void soft_rows(const Setting& setting, Page& page) {
     Hanging hanging = on_spring(setting, turn / h, 0, 0);
     hanging.scene.gravity.setZero();
     const double begin = 0.05 * length, k = hanging.scene.all<Spring>()[0].elastic.stiffness;
-    hanging.scene.bodies.pose[1].position.y() = -length - begin;
+    hanging.scene.state().pose[1].position.y() = -length - begin;
     Curve curve{.label = say("ωh = @", turn), .x = {0}, .y = {1}};
     double energy = 0.5 * k * begin * begin;
     for (int i = 1; i <= 100; ++i) {
       hanging.step(h);
       const double C = stretch(hanging, length),
-                   now = 0.5 * k * C * C + 0.5 * setting.mass() * hanging.scene.bodies.velocity[1].squaredNorm();
+                   now = 0.5 * k * C * C + 0.5 * setting.mass() * hanging.scene.bodies().velocity[1].squaredNorm();
       worst = std::max(worst, now / energy);
       energy = std::max(now, 1e-12);
       curve.x.push_back(i);
@@ -109,18 +109,18 @@ void soft_rows(const Setting& setting, Page& page) {
   }
   page.figure(
       "soft_rows",
-      "Left: how far a spring hangs out, tuned to its own bob; points are runs, dashed the law. Right: a spring "
-      "without damping, pulled out and let go. The step itself damps it, the more the stiffer it is.",
+      R"(Left: how far a spring hangs out, tuned to its own bob; points are runs, dashed the law. Right: a spring
+      without damping, pulled out and let go. The step itself damps it, the more the stiffer it is.)",
       [sags, rings](Canvas& canvas) {
         const auto cells = canvas.page().inset(14, 60).cells(1, 2, 24);
         draw(canvas, sags, cells[0]);
         draw(canvas, rings, cells[1]);
       });
   page.text(
-      "A spring that is a plain force, stepped by symplectic Euler, blows up beyond ωh = 2; this one cannot, for "
-      "every k, c and h, as long as its row is solved exactly. It loses energy instead: at ωh = 2 not one swing "
-      "is left. A spring that shall swing needs ωh well below 1; one that shall only be *firm* may be as stiff as "
-      "you like, and what it hangs out by is known beforehand.");
+      R"(A spring that is a plain force, stepped by symplectic Euler, blows up beyond ωh = 2; this one cannot, for
+      every k, c and h, as long as its row is solved exactly. It loses energy instead: at ωh = 2 not one swing is
+      left. A spring that shall swing needs ωh well below 1; one that shall only be *firm* may be as stiff as you
+      like, and what it hangs out by is known beforehand.)");
   page.claim({.quantity = "sag of the bob alone",
               .unit = "m",
               .expected = gravity / (shown * shown),

@@ -67,9 +67,9 @@ void conical(const Setting& setting, Page& page) {
   const double measured = turn.tension / weight;
 
   page.text(
-      "A bob needs no orientation: it is a `SpaceParticle`, and its rod the same one row as in lesson 2, now of "
-      "six numbers. Start it sideways at the right speed, and it circles at a steady angle: the conical "
-      "pendulum.");
+      R"(A bob needs no orientation: it is a `SpaceParticle`, and its rod the same one row as in lesson 2, now of
+      six numbers. Start it sideways at the right speed, and it circles at a steady angle: the conical
+      pendulum.)");
   page.predict(
       {.ask = say(
            "It circles on a cone at @° from straight down. What does the rod pull with, in weights of the bob?",
@@ -88,12 +88,12 @@ void conical(const Setting& setting, Page& page) {
                R"(T = \frac{mg}{\cos\theta} = @\ \mathrm{N}, \quad \omega^2 = \frac{g}{L\cos\theta})",
                exact.tension(setting.mass));
   page.figure("cone",
-              "Forces on the bob (orange) as the run has them, with its velocity (green). The rod's pull both "
-              "carries the weight and turns the bob.",
+              R"(Forces on the bob (orange) as the run has them, with its velocity (green). The rod's pull both
+              carries the weight and turns the bob.)",
               [=](Canvas& canvas) { draw_cone(canvas, angle, measured); });
   page.figure("tension_over_angle",
-              "The rod's pull over the angle of the cone: λ/h, averaged over the third turn. The lower dashed "
-              "line is the mistake of taking the weight along the rod for it.",
+              R"(The rod's pull over the angle of the cone: λ/h, averaged over the third turn. The lower dashed
+              line is the mistake of taking the weight along the rod for it.)",
               over_angle(setting));
   page.measure("tension", measured, "weights");
   page.measure("one turn", turn.period, "s");

@@ -120,31 +120,31 @@ void flips(const Setting& setting, Page& page) {
   const double measured = between_flips(implicit_flight);
 
   page.text(
-      "A real book turns over, again and again: try it, with a rubber band round it. About the middle axis a spin "
-      "is unstable; what is off grows until the book has flipped, then it spins steadily for a while, and flips "
-      "back. Euler's equations have the exact answer, an elliptic sine; here the book flips every @ s, half its "
-      "period.",
+      R"(A real book turns over, again and again: try it, with a rubber band round it. About the middle axis a spin
+      is unstable; what is off grows until the book has flipped, then it spins steadily for a while, and flips
+      back. Euler's equations have the exact answer, an elliptic sine; here the book flips every @ s, half its
+      period.)",
       half_period);
   page.text(
-      "So the term must be added. There are two ways. *Explicit*: ω += −h I⁻¹(ω × Iω), from what is known at the "
-      "start of the step. *Implicit*: the ω that turns the book is the mean of before and after, which takes "
-      "three small equations and a few steps of Newton's for each body. In the step they stand around the rows:");
+      R"(So the term must be added. There are two ways. *Explicit*: ω += −h I⁻¹(ω × Iω), from what is known at the
+      start of the step. *Implicit*: the ω that turns the book is the mean of before and after, which takes three
+      small equations and a few steps of Newton's for each body. In the step they stand around the rows:)");
   page.excerpt("solver/integrate/gyroscopic.hpp", "gyroscopic");
   page.sequence(
       "three_books",
-      "The same book thrown with the term left out, explicit and implicit. The yellow end shows which way up it "
-      "is, the arrow is Iω, which should not move. Below: the spin about the book's own y; dashed the exact one.",
+      R"(The same book thrown with the term left out, explicit and implicit. The yellow end shows which way up it
+      is, the arrow is Iω, which should not move. Below: the spin about the book's own y; dashed the exact one.)",
       Seconds{film_seconds}, [film = film_of(setting)](Canvas& canvas, double time) { film.draw(canvas, time); });
 
   const Eigen::Vector3d kick = moments.cwiseProduct(spin).cross(spin);
   const double gain = h * h / 2 * kick.dot(kick.cwiseQuotient(moments));
   page.choose(
-      {.ask = "The explicit term is a kick at right angles to ω: it does no work. What does the energy do over "
-              "many flips?",
+      {.ask = R"(The explicit term is a kick at right angles to ω: it does no work. What does the energy do over
+              many flips?)",
        .options =
            {{"it stays",
-             "At right angles to ω at the *start* of the step. A step along the tangent of a sphere leaves the "
-             "sphere, always outward."},
+             R"(At right angles to ω at the *start* of the step. A step along the tangent of a sphere leaves the
+             sphere, always outward.)"},
             {"it rises",
              "Yes: each step adds ½h²k·I⁻¹k, with k = Iω × ω, the square of its kick; never less than nothing."},
             {"it falls", "Nothing is thrown away here as the rod does; the kick is only added."}},
@@ -158,8 +158,8 @@ void flips(const Setting& setting, Page& page) {
     momentum.curves.push_back(each.momentum);
   }
   page.figure("what_is_kept",
-              say("Energy (left) and angular momentum (right) over @ s, the largest relative change so far. Left "
-                  "out keeps the one, explicit neither, implicit both, to rounding.",
+              say(R"(Energy (left) and angular momentum (right) over @ s, the largest relative change so far. Left
+                  out keeps the one, explicit neither, implicit both, to rounding.)",
                   seconds),
               [=](Canvas& canvas) {
                 const auto [left, right] = canvas.page().inset(20, 60).split_columns(0.5, 24);

@@ -5,7 +5,7 @@
 #include "lessons/07_space/steps.hpp"
 #include "lessons/pictures/space_scene.hpp"
 #include "lessons/scenes/top.hpp"
-#include "solver/simulation.hpp"
+#include "solver/step.hpp"
 
 namespace byhand::space {
 namespace {
@@ -33,13 +33,13 @@ struct Run {
   std::vector<Point3> place;          // of the wheel [m]
 };
 Run let_go(const Setting& setting, Gyroscopic choice, double precession) {
-  Simulation<Scene<SpaceBody, Pin>> top{spinning_top(gyroscope_of(setting.mass), level, precession),
+  Simulation<SpaceBody> top{spinning_top(gyroscope_of(setting.mass), level, precession),
                                         {Direct{}, Baumgarte{0.2}}};
   top.method.gyroscopic = choice;
   const double h = setting.h / 64;
   Run run;
   double azimuth = 0;
-  Point3 x = top.scene.bodies.pose[1].position;
+  Point3 x = top.scene.bodies().pose[1].position;
   for (int i = 0; top.time < seconds; ++i) {
     if (i % 64 == 0) {
       run.time.push_back(top.time);
@@ -47,7 +47,7 @@ Run let_go(const Setting& setting, Gyroscopic choice, double precession) {
       run.place.push_back(x);
     }
     top.step(h);
-    const Point3 next = top.scene.bodies.pose[1].position;
+    const Point3 next = top.scene.bodies().pose[1].position;
     azimuth += std::atan2(x.z() * next.x() - x.x() * next.z(), x.x() * next.x() + x.z() * next.z());
     x = next;
   }
@@ -97,13 +97,13 @@ void gyroscope(const Setting& setting, Page& page) {
             without = let_go(setting, Gyroscopic::none, as_ball);
 
   page.text(
-      "Now let gravity pull on a spinning body: a thin wheel of @ kg on an axle, spinning at @ rad/s, its other "
-      "end on a ball joint on a post, three rows. Its weight has an arm of @ m about the post. It is set going "
-      "round at just the rate that lasts; let go from rest it would nod a little as well.",
+      R"(Now let gravity pull on a spinning body: a thin wheel of @ kg on an axle, spinning at @ rad/s, its other
+      end on a ball joint on a post, three rows. Its weight has an arm of @ m about the post. It is set going round
+      at just the rate that lasts; let go from rest it would nod a little as well.)",
       setting.mass, rate, arm);
   page.predict(
-      {.ask = say("The wheel's Iω is mR²ω = @ kg m²/s along the axle, and the weight's moment is mga = @ N m. By "
-                  "how many rad/s does the axle go round?",
+      {.ask = say(R"(The wheel's Iω is mR²ω = @ kg m²/s along the axle, and the weight's moment is mga = @ N m. By
+                  how many rad/s does the axle go round?)",
                   top.moment_along * rate, top.mass * gravity * arm),
        .answer = exact,
        .unit = "rad/s",
@@ -131,14 +131,14 @@ void gyroscope(const Setting& setting, Page& page) {
   curve("implicit", run, exact);
   curve("left out", without, as_ball);
   page.figure("gyroscope",
-              say("The gyroscope over @ s, from pale to dark: it does not fall, it goes round. Right: how far, "
-                  "with the term and without. Dashed: the wheel's rate, and that of a ball.",
+              say(R"(The gyroscope over @ s, from pale to dark: it does not fall, it goes round. Right: how far,
+                  with the term and without. Dashed: the wheel's rate, and that of a ball.)",
                   seconds),
               [=](Canvas& canvas) { draw_run(canvas, run, chart); });
   page.text(
-      "With the gyroscopic term left out it goes round too, and it looks right; but at @ times the rate. The "
-      "solver then treats the wheel as a ball, all of whose moments are ½mR². Nothing in the picture tells you; a "
-      "number does.",
+      R"(With the gyroscopic term left out it goes round too, and it looks right; but at @ times the rate. The
+      solver then treats the wheel as a ball, all of whose moments are ½mR². Nothing in the picture tells you; a
+      number does.)",
       mean_rate(without) / mean_rate(run));
 
   const double turned = rate * setting.h / 64;

@@ -80,35 +80,35 @@ void left_out(const Setting& setting, Page& page) {
   }
 
   page.text(
-      "Throw the book, spinning at @ rad/s about its middle axis, and, carelessly thrown, with @ of that about "
-      "each of the others. No gravity, no constraint, nothing in any row: so V stays. Or does it? What must stay "
-      "is the angular momentum Iω. In the plane that is the same thing. Here I turns:",
+      R"(Throw the book, spinning at @ rad/s about its middle axis, and, carelessly thrown, with @ of that about
+      each of the others. No gravity, no constraint, nothing in any row: so V stays. Or does it? What must stay is
+      the angular momentum Iω. In the plane that is the same thing. Here I turns:)",
       setting.spin, careless);
   page.formula("d(Iω)/dt = 0   ⟹   Iω̇ = −ω × Iω",
                R"(\frac{d}{dt}(I\omega) = 0 \quad\Rightarrow\quad I\dot\omega = -\,\omega\times I\omega)");
   page.text(
-      "So ω turns without any force, wherever Iω and ω do not point the same way. That is the *gyroscopic term*. "
-      "It is no constraint and has no row; a step must add it, as it adds gravity, and the article's does not.");
+      R"(So ω turns without any force, wherever Iω and ω do not point the same way. That is the *gyroscopic term*.
+      It is no constraint and has no row; a step must add it, as it adds gravity, and the article's does not.)");
   const auto flipped = flips_of(flight).size();
   page.choose(
       {.ask = say("The solver steps the book for @ s with the term left out. Does the book flip over?", seconds),
        .options = {{"never",
-                    "Yes: without ω × Iω nothing turns ω. The book spins on about the axis it was given; it is Iω "
-                    "in the world that goes astray."},
+                    R"(Yes: without ω × Iω nothing turns ω. The book spins on about the axis it was given; it is Iω
+                    in the world that goes astray.)"},
                    {"every now and then",
-                    "A real book does. But without ω × Iω nothing turns ω; look at what happens to the angular "
-                    "momentum instead."},
+                    R"(A real book does. But without ω × Iω nothing turns ω; look at what happens to the angular
+                    momentum instead.)"},
                    {"once, and then it stays", "Then something would have to turn ω once. Nothing does."}},
        .answer = flipped == 0 ? 0 : 1,
        .hint = "Which line of the step would change V?"});
   page.figure("left_out",
-              say("The gyroscopic term left out. ω stays where it is, at @° from Iω, and carries Iω round with "
-                  "the book: arrows an eighth of a turn apart. Right: how far Iω is from where it was.",
+              say(R"(The gyroscopic term left out. ω stays where it is, at @° from Iω, and carries Iω round with
+                  the book: arrows an eighth of a turn apart. Right: how far Iω is from where it was.)",
                   Value(degrees(alpha), 3)),
               [=, chart = off_over_time(flight)](Canvas& canvas) { draw_fan(canvas, flight, chart); });
   page.text(
-      "It looks harmless: the energy is kept, ω is kept, |Iω| is kept. But the *direction* of Iω is off by up to "
-      "@°, and a real book does something else altogether: it turns over every @ s, as you will see.",
+      R"(It looks harmless: the energy is kept, ω is kept, |Iω| is kept. But the *direction* of Iω is off by up to
+      @°, and a real book does something else altogether: it turns over every @ s, as you will see.)",
       Value(degrees(turned), 3), Value(FreeTop(moments, spin).period() / 2, 3));
   page.measure("Iω off by up to", degrees(turned), "deg");
 

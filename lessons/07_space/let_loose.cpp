@@ -15,7 +15,7 @@ namespace {
 using namespace tutor;
 using namespace renderer;
 using M = SpaceBody;
-using Loose = Scene<M, Contact, Friction>;
+using Loose = Scene<M>;
 
 constexpr double film_seconds = 3, patience = 30, slop = 1e-3;  // [s], [s], [m]
 
@@ -27,7 +27,7 @@ Simulation<Loose> on_the_ground(const Setting& setting, const Pose<M>& pose, con
   const Surface surface{.friction = setting.friction, .restitution = restitution};
   add_ground(loose.scene, surface);
   const int book = add_box(loose.scene, pose, setting.mass, Linear<M>(book_sides()), surface);
-  loose.scene.bodies.velocity[book] = velocity;
+  loose.scene.state().velocity[book] = velocity;
   return loose;
 }
 
@@ -57,7 +57,7 @@ Stop slid(const Setting& setting, double speed, double spin) {
   V[0] = speed;
   V[4] = spin;
   auto book = on_the_ground(setting, lying(), V);
-  const auto& bodies = book.scene.bodies;
+  const auto& bodies = book.scene.bodies();
   while (bodies.velocity[1].norm() > 1e-3 && book.time < 30) book.step(setting.h);
   return {bodies.pose[1].position.x(), book.time};
 }
@@ -99,7 +99,7 @@ struct Tumble {
 Tumble tumble(const Setting& setting) {
   Tumble tumble;
   auto book = tumbling(setting);
-  const auto& bodies = book.scene.bodies;
+  const auto& bodies = book.scene.bodies();
   Curve total;
   double still = 0;  // for how long it has not moved [s]
   for (const double h = setting.h; book.time <= film_seconds || (still < 1 && book.time < patience);
@@ -131,13 +131,13 @@ Tumble tumble(const Setting& setting) {
 void let_loose(const Setting& setting, Page& page) {
   const Tumble thrown = tumble(setting);
   page.text(
-      "So far the contacts were given. Let the solver find them: a scene that names `Contact` and `Friction` in "
-      "its type and gives its bodies shapes looks for the points where they touch, in every step, and makes two "
-      "rows of friction and one contact of each. Here is a book thrown along the ground at @ m/s, μ = @.",
+      R"(So far the contacts were given. Let the solver find them: a scene that names `Contact` and `Friction` in
+      its type and gives its bodies shapes looks for the points where they touch, in every step, and makes two rows
+      of friction and one contact of each. Here is a book thrown along the ground at @ m/s, μ = @.)",
       setting.speed, setting.friction);
   page.sequence("tumbling",
-                "A book thrown along the ground: it tumbles over corners and edges, slides on a face, and comes "
-                "to rest. Below: its energy, which each knock and all rubbing take from.",
+                R"(A book thrown along the ground: it tumbles over corners and edges, slides on a face, and comes
+                to rest. Below: its energy, which each knock and all rubbing take from.)",
                 Seconds{film_seconds},
                 [film = thrown.film](Canvas& canvas, double time) { film.draw(canvas, time); });
 
@@ -147,22 +147,22 @@ void let_loose(const Setting& setting, Page& page) {
   const Stop straight = slid(setting, speed, 0), spinning = slid(setting, speed, spin),
              whirl = slid(setting, 0, spin);
   page.text(
-      "Friction at four corners also brakes a spin. Lying flat and spinning only, at ω = @ rad/s, each corner "
-      "slips at right angles to its arm r = @ m with the whole of its μmg/4, so the moment is μmgr; and I = "
-      "mr²/3:",
+      R"(Friction at four corners also brakes a spin. Lying flat and spinning only, at ω = @ rad/s, each corner
+      slips at right angles to its arm r = @ m with the whole of its μmg/4, so the moment is μmgr; and I =
+      mr²/3:)",
       spin, half_diagonal);
   page.formula(
       "ω̇ = −3μg/r   ⟹   it rests after ωr/(3μg) = @ s",
       R"(\dot\omega = -\frac{3\mu g}{r} \quad\Rightarrow\quad t = \frac{\omega r}{3\mu g} = @\ \mathrm{s})",
       spin * half_diagonal / (3 * a));
   page.choose(
-      {.ask = "The flat book slides at the same speed as before, once straight and once spinning as well. Which "
-              "gets farther?",
+      {.ask = R"(The flat book slides at the same speed as before, once straight and once spinning as well. Which
+              gets farther?)",
        .options =
            {{"the one that does not spin",
              "There is more to brake in the other, and no more friction to do it with: the disc is shared."},
-            {"the one that spins", say("Yes: @ m instead of @ m. Each corner's friction has one length, and part "
-                                       "of it now goes against the spin.",
+            {"the one that spins", say(R"(Yes: @ m instead of @ m. Each corner's friction has one length, and part
+                                       of it now goes against the spin.)",
                                        spinning.distance, straight.distance)},
             {"both get equally far",
              "That would be so if spin and slide each had a friction of their own: the pyramid's mistake."}},

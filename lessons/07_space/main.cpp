@@ -47,7 +47,7 @@ int main(int argc, char** argv) {
                   "./lessons/run space --step 6 --set wobble=0.005"},
                  {"Faster, and the explicit term runs away:", "./lessons/run space --step 6 --set spin=15"},
                  {"A book that is not turned hides the mistake:", "./lessons/run space --step 2 --set tilt=0"}},
-       .next = "You now have all of the article in three dimensions. What is left is to choose: how many sweeps, "
-               "how many substeps, which solver, for how much error."});
+       .next = R"(You now have all of the article in three dimensions. What is left is to choose: how many sweeps,
+               how many substeps, which solver, for how much error.)"});
   return lesson.run(argc, argv);
 }

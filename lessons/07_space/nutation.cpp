@@ -61,7 +61,7 @@ Film film_of(const Setting& setting, const SphericalPendulum& exact) {
   Bob bob = set_out(setting);
   for (const double h = setting.h; bob.time <= seconds + 1e-9; bob.step(h)) {
     film.time.push_back(bob.time);
-    film.place.push_back(bob.scene.bodies.pose[1].position);
+    film.place.push_back(bob.scene.bodies().pose[1].position);
     run.x.push_back(bob.time);
     run.y.push_back(degrees(from_down(bob)));
   }
@@ -110,30 +110,30 @@ void nutation(const Setting& setting, Page& page) {
   const Nutation run = nutation_of(set_out(setting), h);
 
   page.text(
-      "Give it @ of that speed, and it falls inward, is thrown out again, and swings between two cones: "
-      "*nutation*. Meanwhile it goes round: *precession*. Both are known exactly. With u = cosθ,",
+      R"(Give it @ of that speed, and it falls inward, is thrown out again, and swings between two cones:
+      *nutation*. Meanwhile it goes round: *precession*. Both are known exactly. With u = cosθ,)",
       setting.share);
   page.formula("u̇² = 2(E/m + gLu)(1 − u²)/L² − (L_y/(mL²))²",
                R"(\dot u^2 = \frac{2}{L^2}\Bigl(\frac{E}{m} + gLu\Bigr)(1-u^2) - \Bigl(\frac{L_y}{mL^2}\Bigr)^2)");
   page.text(
-      "a cubic in u: its two roots are the cones, at @° and @°, and the time between them is an elliptic "
-      "integral. One nutation takes @ s and leads @° round the vertical.",
+      R"(a cubic in u: its two roots are the cones, at @° and @°, and the time between them is an elliptic
+      integral. One nutation takes @ s and leads @° round the vertical.)",
       setting.angle, degrees(pendulum.other_angle()), exact.period, degrees(exact.precession));
   page.sequence("between_two_cones",
-                say("The bob set out sideways at @ of the cone's speed. Grey rings: the two cones between which "
-                    "it must stay. Right: its angle, and dashed the elliptic one.",
+                say(R"(The bob set out sideways at @ of the cone's speed. Grey rings: the two cones between which
+                    it must stay. Right: its angle, and dashed the elliptic one.)",
                     setting.share),
                 Seconds{seconds},
                 [film = film_of(setting, pendulum)](Canvas& canvas, double time) { film.draw(canvas, time); });
 
   Bob bob = set_out(setting);
   while (bob.time < seconds) bob.step(h);
-  const double kept = angular_momentum(bob.scene.bodies)[1], given = pendulum.angular_momentum(mass);
+  const double kept = angular_momentum(bob.scene.bodies())[1], given = pendulum.angular_momentum(mass);
   page.choose(
       {.ask = "The run errs in its angle and in its energy. And in its angular momentum about the vertical?",
        .options = {{"not at all, to rounding",
-                    "Yes. λ acts along d, through the anchor; gravity acts along the vertical; and the position "
-                    "moves along v. None of the three has an arm about the vertical, at any h."},
+                    R"(Yes. λ acts along d, through the anchor; gravity acts along the vertical; and the position
+                    moves along v. None of the three has an arm about the vertical, at any h.)"},
                    {"by as much as the angle",
                     "What could change it in a step? λ acts along d, through the anchor."},
                    {"a little, for J is held still over the step",
@@ -141,14 +141,14 @@ void nutation(const Setting& setting, Page& page) {
        .answer = std::abs(kept / given - 1) < 1e-9 ? 0 : 1,
        .hint = "Take L = x × mv before and after: v changes by gh and by a multiple of d = x, then x by hv."});
   page.figure("errors_over_h",
-              "Error of one nutation's duration, and of how far round it leads, over the time step. Both fall "
-              "with h²: half the step, a quarter of the error.",
+              R"(Error of one nutation's duration, and of how far round it leads, over the time step. Both fall
+              with h²: half the step, a quarter of the error.)",
               over_h(setting, exact));
   page.text(
-      "That may surprise you: the drift of lesson 4 fell with h alone. But symplectic Euler's velocities are "
-      "those of the leapfrog, which is of second order, half a step late; and this bob sets out at a turning "
-      "point, where half a step makes no difference to first order. Let it set out anywhere else, and the error "
-      "falls with h alone.");
+      R"(That may surprise you: the drift of lesson 4 fell with h alone. But symplectic Euler's velocities are
+      those of the leapfrog, which is of second order, half a step late; and this bob sets out at a turning point,
+      where half a step makes no difference to first order. Let it set out anywhere else, and the error falls with
+      h alone.)");
   page.measure("one nutation", run.period, "s");
   page.measure("precession in it", degrees(run.precession), "deg");
 

@@ -104,8 +104,8 @@ void orientation(const Setting& setting, Page& page) {
   page.text(
       "In the plane an orientation is an angle, and turns add up: whatever the order. In space they do not.");
   page.predict(
-      {.ask = "Turn a book by 90° about x, then by 90° about y; and another first about y, then about x. By what "
-              "angle would you have to turn the one to make it lie as the other?",
+      {.ask = R"(Turn a book by 90° about x, then by 90° about y; and another first about y, then about x. By what
+              angle would you have to turn the one to make it lie as the other?)",
        .answer = degrees(apart),
        .unit = "deg",
        .tolerance = 2,
@@ -115,26 +115,26 @@ void orientation(const Setting& setting, Page& page) {
        .hint = "The axis of the turn between them is a diagonal of a cube. How much turns one edge into the next?",
        .right = "About a diagonal of a cube, which carries each axis into the next."});
   page.figure("order_of_turns",
-              "The same two quarter turns in either order (the yellow end is the book's +y). The results differ "
-              "by a third of a full turn.",
+              R"(The same two quarter turns in either order (the yellow end is the book's +y). The results differ
+              by a third of a full turn.)",
               [](Canvas& canvas) { draw_orders(canvas); });
   page.text(
-      "So no three angles that simply add up will do. The solver keeps four numbers, a *unit quaternion*, q = "
-      "(cos ½θ, sin ½θ·n) for a turn by θ about n. One product puts two turns together, and a turn at a steady ω "
-      "for a step is");
+      R"(So no three angles that simply add up will do. The solver keeps four numbers, a *unit quaternion*, q =
+      (cos ½θ, sin ½θ·n) for a turn by θ about n. One product puts two turns together, and a turn at a steady ω for
+      a step is)");
   page.formula(
       "q ← exp(½ωh) q,   exp(½ωh) = (cos ½|ω|h, sin ½|ω|h · ω/|ω|)",
       R"(q \leftarrow \exp(\tfrac12\omega h)\,q, \qquad )"
       R"(\exp(\tfrac12\omega h) = \bigl(\cos\tfrac12|\omega|h,\ \sin\tfrac12|\omega|h\ \tfrac{\omega}{|\omega|}\bigr))");
   page.text(
-      "Often you will see q + ½ωqh in its place, made unit afterwards: the first two terms of the series. It goes "
-      "along the tangent of a sphere, as the bob of lesson 2 along that of a circle, and turns by 2·atan(½ωh) "
-      "where ωh was wanted. At @ rad/s, @ rad a step, it is @° behind after a second, and without being made unit "
-      "|q| has grown to @.",
+      R"(Often you will see q + ½ωqh in its place, made unit afterwards: the first two terms of the series. It goes
+      along the tangent of a sphere, as the bob of lesson 2 along that of a circle, and turns by 2·atan(½ωh) where
+      ωh was wanted. At @ rad/s, @ rad a step, it is @° behind after a second, and without being made unit |q| has
+      grown to @.)",
       setting.spin, Value(turn, 3), Value(degrees(first.lag), 3), first.stretched);
   page.figure("lag",
-              "How far an orientation is off after a second of steady turning, over the angle of one step. "
-              "Dashed: the first term of ωh − 2·atan(½ωh).",
+              R"(How far an orientation is off after a second of steady turning, over the angle of one step.
+              Dashed: the first term of ωh − 2·atan(½ωh).)",
               lag_over_rate(h));
 
   page.claim({.quantity = "angle between the two orders",

@@ -5,7 +5,7 @@
 #include "solver/constraints/axis_friction.hpp"
 #include "solver/constraints/contact.hpp"
 #include "solver/constraints/friction.hpp"
-#include "solver/simulation.hpp"
+#include "solver/step.hpp"
 
 namespace byhand::space {
 namespace {
@@ -14,7 +14,7 @@ using M = SpaceParticle;
 
 template <template <class> class Kind, class F>
 std::vector<Way> slide(const Setting& setting, const std::vector<double>& headings, F&& add_friction) {
-  Simulation<Scene<M, Contact, Kind>> pucks{{}, {GaussSeidel{4}}};
+  Simulation<M> pucks{{}, {GaussSeidel{4}}};
   auto& scene = pucks.scene;
   const int ground = scene.add_body(Linear<M>(0, 0, 0), fixed<M>());
   for (const double heading : headings) {
@@ -28,9 +28,9 @@ std::vector<Way> slide(const Setting& setting, const std::vector<double>& headin
   while (moving) {
     moving = false;
     for (std::size_t i = 0; i < headings.size(); ++i) {
-      const Eigen::Vector3d x = scene.bodies.pose[i + 1].position;
+      const Eigen::Vector3d x = scene.bodies().pose[i + 1].position;
       ways[i].emplace_back(x.x(), x.z());
-      moving = moving || scene.bodies.velocity[i + 1].norm() > 1e-9;
+      moving = moving || scene.bodies().velocity[i + 1].norm() > 1e-9;
     }
     pucks.step(setting.h);
   }

@@ -11,7 +11,7 @@ namespace {
 /// One row is solved exactly by (17): one cold sweep.
 VelocityStepping one_row() { return {GaussSeidel{.sweeps = 1, .warm_start = false}, Baumgarte{0.2}}; }
 
-Eigen::Vector3d place(const Bob& bob) { return bob.scene.bodies.pose[1].position; }
+Eigen::Vector3d place(const Bob& bob) { return bob.scene.bodies().pose[1].position; }
 
 /// How far round the upward vertical it is from one place to another [rad].
 double turn(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
@@ -38,12 +38,12 @@ double from_down(const Bob& bob) {
 double tension(const Bob& bob) { return -bob.work.system.lambda[0] / bob.work.h; }
 
 Nutation nutation_of(Bob bob, double h) {
-  double azimuth = 0, rising = bob.scene.bodies.velocity[1].y();
+  double azimuth = 0, rising = bob.scene.bodies().velocity[1].y();
   std::vector<double> times, azimuths;
   while (times.size() < 3) {
     const Eigen::Vector3d before = place(bob);
     bob.step(h);
-    const double turned = turn(before, place(bob)), now = bob.scene.bodies.velocity[1].y();
+    const double turned = turn(before, place(bob)), now = bob.scene.bodies().velocity[1].y();
     azimuth += turned;
     if (rising * now < 0) {
       const double beyond = now / (now - rising);  // the share of the step after it stood still

@@ -2,12 +2,12 @@
 
 #include "lessons/07_space/setting.hpp"
 #include "solver/constraints/normalised_distance.hpp"
-#include "solver/simulation.hpp"
+#include "solver/step.hpp"
 
 namespace byhand::space {
 
 /// A bob on a rod, and the one row that holds it.
-using Bob = Simulation<Scene<SpaceParticle, NormalisedDistance>>;
+using Bob = Simulation<SpaceParticle>;
 
 /// Circling at the speed that keeps it on its cone.
 Bob circling(const Setting& setting, double angle);

@@ -6,7 +6,7 @@
 #include "lessons/pictures/rods_and_bobs.hpp"
 #include "lessons/pictures/space_scene.hpp"
 #include "lessons/scenes/pendulum.hpp"
-#include "solver/simulation.hpp"
+#include "solver/step.hpp"
 
 namespace byhand::space {
 namespace {
@@ -48,7 +48,7 @@ Chart how_many() {
 
 /// One line for all models.
 template <class M>
-Simulation<Scene<M, Pin>> swinging(const Setting& setting) {
+Simulation<M> swinging(const Setting& setting) {
   return {hinged_rod<M>(radians(setting.angle), setting.length, setting.mass), {Direct{}, Baumgarte{0.2}}};
 }
 
@@ -65,8 +65,8 @@ Twins twins(const Setting& setting) {
   Twins twins;
   const auto every = std::max(1L, std::lround(0.1 / h));
   for (long i = 0; i * h <= seconds; ++i) {
-    const Point x = plane.scene.bodies.pose[1].position;
-    const Point3 y = space.scene.bodies.pose[1].position;
+    const Point x = plane.scene.bodies().pose[1].position;
+    const Point3 y = space.scene.bodies().pose[1].position;
     twins.apart = std::max(twins.apart, (Point3(x.x(), x.y(), 0) - y).norm());
     if (i % every == 0 && i * h < 0.75) {
       twins.plane.push_back(x);
@@ -107,34 +107,36 @@ void draw_twins(Canvas& canvas, const Twins& twins, double length) {
 void same_code(const Setting& setting, Page& page) {
   const Numbers plane = numbers_of<PlaneBody>(), space = numbers_of<SpaceBody>();
   page.text(
-      "Everything so far moved in the plane. Here is the row of lesson 1 again, as the solver has it, and the "
-      "product (8) that each sweep takes. Look for a 2:");
+      R"(Everything so far moved in the plane. Here is the row of lesson 1 again, as the solver has it, and the
+      product (8) that each sweep takes. Look for a 2:)");
   page.excerpt("solver/jacobian.hpp", "along");
   page.excerpt("solver/jacobian.hpp", "8");
   page.text(
-      "There is none. A body's type says along how many axes it moves and about how many it turns: the bodies of "
-      "the last lessons were `Model<2, 1>`, this lesson's are `Model<3, 3>`, and nothing is written twice. Four "
-      "things grow with it, and you will meet each:\n\n- r × n is one number in the plane (how much a push turns) "
-      "and three in space (about which axis);\n- I is one number in the plane; in space it is three, along axes "
-      "that turn with the body;\n- an orientation is a cosine and a sine in the plane and a quaternion in "
-      "space;\n- Iω and ω need not point the same way, and that turns ω without any force.");
+      R"(There is none. A body's type says along how many axes it moves and about how many it turns: the bodies of
+      the last lessons were `Model<2, 1>`, this lesson's are `Model<3, 3>`, and nothing is written twice. Four
+      things grow with it, and you will meet each:
+
+      - r × n is one number in the plane (how much a push turns) and three in space (about which axis);
+      - I is one number in the plane; in space it is three, along axes that turn with the body;
+      - an orientation is a cosine and a sine in the plane and a quaternion in space;
+      - Iω and ω need not point the same way, and that turns ω without any force.)");
   page.figure("numbers",
-              "Numbers in a row of J (both bodies), in a body's pose, velocity and inertia, by model. A block of "
-              "three rows, a ball joint, is three times the first bar.",
+              R"(Numbers in a row of J (both bodies), in a body's pose, velocity and inertia, by model. A block of
+              three rows, a ball joint, is three times the first bar.)",
               how_many());
   page.text(
-      "A row has @ numbers now instead of @, and a body's velocity @ instead of @. A sweep multiplies twice as "
-      "much; that is all that changes for sweeps, β and warm starts: they only see rows.",
+      R"(A row has @ numbers now instead of @, and a body's velocity @ instead of @. A sweep multiplies twice as
+      much; that is all that changes for sweeps, β and warm starts: they only see rows.)",
       space.row, plane.row, space.velocity, plane.velocity);
 
   const Twins pair = twins(setting);
   page.text(
-      "To see that nothing else has changed, let the same rod swing in both: `hinged_rod<M>`, @ m long, @ kg, "
-      "released at @°, with two rows for its pin in the plane and three in space.",
+      R"(To see that nothing else has changed, let the same rod swing in both: `hinged_rod<M>`, @ m long, @ kg,
+      released at @°, with two rows for its pin in the plane and three in space.)",
       setting.length, setting.mass, setting.angle);
   page.figure("twins",
-              "One description of a scene in two models: a rod that swings on a pin, a tenth of a second from one "
-              "picture to the next, in the plane and on a ball joint in space.",
+              R"(One description of a scene in two models: a rod that swings on a pin, a tenth of a second from one
+              picture to the next, in the plane and on a ball joint in space.)",
               [=, length = setting.length()](Canvas& canvas) { draw_twins(canvas, pair, length); });
 
   const Eigen::Vector3d sides = book_sides();
@@ -146,8 +148,8 @@ void same_code(const Setting& setting, Page& page) {
   };
   const double growth = inertia(SpaceBody(), 2) / inertia(SpaceBody(), 1),
                growth_in_plane = inertia(PlaneBody(), 2) / inertia(PlaneBody(), 1);
-  page.predict({.ask = "Every side of a box is doubled; it is made of the same wood. By what factor does each of "
-                       "its three moments of inertia grow?",
+  page.predict({.ask = R"(Every side of a box is doubled; it is made of the same wood. By what factor does each of
+                       its three moments of inertia grow?)",
                 .answer = growth,
                 .unit = "1",
                 .tolerance = 0.02 * growth,

@@ -16,9 +16,9 @@ Eigen::Vector3d first_spin(const Setting& setting, double wobble) {
 Flight thrown(const Setting& setting, double wobble, Gyroscopic choice, double seconds) {
   const double h = setting.h;
   const Eigen::Vector3d spin = first_spin(setting, wobble);
-  Simulation<Scene<SpaceBody, Pin>> book{free_top(moments_of(setting), spin), {Direct{}, NoDriftCure{}}};
+  Simulation<SpaceBody> book{free_top(moments_of(setting), spin), {Direct{}, NoDriftCure{}}};
   book.method.gyroscopic = choice;
-  const auto& bodies = book.scene.bodies;
+  const auto& bodies = book.scene.bodies();
   const auto steps = std::lround(seconds / h);
   const double limit = 100 * spin.norm();
   Flight flight;

@@ -121,31 +121,31 @@ void turned_inertia(const Setting& setting, Page& page) {
   const Eigen::Vector3d moments = right.mass.angular.cwiseInverse();
 
   page.text(
-      "(18) has I⁻¹ in it, and says nothing of its axes. In the plane there is one, and it never turns. A body in "
-      "space has three: this book of @ m and @ kg has the moments @ kg m² about its own x, y and z. Turn the book "
-      "and they turn with it. What the world sees is",
+      R"((18) has I⁻¹ in it, and says nothing of its axes. In the plane there is one, and it never turns. A body in
+      space has three: this book of @ m and @ kg has the moments @ kg m² about its own x, y and z. Turn the book
+      and they turn with it. What the world sees is)",
       book_sides(), setting.mass, moments);
   page.formula("I(world) = R I Rᵀ,   I⁻¹(world) = R I⁻¹ Rᵀ",
                R"(I_{\text{world}} = R\,I\,R^{\mathsf T}, \qquad I^{-1}_{\text{world}} = R\,I^{-1}R^{\mathsf T})");
   page.text("to be made anew whenever the body has turned, so in every step. `inverse_inertia` below does that:");
   page.excerpt("solver/row.hpp", "18");
   page.text(
-      "What if it is forgotten? The book flies by at @ m/s, turned by @°, and the middle of its yellow side "
-      "catches on a nail: a pin, three rows, solved as a block. Here it is with the mistake as an option:",
+      R"(What if it is forgotten? The book flies by at @ m/s, turned by @°, and the middle of its yellow side
+      catches on a nail: a pin, three rows, solved as a block. Here it is with the mistake as an option:)",
       flight(), setting.tilt);
   page.excerpt("lessons/07_space/turned_inertia.cpp", "caught");
   page.choose({.ask = "The inertia is left in the body's axes, and the rows are solved. What can you tell it by?",
                .options = {{"JV is not zero: the held point moves on",
-                            "λ is solved for with the same W that hands it on, so whatever M⁻¹ is, JV vanishes. "
-                            "You would see nothing at the joint."},
+                            R"(λ is solved for with the same W that hands it on, so whatever M⁻¹ is, JV vanishes.
+                            You would see nothing at the joint.)"},
                            {"the angular momentum about the nail has changed",
                             "Yes. The nail pushes at the point about which you count, so it cannot give any."}},
                .answer = right.slip < 1e-9 && wrong.slip < 1e-9 ? 1 : 0,
                .hint = "(17) divides by JM⁻¹Jᵀ and (20) multiplies by M⁻¹Jᵀ, with whatever M⁻¹ you gave them."});
   page.figure(
       "caught_on_a_nail",
-      say("The book just caught, with I turned (left) and left as it was (right). Both held points stand still. L "
-          "is the angular momentum about the nail, which the nail's push cannot change; on the right @.",
+      say(R"(The book just caught, with I turned (left) and left as it was (right). Both held points stand still. L
+          is the angular momentum about the nail, which the nail's push cannot change; on the right @.)",
           wrong.lost() > 1e-9 ? say("it has, by @ %", Value(100 * wrong.lost(), 3))
                               : "it has not either, for this book is not turned yet"),
       [=](Canvas& canvas) {
@@ -154,9 +154,9 @@ void turned_inertia(const Setting& setting, Page& page) {
         draw_catch(canvas, wrong, "I⁻¹ in the body's axes", beside);
       });
   page.text(
-      "The joint looks calm; the body only turns about a wrong axis at a wrong rate. And the mistake hides well: "
-      "a body that has not turned yet does not show it, nor does a ball or a cube, whose I is the same about "
-      "every axis. So test with a book, and turn it first.");
+      R"(The joint looks calm; the body only turns about a wrong axis at a wrong rate. And the mistake hides well:
+      a body that has not turned yet does not show it, nor does a ball or a cube, whose I is the same about every
+      axis. So test with a book, and turn it first.)");
   page.figure(
       "lost_by_tilt",
       "How much of the angular momentum about the nail one solve changes, over how far the body was turned.",

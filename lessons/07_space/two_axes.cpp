@@ -89,16 +89,16 @@ void two_axes(const Setting& setting, Page& page) {
   const double final_heading = std::atan2(closely.y(), closely.x());
 
   page.text(
-      "At (16) the article counts one axis of friction in the plane and two in space, and leaves it at that. So a "
-      "contact in space has two rows of (16), along t₁ and t₂ at right angles:");
+      R"(At (16) the article counts one axis of friction in the plane and two in space, and leaves it at that. So a
+      contact in space has two rows of (16), along t₁ and t₂ at right angles:)");
   page.equation(16);
   page.text(
-      "The bound was μ times the normal's λ. In the plane that is an interval. The obvious way is to hold each of "
-      "the two rows to it, by itself:");
+      R"(The bound was μ times the normal's λ. In the plane that is an interval. The obvious way is to hold each of
+      the two rows to it, by itself:)");
   page.excerpt("lessons/07_space/pucks.cpp", "pyramid");
   page.predict(
-      {.ask = say("Pucks are pushed off at @ m/s, μ = @. One slides along t₁, and stops after some distance. The "
-                  "other slides at 45° between t₁ and t₂. How far does the second get, as a share of the first?",
+      {.ask = say(R"(Pucks are pushed off at @ m/s, μ = @. One slides along t₁, and stops after some distance. The
+                  other slides at 45° between t₁ and t₂. How far does the second get, as a share of the first?)",
                   setting.speed, setting.friction),
        .answer = pyramid / disc,
        .unit = "1",
@@ -111,21 +111,21 @@ void two_axes(const Setting& setting, Page& page) {
   const Film film{slide(setting, headings, Bounds::pyramid), slide(setting, headings, Bounds::disc), h,
                   v * v / (2 * a), setting.friction};
   page.sequence("pyramid_and_disc",
-                say("@ pucks pushed off in all directions at @ m/s. Left: each axis clamped by itself. Right: the "
-                    "two impulses scaled together. In nature no direction is special.",
+                say(R"(@ pucks pushed off in all directions at @ m/s. Left: each axis clamped by itself. Right: the
+                    two impulses scaled together. In nature no direction is special.)",
                     pucks, setting.speed),
                 Seconds{std::min(2.5, 1.15 * v / a)},
                 [film](Canvas& canvas, double time) { film.draw(canvas, time); });
   page.text(
-      "Two things are wrong on the left. Between the axes the brake is stronger, up to √2. And where one axis has "
-      "less to stop it is done sooner, so the way *bends*: v₁ is gone after v₁/μg, v₂ after v₂/μg. Distances go "
-      "with the square, so a puck that sets out at φ stops at the angle");
+      R"(Two things are wrong on the left. Between the axes the brake is stronger, up to √2. And where one axis has
+      less to stop it is done sooner, so the way *bends*: v₁ is gone after v₁/μg, v₂ after v₂/μg. Distances go with
+      the square, so a puck that sets out at φ stops at the angle)");
   page.formula("tan φ' = tan² φ:  from @° to @°", R"(\tan\varphi' = \tan^2\varphi: \quad @^\circ \to @^\circ)",
                setting.heading, degrees(std::atan(std::pow(std::tan(heading), 2))));
   page.text(
-      "and all of them stop on a square: cos²φ + sin²φ = 1. What is more, the axes are nobody's but the solver's: "
-      "turn t₁ and t₂ by 45°, and another puck is the favoured one. Coulomb's law knows one number, the length of "
-      "the impulse. So the two rows are one block, solved together and scaled together to a disc:");
+      R"(and all of them stop on a square: cos²φ + sin²φ = 1. What is more, the axes are nobody's but the solver's:
+      turn t₁ and t₂ by 45°, and another puck is the favoured one. Coulomb's law knows one number, the length of
+      the impulse. So the two rows are one block, solved together and scaled together to a disc:)");
   page.excerpt("solver/system.hpp", "bound");
   page.figure("where_they_stop",
               "Where the pucks of one half stop, seen from above. Dashed: what each bound should give.",

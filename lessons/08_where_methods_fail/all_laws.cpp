@@ -117,13 +117,13 @@ void all_laws(const Setting&, Page& page) {
   for (const Line& line : all) worst = std::max(worst, std::abs(line.measured / line.predicted - 1));
 
   page.text(
-      "A law is worth what it foresees. Here all @ of them stand at once, each at several settings: what it says "
-      "from a derivation, and what bisection finds without it, by running scenes on both sides until they meet. "
-      "The derivations stand at the heads of the files in `solver/laws`.",
+      R"(A law is worth what it foresees. Here all @ of them stand at once, each at several settings: what it says
+      from a derivation, and what bisection finds without it, by running scenes on both sides until they meet. The
+      derivations stand at the heads of the files in `solver/laws`.)",
       laws.size());
   page.figure("all_laws",
-              say("@ boundaries of @ laws. Left: predicted against measured; numbers are the laws'. Right: one "
-                  "setting of each law. All are in the table below.",
+              say(R"(@ boundaries of @ laws. Left: predicted against measured; numbers are the laws'. Right: one
+                  setting of each law. All are in the table below.)",
                   all.size(), laws.size()),
               [all](Canvas& canvas) {
                 const auto [left, right] = canvas.page().inset(14).split_columns(0.4, 16);

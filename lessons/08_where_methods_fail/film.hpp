@@ -9,7 +9,7 @@
 #include "lessons/pictures/growing.hpp"
 #include "lessons/tutor/page.hpp"
 #include "renderer/canvas.hpp"
-#include "solver/simulation.hpp"
+#include "solver/step.hpp"
 
 // Films of one scene that is run in several ways, beside each other; each stops where it fails.
 namespace byhand::failures {

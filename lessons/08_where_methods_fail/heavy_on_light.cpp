@@ -28,8 +28,8 @@ void heavy_on_light(const Setting& setting, Page& page) {
   while (two_boxes(sweeps, measured) != Outcome::settles) measured /= 1.01;
 
   page.predict(
-      {.ask = say("@ warm sweeps a step, β = @; a box of 1 kg on the ground. What is the heaviest box that "
-                  "settles on top of it?",
+      {.ask = say(R"(@ warm sweeps a step, β = @; a box of 1 kg on the ground. What is the heaviest box that
+                  settles on top of it?)",
                   sweeps, beta),
        .answer = measured,
        .unit = "kg",
@@ -40,10 +40,10 @@ void heavy_on_light(const Setting& setting, Page& page) {
        .hint = "What share of the upper box's weight does one sweep bring to the ground?",
        .right = "About three kilogrammes a sweep."});
   page.text(
-      "Family one, with a little of family two. The ground sees the light box only, which sees the heavy one "
-      "only: a sweep leaves r/(1 + r) of what is missing. A warm start adds up what sweeps bring, the correction "
-      "with it, and what overshoots hops: an open contact closes its gap within one step, as if β were 1. So "
-      "there are masses below the limit that ring on or settle by how they were put down; above it none settles.");
+      R"(Family one, with a little of family two. The ground sees the light box only, which sees the heavy one
+      only: a sweep leaves r/(1 + r) of what is missing. A warm start adds up what sweeps bring, the correction
+      with it, and what overshoots hops: an open contact closes its gap within one step, as if β were 1. So there
+      are masses below the limit that ring on or settle by how they were put down; above it none settles.)");
   const Map map = map_of(page, counting_knob("warm sweeps a step (1)", 1, 16, setting.resolution),
                          knob("upper mass / lower mass (1)", 1, 200, setting.resolution),
                          [](double k, double ratio) { return two_boxes(static_cast<int>(k), ratio); });
@@ -52,7 +52,7 @@ void heavy_on_light(const Setting& setting, Page& page) {
   const auto boundary = [&](double k) { return limits[std::min(17, static_cast<int>(std::lround(k)))]; };
   page.figure(
       "mass_and_sweeps",
-      say("Each cell is a run of two boxes, β = @. Dashed: the law, about r = 3k. \"Rings\" is: goes on hopping.",
+      say(R"(Each cell is a run of two boxes, β = @. Dashed: the law, about r = 3k. "Rings" is: goes on hopping.)",
           beta),
       chart(map, "about r = 3k", boundary));
   const double foreseen = share_foreseen(map, [&](double k, double ratio) { return ratio < boundary(k); });

@@ -36,11 +36,11 @@ int main(int argc, char** argv) {
 
   lesson.closing(
       {.now_you_know =
-           {"It creeps, always one way, and each sweep helps: too few iterations. Chains ask for N² sweeps, "
-            "stacks for N³; a direct solve for none.",
+           {R"(It creeps, always one way, and each sweep helps: too few iterations. Chains ask for N² sweeps,
+            stacks for N³; a direct solve for none.)",
             "It rings: the correction overshoots. A warm start bears β < (1 − q)/q and not a hair more.",
-            "It flies apart, and sweeps change nothing: the step. Sideways a taut chain is an explicit spring, ωh "
-            "< 2; a stack on soft contacts buckles like a tree.",
+            R"(It flies apart, and sweeps change nothing: the step. Sideways a taut chain is an explicit spring, ωh
+            < 2; a stack on soft contacts buckles like a tree.)",
             "It is calm, and λ grows: the rows. Regularise, reorder, refresh.",
             "Look first, then turn a knob: a cure for one family does nothing for another."},
        .tries = {{"A finer map of where a warm start rings:", "./lessons/run 8 --step 2 --set resolution=40"},
@@ -48,7 +48,7 @@ int main(int argc, char** argv) {
                   "./lessons/run where_methods --step 1 --set boxes=20 --set sweeps=12"},
                  {"A lighter end, on this side of the boundary:", "./lessons/run 8 --step 3 --set end_mass=200"},
                  {"Stiffer contacts, taller stacks:", "./lessons/run 8 --step 4 --set hertz=60"}},
-       .next = "You know where each method ends. Lesson 9 asks what it costs before that: error against work, on "
-               "one chart."});
+       .next = R"(You know where each method ends. Lesson 9 asks what it costs before that: error against work, on
+               one chart.)"});
   return lesson.run(argc, argv);
 }

@@ -16,8 +16,8 @@ void many_contacts(const Setting& setting, Page& page) {
   const double mu = laws::largest_eigenvalue(contacts), growth = std::abs(1 - mu);
 
   page.text(
-      "A box lies on @ points in a row. All rows see the same fall, and by Jacobi each answers as if it were "
-      "alone; then all push at once.",
+      R"(A box lies on @ points in a row. All rows see the same fall, and by Jacobi each answers as if it were
+      alone; then all push at once.)",
       contacts);
   page.predict(
       {.ask = say("Jacobi on @ contacts of one box: by what is the error multiplied in each iteration?", contacts),
@@ -44,8 +44,8 @@ void many_contacts(const Setting& setting, Page& page) {
               chart(map, "ω = 2/μ", boundary));
   const double foreseen = share_foreseen(map, [&](double n, double omega) { return omega < boundary(n); });
   page.text(
-      "It is family two without any β: each row is right by itself and all together overshoot. Gauss–Seidel, "
-      "where each row sees what those before it did, cannot. Of @ runs the law foresees @ %.",
+      R"(It is family two without any β: each row is right by itself and all together overshoot. Gauss–Seidel,
+      where each row sees what those before it did, cannot. Of @ runs the law foresees @ %.)",
       map.outcomes.size(), Value(100 * foreseen, 3));
   page.claim({.quantity = "share of runs that end as the law says",
               .unit = "1",

@@ -32,7 +32,7 @@ double beta_that_rings(int links, int sweeps) {
       0.5 * law, std::min(1.6 * law, 2.3), 0.002);
 }
 
-using Chain = Scene<PlaneParticle, NormalisedDistance>;
+using Chain = Scene<PlaneParticle>;
 
 Film<Chain> film(int links, int sweeps, double beta) {
   const auto hanging = [&](std::string name, const VelocityStepping& method) {
@@ -62,38 +62,38 @@ void overshoots(const Setting& setting, Page& page) {
                limit = limit_of_beta(links, sweeps);
 
   page.text(
-      "**Symptom:** what is wrong changes sign, over and over, a little more each time. *It rings.* The second "
-      "family has done its sums well enough; it pays too much back.");
+      R"(**Symptom:** what is wrong changes sign, over and over, a little more each time. *It rings.* The second
+      family has done its sums well enough; it pays too much back.)");
   page.text(
-      "One row solved exactly takes any β below 2 (law 1). A chain of @ links that is warm-started and swept @ "
-      "times a step is another matter. A step begins with all of last step's λ, and last step's λ held a "
-      "correction. The sweeps should take that out again, but of the slowest wave they leave q = cos²ᵏ(π/2N) = @. "
-      "So the correction is paid twice, three times, on and on.",
+      R"(One row solved exactly takes any β below 2 (law 1). A chain of @ links that is warm-started and swept @
+      times a step is another matter. A step begins with all of last step's λ, and last step's λ held a correction.
+      The sweeps should take that out again, but of the slowest wave they leave q = cos²ᵏ(π/2N) = @. So the
+      correction is paid twice, three times, on and on.)",
       links, sweeps, Value(q, 3));
   const double here = beta_that_rings(links, sweeps), twice = beta_that_rings(2 * links, sweeps);
-  page.predict({.ask = say("@ links, @ warm sweeps: errors ring up from β = @ on. From where with twice as many "
-                           "links and as many sweeps?",
+  page.predict({.ask = say(R"(@ links, @ warm sweeps: errors ring up from β = @ on. From where with twice as many
+                           links and as many sweeps?)",
                            links, sweeps, Value(here, 3)),
                 .answer = twice,
                 .unit = "1",
                 .tolerance = 0.15 * twice,
                 .wrong = {{here / 2, "News walks like a drunkard: twice as far takes four times as long."},
                           {here,
-                           "The limit is (1 − q)/q, and q is what the sweeps leave of the slowest wave: longer "
-                           "waves, more left."}},
+                           R"(The limit is (1 − q)/q, and q is what the sweeps leave of the slowest wave: longer
+                           waves, more left.)"}},
                 .hint = "How many sweeps does a wave take that is twice as long?",
                 .right = "1 − q is what the sweeps take of the slowest wave, and it falls with N²."});
 
   const Film<Chain> chains = film(links, sweeps, beta);
   page.sequence(
       "ringing_chain",
-      say("Three chains of @ links let go at rest, β = @ and @ sweeps a step. Warm: @. Started cold, it ends @ m "
-          "off. By split impulse, which moves positions and leaves no correction in λ, @ m.",
+      say(R"(Three chains of @ links let go at rest, β = @ and @ sweeps a step. Warm: @. Started cold, it ends @ m
+          off. By split impulse, which moves positions and leaves no correction in λ, @ m.)",
           links, setting.beta, sweeps, chains.fate(0), Value(chains.last(1), 2), Value(chains.last(2), 2)),
       Seconds{chains.seconds()}, chains.drawing());
   page.text(
-      "Write C for the slowest wave's error and v for its rate. What one warm step does to them is linear, and "
-      "multiplies them by a root z of");
+      R"(Write C for the slowest wave's error and v for its rate. What one warm step does to them is linear, and
+      multiplies them by a root z of)");
   page.formula(
       "z³ − [1 + 2q − (1 − q)β] z² + 3q z − q = 0,   |z| < 1 only for β < (1 − q)/q = @",
       R"(z^3 - [1 + 2q - (1-q)\beta]\,z^2 + 3q\,z - q = 0, \qquad |z| < 1 \iff \beta < \frac{1-q}{q} = @)",
@@ -109,15 +109,15 @@ void overshoots(const Setting& setting, Page& page) {
               chart(map, "β = (1 − q)/q, and 2", [links](double k) { return limit_of_beta(links, k); }));
   const double foreseen = share_foreseen(map, [links](double k, double b) { return b < limit_of_beta(links, k); });
   page.text(
-      "Of @ runs the law foresees @ %. \"Usually between 0.1 and 0.3\" is a horizontal band in this map: it takes "
-      "about @ sweeps to be safe at 0.2 with @ links.",
+      R"(Of @ runs the law foresees @ %. "Usually between 0.1 and 0.3" is a horizontal band in this map: it takes
+      about @ sweeps to be safe at 0.2 with @ links.)",
       map.outcomes.size(), Value(100 * foreseen, 3),
       std::ceil(std::log(1 / 1.2) / std::log(laws::left_by_a_sweep(links))), links);
   page.text(
-      "**Which knob?** Less β, at once. More sweeps, slowly. A cold start takes the memory away, and with it what "
-      "a warm start is for: it sags. Better to keep corrections out of λ: positions put right by themselves "
-      "(split impulse, projection), or soft constraints with a relax pass. And solved directly, q = 0: the limit "
-      "is 2 again.");
+      R"(**Which knob?** Less β, at once. More sweeps, slowly. A cold start takes the memory away, and with it what
+      a warm start is for: it sags. Better to keep corrections out of λ: positions put right by themselves (split
+      impulse, projection), or soft constraints with a relax pass. And solved directly, q = 0: the limit is 2
+      again.)");
 
   page.claim({.quantity = "share of runs that end as the law says",
               .unit = "1",

@@ -30,8 +30,8 @@ void springs(const Setting& setting, Page& page) {
   const double without = largest_omega_h(0), critical = largest_omega_h(1);
 
   page.text(
-      "Add −kx − cv to the forces before a step, as one adds gravity: that is a spring by hand. Swinging freely "
-      "it is stable while ωh < @. Damping calms a swing, so a damped one should bear more.",
+      R"(Add −kx − cv to the forces before a step, as one adds gravity: that is a spring by hand. Swinging freely
+      it is stable while ωh < @. Damping calms a swing, so a damped one should bear more.)",
       without);
   page.predict(
       {.ask = "Critically damped, ζ = 1: up to which ωh is an explicit spring stable?",
@@ -40,8 +40,8 @@ void springs(const Setting& setting, Page& page) {
        .tolerance = 0.05,
        .wrong = {{2, "That is without damping. Damping is a force of last step's velocity, and overshoots too."},
                  {4,
-                  "Damping is explicit as well: it pushes with last step's velocity, and too much of it turns the "
-                  "mass round in one step."}},
+                  R"(Damping is explicit as well: it pushes with last step's velocity, and too much of it turns the
+                  mass round in one step.)"}},
        .hint = "For a very stiff damper, what is the velocity after one step?",
        .right = "2(√2 − 1): damping makes it worse."});
   page.formula(
@@ -56,8 +56,8 @@ void springs(const Setting& setting, Page& page) {
   page.figure("damping_and_frequency", "Each cell is a run of one mass on an explicit spring. Dashed: the law.",
               chart(map, "ωh = 2(√(1 + ζ²) − ζ)", largest_omega_h));
   page.text(
-      "Written as a soft row, γ = 1/(h(c + hk)), the same spring is stable for every ωh and ζ (lesson 6). Of @ "
-      "runs the law foresees @ %.",
+      R"(Written as a soft row, γ = 1/(h(c + hk)), the same spring is stable for every ωh and ζ (lesson 6). Of @
+      runs the law foresees @ %.)",
       map.outcomes.size(), Value(100 * foreseen, 3));
   page.claim({.quantity = "share of runs that end as the law says",
               .unit = "1",

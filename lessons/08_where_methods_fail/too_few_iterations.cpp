@@ -40,7 +40,7 @@ int fewest_sweeps(int boxes, int most) {
   return standing;
 }
 
-Film<Boxes> film(int boxes, int sweeps) {
+Film<Scene<PlaneBody>> film(int boxes, int sweeps) {
   const Baumgarte slack{.slop = 0.01};
   return film_of_stacks(boxes,
                         {{say("@ sweeps", sweeps), {GaussSeidel{sweeps}, slack}},
@@ -56,17 +56,17 @@ void too_few_iterations(const Setting& setting, Page& page) {
   const double law = sweeps_to_stand(boxes);
 
   page.text(
-      "Methods fail in four ways, and no more. Each has its own symptom, its own law, and its own cure; a cure "
-      "for one does nothing for another. So learn to tell them apart.");
+      R"(Methods fail in four ways, and no more. Each has its own symptom, its own law, and its own cure; a cure
+      for one does nothing for another. So learn to tell them apart.)");
   page.text(
-      "**Symptom of the first:** it gives way slowly, always in the same direction, and *each further sweep makes "
-      "it better*. Chains sag, heavy boxes crush light ones, stacks lean and fall. Rows are solved one after the "
-      "other, and the news of what one of them did has not come round yet.");
+      R"(**Symptom of the first:** it gives way slowly, always in the same direction, and *each further sweep makes
+      it better*. Chains sag, heavy boxes crush light ones, stacks lean and fall. Rows are solved one after the
+      other, and the news of what one of them did has not come round yet.)");
   page.text(
-      "A chain's slowest error is a wave, of which a sweep takes about π²/4N² (lesson 3). A stack has a slower "
-      "one. When it leans, each contact must press more on one side: the column *bends*, like a beam, and a sweep "
-      "takes about 2/N⁴ of a bending. All the while gravity tips it over like a pencil, by (σh)² a step, σ² about "
-      "3g/2N. It stands if the sweeps are quicker:");
+      R"(A chain's slowest error is a wave, of which a sweep takes about π²/4N² (lesson 3). A stack has a slower
+      one. When it leans, each contact must press more on one side: the column *bends*, like a beam, and a sweep
+      takes about 2/N⁴ of a bending. All the while gravity tips it over like a pencil, by (σh)² a step, σ² about
+      3g/2N. It stands if the sweeps are quicker:)");
   page.formula(
       "(σh)² < (1 − q)/q,   q = (1 − 2/N⁴)ᵏ:   k > about ¾ g h² N³, @ sweeps for @ boxes",
       R"((\sigma h)^2 < \frac{1-q}{q}, \quad q = \left(1 - \tfrac{2}{N^4}\right)^k: \quad k \gtrsim \tfrac34\, g h^2 N^3, \; @ \text{ sweeps for } @ \text{ boxes})",
@@ -84,11 +84,11 @@ void too_few_iterations(const Setting& setting, Page& page) {
        .hint = "What a sweep takes falls with N⁴. What gravity adds falls with N.",
        .right = "N⁴ for the bending, less N for the toppling: about the cube."});
 
-  const Film<Boxes> stacks = film(boxes, sweeps);
+  const Film<Scene<PlaneBody>> stacks = film(boxes, sweeps);
   page.sequence("leaning_stack",
-                say("@ boxes after a kick of @ m/s at the top, @ times as fast as it was. @ sweeps a step: @. By "
-                    "conjugate sweeps (NNCG): @. Directly: @. Right: how far the top box is from where it stood "
-                    "(directly: less than can be shown).",
+                say(R"(@ boxes after a kick of @ m/s at the top, @ times as fast as it was. @ sweeps a step: @. By
+                    conjugate sweeps (NNCG): @. Directly: @. Right: how far the top box is from where it stood
+                    (directly: less than can be shown).)",
                     boxes, 0.02, stacks.hurry(), sweeps, stacks.fate(0), stacks.fate(1), stacks.fate(2)),
                 Seconds{stacks.seconds()}, stacks.drawing());
 
@@ -98,15 +98,15 @@ void too_few_iterations(const Setting& setting, Page& page) {
                return laws::lean(Column{.boxes = static_cast<int>(n), .sweeps = static_cast<int>(k)});
              });
   page.figure("boxes_and_sweeps",
-              "Each cell is a run of a column that was nudged. \"Explodes\" is: has fallen. Dashed: the law.",
+              R"(Each cell is a run of a column that was nudged. "Explodes" is: has fallen. Dashed: the law.)",
               chart(map, "(σh)² = (1 − q)/q, about ¾ gh²N³", [](double n) { return sweeps_to_stand(n); }));
   const double foreseen = share_foreseen(map, [](double n, double k) { return k > sweeps_to_stand(n); });
   page.text("Of @ runs the law foresees @ %.", map.outcomes.size(), Value(100 * foreseen, 3));
   page.text(
-      "**Which knob?** Sweeps, but N³ of them. Substeps are better: in @ of them (σh)² is a @th each, so @ "
-      "substeps of one sweep hold what asks for @ sweeps of a whole step. Conjugate sweeps reach a slow mode as "
-      "the square root of what plain ones need. And *structure* ends it: a column is a chain, and a direct solve "
-      "leaves nothing over that could creep.",
+      R"(**Which knob?** Sweeps, but N³ of them. Substeps are better: in @ of them (σh)² is a @th each, so @
+      substeps of one sweep hold what asks for @ sweeps of a whole step. Conjugate sweeps reach a slow mode as the
+      square root of what plain ones need. And *structure* ends it: a column is a chain, and a direct solve leaves
+      nothing over that could creep.)",
       4, 16, 4, Value(std::round(sweeps_to_stand(twice) / sweeps_to_stand(twice, step / 4)), 2));
 
   page.claim({.quantity = "share of runs that end as the law says",

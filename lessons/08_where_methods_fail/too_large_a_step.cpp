@@ -29,7 +29,7 @@ double heaviest_measured(double rate) {
       0.5 * law, 2 * law, 0.002);
 }
 
-using Chain = Scene<PlaneParticle, NormalisedDistance>;
+using Chain = Scene<PlaneParticle>;
 
 Film<Chain> film(double end_mass, int sweeps) {
   const TautChain chain;
@@ -67,17 +67,16 @@ void too_large_a_step(const Setting& setting, Page& page) {
   const double limit = heaviest_measured(rate), halved = heaviest_measured(2 * rate);
 
   page.text(
-      "**Symptom:** it flies apart, from one moment to the next and for no reason; *and more sweeps change "
-      "nothing*. The third family is solved well, even exactly. What is wrong is the step.");
+      R"(**Symptom:** it flies apart, from one moment to the next and for no reason; *and more sweeps change
+      nothing*. The third family is solved well, even exactly. What is wrong is the step.)");
   page.text(
-      "A light chain of @ links of 1 kg and 1 m carries @ kg at its end. Solve each step directly: JV = 0 to the "
-      "last bit, in every step. But J is held still while the step moves. Sideways, a bob that is off by x is "
-      "pulled back by T x/l from where it *was*: a taut chain is an explicit spring, and that holds only while ωh "
-      "< 2.",
+      R"(A light chain of @ links of 1 kg and 1 m carries @ kg at its end. Solve each step directly: JV = 0 to the
+      last bit, in every step. But J is held still while the step moves. Sideways, a bob that is off by x is pulled
+      back by T x/l from where it *was*: a taut chain is an explicit spring, and that holds only while ωh < 2.)",
       chain.links, ratio);
   page.predict(
-      {.ask = say("Each step is solved exactly, and the chain explodes from an end mass of @ kg on. h is halved. "
-                  "From which mass now?",
+      {.ask = say(R"(Each step is solved exactly, and the chain explodes from an end mass of @ kg on. h is halved.
+                  From which mass now?)",
                   Value(limit, 3)),
        .answer = halved,
        .unit = "kg",
@@ -95,8 +94,8 @@ void too_large_a_step(const Setting& setting, Page& page) {
   const int many = 1000;
   const Film<Chain> chains = film(ratio, many);
   page.sequence("exploding_chain",
-                say("The same chain with @ kg at its end at @ Hz. Solved exactly: @. With @ sweeps a step: @. "
-                    "Exactly in 4 substeps: @.",
+                say(R"(The same chain with @ kg at its end at @ Hz. Solved exactly: @. With @ sweeps a step: @.
+                    Exactly in 4 substeps: @.)",
                     ratio, rate, chains.fate(0), many, chains.fate(1), chains.fate(2)),
                 Seconds{chains.seconds()}, chains.drawing());
 
@@ -109,8 +108,8 @@ void too_large_a_step(const Setting& setting, Page& page) {
   const double foreseen = share_foreseen(map, [](double hz, double r) { return r < heaviest_at(hz); });
   page.text("Of @ runs the law foresees @ %.", map.outcomes.size(), Value(100 * foreseen, 3));
   page.text(
-      "**Which knob?** Only h: substeps (4 of them bear about @ kg), which divide the step where it counts. Or "
-      "links that are heavier or fewer. Not sweeps, not β, not another way to solve the same rows.",
+      R"(**Which knob?** Only h: substeps (4 of them bear about @ kg), which divide the step where it counts. Or
+      links that are heavier or fewer. Not sweeps, not β, not another way to solve the same rows.)",
       Value(heaviest_at(4 * rate), 3));
 
   page.claim({.quantity = "share of runs that end as the law says",

@@ -34,7 +34,7 @@ int tallest(double hertz) {
   return boxes;
 }
 
-Film<Boxes> film(int boxes, double hertz) {
+Film<Scene<PlaneBody>> film(int boxes, double hertz) {
   const auto soft = [](std::string name, double frequency, int substeps) {
     return SolvedStack{std::move(name),
                        {.solver = GaussSeidel{sweeps_filmed},
@@ -54,14 +54,14 @@ void too_soft(const Setting& setting, Page& page) {
   const int highest = tallest(hertz), filmed = highest + highest / 3 + 1, twice = tallest(2 * hertz);
 
   page.text(
-      "**The same family, another face.** Engines make contacts soft, each a damped spring tuned to a frequency ω "
-      "that suits the box alone: k = mω². It is stable at every ωh, and the stack of such boxes leans, bows and "
-      "falls. *Neither sweeps nor substeps change when*: the springs are solved as well as you like, and they are "
-      "springs.");
+      R"(**The same family, another face.** Engines make contacts soft, each a damped spring tuned to a frequency ω
+      that suits the box alone: k = mω². It is stable at every ωh, and the stack of such boxes leans, bows and
+      falls. *Neither sweeps nor substeps change when*: the springs are solved as well as you like, and they are
+      springs.)");
   page.text(
-      "It is the oldest law here. In 1881 A. G. Greenhill asked how tall a tree can grow before it buckles under "
-      "its own weight. A column of N boxes on soft faces is his tree: a box that turns by θ is set up by kw²θ/2 "
-      "across its width w, and tipped over by all that stands above.");
+      R"(It is the oldest law here. In 1881 A. G. Greenhill asked how tall a tree can grow before it buckles under
+      its own weight. A column of N boxes on soft faces is his tree: a box that turns by θ is set up by kw²θ/2
+      across its width w, and tipped over by all that stands above.)");
   page.formula("N³ < 7.84 k w²/(2 m g):   @ boxes at @ Hz",
                R"(N^3 < 7.84\,\frac{k w^2}{2 m g}: \quad @ \text{ boxes at } @\ \mathrm{Hz})", highest, hertz);
   page.predict(
@@ -76,11 +76,11 @@ void too_soft(const Setting& setting, Page& page) {
        .hint = "k grows with ω², and N³ with k.",
        .right = "The cube root of four: 1.59 times as many."});
 
-  const Film<Boxes> stacks = film(filmed, hertz);
+  const Film<Scene<PlaneBody>> stacks = film(filmed, hertz);
   page.sequence(
       "buckling_stack",
-      say("@ boxes on soft contacts, @ sweeps a step, after a small kick; @ times as fast as it was. @ Hz: @. In "
-          "4 substeps: @. @ Hz: @.",
+      say(R"(@ boxes on soft contacts, @ sweeps a step, after a small kick; @ times as fast as it was. @ Hz: @. In
+          4 substeps: @. @ Hz: @.)",
           filmed, sweeps_filmed, stacks.hurry(), hertz, stacks.fate(0), stacks.fate(1), 4 * hertz, stacks.fate(2)),
       Seconds{stacks.seconds()}, stacks.drawing());
 
@@ -90,16 +90,16 @@ void too_soft(const Setting& setting, Page& page) {
   const auto boundary = [](double n) { return laws::softest_contacts(static_cast<int>(std::lround(n))); };
   page.figure(
       "boxes_and_stiffness",
-      say("Each cell is a run of a nudged column at 60 Hz, @ sweeps a step, more than enough. \"Drifts\" is: "
-          "leans further and further. \"Explodes\" is: has fallen. Dashed: Greenhill's law for N boxes.",
+      say(R"(Each cell is a run of a nudged column at 60 Hz, @ sweeps a step, more than enough. "Drifts" is: leans
+          further and further. "Explodes" is: has fallen. Dashed: Greenhill's law for N boxes.)",
           sweeps),
       chart(map, "N³ = 7.84 kw²/2mg", boundary));
   const double foreseen = share_foreseen(map, [&](double n, double hz) { return hz > boundary(n); });
   page.text("Of @ runs the law foresees @ %.", map.outcomes.size(), Value(100 * foreseen, 3));
   page.text(
-      "**Which knob?** Stiffness. Engines do not let a contact be stiffer than a quarter of the rate of steps, so "
-      "their substeps help after all: they allow stiffer contacts. Hard contacts have no such limit, only that of "
-      "the first family.");
+      R"(**Which knob?** Stiffness. Engines do not let a contact be stiffer than a quarter of the rate of steps, so
+      their substeps help after all: they allow stiffer contacts. Hard contacts have no such limit, only that of
+      the first family.)");
 
   page.claim({.quantity = "share of runs that end as the law says",
               .unit = "1",

@@ -35,15 +35,15 @@ void unseen(const Setting& setting, Page& page) {
        .unit = "balls",
        .tolerance = 0.06 * balls,
        .wrong = {{0,
-                  "Between two steps a ball jumps half a metre; the solver cannot solve a contact that it is "
-                  "never told of."},
+                  R"(Between two steps a ball jumps half a metre; the solver cannot solve a contact that it is
+                  never told of.)"},
                  {static_cast<double>(balls), "Some happen to be near when a step looks."}},
        .hint = "How far does a ball go in a step, and along how much of that is it seen?",
        .right =
            "A ball is seen along its radius, the margin and half of the wall; the rest of its step it is not."});
   page.text(
-      "Family three at its plainest: contacts are looked for once a step. A ball that is found anywhere from the "
-      "margin before the wall to the wall's middle is turned back. That way is @ m, a step @ m.",
+      R"(Family three at its plainest: contacts are looked for once a step. A ball that is found anywhere from the
+      margin before the wall to the wall's middle is turned back. That way is @ m, a step @ m.)",
       Value(seen_for(wall), 3), speed * step);
   const Knob speeds = knob("speed (m/s)", 2, 100, setting.resolution),
              walls = knob("thickness of the wall (m)", 0.01, 1, setting.resolution);
@@ -68,8 +68,8 @@ void unseen(const Setting& setting, Page& page) {
               "Each cell is 50 flights. Dashed: what goes no farther in a step than it is seen.",
               renderer::Chart{.x = speeds.axis, .y = walls.axis, .curves = {law}, .heat_map = map});
   page.text(
-      "**Which knob?** The step; a thicker wall; a wider margin, if contacts may be made before they touch "
-      "(speculative contacts). A half-space has no other side, and nothing passes it.");
+      R"(**Which knob?** The step; a thicker wall; a wider margin, if contacts may be made before they touch
+      (speculative contacts). A half-space has no other side, and nothing passes it.)");
   page.claim({.quantity = "balls that pass",
               .unit = "1",
               .expected = balls * share_by_law(speed, wall),

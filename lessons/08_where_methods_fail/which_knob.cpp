@@ -88,9 +88,9 @@ void which_knob(const Setting&, Page& page) {
       page.side_by_side(rows * how_many, [](int cell) { return failures[cell / how_many].with(cell % how_many); });
 
   page.text(
-      "Five failures, one of each kind that you have seen, each a little beyond its boundary. And five knobs, "
-      "each turned far: @ times the sweeps; a hundredth of the correction; @ substeps; contacts of @ times the "
-      "frequency; softness.",
+      R"(Five failures, one of each kind that you have seen, each a little beyond its boundary. And five knobs,
+      each turned far: @ times the sweeps; a hundredth of the correction; @ substeps; contacts of @ times the
+      frequency; softness.)",
       times, parts, stiffer);
   page.choose(
       {.ask = "A chain with a heavy end flies apart, solved exactly as with 2000 sweeps. What helps?",
@@ -121,9 +121,9 @@ void which_knob(const Setting&, Page& page) {
   picture.y.reversed = true;
   picture.heat_map = cells(x, y, outcomes);
   page.figure("which_knob",
-              say("Each cell is a run. From above: a hard stack leans; a warm chain rings; a taut chain, solved "
-                  "exactly (or with @ sweeps), explodes; a soft stack buckles; two rods quarrel. An empty cell: "
-                  "it has no such knob.",
+              say(R"(Each cell is a run. From above: a hard stack leans; a warm chain rings; a taut chain, solved
+                  exactly (or with @ sweeps), explodes; a soft stack buckles; two rods quarrel. An empty cell: it
+                  has no such knob.)",
                   2000),
               picture);
 
@@ -133,10 +133,9 @@ void which_knob(const Setting&, Page& page) {
     cured += outcomes[i * how_many + failures[i].cure] == Outcome::settles;
   }
   page.text(
-      "Read it by rows: each failure has its own cure. Read it by columns: no knob cures all. So look first, then "
-      "turn: does it *creep*, always one way? Sweeps, structure. Does it *ring*? Less correction, or one that λ "
-      "does not remember. Do *sweeps change nothing*? The step, or stiffness. Is it *calm* and λ grows? The "
-      "rows.");
+      R"(Read it by rows: each failure has its own cure. Read it by columns: no knob cures all. So look first, then
+      turn: does it *creep*, always one way? Sweeps, structure. Does it *ring*? Less correction, or one that λ does
+      not remember. Do *sweeps change nothing*? The step, or stiffness. Is it *calm* and λ grows? The rows.)");
   page.claim({.quantity = "failures that fail while no knob is turned",
               .unit = "1",
               .expected = static_cast<double>(rows),

@@ -56,7 +56,7 @@ renderer::Chart over_time(double conflict, const std::vector<double>& shares) {
   return chart;
 }
 
-using Circle = Scene<PlaneParticle, NormalisedDistance>;
+using Circle = Scene<PlaneParticle>;
 
 constexpr double radius = 1, speed = 5, step = 1.0 / 60;  // of what goes round [m], [m/s]; [s]
 
@@ -81,7 +81,7 @@ Film<Circle> rounds() {
        .view = {-1.2 * radius, -1.2 * radius, 2.4 * radius, 2.4 * radius},
        .seconds = filmed,
        .gauge = {.label = "speed (m/s)", .range = {{0, 1.2 * speed}}},
-       .read = [](const Circle& scene) { return scene.bodies.velocity[1].norm(); },
+       .read = [](const Circle& scene) { return scene.bodies().velocity[1].norm(); },
        .laws = {law},
        .failed = [](const Circle&) { return false; },
        .failure = "stops",
@@ -96,14 +96,14 @@ void wrong_rows(const Setting& setting, Page& page) {
   const double borne = strength / (mass * gravity);
 
   page.text(
-      "**Symptom:** there is none, or a small one: *the picture is calm*, and something that you do not look at "
-      "is wrong. λ grows without end; a direct solve refuses; friction holds nothing; what goes round slows down. "
-      "The fourth family solves the wrong rows, well enough and in small enough steps: they repeat each other, "
-      "contradict each other, stand in the wrong order, or belong to where the bodies were a moment ago.");
+      R"(**Symptom:** there is none, or a small one: *the picture is calm*, and something that you do not look at
+      is wrong. λ grows without end; a direct solve refuses; friction holds nothing; what goes round slows down.
+      The fourth family solves the wrong rows, well enough and in small enough steps: they repeat each other,
+      contradict each other, stand in the wrong order, or belong to where the bodies were a moment ago.)");
   page.text(
-      "Two rods hold one bob of @ kg between the same two points, and one is @ m longer than the other. No λ can "
-      "satisfy both. In each step each rod asks for β/h of its own error, the other undoes it, and a warm start "
-      "keeps the sum.",
+      R"(Two rods hold one bob of @ kg between the same two points, and one is @ m longer than the other. No λ can
+      satisfy both. In each step each rod asks for β/h of its own error, the other undoes it, and a warm start
+      keeps the sum.)",
       mass, setting.conflict);
   const ConflictingRods rigid = rods(conflict, 0);
   const double half = quarrel(rigid, seconds / 2) / (mass * gravity),
@@ -114,28 +114,28 @@ void wrong_rows(const Setting& setting, Page& page) {
                 .unit = "weights",
                 .tolerance = 0.1 * whole,
                 .wrong = {{half,
-                           "Each step corrects the other's correction, and warm start keeps the sum; look at λ, "
-                           "not at the picture."},
+                           R"(Each step corrects the other's correction, and warm start keeps the sum; look at λ,
+                           not at the picture.)"},
                           {4 * half, "Nothing feeds on itself here: each step adds the same."}},
                 .hint = "How much does each step add?",
                 .right = "It grows by the same in every step, for ever."});
   page.figure("quarrel",
-              say("What two rods that differ by @ m pull against each other with: rigid, and with softness, in "
-                  "shares of each row's own A = JM⁻¹Jᵀ.",
+              say(R"(What two rods that differ by @ m pull against each other with: rigid, and with softness, in
+                  shares of each row's own A = JM⁻¹Jᵀ.)",
                   setting.conflict),
               over_time(conflict, {0, bound / 10, bound, 10 * bound}));
   page.text(
-      "A softness γ lets each row give way a little, JV + b + γλ = 0, and the quarrel ends where γλ makes up for "
-      "half of the difference between what the two ask for. If a rod bears F, say @ weights, γ has to be large "
-      "enough:",
+      R"(A softness γ lets each row give way a little, JV + b + γλ = 0, and the quarrel ends where γλ makes up for
+      half of the difference between what the two ask for. If a rod bears F, say @ weights, γ has to be large
+      enough:)",
       borne);
   page.formula("γ > β δ/(2 h² F) = @ A", R"(\gamma > \frac{\beta\,\delta}{2 h^2 F} = @\,A)", Value(bound, 3));
 
   const Map map = map_of(page, knob("conflict δ (m)", 1e-4, 0.5, setting.resolution),
                          knob("softness γ / A (1)", 1e-5, 1, setting.resolution), end_of_quarrel);
   page.figure("conflict_and_softness",
-              say("Each cell is a run of @ s. \"Explodes\" is: pulls with more than @ weights. \"Drifts\" is: not "
-                  "yet, but harder and harder. Dashed: the law.",
+              say(R"(Each cell is a run of @ s. "Explodes" is: pulls with more than @ weights. "Drifts" is: not
+                  yet, but harder and harder. Dashed: the law.)",
                   seconds, borne),
               chart(map, "γ = βδ/2h²F", softness_that_bounds));
   const std::size_t columns = map.x.values.size();
@@ -150,20 +150,20 @@ void wrong_rows(const Setting& setting, Page& page) {
             Value(100 * right / ended, 3));
   const Film<Circle> circles = rounds();
   page.text(
-      "And then rows that were right a moment ago. A particle goes round on a soft rod, solved exactly; after "
-      "each step its row is relaxed, hard and without bias (that keeps corrections out of V). Its correction u "
-      "along the rod is just what turns V onto the new tangent. Relax with the J of the step's start, and u is "
-      "thrown away instead:");
+      R"(And then rows that were right a moment ago. A particle goes round on a soft rod, solved exactly; after
+      each step its row is relaxed, hard and without bias (that keeps corrections out of V). Its correction u along
+      the rod is just what turns V onto the new tangent. Relax with the J of the step's start, and u is thrown away
+      instead:)");
   page.formula("v = v₀ / √(1 + v₀² h t/R²)", R"(v = v_0 \left(1 + \frac{v_0^2\,h\,t}{R^2}\right)^{-1/2})");
   page.sequence("stale_rows",
-                say("A particle that goes round at @ m/s on a soft rod, without gravity or friction. With a stale "
-                    "J it has @ m/s after @ s, with a fresh one @ m/s.",
+                say(R"(A particle that goes round at @ m/s on a soft rod, without gravity or friction. With a stale
+                    J it has @ m/s after @ s, with a fresh one @ m/s.)",
                     speed, Value(circles.last(0), 3), circles.seconds(), Value(circles.last(1), 3)),
                 Seconds{circles.seconds()}, circles.drawing());
   page.text(
-      "**Which knob?** Not sweeps, not the step. *Regularise*: a softness, or a share of the diagonal in a direct "
-      "solve. *Reorder*: normals before the friction that leans on them. *Refresh*: write J anew where bodies "
-      "have moved between two solves. And if you can, take away the row that says what others say.");
+      R"(**Which knob?** Not sweeps, not the step. *Regularise*: a softness, or a share of the diagonal in a direct
+      solve. *Reorder*: normals before the friction that leans on them. *Refresh*: write J anew where bodies have
+      moved between two solves. And if you can, take away the row that says what others say.)");
 
   page.claim({.quantity = "share of ended runs that end as the law says",
               .unit = "1",

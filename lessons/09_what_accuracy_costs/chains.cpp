@@ -12,20 +12,15 @@ using namespace tutor;
 void chains(Page& page) {
   const Survey& solved = survey(page, Problem("chain", {{"links", 10}}), Error::algebraic, 1e6);
   page.text(
-      "First a solver by itself: how far one step of ten links leaves the velocities from the exact answer to its "
-      "own "
-      "equations. Here sweeps are what counts, conjugate ones gain most, and a direct solve has rounding only. It "
-      "is "
-      "the only error that more sweeps take all the way down.");
+      R"(First a solver by itself: how far one step of ten links leaves the velocities from the exact answer to its
+      own equations. Here sweeps are what counts, conjugate ones gain most, and a direct solve has rounding only.
+      It is the only error that more sweeps take all the way down.)");
   show(page, "chain_10_algebraic", solved, Error::algebraic);
   page.text(
-      "One knob of the scene at a time: longer downwards, heavier at the end within each length. Look for what "
-      "moves "
-      "and what does not. The curves by sweeps climb with the square of the length and with the end mass; the "
-      "direct "
-      "solve with substeps moves up with the length alone, because a chain costs it a fixed price a link; and the "
-      "number "
-      "of substeps at which its crosses end is set by T·h²/(m·l) = 1, tension against step.");
+      R"(One knob of the scene at a time: longer downwards, heavier at the end within each length. Look for what
+      moves and what does not. The curves by sweeps climb with the square of the length and with the end mass; the
+      direct solve with substeps moves up with the length alone, because a chain costs it a fixed price a link; and
+      the number of substeps at which its crosses end is set by T·h²/(m·l) = 1, tension against step.)");
   for (const int links : {10, 50, 200})
     for (const int end_mass : {1, 100, 1000}) {
       const Problem problem("chain",

@@ -168,8 +168,8 @@ void show(tutor::Page& page, const std::string& name, const Survey& survey, Erro
                                        : std::string("which is exact"))
       : error == Error::reaction
           ? tutor::say(
-                "Force of what holds the scene, mean over the last frame before @ s, held against the "
-                "reference (@).",
+                R"(Force of what holds the scene, mean over the last frame before @ s, held against the reference
+                (@).)",
                 scene.time, scene.reference)
       : error == Error::algebraic
           ? tutor::say("Velocities after one step at @ s, against those of the direct solve of the same step.",
@@ -177,9 +177,8 @@ void show(tutor::Page& page, const std::string& name, const Survey& survey, Erro
           : tutor::say("@ over @ s.", error == Error::drift ? "Drift, the largest" : "The largest change",
                        scene.duration);
   caption += tutor::say(
-      " At the points: the swept knob, substeps or sweeps a frame. Tuned for least @; marks without a line: "
-      "defaults. "
-      "Crosses at the edge: runs that failed.",
+      R"( At the points: the swept knob, substeps or sweeps a frame. Tuned for least @; marks without a line:
+      defaults. Crosses at the edge: runs that failed.)",
       std::string(name_of(survey.tuned_for)));
   page.figure(name, caption, work_precision(survey, error));
 }
@@ -191,8 +190,8 @@ void show(tutor::Page& page, const std::string& prefix, const Survey& survey,
 
 void show_clocked(tutor::Page& page, const std::string& name, const Survey& survey, Error error) {
   page.clocked(name,
-               "The same against wall time, median of a frame, measured on the machine and at the moment of the "
-               "run while nothing else of the lesson ran.",
+               R"(The same against wall time, median of a frame, measured on the machine and at the moment of the
+               run while nothing else of the lesson ran.)",
                [survey = Survey(survey), error]() mutable {
                  for (Series& series : survey.series)
                    for (byhand::Point& point : series.points)

@@ -127,9 +127,8 @@ void chooser(Page& page, const Setting& setting) {
   const bool by_budget = std::isfinite(wish.budget);
   const std::string error(name_of(wish.error));
   page.text(
-      "No chart answers for *your* scene. The program does: it runs every method on it, doubles each knob until "
-      "the "
-      "error is small enough, halves in between, and recommends what it has run.");
+      R"(No chart answers for *your* scene. The program does: it runs every method on it, doubles each knob until
+      the error is small enough, halves in between, and recommends what it has run.)");
   page.text(by_budget
                 ? say("**You ask:** @. What has the least error, @, within @ µs a frame by this machine's clock?",
                       description(problem), error, setting.budget() * 1e6)
@@ -160,9 +159,8 @@ void chooser(Page& page, const Setting& setting) {
   if (const std::string out = passed(choice); !out.empty()) page.text("Not considered:\n" + out);
 
   const std::string caption =
-      "What was found, the best of each method; the knob stands at the points. Left of the dotted line is "
-      "accurate "
-      "enough, below it cheap enough.";
+      R"(What was found, the best of each method; the knob stands at the points. Left of the dotted line is
+      accurate enough, below it cheap enough.)";
   if (best.has(wish.error)) {
     if (by_budget)
       page.clocked("choice", caption, [=] { return chart_of(choice, problem, wish); });
@@ -189,8 +187,8 @@ void chooser(Page& page, const Setting& setting) {
                 .measured = (*choice.finer)[wish.error],
                 .tolerance = at_most()});
   page.text(
-      "Ask again with your own: any scene of this lesson by name, any error (`drift`, `trajectory`, `energy`, "
-      "`momentum`, `reaction`), or a `budget` of time a frame, such as 200us.");
+      R"(Ask again with your own: any scene of this lesson by name, any error (`drift`, `trajectory`, `energy`,
+      `momentum`, `reaction`), or a `budget` of time a frame, such as 200us.)");
 }
 
 }  // namespace byhand::accuracy

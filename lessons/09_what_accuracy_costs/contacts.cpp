@@ -14,12 +14,10 @@ void contacts(Page& page) {
       pyramid("pyramid", {{"base", 10}, {"kick", 0.02}});
   const Survey& column = survey(page, stack, Error::trajectory);
   page.text(
-      "Contacts have bounds, and what should happen is simple: nothing. Ten boxes stand one upon the other; they "
-      "are "
-      "kicked a little (the topmost with @ m/s), because a stack that only looks settled does not survive it. The "
-      "error is how far any box is from where it stood after @ s, its width being a metre: above about half of "
-      "that "
-      "the stack lies on the ground.",
+      R"(Contacts have bounds, and what should happen is simple: nothing. Ten boxes stand one upon the other; they
+      are kicked a little (the topmost with @ m/s), because a stack that only looks settled does not survive it.
+      The error is how far any box is from where it stood after @ s, its width being a metre: above about half of
+      that the stack lies on the ground.)",
       stack["kick"], stack.scene().time);
   show(page, "stack_trajectory", column, Error::trajectory);
   page.text("Some methods stay away, and say why:\n" + failures(column));
@@ -27,19 +25,16 @@ void contacts(Page& page) {
 
   const Survey& wall = survey(page, pyramid, Error::drift, 5e6);
   page.text(
-      "A pyramid is another matter. It stands by its shape, so every method that sweeps at all holds it; loops "
-      "fill the "
-      "factor of a direct solve, which gets dearer; and what the methods differ in is how deep the boxes sink "
-      "into one "
-      "another.");
+      R"(A pyramid is another matter. It stands by its shape, so every method that sweeps at all holds it; loops
+      fill the factor of a direct solve, which gets dearer; and what the methods differ in is how deep the boxes
+      sink into one another.)");
   show(page, "pyramid_drift", wall, Error::drift);
   show_clocked(page, "pyramid_drift_clocked", wall, Error::drift);
   if (const std::string failed = failures(wall); !failed.empty())
     page.text("What cannot or fails here:\n" + failed);
   page.text(
-      "The rule of lesson 3 stands on both charts: what has no loops (chains, columns) directly, the rest by "
-      "sweeps, "
-      "and by conjugate ones if it is large.");
+      R"(The rule of lesson 3 stands on both charts: what has no loops (chains, columns) directly, the rest by
+      sweeps, and by conjugate ones if it is large.)");
 
   const Series* direct = column.find("direct, substeps");
   if (direct && !direct->points.empty()) {

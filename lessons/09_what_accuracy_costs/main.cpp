@@ -45,12 +45,10 @@ int main(int argc, char** argv) {
 
   lesson.closing(
       {.now_you_know =
-           {"Order is the slope of error against step on two logarithmic axes; a plateau is an error that this "
-            "knob "
-            "does not touch.",
-            "Drift, trajectory, energy, momentum, reaction and algebraic error are six questions; no method is "
-            "best in "
-            "all.",
+           {R"(Order is the slope of error against step on two logarithmic axes; a plateau is an error that this
+            knob does not touch.)",
+            R"(Drift, trajectory, energy, momentum, reaction and algebraic error are six questions; no method is
+            best in all.)",
             "For the same row-solves, many short steps beat one that is solved well.",
             "What has no loops is solved directly and stepped often; the rest is swept.",
             "A model with numbers that a scene does not need gives the same answer for more bytes and more time."},

@@ -91,14 +91,13 @@ void model_cost(Page& page) {
   const Built &least = models.front(), &most = models.back();
 
   page.text(
-      "Before a method costs anything, the *model* does. A bob on a rod needs two numbers to move with. As a body "
-      "in "
-      "space it has six, a quaternion and an inertia, none of which does anything: the rod holds its centre and "
-      "nothing turns it. Here is one chain of @ bobs, and one pendulum, four times over.",
+      R"(Before a method costs anything, the *model* does. A bob on a rod needs two numbers to move with. As a body
+      in space it has six, a quaternion and an inertia, none of which does anything: the rod holds its centre and
+      nothing turns it. Here is one chain of @ bobs, and one pendulum, four times over.)",
       links);
   page.predict(
-      {.ask = "The chain as bodies in space: how many times as many numbers does it move with as the chain of "
-              "particles in the plane?",
+      {.ask = R"(The chain as bodies in space: how many times as many numbers does it move with as the chain of
+              particles in the plane?)",
        .answer = static_cast<double>(most.degrees) / least.degrees,
        .unit = "1",
        .tolerance = 0.1,
@@ -107,23 +106,22 @@ void model_cost(Page& page) {
        .hint = "Count axes to move along and axes to turn about.",
        .right = say("@ instead of @ a body.", most.degrees / links, least.degrees / links)});
   page.figure("models",
-              "What one body of the chain takes in each model, with its rod: the numbers it moves with, its state "
-              "(pose, velocity, inverse mass, constraint) and its row of (6), (18) with what is kept of it.",
+              R"(What one body of the chain takes in each model, with its rod: the numbers it moves with, its state
+              (pose, velocity, inverse mass, constraint) and its row of (6), (18) with what is kept of it.)",
               numbers(models, links));
   double chain_apart = 0, pendulum_apart = 0;
   for (const Built& built : models) chain_apart = std::max(chain_apart, built.apart);
   for (const Built& built : pendulums) pendulum_apart = std::max(pendulum_apart, built.apart);
   page.text(
-      "Bytes of a body's row: @ as particles in the plane, @ as bodies in space; row-solves a step: @ and @, the "
-      "same "
-      "rows in the same order. And what is bought with it? After @ s all four chains are where the first is, to "
-      "@ m, the pendulums to @ m: rounding.",
+      R"(Bytes of a body's row: @ as particles in the plane, @ as bodies in space; row-solves a step: @ and @, the
+      same rows in the same order. And what is bought with it? After @ s all four chains are where the first is, to
+      @ m, the pendulums to @ m: rounding.)",
       least.row_bytes / links, most.row_bytes / links, least.row_solves, most.row_solves, 2.0,
       Value(chain_apart, 2), Value(pendulum_apart, 2));
   page.clocked(
       "models_clocked",
-      "The same four chains by the clock: one step of ten sweeps, over the number of bodies. Measured on the "
-      "machine and at the moment of the run.",
+      R"(The same four chains by the clock: one step of ten sweeps, over the number of bodies. Measured on the
+      machine and at the moment of the run.)",
       [=] { return clocked("chain", values, held_by_centres, links); });
   for (const Built& built : models)
     page.claim({.quantity = "numbers a body moves with, " + built.model,
@@ -151,18 +149,15 @@ void model_cost(Page& page) {
                                                   "links in space"};
   const auto linked = build("chain", values, with_and_without, 2);
   page.text(
-      "Two more prices that hide. *Contact code in the type or not*: a scene whose type names contacts looks for "
-      "them "
-      "in every step, though here no body has a shape and none is ever found. The answer is the same to @ m. The "
-      "clock "
-      "shows what looking for nothing costs; it is little, for it is shapes that are dear. A type that does not "
-      "name "
-      "contacts has not even the branch.",
+      R"(Two more prices that hide. *Contact code in the type or not*: a scene whose type names contacts looks for
+      them in every step, though here no body has a shape and none is ever found. The answer is the same to @ m.
+      The clock shows what looking for nothing costs; it is little, for it is shapes that are dear. A type that
+      does not name contacts has not even the branch.)",
       Value(linked[1].apart, 2));
   page.clocked(
       "touch_clocked",
-      "The chain of stiff links, in a type without contacts, in one with them, and in space. Measured on the "
-      "machine and at the moment of the run.",
+      R"(The chain of stiff links, in a type without contacts, in one with them, and in space. Measured on the
+      machine and at the moment of the run.)",
       [=] { return clocked("chain", values, with_and_without, links); });
   page.claim({.quantity = "links whose type could touch, from those that cannot",
               .unit = "m",
@@ -175,11 +170,9 @@ void model_cost(Page& page) {
   const double whole = error_of(chain, by_sweeps(BlockSolve::whole), Error::drift),
                rows = error_of(chain, by_sweeps(BlockSolve::row_by_row), Error::drift);
   page.text(
-      "*One block of K rows, or K rows*: a pin is two rows that share both bodies. Solved as one block, with a 2 "
-      "× 2 "
-      "inverse, they cannot undo each other. Ten sweeps leave a largest separation of @ m that way and @ m row by "
-      "row: "
-      "for the same row-solves. (A body of small inertia at the end of an arm shows it better: lesson 6.)",
+      R"(*One block of K rows, or K rows*: a pin is two rows that share both bodies. Solved as one block, with a 2
+      × 2 inverse, they cannot undo each other. Ten sweeps leave a largest separation of @ m that way and @ m row
+      by row: for the same row-solves. (A body of small inertia at the end of an arm shows it better: lesson 6.))",
       Value(whole, 3), Value(rows, 3));
   page.measure("drift, blocks of two rows", whole, "m");
   page.measure("drift, row by row", rows, "m");

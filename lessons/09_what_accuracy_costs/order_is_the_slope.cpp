@@ -32,39 +32,33 @@ double gain_in_period(const Problem& problem, const Configuration& configuration
 void order_is_the_slope(Page& page) {
   const Problem problem("pendulum", {{"length", 2}, {"mass", 3}});
   page.text(
-      "Eight lessons gave you methods and knobs. Which one, then, and how far turned? Not a matter of taste: run "
-      "them "
-      "all on a scene whose true motion is known, and draw what each gets wrong against what it costs.\n\n"
-      "Begin with a bob of @ kg on a rod of @ m, let go level, whose angle after a second elliptic functions give "
-      "to "
-      "the last digit. Each curve below is one method; each point on it one run, with the number of steps or "
-      "sweeps a "
-      "frame of 1/60 s written at it. To the left: less error. Down: less work. So **down and left is good**, and "
-      "what "
-      "no other run beats in both lies on the broad staircase, the *front*.",
+      R"(Eight lessons gave you methods and knobs. Which one, then, and how far turned? Not a matter of taste: run
+      them all on a scene whose true motion is known, and draw what each gets wrong against what it costs.
+
+      Begin with a bob of @ kg on a rod of @ m, let go level, whose angle after a second elliptic functions give to
+      the last digit. Each curve below is one method; each point on it one run, with the number of steps or sweeps
+      a frame of 1/60 s written at it. To the left: less error. Down: less work. So **down and left is good**, and
+      what no other run beats in both lies on the broad staircase, the *front*.)",
       problem["mass"], problem["length"]);
   const Survey& all = survey(page, problem, Error::trajectory);
   show(page, "pendulum_trajectory", all, Error::trajectory);
   page.text(
-      "Work is counted in *row-solves*, (17) and (20) once each, which are the same on every machine; a direct "
-      "solve "
-      "is charged the row-solves that its multiplications would buy. What your machine's clock says of it comes "
-      "next, and it never decides anything in this course.");
+      R"(Work is counted in *row-solves*, (17) and (20) once each, which are the same on every machine; a direct
+      solve is charged the row-solves that its multiplications would buy. What your machine's clock says of it
+      comes next, and it never decides anything in this course.)");
   show_clocked(page, "pendulum_trajectory_clocked", all, Error::trajectory);
   page.text(
-      "Both axes are logarithmic, so a power law is a straight line: where the error falls as hᵖ and the cost "
-      "grows as "
-      "1/h, ten times the cost go p decades to the left. That p is the *order*, and the legend has it as it was "
-      "fitted. "
-      "What does it buy?");
+      R"(Both axes are logarithmic, so a power law is a straight line: where the error falls as hᵖ and the cost
+      grows as 1/h, ten times the cost go p decades to the left. That p is the *order*, and the legend has it as it
+      was fitted. What does it buy?)");
   const Configuration& euler = configuration_named("direct, substeps");
   const Configuration& rattle = configuration_named("RATTLE, substeps");
   const double first = gain_in_place(problem, euler, 1), second = gain_in_place(problem, rattle, 0);
   const auto nearest = [](double ratio) { return std::log2(ratio) < 1.5 ? 2 : 4; };
   Choice question{
       .ask =
-          "Halve the time step. The error of the bob's *place* after a second is divided by what, with "
-          "symplectic Euler (β = 1), and with RATTLE?",
+          R"(Halve the time step. The error of the bob's *place* after a second is divided by what, with symplectic
+          Euler (β = 1), and with RATTLE?)",
       .hint = "Look at the legend: an error of order p is divided by 2ᵖ."};
   for (const auto& [one, two] : {std::pair{2, 2}, std::pair{2, 4}, std::pair{4, 4}}) {
     if (nearest(first) == one && nearest(second) == two)
@@ -77,13 +71,10 @@ void order_is_the_slope(Page& page) {
   const double first_period = gain_in_period(problem, euler, 1),
                second_period = gain_in_period(problem, rattle, 0);
   page.text(
-      "Ask for the *period* instead, from one passage through the lowest point to the next but one, and the "
-      "answer is "
-      "another: @ and @. Symplectic Euler runs round the same orbit as a method of order two, half a step behind "
-      "it, "
-      "and a clock that is late by the same amount for ever keeps good time. Which error you chart decides which "
-      "order "
-      "you see.",
+      R"(Ask for the *period* instead, from one passage through the lowest point to the next but one, and the
+      answer is another: @ and @. Symplectic Euler runs round the same orbit as a method of order two, half a step
+      behind it, and a clock that is late by the same amount for ever keeps good time. Which error you chart
+      decides which order you see.)",
       Value(first_period, 3), Value(second_period, 3));
   page.claim({.quantity = "place after a second, symplectic Euler, h halved: error divided by",
               .unit = "1",
@@ -110,10 +101,9 @@ void order_is_the_slope(Page& page) {
               .measured = second_period,
               .tolerance = relative(0.05)});
   page.text(
-      "Two traps stand on this chart. Errors of opposite sign cancel, so a curve may dive where it has no right "
-      "to: "
-      "trust slopes over many points and never one lucky point. And every line ends somewhere: at the bottom left "
-      "rounding waits, and the reference itself is only so sure (dotted).");
+      R"(Two traps stand on this chart. Errors of opposite sign cancel, so a curve may dive where it has no right
+      to: trust slopes over many points and never one lucky point. And every line ends somewhere: at the bottom
+      left rounding waits, and the reference itself is only so sure (dotted).)");
   struct Expected {
     const char *configuration, *source;
     double order;

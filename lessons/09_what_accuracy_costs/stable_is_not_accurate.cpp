@@ -78,13 +78,10 @@ void stable_is_not_accurate(Page& page) {
                       &direct = configuration_named("direct, substeps");
 
   page.text(
-      "\"How accurate is it?\" is five questions. *Drift*: how far is a joint from holding? *Trajectory*: is the "
-      "bob "
-      "where it should be? *Energy and momentum*: what was lost or made? *Reaction force*: would the bolt break? "
-      "And, "
-      "of a solver alone, the *algebraic* error: how far are the rows from solved? A method may be perfect in one "
-      "and "
-      "hopeless in another. The same runs as before, by drift:");
+      R"("How accurate is it?" is five questions. *Drift*: how far is a joint from holding? *Trajectory*: is the
+      bob where it should be? *Energy and momentum*: what was lost or made? *Reaction force*: would the bolt break?
+      And, of a solver alone, the *algebraic* error: how far are the rows from solved? A method may be perfect in
+      one and hopeless in another. The same runs as before, by drift:)");
   show(page, "pendulum_drift", all, Error::drift);
   page.text("And the very same, by energy:");
   show(page, "pendulum_energy", all, Error::energy);
@@ -92,9 +89,9 @@ void stable_is_not_accurate(Page& page) {
   const byhand::Point once = measure(problem, xpbd, 1, 0), symmetric = measure(problem, rattle, 1, 0);
   const double left = 100 * (1 - once[Error::energy]);
   page.predict(
-      {.ask = say("XPBD with zero compliance puts the bob back onto its circle in every step: over @ s the rod "
-                  "is never wrong by more than @ m. Released from @°, one step a frame: how much of the "
-                  "energy m·g·L with which it sets out is left?",
+      {.ask = say(R"(XPBD with zero compliance puts the bob back onto its circle in every step: over @ s the rod is
+                  never wrong by more than @ m. Released from @°, one step a frame: how much of the energy m·g·L
+                  with which it sets out is left?)",
                   problem.scene().duration, Value(once[Error::drift], 2), problem["angle"]),
        .answer = left,
        .unit = "%",
@@ -110,8 +107,8 @@ void stable_is_not_accurate(Page& page) {
                             {"RATTLE", palette::velocity, problem, rattle.setting(1, 0)}};
   page.sequence(
       "stable_and_wrong",
-      "One step a frame, three methods, all stable. Dashed: where the bob should be. Right: the energy that "
-      "is gone. The rod of the uppermost has the right length to rounding throughout.",
+      R"(One step a frame, three methods, all stable. Dashed: where the bob should be. Right: the energy that is
+      gone. The rod of the uppermost has the right length to rounding throughout.)",
       Seconds{seconds}, [=, energy = problem.start()->energy()](renderer::Canvas& canvas, double time) mutable {
         for (Swing& swing : swings) swing.go_on(time, energy);
         draw_swings(canvas, swings, exact, length, time);
@@ -141,11 +138,9 @@ void stable_is_not_accurate(Page& page) {
               .measured = symmetric[Error::energy] / once[Error::energy],
               .tolerance = at_most()});
   page.text(
-      "So ask first which error your scene cannot bear. A rope bridge in a game must not come apart: drift. A "
-      "clock "
-      "must keep time: trajectory and energy. A crane must not break its bolts: the reaction force. There is a "
-      "chart "
-      "for each; the deeper steps have them all, scene by scene.");
+      R"(So ask first which error your scene cannot bear. A rope bridge in a game must not come apart: drift. A
+      clock must keep time: trajectory and energy. A crane must not break its bolts: the reaction force. There is a
+      chart for each; the deeper steps have them all, scene by scene.)");
 }
 
 }  // namespace byhand::accuracy

@@ -34,9 +34,8 @@ void substeps_or_sweeps(Page& page) {
   const auto best = std::min_element(error.begin(), error.end()) - error.begin();
 
   page.text(
-      "You have time for @ sweeps a frame over a swinging chain of @ links. Spend them all on one step; or cut "
-      "the "
-      "step and sweep each part less?",
+      R"(You have time for @ sweeps a frame over a swinging chain of @ links. Spend them all on one step; or cut
+      the step and sweep each part less?)",
       64, ten["links"]);
   Choice question{.ask = "Which comes nearest to the true motion after a second (each with its best β)?",
                   .answer = static_cast<int>(best),
@@ -50,8 +49,8 @@ void substeps_or_sweeps(Page& page) {
              substeps, sweeps),
          substeps == 1
              ? say("It solves very exactly a step that is itself wrong: @ m off.", Value(error[i], 2))
-             : say("@ m off. A warm start carries λ from substep to substep, so no sweep is wasted, and the "
-                   "step's own error shrinks too.",
+             : say(R"(@ m off. A warm start carries λ from substep to substep, so no sweep is wasted, and the
+                   step's own error shrinks too.)",
                    Value(error[i], 2))});
   }
   page.choose(std::move(question));
@@ -65,11 +64,9 @@ void substeps_or_sweeps(Page& page) {
   const Problem heavy("chain", {{"links", 50}, {"end_mass", 100}});
   const Survey& all = survey(page, heavy, Error::drift);
   page.text(
-      "Now the hard one: @ links, the last of them @ times as heavy as the others, let go level. By the laws of "
-      "lesson "
-      "8 sweeps need about the square of the length times the mass ratio for each digit, and no number of sweeps "
-      "helps "
-      "where the step is too long for light links under tension. Here they all are:",
+      R"(Now the hard one: @ links, the last of them @ times as heavy as the others, let go level. By the laws of
+      lesson 8 sweeps need about the square of the length times the mass ratio for each digit, and no number of
+      sweeps helps where the step is too long for light links under tension. Here they all are:)",
       heavy["links"], heavy["end_mass"] / heavy["mass"]);
   show(page, "chain_50_100_drift", all, Error::drift);
   show_clocked(page, "chain_50_100_drift_clocked", all, Error::drift);
@@ -84,9 +81,8 @@ void substeps_or_sweeps(Page& page) {
   const double direct = least_cost(all, Error::drift, wanted, is_direct),
                swept = least_cost(all, Error::drift, wanted, sweeps);
   page.text(
-      "Read it at @ m, a tenth of a millimetre on a chain of @ m. The structured direct solve with substeps is "
-      "there "
-      "for @ row-solves a frame, @ for each of its rows.",
+      R"(Read it at @ m, a tenth of a millimetre on a chain of @ m. The structured direct solve with substeps is
+      there for @ row-solves a frame, @ for each of its rows.)",
       wanted, heavy["links"] * heavy["length"], direct, Value(direct / heavy.start()->rows(), 3));
   page.text(std::isfinite(swept)
                 ? say("The cheapest way by sweeps costs @, @ times as much.", swept, Value(swept / direct, 2))
@@ -94,9 +90,8 @@ void substeps_or_sweeps(Page& page) {
   const double rattle =
       least_cost(all, Error::drift, wanted, [](const Configuration& c) { return c.name.starts_with("RATTLE"); });
   page.text(
-      "What stands near it rests on the same structured solve: RATTLE is there for @, and has then no drift at "
-      "all, "
-      "but only once its steps are short enough to be stable.",
+      R"(What stands near it rests on the same structured solve: RATTLE is there for @, and has then no drift at
+      all, but only once its steps are short enough to be stable.)",
       rattle);
   page.claim({.quantity = say("direct with substeps: drift of at most @ m", wanted),
               .unit = "row-solves a row",

@@ -22,8 +22,8 @@ void what_the_step_hides(Page& page) {
   const byhand::Point exact = measure(problem, configuration_named("direct, substeps"), 1, beta);
 
   page.predict(
-      {.ask = say("A double pendulum, one step a frame, @ sweeps in each, and its trajectory is @ m off after "
-                  "@ s. With @ sweeps: how far off?",
+      {.ask = say(R"(A double pendulum, one step a frame, @ sweeps in each, and its trajectory is @ m off after @
+                  s. With @ sweeps: how far off?)",
                   some.knob, Value(some[Error::trajectory], 3), problem.scene().time, many.knob),
        .answer = many[Error::trajectory],
        .unit = "m",
@@ -32,8 +32,8 @@ void what_the_step_hides(Page& page) {
                  {some[Error::trajectory] * std::sqrt(static_cast<double>(some.knob) / many.knob),
                   "Sweeps do not buy time: after a few the rows are as good as solved."}},
        .hint = "What would a direct solve of the same step give?",
-       .right = say("The plateau is the step's own error; the direct solve of the same steps is @ m off. "
-                    "Change h, not the sweeps.",
+       .right = say(R"(The plateau is the step's own error; the direct solve of the same steps is @ m off. Change
+                    h, not the sweeps.)",
                     Value(exact[Error::trajectory], 4))});
   renderer::Chart chart{.title = title_of(problem) + "; one step a frame",
                         .x = {.label = "sweeps a step", .scale = renderer::Scale::logarithmic},
@@ -51,17 +51,15 @@ void what_the_step_hides(Page& page) {
                        .label = "trajectory, solved directly"}};
   page.figure(
       "plateau",
-      "More sweeps a step. The rows end up solved to rounding; the trajectory stops where the direct solve of "
-      "the same steps is, and stays.",
+      R"(More sweeps a step. The rows end up solved to rounding; the trajectory stops where the direct solve of the
+      same steps is, and stays.)",
       chart);
   page.text(
-      "The first few sweeps buy motion, the rest only digits of an answer to the wrong question. On a "
-      "work–precision "
-      "chart this is a curve that turns straight up. It is also why a comparison by residuals alone tells you "
-      "nothing "
-      "about a simulation. The cure is in the step: cut it, or take one of a higher order. And the error of a "
-      "step has "
-      "a sign, so that two of them may cancel: β = @ may beat β = 1 in the angle and lose in the energy.",
+      R"(The first few sweeps buy motion, the rest only digits of an answer to the wrong question. On a
+      work–precision chart this is a curve that turns straight up. It is also why a comparison by residuals alone
+      tells you nothing about a simulation. The cure is in the step: cut it, or take one of a higher order. And the
+      error of a step has a sign, so that two of them may cancel: β = @ may beat β = 1 in the angle and lose in the
+      energy.)",
       beta);
   page.claim({.quantity = say("trajectory, @ sweeps over @", many.knob, some.knob),
               .unit = "1",

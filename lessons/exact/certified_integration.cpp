@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "solver/require.hpp"
+#include "solver/support/require.hpp"
 
 namespace byhand {
 namespace odeint = boost::numeric::odeint;

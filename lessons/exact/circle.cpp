@@ -1,6 +1,6 @@
 #include "lessons/exact/circle.hpp"
 
-#include "solver/require.hpp"
+#include "solver/support/require.hpp"
 
 namespace byhand {
 

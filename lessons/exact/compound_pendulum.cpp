@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "solver/require.hpp"
+#include "solver/support/require.hpp"
 
 namespace byhand {
 namespace {

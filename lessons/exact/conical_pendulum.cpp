@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "solver/require.hpp"
+#include "solver/support/require.hpp"
 
 namespace byhand {
 

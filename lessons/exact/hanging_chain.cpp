@@ -2,7 +2,7 @@
 
 #include <numeric>
 
-#include "solver/require.hpp"
+#include "solver/support/require.hpp"
 
 namespace byhand {
 

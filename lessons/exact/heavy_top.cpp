@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "solver/require.hpp"
+#include "solver/support/require.hpp"
 
 namespace byhand {
 namespace {

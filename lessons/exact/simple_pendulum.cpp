@@ -4,7 +4,7 @@
 #include <boost/math/special_functions/jacobi_elliptic.hpp>
 #include <cmath>
 
-#include "solver/require.hpp"
+#include "solver/support/require.hpp"
 
 namespace byhand {
 namespace {

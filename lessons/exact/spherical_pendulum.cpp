@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "lessons/exact/certified_integration.hpp"
-#include "solver/require.hpp"
+#include "solver/support/require.hpp"
 
 namespace byhand {
 namespace {

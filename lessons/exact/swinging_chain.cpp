@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "lessons/exact/certified_integration.hpp"
-#include "solver/require.hpp"
+#include "solver/support/require.hpp"
 
 namespace byhand {
 namespace {

@@ -12,7 +12,7 @@ void draw(Canvas& canvas, const Shapes& shapes) {
   for (const Shapes::Ground& ground : shapes.grounds) {
     const Point along(ground.normal.y(), -ground.normal.x());
     const Point middle = ground.at + along * along.dot(0.5 * (lower + upper) - ground.at);
-    const Point reach = along.cwiseAbs().x() > along.cwiseAbs().y()
+    const Point reach = std::abs(along.x()) > std::abs(along.y())
                             ? Point(along * (0.5 * (upper - lower).x() / std::abs(along.x())))
                             : Point(along * (0.5 * (upper - lower).y() / std::abs(along.y())));
     canvas.ground(middle - reach, middle + reach);

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "renderer/canvas.hpp"
-#include "solver/simulation.hpp"
+#include "solver/step.hpp"
 
 namespace byhand::pictures {
 
@@ -44,9 +44,9 @@ Shapes shapes_of(const S& scene) {
   Shapes shapes;
   const auto& [all, surfaces, margin] = scene.colliders;
   for (int i = 0; i < static_cast<int>(all.size()); ++i) {
-    const Pose<M>& pose = scene.bodies.pose[i];
+    const Pose<M>& pose = scene.bodies().pose[i];
     const double angle = std::atan2(pose.rotation.sin, pose.rotation.cos);
-    const renderer::Look look = moves(scene.bodies.inverse_mass[i]) ? renderer::body_look : renderer::fixed_look;
+    const renderer::Look look = moves(scene.bodies().inverse_mass[i]) ? renderer::body_look : renderer::fixed_look;
     if (const auto* box = std::get_if<byhand::Box<M>>(&all[i]))
       shapes.boxes.push_back({i, pose.position, 2 * box->half, angle, look});
     if (const auto* ball = std::get_if<Ball<M>>(&all[i]))
@@ -67,14 +67,14 @@ std::vector<Push> pushes(const S& scene, const System<typename S::model>& system
   scene.for_each([&]<class Kind>(const Kind& constraint) {
     const int row = system.row_of[number++];
     const auto point = [&](const Arm<M>& arm) {
-      const Pose<M>& pose = scene.bodies.pose[constraint.at.body2];
+      const Pose<M>& pose = scene.bodies().pose[constraint.at.body2];
       return renderer::Point(anchor<M, double>(pose, in_world<M, double>(pose, arm)));
     };
     if constexpr (std::is_same_v<Kind, Contact<M>>)
       pushes.push_back({point(constraint.at.arms.second), system.lambda[row] * constraint.normal});
     if constexpr (std::is_same_v<Kind, Friction<M>>)
       pushes.push_back({point(constraint.at.arms.second), system.lambda[row] * constraint.tangents.col(0)});
-    if constexpr (std::is_same_v<Kind, FaceContact<M>>) {
+    if constexpr (std::is_same_v<Kind, ContactManifold<M>>) {
       const double first = system.lambda[row], second = system.lambda[row + 1], both = first + second;
       if (both <= 0) return;
       const Linear<M> n = constraint.normal, t(n.y(), -n.x());

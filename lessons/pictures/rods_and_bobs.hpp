@@ -30,7 +30,7 @@ template <class S>
 Linkage rods_and_bobs(const S& scene) {
   using M = typename S::model;
   static_assert(M::linear == 2, "a linkage is a picture in the plane");
-  const auto& bodies = scene.bodies;
+  const auto& bodies = scene.bodies();
   Linkage linkage;
   std::vector<bool> is_link(bodies.size());
   const auto end = [&](int body, const Arm<M>& arm) {

@@ -1,5 +1,6 @@
 #include "lessons/pictures/space_scene.hpp"
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
 
@@ -15,8 +16,8 @@ SpaceCamera from_aside(const Point3& centre, double radius, const Rectangle& fra
 void add_book(Space& space, const Pose<SpaceBody>& pose, const Point3& sides, Colour colour) {
   constexpr double share = 0.22;  // of the coloured end
   const auto part = [&](double low, double high, Colour of_it) {
-    const Point3 middle(0, 0.5 * (low + high) * sides.y(), 0),
-        size(sides.x(), (high - low) * sides.y(), sides.z());
+    const Eigen::Vector3d middle(0, 0.5 * (low + high) * sides.y(), 0);
+    const Point3 size(sides.x(), (high - low) * sides.y(), sides.z());
     space.box(pose.position + rotate(pose.rotation, middle), size, pose.rotation, of_it);
   };
   part(-0.5, 0.5 - share, colour);
@@ -25,13 +26,12 @@ void add_book(Space& space, const Pose<SpaceBody>& pose, const Point3& sides, Co
 
 namespace {
 
-/// A thin bar, for lines so fine that nobody sees whether they are round; neighbours with the same `side` shade
-/// alike.
+/// A thin square bar: a cheap line. Bars with the same `side` are shaded alike.
 void add_bar(Space& space, const Point3& a, const Point3& b, const Point3& side, double thickness, Colour colour) {
-  const Point3 way = b - a, across = side.cross(way);
+  const Eigen::Vector3d way = b - a, across = side.cross(way);
   Eigen::Matrix3d axes;
   axes.col(0) = way.normalized();
-  axes.col(1) = across.norm() > 1e-9 * way.norm() ? across.normalized() : Point3(axes.col(0)).unitOrthogonal();
+  axes.col(1) = across.norm() > 1e-9 * way.norm() ? across.normalized() : axes.col(0).unitOrthogonal();
   axes.col(2) = axes.col(0).cross(axes.col(1));
   space.box(0.5 * (a + b), {way.norm() + 0.1 * thickness, thickness, thickness}, Eigen::Quaterniond(axes), colour);
 }
@@ -51,7 +51,7 @@ void add_ring(Space& space, const Point3& centre, const Point3& axis, double rad
   const Point3 first = axis.unitOrthogonal(), second = axis.cross(first);
   const auto at = [&](int i) {
     const double angle = 2 * std::numbers::pi * i / segments;
-    return Point3(centre + radius * (std::cos(angle) * first + std::sin(angle) * second));
+    return centre + radius * (std::cos(angle) * first + std::sin(angle) * second);
   };
   for (int i = 0; i < segments; ++i) add_bar(space, at(i), at(i + 1), axis, thickness, colour);
 }

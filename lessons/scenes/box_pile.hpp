@@ -17,9 +17,8 @@ struct PileOptions {
 
 /// Balls and boxes of 0.2 to 2 m, turned and moving anyhow, dropped where they come, also into each other, onto
 /// the ground. Body 0 is the ground.
-template <class S>
-S box_pile(std::uint64_t seed, const PileOptions& pile = {}) {
-  using M = typename S::model;
+template <class M>
+Scene<M> box_pile(std::uint64_t seed, const PileOptions& pile = {}) {
   std::mt19937_64 bits(seed);
   const auto uniform = [&](double low, double high) {
     return low + (high - low) * static_cast<double>(bits() >> 11) * 0x1p-53;
@@ -30,7 +29,7 @@ S box_pile(std::uint64_t seed, const PileOptions& pile = {}) {
     return v;
   };
   constexpr std::integral_constant<int, M::linear> axes;
-  S scene;
+  Scene<M> scene;
   add_ground(scene, pile.surface);
   for (int i = 0; i < pile.count; ++i) {
     double mass = uniform(0.1, 1);
@@ -50,7 +49,7 @@ S box_pile(std::uint64_t seed, const PileOptions& pile = {}) {
     if (round)
       scene.set_shape(body, Ball<M>{0.5 * sides.x()}, pile.surface);
     else
-      scene.set_shape(body, Box<M>{0.5 * sides}, pile.surface);
+      scene.set_shape(body, Box<M>{sides}, pile.surface);
   }
   return scene;
 }

@@ -2,7 +2,7 @@
 
 namespace byhand {
 
-template Boxes stack(int, double, const Surface&);
-template Boxes pyramid(int, const Surface&);
+template Scene<PlaneBody> stack(int, double, const Surface&);
+template Scene<PlaneBody> pyramid(int, const Surface&);
 
 }  // namespace byhand

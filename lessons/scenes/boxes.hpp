@@ -1,33 +1,30 @@
 #pragma once
 
-#include "solver/constraints/face_contact.hpp"
+#include "solver/constraints/contact_manifold.hpp"
 #include "solver/scene.hpp"
 
-// Boxes on the ground. `S` is the scene's type, which says what a touch becomes: one FaceContact, or in the plane
-// and in space a Contact and a Friction for each point.
+// Scene<PlaneBody> on the ground.
 namespace byhand {
 
-using Boxes = Scene<PlaneBody, FaceContact>;
-
 /// The ground, through the origin, solid against `up`.
-template <class S, class M = typename S::model>
-int add_ground(S& scene, const Surface& surface = {}, const Linear<M>& up = Linear<M>::Unit(1)) {
+template <class M>
+int add_ground(Scene<M>& scene, const Surface& surface = {}, const Linear<M>& up = Linear<M>::Unit(1)) {
   const int ground = scene.add_body(Linear<M>(Linear<M>::Zero()), fixed<M>());
   scene.set_shape(ground, HalfSpace<M>{up}, surface);
   return ground;
 }
 
 /// A box with full side lengths `sides` [m] at a pose.
-template <class S, class M = typename S::model>
-int add_box(S& scene, const Pose<M>& pose, double mass, const Linear<M>& sides, const Surface& surface = {}) {
+template <class M>
+int add_box(Scene<M>& scene, const Pose<M>& pose, double mass, const Linear<M>& sides, const Surface& surface = {}) {
   const int body = scene.add_body(pose, box<M>(mass, sides));
-  scene.set_shape(body, Box<M>{0.5 * sides}, surface);
+  scene.set_shape(body, Box<M>{sides}, surface);
   return body;
 }
 
 /// A unit box of `mass` [kg] with its centre `x` [m] to the right and `y` [m] above the origin.
-template <class S, class M = typename S::model>
-int add_unit_box(S& scene, double x, double y, double mass = 1, const Surface& surface = {}) {
+template <class M>
+int add_unit_box(Scene<M>& scene, double x, double y, double mass = 1, const Surface& surface = {}) {
   Pose<M> pose;
   pose.position = x * Linear<M>::Unit(0) + y * Linear<M>::Unit(1);
   return add_box(scene, pose, mass, Linear<M>(Linear<M>::Ones()), surface);
@@ -35,10 +32,10 @@ int add_unit_box(S& scene, double x, double y, double mass = 1, const Surface& s
 
 /// Unit boxes of 1 kg one upon the other on the ground, the topmost of `top_mass` [kg]. Body 0 is the ground, body
 /// i the i-th box from it.
-template <class S = Boxes>
-S stack(int count, double top_mass = 1, const Surface& surface = {}) {
+template <class M = PlaneBody>
+Scene<M> stack(int count, double top_mass = 1, const Surface& surface = {}) {
   require(count >= 1, "number of boxes", count, "at least 1");
-  S scene;
+  Scene<M> scene;
   add_ground(scene, surface);
   for (int i = 1; i <= count; ++i) add_unit_box(scene, 0, i - 0.5, i == count ? top_mass : 1, surface);
   return scene;
@@ -46,10 +43,10 @@ S stack(int count, double top_mass = 1, const Surface& surface = {}) {
 
 /// A wall of unit boxes of 1 kg that narrows by half a box on either side from one row to the next: `base` boxes
 /// below, one on top, a tenth of a box apart.
-template <class S = Boxes>
-S pyramid(int base, const Surface& surface = {}) {
+template <class M = PlaneBody>
+Scene<M> pyramid(int base, const Surface& surface = {}) {
   require(base >= 1, "number of boxes in the lowest row", base, "at least 1");
-  S scene;
+  Scene<M> scene;
   add_ground(scene, surface);
   for (int row = 0; row < base; ++row)
     for (int i = 0; i < base - row; ++i)
@@ -59,9 +56,9 @@ S pyramid(int base, const Surface& surface = {}) {
 
 /// Pushes all that moves sideways, in proportion to its height over the origin, the topmost with `speed` [m/s]:
 /// a stack that merely looks settled does not survive it.
-template <class S>
-void kick(S& scene, double speed) {
-  auto& bodies = scene.bodies;
+template <class M>
+void kick(Scene<M>& scene, double speed) {
+  Bodies<M>& bodies = scene.state();
   double top = 0;
   for (const auto& pose : bodies.pose) top = std::max(top, pose.position.y());
   require_positive("height of the topmost body", top, "m");
@@ -70,7 +67,7 @@ void kick(S& scene, double speed) {
 }
 
 // Compiled once, in the library.
-extern template Boxes stack(int, double, const Surface&);
-extern template Boxes pyramid(int, const Surface&);
+extern template Scene<PlaneBody> stack(int, double, const Surface&);
+extern template Scene<PlaneBody> pyramid(int, const Surface&);
 
 }  // namespace byhand

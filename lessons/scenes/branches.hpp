@@ -9,9 +9,9 @@ namespace byhand {
 /// A binary tree of pinned links of 1 m and 1 kg, `levels` deep, hanging from the origin with each pair of
 /// children spread sideways. Body 0 is the anchor.
 template <class M>
-Scene<M, Pin> pinned_tree(int levels) {
+Scene<M> pinned_tree(int levels) {
   require(levels >= 1 && levels <= 20, "number of levels", levels, "between 1 and 20");
-  Scene<M, Pin> scene;
+  Scene<M> scene;
   struct Tip {
     int body;
     Linear<M> point;
@@ -26,7 +26,7 @@ Scene<M, Pin> pinned_tree(int levels) {
         const Linear<M> end =
             tip.point - Linear<M>::Unit(1) + (level == 0 ? 0.0 : 0.5 * side) * Linear<M>::Unit(0);
         const int link = scene.add_body(Linear<M>(0.5 * (tip.point + end)), box<M>(1, sides));
-        scene.add(pin<M>(scene.bodies, tip.body, link, tip.point));
+        scene.add(pin<M>(scene.bodies(), tip.body, link, tip.point));
         next.push_back({link, end});
       }
     tips = next;
@@ -36,15 +36,15 @@ Scene<M, Pin> pinned_tree(int levels) {
 
 /// `arms` links of 1 m and 1 kg pinned to the rim of one free hub of 1 m radius and 10 kg. Body 0 is the hub.
 template <class M>
-Scene<M, Pin> pinned_star(int arms) {
+Scene<M> pinned_star(int arms) {
   require(arms >= 1, "number of arms", arms, "at least 1");
-  Scene<M, Pin> scene;
+  Scene<M> scene;
   const int hub = scene.add_body(Linear<M>(Linear<M>::Zero()), ball<M>(10, 1));
   for (int i = 0; i < arms; ++i) {
     const auto [sin, cos] = sin_cos(2 * 3.14159265358979323846 * i / arms);
     const Linear<M> out = cos * Linear<M>::Unit(0) + sin * Linear<M>::Unit(1);
     const int arm = scene.add_body(Linear<M>(1.5 * out), box<M>(1, Linear<M>::Constant(0.2)));
-    scene.add(pin<M>(scene.bodies, hub, arm, out));
+    scene.add(pin<M>(scene.bodies(), hub, arm, out));
   }
   return scene;
 }

@@ -16,11 +16,11 @@ struct BridgeOptions {
 /// The bridge hangs in an arc below the level of its anchors, the left one at the origin. Body 0 is the ground,
 /// body i the i-th plank from the left; pin i - 1 holds plank i by its left end, the last pin the last plank by
 /// its right.
-inline Scene<PlaneBody, Pin> bridge(const BridgeOptions& options) {
+inline Scene<PlaneBody> bridge(const BridgeOptions& options) {
   require(options.planks >= 2, "number of planks", options.planks, "at least 2");
   require(0 < options.slope && options.slope <= 1.57, "slope of the bridge", options.slope, "in (0, 1.57] [rad]");
   using M = PlaneBody;
-  Scene<M, Pin> scene;
+  Scene<M> scene;
   const int ground = scene.add_body(Linear<M>(0, 0), fixed<M>());
   Linear<M> end(0, 0);
   for (int i = 1; i <= options.planks; ++i) {
@@ -29,10 +29,10 @@ inline Scene<PlaneBody, Pin> bridge(const BridgeOptions& options) {
     const Linear<M> next = end + options.length * Linear<M>(cos, sin);
     const PlaneRod plank(end, next, options.mass);
     const int body = scene.add_body(plank.pose, plank.mass);
-    scene.add(pin<M>(scene.bodies, i == 1 ? ground : body - 1, body, end));
+    scene.add(pin<M>(scene.bodies(), i == 1 ? ground : body - 1, body, end));
     end = next;
   }
-  scene.add(pin<M>(scene.bodies, options.planks, ground, end));
+  scene.add(pin<M>(scene.bodies(), options.planks, ground, end));
   return scene;
 }
 

@@ -9,7 +9,7 @@ namespace byhand {
 /// A house of cards of `storeys`: tents of two cards of 0.02 × 1 m that lean against each other at `lean` [rad]
 /// from upright, one tent less in each storey, and level cards from ridge to ridge; all of 1 kg. Cards touch at
 /// corners, and friction alone holds them: it wants a coefficient above tan(lean). Body 0 is the ground.
-inline Boxes card_house(int storeys, double lean = 0.3, const Surface& surface = {}) {
+inline Scene<PlaneBody> card_house(int storeys, double lean = 0.3, const Surface& surface = {}) {
   require(storeys >= 1, "number of storeys", storeys, "at least 1");
   require_in("lean", lean, 0.1, 0.5, "rad");
   const double thick = 0.02, length = 1;
@@ -18,7 +18,7 @@ inline Boxes card_house(int storeys, double lean = 0.3, const Surface& surface =
   // stands:
   const double across = 0.5 * (length * sin + thick * cos), up = 0.5 * (length * cos + thick * sin);
   const double tent = 4 * across;  // from one ridge to the next [m]
-  Boxes scene;
+  Scene<PlaneBody> scene;
   add_ground(scene, surface);
   const auto add_card = [&](double x, double y, double angle, const Linear<PlaneBody>& sides) {
     add_box(scene, Pose<PlaneBody>{{x, y}, plane_rotation(angle)}, 1, sides, surface);

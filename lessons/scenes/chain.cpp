@@ -2,15 +2,15 @@
 
 namespace byhand {
 
-template Scene<PlaneParticle, Distance> rod_chain(const ChainOptions&);
-template Scene<PlaneParticle, NormalisedDistance> rod_chain(const ChainOptions&);
-template Scene<PlaneBody, Distance> rod_chain(const ChainOptions&);
-template Scene<PlaneBody, NormalisedDistance> rod_chain(const ChainOptions&);
-template Scene<SpaceParticle, Distance> rod_chain(const ChainOptions&);
-template Scene<SpaceParticle, NormalisedDistance> rod_chain(const ChainOptions&);
-template Scene<SpaceBody, Distance> rod_chain(const ChainOptions&);
-template Scene<SpaceBody, NormalisedDistance> rod_chain(const ChainOptions&);
-template Scene<PlaneBody, Pin> pinned_chain(const ChainOptions&);
-template Scene<SpaceBody, Pin> pinned_chain(const ChainOptions&);
+template Scene<PlaneParticle> rod_chain<PlaneParticle, Distance>(const ChainOptions&);
+template Scene<PlaneParticle> rod_chain<PlaneParticle, NormalisedDistance>(const ChainOptions&);
+template Scene<PlaneBody> rod_chain<PlaneBody, Distance>(const ChainOptions&);
+template Scene<PlaneBody> rod_chain<PlaneBody, NormalisedDistance>(const ChainOptions&);
+template Scene<SpaceParticle> rod_chain<SpaceParticle, Distance>(const ChainOptions&);
+template Scene<SpaceParticle> rod_chain<SpaceParticle, NormalisedDistance>(const ChainOptions&);
+template Scene<SpaceBody> rod_chain<SpaceBody, Distance>(const ChainOptions&);
+template Scene<SpaceBody> rod_chain<SpaceBody, NormalisedDistance>(const ChainOptions&);
+template Scene<PlaneBody> pinned_chain<PlaneBody>(const ChainOptions&);
+template Scene<SpaceBody> pinned_chain<SpaceBody>(const ChainOptions&);
 
 }  // namespace byhand

@@ -25,9 +25,9 @@ inline void require_valid(const ChainOptions& chain) {
 
 /// Bobs on massless rods. Body 0 is the anchor, body i the i-th bob from it; constraint i - 1 holds bob i.
 template <class M, template <class> class Rod = Distance>
-Scene<M, Rod> rod_chain(const ChainOptions& chain) {
+Scene<M> rod_chain(const ChainOptions& chain) {
   require_valid(chain);
-  Scene<M, Rod> scene;
+  Scene<M> scene;
   const Linear<M> along = from_straight_down<M>(chain.angle);
   scene.add_body(Linear<M>(Linear<M>::Zero()), fixed<M>());
   for (int i = 1; i <= chain.links; ++i) {
@@ -46,9 +46,9 @@ Scene<M, Rod> rod_chain(const ChainOptions& chain) {
 /// Stiff links pinned end to end: boxes a tenth as thick as they are long. Body 0 is the anchor, body i the i-th
 /// link from it; pin i - 1 holds link i by its upper end.
 template <class M>
-Scene<M, Pin> pinned_chain(const ChainOptions& chain) {
+Scene<M> pinned_chain(const ChainOptions& chain) {
   require_valid(chain);
-  Scene<M, Pin> scene;
+  Scene<M> scene;
   const Linear<M> along = from_straight_down<M>(chain.angle);
   Linear<M> sides = Linear<M>::Constant(chain.length / 10);
   sides[1] = chain.length;
@@ -61,21 +61,21 @@ Scene<M, Pin> pinned_chain(const ChainOptions& chain) {
     else
       pose.rotation = space_rotation(Angular<M>(0, 0, chain.angle));
     scene.add_body(pose, box<M>(i == chain.links ? chain.end_mass : chain.mass, sides));
-    scene.add(pin<M>(scene.bodies, i - 1, i, Linear<M>((i - 1) * chain.length * along)));
+    scene.add(pin<M>(scene.bodies(), i - 1, i, Linear<M>((i - 1) * chain.length * along)));
   }
   return scene;
 }
 
 // Compiled once, in the library.
-extern template Scene<PlaneParticle, Distance> rod_chain(const ChainOptions&);
-extern template Scene<PlaneParticle, NormalisedDistance> rod_chain(const ChainOptions&);
-extern template Scene<PlaneBody, Distance> rod_chain(const ChainOptions&);
-extern template Scene<PlaneBody, NormalisedDistance> rod_chain(const ChainOptions&);
-extern template Scene<SpaceParticle, Distance> rod_chain(const ChainOptions&);
-extern template Scene<SpaceParticle, NormalisedDistance> rod_chain(const ChainOptions&);
-extern template Scene<SpaceBody, Distance> rod_chain(const ChainOptions&);
-extern template Scene<SpaceBody, NormalisedDistance> rod_chain(const ChainOptions&);
-extern template Scene<PlaneBody, Pin> pinned_chain(const ChainOptions&);
-extern template Scene<SpaceBody, Pin> pinned_chain(const ChainOptions&);
+extern template Scene<PlaneParticle> rod_chain<PlaneParticle, Distance>(const ChainOptions&);
+extern template Scene<PlaneParticle> rod_chain<PlaneParticle, NormalisedDistance>(const ChainOptions&);
+extern template Scene<PlaneBody> rod_chain<PlaneBody, Distance>(const ChainOptions&);
+extern template Scene<PlaneBody> rod_chain<PlaneBody, NormalisedDistance>(const ChainOptions&);
+extern template Scene<SpaceParticle> rod_chain<SpaceParticle, Distance>(const ChainOptions&);
+extern template Scene<SpaceParticle> rod_chain<SpaceParticle, NormalisedDistance>(const ChainOptions&);
+extern template Scene<SpaceBody> rod_chain<SpaceBody, Distance>(const ChainOptions&);
+extern template Scene<SpaceBody> rod_chain<SpaceBody, NormalisedDistance>(const ChainOptions&);
+extern template Scene<PlaneBody> pinned_chain<PlaneBody>(const ChainOptions&);
+extern template Scene<SpaceBody> pinned_chain<SpaceBody>(const ChainOptions&);
 
 }  // namespace byhand

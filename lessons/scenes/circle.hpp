@@ -9,9 +9,9 @@ namespace byhand {
 /// gravity, anticlockwise in the plane z = 0. Body 0 is the anchor, body 1 the particle; `Rod` is Distance or
 /// NormalisedDistance.
 template <class M, template <class> class Rod = NormalisedDistance>
-Scene<M, Rod> particle_on_a_circle(double radius, double speed, double mass) {
+Scene<M> particle_on_a_circle(double radius, double speed, double mass) {
   require_positive("radius", radius, "m");
-  Scene<M, Rod> scene;
+  Scene<M> scene;
   scene.gravity.setZero();
   const int anchor = scene.add_body(Linear<M>(Linear<M>::Zero()), fixed<M>());
   const int particle =

@@ -10,10 +10,10 @@ namespace byhand {
 /// from straight down, at the speed that keeps it there. Body 0 is the anchor, body 1 the bob, which goes towards
 /// +z.
 template <template <class> class Rod = NormalisedDistance>
-Scene<SpaceParticle, Rod> conical_pendulum(double angle, double length, double mass) {
-  Scene<SpaceParticle, Rod> scene = pendulum<SpaceParticle, Rod>(angle, length, mass);
+Scene<SpaceParticle> conical_pendulum(double angle, double length, double mass) {
+  Scene<SpaceParticle> scene = pendulum<SpaceParticle, Rod>(angle, length, mass);
   const ConicalPendulum exact(angle, length, -scene.gravity.y());
-  scene.bodies.velocity[1].z() = exact.angular_velocity() * exact.radius();
+  scene.state().velocity[1].z() = exact.angular_velocity() * exact.radius();
   return scene;
 }
 

@@ -7,18 +7,17 @@ namespace byhand {
 /// A row of standing boxes of 0.2 × 1 m and 1 kg, `spacing` [m] from one centre to the next towards +x. The first
 /// is tipped: it turns about its lower right corner at `tipping` [rad/s], clockwise. Body 0 is the ground, body i
 /// the i-th domino.
-template <class S = Boxes>
-S dominoes(int count, double spacing, double tipping = 0, const Surface& surface = {}) {
+inline Scene<PlaneBody> dominoes(int count, double spacing, double tipping = 0, const Surface& surface = {}) {
   require(count >= 1, "number of dominoes", count, "at least 1");
   require(spacing > 0.2, "spacing", spacing, "more than 0.2 m, the width of a domino");
-  S scene;
+  Scene<PlaneBody> scene;
   add_ground(scene, surface);
   for (int i = 0; i < count; ++i) {
     Pose<PlaneBody> standing;
     standing.position = {i * spacing, 0.5};
     add_box(scene, standing, 1, {0.2, 1}, surface);
   }
-  scene.bodies.velocity[1] = {0.5 * tipping, 0.1 * tipping, -tipping};
+  scene.set_velocity(1, {0.5 * tipping, 0.1 * tipping, -tipping});
   return scene;
 }
 

@@ -18,10 +18,10 @@ struct FourBarOptions {
 /// coupler keeps level, so it swings like a pendulum of length a (⅔ m_a + m_c)/(m_a + m_c) if there are two arms.
 /// Body 0 is the ground, body i the i-th arm, the last body the coupler; of the pins two belong to each arm, the
 /// upper first.
-inline Scene<PlaneBody, Pin> four_bar(const FourBarOptions& bars) {
+inline Scene<PlaneBody> four_bar(const FourBarOptions& bars) {
   require(bars.arms >= 2, "number of arms", bars.arms, "at least 2");
   using M = PlaneBody;
-  Scene<M, Pin> scene;
+  Scene<M> scene;
   const Linear<M> down = bars.arm * from_straight_down<M>(bars.angle), across(bars.coupler, 0);
   const auto upper_end = [&](int arm) { return Linear<M>(static_cast<double>(arm) / (bars.arms - 1) * across); };
   const int ground = scene.add_body(Linear<M>(0, 0), fixed<M>());
@@ -32,8 +32,8 @@ inline Scene<PlaneBody, Pin> four_bar(const FourBarOptions& bars) {
   const PlaneRod rod(down, down + across, bars.coupler_mass);
   const int coupler = scene.add_body(rod.pose, rod.mass);
   for (int i = 0; i < bars.arms; ++i) {
-    scene.add(pin<M>(scene.bodies, ground, 1 + i, upper_end(i)));
-    scene.add(pin<M>(scene.bodies, 1 + i, coupler, Linear<M>(upper_end(i) + down)));
+    scene.add(pin<M>(scene.bodies(), ground, 1 + i, upper_end(i)));
+    scene.add(pin<M>(scene.bodies(), 1 + i, coupler, Linear<M>(upper_end(i) + down)));
   }
   return scene;
 }

@@ -2,15 +2,15 @@
 
 namespace byhand {
 
-template Scene<PlaneParticle, Distance> pendulum(double, double, double);
-template Scene<PlaneParticle, NormalisedDistance> pendulum(double, double, double);
-template Scene<PlaneBody, Distance> pendulum(double, double, double);
-template Scene<PlaneBody, NormalisedDistance> pendulum(double, double, double);
-template Scene<SpaceParticle, Distance> pendulum(double, double, double);
-template Scene<SpaceParticle, NormalisedDistance> pendulum(double, double, double);
-template Scene<SpaceBody, Distance> pendulum(double, double, double);
-template Scene<SpaceBody, NormalisedDistance> pendulum(double, double, double);
-template Scene<PlaneBody, Pin> hinged_rod(double, double, double);
-template Scene<SpaceBody, Pin> hinged_rod(double, double, double);
+template Scene<PlaneParticle> pendulum<PlaneParticle, Distance>(double, double, double);
+template Scene<PlaneParticle> pendulum<PlaneParticle, NormalisedDistance>(double, double, double);
+template Scene<PlaneBody> pendulum<PlaneBody, Distance>(double, double, double);
+template Scene<PlaneBody> pendulum<PlaneBody, NormalisedDistance>(double, double, double);
+template Scene<SpaceParticle> pendulum<SpaceParticle, Distance>(double, double, double);
+template Scene<SpaceParticle> pendulum<SpaceParticle, NormalisedDistance>(double, double, double);
+template Scene<SpaceBody> pendulum<SpaceBody, Distance>(double, double, double);
+template Scene<SpaceBody> pendulum<SpaceBody, NormalisedDistance>(double, double, double);
+template Scene<PlaneBody> hinged_rod<PlaneBody>(double, double, double);
+template Scene<SpaceBody> hinged_rod<SpaceBody>(double, double, double);
 
 }  // namespace byhand

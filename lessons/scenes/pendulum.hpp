@@ -18,9 +18,9 @@ Linear<M> from_straight_down(double angle) {
 /// from straight down. Body 0 is the anchor, body 1 the bob; `Rod` is Distance or NormalisedDistance. A bob that
 /// can turn is a ball of a tenth of the length, and the rod holds it by its centre.
 template <class M, template <class> class Rod = Distance>
-Scene<M, Rod> pendulum(double angle, double length, double mass) {
+Scene<M> pendulum(double angle, double length, double mass) {
   require_positive("length", length, "m");
-  Scene<M, Rod> scene;
+  Scene<M> scene;
   InverseMass<M> bob;
   if constexpr (M::angular == 0)
     bob = with_mass<M>(mass);
@@ -36,10 +36,10 @@ Scene<M, Rod> pendulum(double angle, double length, double mass) {
 /// from straight down: the compound pendulum. In space it is a hundredth as thick as it is long and hangs on a
 /// ball joint. Body 0 is the ground, body 1 the rod.
 template <class M = PlaneBody>
-Scene<M, Pin> hinged_rod(double angle, double length, double mass) {
+Scene<M> hinged_rod(double angle, double length, double mass) {
   require_positive("length", length, "m");
   require_positive("mass", mass, "kg");
-  Scene<M, Pin> scene;
+  Scene<M> scene;
   const int ground = scene.add_body(Linear<M>(Linear<M>::Zero()), fixed<M>());
   const double across = mass * length * length / 12;
   Pose<M> pose;
@@ -52,20 +52,20 @@ Scene<M, Pin> hinged_rod(double angle, double length, double mass) {
     inertia.y() = across / 1e4;
   }
   const int rod = scene.add_body(pose, with_mass<M>(mass, inertia));
-  scene.add(pin<M>(scene.bodies, ground, rod, Linear<M>(Linear<M>::Zero())));
+  scene.add(pin<M>(scene.bodies(), ground, rod, Linear<M>(Linear<M>::Zero())));
   return scene;
 }
 
 // Compiled once, in the library.
-extern template Scene<PlaneParticle, Distance> pendulum(double, double, double);
-extern template Scene<PlaneParticle, NormalisedDistance> pendulum(double, double, double);
-extern template Scene<PlaneBody, Distance> pendulum(double, double, double);
-extern template Scene<PlaneBody, NormalisedDistance> pendulum(double, double, double);
-extern template Scene<SpaceParticle, Distance> pendulum(double, double, double);
-extern template Scene<SpaceParticle, NormalisedDistance> pendulum(double, double, double);
-extern template Scene<SpaceBody, Distance> pendulum(double, double, double);
-extern template Scene<SpaceBody, NormalisedDistance> pendulum(double, double, double);
-extern template Scene<PlaneBody, Pin> hinged_rod(double, double, double);
-extern template Scene<SpaceBody, Pin> hinged_rod(double, double, double);
+extern template Scene<PlaneParticle> pendulum<PlaneParticle, Distance>(double, double, double);
+extern template Scene<PlaneParticle> pendulum<PlaneParticle, NormalisedDistance>(double, double, double);
+extern template Scene<PlaneBody> pendulum<PlaneBody, Distance>(double, double, double);
+extern template Scene<PlaneBody> pendulum<PlaneBody, NormalisedDistance>(double, double, double);
+extern template Scene<SpaceParticle> pendulum<SpaceParticle, Distance>(double, double, double);
+extern template Scene<SpaceParticle> pendulum<SpaceParticle, NormalisedDistance>(double, double, double);
+extern template Scene<SpaceBody> pendulum<SpaceBody, Distance>(double, double, double);
+extern template Scene<SpaceBody> pendulum<SpaceBody, NormalisedDistance>(double, double, double);
+extern template Scene<PlaneBody> hinged_rod<PlaneBody>(double, double, double);
+extern template Scene<SpaceBody> hinged_rod<SpaceBody>(double, double, double);
 
 }  // namespace byhand

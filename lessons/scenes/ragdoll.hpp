@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "solver/collide/shape.hpp"
+#include "solver/contact/shape.hpp"
 #include "solver/constraints/limit.hpp"
 #include "solver/constraints/pin.hpp"
 #include "solver/scene.hpp"
@@ -26,11 +26,10 @@ enum Part {
 inline constexpr int parts = 10;
 }  // namespace ragdoll
 
-/// Adds a ragdoll of 1.75 m and 70 kg to any scene in the plane that names Pin and AngleLimit, seen from the front
-/// with its arms held out, the middle of its hips at a point [m]: ten boxes, nine pins, and two limits for each.
-/// Where the scene looks for contacts the boxes touch what they are not joined to. Returns the index of its torso.
-template <class S>
-int add_ragdoll(S& scene, const Linear<PlaneBody>& hips) {
+/// Adds a ragdoll of 1.75 m and 70 kg, seen from the front with its arms held out, the middle of its hips at a point
+/// [m]: ten boxes, nine pins, and two limits for each. If it `collides`, the boxes touch what they are not joined to.
+/// Returns the index of its torso.
+inline int add_ragdoll(Scene<PlaneBody>& scene, const Linear<PlaneBody>& hips, bool collides = true) {
   using M = PlaneBody;
   using namespace ragdoll;
   struct Limb {
@@ -52,13 +51,13 @@ int add_ragdoll(S& scene, const Linear<PlaneBody>& hips) {
       {right_thigh, torso, {0.1, -0.22}, upright, {0.1, 0}, 7, -0.2, 1.2},
       {right_shin, right_thigh, {0.1, -0.66}, upright, {0.1, -0.44}, 4, -2.2, 0.1},
   };
-  const int first = scene.bodies.size();
+  const int first = scene.bodies().size();
   for (const Limb& limb : limbs) {
     const int body = scene.add_body(Linear<M>(hips + limb.middle), box<M>(limb.mass, limb.sides));
-    if constexpr (S::touches) scene.set_shape(body, Box<M>{0.5 * limb.sides}, {0.5});
+    if (collides) scene.set_shape(body, Box<M>{limb.sides}, {0.5});
     if (limb.part == torso) continue;
-    scene.add(pin<M>(scene.bodies, first + limb.from, body, Linear<M>(hips + limb.joint)));
-    const Turn<M> bend = turn<M>(scene.bodies, first + limb.from, body);
+    scene.add(pin<M>(scene.bodies(), first + limb.from, body, Linear<M>(hips + limb.joint)));
+    const Turn<M> bend = turn<M>(scene.bodies(), first + limb.from, body);
     scene.add(at_least<M>(limb.least, bend));
     scene.add(at_most<M>(limb.most, bend));
   }

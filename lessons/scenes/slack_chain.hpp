@@ -9,10 +9,10 @@ namespace byhand {
 /// anchors `span` [m] < length apart at the height of the origin. At rest as a V, which is not where it comes to
 /// rest. Bodies are numbered from left to right, anchors included.
 template <class M>
-Scene<M, NormalisedDistance> slack_chain(int links, double length, double span) {
+Scene<M> slack_chain(int links, double length, double span) {
   require(links >= 2 && links % 2 == 0, "number of links", links, "an even number of at least 2");
   require_inside("span", span, 0, length, "m");
-  Scene<M, NormalisedDistance> scene;
+  Scene<M> scene;
   const double depth = std::sqrt(length * length - span * span) / 2;
   for (int i = 0; i <= links; ++i) {
     const double across = 2.0 * i / links - 1;  // -1 on the left, 1 on the right

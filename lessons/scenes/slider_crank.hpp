@@ -20,10 +20,10 @@ struct SliderCrankOptions {
 /// Without gravity, and already moving at the motor's speed. Body 0 is the ground, 1 the crank, which turns about
 /// the origin, 2 the rod, 3 the piston, which slides along the x axis. Constraints 0, 1 and 2 are the pins, 3 the
 /// slider, 4 the motor.
-inline Scene<PlaneBody, Pin, Slider, AngleMotor> slider_crank(const SliderCrankOptions& machine) {
+inline Scene<PlaneBody> slider_crank(const SliderCrankOptions& machine) {
   require(machine.rod > machine.crank, "length of the rod", machine.rod, "above that of the crank");
   using M = PlaneBody;
-  Scene<M, Pin, Slider, AngleMotor> scene;
+  Scene<M> scene;
   scene.gravity.setZero();
   const auto [sin, cos] = sin_cos(machine.angle);
   const Linear<M> pivot(0, 0), knee = machine.crank * Linear<M>(cos, sin);
@@ -44,11 +44,11 @@ inline Scene<PlaneBody, Pin, Slider, AngleMotor> slider_crank(const SliderCrankO
       scene.add_body(rod.pose, rod.mass, Velocity<M>(rod_velocity.x(), rod_velocity.y(), rod_speed));
   const int piston = scene.add_body(wrist, box<M>(machine.piston_mass, Linear<M>(0.4, 0.3)),
                                     Velocity<M>(piston_velocity.x(), 0, 0));
-  scene.add(pin<M>(scene.bodies, ground, turning, pivot));
-  scene.add(pin<M>(scene.bodies, turning, connecting, knee));
-  scene.add(pin<M>(scene.bodies, connecting, piston, wrist));
-  scene.add(slider<M>(scene.bodies, ground, piston, wrist, Linear<M>(1, 0)));
-  scene.add(motor<M>(turn<M>(scene.bodies, ground, turning), machine.speed, machine.strength));
+  scene.add(pin<M>(scene.bodies(), ground, turning, pivot));
+  scene.add(pin<M>(scene.bodies(), turning, connecting, knee));
+  scene.add(pin<M>(scene.bodies(), connecting, piston, wrist));
+  scene.add(slider<M>(scene.bodies(), ground, piston, wrist, Linear<M>(1, 0)));
+  scene.add(motor<M>(turn<M>(scene.bodies(), ground, turning), machine.speed, machine.strength));
   return scene;
 }
 

@@ -8,10 +8,10 @@ namespace byhand {
 /// down, that goes round the vertical at `azimuth_rate` [rad/s] at first. Body 0 is the anchor, body 1 the bob, a
 /// particle or a ball that the rod holds by its centre.
 template <class M, template <class> class Rod = NormalisedDistance>
-Scene<M, Rod> spherical_pendulum(double angle, double azimuth_rate, double length, double mass) {
+Scene<M> spherical_pendulum(double angle, double azimuth_rate, double length, double mass) {
   static_assert(M::linear == 3, "in the plane there is no vertical to go round");
-  Scene<M, Rod> scene = pendulum<M, Rod>(angle, length, mass);
-  scene.bodies.velocity[1].z() = -azimuth_rate * scene.bodies.pose[1].position.x();
+  Scene<M> scene = pendulum<M, Rod>(angle, length, mass);
+  scene.state().velocity[1].z() = -azimuth_rate * scene.bodies().pose[1].position.x();
   return scene;
 }
 

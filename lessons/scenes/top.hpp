@@ -8,8 +8,8 @@ namespace byhand {
 
 /// A body with principal `moments` [kg m²] that nothing holds or pulls, and that turns at `spin` [rad/s] about its
 /// own axes at first: the thrown book that flips. Body 0 is the top.
-inline Scene<SpaceBody, Pin> free_top(const Eigen::Vector3d& moments, const Eigen::Vector3d& spin) {
-  Scene<SpaceBody, Pin> scene;
+inline Scene<SpaceBody> free_top(const Eigen::Vector3d& moments, const Eigen::Vector3d& spin) {
+  Scene<SpaceBody> scene;
   scene.gravity.setZero();
   Velocity<SpaceBody> V = Velocity<SpaceBody>::Zero();
   V.tail<3>() = spin;
@@ -21,9 +21,9 @@ inline Scene<SpaceBody, Pin> free_top(const Eigen::Vector3d& moments, const Eige
 /// towards +x, that turns about its own axis and at once about the vertical at `precession` [rad/s]. With a rate
 /// of top.precession(angle, …) it keeps its lean; a gyroscope is a top whose axis is level. Body 0 is the ground,
 /// body 1 the top, whose own axis is its y.
-inline Scene<SpaceBody, Pin> spinning_top(const HeavyTop& top, double angle, double precession) {
+inline Scene<SpaceBody> spinning_top(const HeavyTop& top, double angle, double precession) {
   using M = SpaceBody;
-  Scene<M, Pin> scene;
+  Scene<M> scene;
   scene.gravity = {0, -top.gravity, 0};
   const int ground = scene.add_body(Linear<M>(0, 0, 0), fixed<M>());
   Pose<M> pose;
@@ -37,7 +37,7 @@ inline Scene<SpaceBody, Pin> spinning_top(const HeavyTop& top, double angle, dou
   Velocity<M> V;
   V << turning.cross(pose.position), turning;
   const int body = scene.add_body(pose, with_mass<M>(top.mass, Angular<M>(across, top.moment_along, across)), V);
-  scene.add(pin<M>(scene.bodies, ground, body, Linear<M>(0, 0, 0)));
+  scene.add(pin<M>(scene.bodies(), ground, body, Linear<M>(0, 0, 0)));
   return scene;
 }
 

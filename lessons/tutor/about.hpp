@@ -5,15 +5,15 @@
 
 namespace byhand::tutor {
 
-/// What a lesson is, before it runs.
+/// What the course lists of a lesson without running it.
 struct About {
   std::string slug = {};     // its folder, "04_baumgarte"; the number is read from it
   std::string title = {};    // "Baumgarte"
   std::string summary = {};  // one line for the course
-  std::string method = {};   // how its scenes are stepped unless a step says otherwise, for manifest.json
+  std::string method = {};   // default time-stepping method of its scenes, for manifest.json
 };
 
-/// The lessons of a course, in order. Each course writes its own.
+/// The lessons of the course, in order. Defined by each course.
 const std::vector<About>& contents();
 
 }  // namespace byhand::tutor

@@ -6,8 +6,8 @@
 
 namespace byhand::tutor {
 
-/// What a chart shows, as comma-separated values. The header row names quantities with their units as the
-/// axes do. Curves that share x share its column; gaps are empty, failed runs "inf".
+/// The data of a chart as comma-separated values. The header row has the labels of the axes, with units. Curves
+/// with the same x share its column. Gaps are empty cells, failed runs "inf".
 std::string csv(const renderer::Chart& chart);
 
 }  // namespace byhand::tutor

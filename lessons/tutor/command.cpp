@@ -15,18 +15,18 @@ std::string trimmed(std::string_view line) {
 
 }  // namespace
 
-Command understand(const Lesson& lesson, std::string_view line) {
+Command parse_command(const Lesson& lesson, std::string_view line) {
   using Kind = Command::Kind;
-  static const std::map<std::string, Kind> keys = {{"", Kind::go_on}, {"b", Kind::back}, {"d", Kind::deeper},
-                                                   {"h", Kind::hint}, {"s", Kind::show}, {"r", Kind::again},
+  static const std::map<std::string, Kind> keys = {{"", Kind::next},  {"b", Kind::back}, {"d", Kind::deeper},
+                                                   {"h", Kind::hint}, {"s", Kind::show}, {"r", Kind::repeat},
                                                    {"?", Kind::help}, {"q", Kind::quit}};
   const std::string words = trimmed(line);
   if (const auto key = keys.find(words); key != keys.end()) return {key->second, "", ""};
 
   const auto end = words.find_first_of(" \t=");
   const std::string name = words.substr(0, end);
-  if (!lesson.is_parameter(name)) return {Kind::words, "", words};
-  if (end == std::string::npos) return {Kind::look_up, name, ""};
+  if (!lesson.is_parameter(name)) return {Kind::answer, "", words};
+  if (end == std::string::npos) return {Kind::query, name, ""};
   std::string value = trimmed(std::string_view(words).substr(end));
   if (value.starts_with('=')) value = trimmed(std::string_view(value).substr(1));
   return {Kind::set, name, value};

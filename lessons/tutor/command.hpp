@@ -7,16 +7,16 @@ namespace byhand::tutor {
 
 class Lesson;
 
-/// What a reader typed at a prompt.
+/// A line that a reader typed at a prompt.
 struct Command {
-  enum class Kind { go_on, back, deeper, hint, show, again, help, quit, set, look_up, words };
-  Kind kind = Kind::words;
-  std::string name = {};   // of a parameter, for set and look_up
-  std::string value = {};  // what to set, or the words themselves
+  enum class Kind { next, back, deeper, hint, show, repeat, help, quit, set, query, answer };
+  Kind kind = Kind::answer;
+  std::string name = {};   // of the parameter, for set and query
+  std::string value = {};  // new value of the parameter, or the answer
 };
 
-/// Understands the keys, "beta 0.5", "beta=0.5", "beta" for a parameter of the lesson; everything else is
-/// words. A key wins over a parameter of the same name that stands alone: `h` hints, `h 1/120` sets.
-Command understand(const Lesson& lesson, std::string_view line);
+/// Parses a key, "beta 0.5" or "beta=0.5" (set) or "beta" (query) for a parameter of the lesson; any other line is
+/// an answer. A key takes precedence over a parameter of the same name without a value: `h` hints, `h 1/120` sets.
+Command parse_command(const Lesson& lesson, std::string_view line);
 
 }  // namespace byhand::tutor

@@ -7,16 +7,16 @@
 #include <optional>
 #include <stdexcept>
 
-#include "lessons/tutor/check.hpp"
+#include "lessons/tutor/batch.hpp"
+#include "lessons/tutor/bookmark.hpp"
+#include "lessons/tutor/claim_table.hpp"
 #include "lessons/tutor/command.hpp"
 #include "lessons/tutor/grading.hpp"
 #include "lessons/tutor/keyboard.hpp"
-#include "lessons/tutor/place.hpp"
-#include "lessons/tutor/speech.hpp"
-#include "lessons/tutor/stage.hpp"
-#include "lessons/tutor/straight.hpp"
-#include "lessons/tutor/studio.hpp"
-#include "lessons/tutor/told.hpp"
+#include "lessons/tutor/picture_writer.hpp"
+#include "lessons/tutor/recording.hpp"
+#include "lessons/tutor/terminal_text.hpp"
+#include "lessons/tutor/terminal_view.hpp"
 
 namespace byhand::tutor {
 namespace {
@@ -36,23 +36,23 @@ class Dialogue {
   Dialogue(Lesson& lesson, const Options& options)
       : lesson_(lesson),
         options_(options),
-        studio_(studio_of(lesson, options)),
+        pictures_(picture_writer(lesson, options)),
         style_(terminal_style()),
-        stage_(studio_, keyboard_, style_) {}
+        view_(pictures_, keyboard_, style_) {}
 
   int run();
 
  private:
-  /// How a talk about one item, or about the end of a step, goes on.
-  enum class Move { go_on, answered, again, back, deeper, quit };
+  /// What follows the prompt at an item or at the end of a step.
+  enum class Move { next, answered, repeat, back, deeper, quit };
 
   Move visit(size_t step);
-  Move talk(size_t item);
-  std::optional<Move> obey(const Command& command, size_t item);
+  Move prompt_until_done(size_t item);
+  std::optional<Move> execute(const Command& command, size_t item);
   std::optional<Move> answer(const std::string& words, size_t item);
   void change(const Command& command, size_t item);
   void help() const;
-  void prompt(size_t item) const;
+  void print_prompt(size_t item) const;
   bool goes_deeper() const { return at_ + 1 < lesson_.steps().size() && lesson_.steps()[at_ + 1].deeper; }
   size_t next_core(size_t step) const;
   size_t before(size_t step) const;
@@ -60,36 +60,36 @@ class Dialogue {
   void leave() const;
 
   template <class... T>
-  void tell_reader(fmt::format_string<T...> words, T&&... values) const {
+  void print_line(fmt::format_string<T...> words, T&&... values) const {
     fmt::print("{}", wrapped(fmt::format(words, std::forward<T>(values)...), style_, 2));
   }
 
   Lesson& lesson_;
   const Options& options_;
   Keyboard keyboard_;
-  Studio studio_;
+  PictureWriter pictures_;
   Style style_;
-  Stage stage_;
-  size_t at_ = 0;  // the step
-  Page page_;      // of that step
-  bool remembered_ = true;
+  TerminalView view_;
+  size_t at_ = 0;  // index of the current step
+  Page page_;      // of the current step
+  bool bookmark_saved_ = true;
 };
 
 int Dialogue::run() {
   const auto& steps = lesson_.steps();
-  Place place = read_place(lesson_.about().slug);
-  const std::string start = options_.step.empty() ? place.step : options_.step;
+  Bookmark bookmark = read_bookmark(lesson_.about().slug);
+  const std::string start = options_.step.empty() ? bookmark.step : options_.step;
   const auto found =
       std::find_if(steps.begin(), steps.end(), [&](const Step& step) { return step.label == start; });
-  fmt::print("{}", say_heading(lesson_, style_));
+  fmt::print("{}", heading_text(lesson_, style_));
   if (found != steps.end() && found != steps.begin()) {
     at_ = static_cast<size_t>(found - steps.begin());
     if (options_.step.empty())
       fmt::print("{}", toned("You stopped here last time; b goes back.\n", Tone::quiet, style_));
   }
   while (at_ < steps.size()) {
-    place.step = steps[at_].label;
-    remembered_ = keep_place(lesson_.about().slug, place);
+    bookmark.step = steps[at_].label;
+    bookmark_saved_ = save_bookmark(lesson_.about().slug, bookmark);
     switch (visit(at_)) {
       case Move::back: at_ = before(at_); break;
       case Move::deeper: ++at_; break;
@@ -106,7 +106,7 @@ size_t Dialogue::next_core(size_t step) const {
   return step;
 }
 
-/// From a core step to the one before it; from a deeper step to what it went deeper from.
+/// The previous core step; for a deeper step, the step before it.
 size_t Dialogue::before(size_t step) const {
   const bool deeper = lesson_.steps()[step].deeper;
   do --step;
@@ -115,23 +115,23 @@ size_t Dialogue::before(size_t step) const {
 }
 
 Dialogue::Move Dialogue::visit(size_t step) {
-  page_ = tell(lesson_, lesson_.steps()[step], options_.quiet).page;
-  fmt::print("{}", say_title(lesson_, lesson_.steps()[step], style_));
+  page_ = record_step(lesson_, lesson_.steps()[step], options_.quiet).page;
+  fmt::print("{}", title_text(lesson_, lesson_.steps()[step], style_));
   for (size_t item = 0;;) {
     const bool ended = item >= page_.items().size();
     if (!ended) {
       fmt::print("\n");
-      stage_.show(page_.items()[item]);
+      view_.show(page_.items()[item]);
       if (!is_question(page_.items()[item])) {
         ++item;
         continue;
       }
     }
-    const Move move = talk(item);
-    if (move == Move::again) {
+    const Move move = prompt_until_done(item);
+    if (move == Move::repeat) {
       item = 0;
-      fmt::print("{}", say_title(lesson_, lesson_.steps()[step], style_));
-    } else if (!ended && (move == Move::go_on || move == Move::answered)) {
+      fmt::print("{}", title_text(lesson_, lesson_.steps()[step], style_));
+    } else if (!ended && (move == Move::next || move == Move::answered)) {
       ++item;
     } else {
       return move;
@@ -139,7 +139,7 @@ Dialogue::Move Dialogue::visit(size_t step) {
   }
 }
 
-void Dialogue::prompt(size_t item) const {
+void Dialogue::print_prompt(size_t item) const {
   std::string words;
   if (item < page_.items().size())
     words = "your answer (h hints, s shows, Enter goes on)";
@@ -151,62 +151,62 @@ void Dialogue::prompt(size_t item) const {
   std::fflush(stdout);
 }
 
-Dialogue::Move Dialogue::talk(size_t item) {
+Dialogue::Move Dialogue::prompt_until_done(size_t item) {
   while (true) {
-    prompt(item);
+    print_prompt(item);
     const auto line = keyboard_.line();
     if (!line) {
       fmt::print("\n");
       return Move::quit;
     }
     const size_t items = page_.items().size();
-    if (const auto move = obey(understand(lesson_, *line), item)) return *move;
-    if (page_.items().size() != items) return Move::again;
+    if (const auto move = execute(parse_command(lesson_, *line), item)) return *move;
+    if (page_.items().size() != items) return Move::repeat;
   }
 }
 
-/// Nothing: the talk goes on where it is.
-std::optional<Dialogue::Move> Dialogue::obey(const Command& command, size_t item) {
+/// Returns nothing if the prompt stays at this item.
+std::optional<Dialogue::Move> Dialogue::execute(const Command& command, size_t item) {
   const bool asking = item < page_.items().size();
   switch (command.kind) {
-    case Command::Kind::go_on: return Move::go_on;
-    case Command::Kind::again: return Move::again;
+    case Command::Kind::next: return Move::next;
+    case Command::Kind::repeat: return Move::repeat;
     case Command::Kind::quit: return Move::quit;
     case Command::Kind::back:
       if (at_ > 0) return Move::back;
-      tell_reader("This is where the lesson begins.");
+      print_line("This is where the lesson begins.");
       break;
     case Command::Kind::deeper:
       if (goes_deeper()) return Move::deeper;
-      tell_reader("Nothing goes deeper here.");
+      print_line("Nothing goes deeper here.");
       break;
     case Command::Kind::hint: {
       const std::string hint =
           asking ? of_question(page_.items()[item], [](const auto& q) { return q.hint; }) : "";
-      tell_reader("{}", !asking ? "There is no question here." : hint.empty() ? "This one has no hint." : hint);
+      print_line("{}", !asking ? "There is no question here." : hint.empty() ? "This one has no hint." : hint);
       break;
     }
     case Command::Kind::show:
       if (asking) {
-        fmt::print("{}", of_question(page_.items()[item], [&](const auto& q) { return say_answer(q, style_); }));
+        fmt::print("{}", of_question(page_.items()[item], [&](const auto& q) { return answer_text(q, style_); }));
         return Move::answered;
       }
-      tell_reader("There is no question here.");
+      print_line("There is no question here.");
       break;
     case Command::Kind::help: help(); break;
-    case Command::Kind::look_up:
+    case Command::Kind::query:
       for (const ParameterRecord& p : lesson_.parameters())
-        if (p.name == command.name) tell_reader("{}", p.described(p.value));
+        if (p.name == command.name) print_line("{}", p.described(p.value));
       break;
     case Command::Kind::set: change(command, item); break;
-    case Command::Kind::words: return answer(command.value, item);
+    case Command::Kind::answer: return answer(command.value, item);
   }
   return std::nullopt;
 }
 
 std::optional<Dialogue::Move> Dialogue::answer(const std::string& words, size_t item) {
   if (item >= page_.items().size()) {
-    tell_reader("There is no question here, and no key or parameter is called \"{}\": `?` lists them.", words);
+    print_line("There is no question here, and no key or parameter is called \"{}\": `?` lists them.", words);
     return std::nullopt;
   }
   const Grade given =
@@ -227,21 +227,21 @@ void Dialogue::change(const Command& command, size_t item) {
   std::optional<Page> now;
   try {
     lesson_.set(command.name, command.value);
-    now = tell(lesson_, lesson_.steps()[at_], options_.quiet).page;
+    now = record_step(lesson_, lesson_.steps()[at_], options_.quiet).page;
   } catch (const std::invalid_argument& bad) {
     lesson_.set(command.name, old);
-    tell_reader("{}. Nothing was changed.", bad.what());
+    print_line("{}. Nothing was changed.", bad.what());
     return;
   }
   fmt::print("\n{}\n", toned(fmt::format("  {}: {} → {}", command.name, old, value()), Tone::question, style_));
-  fmt::print("{}", say_changes(page_, *now, item, style_));
+  fmt::print("{}", changes_text(page_, *now, item, style_));
   page_ = std::move(*now);
   if (item > page_.items().size()) return;
   for (size_t i = 0; i < item; ++i) {
     const Item& seen = page_.items()[i];
-    if (std::holds_alternative<Figure>(seen) || std::holds_alternative<Sequence>(seen)) stage_.show(seen);
+    if (std::holds_alternative<Figure>(seen) || std::holds_alternative<Sequence>(seen)) view_.show(seen);
   }
-  if (item < page_.items().size() && is_question(page_.items()[item])) stage_.show(page_.items()[item]);
+  if (item < page_.items().size() && is_question(page_.items()[item])) view_.show(page_.items()[item]);
 }
 
 void Dialogue::help() const {
@@ -255,7 +255,7 @@ void Dialogue::help() const {
                          2));
   if (lesson_.parameters().empty()) return;
   const ParameterRecord& first = lesson_.parameters().front();
-  tell_reader(
+  print_line(
       "A name and a value change a parameter and run the step again: `{} {}`. A name alone tells what it "
       "is.",
       first.name, first.typed(first.value));
@@ -268,25 +268,24 @@ void Dialogue::help() const {
 
 void Dialogue::leave() const {
   fmt::print("{}",
-             toned(remembered_ ? "Until next time: the lesson goes on where you stopped.\n"
-                               : "Until next time (the place could not be kept: no writable state folder).\n",
+             toned(bookmark_saved_ ? "Until next time: the lesson goes on where you stopped.\n"
+                                   : "Until next time (the place could not be kept: no writable state folder).\n",
                    Tone::quiet, style_));
 }
 
-/// The end: the page is written for the whole lesson, deeper steps included, with the parameters as they now
-/// are.
+/// Writes the page of the whole lesson, deeper steps included, with the present parameters.
 int Dialogue::finish() {
-  fmt::print("{}", say_closing(lesson_, style_));
-  keep_place(lesson_.about().slug, {"", true});
+  fmt::print("{}", closing_text(lesson_, style_));
+  save_bookmark(lesson_.about().slug, {"", true});
   std::fflush(stdout);
-  std::vector<Told> told;
+  std::vector<RecordedStep> steps;
   for (const Step& step : lesson_.steps()) {
-    told.push_back(tell(lesson_, step, options_.quiet));
-    write_pictures(told.back().page, studio_);
+    steps.push_back(record_step(lesson_, step, options_.quiet));
+    write_pictures(steps.back().page, pictures_);
   }
-  require_whole(told);
-  publish(lesson_, told, options_, studio_);
-  const std::string wrong = false_claims(lesson_, told);
+  validate(steps);
+  write_page(lesson_, steps, options_, pictures_);
+  const std::string wrong = false_claims(lesson_, steps);
   fmt::print(stderr, "{}", wrong);
   return wrong.empty() ? 0 : 1;
 }

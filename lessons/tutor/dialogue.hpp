@@ -5,7 +5,7 @@
 
 namespace byhand::tutor {
 
-/// The lesson step by step with a reader at the terminal. Returns the exit status.
+/// Runs the lesson interactively, step by step, at a terminal. Returns the exit status.
 int run_dialogue(Lesson& lesson, const Options& options);
 
 }  // namespace byhand::tutor

@@ -4,8 +4,8 @@
 
 namespace byhand::tutor {
 
-/// Formula `number` of the article as it stands there, loose ones included. Throws LessonError unless 1 ≤
-/// number ≤ 23.
+/// Equation `number` exactly as the article prints it, inaccuracies included. Throws LessonError unless
+/// 1 ≤ number ≤ 23.
 const Formula& article_equation(int number);
 
 }  // namespace byhand::tutor

@@ -4,8 +4,7 @@
 
 namespace byhand::tutor {
 
-/// A lesson that is written wrongly: no claim, too many steps, an excerpt that does not exist. The reader is
-/// not to blame.
+/// A mistake of the lesson's author: no claim, too many steps, a missing excerpt.
 struct LessonError : std::logic_error {
   using std::logic_error::logic_error;
 };

@@ -6,8 +6,8 @@
 
 namespace byhand::tutor {
 
-/// The lines between the two lines `//! [tag]` of `file` under `root`. Markers of other tags inside are left
-/// out. Throws LessonError when the file, the pair of markers or the lines between them are missing.
+/// The lines between the two marker lines `//! [tag]` of `file` under `root`, without markers of other tags.
+/// Throws LessonError if the file, the pair of markers or the lines between them are missing.
 Excerpt read_excerpt(const std::string& root, const std::string& file, const std::string& tag);
 
 }  // namespace byhand::tutor

@@ -11,12 +11,11 @@ struct Grade {
   std::string reply;  // one sentence or two
 };
 
-/// Grades what was typed: a number with its sign ("−0.42", "1/10", with or without the unit). A wrong answer
-/// that people give gets its own reply. Words that are no number are not wrong: they are asked for again
-/// (`right` false).
+/// Grades a number: "−0.42", "1/10", with or without the unit. A listed wrong answer gets its own reply; text that
+/// is not a number gets a request to type one.
 Grade grade(const Prediction& question, const std::string& typed);
 
-/// Grades the number of an option or its words.
+/// Grades the number or the text of an option.
 Grade grade(const Choice& question, const std::string& typed);
 
 }  // namespace byhand::tutor

@@ -5,7 +5,7 @@
 namespace byhand::tutor {
 
 const renderer::Chart* chart_of(const Figure& figure) {
-  if (const auto* clocked = std::get_if<Clocked>(&figure.picture)) return &clocked->chart();
+  if (const auto* clocked = std::get_if<TimedChart>(&figure.picture)) return &clocked->chart();
   return std::get_if<renderer::Chart>(&figure.picture);
 }
 

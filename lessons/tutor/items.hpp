@@ -18,21 +18,21 @@ struct Text {
   std::string words;
 };
 
-/// A formula of the article by its number, (1) to (23), and then the same with this scene's numbers in it
-/// (may be empty); number 0 is a formula of the lesson's own.
+/// Equation (1) to (23) of the article, followed by the same with this scene's numbers, which may be empty. Number
+/// 0: not from the article.
 struct Equation {
   int number = 0;
   Formula numbers;
 };
 
-/// Lines of the compiled source, without the markers around them and without their common indentation.
+/// Lines of the compiled source, without markers and common indentation.
 struct Excerpt {
-  std::string file;  // from the root of the repository
+  std::string file;  // path from the root of the repository
   int line = 0;      // of the first line shown
   std::string code;
 };
 
-/// A result that is worth comparing when a parameter has changed.
+/// A result that is compared with its old value when a parameter changes.
 struct Measure {
   std::string quantity;
   double value = 0;
@@ -42,47 +42,47 @@ struct Measure {
 using Drawing = std::function<void(renderer::Canvas&)>;
 using FrameDrawing = std::function<void(renderer::Canvas&, double time)>;
 
-/// A chart of what a clock measured. It is no two times the same, so it is measured only where it is wanted, when
-/// nothing else of the lesson runs, once; and manifest.json names its files.
-struct Clocked {
+/// A chart of measured running times. `chart` measures at its first call and then returns the same chart. It is
+/// called only when the chart is shown or written, and nothing else runs then. No two runs agree, so manifest.json
+/// lists its files as clocked.
+struct TimedChart {
   std::function<const renderer::Chart&()> chart;
 };
 
-/// A still picture: figures/<name>.png; of a chart also data/<name>.csv.
+/// Writes figures/<name>.png and, for a chart, data/<name>.csv.
 struct Figure {
   std::string name, caption;
-  std::variant<renderer::Chart, Drawing, Clocked> picture;
+  std::variant<renderer::Chart, Drawing, TimedChart> picture;
 };
 
-/// Its chart, measured now if it has not been yet; none if it is drawn otherwise.
+/// The chart of the figure, measured now if it is a TimedChart; null for a drawing.
 const renderer::Chart* chart_of(const Figure& figure);
 
-/// Real time: as many frames as the quality has in so many seconds. The drawing gets the time in seconds.
+/// Duration [s] in real time, at the frame rate of the quality. The drawing gets the time [s].
 struct Seconds {
   double value = 0;
 };
-/// A number of frames whatever the quality. The drawing gets 0, 1, 2, …
+/// Number of frames, independent of the quality. The drawing gets the index 0, 1, 2, …
 struct Frames {
   int value = 0;
 };
 
-/// Moving pictures: frames/<name>/0000.png … and a strip of six of them, frames/<name>.png.
+/// Writes the animation frames/<name>/0000.png … and a contact sheet of six frames, frames/<name>.png.
 struct Sequence {
   std::string name, caption;
   std::variant<Seconds, Frames> length;
   FrameDrawing draw;
 };
 
-/// A wrong answer that people give, computed by the run as the right one is, and the sentence it deserves.
+/// A frequent wrong answer, computed by the run like the right one, and the reply to it.
 struct WrongAnswer {
   double value = 0;
   std::string reply;
 };
 
-/// Asks the reader to predict a number with its sign.
-/// An answer is right within `tolerance` (in `unit`); wrong answers are recognised within it too. Where a
-/// changed parameter makes a wrong answer meet another one, its reply is dropped; at the default parameters
-/// that is an error of the lesson.
+/// Asks the reader to predict a number with its sign. An answer is right within `tolerance` (in `unit`); wrong
+/// answers are recognised within it too. A wrong answer within the tolerance of another answer is dropped; at the
+/// default parameters it is a LessonError.
 struct Prediction {
   std::string ask = {};
   double answer = 0;
@@ -90,14 +90,14 @@ struct Prediction {
   double tolerance = 0;
   std::vector<WrongAnswer> wrong = {};
   std::string hint = {};
-  std::string right = {};  // said after a right answer, and beside the answer on the page
+  std::string right = {};  // reply to the right answer, also printed on the page
 };
 
 struct Option {
-  std::string words, reply;  // the reply to whoever chooses it; of the right one, why it is right
+  std::string words, reply;  // `reply`: to a reader who chooses it
 };
 
-/// Asks the reader to choose. `answer` is the index of the right option, found by the run.
+/// Multiple choice. `answer` is the index of the right option, found by the run.
 struct Choice {
   std::string ask = {};
   std::vector<Option> options = {};
@@ -105,8 +105,7 @@ struct Choice {
   std::string hint = {};
 };
 
-/// How far a measurement may lie from what was expected; always inclusive, and never met by a value that is
-/// not finite.
+/// Allowed difference between measured and expected value, inclusive. A value that is not finite never meets it.
 struct Tolerance {
   enum class Kind { absolute, relative, at_most, at_least } kind = Kind::absolute;
   double size = 0;
@@ -115,21 +114,21 @@ struct Tolerance {
 };
 inline Tolerance absolute(double size) { return {Tolerance::Kind::absolute, size}; }
 inline Tolerance relative(double size) { return {Tolerance::Kind::relative, size}; }
-/// The expectation is a bound: measured ≤ expected.
+/// measured ≤ expected
 inline Tolerance at_most() { return {Tolerance::Kind::at_most, 0}; }
-/// The expectation is a bound: measured ≥ expected.
+/// measured ≥ expected
 inline Tolerance at_least() { return {Tolerance::Kind::at_least, 0}; }
 
-/// A statement in numbers, held against an independent answer. Outside the range of parameters in which it is
-/// claimed it is shown as "not claimed" and is no failure.
+/// A number of the text, checked against an independent answer. Outside its range of parameters it is shown as
+/// "not claimed" and cannot fail.
 struct Claim {
   std::string quantity = {}, unit = {};
   double expected = 0;
-  std::string source = {};  // where the expectation comes from: "elliptic integral", "law B1", …
+  std::string source = {};  // of the expected value: "elliptic integral", "law B1", …
   double measured = 0;
   Tolerance tolerance = {};
-  bool claimed = true;     // do the parameters lie in the range below?
-  std::string range = {};  // "β < 2"; needed when `claimed` can be false
+  bool claimed = true;     // whether the parameters lie in `range`
+  std::string range = {};  // "β < 2"; required if `claimed` can be false
 
   bool holds() const { return tolerance.met(expected, measured); }
   bool is_false() const { return claimed && !holds(); }

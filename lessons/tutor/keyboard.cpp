@@ -11,16 +11,15 @@ namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
 
-/// What is being said or drawn has a second to come to the next question, where the reader is taken leave of; a
-/// drawing that takes longer is left at once.
+/// The next prompt ends the dialogue. Whatever takes longer than a second to reach it is aborted by the alarm.
 extern "C" void on_interrupt(int) {
   interrupted = 1;
   alarm(1);
 }
 
 extern "C" void on_alarm(int) {
-  constexpr char plain[] = "\033[0m\n";
-  [[maybe_unused]] const auto written = write(STDOUT_FILENO, plain, sizeof plain - 1);
+  constexpr char reset[] = "\033[0m\n";
+  [[maybe_unused]] const auto written = write(STDOUT_FILENO, reset, sizeof reset - 1);
   _exit(0);
 }
 
@@ -30,7 +29,7 @@ struct sigaction former;
 
 Keyboard::Keyboard() {
   struct sigaction action {};
-  action.sa_handler = on_interrupt;  // without SA_RESTART, so that a wait ends
+  action.sa_handler = on_interrupt;  // without SA_RESTART: the signal interrupts read()
   sigaction(SIGINT, &action, &former);
   std::signal(SIGALRM, on_alarm);
 }

@@ -5,9 +5,9 @@
 
 namespace byhand::tutor {
 
-/// Lines from standard input while a reader is there. As long as it lives, Ctrl-C ends a wait for a line as the
-/// end of input does; what takes longer than a second to come to that wait is ended then, with the terminal as it
-/// was: a place kept before is all that need survive.
+/// Reads lines from standard input. While it exists, Ctrl-C acts like the end of input at the next prompt. If the
+/// program does not reach a prompt within a second, it exits with the terminal's colours reset; the bookmark is
+/// already saved.
 class Keyboard {
  public:
   Keyboard();
@@ -15,14 +15,14 @@ class Keyboard {
   Keyboard& operator=(const Keyboard&) = delete;
   ~Keyboard();
 
-  /// The next line without its end; nothing at the end of input, on Ctrl-C or Ctrl-D.
+  /// The next line without its newline; nothing at the end of input and on Ctrl-C.
   std::optional<std::string> line();
 
-  /// Waits until a line was begun or the time is over; returns whether there is one.
+  /// Waits for input at most so long; returns whether there is some.
   bool pressed_within(int milliseconds);
 
  private:
-  std::string rest_;
+  std::string rest_;  // read but not yet returned
 };
 
 }  // namespace byhand::tutor

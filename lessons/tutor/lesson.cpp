@@ -107,7 +107,12 @@ std::string Lesson::step_of(const std::vector<std::pair<std::string, std::string
   return step;
 }
 
-void Lesson::closing(Closing closing) { closing_ = std::move(closing); }
+void Lesson::closing(Closing closing) {
+  for (std::string& known : closing.now_you_know) known = unwrapped(known);
+  for (Try& attempt : closing.tries) attempt.what = unwrapped(attempt.what);
+  closing.next = unwrapped(closing.next);
+  closing_ = std::move(closing);
+}
 
 bool Lesson::is_parameter(const std::string& name) const {
   return std::any_of(parameters_.begin(), parameters_.end(), [&](const auto& p) { return p.name == name; });

@@ -13,7 +13,7 @@
 
 namespace byhand::tutor {
 
-/// Something to try, with the command that does it: "./lessons/run baumgarte --set beta=2.1".
+/// An experiment for the reader and its command: "./lessons/run baumgarte --set beta=2.1".
 struct Try {
   std::string what, command;
 };
@@ -26,16 +26,15 @@ struct Closing {
 
 using StepFunction = std::function<void(Page&)>;
 
-/// One step. It is run from the start each time it is shown, so it must depend on nothing but the parameters.
+/// One step. It runs anew each time it is shown, so its result may depend on the parameters alone.
 struct Step {
-  std::string label;  // "3", or "3a" for the first deeper step after it
+  std::string label;  // "3"; "3a" for the first deeper step after it
   std::string title;
   bool deeper = false;
   StepFunction run;
 };
 
-/// A lesson: its parameters, its steps, its end. The main of a lesson fills one and returns `run(argc,
-/// argv)`.
+/// A lesson: parameters, steps and closing. The main of a lesson fills one and returns `run(argc, argv)`.
 ///
 ///     int main(int argc, char** argv) {
 ///       Lesson lesson({.slug = "04_baumgarte", .title = "Baumgarte", .summary = "…", .method = "…"});
@@ -43,39 +42,38 @@ struct Step {
 ///       auto h = lesson.parameter("h", 1.0 / 60, "s", {1e-4, 0.1}, "time step");
 ///       lesson.step("The error shrinks by (1 − β)", [=](Page& page) { page.text("β is @.", beta()); … });
 ///       lesson.deeper("…", [=](Page& page) { … });
-///       lesson.closing({.now_you_know = {…}, .tries = {{"…", "./lessons/run 4 --set beta=2.1"}}, .next =
-///       "…"}); return lesson.run(argc, argv);
+///       lesson.closing({.now_you_know = {…}, .tries = {{"…", "./lessons/run 4 --set beta=2.1"}}, .next = "…"});
+///       return lesson.run(argc, argv);
 ///     }
 class Lesson {
  public:
   /// Throws LessonError unless the slug is two digits, "_" and [a-z0-9_]+.
   explicit Lesson(About about);
 
-  /// A parameter with its default, unit ("1" for none), range and meaning. T is double or int: 10 makes an
-  /// int, 10.0 a double. The parameter called "h" is the time step in manifest.json. Throws LessonError for a
-  /// default out of range or a name twice.
+  /// Adds a number with its default, unit ("1" if dimensionless), range and meaning. The parameter "h" is the time
+  /// step in manifest.json. Throws LessonError for a default out of range or a duplicate name.
   Parameter<double> parameter(std::string name, double initial, std::string unit, Range range,
                               std::string meaning);
   Parameter<int> parameter(std::string name, int initial, std::string unit, Range range, std::string meaning);
-  /// One of `choices`, typed by its name; names are [a-z0-9_]+.
+  /// Adds a choice among named values; names are [a-z0-9_]+.
   Parameter<std::string> parameter(std::string name, std::string initial, std::vector<std::string> choices,
                                    std::string meaning);
 
-  /// A core step; at most seven, else LessonError.
+  /// Adds a core step. Throws LessonError for the eighth.
   void step(std::string title, StepFunction run);
 
-  /// A step that goes deeper, after the last core step: opened by a reader with `d`, always run without a
-  /// terminal.
+  /// Adds an optional step after the last core step. A reader opens it with `d`; batch runs include it.
   void deeper(std::string title, StepFunction run);
 
-  /// Says that the step added last is the only one that looks at these parameters: setting them and no others on
-  /// the command line asks for that step alone.
+  /// Declares that only the step added last depends on these parameters. If the command line sets them and no
+  /// others, only that step runs.
   void answers(const std::vector<std::string>& parameters);
 
   void closing(Closing closing);
 
-  /// Runs as the options say. Returns 0 fine, 1 a claim is false (or the lesson is written wrongly), 2 bad
-  /// usage or value, 3 the environment; every error is one sentence on standard error.
+  /// Runs the lesson with the options of the command line. Returns 0 for success, 1 for a false claim or a
+  /// LessonError, 2 for bad usage or a bad value, 3 for an error of the environment. Each error is one sentence on
+  /// standard error.
   int run(int argc, const char* const* argv);
 
   const About& about() const { return about_; }
@@ -84,10 +82,10 @@ class Lesson {
   const Closing& closing() const { return closing_; }
   const std::deque<ParameterRecord>& parameters() const { return parameters_; }
 
-  /// Throws std::invalid_argument for an unknown name, saying which there are, or for a bad value.
+  /// Throws std::invalid_argument for a bad value and for an unknown name, with the list of the known ones.
   void set(const std::string& name, std::string_view value);
   bool is_parameter(const std::string& name) const;
-  /// The label of the step that alone looks at all these parameters; empty if there is none.
+  /// Label of the only step that depends on these parameters; empty if there is no such step.
   std::string step_of(const std::vector<std::pair<std::string, std::string>>& settings) const;
   bool at_defaults() const;
 
@@ -95,7 +93,7 @@ class Lesson {
   ParameterRecord& record(ParameterRecord record);
 
   About about_;
-  std::deque<ParameterRecord> parameters_;  // a deque: the parameters handed out point into it
+  std::deque<ParameterRecord> parameters_;  // a deque: Parameter keeps pointers to its elements
   std::vector<Step> steps_;
   Closing closing_;
 };

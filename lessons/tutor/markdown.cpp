@@ -5,14 +5,14 @@
 #include <sstream>
 
 #include "lessons/tutor/equations.hpp"
-#include "lessons/tutor/speech.hpp"
-#include "lessons/tutor/studio.hpp"
+#include "lessons/tutor/picture_writer.hpp"
+#include "lessons/tutor/terminal_text.hpp"
 
 namespace byhand::tutor {
 namespace {
 
-/// A list needs a blank line before it, or a renderer takes it for more of the paragraph.
-std::string with_parted_lists(const std::string& words) {
+/// Adds the blank line before a list without which Markdown continues the paragraph.
+std::string with_separate_lists(const std::string& words) {
   std::string all;
   bool in_list = true;
   std::istringstream lines(words);
@@ -25,7 +25,7 @@ std::string with_parted_lists(const std::string& words) {
   return all;
 }
 
-/// A bar would end the cell of a table.
+/// Escapes the cell of a table.
 std::string cell(const std::string& words) {
   std::string escaped;
   for (const char c : words) escaped += c == '|' ? "\\|" : c == '\n' ? " " : std::string(1, c);
@@ -44,11 +44,11 @@ std::string rule(size_t columns) {
   return line + "\n";
 }
 
-std::string folded(const std::string& summary, const std::string& words) {
+std::string details(const std::string& summary, const std::string& words) {
   return fmt::format("<details><summary>{}</summary>\n\n{}\n</details>\n", summary, words);
 }
 
-/// Picture and caption in one paragraph: alone in one, pandoc would print the caption twice.
+/// Picture and caption share a paragraph: pandoc prints the caption of a picture that is alone in one twice.
 std::string picture(const std::string& caption, const std::string& path, const std::string& link,
                     const std::string& to) {
   std::string alternative;
@@ -57,12 +57,12 @@ std::string picture(const std::string& caption, const std::string& path, const s
                      link.empty() ? "" : fmt::format(" ([{}]({}))", link, to));
 }
 
-/// Writes the items of one page; a claim or a measure that follows another goes on with its table.
+/// Writes the items of one page. Consecutive claims, or measures, share a table.
 class PageWriter {
  public:
   PageWriter(std::string& page, FramesWanted frames) : page_(page), frames_(frames) {}
 
-  void operator()(const Text& text) { paragraph(with_parted_lists(text.words)); }
+  void operator()(const Text& text) { paragraph(with_separate_lists(text.words)); }
 
   void operator()(const Equation& equation) {
     if (equation.number > 0)
@@ -133,8 +133,8 @@ class PageWriter {
 
   void ask(const std::string& words, const std::string& hint, const std::string& answer) {
     paragraph("**Before you read on.** " + words + (words.ends_with('\n') ? "" : "\n"));
-    if (!hint.empty()) paragraph(folded("Hint", hint + "\n"));
-    paragraph(folded("Answer", answer));
+    if (!hint.empty()) paragraph(details("Hint", hint + "\n"));
+    paragraph(details("Answer", answer));
   }
 
   std::string& page_;
@@ -167,14 +167,14 @@ std::string closing(const Closing& closing) {
 
 }  // namespace
 
-std::string markdown(const Lesson& lesson, const std::vector<Told>& told, FramesWanted frames) {
+std::string markdown(const Lesson& lesson, const std::vector<RecordedStep>& steps, FramesWanted frames) {
   std::string page =
       fmt::format("# {}. {}\n\n{}\n", lesson.number(), lesson.about().title, lesson.about().summary);
   page += parameters(lesson);
-  for (const Told& t : told) {
-    page += fmt::format("\n## {} {}{}\n", t.step->label, t.step->title, t.step->deeper ? " *(deeper)*" : "");
+  for (const auto& [step, recorded] : steps) {
+    page += fmt::format("\n## {} {}{}\n", step->label, step->title, step->deeper ? " *(deeper)*" : "");
     PageWriter write(page, frames);
-    for (const Item& item : t.page.items()) std::visit(write, item);
+    for (const Item& item : recorded.items()) std::visit(write, item);
   }
   return page + closing(lesson.closing());
 }

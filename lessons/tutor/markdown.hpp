@@ -4,12 +4,12 @@
 #include <vector>
 
 #include "lessons/tutor/options.hpp"
-#include "lessons/tutor/told.hpp"
+#include "lessons/tutor/recording.hpp"
 
 namespace byhand::tutor {
 
-/// The lesson as a Markdown page, lesson.md: formulas in LaTeX, answers folded, pictures by their place
-/// beside it. Without frames a sequence shows its caption alone.
-std::string markdown(const Lesson& lesson, const std::vector<Told>& told, FramesWanted frames);
+/// lesson.md: the lesson in Markdown with formulas in LaTeX, answers folded, and links to the pictures beside it.
+/// A sequence without frames is its caption alone.
+std::string markdown(const Lesson& lesson, const std::vector<RecordedStep>& steps, FramesWanted frames);
 
 }  // namespace byhand::tutor

@@ -17,7 +17,7 @@ struct Quality {
   int width, height, rate;  // pixels, pixels, frames per second
 };
 
-/// Which frames of a sequence are wanted; the strip comes with `last` and `all`.
+/// Frames of a sequence to write. The contact sheet is written for `last` and `all`.
 enum class FramesWanted { none, last, all };
 std::string_view to_string(FramesWanted frames);
 
@@ -28,20 +28,19 @@ struct Options {
   FramesWanted frames = FramesWanted::all;
   std::vector<std::pair<std::string, std::string>> set;  // name, value
   bool list_parameters = false, check = false, quiet = false;
-  std::string step;  // its label; empty: all
+  std::string step;  // label of the only step to run; empty: all
 };
 
-/// The project's own output folder, said as briefly as the present folder allows.
+/// The project's output folder, relative to the current folder where it lies below it.
 std::filesystem::path default_output();
 
-/// What to do at once instead of running: words for standard output (`--help`).
-struct Answered {
-  std::string words;
+/// Thrown for --help, with the text to print.
+struct HelpRequested {
+  std::string text;
 };
 
-/// Reads the command line of `lesson`. `at_terminal` decides where neither --interactive nor --no-interactive
-/// is given. Throws Answered for --help and std::invalid_argument for anything that is not in order, in one
-/// sentence.
+/// Parses the command line of `lesson`. `at_terminal` is the default of --interactive. Throws HelpRequested for
+/// --help and std::invalid_argument with one sentence for any error.
 Options read_options(const Lesson& lesson, int argc, const char* const* argv, bool at_terminal);
 
 }  // namespace byhand::tutor

@@ -17,7 +17,37 @@ void require_file_name(const std::string& name) {
     throw LessonError(fmt::format("\"{}\" cannot name a picture: use a-z, 0-9 and _", name));
 }
 
+/// Takes the line breaks of the source out of an item's prose.
+struct Unwrap {
+  void operator()(Text& text) const { unwrap(text.words); }
+  void operator()(Figure& figure) const { unwrap(figure.caption); }
+  void operator()(Sequence& sequence) const { unwrap(sequence.caption); }
+  void operator()(Prediction& question) const {
+    unwrap(question.ask);
+    unwrap(question.hint);
+    unwrap(question.right);
+    for (WrongAnswer& wrong : question.wrong) unwrap(wrong.reply);
+  }
+  void operator()(Choice& question) const {
+    unwrap(question.ask);
+    unwrap(question.hint);
+    for (Option& option : question.options) {
+      unwrap(option.words);
+      unwrap(option.reply);
+    }
+  }
+  void operator()(auto&) const {}  // formulas and excerpts keep their lines
+
+ private:
+  static void unwrap(std::string& prose) { prose = unwrapped(prose); }
+};
+
 }  // namespace
+
+void Page::add(Item item) {
+  std::visit(Unwrap{}, item);
+  items_.push_back(std::move(item));
+}
 
 void Page::equation(int number) { equation(number, Formula{}); }
 
@@ -51,7 +81,7 @@ void Page::clocked(std::string name, std::string caption, std::function<renderer
     if (!*measured) *measured = measure();
     return **measured;
   };
-  add(Figure{std::move(name), std::move(caption), Clocked{std::move(once)}});
+  add(Figure{std::move(name), std::move(caption), TimedChart{std::move(once)}});
 }
 
 void Page::sequence(std::string name, std::string caption, std::variant<Seconds, Frames> length,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -10,12 +11,20 @@
 
 namespace byhand::tutor {
 
-/// What one step records, in the order in which it is read. Terminal, Markdown and the table of claims
-/// present the same page, so text, numbers and figures cannot drift apart.
+/// The items that one step records, in reading order. Terminal, Markdown and the table of claims are made from the
+/// same page, so text, numbers and figures agree.
 ///
 /// Words may use *emphasis*, **strong** and `code`; a blank line starts a new paragraph, lines that begin
 /// with "- " are a list. Each `@` is replaced by the next value (see Value). Greek, dots and superscripts are
-/// written as they are: "JM⁻¹Jᵀ".
+/// written in Unicode: "JM⁻¹Jᵀ".
+///
+/// All prose (texts, captions, questions with their replies, the closing of a lesson) may be written over several
+/// lines of the source; how they are indented and where they end makes no difference (see unwrapped):
+///
+///     page.text(
+///         R"(The rod pulls along d only, so it cannot change the
+///         speed across it: @ m/s, before and after.)",
+///         speed);
 class Page {
  public:
   template <class... T>
@@ -23,10 +32,10 @@ class Page {
     add(Text{fill(words, {Value(values)...})});
   }
 
-  /// The article's formula `number`, 1 to 23, as it stands there. Throws LessonError for any other number.
+  /// Equation `number`, 1 to 23, of the article. Throws LessonError for any other number.
   void equation(int number);
 
-  /// The same, and then with this scene's numbers in it:
+  /// The same, followed by the equation with this scene's numbers:
   /// `page.equation(17, "λ = −(@ + @) / @ = @ N·s", R"(\lambda = \frac{-(@ + @)}{@} = @\,\mathrm{N\,s})", jv,
   /// b, k, lambda)`.
   template <class... T>
@@ -34,7 +43,7 @@ class Page {
     equation(number, fill(plain, latex, {Value(values)...}));
   }
 
-  /// A formula that is not in the article.
+  /// An equation that is not in the article.
   template <class... T>
   void formula(std::string_view plain, std::string_view latex, const T&... values) {
     add(Equation{0, fill(plain, latex, {Value(values)...})});
@@ -44,30 +53,30 @@ class Page {
   /// "solver/row.hpp"). Throws LessonError when the file or the pair of markers is missing.
   void excerpt(const std::string& file, const std::string& tag);
 
-  /// A result by name; when a parameter is changed, the old and the new value stand side by side.
+  /// A result. When a parameter changes, its old and new value are printed on one line.
   void measure(std::string quantity, double value, std::string unit);
 
   /// A chart: figures/<name>.png and data/<name>.csv. Names are [a-z0-9_]+ and unique in a lesson.
   void figure(std::string name, std::string caption, renderer::Chart chart);
 
-  /// A picture. `draw` runs later, and only if pictures are wanted: let it capture by value.
+  /// A picture. `draw` runs later, and only if pictures are written: capture by value.
   void figure(std::string name, std::string caption, Drawing draw);
 
-  /// A chart of what a clock measures, on this machine and at this moment. `measure` runs later, alone, and only
-  /// if the chart is wanted: let it capture by value. Everything else of a lesson is the same bytes in each run.
+  /// A chart of measured running times, the only output that differs between runs. `measure` runs later, while
+  /// nothing else does, and only if the chart is shown or written: capture by value.
   void clocked(std::string name, std::string caption, std::function<renderer::Chart()> measure);
 
-  /// Frames, drawn later by a fresh copy of `draw` at times that never decrease; `--frames last` asks for the
-  /// last time only. So let it capture its simulation by value, be `mutable`, and advance the simulation *up
-  /// to* the time it is given.
+  /// An animation, drawn later by a copy of `draw` at times that never decrease; `--frames last` asks for the last
+  /// time only. So `draw` should capture its simulation by value, be `mutable`, and advance the simulation to the
+  /// given time.
   void sequence(std::string name, std::string caption, std::variant<Seconds, Frames> length, FrameDrawing draw);
 
   void predict(Prediction question);
   void choose(Choice question);
   void claim(Claim claim);
 
-  /// work(0), …, work(count − 1), found side by side on all cores and returned in that order: the same whatever
-  /// the number of threads, if each result depends on nothing but its number. The reader sees how far it is.
+  /// Computes work(0), …, work(count − 1) in parallel on all cores and returns them in this order, with a progress
+  /// bar. The result does not depend on the number of threads if work(i) depends on i alone.
   template <class F>
   auto side_by_side(int count, const F& work) const {
     std::vector<decltype(work(0))> results(static_cast<std::size_t>(count));
@@ -75,7 +84,7 @@ class Page {
         count, [&](int i) { results[static_cast<std::size_t>(i)] = work(i); }, progress_);
     return results;
   }
-  /// Who is told how far that work is; nobody if null.
+  /// Sets the progress bar of that work; null for none.
   void watch(Progress* progress) { progress_ = progress; }
 
   const std::vector<Item>& items() const { return items_; }
@@ -83,7 +92,7 @@ class Page {
 
  private:
   void equation(int number, Formula numbers);
-  void add(Item item) { items_.push_back(std::move(item)); }
+  void add(Item item);
 
   std::vector<Item> items_;
   Progress* progress_ = nullptr;

@@ -30,14 +30,15 @@ std::string with_ascii_minus(std::string_view text) {
   return ascii;
 }
 
-/// Units that can be typed for another, and how many of them make one of that.
-struct Family {
+/// Smaller units of a unit, and how many of each make one.
+struct UnitFamily {
   std::string_view unit;
   std::vector<std::pair<std::string_view, double>> members;
 };
-const std::array<Family, 3> families = {{{"s", {{"ms", 1e3}, {"us", 1e6}, {"µs", 1e6}, {"μs", 1e6}, {"ns", 1e9}}},
-                                         {"m", {{"cm", 1e2}, {"mm", 1e3}, {"um", 1e6}, {"µm", 1e6}, {"μm", 1e6}}},
-                                         {"kg", {{"g", 1e3}}}}};
+const std::array<UnitFamily, 3> families = {
+    {{"s", {{"ms", 1e3}, {"us", 1e6}, {"µs", 1e6}, {"μs", 1e6}, {"ns", 1e9}}},
+     {"m", {{"cm", 1e2}, {"mm", 1e3}, {"um", 1e6}, {"µm", 1e6}, {"μm", 1e6}}},
+     {"kg", {{"g", 1e3}}}}};
 
 std::string_view without_space_behind(std::string_view text) {
   return text.substr(0, text.find_last_not_of(' ') + 1);
@@ -56,7 +57,7 @@ double read_number(std::string_view text) {
 }
 
 double read_quantity(std::string_view text, const std::string& unit) {
-  // The longest unit first, or "5 ms" would be five of something that ends in s.
+  // The longest suffix wins, else "5 ms" would parse as "5 m" with the unit s.
   std::string_view behind;
   double parts = 1;
   const auto try_unit = [&](std::string_view name, double of_them) {
@@ -64,7 +65,7 @@ double read_quantity(std::string_view text, const std::string& unit) {
       behind = name, parts = of_them;
   };
   try_unit(unit, 1);
-  for (const Family& family : families)
+  for (const UnitFamily& family : families)
     if (family.unit == unit)
       for (const auto& [name, of_them] : family.members) try_unit(name, of_them);
   if (unit == "1" || behind.empty()) return read_number(text);

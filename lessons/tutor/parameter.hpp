@@ -9,46 +9,46 @@
 
 namespace byhand::tutor {
 
-/// Both ends belong to it.
+/// A closed interval.
 struct Range {
   double low = 0, high = 0;
 };
 
-/// What a lesson keeps of a parameter, as a reader sees it.
+/// A parameter of a lesson: its description and its present value.
 struct ParameterRecord {
   std::string name = {}, unit = {}, meaning = {};
   Range range = {};
   double initial = 0, value = 0;
   bool integer = false;
-  std::vector<std::string> choices = {};  // if any, the values are places in this list and are typed by name
-  std::string step = {};                  // the only one that looks at it; empty: any may
+  std::vector<std::string> choices = {};  // if any, the value is an index into this list; a reader types the name
+  std::string step = {};                  // label of the only step that depends on it; empty: any may
 
-  /// Reads "0.5", "1/120", "−3", "200us" or the name of a choice; `value` stays as it is unless the text is a
-  /// number in range or a choice. Throws std::invalid_argument with one sentence that names the text and what is
-  /// allowed.
+  /// Sets the value from "0.5", "1/120", "−3", "200us" or the name of a choice. Otherwise throws
+  /// std::invalid_argument with one sentence that names the text and the allowed values, and leaves the value
+  /// unchanged.
   void set(std::string_view text);
 
-  /// A value of it as a reader would type it: "1/60", "chain".
+  /// The value `any` as a reader would type it: "1/60", "chain".
   std::string typed(double any) const;
-  /// What can be set: "0 … 3", "1 … 20, whole", "chain, stack".
+  /// The allowed values: "0 … 3", "1 … 20, whole", "chain, stack".
   std::string allowed() const;
   /// "beta = 0.2 [1], from 0 to 3: what it means".
   std::string described(double any) const;
 };
 
-/// "0.5", "-2", "1/60", "1e-3", with "−" or "-". Throws std::invalid_argument unless the whole text is one
+/// Parses "0.5", "-2", "1/60", "1e-3", with "−" or "-". Throws std::invalid_argument unless the whole text is one
 /// finite number.
 double read_number(std::string_view text);
 
-/// The same in `unit`, with or without a unit behind it: that one, or for s, m and kg a smaller one of its family:
-/// "200us", "0.5 mm".
+/// Parses a number with an optional unit and converts it to `unit`. Beside `unit` itself, the smaller units of s,
+/// m and kg are known: "200us", "0.5 mm".
 double read_quantity(std::string_view text, const std::string& unit);
 
-/// As a reader would type it: 0.2, 1/60, 1e-05.
+/// The number as a reader would type it: 0.2, 1/60, 1e-05.
 std::string typed(double value);
 
-/// What the reader may change between two runs of a step: a number, or as Parameter<std::string> a choice.
-/// Converts to T wherever one is wanted; `p()` says so where a template would not.
+/// A handle for the present value of a parameter: a number, or the name of a choice as Parameter<std::string>.
+/// Converts to T; write `p()` where a template needs the value.
 template <class T>
 class Parameter {
  public:

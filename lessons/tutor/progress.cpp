@@ -12,35 +12,35 @@ namespace byhand::tutor {
 using namespace std::chrono_literals;
 
 Progress::Progress(std::string what, int total, bool quiet) : what_(std::move(what)), total_(total) {
-  if (!quiet) thread_ = std::thread([this] { speak(); });
+  if (!quiet) thread_ = std::thread([this] { report(); });
 }
 
 Progress::~Progress() {
   if (!thread_.joinable()) return;
   {
     const std::lock_guard lock(mutex_);
-    over_ = true;
+    finished_ = true;
   }
   changed_.notify_all();
   thread_.join();
 }
 
-void Progress::speak() {
-  // Ctrl-C is the business of the thread that talks to the reader.
+void Progress::report() {
+  // Only the thread that prompts the reader handles Ctrl-C.
   sigset_t signals;
   sigfillset(&signals);
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
 
   std::unique_lock lock(mutex_);
-  const auto over = [this] { return over_; };
-  if (changed_.wait_for(lock, 1s, over)) return;
+  const auto finished = [this] { return finished_; };
+  if (changed_.wait_for(lock, 1s, finished)) return;
   if (!isatty(STDERR_FILENO)) {
     fmt::print(stderr, "{} …\n", what_);
     return;
   }
-  for (int tick = 0; !over_; ++tick) {
+  for (int tick = 0; !finished_; ++tick) {
     show_bar(tick);
-    changed_.wait_for(lock, 200ms, over);
+    changed_.wait_for(lock, 200ms, finished);
   }
   fmt::print(stderr, "\r\033[K");
   std::fflush(stderr);

@@ -8,28 +8,28 @@
 
 namespace byhand::tutor {
 
-/// Says on standard error what takes longer than a second: a bar on a terminal, one line otherwise, nothing
-/// if `quiet`. Speaks from a thread of its own for as long as it lives, so the work needs to call nothing.
+/// Reports work that takes longer than a second on standard error: a progress bar on a terminal, one line
+/// otherwise, nothing if `quiet`. Its own thread prints until it is destroyed.
 class Progress {
  public:
-  /// `total` steps are to come; 0 when nobody knows how many.
+  /// `total`: number of steps; 0 if unknown.
   Progress(std::string what, int total, bool quiet);
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
   ~Progress();
 
   void advance() { ++done_; }
-  /// `more` steps are to come beside those that are known.
+  /// Adds `more` steps to the total.
   void expect(int more) { total_ += more; }
 
  private:
-  void speak();
+  void report();
   void show_bar(int tick) const;
 
   std::string what_;
   std::atomic<int> total_;
   std::atomic<int> done_{0};
-  bool over_ = false;
+  bool finished_ = false;
   std::mutex mutex_;
   std::condition_variable changed_;
   std::thread thread_;

@@ -10,11 +10,11 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "lessons/tutor/batch.hpp"
 #include "lessons/tutor/dialogue.hpp"
 #include "lessons/tutor/lesson.hpp"
 #include "lessons/tutor/options.hpp"
-#include "lessons/tutor/speech.hpp"
-#include "lessons/tutor/straight.hpp"
+#include "lessons/tutor/terminal_text.hpp"
 #include "renderer/error.hpp"
 
 namespace byhand::tutor {
@@ -32,9 +32,9 @@ int answer(Lesson& lesson, int argc, const char* const* argv) {
   for (const auto& [name, value] : options.set) lesson.set(name, value);
   if (options.step.empty()) options.step = lesson.step_of(options.set);
   if (options.list_parameters)
-    fmt::print("{}", say_parameters(lesson));
+    fmt::print("{}", parameters_text(lesson));
   else
-    return options.interactive ? run_dialogue(lesson, options) : run_straight(lesson, options);
+    return options.interactive ? run_dialogue(lesson, options) : run_batch(lesson, options);
   return fine;
 }
 
@@ -45,8 +45,8 @@ int Lesson::run(int argc, const char* const* argv) {
     int status = fine;
     try {
       status = answer(*this, argc, argv);
-    } catch (const Answered& answered) {
-      fmt::print("{}", answered.words);
+    } catch (const HelpRequested& help) {
+      fmt::print("{}", help.text);
     }
     if (std::fflush(stdout) != 0) throw std::system_error(errno, std::generic_category(), "standard output");
     return status;

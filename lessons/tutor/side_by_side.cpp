@@ -1,10 +1,14 @@
 #include "lessons/tutor/side_by_side.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <csignal>
 #include <exception>
+#include <mutex>
 #include <thread>
 #include <vector>
+
+#include "lessons/tutor/progress.hpp"
 
 namespace byhand::tutor {
 
@@ -26,7 +30,7 @@ void side_by_side(int count, const std::function<void(int)>& work, Progress* pro
     }
   };
 
-  // Ctrl-C is the business of the thread that talks to the reader: those that begin here never see it.
+  // The threads inherit the mask: only the thread that prompts the reader handles Ctrl-C.
   sigset_t all, before;
   sigfillset(&all);
   pthread_sigmask(SIG_BLOCK, &all, &before);

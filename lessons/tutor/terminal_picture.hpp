@@ -6,8 +6,8 @@
 
 namespace byhand::tutor {
 
-/// Characters in colours that show the image in at most `columns` × `rows` cells. In 24-bit colours where the
-/// terminal says that it has them (COLORTERM), else in 256.
+/// The image in coloured characters, at most `columns` × `rows` cells: in 24-bit colours if COLORTERM announces
+/// them, else in 256 colours.
 std::string terminal_picture(const renderer::Image& image, int columns, int rows);
 
 }  // namespace byhand::tutor

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "lessons/tutor/error.hpp"
 
@@ -90,6 +91,24 @@ Value::Value(double value, int digits) : plain_(number(value, digits)), latex_(l
 
 Value::Value(const std::vector<double>& list)
     : plain_(list_of(list, number)), latex_(list_of(list, latex_number)) {}
+
+std::string unwrapped(std::string_view source) {
+  std::string words;
+  bool new_paragraph = false;
+  std::istringstream lines{std::string(source)};
+  for (std::string line; std::getline(lines, line);) {
+    const auto first = line.find_first_not_of(' ');
+    if (first == std::string::npos) {
+      new_paragraph = true;
+      continue;
+    }
+    line = line.substr(first, line.find_last_not_of(' ') + 1 - first);
+    if (!words.empty()) words += new_paragraph ? "\n\n" : line.starts_with("- ") ? "\n" : " ";
+    words += line;
+    new_paragraph = false;
+  }
+  return words;
+}
 
 std::string fill(std::string_view words, const std::vector<Value>& values) {
   require_as_many(words, values.size());

@@ -8,8 +8,8 @@
 
 namespace byhand::tutor {
 
-/// A real number as a reader expects it: `digits` significant digits, "−" for minus, "1.2·10⁻⁵" below 1e-4
-/// and from 1e6 on, no trailing zeros.
+/// A number for readers: `digits` significant digits, "−" for minus, "1.2·10⁻⁵" below 1e-4 and from 1e6 on, no
+/// trailing zeros.
 std::string number(double value, int digits = 4);
 
 /// The same number for LaTeX: "-1.2\cdot 10^{-5}".
@@ -25,8 +25,7 @@ concept NumberList = requires(const T& list) {
 }
 &&!std::convertible_to<T, std::string>;
 
-/// What may stand where a text says `@`: a number, a list of numbers such as an Eigen vector (in brackets),
-/// or words.
+/// A value that replaces an `@` in a text: a number, a list of numbers such as a vector (in brackets), or words.
 class Value {
  public:
   template <Number T>
@@ -53,17 +52,20 @@ class Value {
   std::string plain_, latex_;
 };
 
-/// A formula twice: as the terminal shows it (Unicode) and as the page does (LaTeX without dollar signs).
+/// A formula in Unicode for the terminal and in LaTeX, without dollar signs, for the page.
 struct Formula {
   std::string plain, latex;
 };
 
-/// Puts the values, one after the other, where `words` says `@`.
-/// Throws LessonError when there are more or fewer of one than of the other.
+/// Replaces each `@` by the next value. Throws LessonError unless there are as many values as marks.
 std::string fill(std::string_view words, const std::vector<Value>& values);
 Formula fill(std::string_view plain, std::string_view latex, const std::vector<Value>& values);
 
-/// `say("@ links weigh @ N", n, weight)`: no number of a lesson is typed by hand.
+/// Prose as a source has it, R"(...)" over several lines, with one line for each paragraph: a line break becomes a
+/// blank, and indentation goes. Blank lines part paragraphs; a line that begins with "- " stays a line of its own.
+std::string unwrapped(std::string_view source);
+
+/// `say("@ links weigh @ N", n, weight)`
 template <class... T>
 std::string say(std::string_view words, const T&... values) {
   return fill(words, {Value(values)...});

@@ -1,18 +1,8 @@
 #pragma once
 
-#include "solver/body.hpp"
-#include "solver/jacobian.hpp"
+#include "solver/constraint.hpp"
 
 namespace byhand {
-
-/// What bounds the accumulated impulse of a constraint: nothing; an interval; a ball whose radius follows the
-/// impulse of a leading row (friction); or, for the three rows of a face, both at once.
-enum class Bound { none, interval, ball, face };
-
-/// What a row that acts like a spring or a motor asks for over a time step: Δλ = -E(JV + rate + γλ).
-struct Soft {
-  double gamma = 0, rate = 0;  // γ, and what is added to the bias [units of C per second]
-};
 
 /// The arms of a constraint's two anchors, each in the frame of its body [m]; a particle has none, and they take
 /// no space.
@@ -24,13 +14,6 @@ template <int L>
 struct Arms<Model<L, 0>> {
   static constexpr NoArm first = {}, second = {};
 };
-
-/// Throws std::invalid_argument unless `body` is the index of one of them.
-template <class M>
-void require_body(const Bodies<M>& bodies, int body) {
-  require(0 <= body && body < bodies.size(), "body index", body,
-          fmt::format("at least 0 and less than {}, the number of bodies", bodies.size()));
-}
 
 /// The two bodies of a constraint and the points where it holds them; the arms are in the frames of their
 /// bodies [m].

@@ -16,13 +16,13 @@ namespace byhand {
 template <class M>
 struct AxisFriction {
   static constexpr int rows = 1;
-  static constexpr Bound bound = Bound::ball;
-  static constexpr int drifting = 0;
+  static constexpr Bound bound = Bound::friction;
+  static constexpr int position_rows = 0;
 
   Anchors<M> at;
   Linear<M> tangent;       // t, a unit vector in the world
   double coefficient = 0;  // μ >= 0
-  int leader = 0;          // the contact that presses, as Scene::add numbered it
+  int contact = 0;          // the contact that presses, by its handle
   double softness = 0;     // γ [1/kg] >= 0
 
   /// The slip at two poses [m], for any scalar.
@@ -47,5 +47,7 @@ struct AxisFriction {
     require_in("softness", softness, 0, 1e300);
   }
 };
+
+BYHAND_STORES_IN_LIBRARY(AxisFriction);
 
 }  // namespace byhand

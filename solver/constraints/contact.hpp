@@ -21,7 +21,7 @@ template <class M>
 struct Contact {
   static constexpr int rows = 1;
   static constexpr Bound bound = Bound::interval;
-  static constexpr int drifting = rows;
+  static constexpr int position_rows = rows;
 
   Anchors<M> at;
   Linear<M> normal = Linear<M>::Unit(M::linear - 1);  // n, a unit vector in the world
@@ -56,5 +56,7 @@ struct Contact {
     require_in("softness", softness, 0, 1e300);
   }
 };
+
+BYHAND_STORES_IN_LIBRARY(Contact);
 
 }  // namespace byhand

@@ -18,7 +18,7 @@ template <class M>
 struct Distance {
   static constexpr int rows = 1;
   static constexpr Bound bound = Bound::none;
-  static constexpr int drifting = rows;
+  static constexpr int position_rows = rows;
 
   Anchors<M> at;
   double length = 1;    // L [m] > 0
@@ -54,5 +54,7 @@ struct Distance {
     require(distance > 0, "distance between the rod's ends", distance, "above zero [m], or J of (14) vanishes");
   }
 };
+
+BYHAND_STORES_IN_LIBRARY(Distance);
 
 }  // namespace byhand

@@ -18,13 +18,13 @@ namespace byhand {
 template <class M>
 struct Friction {
   static constexpr int rows = M::linear - 1;
-  static constexpr Bound bound = Bound::ball;
-  static constexpr int drifting = 0;
+  static constexpr Bound bound = Bound::friction;
+  static constexpr int position_rows = 0;
 
   Anchors<M> at;
   Eigen::Matrix<double, M::linear, rows> tangents;  // t_k, unit vectors in the world, as columns
   double coefficient = 0;                           // μ >= 0
-  int leader = 0;                                   // the contact that presses, as Scene::add numbered it
+  int contact = 0;                                   // the contact that presses, by its handle
   double softness = 0;                              // γ [1/kg] >= 0
 
   /// The slip at two poses [m], for any scalar.
@@ -67,5 +67,7 @@ Eigen::Matrix<double, M::linear, M::linear - 1> tangents_of(const Linear<M>& nor
     return t;
   }
 }
+
+BYHAND_STORES_IN_LIBRARY(Friction);
 
 }  // namespace byhand

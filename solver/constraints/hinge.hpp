@@ -22,7 +22,7 @@ struct Hinge {
   static_assert(std::is_same_v<M, SpaceBody>, "in the plane a Pin is the hinge");
   static constexpr int rows = 5;
   static constexpr Bound bound = Bound::none;
-  static constexpr int drifting = rows;
+  static constexpr int position_rows = rows;
 
   Anchors<M> at;
   Eigen::Matrix<double, 3, 2> across =
@@ -70,5 +70,7 @@ Hinge<M> hinge(const Bodies<M>& bodies, int body1, int body2, const Linear<M>& p
   };
   return {at, tangents_of<M>(carried_by(body1)), carried_by(body2)};
 }
+
+BYHAND_STORE_IN_LIBRARY(SpaceBody, Hinge);
 
 }  // namespace byhand

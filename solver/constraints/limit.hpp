@@ -23,7 +23,7 @@ template <class M, class Freedom>
 struct Limit {
   static constexpr int rows = 1;
   static constexpr Bound bound = Bound::interval;
-  static constexpr int drifting = rows;
+  static constexpr int position_rows = rows;
 
   Freedom at;
   double place = 0;  // q0 [rad or m]
@@ -80,5 +80,10 @@ template <class M>
 SlideLimit<M> at_most(double place, const Slide<M>& slide) {
   return {{slide, place, Stop::upper}};
 }
+
+BYHAND_STORE_IN_LIBRARY(PlaneBody, AngleLimit);
+BYHAND_STORE_IN_LIBRARY(SpaceBody, AngleLimit);
+BYHAND_STORE_IN_LIBRARY(PlaneBody, SlideLimit);
+BYHAND_STORE_IN_LIBRARY(SpaceBody, SlideLimit);
 
 }  // namespace byhand

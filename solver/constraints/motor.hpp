@@ -19,7 +19,8 @@ template <class M, class Freedom>
 struct Motor {
   static constexpr int rows = 1;
   static constexpr Bound bound = Bound::interval;
-  static constexpr int drifting = 0;
+  static constexpr int position_rows = 0;
+  static constexpr bool periodic = std::is_same_v<Freedom, Turn<M>>;
 
   Freedom at;
   double speed = 0;     // s [rad/s or m/s]
@@ -60,5 +61,10 @@ template <class M>
 SlideMotor<M> motor(const Slide<M>& slide, double speed, double strength) {
   return {{slide, speed, strength}};
 }
+
+BYHAND_STORE_IN_LIBRARY(PlaneBody, AngleMotor);
+BYHAND_STORE_IN_LIBRARY(SpaceBody, AngleMotor);
+BYHAND_STORE_IN_LIBRARY(PlaneBody, SlideMotor);
+BYHAND_STORE_IN_LIBRARY(SpaceBody, SlideMotor);
 
 }  // namespace byhand

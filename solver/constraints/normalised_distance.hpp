@@ -17,7 +17,7 @@ template <class M>
 struct NormalisedDistance {
   static constexpr int rows = 1;
   static constexpr Bound bound = Bound::none;
-  static constexpr int drifting = rows;
+  static constexpr int position_rows = rows;
 
   Anchors<M> at;
   double length = 1;    // L [m] > 0
@@ -53,5 +53,7 @@ struct NormalisedDistance {
     require(distance > 0, "distance between the rod's ends", distance, "above zero [m], or J has no direction");
   }
 };
+
+BYHAND_STORES_IN_LIBRARY(NormalisedDistance);
 
 }  // namespace byhand

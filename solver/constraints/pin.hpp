@@ -16,7 +16,7 @@ template <class M>
 struct Pin {
   static constexpr int rows = M::linear;
   static constexpr Bound bound = Bound::none;
-  static constexpr int drifting = rows;
+  static constexpr int position_rows = rows;
 
   Anchors<M> at;
   double softness = 0;  // γ [1/kg] >= 0
@@ -49,5 +49,7 @@ template <class M>
 Pin<M> pin(const Bodies<M>& bodies, int body1, int body2, const Linear<M>& point) {
   return {between<M>(bodies, body1, point, body2, point)};
 }
+
+BYHAND_STORES_IN_LIBRARY(Pin);
 
 }  // namespace byhand

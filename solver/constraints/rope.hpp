@@ -19,7 +19,7 @@ template <class M>
 struct Rope {
   static constexpr int rows = 1;
   static constexpr Bound bound = Bound::interval;
-  static constexpr int drifting = rows;
+  static constexpr int position_rows = rows;
 
   Anchors<M> at;
   double length = 1;    // L [m] > 0
@@ -52,5 +52,7 @@ struct Rope {
  private:
   NormalisedDistance<M> rod() const { return {at, length}; }
 };
+
+BYHAND_STORES_IN_LIBRARY(Rope);
 
 }  // namespace byhand

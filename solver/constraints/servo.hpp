@@ -19,7 +19,8 @@ template <class M, class Freedom>
 struct Servo {
   static constexpr int rows = 1;
   static constexpr Bound bound = Bound::interval;
-  static constexpr int drifting = 0;  // the row brings its own bias
+  static constexpr int position_rows = 0;  // the row brings its own bias
+  static constexpr bool periodic = std::is_same_v<Freedom, Turn<M>>;
 
   Freedom at;
   double target = 0;  // q* [rad or m]
@@ -65,5 +66,10 @@ template <class M>
 SlideServo<M> servo(const Slide<M>& slide, double target, const Elastic& elastic, double strength) {
   return {{slide, target, elastic, strength}};
 }
+
+BYHAND_STORE_IN_LIBRARY(PlaneBody, AngleServo);
+BYHAND_STORE_IN_LIBRARY(SpaceBody, AngleServo);
+BYHAND_STORE_IN_LIBRARY(PlaneBody, SlideServo);
+BYHAND_STORE_IN_LIBRARY(SpaceBody, SlideServo);
 
 }  // namespace byhand

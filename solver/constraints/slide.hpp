@@ -32,7 +32,7 @@ template <class Matrix>
 void require_orthonormal(std::string_view name, const Matrix& columns) {
   const auto product = (columns.transpose() * columns).eval();
   const double off = (product - product.Identity(product.rows(), product.cols())).norm();
-  require_in(fmt::format("distance of the {} from orthonormal", name), off, 0, 1e-9);
+  require_in("distance of the " + std::string(name) + " from orthonormal", off, 0, 1e-9);
 }
 
 /// Sets the row of a world direction u that body 1 carries.

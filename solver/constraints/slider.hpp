@@ -20,7 +20,7 @@ template <class M>
 struct Slider {
   static constexpr int rows = M::dof - 1;
   static constexpr Bound bound = Bound::none;
-  static constexpr int drifting = rows;
+  static constexpr int position_rows = rows;
   using Tangents = Eigen::Matrix<double, M::linear, M::linear - 1>;
 
   Anchors<M> at;
@@ -66,5 +66,8 @@ Slider<M> slider(const Bodies<M>& bodies, int body1, int body2, const Linear<M>&
   const Linear<M> carried = rotate(inverse(bodies.pose[body1].rotation), unit_axis(axis));
   return {at, tangents_of<M>(carried), orientation<M>(bodies, body1, body2)};
 }
+
+BYHAND_STORE_IN_LIBRARY(PlaneBody, Slider);
+BYHAND_STORE_IN_LIBRARY(SpaceBody, Slider);
 
 }  // namespace byhand

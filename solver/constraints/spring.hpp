@@ -36,7 +36,7 @@ template <class M>
 struct Spring {
   static constexpr int rows = 1;
   static constexpr Bound bound = Bound::none;
-  static constexpr int drifting = 0;  // the row brings its own bias
+  static constexpr int position_rows = 0;  // the row brings its own bias
 
   Anchors<M> at;
   double length = 1;  // L, where it pulls and pushes nothing [m] > 0
@@ -86,5 +86,7 @@ Elastic tuned(const Bodies<M>& bodies, const Kind& row, double frequency, double
   require_positive("inverse effective mass of the row", inverse_mass);
   return {frequency * frequency / inverse_mass, 2 * damping_ratio * frequency / inverse_mass};
 }
+
+BYHAND_STORES_IN_LIBRARY(Spring);
 
 }  // namespace byhand

@@ -18,7 +18,7 @@ template <class M>
 struct Weld {
   static constexpr int rows = M::dof;
   static constexpr Bound bound = Bound::none;
-  static constexpr int drifting = rows;
+  static constexpr int position_rows = rows;
 
   Anchors<M> at;
   Orientation<M> right = {};
@@ -53,5 +53,8 @@ template <class M>
 Weld<M> weld(const Bodies<M>& bodies, int body1, int body2, const Linear<M>& point) {
   return {between<M>(bodies, body1, point, body2, point), orientation<M>(bodies, body1, body2)};
 }
+
+BYHAND_STORE_IN_LIBRARY(PlaneBody, Weld);
+BYHAND_STORE_IN_LIBRARY(SpaceBody, Weld);
 
 }  // namespace byhand

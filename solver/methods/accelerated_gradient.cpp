@@ -12,7 +12,7 @@ void find_diagonal(const System<M>& system, std::vector<double>& D) {
     for (const auto& block : blocks) {
       for (int k = 0; k < K; ++k)
         D[block.row + k] = block.J.matrix.row(k).dot(block.W.matrix.row(k)) + system.gamma[block.row + k];
-      if constexpr (K == 2 && B == Bound::ball)
+      if constexpr (K == 2 && B == Bound::friction)
         D[block.row] = D[block.row + 1] = std::max(D[block.row], D[block.row + 1]);
     }
   });
@@ -28,7 +28,7 @@ void step_within_bounds(const System<M>& system, const std::vector<double>& from
     if constexpr (B != Bound::none)
       for (const auto& block : blocks) {
         Eigen::Map<Rows<K>> lambda(&result[block.row]);
-        lambda = bounded<K, B>(lambda, system.lower[block.row], system.upper[block.row], result[block.leader]);
+        lambda = bounded<K, B>(lambda, system.lower[block.row], system.upper[block.row], result[block.normal_row]);
       }
   });
 }

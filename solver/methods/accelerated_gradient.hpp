@@ -1,6 +1,6 @@
 #pragma once
 
-#include "solver/methods/prepared.hpp"
+#include "solver/gauss_seidel.hpp"
 
 // Accelerated projected gradient descent (APGD). Of all λ within their bounds the answer is the one that makes
 //

@@ -1,12 +1,7 @@
 #pragma once
 
-#include <string>
-
-#include "solver/integrate/euler.hpp"
 #include "solver/integrate/gyroscopic.hpp"
 #include "solver/methods/positions.hpp"
-#include "solver/scene.hpp"
-#include "solver/touching.hpp"
 
 // Augmented vertex block descent. A step of implicit Euler is a minimum: of all poses x the new ones make
 //
@@ -61,211 +56,27 @@ struct Avbd {
 void require_valid(const Avbd& method);
 
 /// Why this scene cannot be run so: it always can.
-template <class S>
-std::string refusal(const S&, const Avbd&) {
+template <class M>
+std::string refusal(const Scene<M>&, const Avbd&) {
   return {};
 }
 
-/// What is kept between steps: Λ and k, which constraints hold which body, and scratch.
+/// What is kept between steps: Λ and k (the system's stiffness [N/m]), which constraints hold which body, and scratch.
 template <class M>
-struct Avbd::Work {
-  PositionRows rows;
-  std::vector<double> stiffness;       // k by row, constraints in natural order [N/m]
-  std::vector<double> curvature;       // how fast J of each row changes with each of its 2 dof coordinates
-  std::vector<int> first, constraint;  // of body i the constraints' numbers from constraint[first[i]] on
-  std::vector<Pose<M>> before, free;   // x₀ and y
-  std::conditional_t<M::angular == 0, NoTouching, Touching<M>> touching;
-  double h = 0;              // the step that λ belongs to [s]
-  long long row_solves = 0;  // so far
+struct Avbd::Work : PositionWork<M> {
+  struct Holder {
+    int type, block, kind, row;  // of a constraint's block
+    bool second;                 // whether the body is its second
+  };
+
+  std::vector<double> curvature;  // how fast J of each row changes with each of its 2 dof coordinates
+  std::vector<int> first;         // body i's holders begin at holders[first[i]]
+  std::vector<Holder> holders;
+  std::vector<Pose<M>> free;  // y
 };
 
-namespace detail {
-
-/// Lists for each body that moves the constraints that hold it.
-template <class S, class M>
-void list_neighbours(const S& scene, Avbd::Work<M>& work) {
-  const auto& bodies = scene.bodies;
-  work.first.assign(bodies.size() + 1, 0);
-  scene.for_each([&](const auto& constraint) {
-    for (const int body : {constraint.at.body1, constraint.at.body2})
-      if (moves(bodies.inverse_mass[body])) ++work.first[body + 1];
-  });
-  for (int i = 0; i < bodies.size(); ++i) work.first[i + 1] += work.first[i];
-  work.constraint.resize(work.first.back());
-  int number = 0;
-  scene.for_each([&](const auto& constraint) {
-    for (const int body : {constraint.at.body1, constraint.at.body2})
-      if (moves(bodies.inverse_mass[body])) work.constraint[work.first[body]++] = number;
-    ++number;
-  });
-  for (int i = bodies.size(); i > 0; --i) work.first[i] = work.first[i - 1];
-  work.first[0] = 0;
-}
-
-/// How fast each row of J, a body's half of it, changes with each coordinate of that body.
-template <class Kind, class M>
-void note_curvature(const Kind& constraint, const Bodies<M>& bodies, int row, Avbd::Work<M>& work) {
-  constexpr double way = 0x1p-20;  // [m or rad]
-  constexpr int K = Kind::rows, dof = M::dof;
-  const int body1 = constraint.at.body1, body2 = constraint.at.body2;
-  const Pose<M>&pose1 = bodies.pose[body1], &pose2 = bodies.pose[body2];
-  const Jacobian<M, K> J = constraint.jacobian(pose1, pose2);
-  Eigen::Map<Eigen::Matrix<double, K, 2 * dof, Eigen::RowMajor>> curvature(&work.curvature[2 * dof * row]);
-  for (int i = 0; i < dof; ++i) {
-    const Velocity<M> along = Velocity<M>::Unit(i);
-    const Jacobian<M, K> J1 = constraint.jacobian(moved<M, double>(pose1, along, way), pose2);
-    const Jacobian<M, K> J2 = constraint.jacobian(pose1, moved<M, double>(pose2, along, way));
-    curvature.col(i) = (J1.side1() - J.side1()).rowwise().norm() / way;
-    curvature.col(dof + i) = (J2.side2() - J.side2()).rowwise().norm() / way;
-  }
-}
-
-/// Friction has one k for both of its axes, or F would not oppose the slip.
-template <class Kind>
-void share_stiffness(const Kind&, int row, std::vector<double>& stiffness) {
-  if constexpr (Kind::bound == Bound::ball) {
-    Eigen::Map<Rows<Kind::rows>> both(&stiffness[row]);
-    both.setConstant(both.maxCoeff());
-  }
-}
-
-/// Sets how a row begins a step: its Λ and k, and how much of C it asks for.
-template <class Kind, class M>
-void warm_start(const Kind& constraint, const Bodies<M>& bodies, const Avbd& method, double h, int row,
-                Avbd::Work<M>& work) {
-  const int body1 = constraint.at.body1, body2 = constraint.at.body2;
-  const Pose<M>&pose1 = bodies.pose[body1], &pose2 = bodies.pose[body2];
-  const auto J = constraint.jacobian(pose1, pose2);
-  const auto W = times_inverse_mass(J, bodies.inverse_mass[body1], pose1, bodies.inverse_mass[body2], pose2);
-  PositionRows& rows = work.rows;
-  begin_rows(constraint, bodies, h, row, rows);
-  note_curvature(constraint, bodies, row, work);
-  const Rows<Kind::rows> C = constraint.template value<double>(pose1, pose2);
-  for (int k = 0; k < Kind::rows; ++k) {
-    const double inverse_mass = J.matrix.row(k).dot(W.matrix.row(k)), gamma = rows.gamma[row + k];
-    const bool hard = gamma == 0;
-    if (k < Kind::drifting && hard)
-      rows.ask[row + k] = -method.alpha * (Kind::bound == Bound::none ? C[k] : std::min(C[k], 0.0));
-    rows.impulse[row + k] = hard ? method.alpha * method.memory * h * rows.lambda[row + k] : 0.0;
-    const double least = inverse_mass > 0 ? method.softest / (h * h * inverse_mass) : 0.0;
-    double& stiffness = work.stiffness[row + k];
-    stiffness = hard ? std::min(std::max(method.memory * stiffness, least), method.stiffest) : 1 / (h * h * gamma);
-  }
-  share_stiffness(constraint, row, work.stiffness);
-}
-
-/// F of a constraint's rows where its bodies now stand, in units of Λ.
-template <class Kind, class M>
-Rows<Kind::rows> force(const Kind& constraint, const Bodies<M>& bodies, double h, int row,
-                       const Avbd::Work<M>& work) {
-  constexpr int K = Kind::rows;
-  const Rows<K> C = gap(constraint, bodies, row, work.rows);
-  Rows<K> F;
-  for (int k = 0; k < K; ++k)
-    F[k] = (work.rows.gamma[row + k] == 0 ? work.rows.impulse[row + k] : 0.0) -
-           h * h * work.stiffness[row + k] * C[k];
-  const ImpulseBounds bounds = impulse_bounds(constraint, h, work.rows);
-  return bounded<K, Kind::bound>(F, bounds.lower, bounds.upper, bounds.leader);
-}
-
-/// The new Λ of a constraint's rows, and k where F is inside its bounds.
-template <class Kind, class M>
-void update_rows(const Kind& constraint, const Bodies<M>& bodies, const Avbd& method, double h, int row,
-                 Avbd::Work<M>& work) {
-  constexpr int K = Kind::rows;
-  const Rows<K> C = gap(constraint, bodies, row, work.rows);
-  const Rows<K> F = force(constraint, bodies, h, row, work);
-  for (int k = 0; k < K; ++k) {
-    const double gamma = work.rows.gamma[row + k];
-    double& stiffness = work.stiffness[row + k];
-    const double wanted = (gamma == 0 ? work.rows.impulse[row + k] : 0.0) - h * h * stiffness * C[k];
-    const bool inside = F[k] == wanted;
-    if (inside)
-      stiffness =
-          std::min(stiffness + method.beta * std::abs(C[k]), gamma == 0 ? method.stiffest : 1 / (h * h * gamma));
-  }
-  share_stiffness(constraint, row, work.stiffness);
-  Eigen::Map<Rows<K>>(&work.rows.impulse[row]) = F;
-}
-
-/// Sets H and slope of a body that nothing holds: M, and M (x - y).
-template <class M>
-void begin_descent(const InverseMass<M>& mass, const Pose<M>& pose, const Pose<M>& free,
-                   Eigen::Matrix<double, M::dof, M::dof>& H, Velocity<M>& slope);
-/// Moves a pose by -H⁻¹ slope.
-template <class M>
-void end_descent(const Eigen::Matrix<double, M::dof, M::dof>& H, const Velocity<M>& slope, Pose<M>& pose);
-
-/// One Newton step of one body while the others stand still. Returns how many rows it has seen.
-template <class S, class M>
-int descend(S& scene, int body, double h, Avbd::Work<M>& work) {
-  constexpr int dof = M::dof;
-  Bodies<M>& bodies = scene.bodies;
-  Pose<M>& pose = bodies.pose[body];
-  Eigen::Matrix<double, dof, dof> H;
-  Velocity<M> slope;
-  begin_descent<M>(bodies.inverse_mass[body], pose, work.free[body], H, slope);
-  int seen = 0;
-  for (int i = work.first[body]; i < work.first[body + 1]; ++i)
-    scene.visit(work.constraint[i], [&]<class Kind>(const Kind& constraint) {
-      constexpr int K = Kind::rows;
-      const int row = work.rows.row_of[work.constraint[i]];
-      const int first = constraint.at.body1 == body ? 0 : dof;
-      const auto J = constraint.jacobian(bodies.pose[constraint.at.body1], bodies.pose[constraint.at.body2]);
-      const Eigen::Matrix<double, K, dof> side = J.matrix.template middleCols<dof>(first);
-      const Rows<K> F = force(constraint, bodies, h, row, work);
-      for (int k = 0; k < K; ++k) {
-        H += h * h * work.stiffness[row + k] * side.row(k).transpose() * side.row(k);
-        H.diagonal() +=
-            std::abs(F[k]) * Eigen::Map<const Velocity<M>>(&work.curvature[2 * dof * (row + k) + first]);
-      }
-      slope -= side.transpose() * F;
-      seen += K;
-    });
-  end_descent<M>(H, slope, pose);
-  return seen;
-}
-
-}  // namespace detail
-
-//! [step]
 /// One time step [s]. Throws std::invalid_argument for a step <= 0 or a method outside its range.
-template <class S, class M = typename S::model>
-void advance(S& scene, const Avbd& method, double h, Avbd::Work<M>& work) {
-  require_steppable(scene, method, h);
-  if constexpr (S::touches) work.touching.find(scene);
-  if (const int kept = work.rows.lasting; lay_out(scene, work.rows)) {
-    work.stiffness.resize(std::min(kept, work.rows.lasting));
-    work.stiffness.resize(work.rows.rows());
-    work.curvature.resize(2 * M::dof * work.rows.rows());
-    detail::list_neighbours(scene, work);
-  }
-  if constexpr (S::touches) work.touching.template write_impulses<S>(work.rows);
-  Bodies<M>& bodies = scene.bodies;
-  if (work.h > 0 && work.h != h)
-    for (double& lambda : work.rows.lambda) lambda *= h / work.h;
-  work.h = h;
-  for_each_with_row(scene, [&](const auto& constraint, int row) {
-    detail::warm_start(constraint, bodies, method, h, row, work);
-  });
-  begin_turn(method.gyroscopic, bodies, h);
-  work.before = bodies.pose;
-  advance_poses(bodies, h);
-  work.free = bodies.pose;
-  for (Pose<M>& pose : work.free) pose.position += h * h * scene.gravity;
-  for (int i = 0; i < method.iterations; ++i) {
-    for (int body = 0; body < bodies.size(); ++body)
-      if (moves(bodies.inverse_mass[body])) work.row_solves += detail::descend(scene, body, h, work);
-    for_each_with_row(scene, [&](const auto& constraint, int row) {
-      detail::update_rows(constraint, bodies, method, h, row, work);
-    });
-    work.row_solves += work.rows.rows();
-  }
-  velocities_between(work.before, h, bodies);
-  end_turn(method.gyroscopic, bodies, h);
-  work.row_solves += end_rows(scene, h, method.bounce_threshold, work.rows);
-  if constexpr (S::touches) work.touching.template read_impulses<S>(work.rows);
-}
-//! [step]
+template <class M>
+void advance(Scene<M>& scene, const Avbd& method, double h, Avbd::Work<M>& work);
 
 }  // namespace byhand

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "solver/methods/gauss_seidel.hpp"
+#include "solver/gauss_seidel.hpp"
 
 namespace byhand {
 

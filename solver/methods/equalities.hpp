@@ -1,28 +1,22 @@
 #pragma once
 
+#include <cmath>
 #include <limits>
 #include <stdexcept>
-#include <string>
 
-#include "solver/integrate/euler.hpp"
-#include "solver/methods/direct.hpp"
-#include "solver/scene.hpp"
+#include "solver/direct/direct.hpp"
+#include "solver/methods/step_work.hpp"
 
 // What methods share that hold every constraint exactly, as differential-algebraic equations: they run scenes of
 // equalities, M V̇ = F + Jᵀf with C = 0, and no others.
 namespace byhand {
 
-/// What they keep between steps. λ of `system` is the impulse over the last substep, so λ/h is the mean force in
-/// it: the force in its middle, to second order.
+/// What they keep between steps. λ/h is the force in the middle of a substep, to second order.
 template <class M>
-struct EqualitiesWork {
-  System<M> system;
+struct EqualitiesWork : StepWork<M> {
   DirectWork<M> direct;
   std::vector<double> offset, change;  // by row
   Bodies<M> begin;                     // of the substep
-  int version = 0;                     // of the scene that is laid out
-  double h = 0;                        // the last substep [s]
-  long long row_solves = 0;            // so far; see direct_row_solves
 };
 
 /// Thrown where the equations of an implicit step have no solution that its iteration comes to.
@@ -31,40 +25,12 @@ struct NoConvergence : std::runtime_error {
 };
 
 /// Why `method` cannot run this scene, in one sentence; empty where it can.
-template <class S>
-std::string refusal_unless_equalities(const S& scene, std::string_view method) {
-  std::string reason;
-  if constexpr (S::touches)
-    if (!scene.colliders.shapes.empty())
-      reason = fmt::format("{} knows no contacts, and this scene has bodies that may touch", method);
-  int number = 0;
-  scene.for_each([&](const auto& constraint) {
-    using Kind = std::remove_cvref_t<decltype(constraint)>;
-    if (!reason.empty()) return;
-    if constexpr (Kind::bound != Bound::none)
-      reason = fmt::format("{} holds equalities alone, and constraint {} is bounded", method, number);
-    else if constexpr (Kind::drifting < Kind::rows)
-      reason = fmt::format("{} holds equalities alone, and constraint {} is a spring", method, number);
-    else if (constraint.softness > 0)
-      reason = fmt::format("{} holds constraints exactly, and constraint {} is soft: it gives way by {} in a step",
-                           method, number, constraint.softness);
-    ++number;
-  });
-  return reason;
-}
+template <class M>
+std::string refusal_unless_equalities(const Scene<M>& scene, const std::string& method);
 
-/// What every step of theirs begins with: refuses bad input, and lays the rows out anew if constraints were added.
-template <class S, class Family, class M = typename S::model>
-void begin_step(const S& scene, const Family& family, double step, EqualitiesWork<M>& work) {
-  require_steppable(scene, family, step);
-  work.h = step / family.substeps;
-  if (work.version == scene.version()) return;
-  work.version = scene.version();
-  work.direct.plan = plan_elimination(scene.graph(), M::dof);
-  scene.lay_out(work.direct.plan.order, work.system);
-  work.direct.views.clear();
-  for (auto* numbers : {&work.offset, &work.change}) numbers->assign(work.system.rows(), 0.0);
-}
+/// Begins a step: lays the rows out in the order of elimination if the scene has changed.
+template <class M>
+void begin_equalities(const Scene<M>& scene, double h, EqualitiesWork<M>& work);
 
 /// x of JM⁻¹Jᵀ x = -(JV + offset) into `work.change`, for the V of `bodies`.
 template <class M>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "solver/constraints/turn.hpp"
-#include "solver/methods/prepared.hpp"
+#include "solver/gauss_seidel.hpp"
+#include "solver/methods/step_work.hpp"
 
 // One constraint solved on positions: what projection, XPBD and AVBD share.
 //
@@ -15,7 +15,7 @@
 //
 // A spring has rate = k/(c+hk) C₀ and γ = 1/(h(c+hk)); its row is Λ = -h²(kC + c (C-C₀)/h), implicit Euler with
 // the force at the end of the step, C and not its tangent. A motor's row is C - C₀ = hs, friction's is no slip
-// over the step. Bounds on Λ are h times those on λ; friction's ball has the radius μΛ of its leader. Newton's
+// over the step. Bounds on Λ are h times those on λ; friction's ball has the radius μΛ of its normal row. Newton's
 // step from where the bodies now stand is (17) again,
 //
 //   ΔΛ = -(JM⁻¹Jᵀ + γ)⁻¹ (C - C₀ + h rate + γΛ) within bounds,    poses moved by M⁻¹JᵀΔΛ.
@@ -24,120 +24,47 @@
 // MIG 2016, eq. 18; the rows without a C are derived here.)
 namespace byhand {
 
-/// The rows of a scene as methods on positions see them: one number a row, constraints in natural order.
-struct PositionRows {
-  std::vector<double> impulse;   // Λ = hλ [kg m, or what C's unit makes of it]
-  std::vector<double> gamma;     // γ
-  std::vector<double> from;      // C₀ of rows whose change counts, 0 of rows with a C
-  std::vector<double> ask;       // what the row adds to that: h rate
-  std::vector<double> approach;  // JV before the step, of rows that may bounce
-  std::vector<double> lambda;    // λ = Λ/h of the last step [N s]
-  std::vector<int> row_of;       // for each constraint by its number, its first row
-  int version = -1;              // of the scene
-  int lasting = 0;               // how many rows, the first, are of constraints that were added rather than found
-
-  int rows() const { return static_cast<int>(impulse.size()); }
+/// What methods on positions keep besides the rows of the system, which they lay out in natural order: one number a row.
+template <class M>
+struct PositionWork : StepWork<M> {
+  std::vector<double> impulse;  // Λ = hλ [kg m, or what C's unit makes of it]
+  std::vector<double> from;     // C₀ of rows whose change counts, 0 of rows with a C
+  std::vector<double> target;   // what the row adds to that: h rate
+  std::vector<Pose<M>> before;  // of the bodies, at the beginning of the step
 };
 
-/// Calls f(constraint, first row) for each constraint in natural order.
-template <class S, class F>
-void for_each_with_row(const S& scene, F&& f) {
-  int row = 0;
-  scene.for_each([&](const auto& constraint) {
-    f(constraint, row);
-    row += std::remove_cvref_t<decltype(constraint)>::rows;
-  });
-}
+/// Begins a step: finds contacts, and makes room for all rows. Returns whether they were laid out anew.
+template <class M>
+bool begin_rows(Scene<M>& scene, PositionWork<M>& work);
 
-/// Makes room for the scene's rows if constraints came or went. λ of those that were added and stay is kept.
-/// Returns whether anything changed.
-template <class S>
-bool lay_out(const S& scene, PositionRows& rows) {
-  if (rows.version == scene.version()) return false;
-  rows.version = scene.version();
-  rows.row_of.clear();
-  const int kept = rows.lasting;
-  int count = 0;
-  rows.lasting = 0;
-  for_each_with_row(scene, [&](const auto& constraint, int row) {
-    rows.row_of.push_back(row);
-    count = row + std::remove_cvref_t<decltype(constraint)>::rows;
-    if (static_cast<int>(rows.row_of.size()) == scene.lasting()) rows.lasting = count;
-  });
-  rows.lambda.resize(std::min(kept, rows.lasting));
-  for (auto* numbers : {&rows.lambda, &rows.impulse, &rows.gamma, &rows.from, &rows.ask, &rows.approach})
-    numbers->resize(count);
-  return true;
-}
+/// Writes what the rows ask for over a substep h [s] that begins at these poses and velocities, and notes JV of those that
+/// may bounce.
+template <class M>
+void write_targets(const Scene<M>& scene, double h, PositionWork<M>& work);
 
-/// Notes JV of a contact before the step.
-template <class Kind, class M>
-void note_approach(const Kind& contact, const Bodies<M>& bodies, int row, PositionRows& rows) {
-  const int body1 = contact.at.body1, body2 = contact.at.body2;
-  Eigen::Map<Rows<Kind::rows>>(&rows.approach[row]) = dot(contact.jacobian(bodies.pose[body1], bodies.pose[body2]),
-                                                          bodies.velocity[body1], bodies.velocity[body2]);
-}
-
-/// Writes what a constraint's rows ask for over a step h [s] that begins at these poses and velocities.
-template <class Kind, class M>
-void begin_rows(const Kind& constraint, const Bodies<M>& bodies, double h, int row, PositionRows& rows) {
-  const Pose<M>&pose1 = bodies.pose[constraint.at.body1], &pose2 = bodies.pose[constraint.at.body2];
-  for (int k = 0; k < Kind::rows; ++k) rows.from[row + k] = rows.ask[row + k] = 0;
-  if constexpr (Kind::drifting < Kind::rows) {
-    const Rows<Kind::rows> C = constraint.template value<double>(pose1, pose2);
-    for (int k = Kind::drifting; k < Kind::rows; ++k) rows.from[row + k] = C[k];
-  }
-  if constexpr (requires { constraint.soft(pose1, pose2, h); }) {
-    const Soft soft = constraint.soft(pose1, pose2, h);
-    rows.gamma[row] = soft.gamma;
-    rows.ask[row] = h * soft.rate;
-  } else {
-    for (int k = 0; k < Kind::rows; ++k) rows.gamma[row + k] = constraint.softness;
-  }
-  if constexpr (requires { constraint.restitution; }) note_approach(constraint, bodies, row, rows);
-}
-
-/// Lets one-sided rows that overlap by more than `way` [m] come out by no more than that in a step that begins
-/// here.
-template <class Kind, class M>
-void push_out_slowly(const Kind& constraint, const Bodies<M>& bodies, double way, int row, PositionRows& rows) {
-  const Rows<Kind::rows> C =
-      constraint.template value<double>(bodies.pose[constraint.at.body1], bodies.pose[constraint.at.body2]);
-  for (int k = 0; k < Kind::drifting; ++k) rows.ask[row + k] = std::max(0.0, -(C[k] + way));
-}
-
-/// C - C₀ + h rate of a constraint's rows where its bodies now stand. An angle that passed half a turn goes on
-/// there.
-template <class Kind, class M>
-Rows<Kind::rows> gap(const Kind& constraint, const Bodies<M>& bodies, int row, const PositionRows& rows) {
-  constexpr int K = Kind::rows;
-  Rows<K> change =
-      constraint.template value<double>(bodies.pose[constraint.at.body1], bodies.pose[constraint.at.body2]) -
-      Eigen::Map<const Rows<K>>(&rows.from[row]);
-  if constexpr (Kind::drifting == 0 && std::is_same_v<std::remove_cvref_t<decltype(constraint.at)>, Turn<M>>) {
+/// C - C₀ + h rate of a block's rows, given their values C. An angle that passed half a turn goes on there.
+template <class M, int K>
+Rows<K> position_error(const Rows<K>& C, bool periodic, int row, const PositionWork<M>& work) {
+  Rows<K> change = C - Eigen::Map<const Rows<K>>(&work.from[row]);
+  if (periodic) {
     constexpr double half_turn = 4 * detail::quarter_pi;
     if (std::abs(change[0]) > half_turn) change[0] -= change[0] > 0 ? 2 * half_turn : -2 * half_turn;
   }
-  return change + Eigen::Map<const Rows<K>>(&rows.ask[row]);
+  return change + Eigen::Map<const Rows<K>>(&work.target[row]);
 }
 
-/// Bounds of a constraint's Λ over a step h [s]: an interval's two ends; of a ball or face `upper` is μ and
-/// `leader` the Λ that it multiplies.
+/// Bounds of a block's Λ: an interval's two ends; with friction `upper` is μ and `normal` the Λ that it multiplies.
 struct ImpulseBounds {
-  double lower = 0, upper = 0, leader = 0;
+  double lower = 0, upper = 0, normal = 0;
 };
-template <class Kind>
-ImpulseBounds impulse_bounds(const Kind& constraint, double h, const PositionRows& rows) {
-  if constexpr (Kind::bound == Bound::interval) {
-    const auto [lower, upper] = constraint.bounds(h);
-    return {h * lower, h * upper};
-  } else if constexpr (Kind::bound == Bound::ball) {
-    return {0, constraint.coefficient, rows.impulse[rows.row_of[constraint.leader]]};
-  } else if constexpr (Kind::bound == Bound::face) {
-    return {0, constraint.coefficient};
-  } else {
-    return {};
-  }
+/// Those over a substep h [s].
+template <class M, int K, Bound B>
+ImpulseBounds impulse_bounds(const Block<M, K, B>& block, double h, const PositionWork<M>& work) {
+  const System<M>& system = work.system;
+  if constexpr (B == Bound::interval)
+    return {h * system.lower[block.row], h * system.upper[block.row]};
+  else
+    return {0, system.upper[block.row], B == Bound::friction ? work.impulse[block.normal_row] : 0.0};
 }
 
 /// x of Ax = b, or where that is outside the disc of `radius`, of (A + s)x = b on its rim: friction within
@@ -162,52 +89,25 @@ Rows<K> within_disc(Eigen::Matrix<double, K, K> A, const Rows<K>& b, double radi
 template <Bound B, int K>
 Rows<K> bounded_newton(const Eigen::Matrix<double, K, K>& A, const Rows<K>& residual, const Rows<K>& impulse,
                        const ImpulseBounds& bounds) {
-  if constexpr (B == Bound::face) {
-    const Eigen::Matrix2d E = inverse_or_zero<2>(A.template topLeftCorner<2, 2>());
-    struct {
-      double A00, A01, A11, E00, E01, E11;
-      bool row_by_row;
-    } const face{A(0, 0), A(0, 1), A(1, 1), E(0, 0), E(0, 1), E(1, 1), false};
-    const auto [first, second] = ends_that_press(face, residual, impulse.data());
+  if constexpr (B == Bound::manifold) {
+    const auto [first, second] = pressing_normals(NormalRows(A, false), residual, impulse.data());
     const double slip = residual[2] + A(0, 2) * (first - impulse[0]) + A(1, 2) * (second - impulse[1]);
-    const double rubbed = A(2, 2) > 0 ? impulse[2] - slip / A(2, 2) : 0.0;
+    const double friction = A(2, 2) > 0 ? impulse[2] - slip / A(2, 2) : 0.0;
     const double radius = bounds.upper * (first + second);
-    return Rows<K>(first, second, std::clamp(rubbed, -radius, radius)) - impulse;
-  } else if constexpr (B == Bound::ball) {
-    return within_disc<K>(A, A.lazyProduct(impulse) - residual, bounds.upper * bounds.leader) - impulse;
+    return Rows<K>(first, second, std::clamp(friction, -radius, radius)) - impulse;
+  } else if constexpr (B == Bound::friction) {
+    return within_disc<K>(A, A.lazyProduct(impulse) - residual, bounds.upper * bounds.normal) - impulse;
   } else {
     const Rows<K> wanted = impulse - inverse_or_zero<K>(A).lazyProduct(residual);
-    return bounded<K, B>(wanted, bounds.lower, bounds.upper, bounds.leader) - impulse;
+    return bounded<K, B>(wanted, bounds.lower, bounds.upper, bounds.normal) - impulse;
   }
 }
 
-/// Moves a constraint's two bodies by M⁻¹Jᵀ ΔΛ, with ΔΛ = impulse_of(JM⁻¹Jᵀ).
-template <class Kind, class M, class F>
-void displace(const Kind& constraint, Bodies<M>& bodies, F&& impulse_of) {
-  const int body1 = constraint.at.body1, body2 = constraint.at.body2;
-  const InverseMass<M>&mass1 = bodies.inverse_mass[body1], &mass2 = bodies.inverse_mass[body2];
-  Pose<M>&pose1 = bodies.pose[body1], &pose2 = bodies.pose[body2];
-  const Jacobian<M, Kind::rows> J = constraint.jacobian(pose1, pose2);
-  const Jacobian<M, Kind::rows> W = times_inverse_mass(J, mass1, pose1, mass2, pose2);
-  const Rows<Kind::rows> change = impulse_of(inverse_effective_mass(J, W));
-  if (moves(mass1)) move<M, double>(pose1, W.side1().transpose() * change, 1);
-  if (moves(mass2)) move<M, double>(pose2, W.side2().transpose() * change, 1);
-}
-
-/// One Newton step of one constraint: its Λ and the poses of its two bodies.
-template <class Kind, class M>
-void solve_on_positions(const Kind& constraint, Bodies<M>& bodies, double h, int row, PositionRows& rows) {
-  constexpr int K = Kind::rows;
-  Eigen::Map<Rows<K>> impulse(&rows.impulse[row]);
-  const Eigen::Map<const Rows<K>> gamma(&rows.gamma[row]);
-  displace(constraint, bodies, [&](Eigen::Matrix<double, K, K> A) {
-    A.diagonal() += gamma;
-    const Rows<K> residual = gap(constraint, bodies, row, rows) + gamma.cwiseProduct(impulse);
-    const Rows<K> change =
-        bounded_newton<Kind::bound, K>(A, residual, impulse, impulse_bounds(constraint, h, rows));
-    impulse += change;
-    return change;
-  });
+/// Moves the two bodies of a block by M⁻¹JᵀΔΛ.
+template <class M, int K, Bound B>
+void displace(const Block<M, K, B>& block, const Rows<K>& change, std::vector<Pose<M>>& poses) {
+  if (block.moves1) move<M, double>(poses[block.body1], block.W.side1().transpose() * change, 1);
+  if (block.moves2) move<M, double>(poses[block.body2], block.W.side2().transpose() * change, 1);
 }
 //! [newton]
 
@@ -220,45 +120,9 @@ Velocity<M> velocity_between(const Pose<M>& before, const Pose<M>& after, double
 template <class M>
 void velocities_between(const std::vector<Pose<M>>& before, double h, Bodies<M>& bodies);
 
-/// Gives a contact that was met faster than `threshold` [m/s] and pressed the velocity -e JV⁻ with which it parts:
-/// its rows once more, for velocities, from the λ that stands. Returns whether it bounced.
-template <class Kind, class M>
-bool bounce(const Kind& contact, Bodies<M>& bodies, double threshold, int row, PositionRows& rows) {
-  constexpr int K = Kind::rows;
-  Eigen::Map<Rows<K>> lambda(&rows.lambda[row]);
-  Rows<K> parting = Rows<K>::Zero();
-  for (int k = 0; k < Kind::drifting; ++k)
-    if (lambda[k] > 0 && rows.approach[row + k] < -threshold)
-      parting[k] = -contact.restitution * rows.approach[row + k];
-  if (parting.isZero(0)) return false;
-  const int body1 = contact.at.body1, body2 = contact.at.body2;
-  const InverseMass<M>&mass1 = bodies.inverse_mass[body1], &mass2 = bodies.inverse_mass[body2];
-  const Pose<M>&pose1 = bodies.pose[body1], &pose2 = bodies.pose[body2];
-  Velocity<M>&V1 = bodies.velocity[body1], &V2 = bodies.velocity[body2];
-  const Jacobian<M, K> J = contact.jacobian(pose1, pose2);
-  const Jacobian<M, K> W = times_inverse_mass(J, mass1, pose1, mass2, pose2);
-  const Rows<K> change = bounded_newton<Kind::bound, K>(inverse_effective_mass(J, W), dot(J, V1, V2) - parting,
-                                                        lambda, impulse_bounds(contact, 1, rows));
-  lambda += change;
-  if (moves(mass1)) V1 += W.side1().transpose() * change;
-  if (moves(mass2)) V2 += W.side2().transpose() * change;
-  return true;
-}
-
-/// Ends a step h [s] of all rows: λ from Λ, and the contacts that bounce. Returns how many rows of those were
-/// solved.
-template <class S>
-long long end_rows(S& scene, double h, double threshold, PositionRows& rows) {
-  long long solved = 0;
-  for (int row = 0; row < rows.rows(); ++row) rows.lambda[row] = rows.impulse[row] / h;
-  for_each_with_row(scene, [&]<class Kind>(const Kind& constraint, int row) {
-    if constexpr (requires { constraint.restitution; })
-      if (bounce(constraint, scene.bodies, threshold, row, rows)) {
-        Eigen::Map<Rows<Kind::rows>>(&rows.lambda[row]).setZero();
-        solved += Kind::rows;
-      }
-  });
-  return solved;
-}
+/// Ends a substep h [s]: λ from Λ; contacts that met faster than `threshold` [m/s] and pressed get the velocity -e JV⁻
+/// with which they part, one after the other from the λ that stands.
+template <class M>
+void end_rows(Scene<M>& scene, double h, double threshold, PositionWork<M>& work);
 
 }  // namespace byhand

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "solver/methods/positions.hpp"
+#include "solver/drift.hpp"
+#include "solver/scene.hpp"
 
 // Post-stabilisation: once the poses have moved they are put back onto C = 0, and the velocities know nothing of
 // it. Each constraint in turn moves its two bodies by
@@ -27,32 +28,11 @@ inline void require_valid(const Projection& cure) {
   require_in("slop", cure.slop, 0, 1e300, "m");
 }
 
-//! [project]
+/// The velocities stay as they are: no bias.
+inline Correction correction(const Projection&, double /*h*/) { return {}; }
+
 /// Moves the scene's poses towards C = 0. Returns how many rows were solved.
-template <class S>
-long long project(const Projection& cure, S& scene) {
-  long long solved = 0;
-  for (int sweep = 0; sweep < cure.sweeps; ++sweep)
-    scene.for_each([&]<class Kind>(const Kind& constraint) {
-      if constexpr (Kind::drifting > 0) {
-        constexpr int K = Kind::rows;
-        auto& bodies = scene.bodies;
-        displace(constraint, bodies, [&](Eigen::Matrix<double, K, K> A) {
-          A.diagonal().array() += constraint.softness;
-          Rows<K> C = constraint.template value<double>(bodies.pose[constraint.at.body1],
-                                                        bodies.pose[constraint.at.body2]);
-          if constexpr (Kind::bound != Bound::none) C = (C.array() + cure.slop).min(0.0);
-          C.template tail<K - Kind::drifting>().setZero();
-          constexpr ImpulseBounds pushes{0, std::numeric_limits<double>::infinity()};
-          return Rows<K>(cure.share *
-                         bounded_newton<Kind::bound, K>(
-                             A, C, Rows<K>::Zero(), Kind::bound == Bound::interval ? pushes : ImpulseBounds{}));
-        });
-        solved += Kind::drifting;
-      }
-    });
-  return solved;
-}
-//! [project]
+template <class M>
+long long project(const Projection& cure, Scene<M>& scene);
 
 }  // namespace byhand

@@ -1,8 +1,5 @@
 #include "solver/methods/row_solvers.hpp"
 
-#include <algorithm>
-#include <numeric>
-
 namespace byhand {
 namespace {
 
@@ -53,16 +50,14 @@ Layout wanted_layout(const RowSolver& solver, bool loopless) {
   });
 }
 
-std::vector<int> solve_order(Layout layout, const Graph& graph, int dof, Elimination& plan) {
-  if (layout == Layout::coloured) return coloured_order(graph);
-  if (layout == Layout::elimination) {
-    plan = plan_elimination(graph, dof);
-    return plan.order;
-  }
-  std::vector<int> order(graph.edges.size());
-  std::iota(order.begin(), order.end(), 0);
-  if (layout == Layout::reverse) std::reverse(order.begin(), order.end());
-  return order;
+template <class M>
+void lay_out(const Scene<M>& scene, const RowSolver& solver, RowWork<M>& work) {
+  if (work.version == scene.version() && work.layout == wanted_layout(solver, work.loopless)) return;
+  const Graph graph = scene.graph();
+  work.loopless = has_no_loops(graph);
+  work.layout = wanted_layout(solver, work.loopless);
+  work.version = scene.version();
+  scene.lay_out(solve_order(work.layout, graph, M::dof, work.direct.plan), work.system);
 }
 
 template <class M>
@@ -85,7 +80,9 @@ void solve_rows(const RowSolver& solver, Bodies<M>& bodies, RowWork<M>& work, Be
             }});
 }
 
-#define BYHAND_INSTANTIATE(M) template void solve_rows(const RowSolver&, Bodies<M>&, RowWork<M>&, Begin)
+#define BYHAND_INSTANTIATE(M)                                                \
+  template void lay_out(const Scene<M>&, const RowSolver&, RowWork<M>&);     \
+  template void solve_rows(const RowSolver&, Bodies<M>&, RowWork<M>&, Begin)
 BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);
 #undef BYHAND_INSTANTIATE
 

@@ -5,10 +5,10 @@
 #include "solver/methods/accelerated_gradient.hpp"
 #include "solver/methods/conjugate_gradients.hpp"
 #include "solver/methods/conjugate_sweeps.hpp"
-#include "solver/methods/direct.hpp"
-#include "solver/methods/gauss_seidel.hpp"
+#include "solver/direct/direct.hpp"
+#include "solver/gauss_seidel.hpp"
 #include "solver/methods/jacobi.hpp"
-#include "solver/scene.hpp"
+#include "solver/methods/step_work.hpp"
 
 // How the rows of a step are solved, once they are written.
 namespace byhand {
@@ -30,42 +30,23 @@ using RowSolver =
 /// row to be independent of the others, as a direct solve does.
 inline ConjugateSweeps exact_sweeps() { return {.sweeps = 1000000, .tolerance = 1e-14}; }
 
-/// The orders in which rows can be laid out.
-enum class Layout { none, natural, reverse, coloured, elimination };
-
-/// What is kept between steps: λ with its system, the layout it was made for, and scratch.
+/// What is kept between steps: λ with its system, and scratch.
 template <class M>
-struct RowWork {
-  System<M> system;
+struct RowWork : StepWork<M> {
   Prepared<M> prepared;
   std::vector<double> change;  // of Jacobi's rows
   ConjugateWork<M> conjugate;
   ConjugateGradientWork<M> conjugate_gradients;
   AcceleratedGradientWork<M> accelerated_gradient;
   DirectWork<M> direct;
-  Layout layout = Layout::none;
-  int version = 0;           // of the scene that is laid out
-  bool loopless = false;     // its graph
-  long long row_solves = 0;  // so far; a direct solve counts as the row-solves that its multiplications would buy
 };
 
 /// The layout that a solver wants; `loopless` is whether the scene's graph has no loops.
 Layout wanted_layout(const RowSolver& solver, bool loopless);
 
-/// Constraint numbers in that layout; for Layout::elimination this also makes `plan`.
-std::vector<int> solve_order(Layout layout, const Graph& graph, int dof, Elimination& plan);
-
-/// Lays the rows out anew if constraints were added or the solver wants another order.
-template <class S, class M = typename S::model>
-void lay_out(const S& scene, const RowSolver& solver, RowWork<M>& work) {
-  if (work.version == scene.version() && work.layout == wanted_layout(solver, work.loopless)) return;
-  const Graph graph = scene.graph();
-  work.loopless = has_no_loops(graph);
-  work.layout = wanted_layout(solver, work.loopless);
-  work.version = scene.version();
-  scene.lay_out(solve_order(work.layout, graph, M::dof, work.direct.plan), work.system);
-  work.direct.views.clear();
-}
+/// Lays the rows out anew if the scene has changed or the solver wants another order.
+template <class M>
+void lay_out(const Scene<M>& scene, const RowSolver& solver, RowWork<M>& work);
 
 /// Solves the rows of `work.system` by the chosen solver and puts the impulses into the velocities.
 template <class M>

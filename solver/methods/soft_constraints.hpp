@@ -1,8 +1,7 @@
 #pragma once
 
-#include <limits>
-
-#include "solver/system.hpp"
+#include "solver/drift.hpp"
+#include "solver/methods/row_solvers.hpp"
 
 // A soft constraint takes its error back as a damped spring does, tuned for each row by itself: one that swings
 // with frequency ω and is damped by ζ whatever hangs on it. With the row's own effective mass m = 1/A of (19), A =
@@ -39,18 +38,24 @@ struct SoftConstraints {
 /// Throws std::invalid_argument for a choice outside the ranges above.
 void require_valid(const SoftConstraints& cure);
 
-/// ω/a₁ [1/s] and a₂ at time step h [s].
-struct Softness {
-  double rate, a2;
-};
-inline Softness softness_of(const SoftConstraints& cure, double h) {
-  const double a1 = 2 * cure.damping_ratio + h * cure.frequency;
-  return {cure.frequency / a1, h * cure.frequency * a1};
+/// b = (ω/a₁) C.
+inline Correction correction(const SoftConstraints& cure, double h) {
+  return {cure.frequency / (2 * cure.damping_ratio + h * cure.frequency), cure.slop, cure.speed_cap};
 }
 
-/// Gives every row that has a C and no softness of its own γ = A/a₂; a contact that is still open stays hard. What
-/// γ was goes to `own`.
+/// What the rows had of their own before they were softened, by row.
+struct SoftWork {
+  std::vector<double> gamma, rate;
+};
+
+/// Before the rows are solved: gives every row that has a C and no softness of its own γ = A/a₂; a contact that is still
+/// open stays hard.
 template <class M>
-void soften(const SoftConstraints& cure, double h, System<M>& system, std::vector<double>& own);
+void soften(const SoftConstraints& cure, double h, System<M>& system, SoftWork& work);
+
+/// Once the poses have moved: solves the rows again, hard and without bias, from the λ that stands.
+template <class M>
+void relax(const SoftConstraints& cure, const RowSolver& solver, double h, Scene<M>& scene, RowWork<M>& rows,
+           SoftWork& work);
 
 }  // namespace byhand

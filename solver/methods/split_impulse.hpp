@@ -1,8 +1,7 @@
 #pragma once
 
-#include <limits>
-
-#include "solver/require.hpp"
+#include "solver/drift.hpp"
+#include "solver/methods/row_solvers.hpp"
 
 // Baumgarte's correction is a velocity, and stays one: an overlap d leaves at βd/h, and a box jumps. Split impulse
 // keeps the two apart. V obeys JV = 0 alone. Poses move with V and then with pseudo-velocities P, which make up
@@ -39,8 +38,24 @@ struct SplitImpulse {
 /// Throws std::invalid_argument for a choice outside the ranges above.
 inline void require_valid(const SplitImpulse& cure) {
   require_in("beta", cure.beta, 0, 3);
-  require_in("slop", cure.slop, 0, 1e300, "m");
-  require(cure.speed_cap > 0, "speed cap", cure.speed_cap, "above zero [m/s]");
+  require_valid_slop(cure.slop, cure.speed_cap);
 }
+
+/// V obeys JV = 0: no bias.
+inline Correction correction(const SplitImpulse& cure, double /*h*/) { return {0, cure.slop, cure.speed_cap}; }
+
+/// The impulses of the pseudo-velocities, by row, and the layout they belong to; λ and V while P is found.
+template <class M>
+struct SplitImpulseWork {
+  std::vector<double> pushes;
+  std::uint64_t layout = 0;
+  std::vector<double> lambda;
+  std::vector<Velocity<M>> velocity;
+};
+
+/// The second half of the step: poses move with what (22) adds to the velocities, which stay as they are.
+template <class M>
+void push_poses(const SplitImpulse& cure, const RowSolver& solver, double h, Bodies<M>& bodies, RowWork<M>& rows,
+                SplitImpulseWork<M>& work);
 
 }  // namespace byhand

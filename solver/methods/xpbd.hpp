@@ -1,12 +1,7 @@
 #pragma once
 
-#include <string>
-
-#include "solver/integrate/euler.hpp"
 #include "solver/integrate/gyroscopic.hpp"
 #include "solver/methods/positions.hpp"
-#include "solver/scene.hpp"
-#include "solver/touching.hpp"
 
 // Extended position-based dynamics of rigid bodies. A substep h moves the poses freely, puts them onto the
 // constraints, and reads the velocities off where they went:
@@ -47,51 +42,17 @@ struct Xpbd {
 void require_valid(const Xpbd& method);
 
 /// Why this scene cannot be run so: it always can.
-template <class S>
-std::string refusal(const S&, const Xpbd&) {
+template <class M>
+std::string refusal(const Scene<M>&, const Xpbd&) {
   return {};
 }
 
-/// What is kept between steps: scratch, and λ of the last substep in `rows`, which can be measured.
+/// What is kept between steps: scratch, and λ of the last substep, which can be measured.
 template <class M>
-struct Xpbd::Work {
-  PositionRows rows;
-  std::vector<Pose<M>> before;
-  std::conditional_t<M::angular == 0, NoTouching, Touching<M>> touching;
-  double h = 0;              // the substep that λ belongs to [s]
-  long long row_solves = 0;  // so far
-};
+struct Xpbd::Work : PositionWork<M> {};
 
-//! [step]
 /// One time step [s]. Throws std::invalid_argument for a step <= 0 or a method outside its range.
-template <class S, class M = typename S::model>
-void advance(S& scene, const Xpbd& method, double step, Xpbd::Work<M>& work) {
-  require_steppable(scene, method, step);
-  if constexpr (S::touches) work.touching.find(scene);
-  lay_out(scene, work.rows);
-  Bodies<M>& bodies = scene.bodies;
-  const double h = work.h = step / method.substeps;
-  for (int substep = 0; substep < method.substeps; ++substep) {
-    for_each_with_row(scene, [&]<class Kind>(const Kind& constraint, int row) {
-      begin_rows(constraint, bodies, h, row, work.rows);
-      if constexpr (Kind::bound != Bound::none && Kind::drifting > 0)
-        push_out_slowly(constraint, bodies, method.push_speed * h, row, work.rows);
-    });
-    std::fill(work.rows.impulse.begin(), work.rows.impulse.end(), 0.0);
-    begin_turn(method.gyroscopic, bodies, h);
-    add_gravity(bodies, scene.gravity, h);
-    work.before = bodies.pose;
-    advance_poses(bodies, h);
-    for (int i = 0; i < method.iterations; ++i)
-      for_each_with_row(scene, [&](const auto& constraint, int row) {
-        solve_on_positions(constraint, bodies, h, row, work.rows);
-      });
-    velocities_between(work.before, h, bodies);
-    end_turn(method.gyroscopic, bodies, h);
-    work.row_solves += static_cast<long long>(method.iterations) * work.rows.rows();
-    work.row_solves += end_rows(scene, h, method.bounce_threshold, work.rows);
-  }
-}
-//! [step]
+template <class M>
+void advance(Scene<M>& scene, const Xpbd& method, double step, Xpbd::Work<M>& work);
 
 }  // namespace byhand

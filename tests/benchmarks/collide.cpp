@@ -1,7 +1,7 @@
 #include <benchmark/benchmark.h>
 
-#include "solver/collide/manifold.hpp"
-#include "solver/collide/sweep_and_prune.hpp"
+#include "solver/contact/manifold.hpp"
+#include "solver/contact/sweep_and_prune.hpp"
 
 // What it costs to find contacts. The counters are seconds per pair of shapes or per body: "33n" is 33 ns.
 namespace {

@@ -26,7 +26,7 @@ VelocityStepping method(const RowSolver& solver) {
 /// Five seconds from a kick: seconds a step in the mean, and what became of the topmost body.
 template <class S>
 void five_seconds(benchmark::State& state, const S& scene, const RowSolver& solver) {
-  Simulation<S> simulation{scene, method(solver)};
+  Simulation simulation{scene, method(solver)};
   for (auto _ : state) {
     state.PauseTiming();
     simulation = {scene, method(solver)};
@@ -34,9 +34,9 @@ void five_seconds(benchmark::State& state, const S& scene, const RowSolver& solv
     state.ResumeTiming();
     for (int i = 0; i < steps; ++i) simulation.step(h);
   }
-  const auto shift = simulation.scene.bodies.pose.back().position - scene.bodies.pose.back().position;
+  const auto shift = simulation.scene.bodies().pose.back().position - scene.bodies().pose.back().position;
   state.counters["per_step"] = time_per(steps);
-  state.counters["bodies"] = scene.bodies.size() - 1;
+  state.counters["bodies"] = scene.bodies().size() - 1;
   state.counters["contacts"] = simulation.scene.count() - scene.count();
   state.counters["sideways"] = shift.x();
   state.counters["sunk"] = -shift.y();
@@ -56,10 +56,10 @@ void pyramid_in_natural_order(benchmark::State& state) {
   five_seconds(state, pyramid(static_cast<int>(state.range(0))), GaussSeidel{});
 }
 void stack_in_space(benchmark::State& state) {
-  five_seconds(state, stack<Scene<SpaceBody, Contact, Friction>>(static_cast<int>(state.range(0))), ByGraph{});
+  five_seconds(state, stack<SpaceBody>(static_cast<int>(state.range(0))), ByGraph{});
 }
 void ragdolls(benchmark::State& state) {
-  Scene<PlaneBody, FaceContact, Pin, AngleLimit> scene;
+  Scene<PlaneBody> scene;
   add_ground(scene);
   for (int i = 0; i < state.range(0); ++i) add_ragdoll(scene, Linear<PlaneBody>(2.5 * i, 1.5));
   five_seconds(state, scene, GaussSeidel{.sweeps = 20, .order = SweepOrder::coloured});
@@ -76,10 +76,10 @@ BENCHMARK(stack_in_space)->Arg(10)->Unit(benchmark::kMillisecond);
 BENCHMARK(ragdolls)->Arg(1)->Arg(10)->Unit(benchmark::kMillisecond);
 BENCHMARK(bridge_directly)->Arg(50)->Unit(benchmark::kMillisecond);
 
-using Boxed = Simulation<Boxes>;
+using Boxed = Simulation<PlaneBody>;
 
 /// One part of a step of a scene at rest.
-void part(benchmark::State& state, Boxes scene, void (*run)(Boxed&)) {
+void part(benchmark::State& state, Scene<PlaneBody> scene, void (*run)(Boxed&)) {
   Boxed simulation{std::move(scene), method(ByGraph{})};
   for (int i = 0; i < steps; ++i) simulation.step(h);
   for (auto _ : state) {
@@ -90,7 +90,7 @@ void part(benchmark::State& state, Boxes scene, void (*run)(Boxed&)) {
 }
 
 void whole(Boxed& s) { s.step(h); }
-void find_contacts(Boxed& s) { s.work.touching.find(s.scene); }
+void find_contacts(Boxed& s) { s.work.contacts.find(s.scene); }
 void find_contacts_of_all_that_moves(Boxed& s) {
   Touching<PlaneBody> nothing_known;
   nothing_known.find(s.scene);
@@ -98,15 +98,15 @@ void find_contacts_of_all_that_moves(Boxed& s) {
 void write_rows(Boxed& s) { s.scene.write_rows(s.work.system, h); }
 void prepare_rows(Boxed& s) { prepare(s.work.system, BlockSolve::whole, 1.0, s.work.prepared); }
 void sweep_once(Boxed& s) {
-  sweep(s.work.system, s.work.prepared, s.work.system.lambda.data(), numbers<PlaneBody>(s.scene.bodies.velocity));
+  sweep(s.work.system, s.work.prepared, s.work.system.lambda.data(), numbers<PlaneBody>(s.scene.bodies().velocity));
 }
 void solve_all_rows(Boxed& s) {
-  const auto velocity = s.scene.bodies.velocity;
-  add_gravity(s.scene.bodies, s.scene.gravity, h);
-  solve_rows(s.method.solver, s.scene.bodies, s.work);
-  s.scene.bodies.velocity = velocity;
+  const auto velocity = s.scene.bodies().velocity;
+  add_gravity(s.scene.bodies(), s.scene.gravity, h);
+  solve_rows(s.method.solver, s.scene.bodies(), s.work);
+  s.scene.state().velocity = velocity;
 }
-void advance_all(Boxed& s) { advance_poses(s.scene.bodies, 1e-9); }
+void advance_all(Boxed& s) { advance_poses(s.scene.bodies(), 1e-9); }
 
 #define PARTS_OF(name, scene)                                                            \
   BENCHMARK_CAPTURE(part, name##_whole_step, scene, whole);                              \

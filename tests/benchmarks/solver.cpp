@@ -27,12 +27,12 @@ auto links(int count) {
 template <class M>
 void sweep_chain(benchmark::State& state, SweepOrder order) {
   auto scene = links<M>(static_cast<int>(state.range(0)));
-  Simulation<decltype(scene)> simulation{scene, {GaussSeidel{.sweeps = 1, .order = order}}};
+  Simulation<typename decltype(scene)::model> simulation{scene, {GaussSeidel{.sweeps = 1, .order = order}}};
   simulation.step(step);
   auto& system = simulation.work.system;
   auto& prepared = simulation.work.prepared;
   for (auto _ : state) {
-    sweep(system, prepared, system.lambda.data(), numbers<M>(simulation.scene.bodies.velocity));
+    sweep(system, prepared, system.lambda.data(), numbers<M>(simulation.scene.bodies().velocity));
     benchmark::ClobberMemory();
   }
   state.counters["per_row"] = time_per(system.rows());
@@ -49,7 +49,7 @@ void sweep_chain_in_coloured_order(benchmark::State& state) {
 
 template <class S>
 void whole_step(benchmark::State& state, S scene, const RowSolver& solver) {
-  Simulation<S> simulation{std::move(scene), {solver}};
+  Simulation simulation{std::move(scene), {solver}};
   simulation.step(step);
   for (auto _ : state) {
     simulation.step(step);
@@ -78,8 +78,8 @@ void step_star_directly(benchmark::State& state) {
 }
 
 /// The parts of a step with the structured direct solve, one after the other.
-void part_of_step(benchmark::State& state, void (*part)(Simulation<Scene<PlaneBody, Pin>>&)) {
-  Simulation<Scene<PlaneBody, Pin>> simulation{links<PlaneBody>(200), {Direct{}}};
+void part_of_step(benchmark::State& state, void (*part)(Simulation<PlaneBody>&)) {
+  Simulation<PlaneBody> simulation{links<PlaneBody>(200), {Direct{}}};
   simulation.step(step);
   for (auto _ : state) {
     part(simulation);
@@ -87,13 +87,13 @@ void part_of_step(benchmark::State& state, void (*part)(Simulation<Scene<PlaneBo
   }
   state.counters["per_joint"] = time_per(200);
 }
-void write_rows(Simulation<Scene<PlaneBody, Pin>>& simulation) {
+void write_rows(Simulation<PlaneBody>& simulation) {
   simulation.scene.write_rows(simulation.work.system, step);
 }
-void solve_rows_directly(Simulation<Scene<PlaneBody, Pin>>& simulation) {
-  solve_rows(simulation.method.solver, simulation.scene.bodies, simulation.work);
+void solve_rows_directly(Simulation<PlaneBody>& simulation) {
+  solve_rows(simulation.method.solver, simulation.scene.bodies(), simulation.work);
 }
-void advance(Simulation<Scene<PlaneBody, Pin>>& simulation) { advance_poses(simulation.scene.bodies, 1e-9); }
+void advance(Simulation<PlaneBody>& simulation) { advance_poses(simulation.scene.bodies(), 1e-9); }
 
 void chain_lengths(benchmark::internal::Benchmark* benchmark) {
   for (const int links : {10, 50, 200, 2000}) benchmark->Arg(links);

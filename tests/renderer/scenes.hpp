@@ -182,8 +182,7 @@ inline void space(Canvas& canvas) {
   scene.rod({0, 0, 1.8}, {0.9, 0.4, 0.1}, 0.04, palette::constraint);
   scene.sphere({0.9, 0.4, 0.1}, 0.25, palette::body);
   scene.arrow({0.9, 0.4, 0.1}, {1.5, -0.4, 0.3}, 0.03, palette::velocity);
-  scene.box({-0.8, 0, -0.6}, {0.8, 0.5, 0.8}, Eigen::Quaterniond(Eigen::AngleAxisd(0.4, Point3::UnitZ())),
-            palette::highlight);
+  scene.box({-0.8, 0, -0.6}, {0.8, 0.5, 0.8}, {std::cos(0.2), 0, 0, std::sin(0.2)}, palette::highlight);
   canvas.draw(scene);
   const Point3 bob(0.9, 0.4, 0.1);
   canvas.text(scene.project(bob), "bob",

@@ -10,8 +10,8 @@ using namespace byhand;
 using M = PlaneBody;
 
 /// A column of boxes of random widths and masses, a little askew, that falls, leans or slides.
-Boxes random_column(Random& random, int count) {
-  Boxes scene;
+Scene<PlaneBody> random_column(Random& random, int count) {
+  Scene<PlaneBody> scene;
   add_ground(scene, {random.uniform(0, 0.5)});
   double height = 0;
   for (int i = 0; i < count; ++i) {
@@ -20,23 +20,23 @@ Boxes random_column(Random& random, int count) {
     pose.position = {random.uniform(-0.1, 0.1), height + 0.5 * sides.y()};
     height += sides.y();
     const int box = add_box(scene, pose, random.uniform(0.5, 5), sides, {random.uniform(0, 0.5)});
-    scene.bodies.velocity[box] = 0.3 * random.velocity<M>();
+    scene.state().velocity[box] = 0.3 * random.velocity<M>();
   }
   return scene;
 }
 
-double difference_of(const Boxes& a, const Boxes& b) {
+double difference_of(const Scene<PlaneBody>& a, const Scene<PlaneBody>& b) {
   double largest = 0;
-  for (int i = 0; i < a.bodies.size(); ++i)
-    largest = std::max(largest, (a.bodies.velocity[i] - b.bodies.velocity[i]).cwiseAbs().maxCoeff());
+  for (int i = 0; i < a.bodies().size(); ++i)
+    largest = std::max(largest, (a.bodies().velocity[i] - b.bodies().velocity[i]).cwiseAbs().maxCoeff());
   return largest;
 }
 
 TEST(ActiveSet, FindsWhatSweepsConvergeTo) {
   Random random;
   for (int i = 0; i < 60; ++i) {
-    Boxes scene = random_column(random, 1 + random.index(6));
-    Boxes swept = scene;
+    Scene<PlaneBody> scene = random_column(random, 1 + random.index(6));
+    Scene<PlaneBody> swept = scene;
     Direct direct;
     direct.tolerance = 1e-12;
     Work<M> work, reference;
@@ -44,17 +44,17 @@ TEST(ActiveSet, FindsWhatSweepsConvergeTo) {
     advance(swept, {GaussSeidel{.sweeps = 200000, .tolerance = 1e-14}}, 1.0 / 60, reference);
     // A sweep that changes 1e-12 may be a hundred thousand sweeps from the end of a slow mode.
     ASSERT_LE(difference_of(scene, swept), 1e-7) << "draw " << i;
-    ASSERT_LE(residual(work.system, scene.bodies.velocity), 1e-9);
+    ASSERT_LE(residual(work.system, scene.bodies().velocity), 1e-9);
   }
 }
 
 TEST(ActiveSet, IsTheSameByTheStructuredAndTheDenseFactorisation) {
   Random random;
   for (int i = 0; i < 60; ++i) {
-    Simulation<Boxes> structured{random_column(random, 1 + random.index(8)),
-                                 VelocityStepping{Direct{.rounds = 100, .tolerance = 1e-12}}};
+    Simulation<PlaneBody> structured{random_column(random, 1 + random.index(8)),
+                                     VelocityStepping{Direct{.rounds = 100, .tolerance = 1e-12}}};
     for (int step = 0; step < 5; ++step) {
-      Simulation<Boxes> dense = structured;
+      Simulation<PlaneBody> dense = structured;
       dense.method.solver = Direct{.factorisation = Factorisation::dense, .rounds = 100, .tolerance = 1e-12};
       structured.step(1.0 / 60);
       dense.step(1.0 / 60);
@@ -66,7 +66,7 @@ TEST(ActiveSet, IsTheSameByTheStructuredAndTheDenseFactorisation) {
 TEST(ActiveSet, KeepsEveryBoundExactly) {
   Random random;
   for (int i = 0; i < 30; ++i) {
-    Boxes scene = random_column(random, 6);
+    Scene<PlaneBody> scene = random_column(random, 6);
     Work<M> work;
     for (int step = 0; step < 30; ++step) {
       advance(scene, {Direct{}}, 1.0 / 60, work);
@@ -81,25 +81,25 @@ TEST(ActiveSet, KeepsEveryBoundExactly) {
 }
 
 TEST(ActiveSet, ChangesNothingWhereNothingTouches) {
-  Boxes scene;
+  Scene<PlaneBody> scene;
   add_ground(scene);
   Pose<M> pose;
   pose.position = {0, 10};
   add_box(scene, pose, 1, {1, 1});
   Work<M> work;
   advance(scene, {Direct{}}, 1.0 / 60, work);
-  EXPECT_EQ(scene.bodies.velocity[1], Velocity<M>(0, -9.81 / 60, 0));
+  EXPECT_EQ(scene.bodies().velocity[1], Velocity<M>(0, -9.81 / 60, 0));
 }
 
 TEST(ByGraph, SolvesAColumnDirectlyAndAWallBySweeps) {
-  Boxes column = stack(5), wall = pyramid(4);
+  Scene<PlaneBody> column = stack(5), wall = pyramid(4);
   Work<M> of_column, of_wall;
   advance(column, {ByGraph{}}, 1.0 / 60, of_column);
   advance(wall, {ByGraph{}}, 1.0 / 60, of_wall);
   EXPECT_EQ(of_column.layout, Layout::elimination);
   EXPECT_EQ(of_wall.layout, Layout::coloured);
 
-  Boxes same = stack(5);
+  Scene<PlaneBody> same = stack(5);
   Work<M> work;
   advance(same, {Direct{}}, 1.0 / 60, work);
   EXPECT_EQ(difference_of(column, same), 0);
@@ -116,7 +116,7 @@ TEST(HasNoLoops, CountsAllThatDoesNotMoveAsOneBody) {
 }
 
 TEST(Tolerance, StopsSweepsThatHaveNothingMoreToDo) {
-  Boxes fixed_number = stack(3), until_done = fixed_number;
+  Scene<PlaneBody> fixed_number = stack(3), until_done = fixed_number;
   Work<M> work1, work2;
   for (int i = 0; i < 120; ++i) {
     advance(fixed_number, {GaussSeidel{.sweeps = 200}}, 1.0 / 60, work1);

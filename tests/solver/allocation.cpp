@@ -57,7 +57,7 @@ TEST(Allocation, HappensInNoStepOfAnyCureAfterTheFirst) {
 TEST(Allocation, HappensInNoStepWithContactsAfterTheFirst) {
   in_all_models([]<class M>(Random& random) {
     for (const auto& solver : {solvers[0], solvers[2], solvers[3], solvers[5], solvers[7]}) {
-      Scene<M, Contact, Friction> scene;
+      Scene<M> scene;
       const int ground = scene.add_body(random.pose<M>(), fixed<M>());
       for (int i = 0; i < 4; ++i) {
         const int body = scene.add_body(random.pose<M>(), random.mass<M>());
@@ -71,7 +71,7 @@ TEST(Allocation, HappensInNoStepWithContactsAfterTheFirst) {
 
 template <class S, class Method>
 void expect_none_after_the_first_step_by(const S& scene, const Method& method) {
-  Simulation<S, Method> simulation{scene, method};
+  Simulation simulation{scene, method};
   simulation.step(time_step);
   EXPECT_EQ(allocations_in([&] {
               for (int i = 0; i < 5; ++i) simulation.step(time_step);
@@ -91,7 +91,7 @@ TEST(Allocation, HappensInNoStepOfAccelerationsOrRattleAfterTheFirst) {
 
 template <class S>
 void expect_none_at_rest(const S& scene, const RowSolver& solver) {
-  Simulation<S> simulation{scene, {solver}};
+  Simulation simulation{scene, {solver}};
   for (int i = 0; i < 30; ++i) simulation.step(time_step);
   EXPECT_EQ(allocations_in([&] {
               for (int i = 0; i < 30; ++i) simulation.step(time_step);
@@ -103,7 +103,7 @@ TEST(Allocation, HappensInNoStepWhileTheSameContactsAreFound) {
   for (const RowSolver& solver : {RowSolver(GaussSeidel{}), RowSolver(ByGraph{})}) {
     expect_none_at_rest(stack(5), solver);
     expect_none_at_rest(pyramid(4), solver);
-    expect_none_at_rest(box_on_incline<Scene<SpaceBody, Contact, Friction>>(0.1, 0.5, 1), solver);
+    expect_none_at_rest(box_on_incline<SpaceBody>(0.1, 0.5, 1), solver);
   }
 }
 

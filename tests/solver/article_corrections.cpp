@@ -71,7 +71,7 @@ TEST(Gravity, IsInTheVelocityBeforeTheRowIsSolvedOrTheBobSinksAtGTimesH) {
   const double h = 1.0 / 60;
   const auto speed_after = [&](bool gravity_first) {
     auto scene = pendulum<PlaneParticle, NormalisedDistance>(0, 2, 3);
-    auto& bodies = scene.bodies;
+    auto& bodies = scene.bodies();
     for (int step = 0; step < 60; ++step) {
       if (gravity_first) add_gravity(bodies, scene.gravity, h);
       const auto J = scene.all<NormalisedDistance>()[0].jacobian(bodies.pose[0], bodies.pose[1]);
@@ -136,7 +136,7 @@ struct MixedRod : NormalisedDistance<M> {
 template <template <class> class Rod>
 double stretch_after(double length, double beta) {
   using M = PlaneParticle;
-  Scene<M, Rod> scene;
+  Scene<M> scene;
   scene.gravity.setZero();
   scene.add_body(Linear<M>(0, 0), fixed<M>());
   scene.add_body(Linear<M>(0, -length - 1e-3), with_mass<M>(3));
@@ -146,7 +146,7 @@ double stretch_after(double length, double beta) {
   scene.add(rod);
   Work<M> work;
   for (int i = 0; i < 30; ++i) advance(scene, {GaussSeidel{1}, Baumgarte{beta}}, 1.0 / 60, work);
-  return std::abs(scene.bodies.pose[1].position.norm() - length);
+  return std::abs(scene.bodies().pose[1].position.norm() - length);
 }
 
 TEST(MixedRod, OfTenMetresDivergesWhereEitherFormByItselfConverges) {
@@ -164,12 +164,12 @@ TEST(OneScalarFormula, IsOneRowAndNotASystem) {
   Work<PlaneParticle> work;
   const double h = 1.0 / 60;
   advance(scene, {GaussSeidel{1, false}, NoDriftCure{}}, h, work);
-  EXPECT_NEAR(residual(work.system, scene.bodies.velocity), 9.81 * h / 2, 1e-12)
+  EXPECT_NEAR(residual(work.system, scene.bodies().velocity), 9.81 * h / 2, 1e-12)
       << "row 2 undoes half of what row 1 did";
   auto exact = rod_chain<PlaneParticle, NormalisedDistance>({2});
   Work<PlaneParticle> exact_work;
   advance(exact, {Direct{}, NoDriftCure{}}, h, exact_work);
-  EXPECT_NEAR(residual(exact_work.system, exact.bodies.velocity), 0, 1e-15);
+  EXPECT_NEAR(residual(exact_work.system, exact.bodies().velocity), 0, 1e-15);
 }
 
 }  // namespace

@@ -41,18 +41,18 @@ TEST(Mass, MustBePositiveAndFinite) {
 /// A scene of two bodies, and a check that what is refused leaves it as it was.
 template <class M>
 struct Subject {
-  Scene<M, Distance, NormalisedDistance, Pin, Contact, Friction> scene;
+  Scene<M> scene;
   Random random;
 
   Subject() {
     for (int i = 0; i < 2; ++i) scene.add_body(random.pose<M>(), random.mass<M>());
   }
   void refuses(const std::function<void()>& f, const std::string& name_and_value, const std::string& allowed) {
-    const int bodies = scene.bodies.size(), constraints = scene.count();
+    const int bodies = scene.bodies().size(), constraints = scene.count();
     expect_refusal(f, name_and_value, allowed);
-    EXPECT_EQ(scene.bodies.pose.size(), bodies);
-    EXPECT_EQ(scene.bodies.velocity.size(), bodies);
-    EXPECT_EQ(scene.bodies.inverse_mass.size(), bodies);
+    EXPECT_EQ(scene.bodies().pose.size(), bodies);
+    EXPECT_EQ(scene.bodies().velocity.size(), bodies);
+    EXPECT_EQ(scene.bodies().inverse_mass.size(), bodies);
     EXPECT_EQ(scene.count(), constraints);
     int visited = 0;
     scene.for_each([&](const auto&) { ++visited; });
@@ -120,7 +120,7 @@ TEST(Constraint, MustJoinTwoBodiesOfTheScene) {
     subject.refuses([&] { scene.add(Pin<M>{{7, 0}}); }, "body index is 7", allowed);
     subject.refuses([&] { scene.add(Contact<M>{{0, 3}}); }, "body index is 3", allowed);
     subject.refuses([&] { scene.add(Pin<M>{{1, 1}}); }, "body index is 1", "another one");
-    subject.refuses([&] { pin<M>(scene.bodies, 0, 5, Linear<M>::Zero()); }, "body index is 5", allowed);
+    subject.refuses([&] { pin<M>(scene.bodies(), 0, 5, Linear<M>::Zero()); }, "body index is 5", allowed);
     if constexpr (M::angular > 0) {
       Pin<M> far{{0, 1}};
       far.at.arms.second[1] = infinity;
@@ -138,7 +138,7 @@ TEST(Rod, MustHaveALengthAndADirection) {
       subject.refuses([&] { scene.add(Distance<M>{{0, 1}, bad}); }, name, "positive finite number [m]");
       subject.refuses([&] { scene.add(NormalisedDistance<M>{{0, 1}, bad}); }, name, "positive finite number [m]");
     }
-    scene.bodies.pose[1] = scene.bodies.pose[0];
+    scene.state().pose[1] = scene.bodies().pose[0];
     const std::string name = "distance between the rod's ends is 0";
     subject.refuses([&] { scene.add(Distance<M>{{0, 1}, 1}); }, name, "above zero [m]");
     subject.refuses([&] { scene.add(NormalisedDistance<M>{{0, 1}, 1}); }, name, "above zero [m]");
@@ -214,8 +214,8 @@ TEST(Step, MustHaveATimeAndChoicesWithinTheirRange) {
     const auto refuses = [&](double h, const VelocityStepping& method, const std::string& name_and_value,
                              const std::string& allowed) {
       expect_refusal([&] { advance(scene, method, h, work); }, name_and_value, allowed);
-      EXPECT_EQ(numbers_of<M>(scene.bodies.velocity), numbers_of<M>(before.bodies.velocity));
-      EXPECT_EQ(scene.bodies.pose[2].position, before.bodies.pose[2].position);
+      EXPECT_EQ(numbers_of<M>(scene.bodies().velocity), numbers_of<M>(before.bodies().velocity));
+      EXPECT_EQ(scene.bodies().pose[2].position, before.bodies().pose[2].position);
     };
     for (const double bad : {0.0, -1.0, infinity, nan})
       refuses(bad, {}, fmt::format("time step is {}", bad), "positive finite number [s]");

@@ -1,4 +1,4 @@
-#include "solver/collide/sweep_and_prune.hpp"
+#include "solver/contact/sweep_and_prune.hpp"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "solver/collide/manifold.hpp"
+#include "solver/contact/manifold.hpp"
 #include "tests/solver/random.hpp"
 
 // What touches, judged without looking for it: by what a shape reaches in a direction, and by what it contains.

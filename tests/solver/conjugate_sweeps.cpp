@@ -20,7 +20,7 @@ int sweeps_for(int links, Solver solver) {
     Work<PlaneParticle> work;
     solver.sweeps = sweeps;
     advance(scene, VelocityStepping{solver}, 1.0 / 60, work);
-    return residual(work.system, scene.bodies.velocity) <= 1e-9;
+    return residual(work.system, scene.bodies().velocity) <= 1e-9;
   };
   int too_few = 0, enough = 1;
   while (!hold(enough)) too_few = enough, enough *= 2;
@@ -38,20 +38,20 @@ TEST(ConjugateSweeps, TakeInProportionToAChainsLinksWhatSweepsTakeBySquare) {
 
 TEST(ConjugateSweeps, EndWherePlainSweepsEnd) {
   for (const int base : {2, 4, 6}) {
-    Boxes conjugate = pyramid(base), plain = conjugate;
+    Scene<PlaneBody> conjugate = pyramid(base), plain = conjugate;
     kick(conjugate, 0.5);
     kick(plain, 0.5);
     Work<PlaneBody> work1, work2;
     advance(conjugate, VelocityStepping{ConjugateSweeps{.sweeps = 20000, .tolerance = 1e-14}}, 1.0 / 60, work1);
     advance(plain, VelocityStepping{GaussSeidel{.sweeps = 20000, .tolerance = 1e-14}}, 1.0 / 60, work2);
-    for (int i = 0; i < plain.bodies.size(); ++i)
-      EXPECT_LE((conjugate.bodies.velocity[i] - plain.bodies.velocity[i]).cwiseAbs().maxCoeff(), 1e-9);
+    for (int i = 0; i < plain.bodies().size(); ++i)
+      EXPECT_LE((conjugate.bodies().velocity[i] - plain.bodies().velocity[i]).cwiseAbs().maxCoeff(), 1e-9);
   }
 }
 
 TEST(ConjugateSweeps, KeepEveryBoundAtWhateverSweepTheyStop) {
   for (int sweeps = 1; sweeps <= 12; ++sweeps) {
-    Boxes scene = pyramid(5);
+    Scene<PlaneBody> scene = pyramid(5);
     kick(scene, 2);
     Work<PlaneBody> work;
     for (int i = 0; i < 20; ++i) {
@@ -66,15 +66,15 @@ TEST(ConjugateSweeps, KeepEveryBoundAtWhateverSweepTheyStop) {
 }
 
 TEST(ConjugateSweeps, LetAKickedWallComeToRest) {
-  Boxes scene = pyramid(10);
+  Scene<PlaneBody> scene = pyramid(10);
   kick(scene, 0.02);
-  Simulation<Boxes> wall{scene, VelocityStepping{ByGraph{}, Baumgarte{.slop = 0.001}}};
+  Simulation<PlaneBody> wall{scene, VelocityStepping{ByGraph{}, Baumgarte{.slop = 0.001}}};
   for (int i = 0; i < 300; ++i) wall.step(1.0 / 60);
   double fastest = 0;
-  for (const auto& V : wall.scene.bodies.velocity) fastest = std::max(fastest, V.cwiseAbs().maxCoeff());
+  for (const auto& V : wall.scene.bodies().velocity) fastest = std::max(fastest, V.cwiseAbs().maxCoeff());
   EXPECT_LT(fastest, 1e-4);
   EXPECT_LT(position_error(wall.scene).max, 0.001);
-  EXPECT_LT((wall.scene.bodies.pose.back().position - scene.bodies.pose.back().position).norm(), 0.004);
+  EXPECT_LT((wall.scene.bodies().pose.back().position - scene.bodies().pose.back().position).norm(), 0.004);
 }
 
 }  // namespace

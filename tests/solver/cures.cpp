@@ -10,7 +10,7 @@ namespace {
 
 using namespace byhand;
 using M = PlaneParticle;
-using Rods = Scene<M, NormalisedDistance>;
+using Rods = Scene<M>;
 
 Rods hanging(int links) { return rod_chain<M, NormalisedDistance>({.links = links}); }
 
@@ -24,10 +24,10 @@ VelocityStepping cured_by(const DriftCure& cure, const RowSolver& solver = Gauss
 Simulation<Rods> stretched(double error, const DriftCure& cure) {
   Simulation<Rods> simulation{pendulum<M, NormalisedDistance>(0.4, 2, 3), cured_by(cure)};
   simulation.scene.gravity.setZero();
-  simulation.scene.bodies.pose[1].position *= 1 + error / 2;
+  simulation.scene.state().pose[1].position *= 1 + error / 2;
   return simulation;
 }
-double stretch(const Simulation<Rods>& simulation) { return simulation.scene.bodies.pose[1].position.norm() - 2; }
+double stretch(const Simulation<Rods>& simulation) { return simulation.scene.bodies().pose[1].position.norm() - 2; }
 
 TEST(SplitImpulse, AStepLeavesOneMinusBetaOfTheErrorAndNoVelocity) {
   for (const double beta : {0.0, 0.1, 0.2, 1.0, 1.5, 2.5}) {
@@ -35,18 +35,18 @@ TEST(SplitImpulse, AStepLeavesOneMinusBetaOfTheErrorAndNoVelocity) {
     for (int i = 1; i <= 4; ++i) {
       simulation.step(time_step);
       EXPECT_NEAR(stretch(simulation), 0.1 * std::pow(1 - beta, i), 1e-13) << beta;
-      EXPECT_EQ(simulation.scene.bodies.velocity[1].norm(), 0) << beta;
+      EXPECT_EQ(simulation.scene.bodies().velocity[1].norm(), 0) << beta;
     }
   }
 }
 
 /// A unit box on the ground, `overlap` [m] within it.
-Simulation<Boxes> sunk(double overlap, const DriftCure& cure) {
-  Simulation<Boxes> simulation{stack(1), cured_by(cure)};
-  simulation.scene.bodies.pose[1].position.y() -= overlap;
+Simulation<PlaneBody> sunk(double overlap, const DriftCure& cure) {
+  Simulation<PlaneBody> simulation{stack(1), cured_by(cure)};
+  simulation.scene.state().pose[1].position.y() -= overlap;
   return simulation;
 }
-double height(const Simulation<Boxes>& simulation) { return simulation.scene.bodies.pose[1].position.y() - 0.5; }
+double height(const Simulation<PlaneBody>& simulation) { return simulation.scene.bodies().pose[1].position.y() - 0.5; }
 
 // Baumgarte's throws it off the ground from 0.1226 m on.
 TEST(SplitImpulse, ADeepBoxDoesNotPop) {
@@ -58,7 +58,7 @@ TEST(SplitImpulse, ADeepBoxDoesNotPop) {
       baumgarte.step(time_step);
       highest = std::max(highest, height(baumgarte));
       EXPECT_NEAR(height(split), -overlap * std::pow(0.8, i), 1e-12);
-      EXPECT_LE(split.scene.bodies.velocity[1].norm(), 1e-12);
+      EXPECT_LE(split.scene.bodies().velocity[1].norm(), 1e-12);
     }
     EXPECT_EQ(highest > 1e-3, overlap > 0.1226) << overlap;
   }
@@ -73,14 +73,14 @@ TEST(SplitImpulse, HonoursSlopAndSpeedCap) {
 }
 
 TEST(SplitImpulse, StillLetsAContactCloseItsGapAndBounce) {
-  Boxes scene;
+  Scene<PlaneBody> scene;
   add_ground(scene, {0, 0.5});
   add_unit_box(scene, 0, 0.51, 1, {0, 0.5});
-  scene.bodies.velocity[1].y() = -6;
-  Simulation<Boxes> simulation{scene, cured_by(SplitImpulse{})};
+  scene.state().velocity[1].y() = -6;
+  Simulation<PlaneBody> simulation{scene, cured_by(SplitImpulse{})};
   simulation.step(time_step);
   EXPECT_NEAR(height(simulation), 0, 1e-14);
-  EXPECT_NEAR(simulation.scene.bodies.velocity[1].y(), 3, 1e-12);
+  EXPECT_NEAR(simulation.scene.bodies().velocity[1].y(), 3, 1e-12);
 }
 
 // A warm start remembers Baumgarte's correction as a velocity: ten links and one sweep ring from β = 0.025 on.
@@ -103,7 +103,7 @@ TEST(SplitImpulse, OneWarmSweepIsEnoughAtAnyBeta) {
 TEST(SplitImpulse, ReachesThePosesSoonerFromTheLastCorrection) {
   const auto steps = [](bool warm) {
     Simulation<Rods> chain{hanging(10), cured_by(SplitImpulse{.warm_start = warm}, GaussSeidel{1})};
-    for (int i = 1; i <= 10; ++i) chain.scene.bodies.pose[i].position.y() -= 0.01 * i;
+    for (int i = 1; i <= 10; ++i) chain.scene.state().pose[i].position.y() -= 0.01 * i;
     int count = 0;
     do chain.step(time_step), ++count;
     while (position_error(chain.scene).max > 1e-3 && count < 5000);
@@ -222,16 +222,16 @@ TEST(SoftConstraints, AreStableInOneRowForEveryFrequencyAndDamping) {
 
 TEST(SoftConstraints, AreSpringsOfTheRowsOwnMass) {
   auto soft = pendulum<M, NormalisedDistance>(1, 2, 3);
-  soft.bodies.pose[1].position *= 1.05;
-  Scene<M, Spring> spring;
-  spring.bodies = soft.bodies;
+  soft.state().pose[1].position *= 1.05;
+  Scene<M> spring;
+  spring.bodies() = soft.bodies();
   const NormalisedDistance<M> rod = soft.all<NormalisedDistance>()[0];
-  spring.add(Spring<M>{rod.at, rod.length, tuned(soft.bodies, rod, 30, 0.7)});
+  spring.add(Spring<M>{rod.at, rod.length, tuned(soft.bodies(), rod, 30, 0.7)});
   Work<M> work1, work2;
   for (int i = 0; i < 50; ++i) {
     advance(soft, cured_by(SoftConstraints{30, 0.7, false}), time_step, work1);
     advance(spring, {}, time_step, work2);
-    ASSERT_LE((soft.bodies.pose[1].position - spring.bodies.pose[1].position).norm(), 1e-12) << i;
+    ASSERT_LE((soft.bodies().pose[1].position - spring.bodies().pose[1].position).norm(), 1e-12) << i;
   }
 }
 
@@ -241,7 +241,7 @@ TEST(SoftConstraints, LeaveNoSpeedAlongTheRowsOnceTheyAreRelaxed) {
       Simulation<Rods> simulation{rod_chain<M, NormalisedDistance>({.links = 5, .angle = 1}),
                                   cured_by(SoftConstraints{.refresh = refresh}, solver)};
       for (int i = 0; i < 20; ++i) simulation.step(time_step);
-      const auto& bodies = simulation.scene.bodies;
+      const auto& bodies = simulation.scene.bodies();
       EXPECT_LE(residual(simulation.work.system, bodies.velocity), 1e-9);
       double largest = 0;
       for (const auto& rod : simulation.scene.all<NormalisedDistance>()) {
@@ -258,13 +258,13 @@ double lag(bool refresh) {
   const double speed = 1;
   auto scene = pendulum<M, NormalisedDistance>(0, 1, 1);
   scene.gravity.setZero();
-  scene.bodies.velocity[1].x() = speed;
+  scene.state().velocity[1].x() = speed;
   Simulation<Rods> simulation{scene, cured_by(SoftConstraints{.refresh = refresh}, GaussSeidel{1}, 4)};
   double angle = 0;
   for (int i = 0; i < 600; ++i) {
-    const Linear<M> before = simulation.scene.bodies.pose[1].position;
+    const Linear<M> before = simulation.scene.bodies().pose[1].position;
     simulation.step(time_step);
-    const Linear<M> after = simulation.scene.bodies.pose[1].position;
+    const Linear<M> after = simulation.scene.bodies().pose[1].position;
     angle += std::asin(cross(before, after)[0] / (before.norm() * after.norm()));
   }
   return 10 * speed - angle;
@@ -292,13 +292,13 @@ TEST(Cures, KeepMomentumAndBoundsInSubstepsOfOneSweep) {
       Random random;
       Rods free = hanging(6);
       free.gravity.setZero();
-      free.bodies.inverse_mass[0] = with_mass<M>(2);
+      free.set_mass(0, with_mass<M>(2));
       free = with_random_velocities(free, random);
-      const Linear<M> before = linear_momentum(free.bodies);
+      const Linear<M> before = linear_momentum(free.bodies());
       Simulation<Rods> simulation{free, cured_by(cure, solver, 8)};
       for (int i = 0; i < 300; ++i) {
         simulation.step(time_step);
-        ASSERT_LE((linear_momentum(simulation.scene.bodies) - before).norm(), 1e-10)
+        ASSERT_LE((linear_momentum(simulation.scene.bodies()) - before).norm(), 1e-10)
             << "cure " << cure.index() << ", solver " << solver.index();
         if (cure.index() != 0) {
           ASSERT_LE(position_error(simulation.scene).max, 0.5)
@@ -310,20 +310,20 @@ TEST(Cures, KeepMomentumAndBoundsInSubstepsOfOneSweep) {
 
 TEST(Cures, HoldAStackOfThree) {
   for (const DriftCure& cure : cures) {
-    Simulation<Boxes> simulation{stack(3), cured_by(cure, GaussSeidel{4}, 4)};
+    Simulation<PlaneBody> simulation{stack(3), cured_by(cure, GaussSeidel{4}, 4)};
     for (int i = 0; i < 300; ++i) simulation.step(time_step);
     EXPECT_LE(position_error(simulation.scene).max, 0.01) << cure.index();
-    EXPECT_NEAR(simulation.scene.bodies.pose[3].position.y(), 2.5, 0.02) << cure.index();
-    EXPECT_LE(simulation.scene.bodies.velocity[3].norm(), 1e-3) << cure.index();
+    EXPECT_NEAR(simulation.scene.bodies().pose[3].position.y(), 2.5, 0.02) << cure.index();
+    EXPECT_LE(simulation.scene.bodies().velocity[3].norm(), 1e-3) << cure.index();
   }
 }
 
 TEST(Cures, LeaveMotorsAndSpringsTheirOwn) {
-  Scene<M, Spring> scene;
+  Scene<M> scene;
   scene.add_body({0, 0}, fixed<M>());
   scene.add_body({0, -1.2}, with_mass<M>(2));
   scene.add(Spring<M>{{0, 1}, 1, {50, 3}});
-  Simulation<Scene<M, Spring>> none{scene, cured_by(NoDriftCure{})};
+  Simulation<M> none{scene, cured_by(NoDriftCure{})};
   auto split = none, soft = none;
   split.method.drift = SplitImpulse{};
   soft.method.drift = SoftConstraints{};
@@ -331,8 +331,8 @@ TEST(Cures, LeaveMotorsAndSpringsTheirOwn) {
     none.step(time_step);
     split.step(time_step);
     soft.step(time_step);
-    EXPECT_NEAR(split.scene.bodies.pose[1].position.y(), none.scene.bodies.pose[1].position.y(), 1e-12);
-    EXPECT_NEAR(soft.scene.bodies.pose[1].position.y(), none.scene.bodies.pose[1].position.y(), 1e-12);
+    EXPECT_NEAR(split.scene.bodies().pose[1].position.y(), none.scene.bodies().pose[1].position.y(), 1e-12);
+    EXPECT_NEAR(soft.scene.bodies().pose[1].position.y(), none.scene.bodies().pose[1].position.y(), 1e-12);
   }
 }
 

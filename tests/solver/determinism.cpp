@@ -15,8 +15,8 @@ using namespace byhand;
 
 /// A stack of four boxes that slides off a slope on contacts and friction at the corners of each.
 template <class M>
-Scene<M, Contact, Friction> sliding_stack() {
-  Scene<M, Contact, Friction> scene;
+Scene<M> sliding_stack() {
+  Scene<M> scene;
   scene.gravity = 3 * Linear<M>::Unit(0) - 9 * Linear<M>::Unit(1);
   scene.add_body(Linear<M>(Linear<M>::Zero()), fixed<M>());
   const Linear<M> up = Linear<M>::Unit(1);
@@ -27,7 +27,7 @@ Scene<M, Contact, Friction> sliding_stack() {
         if (M::linear == 2 && z > 0) continue;
         Linear<M> point = (i - 1) * up + x * Linear<M>::Unit(0);
         if constexpr (M::linear == 3) point[2] = z;
-        const auto at = between<M>(scene.bodies, i - 1, point, i, point);
+        const auto at = between<M>(scene.bodies(), i - 1, point, i, point);
         const int contact = scene.add(Contact<M>{at, up});
         scene.add(Friction<M>{at, tangents_of<M>(up), 0.2, contact});
       }

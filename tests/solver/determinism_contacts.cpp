@@ -8,10 +8,9 @@
 namespace {
 
 using namespace byhand;
-using SpacePoints = Scene<SpaceBody, Contact, Friction>;
 
-Boxes kicked_stack(int count) {
-  Boxes scene = stack(count);
+Scene<PlaneBody> kicked_stack(int count) {
+  Scene<PlaneBody> scene = stack(count);
   kick(scene, 0.02);
   return scene;
 }
@@ -25,10 +24,10 @@ const Case cases[] = {
      0x3dd24c7b2a1f71db},
     {"PyramidByGraph", [] { return after_ten_seconds(pyramid(8), {ByGraph{}}); }, 0xe2a3013a619a0ed1},
     {"DominoesByGraph", [] { return after_ten_seconds(dominoes(8, 0.5, 1.5), {ByGraph{}}); }, 0x6509e62f4f11ab1f},
-    {"PileBounces", [] { return after_ten_seconds(box_pile<Boxes>(7), {GaussSeidel{}}); }, 0xba14ee3fd1594d59},
-    {"SpacePileBounces", [] { return after_ten_seconds(box_pile<SpacePoints>(7), {GaussSeidel{}}); },
+    {"PileBounces", [] { return after_ten_seconds(box_pile<PlaneBody>(7), {GaussSeidel{}}); }, 0xba14ee3fd1594d59},
+    {"SpacePileBounces", [] { return after_ten_seconds(box_pile<SpaceBody>(7), {GaussSeidel{}}); },
      0xd0aa8875cf6822e5},
-    {"SpacePileByGraph", [] { return after_ten_seconds(box_pile<SpacePoints>(8), {ByGraph{}}); },
+    {"SpacePileByGraph", [] { return after_ten_seconds(box_pile<SpaceBody>(8), {ByGraph{}}); },
      0x741aab538269784b},
 };
 

@@ -16,8 +16,8 @@ using namespace byhand;
 
 const ChainOptions swinging{.links = 3, .length = 0.5, .mass = 3, .end_mass = 7, .angle = 1.2};
 
-Boxes struck_stack() {
-  Boxes boxes = stack(4);
+Scene<PlaneBody> struck_stack() {
+  Scene<PlaneBody> boxes = stack(4);
   kick(boxes, 0.5);
   return boxes;
 }

@@ -68,7 +68,7 @@ TEST(StructuredDirect, IsTheDenseSolveOnGridsOfHubs) {
 
 TEST(StructuredDirect, IsTheDenseSolveWhereALineOfRodsJoinsTwoHubs) {
   in_all_models([]<class M>(Random& random) {
-    Scene<M, Distance> scene;
+    Scene<M> scene;
     const int hubs[] = {0, 2};
     for (int i = 0; i < 3; ++i)
       scene.add_body(Linear<M>(2.0 * i * Linear<M>::Unit(0)), random.mass<M>(), random.velocity<M>());
@@ -83,10 +83,10 @@ TEST(StructuredDirect, IsTheDenseSolveWhereALineOfRodsJoinsTwoHubs) {
 
 TEST(StructuredDirect, IsTheDenseSolveWhereALinkJoinsTwoHubs) {
   in_both_bodies([]<class M>(Random& random) {
-    Scene<M, Pin> scene;
+    Scene<M> scene;
     const auto body = [&] { return scene.add_body(random.pose<M>(), random.mass<M>(), random.velocity<M>()); };
     const auto join = [&](int a, int b) {
-      scene.add(pin<M>(scene.bodies, a, b, Linear<M>(random.vector<M::linear>(2))));
+      scene.add(pin<M>(scene.bodies(), a, b, Linear<M>(random.vector<M::linear>(2))));
     };
     const int link = body();
     for (const int hub : {body(), body()}) {
@@ -130,19 +130,19 @@ TEST(Direct, ForgetsWhatLambdaWasBefore) {
 }
 
 TEST(Direct, RunsASceneWithoutConstraints) {
-  Scene<PlaneParticle, Distance> scene;
+  Scene<PlaneParticle> scene;
   scene.add_body({0, 0}, with_mass<PlaneParticle>(1));
   for (const auto factorisation : {Factorisation::structured, Factorisation::dense}) {
     Work<PlaneParticle> work;
     EXPECT_NO_THROW(advance(scene, {Direct{factorisation}}, time_step, work));
   }
-  EXPECT_NEAR(scene.bodies.velocity[0].y(), -2 * 9.81 * time_step, 1e-15);
+  EXPECT_NEAR(scene.bodies().velocity[0].y(), -2 * 9.81 * time_step, 1e-15);
 }
 
 /// A hanging bob whose one rod is there twice, with two lengths.
 template <class M>
-Scene<M, NormalisedDistance> doubled_rod(double length1, double length2) {
-  Scene<M, NormalisedDistance> scene;
+Scene<M> doubled_rod(double length1, double length2) {
+  Scene<M> scene;
   scene.add_body(Linear<M>(Linear<M>::Zero()), fixed<M>());
   InverseMass<M> bob;
   if constexpr (M::angular == 0)
@@ -160,11 +160,11 @@ TEST(SingularSystem, IsRefusedInASentenceAndLeavesTheVelocities) {
     for (const auto factorisation : {Factorisation::structured, Factorisation::dense}) {
       auto scene = doubled_rod<M>(1, 1);
       scene.gravity.setZero();
-      scene.bodies.velocity[1][0] = 1;
+      scene.bodies().velocity[1][0] = 1;
       Work<M> work;
       EXPECT_THAT([&] { advance(scene, {Direct{factorisation}}, time_step, work); },
                   testing::ThrowsMessage<SingularSystem>(testing::HasSubstr("regularisation above 0")));
-      EXPECT_EQ(scene.bodies.velocity[1], Velocity<M>(Velocity<M>::Unit(0)));
+      EXPECT_EQ(scene.bodies().velocity[1], Velocity<M>(Velocity<M>::Unit(0)));
     }
   });
 }
@@ -181,10 +181,10 @@ TEST(SingularSystem, WithRegularisationHasTheRightSumOfImpulses) {
 
 TEST(SingularSystem, OfALoopWithoutFreedomIsFound) {
   // A body pinned three times to the ground: six rows for three freedoms.
-  Scene<PlaneBody, Pin> scene;
+  Scene<PlaneBody> scene;
   const int ground = scene.add_body({0, 0}, fixed<PlaneBody>());
   const int body = scene.add_body({0.3, 0.2}, ball<PlaneBody>(1, 1));
-  for (const double x : {-1.0, 0.5, 2.0}) scene.add(pin<PlaneBody>(scene.bodies, ground, body, {x, x * x}));
+  for (const double x : {-1.0, 0.5, 2.0}) scene.add(pin<PlaneBody>(scene.bodies(), ground, body, {x, x * x}));
   EXPECT_THROW(solved(scene, Direct{}), SingularSystem);
   EXPECT_THROW(solved(scene, Direct{Factorisation::dense}), SingularSystem);
   const auto soft = solved(scene, Direct{Factorisation::structured, 1e-9});
@@ -195,7 +195,7 @@ TEST(SingularSystem, OfALoopWithoutFreedomIsFound) {
 template <class M>
 double conflict(const RowSolver& solver, double softness, int steps) {
   auto scene = doubled_rod<M>(1.0, 1.1);
-  scene.bodies.pose[1].position *= 1.05;
+  scene.state().pose[1].position *= 1.05;
   for (auto& rod : scene.template all<NormalisedDistance>()) rod.softness = softness;
   Work<M> work;
   for (int i = 0; i < steps; ++i) advance(scene, {solver}, time_step, work);
@@ -225,7 +225,7 @@ TEST(ConflictingRods, AreBoundedBySoftnessAndByARegularisedDirectSolve) {
 
 TEST(RowsWithoutEffect, GetNoImpulseInAnySolver) {
   in_all_models([]<class M>(Random& random) {
-    Scene<M, Distance, Pin> scene;
+    Scene<M> scene;
     const int post1 = scene.add_body(random.pose<M>(), fixed<M>());
     const int post2 = scene.add_body(random.pose<M>(), fixed<M>());
     const int bob = scene.add_body(random.pose<M>(), random.mass<M>(), random.velocity<M>());
@@ -243,12 +243,12 @@ TEST(RowsWithoutEffect, GetNoImpulseInAnySolver) {
       EXPECT_LT(largest(answer.velocity), 1e3);
     }
     // A rod whose ends have come together since it was added: J is zero.
-    Scene<M, Distance, NormalisedDistance> vanishing;
+    Scene<M> vanishing;
     vanishing.add_body(Linear<M>(Linear<M>::Zero()), fixed<M>());
     vanishing.add_body(Linear<M>(Linear<M>::Unit(0)), random.mass<M>());
     vanishing.add(Distance<M>{{0, 1}, 1});
     vanishing.add(NormalisedDistance<M>{{0, 1}, 1});
-    vanishing.bodies.pose[1].position.setZero();
+    vanishing.bodies().pose[1].position.setZero();
     for (const RowSolver& solver : {RowSolver(GaussSeidel{}), RowSolver(Jacobi{}), RowSolver(Direct{}),
                                     RowSolver(Direct{Factorisation::dense})})
       EXPECT_EQ(largest(solved(vanishing, solver).lambda), 0);

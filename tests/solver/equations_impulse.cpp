@@ -273,8 +273,8 @@ TEST(Equation21, BiasIsTheRateThatRemains) {
   in_all_models(
       []<class M>(Random& random) {
         const auto pair = random_pair<M>(random);
-        Scene<M, Pin> scene;
-        scene.bodies = pair.bodies();
+        Scene<M> scene;
+        scene.bodies() = pair.bodies();
         scene.gravity.setZero();
         scene.add(Pin<M>{pair.at});
         Work<M> work;
@@ -282,7 +282,7 @@ TEST(Equation21, BiasIsTheRateThatRemains) {
         const auto C = Pin<M>{pair.at}.template value<double>(pair.pose1, pair.pose2);
         const double h = 0.25, beta = 0.5;
         advance(scene, {GaussSeidel{1}, Baumgarte{beta}}, h, work);
-        const auto JV = dot(J, scene.bodies.velocity[0], scene.bodies.velocity[1]);
+        const auto JV = dot(J, scene.bodies().velocity[0], scene.bodies().velocity[1]);
         EXPECT_LE(difference(JV, -beta / h * C), 1e-11);
       },
       draws);
@@ -299,7 +299,7 @@ template <class M>
 double share_left(const Baumgarte& cure, double h) {
   auto scene = pendulum<M, NormalisedDistance>(0, 2, 3);
   scene.gravity.setZero();
-  scene.bodies.pose[1].position *= 1.05;
+  scene.state().pose[1].position *= 1.05;
   const double before = position_error(scene).max;
   Work<M> work;
   advance(scene, {GaussSeidel{1}, cure}, h, work);

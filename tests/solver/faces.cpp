@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "lessons/scenes/boxes.hpp"
-#include "solver/methods/velocity_stepping.hpp"
+#include "solver/step.hpp"
 #include "tests/solver/dual.hpp"
 #include "tests/solver/random.hpp"
 
@@ -10,8 +10,8 @@ namespace {
 using namespace byhand;
 using M = PlaneBody;
 
-FaceContact<M> random_face(Random& random, const Pair<M>& pair) {
-  FaceContact<M> face;
+ContactManifold<M> random_face(Random& random, const Pair<M>& pair) {
+  ContactManifold<M> face;
   face.at = pair.at;
   face.second = random.arms<M>();
   face.point = random.uniform(0, 1) < 0.2;
@@ -20,7 +20,7 @@ FaceContact<M> random_face(Random& random, const Pair<M>& pair) {
   return face;
 }
 
-TEST(FaceContact, JacobianIsTheGradientOfItsEndsAndOfItsSlip) {
+TEST(ContactManifold, JacobianIsTheGradientOfItsEndsAndOfItsSlip) {
   Random random;
   for (int i = 0; i < 200; ++i) {
     const auto pair = random_pair<M>(random);
@@ -31,7 +31,7 @@ TEST(FaceContact, JacobianIsTheGradientOfItsEndsAndOfItsSlip) {
   }
 }
 
-TEST(FaceContact, WithoutASecondEndIsAContactWithItsFriction) {
+TEST(ContactManifold, WithoutASecondEndIsAContactWithItsFriction) {
   Random random;
   for (int i = 0; i < 50; ++i) {
     const auto pair = random_pair<M>(random);
@@ -48,7 +48,7 @@ TEST(FaceContact, WithoutASecondEndIsAContactWithItsFriction) {
 
 /// One random face between two moving bodies, with λ that may be anything a bound allows.
 struct Face {
-  Scene<M, FaceContact> scene;
+  Scene<M> scene;
   Work<M> work;
 
   explicit Face(Random& random) {
@@ -58,7 +58,7 @@ struct Face {
     scene.add(random_face(random, pair));
     lay_out(scene, GaussSeidel{}, work);
     scene.write_rows(work.system, 1.0 / 60);
-    set_bias(NoDriftCure{}, 1.0 / 60, work.system);
+    set_bias({}, 1.0 / 60, work.system);
     for (int k = 0; k < 2; ++k)
       if (random.uniform(0, 1) < 0.7) work.system.lambda[k] = random.uniform(0, 3);
     const double mu = work.system.upper[0], radius = mu * (work.system.lambda[0] + work.system.lambda[1]);
@@ -66,25 +66,25 @@ struct Face {
     for (int k = 0; k < 3; ++k) work.system.bias[k] += random.uniform(-1, 1);
   }
   Rows<3> rate() const {
-    const auto& block = std::get<block_type<M, 3, Bound::face>()>(work.system.blocks)[0];
-    Rows<3> rate = dot(block.J, scene.bodies.velocity[0], scene.bodies.velocity[1]);
+    const auto& block = std::get<block_type<M, 3, Bound::manifold>()>(work.system.blocks)[0];
+    Rows<3> rate = dot(block.J, scene.bodies().velocity[0], scene.bodies().velocity[1]);
     for (int k = 0; k < 3; ++k) rate[k] += work.system.bias[k];
     return rate;
   }
 };
 
-TEST(FaceContact, OneSweepLeavesEachEndEitherPressingOrParting) {
+TEST(ContactManifold, OneSweepLeavesEachEndEitherPressingOrParting) {
   Random random;
   int pressing[3] = {};
   for (int i = 0; i < 2000; ++i) {
     Face face(random);
-    const bool point = face.scene.all<FaceContact>()[0].point;
+    const bool point = face.scene.all<ContactManifold>()[0].point;
     // Friction comes after the ends and turns the bodies once more: only without it the ends are as they were
     // left.
     face.work.system.upper[0] = face.work.system.lambda[2] = 0;
     prepare(face.work.system, BlockSolve::whole, 1.0, face.work.prepared);
     sweep(face.work.system, face.work.prepared, face.work.system.lambda.data(),
-          numbers<M>(face.scene.bodies.velocity));
+          numbers<M>(face.scene.bodies().velocity));
     const auto& lambda = face.work.system.lambda;
     EXPECT_EQ(lambda[2], 0);
     const Rows<3> rate = face.rate();
@@ -101,7 +101,7 @@ TEST(FaceContact, OneSweepLeavesEachEndEitherPressingOrParting) {
   for (int press = 0; press <= 2; ++press) EXPECT_GT(pressing[press], 100) << press << " ends press";
 }
 
-TEST(FaceContact, ManySweepsLeaveComplementaryEndsAndFrictionWithinWhatTheyPress) {
+TEST(ContactManifold, ManySweepsLeaveComplementaryEndsAndFrictionWithinWhatTheyPress) {
   Random random;
   for (const BlockSolve way : {BlockSolve::whole, BlockSolve::row_by_row}) {
     int stuck = 0, slid = 0, both = 0, one = 0;
@@ -110,11 +110,11 @@ TEST(FaceContact, ManySweepsLeaveComplementaryEndsAndFrictionWithinWhatTheyPress
       // Above this friction a point can jam, where Coulomb's law has no answer or several.
       face.work.system.upper[0] = std::min(face.work.system.upper[0], 0.3);
       GaussSeidel solver{.sweeps = 3000, .block_solve = way};
-      solve(solver, face.work.system, face.scene.bodies.velocity, face.work.prepared, Begin::again);
+      solve(solver, face.work.system, face.scene.bodies().velocity, face.work.prepared, Begin::again);
       const auto& lambda = face.work.system.lambda;
       const Rows<3> rate = face.rate();
       const double radius = face.work.system.upper[0] * (lambda[0] + lambda[1]);
-      const bool point = face.scene.all<FaceContact>()[0].point;
+      const bool point = face.scene.all<ContactManifold>()[0].point;
       for (int k = 0; k < (point ? 1 : 2); ++k) {
         EXPECT_GE(lambda[k], 0);
         EXPECT_NEAR(std::min(lambda[k], rate[k]), 0, 1e-7);

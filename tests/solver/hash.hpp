@@ -6,7 +6,7 @@
 #include <bit>
 #include <functional>
 
-#include "solver/simulation.hpp"
+#include "solver/step.hpp"
 
 // A run that is boiled down to one number.
 namespace byhand {
@@ -39,10 +39,10 @@ class Hash {
 
 template <class S, class Method>
 std::uint64_t after(int seconds, const S& scene, const Method& method) {
-  Simulation<S, Method> simulation{scene, method};
+  Simulation simulation{scene, method};
   for (int i = 0; i < 60 * seconds; ++i) simulation.step(1.0 / 60);
-  for (const auto& V : simulation.scene.bodies.velocity) EXPECT_TRUE(V.allFinite());
-  return Hash(simulation.scene.bodies).value();
+  for (const auto& V : simulation.scene.bodies().velocity) EXPECT_TRUE(V.allFinite());
+  return Hash(simulation.scene.bodies()).value();
 }
 
 template <class S, class Method = VelocityStepping>

@@ -13,7 +13,7 @@ using namespace byhand;
 
 /// Five free bodies that fly apart on rods, a pin and a contact with friction.
 template <class M>
-using Cluster = Scene<M, Distance, Pin, Contact, Friction>;
+using Cluster = Scene<M>;
 
 template <class M>
 Cluster<M> cluster(Random& random, bool bounded = true) {
@@ -22,20 +22,20 @@ Cluster<M> cluster(Random& random, bool bounded = true) {
   for (int i = 0; i < 5; ++i) scene.add_body(random.pose<M>(), random.mass<M>(), random.velocity<M>());
   for (int i = 0; i < 3; ++i) {
     const Distance<M> rod{{i, i + 1, random.arms<M>()}};
-    const double now = rod.at.template separation<double>(scene.bodies.pose[i], scene.bodies.pose[i + 1]).norm();
+    const double now = rod.at.template separation<double>(scene.bodies().pose[i], scene.bodies().pose[i + 1]).norm();
     scene.add(Distance<M>{rod.at, now});
   }
-  if constexpr (M::angular > 0) scene.add(pin<M>(scene.bodies, 3, 4, Linear<M>(random.vector<M::linear>(2))));
+  if constexpr (M::angular > 0) scene.add(pin<M>(scene.bodies(), 3, 4, Linear<M>(random.vector<M::linear>(2))));
   if (!bounded) return scene;
   // Contacts press along the line between two points, or at one point: else a pair of opposite impulses has a
   // moment of its own.
   if constexpr (M::angular > 0) {
     const Linear<M> point = random.vector<M::linear>(2), n = random.direction<M>();
-    const auto at = between<M>(scene.bodies, 0, point, 4, point);
+    const auto at = between<M>(scene.bodies(), 0, point, 4, point);
     const int contact = scene.add(Contact<M>{at, n});
     scene.add(Friction<M>{at, tangents_of<M>(n), 0.5, contact});
   } else {
-    const Linear<M> apart = scene.bodies.pose[4].position - scene.bodies.pose[0].position;
+    const Linear<M> apart = scene.bodies().pose[4].position - scene.bodies().pose[0].position;
     scene.add(Contact<M>{{0, 4}, apart.normalized()});
   }
   return scene;
@@ -56,16 +56,16 @@ TEST(Momentum, IsKeptByEverySolverAfterAnyNumberOfSweeps) {
   in_all_models(
       []<class M>(Random& random) {
         const auto expect_kept = [](Cluster<M> scene, const RowSolver& solver) {
-          const auto linear = linear_momentum(scene.bodies);
-          const auto angular = angular_momentum(scene.bodies);
+          const auto linear = linear_momentum(scene.bodies());
+          const auto angular = angular_momentum(scene.bodies());
           Work<M> work;
-          const auto poses = scene.bodies.pose;
+          const auto poses = scene.bodies().pose;
           advance(scene, {solver, NoDriftCure{}}, time_step, work);
           EXPECT_GT(largest(work.system.lambda), 0.01) << "something was solved";
-          EXPECT_LE(difference(linear_momentum(scene.bodies), linear), 1e-11);
+          EXPECT_LE(difference(linear_momentum(scene.bodies()), linear), 1e-11);
           // Of the velocities at the poses where the rows were written: moving the poses is not the solver's.
-          scene.bodies.pose = poses;
-          EXPECT_LE(difference(angular_momentum(scene.bodies), angular), 1e-11);
+          scene.state().pose = poses;
+          EXPECT_LE(difference(angular_momentum(scene.bodies()), angular), 1e-11);
         };
         const auto free = cluster<M>(random, false), bounded = cluster<M>(random);
         for (const auto& solver : sweeping_solvers()) expect_kept(bounded, solver);
@@ -78,11 +78,11 @@ TEST(LinearMomentum, IsKeptOverASecondWithDriftAndItsCure) {
   in_all_models([]<class M>(Random& random) {
     for (const auto& solver : sweeping_solvers()) {
       auto scene = cluster<M>(random);
-      const auto before = linear_momentum(scene.bodies);
+      const auto before = linear_momentum(scene.bodies());
       Work<M> work;
       for (int i = 0; i < 60; ++i) advance(scene, {solver}, time_step, work);
-      EXPECT_LE(difference(linear_momentum(scene.bodies), before),
-                1e-12 * (1 + std::sqrt(kinetic_energy(scene.bodies))) * 60);
+      EXPECT_LE(difference(linear_momentum(scene.bodies()), before),
+                1e-12 * (1 + std::sqrt(kinetic_energy(scene.bodies()))) * 60);
     }
   });
 }
@@ -91,11 +91,11 @@ TEST(AngularMomentum, OfParticlesIsKeptOverASecond) {
   in_models<PlaneParticle, SpaceParticle>([]<class M>(Random& random) {
     for (const auto& solver : direct_solvers()) {
       auto scene = cluster<M>(random, false);
-      const auto before = angular_momentum(scene.bodies);
+      const auto before = angular_momentum(scene.bodies());
       Work<M> work;
       for (int i = 0; i < 60; ++i) {
         advance(scene, {solver}, time_step, work);
-        EXPECT_LE(difference(angular_momentum(scene.bodies), before), 1e-10);
+        EXPECT_LE(difference(angular_momentum(scene.bodies()), before), 1e-10);
       }
     }
   });
@@ -131,8 +131,8 @@ struct View {
     return V;
   }
   Cluster<M> of(Cluster<M> scene) const {
-    for (auto& pose : scene.bodies.pose) pose = of(pose);
-    for (auto& V : scene.bodies.velocity) V = of(V);
+    for (auto& pose : scene.state().pose) pose = of(pose);
+    for (auto& V : scene.bodies().velocity) V = of(V);
     scene.gravity = matrix * scene.gravity;
     for (auto& contact : scene.template all<Contact>()) contact.normal = (matrix * contact.normal).eval();
     for (auto& friction : scene.template all<Friction>()) friction.tangents = (matrix * friction.tangents).eval();
@@ -157,10 +157,10 @@ TEST(Translation, AndRotationOfTheWholeSceneChangeOnlyTheView) {
             advance(scene, {solver}, time_step, work);
             advance(elsewhere, {solver}, time_step, work_elsewhere);
           }
-          for (int i = 0; i < scene.bodies.size(); ++i) {
-            const Velocity<M> expected = view.of(scene.bodies.velocity[i]);
-            EXPECT_LE(difference(elsewhere.bodies.velocity[i], expected), 1e-8 * (1 + expected.norm()));
-            EXPECT_LE(difference(elsewhere.bodies.pose[i].position, view.of(scene.bodies.pose[i]).position), 1e-8);
+          for (int i = 0; i < scene.bodies().size(); ++i) {
+            const Velocity<M> expected = view.of(scene.bodies().velocity[i]);
+            EXPECT_LE(difference(elsewhere.bodies().velocity[i], expected), 1e-8 * (1 + expected.norm()));
+            EXPECT_LE(difference(elsewhere.bodies().pose[i].position, view.of(scene.bodies().pose[i]).position), 1e-8);
           }
         }
       },
@@ -169,9 +169,9 @@ TEST(Translation, AndRotationOfTheWholeSceneChangeOnlyTheView) {
 
 /// The cluster's rods with both bodies of each in the other order.
 template <class M>
-Scene<M, Distance> rods_of(const Cluster<M>& scene, bool swapped) {
-  Scene<M, Distance> rods;
-  rods.bodies = scene.bodies;
+Scene<M> rods_of(const Cluster<M>& scene, bool swapped) {
+  Scene<M> rods;
+  rods.bodies() = scene.bodies();
   for (Distance<M> rod : scene.template all<Distance>()) {
     if (swapped) {
       std::swap(rod.at.body1, rod.at.body2);
@@ -196,8 +196,8 @@ TEST(SwappedBodies, GiveTheMirroredAnswer) {
           Pin<M> pin = scene.template all<Pin>()[0], turned = pin;
           std::swap(turned.at.body1, turned.at.body2);
           std::swap(turned.at.arms.first, turned.at.arms.second);
-          Scene<M, Pin> straight, swapped;
-          straight.bodies = swapped.bodies = scene.bodies;
+          Scene<M> straight, swapped;
+          straight.bodies() = swapped.bodies() = scene.bodies();
           straight.add(pin);
           swapped.add(turned);
           auto expected = solved(straight, GaussSeidel{1}), answer = solved(swapped, GaussSeidel{1});
@@ -215,7 +215,7 @@ TEST(Masses, ScaledTogetherScaleTheImpulsesAndNotTheMotion) {
         for (const auto& solver : sweeping_solvers()) {
           const auto scene = cluster<M>(random);
           auto heavy = scene;
-          for (auto& mass : heavy.bodies.inverse_mass) {
+          for (auto& mass : heavy.bodies().inverse_mass) {
             mass.linear /= 8;
             if constexpr (M::angular > 0) mass.angular /= 8;
           }
@@ -235,16 +235,16 @@ TEST(Boost, OfTheWholeSceneRidesAlong) {
         const Linear<M> boost = random.vector<M::linear>(5);
         for (const auto& solver : sweeping_solvers()) {
           auto scene = cluster<M>(random), riding = scene;
-          for (auto& V : riding.bodies.velocity) V.template head<M::linear>() += boost;
+          for (auto& V : riding.bodies().velocity) V.template head<M::linear>() += boost;
           Work<M> work, riding_work;
           for (int i = 0; i < 5; ++i) {
             advance(scene, {solver}, time_step, work);
             advance(riding, {solver}, time_step, riding_work);
           }
-          for (int i = 0; i < scene.bodies.size(); ++i) {
-            Velocity<M> expected = scene.bodies.velocity[i];
+          for (int i = 0; i < scene.bodies().size(); ++i) {
+            Velocity<M> expected = scene.bodies().velocity[i];
             expected.template head<M::linear>() += boost;
-            EXPECT_LE(difference(riding.bodies.velocity[i], expected), 1e-8 * (1 + expected.norm()));
+            EXPECT_LE(difference(riding.bodies().velocity[i], expected), 1e-8 * (1 + expected.norm()));
           }
         }
       },

@@ -3,7 +3,7 @@
 #include <numeric>
 
 #include "lessons/scenes/dominoes.hpp"
-#include "solver/simulation.hpp"
+#include "solver/step.hpp"
 #include "tests/solver/random.hpp"
 
 // The same scene, its bodies in another order or looked at from elsewhere, moves alike.
@@ -14,62 +14,62 @@ using M = PlaneBody;
 constexpr double h = 1.0 / 60;
 
 /// Dominoes that fall into each other, and a box that slides against them.
-Boxes struck_dominoes() {
-  Boxes scene = dominoes(5, 0.4, 2);
+Scene<PlaneBody> struck_dominoes() {
+  Scene<PlaneBody> scene = dominoes(5, 0.4, 2);
   Pose<M> coming;
   coming.position = {-1, 0.25};
   const int box = add_box(scene, coming, 3, {0.5, 0.5});
-  scene.bodies.velocity[box] = {4, 0, 0};
+  scene.state().velocity[box] = {4, 0, 0};
   return scene;
 }
 
 /// The scene with body `order[i]` in the i-th place.
-Boxes reordered(const Boxes& scene, const std::vector<int>& order) {
-  Boxes result;
+Scene<PlaneBody> reordered(const Scene<PlaneBody>& scene, const std::vector<int>& order) {
+  Scene<PlaneBody> result;
   result.gravity = scene.gravity;
   for (const int i : order) {
-    result.add_body(scene.bodies.pose[i], scene.bodies.inverse_mass[i], scene.bodies.velocity[i]);
-    result.set_shape(result.bodies.size() - 1, scene.colliders.shapes[i], scene.colliders.surfaces[i]);
+    result.add_body(scene.bodies().pose[i], scene.bodies().inverse_mass[i], scene.bodies().velocity[i]);
+    result.set_shape(result.bodies().size() - 1, scene.colliders.shapes[i], scene.colliders.surfaces[i]);
   }
   return result;
 }
 
 /// The scene turned by an angle about the origin, with its gravity, or seen in a mirror at x = 0.
-Boxes turned(Boxes scene, double angle) {
+Scene<PlaneBody> turned(Scene<PlaneBody> scene, double angle) {
   const PlaneRotation<double> turn = plane_rotation(angle);
   const auto point = [&](const Linear<M>& p) { return rotate(turn, p); };
   scene.gravity = point(scene.gravity);
-  for (auto& pose : scene.bodies.pose) pose = {point(pose.position), turn * pose.rotation};
-  for (auto& V : scene.bodies.velocity) V.head<2>() = point(V.head<2>());
+  for (auto& pose : scene.state().pose) pose = {point(pose.position), turn * pose.rotation};
+  for (auto& V : scene.bodies().velocity) V.head<2>() = point(V.head<2>());
   return scene;
 }
-Boxes mirrored_scene(Boxes scene) {
-  for (auto& pose : scene.bodies.pose) {
+Scene<PlaneBody> mirrored_scene(Scene<PlaneBody> scene) {
+  for (auto& pose : scene.state().pose) {
     pose.position.x() *= -1;
     pose.rotation.sin *= -1;
   }
-  for (auto& V : scene.bodies.velocity) {
+  for (auto& V : scene.bodies().velocity) {
     V[0] *= -1;
     V[2] *= -1;
   }
   return scene;
 }
 
-Boxes after(const Boxes& scene, const RowSolver& solver, int steps) {
-  Simulation<Boxes> simulation{scene, {solver}};
+Scene<PlaneBody> after(const Scene<PlaneBody>& scene, const RowSolver& solver, int steps) {
+  Simulation<PlaneBody> simulation{scene, {solver}};
   for (int i = 0; i < steps; ++i) simulation.step(h);
   return simulation.scene;
 }
 
-double farthest(const Boxes& a, const Boxes& b, const std::vector<int>& order) {
+double farthest(const Scene<PlaneBody>& a, const Scene<PlaneBody>& b, const std::vector<int>& order) {
   double largest = 0;
   for (std::size_t i = 0; i < order.size(); ++i)
-    largest = std::max({largest, (a.bodies.pose[i].position - b.bodies.pose[order[i]].position).norm(),
-                        std::abs(a.bodies.pose[i].rotation.sin - b.bodies.pose[order[i]].rotation.sin)});
+    largest = std::max({largest, (a.bodies().pose[i].position - b.bodies().pose[order[i]].position).norm(),
+                        std::abs(a.bodies().pose[i].rotation.sin - b.bodies().pose[order[i]].rotation.sin)});
   return largest;
 }
-std::vector<int> as_they_are(const Boxes& scene) {
-  std::vector<int> order(scene.bodies.size());
+std::vector<int> as_they_are(const Scene<PlaneBody>& scene) {
+  std::vector<int> order(scene.bodies().size());
   std::iota(order.begin(), order.end(), 0);
   return order;
 }
@@ -83,7 +83,7 @@ const Way ways[] = {{Direct{.regularisation = 1e-10, .rounds = 50, .tolerance = 
                     {GaussSeidel{5000}, 1e-6}};
 
 TEST(ContactInvariance, ToTheOrderOfBodies) {
-  const Boxes scene = struck_dominoes();
+  const Scene<PlaneBody> scene = struck_dominoes();
   std::vector<int> order = as_they_are(scene);
   Random random;
   for (const auto& [solver, error] : ways)
@@ -95,7 +95,7 @@ TEST(ContactInvariance, ToTheOrderOfBodies) {
 }
 
 TEST(ContactInvariance, ToATurnOfTheWholeSceneWithItsGravity) {
-  const Boxes scene = struck_dominoes();
+  const Scene<PlaneBody> scene = struck_dominoes();
   for (const auto& [solver, error] : ways)
     for (const double angle : {0.3, 1.5, -2.0})
       EXPECT_LE(farthest(after(turned(scene, angle), solver, 40), turned(after(scene, solver, 40), angle),
@@ -105,7 +105,7 @@ TEST(ContactInvariance, ToATurnOfTheWholeSceneWithItsGravity) {
 }
 
 TEST(ContactInvariance, ToAMirror) {
-  const Boxes scene = struck_dominoes();
+  const Scene<PlaneBody> scene = struck_dominoes();
   for (const auto& [solver, error] : ways)
     EXPECT_LE(farthest(after(mirrored_scene(scene), solver, 40), mirrored_scene(after(scene, solver, 40)),
                        as_they_are(scene)),
@@ -113,7 +113,7 @@ TEST(ContactInvariance, ToAMirror) {
 }
 
 TEST(ContactInvariance, SweepsThatStopEarlyDependOnTheOrderOfBodies) {
-  const Boxes scene = struck_dominoes();
+  const Scene<PlaneBody> scene = struck_dominoes();
   std::vector<int> order = as_they_are(scene);
   std::reverse(order.begin(), order.end());
   EXPECT_GT(farthest(after(reordered(scene, order), GaussSeidel{2}, 40), after(scene, GaussSeidel{2}, 40), order),

@@ -1,4 +1,4 @@
-#include "solver/jet.hpp"
+#include "solver/integrate/jet.hpp"
 
 #include "solver/constraints/distance.hpp"
 #include "solver/constraints/hinge.hpp"

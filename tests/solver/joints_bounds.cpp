@@ -15,18 +15,18 @@ namespace {
 using namespace byhand;
 using M = PlaneBody;
 constexpr double pi = std::numbers::pi, h = 1.0 / 240, weight = 2 * 9.81;
-using Hinged = Simulation<Scene<M, Pin, AngleLimit, AngleMotor, AngleServo>>;
+using Hinged = Simulation<M>;
 
 /// The rod at an angle [rad] from straight down; its turn is counted from there.
 Hinged level_rod(const RowSolver& solver = Direct{}, double start = pi / 2) {
   const auto rod = hinged_rod(start, 1, 2);
   Hinged simulation{{}, {solver, Baumgarte{0.2}}};
-  simulation.scene.bodies = rod.bodies;
+  simulation.scene.bodies() = rod.bodies();
   simulation.scene.add(rod.all<Pin>()[0]);
   return simulation;
 }
-Turn<M> turn_of(const Hinged& simulation) { return turn<M>(simulation.scene.bodies, 0, 1); }
-double turned(const Hinged& simulation) { return angle(simulation.scene.bodies.pose[1].rotation) - pi / 2; }
+Turn<M> turn_of(const Hinged& simulation) { return turn<M>(simulation.scene.bodies(), 0, 1); }
+double turned(const Hinged& simulation) { return angle(simulation.scene.bodies().pose[1].rotation) - pi / 2; }
 
 const RowSolver solvers[] = {Direct{}, GaussSeidel{.sweeps = 30}};
 
@@ -47,7 +47,7 @@ TEST(Limit, StopsATurnAndCarriesWhatRestsOnIt) {
 TEST(Limit, AnUpperOneIsALowerOneSeenFromTheOtherBody) {
   Hinged lower = level_rod(), upper = level_rod();
   lower.scene.add(at_least<M>(-0.5, turn_of(lower)));
-  upper.scene.add(at_most<M>(0.5, turn<M>(upper.scene.bodies, 1, 0)));
+  upper.scene.add(at_most<M>(0.5, turn<M>(upper.scene.bodies(), 1, 0)));
   for (int i = 0; i < 500; ++i) {
     lower.step(h);
     upper.step(h);
@@ -74,7 +74,7 @@ TEST(Motor, TurnsAtItsSpeedWithinItsStrength) {
       const double lambda = simulation.work.system.lambda[simulation.work.system.row_of[motor_row]];
       ASSERT_LE(std::abs(lambda), 0.6 * weight * h);
     });
-    EXPECT_NEAR(simulation.scene.bodies.velocity[1][2], 2, 1e-3);
+    EXPECT_NEAR(simulation.scene.bodies().velocity[1][2], 2, 1e-3);
   }
 }
 
@@ -113,7 +113,7 @@ TEST(Motor, TooWeakToHoldItBrakesTheFallPastTheLowestPoint) {
     simulation.scene.add(motor<M>(turn_of(simulation), 0, weight / 4));
     run(simulation, 5, step);
     EXPECT_NEAR(turned(simulation), -exact, 0.05 * step);
-    EXPECT_NEAR(simulation.scene.bodies.velocity[1][2], 0, 1e-12);
+    EXPECT_NEAR(simulation.scene.bodies().velocity[1][2], 0, 1e-12);
   }
 }
 

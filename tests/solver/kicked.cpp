@@ -12,22 +12,22 @@ using namespace byhand;
 
 constexpr double h = 1.0 / 60;
 
-Simulation<Boxes> kicked(Boxes scene, Random& random) {
-  const double top = scene.bodies.pose.back().position.y();
-  for (int i = 1; i < scene.bodies.size(); ++i)
-    scene.bodies.velocity[i].x() = random.uniform(-0.02, 0.02) * scene.bodies.pose[i].position.y() / top;
+Simulation<PlaneBody> kicked(Scene<PlaneBody> scene, Random& random) {
+  const double top = scene.bodies().pose.back().position.y();
+  for (int i = 1; i < scene.bodies().size(); ++i)
+    scene.state().velocity[i].x() = random.uniform(-0.02, 0.02) * scene.bodies().pose[i].position.y() / top;
   return {scene, VelocityStepping{ByGraph{}, Baumgarte{.beta = 0.2, .slop = 0.001, .speed_cap = 3}}};
 }
 
 /// How far the topmost box has gone [m].
-double shift(const Simulation<Boxes>& simulation, const Boxes& begin) {
-  return (simulation.scene.bodies.pose.back().position - begin.bodies.pose.back().position).norm();
+double shift(const Simulation<PlaneBody>& simulation, const Scene<PlaneBody>& begin) {
+  return (simulation.scene.bodies().pose.back().position - begin.bodies().pose.back().position).norm();
 }
 
 TEST(Kicked, AStackOfThirtyStandsAlsoUnderTenAndAHundredTimesItsBoxes) {
   Random random;
   for (const double top_mass : {1.0, 10.0, 100.0}) {
-    const Boxes begin = stack(30, top_mass);
+    const Scene<PlaneBody> begin = stack(30, top_mass);
     for (int seed = 0; seed < 20; ++seed) {
       auto simulation = kicked(begin, random);
       for (int i = 0; i < 1800; ++i) simulation.step(h);
@@ -39,7 +39,7 @@ TEST(Kicked, AStackOfThirtyStandsAlsoUnderTenAndAHundredTimesItsBoxes) {
 
 TEST(Kicked, AWallOfTwoHundredAndTenBoxesKeepsItsTopWithinFourMillimetres) {
   Random random;
-  const Boxes begin = pyramid(20);
+  const Scene<PlaneBody> begin = pyramid(20);
   for (int seed = 0; seed < 20; ++seed) {
     auto simulation = kicked(begin, random);
     double deepest = 0;

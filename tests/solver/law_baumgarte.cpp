@@ -14,15 +14,15 @@ constexpr double g = 9.81, h = 1.0 / 60, length = 2, mass = 3;
 
 /// A bob at rest in weightlessness, `error` [m] too far from its anchor.
 template <class M, template <class> class Rod>
-Simulation<Scene<M, Rod>> stretched(double error, const Baumgarte& cure) {
-  Simulation<Scene<M, Rod>> simulation{pendulum<M, Rod>(0.4, length, mass), {GaussSeidel{}, cure}};
+Simulation<M> stretched(double error, const Baumgarte& cure) {
+  Simulation<M> simulation{pendulum<M, Rod>(0.4, length, mass), {GaussSeidel{}, cure}};
   simulation.scene.gravity.setZero();
-  simulation.scene.bodies.pose[1].position *= 1 + error / length;
+  simulation.scene.state().pose[1].position *= 1 + error / length;
   return simulation;
 }
 template <class M, template <class> class Rod>
-double stretch(const Simulation<Scene<M, Rod>>& simulation) {
-  return simulation.scene.bodies.pose[1].position.norm() - length;
+double stretch(const Simulation<M>& simulation) {
+  return simulation.scene.bodies().pose[1].position.norm() - length;
 }
 
 /// What share of the error is left after some steps.
@@ -68,14 +68,14 @@ TYPED_TEST_SUITE(LawB1OfPins, BodyModels);
 TYPED_TEST(LawB1OfPins, ABlockOfRowsLeavesOneMinusBetaOfEach) {
   for (int tenth = 0; tenth <= 25; ++tenth) {
     const double beta = tenth / 10.0;
-    Simulation<Scene<TypeParam, Pin>> simulation{hinged_rod<TypeParam>(0.7, length, mass),
+    Simulation<TypeParam> simulation{hinged_rod<TypeParam>(0.7, length, mass),
                                                  {GaussSeidel{}, Baumgarte{beta}}};
     simulation.scene.gravity.setZero();
     const Linear<TypeParam> error = 1e-6 * (Linear<TypeParam>::Unit(0) - 2 * Linear<TypeParam>::Unit(1));
-    simulation.scene.bodies.pose[1].position += error;
+    simulation.scene.state().pose[1].position += error;
     simulation.step(h);
     const auto left = simulation.scene.template all<Pin>()[0].template value<double>(
-        simulation.scene.bodies.pose[0], simulation.scene.bodies.pose[1]);
+        simulation.scene.bodies().pose[0], simulation.scene.bodies().pose[1]);
     // The rod also turns by about e/l, whose square is what (21) does not see.
     EXPECT_LT((left - (1 - beta) * error).norm(), 1e-11) << "beta " << beta;
   }
@@ -124,12 +124,12 @@ TEST(LawB1, ASpinningRodStaysTooLongByItsTurnSquaredOverTwoBeta) {
   for (const double beta : {0.1, 0.2, 0.3, 0.5, 1.0, 1.5})
     for (const double turn : {0.01, 0.03, 0.1}) {
       const double speed = turn / h * length;
-      Simulation<Scene<PlaneParticle, NormalisedDistance>> simulation{
+      Simulation<PlaneParticle> simulation{
           particle_on_a_circle<PlaneParticle>(length, speed, mass), {GaussSeidel{}, Baumgarte{beta}}};
       run(simulation, 300 * h, h);
-      const Eigen::Vector2d before = simulation.scene.bodies.pose[1].position;
+      const Eigen::Vector2d before = simulation.scene.bodies().pose[1].position;
       simulation.step(h);
-      const Eigen::Vector2d after = simulation.scene.bodies.pose[1].position;
+      const Eigen::Vector2d after = simulation.scene.bodies().pose[1].position;
       const double settled = std::asin(cross(before, after)[0] / (before.norm() * after.norm()));
       const double law = settled * settled / (2 * beta);
       // Next in the expansion are ½β(C/L)² and ⅓(ωh)⁴ beside (ωh)².
@@ -142,12 +142,12 @@ TEST(LawB3, WithoutACureTheErrorGrowsByHalfTheStepTimesTheCentripetalAcceleratio
   for (const double radius : {0.5, 1.0, 2.0})
     for (const double speed : {1.0, 3.0, 10.0})
       for (const double step : {1.0 / 60, 1.0 / 480}) {
-        Simulation<Scene<PlaneParticle, NormalisedDistance>> simulation{
+        Simulation<PlaneParticle> simulation{
             particle_on_a_circle<PlaneParticle>(radius, speed, mass), {GaussSeidel{}, NoDriftCure{}}};
         const double growth = 2 * speed * speed * step / (radius * radius);  // of (R/R0)⁴ per second
         for (const int steps : {1, 2, 10}) {
           while (simulation.time < (steps - 0.5) * step) simulation.step(step);
-          const double C = simulation.scene.bodies.pose[1].position.norm() - radius;
+          const double C = simulation.scene.bodies().pose[1].position.norm() - radius;
           EXPECT_NEAR(C / simulation.time / (step * speed * speed / (2 * radius)), 1, growth * simulation.time)
               << "R " << radius << ", v " << speed << ", h " << step << ", steps " << steps;
         }
@@ -155,11 +155,11 @@ TEST(LawB3, WithoutACureTheErrorGrowsByHalfTheStepTimesTheCentripetalAcceleratio
 }
 
 TEST(LawB3, TheErrorGrowsLinearlyAtFirstAndWithTheFourthRootLater) {
-  Simulation<Scene<PlaneParticle, NormalisedDistance>> simulation{particle_on_a_circle<PlaneParticle>(1, 3, mass),
+  Simulation<PlaneParticle> simulation{particle_on_a_circle<PlaneParticle>(1, 3, mass),
                                                                   {GaussSeidel{}, NoDriftCure{}}};
   const auto radius_at = [&](double time) {
     while (simulation.time < time - h / 2) simulation.step(h);
-    return simulation.scene.bodies.pose[1].position.norm();
+    return simulation.scene.bodies().pose[1].position.norm();
   };
   const double first = radius_at(0.1), second = radius_at(0.2);
   EXPECT_NEAR(order(second - 1, first - 1), 1, 0.05);
@@ -168,7 +168,7 @@ TEST(LawB3, TheErrorGrowsLinearlyAtFirstAndWithTheFourthRootLater) {
 }
 
 TEST(LawB3, ProjectionTakesEnergyAwayInEveryStep) {
-  Simulation<Scene<PlaneParticle, NormalisedDistance>> circling{particle_on_a_circle<PlaneParticle>(1, 10, mass),
+  Simulation<PlaneParticle> circling{particle_on_a_circle<PlaneParticle>(1, 10, mass),
                                                                 {GaussSeidel{}, NoDriftCure{}}};
   circling.step(h);
   for (int i = 0; i < 600; ++i) {
@@ -182,14 +182,14 @@ TEST(LawB3, ProjectionTakesEnergyAwayInEveryStep) {
 /// where the velocities of symplectic Euler belong, or their phase would look like energy.
 std::vector<double> mean_energies(const DriftCure& cure, int steps_a_period, int periods) {
   const SimplePendulum exact(std::numbers::pi / 2, length, g);
-  Simulation<Scene<PlaneParticle, NormalisedDistance>> simulation{
+  Simulation<PlaneParticle> simulation{
       pendulum<PlaneParticle, NormalisedDistance>(std::numbers::pi / 2, length, mass), {GaussSeidel{}, cure}};
   std::vector<double> means(periods, 0.0);
   for (double& mean : means)
     for (int i = 0; i < steps_a_period; ++i) {
       const double before = potential_energy(simulation.scene);
       simulation.step(exact.period() / steps_a_period);
-      mean += (kinetic_energy(simulation.scene.bodies) + (before + potential_energy(simulation.scene)) / 2) /
+      mean += (kinetic_energy(simulation.scene.bodies()) + (before + potential_energy(simulation.scene)) / 2) /
               steps_a_period;
     }
   return means;

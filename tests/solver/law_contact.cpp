@@ -10,12 +10,12 @@ using namespace byhand;
 constexpr double g = 9.81, h = 1.0 / 60;
 
 /// What the found face between body i - 1 and body i of a stack presses with [N].
-double pressing(const Simulation<Boxes>& stack, int i) {
+double pressing(const Simulation<PlaneBody>& stack, int i) {
   return force(stack.work, i - 1) + force(stack.work, i - 1, 1);
 }
 
 void expect_weights(double top, const RowSolver& solver, double error) {
-  Simulation<Boxes> simulation{stack(10, top), {solver}};
+  Simulation<PlaneBody> simulation{stack(10, top), {solver}};
   run(simulation, 5, h);
   for (int i = 1; i <= 10; ++i) EXPECT_NEAR(pressing(simulation, i) / ((10 - i + top) * g), 1, error) << i;
 }
@@ -29,23 +29,23 @@ TEST(LawA8, EachLayerOfAStackPressesWithTheWeightAboveIt) {
 }
 
 TEST(LawA9, FreeFallIsTheSumOfItsSteps) {
-  Simulation<Scene<PlaneBody, Contact>> simulation{bouncing_ball<PlaneBody>(10, 1), {}};
+  Simulation<PlaneBody> simulation{bouncing_ball<PlaneBody>(10, 1), {}};
   for (int n = 1; n <= 60; ++n) {
     simulation.step(h);
-    EXPECT_NEAR(simulation.scene.bodies.pose[1].position.y(), 10.5 - g * h * h * n * (n + 1) / 2, 1e-12);
+    EXPECT_NEAR(simulation.scene.bodies().pose[1].position.y(), 10.5 - g * h * h * n * (n + 1) / 2, 1e-12);
   }
 }
 
 /// The heights of the first peaks after a fall from 1 m. The ground is seen from `margin` [m] above it.
 template <class M>
 std::vector<double> peaks(double restitution, int count, double step, double margin = 0.2) {
-  Simulation<Scene<M, Contact>> simulation{bouncing_ball<M>(1, restitution), {}};
+  Simulation<M> simulation{bouncing_ball<M>(1, restitution), {}};
   simulation.scene.colliders.margin = margin;
   std::vector<double> result;
   double before = 1, now = 1;
   while (static_cast<int>(result.size()) < count && simulation.time < 20) {
     simulation.step(step);
-    const double next = simulation.scene.bodies.pose[1].position.y() - 0.5;
+    const double next = simulation.scene.bodies().pose[1].position.y() - 0.5;
     if (now > before && now >= next) result.push_back(now);
     before = now;
     now = next;
@@ -80,10 +80,10 @@ TEST(LawA9, ABounceNeverGainsHeight) {
 }
 
 TEST(LawA9, ASlowTouchDoesNotBounceAndALongFallEndsAtRest) {
-  Simulation<Scene<PlaneBody, Contact>> simulation{bouncing_ball<PlaneBody>(1, 0.8), {}};
+  Simulation<PlaneBody> simulation{bouncing_ball<PlaneBody>(1, 0.8), {}};
   run(simulation, 10, h);
-  EXPECT_NEAR(simulation.scene.bodies.velocity[1].norm(), 0, 1e-12);
-  EXPECT_NEAR(simulation.scene.bodies.pose[1].position.y(), 0.5, 1e-12);
+  EXPECT_NEAR(simulation.scene.bodies().velocity[1].norm(), 0, 1e-12);
+  EXPECT_NEAR(simulation.scene.bodies().pose[1].position.y(), 0.5, 1e-12);
 }
 
 /// A ball in free fall that is thrown back by the article's row, b = e JV, once it overlaps: what the second solve
@@ -117,25 +117,25 @@ TEST(LawA9, BouncingOnOverlapGainsAStepOfItsSpeedInHeight) {
   for (int n = 0; n < 3; ++n) EXPECT_NEAR(measured[n], atlas[n], 0.0035);
 }
 
-Boxes pressed_in(double overlap) {
-  Boxes scene = stack(1);
-  scene.bodies.pose[1].position.y() -= overlap;
+Scene<PlaneBody> pressed_in(double overlap) {
+  Scene<PlaneBody> scene = stack(1);
+  scene.state().pose[1].position.y() -= overlap;
   return scene;
 }
 /// How high over the ground a box gets that begins `overlap` deep in it.
 double pop(double overlap, const Baumgarte& cure) {
-  Simulation<Boxes> simulation{pressed_in(overlap), {Direct{}, cure}};
+  Simulation<PlaneBody> simulation{pressed_in(overlap), {Direct{}, cure}};
   double highest = -overlap;
-  run(simulation, 3, h, [&] { highest = std::max(highest, simulation.scene.bodies.pose[1].position.y() - 0.5); });
+  run(simulation, 3, h, [&] { highest = std::max(highest, simulation.scene.bodies().pose[1].position.y() - 0.5); });
   return highest;
 }
 
 TEST(LawB2, AnOverlapLeavesAtBetaTimesItsDepthPerStep) {
   for (const double beta : {0.05, 0.2, 0.8})
     for (const double overlap : {0.01, 0.3}) {
-      Simulation<Boxes> simulation{pressed_in(overlap), {Direct{}, Baumgarte{beta}}};
+      Simulation<PlaneBody> simulation{pressed_in(overlap), {Direct{}, Baumgarte{beta}}};
       simulation.step(h);
-      EXPECT_NEAR(simulation.scene.bodies.velocity[1].y(), beta * overlap / h, 1e-12);
+      EXPECT_NEAR(simulation.scene.bodies().velocity[1].y(), beta * overlap / h, 1e-12);
     }
 }
 
@@ -143,15 +143,15 @@ TEST(LawB2, ASpeedCapLowersTheJump) {
   const double free = pop(0.4, {.beta = 0.2});
   EXPECT_GT(free, 0.5);
   EXPECT_LE(pop(0.4, {.beta = 0.2, .speed_cap = 1}), 1e-9);
-  Simulation<Boxes> simulation{pressed_in(0.4), {Direct{}, Baumgarte{.beta = 0.2, .speed_cap = 1}}};
+  Simulation<PlaneBody> simulation{pressed_in(0.4), {Direct{}, Baumgarte{.beta = 0.2, .speed_cap = 1}}};
   simulation.step(h);
-  EXPECT_NEAR(simulation.scene.bodies.velocity[1].y(), 1, 1e-12);
+  EXPECT_NEAR(simulation.scene.bodies().velocity[1].y(), 1, 1e-12);
 }
 
 TEST(LawB2, SlopIsLeftAlone) {
-  Simulation<Boxes> simulation{pressed_in(0.01), {Direct{}, Baumgarte{.beta = 0.2, .slop = 0.002}}};
+  Simulation<PlaneBody> simulation{pressed_in(0.01), {Direct{}, Baumgarte{.beta = 0.2, .slop = 0.002}}};
   run(simulation, 5, h);
-  EXPECT_NEAR(simulation.scene.bodies.pose[1].position.y() - 0.5, -0.002, 1e-9);
+  EXPECT_NEAR(simulation.scene.bodies().pose[1].position.y() - 0.5, -0.002, 1e-9);
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 namespace {
 
 using namespace byhand;
-using Points = Scene<PlaneBody, Contact, Friction>;
+using Points = Scene<PlaneBody>;
 constexpr double g = 9.81, h = 1.0 / 60, mu = 0.5;
 const double critical = std::atan(mu);
 
@@ -17,12 +17,12 @@ struct Slide {
 };
 template <class S>
 Slide slide(const S& scene, double angle, const RowSolver& solver, double time = 5, double step = h) {
-  Simulation<S> simulation{scene, {solver}};
+  Simulation simulation{scene, {solver}};
   run(simulation, time, step);
   const auto [sin, cos] = sin_cos(angle);
   const Linear<PlaneBody> along(cos, -sin);
-  return {(simulation.scene.bodies.pose[1].position - scene.bodies.pose[1].position).dot(along),
-          simulation.scene.bodies.velocity[1].template head<2>().dot(along)};
+  return {(simulation.scene.bodies().pose[1].position - scene.bodies().pose[1].position).dot(along),
+          simulation.scene.bodies().velocity[1].template head<2>().dot(along)};
 }
 
 TEST(LawA7, ABoxSticksJustBelowTheAngleOfFrictionAndSlidesJustAboveIt) {
@@ -77,7 +77,7 @@ TEST(LawB10, FrictionBeforeTheNormalDoesNothingInOneColdSweep) {
   const auto after_a_step = [](const GaussSeidel& solver) {
     Simulation<Points> simulation{box_on_incline<Points>(0, mu, 1), {solver}};
     simulation.step(h);
-    return simulation.scene.bodies.velocity[1].x();
+    return simulation.scene.bodies().velocity[1].x();
   };
   EXPECT_EQ(after_a_step({1, false, SweepOrder::reverse}), 1);
   EXPECT_LT(after_a_step({1, false, SweepOrder::natural}), 1 - 0.9 * mu * g * h);

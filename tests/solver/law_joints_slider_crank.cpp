@@ -7,7 +7,7 @@
 namespace {
 
 using namespace byhand;
-using Machine = Simulation<Scene<PlaneBody, Pin, Slider, AngleMotor>>;
+using Machine = Simulation<PlaneBody>;
 
 TEST(LawSliderCrank, ClosedFormIsItsOwnDerivative) {
   const SliderCrank exact(0.5, 1.5);
@@ -29,7 +29,7 @@ double piston_error(double h) {
   double worst = 0;
   run(machine, 2, h, [&] {
     const double angle = options.angle + options.speed * machine.time;
-    worst = std::max(worst, std::abs(machine.scene.bodies.pose[3].position.x() - exact.position(angle)));
+    worst = std::max(worst, std::abs(machine.scene.bodies().pose[3].position.x() - exact.position(angle)));
   });
   return worst;
 }
@@ -43,7 +43,7 @@ TEST(LawSliderCrank, APistonFollowsItsClosedForm) {
 TEST(LawSliderCrank, TheMotorTurnsTheCrankAtItsSpeedWhateverHangsOnIt) {
   const SliderCrankOptions options{.piston_mass = 50};
   Machine machine{slider_crank(options), {Direct{}, Baumgarte{1}}};
-  run(machine, 2, 1.0 / 240, [&] { ASSERT_NEAR(machine.scene.bodies.velocity[1][2], options.speed, 1e-9); });
+  run(machine, 2, 1.0 / 240, [&] { ASSERT_NEAR(machine.scene.bodies().velocity[1][2], options.speed, 1e-9); });
 }
 
 // With the piston alone heavy, the crank's torque times its speed is the piston's gain of kinetic energy.
@@ -76,7 +76,7 @@ TEST(LawSliderCrank, AMotorThatIsTooWeakGivesAllItHasAndNoMore) {
     const double lambda = machine.work.system.lambda[machine.work.system.row_of[4]];
     ASSERT_LE(std::abs(lambda), options.strength * h);
     at_bound = at_bound || std::abs(lambda) == options.strength * h;
-    slower = slower || machine.scene.bodies.velocity[1][2] < 0.9 * options.speed;
+    slower = slower || machine.scene.bodies().velocity[1][2] < 0.9 * options.speed;
   });
   EXPECT_TRUE(at_bound);
   EXPECT_TRUE(slower);

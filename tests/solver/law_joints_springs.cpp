@@ -10,7 +10,7 @@ namespace {
 using namespace byhand;
 using M = PlaneParticle;
 constexpr double g = 9.81, h = 1.0 / 60;
-using Hanging = Simulation<Scene<M, Spring, Rope>>;
+using Hanging = Simulation<M>;
 
 /// A mass [kg] one metre below a fixed one, on a spring of frequency ω and damping ratio ζ.
 Hanging on_spring(double mass, double frequency, double damping_ratio, const RowSolver& solver = Direct{}) {
@@ -19,12 +19,12 @@ Hanging on_spring(double mass, double frequency, double damping_ratio, const Row
   scene.add_body(Linear<M>(0, 0), fixed<M>());
   scene.add_body(Linear<M>(0, -1), with_mass<M>(mass));
   Spring<M> spring{{0, 1}, 1};
-  spring.elastic = tuned(scene.bodies, spring, frequency, damping_ratio);
+  spring.elastic = tuned(scene.bodies(), spring, frequency, damping_ratio);
   scene.add(spring);
   return simulation;
 }
 
-double stretch(const Hanging& simulation) { return simulation.scene.bodies.pose[1].position.norm() - 1; }
+double stretch(const Hanging& simulation) { return simulation.scene.bodies().pose[1].position.norm() - 1; }
 
 TEST(LawB11, ASoftRowSagsByItsLoadOverItsStiffness) {
   for (const double frequency : {5.0, 60.0, 600.0})
@@ -42,10 +42,10 @@ TEST(LawB11, ASoftRowIsStableForEveryStiffnessDampingAndStep) {
       for (const RowSolver& solver : {RowSolver(Direct{}), RowSolver(GaussSeidel{.sweeps = 1})}) {
         Hanging simulation = on_spring(2, omega_h / h, damping_ratio, solver);
         simulation.scene.gravity.setZero();
-        simulation.scene.bodies.pose[1].position.y() = -1.1;
+        simulation.scene.state().pose[1].position.y() = -1.1;
         const double k = simulation.scene.all<Spring>()[0].elastic.stiffness;
         const auto energy_now = [&] {
-          return kinetic_energy(simulation.scene.bodies) + k * stretch(simulation) * stretch(simulation) / 2;
+          return kinetic_energy(simulation.scene.bodies()) + k * stretch(simulation) * stretch(simulation) / 2;
         };
         double before = energy_now();
         run(simulation, 5, h, [&] {
@@ -77,7 +77,7 @@ TEST(LawRope, FallsFreelyWhileSlackAndStopsAtItsLength) {
   bool taut = false;
   run(simulation, 5, h, [&] {
     ++n;
-    const double lambda = simulation.work.system.lambda[0], y = scene.bodies.pose[1].position.y();
+    const double lambda = simulation.work.system.lambda[0], y = scene.bodies().pose[1].position.y();
     ASSERT_GE(lambda, 0);
     if (!taut && lambda == 0) {
       ASSERT_NEAR(y, -0.2 - g * h * h * n * (n + 1) / 2, 1e-13);
@@ -104,7 +104,7 @@ TEST(LawRope, LetsGoWhereItWouldHaveToPush) {
       if (released == 0 && simulation.work.system.lambda[0] == 0) released = rod_angle(scene, 0, 1);
     });
     EXPECT_NEAR(std::cos(released), -2.0 / 3, 8 * step);
-    EXPECT_LT(scene.bodies.pose[1].position.norm(), 1 + 1e-3);
+    EXPECT_LT(scene.bodies().pose[1].position.norm(), 1 + 1e-3);
   }
 }
 

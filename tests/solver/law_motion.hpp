@@ -17,14 +17,14 @@ double angle_from_down(const V& d) {
 /// Angle of the rod from one body to another [rad].
 template <class S>
 double rod_angle(const S& scene, int from, int to) {
-  return angle_from_down((scene.bodies.pose[to].position - scene.bodies.pose[from].position).eval());
+  return angle_from_down((scene.bodies().pose[to].position - scene.bodies().pose[from].position).eval());
 }
 
 /// How fast that angle grows, of bodies that the rod holds by their centres, in the plane z = 0 [rad/s].
 template <class S>
 double rod_rate(const S& scene, int from, int to) {
-  const auto d = (scene.bodies.pose[to].position - scene.bodies.pose[from].position).eval();
-  const auto v = (scene.bodies.velocity[to] - scene.bodies.velocity[from]).eval();
+  const auto d = (scene.bodies().pose[to].position - scene.bodies().pose[from].position).eval();
+  const auto v = (scene.bodies().velocity[to] - scene.bodies().velocity[from]).eval();
   return (d.x() * v.y() - d.y() * v.x()) / d.squaredNorm();
 }
 

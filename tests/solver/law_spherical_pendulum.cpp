@@ -16,9 +16,9 @@ struct Measured {
 
 template <class M>
 Measured after_two_seconds(double h) {
-  Simulation<Scene<M, NormalisedDistance>> simulation{spherical_pendulum<M>(angle, azimuth_rate, length, 3),
+  Simulation<M> simulation{spherical_pendulum<M>(angle, azimuth_rate, length, 3),
                                                       {Direct{}, Baumgarte{1}}};
-  const auto& bodies = simulation.scene.bodies;
+  const auto& bodies = simulation.scene.bodies();
   const double momentum = angular_momentum(bodies)[1];
   Measured measured;
   Eigen::Vector3d before = bodies.pose[1].position;

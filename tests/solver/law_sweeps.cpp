@@ -11,16 +11,16 @@ namespace {
 
 using namespace byhand;
 constexpr double pi = std::numbers::pi;
-using Chain = Scene<PlaneParticle, NormalisedDistance>;
+using Chain = Scene<PlaneParticle>;
 
 /// A straight chain without weight whose bobs fly up and down at random: sweeps have everything to stop.
 Chain disturbed_chain(int links, double end_mass = 1, bool anchored = true) {
   Chain scene = rod_chain<PlaneParticle, NormalisedDistance>({.links = links, .end_mass = end_mass});
   scene.gravity.setZero();
-  if (!anchored) scene.bodies.inverse_mass[0] = with_mass<PlaneParticle>(1);
+  if (!anchored) scene.set_mass(0, with_mass<PlaneParticle>(1));
   std::mt19937 random(20261121);
   std::normal_distribution<double> speed;
-  for (int i = anchored ? 1 : 0; i <= links; ++i) scene.bodies.velocity[i].y() = speed(random);
+  for (int i = anchored ? 1 : 0; i <= links; ++i) scene.state().velocity[i].y() = speed(random);
   return scene;
 }
 
@@ -28,14 +28,14 @@ Chain disturbed_chain(int links, double end_mass = 1, bool anchored = true) {
 /// short that nothing moves, so that one step is one sweep.
 template <class S>
 double rate(S scene, const RowSolver& one_sweep, int settle, int measure) {
-  Simulation<S> simulation{std::move(scene), {one_sweep, NoDriftCure{}}};
+  Simulation simulation{std::move(scene), {one_sweep, NoDriftCure{}}};
   double log_sum = 0;
   for (int i = 0; i < settle + measure; ++i) {
     simulation.step(1e-200);
     // What a further sweep would find wrong: after the last row of a sweep that row itself is right.
-    const double error = residual(simulation.work.system, simulation.scene.bodies.velocity);
+    const double error = residual(simulation.work.system, simulation.scene.bodies().velocity);
     if (error == 0) return 0;
-    for (auto& v : simulation.scene.bodies.velocity) v /= error;
+    for (auto& v : simulation.scene.bodies().velocity) v /= error;
     if (i >= settle) log_sum += std::log(error);
   }
   return std::exp(log_sum / measure);
@@ -119,23 +119,23 @@ TEST(LawB4, ADirectSolveLeavesNothing) {
       Simulation<Chain> simulation{disturbed_chain(links, end_mass), {Direct{}, NoDriftCure{}}};
       simulation.step(1e-200);
       // A's condition is (2N/π)² with equal masses, and the heavy end's λ is rounded in the light bob above it.
-      EXPECT_LT(residual(simulation.work.system, simulation.scene.bodies.velocity),
+      EXPECT_LT(residual(simulation.work.system, simulation.scene.bodies().velocity),
                 1e-14 + 1e-15 * (links * links + end_mass))
           << links << " links, " << end_mass;
     }
 }
 
 /// The rows of a box on k contacts without their bounds: rods of unit length, straight down from the same points.
-Scene<PlaneBody, NormalisedDistance> box_on_stilts(int contacts) {
+Scene<PlaneBody> box_on_stilts(int contacts) {
   using M = PlaneBody;
-  Scene<M, NormalisedDistance> scene;
-  scene.bodies = box_on_contacts(contacts).bodies;
+  Scene<M> scene;
+  scene.bodies() = box_on_contacts(contacts).bodies();
   scene.gravity.setZero();
   for (int i = 0; i < contacts; ++i) {
     const Linear<M> top(static_cast<double>(i) / (contacts - 1) - 0.5, 0), foot = top - Linear<M>(0, 1);
-    scene.add(NormalisedDistance<M>{between<M>(scene.bodies, 0, foot, 1, top), 1});
+    scene.add(NormalisedDistance<M>{between<M>(scene.bodies(), 0, foot, 1, top), 1});
   }
-  scene.bodies.velocity[1] = {0, -1, 0.3};
+  scene.state().velocity[1] = {0, -1, 0.3};
   return scene;
 }
 Jacobi one_jacobi_sweep(double relaxation = 1) {
@@ -167,10 +167,10 @@ TEST(LawB5, JacobiConvergesIffTheRelaxedEigenvalueIsBelowTwo) {
 
 /// What Jacobi leaves of the fall of a box on real contacts in one cold step.
 double fall_left(int contacts, double relaxation) {
-  Simulation<Scene<PlaneBody, Contact>> simulation{
+  Simulation<PlaneBody> simulation{
       box_on_contacts(contacts), {Jacobi{.sweeps = 2000, .relaxation = relaxation}, NoDriftCure{}}};
   simulation.step(1.0 / 60);
-  return residual(simulation.work.system, simulation.scene.bodies.velocity) / (9.81 / 60);
+  return residual(simulation.work.system, simulation.scene.bodies().velocity) / (9.81 / 60);
 }
 
 TEST(LawB5, FourContactsNeedARelaxationBelowEightTenths) {

@@ -13,7 +13,7 @@ using namespace byhand;
 constexpr double g = 9.81;
 
 template <class M>
-using Circling = Simulation<Scene<M, NormalisedDistance>>;
+using Circling = Simulation<M>;
 
 /// What dR²/dt = h (v0 R0/R)² integrates to [m].
 double grown_radius(double radius, double speed, double h, double time) {
@@ -34,8 +34,8 @@ TYPED_TEST(LawA5, LambdaOverTheStepIsTheCentripetalForce) {
       Circling<TypeParam> simulation{particle_on_a_circle<TypeParam>(radius, speed, mass),
                                      {Direct{}, NoDriftCure{}}};
       for (int i = 0; i < 100; ++i) {
-        const double before = simulation.scene.bodies.velocity[1].norm();
-        const double now = simulation.scene.bodies.pose[1].position.norm();
+        const double before = simulation.scene.bodies().velocity[1].norm();
+        const double now = simulation.scene.bodies().pose[1].position.norm();
         simulation.step(h);
         const double expected = i == 0 ? 0 : circle_tension(mass, before, now);
         ASSERT_NEAR(-force(simulation.work, 0), expected, 1e-11 * circle_tension(mass, speed, radius)) << i;
@@ -49,7 +49,7 @@ TYPED_TEST(LawA5, WithoutACureSpeedTimesRadiusIsKeptAndTheRadiusGrowsWithTheFour
       for (const double h : {1.0 / 60, 1.0 / 240}) {
         Circling<TypeParam> simulation{particle_on_a_circle<TypeParam>(radius, speed, 3),
                                        {Direct{}, NoDriftCure{}}};
-        const auto& bodies = simulation.scene.bodies;
+        const auto& bodies = simulation.scene.bodies();
         for (int i = 0; i < 240; ++i) {
           const double now = bodies.pose[1].position.norm();
           simulation.step(h);
@@ -69,7 +69,7 @@ TYPED_TEST(LawA5, AfterASecondTheRadiusIsWhatTheAtlasSays) {
     EXPECT_NEAR(grown_radius(1, speeds[i], h, 1), atlas[i], i == 2 ? 5e-3 : 5e-4);
     Circling<TypeParam> simulation{particle_on_a_circle<TypeParam>(1, speeds[i], 1), {Direct{}, NoDriftCure{}}};
     run(simulation, 1, h);
-    const double fourth = std::pow(simulation.scene.bodies.pose[1].position.norm(), 4);
+    const double fourth = std::pow(simulation.scene.bodies().pose[1].position.norm(), 4);
     // Squaring R² + (hv)² leaves (hv)⁴ a step beside the law; summed up it is ½(h v0 R0)² ln(R/R0)⁴.
     const double beyond = std::pow(h * speeds[i], 2) / 2 * std::log(fourth);
     EXPECT_NEAR((fourth - beyond) / std::pow(grown_radius(1, speeds[i], h, 1), 4), 1, 2e-3) << speeds[i];
@@ -84,10 +84,10 @@ TEST(LawA6, EveryRodOfAHangingChainCarriesTheWeightBelowIt) {
   masses.back() = chain.end_mass;
   const std::vector<double> tensions = hanging_chain_tensions(masses, g);
   for (const double h : steps) {
-    Simulation<Scene<PlaneParticle, Distance>> squared{rod_chain<PlaneParticle>(chain), {Direct{}}};
-    Simulation<Scene<SpaceParticle, NormalisedDistance>> in_space{
+    Simulation<PlaneParticle> squared{rod_chain<PlaneParticle>(chain), {Direct{}}};
+    Simulation<SpaceParticle> in_space{
         rod_chain<SpaceParticle, NormalisedDistance>(chain), {GaussSeidel{.sweeps = 20'000}, NoDriftCure{}}};
-    Simulation<Scene<PlaneBody, Pin>> stiff{pinned_chain<PlaneBody>(chain), {Direct{}}};
+    Simulation<PlaneBody> stiff{pinned_chain<PlaneBody>(chain), {Direct{}}};
     for (int step = 0; step < 3; ++step) {
       squared.step(h);
       stiff.step(h);
@@ -109,9 +109,9 @@ void come_to_rest(Simulation<S>& simulation, double h, int steps_at_most) {
   double before = 0;
   for (int i = 0; i < steps_at_most; ++i) {
     simulation.step(h);
-    const double now = kinetic_energy(simulation.scene.bodies);
+    const double now = kinetic_energy(simulation.scene.bodies());
     if (now < before) {
-      for (auto& v : simulation.scene.bodies.velocity) v.setZero();
+      for (auto& v : simulation.scene.bodies().velocity) v.setZero();
       before = 0;
     } else {
       before = now;
@@ -132,11 +132,11 @@ double catenary_sag(double length, double span) {
 TEST(LawA6, ASlackChainTendsToTheCatenaryAsTheSquareOfItsLinks) {
   const double length = 2, span = 1.4, exact = catenary_sag(length, span);
   const auto error = [&](int links) {
-    Simulation<Scene<PlaneParticle, NormalisedDistance>> simulation{
+    Simulation<PlaneParticle> simulation{
         slack_chain<PlaneParticle>(links, length, span), {Direct{}, Baumgarte{1}}};
     come_to_rest(simulation, 0.1 / links, 200 * links);
     EXPECT_LT(position_error(simulation.scene).max, 1e-8);
-    return -simulation.scene.bodies.pose[links / 2].position.y() - exact;
+    return -simulation.scene.bodies().pose[links / 2].position.y() - exact;
   };
   double coarse = error(8);
   for (const int links : {16, 32, 64}) {

@@ -13,12 +13,12 @@ constexpr double h = 1.0 / 60;
 
 /// The error of a hinge after one step of a weightless rod that turns about it by `turn` [rad].
 double anchor_error(double turn, double rod_length, double angle) {
-  Simulation<Scene<PlaneBody, Pin>> simulation{hinged_rod(angle, rod_length, 3), {Direct{}, NoDriftCure{}}};
+  Simulation<PlaneBody> simulation{hinged_rod(angle, rod_length, 3), {Direct{}, NoDriftCure{}}};
   simulation.scene.gravity.setZero();
-  const Eigen::Vector2d arm = simulation.scene.bodies.pose[1].position;
-  simulation.scene.bodies.velocity[1] = turn / h * Eigen::Vector3d(-arm.y(), arm.x(), 1);
+  const Eigen::Vector2d arm = simulation.scene.bodies().pose[1].position;
+  simulation.scene.state().velocity[1] = turn / h * Eigen::Vector3d(-arm.y(), arm.x(), 1);
   simulation.step(h);
-  const auto& bodies = simulation.scene.bodies;
+  const auto& bodies = simulation.scene.bodies();
   return simulation.scene.all<Pin>()[0].value<double>(bodies.pose[0], bodies.pose[1]).norm();
 }
 
@@ -38,7 +38,7 @@ TEST(LawB13, ForSmallTurnsTheAnchorIsOffByHalfTheSquare) {
 
 /// How far a small box on a long arm leaves its pin in 5 s from level [m].
 double drift(const RowSolver& solver) {
-  Simulation<Scene<PlaneBody, Pin>> simulation{box_on_an_arm(0.1, 1, std::numbers::pi / 2),
+  Simulation<PlaneBody> simulation{box_on_an_arm(0.1, 1, std::numbers::pi / 2),
                                                {solver, Baumgarte{0.2}}};
   double worst = 0;
   run(simulation, 5, h, [&] { worst = std::max(worst, position_error(simulation.scene).max); });

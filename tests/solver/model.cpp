@@ -8,7 +8,7 @@
 #include "solver/constraints/distance.hpp"
 #include "solver/constraints/friction.hpp"
 #include "solver/constraints/pin.hpp"
-#include "solver/simulation.hpp"
+#include "solver/step.hpp"
 #include "tests/solver/random.hpp"
 
 namespace {
@@ -42,17 +42,17 @@ TEST(Model, GivesAParticleNoArms) {
 TEST(Scene, CarriesNoByteForKindsThatItDoesNotName) {
   in_all_models([]<class M>(Random&) {
     const std::size_t two_vectors = 2 * sizeof(std::vector<int>);  // two, which leave the padding as it is
-    using Touching = Scene<M, Distance, Contact, Friction>;
+    using Touching = Scene<M>;
     const std::size_t shapes = Touching::touches ? sizeof(Colliders<M>) : 0;
-    EXPECT_LE(sizeof(Touching), sizeof(Scene<M, Distance>) + two_vectors + shapes);
-    EXPECT_LE(sizeof(Scene<M, Distance>),
+    EXPECT_LE(sizeof(Touching), sizeof(Scene<M>) + two_vectors + shapes);
+    EXPECT_LE(sizeof(Scene<M>),
               sizeof(Bodies<M>) + sizeof(Linear<M>) + two_vectors + 2 * sizeof(int) + alignof(Scene<M>) + 8)
         << "bodies, gravity, one kind, the numbering and how often it has changed";
   });
 }
 
 TEST(Scene, NumbersConstraintsOfAllKindsInTheOrderInWhichTheyCome) {
-  Scene<PlaneBody, Pin, Distance> scene;
+  Scene<PlaneBody> scene;
   for (int i = 0; i < 3; ++i) scene.add_body({1.0 * i, 0}, ball<PlaneBody>(1, 0.1));
   EXPECT_EQ(scene.add(Distance<PlaneBody>{{0, 1}}), 0);
   EXPECT_EQ(scene.add(Pin<PlaneBody>{{1, 2}}), 1);
@@ -81,13 +81,13 @@ TEST(FixedBody, NeverMoves) {
       const Pose<M> held = random.pose<M>();
       auto& scene = simulation.scene;
       const int post = scene.add_body(held, fixed<M>());
-      scene.add(Distance<M>{{post, 4}, (scene.bodies.pose[4].position - held.position).norm()});
-      const Pose<M> end = scene.bodies.pose[2];
+      scene.add(Distance<M>{{post, 4}, (scene.bodies().pose[4].position - held.position).norm()});
+      const Pose<M> end = scene.bodies().pose[2];
       for (int i = 0; i < 30; ++i) simulation.step(1.0 / 60);
-      EXPECT_EQ(times_moved<M>(scene.bodies.pose[post], held), 0);
-      EXPECT_EQ(times_moved<M>(scene.bodies.pose[0], {}), 0);
-      EXPECT_TRUE(scene.bodies.velocity[post].isZero(0));
-      EXPECT_GT(times_moved<M>(scene.bodies.pose[2], end), 1e-3) << "what is not fixed moves";
+      EXPECT_EQ(times_moved<M>(scene.bodies().pose[post], held), 0);
+      EXPECT_EQ(times_moved<M>(scene.bodies().pose[0], {}), 0);
+      EXPECT_TRUE(scene.bodies().velocity[post].isZero(0));
+      EXPECT_GT(times_moved<M>(scene.bodies().pose[2], end), 1e-3) << "what is not fixed moves";
     }
   });
 }
@@ -98,7 +98,7 @@ Eigen::Vector2d end_of_chain(const RowSolver& solver) {
   Simulation simulation{rod_chain<M>({.links = 3, .length = 2, .mass = 3, .end_mass = 5, .angle = 1.2}),
                         VelocityStepping{solver}};
   for (int i = 0; i < 60; ++i) simulation.step(1.0 / 60);
-  return simulation.scene.bodies.pose[3].position.template head<2>();
+  return simulation.scene.bodies().pose[3].position.template head<2>();
 }
 
 TEST(FourModels, MoveAChainHeldByTheCentresAlike) {
@@ -114,10 +114,10 @@ TEST(Simulation, IsAValueSoThatACopyIsAWayBack) {
     for (int i = 0; i < 10; ++i) simulation.step(1.0 / 60);
     auto before = simulation;
     for (int i = 0; i < 10; ++i) simulation.step(1.0 / 60);
-    const Linear<M> end = simulation.scene.bodies.pose[3].position;
-    EXPECT_NE(end, before.scene.bodies.pose[3].position);
+    const Linear<M> end = simulation.scene.bodies().pose[3].position;
+    EXPECT_NE(end, before.scene.bodies().pose[3].position);
     for (int i = 0; i < 10; ++i) before.step(1.0 / 60);
-    EXPECT_EQ(end, before.scene.bodies.pose[3].position);
+    EXPECT_EQ(end, before.scene.bodies().pose[3].position);
     EXPECT_EQ(simulation.time, before.time);
   });
 }

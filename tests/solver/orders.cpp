@@ -41,7 +41,7 @@ void expect_orders(const S& scene, F&& at_one_second) {
     return fitted_order(longest_step, [&](double h) {
       Simulation<S, std::remove_cvref_t<decltype(method)>> simulation{scene, method};
       run(simulation, 1, h);
-      return at_one_second(simulation.scene.bodies);
+      return at_one_second(simulation.scene.bodies());
     });
   };
   EXPECT_NEAR(order_of(symplectic_euler, 1.0 / 500), 1, 0.05);
@@ -89,12 +89,12 @@ TEST(Orders, OfAHeavyTopInSpace) {
 TEST(Orders, OfAFreeBodyInSpace) {
   const Eigen::Vector3d moments(1, 2, 3), spin(3, -2, 4), exact = FreeTop(moments, spin).at(1).value;
   const auto scene = free_top(moments, spin);
-  const Eigen::Vector3d momentum = angular_momentum(scene.bodies);
+  const Eigen::Vector3d momentum = angular_momentum(scene.bodies());
   const auto order_of = [&](const auto& method, double longest_step) {
     return fitted_order(longest_step, [&](double h) {
-      Simulation<Scene<SpaceBody, Pin>, std::remove_cvref_t<decltype(method)>> simulation{scene, method};
+      Simulation<SpaceBody, std::remove_cvref_t<decltype(method)>> simulation{scene, method};
       run(simulation, 1, h);
-      const Bodies<SpaceBody>& bodies = simulation.scene.bodies;
+      const Bodies<SpaceBody>& bodies = simulation.scene.bodies();
       const Eigen::Vector3d omega = bodies.velocity[0].tail<3>();
       return (rotate(inverse(bodies.pose[0].rotation), omega) - exact).norm() +
              (angular_momentum(bodies) - momentum).norm();

@@ -9,7 +9,7 @@ namespace {
 
 using namespace byhand;
 using M = SpaceBody;
-using Points = Scene<M, Contact, Friction>;
+using Points = Scene<M>;
 constexpr double h = 1.0 / 60;
 
 // What the correction may give in a step is λ over the way that it opens its row, as in piles.cpp. Impacts and
@@ -23,9 +23,9 @@ TEST(PilesInSpace, StayFiniteAndGainNoEnergy) {
       simulation.method.gyroscopic = Gyroscopic::implicit;
       double allowed = energy(simulation.scene);
       run(simulation, 1.5, h, [&] {
-        for (int i = 0; i < simulation.scene.bodies.size(); ++i) {
-          ASSERT_TRUE(simulation.scene.bodies.velocity[i].allFinite()) << "seed " << seed;
-          ASSERT_TRUE(simulation.scene.bodies.pose[i].position.allFinite()) << "seed " << seed;
+        for (int i = 0; i < simulation.scene.bodies().size(); ++i) {
+          ASSERT_TRUE(simulation.scene.bodies().velocity[i].allFinite()) << "seed " << seed;
+          ASSERT_TRUE(simulation.scene.bodies().pose[i].position.allFinite()) << "seed " << seed;
         }
         const auto& system = simulation.work.system;
         for (int row = 0; row < system.rows(); ++row)
@@ -46,9 +46,9 @@ TEST(PilesInSpace, ComeToRestAsFarAsTheyAreBoxes) {
       simulation.method.gyroscopic = Gyroscopic::implicit;
       run(simulation, 15, h);
       int boxes = 0;
-      for (int i = 1; i < simulation.scene.bodies.size(); ++i) {
+      for (int i = 1; i < simulation.scene.bodies().size(); ++i) {
         if (!std::holds_alternative<Box<M>>(simulation.scene.colliders.shapes[i])) continue;
-        EXPECT_LT(simulation.scene.bodies.velocity[i].norm(), 1e-9) << "seed " << seed << ", body " << i;
+        EXPECT_LT(simulation.scene.bodies().velocity[i].norm(), 1e-9) << "seed " << seed << ", body " << i;
         ++boxes;
       }
       EXPECT_GE(boxes, 3);
@@ -68,7 +68,7 @@ TEST(PilesInSpace, KeepEveryImpulseWithinItsBound) {
         EXPECT_GE(system.lambda[contact.row], 0);
         pressing += system.lambda[contact.row] > 0;
       }
-      for (const auto& friction : std::get<block_type<M, 2, Bound::ball>()>(system.blocks)) {
+      for (const auto& friction : std::get<block_type<M, 2, Bound::friction>()>(system.blocks)) {
         const double rubbing = std::hypot(system.lambda[friction.row], system.lambda[friction.row + 1]);
         const double radius = 0.6 * system.lambda[friction.leader];
         EXPECT_LE(rubbing, radius + 1e-9);

@@ -12,14 +12,14 @@ namespace {
 
 using namespace byhand;
 constexpr double h = 1.0 / 60;
-using Wheel = Scene<PlaneBody, Pin, AngleMotor, AngleServo>;
+using Wheel = Scene<PlaneBody>;
 
 /// A disc with a moment of inertia of 0.5 kg m², on an axle.
 Wheel wheel() {
   Wheel scene;
   scene.add_body(Linear<PlaneBody>(0, 0), fixed<PlaneBody>());
   scene.add_body(Linear<PlaneBody>(0, 0), ball<PlaneBody>(1, 1));
-  scene.add(pin<PlaneBody>(scene.bodies, 0, 1, Linear<PlaneBody>(0, 0)));
+  scene.add(pin<PlaneBody>(scene.bodies(), 0, 1, Linear<PlaneBody>(0, 0)));
   return scene;
 }
 
@@ -27,11 +27,11 @@ TEST(PositionRows, AMotorGainsSpeedByItsStrengthUntilItHasItsSpeedOverAnyNumberO
   constexpr double speed = 40, strength = 8, moment = 0.5;
   for (const double sign : {1.0, -1.0}) {
     auto scene = wheel();
-    scene.add(motor<PlaneBody>(turn<PlaneBody>(scene.bodies, 0, 1), sign * speed, strength));
+    scene.add(motor<PlaneBody>(turn<PlaneBody>(scene.bodies(), 0, 1), sign * speed, strength));
     Simulation simulation{scene, Xpbd{2, 1}};
     run(simulation, 5, h, [&] {
       const double expected = std::min(speed, strength / moment * simulation.time);
-      ASSERT_NEAR(sign * simulation.scene.bodies.velocity[1][2], expected, 1e-9) << simulation.time;
+      ASSERT_NEAR(sign * simulation.scene.bodies().velocity[1][2], expected, 1e-9) << simulation.time;
     });
   }
 }
@@ -40,7 +40,7 @@ TEST(PositionRows, AMotorGainsSpeedByItsStrengthUntilItHasItsSpeedOverAnyNumberO
 TEST(PositionRows, AServoObeysHookesLawAtTheEndOfTheStepWithinItsStrength) {
   constexpr double stiffness = 30, damping = 2, target = 1, strength = 20, moment = 0.5;
   auto scene = wheel();
-  scene.add(servo<PlaneBody>(turn<PlaneBody>(scene.bodies, 0, 1), target, {stiffness, damping}, strength));
+  scene.add(servo<PlaneBody>(turn<PlaneBody>(scene.bodies(), 0, 1), target, {stiffness, damping}, strength));
   Simulation simulation{scene, Xpbd{1, 1}};
   double angle = 0, rate = 0;
   run(simulation, 3, h, [&] {
@@ -48,8 +48,8 @@ TEST(PositionRows, AServoObeysHookesLawAtTheEndOfTheStepWithinItsStrength) {
         (rate - h / moment * stiffness * (angle - target)) / (1 + h / moment * (damping + h * stiffness));
     rate = std::clamp(soft, rate - h * strength / moment, rate + h * strength / moment);
     angle += h * rate;
-    ASSERT_NEAR(simulation.scene.bodies.velocity[1][2], rate, 1e-11);
-    const double torque = simulation.work.rows.lambda[2] / h;
+    ASSERT_NEAR(simulation.scene.bodies().velocity[1][2], rate, 1e-11);
+    const double torque = simulation.work.system.lambda[2] / h;
     ASSERT_LE(std::abs(torque), strength * (1 + 1e-12));
   });
   EXPECT_NEAR(angle, target, 1e-3);
@@ -57,7 +57,7 @@ TEST(PositionRows, AServoObeysHookesLawAtTheEndOfTheStepWithinItsStrength) {
 
 TEST(PositionRows, ARopePullsOnlyWhereItIsTaut) {
   in_all_models([]<class M>(Random& random) {
-    Scene<M, Rope> scene;
+    Scene<M> scene;
     scene.add_body(Linear<M>(Linear<M>::Zero()), fixed<M>());
     scene.add_body(Linear<M>(-0.5 * Linear<M>::Unit(1)), random.mass<M>());
     scene.add(Rope<M>{{0, 1}, 1});
@@ -65,13 +65,13 @@ TEST(PositionRows, ARopePullsOnlyWhereItIsTaut) {
     for (int n = 1; n <= 60; ++n) {
       simulation.step(h);
       const double fallen = 0.5 + 9.81 * h * h * n * (n + 1) / 2;
-      ASSERT_NEAR(-simulation.scene.bodies.pose[1].position.y(), std::min(fallen, 1.0), 1e-12);
+      ASSERT_NEAR(-simulation.scene.bodies().pose[1].position.y(), std::min(fallen, 1.0), 1e-12);
       if (fallen < 1) {
-        ASSERT_EQ(simulation.work.rows.lambda[0], 0);
+        ASSERT_EQ(simulation.work.system.lambda[0], 0);
       }
     }
-    const double weight = 9.81 / simulation.scene.bodies.inverse_mass[1].linear;
-    EXPECT_NEAR(simulation.work.rows.lambda[0] / h, weight, 1e-9);
+    const double weight = 9.81 / simulation.scene.bodies().inverse_mass[1].linear;
+    EXPECT_NEAR(simulation.work.system.lambda[0] / h, weight, 1e-9);
   });
 }
 

@@ -32,8 +32,8 @@ TEST(Stable, IsNotAccurate) {
 
 /// Five bodies in a row, with pins that do not fit.
 template <class M>
-Scene<M, Pin> torn_chain(Random& random) {
-  Scene<M, Pin> scene;
+Scene<M> torn_chain(Random& random) {
+  Scene<M> scene;
   for (int i = 0; i < 5; ++i) scene.add_body(random.pose<M>(), random.mass<M>(), random.velocity<M>());
   for (int i = 0; i < 4; ++i) scene.add(Pin<M>{{i, i + 1, random.arms<M>()}});
   return scene;
@@ -57,15 +57,15 @@ TEST(Projection, ClosesPinsAndMovesNeitherVelocitiesNorTheCentreOfMass) {
     EXPECT_EQ(project(Projection{.sweeps = 400}, scene), 400 * 4 * M::linear);
     EXPECT_GT(position_error(before).max, 0.1);
     EXPECT_LT(position_error(scene).max, 1e-9);
-    EXPECT_LT((centre_of_mass(scene.bodies) - centre_of_mass(before.bodies)).norm(), 1e-13);
-    for (int i = 0; i < 5; ++i) EXPECT_EQ(scene.bodies.velocity[i], before.bodies.velocity[i]);
+    EXPECT_LT((centre_of_mass(scene.bodies()) - centre_of_mass(before.bodies())).norm(), 1e-13);
+    for (int i = 0; i < 5; ++i) EXPECT_EQ(scene.bodies().velocity[i], before.bodies().velocity[i]);
   });
 }
 
 TEST(Projection, RemovesItsShareOfARodsError) {
   in_all_models([]<class M>(Random&) {
     auto scene = pendulum<M, NormalisedDistance>(0.5, 2, 3);
-    scene.bodies.pose[1].position *= 1.1;
+    scene.state().pose[1].position *= 1.1;
     for (const double left : {0.15, 0.1125}) {
       project(Projection{.sweeps = 1, .share = 0.25}, scene);
       EXPECT_NEAR(position_error(scene).max, left, 1e-14);
@@ -76,24 +76,24 @@ TEST(Projection, RemovesItsShareOfARodsError) {
 TEST(Projection, PushesBoxesApartAsFarAsTheSlopAndNeverPullsThem) {
   for (const double overlap : {0.05, -0.01}) {
     auto scene = stack(1);
-    scene.bodies.pose[1].position.y() -= overlap;
+    scene.state().pose[1].position.y() -= overlap;
     Touching<PlaneBody> touching;
     touching.find(scene);
     ASSERT_EQ(scene.count(), 1);
     project(Projection{.sweeps = 3, .slop = 0.002}, scene);
-    EXPECT_NEAR(scene.bodies.pose[1].position.y(), overlap > 0 ? 0.498 : 0.51, 1e-15);
-    EXPECT_EQ(scene.bodies.pose[1].position.x(), 0);
+    EXPECT_NEAR(scene.bodies().pose[1].position.y(), overlap > 0 ? 0.498 : 0.51, 1e-15);
+    EXPECT_EQ(scene.bodies().pose[1].position.x(), 0);
   }
 }
 
 TEST(Projection, LeavesSpringsAlone) {
   using M = PlaneParticle;
-  Scene<M, Spring> scene;
+  Scene<M> scene;
   scene.add_body(Linear<M>(0, 0), fixed<M>());
   scene.add_body(Linear<M>(3, 0), with_mass<M>(1));
   scene.add(Spring<M>{{0, 1}, 1, {10, 1}});
   EXPECT_EQ(project(Projection{}, scene), 0);
-  EXPECT_EQ(scene.bodies.pose[1].position.x(), 3);
+  EXPECT_EQ(scene.bodies().pose[1].position.x(), 3);
 }
 
 TEST(Projection, RefusesChoicesOutsideTheirRange) {

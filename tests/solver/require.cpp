@@ -1,4 +1,4 @@
-#include "solver/require.hpp"
+#include "solver/support/require.hpp"
 
 #include <gmock/gmock.h>
 

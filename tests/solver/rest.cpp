@@ -13,17 +13,17 @@ constexpr double h = 1.0 / 60;
 struct Unrest {
   double speed = 0, shift = 0;  // [m/s, rad/s], [m]
 };
-Unrest unrest(const Boxes& scene, const VelocityStepping& method) {
-  Simulation<Boxes> simulation{scene, method};
+Unrest unrest(const Scene<PlaneBody>& scene, const VelocityStepping& method) {
+  Simulation<PlaneBody> simulation{scene, method};
   Unrest result;
   run(simulation, 30, h);
   run(simulation, 30, h, [&] {
-    for (const auto& V : simulation.scene.bodies.velocity)
+    for (const auto& V : simulation.scene.bodies().velocity)
       result.speed = std::max(result.speed, V.cwiseAbs().maxCoeff());
   });
-  for (int i = 0; i < scene.bodies.size(); ++i)
+  for (int i = 0; i < scene.bodies().size(); ++i)
     result.shift =
-        std::max(result.shift, (simulation.scene.bodies.pose[i].position - scene.bodies.pose[i].position).norm());
+        std::max(result.shift, (simulation.scene.bodies().pose[i].position - scene.bodies().pose[i].position).norm());
   return result;
 }
 
@@ -44,7 +44,7 @@ TEST(Rest, OfStandingDominoesIsExact) {
 }
 
 TEST(Rest, OfAStackAndAPyramidBySweepsIsExactOnceTheyHaveSunkIntoTheSlop) {
-  for (const Boxes& scene : {stack(10), pyramid(10)}) {
+  for (const Scene<PlaneBody>& scene : {stack(10), pyramid(10)}) {
     const Unrest left = unrest(scene, {GaussSeidel{26}, with_slop});
     EXPECT_LE(left.speed, 1e-12);
     EXPECT_LE(left.shift, 0.004);
@@ -73,18 +73,18 @@ TEST(Rest, OfAHouseOfCardsIsFrictionsWork) {
 }
 
 TEST(Dominoes, FallOneAfterTheOtherWhenTheFirstIsTipped) {
-  Simulation<Boxes> simulation{dominoes(8, 0.5, 1.5), {ByGraph{}, with_slop}};
+  Simulation<PlaneBody> simulation{dominoes(8, 0.5, 1.5), {ByGraph{}, with_slop}};
   double last = 0;
   for (int i = 1; i <= 8; ++i) {
-    while (simulation.scene.bodies.pose[i].rotation.sin > -0.2 && simulation.time < 10) simulation.step(h);
+    while (simulation.scene.bodies().pose[i].rotation.sin > -0.2 && simulation.time < 10) simulation.step(h);
     EXPECT_GT(simulation.time, last) << i;
     EXPECT_LT(simulation.time, 5) << i;
     last = simulation.time;
   }
-  Simulation<Boxes> apart{dominoes(3, 1.5, 1.5), {ByGraph{}, with_slop}};
+  Simulation<PlaneBody> apart{dominoes(3, 1.5, 1.5), {ByGraph{}, with_slop}};
   run(apart, 5, h);
-  EXPECT_LT(apart.scene.bodies.pose[1].rotation.sin, -0.9);
-  EXPECT_NEAR(apart.scene.bodies.pose[2].rotation.sin, 0, 1e-9) << "too far to be reached";
+  EXPECT_LT(apart.scene.bodies().pose[1].rotation.sin, -0.9);
+  EXPECT_NEAR(apart.scene.bodies().pose[2].rotation.sin, 0, 1e-9) << "too far to be reached";
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 namespace {
 
 using namespace byhand;
-using Rods = Scene<PlaneParticle, NormalisedDistance>;
+using Rods = Scene<PlaneParticle>;
 
 Rods hanging(int links, double end_mass = 1) {
   return rod_chain<PlaneParticle, NormalisedDistance>({.links = links, .end_mass = end_mass});
@@ -60,7 +60,7 @@ TEST(ConjugateGradients, StopOnTheirToleranceAndAtOnceWhereNothingIsLeft) {
   auto scene = hanging(40);
   Work<PlaneParticle> work;
   advance(scene, {ConjugateGradients{.iterations = 1000, .tolerance = 1e-6}, NoDriftCure{}}, time_step, work);
-  EXPECT_LE(residual(work.system, scene.bodies.velocity), 1.01e-6);
+  EXPECT_LE(residual(work.system, scene.bodies().velocity), 1.01e-6);
   EXPECT_LE(work.row_solves, 41 * 40);
   for (int i = 0; i < 5; ++i)
     advance(scene, {ConjugateGradients{.iterations = 1000, .tolerance = 1e-6}, NoDriftCure{}}, time_step, work);
@@ -77,16 +77,16 @@ TEST(ConjugateGradients, StayWithTheAnswerHoweverManyIterationsMayFollow) {
   for (int i = 0; i < 60; ++i) {
     swinging.step(time_step);
     exact.step(time_step);
-    EXPECT_LE(difference(numbers_of<PlaneParticle>(swinging.scene.bodies.velocity),
-                         numbers_of<PlaneParticle>(exact.scene.bodies.velocity)),
+    EXPECT_LE(difference(numbers_of<PlaneParticle>(swinging.scene.bodies().velocity),
+                         numbers_of<PlaneParticle>(exact.scene.bodies().velocity)),
               1e-9)
         << "step " << i;
   }
 }
 
 TEST(ConjugateGradients, RefuseScenesWithBoundsInOneSentence) {
-  Boxes boxes = stack(1);
-  Scene<PlaneBody, Contact> contact;
+  Scene<PlaneBody> boxes = stack(1);
+  Scene<PlaneBody> contact;
   contact.add_body({0, 0}, fixed<PlaneBody>());
   contact.add_body({0, 1}, ball<PlaneBody>(1, 1));
   EXPECT_EQ(refusal(contact, VelocityStepping{ConjugateGradients{}}), "");
@@ -127,8 +127,8 @@ TEST(SymmetricSweeps, CountAsTwo) {
 }
 
 /// A few boxes of random sides and masses that lean on each other and on the ground, struck at random.
-Boxes random_boxes(Random& random, double friction) {
-  Boxes scene;
+Scene<PlaneBody> random_boxes(Random& random, double friction) {
+  Scene<PlaneBody> scene;
   add_ground(scene, {random.uniform(0, friction)});
   const int count = 2 + random.index(4);
   double top = 0;
@@ -139,7 +139,7 @@ Boxes random_boxes(Random& random, double friction) {
     pose.position = {random.uniform(-0.4, 0.4) + (beside ? 1.5 : 0.0), (beside ? 0.0 : top) + 0.5 * sides.y()};
     if (!beside) top += sides.y();
     const int box = add_box(scene, pose, random.uniform(0.5, 5), sides, {random.uniform(0, friction)});
-    scene.bodies.velocity[box] = 0.3 * random.velocity<PlaneBody>();
+    scene.state().velocity[box] = 0.3 * random.velocity<PlaneBody>();
   }
   return scene;
 }
@@ -149,12 +149,12 @@ const RowSolver with_bounds[] = {GaussSeidel{.sweeps = 1000000, .tolerance = 1e-
                                  AcceleratedGradient{.iterations = 100000, .tolerance = 1e-12}};
 
 /// Whether no row of the faces' ends repeats others: the rank of all J that can move something is their number.
-bool independent(const Boxes& scene) {
-  Boxes copy = scene;
+bool independent(const Scene<PlaneBody>& scene) {
+  Scene<PlaneBody> copy = scene;
   Work<PlaneBody> work;
   advance(copy, {GaussSeidel{1}}, time_step, work);
-  Eigen::MatrixXd J(0, 3 * scene.bodies.size());
-  for (const auto& face : std::get<block_type<PlaneBody, 3, Bound::face>()>(work.system.blocks))
+  Eigen::MatrixXd J(0, 3 * scene.bodies().size());
+  for (const auto& face : std::get<block_type<PlaneBody, 3, Bound::manifold>()>(work.system.blocks))
     for (int k = 0; k < 2; ++k) {
       Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(J.cols());
       if (face.moves1) row.segment<3>(3 * face.body1) = face.J.matrix.row(k).head<3>();
@@ -173,7 +173,7 @@ TEST(RowSolvers, MeetTheReferenceOnRandomBoxesWithoutFriction) {
   int direct = 0, refused = 0;
   in_models<PlaneBody>(
       [&]<class M>(Random& random) {
-        const Boxes scene = random_boxes(random, 0);
+        const Scene<PlaneBody> scene = random_boxes(random, 0);
         const auto exact = solved(scene, exact_sweeps());
         EXPECT_LE(exact.residual, 1e-12);
         for (const RowSolver& solver : with_bounds)
@@ -199,7 +199,7 @@ TEST(RowSolvers, EachFindAnAnswerOnRandomBoxesWithFriction) {
   int same = 0, others = 0;
   in_models<PlaneBody>(
       [&]<class M>(Random& random) {
-        const Boxes scene = random_boxes(random, 0.8);
+        const Scene<PlaneBody> scene = random_boxes(random, 0.8);
         const auto exact = solved(scene, exact_sweeps());
         for (const RowSolver& solver : with_bounds) {
           const auto answer = solved(scene, solver);
@@ -213,8 +213,8 @@ TEST(RowSolvers, EachFindAnAnswerOnRandomBoxesWithFriction) {
 
 TEST(RowSolvers, MeetTheReferenceOnRandomPiles) {
   for (int seed = 0; seed < 8; ++seed) {
-    Simulation<Boxes> pile{box_pile<Boxes>(seed, {.count = 6, .speed = 3, .decades = 1, .surface = {}}),
-                           VelocityStepping{GaussSeidel{50}}};
+    Simulation<PlaneBody> pile{box_pile<PlaneBody>(seed, {.count = 6, .speed = 3, .decades = 1, .surface = {}}),
+                               VelocityStepping{GaussSeidel{50}}};
     for (int i = 0; i < 90; ++i) pile.step(time_step);
     const auto exact = solved(pile.scene, exact_sweeps());
     for (const RowSolver& solver : {with_bounds[0], with_bounds[2]})
@@ -225,7 +225,7 @@ TEST(RowSolvers, MeetTheReferenceOnRandomPiles) {
 
 TEST(AcceleratedGradient, KeepsEveryBoundAtWhateverIterationItStops) {
   for (int iterations = 1; iterations <= 12; ++iterations) {
-    Boxes scene = pyramid(5);
+    Scene<PlaneBody> scene = pyramid(5);
     kick(scene, 2);
     Work<PlaneBody> work;
     for (int i = 0; i < 20; ++i) {
@@ -249,7 +249,7 @@ TEST(AcceleratedGradient, TakesInProportionToAChainsLinksWhatSweepsTakeBySquare)
     Work<PlaneParticle> work;
     advance(scene, {AcceleratedGradient{.iterations = 100000, .tolerance = tolerance, .warm_start = false}},
             time_step, work);
-    EXPECT_LE(residual(work.system, scene.bodies.velocity), tolerance);
+    EXPECT_LE(residual(work.system, scene.bodies().velocity), tolerance);
     const double iterations = static_cast<double>(work.row_solves) / links;
     const double root_of_condition = 4 * links / std::acos(-1.0);
     EXPECT_LE(iterations, root_of_condition * std::log(9.81 * time_step / tolerance)) << links;
@@ -267,16 +267,16 @@ TEST(Direct, GoesOnFromTheImpulsesThatStand) {
           auto copy = scene;
           advance(copy, {direct, NoDriftCure{}}, time_step, work);
           auto& system = work.system;
-          const auto V = copy.bodies.velocity;
+          const auto V = copy.bodies().velocity;
           const auto lambda = system.lambda;
-          solve_rows(direct, copy.bodies, work, Begin::again);
+          solve_rows(direct, copy.bodies(), work, Begin::again);
           EXPECT_LE(difference(system.lambda, lambda), 1e-10 * (1 + largest(lambda))) << "nothing is left to do";
           for (int i = 0; i < system.rows(); ++i) {
             system.bias[i] += random.uniform(-1, 1);
             system.gamma[i] = random.uniform(0.01, 0.1);
           }
-          solve_rows(direct, copy.bodies, work, Begin::again);
-          EXPECT_LE(residual(system, copy.bodies.velocity), 1e-9) << "another bias and softness";
+          solve_rows(direct, copy.bodies(), work, Begin::again);
+          EXPECT_LE(residual(system, copy.bodies().velocity), 1e-9) << "another bias and softness";
         }
       },
       5);

@@ -54,23 +54,23 @@ template <class S, class M = typename S::model>
 Answer<M> solved(S scene, const RowSolver& solver, const DriftCure& cure = Baumgarte{}) {
   Work<M> work;
   advance(scene, {solver, cure}, time_step, work);
-  return {numbers_of<M>(scene.bodies.velocity), natural_lambda(scene, work.system),
-          residual(work.system, scene.bodies.velocity)};
+  return {numbers_of<M>(scene.bodies().velocity), natural_lambda(scene, work.system),
+          residual(work.system, scene.bodies().velocity)};
 }
 
 template <class S>
 S with_random_velocities(S scene, Random& random) {
   using M = typename S::model;
-  for (int i = 0; i < scene.bodies.size(); ++i)
-    if (moves(scene.bodies.inverse_mass[i])) scene.bodies.velocity[i] = random.velocity<M>();
+  for (int i = 0; i < scene.bodies().size(); ++i)
+    if (moves(scene.bodies().inverse_mass[i])) scene.state().velocity[i] = random.velocity<M>();
   return scene;
 }
 
 /// Rods and pins between random bodies, some of them fixed, each row with a softness that keeps the whole
 /// regular however the graph came out.
 template <class M>
-Scene<M, Distance, Pin> random_graph(Random& random, int bodies, int constraints) {
-  Scene<M, Distance, Pin> scene;
+Scene<M> random_graph(Random& random, int bodies, int constraints) {
+  Scene<M> scene;
   for (int i = 0; i < bodies; ++i) {
     if (random.uniform(0, 1) < 0.15)
       scene.add_body(random.pose<M>(), fixed<M>());
@@ -79,7 +79,7 @@ Scene<M, Distance, Pin> random_graph(Random& random, int bodies, int constraints
   }
   for (int i = 0; i < constraints; ++i) {
     const int body1 = random.index(bodies), body2 = (body1 + 1 + random.index(bodies - 1)) % bodies;
-    if (!moves(scene.bodies.inverse_mass[body1]) && !moves(scene.bodies.inverse_mass[body2])) continue;
+    if (!moves(scene.bodies().inverse_mass[body1]) && !moves(scene.bodies().inverse_mass[body2])) continue;
     const Anchors<M> at{body1, body2, random.arms<M>()};
     const double softness = random.uniform(0.05, 0.5);
     if (random.uniform(0, 1) < 0.5)
@@ -93,8 +93,8 @@ Scene<M, Distance, Pin> random_graph(Random& random, int bodies, int constraints
 /// A sheet of n × n free particles or balls, each held by rods to its neighbours: hubs of four next to each
 /// other. The points are off the lattice, so that no row of rods is straight.
 template <class M>
-Scene<M, Distance> grid(Random& random, int n) {
-  Scene<M, Distance> scene;
+Scene<M> grid(Random& random, int n) {
+  Scene<M> scene;
   for (int i = 0; i < n * n; ++i) {
     Linear<M> at = random.vector<M::linear>(0.3);
     at[0] += i % n;
@@ -112,23 +112,23 @@ Scene<M, Distance> grid(Random& random, int n) {
 template <class M>
 auto ring(Random& random, int n) {
   if constexpr (M::angular == 0) {
-    Scene<M, Distance> scene;
+    Scene<M> scene;
     for (int i = 0; i < n; ++i) scene.add_body(random.pose<M>(), random.mass<M>(), random.velocity<M>());
     for (int i = 0; i < n; ++i) scene.add(Distance<M>{{i, (i + 1) % n}});
     return scene;
   } else {
-    Scene<M, Pin> scene;
+    Scene<M> scene;
     for (int i = 0; i < n; ++i) scene.add_body(random.pose<M>(), random.mass<M>(), random.velocity<M>());
     for (int i = 0; i < n; ++i)
-      scene.add(pin<M>(scene.bodies, i, (i + 1) % n, Linear<M>(random.vector<M::linear>(2))));
+      scene.add(pin<M>(scene.bodies(), i, (i + 1) % n, Linear<M>(random.vector<M::linear>(2))));
     return scene;
   }
 }
 
 /// Pins and rods in turn along a chain.
 template <class M>
-Scene<M, Distance, Pin> mixed_chain(Random& random, int links) {
-  Scene<M, Distance, Pin> scene;
+Scene<M> mixed_chain(Random& random, int links) {
+  Scene<M> scene;
   scene.add_body(random.pose<M>(), fixed<M>());
   for (int i = 0; i < links; ++i) {
     scene.add_body(random.pose<M>(), random.mass<M>(), random.velocity<M>());

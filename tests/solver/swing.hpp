@@ -22,7 +22,7 @@ struct Swing {
 template <template <class> class Rod, class Method>
 Swing swing(const Method& method, double h, double length = 1, double mass = 1) {
   constexpr double level = std::numbers::pi / 2;
-  Simulation<Scene<PlaneParticle, Rod>, Method> simulation{pendulum<PlaneParticle, Rod>(level, length, mass),
+  Simulation<PlaneParticle, Method> simulation{pendulum<PlaneParticle, Rod>(level, length, mass),
                                                            method};
   const double g = -simulation.scene.gravity.y(), start = energy(simulation.scene);
   const SimplePendulum exact(level, length, g);
@@ -31,7 +31,7 @@ Swing swing(const Method& method, double h, double length = 1, double mass = 1) 
   run(simulation, 10, h, [&] {
     const double angle = rod_angle(simulation.scene, 0, 1);
     bottom.add(angle, rod_rate(simulation.scene, 0, 1), simulation.time, h);
-    const double distance = simulation.scene.bodies.pose[1].position.norm();
+    const double distance = simulation.scene.bodies().pose[1].position.norm();
     result.stretch = std::max(result.stretch, std::abs(distance - length));
     if (std::abs(simulation.time - 1) < h / 2) result.angle_error = angle - exact.angle(1);
   });

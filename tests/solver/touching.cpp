@@ -10,24 +10,24 @@ namespace {
 
 using namespace byhand;
 using M = PlaneBody;
-using Points = Scene<M, Contact, Friction>;
+using Points = Scene<M>;
 constexpr double g = 9.81, h = 1.0 / 60;
 
 TEST(Touching, FindsAFaceForTwoBodiesOrAContactWithFrictionForEachPoint) {
-  Simulation<Boxes> faces{stack(3), {}};
+  Simulation<PlaneBody> faces{stack(3), {}};
   Simulation<Points> points{stack<Points>(3), {}};
   faces.step(h);
   points.step(h);
-  EXPECT_EQ(faces.scene.all<FaceContact>().size(), 3u);
+  EXPECT_EQ(faces.scene.all<ContactManifold>().size(), 3u);
   EXPECT_EQ(points.scene.all<Contact>().size(), 6u);
   EXPECT_EQ(points.scene.all<Friction>().size(), 6u);
   EXPECT_EQ(points.scene.lasting(), 0);
 }
 
 TEST(Touching, WritesPointsThatLieOnBothSurfacesWithTheNormalFromTheFirstToTheSecond) {
-  Simulation<Boxes> simulation{stack(2), {}};
+  Simulation<PlaneBody> simulation{stack(2), {}};
   simulation.step(h);
-  for (const auto& face : simulation.scene.all<FaceContact>()) {
+  for (const auto& face : simulation.scene.all<ContactManifold>()) {
     EXPECT_LT(face.at.body1, face.at.body2);
     EXPECT_NEAR((face.normal - Linear<M>(0, 1)).norm(), 0, 1e-12);
     EXPECT_NEAR(face.at.arms.second.y(), -0.5, 1e-12);
@@ -36,39 +36,39 @@ TEST(Touching, WritesPointsThatLieOnBothSurfacesWithTheNormalFromTheFirstToTheSe
 }
 
 TEST(Touching, MixesSurfacesByTheRootOfTheirFrictionAndTheLargerRestitution) {
-  Boxes scene;
+  Scene<PlaneBody> scene;
   add_ground(scene, {0.2, 0.1});
   add_unit_box(scene, 0, 0.5, 1, {0.8, 0.3});
-  Simulation<Boxes> simulation{scene, {}};
+  Simulation<PlaneBody> simulation{scene, {}};
   simulation.step(h);
-  EXPECT_NEAR(simulation.scene.all<FaceContact>()[0].coefficient, 0.4, 1e-15);
-  EXPECT_EQ(simulation.scene.all<FaceContact>()[0].restitution, 0.3);
+  EXPECT_NEAR(simulation.scene.all<ContactManifold>()[0].coefficient, 0.4, 1e-15);
+  EXPECT_EQ(simulation.scene.all<ContactManifold>()[0].restitution, 0.3);
 }
 
 TEST(Touching, LeavesAloneWhatIsFartherThanTheMarginAndWhatDoesNotMove) {
   for (const auto& [gap, found] : {std::pair(0.019, 1u), {0.021, 0u}}) {
-    Boxes scene;
+    Scene<PlaneBody> scene;
     scene.gravity.setZero();
     add_ground(scene);
     add_unit_box(scene, 0, 0.5 + gap);
     const int shelf = scene.add_body({0.9, 0.5}, fixed<M>());
     scene.set_shape(shelf, Box<M>{{0.3, 0.5}});
-    scene.bodies.pose[1].position.x() = -2;
-    Simulation<Boxes> simulation{scene, {}};
+    scene.state().pose[1].position.x() = -2;
+    Simulation<PlaneBody> simulation{scene, {}};
     simulation.step(h);
-    EXPECT_EQ(simulation.scene.all<FaceContact>().size(), found) << gap;
+    EXPECT_EQ(simulation.scene.all<ContactManifold>().size(), found) << gap;
   }
 }
 
 TEST(Touching, LetsBodiesThatAreJoinedPassThroughEachOther) {
-  Scene<M, Contact, Pin> scene;
+  Scene<M> scene;
   for (const double x : {0.0, 0.5}) {
     const int body = scene.add_body({x, 0}, box<M>(1, {1, 1}));
     scene.set_shape(body, Box<M>{{0.5, 0.5}});
   }
   auto apart = scene;
-  scene.add(pin<M>(scene.bodies, 0, 1, Linear<M>(0.25, 0)));
-  Simulation<decltype(scene)> joined{scene, {}}, loose{apart, {}};
+  scene.add(pin<M>(scene.bodies(), 0, 1, Linear<M>(0.25, 0)));
+  Simulation<typename decltype(scene)::model> joined{scene, {}}, loose{apart, {}};
   joined.step(h);
   loose.step(h);
   EXPECT_EQ(joined.scene.all<Contact>().size(), 0u);
@@ -78,7 +78,7 @@ TEST(Touching, LetsBodiesThatAreJoinedPassThroughEachOther) {
 /// The largest speed in a stack that is swept once a step, from its second step on, while a ball falls beside it:
 /// when the ball lands all constraints are written anew.
 double unrest_of_a_stack_beside_a_ball(bool warm) {
-  Simulation<Boxes> simulation{stack(3), {GaussSeidel{100}}};
+  Simulation<PlaneBody> simulation{stack(3), {GaussSeidel{100}}};
   const int ball_beside = simulation.scene.add_body({5, 1}, ball<M>(1, 0.5));
   simulation.scene.set_shape(ball_beside, Ball<M>{0.5});
   run(simulation, 0.1, h);
@@ -87,7 +87,7 @@ double unrest_of_a_stack_beside_a_ball(bool warm) {
   double largest = 0;
   run(simulation, 1, h, [&] {
     for (int i = 1; i <= 3; ++i)
-      largest = std::max(largest, simulation.scene.bodies.velocity[i].cwiseAbs().maxCoeff());
+      largest = std::max(largest, simulation.scene.bodies().velocity[i].cwiseAbs().maxCoeff());
   });
   EXPECT_NE(simulation.scene.version(), version) << "the ball has landed";
   return largest;
@@ -101,15 +101,15 @@ TEST(Touching, HandsImpulsesOnWhereContactsComeAndGoElsewhere) {
 /// A heavy beam that slides over two blocks, so that corners of the one take turns with corners of the others: the
 /// largest share of its weight that one sweep a step fails to carry.
 double weight_missed(bool warm) {
-  Boxes scene;
+  Scene<PlaneBody> scene;
   add_ground(scene, {0});
   for (const double x : {-1.0, 1.0}) add_unit_box(scene, x, 0.5, 1, {0});
   Pose<M> lying;
   lying.position = {-0.5, 1.25};
   const int beam = add_box(scene, lying, 1, {4, 0.5}, {0});
-  Simulation<Boxes> simulation{scene, {GaussSeidel{200}}};
+  Simulation<PlaneBody> simulation{scene, {GaussSeidel{200}}};
   run(simulation, 0.1, h);
-  simulation.scene.bodies.velocity[beam].x() = 1;
+  simulation.scene.state().velocity[beam].x() = 1;
   simulation.method.solver = GaussSeidel{1, warm};
   double missed = 0;
   run(simulation, 1.3, h, [&] {
@@ -131,25 +131,25 @@ TEST(Touching, HandsImpulsesOnWhereABeamSlidesAcrossItsSupports) {
 }
 
 TEST(Touching, ForgetsTheImpulseOfWhatHasParted) {
-  Simulation<Scene<M, Contact>> simulation{bouncing_ball<M>(0, 0), {GaussSeidel{1}}};
+  Simulation<M> simulation{bouncing_ball<M>(0, 0), {GaussSeidel{1}}};
   run(simulation, 0.5, h);
   EXPECT_NEAR(force(simulation.work, 0), g, 1e-9);
-  simulation.scene.bodies.velocity[1].y() = 3;
+  simulation.scene.state().velocity[1].y() = 3;
   run(simulation, 0.2, h);
   EXPECT_EQ(simulation.scene.count(), 0);
-  const double before = simulation.scene.bodies.velocity[1].y();
+  const double before = simulation.scene.bodies().velocity[1].y();
   simulation.step(h);
-  EXPECT_NEAR(simulation.scene.bodies.velocity[1].y(), before - g * h, 1e-14);
+  EXPECT_NEAR(simulation.scene.bodies().velocity[1].y(), before - g * h, 1e-14);
 }
 
 TEST(Touching, TakesACopyOfTheSimulationAsAWayBack) {
-  Simulation<Boxes> simulation{pyramid(4), {ByGraph{}}};
+  Simulation<PlaneBody> simulation{pyramid(4), {ByGraph{}}};
   run(simulation, 0.3, h);
-  Simulation<Boxes> copy = simulation;
+  Simulation<PlaneBody> copy = simulation;
   run(simulation, 0.3, h);
   run(copy, 0.3, h);
-  for (int i = 0; i < copy.scene.bodies.size(); ++i)
-    EXPECT_EQ(copy.scene.bodies.velocity[i], simulation.scene.bodies.velocity[i]) << i;
+  for (int i = 0; i < copy.scene.bodies().size(); ++i)
+    EXPECT_EQ(copy.scene.bodies().velocity[i], simulation.scene.bodies().velocity[i]) << i;
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 
 #include "lessons/08_where_methods_fail/laws/record.hpp"
 #include "lessons/scenes/boxes.hpp"
-#include "solver/simulation.hpp"
+#include "solver/step.hpp"
 
 namespace byhand::laws {
 namespace {
@@ -14,13 +14,13 @@ namespace {
 using M = PlaneBody;
 
 /// The column, each box sunk into the one below by `overlap` [m], before any contact has borne a weight.
-Simulation<Boxes> put_down(const Column& column, double overlap) {
+Simulation<PlaneBody> put_down(const Column& column, double overlap) {
   VelocityStepping method{GaussSeidel{column.sweeps}, Baumgarte{column.beta}};
   if (column.sweeps == 0) method.solver = Direct{.regularisation = column.regularisation};
   if (column.frequency > 0) method.drift = SoftConstraints{.frequency = 2 * std::numbers::pi * column.frequency};
   method.substeps = column.substeps;
-  Simulation<Boxes> simulation{{}, method};
-  Boxes& scene = simulation.scene;
+  Simulation<PlaneBody> simulation{{}, method};
+  Scene<PlaneBody>& scene = simulation.scene;
   scene.gravity = {0, -column.gravity};
   scene.add_body({0, 0}, fixed<M>());
   for (int i = 1; i <= column.boxes; ++i) {
@@ -31,7 +31,7 @@ Simulation<Boxes> put_down(const Column& column, double overlap) {
       at.arms = {Arm<M>(x, i == 1 ? 0 : 0.5), Arm<M>(x, -0.5)};
       return at;
     };
-    FaceContact<M> face;
+    ContactManifold<M> face;
     face.at = meet(-0.5);
     face.second = meet(0.5).arms;
     face.coefficient = column.friction;
@@ -41,8 +41,8 @@ Simulation<Boxes> put_down(const Column& column, double overlap) {
 }
 
 /// The same with all weights borne as they should be.
-Simulation<Boxes> stand(const Column& column, double overlap) {
-  Simulation<Boxes> simulation = put_down(column, overlap);
+Simulation<PlaneBody> stand(const Column& column, double overlap) {
+  Simulation<PlaneBody> simulation = put_down(column, overlap);
   const VelocityStepping method = std::exchange(simulation.method, {Direct{}, NoDriftCure{}});
   simulation.step(column.step);
   simulation.method = method;
@@ -53,23 +53,23 @@ Simulation<Boxes> stand(const Column& column, double overlap) {
 
 Outcome lean(const Column& column) {
   // Sunk in, or a box that leans would open a gap, which closes by itself.
-  Simulation<Boxes> simulation = stand(column, 1e-4);
+  Simulation<PlaneBody> simulation = stand(column, 1e-4);
   const double push = 1e-7;
   kick(simulation.scene, push);
   Record record(push, 1);
   for (int i = 0; i < column.steps; ++i) {
     simulation.step(column.step);
-    if (!record.note(simulation.scene.bodies.velocity[column.boxes].x())) break;
+    if (!record.note(simulation.scene.bodies().velocity[column.boxes].x())) break;
   }
   return record.outcome();
 }
 
 Outcome hop(const Column& column) {
-  Simulation<Boxes> simulation = put_down(column, 0);
+  Simulation<PlaneBody> simulation = put_down(column, 0);
   const double h = column.step / column.substeps, sinks = column.gravity * h * h;
   for (int i = 0, quiet = 0; i < column.steps; ++i) {
     simulation.step(column.step);
-    const double off = std::abs(simulation.scene.bodies.pose[column.boxes].position.y() - (column.boxes - 0.5));
+    const double off = std::abs(simulation.scene.bodies().pose[column.boxes].position.y() - (column.boxes - 0.5));
     if (!(off < 1)) return Outcome::explodes;
     quiet = off < 1e-5 * sinks ? quiet + 1 : 0;
     if (quiet == 500) return Outcome::settles;
@@ -78,30 +78,30 @@ Outcome hop(const Column& column) {
 }
 
 bool pops(const Column& column, double overlap) {
-  Simulation<Boxes> simulation = put_down(column, overlap);
+  Simulation<PlaneBody> simulation = put_down(column, overlap);
   for (int i = 0; i < column.steps; ++i) {
     simulation.step(column.step);
-    if (simulation.scene.bodies.pose[1].position.y() > 0.5 + 1e-9) return true;
+    if (simulation.scene.bodies().pose[1].position.y() > 0.5 + 1e-9) return true;
   }
   return false;
 }
 
 Outcome buckle(const Column& column) {
-  Simulation<Boxes> simulation = put_down(column, 0);
+  Simulation<PlaneBody> simulation = put_down(column, 0);
   const double push = 1e-7;
   kick(simulation.scene, push);
   Record record(push, 1);
   for (int i = 0; i < column.steps; ++i) {
     simulation.step(column.step);
-    if (!record.note(simulation.scene.bodies.pose[column.boxes].position.x())) break;
+    if (!record.note(simulation.scene.bodies().pose[column.boxes].position.x())) break;
   }
   return record.outcome();
 }
 
 double time_to_fall(const Column& column, double time) {
-  Simulation<Boxes> simulation = stand(column, 0);
+  Simulation<PlaneBody> simulation = stand(column, 0);
   kick(simulation.scene, 0.02);
-  while (simulation.time < time && simulation.scene.bodies.pose[column.boxes].position.y() > column.boxes - 1)
+  while (simulation.time < time && simulation.scene.bodies().pose[column.boxes].position.y() > column.boxes - 1)
     simulation.step(column.step);
   return simulation.time;
 }

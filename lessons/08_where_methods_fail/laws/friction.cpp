@@ -7,7 +7,7 @@
 
 #include "solver/constraints/axis_friction.hpp"
 #include "solver/constraints/friction.hpp"
-#include "solver/simulation.hpp"
+#include "solver/step.hpp"
 
 // Law 10. Coulomb's friction is a vector of at most μ times what presses, a disc. Bounded axis by axis it is a
 // square, and each axis brakes with the whole μg: a slide at φ ends after v²cos²φ/2μg along one and v²sin²φ/2μg
@@ -27,7 +27,7 @@ double way_to_stop(double speed) { return speed * speed / (2 * mu * g) - 0.5 * s
 
 Slide slide(FrictionBound bound, double heading, double speed) {
   using M = SpaceParticle;
-  Scene<M, Contact, Friction, AxisFriction> scene;
+  Scene<M> scene;
   const Linear<M> up(0, 1, 0);
   const int ground = scene.add_body({0, 0, 0}, fixed<M>());
   const int particle =
@@ -39,10 +39,10 @@ Slide slide(FrictionBound bound, double heading, double speed) {
     for (const Linear<M>& tangent : {Linear<M>(1, 0, 0), Linear<M>(0, 0, 1)})
       scene.add(AxisFriction<M>{{ground, particle}, tangent, mu, contact});
   }
-  Simulation<decltype(scene)> simulation{std::move(scene), {GaussSeidel{}}};
+  Simulation<typename decltype(scene)::model> simulation{std::move(scene), {GaussSeidel{}}};
   const double stopped_by = speed / (mu * g) + 0.1;
   while (simulation.time < stopped_by) simulation.step(h);
-  const Linear<M> gone = simulation.scene.bodies.pose[particle].position;
+  const Linear<M> gone = simulation.scene.bodies().pose[particle].position;
   return {gone.norm(), std::atan2(gone.z(), gone.x())};
 }
 

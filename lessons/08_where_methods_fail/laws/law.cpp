@@ -16,7 +16,7 @@
 #include "lessons/08_where_methods_fail/laws/transverse.hpp"
 #include "lessons/08_where_methods_fail/laws/tunnelling.hpp"
 #include "lessons/08_where_methods_fail/laws/warm_start.hpp"
-#include "solver/require.hpp"
+#include "solver/support/require.hpp"
 
 namespace byhand::laws {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "lessons/scenes/pendulum.hpp"
-#include "solver/simulation.hpp"
+#include "solver/step.hpp"
 
 // Law 8. Two rods between the same points have the same J and so one answer for the sum of their λ only. If their
 // lengths differ by Δ, so do their biases, by βΔ/h: each row that is solved undoes what the other has just done,
@@ -25,7 +25,7 @@ double pull_apart(const ConflictingRods& rods, double time) {
   auto scene = pendulum<M, NormalisedDistance>(0, length, mass);
   scene.add(NormalisedDistance<M>{{0, 1}, length + rods.conflict});
   for (auto& rod : scene.all<NormalisedDistance>()) rod.softness = rods.softness;
-  Simulation<Scene<M, NormalisedDistance>> simulation{std::move(scene),
+  Simulation<M> simulation{std::move(scene),
                                                       {GaussSeidel{rods.sweeps}, Baumgarte{rods.beta}}};
   while (simulation.time < time - 0.5 * rods.step) simulation.step(rods.step);
   const auto& lambda = simulation.work.system.lambda;

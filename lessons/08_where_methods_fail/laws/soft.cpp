@@ -36,7 +36,7 @@ namespace byhand::laws {
 namespace {
 
 using M = PlaneParticle;
-using Chain = Scene<M, NormalisedDistance>;
+using Chain = Scene<M>;
 constexpr double h = 1.0 / 60;
 
 /// The largest stretch of a chain that swings for a second from 30° [m].
@@ -81,7 +81,7 @@ Outcome run(const SoftChain& chain) {
   Simulation<Chain> simulation{rod_chain<M, NormalisedDistance>({.links = chain.links}),
                                {GaussSeidel{chain.sweeps}, soft}};
   simulation.scene.gravity.setZero();
-  auto& pose = simulation.scene.bodies.pose;
+  auto& pose = simulation.scene.bodies().pose;
   const double size = 1e-7;
   for (int i = 1; i <= chain.links; ++i) pose[i].position.y() += size * uneven(i);
   Record record(size, 0.5);
@@ -96,7 +96,7 @@ double speed_left(double speed, double step, bool refresh) {
   VelocityStepping method{Direct{}, SoftConstraints{.frequency = 2 / step, .refresh = refresh}};
   Simulation<Chain> simulation{particle_on_a_circle<M>(1, speed, 1), method};
   while (simulation.time < 1 - 0.5 * step) simulation.step(step);
-  return simulation.scene.bodies.velocity[1].norm() / speed;
+  return simulation.scene.bodies().velocity[1].norm() / speed;
 }
 
 Law springs() {

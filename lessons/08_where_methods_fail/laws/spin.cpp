@@ -10,7 +10,7 @@
 #include "lessons/exact/simple_pendulum.hpp"
 #include "lessons/scenes/box_on_an_arm.hpp"
 #include "lessons/scenes/top.hpp"
-#include "solver/simulation.hpp"
+#include "solver/step.hpp"
 
 // Law 13. A velocity is straight, and what turns is not. Of a turn θ = ωh about a hinge r away a step makes the
 // centre go rθ along the tangent and the body turn by θ: the hinge is off by r √((θ - sinθ)² + (1 - cosθ)²), half
@@ -50,12 +50,12 @@ double drift_of_a_block(double side, double arm, double beta) {
   return worst;
 }
 double measured_drift_of_a_block(double side, double arm, double beta) {
-  Simulation<Scene<PlaneBody, Pin>> simulation{box_on_an_arm(side, arm, std::numbers::pi / 2),
+  Simulation<PlaneBody> simulation{box_on_an_arm(side, arm, std::numbers::pi / 2),
                                                {GaussSeidel{}, Baumgarte{beta}}};
   double worst = 0;
   while (simulation.time < 2) {
     simulation.step(h);
-    const auto& pose = simulation.scene.bodies.pose;
+    const auto& pose = simulation.scene.bodies().pose;
     worst = std::max(worst, simulation.scene.all<Pin>()[0].value<double>(pose[0], pose[1]).norm());
   }
   return worst;
@@ -67,7 +67,7 @@ double wobble_growth(int axis, double spin, double step, double time, bool impli
   Eigen::Vector3d omega = Eigen::Vector3d::Zero();
   omega[axis] = spin;
   omega[1] = 1e-4 * spin;
-  Simulation<Scene<SpaceBody, Pin>> top{free_top({1, 2, 3}, omega), {GaussSeidel{}, NoDriftCure{}}};
+  Simulation<SpaceBody> top{free_top({1, 2, 3}, omega), {GaussSeidel{}, NoDriftCure{}}};
   top.method.gyroscopic = implicit ? Gyroscopic::implicit : Gyroscopic::explicit_;
   // In units in which the wobble is a circle, since the two moments across differ.
   const Eigen::Vector3d moments(1, 2, 3);
@@ -75,7 +75,7 @@ double wobble_growth(int axis, double spin, double step, double time, bool impli
   const double ratio = moments[other] * std::abs(moments[axis] - moments[other]) /
                        (moments[1] * std::abs(moments[axis] - moments[1]));
   const auto wobble = [&] {
-    const auto& bodies = top.scene.bodies;
+    const auto& bodies = top.scene.bodies();
     const Eigen::Vector3d now =
         rotate(inverse(bodies.pose[0].rotation), Eigen::Vector3d(bodies.velocity[0].tail<3>()));
     return std::sqrt(square(now[1]) + ratio * square(now[other]));
@@ -93,8 +93,8 @@ double spin_of_tenfold_wobble(int axis, double step, double time) {
 }
 
 double hinge_error(double turn, double arm) {
-  Simulation<Scene<PlaneBody, Pin>> simulation{hinged_rod(0.8, 2 * arm, 1), {GaussSeidel{}, NoDriftCure{}}};
-  auto& bodies = simulation.scene.bodies;
+  Simulation<PlaneBody> simulation{hinged_rod(0.8, 2 * arm, 1), {GaussSeidel{}, NoDriftCure{}}};
+  auto& bodies = simulation.scene.bodies();
   simulation.scene.gravity.setZero();
   const Eigen::Vector2d out = bodies.pose[1].position;
   bodies.velocity[1] = turn / h * Eigen::Vector3d(-out.y(), out.x(), 1);
@@ -135,11 +135,11 @@ double left_by_a_sweep(const LongArm& box) {
 Outcome run(const LongArm& box) {
   const GaussSeidel solver{.sweeps = box.sweeps,
                            .block_solve = box.block ? BlockSolve::whole : BlockSolve::row_by_row};
-  Simulation<Scene<PlaneBody, Pin>> simulation{box_on_an_arm(box.side, box.arm, 0.25 * std::numbers::pi),
+  Simulation<PlaneBody> simulation{box_on_an_arm(box.side, box.arm, 0.25 * std::numbers::pi),
                                                {solver, Baumgarte{box.beta}}};
   simulation.scene.gravity.setZero();
   const double size = 1e-7;
-  auto& pose = simulation.scene.bodies.pose;
+  auto& pose = simulation.scene.bodies().pose;
   pose[1].position.x() += size;
   Record record(size, 0.5 * box.arm);
   for (int i = 0; i < 6000; ++i) {

@@ -32,17 +32,17 @@ double left_by_a_sweep(const SweptChain& chain) {
   using M = PlaneParticle;
   auto scene = rod_chain<M, NormalisedDistance>({.links = chain.links, .end_mass = chain.end_mass});
   scene.gravity.setZero();
-  if (!chain.anchored) scene.bodies.inverse_mass[0] = with_mass<M>(1);
-  for (int i = chain.anchored ? 1 : 0; i <= chain.links; ++i) scene.bodies.velocity[i].y() = uneven(i + 1);
+  if (!chain.anchored) scene.set_mass(0, with_mass<M>(1));
+  for (int i = chain.anchored ? 1 : 0; i <= chain.links; ++i) scene.state().velocity[i].y() = uneven(i + 1);
   const GaussSeidel one_sweep{.sweeps = 1, .warm_start = false, .relaxation = chain.relaxation};
-  Simulation<Scene<M, NormalisedDistance>> simulation{std::move(scene), {one_sweep, NoDriftCure{}}};
+  Simulation<M> simulation{std::move(scene), {one_sweep, NoDriftCure{}}};
   const int settle = 40 + chain.links * chain.links, watch = 50;
   double log_sum = 0;
   for (int i = 0; i < settle + watch; ++i) {
     simulation.step(1e-200);  // so short that nothing moves
-    const double error = residual(simulation.work.system, simulation.scene.bodies.velocity);
+    const double error = residual(simulation.work.system, simulation.scene.bodies().velocity);
     if (error == 0) return 0;
-    for (auto& v : simulation.scene.bodies.velocity) v /= error;
+    for (auto& v : simulation.scene.bodies().velocity) v /= error;
     if (i >= settle) log_sum += std::log(error);
   }
   return std::exp(log_sum / watch);
@@ -60,12 +60,12 @@ double largest_eigenvalue(int contacts) {
 
 Outcome jacobi(int contacts, double relaxation) {
   if (relaxation >= 2) return Outcome::explodes;  // as a single row does
-  Simulation<Scene<PlaneBody, Contact>> simulation{
+  Simulation<PlaneBody> simulation{
       box_on_contacts(contacts), {Jacobi{.sweeps = 2000, .relaxation = relaxation}, NoDriftCure{}}};
-  simulation.scene.bodies.velocity[1] = {0, 0, 0.01};  // or the odd eigenvector would not be met
+  simulation.scene.state().velocity[1] = {0, 0, 0.01};  // or the odd eigenvector would not be met
   const double h = 1.0 / 60;
   simulation.step(h);
-  const double left = residual(simulation.work.system, simulation.scene.bodies.velocity) / (9.81 * h);
+  const double left = residual(simulation.work.system, simulation.scene.bodies().velocity) / (9.81 * h);
   return left < 1e-4 ? Outcome::settles : Outcome::explodes;
 }
 

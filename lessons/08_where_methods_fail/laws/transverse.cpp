@@ -7,7 +7,7 @@
 #include "lessons/08_where_methods_fail/laws/disturbance.hpp"
 #include "lessons/exact/hanging_chain.hpp"
 #include "lessons/scenes/chain.hpp"
-#include "solver/simulation.hpp"
+#include "solver/step.hpp"
 
 // Law 7. J is held still over a step, and with it the direction in which the tension T pulls: to the side, a bob
 // that is off by x is drawn back by T x/l from where it was. That is an explicit spring, even where every step is
@@ -55,11 +55,11 @@ Outcome run(const TautChain& chain) {
   VelocityStepping method{Direct{}, Baumgarte{0.2}};
   if (chain.sweeps > 0) method.solver = GaussSeidel{chain.sweeps};
   method.substeps = chain.substeps;
-  Simulation<Scene<M, NormalisedDistance>> simulation{
+  Simulation<M> simulation{
       rod_chain<M, NormalisedDistance>(
           {.links = chain.links, .length = chain.length, .mass = chain.mass, .end_mass = chain.end_mass}),
       method};
-  auto& pose = simulation.scene.bodies.pose;
+  auto& pose = simulation.scene.bodies().pose;
   const double size = 1e-8 * chain.length;
   for (int i = 1; i <= chain.links; ++i) pose[i].position.x() = size * uneven(i);
   bool grown = false;

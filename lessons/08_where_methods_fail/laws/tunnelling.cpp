@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "lessons/scenes/balls.hpp"
-#include "solver/simulation.hpp"
+#include "solver/step.hpp"
 
 // Law 16. Contacts are looked for once a step. A ball of radius r is turned back by a wall of thickness w if it is
 // seen before its centre has passed the middle of the wall, beyond which the nearest way out is through: from
@@ -23,16 +23,16 @@ double share_that_passes(const FlyingBalls& balls, int how_many) {
   using M = PlaneBody;
   int passed = 0;
   for (int i = 0; i < how_many; ++i) {
-    Scene<M, Contact> scene;
+    Scene<M> scene;
     scene.gravity.setZero();
     scene.colliders.margin = balls.margin;
     scene.set_shape(scene.add_body({0, 0}, fixed<M>()), Box<M>{{0.5 * balls.wall, 10}});
     const double start =
         -(balls.wall + 4 * radius + balls.margin) - (i + 0.5) / how_many * balls.speed * balls.step;
     scene.set_shape(scene.add_body({start, 0}, ball<M>(1, radius), {balls.speed, 0, 0}), Ball<M>{radius});
-    Simulation<Scene<M, Contact>> simulation{std::move(scene), {}};
-    const double& x = simulation.scene.bodies.pose[1].position.x();
-    const double& v = simulation.scene.bodies.velocity[1].x();
+    Simulation<M> simulation{std::move(scene), {}};
+    const double& x = simulation.scene.bodies().pose[1].position.x();
+    const double& v = simulation.scene.bodies().velocity[1].x();
     while (x < 0 && v > 0.5 * balls.speed) simulation.step(balls.step);
     passed += x > 0;
   }

@@ -9,7 +9,7 @@
 #include "lessons/08_where_methods_fail/laws/disturbance.hpp"
 #include "lessons/08_where_methods_fail/laws/record.hpp"
 #include "lessons/scenes/chain.hpp"
-#include "solver/simulation.hpp"
+#include "solver/step.hpp"
 
 // Law 6. Let k sweeps leave q = ρᵏ of what the slowest mode of λ lacks, and write a for that mode of JM⁻¹Jᵀ, v for
 // its rate and C for its error, both measured from rest, so that gravity drops out. The exact λ* would give v +
@@ -42,10 +42,10 @@ Outcome run(const WarmChain& chain) {
       GaussSeidel{.sweeps = chain.sweeps, .warm_start = chain.warm_start, .order = chain.order},
       Baumgarte{chain.beta}};
   method.substeps = chain.substeps;
-  Simulation<Scene<M, NormalisedDistance>> simulation{rod_chain<M, NormalisedDistance>({.links = chain.links}),
+  Simulation<M> simulation{rod_chain<M, NormalisedDistance>({.links = chain.links}),
                                                       method};
   simulation.scene.gravity.setZero();
-  auto& pose = simulation.scene.bodies.pose;
+  auto& pose = simulation.scene.bodies().pose;
   for (int i = 1; i <= chain.links; ++i) pose[i].position.y() += size * uneven(i);
   Record record(size, 0.5);
   for (int i = 0; i < chain.steps; ++i) {

@@ -83,9 +83,9 @@ ChainOptions chain_of(const Problem& p, int count) {
   return {count, p["length"], p["mass"], p["end_mass"], radians(p["angle"])};
 }
 /// The same links as a type of scene in which bodies can touch, though here nothing has a shape.
-Scene<PlaneBody, Pin, FaceContact> that_could_touch(const Scene<PlaneBody, Pin>& chain) {
-  Scene<PlaneBody, Pin, FaceContact> scene;
-  scene.bodies = chain.bodies;
+Scene<PlaneBody> that_could_touch(const Scene<PlaneBody>& chain) {
+  Scene<PlaneBody> scene;
+  scene.bodies() = chain.bodies();
   for (const Pin<PlaneBody>& joint : chain.all<Pin>()) scene.add(joint);
   return scene;
 }
@@ -207,12 +207,12 @@ Exact exact_top(const Problem& p) {
 
 Surface surface_of(const Problem& p) { return {p["friction"]}; }
 AnyScene make_stack(const Problem& p) {
-  Boxes scene = stack(static_cast<int>(p["boxes"]), p["top_mass"], surface_of(p));
+  Scene<PlaneBody> scene = stack(static_cast<int>(p["boxes"]), p["top_mass"], surface_of(p));
   kick(scene, p["kick"]);
   return pulled(std::move(scene), p);
 }
 AnyScene make_pyramid(const Problem& p) {
-  Boxes scene = pyramid(static_cast<int>(p["base"]), surface_of(p));
+  Scene<PlaneBody> scene = pyramid(static_cast<int>(p["base"]), surface_of(p));
   kick(scene, p["kick"]);
   return pulled(std::move(scene), p);
 }

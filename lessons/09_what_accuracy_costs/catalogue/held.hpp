@@ -93,9 +93,9 @@ class HeldScene final : public RunningScene {
     double largest = 0;
     scene().for_each([&](const auto& constraint) {
       using Kind = std::remove_cvref_t<decltype(constraint)>;
-      if constexpr (Kind::drifting > 0) {
+      if constexpr (Kind::position_rows > 0) {
         const auto C = constraint.template value<double>(pose(constraint.at.body1), pose(constraint.at.body2))
-                           .template head<Kind::drifting>()
+                           .template head<Kind::position_rows>()
                            .eval();
         largest = std::max(largest, Kind::bound == Bound::none ? C.norm() : -C.minCoeff());
       }
@@ -107,11 +107,11 @@ class HeldScene final : public RunningScene {
     double scale = 0;
     for_each_moving([&](int i, double mass) { scale += mass * pose(i).position.norm(); });
     scale *= scene().gravity.norm();
-    return scale > 0 ? scale : kinetic_energy(scene().bodies);
+    return scale > 0 ? scale : kinetic_energy(scene().bodies());
   }
-  Eigen::Vector3d momentum() const override { return in_space(linear_momentum(scene().bodies)); }
+  Eigen::Vector3d momentum() const override { return in_space(linear_momentum(scene().bodies())); }
   Eigen::Vector3d angular_momentum() const override {
-    return in_space(byhand::angular_momentum<M>(scene().bodies));
+    return in_space(byhand::angular_momentum<M>(scene().bodies()));
   }
   Eigen::Vector3d weight() const override {
     double mass = 0;
@@ -130,21 +130,21 @@ class HeldScene final : public RunningScene {
     }
   }
   bool finite() const override {
-    for (int i = 0; i < scene().bodies.size(); ++i)
-      if (!pose(i).position.allFinite() || !scene().bodies.velocity[i].allFinite()) return false;
+    for (int i = 0; i < scene().bodies().size(); ++i)
+      if (!pose(i).position.allFinite() || !scene().bodies().velocity[i].allFinite()) return false;
     return true;
   }
 
   std::vector<Placement> placements() const override {
     std::vector<Placement> all;
-    for (int i = 0; i < scene().bodies.size(); ++i)
+    for (int i = 0; i < scene().bodies().size(); ++i)
       all.push_back(
-          {in_space(pose(i).position), rotation_in_space<M>(pose(i)), moves(scene().bodies.inverse_mass[i])});
+          {in_space(pose(i).position), rotation_in_space<M>(pose(i)), moves(scene().bodies().inverse_mass[i])});
     return all;
   }
   std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> velocities() const override {
     std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> all;
-    for (const Velocity<M>& V : scene().bodies.velocity)
+    for (const Velocity<M>& V : scene().bodies().velocity)
       all.emplace_back(in_space(V.template head<M::linear>()), in_space(V.template tail<M::angular>()));
     return all;
   }
@@ -173,7 +173,7 @@ class HeldScene final : public RunningScene {
     scene().for_each([&]<class Kind>(const Kind&) { count += Kind::rows; });
     return count;
   }
-  int bodies() const override { return scene().bodies.size(); }
+  int bodies() const override { return scene().bodies().size(); }
   std::size_t scene_bytes() const override {
     std::size_t bytes = bodies() * (sizeof(Pose<M>) + sizeof(Velocity<M>) + sizeof(InverseMass<M>));
     if constexpr (S::touches) bytes += scene().colliders.shapes.size() * (sizeof(Shape<M>) + sizeof(Surface));
@@ -193,10 +193,10 @@ class HeldScene final : public RunningScene {
   const S& scene() const {
     return std::visit([](const auto& simulation) -> const S& { return simulation.scene; }, simulation_);
   }
-  const Pose<M>& pose(int body) const { return scene().bodies.pose[body]; }
+  const Pose<M>& pose(int body) const { return scene().bodies().pose[body]; }
   template <class F>
   void for_each_moving(F&& f) const {
-    const auto& masses = scene().bodies.inverse_mass;
+    const auto& masses = scene().bodies().inverse_mass;
     for (int i = 0; i < bodies(); ++i)
       if (moves(masses[i])) f(i, 1 / masses[i].linear);
   }

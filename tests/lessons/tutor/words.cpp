@@ -68,6 +68,22 @@ TEST(DisplayWidth, CountsColumnsNotBytes) {
   EXPECT_EQ(display_width("\033[1;36mβ\033[0m"), 1);
 }
 
+TEST(Unwrapped, MakesOneLineOfEachParagraphAndItem) {
+  EXPECT_EQ(unwrapped(R"(One paragraph
+      over two lines.
+
+      Another,  with
+        - a list:
+      - an item
+        over two lines
+      - 3 - 1
+      )"),
+            "One paragraph over two lines.\n\nAnother,  with\n- a list:\n- an item over two lines\n- 3 - 1");
+  EXPECT_EQ(unwrapped("\n  \n  first\n   \n\n second\n"), "first\n\nsecond");
+  EXPECT_EQ(unwrapped("one line"), "one line");
+  EXPECT_EQ(unwrapped(""), "");
+}
+
 TEST(Wrapped, KeepsEveryLineWithinTheWidthAndEveryWord) {
   const std::string words =
       "Die *Geschwindigkeit* λ̇ of `JM⁻¹Jᵀ` and **β**, said at length so that the line must break somewhere.\n\n- "

@@ -3,6 +3,6 @@
 
 namespace byhand {
 
-template AnyScene any_scene(Boxes);
+template AnyScene any_scene(Scene<PlaneBody>);
 
 }  // namespace byhand

@@ -3,7 +3,7 @@
 
 namespace byhand {
 
-template AnyScene any_scene<Scene<PlaneBody, NormalisedDistance>, std::variant<VelocityStepping>>(
-    Scene<PlaneBody, NormalisedDistance>);
+template AnyScene any_scene<Scene<PlaneBody>, std::variant<VelocityStepping>>(
+    Scene<PlaneBody>);
 
 }  // namespace byhand

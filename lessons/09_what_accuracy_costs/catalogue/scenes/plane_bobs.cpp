@@ -3,6 +3,6 @@
 
 namespace byhand {
 
-template AnyScene any_scene(Scene<PlaneParticle, NormalisedDistance>);
+template AnyScene any_scene(Scene<PlaneParticle>);
 
 }  // namespace byhand

@@ -1,10 +1,10 @@
 #include "lessons/09_what_accuracy_costs/catalogue/held.hpp"
-#include "solver/constraints/face_contact.hpp"
+#include "solver/constraints/contact_manifold.hpp"
 #include "solver/constraints/pin.hpp"
 
 namespace byhand {
 
-template AnyScene any_scene<Scene<PlaneBody, Pin, FaceContact>, std::variant<VelocityStepping>>(
-    Scene<PlaneBody, Pin, FaceContact>);
+template AnyScene any_scene<Scene<PlaneBody>, std::variant<VelocityStepping>>(
+    Scene<PlaneBody>);
 
 }  // namespace byhand

@@ -3,7 +3,7 @@
 
 namespace byhand {
 
-template AnyScene any_scene<Scene<SpaceBody, NormalisedDistance>, std::variant<VelocityStepping>>(
-    Scene<SpaceBody, NormalisedDistance>);
+template AnyScene any_scene<Scene<SpaceBody>, std::variant<VelocityStepping>>(
+    Scene<SpaceBody>);
 
 }  // namespace byhand

@@ -3,6 +3,6 @@
 
 namespace byhand {
 
-template AnyScene any_scene(Scene<SpaceParticle, NormalisedDistance>);
+template AnyScene any_scene(Scene<SpaceParticle>);
 
 }  // namespace byhand

@@ -3,6 +3,6 @@
 
 namespace byhand {
 
-template AnyScene any_scene(Scene<SpaceBody, Pin>);
+template AnyScene any_scene(Scene<SpaceBody>);
 
 }  // namespace byhand

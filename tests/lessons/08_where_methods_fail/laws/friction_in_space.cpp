@@ -10,7 +10,7 @@ namespace {
 
 using namespace byhand;
 using M = SpaceBody;
-using Points = Scene<M, Contact, Friction>;
+using Points = Scene<M>;
 constexpr double g = 9.81, h = 1.0 / 60, mu = 0.5, degree = std::numbers::pi / 180;
 
 /// What a body has gone along the ground (or its slope).
@@ -19,17 +19,17 @@ struct Slide {
 };
 template <class S>
 Slide slide(S scene, const RowSolver& solver, double time) {
-  const Linear<M> start = scene.bodies.pose[1].position.template head<3>();
-  Simulation<S> simulation{std::move(scene), {solver}};
+  const Linear<M> start = scene.bodies().pose[1].position.template head<3>();
+  Simulation simulation{std::move(scene), {solver}};
   run(simulation, time, h);
-  const Linear<M> gone = simulation.scene.bodies.pose[1].position - start;
+  const Linear<M> gone = simulation.scene.bodies().pose[1].position - start;
   return {gone.norm(), std::atan2(gone.z(), gone.x())};
 }
 
 /// A flat box that sets out at `speed` in a direction of the ground.
 Points sliding_box(double heading, double speed) {
   Points scene = box_on_incline<Points>(0, mu, 0, {1, 0.2, 1});
-  scene.bodies.velocity[1].head<3>() = speed * Linear<M>(std::cos(heading), 0, std::sin(heading));
+  scene.bodies().velocity[1].head<3>() = speed * Linear<M>(std::cos(heading), 0, std::sin(heading));
   return scene;
 }
 

@@ -13,11 +13,11 @@ constexpr double g = 9.81, h = 1.0 / 60;
 
 /// How long a kicked stack stands [s], at most `time`.
 double stands(int count, const VelocityStepping& method, double time, double top_mass = 1) {
-  Simulation<Boxes> simulation{stack(count, top_mass), method};
+  Simulation<PlaneBody> simulation{stack(count, top_mass), method};
   kick(simulation.scene, 0.02);
   while (simulation.time < time) {
     simulation.step(h);
-    if (simulation.scene.bodies.pose[count].position.y() < count - 1) break;
+    if (simulation.scene.bodies().pose[count].position.y() < count - 1) break;
   }
   return simulation.time;
 }
@@ -58,9 +58,9 @@ TEST(LawB20, SolvedDirectlyThirtyBoxesStandAKickUnderAHundredTimesTheirWeight) {
 TEST(LawB9, AColdStackSinksTheMoreTheFewerItsSweeps) {
   double last = 1;
   for (const int sweeps : {2, 4, 8, 16, 32, 64}) {
-    Simulation<Boxes> simulation{stack(5), {GaussSeidel{.sweeps = sweeps, .warm_start = false}}};
+    Simulation<PlaneBody> simulation{stack(5), {GaussSeidel{.sweeps = sweeps, .warm_start = false}}};
     run(simulation, 10, h);
-    const double sunk = 4.5 - simulation.scene.bodies.pose[5].position.y();
+    const double sunk = 4.5 - simulation.scene.bodies().pose[5].position.y();
     EXPECT_LT(sunk, 0.6 * last) << sweeps;
     EXPECT_GT(sunk, 1e-6) << sweeps;
     last = sunk;
@@ -68,19 +68,19 @@ TEST(LawB9, AColdStackSinksTheMoreTheFewerItsSweeps) {
 }
 
 TEST(LawB9, AWarmStackDoesNotSink) {
-  Simulation<Boxes> simulation{stack(5), {GaussSeidel{20}}};
+  Simulation<PlaneBody> simulation{stack(5), {GaussSeidel{20}}};
   run(simulation, 10, h);
-  EXPECT_NEAR(simulation.scene.bodies.pose[5].position.y(), 4.5, 1e-3);
+  EXPECT_NEAR(simulation.scene.bodies().pose[5].position.y(), 4.5, 1e-3);
 }
 
 /// A stack on contacts at the corners of each box, each with friction, left before right or right before left.
-Scene<M, Contact, Friction> stack_on_corners(int count, double first) {
-  Scene<M, Contact, Friction> scene;
+Scene<M> stack_on_corners(int count, double first) {
+  Scene<M> scene;
   scene.add_body({0, 0}, fixed<M>());
   for (int i = 1; i <= count; ++i) {
     scene.add_body({0, i - 0.5}, box<M>(1, {1, 1}));
     for (const double x : {first, -first}) {
-      const auto at = between<M>(scene.bodies, i - 1, {x, i - 1.0}, i, {x, i - 1.0});
+      const auto at = between<M>(scene.bodies(), i - 1, {x, i - 1.0}, i, {x, i - 1.0});
       const int contact = scene.add(Contact<M>{at});
       scene.add(Friction<M>{at, tangents_of<M>({0, 1}), 0.6, contact});
     }
@@ -95,7 +95,7 @@ TEST(LawB9, TheOtherOrderOfSweepingMirrorsTheDriftToTheLastBit) {
     run(left, 1, h);
     run(right, 1, h);
     for (int i = 1; i <= 5; ++i) {
-      const Pose<M>&a = left.scene.bodies.pose[i], &b = right.scene.bodies.pose[i];
+      const Pose<M>&a = left.scene.bodies().pose[i], &b = right.scene.bodies().pose[i];
       EXPECT_NE(a.position.x(), 0);
       EXPECT_EQ(a.position.x(), -b.position.x()) << i;
       EXPECT_EQ(a.position.y(), b.position.y()) << i;
@@ -105,9 +105,9 @@ TEST(LawB9, TheOtherOrderOfSweepingMirrorsTheDriftToTheLastBit) {
 }
 
 TEST(LawB9, FacesHaveNoLeftAndNoRight) {
-  Simulation<Boxes> simulation{stack(5), {GaussSeidel{3}, NoDriftCure{}}};
+  Simulation<PlaneBody> simulation{stack(5), {GaussSeidel{3}, NoDriftCure{}}};
   run(simulation, 1, h);
-  for (int i = 1; i <= 5; ++i) EXPECT_NEAR(simulation.scene.bodies.pose[i].position.x(), 0, 1e-14) << i;
+  for (int i = 1; i <= 5; ++i) EXPECT_NEAR(simulation.scene.bodies().pose[i].position.x(), 0, 1e-14) << i;
 }
 
 }  // namespace

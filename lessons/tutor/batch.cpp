@@ -1,0 +1,91 @@
+#include "lessons/tutor/batch.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <system_error>
+#include <type_traits>
+
+#include "lessons/tutor/claim_table.hpp"
+#include "lessons/tutor/json.hpp"
+#include "lessons/tutor/markdown.hpp"
+#include "lessons/tutor/terminal_text.hpp"
+#include "renderer/error.hpp"
+#include "renderer/file.hpp"
+
+namespace byhand::tutor {
+namespace {
+
+void print(const RecordedStep& recorded, const Lesson& lesson, const PictureWriter& pictures) {
+  const Style style;
+  std::string words = title_text(lesson, *recorded.step, style);
+  for (const Item& item : recorded.page.items()) {
+    words += "\n";
+    std::visit(
+        [&](const auto& it) {
+          using Kind = std::decay_t<decltype(it)>;
+          if constexpr (std::is_same_v<Kind, Figure>)
+            words += item_text(it, style) + caption_text(it.caption, pictures.path(it), style);
+          else if constexpr (std::is_same_v<Kind, Sequence>)
+            words += caption_text(it.caption, pictures.path(it), style);
+          else if constexpr (std::is_same_v<Kind, Prediction> || std::is_same_v<Kind, Choice>)
+            words += item_text(it, style) + "\n  Answer\n" + answer_text(it, style);
+          else
+            words += item_text(it, style);
+        },
+        item);
+  }
+  fmt::print("{}", words);
+}
+
+}  // namespace
+
+PictureWriter picture_writer(const Lesson& lesson, const Options& options) {
+  const std::filesystem::path folder = options.output / lesson.about().slug;
+  std::error_code error;
+  // Fails before the work begins rather than after a minute.
+  if (!options.check && !std::filesystem::create_directories(folder, error) && error)
+    throw renderer::EnvironmentError(
+        fmt::format("Cannot make the folder {}: {}.", folder.string(), error.message()));
+  return {folder, options.quality, options.frames, options.quiet};
+}
+
+void write_pictures(const Page& page, PictureWriter& pictures) {
+  for (const Item& item : page.items()) {
+    if (const auto* figure = std::get_if<Figure>(&item)) pictures.write(*figure);
+    if (const auto* sequence = std::get_if<Sequence>(&item)) pictures.write(*sequence);
+  }
+}
+
+void write_page(const Lesson& lesson, const std::vector<RecordedStep>& steps, const Options& options,
+                const PictureWriter& pictures) {
+  renderer::write_whole(pictures.folder() / "lesson.md", markdown(lesson, steps, options.frames));
+  renderer::write_whole(pictures.folder() / "manifest.json", manifest(lesson, steps, options, pictures.gl()));
+  if (!options.quiet)
+    fmt::print("\nThe lesson as a page: {0}/lesson.md; its pictures: {0}/figures and {0}/frames\n",
+               pictures.folder().string());
+}
+
+int run_batch(const Lesson& lesson, const Options& options) {
+  const bool whole = options.step.empty();
+  const bool speaks = !options.quiet && !options.check;
+  PictureWriter pictures = picture_writer(lesson, options);
+  std::vector<RecordedStep> steps;
+  if (speaks && whole) fmt::print("{}", heading_text(lesson, {}));
+  for (const Step& step : lesson.steps()) {
+    if (!whole && step.label != options.step) continue;
+    steps.push_back(record_step(lesson, step, options.quiet));
+    if (speaks) print(steps.back(), lesson, pictures);
+    if (!options.check) write_pictures(steps.back().page, pictures);
+  }
+  if (speaks && whole) fmt::print("{}", closing_text(lesson, {}));
+  if (whole) validate(steps);
+  if (whole && !options.check) write_page(lesson, steps, options, pictures);
+  if (options.check && !options.quiet) fmt::print("{}", claim_table(steps));
+  const std::string wrong = false_claims(lesson, steps);
+  fmt::print(stderr, "{}", wrong);
+  return wrong.empty() ? 0 : 1;
+}
+
+}  // namespace byhand::tutor

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "lessons/tutor/items.hpp"
+#include "lessons/tutor/options.hpp"
+#include "renderer/canvas.hpp"
+#include "renderer/image.hpp"
+
+namespace byhand::tutor {
+
+/// Paths of the files of a lesson, relative to the lesson's folder.
+std::string figure_path(const std::string& name);    // figures/<name>.png
+std::string data_path(const std::string& name);      // data/<name>.csv
+std::string frames_folder(const std::string& name);  // frames/<name>
+std::string strip_path(const std::string& name);     // frames/<name>.png
+
+/// Draws the figures and sequences of a lesson and writes them into its folder. Opens OpenGL at the first picture,
+/// so a run without pictures needs none. Every function may throw renderer::EnvironmentError.
+class PictureWriter {
+ public:
+  PictureWriter(std::filesystem::path folder, Quality quality, FramesWanted frames, bool quiet);
+
+  /// Writes the picture and, for a chart, its data.
+  void write(const Figure& figure);
+  /// Writes the chosen frames and the contact sheet, after removing those of an earlier run.
+  void write(const Sequence& sequence);
+
+  /// The same pictures at 640 × 360 pixels, for a terminal.
+  renderer::Image small(const Figure& figure);
+  renderer::Image small(const FrameDrawing& draw, double time);
+
+  /// Number of frames of a sequence, and the time that frame `index` gets.
+  int count(const Sequence& sequence) const;
+  double time(const Sequence& sequence, int index) const;
+
+  /// File of the picture or of the contact sheet; empty if no frames are written.
+  std::string path(const Figure& figure) const;
+  std::string path(const Sequence& sequence) const;
+
+  const std::filesystem::path& folder() const { return folder_; }
+  /// OpenGL's renderer and version; empty before the first picture.
+  std::string gl() const;
+
+ private:
+  renderer::Canvas& canvas();
+  renderer::Canvas& small_canvas();
+
+  std::filesystem::path folder_;
+  Quality quality_;
+  FramesWanted frames_;
+  bool quiet_;
+  std::optional<renderer::Canvas> canvas_, small_canvas_;
+};
+
+}  // namespace byhand::tutor

@@ -1,0 +1,66 @@
+#include "lessons/tutor/recording.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "lessons/tutor/progress.hpp"
+
+namespace byhand::tutor {
+namespace {
+
+void drop_ambiguous_answers(Prediction& question, bool at_defaults) {
+  std::vector<double> answers = {question.answer};
+  std::vector<WrongAnswer> kept;
+  for (WrongAnswer& wrong : question.wrong) {
+    const auto meets = [&](double other) { return !(std::abs(wrong.value - other) > question.tolerance); };
+    if (std::none_of(answers.begin(), answers.end(), meets)) {
+      answers.push_back(wrong.value);
+      kept.push_back(std::move(wrong));
+    } else if (at_defaults) {
+      throw LessonError(fmt::format("\"{}\": the answer {} lies within {} of another", question.ask, wrong.value,
+                                    question.tolerance));
+    }
+  }
+  question.wrong = std::move(kept);
+}
+
+}  // namespace
+
+RecordedStep record_step(const Lesson& lesson, const Step& step, bool quiet) {
+  Progress progress(fmt::format("step {}: {}", step.label, step.title), 0, quiet);
+  RecordedStep recorded{&step, {}};
+  recorded.page.watch(&progress);
+  step.run(recorded.page);
+  recorded.page.watch(nullptr);
+  for (Item& item : recorded.page.items())
+    if (auto* question = std::get_if<Prediction>(&item)) drop_ambiguous_answers(*question, lesson.at_defaults());
+  return recorded;
+}
+
+void validate(const std::vector<RecordedStep>& steps) {
+  bool claimed = false;
+  std::set<std::string> names;
+  const auto require_new = [&](const std::string& name) {
+    if (!names.insert(name).second) throw LessonError(fmt::format("two pictures are called {}", name));
+  };
+  for (const RecordedStep& recorded : steps) {
+    for (const Item& item : recorded.page.items()) {
+      if (const auto* figure = std::get_if<Figure>(&item)) require_new(figure->name);
+      if (const auto* sequence = std::get_if<Sequence>(&item)) require_new(sequence->name);
+      claimed = claimed || std::holds_alternative<Claim>(item);
+    }
+  }
+  if (!claimed) throw LessonError("a lesson needs at least one claim");
+}
+
+std::vector<Claim> claims(const Page& page) {
+  std::vector<Claim> all;
+  for (const Item& item : page.items())
+    if (const auto* claim = std::get_if<Claim>(&item)) all.push_back(*claim);
+  return all;
+}
+
+}  // namespace byhand::tutor

@@ -1,0 +1,297 @@
+#include "solver/scene.hpp"
+
+#include <atomic>
+
+#include "solver/direct/graph.hpp"
+
+namespace byhand {
+
+std::uint64_t new_stamp() {
+  static std::atomic<std::uint64_t> last = 0;
+  return ++last;
+}
+
+namespace {
+
+/// Makes room for one more, so that adding it cannot fail half-way.
+template <class T>
+void make_room(std::vector<T>& all) {
+  if (all.size() == all.capacity()) all.reserve(2 * all.size() + 8);
+}
+
+}  // namespace
+
+template <class M>
+Scene<M>::Scene() : identity_(new_stamp()), version_(identity_) {}
+
+template <class M>
+Scene<M>::Scene(const Scene& other)
+    : gravity(other.gravity),
+      bodies_(other.bodies_),
+      colliders_(other.colliders_),
+      entries_(other.entries_),
+      lasting_(other.lasting_),
+      next_id_(other.next_id_),
+      identity_(other.identity_),
+      version_(other.version_) {
+  for (const auto& store : other.stores_) stores_.push_back(store->clone());
+}
+
+template <class M>
+Scene<M>& Scene<M>::operator=(const Scene& other) {
+  return *this = Scene(other);
+}
+
+template <class M>
+void Scene<M>::changed() {
+  version_ = new_stamp();
+}
+
+template <class M>
+int Scene<M>::add_body(const Pose<M>& pose, const InverseMass<M>& mass, const Velocity<M>& velocity) {
+  require_valid<M>(pose);
+  require_valid<M>(mass);
+  require_valid<M>(velocity, mass);
+  auto& [poses, velocities, masses, removed] = bodies_;
+  int body = bodies_.size();
+  if (!removed.empty()) {
+    body = removed.back();
+    removed.pop_back();
+    poses[body] = pose;
+    velocities[body] = velocity;
+    masses.all_[body] = mass;
+  } else {
+    make_room(poses);
+    make_room(velocities);
+    make_room(masses.all_);
+    poses.push_back(pose);
+    velocities.push_back(velocity);
+    masses.all_.push_back(mass);
+  }
+  changed();
+  return body;
+}
+
+template <class M>
+int Scene<M>::add_body(const Linear<M>& position, const InverseMass<M>& mass, const Velocity<M>& velocity) {
+  Pose<M> pose;
+  pose.position = position;
+  return add_body(pose, mass, velocity);
+}
+
+template <class M>
+void Scene<M>::remove_body(int body) {
+  require_body(bodies_, body);
+  forget_found();
+  for (int place = count() - 1; place >= 0; --place)
+    if (entries_[place].body1 == body || entries_[place].body2 == body) remove_place(place);
+  set_mass(body, fixed<M>());
+  if (body < static_cast<int>(colliders_.shapes.size())) colliders_.shapes[body] = {};
+  bodies_.removed.push_back(body);
+}
+
+template <class M>
+void Scene<M>::set_pose(int body, const Pose<M>& pose) {
+  require_body(bodies_, body);
+  require_valid<M>(pose);
+  bodies_.pose[body] = pose;
+  if (!moves(bodies_.inverse_mass[body])) changed();  // contacts take it that a fixed body stays
+}
+
+template <class M>
+void Scene<M>::set_position(int body, const Linear<M>& position) {
+  require_body(bodies_, body);
+  Pose<M> pose = bodies_.pose[body];
+  pose.position = position;
+  set_pose(body, pose);
+}
+
+template <class M>
+void Scene<M>::set_velocity(int body, const Velocity<M>& velocity) {
+  require_body(bodies_, body);
+  require_valid<M>(velocity, bodies_.inverse_mass[body]);
+  bodies_.velocity[body] = velocity;
+}
+
+template <class M>
+void Scene<M>::set_mass(int body, const InverseMass<M>& mass) {
+  require_body(bodies_, body);
+  require_valid<M>(mass);
+  bodies_.inverse_mass.all_[body] = mass;
+  if (!moves(mass)) bodies_.velocity[body].setZero();
+  changed();
+}
+
+template <class M>
+void Scene<M>::set_shape(int body, const Shape<M>& shape, const Surface& surface)
+requires(M::angular > 0)
+{
+  require_body(bodies_, body);
+  require_valid<M>(shape);
+  require_in("friction coefficient", surface.friction, 0, 1e300);
+  require_in("restitution", surface.restitution, 0, 1);
+  colliders_.shapes.resize(bodies_.size());
+  colliders_.surfaces.resize(bodies_.size());
+  colliders_.shapes[body] = shape;
+  colliders_.surfaces[body] = surface;
+  changed();
+}
+
+template <class M>
+void Scene<M>::set_margin(double margin) {
+  require_positive("contact margin", margin, "m");
+  colliders_.margin = margin;
+  changed();
+}
+
+template <class M>
+void Scene<M>::set_contact_rows(ContactRows rows) {
+  require(rows == ContactRows::points || M::linear == 2, "number of axes of a contact manifold", M::linear,
+          "2: contacts in space are points");
+  colliders_.rows = rows;
+  changed();
+}
+
+template <class M>
+void Scene<M>::prepare_to_add() {
+  forget_found();
+  make_room(entries_);
+}
+
+template <class M>
+void Scene<M>::append(int kind, int body1, int body2, int id) {
+  entries_.push_back({kind, stores_[kind]->size() - 1, id, body1, body2});
+  if (id < 0) return;
+  lasting_ = count();
+  changed();
+}
+
+template <class M>
+void Scene<M>::forget_found() {
+  if (count() == lasting_) return;
+  std::vector<int> sizes(stores_.size(), 0);
+  for (int place = 0; place < lasting_; ++place) ++sizes[entries_[place].kind];
+  for (std::size_t kind = 0; kind < stores_.size(); ++kind) stores_[kind]->truncate(sizes[kind]);
+  entries_.resize(lasting_);
+  changed();
+}
+
+template <class M>
+void Scene<M>::remove_place(int place) {
+  const Entry entry = entries_[place];
+  stores_[entry.kind]->erase(entry.index);
+  entries_.erase(entries_.begin() + place);
+  lasting_ = count();
+  for (Entry& other : entries_)
+    if (other.kind == entry.kind && other.index > entry.index) --other.index;
+  changed();
+}
+
+template <class M>
+void Scene<M>::remove(int id) {
+  const int at = place(id);
+  forget_found();
+  for (int other = count() - 1; other > at; --other)
+    if (store(entries_[other].kind).contact_of(entries_[other].index) == id) remove_place(other);
+  remove_place(at);
+}
+
+template <class M>
+int Scene<M>::find(int id) const {
+  if (id < 0) return id >= -count() && -1 - id >= lasting_ ? -1 - id : -1;
+  const auto end = entries_.begin() + lasting_;
+  const auto entry =
+      std::lower_bound(entries_.begin(), end, id, [](const Entry& e, int wanted) { return e.id < wanted; });
+  return entry != end && entry->id == id ? static_cast<int>(entry - entries_.begin()) : -1;
+}
+
+template <class M>
+int Scene<M>::place(int id) const {
+  const int at = find(id);
+  require(at >= 0, "constraint", id, "one that was added to this scene and not removed");
+  return at;
+}
+
+template <class M>
+void Scene<M>::require_presses(int id) const {
+  const int at = find(id);
+  require(at >= 0 && store(entries_[at].kind).bound == Bound::interval, "contact of a friction", id,
+          "the handle of a contact that was added before");
+}
+
+template <class M>
+void Scene<M>::require_same_bodies(const Entry& entry, int body1, int body2) {
+  require(body1 == entry.body1, "first body of a changed constraint", body1, "as it was");
+  require(body2 == entry.body2, "second body of a changed constraint", body2, "as it was");
+}
+
+template <class M>
+Graph Scene<M>::graph() const {
+  Graph graph{bodies_.size(), {}};
+  graph.edges.reserve(entries_.size());
+  const auto end = [&](int body) { return moves(bodies_.inverse_mass[body]) ? body : Edge::no_body; };
+  for (const Entry& entry : entries_)
+    graph.edges.push_back({end(entry.body1), end(entry.body2), store(entry.kind).rows});
+  return graph;
+}
+
+template <class M>
+void Scene<M>::lay_out(const std::vector<int>& order, System<M>& system) const {
+  const std::vector<int> old_row = std::move(system.row_of), old_id = std::move(system.id_of);
+  const std::vector<double> old_lambda = system.lambda, old_stiffness = std::move(system.stiffness);
+  std::apply([](auto&... blocks) { (blocks.clear(), ...); }, system.blocks);
+  system.runs.clear();
+  system.row_of.assign(count(), 0);
+  system.bounded = false;
+  system.layout = new_stamp();
+  int row = 0;
+  for (const int place : order) {
+    const Entry& entry = entries_[place];
+    const ConstraintStore<M>& store = this->store(entry.kind);
+    for_type<M>(store.block_type, [&](auto type) {
+      auto& blocks = std::get<type>(system.blocks);
+      if (system.runs.empty() || system.runs.back().kind != entry.kind)
+        system.runs.push_back(
+            {entry.kind, store.block_type, static_cast<int>(blocks.size()), 0, row, store.position_rows});
+      ++system.runs.back().count;
+      BlockHeader& block = blocks.emplace_back();
+      block.body1 = entry.body1;
+      block.body2 = entry.body2;
+      block.moves1 = moves(bodies_.inverse_mass[entry.body1]);
+      block.moves2 = moves(bodies_.inverse_mass[entry.body2]);
+      block.row = row;
+      block.constraint = entry.index;
+    });
+    system.row_of[place] = row;
+    system.bounded = system.bounded || store.bound != Bound::none;
+    row += store.rows;
+  }
+  for (auto* numbers : {&system.lambda, &system.C, &system.bias, &system.gamma, &system.rate, &system.lower,
+                        &system.upper, &system.restitution})
+    numbers->assign(row, 0.0);
+  for (const Run& run : system.runs)
+    if (stores_[run.kind]->bound == Bound::friction)
+      for_type<M>(run.type, [&](auto type) {
+        for (auto& block : std::span(&std::get<type>(system.blocks)[run.first], run.count))
+          block.normal_row = system.row_of[place(stores_[run.kind]->contact_of(block.constraint))];
+      });
+  system.stiffness.assign(old_stiffness.empty() ? 0 : row, 0.0);
+  system.id_of.clear();
+  std::size_t old = 0;
+  for (int place = 0; place < lasting_; ++place) {
+    const Entry& entry = entries_[place];
+    system.id_of.push_back(entry.id);
+    while (old < old_id.size() && old_id[old] < entry.id) ++old;
+    if (system.scene != identity_ || old == old_id.size() || old_id[old] != entry.id) continue;
+    const int from = old_row[old], to = system.row_of[place], rows = store(entry.kind).rows;
+    std::copy_n(&old_lambda[from], rows, &system.lambda[to]);
+    if (!old_stiffness.empty()) std::copy_n(&old_stiffness[from], rows, &system.stiffness[to]);
+  }
+  system.scene = identity_;
+}
+
+#define BYHAND_INSTANTIATE(M) template class Scene<M>
+BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);
+#undef BYHAND_INSTANTIATE
+
+}  // namespace byhand
