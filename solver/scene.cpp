@@ -13,6 +13,8 @@ std::uint64_t new_stamp() {
 
 namespace {
 
+constexpr std::uint64_t found_stamp = ~std::uint64_t{};  // of all that were found, which come last
+
 /// Makes room for one more, so that adding it cannot fail half-way.
 template <class T>
 void make_room(std::vector<T>& all) {
@@ -22,7 +24,7 @@ void make_room(std::vector<T>& all) {
 }  // namespace
 
 template <class M>
-Scene<M>::Scene() : identity_(new_stamp()), version_(identity_) {}
+Scene<M>::Scene() : version_(new_stamp()) {}
 
 template <class M>
 Scene<M>::Scene(const Scene& other)
@@ -32,7 +34,6 @@ Scene<M>::Scene(const Scene& other)
       entries_(other.entries_),
       lasting_(other.lasting_),
       next_id_(other.next_id_),
-      identity_(other.identity_),
       version_(other.version_) {
   for (const auto& store : other.stores_) stores_.push_back(store->clone());
 }
@@ -84,7 +85,7 @@ void Scene<M>::remove_body(int body) {
   require_body(bodies_, body);
   forget_found();
   for (int place = count() - 1; place >= 0; --place)
-    if (entries_[place].body1 == body || entries_[place].body2 == body) remove_place(place);
+    if (entries_[place].body1 == body || entries_[place].body2 == body) remove(entries_[place].id);
   set_mass(body, fixed<M>());
   if (body < static_cast<int>(colliders_.shapes.size())) colliders_.shapes[body] = {};
   bodies_.removed.push_back(body);
@@ -123,9 +124,7 @@ void Scene<M>::set_mass(int body, const InverseMass<M>& mass) {
 }
 
 template <class M>
-void Scene<M>::set_shape(int body, const Shape<M>& shape, const Surface& surface)
-requires(M::angular > 0)
-{
+void Scene<M>::set_shape(int body, const Shape<M>& shape, const Surface& surface) requires(M::angular > 0) {
   require_body(bodies_, body);
   require_valid<M>(shape);
   require_in("friction coefficient", surface.friction, 0, 1e300);
@@ -160,7 +159,7 @@ void Scene<M>::prepare_to_add() {
 
 template <class M>
 void Scene<M>::append(int kind, int body1, int body2, int id) {
-  entries_.push_back({kind, stores_[kind]->size() - 1, id, body1, body2});
+  entries_.push_back({kind, stores_[kind]->size() - 1, id, body1, body2, id < 0 ? found_stamp : new_stamp()});
   if (id < 0) return;
   lasting_ = count();
   changed();
@@ -189,7 +188,7 @@ void Scene<M>::remove_place(int place) {
 
 template <class M>
 void Scene<M>::remove(int id) {
-  const int at = place(id);
+  const int at = added_place(id);
   forget_found();
   for (int other = count() - 1; other > at; --other)
     if (store(entries_[other].kind).contact_of(entries_[other].index) == id) remove_place(other);
@@ -208,21 +207,33 @@ int Scene<M>::find(int id) const {
 template <class M>
 int Scene<M>::place(int id) const {
   const int at = find(id);
+  require(at >= 0, "constraint", id, "one that this scene has");
+  return at;
+}
+
+template <class M>
+int Scene<M>::added_place(int id) const {
+  const int at = id < 0 ? -1 : find(id);
   require(at >= 0, "constraint", id, "one that was added to this scene and not removed");
   return at;
 }
 
 template <class M>
+void Scene<M>::require_kind(const Entry& entry, const std::type_info& kind) const {
+  require(store(entry.kind).kind() == kind, "constraint", entry.id, "of the kind of its handle");
+}
+
+template <class M>
 void Scene<M>::require_presses(int id) const {
-  const int at = find(id);
+  const int at = id < 0 ? -1 : find(id);
   require(at >= 0 && store(entries_[at].kind).bound == Bound::interval, "contact of a friction", id,
           "the handle of a contact that was added before");
 }
 
 template <class M>
-void Scene<M>::require_same_bodies(const Entry& entry, int body1, int body2) {
-  require(body1 == entry.body1, "first body of a changed constraint", body1, "as it was");
-  require(body2 == entry.body2, "second body of a changed constraint", body2, "as it was");
+void Scene<M>::require_same(const char* name, int now, int before) {
+  require(now == before, name + std::string(" of a changed constraint"), now,
+          std::to_string(before) + ", as it was");
 }
 
 template <class M>
@@ -237,8 +248,8 @@ Graph Scene<M>::graph() const {
 
 template <class M>
 void Scene<M>::lay_out(const std::vector<int>& order, System<M>& system) const {
-  const std::vector<int> old_row = std::move(system.row_of), old_id = std::move(system.id_of);
-  const std::vector<double> old_lambda = system.lambda, old_stiffness = std::move(system.stiffness);
+  const std::vector<double> old_lambda = kept(system, system.lambda),
+                            old_stiffness = kept(system, system.stiffness);
   std::apply([](auto&... blocks) { (blocks.clear(), ...); }, system.blocks);
   system.runs.clear();
   system.row_of.assign(count(), 0);
@@ -275,19 +286,38 @@ void Scene<M>::lay_out(const std::vector<int>& order, System<M>& system) const {
         for (auto& block : std::span(&std::get<type>(system.blocks)[run.first], run.count))
           block.normal_row = system.row_of[place(stores_[run.kind]->contact_of(block.constraint))];
       });
-  system.stiffness.assign(old_stiffness.empty() ? 0 : row, 0.0);
-  system.id_of.clear();
+  system.stiffness.assign(system.stiffness.empty() ? 0 : row, 0.0);
+  system.stamp_of.clear();
+  for (const Entry& entry : entries_) system.stamp_of.push_back(entry.stamp);
+  int from = 0;
+  for (int place = 0; place < lasting_; ++place) {
+    const int to = system.row_of[place], rows = store(entries_[place].kind).rows;
+    if (!old_lambda.empty()) std::copy_n(&old_lambda[from], rows, &system.lambda[to]);
+    if (!old_stiffness.empty()) std::copy_n(&old_stiffness[from], rows, &system.stiffness[to]);
+    from += rows;
+  }
+}
+
+/// Of one number a row: those of the constraints that were added, in natural order, where the system has them
+/// already, and 0 where it does not. Empty if there are no numbers yet.
+template <class M>
+std::vector<double> Scene<M>::kept(const System<M>& system, const std::vector<double>& numbers) const {
+  std::vector<double> result;
+  if (numbers.empty()) return result;
+  int rows = 0;
+  for (int place = 0; place < lasting_; ++place) rows += store(entries_[place].kind).rows;
+  result.assign(rows, 0.0);
   std::size_t old = 0;
+  int to = 0;
   for (int place = 0; place < lasting_; ++place) {
     const Entry& entry = entries_[place];
-    system.id_of.push_back(entry.id);
-    while (old < old_id.size() && old_id[old] < entry.id) ++old;
-    if (system.scene != identity_ || old == old_id.size() || old_id[old] != entry.id) continue;
-    const int from = old_row[old], to = system.row_of[place], rows = store(entry.kind).rows;
-    std::copy_n(&old_lambda[from], rows, &system.lambda[to]);
-    if (!old_stiffness.empty()) std::copy_n(&old_stiffness[from], rows, &system.stiffness[to]);
+    while (old < system.stamp_of.size() && system.stamp_of[old] < entry.stamp) ++old;
+    if (old == system.stamp_of.size()) break;
+    const int count = store(entry.kind).rows;
+    if (system.stamp_of[old] == entry.stamp) std::copy_n(&numbers[system.row_of[old]], count, &result[to]);
+    to += count;
   }
-  system.scene = identity_;
+  return result;
 }
 
 #define BYHAND_INSTANTIATE(M) template class Scene<M>

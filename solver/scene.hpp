@@ -56,6 +56,7 @@ class Scene {
     int kind = 0, index = 0;
     int id = 0;  // negative for a constraint that was found
     int body1 = 0, body2 = 0;
+    std::uint64_t stamp = 0;  // no other constraint that was added to any scene has it; copies of the scene keep it
   };
 
   Scene();
@@ -110,18 +111,28 @@ class Scene {
   template <class Kind>
   const Kind& get(const Handle<Kind>& handle) const {
     const Entry& entry = entries_[place(handle)];
+    require_kind(entry, typeid(Kind));
     return static_cast<const Constraints<M, Kind>&>(*stores_[entry.kind]).all[entry.index];
   }
   /// Calls change(constraint) on a copy, and takes that in its place if it is valid. Its bodies have to stay.
   template <class Kind, class F>
   void change(const Handle<Kind>& handle, F&& change) {
-    replace<Kind>(place(handle), std::forward<F>(change));
+    const int at = added_place(handle);
+    require_kind(entries_[at], typeid(Kind));
+    Kind& constraint = constraints<Kind>(entries_[at].kind).all[entries_[at].index];
+    Kind changed = constraint;
+    change_one(entries_[at], change, changed);
+    constraint = changed;
   }
-  /// The same for all constraints of a kind that were added.
+  /// The same for all constraints of a kind that were added: all are changed, or none.
   template <template <class> class Kind, class F>
   void change_all(F&& change) {
+    const int kind = kind_of<Kind<M>>();
+    if (kind < 0) return;
+    std::vector<Kind<M>> all = constraints<Kind<M>>(kind).all;
     for (int place = 0; place < lasting_; ++place)
-      if (stores_[entries_[place].kind]->kind() == typeid(Kind<M>)) replace<Kind<M>>(place, change);
+      if (entries_[place].kind == kind) change_one(entries_[place], change, all[entries_[place].index]);
+    constraints<Kind<M>>(kind).all = std::move(all);
   }
 
   /// All constraints of a kind, in natural order.
@@ -184,14 +195,13 @@ class Scene {
     return static_cast<Constraints<M, Kind>&>(*stores_[kind]);
   }
   template <class Kind, class F>
-  void replace(int place, F&& change) {
-    const Entry& entry = entries_[place];
-    Kind& constraint = constraints<Kind>(entry.kind).all[entry.index];
-    Kind changed = constraint;
-    change(changed);
-    changed.require_valid(bodies_);
-    require_same_bodies(entry, changed.at.body1, changed.at.body2);
-    constraint = changed;
+  void change_one(const Entry& entry, F& change, Kind& constraint) const {
+    change(constraint);
+    constraint.require_valid(bodies_);
+    require_same("first body", constraint.at.body1, entry.body1);
+    require_same("second body", constraint.at.body2, entry.body2);
+    if constexpr (Kind::bound == Bound::friction)
+      require_same("contact", constraint.contact, store(entry.kind).contact_of(entry.index));
   }
 
   /// Adds a constraint that lasts until contacts are looked for again; returns its identity, -1 - its place.
@@ -203,12 +213,15 @@ class Scene {
     return id;
   }
   void append(int kind, int body1, int body2, int id);
+  std::vector<double> kept(const System<M>& system, const std::vector<double>& numbers) const;
   void forget_found();
   void prepare_to_add();
   void remove_place(int place);
   int find(int id) const;
+  int added_place(int id) const;
+  void require_kind(const Entry& entry, const std::type_info& kind) const;
   void require_presses(int id) const;
-  static void require_same_bodies(const Entry& entry, int body1, int body2);
+  static void require_same(const char* name, int now, int before);
   void changed();
 
   Bodies<M> bodies_;
@@ -216,7 +229,7 @@ class Scene {
   Stores stores_;
   std::vector<Entry> entries_;
   int lasting_ = 0, next_id_ = 0;
-  std::uint64_t identity_, version_;
+  std::uint64_t version_;
 };
 
 }  // namespace byhand

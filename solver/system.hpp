@@ -127,9 +127,8 @@ struct System {
   std::vector<double> lambda, C, bias, gamma, rate, lower, upper, restitution;
   std::vector<double> stiffness;  // of methods that have one, else empty; kept from layout to layout as λ is
   // By constraint in natural order:
-  std::vector<int> row_of;  // its first row
-  std::vector<int> id_of;   // its identity in the scene, if it was added and not found
-  std::uint64_t scene = 0;  // whose identities they are
+  std::vector<int> row_of;              // its first row
+  std::vector<std::uint64_t> stamp_of;  // its stamp; in ascending order
   std::uint64_t layout = 0;  // changes with every layout
   bool bounded = false;      // whether any row is
 

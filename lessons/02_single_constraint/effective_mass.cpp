@@ -95,7 +95,7 @@ void effective_mass(const Setting& setting, Page& page) {
       light, heavy, together);
 
   Pendulum twice = scene;
-  twice.bodies().inverse_mass[1].linear /= 2;
+  twice.set_mass(1, with_mass<PlaneParticle>(2 * setting.mass()));
   page.claim({.quantity = "JM⁻¹Jᵀ from four numbers",
               .unit = "m²/kg",
               .expected = product,

@@ -18,10 +18,10 @@ Curve sinking(const Setting& setting, Gravity order, double seconds) {
       .label = order == Gravity::before_the_solve ? "gravity, then λ" : "λ, then gravity", .x = {0}, .y = {0}};
   const auto steps = static_cast<int>(std::lround(seconds / h));
   for (int i = 1; i <= steps; ++i) {
-    if (order == Gravity::before_the_solve) add_gravity(scene.bodies(), scene.gravity, h);
+    if (order == Gravity::before_the_solve) add_gravity(scene.state(), scene.gravity, h);
     std::tie(scene.state().velocity[0], scene.state().velocity[1]) = OneRow(scene).velocities_after();
-    if (order == Gravity::after_the_solve) add_gravity(scene.bodies(), scene.gravity, h);
-    advance_poses(scene.bodies(), h);
+    if (order == Gravity::after_the_solve) add_gravity(scene.state(), scene.gravity, h);
+    advance_poses(scene.state(), h);
     depth.x.push_back(i * h);
     depth.y.push_back(-scene.bodies().pose[1].position.y() - setting.length());
   }

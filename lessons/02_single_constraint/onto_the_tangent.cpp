@@ -1,5 +1,6 @@
 #include "lessons/02_single_constraint/bob_picture.hpp"
 #include "lessons/02_single_constraint/steps.hpp"
+#include "solver/measure.hpp"
 
 namespace byhand::single_constraint {
 

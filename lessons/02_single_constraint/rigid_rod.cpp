@@ -51,7 +51,7 @@ void draw_both(Canvas& canvas, const Sample& bob, const RodSample& rod, double l
   canvas.look(fit({-1.25 * length, -1.3 * length, 2.5 * length, 2.4 * length}, scene, 10));
   pictures::draw(canvas, {.bobs = {{bob.position, 1}}, .rods = {{{0, 0}, bob.position}}});
   pictures::draw(canvas, {.links = {{{0, 0}, rod.end}}, .anchors = {{0, 0}}},
-                 {.bodies() = {palette::highlight, {palette::ink, 1.8}}});
+                 {.bodies = {palette::highlight, {palette::ink, 1.8}}});
   draw(canvas, pictures::grown_to(chart, bob.time), beside);
 }
 

@@ -61,7 +61,7 @@ void ten_seconds(const Setting& setting, Page& page) {
   page.text(
       R"(Here is the whole step; nothing of it is hidden. Two of its lines wait for later: the λ of the last step
       (lesson 3) and the bias b (lesson 4), which is 0 here.)");
-  page.excerpt("solver/step.hpp", "step");
+  page.excerpt("solver/step.cpp", "step");
   page.text("Let it run for @ seconds from @°, beside the exact pendulum, with C of (2) beneath.", seconds,
             setting.release());
 

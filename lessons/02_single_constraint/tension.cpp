@@ -58,7 +58,7 @@ void tension(const Setting& setting, Page& page) {
   const double held = weight * std::cos(radians(setting.angle()));
   const auto pull = [&](double step) {
     Pendulum scene = pendulum<PlaneParticle>(radians(setting.angle()), length, mass);
-    add_gravity(scene.bodies(), scene.gravity, step);
+    add_gravity(scene.state(), scene.gravity, step);
     return -OneRow(scene).lambda * length / step;
   };
   page.text(

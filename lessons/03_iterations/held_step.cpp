@@ -8,7 +8,7 @@ HeldStep::HeldStep(const ChainOptions& chain, double h, const RowSolver& solver)
     : chain_(chain), h_(h), solver_(solver), scene_(rod_chain<PlaneParticle>(chain)) {
   lay_out(scene_, solver_, work_);
   scene_.write_rows(work_.system, h);
-  add_gravity(scene_.bodies(), scene_.gravity, h);
+  add_gravity(scene_.state(), scene_.gravity, h);
   prepare(work_.system, BlockSolve::whole, 1.0, work_.prepared);
 }
 
@@ -16,7 +16,7 @@ HeldStep::HeldStep(const ChainOptions& chain, double h, const RowSolver& solver)
 void HeldStep::solve_row() {
   const auto& rows = std::get<block_type<PlaneParticle, 1, Bound::none>()>(work_.prepared.blocks);
   const auto& row = rows[next_];
-  double *lambda = work_.system.lambda.data(), *V = numbers<PlaneParticle>(scene_.bodies().velocity);
+  double *lambda = work_.system.lambda.data(), *V = numbers<PlaneParticle>(scene_.state().velocity);
   const Rows<1> change = byhand::solve<false>(row, V, lambda);  // (17)
   lambda[row.row] += change[0];
   apply<PlaneParticle, 1>(row, change, V);  // (20)
@@ -28,7 +28,7 @@ void HeldStep::solve_sweep() {
   for (int i = 0; i < chain_.links; ++i) solve_row();
 }
 
-void HeldStep::solve() { solve_rows(solver_, scene_.bodies(), work_); }
+void HeldStep::solve() { solve_rows(solver_, scene_.state(), work_); }
 
 std::vector<double> HeldStep::lambda() const {
   std::vector<double> by_joint;
@@ -50,11 +50,11 @@ std::vector<double> HeldStep::shares() const {
 
 std::vector<double> HeldStep::errors() const {
   std::vector<double> errors;
-  scene_.for_each([&](const Distance<PlaneParticle>& rod) {
-    const auto& [pose, velocity, mass] = scene_.bodies();
+  const auto& [pose, velocity, mass, removed] = scene_.bodies();
+  for (const auto& rod : scene_.all<Distance>()) {
     const auto J = rod.jacobian(pose[rod.at.body1], pose[rod.at.body2]);
     errors.push_back(dot(J, velocity[rod.at.body1], velocity[rod.at.body2])[0] / rod.length);
-  });
+  }
   return errors;
 }
 

@@ -41,8 +41,8 @@ double error_after(int sweeps, Solver solver, int rods, const Knobs& knobs) {
   solver.warm_start = false;
   lay_out(scene, solver, work);
   scene.write_rows(work.system, knobs.h());
-  add_gravity(scene.bodies(), scene.gravity, knobs.h());
-  solve_rows(solver, scene.bodies(), work);
+  add_gravity(scene.state(), scene.gravity, knobs.h());
+  solve_rows(solver, scene.state(), work);
   return residual(work.system, scene.bodies().velocity);
 }
 

@@ -33,11 +33,11 @@ Chain swinging(const Knobs& knobs, std::optional<int> sweeps, double degrees) {
 /// The largest | |d| - L | of all links [m].
 double stretch(const Chain& chain) {
   double worst = 0;
-  chain.scene.for_each([&](const Distance<PlaneParticle>& rod) {
-    const auto& pose = chain.scene.bodies().pose;
+  const auto& pose = chain.scene.bodies().pose;
+  for (const auto& rod : chain.scene.all<Distance>()) {
     const double d = rod.at.separation(pose[rod.at.body1], pose[rod.at.body2]).norm();
     worst = std::max(worst, std::isfinite(d) ? std::abs(d - rod.length) : INFINITY);
-  });
+  }
   return worst;
 }
 

@@ -14,10 +14,10 @@ VelocityStepping one_row(const DriftCure& cure) { return {GaussSeidel{.sweeps = 
 
 template <template <class> class Rod>
 std::vector<double> weightless(const Setting& setting, const Baumgarte& cure, double h, int steps) {
-  Simulation<PlaneParticle> simulation{
-      pendulum<PlaneParticle, Rod>(0, setting.length(), setting.mass()), one_row(cure)};
+  Simulation<PlaneParticle> simulation{pendulum<PlaneParticle, Rod>(0, setting.length(), setting.mass()),
+                                       one_row(cure)};
   simulation.scene.gravity.setZero();
-  Vector& bob = simulation.scene.bodies().pose[1].position;
+  Vector& bob = simulation.scene.state().pose[1].position;
   bob *= 1 + setting.error() / setting.length();
   std::vector<double> errors{setting.error()};
   for (int i = 0; i < steps; ++i) {

@@ -30,7 +30,7 @@ double size(const Chain& straight, double h) {
 }
 
 void scale(Chain& straight, double by) {
-  auto& bodies = straight.scene.bodies();
+  auto& bodies = straight.scene.state();
   for (int i = 1; i < bodies.size(); ++i) {
     double& y = bodies.pose[i].position.y();
     y = -i + by * (y + i);

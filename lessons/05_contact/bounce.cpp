@@ -7,6 +7,7 @@
 #include "lessons/pictures/boxes.hpp"
 #include "lessons/pictures/growing.hpp"
 #include "lessons/scenes/balls.hpp"
+#include "solver/step.hpp"
 
 namespace byhand::contact {
 namespace {
@@ -22,7 +23,7 @@ using Solved = Simulation<PlaneBody>;
 Solved solved(const Setting& setting, double e) {
   Solved simulation{bouncing_ball<PlaneBody>(setting.drop, e, radius), {}};
   simulation.method.bounce_threshold = 0.1;
-  simulation.scene.colliders.margin = 0.5;  // it comes fast: the contact is to be known before it is there
+  simulation.scene.set_margin(0.5);  // it comes fast: the contact is to be known before it is there
   return simulation;
 }
 

@@ -7,11 +7,11 @@ namespace byhand::contact {
 std::vector<Pressed> pressed(const Pile& pile, double h) {
   std::vector<Pressed> all;
   const System<PlaneBody>& system = pile.work.system;
-  int number = 0;
-  pile.scene.for_each([&](const ContactManifold<PlaneBody>& face) {
-    const int row = system.row_of[number++];
-    all.push_back({face.at.body1, face.at.body2, (system.lambda[row] + system.lambda[row + 1]) / h});
-  });
+  for (int place = 0; place < pile.scene.count(); ++place) {
+    const auto& entry = pile.scene.entries()[place];
+    const int row = system.row_of[place];
+    all.push_back({entry.body1, entry.body2, (system.lambda[row] + system.lambda[row + 1]) / h});
+  }
   return all;
 }
 

@@ -7,6 +7,7 @@
 #include "lessons/pictures/boxes.hpp"
 #include "lessons/pictures/growing.hpp"
 #include "lessons/scenes/boxes.hpp"
+#include "solver/step.hpp"
 
 namespace byhand::contact {
 namespace {

@@ -23,10 +23,12 @@ class OnACorner {
   OnACorner(double mass, double speed, double friction) : friction_(friction) {
     const auto [sin, cos] = sin_cos(radians(tilt));
     corner_ = {0.5 * (sin - cos), -0.5 * (sin + cos)};
-    const int ground = bodies_.add({}, fixed<PlaneBody>(), Velocity<PlaneBody>::Zero());
-    const int box = bodies_.add({-corner_, plane_rotation(radians(tilt))}, byhand::box<PlaneBody>(mass, {1, 1}),
-                                {0, -speed, 0});
-    const Contact<PlaneBody> contact{between<PlaneBody>(bodies_, ground, {0, 0}, box, {0, 0})};
+    const Pose<PlaneBody> tilted{-corner_, plane_rotation(radians(tilt))};
+    Scene<PlaneBody> scene;
+    const int ground = scene.add_body(Pose<PlaneBody>(), fixed<PlaneBody>());
+    const int box = scene.add_body(tilted, byhand::box<PlaneBody>(mass, {1, 1}), {0, -speed, 0});
+    const Contact<PlaneBody> contact{between<PlaneBody>(scene.bodies(), ground, {0, 0}, box, {0, 0})};
+    bodies_ = scene.bodies();
     normal_ = contact.jacobian(bodies_.pose[0], bodies_.pose[1]);
     tangent_ = Friction<PlaneBody>{contact.at, tangents_of<PlaneBody>(contact.normal)}.jacobian(bodies_.pose[0],
                                                                                                 bodies_.pose[1]);
@@ -106,9 +108,9 @@ Puck puck(const Setting& setting, const GaussSeidel& solver) {
   const int puck =
       scene.add_body(Linear<PlaneParticle>(0, 0), with_mass<PlaneParticle>(setting.mass()), {setting.speed(), 0});
   const Contact<PlaneParticle> contact{{ground, puck}};
-  const int leader = scene.add(contact);
-  scene.add(
-      Friction<PlaneParticle>{contact.at, tangents_of<PlaneParticle>(contact.normal), setting.friction(), leader});
+  const auto pressing = scene.add(contact);
+  scene.add(Friction<PlaneParticle>{contact.at, tangents_of<PlaneParticle>(contact.normal), setting.friction(),
+                                    pressing});
   return {scene, {solver}};
 }
 

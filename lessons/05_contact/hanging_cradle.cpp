@@ -11,6 +11,7 @@ constexpr double length = 1, radius = 0.12, release = 0.6;  // of a rod, of a ba
 
 HangingCradle::HangingCradle(int balls, double air, double h) : h_(h) {
   auto& scene = simulation_.scene;
+  scene.set_contact_rows(ContactRows::points);
   for (int i = 0; i < balls; ++i) {
     const Linear<PlaneBody> hook((2 * radius + air) * i, 0);
     const auto [sin, cos] = sin_cos(i == 0 ? -release : 0.0);

@@ -5,6 +5,7 @@
 #include "lessons/05_contact/standing_box.hpp"
 #include "lessons/05_contact/steps.hpp"
 #include "lessons/pictures/boxes.hpp"
+#include "solver/constraints/contact.hpp"
 
 namespace byhand::contact {
 namespace {

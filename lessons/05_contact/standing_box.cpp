@@ -1,25 +1,28 @@
 #include "lessons/05_contact/standing_box.hpp"
 
 #include "lessons/scenes/boxes.hpp"
-#include "solver/integrate/euler.hpp"
+#include "solver/constraints/contact.hpp"
 #include "solver/drift.hpp"
+#include "solver/integrate/euler.hpp"
 
 namespace byhand::contact {
 namespace {
 
 /// b of (21): an open contact may close and not more, a share of an overlap is taken away.
-double bias(double C, double h) { return C > 0 ? C / h : bias_of_overlap(Baumgarte{}, C, h); }
+double bias(double C, double h) { return C > 0 ? C / h : correction(Baumgarte{}, h).rate * C; }
 
 }  // namespace
 
 StandingBox::StandingBox(double width, double mass, double h, int sweeps, Clamp clamp, double lift)
     : h_(h), sweeps_(sweeps), clamp_(clamp) {
-  add_ground(scene_);
-  add_box(scene_, {{0, 0.5 + lift}, {}}, mass, {width, 1});
+  const Surface smooth{.friction = 0};
+  scene_.set_contact_rows(ContactRows::points);
+  add_ground(scene_, smooth);
+  add_box(scene_, {{0, 0.5 + lift}, {}}, mass, {width, 1}, smooth);
 }
 
 void StandingBox::sweep() {
-  auto& [poses, velocities, masses] = scene_.bodies();
+  auto& [poses, velocities, masses, removed] = scene_.state();
   for (std::size_t i = 0; i < lambda_.size(); ++i) {
     const Contact<PlaneBody>& contact = scene_.all<Contact>()[i];
     const int one = contact.at.body1, two = contact.at.body2;
@@ -39,15 +42,15 @@ void StandingBox::sweep() {
 }
 
 std::vector<std::array<double, 2>> StandingBox::step() {
-  touching_.find(scene_);
-  add_gravity(scene_.bodies(), scene_.gravity, h_);
+  contacts_.find(scene_);
+  add_gravity(scene_.state(), scene_.gravity, h_);
   lambda_.assign(scene_.all<Contact>().size(), 0.0);
   std::vector<std::array<double, 2>> by_sweep;
   for (int i = 0; i < sweeps_; ++i) {
     sweep();
     by_sweep.push_back({lambda_.empty() ? 0 : lambda_.front(), lambda_.size() < 2 ? 0 : lambda_.back()});
   }
-  advance_poses(scene_.bodies(), h_);
+  advance_poses(scene_.state(), h_);
   time_ += h_;
   return by_sweep;
 }

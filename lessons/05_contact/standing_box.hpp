@@ -3,8 +3,8 @@
 #include <array>
 #include <vector>
 
-#include "solver/scene.hpp"
 #include "solver/contact/contact_manager.hpp"
+#include "solver/scene.hpp"
 
 namespace byhand::contact {
 
@@ -32,7 +32,7 @@ class StandingBox {
   void sweep();
 
   Scene<PlaneBody> scene_;
-  Touching<PlaneBody> touching_;
+  ContactManager<PlaneBody> contacts_;
   double h_, time_ = 0;
   int sweeps_;
   Clamp clamp_;

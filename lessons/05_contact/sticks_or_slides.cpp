@@ -5,6 +5,7 @@
 #include "lessons/05_contact/steps.hpp"
 #include "lessons/pictures/boxes.hpp"
 #include "lessons/scenes/incline.hpp"
+#include "solver/step.hpp"
 
 namespace byhand::contact {
 namespace {

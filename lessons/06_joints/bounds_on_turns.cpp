@@ -23,11 +23,7 @@ constexpr double stop_at = pi / 3, enough = 0.6;  // below level [rad]; a motor 
 
 /// A uniform bar hinged at the origin, at rest at an angle below level [rad].
 Held arm(const Setting& setting, double below) {
-  const auto rod = hinged_rod(pi / 2 - below, setting.length, setting.mass);
-  Held arm{{}, exactly()};
-  arm.scene.bodies() = rod.bodies();
-  arm.scene.add(rod.all<Pin>()[0]);
-  return arm;
+  return {hinged_rod(pi / 2 - below, setting.length, setting.mass), exactly()};
 }
 
 Turn<M> turn_of(const Held& arm) { return turn<M>(arm.scene.bodies(), 0, 1); }
@@ -55,8 +51,7 @@ double below_level(const Held& arm) {
 
 /// What the bounded row gives [mgl].
 double moment(const Held& arm, const Setting& setting) {
-  const auto& system = arm.work.system;
-  return system.rows() == 0 ? 0 : system.lambda[system.row_of[1]] / arm.work.h / weight_moment(setting);
+  return arm.time == 0 ? 0 : arm.reaction(1).torque2[0] / weight_moment(setting);
 }
 
 /// Where a brake of that strength [mgl] has used up what gravity gave: ½ sin φ = s φ [rad].

@@ -26,7 +26,7 @@ Rods two_rods(const Setting& setting, double gap, const RowSolver& solver, doubl
   Rods rods{pendulum<M, NormalisedDistance>(0, length, setting.mass), {solver, Baumgarte{setting.beta}}};
   auto& scene = rods.scene;
   scene.add(NormalisedDistance<M>{{0, 1}, length + gap});
-  for (auto& rod : scene.all<NormalisedDistance>()) rod.softness = softness;
+  scene.change_all<NormalisedDistance>([&](auto& rod) { rod.softness = softness; });
   return rods;
 }
 

@@ -65,8 +65,7 @@ Run run_of(const SliderCrankOptions& options, double h) {
   advance_to(machine, end, h, [&] {
     const double angle = options.angle + options.speed * machine.time;
     const double x = machine.scene.bodies().pose[piston].position.x();
-    const auto& system = machine.work.system;
-    const double moment = system.lambda[system.row_of[motor_row]] / h;
+    const double moment = machine.reaction(motor_row).torque2[0];
     run.position_off = std::max(run.position_off, std::abs(x - exact.position(angle)));
     run.speed_off = std::max(run.speed_off, std::abs(machine.scene.bodies().velocity[crank][2] - options.speed));
     // An impulse changes V from the middle of the last step to that of this one. The first steps still take up
@@ -102,10 +101,8 @@ struct Film {
     draw_bar(canvas, bar_of(pose[crank], r), 18);
     for (const Point& at : {bar_of(pose[crank], r).from, bar_of(pose[rod], l).from, bar_of(pose[rod], l).to})
       canvas.hinge(at);
-    const auto& system = machine.work.system;
-    if (system.rows() > 0) {
-      const double given = system.lambda[system.row_of[motor_row]] / machine.work.h,
-                   most = ranges(moment).y.second;
+    if (machine.time > 0) {
+      const double given = machine.reaction(motor_row).torque2[0], most = ranges(moment).y.second;
       if (std::abs(given) > 0.02 * most)
         draw_turn(canvas, {0, 0}, -pi / 2, -pi / 2 + std::clamp(2 * given / most, -2.0, 2.0), 0.75 * r,
                   {palette::force, 4});

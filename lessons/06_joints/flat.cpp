@@ -43,7 +43,8 @@ std::string complaint(FourBar linkage, double h) {
 double self_pull(const Setting& setting, double share) {
   FourBar linkage{four_bar(bars_of(setting, pi / 2)),
                   {.solver = Direct{.regularisation = share}, .drift = Baumgarte{setting.beta}}};
-  linkage.scene.all<Pin>()[2].at.arms.first.x() += misfit;
+  const Handle<Pin<PlaneBody>> right_pivot{2};
+  linkage.scene.change(right_pivot, [](auto& pin) { pin.at.arms.first.x() += misfit; });
   linkage.step(setting.h);
   return std::abs(linkage.work.system.lambda[linkage.work.system.row_of[0]]);
 }
@@ -70,7 +71,7 @@ FourBar sent_off(const Setting& setting, double speed, double ratio) {
   FourBar linkage{four_bar(bars), exactly(shown_share)};
   linkage.scene.gravity.setZero();
   const double left = bars.arm * speed * ratio, right = bars.arm * speed;  // of the arms' free ends, upwards
-  auto& V = linkage.scene.bodies().velocity;
+  auto& V = linkage.scene.state().velocity;
   V[1] = {0, left / 2, speed * ratio};
   V[2] = {0, right / 2, speed};
   V[3] = {0, (left + right) / 2, (right - left) / bars.coupler};

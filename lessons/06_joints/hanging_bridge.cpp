@@ -24,17 +24,13 @@ Bridge at_rest(const Setting& setting) {
   const int steps = static_cast<int>(60 / setting.h);
   for (int i = 0; i < steps; ++i) {
     bridge_now.step(setting.h);
-    for (auto& V : bridge_now.scene.bodies().velocity) V *= 1 - 3 * setting.h;
+    for (auto& V : bridge_now.scene.state().velocity) V *= 1 - 3 * setting.h;
   }
   return bridge_now;
 }
 
 /// What pin i gives the body on its right [N].
-Point force(const Bridge& bridge, int i) {
-  const auto& system = bridge.work.system;
-  const int row = system.row_of[i];
-  return Point(system.lambda[row], system.lambda[row + 1]) / bridge.work.h;
-}
+Point force(const Bridge& bridge, int i) { return bridge.reaction(i).force; }
 
 }  // namespace
 

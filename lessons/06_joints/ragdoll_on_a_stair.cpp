@@ -28,7 +28,7 @@ Doll above_a_stair() {
   for (int i = 0; i < stairs; ++i) {
     const double high = 0.2 * (stairs - i);  // [m]
     const int body = scene.add_body(Linear<M>(0.3 * i, high / 2), fixed<M>());
-    scene.set_shape(body, Box<M>{{0.15, high / 2}}, {0.6});
+    scene.set_shape(body, Box<M>{{0.3, high}}, {0.6});
   }
   const int torso = add_ragdoll(scene, {0.2, 2.2});
   scene.state().velocity[torso] = {1, 0, -2};
@@ -47,28 +47,20 @@ double passed(const Doll& doll) {
 /// The least λ of all stops as the last step left them [N m s].
 double least_of_stops(const Doll& doll) {
   double least = INFINITY;
-  int number = 0;
-  doll.scene.for_each([&]<class Kind>(const Kind&) {
-    const double lambda = doll.work.system.lambda[doll.work.system.row_of[number++]];
-    if constexpr (std::is_same_v<Kind, AngleLimit<M>>) least = std::min(least, lambda);
-  });
+  const auto& [lambda, row_of] = std::tie(doll.work.system.lambda, doll.work.system.row_of);
+  for (int place = 0; place < doll.scene.lasting(); ++place)
+    if (doll.scene.store(doll.scene.entries()[place].kind).kind() == typeid(AngleLimit<M>))
+      least = std::min(least, lambda[row_of[place]]);
   return least;
 }
 
 /// What ground and stairs carry, upright [N].
 double carried(const Doll& doll) {
   double sum = 0;
-  int number = 0;
-  doll.scene.for_each([&]<class Kind>(const Kind& contact) {
-    const int row = doll.work.system.row_of[number++];
-    if constexpr (std::is_same_v<Kind, ContactManifold<M>>) {
-      if (moves(doll.scene.bodies().inverse_mass[contact.at.body1])) return;
-      const auto* lambda = &doll.work.system.lambda[row];
-      const Point n = contact.normal, t(n.y(), -n.x());
-      sum += (lambda[0] + lambda[1]) * n.y() + lambda[2] * t.y();
-    }
-  });
-  return sum / doll.work.h;
+  for (int place = doll.scene.lasting(); place < doll.scene.count(); ++place)
+    if (!moves(doll.scene.bodies().inverse_mass[doll.scene.entries()[place].body1]))
+      sum += reaction(doll.work, place).force.y();
+  return sum;
 }
 
 }  // namespace

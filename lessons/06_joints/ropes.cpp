@@ -24,8 +24,7 @@ struct Track {
   double let_go = NAN;  // cos θ from straight down where it was first let go
 };
 
-template <class S>
-Track track_of(Simulation<S> simulation, const Setting& setting, double seconds) {
+Track track_of(Simulation<M> simulation, const Setting& setting, double seconds) {
   const double h = setting.h / finer, weight = setting.mass() * gravity * h;
   Track track;
   advance_to(simulation, seconds, h, [&] {

@@ -22,15 +22,15 @@ constexpr double first_angle = 0.35, second_angle = -0.9;  // of the two bars [r
 
 /// Two equal bars that meet at the origin.
 Bodies<M> two_bars(const Setting& setting) {
-  Bodies<M> bodies;
+  Scene<M> scene;
   const auto add = [&](const Point& from, const Point& to) {
     const PlaneRod bar(from, to, setting.mass);
-    bodies.add(bar.pose, bar.mass, Velocity<M>::Zero());
+    scene.add_body(bar.pose, bar.mass);
   };
   const double L = setting.length;
   add(-L * Point(std::cos(first_angle), std::sin(first_angle)), {0, 0});
   add({0, 0}, L * Point(std::cos(second_angle), std::sin(second_angle)));
-  return bodies;
+  return scene.bodies();
 }
 
 /// A joint's matrices between the two bars, and how far JV is from the slope of C.

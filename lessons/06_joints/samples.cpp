@@ -53,24 +53,15 @@ Samples::Samples(const Setting& setting)
   scene.add(motor<M>(turn<M>(scene.bodies(), ground, body(driven)), 2 * pi / sample_seconds, 1e9));
   scene.add(Rope<M>{between<M>(scene.bodies(), ground, Linear<M>(0, 0), body(roped), origin), 0.5 * length_});
   const double up = gravity * std::sin(rail) * sample_seconds / 2;  // it comes back in that time
-  scene.bodies().velocity[body(sliding)].head<2>() = std::min(up, 2.5 * length_ / sample_seconds) * along;
+  scene.state().velocity[body(sliding)].head<2>() = std::min(up, 2.5 * length_ / sample_seconds) * along;
 }
 
 std::array<Point, 6> Samples::forces() const {
   std::array<Point, 6> forces;
   forces.fill(Point(0, 0));
-  const auto& system = simulation_.work.system;
-  int number = 0;
-  simulation_.scene.for_each([&]<class Kind>(const Kind& joint) {
-    if (system.rows() == 0) return;
-    const double* lambda = &system.lambda[system.row_of[number++]];
-    Point& force = forces[joint.at.body2 - 1];
-    if constexpr (std::is_same_v<Kind, Pin<M>> || std::is_same_v<Kind, Weld<M>>) force = {lambda[0], lambda[1]};
-    if constexpr (std::is_same_v<Kind, Slider<M>>) force = lambda[0] * joint.across.col(0);
-    if constexpr (std::is_same_v<Kind, Rope<M>>)
-      force = -lambda[0] * bar_of(simulation_.scene.bodies().pose[joint.at.body2], length_).from.normalized();
-  });
-  for (Point& force : forces) force /= h_;
+  if (simulation_.time == 0) return forces;
+  for (const auto& joint : simulation_.scene.entries())
+    forces[joint.body2 - 1] += Point(simulation_.reaction(joint.id).force);
   return forces;
 }
 

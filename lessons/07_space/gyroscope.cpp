@@ -34,7 +34,7 @@ struct Run {
 };
 Run let_go(const Setting& setting, Gyroscopic choice, double precession) {
   Simulation<SpaceBody> top{spinning_top(gyroscope_of(setting.mass), level, precession),
-                                        {Direct{}, Baumgarte{0.2}}};
+                            {Direct{}, Baumgarte{0.2}}};
   top.method.gyroscopic = choice;
   const double h = setting.h / 64;
   Run run;

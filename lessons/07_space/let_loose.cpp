@@ -7,6 +7,7 @@
 #include "lessons/pictures/growing.hpp"
 #include "lessons/pictures/space_scene.hpp"
 #include "lessons/scenes/boxes.hpp"
+#include "solver/constraints/contact.hpp"
 #include "solver/measure.hpp"
 
 namespace byhand::space {
@@ -15,14 +16,14 @@ namespace {
 using namespace tutor;
 using namespace renderer;
 using M = SpaceBody;
-using Loose = Scene<M>;
+using Loose = Simulation<M>;
 
 constexpr double film_seconds = 3, patience = 30, slop = 1e-3;  // [s], [s], [m]
 
 /// A book above or on the ground, 60 sweeps a step, turning as the implicit term has it.
-Simulation<Loose> on_the_ground(const Setting& setting, const Pose<M>& pose, const Velocity<M>& velocity,
-                                double restitution = 0) {
-  Simulation<Loose> loose{{}, {GaussSeidel{60}, Baumgarte{.beta = 0.2, .slop = slop}}};
+Loose on_the_ground(const Setting& setting, const Pose<M>& pose, const Velocity<M>& velocity,
+                    double restitution = 0) {
+  Loose loose{{}, {GaussSeidel{60}, Baumgarte{.beta = 0.2, .slop = slop}}};
   loose.method.gyroscopic = Gyroscopic::implicit;
   const Surface surface{.friction = setting.friction, .restitution = restitution};
   add_ground(loose.scene, surface);
@@ -39,7 +40,7 @@ Pose<M> lying() {
   return pose;
 }
 
-Simulation<Loose> tumbling(const Setting& setting) {
+Loose tumbling(const Setting& setting) {
   Pose<M> pose;
   pose.position = {0, 1.2, 0};
   pose.rotation = space_rotation(Angular<M>(0.4, 0.3, 0.5));
@@ -115,12 +116,9 @@ Tumble tumble(const Setting& setting) {
   tumble.film.beside = {
       .x = {.label = "time (s)", .range = {{0, film_seconds}}}, .y = {.label = "energy (J)"}, .curves = {total}};
   const auto& system = book.work.system;
-  int number = 0;
-  book.scene.for_each([&]<class Kind>(const Kind&) {
-    if constexpr (std::is_same_v<Kind, Contact<M>>)
-      tumble.pressed += system.lambda[system.row_of[number]] / (setting.mass * gravity * setting.h);
-    ++number;
-  });
+  for (int place = 0; place < book.scene.count(); ++place)
+    if (book.scene.store(book.scene.entries()[place].kind).kind() == typeid(Contact<M>))
+      tumble.pressed += system.lambda[system.row_of[place]] / (setting.mass * gravity * setting.h);
   tumble.flatness = bodies.pose[1].rotation.toRotationMatrix().row(1).cwiseAbs().maxCoeff();
   tumble.deepest = position_error(book.scene).max;
   return tumble;

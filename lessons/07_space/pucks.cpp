@@ -12,7 +12,7 @@ namespace {
 
 using M = SpaceParticle;
 
-template <template <class> class Kind, class F>
+template <class F>
 std::vector<Way> slide(const Setting& setting, const std::vector<double>& headings, F&& add_friction) {
   Simulation<M> pucks{{}, {GaussSeidel{4}}};
   auto& scene = pucks.scene;
@@ -20,8 +20,8 @@ std::vector<Way> slide(const Setting& setting, const std::vector<double>& headin
   for (const double heading : headings) {
     const Eigen::Vector3d along(std::cos(heading), 0, std::sin(heading));
     const int puck = scene.add_body(Linear<M>(0, 0, 0), with_mass<M>(setting.mass), setting.speed * along);
-    const int leader = scene.add(Contact<M>{{ground, puck}, Eigen::Vector3d::UnitY()});
-    add_friction(scene, Anchors<M>{ground, puck}, leader);
+    const auto pressing = scene.add(Contact<M>{{ground, puck}, Eigen::Vector3d::UnitY()});
+    add_friction(scene, Anchors<M>{ground, puck}, pressing);
   }
   std::vector<Way> ways(headings.size());
   bool moving = true;
@@ -45,12 +45,12 @@ std::vector<Way> slide(const Setting& setting, const std::vector<double>& headin
   tangents << std::cos(axes_turned), -std::sin(axes_turned), 0, 0, std::sin(axes_turned), std::cos(axes_turned);
   const double mu = setting.friction;
   if (bounds == Bounds::disc)
-    return slide<Friction>(setting, headings, [&](auto& scene, const Anchors<M>& at, int leader) {
-      scene.add(Friction<M>{at, tangents, mu, leader});
+    return slide(setting, headings, [&](auto& scene, const Anchors<M>& at, int pressing) {
+      scene.add(Friction<M>{at, tangents, mu, pressing});
     });
-  return slide<AxisFriction>(setting, headings, [&](auto& scene, const Anchors<M>& at, int leader) {
+  return slide(setting, headings, [&](auto& scene, const Anchors<M>& at, int pressing) {
     //! [pyramid]
-    for (int k = 0; k < 2; ++k) scene.add(AxisFriction<M>{at, tangents.col(k), mu, leader});
+    for (int k = 0; k < 2; ++k) scene.add(AxisFriction<M>{at, tangents.col(k), mu, pressing});
     //! [pyramid]
   });
 }

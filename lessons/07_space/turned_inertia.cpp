@@ -29,10 +29,10 @@ struct Catch {
 };
 
 Bodies<M> bodies_of(const Catch& caught, const Velocity<M>& velocity) {
-  Bodies<M> bodies;
-  bodies.add({}, fixed<M>(), Velocity<M>::Zero());
-  bodies.add(caught.pose, caught.mass, velocity);
-  return bodies;
+  Scene<M> scene;
+  scene.add_body(Pose<M>(), fixed<M>());
+  scene.add_body(caught.pose, caught.mass, velocity);
+  return scene.bodies();
 }
 
 /// A box of `sides` [m], turned by `tilt` [rad] about an axis askew to its own.

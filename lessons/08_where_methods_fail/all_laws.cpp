@@ -119,7 +119,7 @@ void all_laws(const Setting&, Page& page) {
   page.text(
       R"(A law is worth what it foresees. Here all @ of them stand at once, each at several settings: what it says
       from a derivation, and what bisection finds without it, by running scenes on both sides until they meet. The
-      derivations stand at the heads of the files in `solver/laws`.)",
+      derivations stand at the heads of the files in `lessons/08_where_methods_fail/laws`.)",
       laws.size());
   page.figure("all_laws",
               say(R"(@ boundaries of @ laws. Left: predicted against measured; numbers are the laws'. Right: one

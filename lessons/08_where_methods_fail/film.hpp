@@ -15,25 +15,25 @@
 namespace byhand::failures {
 
 /// One of the runs.
-template <class S>
+template <class M>
 struct Take {
   std::string name;
-  Simulation<S> run;
+  Simulation<M> run;
 };
 
 /// What a film shows and for how long.
-template <class S>
+template <class M>
 struct Shooting {
-  std::vector<Take<S>> takes = {};
-  renderer::Rectangle view = {};                               // of the world [m]
-  double seconds = 3.5;                                        // of film
-  double hurry = 1;                                            // seconds of the scene in one of the film
-  renderer::Axis gauge = {};                                   // what the chart beside shows
-  std::function<double(const S&)> read = {};                   // and how it is read off the scene
-  std::vector<renderer::Curve> laws = {};                      // drawn over it
-  std::function<bool(const S&)> failed = {};                   // where a run stops
-  std::string failure = {};                                    // what is said of it then: "falls"
-  std::function<void(renderer::Canvas&, const S&)> draw = {};  // in the world
+  std::vector<Take<M>> takes = {};
+  renderer::Rectangle view = {};                                      // of the world [m]
+  double seconds = 3.5;                                               // of film
+  double hurry = 1;                                                   // seconds of the scene in one of the film
+  renderer::Axis gauge = {};                                          // what the chart beside shows
+  std::function<double(const Scene<M>&)> read = {};                   // and how it is read off the scene
+  std::vector<renderer::Curve> laws = {};                             // drawn over it
+  std::function<bool(const Scene<M>&)> failed = {};                   // where a run stops
+  std::string failure = {};                                           // what is said of it then: "falls"
+  std::function<void(renderer::Canvas&, const Scene<M>&)> draw = {};  // in the world
 };
 
 /// Draws a run's cell on the page: its name above, what is said of it below, the scene by `draw` in between.
@@ -42,10 +42,10 @@ void draw_cell(renderer::Canvas& canvas, const renderer::Rectangle& cell, const 
                const std::function<void()>& draw);
 
 /// The runs made and their gauges read: what is then drawn, as often as it is wanted.
-template <class S>
+template <class M>
 class Film {
  public:
-  explicit Film(Shooting<S> shooting);
+  explicit Film(Shooting<M> shooting);
 
   double seconds() const { return plan_.seconds; }
   double hurry() const { return plan_.hurry; }
@@ -58,19 +58,19 @@ class Film {
  private:
   static constexpr double step = 1.0 / 60;
 
-  Shooting<S> plan_;
+  Shooting<M> plan_;
   std::vector<double> fails_at_;  // [s]; infinity for a run that does not
   std::vector<double> last_;      // what the gauges say in the end
   renderer::Chart gauges_;
 };
 
-template <class S>
-Film<S>::Film(Shooting<S> shooting) : plan_(std::move(shooting)) {
+template <class M>
+Film<M>::Film(Shooting<M> shooting) : plan_(std::move(shooting)) {
   const double end = plan_.hurry * plan_.seconds;
   gauges_ = {.x = {.label = "time (s)", .range = {{0, end}}}, .y = plan_.gauge};
-  for (const Take<S>& take : plan_.takes) {
+  for (const Take<M>& take : plan_.takes) {
     renderer::Curve curve{.label = take.name};
-    Simulation<S> run = take.run;
+    Simulation<M> run = take.run;
     for (;; run.step(step)) {
       const double value = plan_.read(run.scene);
       const bool shown = plan_.gauge.scale == renderer::Scale::linear || value > 0;
@@ -85,20 +85,20 @@ Film<S>::Film(Shooting<S> shooting) : plan_(std::move(shooting)) {
   gauges_.curves.insert(gauges_.curves.end(), plan_.laws.begin(), plan_.laws.end());
 }
 
-template <class S>
-std::string Film<S>::fate(int take) const {
+template <class M>
+std::string Film<M>::fate(int take) const {
   const double time = fails_at_[take];
   return std::isfinite(time) ? tutor::say("@ at @ s", plan_.failure, tutor::Value(time, 3)) : "does not";
 }
 
-template <class S>
-tutor::FrameDrawing Film<S>::drawing() const {
+template <class M>
+tutor::FrameDrawing Film<M>::drawing() const {
   return [film = *this, takes = plan_.takes](renderer::Canvas& canvas, double time) mutable {
-    const Shooting<S>& plan = film.plan_;
+    const Shooting<M>& plan = film.plan_;
     const auto [left, right] = canvas.page().inset(14).split_columns(0.58, 16);
     const auto cells = left.cells(1, static_cast<int>(takes.size()), 8);
     for (int i = 0; i < static_cast<int>(takes.size()); ++i) {
-      Simulation<S>& run = takes[i].run;
+      Simulation<M>& run = takes[i].run;
       while (run.time < plan.hurry * time - 0.5 * step && !plan.failed(run.scene)) run.step(step);
       const bool failed = plan.failed(run.scene);
       draw_cell(canvas, cells[i], plan.view, i, takes[i].name,

@@ -4,16 +4,17 @@
 
 namespace byhand::failures {
 
-Film<Scene<PlaneBody>> film_of_stacks(int boxes, const std::vector<SolvedStack>& stacks, double hurry) {
+Film<PlaneBody> film_of_stacks(int boxes, const std::vector<SolvedStack>& stacks, double hurry) {
   Scene<PlaneBody> kicked = stack(boxes);
   kick(kicked, 0.02);
   const double height = boxes;
-  Shooting<Scene<PlaneBody>> shooting{
+  Shooting<PlaneBody> shooting{
       .view = {-0.19 * height, -0.03 * height, 0.38 * height, 1.06 * height},
       .hurry = hurry,
       .gauge = {.label = "top box is off by (m)", .scale = renderer::Scale::logarithmic, .range = {{1e-5, 100}}},
       .read = [](const Scene<PlaneBody>& scene) { return std::abs(scene.bodies().pose.back().position.x()); },
-      .failed = [=](const Scene<PlaneBody>& scene) { return !(scene.bodies().pose.back().position.y() > height - 1.5); },
+      .failed =
+          [=](const Scene<PlaneBody>& scene) { return !(scene.bodies().pose.back().position.y() > height - 1.5); },
       .failure = "falls",
       .draw =
           [](renderer::Canvas& canvas, const Scene<PlaneBody>& scene) {
@@ -22,7 +23,7 @@ Film<Scene<PlaneBody>> film_of_stacks(int boxes, const std::vector<SolvedStack>&
             pictures::draw(canvas, shapes);
           }};
   for (const SolvedStack& solved : stacks) shooting.takes.push_back({solved.name, {kicked, solved.method}});
-  return Film<Scene<PlaneBody>>(std::move(shooting));
+  return Film<PlaneBody>(std::move(shooting));
 }
 
 }  // namespace byhand::failures

@@ -11,6 +11,6 @@ struct SolvedStack {
   VelocityStepping method;
 };
 /// Stacks of unit boxes, shown `hurry` times as fast as they are; their gauge is how far the top box is off.
-Film<Scene<PlaneBody>> film_of_stacks(int boxes, const std::vector<SolvedStack>& stacks, double hurry);
+Film<PlaneBody> film_of_stacks(int boxes, const std::vector<SolvedStack>& stacks, double hurry);
 
 }  // namespace byhand::failures

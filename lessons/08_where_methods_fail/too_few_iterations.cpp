@@ -40,7 +40,7 @@ int fewest_sweeps(int boxes, int most) {
   return standing;
 }
 
-Film<Scene<PlaneBody>> film(int boxes, int sweeps) {
+Film<PlaneBody> film(int boxes, int sweeps) {
   const Baumgarte slack{.slop = 0.01};
   return film_of_stacks(boxes,
                         {{say("@ sweeps", sweeps), {GaussSeidel{sweeps}, slack}},
@@ -84,7 +84,7 @@ void too_few_iterations(const Setting& setting, Page& page) {
        .hint = "What a sweep takes falls with N⁴. What gravity adds falls with N.",
        .right = "N⁴ for the bending, less N for the toppling: about the cube."});
 
-  const Film<Scene<PlaneBody>> stacks = film(boxes, sweeps);
+  const Film<PlaneBody> stacks = film(boxes, sweeps);
   page.sequence("leaning_stack",
                 say(R"(@ boxes after a kick of @ m/s at the top, @ times as fast as it was. @ sweeps a step: @. By
                     conjugate sweeps (NNCG): @. Directly: @. Right: how far the top box is from where it stood

@@ -34,7 +34,7 @@ int tallest(double hertz) {
   return boxes;
 }
 
-Film<Scene<PlaneBody>> film(int boxes, double hertz) {
+Film<PlaneBody> film(int boxes, double hertz) {
   const auto soft = [](std::string name, double frequency, int substeps) {
     return SolvedStack{std::move(name),
                        {.solver = GaussSeidel{sweeps_filmed},
@@ -76,7 +76,7 @@ void too_soft(const Setting& setting, Page& page) {
        .hint = "k grows with ω², and N³ with k.",
        .right = "The cube root of four: 1.59 times as many."});
 
-  const Film<Scene<PlaneBody>> stacks = film(filmed, hertz);
+  const Film<PlaneBody> stacks = film(filmed, hertz);
   page.sequence(
       "buckling_stack",
       say(R"(@ boxes on soft contacts, @ sweeps a step, after a small kick; @ times as fast as it was. @ Hz: @. In

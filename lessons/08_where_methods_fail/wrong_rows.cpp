@@ -56,19 +56,19 @@ renderer::Chart over_time(double conflict, const std::vector<double>& shares) {
   return chart;
 }
 
-using Circle = Scene<PlaneParticle>;
+using M = PlaneParticle;
 
 constexpr double radius = 1, speed = 5, step = 1.0 / 60;  // of what goes round [m], [m/s]; [s]
 
 /// Law 14: what a particle keeps of its speed on a soft rod that is relaxed with a stale J.
 double speed_by_law(double time) { return speed / std::sqrt(1 + speed * speed * step * time / (radius * radius)); }
 
-Film<Circle> rounds() {
+Film<M> rounds() {
   const auto relaxed = [](std::string name, bool refresh) {
-    return Take<Circle>{std::move(name),
-                        {particle_on_a_circle<PlaneParticle>(radius, speed, 1),
-                         VelocityStepping{.solver = Direct{},
-                                          .drift = SoftConstraints{.frequency = 2 / step, .refresh = refresh}}}};
+    return Take<M>{std::move(name),
+                   {particle_on_a_circle<M>(radius, speed, 1),
+                    VelocityStepping{.solver = Direct{},
+                                     .drift = SoftConstraints{.frequency = 2 / step, .refresh = refresh}}}};
   };
   renderer::Curve law{.label = "law 14", .style = renderer::CurveStyle::theory};
   constexpr double filmed = 3.5;
@@ -76,17 +76,16 @@ Film<Circle> rounds() {
     law.x.push_back(filmed * i / 50);
     law.y.push_back(speed_by_law(law.x.back()));
   }
-  return Film<Circle>(
-      {.takes = {relaxed("stale J", false), relaxed("fresh J", true)},
-       .view = {-1.2 * radius, -1.2 * radius, 2.4 * radius, 2.4 * radius},
-       .seconds = filmed,
-       .gauge = {.label = "speed (m/s)", .range = {{0, 1.2 * speed}}},
-       .read = [](const Circle& scene) { return scene.bodies().velocity[1].norm(); },
-       .laws = {law},
-       .failed = [](const Circle&) { return false; },
-       .failure = "stops",
-       .draw = [](renderer::Canvas& canvas,
-                  const Circle& scene) { pictures::draw(canvas, pictures::rods_and_bobs(scene)); }});
+  return Film<M>({.takes = {relaxed("stale J", false), relaxed("fresh J", true)},
+                  .view = {-1.2 * radius, -1.2 * radius, 2.4 * radius, 2.4 * radius},
+                  .seconds = filmed,
+                  .gauge = {.label = "speed (m/s)", .range = {{0, 1.2 * speed}}},
+                  .read = [](const Scene<M>& scene) { return scene.bodies().velocity[1].norm(); },
+                  .laws = {law},
+                  .failed = [](const Scene<M>&) { return false; },
+                  .failure = "stops",
+                  .draw = [](renderer::Canvas& canvas,
+                             const Scene<M>& scene) { pictures::draw(canvas, pictures::rods_and_bobs(scene)); }});
 }
 
 }  // namespace
@@ -148,7 +147,7 @@ void wrong_rows(const Setting& setting, Page& page) {
   }
   page.text("Of the @ runs that had come to an end the law foresees @ %.", static_cast<int>(ended),
             Value(100 * right / ended, 3));
-  const Film<Circle> circles = rounds();
+  const Film<M> circles = rounds();
   page.text(
       R"(And then rows that were right a moment ago. A particle goes round on a soft rod, solved exactly; after
       each step its row is relaxed, hard and without bias (that keeps corrections out of V). Its correction u along

@@ -32,13 +32,13 @@ std::vector<Built> build(std::string_view scene, const Values& values, const std
   std::vector<Built> all;
   for (const std::string& model : models) {
     AnyScene running = Problem(scene, values, model).start();
-    running->use(by_sweeps().method);
-    Built built{model, running->degrees_of_freedom(), running->rows(), static_cast<double>(running->scene_bytes()),
-                static_cast<double>(running->row_bytes())};
+    running.use(by_sweeps().method);
+    Built built{model, running.degrees_of_freedom(), running.rows(), static_cast<double>(running.scene_bytes()),
+                static_cast<double>(running.row_bytes())};
     const auto frames = static_cast<std::size_t>(std::lround(duration / frame));
     for (std::size_t i = 0; i < frames; ++i) {
-      running->step(frame);
-      const std::vector<Placement> now = running->placements();
+      running.step(frame);
+      const std::vector<Placement> now = running.placements();
       if (all.empty()) {
         first.push_back(now);
         continue;
@@ -46,7 +46,7 @@ std::vector<Built> build(std::string_view scene, const Values& values, const std
       for (std::size_t body = 0; body < now.size(); ++body)
         built.apart = std::max(built.apart, (now[body].position - first[i][body].position).norm());
     }
-    built.row_solves = static_cast<double>(running->row_solves()) / static_cast<double>(frames);
+    built.row_solves = static_cast<double>(running.row_solves()) / static_cast<double>(frames);
     all.push_back(built);
   }
   return all;
@@ -149,17 +149,16 @@ void model_cost(Page& page) {
                                                   "links in space"};
   const auto linked = build("chain", values, with_and_without, 2);
   page.text(
-      R"(Two more prices that hide. *Contact code in the type or not*: a scene whose type names contacts looks for
-      them in every step, though here no body has a shape and none is ever found. The answer is the same to @ m.
-      The clock shows what looking for nothing costs; it is little, for it is shapes that are dear. A type that
-      does not name contacts has not even the branch.)",
+      R"(Two more prices that hide. *Something that could touch, or nothing*: where a body has a shape, every step
+      looks for contacts, though here one link alone has one and none is ever found. The answer is the same to @ m.
+      The clock shows what looking for nothing costs; it is little, for it is many shapes that are dear.)",
       Value(linked[1].apart, 2));
   page.clocked(
       "touch_clocked",
-      R"(The chain of stiff links, in a type without contacts, in one with them, and in space. Measured on the
-      machine and at the moment of the run.)",
+      R"(The chain of stiff links, without a shape, with one, and in space. Measured on the machine and at the
+      moment of the run.)",
       [=] { return clocked("chain", values, with_and_without, links); });
-  page.claim({.quantity = "links whose type could touch, from those that cannot",
+  page.claim({.quantity = "links that could touch, from those that cannot",
               .unit = "m",
               .expected = 0,
               .source = "the same rows in the same order",

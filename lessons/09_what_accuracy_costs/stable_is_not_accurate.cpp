@@ -28,15 +28,15 @@ struct Swing {
 
   Swing(std::string called, renderer::Colour painted, const Problem& problem, const byhand::Setting& chosen)
       : name(std::move(called)), colour(painted), scene(problem.start()), setting(chosen), energy{.label = name} {
-    scene->use(setting.method);
+    scene.use(setting.method);
     energy.colour = colour;
   }
   /// Goes on to `time`, frame by frame of the scene.
   void go_on(double time, double start) {
-    while (scene->time() < time - 0.5 * frame) {
-      for (int i = 0; i < setting.steps; ++i) scene->step(frame / setting.steps);
-      energy.x.push_back(scene->time());
-      energy.y.push_back((scene->energy() - start) / scene->energy_scale());
+    while (scene.time() < time - 0.5 * frame) {
+      for (int i = 0; i < setting.steps; ++i) scene.step(frame / setting.steps);
+      energy.x.push_back(scene.time());
+      energy.y.push_back((scene.energy() - start) / scene.energy_scale());
     }
   }
 };
@@ -55,7 +55,7 @@ void draw_swings(renderer::Canvas& canvas, const std::vector<Swing>& swings, con
     const renderer::Point true_bob(length * std::sin(angle), -length * std::cos(angle));
     canvas.line({0, 0}, true_bob, {palette::theory, 1.8, renderer::Dash::dashed});
     canvas.disc(true_bob, 0.07 * length, {renderer::fade(palette::paper, 0), {palette::theory, 1.8}});
-    const Eigen::Vector3d bob = swing.scene->placements()[1].position;
+    const Eigen::Vector3d bob = swing.scene.placements()[1].position;
     canvas.rod({0, 0}, {bob.x(), bob.y()});
     canvas.disc({bob.x(), bob.y()}, 0.07 * length, {swing.colour, {palette::ink, 1.5}});
     canvas.anchor({0, 0});
@@ -109,7 +109,7 @@ void stable_is_not_accurate(Page& page) {
       "stable_and_wrong",
       R"(One step a frame, three methods, all stable. Dashed: where the bob should be. Right: the energy that is
       gone. The rod of the uppermost has the right length to rounding throughout.)",
-      Seconds{seconds}, [=, energy = problem.start()->energy()](renderer::Canvas& canvas, double time) mutable {
+      Seconds{seconds}, [=, energy = problem.start().energy()](renderer::Canvas& canvas, double time) mutable {
         for (Swing& swing : swings) swing.go_on(time, energy);
         draw_swings(canvas, swings, exact, length, time);
       });

@@ -83,7 +83,7 @@ void substeps_or_sweeps(Page& page) {
   page.text(
       R"(Read it at @ m, a tenth of a millimetre on a chain of @ m. The structured direct solve with substeps is
       there for @ row-solves a frame, @ for each of its rows.)",
-      wanted, heavy["links"] * heavy["length"], direct, Value(direct / heavy.start()->rows(), 3));
+      wanted, heavy["links"] * heavy["length"], direct, Value(direct / heavy.start().rows(), 3));
   page.text(std::isfinite(swept)
                 ? say("The cheapest way by sweeps costs @, @ times as much.", swept, Value(swept / direct, 2))
                 : std::string("No way by sweeps gets there at all within this chart."));
@@ -97,7 +97,7 @@ void substeps_or_sweeps(Page& page) {
               .unit = "row-solves a row",
               .expected = 100,
               .source = "two rows a joint: at 4 ns a row-solve 800 ns a joint and frame",
-              .measured = direct / heavy.start()->rows(),
+              .measured = direct / heavy.start().rows(),
               .tolerance = at_most()});
   page.claim({.quantity = "the same by sweeps, over the direct solve",
               .unit = "1",

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "renderer/canvas.hpp"
-#include "solver/measure.hpp"
+#include "solver/scene.hpp"
 
 namespace byhand::pictures {
 
@@ -24,40 +24,10 @@ struct Linkage {
   std::vector<renderer::Point> anchors = {};  // where the world holds the scene
 };
 
-/// Reads the linkage off a scene of particles or bodies in the plane, held by rods, pins or both. A fixed body
-/// shows only where a constraint leans on it.
-template <class S>
-Linkage rods_and_bobs(const S& scene) {
-  using M = typename S::model;
-  static_assert(M::linear == 2, "a linkage is a picture in the plane");
-  const auto& bodies = scene.bodies();
-  Linkage linkage;
-  std::vector<bool> is_link(bodies.size());
-  const auto end = [&](int body, const Arm<M>& arm) {
-    return renderer::Point(anchor<M, double>(bodies.pose[body], in_world<M, double>(bodies.pose[body], arm)));
-  };
-  scene.for_each([&](const auto& constraint) {
-    const auto [body1, body2, arms] = constraint.at;
-    const renderer::Point p1 = end(body1, arms.first), p2 = end(body2, arms.second);
-    const bool moves1 = moves(bodies.inverse_mass[body1]), moves2 = moves(bodies.inverse_mass[body2]);
-    if constexpr (std::remove_cvref_t<decltype(constraint)>::rows == 1) {
-      linkage.rods.push_back({p1, p2});
-    } else {
-      if (moves1 && moves2) linkage.hinges.push_back(p2);
-      for (const auto& [body, pin] : {std::pair{body1, p1}, std::pair{body2, p2}}) {
-        if (!moves(bodies.inverse_mass[body]) || is_link[body]) continue;
-        is_link[body] = true;
-        linkage.links.push_back({pin, 2 * bodies.pose[body].position - pin});
-      }
-    }
-    if (!moves1) linkage.anchors.push_back(p1);
-    if (!moves2) linkage.anchors.push_back(p2);
-  });
-  for (int i = 0; i < bodies.size(); ++i)
-    if (moves(bodies.inverse_mass[i]) && !is_link[i])
-      linkage.bobs.push_back({bodies.pose[i].position, 1 / bodies.inverse_mass[i].linear});
-  return linkage;
-}
+/// Reads the linkage off a scene of particles or bodies in the plane, held by rods, ropes, springs and pins. A
+/// fixed body shows only where a constraint leans on it.
+template <class M>
+Linkage rods_and_bobs(const Scene<M>& scene);
 
 struct LinkageStyle {
   double bob = 15;   // radius of the lightest bob [points]; heavier ones grow as balls of one material, with the

@@ -1,9 +1,8 @@
 #pragma once
 
-#include "solver/constraints/contact_manifold.hpp"
 #include "solver/scene.hpp"
 
-// Scene<PlaneBody> on the ground.
+// Boxes on the ground.
 namespace byhand {
 
 /// The ground, through the origin, solid against `up`.
@@ -16,7 +15,8 @@ int add_ground(Scene<M>& scene, const Surface& surface = {}, const Linear<M>& up
 
 /// A box with full side lengths `sides` [m] at a pose.
 template <class M>
-int add_box(Scene<M>& scene, const Pose<M>& pose, double mass, const Linear<M>& sides, const Surface& surface = {}) {
+int add_box(Scene<M>& scene, const Pose<M>& pose, double mass, const Linear<M>& sides,
+            const Surface& surface = {}) {
   const int body = scene.add_body(pose, box<M>(mass, sides));
   scene.set_shape(body, Box<M>{sides}, surface);
   return body;
@@ -65,9 +65,5 @@ void kick(Scene<M>& scene, double speed) {
   for (int i = 0; i < bodies.size(); ++i)
     if (moves(bodies.inverse_mass[i])) bodies.velocity[i].x() += speed * bodies.pose[i].position.y() / top;
 }
-
-// Compiled once, in the library.
-extern template Scene<PlaneBody> stack(int, double, const Surface&);
-extern template Scene<PlaneBody> pyramid(int, const Surface&);
 
 }  // namespace byhand

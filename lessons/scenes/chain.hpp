@@ -66,16 +66,4 @@ Scene<M> pinned_chain(const ChainOptions& chain) {
   return scene;
 }
 
-// Compiled once, in the library.
-extern template Scene<PlaneParticle> rod_chain<PlaneParticle, Distance>(const ChainOptions&);
-extern template Scene<PlaneParticle> rod_chain<PlaneParticle, NormalisedDistance>(const ChainOptions&);
-extern template Scene<PlaneBody> rod_chain<PlaneBody, Distance>(const ChainOptions&);
-extern template Scene<PlaneBody> rod_chain<PlaneBody, NormalisedDistance>(const ChainOptions&);
-extern template Scene<SpaceParticle> rod_chain<SpaceParticle, Distance>(const ChainOptions&);
-extern template Scene<SpaceParticle> rod_chain<SpaceParticle, NormalisedDistance>(const ChainOptions&);
-extern template Scene<SpaceBody> rod_chain<SpaceBody, Distance>(const ChainOptions&);
-extern template Scene<SpaceBody> rod_chain<SpaceBody, NormalisedDistance>(const ChainOptions&);
-extern template Scene<PlaneBody> pinned_chain<PlaneBody>(const ChainOptions&);
-extern template Scene<SpaceBody> pinned_chain<SpaceBody>(const ChainOptions&);
-
 }  // namespace byhand

@@ -9,7 +9,7 @@ namespace byhand {
 /// the box; both have the friction `friction`.
 template <class M = PlaneBody>
 Scene<M> box_on_incline(double angle, double friction, double speed = 0,
-                 const Linear<M>& sides = Linear<M>(Linear<M>::Ones()), double mass = 1) {
+                        const Linear<M>& sides = Linear<M>(Linear<M>::Ones()), double mass = 1) {
   const auto [sin, cos] = sin_cos(angle);
   const Linear<M> up = sin * Linear<M>::Unit(0) + cos * Linear<M>::Unit(1),
                   down_the_slope = cos * Linear<M>::Unit(0) - sin * Linear<M>::Unit(1);

@@ -56,16 +56,4 @@ Scene<M> hinged_rod(double angle, double length, double mass) {
   return scene;
 }
 
-// Compiled once, in the library.
-extern template Scene<PlaneParticle> pendulum<PlaneParticle, Distance>(double, double, double);
-extern template Scene<PlaneParticle> pendulum<PlaneParticle, NormalisedDistance>(double, double, double);
-extern template Scene<PlaneBody> pendulum<PlaneBody, Distance>(double, double, double);
-extern template Scene<PlaneBody> pendulum<PlaneBody, NormalisedDistance>(double, double, double);
-extern template Scene<SpaceParticle> pendulum<SpaceParticle, Distance>(double, double, double);
-extern template Scene<SpaceParticle> pendulum<SpaceParticle, NormalisedDistance>(double, double, double);
-extern template Scene<SpaceBody> pendulum<SpaceBody, Distance>(double, double, double);
-extern template Scene<SpaceBody> pendulum<SpaceBody, NormalisedDistance>(double, double, double);
-extern template Scene<PlaneBody> hinged_rod<PlaneBody>(double, double, double);
-extern template Scene<SpaceBody> hinged_rod<SpaceBody>(double, double, double);
-
 }  // namespace byhand

@@ -2,9 +2,9 @@
 
 #include <array>
 
-#include "solver/contact/shape.hpp"
 #include "solver/constraints/limit.hpp"
 #include "solver/constraints/pin.hpp"
+#include "solver/contact/shape.hpp"
 #include "solver/scene.hpp"
 
 namespace byhand {
@@ -26,9 +26,9 @@ enum Part {
 inline constexpr int parts = 10;
 }  // namespace ragdoll
 
-/// Adds a ragdoll of 1.75 m and 70 kg, seen from the front with its arms held out, the middle of its hips at a point
-/// [m]: ten boxes, nine pins, and two limits for each. If it `collides`, the boxes touch what they are not joined to.
-/// Returns the index of its torso.
+/// Adds a ragdoll of 1.75 m and 70 kg, seen from the front with its arms held out, the middle of its hips at a
+/// point [m]: ten boxes, nine pins, and two limits for each. If it `collides`, the boxes touch what they are not
+/// joined to. Returns the index of its torso.
 inline int add_ragdoll(Scene<PlaneBody>& scene, const Linear<PlaneBody>& hips, bool collides = true) {
   using M = PlaneBody;
   using namespace ragdoll;

@@ -24,7 +24,7 @@ ContactManifold<PlaneBody> manifold_of(const auto& pair) {
 template <class M>
 requires(M::angular > 0)
 void ContactManager<M>::find(Scene<M>& scene) {
-  if (scene.colliders().shapes.empty()) return;
+  if (scene.colliders().shapes.empty()) return pairs_.clear();
   const bool unchanged = version_ == scene.version();
   if (!unchanged) seen_.clear();
   if (!note_moved(scene) && unchanged) return;

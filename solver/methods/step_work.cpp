@@ -36,8 +36,18 @@ bool has_bounds(const Scene<M>& scene) {
 }
 
 template <class M>
-Reaction<M> reaction(const StepWork<M>& work, int place) {
+Reaction<M> reaction(const Scene<M>& scene, const StepWork<M>& work, int constraint) {
   Reaction<M> result;
+  int place = scene.place(constraint);
+  bool took_part = work.version == scene.version();
+  if (!took_part && constraint >= 0) {  // others came or went since
+    const std::uint64_t stamp = scene.entries()[place].stamp;
+    const auto& stamps = work.system.stamp_of;
+    const auto at = std::lower_bound(stamps.begin(), stamps.end(), stamp);
+    took_part = at != stamps.end() && *at == stamp;
+    place = static_cast<int>(at - stamps.begin());
+  }
+  require(took_part, "constraint", constraint, "one that took part in the last step");
   const int row = work.system.row_of[place];
   work.system.for_each_run([&]<int K, Bound B>(std::span<const Block<M, K, B>> blocks) {
     for (const auto& block : blocks) {
@@ -56,7 +66,7 @@ Reaction<M> reaction(const StepWork<M>& work, int place) {
 #define BYHAND_INSTANTIATE(M)                                          \
   template bool lay_out_naturally(const Scene<M>&, StepWork<M>&);      \
   template bool has_bounds(const Scene<M>&);                           \
-  template Reaction<M> reaction(const StepWork<M>&, int)
+  template Reaction<M> reaction(const Scene<M>&, const StepWork<M>&, int)
 BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);
 #undef BYHAND_INSTANTIATE
 

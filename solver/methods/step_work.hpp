@@ -62,8 +62,9 @@ struct Reaction {
   Angular<M> torque2 = Angular<M>::Zero();  // on the second [N m]
 };
 
-/// Jᵀλ/h of the constraint at that place, as it was solved last.
+/// Jᵀλ/h of a constraint, by its handle or identity, as it was solved last. Throws std::invalid_argument for one that the
+/// scene does not have or that took no part in the last step.
 template <class M>
-Reaction<M> reaction(const StepWork<M>& work, int place);
+Reaction<M> reaction(const Scene<M>& scene, const StepWork<M>& work, int constraint);
 
 }  // namespace byhand

@@ -56,7 +56,7 @@ void touch_neighbours(benchmark::State& state, const Shape<M>& even, const Shape
 
 template <class M>
 Shape<M> unit_box() {
-  return Box<M>{Linear<M>::Constant(0.5)};
+  return Box<M>{Linear<M>::Ones()};
 }
 
 template <class M>

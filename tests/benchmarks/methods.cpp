@@ -17,7 +17,7 @@ void step_chain(benchmark::State& state, const Method& method) {
   const auto scene = rod_chain<PlaneParticle>({.links = 50, .end_mass = 100, .angle = 0.1});
   std::visit(
       [&]<class Family>(const Family& family) {
-        Simulation<std::remove_const_t<decltype(scene)>, Family> simulation{scene, family};
+        Simulation simulation{scene, family};
         simulation.step(1.0 / 60);
         const auto start = simulation;
         long long row_solves = 0;

@@ -15,7 +15,7 @@ constexpr double step = 1.0 / 600;  // [s]; short, so that a long run stays calm
 Counter time_per(double items) { return {items, Counter::kIsIterationInvariantRate | Counter::kInvert}; }
 
 template <class M>
-auto links(int count) {
+Scene<M> links(int count) {
   const ChainOptions chain{.links = count, .angle = 1};
   if constexpr (M::angular == 0)
     return rod_chain<M>(chain);
@@ -26,13 +26,12 @@ auto links(int count) {
 /// One Gauss–Seidel sweep over a chain: rods of particles, pins of bodies.
 template <class M>
 void sweep_chain(benchmark::State& state, SweepOrder order) {
-  auto scene = links<M>(static_cast<int>(state.range(0)));
-  Simulation<typename decltype(scene)::model> simulation{scene, {GaussSeidel{.sweeps = 1, .order = order}}};
+  Simulation<M> simulation{links<M>(static_cast<int>(state.range(0))), {GaussSeidel{.sweeps = 1, .order = order}}};
   simulation.step(step);
   auto& system = simulation.work.system;
   auto& prepared = simulation.work.prepared;
   for (auto _ : state) {
-    sweep(system, prepared, system.lambda.data(), numbers<M>(simulation.scene.bodies().velocity));
+    sweep(system, prepared, system.lambda.data(), numbers<M>(simulation.scene.state().velocity));
     benchmark::ClobberMemory();
   }
   state.counters["per_row"] = time_per(system.rows());
@@ -47,8 +46,8 @@ void sweep_chain_in_coloured_order(benchmark::State& state) {
   sweep_chain<M>(state, SweepOrder::coloured);
 }
 
-template <class S>
-void whole_step(benchmark::State& state, S scene, const RowSolver& solver) {
+template <class M>
+void whole_step(benchmark::State& state, Scene<M> scene, const RowSolver& solver) {
   Simulation simulation{std::move(scene), {solver}};
   simulation.step(step);
   for (auto _ : state) {
@@ -87,13 +86,11 @@ void part_of_step(benchmark::State& state, void (*part)(Simulation<PlaneBody>&))
   }
   state.counters["per_joint"] = time_per(200);
 }
-void write_rows(Simulation<PlaneBody>& simulation) {
-  simulation.scene.write_rows(simulation.work.system, step);
-}
+void write_rows(Simulation<PlaneBody>& simulation) { simulation.scene.write_rows(simulation.work.system, step); }
 void solve_rows_directly(Simulation<PlaneBody>& simulation) {
-  solve_rows(simulation.method.solver, simulation.scene.bodies(), simulation.work);
+  solve_rows(simulation.method.solver, simulation.scene.state(), simulation.work);
 }
-void advance(Simulation<PlaneBody>& simulation) { advance_poses(simulation.scene.bodies(), 1e-9); }
+void advance(Simulation<PlaneBody>& simulation) { advance_poses(simulation.scene.state(), 1e-9); }
 
 void chain_lengths(benchmark::internal::Benchmark* benchmark) {
   for (const int links : {10, 50, 200, 2000}) benchmark->Arg(links);

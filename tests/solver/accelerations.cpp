@@ -33,8 +33,8 @@ TEST(LawA1, TheImplicitMidpointRuleErrsAsTheAtlasSays) {
 
 TEST(LawA4, ADoublePendulumComesToTheCertifiedAnswer) {
   const DoublePendulum exact({{pi / 2, pi / 2}, {0, 0}}, {1, 1}, {1, 1}, g);
-  Simulation<PlaneParticle, Accelerations> simulation{
-      rod_chain<PlaneParticle>({.links = 2, .angle = pi / 2}), rk4};
+  Simulation<PlaneParticle, Accelerations> simulation{rod_chain<PlaneParticle>({.links = 2, .angle = pi / 2}),
+                                                      rk4};
   for (const double time : {1.0, 2.0}) {
     run(simulation, 1, 1.0 / 2000);
     const DoublePendulum::State state = exact.at(time);
@@ -44,9 +44,9 @@ TEST(LawA4, ADoublePendulumComesToTheCertifiedAnswer) {
 }
 
 /// The power of time with which the rod's error grows from the tenth second to the fortieth.
-template <class S>
-double growth(const S& scene) {
-  Simulation<S, Accelerations> simulation{scene, rk4};
+template <class M>
+double growth(const Scene<M>& scene) {
+  Simulation<M, Accelerations> simulation{scene, rk4};
   double largest = 0;
   const auto look = [&] { largest = std::max(largest, position_error(simulation.scene).max); };
   run(simulation, 10, h, look);
@@ -65,8 +65,7 @@ TEST(LawB3, ExceptOnACircleWhereItGrowsAsTime) {
 
 TEST(LawB3, TheDriftOfTheImplicitMidpointRuleStaysBounded) {
   const auto drift = [](double time) {
-    Simulation<PlaneParticle, Accelerations> simulation{pendulum<PlaneParticle>(2, 2, 3),
-                                                                         midpoint};
+    Simulation<PlaneParticle, Accelerations> simulation{pendulum<PlaneParticle>(2, 2, 3), midpoint};
     double largest = 0;
     run(simulation, time, h, [&] { largest = std::max(largest, position_error(simulation.scene).max); });
     return largest;
@@ -76,8 +75,7 @@ TEST(LawB3, TheDriftOfTheImplicitMidpointRuleStaysBounded) {
 
 TEST(Accelerations, OfAParticleOnACircleTheForceIsExactFromTheFirstStep) {
   for (const Accelerations& method : {explicit_euler, rk4}) {
-    Simulation<PlaneParticle, Accelerations> simulation{
-        particle_on_a_circle<PlaneParticle>(2, 5, 3), method};
+    Simulation<PlaneParticle, Accelerations> simulation{particle_on_a_circle<PlaneParticle>(2, 5, 3), method};
     simulation.step(1e-3);
     EXPECT_NEAR(force(simulation.work, 0), -3 * 5.0 * 5.0 / 2, 1e-4);
   }
@@ -135,8 +133,8 @@ TEST(Accelerations, SubstepsAreStepsOfTheirOwn) {
 
 TEST(Accelerations, RungeAndKuttasRuleCostsFourDirectSolves) {
   const auto cost = [](const Accelerations& method) {
-    Simulation<PlaneParticle, Accelerations> simulation{
-        rod_chain<PlaneParticle>({.links = 20, .angle = 1}), method};
+    Simulation<PlaneParticle, Accelerations> simulation{rod_chain<PlaneParticle>({.links = 20, .angle = 1}),
+                                                        method};
     simulation.step(h);
     return simulation.work.row_solves;
   };

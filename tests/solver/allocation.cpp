@@ -22,9 +22,10 @@ const RowSolver solvers[] = {GaussSeidel{},
                              ConjugateGradients{},
                              AcceleratedGradient{}};
 
-template <class S>
-void expect_none_after_the_first_step(S scene, const RowSolver& solver, const DriftCure& cure = Baumgarte{}) {
-  Work<typename S::model> work;
+template <class M>
+void expect_none_after_the_first_step(Scene<M> scene, const RowSolver& solver,
+                                      const DriftCure& cure = Baumgarte{}) {
+  Work<M> work;
   VelocityStepping method{solver, cure};
   method.substeps = 2;
   EXPECT_GT(allocations_in([&] { advance(scene, method, time_step, work); }), 0) << "the counter counts";
@@ -69,8 +70,8 @@ TEST(Allocation, HappensInNoStepWithContactsAfterTheFirst) {
   });
 }
 
-template <class S, class Method>
-void expect_none_after_the_first_step_by(const S& scene, const Method& method) {
+template <class M, class Method>
+void expect_none_after_the_first_step_by(const Scene<M>& scene, const Method& method) {
   Simulation simulation{scene, method};
   simulation.step(time_step);
   EXPECT_EQ(allocations_in([&] {
@@ -89,8 +90,8 @@ TEST(Allocation, HappensInNoStepOfAccelerationsOrRattleAfterTheFirst) {
   expect_none(pinned_chain<SpaceBody>({.links = 10, .angle = 1}));
 }
 
-template <class S>
-void expect_none_at_rest(const S& scene, const RowSolver& solver) {
+template <class M>
+void expect_none_at_rest(const Scene<M>& scene, const RowSolver& solver) {
   Simulation simulation{scene, {solver}};
   for (int i = 0; i < 30; ++i) simulation.step(time_step);
   EXPECT_EQ(allocations_in([&] {

@@ -71,7 +71,7 @@ TEST(Gravity, IsInTheVelocityBeforeTheRowIsSolvedOrTheBobSinksAtGTimesH) {
   const double h = 1.0 / 60;
   const auto speed_after = [&](bool gravity_first) {
     auto scene = pendulum<PlaneParticle, NormalisedDistance>(0, 2, 3);
-    auto& bodies = scene.bodies();
+    auto& bodies = scene.state();
     for (int step = 0; step < 60; ++step) {
       if (gravity_first) add_gravity(bodies, scene.gravity, h);
       const auto J = scene.all<NormalisedDistance>()[0].jacobian(bodies.pose[0], bodies.pose[1]);

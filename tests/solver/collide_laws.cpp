@@ -18,7 +18,7 @@ Solid<M> any_solid(Random& random, bool degenerate) {
       break;
     default:
       if constexpr (M::angular > 0)
-        solid.shape = degenerate ? Shape<M>(Box<M>{Linear<M>::Constant(quarter())}) : random_box<M>(random);
+        solid.shape = degenerate ? Shape<M>(Box<M>{Linear<M>::Constant(2 * quarter())}) : random_box<M>(random);
   }
   if (!degenerate) return solid;
   const double noise[] = {0, 0, 0, 1e-300, 1e-160, 1e-17, -1e-16, 1e-15, 1e-12, -1e-9};

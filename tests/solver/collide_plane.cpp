@@ -9,7 +9,7 @@ using M = PlaneBody;
 constexpr double pi = std::numbers::pi;
 
 Solid<M> box(double width, double height, const Vector2d& at, double angle = 0) {
-  return {Box<M>{{width / 2, height / 2}}, {at, plane_rotation(angle)}};
+  return {Box<M>{{width, height}}, {at, plane_rotation(angle)}};
 }
 Solid<M> random_box_solid(Random& random) { return {random_box<M>(random), random.pose<M>()}; }
 

@@ -55,10 +55,10 @@ TEST(CollideShapes, ThatCannotBeAreRefusedInOneSentence) {
     EXPECT_NO_THROW(refusing<M>({})());
   });
   in_both_bodies([]<class M>(Random& random) {
-    for (const double half : {0.0, -1.0, infinity, std::nan("")}) {
+    for (const double side : {0.0, -1.0, infinity, std::nan("")}) {
       Box<M> box{Linear<M>::Ones()};
-      box.half[1] = half;
-      EXPECT_THAT(refusing<M>(box), ThrowsMessage<std::invalid_argument>(HasSubstr("half side is")));
+      box.sides[1] = side;
+      EXPECT_THAT(refusing<M>(box), ThrowsMessage<std::invalid_argument>(HasSubstr("side is")));
     }
     EXPECT_NO_THROW(refusing<M>(random_box<M>(random))());
   });
@@ -124,7 +124,7 @@ TEST(CollideHalfSpaces, TouchTheDeepestCornersOfABox) {
 
         std::vector<double> heights;
         for (unsigned corner = 0; corner < 1u << M::linear; ++corner) {
-          Linear<M> at = std::get<Box<M>>(box.shape).half;
+          Linear<M> at = std::get<Box<M>>(box.shape).half();
           for (int i = 0; i < M::linear; ++i)
             if (corner >> i & 1) at[i] = -at[i];
           heights.push_back(height_over(ground, to_world<M>(box.pose, at)));
@@ -147,7 +147,7 @@ TEST(CollideHalfSpaces, TouchTheDeepestCornersOfABox) {
 TEST(CollideHalfSpaces, TouchAWholeFaceThatLiesOnThem) {
   in_both_bodies([]<class M>(Random&) {
     const Solid<M> ground{HalfSpace<M>{}, {}};
-    Solid<M> box{Box<M>{Linear<M>::Constant(0.5)}, {}};
+    Solid<M> box{Box<M>{Linear<M>::Ones()}, {}};
     box.pose.position[M::linear - 1] = 0.5;
     EXPECT_EQ(touch(ground, box, 0).size, Manifold<M>::capacity);
   });
@@ -185,7 +185,7 @@ TEST(CollideBoxAndBall, TouchWhereTheBallIsNearest) {
 
 TEST(CollideBoxAndBall, PartByTheNearestSideWhenTheCentreIsInside) {
   in_both_bodies([]<class M>(Random&) {
-    const Solid<M> box{Box<M>{Linear<M>::Ones()}, {}};
+    const Solid<M> box{Box<M>{Linear<M>::Constant(2)}, {}};
     Solid<M> ball{Ball<M>{0.25}, {}};
     ball.pose.position[1] = -0.75;
     const auto manifold = touch(box, ball, 0);

@@ -9,7 +9,7 @@ using M = SpaceBody;
 constexpr double pi = std::numbers::pi;
 
 Solid<M> box(const Vector3d& sides, const Vector3d& at, const Vector3d& turn = Vector3d::Zero()) {
-  return {Box<M>{sides / 2}, {at, space_rotation<double>(turn)}};
+  return {Box<M>{sides}, {at, space_rotation<double>(turn)}};
 }
 Solid<M> random_box_solid(Random& random) {
   Solid<M> result{random_box<M>(random), random.pose<M>()};
@@ -208,8 +208,8 @@ TEST(CollideSpace, ATurnAboutOneAxisIsThePlane) {
                               {random.vector<2>(1), plane_rotation(random.uniform(-4, 4))}};
     };
     const auto raised = [](const Solid<PlaneBody>& solid) {
-      const auto& half = std::get<Box<PlaneBody>>(solid.shape).half;
-      return Solid<M>{Box<M>{{half.x(), half.y(), 5}},
+      const auto& sides = std::get<Box<PlaneBody>>(solid.shape).sides;
+      return Solid<M>{Box<M>{{sides.x(), sides.y(), 10}},
                       {{solid.pose.position.x(), solid.pose.position.y(), 0},
                        space_rotation<double>({0, 0, angle(solid.pose.rotation)})}};
     };

@@ -25,7 +25,7 @@ Shape<M> random_ball(Random& random) {
 }
 template <class M>
 Shape<M> random_box(Random& random) {
-  return Box<M>{Linear<M>::Constant(0.55) + random.vector<M::linear>(0.45)};
+  return Box<M>{2 * (Linear<M>::Constant(0.55) + random.vector<M::linear>(0.45))};
 }
 template <class M>
 Shape<M> random_half_space(Random& random) {
@@ -58,7 +58,7 @@ double reach(const Solid<M>& solid, const Linear<M>& u) {
   const double centre = u.dot(solid.pose.position);
   if (const auto* ball = std::get_if<Ball<M>>(&solid.shape)) return centre + ball->radius;
   if constexpr (M::angular > 0)
-    if (const auto* box = std::get_if<Box<M>>(&solid.shape)) return centre + own.cwiseAbs().dot(box->half);
+    if (const auto* box = std::get_if<Box<M>>(&solid.shape)) return centre + own.cwiseAbs().dot(box->half());
   const auto& half_space = std::get<HalfSpace<M>>(solid.shape);
   return (own - half_space.normal).norm() < 1e-9 ? centre : std::numeric_limits<double>::infinity();
 }
@@ -75,7 +75,7 @@ double height_over(const Solid<M>& solid, const Linear<M>& point) {
   const Linear<M> p = to_body<M>(solid.pose, point);
   if (const auto* ball = std::get_if<Ball<M>>(&solid.shape)) return p.norm() - ball->radius;
   if constexpr (M::angular > 0)
-    if (const auto* box = std::get_if<Box<M>>(&solid.shape)) return (p.cwiseAbs() - box->half).maxCoeff();
+    if (const auto* box = std::get_if<Box<M>>(&solid.shape)) return (p.cwiseAbs() - box->half()).maxCoeff();
   return std::get<HalfSpace<M>>(solid.shape).normal.dot(p);
 }
 
@@ -85,7 +85,7 @@ Linear<M> nearest_point(const Solid<M>& solid, const Linear<M>& point) {
   const Linear<M> p = to_body<M>(solid.pose, point);
   if constexpr (M::angular > 0)
     if (const auto* box = std::get_if<Box<M>>(&solid.shape))
-      return to_world<M>(solid.pose, p.cwiseMin(box->half).cwiseMax(-box->half));
+      return to_world<M>(solid.pose, p.cwiseMin(box->half()).cwiseMax(-box->half()));
   const double radius = std::get<Ball<M>>(solid.shape).radius;
   return p.norm() <= radius ? point : to_world<M>(solid.pose, p.normalized() * radius);
 }

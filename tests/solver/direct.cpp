@@ -10,8 +10,8 @@ namespace {
 
 using namespace byhand;
 
-template <class S>
-void expect_structured_is_dense(const S& scene, double regularisation = 0) {
+template <class M>
+void expect_structured_is_dense(const Scene<M>& scene, double regularisation = 0) {
   const auto structured = solved(scene, Direct{Factorisation::structured, regularisation});
   const auto dense = solved(scene, Direct{Factorisation::dense, regularisation});
   EXPECT_LE(difference(structured.velocity, dense.velocity), 1e-9 * (1 + largest(dense.velocity)));
@@ -160,7 +160,7 @@ TEST(SingularSystem, IsRefusedInASentenceAndLeavesTheVelocities) {
     for (const auto factorisation : {Factorisation::structured, Factorisation::dense}) {
       auto scene = doubled_rod<M>(1, 1);
       scene.gravity.setZero();
-      scene.bodies().velocity[1][0] = 1;
+      scene.state().velocity[1][0] = 1;
       Work<M> work;
       EXPECT_THAT([&] { advance(scene, {Direct{factorisation}}, time_step, work); },
                   testing::ThrowsMessage<SingularSystem>(testing::HasSubstr("regularisation above 0")));
@@ -196,7 +196,7 @@ template <class M>
 double conflict(const RowSolver& solver, double softness, int steps) {
   auto scene = doubled_rod<M>(1.0, 1.1);
   scene.state().pose[1].position *= 1.05;
-  for (auto& rod : scene.template all<NormalisedDistance>()) rod.softness = softness;
+  scene.template change_all<NormalisedDistance>([&](auto& rod) { rod.softness = softness; });
   Work<M> work;
   for (int i = 0; i < steps; ++i) advance(scene, {solver}, time_step, work);
   EXPECT_LE(position_error(scene).max, 0.11) << "the picture looks calm";
@@ -248,7 +248,7 @@ TEST(RowsWithoutEffect, GetNoImpulseInAnySolver) {
     vanishing.add_body(Linear<M>(Linear<M>::Unit(0)), random.mass<M>());
     vanishing.add(Distance<M>{{0, 1}, 1});
     vanishing.add(NormalisedDistance<M>{{0, 1}, 1});
-    vanishing.bodies().pose[1].position.setZero();
+    vanishing.state().pose[1].position.setZero();
     for (const RowSolver& solver : {RowSolver(GaussSeidel{}), RowSolver(Jacobi{}), RowSolver(Direct{}),
                                     RowSolver(Direct{Factorisation::dense})})
       EXPECT_EQ(largest(solved(vanishing, solver).lambda), 0);

@@ -32,11 +32,11 @@ inline Scene<SpaceBody> leaning_top() {
 
 /// How far from its beginning a scene ends that runs for two seconds, has its velocities turned round and runs as
 /// long again [m].
-template <class S, class Method>
-double way_back(const S& scene, const Method& method) {
+template <class M, class Method>
+double way_back(const Scene<M>& scene, const Method& method) {
   Simulation simulation{scene, method};
   run(simulation, 2, 1.0 / 100);
-  for (auto& V : simulation.scene.bodies().velocity) V = -V;
+  for (auto& V : simulation.scene.state().velocity) V = -V;
   run(simulation, 2, 1.0 / 100);
   double farthest = 0;
   for (int i = 0; i < scene.bodies().size(); ++i)
@@ -44,14 +44,14 @@ double way_back(const S& scene, const Method& method) {
         std::max(farthest, (simulation.scene.bodies().pose[i].position - scene.bodies().pose[i].position).norm());
   return farthest;
 }
-template <class S, class Method>
-void expect_reversible(const S& scene, const Method& method) {
+template <class M, class Method>
+void expect_reversible(const Scene<M>& scene, const Method& method) {
   EXPECT_LT(way_back(scene, method), 1e-10);
 }
 
 /// The step throws, and moves nothing.
-template <class Error, class S, class Method>
-void expect_thrown(const S& scene, const Method& method, double step, const std::string& words) {
+template <class Error, class M, class Method>
+void expect_thrown(const Scene<M>& scene, const Method& method, double step, const std::string& words) {
   Simulation simulation{scene, method};
   try {
     simulation.step(step);
@@ -63,8 +63,8 @@ void expect_thrown(const S& scene, const Method& method, double step, const std:
   for (int i = 0; i < scene.bodies().size(); ++i)
     EXPECT_EQ(simulation.scene.bodies().pose[i].position, scene.bodies().pose[i].position);
 }
-template <class S, class Method>
-void expect_no_convergence(const S& scene, const Method& method, double step) {
+template <class M, class Method>
+void expect_no_convergence(const Scene<M>& scene, const Method& method, double step) {
   expect_thrown<NoConvergence>(scene, method, step, "take a smaller step");
 }
 template <class Method>

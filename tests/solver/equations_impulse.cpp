@@ -273,8 +273,7 @@ TEST(Equation21, BiasIsTheRateThatRemains) {
   in_all_models(
       []<class M>(Random& random) {
         const auto pair = random_pair<M>(random);
-        Scene<M> scene;
-        scene.bodies() = pair.bodies();
+        Scene<M> scene = pair.scene();
         scene.gravity.setZero();
         scene.add(Pin<M>{pair.at});
         Work<M> work;
@@ -289,9 +288,10 @@ TEST(Equation21, BiasIsTheRateThatRemains) {
 }
 
 TEST(Equation22, IsBetaOverHTimesC) {
-  EXPECT_DOUBLE_EQ(bias(Baumgarte{0.2}, 0.1, 1.0 / 60), 0.2 * 60 * 0.1);
-  EXPECT_DOUBLE_EQ(bias(Baumgarte{0.2, BetaReading::literal}, 0.1, 1.0 / 60), 0.02) << "as it is printed";
-  EXPECT_EQ(bias(NoDriftCure{}, 0.1, 1.0 / 60), 0);
+  EXPECT_DOUBLE_EQ(correction(Baumgarte{0.2}, 1.0 / 60).rate * 0.1, 0.2 * 60 * 0.1);
+  EXPECT_DOUBLE_EQ(correction(Baumgarte{0.2, BetaReading::literal}, 1.0 / 60).rate * 0.1, 0.02)
+      << "as it is printed";
+  EXPECT_EQ(correction(NoDriftCure{}, 1.0 / 60).rate, 0);
 }
 
 /// The share of a normalised rod's error that is left after one step without gravity.

@@ -84,7 +84,7 @@ TEST(ContactManifold, OneSweepLeavesEachEndEitherPressingOrParting) {
     face.work.system.upper[0] = face.work.system.lambda[2] = 0;
     prepare(face.work.system, BlockSolve::whole, 1.0, face.work.prepared);
     sweep(face.work.system, face.work.prepared, face.work.system.lambda.data(),
-          numbers<M>(face.scene.bodies().velocity));
+          numbers<M>(face.scene.state().velocity));
     const auto& lambda = face.work.system.lambda;
     EXPECT_EQ(lambda[2], 0);
     const Rows<3> rate = face.rate();
@@ -110,7 +110,7 @@ TEST(ContactManifold, ManySweepsLeaveComplementaryEndsAndFrictionWithinWhatTheyP
       // Above this friction a point can jam, where Coulomb's law has no answer or several.
       face.work.system.upper[0] = std::min(face.work.system.upper[0], 0.3);
       GaussSeidel solver{.sweeps = 3000, .block_solve = way};
-      solve(solver, face.work.system, face.scene.bodies().velocity, face.work.prepared, Begin::again);
+      solve(solver, face.work.system, face.scene.state().velocity, face.work.prepared, Begin::again);
       const auto& lambda = face.work.system.lambda;
       const Rows<3> rate = face.rate();
       const double radius = face.work.system.upper[0] * (lambda[0] + lambda[1]);

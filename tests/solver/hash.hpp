@@ -37,16 +37,16 @@ class Hash {
   std::uint64_t value_ = 0xcbf29ce484222325;
 };
 
-template <class S, class Method>
-std::uint64_t after(int seconds, const S& scene, const Method& method) {
+template <class M, class Method>
+std::uint64_t after(int seconds, const Scene<M>& scene, const Method& method) {
   Simulation simulation{scene, method};
   for (int i = 0; i < 60 * seconds; ++i) simulation.step(1.0 / 60);
   for (const auto& V : simulation.scene.bodies().velocity) EXPECT_TRUE(V.allFinite());
   return Hash(simulation.scene.bodies()).value();
 }
 
-template <class S, class Method = VelocityStepping>
-std::uint64_t after_ten_seconds(const S& scene, const Method& method) {
+template <class M, class Method = VelocityStepping>
+std::uint64_t after_ten_seconds(const Scene<M>& scene, const Method& method) {
   return after(10, scene, method);
 }
 

@@ -29,7 +29,7 @@ Scene<PlaneBody> reordered(const Scene<PlaneBody>& scene, const std::vector<int>
   result.gravity = scene.gravity;
   for (const int i : order) {
     result.add_body(scene.bodies().pose[i], scene.bodies().inverse_mass[i], scene.bodies().velocity[i]);
-    result.set_shape(result.bodies().size() - 1, scene.colliders.shapes[i], scene.colliders.surfaces[i]);
+    result.set_shape(result.bodies().size() - 1, scene.colliders().shapes[i], scene.colliders().surfaces[i]);
   }
   return result;
 }
@@ -40,7 +40,7 @@ Scene<PlaneBody> turned(Scene<PlaneBody> scene, double angle) {
   const auto point = [&](const Linear<M>& p) { return rotate(turn, p); };
   scene.gravity = point(scene.gravity);
   for (auto& pose : scene.state().pose) pose = {point(pose.position), turn * pose.rotation};
-  for (auto& V : scene.bodies().velocity) V.head<2>() = point(V.head<2>());
+  for (auto& V : scene.state().velocity) V.head<2>() = point(V.head<2>());
   return scene;
 }
 Scene<PlaneBody> mirrored_scene(Scene<PlaneBody> scene) {
@@ -48,7 +48,7 @@ Scene<PlaneBody> mirrored_scene(Scene<PlaneBody> scene) {
     pose.position.x() *= -1;
     pose.rotation.sin *= -1;
   }
-  for (auto& V : scene.bodies().velocity) {
+  for (auto& V : scene.state().velocity) {
     V[0] *= -1;
     V[2] *= -1;
   }

@@ -19,11 +19,7 @@ using Hinged = Simulation<M>;
 
 /// The rod at an angle [rad] from straight down; its turn is counted from there.
 Hinged level_rod(const RowSolver& solver = Direct{}, double start = pi / 2) {
-  const auto rod = hinged_rod(start, 1, 2);
-  Hinged simulation{{}, {solver, Baumgarte{0.2}}};
-  simulation.scene.bodies() = rod.bodies();
-  simulation.scene.add(rod.all<Pin>()[0]);
-  return simulation;
+  return {hinged_rod(start, 1, 2), {solver, Baumgarte{0.2}}};
 }
 Turn<M> turn_of(const Hinged& simulation) { return turn<M>(simulation.scene.bodies(), 0, 1); }
 double turned(const Hinged& simulation) { return angle(simulation.scene.bodies().pose[1].rotation) - pi / 2; }

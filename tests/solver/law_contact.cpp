@@ -40,7 +40,7 @@ TEST(LawA9, FreeFallIsTheSumOfItsSteps) {
 template <class M>
 std::vector<double> peaks(double restitution, int count, double step, double margin = 0.2) {
   Simulation<M> simulation{bouncing_ball<M>(1, restitution), {}};
-  simulation.scene.colliders.margin = margin;
+  simulation.scene.set_margin(margin);
   std::vector<double> result;
   double before = 1, now = 1;
   while (static_cast<int>(result.size()) < count && simulation.time < 20) {
@@ -126,7 +126,8 @@ Scene<PlaneBody> pressed_in(double overlap) {
 double pop(double overlap, const Baumgarte& cure) {
   Simulation<PlaneBody> simulation{pressed_in(overlap), {Direct{}, cure}};
   double highest = -overlap;
-  run(simulation, 3, h, [&] { highest = std::max(highest, simulation.scene.bodies().pose[1].position.y() - 0.5); });
+  run(simulation, 3, h,
+      [&] { highest = std::max(highest, simulation.scene.bodies().pose[1].position.y() - 0.5); });
   return highest;
 }
 

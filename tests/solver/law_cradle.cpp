@@ -16,7 +16,7 @@ std::vector<double> speeds(const Cradle& cradle) {
   return result;
 }
 Cradle after_a_step(Cradle cradle, const RowSolver& solver) {
-  Simulation<Cradle> simulation{std::move(cradle), {solver}};
+  Simulation<M> simulation{std::move(cradle), {solver}};
   simulation.step(1.0 / 60);
   return simulation.scene;
 }
@@ -84,7 +84,7 @@ TEST(LawA10, BallsThatAreApartHandTheSpeedOnAsNatureDoes) {
   for (const RowSolver& solver : {RowSolver(Direct{}), RowSolver(GaussSeidel{1})}) {
     Cradle cradle = newtons_cradle<M>(5);
     for (int i = 0; i < 5; ++i) cradle.state().pose[i].position.x() *= 1.1;
-    Simulation<Cradle> simulation{cradle, {solver}};
+    Simulation<M> simulation{cradle, {solver}};
     run(simulation, 2, 1.0 / 60);
     expect_near(speeds(simulation.scene), {0, 0, 0, 0, 1}, 1e-14);
   }

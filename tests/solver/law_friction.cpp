@@ -7,7 +7,6 @@
 namespace {
 
 using namespace byhand;
-using Points = Scene<PlaneBody>;
 constexpr double g = 9.81, h = 1.0 / 60, mu = 0.5;
 const double critical = std::atan(mu);
 
@@ -15,8 +14,8 @@ const double critical = std::atan(mu);
 struct Slide {
   double distance = 0, speed = 0;
 };
-template <class S>
-Slide slide(const S& scene, double angle, const RowSolver& solver, double time = 5, double step = h) {
+template <class M>
+Slide slide(const Scene<M>& scene, double angle, const RowSolver& solver, double time = 5, double step = h) {
   Simulation simulation{scene, {solver}};
   run(simulation, time, step);
   const auto [sin, cos] = sin_cos(angle);
@@ -67,7 +66,7 @@ TEST(LawA7, SweepsAgreeWithTheDirectSolve) {
   for (const double angle : {0.999 * critical, 1.001 * critical, 1.2 * critical}) {
     const Slide direct = slide(box_on_incline(angle, mu), angle, Direct{});
     const Slide face = slide(box_on_incline(angle, mu), angle, GaussSeidel{40});
-    const Slide points = slide(box_on_incline<Points>(angle, mu), angle, GaussSeidel{400});
+    const Slide points = slide(by_points(box_on_incline(angle, mu)), angle, GaussSeidel{400});
     EXPECT_NEAR(face.distance, direct.distance, 1e-7) << angle;
     EXPECT_NEAR(points.distance, direct.distance, 1e-7) << angle;
   }
@@ -75,7 +74,7 @@ TEST(LawA7, SweepsAgreeWithTheDirectSolve) {
 
 TEST(LawB10, FrictionBeforeTheNormalDoesNothingInOneColdSweep) {
   const auto after_a_step = [](const GaussSeidel& solver) {
-    Simulation<Points> simulation{box_on_incline<Points>(0, mu, 1), {solver}};
+    Simulation<PlaneBody> simulation{by_points(box_on_incline(0, mu, 1)), {solver}};
     simulation.step(h);
     return simulation.scene.bodies().velocity[1].x();
   };
@@ -86,7 +85,7 @@ TEST(LawB10, FrictionBeforeTheNormalDoesNothingInOneColdSweep) {
 
 TEST(LawB10, AWarmStartGivesTheFrictionThatComesFirstItsBound) {
   const auto distance = [](bool warm) {
-    return slide(box_on_incline<Points>(0, mu, 3, {1, 0.2}), 0, GaussSeidel{1, warm, SweepOrder::reverse}, 2)
+    return slide(by_points(box_on_incline(0, mu, 3, {1, 0.2})), 0, GaussSeidel{1, warm, SweepOrder::reverse}, 2)
         .distance;
   };
   EXPECT_NEAR(distance(false), 6, 1e-12) << "nothing stops it";

@@ -15,31 +15,38 @@ double angle_from_down(const V& d) {
 }
 
 /// Angle of the rod from one body to another [rad].
-template <class S>
-double rod_angle(const S& scene, int from, int to) {
+template <class M>
+double rod_angle(const Scene<M>& scene, int from, int to) {
   return angle_from_down((scene.bodies().pose[to].position - scene.bodies().pose[from].position).eval());
 }
 
 /// How fast that angle grows, of bodies that the rod holds by their centres, in the plane z = 0 [rad/s].
-template <class S>
-double rod_rate(const S& scene, int from, int to) {
+template <class M>
+double rod_rate(const Scene<M>& scene, int from, int to) {
   const auto d = (scene.bodies().pose[to].position - scene.bodies().pose[from].position).eval();
   const auto v = (scene.bodies().velocity[to] - scene.bodies().velocity[from]).eval();
   return (d.x() * v.y() - d.y() * v.x()) / d.squaredNorm();
 }
 
 /// Runs for `time` [s] in steps of h [s], which must divide it, and calls `look` after each.
-template <class S, class Method, class F>
-void run(Simulation<S, Method>& simulation, double time, double h, F&& look) {
+template <class M, class Method, class F>
+void run(Simulation<M, Method>& simulation, double time, double h, F&& look) {
   const long steps = std::lround(time / h);
   for (long i = 0; i < steps; ++i) {
     simulation.step(h);
     look();
   }
 }
-template <class S, class Method>
-void run(Simulation<S, Method>& simulation, double time, double h) {
+template <class M, class Method>
+void run(Simulation<M, Method>& simulation, double time, double h) {
   run(simulation, time, h, [] {});
+}
+
+/// The same scene with a contact for each point where bodies touch, and with friction at each.
+template <class M>
+Scene<M> by_points(Scene<M> scene) {
+  scene.set_contact_rows(ContactRows::points);
+  return scene;
 }
 
 /// The times at which a sampled quantity changes sign, by linear interpolation, or by a cubic where its rate is

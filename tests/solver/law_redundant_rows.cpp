@@ -36,8 +36,8 @@ TEST(LawA13, ADuplicatedRodHasOneAnswerForTheSumOfItsPulls) {
                                Direct{Factorisation::structured, 1e-9},
                                Direct{Factorisation::dense, 1e-9}};
   for (const RowSolver& solver : solvers) {
-    Simulation<Pendulum> one{pendulum<PlaneParticle, NormalisedDistance>(pi / 2, length, mass), {Direct{}}};
-    Simulation<Pendulum> two{doubled(pi / 2, length), {solver}};
+    Simulation<PlaneParticle> one{pendulum<PlaneParticle, NormalisedDistance>(pi / 2, length, mass), {Direct{}}};
+    Simulation<PlaneParticle> two{doubled(pi / 2, length), {solver}};
     for (int i = 0; i < 120; ++i) {
       one.step(h);
       two.step(h);
@@ -50,7 +50,7 @@ TEST(LawA13, ADuplicatedRodHasOneAnswerForTheSumOfItsPulls) {
 
 TEST(LawA13, HowADuplicatedRodSharesItsPullIsTheSolversChoice) {
   const auto share = [](const RowSolver& solver) {
-    Simulation<Pendulum> two{doubled(0, length), {solver}};
+    Simulation<PlaneParticle> two{doubled(0, length), {solver}};
     two.step(h);
     return -force(two.work, 0) / (mass * g);
   };
@@ -62,7 +62,7 @@ TEST(LawA13, HowADuplicatedRodSharesItsPullIsTheSolversChoice) {
 TEST(LawA13, WithoutSoftnessADirectSolveRefusesDuplicatesAndConflicts) {
   for (const Factorisation factorisation : factorisations)
     for (const double other : {length, 1.1 * length}) {
-      Simulation<Pendulum> simulation{doubled(0.3, other), {Direct{factorisation}}};
+      Simulation<PlaneParticle> simulation{doubled(0.3, other), {Direct{factorisation}}};
       const Velocity<PlaneParticle> before = simulation.scene.bodies().velocity[1];
       EXPECT_THAT([&] { simulation.step(h); },
                   testing::Throws<SingularSystem>(testing::Property(
@@ -72,14 +72,14 @@ TEST(LawA13, WithoutSoftnessADirectSolveRefusesDuplicatesAndConflicts) {
 }
 
 TEST(LawA13, ConflictingRodsSettleBetweenTheirLengths) {
-  Simulation<Pendulum> simulation{doubled(0, 1.1 * length), {Direct{.regularisation = 1e-6}, Baumgarte{0.2}}};
+  Simulation<PlaneParticle> simulation{doubled(0, 1.1 * length), {Direct{.regularisation = 1e-6}, Baumgarte{0.2}}};
   run(simulation, 10, h);
   EXPECT_NEAR(simulation.scene.bodies().pose[1].position.norm(), 1.05 * length, 1e-4);
 }
 
 // Each step, each rod undoes the other's correction: β/h · C more impulse, of opposite signs, for ever.
 TEST(LawB8, WarmStartedPullsOfConflictingRodsGrowWithoutBoundWhileThePictureIsCalm) {
-  Simulation<Pendulum> simulation{doubled(0, 1.1 * length), {GaussSeidel{}, Baumgarte{0.2}}};
+  Simulation<PlaneParticle> simulation{doubled(0, 1.1 * length), {GaussSeidel{}, Baumgarte{0.2}}};
   const auto step_for = [&](double time) {
     run(simulation, time, h);
     return std::abs(pulls(simulation.work).difference);
@@ -94,8 +94,8 @@ TEST(LawB8, WarmStartedPullsOfConflictingRodsGrowWithoutBoundWhileThePictureIsCa
 
 TEST(LawB8, SoftnessRegularisationOrAColdStartBoundsThePulls) {
   const auto growth = [](const RowSolver& solver, double softness) {
-    Simulation<Pendulum> simulation{doubled(0, 1.1 * length), {solver, Baumgarte{0.2}}};
-    for (auto& rod : simulation.scene.all<NormalisedDistance>()) rod.softness = softness;
+    Simulation<PlaneParticle> simulation{doubled(0, 1.1 * length), {solver, Baumgarte{0.2}}};
+    simulation.scene.change_all<NormalisedDistance>([&](auto& rod) { rod.softness = softness; });
     run(simulation, 10, h);
     const double after_10 = std::abs(pulls(simulation.work).difference);
     run(simulation, 10, h);

@@ -14,9 +14,9 @@ constexpr double h = 1.0 / 60;
 using Chain = Scene<PlaneParticle>;
 
 /// A straight chain without weight whose bobs are off by about `size` [m] along it.
-Simulation<Chain> disturbed(int links, const GaussSeidel& solver, double beta, double size) {
-  Simulation<Chain> simulation{rod_chain<PlaneParticle, NormalisedDistance>({.links = links}),
-                               {solver, Baumgarte{beta}}};
+Simulation<PlaneParticle> disturbed(int links, const GaussSeidel& solver, double beta, double size) {
+  Simulation<PlaneParticle> simulation{rod_chain<PlaneParticle, NormalisedDistance>({.links = links}),
+                                       {solver, Baumgarte{beta}}};
   simulation.scene.gravity.setZero();
   std::mt19937 random(20261121);
   std::normal_distribution<double> error(0, size);
@@ -28,7 +28,7 @@ Simulation<Chain> disturbed(int links, const GaussSeidel& solver, double beta, d
 // passed on along the chain, and grows with every link, before it dies out: stable is not harmless.
 TEST(LawB6, AColdSingleSweepMultipliesErrorsBeforeTheyDieOutIfBetaIsAboveOne) {
   const auto growth = [](int links, double beta) {
-    Simulation<Chain> simulation = disturbed(links, {.sweeps = 1, .warm_start = false}, beta, 1e-9);
+    Simulation<PlaneParticle> simulation = disturbed(links, {.sweeps = 1, .warm_start = false}, beta, 1e-9);
     const double first = position_error(simulation.scene).rms;
     double largest = first;
     run(simulation, 200 * h, h, [&] { largest = std::max(largest, position_error(simulation.scene).rms); });
@@ -42,8 +42,8 @@ TEST(LawB6, AColdSingleSweepMultipliesErrorsBeforeTheyDieOutIfBetaIsAboveOne) {
 
 TEST(LawB6, WithoutBaumgarteAWarmStartIsStable) {
   for (const int links : {10, 20}) {
-    Simulation<Chain> simulation{rod_chain<PlaneParticle, NormalisedDistance>({.links = links}),
-                                 {GaussSeidel{.sweeps = 1}, NoDriftCure{}}};
+    Simulation<PlaneParticle> simulation{rod_chain<PlaneParticle, NormalisedDistance>({.links = links}),
+                                         {GaussSeidel{.sweeps = 1}, NoDriftCure{}}};
     run(simulation, 100, h);
     EXPECT_LT(kinetic_energy(simulation.scene.bodies()), 1e-12) << links;
   }

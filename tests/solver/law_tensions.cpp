@@ -85,8 +85,8 @@ TEST(LawA6, EveryRodOfAHangingChainCarriesTheWeightBelowIt) {
   const std::vector<double> tensions = hanging_chain_tensions(masses, g);
   for (const double h : steps) {
     Simulation<PlaneParticle> squared{rod_chain<PlaneParticle>(chain), {Direct{}}};
-    Simulation<SpaceParticle> in_space{
-        rod_chain<SpaceParticle, NormalisedDistance>(chain), {GaussSeidel{.sweeps = 20'000}, NoDriftCure{}}};
+    Simulation<SpaceParticle> in_space{rod_chain<SpaceParticle, NormalisedDistance>(chain),
+                                       {GaussSeidel{.sweeps = 20'000}, NoDriftCure{}}};
     Simulation<PlaneBody> stiff{pinned_chain<PlaneBody>(chain), {Direct{}}};
     for (int step = 0; step < 3; ++step) {
       squared.step(h);
@@ -104,14 +104,14 @@ TEST(LawA6, EveryRodOfAHangingChainCarriesTheWeightBelowIt) {
 }
 
 /// Lets a scene come to rest: whenever it has begun to slow down, all motion is taken from it.
-template <class S>
-void come_to_rest(Simulation<S>& simulation, double h, int steps_at_most) {
+template <class M>
+void come_to_rest(Simulation<M>& simulation, double h, int steps_at_most) {
   double before = 0;
   for (int i = 0; i < steps_at_most; ++i) {
     simulation.step(h);
     const double now = kinetic_energy(simulation.scene.bodies());
     if (now < before) {
-      for (auto& v : simulation.scene.bodies().velocity) v.setZero();
+      for (auto& v : simulation.scene.state().velocity) v.setZero();
       before = 0;
     } else {
       before = now;
@@ -132,8 +132,8 @@ double catenary_sag(double length, double span) {
 TEST(LawA6, ASlackChainTendsToTheCatenaryAsTheSquareOfItsLinks) {
   const double length = 2, span = 1.4, exact = catenary_sag(length, span);
   const auto error = [&](int links) {
-    Simulation<PlaneParticle> simulation{
-        slack_chain<PlaneParticle>(links, length, span), {Direct{}, Baumgarte{1}}};
+    Simulation<PlaneParticle> simulation{slack_chain<PlaneParticle>(links, length, span),
+                                         {Direct{}, Baumgarte{1}}};
     come_to_rest(simulation, 0.1 / links, 200 * links);
     EXPECT_LT(position_error(simulation.scene).max, 1e-8);
     return -simulation.scene.bodies().pose[links / 2].position.y() - exact;

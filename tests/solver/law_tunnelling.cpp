@@ -12,7 +12,7 @@ constexpr double h = 1.0 / 60;
 
 TEST(LawB16, WhatIsSeenInTimeStopsAtTheWallAndNotInIt) {
   Scene<M> scene = bouncing_ball<M>(0.15, 0);
-  scene.colliders.margin = 0.2;
+  scene.set_margin(0.2);
   scene.state().velocity[1].y() = -100;
   Simulation<M> simulation{std::move(scene), {}};
   simulation.step(h);

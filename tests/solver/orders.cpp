@@ -35,11 +35,11 @@ double fitted_order(double longest_step, const std::function<double(double)>& er
 }
 
 /// Asserts all orders, by the error that `at_one_second(simulation)` finds in a scene that has run for one second.
-template <class S, class F>
-void expect_orders(const S& scene, F&& at_one_second) {
+template <class M, class F>
+void expect_orders(const Scene<M>& scene, F&& at_one_second) {
   const auto order_of = [&](const auto& method, double longest_step) {
     return fitted_order(longest_step, [&](double h) {
-      Simulation<S, std::remove_cvref_t<decltype(method)>> simulation{scene, method};
+      Simulation simulation{scene, method};
       run(simulation, 1, h);
       return at_one_second(simulation.scene.bodies());
     });
@@ -92,7 +92,7 @@ TEST(Orders, OfAFreeBodyInSpace) {
   const Eigen::Vector3d momentum = angular_momentum(scene.bodies());
   const auto order_of = [&](const auto& method, double longest_step) {
     return fitted_order(longest_step, [&](double h) {
-      Simulation<SpaceBody, std::remove_cvref_t<decltype(method)>> simulation{scene, method};
+      Simulation simulation{scene, method};
       run(simulation, 1, h);
       const Bodies<SpaceBody>& bodies = simulation.scene.bodies();
       const Eigen::Vector3d omega = bodies.velocity[0].tail<3>();

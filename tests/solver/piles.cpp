@@ -10,8 +10,8 @@ namespace {
 using namespace byhand;
 constexpr double h = 1.0 / 60;
 
-template <class S>
-bool finite(const S& scene) {
+template <class M>
+bool finite(const Scene<M>& scene) {
   for (const auto& V : scene.bodies().velocity)
     if (!V.allFinite()) return false;
   for (const auto& pose : scene.bodies().pose)
@@ -29,8 +29,8 @@ double allowance(const System<M>& system) {
 }
 
 /// The most energy [J] that any step of a pile makes beyond its allowance, as a share of what there was at first.
-template <class S>
-double energy_made(const S& pile, const VelocityStepping& method, int steps) {
+template <class M>
+double energy_made(const Scene<M>& pile, const VelocityStepping& method, int steps) {
   Simulation simulation{pile, method};
   const double first = energy(simulation.scene);
   double before = first, most = 0;
@@ -74,10 +74,10 @@ TEST(Piles, MakeLittleEnergyFromAWarmStartThatIsNot) {
 }
 
 TEST(Piles, BounceAndSpinWithoutANumberThatIsNone) {
-  using Points = Scene<PlaneBody>;
   for (int seed = 21; seed <= 30; ++seed)
     for (const RowSolver& solver : {RowSolver(GaussSeidel{}), RowSolver(ByGraph{}), RowSolver(Jacobi{})}) {
-      Simulation<Points> simulation{box_pile<Points>(seed, {.speed = seed % 2 == 0 ? 10.0 : 100.0}), {solver}};
+      Simulation<PlaneBody> simulation{
+          by_points(box_pile<PlaneBody>(seed, {.speed = seed % 2 == 0 ? 10.0 : 100.0})), {solver}};
       simulation.method.substeps = 1 + seed % 3;
       run(simulation, 1, h);
       EXPECT_TRUE(finite(simulation.scene)) << "seed " << seed;

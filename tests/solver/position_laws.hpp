@@ -45,8 +45,8 @@ void expect_static_sag(const Method& method, double h, double stiffness) {
 template <class Method>
 void expect_tensions(const Method& method, double tolerance) {
   using M = PlaneParticle;
-  Simulation<M, Method> simulation{
-      rod_chain<M, NormalisedDistance>({.links = 8, .mass = 2, .end_mass = 5}), method};
+  Simulation<M, Method> simulation{rod_chain<M, NormalisedDistance>({.links = 8, .mass = 2, .end_mass = 5}),
+                                   method};
   run(simulation, 60, 1.0 / 60);
   const std::vector<double> tensions = hanging_chain_tensions(std::vector<double>{2, 2, 2, 2, 2, 2, 2, 5}, 9.81);
   for (int i = 0; i < 8; ++i)
@@ -55,12 +55,12 @@ void expect_tensions(const Method& method, double tolerance) {
 
 /// A box sticks below the angle of friction, but for a creep [m/s], and slides above it as fast as the formula
 /// says.
-template <class S, class Method>
+template <class M, class Method>
 void expect_friction_angle(const Method& method, double creep) {
   constexpr double g = 9.81, mu = 0.5, time = 5;
   for (const double share : {0.99, 1.1}) {
     const double angle = share * std::atan(mu);
-    Simulation simulation{box_on_incline<S>(angle, mu), method};
+    Simulation simulation{box_on_incline<M>(angle, mu), method};
     run(simulation, time, 1.0 / 60);
     const double speed = simulation.scene.bodies().velocity[1].template head<2>().norm();
     if (share < 1)
@@ -71,21 +71,19 @@ void expect_friction_angle(const Method& method, double creep) {
 }
 
 /// A stack of boxes stands for 10 s with its top within `sunk` [m] of where it belongs, and the ground carries it.
-template <class S, class Method>
+template <class M, class Method>
 void expect_standing_stack(const Method& method, int boxes, double sunk, double tolerance) {
-  Simulation simulation{stack<S>(boxes), method};
+  Simulation simulation{stack<M>(boxes), method};
   run(simulation, 10, 1.0 / 60);
   const auto& top = simulation.scene.bodies().pose[boxes].position;
   EXPECT_NEAR(top.y(), boxes - 0.5, sunk);
   EXPECT_NEAR(top.x(), 0, 1e-3);
   double carried = 0;
-  int number = 0;
-  simulation.scene.for_each([&]<class Kind>(const Kind& constraint) {
-    if constexpr (Kind::position_rows > 0)
-      if (constraint.at.body1 == 0)
-        for (int k = 0; k < Kind::position_rows; ++k) carried += reaction(simulation.work, number, k);
-    ++number;
-  });
+  for (int place = 0; place < simulation.scene.count(); ++place) {
+    const auto& entry = simulation.scene.entries()[place];
+    const int pressing = entry.body1 == 0 ? simulation.scene.store(entry.kind).position_rows : 0;
+    for (int k = 0; k < pressing; ++k) carried += reaction(simulation.work, place, k);
+  }
   EXPECT_NEAR(carried / (boxes * 9.81), 1, tolerance);
 }
 
@@ -111,8 +109,8 @@ void expect_bounces(const Method& method, double h) {
 }
 
 /// Nothing is allocated once a scene has been laid out.
-template <class S, class Method>
-void expect_no_allocation(const S& scene, const Method& method) {
+template <class M, class Method>
+void expect_no_allocation(const Scene<M>& scene, const Method& method) {
   Simulation simulation{scene, method};
   EXPECT_GT(allocations_in([&] { simulation.step(1.0 / 60); }), 0) << "the counter counts";
   for (int i = 0; i < 30; ++i) simulation.step(1.0 / 60);

@@ -77,7 +77,7 @@ TEST(Projection, PushesBoxesApartAsFarAsTheSlopAndNeverPullsThem) {
   for (const double overlap : {0.05, -0.01}) {
     auto scene = stack(1);
     scene.state().pose[1].position.y() -= overlap;
-    Touching<PlaneBody> touching;
+    ContactManager<PlaneBody> touching;
     touching.find(scene);
     ASSERT_EQ(scene.count(), 1);
     project(Projection{.sweeps = 3, .slop = 0.002}, scene);

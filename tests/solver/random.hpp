@@ -7,7 +7,7 @@
 #include <random>
 
 #include "solver/constraints/anchors.hpp"
-#include "solver/row.hpp"
+#include "solver/scene.hpp"
 
 // Random bodies for properties that hold whatever the numbers are, drawn from one fixed seed that every program
 // prints.
@@ -81,7 +81,14 @@ struct Pair {
   Arm<M> r2() const { return in_world<M, double>(pose2, at.arms.second); }
   Linear<M> P1() const { return anchor<M, double>(pose1, r1()); }
   Linear<M> P2() const { return anchor<M, double>(pose2, r2()); }
-  Bodies<M> bodies() const { return {{pose1, pose2}, {V1, V2}, {m1, m2}}; }
+  /// A scene of the two.
+  Scene<M> scene() const {
+    Scene<M> scene;
+    scene.add_body(pose1, m1, V1);
+    scene.add_body(pose2, m2, V2);
+    return scene;
+  }
+  Bodies<M> bodies() const { return scene().bodies(); }
 };
 
 template <class M>

@@ -23,8 +23,8 @@ TEST(LawA1, RattleErrsAsTheAtlasSays) {
 struct Worst {
   double C = 0, rate = 0, energy = 0;
 };
-template <class S>
-Worst worst(Simulation<S, Rattle> simulation, double time, double step) {
+template <class M>
+Worst worst(Simulation<M, Rattle> simulation, double time, double step) {
   Worst worst;
   const double start = energy(simulation.scene);
   run(simulation, time, step, [&] {
@@ -44,8 +44,8 @@ TEST(Rattle, KeepsPositionsAndRatesToRoundingAndEnergyBoundedOverManySwings) {
 }
 
 TEST(Rattle, KeepsAChainAndATop) {
-  const Worst chain = worst<Scene<PlaneParticle>>(
-      {rod_chain<PlaneParticle>({.links = 50, .end_mass = 100, .angle = pi / 2}), {4}}, 5, h);
+  const Worst chain =
+      worst<PlaneParticle>({rod_chain<PlaneParticle>({.links = 50, .end_mass = 100, .angle = pi / 2}), {4}}, 5, h);
   EXPECT_LT(chain.C, 1e-13);
   EXPECT_LT(chain.rate, 1e-10);
   EXPECT_LT(chain.energy, 1e-5 * 9.81 * (49 * 25 + 100 * 50));  // of what it has hung up
@@ -73,8 +73,7 @@ TEST(Rattle, RunsBackwardsAsItRanForwards) {
 // λ/h is the mean force of the substep.
 TEST(Rattle, TheForceOfAParticleOnACircleIsRightToSecondOrder) {
   const auto error = [](double step) {
-    Simulation<PlaneParticle, Rattle> simulation{
-        particle_on_a_circle<PlaneParticle>(2, 5, 3), {}};
+    Simulation<PlaneParticle, Rattle> simulation{particle_on_a_circle<PlaneParticle>(2, 5, 3), {}};
     run(simulation, 1, step);
     return force(simulation.work, 0) + 3 * 5.0 * 5.0 / 2;
   };

@@ -36,31 +36,48 @@ std::vector<double> numbers_of(const std::vector<Velocity<M>>& velocities) {
   return result;
 }
 
+/// Calls f(constraint, place) for each constraint of these kinds, in natural order.
+template <template <class> class... Kinds, class M, class F>
+void for_each_of(const Scene<M>& scene, F&& f) {
+  for (int place = 0; place < scene.count(); ++place) {
+    const auto& entry = scene.entries()[place];
+    const auto call_if = [&]<class Kind>(std::span<const Kind> all) {
+      if (scene.store(entry.kind).kind() == typeid(Kind)) f(all[entry.index], place);
+    };
+    (call_if(scene.template all<Kinds>()), ...);
+  }
+}
+
+/// The same bodies without constraints.
+template <class M>
+Scene<M> bodies_alone(const Scene<M>& scene) {
+  Scene<M> result;
+  for (int i = 0; i < scene.bodies().size(); ++i)
+    result.add_body(scene.bodies().pose[i], scene.bodies().inverse_mass[i], scene.bodies().velocity[i]);
+  return result;
+}
+
 /// λ of every row, constraint by constraint in natural order.
-template <class S, class M = typename S::model>
-std::vector<double> natural_lambda(const S& scene, const System<M>& system) {
+template <class M>
+std::vector<double> natural_lambda(const Scene<M>& scene, const System<M>& system) {
   std::vector<double> result;
-  int number = 0;
-  scene.for_each([&](const auto& constraint) {
-    for (int k = 0; k < std::remove_cvref_t<decltype(constraint)>::rows; ++k)
-      result.push_back(system.lambda[system.row_of[number] + k]);
-    ++number;
-  });
+  for (int place = 0; place < scene.count(); ++place)
+    for (int k = 0; k < scene.store(scene.entries()[place].kind).rows; ++k)
+      result.push_back(system.lambda[system.row_of[place] + k]);
   return result;
 }
 
 /// What one step leaves; the scene itself stays as it is.
-template <class S, class M = typename S::model>
-Answer<M> solved(S scene, const RowSolver& solver, const DriftCure& cure = Baumgarte{}) {
+template <class M>
+Answer<M> solved(Scene<M> scene, const RowSolver& solver, const DriftCure& cure = Baumgarte{}) {
   Work<M> work;
   advance(scene, {solver, cure}, time_step, work);
   return {numbers_of<M>(scene.bodies().velocity), natural_lambda(scene, work.system),
           residual(work.system, scene.bodies().velocity)};
 }
 
-template <class S>
-S with_random_velocities(S scene, Random& random) {
-  using M = typename S::model;
+template <class M>
+Scene<M> with_random_velocities(Scene<M> scene, Random& random) {
   for (int i = 0; i < scene.bodies().size(); ++i)
     if (moves(scene.bodies().inverse_mass[i])) scene.state().velocity[i] = random.velocity<M>();
   return scene;

@@ -20,9 +20,8 @@ TEST(Softness, LeavesEachRowAtMinusGammaLambda) {
           Work<M> work;
           advance(copy, {solver}, time_step, work);
           double worst = 0, largest_term = 0;
-          int number = 0;
-          scene.for_each([&](const auto& constraint) {
-            const int b1 = constraint.at.body1, b2 = constraint.at.body2, row = work.system.row_of[number++];
+          for_each_of<Distance, Pin>(scene, [&](const auto& constraint, int place) {
+            const int b1 = constraint.at.body1, b2 = constraint.at.body2, row = work.system.row_of[place];
             const auto J = constraint.jacobian(scene.bodies().pose[b1], scene.bodies().pose[b2]);
             const auto C = constraint.template value<double>(scene.bodies().pose[b1], scene.bodies().pose[b2]);
             if (!moves(scene.bodies().inverse_mass[b1]) && !moves(scene.bodies().inverse_mass[b2])) return;

@@ -14,16 +14,17 @@ using namespace byhand;
 
 /// Rows of all constraints, one by one in the order of `numbers`, swept with the article's own formulas;
 /// returns the velocities.
-template <class S, class M = typename S::model>
-std::vector<double> swept_by_hand(S scene, const std::vector<int>& numbers, int sweeps, double relaxation = 1) {
+template <class M>
+std::vector<double> swept_by_hand(Scene<M> scene, const std::vector<int>& numbers, int sweeps,
+                                  double relaxation = 1) {
   struct Row {
     int body1, body2;
     Jacobian<M, 1> J, W;
     double bias, gamma, lower, lambda = 0;
   };
-  auto& bodies = scene.bodies();
+  auto& bodies = scene.state();
   std::vector<std::vector<Row>> natural;
-  scene.for_each([&](const auto& constraint) {
+  for_each_of<Distance, Pin, Contact>(scene, [&](const auto& constraint, int) {
     using Kind = std::remove_cvref_t<decltype(constraint)>;
     const int b1 = constraint.at.body1, b2 = constraint.at.body2;
     const auto all = constraint.jacobian(bodies.pose[b1], bodies.pose[b2]);
@@ -118,8 +119,7 @@ TEST(GaussSeidel, SolvesABlockWholeAtOnce) {
   in_all_models(
       []<class M>(Random& random) {
         const auto pair = random_pair<M>(random);
-        Scene<M> scene;
-        scene.bodies() = pair.bodies();
+        Scene<M> scene = pair.scene();
         scene.add(Pin<M>{pair.at});
         const auto answer = solved(scene, GaussSeidel{1, false});
         EXPECT_LE(answer.residual, 1e-11);
@@ -242,7 +242,7 @@ TEST(Jacobi, SolvesEveryRowFromTheSameVelocities) {
         std::vector<double> expected, before;
         {
           auto free = scene;
-          add_gravity(free.bodies(), free.gravity, time_step);
+          add_gravity(free.state(), free.gravity, time_step);
           before = expected = numbers_of<M>(free.bodies().velocity);
         }
         for (int number = 0; number < scene.count(); ++number) {

@@ -58,7 +58,7 @@ TEST(Xpbd, YieldsBySoftnessTimesTheSquareOfItsSubstep) {
   constexpr double g = 9.81, softness = 2, mass = 3;
   for (const int substeps : {1, 5}) {
     auto scene = pendulum<PlaneParticle, NormalisedDistance>(0, 1, mass);
-    scene.all<NormalisedDistance>()[0].softness = softness;
+    scene.change_all<NormalisedDistance>([&](auto& rod) { rod.softness = softness; });
     Simulation simulation{scene, Xpbd{substeps, 1}};
     run(simulation, 20, h);
     const double part = h / substeps, sag = -1 - simulation.scene.bodies().pose[1].position.y();
@@ -100,7 +100,7 @@ TEST(Xpbd, ObeysTheAngleOfFriction) {
   expect_friction_angle<SpaceBody>(Xpbd{20, 4}, 3e-3);
 }
 TEST(Xpbd, LetsAStackStand) {
-  expect_standing_stack<Scene<PlaneBody>>(Xpbd{}, 10, 1e-3, 1e-6);
+  expect_standing_stack<PlaneBody>(Xpbd{}, 10, 1e-3, 1e-6);
   // In space the points of a face are solved one after the other, and those that come first turn the box a little.
   expect_standing_stack<SpaceBody>(Xpbd{40, 10}, 3, 1e-5, 1e-6);
 }

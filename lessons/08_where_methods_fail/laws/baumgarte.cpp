@@ -27,19 +27,18 @@ namespace byhand::laws {
 namespace {
 
 using M = PlaneParticle;
-using Rod = Scene<M>;
 constexpr double h = 1.0 / 60;
 
 /// C/L of a particle that has gone round for long, by `turn` [rad] a step at first.
 double stretch_of_a_spinning_rod(double beta, double turn) {
-  Simulation<Rod> simulation{particle_on_a_circle<M>(1, turn / h, 1), {GaussSeidel{}, Baumgarte{beta}}};
+  Simulation<M> simulation{particle_on_a_circle<M>(1, turn / h, 1), {GaussSeidel{}, Baumgarte{beta}}};
   for (int i = 0; i < 300; ++i) simulation.step(h);
   return simulation.scene.bodies().pose[1].position.norm() - 1;
 }
 
 /// R/R0 of a particle that nothing draws back, after 1 s.
 double spread(double speed, double step) {
-  Simulation<Rod> simulation{particle_on_a_circle<M>(1, speed, 1), {GaussSeidel{}, NoDriftCure{}}};
+  Simulation<M> simulation{particle_on_a_circle<M>(1, speed, 1), {GaussSeidel{}, NoDriftCure{}}};
   while (simulation.time < 1 - 0.5 * step) simulation.step(step);
   return simulation.scene.bodies().pose[1].position.norm();
 }
@@ -48,7 +47,7 @@ double spread(double speed, double step) {
 
 Outcome stretched_rod(double beta, double step, bool literally) {
   const Baumgarte cure{beta, literally ? BetaReading::literal : BetaReading::per_step};
-  Simulation<Rod> simulation{particle_on_a_circle<M>(1, 0, 1), {GaussSeidel{}, cure}};
+  Simulation<M> simulation{particle_on_a_circle<M>(1, 0, 1), {GaussSeidel{}, cure}};
   simulation.scene.state().pose[1].position *= 1.001;
   Record record(1e-3, 1);
   for (int i = 0; i < 300; ++i) {

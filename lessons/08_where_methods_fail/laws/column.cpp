@@ -6,6 +6,7 @@
 
 #include "lessons/08_where_methods_fail/laws/record.hpp"
 #include "lessons/scenes/boxes.hpp"
+#include "solver/constraints/contact_manifold.hpp"
 #include "solver/step.hpp"
 
 namespace byhand::laws {
@@ -14,13 +15,13 @@ namespace {
 using M = PlaneBody;
 
 /// The column, each box sunk into the one below by `overlap` [m], before any contact has borne a weight.
-Simulation<PlaneBody> put_down(const Column& column, double overlap) {
+Simulation<M> put_down(const Column& column, double overlap) {
   VelocityStepping method{GaussSeidel{column.sweeps}, Baumgarte{column.beta}};
   if (column.sweeps == 0) method.solver = Direct{.regularisation = column.regularisation};
   if (column.frequency > 0) method.drift = SoftConstraints{.frequency = 2 * std::numbers::pi * column.frequency};
   method.substeps = column.substeps;
-  Simulation<PlaneBody> simulation{{}, method};
-  Scene<PlaneBody>& scene = simulation.scene;
+  Simulation<M> simulation{{}, method};
+  Scene<M>& scene = simulation.scene;
   scene.gravity = {0, -column.gravity};
   scene.add_body({0, 0}, fixed<M>());
   for (int i = 1; i <= column.boxes; ++i) {
@@ -41,8 +42,8 @@ Simulation<PlaneBody> put_down(const Column& column, double overlap) {
 }
 
 /// The same with all weights borne as they should be.
-Simulation<PlaneBody> stand(const Column& column, double overlap) {
-  Simulation<PlaneBody> simulation = put_down(column, overlap);
+Simulation<M> stand(const Column& column, double overlap) {
+  Simulation<M> simulation = put_down(column, overlap);
   const VelocityStepping method = std::exchange(simulation.method, {Direct{}, NoDriftCure{}});
   simulation.step(column.step);
   simulation.method = method;
@@ -53,7 +54,7 @@ Simulation<PlaneBody> stand(const Column& column, double overlap) {
 
 Outcome lean(const Column& column) {
   // Sunk in, or a box that leans would open a gap, which closes by itself.
-  Simulation<PlaneBody> simulation = stand(column, 1e-4);
+  Simulation<M> simulation = stand(column, 1e-4);
   const double push = 1e-7;
   kick(simulation.scene, push);
   Record record(push, 1);
@@ -65,7 +66,7 @@ Outcome lean(const Column& column) {
 }
 
 Outcome hop(const Column& column) {
-  Simulation<PlaneBody> simulation = put_down(column, 0);
+  Simulation<M> simulation = put_down(column, 0);
   const double h = column.step / column.substeps, sinks = column.gravity * h * h;
   for (int i = 0, quiet = 0; i < column.steps; ++i) {
     simulation.step(column.step);
@@ -78,7 +79,7 @@ Outcome hop(const Column& column) {
 }
 
 bool pops(const Column& column, double overlap) {
-  Simulation<PlaneBody> simulation = put_down(column, overlap);
+  Simulation<M> simulation = put_down(column, overlap);
   for (int i = 0; i < column.steps; ++i) {
     simulation.step(column.step);
     if (simulation.scene.bodies().pose[1].position.y() > 0.5 + 1e-9) return true;
@@ -87,7 +88,7 @@ bool pops(const Column& column, double overlap) {
 }
 
 Outcome buckle(const Column& column) {
-  Simulation<PlaneBody> simulation = put_down(column, 0);
+  Simulation<M> simulation = put_down(column, 0);
   const double push = 1e-7;
   kick(simulation.scene, push);
   Record record(push, 1);
@@ -99,7 +100,7 @@ Outcome buckle(const Column& column) {
 }
 
 double time_to_fall(const Column& column, double time) {
-  Simulation<PlaneBody> simulation = stand(column, 0);
+  Simulation<M> simulation = stand(column, 0);
   kick(simulation.scene, 0.02);
   while (simulation.time < time && simulation.scene.bodies().pose[column.boxes].position.y() > column.boxes - 1)
     simulation.step(column.step);

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "solver/constraints/axis_friction.hpp"
+#include "solver/constraints/contact.hpp"
 #include "solver/constraints/friction.hpp"
 #include "solver/step.hpp"
 
@@ -32,14 +33,14 @@ Slide slide(FrictionBound bound, double heading, double speed) {
   const int ground = scene.add_body({0, 0, 0}, fixed<M>());
   const int particle =
       scene.add_body({0, 0, 0}, with_mass<M>(1), speed * Velocity<M>(std::cos(heading), 0, std::sin(heading)));
-  const int contact = scene.add(Contact<M>{{ground, particle}, up});
+  const auto contact = scene.add(Contact<M>{{ground, particle}, up});
   if (bound == FrictionBound::disc) {
     scene.add(Friction<M>{{ground, particle}, tangents_of<M>(up), mu, contact});
   } else {
     for (const Linear<M>& tangent : {Linear<M>(1, 0, 0), Linear<M>(0, 0, 1)})
       scene.add(AxisFriction<M>{{ground, particle}, tangent, mu, contact});
   }
-  Simulation<typename decltype(scene)::model> simulation{std::move(scene), {GaussSeidel{}}};
+  Simulation<M> simulation{std::move(scene), {GaussSeidel{}}};
   const double stopped_by = speed / (mu * g) + 0.1;
   while (simulation.time < stopped_by) simulation.step(h);
   const Linear<M> gone = simulation.scene.bodies().pose[particle].position;

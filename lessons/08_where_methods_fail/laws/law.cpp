@@ -1,7 +1,10 @@
 #include "lessons/08_where_methods_fail/laws/law.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include "lessons/08_where_methods_fail/laws/baumgarte.hpp"
 #include "lessons/08_where_methods_fail/laws/buckling.hpp"
@@ -50,7 +53,9 @@ std::string counted(int count, const std::string& what) {
 double bisect(const std::function<bool(double)>& holds, double low, double high, double resolution) {
   require_positive("lower end", low, "");
   const bool held = holds(low);
-  require(holds(high) != held, "outcome at both ends", held ? "good" : "bad", "good at one and bad at the other");
+  if (holds(high) == held)
+    throw std::invalid_argument(fmt::format(
+        "outcome at both ends is {}, but it must be good at one and bad at the other", held ? "good" : "bad"));
   while (high / low > 1 + resolution) {
     const double middle = std::sqrt(low * high);
     (holds(middle) == held ? low : high) = middle;

@@ -24,9 +24,8 @@ double pull_apart(const ConflictingRods& rods, double time) {
   const double length = 2, mass = 3;
   auto scene = pendulum<M, NormalisedDistance>(0, length, mass);
   scene.add(NormalisedDistance<M>{{0, 1}, length + rods.conflict});
-  for (auto& rod : scene.all<NormalisedDistance>()) rod.softness = rods.softness;
-  Simulation<M> simulation{std::move(scene),
-                                                      {GaussSeidel{rods.sweeps}, Baumgarte{rods.beta}}};
+  scene.change_all<NormalisedDistance>([&](auto& rod) { rod.softness = rods.softness; });
+  Simulation<M> simulation{std::move(scene), {GaussSeidel{rods.sweeps}, Baumgarte{rods.beta}}};
   while (simulation.time < time - 0.5 * rods.step) simulation.step(rods.step);
   const auto& lambda = simulation.work.system.lambda;
   return std::abs(lambda[0] - lambda[1]) / rods.step;

@@ -36,13 +36,11 @@ namespace byhand::laws {
 namespace {
 
 using M = PlaneParticle;
-using Chain = Scene<M>;
 constexpr double h = 1.0 / 60;
 
 /// The largest stretch of a chain that swings for a second from 30° [m].
 double stretch_of_a_swing(const VelocityStepping& method) {
-  Simulation<Chain> simulation{rod_chain<M, NormalisedDistance>({.links = 5, .angle = std::numbers::pi / 6}),
-                               method};
+  Simulation<M> simulation{rod_chain<M, NormalisedDistance>({.links = 5, .angle = std::numbers::pi / 6}), method};
   double worst = 0;
   while (simulation.time < 1 - 0.5 * h) {
     simulation.step(h);
@@ -61,8 +59,9 @@ double square(double x) { return x * x; }
 }  // namespace
 
 Outcome explicit_spring(double omega_h, double damping_ratio) {
-  Bodies<M> bodies;
-  bodies.add({{0, 1e-7}}, with_mass<M>(1), {0, 0});
+  Scene<M> scene;
+  scene.add_body(Linear<M>(0, 1e-7), with_mass<M>(1));
+  Bodies<M>& bodies = scene.state();
   Record record(1e-7, 1);
   for (int i = 0; i < 3000; ++i) {
     const Linear<M> force =
@@ -78,10 +77,10 @@ Outcome run(const SoftChain& chain) {
   const SoftConstraints soft{.frequency = 2 * std::numbers::pi * chain.frequency / h,
                              .damping_ratio = chain.damping_ratio,
                              .relax = chain.relax};
-  Simulation<Chain> simulation{rod_chain<M, NormalisedDistance>({.links = chain.links}),
-                               {GaussSeidel{chain.sweeps}, soft}};
+  Simulation<M> simulation{rod_chain<M, NormalisedDistance>({.links = chain.links}),
+                           {GaussSeidel{chain.sweeps}, soft}};
   simulation.scene.gravity.setZero();
-  auto& pose = simulation.scene.bodies().pose;
+  auto& pose = simulation.scene.state().pose;
   const double size = 1e-7;
   for (int i = 1; i <= chain.links; ++i) pose[i].position.y() += size * uneven(i);
   Record record(size, 0.5);
@@ -94,7 +93,7 @@ Outcome run(const SoftChain& chain) {
 
 double speed_left(double speed, double step, bool refresh) {
   VelocityStepping method{Direct{}, SoftConstraints{.frequency = 2 / step, .refresh = refresh}};
-  Simulation<Chain> simulation{particle_on_a_circle<M>(1, speed, 1), method};
+  Simulation<M> simulation{particle_on_a_circle<M>(1, speed, 1), method};
   while (simulation.time < 1 - 0.5 * step) simulation.step(step);
   return simulation.scene.bodies().velocity[1].norm() / speed;
 }

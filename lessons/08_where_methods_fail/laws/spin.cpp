@@ -51,7 +51,7 @@ double drift_of_a_block(double side, double arm, double beta) {
 }
 double measured_drift_of_a_block(double side, double arm, double beta) {
   Simulation<PlaneBody> simulation{box_on_an_arm(side, arm, std::numbers::pi / 2),
-                                               {GaussSeidel{}, Baumgarte{beta}}};
+                                   {GaussSeidel{}, Baumgarte{beta}}};
   double worst = 0;
   while (simulation.time < 2) {
     simulation.step(h);
@@ -94,7 +94,7 @@ double spin_of_tenfold_wobble(int axis, double step, double time) {
 
 double hinge_error(double turn, double arm) {
   Simulation<PlaneBody> simulation{hinged_rod(0.8, 2 * arm, 1), {GaussSeidel{}, NoDriftCure{}}};
-  auto& bodies = simulation.scene.bodies();
+  Bodies<PlaneBody>& bodies = simulation.scene.state();
   simulation.scene.gravity.setZero();
   const Eigen::Vector2d out = bodies.pose[1].position;
   bodies.velocity[1] = turn / h * Eigen::Vector3d(-out.y(), out.x(), 1);
@@ -136,10 +136,10 @@ Outcome run(const LongArm& box) {
   const GaussSeidel solver{.sweeps = box.sweeps,
                            .block_solve = box.block ? BlockSolve::whole : BlockSolve::row_by_row};
   Simulation<PlaneBody> simulation{box_on_an_arm(box.side, box.arm, 0.25 * std::numbers::pi),
-                                               {solver, Baumgarte{box.beta}}};
+                                   {solver, Baumgarte{box.beta}}};
   simulation.scene.gravity.setZero();
   const double size = 1e-7;
-  auto& pose = simulation.scene.bodies().pose;
+  auto& pose = simulation.scene.state().pose;
   pose[1].position.x() += size;
   Record record(size, 0.5 * box.arm);
   for (int i = 0; i < 6000; ++i) {

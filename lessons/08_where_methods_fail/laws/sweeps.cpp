@@ -42,7 +42,7 @@ double left_by_a_sweep(const SweptChain& chain) {
     simulation.step(1e-200);  // so short that nothing moves
     const double error = residual(simulation.work.system, simulation.scene.bodies().velocity);
     if (error == 0) return 0;
-    for (auto& v : simulation.scene.bodies().velocity) v /= error;
+    for (auto& v : simulation.scene.state().velocity) v /= error;
     if (i >= settle) log_sum += std::log(error);
   }
   return std::exp(log_sum / watch);
@@ -60,8 +60,8 @@ double largest_eigenvalue(int contacts) {
 
 Outcome jacobi(int contacts, double relaxation) {
   if (relaxation >= 2) return Outcome::explodes;  // as a single row does
-  Simulation<PlaneBody> simulation{
-      box_on_contacts(contacts), {Jacobi{.sweeps = 2000, .relaxation = relaxation}, NoDriftCure{}}};
+  Simulation<PlaneBody> simulation{box_on_contacts(contacts),
+                                   {Jacobi{.sweeps = 2000, .relaxation = relaxation}, NoDriftCure{}}};
   simulation.scene.state().velocity[1] = {0, 0, 0.01};  // or the odd eigenvector would not be met
   const double h = 1.0 / 60;
   simulation.step(h);

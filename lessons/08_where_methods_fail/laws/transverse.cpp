@@ -59,7 +59,7 @@ Outcome run(const TautChain& chain) {
       rod_chain<M, NormalisedDistance>(
           {.links = chain.links, .length = chain.length, .mass = chain.mass, .end_mass = chain.end_mass}),
       method};
-  auto& pose = simulation.scene.bodies().pose;
+  auto& pose = simulation.scene.state().pose;
   const double size = 1e-8 * chain.length;
   for (int i = 1; i <= chain.links; ++i) pose[i].position.x() = size * uneven(i);
   bool grown = false;

@@ -25,8 +25,8 @@ double share_that_passes(const FlyingBalls& balls, int how_many) {
   for (int i = 0; i < how_many; ++i) {
     Scene<M> scene;
     scene.gravity.setZero();
-    scene.colliders.margin = balls.margin;
-    scene.set_shape(scene.add_body({0, 0}, fixed<M>()), Box<M>{{0.5 * balls.wall, 10}});
+    scene.set_margin(balls.margin);
+    scene.set_shape(scene.add_body({0, 0}, fixed<M>()), Box<M>{{balls.wall, 20}});
     const double start =
         -(balls.wall + 4 * radius + balls.margin) - (i + 0.5) / how_many * balls.speed * balls.step;
     scene.set_shape(scene.add_body({start, 0}, ball<M>(1, radius), {balls.speed, 0, 0}), Ball<M>{radius});

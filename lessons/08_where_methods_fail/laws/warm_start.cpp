@@ -42,10 +42,9 @@ Outcome run(const WarmChain& chain) {
       GaussSeidel{.sweeps = chain.sweeps, .warm_start = chain.warm_start, .order = chain.order},
       Baumgarte{chain.beta}};
   method.substeps = chain.substeps;
-  Simulation<M> simulation{rod_chain<M, NormalisedDistance>({.links = chain.links}),
-                                                      method};
+  Simulation<M> simulation{rod_chain<M, NormalisedDistance>({.links = chain.links}), method};
   simulation.scene.gravity.setZero();
-  auto& pose = simulation.scene.bodies().pose;
+  auto& pose = simulation.scene.state().pose;
   for (int i = 1; i <= chain.links; ++i) pose[i].position.y() += size * uneven(i);
   Record record(size, 0.5);
   for (int i = 0; i < chain.steps; ++i) {

@@ -1,8 +1,11 @@
 #include "lessons/09_what_accuracy_costs/catalogue/catalogue.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 #include "lessons/exact/compound_pendulum.hpp"
 #include "lessons/exact/conical_pendulum.hpp"
@@ -36,13 +39,11 @@ SceneParameter angle_of(double initial, const char* meaning = "from straight dow
 }
 SceneParameter length_of(const char* meaning) { return {"length", "m", meaning, 1, 1e-3, 1e3}; }
 
-template <class Families = Method, class S>
-AnyScene pulled(S scene, const Problem& problem) {
-  scene.gravity = -problem["gravity"] * Linear<typename S::model>::Unit(1);
-  return any_scene<S, Families>(std::move(scene));
+template <class M>
+AnyScene pulled(Scene<M> scene, const Problem& problem) {
+  scene.gravity = -problem["gravity"] * Linear<M>::Unit(1);
+  return scene;
 }
-/// Those that are here to show what their model costs.
-using Costed = std::variant<VelocityStepping>;
 
 /// Something that turns about z at the origin, its centre `arm` [m] from there.
 ExactState on_a_circle(double angle, double rate, double arm, double kilograms) {
@@ -52,12 +53,11 @@ ExactState on_a_circle(double angle, double rate, double arm, double kilograms) 
 
 AnyScene make_pendulum(const Problem& p) {
   const double angle = radians(p["angle"]), length = p["length"], kilograms = p["mass"];
-  if (p.model() == balls)
-    return pulled<Costed>(pendulum<PlaneBody, NormalisedDistance>(angle, length, kilograms), p);
+  if (p.model() == balls) return pulled(pendulum<PlaneBody, NormalisedDistance>(angle, length, kilograms), p);
   if (p.model() == space_bobs)
     return pulled(pendulum<SpaceParticle, NormalisedDistance>(angle, length, kilograms), p);
   if (p.model() == space_balls)
-    return pulled<Costed>(pendulum<SpaceBody, NormalisedDistance>(angle, length, kilograms), p);
+    return pulled(pendulum<SpaceBody, NormalisedDistance>(angle, length, kilograms), p);
   return pulled(pendulum<PlaneParticle, NormalisedDistance>(angle, length, kilograms), p);
 }
 Exact exact_pendulum(const Problem& p) {
@@ -82,20 +82,19 @@ Exact exact_compound_pendulum(const Problem& p) {
 ChainOptions chain_of(const Problem& p, int count) {
   return {count, p["length"], p["mass"], p["end_mass"], radians(p["angle"])};
 }
-/// The same links as a type of scene in which bodies can touch, though here nothing has a shape.
-Scene<PlaneBody> that_could_touch(const Scene<PlaneBody>& chain) {
-  Scene<PlaneBody> scene;
-  scene.bodies() = chain.bodies();
-  for (const Pin<PlaneBody>& joint : chain.all<Pin>()) scene.add(joint);
-  return scene;
+/// The same links, of which the last has a shape: contacts are looked for in every step, and none is ever found.
+Scene<PlaneBody> that_could_touch(Scene<PlaneBody> chain, double length) {
+  chain.set_shape(chain.bodies().size() - 1, Box<PlaneBody>{{length / 10, length}});
+  return chain;
 }
 AnyScene make_chain(const Problem& p, const ChainOptions& chain) {
   if (p.model() == bobs) return pulled(rod_chain<PlaneParticle, NormalisedDistance>(chain), p);
-  if (p.model() == balls) return pulled<Costed>(rod_chain<PlaneBody, NormalisedDistance>(chain), p);
+  if (p.model() == balls) return pulled(rod_chain<PlaneBody, NormalisedDistance>(chain), p);
   if (p.model() == space_bobs) return pulled(rod_chain<SpaceParticle, NormalisedDistance>(chain), p);
-  if (p.model() == space_balls) return pulled<Costed>(rod_chain<SpaceBody, NormalisedDistance>(chain), p);
+  if (p.model() == space_balls) return pulled(rod_chain<SpaceBody, NormalisedDistance>(chain), p);
   if (p.model() == space_links) return pulled(pinned_chain<SpaceBody>(chain), p);
-  if (p.model() == touching_links) return pulled<Costed>(that_could_touch(pinned_chain<PlaneBody>(chain)), p);
+  if (p.model() == touching_links)
+    return pulled(that_could_touch(pinned_chain<PlaneBody>(chain), chain.length), p);
   return pulled(pinned_chain<PlaneBody>(chain), p);
 }
 Exact exact_chain(const Problem& p, const ChainOptions& chain) {
@@ -195,7 +194,7 @@ HeavyTop top_of(const Problem& p) {
 AnyScene make_top(const Problem& p) {
   const HeavyTop top = top_of(p);
   const double angle = radians(p["angle"]);
-  return any_scene(spinning_top(top, angle, top.precession(angle)[0]));
+  return spinning_top(top, angle, top.precession(angle)[0]);
 }
 Exact exact_top(const Problem& p) {
   const HeavyTop top = top_of(p);
@@ -219,7 +218,7 @@ AnyScene make_pyramid(const Problem& p) {
 /// What stands goes on standing.
 Exact stands(const Problem& p) {
   ExactState state;
-  for (const Placement& body : p.start()->placements())
+  for (const Placement& body : p.start().placements())
     if (body.moves) state.positions.push_back(body.position);
   return [state](double) { return state; };
 }
@@ -251,166 +250,132 @@ std::vector<NamedScene> make_catalogue() {
   const std::string elliptic = "closed form (elliptic functions)",
                     angles = "two unrelated high-order integrations in the links' angles";
   return {
-      {"pendulum",
-       "simple pendulum",
-       {angle_of(90), length_of("of the rod"), mass, gravity},
-       any_bobs,
-       "gravity",
-       1,
-       10,
-       true,
-       false,
-       elliptic,
-       make_pendulum,
-       exact_pendulum},
-      {"compound_pendulum",
-       "compound pendulum",
-       {angle_of(90), length_of("of the rod"), mass, gravity},
-       {links, space_links},
-       "gravity",
-       1,
-       10,
-       true,
-       false,
-       elliptic,
-       make_compound_pendulum,
-       exact_compound_pendulum},
-      {"double_pendulum",
-       "double pendulum",
-       {angle_of(90), length_of("of each rod"), link_mass, end_mass, gravity},
-       any_two,
-       "end_mass",
-       1,
-       5,
-       true,
-       false,
-       angles,
-       make_double_pendulum,
-       exact_double_pendulum},
-      {"chain",
-       "chain",
-       {{"links", "1", "number of links", 50, 1, 2000, true},
-        end_mass,
-        link_mass,
-        length_of("of each link"),
-        angle_of(90),
-        gravity},
-       any_chain,
-       "end_mass",
-       1,
-       5,
-       true,
-       false,
-       angles,
-       make_long_chain,
-       exact_long_chain},
-      {"four_bar",
-       "four-bar linkage",
-       {angle_of(60),
-        length_of("of the arms"),
-        {"coupler", "m", "length of the coupler", 2, 1e-3, 1e3},
-        mass,
-        {"coupler_mass", "kg", "mass of the coupler", 1, 1e-6, 1e6},
-        gravity},
-       {links},
-       "coupler_mass",
-       1,
-       5,
-       true,
-       false,
-       elliptic,
-       make_four_bar,
-       exact_four_bar},
-      {"spherical_pendulum",
-       "spherical pendulum",
-       {{"angle", "°", "from straight down, at first", 60, 1, 179},
-        {"azimuth_rate", "rad/s", "about the vertical, at first", 2, 0.01, 1e3},
-        length_of("of the rod"),
-        mass,
-        gravity},
-       {space_bobs},
-       "azimuth_rate",
-       1,
-       5,
-       true,
-       true,
-       elliptic,
-       make_spherical_pendulum,
-       exact_spherical_pendulum},
-      {"conical_pendulum",
-       "conical pendulum",
-       {{"angle", "°", "from straight down", 60, 1, 89}, length_of("of the rod"), mass, gravity},
-       {space_bobs},
-       "gravity",
-       1,
-       5,
-       true,
-       true,
-       "closed form",
-       make_conical_pendulum,
-       exact_conical_pendulum},
-      {"top",
-       "spinning top",
-       {{"angle", "°", "from straight up", 30, 1, 90},
-        {"spin", "rad/s", "about its own axis", 30, 1, 1e4},
-        {"arm", "m", "from the tip to the centre", 0.2, 1e-3, 1e3},
-        {"radius", "m", "radius of its disc", 0.25, 1e-3, 1e3},
-        mass,
-        gravity},
-       {space_links},
-       "spin",
-       1,
-       5,
-       true,
-       true,
-       "closed form (steady precession)",
-       make_top,
-       exact_top},
-      {"stack",
-       "stack of boxes",
-       {{"boxes", "1", "number of boxes", 10, 1, 1000, true},
-        {"top_mass", "kg", "mass of the topmost box", 1, 1e-6, 1e6},
-        kick,
-        friction,
-        gravity},
-       {"boxes in the plane"},
-       "top_mass",
-       5,
-       5,
-       true,
-       false,
-       "it stands",
-       make_stack,
-       stands},
-      {"pyramid",
-       "pyramid of boxes",
-       {{"base", "1", "number of boxes in the lowest row", 10, 1, 100, true}, kick, friction, gravity},
-       {"boxes in the plane"},
-       "gravity",
-       5,
-       5,
-       true,
-       false,
-       "it stands",
-       make_pyramid,
-       stands},
-      {"incline",
-       "block on an incline",
-       {{"angle", "°", "of the slope", 20, -80, 80},
-        {"friction", "1", "μ", 0.5, 0, 1e6},
-        {"speed", "m/s", "down the slope at first", 2, 0, 100},
-        {"height", "m", "of the block, which is 1 m long", 0.2, 1e-3, 10},
-        mass,
-        gravity},
-       {"boxes in the plane"},
-       "speed",
-       1,
-       2,
-       false,
-       false,
-       "closed form",
-       make_incline,
-       exact_incline},
+      {.name = "pendulum",
+       .title = "simple pendulum",
+       .parameters = {angle_of(90), length_of("of the rod"), mass, gravity},
+       .models = any_bobs,
+       .stress = "gravity",
+       .duration = 10,
+       .reference = elliptic,
+       .make = make_pendulum,
+       .exact = exact_pendulum},
+      {.name = "compound_pendulum",
+       .title = "compound pendulum",
+       .parameters = {angle_of(90), length_of("of the rod"), mass, gravity},
+       .models = {links, space_links},
+       .stress = "gravity",
+       .duration = 10,
+       .reference = elliptic,
+       .make = make_compound_pendulum,
+       .exact = exact_compound_pendulum},
+      {.name = "double_pendulum",
+       .title = "double pendulum",
+       .parameters = {angle_of(90), length_of("of each rod"), link_mass, end_mass, gravity},
+       .models = any_two,
+       .stress = "end_mass",
+       .reference = angles,
+       .make = make_double_pendulum,
+       .exact = exact_double_pendulum},
+      {.name = "chain",
+       .title = "chain",
+       .parameters = {{"links", "1", "number of links", 50, 1, 2000, true},
+                      end_mass,
+                      link_mass,
+                      length_of("of each link"),
+                      angle_of(90),
+                      gravity},
+       .models = any_chain,
+       .stress = "end_mass",
+       .reference = angles,
+       .make = make_long_chain,
+       .exact = exact_long_chain},
+      {.name = "four_bar",
+       .title = "four-bar linkage",
+       .parameters = {angle_of(60),
+                      length_of("of the arms"),
+                      {"coupler", "m", "length of the coupler", 2, 1e-3, 1e3},
+                      mass,
+                      {"coupler_mass", "kg", "mass of the coupler", 1, 1e-6, 1e6},
+                      gravity},
+       .models = {links},
+       .stress = "coupler_mass",
+       .reference = elliptic,
+       .make = make_four_bar,
+       .exact = exact_four_bar},
+      {.name = "spherical_pendulum",
+       .title = "spherical pendulum",
+       .parameters = {{"angle", "°", "from straight down, at first", 60, 1, 179},
+                      {"azimuth_rate", "rad/s", "about the vertical, at first", 2, 0.01, 1e3},
+                      length_of("of the rod"),
+                      mass,
+                      gravity},
+       .models = {space_bobs},
+       .stress = "azimuth_rate",
+       .keeps_spin = true,
+       .reference = elliptic,
+       .make = make_spherical_pendulum,
+       .exact = exact_spherical_pendulum},
+      {.name = "conical_pendulum",
+       .title = "conical pendulum",
+       .parameters = {{"angle", "°", "from straight down", 60, 1, 89}, length_of("of the rod"), mass, gravity},
+       .models = {space_bobs},
+       .stress = "gravity",
+       .keeps_spin = true,
+       .reference = "closed form",
+       .make = make_conical_pendulum,
+       .exact = exact_conical_pendulum},
+      {.name = "top",
+       .title = "spinning top",
+       .parameters = {{"angle", "°", "from straight up", 30, 1, 90},
+                      {"spin", "rad/s", "about its own axis", 30, 1, 1e4},
+                      {"arm", "m", "from the tip to the centre", 0.2, 1e-3, 1e3},
+                      {"radius", "m", "radius of its disc", 0.25, 1e-3, 1e3},
+                      mass,
+                      gravity},
+       .models = {space_links},
+       .stress = "spin",
+       .keeps_spin = true,
+       .reference = "closed form (steady precession)",
+       .make = make_top,
+       .exact = exact_top},
+      {.name = "stack",
+       .title = "stack of boxes",
+       .parameters = {{"boxes", "1", "number of boxes", 10, 1, 1000, true},
+                      {"top_mass", "kg", "mass of the topmost box", 1, 1e-6, 1e6},
+                      kick,
+                      friction,
+                      gravity},
+       .models = {"boxes in the plane"},
+       .stress = "top_mass",
+       .time = 5,
+       .reference = "it stands",
+       .make = make_stack,
+       .exact = stands},
+      {.name = "pyramid",
+       .title = "pyramid of boxes",
+       .parameters =
+           {{"base", "1", "number of boxes in the lowest row", 10, 1, 100, true}, kick, friction, gravity},
+       .models = {"boxes in the plane"},
+       .stress = "gravity",
+       .time = 5,
+       .reference = "it stands",
+       .make = make_pyramid,
+       .exact = stands},
+      {.name = "incline",
+       .title = "block on an incline",
+       .parameters = {{"angle", "°", "of the slope", 20, -80, 80},
+                      {"friction", "1", "μ", 0.5, 0, 1e6},
+                      {"speed", "m/s", "down the slope at first", 2, 0, 100},
+                      {"height", "m", "of the block, which is 1 m long", 0.2, 1e-3, 10},
+                      mass,
+                      gravity},
+       .models = {"boxes in the plane"},
+       .stress = "speed",
+       .duration = 2,
+       .keeps_energy = false,
+       .reference = "closed form",
+       .make = make_incline,
+       .exact = exact_incline},
   };
 }
 
@@ -422,6 +387,10 @@ std::string listed(const All& all, Name&& name) {
 }
 
 }  // namespace
+
+void require(bool holds, std::string_view what, std::string_view name, std::string_view allowed) {
+  if (!holds) throw std::invalid_argument(fmt::format("{} is {}, but it must be {}", what, name, allowed));
+}
 
 const std::vector<NamedScene>& catalogue() {
   static const std::vector<NamedScene> all = make_catalogue();
@@ -463,7 +432,7 @@ const Reference& Problem::reference() const {
     const auto exact = scene_->exact(*this);
     const ExactState before = exact(scene_->time - frame), end = exact(scene_->time);
     known_->reference = {end.positions, std::max(before.uncertainty, end.uncertainty),
-                         (end.momentum - before.momentum) / frame - start()->weight()};
+                         (end.momentum - before.momentum) / frame - start().weight()};
   });
   return known_->reference;
 }

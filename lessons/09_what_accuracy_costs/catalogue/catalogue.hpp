@@ -14,6 +14,10 @@
 // Scenes by name, with what they can be made of and what is known of how they go on.
 namespace byhand {
 
+/// Refuses a name as the solver's `require` refuses a number: throws std::invalid_argument "`what` is `name`, but
+/// it must be `allowed`" unless `holds`.
+void require(bool holds, std::string_view what, std::string_view name, std::string_view allowed);
+
 /// How long a picture of a scene stands [s]: what is measured is measured at its end.
 inline constexpr double frame = 1.0 / 60;
 

@@ -24,23 +24,25 @@ VelocityStepping stepping(const RowSolver& solver, const DriftCure& cure, int su
 /// Rows solved by `solver(sweeps)` in one step a frame.
 template <class Solver>
 Configuration by_sweeps(const std::string& name, std::string knob, int most, Solver solver) {
-  return {name + ", " + knob, knob, doubling(1, most), "β", betas, false, false, [=](int sweeps, double beta) {
-            return Setting{stepping(solver(sweeps), Baumgarte{beta})};
-          }};
+  return {.name = name + ", " + knob,
+          .knob = knob,
+          .values = doubling(1, most),
+          .tuning = "β",
+          .tunings = betas,
+          .shortens_step = false,
+          .setting = [=](int sweeps, double beta) { return Setting{stepping(solver(sweeps), Baumgarte{beta})}; }};
 }
 
 /// Rows solved by `solver` in each of so many substeps, with `cure(tuning, substep)`.
 template <class Cure>
 Configuration by_substeps(const std::string& name, int most, const RowSolver& solver, std::string tuning,
                           std::vector<double> tunings, Cure cure) {
-  return {name + ", substeps",
-          "substeps",
-          doubling(1, most),
-          tuning,
-          tunings,
-          false,
-          true,
-          [=](int substeps, double value) {
+  return {.name = name + ", substeps",
+          .knob = "substeps",
+          .values = doubling(1, most),
+          .tuning = tuning,
+          .tunings = tunings,
+          .setting = [=](int substeps, double value) {
             return Setting{stepping(solver, cure(value, frame / substeps), substeps)};
           }};
 }
@@ -48,7 +50,12 @@ Configuration by_substeps(const std::string& name, int most, const RowSolver& so
 /// A family that has substeps and nothing to tune.
 template <class Family>
 Configuration by_substeps(const std::string& name, int most, Family family) {
-  return {name + ", substeps", "substeps", doubling(1, most), "", {0}, false, true, [=](int substeps, double) {
+  return {.name = name + ", substeps",
+          .knob = "substeps",
+          .values = doubling(1, most),
+          .tuning = "",
+          .tunings = {0},
+          .setting = [=](int substeps, double) {
             Family method = family;
             method.substeps = substeps;
             return Setting{method};
@@ -108,7 +115,13 @@ std::vector<Configuration> make_configurations() {
                 [](int count) { return ConjugateGradients{.iterations = count, .tolerance = 0}; }),
       by_sweeps("accelerated gradient", "iterations", 1024,
                 [](int count) { return AcceleratedGradient{.iterations = count, .tolerance = 0}; }),
-      {"AVBD, iterations", "iterations", doubling(1, 1024), "α", {0, 0.95}, false, false, avbd},
+      {.name = "AVBD, iterations",
+       .knob = "iterations",
+       .values = doubling(1, 1024),
+       .tuning = "α",
+       .tunings = {0, 0.95},
+       .shortens_step = false,
+       .setting = avbd},
   };
 }
 

@@ -1,5 +1,7 @@
 #include "lessons/09_what_accuracy_costs/catalogue/work_precision.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 
@@ -19,10 +21,10 @@ constexpr std::array<ErrorName, error_count> error_names{{{"drift", "m"},
 constexpr double blown_up = 100;  // times the energy scale
 
 void advance_frame(AnyScene& scene, const Setting& setting) {
-  for (int i = 0; i < setting.steps; ++i) scene->step(frame / setting.steps);
+  for (int i = 0; i < setting.steps; ++i) scene.step(frame / setting.steps);
 }
 
-double trajectory_error(const RunningScene& scene, const Reference& reference) {
+double trajectory_error(const AnyScene& scene, const Reference& reference) {
   double largest = 0;
   auto exact = reference.positions.begin();
   for (const Placement& body : scene.placements())
@@ -33,37 +35,37 @@ double trajectory_error(const RunningScene& scene, const Reference& reference) {
 /// The run itself; what a method throws goes through.
 void run(const Problem& problem, const Setting& setting, const Watch& watch, Point& point) {
   AnyScene scene = problem.start();
-  scene->use(setting.method);
+  scene.use(setting.method);
   const NamedScene& named = problem.scene();
-  const double energy = scene->energy(), scale = scene->energy_scale(), spin = scene->angular_momentum().y();
+  const double energy = scene.energy(), scale = scene.energy_scale(), spin = scene.angular_momentum().y();
   const auto at = [&](Error which) -> double& { return point.error[static_cast<int>(which)]; };
-  at(Error::drift) = scene->separation();
+  at(Error::drift) = scene.separation();
   if (named.keeps_energy) at(Error::energy) = 0;
   if (named.keeps_spin) at(Error::momentum) = 0;
   const long frames = std::lround(named.duration / frame), compared = std::lround(named.time / frame);
-  Eigen::Vector3d momentum = scene->momentum();
+  Eigen::Vector3d momentum = scene.momentum();
   for (long i = 1; i <= frames; ++i) {
     advance_frame(scene, setting);
-    const double change = std::abs(scene->energy() - energy) / scale;
-    if (!scene->finite() || !(change < blown_up)) {
+    const double change = std::abs(scene.energy() - energy) / scale;
+    if (!scene.finite() || !(change < blown_up)) {
       point.outcome = Outcome::failed;
       point.reason = fmt::format("it blew up after {:.3g} s", i * frame);
       return;
     }
-    at(Error::drift) = std::max(at(Error::drift), scene->separation());
+    at(Error::drift) = std::max(at(Error::drift), scene.separation());
     if (named.keeps_energy) at(Error::energy) = std::max(at(Error::energy), change);
     if (named.keeps_spin)
-      at(Error::momentum) = std::max(at(Error::momentum), std::abs(scene->angular_momentum().y() / spin - 1));
-    if (i == compared - 1) momentum = scene->momentum();
+      at(Error::momentum) = std::max(at(Error::momentum), std::abs(scene.angular_momentum().y() / spin - 1));
+    if (i == compared - 1) momentum = scene.momentum();
     if (i == compared) {
       const Reference& reference = problem.reference();
-      at(Error::trajectory) = trajectory_error(*scene.operator->(), reference);
-      const Eigen::Vector3d reaction = (scene->momentum() - momentum) / frame - scene->weight();
+      at(Error::trajectory) = trajectory_error(scene, reference);
+      const Eigen::Vector3d reaction = (scene.momentum() - momentum) / frame - scene.weight();
       at(Error::reaction) =
-          (reaction - reference.reaction).norm() / std::max(reference.reaction.norm(), scene->weight().norm());
-      if (watch.algebraic) at(Error::algebraic) = scene->algebraic_error(frame / setting.steps);
+          (reaction - reference.reaction).norm() / std::max(reference.reaction.norm(), scene.weight().norm());
+      if (watch.algebraic) at(Error::algebraic) = scene.algebraic_error(frame / setting.steps);
     }
-    point.row_solves = static_cast<double>(scene->row_solves()) / i;
+    point.row_solves = static_cast<double>(scene.row_solves()) / i;
     if (at(watch.over) > watch.limit) return;
   }
 }
@@ -92,7 +94,7 @@ Point measure(const Problem& problem, const Configuration& configuration, int kn
   point.knob = knob;
   point.tuning = tuning;
   const Setting setting = configuration.setting(knob, tuning);
-  point.reason = problem.start()->refusal(setting.method);
+  point.reason = problem.start().refusal(setting.method);
   if (!point.reason.empty()) {
     point.outcome = Outcome::refused;
     return point;
@@ -131,7 +133,7 @@ double nanoseconds_a_frame(const Problem& problem, const Setting& setting, doubl
   const Clock::time_point begin = Clock::now();
   do {
     AnyScene scene = problem.start();
-    scene->use(setting.method);
+    scene.use(setting.method);
     for (long i = 0; i < frames; ++i) {
       const Clock::time_point start = Clock::now();
       advance_frame(scene, setting);

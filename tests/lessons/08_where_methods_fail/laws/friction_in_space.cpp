@@ -10,38 +10,35 @@ namespace {
 
 using namespace byhand;
 using M = SpaceBody;
-using Points = Scene<M>;
 constexpr double g = 9.81, h = 1.0 / 60, mu = 0.5, degree = std::numbers::pi / 180;
 
 /// What a body has gone along the ground (or its slope).
 struct Slide {
   double distance = 0, heading = 0;  // [m], [rad] from +x towards +z
 };
-template <class S>
-Slide slide(S scene, const RowSolver& solver, double time) {
-  const Linear<M> start = scene.bodies().pose[1].position.template head<3>();
-  Simulation simulation{std::move(scene), {solver}};
+Slide slide(Scene<M> scene, const RowSolver& solver, double time) {
+  const Linear<M> start = scene.bodies().pose[1].position;
+  Simulation<M> simulation{std::move(scene), {solver}};
   run(simulation, time, h);
   const Linear<M> gone = simulation.scene.bodies().pose[1].position - start;
   return {gone.norm(), std::atan2(gone.z(), gone.x())};
 }
 
 /// A flat box that sets out at `speed` in a direction of the ground.
-Points sliding_box(double heading, double speed) {
-  Points scene = box_on_incline<Points>(0, mu, 0, {1, 0.2, 1});
-  scene.bodies().velocity[1].head<3>() = speed * Linear<M>(std::cos(heading), 0, std::sin(heading));
+Scene<M> sliding_box(double heading, double speed) {
+  Scene<M> scene = box_on_incline<M>(0, mu, 0, {1, 0.2, 1});
+  scene.state().velocity[1].head<3>() = speed * Linear<M>(std::cos(heading), 0, std::sin(heading));
   return scene;
 }
 
 TEST(LawA7InSpace, ABoxSticksJustBelowTheAngleOfFriction) {
   const double angle = 0.999 * std::atan(mu);
-  EXPECT_LT(slide(box_on_incline<Points>(angle, mu), GaussSeidel{1000}, 3).distance, 1e-6);
+  EXPECT_LT(slide(box_on_incline<M>(angle, mu), GaussSeidel{1000}, 3).distance, 1e-6);
 }
 
 TEST(LawA7InSpace, ABoxSlidesJustAboveTheAngleOfFrictionAsTheFormulaSays) {
   const double angle = 1.01 * std::atan(mu), a = g * (std::sin(angle) - mu * std::cos(angle)), t = 2;
-  EXPECT_NEAR(slide(box_on_incline<Points>(angle, mu), GaussSeidel{1000}, t).distance, 0.5 * a * t * (t + h),
-              1e-4);
+  EXPECT_NEAR(slide(box_on_incline<M>(angle, mu), GaussSeidel{1000}, t).distance, 0.5 * a * t * (t + h), 1e-4);
 }
 
 // The box's corners resist a push along x otherwise than one along z: if λ came to rest along that answer rather

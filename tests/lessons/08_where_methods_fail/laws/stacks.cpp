@@ -2,6 +2,8 @@
 
 #include "lessons/08_where_methods_fail/laws/creep.hpp"
 #include "lessons/scenes/boxes.hpp"
+#include "solver/constraints/contact.hpp"
+#include "solver/constraints/friction.hpp"
 #include "tests/solver/law_motion.hpp"
 
 // Atlas B9, B18 and B20: what makes columns sink, lean and fall, and what does not.
@@ -13,7 +15,7 @@ constexpr double g = 9.81, h = 1.0 / 60;
 
 /// How long a kicked stack stands [s], at most `time`.
 double stands(int count, const VelocityStepping& method, double time, double top_mass = 1) {
-  Simulation<PlaneBody> simulation{stack(count, top_mass), method};
+  Simulation<M> simulation{stack(count, top_mass), method};
   kick(simulation.scene, 0.02);
   while (simulation.time < time) {
     simulation.step(h);
@@ -58,7 +60,7 @@ TEST(LawB20, SolvedDirectlyThirtyBoxesStandAKickUnderAHundredTimesTheirWeight) {
 TEST(LawB9, AColdStackSinksTheMoreTheFewerItsSweeps) {
   double last = 1;
   for (const int sweeps : {2, 4, 8, 16, 32, 64}) {
-    Simulation<PlaneBody> simulation{stack(5), {GaussSeidel{.sweeps = sweeps, .warm_start = false}}};
+    Simulation<M> simulation{stack(5), {GaussSeidel{.sweeps = sweeps, .warm_start = false}}};
     run(simulation, 10, h);
     const double sunk = 4.5 - simulation.scene.bodies().pose[5].position.y();
     EXPECT_LT(sunk, 0.6 * last) << sweeps;
@@ -68,7 +70,7 @@ TEST(LawB9, AColdStackSinksTheMoreTheFewerItsSweeps) {
 }
 
 TEST(LawB9, AWarmStackDoesNotSink) {
-  Simulation<PlaneBody> simulation{stack(5), {GaussSeidel{20}}};
+  Simulation<M> simulation{stack(5), {GaussSeidel{20}}};
   run(simulation, 10, h);
   EXPECT_NEAR(simulation.scene.bodies().pose[5].position.y(), 4.5, 1e-3);
 }
@@ -81,7 +83,7 @@ Scene<M> stack_on_corners(int count, double first) {
     scene.add_body({0, i - 0.5}, box<M>(1, {1, 1}));
     for (const double x : {first, -first}) {
       const auto at = between<M>(scene.bodies(), i - 1, {x, i - 1.0}, i, {x, i - 1.0});
-      const int contact = scene.add(Contact<M>{at});
+      const auto contact = scene.add(Contact<M>{at});
       scene.add(Friction<M>{at, tangents_of<M>({0, 1}), 0.6, contact});
     }
   }
@@ -90,7 +92,7 @@ Scene<M> stack_on_corners(int count, double first) {
 
 TEST(LawB9, TheOtherOrderOfSweepingMirrorsTheDriftToTheLastBit) {
   for (const int sweeps : {1, 10}) {
-    Simulation left{stack_on_corners(5, -0.5), {GaussSeidel{sweeps}}},
+    Simulation<M> left{stack_on_corners(5, -0.5), {GaussSeidel{sweeps}}},
         right{stack_on_corners(5, 0.5), {GaussSeidel{sweeps}}};
     run(left, 1, h);
     run(right, 1, h);
@@ -105,7 +107,7 @@ TEST(LawB9, TheOtherOrderOfSweepingMirrorsTheDriftToTheLastBit) {
 }
 
 TEST(LawB9, FacesHaveNoLeftAndNoRight) {
-  Simulation<PlaneBody> simulation{stack(5), {GaussSeidel{3}, NoDriftCure{}}};
+  Simulation<M> simulation{stack(5), {GaussSeidel{3}, NoDriftCure{}}};
   run(simulation, 1, h);
   for (int i = 1; i <= 5; ++i) EXPECT_NEAR(simulation.scene.bodies().pose[i].position.x(), 0, 1e-14) << i;
 }

@@ -41,20 +41,20 @@ TEST_P(EveryScene, IsRunByEveryMethodOrRefusedWithAReason) {
   for (const Configuration& configuration : configurations()) {
     const Setting setting = configuration.setting(configuration.values[2], configuration.tunings.front());
     AnyScene scene = problem.start();
-    const std::string refusal = scene->refusal(setting.method);
+    const std::string refusal = scene.refusal(setting.method);
     if (!refusal.empty()) {
-      EXPECT_THAT([&] { scene->use(setting.method); }, ThrowsMessage<std::invalid_argument>(HasSubstr(refusal)));
+      EXPECT_THAT([&] { scene.use(setting.method); }, ThrowsMessage<std::invalid_argument>(HasSubstr(refusal)));
       continue;
     }
-    scene->use(setting.method);
+    scene.use(setting.method);
     // Boxes that lie on two others have rows that repeat each other: that alone a direct solve may refuse.
     const bool repeats = GetParam().scene == "pyramid" && configuration.name.rfind("direct", 0) == 0;
     bool refused = false;
     try {
-      for (int i = 0; i < 20; ++i) scene->step(frame / setting.steps);
-      EXPECT_TRUE(scene->finite()) << configuration.name;
-      EXPECT_NEAR(scene->time(), 20 * frame / setting.steps, 1e-12);
-      EXPECT_GT(scene->row_solves(), 0) << configuration.name;
+      for (int i = 0; i < 20; ++i) scene.step(frame / setting.steps);
+      EXPECT_TRUE(scene.finite()) << configuration.name;
+      EXPECT_NEAR(scene.time(), 20 * frame / setting.steps, 1e-12);
+      EXPECT_GT(scene.row_solves(), 0) << configuration.name;
     } catch (const SingularSystem& error) {
       EXPECT_THAT(error.what(), HasSubstr("repeat")) << configuration.name;
       refused = true;
@@ -66,16 +66,16 @@ TEST_P(EveryScene, IsRunByEveryMethodOrRefusedWithAReason) {
 TEST_P(EveryScene, BeginsOnItsConstraintsWhereItsReferenceDoes) {
   const Problem problem = small(GetParam());
   const AnyScene scene = problem.start();
-  EXPECT_LT(scene->separation(), 1e-14);
+  EXPECT_LT(scene.separation(), 1e-14);
   const ExactState exact = problem.scene().exact(problem)(0);
   std::size_t i = 0;
-  for (const Placement& body : scene->placements())
+  for (const Placement& body : scene.placements())
     if (body.moves) {
       ASSERT_LT(i, exact.positions.size());
       EXPECT_LT((body.position - exact.positions[i++]).norm(), 1e-14);
     }
   EXPECT_EQ(i, exact.positions.size());
-  EXPECT_LT((scene->momentum() - exact.momentum).norm(), 1e-14);
+  EXPECT_LT((scene.momentum() - exact.momentum).norm(), 1e-14);
 }
 
 TEST_P(EveryScene, ComesToItsReferenceAsStepsAreShortened) {
@@ -96,20 +96,20 @@ TEST_P(EveryScene, ComesToItsReferenceAsStepsAreShortened) {
 
 TEST(Catalogue, ACopyGoesOnAlone) {
   AnyScene scene = Problem("chain", {{"links", 5}}).start();
-  for (int i = 0; i < 10; ++i) scene->step(frame);
+  for (int i = 0; i < 10; ++i) scene.step(frame);
   AnyScene copy = scene;
-  copy->step(frame);
-  EXPECT_NE(copy->energy(), scene->energy());
-  scene->step(frame);
-  EXPECT_EQ(copy->energy(), scene->energy());
-  EXPECT_EQ(copy->time(), scene->time());
+  copy.step(frame);
+  EXPECT_NE(copy.energy(), scene.energy());
+  scene.step(frame);
+  EXPECT_EQ(copy.energy(), scene.energy());
+  EXPECT_EQ(copy.time(), scene.time());
 }
 
 TEST(Catalogue, TheSamePhysicsCostsMoreInARicherModelAndIsTheSameToRoundOff) {
   const auto run = [](const std::string& model) {
     AnyScene scene = Problem("chain", {{"links", 5}}, model).start();
-    scene->use(VelocityStepping{Direct{}});
-    for (int i = 0; i < 60; ++i) scene->step(frame);
+    scene.use(VelocityStepping{Direct{}});
+    for (int i = 0; i < 60; ++i) scene.step(frame);
     return scene;
   };
   for (const auto& [poor, rich] : {std::pair("bobs in the plane", "balls in the plane"),
@@ -117,10 +117,10 @@ TEST(Catalogue, TheSamePhysicsCostsMoreInARicherModelAndIsTheSameToRoundOff) {
                                    {"bobs in space", "balls in space"},
                                    {"links in the plane", "links in space"}}) {
     const AnyScene a = run(poor), b = run(rich);
-    EXPECT_LT(a->degrees_of_freedom(), b->degrees_of_freedom());
-    EXPECT_LT(a->scene_bytes(), b->scene_bytes());
-    EXPECT_LT(a->row_bytes(), b->row_bytes());
-    const auto first = a->placements(), second = b->placements();
+    EXPECT_LT(a.degrees_of_freedom(), b.degrees_of_freedom());
+    EXPECT_LT(a.scene_bytes(), b.scene_bytes());
+    EXPECT_LT(a.row_bytes(), b.row_bytes());
+    const auto first = a.placements(), second = b.placements();
     for (std::size_t i = 0; i < first.size(); ++i)
       EXPECT_LT((first[i].position - second[i].position).norm(), 1e-12) << poor << " and " << rich;
   }
