@@ -92,16 +92,22 @@ TEST(Piles, WithoutFrictionAreSolvedDirectlyToWhereSweepsConverge) {
     for (const double e : {0.0, 1.0}) {
       Simulation<PlaneBody> swept{box_pile<PlaneBody>(seed, {.decades = 1, .surface = {0, e}}), {}};
       for (int i = 0; i < 30; ++i) {
-        Simulation<PlaneBody> direct = swept;
+        Simulation<PlaneBody> direct = swept, as_it_comes = swept;
         direct.method.solver = Direct{.rounds = 100, .tolerance = 1e-12};
+        as_it_comes.method.solver = Direct{};
         swept.method.solver = GaussSeidel{.sweeps = 100000, .tolerance = 1e-13};
         direct.step(h);
+        as_it_comes.step(h);
         swept.step(h);
-        for (int body = 0; body < swept.scene.bodies().size(); ++body)
+        for (int body = 0; body < swept.scene.bodies().size(); ++body) {
           // Sweeps that end on a change of 1e-13 m/s have 1e-13/(1 - ρ) left to go, and of so few bodies ρ <
-          // 0.9999.
-          ASSERT_LE((direct.scene.bodies().velocity[body] - swept.scene.bodies().velocity[body]).norm(), 1e-9)
+          // 0.9999. As it comes the active set ends on a change of 1e-5 m/s, before the slowest waves: ρ < 0.99 of
+          // what is left.
+          const auto& V = swept.scene.bodies().velocity[body];
+          ASSERT_LE((direct.scene.bodies().velocity[body] - V).norm(), 1e-9) << "seed " << seed << ", step " << i;
+          ASSERT_LE((as_it_comes.scene.bodies().velocity[body] - V).norm(), 1e-3)
               << "seed " << seed << ", step " << i;
+        }
       }
     }
 }

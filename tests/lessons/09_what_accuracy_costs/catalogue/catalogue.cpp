@@ -47,14 +47,19 @@ TEST_P(EveryScene, IsRunByEveryMethodOrRefusedWithAReason) {
       continue;
     }
     scene.use(setting.method);
+    // Boxes that lie on two others have rows that repeat each other: that alone a direct solve may refuse.
+    const bool repeats = GetParam().scene == "pyramid" && configuration.name.rfind("direct", 0) == 0;
+    bool refused = false;
     try {
       for (int i = 0; i < 20; ++i) scene.step(frame / setting.steps);
       EXPECT_TRUE(scene.finite()) << configuration.name;
       EXPECT_NEAR(scene.time(), 20 * frame / setting.steps, 1e-12);
       EXPECT_GT(scene.row_solves(), 0) << configuration.name;
     } catch (const SingularSystem& error) {
-      EXPECT_STRNE(error.what(), "") << configuration.name;
+      EXPECT_THAT(error.what(), HasSubstr("repeat")) << configuration.name;
+      refused = true;
     }
+    EXPECT_EQ(refused, repeats) << configuration.name;
   }
 }
 
