@@ -20,7 +20,7 @@ Simulation<M> stretched(double error, const Baumgarte& cure) {
   simulation.scene.state().pose[1].position *= 1 + error / length;
   return simulation;
 }
-template <class M, template <class> class Rod>
+template <class M>
 double stretch(const Simulation<M>& simulation) {
   return simulation.scene.bodies().pose[1].position.norm() - length;
 }

@@ -1,6 +1,7 @@
 #include "solver/methods/positions.hpp"
 
 #include "solver/constraints/motor.hpp"
+#include "solver/constraints/pin.hpp"
 #include "solver/constraints/rope.hpp"
 #include "solver/constraints/servo.hpp"
 #include "solver/methods/xpbd.hpp"
