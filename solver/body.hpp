@@ -91,8 +91,8 @@ Eigen::Matrix<double, M::angular, M::angular> inertia(const InverseMass<M>& inve
 template <class M>
 class Scene;
 
-/// The inverse masses of all bodies. Whether a body moves decides how rows are laid out, so that only the scene, which
-/// counts such changes, may write them.
+/// The inverse masses of all bodies. Whether a body moves decides how rows are laid out, so that only the scene,
+/// which counts such changes, may write them.
 template <class M>
 class InverseMasses {
  public:

@@ -9,13 +9,13 @@
 #include "solver/integrate/jet.hpp"
 #include "solver/system.hpp"
 
-// A kind of constraint is a plain struct, one file each in constraints/; a program may have kinds of its own. It has
+// A kind of constraint is a plain struct, one file each in constraints/; a program may have kinds of its own. It
+// has
 //
 //   static constexpr int rows                         K
-//   static constexpr int position_rows                how many of them, the first, have a C; the others have only a rate
-//   static constexpr Bound bound                      of λ
-//   at.body1, at.body2                                the two bodies
-//   Rows<K, T> value<T>(pose1, pose2)                 C, for any scalar T; of a row without a C, what JV is the rate of
+//   static constexpr int position_rows                how many of them, the first, have a C; the others have only
+//   a rate static constexpr Bound bound                      of λ at.body1, at.body2 the two bodies Rows<K, T>
+//   value<T>(pose1, pose2)                 C, for any scalar T; of a row without a C, what JV is the rate of
 //   Jacobian<M, K> jacobian(pose1, pose2)             J, the gradient of `value`, derived by hand
 //   void require_valid(bodies)                        throws std::invalid_argument
 //   double softness, or Soft soft(pose1, pose2, h)    γ, or γ and what the row adds to its bias
@@ -23,9 +23,9 @@
 // and, by its bound: bounds(h) with Bound::interval; coefficient μ with Bound::friction and Bound::manifold, with
 // friction also `contact`, the identity of the constraint that presses. Contacts have a restitution besides.
 //
-// A scene keeps all constraints of a kind together, in a store that is adapted to the kind once (Store below). Stages of
-// a step call it once for many constraints, so that the kind costs no branch within a stage and a kind that no scene has
-// costs nothing.
+// A scene keeps all constraints of a kind together, in a store that is adapted to the kind once (Store below).
+// Stages of a step call it once for many constraints, so that the kind costs no branch within a stage and a kind
+// that no scene has costs nothing.
 namespace byhand {
 
 /// What a row that acts like a spring or a motor asks for over a time step: Δλ = -E(JV + rate + γλ).
@@ -33,8 +33,8 @@ struct Soft {
   double gamma = 0, rate = 0;  // γ, and what is added to the bias [units of C per second]
 };
 
-/// The constraints of one kind, whatever it is: what a scene and the methods ask of them. Constraints are named by their
-/// index in the store.
+/// The constraints of one kind, whatever it is: what a scene and the methods ask of them. Constraints are named by
+/// their index in the store.
 template <class M>
 class ConstraintStore {
  public:
@@ -55,8 +55,8 @@ class ConstraintStore {
   /// γ of its first row without a step, and whether it acts like a spring or a motor.
   virtual double softness(int index) const = 0;
 
-  /// Writes a run of rows at the bodies' poses, for a time step h [s]: J, M⁻¹Jᵀ, C, γ, bounds, and what a row adds to
-  /// its bias.
+  /// Writes a run of rows at the bodies' poses, for a time step h [s]: J, M⁻¹Jᵀ, C, γ, bounds, and what a row adds
+  /// to its bias.
   virtual void write_rows(const Run& run, const Bodies<M>& bodies, double h, System<M>& system) const = 0;
   /// J̇V of a run of rows along the paths of all bodies.
   virtual void write_bias_accelerations(const Run& run, const std::vector<Pose<M, Jet>>& paths,
@@ -134,7 +134,8 @@ class Store final : public Constraints<M, Kind> {
  private:
   static void write_jacobian(const Kind& constraint, const Bodies<M>& bodies, BlockOfKind& block) {
     const Pose<M>&pose1 = bodies.pose[block.body1], &pose2 = bodies.pose[block.body2];
-    // Constructed in place: assigned, J and W would be stored number by number and at once loaded in pairs, which stalls.
+    // Constructed in place: assigned, J and W would be stored number by number and at once loaded in pairs, which
+    // stalls.
     using J = Jacobian<M, K>;
     new (&block.J) J(constraint.jacobian(pose1, pose2));
     new (&block.W) J(times_inverse_mass(block.J, bodies.inverse_mass[block.body1], pose1,
@@ -176,7 +177,8 @@ std::unique_ptr<ConstraintStore<M>> make_store() {
 }
 
 /// Declares that the store of a kind is compiled in the library, for one model or for each.
-#define BYHAND_STORE_IN_LIBRARY(M, Kind) extern template std::unique_ptr<ConstraintStore<M>> make_store<M, Kind<M>>()
+#define BYHAND_STORE_IN_LIBRARY(M, Kind) \
+  extern template std::unique_ptr<ConstraintStore<M>> make_store<M, Kind<M>>()
 #define BYHAND_STORES_IN_LIBRARY(Kind)          \
   BYHAND_STORE_IN_LIBRARY(PlaneParticle, Kind); \
   BYHAND_STORE_IN_LIBRARY(PlaneBody, Kind);     \

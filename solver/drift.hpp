@@ -5,15 +5,16 @@
 
 #include "solver/system.hpp"
 
-// JV = 0 keeps a constraint's rate at zero, not its value: C drifts. A cure turns C into the bias b of (21), puts the poses
-// back once they have moved, or both. Each is one file in methods/ but for Baumgarte's, the article's, which is here.
+// JV = 0 keeps a constraint's rate at zero, not its value: C drifts. A cure turns C into the bias b of (21), puts
+// the poses back once they have moved, or both. Each is one file in methods/ but for Baumgarte's, the article's,
+// which is here.
 namespace byhand {
 
 /// How a cure sets the bias: b = rate C.
 struct Correction {
   double rate = 0;  // [1/s]
-  // Of one-sided rows alone: how much overlap is left alone, so that contacts at rest stay touching [m] >= 0, and how fast
-  // what is more is pushed out at most [m/s] > 0.
+  // Of one-sided rows alone: how much overlap is left alone, so that contacts at rest stay touching [m] >= 0, and
+  // how fast what is more is pushed out at most [m/s] > 0.
   double slop = 0;
   double speed_cap = std::numeric_limits<double>::infinity();
 };

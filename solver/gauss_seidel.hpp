@@ -2,9 +2,6 @@
 
 #include "solver/contact/manifold_rows.hpp"
 
-// What the row solvers share: (17) for a block of rows, Δλ = -E(JV + b + γλ) with E = (JM⁻¹Jᵀ + γ)⁻¹,
-// multiplied out beforehand so that the inner loop is two short sums. A sweep then costs half of what it
-// costs with E, J and W apart.
 namespace byhand {
 
 template <class M>

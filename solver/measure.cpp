@@ -15,8 +15,9 @@ double residual(const System<M>& system, const std::vector<Velocity<M>>& V) {
         const double A = inverse_effective_mass(block.J, block.W).diagonal().maxCoeff() + gamma.maxCoeff();
         if (A == 0) continue;
         const double normal_row = B == Bound::friction ? system.lambda[block.normal_row] : 0.0;
-        error = A * (bounded<K, B>(lambda - error / A, system.lower[block.row], system.upper[block.row], normal_row) -
-                     lambda);
+        error =
+            A * (bounded<K, B>(lambda - error / A, system.lower[block.row], system.upper[block.row], normal_row) -
+                 lambda);
       }
       largest = std::max(largest, error.cwiseAbs().maxCoeff());
     }
@@ -56,9 +57,9 @@ double algebraic_error(Simulation<M> simulation, double h) {
   return largest;
 }
 
-#define BYHAND_INSTANTIATE(M)                                                    \
-  template PositionError position_error(const Scene<M>&);                        \
-  template double residual(const System<M>&, const std::vector<Velocity<M>>&);   \
+#define BYHAND_INSTANTIATE(M)                                                  \
+  template PositionError position_error(const Scene<M>&);                      \
+  template double residual(const System<M>&, const std::vector<Velocity<M>>&); \
   template double algebraic_error(Simulation<M>, double)
 BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);
 #undef BYHAND_INSTANTIATE

@@ -21,8 +21,8 @@ struct Surface {
   double restitution = 0;  // e in [0, 1]
 };
 
-/// What bodies that touch become: in the plane one ContactManifold for both points; or a Contact for each point, with
-/// Friction where the surfaces have any. In space always the latter.
+/// What bodies that touch become: in the plane one ContactManifold for both points; or a Contact for each point,
+/// with Friction where the surfaces have any. In space always the latter.
 enum class ContactRows { manifold, points };
 
 /// Collision shapes and surfaces, indexed by body; empty where nothing can touch.
@@ -42,8 +42,8 @@ struct Handle {
 };
 
 /// The bodies and constraints of one scene. The model is its type; kinds of constraint are not, and one that no
-/// constraint has costs nothing. Only the scene adds, changes and removes bodies and constraints, and `version` changes
-/// whenever that alters how rows are laid out. A call that throws leaves the scene as it was.
+/// constraint has costs nothing. Only the scene adds, changes and removes bodies and constraints, and `version`
+/// changes whenever that alters how rows are laid out. A call that throws leaves the scene as it was.
 template <class M>
 class Scene {
  public:
@@ -56,7 +56,8 @@ class Scene {
     int kind = 0, index = 0;
     int id = 0;  // negative for a constraint that was found
     int body1 = 0, body2 = 0;
-    std::uint64_t stamp = 0;  // no other constraint that was added to any scene has it; copies of the scene keep it
+    std::uint64_t stamp =
+        0;  // no other constraint that was added to any scene has it; copies of the scene keep it
   };
 
   Scene();
@@ -71,8 +72,7 @@ class Scene {
   Bodies<M>& state() { return bodies_; }
 
   /// Adds a body (`fixed` holds it) and returns its index. That of a removed body is used again.
-  int add_body(const Pose<M>& pose, const InverseMass<M>& mass,
-               const Velocity<M>& velocity = Velocity<M>::Zero());
+  int add_body(const Pose<M>& pose, const InverseMass<M>& mass, const Velocity<M>& velocity = Velocity<M>::Zero());
   /// Adds an unturned body at a point [m].
   int add_body(const Linear<M>& position, const InverseMass<M>& mass,
                const Velocity<M>& velocity = Velocity<M>::Zero());
@@ -85,15 +85,14 @@ class Scene {
   void set_mass(int body, const InverseMass<M>& mass);
 
   /// Lets a body touch others. Throws std::invalid_argument for a shape or surface outside its range.
-  void set_shape(int body, const Shape<M>& shape, const Surface& surface = {})
-  requires(M::angular > 0);
+  void set_shape(int body, const Shape<M>& shape, const Surface& surface = {}) requires(M::angular > 0);
   /// Bodies nearer than this get a contact [m] > 0.
   void set_margin(double margin);
   void set_contact_rows(ContactRows rows);
   const Colliders<M>& colliders() const { return colliders_; }
 
-  /// Adds a constraint. Constraints are counted in the order in which they come, whatever their kind, and that is their
-  /// natural order. Throws std::invalid_argument for what the kind refuses.
+  /// Adds a constraint. Constraints are counted in the order in which they come, whatever their kind, and that is
+  /// their natural order. Throws std::invalid_argument for what the kind refuses.
   template <class Kind>
   Handle<Kind> add(const Kind& constraint) {
     constraint.require_valid(bodies_);

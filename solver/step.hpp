@@ -51,8 +51,8 @@ std::string refusal(const Scene<M>& scene, const VelocityStepping& method);
 template <class M>
 void advance(Scene<M>& scene, const VelocityStepping& method, double step, Work<M>& work);
 
-/// What moves a simulation that is given no method. Velocity stepping solves chains, trees and columns directly and the
-/// rest until it has converged, and leaves bodies at rest in touch.
+/// What moves a simulation that is given no method. Velocity stepping solves chains, trees and columns directly
+/// and the rest until it has converged, and leaves bodies at rest in touch.
 template <class Method>
 Method default_method() {
   if constexpr (std::is_same_v<Method, VelocityStepping>)
@@ -61,8 +61,8 @@ Method default_method() {
     return {};
 }
 
-/// A scene, the method that moves it and what is kept between steps: a value, so that a copy is a way back. Families of
-/// methods are types (see methods/method.hpp), so that a simulation keeps only what its own needs.
+/// A scene, the method that moves it and what is kept between steps: a value, so that a copy is a way back.
+/// Families of methods are types (see methods/method.hpp), so that a simulation keeps only what its own needs.
 template <class M, class Method = VelocityStepping>
 struct Simulation {
   Scene<M> scene;
@@ -76,8 +76,8 @@ struct Simulation {
     time += h;
   }
 
-  /// The force and torque that a constraint exerted in the last substep. Throws std::invalid_argument for one that the
-  /// scene does not have or that took no part in it.
+  /// The force and torque that a constraint exerted in the last substep. Throws std::invalid_argument for one that
+  /// the scene does not have or that took no part in it.
   Reaction<M> reaction(int constraint) const { return byhand::reaction(scene, work, constraint); }
 };
 

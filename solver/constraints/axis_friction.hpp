@@ -22,7 +22,7 @@ struct AxisFriction {
   Anchors<M> at;
   Linear<M> tangent;       // t, a unit vector in the world
   double coefficient = 0;  // μ >= 0
-  int contact = 0;          // the contact that presses, by its handle
+  int contact = 0;         // the contact that presses, by its handle
   double softness = 0;     // γ [1/kg] >= 0
 
   /// The slip at two poses [m], for any scalar.

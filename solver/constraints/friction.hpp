@@ -24,7 +24,7 @@ struct Friction {
   Anchors<M> at;
   Eigen::Matrix<double, M::linear, rows> tangents;  // t_k, unit vectors in the world, as columns
   double coefficient = 0;                           // μ >= 0
-  int contact = 0;                                   // the contact that presses, by its handle
+  int contact = 0;                                  // the contact that presses, by its handle
   double softness = 0;                              // γ [1/kg] >= 0
 
   /// The slip at two poses [m], for any scalar.

@@ -33,7 +33,7 @@ struct Slider {
   Rows<rows, T> value(const Pose<M, T>& pose1, const Pose<M, T>& pose2) const {
     const Linear<M, T> d = rotate(inverse(pose1.rotation), at.separation(pose1, pose2));
     Rows<rows, T> C;
-    C << across.transpose().template cast<T>() * d, right.template value<T>(pose1, pose2);
+    C << across.transpose().template cast<T>().lazyProduct(d), right.template value<T>(pose1, pose2);
     return C;
   }
 

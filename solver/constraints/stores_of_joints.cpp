@@ -6,8 +6,7 @@
 namespace byhand {
 
 #define BYHAND_STORE(M, Kind) template std::unique_ptr<ConstraintStore<M>> make_store<M, Kind<M>>()
-#define BYHAND_INSTANTIATE(M) \
-  BYHAND_STORE(M, Pin)
+#define BYHAND_INSTANTIATE(M) BYHAND_STORE(M, Pin)
 BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);
 BYHAND_STORE(PlaneBody, Slider);
 BYHAND_STORE(SpaceBody, Slider);

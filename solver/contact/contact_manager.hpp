@@ -12,8 +12,8 @@
 
 namespace byhand {
 
-/// Finds the contacts of a scene from its shapes, step after step, writes them into the scene as constraints, and keeps
-/// their impulses for the warm start of the next step. Particles have no shapes and no contacts.
+/// Finds the contacts of a scene from its shapes, step after step, writes them into the scene as constraints, and
+/// keeps their impulses for the warm start of the next step. Particles have no shapes and no contacts.
 template <class M>
 class ContactManager {
  public:
@@ -23,12 +23,11 @@ class ContactManager {
 };
 
 template <class M>
-requires(M::angular > 0)
-class ContactManager<M> {
+requires(M::angular > 0) class ContactManager<M> {
  public:
-  /// Looks for contacts at the current poses and makes them the scene's found constraints, as its ContactRows say. Bodies
-  /// that a constraint joins, and two fixed ones, pass through each other. Two bodies that have moved less than a
-  /// hundredth of the margin since their contact was found keep it: its arms turn with them.
+  /// Looks for contacts at the current poses and makes them the scene's found constraints, as its ContactRows say.
+  /// Bodies that a constraint joins, and two fixed ones, pass through each other. Two bodies that have moved less
+  /// than a hundredth of the margin since their contact was found keep it: its arms turn with them.
   void find(Scene<M>& scene);
   /// Gives the rows of found contacts the impulses that they had in the last step.
   void write_impulses(const Scene<M>& scene, System<M>& system) const;
@@ -51,7 +50,8 @@ class ContactManager<M> {
     Linear<M> normal;
     std::array<Arms<M>, capacity> arms;
     std::array<double, capacity> normal_impulse = {};
-    std::array<Eigen::Matrix<double, tangents, 1>, capacity> tangent_impulse = {};  // the first alone of a manifold
+    std::array<Eigen::Matrix<double, tangents, 1>, capacity> tangent_impulse =
+        {};  // the first alone of a manifold
   };
 
   bool note_moved(const Scene<M>& scene);

@@ -2,14 +2,15 @@
 
 #include <array>
 
-#include "solver/methods/prepared.hpp"
+#include "solver/system.hpp"
 
-// The three rows of a contact manifold in the plane, solved as one block: both normals together, then friction at the slip
-// that they leave, within what they press. Solved one after the other the normals would take turns at tilting the body.
+// The three rows of a contact manifold in the plane, solved as one block: both normals together, then friction at
+// the slip that they leave, within what they press. Solved one after the other the normals would take turns at
+// tilting the body.
 namespace byhand {
 
-/// A = JM⁻¹Jᵀ + γ of a manifold's two normal rows, and its inverse: while bounds hold one of them back, A is needed
-/// beside A⁻¹.
+/// A = JM⁻¹Jᵀ + γ of a manifold's two normal rows, and its inverse: while bounds hold one of them back, A is
+/// needed beside A⁻¹.
 struct NormalRows {
   double A00, A01, A11;
   double E00, E01, E11;
@@ -40,8 +41,8 @@ struct PreparedBlock<M, 3, Bound::manifold> {
 };
 
 //! [manifold]
-/// λ >= 0 of both normals that leaves no rate of approach, given the rates at the λ that is there: the complementarity
-/// problem of two rows, by trying which of them press.
+/// λ >= 0 of both normals that leaves no rate of approach, given the rates at the λ that is there: the
+/// complementarity problem of two rows, by trying which of them press.
 inline std::array<double, 2> pressing_normals(const NormalRows& rows, const Rows<3>& rate, const double* lambda) {
   if (rows.row_by_row) {
     const double first = rows.A00 > 0 ? std::max(0.0, lambda[0] - rate[0] / rows.A00) : 0.0;

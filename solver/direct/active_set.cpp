@@ -37,8 +37,8 @@ void hold(System<M>& system, std::vector<double>& change) {
     if constexpr (B != Bound::none)
       for (const auto& block : blocks) {
         Eigen::Map<Rows<K>> lambda(&system.lambda[block.row]);
-        const Rows<K> held =
-            bounded<K, B>(lambda, system.lower[block.row], system.upper[block.row], system.lambda[block.normal_row]);
+        const Rows<K> held = bounded<K, B>(lambda, system.lower[block.row], system.upper[block.row],
+                                           system.lambda[block.normal_row]);
         for (int k = 0; k < K; ++k) change[block.row + k] = held[k] - lambda[k];
         lambda = held;
       }

@@ -174,8 +174,8 @@ Eigen::Quaternion<T> rotated_by(const Eigen::Quaternion<T>& q, const Eigen::Matr
   return turned;
 }
 
-/// The vector `v`, given in the body's axes, in the world's: v + 2w (q × v) + q × 2(q × v). Inlined by force, for every
-/// arm of every row is turned by it.
+/// The vector `v`, given in the body's axes, in the world's: v + 2w (q × v) + q × 2(q × v). Inlined by force, for
+/// every arm of every row is turned by it.
 template <class T, class Vector>
 [[gnu::always_inline]] inline Eigen::Matrix<T, 3, 1> rotate(const Eigen::Quaternion<T>& q,
                                                             const Eigen::MatrixBase<Vector>& v) {

@@ -121,7 +121,8 @@ void accelerate(const Scene<M>& scene, double regularisation, AccelerationsWork<
 //! [runge_kutta]
 /// One substep by an explicit rule whose stages need only the one before.
 template <class M>
-void runge_kutta(Scene<M>& scene, std::span<const Stage> stages, double regularisation, AccelerationsWork<M>& work) {
+void runge_kutta(Scene<M>& scene, std::span<const Stage> stages, double regularisation,
+                 AccelerationsWork<M>& work) {
   std::fill(work.sum.begin(), work.sum.end(), Slope<M>());
   for (const Stage& stage : stages) {
     accelerate(scene, regularisation, work);

@@ -55,11 +55,11 @@ void note_curvature(const ConstraintStore<M>& store, const Block<M, K, B>& block
     pose = moved<M, double>(here, Velocity<M>::Unit(i), way);
     store.linearise(bodies, displaced, C.data());
     pose = here;
-    curvature.col(first + i) = (displaced.J.matrix.template middleCols<dof>(first) -
-                                block.J.matrix.template middleCols<dof>(first))
-                                   .rowwise()
-                                   .norm() /
-                               way;
+    curvature.col(first + i) =
+        (displaced.J.matrix.template middleCols<dof>(first) - block.J.matrix.template middleCols<dof>(first))
+            .rowwise()
+            .norm() /
+        way;
   };
   for (int i = 0; i < dof; ++i) {
     column(block.body1, 0, i);
@@ -78,7 +78,8 @@ void share_stiffness(const Block<M, K, B>& block, std::vector<double>& stiffness
 
 /// Sets how a block begins a step: its Λ and k, and how much of C it asks for.
 template <class M, int K, Bound B>
-void warm_start(const Avbd& method, double h, int position_rows, const Block<M, K, B>& block, Avbd::Work<M>& work) {
+void warm_start(const Avbd& method, double h, int position_rows, const Block<M, K, B>& block,
+                Avbd::Work<M>& work) {
   System<M>& system = work.system;
   for (int k = 0; k < K; ++k) {
     const int row = block.row + k;

@@ -61,7 +61,8 @@ std::string refusal(const Scene<M>&, const Avbd&) {
   return {};
 }
 
-/// What is kept between steps: Λ and k (the system's stiffness [N/m]), which constraints hold which body, and scratch.
+/// What is kept between steps: Λ and k (the system's stiffness [N/m]), which constraints hold which body, and
+/// scratch.
 template <class M>
 struct Avbd::Work : PositionWork<M> {
   struct Holder {

@@ -38,9 +38,9 @@ void solve_rows(double regularisation, const Bodies<M>& bodies, EqualitiesWork<M
   work.row_solves += direct_row_solves(solver, work.direct.plan, work.system.rows(), M::dof);
 }
 
-#define BYHAND_INSTANTIATE(M)                                                                    \
-  template std::string refusal_unless_equalities(const Scene<M>&, const char*);                  \
-  template void begin_equalities(const Scene<M>&, double, EqualitiesWork<M>&);                   \
+#define BYHAND_INSTANTIATE(M)                                                   \
+  template std::string refusal_unless_equalities(const Scene<M>&, const char*); \
+  template void begin_equalities(const Scene<M>&, double, EqualitiesWork<M>&);  \
   template void solve_rows(double, const Bodies<M>&, EqualitiesWork<M>&)
 BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);
 #undef BYHAND_INSTANTIATE

@@ -84,15 +84,16 @@ void end_rows(Scene<M>& scene, double h, double threshold, PositionWork<M>& work
   for (const Run& run : system.runs)
     for_type<M>(run.type, [&](auto type) {
       for (auto& block : part<type>(system.blocks, run))
-        if (bounce(scene, run.kind, block, threshold, scene.state(), work)) work.row_solves += block.J.matrix.rows();
+        if (bounce(scene, run.kind, block, threshold, scene.state(), work))
+          work.row_solves += block.J.matrix.rows();
     });
 }
 
-#define BYHAND_INSTANTIATE(M)                                                             \
-  template bool begin_rows(Scene<M>&, PositionWork<M>&);                                  \
-  template void write_targets(const Scene<M>&, double, PositionWork<M>&);                 \
-  template Velocity<M> velocity_between(const Pose<M>&, const Pose<M>&, double);          \
-  template void velocities_between(const std::vector<Pose<M>>&, double, Bodies<M>&);      \
+#define BYHAND_INSTANTIATE(M)                                                        \
+  template bool begin_rows(Scene<M>&, PositionWork<M>&);                             \
+  template void write_targets(const Scene<M>&, double, PositionWork<M>&);            \
+  template Velocity<M> velocity_between(const Pose<M>&, const Pose<M>&, double);     \
+  template void velocities_between(const std::vector<Pose<M>>&, double, Bodies<M>&); \
   template void end_rows(Scene<M>&, double, double, PositionWork<M>&)
 BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);
 #undef BYHAND_INSTANTIATE

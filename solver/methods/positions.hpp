@@ -24,7 +24,8 @@
 // MIG 2016, eq. 18; the rows without a C are derived here.)
 namespace byhand {
 
-/// What methods on positions keep besides the rows of the system, which they lay out in natural order: one number a row.
+/// What methods on positions keep besides the rows of the system, which they lay out in natural order: one number
+/// a row.
 template <class M>
 struct PositionWork : StepWork<M> {
   std::vector<double> impulse;  // Λ = hλ [kg m, or what C's unit makes of it]
@@ -37,8 +38,8 @@ struct PositionWork : StepWork<M> {
 template <class M>
 bool begin_rows(Scene<M>& scene, PositionWork<M>& work);
 
-/// Writes what the rows ask for over a substep h [s] that begins at these poses and velocities, and notes JV of those that
-/// may bounce.
+/// Writes what the rows ask for over a substep h [s] that begins at these poses and velocities, and notes JV of
+/// those that may bounce.
 template <class M>
 void write_targets(const Scene<M>& scene, double h, PositionWork<M>& work);
 
@@ -53,7 +54,8 @@ Rows<K> position_error(const Rows<K>& C, bool periodic, int row, const PositionW
   return change + Eigen::Map<const Rows<K>>(&work.target[row]);
 }
 
-/// Bounds of a block's Λ: an interval's two ends; with friction `upper` is μ and `normal` the Λ that it multiplies.
+/// Bounds of a block's Λ: an interval's two ends; with friction `upper` is μ and `normal` the Λ that it
+/// multiplies.
 struct ImpulseBounds {
   double lower = 0, upper = 0, normal = 0;
 };
@@ -120,8 +122,8 @@ Velocity<M> velocity_between(const Pose<M>& before, const Pose<M>& after, double
 template <class M>
 void velocities_between(const std::vector<Pose<M>>& before, double h, Bodies<M>& bodies);
 
-/// Ends a substep h [s]: λ from Λ; contacts that met faster than `threshold` [m/s] and pressed get the velocity -e JV⁻
-/// with which they part, one after the other from the λ that stands.
+/// Ends a substep h [s]: λ from Λ; contacts that met faster than `threshold` [m/s] and pressed get the velocity -e
+/// JV⁻ with which they part, one after the other from the λ that stands.
 template <class M>
 void end_rows(Scene<M>& scene, double h, double threshold, PositionWork<M>& work);
 

@@ -10,7 +10,7 @@ void project(const Projection& cure, const ConstraintStore<M>& store, Block<M, K
   Rows<K> C;
   store.linearise(bodies, block, C.data());
   if constexpr (B != Bound::none) C = (C.array() + cure.slop).min(0.0);
-  C.tail(K - store.position_rows).setZero();
+  for (int k = store.position_rows; k < K; ++k) C[k] = 0;
   Eigen::Matrix<double, K, K> A = inverse_effective_mass(block.J, block.W);
   A.diagonal().array() += store.softness(block.constraint);
   constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -80,8 +80,8 @@ void solve_rows(const RowSolver& solver, Bodies<M>& bodies, RowWork<M>& work, Be
             }});
 }
 
-#define BYHAND_INSTANTIATE(M)                                                \
-  template void lay_out(const Scene<M>&, const RowSolver&, RowWork<M>&);     \
+#define BYHAND_INSTANTIATE(M)                                            \
+  template void lay_out(const Scene<M>&, const RowSolver&, RowWork<M>&); \
   template void solve_rows(const RowSolver&, Bodies<M>&, RowWork<M>&, Begin)
 BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);
 #undef BYHAND_INSTANTIATE

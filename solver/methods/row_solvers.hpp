@@ -2,11 +2,11 @@
 
 #include <variant>
 
+#include "solver/direct/direct.hpp"
+#include "solver/gauss_seidel.hpp"
 #include "solver/methods/accelerated_gradient.hpp"
 #include "solver/methods/conjugate_gradients.hpp"
 #include "solver/methods/conjugate_sweeps.hpp"
-#include "solver/direct/direct.hpp"
-#include "solver/gauss_seidel.hpp"
 #include "solver/methods/jacobi.hpp"
 #include "solver/methods/step_work.hpp"
 

@@ -39,8 +39,8 @@ void relax(const SoftConstraints& cure, const RowSolver& solver, double h, Scene
   solve_rows(solver, scene.state(), rows, Begin::again);
 }
 
-#define BYHAND_INSTANTIATE(M)                                                                         \
-  template void soften(const SoftConstraints&, double, System<M>&, SoftWork&);                        \
+#define BYHAND_INSTANTIATE(M)                                                  \
+  template void soften(const SoftConstraints&, double, System<M>&, SoftWork&); \
   template void relax(const SoftConstraints&, const RowSolver&, double, Scene<M>&, RowWork<M>&, SoftWork&)
 BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);
 #undef BYHAND_INSTANTIATE

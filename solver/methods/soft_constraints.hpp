@@ -48,8 +48,8 @@ struct SoftWork {
   std::vector<double> gamma, rate;
 };
 
-/// Before the rows are solved: gives every row that has a C and no softness of its own γ = A/a₂; a contact that is still
-/// open stays hard.
+/// Before the rows are solved: gives every row that has a C and no softness of its own γ = A/a₂; a contact that is
+/// still open stays hard.
 template <class M>
 void soften(const SoftConstraints& cure, double h, System<M>& system, SoftWork& work);
 

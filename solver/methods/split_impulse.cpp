@@ -26,8 +26,8 @@ void push_poses(const SplitImpulse& cure, const RowSolver& solver, double h, Bod
 }
 //! [split_impulse]
 
-#define BYHAND_INSTANTIATE(M)                                                                            \
-  template void push_poses(const SplitImpulse&, const RowSolver&, double, Bodies<M>&, RowWork<M>&,       \
+#define BYHAND_INSTANTIATE(M)                                                                      \
+  template void push_poses(const SplitImpulse&, const RowSolver&, double, Bodies<M>&, RowWork<M>&, \
                            SplitImpulseWork<M>&)
 BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);
 #undef BYHAND_INSTANTIATE

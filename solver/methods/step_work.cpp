@@ -63,9 +63,9 @@ Reaction<M> reaction(const Scene<M>& scene, const StepWork<M>& work, int constra
   return result;
 }
 
-#define BYHAND_INSTANTIATE(M)                                          \
-  template bool lay_out_naturally(const Scene<M>&, StepWork<M>&);      \
-  template bool has_bounds(const Scene<M>&);                           \
+#define BYHAND_INSTANTIATE(M)                                     \
+  template bool lay_out_naturally(const Scene<M>&, StepWork<M>&); \
+  template bool has_bounds(const Scene<M>&);                      \
   template Reaction<M> reaction(const Scene<M>&, const StepWork<M>&, int)
 BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);
 #undef BYHAND_INSTANTIATE

@@ -11,8 +11,8 @@ namespace byhand {
 /// The orders in which rows can be laid out.
 enum class Layout { none, natural, reverse, coloured, elimination };
 
-/// What every method keeps between steps. λ of `system` is the impulse of the last substep, so that λ/h is the mean
-/// force in it.
+/// What every method keeps between steps. λ of `system` is the impulse of the last substep, so that λ/h is the
+/// mean force in it.
 template <class M>
 struct StepWork {
   System<M> system;
@@ -44,8 +44,8 @@ void rescale_impulses(StepWork<M>& work, double h) {
 template <class M>
 bool has_bounds(const Scene<M>& scene);
 
-/// What every step begins with: throws std::invalid_argument for a time step [s] that is not positive, gravity that is
-/// not finite, a method outside its range, and a method that refuses the scene.
+/// What every step begins with: throws std::invalid_argument for a time step [s] that is not positive, gravity
+/// that is not finite, a method outside its range, and a method that refuses the scene.
 template <class M, class Method>
 void require_steppable(const Scene<M>& scene, const Method& method, double step) {
   require_positive("time step", step, "s");
@@ -62,8 +62,8 @@ struct Reaction {
   Angular<M> torque2 = Angular<M>::Zero();  // on the second [N m]
 };
 
-/// Jᵀλ/h of a constraint, by its handle or identity, as it was solved last. Throws std::invalid_argument for one that the
-/// scene does not have or that took no part in the last step.
+/// Jᵀλ/h of a constraint, by its handle or identity, as it was solved last. Throws std::invalid_argument for one
+/// that the scene does not have or that took no part in the last step.
 template <class M>
 Reaction<M> reaction(const Scene<M>& scene, const StepWork<M>& work, int constraint);
 
