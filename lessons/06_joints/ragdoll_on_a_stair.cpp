@@ -49,8 +49,7 @@ double least_of_stops(const Doll& doll) {
   double least = INFINITY;
   const auto& [lambda, row_of] = std::tie(doll.work.system.lambda, doll.work.system.row_of);
   for (int place = 0; place < doll.scene.lasting(); ++place)
-    if (doll.scene.get_if<AngleLimit<M>>(place))
-      least = std::min(least, lambda[row_of[place]]);
+    if (doll.scene.get_if<AngleLimit<M>>(place)) least = std::min(least, lambda[row_of[place]]);
   return least;
 }
 

@@ -68,8 +68,7 @@ TYPED_TEST_SUITE(LawB1OfPins, BodyModels);
 TYPED_TEST(LawB1OfPins, ABlockOfRowsLeavesOneMinusBetaOfEach) {
   for (int tenth = 0; tenth <= 25; ++tenth) {
     const double beta = tenth / 10.0;
-    Simulation<TypeParam> simulation{hinged_rod<TypeParam>(0.7, length, mass),
-                                                 {GaussSeidel{}, Baumgarte{beta}}};
+    Simulation<TypeParam> simulation{hinged_rod<TypeParam>(0.7, length, mass), {GaussSeidel{}, Baumgarte{beta}}};
     simulation.scene.gravity.setZero();
     const Linear<TypeParam> error = 1e-6 * (Linear<TypeParam>::Unit(0) - 2 * Linear<TypeParam>::Unit(1));
     simulation.scene.state().pose[1].position += error;
@@ -124,8 +123,8 @@ TEST(LawB1, ASpinningRodStaysTooLongByItsTurnSquaredOverTwoBeta) {
   for (const double beta : {0.1, 0.2, 0.3, 0.5, 1.0, 1.5})
     for (const double turn : {0.01, 0.03, 0.1}) {
       const double speed = turn / h * length;
-      Simulation<PlaneParticle> simulation{
-          particle_on_a_circle<PlaneParticle>(length, speed, mass), {GaussSeidel{}, Baumgarte{beta}}};
+      Simulation<PlaneParticle> simulation{particle_on_a_circle<PlaneParticle>(length, speed, mass),
+                                           {GaussSeidel{}, Baumgarte{beta}}};
       run(simulation, 300 * h, h);
       const Eigen::Vector2d before = simulation.scene.bodies().pose[1].position;
       simulation.step(h);
@@ -142,8 +141,8 @@ TEST(LawB3, WithoutACureTheErrorGrowsByHalfTheStepTimesTheCentripetalAcceleratio
   for (const double radius : {0.5, 1.0, 2.0})
     for (const double speed : {1.0, 3.0, 10.0})
       for (const double step : {1.0 / 60, 1.0 / 480}) {
-        Simulation<PlaneParticle> simulation{
-            particle_on_a_circle<PlaneParticle>(radius, speed, mass), {GaussSeidel{}, NoDriftCure{}}};
+        Simulation<PlaneParticle> simulation{particle_on_a_circle<PlaneParticle>(radius, speed, mass),
+                                             {GaussSeidel{}, NoDriftCure{}}};
         const double growth = 2 * speed * speed * step / (radius * radius);  // of (R/R0)⁴ per second
         for (const int steps : {1, 2, 10}) {
           while (simulation.time < (steps - 0.5) * step) simulation.step(step);
@@ -156,7 +155,7 @@ TEST(LawB3, WithoutACureTheErrorGrowsByHalfTheStepTimesTheCentripetalAcceleratio
 
 TEST(LawB3, TheErrorGrowsLinearlyAtFirstAndWithTheFourthRootLater) {
   Simulation<PlaneParticle> simulation{particle_on_a_circle<PlaneParticle>(1, 3, mass),
-                                                                  {GaussSeidel{}, NoDriftCure{}}};
+                                       {GaussSeidel{}, NoDriftCure{}}};
   const auto radius_at = [&](double time) {
     while (simulation.time < time - h / 2) simulation.step(h);
     return simulation.scene.bodies().pose[1].position.norm();
@@ -169,7 +168,7 @@ TEST(LawB3, TheErrorGrowsLinearlyAtFirstAndWithTheFourthRootLater) {
 
 TEST(LawB3, ProjectionTakesEnergyAwayInEveryStep) {
   Simulation<PlaneParticle> circling{particle_on_a_circle<PlaneParticle>(1, 10, mass),
-                                                                {GaussSeidel{}, NoDriftCure{}}};
+                                     {GaussSeidel{}, NoDriftCure{}}};
   circling.step(h);
   for (int i = 0; i < 600; ++i) {
     const double before = energy(circling.scene);

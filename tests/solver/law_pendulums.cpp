@@ -50,8 +50,8 @@ TEST(LawA1, ThePeriodConvergesWithOrderTwo) {
 
 TEST(LawA1, ErrorsScaleAsDimensionsSay) {
   const Swing small = swing<NormalisedDistance>(with(Baumgarte{0.2}), 1.0 / 60);
-  const Simulation<PlaneParticle> start{
-      pendulum<PlaneParticle, NormalisedDistance>(pi / 2, 4, 3), {Direct{}, Baumgarte{0.2}}};
+  const Simulation<PlaneParticle> start{pendulum<PlaneParticle, NormalisedDistance>(pi / 2, 4, 3),
+                                        {Direct{}, Baumgarte{0.2}}};
   auto tall = start;
   double stretch = 0;
   run(tall, 20, 1.0 / 30, [&] { stretch = std::max(stretch, position_error(tall.scene).max); });
@@ -65,8 +65,8 @@ TEST(LawA1, ExplicitEulerGainsEnergyAndSymplecticDoesNot) {
   const double length = 2, omega = std::sqrt(g / length), h = 1.0 / 60;
   const int steps = 300;
   const auto gain = [&](Euler euler) {
-    Simulation<PlaneParticle> simulation{
-        pendulum<PlaneParticle, NormalisedDistance>(1e-5, length, 3), {Direct{}, NoDriftCure{}, euler}};
+    Simulation<PlaneParticle> simulation{pendulum<PlaneParticle, NormalisedDistance>(1e-5, length, 3),
+                                         {Direct{}, NoDriftCure{}, euler}};
     const Bodies<PlaneParticle>& bodies = simulation.scene.bodies();
     const auto sideways = [&] {
       return std::pow(bodies.velocity[1].x(), 2) + std::pow(omega * bodies.pose[1].position.x(), 2);
@@ -123,8 +123,7 @@ TEST(LawA3, AConicalPendulumCirclesAtItsRateAndPullsItsTension) {
     const double length = 2, mass = 3;
     const ConicalPendulum exact(angle, length, g);
     const auto errors = [&](double h) {
-      Simulation<SpaceParticle> simulation{conical_pendulum(angle, length, mass),
-                                                                      {Direct{}, Baumgarte{0.2}}};
+      Simulation<SpaceParticle> simulation{conical_pendulum(angle, length, mass), {Direct{}, Baumgarte{0.2}}};
       ZeroCrossings front(1e-300);
       double pull = 0;
       int samples = 0;

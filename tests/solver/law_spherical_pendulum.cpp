@@ -16,8 +16,7 @@ struct Measured {
 
 template <class M>
 Measured after_two_seconds(double h) {
-  Simulation<M> simulation{spherical_pendulum<M>(angle, azimuth_rate, length, 3),
-                                                      {Direct{}, Baumgarte{1}}};
+  Simulation<M> simulation{spherical_pendulum<M>(angle, azimuth_rate, length, 3), {Direct{}, Baumgarte{1}}};
   const auto& bodies = simulation.scene.bodies();
   const double momentum = angular_momentum(bodies)[1];
   Measured measured;

@@ -38,8 +38,7 @@ TEST(LawB13, ForSmallTurnsTheAnchorIsOffByHalfTheSquare) {
 
 /// How far a small box on a long arm leaves its pin in 5 s from level [m].
 double drift(const RowSolver& solver) {
-  Simulation<PlaneBody> simulation{box_on_an_arm(0.1, 1, std::numbers::pi / 2),
-                                               {solver, Baumgarte{0.2}}};
+  Simulation<PlaneBody> simulation{box_on_an_arm(0.1, 1, std::numbers::pi / 2), {solver, Baumgarte{0.2}}};
   double worst = 0;
   run(simulation, 5, h, [&] { worst = std::max(worst, position_error(simulation.scene).max); });
   return worst;

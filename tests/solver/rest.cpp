@@ -22,8 +22,8 @@ Unrest unrest(const Scene<PlaneBody>& scene, const VelocityStepping& method) {
       result.speed = std::max(result.speed, V.cwiseAbs().maxCoeff());
   });
   for (int i = 0; i < scene.bodies().size(); ++i)
-    result.shift =
-        std::max(result.shift, (simulation.scene.bodies().pose[i].position - scene.bodies().pose[i].position).norm());
+    result.shift = std::max(result.shift,
+                            (simulation.scene.bodies().pose[i].position - scene.bodies().pose[i].position).norm());
   return result;
 }
 

@@ -22,8 +22,7 @@ struct Swing {
 template <template <class> class Rod, class Method>
 Swing swing(const Method& method, double h, double length = 1, double mass = 1) {
   constexpr double level = std::numbers::pi / 2;
-  Simulation<PlaneParticle, Method> simulation{pendulum<PlaneParticle, Rod>(level, length, mass),
-                                                           method};
+  Simulation<PlaneParticle, Method> simulation{pendulum<PlaneParticle, Rod>(level, length, mass), method};
   const double g = -simulation.scene.gravity.y(), start = energy(simulation.scene);
   const SimplePendulum exact(level, length, g);
   Swing result{};

@@ -101,8 +101,8 @@ TEST(Xpbd, ObeysTheAngleOfFriction) {
 }
 TEST(Xpbd, LetsAStackStand) {
   expect_standing_stack<PlaneBody>(Xpbd{}, 10, 1e-3, 1e-6);
-  // In space the points of a face are solved one after the other, and those that come first turn the box a little: it
-  // creeps, by 2 mm in 10 s with 40 substeps of 10 iterations, unless the iterations converge.
+  // In space the points of a face are solved one after the other, and those that come first turn the box a little:
+  // it creeps, by 2 mm in 10 s with 40 substeps of 10 iterations, unless the iterations converge.
   expect_standing_stack<SpaceBody>(Xpbd{10, 100}, 3, 1e-5, 1e-6);
 }
 TEST(Xpbd, BouncesABallByItsRestitution) { expect_bounces(Xpbd{}, h / 4); }
