@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "lessons/scenes/boxes.hpp"
+#include "solver/constraints/contact_manifold.hpp"
 #include "solver/step.hpp"
 #include "tests/solver/dual.hpp"
 #include "tests/solver/random.hpp"

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "lessons/scenes/balls.hpp"
+#include "solver/constraints/contact_manifold.hpp"
 #include "tests/solver/law_motion.hpp"
 
 // Atlas A8, A9 and B2: what a contact carries, gives back and pushes out.

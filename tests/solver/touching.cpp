@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "lessons/scenes/balls.hpp"
+#include "solver/constraints/contact_manifold.hpp"
 #include "solver/constraints/pin.hpp"
 #include "tests/solver/law_motion.hpp"
 
