@@ -83,9 +83,9 @@ auto cross(const Eigen::MatrixBase<R>& r, const Eigen::MatrixBase<V>& n) {
     return Eigen::Matrix<T, 3, 1>(r.cross(n));
 }
 
-/// A body's arm [m, body frame] turned into the world by its pose. Inlined by force: C and J of a row share it.
+/// A body's arm [m, body frame] turned into the world by its pose.
 template <class M, class T>
-[[gnu::always_inline]] inline Arm<M, T> in_world(const Pose<M, T>& pose, const Arm<M>& arm) {
+Arm<M, T> in_world(const Pose<M, T>& pose, const Arm<M>& arm) {
   if constexpr (M::angular == 0)
     return {};
   else

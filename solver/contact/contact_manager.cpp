@@ -22,7 +22,7 @@ ContactManifold<PlaneBody> manifold_of(const auto& pair) {
 }  // namespace
 
 template <class M>
-requires(M::angular > 0) void ContactManager<M>::find(Scene<M>& scene) {
+void ContactManager<M>::find(Scene<M>& scene) {
   if (scene.colliders().shapes.empty()) return pairs_.clear();
   const bool unchanged = version_ == scene.version();
   if (!unchanged) seen_.clear();
@@ -53,13 +53,13 @@ requires(M::angular > 0) void ContactManager<M>::find(Scene<M>& scene) {
 }
 
 template <class M>
-requires(M::angular > 0) void ContactManager<M>::write_impulses(const Scene<M>&, System<M>& system) const {
+void ContactManager<M>::write_impulses(const Scene<M>&, System<M>& system) const {
   for (const Pair& pair : pairs_)
     for_each_row(pair, system.row_of, [&](int row, double kept) { system.lambda[row] = kept; });
 }
 
 template <class M>
-requires(M::angular > 0) void ContactManager<M>::read_impulses(const System<M>& system) {
+void ContactManager<M>::read_impulses(const System<M>& system) {
   for (Pair& pair : pairs_)
     for_each_row(pair, system.row_of, [&](int row, double& kept) { kept = system.lambda[row]; });
 }
@@ -67,7 +67,7 @@ requires(M::angular > 0) void ContactManager<M>::read_impulses(const System<M>& 
 /// Notes which bodies have moved noticeably since they were last looked at, and where those are now. Returns
 /// whether there are any.
 template <class M>
-requires(M::angular > 0) bool ContactManager<M>::note_moved(const Scene<M>& scene) {
+bool ContactManager<M>::note_moved(const Scene<M>& scene) {
   const auto& shapes = scene.colliders().shapes;
   const double margin = scene.colliders().margin, noticeable = 0.01 * margin;
   const auto known = seen_.size();
@@ -90,8 +90,7 @@ requires(M::angular > 0) bool ContactManager<M>::note_moved(const Scene<M>& scen
 
 /// How far a body's points have moved at most [m], by its position and by turning what its bounds can hold.
 template <class M>
-requires(M::angular > 0) double ContactManager<M>::displacement(const Pose<M>& before, const Pose<M>& now,
-                                                                const Bounds<M>& bounds) {
+double ContactManager<M>::displacement(const Pose<M>& before, const Pose<M>& now, const Bounds<M>& bounds) {
   double turned = 0;  // twice the sine of half the angle, or a little more
   if constexpr (M::angular == 1)
     turned =
@@ -102,7 +101,7 @@ requires(M::angular > 0) double ContactManager<M>::displacement(const Pose<M>& b
 }
 
 template <class M>
-requires(M::angular > 0) void ContactManager<M>::note_joined(const Scene<M>& scene) {
+void ContactManager<M>::note_joined(const Scene<M>& scene) {
   joined_.clear();
   for (int place = 0; place < scene.lasting(); ++place)
     joined_.push_back(std::minmax(scene.entries()[place].body1, scene.entries()[place].body2));
@@ -111,8 +110,7 @@ requires(M::angular > 0) void ContactManager<M>::note_joined(const Scene<M>& sce
 
 /// Finds the contact of two bodies; returns whether they touch.
 template <class M>
-requires(M::angular > 0) bool ContactManager<M>::look(const Scene<M>& scene, int body1, int body2,
-                                                      const Pair* before) {
+bool ContactManager<M>::look(const Scene<M>& scene, int body1, int body2, const Pair* before) {
   const auto& [shapes, surfaces, margin, rows] = scene.colliders();
   const Pose<M>&pose1 = scene.bodies().pose[body1], &pose2 = scene.bodies().pose[body2];
   const Manifold<M> manifold =
@@ -137,7 +135,7 @@ requires(M::angular > 0) bool ContactManager<M>::look(const Scene<M>& scene, int
 
 /// λ of points that are the same as before; friction is turned into the new tangents.
 template <class M>
-requires(M::angular > 0) void ContactManager<M>::keep_impulses(const Pair& before, Pair& now) {
+void ContactManager<M>::keep_impulses(const Pair& before, Pair& now) {
   now.constraint = before.constraint;
   const Eigen::Matrix<double, tangents, tangents> turn =
       tangents_of<M>(now.normal).transpose().lazyProduct(tangents_of<M>(before.normal));
@@ -151,7 +149,7 @@ requires(M::angular > 0) void ContactManager<M>::keep_impulses(const Pair& befor
 }
 
 template <class M>
-requires(M::angular > 0) void ContactManager<M>::add_constraints(Scene<M>& scene) {
+void ContactManager<M>::add_constraints(Scene<M>& scene) {
   scene.forget_found();
   for (Pair& pair : pairs_) {
     pair.constraint = scene.count();
@@ -161,7 +159,7 @@ requires(M::angular > 0) void ContactManager<M>::add_constraints(Scene<M>& scene
 }
 
 template <class M>
-requires(M::angular > 0) void ContactManager<M>::rewrite_constraints(const Pair& pair, Scene<M>& scene) const {
+void ContactManager<M>::rewrite_constraints(const Pair& pair, Scene<M>& scene) const {
   if (!moved_[pair.body1] && !moved_[pair.body2]) return;
   int place = pair.constraint;
   for_each_constraint(pair, [&]<class Kind>(const Kind& constraint) {
@@ -173,7 +171,7 @@ requires(M::angular > 0) void ContactManager<M>::rewrite_constraints(const Pair&
 
 /// Calls put(constraint) for each constraint that is made of a pair; it returns the identity that this one has.
 template <class M>
-requires(M::angular > 0) template <class Put>
+template <class Put>
 void ContactManager<M>::for_each_constraint(const Pair& pair, Put&& put) {
   if constexpr (std::is_same_v<M, PlaneBody>)
     if (pair.one_manifold) return void(put(manifold_of(pair)));
@@ -188,7 +186,7 @@ void ContactManager<M>::for_each_constraint(const Pair& pair, Put&& put) {
 
 /// Calls f(row, impulse) for each row that was made of a pair.
 template <class M>
-requires(M::angular > 0) template <class AnyPair, class F>
+template <class AnyPair, class F>
 void ContactManager<M>::for_each_row(AnyPair& pair, const std::vector<int>& row_of, F&& f) {
   int constraint = pair.constraint;
   if (pair.one_manifold) {

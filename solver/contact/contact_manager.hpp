@@ -17,14 +17,6 @@ namespace byhand {
 template <class M>
 class ContactManager {
  public:
-  void find(Scene<M>&) {}
-  void write_impulses(const Scene<M>&, System<M>&) const {}
-  void read_impulses(const System<M>&) {}
-};
-
-template <class M>
-requires(M::angular > 0) class ContactManager<M> {
- public:
   /// Looks for contacts at the current poses and makes them the scene's found constraints, as its ContactRows say.
   /// Bodies that a constraint joins, and two fixed ones, pass through each other. Two bodies that have moved less
   /// than a hundredth of the margin since their contact was found keep it: its arms turn with them.
@@ -73,6 +65,16 @@ requires(M::angular > 0) class ContactManager<M> {
   std::vector<std::pair<int, int>> joined_;
   std::vector<Pair> pairs_, found_;
   std::uint64_t version_ = 0;
+};
+
+template <int L>
+class ContactManager<Model<L, 0>> {
+  using M = Model<L, 0>;
+
+ public:
+  void find(Scene<M>&) {}
+  void write_impulses(const Scene<M>&, System<M>&) const {}
+  void read_impulses(const System<M>&) {}
 };
 
 }  // namespace byhand
