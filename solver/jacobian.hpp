@@ -4,6 +4,19 @@
 
 namespace byhand {
 
+namespace detail {
+
+/// The sum of every second of 2N numbers.
+template <int N>
+inline double pairwise_sum(const double* terms) {
+  if constexpr (N == 1)
+    return terms[0];
+  else
+    return pairwise_sum<N / 2>(terms) + pairwise_sum<N - N / 2>(terms + 2 * (N / 2));
+}
+
+}  // namespace detail
+
 /// One number for each of a constraint's K rows.
 template <int K, class T = double>
 using Rows = Eigen::Matrix<T, K, 1>;
@@ -39,12 +52,29 @@ void set_row_along(Jacobian<M, K>& J, int k, const Linear<M>& u, const Arm<M>& r
 }
 //! [along]
 
+/// Σ aᵢ bᵢ of N numbers. Even and odd terms are summed side by side, each sum halved and halved again, as the
+/// processor adds pairs. Plain loops, for expression templates would take most of the time of compiling the
+/// solver.
+template <int N>
+inline double sum_of_products(const double* a, const double* b) {
+  double terms[N];
+  for (int i = 0; i < N; ++i) terms[i] = a[i] * b[i];
+  if constexpr (N == 1) return terms[0];
+  const double even_and_odd = detail::pairwise_sum<N / 2>(terms) + detail::pairwise_sum<N / 2>(terms + 1);
+  return N % 2 ? even_and_odd + terms[N - 1] : even_and_odd;
+}
+
 //! [8]
 /// (8): JV = l1·v1 + a1·ω1 + l2·v2 + a2·ω2, the rate at which the constraint's value changes [units of C per
 /// second]. A side of J is its l and a, as V is v and ω.
 template <class M, int K>
 Rows<K> dot(const Jacobian<M, K>& J, const Velocity<M>& V1, const Velocity<M>& V2) {
-  return J.side1().lazyProduct(V1) + J.side2().lazyProduct(V2);
+  constexpr int dof = M::dof;
+  const double* row = J.matrix.data();
+  Rows<K> rates;
+  for (int k = 0; k < K; ++k, row += 2 * dof)
+    rates[k] = sum_of_products<dof>(row, V1.data()) + sum_of_products<dof>(row + dof, V2.data());
+  return rates;
 }
 //! [8]
 

@@ -13,12 +13,19 @@ template <class M, int K>
 Jacobian<M, K> times_inverse_mass(const Jacobian<M, K>& J, const InverseMass<M>& m1, const Pose<M>& pose1,
                                   const InverseMass<M>& m2, const Pose<M>& pose2) {
   Jacobian<M, K> W;
-  W.matrix.template middleCols<M::linear>(0) = m1.linear * J.l1();
-  W.matrix.template middleCols<M::linear>(M::dof) = m2.linear * J.l2();
-  if constexpr (M::angular > 0) {
-    W.matrix.template middleCols<M::angular>(M::linear) = J.a1().lazyProduct(inverse_inertia(m1, pose1));
-    W.matrix.template middleCols<M::angular>(M::dof + M::linear) = J.a2().lazyProduct(inverse_inertia(m2, pose2));
-  }
+  const auto divide_side = [&](int side, const InverseMass<M>& mass, const Pose<M>& pose) {
+    for (int k = 0; k < K; ++k)
+      for (int i = 0; i < M::linear; ++i) W.matrix(k, side + i) = mass.linear * J.matrix(k, side + i);
+    if constexpr (M::angular > 0) {
+      const auto inverse = inverse_inertia(mass, pose);
+      for (int k = 0; k < K; ++k)
+        for (int i = 0; i < M::angular; ++i)
+          W.matrix(k, side + M::linear + i) =
+              sum_of_products<M::angular>(&J.matrix(k, side + M::linear), &inverse(0, i));
+    }
+  };
+  divide_side(0, m1, pose1);
+  divide_side(M::dof, m2, pose2);
   return W;
 }
 //! [18]
@@ -27,7 +34,10 @@ Jacobian<M, K> times_inverse_mass(const Jacobian<M, K>& J, const InverseMass<M>&
 /// (19): J M⁻¹ Jᵀ, K × K. The article calls it the constraint mass; it is the *inverse* effective mass.
 template <class M, int K>
 Eigen::Matrix<double, K, K> inverse_effective_mass(const Jacobian<M, K>& J, const Jacobian<M, K>& W) {
-  return J.matrix.lazyProduct(W.matrix.transpose());
+  Eigen::Matrix<double, K, K> A;
+  for (int k = 0; k < K; ++k)
+    for (int l = 0; l < K; ++l) A(k, l) = sum_of_products<2 * M::dof>(&J.matrix(k, 0), &W.matrix(l, 0));
+  return A;
 }
 //! [19]
 
@@ -46,8 +56,15 @@ double impulse(const Jacobian<M, 1>& J, const Jacobian<M, 1>& W, const Velocity<
 /// (20): V += M⁻¹Jᵀλ on both bodies. λ is an impulse; divided by the time step it is the article's force.
 template <class M, int K>
 void apply_impulse(const Jacobian<M, K>& W, const Rows<K>& lambda, Velocity<M>& V1, Velocity<M>& V2) {
-  V1 += W.side1().transpose() * lambda;
-  V2 += W.side2().transpose() * lambda;
+  for (int i = 0; i < M::dof; ++i) {
+    double gain1 = 0, gain2 = 0;
+    for (int k = 0; k < K; ++k) {
+      gain1 += W.matrix(k, i) * lambda[k];
+      gain2 += W.matrix(k, M::dof + i) * lambda[k];
+    }
+    V1[i] += gain1;
+    V2[i] += gain2;
+  }
 }
 //! [20]
 
