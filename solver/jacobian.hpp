@@ -1,18 +1,28 @@
 #pragma once
 
+#include <cstring>
+
 #include "solver/model.hpp"
 
 namespace byhand {
 
 namespace detail {
 
-/// The sum of every second of 2N numbers.
+/// Two numbers that the processor adds and multiplies at once.
+using Pair [[gnu::vector_size(16)]] = double;
+
+/// Σ aᵢ bᵢ of 2N numbers, even and odd terms apart; each sum is that of its halves.
 template <int N>
-inline double pairwise_sum(const double* terms) {
-  if constexpr (N == 1)
-    return terms[0];
-  else
-    return pairwise_sum<N / 2>(terms) + pairwise_sum<N - N / 2>(terms + 2 * (N / 2));
+inline Pair sums_of_products(const double* a, const double* b) {
+  if constexpr (N == 1) {
+    Pair x, y;
+    std::memcpy(&x, a, sizeof x);
+    std::memcpy(&y, b, sizeof y);
+    return x * y;
+  } else {
+    constexpr int half = N / 2;
+    return sums_of_products<half>(a, b) + sums_of_products<N - half>(a + 2 * half, b + 2 * half);
+  }
 }
 
 }  // namespace detail
@@ -36,11 +46,14 @@ struct Jacobian {
 
   /// Sets one row from its four parts, as (14)–(16) list them.
   void set_row(int k, const Linear<M>& l1, const Angular<M>& a1, const Linear<M>& l2, const Angular<M>& a2) {
-    auto row = matrix.row(k);
-    row.template segment<M::linear>(0) = l1;
-    row.template segment<M::angular>(M::linear) = a1;
-    row.template segment<M::linear>(M::dof) = l2;
-    row.template segment<M::angular>(M::dof + M::linear) = a2;
+    for (int i = 0; i < M::linear; ++i) {
+      matrix(k, i) = l1[i];
+      matrix(k, M::dof + i) = l2[i];
+    }
+    for (int i = 0; i < M::angular; ++i) {
+      matrix(k, M::linear + i) = a1[i];
+      matrix(k, M::dof + M::linear + i) = a2[i];
+    }
   }
 };
 
@@ -52,16 +65,15 @@ void set_row_along(Jacobian<M, K>& J, int k, const Linear<M>& u, const Arm<M>& r
 }
 //! [along]
 
-/// Σ aᵢ bᵢ of N numbers. Even and odd terms are summed side by side, each sum halved and halved again, as the
-/// processor adds pairs. Plain loops, for expression templates would take most of the time of compiling the
-/// solver.
+/// Σ aᵢ bᵢ of N numbers. Written out, as expression templates would take most of the time of compiling the solver.
 template <int N>
 inline double sum_of_products(const double* a, const double* b) {
-  double terms[N];
-  for (int i = 0; i < N; ++i) terms[i] = a[i] * b[i];
-  if constexpr (N == 1) return terms[0];
-  const double even_and_odd = detail::pairwise_sum<N / 2>(terms) + detail::pairwise_sum<N / 2>(terms + 1);
-  return N % 2 ? even_and_odd + terms[N - 1] : even_and_odd;
+  if constexpr (N == 1) {
+    return a[0] * b[0];
+  } else {
+    const detail::Pair sums = detail::sums_of_products<N / 2>(a, b);
+    return N % 2 ? sums[0] + sums[1] + a[N - 1] * b[N - 1] : sums[0] + sums[1];
+  }
 }
 
 //! [8]
