@@ -68,11 +68,14 @@ void set_row_along(Jacobian<M, K>& J, int k, const Linear<M>& u, const Arm<M>& r
 /// Σ aᵢ bᵢ of N numbers. Written out, as expression templates would take most of the time of compiling the solver.
 template <int N>
 inline double sum_of_products(const double* a, const double* b) {
-  if constexpr (N == 1) {
-    return a[0] * b[0];
+  if constexpr (N <= 3) {
+    double sum = a[0] * b[0];
+    for (int i = 1; i < N; ++i) sum += a[i] * b[i];
+    return sum;
   } else {
+    static_assert(N % 2 == 0);
     const detail::Pair sums = detail::sums_of_products<N / 2>(a, b);
-    return N % 2 ? sums[0] + sums[1] + a[N - 1] * b[N - 1] : sums[0] + sums[1];
+    return sums[0] + sums[1];
   }
 }
 
