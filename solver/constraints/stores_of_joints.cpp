@@ -1,17 +1,20 @@
 #include "solver/constraints/hinge.hpp"
-#include "solver/constraints/pin.hpp"
+#include "solver/constraints/limit.hpp"
+#include "solver/constraints/motor.hpp"
 #include "solver/constraints/slider.hpp"
 #include "solver/constraints/weld.hpp"
 
 namespace byhand {
 
-#define BYHAND_STORE(M, Kind) template std::unique_ptr<ConstraintStore<M>> make_store<M, Kind<M>>()
-#define BYHAND_INSTANTIATE(M) BYHAND_STORE(M, Pin)
-BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);
-BYHAND_STORE(PlaneBody, Slider);
-BYHAND_STORE(SpaceBody, Slider);
-BYHAND_STORE(PlaneBody, Weld);
-BYHAND_STORE(SpaceBody, Weld);
+BYHAND_STORES(, Pin);
+BYHAND_STORES_OF_BODIES(, Slider);
+BYHAND_STORES_OF_BODIES(, Weld);
 BYHAND_STORE(SpaceBody, Hinge);
+BYHAND_STORES_OF_BODIES(, AngleLimit);
+BYHAND_STORES_OF_BODIES(, SlideLimit);
+BYHAND_STORES_OF_BODIES(, AngleMotor);
+BYHAND_STORES_OF_BODIES(, SlideMotor);
+BYHAND_STORES_OF_BODIES(, AngleServo);
+BYHAND_STORES_OF_BODIES(, SlideServo);
 
 }  // namespace byhand
