@@ -1,7 +1,6 @@
 #pragma once
 
 #include "solver/constraints/anchors.hpp"
-#include "solver/integrate/angle.hpp"
 
 // The rotation of body 2 relative to body 1 since a rest position: the angular part of joints that allow no
 // rotation.
