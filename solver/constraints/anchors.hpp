@@ -36,8 +36,10 @@ struct Anchors {
       for (const Arm<M>& arm : {arms.first, arms.second})
         for (const double r : arm) require_finite("arm", r, "m");
   }
-  /// Throws std::invalid_argument if P1 and P2 coincide, for then d has no direction.
-  void require_apart(const Bodies<M>& bodies) const {
+  /// Throws std::invalid_argument for a rod of length <= 0 or one whose ends coincide, for then d has no
+  /// direction.
+  void require_rod(double length, const Bodies<M>& bodies) const {
+    require_positive("length", length, "m");
     const double distance = separation(bodies.pose[body1], bodies.pose[body2]).norm();
     require(distance > 0, "distance between the rod's ends", distance, "above zero [m], or J has no direction");
   }

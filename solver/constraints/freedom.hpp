@@ -129,4 +129,13 @@ requires(M::angular == 3) Turn<M> turn(const Bodies<M>& bodies, int body1, int b
   return {body1, body2, orientation<M>(bodies, body1, body2).rest, axis_in<M>(bodies, body1, axis)};
 }
 
+/// BYHAND_STORE for a kind that acts on a freedom.
+#define BYHAND_STORE_OF_FREEDOM(M, Kind, Freedom) \
+  template std::unique_ptr<ConstraintStore<M>> make_store<M, Kind<M, Freedom>>()
+#define BYHAND_STORES_OF_FREEDOMS(prefix, Kind)           \
+  prefix BYHAND_STORE_OF_FREEDOM(PlaneBody, Kind, Slide); \
+  prefix BYHAND_STORE_OF_FREEDOM(PlaneBody, Kind, Turn);  \
+  prefix BYHAND_STORE_OF_FREEDOM(SpaceBody, Kind, Slide); \
+  prefix BYHAND_STORE_OF_FREEDOM(SpaceBody, Kind, Turn)
+
 }  // namespace byhand

@@ -41,11 +41,6 @@ struct Limit {
   double sign() const { return stop == Stop::lower ? 1 : -1; }
 };
 
-template <class M>
-using AngleLimit = Limit<M, Turn>;
-template <class M>
-using SlideLimit = Limit<M, Slide>;
-
 /// Stops at an angle [rad] or a distance [m].
 template <class M, template <class> class Freedom>
 Limit<M, Freedom> at_least(double place, const Freedom<M>& freedom) {
@@ -56,7 +51,6 @@ Limit<M, Freedom> at_most(double place, const Freedom<M>& freedom) {
   return {freedom, place, Stop::upper};
 }
 
-BYHAND_STORES_OF_BODIES(extern, AngleLimit);
-BYHAND_STORES_OF_BODIES(extern, SlideLimit);
+BYHAND_STORES_OF_FREEDOMS(extern, Limit);
 
 }  // namespace byhand

@@ -72,15 +72,6 @@ struct Servo : Drive<M, Freedom> {
   }
 };
 
-template <class M>
-using AngleMotor = Motor<M, Turn>;
-template <class M>
-using SlideMotor = Motor<M, Slide>;
-template <class M>
-using AngleServo = Servo<M, Turn>;
-template <class M>
-using SlideServo = Servo<M, Slide>;
-
 /// A motor of a speed [rad/s or m/s] and a strength [N m or N].
 template <class M, template <class> class Freedom>
 Motor<M, Freedom> motor(const Freedom<M>& freedom, double speed, double strength) {
@@ -92,9 +83,7 @@ Servo<M, Freedom> servo(const Freedom<M>& freedom, double target, const Elastic&
   return {{freedom, strength}, target, elastic};
 }
 
-BYHAND_STORES_OF_BODIES(extern, AngleMotor);
-BYHAND_STORES_OF_BODIES(extern, SlideMotor);
-BYHAND_STORES_OF_BODIES(extern, AngleServo);
-BYHAND_STORES_OF_BODIES(extern, SlideServo);
+BYHAND_STORES_OF_FREEDOMS(extern, Motor);
+BYHAND_STORES_OF_FREEDOMS(extern, Servo);
 
 }  // namespace byhand

@@ -39,10 +39,7 @@ struct NormalisedDistance {
     return J;
   }
 
-  void require_valid(const Bodies<M>& bodies) const {
-    require_positive("length", length, "m");
-    at.require_apart(bodies);
-  }
+  void require_valid(const Bodies<M>& bodies) const { at.require_rod(length, bodies); }
 };
 
 BYHAND_STORES(extern, NormalisedDistance);

@@ -49,7 +49,7 @@ struct Spring {
   }
 
   void require_valid(const Bodies<M>& bodies) const {
-    NormalisedDistance<M>{at, length}.require_valid(bodies);
+    at.require_rod(length, bodies);
     elastic.require_valid();
   }
 };

@@ -58,37 +58,28 @@ Vector after_turn(const Vector& spin, const Vector& moments, double h) {
 }
 
 /// Replaces the Ω of each body that moves by change(Ω, moments).
-template <class M, class F>
-void change_spins(Bodies<M>& bodies, F&& change) {
-  if constexpr (M::angular == 3)
-    for (int i = 0; i < bodies.size(); ++i) {
-      if (!moves(bodies.inverse_mass[i])) continue;
-      const Eigen::Quaterniond& q = bodies.pose[i].rotation;
-      auto omega = bodies.velocity[i].template tail<3>();
-      const Vector moments = bodies.inverse_mass[i].angular.cwiseInverse();
-      const Vector spin = rotate(inverse(q), omega);
-      omega += rotate(q, change(spin, moments) - spin);  // only the change, or rounding of |q| accumulates
-    }
+template <class F>
+void change_spins(Bodies<SpaceBody>& bodies, F&& change) {
+  for (int i = 0; i < bodies.size(); ++i) {
+    if (!moves(bodies.inverse_mass[i])) continue;
+    const Eigen::Quaterniond& q = bodies.pose[i].rotation;
+    auto omega = bodies.velocity[i].tail<3>();
+    const Vector moments = bodies.inverse_mass[i].angular.cwiseInverse();
+    const Vector spin = rotate(inverse(q), omega);
+    omega += rotate(q, change(spin, moments) - spin);  // only the change, or rounding of |q| accumulates
+  }
 }
 
 }  // namespace
 
-template <class M>
-void begin_turn(Gyroscopic choice, Bodies<M>& bodies, double h) {
+void begin_turn(Gyroscopic choice, Bodies<SpaceBody>& bodies, double h) {
   if (choice == Gyroscopic::none) return;
   change_spins(bodies, [&](const Vector& spin, const Vector& I) { return turn_with(choice, spin, I, h); });
 }
 
-template <class M>
-void end_turn(Gyroscopic choice, Bodies<M>& bodies, double h) {
+void end_turn(Gyroscopic choice, Bodies<SpaceBody>& bodies, double h) {
   if (choice != Gyroscopic::implicit) return;
   change_spins(bodies, [&](const Vector& spin, const Vector& I) { return after_turn(spin, I, h); });
 }
-
-#define BYHAND_INSTANTIATE(M)                               \
-  template void begin_turn(Gyroscopic, Bodies<M>&, double); \
-  template void end_turn(Gyroscopic, Bodies<M>&, double)
-BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);
-#undef BYHAND_INSTANTIATE
 
 }  // namespace byhand

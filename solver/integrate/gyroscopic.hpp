@@ -33,11 +33,13 @@ enum class Gyroscopic { none, explicit_, implicit };
 
 //! [gyroscopic]
 /// Before the rows are solved: changes velocities from Ω₀ to Ω, with which the poses turn for a step h [s].
-template <class M>
-void begin_turn(Gyroscopic choice, Bodies<M>& bodies, double h);
+void begin_turn(Gyroscopic choice, Bodies<SpaceBody>& bodies, double h);
 /// After the poses have moved: changes velocities from Ω to Ω₁.
-template <class M>
-void end_turn(Gyroscopic choice, Bodies<M>& bodies, double h);
+void end_turn(Gyroscopic choice, Bodies<SpaceBody>& bodies, double h);
 //! [gyroscopic]
+template <class M>
+void begin_turn(Gyroscopic, Bodies<M>&, double) {}
+template <class M>
+void end_turn(Gyroscopic, Bodies<M>&, double) {}
 
 }  // namespace byhand
