@@ -12,28 +12,26 @@
 // A kind of constraint is a plain struct. Each file of constraints/ has one, with its derivation; a program may
 // add its own. A kind for a model M has
 //
-//   static constexpr int rows                  number of rows K
-//   Anchors<M> at                              its two bodies; any struct with body1, body2 and
-//   require_valid(bodies) Rows<K, T> value<T>(pose1, pose2)          C for any scalar T, so that it can be
-//   differentiated automatically;
-//                                              of a row that constrains only a rate, the integral of that rate
-//   Jacobian<M, K> jacobian(pose1, pose2)      J, the gradient of `value`, derived by hand
+//   static constexpr int rows               number of rows K
+//   Anchors<M> at                           the two bodies, or any struct with body1, body2, require_valid(bodies)
+//   Rows<K, T> value<T>(pose1, pose2)       C, for any scalar T so that it can be differentiated automatically; of
+//                                           a row that constrains only a rate, the integral of that rate
+//   Jacobian<M, K> jacobian(pose1, pose2)   J, the gradient of `value`, derived by hand
 //
 // and, where the default does not fit:
 //
-//   static constexpr int position_rows         number of leading rows with a C; the others constrain only a rate.
-//                                              Default: all rows
-//   static constexpr Bound bound               bound of λ. Default: none
-//   bounds(h)                                  [lower, upper] of Bound::interval over a step h [s]. Default: [0,
-//   ∞),
-//                                              a one-sided row
-//   double softness                            γ >= 0 of all rows [unit of JM⁻¹Jᵀ]. Default: 0
-//   Soft soft(pose1, pose2, h)                 γ and bias of a single row that acts like a spring or motor
-//   double coefficient                         μ >= 0 of Bound::friction and Bound::manifold
-//   int contact                                handle of the contact whose λ limits Bound::friction
-//   double restitution                         e of a contact, in [0, 1]
-//   static constexpr bool periodic             whether `value` is an angle in (-π, π], which may jump by 2π
-//   void require_valid(bodies)                 throws std::invalid_argument for any other member out of range
+//   static constexpr int position_rows      number of leading rows with a C; the others constrain only a rate.
+//                                           Default: all rows
+//   static constexpr Bound bound            bound of λ. Default: none
+//   bounds(h)                               lower and upper bound of λ over a step h [s], for Bound::interval.
+//                                           Default: a one-sided row, λ >= 0
+//   double softness                         γ >= 0 of all rows [unit of JM⁻¹Jᵀ]. Default: 0
+//   Soft soft(pose1, pose2, h)              γ and bias of a single row that acts like a spring or a motor
+//   double coefficient                      μ >= 0, for Bound::friction and Bound::manifold
+//   int contact                             handle of the contact whose λ limits the row, for Bound::friction
+//   double restitution                      e of a contact, in [0, 1]
+//   static constexpr bool periodic          whether `value` is an angle in (-π, π], which may jump by 2π
+//   void require_valid(bodies)              throws std::invalid_argument for other members out of range
 //
 // A scene keeps all constraints of a kind in one store (Store below). Each stage of a step calls a store once for
 // many constraints, so kinds cost no branches within a stage, and a kind that a scene does not use costs nothing.

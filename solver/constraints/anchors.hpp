@@ -57,8 +57,7 @@ Anchors<M> between(const Bodies<M>& bodies, int body1, const Linear<M>& point1, 
   return anchors;
 }
 
-/// A world axis of any length as a unit vector in the frame of a body. Throws std::invalid_argument for an axis
-/// without direction.
+/// A world axis of any length > 0 as a unit vector in a body's frame. Throws std::invalid_argument for other axes.
 template <class M>
 Linear<M> axis_in(const Bodies<M>& bodies, int body, const Linear<M>& axis) {
   const double length = axis.norm();

@@ -2,8 +2,7 @@
 
 #include "solver/constraints/anchors.hpp"
 
-// Two bodies do not penetrate each other at a given point along a given normal n, which points from body 1 to
-// body 2.
+// Two bodies do not penetrate each other at a given point along a given normal n, from body 1 to body 2.
 //
 //   C, (23)              C = ((x2 + r2) - (x1 + r1)) · n >= 0, the separation; overlap is negative       [m]
 //   differentiate        Ċ = n · ((v2 + ω2 × r2) - (v1 + ω1 × r1)); n is constant over a step, so the term

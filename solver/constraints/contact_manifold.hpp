@@ -11,8 +11,7 @@
 //                     J_2      = [ -t   -r1 × t   t   r2 × t ] with the arms of the middle    (16)
 //
 // λ_0, λ_1 >= 0 and |λ_2| <= μ (λ_0 + λ_1) [N s]. One friction row is enough, because a face slips along itself
-// only as a whole. The three rows are one block: solved one after the other, the two ends would alternately tilt
-// the body.
+// only as a whole. The three rows are one block: solved in turn, the two ends would alternately tilt the body.
 namespace byhand {
 
 template <class M>

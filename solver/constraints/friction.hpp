@@ -44,9 +44,8 @@ struct FrictionAlong {
 template <class M>
 using Friction = FrictionAlong<M, M::linear - 1>;
 
-/// Friction along one tangent. Two of them at right angles bound the impulse by a square, the "box pyramid",
-/// instead of Coulomb's disc: along its diagonals friction is √2 times too strong, and sliding bodies veer towards
-/// its axes.
+/// Friction along one tangent. Two at right angles bound the impulse by a square, the "box pyramid", instead of a
+/// disc: along its diagonals friction is √2 times too strong, and sliding bodies veer towards its axes.
 template <class M>
 using AxisFriction = FrictionAlong<M, 1>;
 

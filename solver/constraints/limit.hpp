@@ -9,8 +9,8 @@
 //   isolate V        as in Turn and Slide
 //   J by inspection  J = ±J_q
 //
-// One-sided: the accumulated λ >= 0 only pushes away from the stop [N m s or N s]. A turn is stopped only within
-// half a turn of q = 0.
+// One-sided: the accumulated λ >= 0 only pushes away from the stop [N m s or N s].
+// A turn is stopped only within half a turn of q = 0.
 namespace byhand {
 
 enum class Stop { lower, upper };

@@ -5,8 +5,7 @@
 #include "solver/constraints/freedom.hpp"
 #include "solver/constraints/spring.hpp"
 
-// A motor drives a freedom q, the angle of a Turn or the distance of a Slide, at a speed s. There is no C, only a
-// rate.
+// A motor drives a freedom q, the angle of a Turn or the distance of a Slide, at a speed s: a rate without C.
 //
 //   rate             q̇ = s                                                              [rad/s or m/s]
 //   isolate V        as in Turn and Slide

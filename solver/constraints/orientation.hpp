@@ -2,8 +2,7 @@
 
 #include "solver/constraints/anchors.hpp"
 
-// The rotation of body 2 relative to body 1 since a rest position: the angular part of joints that allow no
-// rotation.
+// The rotation of body 2 relative to body 1 since a rest position, which some joints hold at zero.
 //
 // In the plane C = φ, the angle between them, so Ċ = ω2 - ω1 and J = [ 0  -1  0  1 ].
 //
