@@ -43,27 +43,22 @@ struct Soft {
 };
 
 template <class Kind>
-inline constexpr int position_rows_of = [] {
-  if constexpr (requires { Kind::position_rows; })
-    return Kind::position_rows;
-  else
-    return Kind::rows;
-}();
-
+constexpr int position_rows_of() {
+  if constexpr (requires { Kind::position_rows; }) return Kind::position_rows;
+  return Kind::rows;
+}
 template <class Kind>
-inline constexpr Bound bound_of = [] {
-  if constexpr (requires { Kind::bound; })
-    return Kind::bound;
-  else
-    return Bound::none;
-}();
+constexpr Bound bound_of() {
+  if constexpr (requires { Kind::bound; }) return Kind::bound;
+  return Bound::none;
+}
 
 /// Throws std::invalid_argument unless a scene with these bodies can have this constraint.
 template <class Kind, class M>
 void require_valid(const Kind& constraint, const Bodies<M>& bodies) {
   constraint.at.require_valid(bodies);
   if constexpr (requires { constraint.softness; }) require_in("softness", constraint.softness, 0, 1e300);
-  if constexpr (bound_of<Kind> == Bound::friction || bound_of<Kind> == Bound::manifold)
+  if constexpr (bound_of<Kind>() == Bound::friction || bound_of<Kind>() == Bound::manifold)
     require_in("friction coefficient", constraint.coefficient, 0, 1e300);
   if constexpr (requires { constraint.restitution; }) require_in("restitution", constraint.restitution, 0, 1);
   if constexpr (requires { constraint.require_valid(bodies); }) constraint.require_valid(bodies);
@@ -116,8 +111,8 @@ std::unique_ptr<ConstraintStore<M>> make_store();
 
 template <class M, class Kind>
 class Store final : public Constraints<M, Kind> {
-  static constexpr int K = Kind::rows, positions = position_rows_of<Kind>;
-  static constexpr Bound B = bound_of<Kind>;
+  static constexpr int K = Kind::rows, positions = position_rows_of<Kind>();
+  static constexpr Bound B = bound_of<Kind>();
   static constexpr int type = byhand::block_type<M, K, B>();
   using BlockOfKind = Block<M, K, B>;
 
@@ -136,10 +131,8 @@ class Store final : public Constraints<M, Kind> {
   void truncate(int size) override { this->all.erase(this->all.begin() + size, this->all.end()); }
 
   int contact_of(int index) const override {
-    if constexpr (B == Bound::friction)
-      return this->all[index].contact;
-    else
-      return -1;
+    if constexpr (B == Bound::friction) return this->all[index].contact;
+    return -1;
   }
   double softness(int index) const override { return softness_of(this->all[index]); }
 
@@ -166,10 +159,8 @@ class Store final : public Constraints<M, Kind> {
 
  private:
   static double softness_of(const Kind& constraint) {
-    if constexpr (requires { constraint.softness; })
-      return constraint.softness;
-    else
-      return 0;
+    if constexpr (requires { constraint.softness; }) return constraint.softness;
+    return 0;
   }
   static void write_jacobian(const Kind& constraint, const Bodies<M>& bodies, BlockOfKind& block) {
     const Pose<M>&pose1 = bodies.pose[block.body1], &pose2 = bodies.pose[block.body2];

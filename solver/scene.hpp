@@ -96,7 +96,7 @@ class Scene {
   template <class Kind>
   Handle<Kind> add(const Kind& constraint) {
     require_valid(constraint, bodies_);
-    if constexpr (bound_of<Kind> == Bound::friction) require_presses(constraint.contact);
+    if constexpr (bound_of<Kind>() == Bound::friction) require_presses(constraint.contact);
     prepare_to_add();
     const int kind = kind_to_add<Kind>();
     constraints<Kind>(kind).all.push_back(constraint);
@@ -206,7 +206,7 @@ class Scene {
     require_valid(constraint, bodies_);
     require_same("first body", constraint.at.body1, entry.body1);
     require_same("second body", constraint.at.body2, entry.body2);
-    if constexpr (bound_of<Kind> == Bound::friction)
+    if constexpr (bound_of<Kind>() == Bound::friction)
       require_same("contact", constraint.contact, store(entry.kind).contact_of(entry.index));
   }
 
