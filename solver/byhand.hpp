@@ -10,7 +10,6 @@
 #include "solver/constraints/normalised_distance.hpp"
 #include "solver/constraints/pin.hpp"
 #include "solver/constraints/rope.hpp"
-#include "solver/constraints/servo.hpp"
 #include "solver/constraints/slider.hpp"
 #include "solver/constraints/spring.hpp"
 #include "solver/constraints/weld.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <algorithm>
+#include <limits>
 #include <memory>
 #include <new>
 #include <typeinfo>
@@ -9,39 +9,69 @@
 #include "solver/integrate/jet.hpp"
 #include "solver/system.hpp"
 
-// A kind of constraint is a plain struct, one file each in constraints/; a program may have kinds of its own. It
-// has
+// A kind of constraint is a plain struct. Each file of constraints/ has one, with its derivation; a program may
+// add its own. A kind for a model M has
 //
-//   static constexpr int rows                         K
-//   static constexpr int position_rows                how many of them, the first, have a C; the others have only
-//   a rate static constexpr Bound bound                      of λ at.body1, at.body2 the two bodies Rows<K, T>
-//   value<T>(pose1, pose2)                 C, for any scalar T; of a row without a C, what JV is the rate of
-//   Jacobian<M, K> jacobian(pose1, pose2)             J, the gradient of `value`, derived by hand
-//   void require_valid(bodies)                        throws std::invalid_argument
-//   double softness, or Soft soft(pose1, pose2, h)    γ, or γ and what the row adds to its bias
+//   static constexpr int rows               number of rows K
+//   Anchors<M> at                           the two bodies, or any struct with body1, body2, require_valid(bodies)
+//   Rows<K, T> value<T>(pose1, pose2)       C, for any scalar T so that it can be differentiated automatically; of
+//                                           a row that constrains only a rate, the integral of that rate
+//   Jacobian<M, K> jacobian(pose1, pose2)   J, the gradient of `value`, derived by hand
 //
-// and, by its bound: bounds(h) with Bound::interval; coefficient μ with Bound::friction and Bound::manifold, with
-// friction also `contact`, the identity of the constraint that presses. Contacts have a restitution besides.
+// and, where the default does not fit:
 //
-// A scene keeps all constraints of a kind together, in a store that is adapted to the kind once (Store below).
-// Stages of a step call it once for many constraints, so that the kind costs no branch within a stage and a kind
-// that no scene has costs nothing.
+//   static constexpr int position_rows      number of leading rows with a C; the others constrain only a rate.
+//                                           Default: all rows
+//   static constexpr Bound bound            bound of λ. Default: none
+//   bounds(h)                               lower and upper bound of λ over a step h [s], for Bound::interval.
+//                                           Default: a one-sided row, λ >= 0
+//   double softness                         γ >= 0 of all rows [unit of JM⁻¹Jᵀ]. Default: 0
+//   Soft soft(pose1, pose2, h)              γ and bias of a single row that acts like a spring or a motor
+//   double coefficient                      μ >= 0, for Bound::friction and Bound::manifold
+//   int contact                             handle of the contact whose λ limits the row, for Bound::friction
+//   double restitution                      e of a contact, in [0, 1]
+//   static constexpr bool periodic          whether `value` is an angle in (-π, π], which may jump by 2π
+//   void require_valid(bodies)              throws std::invalid_argument for other members out of range
+//
+// A scene keeps all constraints of a kind in one store (Store below). Each stage of a step calls a store once for
+// many constraints, so kinds cost no branches within a stage, and a kind that a scene does not use costs nothing.
 namespace byhand {
 
-/// What a row that acts like a spring or a motor asks for over a time step: Δλ = -E(JV + rate + γλ).
+/// A row that acts like a spring or motor over a time step: Δλ = -E(JV + rate + γλ).
 struct Soft {
-  double gamma = 0, rate = 0;  // γ, and what is added to the bias [units of C per second]
+  double gamma = 0, rate = 0;  // γ and the row's own bias [units of C per second]
 };
 
-/// The constraints of one kind, whatever it is: what a scene and the methods ask of them. Constraints are named by
-/// their index in the store.
+template <class Kind>
+constexpr int position_rows_of() {
+  if constexpr (requires { Kind::position_rows; }) return Kind::position_rows;
+  return Kind::rows;
+}
+template <class Kind>
+constexpr Bound bound_of() {
+  if constexpr (requires { Kind::bound; }) return Kind::bound;
+  return Bound::none;
+}
+
+/// Throws std::invalid_argument unless a scene with these bodies can have this constraint.
+template <class Kind, class M>
+void require_valid(const Kind& constraint, const Bodies<M>& bodies) {
+  constraint.at.require_valid(bodies);
+  if constexpr (requires { constraint.softness; }) require_in("softness", constraint.softness, 0, 1e300);
+  if constexpr (bound_of<Kind>() == Bound::friction || bound_of<Kind>() == Bound::manifold)
+    require_in("friction coefficient", constraint.coefficient, 0, 1e300);
+  if constexpr (requires { constraint.restitution; }) require_in("restitution", constraint.restitution, 0, 1);
+  if constexpr (requires { constraint.require_valid(bodies); }) constraint.require_valid(bodies);
+}
+
+/// The constraints of one kind, with the kind erased. A constraint is named by its index in the store.
 template <class M>
 class ConstraintStore {
  public:
   int rows = 0, position_rows = 0;
   Bound bound = Bound::none;
   int block_type = 0;
-  bool periodic = false;  // whether its value is an angle in (-π, π], which may pass half a turn within a step
+  bool periodic = false;
 
   virtual ~ConstraintStore() = default;
   virtual std::unique_ptr<ConstraintStore> clone() const = 0;
@@ -50,24 +80,25 @@ class ConstraintStore {
   virtual void erase(int index) = 0;
   virtual void truncate(int size) = 0;
 
-  /// The identity of the constraint that presses, for Bound::friction.
+  /// Handle of the contact whose λ limits Bound::friction, else -1.
   virtual int contact_of(int index) const = 0;
-  /// γ of its first row without a step, and whether it acts like a spring or a motor.
+  /// γ of a constraint, 0 if the kind has `soft` instead.
   virtual double softness(int index) const = 0;
 
-  /// Writes a run of rows at the bodies' poses, for a time step h [s]: J, M⁻¹Jᵀ, C, γ, bounds, and what a row adds
-  /// to its bias.
+  /// Writes a run of rows at the bodies' poses for a time step h [s]: J, M⁻¹Jᵀ, C, γ, bounds and the rows' own
+  /// bias.
   virtual void write_rows(const Run& run, const Bodies<M>& bodies, double h, System<M>& system) const = 0;
-  /// J̇V of a run of rows along the paths of all bodies.
+  /// J̇V of a run of rows along the paths of all bodies, at the rows' places in `result`.
   virtual void write_bias_accelerations(const Run& run, const std::vector<Pose<M, Jet>>& paths,
                                         const System<M>& system, std::vector<double>& result) const = 0;
-  /// `value` of one constraint, at the bodies' poses, into `rows` numbers.
+  /// Writes `value` of one constraint at the bodies' poses: `rows` numbers.
   virtual void write_value(int index, const Bodies<M>& bodies, double* value) const = 0;
-  /// One constraint for methods on positions: its value, and J and M⁻¹Jᵀ into a Block of this store's type.
+  /// Linearises one constraint, for methods on positions: writes its value, and J and M⁻¹Jᵀ into a Block of this
+  /// store's type.
   virtual void linearise(const Bodies<M>& bodies, BlockHeader& block, double* value) const = 0;
 };
 
-/// The constraints of one kind, as they are.
+/// The constraints of one kind, with the kind known.
 template <class M, class Kind>
 class Constraints : public ConstraintStore<M> {
  public:
@@ -80,15 +111,17 @@ std::unique_ptr<ConstraintStore<M>> make_store();
 
 template <class M, class Kind>
 class Store final : public Constraints<M, Kind> {
-  static constexpr int K = Kind::rows;
-  using BlockOfKind = Block<M, K, Kind::bound>;
+  static constexpr int K = Kind::rows, positions = position_rows_of<Kind>();
+  static constexpr Bound B = bound_of<Kind>();
+  static constexpr int type = byhand::block_type<M, K, B>();
+  using BlockOfKind = Block<M, K, B>;
 
  public:
   Store() {
     this->rows = K;
-    this->position_rows = Kind::position_rows;
-    this->bound = Kind::bound;
-    this->block_type = byhand::block_type<M, K, Kind::bound>();
+    this->position_rows = positions;
+    this->bound = B;
+    this->block_type = type;
     if constexpr (requires { Kind::periodic; }) this->periodic = Kind::periodic;
   }
   std::unique_ptr<ConstraintStore<M>> clone() const override { return std::make_unique<Store>(*this); }
@@ -98,25 +131,18 @@ class Store final : public Constraints<M, Kind> {
   void truncate(int size) override { this->all.erase(this->all.begin() + size, this->all.end()); }
 
   int contact_of(int index) const override {
-    if constexpr (Kind::bound == Bound::friction)
-      return this->all[index].contact;
-    else
-      return -1;
+    if constexpr (B == Bound::friction) return this->all[index].contact;
+    return -1;
   }
-  double softness(int index) const override {
-    if constexpr (requires { this->all[index].softness; })
-      return this->all[index].softness;
-    else
-      return 0;
-  }
+  double softness(int index) const override { return softness_of(this->all[index]); }
 
   void write_rows(const Run& run, const Bodies<M>& bodies, double h, System<M>& system) const override {
-    BlockOfKind* block = part<byhand::block_type<M, K, Kind::bound>()>(system.blocks, run).data();
+    BlockOfKind* block = part<type>(system.blocks, run).data();
     for (int i = 0; i < run.count; ++i) write(this->all[block[i].constraint], bodies, h, block[i], system);
   }
   void write_bias_accelerations(const Run& run, const std::vector<Pose<M, Jet>>& paths, const System<M>& system,
                                 std::vector<double>& result) const override {
-    for (const BlockOfKind& block : part<byhand::block_type<M, K, Kind::bound>()>(system.blocks, run)) {
+    for (const BlockOfKind& block : part<type>(system.blocks, run)) {
       Eigen::Map<Rows<K>> J_dot_V(&result[block.row]);
       J_dot_V = bias_acceleration<Kind, M>(this->all[block.constraint], paths[block.body1], paths[block.body2]);
     }
@@ -132,10 +158,14 @@ class Store final : public Constraints<M, Kind> {
   }
 
  private:
+  static double softness_of(const Kind& constraint) {
+    if constexpr (requires { constraint.softness; }) return constraint.softness;
+    return 0;
+  }
   static void write_jacobian(const Kind& constraint, const Bodies<M>& bodies, BlockOfKind& block) {
     const Pose<M>&pose1 = bodies.pose[block.body1], &pose2 = bodies.pose[block.body2];
-    // Constructed in place: assigned, J and W would be stored number by number and at once loaded in pairs, which
-    // stalls.
+    // Constructed in place: assignment would store J and W number by number and at once load them in pairs, which
+    // stalls the processor.
     using J = Jacobian<M, K>;
     new (&block.J) J(constraint.jacobian(pose1, pose2));
     new (&block.W) J(times_inverse_mass(block.J, bodies.inverse_mass[block.body1], pose1,
@@ -147,9 +177,9 @@ class Store final : public Constraints<M, Kind> {
                     System<M>& system) {
     const Pose<M>&pose1 = bodies.pose[block.body1], &pose2 = bodies.pose[block.body2];
     const int row = block.row;
-    if constexpr (Kind::position_rows > 0) {
+    if constexpr (positions > 0) {
       const Rows<K> C = constraint.template value<double>(pose1, pose2);
-      for (int k = 0; k < Kind::position_rows; ++k) system.C[row + k] = C[k];
+      for (int k = 0; k < positions; ++k) system.C[row + k] = C[k];
     }
     write_jacobian(constraint, bodies, block);
     if constexpr (requires { constraint.soft(pose1, pose2, h); }) {
@@ -157,16 +187,18 @@ class Store final : public Constraints<M, Kind> {
       system.gamma[row] = soft.gamma;
       system.rate[row] = soft.rate;
     } else {
-      for (int k = 0; k < K; ++k) system.gamma[row + k] = constraint.softness;
+      for (int k = 0; k < K; ++k) system.gamma[row + k] = softness_of(constraint);
     }
     if constexpr (requires { constraint.restitution; }) system.restitution[row] = constraint.restitution;
-    if constexpr (Kind::bound == Bound::interval) {
+    if constexpr (requires { constraint.bounds(h); }) {
       const auto [lower, upper] = constraint.bounds(h);
       system.lower[row] = lower;
       system.upper[row] = upper;
+    } else if constexpr (B == Bound::interval) {
+      system.lower[row] = 0;
+      system.upper[row] = std::numeric_limits<double>::infinity();
     }
-    if constexpr (Kind::bound == Bound::friction || Kind::bound == Bound::manifold)
-      system.upper[row] = constraint.coefficient;
+    if constexpr (B == Bound::friction || B == Bound::manifold) system.upper[row] = constraint.coefficient;
   }
   //! [write_rows]
 };
@@ -176,13 +208,15 @@ std::unique_ptr<ConstraintStore<M>> make_store() {
   return std::make_unique<Store<M, Kind>>();
 }
 
-/// Declares that the store of a kind is compiled in the library, for one model or for each.
-#define BYHAND_STORE_IN_LIBRARY(M, Kind) \
-  extern template std::unique_ptr<ConstraintStore<M>> make_store<M, Kind<M>>()
-#define BYHAND_STORES_IN_LIBRARY(Kind)          \
-  BYHAND_STORE_IN_LIBRARY(PlaneParticle, Kind); \
-  BYHAND_STORE_IN_LIBRARY(PlaneBody, Kind);     \
-  BYHAND_STORE_IN_LIBRARY(SpaceParticle, Kind); \
-  BYHAND_STORE_IN_LIBRARY(SpaceBody, Kind)
+/// The store of a kind for one model, for the two whose bodies turn, or for all four: BYHAND_STORE declares it
+/// after `extern` and otherwise compiles it.
+#define BYHAND_STORE(M, Kind) template std::unique_ptr<ConstraintStore<M>> make_store<M, Kind<M>>()
+#define BYHAND_STORES_OF_BODIES(prefix, Kind) \
+  prefix BYHAND_STORE(PlaneBody, Kind);       \
+  prefix BYHAND_STORE(SpaceBody, Kind)
+#define BYHAND_STORES(prefix, Kind)         \
+  prefix BYHAND_STORE(PlaneParticle, Kind); \
+  prefix BYHAND_STORE(SpaceParticle, Kind); \
+  BYHAND_STORES_OF_BODIES(prefix, Kind)
 
 }  // namespace byhand

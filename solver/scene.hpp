@@ -95,8 +95,8 @@ class Scene {
   /// their natural order. Throws std::invalid_argument for what the kind refuses.
   template <class Kind>
   Handle<Kind> add(const Kind& constraint) {
-    constraint.require_valid(bodies_);
-    if constexpr (Kind::bound == Bound::friction) require_presses(constraint.contact);
+    require_valid(constraint, bodies_);
+    if constexpr (bound_of<Kind>() == Bound::friction) require_presses(constraint.contact);
     prepare_to_add();
     const int kind = kind_to_add<Kind>();
     constraints<Kind>(kind).all.push_back(constraint);
@@ -203,10 +203,10 @@ class Scene {
   template <class Kind, class F>
   void change_one(const Entry& entry, F& change, Kind& constraint) const {
     change(constraint);
-    constraint.require_valid(bodies_);
+    require_valid(constraint, bodies_);
     require_same("first body", constraint.at.body1, entry.body1);
     require_same("second body", constraint.at.body2, entry.body2);
-    if constexpr (Kind::bound == Bound::friction)
+    if constexpr (bound_of<Kind>() == Bound::friction)
       require_same("contact", constraint.contact, store(entry.kind).contact_of(entry.index));
   }
 

@@ -39,7 +39,7 @@ Doll above_a_stair() {
 double passed(const Doll& doll) {
   double worst = 0;
   const auto& poses = doll.scene.bodies().pose;
-  for (const auto& stop : doll.scene.all<AngleLimit>())
+  for (const auto& stop : doll.scene.all<Limit<M, Turn>>())
     worst = std::max(worst, -stop.value<double>(poses[stop.at.body1], poses[stop.at.body2])[0]);
   return worst;
 }
@@ -49,7 +49,7 @@ double least_of_stops(const Doll& doll) {
   double least = INFINITY;
   const auto& [lambda, row_of] = std::tie(doll.work.system.lambda, doll.work.system.row_of);
   for (int place = 0; place < doll.scene.lasting(); ++place)
-    if (doll.scene.get_if<AngleLimit<M>>(place)) least = std::min(least, lambda[row_of[place]]);
+    if (doll.scene.get_if<Limit<M, Turn>>(place)) least = std::min(least, lambda[row_of[place]]);
   return least;
 }
 

@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "solver/constraints/axis_friction.hpp"
 #include "solver/constraints/contact.hpp"
 #include "solver/constraints/friction.hpp"
 #include "solver/step.hpp"

@@ -4,8 +4,7 @@
 
 namespace byhand {
 
-/// The arms of a constraint's two anchors, each in the frame of its body [m]; a particle has none, and they take
-/// no space.
+/// The arms of a constraint's two anchors, each in the frame of its body [m]; particles have none, in no space.
 template <class M>
 struct Arms {
   Arm<M> first = Arm<M>::Zero(), second = Arm<M>::Zero();
@@ -15,8 +14,7 @@ struct Arms<Model<L, 0>> {
   static constexpr NoArm first = {}, second = {};
 };
 
-/// The two bodies of a constraint and the points where it holds them; the arms are in the frames of their
-/// bodies [m].
+/// The two bodies of a constraint and the points P1 and P2 where it acts on them.
 template <class M>
 struct Anchors {
   int body1 = 0, body2 = 0;
@@ -29,8 +27,7 @@ struct Anchors {
            anchor<M, T>(pose1, in_world<M, T>(pose1, arms.first));
   }
 
-  /// Throws std::invalid_argument unless both indices name bodies, two different ones, and both arms are
-  /// finite.
+  /// Throws std::invalid_argument unless both bodies exist and differ and both arms are finite.
   void require_valid(const Bodies<M>& bodies) const {
     require_body(bodies, body1);
     require_body(bodies, body2);
@@ -39,9 +36,16 @@ struct Anchors {
       for (const Arm<M>& arm : {arms.first, arms.second})
         for (const double r : arm) require_finite("arm", r, "m");
   }
+  /// Throws std::invalid_argument for a rod of length <= 0 or one whose ends coincide, for then d has no
+  /// direction.
+  void require_rod(double length, const Bodies<M>& bodies) const {
+    require_positive("length", length, "m");
+    const double distance = separation(bodies.pose[body1], bodies.pose[body2]).norm();
+    require(distance > 0, "distance between the rod's ends", distance, "above zero [m], or J has no direction");
+  }
 };
 
-/// Anchors at two world points [m] of two bodies as they now stand.
+/// Anchors at two world points [m] of two bodies at their current poses.
 template <class M>
 Anchors<M> between(const Bodies<M>& bodies, int body1, const Linear<M>& point1, int body2,
                    const Linear<M>& point2) {
@@ -51,6 +55,39 @@ Anchors<M> between(const Bodies<M>& bodies, int body1, const Linear<M>& point1, 
   if constexpr (M::angular > 0)
     anchors.arms = {arm_to<M>(bodies.pose[body1], point1), arm_to<M>(bodies.pose[body2], point2)};
   return anchors;
+}
+
+/// A world axis of any length > 0 as a unit vector in a body's frame. Throws std::invalid_argument for other axes.
+template <class M>
+Linear<M> axis_in(const Bodies<M>& bodies, int body, const Linear<M>& axis) {
+  const double length = axis.norm();
+  require(std::isfinite(length) && length > 0, "length of the axis", length, "positive and finite");
+  return rotate(inverse(bodies.pose[body].rotation), Linear<M>(axis / length));
+}
+
+/// Unit vectors at right angles to a unit normal, as columns: in the plane n turned by -90°, in space two such
+/// that (t1, t2, n) is right-handed.
+template <class M>
+Eigen::Matrix<double, M::linear, M::linear - 1> tangents_of(const Linear<M>& normal) {
+  if constexpr (M::linear == 2) {
+    return {normal.y(), -normal.x()};
+  } else {
+    Eigen::Matrix<double, 3, 2> t;
+    const Eigen::Vector3d away = std::abs(normal.x()) < 0.6 ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitY();
+    t.col(0) = (away - normal * normal.dot(away)).normalized();
+    t.col(1) = normal.cross(t.col(0));
+    return t;
+  }
+}
+
+/// Throws std::invalid_argument unless `length` is 1 to 1e-9.
+inline void require_unit(std::string_view name, double length) { require_in(name, length, 1 - 1e-9, 1 + 1e-9); }
+
+/// Throws std::invalid_argument unless the columns are unit vectors at right angles, to 1e-9.
+template <class Matrix>
+void require_orthonormal(const std::string& name, const Matrix& columns) {
+  const auto product = (columns.transpose() * columns).eval();
+  require_in("distance of the " + name + " from orthonormal", (product - product.Identity()).norm(), 0, 1e-9);
 }
 
 }  // namespace byhand

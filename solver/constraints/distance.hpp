@@ -11,18 +11,16 @@
 //   J by inspection, (14)   J = [ -d   -r1 × d   d   r2 × d ]
 //
 // P: anchor points, r: arms from the centres of mass to them, v and ω: velocities, L: length of the rod.
-// (14) is not divided by |d|: its λ carries N s/m, and a rod that pulls has λ < 0.
+// (14) is not divided by |d|: its λ is in N s/m, and a rod under tension has λ < 0.
 namespace byhand {
 
 template <class M>
 struct Distance {
   static constexpr int rows = 1;
-  static constexpr Bound bound = Bound::none;
-  static constexpr int position_rows = rows;
 
   Anchors<M> at;
   double length = 1;    // L [m] > 0
-  double softness = 0;  // γ of Δλ = -E(JV + b + γλ) [1/kg m² here: the unit of JM⁻¹Jᵀ] >= 0
+  double softness = 0;  // γ [m²/kg, the unit of JM⁻¹Jᵀ] >= 0
 
   //! [value]
   /// (2) at two poses [m²], for any scalar.
@@ -33,28 +31,16 @@ struct Distance {
   }
   //! [value]
 
-  //! [jacobian]
-  /// (14) at two poses [m, and m² where a body turns].
   Jacobian<M, 1> jacobian(const Pose<M>& pose1, const Pose<M>& pose2) const {
     const Arm<M> r1 = in_world<M, double>(pose1, at.arms.first), r2 = in_world<M, double>(pose2, at.arms.second);
-    const Linear<M> d = anchor<M, double>(pose2, r2) - anchor<M, double>(pose1, r1);
     Jacobian<M, 1> J;
-    set_row_along<M, 1>(J, 0, d, r1, r2);
+    set_row_along<M, 1>(J, 0, Linear<M>(anchor<M, double>(pose2, r2) - anchor<M, double>(pose1, r1)), r1, r2);
     return J;
   }
-  //! [jacobian]
 
-  /// Throws std::invalid_argument for length <= 0, softness < 0, or points that coincide: J would vanish
-  /// there.
-  void require_valid(const Bodies<M>& bodies) const {
-    at.require_valid(bodies);
-    require_positive("length", length, "m");
-    require_in("softness", softness, 0, 1e300);
-    const double distance = at.separation(bodies.pose[at.body1], bodies.pose[at.body2]).norm();
-    require(distance > 0, "distance between the rod's ends", distance, "above zero [m], or J of (14) vanishes");
-  }
+  void require_valid(const Bodies<M>& bodies) const { at.require_rod(length, bodies); }
 };
 
-BYHAND_STORES_IN_LIBRARY(Distance);
+BYHAND_STORES(extern, Distance);
 
 }  // namespace byhand

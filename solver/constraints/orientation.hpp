@@ -1,15 +1,13 @@
 #pragma once
 
 #include "solver/constraints/anchors.hpp"
-#include "solver/integrate/angle.hpp"
 
-// How far body 2 has turned against body 1 since both stood right: the angular part of joints that let no turn
-// happen.
+// The rotation of body 2 relative to body 1 since a rest position, which some joints hold at zero.
 //
 // In the plane C = φ, the angle between them, so Ċ = ω2 - ω1 and J = [ 0  -1  0  1 ].
 //
-// In space e = q2 q0 q1⁻¹ is the turn in the world's axes that they are off by: 1 where they stand right, w + v
-// elsewhere. A turn by φ about the unit vector a has w = cos(φ/2), v = a sin(φ/2).
+// In space e = q2 q0 q1⁻¹ = w + v is the rotation off the rest position, in world axes; e = 1 at rest. A rotation
+// by φ about the unit vector a has w = cos(φ/2), v = a sin(φ/2).
 //
 //   C                C = 4σ,  σ = v/(1 + w) = a tan(φ/4)          three numbers, φ a to third order     [rad]
 //   differentiate    ė = ½(ω2 e - e ω1), that is ẇ = -½ v·(ω2 - ω1), v̇ = ½w (ω2 - ω1) - ½ v × (ω2 + ω1), and
@@ -17,31 +15,21 @@
 //   isolate V        w and v by σ:  Ċ = B ω2 - Bᵀ ω1,  B = (1 - σ²) 1 - 2 [σ]× + 2 σσᵀ
 //   J by inspection  J = [ 0  -Bᵀ  0  B ]
 //
-// B Bᵀ = (1 + σ²)² 1: C never goes flat, whatever the turn, as v alone would at half a turn. (σ are the modified
-// Rodrigues parameters: M. D. Shuster, A survey of attitude representations, J. Astronautical Sciences 41, 1993.)
-// e and -e are the same turn; that with w >= 0 is the shorter way back.
+// B Bᵀ = (1 + σ²)² 1: the gradient never vanishes, whereas that of v alone does at half a turn. (σ are the
+// modified Rodrigues parameters: M. D. Shuster, A survey of attitude representations, J. Astronautical Sciences
+// 41, 1993.) e and -e are the same rotation; the one with w >= 0 gives the shorter way back.
 namespace byhand {
-
-/// Throws std::invalid_argument unless the rotation is one, to 1e-9.
-template <class M>
-void require_rotation(const Rotation<M>& rotation) {
-  double norm2 = 0;
-  if constexpr (M::angular == 1)
-    norm2 = rotation.cos * rotation.cos + rotation.sin * rotation.sin;
-  else
-    norm2 = rotation.squaredNorm();
-  require_in("squared length of the joint's rotation", norm2, 1 - 1e-9, 1 + 1e-9);
-}
 
 template <class M>
 struct Orientation {
   static_assert(M::angular > 0, "a particle has no orientation");
-  Rotation<M> rest = Pose<M>().rotation;  // q0: body 1's orientation in body 2's axes where both stand right
+  Rotation<M> rest = Pose<M>().rotation;  // q0: body 1's orientation in body 2's axes at rest
 
   /// φ or 4σ at two poses [rad], for any scalar.
   template <class T>
   Angular<M, T> value(const Pose<M, T>& pose1, const Pose<M, T>& pose2) const {
-    const Rotation<M, T> off = pose2.rotation * cast<T>(rest) * inverse(pose1.rotation);
+    const Rotation<M, T> q0 = cast<T>(Pose<M>{Linear<M>::Zero(), rest}).rotation;
+    const Rotation<M, T> off = pose2.rotation * q0 * inverse(pose1.rotation);
     if constexpr (M::angular == 1) {
       return Angular<M, T>(principal_angle<T>(off));
     } else {
@@ -74,16 +62,10 @@ struct Orientation {
     rows.template rightCols<M::angular>() = B;
   }
 
- private:
-  template <class T>
-  static Rotation<M, T> cast(const Rotation<M>& rotation) {
-    Pose<M> pose;
-    pose.rotation = rotation;
-    return byhand::cast<T, M>(pose).rotation;
-  }
+  void require_valid() const { byhand::require_valid(Pose<M>{Linear<M>::Zero(), rest}); }
 };
 
-/// Two bodies that stand right as they now stand.
+/// The orientation whose rest position is the bodies' current poses.
 template <class M>
 Orientation<M> orientation(const Bodies<M>& bodies, int body1, int body2) {
   return {inverse(bodies.pose[body2].rotation) * bodies.pose[body1].rotation};

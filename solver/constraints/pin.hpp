@@ -2,7 +2,7 @@
 
 #include "solver/constraints/anchors.hpp"
 
-// A joint is a system of constraints: two points coincide, one row for each axis e_k of the world.
+// A joint is a system of constraints. The pin: two points coincide, one row for each axis e_k of the world.
 //
 //   C                C_k = e_k · (P2 - P1)                                                   [m]
 //   differentiate    Ċ_k = e_k · ((v2 + ω2 × r2) - (v1 + ω1 × r1))
@@ -15,13 +15,10 @@ namespace byhand {
 template <class M>
 struct Pin {
   static constexpr int rows = M::linear;
-  static constexpr Bound bound = Bound::none;
-  static constexpr int position_rows = rows;
 
   Anchors<M> at;
   double softness = 0;  // γ [1/kg] >= 0
 
-  /// P2 - P1 at two poses [m], for any scalar.
   template <class T>
   Rows<rows, T> value(const Pose<M, T>& pose1, const Pose<M, T>& pose2) const {
     return at.separation(pose1, pose2);
@@ -36,20 +33,14 @@ struct Pin {
     return J;
   }
   //! [jacobian]
-
-  /// Throws std::invalid_argument for softness < 0 or anchors that name no bodies.
-  void require_valid(const Bodies<M>& bodies) const {
-    at.require_valid(bodies);
-    require_in("softness", softness, 0, 1e300);
-  }
 };
 
-/// A pin at a world point [m] of two bodies as they now stand.
+/// A pin at a world point [m] of two bodies at their current poses.
 template <class M>
 Pin<M> pin(const Bodies<M>& bodies, int body1, int body2, const Linear<M>& point) {
   return {between<M>(bodies, body1, point, body2, point)};
 }
 
-BYHAND_STORES_IN_LIBRARY(Pin);
+BYHAND_STORES(extern, Pin);
 
 }  // namespace byhand

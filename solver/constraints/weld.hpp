@@ -3,11 +3,11 @@
 #include "solver/constraints/orientation.hpp"
 #include "solver/constraints/pin.hpp"
 
-// Two bodies are one: a pin, and no turn.
+// Two bodies move as one: a pin that allows no rotation.
 //
 //   C                C_k = e_k · (P2 - P1) as in Pin [m], then φ or 4σ of Orientation [rad]
 //   differentiate,
-//   isolate V        there, row by row
+//   isolate V        as there, row by row
 //   J by inspection  J = [ -e_k   -r1 × e_k   e_k   r2 × e_k ]
 //                        [   0       -Bᵀ       0       B     ]
 //
@@ -17,14 +17,11 @@ namespace byhand {
 template <class M>
 struct Weld {
   static constexpr int rows = M::dof;
-  static constexpr Bound bound = Bound::none;
-  static constexpr int position_rows = rows;
 
   Anchors<M> at;
   Orientation<M> right = {};
   double softness = 0;  // γ [1/kg] >= 0
 
-  /// P2 - P1 and φ or 4σ at two poses [m, rad], for any scalar.
   template <class T>
   Rows<rows, T> value(const Pose<M, T>& pose1, const Pose<M, T>& pose2) const {
     Rows<rows, T> C;
@@ -32,7 +29,6 @@ struct Weld {
     return C;
   }
 
-  /// J at two poses [1 and m; 1].
   Jacobian<M, rows> jacobian(const Pose<M>& pose1, const Pose<M>& pose2) const {
     Jacobian<M, rows> J;
     J.matrix.template topRows<M::linear>() = Pin<M>{at}.jacobian(pose1, pose2).matrix;
@@ -40,21 +36,15 @@ struct Weld {
     return J;
   }
 
-  /// Throws std::invalid_argument for softness < 0, a rotation that is none, or anchors that name no bodies.
-  void require_valid(const Bodies<M>& bodies) const {
-    at.require_valid(bodies);
-    require_rotation<M>(right.rest);
-    require_in("softness", softness, 0, 1e300);
-  }
+  void require_valid(const Bodies<M>&) const { right.require_valid(); }
 };
 
-/// A weld at a world point [m] of two bodies as they now stand.
+/// A weld at a world point [m] of two bodies at their current poses.
 template <class M>
 Weld<M> weld(const Bodies<M>& bodies, int body1, int body2, const Linear<M>& point) {
   return {between<M>(bodies, body1, point, body2, point), orientation<M>(bodies, body1, body2)};
 }
 
-BYHAND_STORE_IN_LIBRARY(PlaneBody, Weld);
-BYHAND_STORE_IN_LIBRARY(SpaceBody, Weld);
+BYHAND_STORES_OF_BODIES(extern, Weld);
 
 }  // namespace byhand

@@ -7,9 +7,8 @@
 
 namespace byhand {
 
-/// A quantity along time: its value and its first two derivatives by t, cut off there. Ours because Eigen's dual
-/// numbers, nested to a second derivative, take twice as long to compile and to run: they hold the first one
-/// twice.
+/// A function of time as its value and first two derivatives. Eigen's dual numbers, nested for a second
+/// derivative, store the first one twice and take twice as long to compile and to run.
 struct Jet {
   double at = 0, rate = 0, bend = 0;
 
@@ -29,24 +28,20 @@ struct Jet {
     const double q = a.at / b.at, q_rate = (a.rate - q * b.rate) / b.at;
     return {q, q_rate, (a.bend - 2 * q_rate * b.rate - q * b.bend) / b.at};
   }
-  Jet& operator+=(const Jet& b) { return *this = *this + b; }
-  Jet& operator-=(const Jet& b) { return *this = *this - b; }
-  Jet& operator*=(const Jet& b) { return *this = *this * b; }
-  Jet& operator/=(const Jet& b) { return *this = *this / b; }
 };
-
-/// q̇ = ½ω q, of a quaternion whose body turns at ω [rad/s] about the world's axes.
-inline Eigen::Quaterniond turning(const Eigen::Quaterniond& q, const Eigen::Vector3d& spin) {
-  return Eigen::Quaterniond(0, spin.x() / 2, spin.y() / 2, spin.z() / 2) * q;
-}
 
 inline Jet sqrt(const Jet& a) {  // from a = r²
   const double r = std::sqrt(a.at), r_rate = a.rate / (2 * r);
   return {r, r_rate, (a.bend - 2 * r_rate * r_rate) / (2 * r)};
 }
 
-/// A body on its way with constant V, at the present moment: a rotation by ωt has the derivatives ½ω q and -¼|ω|²
-/// q (in the plane ω i r and -ω² r).
+/// q̇ = ½ω q of a body that turns at ω [rad/s] in world axes.
+inline Eigen::Quaterniond turning(const Eigen::Quaterniond& q, const Eigen::Vector3d& spin) {
+  return Eigen::Quaterniond(0, spin.x() / 2, spin.y() / 2, spin.z() / 2) * q;
+}
+
+/// The path of a body with constant V at t = 0: its rotation has the derivatives ½ω q and -¼|ω|² q, in the plane
+/// ω i r and -ω² r.
 template <class M>
 Pose<M, Jet> on_its_way(const Pose<M>& pose, const Velocity<M>& V) {
   Pose<M, Jet> path;
@@ -66,9 +61,7 @@ Pose<M, Jet> on_its_way(const Pose<M>& pose, const Velocity<M>& V) {
   return path;
 }
 
-//! [bias_acceleration]
-/// J̇V: what of C̈ = J V̇ + J̇V is there without any acceleration, from the constraint's own C of (1) alone: its
-/// second derivative along bodies that move on with constant V [units of C per second²].
+/// J̇V of C̈ = J V̇ + J̇V: the second derivative of C along paths of constant V [units of C per second²].
 template <class Kind, class M>
 Rows<Kind::rows> bias_acceleration(const Kind& constraint, const Pose<M, Jet>& path1, const Pose<M, Jet>& path2) {
   const Rows<Kind::rows, Jet> C = constraint.template value<Jet>(path1, path2);
@@ -76,7 +69,6 @@ Rows<Kind::rows> bias_acceleration(const Kind& constraint, const Pose<M, Jet>& p
   for (int k = 0; k < Kind::rows; ++k) result[k] = C[k].bend;
   return result;
 }
-//! [bias_acceleration]
 
 }  // namespace byhand
 
@@ -85,13 +77,5 @@ struct Eigen::NumTraits<byhand::Jet> : Eigen::NumTraits<double> {
   using Real = byhand::Jet;
   using NonInteger = byhand::Jet;
   using Nested = byhand::Jet;
-  enum {
-    IsComplex = 0,
-    IsInteger = 0,
-    IsSigned = 1,
-    RequireInitialization = 1,
-    ReadCost = 3,
-    AddCost = 3,
-    MulCost = 8
-  };
+  enum { RequireInitialization = 1, ReadCost = 3, AddCost = 3, MulCost = 8 };
 };

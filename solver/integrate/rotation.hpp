@@ -6,9 +6,10 @@
 #include <cmath>
 #include <cstdint>
 
-// Rotations that advance by + − × ÷ and square roots alone: libm's sine is not the same on every processor.
-// Every function takes any scalar with `.value()` (Eigen::AutoDiffScalar, also nested) besides double, and
-// branches on the value only where both sides have the same derivatives.
+// Rotations and angles by + − × ÷ and square roots alone, because libm's sine differs between processors.
+// Functions take double and any scalar with `.value()` (Jet, Eigen::AutoDiffScalar, also nested); they branch on
+// the value only where both sides have the same derivatives. All polynomials are minimax approximations with
+// coefficients from fdlibm (k_sin.c, k_cos.c, s_atan.c; Sun Microsystems, 1993).
 namespace byhand {
 
 template <class T>
@@ -26,7 +27,7 @@ double value_of(const T& x) {
   return value_of(x.value());
 }
 
-/// c0 + c1·z + … + c5·z⁵ by Estrin's scheme, whose three independent pairs halve Horner's latency.
+/// c0 + c1·z + … + c5·z⁵ by Estrin's scheme, whose three independent pairs have half the latency of Horner's.
 template <class T>
 T quintic(const T& z, const double (&c)[6]) {
   const T z2 = z * z;
@@ -34,30 +35,26 @@ T quintic(const T& z, const double (&c)[6]) {
   return low + z2 * (middle + z2 * high);
 }
 
-// Minimax coefficients for |x| <= π/4, z = x², from fdlibm's k_sin.c and k_cos.c (Sun Microsystems, 1993).
-
-/// (sin(x)/x − 1)/z
+/// (sin(x)/x − 1)/z, z = x², |x| <= π/4.
 template <class T>
 T sine_tail(const T& z) {
   return quintic<T>(z, {-1.66666666666666324348e-01, 8.33333333332248946124e-03, -1.98412698298579493134e-04,
                         2.75573137070700676789e-06, -2.50507602534068634195e-08, 1.58969099521155010221e-10});
 }
-
-/// (cos(x) − 1 + z/2)/z²
+/// (cos(x) − 1 + z/2)/z², z = x², |x| <= π/4.
 template <class T>
 T cosine_tail(const T& z) {
   return quintic<T>(z, {4.16666666666666019037e-02, -1.38888888888741095749e-03, 2.48015872894767294178e-05,
                         -2.75573143513906633035e-07, 2.08757232129817482790e-09, -1.13596475577881948265e-11});
 }
-
-/// 1 − z/2 + rest; what is lost when 1 − z/2 is rounded goes back in with the small terms.
+/// 1 − z/2 + rest; the rounding error of 1 − z/2 is added back with the small terms.
 template <class T>
 T one_minus(const T& half_z, const T& rest) {
   const T rounded = 1.0 - half_z;
   return rounded + (((1.0 - rounded) - half_z) + rest);
 }
 
-/// Sine and cosine of x + low for |x| <= π/4; `low` is what x was too short to hold.
+/// Sine and cosine of x + low for |x| <= π/4; `low` is the rounding error of x.
 template <class T>
 SinCos<T> sin_cos_within_quarter_pi(const T& x, double low) {
   const T z = x * x, half_z = 0.5 * z;
@@ -65,16 +62,41 @@ SinCos<T> sin_cos_within_quarter_pi(const T& x, double low) {
           one_minus<T>(half_z, z * z * cosine_tail<T>(z) - x * low)};
 }
 
+/// Sine and cosine of half an angle in [−π, π], by the root without cancellation.
+template <class T>
+SinCos<T> half_of(const SinCos<T>& whole) {
+  using std::sqrt;
+  if (value_of(whole.cos) >= 0) {
+    const T cos = sqrt(T(0.5 + 0.5 * whole.cos));
+    return {T(0.5 * whole.sin / cos), cos};
+  }
+  const T size = sqrt(T(0.5 - 0.5 * whole.cos)), sin = value_of(whole.sin) < 0 ? T(-size) : size;
+  return {sin, T(0.5 * whole.sin / sin)};
+}
+
+/// arctan(t) [rad] for |t| <= tan(π/8).
+template <class T>
+T arctangent(const T& t) {
+  constexpr double c[] = {3.33333333333329318027e-01,  -1.99999999998764832476e-01, 1.42857142725034663711e-01,
+                          -1.11111104054623557880e-01, 9.09088713343650656196e-02,  -7.69187620504482999495e-02,
+                          6.66107313738753120669e-02,  -5.83357013379057348645e-02, 4.97687799461593236017e-02,
+                          -3.65315727442169155270e-02, 1.62858201153657823623e-02};
+  const T z = t * t;
+  T sum = T(c[10]);
+  for (int i = 9; i >= 0; --i) sum = T(c[i] + z * sum);
+  return t - t * (z * sum);
+}
+
 }  // namespace detail
 
-/// Sine and cosine of `angle` [rad], to 1 ulp for |angle| <= 1e5; far beyond, the reduction runs out of digits.
+/// Sine and cosine of `angle` [rad], to 1 ulp for |angle| <= 1e5; far beyond, the range reduction loses accuracy.
 template <class T>
 SinCos<T> sin_cos(const T& angle) {
   const double value = detail::value_of(angle);
   if (std::abs(value) <= detail::quarter_pi) return detail::sin_cos_within_quarter_pi<T>(angle, 0.0);
 
-  // Cody and Waite: π/2 in three parts, the first two of 33 bits so that their multiples are exact. Adding
-  // 1.5·2^52 rounds to a whole number and leaves it, modulo 4, in the last two bits.
+  // Range reduction by Cody and Waite: π/2 in three parts, the first two of 33 bits so that their multiples are
+  // exact. Adding 1.5·2^52 rounds to a whole number whose last two bits are the quadrant.
   constexpr double two_over_pi = 0x1.45f306dc9c883p-1, to_whole = 0x1.8p52;
   constexpr double high = 0x1.921fb544p+0, middle = 0x1.0b4611a6p-34, low = 0x1.3198a2e037073p-69;
   const double shifted = value * two_over_pi + to_whole, quarters = shifted - to_whole;
@@ -97,7 +119,6 @@ template <class T = double>
 struct PlaneRotation {
   T cos = T(1), sin = T(0);
 };
-static_assert(sizeof(PlaneRotation<>) == 16);
 
 /// The rotation by `angle` [rad].
 template <class T>
@@ -106,20 +127,17 @@ PlaneRotation<T> plane_rotation(const T& angle) {
   return {at.cos, at.sin};
 }
 
-/// First `b`, then `a` (in the plane the order does not matter).
 template <class T>
 PlaneRotation<T> operator*(const PlaneRotation<T>& a, const PlaneRotation<T>& b) {
   return {a.cos * b.cos - a.sin * b.sin, a.sin * b.cos + a.cos * b.sin};
 }
-
-/// The rotation that undoes `r`.
 template <class T>
 PlaneRotation<T> inverse(const PlaneRotation<T>& r) {
   return {r.cos, -r.sin};
 }
 
-/// `r` turned on by `angle` [rad]. One Newton step for 1/|r| holds |r| = 1 to rounding, over any number of
-/// turns.
+/// `r` turned further by `angle` [rad]. One Newton step for 1/|r| keeps |r| = 1 to rounding, over any number of
+/// steps.
 template <class T>
 PlaneRotation<T> rotated_by(const PlaneRotation<T>& r, const T& angle) {
   const PlaneRotation<T> turned = plane_rotation<T>(angle) * r;
@@ -127,26 +145,24 @@ PlaneRotation<T> rotated_by(const PlaneRotation<T>& r, const T& angle) {
   return {turned.cos * to_unit, turned.sin * to_unit};
 }
 
-/// The vector `v`, given in the body's axes, in the world's.
+/// The world-frame components of a body-frame vector.
 template <class T, class Vector>
 Eigen::Matrix<T, 2, 1> rotate(const PlaneRotation<T>& r, const Eigen::MatrixBase<Vector>& v) {
   const auto& u = v.eval();
   return {r.cos * u.x() - r.sin * u.y(), r.sin * u.x() + r.cos * u.y()};
 }
 
-/// The angle of `r` in (−π, π] [rad]. Measures only: it is libm's.
+/// The angle of `r` in (−π, π] [rad] by libm: for measurements, not for state.
 inline double angle(const PlaneRotation<>& r) { return std::atan2(r.sin, r.cos); }
 
-static_assert(sizeof(Eigen::Quaterniond) == 32);
-
-/// exp(turn/2) as a unit quaternion: the rotation by |turn| [rad] about `turn`.
+/// exp(turn/2), the unit quaternion of the rotation by |turn| [rad] about `turn`.
 template <class T>
 Eigen::Quaternion<T> space_rotation(const Eigen::Matrix<T, 3, 1>& turn) {
   const Eigen::Matrix<T, 3, 1> half = turn * T(0.5);
   const T z = half.x() * half.x() + half.y() * half.y() + half.z() * half.z();
   T cos, sine_over_angle;
   if (detail::value_of(z) <= detail::quarter_pi * detail::quarter_pi) {
-    // Both are series in the squared angle, so that no square root spoils the derivatives of a turn by zero.
+    // Series in the squared angle: a square root has no derivatives at zero.
     cos = detail::one_minus<T>(0.5 * z, z * z * detail::cosine_tail<T>(z));
     sine_over_angle = 1.0 + z * detail::sine_tail<T>(z);
   } else {
@@ -159,23 +175,21 @@ Eigen::Quaternion<T> space_rotation(const Eigen::Matrix<T, 3, 1>& turn) {
   return {cos, sine_over_angle * half.x(), sine_over_angle * half.y(), sine_over_angle * half.z()};
 }
 
-/// The rotation that undoes the unit quaternion `q`.
 template <class T>
 Eigen::Quaternion<T> inverse(const Eigen::Quaternion<T>& q) {
   return q.conjugate();
 }
 
-/// `q` turned on by `turn` = ω·h [rad], a vector in the world's axes; |q| = 1 is held as in the plane.
+/// `q` turned further by `turn` = ω·h [rad] in world axes; |q| = 1 is kept as in the plane.
 template <class T>
 Eigen::Quaternion<T> rotated_by(const Eigen::Quaternion<T>& q, const Eigen::Matrix<T, 3, 1>& turn) {
   Eigen::Quaternion<T> turned = space_rotation<T>(turn) * q;
-  const T to_unit = 1.5 - 0.5 * turned.squaredNorm();
-  turned.coeffs() *= to_unit;
+  turned.coeffs() *= T(1.5 - 0.5 * turned.squaredNorm());
   return turned;
 }
 
-/// The vector `v`, given in the body's axes, in the world's: v + 2w (q × v) + q × 2(q × v). Inlined by force, for
-/// every arm of every row is turned by it.
+/// The world-frame components of a body-frame vector: v + 2w (q × v) + q × 2(q × v). Always inlined: it rotates
+/// every arm of every row.
 template <class T, class Vector>
 [[gnu::always_inline]] inline Eigen::Matrix<T, 3, 1> rotate(const Eigen::Quaternion<T>& q,
                                                             const Eigen::MatrixBase<Vector>& v) {
@@ -184,6 +198,27 @@ template <class T, class Vector>
   const T a = y * u.z() - z * u.y(), b = z * u.x() - x * u.z(), c = x * u.y() - y * u.x();
   const T p = a + a, r = b + b, s = c + c;
   return {u.x() + w * p + (y * s - z * r), u.y() + w * r + (z * p - x * s), u.z() + w * s + (x * r - y * p)};
+}
+
+/// The angle φ in [−π, π] [rad], given sine and cosine >= 0 of φ/2: φ = 8 arctan(sin(φ/4) / (1 + cos(φ/4))).
+template <class T>
+T angle_from_half(const SinCos<T>& half) {
+  const SinCos<T> quarter = detail::half_of<T>(half);
+  return 8.0 * detail::arctangent<T>(T(quarter.sin / (1.0 + quarter.cos)));
+}
+
+/// The angle of `r` in [−π, π] [rad], to a few ulps.
+template <class T>
+T principal_angle(const PlaneRotation<T>& r) {
+  return angle_from_half<T>(detail::half_of<T>({r.sin, r.cos}));
+}
+
+/// The inverse of `space_rotation`, to a few ulps: the turn [rad] of a unit quaternion, at most π long, in world
+/// axes.
+inline Eigen::Vector3d turn_of(const Eigen::Quaterniond& q) {
+  const double sign = q.w() < 0 ? -1 : 1, sin = q.vec().norm();
+  return sin > 0 ? Eigen::Vector3d(sign * angle_from_half<double>({sin, sign * q.w()}) / sin * q.vec())
+                 : Eigen::Vector3d(2 * sign * q.vec());
 }
 
 }  // namespace byhand

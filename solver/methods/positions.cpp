@@ -1,7 +1,6 @@
 #include "solver/methods/positions.hpp"
 
 #include "solver/contact/restitution.hpp"
-#include "solver/integrate/angle.hpp"
 
 namespace byhand {
 

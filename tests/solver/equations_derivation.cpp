@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include "solver/constraints/axis_friction.hpp"
 #include "solver/constraints/contact.hpp"
 #include "solver/constraints/distance.hpp"
 #include "solver/constraints/friction.hpp"

@@ -6,7 +6,6 @@
 #include "solver/constraints/limit.hpp"
 #include "solver/constraints/motor.hpp"
 #include "solver/constraints/pin.hpp"
-#include "solver/constraints/servo.hpp"
 #include "tests/solver/law_motion.hpp"
 
 // Limits, motors and servos of a hinged rod of 1 m and 2 kg, held level at first: gravity turns it down.
@@ -157,7 +156,7 @@ TEST(BadInput, OfLimitsMotorsAndServosIsRefusedInOneSentence) {
   refused(motor<M>(bad, 1, 1), "body index is 7");
   bad = q;
   bad.rest = {2, 0};
-  refused(motor<M>(bad, 1, 1), "squared length of the joint's rotation is 4");
+  refused(motor<M>(bad, 1, 1), "squared length of the rotation is 4");
 }
 
 }  // namespace

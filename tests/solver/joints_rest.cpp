@@ -3,7 +3,6 @@
 #include "solver/constraints/hinge.hpp"
 #include "solver/constraints/limit.hpp"
 #include "solver/constraints/motor.hpp"
-#include "solver/constraints/servo.hpp"
 #include "solver/constraints/slider.hpp"
 #include "solver/constraints/weld.hpp"
 #include "tests/solver/random.hpp"

@@ -22,12 +22,9 @@ constexpr double g = 9.81, h = 1.0 / 60;
 template <class M>
 struct OnLine {
   static constexpr int rows = 1;
-  static constexpr int position_rows = 1;
-  static constexpr Bound bound = Bound::none;
 
   Anchors<M> at;
   Linear<M> normal = Linear<M>::Unit(1);  // n, in the frame of body 1
-  double softness = 0;
 
   template <class T>
   Rows<1, T> value(const Pose<M, T>& pose1, const Pose<M, T>& pose2) const {
@@ -46,8 +43,7 @@ struct OnLine {
     }
     return J;
   }
-  void require_valid(const Bodies<M>& bodies) const {
-    at.require_valid(bodies);
+  void require_valid(const Bodies<M>&) const {
     require_in("length of the normal", normal.norm(), 1 - 1e-9, 1 + 1e-9);
   }
 };

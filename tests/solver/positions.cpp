@@ -3,7 +3,6 @@
 #include "solver/constraints/motor.hpp"
 #include "solver/constraints/pin.hpp"
 #include "solver/constraints/rope.hpp"
-#include "solver/constraints/servo.hpp"
 #include "solver/methods/xpbd.hpp"
 #include "tests/solver/law_motion.hpp"
 #include "tests/solver/random.hpp"

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "solver/constraints/axis_friction.hpp"
 #include "solver/constraints/contact.hpp"
 #include "solver/constraints/friction.hpp"
 #include "solver/step.hpp"

@@ -33,7 +33,7 @@ TEST(Bridge, EachAnchorCarriesHalfAndThePullIsTheSameAllAlong) {
 
 double largest_break(const Scene<M>& scene) {
   double largest = 0;
-  for (const auto& limit : scene.all<AngleLimit>()) {
+  for (const auto& limit : scene.all<Limit<M, Turn>>()) {
     const auto& poses = scene.bodies().pose;
     largest = std::max(largest, -limit.value<double>(poses[limit.at.body1], poses[limit.at.body2])[0]);
   }
