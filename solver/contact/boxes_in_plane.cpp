@@ -40,10 +40,6 @@ struct Faces {
   double normal_x, normal_y;      // of the reference face, in the world
   const View& view;               // from the reference box
 
-  /// From the reference box to the other.
-  void set_normal(double x, double y, Manifold<PlaneBody>& manifold) const {
-    manifold.normal = view.second ? Eigen::Vector2d(-x, -y) : Eigen::Vector2d(x, y);
-  }
   /// The feature is the pair of corners where the two points' ends are, whichever cut which.
   void add(const End& on_reference, const End& on_incident, double separation,
            Manifold<PlaneBody>& manifold) const {
@@ -105,13 +101,14 @@ bool add_corners(const Faces& faces, double nearest, Manifold<PlaneBody>& manifo
   const double out = incident->out - reference->out, along = incident->along - reference->along;
   const bool apart = out > 0 && least > 1e-12;  // else they just touch, and the face's normal serves
   if (apart)
-    faces.set_normal((faces.normal_x * out - faces.normal_y * along) / least,
-                     (faces.normal_y * out + faces.normal_x * along) / least, manifold);
+    manifold.normal = {(faces.normal_x * out - faces.normal_y * along) / least,
+                       (faces.normal_y * out + faces.normal_x * along) / least};
   faces.add(*reference, *incident, apart ? least : out, manifold);
   return true;
 }
 
-/// Clips the incident face and adds its points. Adds nothing and returns false if none is as near as `enough` [m].
+/// Clips the incident face and adds its points; the normal points out of the reference box. Adds no point and
+/// returns false if none is as near as `enough` [m].
 bool add_points(const Faces& faces, double enough, Manifold<PlaneBody>& manifold) {
   const auto& [first, last] = faces.incident;
   const double face = faces.reference[1].out, along = faces.reference[1].along;
@@ -119,7 +116,7 @@ bool add_points(const Faces& faces, double enough, Manifold<PlaneBody>& manifold
   if (first.along < -along) clipped[0] = {{first.out - (first.along + along) * faces.slope, -along}, first.corner};
   if (last.along > along) clipped[1] = {{last.out - (last.along - along) * faces.slope, along}, last.corner};
 
-  faces.set_normal(faces.normal_x, faces.normal_y, manifold);
+  manifold.normal = {faces.normal_x, faces.normal_y};
   const bool empty = clipped[0].along > clipped[1].along;
   const double nearest = empty ? infinity : std::min(clipped[0].out, clipped[1].out) - face;
   if (nearest > enough) return false;
@@ -170,6 +167,7 @@ Manifold<PlaneBody> collide_boxes(const Box<PlaneBody>& box1, const Pose<PlaneBo
                      (overlap || separation[hinted] > 0);
   if (!keeps || !add_with(hinted, overlap ? std::min(0.0, separation[best] + reference_hysteresis) : infinity))
     add_with(best, infinity);
+  if (manifold.reference > 2) manifold.normal = -manifold.normal;
   return manifold;
 }
 

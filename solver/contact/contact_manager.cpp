@@ -50,10 +50,8 @@ void ContactManager<M>::find(Scene<M>& scene) {
   }
   std::swap(pairs_, found_);
   const auto same = [](const Pair& a, const Pair& b) { return a.bodies == b.bodies && a.size == b.size; };
-  if (unchanged && std::equal(pairs_.begin(), pairs_.end(), found_.begin(), found_.end(), same))
-    rewrite_constraints(scene);
-  else
-    add_constraints(scene);
+  write_constraints(unchanged && std::equal(pairs_.begin(), pairs_.end(), found_.begin(), found_.end(), same),
+                    scene);
   version_ = scene.version();
 }
 
@@ -128,29 +126,23 @@ void ContactManager<M>::collide(const Scene<M>& scene, const BodyPair& bodies, c
     }
 }
 
-/// Replaces the scene's found constraints.
+/// Replaces the scene's found constraints; if they are the `same` in number and kind, overwrites those of bodies
+/// that have moved.
 template <class M>
-void ContactManager<M>::add_constraints(Scene<M>& scene) {
-  scene.forget_found();
+void ContactManager<M>::write_constraints(bool same, Scene<M>& scene) {
+  if (!same) scene.forget_found();
   for (Pair& pair : pairs_) {
-    pair.constraint = scene.count();
-    for_each_constraint(pair, [&](const auto& constraint) { return scene.add_found(constraint); });
-  }
-  if (!pairs_.empty()) scene.changed();
-}
-
-/// Overwrites the scene's found constraints of bodies that have moved, where number and kinds are the same.
-template <class M>
-void ContactManager<M>::rewrite_constraints(Scene<M>& scene) const {
-  for (const Pair& pair : pairs_) {
-    if (!moved_[pair.bodies.first] && !moved_[pair.bodies.second]) continue;
+    if (same && !moved_[pair.bodies.first] && !moved_[pair.bodies.second]) continue;
+    if (!same) pair.constraint = scene.count();
     int place = pair.constraint;
     for_each_constraint(pair, [&]<class Kind>(const Kind& constraint) {
+      if (!same) return scene.add_found(constraint);
       const auto& entry = scene.entries()[place++];
       scene.template constraints<Kind>(entry.kind).all[entry.index] = constraint;
       return entry.id;
     });
   }
+  if (!same && !pairs_.empty()) scene.changed();
 }
 
 /// Calls put(constraint) for each constraint made from a pair; it returns the constraint's identity.

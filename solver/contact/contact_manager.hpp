@@ -48,8 +48,7 @@ class ContactManager {
 
   bool update_bounds(const Scene<M>& scene);
   void collide(const Scene<M>& scene, const BodyPair& bodies, const Pair* before);
-  void add_constraints(Scene<M>& scene);
-  void rewrite_constraints(Scene<M>& scene) const;
+  void write_constraints(bool same, Scene<M>& scene);
   template <class Put>
   static void for_each_constraint(const Pair& pair, Put&& put);
   template <class AnyPair, class F>

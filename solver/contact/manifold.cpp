@@ -8,50 +8,57 @@ namespace {
 /// A difference of positions shorter than this [m] is rounding and has no direction.
 constexpr double no_distance = 1e-14;
 
+/// The point of a shape's surface that is nearest to some point, the outward normal there, and the height of that
+/// point above it [m], negative inside the shape.
 template <class M>
-Manifold<M> one_point(const Linear<M>& normal, const Linear<M>& p1, const Linear<M>& p2, double separation) {
-  Manifold<M> manifold;
-  manifold.normal = normal;
-  manifold.add({p1, p2, separation});
-  return manifold;
-}
-
-// Points of two shapes at any separation: each pair of kinds in one order.
+struct Nearest {
+  Linear<M> normal, point;
+  double height;
+};
 
 template <class M>
-Manifold<M> collide_kinds(const Ball<M>& ball1, const Pose<M>& pose1, const Ball<M>& ball2, const Pose<M>& pose2) {
-  const Linear<M> between = pose2.position - pose1.position;
+Nearest<M> nearest(const Ball<M>& ball, const Pose<M>& pose, const Linear<M>& point) {
+  const Linear<M> between = point - pose.position;
   const double distance = between.norm();
   Linear<M> n = Linear<M>::Unit(M::linear - 1);
   if (distance > no_distance) n = between / distance;
-  return one_point<M>(n, pose1.position + ball1.radius * n, pose2.position - ball2.radius * n,
-                      distance - ball1.radius - ball2.radius);
+  return {n, pose.position + ball.radius * n, distance - ball.radius};
 }
 
 template <class M>
-Manifold<M> collide_kinds(const Box<M>& box, const Pose<M>& pose1, const Ball<M>& ball, const Pose<M>& pose2) {
-  const Linear<M> centre = arm_to<M>(pose1, pose2.position), half = box.half();  // in the axes of the box
-  Linear<M> nearest = centre.cwiseMin(half).cwiseMax(-half), n = centre - nearest;
-  double height = n.norm();  // of the ball's centre above the box
+Nearest<M> nearest(const Box<M>& box, const Pose<M>& pose, const Linear<M>& point) {
+  const Linear<M> own = arm_to<M>(pose, point), half = box.half();  // in the axes of the box
+  Linear<M> nearest = own.cwiseMin(half).cwiseMax(-half), n = own - nearest;
+  double height = n.norm();
   if (height > no_distance) {
     n /= height;
-  } else {  // the centre is inside: leave through the nearest side
+  } else {  // inside: the nearest side
     int axis;
-    height = -(half - centre.cwiseAbs()).minCoeff(&axis);
-    n = Linear<M>::Unit(axis) * (centre[axis] < 0 ? -1 : 1);
+    height = -(half - own.cwiseAbs()).minCoeff(&axis);
+    n = Linear<M>::Unit(axis) * (own[axis] < 0 ? -1 : 1);
     nearest[axis] = n[axis] * half[axis];
   }
-  const Linear<M> normal = rotate(pose1.rotation, n);
-  return one_point<M>(normal, pose1.position + rotate(pose1.rotation, nearest),
-                      pose2.position - ball.radius * normal, height - ball.radius);
+  return {rotate(pose.rotation, n), pose.position + rotate(pose.rotation, nearest), height};
 }
 
 template <class M>
-Manifold<M> collide_kinds(const HalfSpace<M>& half_space, const Pose<M>& pose1, const Ball<M>& ball,
-                          const Pose<M>& pose2) {
-  const Linear<M> n = detail::turned<M>(pose1, half_space.normal);
-  const double height = n.dot(pose2.position - pose1.position);
-  return one_point<M>(n, pose2.position - height * n, pose2.position - ball.radius * n, height - ball.radius);
+Nearest<M> nearest(const HalfSpace<M>& half_space, const Pose<M>& pose, const Linear<M>& point) {
+  const Linear<M> n = detail::turned<M>(pose, half_space.normal);
+  const double height = n.dot(point - pose.position);
+  return {n, point - height * n, height};
+}
+
+// The contact points of two shapes at any separation; each pair of kinds in one order.
+
+template <class M, class Kind>
+requires(!std::is_same_v<Kind, std::monostate>) Manifold<M> collide_kinds(const Kind& shape, const Pose<M>& pose1,
+                                                                          const Ball<M>& ball,
+                                                                          const Pose<M>& pose2) {
+  Manifold<M> manifold;
+  const auto [n, p1, height] = nearest<M>(shape, pose1, pose2.position);
+  manifold.normal = n;
+  manifold.add({p1, pose2.position - ball.radius * n, height - ball.radius});
+  return manifold;
 }
 
 /// The corners of the face that is most nearly parallel to the plane, on the box's lower side.

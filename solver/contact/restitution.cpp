@@ -1,5 +1,7 @@
 #include "solver/contact/restitution.hpp"
 
+#include "solver/gauss_seidel.hpp"
+
 namespace byhand {
 namespace {
 
@@ -21,17 +23,9 @@ template <class M>
 void note_approach(const System<M>& system, const std::vector<Velocity<M>>& velocities,
                    std::vector<double>& approach) {
   approach.clear();
-  if (!system.bounded ||
-      std::all_of(system.restitution.begin(), system.restitution.end(), [](double e) { return e == 0; }))
-    return;
+  if (!system.bounded || std::ranges::all_of(system.restitution, [](double e) { return e == 0; })) return;
   approach.resize(system.rows());
-  system.for_each_run([&]<int K, Bound B>(std::span<const Block<M, K, B>> blocks) {
-    if constexpr (bouncing<K, B> != 0)
-      for (const auto& block : blocks) {
-        const Rows<K> rate = dot(block.J, velocities[block.body1], velocities[block.body2]);
-        for (int k = 0; k < bouncing<K, B>; ++k) approach[block.row + k] = rate[k];
-      }
-  });
+  rates_of(system, velocities, approach);
 }
 
 //! [bounce]

@@ -13,14 +13,14 @@ using BodyPair = std::pair<int, int>;
 
 /// Broad phase: finds overlapping bounds. It keeps them sorted along the first axis from call to call, so that
 /// where the order changes little, a call takes time in proportion to the number of bounds and of overlaps along
-/// that axis. Bounds without limits along it are tested against all others.
+/// that axis.
 template <int dim>
 class SweepAndPrune {
  public:
   using Bounds = Eigen::AlignedBox<double, dim>;
 
   /// The pairs of `bounds`, by index, that overlap or touch, in ascending order, whatever was found before. Empty
-  /// bounds overlap nothing, nor do two without limits each other. Valid until the next call.
+  /// bounds and bounds that are not numbers overlap nothing. Valid until the next call.
   const std::vector<BodyPair>& overlapping(const std::vector<Bounds>& bounds);
 
  private:
@@ -28,15 +28,11 @@ class SweepAndPrune {
     std::array<double, dim> low, high;
     int index;
   };
-  enum class Extent : char { none, limited, unlimited };
-
   void update(const std::vector<Bounds>& bounds);
-  void sort_pairs(std::size_t bodies);
 
-  std::vector<Entry> sorted_, unlimited_;
-  std::vector<Extent> extents_;  // by body; while they are the same, so are the members of the two lists above
-  std::vector<BodyPair> found_, by_second_, pairs_;
-  std::vector<int> begin_;
+  std::vector<Entry> sorted_;  // by low[0]
+  std::vector<BodyPair> pairs_, by_second_;
+  std::vector<int> begin_;  // scratch
 };
 
 extern template class SweepAndPrune<2>;
