@@ -245,22 +245,15 @@ std::array<double, 15> separations(const Boxes& boxes) {
   return result;
 }
 
-double least_separation(const Manifold3& manifold) {
-  double least = infinity;
-  for (const ContactPoint3& point : manifold) least = std::min(least, point.separation);
-  return least;
-}
-
-OrientedBox oriented(const Box<SpaceBody>& box, const Pose<SpaceBody>& pose) {
-  return {pose.position, detail::axes<SpaceBody>(pose), box.half()};
-}
-
 }  // namespace
 
 Manifold<SpaceBody> collide_boxes(const Box<SpaceBody>& box1, const Pose<SpaceBody>& pose1,
                                   const Box<SpaceBody>& box2, const Pose<SpaceBody>& pose2, double margin,
                                   std::uint32_t hint) {
-  Boxes boxes{oriented(box1, pose1), oriented(box2, pose2), {}, pose2.position - pose1.position};
+  Boxes boxes{{pose1.position, detail::axes<SpaceBody>(pose1), box1.half()},
+              {pose2.position, detail::axes<SpaceBody>(pose2), box2.half()},
+              {},
+              pose2.position - pose1.position};
   boxes.turn = boxes.first.axes.transpose() * boxes.second.axes;
   const auto separation = separations(boxes);
   const auto largest = [&](int from, int to) {
@@ -283,7 +276,8 @@ Manifold<SpaceBody> collide_boxes(const Box<SpaceBody>& box1, const Pose<SpaceBo
     if (axis < 0 || axis >= (overlap ? 15 : 6)) continue;
     if (separation[axis] < separation[best] - reference_hysteresis) continue;
     manifold = collide_axis(boxes, axis);
-    nearest = least_separation(manifold);
+    nearest = infinity;
+    for (const ContactPoint3& point : manifold) nearest = std::min(nearest, point.separation);
     if (overlap ? nearest <= std::min(0.0, separation[best] + reference_hysteresis)
                 : clearly * nearest <= separation[best])
       return manifold;

@@ -20,6 +20,40 @@ double displacement(const Pose<M>& before, const Pose<M>& now, const Bounds<M>& 
   return (now.position - before.position).norm() + 0.5 * bounds.diagonal().norm() * turned;
 }
 
+/// Calls put(constraint) for each constraint made from a pair; it returns the constraint's identity.
+template <class M>
+void for_each_constraint(const ContactPair<M>& pair, auto&& put) {
+  const auto& [first, second] = pair.bodies;
+  if constexpr (std::is_same_v<M, PlaneBody>)
+    if (pair.one_manifold)
+      return void(put(ContactManifold<M>{.at = {first, second, pair.points[0].arms},
+                                         .second = pair.points[1].arms,
+                                         .point = pair.size == 1,
+                                         .normal = pair.normal,
+                                         .coefficient = pair.friction,
+                                         .restitution = pair.restitution}));
+  for (int p = 0; p < pair.size; ++p) {
+    const Anchors<M> at{first, second, pair.points[p].arms};
+    const int id = put(Contact<M>{.at = at, .normal = pair.normal, .restitution = pair.restitution});
+    if (pair.friction > 0) put(Friction<M>{at, tangents_of<M>(pair.normal), pair.friction, id});
+  }
+}
+
+/// Calls f(row, impulse) for each row made from a pair.
+void for_each_row(auto& pair, const std::vector<int>& row_of, auto&& f) {
+  int place = pair.constraint;
+  if (pair.one_manifold) {
+    for (int p = 0; p < 2; ++p) f(row_of[place] + p, pair.points[p].normal_impulse);
+    return f(row_of[place] + 2, pair.points[0].tangent_impulse[0]);
+  }
+  for (int p = 0; p < pair.size; ++p) {
+    f(row_of[place++], pair.points[p].normal_impulse);
+    if (pair.friction == 0) continue;
+    int row = row_of[place++];
+    for (auto& impulse : pair.points[p].tangent_impulse) f(row++, impulse);
+  }
+}
+
 }  // namespace
 
 template <class M>
@@ -27,13 +61,12 @@ void ContactManager<M>::find(Scene<M>& scene) {
   if (scene.colliders().shapes.empty()) return pairs_.clear();
   const bool unchanged = version_ == scene.version();
   if (!unchanged) {
-    poses_.clear();
     joined_.clear();
     for (int place = 0; place < scene.lasting(); ++place)
       joined_.push_back(std::minmax(scene.entries()[place].body1, scene.entries()[place].body2));
     std::sort(joined_.begin(), joined_.end());
   }
-  if (!update_bounds(scene) && unchanged) return;
+  if (!update_bounds(scene, unchanged) && unchanged) return;
   const auto& masses = scene.bodies().inverse_mass;
   found_.clear();
   auto before = pairs_.begin();
@@ -67,21 +100,20 @@ void ContactManager<M>::read_impulses(const System<M>& system) {
     for_each_row(pair, system.row_of, [&](int row, double& kept) { kept = system.lambda[row]; });
 }
 
-/// Updates pose and bounds of the bodies that have moved noticeably; returns whether there are any.
+/// Updates pose and bounds of all bodies or, in an unchanged scene, of those that have moved noticeably. Returns
+/// whether there are any.
 template <class M>
-bool ContactManager<M>::update_bounds(const Scene<M>& scene) {
+bool ContactManager<M>::update_bounds(const Scene<M>& scene, bool unchanged) {
   const auto& shapes = scene.colliders().shapes;
   const double margin = scene.colliders().margin, noticeable = 0.01 * margin;
-  const auto known = poses_.size();
   poses_.resize(shapes.size());
   bounds_.resize(shapes.size());
   moved_.assign(shapes.size(), 0);
   bool any = false;
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     const Pose<M>& pose = scene.bodies().pose[i];
-    if (i < known &&
-        (!moves(scene.bodies().inverse_mass[i]) || displacement<M>(poses_[i], pose, bounds_[i]) < noticeable))
-      continue;
+    const bool moving = moves(scene.bodies().inverse_mass[i]);
+    if (unchanged && (!moving || displacement<M>(poses_[i], pose, bounds_[i]) < noticeable)) continue;
     poses_[i] = pose;
     bounds_[i] = fattened(bounds<M>(shapes[i], pose), 0.5 * margin + noticeable);
     moved_[i] = any = true;
@@ -107,19 +139,17 @@ void ContactManager<M>::collide(const Scene<M>& scene, const BodyPair& bodies, c
   pair.friction = std::sqrt(surfaces[body1].friction * surfaces[body2].friction);
   pair.restitution = std::max(surfaces[body1].restitution, surfaces[body2].restitution);
   pair.normal = manifold.normal;
-  for (int p = 0; p < manifold.size; ++p) {
-    const ContactPoint<M>& point = manifold.points[p];
-    pair.points[p].feature = point.feature;
-    pair.points[p].arms = {arm_to<M>(pose1, point.p1), arm_to<M>(pose2, point.p2)};
-  }
+  auto* result = pair.points.data();
+  for (const ContactPoint<M>& point : manifold)
+    *result++ = {point.feature, {arm_to<M>(pose1, point.p1), arm_to<M>(pose2, point.p2)}};
   if (!before) return;
   pair.constraint = before->constraint;
-  const Eigen::Matrix<double, tangents, tangents> turn =
+  const Eigen::Matrix<double, Pair::tangents, Pair::tangents> turn =
       tangents_of<M>(pair.normal).transpose().lazyProduct(tangents_of<M>(before->normal));
   pair.points[0].tangent_impulse = turn.lazyProduct(before->points[0].tangent_impulse);
   for (int p = 0; p < pair.size; ++p)
     for (int q = 0; q < before->size; ++q) {
-      const Point& old = before->points[q];
+      const auto& old = before->points[q];
       if (pair.points[p].feature != old.feature) continue;
       pair.points[p].normal_impulse = old.normal_impulse;
       pair.points[p].tangent_impulse = turn.lazyProduct(old.tangent_impulse);
@@ -143,44 +173,6 @@ void ContactManager<M>::write_constraints(bool same, Scene<M>& scene) {
     });
   }
   if (!same && !pairs_.empty()) scene.changed();
-}
-
-/// Calls put(constraint) for each constraint made from a pair; it returns the constraint's identity.
-template <class M>
-template <class Put>
-void ContactManager<M>::for_each_constraint(const Pair& pair, Put&& put) {
-  const auto& [first, second] = pair.bodies;
-  if constexpr (std::is_same_v<M, PlaneBody>)
-    if (pair.one_manifold)
-      return void(put(ContactManifold<M>{.at = {first, second, pair.points[0].arms},
-                                         .second = pair.points[1].arms,
-                                         .point = pair.size == 1,
-                                         .normal = pair.normal,
-                                         .coefficient = pair.friction,
-                                         .restitution = pair.restitution}));
-  for (int p = 0; p < pair.size; ++p) {
-    const Anchors<M> at{first, second, pair.points[p].arms};
-    const int id = put(Contact<M>{.at = at, .normal = pair.normal, .restitution = pair.restitution});
-    if (pair.friction > 0) put(Friction<M>{at, tangents_of<M>(pair.normal), pair.friction, id});
-  }
-}
-
-/// Calls f(row, impulse) for each row made from a pair.
-template <class M>
-template <class AnyPair, class F>
-void ContactManager<M>::for_each_row(AnyPair& pair, const std::vector<int>& row_of, F&& f) {
-  int place = pair.constraint;
-  if (pair.one_manifold) {
-    for (int p = 0; p < 2; ++p) f(row_of[place] + p, pair.points[p].normal_impulse);
-    return f(row_of[place] + 2, pair.points[0].tangent_impulse[0]);
-  }
-  for (int p = 0; p < pair.size; ++p) {
-    auto& point = pair.points[p];
-    f(row_of[place++], point.normal_impulse);
-    if (pair.friction == 0) continue;
-    for (int k = 0; k < tangents; ++k) f(row_of[place] + k, point.tangent_impulse[k]);
-    ++place;
-  }
 }
 
 template class ContactManager<PlaneBody>;

@@ -11,6 +11,27 @@
 
 namespace byhand {
 
+/// The contact of two bodies, and its impulses in the last step [N s].
+template <class M>
+struct ContactPair {
+  static constexpr int tangents = M::linear - 1;
+  struct Point {
+    std::uint32_t feature;
+    Arms<M> arms;
+    double normal_impulse = 0;
+    Rows<tangents> tangent_impulse = Rows<tangents>::Zero();  // of a ContactManifold only the first point's
+  };
+
+  BodyPair bodies;
+  int size;                 // of the manifold
+  std::uint32_t reference;  // of the manifold
+  int constraint;           // place of the first constraint made from it
+  bool one_manifold;        // one ContactManifold instead of a Contact for each point
+  double friction, restitution;
+  Linear<M> normal;
+  std::array<Point, Manifold<M>::capacity> points;
+};
+
 /// Finds a scene's contacts from its shapes, adds them to the scene as constraints, and keeps their impulses for
 /// the warm start of the next step. Particles have no shapes and no contacts.
 template <class M>
@@ -27,32 +48,11 @@ class ContactManager {
   void read_impulses(const System<M>& system);
 
  private:
-  static constexpr int tangents = M::linear - 1;
+  using Pair = ContactPair<M>;
 
-  struct Point {
-    std::uint32_t feature;
-    Arms<M> arms;
-    double normal_impulse = 0;                                // [N s]
-    Rows<tangents> tangent_impulse = Rows<tangents>::Zero();  // [N s]; of a ContactManifold only the first point's
-  };
-  struct Pair {
-    BodyPair bodies;
-    int size;                 // of the manifold
-    std::uint32_t reference;  // of the manifold
-    int constraint;           // place of the first constraint made from it
-    bool one_manifold;        // one ContactManifold instead of a Contact for each point
-    double friction, restitution;
-    Linear<M> normal;
-    std::array<Point, Manifold<M>::capacity> points;
-  };
-
-  bool update_bounds(const Scene<M>& scene);
+  bool update_bounds(const Scene<M>& scene, bool unchanged);
   void collide(const Scene<M>& scene, const BodyPair& bodies, const Pair* before);
   void write_constraints(bool same, Scene<M>& scene);
-  template <class Put>
-  static void for_each_constraint(const Pair& pair, Put&& put);
-  template <class AnyPair, class F>
-  static void for_each_row(AnyPair& pair, const std::vector<int>& row_of, F&& f);
 
   SweepAndPrune<M::linear> broad_phase_;
   std::vector<Pose<M>> poses_;     // by body, at which its contacts were computed
