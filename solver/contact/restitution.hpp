@@ -7,7 +7,7 @@
 //   JV⁺ = -e JV⁻, that is (21) with b = e JV⁻, for each contact that pressed.
 //
 // JV⁻ is the rate before the step's impulses, and the rows are solved a second time once the positions have moved:
-// an open contact closes its gap first, so that a ball turns round on the ground and not above it. The second
+// an open contact closes its gap first, so that a ball bounces on the ground and not above it. The second
 // solve continues from the accumulated λ, so that a contact that opens can take back its whole impulse.
 namespace byhand {
 
