@@ -4,9 +4,9 @@
 #include "solver/contact/manifold.hpp"
 
 // Separating axes: the normal is one of the three face normals of each box, or perpendicular to an edge of each.
-// With a face, the face of the other box that is turned towards it is clipped to its sides, and what remains are
-// the contact points. With two edges it is where they cross. Separate boxes may be nearest at edges that do
-// neither.
+// A face is the reference face: the face of the other box that is turned towards it, the incident face, is clipped
+// to its sides, and what remains are the contact points. Two edges touch at their closest points. Separate boxes
+// may be nearest at two edges whose common perpendicular is none of these axes.
 namespace byhand {
 namespace {
 
@@ -48,12 +48,12 @@ struct Polygon {
   const Vertex& before(int i) const { return vertices[(i + size - 1) % size]; }
 };
 
-/// The part of the polygon with `direction` · x <= `reach`; `side` names the cut edge (Sutherland–Hodgman).
-Polygon clipped(const Polygon& polygon, const Vector3d& direction, double reach, int side) {
+/// The part of the polygon with `sign` x[axis] <= `reach`; `side` names the cut edge (Sutherland–Hodgman).
+Polygon clipped(const Polygon& polygon, int axis, double sign, double reach, int side) {
   Polygon result;
   for (int i = 0; i < polygon.size; ++i) {
     const Vertex &a = polygon[i], &b = polygon[(i + 1) % polygon.size];
-    const double beyond_a = direction.dot(a.at) - reach, beyond_b = direction.dot(b.at) - reach;
+    const double beyond_a = sign * a.at[axis] - reach, beyond_b = sign * b.at[axis] - reach;
     if (beyond_a <= 0) result.add(a);
     if ((beyond_a <= 0) != (beyond_b <= 0))
       result.add({a.at + (b.at - a.at) * (beyond_a / (beyond_a - beyond_b)), beyond_a <= 0 ? side : a.side});
@@ -92,7 +92,7 @@ std::array<int, 4> four_of(const Polygon& polygon, const Vector3d& out) {
   return {deepest, furthest, aside, outside};
 }
 
-/// Faces 0–2 are the first box's, 3–5 the second's.
+/// The contact points for a reference face: 0–2 are the axes of the first box, 3–5 of the second.
 Manifold3 collide_face(const Boxes& boxes, int reference) {
   const bool second = reference >= 3;
   const OrientedBox &box = second ? boxes.second : boxes.first, &other = second ? boxes.first : boxes.second;
@@ -130,8 +130,7 @@ Manifold3 collide_face(const Boxes& boxes, int reference) {
                  s == t ? name(false, 1, t) : name(false, 0, s)});
   }
   for (const int i : {0, 1})
-    for (const double s : {1, -1})
-      polygon = clipped(polygon, s * Vector3d::Unit(sides[i]), box.half[sides[i]], name(true, i, s));
+    for (const double s : {1, -1}) polygon = clipped(polygon, sides[i], s, box.half[sides[i]], name(true, i, s));
 
   Manifold3 manifold;
   manifold.reference = reference + 1;
@@ -268,7 +267,7 @@ Manifold<SpaceBody> collide_boxes(const Box<SpaceBody>& box1, const Pose<SpaceBo
                        ? second
                        : first;
 
-  // The first whose points are as near as the boxes are; faces before edges, for they give more points.
+  // Faces before edges, for they give more points; taken is the first whose points are as near as the boxes are.
   const bool overlap = separation[best] <= 0;
   Manifold3 manifold;
   double nearest = infinity;
