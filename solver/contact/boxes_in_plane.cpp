@@ -32,6 +32,7 @@ struct View {
   double x, y;      // the other's centre [m]
   double cos, sin;  // the other's rotation
   bool second;      // whether this box is the second
+  double margin;
 };
 
 struct Faces {
@@ -40,9 +41,10 @@ struct Faces {
   double normal_x, normal_y;      // of the reference face, in the world
   const View& view;               // from the reference box
 
-  /// The feature is the pair of corners where the two points' ends are, whichever cut which.
+  /// Adds a point within the margin. Its feature is the pair of the two ends' corners, whichever cut which.
   void add(const End& on_reference, const End& on_incident, double separation,
            Manifold<PlaneBody>& manifold) const {
+    if (!(separation <= view.margin)) return;
     const End &end1 = view.second ? on_incident : on_reference, &end2 = view.second ? on_reference : on_incident;
     manifold.add(
         {in_world(end1), in_world(end2), separation, static_cast<std::uint32_t>(end1.corner + 4 * end2.corner)});
@@ -136,9 +138,10 @@ Manifold<PlaneBody> collide_boxes(const Box<PlaneBody>& box1, const Pose<PlaneBo
   const double cos = a.cos * b.cos + a.sin * b.sin, sin = a.cos * b.sin - a.sin * b.cos;
   const double dx = pose2.position.x() - pose1.position.x(), dy = pose2.position.y() - pose1.position.y();
   const Linear<PlaneBody> half1 = box1.half(), half2 = box2.half();
-  const View views[2] = {
-      {pose1, half1.data(), half2.data(), a.cos * dx + a.sin * dy, a.cos * dy - a.sin * dx, cos, sin, false},
-      {pose2, half2.data(), half1.data(), -b.cos * dx - b.sin * dy, b.sin * dx - b.cos * dy, cos, -sin, true}};
+  const View views[2] = {{pose1, half1.data(), half2.data(), a.cos * dx + a.sin * dy, a.cos * dy - a.sin * dx, cos,
+                          sin, false, margin},
+                         {pose2, half2.data(), half1.data(), -b.cos * dx - b.sin * dy, b.sin * dx - b.cos * dy,
+                          cos, -sin, true, margin}};
 
   double separation[4];  // along x and y of the first box, then of the second
   const double c = std::abs(cos), s = std::abs(sin);

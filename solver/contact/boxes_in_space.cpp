@@ -244,6 +244,14 @@ std::array<double, 15> separations(const Boxes& boxes) {
   return result;
 }
 
+/// The points of a manifold that are within the margin.
+Manifold3 within(double margin, Manifold3 manifold) {
+  const auto too_far = [&](const ContactPoint3& point) { return !(point.separation <= margin); };
+  ContactPoint3* const points = manifold.points.data();
+  manifold.size = static_cast<int>(std::remove_if(points, points + manifold.size, too_far) - points);
+  return manifold;
+}
+
 }  // namespace
 
 Manifold<SpaceBody> collide_boxes(const Box<SpaceBody>& box1, const Pose<SpaceBody>& pose1,
@@ -279,10 +287,10 @@ Manifold<SpaceBody> collide_boxes(const Box<SpaceBody>& box1, const Pose<SpaceBo
     for (const ContactPoint3& point : manifold) nearest = std::min(nearest, point.separation);
     if (overlap ? nearest <= std::min(0.0, separation[best] + reference_hysteresis)
                 : clearly * nearest <= separation[best])
-      return manifold;
+      return within(margin, manifold);
   }
   if (manifold.reference == 0) manifold = collide_axis(boxes, best);  // for its normal, should edges touch
-  return closest_edges(boxes, clearly * nearest, manifold);
+  return within(margin, closest_edges(boxes, clearly * nearest, manifold));
 }
 
 }  // namespace byhand

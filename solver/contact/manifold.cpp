@@ -1,7 +1,5 @@
 #include "solver/contact/manifold.hpp"
 
-#include <algorithm>
-
 namespace byhand {
 namespace {
 
@@ -48,23 +46,24 @@ Nearest<M> nearest(const HalfSpace<M>& half_space, const Pose<M>& pose, const Li
   return {n, point - height * n, height};
 }
 
-// The contact points of two shapes at any separation; each pair of kinds in one order.
+// The contact points of two kinds of shapes, each pair in one order.
 
 template <class M, class Kind>
 requires(!std::is_same_v<Kind, std::monostate>) Manifold<M> collide_kinds(const Kind& shape, const Pose<M>& pose1,
                                                                           const Ball<M>& ball,
-                                                                          const Pose<M>& pose2) {
+                                                                          const Pose<M>& pose2, double margin) {
   Manifold<M> manifold;
   const auto [n, p1, height] = nearest<M>(shape, pose1, pose2.position);
+  const double separation = height - ball.radius;
   manifold.normal = n;
-  manifold.add({p1, pose2.position - ball.radius * n, height - ball.radius});
+  if (separation <= margin) manifold.add({p1, pose2.position - ball.radius * n, separation});
   return manifold;
 }
 
 /// The corners of the face that is most nearly parallel to the plane, on the box's lower side.
 template <class M>
 Manifold<M> collide_kinds(const HalfSpace<M>& half_space, const Pose<M>& pose1, const Box<M>& box,
-                          const Pose<M>& pose2) {
+                          const Pose<M>& pose2, double margin) {
   Manifold<M> manifold;
   manifold.normal = detail::turned<M>(pose1, half_space.normal);
   const auto axes = detail::axes<M>(pose2);
@@ -77,6 +76,7 @@ Manifold<M> collide_kinds(const HalfSpace<M>& half_space, const Pose<M>& pose1, 
     for (int i = 0; i < M::linear; ++i) side[i] = corner >> i & 1 ? 1 : -1;
     if ((rise[steepest] > 0) == (side[steepest] > 0)) continue;
     const double separation = height + rise.dot(side);
+    if (!(separation <= margin)) continue;
     const Linear<M> p2 = pose2.position + axes * box.half().cwiseProduct(side);
     manifold.add({p2 - separation * manifold.normal, p2, separation, corner});
   }
@@ -88,22 +88,18 @@ Manifold<M> collide_kinds(const HalfSpace<M>& half_space, const Pose<M>& pose1, 
 template <class M>
 Manifold<M> collide(const Shape<M>& shape1, const Pose<M>& pose1, const Shape<M>& shape2, const Pose<M>& pose2,
                     double margin, std::uint32_t hint) {
-  Manifold<M> manifold = std::visit(
+  return std::visit(
       [&](const auto& kind1, const auto& kind2) -> Manifold<M> {
         if constexpr (requires { collide_boxes(kind1, pose1, kind2, pose2, margin, hint); })
           return collide_boxes(kind1, pose1, kind2, pose2, margin, hint);
-        else if constexpr (requires { collide_kinds<M>(kind1, pose1, kind2, pose2); })
-          return collide_kinds<M>(kind1, pose1, kind2, pose2);
-        else if constexpr (requires { collide_kinds<M>(kind2, pose2, kind1, pose1); })
-          return mirrored<M>(collide_kinds<M>(kind2, pose2, kind1, pose1));
+        else if constexpr (requires { collide_kinds<M>(kind1, pose1, kind2, pose2, margin); })
+          return collide_kinds<M>(kind1, pose1, kind2, pose2, margin);
+        else if constexpr (requires { collide_kinds<M>(kind2, pose2, kind1, pose1, margin); })
+          return mirrored<M>(collide_kinds<M>(kind2, pose2, kind1, pose1, margin));
         else
           return {};
       },
       shape1, shape2);
-  const auto too_far = [&](const ContactPoint<M>& point) { return !(point.separation <= margin); };
-  ContactPoint<M>* const points = manifold.points.data();
-  manifold.size = static_cast<int>(std::remove_if(points, points + manifold.size, too_far) - points);
-  return manifold;
 }
 
 #define BYHAND_INSTANTIATE(M)                                                                               \

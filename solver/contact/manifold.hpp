@@ -43,7 +43,7 @@ template <class M>
 Manifold<M> collide(const Shape<M>& shape1, const Pose<M>& pose1, const Shape<M>& shape2, const Pose<M>& pose2,
                     double margin, std::uint32_t hint = 0);
 
-/// `collide` of two boxes, by separating axes and clipping. May return points beyond the margin, too.
+/// `collide` of two boxes, by separating axes and clipping.
 Manifold<PlaneBody> collide_boxes(const Box<PlaneBody>& box1, const Pose<PlaneBody>& pose1,
                                   const Box<PlaneBody>& box2, const Pose<PlaneBody>& pose2, double margin,
                                   std::uint32_t hint);
