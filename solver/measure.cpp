@@ -7,17 +7,16 @@ double residual(const System<M>& system, const std::vector<Velocity<M>>& V) {
   double largest = 0;
   system.for_each_run([&]<int K, Bound B>(std::span<const Block<M, K, B>> blocks) {
     for (const auto& block : blocks) {
-      const Eigen::Map<const Rows<K>> lambda(&system.lambda[block.row]), gamma(&system.gamma[block.row]),
-          bias(&system.bias[block.row]);
+      const int row = block.row;
+      const Eigen::Map<const Rows<K>> lambda(&system.lambda[row]), gamma(&system.gamma[row]),
+          bias(&system.bias[row]);
       Rows<K> error = dot(block.J, V[block.body1], V[block.body2]) + bias + gamma.cwiseProduct(lambda);
       if constexpr (B != Bound::none) {
-        // What a step along -error of one more (17) would still change, in units of the error.
+        // The change that one more step of (17) would make within the bounds, in units of the error.
         const double A = inverse_effective_mass(block.J, block.W).diagonal().maxCoeff() + gamma.maxCoeff();
         if (A == 0) continue;
-        const double normal_row = B == Bound::friction ? system.lambda[block.normal_row] : 0.0;
-        error =
-            A * (bounded<K, B>(lambda - error / A, system.lower[block.row], system.upper[block.row], normal_row) -
-                 lambda);
+        const double normal = B == Bound::friction ? system.lambda[block.normal_row] : 0.0;
+        error = A * (bounded<K, B>(lambda - error / A, system.lower[row], system.upper[row], normal) - lambda);
       }
       largest = std::max(largest, error.cwiseAbs().maxCoeff());
     }

@@ -84,7 +84,7 @@ void advance(Scene<M>& scene, const VelocityStepping& method, double step, Work<
   require_steppable(scene, method, step);
   work.contacts.find(scene);  // the article's n, P1 and P2, from shapes
   lay_out(scene, method.solver, work);
-  work.contacts.write_impulses(scene, work.system);
+  work.contacts.write_impulses(work.system);
   Bodies<M>& bodies = scene.state();
   const double h = step / method.substeps;
   for (int i = 0; i < method.substeps; ++i) {

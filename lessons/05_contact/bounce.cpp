@@ -194,7 +194,7 @@ void bounce(const Setting& setting, Page& page) {
       ball arrives *on* the ground. Then the rows are solved again with b = e JV⁻, where JV⁻ was noted before
       gravity and before any impulse. That second solve goes on from the λ that the first has accumulated, so that
       the sum is what is clamped, and a slow approach is let be, or what rests would rattle:)");
-  page.excerpt("solver/contact/restitution.cpp", "bounce");
+  page.excerpt("solver/contact/restitution.hpp", "bounce");
   page.text(
       R"(Its peaks are @ m. It loses instead, by up to 2hv a bounce: a speed that is noted before the step lacks
       the last bit of the fall. A loss is what one can live with, and it goes with h. The lower the bounce, the

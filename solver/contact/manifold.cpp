@@ -1,69 +1,69 @@
 #include "solver/contact/manifold.hpp"
 
-#include "solver/contact/boxes_in_plane.hpp"
-#include "solver/contact/boxes_in_space.hpp"
-
 namespace byhand {
 namespace {
 
-/// Nearer than this [m], a difference of positions is rounding and has no direction.
+/// A difference of positions shorter than this [m] is rounding and has no direction.
 constexpr double no_distance = 1e-14;
 
-/// The manifold of one touch, or of none beyond `margin`.
+/// The point of a shape's surface that is nearest to some point, the outward normal there, and the height of that
+/// point above it [m], negative inside the shape.
 template <class M>
-Manifold<M> one_point(const Linear<M>& normal, const TouchPoint<M>& point, double margin) {
+struct Nearest {
+  Linear<M> normal, point;
+  double height;
+};
+
+template <class M>
+Nearest<M> nearest(const Ball<M>& ball, const Pose<M>& pose, const Linear<M>& point) {
+  const Linear<M> between = point - pose.position;
+  const double distance = between.norm();
+  Linear<M> n = Linear<M>::Unit(M::linear - 1);
+  if (distance > no_distance) n = between / distance;
+  return {n, pose.position + ball.radius * n, distance - ball.radius};
+}
+
+template <class M>
+Nearest<M> nearest(const Box<M>& box, const Pose<M>& pose, const Linear<M>& point) {
+  const Linear<M> own = arm_to<M>(pose, point), half = box.half();  // in the axes of the box
+  Linear<M> nearest = own.cwiseMin(half).cwiseMax(-half), n = own - nearest;
+  double height = n.norm();
+  if (height > no_distance) {
+    n /= height;
+  } else {  // inside: the nearest side
+    int axis;
+    height = -(half - own.cwiseAbs()).minCoeff(&axis);
+    n = Linear<M>::Unit(axis) * (own[axis] < 0 ? -1 : 1);
+    nearest[axis] = n[axis] * half[axis];
+  }
+  return {rotate(pose.rotation, n), pose.position + rotate(pose.rotation, nearest), height};
+}
+
+template <class M>
+Nearest<M> nearest(const HalfSpace<M>& half_space, const Pose<M>& pose, const Linear<M>& point) {
+  const Linear<M> n = detail::turned<M>(pose, half_space.normal);
+  const double height = n.dot(point - pose.position);
+  return {n, point - height * n, height};
+}
+
+// The contact points of two kinds of shapes, each pair in one order.
+
+template <class M, class Kind>
+requires(!std::is_same_v<Kind, std::monostate>) Manifold<M> collide_kinds(const Kind& shape, const Pose<M>& pose1,
+                                                                          const Ball<M>& ball,
+                                                                          const Pose<M>& pose2, double margin) {
   Manifold<M> manifold;
-  if (!(point.separation <= margin)) return manifold;
-  manifold.normal = normal;
-  manifold.add(point);
+  const auto [n, p1, height] = nearest<M>(shape, pose1, pose2.position);
+  const double separation = height - ball.radius;
+  manifold.normal = n;
+  if (separation <= margin) manifold.add({p1, pose2.position - ball.radius * n, separation});
   return manifold;
 }
 
+/// The corners of the face that is most nearly parallel to the plane, on the box's lower side.
 template <class M>
-Manifold<M> touch_kinds(const Ball<M>& ball1, const Pose<M>& pose1, const Ball<M>& ball2, const Pose<M>& pose2,
-                        double margin, std::uint32_t) {
-  const Linear<M> between = pose2.position - pose1.position;
-  const double distance = between.norm();
-  const Linear<M> n =
-      distance > no_distance ? Linear<M>(between / distance) : Linear<M>(Linear<M>::Unit(M::linear - 1));
-  const Linear<M> p1 = pose1.position + ball1.radius * n, p2 = pose2.position - ball2.radius * n;
-  return one_point<M>(n, {p1, p2, distance - ball1.radius - ball2.radius}, margin);
-}
-
-template <class M>
-Manifold<M> touch_kinds(const Box<M>& box, const Pose<M>& pose1, const Ball<M>& ball, const Pose<M>& pose2,
-                        double margin, std::uint32_t) {
-  const Linear<M> centre = rotate(inverse(pose1.rotation), Linear<M>(pose2.position - pose1.position));
-  const Linear<M> half = box.half();
-  Linear<M> nearest = centre.cwiseMin(half).cwiseMax(-half), n = centre - nearest;
-  double height = n.norm();  // of the ball's centre over the box
-  if (height > no_distance) {
-    n /= height;
-  } else {  // the centre is inside: the nearest side is the way out
-    int axis;
-    height = -(half - centre.cwiseAbs()).minCoeff(&axis);
-    n = Linear<M>::Unit(axis) * (centre[axis] < 0 ? -1 : 1);
-    nearest[axis] = n[axis] * half[axis];
-  }
-  const Linear<M> normal = rotate(pose1.rotation, n);
-  const Linear<M> p1 = pose1.position + rotate(pose1.rotation, nearest),
-                  p2 = pose2.position - ball.radius * normal;
-  return one_point<M>(normal, {p1, p2, height - ball.radius}, margin);
-}
-
-template <class M>
-Manifold<M> touch_kinds(const HalfSpace<M>& half_space, const Pose<M>& pose1, const Ball<M>& ball,
-                        const Pose<M>& pose2, double margin, std::uint32_t) {
-  const Linear<M> n = detail::turned<M>(pose1, half_space.normal);
-  const double height = n.dot(pose2.position - pose1.position);
-  return one_point<M>(n, {pose2.position - height * n, pose2.position - ball.radius * n, height - ball.radius},
-                      margin);
-}
-
-/// The corners of one face, the one that holds the deepest corner and reaches least high above it.
-template <class M>
-Manifold<M> touch_kinds(const HalfSpace<M>& half_space, const Pose<M>& pose1, const Box<M>& box,
-                        const Pose<M>& pose2, double margin, std::uint32_t) {
+Manifold<M> collide_kinds(const HalfSpace<M>& half_space, const Pose<M>& pose1, const Box<M>& box,
+                          const Pose<M>& pose2, double margin) {
   Manifold<M> manifold;
   manifold.normal = detail::turned<M>(pose1, half_space.normal);
   const auto axes = detail::axes<M>(pose2);
@@ -83,42 +83,29 @@ Manifold<M> touch_kinds(const HalfSpace<M>& half_space, const Pose<M>& pose1, co
   return manifold;
 }
 
-template <class M>
-Manifold<M> touch_kinds(const Box<M>& box1, const Pose<M>& pose1, const Box<M>& box2, const Pose<M>& pose2,
-                        double margin, std::uint32_t hint) {
-  return touch_boxes(box1, pose1, box2, pose2, margin, hint);
-}
-
-/// Each pair of kinds is written one way round above; half-spaces and bodies without a shape meet nobody.
-template <class M, class A, class B>
-Manifold<M> touch_either_way(const A& shape1, const Pose<M>& pose1, const B& shape2, const Pose<M>& pose2,
-                             double margin, std::uint32_t hint) {
-  if constexpr (requires { touch_kinds<M>(shape1, pose1, shape2, pose2, margin, hint); })
-    return touch_kinds<M>(shape1, pose1, shape2, pose2, margin, hint);
-  else if constexpr (requires { touch_kinds<M>(shape2, pose2, shape1, pose1, margin, hint); })
-    return mirrored<M>(touch_kinds<M>(shape2, pose2, shape1, pose1, margin, hint));
-  else
-    return {};
-}
-
 }  // namespace
 
 template <class M>
-Manifold<M> touch(const Shape<M>& shape1, const Pose<M>& pose1, const Shape<M>& shape2, const Pose<M>& pose2,
-                  double margin, std::uint32_t hint) {
+Manifold<M> collide(const Shape<M>& shape1, const Pose<M>& pose1, const Shape<M>& shape2, const Pose<M>& pose2,
+                    double margin, std::uint32_t hint) {
   return std::visit(
-      [&](const auto& kind1, const auto& kind2) {
-        return touch_either_way<M>(kind1, pose1, kind2, pose2, margin, hint);
+      [&](const auto& kind1, const auto& kind2) -> Manifold<M> {
+        if constexpr (requires { collide_boxes(kind1, pose1, kind2, pose2, margin, hint); })
+          return collide_boxes(kind1, pose1, kind2, pose2, margin, hint);
+        else if constexpr (requires { collide_kinds<M>(kind1, pose1, kind2, pose2, margin); })
+          return collide_kinds<M>(kind1, pose1, kind2, pose2, margin);
+        else if constexpr (requires { collide_kinds<M>(kind2, pose2, kind1, pose1, margin); })
+          return mirrored<M>(collide_kinds<M>(kind2, pose2, kind1, pose1, margin));
+        else
+          return {};
       },
       shape1, shape2);
 }
 
-#define BYHAND_TOUCH(M)                                                                                          \
-  template Manifold<M> touch<M>(const Shape<M>&, const Pose<M>&, const Shape<M>&, const Pose<M>&, double margin, \
-                                std::uint32_t hint);
-BYHAND_TOUCH(PlaneParticle)
-BYHAND_TOUCH(PlaneBody)
-BYHAND_TOUCH(SpaceParticle)
-BYHAND_TOUCH(SpaceBody)
+#define BYHAND_INSTANTIATE(M)                                                                               \
+  template Manifold<M> collide<M>(const Shape<M>&, const Pose<M>&, const Shape<M>&, const Pose<M>&, double, \
+                                  std::uint32_t)
+BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);
+#undef BYHAND_INSTANTIATE
 
 }  // namespace byhand

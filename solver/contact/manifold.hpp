@@ -5,15 +5,15 @@
 
 #include "solver/contact/shape.hpp"
 
-// Where two shapes touch, or are about to: (23)'s n, P1 and P2 at every point, found from shapes and poses alone.
+// Narrow phase: n, P1 and P2 of (23) at each contact point of two shapes, from shapes and poses alone.
 namespace byhand {
 
-/// Two points that are to stay apart: one on each surface, in the world [m].
+/// One point on each surface, in the world [m].
 template <class M>
-struct TouchPoint {
+struct ContactPoint {
   Linear<M> p1 = Linear<M>::Zero(), p2 = Linear<M>::Zero();
   double separation = 0;      // C of (23): (p2 - p1) · n [m], negative in overlap
-  std::uint32_t feature = 0;  // which corners or edges meet here; unique in its manifold, and kept while they do
+  std::uint32_t feature = 0;  // the corners or edges that meet; unique in its manifold, the same from step to step
 };
 
 template <class M>
@@ -21,36 +21,41 @@ struct Manifold {
   static constexpr int capacity = M::linear == 2 ? 2 : 4;
 
   Linear<M> normal = Linear<M>::Zero();  // n, a unit vector in the world, from shape 1 to shape 2
-  std::array<TouchPoint<M>, capacity> points;
-  int size = 0;                 // how many of them there are; without any, the normal has no meaning
-  std::uint32_t reference = 0;  // between boxes: what gave n; a hint for the next step
+  std::array<ContactPoint<M>, capacity> points;
+  int size = 0;                 // number of points; without any, the normal has no meaning
+  std::uint32_t reference = 0;  // of two boxes: the separating axis that gave n; a hint for the next step
 
-  const TouchPoint<M>* begin() const { return points.data(); }
-  const TouchPoint<M>* end() const { return points.data() + size; }
+  const ContactPoint<M>* begin() const { return points.data(); }
+  const ContactPoint<M>* end() const { return points.data() + size; }
   bool empty() const { return size == 0; }
-  void add(const TouchPoint<M>& point) { points[size++] = point; }
+  void add(const ContactPoint<M>& point) { points[size++] = point; }
 };
 
-/// How much better [m] another face must be before boxes change the one that gives the normal.
+/// The reference of two boxes changes only where another one's separation is larger by this [m].
 inline constexpr double reference_hysteresis = 0.002;
 
-/// The points of two shapes whose separation is at most `margin` [m] >= 0.
+/// The contact points of two shapes whose separation is at most `margin` [m] >= 0.
 ///
-/// The normal is the direction of the least translation that parts the shapes, or of the least distance between
-/// them. It is the last axis of the world between balls with one centre, and the positive axis of the first shape
-/// between boxes with one centre. `hint` is the `reference` of the manifold that these two had a step ago, 0 if
-/// they had none: within `reference_hysteresis` the normal stays with what gave it then.
-///
-/// Half-spaces do not touch each other.
+/// The normal is the direction of least penetration, or of the least distance between separate shapes. Balls with
+/// the same centre get the last axis of the world, boxes with the same centre a positive axis of the first. `hint`
+/// is the `reference` of the last step's manifold, 0 without one. Half-spaces do not collide with each other.
 template <class M>
-Manifold<M> touch(const Shape<M>& shape1, const Pose<M>& pose1, const Shape<M>& shape2, const Pose<M>& pose2,
-                  double margin, std::uint32_t hint = 0);
+Manifold<M> collide(const Shape<M>& shape1, const Pose<M>& pose1, const Shape<M>& shape2, const Pose<M>& pose2,
+                    double margin, std::uint32_t hint = 0);
 
-/// The same manifold seen from the other shape.
+/// `collide` of two boxes, by separating axes and clipping.
+Manifold<PlaneBody> collide_boxes(const Box<PlaneBody>& box1, const Pose<PlaneBody>& pose1,
+                                  const Box<PlaneBody>& box2, const Pose<PlaneBody>& pose2, double margin,
+                                  std::uint32_t hint);
+Manifold<SpaceBody> collide_boxes(const Box<SpaceBody>& box1, const Pose<SpaceBody>& pose1,
+                                  const Box<SpaceBody>& box2, const Pose<SpaceBody>& pose2, double margin,
+                                  std::uint32_t hint);
+
+/// The same manifold with the two shapes swapped.
 template <class M>
 Manifold<M> mirrored(Manifold<M> manifold) {
   manifold.normal = -manifold.normal;
-  for (TouchPoint<M>& point : manifold.points) std::swap(point.p1, point.p2);
+  for (ContactPoint<M>& point : manifold.points) std::swap(point.p1, point.p2);
   return manifold;
 }
 

@@ -5,24 +5,20 @@
 #include "solver/system.hpp"
 
 // The three rows of a contact manifold in the plane, solved as one block: both normals together, then friction at
-// the slip that they leave, within what they press. Solved one after the other the normals would take turns at
-// tilting the body.
+// the slip that they leave and bounded by their sum. Solved one after the other the normals would tilt the body in
+// turns.
 namespace byhand {
 
-/// A = JM⁻¹Jᵀ + γ of a manifold's two normal rows, and its inverse: while bounds hold one of them back, A is
-/// needed beside A⁻¹.
+/// A = JM⁻¹Jᵀ + γ of the two normal rows and its inverse E: while a bound is active, A is needed besides.
 struct NormalRows {
-  double A00, A01, A11;
-  double E00, E01, E11;
+  double A00, A01, A11, E00, E01, E11;
   bool row_by_row;  // solve them one after the other
 
   NormalRows() = default;
   NormalRows(const Eigen::Matrix3d& A, bool one_by_one)
       : A00(A(0, 0)), A01(A(0, 1)), A11(A(1, 1)), row_by_row(one_by_one) {
     const Eigen::Matrix2d E = inverse_or_zero<2>(A.topLeftCorner<2, 2>());
-    E00 = E(0, 0);
-    E01 = E(0, 1);
-    E11 = E(1, 1);
+    E00 = E(0, 0), E01 = E(0, 1), E11 = E(1, 1);
   }
 };
 
@@ -35,14 +31,13 @@ struct PreparedBlock<M, 3, Bound::manifold> {
   Jacobian<M, 3> W;
   Rows<3> bias, gamma;
   NormalRows normals;
-  double A02, A12;  // of A, between the normals and friction
-  double E22;       // inverse of A's friction row alone
+  double A02, A12, E22;  // of A between the normals and friction; inverse of A's friction row alone
   double coefficient, relaxation;
 };
 
 //! [manifold]
-/// λ >= 0 of both normals that leaves no rate of approach, given the rates at the λ that is there: the
-/// complementarity problem of two rows, by trying which of them press.
+/// λ >= 0 of both normals, given their rates at the present `lambda`: the complementarity problem of two rows,
+/// solved by trying which of them press.
 inline std::array<double, 2> pressing_normals(const NormalRows& rows, const Rows<3>& rate, const double* lambda) {
   if (rows.row_by_row) {
     const double first = rows.A00 > 0 ? std::max(0.0, lambda[0] - rate[0] / rows.A00) : 0.0;

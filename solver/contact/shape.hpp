@@ -7,7 +7,7 @@
 #include "solver/model.hpp"
 #include "solver/support/require.hpp"
 
-// What a body looks like to the others. A shape is centred on its body and turns with it.
+// Collision shapes. A shape is centred on its body and turns with it.
 namespace byhand {
 
 /// A disc in the plane, a solid sphere in space.
@@ -24,25 +24,24 @@ struct Box {
   Linear<M> half() const { return 0.5 * sides; }
 };
 
-/// All that lies behind a line or plane through the body's position.
+/// Everything behind a line (plane) through the body's position.
 template <class M>
 struct HalfSpace {
-  Linear<M> normal = Linear<M>::Unit(M::linear - 1);  // out of the solid, a unit vector in the body's axes
+  Linear<M> normal = Linear<M>::Unit(M::linear - 1);  // outward unit vector in the body's axes
 };
 
-/// The shapes that a model's bodies can have; nothing touches std::monostate. A particle does not turn, so it is
-/// no box.
+/// The shapes of a model; std::monostate is no shape. Particles do not turn, so they cannot be boxes.
 template <class M>
 using Shape = std::conditional_t<M::angular == 0, std::variant<std::monostate, Ball<M>, HalfSpace<M>>,
                                  std::variant<std::monostate, Ball<M>, Box<M>, HalfSpace<M>>>;
 
-/// Lower and upper corner along the world's axes [m]; empty for no shape.
+/// Axis-aligned bounding box in the world [m]; empty for no shape.
 template <class M>
 using Bounds = Eigen::AlignedBox<double, M::linear>;
 
 namespace detail {
 
-/// A direction of the body in the world; a particle's axes are the world's.
+/// A direction in the body's axes, turned into the world.
 template <class M>
 Linear<M> turned(const Pose<M>& pose, const Linear<M>& direction) {
   if constexpr (M::angular == 0)
@@ -60,50 +59,20 @@ Eigen::Matrix<double, M::linear, M::linear> axes(const Pose<M>& pose) {
     return pose.rotation.toRotationMatrix();
 }
 
-template <class M>
-Bounds<M> bounds_of(std::monostate, const Pose<M>&) {
-  return {};
-}
-template <class M>
-Bounds<M> bounds_of(const Ball<M>& ball, const Pose<M>& pose) {
-  const Linear<M> reach = Linear<M>::Constant(ball.radius);
-  return {pose.position - reach, pose.position + reach};
-}
-template <class M>
-Bounds<M> bounds_of(const Box<M>& box, const Pose<M>& pose) {
-  const Linear<M> reach = axes<M>(pose).cwiseAbs() * box.half();
-  return {pose.position - reach, pose.position + reach};
-}
-template <class M>
-Bounds<M> bounds_of(const HalfSpace<M>&, const Pose<M>&) {
-  const Linear<M> reach = Linear<M>::Constant(std::numeric_limits<double>::infinity());
-  return {-reach, reach};
-}
-
-template <class M>
-void require_valid_shape(std::monostate) {}
-template <class M>
-void require_valid_shape(const Ball<M>& ball) {
-  require_positive("radius", ball.radius, "m");
-}
-template <class M>
-void require_valid_shape(const Box<M>& box) {
-  for (const double side : box.sides) require_positive("side", side, "m");
-}
-template <class M>
-void require_valid_shape(const HalfSpace<M>& half_space) {
-  require_in("length of the half-space's normal", half_space.normal.norm(), 1 - 1e-9, 1 + 1e-9);
-}
-
 }  // namespace detail
 
-/// The least box along the world's axes that holds the shape; without limits for a half-space.
+/// The shape's bounding box in the world; without limits for a half-space.
 template <class M>
 Bounds<M> bounds(const Shape<M>& shape, const Pose<M>& pose) {
-  return std::visit([&](const auto& kind) { return detail::bounds_of<M>(kind, pose); }, shape);
+  if (std::holds_alternative<std::monostate>(shape)) return {};
+  Linear<M> reach = Linear<M>::Constant(std::numeric_limits<double>::infinity());
+  if (const auto* ball = std::get_if<Ball<M>>(&shape)) reach.setConstant(ball->radius);
+  if constexpr (M::angular > 0)
+    if (const auto* box = std::get_if<Box<M>>(&shape)) reach = detail::axes<M>(pose).cwiseAbs() * box->half();
+  return {pose.position - reach, pose.position + reach};
 }
 
-/// Bounds that reach `margin` [m] further on every side.
+/// Bounds enlarged by `margin` [m] on every side.
 template <class B>
 B fattened(const B& bounds, double margin) {
   return {bounds.min().array() - margin, bounds.max().array() + margin};
@@ -112,7 +81,12 @@ B fattened(const B& bounds, double margin) {
 /// Throws std::invalid_argument unless radius and sides are positive and finite and the normal has length 1.
 template <class M>
 void require_valid(const Shape<M>& shape) {
-  std::visit([](const auto& kind) { detail::require_valid_shape<M>(kind); }, shape);
+  if (const auto* ball = std::get_if<Ball<M>>(&shape)) require_positive("radius", ball->radius, "m");
+  if constexpr (M::angular > 0)
+    if (const auto* box = std::get_if<Box<M>>(&shape))
+      for (const double side : box->sides) require_positive("side", side, "m");
+  if (const auto* half_space = std::get_if<HalfSpace<M>>(&shape))
+    require_in("length of the half-space's normal", half_space->normal.norm(), 1 - 1e-9, 1 + 1e-9);
 }
 
 }  // namespace byhand

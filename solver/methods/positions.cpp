@@ -8,7 +8,7 @@ template <class M>
 bool begin_rows(Scene<M>& scene, PositionWork<M>& work) {
   work.contacts.find(scene);
   const bool anew = lay_out_naturally(scene, work);
-  work.contacts.write_impulses(scene, work.system);
+  work.contacts.write_impulses(work.system);
   for (auto* numbers : {&work.impulse, &work.from, &work.target}) numbers->resize(work.system.rows());
   return anew;
 }

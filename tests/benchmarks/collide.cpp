@@ -43,7 +43,7 @@ void touch_neighbours(benchmark::State& state, const Shape<M>& even, const Shape
     points = 0;
     for (std::size_t i = 0; i + 1 < solids.size(); ++i) {
       const auto &a = solids[i], &b = solids[i + 1];
-      const auto manifold = touch<M>(a.shape, a.pose, b.shape, b.pose, 0.02, references[i]);
+      const auto manifold = collide<M>(a.shape, a.pose, b.shape, b.pose, 0.02, references[i]);
       references[i] = manifold.reference;
       points += manifold.size;
       benchmark::DoNotOptimize(manifold);

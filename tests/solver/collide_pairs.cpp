@@ -35,9 +35,7 @@ std::vector<BodyPair> all_pairs(const Boxes<dim>& boxes) {
   std::vector<BodyPair> result;
   for (int i = 0; i < static_cast<int>(boxes.size()); ++i)
     for (int j = i + 1; j < static_cast<int>(boxes.size()); ++j) {
-      const bool both_endless = std::isinf(boxes[i].min()[0]) && std::isinf(boxes[j].min()[0]);
-      if (!boxes[i].isEmpty() && !boxes[j].isEmpty() && !both_endless && boxes[i].intersects(boxes[j]))
-        result.push_back({i, j});
+      if (!boxes[i].isEmpty() && !boxes[j].isEmpty() && boxes[i].intersects(boxes[j])) result.push_back({i, j});
     }
   return result;
 }
@@ -50,11 +48,10 @@ void in_plane_and_space(F&& f) {
 
 TEST(SweepAndPrune, FindsThePairsThatComparingAllFindsInOrder) {
   in_plane_and_space([]<int dim>(Random random) {
-    for (int axis = 0; axis < dim; ++axis)
-      for (int draw = 0; draw < 50; ++draw) {
-        const auto boxes = random_boxes<dim>(random, random.index(200));
-        EXPECT_EQ(SweepAndPrune<dim>(axis).overlapping(boxes), all_pairs<dim>(boxes));
-      }
+    for (int draw = 0; draw < 150; ++draw) {
+      const auto boxes = random_boxes<dim>(random, random.index(200));
+      EXPECT_EQ(SweepAndPrune<dim>().overlapping(boxes), all_pairs<dim>(boxes));
+    }
   });
 }
 

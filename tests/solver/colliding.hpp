@@ -16,7 +16,7 @@ struct Solid {
 
 template <class M>
 Manifold<M> touch(const Solid<M>& first, const Solid<M>& second, double margin, std::uint32_t hint = 0) {
-  return touch<M>(first.shape, first.pose, second.shape, second.pose, margin, hint);
+  return collide<M>(first.shape, first.pose, second.shape, second.pose, margin, hint);
 }
 
 template <class M>
