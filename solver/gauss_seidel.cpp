@@ -35,14 +35,8 @@ void prepare(const Block<M, K, B>& block, const System<M>& system, BlockSolve bl
     minus_E = -relaxation * isotropic_inverse_of(A);
   else
     minus_E = -relaxation * inverse_of<K>(A, block_solve);
-  result.body1 = block.body1;
-  result.body2 = block.body2;
-  result.moves1 = block.moves1;
-  result.moves2 = block.moves2;
-  result.row = block.row;
   result.normal_row = block.normal_row;
   result.J.noalias() = minus_E * block.J.matrix;
-  result.W = block.W;
   result.bias.setZero();
   for (int k = 0; k < K; ++k)
     for (int l = 0; l < K; ++l) {
@@ -56,13 +50,7 @@ void prepare(const Block<M, K, B>& block, const System<M>& system, BlockSolve bl
 void prepare(const Block<PlaneBody, 3, Bound::manifold>& block, const System<PlaneBody>& system,
              BlockSolve block_solve, double relaxation, PreparedBlock<PlaneBody, 3, Bound::manifold>& result) {
   Eigen::Matrix3d A = inverse_effective_mass(block.J, block.W);
-  result.body1 = block.body1;
-  result.body2 = block.body2;
-  result.moves1 = block.moves1;
-  result.moves2 = block.moves2;
-  result.row = block.row;
   result.J = block.J.matrix;
-  result.W = block.W;
   for (int k = 0; k < 3; ++k) {
     result.bias[k] = system.bias[block.row + k];
     result.gamma[k] = system.gamma[block.row + k];
@@ -95,6 +83,12 @@ template <class M>
 void prepare(const System<M>& system, BlockSolve block_solve, double relaxation, Prepared<M>& prepared) {
   prepared.soft = std::any_of(system.gamma.begin(), system.gamma.end(), [](double gamma) { return gamma != 0; });
   for_each_block_with(system, prepared.blocks, [&](const auto& block, auto& result) {
+    result.body1 = block.body1;
+    result.body2 = block.body2;
+    result.moves1 = block.moves1;
+    result.moves2 = block.moves2;
+    result.row = block.row;
+    result.W = block.W;
     prepare(block, system, block_solve, relaxation, result);
   });
 }
@@ -138,12 +132,6 @@ void hold_within_bounds(const System<M>& system, std::vector<double>& lambda) {
         held = bounded<K, B>(held, system.lower[block.row], system.upper[block.row], lambda[block.normal_row]);
       }
   });
-}
-
-double largest_of(const std::vector<double>& numbers) {
-  double result = 0;
-  for (const double x : numbers) result = std::max(result, std::abs(x));
-  return result;
 }
 
 void require_valid(const GaussSeidel& solver) {

@@ -2,18 +2,12 @@
 
 #include "solver/contact/manifold_rows.hpp"
 
-// What all solvers of rows share, and the article's own, Gauss–Seidel. A solver of rows is a struct of choices
-// with
-//
-//   require_valid(solver)                                throws std::invalid_argument for a choice outside its
-//   range solve(solver, system, velocities, scratch, begin)    solves the system's rows for λ and applies the
-//   impulses to
-//                                                        the velocities; returns how often it went over all rows
-//
-// The scratch of the sweeps is Prepared; it is kept so that no step allocates.
+// What all row solvers share, and the article's own, Gauss–Seidel. A row solver is a struct of choices. It has
+// `require_valid`, which throws std::invalid_argument for a choice outside its range, and `solve`, which solves
+// the system's rows for λ, applies the impulses to the velocities, and returns how often it went over all rows.
 namespace byhand {
 
-/// The rows of a system, ready for sweeps, and scratch.
+/// The rows of a system, ready for sweeps, and the scratch of sweeps, which is kept so that no step allocates.
 template <class M>
 struct Prepared {
   template <int K, Bound B>
@@ -106,7 +100,9 @@ template <class M>
 void hold_within_bounds(const System<M>& system, std::vector<double>& lambda);
 
 /// The largest |x|.
-double largest_of(const std::vector<double>& numbers);
+inline double largest_of(const std::vector<double>& x) {
+  return Eigen::Map<const Eigen::VectorXd>(x.data(), std::ssize(x)).lpNorm<Eigen::Infinity>();
+}
 
 /// Where a solve begins: at the start of a step, with no λ or with the last step's; or with the λ that the
 /// velocities contain already.

@@ -14,9 +14,8 @@ constexpr int largest_size = 6;  // of any model's rows or degrees of freedom
 
 [[noreturn]] void refuse_singular() {
   throw SingularSystem(
-      "the direct solve met a row that repeats or contradicts other rows, so that its impulses have no "
-      "single answer; "
-      "remove what repeats, or set a regularisation above 0 (1e-9 is a good start)");
+      "the direct solve met a row that repeats or contradicts other rows, so that its impulses have no single "
+      "answer; remove what repeats, or set a regularisation above 0 (1e-9 is a good start)");
 }
 
 template <int n>
@@ -102,11 +101,10 @@ inline bool invert(double* A, const double* diagonal, Size n) {
   return regular;
 }
 
-/// -M of a hub: its unknown ΔV obeys Jᵀλ - M ΔV = 0.
+/// Writes -M of a hub over zeros: its unknown ΔV obeys Jᵀλ - M ΔV = 0.
 template <class M>
 void write_minus_mass(const InverseMass<M>& inverse_mass, const Pose<M>& pose, double* D) {
   Eigen::Map<Eigen::Matrix<double, M::dof, M::dof, Eigen::RowMajor>> mass(D);
-  mass.setZero();
   mass.diagonal().template head<M::linear>().setConstant(-1 / inverse_mass.linear);
   if constexpr (M::angular > 0)
     mass.template bottomRightCorner<M::angular, M::angular>() = -inertia(inverse_mass, pose);
@@ -123,7 +121,7 @@ void assemble(const Direct& solver, const System<M>& system, const double* offse
   const char* is_folded = work.plan.folded.data();
   double *values = work.values.data(), *unknowns = work.unknowns.data(), *diagonals = work.diagonal.data();
   const double *V = bodies.velocity.front().data(), *gamma = system.gamma.data();
-  for (const auto& [first, count] : work.plan.fill_in) std::fill_n(values + first, count, 0.0);
+  std::fill(work.values.begin(), work.values.end(), 0.0);
   for (const auto& node : work.plan.nodes) {
     double *D = values + node.diagonal, *b = unknowns + node.row, *diagonal = diagonals + node.row;
     if (node.edge < 0) {
@@ -170,15 +168,12 @@ void assemble(const Direct& solver, const System<M>& system, const double* offse
       with_size<S, dof>(later, [&](auto m) {
         for (int i = 0; i < m; ++i)
           for (int k = 0; k < n; ++k) {
-            double& entry = block[i * n + k];
-            if (later.edge < 0) {  // a hub takes Jᵀλ
-              entry = J[2 * dof * k + i];
-            } else if (earlier.edge < 0) {
-              entry = J[2 * dof * i + k];
-            } else {
-              const double sum = dot(W + 2 * dof * i, J + 2 * dof * k, Constant<dof>());
-              entry = coupling.adds ? entry + sum : sum;
-            }
+            if (later.edge < 0)
+              block[i * n + k] = J[2 * dof * k + i];
+            else if (earlier.edge < 0)
+              block[i * n + k] = J[2 * dof * i + k];
+            else
+              block[i * n + k] += dot(W + 2 * dof * i, J + 2 * dof * k, Constant<dof>());
           }
       });
     });
@@ -248,10 +243,8 @@ void view_blocks(const System<M>& system, DirectWork<M>& work) {
     const auto mask = [&](auto& blocks) {
       for (auto& block : blocks)
         for (int k = 0; k < block.J.matrix.rows(); ++k)
-          if (!work.active[block.row + k]) {
-            block.J.matrix.row(k).setZero();
-            block.W.matrix.row(k).setZero();
-          }
+          if (!work.active[block.row + k])
+            for (auto* matrix : {&block.J.matrix, &block.W.matrix}) matrix->row(k).setZero();
     };
     std::apply([&](auto&... blocks) { (mask(blocks), ...); }, work.masked);
   }

@@ -204,16 +204,12 @@ Elimination plan_elimination(const Graph& graph, int dof) {
     const auto first = plan.neighbours.begin() + node.first, last = plan.neighbours.begin() + node.last;
     return std::lower_bound(first, last, later, [](const auto& n, int wanted) { return n.node < wanted; })->block;
   };
-  for (auto& [earlier, later, block, adds] : plan.couplings) {
-    for (auto* end_of : {&earlier, &later}) end_of->node = place[end_of->node];
+  for (auto& [earlier, later, block] : plan.couplings) {
+    earlier.node = place[earlier.node];
+    later.node = place[later.node];
     if (earlier.node > later.node) std::swap(earlier, later);
     block = block_between(earlier.node, later.node);
   }
-  std::sort(plan.couplings.begin(), plan.couplings.end(),
-            [](const auto& a, const auto& b) { return a.block < b.block; });
-  std::set<int> coupled;
-  for (auto& coupling : plan.couplings) coupling.adds = !coupled.insert(coupling.block).second;
-
   for (const auto& node : plan.nodes) {
     const long long s = node.size;
     plan.multiplications += s * s * s;  // the inverse of the pivot
@@ -229,7 +225,6 @@ Elimination plan_elimination(const Graph& graph, int dof) {
         plan.targets.push_back(block_between(neighbour.node, later));
         plan.multiplications += t * s * plan.nodes[later].size;  // the update
       }
-      if (!coupled.contains(neighbour.block)) plan.fill_in.push_back({neighbour.block, static_cast<int>(t * s)});
     }
   }
   plan.multiplications += plan.multiplications_again;

@@ -46,24 +46,19 @@ struct Elimination {
     int block = 0;    // offset of the block between the two
     int targets = 0;  // in `targets`: offsets of the blocks that this and each following neighbour update
   };
-  /// A block that is not zero before elimination: two edges at a folded body, or an edge at a hub.
+  /// A term of a block before elimination: two edges at a folded body, or an edge at a hub.
   struct Coupling {
     struct End {
       int node, side;  // 0 where the body is the edge's first, 1 where it is its second
     };
     End earlier, later;
     int block = 0;
-    bool adds = false;  // the two edges share another body as well
-  };
-  struct Range {
-    int first, count;
   };
 
   std::vector<Node> nodes;
   std::vector<Neighbour> neighbours;
   std::vector<int> targets;
   std::vector<Coupling> couplings;
-  std::vector<Range> fill_in;    // blocks that are zero before elimination
   std::vector<int> order;        // edge numbers in order of elimination, then the inert edges
   std::vector<char> folded;      // by body: whether its mass is part of A = JM⁻¹Jᵀ, as for all but hubs
   int edge_size = 0;             // the rows of every edge, 0 where they differ
