@@ -101,10 +101,11 @@ inline bool invert(double* A, const double* diagonal, Size n) {
   return regular;
 }
 
-/// Writes -M of a hub over zeros: its unknown ΔV obeys Jᵀλ - M ΔV = 0.
+/// -M of a hub: its unknown ΔV obeys Jᵀλ - M ΔV = 0.
 template <class M>
 void write_minus_mass(const InverseMass<M>& inverse_mass, const Pose<M>& pose, double* D) {
   Eigen::Map<Eigen::Matrix<double, M::dof, M::dof, Eigen::RowMajor>> mass(D);
+  mass.setZero();
   mass.diagonal().template head<M::linear>().setConstant(-1 / inverse_mass.linear);
   if constexpr (M::angular > 0)
     mass.template bottomRightCorner<M::angular, M::angular>() = -inertia(inverse_mass, pose);
@@ -121,7 +122,7 @@ void assemble(const Direct& solver, const System<M>& system, const double* offse
   const char* is_folded = work.plan.folded.data();
   double *values = work.values.data(), *unknowns = work.unknowns.data(), *diagonals = work.diagonal.data();
   const double *V = bodies.velocity.front().data(), *gamma = system.gamma.data();
-  std::fill(work.values.begin(), work.values.end(), 0.0);
+  for (const auto& [first, count] : work.plan.fill_in) std::fill_n(values + first, count, 0.0);
   for (const auto& node : work.plan.nodes) {
     double *D = values + node.diagonal, *b = unknowns + node.row, *diagonal = diagonals + node.row;
     if (node.edge < 0) {
@@ -134,11 +135,11 @@ void assemble(const Direct& solver, const System<M>& system, const double* offse
     }
     const auto view = views[node.edge];
     const double *v1 = V + dof * view.body1, *v2 = V + dof * view.body2;
-    const bool folded1 = is_folded[view.body1], folded2 = is_folded[view.body2];
+    const bool folded1 = is_folded[view.body1], folded2 = is_folded[view.body2], folded = folded1 && folded2;
     with_size<S, dof>(node, [&](auto n) {
       for (int k = 0; k < n; ++k) {
         const double* J = view.J + 2 * dof * k;
-        double rate = 0, late = offset[view.row + k];
+        double rate = 0, late = offset[node.lambda + k];
         for (int i = 0; i < dof; ++i) {
           rate += J[i] * v1[i];
           late += J[dof + i] * v2[i];
@@ -147,9 +148,10 @@ void assemble(const Direct& solver, const System<M>& system, const double* offse
         for (int l = 0; l <= k; ++l) {
           const double* W = view.W + 2 * dof * l;
           const double by_body1 = dot(J, W, Constant<dof>()), by_body2 = dot(J + dof, W + dof, Constant<dof>());
-          double entry = (folded1 ? by_body1 : 0.0) + (folded2 ? by_body2 : 0.0);
+          const double whole = by_body1 + by_body2;
+          double entry = folded ? whole : (folded1 ? by_body1 : 0.0) + (folded2 ? by_body2 : 0.0);
           if (k == l) {
-            const double whole = by_body1 + by_body2, soft = solver.regularisation * whole + gamma[view.row + k];
+            const double soft = solver.regularisation * whole + gamma[node.lambda + k];
             diagonal[k] = whole + soft;
             entry += soft;
           }
@@ -160,20 +162,23 @@ void assemble(const Direct& solver, const System<M>& system, const double* offse
   }
   for (const auto& coupling : work.plan.couplings) {
     const auto &earlier = nodes[coupling.earlier.node], &later = nodes[coupling.later.node];
-    const auto& edge = earlier.edge < 0 ? coupling.later : coupling.earlier;
-    const double* J = views[nodes[edge.node].edge].J + dof * edge.side;
-    const double* W = later.edge < 0 ? nullptr : views[later.edge].W + dof * coupling.later.side;
+    const double* J = earlier.edge < 0 ? views[later.edge].J + dof * coupling.later.side
+                                       : views[earlier.edge].J + dof * coupling.earlier.side;
     double* block = values + coupling.block;
     with_size<S, dof>(earlier, [&](auto n) {
       with_size<S, dof>(later, [&](auto m) {
         for (int i = 0; i < m; ++i)
           for (int k = 0; k < n; ++k) {
-            if (later.edge < 0)
-              block[i * n + k] = J[2 * dof * k + i];
-            else if (earlier.edge < 0)
-              block[i * n + k] = J[2 * dof * i + k];
-            else
-              block[i * n + k] += dot(W + 2 * dof * i, J + 2 * dof * k, Constant<dof>());
+            double& entry = block[i * n + k];
+            if (later.edge < 0) {
+              entry = J[2 * dof * k + i];
+            } else if (earlier.edge < 0) {
+              entry = J[2 * dof * i + k];
+            } else {
+              const double* W = views[later.edge].W + dof * coupling.later.side;
+              const double term = dot(W + 2 * dof * i, J + 2 * dof * k, Constant<dof>());
+              entry = coupling.adds ? entry + term : term;
+            }
           }
       });
     });
@@ -230,7 +235,7 @@ void substitute_back(DirectWork<M>& work, double* change) {
         });
       }
       std::copy_n(solved, +n, x);
-      if (node->edge >= 0) std::copy_n(solved, +n, change + work.views[node->edge].row);
+      if (node->edge >= 0) std::copy_n(solved, +n, change + node->lambda);
     });
 }
 
@@ -253,7 +258,7 @@ void view_blocks(const System<M>& system, DirectWork<M>& work) {
   for (const Run& run : system.runs)
     for_type<M>(run.type, [&](auto type) {
       for (const auto& block : part<type>(all_active ? system.blocks : work.masked, run))
-        *view++ = {block.J.matrix.data(), block.W.matrix.data(), block.row, block.body1, block.body2};
+        *view++ = {block.J.matrix.data(), block.W.matrix.data(), block.body1, block.body2};
     });
 }
 
@@ -324,7 +329,7 @@ void solve_again(const std::vector<double>& offset, DirectWork<M>& work, std::ve
   std::fill(change.begin(), change.end(), 0.0);
   for (const auto& node : plan.nodes)
     for (int k = 0; k < node.size; ++k)
-      work.unknowns[node.row + k] = node.edge < 0 ? 0.0 : -offset[work.views[node.edge].row + k];
+      work.unknowns[node.row + k] = node.edge < 0 ? 0.0 : -offset[node.lambda + k];
   for (const auto& node : plan.nodes)  // L⁻¹ times the right-hand side
     for (int a = node.first; a < node.last; ++a) {
       const auto& later = plan.nodes[plan.neighbours[a].node];

@@ -38,7 +38,7 @@ struct DirectWork {
   using BlockOf = Block<M, K, B>;
   struct View {
     const double *J, *W;  // rows × 2 dof, row-major
-    int row, body1, body2;
+    int body1, body2;
   };
 
   Elimination plan;

@@ -182,7 +182,7 @@ Elimination plan_elimination(const Graph& graph, int dof) {
     node.diagonal = allot(node.size, node.size);
     if (number < hubs) {
       plan.edge_size = plan.order.empty() || plan.edge_size == node.size ? node.size : 0;
-      plan.edge_rows += node.size;
+      node.lambda = std::exchange(plan.edge_rows, plan.edge_rows + node.size);
       node.edge = static_cast<int>(plan.order.size());
       plan.order.push_back(number);
     } else {
@@ -204,11 +204,13 @@ Elimination plan_elimination(const Graph& graph, int dof) {
     const auto first = plan.neighbours.begin() + node.first, last = plan.neighbours.begin() + node.last;
     return std::lower_bound(first, last, later, [](const auto& n, int wanted) { return n.node < wanted; })->block;
   };
-  for (auto& [earlier, later, block] : plan.couplings) {
+  std::set<int> coupled;  // blocks
+  for (auto& [earlier, later, block, adds] : plan.couplings) {
     earlier.node = place[earlier.node];
     later.node = place[later.node];
     if (earlier.node > later.node) std::swap(earlier, later);
     block = block_between(earlier.node, later.node);
+    adds = !coupled.insert(block).second;
   }
   for (const auto& node : plan.nodes) {
     const long long s = node.size;
@@ -225,6 +227,7 @@ Elimination plan_elimination(const Graph& graph, int dof) {
         plan.targets.push_back(block_between(neighbour.node, later));
         plan.multiplications += t * s * plan.nodes[later].size;  // the update
       }
+      if (!coupled.contains(neighbour.block)) plan.fill_in.push_back({neighbour.block, static_cast<int>(t * s)});
     }
   }
   plan.multiplications += plan.multiplications_again;

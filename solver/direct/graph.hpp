@@ -39,6 +39,7 @@ struct Elimination {
     int size = 0;             // rows of the edge, or degrees of freedom of the hub
     int diagonal = 0;         // offset of its diagonal block
     int row = 0;              // of its first unknown, edges and hubs counted together
+    int lambda = 0;           // of an edge: its first row in λ
     int first = 0, last = 0;  // its neighbours that are eliminated later: a range of `neighbours`
   };
   struct Neighbour {
@@ -53,12 +54,17 @@ struct Elimination {
     };
     End earlier, later;
     int block = 0;
+    bool adds = false;  // to another term
+  };
+  struct Range {
+    int first, count;
   };
 
   std::vector<Node> nodes;
   std::vector<Neighbour> neighbours;
   std::vector<int> targets;
   std::vector<Coupling> couplings;
+  std::vector<Range> fill_in;    // blocks that are zero before elimination
   std::vector<int> order;        // edge numbers in order of elimination, then the inert edges
   std::vector<char> folded;      // by body: whether its mass is part of A = JM⁻¹Jᵀ, as for all but hubs
   int edge_size = 0;             // the rows of every edge, 0 where they differ
