@@ -2,7 +2,6 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace byhand {
@@ -116,12 +115,13 @@ template <int S, class M>
 void assemble(const Direct& solver, const System<M>& system, const double* offset, const Bodies<M>& bodies,
               DirectWork<M>& work) {
   constexpr int dof = M::dof;
-  // Local pointers: the compiler cannot know that no write moves the vectors.
+  // Local copies: the compiler cannot know that no write changes the originals.
   const auto* nodes = work.plan.nodes.data();
   const auto* views = work.views.data();
   const char* is_folded = work.plan.folded.data();
   double *values = work.values.data(), *unknowns = work.unknowns.data(), *diagonals = work.diagonal.data();
-  const double *V = bodies.velocity.front().data(), *gamma = system.gamma.data();
+  const double *V = bodies.velocity.front().data(), *gamma = system.gamma.data(),
+               regularisation = solver.regularisation;
   for (const auto& [first, count] : work.plan.fill_in) std::fill_n(values + first, count, 0.0);
   for (const auto& node : work.plan.nodes) {
     double *D = values + node.diagonal, *b = unknowns + node.row, *diagonal = diagonals + node.row;
@@ -151,7 +151,7 @@ void assemble(const Direct& solver, const System<M>& system, const double* offse
           const double whole = by_body1 + by_body2;
           double entry = folded ? whole : (folded1 ? by_body1 : 0.0) + (folded2 ? by_body2 : 0.0);
           if (k == l) {
-            const double soft = solver.regularisation * whole + gamma[node.lambda + k];
+            const double soft = regularisation * whole + gamma[node.lambda + k];
             diagonal[k] = whole + soft;
             entry += soft;
           }
