@@ -17,8 +17,8 @@ Eigen::Matrix<double, K, K> inverse_of(Eigen::Matrix<double, K, K> A, BlockSolve
   return E;
 }
 
-/// E of friction in space: one number for both tangents, the inverse of the largest eigenvalue of A. Held to its
-/// disc, λ comes to rest along -E JV; only a multiple of the identity makes that the direction against the slip.
+/// E of friction in space: the inverse of A's largest eigenvalue, for both tangents. On the rim of its disc λ
+/// converges to the direction of -E JV, which opposes the slip only if E is a multiple of the identity.
 Eigen::Matrix2d isotropic_inverse_of(const Eigen::Matrix2d& A) {
   const double mean = 0.5 * (A(0, 0) + A(1, 1)), half = 0.5 * (A(0, 0) - A(1, 1));
   const double largest = mean + std::sqrt(half * half + A(0, 1) * A(0, 1));
@@ -35,14 +35,8 @@ void prepare(const Block<M, K, B>& block, const System<M>& system, BlockSolve bl
     minus_E = -relaxation * isotropic_inverse_of(A);
   else
     minus_E = -relaxation * inverse_of<K>(A, block_solve);
-  result.body1 = block.body1;
-  result.body2 = block.body2;
-  result.moves1 = block.moves1;
-  result.moves2 = block.moves2;
-  result.row = block.row;
   result.normal_row = block.normal_row;
   result.J.noalias() = minus_E * block.J.matrix;
-  result.W = block.W;
   result.bias.setZero();
   for (int k = 0; k < K; ++k)
     for (int l = 0; l < K; ++l) {
@@ -56,13 +50,7 @@ void prepare(const Block<M, K, B>& block, const System<M>& system, BlockSolve bl
 void prepare(const Block<PlaneBody, 3, Bound::manifold>& block, const System<PlaneBody>& system,
              BlockSolve block_solve, double relaxation, PreparedBlock<PlaneBody, 3, Bound::manifold>& result) {
   Eigen::Matrix3d A = inverse_effective_mass(block.J, block.W);
-  result.body1 = block.body1;
-  result.body2 = block.body2;
-  result.moves1 = block.moves1;
-  result.moves2 = block.moves2;
-  result.row = block.row;
   result.J = block.J.matrix;
-  result.W = block.W;
   for (int k = 0; k < 3; ++k) {
     result.bias[k] = system.bias[block.row + k];
     result.gamma[k] = system.gamma[block.row + k];
@@ -77,8 +65,7 @@ void prepare(const Block<PlaneBody, 3, Bound::manifold>& block, const System<Pla
 }
 
 //! [sweep]
-/// The inner loop: (17), then (20), block after block. Kept out of line so that the compiler sees bare
-/// pointers.
+/// The inner loop: (17), then (20), block after block. Not inlined, so that the compiler sees bare pointers.
 template <bool soft, class M, int K, Bound B>
 [[gnu::noinline]] void sweep_run(const PreparedBlock<M, K, B>* block, int count, int next, double* lambda,
                                  double* V) {
@@ -90,33 +77,20 @@ template <bool soft, class M, int K, Bound B>
 }
 //! [sweep]
 
-/// Sweeps over one run, back from its last block if so.
-template <class M>
-void sweep_run(const Run& run, const Prepared<M>& prepared, bool back, double* lambda, double* V) {
-  for_type<M>(run.type, [&](auto type) {
-    const auto blocks = part<type>(prepared.blocks, run);
-    const auto* first = back ? blocks.data() + run.count - 1 : blocks.data();
-    const int next = back ? -1 : 1;
-    if (prepared.soft)
-      sweep_run<true>(first, run.count, next, lambda, V);
-    else
-      sweep_run<false>(first, run.count, next, lambda, V);
-  });
-}
-
 }  // namespace
 
 template <class M>
 void prepare(const System<M>& system, BlockSolve block_solve, double relaxation, Prepared<M>& prepared) {
   prepared.soft = std::any_of(system.gamma.begin(), system.gamma.end(), [](double gamma) { return gamma != 0; });
-  for (const Run& run : system.runs)
-    for_type<M>(run.type, [&](auto type) {
-      auto& results = std::get<type>(prepared.blocks);
-      results.resize(std::get<type>(system.blocks).size());
-      const auto blocks = part<type>(system.blocks, run);
-      for (int i = 0; i < run.count; ++i)
-        prepare(blocks[i], system, block_solve, relaxation, results[run.first + i]);
-    });
+  for_each_block_with(system, prepared.blocks, [&](const auto& block, auto& result) {
+    result.body1 = block.body1;
+    result.body2 = block.body2;
+    result.moves1 = block.moves1;
+    result.moves2 = block.moves2;
+    result.row = block.row;
+    result.W = block.W;
+    prepare(block, system, block_solve, relaxation, result);
+  });
 }
 
 template <class M>
@@ -140,6 +114,26 @@ void rates_of(const System<M>& system, const std::vector<Velocity<M>>& V, std::v
   });
 }
 
+template <class M>
+void multiply(const System<M>& system, const std::vector<double>& x, std::vector<Velocity<M>>& V,
+              std::vector<double>& product) {
+  std::fill(V.begin(), V.end(), Velocity<M>::Zero());
+  apply_all(system, x, V);
+  rates_of(system, V, product);
+  for (int i = 0; i < system.rows(); ++i) product[i] += system.gamma[i] * x[i];
+}
+
+template <class M>
+void hold_within_bounds(const System<M>& system, std::vector<double>& lambda) {
+  system.for_each_run([&]<int K, Bound B>(std::span<const Block<M, K, B>> blocks) {
+    if constexpr (B != Bound::none)
+      for (const auto& block : blocks) {
+        Eigen::Map<Rows<K>> held(&lambda[block.row]);
+        held = bounded<K, B>(held, system.lower[block.row], system.upper[block.row], lambda[block.normal_row]);
+      }
+  });
+}
+
 void require_valid(const GaussSeidel& solver) {
   require(solver.sweeps >= 1, "number of sweeps", solver.sweeps, "at least 1");
   require_inside("relaxation", solver.relaxation, 0, 2);
@@ -148,19 +142,29 @@ void require_valid(const GaussSeidel& solver) {
 
 template <class M>
 void sweep(const System<M>& system, const Prepared<M>& prepared, double* lambda, double* V, int ways) {
-  for (const Run& run : system.runs) sweep_run(run, prepared, false, lambda, V);
+  const auto over = [&](const Run& run, bool back) {
+    for_type<M>(run.type, [&](auto type) {
+      const auto blocks = part<type>(prepared.blocks, run);
+      const auto* first = back ? &blocks.back() : &blocks.front();
+      const int next = back ? -1 : 1;
+      if (prepared.soft)
+        sweep_run<true>(first, run.count, next, lambda, V);
+      else
+        sweep_run<false>(first, run.count, next, lambda, V);
+    });
+  };
+  for (const Run& run : system.runs) over(run, false);
   if (ways == 1) return;
-  for (auto run = system.runs.rbegin(); run != system.runs.rend(); ++run)
-    sweep_run(*run, prepared, true, lambda, V);
+  for (auto run = system.runs.rbegin(); run != system.runs.rend(); ++run) over(*run, true);
 }
 
 template <class M>
 double watched_sweep(System<M>& system, Prepared<M>& prepared, std::vector<Velocity<M>>& velocities, int ways) {
-  prepared.before = velocities;
+  prepared.V_before = velocities;
   sweep(system, prepared, system.lambda.data(), numbers<M>(velocities), ways);
   double largest = 0;
   for (std::size_t i = 0; i < velocities.size(); ++i)
-    largest = std::max(largest, (velocities[i] - prepared.before[i]).cwiseAbs().maxCoeff());
+    largest = std::max(largest, (velocities[i] - prepared.V_before[i]).cwiseAbs().maxCoeff());
   return largest;
 }
 
@@ -183,6 +187,9 @@ int solve(const GaussSeidel& solver, System<M>& system, std::vector<Velocity<M>>
   template void prepare(const System<M>&, BlockSolve, double, Prepared<M>&);                        \
   template void apply_all(const System<M>&, const std::vector<double>&, std::vector<Velocity<M>>&); \
   template void rates_of(const System<M>&, const std::vector<Velocity<M>>&, std::vector<double>&);  \
+  template void multiply(const System<M>&, const std::vector<double>&, std::vector<Velocity<M>>&,   \
+                         std::vector<double>&);                                                     \
+  template void hold_within_bounds(const System<M>&, std::vector<double>&);                         \
   template void sweep(const System<M>&, const Prepared<M>&, double*, double*, int);                 \
   template double watched_sweep(System<M>&, Prepared<M>&, std::vector<Velocity<M>>&, int);          \
   template int solve(const GaussSeidel&, System<M>&, std::vector<Velocity<M>>&, Prepared<M>&, Begin)

@@ -2,19 +2,24 @@
 
 #include "solver/contact/manifold_rows.hpp"
 
+// What all row solvers share, and the article's own, Gauss–Seidel. A row solver is a struct of choices. It has
+// `require_valid`, which throws std::invalid_argument for a choice outside its range, and `solve`, which solves
+// the system's rows for λ, applies the impulses to the velocities, and returns how often it went over all rows.
 namespace byhand {
 
+/// The rows of a system, ready for sweeps, and the scratch of sweeps, which is kept so that no step allocates.
 template <class M>
 struct Prepared {
   template <int K, Bound B>
   using BlockOf = PreparedBlock<M, K, B>;
 
   PerBlock<M, BlockOf> blocks;
-  std::vector<Velocity<M>> before;  // a watched sweep
-  bool soft = false;                // whether any γ is not zero
+  bool soft = false;                                     // whether any γ is not zero
+  std::vector<double> change, lambda_before, direction;  // by row
+  std::vector<Velocity<M>> V_before, V_direction;        // by body
 };
 
-/// Fills `prepared` from the system's rows as they are. `relaxation` multiplies every Δλ.
+/// Fills `prepared` from the system's rows. `relaxation` multiplies every Δλ.
 template <class M>
 void prepare(const System<M>& system, BlockSolve block_solve, double relaxation, Prepared<M>& prepared);
 
@@ -23,7 +28,7 @@ template <bool soft, class M, int K, Bound B>
 inline Rows<K> solve(const PreparedBlock<M, K, B>& block, const double* V, const double* lambda) {
   constexpr int dof = M::dof;
   const double *v1 = V + dof * block.body1, *v2 = V + dof * block.body2;
-  // Two chains of sums, body 1 in the second: along a chain it is the body that the block before has just written.
+  // Two chains of sums; body 1 comes late, for along a chain the block before has just written it.
   Rows<K> change = block.bias, late = block.J.col(0) * v1[0];
   for (int i = 0; i < dof; ++i) change += block.J.col(dof + i) * v2[i];
   for (int i = 1; i < dof; ++i) late += block.J.col(i) * v1[i];
@@ -56,68 +61,92 @@ inline void apply(const AnyBlock& block, const Rows<K>& change, double* V) {
   if (block.moves2) add(V + dof * block.body2, dof);
 }
 
-/// Velocities of all bodies as plain numbers, dof a body.
+/// The velocities of all bodies as plain numbers, dof a body.
 template <class M>
 double* numbers(std::vector<Velocity<M>>& velocities) {
   static_assert(sizeof(Velocity<M>) == M::dof * sizeof(double));
   return velocities.empty() ? nullptr : velocities.front().data();
 }
 
-/// V += M⁻¹Jᵀλ for all rows, λ given as one number a row: the warm start, and how a direct solution reaches the
-/// bodies.
+/// Calls f(block, its element in a PerBlock storage) for each block in solve order. The storage is resized to fit.
+template <class M, class Storage, class F>
+void for_each_block_with(const System<M>& system, Storage& storage, F&& f) {
+  for (const Run& run : system.runs)
+    for_type<M>(run.type, [&](auto type) {
+      std::get<type>(storage).resize(std::get<type>(system.blocks).size());
+      const auto blocks = part<type>(system.blocks, run);
+      const auto elements = part<type>(storage, run);
+      for (int i = 0; i < run.count; ++i) f(blocks[i], elements[i]);
+    });
+}
+
+// Operations on all rows, with one number a row.
+
+/// V += M⁻¹Jᵀλ.
 template <class M>
 void apply_all(const System<M>& system, const std::vector<double>& lambda, std::vector<Velocity<M>>& velocities);
 
-/// `rates` = JV for all rows, one number a row.
+/// `rates` = JV.
 template <class M>
 void rates_of(const System<M>& system, const std::vector<Velocity<M>>& velocities, std::vector<double>& rates);
 
-/// Where a solve begins: at the start of a step, with no λ or the last step's as the solver chooses; or once more
-/// from the λ that the velocities hold already.
-enum class Begin { step, again };
+/// `product` = (JM⁻¹Jᵀ + γ)x, by way of V = M⁻¹Jᵀx.
+template <class M>
+void multiply(const System<M>& system, const std::vector<double>& x, std::vector<Velocity<M>>& V,
+              std::vector<double>& product);
 
-/// Puts the λ that sweeps begin with into the velocities.
+/// Clamps λ to its bounds, block by block in solve order.
+template <class M>
+void hold_within_bounds(const System<M>& system, std::vector<double>& lambda);
+
+/// The largest |x|.
+inline double largest_of(const std::vector<double>& x) {
+  return Eigen::Map<const Eigen::VectorXd>(x.data(), std::ssize(x)).lpNorm<Eigen::Infinity>();
+}
+
+/// Where a solve begins: at the start of a step, with no λ or with the last step's; or with the λ that the
+/// velocities contain already.
+enum class Begin { step, resume };
+
+/// Applies the initial λ of an iterative solver to the velocities.
 template <class M>
 void begin_sweeps(System<M>& system, bool warm_start, Begin begin, std::vector<Velocity<M>>& velocities) {
-  if (begin == Begin::again) return;
+  if (begin == Begin::resume) return;
   if (warm_start)
     apply_all(system, system.lambda, velocities);
   else
     std::fill(system.lambda.begin(), system.lambda.end(), 0.0);
 }
 
-/// In which order the rows of a sweep are solved: as the constraints were added, the other way round, colour by
-/// colour, which is red–black on a chain, or as they were added and then back, which counts as two sweeps.
+/// The order in which a sweep solves the rows: as the constraints were added, in reverse, by colour (red–black on
+/// a chain), or forth and back, which counts as two sweeps.
 enum class SweepOrder { natural, reverse, coloured, symmetric };
 
-/// How many sweeps one in this order is.
+/// Passes over all rows in one sweep of this order.
 inline int ways(SweepOrder order) { return order == SweepOrder::symmetric ? 2 : 1; }
 
-/// Projected Gauss–Seidel, which is sequential impulses: each block of rows is solved by (17) with what the
-/// blocks before it have already changed, over and over. A choice, not a state: λ is kept in the System.
+/// Projected Gauss–Seidel, also called sequential impulses: each block of rows is solved by (17) at the velocities
+/// that the blocks before it have left, sweep after sweep.
 struct GaussSeidel {
-  int sweeps = 10;         // >= 1; of symmetric ones each is two
+  int sweeps = 10;         // >= 1; a symmetric one is two passes
   bool warm_start = true;  // begin with the λ of the last step
   SweepOrder order = SweepOrder::natural;
   BlockSolve block_solve = BlockSolve::whole;
   double relaxation = 1;  // in (0, 2); other than 1 this is SOR
-  double tolerance = 0;   // >= 0: no further sweep once one changes no velocity by more [m/s, rad/s]
+  double tolerance = 0;   // >= 0: stop when a sweep changes no velocity by more [m/s, rad/s]
 };
 
-/// Throws std::invalid_argument for a choice outside the ranges above.
 void require_valid(const GaussSeidel& solver);
 
-/// Solves the system's rows for λ and puts the impulses into the velocities. `prepared` is scratch that is
-/// kept only so that no step allocates. Returns how many sweeps it took.
 template <class M>
 int solve(const GaussSeidel& solver, System<M>& system, std::vector<Velocity<M>>& velocities,
           Prepared<M>& prepared, Begin begin = Begin::step);
 
-/// One sweep over prepared rows in the order in which they are laid out, and one back where there are two `ways`.
+/// One sweep over prepared rows in their layout's order; with two `ways` also one back.
 template <class M>
 void sweep(const System<M>& system, const Prepared<M>& prepared, double* lambda, double* V, int ways = 1);
 
-/// One sweep, and by how much it changed any velocity at most [m/s, rad/s].
+/// One sweep; returns the largest change of any velocity [m/s, rad/s].
 template <class M>
 double watched_sweep(System<M>& system, Prepared<M>& prepared, std::vector<Velocity<M>>& velocities, int ways = 1);
 

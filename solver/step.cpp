@@ -57,7 +57,7 @@ void end_cure(const VelocityStepping& method, double h, Scene<M>& scene, Work<M>
 template <class M>
 void bounce(const VelocityStepping& method, Bodies<M>& bodies, Work<M>& work) {
   if (!set_bounce(work.approach, method.bounce_threshold, work.system)) return;
-  solve_rows(method.solver, bodies, work, Begin::again);
+  solve_rows(method.solver, bodies, work, Begin::resume);
   forget_bounce(work.approach, method.bounce_threshold, work.system);
 }
 

@@ -3,49 +3,30 @@
 namespace byhand {
 namespace {
 
-/// Whether each row of a block can still give way: λ is not at a bound.
-template <int K, Bound B>
-void note_active(const double* lambda, double lower, double upper, double normal_row, char* active) {
-  if constexpr (B == Bound::interval) {
-    active[0] = lower < lambda[0] && lambda[0] < upper;
-  } else if constexpr (B == Bound::friction) {
-    const bool inside = Eigen::Map<const Rows<K>>(lambda).norm() < upper * normal_row;
-    for (int k = 0; k < K; ++k) active[k] = inside;
-  } else if constexpr (B == Bound::manifold) {
-    active[0] = lambda[0] > 0;
-    active[1] = lambda[1] > 0;
-    active[2] = std::abs(lambda[2]) < upper * (lambda[0] + lambda[1]);
-  }
-}
-
+/// Marks the rows whose λ is not at a bound.
 template <class M>
 void find_active(const System<M>& system, std::vector<char>& active) {
   active.assign(system.rows(), 1);
   system.for_each_run([&]<int K, Bound B>(std::span<const Block<M, K, B>> blocks) {
     if constexpr (B != Bound::none)
-      for (const auto& block : blocks)
-        note_active<K, B>(&system.lambda[block.row], system.lower[block.row], system.upper[block.row],
-                          system.lambda[block.normal_row], &active[block.row]);
-  });
-}
-
-/// Holds λ within all bounds; `change` becomes what that takes.
-template <class M>
-void hold(System<M>& system, std::vector<double>& change) {
-  std::fill(change.begin(), change.end(), 0.0);
-  system.for_each_run([&]<int K, Bound B>(std::span<const Block<M, K, B>> blocks) {
-    if constexpr (B != Bound::none)
       for (const auto& block : blocks) {
-        Eigen::Map<Rows<K>> lambda(&system.lambda[block.row]);
-        const Rows<K> held = bounded<K, B>(lambda, system.lower[block.row], system.upper[block.row],
-                                           system.lambda[block.normal_row]);
-        for (int k = 0; k < K; ++k) change[block.row + k] = held[k] - lambda[k];
-        lambda = held;
+        const double *lambda = &system.lambda[block.row], upper = system.upper[block.row];
+        char* is_active = &active[block.row];
+        if constexpr (B == Bound::interval) {
+          is_active[0] = system.lower[block.row] < lambda[0] && lambda[0] < upper;
+        } else if constexpr (B == Bound::friction) {
+          const double radius = upper * system.lambda[block.normal_row];
+          std::fill_n(is_active, K, Eigen::Map<const Rows<K>>(lambda).norm() < radius);
+        } else {
+          is_active[0] = lambda[0] > 0;
+          is_active[1] = lambda[1] > 0;
+          is_active[2] = std::abs(lambda[2]) < upper * (lambda[0] + lambda[1]);
+        }
       }
   });
 }
 
-/// Solves for what λ has still to change by, with rows that are not active left as they are.
+/// Solves for Δλ of the active rows and applies it.
 template <class M>
 void solve_change(const Direct& solver, System<M>& system, Bodies<M>& bodies, DirectWork<M>& work) {
   for (int k = 0; k < system.rows(); ++k) work.offset[k] = system.bias[k] + system.gamma[k] * system.lambda[k];
@@ -57,54 +38,39 @@ void solve_change(const Direct& solver, System<M>& system, Bodies<M>& bodies, Di
   apply_all(system, work.change, bodies.velocity);
 }
 
-/// Solves from the λ that stands, without bounds. Once poses have moved, a hub in space has turned its inertia
-/// away from that of the rows, if they stand as they were: what this leaves is a small share, and is solved for
-/// again.
+/// Solves without bounds from the current λ. In space the inertia of a hub turns with its pose, while the rows may
+/// be those of an earlier pose. The error of this mismatch is small, and iteration removes it.
 template <class M>
-int settle(const Direct& solver, System<M>& system, Bodies<M>& bodies, DirectWork<M>& work) {
+int solve_resumed(const Direct& solver, System<M>& system, Bodies<M>& bodies, DirectWork<M>& work) {
   const auto& nodes = work.plan.nodes;
   const bool turned = M::angular == 3 && solver.factorisation == Factorisation::structured &&
                       std::any_of(nodes.begin(), nodes.end(), [](const auto& node) { return node.edge < 0; });
-  const auto largest = [](const std::vector<double>& numbers) {
-    return std::abs(*std::max_element(numbers.begin(), numbers.end(),
-                                      [](double a, double b) { return std::abs(a) < std::abs(b); }));
-  };
   for (int round = 1;; ++round) {
     solve_change(solver, system, bodies, work);
-    if (!turned || round == solver.rounds || largest(work.change) <= 1e-14 * largest(system.lambda)) return round;
+    if (!turned || round == solver.rounds || largest_of(work.change) <= 1e-14 * largest_of(system.lambda))
+      return round;
   }
 }
 
+/// ½Δλᵀ(A + γ)Δλ + Δλᵀ(JV + b + γλ) for the Δλ since the solve began, from the velocities before and after.
+/// Impulses within their bounds minimise it, and it begins at zero: a positive value is energy that no bias asked
+/// for.
 template <class M>
-void solve_active(const Direct& solver, System<M>& system, Bodies<M>& bodies, DirectWork<M>& work) {
-  solve_change(solver, system, bodies, work);
-  hold(system, work.change);
-  apply_all(system, work.change, bodies.velocity);
-}
-
-/// ½Δλᵀ(A + γ)Δλ + Δλᵀ(JV + b + γλ) of what a solve has added, from both velocities: what impulses within their
-/// bounds lower, and begin with at zero. Above it an answer makes energy that no bias asked for.
-template <class M>
-double objective(const System<M>& system, const std::vector<double>& lambda_before,
-                 const std::vector<Velocity<M>>& before, const std::vector<Velocity<M>>& after) {
+double objective(const System<M>& system, const std::vector<Velocity<M>>& velocity, DirectWork<M>& work) {
+  rates_of(system, work.velocity_before, work.offset);
+  rates_of(system, velocity, work.change);
   double sum = 0;
-  system.for_each_run([&]<int K, Bound B>(std::span<const Block<M, K, B>> blocks) {
-    for (const auto& block : blocks) {
-      const Rows<K> rates = dot(block.J, before[block.body1], before[block.body2]) +
-                            dot(block.J, after[block.body1], after[block.body2]);
-      for (int k = 0; k < K; ++k) {
-        const int row = block.row + k;
-        const double now = system.lambda[row], was = lambda_before[row];
-        sum += (now - was) * (0.5 * (rates[k] + system.gamma[row] * (now + was)) + system.bias[row]);
-      }
-    }
-  });
+  for (int k = 0; k < system.rows(); ++k) {
+    const double rates = work.offset[k] + work.change[k], now = system.lambda[k], was = work.lambda_before[k];
+    sum += (now - was) * (0.5 * (rates + system.gamma[k] * (now + was)) + system.bias[k]);
+  }
   return sum;
 }
 
 //! [active_set]
-/// Solve what is not at a bound, hold what breaks one, let sweeps tell what else would move. Friction that slides
-/// is held at a bound that lags behind its normal; where the two drive each other up, sweeps begin anew.
+/// Solves the rows that are not at a bound, clamps λ, and lets sweeps find the rows that change sides. The bounds
+/// of friction follow the normal impulses with a delay. If the two drive each other up, sweeps start again from
+/// the beginning.
 template <class M>
 int solve_with_bounds(const Direct& solver, System<M>& system, Bodies<M>& bodies, Prepared<M>& prepared,
                       DirectWork<M>& work, Begin begin) {
@@ -115,21 +81,25 @@ int solve_with_bounds(const Direct& solver, System<M>& system, Bodies<M>& bodies
     apply_all(system, system.lambda, bodies.velocity);
     std::fill(work.lambda_before.begin(), work.lambda_before.end(), 0.0);
   }
-  const auto sweeps_settle = [&](int most) {
+  const auto sweeps_converge = [&](int most) {
     for (int i = 0; i < most; ++i)
       if (watched_sweep(system, prepared, bodies.velocity) <= solver.tolerance) return true;
     return false;
   };
   for (int round = 1; round <= solver.rounds; ++round) {
     find_active(system, work.active);
-    solve_active(solver, system, bodies, work);
-    if (sweeps_settle(3)) return round;
+    solve_change(solver, system, bodies, work);
+    work.change = system.lambda;
+    hold_within_bounds(system, system.lambda);
+    for (int k = 0; k < system.rows(); ++k) work.change[k] = system.lambda[k] - work.change[k];
+    apply_all(system, work.change, bodies.velocity);
+    if (sweeps_converge(3)) return round;
   }
-  if (!(objective(system, work.lambda_before, work.velocity_before, bodies.velocity) <= 0)) {
+  if (!(objective(system, bodies.velocity, work) <= 0)) {
     system.lambda = work.lambda_before;
     bodies.velocity = work.velocity_before;
   }
-  sweeps_settle(100 * solver.rounds);
+  sweeps_converge(100 * solver.rounds);
   return solver.rounds;
 }
 //! [active_set]
@@ -146,13 +116,11 @@ template <class M>
 int solve(const Direct& solver, System<M>& system, Bodies<M>& bodies, Prepared<M>& prepared, DirectWork<M>& work,
           Begin begin) {
   if (system.rows() == 0) return 0;
-  if (system.bounded || begin == Begin::again) {
-    work.offset.resize(system.rows());
-    work.change.resize(system.rows());
-  }
+  work.offset.resize(system.rows());
+  work.change.resize(system.rows());
   if (system.bounded) return solve_with_bounds(solver, system, bodies, prepared, work, begin);
   work.active.clear();
-  if (begin == Begin::again) return settle(solver, system, bodies, work);
+  if (begin == Begin::resume) return solve_resumed(solver, system, bodies, work);
   solve_equations(solver, system, system.bias, bodies, work, system.lambda);
   apply_all(system, system.lambda, bodies.velocity);
   return 1;

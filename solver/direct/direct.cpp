@@ -2,7 +2,6 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace byhand {
@@ -14,41 +13,58 @@ constexpr int largest_size = 6;  // of any model's rows or degrees of freedom
 
 [[noreturn]] void refuse_singular() {
   throw SingularSystem(
-      "the direct solve met a row that repeats or contradicts other rows, so that its impulses have no "
-      "single answer; "
-      "remove what repeats, or set a regularisation above 0 (1e-9 is a good start)");
+      "the direct solve met a row that repeats or contradicts other rows, so that its impulses have no single "
+      "answer; remove what repeats, or set a regularisation above 0 (1e-9 is a good start)");
 }
 
-/// A block's size, known to the compiler where it can be: all edges have S rows, all hubs dof; S = 0 asks the
-/// node.
+template <int n>
+using Constant = std::integral_constant<int, n>;
+
+/// Calls f(the node's size), as a constant where all edges have S rows; S = 0 where they differ.
 template <int S, int dof, class F>
 inline void with_size(const Elimination::Node& node, F&& f) {
   if constexpr (S == 0)
     f(node.size);
   else if (S == dof || node.edge >= 0)
-    f(std::integral_constant<int, S>());
+    f(Constant<S>());
   else
-    f(std::integral_constant<int, dof>());
+    f(Constant<dof>());
 }
 
-/// Inverse of a symmetric n × n matrix in place, by symmetric sweeps without pivoting: the order of
-/// elimination makes every pivot definite, positive for edges and negative for hubs. A row that has no effect
-/// to begin with (zero on its `diagonal`) gets zeros, and so no impulse. Returns whether every pivot stands
-/// out from rounding.
+// Products of small row-major matrices. Sums run in ascending order.
+
+/// Σₖ a[k] b[k stride] of n >= 1 terms.
+template <class Size>
+inline double dot(const double* a, const double* b, Size n, int stride = 1) {
+  double sum = a[0] * b[0];
+  for (int k = 1; k < n; ++k) sum += a[k] * b[k * stride];
+  return sum;
+}
+
+/// C -= A Bᵀ, where A is m × n, B is r × n and C is m × r.
+template <class Rows, class Columns, class Terms>
+inline void subtract_product(double* C, const double* A, const double* B, Rows m, Columns r, Terms n) {
+  for (int i = 0; i < m; ++i)
+    for (int j = 0; j < r; ++j) C[i * r + j] -= dot(A + i * n, B + j * n, n);
+}
+
+/// Inverts a symmetric n × n matrix in place, by symmetric sweeps without pivoting: in the order of elimination
+/// every pivot is definite, positive for edges and negative for hubs. A row without effect, whose `diagonal` was
+/// zero before elimination, becomes zero and so gets no impulse. Returns whether every pivot is larger than
+/// rounding.
 template <class Size>
 inline bool invert(double* A, const double* diagonal, Size n) {
-  if constexpr (std::is_same_v<Size, std::integral_constant<int, 2>>) {
+  if constexpr (std::is_same_v<Size, Constant<2>>) {
     const double determinant = A[0] * A[3] - A[1] * A[1];
     if (std::abs(determinant) > smallest_pivot * std::abs(diagonal[0] * diagonal[1])) {
-      // One division instead of two that wait for each other.
-      const double inverse = 1 / determinant, first = A[0];
+      const double inverse = 1 / determinant, first = A[0];  // one division instead of two in sequence
       A[0] = A[3] * inverse;
       A[3] = first * inverse;
       A[1] = A[2] = -A[1] * inverse;
       return true;
     }
   }
-  if constexpr (std::is_same_v<Size, std::integral_constant<int, 3>>) {
+  if constexpr (std::is_same_v<Size, Constant<3>>) {
     const double c00 = A[4] * A[8] - A[5] * A[5], c01 = A[5] * A[2] - A[1] * A[8], c02 = A[1] * A[5] - A[4] * A[2];
     const double determinant = A[0] * c00 + A[1] * c01 + A[2] * c02;
     if (std::abs(determinant) > smallest_pivot * std::abs(diagonal[0] * diagonal[1] * diagonal[2])) {
@@ -84,7 +100,7 @@ inline bool invert(double* A, const double* diagonal, Size n) {
   return regular;
 }
 
-/// -M of a hub, which is where its unknown ΔV enters: Jᵀλ - M ΔV = 0.
+/// -M of a hub: its unknown ΔV obeys Jᵀλ - M ΔV = 0.
 template <class M>
 void write_minus_mass(const InverseMass<M>& inverse_mass, const Pose<M>& pose, double* D) {
   Eigen::Map<Eigen::Matrix<double, M::dof, M::dof, Eigen::RowMajor>> mass(D);
@@ -99,15 +115,15 @@ template <int S, class M>
 void assemble(const Direct& solver, const System<M>& system, const double* offset, const Bodies<M>& bodies,
               DirectWork<M>& work) {
   constexpr int dof = M::dof;
-  // Held here, for all the compiler knows each number that is written might move the vectors.
-  const std::span nodes(work.plan.nodes);
+  // Local copies: the compiler cannot know that no write changes the originals.
+  const auto* nodes = work.plan.nodes.data();
   const auto* views = work.views.data();
+  const char* is_folded = work.plan.folded.data();
   double *values = work.values.data(), *unknowns = work.unknowns.data(), *diagonals = work.diagonal.data();
-  const double *V = bodies.velocity.front().data(), *gamma = system.gamma.data();
-  const double regularisation = solver.regularisation;
+  const double *V = bodies.velocity.front().data(), *gamma = system.gamma.data(),
+               regularisation = solver.regularisation;
   for (const auto& [first, count] : work.plan.fill_in) std::fill_n(values + first, count, 0.0);
-  for (std::size_t p = 0; p < nodes.size(); ++p) {
-    const auto& node = nodes[p];
+  for (const auto& node : work.plan.nodes) {
     double *D = values + node.diagonal, *b = unknowns + node.row, *diagonal = diagonals + node.row;
     if (node.edge < 0) {
       write_minus_mass<M>(bodies.inverse_mass[node.hub], bodies.pose[node.hub], D);
@@ -117,13 +133,13 @@ void assemble(const Direct& solver, const System<M>& system, const double* offse
       }
       continue;
     }
-    const auto view = views[p];
+    const auto view = views[node.edge];
     const double *v1 = V + dof * view.body1, *v2 = V + dof * view.body2;
-    const bool folded = view.folded1 && view.folded2;
+    const bool folded1 = is_folded[view.body1], folded2 = is_folded[view.body2], folded = folded1 && folded2;
     with_size<S, dof>(node, [&](auto n) {
       for (int k = 0; k < n; ++k) {
         const double* J = view.J + 2 * dof * k;
-        double rate = 0, late = offset[view.row + k];
+        double rate = 0, late = offset[node.lambda + k];
         for (int i = 0; i < dof; ++i) {
           rate += J[i] * v1[i];
           late += J[dof + i] * v2[i];
@@ -131,15 +147,11 @@ void assemble(const Direct& solver, const System<M>& system, const double* offse
         b[k] = -(rate + late);
         for (int l = 0; l <= k; ++l) {
           const double* W = view.W + 2 * dof * l;
-          double by_body1 = J[0] * W[0], by_body2 = J[dof] * W[dof];
-          for (int i = 1; i < dof; ++i) {
-            by_body1 += J[i] * W[i];
-            by_body2 += J[dof + i] * W[dof + i];
-          }
+          const double by_body1 = dot(J, W, Constant<dof>()), by_body2 = dot(J + dof, W + dof, Constant<dof>());
           const double whole = by_body1 + by_body2;
-          double entry = folded ? whole : (view.folded1 ? by_body1 : 0.0) + (view.folded2 ? by_body2 : 0.0);
+          double entry = folded ? whole : (folded1 ? by_body1 : 0.0) + (folded2 ? by_body2 : 0.0);
           if (k == l) {
-            const double soft = regularisation * whole + gamma[view.row + k];
+            const double soft = regularisation * whole + gamma[node.lambda + k];
             diagonal[k] = whole + soft;
             entry += soft;
           }
@@ -149,78 +161,54 @@ void assemble(const Direct& solver, const System<M>& system, const double* offse
     });
   }
   for (const auto& coupling : work.plan.couplings) {
-    const auto &earlier = nodes[coupling.earlier], &later = nodes[coupling.later];
+    const auto &earlier = nodes[coupling.earlier.node], &later = nodes[coupling.later.node];
+    const double* J = earlier.edge < 0 ? views[later.edge].J + dof * coupling.later.side
+                                       : views[earlier.edge].J + dof * coupling.earlier.side;
     double* block = values + coupling.block;
-    const double* J = (earlier.edge < 0 ? views[coupling.later].J + dof * coupling.later_side
-                                        : views[coupling.earlier].J + dof * coupling.earlier_side);
-    if (later.edge < 0) {
-      with_size<S, dof>(earlier, [&](auto n) {
-        for (int i = 0; i < dof; ++i)
-          for (int k = 0; k < n; ++k) block[i * n + k] = J[2 * dof * k + i];
-      });
-    } else if (earlier.edge < 0) {
-      with_size<S, dof>(later, [&](auto n) {
-        for (int k = 0; k < n; ++k)
-          for (int i = 0; i < dof; ++i) block[k * dof + i] = J[2 * dof * k + i];
-      });
-    } else {
-      const double* W = views[coupling.later].W + dof * coupling.later_side;
-      with_size<S, dof>(earlier, [&](auto n) {
-        with_size<S, dof>(later, [&](auto m) {
-          for (int l = 0; l < m; ++l)
-            for (int k = 0; k < n; ++k) {
-              double sum = W[2 * dof * l] * J[2 * dof * k];
-              for (int i = 1; i < dof; ++i) sum += W[2 * dof * l + i] * J[2 * dof * k + i];
-              block[l * n + k] = coupling.adds ? block[l * n + k] + sum : sum;
+    with_size<S, dof>(earlier, [&](auto n) {
+      with_size<S, dof>(later, [&](auto m) {
+        for (int i = 0; i < m; ++i)
+          for (int k = 0; k < n; ++k) {
+            double& entry = block[i * n + k];
+            if (later.edge < 0) {
+              entry = J[2 * dof * k + i];
+            } else if (earlier.edge < 0) {
+              entry = J[2 * dof * i + k];
+            } else {
+              const double* W = views[later.edge].W + dof * coupling.later.side;
+              const double term = dot(W + 2 * dof * i, J + 2 * dof * k, Constant<dof>());
+              entry = coupling.adds ? entry + term : term;
             }
-        });
+          }
       });
-    }
+    });
   }
 }
 
 //! [factor]
-/// Eliminates node after node: the blocks become L and the inverses of the pivots D, A = L D Lᵀ, and the
-/// unknowns become L⁻¹ times the right-hand side.
+/// Eliminates node after node: the blocks become L and the inverses of the pivots D, A = L D Lᵀ, and the unknowns
+/// become L⁻¹ times the right-hand side.
 template <int S, int dof>
 void eliminate(const Elimination& plan, double* values, double* unknowns, const double* diagonal) {
   bool regular = true;
   for (const auto& node : plan.nodes)
     with_size<S, dof>(node, [&](auto n) {
       double* D = values + node.diagonal;
-      const double* x = unknowns + node.row;
       regular = invert(D, diagonal + node.row, n) && regular;
       for (int a = node.first; a < node.last; ++a) {
         const auto& neighbour = plan.neighbours[a];
-        with_size<S, dof>(plan.nodes[neighbour.node], [&](auto m) {
-          double* A = values + neighbour.block;
-          double L[largest_size * largest_size];
+        const auto& later = plan.nodes[neighbour.node];
+        with_size<S, dof>(later, [&](auto m) {
+          double *A = values + neighbour.block, L[largest_size * largest_size];
           for (int i = 0; i < m; ++i)
-            for (int k = 0; k < n; ++k) {
-              double sum = A[i * n] * D[k];
-              for (int l = 1; l < n; ++l) sum += A[i * n + l] * D[l * n + k];
-              L[i * n + k] = sum;
-            }
+            for (int k = 0; k < n; ++k) L[i * n + k] = dot(A + i * n, D + k, n, n);
           const int* target = &plan.targets[neighbour.targets];
-          for (int b = a; b < node.last; ++b, ++target) {
-            const double* B = values + plan.neighbours[b].block;
-            double* into = values + *target;
+          for (int b = a; b < node.last; ++b, ++target)
             with_size<S, dof>(plan.nodes[plan.neighbours[b].node], [&](auto r) {
-              for (int j = 0; j < r; ++j)
-                for (int i = 0; i < m; ++i) {
-                  double sum = B[j * n] * L[i * n];
-                  for (int k = 1; k < n; ++k) sum += B[j * n + k] * L[i * n + k];
-                  into[j * m + i] -= sum;
-                }
+              subtract_product(values + *target, values + plan.neighbours[b].block, L, r, m, n);
             });
-          }
-          double* y = unknowns + plan.nodes[neighbour.node].row;
-          for (int i = 0; i < m; ++i) {
-            double sum = L[i * n] * x[0];
-            for (int k = 1; k < n; ++k) sum += L[i * n + k] * x[k];
-            y[i] -= sum;
-          }
-          for (int i = 0; i < m * n; ++i) A[i] = L[i];
+          subtract_product(unknowns + later.row, L, unknowns + node.row, m, Constant<1>(), n);
+          std::copy_n(L, m * n, A);
         });
       }
     });
@@ -228,24 +216,17 @@ void eliminate(const Elimination& plan, double* values, double* unknowns, const 
 }
 //! [factor]
 
-/// From the last node back to the first: x = D⁻¹y - Lᵀ x_later, of which `change` becomes the edges' part.
+/// From the last node back to the first: x = D⁻¹y - Lᵀ x_later. `change` becomes the x of the edges.
 template <int S, class M>
 void substitute_back(DirectWork<M>& work, double* change) {
   const Elimination& plan = work.plan;
   const double* values = work.values.data();
   double* unknowns = work.unknowns.data();
-  for (std::size_t p = plan.nodes.size(); p-- > 0;) {
-    const auto& node = plan.nodes[p];
-    with_size<S, M::dof>(node, [&](auto n) {
-      const double* D = values + node.diagonal;
-      double* x = unknowns + node.row;
-      double solved[largest_size];
-      for (int k = 0; k < n; ++k) {
-        double sum = D[k * n] * x[0];
-        for (int l = 1; l < n; ++l) sum += D[k * n + l] * x[l];
-        solved[k] = sum;
-      }
-      for (int a = node.first; a < node.last; ++a) {
+  for (auto node = plan.nodes.rbegin(); node != plan.nodes.rend(); ++node)
+    with_size<S, M::dof>(*node, [&](auto n) {
+      double *x = unknowns + node->row, solved[largest_size];
+      for (int k = 0; k < n; ++k) solved[k] = dot(values + node->diagonal + k * n, x, n);
+      for (int a = node->first; a < node->last; ++a) {
         const auto& later = plan.nodes[plan.neighbours[a].node];
         const double *L = values + plan.neighbours[a].block, *y = unknowns + later.row;
         with_size<S, M::dof>(later, [&](auto m) {
@@ -253,107 +234,64 @@ void substitute_back(DirectWork<M>& work, double* change) {
             for (int k = 0; k < n; ++k) solved[k] -= L[i * n + k] * y[i];
         });
       }
-      for (int k = 0; k < n; ++k) x[k] = solved[k];
-      if (node.edge < 0) return;
-      double* to = change + work.views[p].row;
-      for (int k = 0; k < n; ++k) to[k] = solved[k];
+      std::copy_n(solved, +n, x);
+      if (node->edge >= 0) std::copy_n(solved, +n, change + node->lambda);
     });
-  }
 }
 
-template <int S, class M>
-void solve_structured(const Direct& solver, const System<M>& system, const double* offset, const Bodies<M>& bodies,
-                      DirectWork<M>& work, double* change) {
-  assemble<S>(solver, system, offset, bodies, work);
-  eliminate<S, M::dof>(work.plan, work.values.data(), work.unknowns.data(), work.diagonal.data());
-  substitute_back<S>(work, change);
-}
-
-/// Copies the blocks that have bounds, without their inactive rows.
-template <class M>
-void mask_blocks(const System<M>& system, DirectWork<M>& work) {
-  system.for_each_type([&]<int K, Bound B>(const std::vector<Block<M, K, B>>& blocks) {
-    if constexpr (B != Bound::none) {
-      auto& masked = std::get<block_type<M, K, B>()>(work.masked);
-      masked = blocks;
-      for (auto& block : masked)
-        for (int k = 0; k < K; ++k)
-          if (!work.active[block.row + k]) {
-            block.J.matrix.row(k).setZero();
-            block.W.matrix.row(k).setZero();
-          }
-    }
-  });
-}
-
-/// Where each node finds its J and M⁻¹Jᵀ. That changes only with the layout, or where the blocks stand.
+/// Finds J and M⁻¹Jᵀ of every edge. Where rows are inactive these are copies with zeros in such rows.
 template <class M>
 void view_blocks(const System<M>& system, DirectWork<M>& work) {
-  const Elimination& plan = work.plan;
-  const auto seen = [&]<int K, Bound B>(const std::vector<Block<M, K, B>>& blocks) -> const auto& {
-    return B == Bound::none || work.active.empty() ? blocks : std::get<block_type<M, K, B>()>(work.masked);
-  };
-  typename DirectWork<M>::FirstJ first{};
-  system.for_each_type([&]<int K, Bound B>(const std::vector<Block<M, K, B>>& blocks) {
-    if (!blocks.empty()) first[block_type<M, K, B>()] = seen(blocks).front().J.matrix.data();
-  });
-  if (work.layout == system.layout && work.viewed == first) return;
-  work.layout = system.layout;
-  work.viewed = first;
-  work.views.resize(plan.nodes.size());
-  work.size = -1;
-  work.answered = 0;
-  std::size_t p = 0;
+  const bool all_active = work.active.empty();
+  if (!all_active) {
+    work.masked = system.blocks;
+    const auto mask = [&](auto& blocks) {
+      for (auto& block : blocks)
+        for (int k = 0; k < block.J.matrix.rows(); ++k)
+          if (!work.active[block.row + k])
+            for (auto* matrix : {&block.J.matrix, &block.W.matrix}) matrix->row(k).setZero();
+    };
+    std::apply([&](auto&... blocks) { (mask(blocks), ...); }, work.masked);
+  }
+  work.views.resize(work.plan.order.size());
+  auto* view = work.views.data();
   for (const Run& run : system.runs)
     for_type<M>(run.type, [&](auto type) {
-      for (const auto& block : part(seen(std::get<type>(system.blocks)), run)) {
-        while (p < plan.nodes.size() && plan.nodes[p].edge < 0) ++p;
-        if (p == plan.nodes.size()) return;  // edges between fixed bodies follow
-        const int rows = plan.nodes[p].size;
-        work.size = work.size == -1 || work.size == rows ? rows : 0;
-        work.answered = block.row + rows;
-        work.views[p++] = {
-            block.J.matrix.data(),         block.W.matrix.data(),        block.row, block.body1, block.body2,
-            plan.folded[block.body1] != 0, plan.folded[block.body2] != 0};
-      }
+      for (const auto& block : part<type>(all_active ? system.blocks : work.masked, run))
+        *view++ = {block.J.matrix.data(), block.W.matrix.data(), block.body1, block.body2};
     });
 }
 
 template <class M>
-void solve_dense(const Direct& solver, const System<M>& system, const double* offset, const Bodies<M>& bodies,
-                 const std::vector<char>& active, double* change) {
+void solve_dense(const Direct& solver, const System<M>& system, const std::vector<double>& offset,
+                 const Bodies<M>& bodies, const std::vector<char>& active, std::vector<double>& change) {
   constexpr int dof = M::dof;
-  const int rows = system.rows();
-  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(rows, dof * bodies.size()), W = J;
-  Eigen::VectorXd V(dof * bodies.size());
-  for (int body = 0; body < bodies.size(); ++body) V.segment<dof>(dof * body) = bodies.velocity[body];
+  const int rows = system.rows(), columns = dof * bodies.size();
+  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(rows, columns), W = J;
   system.for_each_run([&]<int K, Bound B>(std::span<const Block<M, K, B>> blocks) {
     for (const auto& block : blocks)
-      for (int k = 0; k < K; ++k)
-        for (int i = 0; i < dof; ++i) {
-          J(block.row + k, dof * block.body1 + i) = block.J.matrix(k, i);
-          J(block.row + k, dof * block.body2 + i) = block.J.matrix(k, dof + i);
-          W(block.row + k, dof * block.body1 + i) = block.W.matrix(k, i);
-          W(block.row + k, dof * block.body2 + i) = block.W.matrix(k, dof + i);
-        }
+      for (auto [whole, part] : {std::pair(&J, &block.J), std::pair(&W, &block.W)}) {
+        whole->template block<K, dof>(block.row, dof * block.body1) = part->side1();
+        whole->template block<K, dof>(block.row, dof * block.body2) = part->side2();
+      }
   });
+  using Vector = Eigen::Map<const Eigen::VectorXd>;
+  const Vector V(bodies.velocity.front().data(), columns);
   Eigen::MatrixXd A = J * W.transpose();
-  Eigen::VectorXd right = -(J * V + Eigen::Map<const Eigen::VectorXd>(offset, rows));
+  Eigen::VectorXd right = -(J * V + Vector(offset.data(), rows));
   for (int i = 0; i < rows; ++i) {
-    if (!active.empty() && !active[i]) {
+    if (active.empty() || active[i]) {
+      A(i, i) += solver.regularisation * A(i, i) + system.gamma[i];
+    } else {
       A.row(i).setZero();
       A.col(i).setZero();
-      right[i] = 0;
-      A(i, i) = 1;
-      continue;
     }
-    A(i, i) += solver.regularisation * A(i, i) + system.gamma[i];
-    if (A(i, i) == 0) A(i, i) = 1, right[i] = 0;  // a row without effect gets no impulse
+    if (A(i, i) == 0) A(i, i) = 1, right[i] = 0;  // an inactive row or one without effect gets no impulse
   }
   const Eigen::LDLT<Eigen::MatrixXd> factor(A);
   const Eigen::VectorXd pivots = factor.vectorD(), diagonal = factor.transpositionsP() * A.diagonal();
   if ((pivots.array().abs() <= smallest_pivot * diagonal.array()).any()) refuse_singular();
-  Eigen::Map<Eigen::VectorXd>(change, rows) = factor.solve(right);
+  Eigen::Map<Eigen::VectorXd>(change.data(), rows) = factor.solve(right);
 }
 
 }  // namespace
@@ -361,38 +299,37 @@ void solve_dense(const Direct& solver, const System<M>& system, const double* of
 template <class M>
 void solve_equations(const Direct& solver, const System<M>& system, const std::vector<double>& offset,
                      const Bodies<M>& bodies, DirectWork<M>& work, std::vector<double>& change) {
-  const double* b = offset.data();
-  double* x = change.data();
-  if (solver.factorisation == Factorisation::dense) {
-    solve_dense(solver, system, b, bodies, work.active, x);
-    return;
-  }
-  work.values.resize(work.plan.values);
-  work.unknowns.resize(work.plan.unknowns);
-  work.diagonal.resize(work.plan.unknowns);
-  if (!work.active.empty()) mask_blocks(system, work);
+  if (solver.factorisation == Factorisation::dense)
+    return solve_dense(solver, system, offset, bodies, work.active, change);
+  const Elimination& plan = work.plan;
+  work.values.resize(plan.values);
+  work.unknowns.resize(plan.unknowns);
+  work.diagonal.resize(plan.unknowns);
   view_blocks(system, work);
-  if (work.size == 1)
-    solve_structured<1>(solver, system, b, bodies, work, x);
-  else if (work.size == M::linear)
-    solve_structured<M::linear>(solver, system, b, bodies, work, x);
-  else if (M::dof == 3 && work.size == 3)  // welds and faces
-    solve_structured<3>(solver, system, b, bodies, work, x);
+  const auto structured = [&]<int S>(Constant<S>) {
+    assemble<S>(solver, system, offset.data(), bodies, work);
+    eliminate<S, M::dof>(plan, work.values.data(), work.unknowns.data(), work.diagonal.data());
+    substitute_back<S>(work, change.data());
+  };
+  if (plan.edge_size == 1)
+    structured(Constant<1>());
+  else if (plan.edge_size == M::linear)
+    structured(Constant<M::linear>());
+  else if (M::dof == 3 && plan.edge_size == 3)  // welds and faces
+    structured(Constant<3>());
   else
-    solve_structured<0>(solver, system, b, bodies, work, x);
-  // Between fixed bodies a row's own softness alone can answer.
-  for (int row = work.answered; row < system.rows(); ++row)
-    x[row] = system.gamma[row] > 0 ? -b[row] / system.gamma[row] : 0.0;
+    structured(Constant<0>());
+  for (int row = plan.edge_rows; row < system.rows(); ++row)  // between fixed bodies only softness can give way
+    change[row] = system.gamma[row] > 0 ? -offset[row] / system.gamma[row] : 0.0;
 }
 
 template <class M>
 void solve_again(const std::vector<double>& offset, DirectWork<M>& work, std::vector<double>& change) {
   const Elimination& plan = work.plan;
-  std::fill(work.unknowns.begin(), work.unknowns.end(), 0.0);
   std::fill(change.begin(), change.end(), 0.0);
-  for (std::size_t p = 0; p < plan.nodes.size(); ++p)
-    for (int k = 0; plan.nodes[p].edge >= 0 && k < plan.nodes[p].size; ++k)
-      work.unknowns[plan.nodes[p].row + k] = -offset[work.views[p].row + k];
+  for (const auto& node : plan.nodes)
+    for (int k = 0; k < node.size; ++k)
+      work.unknowns[node.row + k] = node.edge < 0 ? 0.0 : -offset[node.lambda + k];
   for (const auto& node : plan.nodes)  // L⁻¹ times the right-hand side
     for (int a = node.first; a < node.last; ++a) {
       const auto& later = plan.nodes[plan.neighbours[a].node];
@@ -407,16 +344,6 @@ void solve_again(const std::vector<double>& offset, DirectWork<M>& work, std::ve
 long long direct_row_solves(const Direct& solver, const Elimination& plan, long long rows, int dof) {
   const long long dense = rows * rows * rows / 6 + rows * rows;
   return (solver.factorisation == Factorisation::dense ? dense : plan.multiplications) / (4 * dof) + 1;
-}
-
-long long row_solves_again(const Elimination& plan, int dof) {
-  long long multiplications = 0;
-  for (const auto& node : plan.nodes) {
-    multiplications += node.size * node.size;
-    for (int a = node.first; a < node.last; ++a)
-      multiplications += 2 * node.size * plan.nodes[plan.neighbours[a].node].size;
-  }
-  return multiplications / (4 * dof) + 1;
 }
 
 #define BYHAND_INSTANTIATE(M)                                                                                  \

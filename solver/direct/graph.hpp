@@ -4,8 +4,7 @@
 
 namespace byhand {
 
-/// A constraint as the order of solving sees it: the moving bodies it joins and how many rows it has. A body
-/// that does not move passes nothing on and is left out as `no_body`.
+/// A constraint as an edge between bodies. A fixed body transmits no impulse and is `no_body`.
 struct Edge {
   static constexpr int no_body = -1;
   int body1 = no_body, body2 = no_body;
@@ -14,69 +13,70 @@ struct Edge {
   bool inert() const { return body1 == no_body && body2 == no_body; }
 };
 
-/// The bodies of a scene as points, its constraints as the edges between them, in the order in which they
-/// were added.
+/// The bodies of a scene as vertices and its constraints as edges, in the order in which they were added.
 struct Graph {
   int bodies = 0;
   std::vector<Edge> edges;
 };
 
-/// Whether no two ways lead from one body to another, what does not move counting as one body. Then the rows are
-/// independent wherever each constraint's own are.
+/// Whether the graph is a forest, with all fixed bodies as one vertex. Then the rows of different constraints are
+/// independent.
 bool has_no_loops(const Graph& graph);
 
-/// Edge numbers such that those of one colour share no moving body and stand together: a greedy colouring in
-/// natural order, colour by colour. A chain comes out red–black.
+/// Edge numbers sorted by colour, where edges of one colour share no moving body: a greedy colouring in natural
+/// order. A chain becomes red–black.
 std::vector<int> coloured_order(const Graph& graph);
 
-/// The plan of a sparse block elimination: all that depends on the graph alone, and is kept while the graph
-/// stays.
+/// The plan of a sparse block elimination, which depends on the graph alone.
 ///
-/// The unknowns are nodes: each edge's λ, and the change of velocity of each hub, a body that many edges
-/// share. Nodes stand in the order in which they are eliminated. The matrix and then its factor L are blocks
-/// in one array of numbers, row-major, each (size of the later node) × (size of the earlier one).
+/// The unknowns are nodes in order of elimination: each edge's λ, and the change of velocity of each hub, a body
+/// with many edges. The matrix, and later its factor L, consists of row-major blocks in one array of numbers, each
+/// of (size of the later node) × (size of the earlier one).
 struct Elimination {
   struct Node {
-    int edge = -1;            // its number in the graph, or -1 for a hub
+    int edge = -1;            // its place in `order`, or -1 for a hub
     int hub = Edge::no_body;  // the hub's body
     int size = 0;             // rows of the edge, or degrees of freedom of the hub
-    int diagonal = 0;         // where its own block stands
-    int row = 0;              // where its unknowns stand, edges and hubs together
-    int first = 0, last = 0;  // its later neighbours: a range of `neighbours`
+    int diagonal = 0;         // offset of its diagonal block
+    int row = 0;              // of its first unknown, edges and hubs counted together
+    int lambda = 0;           // of an edge: its first row in λ
+    int first = 0, last = 0;  // its neighbours that are eliminated later: a range of `neighbours`
   };
   struct Neighbour {
-    int node = 0;     // eliminated later
-    int block = 0;    // where the block between the two stands
-    int targets = 0;  // in `targets`: where the products with this and each following neighbour are subtracted
+    int node = 0;
+    int block = 0;    // offset of the block between the two
+    int targets = 0;  // in `targets`: offsets of the blocks that this and each following neighbour update
   };
-  /// Two edges that meet in a folded body, or an edge at a hub: where their entry comes from before
-  /// elimination. `side` is 0 where the body is the edge's first, 1 where it is its second.
+  /// A term of a block before elimination: two edges at a folded body, or an edge at a hub.
   struct Coupling {
-    int earlier = 0, later = 0;
+    struct End {
+      int node, side;  // 0 where the body is the edge's first, 1 where it is its second
+    };
+    End earlier, later;
     int block = 0;
-    int earlier_side = 0, later_side = 0;
-    bool adds = false;  // the same two edges have met before, in another body
+    bool adds = false;  // to another term
+  };
+  struct Range {
+    int first, count;
   };
 
   std::vector<Node> nodes;
   std::vector<Neighbour> neighbours;
   std::vector<int> targets;
   std::vector<Coupling> couplings;
-  struct Range {
-    int first, count;
-  };
-  std::vector<Range> fill_in;     // blocks that begin as zero
-  std::vector<int> order;         // edge numbers as they are eliminated; edges between fixed bodies come last
-  std::vector<char> folded;       // by body: whether it is folded into A = JM⁻¹Jᵀ
-  int values = 0;                 // how many numbers all blocks hold
-  int unknowns = 0;               // how many rows all nodes have
-  long long multiplications = 0;  // of one factorisation with one solve
+  std::vector<Range> fill_in;    // blocks that are zero before elimination
+  std::vector<int> order;        // edge numbers in order of elimination, then the inert edges
+  std::vector<char> folded;      // by body: whether its mass is part of A = JM⁻¹Jᵀ, as for all but hubs
+  int edge_size = 0;             // the rows of every edge, 0 where they differ
+  int edge_rows = 0;             // the rows of all edges but the inert ones
+  int values = 0, unknowns = 0;  // the count of numbers in all blocks, of rows of all nodes
+  long long multiplications = 0, multiplications_again = 0;  // to factor and solve; to solve again
 };
 
-/// Plans by minimum degree with first-in-first-out ties, which takes a chain from both ends. A body with at
-/// most three edges is folded into A; with more it would make a clique of them, and stays an unknown. Before
-/// the hubs have gone A lacks their share, and is definite only among edges that have a body each, folded or
-/// eliminated: the others wait. `dof` is the size of a hub.
+/// Plans by minimum degree with first-in-first-out ties, which takes a chain from both ends. A body with at most
+/// three edges is folded into A; one with more would make a clique of them, and becomes a hub. As long as hubs are
+/// left, A is definite only among edges that each have a body of their own, folded or eliminated: the others are
+/// deferred. `dof` is the size of a hub.
 Elimination plan_elimination(const Graph& graph, int dof);
 
 }  // namespace byhand

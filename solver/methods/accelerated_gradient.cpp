@@ -5,32 +5,26 @@
 namespace byhand {
 namespace {
 
-/// D: each row's own A + γ; of friction in space the larger for both tangents, or Π would not be its disc's.
+/// D: the diagonal of A + γ. Both tangents of friction in space get the larger of theirs, so that Π stays a
+/// disc's.
 template <class M>
 void find_diagonal(const System<M>& system, std::vector<double>& D) {
   system.for_each_run([&]<int K, Bound B>(std::span<const Block<M, K, B>> blocks) {
     for (const auto& block : blocks) {
+      double* d = &D[block.row];
       for (int k = 0; k < K; ++k)
-        D[block.row + k] = block.J.matrix.row(k).dot(block.W.matrix.row(k)) + system.gamma[block.row + k];
-      if constexpr (K == 2 && B == Bound::friction)
-        D[block.row] = D[block.row + 1] = std::max(D[block.row], D[block.row + 1]);
+        d[k] = block.J.matrix.row(k).dot(block.W.matrix.row(k)) + system.gamma[block.row + k];
+      if constexpr (K == 2 && B == Bound::friction) d[0] = d[1] = std::max(d[0], d[1]);
     }
   });
 }
 
-/// `result` = Π(from - D⁻¹g/L). Rows stand in their natural order, so that a friction finds its normal held
-/// already.
+/// `result` = Π(from - D⁻¹g/L). In natural order, so that a friction finds its normal clamped already.
 template <class M>
 void step_within_bounds(const System<M>& system, const std::vector<double>& from, const std::vector<double>& g,
                         const std::vector<double>& D, double L, std::vector<double>& result) {
   for (std::size_t i = 0; i < from.size(); ++i) result[i] = D[i] > 0 ? from[i] - g[i] / (L * D[i]) : from[i];
-  system.for_each_run([&]<int K, Bound B>(std::span<const Block<M, K, B>> blocks) {
-    if constexpr (B != Bound::none)
-      for (const auto& block : blocks) {
-        Eigen::Map<Rows<K>> lambda(&result[block.row]);
-        lambda = bounded<K, B>(lambda, system.lower[block.row], system.upper[block.row], result[block.normal_row]);
-      }
-  });
+  hold_within_bounds(system, result);
 }
 
 }  // namespace
@@ -47,6 +41,7 @@ int solve(const AcceleratedGradient& solver, System<M>& system, std::vector<Velo
   const int rows = system.rows();
   auto& [D, g, now, y, g_at_y, next, change, best, q] = work;
   for (auto* numbers : {&D, &g, &now, &y, &g_at_y, &next, &change, &best}) numbers->resize(rows);
+  q.resize(velocities.size());
   begin_sweeps(system, solver.warm_start, begin, velocities);
   now = best = y = system.lambda;
   find_diagonal(system, D);
@@ -60,13 +55,10 @@ int solve(const AcceleratedGradient& solver, System<M>& system, std::vector<Velo
     for (;; L *= 2) {
       step_within_bounds(system, y, g_at_y, D, L, next);
       for (int i = 0; i < rows; ++i) next[i] -= y[i];  // Δ
-      q.assign(velocities.size(), Velocity<M>::Zero());
-      apply_all(system, next, q);
-      rates_of(system, q, change);
+      multiply(system, next, q, change);
       ++passes;
       double curvature = 0, bound = 0;
       for (int i = 0; i < rows; ++i) {
-        change[i] += system.gamma[i] * next[i];
         curvature += next[i] * change[i];
         bound += next[i] * D[i] * next[i];
       }
@@ -89,14 +81,11 @@ int solve(const AcceleratedGradient& solver, System<M>& system, std::vector<Velo
     std::swap(g, change);
     L *= 0.9;
 
-    // What one more step from here, without momentum, would still change, in units of C per second.
+    // The error [units of C per second]: what a further step without momentum would change.
     step_within_bounds(system, now, g, D, 1, next);
     double error = 0;
     for (int i = 0; i < rows; ++i) error = std::max(error, D[i] * std::abs(next[i] - now[i]));
-    if (error < smallest_error) {
-      smallest_error = error;
-      best = now;
-    }
+    if (error < smallest_error) smallest_error = error, best = now;
     if (error <= solver.tolerance) break;
   }
   for (int i = 0; i < rows; ++i) change[i] = best[i] - system.lambda[i];

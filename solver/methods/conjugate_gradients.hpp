@@ -6,33 +6,32 @@
 //
 //   (A + γ)λ = -(JV + b),   A = JM⁻¹Jᵀ
 //
-// is a symmetric positive semidefinite system, and each iteration takes the best step along a direction p that is
-// conjugate to all before: n iterations reach every answer that A's n different eigenvalues allow, so a chain of n
-// links is solved exactly. A is never formed. What λ has done is in V, so that the residual is r = -(JV + b + γλ)
-// as in (17), and what p would do is q = M⁻¹Jᵀp, so that Ap = Jq.
+// is a symmetric positive semidefinite system. Each iteration takes the best step along a direction p that is
+// conjugate to all directions before, so that a matrix with n different eigenvalues takes n iterations and a chain
+// of n links is solved exactly. A is never formed: the velocities contain the effect of λ, so that the residual is
+// r = -(JV + b + γλ) as in (17), and Ap = Jq with q = M⁻¹Jᵀp.
 //
-//   z = E r                          each block by itself: E = (JM⁻¹Jᵀ + γ)⁻¹ of its rows preconditions the whole
+//   z = E r                          the preconditioner: E = (JM⁻¹Jᵀ + γ)⁻¹ of each block by itself
 //   p = z + p (r·z)/(r·z)_before
 //   α = (r·z)/(p·(Jq + γp))
 //   λ += αp,   V += αq,   r -= α(Jq + γp)
 //
-// A bound would break the conjugacy: ConjugateSweeps is what is left of this then.
+// A bound would break the conjugacy; see ConjugateSweeps.
 //
 // Source: M. Hestenes, E. Stiefel, "Methods of conjugate gradients for solving linear systems", J. Research NBS
 // 49, 1952. An iteration costs JV and M⁻¹Jᵀλ once for each row, as a sweep does.
 namespace byhand {
 
-/// Conjugate gradients on the rows of a scene in which none is bounded.
+/// Conjugate gradients on the rows of a scene without bounds.
 struct ConjugateGradients {
   int iterations = 50;      // >= 1
-  double tolerance = 1e-9;  // >= 0: stop once no |JV + b + γλ| is larger [units of C per second]
+  double tolerance = 1e-9;  // >= 0: stop when no |JV + b + γλ| is larger [units of C per second]
   bool warm_start = true;   // begin with the λ of the last step
 };
 
-/// Throws std::invalid_argument for a choice outside the ranges above.
 void require_valid(const ConjugateGradients& solver);
 
-/// Scratch, kept so that no step allocates.
+/// Scratch.
 template <class M>
 struct ConjugateGradientWork {
   template <int K, Bound B>
@@ -43,8 +42,6 @@ struct ConjugateGradientWork {
   std::vector<Velocity<M>> q;       // by body
 };
 
-/// Solves the system's rows, none of them bounded, for λ and puts the impulses into the velocities. Returns how
-/// many iterations it took.
 template <class M>
 int solve(const ConjugateGradients& solver, System<M>& system, std::vector<Velocity<M>>& velocities,
           ConjugateGradientWork<M>& work, Begin begin = Begin::step);

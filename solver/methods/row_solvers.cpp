@@ -1,38 +1,6 @@
 #include "solver/methods/row_solvers.hpp"
 
 namespace byhand {
-namespace {
-
-/// One function out of several.
-template <class... F>
-struct Cases : F... {
-  using F::operator()...;
-};
-template <class... F>
-Cases(F...) -> Cases<F...>;
-
-/// Calls f with the solver that is meant.
-template <class F>
-auto with_choice(const RowSolver& solver, bool loopless, F&& f) {
-  return std::visit(
-      [&]<class Choice>(const Choice& choice) {
-        if constexpr (std::is_same_v<Choice, ByGraph>)
-          return loopless ? f(choice.loopless) : f(choice.loops);
-        else
-          return f(choice);
-      },
-      solver);
-}
-
-Layout layout_of(SweepOrder order) {
-  switch (order) {
-    case SweepOrder::reverse: return Layout::reverse;
-    case SweepOrder::coloured: return Layout::coloured;
-    default: return Layout::natural;
-  }
-}
-
-}  // namespace
 
 void require_valid(const ByGraph& choice) {
   require_valid(choice.loopless);
@@ -40,14 +8,19 @@ void require_valid(const ByGraph& choice) {
 }
 
 Layout wanted_layout(const RowSolver& solver, bool loopless) {
-  return with_choice(solver, loopless, [](const auto& choice) {
-    if constexpr (requires { choice.order; })
-      return layout_of(choice.order);
-    else if constexpr (requires { choice.factorisation; })
-      return choice.factorisation == Factorisation::structured ? Layout::elimination : Layout::natural;
-    else
-      return Layout::natural;
-  });
+  return std::visit(
+      [&](const auto& choice) {
+        if constexpr (requires { choice.loopless; })
+          return loopless ? wanted_layout(choice.loopless, true) : wanted_layout(choice.loops, false);
+        if constexpr (requires { choice.order; }) {
+          if (choice.order == SweepOrder::reverse) return Layout::reverse;
+          if (choice.order == SweepOrder::coloured) return Layout::coloured;
+        }
+        if constexpr (requires { choice.factorisation; })
+          if (choice.factorisation == Factorisation::structured) return Layout::elimination;
+        return Layout::natural;
+      },
+      solver);
 }
 
 template <class M>
@@ -63,21 +36,26 @@ void lay_out(const Scene<M>& scene, const RowSolver& solver, RowWork<M>& work) {
 template <class M>
 void solve_rows(const RowSolver& solver, Bodies<M>& bodies, RowWork<M>& work, Begin begin) {
   const long long rows = work.system.rows();
-  const auto passes = [&](const auto& choice, auto&... scratch) {
-    return rows * solve(choice, work.system, bodies.velocity, scratch..., begin);
+  const auto passes = [&](const auto& choice, auto& scratch) {
+    return solve(choice, work.system, bodies.velocity, scratch, begin);
   };
-  work.row_solves += with_choice(
-      solver, work.loopless,
-      Cases{[&](const GaussSeidel& choice) { return passes(choice, work.prepared); },
-            [&](const Jacobi& choice) { return passes(choice, work.prepared, work.change); },
-            [&](const ConjugateSweeps& choice) { return passes(choice, work.prepared, work.conjugate); },
-            [&](const ConjugateGradients& choice) { return passes(choice, work.conjugate_gradients); },
-            [&](const AcceleratedGradient& choice) { return passes(choice, work.accelerated_gradient); },
-            [&](const Direct& choice) {
-              const int rounds = solve(choice, work.system, bodies, work.prepared, work.direct, begin);
-              return rounds * (direct_row_solves(choice, work.direct.plan, rows, M::dof) +
-                               (work.system.bounded ? rows : 0));
-            }});
+  std::visit(
+      [&]<class Choice>(const Choice& choice) {
+        if constexpr (std::is_same_v<Choice, ByGraph>)
+          work.loopless ? solve_rows(choice.loopless, bodies, work, begin)
+                        : solve_rows(choice.loops, bodies, work, begin);
+        else if constexpr (std::is_same_v<Choice, Direct>)
+          work.row_solves +=
+              solve(choice, work.system, bodies, work.prepared, work.direct, begin) *
+              (direct_row_solves(choice, work.direct.plan, rows, M::dof) + work.system.bounded * rows);
+        else if constexpr (std::is_same_v<Choice, ConjugateGradients>)
+          work.row_solves += rows * passes(choice, work.conjugate_gradients);
+        else if constexpr (std::is_same_v<Choice, AcceleratedGradient>)
+          work.row_solves += rows * passes(choice, work.accelerated_gradient);
+        else
+          work.row_solves += rows * passes(choice, work.prepared);
+      },
+      solver);
 }
 
 #define BYHAND_INSTANTIATE(M)                                            \

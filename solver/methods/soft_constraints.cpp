@@ -36,7 +36,7 @@ void relax(const SoftConstraints& cure, const RowSolver& solver, double h, Scene
     system.gamma = work.gamma;
   }
   set_bias({}, h, system);
-  solve_rows(solver, scene.state(), rows, Begin::again);
+  solve_rows(solver, scene.state(), rows, Begin::resume);
 }
 
 #define BYHAND_INSTANTIATE(M)                                                  \

@@ -16,7 +16,7 @@ void push_poses(const SplitImpulse& cure, const RowSolver& solver, double h, Bod
   for (int i = 0; i < system.rows(); ++i) system.lambda[i] += work.pushes[i];
   apply_all(system, work.pushes, bodies.velocity);
   set_bias({cure.beta / h, cure.slop, cure.speed_cap}, h, system);
-  solve_rows(solver, bodies, rows, Begin::again);
+  solve_rows(solver, bodies, rows, Begin::resume);
   for (int i = 0; i < system.rows(); ++i) work.pushes[i] = system.lambda[i] - work.lambda[i];
   for (int i = 0; i < bodies.size(); ++i) bodies.velocity[i] -= work.velocity[i];  // P
   advance_poses(bodies, h);

@@ -111,7 +111,7 @@ TEST(ContactManifold, ManySweepsLeaveComplementaryEndsAndFrictionWithinWhatTheyP
       // Above this friction a point can jam, where Coulomb's law has no answer or several.
       face.work.system.upper[0] = std::min(face.work.system.upper[0], 0.3);
       GaussSeidel solver{.sweeps = 3000, .block_solve = way};
-      solve(solver, face.work.system, face.scene.state().velocity, face.work.prepared, Begin::again);
+      solve(solver, face.work.system, face.scene.state().velocity, face.work.prepared, Begin::resume);
       const auto& lambda = face.work.system.lambda;
       const Rows<3> rate = face.rate();
       const double radius = face.work.system.upper[0] * (lambda[0] + lambda[1]);

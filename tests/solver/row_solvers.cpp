@@ -269,13 +269,13 @@ TEST(Direct, GoesOnFromTheImpulsesThatStand) {
           auto& system = work.system;
           const auto V = copy.bodies().velocity;
           const auto lambda = system.lambda;
-          solve_rows(direct, copy.state(), work, Begin::again);
+          solve_rows(direct, copy.state(), work, Begin::resume);
           EXPECT_LE(difference(system.lambda, lambda), 1e-10 * (1 + largest(lambda))) << "nothing is left to do";
           for (int i = 0; i < system.rows(); ++i) {
             system.bias[i] += random.uniform(-1, 1);
             system.gamma[i] = random.uniform(0.01, 0.1);
           }
-          solve_rows(direct, copy.state(), work, Begin::again);
+          solve_rows(direct, copy.state(), work, Begin::resume);
           EXPECT_LE(residual(system, copy.bodies().velocity), 1e-9) << "another bias and softness";
         }
       },
