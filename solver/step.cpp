@@ -29,15 +29,6 @@ void bounce(const VelocityStepping& method, Bodies<M>& bodies, Work<M>& work) {
   forget_bounce(work.approach, method.bounce_threshold, work.system);
 }
 
-/// Whether any row of the scene has bounds, or contacts may add such rows.
-template <class M>
-bool has_bounds(const Scene<M>& scene) {
-  const auto& entries = scene.entries();
-  return !scene.colliders().shapes.empty() || std::any_of(entries.begin(), entries.end(), [&](const auto& entry) {
-    return scene.store(entry.kind).bound != Bound::none;
-  });
-}
-
 }  // namespace
 
 void require_valid(const VelocityStepping& method) {
@@ -49,10 +40,12 @@ void require_valid(const VelocityStepping& method) {
 
 template <class M>
 std::string refusal(const Scene<M>& scene, const VelocityStepping& method) {
-  if (std::holds_alternative<ConjugateGradients>(method.solver) && has_bounds(scene))
-    return "conjugate gradients hold no bounds, and this scene has contacts or other rows with bounds: conjugate "
-           "sweeps or an accelerated gradient would";
-  return {};
+  if (!std::holds_alternative<ConjugateGradients>(method.solver)) return {};
+  const auto bounded = [&](const auto& entry) { return scene.store(entry.kind).bound != Bound::none; };
+  if (scene.colliders().shapes.empty() && std::none_of(scene.entries().begin(), scene.entries().end(), bounded))
+    return {};
+  return "conjugate gradients hold no bounds, and this scene has contacts or other rows with bounds: conjugate "
+         "sweeps or an accelerated gradient would";
 }
 
 //! [step]

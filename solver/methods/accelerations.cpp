@@ -22,7 +22,6 @@ void write_free_accelerations(const Bodies<M>& bodies, const Linear<M>& gravity,
   }
 }
 
-//! [accelerate]
 /// Writes V̇ of all bodies into `work.accelerated`, and f [N, or what is conjugate to C] into `work.change`.
 template <class M>
 void accelerate(const Scene<M>& scene, double regularisation, Accelerations::Work<M>& work) {
@@ -34,7 +33,6 @@ void accelerate(const Scene<M>& scene, double regularisation, Accelerations::Wor
   solve_rows(regularisation, work.accelerated, work);              // f
   apply_all(work.system, work.change, work.accelerated.velocity);  // M⁻¹F + M⁻¹Jᵀf
 }
-//! [accelerate]
 
 /// A stage of an explicit Runge–Kutta rule: the weight of its slope in the whole step's, and the share of the step
 /// that is made along it to the next stage, 0 for the last.
@@ -58,7 +56,6 @@ void go_along(const Slope<M>& slope, double time, int body, Bodies<M>& bodies, c
   }
 }
 
-//! [runge_kutta]
 /// One substep by an explicit rule whose stages each need only the one before.
 template <class M>
 void runge_kutta(Scene<M>& scene, std::span<const Stage> stages, double regularisation,
@@ -82,9 +79,7 @@ void runge_kutta(Scene<M>& scene, std::span<const Stage> stages, double regulari
     }
   }
 }
-//! [runge_kutta]
 
-//! [midpoint]
 /// Moves the bodies to the middle of the substep with the current accelerations. Returns the largest change of
 /// velocity [m/s, rad/s].
 template <class M>
@@ -116,7 +111,6 @@ void implicit_midpoint(Scene<M>& scene, double regularisation, Accelerations::Wo
     bodies.velocity[i] = work.begin.velocity[i] + work.h * work.accelerated.velocity[i];
   }
 }
-//! [midpoint]
 
 }  // namespace
 

@@ -167,7 +167,6 @@ void update_rows(const ConstraintStore<M>& store, const Avbd& method, const Bloc
 
 }  // namespace
 
-//! [step]
 template <class M>
 void advance(Scene<M>& scene, const Avbd& method, double h, Avbd::Work<M>& work) {
   require_steppable(scene, method, h);
@@ -198,7 +197,6 @@ void advance(Scene<M>& scene, const Avbd& method, double h, Avbd::Work<M>& work)
   end_substep(scene, method.gyroscopic, h, method.bounce_threshold, work);
   work.contacts.read_impulses(work.system);
 }
-//! [step]
 
 #define BYHAND_INSTANTIATE(M) template void advance(Scene<M>&, const Avbd&, double, Avbd::Work<M>&)
 BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);

@@ -11,8 +11,8 @@
 //   (M + Σ (Jᵀ κ J + G)) Δx = -M (x - y) + Σ Jᵀ F,      F = Λ - κ C within bounds
 //
 // G stands for F times the second derivatives of C, which are differences of J taken once a step: the length of
-// each column, on the diagonal, so that the matrix stays positive definite. Without G a chain under tension is too
-// soft sideways: 50 links with an end mass of 1000 come apart by metres.
+// each column, on the diagonal, so that the matrix stays positive definite. G holds the sideways stiffness of a
+// chain under tension: without it 50 links with an end mass of 1000 come apart by metres.
 //
 // A hard row's Λ is the multiplier of the augmented Lagrangian. After each round over the bodies
 //
@@ -21,7 +21,7 @@
 // so that C vanishes although κ stays finite. From step to step k is scaled by a memory below 1 (the paper's γ)
 // and Λ by that and α. A hard row removes only the share 1 - α of its error C₀ at the start of a step, or the
 // correction would become speed; an open contact may close. A soft row (a spring, a softness) has the k of its
-// material, 1/(h²γ), and F = -κ C. (The paper lets that k grow as well; then 2 kg on 1e5 N/m sag 2.3 times too far
+// material, 1/(h²γ), and F = -κ C. (The paper lets that k grow as well; then 2 kg on 1e5 N/m sag 2.3 times as far
 // for β = 1e5.)
 //
 // Rounds start from x₀ + h v₀, not from y: a body at rest is there already. Rows without a C have C - C₀ + h rate,

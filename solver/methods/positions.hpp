@@ -103,7 +103,6 @@ Rows<K> within_disc(Eigen::Matrix<double, K, K> A, const Rows<K>& b, double radi
   return length > radius ? Rows<K>(x * (radius / length)) : x;
 }
 
-//! [newton]
 /// ΔΛ = -A⁻¹ `residual` of K rows with A = JM⁻¹Jᵀ + γ, such that Λ + ΔΛ is within its bounds.
 template <Bound B, int K>
 Rows<K> bounded_newton(const Eigen::Matrix<double, K, K>& A, const Rows<K>& residual, const Rows<K>& impulse,
@@ -128,7 +127,6 @@ void displace(const Block<M, K, B>& block, const Rows<K>& change, std::vector<Po
   if (block.moves1) move<M, double>(poses[block.body1], block.W.side1().transpose() * change, 1);
   if (block.moves2) move<M, double>(poses[block.body2], block.W.side2().transpose() * change, 1);
 }
-//! [newton]
 
 /// The velocity with which `move` goes from one pose to another in a time h [s], turning less than half a turn. In
 /// space it is the exact logarithm; XPBD's paper takes twice the vector part of the turn, which is smaller by

@@ -25,7 +25,6 @@ void project(const Projection&, const ConstraintStore<M>&, Block<M, K, Bound::fr
 
 }  // namespace
 
-//! [project]
 template <class M>
 long long project(const Projection& cure, Scene<M>& scene) {
   long long solved = 0;
@@ -45,7 +44,6 @@ long long project(const Projection& cure, Scene<M>& scene) {
     }
   return solved;
 }
-//! [project]
 
 #define BYHAND_INSTANTIATE(M) template long long project(const Projection&, Scene<M>&)
 BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);

@@ -46,7 +46,6 @@ void factor_rows(const Scene<M>& scene, double regularisation, Rattle::Work<M>& 
   solve_rows(regularisation, scene.bodies(), work);
 }
 
-//! [rattle]
 /// One substep. The rows are written and factored at its start and again at its end.
 template <class M>
 void rattle(Scene<M>& scene, const Rattle& method, Rattle::Work<M>& work) {
@@ -67,7 +66,6 @@ void rattle(Scene<M>& scene, const Rattle& method, Rattle::Work<M>& work) {
   factor_rows(scene, method.regularisation, work);
   add_impulses(bodies.velocity, work);
 }
-//! [rattle]
 
 }  // namespace
 

@@ -45,7 +45,6 @@ struct SplitImpulseWork {
   std::vector<Velocity<M>> velocity;
 };
 
-//! [split_impulse]
 /// Moves the poses by h (V + P).
 template <class M>
 void push_poses(const SplitImpulse& cure, const RowSolver& solver, double h, Bodies<M>& bodies, RowWork<M>& rows,
@@ -66,6 +65,5 @@ void push_poses(const SplitImpulse& cure, const RowSolver& solver, double h, Bod
   system.lambda = work.lambda;
   set_bias(correction(cure, h), h, system);
 }
-//! [split_impulse]
 
 }  // namespace byhand

@@ -41,7 +41,6 @@ void solve_block(const ConstraintStore<M>& store, double h, Block<M, K, B>& bloc
 
 }  // namespace
 
-//! [step]
 template <class M>
 void advance(Scene<M>& scene, const Xpbd& method, double step, PositionWork<M>& work) {
   require_steppable(scene, method, step);
@@ -65,7 +64,6 @@ void advance(Scene<M>& scene, const Xpbd& method, double step, PositionWork<M>& 
   }
   work.contacts.read_impulses(work.system);
 }
-//! [step]
 
 #define BYHAND_INSTANTIATE(M) template void advance(Scene<M>&, const Xpbd&, double, PositionWork<M>&)
 BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);
