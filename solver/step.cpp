@@ -1,48 +1,16 @@
 #include "solver/step.hpp"
 
 namespace byhand {
-
-void require_valid_slop(double slop, double speed_cap) {
-  require_in("slop", slop, 0, 1e300, "m");
-  require(speed_cap > 0, "speed cap", speed_cap, "above zero [m/s]");
-}
-
-void require_valid(const Baumgarte& cure) {
-  if (cure.reading == BetaReading::per_step)
-    require_in("beta", cure.beta, 0, 3);
-  else
-    require_in("beta", cure.beta, 0, 1e6, "1/s");
-  require_valid_slop(cure.slop, cure.speed_cap);
-}
-
-template <class M>
-void set_bias(const Correction& correction, double h, System<M>& system) {
-  const auto [rate, slop, speed_cap] = correction;
-  for (int i = 0; i < system.rows(); ++i) system.bias[i] = rate * system.C[i] + system.rate[i];
-  if (!system.bounded) return;
-  system.for_each_run(
-      [&, rate = rate, slop = slop, cap = speed_cap]<int K, Bound B>(std::span<const Block<M, K, B>> blocks) {
-        for (const auto& block : blocks)
-          for (int k = 0; k < K; ++k)
-            if (one_sided(system, block, k)) {
-              const int row = block.row + k;
-              const double C = system.C[row];
-              const double b = C > 0 ? C / h : std::max(rate * std::min(C + slop, 0.0), -cap);
-              system.bias[row] = b + system.rate[row];
-            }
-      });
-}
-
 namespace {
 
-/// The cure's first half, before the rows are solved: b of (21), and γ where rows are to be soft.
+/// The cure before the rows are solved: b of (21), and γ of soft rows.
 template <class M>
 void begin_cure(const DriftCure& cure, double h, Work<M>& work) {
   set_bias(std::visit([&](const auto& choice) { return correction(choice, h); }, cure), h, work.system);
   if (const auto* soft = std::get_if<SoftConstraints>(&cure)) soften(*soft, h, work.system, work.soft);
 }
 
-/// The cure's second half, once the poses have moved.
+/// The cure after the poses have moved.
 template <class M>
 void end_cure(const VelocityStepping& method, double h, Scene<M>& scene, Work<M>& work) {
   if (const auto* projection = std::get_if<Projection>(&method.drift))
@@ -53,7 +21,7 @@ void end_cure(const VelocityStepping& method, double h, Scene<M>& scene, Work<M>
     relax(*soft, method.solver, h, scene, work, work.soft);
 }
 
-/// The second solve of contacts that bounce, once positions have moved.
+/// Solves bouncing contacts a second time, after the poses have moved.
 template <class M>
 void bounce(const VelocityStepping& method, Bodies<M>& bodies, Work<M>& work) {
   if (!set_bounce(work.approach, method.bounce_threshold, work.system)) return;
@@ -72,10 +40,12 @@ void require_valid(const VelocityStepping& method) {
 
 template <class M>
 std::string refusal(const Scene<M>& scene, const VelocityStepping& method) {
-  if (std::holds_alternative<ConjugateGradients>(method.solver) && has_bounds(scene))
-    return "conjugate gradients hold no bounds, and this scene has contacts or other rows with bounds: conjugate "
-           "sweeps or an accelerated gradient would";
-  return {};
+  if (!std::holds_alternative<ConjugateGradients>(method.solver)) return {};
+  const auto bounded = [&](const auto& entry) { return scene.store(entry.kind).bound != Bound::none; };
+  if (scene.colliders().shapes.empty() && std::none_of(scene.entries().begin(), scene.entries().end(), bounded))
+    return {};
+  return "conjugate gradients hold no bounds, and this scene has contacts or other rows with bounds: conjugate "
+         "sweeps or an accelerated gradient would";
 }
 
 //! [step]
@@ -97,7 +67,7 @@ void advance(Scene<M>& scene, const VelocityStepping& method, double step, Work<
     rescale_impulses(work, h);                // λ of last step, for the warm start
     solve_rows(method.solver, bodies, work);  // (17) and (20) over all rows
     if (method.euler == Euler::symplectic) advance_poses(bodies, h);
-    end_cure(method, h, scene, work);  // its second half, if it has one
+    end_cure(method, h, scene, work);
     end_turn(method.gyroscopic, bodies, h);
     bounce(method, bodies, work);
   }
@@ -106,7 +76,6 @@ void advance(Scene<M>& scene, const VelocityStepping& method, double step, Work<
 //! [step]
 
 #define BYHAND_INSTANTIATE(M)                                             \
-  template void set_bias(const Correction&, double, System<M>&);          \
   template std::string refusal(const Scene<M>&, const VelocityStepping&); \
   template void advance(Scene<M>&, const VelocityStepping&, double, Work<M>&)
 BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);

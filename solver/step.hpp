@@ -15,11 +15,14 @@ namespace byhand {
 
 using DriftCure = std::variant<NoDriftCure, Baumgarte, Projection, SplitImpulse, SoftConstraints>;
 
+/// What velocity stepping keeps between steps.
 template <class M>
-struct Work;
+struct Work : RowWork<M> {
+  SplitImpulseWork<M> split_impulse;
+  SoftWork soft;
+};
 
-/// The article's method, as choices: how rows are solved, how drift is cured, when positions move, and into
-/// how many equal substeps a step is cut. Cost of a step: substeps × (rows written once + sweeps over them).
+/// The article's method, as choices. Cost of a step: substeps × (rows written once + sweeps over them).
 struct VelocityStepping {
   template <class M>
   using Work = byhand::Work<M>;
@@ -27,32 +30,20 @@ struct VelocityStepping {
   RowSolver solver = GaussSeidel{};
   DriftCure drift = Baumgarte{};
   Euler euler = Euler::symplectic;
-  int substeps = 1;                          // >= 1
+  int substeps = 1;                          // equal parts of a step >= 1
   Gyroscopic gyroscopic = Gyroscopic::none;  // of bodies in space
-  double bounce_threshold = 0.5;  // slower than this nothing bounces, or what rests would rattle [m/s] >= 0
+  double bounce_threshold = 0.5;  // slower contacts do not bounce, or resting bodies would rattle [m/s] >= 0
 };
 
-/// What is kept between steps.
-template <class M>
-struct Work : RowWork<M> {
-  SplitImpulseWork<M> split_impulse;
-  SoftWork soft;
-};
-
-/// Throws std::invalid_argument for a choice outside its range.
 void require_valid(const VelocityStepping& method);
-
-/// Why this scene cannot be run so, in one sentence; empty where it can.
 template <class M>
 std::string refusal(const Scene<M>& scene, const VelocityStepping& method);
-
-/// One time step h [s] of the article's method. Throws std::invalid_argument for h <= 0 or a method outside its
-/// range or one that refuses the scene, SingularSystem from a direct solve.
+/// One time step h [s]. Throws std::invalid_argument as require_steppable, SingularSystem from a direct solve.
 template <class M>
 void advance(Scene<M>& scene, const VelocityStepping& method, double step, Work<M>& work);
 
-/// What moves a simulation that is given no method. Velocity stepping solves chains, trees and columns directly
-/// and the rest until it has converged, and leaves bodies at rest in touch.
+/// The method of a simulation that is given none. Velocity stepping solves chains, trees and columns directly and
+/// the rest by sweeps until they converge, and leaves a slop so that resting bodies keep touching.
 template <class Method>
 Method default_method() {
   if constexpr (std::is_same_v<Method, VelocityStepping>)
@@ -61,8 +52,8 @@ Method default_method() {
     return {};
 }
 
-/// A scene, the method that moves it and what is kept between steps: a value, so that a copy is a way back.
-/// Families of methods are types (see methods/method.hpp), so that a simulation keeps only what its own needs.
+/// A scene, its method and what that keeps between steps. It is a value: a copy saves the state. The method is a
+/// type (see methods/method.hpp), so that a simulation keeps only what its own method needs.
 template <class M, class Method = VelocityStepping>
 struct Simulation {
   Scene<M> scene;
@@ -70,14 +61,13 @@ struct Simulation {
   typename Method::template Work<M> work = {};
   double time = 0;  // [s]
 
-  /// One time step h [s]. Errors as `advance`.
+  /// One time step h [s]. Throws as `advance`.
   void step(double h) {
     advance(scene, method, h, work);
     time += h;
   }
 
-  /// The force and torque that a constraint exerted in the last substep. Throws std::invalid_argument for one that
-  /// the scene does not have or that took no part in it.
+  /// The force and torque that a constraint exerted in the last substep. Throws as byhand::reaction.
   Reaction<M> reaction(int constraint) const { return byhand::reaction(scene, work, constraint); }
 };
 

@@ -11,29 +11,27 @@
 
 namespace byhand {
 
-/// What bounds the accumulated λ of a block: nothing; an interval, for single rows; friction, a ball whose radius
-/// is μ times the λ of a normal row in another block; or, for a contact manifold, both: normals at zero or above
-/// and friction within μ times their sum.
+/// Bounds on the accumulated λ of a block. interval: of a single row. friction: a ball with radius μ times the λ
+/// of a normal row in another block. manifold: normals >= 0 and friction within μ times their sum, in one block.
 enum class Bound { none, interval, friction, manifold };
 
-/// Which constraint a block holds, and where it stands.
+/// A block's bodies, constraint and place among the rows.
 struct BlockHeader {
   int body1 = 0, body2 = 0;
-  bool moves1 = false, moves2 = false;  // a fixed body is read, for it has a velocity of zero, but never written
+  bool moves1 = false, moves2 = false;  // a fixed body has velocity zero: it is read but never written
   int row = 0;                          // the first of its K rows in λ, bias, γ, …
   int normal_row = 0;                   // for Bound::friction: the row whose λ scales the bound
-  int constraint = 0;                   // its index among those of its kind
+  int constraint = 0;                   // index among the constraints of its kind
 };
 
-/// One constraint's rows, ready to be solved: (17) needs J and M⁻¹Jᵀ.
+/// The K rows of one constraint: what (17) needs.
 template <class M, int K, Bound B>
 struct Block : BlockHeader {
   Jacobian<M, K> J, W;  // W = M⁻¹Jᵀ, row for row
 };
 
-/// The types of block that a model's constraints are made of, as storage for something per block: single rows,
-/// points held along every axis, what leaves a body none, one or (in space) some of its degrees of freedom;
-/// limits; friction and contact manifolds.
+/// The types of block of a model, as storage for one E per block. Bound::none: single rows, points, joints.
+/// Bound::interval: contacts and limits. Then friction and manifolds.
 template <class M, template <int, Bound> class E>
 struct BlockTypes;
 template <template <int, Bound> class E>
@@ -68,7 +66,7 @@ using PerBlock = typename BlockTypes<M, E>::Storage;
 template <int, Bound>
 struct BlockTag {};
 
-/// Calls f(std::integral_constant) with the place of a type of block among the vectors of PerBlock.
+/// Calls f(std::integral_constant) with the index of a block type among the vectors of PerBlock.
 template <class M, class F>
 void for_type(int type, F&& f) {
   [&]<std::size_t... I>(std::index_sequence<I...>) {
@@ -77,7 +75,7 @@ void for_type(int type, F&& f) {
   (std::make_index_sequence<std::tuple_size_v<PerBlock<M, BlockTag>>>());
 }
 
-/// The place of blocks of K rows with bound B among the vectors of PerBlock.
+/// The index of blocks of K rows with bound B among the vectors of PerBlock.
 template <class M, int K, Bound B>
 constexpr int block_type() {
   constexpr int place = []<class... Tags>(std::tuple<Tags...>*) {
@@ -91,15 +89,14 @@ constexpr int block_type() {
 
 /// Consecutive blocks of one type and one kind of constraint, in solve order.
 struct Run {
-  int kind;   // the scene's kind of constraint; the system does not look at it
-  int type;   // which vector of PerBlock
-  int first;  // the first block in that vector
-  int count;
-  int row;            // the first row; a run's rows are contiguous
-  int position_rows;  // how many of a block's rows, the first, have a C; the others have only a rate
+  int kind;           // index of the scene's store; unused by the system
+  int type;           // index of the vector in PerBlock
+  int first, count;   // the blocks in that vector
+  int row;            // first row; a run's rows are contiguous
+  int position_rows;  // the first rows of each block have a C; the others only a rate
 };
 
-/// A run's elements of all of its type.
+/// The elements of a run in a vector for its type.
 template <class Element>
 std::span<Element> part(std::vector<Element>& all, const Run& run) {
   return {all.data() + run.first, static_cast<std::size_t>(run.count)};
@@ -108,16 +105,17 @@ template <class Element>
 std::span<const Element> part(const std::vector<Element>& all, const Run& run) {
   return {all.data() + run.first, static_cast<std::size_t>(run.count)};
 }
-/// A run's elements in any PerBlock storage.
+/// The elements of a run in PerBlock storage.
 template <std::size_t type, class Storage>
 auto part(Storage& storage, const Run& run) {
   return part(std::get<type>(storage), run);
 }
 
-/// The linear system of one step: (JM⁻¹Jᵀ + γ)λ = -(JV + b) within bounds, as blocks in solve order. It knows
-/// the model, but no scene and no kind of constraint.
+/// The linear system of one step: (JM⁻¹Jᵀ + γ)λ = -(JV + b) within bounds, as blocks in solve order. Independent
+/// of scenes and kinds of constraint.
 template <class M>
 struct System {
+  using model = M;
   template <int K, Bound B>
   using BlockOf = Block<M, K, B>;
 
@@ -125,17 +123,15 @@ struct System {
   std::vector<Run> runs;  // in solve order
   // One number a row; with friction `upper` is μ.
   std::vector<double> lambda, C, bias, gamma, rate, lower, upper, restitution;
-  std::vector<double> stiffness;  // of methods that have one, else empty; kept from layout to layout as λ is
-  // By constraint in natural order:
-  std::vector<int> row_of;              // its first row
-  std::vector<std::uint64_t> stamp_of;  // its stamp; in ascending order
-  std::uint64_t layout = 0;             // changes with every layout
-  bool bounded = false;                 // whether any row is
+  std::vector<double> stiffness;  // k of AVBD, else empty; a new layout keeps it, and λ, of constraints that stay
+  std::vector<int> row_of;        // first row of each constraint, in natural order
+  std::vector<std::uint64_t> stamp_of;  // stamp of each constraint, in natural order, ascending
+  std::uint64_t layout = 0;             // stamp of the layout
+  bool bounded = false;                 // whether any row has a bound
 
   int rows() const { return static_cast<int>(lambda.size()); }
 
-  /// Calls f(std::span of blocks) for each run in solve order; each type of block has its own overload or
-  /// template.
+  /// Calls f(std::span of blocks) for each run in solve order; f is a template over the type of block.
   template <class F>
   void for_each_run(F&& f) const {
     for (const Run& run : runs) for_type<M>(run.type, [&](auto type) { f(part<type>(blocks, run)); });
@@ -148,11 +144,21 @@ struct System {
   }
 };
 
-/// How many rows of a block, the first, are normals of a contact, which push only.
+/// Calls f(block, run) for each block of a System in solve order; f is a template over the type of block, or takes
+/// a BlockHeader.
+template <class AnySystem, class F>
+void for_each_block(AnySystem& system, F&& f) {
+  for (const Run& run : system.runs)
+    for_type<typename AnySystem::model>(run.type, [&](auto type) {
+      for (auto& block : part<type>(system.blocks, run)) f(block, run);
+    });
+}
+
+/// Number of rows of a block that are contact normals: its first ones.
 template <int K, Bound B>
 inline constexpr int normals = B == Bound::manifold ? K - 1 : 0;
 
-/// Whether row k of a block pushes only, as a contact does: λ >= 0, and C > 0 is no error.
+/// Whether row k of a block only pushes, like a contact: λ >= 0, and C > 0 is no error.
 template <class M, int K, Bound B>
 bool one_sided(const System<M>& system, const Block<M, K, B>& block, int k) {
   return (B == Bound::interval && system.lower[block.row] == 0) || k < normals<K, B>;
@@ -178,18 +184,11 @@ Rows<K> bounded(const Rows<K>& lambda, double lower, double upper, double normal
 }
 //! [bound]
 
-/// Whether λ of a block has any bound.
-template <class M, int K, Bound B>
-constexpr bool is_bounded(const Block<M, K, B>&) {
-  return B != Bound::none;
-}
+// Row solvers use (17) for a block of rows, Δλ = -E(JV + b + γλ) with E = (JM⁻¹Jᵀ + γ)⁻¹, multiplied out
+// beforehand: the inner loop is two short sums, and a sweep costs half as much.
 
-// What the row solvers share: (17) for a block of rows, Δλ = -E(JV + b + γλ) with E = (JM⁻¹Jᵀ + γ)⁻¹, multiplied
-// out beforehand so that the inner loop is two short sums. A sweep then costs half of what it costs with E, J and
-// W apart.
-
-/// How a block's E is made: the inverse of the whole K × K matrix, or of its lower triangle, which solves its
-/// rows one after the other.
+/// E is the inverse of the whole K × K matrix, or of its lower triangle, which solves the rows one after the
+/// other.
 enum class BlockSolve { whole, row_by_row };
 
 template <class M, int K, Bound B>
@@ -204,9 +203,8 @@ struct PreparedBlock {
   double lower, upper;
 };
 
-/// Inverse of a symmetric positive semidefinite K × K matrix by symmetric sweeps; a pivot that vanishes
-/// beside its diagonal gets a zero row, so that rows without effect (two fixed bodies, J = 0, a repeated row)
-/// get no impulse rather than an infinite one.
+/// Inverse of a symmetric positive semidefinite K × K matrix by symmetric sweeps. A pivot that vanishes relative
+/// to its diagonal gets a zero row: rows without effect (two fixed bodies, J = 0, a repeated row) get no impulse.
 template <int K>
 Eigen::Matrix<double, K, K> inverse_or_zero(Eigen::Matrix<double, K, K> A) {
   const Eigen::Matrix<double, K, 1> diagonal = A.diagonal();
@@ -229,7 +227,7 @@ Eigen::Matrix<double, K, K> inverse_or_zero(Eigen::Matrix<double, K, K> A) {
   return -A;
 }
 
-/// A number that no other call returns: equal stamps mean that nothing has changed since.
+/// A number that no other call returns.
 std::uint64_t new_stamp();
 
 }  // namespace byhand

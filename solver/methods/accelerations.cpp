@@ -1,12 +1,9 @@
 #include "solver/methods/accelerations.hpp"
 
 namespace byhand {
+namespace {
 
-void require_valid(const Accelerations& family) {
-  require(family.substeps >= 1, "number of substeps", family.substeps, "at least 1");
-  require_in("regularisation", family.regularisation, 0, 1);
-}
-
+/// Writes M⁻¹F of every body at its pose and velocity [m/s², rad/s²].
 template <class M>
 void write_free_accelerations(const Bodies<M>& bodies, const Linear<M>& gravity, Bodies<M>& accelerated) {
   accelerated = bodies;
@@ -25,89 +22,9 @@ void write_free_accelerations(const Bodies<M>& bodies, const Linear<M>& gravity,
   }
 }
 
-namespace {
-
-/// A stage of an explicit Runge–Kutta rule: what share its slope has in the whole step's, and how much of a step
-/// to the next stage is made along it.
-struct Stage {
-  double weight, to_next;
-};
-inline constexpr Stage euler_stages[] = {{1, 0}};
-inline constexpr Stage rk4_stages[] = {{1.0 / 6, 0.5}, {1.0 / 3, 0.5}, {1.0 / 3, 1}, {1.0 / 6, 0}};
-
-/// A pose and velocity `time` [s] along a slope.
+/// Writes V̇ of all bodies into `work.accelerated`, and f [N, or what is conjugate to C] into `work.change`.
 template <class M>
-void go_along(const Slope<M>& slope, double time, const Pose<M>& from, const Velocity<M>& from_velocity,
-              Pose<M>& pose, Velocity<M>& velocity) {
-  velocity = from_velocity + time * slope.acceleration;
-  if constexpr (M::angular == 3) {
-    pose.position = from.position + time * slope.velocity.template head<3>();
-    pose.rotation.coeffs() = (from.rotation.coeffs() + time * slope.turning).normalized();
-  } else {
-    pose = moved<M, double>(from, slope.velocity, time);
-  }
-}
-
-/// Notes a stage's slope and forces with their weight, and goes on to the next stage if there is one.
-template <class M>
-void add_stage(const Stage& stage, Bodies<M>& bodies, AccelerationsWork<M>& work) {
-  for (std::size_t row = 0; row < work.change.size(); ++row)
-    work.system.lambda[row] += stage.weight * work.h * work.change[row];
-  for (int i = 0; i < bodies.size(); ++i) {
-    if (!moves(bodies.inverse_mass[i])) continue;
-    Slope<M> slope{bodies.velocity[i], work.accelerated.velocity[i]};
-    if constexpr (M::angular == 3)
-      slope.turning = turning(bodies.pose[i].rotation, slope.velocity.template tail<3>()).coeffs();
-    Slope<M>& sum = work.sum[i];
-    sum.velocity += stage.weight * slope.velocity;
-    sum.acceleration += stage.weight * slope.acceleration;
-    sum.turning += stage.weight * slope.turning;
-    if (stage.to_next > 0)
-      go_along(slope, stage.to_next * work.h, work.begin.pose[i], work.begin.velocity[i], bodies.pose[i],
-               bodies.velocity[i]);
-  }
-}
-
-/// From the beginning of the step along the sum of all stages.
-template <class M>
-void finish_stages(Bodies<M>& bodies, AccelerationsWork<M>& work) {
-  for (int i = 0; i < bodies.size(); ++i)
-    if (moves(bodies.inverse_mass[i]))
-      go_along(work.sum[i], work.h, work.begin.pose[i], work.begin.velocity[i], bodies.pose[i],
-               bodies.velocity[i]);
-}
-
-/// Puts the bodies into the middle of the step that the accelerations of `work` make; returns by how much their
-/// velocities change at most [m/s, rad/s].
-template <class M>
-double go_to_middle(Bodies<M>& bodies, const AccelerationsWork<M>& work) {
-  double largest = 0;
-  for (int i = 0; i < bodies.size(); ++i) {
-    if (!moves(bodies.inverse_mass[i])) continue;
-    const Velocity<M> V = work.begin.velocity[i] + work.h / 2 * work.accelerated.velocity[i];
-    const double change = (V - bodies.velocity[i]).cwiseAbs().maxCoeff();
-    if (!(change <= largest)) largest = change;  // also where it is no number
-    bodies.velocity[i] = V;
-    bodies.pose[i] = moved<M, double>(work.begin.pose[i], V, work.h / 2);
-  }
-  return largest;
-}
-
-/// And to its end.
-template <class M>
-void go_to_end(Bodies<M>& bodies, AccelerationsWork<M>& work) {
-  for (std::size_t row = 0; row < work.change.size(); ++row) work.system.lambda[row] = work.h * work.change[row];
-  for (int i = 0; i < bodies.size(); ++i) {
-    if (!moves(bodies.inverse_mass[i])) continue;
-    bodies.pose[i] = moved<M, double>(work.begin.pose[i], bodies.velocity[i], work.h);
-    bodies.velocity[i] = work.begin.velocity[i] + work.h * work.accelerated.velocity[i];
-  }
-}
-
-//! [accelerate]
-/// V̇ of all bodies into `work.accelerated`, and f [N, or what is conjugate to C] into `work.change`.
-template <class M>
-void accelerate(const Scene<M>& scene, double regularisation, AccelerationsWork<M>& work) {
+void accelerate(const Scene<M>& scene, double regularisation, Accelerations::Work<M>& work) {
   const Bodies<M>& bodies = scene.bodies();
   scene.write_rows(work.system, work.h);  // J and M⁻¹Jᵀ
   for (int i = 0; i < bodies.size(); ++i) work.paths[i] = on_its_way<M>(bodies.pose[i], bodies.velocity[i]);
@@ -116,57 +33,104 @@ void accelerate(const Scene<M>& scene, double regularisation, AccelerationsWork<
   solve_rows(regularisation, work.accelerated, work);              // f
   apply_all(work.system, work.change, work.accelerated.velocity);  // M⁻¹F + M⁻¹Jᵀf
 }
-//! [accelerate]
 
-//! [runge_kutta]
-/// One substep by an explicit rule whose stages need only the one before.
+/// A stage of an explicit Runge–Kutta rule: the weight of its slope in the whole step's, and the share of the step
+/// that is made along it to the next stage, 0 for the last.
+struct Stage {
+  double weight, to_next;
+};
+inline constexpr Stage euler_stages[] = {{1, 0}};
+inline constexpr Stage rk4_stages[] = {{1.0 / 6, 0.5}, {1.0 / 3, 0.5}, {1.0 / 3, 1}, {1.0 / 6, 0}};
+
+/// Moves a body from the start of the substep for `time` [s] along a slope.
+template <class M>
+void go_along(const Slope<M>& slope, double time, int body, Bodies<M>& bodies, const Bodies<M>& begin) {
+  const Pose<M>& from = begin.pose[body];
+  Pose<M>& pose = bodies.pose[body];
+  bodies.velocity[body] = begin.velocity[body] + time * slope.acceleration;
+  if constexpr (M::angular == 3) {
+    pose.position = from.position + time * slope.velocity.template head<3>();
+    pose.rotation.coeffs() = (from.rotation.coeffs() + time * slope.turning).normalized();
+  } else {
+    pose = moved<M, double>(from, slope.velocity, time);
+  }
+}
+
+/// One substep by an explicit rule whose stages each need only the one before.
 template <class M>
 void runge_kutta(Scene<M>& scene, std::span<const Stage> stages, double regularisation,
-                 AccelerationsWork<M>& work) {
+                 Accelerations::Work<M>& work) {
+  Bodies<M>& bodies = scene.state();
   std::fill(work.sum.begin(), work.sum.end(), Slope<M>());
-  for (const Stage& stage : stages) {
+  for (const auto& [weight, to_next] : stages) {
     accelerate(scene, regularisation, work);
-    add_stage(stage, scene.state(), work);
+    for (std::size_t row = 0; row < work.change.size(); ++row)
+      work.system.lambda[row] += weight * work.h * work.change[row];
+    for (int i = 0; i < bodies.size(); ++i) {
+      if (!moves(bodies.inverse_mass[i])) continue;
+      Slope<M> slope{bodies.velocity[i], work.accelerated.velocity[i]}, &sum = work.sum[i];
+      if constexpr (M::angular == 3)
+        slope.turning = turning(bodies.pose[i].rotation, slope.velocity.template tail<3>()).coeffs();
+      sum.velocity += weight * slope.velocity;
+      sum.acceleration += weight * slope.acceleration;
+      sum.turning += weight * slope.turning;
+      const bool last = to_next == 0;
+      go_along(last ? sum : slope, last ? work.h : to_next * work.h, i, bodies, work.begin);
+    }
   }
-  finish_stages(scene.state(), work);
 }
-//! [runge_kutta]
 
-//! [midpoint]
+/// Moves the bodies to the middle of the substep with the current accelerations. Returns the largest change of
+/// velocity [m/s, rad/s].
+template <class M>
+double go_to_middle(Bodies<M>& bodies, const Accelerations::Work<M>& work) {
+  double largest = 0;
+  for (int i = 0; i < bodies.size(); ++i) {
+    if (!moves(bodies.inverse_mass[i])) continue;
+    const Velocity<M> V = work.begin.velocity[i] + work.h / 2 * work.accelerated.velocity[i];
+    const double change = (V - bodies.velocity[i]).cwiseAbs().maxCoeff();
+    if (!(change <= largest)) largest = change;  // also if it is NaN
+    bodies.velocity[i] = V;
+    bodies.pose[i] = moved<M, double>(work.begin.pose[i], V, work.h / 2);
+  }
+  return largest;
+}
+
 /// One substep by the implicit midpoint rule, to rounding.
 template <class M>
-void implicit_midpoint(Scene<M>& scene, double regularisation, AccelerationsWork<M>& work) {
-  Convergence convergence(1e-9);  // [m/s, rad/s]
-  do accelerate(scene, regularisation, work);
-  while (!convergence.reached(go_to_middle(scene.state(), work)));
-  go_to_end(scene.state(), work);
+void implicit_midpoint(Scene<M>& scene, double regularisation, Accelerations::Work<M>& work) {
+  Bodies<M>& bodies = scene.state();
+  const auto accelerate_there = [&] { accelerate(scene, regularisation, work); };
+  accelerate_there();
+  iterate(
+      1e-9, [&] { return go_to_middle(bodies, work); }, accelerate_there);  // [m/s, rad/s]
+  for (std::size_t row = 0; row < work.change.size(); ++row) work.system.lambda[row] = work.h * work.change[row];
+  for (int i = 0; i < bodies.size(); ++i) {
+    if (!moves(bodies.inverse_mass[i])) continue;
+    bodies.pose[i] = moved<M, double>(work.begin.pose[i], bodies.velocity[i], work.h);
+    bodies.velocity[i] = work.begin.velocity[i] + work.h * work.accelerated.velocity[i];
+  }
 }
-//! [midpoint]
 
 }  // namespace
 
 template <class M>
-void advance(Scene<M>& scene, const Accelerations& family, double step, AccelerationsWork<M>& work) {
-  require_steppable(scene, family, step);
-  begin_equalities(scene, step / family.substeps, work);
+void advance(Scene<M>& scene, const Accelerations& method, double step, Accelerations::Work<M>& work) {
+  require_steppable(scene, method, step);
+  begin_equalities(scene, step / method.substeps, work);
   work.paths.resize(scene.bodies().size());
   work.sum.resize(scene.bodies().size());
-  for (int i = 0; i < family.substeps; ++i) {
-    work.begin = scene.bodies();
-    std::fill(work.system.lambda.begin(), work.system.lambda.end(), 0.0);
-    or_back_to(work.begin, scene.state(), [&] {
-      switch (family.scheme) {
-        case Scheme::explicit_euler: return runge_kutta(scene, euler_stages, family.regularisation, work);
-        case Scheme::rk4: return runge_kutta(scene, rk4_stages, family.regularisation, work);
-        case Scheme::implicit_midpoint: return implicit_midpoint(scene, family.regularisation, work);
-      }
-    });
-  }
+  run_substeps(method.substeps, scene, work, [&] {
+    switch (method.scheme) {
+      case Scheme::explicit_euler: return runge_kutta(scene, euler_stages, method.regularisation, work);
+      case Scheme::rk4: return runge_kutta(scene, rk4_stages, method.regularisation, work);
+      case Scheme::implicit_midpoint: return implicit_midpoint(scene, method.regularisation, work);
+    }
+  });
 }
 
-#define BYHAND_INSTANTIATE(M)                                                             \
-  template void write_free_accelerations(const Bodies<M>&, const Linear<M>&, Bodies<M>&); \
-  template void advance(Scene<M>&, const Accelerations&, double, AccelerationsWork<M>&)
+#define BYHAND_INSTANTIATE(M) \
+  template void advance(Scene<M>&, const Accelerations&, double, Accelerations::Work<M>&)
 BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);
 #undef BYHAND_INSTANTIATE
 

@@ -1,7 +1,5 @@
 #include "solver/methods/avbd.hpp"
 
-#include <Eigen/Cholesky>
-
 #include "solver/integrate/euler.hpp"
 
 namespace byhand {
@@ -18,120 +16,104 @@ void require_valid(const Avbd& method) {
 
 namespace {
 
-/// Lists for each body that moves the constraints that hold it.
 template <class M>
-void list_holders(int bodies, Avbd::Work<M>& work) {
-  using Holder = typename Avbd::Work<M>::Holder;
-  std::vector<std::vector<Holder>> of_body(bodies);
-  for (const Run& run : work.system.runs)
-    for_type<M>(run.type, [&](auto type) {
+void list_holders(Avbd::Work<M>& work) {
+  const std::vector<Run>& runs = work.system.runs;
+  work.holders.clear();
+  for (int run = 0; run < static_cast<int>(runs.size()); ++run)
+    for_type<M>(runs[run].type, [&](auto type) {
       const auto& blocks = std::get<type>(work.system.blocks);
-      for (int i = run.first; i < run.first + run.count; ++i) {
-        const BlockHeader& block = blocks[i];
-        if (block.moves1) of_body[block.body1].push_back({run.type, i, run.kind, block.row, false});
-        if (block.moves2) of_body[block.body2].push_back({run.type, i, run.kind, block.row, true});
+      for (int i = runs[run].first; i < runs[run].first + runs[run].count; ++i) {
+        if (blocks[i].moves1) work.holders.push_back({blocks[i].body1, run, i, false});
+        if (blocks[i].moves2) work.holders.push_back({blocks[i].body2, run, i, true});
       }
     });
-  work.first.assign(1, 0);
-  work.holders.clear();
-  for (const auto& holders : of_body) {
-    work.holders.insert(work.holders.end(), holders.begin(), holders.end());
-    work.first.push_back(static_cast<int>(work.holders.size()));
-  }
+  std::stable_sort(work.holders.begin(), work.holders.end(),
+                   [](const auto& a, const auto& b) { return a.body < b.body; });
 }
 
-/// How fast each row of J, a body's half of it, changes with each coordinate of that body.
+/// Friction has one k for both axes, or F would not oppose the slip.
+template <Bound B, int K>
+void share_stiffness(double* k) {
+  if constexpr (B == Bound::friction && K == 2) k[0] = k[1] = std::max(k[0], k[1]);
+}
+
+/// Prepares a block for a step: Λ, k and how much of C it removes.
+template <class M, int K, Bound B>
+void warm_start(const Avbd& method, int position_rows, const Block<M, K, B>& block, Avbd::Work<M>& work) {
+  System<M>& system = work.system;
+  const double h = work.h;
+  for (int k = 0; k < K; ++k) {
+    const int row = block.row + k;
+    const bool hard = system.gamma[row] == 0;
+    if (hard && k < position_rows)
+      work.target[row] = -method.alpha * (B == Bound::none ? system.C[row] : std::min(system.C[row], 0.0));
+    work.impulse[row] = hard ? method.alpha * method.memory * h * system.lambda[row] : 0.0;
+    const double inverse_mass = block.J.matrix.row(k).dot(block.W.matrix.row(k));
+    const double least = inverse_mass > 0 ? method.softest / (h * h * inverse_mass) : 0.0;
+    double& stiffness = system.stiffness[row];
+    stiffness = hard ? std::min(std::max(method.memory * stiffness, least), method.stiffest)
+                     : 1 / (h * h * system.gamma[row]);
+  }
+  share_stiffness<B, K>(&system.stiffness[block.row]);
+}
+
+/// Notes how fast each row of J, a body's half of it, changes with each coordinate of that body.
 template <class M, int K, Bound B>
 void note_curvature(const ConstraintStore<M>& store, const Block<M, K, B>& block, Bodies<M>& bodies,
                     Avbd::Work<M>& work) {
   constexpr double way = 0x1p-20;  // [m or rad]
   constexpr int dof = M::dof;
-  Eigen::Map<Eigen::Matrix<double, K, 2 * dof, Eigen::RowMajor>> curvature(&work.curvature[2 * dof * block.row]);
   Block<M, K, B> displaced = block;
-  Rows<K> C;
-  const auto column = [&](int body, int first, int i) {
-    Pose<M>& pose = bodies.pose[body];
+  double C[K];
+  for (int column = 0; column < 2 * dof; ++column) {
+    const int first = column < dof ? 0 : dof;
+    Pose<M>& pose = bodies.pose[first == 0 ? block.body1 : block.body2];
     const Pose<M> here = pose;
-    pose = moved<M, double>(here, Velocity<M>::Unit(i), way);
-    store.linearise(bodies, displaced, C.data());
+    move<M, double>(pose, Velocity<M>::Unit(column - first), way);
+    store.linearise(bodies, displaced, C);
     pose = here;
-    curvature.col(first + i) =
-        (displaced.J.matrix.template middleCols<dof>(first) - block.J.matrix.template middleCols<dof>(first))
-            .rowwise()
-            .norm() /
-        way;
-  };
-  for (int i = 0; i < dof; ++i) {
-    column(block.body1, 0, i);
-    column(block.body2, dof, i);
+    for (int k = 0; k < K; ++k) {
+      const Eigen::Map<const Velocity<M>> J(&block.J.matrix(k, first)), J_there(&displaced.J.matrix(k, first));
+      work.curvature[2 * dof * (block.row + k) + column] = (J_there - J).norm() / way;
+    }
   }
 }
 
-/// Friction has one k for both of its axes, or F would not oppose the slip.
+/// F of a block's rows in units of Λ. `C` is their value and becomes their error; `unbounded` becomes Λ - κC.
 template <class M, int K, Bound B>
-void share_stiffness(const Block<M, K, B>& block, std::vector<double>& stiffness) {
-  if constexpr (B == Bound::friction) {
-    Eigen::Map<Rows<K>> both(&stiffness[block.row]);
-    both.setConstant(both.maxCoeff());
+Rows<K> force(bool periodic, const Block<M, K, B>& block, const Avbd::Work<M>& work, Rows<K>& C,
+              Rows<K>& unbounded) {
+  C = position_error<M, K>(C, periodic, block.row, work);
+  for (int k = 0, row = block.row; k < K; ++k, ++row)
+    unbounded[k] = (work.system.gamma[row] == 0 ? work.impulse[row] : 0.0) -
+                   work.h * work.h * work.system.stiffness[row] * C[k];
+  const ImpulseBounds bounds = impulse_bounds(block, work.h, work);
+  return bounded<K, B>(unbounded, bounds.lower, bounds.upper, bounds.normal);
+}
+
+/// Solves Hx = b in place by H = L D Lᵀ, from the lower triangle of H. Without pivoting, for H is positive
+/// definite: it is M plus terms that are positive semidefinite.
+template <int n>
+void solve_definite(Eigen::Matrix<double, n, n>& H, Eigen::Matrix<double, n, 1>& b) {
+  for (int j = 0; j < n; ++j) {
+    const double inverse = 1 / H(j, j);
+    for (int i = j + 1; i < n; ++i) {
+      const double factor = H(i, j) * inverse;
+      for (int k = i; k < n; ++k) H(k, i) -= factor * H(k, j);
+      b[i] -= factor * b[j];
+    }
+    H(j, j) = inverse;
+  }
+  for (int j = n - 1; j >= 0; --j) {
+    for (int i = j + 1; i < n; ++i) b[j] -= H(i, j) * b[i];
+    b[j] *= H(j, j);
   }
 }
 
-/// Sets how a block begins a step: its Λ and k, and how much of C it asks for.
-template <class M, int K, Bound B>
-void warm_start(const Avbd& method, double h, int position_rows, const Block<M, K, B>& block,
-                Avbd::Work<M>& work) {
-  System<M>& system = work.system;
-  for (int k = 0; k < K; ++k) {
-    const int row = block.row + k;
-    const double inverse_mass = block.J.matrix.row(k).dot(block.W.matrix.row(k)), gamma = system.gamma[row];
-    const bool hard = gamma == 0;
-    if (k < position_rows && hard)
-      work.target[row] = -method.alpha * (B == Bound::none ? system.C[row] : std::min(system.C[row], 0.0));
-    work.impulse[row] = hard ? method.alpha * method.memory * h * system.lambda[row] : 0.0;
-    const double least = inverse_mass > 0 ? method.softest / (h * h * inverse_mass) : 0.0;
-    double& stiffness = system.stiffness[row];
-    stiffness = hard ? std::min(std::max(method.memory * stiffness, least), method.stiffest) : 1 / (h * h * gamma);
-  }
-  share_stiffness(block, system.stiffness);
-}
-
-/// F of a block's rows without its bounds, in units of Λ, given the error C.
-template <int K, class M>
-Rows<K> unbounded_force(const Rows<K>& C, double h, int row, const Avbd::Work<M>& work) {
-  Rows<K> F;
-  for (int k = 0; k < K; ++k)
-    F[k] = (work.system.gamma[row + k] == 0 ? work.impulse[row + k] : 0.0) -
-           h * h * work.system.stiffness[row + k] * C[k];
-  return F;
-}
-template <class M, int K, Bound B>
-Rows<K> within_bounds(const Rows<K>& F, double h, const Block<M, K, B>& block, const Avbd::Work<M>& work) {
-  const ImpulseBounds bounds = impulse_bounds(block, h, work);
-  return bounded<K, B>(F, bounds.lower, bounds.upper, bounds.normal);
-}
-
-/// The new Λ of a block's rows, and k where F is inside its bounds.
-template <class M, int K, Bound B>
-void update_rows(const ConstraintStore<M>& store, const Avbd& method, double h, const Block<M, K, B>& block,
-                 const Bodies<M>& bodies, Avbd::Work<M>& work) {
-  Rows<K> value;
-  store.write_value(block.constraint, bodies, value.data());
-  const Rows<K> C = position_error<M, K>(value, store.periodic, block.row, work);
-  const Rows<K> wanted = unbounded_force<K>(C, h, block.row, work), F = within_bounds(wanted, h, block, work);
-  for (int k = 0; k < K; ++k) {
-    if (F[k] != wanted[k]) continue;
-    const double gamma = work.system.gamma[block.row + k];
-    double& stiffness = work.system.stiffness[block.row + k];
-    stiffness =
-        std::min(stiffness + method.beta * std::abs(C[k]), gamma == 0 ? method.stiffest : 1 / (h * h * gamma));
-  }
-  share_stiffness(block, work.system.stiffness);
-  Eigen::Map<Rows<K>>(&work.impulse[block.row]) = F;
-}
-
-/// One Newton step of one body while the others stand still. Returns how many rows it has seen.
+/// One Newton step, HΔx = -slope, of one body while the others stay. `next` goes through the holders.
 template <class M>
-int descend(const Scene<M>& scene, int body, double h, Bodies<M>& bodies, Avbd::Work<M>& work) {
+void descend(const Scene<M>& scene, int body, Bodies<M>& bodies, std::size_t& next, Avbd::Work<M>& work) {
   constexpr int dof = M::dof;
   const InverseMass<M>& mass = bodies.inverse_mass[body];
   Pose<M>& pose = bodies.pose[body];
@@ -139,56 +121,64 @@ int descend(const Scene<M>& scene, int body, double h, Bodies<M>& bodies, Avbd::
   H.diagonal().template head<M::linear>().setConstant(1 / mass.linear);
   if constexpr (M::angular > 0) H.template bottomRightCorner<M::angular, M::angular>() = inertia<M>(mass, pose);
   Velocity<M> slope = H.lazyProduct(velocity_between<M>(work.free[body], pose, 1));
-  int seen = 0;
-  for (int i = work.first[body]; i < work.first[body + 1]; ++i) {
-    const auto& holder = work.holders[i];
-    for_type<M>(holder.type, [&](auto type) {
+  for (; next < work.holders.size() && work.holders[next].body == body; ++next) {
+    const auto& holder = work.holders[next];
+    const Run& run = work.system.runs[holder.run];
+    const ConstraintStore<M>& store = scene.store(run.kind);
+    for_type<M>(run.type, [&](auto type) {
       auto& block = std::get<type>(work.system.blocks)[holder.block];
       constexpr int K = decltype(block.J.matrix)::RowsAtCompileTime;
-      const ConstraintStore<M>& store = scene.store(holder.kind);
-      Rows<K> value;
-      store.linearise(bodies, block, value.data());
-      const Rows<K> C = position_error<M, K>(value, store.periodic, block.row, work);
-      const Rows<K> F = within_bounds(unbounded_force<K>(C, h, block.row, work), h, block, work);
-      const int first = holder.second ? dof : 0;
-      const Eigen::Matrix<double, K, dof> side = block.J.matrix.template middleCols<dof>(first);
+      Rows<K> C, unbounded;
+      store.linearise(bodies, block, C.data());
+      const Rows<K> F = force(store.periodic, block, work, C, unbounded);
       for (int k = 0; k < K; ++k) {
-        H += h * h * work.system.stiffness[block.row + k] * side.row(k).transpose() * side.row(k);
-        H.diagonal() +=
-            std::abs(F[k]) * Eigen::Map<const Velocity<M>>(&work.curvature[2 * dof * (block.row + k) + first]);
+        const int row = block.row + k, first = holder.second ? dof : 0;
+        const double *J = &block.J.matrix(k, first), *curvature = &work.curvature[2 * dof * row + first];
+        const double kappa = work.h * work.h * work.system.stiffness[row];
+        for (int i = 0; i < dof; ++i) {
+          slope[i] -= J[i] * F[k];
+          H(i, i) += std::abs(F[k]) * curvature[i];
+          for (int j = 0; j <= i; ++j) H(i, j) += kappa * J[i] * J[j];
+        }
       }
-      slope -= side.transpose() * F;
-      seen += K;
     });
+    work.row_solves += store.rows;
   }
-  move<M, double>(pose, -H.ldlt().solve(slope), 1);
-  return seen;
+  solve_definite(H, slope);
+  move<M, double>(pose, -slope, 1);
 }
 
-/// Calls f(store, block, run) for each block in natural order.
-template <class M, class F>
-void for_each_block(const Scene<M>& scene, System<M>& system, F&& f) {
-  for (const Run& run : system.runs)
-    for_type<M>(run.type, [&](auto type) {
-      for (auto& block : part<type>(system.blocks, run)) f(scene.store(run.kind), block, run);
-    });
+/// Sets the new Λ of a block's rows; k grows where F is inside its bounds.
+template <class M, int K, Bound B>
+void update_rows(const ConstraintStore<M>& store, const Avbd& method, const Block<M, K, B>& block,
+                 const Bodies<M>& bodies, Avbd::Work<M>& work) {
+  Rows<K> C, unbounded;
+  store.write_value(block.constraint, bodies, C.data());
+  const Rows<K> F = force(store.periodic, block, work, C, unbounded);
+  for (int k = 0, row = block.row; k < K; ++k, ++row) {
+    const double gamma = work.system.gamma[row];
+    const double most = gamma == 0 ? method.stiffest : 1 / (work.h * work.h * gamma);
+    double& stiffness = work.system.stiffness[row];
+    if (F[k] == unbounded[k]) stiffness = std::min(stiffness + method.beta * std::abs(C[k]), most);
+    work.impulse[row] = F[k];
+  }
+  share_stiffness<B, K>(&work.system.stiffness[block.row]);
 }
 
 }  // namespace
 
-//! [step]
 template <class M>
 void advance(Scene<M>& scene, const Avbd& method, double h, Avbd::Work<M>& work) {
   require_steppable(scene, method, h);
   Bodies<M>& bodies = scene.state();
-  if (begin_rows(scene, work)) list_holders(bodies.size(), work);
+  if (begin_rows(scene, work)) list_holders(work);
   work.system.stiffness.resize(work.system.rows());
   work.curvature.resize(2 * M::dof * work.system.rows());
   rescale_impulses(work, h);
   write_targets(scene, h, work);
-  for_each_block(scene, work.system, [&](const auto& store, auto& block, const Run& run) {
-    note_curvature(store, block, bodies, work);
-    warm_start(method, h, run.position_rows, block, work);
+  for_each_block(work.system, [&](const auto& block, const Run& run) {
+    note_curvature(scene.store(run.kind), block, bodies, work);
+    warm_start(method, run.position_rows, block, work);
   });
   begin_turn(method.gyroscopic, bodies, h);
   work.before = bodies.pose;
@@ -196,19 +186,17 @@ void advance(Scene<M>& scene, const Avbd& method, double h, Avbd::Work<M>& work)
   work.free = bodies.pose;
   for (Pose<M>& pose : work.free) pose.position += h * h * scene.gravity;
   for (int i = 0; i < method.iterations; ++i) {
+    std::size_t next = 0;
     for (int body = 0; body < bodies.size(); ++body)
-      if (moves(bodies.inverse_mass[body])) work.row_solves += descend(scene, body, h, bodies, work);
-    for_each_block(scene, work.system, [&](const auto& store, const auto& block, const Run&) {
-      update_rows(store, method, h, block, bodies, work);
+      if (moves(bodies.inverse_mass[body])) descend(scene, body, bodies, next, work);
+    for_each_block(work.system, [&](const auto& block, const Run& run) {
+      update_rows(scene.store(run.kind), method, block, bodies, work);
     });
     work.row_solves += work.system.rows();
   }
-  velocities_between(work.before, h, bodies);
-  end_turn(method.gyroscopic, bodies, h);
-  end_rows(scene, h, method.bounce_threshold, work);
+  end_substep(scene, method.gyroscopic, h, method.bounce_threshold, work);
   work.contacts.read_impulses(work.system);
 }
-//! [step]
 
 #define BYHAND_INSTANTIATE(M) template void advance(Scene<M>&, const Avbd&, double, Avbd::Work<M>&)
 BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);

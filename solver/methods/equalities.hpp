@@ -7,8 +7,8 @@
 #include "solver/direct/direct.hpp"
 #include "solver/methods/step_work.hpp"
 
-// What methods share that hold every constraint exactly, as differential-algebraic equations: they run scenes of
-// equalities, M V̇ = F + Jᵀf with C = 0, and no others.
+// Shared by methods that hold constraints exactly, as differential-algebraic equations M V̇ = F + Jᵀf with C = 0.
+// They run scenes of equalities only.
 namespace byhand {
 
 /// What they keep between steps. λ/h is the force in the middle of a substep, to second order.
@@ -16,57 +16,86 @@ template <class M>
 struct EqualitiesWork : StepWork<M> {
   DirectWork<M> direct;
   std::vector<double> offset, change;  // by row
-  Bodies<M> begin;                     // of the substep
+  Bodies<M> begin;                     // at the start of the substep
 };
 
-/// Thrown where the equations of an implicit step have no solution that its iteration comes to.
+/// Thrown if the equations of an implicit step are not solved by iteration.
 struct NoConvergence : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Why `method` cannot run this scene, in one sentence; empty where it can.
-template <class M>
-std::string refusal_unless_equalities(const Scene<M>& scene, const char* method);
+/// Throws std::invalid_argument for fewer than one substep or a regularisation outside [0, 1].
+inline void require_valid_equalities(int substeps, double regularisation) {
+  require(substeps >= 1, "number of substeps", substeps, "at least 1");
+  require_in("regularisation", regularisation, 0, 1);
+}
 
-/// Begins a step: lays the rows out in the order of elimination if the scene has changed.
+/// Why `method` cannot run this scene; empty if it can.
 template <class M>
-void begin_equalities(const Scene<M>& scene, double h, EqualitiesWork<M>& work);
+std::string refusal_unless_equalities(const Scene<M>& scene, const char* method) {
+  if (!scene.colliders().shapes.empty())
+    return std::string(method) + " knows no contacts, and this scene has bodies that may touch";
+  for (const auto& entry : scene.entries()) {
+    const ConstraintStore<M>& store = scene.store(entry.kind);
+    const double softness = store.softness(entry.index);
+    const auto refused = [&](const std::string& reason) {
+      return std::string(method) + " holds equalities alone, and constraint " + std::to_string(entry.id) + reason;
+    };
+    if (store.bound != Bound::none) return refused(" is bounded");
+    if (store.position_rows < store.rows) return refused(" is a spring");
+    if (softness != 0) return refused(" is soft: it gives way by " + text_of(softness) + " in a step");
+  }
+  return {};
+}
+
+/// Begins a step of substeps h [s]: if the scene has changed, lays the rows out in the order of elimination.
+template <class M>
+void begin_equalities(const Scene<M>& scene, double h, EqualitiesWork<M>& work) {
+  work.h = h;
+  if (work.version == scene.version()) return;
+  work.version = scene.version();
+  scene.lay_out(solve_order(Layout::elimination, scene.graph(), M::dof, work.direct.plan), work.system);
+  for (auto* numbers : {&work.offset, &work.change}) numbers->assign(work.system.rows(), 0.0);
+}
 
 /// x of JM⁻¹Jᵀ x = -(JV + offset) into `work.change`, for the V of `bodies`.
 template <class M>
-void solve_rows(double regularisation, const Bodies<M>& bodies, EqualitiesWork<M>& work);
+void solve_rows(double regularisation, const Bodies<M>& bodies, EqualitiesWork<M>& work) {
+  if (work.system.rows() == 0) return;
+  const Direct solver{.regularisation = regularisation};
+  solve_equations(solver, work.system, work.offset, bodies, work.direct, work.change);
+  work.row_solves += direct_row_solves(solver, work.direct.plan, work.system.rows(), M::dof);
+}
 
-/// Calls f; if that throws, the bodies are where `begin` says.
+/// Makes a number of substeps. If one throws, the bodies return to its start.
 template <class M, class F>
-void or_back_to(const Bodies<M>& begin, Bodies<M>& bodies, F&& f) {
-  try {
-    f();
-  } catch (...) {
-    bodies.pose = begin.pose;
-    bodies.velocity = begin.velocity;
-    throw;
+void run_substeps(int substeps, Scene<M>& scene, EqualitiesWork<M>& work, F&& substep) {
+  for (int i = 0; i < substeps; ++i) {
+    work.begin = scene.bodies();
+    std::fill(work.system.lambda.begin(), work.system.lambda.end(), 0.0);
+    try {
+      substep();
+    } catch (...) {
+      scene.state() = work.begin;
+      throw;
+    }
   }
 }
 
-/// Watches an iteration whose errors shrink: it has to come down to `enough`, and goes on until nothing is gained
-/// any more but rounding.
-class Convergence {
- public:
-  explicit Convergence(double enough) : enough_(enough) {}
-
-  /// Whether the iteration is done. Throws NoConvergence after a hundred errors, or for one that is no number.
-  bool reached(double error) {
-    if (error == 0 || (error <= enough_ && error > 0.9 * last_)) return true;
-    if (++count_ == 100 || !std::isfinite(error))
+/// Calls `improve` until error() is at most `enough` and decreases no more, except by rounding. Throws
+/// NoConvergence after 100 errors or for one that is not finite.
+template <class Error, class Improve>
+void iterate(double enough, Error&& error, Improve&& improve) {
+  double last = std::numeric_limits<double>::infinity();
+  for (int count = 1;; ++count) {
+    const double now = error();
+    if (now == 0 || (now <= enough && now > 0.9 * last)) return;
+    if (count == 100 || !std::isfinite(now))
       throw NoConvergence(
           "the equations of an implicit step were not solved in 100 iterations; take a smaller step");
-    last_ = error;
-    return false;
+    last = now;
+    improve();
   }
-
- private:
-  double enough_, last_ = std::numeric_limits<double>::infinity();
-  int count_ = 0;
-};
+}
 
 }  // namespace byhand

@@ -8,12 +8,12 @@
 
 namespace byhand {
 
-/// Any method, for programs that choose one at run time. Each family is a struct of choices with
+/// Any method, for programs that choose one at run time. Each is a struct of choices with
 ///
-///   Family::Work<M>                          a StepWork: what it keeps between steps; `row_solves` counts its
-///   cost so far require_valid(family)                    throws std::invalid_argument for a choice outside its
-///   range refusal(scene, family)                   why it cannot run a scene, in one sentence; empty where it can
-///   advance(scene, family, step, work)       one time step [s]; throws std::invalid_argument with the refusal
+///   Method::Work<M>                      a StepWork: what it keeps between steps; `row_solves` is its total cost
+///   require_valid(method)                throws std::invalid_argument for a choice outside its range
+///   refusal(scene, method)               why it cannot run a scene, in one sentence; empty if it can
+///   advance(scene, method, step, work)   one time step [s]; throws std::invalid_argument with the refusal
 using Method = std::variant<VelocityStepping, Accelerations, Rattle, Xpbd, Avbd>;
 
 }  // namespace byhand

@@ -1,49 +1,70 @@
 #pragma once
 
+#include "solver/contact/restitution.hpp"
 #include "solver/gauss_seidel.hpp"
+#include "solver/integrate/rotation.hpp"
+#include "solver/integrate/gyroscopic.hpp"
 #include "solver/methods/step_work.hpp"
 
-// One constraint solved on positions: what projection, XPBD and AVBD share.
+// One constraint solved on positions: shared by projection, XPBD and AVBD.
 //
-// A row of a step h asks of the velocities, by (21) with softness,  JV + b + γλ = 0.  Times h, with hJV the change
-// of the row's value C over the step and Λ = hλ, it asks of the poses, and nothing is linearised any more:
+// Over a step h, (21) with softness asks of a row's velocities  JV + b + γλ = 0.  Times h, with hJV the change of
+// the row's value C and Λ = hλ, it asks of the poses, without linearisation:
 //
 //   rows with a C (rods, joints, contacts), whose whole error is removed, b = C₀/h:
-//                    C + γΛ = 0              so γ = α/h² is XPBD's compliance α: C = -αf for a force f = Λ/h²
+//                    C + γΛ = 0              so γ = α/h² with XPBD's compliance α: C = -αf for a force f = Λ/h²
 //   rows without (springs, servos, motors, friction), b = `rate`:
 //                    C - C₀ + h rate + γΛ = 0
 //
-// A spring has rate = k/(c+hk) C₀ and γ = 1/(h(c+hk)); its row is Λ = -h²(kC + c (C-C₀)/h), implicit Euler with
-// the force at the end of the step, C and not its tangent. A motor's row is C - C₀ = hs, friction's is no slip
-// over the step. Bounds on Λ are h times those on λ; friction's ball has the radius μΛ of its normal row. Newton's
-// step from where the bodies now stand is (17) again,
+// A spring has rate = k/(c+hk) C₀ and γ = 1/(h(c+hk)). Its row is Λ = -h²(kC + c (C-C₀)/h): implicit Euler with
+// the force at the end of the step, C itself and not its tangent. A motor's row is C - C₀ = hs, friction's C = C₀.
+// Bounds on Λ are h times those on λ; friction's ball has the radius μΛ of its normal row. Newton's step from the
+// current poses is (17) again,
 //
 //   ΔΛ = -(JM⁻¹Jᵀ + γ)⁻¹ (C - C₀ + h rate + γΛ) within bounds,    poses moved by M⁻¹JᵀΔΛ.
 //
-// (Source: M. Macklin, M. Müller, N. Chentanez, XPBD: position-based simulation of compliant constrained dynamics,
-// MIG 2016, eq. 18; the rows without a C are derived here.)
+// Source: M. Macklin, M. Müller, N. Chentanez, XPBD: position-based simulation of compliant constrained dynamics,
+// MIG 2016, eq. 18. The rows without a C are derived here.
 namespace byhand {
 
-/// What methods on positions keep besides the rows of the system, which they lay out in natural order: one number
-/// a row.
+/// What methods on positions keep between steps. Their rows are in natural order; the vectors have one number a
+/// row.
 template <class M>
 struct PositionWork : StepWork<M> {
-  std::vector<double> impulse;  // Λ = hλ [kg m, or what C's unit makes of it]
-  std::vector<double> from;     // C₀ of rows whose change counts, 0 of rows with a C
-  std::vector<double> target;   // what the row adds to that: h rate
-  std::vector<Pose<M>> before;  // of the bodies, at the beginning of the step
+  std::vector<double> impulse;  // Λ = hλ
+  std::vector<double> from;     // C₀ of rows without a C; 0 of rows with one
+  std::vector<double> target;   // h rate
+  std::vector<Pose<M>> before;  // of the bodies, at the start of the substep
 };
 
-/// Begins a step: finds contacts, and makes room for all rows. Returns whether they were laid out anew.
+/// Begins a step: finds contacts and makes room for all rows. Returns whether the layout has changed.
 template <class M>
-bool begin_rows(Scene<M>& scene, PositionWork<M>& work);
+bool begin_rows(Scene<M>& scene, PositionWork<M>& work) {
+  work.contacts.find(scene);
+  const bool changed = lay_out_naturally(scene, work);
+  work.contacts.write_impulses(work.system);
+  for (auto* numbers : {&work.impulse, &work.from, &work.target}) numbers->resize(work.system.rows());
+  return changed;
+}
 
-/// Writes what the rows ask for over a substep h [s] that begins at these poses and velocities, and notes JV of
-/// those that may bounce.
+/// Writes rows, C₀ and h rate for a substep h [s] from the current state, and notes JV of rows that may bounce.
 template <class M>
-void write_targets(const Scene<M>& scene, double h, PositionWork<M>& work);
+void write_targets(const Scene<M>& scene, double h, PositionWork<M>& work) {
+  System<M>& system = work.system;
+  scene.write_rows(system, h);
+  note_approach(system, scene.bodies().velocity, work.approach);
+  for_each_block(system, [&](const BlockHeader& block, const Run& run) {
+    const ConstraintStore<M>& store = scene.store(run.kind);
+    double C[6];  // no block has more rows
+    if (store.position_rows < store.rows) store.write_value(block.constraint, scene.bodies(), C);
+    for (int k = 0; k < store.rows; ++k) {
+      work.from[block.row + k] = k < store.position_rows ? 0 : C[k];
+      work.target[block.row + k] = h * system.rate[block.row + k];
+    }
+  });
+}
 
-/// C - C₀ + h rate of a block's rows, given their values C. An angle that passed half a turn goes on there.
+/// C - C₀ + h rate of a block's rows with values C. The change of an angle (`periodic`) is at most half a turn.
 template <class M, int K>
 Rows<K> position_error(const Rows<K>& C, bool periodic, int row, const PositionWork<M>& work) {
   Rows<K> change = C - Eigen::Map<const Rows<K>>(&work.from[row]);
@@ -54,24 +75,20 @@ Rows<K> position_error(const Rows<K>& C, bool periodic, int row, const PositionW
   return change + Eigen::Map<const Rows<K>>(&work.target[row]);
 }
 
-/// Bounds of a block's Λ: an interval's two ends; with friction `upper` is μ and `normal` the Λ that it
-/// multiplies.
+/// Bounds of a block's Λ: the ends of an interval; for friction `upper` is μ and `normal` the Λ it multiplies.
 struct ImpulseBounds {
   double lower = 0, upper = 0, normal = 0;
 };
-/// Those over a substep h [s].
 template <class M, int K, Bound B>
 ImpulseBounds impulse_bounds(const Block<M, K, B>& block, double h, const PositionWork<M>& work) {
   const System<M>& system = work.system;
-  if constexpr (B == Bound::interval)
-    return {h * system.lower[block.row], h * system.upper[block.row]};
-  else
-    return {0, system.upper[block.row], B == Bound::friction ? work.impulse[block.normal_row] : 0.0};
+  if constexpr (B == Bound::interval) return {h * system.lower[block.row], h * system.upper[block.row]};
+  return {0, system.upper[block.row], B == Bound::friction ? work.impulse[block.normal_row] : 0.0};
 }
 
-/// x of Ax = b, or where that is outside the disc of `radius`, of (A + s)x = b on its rim: friction within
-/// Coulomb's disc, whose slip Ax - b = -sx then opposes it. By Newton on 1/|x| = 1/radius, from s = 0 upwards.
-/// (Source: J. J. Moré, D. C. Sorensen, Computing a trust region step, SIAM J. Sci. Stat. Comput. 4, 1983.)
+/// Friction within Coulomb's disc: x of Ax = b if |x| <= `radius`, else of (A + s)x = b with |x| = radius, so that
+/// the slip Ax - b = -sx opposes x. Newton's method on 1/|x| = 1/radius, from s = 0 upwards. Source: J. J. Moré,
+/// D. C. Sorensen, Computing a trust region step, SIAM J. Sci. Stat. Comput. 4, 1983.
 template <int K>
 Rows<K> within_disc(Eigen::Matrix<double, K, K> A, const Rows<K>& b, double radius) {
   if (!(radius > 0)) return Rows<K>::Zero();
@@ -86,7 +103,6 @@ Rows<K> within_disc(Eigen::Matrix<double, K, K> A, const Rows<K>& b, double radi
   return length > radius ? Rows<K>(x * (radius / length)) : x;
 }
 
-//! [newton]
 /// ΔΛ = -A⁻¹ `residual` of K rows with A = JM⁻¹Jᵀ + γ, such that Λ + ΔΛ is within its bounds.
 template <Bound B, int K>
 Rows<K> bounded_newton(const Eigen::Matrix<double, K, K>& A, const Rows<K>& residual, const Rows<K>& impulse,
@@ -111,20 +127,51 @@ void displace(const Block<M, K, B>& block, const Rows<K>& change, std::vector<Po
   if (block.moves1) move<M, double>(poses[block.body1], block.W.side1().transpose() * change, 1);
   if (block.moves2) move<M, double>(poses[block.body2], block.W.side2().transpose() * change, 1);
 }
-//! [newton]
 
-/// The velocity with which `move` comes from one pose to another in a time h [s], by less than half a turn: in
-/// space the exact logarithm, as `move` takes the exact exponential. (Twice the vector part of the turn, as XPBD's
-/// paper has it, is sin(φ/2)/(φ/2) of that, and brakes a body that nothing holds.)
+/// The velocity with which `move` goes from one pose to another in a time h [s], turning less than half a turn. In
+/// space it is the exact logarithm; XPBD's paper takes twice the vector part of the turn, which is smaller by
+/// sin(φ/2)/(φ/2) and slows down a free body.
 template <class M>
-Velocity<M> velocity_between(const Pose<M>& before, const Pose<M>& after, double h);
-/// That velocity for all bodies that move.
-template <class M>
-void velocities_between(const std::vector<Pose<M>>& before, double h, Bodies<M>& bodies);
+Velocity<M> velocity_between(const Pose<M>& before, const Pose<M>& after, double h) {
+  Velocity<M> V;
+  V.template head<M::linear>() = (after.position - before.position) / h;
+  if constexpr (M::angular == 1) V[M::linear] = principal_angle(after.rotation * inverse(before.rotation)) / h;
+  if constexpr (M::angular == 3) V.template tail<3>() = turn_of(after.rotation * inverse(before.rotation)) / h;
+  return V;
+}
 
-/// Ends a substep h [s]: λ from Λ; contacts that met faster than `threshold` [m/s] and pressed get the velocity -e
-/// JV⁻ with which they part, one after the other from the λ that stands.
+/// Ends a substep h [s]: velocities from the change of poses, λ from Λ. Then contacts that press and met faster
+/// than `threshold` [m/s] get the velocity -e JV⁻, one after the other.
 template <class M>
-void end_rows(Scene<M>& scene, double h, double threshold, PositionWork<M>& work);
+void end_substep(Scene<M>& scene, Gyroscopic gyroscopic, double h, double threshold, PositionWork<M>& work) {
+  System<M>& system = work.system;
+  Bodies<M>& bodies = scene.state();
+  for (int i = 0; i < bodies.size(); ++i)
+    if (moves(bodies.inverse_mass[i])) bodies.velocity[i] = velocity_between<M>(work.before[i], bodies.pose[i], h);
+  end_turn(gyroscopic, bodies, h);
+  for (int row = 0; row < system.rows(); ++row) system.lambda[row] = work.impulse[row] / h;
+  if (work.approach.empty()) return;
+  for_each_block(system, [&]<int K, Bound B>(Block<M, K, B>& block, const Run& run) {
+    if constexpr (bouncing < K, B >> 0) {
+      Eigen::Map<Rows<K>> lambda(&system.lambda[block.row]);
+      Rows<K> parting = Rows<K>::Zero();
+      for (int k = 0; k < bouncing<K, B>; ++k) {
+        const double approach = work.approach[block.row + k];
+        if (lambda[k] > 0 && approach < -threshold) parting[k] = -system.restitution[block.row] * approach;
+      }
+      if (parting.isZero(0)) return;
+      Rows<K> C;
+      scene.store(run.kind).linearise(bodies, block, C.data());
+      Velocity<M>&V1 = bodies.velocity[block.body1], &V2 = bodies.velocity[block.body2];
+      const ImpulseBounds bounds{system.lower[block.row], system.upper[block.row]};
+      const Rows<K> change = bounded_newton<B, K>(inverse_effective_mass(block.J, block.W),
+                                                  dot(block.J, V1, V2) - parting, lambda, bounds);
+      if (block.moves1) V1 += block.W.side1().transpose() * change;
+      if (block.moves2) V2 += block.W.side2().transpose() * change;
+      lambda.setZero();  // they part: no warm start from this push
+      work.row_solves += K;
+    }
+  });
+}
 
 }  // namespace byhand

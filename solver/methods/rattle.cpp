@@ -4,33 +4,27 @@
 #include "solver/integrate/gyroscopic.hpp"
 
 namespace byhand {
-
-void require_valid(const Rattle& family) {
-  require(family.substeps >= 1, "number of substeps", family.substeps, "at least 1");
-  require_in("regularisation", family.regularisation, 0, 1);
-}
-
 namespace {
 
-/// The bodies where they come to from the beginning of the substep with the velocities `kicked`.
+/// Moves the bodies from the start of the substep with the velocities `kicked`.
 template <class M>
-void move_kicked(Bodies<M>& bodies, const RattleWork<M>& work) {
+void move_kicked(Bodies<M>& bodies, const Rattle::Work<M>& work) {
   bodies.pose = work.begin.pose;
   bodies.velocity = work.kicked;
   begin_turn(Gyroscopic::implicit, bodies, work.h);
   advance_poses(bodies, work.h);
 }
 
-/// C/h of every row, as offsets; returns the largest |C|.
+/// Writes C/h of every row as offsets; returns the largest |C|.
 template <class M>
-double write_errors(const Scene<M>& scene, RattleWork<M>& work) {
+double write_errors(const Scene<M>& scene, Rattle::Work<M>& work) {
   double largest = 0;
   for (int place = 0; place < scene.count(); ++place) {
     const auto& entry = scene.entries()[place];
     double* C = &work.offset[work.system.row_of[place]];
     scene.store(entry.kind).write_value(entry.index, scene.bodies(), C);
     for (int k = 0; k < scene.store(entry.kind).rows; ++k) {
-      if (!(std::abs(C[k]) <= largest)) largest = std::abs(C[k]);  // also where it is not a number
+      if (!(std::abs(C[k]) <= largest)) largest = std::abs(C[k]);  // also if it is NaN
       C[k] /= work.h;
     }
   }
@@ -39,60 +33,51 @@ double write_errors(const Scene<M>& scene, RattleWork<M>& work) {
 
 /// Adds the impulses `work.change` to velocities and to λ.
 template <class M>
-void add_impulses(std::vector<Velocity<M>>& velocities, RattleWork<M>& work) {
+void add_impulses(std::vector<Velocity<M>>& velocities, Rattle::Work<M>& work) {
   apply_all(work.system, work.change, velocities);
   for (std::size_t row = 0; row < work.change.size(); ++row) work.system.lambda[row] += work.change[row];
 }
 
-/// Corrects λ and the kicked velocities by the errors that stand as offsets.
+/// Writes and factors the rows; finds the impulses that would make JV = 0.
 template <class M>
-void correct_kick(RattleWork<M>& work) {
-  solve_again(work.offset, work.direct, work.change);
-  work.row_solves += row_solves_again(work.direct.plan, M::dof);
-  add_impulses(work.kicked, work);
-}
-
-/// Factors the rows as they are written, and finds the impulses that would leave JV = 0.
-template <class M>
-void factor_rows(const Bodies<M>& bodies, double regularisation, RattleWork<M>& work) {
+void factor_rows(const Scene<M>& scene, double regularisation, Rattle::Work<M>& work) {
+  scene.write_rows(work.system, work.h);
   std::fill(work.offset.begin(), work.offset.end(), 0.0);
-  solve_rows(regularisation, bodies, work);
+  solve_rows(regularisation, scene.bodies(), work);
 }
 
-//! [rattle]
-/// One substep from rows that are written and factored at its beginning, and leaves them so at its end.
+/// One substep. The rows are written and factored at its start and again at its end.
 template <class M>
-void rattle(Scene<M>& scene, const Rattle& family, RattleWork<M>& work) {
+void rattle(Scene<M>& scene, const Rattle& method, Rattle::Work<M>& work) {
   Bodies<M>& bodies = scene.state();
-  std::fill(work.system.lambda.begin(), work.system.lambda.end(), 0.0);
   add_gravity(bodies, scene.gravity, work.h / 2);
   work.kicked = bodies.velocity;
-  Convergence convergence(1e-9);  // [units of C]
-  for (move_kicked(bodies, work); !convergence.reached(write_errors(scene, work)); move_kicked(bodies, work))
-    correct_kick(work);
+  move_kicked(bodies, work);
+  const auto correct = [&] {
+    solve_again(work.offset, work.direct, work.change);
+    work.row_solves += row_solves_again(work.direct.plan, M::dof);
+    add_impulses(work.kicked, work);
+    move_kicked(bodies, work);
+  };
+  iterate(
+      1e-9, [&] { return write_errors(scene, work); }, correct);  // [units of C]
   end_turn(Gyroscopic::implicit, bodies, work.h);
-  scene.write_rows(work.system, work.h);
   add_gravity(bodies, scene.gravity, work.h / 2);
-  factor_rows(bodies, family.regularisation, work);
+  factor_rows(scene, method.regularisation, work);
   add_impulses(bodies.velocity, work);
 }
-//! [rattle]
 
 }  // namespace
 
 template <class M>
-void advance(Scene<M>& scene, const Rattle& family, double step, RattleWork<M>& work) {
-  require_steppable(scene, family, step);
-  begin_equalities(scene, step / family.substeps, work);
-  scene.write_rows(work.system, work.h);
-  factor_rows(scene.bodies(), family.regularisation, work);
-  for (int i = 0; i < family.substeps; ++i) {
-    work.begin = scene.bodies();
-    or_back_to(work.begin, scene.state(), [&] { rattle(scene, family, work); });
-  }
+void advance(Scene<M>& scene, const Rattle& method, double step, Rattle::Work<M>& work) {
+  require_steppable(scene, method, step);
+  begin_equalities(scene, step / method.substeps, work);
+  factor_rows(scene, method.regularisation, work);
+  run_substeps(method.substeps, scene, work, [&] { rattle(scene, method, work); });
 }
 
-#define BYHAND_INSTANTIATE(M) template void advance(Scene<M>&, const Rattle&, double, RattleWork<M>&)
+#define BYHAND_INSTANTIATE(M) template void advance(Scene<M>&, const Rattle&, double, Rattle::Work<M>&)
 BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);
 #undef BYHAND_INSTANTIATE
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <numeric>
 #include <string>
 
 #include "solver/contact/contact_manager.hpp"
@@ -19,20 +20,27 @@ struct StepWork {
   ContactManager<M> contacts;
   std::vector<double> approach;  // JV of rows that may bounce, before they are solved
   Layout layout = Layout::none;
-  std::uint64_t version = 0;  // of the scene that is laid out
-  bool loopless = false;      // its graph
+  std::uint64_t version = 0;  // of the scene when it was laid out
+  bool loopless = false;      // whether its graph has no loops
   double h = 0;               // the substep that λ belongs to [s]
-  long long row_solves = 0;   // so far; a direct solve counts as the row-solves that its multiplications would buy
+  long long row_solves = 0;   // total cost; a direct solve counts as the row solves of as many multiplications
 };
 
-/// Places of constraints in that layout; for Layout::elimination this also makes `plan`.
+/// Places of constraints in that layout; Layout::elimination also writes `plan`.
 std::vector<int> solve_order(Layout layout, const Graph& graph, int dof, Elimination& plan);
 
-/// Lays the rows out in natural order, unless they are. Returns whether anything changed.
+/// Lays the rows out in natural order if the scene has changed. Returns whether it has.
 template <class M>
-bool lay_out_naturally(const Scene<M>& scene, StepWork<M>& work);
+bool lay_out_naturally(const Scene<M>& scene, StepWork<M>& work) {
+  if (work.version == scene.version()) return false;
+  work.version = scene.version();
+  std::vector<int> order(scene.count());
+  std::iota(order.begin(), order.end(), 0);
+  scene.lay_out(order, work.system);
+  return true;
+}
 
-/// λ is an impulse, a force times h: when the step changes, so does the guess that a warm start makes.
+/// λ is force times h: a new time step rescales it, so that the warm start keeps the forces.
 template <class M>
 void rescale_impulses(StepWork<M>& work, double h) {
   if (work.h > 0 && work.h != h)
@@ -40,12 +48,14 @@ void rescale_impulses(StepWork<M>& work, double h) {
   work.h = h;
 }
 
-/// Whether any row of the scene is bounded, or would be of what may come to touch.
-template <class M>
-bool has_bounds(const Scene<M>& scene);
+/// The refusal of methods that run every scene.
+template <class M, class Method>
+std::string refusal(const Scene<M>&, const Method&) {
+  return {};
+}
 
-/// What every step begins with: throws std::invalid_argument for a time step [s] that is not positive, gravity
-/// that is not finite, a method outside its range, and a method that refuses the scene.
+/// Begins every `advance`. Throws std::invalid_argument for a time step [s] that is not positive, gravity that is
+/// not finite, a method outside its range, and a method that refuses the scene.
 template <class M, class Method>
 void require_steppable(const Scene<M>& scene, const Method& method, double step) {
   require_positive("time step", step, "s");
@@ -54,7 +64,7 @@ void require_steppable(const Scene<M>& scene, const Method& method, double step)
   if (const std::string reason = refusal(scene, method); !reason.empty()) throw std::invalid_argument(reason);
 }
 
-/// What a constraint did to its second body in the last substep; its first body got the opposite force.
+/// The force of a constraint on its second body; its first body gets the opposite force.
 template <class M>
 struct Reaction {
   Linear<M> force = Linear<M>::Zero();      // [N]
@@ -62,7 +72,7 @@ struct Reaction {
   Angular<M> torque2 = Angular<M>::Zero();  // on the second [N m]
 };
 
-/// Jᵀλ/h of a constraint, by its handle or identity, as it was solved last. Throws std::invalid_argument for one
+/// Jᵀλ/h of a constraint, by its handle or identity, in the last substep. Throws std::invalid_argument for one
 /// that the scene does not have or that took no part in the last step.
 template <class M>
 Reaction<M> reaction(const Scene<M>& scene, const StepWork<M>& work, int constraint);

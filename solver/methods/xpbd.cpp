@@ -13,22 +13,20 @@ void require_valid(const Xpbd& method) {
 
 namespace {
 
-/// Lets one-sided rows that overlap by more than `way` [m] come out by no more than that in this substep.
+/// Lets one-sided rows that overlap by more than `way` [m] move out by no more than that in this substep.
 template <class M>
-void push_out_slowly(double way, Xpbd::Work<M>& work) {
-  System<M>& system = work.system;
-  for (const Run& run : system.runs)
-    for_type<M>(run.type, [&](auto type) {
-      for (const auto& block : part<type>(system.blocks, run))
-        for (int k = 0; k < run.position_rows; ++k)
-          if (is_bounded(block)) work.target[block.row + k] = std::max(0.0, -(system.C[block.row + k] + way));
-    });
+void limit_push(const Scene<M>& scene, double way, PositionWork<M>& work) {
+  for_each_block(work.system, [&](const BlockHeader& block, const Run& run) {
+    if (scene.store(run.kind).bound == Bound::none) return;
+    for (int row = block.row; row < block.row + run.position_rows; ++row)
+      work.target[row] = std::max(0.0, -(work.system.C[row] + way));
+  });
 }
 
-/// One Newton step of one constraint: its Λ and the poses of its two bodies.
+/// One Newton step of one constraint: changes its Λ and the poses of its two bodies.
 template <class M, int K, Bound B>
 void solve_block(const ConstraintStore<M>& store, double h, Block<M, K, B>& block, Bodies<M>& bodies,
-                 Xpbd::Work<M>& work) {
+                 PositionWork<M>& work) {
   Eigen::Map<Rows<K>> impulse(&work.impulse[block.row]);
   const Eigen::Map<const Rows<K>> gamma(&work.system.gamma[block.row]);
   Rows<K> C;
@@ -43,37 +41,31 @@ void solve_block(const ConstraintStore<M>& store, double h, Block<M, K, B>& bloc
 
 }  // namespace
 
-//! [step]
 template <class M>
-void advance(Scene<M>& scene, const Xpbd& method, double step, Xpbd::Work<M>& work) {
+void advance(Scene<M>& scene, const Xpbd& method, double step, PositionWork<M>& work) {
   require_steppable(scene, method, step);
   begin_rows(scene, work);
   Bodies<M>& bodies = scene.state();
   const double h = work.h = step / method.substeps;
   for (int substep = 0; substep < method.substeps; ++substep) {
     write_targets(scene, h, work);
-    push_out_slowly(method.push_speed * h, work);
+    limit_push(scene, method.push_speed * h, work);
     std::fill(work.impulse.begin(), work.impulse.end(), 0.0);
     begin_turn(method.gyroscopic, bodies, h);
     add_gravity(bodies, scene.gravity, h);
     work.before = bodies.pose;
     advance_poses(bodies, h);
     for (int i = 0; i < method.iterations; ++i)
-      for (const Run& run : work.system.runs)
-        for_type<M>(run.type, [&](auto type) {
-          for (auto& block : part<type>(work.system.blocks, run))
-            solve_block(scene.store(run.kind), h, block, bodies, work);
-        });
-    velocities_between(work.before, h, bodies);
-    end_turn(method.gyroscopic, bodies, h);
+      for_each_block(work.system, [&](auto& block, const Run& run) {
+        solve_block(scene.store(run.kind), h, block, bodies, work);
+      });
+    end_substep(scene, method.gyroscopic, h, method.bounce_threshold, work);
     work.row_solves += static_cast<long long>(method.iterations) * work.system.rows();
-    end_rows(scene, h, method.bounce_threshold, work);
   }
   work.contacts.read_impulses(work.system);
 }
-//! [step]
 
-#define BYHAND_INSTANTIATE(M) template void advance(Scene<M>&, const Xpbd&, double, Xpbd::Work<M>&)
+#define BYHAND_INSTANTIATE(M) template void advance(Scene<M>&, const Xpbd&, double, PositionWork<M>&)
 BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);
 #undef BYHAND_INSTANTIATE
 
