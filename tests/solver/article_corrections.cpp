@@ -5,6 +5,7 @@
 #include "solver/constraints/distance.hpp"
 #include "solver/constraints/normalised_distance.hpp"
 #include "solver/measure.hpp"
+#include "tests/solver/compiled.hpp"
 #include "tests/solver/random.hpp"
 
 // Where the article speaks loosely: each statement that is true instead, as a check.

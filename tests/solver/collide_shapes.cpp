@@ -84,7 +84,7 @@ TEST(CollideBalls, WithOneCentrePartAlongTheLastAxis) {
     const Solid<M> large{Ball<M>{1}, pose}, small{Ball<M>{0.5}, pose};
     const auto manifold = touch(large, small, 0);
     ASSERT_EQ(manifold.size, 1);
-    EXPECT_EQ(manifold.normal, Linear<M>::Unit(M::linear - 1));
+    EXPECT_EQ(difference(manifold.normal, Linear<M>::Unit(M::linear - 1)), 0);
     EXPECT_EQ(manifold.points[0].separation, -1.5);
     expect_sound(large, small, 0, manifold);
   });
@@ -190,10 +190,11 @@ TEST(CollideBoxAndBall, PartByTheNearestSideWhenTheCentreIsInside) {
     ball.pose.position[1] = -0.75;
     const auto manifold = touch(box, ball, 0);
     ASSERT_EQ(manifold.size, 1);
-    EXPECT_EQ(manifold.normal, -Linear<M>::Unit(1));
+    EXPECT_EQ(difference(manifold.normal, -Linear<M>::Unit(1)), 0);
     EXPECT_EQ(manifold.points[0].separation, -0.5);
     ball.pose.position.setZero();
-    EXPECT_EQ(touch(box, ball, 0).normal, Linear<M>::Unit(0)) << "one centre: the first axis of the box";
+    EXPECT_EQ(difference(touch(box, ball, 0).normal, Linear<M>::Unit(0)), 0)
+        << "one centre: the first axis of the box";
   });
 }
 

@@ -7,6 +7,7 @@
 #include "solver/constraints/normalised_distance.hpp"
 #include "solver/constraints/pin.hpp"
 #include "solver/measure.hpp"
+#include "tests/solver/compiled.hpp"
 #include "tests/solver/random.hpp"
 
 // Equations (5)-(8) and (17)-(22): from J to impulses, and the bias.
@@ -16,19 +17,16 @@ using namespace byhand;
 
 constexpr int draws = 100;
 
-// Of dynamic size, so that the matrices that the solver never makes compile once and not for each model.
-using Stacked = Eigen::VectorXd;
-using Dense = Eigen::MatrixXd;
-
 template <class M, int K>
 Dense dense(const Jacobian<M, K>& J) {
   return J.matrix;
 }
 
 template <class M>
-Stacked stacked(const Velocity<M>& V1, const Velocity<M>& V2) {
-  Stacked V(2 * M::dof);
-  V << V1, V2;
+Dense stacked(const Velocity<M>& V1, const Velocity<M>& V2) {
+  Dense V(2 * M::dof, 1);
+  V.set_block(0, 0, V1);
+  V.set_block(M::dof, 0, V2);
   return V;
 }
 
@@ -36,16 +34,17 @@ Stacked stacked(const Velocity<M>& V1, const Velocity<M>& V2) {
 /// as a matrix.
 template <class M>
 Dense dense_inverse_mass(const Pair<M>& pair) {
-  Dense result = Dense::Zero(2 * M::dof, 2 * M::dof);
+  Dense result(2 * M::dof, 2 * M::dof);
   const auto set = [&](int first, const InverseMass<M>& m, const Pose<M>& pose) {
     for (int i = 0; i < M::linear; ++i) result(first + i, first + i) = m.linear;
     if constexpr (M::angular > 0) {
-      Eigen::Matrix<double, M::angular, M::angular> I = m.angular.cwiseInverse().asDiagonal();
+      Dense I(M::angular, M::angular);
+      for (int i = 0; i < M::angular; ++i) I(i, i) = 1 / m.angular[i];
       if constexpr (M::angular == 3) {
-        const Eigen::Matrix3d R = pose.rotation.toRotationMatrix();
-        I = R * I * R.transpose();
+        const Dense R = pose.rotation.toRotationMatrix();
+        I = R * I * R.transposed();
       }
-      result.template block<M::angular, M::angular>(first + M::linear, first + M::linear) = I.inverse();
+      result.set_block(first + M::linear, first + M::linear, I.inverse());
     }
   };
   set(0, pair.m1, pair.pose1);
@@ -73,9 +72,9 @@ TEST(Equation5, ForceIsLambdaTimesTheRow) {
         const double lambda = random.uniform(-5, 5);
         Velocity<M> V1 = pair.V1, V2 = pair.V2;
         apply_impulse(weighted(J, pair), Rows<1>(lambda), V1, V2);
-        const Stacked momentum_gained =
+        const Dense momentum_gained =
             dense_inverse_mass(pair).inverse() * (stacked<M>(V1, V2) - stacked<M>(pair.V1, pair.V2));
-        EXPECT_LE(difference(momentum_gained, dense(J).transpose() * lambda), 1e-11);
+        EXPECT_LE(difference(momentum_gained, lambda * dense(J).transposed()), 1e-11);
       },
       draws);
 }
@@ -93,13 +92,16 @@ TEST(Equation6, ListsLinearAndAngularOfBody1ThenOfBody2) {
     const Angular<M> a1 = random.vector<M::angular>(1), a2 = random.vector<M::angular>(1);
     Jacobian<M, 1> J;
     J.set_row(0, l1, a1, l2, a2);
-    Stacked listed(2 * M::dof);
-    listed << l1, a1, l2, a2;
-    EXPECT_EQ(difference(J.matrix.transpose(), listed), 0);
-    EXPECT_EQ(J.l1().transpose(), l1);
-    EXPECT_EQ(J.l2().transpose(), l2);
-    EXPECT_EQ(difference(J.a1().transpose(), a1), 0);
-    EXPECT_EQ(difference(J.a2().transpose(), a2), 0);
+    Dense listed(2 * M::dof, 1);
+    listed.set_block(0, 0, l1);
+    listed.set_block(M::linear, 0, a1);
+    listed.set_block(M::dof, 0, l2);
+    listed.set_block(M::dof + M::linear, 0, a2);
+    EXPECT_EQ(difference(dense(J).transposed(), listed), 0);
+    EXPECT_EQ(difference(J.l1(), Dense(l1).transposed()), 0);
+    EXPECT_EQ(difference(J.l2(), Dense(l2).transposed()), 0);
+    EXPECT_EQ(difference(J.a1(), Dense(a1).transposed()), 0);
+    EXPECT_EQ(difference(J.a2(), Dense(a2).transposed()), 0);
   });
 }
 
@@ -145,14 +147,14 @@ TEST(Equation17, IsTheSmallestChangeOfVelocityInTheMetricOfTheMasses) {
       []<class M>(Random& random) {
         const auto pair = random_pair<M>(random);
         const auto J = rod_row(pair), W = weighted(J, pair);
-        const Stacked change = dense(W).transpose() * impulse(J, W, pair.V1, pair.V2, 0);
+        const Dense change = impulse(J, W, pair.V1, pair.V2, 0) * dense(W).transposed();
         const Dense mass = dense_inverse_mass(pair).inverse();
         // Any other change that also makes JV vanish differs by something that J does not see.
-        Stacked unseen = stacked<M>(random.velocity<M>(), random.velocity<M>());
-        unseen -= dense(J).transpose() * (dense(J) * unseen) / J.matrix.squaredNorm();
-        const Stacked other = change + unseen;
-        EXPECT_LT(change.dot(mass * change), other.dot(mass * other));
-        EXPECT_LE(std::abs(change.dot(mass * unseen)), 1e-10);
+        const Dense row = dense(J).transposed(), any = stacked<M>(random.velocity<M>(), random.velocity<M>());
+        const Dense unseen = any - dot(row, any) / dot(row, row) * row;
+        const Dense other = change + unseen;
+        EXPECT_LT(dot(change, mass * change), dot(other, mass * other));
+        EXPECT_LE(std::abs(dot(change, mass * unseen)), 1e-10);
       },
       draws);
 }
@@ -181,8 +183,8 @@ TEST(Equation18, IsTheProductWithTheMatrixThatIsNeverMade) {
       []<class M>(Random& random) {
         const auto pair = random_pair<M>(random);
         const auto J = Pin<M>{pair.at}.jacobian(pair.pose1, pair.pose2);
-        const Eigen::MatrixXd expected = (dense_inverse_mass(pair) * dense(J).transpose()).transpose();
-        EXPECT_LE(difference(weighted(J, pair).matrix, expected), 1e-12 * expected.cwiseAbs().maxCoeff());
+        const Dense expected = (dense_inverse_mass(pair) * dense(J).transposed()).transposed();
+        EXPECT_LE(difference(weighted(J, pair).matrix, expected), 1e-12 * expected.largest());
       },
       draws);
 }
@@ -193,7 +195,7 @@ TEST(Equation19, IsTheDenseProduct) {
         const auto pair = random_pair<M>(random);
         const auto J = Pin<M>{pair.at}.jacobian(pair.pose1, pair.pose2);
         const auto K = inverse_effective_mass(J, weighted(J, pair));
-        const Eigen::MatrixXd expected = dense(J) * dense_inverse_mass(pair) * dense(J).transpose();
+        const Dense expected = dense(J) * dense_inverse_mass(pair) * dense(J).transposed();
         EXPECT_LE(difference(K, expected), 1e-12 * expected.norm());
       },
       draws);
@@ -205,14 +207,13 @@ TEST(Equation19, IsTheSumOfFourTerms) {
         const auto pair = random_pair<M>(random);
         const auto J = rod_row(pair);
         const Dense inverse_mass = dense_inverse_mass(pair);
-        const auto turn = [&](const auto& a, int first) {
-          const Angular<M> arm = a.transpose();
-          return M::angular == 0
-                     ? 0.0
-                     : arm.dot(inverse_mass.template block<M::angular, M::angular>(first, first) * arm);
+        const Dense row = dense(J).transposed();
+        const auto part = [&](int first, int size) {
+          const Dense a = row.block(first, 0, size, 1);
+          return dot(a, inverse_mass.block(first, first, size, size) * a);
         };
-        const double sum = J.l1().squaredNorm() * pair.m1.linear + J.l2().squaredNorm() * pair.m2.linear +
-                           turn(J.a1(), M::linear) + turn(J.a2(), M::dof + M::linear);
+        const double sum = part(0, M::linear) + part(M::dof, M::linear) + part(M::linear, M::angular) +
+                           part(M::dof + M::linear, M::angular);
         EXPECT_NEAR(inverse_effective_mass(J, weighted(J, pair))(0, 0), sum, 1e-12 * sum);
       },
       draws);
@@ -244,8 +245,8 @@ TEST(Equation20, AddsTheInverseMassTimesTheForce) {
         const Rows<Pin<M>::rows> lambda = random.vector<Pin<M>::rows>(3);
         Velocity<M> V1 = pair.V1, V2 = pair.V2;
         apply_impulse(weighted(J, pair), lambda, V1, V2);
-        const Stacked gained = dense_inverse_mass(pair) * dense(J).transpose() * lambda;
-        const Stacked expected = stacked<M>(pair.V1, pair.V2) + gained;
+        const Dense gained = dense_inverse_mass(pair) * dense(J).transposed() * lambda;
+        const Dense expected = stacked<M>(pair.V1, pair.V2) + gained;
         EXPECT_LE(difference(stacked<M>(V1, V2), expected), 1e-12 * expected.norm());
       },
       draws);
@@ -282,7 +283,7 @@ TEST(Equation21, BiasIsTheRateThatRemains) {
         const double h = 0.25, beta = 0.5;
         advance(scene, {GaussSeidel{1}, Baumgarte{beta}}, h, work);
         const auto JV = dot(J, scene.bodies().velocity[0], scene.bodies().velocity[1]);
-        EXPECT_LE(difference(JV, -beta / h * C), 1e-11);
+        EXPECT_LE(difference(JV, -beta / h * Dense(C)), 1e-11);
       },
       draws);
 }

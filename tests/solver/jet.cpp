@@ -1,10 +1,14 @@
 #include "solver/integrate/jet.hpp"
 
+#include <functional>
+#include <vector>
+
 #include "solver/constraints/distance.hpp"
 #include "solver/constraints/hinge.hpp"
 #include "solver/constraints/normalised_distance.hpp"
 #include "solver/constraints/slider.hpp"
 #include "solver/constraints/weld.hpp"
+#include "tests/solver/compiled.hpp"
 #include "tests/solver/random.hpp"
 
 namespace {
@@ -46,25 +50,29 @@ struct Paths {
   Pose<M, Jet> first, second;
 };
 
-/// C's first derivative against JV, and its second against differences of C of fourth order.
+/// The rows of C along a path, whose value at a time is `at`: its first derivative against JV, and its second
+/// against differences of C of fourth order.
+void expect_rows(const std::vector<Jet>& C, const Dense& JV, const Dense& bias,
+                 const std::function<Dense(double)>& at) {
+  const double e = 1e-3;
+  const Dense now = at(0);
+  const Dense second = 1 / (12 * e * e) * (16 * (at(e) + at(-e)) - at(2 * e) - at(-2 * e) - 30 * now);
+  for (int k = 0; k < now.rows(); ++k) {
+    EXPECT_NEAR(C[k].at, now(k, 0), 1e-13);
+    EXPECT_NEAR(C[k].rate, JV(k, 0), 1e-12 * (1 + std::abs(JV(k, 0))));
+    EXPECT_NEAR(bias(k, 0), second(k, 0), 1e-7 * (1 + std::abs(bias(k, 0)))) << "row " << k;
+  }
+}
+
 template <class Kind, class M>
 void expect_derivatives(const Kind& kind, const Pair<M>& pair) {
   const Paths<M> paths(pair);
   const auto C = kind.template value<Jet>(paths.first, paths.second);
-  const auto JV = dot(kind.jacobian(pair.pose1, pair.pose2), pair.V1, pair.V2);
-  const double e = 1e-3;
-  const auto at = [&](double time) {
-    return kind.template value<double>(moved<M, double>(pair.pose1, pair.V1, time),
-                                       moved<M, double>(pair.pose2, pair.V2, time));
-  };
-  const auto now = at(0);
-  const Rows<Kind::rows> second = (16 * (at(e) + at(-e)) - at(2 * e) - at(-2 * e) - 30 * now) / (12 * e * e);
-  const auto bias = bias_acceleration<Kind, M>(kind, paths.first, paths.second);
-  for (int k = 0; k < Kind::rows; ++k) {
-    EXPECT_NEAR(C[k].at, now[k], 1e-13);
-    EXPECT_NEAR(C[k].rate, JV[k], 1e-12 * (1 + std::abs(JV[k])));
-    EXPECT_NEAR(bias[k], second[k], 1e-7 * (1 + std::abs(bias[k]))) << "row " << k;
-  }
+  expect_rows({C.begin(), C.end()}, dot(kind.jacobian(pair.pose1, pair.pose2), pair.V1, pair.V2),
+              bias_acceleration<Kind, M>(kind, paths.first, paths.second), [&](double time) {
+                return kind.template value<double>(moved<M, double>(pair.pose1, pair.V1, time),
+                                                   moved<M, double>(pair.pose2, pair.V2, time));
+              });
 }
 
 TEST(BiasAcceleration, IsTheSecondDerivativeAtConstantVelocityOfRods) {

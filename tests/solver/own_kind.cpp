@@ -3,6 +3,7 @@
 #include "lessons/scenes/chain.hpp"
 #include "solver/constraints/anchors.hpp"
 #include "solver/methods/method.hpp"
+#include "tests/solver/compiled.hpp"
 #include "tests/solver/dual.hpp"
 #include "tests/solver/law_motion.hpp"
 #include "tests/solver/random.hpp"
@@ -82,18 +83,23 @@ Scene<M> on_a_slope(double slope) {
 }
 
 // It slides with g sin φ and presses with m g cos φ: half a step ahead where velocities come first.
+template <class M>
+void expect_slid(double slope, double ahead, const Linear<M>& position, const Linear<M>& force, double tolerance) {
+  const Linear<M> along = std::cos(slope) * Linear<M>::Unit(0) - std::sin(slope) * Linear<M>::Unit(1);
+  const Linear<M> out = std::sin(slope) * Linear<M>::Unit(0) + std::cos(slope) * Linear<M>::Unit(1);
+  const Linear<M> expected = 0.5 * g * std::sin(slope) * (1 + ahead) * along;
+  EXPECT_LT((position - expected).norm(), tolerance);
+  EXPECT_LT((force - 2 * g * std::cos(slope) * out).norm(), tolerance);
+}
+
 template <class Method>
 void expect_slide(const Method& method, double ahead, double tolerance) {
   in_all_models([&]<class M>(Random&) {
     for (const double slope : {0.2, 1.0}) {
       Simulation simulation{on_a_slope<M>(slope), method};
       run(simulation, 1, h);
-      const Linear<M> along = std::cos(slope) * Linear<M>::Unit(0) - std::sin(slope) * Linear<M>::Unit(1);
-      const Linear<M> out = std::sin(slope) * Linear<M>::Unit(0) + std::cos(slope) * Linear<M>::Unit(1);
-      const Linear<M> expected = 0.5 * g * std::sin(slope) * (1 + ahead) * along;
-      EXPECT_LT((simulation.scene.bodies().pose[1].position - expected).norm(), tolerance);
-      const auto force = simulation.reaction(simulation.scene.entries()[0].id).force;
-      EXPECT_LT((force - 2 * g * std::cos(slope) * out).norm(), tolerance);
+      expect_slid<M>(slope, ahead, simulation.scene.bodies().pose[1].position,
+                     simulation.reaction(simulation.scene.entries()[0].id).force, tolerance);
     }
   });
 }

@@ -8,6 +8,7 @@
 
 #include "solver/constraints/anchors.hpp"
 #include "solver/scene.hpp"
+#include "tests/solver/dense.hpp"
 
 // Random bodies for properties that hold whatever the numbers are, drawn from one fixed seed that every program
 // prints.
@@ -29,41 +30,17 @@ class Random {
     return result;
   }
   template <class M>
-  Linear<M> direction() {
-    for (;;) {
-      const Linear<M> v = vector<M::linear>(1);
-      if (v.norm() > 0.1 && v.norm() <= 1) return v.normalized();
-    }
-  }
+  Linear<M> direction();
   /// Within 2 m of the origin on each axis, turned anyhow.
   template <class M>
-  Pose<M> pose() {
-    Pose<M> result;
-    result.position = vector<M::linear>(2);
-    if constexpr (M::angular == 1) result.rotation = plane_rotation(uniform(-4, 4));
-    if constexpr (M::angular == 3) result.rotation = Eigen::Quaterniond(vector<4>(1)).normalized();
-    return result;
-  }
+  Pose<M> pose();
   template <class M>
-  Velocity<M> velocity() {
-    return vector<M::dof>(3);
-  }
+  Velocity<M> velocity();
   /// 0.2 to 5 kg, three moments that a body can have.
   template <class M>
-  InverseMass<M> mass() {
-    const double m = uniform(0.2, 5);
-    if constexpr (M::angular == 0)
-      return with_mass<M>(m);
-    else
-      return box<M>(m, Linear<M>(Linear<M>::Constant(1.1) + vector<M::linear>(0.8)));
-  }
+  InverseMass<M> mass();
   template <class M>
-  Arms<M> arms() {
-    if constexpr (M::angular == 0)
-      return {};
-    else
-      return {vector<M::linear>(1), vector<M::linear>(1)};
-  }
+  Arms<M> arms();
 
  private:
   std::mt19937_64 bits_{seed};
@@ -77,25 +54,17 @@ struct Pair {
   InverseMass<M> m1, m2;
   Anchors<M> at;
 
-  Arm<M> r1() const { return in_world<M, double>(pose1, at.arms.first); }
-  Arm<M> r2() const { return in_world<M, double>(pose2, at.arms.second); }
-  Linear<M> P1() const { return anchor<M, double>(pose1, r1()); }
-  Linear<M> P2() const { return anchor<M, double>(pose2, r2()); }
+  Arm<M> r1() const;
+  Arm<M> r2() const;
+  Linear<M> P1() const;
+  Linear<M> P2() const;
   /// A scene of the two.
-  Scene<M> scene() const {
-    Scene<M> scene;
-    scene.add_body(pose1, m1, V1);
-    scene.add_body(pose2, m2, V2);
-    return scene;
-  }
+  Scene<M> scene() const;
   Bodies<M> bodies() const { return scene().bodies(); }
 };
 
 template <class M>
-Pair<M> random_pair(Random& random) {
-  return {random.pose<M>(), random.pose<M>(), random.velocity<M>(),    random.velocity<M>(),
-          random.mass<M>(), random.mass<M>(), {0, 1, random.arms<M>()}};
-}
+Pair<M> random_pair(Random& random);
 
 template <class M>
 constexpr const char* name_of() {
@@ -125,12 +94,6 @@ void in_all_models(F&& f, int draws = 1) {
 template <class F>
 void in_both_bodies(F&& f, int draws = 1) {
   in_models<PlaneBody, SpaceBody>(f, draws);
-}
-
-/// The largest difference between two matrices of any size, zero sizes too.
-template <class A, class B>
-double difference(const Eigen::MatrixBase<A>& a, const Eigen::MatrixBase<B>& b) {
-  return a.size() == 0 ? 0.0 : (a - b).cwiseAbs().maxCoeff();
 }
 
 class PrintsTheSeed : public testing::Environment {

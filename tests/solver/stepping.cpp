@@ -2,6 +2,7 @@
 
 #include "lessons/scenes/chain.hpp"
 #include "lessons/scenes/pendulum.hpp"
+#include "tests/solver/compiled.hpp"
 #include "tests/solver/solving.hpp"
 
 // Softness, substeps, integrators and what the measures say.

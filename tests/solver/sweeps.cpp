@@ -5,6 +5,7 @@
 #include <set>
 
 #include "lessons/scenes/chain.hpp"
+#include "tests/solver/compiled.hpp"
 #include "tests/solver/solving.hpp"
 
 // Gauss–Seidel and Jacobi: the fused loops against (17) and (20) as the article writes them, orders, warm start.
