@@ -44,6 +44,13 @@ Scene<M>& Scene<M>::operator=(const Scene& other) {
 }
 
 template <class M>
+Scene<M>::Scene(Scene&&) noexcept = default;
+template <class M>
+Scene<M>& Scene<M>::operator=(Scene&&) noexcept = default;
+template <class M>
+Scene<M>::~Scene() = default;
+
+template <class M>
 void Scene<M>::changed() {
   version_ = new_stamp();
 }

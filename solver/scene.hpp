@@ -63,9 +63,9 @@ class Scene {
   Scene();
   Scene(const Scene& other);
   Scene& operator=(const Scene& other);
-  Scene(Scene&&) noexcept = default;
-  Scene& operator=(Scene&&) noexcept = default;
-  ~Scene() = default;
+  Scene(Scene&&) noexcept;
+  Scene& operator=(Scene&&) noexcept;
+  ~Scene();
 
   const Bodies<M>& bodies() const { return bodies_; }
   /// For methods, which move bodies; anyone else uses the functions below, which check what they are given.

@@ -58,7 +58,21 @@ void solve_rows(const RowSolver& solver, Bodies<M>& bodies, RowWork<M>& work, Be
       solver);
 }
 
+template <class M>
+RowWork<M>::RowWork() = default;
+template <class M>
+RowWork<M>::RowWork(const RowWork&) = default;
+template <class M>
+RowWork<M>::RowWork(RowWork&&) noexcept = default;
+template <class M>
+RowWork<M>& RowWork<M>::operator=(const RowWork&) = default;
+template <class M>
+RowWork<M>& RowWork<M>::operator=(RowWork&&) noexcept = default;
+template <class M>
+RowWork<M>::~RowWork() = default;
+
 #define BYHAND_INSTANTIATE(M)                                            \
+  template struct RowWork<M>;                                            \
   template void lay_out(const Scene<M>&, const RowSolver&, RowWork<M>&); \
   template void solve_rows(const RowSolver&, Bodies<M>&, RowWork<M>&, Begin)
 BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);

@@ -40,7 +40,22 @@ Reaction<M> reaction(const Scene<M>& scene, const StepWork<M>& work, int constra
   return result;
 }
 
-#define BYHAND_INSTANTIATE(M) template Reaction<M> reaction(const Scene<M>&, const StepWork<M>&, int)
+template <class M>
+StepWork<M>::StepWork() = default;
+template <class M>
+StepWork<M>::StepWork(const StepWork&) = default;
+template <class M>
+StepWork<M>::StepWork(StepWork&&) noexcept = default;
+template <class M>
+StepWork<M>& StepWork<M>::operator=(const StepWork&) = default;
+template <class M>
+StepWork<M>& StepWork<M>::operator=(StepWork&&) noexcept = default;
+template <class M>
+StepWork<M>::~StepWork() = default;
+
+#define BYHAND_INSTANTIATE(M)  \
+  template struct StepWork<M>; \
+  template Reaction<M> reaction(const Scene<M>&, const StepWork<M>&, int)
 BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);
 #undef BYHAND_INSTANTIATE
 

@@ -16,6 +16,14 @@ enum class Layout { none, natural, reverse, coloured, elimination };
 /// mean force in it.
 template <class M>
 struct StepWork {
+  // Compiled once in the library, for nearly every program copies simulations.
+  StepWork();
+  StepWork(const StepWork&);
+  StepWork(StepWork&&) noexcept;
+  StepWork& operator=(const StepWork&);
+  StepWork& operator=(StepWork&&) noexcept;
+  ~StepWork();
+
   System<M> system;
   ContactManager<M> contacts;
   std::vector<double> approach;  // JV of rows that may bounce, before they are solved
