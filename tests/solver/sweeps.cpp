@@ -33,12 +33,12 @@ std::vector<double> swept_by_hand(Scene<M> scene, const std::vector<int>& number
     auto& rows = natural.emplace_back();
     for (int k = 0; k < Kind::rows; ++k) {
       const Jacobian<M, 1> J{all.matrix.row(k)};
-      const bool open = Kind::bound == Bound::interval && C[k] > 0;
+      const bool open = bound_of<Kind>() == Bound::interval && C[k] > 0;
       rows.push_back({b1, b2, J,
                       times_inverse_mass(J, bodies.inverse_mass[b1], bodies.pose[b1], bodies.inverse_mass[b2],
                                          bodies.pose[b2]),
                       (open ? 1.0 : 0.2) / time_step * C[k], constraint.softness,
-                      Kind::bound == Bound::interval ? 0.0 : -1e300});
+                      bound_of<Kind>() == Bound::interval ? 0.0 : -1e300});
     }
   });
   add_gravity(bodies, scene.gravity, time_step);
