@@ -1,10 +1,10 @@
 #include "lessons/04_baumgarte/warm_chain.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <numbers>
 #include <random>
 
+#include "lessons/exact/spectral_radius.hpp"
 #include "lessons/scenes/chain.hpp"
 #include "solver/measure.hpp"
 
@@ -78,7 +78,7 @@ double growth_law(const Sweeping& sweeping) {
       companion << 1 + 2 * q - (1 - q) * sweeping.beta, -3 * q, q, 1, 0, 0, 0, 1, 0;
     else
       companion << 1 + q - (1 - q) * sweeping.beta, -q, 0, 1, 0, 0, 0, 1, 0;
-    largest = std::max(largest, companion.eigenvalues().cwiseAbs().maxCoeff());
+    largest = std::max(largest, spectral_radius(companion));
   }
   return largest;
 }

@@ -1,8 +1,8 @@
 #include "lessons/06_joints/dense.hpp"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/SVD>
+#include <Eigen/QR>
 
+#include "lessons/exact/spectral_radius.hpp"
 #include "solver/methods/step_work.hpp"
 
 namespace byhand::joints {
@@ -44,12 +44,12 @@ Eigen::MatrixXd dense_matrix(const Scene<PlaneBody>& scene) {
 }
 
 int rank(const Eigen::MatrixXd& matrix) {
-  const Eigen::VectorXd values = Eigen::JacobiSVD<Eigen::MatrixXd>(matrix).singularValues();
-  return static_cast<int>((values.array() > 1e-9 * values[0]).count());
+  return static_cast<int>(Eigen::ColPivHouseholderQR<Eigen::MatrixXd>(matrix).setThreshold(1e-9).rank());
 }
 
 double least_eigenvalue(const Eigen::MatrixXd& matrix) {
-  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix, Eigen::EigenvaluesOnly).eigenvalues()[0];
+  const double above = matrix.norm();  // no eigenvalue is larger
+  return above - spectral_radius(above * Eigen::MatrixXd::Identity(matrix.rows(), matrix.cols()) - matrix);
 }
 
 }  // namespace byhand::joints
