@@ -9,6 +9,7 @@
 #include "lessons/08_where_methods_fail/steps.hpp"
 #include "lessons/pictures/rods_and_bobs.hpp"
 #include "lessons/scenes/chain.hpp"
+#include "solver/measure.hpp"
 
 namespace byhand::failures {
 namespace {
