@@ -1,10 +1,9 @@
 #include "lessons/03_iterations/textbook.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <cmath>
 #include <numbers>
-
-#include "lessons/exact/spectral_radius.hpp"
 
 namespace byhand::iterations {
 
@@ -26,8 +25,11 @@ Eigen::MatrixXd textbook_sweep(const Eigen::MatrixXd& A) {
 }
 
 double textbook_jacobi_factor(const Eigen::MatrixXd& A) {
-  const Eigen::VectorXd inverse = A.diagonal().cwiseInverse();
-  return spectral_radius(Eigen::MatrixXd::Identity(A.rows(), A.rows()) - inverse.asDiagonal() * A);
+  const Eigen::VectorXd scale = A.diagonal().cwiseSqrt().cwiseInverse();
+  const Eigen::MatrixXd scaled = scale.asDiagonal() * A * scale.asDiagonal();
+  const Eigen::VectorXd mu =
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scaled, Eigen::EigenvaluesOnly).eigenvalues();
+  return (1 - mu.array()).abs().maxCoeff();
 }
 
 Eigen::VectorXd textbook_cold_errors(const ChainOptions& chain, int sweeps, double fall) {

@@ -15,8 +15,8 @@ Eigen::MatrixXd textbook_matrix(const ChainOptions& chain);
 /// what is below it.
 Eigen::MatrixXd textbook_sweep(const Eigen::MatrixXd& A);
 
-/// The factor by which a sweep of Jacobi's shrinks errors in the long run: the spectral radius of I - D⁻¹A.
-/// Gauss–Seidel's is its square on a chain.
+/// The factor by which a sweep of Jacobi's shrinks errors in the long run: the largest |1 - μ| over the
+/// eigenvalues μ of D⁻¹A, for a symmetric A. Gauss–Seidel's is its square on a chain.
 double textbook_jacobi_factor(const Eigen::MatrixXd& A);
 
 /// The errors that each step is left with when it begins at λ = 0 and has `sweeps` sweeps, once that has settled;

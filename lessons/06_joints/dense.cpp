@@ -1,8 +1,8 @@
 #include "lessons/06_joints/dense.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 
-#include "lessons/exact/spectral_radius.hpp"
 #include "solver/methods/step_work.hpp"
 
 namespace byhand::joints {
@@ -48,8 +48,7 @@ int rank(const Eigen::MatrixXd& matrix) {
 }
 
 double least_eigenvalue(const Eigen::MatrixXd& matrix) {
-  const double above = matrix.norm();  // no eigenvalue is larger
-  return above - spectral_radius(above * Eigen::MatrixXd::Identity(matrix.rows(), matrix.cols()) - matrix);
+  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix, Eigen::EigenvaluesOnly).eigenvalues()[0];
 }
 
 }  // namespace byhand::joints
