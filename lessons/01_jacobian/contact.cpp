@@ -11,25 +11,24 @@ namespace {
 
 using renderer::Point;
 namespace palette = renderer::palette;
-using M = PlaneBody;
 
 /// A tilted plank (body 1) and a box (body 2) whose corner touches it; the normal is the plank's.
 struct Touch {
-  Contact<M> contact;
-  Pose<M> plank, box;
-  Velocity<M> V1, V2;
-  Linear<M> plank_sides, box_sides;
+  Contact<PlaneBody> contact;
+  Pose<PlaneBody> plank, box;
+  Velocity<PlaneBody> V1, V2;
+  Linear<PlaneBody> plank_sides, box_sides;
 
-  Linear<M> normal_of_plank() const { return rotate(plank.rotation, Linear<M>(0, 1)); }
-  Linear<M> along_plank() const { return rotate(plank.rotation, Linear<M>(1, 0)); }
-  Jacobian<M, 1> row() const { return contact.jacobian(plank, box); }
+  Linear<PlaneBody> normal_of_plank() const { return rotate(plank.rotation, Linear<PlaneBody>(0, 1)); }
+  Linear<PlaneBody> along_plank() const { return rotate(plank.rotation, Linear<PlaneBody>(1, 0)); }
+  Jacobian<PlaneBody, 1> row() const { return contact.jacobian(plank, box); }
   double value() const { return contact.value<double>(plank, box)[0]; }
 
   /// The same after `time` [s]; the normal turns with the plank, as a surface's normal does.
   Touch after(double time) const {
     Touch later = *this;
-    later.plank = moved<M, double>(plank, V1, time);
-    later.box = moved<M, double>(box, V2, time);
+    later.plank = moved<PlaneBody, double>(plank, V1, time);
+    later.box = moved<PlaneBody, double>(box, V2, time);
     later.contact.normal = later.normal_of_plank();
     return later;
   }
@@ -39,11 +38,11 @@ struct Touch {
 Touch touch(const Settings& set, double gap, double aside) {
   const double length = set.length, speed = set.speed, spin = set.spin;
   Touch at;
-  at.plank_sides = length * Linear<M>(1.5, 0.15);
-  at.box_sides = length * Linear<M>(0.55, 0.4);
+  at.plank_sides = length * Linear<PlaneBody>(1.5, 0.15);
+  at.box_sides = length * Linear<PlaneBody>(0.55, 0.4);
   at.plank.rotation = plane_rotation(0.25);
   at.box.rotation = plane_rotation(0.6);
-  const Linear<M> r1(0.15 * length, 0.075 * length), r2 = -0.5 * at.box_sides;
+  const Linear<PlaneBody> r1(0.15 * length, 0.075 * length), r2 = -0.5 * at.box_sides;
   at.contact.at = {0, 1, {r1, r2}};
   at.contact.normal = at.normal_of_plank();
   at.box.position = rotate(at.plank.rotation, r1) + gap * at.contact.normal + aside * at.along_plank() -
@@ -97,7 +96,7 @@ void draw_touch(renderer::Canvas& canvas, const Settings& set) {
   canvas.box(at.box.position, at.box_sides, angle(at.box.rotation));
   canvas.line(at.plank.position, p1, {palette::muted, 1.8, renderer::Dash::dashed});
   canvas.line(at.box.position, p2, {palette::muted, 1.8, renderer::Dash::dashed});
-  const Jacobian<M, 1> J = at.row();
+  const Jacobian<PlaneBody, 1> J = at.row();
   draw_row(canvas, J, at.plank.position, at.box.position,
            {.scale = 0.36 * length,
             .radius = 0.11 * length,
@@ -113,7 +112,8 @@ void draw_touch(renderer::Canvas& canvas, const Settings& set) {
   canvas.mark(p2, renderer::Mark::disc, palette::error, 10);
   const renderer::TextStyle name{.size = 20, .colour = palette::muted, .halo = 3};
   canvas.text(at.plank.position - 0.6 * length * at.along_plank(), "body 1", name);
-  canvas.text(at.box.position + rotate(at.box.rotation, Linear<M>(0.12 * length, 0.14 * length)), "body 2", name);
+  canvas.text(at.box.position + rotate(at.box.rotation, Linear<PlaneBody>(0.12 * length, 0.14 * length)), "body 2",
+              name);
 }
 
 }  // namespace
@@ -121,7 +121,7 @@ void draw_touch(renderer::Canvas& canvas, const Settings& set) {
 void contact(tutor::Page& page, const Settings& set) {
   const double length = set.length, step = 1e-4 * length / (length * std::abs(set.spin()) + set.speed);
   const Touch at = touch(set, -0.02 * length, 0);
-  const Jacobian<M, 1> J = at.row();
+  const Jacobian<PlaneBody, 1> J = at.row();
 
   page.text(
       R"(One recipe, another constraint. Two bodies touch at P₁ and P₂ along a unit normal n, and may not enter
@@ -136,10 +136,10 @@ void contact(tutor::Page& page, const Settings& set) {
   Touch turned = at, exchanged = at;
   turned.contact.normal = -at.contact.normal;
   std::swap(exchanged.contact.at.arms.first, exchanged.contact.at.arms.second);
-  const auto row_of_exchanged = [&](const Linear<M>& normal) {
+  const auto row_of_exchanged = [&](const Linear<PlaneBody>& normal) {
     exchanged.contact.normal = normal;
-    const Jacobian<M, 1> other = exchanged.contact.jacobian(at.box, at.plank);
-    Jacobian<M, 1> by_body;  // the plank's part first again
+    const Jacobian<PlaneBody, 1> other = exchanged.contact.jacobian(at.box, at.plank);
+    Jacobian<PlaneBody, 1> by_body;  // the plank's part first again
     by_body.matrix << other.side2(), other.side1();
     return by_body;
   };

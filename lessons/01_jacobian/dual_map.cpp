@@ -13,17 +13,15 @@ namespace {
 
 using renderer::Point;
 namespace palette = renderer::palette;
-using M = PlaneParticle;
-using Row = Jacobian<M, 1>;
 
 struct Rod {
-  Scene<M> scene;
-  Row J, W;
+  Scene<PlaneParticle> scene;
+  Jacobian<PlaneParticle, 1> J, W;
   double inverse_mass;  // (19)
 };
 
 Rod rod_of(const Settings& set) {
-  Rod rod{pendulum<M, NormalisedDistance>(0.6, set.length, set.mass), {}, {}, 0};
+  Rod rod{pendulum<PlaneParticle, NormalisedDistance>(0.6, set.length, set.mass), {}, {}, 0};
   const auto& bodies = rod.scene.bodies();
   rod.J = rod.scene.all<NormalisedDistance>()[0].jacobian(bodies.pose[0], bodies.pose[1]);
   rod.W =
@@ -33,15 +31,15 @@ Rod rod_of(const Settings& set) {
 }
 
 /// The power of a pull of λ = −1 N on a bob that moves at 1 m/s, over the direction of that motion.
-renderer::Chart power(const Row& J, double& largest_difference) {
+renderer::Chart power(const Jacobian<PlaneParticle, 1>& J, double& largest_difference) {
   renderer::Curve of_force{.label = "F·V", .style = renderer::CurveStyle::markers, .colour = palette::force};
   renderer::Curve of_row{.label = "λ·JV", .colour = palette::constraint};
   largest_difference = 0;
-  const Linear<M> force = -J.l2().transpose();
+  const Linear<PlaneParticle> force = -J.l2().transpose();
   for (int degrees = 0; degrees <= 360; degrees += 6) {
     const double at = degrees * std::numbers::pi / 180;
-    const Velocity<M> V(std::cos(at), std::sin(at));
-    const double by_row = -dot(J, Velocity<M>(0, 0), V)[0];
+    const Velocity<PlaneParticle> V(std::cos(at), std::sin(at));
+    const double by_row = -dot(J, Velocity<PlaneParticle>(0, 0), V)[0];
     of_row.x.push_back(degrees);
     of_row.y.push_back(by_row);
     of_force.x.push_back(degrees);
@@ -56,11 +54,11 @@ renderer::Chart power(const Row& J, double& largest_difference) {
           .references = {{renderer::Reference::Across::y, 0, "no work"}}};
 }
 
-void draw_force(renderer::Canvas& canvas, const Row& J, double length) {
+void draw_force(renderer::Canvas& canvas, const Jacobian<PlaneParticle, 1>& J, double length) {
   const Point n = J.l2().transpose(), along(-n.y(), n.x()), bob = length * n;
   canvas.look(renderer::fit({-0.75 * length, -1.5 * length, 2.4 * length, 1.7 * length}, canvas.page(), 16));
   std::vector<Point> circle;
-  for (int i = 0; i <= 60; ++i) circle.push_back(length * from_straight_down<M>(-0.6 + 2.2 * i / 60));
+  for (int i = 0; i <= 60; ++i) circle.push_back(length * from_straight_down<PlaneParticle>(-0.6 + 2.2 * i / 60));
   canvas.path(circle, {palette::theory, 1.6, renderer::Dash::dashed});
   canvas.anchor({0, 0});
   canvas.rod({0, 0}, bob, {renderer::fade(palette::constraint, 0.35), {palette::ink, 0}});
@@ -85,7 +83,7 @@ void draw_force(renderer::Canvas& canvas, const Row& J, double length) {
 
 void dual_map(tutor::Page& page, const Settings& set) {
   const Rod rod = rod_of(set);
-  const Row& J = rod.J;
+  const Jacobian<PlaneParticle, 1>& J = rod.J;
   page.text(
       R"(J takes velocities to a rate of C. The article takes the way back, from λ to a force on the bodies, by the
       transpose, and calls it the inverse.)");
@@ -116,8 +114,8 @@ void dual_map(tutor::Page& page, const Settings& set) {
       together: next lesson.)",
       back);
 
-  const Linear<M> n = J.l2().transpose();
-  const Velocity<M> allowed(-n.y() * set.speed, n.x() * set.speed);
+  const Linear<PlaneParticle> n = J.l2().transpose();
+  const Velocity<PlaneParticle> allowed(-n.y() * set.speed, n.x() * set.speed);
   page.claim({.quantity = "JJᵀ of a unit row between two particles",
               .unit = "1",
               .expected = 2,

@@ -13,16 +13,15 @@ namespace {
 
 using Point3 = Eigen::Vector3d;
 namespace palette = renderer::palette;
-using M = SpaceBody;
 
 /// A box that slides and spins on a floor, held against it at one corner.
 struct Sliding {
-  Friction<M> friction;
-  Pose<M> floor, box;
-  Velocity<M> still, V;
+  Friction<SpaceBody> friction;
+  Pose<SpaceBody> floor, box;
+  Velocity<SpaceBody> still, V;
 
-  Rows<2> slip(double time) const { return friction.value<double>(floor, moved<M, double>(box, V, time)); }
-  Jacobian<M, 2> rows() const { return friction.jacobian(floor, box); }
+  Rows<2> slip(double time) const { return friction.value<double>(floor, moved<SpaceBody, double>(box, V, time)); }
+  Jacobian<SpaceBody, 2> rows() const { return friction.jacobian(floor, box); }
 };
 
 const Point3 normal(0, 0, 1);
@@ -30,7 +29,7 @@ const Point3 normal(0, 0, 1);
 /// The tangents turned about n by `turn` [rad]: any two at right angles will do.
 Sliding sliding(const Settings& set, double turn) {
   const double length = set.length;
-  const Eigen::Matrix<double, 3, 2> base = tangents_of<M>(normal);
+  const Eigen::Matrix<double, 3, 2> base = tangents_of<SpaceBody>(normal);
   Sliding at;
   const double c = std::cos(turn), s = std::sin(turn);
   at.friction.tangents << c * base.col(0) + s * base.col(1), c * base.col(1) - s * base.col(0);
@@ -71,7 +70,7 @@ void draw_sliding(renderer::Canvas& canvas, const Settings& set) {
 
 void friction(tutor::Page& page, const Settings& set) {
   const Sliding at = sliding(set, 0);
-  const Jacobian<M, 2> J = at.rows();
+  const Jacobian<SpaceBody, 2> J = at.rows();
   page.text(
       R"(Friction has no C to keep. It has a *rate* that it wants to be zero: how fast P₂ slides past P₁ along the
       surface. Replace n by a tangent t and the recipe has nothing else to do.)");

@@ -11,7 +11,7 @@ namespace {
 
 using renderer::Point;
 namespace palette = renderer::palette;
-using Row = Eigen::Matrix<double, 1, 6>;
+using Entries = Eigen::Matrix<double, 1, 6>;
 
 constexpr int entries = 6;
 const std::array<const char*, entries> names = {"l₁ x", "l₁ y", "a₁", "l₂ x", "l₂ y", "a₂"};
@@ -25,8 +25,8 @@ Pair moving_in(Pair pair, int way) {
 }
 
 /// All six entries by six small movements; knows C, not J.
-Row probed(const Pair& pair, double step) {
-  Row row;
+Entries probed(const Pair& pair, double step) {
+  Entries row;
   for (int way = 0; way < entries; ++way) row[way] = difference(moving_in(pair, way), step);
   return row;
 }
@@ -47,13 +47,13 @@ Jacobian<PlaneBody, 1> swapped(const Pair& pair) {
 }
 
 /// The row's two blocks, exchanged.
-Row exchanged(const Row& row) {
-  Row other;
+Entries exchanged(const Entries& row) {
+  Entries other;
   other << row.tail<3>(), row.head<3>();
   return other;
 }
 
-renderer::Chart bars(const Row& row, int shown) {
+renderer::Chart bars(const Entries& row, int shown) {
   renderer::Bars all{.label = "", .colour = palette::constraint};
   renderer::Chart chart{.x = {.label = "moved by 1 m/s or 1 rad/s"}, .y = {.label = "Ċ = entry of J (m, m²)"}};
   for (int i = 0; i < entries; ++i) {
@@ -66,7 +66,7 @@ renderer::Chart bars(const Row& row, int shown) {
   return chart;
 }
 
-void draw_probe(renderer::Canvas& canvas, const Pair& pair, const Row& row, const Linear<PlaneBody>& sides,
+void draw_probe(renderer::Canvas& canvas, const Pair& pair, const Entries& row, const Linear<PlaneBody>& sides,
                 double length, double time, double each) {
   const int way = std::min(static_cast<int>(time / each), entries - 1);
   const double phase = std::min(time / each - way, 1.0);
@@ -125,8 +125,8 @@ void draw_field(renderer::Canvas& canvas, double length) {
   canvas.arrow_key({40, 520}, kind, "l_2 = d,");
 }
 
-void say_swap(tutor::Page& page, const Pair& pair, const Row& row, double exact) {
-  const Row other = swapped(pair).matrix;
+void say_swap(tutor::Page& page, const Pair& pair, const Entries& row, double exact) {
+  const Entries other = swapped(pair).matrix;
   page.text(
       R"(*What if you name the bodies the other way round?* Then d turns into −d. Written as a list, the linear
       entries of the row change sign: l₁ was @ and becomes @.
@@ -149,7 +149,7 @@ void inspection(tutor::Page& page, const Settings& set) {
   const double length = set.length, step = 1e-3;
   const Pair pair = pair_of(set);
   const Jacobian<PlaneBody, 1> J = pair.row();
-  const Row row = J.matrix, by_probe = probed(pair, step);
+  const Entries row = J.matrix, by_probe = probed(pair, step);
   const Linear<PlaneBody> sides = box_sides(set);
 
   page.text(

@@ -9,20 +9,19 @@
 namespace byhand::lesson01 {
 namespace {
 
-using M = PlaneBody;
 namespace palette = renderer::palette;
 
-Scene<M> chain_of(const Settings& set) {
-  return pinned_chain<M>(
+Scene<PlaneBody> chain_of(const Settings& set) {
+  return pinned_chain<PlaneBody>(
       {.links = set.links, .length = set.length, .mass = set.mass, .end_mass = set.mass, .angle = 0.9});
 }
 
 /// J of the whole chain: two rows a pin, three columns a link (the anchor has none: nothing moves it).
-Eigen::MatrixXd whole(const Scene<M>& scene) {
+Eigen::MatrixXd whole(const Scene<PlaneBody>& scene) {
   const int links = scene.bodies().size() - 1;
   Eigen::MatrixXd J = Eigen::MatrixXd::Zero(2 * scene.count(), 3 * links);
   int row = 0;
-  for (const Pin<M>& pin : scene.all<Pin>()) {
+  for (const Pin<PlaneBody>& pin : scene.all<Pin>()) {
     const auto part = pin.jacobian(scene.bodies().pose[pin.at.body1], scene.bodies().pose[pin.at.body2]);
     if (pin.at.body1 > 0) J.block<2, 3>(row, 3 * (pin.at.body1 - 1)) = part.side1();
     J.block<2, 3>(row, 3 * (pin.at.body2 - 1)) = part.side2();
@@ -69,7 +68,7 @@ void linkage(tutor::Page& page, const Settings& set) {
       l.) A bob that does not turn needs @ in the plane and @ in space, and the solver stores no more than that.)",
       stored<PlaneBody>, stored<SpaceBody>, stored<PlaneParticle>, stored<SpaceParticle>);
 
-  const Scene<M> scene = chain_of(set);
+  const Scene<PlaneBody> scene = chain_of(set);
   const Eigen::MatrixXd J = whole(scene);
   const int links = set.links;
   const double zeros = double((J.array() == 0).count()) / double(J.size());
@@ -97,10 +96,10 @@ void linkage(tutor::Page& page, const Settings& set) {
   const Eigen::VectorXd by_matrix = J * V;
   double difference = 0;
   for (int i = 0; i < scene.count(); ++i) {
-    const Pin<M>& pin = scene.all<Pin>()[static_cast<std::size_t>(i)];
-    const Velocity<M> V1 =
-        pin.at.body1 > 0 ? Velocity<M>(V.segment<3>(3 * (pin.at.body1 - 1))) : Velocity<M>::Zero();
-    const Velocity<M> V2 = V.segment<3>(3 * (pin.at.body2 - 1));
+    const Pin<PlaneBody>& pin = scene.all<Pin>()[static_cast<std::size_t>(i)];
+    const Velocity<PlaneBody> V1 =
+        pin.at.body1 > 0 ? Velocity<PlaneBody>(V.segment<3>(3 * (pin.at.body1 - 1))) : Velocity<PlaneBody>::Zero();
+    const Velocity<PlaneBody> V2 = V.segment<3>(3 * (pin.at.body2 - 1));
     const auto row = pin.jacobian(scene.bodies().pose[pin.at.body1], scene.bodies().pose[pin.at.body2]);
     difference = std::max(difference, (dot(row, V1, V2) - by_matrix.segment<2>(2 * i)).cwiseAbs().maxCoeff());
   }

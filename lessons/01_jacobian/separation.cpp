@@ -9,13 +9,12 @@ namespace {
 
 using renderer::Point;
 namespace palette = renderer::palette;
-using M = PlaneBody;
 
 /// Two discs that overlap, each turned somehow; arms are kept in the discs' own frames.
 struct Discs {
   double radius1, radius2;
-  Pose<M> first, second;
-  Contact<M> contact;
+  Pose<PlaneBody> first, second;
+  Contact<PlaneBody> contact;
 
   double value() const { return contact.value<double>(first, second)[0]; }
 };
@@ -27,8 +26,10 @@ Discs discs(double length, double distance) {
   at.second.rotation = plane_rotation(-0.7);
   at.second.position = distance * n;
   at.contact.normal = n;
-  at.contact.at = {
-      0, 1, {arm_to<M>(at.first, at.radius1 * n), arm_to<M>(at.second, at.second.position - at.radius2 * n)}};
+  at.contact.at = {0,
+                   1,
+                   {arm_to<PlaneBody>(at.first, at.radius1 * n),
+                    arm_to<PlaneBody>(at.second, at.second.position - at.radius2 * n)}};
   return at;
 }
 

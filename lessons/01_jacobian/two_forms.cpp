@@ -10,7 +10,6 @@ namespace byhand::lesson01 {
 namespace {
 
 namespace palette = renderer::palette;
-using M = PlaneParticle;
 
 //! [mixed]
 /// A rod with the C of (2) and the J of |d| − L: each is right, but not together.
@@ -27,12 +26,13 @@ constexpr double share = 0.01;  // of the rod's length that it is too long at fi
 /// The stretches [m] of a bob at rest in weightlessness while Baumgarte's cure with `beta` acts.
 template <template <class> class Rod>
 std::vector<double> stretches(double length, double mass, double beta, double h, int steps) {
-  Simulation<M> simulation{{}, {.solver = GaussSeidel{.sweeps = 1}, .drift = Baumgarte{.beta = beta}}};
-  Scene<M>& scene = simulation.scene;
+  Simulation<PlaneParticle> simulation{{}, {.solver = GaussSeidel{.sweeps = 1}, .drift = Baumgarte{.beta = beta}}};
+  Scene<PlaneParticle>& scene = simulation.scene;
   scene.gravity.setZero();
-  scene.add_body(Linear<M>(0, 0), fixed<M>());
-  scene.add_body(Linear<M>((1 + share) * length * from_straight_down<M>(0.6)), with_mass<M>(mass));
-  Rod<M> rod;
+  scene.add_body(Linear<PlaneParticle>(0, 0), fixed<PlaneParticle>());
+  scene.add_body(Linear<PlaneParticle>((1 + share) * length * from_straight_down<PlaneParticle>(0.6)),
+                 with_mass<PlaneParticle>(mass));
+  Rod<PlaneParticle> rod;
   rod.at = {0, 1};
   rod.length = length;
   scene.add(rod);
@@ -92,21 +92,21 @@ void two_forms(tutor::Page& page, const Settings& set) {
       R"(You could have begun with |d| − L, an error in metres. Its gradient is n = d/|d|: (14) divided by the
       length of d. Which one is right? Both. Let a bob fly outwards and let (17) stop it at the end of its rod,
       once with each row (lesson 2 is about that formula):)");
-  const auto at = pendulum<M>(0.6, length, set.mass);
-  const Pose<M>&anchor = at.bodies().pose[0], &bob = at.bodies().pose[1];
-  const InverseMass<M>&m1 = at.bodies().inverse_mass[0], &m2 = at.bodies().inverse_mass[1];
-  const Velocity<M> still = Velocity<M>::Zero(), flying(set.speed, 0);
+  const auto at = pendulum<PlaneParticle>(0.6, length, set.mass);
+  const Pose<PlaneParticle>&anchor = at.bodies().pose[0], &bob = at.bodies().pose[1];
+  const InverseMass<PlaneParticle>&m1 = at.bodies().inverse_mass[0], &m2 = at.bodies().inverse_mass[1];
+  const Velocity<PlaneParticle> still = Velocity<PlaneParticle>::Zero(), flying(set.speed, 0);
   struct Impulse {
     double lambda;
-    Linear<M> on_bob;
+    Linear<PlaneParticle> on_bob;
   };
-  const auto stop = [&](const Jacobian<M, 1>& J) {
-    const Jacobian<M, 1> W = times_inverse_mass(J, m1, anchor, m2, bob);
+  const auto stop = [&](const Jacobian<PlaneParticle, 1>& J) {
+    const Jacobian<PlaneParticle, 1> W = times_inverse_mass(J, m1, anchor, m2, bob);
     const double lambda = impulse(J, W, still, flying, 0);
     return Impulse{lambda, lambda * J.l2().transpose()};
   };
-  const Impulse squared = stop(Distance<M>{{0, 1}, length}.jacobian(anchor, bob));
-  const Impulse normalised = stop(NormalisedDistance<M>{{0, 1}, length}.jacobian(anchor, bob));
+  const Impulse squared = stop(Distance<PlaneParticle>{{0, 1}, length}.jacobian(anchor, bob));
+  const Impulse normalised = stop(NormalisedDistance<PlaneParticle>{{0, 1}, length}.jacobian(anchor, bob));
   page.text(
       R"(
       - from (2): λ = @ N·s/m, the impulse λJᵀ on the bob is @ N·s

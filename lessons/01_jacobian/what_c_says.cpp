@@ -11,13 +11,12 @@
 namespace byhand::lesson01 {
 namespace {
 
-using M = PlaneParticle;
 using renderer::Point;
 
 constexpr double three_four_five = 0.6435011087932844;  // the angle whose sine is 0.6 and cosine 0.8
 
-Scene<M> bob_at(const Point& place, double length, double mass) {
-  Scene<M> scene = pendulum<M>(0, length, mass);
+Scene<PlaneParticle> bob_at(const Point& place, double length, double mass) {
+  Scene<PlaneParticle> scene = pendulum<PlaneParticle>(0, length, mass);
   scene.state().pose[1].position = place;
   return scene;
 }
@@ -36,7 +35,7 @@ Point nudged(double time, double length) {
   };
   const double out = swing(0.2, 0.8) - swing(0.8, 1.4), in = swing(2.6, 3.2) - swing(3.2, 3.8);
   const double angle = three_four_five - 1.4 * swing(1.4, 2.6), radius = length * (1 + 0.3 * (out - in));
-  return radius * from_straight_down<M>(angle);
+  return radius * from_straight_down<PlaneParticle>(angle);
 }
 
 constexpr double duration = 4;  // of the sequence [s]
@@ -66,7 +65,7 @@ renderer::Chart landscape(double length, double mass) {
   renderer::Curve circle{
       .label = "C = 0", .style = renderer::CurveStyle::theory, .colour = renderer::palette::ink};
   for (int i = 0; i <= 120; ++i) {
-    const Point at = length * from_straight_down<M>(2 * std::numbers::pi * i / 120);
+    const Point at = length * from_straight_down<PlaneParticle>(2 * std::numbers::pi * i / 120);
     circle.x.push_back(at.x());
     circle.y.push_back(at.y());
   }
@@ -81,7 +80,7 @@ renderer::Chart landscape(double length, double mass) {
 
 void what_c_says(tutor::Page& page, const Settings& set) {
   const double length = set.length, mass = set.mass, stretch = set.stretch, far = length + stretch;
-  const double C = value_at(far * from_straight_down<M>(three_four_five), length, mass);
+  const double C = value_at(far * from_straight_down<PlaneParticle>(three_four_five), length, mass);
 
   page.text(
       R"(A constraint is a number. It is zero while all is well, and it says how wrong things are when they are
@@ -120,7 +119,7 @@ void what_c_says(tutor::Page& page, const Settings& set) {
                   canvas.look(renderer::fit({-0.7 * length, -1.4 * length, 2 * length, 1.6 * length}, left));
                   std::vector<Point> circle;
                   for (int i = 0; i <= 60; ++i)
-                    circle.push_back(length * from_straight_down<M>(-0.9 + 2.6 * i / 60));
+                    circle.push_back(length * from_straight_down<PlaneParticle>(-0.9 + 2.6 * i / 60));
                   canvas.path(circle, {renderer::palette::theory, 1.6, renderer::Dash::dashed});
                   const Point at = nudged(time, length);
                   pictures::draw(canvas, pictures::rods_and_bobs(bob_at(at, length, mass)));
@@ -143,7 +142,7 @@ void what_c_says(tutor::Page& page, const Settings& set) {
 
   double along = 0;
   for (int i = 0; i < 60; ++i)
-    along = std::max(along, std::abs(value_at(length * from_straight_down<M>(0.1 * i), length, mass)));
+    along = std::max(along, std::abs(value_at(length * from_straight_down<PlaneParticle>(0.1 * i), length, mass)));
   const double exact = 1e-14 * length * length;
   page.claim({.quantity = "C of the stretched rod",
               .unit = "m²",

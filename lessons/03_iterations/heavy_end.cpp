@@ -16,10 +16,6 @@ ChainOptions with_heavy_end(ChainOptions chain, double ratio) {
   return chain;
 }
 
-double digit(const ChainOptions& chain, double h) {
-  return sweeps_per_digit(measured_factor(GaussSeidel{.warm_start = false}, chain, h));
-}
-
 double textbook_digit(const ChainOptions& chain) {
   const double factor = textbook_jacobi_factor(textbook_matrix(chain));
   return sweeps_per_digit(factor * factor);
@@ -31,7 +27,7 @@ void heavy_end(Page& page, const Knobs& knobs) {
   const int n = knobs.links;
   const double h = knobs.h, ratio = knobs.ratio;
   const ChainOptions heavy = with_heavy_end(knobs.chain(), ratio);
-  const double light_digit = digit(knobs.chain(), h), heavy_digit = digit(heavy, h);
+  const double light_digit = measured_digit(knobs.chain(), h), heavy_digit = measured_digit(heavy, h);
 
   page.text("The same @ links, but the bob at the end weighs @ times as much as each of the others.", n, ratio);
   page.predict(
@@ -59,7 +55,7 @@ void heavy_end(Page& page, const Knobs& knobs) {
   for (const double r : {1.0, 3.0, 10.0, 30.0, 100.0, 300.0, 1000.0}) {
     const ChainOptions chain = with_heavy_end(knobs.chain(), r);
     for (renderer::Curve* curve : {&measured, &exact, &law}) curve->x.push_back(r);
-    measured.y.push_back(digit(chain, h));
+    measured.y.push_back(measured_digit(chain, h));
     measured.point_labels.push_back(number(measured.y.back(), 2));
     exact.y.push_back(textbook_digit(chain));
     law.y.push_back(std::log(10.0) * r * (n - 1));

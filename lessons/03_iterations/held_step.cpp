@@ -1,5 +1,6 @@
 #include "lessons/03_iterations/held_step.hpp"
 
+#include "lessons/03_iterations/textbook.hpp"
 #include "solver/measure.hpp"
 
 namespace byhand::iterations {
@@ -64,6 +65,10 @@ std::vector<double> HeldStep::speeds() const {
   std::vector<double> speeds;
   for (int bob = 1; bob <= chain_.links; ++bob) speeds.push_back(-scene_.bodies().velocity[bob].y());
   return speeds;
+}
+
+double measured_digit(const ChainOptions& chain, double h) {
+  return sweeps_per_digit(measured_factor(GaussSeidel{.warm_start = false}, chain, h));
 }
 
 }  // namespace byhand::iterations

@@ -63,4 +63,7 @@ double measured_factor(const Solver& solver, const ChainOptions& chain, double h
   return std::pow(error_after(begin + span, solver, chain, h) / error_after(begin, solver, chain, h), 1.0 / span);
 }
 
+/// How many sweeps of a cold Gauss–Seidel one more digit takes in the long run.
+double measured_digit(const ChainOptions& chain, double h);
+
 }  // namespace byhand::iterations

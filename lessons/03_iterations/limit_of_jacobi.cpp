@@ -34,7 +34,7 @@ Scene<PlaneBody> hung_box(int rods, double side, double mass) {
 
 /// The error [m/s] that so many sweeps leave in the step that finds the box at rest.
 template <class Solver>
-double error_after(int sweeps, Solver solver, int rods, const Knobs& knobs) {
+double error_of_box(int sweeps, Solver solver, int rods, const Knobs& knobs) {
   auto scene = hung_box(rods, knobs.length, knobs.mass);
   Work<PlaneBody> work;
   solver.sweeps = sweeps;
@@ -47,7 +47,7 @@ double error_after(int sweeps, Solver solver, int rods, const Knobs& knobs) {
 }
 
 double factor(const Jacobi& solver, int rods, const Knobs& knobs) {
-  return std::sqrt(error_after(6, solver, rods, knobs) / error_after(4, solver, rods, knobs));
+  return std::sqrt(error_of_box(6, solver, rods, knobs) / error_of_box(4, solver, rods, knobs));
 }
 
 /// The eigenvalue of D⁻¹A for the box falling straight: each rod corrects 1/(1 + m x²/I) of the whole error.
@@ -75,7 +75,7 @@ void limit_of_jacobi(Page& page, const Knobs& knobs) {
     renderer::Curve law{.style = renderer::CurveStyle::theory};
     measured.colour = law.colour = renderer::palette::series(colour++);
     for (int sweeps = 1; sweeps <= last; ++sweeps) {
-      const double error = error_after(sweeps, Jacobi{}, rods, knobs) / knobs.fall();
+      const double error = error_of_box(sweeps, Jacobi{}, rods, knobs) / knobs.fall();
       if (error < 1e-6 || error > 1e6) break;
       measured.x.push_back(sweeps);
       measured.y.push_back(error);
@@ -113,7 +113,7 @@ void limit_of_jacobi(Page& page, const Knobs& knobs) {
               .unit = "gh",
               .expected = 1e-3,
               .source = "it converges: at most",
-              .measured = error_after(20, GaussSeidel{}, 4, knobs) / knobs.fall(),
+              .measured = error_of_box(20, GaussSeidel{}, 4, knobs) / knobs.fall(),
               .tolerance = at_most()});
 }
 

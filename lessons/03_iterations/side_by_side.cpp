@@ -18,9 +18,9 @@ using namespace tutor;
 namespace palette = renderer::palette;
 using Chain = Simulation<PlaneParticle>;
 
-constexpr double seconds = 5;
+constexpr double film_seconds = 5;
 constexpr double lost = 50;  // lengths of a link: a chain that is stretched that far is watched no longer
-const std::vector<int> sweep_counts{1, 4, 16, 64};
+const std::vector<int> compared_sweeps{1, 4, 16, 64};
 
 Chain swinging(const Knobs& knobs, std::optional<int> sweeps, double degrees) {
   ChainOptions options = knobs.chain();
@@ -53,7 +53,7 @@ struct Run {
 Run run_of(std::string name, Chain start, double h, double length) {
   Run run{std::move(name), start, {}};
   run.stretch.label = run.name;
-  while (start.time < seconds) {
+  while (start.time < film_seconds) {
     start.step(h);
     const double now = stretch(start);
     run.stretch.x.push_back(start.time);
@@ -119,7 +119,7 @@ void draw_runs(renderer::Canvas& canvas, const std::vector<Run>& runs, const ren
 void side_by_side(Page& page, const Knobs& knobs) {
   const double h = knobs.h, L = knobs.length;
   std::vector<Run> runs;
-  for (const int sweeps : sweep_counts)
+  for (const int sweeps : compared_sweeps)
     runs.push_back(
         run_of(say(sweeps == 1 ? "@ sweep" : "@ sweeps", sweeps), swinging(knobs, sweeps, knobs.angle), h, L));
   runs.push_back(run_of("direct", swinging(knobs, {}, knobs.angle), h, L));
@@ -150,13 +150,13 @@ void side_by_side(Page& page, const Knobs& knobs) {
       R"(Now let it swing: released at @° from straight down, @ s, and with the correction of lesson 4 (β = @)
       pulling stretched links back. Five times the same chain, started @; only the number of sweeps a step differs,
       and the last solves all rows at once.)",
-      knobs.angle, seconds, knobs.beta, knobs.warm() == 1 ? "warm" : "cold");
+      knobs.angle, film_seconds, knobs.beta, knobs.warm() == 1 ? "warm" : "cold");
   page.sequence(
       "sweeps_side_by_side",
       say(R"(The same chain of @ links with @, @, @ and @ sweeps a step, and solved directly. Below: the largest
           stretch of any link. Dashed: where the end of a chain that does not stretch would swing.)",
-          knobs.links, sweep_counts[0], sweep_counts[1], sweep_counts[2], sweep_counts[3]),
-      Seconds{seconds}, [=, runs = runs](renderer::Canvas& canvas, double time) mutable {
+          knobs.links, compared_sweeps[0], compared_sweeps[1], compared_sweeps[2], compared_sweeps[3]),
+      Seconds{film_seconds}, [=, runs = runs](renderer::Canvas& canvas, double time) mutable {
         for (Run& run : runs)
           while (run.chain.time < time - 0.5 * h && run.chain.time < run.lost_at) run.chain.step(h);
         const auto [upper, lower] = canvas.page().inset(14).split_rows(0.62, 8);
@@ -171,7 +171,7 @@ void side_by_side(Page& page, const Knobs& knobs) {
   }
   if (knobs.warm() == 1) {
     std::vector<double> limits;
-    for (const int sweeps : sweep_counts) {
+    for (const int sweeps : compared_sweeps) {
       const double q = std::pow(chain_factor(knobs.links), sweeps);
       limits.push_back((1 - q) / q);
     }
@@ -187,7 +187,7 @@ void side_by_side(Page& page, const Knobs& knobs) {
         r. So the worst link hangs out by about r·h/β:)");
   }
   const bool claimed = knobs.warm() == 0 && knobs.beta >= 0.01;
-  for (const int sweeps : sweep_counts)
+  for (const int sweeps : compared_sweeps)
     page.claim({.quantity = say("stretch at rest, sweeps a step: @", sweeps),
                 .unit = "m",
                 .expected = claimed ? textbook_stretch(knobs, sweeps) : 0,

@@ -40,10 +40,6 @@ double width(const std::vector<double>& share) {
   return std::sqrt(second / sum - (first / sum) * (first / sum));
 }
 
-double digit(const ChainOptions& chain, double h) {
-  return sweeps_per_digit(measured_factor(GaussSeidel{.warm_start = false}, chain, h));
-}
-
 renderer::Chart digits_over_links(const Knobs& knobs) {
   renderer::Curve measured{.label = "measured", .style = renderer::CurveStyle::markers};
   renderer::Curve law{.label = {}, .style = renderer::CurveStyle::theory};
@@ -52,7 +48,7 @@ renderer::Chart digits_over_links(const Knobs& knobs) {
   law.label = say("@ N²", Value(coefficient, 3));
   for (const int links : {3, 5, 10, 20, 40, 80}) {
     measured.x.push_back(links);
-    measured.y.push_back(digit(knobs.chain(links), knobs.h));
+    measured.y.push_back(measured_digit(knobs.chain(links), knobs.h));
     measured.point_labels.push_back(number(measured.y.back(), 3));
     law.x.push_back(links);
     law.y.push_back(coefficient * links * links);
@@ -68,7 +64,7 @@ renderer::Chart digits_over_links(const Knobs& knobs) {
 
 void twice_as_long(Page& page, const Knobs& knobs) {
   const double h = knobs.h;
-  const double once = digit(knobs.chain(), h), twice = digit(knobs.chain(2 * knobs.links), h);
+  const double once = measured_digit(knobs.chain(), h), twice = measured_digit(knobs.chain(2 * knobs.links), h);
   page.predict({.ask = say("@ sweeps for one more digit with @ links. How many with @ links?", std::round(once),
                            knobs.links, 2 * knobs.links),
                 .answer = twice,

@@ -15,15 +15,15 @@ namespace palette = renderer::palette;
 using renderer::Point;
 
 /// What a panel shows: speeds and errors in units of gh.
-struct Instant {
+struct Panel {
   std::string title;
   int solved = -1;  // the joint whose row was just solved
   pictures::Linkage linkage;
   std::vector<double> speeds, errors;
 };
 
-Instant instant(std::string title, int solved, const HeldStep& step, double fall) {
-  Instant now{std::move(title), solved, pictures::rods_and_bobs(step.scene()), step.speeds(), step.errors()};
+Panel panel(std::string title, int solved, const HeldStep& step, double fall) {
+  Panel now{std::move(title), solved, pictures::rods_and_bobs(step.scene()), step.speeds(), step.errors()};
   for (double& speed : now.speeds) speed /= fall;
   for (double& error : now.errors) error /= fall;
   return now;
@@ -36,7 +36,7 @@ std::string in_falls(double value) {
   return number(value, 3) + " gh";
 }
 
-void draw_instant(renderer::Canvas& canvas, const Instant& now, double length, const renderer::Rectangle& frame) {
+void draw_panel(renderer::Canvas& canvas, const Panel& now, double length, const renderer::Rectangle& frame) {
   canvas.look_at_page();
   canvas.text({frame.centre().x(), frame.top() - 30}, now.title, {.size = 23, .bold = true});
   const renderer::Rectangle below{frame.x, frame.y, frame.width, frame.height - 60};
@@ -66,10 +66,10 @@ void draw_instant(renderer::Canvas& canvas, const Instant& now, double length, c
 void two_links(Page& page, const Knobs& knobs) {
   const double fall = knobs.fall(), m = knobs.mass, L = knobs.length, h = knobs.h;
   HeldStep step(knobs.chain(2), h);
-  std::vector<Instant> instants{instant("gravity is in V", -1, step, fall)};
+  std::vector<Panel> panels{panel("gravity is in V", -1, step, fall)};
   const auto solve = [&](int joint) {
     step.solve_row();
-    instants.push_back(instant(say("row @ solved", joint + 1), joint, step, fall));
+    panels.push_back(panel(say("row @ solved", joint + 1), joint, step, fall));
   };
   solve(0);
   const double rate = step.errors()[1] * L;
@@ -108,7 +108,7 @@ void two_links(Page& page, const Knobs& knobs) {
           fall),
       [=](renderer::Canvas& canvas) {
         const auto cells = canvas.page().inset(20).cells(1, 4, 10);
-        for (std::size_t i = 0; i < cells.size(); ++i) draw_instant(canvas, instants[i], L, cells[i]);
+        for (std::size_t i = 0; i < cells.size(); ++i) draw_panel(canvas, panels[i], L, cells[i]);
       });
   page.text(
       R"(So row 2 undid half of what row 1 had done; and when row 1 mends that, it undoes half of what row 2 did.

@@ -12,7 +12,7 @@ namespace {
 using namespace tutor;
 using namespace renderer;
 
-constexpr int steps = 5;
+constexpr int shown_steps = 5;
 
 /// The rod's end at the beginning and after each step, side by side.
 void draw_steps(Canvas& canvas, const std::vector<double>& errors) {
@@ -32,9 +32,9 @@ void draw_steps(Canvas& canvas, const std::vector<double>& errors) {
 
 void a_share_of_the_error(const Setting& setting, Page& page) {
   const double beta = setting.beta(), h = setting.h(), e = setting.error(), length = setting.length();
-  const std::vector<double> run = errors(setting, {beta}, h, steps);
+  const std::vector<double> run = errors(setting, {beta}, h, shown_steps);
   // Beyond the anchor |d| − L is another error, and n has turned round.
-  const bool this_side = std::pow(std::abs(1 - beta), steps) * e < 0.9 * length;
+  const bool this_side = std::pow(std::abs(1 - beta), shown_steps) * e < 0.9 * length;
   const std::string range = "a bob that stays on its side of the anchor";
 
   page.text(
@@ -57,10 +57,10 @@ void a_share_of_the_error(const Setting& setting, Page& page) {
        .answer = 100 * run.back(),
        .unit = "cm",
        .tolerance = 100 * e * 0.015,
-       .wrong = {{100 * e * (1 - steps * beta), "It takes away a share of what is left, not of the start."},
+       .wrong = {{100 * e * (1 - shown_steps * beta), "It takes away a share of what is left, not of the start."},
                  {100 * e * (1 - beta), "That is after the first step; four more follow."}},
        .hint = "Each step leaves 1 − β of what it finds.",
-       .right = say("(1 − β)⁵ = @ of it is left.", std::pow(1 - beta, steps))});
+       .right = say("(1 − β)⁵ = @ of it is left.", std::pow(1 - beta, shown_steps))});
   page.figure(
       "five_steps",
       say("The end of the rod, at first and after each of five steps with β = @. Dashed: where the bob belongs.",
@@ -81,7 +81,7 @@ void a_share_of_the_error(const Setting& setting, Page& page) {
 
   page.claim({.quantity = "error after five steps",
               .unit = "m",
-              .expected = std::pow(1 - beta, steps) * e,
+              .expected = std::pow(1 - beta, shown_steps) * e,
               .source = "law B1: (1 − β)⁵",
               .measured = run.back(),
               .tolerance = absolute(1e-12 * length),

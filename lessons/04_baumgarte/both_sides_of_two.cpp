@@ -14,7 +14,7 @@ namespace {
 using namespace tutor;
 using namespace renderer;
 
-constexpr int steps = 10;
+constexpr int panel_steps = 10;
 constexpr std::array shown{0.1, 0.2, 0.3, 1.0, 1.5, 1.9, 2.1};
 
 struct Panel {
@@ -30,7 +30,7 @@ struct Panel {
 
 /// One β for ten steps, or until the bob would be thrown through the anchor.
 Panel panel(const Setting& setting, double beta) {
-  std::vector<double> all = errors(setting, {beta}, setting.h, steps);
+  std::vector<double> all = errors(setting, {beta}, setting.h, panel_steps);
   std::size_t kept = 0;
   while (kept < all.size() && std::pow(std::abs(1 - beta), kept) * setting.error() < 0.9 * setting.length())
     ++kept;
@@ -52,7 +52,7 @@ void draw_panel(Canvas& canvas, const Panel& panel, std::size_t now, const Recta
   }
   const bool one_side = panel.beta <= 1;
   draw(canvas,
-       {.x = {.label = "step", .range = {{-0.5, steps + 0.5}}},
+       {.x = {.label = "step", .range = {{-0.5, panel_steps + 0.5}}},
         .y = {.label = "C (cm)", .range = {{one_side ? -5 * reach : -115 * reach, 115 * reach}}},
         .curves = {stems}},
        right);
@@ -129,11 +129,11 @@ void both_sides_of_two(const Setting& setting, Page& page) {
       say(R"(The same rod with @ values of β, every step shown. Up to 1 the error shrinks from one side, between 1
           and 2 it changes sides and shrinks, beyond 2 it changes sides and grows (its axis is wider).)",
           panels.size()),
-      Frames{steps + 1}, [panels](Canvas& canvas, double time) {
+      Frames{panel_steps + 1}, [panels](Canvas& canvas, double time) {
         draw_panels(canvas, panels, static_cast<std::size_t>(std::lround(time)));
       });
   page.figure("stems_of_ten_steps", "The stems after ten steps.",
-              [panels](Canvas& canvas) { draw_panels(canvas, panels, steps); });
+              [panels](Canvas& canvas) { draw_panels(canvas, panels, panel_steps); });
   page.text(
       R"(One number says it all: each step multiplies the error by 1 − β, so |1 − β| decides. Below 1 it shrinks;
       at β = 1 one step does everything; at β = 2 the bob jumps from one side to the other for ever.)");

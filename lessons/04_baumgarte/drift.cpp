@@ -14,7 +14,7 @@ namespace {
 using namespace tutor;
 using namespace renderer;
 
-constexpr double seconds = 4;
+constexpr double spiral_seconds = 4;
 
 /// The radii that JV = 0 leads through [m]: each step adds the square of its way, and |v||d| stays.
 std::vector<double> radii(double radius, double speed, double h, int steps) {
@@ -30,7 +30,7 @@ double law(double radius, double speed, double h, double time) {
   return radius * std::pow(1 + 2 * h * speed * speed * time / (radius * radius), 0.25);
 }
 
-struct Film {
+struct SpiralFilm {
   Track run;
   double length;
   Chart beside;
@@ -83,7 +83,7 @@ Chart law_of_drift(const Setting& setting) {
 
 void drift(const Setting& setting, Page& page) {
   const double length = setting.length(), speed = setting.speed(), mass = setting.mass(), h = setting.h();
-  const int steps = static_cast<int>(std::lround(seconds / h));
+  const int steps = static_cast<int>(std::lround(spiral_seconds / h));
   const Track run = circling(setting, speed, NoDriftCure{}, h, steps);
   const std::vector<double> exact = radii(length, speed, h, steps);
   const double C = run.back().position.norm() - length, kept = run.back().kinetic / run.front().kinetic;
@@ -99,7 +99,7 @@ void drift(const Setting& setting, Page& page) {
                  .colour = palette::error};
   Curve expected{.label = "law", .style = CurveStyle::theory};
   for (int i = 0; i <= 60; ++i) {
-    expected.x.push_back(i * seconds / 60);
+    expected.x.push_back(i * spiral_seconds / 60);
     expected.y.push_back(100 * (law(length, speed, h, expected.x.back()) - length));
   }
   const Chart beside{
@@ -108,9 +108,9 @@ void drift(const Setting& setting, Page& page) {
       "growing_circle",
       say(R"(A bob on a rod without weight, b = 0. The circle opens into a spiral: after @ s the rod is @ cm too
           long. Dashed beside it: the law below.)",
-          seconds, Value(100 * C, 3)),
-      Seconds{seconds},
-      [film = Film{run, length, beside}](Canvas& canvas, double time) { film.draw(canvas, time); });
+          spiral_seconds, Value(100 * C, 3)),
+      Seconds{spiral_seconds},
+      [film = SpiralFilm{run, length, beside}](Canvas& canvas, double time) { film.draw(canvas, time); });
   page.choose(
       {.ask = say("The bob is @ % farther out than it should be. What has become of its energy?",
                   Value(100 * C / length, 3)),
@@ -147,7 +147,7 @@ void drift(const Setting& setting, Page& page) {
   page.measure("C after four seconds", 100 * C, "cm");
 
   const double turn = speed * h / length, spread = 1 + 2 * turn * turn * steps, rounding = 1e-12 * steps;
-  page.claim({.quantity = say("rod after @ s", seconds),
+  page.claim({.quantity = say("rod after @ s", spiral_seconds),
               .unit = "m",
               .expected = exact.back(),
               .source = "|d|² grows by (h|v|)², |v||d| stays",

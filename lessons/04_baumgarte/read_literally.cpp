@@ -12,7 +12,7 @@ namespace {
 using namespace tutor;
 using namespace renderer;
 
-constexpr double seconds = 10;
+constexpr double decay_seconds = 10;
 
 Curve decay(const Setting& setting, std::string label, const Baumgarte& cure, int steps, std::size_t every) {
   const std::vector<double> run = errors(setting, cure, setting.h, steps);
@@ -29,7 +29,7 @@ Curve decay(const Setting& setting, std::string label, const Baumgarte& cure, in
 
 void read_literally(const Setting& setting, Page& page) {
   const double beta = setting.beta(), h = setting.h(), e = setting.error(), length = setting.length();
-  const int steps = static_cast<int>(std::lround(seconds / h));
+  const int steps = static_cast<int>(std::lround(decay_seconds / h));
   const Baumgarte literal{beta, BetaReading::literal};
   const std::vector<double> run = errors(setting, literal, h, steps);
   const double half = half_time(run[1] / run[0], h), left = run.back() / e;
@@ -59,15 +59,15 @@ void read_literally(const Setting& setting, Page& page) {
                                static_cast<int>(std::lround(1 / h)), 1);
   Curve law{.label = "e^{−βt}", .style = CurveStyle::theory};
   for (int i = 0; i <= 40; ++i) {
-    law.x.push_back(i * seconds / 40);
+    law.x.push_back(i * decay_seconds / 40);
     law.y.push_back(100 * e * std::exp(-beta * law.x.back()));
   }
   page.figure(
       "literal_and_per_step",
       say(R"(The same number β = @, read in two ways, over @ s. Read literally @ % of the error is still there at
           the end.)",
-          setting.beta, seconds, Value(100 * left, 3)),
-      Chart{.x = {.label = "time (s)", .range = {{0, seconds}}},
+          setting.beta, decay_seconds, Value(100 * left, 3)),
+      Chart{.x = {.label = "time (s)", .range = {{0, decay_seconds}}},
             .y = {.label = "|C| (cm)", .scale = Scale::logarithmic, .range = {{1e-2 * e, 200 * e}}},
             .curves = {decay(setting, say("as printed: −βC, β = @ s⁻¹", setting.beta), literal, steps,
                              static_cast<std::size_t>(std::max(1, steps / 40))),
@@ -85,7 +85,7 @@ void read_literally(const Setting& setting, Page& page) {
               .source = "ln 2/β",
               .measured = half,
               .tolerance = relative(0.6 * beta * h)});
-  page.claim({.quantity = say("still there after @ s, as printed", seconds),
+  page.claim({.quantity = say("still there after @ s, as printed", decay_seconds),
               .unit = "1",
               .expected = std::pow(1 - beta * h, steps),
               .source = "(1 − βh)ⁿ",

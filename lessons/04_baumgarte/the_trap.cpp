@@ -14,7 +14,7 @@ namespace {
 using namespace tutor;
 using namespace renderer;
 
-constexpr double seconds = 4;
+constexpr double chain_seconds = 4;
 
 /// Decades that errors grow by in a hundred steps.
 double decades(double growth) { return 100 * std::log10(std::max(growth, 1e-30)); }
@@ -57,7 +57,7 @@ double measured_limit(const Setting& setting, double law) {
   return (settles + grows) / 2;
 }
 
-struct Film {
+struct ChainsFilm {
   HangingChain warm, cold;
   double length, view;  // [m]
   Chart beside;
@@ -91,19 +91,19 @@ struct Film {
   }
 };
 
-Film film(const Setting& setting, double beta) {
+ChainsFilm film(const Setting& setting, double beta) {
   const double h = setting.h(), length = setting.length();
   const auto hanging = [&](bool warm) {
     return HangingChain({setting.links, setting.sweeps, beta, warm}, length, setting.mass, h);
   };
-  Film film{hanging(true), hanging(false), length, 0, {}, setting.links};
+  ChainsFilm film{hanging(true), hanging(false), length, 0, {}, setting.links};
   film.beside = {.x = {.label = "time (s)"}, .y = {.label = "largest |C|/L (1)", .scale = Scale::logarithmic}};
   constexpr double least = 1e-5;  // of the chart
   double depth = setting.links * length, most = 0.1;
   for (const auto& [start, name] : {std::pair{&film.warm, "warm"}, std::pair{&film.cold, "cold"}}) {
     HangingChain chain = *start;
     Curve curve{.label = name};
-    while (chain.time() < seconds) {
+    while (chain.time() < chain_seconds) {
       chain.step();
       curve.x.push_back(chain.time());
       const double error = chain.largest_error() / length;
@@ -154,7 +154,7 @@ void the_trap(const Setting& setting, Page& page) {
           links * setting.length(), setting.beta, sweeps,
           dies_out ? "calms down" : "rings louder with every swing",
           cold < 1 ? "sags, and stays" : "does no better"),
-      Seconds{seconds}, [film = film(setting, beta), h = setting.h()](Canvas& canvas, double time) mutable {
+      Seconds{chain_seconds}, [film = film(setting, beta), h = setting.h()](Canvas& canvas, double time) mutable {
         film.draw(canvas, time, h);
       });
   page.text(

@@ -15,19 +15,19 @@ namespace {
 using namespace tutor;
 using namespace renderer;
 
-constexpr double seconds = 3, radius = 0.15;  // [s], of the ball [m]
+constexpr double bounce_seconds = 3, ball_radius = 0.15;  // [s], of the ball [m]
 constexpr int bounces = 3, fine = 16;
 
 using Solved = Simulation<PlaneBody>;
 
 Solved solved(const Setting& setting, double e) {
-  Solved simulation{bouncing_ball<PlaneBody>(setting.drop, e, radius), {}};
+  Solved simulation{bouncing_ball<PlaneBody>(setting.drop, e, ball_radius), {}};
   simulation.method.bounce_threshold = 0.1;
   simulation.scene.set_margin(0.5);  // it comes fast: the contact is to be known before it is there
   return simulation;
 }
 
-double height(const Solved& ball) { return ball.scene.bodies().pose[1].position.y() - radius; }
+double height(const Solved& ball) { return ball.scene.bodies().pose[1].position.y() - ball_radius; }
 
 /// A particle that bounces when it finds itself under the ground: JV⁺ = -e JV⁻, with the V that a step has made.
 struct OnOverlap {
@@ -72,7 +72,7 @@ std::vector<double> peaks(AnyBall ball, double h, int count) {
 template <class AnyBall>
 Curve heights(std::string name, AnyBall ball, double h, Colour colour) {
   Curve curve{.label = std::move(name), .x = {0}, .y = {height(ball)}, .colour = colour};
-  while (ball.time < seconds - 0.5 * h) {
+  while (ball.time < bounce_seconds - 0.5 * h) {
     step(ball, h);
     curve.x.push_back(ball.time);
     curve.y.push_back(height(ball));
@@ -80,7 +80,7 @@ Curve heights(std::string name, AnyBall ball, double h, Colour colour) {
   return curve;
 }
 
-struct Film {
+struct BounceFilm {
   OnOverlap overlap;
   Solved coarse, finer;
   double h, top;
@@ -93,19 +93,19 @@ struct Film {
       for (int i = 0; i < fine; ++i) finer.step(h / fine);
     }
     const auto [left, right] = canvas.page().inset(16).split_columns(0.42, 20);
-    canvas.look(fit({-1.2, -0.2, 2.4, top + 2 * radius + 0.3}, left, 4));
+    canvas.look(fit({-1.2, -0.2, 2.4, top + 2 * ball_radius + 0.3}, left, 4));
     canvas.ground({-1.2, 0}, {1.2, 0});
     const double all[] = {height(overlap), height(coarse), height(finer)};
     for (int i = 0; i < 3; ++i)
-      canvas.disc({0.75 * (i - 1), all[i] + radius}, radius, {palette::series(i), {palette::ink, 1.8}});
+      canvas.disc({0.75 * (i - 1), all[i] + ball_radius}, ball_radius, {palette::series(i), {palette::ink, 1.8}});
     canvas.look_at_page();
     renderer::draw(canvas, pictures::grown_to(chart, time), right.inset(0, 60));
   }
 };
 
-Film film(const Setting& setting) {
+BounceFilm film(const Setting& setting) {
   const double h = setting.h();
-  Film film{on_overlap(setting, 1), solved(setting, 1), solved(setting, 1), h, 0, {}};
+  BounceFilm film{on_overlap(setting, 1), solved(setting, 1), solved(setting, 1), h, 0, {}};
   film.chart = {.x = {.label = "time (s)"}, .y = {.label = "height (m)"}};
   film.chart.curves = {heights("on overlap", film.overlap, h, palette::series(0)),
                        heights("solver, h", film.coarse, h, palette::series(1)),
@@ -182,7 +182,8 @@ void bounce(const Setting& setting, Page& page) {
       say(R"(e = 1, dropped from @ m. Blue: turned round when it is found under the ground. The others: the solver,
           with steps of h and of h/@.)",
           setting.drop, fine),
-      Seconds{seconds}, [film = film(setting)](Canvas& canvas, double time) mutable { film.draw(canvas, time); });
+      Seconds{bounce_seconds},
+      [film = film(setting)](Canvas& canvas, double time) mutable { film.draw(canvas, time); });
   page.text(
       R"(With e = 1 it ought to come back to @ m. Bouncing on overlap its peaks are @ m: it *gains*. Look where: V
       already holds this step's gravity when it is turned round, and so gh that pulled down now pulls up. The way

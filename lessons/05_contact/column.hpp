@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "lessons/scenes/boxes.hpp"
@@ -8,6 +9,12 @@
 namespace byhand::contact {
 
 using Pile = Simulation<PlaneBody>;
+
+/// One of the piles that a picture compares.
+struct NamedPile {
+  std::string name;
+  Pile pile;
+};
 
 /// What a contact of a pile presses with [N], the contact's lower body and its upper one, as the last step left
 /// it.

@@ -15,7 +15,7 @@ namespace {
 using namespace tutor;
 using namespace renderer;
 
-constexpr double seconds = 1.5;
+constexpr double pop_seconds = 1.5;
 
 /// A unit box that begins `depth` [m] deep in the ground.
 Simulation<PlaneBody> sunk(double depth, const Baumgarte& cure) {
@@ -31,7 +31,7 @@ double clearance(const Simulation<PlaneBody>& simulation) {
 
 double peak(Simulation<PlaneBody> simulation, double h) {
   double highest = clearance(simulation);
-  while (simulation.time < seconds) {
+  while (simulation.time < pop_seconds) {
     simulation.step(h);
     highest = std::max(highest, clearance(simulation));
   }
@@ -59,17 +59,17 @@ double law_of_peak(double depth, double beta, double h) {
   return -depth + h * (n * v - gravity * h * n * (n - 1) / 2);
 }
 
-struct Run {
+struct NamedBox {
   std::string name;
   Simulation<PlaneBody> box;
 };
 
 /// Heights over time, one curve for each run.
-Chart heights(const std::vector<Run>& runs, double h) {
+Chart heights(const std::vector<NamedBox>& runs, double h) {
   Chart chart{.x = {.label = "time (s)"}, .y = {.label = "height of the lower side (m)"}};
-  for (Run run : runs) {
+  for (NamedBox run : runs) {
     Curve curve{.label = run.name, .x = {0}, .y = {clearance(run.box)}};
-    while (run.box.time < seconds) {
+    while (run.box.time < pop_seconds) {
       run.box.step(h);
       curve.x.push_back(run.box.time);
       curve.y.push_back(clearance(run.box));
@@ -80,7 +80,7 @@ Chart heights(const std::vector<Run>& runs, double h) {
   return chart;
 }
 
-void draw_runs(Canvas& canvas, const std::vector<Run>& runs, const Rectangle& frame, double top) {
+void draw_runs(Canvas& canvas, const std::vector<NamedBox>& runs, const Rectangle& frame, double top) {
   const auto cells = frame.cells(1, static_cast<int>(runs.size()), 12);
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const Rectangle below{cells[i].x, cells[i].y, cells[i].width, cells[i].height - 54};
@@ -142,7 +142,7 @@ void deep_contact(const Setting& setting, Page& page) {
                  {depth / h, "That would have all of it out in one step; β takes a share."}},
        .hint = "β of the overlap is to be gone after one step of h.",
        .right = "Sunk by accident, thrown by a catapult."});
-  const std::vector<Run> runs{
+  const std::vector<NamedBox> runs{
       {say("@ m deep", Value(0.8 * law, 2)), sunk(0.8 * law, {beta})},
       {say("@ m deep", depth), sunk(depth, {beta})},
       {say("@ m, at most @ m/s", depth, cap), sunk(depth, {.beta = beta, .speed_cap = cap})}};
@@ -153,8 +153,8 @@ void deep_contact(const Setting& setting, Page& page) {
       say(R"(Three boxes come out of the ground, β = @: from @ of the limit, from @ m, and from there with a limit
           on the speed.)",
           setting.beta, 0.8, setting.depth),
-      Seconds{seconds}, [=, runs = runs](Canvas& canvas, double time) mutable {
-        for (Run& run : runs)
+      Seconds{pop_seconds}, [=, runs = runs](Canvas& canvas, double time) mutable {
+        for (NamedBox& run : runs)
           while (run.box.time < time - 0.5 * h) run.box.step(h);
         const auto [left, right] = canvas.page().inset(16).split_columns(0.56, 20);
         draw_runs(canvas, runs, left, top);
@@ -201,7 +201,7 @@ void deep_contact(const Setting& setting, Page& page) {
               .source = "a throw at βd/h, step by step",
               .measured = peak(sunk(depth, {beta}), h),
               .tolerance = absolute(1e-9),
-              .claimed = depth > law && speed / gravity < seconds,
+              .claimed = depth > law && speed / gravity < pop_seconds,
               .range = "deeper than that, up within 1.5 s"});
   page.claim({.quantity = "peak above the ground with the limit on the speed",
               .unit = "m",

@@ -5,7 +5,8 @@
 namespace byhand::contact {
 namespace {
 
-constexpr double length = 1, radius = 0.12, release = 0.6;  // of a rod, of a ball [m]; of the first rod [rad]
+constexpr double rod_length = 1, bob_radius = 0.12,
+                 first_angle = 0.6;  // of a rod, of a ball [m]; of the first rod [rad]
 
 }  // namespace
 
@@ -13,13 +14,13 @@ HangingCradle::HangingCradle(int balls, double air, double h) : h_(h) {
   auto& scene = simulation_.scene;
   scene.set_contact_rows(ContactRows::points);
   for (int i = 0; i < balls; ++i) {
-    const Linear<PlaneBody> hook((2 * radius + air) * i, 0);
-    const auto [sin, cos] = sin_cos(i == 0 ? -release : 0.0);
+    const Linear<PlaneBody> hook((2 * bob_radius + air) * i, 0);
+    const auto [sin, cos] = sin_cos(i == 0 ? -first_angle : 0.0);
     const int world = scene.add_body(hook, fixed<PlaneBody>());
-    const int body = scene.add_body(Linear<PlaneBody>(hook + length * Linear<PlaneBody>(sin, -cos)),
-                                    byhand::ball<PlaneBody>(1, radius));
-    scene.set_shape(body, Ball<PlaneBody>{radius}, {0, 1});
-    scene.add(NormalisedDistance<PlaneBody>{{world, body}, length});
+    const int body = scene.add_body(Linear<PlaneBody>(hook + rod_length * Linear<PlaneBody>(sin, -cos)),
+                                    byhand::ball<PlaneBody>(1, bob_radius));
+    scene.set_shape(body, Ball<PlaneBody>{bob_radius}, {0, 1});
+    scene.add(NormalisedDistance<PlaneBody>{{world, body}, rod_length});
   }
   simulation_.method = {.solver = Direct{}, .bounce_threshold = 0.05};
 }

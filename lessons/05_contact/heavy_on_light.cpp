@@ -15,12 +15,7 @@ namespace {
 using namespace tutor;
 using namespace renderer;
 
-constexpr double seconds = 2, settling = 8;  // [s]
-
-struct Run {
-  std::string name;
-  Pile pile;
-};
+constexpr double pair_seconds = 2, settling = 8;  // [s]
 
 Pile pair(const RowSolver& solver, double ratio, double beta) {
   Pile pile = column(2, solver, 0, ratio);
@@ -82,7 +77,7 @@ Chart over_ratio(const Setting& setting) {
           .curves = {cold, warm, direct, law}};
 }
 
-void draw_runs(Canvas& canvas, const std::vector<Run>& runs, const Rectangle& frame) {
+void draw_runs(Canvas& canvas, const std::vector<NamedPile>& runs, const Rectangle& frame) {
   const auto cells = frame.cells(1, static_cast<int>(runs.size()), 8);
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const Rectangle below{cells[i].x, cells[i].y, cells[i].width, cells[i].height - 44};
@@ -105,7 +100,7 @@ void draw_runs(Canvas& canvas, const std::vector<Run>& runs, const Rectangle& fr
 void heavy_on_light(const Setting& setting, Page& page) {
   const double ratio = setting.ratio(), beta = setting.beta(), h = setting.h();
   const int sweeps = setting.sweeps;
-  std::vector<Run> runs{
+  std::vector<NamedPile> runs{
       {say("@ cold", sweeps), pair(GaussSeidel{.sweeps = sweeps, .warm_start = false}, ratio, beta)},
       {say("@ warm", sweeps), pair(GaussSeidel{.sweeps = sweeps}, ratio, beta)},
       {"direct", pair(Direct{}, ratio, beta)}};
@@ -117,9 +112,9 @@ void heavy_on_light(const Setting& setting, Page& page) {
       sweep leaves r/(1 + r) = @ of what is missing, and @ sweeps leave @.)",
       setting.ratio, Value(q, 4), sweeps, Value(std::pow(q, sweeps), 3));
   Chart chart{.x = {.label = "time (s)"}, .y = {.label = "upper box has sunk by (m)"}};
-  for (Run run : runs) {
+  for (NamedPile run : runs) {
     Curve curve{.label = run.name};
-    while (run.pile.time < seconds) {
+    while (run.pile.time < pair_seconds) {
       run.pile.step(h);
       curve.x.push_back(run.pile.time);
       curve.y.push_back(std::clamp(sunk(run.pile), -2.0, 2.0));
@@ -131,8 +126,8 @@ void heavy_on_light(const Setting& setting, Page& page) {
       say(R"(A box @ times as heavy as the one beneath, put down without a sound. Dashed: where its upper side
           belongs.)",
           setting.ratio),
-      Seconds{seconds}, [=, runs = runs](Canvas& canvas, double time) mutable {
-        for (Run& run : runs)
+      Seconds{pair_seconds}, [=, runs = runs](Canvas& canvas, double time) mutable {
+        for (NamedPile& run : runs)
           while (run.pile.time < time - 0.5 * h) run.pile.step(h);
         const auto [left, right] = canvas.page().inset(16).split_columns(0.56, 20);
         draw_runs(canvas, runs, left);

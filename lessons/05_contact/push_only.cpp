@@ -13,7 +13,7 @@ namespace {
 using namespace tutor;
 using namespace renderer;
 
-constexpr double seconds = 2.3, lift = 0.3;  // [s], [m]
+constexpr double stand_seconds = 2.3, lift = 0.3;  // [s], [m]
 constexpr int shown_sweeps = 8;
 
 /// What a box is stood with, and what it is called.
@@ -139,7 +139,7 @@ void push_only(const Setting& setting, Page& page) {
       say(R"(Three boxes that fall flat from @ m. With each change clamped the square one stands and the slim one
           hops and tips; with the sum clamped it stands. Arrows: λ of the step (mgh is as long as 0.7 m).)",
           lift),
-      Seconds{seconds},
+      Seconds{stand_seconds},
       [stands =
            std::vector<Stand>{
                {"1 × 1 m, each clamped", {1, mass, h, setting.sweeps, Clamp::each, lift}},

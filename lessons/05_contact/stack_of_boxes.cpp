@@ -14,8 +14,8 @@ namespace {
 using namespace tutor;
 using namespace renderer;
 
-constexpr double seconds = 3.5, hurry = 4;  // of film [s]; seconds of the stack in one of the film
-constexpr double patience = 20;             // how long a stack must stand [s]
+constexpr double stack_seconds = 3.5, hurry = 4;  // of film [s]; seconds of the stack in one of the film
+constexpr double patience = 20;                   // how long a stack must stand [s]
 
 double weight_above(int boxes, int layer) { return (boxes - layer) * gravity; }
 
@@ -141,17 +141,12 @@ std::string without_slip(int boxes, const GaussSeidel& solver, double h) {
              Value(falls_at(sticky, patience, h), 3), Value(fell, 3));
 }
 
-struct Run {
-  std::string name;
-  Pile pile;
-};
-
-Chart shifts(const std::vector<Run>& runs, double h) {
+Chart shifts(const std::vector<NamedPile>& runs, double h) {
   Chart chart{.x = {.label = "time (s)"},
               .y = {.label = "top box is off by (m)", .scale = Scale::logarithmic, .range = {{1e-6, 100}}}};
-  for (Run run : runs) {
+  for (NamedPile run : runs) {
     Curve curve{.label = run.name};
-    while (run.pile.time < hurry * seconds) {
+    while (run.pile.time < hurry * stack_seconds) {
       run.pile.step(h);
       curve.x.push_back(run.pile.time);
       curve.y.push_back(std::max(1e-6, shift(run.pile)));
@@ -161,7 +156,7 @@ Chart shifts(const std::vector<Run>& runs, double h) {
   return chart;
 }
 
-void draw_runs(Canvas& canvas, const std::vector<Run>& runs, const Rectangle& frame, int boxes) {
+void draw_runs(Canvas& canvas, const std::vector<NamedPile>& runs, const Rectangle& frame, int boxes) {
   const auto cells = frame.cells(1, static_cast<int>(runs.size()), 8);
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const Rectangle below{cells[i].x, cells[i].y, cells[i].width, cells[i].height - 36};
@@ -222,23 +217,23 @@ void stack_of_boxes(const Setting& setting, Page& page) {
       lowest_after(1, left_alone), lowest_after(10, left_alone), n, 100 * left_alone.slop, left_alone.beta,
       lowest_after(10, Baumgarte{}), Value((1 - q) / q, 2));
   page.text("Now a kick, sideways, @ m/s at the top and less below, as of a door that falls shut:", 0.02);
-  std::vector<Run> runs{{say("@ sweeps", sweeps), column(n, sweeping(sweeps, true))},
-                        {say("@ sweeps", 2 * sweeps), column(n, sweeping(2 * sweeps, true))},
-                        {"direct", column(n, Direct{})}};
+  std::vector<NamedPile> runs{{say("@ sweeps", sweeps), column(n, sweeping(sweeps, true))},
+                              {say("@ sweeps", 2 * sweeps), column(n, sweeping(2 * sweeps, true))},
+                              {"direct", column(n, Direct{})}};
   const Chart chart = shifts(runs, h);
   page.sequence("stack",
                 say(R"(@ boxes after a kick, with @ and with @ warm sweeps a step, and solved directly; shown @
                     times as fast. Right: how far the top box is from where it stood.)",
                     n, sweeps, 2 * sweeps, hurry),
-                Seconds{seconds}, [=, runs = runs](Canvas& canvas, double time) mutable {
-                  for (Run& run : runs)
+                Seconds{stack_seconds}, [=, runs = runs](Canvas& canvas, double time) mutable {
+                  for (NamedPile& run : runs)
                     while (run.pile.time < hurry * time - 0.5 * h) run.pile.step(h);
                   const auto [left, right] = canvas.page().inset(14).split_columns(0.56, 16);
                   draw_runs(canvas, runs, left, n);
                   renderer::draw(canvas, pictures::grown_to(chart, hurry * time), right.inset(0, 50));
                 });
   std::vector<std::string> fates;
-  for (const Run& run : runs) fates.push_back(fate(falls_at(run.pile, patience, h)));
+  for (const NamedPile& run : runs) fates.push_back(fate(falls_at(run.pile, patience, h)));
   const double cold = falls_at(column(n, sweeping(sweeps, false)), patience, h);
   page.text(
       R"(With @ sweeps it @; with @ it @; solved directly it @. (With @ sweeps and a cold start in every step it

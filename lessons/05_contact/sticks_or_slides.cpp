@@ -13,7 +13,7 @@ namespace {
 using namespace tutor;
 using namespace renderer;
 
-constexpr double seconds = 2;
+constexpr double slide_seconds = 2;
 const Linear<PlaneBody> sides(0.8, 0.5);  // of the box [m]
 
 Simulation<PlaneBody> on_slope(const Setting& setting, double angle, double speed = 0) {
@@ -113,7 +113,7 @@ void sticks_or_slides(const Setting& setting, Page& page) {
                            "That is sinθ = μ: the normal force is mg·cosθ, not mg."}},
                 .hint = "mg·sinθ pulls, mg·cosθ presses.",
                 .right = "tanθ = μ; the mass is on both sides."});
-  const double farthest = law_of_sliding(slope, mu, seconds, h) + 0.9;
+  const double farthest = law_of_sliding(slope, mu, slide_seconds, h) + 0.9;
   const double steepest = std::max(slope, limit + radians(1)), fall = farthest * std::sin(steepest);
   const Rectangle world{-0.8, -0.4 - fall, 0.8 + farthest * std::cos(slope), 1.4 + fall};
   page.sequence(
@@ -121,7 +121,7 @@ void sticks_or_slides(const Setting& setting, Page& page) {
       say(R"(μ = @: one degree below tanθ = μ, one degree above, and @°. Orange: the contacts' forces, normal and
           friction in one; grey: the weight. Where the box sticks they cancel.)",
           setting.friction, setting.slope),
-      Seconds{seconds},
+      Seconds{slide_seconds},
       [slopes = std::vector<Slope>{{limit - radians(1), on_slope(setting, limit - radians(1))},
                                    {limit + radians(1), on_slope(setting, limit + radians(1))},
                                    {slope, on_slope(setting, slope)}},

@@ -13,7 +13,7 @@ namespace {
 using namespace tutor;
 using namespace renderer;
 
-constexpr double seconds = 5, slop = 0.001;  // [s], [m]
+constexpr double wall_seconds = 5, slop = 0.001;  // [s], [m]
 
 Pile wall(int base, const RowSolver& solver) {
   Pile pile{pyramid(base), {solver, Baumgarte{.slop = slop}}};
@@ -30,7 +30,7 @@ Chart overlaps(int base, double h) {
   for (const auto& [name, solver] : solvers) {
     Pile pile = wall(base, solver);
     Curve curve{.label = name};
-    while (pile.time < seconds - 0.5 * h) {
+    while (pile.time < wall_seconds - 0.5 * h) {
       pile.step(h);
       curve.x.push_back(pile.time);
       curve.y.push_back(std::max(1e-3, 1000 * position_error(pile.scene).max));
@@ -48,7 +48,7 @@ void wall_of_boxes(const Setting& setting, Page& page) {
   const ByGraph solver;
   Pile pile = wall(base, solver);
   const auto top = pile.scene.bodies().pose.back().position;
-  while (pile.time < seconds - 0.5 * h) pile.step(h);
+  while (pile.time < wall_seconds - 0.5 * h) pile.step(h);
 
   page.text(
       R"(In a pyramid every box rests on two others: contacts make loops, and a direct solve would have to be paid
@@ -68,7 +68,7 @@ void wall_of_boxes(const Setting& setting, Page& page) {
   page.figure("pyramid",
               say(R"(@ boxes of 1 kg, @ s after a kick. Darker: carried by more; the darkest contact presses with @
                   N. Lines: what presses on what, as thick as the force.)",
-                  boxes, seconds, Value(most, 3)),
+                  boxes, wall_seconds, Value(most, 3)),
               [shapes = pictures::shapes_of(pile.scene), pose = pile.scene.bodies().pose, contacts, most,
                base](Canvas& canvas) mutable {
                 std::vector<double> load(pose.size(), 0.0);

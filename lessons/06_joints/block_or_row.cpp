@@ -16,7 +16,7 @@ using namespace tutor;
 using namespace renderer;
 using Held = Simulation<PlaneBody>;
 
-constexpr double seconds = 1.7, watched = 5;  // of the film, of the drift [s]
+constexpr double swing_seconds = 1.7, drift_seconds = 5;  // of the film, of the drift [s]
 constexpr int shown_sweeps = 10;
 
 Held held_box(const Setting& setting, double side, double angle, int sweeps, BlockSolve solve, DriftCure drift,
@@ -87,7 +87,7 @@ struct Rival {
   Held box;
 };
 
-struct Film {
+struct RivalsFilm {
   std::vector<Rival> rivals;
   double length, side, h;
   Chart beside;
@@ -120,7 +120,7 @@ struct Film {
   }
 };
 
-/// How far the pin is off over time [mm], and at most over `watched` [m].
+/// How far the pin is off over time [mm], and at most over `drift_seconds` [m].
 struct Drift {
   Curve curve;
   double worst = 0;
@@ -129,10 +129,10 @@ struct Drift {
 Drift drift_of(const Rival& rival, double h) {
   Drift drift{{.label = rival.name}, 0};
   Held box = rival.box;
-  advance_to(box, watched, h, [&] {
+  advance_to(box, drift_seconds, h, [&] {
     const double error = position_error(box.scene).max;
     drift.worst = std::max(drift.worst, error);
-    if (box.time > seconds + h) return;
+    if (box.time > swing_seconds + h) return;
     drift.curve.x.push_back(box.time);
     drift.curve.y.push_back(1000 * error);
   });
@@ -187,13 +187,14 @@ void block_or_row(const Setting& setting, Page& page) {
        .hint = say("Each sweep leaves @ of what it finds.", Value(rho, 5)),
        .right = "What is missing stays in V, and the next step begins with it."});
 
-  Film film{{{"as a block", held_box(setting, side, pi / 2, sweeps, BlockSolve::whole, Baumgarte{beta})},
-             {"row by row", held_box(setting, side, pi / 2, sweeps, BlockSolve::row_by_row, Baumgarte{beta})}},
-            length,
-            side,
-            h,
-            {.x = {.label = "time (s)"},
-             .y = {.label = "how far the pin is off (mm)", .scale = Scale::logarithmic, .range = {{0.1, 3000}}}}};
+  RivalsFilm film{
+      {{"as a block", held_box(setting, side, pi / 2, sweeps, BlockSolve::whole, Baumgarte{beta})},
+       {"row by row", held_box(setting, side, pi / 2, sweeps, BlockSolve::row_by_row, Baumgarte{beta})}},
+      length,
+      side,
+      h,
+      {.x = {.label = "time (s)"},
+       .y = {.label = "how far the pin is off (mm)", .scale = Scale::logarithmic, .range = {{0.1, 3000}}}}};
   std::vector<double> worst;
   for (const Rival& rival : film.rivals) {
     const Drift drift = drift_of(rival, h);
@@ -204,12 +205,12 @@ void block_or_row(const Setting& setting, Page& page) {
                 say(R"(Released level, @ sweeps a step, started cold, β = @. Purple: how far the arm's end is from
                     its pin. (The box is drawn larger than it is.))",
                     sweeps, setting.beta),
-                Seconds{seconds}, [film](Canvas& canvas, double time) mutable { film.draw(canvas, time); });
+                Seconds{swing_seconds}, [film](Canvas& canvas, double time) mutable { film.draw(canvas, time); });
   page.text(
       R"(In @ s the pin was off by @ mm at most when its rows were solved as a block, and by @ mm row by row. The
       block's part is the step's own tangent (lesson 4: r(ωh)²/2β, with ω² = 2g/r at the bottom: gh²/β, whatever
       the arm); the rest is what the sweeps left.)",
-      watched, Value(1000 * worst[0], 3), Value(1000 * worst[1], 3));
+      drift_seconds, Value(1000 * worst[0], 3), Value(1000 * worst[1], 3));
   const double warm =
       drift_of({"", held_box(setting, side, pi / 2, sweeps, BlockSolve::row_by_row, Baumgarte{beta}, true)}, h)
           .worst;

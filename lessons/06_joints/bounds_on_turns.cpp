@@ -15,32 +15,31 @@ namespace {
 
 using namespace tutor;
 using namespace renderer;
-using M = PlaneBody;
-using Held = Simulation<M>;
+using Held = Simulation<PlaneBody>;
 
-constexpr double seconds = 1.6, settles = 6;      // [s]
-constexpr double stop_at = pi / 3, enough = 0.6;  // below level [rad]; a motor that can hold [mgl]
+constexpr double bar_seconds = 1.6, bar_settles = 6;  // [s]
+constexpr double stop_at = pi / 3, enough = 0.6;      // below level [rad]; a motor that can hold [mgl]
 
 /// A uniform bar hinged at the origin, at rest at an angle below level [rad].
 Held arm(const Setting& setting, double below) {
   return {hinged_rod(pi / 2 - below, setting.length, setting.mass), exactly()};
 }
 
-Turn<M> turn_of(const Held& arm) { return turn<M>(arm.scene.bodies(), 0, 1); }
+Turn<PlaneBody> turn_of(const Held& arm) { return turn<PlaneBody>(arm.scene.bodies(), 0, 1); }
 
 double weight_moment(const Setting& setting) { return setting.mass() * gravity * setting.length(); }
 
 /// An arm that a motor of some strength [mgl] tries to hold where it is.
 Held held(const Setting& setting, double strength, double below = 0) {
   Held held = arm(setting, below);
-  held.scene.add(motor<M>(turn_of(held), 0, strength * weight_moment(setting)));
+  held.scene.add(motor<PlaneBody>(turn_of(held), 0, strength * weight_moment(setting)));
   return held;
 }
 
-Held stopped(const Setting& setting) {
-  Held stopped = arm(setting, 0);
-  stopped.scene.add(at_least<M>(-stop_at, turn_of(stopped)));
-  return stopped;
+Held arm_on_stop(const Setting& setting) {
+  Held arm_on_stop = arm(setting, 0);
+  arm_on_stop.scene.add(at_least<PlaneBody>(-stop_at, turn_of(arm_on_stop)));
+  return arm_on_stop;
 }
 
 /// Below level [rad].
@@ -69,7 +68,7 @@ struct Shown {
   Held arm;
 };
 
-struct Film {
+struct BarsFilm {
   std::vector<Shown> shown;
   Setting setting;
   Chart beside;
@@ -117,7 +116,7 @@ void bounds_on_turns(const Setting& setting, Page& page) {
       setting.length, setting.mass, 0.5 * weight_moment(setting));
 
   const double law = braked_at(strength), balance = strength < 0.5 ? std::acos(2 * strength) : 0;
-  const Held weak = held(setting, strength), at_rest = after(weak, settles, h);
+  const Held weak = held(setting, strength), at_rest = after(weak, bar_settles, h);
   const double rest = below_level(at_rest);
   const bool brakes = strength >= 0.24 && strength <= 0.48;
   if (brakes)
@@ -144,28 +143,28 @@ void bounds_on_turns(const Setting& setting, Page& page) {
       brakes ? "which is less than the motor has, and it holds"
              : "which is more than the motor has, and the bar swings back, less far each time",
       Value(degrees(balance), 4));
-  const std::vector<Shown> shown{{say("stop at @°", Value(degrees(stop_at), 3)), stopped(setting)},
+  const std::vector<Shown> shown{{say("stop at @°", Value(degrees(stop_at), 3)), arm_on_stop(setting)},
                                  {say("motor of @ mgl", enough), held(setting, enough)},
                                  {say("motor of @ mgl", setting.strength), weak}};
   Chart chart{.x = {.label = "time (s)"}, .y = {.label = "moment (mgl)", .range = {{-0.25, 1}}}};
   for (const Shown& one : shown) {
     Curve curve{.label = one.name};
     Held now = one.arm;
-    advance_to(now, seconds, h, [&] {
+    advance_to(now, bar_seconds, h, [&] {
       curve.x.push_back(now.time);
       curve.y.push_back(std::min(moment(now, setting), 2.0));
     });
     chart.curves.push_back(curve);
   }
   chart.references.push_back({Reference::Across::y, 0.5, "the weight's moment, level"});
-  page.sequence("stop_and_motors",
-                R"(A bar let go level, and the moment that its stop or motor gives it (λ/h; the blow of the stop
+  page.sequence(
+      "stop_and_motors",
+      R"(A bar let go level, and the moment that its stop or motor gives it (λ/h; the blow of the stop
                 goes off the chart). The arrows are that moment.)",
-                Seconds{seconds}, [film = Film{shown, setting, chart}](Canvas& canvas, double time) mutable {
-                  film.draw(canvas, time);
-                });
+      Seconds{bar_seconds},
+      [film = BarsFilm{shown, setting, chart}](Canvas& canvas, double time) mutable { film.draw(canvas, time); });
 
-  const Held on_stop = after(shown[0].arm, settles, h), holds = after(shown[1].arm, settles, h);
+  const Held on_stop = after(shown[0].arm, bar_settles, h), holds = after(shown[1].arm, bar_settles, h);
   page.text(
       R"(The stop gives nothing for @°, one blow when the bar arrives, and then what the bar leans on it with: ½mgl
       cos @° = @ mgl. The strong motor gives exactly the weight's moment and not its strength: a bound is no

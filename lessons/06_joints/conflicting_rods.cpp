@@ -13,19 +13,19 @@ namespace {
 
 using namespace tutor;
 using namespace renderer;
-using M = PlaneParticle;
-using Rods = Simulation<M>;
+using Rods = Simulation<PlaneParticle>;
 
-constexpr double watched = 10;              // [s]
-constexpr double share = 0.01, give = 0.1;  // of each row's A: what the regularisation and the softness add
+constexpr double conflict_seconds = 10;           // [s]
+constexpr double added_share = 0.01, give = 0.1;  // of each row's A: what the regularisation and the softness add
 constexpr int frames = 36;
 
 /// A bob that hangs from two rods between the same two points, one longer by `gap` [m].
 Rods two_rods(const Setting& setting, double gap, const RowSolver& solver, double softness = 0) {
   const double length = setting.length();
-  Rods rods{pendulum<M, NormalisedDistance>(0, length, setting.mass), {solver, Baumgarte{setting.beta}}};
+  Rods rods{pendulum<PlaneParticle, NormalisedDistance>(0, length, setting.mass),
+            {solver, Baumgarte{setting.beta}}};
   auto& scene = rods.scene;
-  scene.add(NormalisedDistance<M>{{0, 1}, length + gap});
+  scene.add(NormalisedDistance<PlaneParticle>{{0, 1}, length + gap});
   scene.change_all<NormalisedDistance>([&](auto& rod) { rod.softness = softness; });
   return rods;
 }
@@ -43,7 +43,7 @@ struct Cure {
 Curve over_time(const Cure& cure, const Setting& setting) {
   Curve curve{.label = cure.name};
   Rods rods = cure.rods;
-  advance_to(rods, watched, setting.h, [&] {
+  advance_to(rods, conflict_seconds, setting.h, [&] {
     curve.x.push_back(rods.time);
     curve.y.push_back(quarrel(rods) / setting.h / (setting.mass() * gravity));
   });
@@ -68,13 +68,13 @@ void draw_rods(Canvas& canvas, const Rods& rods, double length, double gap, cons
   canvas.look_at_page();
 }
 
-struct Film {
+struct ConflictFilm {
   Rods rods;
   double length, gap, h, weight;
   Chart beside;
 
   void draw(Canvas& canvas, double frame) {
-    const double time = watched * frame / (frames - 1);
+    const double time = conflict_seconds * frame / (frames - 1);
     advance_to(rods, time, h);
     const auto [left, right] = canvas.page().inset(16).split_columns(0.36, 20);
     const Rectangle picture{left.x, left.y + 96, left.width, left.height - 96};
@@ -100,7 +100,7 @@ struct Film {
 void conflicting_rods(const Setting& setting, Page& page) {
   const double h = setting.h(), beta = setting.beta(), m = setting.mass(), length = setting.length(),
                gap = setting.gap(), weight = m * gravity;
-  const int sweeps = setting.sweeps(), steps = static_cast<int>(std::lround(watched / h));
+  const int sweeps = setting.sweeps(), steps = static_cast<int>(std::lround(conflict_seconds / h));
   const double softness = give / m;
   const GaussSeidel warm{.sweeps = sweeps}, cold{.sweeps = sweeps, .warm_start = false};
 
@@ -134,17 +134,17 @@ void conflicting_rods(const Setting& setting, Page& page) {
                 .tolerance = absolute(1e-6 * weight * h + 1e-12 * m)});
 
   // Two lengths.
-  const Rods start = two_rods(setting, gap, warm), end = after(start, watched, h);
+  const Rods start = two_rods(setting, gap, warm), end = after(start, conflict_seconds, h);
   const double a_step = sweeps * m * beta * gap / h;  // what a step adds to either λ
   const double grown = quarrel(end);
   page.text(
       R"(A repeated row is harmless. Now make one of them @ m longer. No place of the bob suits both: each row's C
       tells the other that it is wrong. Warm start, @ sweeps a step, β = @, and the bob starts at rest.)",
       gap, sweeps, setting.beta);
-  const double halfway = lambda(after(start, watched / 2, h), 1), doubled = lambda(end, 1) / halfway;
+  const double halfway = lambda(after(start, conflict_seconds / 2, h), 1), doubled = lambda(end, 1) / halfway;
   page.choose(
       {.ask = say("To carry the bob takes @ N·s a step. What does the λ of either rod do within @ s?", weight * h,
-                  watched),
+                  conflict_seconds),
        .options =
            {{"it stays near that",
              "The bob's weight is the least of it: each row finds the other's length wrong, in every sweep."},
@@ -153,7 +153,7 @@ void conflicting_rods(const Setting& setting, Page& page) {
             {"it grows in proportion to time",
              say(R"(Each step corrects the other's correction, and warm start keeps the sum: @ N·s after @ s, @ N·s
                  after @ s.)",
-                 Value(halfway, 5), watched / 2, Value(lambda(end, 1), 5), watched)},
+                 Value(halfway, 5), conflict_seconds / 2, Value(lambda(end, 1), 5), conflict_seconds)},
             {"it explodes", "It would if each correction were larger than the last; they are all the same."}},
        .answer = doubled > 2.5               ? 3
                  : doubled > 1.5             ? 2
@@ -172,7 +172,7 @@ void conflicting_rods(const Setting& setting, Page& page) {
   const std::vector<Cure> cures{{"warm start", start},
                                 {"cold start", two_rods(setting, gap, cold)},
                                 {"soft rows", two_rods(setting, gap, warm, softness)},
-                                {"regularised", two_rods(setting, gap, Direct{.regularisation = share})}};
+                                {"regularised", two_rods(setting, gap, Direct{.regularisation = added_share})}};
   Chart chart{.x = {.label = "time (s)"}, .y = {.label = "rod against rod (mg)", .scale = Scale::logarithmic}};
   double most = 0, least = INFINITY;
   for (const Cure& cure : cures) {
@@ -186,7 +186,7 @@ void conflicting_rods(const Setting& setting, Page& page) {
                     stands. Right: with what force they push and pull against each other.)",
                     frames),
                 Frames{frames},
-                [film = Film{start, length, gap, h, weight, chart}](Canvas& canvas, double frame) mutable {
+                [film = ConflictFilm{start, length, gap, h, weight, chart}](Canvas& canvas, double frame) mutable {
                   film.draw(canvas, frame);
                 });
   page.text(
@@ -194,10 +194,11 @@ void conflicting_rods(const Setting& setting, Page& page) {
       that breaks above some force, a friction whose bound is μλ, an arrow in a debugger. And when a rod is taken
       away, the other begins its next step with all of that. So **test for conflicts by |λ|, not by looking**, and
       give the quarrel an end:)",
-      watched, Value(grown / h / weight, 3));
-  const Rods chilled = after(cures[1].rods, 2, h), soft = after(cures[2].rods, watched, h),
-             regularised = after(cures[3].rods, watched, h);
-  const double soft_end = beta * gap / (2 * h * softness), regularised_end = beta * gap * m / (2 * h * share);
+      conflict_seconds, Value(grown / h / weight, 3));
+  const Rods chilled = after(cures[1].rods, 2, h), soft = after(cures[2].rods, conflict_seconds, h),
+             regularised = after(cures[3].rods, conflict_seconds, h);
+  const double soft_end = beta * gap / (2 * h * softness),
+               regularised_end = beta * gap * m / (2 * h * added_share);
   page.text(
       R"(
       - a *cold start* forgets it each step: @ N·s, what one step adds and half the weight;
@@ -205,10 +206,10 @@ void conflicting_rods(const Setting& setting, Page& page) {
         = @ 1/kg;
       - a *regularisation* ε is the same with γ = εA for each row: ± @ N·s for ε = @. The bob then stands halfway
         between the two lengths, which is the fairest answer to a question that has none.)",
-      Value(quarrel(chilled), 4), Value(quarrel(soft), 4), softness, Value(quarrel(regularised), 4), share);
+      Value(quarrel(chilled), 4), Value(quarrel(soft), 4), softness, Value(quarrel(regularised), 4), added_share);
 
   page.measure("rod against rod at the end", grown / h / weight, "mg");
-  page.claim({.quantity = say("λ of the long rod after @ s", watched),
+  page.claim({.quantity = say("λ of the long rod after @ s", conflict_seconds),
               .unit = "N s",
               .expected = a_step * steps,
               .source = "law B8: k m β ΔL/h a step",

@@ -1,53 +1,50 @@
 #include "lessons/06_joints/dense.hpp"
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/SVD>
+#include <Eigen/QR>
 
 #include "solver/methods/step_work.hpp"
 
 namespace byhand::joints {
 
-using M = PlaneBody;
-
 namespace {
 
 /// The diagonal of M⁻¹ of (18) for the columns of `dense_jacobian`.
-Eigen::VectorXd dense_inverse_mass(const Bodies<M>& bodies) {
+Eigen::VectorXd dense_inverse_mass(const Bodies<PlaneBody>& bodies) {
   std::vector<double> diagonal;
-  for (const InverseMass<M>& mass : bodies.inverse_mass)
+  for (const InverseMass<PlaneBody>& mass : bodies.inverse_mass)
     if (moves(mass)) diagonal.insert(diagonal.end(), {mass.linear, mass.linear, mass.angular[0]});
   return Eigen::Map<const Eigen::VectorXd>(diagonal.data(), static_cast<Eigen::Index>(diagonal.size()));
 }
 
 }  // namespace
 
-Eigen::MatrixXd dense_jacobian(const Scene<M>& scene) {
-  const Bodies<M>& bodies = scene.bodies();
+Eigen::MatrixXd dense_jacobian(const Scene<PlaneBody>& scene) {
+  const Bodies<PlaneBody>& bodies = scene.bodies();
   std::vector<int> column(bodies.size(), -1);
   int columns = 0;
   for (int i = 0; i < bodies.size(); ++i)
-    if (moves(bodies.inverse_mass[i])) column[i] = M::dof * columns++;
-  StepWork<M> work;
+    if (moves(bodies.inverse_mass[i])) column[i] = PlaneBody::dof * columns++;
+  StepWork<PlaneBody> work;
   lay_out_naturally(scene, work);
   scene.write_rows(work.system, 1);
-  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(work.system.rows(), M::dof * columns);
-  work.system.for_each_run([&]<int K, Bound B>(std::span<const Block<M, K, B>> blocks) {
+  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(work.system.rows(), PlaneBody::dof * columns);
+  work.system.for_each_run([&]<int K, Bound B>(std::span<const Block<PlaneBody, K, B>> blocks) {
     for (const auto& block : blocks) {
-      if (block.moves1) J.block<K, M::dof>(block.row, column[block.body1]) = block.J.side1();
-      if (block.moves2) J.block<K, M::dof>(block.row, column[block.body2]) = block.J.side2();
+      if (block.moves1) J.block<K, PlaneBody::dof>(block.row, column[block.body1]) = block.J.side1();
+      if (block.moves2) J.block<K, PlaneBody::dof>(block.row, column[block.body2]) = block.J.side2();
     }
   });
   return J;
 }
 
-Eigen::MatrixXd dense_matrix(const Scene<M>& scene) {
+Eigen::MatrixXd dense_matrix(const Scene<PlaneBody>& scene) {
   const Eigen::MatrixXd J = dense_jacobian(scene);
   return J * dense_inverse_mass(scene.bodies()).asDiagonal() * J.transpose();
 }
 
 int rank(const Eigen::MatrixXd& matrix) {
-  const Eigen::VectorXd values = Eigen::JacobiSVD<Eigen::MatrixXd>(matrix).singularValues();
-  return static_cast<int>((values.array() > 1e-9 * values[0]).count());
+  return static_cast<int>(Eigen::ColPivHouseholderQR<Eigen::MatrixXd>(matrix).setThreshold(1e-9).rank());
 }
 
 double least_eigenvalue(const Eigen::MatrixXd& matrix) {

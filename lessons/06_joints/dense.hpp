@@ -13,7 +13,7 @@ Eigen::MatrixXd dense_jacobian(const Scene<PlaneBody>& scene);
 /// A = JM⁻¹Jᵀ of all rows.
 Eigen::MatrixXd dense_matrix(const Scene<PlaneBody>& scene);
 
-/// How many rows of a matrix say something of their own: singular values above 1e-9 of the largest.
+/// How many rows of a matrix say something of their own: pivots of QR above 1e-9 of the largest.
 int rank(const Eigen::MatrixXd& matrix);
 
 /// The least eigenvalue of a symmetric matrix.

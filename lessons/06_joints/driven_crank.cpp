@@ -16,8 +16,8 @@ using namespace tutor;
 using namespace renderer;
 using Machine = Simulation<PlaneBody>;
 
-constexpr double turns = 1.5;  // of the crank, watched
-constexpr double start = 0.3;  // of the crank [rad]
+constexpr double crank_turns = 1.5;  // of the crank, watched
+constexpr double start = 0.3;        // of the crank [rad]
 enum Body { ground, crank, rod, piston };
 constexpr int motor_row = 4;
 
@@ -61,7 +61,7 @@ Run run_of(const SliderCrankOptions& options, double h) {
   const SliderCrank exact(options.crank, options.rod);
   Machine machine = machine_of(options);
   Run run;
-  const double end = turns * 2 * pi / options.speed;
+  const double end = crank_turns * 2 * pi / options.speed;
   advance_to(machine, end, h, [&] {
     const double angle = options.angle + options.speed * machine.time;
     const double x = machine.scene.bodies().pose[piston].position.x();
@@ -80,7 +80,7 @@ Run run_of(const SliderCrankOptions& options, double h) {
   return run;
 }
 
-struct Film {
+struct CrankFilm {
   Machine machine;
   SliderCrankOptions options;
   double h;
@@ -120,7 +120,7 @@ struct Film {
 void driven_crank(const Setting& setting, Page& page) {
   const SliderCrankOptions options = options_of(setting);
   const SliderCrank exact(options.crank, options.rod);
-  const double h = setting.h(), r = options.crank, l = options.rod, end = turns * 2 * pi / options.speed;
+  const double h = setting.h(), r = options.crank, l = options.rod, end = crank_turns * 2 * pi / options.speed;
   const double turn = options.speed * h;
   const Run run = run_of(options, h), fine = run_of(options, h / 2);
 
@@ -148,13 +148,13 @@ void driven_crank(const Setting& setting, Page& page) {
     moment.y.push_back(moment_at(options, angle));
     peak = std::max(peak, std::abs(moment.y.back()));
   }
-  Film film{machine_of(options),
-            options,
-            h,
-            {.x = {.label = "time (s)"}, .y = {.label = "piston (m)"}, .curves = {run.position, position}},
-            {.x = {.label = "time (s)"},
-             .y = {.label = "motor's moment (N m)", .range = {{-1.3 * peak, 1.3 * peak}}},
-             .curves = {run.moment, moment}}};
+  CrankFilm film{machine_of(options),
+                 options,
+                 h,
+                 {.x = {.label = "time (s)"}, .y = {.label = "piston (m)"}, .curves = {run.position, position}},
+                 {.x = {.label = "time (s)"},
+                  .y = {.label = "motor's moment (N m)", .range = {{-1.3 * peak, 1.3 * peak}}},
+                  .curves = {run.moment, moment}}};
   page.sequence("slider_crank",
                 R"(One turn and a half of the crank, all rows solved at once (β = 1). Orange: the motor's moment.
                 Dashed: the closed forms, which the solver has never seen.)",

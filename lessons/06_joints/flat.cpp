@@ -16,7 +16,7 @@ namespace {
 using namespace tutor;
 using namespace renderer;
 
-constexpr double seconds = 1.8, misfit = 1e-3;                     // [s], [m]
+constexpr double flat_seconds = 1.8, misfit = 1e-3;                // [s], [m]
 constexpr double shown_share = 1e-9, strict = 1e-6, loose = 1e-4;  // regularisations [1]
 
 Eigen::MatrixXd jacobian_at(const Setting& setting, double from_flat, int arms = 2) {
@@ -106,14 +106,14 @@ Curve energy_of(const Way& way, double h) {
   FourBar linkage = way.linkage;
   const double before = kinetic_energy(linkage.scene.bodies());
   Curve curve{.label = way.name, .x = {0}, .y = {1}};
-  advance_to(linkage, seconds, h, [&] {
+  advance_to(linkage, flat_seconds, h, [&] {
     curve.x.push_back(linkage.time);
     curve.y.push_back(kinetic_energy(linkage.scene.bodies()) / before);
   });
   return curve;
 }
 
-struct Film {
+struct FlatFilm {
   std::vector<Way> ways;
   FourBarOptions bars;
   double h;
@@ -203,7 +203,8 @@ void flat(const Setting& setting, Page& page) {
                 say(R"(The same flat pose, sent off in three ways, without gravity; regularisation @. Only two of
                     them lead on.)",
                     shown_share),
-                Seconds{seconds}, [film = Film{ways, bars, h, energies}](Canvas& canvas, double time) mutable {
+                Seconds{flat_seconds},
+                [film = FlatFilm{ways, bars, h, energies}](Canvas& canvas, double time) mutable {
                   film.draw(canvas, time);
                 });
   page.text(
@@ -291,7 +292,7 @@ void flat(const Setting& setting, Page& page) {
               .unit = "rad",
               .expected = 0,
               .source = "tan(θ₂/2) = −tan(θ₁/2) (c + a)/(c − a)",
-              .measured = off_the_crossed_way(sent_off(setting, speed, ratio), ratio, h, seconds),
+              .measured = off_the_crossed_way(sent_off(setting, speed, ratio), ratio, h, flat_seconds),
               .tolerance = absolute(0.05),
               .claimed = h <= 1.0 / 50,
               .range = "h ≤ 1/50 s"});

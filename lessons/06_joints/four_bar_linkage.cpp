@@ -18,7 +18,7 @@ namespace {
 using namespace tutor;
 using namespace renderer;
 
-constexpr double seconds = 2.5, measured_for = 10;  // [s]
+constexpr double four_bar_seconds = 2.5, measured_for = 10;  // [s]
 
 /// What a run of ten seconds says.
 struct Swing {
@@ -40,7 +40,7 @@ Swing swing_of(const FourBarOptions& bars, const SimplePendulum& pendulum, doubl
     swing.tilt = std::max(swing.tilt, std::abs(std::atan2(coupler.sin, coupler.cos)));
     if (last * now < 0) crossings.push_back(linkage.time - h * now / (now - last));
     last = now;
-    if (linkage.time > seconds + h) return;
+    if (linkage.time > four_bar_seconds + h) return;
     swing.angle.x.push_back(linkage.time);
     swing.angle.y.push_back(degrees(now));
   });
@@ -49,7 +49,7 @@ Swing swing_of(const FourBarOptions& bars, const SimplePendulum& pendulum, doubl
   return swing;
 }
 
-struct Film {
+struct FourBarFilm {
   FourBar linkage;
   FourBarOptions bars;
   SimplePendulum pendulum;
@@ -111,7 +111,7 @@ void four_bar_linkage(const Setting& setting, Page& page) {
   const Swing swing = swing_of(bars, pendulum, h), fine = swing_of(bars, pendulum, h / 2);
   Curve exact{.label = "that pendulum", .style = CurveStyle::theory};
   for (int i = 0; i <= 150; ++i) {
-    exact.x.push_back(i * seconds / 150);
+    exact.x.push_back(i * four_bar_seconds / 150);
     exact.y.push_back(degrees(pendulum.angle(exact.x.back())));
   }
   page.sequence(
@@ -119,12 +119,13 @@ void four_bar_linkage(const Setting& setting, Page& page) {
       say(R"(The linkage, solved directly (β = 1), and beside it the pendulum of @ m by its elliptic integral.
           Below: both angles.)",
           Value(length, 3)),
-      Seconds{seconds},
-      [film = Film{start,
-                   bars,
-                   pendulum,
-                   h,
-                   {.x = {.label = "time (s)"}, .y = {.label = "angle (°)"}, .curves = {swing.angle, exact}}}](
+      Seconds{four_bar_seconds},
+      [film =
+           FourBarFilm{start,
+                       bars,
+                       pendulum,
+                       h,
+                       {.x = {.label = "time (s)"}, .y = {.label = "angle (°)"}, .curves = {swing.angle, exact}}}](
           Canvas& canvas, double time) mutable { film.draw(canvas, time); });
   page.text(
       R"(The solver has never heard of that formula. It knows @ rows; the pins' impulses, forward and back along

@@ -15,10 +15,9 @@ namespace {
 
 using namespace tutor;
 using namespace renderer;
-using M = PlaneBody;
-using Doll = Simulation<M>;
+using Doll = Simulation<PlaneBody>;
 
-constexpr double seconds = 2.7, settles = 20, step = 1.0 / 120;  // [s]
+constexpr double fall_seconds = 2.7, doll_settles = 20, step = 1.0 / 120;  // [s]
 constexpr int sweeps = 60, stairs = 4;
 
 Doll above_a_stair() {
@@ -27,8 +26,8 @@ Doll above_a_stair() {
   add_ground(scene, {0.6});
   for (int i = 0; i < stairs; ++i) {
     const double high = 0.2 * (stairs - i);  // [m]
-    const int body = scene.add_body(Linear<M>(0.3 * i, high / 2), fixed<M>());
-    scene.set_shape(body, Box<M>{{0.3, high}}, {0.6});
+    const int body = scene.add_body(Linear<PlaneBody>(0.3 * i, high / 2), fixed<PlaneBody>());
+    scene.set_shape(body, Box<PlaneBody>{{0.3, high}}, {0.6});
   }
   const int torso = add_ragdoll(scene, {0.2, 2.2});
   scene.state().velocity[torso] = {1, 0, -2};
@@ -49,7 +48,7 @@ double least_of_stops(const Doll& doll) {
   double least = INFINITY;
   const auto& [lambda, row_of] = std::tie(doll.work.system.lambda, doll.work.system.row_of);
   for (int place = 0; place < doll.scene.lasting(); ++place)
-    if (doll.scene.get_if<Limit<M, Turn>>(place)) least = std::min(least, lambda[row_of[place]]);
+    if (doll.scene.get_if<Limit<PlaneBody, Turn>>(place)) least = std::min(least, lambda[row_of[place]]);
   return least;
 }
 
@@ -69,7 +68,7 @@ void ragdoll_on_a_stair(const Setting&, Page& page) {
   Doll doll = start;
   for (const auto& mass : doll.scene.bodies().inverse_mass)
     if (moves(mass)) weight += gravity / mass.linear;
-  advance_to(doll, settles, step, [&] {
+  advance_to(doll, doll_settles, step, [&] {
     worst = std::max(worst, passed(doll));
     least = std::min(least, least_of_stops(doll));
   });
@@ -80,17 +79,18 @@ void ragdoll_on_a_stair(const Setting&, Page& page) {
       falls on a stair. Not one line of the solver knows what a ragdoll is. (@ sweeps a step of @ s, β = @, @ mm of
       slop.))",
       Value(weight / gravity, 3), sweeps, Value(step, 3), 0.2, 1);
-  page.sequence("ragdoll", "Head, torso, arms and legs are boxes; each joint is a pin with two stops.",
-                Seconds{seconds}, [doll = start](Canvas& canvas, double time) mutable {
-                  advance_to(doll, time, step);
-                  canvas.look(fit({-1.5, -0.15, 4.6, 3.3}, canvas.page(), 0));
-                  pictures::draw(canvas, pictures::shapes_of(doll.scene));
-                  for (const auto& joint : doll.scene.all<Pin>()) {
-                    const Pose<M>& pose = doll.scene.bodies().pose[joint.at.body2];
-                    canvas.hinge(anchor<M, double>(pose, in_world<M, double>(pose, joint.at.arms.second)));
-                  }
-                  canvas.look_at_page();
-                });
+  page.sequence(
+      "ragdoll", "Head, torso, arms and legs are boxes; each joint is a pin with two stops.",
+      Seconds{fall_seconds}, [doll = start](Canvas& canvas, double time) mutable {
+        advance_to(doll, time, step);
+        canvas.look(fit({-1.5, -0.15, 4.6, 3.3}, canvas.page(), 0));
+        pictures::draw(canvas, pictures::shapes_of(doll.scene));
+        for (const auto& joint : doll.scene.all<Pin>()) {
+          const Pose<PlaneBody>& pose = doll.scene.bodies().pose[joint.at.body2];
+          canvas.hinge(anchor<PlaneBody, double>(pose, in_world<PlaneBody, double>(pose, joint.at.arms.second)));
+        }
+        canvas.look_at_page();
+      });
   page.text(
       R"(A joint's stop is one more row that sweeps have to bring into line with all others, so it gives way under
       a blow: @° at most here. At rest hardly anything is left of that (@°), the stops only ever pushed, and the
@@ -102,7 +102,7 @@ void ragdoll_on_a_stair(const Setting&, Page& page) {
               .source = "its bound, kept exactly",
               .measured = least,
               .tolerance = at_least()});
-  page.claim({.quantity = say("what the ground and the stairs carry after @ s", settles),
+  page.claim({.quantity = say("what the ground and the stairs carry after @ s", doll_settles),
               .unit = "N",
               .expected = weight,
               .source = "the doll's weight",

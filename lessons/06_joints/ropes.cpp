@@ -13,7 +13,6 @@ namespace {
 
 using namespace tutor;
 using namespace renderer;
-using M = PlaneParticle;
 
 constexpr int finer = 16;  // steps for one of the lesson's: the moment of letting go is known to a step
 
@@ -24,7 +23,7 @@ struct Track {
   double let_go = NAN;  // cos θ from straight down where it was first let go
 };
 
-Track track_of(Simulation<M> simulation, const Setting& setting, double seconds) {
+Track track_of(Simulation<PlaneParticle> simulation, const Setting& setting, double seconds) {
   const double h = setting.h / finer, weight = setting.mass() * gravity * h;
   Track track;
   advance_to(simulation, seconds, h, [&] {
@@ -41,13 +40,14 @@ Track track_of(Simulation<M> simulation, const Setting& setting, double seconds)
 
 /// A bob at the lowest point with the speed that would take it just to the top.
 template <template <class> class Holder>
-Simulation<M> thrown(const Setting& setting, double speed) {
+Simulation<PlaneParticle> thrown(const Setting& setting, double speed) {
   const double length = setting.length();
-  Simulation<M> simulation{{}, {.solver = Direct{}, .drift = Baumgarte{setting.beta}}};
+  Simulation<PlaneParticle> simulation{{}, {.solver = Direct{}, .drift = Baumgarte{setting.beta}}};
   auto& scene = simulation.scene;
-  scene.add_body(Linear<M>(0, 0), fixed<M>());
-  scene.add_body(Linear<M>(0, -length), with_mass<M>(setting.mass), Linear<M>(speed, 0));
-  scene.add(Holder<M>{{0, 1}, length});
+  scene.add_body(Linear<PlaneParticle>(0, 0), fixed<PlaneParticle>());
+  scene.add_body(Linear<PlaneParticle>(0, -length), with_mass<PlaneParticle>(setting.mass),
+                 Linear<PlaneParticle>(speed, 0));
+  scene.add(Holder<PlaneParticle>{{0, 1}, length});
   return simulation;
 }
 

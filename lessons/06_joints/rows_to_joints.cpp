@@ -16,13 +16,12 @@ namespace {
 
 using namespace tutor;
 using namespace renderer;
-using M = PlaneBody;
 
 constexpr double first_angle = 0.35, second_angle = -0.9;  // of the two bars [rad]
 
 /// Two equal bars that meet at the origin.
-Bodies<M> two_bars(const Setting& setting) {
-  Scene<M> scene;
+Bodies<PlaneBody> two_bars(const Setting& setting) {
+  Scene<PlaneBody> scene;
   const auto add = [&](const Point& from, const Point& to) {
     const PlaneRod bar(from, to, setting.mass);
     scene.add_body(bar.pose, bar.mass);
@@ -40,21 +39,22 @@ struct Matrices {
 };
 
 template <class Kind>
-Matrices matrices_of(const Bodies<M>& bodies, const Kind& joint) {
-  const Pose<M>&pose1 = bodies.pose[0], &pose2 = bodies.pose[1];
+Matrices matrices_of(const Bodies<PlaneBody>& bodies, const Kind& joint) {
+  const Pose<PlaneBody>&pose1 = bodies.pose[0], &pose2 = bodies.pose[1];
   const auto J = joint.jacobian(pose1, pose2);
   const auto W = times_inverse_mass(J, bodies.inverse_mass[0], pose1, bodies.inverse_mass[1], pose2);
-  const Velocity<M> V1(0.3, -0.7, 0.9), V2(-0.5, 0.2, -1.1);
+  const Velocity<PlaneBody> V1(0.3, -0.7, 0.9), V2(-0.5, 0.2, -1.1);
   const double t = 1e-5;
   const auto C = [&](double time) {
-    return joint.template value<double>(moved<M, double>(pose1, V1, time), moved<M, double>(pose2, V2, time));
+    return joint.template value<double>(moved<PlaneBody, double>(pose1, V1, time),
+                                        moved<PlaneBody, double>(pose2, V2, time));
   };
   return {J.matrix, inverse_effective_mass(J, W),
           ((C(t) - C(-t)) / (2 * t) - dot(J, V1, V2)).cwiseAbs().maxCoeff()};
 }
 
 /// A of a weld by its closed form: the masses on the diagonal, and every arm once with each axis.
-Eigen::Matrix3d weld_by_hand(const Bodies<M>& bodies) {
+Eigen::Matrix3d weld_by_hand(const Bodies<PlaneBody>& bodies) {
   Eigen::Matrix3d A = Eigen::Matrix3d::Zero();
   for (int i = 0; i < 2; ++i) {
     const Point r = -bodies.pose[i].position;
@@ -71,7 +71,7 @@ struct Column {
   std::vector<std::string> rows;
 };
 
-void draw_column(Canvas& canvas, const Column& column, const Bodies<M>& bodies, double length,
+void draw_column(Canvas& canvas, const Column& column, const Bodies<PlaneBody>& bodies, double length,
                  const Rectangle& frame) {
   const bool slides = column.name == "slider", turns = column.name == "stop, motor";
   canvas.text({frame.centre().x(), frame.top() - 14}, column.name, {.size = 24, .bold = true});
@@ -102,15 +102,15 @@ void draw_column(Canvas& canvas, const Column& column, const Bodies<M>& bodies, 
 }  // namespace
 
 void rows_to_joints(const Setting& setting, Page& page) {
-  const Bodies<M> bodies = two_bars(setting);
-  const Linear<M> here(0, 0), along(std::cos(first_angle), std::sin(first_angle));
+  const Bodies<PlaneBody> bodies = two_bars(setting);
+  const Linear<PlaneBody> here(0, 0), along(std::cos(first_angle), std::sin(first_angle));
   const std::vector<Column> columns{
-      {"pin", "two rows", matrices_of(bodies, pin<M>(bodies, 0, 1, here)), {"x", "y"}},
-      {"weld", "three rows", matrices_of(bodies, weld<M>(bodies, 0, 1, here)), {"x", "y", "φ"}},
-      {"slider", "two rows", matrices_of(bodies, slider<M>(bodies, 0, 1, here, along)), {"t", "φ"}},
+      {"pin", "two rows", matrices_of(bodies, pin<PlaneBody>(bodies, 0, 1, here)), {"x", "y"}},
+      {"weld", "three rows", matrices_of(bodies, weld<PlaneBody>(bodies, 0, 1, here)), {"x", "y", "φ"}},
+      {"slider", "two rows", matrices_of(bodies, slider<PlaneBody>(bodies, 0, 1, here, along)), {"t", "φ"}},
       {"stop, motor",
        "one row, beside a pin's two",
-       matrices_of(bodies, motor<M>(turn<M>(bodies, 0, 1), 0, 0)),
+       matrices_of(bodies, motor<PlaneBody>(turn<PlaneBody>(bodies, 0, 1), 0, 0)),
        {"φ"}}};
   const Eigen::MatrixXd &pin_A = columns[0].matrices.A, &weld_A = columns[1].matrices.A;
   const double length = setting.length;

@@ -7,7 +7,6 @@
 namespace byhand::joints {
 
 using namespace renderer;
-using M = PlaneBody;
 
 namespace {
 
@@ -38,20 +37,21 @@ Samples::Samples(const Setting& setting)
       h_(setting.h),
       simulation_{{}, VelocityStepping{.solver = Direct{}, .drift = Baumgarte{}}} {
   auto& scene = simulation_.scene;
-  const Linear<M> origin(0, 0), along(std::cos(rail), std::sin(rail));
-  const int ground = scene.add_body(origin, fixed<M>());
+  const Linear<PlaneBody> origin(0, 0), along(std::cos(rail), std::sin(rail));
+  const int ground = scene.add_body(origin, fixed<PlaneBody>());
   for (int i = pinned; i <= roped; ++i) {
     const PlaneRod bar(origin, {length_, 0}, setting.mass);
     scene.add_body(bar.pose, bar.mass);
   }
   const auto body = [](Sample sample) { return 1 + sample; };
   for (const Sample sample : {pinned, stopped, driven})
-    scene.add(pin<M>(scene.bodies(), ground, body(sample), origin));
-  scene.add(weld<M>(scene.bodies(), ground, body(welded), origin));
-  scene.add(slider<M>(scene.bodies(), ground, body(sliding), origin, along));
-  scene.add(at_least<M>(sample_stop, turn<M>(scene.bodies(), ground, body(stopped))));
-  scene.add(motor<M>(turn<M>(scene.bodies(), ground, body(driven)), 2 * pi / sample_seconds, 1e9));
-  scene.add(Rope<M>{between<M>(scene.bodies(), ground, Linear<M>(0, 0), body(roped), origin), 0.5 * length_});
+    scene.add(pin<PlaneBody>(scene.bodies(), ground, body(sample), origin));
+  scene.add(weld<PlaneBody>(scene.bodies(), ground, body(welded), origin));
+  scene.add(slider<PlaneBody>(scene.bodies(), ground, body(sliding), origin, along));
+  scene.add(at_least<PlaneBody>(sample_stop, turn<PlaneBody>(scene.bodies(), ground, body(stopped))));
+  scene.add(motor<PlaneBody>(turn<PlaneBody>(scene.bodies(), ground, body(driven)), 2 * pi / sample_seconds, 1e9));
+  scene.add(Rope<PlaneBody>{
+      between<PlaneBody>(scene.bodies(), ground, Linear<PlaneBody>(0, 0), body(roped), origin), 0.5 * length_});
   const double up = gravity * std::sin(rail) * sample_seconds / 2;  // it comes back in that time
   scene.state().velocity[body(sliding)].head<2>() = std::min(up, 2.5 * length_ / sample_seconds) * along;
 }

@@ -12,8 +12,7 @@ namespace {
 
 using namespace tutor;
 using namespace renderer;
-using M = PlaneParticle;
-using Hanging = Simulation<M>;
+using Hanging = Simulation<PlaneParticle>;
 
 /// A bob on a spring that is tuned to it by frequency [rad/s] and damping ratio, and below it, on a rod, a load of
 /// `load` bobs' weight if that is not zero.
@@ -21,14 +20,14 @@ Hanging on_spring(const Setting& setting, double frequency, double damping_ratio
   const double length = setting.length(), mass = setting.mass();
   Hanging hanging{{}, {.solver = Direct{}, .drift = Baumgarte{1}}};
   auto& scene = hanging.scene;
-  scene.add_body(Linear<M>(0, 0), fixed<M>());
-  scene.add_body(Linear<M>(0, -length), with_mass<M>(mass));
-  Spring<M> spring{{0, 1}, length};
+  scene.add_body(Linear<PlaneParticle>(0, 0), fixed<PlaneParticle>());
+  scene.add_body(Linear<PlaneParticle>(0, -length), with_mass<PlaneParticle>(mass));
+  Spring<PlaneParticle> spring{{0, 1}, length};
   spring.elastic = tuned(scene.bodies(), spring, frequency, damping_ratio);
   scene.add(spring);
   if (load > 0) {
-    scene.add_body(Linear<M>(0, -2 * length), with_mass<M>(load * mass));
-    scene.add(NormalisedDistance<M>{{1, 2}, length});
+    scene.add_body(Linear<PlaneParticle>(0, -2 * length), with_mass<PlaneParticle>(load * mass));
+    scene.add(NormalisedDistance<PlaneParticle>{{1, 2}, length});
   }
   return hanging;
 }

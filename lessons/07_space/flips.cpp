@@ -16,12 +16,12 @@ namespace {
 using namespace tutor;
 using namespace renderer;
 
-constexpr double film_seconds = 5, seconds = 20;
+constexpr double flip_seconds = 5, flight_seconds = 20;
 constexpr std::array choices{Gyroscopic::none, Gyroscopic::explicit_, Gyroscopic::implicit};
-constexpr std::array names{"left out", "explicit", "implicit"};
+constexpr std::array choice_names{"left out", "explicit", "implicit"};
 
 /// What the film shows.
-struct Film {
+struct FlipsFilm {
   std::array<Flight, 3> flights;
   Chart below;
 
@@ -38,22 +38,23 @@ struct Film {
       const Point3 L = std::min(0.85 * size, 1.05) * now.momentum.normalized();
       space.arrow(0.1 * L, L, 0.024, palette::error);
       canvas.draw(space);
-      const bool lost = flew_apart(flights[i], film_seconds) && time > flights[i].back().time;
-      canvas.text({frames[i].centre().x(), frames[i].top() - 14}, lost ? say("@: lost", names[i]) : names[i],
+      const bool lost = flew_apart(flights[i], flip_seconds) && time > flights[i].back().time;
+      canvas.text({frames[i].centre().x(), frames[i].top() - 14},
+                  lost ? say("@: lost", choice_names[i]) : choice_names[i],
                   {.size = 22, .colour = palette::series(static_cast<int>(i)), .bold = true});
     }
     renderer::draw(canvas, pictures::grown_to(below, time), under);
   }
 };
 
-Film film_of(const Setting& setting) {
-  Film film;
+FlipsFilm film_of(const Setting& setting) {
+  FlipsFilm film;
   film.below = {.x = {.label = "time (s)"}, .y = {.label = "Ω_y, about the book's own y (rad/s)"}};
   const FreeTop exact(moments_of(setting), first_spin(setting, setting.wobble));
   double fastest = 0;
   for (std::size_t i = 0; i < 3; ++i) {
-    film.flights[i] = thrown(setting, setting.wobble, choices[i], film_seconds);
-    Curve curve{.label = names[i]};
+    film.flights[i] = thrown(setting, setting.wobble, choices[i], flip_seconds);
+    Curve curve{.label = choice_names[i]};
     for (const Instant& now : film.flights[i]) {
       curve.x.push_back(now.time);
       curve.y.push_back(now.spin().y());
@@ -63,7 +64,7 @@ Film film_of(const Setting& setting) {
   }
   Curve theory{.label = "exact", .style = CurveStyle::theory};
   for (int i = 0; i <= 100; ++i) {
-    theory.x.push_back(i * film_seconds / 100);
+    theory.x.push_back(i * flip_seconds / 100);
     theory.y.push_back(exact.at(theory.x.back()).value.y());
   }
   film.below.curves.push_back(std::move(theory));
@@ -90,7 +91,7 @@ Kept kept_in(const Flight& flight, const char* name) {
     kept.energy.y.push_back(std::max(kept.worst_energy, 1e-17));
     kept.momentum.y.push_back(std::max(kept.worst_momentum, 1e-17));
   }
-  if (flew_apart(flight, seconds))
+  if (flew_apart(flight, flight_seconds))
     for (Curve* curve : {&kept.energy, &kept.momentum}) {
       curve->x.push_back(flight.back().time);
       curve->y.push_back(INFINITY);
@@ -113,8 +114,8 @@ void flips(const Setting& setting, Page& page) {
   std::array<Flight, 3> flights;
   std::array<Kept, 3> kept;
   for (std::size_t i = 0; i < 3; ++i) {
-    flights[i] = thrown(setting, setting.wobble, choices[i], seconds);
-    kept[i] = kept_in(flights[i], names[i]);
+    flights[i] = thrown(setting, setting.wobble, choices[i], flight_seconds);
+    kept[i] = kept_in(flights[i], choice_names[i]);
   }
   const Flight& implicit_flight = flights[2];
   const double measured = between_flips(implicit_flight);
@@ -134,7 +135,7 @@ void flips(const Setting& setting, Page& page) {
       "three_books",
       R"(The same book thrown with the term left out, explicit and implicit. The yellow end shows which way up it
       is, the arrow is Iω, which should not move. Below: the spin about the book's own y; dashed the exact one.)",
-      Seconds{film_seconds}, [film = film_of(setting)](Canvas& canvas, double time) { film.draw(canvas, time); });
+      Seconds{flip_seconds}, [film = film_of(setting)](Canvas& canvas, double time) { film.draw(canvas, time); });
 
   const Eigen::Vector3d kick = moments.cwiseProduct(spin).cross(spin);
   const double gain = h * h / 2 * kick.dot(kick.cwiseQuotient(moments));
@@ -160,17 +161,17 @@ void flips(const Setting& setting, Page& page) {
   page.figure("what_is_kept",
               say(R"(Energy (left) and angular momentum (right) over @ s, the largest relative change so far. Left
                   out keeps the one, explicit neither, implicit both, to rounding.)",
-                  seconds),
+                  flight_seconds),
               [=](Canvas& canvas) {
                 const auto [left, right] = canvas.page().inset(20, 60).split_columns(0.5, 24);
                 renderer::draw(canvas, energy, left);
                 renderer::draw(canvas, momentum, right);
               });
-  if (flew_apart(flights[1], seconds))
+  if (flew_apart(flights[1], flight_seconds))
     page.text("The explicit book is past any use after @ s: its spin has passed a hundredfold.",
               flights[1].back().time);
   else
-    page.text("After @ s the explicit book has @ times the energy it was thrown with.", seconds,
+    page.text("After @ s the explicit book has @ times the energy it was thrown with.", flight_seconds,
               flights[1].back().energy / flights[1][0].energy);
   page.measure("from flip to flip, implicit", measured, "s");
 
@@ -183,7 +184,7 @@ void flips(const Setting& setting, Page& page) {
               .measured = flips_twice ? measured : half_period,
               .tolerance = relative(turned * turned / 2),
               .claimed = flips_twice,
-              .range = say("two flips within @ s", seconds)});
+              .range = say("two flips within @ s", flight_seconds)});
   page.claim({.quantity = "implicit: largest |ΔE|/E",
               .unit = "1",
               .expected = 1e-12,

@@ -13,7 +13,7 @@ namespace {
 using namespace tutor;
 using namespace renderer;
 
-constexpr double arm = 0.3, wheel = 0.25, rate = 60, seconds = 4;  // [m], [m], [rad/s], [s]
+constexpr double arm = 0.3, wheel = 0.25, wheel_rate = 60, precession_seconds = 4;  // [m], [m], [rad/s], [s]
 constexpr double level = pi / 2;
 
 /// A thin wheel at the end of an axle that stands on a post by its other end.
@@ -23,7 +23,7 @@ HeavyTop gyroscope_of(double mass) {
           .arm = arm,
           .moment_along = along,
           .moment_across = along / 2 + mass * arm * arm,
-          .spin = rate,
+          .spin = wheel_rate,
           .gravity = gravity};
 }
 
@@ -40,7 +40,7 @@ Run let_go(const Setting& setting, Gyroscopic choice, double precession) {
   Run run;
   double azimuth = 0;
   Point3 x = top.scene.bodies().pose[1].position;
-  for (int i = 0; top.time < seconds; ++i) {
+  for (int i = 0; top.time < precession_seconds; ++i) {
     if (i % 64 == 0) {
       run.time.push_back(top.time);
       run.azimuth.push_back(azimuth);
@@ -100,11 +100,11 @@ void gyroscope(const Setting& setting, Page& page) {
       R"(Now let gravity pull on a spinning body: a thin wheel of @ kg on an axle, spinning at @ rad/s, its other
       end on a ball joint on a post, three rows. Its weight has an arm of @ m about the post. It is set going round
       at just the rate that lasts; let go from rest it would nod a little as well.)",
-      setting.mass, rate, arm);
+      setting.mass, wheel_rate, arm);
   page.predict(
       {.ask = say(R"(The wheel's Iω is mR²ω = @ kg m²/s along the axle, and the weight's moment is mga = @ N m. By
                   how many rad/s does the axle go round?)",
-                  top.moment_along * rate, top.mass * gravity * arm),
+                  top.moment_along * wheel_rate, top.mass * gravity * arm),
        .answer = exact,
        .unit = "rad/s",
        .tolerance = 0.03 * exact,
@@ -123,8 +123,8 @@ void gyroscope(const Setting& setting, Page& page) {
         theory{.label = name == std::string("implicit") ? "exact" : "", .style = CurveStyle::theory};
     measured.x = of.time;
     for (const double azimuth : of.azimuth) measured.y.push_back(degrees(azimuth));
-    theory.x = {0, seconds};
-    theory.y = {0, degrees(by * seconds)};
+    theory.x = {0, precession_seconds};
+    theory.y = {0, degrees(by * precession_seconds)};
     chart.curves.push_back(std::move(measured));
     chart.curves.push_back(std::move(theory));
   };
@@ -133,7 +133,7 @@ void gyroscope(const Setting& setting, Page& page) {
   page.figure("gyroscope",
               say(R"(The gyroscope over @ s, from pale to dark: it does not fall, it goes round. Right: how far,
                   with the term and without. Dashed: the wheel's rate, and that of a ball.)",
-                  seconds),
+                  precession_seconds),
               [=](Canvas& canvas) { draw_run(canvas, run, chart); });
   page.text(
       R"(With the gyroscopic term left out it goes round too, and it looks right; but at @ times the rate. The
@@ -141,7 +141,7 @@ void gyroscope(const Setting& setting, Page& page) {
       number does.)",
       mean_rate(without) / mean_rate(run));
 
-  const double turned = rate * setting.h / 64;
+  const double turned = wheel_rate * setting.h / 64;
   page.claim({.quantity = "precession at h/64",
               .unit = "rad/s",
               .expected = exact,

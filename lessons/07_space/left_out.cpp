@@ -15,7 +15,7 @@ namespace {
 using namespace tutor;
 using namespace renderer;
 
-constexpr double seconds = 5, careless = 0.4;  // [s], share of the spin about the other axes
+constexpr double term_seconds = 5, careless = 0.4;  // [s], share of the spin about the other axes
 
 double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
@@ -68,7 +68,7 @@ void draw_fan(Canvas& canvas, const Flight& flight, const Chart& chart) {
 }  // namespace
 
 void left_out(const Setting& setting, Page& page) {
-  const Flight flight = thrown(setting, careless, Gyroscopic::none, seconds);
+  const Flight flight = thrown(setting, careless, Gyroscopic::none, term_seconds);
   const Eigen::Vector3d moments = moments_of(setting), spin = first_spin(setting, careless);
   const double alpha = angle_between(moments.cwiseProduct(spin), spin);
   double turned = 0, energy = 0, off_law = 0;
@@ -91,7 +91,8 @@ void left_out(const Setting& setting, Page& page) {
       It is no constraint and has no row; a step must add it, as it adds gravity, and the article's does not.)");
   const auto flipped = flips_of(flight).size();
   page.choose(
-      {.ask = say("The solver steps the book for @ s with the term left out. Does the book flip over?", seconds),
+      {.ask =
+           say("The solver steps the book for @ s with the term left out. Does the book flip over?", term_seconds),
        .options = {{"never",
                     R"(Yes: without ω × Iω nothing turns ω. The book spins on about the axis it was given; it is Iω
                     in the world that goes astray.)"},

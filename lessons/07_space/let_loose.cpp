@@ -15,36 +15,35 @@ namespace {
 
 using namespace tutor;
 using namespace renderer;
-using M = SpaceBody;
-using Loose = Simulation<M>;
+using Loose = Simulation<SpaceBody>;
 
-constexpr double film_seconds = 3, patience = 30, slop = 1e-3;  // [s], [s], [m]
+constexpr double tumble_seconds = 3, patience = 30, slop = 1e-3;  // [s], [s], [m]
 
 /// A book above or on the ground, 60 sweeps a step, turning as the implicit term has it.
-Loose on_the_ground(const Setting& setting, const Pose<M>& pose, const Velocity<M>& velocity,
+Loose on_the_ground(const Setting& setting, const Pose<SpaceBody>& pose, const Velocity<SpaceBody>& velocity,
                     double restitution = 0) {
   Loose loose{{}, {GaussSeidel{60}, Baumgarte{.beta = 0.2, .slop = slop}}};
   loose.method.gyroscopic = Gyroscopic::implicit;
   const Surface surface{.friction = setting.friction, .restitution = restitution};
   add_ground(loose.scene, surface);
-  const int book = add_box(loose.scene, pose, setting.mass, Linear<M>(book_sides()), surface);
+  const int book = add_box(loose.scene, pose, setting.mass, Linear<SpaceBody>(book_sides()), surface);
   loose.scene.state().velocity[book] = velocity;
   return loose;
 }
 
 /// Lying flat, its shortest side upright.
-Pose<M> lying() {
-  Pose<M> pose;
-  pose.rotation = space_rotation(Angular<M>(pi / 2, 0, 0));
+Pose<SpaceBody> lying() {
+  Pose<SpaceBody> pose;
+  pose.rotation = space_rotation(Angular<SpaceBody>(pi / 2, 0, 0));
   pose.position.y() = 0.5 * book_sides().z();
   return pose;
 }
 
 Loose tumbling(const Setting& setting) {
-  Pose<M> pose;
+  Pose<SpaceBody> pose;
   pose.position = {0, 1.2, 0};
-  pose.rotation = space_rotation(Angular<M>(0.4, 0.3, 0.5));
-  Velocity<M> V;
+  pose.rotation = space_rotation(Angular<SpaceBody>(0.4, 0.3, 0.5));
+  Velocity<SpaceBody> V;
   V << setting.speed, 0, -0.3 * setting.speed, 2, 1, -9;
   return on_the_ground(setting, pose, V, 0.4);
 }
@@ -54,7 +53,7 @@ struct Stop {
   double distance, time;  // [m], [s]
 };
 Stop slid(const Setting& setting, double speed, double spin) {
-  Velocity<M> V = Velocity<M>::Zero();
+  Velocity<SpaceBody> V = Velocity<SpaceBody>::Zero();
   V[0] = speed;
   V[4] = spin;
   auto book = on_the_ground(setting, lying(), V);
@@ -63,9 +62,9 @@ Stop slid(const Setting& setting, double speed, double spin) {
   return {bodies.pose[1].position.x(), book.time};
 }
 
-struct Film {
+struct TumbleFilm {
   std::vector<double> time;
-  std::vector<Pose<M>> pose;
+  std::vector<Pose<SpaceBody>> pose;
   Chart beside;
 
   void draw(Canvas& canvas, double now) const {
@@ -91,7 +90,7 @@ struct Film {
 
 /// What a tumbling book shows.
 struct Tumble {
-  Film film;
+  TumbleFilm film;
   bool rests = false;   // whether it has come to rest
   double pressed = 0;   // the ground's push at the end, over the weight [1]
   double flatness = 0;  // the largest |cosine| between an axis of the book and the vertical, at the end
@@ -103,10 +102,10 @@ Tumble tumble(const Setting& setting) {
   const auto& bodies = book.scene.bodies();
   Curve total;
   double still = 0;  // for how long it has not moved [s]
-  for (const double h = setting.h; book.time <= film_seconds || (still < 1 && book.time < patience);
+  for (const double h = setting.h; book.time <= tumble_seconds || (still < 1 && book.time < patience);
        book.step(h)) {
     still = bodies.velocity[1].norm() < 1e-6 ? still + h : 0;
-    if (book.time > film_seconds + h) continue;
+    if (book.time > tumble_seconds + h) continue;
     tumble.film.time.push_back(book.time);
     tumble.film.pose.push_back(bodies.pose[1]);
     total.x.push_back(book.time);
@@ -114,10 +113,10 @@ Tumble tumble(const Setting& setting) {
   }
   tumble.rests = still > 0;
   tumble.film.beside = {
-      .x = {.label = "time (s)", .range = {{0, film_seconds}}}, .y = {.label = "energy (J)"}, .curves = {total}};
+      .x = {.label = "time (s)", .range = {{0, tumble_seconds}}}, .y = {.label = "energy (J)"}, .curves = {total}};
   const auto& system = book.work.system;
   for (int place = 0; place < book.scene.count(); ++place)
-    if (book.scene.get_if<Contact<M>>(place))
+    if (book.scene.get_if<Contact<SpaceBody>>(place))
       tumble.pressed += system.lambda[system.row_of[place]] / (setting.mass * gravity * setting.h);
   tumble.flatness = bodies.pose[1].rotation.toRotationMatrix().row(1).cwiseAbs().maxCoeff();
   tumble.deepest = position_error(book.scene).max;
@@ -136,7 +135,7 @@ void let_loose(const Setting& setting, Page& page) {
   page.sequence("tumbling",
                 R"(A book thrown along the ground: it tumbles over corners and edges, slides on a face, and comes
                 to rest. Below: its energy, which each knock and all rubbing take from.)",
-                Seconds{film_seconds},
+                Seconds{tumble_seconds},
                 [film = thrown.film](Canvas& canvas, double time) { film.draw(canvas, time); });
 
   const double speed = setting.speed, a = setting.friction * gravity;

@@ -16,7 +16,7 @@ namespace {
 using namespace tutor;
 using namespace renderer;
 
-constexpr double seconds = 4;
+constexpr double nod_seconds = 4;
 
 SphericalPendulum exact_for(const Setting& setting) {
   const double angle = radians(setting.angle);
@@ -25,7 +25,7 @@ SphericalPendulum exact_for(const Setting& setting) {
 }
 
 /// What the film shows: where the bob was after each step.
-struct Film {
+struct NutationFilm {
   double length, angle, other;  // [m], [rad]
   std::vector<double> time = {};
   std::vector<Point3> place = {};
@@ -55,18 +55,18 @@ struct Film {
   }
 };
 
-Film film_of(const Setting& setting, const SphericalPendulum& exact) {
-  Film film{.length = setting.length, .angle = radians(setting.angle), .other = exact.other_angle()};
+NutationFilm film_of(const Setting& setting, const SphericalPendulum& exact) {
+  NutationFilm film{.length = setting.length, .angle = radians(setting.angle), .other = exact.other_angle()};
   Curve run{.label = "run"}, theory{.label = "exact", .style = CurveStyle::theory};
   Bob bob = set_out(setting);
-  for (const double h = setting.h; bob.time <= seconds + 1e-9; bob.step(h)) {
+  for (const double h = setting.h; bob.time <= nod_seconds + 1e-9; bob.step(h)) {
     film.time.push_back(bob.time);
     film.place.push_back(bob.scene.bodies().pose[1].position);
     run.x.push_back(bob.time);
     run.y.push_back(degrees(from_down(bob)));
   }
   for (int i = 0; i <= 60; ++i) {
-    theory.x.push_back(i * seconds / 60);
+    theory.x.push_back(i * nod_seconds / 60);
     theory.y.push_back(degrees(exact.at(theory.x.back()).angle));
   }
   film.beside = {
@@ -123,11 +123,11 @@ void nutation(const Setting& setting, Page& page) {
                 say(R"(The bob set out sideways at @ of the cone's speed. Grey rings: the two cones between which
                     it must stay. Right: its angle, and dashed the elliptic one.)",
                     setting.share),
-                Seconds{seconds},
+                Seconds{nod_seconds},
                 [film = film_of(setting, pendulum)](Canvas& canvas, double time) { film.draw(canvas, time); });
 
   Bob bob = set_out(setting);
-  while (bob.time < seconds) bob.step(h);
+  while (bob.time < nod_seconds) bob.step(h);
   const double kept = angular_momentum(bob.scene.bodies())[1], given = pendulum.angular_momentum(mass);
   page.choose(
       {.ask = "The run errs in its angle and in its energy. And in its angular momentum about the vertical?",
@@ -175,7 +175,7 @@ void nutation(const Setting& setting, Page& page) {
               .source = "h²",
               .measured = std::log2(errors(setting, exact, h / 16).period / errors(setting, exact, h / 32).period),
               .tolerance = absolute(0.1)});
-  page.claim({.quantity = say("L about the vertical after @ s", seconds),
+  page.claim({.quantity = say("L about the vertical after @ s", nod_seconds),
               .unit = "kg m²/s",
               .expected = given,
               .source = "mL²sin²θ·φ̇ at the start",

@@ -9,18 +9,17 @@
 namespace byhand::space {
 namespace {
 
-using M = SpaceParticle;
-
 template <class F>
 std::vector<Way> slide(const Setting& setting, const std::vector<double>& headings, F&& add_friction) {
-  Simulation<M> pucks{{}, {GaussSeidel{4}}};
+  Simulation<SpaceParticle> pucks{{}, {GaussSeidel{4}}};
   auto& scene = pucks.scene;
-  const int ground = scene.add_body(Linear<M>(0, 0, 0), fixed<M>());
+  const int ground = scene.add_body(Linear<SpaceParticle>(0, 0, 0), fixed<SpaceParticle>());
   for (const double heading : headings) {
     const Eigen::Vector3d along(std::cos(heading), 0, std::sin(heading));
-    const int puck = scene.add_body(Linear<M>(0, 0, 0), with_mass<M>(setting.mass), setting.speed * along);
-    const auto pressing = scene.add(Contact<M>{{ground, puck}, Eigen::Vector3d::UnitY()});
-    add_friction(scene, Anchors<M>{ground, puck}, pressing);
+    const int puck = scene.add_body(Linear<SpaceParticle>(0, 0, 0), with_mass<SpaceParticle>(setting.mass),
+                                    setting.speed * along);
+    const auto pressing = scene.add(Contact<SpaceParticle>{{ground, puck}, Eigen::Vector3d::UnitY()});
+    add_friction(scene, Anchors<SpaceParticle>{ground, puck}, pressing);
   }
   std::vector<Way> ways(headings.size());
   bool moving = true;
@@ -44,12 +43,12 @@ std::vector<Way> slide(const Setting& setting, const std::vector<double>& headin
   tangents << std::cos(axes_turned), -std::sin(axes_turned), 0, 0, std::sin(axes_turned), std::cos(axes_turned);
   const double mu = setting.friction;
   if (bounds == Bounds::disc)
-    return slide(setting, headings, [&](auto& scene, const Anchors<M>& at, int pressing) {
-      scene.add(Friction<M>{at, tangents, mu, pressing});
+    return slide(setting, headings, [&](auto& scene, const Anchors<SpaceParticle>& at, int pressing) {
+      scene.add(Friction<SpaceParticle>{at, tangents, mu, pressing});
     });
-  return slide(setting, headings, [&](auto& scene, const Anchors<M>& at, int pressing) {
+  return slide(setting, headings, [&](auto& scene, const Anchors<SpaceParticle>& at, int pressing) {
     //! [pyramid]
-    for (int k = 0; k < 2; ++k) scene.add(AxisFriction<M>{at, tangents.col(k), mu, pressing});
+    for (int k = 0; k < 2; ++k) scene.add(AxisFriction<SpaceParticle>{at, tangents.col(k), mu, pressing});
     //! [pyramid]
   });
 }

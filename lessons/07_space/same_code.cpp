@@ -14,7 +14,7 @@ namespace {
 using namespace tutor;
 using namespace renderer;
 
-constexpr double seconds = 2;
+constexpr double rod_seconds = 2;
 
 /// How many numbers a model's state and rows take.
 struct Numbers {
@@ -64,7 +64,7 @@ Twins twins(const Setting& setting) {
   const double h = setting.h;
   Twins twins;
   const auto every = std::max(1L, std::lround(0.1 / h));
-  for (long i = 0; i * h <= seconds; ++i) {
+  for (long i = 0; i * h <= rod_seconds; ++i) {
     const Point x = plane.scene.bodies().pose[1].position;
     const Point3 y = space.scene.bodies().pose[1].position;
     twins.apart = std::max(twins.apart, (Point3(x.x(), x.y(), 0) - y).norm());
@@ -171,7 +171,7 @@ void same_code(const Setting& setting, Page& page) {
               .source = "mass 2³, arm² 2²",
               .measured = growth,
               .tolerance = relative(1e-12)});
-  page.claim({.quantity = say("rod in space from rod in the plane, over @ s", seconds),
+  page.claim({.quantity = say("rod in space from rod in the plane, over @ s", rod_seconds),
               .unit = "m",
               .expected = 0,
               .source = "the same rod <2,1>",

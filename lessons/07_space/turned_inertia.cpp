@@ -13,24 +13,23 @@ namespace {
 
 using namespace tutor;
 using namespace renderer;
-using M = SpaceBody;
 
 Eigen::Vector3d flight() { return {0, -3, 1.5}; }  // [m/s]
 
 /// A body that flies by and is caught by the middle of its +y side on a nail at the origin.
 struct Catch {
-  Pose<M> pose;
-  InverseMass<M> mass;
-  Velocity<M> after = Velocity<M>::Zero();
+  Pose<SpaceBody> pose;
+  InverseMass<SpaceBody> mass;
+  Velocity<SpaceBody> after = Velocity<SpaceBody>::Zero();
   Eigen::Vector3d before_L, after_L;  // angular momentum about the nail [kg m²/s]
   double slip = 0;                    // how fast the point on the nail still moves [m/s]
 
   double lost() const { return (after_L - before_L).norm() / before_L.norm(); }
 };
 
-Bodies<M> bodies_of(const Catch& caught, const Velocity<M>& velocity) {
-  Scene<M> scene;
-  scene.add_body(Pose<M>(), fixed<M>());
+Bodies<SpaceBody> bodies_of(const Catch& caught, const Velocity<SpaceBody>& velocity) {
+  Scene<SpaceBody> scene;
+  scene.add_body(Pose<SpaceBody>(), fixed<SpaceBody>());
   scene.add_body(caught.pose, caught.mass, velocity);
   return scene.bodies();
 }
@@ -38,22 +37,22 @@ Bodies<M> bodies_of(const Catch& caught, const Velocity<M>& velocity) {
 /// A box of `sides` [m], turned by `tilt` [rad] about an axis askew to its own.
 Catch caught_on_a_nail(const Eigen::Vector3d& sides, double mass, double tilt, bool turned) {
   Catch caught;
-  caught.mass = box<M>(mass, sides);
-  caught.pose.rotation = space_rotation(Angular<M>(tilt * Eigen::Vector3d(0.6, 0.8, 0)));
+  caught.mass = box<SpaceBody>(mass, sides);
+  caught.pose.rotation = space_rotation(Angular<SpaceBody>(tilt * Eigen::Vector3d(0.6, 0.8, 0)));
   caught.pose.position = rotate(caught.pose.rotation, Eigen::Vector3d(0, -0.5 * sides.y(), 0));
-  Velocity<M> V = Velocity<M>::Zero(), ground = V;
+  Velocity<SpaceBody> V = Velocity<SpaceBody>::Zero(), ground = V;
   V.head<3>() = flight();
-  const Bodies<M> bodies = bodies_of(caught, V);
+  const Bodies<SpaceBody> bodies = bodies_of(caught, V);
   caught.before_L = angular_momentum(bodies);
-  const Pin<M> nail = pin<M>(bodies, 0, 1, Linear<M>(0, 0, 0));
+  const Pin<SpaceBody> nail = pin<SpaceBody>(bodies, 0, 1, Linear<SpaceBody>(0, 0, 0));
 
   //! [caught]
-  Pose<M> seen = caught.pose;
+  Pose<SpaceBody> seen = caught.pose;
   if (!turned) seen.rotation = Eigen::Quaterniond::Identity();  // the mistake
   const auto J = nail.jacobian(bodies.pose[0], caught.pose);
-  const auto W = times_inverse_mass(J, fixed<M>(), bodies.pose[0], caught.mass, seen);  // (18)
-  const Rows<3> lambda = -inverse_effective_mass(J, W).inverse() * dot(J, ground, V);   // (17), b = 0
-  apply_impulse(W, lambda, ground, V);                                                  // (20)
+  const auto W = times_inverse_mass(J, fixed<SpaceBody>(), bodies.pose[0], caught.mass, seen);  // (18)
+  const Rows<3> lambda = -inverse_effective_mass(J, W).inverse() * dot(J, ground, V);           // (17), b = 0
+  apply_impulse(W, lambda, ground, V);                                                          // (20)
   //! [caught]
 
   caught.after = V;

@@ -22,7 +22,7 @@ std::vector<double> all_round() {
 }
 
 /// What the film shows: the ways of all pucks under either bound.
-struct Film {
+struct PucksFilm {
   std::vector<Way> pyramid, disc;
   double h, reach, friction;
 
@@ -53,7 +53,7 @@ struct Film {
   }
 };
 
-Chart stopped_at(const Film& film, double disc) {
+Chart stopped_at(const PucksFilm& film, double disc) {
   Chart chart{.x = {.label = "x (m)", .range = {{-1.17 * disc, 1.17 * disc}}},
               .y = {.label = "z (m)", .range = {{-0.06 * disc, 1.14 * disc}}}};
   Curve square{.label = "each axis", .style = CurveStyle::markers},
@@ -108,8 +108,8 @@ void two_axes(const Setting& setting, Page& page) {
        .hint = "Both rows brake with all of μmg. How long is the sum of the two?",
        .right = say("1/√2 = @, and a little less for a finite step.", 1 / std::sqrt(2.0))});
   const std::vector<double> headings = all_round();
-  const Film film{slide(setting, headings, Bounds::pyramid), slide(setting, headings, Bounds::disc), h,
-                  v * v / (2 * a), setting.friction};
+  const PucksFilm film{slide(setting, headings, Bounds::pyramid), slide(setting, headings, Bounds::disc), h,
+                       v * v / (2 * a), setting.friction};
   page.sequence("pyramid_and_disc",
                 say(R"(@ pucks pushed off in all directions at @ m/s. Left: each axis clamped by itself. Right: the
                     two impulses scaled together. In nature no direction is special.)",

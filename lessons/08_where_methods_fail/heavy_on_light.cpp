@@ -13,24 +13,24 @@ namespace {
 using namespace tutor;
 using laws::Outcome;
 
-constexpr double beta = 0.2;
+constexpr double pair_beta = 0.2;
 
 Outcome two_boxes(int sweeps, double ratio) {
-  return laws::hop({.boxes = 2, .sweeps = sweeps, .beta = beta, .top_mass = ratio, .steps = 10'000});
+  return laws::hop({.boxes = 2, .sweeps = sweeps, .beta = pair_beta, .top_mass = ratio, .steps = 10'000});
 }
 
 }  // namespace
 
 void heavy_on_light(const Setting& setting, Page& page) {
   const int sweeps = 10;
-  const double law = laws::heaviest_top(sweeps, beta);
+  const double law = laws::heaviest_top(sweeps, pair_beta);
   double measured = 1.3 * law;
   while (two_boxes(sweeps, measured) != Outcome::settles) measured /= 1.01;
 
   page.predict(
       {.ask = say(R"(@ warm sweeps a step, β = @; a box of 1 kg on the ground. What is the heaviest box that
                   settles on top of it?)",
-                  sweeps, beta),
+                  sweeps, pair_beta),
        .answer = measured,
        .unit = "kg",
        .tolerance = 0.25 * measured,
@@ -48,12 +48,12 @@ void heavy_on_light(const Setting& setting, Page& page) {
                          knob("upper mass / lower mass (1)", 1, 200, setting.resolution),
                          [](double k, double ratio) { return two_boxes(static_cast<int>(k), ratio); });
   std::vector<double> limits(1);
-  for (int k = 1; k <= 17; ++k) limits.push_back(laws::heaviest_top(k, beta));
+  for (int k = 1; k <= 17; ++k) limits.push_back(laws::heaviest_top(k, pair_beta));
   const auto boundary = [&](double k) { return limits[std::min(17, static_cast<int>(std::lround(k)))]; };
   page.figure(
       "mass_and_sweeps",
       say(R"(Each cell is a run of two boxes, β = @. Dashed: the law, about r = 3k. "Rings" is: goes on hopping.)",
-          beta),
+          pair_beta),
       chart(map, "about r = 3k", boundary));
   const double foreseen = share_foreseen(map, [&](double k, double ratio) { return ratio < boundary(k); });
   page.text("Of @ runs the law foresees @ %. Turn the stack round, light upon heavy, and there is nothing to see.",

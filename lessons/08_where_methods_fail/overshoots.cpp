@@ -9,6 +9,7 @@
 #include "lessons/08_where_methods_fail/steps.hpp"
 #include "lessons/pictures/rods_and_bobs.hpp"
 #include "lessons/scenes/chain.hpp"
+#include "solver/measure.hpp"
 
 namespace byhand::failures {
 namespace {
@@ -32,24 +33,23 @@ double beta_that_rings(int links, int sweeps) {
       0.5 * law, std::min(1.6 * law, 2.3), 0.002);
 }
 
-using M = PlaneParticle;
-
-Film<M> film(int links, int sweeps, double beta) {
+Film<PlaneParticle> film(int links, int sweeps, double beta) {
   const auto hanging = [&](std::string name, const VelocityStepping& method) {
-    return Take<M>{std::move(name), {rod_chain<M, NormalisedDistance>({.links = links}), method}};
+    return Take<PlaneParticle>{std::move(name),
+                               {rod_chain<PlaneParticle, NormalisedDistance>({.links = links}), method}};
   };
   const double length = links;
-  return Film<M>(
+  return Film<PlaneParticle>(
       {.takes = {hanging("warm", {GaussSeidel{sweeps}, Baumgarte{beta}}),
                  hanging("cold", {GaussSeidel{.sweeps = sweeps, .warm_start = false}, Baumgarte{beta}}),
                  hanging("split impulse", {GaussSeidel{sweeps}, SplitImpulse{beta}})},
        .view = {-0.14 * length, -1.12 * length, 0.28 * length, 1.17 * length},
        .gauge = {.label = "largest |C| (m)", .scale = renderer::Scale::logarithmic, .range = {{1e-4, 2}}},
-       .read = [](const Scene<M>& chain) { return position_error(chain).max; },
-       .failed = [](const Scene<M>& chain) { return !(position_error(chain).max < 0.5); },
+       .read = [](const Scene<PlaneParticle>& chain) { return position_error(chain).max; },
+       .failed = [](const Scene<PlaneParticle>& chain) { return !(position_error(chain).max < 0.5); },
        .failure = "torn apart",
        .draw =
-           [](renderer::Canvas& canvas, const Scene<M>& chain) {
+           [](renderer::Canvas& canvas, const Scene<PlaneParticle>& chain) {
              pictures::draw(canvas, pictures::rods_and_bobs(chain), {.bob = 7, .rod = 4});
            }});
 }
@@ -84,7 +84,7 @@ void overshoots(const Setting& setting, Page& page) {
                 .hint = "How many sweeps does a wave take that is twice as long?",
                 .right = "1 − q is what the sweeps take of the slowest wave, and it falls with N²."});
 
-  const Film<M> chains = film(links, sweeps, beta);
+  const Film<PlaneParticle> chains = film(links, sweeps, beta);
   page.sequence(
       "ringing_chain",
       say(R"(Three chains of @ links let go at rest, β = @ and @ sweeps a step. Warm: @. Started cold, it ends @ m

@@ -16,4 +16,6 @@ struct Setting {
   tutor::Parameter<double> conflict;  // of two rods between the same points [m]
 };
 
+inline constexpr double gravity = 9.81, step = 1.0 / 60;  // of the scenes [m/s²], [s]
+
 }  // namespace byhand::failures

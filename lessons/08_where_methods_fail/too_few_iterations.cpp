@@ -15,8 +15,6 @@ using namespace tutor;
 using laws::Column;
 using laws::Outcome;
 
-constexpr double gravity = 9.81, step = 1.0 / 60;  // [m/s²], [s]
-
 /// The sweeps from which a column stands: (σh)² < (1 − q)/q, q = ρᵏ.
 double sweeps_to_stand(double boxes, double h = step) {
   const int n = static_cast<int>(boxes);

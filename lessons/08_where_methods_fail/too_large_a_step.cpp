@@ -9,6 +9,7 @@
 #include "lessons/08_where_methods_fail/steps.hpp"
 #include "lessons/pictures/rods_and_bobs.hpp"
 #include "lessons/scenes/chain.hpp"
+#include "solver/measure.hpp"
 
 namespace byhand::failures {
 namespace {
@@ -29,31 +30,30 @@ double heaviest_measured(double rate) {
       0.5 * law, 2 * law, 0.002);
 }
 
-using M = PlaneParticle;
-
-Film<M> film(double end_mass, int sweeps) {
+Film<PlaneParticle> film(double end_mass, int sweeps) {
   const TautChain chain;
   const double length = chain.links * chain.length;
   const auto swinging = [&](std::string name, const RowSolver& solver, int substeps) {
-    return Take<M>{std::move(name),
-                   {rod_chain<M, NormalisedDistance>({.links = chain.links,
-                                                      .length = chain.length,
-                                                      .mass = chain.mass,
-                                                      .end_mass = end_mass,
-                                                      .angle = 0.25}),
-                    VelocityStepping{.solver = solver, .drift = Baumgarte{0.2}, .substeps = substeps}}};
+    return Take<PlaneParticle>{
+        std::move(name),
+        {rod_chain<PlaneParticle, NormalisedDistance>({.links = chain.links,
+                                                       .length = chain.length,
+                                                       .mass = chain.mass,
+                                                       .end_mass = end_mass,
+                                                       .angle = 0.25}),
+         VelocityStepping{.solver = solver, .drift = Baumgarte{0.2}, .substeps = substeps}}};
   };
-  return Film<M>(
+  return Film<PlaneParticle>(
       {.takes = {swinging("exact", Direct{}, 1), swinging(say("@ sweeps", sweeps), GaussSeidel{sweeps}, 1),
                  swinging("exact, 4 substeps", Direct{}, 4)},
        .view = {-0.4 * length, -1.2 * length, 0.8 * length, 1.25 * length},
        .seconds = 3,
        .gauge = {.label = "largest |C| (m)", .scale = renderer::Scale::logarithmic, .range = {{1e-6, 2}}},
-       .read = [](const Scene<M>& scene) { return position_error(scene).max; },
-       .failed = [](const Scene<M>& scene) { return !(position_error(scene).max < 0.5); },
+       .read = [](const Scene<PlaneParticle>& scene) { return position_error(scene).max; },
+       .failed = [](const Scene<PlaneParticle>& scene) { return !(position_error(scene).max < 0.5); },
        .failure = "torn apart",
        .draw =
-           [end_mass](renderer::Canvas& canvas, const Scene<M>& scene) {
+           [end_mass](renderer::Canvas& canvas, const Scene<PlaneParticle>& scene) {
              pictures::draw(canvas, pictures::rods_and_bobs(scene),
                             {.bob = std::min(6.0, 34 / std::cbrt(end_mass)), .rod = 3});
            }});
@@ -92,7 +92,7 @@ void too_large_a_step(const Setting& setting, Page& page) {
       Value(heaviest_at(rate), 4), rate);
 
   const int many = 1000;
-  const Film<M> chains = film(ratio, many);
+  const Film<PlaneParticle> chains = film(ratio, many);
   page.sequence("exploding_chain",
                 say(R"(The same chain with @ kg at its end at @ Hz. Solved exactly: @. With @ sweeps a step: @.
                     Exactly in 4 substeps: @.)",

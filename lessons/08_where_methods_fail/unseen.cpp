@@ -13,10 +13,10 @@ namespace {
 using namespace tutor;
 using laws::FlyingBalls;
 
-constexpr double radius = 0.05, step = 1.0 / 60;  // [m], [s]
+constexpr double ball_radius = 0.05;  // [m]
 
 /// How far a ball flies while the wall is seen and before its centre has passed the middle [m].
-double seen_for(double wall) { return radius + FlyingBalls{}.margin + wall / 2; }
+double seen_for(double wall) { return ball_radius + FlyingBalls{}.margin + wall / 2; }
 
 double share_by_law(double speed, double wall) { return std::max(0.0, 1 - seen_for(wall) / (speed * step)); }
 
@@ -30,7 +30,7 @@ void unseen(const Setting& setting, Page& page) {
   page.predict(
       {.ask = say(
            "@ balls of @ cm radius fly at @ m/s at a wall @ m thick, 60 steps a second. How many come through?",
-           balls, 100 * radius, speed, wall),
+           balls, 100 * ball_radius, speed, wall),
        .answer = passed,
        .unit = "balls",
        .tolerance = 0.06 * balls,

@@ -16,7 +16,7 @@ namespace {
 using namespace tutor;
 using laws::Outcome;
 
-enum Knobs { none, sweeps, less_beta, substeps, stiffness, softness, how_many };
+enum Knobs { none, more_sweeps, less_beta, substeps, stiffness, softness, how_many };
 
 struct Failure {
   std::string name;
@@ -30,7 +30,7 @@ constexpr double hundredth = 0.01;                 // of β; of each row's JM⁻
 
 std::optional<Outcome> stack(int knob) {
   laws::Column column{.boxes = 15, .sweeps = 4};
-  if (knob == sweeps) column.sweeps *= times;
+  if (knob == more_sweeps) column.sweeps *= times;
   if (knob == substeps) column.substeps = parts;
   if (knob > substeps || knob == less_beta) return {};
   return laws::lean(column);
@@ -38,7 +38,7 @@ std::optional<Outcome> stack(int knob) {
 
 std::optional<Outcome> warm_chain(int knob) {
   laws::WarmChain chain{.links = 10, .sweeps = 4, .beta = 0.3};
-  if (knob == sweeps) chain.sweeps *= times;
+  if (knob == more_sweeps) chain.sweeps *= times;
   if (knob == less_beta) chain.beta *= hundredth;
   if (knob == substeps) chain.substeps = parts;
   if (knob > substeps) return {};
@@ -47,7 +47,7 @@ std::optional<Outcome> warm_chain(int knob) {
 
 std::optional<Outcome> taut_chain(int knob) {
   laws::TautChain chain{.end_mass = 600};
-  if (knob == sweeps) chain.sweeps = 2000;
+  if (knob == more_sweeps) chain.sweeps = 2000;
   if (knob == substeps) chain.substeps = parts;
   if (knob > substeps || knob == less_beta) return {};
   return laws::run(chain);
@@ -55,7 +55,7 @@ std::optional<Outcome> taut_chain(int knob) {
 
 std::optional<Outcome> soft_stack(int knob) {
   laws::Column column{.boxes = 18, .sweeps = 40, .frequency = 30};
-  if (knob == sweeps) column.sweeps *= times;
+  if (knob == more_sweeps) column.sweeps *= times;
   if (knob == substeps) column.substeps = parts;
   if (knob == stiffness) column.frequency *= stiffer;
   if (knob > stiffness || knob == less_beta) return {};
@@ -65,7 +65,7 @@ std::optional<Outcome> soft_stack(int knob) {
 /// Settles if the pulls end below a hundred weights.
 std::optional<Outcome> two_rods(int knob) {
   laws::ConflictingRods rods{.conflict = 0.1};
-  if (knob == sweeps) rods.sweeps *= times;
+  if (knob == more_sweeps) rods.sweeps *= times;
   if (knob == less_beta) rods.beta *= hundredth;
   if (knob == substeps) rods.step /= parts;
   if (knob == softness) rods.softness = 10 * hundredth / 3;
@@ -74,7 +74,7 @@ std::optional<Outcome> two_rods(int knob) {
   return at_20 > 1e4 ? Outcome::explodes : at_20 > 1.01 * at_10 ? Outcome::drifts : Outcome::settles;
 }
 
-const std::vector<Failure> failures{{"leans", stack, sweeps},
+const std::vector<Failure> failures{{"leans", stack, more_sweeps},
                                     {"rings", warm_chain, less_beta},
                                     {"explodes", taut_chain, substeps},
                                     {"buckles", soft_stack, stiffness},

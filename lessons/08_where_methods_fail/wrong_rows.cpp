@@ -16,7 +16,7 @@ using namespace tutor;
 using laws::ConflictingRods;
 using laws::Outcome;
 
-constexpr double gravity = 9.81, mass = 3;         // [m/s²]; of the bob [kg]
+constexpr double mass = 3;                         // of the bob [kg]
 constexpr double strength = 100 * mass * gravity;  // what a rod bears [N]
 constexpr double seconds = 10;                     // of a run
 
@@ -56,19 +56,20 @@ renderer::Chart over_time(double conflict, const std::vector<double>& shares) {
   return chart;
 }
 
-using M = PlaneParticle;
-
-constexpr double radius = 1, speed = 5, step = 1.0 / 60;  // of what goes round [m], [m/s]; [s]
+constexpr double circle_radius = 1, circle_speed = 5;  // of what goes round [m], [m/s]
 
 /// Law 14: what a particle keeps of its speed on a soft rod that is relaxed with a stale J.
-double speed_by_law(double time) { return speed / std::sqrt(1 + speed * speed * step * time / (radius * radius)); }
+double speed_by_law(double time) {
+  return circle_speed / std::sqrt(1 + circle_speed * circle_speed * step * time / (circle_radius * circle_radius));
+}
 
-Film<M> rounds() {
+Film<PlaneParticle> rounds() {
   const auto relaxed = [](std::string name, bool refresh) {
-    return Take<M>{std::move(name),
-                   {particle_on_a_circle<M>(radius, speed, 1),
-                    VelocityStepping{.solver = Direct{},
-                                     .drift = SoftConstraints{.frequency = 2 / step, .refresh = refresh}}}};
+    return Take<PlaneParticle>{
+        std::move(name),
+        {particle_on_a_circle<PlaneParticle>(circle_radius, circle_speed, 1),
+         VelocityStepping{.solver = Direct{},
+                          .drift = SoftConstraints{.frequency = 2 / step, .refresh = refresh}}}};
   };
   renderer::Curve law{.label = "law 14", .style = renderer::CurveStyle::theory};
   constexpr double filmed = 3.5;
@@ -76,16 +77,17 @@ Film<M> rounds() {
     law.x.push_back(filmed * i / 50);
     law.y.push_back(speed_by_law(law.x.back()));
   }
-  return Film<M>({.takes = {relaxed("stale J", false), relaxed("fresh J", true)},
-                  .view = {-1.2 * radius, -1.2 * radius, 2.4 * radius, 2.4 * radius},
-                  .seconds = filmed,
-                  .gauge = {.label = "speed (m/s)", .range = {{0, 1.2 * speed}}},
-                  .read = [](const Scene<M>& scene) { return scene.bodies().velocity[1].norm(); },
-                  .laws = {law},
-                  .failed = [](const Scene<M>&) { return false; },
-                  .failure = "stops",
-                  .draw = [](renderer::Canvas& canvas,
-                             const Scene<M>& scene) { pictures::draw(canvas, pictures::rods_and_bobs(scene)); }});
+  return Film<PlaneParticle>(
+      {.takes = {relaxed("stale J", false), relaxed("fresh J", true)},
+       .view = {-1.2 * circle_radius, -1.2 * circle_radius, 2.4 * circle_radius, 2.4 * circle_radius},
+       .seconds = filmed,
+       .gauge = {.label = "speed (m/s)", .range = {{0, 1.2 * circle_speed}}},
+       .read = [](const Scene<PlaneParticle>& scene) { return scene.bodies().velocity[1].norm(); },
+       .laws = {law},
+       .failed = [](const Scene<PlaneParticle>&) { return false; },
+       .failure = "stops",
+       .draw = [](renderer::Canvas& canvas,
+                  const Scene<PlaneParticle>& scene) { pictures::draw(canvas, pictures::rods_and_bobs(scene)); }});
 }
 
 }  // namespace
@@ -147,7 +149,7 @@ void wrong_rows(const Setting& setting, Page& page) {
   }
   page.text("Of the @ runs that had come to an end the law foresees @ %.", static_cast<int>(ended),
             Value(100 * right / ended, 3));
-  const Film<M> circles = rounds();
+  const Film<PlaneParticle> circles = rounds();
   page.text(
       R"(And then rows that were right a moment ago. A particle goes round on a soft rod, solved exactly; after
       each step its row is relaxed, hard and without bias (that keeps corrections out of V). Its correction u along
@@ -157,7 +159,7 @@ void wrong_rows(const Setting& setting, Page& page) {
   page.sequence("stale_rows",
                 say(R"(A particle that goes round at @ m/s on a soft rod, without gravity or friction. With a stale
                     J it has @ m/s after @ s, with a fresh one @ m/s.)",
-                    speed, Value(circles.last(0), 3), circles.seconds(), Value(circles.last(1), 3)),
+                    circle_speed, Value(circles.last(0), 3), circles.seconds(), Value(circles.last(1), 3)),
                 Seconds{circles.seconds()}, circles.drawing());
   page.text(
       R"(**Which knob?** Not sweeps, not the step. *Regularise*: a softness, or a share of the diagonal in a direct
@@ -186,7 +188,7 @@ void wrong_rows(const Setting& setting, Page& page) {
               .tolerance = relative(0.02)});
   page.claim({.quantity = "speed at the end, fresh J",
               .unit = "m/s",
-              .expected = speed,
+              .expected = circle_speed,
               .source = "nothing works on it",
               .measured = circles.last(1),
               .tolerance = relative(0.02)});

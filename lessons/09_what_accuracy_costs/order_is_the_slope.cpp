@@ -55,7 +55,7 @@ void order_is_the_slope(Page& page) {
   const Configuration& rattle = configuration_named("RATTLE, substeps");
   const double first = gain_in_place(problem, euler, 1), second = gain_in_place(problem, rattle, 0);
   const auto nearest = [](double ratio) { return std::log2(ratio) < 1.5 ? 2 : 4; };
-  Choice question{
+  tutor::Choice question{
       .ask =
           R"(Halve the time step. The error of the bob's *place* after a second is divided by what, with symplectic
           Euler (β = 1), and with RATTLE?)",

@@ -37,9 +37,9 @@ void substeps_or_sweeps(Page& page) {
       R"(You have time for @ sweeps a frame over a swinging chain of @ links. Spend them all on one step; or cut
       the step and sweep each part less?)",
       64, ten["links"]);
-  Choice question{.ask = "Which comes nearest to the true motion after a second (each with its best β)?",
-                  .answer = static_cast<int>(best),
-                  .hint = "What is wrong with a step that is solved very exactly?"};
+  tutor::Choice question{.ask = "Which comes nearest to the true motion after a second (each with its best β)?",
+                         .answer = static_cast<int>(best),
+                         .hint = "What is wrong with a step that is solved very exactly?"};
   for (std::size_t i = 0; i < ways.size(); ++i) {
     const auto [substeps, sweeps] = ways[i];
     question.options.push_back(

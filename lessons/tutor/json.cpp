@@ -7,9 +7,10 @@
 // The only source that includes nlohmann-json, which takes seconds to compile.
 namespace byhand::tutor {
 
+using Json = nlohmann::ordered_json;
+
 std::string manifest(const Lesson& lesson, const std::vector<RecordedStep>& steps, const Options& options,
                      const std::string& gl) {
-  using Json = nlohmann::ordered_json;
   Json parameters = Json::object();
   Json time_step = nullptr;
   for (const ParameterRecord& p : lesson.parameters()) {
@@ -47,11 +48,11 @@ std::string manifest(const Lesson& lesson, const std::vector<RecordedStep>& step
 }
 
 std::string to_json(const Bookmark& bookmark) {
-  return nlohmann::ordered_json{{"step", bookmark.step}, {"finished", bookmark.finished}}.dump() + "\n";
+  return Json{{"step", bookmark.step}, {"finished", bookmark.finished}}.dump() + "\n";
 }
 
 Bookmark bookmark_from_json(const std::string& text) {
-  const auto json = nlohmann::json::parse(text, nullptr, false);
+  const auto json = Json::parse(text, nullptr, false);
   if (!json.is_object()) return {};
   Bookmark bookmark;
   if (const auto step = json.find("step"); step != json.end() && step->is_string()) bookmark.step = *step;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "lessons/08_where_methods_fail/laws/numbers.hpp"
 #include "lessons/08_where_methods_fail/laws/record.hpp"
 #include "lessons/scenes/circle.hpp"
 #include "solver/step.hpp"
@@ -26,19 +27,18 @@
 namespace byhand::laws {
 namespace {
 
-using M = PlaneParticle;
-constexpr double h = 1.0 / 60;
-
 /// C/L of a particle that has gone round for long, by `turn` [rad] a step at first.
 double stretch_of_a_spinning_rod(double beta, double turn) {
-  Simulation<M> simulation{particle_on_a_circle<M>(1, turn / h, 1), {GaussSeidel{}, Baumgarte{beta}}};
-  for (int i = 0; i < 300; ++i) simulation.step(h);
+  Simulation<PlaneParticle> simulation{particle_on_a_circle<PlaneParticle>(1, turn / sixtieth, 1),
+                                       {GaussSeidel{}, Baumgarte{beta}}};
+  for (int i = 0; i < 300; ++i) simulation.step(sixtieth);
   return simulation.scene.bodies().pose[1].position.norm() - 1;
 }
 
 /// R/R0 of a particle that nothing draws back, after 1 s.
 double spread(double speed, double step) {
-  Simulation<M> simulation{particle_on_a_circle<M>(1, speed, 1), {GaussSeidel{}, NoDriftCure{}}};
+  Simulation<PlaneParticle> simulation{particle_on_a_circle<PlaneParticle>(1, speed, 1),
+                                       {GaussSeidel{}, NoDriftCure{}}};
   while (simulation.time < 1 - 0.5 * step) simulation.step(step);
   return simulation.scene.bodies().pose[1].position.norm();
 }
@@ -47,7 +47,7 @@ double spread(double speed, double step) {
 
 Outcome stretched_rod(double beta, double step, bool literally) {
   const Baumgarte cure{beta, literally ? BetaReading::literal : BetaReading::per_step};
-  Simulation<M> simulation{particle_on_a_circle<M>(1, 0, 1), {GaussSeidel{}, cure}};
+  Simulation<PlaneParticle> simulation{particle_on_a_circle<PlaneParticle>(1, 0, 1), {GaussSeidel{}, cure}};
   simulation.scene.state().pose[1].position *= 1.001;
   Record record(1e-3, 1);
   for (int i = 0; i < 300; ++i) {
@@ -63,8 +63,9 @@ Law one_row() {
           "a correction by more than the whole error overshoots, by more than twice the error it grows",
           "β < 2; read literally β < 2/h; spinning C/L = (ωh)²/2β",
           {}};
-  law.boundaries.push_back(bisected(
-      {"β", "", "per step", 2, 0.01, {}, [](double beta) { return stretched_rod(beta, h) == Outcome::settles; }}));
+  law.boundaries.push_back(bisected({"β", "", "per step", 2, 0.01, {}, [](double beta) {
+                                       return stretched_rod(beta, sixtieth) == Outcome::settles;
+                                     }}));
   for (const int rate : {30, 60, 240})
     law.boundaries.push_back(
         bisected({"β", "1/s", fmt::format("literally, {} Hz", rate), 2.0 * rate, 0.01, {}, [=](double beta) {

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "lessons/08_where_methods_fail/laws/column.hpp"
+#include "lessons/08_where_methods_fail/laws/numbers.hpp"
 
 // Law 17. A contact that is a spring of stiffness k at either end of a face of width w answers a turn θ of the
 // face by the moment κθ, κ = kw²/2. To second order in what the boxes lean, θ_1 … θ_N, a column of boxes of unit
@@ -24,8 +25,6 @@
 // can be made", Proceedings of the Cambridge Philosophical Society 4, 1881; for contacts derived for this course.
 namespace byhand::laws {
 namespace {
-
-constexpr double g = 9.81;
 
 bool upright(int boxes, double base, double load) {
   double pivot = 1;

@@ -12,27 +12,25 @@
 namespace byhand::laws {
 namespace {
 
-using M = PlaneBody;
-
 /// The column, each box sunk into the one below by `overlap` [m], before any contact has borne a weight.
-Simulation<M> put_down(const Column& column, double overlap) {
+Simulation<PlaneBody> put_down(const Column& column, double overlap) {
   VelocityStepping method{GaussSeidel{column.sweeps}, Baumgarte{column.beta}};
   if (column.sweeps == 0) method.solver = Direct{.regularisation = column.regularisation};
   if (column.frequency > 0) method.drift = SoftConstraints{.frequency = 2 * std::numbers::pi * column.frequency};
   method.substeps = column.substeps;
-  Simulation<M> simulation{{}, method};
-  Scene<M>& scene = simulation.scene;
+  Simulation<PlaneBody> simulation{{}, method};
+  Scene<PlaneBody>& scene = simulation.scene;
   scene.gravity = {0, -column.gravity};
-  scene.add_body({0, 0}, fixed<M>());
+  scene.add_body({0, 0}, fixed<PlaneBody>());
   for (int i = 1; i <= column.boxes; ++i) {
     const double y = i * (1 - overlap) - 0.5;
-    scene.add_body({0, y}, box<M>(i == column.boxes ? column.top_mass : 1, {1, 1}));
+    scene.add_body({0, y}, box<PlaneBody>(i == column.boxes ? column.top_mass : 1, {1, 1}));
     const auto meet = [&](double x) {
-      Anchors<M> at{i - 1, i};
-      at.arms = {Arm<M>(x, i == 1 ? 0 : 0.5), Arm<M>(x, -0.5)};
+      Anchors<PlaneBody> at{i - 1, i};
+      at.arms = {Arm<PlaneBody>(x, i == 1 ? 0 : 0.5), Arm<PlaneBody>(x, -0.5)};
       return at;
     };
-    ContactManifold<M> face;
+    ContactManifold<PlaneBody> face;
     face.at = meet(-0.5);
     face.second = meet(0.5).arms;
     face.coefficient = column.friction;
@@ -42,8 +40,8 @@ Simulation<M> put_down(const Column& column, double overlap) {
 }
 
 /// The same with all weights borne as they should be.
-Simulation<M> stand(const Column& column, double overlap) {
-  Simulation<M> simulation = put_down(column, overlap);
+Simulation<PlaneBody> stand(const Column& column, double overlap) {
+  Simulation<PlaneBody> simulation = put_down(column, overlap);
   const VelocityStepping method = std::exchange(simulation.method, {Direct{}, NoDriftCure{}});
   simulation.step(column.step);
   simulation.method = method;
@@ -54,7 +52,7 @@ Simulation<M> stand(const Column& column, double overlap) {
 
 Outcome lean(const Column& column) {
   // Sunk in, or a box that leans would open a gap, which closes by itself.
-  Simulation<M> simulation = stand(column, 1e-4);
+  Simulation<PlaneBody> simulation = stand(column, 1e-4);
   const double push = 1e-7;
   kick(simulation.scene, push);
   Record record(push, 1);
@@ -66,7 +64,7 @@ Outcome lean(const Column& column) {
 }
 
 Outcome hop(const Column& column) {
-  Simulation<M> simulation = put_down(column, 0);
+  Simulation<PlaneBody> simulation = put_down(column, 0);
   const double h = column.step / column.substeps, sinks = column.gravity * h * h;
   for (int i = 0, quiet = 0; i < column.steps; ++i) {
     simulation.step(column.step);
@@ -79,7 +77,7 @@ Outcome hop(const Column& column) {
 }
 
 bool pops(const Column& column, double overlap) {
-  Simulation<M> simulation = put_down(column, overlap);
+  Simulation<PlaneBody> simulation = put_down(column, overlap);
   for (int i = 0; i < column.steps; ++i) {
     simulation.step(column.step);
     if (simulation.scene.bodies().pose[1].position.y() > 0.5 + 1e-9) return true;
@@ -88,7 +86,7 @@ bool pops(const Column& column, double overlap) {
 }
 
 Outcome buckle(const Column& column) {
-  Simulation<M> simulation = put_down(column, 0);
+  Simulation<PlaneBody> simulation = put_down(column, 0);
   const double push = 1e-7;
   kick(simulation.scene, push);
   Record record(push, 1);
@@ -100,7 +98,7 @@ Outcome buckle(const Column& column) {
 }
 
 double time_to_fall(const Column& column, double time) {
-  Simulation<M> simulation = stand(column, 0);
+  Simulation<PlaneBody> simulation = stand(column, 0);
   kick(simulation.scene, 0.02);
   while (simulation.time < time && simulation.scene.bodies().pose[column.boxes].position.y() > column.boxes - 1)
     simulation.step(column.step);

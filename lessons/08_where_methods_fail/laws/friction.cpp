@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "lessons/08_where_methods_fail/laws/numbers.hpp"
 #include "solver/constraints/contact.hpp"
 #include "solver/constraints/friction.hpp"
 #include "solver/step.hpp"
@@ -19,9 +20,9 @@
 namespace byhand::laws {
 namespace {
 
-constexpr double mu = 0.5, g = 9.81, h = 1.0 / 60;
+constexpr double mu = 0.5;
 
-double way_to_stop(double speed) { return speed * speed / (2 * mu * g) - 0.5 * speed * h; }
+double way_to_stop(double speed) { return speed * speed / (2 * mu * g) - 0.5 * speed * sixtieth; }
 
 }  // namespace
 
@@ -41,7 +42,7 @@ Slide slide(FrictionBound bound, double heading, double speed) {
   }
   Simulation<M> simulation{std::move(scene), {GaussSeidel{}}};
   const double stopped_by = speed / (mu * g) + 0.1;
-  while (simulation.time < stopped_by) simulation.step(h);
+  while (simulation.time < stopped_by) simulation.step(sixtieth);
   const Linear<M> gone = simulation.scene.bodies().pose[particle].position;
   return {gone.norm(), std::atan2(gone.z(), gone.x())};
 }

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "lessons/08_where_methods_fail/laws/disturbance.hpp"
+#include "lessons/08_where_methods_fail/laws/numbers.hpp"
 #include "lessons/08_where_methods_fail/laws/record.hpp"
 #include "lessons/08_where_methods_fail/laws/warm_start.hpp"
 #include "lessons/scenes/chain.hpp"
@@ -35,15 +35,13 @@
 namespace byhand::laws {
 namespace {
 
-using M = PlaneParticle;
-constexpr double h = 1.0 / 60;
-
 /// The largest stretch of a chain that swings for a second from 30° [m].
 double stretch_of_a_swing(const VelocityStepping& method) {
-  Simulation<M> simulation{rod_chain<M, NormalisedDistance>({.links = 5, .angle = std::numbers::pi / 6}), method};
+  Simulation<PlaneParticle> simulation{
+      rod_chain<PlaneParticle, NormalisedDistance>({.links = 5, .angle = std::numbers::pi / 6}), method};
   double worst = 0;
-  while (simulation.time < 1 - 0.5 * h) {
-    simulation.step(h);
+  while (simulation.time < 1 - 0.5 * sixtieth) {
+    simulation.step(sixtieth);
     worst = std::max(worst, position_error(simulation.scene).max);
   }
   return worst;
@@ -54,19 +52,17 @@ double stretch_with_substeps(int substeps) {
   return stretch_of_a_swing(method);
 }
 
-double square(double x) { return x * x; }
-
 }  // namespace
 
 Outcome explicit_spring(double omega_h, double damping_ratio) {
-  Scene<M> scene;
-  scene.add_body(Linear<M>(0, 1e-7), with_mass<M>(1));
-  Bodies<M>& bodies = scene.state();
+  Scene<PlaneParticle> scene;
+  scene.add_body(Linear<PlaneParticle>(0, 1e-7), with_mass<PlaneParticle>(1));
+  Bodies<PlaneParticle>& bodies = scene.state();
   Record record(1e-7, 1);
   for (int i = 0; i < 3000; ++i) {
-    const Linear<M> force =
+    const Linear<PlaneParticle> force =
         -omega_h * omega_h * bodies.pose[0].position - 2 * damping_ratio * omega_h * bodies.velocity[0];
-    add_gravity<M>(bodies, force, 1);
+    add_gravity<PlaneParticle>(bodies, force, 1);
     advance_poses(bodies, 1);
     if (!record.note(bodies.pose[0].position.y())) break;
   }
@@ -74,18 +70,18 @@ Outcome explicit_spring(double omega_h, double damping_ratio) {
 }
 
 Outcome run(const SoftChain& chain) {
-  const SoftConstraints soft{.frequency = 2 * std::numbers::pi * chain.frequency / h,
+  const SoftConstraints soft{.frequency = 2 * std::numbers::pi * chain.frequency / sixtieth,
                              .damping_ratio = chain.damping_ratio,
                              .relax = chain.relax};
-  Simulation<M> simulation{rod_chain<M, NormalisedDistance>({.links = chain.links}),
-                           {GaussSeidel{chain.sweeps}, soft}};
+  Simulation<PlaneParticle> simulation{rod_chain<PlaneParticle, NormalisedDistance>({.links = chain.links}),
+                                       {GaussSeidel{chain.sweeps}, soft}};
   simulation.scene.gravity.setZero();
   auto& pose = simulation.scene.state().pose;
   const double size = 1e-7;
   for (int i = 1; i <= chain.links; ++i) pose[i].position.y() += size * uneven(i);
   Record record(size, 0.5);
   for (int i = 0; i < 4500; ++i) {
-    simulation.step(h);
+    simulation.step(sixtieth);
     if (!record.note(pose[chain.links].position.y() + chain.links)) break;
   }
   return record.outcome();
@@ -93,7 +89,7 @@ Outcome run(const SoftChain& chain) {
 
 double speed_left(double speed, double step, bool refresh) {
   VelocityStepping method{Direct{}, SoftConstraints{.frequency = 2 / step, .refresh = refresh}};
-  Simulation<M> simulation{particle_on_a_circle<M>(1, speed, 1), method};
+  Simulation<PlaneParticle> simulation{particle_on_a_circle<PlaneParticle>(1, speed, 1), method};
   while (simulation.time < 1 - 0.5 * step) simulation.step(step);
   return simulation.scene.bodies().velocity[1].norm() / speed;
 }

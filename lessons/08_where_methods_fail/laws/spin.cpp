@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "lessons/08_where_methods_fail/laws/numbers.hpp"
 #include "lessons/08_where_methods_fail/laws/record.hpp"
 #include "lessons/08_where_methods_fail/laws/warm_start.hpp"
 #include "lessons/exact/simple_pendulum.hpp"
@@ -32,19 +33,15 @@
 namespace byhand::laws {
 namespace {
 
-constexpr double h = 1.0 / 60;
-
-double square(double x) { return x * x; }
-
 /// The largest error of the pin in a swing from level, by law 15's recurrence along the exact swing.
 double drift_of_a_block(double side, double arm, double beta) {
   const double length = arm + side * side / (6 * arm);  // of the simple pendulum that swings alike
   const SimplePendulum swing(std::numbers::pi / 2, length, 9.81);
   Eigen::Vector2d C(0, 0);
   double worst = 0;
-  for (double t = 0; t < swing.period(); t += h) {
+  for (double t = 0; t < swing.period(); t += sixtieth) {
     C = (1 - beta) * C +
-        0.5 * arm * square(swing.angular_velocity(t) * h) * from_straight_down<PlaneBody>(swing.angle(t));
+        0.5 * arm * square(swing.angular_velocity(t) * sixtieth) * from_straight_down<PlaneBody>(swing.angle(t));
     worst = std::max(worst, C.norm());
   }
   return worst;
@@ -54,7 +51,7 @@ double measured_drift_of_a_block(double side, double arm, double beta) {
                                    {GaussSeidel{}, Baumgarte{beta}}};
   double worst = 0;
   while (simulation.time < 2) {
-    simulation.step(h);
+    simulation.step(sixtieth);
     const auto& pose = simulation.scene.bodies().pose;
     worst = std::max(worst, simulation.scene.all<Pin>()[0].value<double>(pose[0], pose[1]).norm());
   }
@@ -97,8 +94,8 @@ double hinge_error(double turn, double arm) {
   Bodies<PlaneBody>& bodies = simulation.scene.state();
   simulation.scene.gravity.setZero();
   const Eigen::Vector2d out = bodies.pose[1].position;
-  bodies.velocity[1] = turn / h * Eigen::Vector3d(-out.y(), out.x(), 1);
-  simulation.step(h);
+  bodies.velocity[1] = turn / sixtieth * Eigen::Vector3d(-out.y(), out.x(), 1);
+  simulation.step(sixtieth);
   return simulation.scene.all<Pin>()[0].value<double>(bodies.pose[0], bodies.pose[1]).norm();
 }
 
@@ -143,7 +140,7 @@ Outcome run(const LongArm& box) {
   pose[1].position.x() += size;
   Record record(size, 0.5 * box.arm);
   for (int i = 0; i < 6000; ++i) {
-    simulation.step(h);
+    simulation.step(sixtieth);
     if (!record.note(simulation.scene.all<Pin>()[0].value<double>(pose[0], pose[1])[0])) break;
   }
   return record.outcome();

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "lessons/08_where_methods_fail/laws/disturbance.hpp"
+#include "lessons/08_where_methods_fail/laws/numbers.hpp"
 #include "lessons/scenes/box_on_contacts.hpp"
 #include "lessons/scenes/chain.hpp"
 #include "solver/measure.hpp"

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "lessons/08_where_methods_fail/laws/disturbance.hpp"
+#include "lessons/08_where_methods_fail/laws/numbers.hpp"
 #include "lessons/exact/hanging_chain.hpp"
 #include "lessons/scenes/chain.hpp"
 #include "solver/step.hpp"
@@ -23,8 +23,6 @@
 // constraint is such a spring sideways was derived for this course.
 namespace byhand::laws {
 namespace {
-
-constexpr double g = 9.81;
 
 bool bears(const TautChain& chain, double end_mass) {
   std::vector<double> masses(chain.links, chain.mass);

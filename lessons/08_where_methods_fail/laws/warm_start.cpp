@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "lessons/08_where_methods_fail/laws/disturbance.hpp"
+#include "lessons/08_where_methods_fail/laws/numbers.hpp"
 #include "lessons/08_where_methods_fail/laws/record.hpp"
 #include "lessons/scenes/chain.hpp"
 #include "solver/step.hpp"
