@@ -20,11 +20,11 @@ namespace palette = renderer::palette;
 //! [gradient]
 /// J without a derivation: a dual number δ moves the bodies in one of the 2 dof ways after the other, and C(x + δ)
 /// holds that way's column.
-template <class M, template <class> class Kind>
-auto gradient(const Kind<M>& constraint, const Pose<M>& pose1, const Pose<M>& pose2) {
+template <class M, class Kind>
+auto gradient(const Kind& constraint, const Pose<M>& pose1, const Pose<M>& pose2) {
   using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<double, 1, 1>>;
   const Dual delta(0.0, 1, 0);
-  Eigen::Matrix<double, Kind<M>::rows, 2 * M::dof> J;
+  Eigen::Matrix<double, Kind::rows, 2 * M::dof> J;
   for (int way = 0; way < J.cols(); ++way) {
     Velocity<M, Dual> nudge1 = Velocity<M, Dual>::Zero(), nudge2 = nudge1;
     (way < M::dof ? nudge1[way] : nudge2[way - M::dof]) = delta;
@@ -77,7 +77,7 @@ double largest_difference(double size, int draws) {
     const Pose<M> pose1 = random_pose<M>(random, size), pose2 = random_pose<M>(random, size);
     const Anchors<M> at = random_anchors<M>(random, size);
     const Linear<M> normal = random.vector<Linear<M>>().normalized();
-    const auto compare = [&]<template <class> class Kind>(const Kind<M>& constraint) {
+    const auto compare = [&](const auto& constraint) {
       const auto by_hand = constraint.jacobian(pose1, pose2).matrix;
       const double difference = (by_hand - gradient<M>(constraint, pose1, pose2)).cwiseAbs().maxCoeff();
       largest = std::max(largest, difference / by_hand.cwiseAbs().maxCoeff());
