@@ -38,7 +38,7 @@ Doll above_a_stair() {
 double passed(const Doll& doll) {
   double worst = 0;
   const auto& poses = doll.scene.bodies().pose;
-  for (const auto& stop : doll.scene.all<Limit<M, Turn>>())
+  for (const auto& stop : doll.scene.all<Limit<PlaneBody, Turn>>())
     worst = std::max(worst, -stop.value<double>(poses[stop.at.body1], poses[stop.at.body2])[0]);
   return worst;
 }
