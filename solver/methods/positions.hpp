@@ -2,8 +2,8 @@
 
 #include "solver/contact/restitution.hpp"
 #include "solver/gauss_seidel.hpp"
-#include "solver/integrate/rotation.hpp"
 #include "solver/integrate/gyroscopic.hpp"
+#include "solver/integrate/rotation.hpp"
 #include "solver/methods/step_work.hpp"
 
 // One constraint solved on positions: shared by projection, XPBD and AVBD.
