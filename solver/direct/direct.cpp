@@ -1,21 +1,19 @@
 #include "solver/direct/direct.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
 namespace byhand {
-namespace {
 
-// A pivot below this share of its row's own diagonal is rounding, not physics.
-constexpr double smallest_pivot = 1e-13;
-constexpr int largest_size = 6;  // of any model's rows or degrees of freedom
-
-[[noreturn]] void refuse_singular() {
+void refuse_singular() {
   throw SingularSystem(
       "the direct solve met a row that repeats or contradicts other rows, so that its impulses have no single "
       "answer; remove what repeats, or set a regularisation above 0 (1e-9 is a good start)");
 }
+
+namespace {
+
+constexpr int largest_size = 6;  // of any model's rows or degrees of freedom
 
 template <int n>
 using Constant = std::integral_constant<int, n>;
@@ -260,38 +258,6 @@ void view_blocks(const System<M>& system, DirectWork<M>& work) {
       for (const auto& block : part<type>(all_active ? system.blocks : work.masked, run))
         *view++ = {block.J.matrix.data(), block.W.matrix.data(), block.body1, block.body2};
     });
-}
-
-template <class M>
-void solve_dense(const Direct& solver, const System<M>& system, const std::vector<double>& offset,
-                 const Bodies<M>& bodies, const std::vector<char>& active, std::vector<double>& change) {
-  constexpr int dof = M::dof;
-  const int rows = system.rows(), columns = dof * bodies.size();
-  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(rows, columns), W = J;
-  system.for_each_run([&]<int K, Bound B>(std::span<const Block<M, K, B>> blocks) {
-    for (const auto& block : blocks)
-      for (auto [whole, part] : {std::pair(&J, &block.J), std::pair(&W, &block.W)}) {
-        whole->template block<K, dof>(block.row, dof * block.body1) = part->side1();
-        whole->template block<K, dof>(block.row, dof * block.body2) = part->side2();
-      }
-  });
-  using Vector = Eigen::Map<const Eigen::VectorXd>;
-  const Vector V(bodies.velocity.front().data(), columns);
-  Eigen::MatrixXd A = J * W.transpose();
-  Eigen::VectorXd right = -(J * V + Vector(offset.data(), rows));
-  for (int i = 0; i < rows; ++i) {
-    if (active.empty() || active[i]) {
-      A(i, i) += solver.regularisation * A(i, i) + system.gamma[i];
-    } else {
-      A.row(i).setZero();
-      A.col(i).setZero();
-    }
-    if (A(i, i) == 0) A(i, i) = 1, right[i] = 0;  // an inactive row or one without effect gets no impulse
-  }
-  const Eigen::LDLT<Eigen::MatrixXd> factor(A);
-  const Eigen::VectorXd pivots = factor.vectorD(), diagonal = factor.transpositionsP() * A.diagonal();
-  if ((pivots.array().abs() <= smallest_pivot * diagonal.array()).any()) refuse_singular();
-  Eigen::Map<Eigen::VectorXd>(change.data(), rows) = factor.solve(right);
 }
 
 }  // namespace

@@ -30,6 +30,9 @@ void require_valid(const Direct& solver);
 struct SingularSystem : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
+[[noreturn]] void refuse_singular();
+/// A pivot below this share of its row's own diagonal is rounding, not physics.
+inline constexpr double smallest_pivot = 1e-13;
 
 /// The plan of the last layout, the last factor, and scratch that is kept so that no step allocates.
 template <class M>
@@ -63,6 +66,11 @@ int solve(const Direct& solver, System<M>& system, Bodies<M>& bodies, Prepared<M
 template <class M>
 void solve_equations(const Direct& solver, const System<M>& system, const std::vector<double>& offset,
                      const Bodies<M>& bodies, DirectWork<M>& work, std::vector<double>& change);
+
+/// The same by one dense matrix, the reference.
+template <class M>
+void solve_dense(const Direct& solver, const System<M>& system, const std::vector<double>& offset,
+                 const Bodies<M>& bodies, const std::vector<char>& active, std::vector<double>& change);
 
 /// Solves (JM⁻¹Jᵀ + γ)x = -offset with the factor of the last structured `solve_equations`, at a part of its cost.
 template <class M>
