@@ -44,6 +44,10 @@ struct Jacobian {
   auto side1() const { return matrix.template leftCols<M::dof>(); }
   auto side2() const { return matrix.template rightCols<M::dof>(); }
 
+  /// The dof numbers of row k that belong to one body.
+  const double* side1(int k) const { return &matrix(k, 0); }
+  const double* side2(int k) const { return &matrix(k, M::dof); }
+
   /// Sets one row from its four parts, as (14)–(16) list them.
   void set_row(int k, const Linear<M>& l1, const Angular<M>& a1, const Linear<M>& l2, const Angular<M>& a2) {
     for (int i = 0; i < M::linear; ++i) {
@@ -84,11 +88,9 @@ inline double sum_of_products(const double* a, const double* b) {
 /// second]. A side of J is its l and a, as V is v and ω.
 template <class M, int K>
 Rows<K> dot(const Jacobian<M, K>& J, const Velocity<M>& V1, const Velocity<M>& V2) {
-  constexpr int dof = M::dof;
-  const double* row = J.matrix.data();
   Rows<K> rates;
-  for (int k = 0; k < K; ++k, row += 2 * dof)
-    rates[k] = sum_of_products<dof>(row, V1.data()) + sum_of_products<dof>(row + dof, V2.data());
+  for (int k = 0; k < K; ++k)
+    rates[k] = sum_of_products<M::dof>(J.side1(k), V1.data()) + sum_of_products<M::dof>(J.side2(k), V2.data());
   return rates;
 }
 //! [8]

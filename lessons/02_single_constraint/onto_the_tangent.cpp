@@ -48,14 +48,14 @@ void onto_the_tangent(const Setting& setting, Page& page) {
       J.)",
       solved.JV, row.J.matrix.squaredNorm(), impulse.dot(solved.v2));
 
-  const double speed = std::sqrt(gravity() * length);
-  const Pendulum pair = two_free_bobs(setting, Vector(0.9 * speed, -0.5 * speed));
+  const double arrival = std::sqrt(gravity() * length);
+  const Pendulum pair = two_free_bobs(setting, Vector(0.9 * arrival, -0.5 * arrival));
   const OneRow hit(pair);
   Pendulum freed = pair;
   std::tie(freed.state().velocity[0], freed.state().velocity[1]) = hit.velocities_after();
   const Vector before_momentum = linear_momentum(pair.bodies()), after_momentum = linear_momentum(freed.bodies());
   BobPicture blow(pair), answer(freed);
-  const double shown = 0.7 * length / speed;
+  const double shown = 0.7 * length / arrival;
   blow.title = "the first bob is hit, the rod answers";
   const Vector answered = shown * hit.lambda * hit.d / setting.mass();
   blow.arrows = {{blow.first, -answered, palette::force, "−λd"},
@@ -95,14 +95,14 @@ void onto_the_tangent(const Setting& setting, Page& page) {
               .expected = 0,
               .source = "action and reaction",
               .measured = (after_momentum - before_momentum).norm(),
-              .tolerance = absolute(1e-14 * setting.mass() * speed)});
+              .tolerance = absolute(1e-14 * setting.mass() * arrival)});
   const auto spin = [](const Pendulum& bobs) { return angular_momentum(bobs.bodies())[0]; };
   page.claim({.quantity = "change of angular momentum of two free bobs",
               .unit = "kg·m²/s",
               .expected = 0,
               .source = "both impulses lie on one line",
               .measured = spin(freed) - spin(pair),
-              .tolerance = absolute(1e-14 * setting.mass() * speed * length)});
+              .tolerance = absolute(1e-14 * setting.mass() * arrival * length)});
 }
 
 }  // namespace byhand::single_constraint
