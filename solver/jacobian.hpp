@@ -64,7 +64,8 @@ struct Jacobian {
 //! [along]
 /// The row that (14), (15) and (16) share, along a world direction u: [-u  -r1 × u  u  r2 × u].
 template <class M, int K>
-void set_row_along(Jacobian<M, K>& J, int k, const Linear<M>& u, const Arm<M>& r1, const Arm<M>& r2) {
+[[gnu::always_inline]] inline void set_row_along(Jacobian<M, K>& J, int k, const Linear<M>& u, const Arm<M>& r1,
+                                                 const Arm<M>& r2) {
   J.set_row(k, -u, -cross(r1, u), u, cross(r2, u));
 }
 //! [along]

@@ -95,7 +95,8 @@ TEST(SweepAndPrune, PairsNothingWithBoundsThatAreNotNumbers) {
   Random random;
   auto boxes = random_boxes<2>(random, 50);
   boxes[7] = {Eigen::Vector2d::Constant(std::nan("")), Eigen::Vector2d::Constant(std::nan(""))};
-  for (const auto& pair : SweepAndPrune<2>().overlapping(boxes)) EXPECT_TRUE(pair.first != 7 && pair.second != 7);
+  SweepAndPrune<2> broad_phase;
+  for (const auto& pair : broad_phase.overlapping(boxes)) EXPECT_TRUE(pair.first != 7 && pair.second != 7);
 }
 
 TEST(SweepAndPrune, KeepsItsMemory) {
