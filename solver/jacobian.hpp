@@ -50,14 +50,11 @@ struct Jacobian {
 
   /// Sets one row from its four parts, as (14)–(16) list them.
   void set_row(int k, const Linear<M>& l1, const Angular<M>& a1, const Linear<M>& l2, const Angular<M>& a2) {
-    for (int i = 0; i < M::linear; ++i) {
-      matrix(k, i) = l1[i];
-      matrix(k, M::dof + i) = l2[i];
-    }
-    for (int i = 0; i < M::angular; ++i) {
-      matrix(k, M::linear + i) = a1[i];
-      matrix(k, M::dof + M::linear + i) = a2[i];
-    }
+    auto row = matrix.row(k);
+    row.template segment<M::linear>(0) = l1;
+    row.template segment<M::angular>(M::linear) = a1;
+    row.template segment<M::linear>(M::dof) = l2;
+    row.template segment<M::angular>(M::dof + M::linear) = a2;
   }
 };
 
