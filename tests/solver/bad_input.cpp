@@ -103,6 +103,9 @@ TEST(Body, MustBeSomewhereFiniteWithAMassThatIsPositiveOrNone) {
   pose.rotation = {2, 0};
   plane.refuses([&] { plane.scene.add_body(pose, ball<PlaneBody>(1, 1)); }, "squared length of the rotation is 4",
                 "1");
+  pose.rotation = {std::sqrt(1.5), 0};
+  plane.refuses([&] { plane.scene.add_body(pose, ball<PlaneBody>(1, 1)); },
+                "squared length of the rotation is 1.", "1");
   Subject<SpaceBody> space;
   Pose<SpaceBody> turned;
   turned.rotation.coeffs() << nan, 0, 0, 1;
@@ -230,7 +233,9 @@ TEST(Step, MustHaveATimeAndChoicesWithinTheirRange) {
     for (const double bad : {-0.1, 3.1, nan})
       refuses(0.1, {GaussSeidel{}, Baumgarte{bad}}, fmt::format("beta is {}", bad), "between 0 and 3");
     refuses(0.1, {GaussSeidel{}, Baumgarte{-1, BetaReading::literal}}, "beta is -1", "[1/s]");
+    refuses(0.1, {GaussSeidel{}, Baumgarte{1.1e6, BetaReading::literal}}, "beta is 1", "[1/s]");
     refuses(0.1, {GaussSeidel{0}}, "number of sweeps is 0", "at least 1");
+    refuses(0.1, {GaussSeidel{.tolerance = -1}}, "tolerance is -1", "between 0 and");
     refuses(0.1, {Jacobi{-2}}, "number of sweeps is -2", "at least 1");
     for (const double bad : {0.0, 2.0, nan}) {
       GaussSeidel sweeps;

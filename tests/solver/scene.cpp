@@ -182,6 +182,11 @@ TEST(BodyIndices, OfWhatIsGoneOrUnknownAreRefused) {
         start, allowed);
   };
   refused(2, "that of a body that was not removed");
+  Scene<M> empty;
+  empty.add_body({0, 0}, ball<M>(1, 1));
+  empty.remove_body(0);
+  expect_refusal(
+      empty, [&] { empty.remove_body(0); }, "body index is 0", "that of a body that was not removed");
   refused(4, "at least 0 and less than 4, the number of bodies");
   refused(-1, "at least 0 and less than 4, the number of bodies");
   const Pose<M> before = scene.bodies().pose[1];
