@@ -104,8 +104,8 @@ TEST(Body, MustBeSomewhereFiniteWithAMassThatIsPositiveOrNone) {
   plane.refuses([&] { plane.scene.add_body(pose, ball<PlaneBody>(1, 1)); }, "squared length of the rotation is 4",
                 "1");
   pose.rotation = {std::sqrt(1.5), 0};
-  plane.refuses([&] { plane.scene.add_body(pose, ball<PlaneBody>(1, 1)); },
-                "squared length of the rotation is 1.", "1");
+  plane.refuses([&] { plane.scene.add_body(pose, ball<PlaneBody>(1, 1)); }, "squared length of the rotation is 1.",
+                "1");
   Subject<SpaceBody> space;
   Pose<SpaceBody> turned;
   turned.rotation.coeffs() << nan, 0, 0, 1;
