@@ -137,7 +137,7 @@ void require_valid(const Pose<M>& pose) {
   if constexpr (M::angular == 1)
     norm2 = pose.rotation.cos * pose.rotation.cos + pose.rotation.sin * pose.rotation.sin;
   if constexpr (M::angular == 3) norm2 = pose.rotation.squaredNorm();
-  require_in("squared length of the rotation", norm2, 1 - 1e-9, 1 + 1e-9);
+  require_unit("squared length of the rotation", norm2);
 }
 
 /// Throws std::invalid_argument for an inverse mass that is neither positive nor zero throughout.

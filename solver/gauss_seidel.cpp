@@ -162,10 +162,7 @@ template <class M>
 double watched_sweep(System<M>& system, Prepared<M>& prepared, std::vector<Velocity<M>>& velocities, int ways) {
   prepared.V_before = velocities;
   sweep(system, prepared, system.lambda.data(), numbers<M>(velocities), ways);
-  double largest = 0;
-  for (std::size_t i = 0; i < velocities.size(); ++i)
-    largest = std::max(largest, (velocities[i] - prepared.V_before[i]).cwiseAbs().maxCoeff());
-  return largest;
+  return largest_difference<M>(velocities, prepared.V_before);
 }
 
 template <class M>

@@ -104,6 +104,14 @@ inline double largest_of(const std::vector<double>& x) {
   return Eigen::Map<const Eigen::VectorXd>(x.data(), std::ssize(x)).lpNorm<Eigen::Infinity>();
 }
 
+/// The largest difference of any velocity [m/s, rad/s].
+template <class M>
+double largest_difference(const std::vector<Velocity<M>>& a, const std::vector<Velocity<M>>& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, (a[i] - b[i]).cwiseAbs().maxCoeff());
+  return largest;
+}
+
 /// Where a solve begins: at the start of a step, with no λ or with the last step's; or with the λ that the
 /// velocities contain already.
 enum class Begin { step, resume };

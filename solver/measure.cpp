@@ -49,11 +49,7 @@ double algebraic_error(Simulation<M> simulation, double h) {
   exact.method.solver = Direct{Factorisation::dense};
   simulation.step(h);
   exact.step(h);
-  const auto &found = simulation.scene.bodies().velocity, &expected = exact.scene.bodies().velocity;
-  double largest = 0;
-  for (std::size_t i = 0; i < found.size(); ++i)
-    largest = std::max(largest, (found[i] - expected[i]).cwiseAbs().maxCoeff());
-  return largest;
+  return largest_difference<M>(simulation.scene.bodies().velocity, exact.scene.bodies().velocity);
 }
 
 #define BYHAND_INSTANTIATE(M)                                                  \

@@ -30,6 +30,29 @@ using SpaceBody = Model<3, 3>;
   instantiate(SpaceParticle);              \
   instantiate(SpaceBody)
 
+/// Declares, within a struct T<M>, what constructs, copies and destroys it. A source defines that once, as
+/// compiling it in each source that copies a simulation takes more than a second.
+#define BYHAND_DECLARE_COPIES(T) \
+  T();                           \
+  T(const T&);                   \
+  T(T&&) noexcept;               \
+  T& operator=(const T&);        \
+  T& operator=(T&&) noexcept;    \
+  ~T()
+#define BYHAND_DEFINE_COPIES(T)                  \
+  template <class M>                             \
+  T<M>::T() = default;                           \
+  template <class M>                             \
+  T<M>::T(const T&) = default;                   \
+  template <class M>                             \
+  T<M>::T(T&&) noexcept = default;               \
+  template <class M>                             \
+  T<M>& T<M>::operator=(const T&) = default;     \
+  template <class M>                             \
+  T<M>& T<M>::operator=(T&&) noexcept = default; \
+  template <class M>                             \
+  T<M>::~T() = default;
+
 /// A point or direction in the model's world: 2 or 3 numbers.
 template <class M, class T = double>
 using Linear = Eigen::Matrix<T, M::linear, 1>;

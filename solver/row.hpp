@@ -41,6 +41,12 @@ Eigen::Matrix<double, K, K> inverse_effective_mass(const Jacobian<M, K>& J, cons
 }
 //! [19]
 
+/// Row k of (19) by itself: entry (k, k).
+template <class M, int K>
+double inverse_effective_mass(const Jacobian<M, K>& J, const Jacobian<M, K>& W, int k) {
+  return sum_of_products<2 * M::dof>(J.side1(k), W.side1(k));
+}
+
 //! [17]
 /// (17) for one row: the impulse that makes JV + b vanish, 0 where J is zero or neither body moves. For b = 0
 /// and J in m per m, [N s].

@@ -80,9 +80,6 @@ Eigen::Matrix<double, M::linear, M::linear - 1> tangents_of(const Linear<M>& nor
   }
 }
 
-/// Throws std::invalid_argument unless `length` is 1 to 1e-9.
-inline void require_unit(std::string_view name, double length) { require_in(name, length, 1 - 1e-9, 1 + 1e-9); }
-
 /// Throws std::invalid_argument unless the columns are unit vectors at right angles, to 1e-9.
 template <class Matrix>
 void require_orthonormal(const std::string& name, const Matrix& columns) {

@@ -86,7 +86,7 @@ void require_valid(const Shape<M>& shape) {
     if (const auto* box = std::get_if<Box<M>>(&shape))
       for (const double side : box->sides) require_positive("side", side, "m");
   if (const auto* half_space = std::get_if<HalfSpace<M>>(&shape))
-    require_in("length of the half-space's normal", half_space->normal.norm(), 1 - 1e-9, 1 + 1e-9);
+    require_unit("length of the half-space's normal", half_space->normal.norm());
 }
 
 }  // namespace byhand

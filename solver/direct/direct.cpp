@@ -237,25 +237,29 @@ void substitute_back(DirectWork<M>& work, double* change) {
     });
 }
 
-/// Finds J and M⁻¹Jᵀ of every edge. Where rows are inactive these are copies with zeros in such rows.
+/// Finds J and M⁻¹Jᵀ of every edge. Of bounded blocks these are copies, with zeros in inactive rows.
 template <class M>
 void view_blocks(const System<M>& system, DirectWork<M>& work) {
   const bool all_active = work.active.empty();
-  if (!all_active) {
-    work.masked = system.blocks;
-    const auto mask = [&](auto& blocks) {
-      for (auto& block : blocks)
-        for (int k = 0; k < block.J.matrix.rows(); ++k)
-          if (!work.active[block.row + k])
-            for (auto* matrix : {&block.J.matrix, &block.W.matrix}) matrix->row(k).setZero();
-    };
-    std::apply([&](auto&... blocks) { (mask(blocks), ...); }, work.masked);
-  }
+  if (!all_active)
+    system.for_each_type([&]<int K, Bound B>(const std::vector<Block<M, K, B>>& blocks) {
+      if constexpr (B != Bound::none) {
+        auto& masked = std::get<block_type<M, K, B>()>(work.masked);
+        masked = blocks;
+        for (auto& block : masked)
+          for (int k = 0; k < K; ++k)
+            if (!work.active[block.row + k])
+              for (auto* matrix : {&block.J.matrix, &block.W.matrix}) matrix->row(k).setZero();
+      }
+    });
+  const auto viewed = [&]<int K, Bound B>(const std::vector<Block<M, K, B>>& blocks) -> const auto& {
+    return B == Bound::none || all_active ? blocks : std::get<block_type<M, K, B>()>(work.masked);
+  };
   work.views.resize(work.plan.order.size());
   auto* view = work.views.data();
   for (const Run& run : system.runs)
     for_type<M>(run.type, [&](auto type) {
-      for (const auto& block : part<type>(all_active ? system.blocks : work.masked, run))
+      for (const auto& block : part(viewed(std::get<type>(system.blocks)), run))
         *view++ = {block.J.matrix.data(), block.W.matrix.data(), block.body1, block.body2};
     });
 }

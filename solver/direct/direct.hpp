@@ -50,7 +50,7 @@ struct DirectWork {
   std::vector<double> offset, change;  // b + γλ and Δλ, by row
   // Of rows with bounds:
   std::vector<char> active;     // by row: whether it is solved; empty if all are
-  PerBlock<M, BlockOf> masked;  // blocks without their inactive rows
+  PerBlock<M, BlockOf> masked;  // bounded blocks without their inactive rows
   std::vector<Velocity<M>> velocity_before;
   std::vector<double> lambda_before;
 };

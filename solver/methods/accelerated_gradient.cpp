@@ -12,8 +12,7 @@ void find_diagonal(const System<M>& system, std::vector<double>& D) {
   system.for_each_run([&]<int K, Bound B>(std::span<const Block<M, K, B>> blocks) {
     for (const auto& block : blocks) {
       double* d = &D[block.row];
-      for (int k = 0; k < K; ++k)
-        d[k] = block.J.matrix.row(k).dot(block.W.matrix.row(k)) + system.gamma[block.row + k];
+      for (int k = 0; k < K; ++k) d[k] = inverse_effective_mass(block.J, block.W, k) + system.gamma[block.row + k];
       if constexpr (K == 2 && B == Bound::friction) d[0] = d[1] = std::max(d[0], d[1]);
     }
   });

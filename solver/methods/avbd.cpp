@@ -49,7 +49,7 @@ void warm_start(const Avbd& method, int position_rows, const Block<M, K, B>& blo
     if (hard && k < position_rows)
       work.target[row] = -method.alpha * (B == Bound::none ? system.C[row] : std::min(system.C[row], 0.0));
     work.impulse[row] = hard ? method.alpha * method.memory * h * system.lambda[row] : 0.0;
-    const double inverse_mass = block.J.matrix.row(k).dot(block.W.matrix.row(k));
+    const double inverse_mass = inverse_effective_mass(block.J, block.W, k);
     const double least = inverse_mass > 0 ? method.softest / (h * h * inverse_mass) : 0.0;
     double& stiffness = system.stiffness[row];
     stiffness = hard ? std::min(std::max(method.memory * stiffness, least), method.stiffest)

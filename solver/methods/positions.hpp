@@ -152,10 +152,10 @@ void end_substep(Scene<M>& scene, Gyroscopic gyroscopic, double h, double thresh
   for (int row = 0; row < system.rows(); ++row) system.lambda[row] = work.impulse[row] / h;
   if (work.approach.empty()) return;
   for_each_block(system, [&]<int K, Bound B>(Block<M, K, B>& block, const Run& run) {
-    if constexpr (bouncing < K, B >> 0) {
+    if constexpr (constexpr int count = bouncing<K, B>; count > 0) {
       Eigen::Map<Rows<K>> lambda(&system.lambda[block.row]);
       Rows<K> parting = Rows<K>::Zero();
-      for (int k = 0; k < bouncing<K, B>; ++k) {
+      for (int k = 0; k < count; ++k) {
         const double approach = work.approach[block.row + k];
         if (lambda[k] > 0 && approach < -threshold) parting[k] = -system.restitution[block.row] * approach;
       }

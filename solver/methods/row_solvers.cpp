@@ -58,18 +58,7 @@ void solve_rows(const RowSolver& solver, Bodies<M>& bodies, RowWork<M>& work, Be
       solver);
 }
 
-template <class M>
-RowWork<M>::RowWork() = default;
-template <class M>
-RowWork<M>::RowWork(const RowWork&) = default;
-template <class M>
-RowWork<M>::RowWork(RowWork&&) noexcept = default;
-template <class M>
-RowWork<M>& RowWork<M>::operator=(const RowWork&) = default;
-template <class M>
-RowWork<M>& RowWork<M>::operator=(RowWork&&) noexcept = default;
-template <class M>
-RowWork<M>::~RowWork() = default;
+BYHAND_DEFINE_COPIES(RowWork)
 
 #define BYHAND_INSTANTIATE(M)                                            \
   template struct RowWork<M>;                                            \

@@ -31,13 +31,7 @@ inline ConjugateSweeps exact_sweeps() { return {.sweeps = 1000000, .tolerance = 
 /// What is kept between steps: λ with its system, and scratch.
 template <class M>
 struct RowWork : StepWork<M> {
-  // Compiled once in the library, for nearly every program copies simulations.
-  RowWork();
-  RowWork(const RowWork&);
-  RowWork(RowWork&&) noexcept;
-  RowWork& operator=(const RowWork&);
-  RowWork& operator=(RowWork&&) noexcept;
-  ~RowWork();
+  BYHAND_DECLARE_COPIES(RowWork);
 
   Prepared<M> prepared;
   ConjugateGradientWork<M> conjugate_gradients;

@@ -54,7 +54,7 @@ void soften(const SoftConstraints& cure, double h, System<M>& system, SoftWork& 
   for_each_block(system, [&](const auto& block, const Run& run) {
     for (int row = block.row, k = 0; k < run.position_rows; ++row, ++k) {
       const bool open = system.C[row] > 0 && one_sided(system, block, k);
-      if (work.gamma[row] == 0 && !open) system.gamma[row] = block.J.matrix.row(k).dot(block.W.matrix.row(k)) / a2;
+      if (work.gamma[row] == 0 && !open) system.gamma[row] = inverse_effective_mass(block.J, block.W, k) / a2;
     }
   });
 }

@@ -40,18 +40,7 @@ Reaction<M> reaction(const Scene<M>& scene, const StepWork<M>& work, int constra
   return result;
 }
 
-template <class M>
-StepWork<M>::StepWork() = default;
-template <class M>
-StepWork<M>::StepWork(const StepWork&) = default;
-template <class M>
-StepWork<M>::StepWork(StepWork&&) noexcept = default;
-template <class M>
-StepWork<M>& StepWork<M>::operator=(const StepWork&) = default;
-template <class M>
-StepWork<M>& StepWork<M>::operator=(StepWork&&) noexcept = default;
-template <class M>
-StepWork<M>::~StepWork() = default;
+BYHAND_DEFINE_COPIES(StepWork)
 
 #define BYHAND_INSTANTIATE(M)  \
   template struct StepWork<M>; \

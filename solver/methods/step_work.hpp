@@ -16,13 +16,7 @@ enum class Layout { none, natural, reverse, coloured, elimination };
 /// mean force in it.
 template <class M>
 struct StepWork {
-  // Compiled once in the library, for nearly every program copies simulations.
-  StepWork();
-  StepWork(const StepWork&);
-  StepWork(StepWork&&) noexcept;
-  StepWork& operator=(const StepWork&);
-  StepWork& operator=(StepWork&&) noexcept;
-  ~StepWork();
+  BYHAND_DECLARE_COPIES(StepWork);
 
   System<M> system;
   ContactManager<M> contacts;

@@ -35,6 +35,8 @@ inline void require_positive(std::string_view name, double value, std::string_vi
 inline void require_in(std::string_view name, double value, double low, double high, std::string_view unit = "") {
   if (!(low <= value && value <= high)) detail::refuse_range(name, value, "between ", low, " and ", high, unit);
 }
+/// value = 1, to 1e-9.
+inline void require_unit(std::string_view name, double value) { require_in(name, value, 1 - 1e-9, 1 + 1e-9); }
 /// low < value < high.
 inline void require_inside(std::string_view name, double value, double low, double high,
                            std::string_view unit = "") {
