@@ -101,7 +101,8 @@ bool add_corners(const Faces& faces, double nearest, Manifold<PlaneBody>& manifo
   }
   if (!reference) return false;
   const double out = incident->out - reference->out, along = incident->along - reference->along;
-  const bool apart = out > 0 && least > 1e-12;  // else they just touch, and the face's normal serves
+  const bool apart =
+      out > 0 && least > 1e-12 * faces.view.half[0];  // else they just touch, and the face's normal serves
   if (apart)
     manifold.normal = {(faces.normal_x * out - faces.normal_y * along) / least,
                        (faces.normal_y * out + faces.normal_x * along) / least};
@@ -164,11 +165,11 @@ Manifold<PlaneBody> collide_boxes(const Box<PlaneBody>& box1, const Pose<PlaneBo
     return add_points(faces(views[reference / 2], reference % 2), enough, manifold);
   };
   const bool overlap = separation[best] <= 0;
+  const double least_gain = hysteresis(box1, box2);
   const int hinted = static_cast<int>(hint) - 1;
   const bool keeps = 0 <= hinted && hinted < 4 && hinted != best &&
-                     separation[hinted] > separation[best] - reference_hysteresis &&
-                     (overlap || separation[hinted] > 0);
-  if (!keeps || !add_with(hinted, overlap ? std::min(0.0, separation[best] + reference_hysteresis) : infinity))
+                     separation[hinted] > separation[best] - least_gain && (overlap || separation[hinted] > 0);
+  if (!keeps || !add_with(hinted, overlap ? std::min(0.0, separation[best] + least_gain) : infinity))
     add_with(best, infinity);
   if (manifold.reference > 2) manifold.normal = -manifold.normal;
   return manifold;

@@ -64,8 +64,7 @@ Polygon clipped(const Polygon& polygon, int axis, double sign, double reach, int
 /// Four of more than four vertices that keep nearly all of the area: the deepest, the one furthest from it, the
 /// one furthest from the line between them, and the one furthest outside this triangle. Differences below `level`
 /// [m] do not count, so that the choice lasts; above it, vertices of a box go before crossings of parallel edges.
-std::array<int, 4> four_of(const Polygon& polygon, const Vector3d& out) {
-  constexpr double level = 1e-4;
+std::array<int, 4> four_of(const Polygon& polygon, const Vector3d& out, double level) {
   const auto best = [&](auto&& distance) {
     const auto score = [&](int i) {
       const bool crossing = polygon.before(i).side == polygon[i].side;
@@ -136,7 +135,7 @@ Manifold3 collide_face(const Boxes& boxes, int reference) {
   manifold.reference = reference + 1;
   manifold.normal = second ? Vector3d(-n) : n;
   std::array<int, 4> chosen = {0, 1, 2, 3};
-  if (polygon.size > 4) chosen = four_of(polygon, out);
+  if (polygon.size > 4) chosen = four_of(polygon, out, 2e-4 * box.half.minCoeff());
   for (int k = 0; k < std::min(polygon.size, 4); ++k) {
     const Vertex& vertex = polygon[chosen[k]];
     const double separation = side * vertex.at[axis] - box.half[axis];
@@ -216,7 +215,8 @@ Manifold3 closest_edges(const Boxes& boxes, double limit, const Manifold3& other
       if (distance < limit) limit = distance, best = point;
     }
   if (best.feature == 0) return otherwise;
-  const Vector3d n = limit > 1e-12 ? Vector3d((best.p2 - best.p1) / limit) : otherwise.normal;
+  const Vector3d n =
+      limit > 1e-12 * boxes.first.half[0] ? Vector3d((best.p2 - best.p1) / limit) : otherwise.normal;
   return one_point(n, best, otherwise.reference);
 }
 
@@ -277,16 +277,16 @@ Manifold<SpaceBody> collide_boxes(const Box<SpaceBody>& box1, const Pose<SpaceBo
 
   // Faces before edges, for they give more points; taken is the first whose points are as near as the boxes are.
   const bool overlap = separation[best] <= 0;
+  const double least_gain = hysteresis(box1, box2);
   Manifold3 manifold;
   double nearest = infinity;
   for (const int axis : {static_cast<int>(hint) - 1, face, largest(6, 15)}) {
     if (axis < 0 || axis >= (overlap ? 15 : 6)) continue;
-    if (separation[axis] < separation[best] - reference_hysteresis) continue;
+    if (separation[axis] < separation[best] - least_gain) continue;
     manifold = collide_axis(boxes, axis);
     nearest = infinity;
     for (const ContactPoint3& point : manifold) nearest = std::min(nearest, point.separation);
-    if (overlap ? nearest <= std::min(0.0, separation[best] + reference_hysteresis)
-                : clearly * nearest <= separation[best])
+    if (overlap ? nearest <= std::min(0.0, separation[best] + least_gain) : clearly * nearest <= separation[best])
       return within(margin, manifold);
   }
   if (manifold.reference == 0) manifold = collide_axis(boxes, best);  // for its normal, should edges touch

@@ -3,7 +3,7 @@
 namespace byhand {
 namespace {
 
-/// A difference of positions shorter than this [m] is rounding and has no direction.
+/// A difference of positions shorter than this share of a body's size is rounding and has no direction.
 constexpr double no_distance = 1e-14;
 
 /// The point of a shape's surface that is nearest to some point, the outward normal there, and the height of that
@@ -19,7 +19,7 @@ Nearest<M> nearest(const Ball<M>& ball, const Pose<M>& pose, const Linear<M>& po
   const Linear<M> between = point - pose.position;
   const double distance = between.norm();
   Linear<M> n = Linear<M>::Unit(M::linear - 1);
-  if (distance > no_distance) n = between / distance;
+  if (distance > no_distance * ball.radius) n = between / distance;
   return {n, pose.position + ball.radius * n, distance - ball.radius};
 }
 
@@ -28,7 +28,7 @@ Nearest<M> nearest(const Box<M>& box, const Pose<M>& pose, const Linear<M>& poin
   const Linear<M> own = arm_to<M>(pose, point), half = box.half();  // in the axes of the box
   Linear<M> nearest = own.cwiseMin(half).cwiseMax(-half), n = own - nearest;
   double height = n.norm();
-  if (height > no_distance) {
+  if (height > no_distance * half.maxCoeff()) {
     n /= height;
   } else {  // inside: the nearest side
     int axis;

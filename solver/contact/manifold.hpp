@@ -31,8 +31,13 @@ struct Manifold {
   void add(const ContactPoint<M>& point) { points[size++] = point; }
 };
 
-/// The reference of two boxes changes only where another one's separation is larger by this [m].
+/// The reference of two boxes changes only where another one's separation is larger by this share of the shortest
+/// side.
 inline constexpr double reference_hysteresis = 0.002;
+template <class M>
+double hysteresis(const Box<M>& box1, const Box<M>& box2) {
+  return reference_hysteresis * std::min(box1.sides.minCoeff(), box2.sides.minCoeff());
+}
 
 /// The contact points of two shapes whose separation is at most `margin` [m] >= 0.
 ///

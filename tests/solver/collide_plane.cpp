@@ -189,7 +189,7 @@ TEST(CollidePlane, AnOldReferenceNeverSaysThatBoxesApartOverlapNorTheReverse) {
           ASSERT_NO_FATAL_FAILURE(expect_sound(first, second, 1, hinted));
           EXPECT_EQ(least_separation(hinted) > 0, least_separation(plain) > 0);
           if (least_separation(plain) > 0) continue;
-          EXPECT_NEAR(least_separation(hinted), least_separation(plain), reference_hysteresis);
+          EXPECT_NEAR(least_separation(hinted), least_separation(plain), hysteresis_of(first, second));
         }
       },
       3000);
@@ -251,7 +251,7 @@ TEST(CollidePlane, DegenerateBoxesGiveSoundAnswers) {
     // These are all the normals there are, to the noise.
     if (gap < -1e-5) {
       ASSERT_FALSE(manifold.empty());
-      ASSERT_LE(std::abs(least_separation(manifold) - gap), reference_hysteresis + 1e-5);
+      ASSERT_LE(std::abs(least_separation(manifold) - gap), hysteresis_of(first, second) + 1e-5);
     }
     touching += !manifold.empty();
   }

@@ -45,9 +45,9 @@ TEST(CollideSpace, SeparationIsTheLeastTranslationThatPartsToTheHysteresis) {
         ++overlaps;
         several += manifold.size > 1;
         const double along = gap_along<M>(first, second, manifold.normal);
-        EXPECT_GE(along, truth - reference_hysteresis - rounding) << "a shorter way out";
+        EXPECT_GE(along, truth - hysteresis_of(first, second) - rounding) << "a shorter way out";
         EXPECT_GE(least_separation(manifold), along - rounding);
-        EXPECT_LE(least_separation(manifold), along + 2 * reference_hysteresis);
+        EXPECT_LE(least_separation(manifold), along + 2 * hysteresis_of(first, second));
       },
       2000);
   EXPECT_GT(overlaps, 500);

@@ -19,6 +19,12 @@ Manifold<M> touch(const Solid<M>& first, const Solid<M>& second, double margin, 
   return collide<M>(first.shape, first.pose, second.shape, second.pose, margin, hint);
 }
 
+/// By how much a reference of two boxes has to be better than the last step's [m].
+template <class M>
+double hysteresis_of(const Solid<M>& first, const Solid<M>& second) {
+  return hysteresis(std::get<Box<M>>(first.shape), std::get<Box<M>>(second.shape));
+}
+
 template <class M>
 Shape<M> random_ball(Random& random) {
   return Ball<M>{random.uniform(0.1, 1)};
