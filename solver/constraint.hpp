@@ -31,6 +31,10 @@
 //   int contact                             handle of the contact whose λ limits the row, for Bound::friction
 //   double restitution                      e of a contact, in [0, 1]
 //   static constexpr bool periodic          whether `value` is an angle in (-π, π], which may jump by 2π
+//   static constexpr bool holds_where_found whether C and J are known at the poses of a substep's start alone, as
+//   of
+//                                           a contact, whose points are where the shapes touch. Methods on
+//                                           positions then go on with C + J times the displacement
 //   void require_valid(bodies)              throws std::invalid_argument for other members out of range
 //
 // A scene keeps all constraints of a kind in one store (Store below). Each stage of a step calls a store once for
@@ -71,7 +75,7 @@ class ConstraintStore {
   int rows = 0, position_rows = 0;
   Bound bound = Bound::none;
   int block_type = 0;
-  bool periodic = false;
+  bool periodic = false, holds_where_found = false;
 
   virtual ~ConstraintStore() = default;
   virtual std::unique_ptr<ConstraintStore> clone() const = 0;
@@ -123,6 +127,7 @@ class Store final : public Constraints<M, Kind> {
     this->bound = B;
     this->block_type = type;
     if constexpr (requires { Kind::periodic; }) this->periodic = Kind::periodic;
+    if constexpr (requires { Kind::holds_where_found; }) this->holds_where_found = Kind::holds_where_found;
   }
   std::unique_ptr<ConstraintStore<M>> clone() const override { return std::make_unique<Store>(*this); }
   const std::type_info& kind() const override { return typeid(Kind); }

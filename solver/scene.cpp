@@ -144,9 +144,11 @@ void Scene<M>::set_shape(int body, const Shape<M>& shape, const Surface& surface
 }
 
 template <class M>
-void Scene<M>::set_margin(double margin) {
+void Scene<M>::set_margin(double margin, double lookahead) {
   require_positive("contact margin", margin, "m");
+  require_in("lookahead", lookahead, 0, 1e300);
   colliders_.margin = margin;
+  colliders_.lookahead = lookahead;
   changed();
 }
 

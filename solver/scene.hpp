@@ -30,7 +30,9 @@ template <class M>
 struct Colliders {
   std::vector<Shape<M>> shapes;
   std::vector<Surface> surfaces;
-  double margin = 0.02;  // bodies nearer than this get a contact, for they may touch within the step [m]
+  // Bodies nearer than margin + lookahead |v| h get a contact, for they may touch within the step h.
+  double margin = 0.02;  // [m]
+  double lookahead = 1;
   ContactRows rows = M::linear == 2 ? ContactRows::manifold : ContactRows::points;
 };
 
@@ -86,8 +88,9 @@ class Scene {
 
   /// Lets a body touch others. Throws std::invalid_argument for a shape or surface outside its range.
   void set_shape(int body, const Shape<M>& shape, const Surface& surface = {}) requires(M::angular > 0);
-  /// Bodies nearer than this get a contact [m] > 0.
-  void set_margin(double margin);
+  /// Bodies nearer than margin + lookahead |v| h get a contact, v their relative velocity and h the step. Without
+  /// the lookahead what is fast passes thin walls unseen. margin [m] > 0, lookahead >= 0.
+  void set_margin(double margin, double lookahead = 1);
   void set_contact_rows(ContactRows rows);
   const Colliders<M>& colliders() const { return colliders_; }
 

@@ -13,8 +13,10 @@ void begin_cure(const DriftCure& cure, double h, Work<M>& work) {
 /// The cure after the poses have moved.
 template <class M>
 void end_cure(const VelocityStepping& method, double h, Scene<M>& scene, Work<M>& work) {
-  if (const auto* projection = std::get_if<Projection>(&method.drift))
+  if (const auto* projection = std::get_if<Projection>(&method.drift)) {
+    work.contacts.follow_balls(scene, work.system);
     work.row_solves += project(*projection, scene);
+  }
   if (const auto* split = std::get_if<SplitImpulse>(&method.drift))
     push_poses(*split, method.solver, h, scene.state(), work, work.split_impulse);
   if (const auto* soft = std::get_if<SoftConstraints>(&method.drift))
@@ -52,12 +54,13 @@ std::string refusal(const Scene<M>& scene, const VelocityStepping& method) {
 template <class M>
 void advance(Scene<M>& scene, const VelocityStepping& method, double step, Work<M>& work) {
   require_steppable(scene, method, step);
-  work.contacts.find(scene);  // the article's n, P1 and P2, from shapes
+  work.contacts.find(scene, step);  // the article's n, P1 and P2, from shapes
   lay_out(scene, method.solver, work);
   work.contacts.write_impulses(work.system);
   Bodies<M>& bodies = scene.state();
   const double h = step / method.substeps;
   for (int i = 0; i < method.substeps; ++i) {
+    work.contacts.follow_balls(scene, work.system);
     scene.write_rows(work.system, h);   // J, C, M⁻¹Jᵀ at the current poses
     begin_cure(method.drift, h, work);  // b of (21), (22)
     if (method.euler == Euler::explicit_) advance_poses(bodies, h);

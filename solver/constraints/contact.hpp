@@ -17,6 +17,7 @@ template <class M>
 struct Contact {
   static constexpr int rows = 1;
   static constexpr Bound bound = Bound::interval;
+  static constexpr bool holds_where_found = true;
 
   Anchors<M> at;
   Linear<M> normal = Linear<M>::Unit(M::linear - 1);  // n, a unit vector in the world

@@ -19,6 +19,7 @@ struct ContactManifold {
   static_assert(std::is_same_v<M, PlaneBody>, "a face has two ends in the plane only");
   static constexpr int rows = 3, position_rows = 2;
   static constexpr Bound bound = Bound::manifold;
+  static constexpr bool holds_where_found = true;
 
   Anchors<M> at;                          // the first end
   Arms<M> second = {};                    // arms of the second end, in the frames of the bodies [m]

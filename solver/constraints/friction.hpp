@@ -18,6 +18,7 @@ template <class M, int K>
 struct FrictionAlong {
   static constexpr int rows = K, position_rows = 0;
   static constexpr Bound bound = Bound::friction;
+  static constexpr bool holds_where_found = true;
 
   Anchors<M> at;
   Eigen::Matrix<double, M::linear, K> tangents;  // t_k, orthonormal columns in the world

@@ -57,7 +57,7 @@ void for_each_row(auto& pair, const std::vector<int>& row_of, auto&& f) {
 }  // namespace
 
 template <class M>
-void ContactManager<M>::find(Scene<M>& scene) {
+void ContactManager<M>::find(Scene<M>& scene, double step) {
   if (scene.colliders().shapes.empty()) return pairs_.clear();
   const bool unchanged = version_ == scene.version();
   if (!unchanged) {
@@ -66,7 +66,8 @@ void ContactManager<M>::find(Scene<M>& scene) {
       joined_.push_back(std::minmax(scene.entries()[place].body1, scene.entries()[place].body2));
     std::sort(joined_.begin(), joined_.end());
   }
-  if (!update_bounds(scene, unchanged) && unchanged) return;
+  const double time = scene.colliders().lookahead * step;
+  if (!update_bounds(scene, unchanged, time) && unchanged) return;
   const auto& masses = scene.bodies().inverse_mass;
   found_.clear();
   auto before = pairs_.begin();
@@ -79,13 +80,26 @@ void ContactManager<M>::find(Scene<M>& scene) {
     if (cached && !moved_[i] && !moved_[j])
       found_.push_back(*before);
     else
-      collide(scene, bodies, cached ? &*before : nullptr);
+      collide(scene, bodies, scene.colliders().margin, time, cached ? &*before : nullptr);
   }
   std::swap(pairs_, found_);
   const auto same = [](const Pair& a, const Pair& b) { return a.bodies == b.bodies && a.size == b.size; };
   write_constraints(unchanged && std::equal(pairs_.begin(), pairs_.end(), found_.begin(), found_.end(), same),
                     scene);
   version_ = scene.version();
+}
+
+template <class M>
+void ContactManager<M>::follow_balls(Scene<M>& scene, System<M>& system) {
+  for (Pair& pair : pairs_) {
+    if (!pair.round) continue;
+    for_each_row(pair, system.row_of, [&](int row, double& kept) { kept = system.lambda[row]; });
+    found_.clear();
+    collide(scene, pair.bodies, std::numeric_limits<double>::infinity(), 0, &pair);
+    pair = found_.front();
+    overwrite_constraints(pair, scene);
+    for_each_row(pair, system.row_of, [&](int row, double kept) { system.lambda[row] = kept; });
+  }
 }
 
 template <class M>
@@ -100,60 +114,84 @@ void ContactManager<M>::read_impulses(const System<M>& system) {
     for_each_row(pair, system.row_of, [&](int row, double& kept) { kept = system.lambda[row]; });
 }
 
-/// Updates pose and bounds of all bodies or, in an unchanged scene, of those that have moved noticeably. Returns
-/// whether there are any.
+/// Updates pose and bounds of all bodies or, in an unchanged scene, of those that have moved noticeably or will,
+/// within `time` [s], by noticeably more than before. Returns whether there are any.
 template <class M>
-bool ContactManager<M>::update_bounds(const Scene<M>& scene, bool unchanged) {
+bool ContactManager<M>::update_bounds(const Scene<M>& scene, bool unchanged, double time) {
   const auto& shapes = scene.colliders().shapes;
   const double margin = scene.colliders().margin, noticeable = 0.01 * margin;
   poses_.resize(shapes.size());
   bounds_.resize(shapes.size());
+  way_.resize(shapes.size());
   moved_.assign(shapes.size(), 0);
   bool any = false;
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     const Pose<M>& pose = scene.bodies().pose[i];
     const bool moving = moves(scene.bodies().inverse_mass[i]);
-    if (unchanged && (!moving || displacement<M>(poses_[i], pose, bounds_[i]) < noticeable)) continue;
+    const double way = time * scene.bodies().velocity[i].template head<M::linear>().norm(),
+                 more = std::max(0.0, way - way_[i]);
+    if (unchanged && (!moving || displacement<M>(poses_[i], pose, bounds_[i]) + more < noticeable)) continue;
     poses_[i] = pose;
-    bounds_[i] = fattened(bounds<M>(shapes[i], pose), 0.5 * margin + noticeable);
+    way_[i] = way;
+    bounds_[i] = fattened(bounds<M>(shapes[i], pose), 0.5 * margin + noticeable + way);
     moved_[i] = any = true;
   }
   return any;
 }
 
-/// Adds the contact of two bodies, if any, to `found_`. Points that were there `before` keep their impulses, those
-/// of friction turned into the new tangents.
+/// Adds the contact of two bodies to `found_`: the points that would be nearer than `margin` [m] after a `time`
+/// [s] of approaching as now. Points that were there `before` keep their impulses, those of friction turned into
+/// the new tangents.
 template <class M>
-void ContactManager<M>::collide(const Scene<M>& scene, const BodyPair& bodies, const Pair* before) {
-  const auto& [shapes, surfaces, margin, rows] = scene.colliders();
+void ContactManager<M>::collide(const Scene<M>& scene, const BodyPair& bodies, double margin, double time,
+                                const Pair* before) {
+  const auto& shapes = scene.colliders().shapes;
+  const auto& surfaces = scene.colliders().surfaces;
   const auto [body1, body2] = bodies;
   const Pose<M>&pose1 = scene.bodies().pose[body1], &pose2 = scene.bodies().pose[body2];
-  const Manifold<M> manifold =
-      byhand::collide<M>(shapes[body1], pose1, shapes[body2], pose2, margin, before ? before->reference : 0);
-  if (manifold.empty()) return;
+  const auto& V = scene.bodies().velocity;
+  const Linear<M> v = (V[body2] - V[body1]).template head<M::linear>();
+  const Manifold<M> manifold = byhand::collide<M>(shapes[body1], pose1, shapes[body2], pose2,
+                                                  margin + time * v.norm(), before ? before->reference : 0);
+  const double reach = margin + time * std::max(0.0, -v.dot(manifold.normal));
+  if (std::none_of(manifold.begin(), manifold.end(), [&](const auto& p) { return p.separation <= reach; })) return;
   Pair& pair = found_.emplace_back();
   pair.bodies = bodies;
-  pair.size = manifold.size;
+  pair.size = 0;
   pair.reference = manifold.reference;
-  pair.one_manifold = rows == ContactRows::manifold;
+  pair.one_manifold = scene.colliders().rows == ContactRows::manifold;
+  pair.round = std::holds_alternative<Ball<M>>(shapes[body1]) || std::holds_alternative<Ball<M>>(shapes[body2]);
   pair.friction = std::sqrt(surfaces[body1].friction * surfaces[body2].friction);
   pair.restitution = std::max(surfaces[body1].restitution, surfaces[body2].restitution);
   pair.normal = manifold.normal;
-  auto* result = pair.points.data();
   for (const ContactPoint<M>& point : manifold)
-    *result++ = {point.feature, {arm_to<M>(pose1, point.p1), arm_to<M>(pose2, point.p2)}};
+    if (point.separation <= reach)
+      pair.points[pair.size++] = {point.feature, {arm_to<M>(pose1, point.p1), arm_to<M>(pose2, point.p2)}};
   if (!before) return;
   pair.constraint = before->constraint;
   const Eigen::Matrix<double, Pair::tangents, Pair::tangents> turn =
       tangents_of<M>(pair.normal).transpose().lazyProduct(tangents_of<M>(before->normal));
-  pair.points[0].tangent_impulse = turn.lazyProduct(before->points[0].tangent_impulse);
   for (int p = 0; p < pair.size; ++p)
     for (int q = 0; q < before->size; ++q) {
       const auto& old = before->points[q];
       if (pair.points[p].feature != old.feature) continue;
       pair.points[p].normal_impulse = old.normal_impulse;
-      pair.points[p].tangent_impulse = turn.lazyProduct(old.tangent_impulse);
+      if (pair.one_manifold)
+        pair.points[0].tangent_impulse = turn.lazyProduct(before->points[0].tangent_impulse);
+      else
+        pair.points[p].tangent_impulse = turn.lazyProduct(old.tangent_impulse);
     }
+}
+
+/// Overwrites the found constraints that were made from a pair.
+template <class M>
+void ContactManager<M>::overwrite_constraints(const Pair& pair, Scene<M>& scene) {
+  int place = pair.constraint;
+  for_each_constraint(pair, [&]<class Kind>(const Kind& constraint) {
+    const auto& entry = scene.entries()[place++];
+    scene.template constraints<Kind>(entry.kind).all[entry.index] = constraint;
+    return entry.id;
+  });
 }
 
 /// Replaces the scene's found constraints; if they are the `same` in number and kind, overwrites those of bodies
@@ -162,15 +200,12 @@ template <class M>
 void ContactManager<M>::write_constraints(bool same, Scene<M>& scene) {
   if (!same) scene.forget_found();
   for (Pair& pair : pairs_) {
-    if (same && !moved_[pair.bodies.first] && !moved_[pair.bodies.second]) continue;
-    if (!same) pair.constraint = scene.count();
-    int place = pair.constraint;
-    for_each_constraint(pair, [&]<class Kind>(const Kind& constraint) {
-      if (!same) return scene.add_found(constraint);
-      const auto& entry = scene.entries()[place++];
-      scene.template constraints<Kind>(entry.kind).all[entry.index] = constraint;
-      return entry.id;
-    });
+    if (!same) {
+      pair.constraint = scene.count();
+      for_each_constraint(pair, [&](const auto& constraint) { return scene.add_found(constraint); });
+    } else if (moved_[pair.bodies.first] || moved_[pair.bodies.second]) {
+      overwrite_constraints(pair, scene);
+    }
   }
   if (!same && !pairs_.empty()) scene.changed();
 }

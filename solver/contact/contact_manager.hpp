@@ -27,6 +27,7 @@ struct ContactPair {
   std::uint32_t reference;  // of the manifold
   int constraint;           // place of the first constraint made from it
   bool one_manifold;        // one ContactManifold instead of a Contact for each point
+  bool round;               // whether one of them is a ball
   double friction, restitution;
   Linear<M> normal;
   std::array<Point, Manifold<M>::capacity> points;
@@ -37,11 +38,14 @@ struct ContactPair {
 template <class M>
 class ContactManager {
  public:
-  /// Finds contacts at the current poses and makes them the scene's found constraints, as its ContactRows say.
-  /// Bodies joined by a constraint do not collide, nor do fixed ones with each other. A contact is computed again
-  /// only if one of its bodies has moved by more than a hundredth of the margin; until then its arms turn with the
-  /// bodies.
-  void find(Scene<M>& scene);
+  /// Finds what may touch within `step` [s] >= 0 and makes it the scene's found constraints, as its ContactRows
+  /// say. Bodies joined by a constraint do not collide, nor do fixed ones with each other. A contact is computed
+  /// again only if one of its bodies has moved by more than a hundredth of the margin; until then its arms turn
+  /// with the bodies.
+  void find(Scene<M>& scene, double step = 0);
+  /// Moves the contact points of balls to where these touch at the current poses: the arm of a ball that rolls
+  /// would leave with its material. λ of their friction, in `system`, turns with the tangents.
+  void follow_balls(Scene<M>& scene, System<M>& system);
   /// Sets λ of found contacts to their impulses of the last step.
   void write_impulses(System<M>& system) const;
   /// Keeps λ of found contacts for the next step.
@@ -50,13 +54,15 @@ class ContactManager {
  private:
   using Pair = ContactPair<M>;
 
-  bool update_bounds(const Scene<M>& scene, bool unchanged);
-  void collide(const Scene<M>& scene, const BodyPair& bodies, const Pair* before);
+  bool update_bounds(const Scene<M>& scene, bool unchanged, double time);
+  void collide(const Scene<M>& scene, const BodyPair& bodies, double margin, double time, const Pair* before);
   void write_constraints(bool same, Scene<M>& scene);
+  void overwrite_constraints(const Pair& pair, Scene<M>& scene);
 
   SweepAndPrune<M::linear> broad_phase_;
   std::vector<Pose<M>> poses_;     // by body, at which its contacts were computed
   std::vector<Bounds<M>> bounds_;  // at those poses, with a margin
+  std::vector<double> way_;        // that was added to them for each body's motion [m]
   std::vector<char> moved_;        // by body, whether its contacts are to be computed again
   std::vector<BodyPair> joined_;   // by constraints; sorted
   std::vector<Pair> pairs_, found_;
@@ -66,7 +72,8 @@ class ContactManager {
 template <int L>
 class ContactManager<Model<L, 0>> {
  public:
-  void find(Scene<Model<L, 0>>&) {}
+  void find(Scene<Model<L, 0>>&, double = 0) {}
+  void follow_balls(Scene<Model<L, 0>>&, System<Model<L, 0>>&) {}
   void write_impulses(System<Model<L, 0>>&) const {}
   void read_impulses(const System<Model<L, 0>>&) {}
 };

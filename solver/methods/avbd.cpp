@@ -64,6 +64,7 @@ void note_curvature(const ConstraintStore<M>& store, const Block<M, K, B>& block
                     Avbd::Work<M>& work) {
   constexpr double way = 0x1p-20;  // [m or rad]
   constexpr int dof = M::dof;
+  if (store.holds_where_found) return std::fill_n(&work.curvature[2 * dof * block.row], 2 * dof * K, 0.0), void();
   Block<M, K, B> displaced = block;
   double C[K];
   for (int column = 0; column < 2 * dof; ++column) {
@@ -129,7 +130,10 @@ void descend(const Scene<M>& scene, int body, Bodies<M>& bodies, std::size_t& ne
       auto& block = std::get<type>(work.system.blocks)[holder.block];
       constexpr int K = decltype(block.J.matrix)::RowsAtCompileTime;
       Rows<K> C, unbounded;
-      store.linearise(bodies, block, C.data());
+      if (store.holds_where_found)
+        C = displaced_value(block, work);
+      else
+        store.linearise(bodies, block, C.data());
       const Rows<K> F = force(store.periodic, block, work, C, unbounded);
       for (int k = 0; k < K; ++k) {
         const int row = block.row + k, first = holder.second ? dof : 0;
@@ -145,6 +149,7 @@ void descend(const Scene<M>& scene, int body, Bodies<M>& bodies, std::size_t& ne
     work.row_solves += store.rows;
   }
   solve_definite(H, slope);
+  work.displacement[body] -= slope;
   move<M, double>(pose, -slope, 1);
 }
 
@@ -153,7 +158,10 @@ template <class M, int K, Bound B>
 void update_rows(const ConstraintStore<M>& store, const Avbd& method, const Block<M, K, B>& block,
                  const Bodies<M>& bodies, Avbd::Work<M>& work) {
   Rows<K> C, unbounded;
-  store.write_value(block.constraint, bodies, C.data());
+  if (store.holds_where_found)
+    C = displaced_value(block, work);
+  else
+    store.write_value(block.constraint, bodies, C.data());
   const Rows<K> F = force(store.periodic, block, work, C, unbounded);
   for (int k = 0, row = block.row; k < K; ++k, ++row) {
     const double gamma = work.system.gamma[row];
@@ -171,7 +179,7 @@ template <class M>
 void advance(Scene<M>& scene, const Avbd& method, double h, Avbd::Work<M>& work) {
   require_steppable(scene, method, h);
   Bodies<M>& bodies = scene.state();
-  if (begin_rows(scene, work)) list_holders(work);
+  if (begin_rows(scene, h, work)) list_holders(work);
   work.system.stiffness.resize(work.system.rows());
   work.curvature.resize(2 * M::dof * work.system.rows());
   rescale_impulses(work, h);
@@ -181,8 +189,7 @@ void advance(Scene<M>& scene, const Avbd& method, double h, Avbd::Work<M>& work)
     warm_start(method, run.position_rows, block, work);
   });
   begin_turn(method.gyroscopic, bodies, h);
-  work.before = bodies.pose;
-  advance_poses(bodies, h);
+  advance_freely(bodies, h, work);
   work.free = bodies.pose;
   for (Pose<M>& pose : work.free) pose.position += h * h * scene.gravity;
   for (int i = 0; i < method.iterations; ++i) {

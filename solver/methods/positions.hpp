@@ -31,16 +31,17 @@ namespace byhand {
 /// row.
 template <class M>
 struct PositionWork : StepWork<M> {
-  std::vector<double> impulse;  // Λ = hλ
-  std::vector<double> from;     // C₀ of rows without a C; 0 of rows with one
-  std::vector<double> target;   // h rate
-  std::vector<Pose<M>> before;  // of the bodies, at the start of the substep
+  std::vector<double> impulse;            // Λ = hλ
+  std::vector<double> from;               // C₀ of rows without a C; 0 of rows with one
+  std::vector<double> target;             // h rate
+  std::vector<Pose<M>> before;            // of the bodies, at the start of the substep
+  std::vector<Velocity<M>> displacement;  // of the bodies since then [m, rad]
 };
 
-/// Begins a step: finds contacts and makes room for all rows. Returns whether the layout has changed.
+/// Begins a step [s]: finds contacts and makes room for all rows. Returns whether the layout has changed.
 template <class M>
-bool begin_rows(Scene<M>& scene, PositionWork<M>& work) {
-  work.contacts.find(scene);
+bool begin_rows(Scene<M>& scene, double step, PositionWork<M>& work) {
+  work.contacts.find(scene, step);
   const bool changed = lay_out_naturally(scene, work);
   work.contacts.write_impulses(work.system);
   for (auto* numbers : {&work.impulse, &work.from, &work.target}) numbers->resize(work.system.rows());
@@ -49,19 +50,37 @@ bool begin_rows(Scene<M>& scene, PositionWork<M>& work) {
 
 /// Writes rows, C₀ and h rate for a substep h [s] from the current state, and notes JV of rows that may bounce.
 template <class M>
-void write_targets(const Scene<M>& scene, double h, PositionWork<M>& work) {
+void write_targets(Scene<M>& scene, double h, PositionWork<M>& work) {
   System<M>& system = work.system;
+  work.contacts.follow_balls(scene, system);
   scene.write_rows(system, h);
   note_approach(system, scene.bodies().velocity, work.approach);
   for_each_block(system, [&](const BlockHeader& block, const Run& run) {
     const ConstraintStore<M>& store = scene.store(run.kind);
-    double C[6];  // no block has more rows
-    if (store.position_rows < store.rows) store.write_value(block.constraint, scene.bodies(), C);
+    double C[6] = {};  // no block has more rows
+    if (store.position_rows < store.rows && !store.holds_where_found)
+      store.write_value(block.constraint, scene.bodies(), C);
     for (int k = 0; k < store.rows; ++k) {
       work.from[block.row + k] = k < store.position_rows ? 0 : C[k];
       work.target[block.row + k] = h * system.rate[block.row + k];
     }
   });
+}
+
+/// Moves the poses freely for a substep h [s].
+template <class M>
+void advance_freely(Bodies<M>& bodies, double h, PositionWork<M>& work) {
+  work.before = bodies.pose;
+  work.displacement = bodies.velocity;
+  for (Velocity<M>& way : work.displacement) way *= h;
+  advance_poses(bodies, h);
+}
+
+/// C + JΔ of a block that holds where it was found, with Δ the displacement since; 0 + JΔ of rows without a C.
+template <class M, int K, Bound B>
+Rows<K> displaced_value(const Block<M, K, B>& block, const PositionWork<M>& work) {
+  return Eigen::Map<const Rows<K>>(&work.system.C[block.row]) +
+         dot(block.J, work.displacement[block.body1], work.displacement[block.body2]);
 }
 
 /// C - C₀ + h rate of a block's rows with values C. The change of an angle (`periodic`) is at most half a turn.
@@ -121,11 +140,11 @@ Rows<K> bounded_newton(const Eigen::Matrix<double, K, K>& A, const Rows<K>& resi
   }
 }
 
-/// Moves the two bodies of a block by M⁻¹JᵀΔΛ.
+/// Calls displace(body, M⁻¹JᵀΔΛ) for those bodies of a block that move.
 template <class M, int K, Bound B>
-void displace(const Block<M, K, B>& block, const Rows<K>& change, std::vector<Pose<M>>& poses) {
-  if (block.moves1) move<M, double>(poses[block.body1], block.W.side1().transpose() * change, 1);
-  if (block.moves2) move<M, double>(poses[block.body2], block.W.side2().transpose() * change, 1);
+void apply_displacement(const Block<M, K, B>& block, const Rows<K>& change, auto&& displace) {
+  if (block.moves1) displace(block.body1, Velocity<M>(block.W.side1().transpose() * change));
+  if (block.moves2) displace(block.body2, Velocity<M>(block.W.side2().transpose() * change));
 }
 
 /// The velocity with which `move` goes from one pose to another in a time h [s], turning less than half a turn. In
@@ -151,7 +170,7 @@ void end_substep(Scene<M>& scene, Gyroscopic gyroscopic, double h, double thresh
   end_turn(gyroscopic, bodies, h);
   for (int row = 0; row < system.rows(); ++row) system.lambda[row] = work.impulse[row] / h;
   if (work.approach.empty()) return;
-  for_each_block(system, [&]<int K, Bound B>(Block<M, K, B>& block, const Run& run) {
+  for_each_block(system, [&]<int K, Bound B>(Block<M, K, B>& block, const Run&) {
     if constexpr (constexpr int count = bouncing<K, B>; count > 0) {
       Eigen::Map<Rows<K>> lambda(&system.lambda[block.row]);
       Rows<K> parting = Rows<K>::Zero();
@@ -160,8 +179,6 @@ void end_substep(Scene<M>& scene, Gyroscopic gyroscopic, double h, double thresh
         if (lambda[k] > 0 && approach < -threshold) parting[k] = -system.restitution[block.row] * approach;
       }
       if (parting.isZero(0)) return;
-      Rows<K> C;
-      scene.store(run.kind).linearise(bodies, block, C.data());
       Velocity<M>&V1 = bodies.velocity[block.body1], &V2 = bodies.velocity[block.body2];
       const ImpulseBounds bounds{system.lower[block.row], system.upper[block.row]};
       const Rows<K> change = bounded_newton<B, K>(inverse_effective_mass(block.J, block.W),

@@ -16,7 +16,9 @@ void project(const Projection& cure, const ConstraintStore<M>& store, Block<M, K
   Eigen::Matrix<double, K, K> A = inverse_effective_mass(block.J, block.W);
   for (int k = 0; k < K; ++k) A(k, k) += store.softness(block.constraint);
   const ImpulseBounds bounds = {0, B == Bound::interval ? std::numeric_limits<double>::infinity() : 0.0};
-  displace<M, K, B>(block, cure.share * bounded_newton<B, K>(A, C, Rows<K>::Zero(), bounds), bodies.pose);
+  apply_displacement<M, K, B>(
+      block, cure.share * bounded_newton<B, K>(A, C, Rows<K>::Zero(), bounds),
+      [&](int body, const Velocity<M>& way) { move<M, double>(bodies.pose[body], way, 1); });
 }
 
 /// Friction has no C.

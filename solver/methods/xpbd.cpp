@@ -30,13 +30,19 @@ void solve_block(const ConstraintStore<M>& store, double h, Block<M, K, B>& bloc
   Eigen::Map<Rows<K>> impulse(&work.impulse[block.row]);
   const Eigen::Map<const Rows<K>> gamma(&work.system.gamma[block.row]);
   Rows<K> C;
-  store.linearise(bodies, block, C.data());
+  if (store.holds_where_found)
+    C = displaced_value(block, work);
+  else
+    store.linearise(bodies, block, C.data());
   Eigen::Matrix<double, K, K> A = inverse_effective_mass(block.J, block.W);
   A.diagonal() += gamma;
   const Rows<K> residual = position_error<M, K>(C, store.periodic, block.row, work) + gamma.cwiseProduct(impulse);
   const Rows<K> change = bounded_newton<B, K>(A, residual, impulse, impulse_bounds(block, h, work));
   impulse += change;
-  displace(block, change, bodies.pose);
+  apply_displacement(block, change, [&](int body, const Velocity<M>& way) {
+    work.displacement[body] += way;
+    move<M, double>(bodies.pose[body], way, 1);
+  });
 }
 
 }  // namespace
@@ -44,7 +50,7 @@ void solve_block(const ConstraintStore<M>& store, double h, Block<M, K, B>& bloc
 template <class M>
 void advance(Scene<M>& scene, const Xpbd& method, double step, PositionWork<M>& work) {
   require_steppable(scene, method, step);
-  begin_rows(scene, work);
+  begin_rows(scene, step, work);
   Bodies<M>& bodies = scene.state();
   const double h = work.h = step / method.substeps;
   for (int substep = 0; substep < method.substeps; ++substep) {
@@ -53,8 +59,7 @@ void advance(Scene<M>& scene, const Xpbd& method, double step, PositionWork<M>& 
     std::fill(work.impulse.begin(), work.impulse.end(), 0.0);
     begin_turn(method.gyroscopic, bodies, h);
     add_gravity(bodies, scene.gravity, h);
-    work.before = bodies.pose;
-    advance_poses(bodies, h);
+    advance_freely(bodies, h, work);
     for (int i = 0; i < method.iterations; ++i)
       for_each_block(work.system, [&](auto& block, const Run& run) {
         solve_block(scene.store(run.kind), h, block, bodies, work);

@@ -86,11 +86,14 @@ TEST(Piles, BounceAndSpinWithoutANumberThatIsNone) {
 }
 
 // With friction there may be more than one answer; without it the velocities are unique, however many impulses
-// make them.
+// make them. Without the lookahead, for boxes that press on each other all around have more rows than they can
+// move.
 TEST(Piles, WithoutFrictionAreSolvedDirectlyToWhereSweepsConverge) {
   for (int seed = 1; seed <= 8; ++seed)
     for (const double e : {0.0, 1.0}) {
-      Simulation<PlaneBody> swept{box_pile<PlaneBody>(seed, {.decades = 1, .surface = {0, e}}), {}};
+      Scene<PlaneBody> pile = box_pile<PlaneBody>(seed, {.decades = 1, .surface = {0, e}});
+      pile.set_margin(0.02, 0);
+      Simulation<PlaneBody> swept{std::move(pile), {}};
       for (int i = 0; i < 30; ++i) {
         Simulation<PlaneBody> direct = swept, as_it_comes = swept;
         direct.method.solver = Direct{.rounds = 100, .tolerance = 1e-12};

@@ -5,9 +5,10 @@
 #include "lessons/scenes/balls.hpp"
 #include "solver/step.hpp"
 
-// Law 16. Contacts are looked for once a step. A ball of radius r is turned back by a wall of thickness w if it is
-// seen before its centre has passed the middle of the wall, beyond which the nearest way out is through: from
-// `margin` before they touch. That way is r + margin + w/2 long. Safe is what goes no further in a step,
+// Law 16. Contacts are looked for once a step, here without the lookahead |v| h of a scene's margin. A ball of
+// radius r is turned back by a wall of thickness w if it is seen before its centre has passed the middle of the
+// wall, beyond which the nearest way out is through: from `margin` before they touch. That way is r + margin + w/2
+// long. Safe is what goes no further in a step,
 //
 //   v h <= r + margin + w/2,
 //
@@ -25,7 +26,7 @@ double share_that_passes(const FlyingBalls& balls, int how_many) {
   for (int i = 0; i < how_many; ++i) {
     Scene<M> scene;
     scene.gravity.setZero();
-    scene.set_margin(balls.margin);
+    scene.set_margin(balls.margin, 0);
     scene.set_shape(scene.add_body({0, 0}, fixed<M>()), Box<M>{{balls.wall, 20}});
     const double start =
         -(balls.wall + 4 * radius + balls.margin) - (i + 0.5) / how_many * balls.speed * balls.step;
