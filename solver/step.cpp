@@ -26,9 +26,9 @@ void end_cure(const VelocityStepping& method, double h, Scene<M>& scene, Work<M>
 /// Solves bouncing contacts a second time, after the poses have moved.
 template <class M>
 void bounce(const VelocityStepping& method, Bodies<M>& bodies, Work<M>& work) {
-  if (!set_bounce(work.approach, method.bounce_threshold, work.system)) return;
+  if (!set_bounce(work.parting, work.system)) return;
   solve_rows(method.solver, bodies, work, Begin::resume);
-  forget_bounce(work.approach, method.bounce_threshold, work.system);
+  forget_bounce(work.parting, work.system);
 }
 
 }  // namespace
@@ -64,7 +64,7 @@ void advance(Scene<M>& scene, const VelocityStepping& method, double step, Work<
     scene.write_rows(work.system, h);   // J, C, M⁻¹Jᵀ at the current poses
     begin_cure(method.drift, h, work);  // b of (21), (22)
     if (method.euler == Euler::explicit_) advance_poses(bodies, h);
-    note_approach(work.system, bodies.velocity, work.approach);
+    note_parting(scene, h, method.bounce_threshold, work.system, work.parting);
     begin_turn(method.gyroscopic, bodies, h);
     add_gravity(bodies, scene.gravity, h);    // before λ, or the rows cannot answer it
     rescale_impulses(work, h);                // λ of last step, for the warm start

@@ -183,7 +183,7 @@ void advance(Scene<M>& scene, const Avbd& method, double h, Avbd::Work<M>& work)
   work.system.stiffness.resize(work.system.rows());
   work.curvature.resize(2 * M::dof * work.system.rows());
   rescale_impulses(work, h);
-  write_targets(scene, h, work);
+  write_targets(scene, h, method.bounce_threshold, work);
   for_each_block(work.system, [&](const auto& block, const Run& run) {
     note_curvature(scene.store(run.kind), block, bodies, work);
     warm_start(method, run.position_rows, block, work);
@@ -201,7 +201,7 @@ void advance(Scene<M>& scene, const Avbd& method, double h, Avbd::Work<M>& work)
     });
     work.row_solves += work.system.rows();
   }
-  end_substep(scene, method.gyroscopic, h, method.bounce_threshold, work);
+  end_substep(scene, method.gyroscopic, h, work);
   work.contacts.read_impulses(work.system);
 }
 

@@ -48,13 +48,14 @@ bool begin_rows(Scene<M>& scene, double step, PositionWork<M>& work) {
   return changed;
 }
 
-/// Writes rows, C₀ and h rate for a substep h [s] from the current state, and notes JV of rows that may bounce.
+/// Writes rows, C₀ and h rate for a substep h [s] from the current state. Contacts that meet faster than
+/// `threshold` [m/s] will bounce.
 template <class M>
-void write_targets(Scene<M>& scene, double h, PositionWork<M>& work) {
+void write_targets(Scene<M>& scene, double h, double threshold, PositionWork<M>& work) {
   System<M>& system = work.system;
   work.contacts.follow_balls(scene, system);
   scene.write_rows(system, h);
-  note_approach(system, scene.bodies().velocity, work.approach);
+  note_parting(scene, h, threshold, system, work.parting);
   for_each_block(system, [&](const BlockHeader& block, const Run& run) {
     const ConstraintStore<M>& store = scene.store(run.kind);
     double C[6] = {};  // no block has more rows
@@ -159,25 +160,23 @@ Velocity<M> velocity_between(const Pose<M>& before, const Pose<M>& after, double
   return V;
 }
 
-/// Ends a substep h [s]: velocities from the change of poses, λ from Λ. Then contacts that press and met faster
-/// than `threshold` [m/s] get the velocity -e JV⁻, one after the other.
+/// Ends a substep h [s]: velocities from the change of poses, λ from Λ. Then contacts that press and bounce get
+/// their velocity, one after the other.
 template <class M>
-void end_substep(Scene<M>& scene, Gyroscopic gyroscopic, double h, double threshold, PositionWork<M>& work) {
+void end_substep(Scene<M>& scene, Gyroscopic gyroscopic, double h, PositionWork<M>& work) {
   System<M>& system = work.system;
   Bodies<M>& bodies = scene.state();
   for (int i = 0; i < bodies.size(); ++i)
     if (moves(bodies.inverse_mass[i])) bodies.velocity[i] = velocity_between<M>(work.before[i], bodies.pose[i], h);
   end_turn(gyroscopic, bodies, h);
   for (int row = 0; row < system.rows(); ++row) system.lambda[row] = work.impulse[row] / h;
-  if (work.approach.empty()) return;
+  if (work.parting.empty()) return;
   for_each_block(system, [&]<int K, Bound B>(Block<M, K, B>& block, const Run&) {
     if constexpr (constexpr int count = bouncing<K, B>; count > 0) {
       Eigen::Map<Rows<K>> lambda(&system.lambda[block.row]);
       Rows<K> parting = Rows<K>::Zero();
-      for (int k = 0; k < count; ++k) {
-        const double approach = work.approach[block.row + k];
-        if (lambda[k] > 0 && approach < -threshold) parting[k] = -system.restitution[block.row] * approach;
-      }
+      for (int k = 0; k < count; ++k)
+        if (lambda[k] > 0) parting[k] = std::max(0.0, work.parting[block.row + k]);
       if (parting.isZero(0)) return;
       Velocity<M>&V1 = bodies.velocity[block.body1], &V2 = bodies.velocity[block.body2];
       const ImpulseBounds bounds{system.lower[block.row], system.upper[block.row]};

@@ -20,7 +20,7 @@ struct StepWork {
 
   System<M> system;
   ContactManager<M> contacts;
-  std::vector<double> approach;  // JV of rows that may bounce, before they are solved
+  std::vector<double> parting;  // by row, the least rate that a bounce leaves
   Layout layout = Layout::none;
   std::uint64_t version = 0;  // of the scene when it was laid out
   bool loopless = false;      // whether its graph has no loops

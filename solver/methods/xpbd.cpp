@@ -54,7 +54,7 @@ void advance(Scene<M>& scene, const Xpbd& method, double step, PositionWork<M>& 
   Bodies<M>& bodies = scene.state();
   const double h = work.h = step / method.substeps;
   for (int substep = 0; substep < method.substeps; ++substep) {
-    write_targets(scene, h, work);
+    write_targets(scene, h, method.bounce_threshold, work);
     limit_push(scene, method.push_speed * h, work);
     std::fill(work.impulse.begin(), work.impulse.end(), 0.0);
     begin_turn(method.gyroscopic, bodies, h);
@@ -64,7 +64,7 @@ void advance(Scene<M>& scene, const Xpbd& method, double step, PositionWork<M>& 
       for_each_block(work.system, [&](auto& block, const Run& run) {
         solve_block(scene.store(run.kind), h, block, bodies, work);
       });
-    end_substep(scene, method.gyroscopic, h, method.bounce_threshold, work);
+    end_substep(scene, method.gyroscopic, h, work);
     work.row_solves += static_cast<long long>(method.iterations) * work.system.rows();
   }
   work.contacts.read_impulses(work.system);

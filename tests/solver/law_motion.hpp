@@ -28,6 +28,16 @@ double rod_rate(const Scene<M>& scene, int from, int to) {
   return (d.x() * v.y() - d.y() * v.x()) / d.squaredNorm();
 }
 
+/// The energy of the parabolas that free bodies go along: steps of h pass through the points of one that begins
+/// with V + gh/2 [J].
+template <class M>
+double energy_of_parabolas(Scene<M> scene, double h) {
+  for (int i = 0; i < scene.bodies().size(); ++i)
+    if (moves(scene.bodies().inverse_mass[i]))
+      scene.state().velocity[i].template head<M::linear>() += h / 2 * scene.gravity;
+  return energy(scene);
+}
+
 /// Runs for `time` [s] in steps of h [s], which must divide it, and calls `look` after each.
 template <class M, class Method, class F>
 void run(Simulation<M, Method>& simulation, double time, double h, F&& look) {

@@ -14,24 +14,26 @@ constexpr double h = 1.0 / 60;
 // What the correction may give in a step is λ over the way that it opens its row, as in piles.cpp. Impacts and
 // friction take more than all else gives: that the energy stays below its first value and the correction's share
 // is a law, though no single step has to lose some.
+// Restitution together with Coulomb's friction may make a little energy (Kane's paradox), friction alone does not.
 TEST(PilesInSpace, StayFiniteAndGainNoEnergy) {
-  for (int seed = 1; seed <= 12; ++seed)
-    for (const RowSolver& solver : {RowSolver(GaussSeidel{}), RowSolver(ByGraph{})}) {
-      Simulation<M> simulation{box_pile<M>(seed, {.count = 8}), {solver}};
-      simulation.method.drift = Baumgarte{.slop = 0.002, .speed_cap = 3};
-      simulation.method.gyroscopic = Gyroscopic::implicit;
-      double allowed = energy(simulation.scene);
-      run(simulation, 1.5, h, [&] {
-        for (int i = 0; i < simulation.scene.bodies().size(); ++i) {
-          ASSERT_TRUE(simulation.scene.bodies().velocity[i].allFinite()) << "seed " << seed;
-          ASSERT_TRUE(simulation.scene.bodies().pose[i].position.allFinite()) << "seed " << seed;
-        }
-        const auto& system = simulation.work.system;
-        for (int row = 0; row < system.rows(); ++row)
-          allowed += system.lambda[row] * std::max(0.0, -system.bias[row]);
-        ASSERT_LE(energy(simulation.scene), allowed) << "seed " << seed;
-      });
-    }
+  for (const auto& [e, gain] : {std::pair{0.0, 1e-12}, {0.5, 1e-4}})
+    for (int seed = 1; seed <= 12; ++seed)
+      for (const RowSolver& solver : {RowSolver(GaussSeidel{}), RowSolver(ByGraph{})}) {
+        Simulation<M> simulation{box_pile<M>(seed, {.count = 8, .surface = {0.6, e}}), {solver}};
+        simulation.method.drift = Baumgarte{.slop = 0.002, .speed_cap = 3};
+        simulation.method.gyroscopic = Gyroscopic::implicit;
+        double allowed = energy(simulation.scene);
+        run(simulation, 1.5, h, [&, gain = gain] {
+          for (int i = 0; i < simulation.scene.bodies().size(); ++i) {
+            ASSERT_TRUE(simulation.scene.bodies().velocity[i].allFinite()) << "seed " << seed;
+            ASSERT_TRUE(simulation.scene.bodies().pose[i].position.allFinite()) << "seed " << seed;
+          }
+          const auto& system = simulation.work.system;
+          for (int row = 0; row < system.rows(); ++row)
+            allowed += system.lambda[row] * std::max(0.0, -system.bias[row]);
+          ASSERT_LE(energy(simulation.scene), (1 + gain) * allowed) << "seed " << seed;
+        });
+      }
 }
 
 // Balls roll on for ever, for nothing brakes a roll; boxes stop. Friction and impacts stop a box dead in a time
