@@ -34,7 +34,8 @@ Scene<M>::Scene(const Scene& other)
       entries_(other.entries_),
       lasting_(other.lasting_),
       next_id_(other.next_id_),
-      version_(other.version_) {
+      version_(other.version_),
+      written_(other.written_) {
   for (const auto& store : other.stores_) stores_.push_back(store->clone());
 }
 
@@ -138,6 +139,8 @@ void Scene<M>::set_shape(int body, const Shape<M>& shape, const Surface& surface
   require_in("restitution", surface.restitution, 0, 1);
   colliders_.shapes.resize(bodies_.size());
   colliders_.surfaces.resize(bodies_.size());
+  colliders_.stamps.resize(bodies_.size());
+  if (std::holds_alternative<std::monostate>(colliders_.shapes[body])) colliders_.stamps[body] = new_stamp();
   colliders_.shapes[body] = shape;
   colliders_.surfaces[body] = surface;
   changed();

@@ -30,6 +30,7 @@ template <class M>
 struct Colliders {
   std::vector<Shape<M>> shapes;
   std::vector<Surface> surfaces;
+  std::vector<std::uint64_t> stamps;  // of the body that has the shape: no other in any scene, but its copies
   double margin = 0.02;  // bodies nearer than this get a contact, for they may touch within the step [m]
   ContactRows rows = M::linear == 2 ? ContactRows::manifold : ContactRows::points;
 };
@@ -236,6 +237,7 @@ class Scene {
   std::vector<Entry> entries_;
   int lasting_ = 0, next_id_ = 0;
   std::uint64_t version_;
+  std::uint64_t written_ = 0;  // stamp of the contacts that were found last; copies of the scene keep it
 };
 
 }  // namespace byhand

@@ -59,7 +59,7 @@ void for_each_row(auto& pair, const std::vector<int>& row_of, auto&& f) {
 template <class M>
 void ContactManager<M>::find(Scene<M>& scene) {
   if (scene.colliders().shapes.empty()) return pairs_.clear();
-  const bool unchanged = version_ == scene.version();
+  const bool unchanged = version_ == scene.version() && written_ == scene.written_;
   if (!unchanged) {
     joined_.clear();
     for (int place = 0; place < scene.lasting(); ++place)
@@ -68,6 +68,7 @@ void ContactManager<M>::find(Scene<M>& scene) {
   }
   if (!update_bounds(scene, unchanged) && unchanged) return;
   const auto& masses = scene.bodies().inverse_mass;
+  const auto& stamps = scene.colliders().stamps;
   found_.clear();
   auto before = pairs_.begin();
   for (const BodyPair& bodies : broad_phase_.overlapping(bounds_)) {
@@ -75,7 +76,8 @@ void ContactManager<M>::find(Scene<M>& scene) {
     if (!moves(masses[i]) && !moves(masses[j])) continue;
     if (std::binary_search(joined_.begin(), joined_.end(), bodies)) continue;
     while (before != pairs_.end() && before->bodies < bodies) ++before;
-    const bool cached = before != pairs_.end() && before->bodies == bodies;
+    const bool cached =
+        before != pairs_.end() && before->bodies == bodies && before->stamps == std::array{stamps[i], stamps[j]};
     if (cached && !moved_[i] && !moved_[j])
       found_.push_back(*before);
     else
@@ -125,7 +127,7 @@ bool ContactManager<M>::update_bounds(const Scene<M>& scene, bool unchanged) {
 /// of friction turned into the new tangents.
 template <class M>
 void ContactManager<M>::collide(const Scene<M>& scene, const BodyPair& bodies, const Pair* before) {
-  const auto& [shapes, surfaces, margin, rows] = scene.colliders();
+  const auto& [shapes, surfaces, stamps, margin, rows] = scene.colliders();
   const auto [body1, body2] = bodies;
   const Pose<M>&pose1 = scene.bodies().pose[body1], &pose2 = scene.bodies().pose[body2];
   const Manifold<M> manifold =
@@ -133,6 +135,7 @@ void ContactManager<M>::collide(const Scene<M>& scene, const BodyPair& bodies, c
   if (manifold.empty()) return;
   Pair& pair = found_.emplace_back();
   pair.bodies = bodies;
+  pair.stamps = {stamps[body1], stamps[body2]};
   pair.size = manifold.size;
   pair.reference = manifold.reference;
   pair.one_manifold = rows == ContactRows::manifold;
@@ -173,6 +176,7 @@ void ContactManager<M>::write_constraints(bool same, Scene<M>& scene) {
     });
   }
   if (!same && !pairs_.empty()) scene.changed();
+  scene.written_ = written_ = new_stamp();
 }
 
 template class ContactManager<PlaneBody>;

@@ -23,10 +23,11 @@ struct ContactPair {
   };
 
   BodyPair bodies;
-  int size;                 // of the manifold
-  std::uint32_t reference;  // of the manifold
-  int constraint;           // place of the first constraint made from it
-  bool one_manifold;        // one ContactManifold instead of a Contact for each point
+  std::array<std::uint64_t, 2> stamps;  // of both, as in Colliders
+  int size;                             // of the manifold
+  std::uint32_t reference;              // of the manifold
+  int constraint;                       // place of the first constraint made from it
+  bool one_manifold;                    // one ContactManifold instead of a Contact for each point
   double friction, restitution;
   Linear<M> normal;
   std::array<Point, Manifold<M>::capacity> points;
@@ -60,7 +61,7 @@ class ContactManager {
   std::vector<char> moved_;        // by body, whether its contacts are to be computed again
   std::vector<BodyPair> joined_;   // by constraints; sorted
   std::vector<Pair> pairs_, found_;
-  std::uint64_t version_ = 0;  // of the scene
+  std::uint64_t version_ = 0, written_ = 0;  // of the scene
 };
 
 template <int L>
