@@ -60,7 +60,7 @@ template <class M>
 int Scene<M>::add_body(const Pose<M>& pose, const InverseMass<M>& mass, const Velocity<M>& velocity) {
   require_valid<M>(pose);
   require_valid<M>(mass);
-  require_valid<M>(velocity, mass);
+  require_valid<M>(velocity);
   auto& [poses, velocities, masses, removed] = bodies_;
   int body = bodies_.size();
   if (!removed.empty()) {
@@ -104,7 +104,6 @@ void Scene<M>::set_pose(int body, const Pose<M>& pose) {
   require_body(bodies_, body);
   require_valid<M>(pose);
   bodies_.pose[body] = pose;
-  if (!moves(bodies_.inverse_mass[body])) changed();  // contacts take it that a fixed body stays
 }
 
 template <class M>
@@ -118,7 +117,7 @@ void Scene<M>::set_position(int body, const Linear<M>& position) {
 template <class M>
 void Scene<M>::set_velocity(int body, const Velocity<M>& velocity) {
   require_body(bodies_, body);
-  require_valid<M>(velocity, bodies_.inverse_mass[body]);
+  require_valid<M>(velocity);
   bodies_.velocity[body] = velocity;
 }
 

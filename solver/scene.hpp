@@ -72,7 +72,8 @@ class Scene {
   /// For methods, which move bodies; anyone else uses the functions below, which check what they are given.
   Bodies<M>& state() { return bodies_; }
 
-  /// Adds a body (`fixed` holds it) and returns its index. That of a removed body is used again.
+  /// Adds a body (`fixed` holds it, or moves it with its velocity) and returns its index. That of a removed body
+  /// is used again.
   int add_body(const Pose<M>& pose, const InverseMass<M>& mass, const Velocity<M>& velocity = Velocity<M>::Zero());
   /// Adds an unturned body at a point [m].
   int add_body(const Linear<M>& position, const InverseMass<M>& mass,

@@ -11,13 +11,14 @@ namespace {
 /// An upper bound on how far any point within `bounds` moved with the body [m].
 template <class M>
 double displacement(const Pose<M>& before, const Pose<M>& now, const Bounds<M>& bounds) {
+  const double way = (now.position - before.position).norm();
   double turned = 0;  // twice the sine of half the angle, or a little more
   if constexpr (M::angular == 1)
     turned =
         Eigen::Vector2d(now.rotation.cos - before.rotation.cos, now.rotation.sin - before.rotation.sin).norm();
   else
     turned = 2 * (now.rotation.coeffs() - before.rotation.coeffs()).norm();
-  return (now.position - before.position).norm() + 0.5 * bounds.diagonal().norm() * turned;
+  return turned > 0 ? way + 0.5 * bounds.diagonal().norm() * turned : way;  // bounds may be infinite
 }
 
 /// Calls put(constraint) for each constraint made from a pair; it returns the constraint's identity.
@@ -114,8 +115,7 @@ bool ContactManager<M>::update_bounds(const Scene<M>& scene, bool unchanged) {
   bool any = false;
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     const Pose<M>& pose = scene.bodies().pose[i];
-    const bool moving = moves(scene.bodies().inverse_mass[i]);
-    if (unchanged && (!moving || displacement<M>(poses_[i], pose, bounds_[i]) < noticeable)) continue;
+    if (unchanged && displacement<M>(poses_[i], pose, bounds_[i]) < noticeable) continue;
     poses_[i] = pose;
     bounds_[i] = fattened(bounds<M>(shapes[i], pose), 0.5 * margin + noticeable);
     moved_[i] = any = true;

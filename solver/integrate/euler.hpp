@@ -23,7 +23,7 @@ void add_gravity(Bodies<M>& bodies, const Linear<M>& gravity, double h) {
 template <class M>
 void advance_poses(Bodies<M>& bodies, double h) {
   for (int i = 0; i < bodies.size(); ++i)
-    if (moves(bodies.inverse_mass[i])) move<M, double>(bodies.pose[i], bodies.velocity[i], h);
+    if (in_motion(bodies, i)) move<M, double>(bodies.pose[i], bodies.velocity[i], h);
 }
 //! [advance]
 

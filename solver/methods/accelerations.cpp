@@ -15,7 +15,7 @@ void write_free_accelerations(const Bodies<M>& bodies, const Linear<M>& gravity,
     if constexpr (M::angular == 3) {  // Euler's equations, I Ω̇ = IΩ × Ω in the body's axes
       const Eigen::Quaterniond& q = bodies.pose[i].rotation;
       const Eigen::Vector3d &inverse_moments = bodies.inverse_mass[i].angular,
-                            spin = rotate(inverse(q), bodies.velocity[i].template tail<3>());
+                            spin = rotate(inverse(q), V.template tail<3>());
       const Eigen::Vector3d momentum = spin.cwiseQuotient(inverse_moments);
       a.template tail<3>() = rotate(q, momentum.cross(spin).cwiseProduct(inverse_moments));
     }
@@ -67,7 +67,7 @@ void runge_kutta(Scene<M>& scene, std::span<const Stage> stages, double regulari
     for (std::size_t row = 0; row < work.change.size(); ++row)
       work.system.lambda[row] += weight * work.h * work.change[row];
     for (int i = 0; i < bodies.size(); ++i) {
-      if (!moves(bodies.inverse_mass[i])) continue;
+      if (!in_motion(bodies, i)) continue;
       Slope<M> slope{bodies.velocity[i], work.accelerated.velocity[i]}, &sum = work.sum[i];
       if constexpr (M::angular == 3)
         slope.turning = turning(bodies.pose[i].rotation, slope.velocity.template tail<3>()).coeffs();
@@ -86,7 +86,7 @@ template <class M>
 double go_to_middle(Bodies<M>& bodies, const Accelerations::Work<M>& work) {
   double largest = 0;
   for (int i = 0; i < bodies.size(); ++i) {
-    if (!moves(bodies.inverse_mass[i])) continue;
+    if (!in_motion(bodies, i)) continue;
     const Velocity<M> V = work.begin.velocity[i] + work.h / 2 * work.accelerated.velocity[i];
     const double change = (V - bodies.velocity[i]).cwiseAbs().maxCoeff();
     if (!(change <= largest)) largest = change;  // also if it is NaN
@@ -106,7 +106,7 @@ void implicit_midpoint(Scene<M>& scene, double regularisation, Accelerations::Wo
       1e-9, [&] { return go_to_middle(bodies, work); }, accelerate_there);  // [m/s, rad/s]
   for (std::size_t row = 0; row < work.change.size(); ++row) work.system.lambda[row] = work.h * work.change[row];
   for (int i = 0; i < bodies.size(); ++i) {
-    if (!moves(bodies.inverse_mass[i])) continue;
+    if (!in_motion(bodies, i)) continue;
     bodies.pose[i] = moved<M, double>(work.begin.pose[i], bodies.velocity[i], work.h);
     bodies.velocity[i] = work.begin.velocity[i] + work.h * work.accelerated.velocity[i];
   }

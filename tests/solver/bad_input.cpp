@@ -86,8 +86,6 @@ TEST(Body, MustBeSomewhereFiniteWithAMassThatIsPositiveOrNone) {
       subject.refuses([&] { scene.add_body(Pose<M>{}, wrong); }, fmt::format("inverse mass is {}", bad),
                       "positive and finite, or zero throughout for a fixed body");
     }
-    subject.refuses([&] { scene.add_body(Pose<M>{}, fixed<M>(), Velocity<M>(Velocity<M>::Unit(0))); },
-                    "velocity of a fixed body is 1", "zero");
   });
   in_both_bodies([]<class M>(Random& random) {
     Subject<M> subject;

@@ -206,12 +206,6 @@ TEST(BodyIndices, OfWhatIsGoneOrUnknownAreRefused) {
   expect_refusal(
       scene,
       [&] {
-        scene.set_velocity(0, {1, 0, 0});
-      },
-      "velocity of a fixed body is 1", "zero");
-  expect_refusal(
-      scene,
-      [&] {
         scene.set_mass(1, {-1, Angular<M>(1)});
       },
       "inverse mass is -1", "positive");
