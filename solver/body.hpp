@@ -105,13 +105,20 @@ class InverseMasses {
   std::vector<InverseMass<M>> all_;
 };
 
+/// How gravity and damping act on one body: v' = s g - c v and ω' = -d ω.
+struct BodyForces {
+  double gravity_scale = 1;                        // s
+  double linear_damping = 0, angular_damping = 0;  // c and d [1/s] >= 0
+};
+
 /// All bodies of a scene, each quantity contiguous: the solver's inner loop reads velocities alone.
 template <class M>
 struct Bodies {
   std::vector<Pose<M>> pose;
   std::vector<Velocity<M>> velocity;
   InverseMasses<M> inverse_mass;
-  std::vector<int> removed;  // indices that no body has at present
+  std::vector<int> removed;        // indices that no body has at present
+  std::vector<BodyForces> forces;  // by body; empty while all have the default
 
   int size() const { return static_cast<int>(pose.size()); }
   bool has(int body) const {

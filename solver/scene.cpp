@@ -61,7 +61,7 @@ int Scene<M>::add_body(const Pose<M>& pose, const InverseMass<M>& mass, const Ve
   require_valid<M>(pose);
   require_valid<M>(mass);
   require_valid<M>(velocity);
-  auto& [poses, velocities, masses, removed] = bodies_;
+  auto& [poses, velocities, masses, removed, forces] = bodies_;
   int body = bodies_.size();
   if (!removed.empty()) {
     body = removed.back();
@@ -73,6 +73,7 @@ int Scene<M>::add_body(const Pose<M>& pose, const InverseMass<M>& mass, const Ve
     make_room(poses);
     make_room(velocities);
     make_room(masses.all_);
+    if (!forces.empty()) forces.resize(body + 1);
     poses.push_back(pose);
     velocities.push_back(velocity);
     masses.all_.push_back(mass);
@@ -96,6 +97,7 @@ void Scene<M>::remove_body(int body) {
     if (entries_[place].body1 == body || entries_[place].body2 == body) remove(entries_[place].id);
   set_mass(body, fixed<M>());
   if (body < static_cast<int>(colliders_.shapes.size())) colliders_.shapes[body] = {};
+  if (!bodies_.forces.empty()) bodies_.forces[body] = {};
   bodies_.removed.push_back(body);
 }
 
@@ -128,6 +130,29 @@ void Scene<M>::set_mass(int body, const InverseMass<M>& mass) {
   bodies_.inverse_mass.all_[body] = mass;
   if (!moves(mass)) bodies_.velocity[body].setZero();
   changed();
+}
+
+template <class M>
+BodyForces& Scene<M>::forces_of(int body) {
+  bodies_.forces.resize(bodies_.size());
+  return bodies_.forces[body];
+}
+
+template <class M>
+void Scene<M>::set_damping(int body, double linear, double angular) {
+  require_body(bodies_, body);
+  require_in("linear damping", linear, 0, 1e300, "1/s");
+  require_in("angular damping", angular, 0, 1e300, "1/s");
+  BodyForces& own = forces_of(body);
+  own.linear_damping = linear;
+  own.angular_damping = angular;
+}
+
+template <class M>
+void Scene<M>::set_gravity_scale(int body, double factor) {
+  require_body(bodies_, body);
+  require_finite("gravity scale", factor);
+  forces_of(body).gravity_scale = factor;
 }
 
 template <class M>

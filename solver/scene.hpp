@@ -85,6 +85,10 @@ class Scene {
   void set_velocity(int body, const Velocity<M>& velocity);
   /// Gives a body another mass. `fixed` stops it where it is; a mass frees it again.
   void set_mass(int body, const InverseMass<M>& mass);
+  /// Slows a body down as by v' = -linear v and ω' = -angular ω [1/s] >= 0, stable for any time step.
+  void set_damping(int body, double linear, double angular = 0);
+  /// Multiplies the gravity on a body: 0 lets it float, a factor below 0 rise.
+  void set_gravity_scale(int body, double factor);
 
   /// Lets a body touch others. Throws std::invalid_argument for a shape or surface outside its range.
   void set_shape(int body, const Shape<M>& shape, const Surface& surface = {}) requires(M::angular > 0);
@@ -222,6 +226,7 @@ class Scene {
   }
   void append(int kind, int body1, int body2, int id);
   std::vector<double> kept(const System<M>& system, const std::vector<double>& numbers) const;
+  BodyForces& forces_of(int body);
   void forget_found();
   void prepare_to_add();
   void remove_place(int place);

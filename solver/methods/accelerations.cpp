@@ -11,7 +11,9 @@ void write_free_accelerations(const Bodies<M>& bodies, const Linear<M>& gravity,
     Velocity<M>& a = accelerated.velocity[i];
     a.setZero();
     if (!moves(bodies.inverse_mass[i])) continue;
-    a.template head<M::linear>() = gravity;
+    const BodyForces own = bodies.forces.empty() ? BodyForces{} : bodies.forces[i];
+    const Velocity<M>& V = bodies.velocity[i];
+    a.template head<M::linear>() = own.gravity_scale * gravity - own.linear_damping * V.template head<M::linear>();
     if constexpr (M::angular == 3) {  // Euler's equations, I Ω̇ = IΩ × Ω in the body's axes
       const Eigen::Quaterniond& q = bodies.pose[i].rotation;
       const Eigen::Vector3d &inverse_moments = bodies.inverse_mass[i].angular,
@@ -19,6 +21,8 @@ void write_free_accelerations(const Bodies<M>& bodies, const Linear<M>& gravity,
       const Eigen::Vector3d momentum = spin.cwiseQuotient(inverse_moments);
       a.template tail<3>() = rotate(q, momentum.cross(spin).cwiseProduct(inverse_moments));
     }
+    if constexpr (M::angular > 0)
+      a.template tail<M::angular>() -= own.angular_damping * V.template tail<M::angular>();
   }
 }
 
@@ -118,6 +122,10 @@ template <class M>
 void advance(Scene<M>& scene, const Accelerations& method, double step, Accelerations::Work<M>& work) {
   require_steppable(scene, method, step);
   begin_equalities(scene, step / method.substeps, work);
+  for (const BodyForces& own : scene.bodies().forces)  // explicit stages and the iteration are stable below 2
+    for (const double rate : {own.linear_damping, own.angular_damping})
+      require(rate * work.h <= 1, "damping in a substep", rate * work.h,
+              "at most 1 for integration of accelerations; take smaller substeps or another method");
   work.paths.resize(scene.bodies().size());
   work.sum.resize(scene.bodies().size());
   run_substeps(method.substeps, scene, work, [&] {

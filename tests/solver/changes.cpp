@@ -25,6 +25,12 @@ template <class M>
 Scene<M> built_anew(const Scene<M>& scene) {
   Scene<M> result = bodies_alone(scene);
   result.gravity = scene.gravity;
+  for (std::size_t i = 0; i < scene.bodies().forces.size(); ++i) {
+    if (!scene.bodies().has(static_cast<int>(i))) continue;
+    const BodyForces& own = scene.bodies().forces[i];
+    result.set_damping(static_cast<int>(i), own.linear_damping, own.angular_damping);
+    result.set_gravity_scale(static_cast<int>(i), own.gravity_scale);
+  }
   std::map<int, int> contacts;  // handles there and here
   const auto add = [&](auto constraint, int place) {
     if constexpr (requires { constraint.contact; }) constraint.contact = contacts.at(constraint.contact);
@@ -116,7 +122,7 @@ class Changes {
   /// Makes one random change.
   void change() {
     Scene<M>& scene = now().scene;
-    switch (random_.index(16)) {
+    switch (random_.index(18)) {
       case 0: return add_body(scene);
       case 1: return remove_body(scene);
       case 2: return scene.set_pose(any_body(), random_.pose<M>());
@@ -140,6 +146,8 @@ class Changes {
         scene.gravity = random_.vector<M::linear>(10);
         if constexpr (std::is_same_v<Method, VelocityStepping>) now().method = any_method(random_);
         return;
+      case 16: return scene.set_damping(any_body(), random_.uniform(0, 5), random_.uniform(0, 5));
+      case 17: return scene.set_gravity_scale(any_body(), random_.uniform(-1, 2));
     }
   }
 
