@@ -9,8 +9,7 @@
 namespace byhand {
 
 /// One body's share of M⁻¹ in (18): m⁻¹ [1/kg] and, where the body turns, I⁻¹ in the body frame, along its
-/// principal axes [1/(kg m²)]. Zero throughout means fixed: that, and not a mass of zero, is how a body is
-/// held.
+/// principal axes [1/(kg m²)]. Zero throughout means that no force moves it: see `fixed`.
 template <class M>
 struct InverseMass {
   double linear = 0;
@@ -21,7 +20,8 @@ struct InverseMass<Model<L, 0>> {
   double linear = 0;
 };
 
-/// A body that constraints can lean on and that nothing moves.
+/// A body that constraints can lean on and that no force moves. It rests, or it keeps the velocity that it is
+/// given, like a lift or a driven crank.
 template <class M>
 InverseMass<M> fixed() {
   return {};
@@ -105,19 +105,32 @@ class InverseMasses {
   std::vector<InverseMass<M>> all_;
 };
 
+/// How gravity and damping act on one body: v' = s g - c v and ω' = -d ω.
+struct BodyForces {
+  double gravity_scale = 1;                        // s
+  double linear_damping = 0, angular_damping = 0;  // c and d [1/s] >= 0
+};
+
 /// All bodies of a scene, each quantity contiguous: the solver's inner loop reads velocities alone.
 template <class M>
 struct Bodies {
   std::vector<Pose<M>> pose;
   std::vector<Velocity<M>> velocity;
   InverseMasses<M> inverse_mass;
-  std::vector<int> removed;  // indices that no body has at present
+  std::vector<int> removed;        // indices that no body has at present
+  std::vector<BodyForces> forces;  // by body; empty while all have the default
 
   int size() const { return static_cast<int>(pose.size()); }
   bool has(int body) const {
     return 0 <= body && body < size() && std::find(removed.begin(), removed.end(), body) == removed.end();
   }
 };
+
+/// Whether the pose of a body changes with time.
+template <class M>
+bool in_motion(const Bodies<M>& bodies, int body) {
+  return moves(bodies.inverse_mass[body]) || !bodies.velocity[body].isZero(0);
+}
 
 /// Throws std::invalid_argument unless `body` is the index of a body.
 template <class M>
@@ -150,11 +163,10 @@ void require_valid(const InverseMass<M>& mass) {
     for (const double share : mass.angular) require(fits(share), "inverse moment of inertia", share, allowed);
 }
 
-/// Throws std::invalid_argument for a velocity that is not finite, or not zero for a body that is fixed.
+/// Throws std::invalid_argument for a velocity that is not finite.
 template <class M>
-void require_valid(const Velocity<M>& velocity, const InverseMass<M>& mass) {
+void require_valid(const Velocity<M>& velocity) {
   for (const double v : velocity) require_finite("velocity", v, "m/s or rad/s");
-  require(moves(mass) || velocity.isZero(0), "velocity of a fixed body", velocity.norm(), "zero");
 }
 
 }  // namespace byhand

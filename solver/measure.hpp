@@ -24,14 +24,15 @@ double kinetic_energy(const Bodies<M>& bodies) {
   return energy;
 }
 
-/// -m g·x [J], zero at the origin.
+/// -m g·x [J], zero at the origin, with each body's gravity scale.
 template <class M>
 double potential_energy(const Scene<M>& scene) {
   const Bodies<M>& bodies = scene.bodies();
   double energy = 0;
   for (int i = 0; i < bodies.size(); ++i)
     if (moves(bodies.inverse_mass[i]))
-      energy -= scene.gravity.dot(bodies.pose[i].position) / bodies.inverse_mass[i].linear;
+      energy -=
+          gravity_on(bodies, i, scene.gravity, 0).dot(bodies.pose[i].position) / bodies.inverse_mass[i].linear;
   return energy;
 }
 

@@ -34,7 +34,8 @@ Scene<M>::Scene(const Scene& other)
       entries_(other.entries_),
       lasting_(other.lasting_),
       next_id_(other.next_id_),
-      version_(other.version_) {
+      version_(other.version_),
+      written_(other.written_) {
   for (const auto& store : other.stores_) stores_.push_back(store->clone());
 }
 
@@ -59,8 +60,8 @@ template <class M>
 int Scene<M>::add_body(const Pose<M>& pose, const InverseMass<M>& mass, const Velocity<M>& velocity) {
   require_valid<M>(pose);
   require_valid<M>(mass);
-  require_valid<M>(velocity, mass);
-  auto& [poses, velocities, masses, removed] = bodies_;
+  require_valid<M>(velocity);
+  auto& [poses, velocities, masses, removed, forces] = bodies_;
   int body = bodies_.size();
   if (!removed.empty()) {
     body = removed.back();
@@ -72,6 +73,7 @@ int Scene<M>::add_body(const Pose<M>& pose, const InverseMass<M>& mass, const Ve
     make_room(poses);
     make_room(velocities);
     make_room(masses.all_);
+    if (!forces.empty()) forces.resize(body + 1);
     poses.push_back(pose);
     velocities.push_back(velocity);
     masses.all_.push_back(mass);
@@ -95,6 +97,7 @@ void Scene<M>::remove_body(int body) {
     if (entries_[place].body1 == body || entries_[place].body2 == body) remove(entries_[place].id);
   set_mass(body, fixed<M>());
   if (body < static_cast<int>(colliders_.shapes.size())) colliders_.shapes[body] = {};
+  if (!bodies_.forces.empty()) bodies_.forces[body] = {};
   bodies_.removed.push_back(body);
 }
 
@@ -103,7 +106,6 @@ void Scene<M>::set_pose(int body, const Pose<M>& pose) {
   require_body(bodies_, body);
   require_valid<M>(pose);
   bodies_.pose[body] = pose;
-  if (!moves(bodies_.inverse_mass[body])) changed();  // contacts take it that a fixed body stays
 }
 
 template <class M>
@@ -117,7 +119,7 @@ void Scene<M>::set_position(int body, const Linear<M>& position) {
 template <class M>
 void Scene<M>::set_velocity(int body, const Velocity<M>& velocity) {
   require_body(bodies_, body);
-  require_valid<M>(velocity, bodies_.inverse_mass[body]);
+  require_valid<M>(velocity);
   bodies_.velocity[body] = velocity;
 }
 
@@ -131,6 +133,29 @@ void Scene<M>::set_mass(int body, const InverseMass<M>& mass) {
 }
 
 template <class M>
+BodyForces& Scene<M>::forces_of(int body) {
+  bodies_.forces.resize(bodies_.size());
+  return bodies_.forces[body];
+}
+
+template <class M>
+void Scene<M>::set_damping(int body, double linear, double angular) {
+  require_body(bodies_, body);
+  require_in("linear damping", linear, 0, 1e300, "1/s");
+  require_in("angular damping", angular, 0, 1e300, "1/s");
+  BodyForces& own = forces_of(body);
+  own.linear_damping = linear;
+  own.angular_damping = angular;
+}
+
+template <class M>
+void Scene<M>::set_gravity_scale(int body, double factor) {
+  require_body(bodies_, body);
+  require_finite("gravity scale", factor);
+  forces_of(body).gravity_scale = factor;
+}
+
+template <class M>
 void Scene<M>::set_shape(int body, const Shape<M>& shape, const Surface& surface) requires(M::angular > 0) {
   require_body(bodies_, body);
   require_valid<M>(shape);
@@ -138,6 +163,8 @@ void Scene<M>::set_shape(int body, const Shape<M>& shape, const Surface& surface
   require_in("restitution", surface.restitution, 0, 1);
   colliders_.shapes.resize(bodies_.size());
   colliders_.surfaces.resize(bodies_.size());
+  colliders_.stamps.resize(bodies_.size());
+  if (std::holds_alternative<std::monostate>(colliders_.shapes[body])) colliders_.stamps[body] = new_stamp();
   colliders_.shapes[body] = shape;
   colliders_.surfaces[body] = surface;
   changed();
@@ -235,7 +262,8 @@ void Scene<M>::require_kind(const Entry& entry, const std::type_info& kind) cons
 template <class M>
 void Scene<M>::require_presses(int id) const {
   const int at = id < 0 ? -1 : find(id);
-  require(at >= 0 && store(entries_[at].kind).bound == Bound::interval, "contact of a friction", id,
+  const auto presses = [](const auto& store) { return store.bound == Bound::interval && store.position_rows > 0; };
+  require(at >= 0 && presses(store(entries_[at].kind)), "contact of a friction", id,
           "the handle of a contact that was added before");
 }
 

@@ -30,6 +30,7 @@ template <class M>
 struct Colliders {
   std::vector<Shape<M>> shapes;
   std::vector<Surface> surfaces;
+  std::vector<std::uint64_t> stamps;  // of the body that has the shape: no other in any scene, but its copies
   // Bodies nearer than margin + lookahead |v| h get a contact, for they may touch within the step h.
   double margin = 0.02;  // [m]
   double lookahead = 1;
@@ -73,7 +74,8 @@ class Scene {
   /// For methods, which move bodies; anyone else uses the functions below, which check what they are given.
   Bodies<M>& state() { return bodies_; }
 
-  /// Adds a body (`fixed` holds it) and returns its index. That of a removed body is used again.
+  /// Adds a body (`fixed` holds it, or moves it with its velocity) and returns its index. That of a removed body
+  /// is used again.
   int add_body(const Pose<M>& pose, const InverseMass<M>& mass, const Velocity<M>& velocity = Velocity<M>::Zero());
   /// Adds an unturned body at a point [m].
   int add_body(const Linear<M>& position, const InverseMass<M>& mass,
@@ -85,6 +87,10 @@ class Scene {
   void set_velocity(int body, const Velocity<M>& velocity);
   /// Gives a body another mass. `fixed` stops it where it is; a mass frees it again.
   void set_mass(int body, const InverseMass<M>& mass);
+  /// Slows a body down as by v' = -linear v and ω' = -angular ω [1/s] >= 0, stable for any time step.
+  void set_damping(int body, double linear, double angular = 0);
+  /// Multiplies the gravity on a body: 0 lets it float, a factor below 0 rise.
+  void set_gravity_scale(int body, double factor);
 
   /// Lets a body touch others. Throws std::invalid_argument for a shape or surface outside its range.
   void set_shape(int body, const Shape<M>& shape, const Surface& surface = {}) requires(M::angular > 0);
@@ -223,6 +229,7 @@ class Scene {
   }
   void append(int kind, int body1, int body2, int id);
   std::vector<double> kept(const System<M>& system, const std::vector<double>& numbers) const;
+  BodyForces& forces_of(int body);
   void forget_found();
   void prepare_to_add();
   void remove_place(int place);
@@ -239,6 +246,7 @@ class Scene {
   std::vector<Entry> entries_;
   int lasting_ = 0, next_id_ = 0;
   std::uint64_t version_;
+  std::uint64_t written_ = 0;  // stamp of the contacts that were found last; copies of the scene keep it
 };
 
 }  // namespace byhand

@@ -65,6 +65,7 @@ void advance(Scene<M>& scene, const VelocityStepping& method, double step, Work<
     begin_cure(method.drift, h, work);  // b of (21), (22)
     if (method.euler == Euler::explicit_) advance_poses(bodies, h);
     note_parting(scene, h, method.bounce_threshold, work.system, work.parting);
+    damp(bodies, h);
     begin_turn(method.gyroscopic, bodies, h);
     add_gravity(bodies, scene.gravity, h);    // before λ, or the rows cannot answer it
     rescale_impulses(work, h);                // λ of last step, for the warm start

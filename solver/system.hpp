@@ -18,7 +18,7 @@ enum class Bound { none, interval, friction, manifold };
 /// A block's bodies, constraint and place among the rows.
 struct BlockHeader {
   int body1 = 0, body2 = 0;
-  bool moves1 = false, moves2 = false;  // a fixed body has velocity zero: it is read but never written
+  bool moves1 = false, moves2 = false;  // the velocity of a fixed body is read but never written
   int row = 0;                          // the first of its K rows in λ, bias, γ, …
   int normal_row = 0;                   // for Bound::friction: the row whose λ scales the bound
   int constraint = 0;                   // index among the constraints of its kind

@@ -22,7 +22,7 @@ StandingBox::StandingBox(double width, double mass, double h, int sweeps, Clamp 
 }
 
 void StandingBox::sweep() {
-  auto& [poses, velocities, masses, removed] = scene_.state();
+  auto& [poses, velocities, masses, removed, forces] = scene_.state();
   for (std::size_t i = 0; i < lambda_.size(); ++i) {
     const Contact<PlaneBody>& contact = scene_.all<Contact>()[i];
     const int one = contact.at.body1, two = contact.at.body2;

@@ -11,13 +11,14 @@ namespace {
 /// An upper bound on how far any point within `bounds` moved with the body [m].
 template <class M>
 double displacement(const Pose<M>& before, const Pose<M>& now, const Bounds<M>& bounds) {
+  const double way = (now.position - before.position).norm();
   double turned = 0;  // twice the sine of half the angle, or a little more
   if constexpr (M::angular == 1)
     turned =
         Eigen::Vector2d(now.rotation.cos - before.rotation.cos, now.rotation.sin - before.rotation.sin).norm();
   else
     turned = 2 * (now.rotation.coeffs() - before.rotation.coeffs()).norm();
-  return (now.position - before.position).norm() + 0.5 * bounds.diagonal().norm() * turned;
+  return turned > 0 ? way + 0.5 * bounds.diagonal().norm() * turned : way;  // bounds may be infinite
 }
 
 /// Calls put(constraint) for each constraint made from a pair; it returns the constraint's identity.
@@ -59,7 +60,7 @@ void for_each_row(auto& pair, const std::vector<int>& row_of, auto&& f) {
 template <class M>
 void ContactManager<M>::find(Scene<M>& scene, double step) {
   if (scene.colliders().shapes.empty()) return pairs_.clear();
-  const bool unchanged = version_ == scene.version();
+  const bool unchanged = version_ == scene.version() && written_ == scene.written_;
   if (!unchanged) {
     joined_.clear();
     for (int place = 0; place < scene.lasting(); ++place)
@@ -69,6 +70,7 @@ void ContactManager<M>::find(Scene<M>& scene, double step) {
   const double time = scene.colliders().lookahead * step;
   if (!update_bounds(scene, unchanged, time) && unchanged) return;
   const auto& masses = scene.bodies().inverse_mass;
+  const auto& stamps = scene.colliders().stamps;
   found_.clear();
   auto before = pairs_.begin();
   for (const BodyPair& bodies : broad_phase_.overlapping(bounds_)) {
@@ -76,7 +78,8 @@ void ContactManager<M>::find(Scene<M>& scene, double step) {
     if (!moves(masses[i]) && !moves(masses[j])) continue;
     if (std::binary_search(joined_.begin(), joined_.end(), bodies)) continue;
     while (before != pairs_.end() && before->bodies < bodies) ++before;
-    const bool cached = before != pairs_.end() && before->bodies == bodies;
+    const bool cached =
+        before != pairs_.end() && before->bodies == bodies && before->stamps == std::array{stamps[i], stamps[j]};
     if (cached && !moved_[i] && !moved_[j])
       found_.push_back(*before);
     else
@@ -127,10 +130,9 @@ bool ContactManager<M>::update_bounds(const Scene<M>& scene, bool unchanged, dou
   bool any = false;
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     const Pose<M>& pose = scene.bodies().pose[i];
-    const bool moving = moves(scene.bodies().inverse_mass[i]);
     const double way = time * scene.bodies().velocity[i].template head<M::linear>().norm(),
                  more = std::max(0.0, way - way_[i]);
-    if (unchanged && (!moving || displacement<M>(poses_[i], pose, bounds_[i]) + more < noticeable)) continue;
+    if (unchanged && displacement<M>(poses_[i], pose, bounds_[i]) + more < noticeable) continue;
     poses_[i] = pose;
     way_[i] = way;
     bounds_[i] = fattened(bounds<M>(shapes[i], pose), 0.5 * margin + noticeable + way);
@@ -147,6 +149,7 @@ void ContactManager<M>::collide(const Scene<M>& scene, const BodyPair& bodies, d
                                 const Pair* before) {
   const auto& shapes = scene.colliders().shapes;
   const auto& surfaces = scene.colliders().surfaces;
+  const auto& stamps = scene.colliders().stamps;
   const auto [body1, body2] = bodies;
   const Pose<M>&pose1 = scene.bodies().pose[body1], &pose2 = scene.bodies().pose[body2];
   const auto& V = scene.bodies().velocity;
@@ -157,6 +160,7 @@ void ContactManager<M>::collide(const Scene<M>& scene, const BodyPair& bodies, d
   if (std::none_of(manifold.begin(), manifold.end(), [&](const auto& p) { return p.separation <= reach; })) return;
   Pair& pair = found_.emplace_back();
   pair.bodies = bodies;
+  pair.stamps = {stamps[body1], stamps[body2]};
   pair.size = 0;
   pair.reference = manifold.reference;
   pair.one_manifold = scene.colliders().rows == ContactRows::manifold;
@@ -208,6 +212,7 @@ void ContactManager<M>::write_constraints(bool same, Scene<M>& scene) {
     }
   }
   if (!same && !pairs_.empty()) scene.changed();
+  scene.written_ = written_ = new_stamp();
 }
 
 template class ContactManager<PlaneBody>;

@@ -23,11 +23,12 @@ struct ContactPair {
   };
 
   BodyPair bodies;
-  int size;                 // of the manifold
-  std::uint32_t reference;  // of the manifold
-  int constraint;           // place of the first constraint made from it
-  bool one_manifold;        // one ContactManifold instead of a Contact for each point
-  bool round;               // whether one of them is a ball
+  std::array<std::uint64_t, 2> stamps;  // of both, as in Colliders
+  int size;                             // of the manifold
+  std::uint32_t reference;              // of the manifold
+  int constraint;                       // place of the first constraint made from it
+  bool one_manifold;                    // one ContactManifold instead of a Contact for each point
+  bool round;                           // whether one of them is a ball
   double friction, restitution;
   Linear<M> normal;
   std::array<Point, Manifold<M>::capacity> points;
@@ -66,7 +67,7 @@ class ContactManager {
   std::vector<char> moved_;        // by body, whether its contacts are to be computed again
   std::vector<BodyPair> joined_;   // by constraints; sorted
   std::vector<Pair> pairs_, found_;
-  std::uint64_t version_ = 0;  // of the scene
+  std::uint64_t version_ = 0, written_ = 0;  // of the scene
 };
 
 template <int L>

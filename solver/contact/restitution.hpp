@@ -1,6 +1,7 @@
 #pragma once
 
 #include "solver/gauss_seidel.hpp"
+#include "solver/integrate/euler.hpp"
 #include "solver/scene.hpp"
 
 // Bodies that meet faster than a threshold part with a share e of their speed. Where several contacts meet,
@@ -50,9 +51,9 @@ void note_parting(const Scene<M>& scene, double h, double threshold, const Syste
   if (!system.bounded || std::ranges::all_of(system.restitution, [](double e) { return e == 0; })) return;
   parting.assign(system.rows(), 0.0);
   const std::vector<Velocity<M>>& V = scene.bodies().velocity;
-  const auto fall = [&](bool moves) {
+  const auto fall = [&](int body, bool moves) {
     Velocity<M> gain = Velocity<M>::Zero();
-    if (moves) gain.template head<M::linear>() = h * scene.gravity;
+    if (moves) gain.template head<M::linear>() = h * gravity_on(scene.bodies(), body, scene.gravity, h);
     return gain;
   };
   system.for_each_run([&]<int K, Bound B>(std::span<const Block<M, K, B>> blocks) {
@@ -61,7 +62,7 @@ void note_parting(const Scene<M>& scene, double h, double threshold, const Syste
         const int row = block.row;
         if (system.restitution[row] == 0) continue;
         const Rows<K> rate = dot(block.J, V[block.body1], V[block.body2]),
-                      gain = dot(block.J, fall(block.moves1), fall(block.moves2));
+                      gain = dot(block.J, fall(block.body1, block.moves1), fall(block.body2, block.moves2));
         for (int k = 0; k < count; ++k)
           parting[row + k] =
               parting_rate(system.restitution[row], rate[k], gain[k], system.C[row + k] / h, threshold);

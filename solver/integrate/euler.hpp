@@ -8,13 +8,38 @@ namespace byhand {
 /// (explicit), which gains energy and is here to be seen.
 enum class Euler { symplectic, explicit_ };
 
+/// (1 - exp(-x))/x for x >= 0: the mean of exp(-xs) over 0 <= s <= 1. By its series and by doubling x, for libm's
+/// exp differs from processor to processor.
+double mean_decay(double x);
+
+/// Damping into V over a time step h [s]: v exp(-ch), exactly.
+template <class M>
+void damp(Bodies<M>& bodies, double h) {
+  for (int i = 0; i < std::ssize(bodies.forces); ++i) {
+    if (!moves(bodies.inverse_mass[i])) continue;
+    const auto decay = [&](double rate) { return 1 - rate * h * mean_decay(rate * h); };
+    bodies.velocity[i].template head<M::linear>() *= decay(bodies.forces[i].linear_damping);
+    if constexpr (M::angular > 0)
+      bodies.velocity[i].template tail<M::angular>() *= decay(bodies.forces[i].angular_damping);
+  }
+}
+
+/// The gravity on a body, of which its damping leaves a share in a time step h [s]: with `damp`, v' = s g - c v is
+/// exact.
+template <class M>
+Linear<M> gravity_on(const Bodies<M>& bodies, int body, const Linear<M>& gravity, double h) {
+  if (bodies.forces.empty()) return gravity;
+  const BodyForces& own = bodies.forces[body];
+  return own.gravity_scale * mean_decay(own.linear_damping * h) * gravity;
+}
+
 //! [gravity]
 /// Gravity into V, before λ is solved: else the solver cannot answer it, and a hanging mass sinks at g h.
 template <class M>
 void add_gravity(Bodies<M>& bodies, const Linear<M>& gravity, double h) {
-  const Linear<M> gain = gravity * h;
   for (int i = 0; i < bodies.size(); ++i)
-    if (moves(bodies.inverse_mass[i])) bodies.velocity[i].template head<M::linear>() += gain;
+    if (moves(bodies.inverse_mass[i]))
+      bodies.velocity[i].template head<M::linear>() += gravity_on(bodies, i, gravity, h) * h;
 }
 //! [gravity]
 
@@ -23,7 +48,7 @@ void add_gravity(Bodies<M>& bodies, const Linear<M>& gravity, double h) {
 template <class M>
 void advance_poses(Bodies<M>& bodies, double h) {
   for (int i = 0; i < bodies.size(); ++i)
-    if (moves(bodies.inverse_mass[i])) move<M, double>(bodies.pose[i], bodies.velocity[i], h);
+    if (in_motion(bodies, i)) move<M, double>(bodies.pose[i], bodies.velocity[i], h);
 }
 //! [advance]
 

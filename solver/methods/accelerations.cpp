@@ -11,14 +11,18 @@ void write_free_accelerations(const Bodies<M>& bodies, const Linear<M>& gravity,
     Velocity<M>& a = accelerated.velocity[i];
     a.setZero();
     if (!moves(bodies.inverse_mass[i])) continue;
-    a.template head<M::linear>() = gravity;
+    const BodyForces own = bodies.forces.empty() ? BodyForces{} : bodies.forces[i];
+    const Velocity<M>& V = bodies.velocity[i];
+    a.template head<M::linear>() = own.gravity_scale * gravity - own.linear_damping * V.template head<M::linear>();
     if constexpr (M::angular == 3) {  // Euler's equations, I Ω̇ = IΩ × Ω in the body's axes
       const Eigen::Quaterniond& q = bodies.pose[i].rotation;
       const Eigen::Vector3d &inverse_moments = bodies.inverse_mass[i].angular,
-                            spin = rotate(inverse(q), bodies.velocity[i].template tail<3>());
+                            spin = rotate(inverse(q), V.template tail<3>());
       const Eigen::Vector3d momentum = spin.cwiseQuotient(inverse_moments);
       a.template tail<3>() = rotate(q, momentum.cross(spin).cwiseProduct(inverse_moments));
     }
+    if constexpr (M::angular > 0)
+      a.template tail<M::angular>() -= own.angular_damping * V.template tail<M::angular>();
   }
 }
 
@@ -67,7 +71,7 @@ void runge_kutta(Scene<M>& scene, std::span<const Stage> stages, double regulari
     for (std::size_t row = 0; row < work.change.size(); ++row)
       work.system.lambda[row] += weight * work.h * work.change[row];
     for (int i = 0; i < bodies.size(); ++i) {
-      if (!moves(bodies.inverse_mass[i])) continue;
+      if (!in_motion(bodies, i)) continue;
       Slope<M> slope{bodies.velocity[i], work.accelerated.velocity[i]}, &sum = work.sum[i];
       if constexpr (M::angular == 3)
         slope.turning = turning(bodies.pose[i].rotation, slope.velocity.template tail<3>()).coeffs();
@@ -86,7 +90,7 @@ template <class M>
 double go_to_middle(Bodies<M>& bodies, const Accelerations::Work<M>& work) {
   double largest = 0;
   for (int i = 0; i < bodies.size(); ++i) {
-    if (!moves(bodies.inverse_mass[i])) continue;
+    if (!in_motion(bodies, i)) continue;
     const Velocity<M> V = work.begin.velocity[i] + work.h / 2 * work.accelerated.velocity[i];
     const double change = (V - bodies.velocity[i]).cwiseAbs().maxCoeff();
     if (!(change <= largest)) largest = change;  // also if it is NaN
@@ -106,7 +110,7 @@ void implicit_midpoint(Scene<M>& scene, double regularisation, Accelerations::Wo
       1e-9, [&] { return go_to_middle(bodies, work); }, accelerate_there);  // [m/s, rad/s]
   for (std::size_t row = 0; row < work.change.size(); ++row) work.system.lambda[row] = work.h * work.change[row];
   for (int i = 0; i < bodies.size(); ++i) {
-    if (!moves(bodies.inverse_mass[i])) continue;
+    if (!in_motion(bodies, i)) continue;
     bodies.pose[i] = moved<M, double>(work.begin.pose[i], bodies.velocity[i], work.h);
     bodies.velocity[i] = work.begin.velocity[i] + work.h * work.accelerated.velocity[i];
   }
@@ -118,6 +122,10 @@ template <class M>
 void advance(Scene<M>& scene, const Accelerations& method, double step, Accelerations::Work<M>& work) {
   require_steppable(scene, method, step);
   begin_equalities(scene, step / method.substeps, work);
+  for (const BodyForces& own : scene.bodies().forces)  // explicit stages and the iteration are stable below 2
+    for (const double rate : {own.linear_damping, own.angular_damping})
+      require(rate * work.h <= 1, "damping in a substep", rate * work.h,
+              "at most 1 for integration of accelerations; take smaller substeps or another method");
   work.paths.resize(scene.bodies().size());
   work.sum.resize(scene.bodies().size());
   run_substeps(method.substeps, scene, work, [&] {

@@ -188,10 +188,11 @@ void advance(Scene<M>& scene, const Avbd& method, double h, Avbd::Work<M>& work)
     note_curvature(scene.store(run.kind), block, bodies, work);
     warm_start(method, run.position_rows, block, work);
   });
+  damp(bodies, h);
   begin_turn(method.gyroscopic, bodies, h);
   advance_freely(bodies, h, work);
   work.free = bodies.pose;
-  for (Pose<M>& pose : work.free) pose.position += h * h * scene.gravity;
+  for (int i = 0; i < bodies.size(); ++i) work.free[i].position += h * h * gravity_on(bodies, i, scene.gravity, h);
   for (int i = 0; i < method.iterations; ++i) {
     std::size_t next = 0;
     for (int body = 0; body < bodies.size(); ++body)

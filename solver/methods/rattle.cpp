@@ -50,7 +50,11 @@ void factor_rows(const Scene<M>& scene, double regularisation, Rattle::Work<M>& 
 template <class M>
 void rattle(Scene<M>& scene, const Rattle& method, Rattle::Work<M>& work) {
   Bodies<M>& bodies = scene.state();
-  add_gravity(bodies, scene.gravity, work.h / 2);
+  const auto kick = [&] {
+    damp(bodies, work.h / 2);
+    add_gravity(bodies, scene.gravity, work.h / 2);
+  };
+  kick();
   work.kicked = bodies.velocity;
   move_kicked(bodies, work);
   const auto correct = [&] {
@@ -62,7 +66,7 @@ void rattle(Scene<M>& scene, const Rattle& method, Rattle::Work<M>& work) {
   iterate(
       1e-9, [&] { return write_errors(scene, work); }, correct);  // [units of C]
   end_turn(Gyroscopic::implicit, bodies, work.h);
-  add_gravity(bodies, scene.gravity, work.h / 2);
+  kick();
   factor_rows(scene, method.regularisation, work);
   add_impulses(bodies.velocity, work);
 }

@@ -57,6 +57,7 @@ void advance(Scene<M>& scene, const Xpbd& method, double step, PositionWork<M>& 
     write_targets(scene, h, method.bounce_threshold, work);
     limit_push(scene, method.push_speed * h, work);
     std::fill(work.impulse.begin(), work.impulse.end(), 0.0);
+    damp(bodies, h);
     begin_turn(method.gyroscopic, bodies, h);
     add_gravity(bodies, scene.gravity, h);
     advance_freely(bodies, h, work);

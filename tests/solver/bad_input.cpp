@@ -5,6 +5,7 @@
 #include "lessons/scenes/chain.hpp"
 #include "solver/constraints/contact.hpp"
 #include "solver/constraints/friction.hpp"
+#include "solver/constraints/motor.hpp"
 #include "tests/solver/solving.hpp"
 
 // Bad input is refused where it enters, in one sentence with the value and what is allowed, and leaves nothing
@@ -85,8 +86,6 @@ TEST(Body, MustBeSomewhereFiniteWithAMassThatIsPositiveOrNone) {
       subject.refuses([&] { scene.add_body(Pose<M>{}, wrong); }, fmt::format("inverse mass is {}", bad),
                       "positive and finite, or zero throughout for a fixed body");
     }
-    subject.refuses([&] { scene.add_body(Pose<M>{}, fixed<M>(), Velocity<M>(Velocity<M>::Unit(0))); },
-                    "velocity of a fixed body is 1", "zero");
   });
   in_both_bodies([]<class M>(Random& random) {
     Subject<M> subject;
@@ -175,6 +174,13 @@ TEST(Contact, MustHaveAUnitNormal) {
   });
 }
 
+TEST(Margin, MustBePositiveAndFinite) {
+  Subject<PlaneBody> subject;
+  for (const double bad : {0.0, -1.0, infinity, nan})
+    subject.refuses([&] { subject.scene.set_margin(bad); }, fmt::format("contact margin is {}", bad),
+                    "positive finite number [m]");
+}
+
 TEST(Friction, MustFollowAContactWithUnitTangentsAndACoefficient) {
   in_all_models([]<class M>(Random&) {
     Subject<M> subject;
@@ -203,6 +209,17 @@ TEST(Friction, MustFollowAContactWithUnitTangentsAndACoefficient) {
           scene.add(Friction<M>{{0, 1}, tangents, 0.5, 2});
         },
         "contact of a friction is 2", allowed);
+    if constexpr (M::angular > 0) {
+      Turn<M> turn{0, 1};
+      if constexpr (M::angular == 3) turn.axis = Linear<M>::Unit(0);
+      const int drive = scene.add(motor(turn, 1, 1));  // its λ may be of either sign: no friction is bounded by it
+      expect_refusal(
+          [&] {
+            scene.add(Friction<M>{{0, 1}, tangents, 0.5, drive});
+          },
+          "contact of a friction is 2", allowed);
+      scene.remove(drive);
+    }
     subject.refuses(
         [&] {
           scene.add(Friction<M>{{0, 1}, tangents, -0.5, contact});
