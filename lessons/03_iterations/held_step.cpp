@@ -51,7 +51,8 @@ std::vector<double> HeldStep::shares() const {
 
 std::vector<double> HeldStep::errors() const {
   std::vector<double> errors;
-  const auto& [pose, velocity, mass, removed] = scene_.bodies();
+  const auto& pose = scene_.bodies().pose;
+  const auto& velocity = scene_.bodies().velocity;
   for (const auto& rod : scene_.all<Distance>()) {
     const auto J = rod.jacobian(pose[rod.at.body1], pose[rod.at.body2]);
     errors.push_back(dot(J, velocity[rod.at.body1], velocity[rod.at.body2])[0] / rod.length);

@@ -22,7 +22,9 @@ StandingBox::StandingBox(double width, double mass, double h, int sweeps, Clamp 
 }
 
 void StandingBox::sweep() {
-  auto& [poses, velocities, masses, removed, forces] = scene_.state();
+  const auto& poses = scene_.bodies().pose;
+  const auto& masses = scene_.bodies().inverse_mass;
+  auto& velocities = scene_.state().velocity;
   for (std::size_t i = 0; i < lambda_.size(); ++i) {
     const Contact<PlaneBody>& contact = scene_.all<Contact>()[i];
     const int one = contact.at.body1, two = contact.at.body2;
