@@ -37,11 +37,12 @@ Scene<M> built_anew(const Scene<M>& scene) {
     contacts[scene.entries()[place].id] = result.add(constraint);
   };
   if constexpr (M::angular > 0) {
-    const auto& [shapes, surfaces, stamps, margin, rows] = scene.colliders();
-    for (std::size_t i = 0; i < shapes.size(); ++i)
-      if (scene.bodies().has(static_cast<int>(i))) result.set_shape(static_cast<int>(i), shapes[i], surfaces[i]);
-    result.set_margin(margin);
-    result.set_contact_rows(rows);
+    const Colliders<M>& all = scene.colliders();
+    for (std::size_t i = 0; i < all.shapes.size(); ++i)
+      if (scene.bodies().has(static_cast<int>(i)))
+        result.set_shape(static_cast<int>(i), all.shapes[i], all.surfaces[i]);
+    result.set_margin(all.margin, all.lookahead);
+    result.set_contact_rows(all.rows);
     for_each_of<Distance, NormalisedDistance, Pin, Spring, Rope, Contact, Friction, Weld, TurnMotor, TurnLimit>(
         scene, [&](const auto& constraint, int place) {
           if (place < scene.lasting()) add(constraint, place);
@@ -130,7 +131,7 @@ class Changes {
       case 4: return scene.set_mass(any_body(), any_mass());
       case 5:
       case 6: return set_shape(scene);
-      case 7: return scene.set_margin(random_.uniform(1e-9, 1e-8));
+      case 7: return scene.set_margin(random_.uniform(1e-9, 1e-8), random_.index(2));
       case 8:
         return scene.set_contact_rows(random_.index(2) && M::linear == 2 ? ContactRows::manifold
                                                                          : ContactRows::points);

@@ -307,9 +307,10 @@ template <class M>
 Scene<M> built_anew(const Scene<M>& scene) {
   Scene<M> result = bodies_alone(scene);
   for_each_of<Distance, Pin>(scene, [&](const auto& constraint, int) { result.add(constraint); });
-  const auto& [shapes, surfaces, stamps, margin, rows] = scene.colliders();
+  const Colliders<M>& all = scene.colliders();
   if constexpr (M::angular > 0)
-    for (std::size_t i = 0; i < shapes.size(); ++i) result.set_shape(static_cast<int>(i), shapes[i], surfaces[i]);
+    for (std::size_t i = 0; i < all.shapes.size(); ++i)
+      result.set_shape(static_cast<int>(i), all.shapes[i], all.surfaces[i]);
   return result;
 }
 
