@@ -1,6 +1,5 @@
 #include "solver/methods/rattle.hpp"
 
-#include "solver/integrate/euler.hpp"
 #include "solver/integrate/gyroscopic.hpp"
 
 namespace byhand {
@@ -11,8 +10,7 @@ template <class M>
 void move_kicked(Bodies<M>& bodies, const Rattle::Work<M>& work) {
   bodies.pose = work.begin.pose;
   bodies.velocity = work.kicked;
-  begin_turn(Gyroscopic::implicit, bodies, work.h);
-  advance_poses(bodies, work.h);
+  move_freely(Gyroscopic::implicit, bodies, work.h);
 }
 
 /// Writes C/h of every row as offsets; returns the largest |C|.
@@ -61,7 +59,6 @@ void rattle(Scene<M>& scene, const Rattle& method, Rattle::Work<M>& work) {
   };
   iterate(
       1e-9, [&] { return write_errors(scene, work); }, correct);  // [units of C]
-  end_turn(Gyroscopic::implicit, bodies, work.h);
   add_gravity(bodies, scene.gravity, work.h / 2);
   factor_rows(scene, method.regularisation, work);
   add_impulses(bodies.velocity, work);
