@@ -1,7 +1,5 @@
 #include "solver/methods/avbd.hpp"
 
-#include "solver/integrate/euler.hpp"
-
 namespace byhand {
 
 void require_valid(const Avbd& method) {
@@ -180,9 +178,8 @@ void advance(Scene<M>& scene, const Avbd& method, double h, Avbd::Work<M>& work)
     note_curvature(scene.store(run.kind), block, bodies, work);
     warm_start(method, run.position_rows, block, work);
   });
-  begin_turn(method.gyroscopic, bodies, h);
-  work.before = bodies.pose;
-  advance_poses(bodies, h);
+  move_freely(method.gyroscopic, bodies, h);
+  add_gravity(bodies, scene.gravity, h);
   work.free = bodies.pose;
   for (Pose<M>& pose : work.free) pose.position += h * h * scene.gravity;
   for (int i = 0; i < method.iterations; ++i) {
@@ -194,7 +191,7 @@ void advance(Scene<M>& scene, const Avbd& method, double h, Avbd::Work<M>& work)
     });
     work.row_solves += work.system.rows();
   }
-  end_substep(scene, method.gyroscopic, h, method.bounce_threshold, work);
+  end_substep(scene, h, method.bounce_threshold, work);
   work.contacts.read_impulses(work.system);
 }
 

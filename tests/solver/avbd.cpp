@@ -74,7 +74,7 @@ TEST(Avbd, KeepsMomentumAsFarAsItsRoundsConverge) {
 
 TEST(Avbd, LeavesAFreeBodyItsSpin) {
   const Eigen::Vector3d spin(7, -4, 11);
-  Simulation plain{free_top({1, 2, 3}, spin), Avbd{}};
+  Simulation plain{free_top({1, 2, 3}, spin), Avbd{.gyroscopic = Gyroscopic::none}};
   run(plain, 5, h);
   EXPECT_LT((plain.scene.bodies().velocity[0].tail<3>() - spin).norm(), 1e-10);
 }
