@@ -30,8 +30,8 @@ struct VelocityStepping {
   RowSolver solver = GaussSeidel{};
   DriftCure drift = Baumgarte{};
   Euler euler = Euler::symplectic;
-  int substeps = 1;                          // equal parts of a step >= 1
-  Gyroscopic gyroscopic = Gyroscopic::none;  // of bodies in space
+  int substeps = 1;                              // equal parts of a step >= 1
+  Gyroscopic gyroscopic = Gyroscopic::implicit;  // of bodies in space
   double bounce_threshold = 0.5;  // slower contacts do not bounce, or resting bodies would rattle [m/s] >= 0
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "solver/body.hpp"
+#include "solver/integrate/euler.hpp"
 
 // A body with three different principal moments keeps its angular momentum, not its angular velocity. With π = IΩ,
 // both in the body's axes, Euler's equations
@@ -26,6 +26,11 @@
 //               The rows thus see the velocity with which poses move. (Source of the rule with Cayley's map: J. C.
 //               Simo and K. K. Wong, Unconditionally stable algorithms for rigid body dynamics that exactly
 //               preserve energy and momentum, Int. J. Numer. Meth. Engng 31, 1991; f is derived here.)
+//
+//               f is infinite at θ = π. So a body that turns by more than 1 rad makes several such turns in the
+//               step, of at most 1 rad each. The rows see the Ω of the first one; once they are solved, it and the
+//               others follow, at a cost proportional to the angle. So a free body keeps energy and momentum at
+//               any spin.
 namespace byhand {
 
 /// How ω × Iω of bodies in space enters a step; other models have no such term.
@@ -34,12 +39,21 @@ enum class Gyroscopic { none, explicit_, implicit };
 //! [gyroscopic]
 /// Before the rows are solved: changes velocities from Ω₀ to Ω, with which the poses turn for a step h [s].
 void begin_turn(Gyroscopic choice, Bodies<SpaceBody>& bodies, double h);
-/// After the poses have moved: changes velocities from Ω to Ω₁.
+/// After the poses have moved: changes velocities from Ω to Ω₁, and where a body turns by more than 1 rad its
+/// rotation too. Throws std::invalid_argument for more than 100,000 rad.
 void end_turn(Gyroscopic choice, Bodies<SpaceBody>& bodies, double h);
 //! [gyroscopic]
 template <class M>
 void begin_turn(Gyroscopic, Bodies<M>&, double) {}
 template <class M>
 void end_turn(Gyroscopic, Bodies<M>&, double) {}
+
+/// Moves the bodies freely for h [s]: poses along velocities, which become those at the end.
+template <class M>
+void move_freely(Gyroscopic choice, Bodies<M>& bodies, double h) {
+  begin_turn(choice, bodies, h);
+  advance_poses(bodies, h);
+  end_turn(choice, bodies, h);
+}
 
 }  // namespace byhand

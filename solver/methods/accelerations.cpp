@@ -84,20 +84,20 @@ void runge_kutta(Scene<M>& scene, std::span<const Stage> stages, double regulari
   }
 }
 
-/// Moves the bodies to the middle of the substep with the current accelerations. Returns the largest change of
-/// velocity [m/s, rad/s].
+/// Moves the bodies to the middle of the substep with the current accelerations. Returns the change of their
+/// velocities, the root of a sum of `square_of`.
 template <class M>
 double go_to_middle(Bodies<M>& bodies, const Accelerations::Work<M>& work) {
-  double largest = 0;
+  double sum = 0;
   for (int i = 0; i < bodies.size(); ++i) {
     if (!in_motion(bodies, i)) continue;
     const Velocity<M> V = work.begin.velocity[i] + work.h / 2 * work.accelerated.velocity[i];
-    const double change = (V - bodies.velocity[i]).cwiseAbs().maxCoeff();
-    if (!(change <= largest)) largest = change;  // also if it is NaN
+    if (const InverseMass<M>& mass = bodies.inverse_mass[i]; moves(mass))
+      sum += square_of<M>(mass, V - bodies.velocity[i]);
     bodies.velocity[i] = V;
     bodies.pose[i] = moved<M, double>(work.begin.pose[i], V, work.h / 2);
   }
-  return largest;
+  return std::sqrt(sum);
 }
 
 /// One substep by the implicit midpoint rule, to rounding.
@@ -107,7 +107,7 @@ void implicit_midpoint(Scene<M>& scene, double regularisation, Accelerations::Wo
   const auto accelerate_there = [&] { accelerate(scene, regularisation, work); };
   accelerate_there();
   iterate(
-      1e-9, [&] { return go_to_middle(bodies, work); }, accelerate_there);  // [m/s, rad/s]
+      tolerance(bodies, work.h), [&] { return go_to_middle(bodies, work); }, accelerate_there);
   for (std::size_t row = 0; row < work.change.size(); ++row) work.system.lambda[row] = work.h * work.change[row];
   for (int i = 0; i < bodies.size(); ++i) {
     if (!in_motion(bodies, i)) continue;

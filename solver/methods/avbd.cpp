@@ -1,7 +1,5 @@
 #include "solver/methods/avbd.hpp"
 
-#include "solver/integrate/euler.hpp"
-
 namespace byhand {
 
 void require_valid(const Avbd& method) {
@@ -58,27 +56,39 @@ void warm_start(const Avbd& method, int position_rows, const Block<M, K, B>& blo
   share_stiffness<B, K>(&system.stiffness[block.row]);
 }
 
-/// Notes how fast each row of J, a body's half of it, changes with each coordinate of that body.
+/// Notes how fast each row of J, a body's half of it, changes with each coordinate of that body. A radius of
+/// gyration makes lengths of angles, so that the unit of length does not matter.
 template <class M, int K, Bound B>
 void note_curvature(const ConstraintStore<M>& store, const Block<M, K, B>& block, Bodies<M>& bodies,
                     Avbd::Work<M>& work) {
-  constexpr double way = 0x1p-20;  // [m or rad]
   constexpr int dof = M::dof;
   if (store.holds_where_found) return std::fill_n(&work.curvature[2 * dof * block.row], 2 * dof * K, 0.0), void();
+  constexpr double share = 0x1p-20;
+  const double apart = (bodies.pose[block.body2].position - bodies.pose[block.body1].position).norm();
   Block<M, K, B> displaced = block;
   double C[K];
-  for (int column = 0; column < 2 * dof; ++column) {
-    const int first = column < dof ? 0 : dof;
-    Pose<M>& pose = bodies.pose[first == 0 ? block.body1 : block.body2];
+  const auto note_side = [&](int first, int body) {
+    const InverseMass<M>& mass = bodies.inverse_mass[body];
+    Velocity<M> length = Velocity<M>::Ones();  // of a unit of each coordinate
+    if constexpr (M::angular > 0)
+      length.template tail<M::angular>().setConstant(std::sqrt(mass.linear / mass.angular.mean()));
+    Pose<M>& pose = bodies.pose[body];
     const Pose<M> here = pose;
-    move<M, double>(pose, Velocity<M>::Unit(column - first), way);
-    store.linearise(bodies, displaced, C);
-    pose = here;
-    for (int k = 0; k < K; ++k) {
-      const Eigen::Map<const Velocity<M>> J(&block.J.matrix(k, first)), J_there(&displaced.J.matrix(k, first));
-      work.curvature[2 * dof * (block.row + k) + column] = (J_there - J).norm() / way;
+    for (int i = 0; i < dof; ++i) {
+      // rad, or m: as far as a body turns about the other
+      const double way = i < M::linear ? share * (apart + (M::angular > 0 ? length[dof - 1] : 0.0)) : share;
+      move<M, double>(pose, Velocity<M>::Unit(i), way);
+      store.linearise(bodies, displaced, C);
+      pose = here;
+      for (int k = 0; k < K; ++k) {
+        const Eigen::Map<const Velocity<M>> J(&block.J.matrix(k, first)), J_there(&displaced.J.matrix(k, first));
+        const double change = (J_there - J).cwiseQuotient(length).norm() * length[i];
+        work.curvature[2 * dof * (block.row + k) + first + i] = way > 0 ? change / way : 0.0;
+      }
     }
-  }
+  };
+  if (block.moves1) note_side(0, block.body1);
+  if (block.moves2) note_side(dof, block.body2);
 }
 
 /// F of a block's rows in units of Λ. `C` is their value and becomes their error; `unbounded` becomes Λ - κC.
@@ -189,8 +199,8 @@ void advance(Scene<M>& scene, const Avbd& method, double h, Avbd::Work<M>& work)
     warm_start(method, run.position_rows, block, work);
   });
   damp(bodies, h);
-  begin_turn(method.gyroscopic, bodies, h);
-  advance_freely(bodies, h, work);
+  advance_freely(method.gyroscopic, bodies, h, work);
+  add_gravity(bodies, scene.gravity, h);
   work.free = bodies.pose;
   for (int i = 0; i < bodies.size(); ++i) work.free[i].position += h * h * gravity_on(bodies, i, scene.gravity, h);
   for (int i = 0; i < method.iterations; ++i) {
@@ -202,7 +212,7 @@ void advance(Scene<M>& scene, const Avbd& method, double h, Avbd::Work<M>& work)
     });
     work.row_solves += work.system.rows();
   }
-  end_substep(scene, method.gyroscopic, h, work);
+  end_substep(scene, h, work);
   work.contacts.read_impulses(work.system);
 }
 

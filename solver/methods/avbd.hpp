@@ -41,7 +41,6 @@ struct Avbd {
     };
     std::vector<Holder> holders;    // the constraints of each moving body, sorted by body
     std::vector<double> curvature;  // how fast J of each row changes with each of its 2 dof coordinates
-    std::vector<Pose<M>> free;      // y
   };
 
   int iterations = 10;    // >= 1
@@ -50,8 +49,8 @@ struct Avbd {
   double memory = 0.99;   // share of k, and with α of Λ, kept from step to step, in [0, 1]
   double softest = 1;     // smallest k of a hard row, in units of its effective mass over h² > 0
   double stiffest = 1e9;  // largest k [N/m] > 0
-  Gyroscopic gyroscopic = Gyroscopic::none;  // of bodies in space
-  double bounce_threshold = 0.5;             // slower contacts do not bounce [m/s] >= 0
+  Gyroscopic gyroscopic = Gyroscopic::implicit;  // of bodies in space
+  double bounce_threshold = 0.5;                 // slower contacts do not bounce [m/s] >= 0
 };
 
 void require_valid(const Avbd& method);

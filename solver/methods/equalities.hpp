@@ -82,6 +82,28 @@ void run_substeps(int substeps, Scene<M>& scene, EqualitiesWork<M>& work, F&& su
   }
 }
 
+/// m|v|² + I|ω|² with the largest moment I, by which velocities in m/s and in rad/s compare.
+template <class M>
+double square_of(const InverseMass<M>& mass, const Velocity<M>& V) {
+  double sum = V.template head<M::linear>().squaredNorm() / mass.linear;
+  if constexpr (M::angular > 0) sum += V.template tail<M::angular>().squaredNorm() / mass.angular.minCoeff();
+  return sum;
+}
+
+/// What an implicit step may leave of its error, as the root of a `square_of`: 1e-9 of the velocities, and of
+/// those that lead across the scene or turn by 1 rad in h [s].
+template <class M>
+double tolerance(const Bodies<M>& bodies, double h) {
+  Velocity<M> across = Velocity<M>::Constant(1 / h);
+  double size = 0, sum = 0;
+  for (const Pose<M>& pose : bodies.pose) size = std::max(size, pose.position.norm());
+  across.template head<M::linear>() *= size;
+  for (int i = 0; i < bodies.size(); ++i)
+    if (const InverseMass<M>& mass = bodies.inverse_mass[i]; moves(mass))
+      sum += square_of<M>(mass, bodies.velocity[i]) + square_of<M>(mass, across);
+  return 1e-9 * std::sqrt(sum);
+}
+
 /// Calls `improve` until error() is at most `enough` and decreases no more, except by rounding. Throws
 /// NoConvergence after 100 errors or for one that is not finite.
 template <class Error, class Improve>
@@ -90,9 +112,14 @@ void iterate(double enough, Error&& error, Improve&& improve) {
   for (int count = 1;; ++count) {
     const double now = error();
     if (now == 0 || (now <= enough && now > 0.9 * last)) return;
-    if (count == 100 || !std::isfinite(now))
+    if (!std::isfinite(now))
       throw NoConvergence(
-          "the equations of an implicit step were not solved in 100 iterations; take a smaller step");
+          "the equations of an implicit step led to numbers that are not finite; take a smaller step");
+    if (count == 100)
+      throw NoConvergence("after 100 iterations the equations of an implicit step are wrong by " +
+                          text_of(now / enough) +
+                          " times their tolerance, as directions change too much within it; "
+                          "take a smaller step or more substeps");
     last = now;
     improve();
   }

@@ -34,8 +34,8 @@ struct PositionWork : StepWork<M> {
   std::vector<double> impulse;            // Λ = hλ
   std::vector<double> from;               // C₀ of rows without a C; 0 of rows with one
   std::vector<double> target;             // h rate
-  std::vector<Pose<M>> before;            // of the bodies, at the start of the substep
-  std::vector<Velocity<M>> displacement;  // of the bodies since then [m, rad]
+  std::vector<Pose<M>> free;              // where the bodies would be without rows
+  std::vector<Velocity<M>> displacement;  // of the bodies since the start of the substep [m, rad]
 };
 
 /// Begins a step [s]: finds contacts and makes room for all rows. Returns whether the layout has changed.
@@ -68,13 +68,12 @@ void write_targets(Scene<M>& scene, double h, double threshold, PositionWork<M>&
   });
 }
 
-/// Moves the poses freely for a substep h [s].
+/// Moves the bodies freely for a substep h [s].
 template <class M>
-void advance_freely(Bodies<M>& bodies, double h, PositionWork<M>& work) {
-  work.before = bodies.pose;
+void advance_freely(Gyroscopic gyroscopic, Bodies<M>& bodies, double h, PositionWork<M>& work) {
+  move_freely(gyroscopic, bodies, h);
   work.displacement = bodies.velocity;
   for (Velocity<M>& way : work.displacement) way *= h;
-  advance_poses(bodies, h);
 }
 
 /// C + JΔ of a block that holds where it was found, with Δ the displacement since; 0 + JΔ of rows without a C.
@@ -160,15 +159,15 @@ Velocity<M> velocity_between(const Pose<M>& before, const Pose<M>& after, double
   return V;
 }
 
-/// Ends a substep h [s]: velocities from the change of poses, λ from Λ. Then contacts that press and bounce get
-/// their velocity, one after the other.
+/// Ends a substep h [s]: adds to the velocities of the free motion what moves its poses to the present ones,
+/// however often a body has turned; λ from Λ. Then contacts that press and bounce get their velocity, one after
+/// the other.
 template <class M>
-void end_substep(Scene<M>& scene, Gyroscopic gyroscopic, double h, PositionWork<M>& work) {
+void end_substep(Scene<M>& scene, double h, PositionWork<M>& work) {
   System<M>& system = work.system;
   Bodies<M>& bodies = scene.state();
   for (int i = 0; i < bodies.size(); ++i)
-    if (moves(bodies.inverse_mass[i])) bodies.velocity[i] = velocity_between<M>(work.before[i], bodies.pose[i], h);
-  end_turn(gyroscopic, bodies, h);
+    if (moves(bodies.inverse_mass[i])) bodies.velocity[i] += velocity_between<M>(work.free[i], bodies.pose[i], h);
   for (int row = 0; row < system.rows(); ++row) system.lambda[row] = work.impulse[row] / h;
   if (work.parting.empty()) return;
   for_each_block(system, [&]<int K, Bound B>(Block<M, K, B>& block, const Run&) {

@@ -1,6 +1,5 @@
 #include "solver/methods/rattle.hpp"
 
-#include "solver/integrate/euler.hpp"
 #include "solver/integrate/gyroscopic.hpp"
 
 namespace byhand {
@@ -11,24 +10,25 @@ template <class M>
 void move_kicked(Bodies<M>& bodies, const Rattle::Work<M>& work) {
   bodies.pose = work.begin.pose;
   bodies.velocity = work.kicked;
-  begin_turn(Gyroscopic::implicit, bodies, work.h);
-  advance_poses(bodies, work.h);
+  move_freely(Gyroscopic::implicit, bodies, work.h);
 }
 
-/// Writes C/h of every row as offsets; returns the largest |C|.
+/// Writes C/h of every row as offsets. Returns their size as velocities: the root of the sum of squares, each
+/// times the row's effective mass.
 template <class M>
 double write_errors(const Scene<M>& scene, Rattle::Work<M>& work) {
-  double largest = 0;
-  for (int place = 0; place < scene.count(); ++place) {
-    const auto& entry = scene.entries()[place];
-    double* C = &work.offset[work.system.row_of[place]];
-    scene.store(entry.kind).write_value(entry.index, scene.bodies(), C);
-    for (int k = 0; k < scene.store(entry.kind).rows; ++k) {
-      if (!(std::abs(C[k]) <= largest)) largest = std::abs(C[k]);  // also if it is NaN
-      C[k] /= work.h;
+  double sum = 0;
+  for_each_block(work.system, [&](const auto& block, const Run& run) {
+    const ConstraintStore<M>& store = scene.store(run.kind);
+    double* rate = &work.offset[block.row];
+    store.write_value(block.constraint, scene.bodies(), rate);
+    for (int k = 0; k < store.rows; ++k) {
+      rate[k] /= work.h;
+      if (rate[k] != 0 && (block.moves1 || block.moves2))
+        sum += rate[k] * rate[k] / inverse_effective_mass(block.J, block.W, k);
     }
-  }
-  return largest;
+  });
+  return std::sqrt(sum);
 }
 
 /// Adds the impulses `work.change` to velocities and to λ.
@@ -64,8 +64,7 @@ void rattle(Scene<M>& scene, const Rattle& method, Rattle::Work<M>& work) {
     move_kicked(bodies, work);
   };
   iterate(
-      1e-9, [&] { return write_errors(scene, work); }, correct);  // [units of C]
-  end_turn(Gyroscopic::implicit, bodies, work.h);
+      tolerance(bodies, work.h), [&] { return write_errors(scene, work); }, correct);
   kick();
   factor_rows(scene, method.regularisation, work);
   add_impulses(bodies.velocity, work);

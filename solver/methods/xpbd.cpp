@@ -1,7 +1,5 @@
 #include "solver/methods/xpbd.hpp"
 
-#include "solver/integrate/euler.hpp"
-
 namespace byhand {
 
 void require_valid(const Xpbd& method) {
@@ -58,14 +56,14 @@ void advance(Scene<M>& scene, const Xpbd& method, double step, PositionWork<M>& 
     limit_push(scene, method.push_speed * h, work);
     std::fill(work.impulse.begin(), work.impulse.end(), 0.0);
     damp(bodies, h);
-    begin_turn(method.gyroscopic, bodies, h);
     add_gravity(bodies, scene.gravity, h);
-    advance_freely(bodies, h, work);
+    advance_freely(method.gyroscopic, bodies, h, work);
+    work.free = bodies.pose;
     for (int i = 0; i < method.iterations; ++i)
       for_each_block(work.system, [&](auto& block, const Run& run) {
         solve_block(scene.store(run.kind), h, block, bodies, work);
       });
-    end_substep(scene, method.gyroscopic, h, work);
+    end_substep(scene, h, work);
     work.row_solves += static_cast<long long>(method.iterations) * work.system.rows();
   }
   work.contacts.read_impulses(work.system);

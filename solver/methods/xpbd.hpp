@@ -7,7 +7,7 @@
 //
 //   x* = x₀ + h (v₀ + h g)           free poses
 //   C(x* + M⁻¹JᵀΛ) + γΛ = 0          each constraint in turn, by positions.hpp, from Λ = 0
-//   v₁ = (x₁ - x₀)/h                 a chord, not a tangent
+//   v₁ = v₀ + h g + (x₁ - x*)/h      = (x₁ - x₀)/h, a chord, not a tangent
 //
 // A chord leaves the constraint by twice as much as a tangent, and correcting that shortens the path: a particle
 // that turned by φ on a circle turns by φ₁ in the next substep, tan φ₁ = sin φ/(2 - cos φ), φ₁ ≈ φ - φ³. So its
@@ -28,11 +28,11 @@ struct Xpbd {
   template <class M>
   using Work = PositionWork<M>;
 
-  int substeps = 20;                         // >= 1
-  int iterations = 1;                        // per substep >= 1
-  Gyroscopic gyroscopic = Gyroscopic::none;  // of bodies in space
-  double push_speed = 1;                     // maximum speed at which overlap is pushed out [m/s] > 0
-  double bounce_threshold = 0.5;             // slower contacts do not bounce [m/s] >= 0
+  int substeps = 20;                             // >= 1
+  int iterations = 1;                            // per substep >= 1
+  Gyroscopic gyroscopic = Gyroscopic::implicit;  // of bodies in space
+  double push_speed = 1;                         // maximum speed at which overlap is pushed out [m/s] > 0
+  double bounce_threshold = 0.5;                 // slower contacts do not bounce [m/s] >= 0
 };
 
 void require_valid(const Xpbd& method);

@@ -119,6 +119,11 @@ TEST(Accelerations, ExplicitRulesDoNotRunBackwards) {
   EXPECT_GT(way_back(rod_chain<PlaneParticle>({.links = 3, .angle = 1.5}), explicit_euler), 1e-2);
 }
 
+TEST(Accelerations, DoTheSameAtAnyLength) {
+  for (const Accelerations& method : {explicit_euler, rk4, midpoint})
+    expect_same_at_any_length_of_rods_and_pins(method);
+}
+
 TEST(Accelerations, SubstepsAreStepsOfTheirOwn) {
   for (Accelerations method : {explicit_euler, rk4, midpoint}) {
     Simulation<SpaceBody, Accelerations> whole{leaning_top(), method}, cut = whole;

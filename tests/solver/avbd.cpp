@@ -53,6 +53,37 @@ TEST(Avbd, HoldsALongChainWithAHeavyEnd) {
   EXPECT_LT(furthest, 0.1);
 }
 
+/// A box on a rod from one of its corners, and a bob that hangs from another.
+template <class M>
+Scene<M> box_and_bob_on_rods(double length) {
+  Scene<M> scene;
+  const auto add = [&](const Linear<M>& position, const InverseMass<M>& mass) {
+    return scene.add_body(Linear<M>(length * position), mass);
+  };
+  const auto rod = [&](int body1, const Linear<M>& point1, int body2, const Linear<M>& point2) {
+    scene.add(NormalisedDistance<M>{
+        between<M>(scene.bodies(), body1, Linear<M>(length * point1), body2, Linear<M>(length * point2)),
+        length * (point2 - point1).norm()});
+  };
+  const Linear<M> x = Linear<M>::Unit(0), y = Linear<M>::Unit(1), origin = Linear<M>::Zero();
+  add(origin, fixed<M>());
+  add(2 * x, box<M>(2, Linear<M>::Constant(length)));
+  add(3 * x, ball<M>(1, length / 4));
+  rod(0, origin, 1, Linear<M>(1.5 * x + 0.5 * y));
+  rod(1, Linear<M>(2.5 * x - 0.5 * y), 2, Linear<M>(3 * x));
+  return scene;
+}
+TEST(Avbd, DoesTheSameAtAnyLength) {
+  const auto method_of = [](double length) {
+    return Avbd{.beta = 1e6 / length, .bounce_threshold = 0.5 * length};  // what has a unit of length
+  };
+  expect_same_at_any_length(
+      [](double a) { return rod_chain<PlaneParticle, NormalisedDistance>({.links = 3, .length = a, .angle = 1}); },
+      method_of);
+  expect_same_at_any_length(box_and_bob_on_rods<PlaneBody>, method_of);
+  expect_same_at_any_length(box_and_bob_on_rods<SpaceBody>, method_of);
+}
+
 TEST(Avbd, KeepsMomentumAsFarAsItsRoundsConverge) {
   using M = PlaneParticle;
   const auto lost = [](int iterations) {
@@ -74,7 +105,7 @@ TEST(Avbd, KeepsMomentumAsFarAsItsRoundsConverge) {
 
 TEST(Avbd, LeavesAFreeBodyItsSpin) {
   const Eigen::Vector3d spin(7, -4, 11);
-  Simulation plain{free_top({1, 2, 3}, spin), Avbd{}};
+  Simulation plain{free_top({1, 2, 3}, spin), Avbd{.gyroscopic = Gyroscopic::none}};
   run(plain, 5, h);
   EXPECT_LT((plain.scene.bodies().velocity[0].tail<3>() - spin).norm(), 1e-10);
 }

@@ -23,11 +23,11 @@ Scene<PlaneBody> struck_stack() {
 }
 
 const Case cases[] = {
-    {"PlaneBodiesXpbd", [] { return after(2, pinned_chain<PlaneBody>(swinging), Xpbd{}); }, 0xd67628bcaeabab0b},
-    {"SpaceBodiesXpbd", [] { return after(2, pinned_chain<SpaceBody>(swinging), Xpbd{}); }, 0xc9a49aa14088bb6c},
-    {"PlaneStackXpbd", [] { return after(2, struck_stack(), Xpbd{}); }, 0xff8c490d561daf93},
-    {"PlaneBodiesAvbd", [] { return after(2, pinned_chain<PlaneBody>(swinging), Avbd{}); }, 0x4880949e0cf47be3},
-    {"PlaneStackAvbd", [] { return after(2, struck_stack(), Avbd{}); }, 0x1025fda8059823b0},
+    {"PlaneBodiesXpbd", [] { return after(2, pinned_chain<PlaneBody>(swinging), Xpbd{}); }, 0x552e7a6fcb4259ef},
+    {"SpaceBodiesXpbd", [] { return after(2, pinned_chain<SpaceBody>(swinging), Xpbd{}); }, 0x344606d98623c665},
+    {"PlaneStackXpbd", [] { return after(2, struck_stack(), Xpbd{}); }, 0x4b2adfef187cbdbe},
+    {"PlaneBodiesAvbd", [] { return after(2, pinned_chain<PlaneBody>(swinging), Avbd{}); }, 0xc3478df949f983e4},
+    {"PlaneStackAvbd", [] { return after(2, struck_stack(), Avbd{}); }, 0x2cf753a95eec7770},
     {"PlaneBodiesRungeKutta",
      [] { return after(2, pinned_chain<PlaneBody>(swinging), Accelerations{.substeps = 8}); }, 0xbeac15d98ede7649},
     {"SpaceBodiesMidpoint",
@@ -35,11 +35,11 @@ const Case cases[] = {
        return after(2, pinned_chain<SpaceBody>(swinging),
                     Accelerations{.scheme = Scheme::implicit_midpoint, .substeps = 8});
      },
-     0xb47e3874a498362a},
+     0x5736e27f7c22a539},
     {"PlaneBodiesRattle", [] { return after(2, pinned_chain<PlaneBody>(swinging), Rattle{.substeps = 8}); },
-     0x238593ad0069cac6},
+     0xe93c30df572030d8},
     {"SpaceBodiesRattle", [] { return after(2, pinned_chain<SpaceBody>(swinging), Rattle{.substeps = 8}); },
-     0x8e867129ed6dfc8b},
+     0xb268eee64deb30f2},
 };
 
 class DeterminismOfMethods : public testing::TestWithParam<Case> {};

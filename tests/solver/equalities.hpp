@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "lessons/scenes/chain.hpp"
 #include "lessons/scenes/pendulum.hpp"
 #include "lessons/scenes/top.hpp"
 #include "solver/constraints/contact.hpp"
@@ -47,6 +48,16 @@ double way_back(const Scene<M>& scene, const Method& method) {
 template <class M, class Method>
 void expect_reversible(const Scene<M>& scene, const Method& method) {
   EXPECT_LT(way_back(scene, method), 1e-10);
+}
+
+/// Of rods C is an area, of pins a length; a body that turns has rates in rad/s beside those in m/s.
+template <class Method>
+void expect_same_at_any_length_of_rods_and_pins(const Method& method) {
+  const auto same = [&](double) { return method; };
+  expect_same_at_any_length(
+      [](double a) { return rod_chain<PlaneParticle>({.links = 3, .length = a, .angle = 1}); }, same);
+  expect_same_at_any_length(
+      [](double a) { return pinned_chain<SpaceBody>({.links = 3, .length = a, .angle = 1}); }, same);
 }
 
 /// The step throws, and moves nothing.

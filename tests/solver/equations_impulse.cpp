@@ -281,7 +281,8 @@ TEST(Equation21, BiasIsTheRateThatRemains) {
         const auto J = Pin<M>{pair.at}.jacobian(pair.pose1, pair.pose2);
         const auto C = Pin<M>{pair.at}.template value<double>(pair.pose1, pair.pose2);
         const double h = 0.25, beta = 0.5;
-        advance(scene, {GaussSeidel{1}, Baumgarte{beta}}, h, work);
+        advance(scene, {.solver = GaussSeidel{1}, .drift = Baumgarte{beta}, .gyroscopic = Gyroscopic::none}, h,
+                work);
         const auto JV = dot(J, scene.bodies().velocity[0], scene.bodies().velocity[1]);
         EXPECT_LE(difference(JV, -beta / h * Dense(C)), 1e-11);
       },

@@ -58,7 +58,8 @@ TEST(Momentum, IsKeptByEverySolverAfterAnyNumberOfSweeps) {
           const auto angular = angular_momentum(scene.bodies());
           Work<M> work;
           const auto poses = scene.bodies().pose;
-          advance(scene, {solver, NoDriftCure{}}, time_step, work);
+          advance(scene, {.solver = solver, .drift = NoDriftCure{}, .gyroscopic = Gyroscopic::none}, time_step,
+                  work);
           EXPECT_GT(largest(work.system.lambda), 0.01) << "something was solved";
           EXPECT_LE(difference(linear_momentum(scene.bodies()), linear), 1e-11);
           // Of the velocities at the poses where the rows were written: moving the poses is not the solver's.

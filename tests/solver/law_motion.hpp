@@ -1,5 +1,7 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <vector>
 
@@ -50,6 +52,29 @@ void run(Simulation<M, Method>& simulation, double time, double h, F&& look) {
 template <class M, class Method>
 void run(Simulation<M, Method>& simulation, double time, double h) {
   run(simulation, time, h, [] {});
+}
+
+/// A scene whose lengths and gravity are multiplied by a power of two does the same to the last bit: in units of
+/// its length [m]. `scene_of` and `method_of` take that length.
+template <class SceneOf, class MethodOf>
+void expect_same_at_any_length(SceneOf&& scene_of, MethodOf&& method_of) {
+  const auto after = [&](double length) {
+    Simulation simulation{scene_of(length), method_of(length)};
+    simulation.scene.gravity *= length;
+    run(simulation, 1, 1.0 / 60);
+    return simulation.scene.bodies();
+  };
+  const auto one = after(1);
+  for (const double length : {0x1p-20, 0x1p20}) {
+    const auto scaled = after(length);
+    for (int i = 0; i < one.size(); ++i) {
+      constexpr int axes = std::decay_t<decltype(one.pose[i].position)>::RowsAtCompileTime;
+      auto V = scaled.velocity[i];
+      V.template head<axes>() /= length;
+      EXPECT_EQ(scaled.pose[i].position / length, one.pose[i].position) << "body " << i << ", length " << length;
+      EXPECT_EQ(V, one.velocity[i]) << "body " << i << ", length " << length;
+    }
+  }
 }
 
 /// The same scene with a contact for each point where bodies touch, and with friction at each.

@@ -144,7 +144,7 @@ TEST(OwnKind, KeepsTheMomentumOfTwoThatFloat) {
     const auto angular = angular_momentum(scene.bodies());
     Work<M> work;
     const auto poses = scene.bodies().pose;
-    advance(scene, {GaussSeidel{3}, NoDriftCure{}}, h, work);
+    advance(scene, {.solver = GaussSeidel{3}, .drift = NoDriftCure{}, .gyroscopic = Gyroscopic::none}, h, work);
     EXPECT_GT(std::abs(work.system.lambda[0]), 1e-3);
     scene.state().pose = poses;  // where the row was written
     EXPECT_LE(difference(linear_momentum(scene.bodies()), linear), 1e-12);

@@ -99,6 +99,20 @@ TEST(Rattle, SubstepsAreStepsOfTheirOwnAndShareAFactor) {
   EXPECT_LT(cut.work.row_solves, whole.work.row_solves);
 }
 
+TEST(Rattle, DoesTheSameAtAnyLength) { expect_same_at_any_length_of_rods_and_pins(Rattle{}); }
+
+// A body at the origin that is held there has no size to compare an error with.
+TEST(Rattle, HoldsAFlywheelByItsCentre) {
+  Scene<PlaneBody> scene;
+  scene.add_body(Eigen::Vector2d(0, 0), fixed<PlaneBody>());
+  scene.add_body(Eigen::Vector2d(0, 0), ball<PlaneBody>(1, 0.3), {0, 0, 7});
+  scene.add(Pin<PlaneBody>{{0, 1}});
+  Simulation simulation{scene, Rattle{}};
+  run(simulation, 1, h);
+  EXPECT_LT(simulation.scene.bodies().pose[1].position.norm(), 1e-15);
+  EXPECT_EQ(simulation.scene.bodies().velocity[1][2], 7);
+}
+
 TEST(Rattle, RefusesWhatItCannotRun) {
   expect_refusals(Rattle{});
   expect_invalid(Rattle{0}, "number of substeps is 0");

@@ -265,7 +265,8 @@ TEST(Direct, GoesOnFromTheImpulsesThatStand) {
           const RowSolver direct = Direct{factorisation};
           Work<M> work;
           auto copy = scene;
-          advance(copy, {direct, NoDriftCure{}}, time_step, work);
+          advance(copy, {.solver = direct, .drift = NoDriftCure{}, .gyroscopic = Gyroscopic::none}, time_step,
+                  work);
           auto& system = work.system;
           const auto V = copy.bodies().velocity;
           const auto lambda = system.lambda;

@@ -41,7 +41,7 @@ std::vector<double> natural_lambda(const Scene<M>& scene, const System<M>& syste
 template <class M>
 Answer<M> solved(Scene<M> scene, const RowSolver& solver, const DriftCure& cure) {
   Work<M> work;
-  advance(scene, {solver, cure}, time_step, work);
+  advance(scene, {.solver = solver, .drift = cure, .gyroscopic = Gyroscopic::none}, time_step, work);
   return {numbers_of<M>(scene.bodies().velocity), natural_lambda(scene, work.system),
           residual(work.system, scene.bodies().velocity)};
 }

@@ -44,7 +44,7 @@ Scene<M> bodies_alone(const Scene<M>& scene);
 template <class M>
 std::vector<double> natural_lambda(const Scene<M>& scene, const System<M>& system);
 
-/// What one step leaves; the scene itself stays as it is.
+/// What the rows leave after one step, without the gyroscopic term; the scene itself stays as it is.
 template <class M>
 Answer<M> solved(Scene<M> scene, const RowSolver& solver, const DriftCure& cure = Baumgarte{});
 

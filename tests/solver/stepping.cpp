@@ -19,7 +19,7 @@ TEST(Softness, LeavesEachRowAtMinusGammaLambda) {
               RowSolver(Direct{}), RowSolver(Direct{Factorisation::dense})}) {
           auto copy = scene;
           Work<M> work;
-          advance(copy, {solver}, time_step, work);
+          advance(copy, {.solver = solver, .gyroscopic = Gyroscopic::none}, time_step, work);
           double worst = 0, largest_term = 0;
           for_each_of<Distance, Pin>(scene, [&](const auto& constraint, int place) {
             const int b1 = constraint.at.body1, b2 = constraint.at.body2, row = work.system.row_of[place];
