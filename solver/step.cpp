@@ -52,6 +52,8 @@ std::string refusal(const Scene<M>& scene, const VelocityStepping& method) {
 template <class M>
 void advance(Scene<M>& scene, const VelocityStepping& method, double step, Work<M>& work) {
   require_steppable(scene, method, step);
+  Attempt attempt(scene, work);
+  work.solution = {};
   work.contacts.find(scene);  // the article's n, P1 and P2, from shapes
   lay_out(scene, method.solver, work);
   work.contacts.write_impulses(work.system);
@@ -72,6 +74,7 @@ void advance(Scene<M>& scene, const VelocityStepping& method, double step, Work<
     bounce(method, bodies, work);
   }
   work.contacts.read_impulses(work.system);
+  attempt.finish();
 }
 //! [step]
 

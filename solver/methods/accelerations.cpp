@@ -88,8 +88,7 @@ double go_to_middle(Bodies<M>& bodies, const Accelerations::Work<M>& work) {
   for (int i = 0; i < bodies.size(); ++i) {
     if (!moves(bodies.inverse_mass[i])) continue;
     const Velocity<M> V = work.begin.velocity[i] + work.h / 2 * work.accelerated.velocity[i];
-    const double change = (V - bodies.velocity[i]).cwiseAbs().maxCoeff();
-    if (!(change <= largest)) largest = change;  // also if it is NaN
+    for (int k = 0; k < M::dof; ++k) largest = larger(largest, std::abs(V[k] - bodies.velocity[i][k]));
     bodies.velocity[i] = V;
     bodies.pose[i] = moved<M, double>(work.begin.pose[i], V, work.h / 2);
   }
@@ -117,6 +116,7 @@ void implicit_midpoint(Scene<M>& scene, double regularisation, Accelerations::Wo
 template <class M>
 void advance(Scene<M>& scene, const Accelerations& method, double step, Accelerations::Work<M>& work) {
   require_steppable(scene, method, step);
+  Attempt attempt(scene, work);
   begin_equalities(scene, step / method.substeps, work);
   work.paths.resize(scene.bodies().size());
   work.sum.resize(scene.bodies().size());
@@ -127,6 +127,7 @@ void advance(Scene<M>& scene, const Accelerations& method, double step, Accelera
       case Scheme::implicit_midpoint: return implicit_midpoint(scene, method.regularisation, work);
     }
   });
+  attempt.finish();
 }
 
 #define BYHAND_INSTANTIATE(M) \

@@ -24,7 +24,7 @@ double write_errors(const Scene<M>& scene, Rattle::Work<M>& work) {
     double* C = &work.offset[work.system.row_of[place]];
     scene.store(entry.kind).write_value(entry.index, scene.bodies(), C);
     for (int k = 0; k < scene.store(entry.kind).rows; ++k) {
-      if (!(std::abs(C[k]) <= largest)) largest = std::abs(C[k]);  // also if it is NaN
+      largest = larger(largest, std::abs(C[k]));
       C[k] /= work.h;
     }
   }
@@ -72,9 +72,11 @@ void rattle(Scene<M>& scene, const Rattle& method, Rattle::Work<M>& work) {
 template <class M>
 void advance(Scene<M>& scene, const Rattle& method, double step, Rattle::Work<M>& work) {
   require_steppable(scene, method, step);
+  Attempt attempt(scene, work);
   begin_equalities(scene, step / method.substeps, work);
   factor_rows(scene, method.regularisation, work);
   run_substeps(method.substeps, scene, work, [&] { rattle(scene, method, work); });
+  attempt.finish();
 }
 
 #define BYHAND_INSTANTIATE(M) template void advance(Scene<M>&, const Rattle&, double, Rattle::Work<M>&)

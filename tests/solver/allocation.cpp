@@ -16,7 +16,7 @@ using namespace byhand;
 const RowSolver solvers[] = {GaussSeidel{},
                              GaussSeidel{10, false, SweepOrder::reverse},
                              GaussSeidel{10, true, SweepOrder::coloured},
-                             Jacobi{},
+                             Jacobi{.relaxation = 0.3},
                              Direct{},
                              ConjugateSweeps{},
                              ConjugateGradients{},
