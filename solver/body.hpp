@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "solver/model.hpp"
+#include "solver/support/finite.hpp"
 #include "solver/support/require.hpp"
 
 namespace byhand {
@@ -130,6 +131,35 @@ struct Bodies {
 template <class M>
 bool in_motion(const Bodies<M>& bodies, int body) {
   return moves(bodies.inverse_mass[body]) || !bodies.velocity[body].isZero(0);
+}
+
+/// Whether all of these are finite numbers: x - x is zero, or not a number.
+template <int L, int A>
+bool are_finite(const std::vector<Pose<Model<L, A>>>& pose,
+                const std::vector<Eigen::Matrix<double, L + A, 1>>& velocity) {
+  Eigen::Matrix<double, L, 1> x = decltype(x)::Zero();
+  Eigen::Matrix<double, L + A, 1> V = decltype(V)::Zero();
+  Eigen::Matrix<double, A == 3 ? 4 : 2, 1> q = decltype(q)::Zero();
+  for (std::size_t i = 0; i < pose.size(); ++i) {
+    x += pose[i].position - pose[i].position;
+    V += velocity[i] - velocity[i];
+    if constexpr (A == 1) {
+      const Eigen::Vector2d turned(pose[i].rotation.cos, pose[i].rotation.sin);
+      q += turned - turned;
+    }
+    if constexpr (A == 3) q += pose[i].rotation.coeffs() - pose[i].rotation.coeffs();
+  }
+  return x.sum() + V.sum() + q.sum() == 0;
+}
+
+/// Throws NotFinite for the first body with a pose or velocity that is not finite; `when` ends the sentence.
+template <class M>
+void require_finite(const std::vector<Pose<M>>& pose, const std::vector<Velocity<M>>& velocity, const char* when) {
+  if (are_finite(pose, velocity)) return;
+  int body = 0;
+  while (are_finite<M::linear, M::angular>({pose[body]}, {velocity[body]})) ++body;
+  throw NotFinite("body " + std::to_string(body) + " has a position or velocity that is not a finite number" +
+                  when);
 }
 
 /// Throws std::invalid_argument unless `body` is the index of a body.

@@ -27,10 +27,10 @@ Eigen::Matrix2d isotropic_inverse_of(const Eigen::Matrix2d& A) {
 
 template <class M, int K, Bound B>
 void prepare(const Block<M, K, B>& block, const System<M>& system, BlockSolve block_solve, double relaxation,
-             PreparedBlock<M, K, B>& result) {
+             PreparedBlock<M, K, B>& result, Eigen::Map<Rows<K>>& D) {
   const double *gamma = &system.gamma[block.row], *bias = &system.bias[block.row];
   Eigen::Matrix<double, K, K> A = inverse_effective_mass(block.J, block.W), minus_E;
-  for (int k = 0; k < K; ++k) A(k, k) += gamma[k];
+  for (int k = 0; k < K; ++k) D[k] = A(k, k) += gamma[k];
   if constexpr (K == 2 && B == Bound::friction)
     minus_E = -relaxation * isotropic_inverse_of(A);
   else
@@ -48,13 +48,14 @@ void prepare(const Block<M, K, B>& block, const System<M>& system, BlockSolve bl
 }
 
 void prepare(const Block<PlaneBody, 3, Bound::manifold>& block, const System<PlaneBody>& system,
-             BlockSolve block_solve, double relaxation, PreparedBlock<PlaneBody, 3, Bound::manifold>& result) {
+             BlockSolve block_solve, double relaxation, PreparedBlock<PlaneBody, 3, Bound::manifold>& result,
+             Eigen::Map<Rows<3>>& D) {
   Eigen::Matrix3d A = inverse_effective_mass(block.J, block.W);
   result.J = block.J.matrix;
   for (int k = 0; k < 3; ++k) {
     result.bias[k] = system.bias[block.row + k];
     result.gamma[k] = system.gamma[block.row + k];
-    A(k, k) += result.gamma[k];
+    D[k] = A(k, k) += result.gamma[k];
   }
   result.normals = {A, block_solve == BlockSolve::row_by_row};
   result.A02 = A(0, 2);
@@ -64,32 +65,80 @@ void prepare(const Block<PlaneBody, 3, Bound::manifold>& block, const System<Pla
   result.relaxation = relaxation;
 }
 
+/// Sweeps that watch nothing.
+struct Unwatched {
+  void operator()(int, double, double) const {}
+};
+
+/// The largest squares of Δλ and λ, as speeds.
+struct Watch {
+  const double* weight;
+  double change = 0, push = 0;
+
+  void operator()(int row, double delta, double lambda) {
+    change = larger(change, weight[row] * delta * delta);
+    push = larger(push, weight[row] * lambda * lambda);
+  }
+};
+
 //! [sweep]
 /// The inner loop: (17), then (20), block after block. Not inlined, so that the compiler sees bare pointers.
-template <bool soft, class M, int K, Bound B>
+template <bool soft, class M, int K, Bound B, class Watching>
 [[gnu::noinline]] void sweep_run(const PreparedBlock<M, K, B>* block, int count, int next, double* lambda,
-                                 double* V) {
+                                 double* V, Watching& watch) {
   for (; count > 0; --count, block += next) {
     const Rows<K> change = solve<soft>(*block, V, lambda);
-    for (int k = 0; k < K; ++k) lambda[block->row + k] += change[k];
+    for (int k = 0; k < K; ++k) {
+      lambda[block->row + k] += change[k];
+      watch(block->row + k, change[k], lambda[block->row + k]);
+    }
     apply<M, K>(*block, change, V);
   }
 }
 //! [sweep]
+
+template <class M, class Watching>
+void sweep(const System<M>& system, const Prepared<M>& prepared, double* lambda, double* V, int ways,
+           Watching&& watch) {
+  const auto over = [&](const Run& run, bool back) {
+    for_type<M>(run.type, [&](auto type) {
+      const auto blocks = part<type>(prepared.blocks, run);
+      const auto* first = back ? &blocks.back() : &blocks.front();
+      const int next = back ? -1 : 1;
+      if (prepared.soft)
+        sweep_run<true>(first, run.count, next, lambda, V, watch);
+      else
+        sweep_run<false>(first, run.count, next, lambda, V, watch);
+    });
+  };
+  for (const Run& run : system.runs) over(run, false);
+  if (ways == 1) return;
+  for (auto run = system.runs.rbegin(); run != system.runs.rend(); ++run) over(*run, true);
+}
+
+/// m₁⁻¹ + m₂⁻¹ of a block's bodies.
+template <class M>
+double inverse_mass(const System<M>& system, const BlockHeader& block) {
+  return system.inverse_mass[block.body1].linear + system.inverse_mass[block.body2].linear;
+}
 
 }  // namespace
 
 template <class M>
 void prepare(const System<M>& system, BlockSolve block_solve, double relaxation, Prepared<M>& prepared) {
   prepared.soft = std::any_of(system.gamma.begin(), system.gamma.end(), [](double gamma) { return gamma != 0; });
-  for_each_block_with(system, prepared.blocks, [&](const auto& block, auto& result) {
+  prepared.D.resize(system.rows());
+  prepared.weight.resize(system.rows());
+  for_each_block_with(system, prepared.blocks, [&]<int K, Bound B>(const Block<M, K, B>& block, auto& result) {
     result.body1 = block.body1;
     result.body2 = block.body2;
     result.moves1 = block.moves1;
     result.moves2 = block.moves2;
     result.row = block.row;
     result.W = block.W;
-    prepare(block, system, block_solve, relaxation, result);
+    Eigen::Map<Rows<K>> D(&prepared.D[block.row]);
+    prepare(block, system, block_solve, relaxation, result, D);
+    Eigen::Map<Rows<K>>(&prepared.weight[block.row]) = inverse_mass(system, block) / (relaxation * relaxation) * D;
   });
 }
 
@@ -115,6 +164,63 @@ void rates_of(const System<M>& system, const std::vector<Velocity<M>>& V, std::v
 }
 
 template <class M>
+void errors_of(const System<M>& system, const std::vector<Velocity<M>>& velocities,
+               const std::vector<double>& lambda, std::vector<double>& error) {
+  rates_of(system, velocities, error);
+  for (int i = 0; i < system.rows(); ++i) error[i] += system.bias[i] + system.gamma[i] * lambda[i];
+}
+
+template <class M>
+void find_scales(const System<M>& system, RowScales& scales) {
+  scales.D.resize(system.rows());
+  scales.speed.resize(system.rows());
+  system.for_each_run([&]<int K, Bound B>(std::span<const Block<M, K, B>> blocks) {
+    for (const auto& block : blocks) {
+      double* D = &scales.D[block.row];
+      for (int k = 0; k < K; ++k) D[k] = inverse_effective_mass(block.J, block.W, k) + system.gamma[block.row + k];
+      if constexpr (K == 2 && B == Bound::friction) D[0] = D[1] = larger(D[0], D[1]);
+      for (int k = 0; k < K; ++k) scales.speed[block.row + k] = std::sqrt(D[k] * inverse_mass(system, block));
+    }
+  });
+}
+
+template <class M>
+Residual residual(const System<M>& system, const std::vector<double>& lambda, const std::vector<double>& error,
+                  const RowScales& scales) {
+  Residual result;
+  system.for_each_run([&]<int K, Bound B>(std::span<const Block<M, K, B>> blocks) {
+    for (const auto& block : blocks) {
+      const int row = block.row;
+      const Eigen::Map<const Rows<K>> now(&lambda[row]);
+      Rows<K> next = now;
+      for (int k = 0; k < K; ++k)
+        if (scales.D[row + k] != 0) next[k] -= error[row + k] / scales.D[row + k];
+      const double normal = B == Bound::friction ? lambda[block.normal_row] : 0.0;
+      next = bounded<K, B>(next, system.lower[row], system.upper[row], normal);
+      for (int k = 0; k < K; ++k) {
+        result.largest = larger(result.largest, scales.speed[row + k] * std::abs(next[k] - now[k]));
+        result.push = larger(result.push, scales.speed[row + k] * std::abs(now[k]));
+      }
+    }
+  });
+  return result;
+}
+
+template <class M>
+double fastest(const System<M>& system, const std::vector<Velocity<M>>& velocities) {
+  double square = 0;
+  for (std::size_t i = 0; i < velocities.size(); ++i) {
+    const InverseMass<M>& mass = system.inverse_mass[i];
+    if (!moves(mass)) continue;
+    double now = velocities[i].template head<M::linear>().squaredNorm();
+    if constexpr (M::angular > 0)
+      now += velocities[i].template tail<M::angular>().squaredNorm() * mass.linear / mass.angular.minCoeff();
+    square = larger(square, now);
+  }
+  return std::sqrt(square);
+}
+
+template <class M>
 void multiply(const System<M>& system, const std::vector<double>& x, std::vector<Velocity<M>>& V,
               std::vector<double>& product) {
   std::fill(V.begin(), V.end(), Velocity<M>::Zero());
@@ -137,59 +243,64 @@ void hold_within_bounds(const System<M>& system, std::vector<double>& lambda) {
 void require_valid(const GaussSeidel& solver) {
   require(solver.sweeps >= 1, "number of sweeps", solver.sweeps, "at least 1");
   require_inside("relaxation", solver.relaxation, 0, 2);
-  require_in("tolerance", solver.tolerance, 0, 1e300, "m/s");
+  require_valid_tolerance(solver.tolerance);
 }
 
 template <class M>
 void sweep(const System<M>& system, const Prepared<M>& prepared, double* lambda, double* V, int ways) {
-  const auto over = [&](const Run& run, bool back) {
-    for_type<M>(run.type, [&](auto type) {
-      const auto blocks = part<type>(prepared.blocks, run);
-      const auto* first = back ? &blocks.back() : &blocks.front();
-      const int next = back ? -1 : 1;
-      if (prepared.soft)
-        sweep_run<true>(first, run.count, next, lambda, V);
-      else
-        sweep_run<false>(first, run.count, next, lambda, V);
-    });
-  };
-  for (const Run& run : system.runs) over(run, false);
-  if (ways == 1) return;
-  for (auto run = system.runs.rbegin(); run != system.runs.rend(); ++run) over(*run, true);
+  sweep(system, prepared, lambda, V, ways, Unwatched());
 }
 
 template <class M>
-double watched_sweep(System<M>& system, Prepared<M>& prepared, std::vector<Velocity<M>>& velocities, int ways) {
-  prepared.V_before = velocities;
-  sweep(system, prepared, system.lambda.data(), numbers<M>(velocities), ways);
-  return largest_difference<M>(velocities, prepared.V_before);
+Residual watched_sweep(const System<M>& system, const Prepared<M>& prepared, double* lambda, double* V, int ways) {
+  Watch watch{prepared.weight.data()};
+  sweep(system, prepared, lambda, V, ways, watch);
+  return {std::sqrt(watch.change), std::sqrt(watch.push)};
 }
 
 template <class M>
-int solve(const GaussSeidel& solver, System<M>& system, std::vector<Velocity<M>>& velocities,
-          Prepared<M>& prepared, Begin begin) {
+Solution sweep_until(double tolerance, int most, int ways, System<M>& system, const Prepared<M>& prepared,
+                     std::vector<Velocity<M>>& velocities) {
+  Solution solution;
+  const double speed = fastest(system, velocities);
+  do {
+    Residual reached = watched_sweep(system, prepared, system.lambda.data(), numbers<M>(velocities), ways);
+    reached.speed = speed;
+    solution = {solution.passes + ways, 0, reached.largest, reached.within(tolerance)};
+  } while (!solution.converged && solution.residual >= 0 && solution.passes < ways * most);
+  return solution;
+}
+
+template <class M>
+Solution solve(const GaussSeidel& solver, System<M>& system, std::vector<Velocity<M>>& velocities,
+               Prepared<M>& prepared, Begin begin) {
   prepare(system, solver.block_solve, solver.relaxation, prepared);
   begin_sweeps(system, solver.warm_start, begin, velocities);
   const int ways = byhand::ways(solver.order);
-  for (int i = 1; i <= solver.sweeps; ++i) {
-    if (solver.tolerance == 0)
-      sweep(system, prepared, system.lambda.data(), numbers<M>(velocities), ways);
-    else if (watched_sweep(system, prepared, velocities, ways) <= solver.tolerance)
-      return ways * i;
-  }
-  return ways * solver.sweeps;
+  if (solver.tolerance > 0)
+    return sweep_until(solver.tolerance, solver.sweeps, ways, system, prepared, velocities);
+  for (int i = 0; i < solver.sweeps; ++i)
+    sweep(system, prepared, system.lambda.data(), numbers<M>(velocities), ways);
+  return {ways * solver.sweeps, 0, std::numeric_limits<double>::quiet_NaN(), false};
 }
 
-#define BYHAND_INSTANTIATE(M)                                                                       \
-  template void prepare(const System<M>&, BlockSolve, double, Prepared<M>&);                        \
-  template void apply_all(const System<M>&, const std::vector<double>&, std::vector<Velocity<M>>&); \
-  template void rates_of(const System<M>&, const std::vector<Velocity<M>>&, std::vector<double>&);  \
-  template void multiply(const System<M>&, const std::vector<double>&, std::vector<Velocity<M>>&,   \
-                         std::vector<double>&);                                                     \
-  template void hold_within_bounds(const System<M>&, std::vector<double>&);                         \
-  template void sweep(const System<M>&, const Prepared<M>&, double*, double*, int);                 \
-  template double watched_sweep(System<M>&, Prepared<M>&, std::vector<Velocity<M>>&, int);          \
-  template int solve(const GaussSeidel&, System<M>&, std::vector<Velocity<M>>&, Prepared<M>&, Begin)
+#define BYHAND_INSTANTIATE(M)                                                                                 \
+  template void prepare(const System<M>&, BlockSolve, double, Prepared<M>&);                                  \
+  template void apply_all(const System<M>&, const std::vector<double>&, std::vector<Velocity<M>>&);           \
+  template void rates_of(const System<M>&, const std::vector<Velocity<M>>&, std::vector<double>&);            \
+  template void multiply(const System<M>&, const std::vector<double>&, std::vector<Velocity<M>>&,             \
+                         std::vector<double>&);                                                               \
+  template void hold_within_bounds(const System<M>&, std::vector<double>&);                                   \
+  template void sweep(const System<M>&, const Prepared<M>&, double*, double*, int);                           \
+  template void errors_of(const System<M>&, const std::vector<Velocity<M>>&, const std::vector<double>&,      \
+                          std::vector<double>&);                                                              \
+  template void find_scales(const System<M>&, RowScales&);                                                    \
+  template Residual residual(const System<M>&, const std::vector<double>&, const std::vector<double>&,        \
+                             const RowScales&);                                                               \
+  template double fastest(const System<M>&, const std::vector<Velocity<M>>&);                                 \
+  template Residual watched_sweep(const System<M>&, const Prepared<M>&, double*, double*, int);               \
+  template Solution sweep_until(double, int, int, System<M>&, const Prepared<M>&, std::vector<Velocity<M>>&); \
+  template Solution solve(const GaussSeidel&, System<M>&, std::vector<Velocity<M>>&, Prepared<M>&, Begin)
 BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);
 #undef BYHAND_INSTANTIATE
 

@@ -4,8 +4,58 @@
 
 // What all row solvers share, and the article's own, Gauss–Seidel. A row solver is a struct of choices. It has
 // `require_valid`, which throws std::invalid_argument for a choice outside its range, and `solve`, which solves
-// the system's rows for λ, applies the impulses to the velocities, and returns how often it went over all rows.
+// the system's rows for λ, applies the impulses to the velocities, and returns what it reached.
+//
+// The residual of a row is the Δλ of its natural map,
+//
+//   Δλ = Π(λ - D⁻¹(JV + b + γλ)) - λ,
+//
+// where Π holds λ within its bounds and D is the diagonal of JM⁻¹Jᵀ + γ. It vanishes just where the row is solved:
+// within its bounds λ leaves no error, at a bound only an error that drives it off counts. As a speed it is
+//
+//   |Δλ| √(D (m₁⁻¹ + m₂⁻¹))   [m/s].
+//
+// For a rod between two particles this is the speed at which its ends still part. Any other row is scaled to the
+// same JM⁻¹Jᵀ = m₁⁻¹ + m₂⁻¹, so that rows in m, m² and rad are alike, whatever the unit of length. The scale is
+// the largest |λ| in the same measure: a tolerance is a share of it. Gauss–Seidel's own Δλ is the residual of each
+// row at its turn, so that a sweep yields it nearly free. V is no measure: where four contacts share a face it
+// returns to itself while λ still changes.
 namespace byhand {
+
+/// The largest residual of all rows, and what it is compared with [m/s].
+struct Residual {
+  double largest = 0;
+  double push = 0;   // the largest λ, as a speed
+  double speed = 0;  // of the fastest body
+
+  /// Whether it is at most this share of the largest push, or only rounding of the velocities.
+  bool within(double tolerance) const {
+    return largest <= tolerance * push || (tolerance > 0 && largest <= 1e-14 * speed);
+  }
+};
+
+/// What one solve of the rows has reached, or all solves of a step together.
+struct Solution {
+  int passes = 0;         // over all rows
+  int rounds = 0;         // direct solves
+  double residual = 0;    // the largest [m/s]; NaN where a solver did not look: a fixed number of sweeps, or a
+                          // direct solve without bounds, which is exact to rounding
+  bool converged = true;  // whether it is within the solver's tolerance
+
+  Solution& operator+=(const Solution& other) {
+    passes += other.passes;
+    rounds += other.rounds;
+    residual = larger(residual, other.residual);
+    converged = converged && other.converged;
+    return *this;
+  }
+};
+
+/// D of the natural map and the factor that makes a speed of Δλ, by row. Both tangents of friction in space get
+/// the larger D of theirs, so that Π stays a disc's.
+struct RowScales {
+  std::vector<double> D, speed;
+};
 
 /// The rows of a system, ready for sweeps, and the scratch of sweeps, which is kept so that no step allocates.
 template <class M>
@@ -14,7 +64,8 @@ struct Prepared {
   using BlockOf = PreparedBlock<M, K, B>;
 
   PerBlock<M, BlockOf> blocks;
-  bool soft = false;                                     // whether any γ is not zero
+  bool soft = false;              // whether any γ is not zero
+  std::vector<double> D, weight;  // of the natural map, and D (m₁⁻¹ + m₂⁻¹), by row
   std::vector<double> change, lambda_before, direction;  // by row
   std::vector<Velocity<M>> V_before, V_direction;        // by body
 };
@@ -95,20 +146,31 @@ template <class M>
 void multiply(const System<M>& system, const std::vector<double>& x, std::vector<Velocity<M>>& V,
               std::vector<double>& product);
 
+/// `error` = JV + b + γλ.
+template <class M>
+void errors_of(const System<M>& system, const std::vector<Velocity<M>>& velocities,
+               const std::vector<double>& lambda, std::vector<double>& error);
+
+template <class M>
+void find_scales(const System<M>& system, RowScales& scales);
+
+/// The residual of λ whose errors JV + b + γλ are these, without the speed of bodies.
+template <class M>
+Residual residual(const System<M>& system, const std::vector<double>& lambda, const std::vector<double>& error,
+                  const RowScales& scales);
+
+/// The speed of the fastest body, turning included: √(v² + ω²I/m) [m/s].
+template <class M>
+double fastest(const System<M>& system, const std::vector<Velocity<M>>& velocities);
+
 /// Clamps λ to its bounds, block by block in solve order.
 template <class M>
 void hold_within_bounds(const System<M>& system, std::vector<double>& lambda);
 
-/// The largest |x|.
+/// The largest |x|, NaN if any is.
 inline double largest_of(const std::vector<double>& x) {
-  return Eigen::Map<const Eigen::VectorXd>(x.data(), std::ssize(x)).lpNorm<Eigen::Infinity>();
-}
-
-/// The largest difference of any velocity [m/s, rad/s].
-template <class M>
-double largest_difference(const std::vector<Velocity<M>>& a, const std::vector<Velocity<M>>& b) {
   double largest = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, (a[i] - b[i]).cwiseAbs().maxCoeff());
+  for (const double number : x) largest = larger(largest, std::abs(number));
   return largest;
 }
 
@@ -141,21 +203,31 @@ struct GaussSeidel {
   SweepOrder order = SweepOrder::natural;
   BlockSolve block_solve = BlockSolve::whole;
   double relaxation = 1;  // in (0, 2); other than 1 this is SOR
-  double tolerance = 0;   // >= 0: stop when a sweep changes no velocity by more [m/s, rad/s]
+  double tolerance = 0;   // stop when the residual is at most this share of the largest push, in [0, 1]; 0: do not
+                          // look
 };
 
 void require_valid(const GaussSeidel& solver);
 
 template <class M>
-int solve(const GaussSeidel& solver, System<M>& system, std::vector<Velocity<M>>& velocities,
-          Prepared<M>& prepared, Begin begin = Begin::step);
+Solution solve(const GaussSeidel& solver, System<M>& system, std::vector<Velocity<M>>& velocities,
+               Prepared<M>& prepared, Begin begin = Begin::step);
 
 /// One sweep over prepared rows in their layout's order; with two `ways` also one back.
 template <class M>
 void sweep(const System<M>& system, const Prepared<M>& prepared, double* lambda, double* V, int ways = 1);
 
-/// One sweep; returns the largest change of any velocity [m/s, rad/s].
+/// The same; returns the residual of each row at its turn, without the speed of bodies.
 template <class M>
-double watched_sweep(System<M>& system, Prepared<M>& prepared, std::vector<Velocity<M>>& velocities, int ways = 1);
+Residual watched_sweep(const System<M>& system, const Prepared<M>& prepared, double* lambda, double* V,
+                       int ways = 1);
+
+/// At most so many sweeps, until the residual is within the tolerance or not a number. `passes` counts sweeps.
+template <class M>
+Solution sweep_until(double tolerance, int most, int ways, System<M>& system, const Prepared<M>& prepared,
+                     std::vector<Velocity<M>>& velocities);
+
+/// Throws std::invalid_argument for a tolerance outside [0, 1].
+inline void require_valid_tolerance(double tolerance) { require_in("tolerance", tolerance, 0, 1); }
 
 }  // namespace byhand

@@ -71,17 +71,17 @@ struct PositionError {
   double max = 0, rms = 0;  // of |C|, in the unit of C
 };
 
-/// |C| over all rows that have a C; of one-sided rows only overlap counts.
+/// |C| over all rows that have a C; of one-sided rows only overlap counts. NaN if any is.
 template <class M>
 PositionError position_error(const Scene<M>& scene);
 
-/// The largest |JV + b + γλ| over the rows as last written and solved [units of C per second], at velocities V. At
-/// an active bound only the projected residual counts.
+/// The largest residual of the rows as last written and solved, at velocities V [m/s]: that of the natural map,
+/// see gauss_seidel.hpp. NaN if any is.
 template <class M>
 double residual(const System<M>& system, const std::vector<Velocity<M>>& V);
 
 /// The largest difference between the velocities after one step and after the same step with the dense direct
-/// solver [m/s, rad/s]. The rest of the step's error is not the solver's.
+/// solver [m/s, rad/s]. The rest of the step's error is not the solver's. NaN where either step is NotFinite.
 template <class M>
 double algebraic_error(Simulation<M> simulation, double h);
 

@@ -2,6 +2,7 @@
 
 #include "solver/body.hpp"
 #include "solver/jacobian.hpp"
+#include "solver/support/finite.hpp"
 
 // The article's arithmetic for one constraint by itself, line by line. The row solvers in methods/ do the
 // same sums, fused and in bulk; a test holds one against the other.

@@ -292,6 +292,7 @@ void Scene<M>::lay_out(const std::vector<int>& order, System<M>& system) const {
   system.row_of.assign(count(), 0);
   system.bounded = false;
   system.layout = new_stamp();
+  system.inverse_mass.assign(bodies_.inverse_mass.begin(), bodies_.inverse_mass.end());
   int row = 0;
   for (const int place : order) {
     const Entry& entry = entries_[place];

@@ -54,6 +54,8 @@ std::string refusal(const Scene<M>& scene, const VelocityStepping& method) {
 template <class M>
 void advance(Scene<M>& scene, const VelocityStepping& method, double step, Work<M>& work) {
   require_steppable(scene, method, step);
+  Attempt attempt(scene, work);
+  work.solution = {};
   work.contacts.find(scene, step);  // the article's n, P1 and P2, from shapes
   lay_out(scene, method.solver, work);
   work.contacts.write_impulses(work.system);
@@ -76,6 +78,7 @@ void advance(Scene<M>& scene, const VelocityStepping& method, double step, Work<
     bounce(method, bodies, work);
   }
   work.contacts.read_impulses(work.system);
+  attempt.finish();
 }
 //! [step]
 

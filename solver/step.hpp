@@ -38,7 +38,8 @@ struct VelocityStepping {
 void require_valid(const VelocityStepping& method);
 template <class M>
 std::string refusal(const Scene<M>& scene, const VelocityStepping& method);
-/// One time step h [s]. Throws std::invalid_argument as require_steppable, SingularSystem from a direct solve.
+/// One time step h [s]. Throws std::invalid_argument as require_steppable, SingularSystem from a direct solve, and
+/// NotFinite instead of leaving NaN or infinity; then the bodies are as they were.
 template <class M>
 void advance(Scene<M>& scene, const VelocityStepping& method, double step, Work<M>& work);
 

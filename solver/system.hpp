@@ -120,7 +120,8 @@ struct System {
   using BlockOf = Block<M, K, B>;
 
   PerBlock<M, BlockOf> blocks;
-  std::vector<Run> runs;  // in solve order
+  std::vector<Run> runs;                     // in solve order
+  std::vector<InverseMass<M>> inverse_mass;  // by body
   // One number a row; with friction `upper` is μ.
   std::vector<double> lambda, C, bias, gamma, rate, lower, upper, restitution;
   std::vector<double> stiffness;  // k of AVBD, else empty; a new layout keeps it, and λ, of constraints that stay
@@ -174,7 +175,7 @@ Rows<K> bounded(const Rows<K>& lambda, double lower, double upper, double normal
   else if constexpr (B == Bound::interval)
     return Rows<K>(std::clamp(lambda[0], lower, upper));
   else if constexpr (B == Bound::manifold) {
-    const double first = std::max(0.0, lambda[0]), second = std::max(0.0, lambda[1]);
+    const double first = larger(0, lambda[0]), second = larger(0, lambda[1]);
     const double radius = upper * (first + second);
     return {first, second, std::clamp(lambda[2], -radius, radius)};
   } else {

@@ -60,7 +60,7 @@ std::vector<double> HeldStep::errors() const {
   return errors;
 }
 
-double HeldStep::error() const { return residual(work_.system, scene_.bodies().velocity) / chain_.length; }
+double HeldStep::error() const { return residual(work_.system, scene_.bodies().velocity); }
 
 std::vector<double> HeldStep::speeds() const {
   std::vector<double> speeds;

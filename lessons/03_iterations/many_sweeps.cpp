@@ -52,7 +52,7 @@ renderer::Curve warm_curve(double seconds, const Knobs& knobs, const std::vector
     auto next = simulation;
     next.method.solver = GaussSeidel{.sweeps = count};
     next.step(knobs.h);
-    const double error = residual(next.work.system, next.scene.bodies().velocity) / knobs.length / knobs.fall();
+    const double error = residual(next.work.system, next.scene.bodies().velocity) / knobs.fall();
     curve.x.push_back(count);
     curve.y.push_back(error > 1e-15 ? error : NAN);
   }

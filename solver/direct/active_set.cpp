@@ -41,14 +41,15 @@ void solve_change(const Direct& solver, System<M>& system, Bodies<M>& bodies, Di
 /// Solves without bounds from the current λ. In space the inertia of a hub turns with its pose, while the rows may
 /// be those of an earlier pose. The error of this mismatch is small, and iteration removes it.
 template <class M>
-int solve_resumed(const Direct& solver, System<M>& system, Bodies<M>& bodies, DirectWork<M>& work) {
+Solution solve_resumed(const Direct& solver, System<M>& system, Bodies<M>& bodies, DirectWork<M>& work) {
   const auto& nodes = work.plan.nodes;
   const bool turned = M::angular == 3 && solver.factorisation == Factorisation::structured &&
                       std::any_of(nodes.begin(), nodes.end(), [](const auto& node) { return node.edge < 0; });
   for (int round = 1;; ++round) {
     solve_change(solver, system, bodies, work);
-    if (!turned || round == solver.rounds || largest_of(work.change) <= 1e-14 * largest_of(system.lambda))
-      return round;
+    const bool converged = !turned || largest_of(work.change) <= 1e-14 * largest_of(system.lambda);
+    if (converged || round == solver.rounds)
+      return {0, round, std::numeric_limits<double>::quiet_NaN(), converged};
   }
 }
 
@@ -72,8 +73,8 @@ double objective(const System<M>& system, const std::vector<Velocity<M>>& veloci
 /// of friction follow the normal impulses with a delay. If the two drive each other up, sweeps start again from
 /// the beginning.
 template <class M>
-int solve_with_bounds(const Direct& solver, System<M>& system, Bodies<M>& bodies, Prepared<M>& prepared,
-                      DirectWork<M>& work, Begin begin) {
+Solution solve_with_bounds(const Direct& solver, System<M>& system, Bodies<M>& bodies, Prepared<M>& prepared,
+                           DirectWork<M>& work, Begin begin) {
   prepare(system, BlockSolve::whole, 1.0, prepared);
   work.velocity_before = bodies.velocity;
   work.lambda_before = system.lambda;
@@ -81,26 +82,28 @@ int solve_with_bounds(const Direct& solver, System<M>& system, Bodies<M>& bodies
     apply_all(system, system.lambda, bodies.velocity);
     std::fill(work.lambda_before.begin(), work.lambda_before.end(), 0.0);
   }
-  const auto sweeps_converge = [&](int most) {
-    for (int i = 0; i < most; ++i)
-      if (watched_sweep(system, prepared, bodies.velocity) <= solver.tolerance) return true;
-    return false;
+  int passes = 0, round = 0;
+  const auto swept = [&](int most) {
+    Solution solution = sweep_until(solver.tolerance, most, 1, system, prepared, bodies.velocity);
+    solution.passes = passes += solution.passes;
+    solution.rounds = round;
+    return solution;
   };
-  for (int round = 1; round <= solver.rounds; ++round) {
+  while (round < solver.rounds) {
+    ++round;
     find_active(system, work.active);
     solve_change(solver, system, bodies, work);
     work.change = system.lambda;
     hold_within_bounds(system, system.lambda);
     for (int k = 0; k < system.rows(); ++k) work.change[k] = system.lambda[k] - work.change[k];
     apply_all(system, work.change, bodies.velocity);
-    if (sweeps_converge(3)) return round;
+    if (const Solution solution = swept(3); solution.converged) return solution;
   }
   if (!(objective(system, bodies.velocity, work) <= 0)) {
     system.lambda = work.lambda_before;
     bodies.velocity = work.velocity_before;
   }
-  sweeps_converge(100 * solver.rounds);
-  return solver.rounds;
+  return swept(100 * solver.rounds);
 }
 //! [active_set]
 
@@ -109,13 +112,13 @@ int solve_with_bounds(const Direct& solver, System<M>& system, Bodies<M>& bodies
 void require_valid(const Direct& solver) {
   require_in("regularisation", solver.regularisation, 0, 1);
   require(solver.rounds >= 1, "number of rounds", solver.rounds, "at least 1");
-  require_positive("tolerance", solver.tolerance, "m/s");
+  require(solver.tolerance > 0 && solver.tolerance <= 1, "tolerance", solver.tolerance, "above 0 and at most 1");
 }
 
 template <class M>
-int solve(const Direct& solver, System<M>& system, Bodies<M>& bodies, Prepared<M>& prepared, DirectWork<M>& work,
-          Begin begin) {
-  if (system.rows() == 0) return 0;
+Solution solve(const Direct& solver, System<M>& system, Bodies<M>& bodies, Prepared<M>& prepared,
+               DirectWork<M>& work, Begin begin) {
+  if (system.rows() == 0) return {};
   work.offset.resize(system.rows());
   work.change.resize(system.rows());
   if (system.bounded) return solve_with_bounds(solver, system, bodies, prepared, work, begin);
@@ -123,11 +126,11 @@ int solve(const Direct& solver, System<M>& system, Bodies<M>& bodies, Prepared<M
   if (begin == Begin::resume) return solve_resumed(solver, system, bodies, work);
   solve_equations(solver, system, system.bias, bodies, work, system.lambda);
   apply_all(system, system.lambda, bodies.velocity);
-  return 1;
+  return {0, 1, std::numeric_limits<double>::quiet_NaN()};
 }
 
 #define BYHAND_INSTANTIATE(M) \
-  template int solve(const Direct&, System<M>&, Bodies<M>&, Prepared<M>&, DirectWork<M>&, Begin)
+  template Solution solve(const Direct&, System<M>&, Bodies<M>&, Prepared<M>&, DirectWork<M>&, Begin)
 BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);
 #undef BYHAND_INSTANTIATE
 

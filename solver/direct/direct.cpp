@@ -5,7 +5,15 @@
 
 namespace byhand {
 
-void refuse_singular() {
+template <class M>
+void refuse_singular(const System<M>& system, const Bodies<M>& bodies) {
+  require_finite<M>(bodies.pose, bodies.velocity, "");
+  system.for_each_type([]<int K, Bound B>(const std::vector<Block<M, K, B>>& blocks) {
+    for (const auto& block : blocks)
+      if (!inverse_effective_mass(block.J, block.W).allFinite())
+        throw NotFinite("JM⁻¹Jᵀ between body " + std::to_string(block.body1) + " and body " +
+                        std::to_string(block.body2) + " is not a finite number");
+  });
   throw SingularSystem(
       "the direct solve met a row that repeats or contradicts other rows, so that its impulses have no single "
       "answer; remove what repeats, or set a regularisation above 0 (1e-9 is a good start)");
@@ -185,9 +193,9 @@ void assemble(const Direct& solver, const System<M>& system, const double* offse
 
 //! [factor]
 /// Eliminates node after node: the blocks become L and the inverses of the pivots D, A = L D Lᵀ, and the unknowns
-/// become L⁻¹ times the right-hand side.
+/// become L⁻¹ times the right-hand side. Returns whether every pivot is larger than rounding.
 template <int S, int dof>
-void eliminate(const Elimination& plan, double* values, double* unknowns, const double* diagonal) {
+bool eliminate(const Elimination& plan, double* values, double* unknowns, const double* diagonal) {
   bool regular = true;
   for (const auto& node : plan.nodes)
     with_size<S, dof>(node, [&](auto n) {
@@ -210,7 +218,7 @@ void eliminate(const Elimination& plan, double* values, double* unknowns, const 
         });
       }
     });
-  if (!regular) refuse_singular();
+  return regular;
 }
 //! [factor]
 
@@ -278,7 +286,8 @@ void solve_equations(const Direct& solver, const System<M>& system, const std::v
   view_blocks(system, work);
   const auto structured = [&]<int S>(Constant<S>) {
     assemble<S>(solver, system, offset.data(), bodies, work);
-    eliminate<S, M::dof>(plan, work.values.data(), work.unknowns.data(), work.diagonal.data());
+    if (!eliminate<S, M::dof>(plan, work.values.data(), work.unknowns.data(), work.diagonal.data()))
+      refuse_singular(system, bodies);
     substitute_back<S>(work, change.data());
   };
   if (plan.edge_size == 1)
@@ -317,6 +326,7 @@ long long direct_row_solves(const Direct& solver, const Elimination& plan, long 
 }
 
 #define BYHAND_INSTANTIATE(M)                                                                                  \
+  template void refuse_singular(const System<M>&, const Bodies<M>&);                                           \
   template void solve_again(const std::vector<double>&, DirectWork<M>&, std::vector<double>&);                 \
   template void solve_equations(const Direct&, const System<M>&, const std::vector<double>&, const Bodies<M>&, \
                                 DirectWork<M>&, std::vector<double>&)

@@ -14,13 +14,13 @@ enum class Factorisation { structured, dense };
 /// Solves all rows exactly: (JM⁻¹Jᵀ + γ)λ = -(JV + b).
 ///
 /// Bounds are kept by an active set: the rows that are not at a bound are solved, λ is clamped to its bounds, and
-/// sweeps of Gauss–Seidel find what else changes. This repeats until a sweep changes nothing; after `rounds`,
-/// sweeps alone finish the solve.
+/// sweeps of Gauss–Seidel find what else changes. This repeats until one of them is within the tolerance; after
+/// `rounds`, sweeps alone finish the solve.
 struct Direct {
   Factorisation factorisation = Factorisation::structured;
   double regularisation = 0;  // >= 0: this share of each row's own JM⁻¹Jᵀ is added to its γ
   int rounds = 20;            // >= 1, with bounds
-  double tolerance = 1e-5;    // > 0, with bounds: what a last sweep may still change [m/s, rad/s]
+  double tolerance = 1e-10;   // with bounds, in (0, 1]: the largest residual, as a share of the largest push
 };
 
 /// Throws std::invalid_argument for a choice outside the ranges above.
@@ -30,7 +30,9 @@ void require_valid(const Direct& solver);
 struct SingularSystem : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
-[[noreturn]] void refuse_singular();
+/// Throws that, or NotFinite with the names of bodies where a number is not finite.
+template <class M>
+[[noreturn]] void refuse_singular(const System<M>& system, const Bodies<M>& bodies);
 /// A pivot below this share of its row's own diagonal is rounding, not physics.
 inline constexpr double smallest_pivot = 1e-13;
 
@@ -56,11 +58,10 @@ struct DirectWork {
 };
 
 /// Solves the system's rows for λ and applies the impulses. The system must be laid out in the order of
-/// `work.plan`. Throws SingularSystem, which without bounds leaves the velocities unchanged. Returns how often all
-/// rows were solved.
+/// `work.plan`. Throws SingularSystem, which without bounds leaves the velocities unchanged.
 template <class M>
-int solve(const Direct& solver, System<M>& system, Bodies<M>& bodies, Prepared<M>& prepared, DirectWork<M>& work,
-          Begin begin = Begin::step);
+Solution solve(const Direct& solver, System<M>& system, Bodies<M>& bodies, Prepared<M>& prepared,
+               DirectWork<M>& work, Begin begin = Begin::step);
 
 /// One exact solve: `change` becomes x of (JM⁻¹Jᵀ + γ)x = -(JV + offset), for the active rows.
 template <class M>

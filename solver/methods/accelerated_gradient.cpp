@@ -5,19 +5,6 @@
 namespace byhand {
 namespace {
 
-/// D: the diagonal of A + γ. Both tangents of friction in space get the larger of theirs, so that Π stays a
-/// disc's.
-template <class M>
-void find_diagonal(const System<M>& system, std::vector<double>& D) {
-  system.for_each_run([&]<int K, Bound B>(std::span<const Block<M, K, B>> blocks) {
-    for (const auto& block : blocks) {
-      double* d = &D[block.row];
-      for (int k = 0; k < K; ++k) d[k] = inverse_effective_mass(block.J, block.W, k) + system.gamma[block.row + k];
-      if constexpr (K == 2 && B == Bound::friction) d[0] = d[1] = std::max(d[0], d[1]);
-    }
-  });
-}
-
 /// `result` = Π(from - D⁻¹g/L). In natural order, so that a friction finds its normal clamped already.
 template <class M>
 void step_within_bounds(const System<M>& system, const std::vector<double>& from, const std::vector<double>& g,
@@ -26,31 +13,20 @@ void step_within_bounds(const System<M>& system, const std::vector<double>& from
   hold_within_bounds(system, result);
 }
 
-}  // namespace
-
-void require_valid(const AcceleratedGradient& solver) {
-  require(solver.iterations >= 1, "number of iterations", solver.iterations, "at least 1");
-  require_in("tolerance", solver.tolerance, 0, 1e300, "m/s");
-}
-
 //! [accelerated_gradient]
+/// From λ and its gradient g down to where the residual is within the tolerance, or as far as the iterations
+/// allow. `best` becomes the best λ. Returns the number of passes over all rows.
 template <class M>
-int solve(const AcceleratedGradient& solver, System<M>& system, std::vector<Velocity<M>>& velocities,
-          AcceleratedGradientWork<M>& work, Begin begin) {
+int descend(const AcceleratedGradient& solver, int iterations, double speed, const System<M>& system,
+            AcceleratedGradientWork<M>& work) {
   const int rows = system.rows();
-  auto& [D, g, now, y, g_at_y, next, change, best, q] = work;
-  for (auto* numbers : {&D, &g, &now, &y, &g_at_y, &next, &change, &best}) numbers->resize(rows);
-  q.resize(velocities.size());
-  begin_sweeps(system, solver.warm_start, begin, velocities);
+  auto& [scales, g, now, y, g_at_y, next, change, best, q] = work;
+  const std::vector<double>& D = scales.D;
   now = best = y = system.lambda;
-  find_diagonal(system, D);
-  rates_of(system, velocities, g);
-  for (int i = 0; i < rows; ++i) g[i] += system.bias[i] + system.gamma[i] * now[i];
   g_at_y = g;
-
-  double L = 1, theta = 1, smallest_error = std::numeric_limits<double>::infinity();
+  double L = 1, theta = 1, smallest = std::numeric_limits<double>::infinity();
   int passes = 0;
-  while (passes < solver.iterations) {
+  while (passes < iterations) {
     for (;; L *= 2) {
       step_within_bounds(system, y, g_at_y, D, L, next);
       for (int i = 0; i < rows; ++i) next[i] -= y[i];  // Δ
@@ -61,7 +37,7 @@ int solve(const AcceleratedGradient& solver, System<M>& system, std::vector<Velo
         curvature += next[i] * change[i];
         bound += next[i] * D[i] * next[i];
       }
-      if (curvature <= L * bound * (1 + 1e-12)) break;
+      if (!(curvature > L * bound * (1 + 1e-12))) break;  // also if it is not a number
     }
     const double theta_next = 0.5 * theta * (std::sqrt(theta * theta + 4) - theta);
     double momentum = theta * (1 - theta) / (theta * theta + theta_next), uphill = 0;
@@ -80,23 +56,51 @@ int solve(const AcceleratedGradient& solver, System<M>& system, std::vector<Velo
     std::swap(g, change);
     L *= 0.9;
 
-    // The error [units of C per second]: what a further step without momentum would change.
-    step_within_bounds(system, now, g, D, 1, next);
-    double error = 0;
-    for (int i = 0; i < rows; ++i) error = std::max(error, D[i] * std::abs(next[i] - now[i]));
-    if (error < smallest_error) smallest_error = error, best = now;
-    if (error <= solver.tolerance) break;
+    Residual reached = residual(system, now, g, scales);
+    reached.speed = speed;
+    const bool done = reached.within(solver.tolerance);
+    if (done || reached.largest < smallest) smallest = reached.largest, best = now;
+    if (done || std::isnan(reached.largest)) break;
   }
-  for (int i = 0; i < rows; ++i) change[i] = best[i] - system.lambda[i];
-  system.lambda = best;
-  apply_all(system, change, velocities);
   return passes;
 }
 //! [accelerated_gradient]
 
-#define BYHAND_INSTANTIATE(M)                                                           \
-  template int solve(const AcceleratedGradient&, System<M>&, std::vector<Velocity<M>>&, \
-                     AcceleratedGradientWork<M>&, Begin)
+}  // namespace
+
+void require_valid(const AcceleratedGradient& solver) {
+  require(solver.iterations >= 1, "number of iterations", solver.iterations, "at least 1");
+  require_valid_tolerance(solver.tolerance);
+}
+
+template <class M>
+Solution solve(const AcceleratedGradient& solver, System<M>& system, std::vector<Velocity<M>>& velocities,
+               AcceleratedGradientWork<M>& work, Begin begin) {
+  for (auto* numbers : {&work.g, &work.next, &work.change}) numbers->resize(system.rows());
+  work.q.resize(velocities.size());
+  begin_sweeps(system, solver.warm_start, begin, velocities);
+  find_scales(system, work.scales);
+  const double speed = fastest(system, velocities);
+  errors_of(system, velocities, system.lambda, work.g);
+  Solution solution;
+  do {
+    solution.passes += descend(solver, solver.iterations - solution.passes, speed, system, work);
+    for (int i = 0; i < system.rows(); ++i) work.change[i] = work.best[i] - system.lambda[i];
+    system.lambda = work.best;
+    apply_all(system, work.change, velocities);
+    // On the way g is a sum of changes; this is the gradient itself.
+    errors_of(system, velocities, system.lambda, work.g);
+    Residual reached = residual(system, system.lambda, work.g, work.scales);
+    reached.speed = speed;
+    solution.residual = reached.largest;
+    solution.converged = reached.within(solver.tolerance);
+  } while (!solution.converged && !std::isnan(solution.residual) && solution.passes < solver.iterations);
+  return solution;
+}
+
+#define BYHAND_INSTANTIATE(M)                                                                \
+  template Solution solve(const AcceleratedGradient&, System<M>&, std::vector<Velocity<M>>&, \
+                          AcceleratedGradientWork<M>&, Begin)
 BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);
 #undef BYHAND_INSTANTIATE
 

@@ -10,7 +10,7 @@
 //
 //   λ' = Π(y - D⁻¹g(y)/L),     y' = λ' + β(λ' - λ),     β from Nesterov's θ'² = (1 - θ')θ²
 //
-// D is the diagonal of A + γ, so that rows in metres and in radians, of light and of heavy bodies, take similar
+// D is that of the natural map, so that rows in metres and in radians, of light and of heavy bodies, take similar
 // steps. L bounds the curvature along the step, Δᵀ(A + γ)Δ <= L ΔᵀDΔ: where it does not, L is doubled and the step
 // repeated; after each step L is reduced to nine tenths. Momentum is dropped where it points uphill. f may rise in
 // an iteration, so the best λ is kept. The error falls with the square of the iterations, whatever the bounds.
@@ -29,7 +29,7 @@ namespace byhand {
 /// Accelerated projected gradient descent on all rows.
 struct AcceleratedGradient {
   int iterations = 50;      // >= 1
-  double tolerance = 1e-6;  // >= 0: stop when no row is further from its answer [units of C per second]
+  double tolerance = 1e-6;  // stop when the residual is at most this share of the largest push, in [0, 1]
   bool warm_start = true;   // begin with the λ of the last step
 };
 
@@ -38,12 +38,13 @@ void require_valid(const AcceleratedGradient& solver);
 /// Scratch, by row and by body.
 template <class M>
 struct AcceleratedGradientWork {
-  std::vector<double> D, g, now, y, g_at_y, next, change, best;
+  RowScales scales;
+  std::vector<double> g, now, y, g_at_y, next, change, best;
   std::vector<Velocity<M>> q;
 };
 
 template <class M>
-int solve(const AcceleratedGradient& solver, System<M>& system, std::vector<Velocity<M>>& velocities,
-          AcceleratedGradientWork<M>& work, Begin begin = Begin::step);
+Solution solve(const AcceleratedGradient& solver, System<M>& system, std::vector<Velocity<M>>& velocities,
+               AcceleratedGradientWork<M>& work, Begin begin = Begin::step);
 
 }  // namespace byhand

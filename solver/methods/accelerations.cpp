@@ -121,6 +121,7 @@ void implicit_midpoint(Scene<M>& scene, double regularisation, Accelerations::Wo
 template <class M>
 void advance(Scene<M>& scene, const Accelerations& method, double step, Accelerations::Work<M>& work) {
   require_steppable(scene, method, step);
+  Attempt attempt(scene, work);
   begin_equalities(scene, step / method.substeps, work);
   for (const BodyForces& own : scene.bodies().forces)  // explicit stages and the iteration are stable below 2
     for (const double rate : {own.linear_damping, own.angular_damping})
@@ -135,6 +136,7 @@ void advance(Scene<M>& scene, const Accelerations& method, double step, Accelera
       case Scheme::implicit_midpoint: return implicit_midpoint(scene, method.regularisation, work);
     }
   });
+  attempt.finish();
 }
 
 #define BYHAND_INSTANTIATE(M) \

@@ -188,6 +188,7 @@ void update_rows(const ConstraintStore<M>& store, const Avbd& method, const Bloc
 template <class M>
 void advance(Scene<M>& scene, const Avbd& method, double h, Avbd::Work<M>& work) {
   require_steppable(scene, method, h);
+  Attempt attempt(scene, work);
   Bodies<M>& bodies = scene.state();
   if (begin_rows(scene, h, work)) list_holders(work);
   work.system.stiffness.resize(work.system.rows());
@@ -214,6 +215,7 @@ void advance(Scene<M>& scene, const Avbd& method, double h, Avbd::Work<M>& work)
   }
   end_substep(scene, h, work);
   work.contacts.read_impulses(work.system);
+  attempt.finish();
 }
 
 #define BYHAND_INSTANTIATE(M) template void advance(Scene<M>&, const Avbd&, double, Avbd::Work<M>&)

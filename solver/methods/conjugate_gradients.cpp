@@ -34,27 +34,33 @@ double sum_of_products(const std::vector<double>& a, const std::vector<double>& 
 
 void require_valid(const ConjugateGradients& solver) {
   require(solver.iterations >= 1, "number of iterations", solver.iterations, "at least 1");
-  require_in("tolerance", solver.tolerance, 0, 1e300, "m/s");
+  require_valid_tolerance(solver.tolerance);
 }
 
 //! [conjugate_gradients]
 template <class M>
-int solve(const ConjugateGradients& solver, System<M>& system, std::vector<Velocity<M>>& velocities,
-          ConjugateGradientWork<M>& work, Begin begin) {
+Solution solve(const ConjugateGradients& solver, System<M>& system, std::vector<Velocity<M>>& velocities,
+               ConjugateGradientWork<M>& work, Begin begin) {
   const int rows = system.rows();
-  auto& [inverses, r, z, p, Ap, q] = work;
+  auto& [inverses, scales, r, z, p, Ap, q] = work;
   for (auto* numbers : {&r, &z, &p, &Ap}) numbers->assign(rows, 0.0);
   q.resize(velocities.size());
   invert_blocks(system, work);
+  find_scales(system, scales);
   begin_sweeps(system, solver.warm_start, begin, velocities);
-  rates_of(system, velocities, r);
-  for (int i = 0; i < rows; ++i) r[i] = -(r[i] + system.bias[i] + system.gamma[i] * system.lambda[i]);
+  const double speed = fastest(system, velocities);
+  errors_of(system, velocities, system.lambda, r);
+  for (double& error : r) error = -error;
   double rz_before = 0, rz_first = 0;
-  for (int k = 0; k < solver.iterations; ++k) {
+  for (int k = 0;; ++k) {
     precondition(system, work);
     const double rz = sum_of_products(r, z);
     if (k == 0) rz_first = rz;
-    if (largest_of(r) <= solver.tolerance || !(rz > rounding * rz_first)) return k;
+    Residual reached = residual(system, system.lambda, r, scales);
+    reached.speed = speed;
+    const bool converged = reached.within(solver.tolerance);
+    if (converged || !(rz > rounding * rz_first) || k == solver.iterations)
+      return {k, 0, reached.largest, converged};
     const double share = k == 0 ? 0.0 : rz / rz_before;
     for (int i = 0; i < rows; ++i) p[i] = z[i] + share * p[i];
     multiply(system, p, q, Ap);
@@ -66,13 +72,12 @@ int solve(const ConjugateGradients& solver, System<M>& system, std::vector<Veloc
     for (std::size_t i = 0; i < velocities.size(); ++i) velocities[i] += step * q[i];
     rz_before = rz;
   }
-  return solver.iterations;
 }
 //! [conjugate_gradients]
 
-#define BYHAND_INSTANTIATE(M)                                                                                     \
-  template int solve(const ConjugateGradients&, System<M>&, std::vector<Velocity<M>>&, ConjugateGradientWork<M>&, \
-                     Begin)
+#define BYHAND_INSTANTIATE(M)                                                               \
+  template Solution solve(const ConjugateGradients&, System<M>&, std::vector<Velocity<M>>&, \
+                          ConjugateGradientWork<M>&, Begin)
 BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);
 #undef BYHAND_INSTANTIATE
 

@@ -25,7 +25,7 @@ namespace byhand {
 /// Conjugate gradients on the rows of a scene without bounds.
 struct ConjugateGradients {
   int iterations = 50;      // >= 1
-  double tolerance = 1e-9;  // >= 0: stop when no |JV + b + γλ| is larger [units of C per second]
+  double tolerance = 1e-9;  // stop when the residual is at most this share of the largest push, in [0, 1]
   bool warm_start = true;   // begin with the λ of the last step
 };
 
@@ -38,12 +38,13 @@ struct ConjugateGradientWork {
   using InverseOf = Eigen::Matrix<double, K, K>;
 
   PerBlock<M, InverseOf> inverses;  // E
+  RowScales scales;
   std::vector<double> r, z, p, Ap;  // by row
   std::vector<Velocity<M>> q;       // by body
 };
 
 template <class M>
-int solve(const ConjugateGradients& solver, System<M>& system, std::vector<Velocity<M>>& velocities,
-          ConjugateGradientWork<M>& work, Begin begin = Begin::step);
+Solution solve(const ConjugateGradients& solver, System<M>& system, std::vector<Velocity<M>>& velocities,
+               ConjugateGradientWork<M>& work, Begin begin = Begin::step);
 
 }  // namespace byhand

@@ -19,13 +19,13 @@ struct ConjugateSweeps {
   int sweeps = 50;                          // >= 1
   bool warm_start = true;                   // begin with the λ of the last step
   SweepOrder order = SweepOrder::coloured;  // the same in every sweep, or there is no gradient
-  double tolerance = 3e-8;                  // >= 0: stop when a sweep changes no velocity by more [m/s, rad/s]
+  double tolerance = 1e-5;                  // as of GaussSeidel; 0: stop when nothing is left
 };
 
 void require_valid(const ConjugateSweeps& solver);
 
 template <class M>
-int solve(const ConjugateSweeps& solver, System<M>& system, std::vector<Velocity<M>>& velocities,
-          Prepared<M>& prepared, Begin begin = Begin::step);
+Solution solve(const ConjugateSweeps& solver, System<M>& system, std::vector<Velocity<M>>& velocities,
+               Prepared<M>& prepared, Begin begin = Begin::step);
 
 }  // namespace byhand

@@ -51,6 +51,7 @@ std::string refusal_unless_equalities(const Scene<M>& scene, const char* method)
 /// Begins a step of substeps h [s]: if the scene has changed, lays the rows out in the order of elimination.
 template <class M>
 void begin_equalities(const Scene<M>& scene, double h, EqualitiesWork<M>& work) {
+  require_finite<M>(scene.bodies().pose, scene.bodies().velocity, "");
   work.h = h;
   if (work.version == scene.version()) return;
   work.version = scene.version();
@@ -67,18 +68,13 @@ void solve_rows(double regularisation, const Bodies<M>& bodies, EqualitiesWork<M
   work.row_solves += direct_row_solves(solver, work.direct.plan, work.system.rows(), M::dof);
 }
 
-/// Makes a number of substeps. If one throws, the bodies return to its start.
+/// Makes a number of substeps.
 template <class M, class F>
 void run_substeps(int substeps, Scene<M>& scene, EqualitiesWork<M>& work, F&& substep) {
   for (int i = 0; i < substeps; ++i) {
     work.begin = scene.bodies();
     std::fill(work.system.lambda.begin(), work.system.lambda.end(), 0.0);
-    try {
-      substep();
-    } catch (...) {
-      scene.state() = work.begin;
-      throw;
-    }
+    substep();
   }
 }
 

@@ -26,19 +26,19 @@ void require_valid(const Jacobi& solver) {
 }
 
 template <class M>
-int solve(const Jacobi& solver, System<M>& system, std::vector<Velocity<M>>& velocities, Prepared<M>& prepared,
-          Begin begin) {
+Solution solve(const Jacobi& solver, System<M>& system, std::vector<Velocity<M>>& velocities,
+               Prepared<M>& prepared, Begin begin) {
   prepare(system, solver.block_solve, solver.relaxation, prepared);
   prepared.change.resize(system.rows());
   begin_sweeps(system, solver.warm_start, begin, velocities);
   for (int i = 0; i < solver.sweeps; ++i)
     prepared.soft ? sweep<true>(system, prepared, numbers<M>(velocities))
                   : sweep<false>(system, prepared, numbers<M>(velocities));
-  return solver.sweeps;
+  return {solver.sweeps, 0, std::numeric_limits<double>::quiet_NaN(), false};
 }
 
 #define BYHAND_INSTANTIATE(M) \
-  template int solve(const Jacobi&, System<M>&, std::vector<Velocity<M>>&, Prepared<M>&, Begin)
+  template Solution solve(const Jacobi&, System<M>&, std::vector<Velocity<M>>&, Prepared<M>&, Begin)
 BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);
 #undef BYHAND_INSTANTIATE
 

@@ -16,7 +16,7 @@ struct Jacobi {
 void require_valid(const Jacobi& solver);
 
 template <class M>
-int solve(const Jacobi& solver, System<M>& system, std::vector<Velocity<M>>& velocities, Prepared<M>& prepared,
-          Begin begin = Begin::step);
+Solution solve(const Jacobi& solver, System<M>& system, std::vector<Velocity<M>>& velocities,
+               Prepared<M>& prepared, Begin begin = Begin::step);
 
 }  // namespace byhand

@@ -75,9 +75,11 @@ void rattle(Scene<M>& scene, const Rattle& method, Rattle::Work<M>& work) {
 template <class M>
 void advance(Scene<M>& scene, const Rattle& method, double step, Rattle::Work<M>& work) {
   require_steppable(scene, method, step);
+  Attempt attempt(scene, work);
   begin_equalities(scene, step / method.substeps, work);
   factor_rows(scene, method.regularisation, work);
   run_substeps(method.substeps, scene, work, [&] { rattle(scene, method, work); });
+  attempt.finish();
 }
 
 #define BYHAND_INSTANTIATE(M) template void advance(Scene<M>&, const Rattle&, double, Rattle::Work<M>&)

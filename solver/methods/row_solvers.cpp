@@ -36,8 +36,12 @@ void lay_out(const Scene<M>& scene, const RowSolver& solver, RowWork<M>& work) {
 template <class M>
 void solve_rows(const RowSolver& solver, Bodies<M>& bodies, RowWork<M>& work, Begin begin) {
   const long long rows = work.system.rows();
-  const auto passes = [&](const auto& choice, auto& scratch) {
-    return solve(choice, work.system, bodies.velocity, scratch, begin);
+  const auto note = [&](const Solution& solution, long long row_solves_a_round = 0) {
+    work.row_solves += solution.passes * rows + solution.rounds * row_solves_a_round;
+    work.solution += solution;
+  };
+  const auto solved = [&](const auto& choice, auto& scratch) {
+    note(solve(choice, work.system, bodies.velocity, scratch, begin));
   };
   std::visit(
       [&]<class Choice>(const Choice& choice) {
@@ -45,15 +49,14 @@ void solve_rows(const RowSolver& solver, Bodies<M>& bodies, RowWork<M>& work, Be
           work.loopless ? solve_rows(choice.loopless, bodies, work, begin)
                         : solve_rows(choice.loops, bodies, work, begin);
         else if constexpr (std::is_same_v<Choice, Direct>)
-          work.row_solves +=
-              solve(choice, work.system, bodies, work.prepared, work.direct, begin) *
-              (direct_row_solves(choice, work.direct.plan, rows, M::dof) + work.system.bounded * rows);
+          note(solve(choice, work.system, bodies, work.prepared, work.direct, begin),
+               direct_row_solves(choice, work.direct.plan, rows, M::dof));
         else if constexpr (std::is_same_v<Choice, ConjugateGradients>)
-          work.row_solves += rows * passes(choice, work.conjugate_gradients);
+          solved(choice, work.conjugate_gradients);
         else if constexpr (std::is_same_v<Choice, AcceleratedGradient>)
-          work.row_solves += rows * passes(choice, work.accelerated_gradient);
+          solved(choice, work.accelerated_gradient);
         else
-          work.row_solves += rows * passes(choice, work.prepared);
+          solved(choice, work.prepared);
       },
       solver);
 }

@@ -15,6 +15,19 @@ std::vector<int> solve_order(Layout layout, const Graph& graph, int dof, Elimina
 }
 
 template <class M>
+void refuse_not_finite(const Scene<M>& scene, const State<M>& came) {
+  require_finite<M>(scene.bodies().pose, scene.bodies().velocity, "");
+  for (const auto& entry : scene.entries()) {
+    const ConstraintStore<M>& store = scene.store(entry.kind);
+    double C[6];  // no block has more rows
+    store.write_value(entry.index, scene.bodies(), C);
+    if (!std::all_of(C, C + store.rows, [](double c) { return std::isfinite(c); }))
+      throw NotFinite("constraint " + std::to_string(entry.id) + " has a value that is not a finite number");
+  }
+  require_finite<M>(came.pose, came.velocity, " after a step, which was taken back");
+}
+
+template <class M>
 Reaction<M> reaction(const Scene<M>& scene, const StepWork<M>& work, int constraint) {
   Reaction<M> result;
   int place = scene.place(constraint);
@@ -42,8 +55,9 @@ Reaction<M> reaction(const Scene<M>& scene, const StepWork<M>& work, int constra
 
 BYHAND_DEFINE_COPIES(StepWork)
 
-#define BYHAND_INSTANTIATE(M)  \
-  template struct StepWork<M>; \
+#define BYHAND_INSTANTIATE(M)                                        \
+  template struct StepWork<M>;                                       \
+  template void refuse_not_finite(const Scene<M>&, const State<M>&); \
   template Reaction<M> reaction(const Scene<M>&, const StepWork<M>&, int)
 BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);
 #undef BYHAND_INSTANTIATE

@@ -12,6 +12,13 @@ namespace byhand {
 /// The orders in which rows can be laid out.
 enum class Layout { none, natural, reverse, coloured, elimination };
 
+/// Poses and velocities of all bodies.
+template <class M>
+struct State {
+  std::vector<Pose<M>> pose;
+  std::vector<Velocity<M>> velocity;
+};
+
 /// What every method keeps between steps. λ of `system` is the impulse of the last substep, so that λ/h is the
 /// mean force in it.
 template <class M>
@@ -26,6 +33,7 @@ struct StepWork {
   bool loopless = false;      // whether its graph has no loops
   double h = 0;               // the substep that λ belongs to [s]
   long long row_solves = 0;   // total cost; a direct solve counts as the row solves of as many multiplications
+  State<M> start;             // at the start of the step
 };
 
 /// Places of constraints in that layout; Layout::elimination also writes `plan`.
@@ -65,6 +73,47 @@ void require_steppable(const Scene<M>& scene, const Method& method, double step)
   require_valid(method);
   if (const std::string reason = refusal(scene, method); !reason.empty()) throw std::invalid_argument(reason);
 }
+
+/// Throws NotFinite for a step that `came` to numbers that are not finite and was taken back. It names the first
+/// body that began with one, or else the first constraint with such a value at the start, or else the first body
+/// at the end.
+template <class M>
+void refuse_not_finite(const Scene<M>& scene, const State<M>& came);
+
+/// Within a step either all bodies move or none: whatever throws before the end of `finish` leaves them as they
+/// were, and the next step begins without λ.
+template <class M, class Work>
+class Attempt {
+ public:
+  Attempt(Scene<M>& scene, Work& work) : scene_(scene), work_(work) {
+    work.start.pose = scene.bodies().pose;
+    work.start.velocity = scene.bodies().velocity;
+  }
+  Attempt(const Attempt&) = delete;
+  ~Attempt() {
+    if (!finished_) take_back();
+  }
+
+  /// Throws NotFinite if a pose or velocity is not finite.
+  void finish() {
+    finished_ = true;
+    if (!are_finite(scene_.bodies().pose, scene_.bodies().velocity)) refuse_not_finite(scene_, take_back());
+  }
+
+ private:
+  /// Returns what it takes back.
+  State<M> take_back() {
+    State<M> state = std::move(work_.start);
+    std::swap(scene_.state().pose, state.pose);
+    std::swap(scene_.state().velocity, state.velocity);
+    work_ = {};
+    return state;
+  }
+
+  Scene<M>& scene_;
+  Work& work_;
+  bool finished_ = false;
+};
 
 /// The force of a constraint on its second body; its first body gets the opposite force.
 template <class M>

@@ -48,6 +48,7 @@ void solve_block(const ConstraintStore<M>& store, double h, Block<M, K, B>& bloc
 template <class M>
 void advance(Scene<M>& scene, const Xpbd& method, double step, PositionWork<M>& work) {
   require_steppable(scene, method, step);
+  Attempt attempt(scene, work);
   begin_rows(scene, step, work);
   Bodies<M>& bodies = scene.state();
   const double h = work.h = step / method.substeps;
@@ -67,6 +68,7 @@ void advance(Scene<M>& scene, const Xpbd& method, double step, PositionWork<M>& 
     work.row_solves += static_cast<long long>(method.iterations) * work.system.rows();
   }
   work.contacts.read_impulses(work.system);
+  attempt.finish();
 }
 
 #define BYHAND_INSTANTIATE(M) template void advance(Scene<M>&, const Xpbd&, double, PositionWork<M>&)

@@ -67,7 +67,7 @@ TEST(LawA13, WithoutSoftnessADirectSolveRefusesDuplicatesAndConflicts) {
       EXPECT_THAT([&] { simulation.step(h); },
                   testing::Throws<SingularSystem>(testing::Property(
                       &SingularSystem::what, testing::HasSubstr("repeats or contradicts other rows"))));
-      EXPECT_TRUE(simulation.scene.bodies().velocity[1].isApprox(before + h * Velocity<PlaneParticle>(0, -g)));
+      EXPECT_EQ(simulation.scene.bodies().velocity[1], before);
     }
 }
 

@@ -42,10 +42,10 @@ TEST(Residual, OfARowThatItsBoundStopsIsWhatAnotherSolveWouldChange) {
   scene.write_rows(system, h);
   system.lambda[0] = 2;
   system.bias[0] = 10;
-  // (17) asks for Δλ = -(b + γλ)/A = -14 with A = 1/m + γ = 0.75; the bound λ >= 0 allows -2.
-  EXPECT_DOUBLE_EQ(residual(system, scene.bodies().velocity), 0.75 * 2);
+  // (17) asks for Δλ = -(b + γλ)/D = -14 with D = 1/m + γ = 0.75; the bound λ >= 0 allows -2.
+  EXPECT_DOUBLE_EQ(residual(system, scene.bodies().velocity), 2 * std::sqrt(0.75 * 0.5));
   system.bias[0] = 0.25;
-  EXPECT_DOUBLE_EQ(residual(system, scene.bodies().velocity), 0.25 + 0.25 * 2);
+  EXPECT_DOUBLE_EQ(residual(system, scene.bodies().velocity), (0.25 + 0.25 * 2) * std::sqrt(0.5 / 0.75));
 }
 
 TEST(AlgebraicError, IsThatOfTheSweepsAndNoneOfTheDirectSolve) {
@@ -54,6 +54,29 @@ TEST(AlgebraicError, IsThatOfTheSweepsAndNoneOfTheDirectSolve) {
   EXPECT_LE(algebraic_error(chain, h), 1e-12);
   chain.method.solver = GaussSeidel{1};
   EXPECT_GE(algebraic_error(chain, h), 1e-3);
+}
+
+TEST(Measures, OfWhatIsNotANumberAreNone) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto chain = pinned_chain<PlaneBody>({.links = 5, .angle = 1});
+  for (int body = 1; body <= 5; ++body) {
+    Simulation simulation{chain, {Direct{}}};
+    simulation.step(h);
+    auto& bodies = simulation.scene.state();
+    bodies.pose[body].position[0] = nan;
+    EXPECT_TRUE(std::isnan(position_error(simulation.scene).max)) << body;
+    EXPECT_TRUE(std::isnan(position_error(simulation.scene).rms)) << body;
+    EXPECT_TRUE(std::isnan(algebraic_error(simulation, h))) << body;
+    bodies.velocity[body][1] = nan;
+    EXPECT_TRUE(std::isnan(residual(simulation.work.system, bodies.velocity))) << body;
+    EXPECT_TRUE(std::isnan(energy(simulation.scene))) << body;
+    EXPECT_TRUE(std::isnan(linear_momentum(bodies)[1])) << body;
+    EXPECT_TRUE(std::isnan(angular_momentum(bodies)[0])) << body;
+  }
+  Scene<PlaneParticle> scene = bob_and_pivot();
+  scene.add(Contact<PlaneParticle>{{1, 0}, {1, 0}});
+  scene.state().pose[0].position[0] = nan;
+  EXPECT_TRUE(std::isnan(position_error(scene).max)) << "one-sided";
 }
 
 TEST(GaussSeidel, StopsAfterTheFirstSweepThatChangesNoBody) {

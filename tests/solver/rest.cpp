@@ -51,7 +51,7 @@ TEST(Rest, OfAStackAndAPyramidBySweepsIsExactOnceTheyHaveSunkIntoTheSlop) {
   }
 }
 
-// Sweeps that stop early leave some multiple of what they stopped at, 3e-8 m/s in each step.
+// Sweeps that stop early leave some multiple of what they stopped at, 1e-5 of the largest push.
 TEST(Rest, OfAPyramidByGraphIsWithinWhatItsSweepsStopAt) {
   const Unrest left = unrest(pyramid(10), {ByGraph{}, with_slop});
   EXPECT_LE(left.speed, 1e-5);

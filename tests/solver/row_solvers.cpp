@@ -21,9 +21,9 @@ const RowSolver patient[] = {
     GaussSeidel{1500, true, SweepOrder::symmetric},
     GaussSeidel{.sweeps = 3000, .order = SweepOrder::coloured, .relaxation = 1.3},
     Direct{},
-    ConjugateSweeps{.sweeps = 3000, .tolerance = 1e-14},
-    ConjugateSweeps{.sweeps = 1500, .order = SweepOrder::symmetric, .tolerance = 1e-14},
-    ByGraph{.loops = {.sweeps = 3000, .tolerance = 1e-14}},
+    ConjugateSweeps{.sweeps = 3000, .tolerance = 1e-13},
+    ConjugateSweeps{.sweeps = 1500, .order = SweepOrder::symmetric, .tolerance = 1e-13},
+    ByGraph{.loops = {.sweeps = 3000, .tolerance = 1e-13}},
     ConjugateGradients{.iterations = 300, .tolerance = 1e-13},
     AcceleratedGradient{.iterations = 5000, .tolerance = 1e-12},
 };
@@ -144,8 +144,8 @@ Scene<PlaneBody> random_boxes(Random& random, double friction) {
   return scene;
 }
 
-const RowSolver with_bounds[] = {GaussSeidel{.sweeps = 1000000, .tolerance = 1e-15},
-                                 GaussSeidel{.sweeps = 500000, .order = SweepOrder::symmetric, .tolerance = 1e-15},
+const RowSolver with_bounds[] = {GaussSeidel{.sweeps = 1000000, .tolerance = 1e-13},
+                                 GaussSeidel{.sweeps = 500000, .order = SweepOrder::symmetric, .tolerance = 1e-13},
                                  AcceleratedGradient{.iterations = 100000, .tolerance = 1e-12}};
 
 /// Whether no row of the faces' ends repeats others: the rank of all J that can move something is their number.
@@ -175,7 +175,7 @@ TEST(RowSolvers, MeetTheReferenceOnRandomBoxesWithoutFriction) {
       [&]<class M>(Random& random) {
         const Scene<PlaneBody> scene = random_boxes(random, 0);
         const auto exact = solved(scene, exact_sweeps());
-        EXPECT_LE(exact.residual, 1e-12);
+        EXPECT_TRUE(exact.converged);
         for (const RowSolver& solver : with_bounds)
           EXPECT_LE(difference(solved(scene, solver).velocity, exact.velocity), 1e-9)
               << "solver " << solver.index();
@@ -203,7 +203,8 @@ TEST(RowSolvers, EachFindAnAnswerOnRandomBoxesWithFriction) {
         const auto exact = solved(scene, exact_sweeps());
         for (const RowSolver& solver : with_bounds) {
           const auto answer = solved(scene, solver);
-          EXPECT_LE(answer.residual, 1e-10) << "solver " << solver.index();
+          EXPECT_TRUE(answer.converged) << "solver " << solver.index();
+          EXPECT_LE(answer.residual, 1e-11 * (1 + largest(answer.lambda))) << "solver " << solver.index();
           ++(difference(answer.velocity, exact.velocity) <= 1e-9 ? same : others);
         }
       },
@@ -249,10 +250,11 @@ TEST(AcceleratedGradient, TakesInProportionToAChainsLinksWhatSweepsTakeBySquare)
     Work<PlaneParticle> work;
     advance(scene, {AcceleratedGradient{.iterations = 100000, .tolerance = tolerance, .warm_start = false}},
             time_step, work);
-    EXPECT_LE(residual(work.system, scene.bodies().velocity), tolerance);
+    const double push = 2 * (links - 1) * 9.81 * time_step;  // of the second rod, between two bobs
+    EXPECT_LE(residual(work.system, scene.bodies().velocity), tolerance * push);
     const double iterations = static_cast<double>(work.row_solves) / links;
     const double root_of_condition = 4 * links / std::acos(-1.0);
-    EXPECT_LE(iterations, root_of_condition * std::log(9.81 * time_step / tolerance)) << links;
+    EXPECT_LE(iterations, root_of_condition * std::log(9.81 * time_step / (tolerance * push))) << links;
     EXPECT_GE(iterations, links) << links;
   }
 }

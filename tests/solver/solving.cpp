@@ -43,7 +43,7 @@ Answer<M> solved(Scene<M> scene, const RowSolver& solver, const DriftCure& cure)
   Work<M> work;
   advance(scene, {.solver = solver, .drift = cure, .gyroscopic = Gyroscopic::none}, time_step, work);
   return {numbers_of<M>(scene.bodies().velocity), natural_lambda(scene, work.system),
-          residual(work.system, scene.bodies().velocity)};
+          residual(work.system, scene.bodies().velocity), work.solution.converged};
 }
 
 template <class M>

@@ -16,6 +16,7 @@ struct Answer {
   std::vector<double> velocity;  // dof numbers a body
   std::vector<double> lambda;    // rows of the constraints in natural order
   double residual = 0;
+  bool converged = false;
 };
 
 double difference(const std::vector<double>& a, const std::vector<double>& b);
