@@ -45,9 +45,25 @@ Scene<M>& Scene<M>::operator=(const Scene& other) {
 }
 
 template <class M>
-Scene<M>::Scene(Scene&&) noexcept = default;
+Scene<M>::Scene(Scene&& other) noexcept : Scene() {
+  *this = std::move(other);
+}
+
+/// Swaps, so that the other is still a scene, and not one of no bodies with the version of this one.
 template <class M>
-Scene<M>& Scene<M>::operator=(Scene&&) noexcept = default;
+Scene<M>& Scene<M>::operator=(Scene&& other) noexcept {
+  std::swap(gravity, other.gravity);
+  std::swap(bodies_, other.bodies_);
+  std::swap(colliders_, other.colliders_);
+  std::swap(stores_, other.stores_);
+  std::swap(entries_, other.entries_);
+  std::swap(lasting_, other.lasting_);
+  std::swap(next_id_, other.next_id_);
+  std::swap(version_, other.version_);
+  std::swap(written_, other.written_);
+  return *this;
+}
+
 template <class M>
 Scene<M>::~Scene() = default;
 

@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "lessons/scenes/chain.hpp"
 #include "solver/constraints/friction.hpp"
 #include "solver/constraints/limit.hpp"
 #include "solver/constraints/motor.hpp"
@@ -77,9 +78,9 @@ void forget_impulses(Work& work) {
 
 /// One step, and whether it threw.
 template <class M, class Method>
-std::string step(Simulation<M, Method>& simulation) {
+std::string step(Simulation<M, Method>& simulation, double h = time_step) {
   try {
-    simulation.step(time_step);
+    simulation.step(h);
     return {};
   } catch (const std::exception& error) {
     return error.what();
@@ -145,7 +146,13 @@ class Changes {
       case 14: return assign();
       case 15:
         scene.gravity = random_.vector<M::linear>(10);
-        if constexpr (std::is_same_v<Method, VelocityStepping>) now().method = any_method(random_);
+        h_ = random_.uniform(0.5, 1) * time_step;
+        if constexpr (std::is_same_v<Method, VelocityStepping>)
+          now().method = any_method(random_);
+        else if constexpr (std::is_same_v<Method, Avbd>)
+          now().method.iterations = 1 + random_.index(5);
+        else
+          now().method.substeps = 1 + random_.index(4);
         return;
       case 16: return scene.set_damping(any_body(), random_.uniform(0, 5), random_.uniform(0, 5));
       case 17: return scene.set_gravity_scale(any_body(), random_.uniform(-1, 2));
@@ -155,8 +162,8 @@ class Changes {
   /// A step of this simulation and one of a simulation that is built anew.
   void expect_as_built_anew() {
     Simulation<M, Method> fresh{built_anew(now().scene), now().method};
-    const std::string error = step(now());
-    ASSERT_EQ(step(fresh), error);
+    const std::string error = step(now(), h_);
+    ASSERT_EQ(step(fresh, h_), error);
     ++(error.empty() ? steps : refusals);
     ASSERT_EQ(difference(state_of(now().scene), state_of(fresh.scene)), 0);
     if (error.empty()) {
@@ -174,7 +181,7 @@ class Changes {
 
   /// A few steps without comparison; the last one's impulses are forgotten.
   void run() {
-    for (int i = random_.index(3); i > 0; --i) step(now());
+    for (int i = random_.index(3); i > 0; --i) step(now(), h_);
     forget_impulses(now().work);
     for (int body = 0; body < bodies().size(); ++body)  // back to the others what has been flung away
       if (bodies().has(body) &&
@@ -279,6 +286,7 @@ class Changes {
   Random& random_;
   std::array<Simulation<M, Method>, 2> simulations_ = {};
   int current_ = 0;
+  double h_ = time_step;
   Scene<M> saved_;
 };
 
@@ -302,6 +310,33 @@ TEST(AnyChanges, OfXpbd) { expect_steps_as_built_anew<Xpbd>(); }
 TEST(AnyChanges, OfAvbd) { expect_steps_as_built_anew<Avbd>(); }
 TEST(AnyChanges, OfRattle) { expect_steps_as_built_anew<Rattle>(); }
 TEST(AnyChanges, OfAccelerations) { expect_steps_as_built_anew<Accelerations>(); }
+
+TEST(MovedScene, LeavesAnEmptyOneThatStepsAndIsFilledAnew) {
+  in_all_models([]<class M>(Random& random) {
+    const auto check = [&](const auto& method) {
+      Simulation simulation{rod_chain<M>({.links = 3, .angle = 1}), method};
+      simulation.step(time_step);
+      const Scene<M> taken = std::move(simulation.scene);
+      EXPECT_EQ(taken.count(), 3);
+      EXPECT_EQ(simulation.scene.bodies().size(), 0);
+      EXPECT_EQ(simulation.scene.count(), 0);
+      simulation.step(time_step);
+      simulation.scene.add_body(random.pose<M>(), random.mass<M>());
+      simulation.step(time_step);
+      simulation.scene = taken;
+      forget_impulses(simulation.work);
+      Simulation fresh{built_anew(taken), method};
+      EXPECT_EQ(step(simulation), step(fresh));
+      EXPECT_EQ(difference(state_of(simulation.scene), state_of(fresh.scene)), 0);
+    };
+    check(VelocityStepping{});
+    check(VelocityStepping{GaussSeidel{}});
+    check(Xpbd{});
+    check(Avbd{});
+    check(Rattle{});
+    check(Accelerations{});
+  });
+}
 
 /// A ball that rests on the ground.
 template <class M>

@@ -70,7 +70,9 @@ TEST(Damping, SlowsAFreeBodyExponentially) {
       return error;
     };
     for (const auto& [linear, angular] : {std::pair(0.3, 2.0), {5.0, 0.0}, {0.0, 20.0}}) {
-      with_exact_methods([&](const auto& method) { EXPECT_LT(worst(method, linear, angular), 1e-11); });
+      with_exact_methods([&, linear = linear, angular = angular](const auto& method) {
+        EXPECT_LT(worst(method, linear, angular), 1e-11);
+      });
       const double share = std::max(linear, angular) * time_step;  // ch
       EXPECT_LT(worst(Accelerations{}, linear, angular), V.norm() * std::pow(share, 4) / 120);
       EXPECT_LT(worst(Accelerations{Scheme::implicit_midpoint}, linear, angular), V.norm() * share * share / 12);
