@@ -42,8 +42,9 @@ void unseen(const Setting& setting, Page& page) {
        .right =
            "A ball is seen along its radius, the margin and half of the wall; the rest of its step it is not."});
   page.text(
-      R"(Family three at its plainest: contacts are looked for once a step. A ball that is found anywhere from the
-      margin before the wall to the wall's middle is turned back. That way is @ m, a step @ m.)",
+      R"(Family three at its plainest: contacts are looked for once a step, where bodies are then. A ball that is
+      found anywhere from the margin before the wall to the wall's middle is turned back. That way is @ m, a step
+      @ m.)",
       Value(seen_for(wall), 3), speed * step);
   const Knob speeds = knob("speed (m/s)", 2, 100, setting.resolution),
              walls = knob("thickness of the wall (m)", 0.01, 1, setting.resolution);
@@ -68,8 +69,10 @@ void unseen(const Setting& setting, Page& page) {
               "Each cell is 50 flights. Dashed: what goes no farther in a step than it is seen.",
               renderer::Chart{.x = speeds.axis, .y = walls.axis, .curves = {law}, .heat_map = map});
   page.text(
-      R"(**Which knob?** The step; a thicker wall; a wider margin, if contacts may be made before they touch
-      (speculative contacts). A half-space has no other side, and nothing passes it.)");
+      R"(**Which knob?** The step; a thicker wall; a wider margin; or contacts that are made before bodies touch
+      (speculative contacts): for what approaches at v the margin grows by vh. A scene of this solver does that
+      unless it is told not to, as here, and then what flies straight at a wall is stopped by it at any speed. A
+      half-space has no other side, and nothing passes it.)");
   page.claim({.quantity = "balls that pass",
               .unit = "1",
               .expected = balls * share_by_law(speed, wall),

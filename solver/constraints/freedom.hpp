@@ -129,6 +129,50 @@ requires(M::angular == 3) Turn<M> turn(const Bodies<M>& bodies, int body1, int b
   return {body1, body2, orientation<M>(bodies, body1, body2).rest, axis_in<M>(bodies, body1, axis)};
 }
 
+// Of a ball joint in space: the angle ψ between an axis a of body 1 and an axis b of body 2. A stop keeps b within
+// a cone about a.
+//
+//   C                ψ = 2 arctan(|a - b| / |a + b|)                                               [rad]
+//   differentiate    cos ψ = a·b, so -sin ψ ψ̇ = (ω1 × a)·b + a·(ω2 × b), with a × b = sin ψ n
+//   isolate V        ψ̇ = n·(ω2 - ω1)                                                  (triple product)
+//   J by inspection  J = [ 0  -n  0  n ]
+//
+// ψ is in [0, π]. Where the axes are parallel n has no direction, and J is 0.
+template <class M>
+struct Swing {
+  static_assert(M::angular == 3, "in the plane two axes make one angle: see Turn");
+  int body1 = 0, body2 = 0;
+  Linear<M> axis1 = Linear<M>::Unit(0), axis2 = Linear<M>::Unit(0);  // a and b, unit vectors in the bodies' frames
+
+  template <class T>
+  T value(const Pose<M, T>& pose1, const Pose<M, T>& pose2) const {
+    const Linear<M, T> a = rotate(pose1.rotation, axis1.template cast<T>()),
+                       b = rotate(pose2.rotation, axis2.template cast<T>());
+    return angle_from_half<T>({T((a - b).norm() / 2.0), T((a + b).norm() / 2.0)});
+  }
+
+  Jacobian<M, 1> jacobian(const Pose<M>& pose1, const Pose<M>& pose2) const {
+    const Linear<M> n = rotate(pose1.rotation, axis1).cross(rotate(pose2.rotation, axis2)).stableNormalized();
+    Jacobian<M, 1> J;
+    J.set_row(0, Linear<M>::Zero(), -n, Linear<M>::Zero(), n);
+    return J;
+  }
+
+  void require_valid(const Bodies<M>& bodies) const {
+    Anchors<M>{body1, body2}.require_valid(bodies);
+    for (const Linear<M>& axis : {axis1, axis2}) require_unit("length of the axis", axis.norm());
+  }
+  /// Throws std::invalid_argument for a ψ [rad] that has no cone.
+  static void require_place(std::string_view name, double angle) { require_inside(name, angle, 0, 3.14, "rad"); }
+};
+
+/// The swing of a world axis of any length that both bodies take along; ψ = 0 at their current poses.
+template <class M>
+Swing<M> swing(const Bodies<M>& bodies, int body1, int body2, const Linear<M>& axis) {
+  Anchors<M>{body1, body2}.require_valid(bodies);
+  return {body1, body2, axis_in<M>(bodies, body1, axis), axis_in<M>(bodies, body2, axis)};
+}
+
 /// BYHAND_STORE for a kind that acts on a freedom.
 #define BYHAND_STORE_OF_FREEDOM(M, Kind, Freedom) \
   template std::unique_ptr<ConstraintStore<M>> make_store<M, Kind<M, Freedom>>()

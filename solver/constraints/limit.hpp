@@ -2,7 +2,7 @@
 
 #include "solver/constraints/freedom.hpp"
 
-// A freedom q, the angle of a Turn or the distance of a Slide, ends at a stop q0.
+// A freedom q, the angle of a Turn or of a Swing or the distance of a Slide, ends at a stop q0.
 //
 //   C                C = q - q0 >= 0 at a lower stop, C = q0 - q >= 0 at an upper one            [rad or m]
 //   differentiate    Ċ = ±q̇
@@ -52,5 +52,6 @@ Limit<M, Freedom> at_most(double place, const Freedom<M>& freedom) {
 }
 
 BYHAND_STORES_OF_FREEDOMS(extern, Limit);
+extern BYHAND_STORE_OF_FREEDOM(SpaceBody, Limit, Swing);
 
 }  // namespace byhand

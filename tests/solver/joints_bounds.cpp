@@ -61,6 +61,35 @@ TEST(Limit, DoesNothingBeforeItIsReached) {
   }
 }
 
+// A pendulum in space under a gravity that is tilted: it comes to rest along gravity, or on the cone.
+TEST(Limit, OfASwingHoldsABodyWithinACone) {
+  constexpr double length = 0.7, mass = 3, g = 9.81, cone = 0.4;
+  for (const double tilt : {0.1, 0.39, 0.41, 1.0, 3.0})
+    for (const double azimuth : {0.0, 2.0}) {
+      const Eigen::Vector3d sideways(std::cos(azimuth), 0, std::sin(azimuth));
+      Scene<SpaceBody> scene;
+      scene.gravity = g * (std::sin(tilt) * sideways - std::cos(tilt) * Eigen::Vector3d::UnitY());
+      scene.add_body(Eigen::Vector3d(0, 0, 0), fixed<SpaceBody>());
+      const int bob = scene.add_body(Eigen::Vector3d(0, -length, 0), ball<SpaceBody>(mass, 0.2));
+      scene.set_damping(bob, 3, 3);
+      scene.add(pin<SpaceBody>(scene.bodies(), 0, bob, {0, 0, 0}));
+      const auto stop = scene.add(at_most<SpaceBody>(cone, swing<SpaceBody>(scene.bodies(), 0, bob, {0, -1, 0})));
+      Simulation<SpaceBody> simulation{std::move(scene), {GaussSeidel{.sweeps = 50}, Baumgarte{}}};
+      double widest = 0;
+      run(simulation, 12, h, [&] {
+        const Eigen::Vector3d& x = simulation.scene.bodies().pose[bob].position;
+        widest = std::max(widest, std::atan2(std::hypot(x.x(), x.z()), -x.y()));
+      });
+      const double leans = std::min(tilt, cone);
+      const Eigen::Vector3d expected =
+          length * (std::sin(leans) * sideways - std::cos(leans) * Eigen::Vector3d::UnitY());
+      EXPECT_LE((simulation.scene.bodies().pose[bob].position - expected).norm(), 1e-5) << tilt;
+      EXPECT_LE(widest, cone + 1e-3) << tilt;
+      EXPECT_NEAR(simulation.reaction(stop).torque2.norm(), mass * g * length * std::sin(tilt - leans), 1e-4)
+          << tilt;
+    }
+}
+
 TEST(Motor, TurnsAtItsSpeedWithinItsStrength) {
   for (const RowSolver& solver : solvers) {
     Hinged simulation = level_rod(solver);
@@ -151,6 +180,7 @@ TEST(BadInput, OfLimitsMotorsAndServosIsRefusedInOneSentence) {
   refused(servo<M>(q, 0, {0, 1}, 1), "stiffness is 0");
   refused(servo<M>(q, 0, {1, -1}, 1), "damping is -1");
   refused(servo<M>(q, 4, {1, 1}, 1), "target of the servo is 4");
+  EXPECT_THROW(Swing<SpaceBody>::require_place("place of the stop", 0), std::invalid_argument);
   Turn<M> bad = q;
   bad.body2 = 7;
   refused(motor<M>(bad, 1, 1), "body index is 7");
