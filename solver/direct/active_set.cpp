@@ -110,6 +110,7 @@ void require_valid(const Direct& solver) {
   require_in("regularisation", solver.regularisation, 0, 1);
   require(solver.rounds >= 1, "number of rounds", solver.rounds, "at least 1");
   require_positive("tolerance", solver.tolerance, "m/s");
+  require_in("smallest pivot", solver.smallest_pivot, 0, 1);
 }
 
 template <class M>

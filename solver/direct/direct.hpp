@@ -21,6 +21,8 @@ struct Direct {
   double regularisation = 0;  // >= 0: this share of each row's own JM⁻¹Jᵀ is added to its γ
   int rounds = 20;            // >= 1, with bounds
   double tolerance = 1e-5;    // > 0, with bounds: what a last sweep may still change [m/s, rad/s]
+  double smallest_pivot =
+      1e-13;  // in [0, 1]: a pivot below this share of its row's diagonal is taken for rounding
 };
 
 /// Throws std::invalid_argument for a choice outside the ranges above.
@@ -31,8 +33,6 @@ struct SingularSystem : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 [[noreturn]] void refuse_singular();
-/// A pivot below this share of its row's own diagonal is rounding, not physics.
-inline constexpr double smallest_pivot = 1e-13;
 
 /// The plan of the last layout, the last factor, and scratch that is kept so that no step allocates.
 template <class M>
