@@ -233,7 +233,10 @@ void Scene<M>::require_kind(const Entry& entry, const std::type_info& kind) cons
 template <class M>
 void Scene<M>::require_presses(int id) const {
   const int at = id < 0 ? -1 : find(id);
-  require(at >= 0 && store(entries_[at].kind).bound == Bound::interval, "contact of a friction", id,
+  const auto presses = [](const ConstraintStore<M>& store) {  // a motor, which has no C, pulls as well
+    return store.bound == Bound::interval && store.position_rows > 0;
+  };
+  require(at >= 0 && presses(store(entries_[at].kind)), "contact of a friction", id,
           "the handle of a contact that was added before");
 }
 

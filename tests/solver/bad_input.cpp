@@ -5,6 +5,7 @@
 #include "lessons/scenes/chain.hpp"
 #include "solver/constraints/contact.hpp"
 #include "solver/constraints/friction.hpp"
+#include "solver/constraints/motor.hpp"
 #include "tests/solver/solving.hpp"
 
 // Bad input is refused where it enters, in one sentence with the value and what is allowed, and leaves nothing
@@ -172,6 +173,21 @@ TEST(Contact, MustHaveAUnitNormal) {
             scene.add(Contact<M>{{0, 1}, bad * Linear<M>::Unit(0)});
           },
           fmt::format("length of the normal is {}", bad), "between 0.999999999 and 1.000000001");
+  });
+}
+
+// It pulls as well as it pushes, and friction in a ball of negative radius would push along.
+TEST(Friction, MustNotFollowAMotor) {
+  in_both_bodies([]<class M>(Random& random) {
+    Scene<M> scene = random_pair<M>(random).scene();
+    const int drive = scene.add(
+        motor(slide<M>(scene.bodies(), 0, 1, Linear<M>(Linear<M>::Zero()), Linear<M>(Linear<M>::Unit(0))), 1, 5));
+    expect_refusal(
+        [&] {
+          scene.add(Friction<M>{{0, 1}, tangents_of<M>(Linear<M>::Unit(1)), 0.5, drive});
+        },
+        "contact of a friction is 0", "the handle of a contact that was added before");
+    EXPECT_EQ(scene.count(), 1);
   });
 }
 
