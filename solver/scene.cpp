@@ -278,7 +278,9 @@ void Scene<M>::require_kind(const Entry& entry, const std::type_info& kind) cons
 template <class M>
 void Scene<M>::require_presses(int id) const {
   const int at = id < 0 ? -1 : find(id);
-  const auto presses = [](const auto& store) { return store.bound == Bound::interval && store.position_rows > 0; };
+  const auto presses = [](const ConstraintStore<M>& store) {  // a motor, which has no C, pulls as well
+    return store.bound == Bound::interval && store.position_rows > 0;
+  };
   require(at >= 0 && presses(store(entries_[at].kind)), "contact of a friction", id,
           "the handle of a contact that was added before");
 }

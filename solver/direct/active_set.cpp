@@ -113,6 +113,7 @@ void require_valid(const Direct& solver) {
   require_in("regularisation", solver.regularisation, 0, 1);
   require(solver.rounds >= 1, "number of rounds", solver.rounds, "at least 1");
   require(solver.tolerance > 0 && solver.tolerance <= 1, "tolerance", solver.tolerance, "above 0 and at most 1");
+  require_in("smallest pivot", solver.smallest_pivot, 0, 1);
 }
 
 template <class M>

@@ -32,7 +32,7 @@ void solve_dense(const Direct& solver, const System<M>& system, const std::vecto
   }
   const Eigen::LDLT<Eigen::MatrixXd> factor(A);
   const Eigen::VectorXd pivots = factor.vectorD(), diagonal = factor.transpositionsP() * A.diagonal();
-  if (!(pivots.array().abs() > smallest_pivot * diagonal.array()).all()) refuse_singular(system, bodies);
+  if (!(pivots.array().abs() > solver.smallest_pivot * diagonal.array()).all()) refuse_singular(system, bodies);
   Eigen::Map<Eigen::VectorXd>(change.data(), rows) = factor.solve(right);
 }
 

@@ -56,10 +56,10 @@ inline void subtract_product(double* C, const double* A, const double* B, Rows m
 
 /// Inverts a symmetric n × n matrix in place, by symmetric sweeps without pivoting: in the order of elimination
 /// every pivot is definite, positive for edges and negative for hubs. A row without effect, whose `diagonal` was
-/// zero before elimination, becomes zero and so gets no impulse. Returns whether every pivot is larger than
-/// rounding.
+/// zero before elimination, becomes zero and so gets no impulse. Returns whether every pivot is larger than this
+/// share of its diagonal.
 template <class Size>
-inline bool invert(double* A, const double* diagonal, Size n) {
+inline bool invert(double* A, const double* diagonal, double smallest_pivot, Size n) {
   if constexpr (std::is_same_v<Size, Constant<2>>) {
     const double determinant = A[0] * A[3] - A[1] * A[1];
     if (std::abs(determinant) > smallest_pivot * std::abs(diagonal[0] * diagonal[1])) {
@@ -195,12 +195,13 @@ void assemble(const Direct& solver, const System<M>& system, const double* offse
 /// Eliminates node after node: the blocks become L and the inverses of the pivots D, A = L D Lᵀ, and the unknowns
 /// become L⁻¹ times the right-hand side. Returns whether every pivot is larger than rounding.
 template <int S, int dof>
-bool eliminate(const Elimination& plan, double* values, double* unknowns, const double* diagonal) {
+bool eliminate(const Elimination& plan, double smallest_pivot, double* values, double* unknowns,
+               const double* diagonal) {
   bool regular = true;
   for (const auto& node : plan.nodes)
     with_size<S, dof>(node, [&](auto n) {
       double* D = values + node.diagonal;
-      regular = invert(D, diagonal + node.row, n) && regular;
+      regular = invert(D, diagonal + node.row, smallest_pivot, n) && regular;
       for (int a = node.first; a < node.last; ++a) {
         const auto& neighbour = plan.neighbours[a];
         const auto& later = plan.nodes[neighbour.node];
@@ -286,7 +287,8 @@ void solve_equations(const Direct& solver, const System<M>& system, const std::v
   view_blocks(system, work);
   const auto structured = [&]<int S>(Constant<S>) {
     assemble<S>(solver, system, offset.data(), bodies, work);
-    if (!eliminate<S, M::dof>(plan, work.values.data(), work.unknowns.data(), work.diagonal.data()))
+    if (!eliminate<S, M::dof>(plan, solver.smallest_pivot, work.values.data(), work.unknowns.data(),
+                              work.diagonal.data()))
       refuse_singular(system, bodies);
     substitute_back<S>(work, change.data());
   };

@@ -21,6 +21,8 @@ struct Direct {
   double regularisation = 0;  // >= 0: this share of each row's own JM⁻¹Jᵀ is added to its γ
   int rounds = 20;            // >= 1, with bounds
   double tolerance = 1e-10;   // with bounds, in (0, 1]: the largest residual, as a share of the largest push
+  double smallest_pivot =
+      1e-13;  // in [0, 1]: a pivot below this share of its row's diagonal is taken for rounding
 };
 
 /// Throws std::invalid_argument for a choice outside the ranges above.
@@ -33,8 +35,6 @@ struct SingularSystem : std::runtime_error {
 /// Throws that, or NotFinite with the names of bodies where a number is not finite.
 template <class M>
 [[noreturn]] void refuse_singular(const System<M>& system, const Bodies<M>& bodies);
-/// A pivot below this share of its row's own diagonal is rounding, not physics.
-inline constexpr double smallest_pivot = 1e-13;
 
 /// The plan of the last layout, the last factor, and scratch that is kept so that no step allocates.
 template <class M>

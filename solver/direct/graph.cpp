@@ -9,8 +9,6 @@
 namespace byhand {
 namespace {
 
-constexpr int largest_folded = 3;  // edges of a folded body
-
 std::vector<std::vector<int>> edges_of_bodies(const Graph& graph) {
   std::vector<std::vector<int>> edges(graph.bodies);
   for (int e = 0; e < static_cast<int>(graph.edges.size()); ++e)
@@ -22,11 +20,21 @@ std::vector<std::vector<int>> edges_of_bodies(const Graph& graph) {
 /// Elimination of nodes 0 … n-1 by minimum degree. All nodes are deferred at first.
 class MinimumDegree {
  public:
-  explicit MinimumDegree(int nodes) : adjacent_(nodes), deferred_(nodes, true), ticket_(nodes) {}
+  explicit MinimumDegree(int nodes)
+      : adjacent_(nodes), degree_(nodes), deferred_(nodes, true), gone_(nodes, false), ticket_(nodes) {}
 
+  /// Joins two nodes. Once all are joined, `begin` is to be called.
   void join(int a, int b) {
-    adjacent_[a].insert(b);
-    adjacent_[b].insert(a);
+    adjacent_[a].push_back(b);
+    adjacent_[b].push_back(a);
+  }
+  void begin() {
+    for (std::size_t node = 0; node < adjacent_.size(); ++node) {
+      std::vector<int>& adjacent = adjacent_[node];
+      std::sort(adjacent.begin(), adjacent.end());
+      adjacent.erase(std::unique(adjacent.begin(), adjacent.end()), adjacent.end());
+      degree_[node] = adjacent.size();
+    }
   }
   /// Makes a deferred node eligible; returns whether it was deferred.
   bool release(int node) {
@@ -41,12 +49,23 @@ class MinimumDegree {
   int eliminate() {
     const int node = std::get<2>(*queue_.begin());
     queue_.erase(queue_.begin());
-    for (const int a : adjacent_[node]) {
-      const std::size_t before = adjacent_[a].size();
-      adjacent_[a].erase(node);
-      for (const int b : adjacent_[node])
-        if (a != b) adjacent_[a].insert(b);
-      if (!deferred_[a] && adjacent_[a].size() != before) {
+    gone_[node] = true;
+    const auto is_gone = [&](int other) { return gone_[other]; };
+    std::vector<int>& neighbours = adjacent_[node];
+    std::erase_if(neighbours, is_gone);
+    for (const int a : neighbours) {
+      const std::size_t before = degree_[a];
+      if (neighbours.size() == 1) {
+        --degree_[a];  // the list of a hub stays as it is while its leaves go
+      } else {
+        joined_.clear();
+        std::set_union(adjacent_[a].begin(), adjacent_[a].end(), neighbours.begin(), neighbours.end(),
+                       std::back_inserter(joined_));
+        std::erase_if(joined_, [&](int other) { return other == a || is_gone(other); });
+        adjacent_[a] = joined_;
+        degree_[a] = joined_.size();
+      }
+      if (!deferred_[a] && degree_[a] != before) {
         queue_.erase({before, ticket_[a], a});
         enqueue(a);
       }
@@ -54,17 +73,19 @@ class MinimumDegree {
     return node;
   }
 
-  /// The neighbours that an eliminated node had left.
-  const std::set<int>& later(int node) const { return adjacent_[node]; }
+  /// The neighbours that an eliminated node had left, in ascending order.
+  const std::vector<int>& later(int node) const { return adjacent_[node]; }
 
  private:
   void enqueue(int node) {
     ticket_[node] = next_ticket_++;
-    queue_.insert({adjacent_[node].size(), ticket_[node], node});
+    queue_.insert({degree_[node], ticket_[node], node});
   }
 
-  std::vector<std::set<int>> adjacent_;
-  std::vector<bool> deferred_;
+  std::vector<std::vector<int>> adjacent_;  // by node, in ascending order; some may be gone
+  std::vector<std::size_t> degree_;         // neighbours that are not gone
+  std::vector<int> joined_;
+  std::vector<bool> deferred_, gone_;
   std::vector<long> ticket_;
   std::set<std::tuple<std::size_t, long, int>> queue_;  // degree, ticket, node
   long next_ticket_ = 0;
@@ -96,6 +117,12 @@ std::vector<char> with_own_body(const Graph& graph, const std::vector<std::vecto
 }
 
 }  // namespace
+
+int row_count(const Graph& graph) {
+  int rows = 0;
+  for (const Edge& edge : graph.edges) rows += edge.rows;
+  return rows;
+}
 
 bool has_no_loops(const Graph& graph) {
   std::vector<int> parent(graph.bodies + 1);  // the last is all fixed bodies
@@ -130,9 +157,10 @@ std::vector<int> coloured_order(const Graph& graph) {
   return order;
 }
 
-Elimination plan_elimination(const Graph& graph, int dof) {
+Elimination plan_elimination(const Graph& graph, int dof, long long most) {
   Elimination plan;
   const auto edges = edges_of_bodies(graph);
+  const std::size_t largest_folded = has_no_loops(graph) ? 3 : 8;
   for (const auto& of_body : edges) plan.folded.push_back(of_body.size() <= largest_folded);
 
   // Nodes are numbered by edge, hubs by body after all edges; later by their place in the sequence of elimination.
@@ -149,7 +177,9 @@ Elimination plan_elimination(const Graph& graph, int dof) {
         for (auto other = edge + 1; other != edges[body].end(); ++other) couple(body, *edge, *other);
       else
         couple(body, *edge, hubs + body);
+  game.begin();
 
+  const auto size_of = [&](int node) { return node < hubs ? graph.edges[node].rows : dof; };
   const auto release = [&](const std::vector<char>& eligible) {
     for (int e = 0; e < hubs; ++e)
       if (eligible[e] && !graph.edges[e].inert()) game.release(e);
@@ -164,6 +194,10 @@ Elimination plan_elimination(const Graph& graph, int dof) {
     if (game.done()) release(all);  // no hubs are left, so that A is whole
     if (game.done()) break;
     const int node = game.eliminate();
+    long long columns = 0;
+    for (const int other : game.later(node)) columns += size_of(other);
+    plan.multiplications += size_of(node) * columns * columns / 2;
+    if (plan.multiplications > most) return plan;
     place[node] = static_cast<int>(sequence.size());
     sequence.push_back(node);
     if (node >= hubs)
@@ -171,7 +205,7 @@ Elimination plan_elimination(const Graph& graph, int dof) {
         if (game.release(e)) break;  // one deferred edge has the hub as a body of its own
   }
 
-  const auto size_of = [&](int node) { return node < hubs ? graph.edges[node].rows : dof; };
+  plan.multiplications = 0;
   const auto allot = [&](int rows, int columns) {
     return std::exchange(plan.values, plan.values + rows * columns);
   };
@@ -222,9 +256,14 @@ Elimination plan_elimination(const Graph& graph, int dof) {
       plan.multiplications += t * s * s;        // L
       plan.multiplications_again += 2 * t * s;  // both substitutions
       neighbour.targets = static_cast<int>(plan.targets.size());
+      const auto& target = plan.nodes[neighbour.node];
+      const Elimination::Neighbour* there =
+          plan.neighbours.data() + target.first;  // these follow in ascending order
       for (int b = a; b < node.last; ++b) {
         const int later = plan.neighbours[b].node;
-        plan.targets.push_back(block_between(neighbour.node, later));
+        if (b > a)
+          while (there->node < later) ++there;
+        plan.targets.push_back(b > a ? there->block : target.diagonal);
         plan.multiplications += t * s * plan.nodes[later].size;  // the update
       }
       if (!coupled.contains(neighbour.block)) plan.fill_in.push_back({neighbour.block, static_cast<int>(t * s)});

@@ -19,6 +19,9 @@ struct Graph {
   std::vector<Edge> edges;
 };
 
+/// The rows of all edges.
+int row_count(const Graph& graph);
+
 /// Whether the graph is a forest, with all fixed bodies as one vertex. Then the rows of different constraints are
 /// independent.
 bool has_no_loops(const Graph& graph);
@@ -74,9 +77,10 @@ struct Elimination {
 };
 
 /// Plans by minimum degree with first-in-first-out ties, which takes a chain from both ends. A body with at most
-/// three edges is folded into A; one with more would make a clique of them, and becomes a hub. As long as hubs are
-/// left, A is definite only among edges that each have a body of their own, folded or eliminated: the others are
-/// deferred. `dof` is the size of a hub.
-Elimination plan_elimination(const Graph& graph, int dof);
+/// three edges, or eight where the graph has loops, is folded into A; one with more would make a clique of them,
+/// and becomes a hub. As long as hubs are left, A is definite only among edges that each have a body of their own,
+/// folded or eliminated: the others are deferred, and a mesh of hubs would fill up. `dof` is the size of a hub.
+/// Gives up once it counts more than so many `multiplications`; nothing else of such a plan is of use.
+Elimination plan_elimination(const Graph& graph, int dof, long long most);
 
 }  // namespace byhand

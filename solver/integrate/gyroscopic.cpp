@@ -18,14 +18,16 @@ Eigen::Matrix3d cross_matrix(const Vector& v) {
 
 /// A body's principal moments [kg m²], in whose axes all vectors below are, and the largest turn about one axis.
 struct Turning {
-  Vector moments;
+  Vector inverse_moments, moments;
   double largest_turn;  // [rad]
 
-  /// With a larger turn Newton's method may fail. The ratios are at most 1 for any real body.
-  explicit Turning(const Vector& I)
-      : moments(I),
-        largest_turn(1 / std::max({1.0, std::abs(I[1] - I[2]) / I[0], std::abs(I[2] - I[0]) / I[1],
-                                   std::abs(I[0] - I[1]) / I[2]})) {}
+  /// With a larger turn Newton's method may fail. The ratios |I₂ - I₃|/I₁, … are at most 1 for any real body.
+  explicit Turning(const Vector& inverse) : inverse_moments(inverse), moments(inverse.cwiseInverse()) {
+    const double x = std::abs(inverse[1] - inverse[2]) * inverse[0] * inverse[0],
+                 y = std::abs(inverse[2] - inverse[0]) * inverse[1] * inverse[1],
+                 z = std::abs(inverse[0] - inverse[1]) * inverse[2] * inverse[2], product = inverse.prod();
+    largest_turn = product / std::max({product, x, y, z});
+  }
 
   /// The part of a time h [s] that one axis serves.
   double part(const Vector& spin, double h) const {
@@ -33,20 +35,25 @@ struct Turning {
   }
 
   struct Share {
-    double value, slope;  // slope by |Ω|
+    double value, slope;  // slope by ½|Ω|²
   };
   /// ½ h f for that part of h.
   Share half_step(const Vector& spin, double h) const {
-    const double rate = spin.norm(), theta = h * rate;
+    const double square = spin.squaredNorm(), z = h * h * square;  // θ²
+    if (z < 1e-2 && largest_turn > 0.1) {                          // the series of the tangent
+      constexpr double a = 1 / 12.0, b = 1 / 120.0, c = 17 / 20160.0, d = 31 / 362880.0, e = 691 / 79833600.0;
+      return {h / 2 * (1 + z * (a + z * (b + z * (c + z * (d + z * e))))),
+              h * h * h * (a + z * (2 * b + z * (3 * c + z * 4 * d)))};
+    }
+    const double rate = std::sqrt(square), theta = h * rate;
     const bool whole = theta <= largest_turn;
-    if (whole && theta < 1e-4) return {h / 2 * (1 + theta * theta / 12), h * h * theta / 12};
     const auto [sin, cos] = sin_cos(std::min(theta, largest_turn) / 2);
-    const double tan = sin / cos, value = whole ? h * sin / (cos * theta) : tan / rate;
-    return {value, ((whole ? h / 2 * (1 + tan * tan) : 0) - value) / rate};
+    const double tan = sin / cos, value = tan / rate;
+    return {value, ((whole ? h / 2 * (1 + tan * tan) : 0) - value) / square};
   }
 
   Vector explicit_turn(const Vector& spin, double h) const {
-    return spin + h * moments.cwiseProduct(spin).cross(spin).cwiseQuotient(moments);
+    return spin + h * moments.cwiseProduct(spin).cross(spin).cwiseProduct(inverse_moments);
   }
 
   /// Ω [rad/s] from Ω₀.
@@ -56,7 +63,7 @@ struct Turning {
       const Vector mean_momentum = moments.cwiseProduct(mean);
       return Vector(mean_momentum + half_step(mean, h).value * mean.cross(mean_momentum) - momentum);
     };
-    const auto energy_of = [&](const Vector& change) { return change.dot(change.cwiseQuotient(moments)); };
+    const auto energy_of = [&](const Vector& change) { return change.dot(change.cwiseProduct(inverse_moments)); };
     const double rounding = 1e-32 * energy_of(momentum);
     Vector mean = spin, error = error_of(mean);
     double size = energy_of(error), share = 1;  // of Newton's step: reduced when a whole step overshoots
@@ -65,7 +72,7 @@ struct Turning {
       const Vector mean_momentum = moments.cwiseProduct(mean);
       Eigen::Matrix3d slope =
           half.value * (cross_matrix(mean) * moments.asDiagonal() - cross_matrix(mean_momentum));
-      slope += half.slope / mean.norm() * mean.cross(mean_momentum) * mean.transpose();
+      slope += half.slope * mean.cross(mean_momentum) * mean.transpose();
       slope.diagonal() += moments;
       const Vector next = mean - share * (slope.inverse() * error), next_error = error_of(next);
       const double next_size = energy_of(next_error);
@@ -83,19 +90,22 @@ struct Turning {
 
   /// Ω₁ [rad/s] from Ω.
   Vector after(const Vector& spin, double h) const {
-    return spin + half_step(spin, h).value * moments.cwiseProduct(spin).cross(spin).cwiseQuotient(moments);
+    return spin + half_step(spin, h).value * moments.cwiseProduct(spin).cross(spin).cwiseProduct(inverse_moments);
   }
 };
 
-/// Calls change(body's moments and its Ω, pose, ω) for each body that moves and has such a term.
+/// Calls change(moments, Ω, pose, ω) for each body that moves and for which Ω × IΩ is not zero.
 template <class F>
 void for_each_turning(Bodies<SpaceBody>& bodies, F&& change) {
   for (int i = 0; i < bodies.size(); ++i) {
-    const Vector& inverse_moments = bodies.inverse_mass[i].angular;
-    if (!moves(bodies.inverse_mass[i]) || (inverse_moments.array() == inverse_moments[0]).all()) continue;
+    const Vector& inverse = bodies.inverse_mass[i].angular;
+    const double x = inverse.y() - inverse.z(), y = inverse.z() - inverse.x(), z = inverse.x() - inverse.y();
+    if ((x == 0 && y == 0 && z == 0) || !moves(bodies.inverse_mass[i])) continue;
     Eigen::Quaterniond& q = bodies.pose[i].rotation;
     auto omega = bodies.velocity[i].tail<3>();
-    change(Turning(inverse_moments.cwiseInverse()), rotate(inverse(q), omega), q, omega);
+    const Vector spin = rotate(byhand::inverse(q), omega);
+    if (x * spin.y() * spin.z() == 0 && y * spin.z() * spin.x() == 0 && z * spin.x() * spin.y() == 0) continue;
+    change(Turning(inverse), spin, q, omega);
   }
 }
 

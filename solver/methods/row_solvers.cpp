@@ -7,11 +7,11 @@ void require_valid(const ByGraph& choice) {
   require_valid(choice.loops);
 }
 
-Layout wanted_layout(const RowSolver& solver, bool loopless) {
+Layout wanted_layout(const RowSolver& solver, bool directly) {
   return std::visit(
       [&](const auto& choice) {
         if constexpr (requires { choice.loopless; })
-          return loopless ? wanted_layout(choice.loopless, true) : wanted_layout(choice.loops, false);
+          return directly ? wanted_layout(choice.loopless, true) : wanted_layout(choice.loops, false);
         if constexpr (requires { choice.order; }) {
           if (choice.order == SweepOrder::reverse) return Layout::reverse;
           if (choice.order == SweepOrder::coloured) return Layout::coloured;
@@ -25,12 +25,37 @@ Layout wanted_layout(const RowSolver& solver, bool loopless) {
 
 template <class M>
 void lay_out(const Scene<M>& scene, const RowSolver& solver, RowWork<M>& work) {
-  if (work.version == scene.version() && work.layout == wanted_layout(solver, work.loopless)) return;
+  if (work.version == scene.version() && work.solver == solver.index() &&
+      work.layout == wanted_layout(solver, work.directly))
+    return;
   const Graph graph = scene.graph();
-  work.loopless = has_no_loops(graph);
-  work.layout = wanted_layout(solver, work.loopless);
+  const auto bounded = [&](const auto& entry) { return scene.store(entry.kind).bound != Bound::none; };
+  work.loopless = work.directly = has_no_loops(graph);
+  if (const auto* choice = std::get_if<ByGraph>(&solver);
+      choice && !work.loopless && std::none_of(scene.entries().begin(), scene.entries().end(), bounded)) {
+    const long long sweeps = 4LL * M::dof * choice->loops.sweeps * row_count(graph),
+                    most = std::min(sweeps, most_multiplications(graph));
+    work.directly = plan_elimination(graph, M::dof, most).multiplications <= most;
+  }
+  work.layout = wanted_layout(solver, work.directly);
   work.version = scene.version();
+  work.solver = solver.index();
   scene.lay_out(solve_order(work.layout, graph, M::dof, work.direct.plan), work.system);
+}
+
+/// Solves loops of rows without bounds. Where rows repeat, or so nearly that their impulses would grow without
+/// limit, a regularisation decides between them.
+template <class M>
+void solve_loops(Direct solver, Bodies<M>& bodies, RowWork<M>& work, Begin begin) {
+  constexpr double share = 1e-7;
+  solver.smallest_pivot = std::max(solver.smallest_pivot, share);
+  try {
+    solve_rows(solver, bodies, work, begin);
+  } catch (const SingularSystem&) {
+    solver.smallest_pivot = 0;
+    solver.regularisation = std::max(solver.regularisation, share);
+    solve_rows(solver, bodies, work, begin);
+  }
 }
 
 template <class M>
@@ -46,8 +71,9 @@ void solve_rows(const RowSolver& solver, Bodies<M>& bodies, RowWork<M>& work, Be
   std::visit(
       [&]<class Choice>(const Choice& choice) {
         if constexpr (std::is_same_v<Choice, ByGraph>)
-          work.loopless ? solve_rows(choice.loopless, bodies, work, begin)
-                        : solve_rows(choice.loops, bodies, work, begin);
+          work.loopless   ? solve_rows(choice.loopless, bodies, work, begin)
+          : work.directly ? solve_loops(choice.loopless, bodies, work, begin)
+                          : solve_rows(choice.loops, bodies, work, begin);
         else if constexpr (std::is_same_v<Choice, Direct>)
           note(solve(choice, work.system, bodies, work.prepared, work.direct, begin),
                direct_row_solves(choice, work.direct.plan, rows, M::dof));

@@ -13,7 +13,8 @@
 namespace byhand {
 
 /// Chooses by the scene's graph: without loops (chains, trees, columns) a direct solve, else conjugate sweeps
-/// until they converge.
+/// until they converge. Loops of rows without bounds (linkages, meshes) are solved directly too if that costs no
+/// more than the sweeps; where they repeat or nearly do, with a regularisation of 1e-7.
 struct ByGraph {
   Direct loopless = {};
   ConjugateSweeps loops = {};
@@ -41,8 +42,8 @@ struct RowWork : StepWork<M> {
   DirectWork<M> direct;
 };
 
-/// The layout that a solver needs; `loopless` as in `has_no_loops`.
-Layout wanted_layout(const RowSolver& solver, bool loopless);
+/// The layout that a solver needs; `directly` as in StepWork.
+Layout wanted_layout(const RowSolver& solver, bool directly);
 
 /// Lays the rows out again if the scene has changed or the solver needs another layout.
 template <class M>

@@ -5,7 +5,12 @@ namespace byhand {
 std::vector<int> solve_order(Layout layout, const Graph& graph, int dof, Elimination& plan) {
   if (layout == Layout::coloured) return coloured_order(graph);
   if (layout == Layout::elimination) {
-    plan = plan_elimination(graph, dof);
+    const long long most = most_multiplications(graph);
+    plan = plan_elimination(graph, dof, most);
+    if (plan.multiplications > most)
+      throw std::invalid_argument(
+          "a direct solve of these " + std::to_string(graph.edges.size()) + " constraints would take more than " +
+          std::to_string(most) + " multiplications a step, so many loops do they make; conjugate sweeps would do");
     return plan.order;
   }
   std::vector<int> order(graph.edges.size());

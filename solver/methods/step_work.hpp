@@ -30,13 +30,19 @@ struct StepWork {
   std::vector<double> parting;  // by row, the least rate that a bounce leaves
   Layout layout = Layout::none;
   std::uint64_t version = 0;  // of the scene when it was laid out
+  std::size_t solver = 0;     // index of the row solver it was laid out for
   bool loopless = false;      // whether its graph has no loops
+  bool directly = false;      // whether ByGraph solves it directly, loops or not
   double h = 0;               // the substep that λ belongs to [s]
   long long row_solves = 0;   // total cost; a direct solve counts as the row solves of as many multiplications
   State<M> start;             // at the start of the step
 };
 
-/// Places of constraints in that layout; Layout::elimination also writes `plan`.
+/// The multiplications that a direct solve may take in a step.
+inline long long most_multiplications(const Graph& graph) { return (1 << 25) + 500LL * row_count(graph); }
+
+/// Places of constraints in that layout; Layout::elimination also writes `plan`. Throws std::invalid_argument
+/// where a direct solve would take too long, which no chain, tree or sheet of 100 × 100 does.
 std::vector<int> solve_order(Layout layout, const Graph& graph, int dof, Elimination& plan);
 
 /// Lays the rows out in natural order if the scene has changed. Returns whether it has.

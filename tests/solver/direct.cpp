@@ -10,6 +10,38 @@ namespace {
 
 using namespace byhand;
 
+Graph sheet(int n) {
+  Graph graph{n * n, {}};
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j + 1 < n; ++j) {
+      graph.edges.push_back({n * i + j, n * i + j + 1});
+      graph.edges.push_back({n * j + i, n * (j + 1) + i});
+    }
+  return graph;
+}
+// Of a sheet of n² points, nested dissection takes some 31 n² log₂ n numbers and 10 n³ multiplications for the
+// factor of one matrix; the matrix of its 2n² rods has eight times the multiplications.
+TEST(Elimination, OfASheetCostsAsTheCubeOfItsSide) {
+  for (const int n : {25, 50, 100}) {
+    const Elimination plan = plan_elimination(sheet(n), 3, 1LL << 40);
+    EXPECT_LT(plan.multiplications, 80LL * n * n * n) << n;
+    EXPECT_EQ(plan.order.size(), 2U * n * (n - 1)) << n;
+  }
+}
+TEST(Elimination, GivesUpBeforeItCountsTooMuch) {
+  Random random;
+  Graph graph{10000, {}};
+  for (int i = 0; i < 30000; ++i) {
+    const int body = random.index(10000);
+    graph.edges.push_back({body, (body + 1 + random.index(9999)) % 10000});
+  }
+  EXPECT_GT(plan_elimination(graph, 3, 10000000).multiplications, 10000000);
+  Elimination plan;
+  EXPECT_THAT([&] { solve_order(Layout::elimination, graph, 3, plan); },
+              testing::ThrowsMessage<std::invalid_argument>(
+                  testing::HasSubstr("a direct solve of these 30000 constraints would take more than")));
+}
+
 template <class M>
 void expect_structured_is_dense(const Scene<M>& scene, double regularisation = 0) {
   const auto structured = solved(scene, Direct{Factorisation::structured, regularisation});
