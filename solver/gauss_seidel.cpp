@@ -27,7 +27,7 @@ Eigen::Matrix2d isotropic_inverse_of(const Eigen::Matrix2d& A) {
 
 template <class M, int K, Bound B>
 void prepare(const Block<M, K, B>& block, const System<M>& system, BlockSolve block_solve, double relaxation,
-             PreparedBlock<M, K, B>& result, Eigen::Map<Rows<K>>& D) {
+             PreparedBlock<M, K, B>& result, Rows<K>& D) {
   const double *gamma = &system.gamma[block.row], *bias = &system.bias[block.row];
   Eigen::Matrix<double, K, K> A = inverse_effective_mass(block.J, block.W), minus_E;
   for (int k = 0; k < K; ++k) D[k] = A(k, k) += gamma[k];
@@ -49,7 +49,7 @@ void prepare(const Block<M, K, B>& block, const System<M>& system, BlockSolve bl
 
 void prepare(const Block<PlaneBody, 3, Bound::manifold>& block, const System<PlaneBody>& system,
              BlockSolve block_solve, double relaxation, PreparedBlock<PlaneBody, 3, Bound::manifold>& result,
-             Eigen::Map<Rows<3>>& D) {
+             Rows<3>& D) {
   Eigen::Matrix3d A = inverse_effective_mass(block.J, block.W);
   result.J = block.J.matrix;
   for (int k = 0; k < 3; ++k) {
@@ -70,14 +70,16 @@ struct Unwatched {
   void operator()(int, double, double) const {}
 };
 
-/// The largest squares of Δλ and λ, as speeds.
+/// The largest squares of Δλ and λ, as speeds. The sum shows NaN, which the maxima pass over.
 struct Watch {
-  const double* weight;
-  double change = 0, push = 0;
+  const double* speed;  // of Prepared
+  double change = 0, push = 0, sum = 0;
 
   void operator()(int row, double delta, double lambda) {
-    change = larger(change, weight[row] * delta * delta);
-    push = larger(push, weight[row] * lambda * lambda);
+    const double square = speed[row] * delta * delta;
+    change = std::max(change, square);
+    sum += square;
+    push = std::max(push, speed[row] * lambda * lambda);
   }
 };
 
@@ -127,8 +129,8 @@ double inverse_mass(const System<M>& system, const BlockHeader& block) {
 template <class M>
 void prepare(const System<M>& system, BlockSolve block_solve, double relaxation, Prepared<M>& prepared) {
   prepared.soft = std::any_of(system.gamma.begin(), system.gamma.end(), [](double gamma) { return gamma != 0; });
-  prepared.D.resize(system.rows());
-  prepared.weight.resize(system.rows());
+  prepared.impulse.resize(system.rows());
+  prepared.speed.resize(system.rows());
   for_each_block_with(system, prepared.blocks, [&]<int K, Bound B>(const Block<M, K, B>& block, auto& result) {
     result.body1 = block.body1;
     result.body2 = block.body2;
@@ -136,9 +138,14 @@ void prepare(const System<M>& system, BlockSolve block_solve, double relaxation,
     result.moves2 = block.moves2;
     result.row = block.row;
     result.W = block.W;
-    Eigen::Map<Rows<K>> D(&prepared.D[block.row]);
+    Rows<K> D;
     prepare(block, system, block_solve, relaxation, result, D);
-    Eigen::Map<Rows<K>>(&prepared.weight[block.row]) = inverse_mass(system, block) / (relaxation * relaxation) * D;
+    const double share = inverse_mass(system, block);
+    for (int k = 0; k < K; ++k) {
+      const double l2 = std::max(block.J.l1().row(k).squaredNorm(), block.J.l2().row(k).squaredNorm());
+      prepared.impulse[block.row + k] = l2 > 0 || share == 0 ? l2 : D[k] / share;
+      prepared.speed[block.row + k] = D[k] * share / (relaxation * relaxation);
+    }
   });
 }
 
@@ -253,9 +260,9 @@ void sweep(const System<M>& system, const Prepared<M>& prepared, double* lambda,
 
 template <class M>
 Residual watched_sweep(const System<M>& system, const Prepared<M>& prepared, double* lambda, double* V, int ways) {
-  Watch watch{prepared.weight.data()};
+  Watch watch{prepared.speed.data()};
   sweep(system, prepared, lambda, V, ways, watch);
-  return {std::sqrt(watch.change), std::sqrt(watch.push)};
+  return {std::sqrt(std::isnan(watch.sum) ? watch.sum : watch.change), std::sqrt(watch.push)};
 }
 
 template <class M>

@@ -64,8 +64,10 @@ struct Prepared {
   using BlockOf = PreparedBlock<M, K, B>;
 
   PerBlock<M, BlockOf> blocks;
-  bool soft = false;              // whether any γ is not zero
-  std::vector<double> D, weight;  // of the natural map, and D (m₁⁻¹ + m₂⁻¹), by row
+  bool soft = false;  // whether any γ is not zero
+  // By row, what makes of a Δλ² the square of an impulse [N s], |l|² (of a row that only turns, D over m₁⁻¹ +
+  // m₂⁻¹), and the square of a speed, D times m₁⁻¹ + m₂⁻¹.
+  std::vector<double> impulse, speed;
   std::vector<double> change, lambda_before, direction;  // by row
   std::vector<Velocity<M>> V_before, V_direction;        // by body
 };

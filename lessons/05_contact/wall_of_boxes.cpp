@@ -56,8 +56,8 @@ void wall_of_boxes(const Setting& setting, Page& page) {
       places between neighbours, and a base as broad as this does not creep. Rows are taken colour by colour, in
       groups that share no box. Between sweeps λ goes on in the direction in which the sweeps before have led it:
       conjugate sweeps, which reach a wall's slow modes as the square of their number. A sweep that changes no
-      velocity by more than @ m/s is the last of its step. That is little, and it is cheap: a wall that is left
-      rocking by 10⁻⁵ m/s rocks for ever and wants more sweeps than one at rest.)",
+      impulse by more than @ of the largest is the last of its step. That is little, and it is cheap: a wall that is
+      left rocking rocks for ever and wants more sweeps than one at rest.)",
       base, boxes, solver.loops.tolerance);
   const std::vector<Pressed> contacts = pressed(pile, h);
   double most = 0, ground = 0;

@@ -38,7 +38,7 @@ Solution solve(const ConjugateSweeps& solver, System<M>& system, std::vector<Vel
     double square = 0;
     for (int i = 0; i < system.rows(); ++i) {
       const double gradient = system.lambda[i] - prepared.lambda_before[i];
-      square += prepared.D[i] * gradient * gradient;  // energies, for rows differ in their units
+      square += prepared.impulse[i] * gradient * gradient;  // for rows differ in their units
     }
     share = square < last ? square / last : 0.0;
     last = square;
