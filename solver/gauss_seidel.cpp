@@ -129,6 +129,7 @@ double inverse_mass(const System<M>& system, const BlockHeader& block) {
 template <class M>
 void prepare(const System<M>& system, BlockSolve block_solve, double relaxation, Prepared<M>& prepared) {
   prepared.soft = std::any_of(system.gamma.begin(), system.gamma.end(), [](double gamma) { return gamma != 0; });
+  const double per_relaxation = 1 / (relaxation * relaxation);
   prepared.impulse.resize(system.rows());
   prepared.speed.resize(system.rows());
   for_each_block_with(system, prepared.blocks, [&]<int K, Bound B>(const Block<M, K, B>& block, auto& result) {
@@ -140,11 +141,11 @@ void prepare(const System<M>& system, BlockSolve block_solve, double relaxation,
     result.W = block.W;
     Rows<K> D;
     prepare(block, system, block_solve, relaxation, result, D);
-    const double share = inverse_mass(system, block);
+    const double share = inverse_mass(system, block), speed = share * per_relaxation;
     for (int k = 0; k < K; ++k) {
       const double l2 = std::max(block.J.l1().row(k).squaredNorm(), block.J.l2().row(k).squaredNorm());
       prepared.impulse[block.row + k] = l2 > 0 || share == 0 ? l2 : D[k] / share;
-      prepared.speed[block.row + k] = D[k] * share / (relaxation * relaxation);
+      prepared.speed[block.row + k] = D[k] * speed;
     }
   });
 }
