@@ -27,10 +27,10 @@ Eigen::Matrix2d isotropic_inverse_of(const Eigen::Matrix2d& A) {
 
 template <class M, int K, Bound B>
 void prepare(const Block<M, K, B>& block, const System<M>& system, BlockSolve block_solve, double relaxation,
-             PreparedBlock<M, K, B>& result, Rows<K>& D) {
+             PreparedBlock<M, K, B>& result) {
   const double *gamma = &system.gamma[block.row], *bias = &system.bias[block.row];
   Eigen::Matrix<double, K, K> A = inverse_effective_mass(block.J, block.W), minus_E;
-  for (int k = 0; k < K; ++k) D[k] = A(k, k) += gamma[k];
+  for (int k = 0; k < K; ++k) A(k, k) += gamma[k];
   if constexpr (K == 2 && B == Bound::friction)
     minus_E = -relaxation * isotropic_inverse_of(A);
   else
@@ -48,14 +48,13 @@ void prepare(const Block<M, K, B>& block, const System<M>& system, BlockSolve bl
 }
 
 void prepare(const Block<PlaneBody, 3, Bound::manifold>& block, const System<PlaneBody>& system,
-             BlockSolve block_solve, double relaxation, PreparedBlock<PlaneBody, 3, Bound::manifold>& result,
-             Rows<3>& D) {
+             BlockSolve block_solve, double relaxation, PreparedBlock<PlaneBody, 3, Bound::manifold>& result) {
   Eigen::Matrix3d A = inverse_effective_mass(block.J, block.W);
   result.J = block.J.matrix;
   for (int k = 0; k < 3; ++k) {
     result.bias[k] = system.bias[block.row + k];
     result.gamma[k] = system.gamma[block.row + k];
-    D[k] = A(k, k) += result.gamma[k];
+    A(k, k) += result.gamma[k];
   }
   result.normals = {A, block_solve == BlockSolve::row_by_row};
   result.A02 = A(0, 2);
@@ -129,9 +128,6 @@ double inverse_mass(const System<M>& system, const BlockHeader& block) {
 template <class M>
 void prepare(const System<M>& system, BlockSolve block_solve, double relaxation, Prepared<M>& prepared) {
   prepared.soft = std::any_of(system.gamma.begin(), system.gamma.end(), [](double gamma) { return gamma != 0; });
-  const double per_relaxation = 1 / (relaxation * relaxation);
-  prepared.impulse.resize(system.rows());
-  prepared.speed.resize(system.rows());
   for_each_block_with(system, prepared.blocks, [&]<int K, Bound B>(const Block<M, K, B>& block, auto& result) {
     result.body1 = block.body1;
     result.body2 = block.body2;
@@ -139,13 +135,24 @@ void prepare(const System<M>& system, BlockSolve block_solve, double relaxation,
     result.moves2 = block.moves2;
     result.row = block.row;
     result.W = block.W;
-    Rows<K> D;
-    prepare(block, system, block_solve, relaxation, result, D);
-    const double share = inverse_mass(system, block), speed = share * per_relaxation;
-    for (int k = 0; k < K; ++k) {
-      const double l2 = std::max(block.J.l1().row(k).squaredNorm(), block.J.l2().row(k).squaredNorm());
-      prepared.impulse[block.row + k] = l2 > 0 || share == 0 ? l2 : D[k] / share;
-      prepared.speed[block.row + k] = D[k] * speed;
+    prepare(block, system, block_solve, relaxation, result);
+  });
+}
+
+template <class M>
+void prepare_to_watch(const System<M>& system, double relaxation, Prepared<M>& prepared) {
+  const double per_relaxation = 1 / (relaxation * relaxation);
+  prepared.impulse.resize(system.rows());
+  prepared.speed.resize(system.rows());
+  system.for_each_run([&]<int K, Bound B>(std::span<const Block<M, K, B>> blocks) {
+    for (const auto& block : blocks) {
+      const double share = inverse_mass(system, block), speed = share * per_relaxation;
+      for (int k = 0, row = block.row; k < K; ++k, ++row) {
+        const double D = inverse_effective_mass(block.J, block.W, k) + system.gamma[row];
+        const double l2 = std::max(block.J.l1().row(k).squaredNorm(), block.J.l2().row(k).squaredNorm());
+        prepared.impulse[row] = l2 > 0 || share == 0 ? l2 : D / share;
+        prepared.speed[row] = D * speed;
+      }
     }
   });
 }
@@ -285,8 +292,10 @@ Solution solve(const GaussSeidel& solver, System<M>& system, std::vector<Velocit
   prepare(system, solver.block_solve, solver.relaxation, prepared);
   begin_sweeps(system, solver.warm_start, begin, velocities);
   const int ways = byhand::ways(solver.order);
-  if (solver.tolerance > 0)
+  if (solver.tolerance > 0) {
+    prepare_to_watch(system, solver.relaxation, prepared);
     return sweep_until(solver.tolerance, solver.sweeps, ways, system, prepared, velocities);
+  }
   for (int i = 0; i < solver.sweeps; ++i)
     sweep(system, prepared, system.lambda.data(), numbers<M>(velocities), ways);
   return {ways * solver.sweeps, 0, std::numeric_limits<double>::quiet_NaN(), false};
@@ -294,6 +303,7 @@ Solution solve(const GaussSeidel& solver, System<M>& system, std::vector<Velocit
 
 #define BYHAND_INSTANTIATE(M)                                                                                 \
   template void prepare(const System<M>&, BlockSolve, double, Prepared<M>&);                                  \
+  template void prepare_to_watch(const System<M>&, double, Prepared<M>&);                                     \
   template void apply_all(const System<M>&, const std::vector<double>&, std::vector<Velocity<M>>&);           \
   template void rates_of(const System<M>&, const std::vector<Velocity<M>>&, std::vector<double>&);            \
   template void multiply(const System<M>&, const std::vector<double>&, std::vector<Velocity<M>>&,             \

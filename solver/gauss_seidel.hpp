@@ -65,8 +65,8 @@ struct Prepared {
 
   PerBlock<M, BlockOf> blocks;
   bool soft = false;  // whether any γ is not zero
-  // By row, what makes of a Δλ² the square of an impulse [N s], |l|² (of a row that only turns, D over m₁⁻¹ +
-  // m₂⁻¹), and the square of a speed, D times m₁⁻¹ + m₂⁻¹.
+  // Of watched sweeps, by row: what makes of a Δλ² the square of an impulse [N s], |l|² (of a row that only turns,
+  // D over m₁⁻¹ + m₂⁻¹), and the square of a speed, D times m₁⁻¹ + m₂⁻¹.
   std::vector<double> impulse, speed;
   std::vector<double> change, lambda_before, direction;  // by row
   std::vector<Velocity<M>> V_before, V_direction;        // by body
@@ -75,6 +75,9 @@ struct Prepared {
 /// Fills `prepared` from the system's rows. `relaxation` multiplies every Δλ.
 template <class M>
 void prepare(const System<M>& system, BlockSolve block_solve, double relaxation, Prepared<M>& prepared);
+/// Fills `impulse` and `speed`, besides, for sweeps that are watched.
+template <class M>
+void prepare_to_watch(const System<M>& system, double relaxation, Prepared<M>& prepared);
 
 /// (17) for one prepared block at velocities V (dof numbers a body): the Δλ of its rows, within their bounds.
 template <bool soft, class M, int K, Bound B>

@@ -76,6 +76,7 @@ template <class M>
 Solution solve_with_bounds(const Direct& solver, System<M>& system, Bodies<M>& bodies, Prepared<M>& prepared,
                            DirectWork<M>& work, Begin begin) {
   prepare(system, BlockSolve::whole, 1.0, prepared);
+  prepare_to_watch(system, 1.0, prepared);
   work.velocity_before = bodies.velocity;
   work.lambda_before = system.lambda;
   if (begin == Begin::step) {

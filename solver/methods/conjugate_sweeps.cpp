@@ -12,6 +12,7 @@ template <class M>
 Solution solve(const ConjugateSweeps& solver, System<M>& system, std::vector<Velocity<M>>& velocities,
                Prepared<M>& prepared, Begin begin) {
   prepare(system, BlockSolve::whole, 1.0, prepared);
+  prepare_to_watch(system, 1.0, prepared);
   begin_sweeps(system, solver.warm_start, begin, velocities);
   prepared.direction.assign(system.rows(), 0.0);
   prepared.V_direction.assign(velocities.size(), Velocity<M>::Zero());
