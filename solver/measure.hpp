@@ -31,8 +31,7 @@ double potential_energy(const Scene<M>& scene) {
   double energy = 0;
   for (int i = 0; i < bodies.size(); ++i)
     if (moves(bodies.inverse_mass[i]))
-      energy -=
-          gravity_on(bodies, i, scene.gravity, 0).dot(bodies.pose[i].position) / bodies.inverse_mass[i].linear;
+      energy -= gravity_on(bodies, i, scene.gravity).dot(bodies.pose[i].position) / bodies.inverse_mass[i].linear;
   return energy;
 }
 

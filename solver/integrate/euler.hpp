@@ -12,7 +12,8 @@ enum class Euler { symplectic, explicit_ };
 /// exp differs from processor to processor.
 double mean_decay(double x);
 
-/// Damping into V over a time step h [s]: v exp(-ch), exactly.
+/// Damping into V over a time step h [s]: v exp(-ch), exactly, and stable for any ch. Before gravity, so that what
+/// rests presses with its whole weight.
 template <class M>
 void damp(Bodies<M>& bodies, double h) {
   for (int i = 0; i < std::ssize(bodies.forces); ++i) {
@@ -24,13 +25,10 @@ void damp(Bodies<M>& bodies, double h) {
   }
 }
 
-/// The gravity on a body, of which its damping leaves a share in a time step h [s]: with `damp`, v' = s g - c v is
-/// exact.
+/// The gravity on a body, by its own scale [m/s²].
 template <class M>
-Linear<M> gravity_on(const Bodies<M>& bodies, int body, const Linear<M>& gravity, double h) {
-  if (bodies.forces.empty()) return gravity;
-  const BodyForces& own = bodies.forces[body];
-  return own.gravity_scale * mean_decay(own.linear_damping * h) * gravity;
+Linear<M> gravity_on(const Bodies<M>& bodies, int body, const Linear<M>& gravity) {
+  return bodies.forces.empty() ? gravity : Linear<M>(bodies.forces[body].gravity_scale * gravity);
 }
 
 //! [gravity]
@@ -39,7 +37,7 @@ template <class M>
 void add_gravity(Bodies<M>& bodies, const Linear<M>& gravity, double h) {
   for (int i = 0; i < bodies.size(); ++i)
     if (moves(bodies.inverse_mass[i]))
-      bodies.velocity[i].template head<M::linear>() += gravity_on(bodies, i, gravity, h) * h;
+      bodies.velocity[i].template head<M::linear>() += gravity_on(bodies, i, gravity) * h;
 }
 //! [gravity]
 

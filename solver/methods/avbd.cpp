@@ -203,7 +203,7 @@ void advance(Scene<M>& scene, const Avbd& method, double h, Avbd::Work<M>& work)
   advance_freely(method.gyroscopic, bodies, h, work);
   add_gravity(bodies, scene.gravity, h);
   work.free = bodies.pose;
-  for (int i = 0; i < bodies.size(); ++i) work.free[i].position += h * h * gravity_on(bodies, i, scene.gravity, h);
+  for (int i = 0; i < bodies.size(); ++i) work.free[i].position += h * h * gravity_on(bodies, i, scene.gravity);
   for (int i = 0; i < method.iterations; ++i) {
     std::size_t next = 0;
     for (int body = 0; body < bodies.size(); ++body)

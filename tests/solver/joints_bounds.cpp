@@ -84,7 +84,8 @@ TEST(Limit, OfASwingHoldsABodyWithinACone) {
       const Eigen::Vector3d expected =
           length * (std::sin(leans) * sideways - std::cos(leans) * Eigen::Vector3d::UnitY());
       EXPECT_LE((simulation.scene.bodies().pose[bob].position - expected).norm(), 1e-5) << tilt;
-      EXPECT_LE(widest, cone + 1e-3) << tilt;
+      // It arrives within a step of its speed, which is less than gt.
+      EXPECT_LE(widest, cone + h * std::sqrt(2 * g / length)) << tilt;
       EXPECT_NEAR(simulation.reaction(stop).torque2.norm(), mass * g * length * std::sin(tilt - leans), 1e-4)
           << tilt;
     }

@@ -98,19 +98,39 @@ TEST(Damping, IsStableHoweverStrongItIs) {
   });
 }
 
-TEST(Damping, LeadsToTheTerminalSpeedWhateverTheTimeStep) {
+// A step damps what it finds and then adds gh: the speed tends to gh/(1 - exp(-ch)), which is g/c to the first
+// order of ch, and gh where ch is large. RATTLE does both in two halves.
+TEST(Damping, LeadsToTheTerminalSpeed) {
   in_all_models([]<class M>(Random&) {
+    constexpr double half = 0.5;  // of gravity
     for (const double rate : {2.0, 50.0, 6e5}) {
-      const auto check = [&](const auto& method) {
+      const auto terminal = [&](const auto& method) {
         Simulation simulation{thrown<M>(Velocity<M>::Zero(), g), method};
         simulation.scene.set_damping(0, rate);
-        simulation.scene.set_gravity_scale(0, 0.5);
+        simulation.scene.set_gravity_scale(0, half);
         run(simulation, 20, time_step);
-        EXPECT_NEAR(simulation.scene.bodies().velocity[0][1] * rate / (-0.5 * g), 1, 1e-6);
+        return -simulation.scene.bodies().velocity[0][1];
       };
-      with_exact_methods(check);
-      if (rate * time_step <= 1) check(Accelerations{});
+      EXPECT_NEAR(terminal(VelocityStepping{}) * -std::expm1(-rate * time_step) / (half * g * time_step), 1, 1e-9);
+      with_exact_methods([&](const auto& method) {
+        EXPECT_GE(terminal(method), half * g / rate * (1 - 1e-6));
+        EXPECT_LE(terminal(method), half * g * (1 / rate + time_step) * (1 + 1e-6));
+      });
+      if (rate * time_step > 1) continue;
+      EXPECT_NEAR(terminal(Accelerations{}) * rate / (half * g), 1, 1e-6);
     }
+  });
+}
+
+TEST(Damping, LeavesAHangingBodyItsWeight) {
+  in_all_models([]<class M>(Random&) {
+    with_all_methods([](const auto& method) {
+      Simulation simulation{pendulum<M>(0, 1, 2), method};
+      simulation.scene.set_damping(1, 7);
+      run(simulation, 1, time_step);
+      const double weight = g / simulation.scene.bodies().inverse_mass[1].linear;
+      EXPECT_NEAR(simulation.reaction(0).force.norm(), weight, 1e-3 * weight);
+    });
   });
 }
 
