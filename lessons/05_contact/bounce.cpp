@@ -188,7 +188,7 @@ void bounce(const Setting& setting, Page& page) {
       R"(Which speed is that? Not the one before the step, which lacks the last bit of the fall, nor the one after
       it, which has too much. The heights of a falling ball, step by step, lie on a parabola, and that parabola
       meets the ground within the step; there it has the speed to be given back. The way up is a parabola too, and
-      what it begins with is half of gh more than V says:)");
+      for it to begin with e times that speed V has to be half of gh more:)");
   page.excerpt("solver/contact/restitution.hpp", "parting");
   page.text(
       R"(Its peaks with e = 1 are @ m: the heights of single steps, which may miss the top of their parabola by
