@@ -89,11 +89,10 @@ template <bool soft, class M, int K, Bound B, class Watching>
                                  double* V, Watching& watch) {
   for (; count > 0; --count, block += next) {
     const Rows<K> change = solve<soft>(*block, V, lambda);
-    for (int k = 0; k < K; ++k) {
-      lambda[block->row + k] += change[k];
-      watch(block->row + k, change[k], lambda[block->row + k]);
-    }
+    Eigen::Map<Rows<K>> now(lambda + block->row);
+    now += change;
     apply<M, K>(*block, change, V);
+    for (int k = 0; k < K; ++k) watch(block->row + k, change[k], now[k]);
   }
 }
 //! [sweep]

@@ -56,7 +56,8 @@ inline std::array<double, 2> pressing_normals(const NormalRows& rows, const Rows
 
 /// (17) for a manifold: the Δλ of its rows.
 template <bool soft, class M>
-inline Rows<3> solve(const PreparedBlock<M, 3, Bound::manifold>& block, const double* V, const double* lambda) {
+[[gnu::always_inline]] inline Rows<3> solve(const PreparedBlock<M, 3, Bound::manifold>& block, const double* V,
+                                            const double* lambda) {
   constexpr int dof = M::dof;
   const double *v1 = V + dof * block.body1, *v2 = V + dof * block.body2, *now = lambda + block.row;
   Rows<3> rate = block.bias;
