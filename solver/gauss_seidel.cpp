@@ -278,9 +278,8 @@ Solution sweep_until(double tolerance, int most, int ways, System<M>& system, co
   Solution solution;
   const double speed = fastest(system, velocities);
   do {
-    Residual reached = watched_sweep(system, prepared, system.lambda.data(), numbers<M>(velocities), ways);
-    reached.speed = speed;
-    solution = {solution.passes + ways, 0, reached.largest, reached.within(tolerance)};
+    const Residual reached = watched_sweep(system, prepared, system.lambda.data(), numbers<M>(velocities), ways);
+    solution = {solution.passes + ways, 0, reached.largest, reached.within(tolerance, speed)};
   } while (!solution.converged && solution.residual >= 0 && solution.passes < ways * most);
   return solution;
 }

@@ -25,11 +25,11 @@ namespace byhand {
 /// The largest residual of all rows, and what it is compared with [m/s].
 struct Residual {
   double largest = 0;
-  double push = 0;   // the largest λ, as a speed
-  double speed = 0;  // of the fastest body
+  double push = 0;  // the largest λ, as a speed
 
-  /// Whether it is at most this share of the largest push, or only rounding of the velocities.
-  bool within(double tolerance) const {
+  /// Whether it is at most this share of the largest push, or only rounding beside the `speed` of the fastest
+  /// body.
+  bool within(double tolerance, double speed) const {
     return largest <= tolerance * push || (tolerance > 0 && largest <= 1e-14 * speed);
   }
 };
@@ -159,7 +159,7 @@ void errors_of(const System<M>& system, const std::vector<Velocity<M>>& velociti
 template <class M>
 void find_scales(const System<M>& system, RowScales& scales);
 
-/// The residual of λ whose errors JV + b + γλ are these, without the speed of bodies.
+/// The residual of λ whose errors JV + b + γλ are these.
 template <class M>
 Residual residual(const System<M>& system, const std::vector<double>& lambda, const std::vector<double>& error,
                   const RowScales& scales);
@@ -222,7 +222,7 @@ Solution solve(const GaussSeidel& solver, System<M>& system, std::vector<Velocit
 template <class M>
 void sweep(const System<M>& system, const Prepared<M>& prepared, double* lambda, double* V, int ways = 1);
 
-/// The same; returns the residual of each row at its turn, without the speed of bodies.
+/// The same; returns the residual of each row at its turn.
 template <class M>
 Residual watched_sweep(const System<M>& system, const Prepared<M>& prepared, double* lambda, double* V,
                        int ways = 1);

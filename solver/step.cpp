@@ -62,8 +62,7 @@ void advance(Scene<M>& scene, const VelocityStepping& method, double step, Work<
   Bodies<M>& bodies = scene.state();
   const double h = step / method.substeps;
   for (int i = 0; i < method.substeps; ++i) {
-    work.contacts.follow_balls(scene, work.system);
-    scene.write_rows(work.system, h);   // J, C, M⁻¹Jᵀ at the current poses
+    write_rows(scene, h, work);         // J, C, M⁻¹Jᵀ at the current poses
     begin_cure(method.drift, h, work);  // b of (21), (22)
     if (method.euler == Euler::explicit_) advance_poses(bodies, h);
     note_parting(scene, h, method.bounce_threshold, work.system, work.parting);

@@ -56,9 +56,8 @@ int descend(const AcceleratedGradient& solver, int iterations, double speed, con
     std::swap(g, change);
     L *= 0.9;
 
-    Residual reached = residual(system, now, g, scales);
-    reached.speed = speed;
-    const bool done = reached.within(solver.tolerance);
+    const Residual reached = residual(system, now, g, scales);
+    const bool done = reached.within(solver.tolerance, speed);
     if (done || reached.largest < smallest) smallest = reached.largest, best = now;
     if (done || std::isnan(reached.largest)) break;
   }
@@ -90,10 +89,9 @@ Solution solve(const AcceleratedGradient& solver, System<M>& system, std::vector
     apply_all(system, work.change, velocities);
     // On the way g is a sum of changes; this is the gradient itself.
     errors_of(system, velocities, system.lambda, work.g);
-    Residual reached = residual(system, system.lambda, work.g, work.scales);
-    reached.speed = speed;
+    const Residual reached = residual(system, system.lambda, work.g, work.scales);
     solution.residual = reached.largest;
-    solution.converged = reached.within(solver.tolerance);
+    solution.converged = reached.within(solver.tolerance, speed);
   } while (!solution.converged && !std::isnan(solution.residual) && solution.passes < solver.iterations);
   return solution;
 }

@@ -62,7 +62,10 @@ template <class M, int K, Bound B>
 void note_curvature(const ConstraintStore<M>& store, const Block<M, K, B>& block, Bodies<M>& bodies,
                     Avbd::Work<M>& work) {
   constexpr int dof = M::dof;
-  if (store.holds_where_found) return std::fill_n(&work.curvature[2 * dof * block.row], 2 * dof * K, 0.0), void();
+  if (store.holds_where_found) {
+    std::fill_n(&work.curvature[2 * dof * block.row], 2 * dof * K, 0.0);
+    return;
+  }
   constexpr double share = 0x1p-20;
   const double apart = (bodies.pose[block.body2].position - bodies.pose[block.body1].position).norm();
   Block<M, K, B> displaced = block;
@@ -139,11 +142,7 @@ void descend(const Scene<M>& scene, int body, Bodies<M>& bodies, std::size_t& ne
     for_type<M>(run.type, [&](auto type) {
       auto& block = std::get<type>(work.system.blocks)[holder.block];
       constexpr int K = decltype(block.J.matrix)::RowsAtCompileTime;
-      Rows<K> C, unbounded;
-      if (store.holds_where_found)
-        C = displaced_value(block, work);
-      else
-        store.linearise(bodies, block, C.data());
+      Rows<K> C = linearised(store, bodies, block, work), unbounded;
       const Rows<K> F = force(store.periodic, block, work, C, unbounded);
       for (int k = 0; k < K; ++k) {
         const int row = block.row + k, first = holder.second ? dof : 0;

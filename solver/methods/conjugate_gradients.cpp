@@ -56,9 +56,8 @@ Solution solve(const ConjugateGradients& solver, System<M>& system, std::vector<
     precondition(system, work);
     const double rz = sum_of_products(r, z);
     if (k == 0) rz_first = rz;
-    Residual reached = residual(system, system.lambda, r, scales);
-    reached.speed = speed;
-    const bool converged = reached.within(solver.tolerance);
+    const Residual reached = residual(system, system.lambda, r, scales);
+    const bool converged = reached.within(solver.tolerance, speed);
     if (converged || !(rz > rounding * rz_first) || k == solver.iterations)
       return {k, 0, reached.largest, converged};
     const double share = k == 0 ? 0.0 : rz / rz_before;

@@ -31,9 +31,8 @@ Solution solve(const ConjugateSweeps& solver, System<M>& system, std::vector<Vel
   for (int k = 1;; ++k) {
     prepared.lambda_before = system.lambda;
     prepared.V_before = velocities;
-    Residual reached = watched_sweep(system, prepared, system.lambda.data(), numbers<M>(velocities), ways);
-    reached.speed = speed;
-    const bool converged = reached.within(solver.tolerance);
+    const Residual reached = watched_sweep(system, prepared, system.lambda.data(), numbers<M>(velocities), ways);
+    const bool converged = reached.within(solver.tolerance, speed);
     if (converged || !(reached.largest >= 0) || k == solver.sweeps)
       return {ways * k, 0, reached.largest, converged};
     double square = 0;

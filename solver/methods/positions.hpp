@@ -53,8 +53,7 @@ bool begin_rows(Scene<M>& scene, double step, PositionWork<M>& work) {
 template <class M>
 void write_targets(Scene<M>& scene, double h, double threshold, PositionWork<M>& work) {
   System<M>& system = work.system;
-  work.contacts.follow_balls(scene, system);
-  scene.write_rows(system, h);
+  write_rows(scene, h, work);
   note_parting(scene, h, threshold, system, work.parting);
   for_each_block(system, [&](const BlockHeader& block, const Run& run) {
     const ConstraintStore<M>& store = scene.store(run.kind);
@@ -81,6 +80,16 @@ template <class M, int K, Bound B>
 Rows<K> displaced_value(const Block<M, K, B>& block, const PositionWork<M>& work) {
   return Eigen::Map<const Rows<K>>(&work.system.C[block.row]) +
          dot(block.J, work.displacement[block.body1], work.displacement[block.body2]);
+}
+
+/// C of a block's rows at the present poses. Linearises the block there, unless it holds where it was found.
+template <class M, int K, Bound B>
+Rows<K> linearised(const ConstraintStore<M>& store, const Bodies<M>& bodies, Block<M, K, B>& block,
+                   const PositionWork<M>& work) {
+  if (store.holds_where_found) return displaced_value(block, work);
+  Rows<K> C;
+  store.linearise(bodies, block, C.data());
+  return C;
 }
 
 /// C - C₀ + h rate of a block's rows with values C. The change of an angle (`periodic`) is at most half a turn.

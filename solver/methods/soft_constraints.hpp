@@ -67,8 +67,7 @@ void relax(const SoftConstraints& cure, const RowSolver& solver, double h, Scene
   System<M>& system = rows.system;
   if (cure.refresh) {
     work.rate = system.rate;
-    rows.contacts.follow_balls(scene, system);
-    scene.write_rows(system, h);
+    write_rows(scene, h, rows);
     system.rate = work.rate;  // springs keep theirs, or they would push twice
   } else {
     system.gamma = work.gamma;

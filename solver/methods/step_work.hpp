@@ -56,6 +56,13 @@ bool lay_out_naturally(const Scene<M>& scene, StepWork<M>& work) {
   return true;
 }
 
+/// Writes all rows at the present poses for a substep h [s], contacts of balls where these touch now.
+template <class M>
+void write_rows(Scene<M>& scene, double h, StepWork<M>& work) {
+  work.contacts.follow_balls(scene, work.system);
+  scene.write_rows(work.system, h);
+}
+
 /// λ is force times h: a new time step rescales it, so that the warm start keeps the forces.
 template <class M>
 void rescale_impulses(StepWork<M>& work, double h) {

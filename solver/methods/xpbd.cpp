@@ -27,11 +27,7 @@ void solve_block(const ConstraintStore<M>& store, double h, Block<M, K, B>& bloc
                  PositionWork<M>& work) {
   Eigen::Map<Rows<K>> impulse(&work.impulse[block.row]);
   const Eigen::Map<const Rows<K>> gamma(&work.system.gamma[block.row]);
-  Rows<K> C;
-  if (store.holds_where_found)
-    C = displaced_value(block, work);
-  else
-    store.linearise(bodies, block, C.data());
+  const Rows<K> C = linearised(store, bodies, block, work);
   Eigen::Matrix<double, K, K> A = inverse_effective_mass(block.J, block.W);
   A.diagonal() += gamma;
   const Rows<K> residual = position_error<M, K>(C, store.periodic, block.row, work) + gamma.cwiseProduct(impulse);
