@@ -81,7 +81,7 @@ void differentiate(tutor::Page& page, const Settings& set) {
        .wrong = {{speed, "Only the part of v along d changes the length, and (9) multiplies it by |d|."},
                  {bob / length, "That is d|d|/dt, the row divided by |d|; (14) is not divided."},
                  {length * speed, "That takes all of v; the part across d only turns the rod."}},
-       .hint = "Multiply component by component, then add.",
+       .hints = {"Multiply component by component, then add."},
        .right = "Its unit is m²/s: C is in m², and so is its change."});
   page.text(
       R"(An anchor point on a turning body has two reasons to move: its body's centre goes somewhere, and the arm r

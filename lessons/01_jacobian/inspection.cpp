@@ -209,7 +209,7 @@ void inspection(tutor::Page& page, const Settings& set) {
                    {"that depends on the sign of C",
                     "d does not ask for C: (14) contains neither C nor L. Only λ will ask."}},
        .answer = out < 0 ? 0 : 1,
-       .hint = "(14) says l₂ = d. From where to where does d point?"});
+       .hints = {"(14) says l₂ = d. From where to where does d point?"}});
   page.figure("field", "J's arrow on the bob points where C grows: outwards, also where the rod is too short.",
               [=](renderer::Canvas& canvas) { draw_field(canvas, length); });
   page.text(

@@ -49,7 +49,7 @@ void slopes(tutor::Page& page, const Settings& set) {
        .wrong = {{2, "J already took the first-order part away; what is left is second order."},
                  {8, "That would be third order: C of (2) bends, and bending is second order."},
                  {1, "Then the rest would not depend on h at all."}},
-       .hint = "Expand ½(d + hv)² by hand.",
+       .hints = {"Expand ½(d + hv)² by hand."},
        .right = tutor::say("For (2) and a bob the rest is exactly ½h²v², here @ m².", exact)});
   const double first_order = 2 * J.matrix(0, 5) * pair.V2[2];
   page.text(

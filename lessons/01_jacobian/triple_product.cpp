@@ -127,7 +127,7 @@ void triple_product(tutor::Page& page, const Settings& set) {
        .tolerance = 0.05 * area,
        .wrong = {{-a2, "That is d × r; the step from (12) to (13) gives r × d."},
                  {0, "d does not pass through the centre, so it has a lever arm."}},
-       .hint = "r_x d_y − r_y d_x.",
+       .hints = {"r_x d_y − r_y d_x."},
        .right = R"(Turn the body anticlockwise (ω₂ > 0) and P₂ rises, against d: the rod gets shorter, so a
                 negative entry is what you should expect.)"});
   const Turning turning = entry_over_direction(arm, size);

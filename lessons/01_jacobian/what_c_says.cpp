@@ -105,7 +105,7 @@ void what_c_says(tutor::Page& page, const Settings& set) {
                   metres.)"},
                  {2 * C, "That is d² − L²; the half in front is there to swallow the 2 of the derivative."},
                  {-C, "Too long counts as positive: d² comes first."}},
-       .hint = "Square both lengths, subtract, halve.",
+       .hints = {"Square both lengths, subtract, halve."},
        .right = "Close to L times the stretch: C is not the stretch itself, and its unit is not the metre."});
 
   page.text(

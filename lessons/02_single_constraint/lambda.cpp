@@ -31,7 +31,7 @@ void lambda(const Setting& setting, Page& page) {
                     pulls ? "positive" : "negative"),
          .options = {{"negative", toward}, {"positive", away}},
          .answer = pulls ? 0 : 1,
-         .hint = "The minus in (17) turns it round."});
+         .hints = {"The minus in (17) turns it round."}});
   } else {
     page.text(
         "You have put the bob level with the held point, where JV is 0 but for rounding: λ has nothing to do.");
@@ -49,7 +49,7 @@ void lambda(const Setting& setting, Page& page) {
                  {along / setting.h(), "That is λ/h, a force."},
                  {-along, "J points away from the held point; look once more at which way this rod acts."},
                  {row.lambda, "That is λ itself, in N·s/m: (14) is not divided by |d|."}},
-       .hint = "JV over |d| is the speed along d. Which mass has to lose it?",
+       .hints = {"JV over |d| is the speed along d. Which mass has to lose it?"},
        .right = say("m·g·h is @ N·s; the rod answers for its part along d.", full)});
 
   page.formula("λ = −(@ + 0) / @ = @ N·s/m, and λ·|d| = @ N·s",

@@ -55,7 +55,7 @@ void off_the_circle(const Setting& setting, Page& page) {
        .tolerance = 0.1 * one / millimetre,
        .wrong = {{0, "JV = 0 sends the bob along the tangent, and the tangent leaves the circle by (vh)²/2L."},
                  {speed * h / millimetre, "That is how far the bob moves; nearly all of it is sideways."}},
-       .hint = "Pythagoras: L one way, v·h the other.",
+       .hints = {"Pythagoras: L one way, v·h the other."},
        .right = say("(vh)²/2L is @ mm.", law / millimetre)});
   page.formula("√(L² + (vh)²) − L = @ mm,   (vh)²/2L = @ mm",
                R"(\sqrt{L^2 + (vh)^2} - L = @\ \mathrm{mm}, \qquad \frac{(vh)^2}{2L} = @\ \mathrm{mm})",

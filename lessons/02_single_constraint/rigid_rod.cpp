@@ -80,7 +80,7 @@ void rigid_rod(const Setting& setting, Page& page) {
        .wrong = {{0.5, say("Half holds a rod that is supported at both ends; here the centre falls with @ g.",
                            1 - share)},
                  {1, "Then the centre would not fall."}},
-       .hint = "The rod turns about the hinge with I = mL²/3. How fast does its centre fall?",
+       .hints = {"The rod turns about the hinge with I = mL²/3. How fast does its centre fall?"},
        .right = say("The centre falls with @ g, and only the rest is held.", 1 - share)});
 
   const double end = 1.05 * exact.period();

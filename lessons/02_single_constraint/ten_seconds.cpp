@@ -89,7 +89,7 @@ void ten_seconds(const Setting& setting, Page& page) {
                                   that the tangent left, and its kinetic energy with it.)",
                                   -change / scale)}},
        .answer = change > 0 ? 0 : 1,
-       .hint = "An impulse that makes JV = 0 takes a part of V away. Does it ever give one?"});
+       .hints = {"An impulse that makes JV = 0 takes a part of V away. Does it ever give one?"}});
 
   double thrown = 0, squares = 0;
   for (std::size_t i = 0; i + 1 < run.size(); ++i) {

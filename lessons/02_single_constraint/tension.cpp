@@ -92,7 +92,7 @@ void tension(const Setting& setting, Page& page) {
        .wrong = {{1,
                   say("That only holds the weight; turning it round costs mv²/L = @ weights more.", lowest - 1)},
                  {lowest - 1, "That is the turning part alone; the weight hangs on it as well."}},
-       .hint = "Energy gives v² at the bottom; to turn it into a circle takes mv²/L.",
+       .hints = {"Energy gives v² at the bottom; to turn it into a circle takes mv²/L."},
        .right = say("The solver measures @ with this h.", peak_tension(setting, h, period) / weight)});
 
   const double end = std::min(period, 4.0);

@@ -39,9 +39,9 @@ void heavy_end(Page& page, const Knobs& knobs) {
        .wrong = {{light_digit,
                   R"(Mass cancels in one pendulum, not between rows: each sweep hands over only 1/r of what is
                   missing.)"}},
-       .hint =
-           R"(The last row joins a light bob and a heavy one, and its impulse is the same for both. Which of the
-           two does it move?)",
+       .hints =
+           {R"(The last row joins a light bob and a heavy one, and its impulse is the same for both. Which of the
+           two does it move?)"},
        .right = "Each sweep hands over only about 1/r of what is missing."});
   page.text(
       R"(The last row finds the heavy bob falling away from the light one and makes their speeds meet. But in that

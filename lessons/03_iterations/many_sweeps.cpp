@@ -102,8 +102,8 @@ void many_sweeps(Page& page, const Knobs& knobs) {
                     R"(The first sweeps differ; the slow wave along the chain decides the slope, and no order sees
                     it.)"}},
        .answer = alike ? 3 : steepest,
-       .hint = R"(After a few sweeps every order has smoothed the errors out: neighbours are wrong by nearly the
-               same. What can one row still see of that?)"});
+       .hints = {R"(After a few sweeps every order has smoothed the errors out: neighbours are wrong by nearly the
+               same. What can one row still see of that?)"}});
 
   const double second = 1.0;
   const std::vector<int> counts = sweep_counts(std::max(12, static_cast<int>(4.3 * digit)));

@@ -136,7 +136,7 @@ void one_sweep(Page& page, const Knobs& knobs) {
        .unit = "1",
        .tolerance = 0.2 / knobs.links(),
        .wrong = {{right, "It met only its own bob's weight: the others had not pulled yet."}},
-       .hint = "When row 1 is solved, what has happened to the bobs below it so far?",
+       .hints = {"When row 1 is solved, what has happened to the bobs below it so far?"},
        .right = say("One bob out of @. The top row was solved first, when nobody had pulled on its bob yet.",
                     knobs.links)});
 

@@ -65,19 +65,19 @@ renderer::Chart digits_over_links(const Knobs& knobs) {
 void twice_as_long(Page& page, const Knobs& knobs) {
   const double h = knobs.h;
   const double once = measured_digit(knobs.chain(), h), twice = measured_digit(knobs.chain(2 * knobs.links), h);
-  page.predict({.ask = say("@ sweeps for one more digit with @ links. How many with @ links?", std::round(once),
-                           knobs.links, 2 * knobs.links),
-                .answer = twice,
-                .unit = "sweeps",
-                .tolerance = 0.12 * twice,
-                .wrong = {{2 * once, "News walks like a drunkard: twice as far takes four times as long."},
-                          {once,
-                           R"(Each sweep does touch every row once, but an error that stretches over the whole
+  page.predict(
+      {.ask = say("@ sweeps for one more digit with @ links. How many with @ links?", std::round(once),
+                  knobs.links, 2 * knobs.links),
+       .answer = twice,
+       .unit = "sweeps",
+       .tolerance = 0.12 * twice,
+       .wrong = {{2 * once, "News walks like a drunkard: twice as far takes four times as long."},
+                 {once,
+                  R"(Each sweep does touch every row once, but an error that stretches over the whole
                            chain is hard to see from any one of them.)"}},
-                .hint =
-                    R"(An error spreads by halves: half to the joint above, half to the joint below. How far does
-                    somebody get who tosses a coin before each step?)",
-                .right = say("@ times as many.", Value(twice / once, 3))});
+       .hints = {R"(An error spreads by halves: half to the joint above, half to the joint below. How far does
+                    somebody get who tosses a coin before each step?)"},
+       .right = say("@ times as many.", Value(twice / once, 3))});
   page.text(
       R"(Here is why. Take Jacobi, the simplest. Say e is what is still missing from a joint's λ. Solving its row
       by (17) makes the joint right *for what its neighbours now do*, so what is missing from it afterwards is the

@@ -97,8 +97,9 @@ void two_links(Page& page, const Knobs& knobs) {
        .tolerance = 0.05,
        .wrong = {{0, "Row 2 pulled on the bob they share."},
                  {1, "Only half of row 2's impulse was needed: the other half of it lifted the lower bob."}},
-       .hint = R"(Row 2's impulse acts on both bobs, equal and opposite, and both weigh the same. How fast do they
-               move when their speeds have met?)",
+       .hints =
+           {R"(Row 2's impulse acts on both bobs, equal and opposite, and both weigh the same. How fast do they
+               move when their speeds have met?)"},
        .right = R"(The two bobs meet in the middle: the lower one slows down by half of gh, the upper one is pulled
                 back into falling by the other half.)"});
   page.figure(

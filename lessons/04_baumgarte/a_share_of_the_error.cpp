@@ -59,7 +59,7 @@ void a_share_of_the_error(const Setting& setting, Page& page) {
        .tolerance = 100 * e * 0.015,
        .wrong = {{100 * e * (1 - shown_steps * beta), "It takes away a share of what is left, not of the start."},
                  {100 * e * (1 - beta), "That is after the first step; four more follow."}},
-       .hint = "Each step leaves 1 − β of what it finds.",
+       .hints = {"Each step leaves 1 − β of what it finds."},
        .right = say("(1 − β)⁵ = @ of it is left.", std::pow(1 - beta, shown_steps))});
   page.figure(
       "five_steps",

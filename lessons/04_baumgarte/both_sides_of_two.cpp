@@ -107,7 +107,7 @@ void both_sides_of_two(const Setting& setting, Page& page) {
                 .tolerance = 100 * e * 0.03,
                 .wrong = {{-100 * after, "The size is right, but the bob has gone past its place: mind the sign."},
                           {-100 * e * bold, "That is by how much the step moves the bob, not where it arrives."}},
-                .hint = "The step moves the bob by −βC.",
+                .hints = {"The step moves the bob by −βC."},
                 .right = "It has overshot by half."});
   page.choose({.ask = say("And if it goes on like that, with β = @, does it settle?", bold),
                .options = {{"yes",
@@ -117,7 +117,7 @@ void both_sides_of_two(const Setting& setting, Page& page) {
                             R"(It overshoots by half each time; half of half still goes to zero. Beyond 2 it does
                             not.)"}},
                .answer = settles ? 0 : 1,
-               .hint = "What is left after two steps? After three?"});
+               .hints = {"What is left after two steps? After three?"}});
 
   std::vector<Panel> panels;
   panels.reserve(shown.size() + 1);

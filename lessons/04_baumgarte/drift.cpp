@@ -125,7 +125,7 @@ void drift(const Setting& setting, Page& page) {
                                   ½m·vᵣ² with it.)",
                                   Value(100 * kept, 3))}},
        .answer = kept < 1 ? 2 : 0,
-       .hint = "An impulse that makes JV = 0 takes a part of V away. Does it ever give one?"});
+       .hints = {"An impulse that makes JV = 0 takes a part of V away. Does it ever give one?"}});
   page.text(
       R"(The law takes two lines. The way h·v is at right angles to d, so Pythagoras says by how much d² grows; and
       the rod's pull goes through the anchor, so |v||d|, the angular momentum, stays:)");

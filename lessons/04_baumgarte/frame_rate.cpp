@@ -61,7 +61,7 @@ void frame_rate(const Setting& setting, Page& page) {
        .tolerance = 50 * half,
        .wrong = {{1000 * half, "β is per step: what has a time in it is h/β. Keep h/β if you change h."},
                  {2000 * half, "The steps are shorter, and each still takes the same share."}},
-       .hint = "How many steps does it take? How long do they last now?",
+       .hints = {"How many steps does it take? How long do they last now?"},
        .right = "The same number of steps, each half as long."});
   page.formula(
       "half-time = h · ln 2/(−ln(1 − β)) ≈ 0.69 h/β,   h/β = @ ms",

@@ -49,7 +49,7 @@ void read_literally(const Setting& setting, Page& page) {
       .tolerance = 0.04 * half,
       .wrong = {{1 / beta, "By then 1/e, about a third, is left; half is left a little sooner."},
                 {0.5 / beta, "It goes more slowly as there is less of it: e^(−βt), not 1 − βt."}},
-      .hint = "e^(−βt) = ½.",
+      .hints = {"e^(−βt) = ½."},
       .right = "ln 2/β, and h hardly matters."};
   if (beta < 1)
     question.wrong.push_back({half_time(1 - beta, h), "Without 1/h, β is a rate per second, not per step."});

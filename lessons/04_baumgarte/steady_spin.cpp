@@ -54,7 +54,7 @@ void steady_spin(const Setting& setting, Page& page) {
          .tolerance = 0.03 * answer,
          .wrong = {{one_step, "That is what one step adds; the share β that is taken away must be as much."},
                    {0, "Then there would be nothing of which β could take a share."}},
-         .hint = "What comes in, ½(ωh)²L, must be what goes out, βC.",
+         .hints = {"What comes in, ½(ωh)²L, must be what goes out, βC."},
          .right = "ω is the settled one: the rod is longer, so the bob goes round more slowly."});
   page.formula(
       "βC = ½(ωh)²L   ⟹   C/L = (ωh)²/(2β) = @",

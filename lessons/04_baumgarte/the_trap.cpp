@@ -146,7 +146,7 @@ void the_trap(const Setting& setting, Page& page) {
                                    it again, more than was due.)",
                                    growth)}},
        .answer = dies_out ? 0 : 1,
-       .hint = "λ starts from last step's, and that held a correction too."});
+       .hints = {"λ starts from last step's, and that held a correction too."}});
   page.sequence(
       "warm_and_cold",
       say(R"(The same chain of @ m with β = @ and @ sweeps a step, warm and cold. The warm one @; the cold one @.

@@ -141,7 +141,7 @@ void what_it_costs(const Setting& setting, Page& page) {
                     also lags behind the tension, and so the tension does work on it in every swing.)"},
                    {"it depends on β", "How much depends on β, and strongly. The sign does not."}},
        .answer = most <= 0 ? 1 : 2,
-       .hint = "Without any cure it lost. Does β give more than it takes back?"});
+       .hints = {"Without any cure it lost. Does β give more than it takes back?"}});
   page.figure(
       "cost_of_beta",
       say(R"(What β does to a pendulum from @°, with h = @ s: the largest drift, the energy lost from the first

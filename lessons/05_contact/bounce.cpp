@@ -157,7 +157,7 @@ void bounce(const Setting& setting, Page& page) {
                 .tolerance = 0.05 * drop * std::pow(e, 2 * bounces),
                 .wrong = {{drop * std::pow(e, bounces), "e scales speed; height goes with its square."},
                           {drop * std::pow(e, 2 * bounces - 2), "That is the peak before."}},
-                .hint = "How does the height of a throw go with its speed?",
+                .hints = {"How does the height of a throw go with its speed?"},
                 .right = "Each bounce leaves e² of the height."});
   page.text(
       R"(One line, it seems: where the ball is under the ground, turn its speed round. Here it is, with all that

@@ -103,8 +103,9 @@ void cradle(const Setting& setting, Page& page) {
        .tolerance = 0.04,
        .wrong = {{0, "That is nature. The smallest change of V that parts all pairs shares the blow among all."},
                  {-1, "Then the others would have all of the momentum, twice over."}},
-       .hint = R"(Only the first pair approached, so only it must part, at v. The others must not approach. What is
-               the least that does both?)",
+       .hints =
+           {R"(Only the first pair approached, so only it must part, at v. The others must not approach. What is
+               the least that does both?)"},
        .right = say("(2 − N)/N, and all the others go off together at 2/N = @ v.", 2.0 / n)});
   const std::vector<double> one_forward = after_a_step(setting, forward),
                             one_backward = after_a_step(setting, backward);

@@ -140,7 +140,7 @@ void deep_contact(const Setting& setting, Page& page) {
        .tolerance = 0.03 * speed,
        .wrong = {{0, "The row asks for a rate of −βC/h, and the ground may push as hard as that takes."},
                  {depth / h, "That would have all of it out in one step; β takes a share."}},
-       .hint = "β of the overlap is to be gone after one step of h.",
+       .hints = {"β of the overlap is to be gone after one step of h."},
        .right = "Sunk by accident, thrown by a catapult."});
   const std::vector<NamedBox> runs{
       {say("@ m deep", Value(0.8 * law, 2)), sunk(0.8 * law, {beta})},

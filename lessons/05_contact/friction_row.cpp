@@ -202,7 +202,7 @@ void friction_row(const Setting& setting, Page& page) {
             {-pressed.slip(),
              R"(The push passes to the left of the centre, so it turns the box clockwise. Which way does a point
              below the centre go?)"}},
-       .hint = "The push passes beside the centre of mass. What does it do besides stopping the corner?",
+       .hints = {"The push passes beside the centre of mass. What does it do besides stopping the corner?"},
        .right = say("−A_{tn}/A_{nn} times the approach: @ of it.",
                     Value(-before.coupling(mass) / before.normal_share(mass), 3))});
   page.figure(
@@ -240,7 +240,7 @@ void friction_row(const Setting& setting, Page& page) {
        .unit = "N s",
        .tolerance = 0.05 * full,
        .wrong = {{full, "Its bound is μ times a normal impulse, and that one is still zero."}},
-       .hint = "What is λₙ when friction's turn comes?",
+       .hints = {"What is λₙ when friction's turn comes?"},
        .right = "Nothing presses yet, so nothing rubs."});
   page.figure("order_of_rows",
               say("A particle slides at @ m/s, μ = @. One cold sweep with friction first never slows it.",

@@ -118,8 +118,9 @@ void push_only(const Setting& setting, Page& page) {
        .unit = "gh",
        .tolerance = 0.015,
        .wrong = {{0, "Row 1 gave its impulse before row 2 spoke, and was not allowed to take any of it back."}},
-       .hint = R"(The first row finds the whole fall before it and stops its corner alone. Then the second row adds
-               what its own corner still needs. Who takes back what is then too much?)",
+       .hints =
+           {R"(The first row finds the whole fall before it and stops its corner alone. Then the second row adds
+               what its own corner still needs. Who takes back what is then too much?)"},
        .right = s < 1 ? say("The first row gave @ of the weight, the second @, and both may only give.",
                             Value(1 / (1 + s), 3), Value(2 * s / (1 + s) / (1 + s), 3))
                       : "This box is so broad that neither row ever has anything to take back."});

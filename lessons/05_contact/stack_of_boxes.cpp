@@ -198,7 +198,7 @@ void stack_of_boxes(const Setting& setting, Page& page) {
        .wrong = {{static_cast<double>(n),
                   R"(It will. But news of the upper boxes comes down one contact a sweep, and half of it is turned
                   back at each.)"}},
-       .hint = "How far down the chain did weight come in as many sweeps?",
+       .hints = {"How far down the chain did weight come in as many sweeps?"},
        .right = "As in lesson 3: the error is a wave as long as the stack."});
   page.figure("layers", say("What each contact carries, @ sweeps a step, and solved at once.", sweeps),
               forces(setting));

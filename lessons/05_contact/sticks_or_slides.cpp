@@ -111,7 +111,7 @@ void sticks_or_slides(const Setting& setting, Page& page) {
                 .tolerance = 0.4,
                 .wrong = {{degrees(std::asin(std::min(1.0, mu))),
                            "That is sinθ = μ: the normal force is mg·cosθ, not mg."}},
-                .hint = "mg·sinθ pulls, mg·cosθ presses.",
+                .hints = {"mg·sinθ pulls, mg·cosθ presses."},
                 .right = "tanθ = μ; the mass is on both sides."});
   const double farthest = law_of_sliding(slope, mu, slide_seconds, h) + 0.9;
   const double steepest = std::max(slope, limit + radians(1)), fall = farthest * std::sin(steepest);

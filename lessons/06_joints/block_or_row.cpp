@@ -184,7 +184,7 @@ void block_or_row(const Setting& setting, Page& page) {
        .tolerance = 0.02,
        .wrong = {{0, "It would be, were each row deaf to the other."},
                  {rho, "That is what one sweep leaves, and there are more."}},
-       .hint = say("Each sweep leaves @ of what it finds.", Value(rho, 5)),
+       .hints = {say("Each sweep leaves @ of what it finds.", Value(rho, 5))},
        .right = "What is missing stays in V, and the next step begins with it."});
 
   RivalsFilm film{

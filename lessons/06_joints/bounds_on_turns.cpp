@@ -132,8 +132,8 @@ void bounds_on_turns(const Setting& setting, Page& page) {
                     takes more way to spend that.)"},
                    {90, "So it would with no motor at all and some friction; this one still pushes back there."},
                    {0, "It needs mgl/2 there, and has not got it."}},
-         .hint = R"(At its bound it is a brake that always gives the same. Gravity's work is ½mgl sin φ; what is
-                 the brake's?)",
+         .hints = {R"(At its bound it is a brake that always gives the same. Gravity's work is ½mgl sin φ; what is
+                 the brake's?)"},
          .right = "There ½ sin φ = φ times the strength over mgl, and from there on it can hold."});
   page.text(
       R"(All the way down its λ sits on the bound, so it takes the energy τφ. Gravity gave ½mgl sin φ. They are

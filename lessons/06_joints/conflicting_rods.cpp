@@ -159,8 +159,8 @@ void conflicting_rods(const Setting& setting, Page& page) {
                  : doubled > 1.5             ? 2
                  : halfway > 10 * weight * h ? 1
                                              : 0,
-       .hint = say("In every sweep either row takes back what the other just gave: m β ΔL/h = @ N·s.",
-                   m * beta * gap / h)});
+       .hints = {say("In every sweep either row takes back what the other just gave: m β ΔL/h = @ N·s.",
+                     m * beta * gap / h)}});
   page.text(
       R"(Follow one sweep. The short rod's row asks for a speed inwards, (β/h)C₁, and gets it by an impulse. The
       long one's row finds its own C₂ violated by that speed, and takes it back. The bob stands still where the

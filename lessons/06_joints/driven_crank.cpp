@@ -176,7 +176,7 @@ void driven_crank(const Setting& setting, Page& page) {
            {{2,
              "The energy goes with the square of the speed. (The power, moment times speed, goes with its cube.)"},
             {8, "That is the power; the moment is the power over the speed."}},
-       .hint = "There is no gravity here: all that the motor does is to give and take kinetic energy."});
+       .hints = {"There is no gravity here: all that the motor does is to give and take kinetic energy."}});
   page.text(
       R"((The first few steps of the moment are not drawn: they take up that nothing has drifted yet.) The crank
       turns at exactly its speed (off by @ rad/s at most): a motor with strength to spare is a row like any other.

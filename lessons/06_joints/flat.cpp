@@ -163,7 +163,7 @@ void flat(const Setting& setting, Page& page) {
                    {"yes", say("The rank is @: the coupler is level already, and the third arm says so once more.",
                                rank_of_three)}},
        .answer = static_cast<int>(three.cols()) > rank_of_three ? 1 : 0,
-       .hint = "Look at the coupler's motion with two arms. Does the third arm object?"});
+       .hints = {"Look at the coupler's motion with two arms. Does the third arm object?"}});
   page.text(
       R"(So A has no inverse, and the direct solve says so instead of dividing by it: "@". (A sweep never notices.
       It only ever divides by blocks of its own.)

@@ -100,7 +100,7 @@ void four_bar_linkage(const Setting& setting, Page& page) {
            {{3,
              "Three is what is left if you count the ground as a body: it does not move, and brings no numbers."},
             {5, "A pin in the plane is two rows, not one."}},
-       .hint = "Each body moves with three numbers. How many rows do four pins have?",
+       .hints = {"Each body moves with three numbers. How many rows do four pins have?"},
        .right = say("@ numbers less @ rows.", numbers, rows)});
   page.text(
       R"(One is what a pendulum has, and this *is* one. The coupler keeps level, so it moves with the arms' ends as

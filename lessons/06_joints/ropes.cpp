@@ -68,7 +68,7 @@ void ropes(const Setting& setting, Page& page) {
                 .tolerance = 4,
                 .wrong = {{180, "The bob would have to arrive there with no speed, held up by the rope."},
                           {90, "There it is still fast: the rope has to turn it round, at twice the weight."}},
-                .hint = "The pull is m(v²/L + g cos θ), and v² = 4gL − 2gL(1 − cos θ).",
+                .hints = {"The pull is m(v²/L + g cos θ), and v² = 4gL − 2gL(1 − cos θ)."},
                 .right = "The pull mg(2 + 3 cos θ) ends where cos θ = −2/3."});
   Chart chart{.x = {.label = "time (s)"}, .y = {.label = "pull or push, |λ|/h (mg)"}};
   chart.curves = {{.label = "rope", .x = rope.time, .y = rope.pull},

@@ -69,7 +69,7 @@ void soft_rows(const Setting& setting, Page& page) {
        .wrong = {{1000 * light,
                   "The spring was tuned to its own bob. What it carries is now more, and its stiffness is not."},
                  {1000 * heavy * light, "It still carries its own bob too."}},
-       .hint = "C = T/k, and k = m ω² with the first bob's m.",
+       .hints = {"C = T/k, and k = m ω² with the first bob's m."},
        .right = "C = T/(mω²), and T is the weight of both."});
   Chart sags{.x = {.label = "ω (rad/s)", .scale = Scale::logarithmic},
              .y = {.label = "sag (m)", .scale = Scale::logarithmic}};

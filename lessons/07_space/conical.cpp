@@ -81,7 +81,7 @@ void conical(const Setting& setting, Page& page) {
                   "That is the weight along the rod; but here the *vertical* must balance: T·cosθ = mg."},
                  {1, "It holds the weight, but aslant: only T·cosθ of it points up."},
                  {std::tan(angle), "That is the part that turns the bob, T·sinθ."}},
-       .hint = "The bob stays at its height. Which part of the pull carries the weight?",
+       .hints = {"The bob stays at its height. Which part of the pull carries the weight?"},
        .right = say("1/cosθ. With steps of @ s the run has @.", setting.h, measured)});
   page.formula("T·cosθ = mg,   T·sinθ = mω²L·sinθ   ⟹   T = mg/cosθ = @ N,   ω² = g/(L·cosθ)",
                R"(T\cos\theta = mg, \quad T\sin\theta = m\omega^2 L\sin\theta \quad\Rightarrow\quad )"

@@ -150,7 +150,7 @@ void flips(const Setting& setting, Page& page) {
              "Yes: each step adds ½h²k·I⁻¹k, with k = Iω × ω, the square of its kick; never less than nothing."},
             {"it falls", "Nothing is thrown away here as the rod does; the kick is only added."}},
        .answer = flights[1].back().energy > flights[1][0].energy ? 1 : 2,
-       .hint = "Think of the tangent of lesson 2: to which side of the circle does it leave?"});
+       .hints = {"Think of the tangent of lesson 2: to which side of the circle does it leave?"}});
   Chart energy{.x = {.label = "time (s)"}, .y = {.label = "largest |ΔE|/E (1)", .scale = Scale::logarithmic}},
       momentum{.x = {.label = "time (s)"},
                .y = {.label = "largest |Δ(Iω)|/|Iω| (1)", .scale = Scale::logarithmic}};

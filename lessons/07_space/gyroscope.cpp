@@ -111,7 +111,7 @@ void gyroscope(const Setting& setting, Page& page) {
        .wrong = {{0, "Then it would have to fall: a moment changes Iω. It changes it sideways."},
                  {top.mass * gravity * arm / top.moment_across,
                   "That is the angular acceleration with which it would begin to fall if it did not spin."}},
-       .hint = "The moment is level and at right angles to the axle: in a second it adds mga to Iω, sideways.",
+       .hints = {"The moment is level and at right angles to the axle: in a second it adds mga to Iω, sideways."},
        .right = "mga/(mR²ω) = ga/(R²ω); the mass does not matter."});
   page.formula(
       "d(Iω)/dt = mga   ⟹   rate = ga/(R²ω) = @ rad/s",

@@ -101,7 +101,7 @@ void left_out(const Setting& setting, Page& page) {
                     momentum instead.)"},
                    {"once, and then it stays", "Then something would have to turn ω once. Nothing does."}},
        .answer = flipped == 0 ? 0 : 1,
-       .hint = "Which line of the step would change V?"});
+       .hints = {"Which line of the step would change V?"}});
   page.figure("left_out",
               say(R"(The gyroscopic term left out. ω stays where it is, at @° from Iω, and carries Iω round with
                   the book: arrows an eighth of a turn apart. Right: how far Iω is from where it was.)",

@@ -164,7 +164,7 @@ void let_loose(const Setting& setting, Page& page) {
             {"both get equally far",
              "That would be so if spin and slide each had a friction of their own: the pyramid's mistake."}},
        .answer = spinning.distance > straight.distance ? 1 : 0,
-       .hint = "Each corner has an impulse of fixed length, against its own slip."});
+       .hints = {"Each corner has an impulse of fixed length, against its own slip."}});
   page.measure("straight", straight.distance, "m");
   page.measure("spinning as well", spinning.distance, "m");
 

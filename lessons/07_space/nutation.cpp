@@ -139,7 +139,7 @@ void nutation(const Setting& setting, Page& page) {
                    {"a little, for J is held still over the step",
                     "J is d at the start of the step, and so is the arm of λ: d × d is zero at any h."}},
        .answer = std::abs(kept / given - 1) < 1e-9 ? 0 : 1,
-       .hint = "Take L = x × mv before and after: v changes by gh and by a multiple of d = x, then x by hv."});
+       .hints = {"Take L = x × mv before and after: v changes by gh and by a multiple of d = x, then x by hv."}});
   page.figure("errors_over_h",
               R"(Error of one nutation's duration, and of how far round it leads, over the time step. Both fall
               with h²: half the step, a quarter of the error.)",

@@ -112,7 +112,8 @@ void orientation(const Setting& setting, Page& page) {
        .wrong = {{0, "Turns in space do not add up as numbers do; try it with a book."},
                  {180, "That is both turns together; about a slanting axis less will do."},
                  {90, "It looks like a quarter turn, but about no edge of the book."}},
-       .hint = "The axis of the turn between them is a diagonal of a cube. How much turns one edge into the next?",
+       .hints =
+           {"The axis of the turn between them is a diagonal of a cube. How much turns one edge into the next?"},
        .right = "About a diagonal of a cube, which carries each axis into the next."});
   page.figure("order_of_turns",
               R"(The same two quarter turns in either order (the yellow end is the book's +y). The results differ

@@ -156,7 +156,7 @@ void same_code(const Setting& setting, Page& page) {
                 .wrong = {{4, "That is the square of the arm alone; there is more wood too."},
                           {8, "That is the mass alone; it also lies twice as far out."},
                           {growth_in_plane, "That is a plate in the plane: mass 4 times, arm² 4 times."}},
-                .hint = "I is a sum of mass × arm². How does the mass grow, how the arm?",
+                .hints = {"I is a sum of mass × arm². How does the mass grow, how the arm?"},
                 .right = say("Mass 8 times, arm² 4 times. In the plane it is @.", growth_in_plane)});
 
   page.claim({.quantity = "numbers in a row",

@@ -133,14 +133,15 @@ void turned_inertia(const Setting& setting, Page& page) {
       catches on a nail: a pin, three rows, solved as a block. Here it is with the mistake as an option:)",
       flight(), setting.tilt);
   page.excerpt("lessons/07_space/turned_inertia.cpp", "caught");
-  page.choose({.ask = "The inertia is left in the body's axes, and the rows are solved. What can you tell it by?",
-               .options = {{"JV is not zero: the held point moves on",
-                            R"(λ is solved for with the same W that hands it on, so whatever M⁻¹ is, JV vanishes.
+  page.choose(
+      {.ask = "The inertia is left in the body's axes, and the rows are solved. What can you tell it by?",
+       .options = {{"JV is not zero: the held point moves on",
+                    R"(λ is solved for with the same W that hands it on, so whatever M⁻¹ is, JV vanishes.
                             You would see nothing at the joint.)"},
-                           {"the angular momentum about the nail has changed",
-                            "Yes. The nail pushes at the point about which you count, so it cannot give any."}},
-               .answer = right.slip < 1e-9 && wrong.slip < 1e-9 ? 1 : 0,
-               .hint = "(17) divides by JM⁻¹Jᵀ and (20) multiplies by M⁻¹Jᵀ, with whatever M⁻¹ you gave them."});
+                   {"the angular momentum about the nail has changed",
+                    "Yes. The nail pushes at the point about which you count, so it cannot give any."}},
+       .answer = right.slip < 1e-9 && wrong.slip < 1e-9 ? 1 : 0,
+       .hints = {"(17) divides by JM⁻¹Jᵀ and (20) multiplies by M⁻¹Jᵀ, with whatever M⁻¹ you gave them."}});
   page.figure(
       "caught_on_a_nail",
       say(R"(The book just caught, with I turned (left) and left as it was (right). Both held points stand still. L

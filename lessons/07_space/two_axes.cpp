@@ -105,7 +105,7 @@ void two_axes(const Setting& setting, Page& page) {
        .tolerance = 0.03,
        .wrong = {{1, "Two full bounds at right angles add up to √2μ."},
                  {0.5, "Two full bounds, but at right angles: they add up to √2, not to 2."}},
-       .hint = "Both rows brake with all of μmg. How long is the sum of the two?",
+       .hints = {"Both rows brake with all of μmg. How long is the sum of the two?"},
        .right = say("1/√2 = @, and a little less for a finite step.", 1 / std::sqrt(2.0))});
   const std::vector<double> headings = all_round();
   const PucksFilm film{slide(setting, headings, Bounds::pyramid), slide(setting, headings, Bounds::disc), h,

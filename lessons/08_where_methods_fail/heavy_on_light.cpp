@@ -37,7 +37,7 @@ void heavy_on_light(const Setting& setting, Page& page) {
        .wrong = {{1000 * measured,
                   "Each sweep hands over only 1/r of the weight; warm start plus β turn the delay into ringing."},
                  {1, "More than that: warm steps add up, and ten sweeps see a good part of it."}},
-       .hint = "What share of the upper box's weight does one sweep bring to the ground?",
+       .hints = {"What share of the upper box's weight does one sweep bring to the ground?"},
        .right = "About three kilogrammes a sweep."});
   page.text(
       R"(Family one, with a little of family two. The ground sees the light box only, which sees the heavy one

@@ -28,7 +28,7 @@ void many_contacts(const Setting& setting, Page& page) {
            {{0.5 * growth,
              "It does not shrink: each of the rows corrects all of one error, together more than twice too much."},
             {contacts - 1.0, "If all rows were the same, yes. They lie apart, and share the turn of the box."}},
-       .hint = "Together the rows correct μ times the error, μ being the largest eigenvalue of D⁻¹A.",
+       .hints = {"Together the rows correct μ times the error, μ being the largest eigenvalue of D⁻¹A."},
        .right = "Together they correct the error μ times; 1 − μ of it is left, with its sign changed."});
   page.formula("|1 − ω μ| < 1:   ω < 2/μ = 2/@ = @",
                R"(|1 - \omega\mu| < 1: \quad \omega < \frac{2}{\mu} = \frac{2}{@} = @)", Value(mu, 3),

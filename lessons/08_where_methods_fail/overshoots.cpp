@@ -81,7 +81,7 @@ void overshoots(const Setting& setting, Page& page) {
                           {here,
                            R"(The limit is (1 − q)/q, and q is what the sweeps leave of the slowest wave: longer
                            waves, more left.)"}},
-                .hint = "How many sweeps does a wave take that is twice as long?",
+                .hints = {"How many sweeps does a wave take that is twice as long?"},
                 .right = "1 − q is what the sweeps take of the slowest wave, and it falls with N²."});
 
   const Film<PlaneParticle> chains = film(links, sweeps, beta);

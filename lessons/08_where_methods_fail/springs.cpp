@@ -42,7 +42,7 @@ void springs(const Setting& setting, Page& page) {
                  {4,
                   R"(Damping is explicit as well: it pushes with last step's velocity, and too much of it turns the
                   mass round in one step.)"}},
-       .hint = "For a very stiff damper, what is the velocity after one step?",
+       .hints = {"For a very stiff damper, what is the velocity after one step?"},
        .right = "2(√2 − 1): damping makes it worse."});
   page.formula(
       "ωh < 2(√(1 + ζ²) − ζ):   @ at ζ = 0, @ at ζ = 1",

@@ -79,7 +79,7 @@ void too_few_iterations(const Setting& setting, Page& page) {
        .wrong = {{2.0 * for_few,
                   "Not only are there twice as many contacts: bending is slower by N⁴, toppling by N."},
                  {16.0 * for_few, "N⁴ is what a sweep leaves; but a tall column also topples more slowly, by N."}},
-       .hint = "What a sweep takes falls with N⁴. What gravity adds falls with N.",
+       .hints = {"What a sweep takes falls with N⁴. What gravity adds falls with N."},
        .right = "N⁴ for the bending, less N for the toppling: about the cube."});
 
   const Film<PlaneBody> stacks = film(boxes, sweeps);

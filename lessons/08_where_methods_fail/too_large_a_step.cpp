@@ -84,7 +84,7 @@ void too_large_a_step(const Setting& setting, Page& page) {
        .wrong = {{limit,
                   "It is exact for a frozen J: sideways the tension is an explicit spring, and T·h² counts."},
                  {2 * limit, "ω grows with the root of the tension, so ωh < 2 allows four times as much."}},
-       .hint = "ω² = T/(ml), and ωh has to stay below 2.",
+       .hints = {"ω² = T/(ml), and ωh has to stay below 2."},
        .right = "T h² counts: half the step, four times the load."});
   page.formula(
       "ω_max h < 2,   about T h²/(m l) < 1:   @ kg at @ Hz",

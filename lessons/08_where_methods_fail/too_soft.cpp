@@ -73,7 +73,7 @@ void too_soft(const Setting& setting, Page& page) {
                   "Stiffness goes with the square of the frequency, and height with its cube root."},
                  {4.0 * highest, "k is four times as large, but N³ is what it bears."},
                  {static_cast<double>(highest), "Stiffness is the one thing that helps."}},
-       .hint = "k grows with ω², and N³ with k.",
+       .hints = {"k grows with ω², and N³ with k."},
        .right = "The cube root of four: 1.59 times as many."});
 
   const Film<PlaneBody> stacks = film(filmed, hertz);

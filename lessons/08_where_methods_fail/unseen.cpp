@@ -38,7 +38,7 @@ void unseen(const Setting& setting, Page& page) {
                   R"(Between two steps a ball jumps half a metre; the solver cannot solve a contact that it is
                   never told of.)"},
                  {static_cast<double>(balls), "Some happen to be near when a step looks."}},
-       .hint = "How far does a ball go in a step, and along how much of that is it seen?",
+       .hints = {"How far does a ball go in a step, and along how much of that is it seen?"},
        .right =
            "A ball is seen along its radius, the margin and half of the wall; the rest of its step it is not."});
   page.text(

@@ -100,7 +100,7 @@ void which_knob(const Setting&, Page& page) {
                    {"substeps", "If sweeps change nothing, the rows are solved: it is the step."},
                    {"softness", "A soft rod stretches; sideways the tension pulls as before."}},
        .answer = 2,
-       .hint = "Sweeps change nothing. Which family is that?"});
+       .hints = {"Sweeps change nothing. Which family is that?"}});
   renderer::Chart picture;
   const std::vector<std::string> knobs{"none",
                                        say("@ × sweeps", times),

@@ -118,7 +118,7 @@ void wrong_rows(const Setting& setting, Page& page) {
                            R"(Each step corrects the other's correction, and warm start keeps the sum; look at λ,
                            not at the picture.)"},
                           {4 * half, "Nothing feeds on itself here: each step adds the same."}},
-                .hint = "How much does each step add?",
+                .hints = {"How much does each step add?"},
                 .right = "It grows by the same in every step, for ever."});
   page.figure("quarrel",
               say(R"(What two rods that differ by @ m pull against each other with: rigid, and with softness, in

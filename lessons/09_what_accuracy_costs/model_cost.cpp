@@ -103,7 +103,7 @@ void model_cost(Page& page) {
        .tolerance = 0.1,
        .wrong = {{1.5, "That is one axis more to move along. A body in space also turns, about three."},
                  {2, "Three axes to move along, and three to turn about."}},
-       .hint = "Count axes to move along and axes to turn about.",
+       .hints = {"Count axes to move along and axes to turn about."},
        .right = say("@ instead of @ a body.", most.degrees / links, least.degrees / links)});
   page.figure("models",
               R"(What one body of the chain takes in each model, with its rod: the numbers it moves with, its state

@@ -59,7 +59,7 @@ void order_is_the_slope(Page& page) {
       .ask =
           R"(Halve the time step. The error of the bob's *place* after a second is divided by what, with symplectic
           Euler (β = 1), and with RATTLE?)",
-      .hint = "Look at the legend: an error of order p is divided by 2ᵖ."};
+      .hints = {"Look at the legend: an error of order p is divided by 2ᵖ."}};
   for (const auto& [one, two] : {std::pair{2, 2}, std::pair{2, 4}, std::pair{4, 4}}) {
     if (nearest(first) == one && nearest(second) == two)
       question.answer = static_cast<int>(question.options.size());

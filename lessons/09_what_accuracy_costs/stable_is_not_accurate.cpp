@@ -98,7 +98,7 @@ void stable_is_not_accurate(Page& page) {
        .tolerance = 4,
        .wrong = {{100, "Stable and on the constraint, and wrong: the velocity is read off a chord."},
                  {70, "Worse. It loses that much in the first seconds, and goes on."}},
-       .hint = "The velocity is read off the chord between two points of the circle.",
+       .hints = {"The velocity is read off the chord between two points of the circle."},
        .right = "Its error is of first order in the step, and all of one sign."});
   page.measure("XPBD, energy left", left, "%");
   const SimplePendulum exact(problem["angle"] * std::numbers::pi / 180, length, problem["gravity"]);

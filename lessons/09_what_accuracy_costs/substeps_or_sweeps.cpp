@@ -39,7 +39,7 @@ void substeps_or_sweeps(Page& page) {
       64, ten["links"]);
   tutor::Choice question{.ask = "Which comes nearest to the true motion after a second (each with its best β)?",
                          .answer = static_cast<int>(best),
-                         .hint = "What is wrong with a step that is solved very exactly?"};
+                         .hints = {"What is wrong with a step that is solved very exactly?"}};
   for (std::size_t i = 0; i < ways.size(); ++i) {
     const auto [substeps, sweeps] = ways[i];
     question.options.push_back(

@@ -31,7 +31,7 @@ void what_the_step_hides(Page& page) {
        .wrong = {{0, "The rows are solved to rounding then. The step is still as long as it was."},
                  {some[Error::trajectory] * std::sqrt(static_cast<double>(some.knob) / many.knob),
                   "Sweeps do not buy time: after a few the rows are as good as solved."}},
-       .hint = "What would a direct solve of the same step give?",
+       .hints = {"What would a direct solve of the same step give?"},
        .right = say(R"(The plateau is the step's own error; the direct solve of the same steps is @ m off. Change
                     h, not the sweeps.)",
                     Value(exact[Error::trajectory], 4))});

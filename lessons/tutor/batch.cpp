@@ -29,6 +29,8 @@ void print(const RecordedStep& recorded, const Lesson& lesson, const PictureWrit
             words += item_text(it, style) + caption_text(it.caption, pictures.path(it), style);
           else if constexpr (std::is_same_v<Kind, Sequence>)
             words += caption_text(it.caption, pictures.path(it), style);
+          else if constexpr (std::is_same_v<Kind, Derivation>)
+            words += derivation_text(it, style);
           else if constexpr (std::is_same_v<Kind, Prediction> || std::is_same_v<Kind, Choice>)
             words += item_text(it, style) + "\n  Answer\n" + answer_text(it, style);
           else

@@ -17,9 +17,9 @@ std::string trimmed(std::string_view line) {
 
 Command parse_command(const Lesson& lesson, std::string_view line) {
   using Kind = Command::Kind;
-  static const std::map<std::string, Kind> keys = {{"", Kind::next},  {"b", Kind::back}, {"d", Kind::deeper},
-                                                   {"h", Kind::hint}, {"s", Kind::show}, {"r", Kind::repeat},
-                                                   {"?", Kind::help}, {"q", Kind::quit}};
+  static const std::map<std::string, Kind> keys = {
+      {"", Kind::next},   {"b", Kind::back}, {"d", Kind::deeper}, {"h", Kind::hint}, {"hint", Kind::hint},
+      {"why", Kind::why}, {"s", Kind::show}, {"r", Kind::repeat}, {"?", Kind::help}, {"q", Kind::quit}};
   const std::string words = trimmed(line);
   if (const auto key = keys.find(words); key != keys.end()) return {key->second, "", ""};
 

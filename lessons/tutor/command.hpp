@@ -9,7 +9,7 @@ class Lesson;
 
 /// A line that a reader typed at a prompt.
 struct Command {
-  enum class Kind { next, back, deeper, hint, show, repeat, help, quit, set, query, answer };
+  enum class Kind { next, back, deeper, hint, why, show, repeat, help, quit, set, query, answer };
   Kind kind = Kind::answer;
   std::string name = {};   // of the parameter, for set and query
   std::string value = {};  // new value of the parameter, or the answer

@@ -51,6 +51,9 @@ class Dialogue {
   std::optional<Move> execute(const Command& command, size_t item);
   std::optional<Move> answer(const std::string& words, size_t item);
   void change(const Command& command, size_t item);
+  void print_answer(size_t item) const;
+  void hint(size_t item);
+  void why(size_t item) const;
   void help() const;
   void print_prompt(size_t item) const;
   bool goes_deeper() const { return at_ + 1 < lesson_.steps().size() && lesson_.steps()[at_ + 1].deeper; }
@@ -70,8 +73,9 @@ class Dialogue {
   PictureWriter pictures_;
   Style style_;
   TerminalView view_;
-  size_t at_ = 0;  // index of the current step
-  Page page_;      // of the current step
+  size_t at_ = 0;           // index of the current step
+  Page page_;               // of the current step
+  size_t hints_given_ = 0;  // of the present question
   bool bookmark_saved_ = true;
 };
 
@@ -152,6 +156,7 @@ void Dialogue::print_prompt(size_t item) const {
 }
 
 Dialogue::Move Dialogue::prompt_until_done(size_t item) {
+  hints_given_ = 0;
   while (true) {
     print_prompt(item);
     const auto line = keyboard_.line();
@@ -169,7 +174,9 @@ Dialogue::Move Dialogue::prompt_until_done(size_t item) {
 std::optional<Dialogue::Move> Dialogue::execute(const Command& command, size_t item) {
   const bool asking = item < page_.items().size();
   switch (command.kind) {
-    case Command::Kind::next: return Move::next;
+    case Command::Kind::next:
+      if (asking) print_answer(item);
+      return Move::next;
     case Command::Kind::repeat: return Move::repeat;
     case Command::Kind::quit: return Move::quit;
     case Command::Kind::back:
@@ -180,15 +187,11 @@ std::optional<Dialogue::Move> Dialogue::execute(const Command& command, size_t i
       if (goes_deeper()) return Move::deeper;
       print_line("Nothing goes deeper here.");
       break;
-    case Command::Kind::hint: {
-      const std::string hint =
-          asking ? of_question(page_.items()[item], [](const auto& q) { return q.hint; }) : "";
-      print_line("{}", !asking ? "There is no question here." : hint.empty() ? "This one has no hint." : hint);
-      break;
-    }
+    case Command::Kind::hint: hint(item); break;
+    case Command::Kind::why: why(item); break;
     case Command::Kind::show:
       if (asking) {
-        fmt::print("{}", of_question(page_.items()[item], [&](const auto& q) { return answer_text(q, style_); }));
+        print_answer(item);
         return Move::answered;
       }
       print_line("There is no question here.");
@@ -204,6 +207,32 @@ std::optional<Dialogue::Move> Dialogue::execute(const Command& command, size_t i
   return std::nullopt;
 }
 
+void Dialogue::print_answer(size_t item) const {
+  fmt::print("{}", of_question(page_.items()[item], [&](const auto& q) { return answer_text(q, style_); }));
+}
+
+/// The next hint of the question; after the last one, the last one again.
+void Dialogue::hint(size_t item) {
+  if (item >= page_.items().size()) return print_line("There is no question here.");
+  const auto hints = of_question(page_.items()[item], [](const auto& q) { return q.hints; });
+  if (hints.empty()) return print_line("This question has no hint.");
+  print_line("{}", hints[std::min(hints_given_, hints.size() - 1)]);
+  ++hints_given_;
+  if (hints_given_ < hints.size()) print_line("`hint` says more.");
+}
+
+/// The derivations above this item, line by line.
+void Dialogue::why(size_t item) const {
+  bool derived = false;
+  for (size_t i = 0; i < std::min(item, page_.items().size()); ++i) {
+    const auto* derivation = std::get_if<Derivation>(&page_.items()[i]);
+    if (!derivation) continue;
+    fmt::print("{}{}", derived ? "\n" : "", derivation_text(*derivation, style_));
+    derived = true;
+  }
+  if (!derived) print_line("There is no derivation in this step so far.");
+}
+
 std::optional<Dialogue::Move> Dialogue::answer(const std::string& words, size_t item) {
   if (item >= page_.items().size()) {
     print_line("There is no question here, and no key or parameter is called \"{}\": `?` lists them.", words);
@@ -211,8 +240,10 @@ std::optional<Dialogue::Move> Dialogue::answer(const std::string& words, size_t 
   }
   const Grade given =
       of_question(page_.items()[item], [&](const auto& question) { return grade(question, words); });
-  const std::string sign = given.right ? toned("Yes.", Tone::good, style_) : "";
-  fmt::print("{}", wrapped(sign + (sign.empty() ? "" : " ") + given.reply, style_, 2));
+  const std::string sign = given.right        ? toned("Yes.", Tone::good, style_) + " "
+                           : given.understood ? toned("No.", Tone::bad, style_) + " "
+                                              : "";
+  fmt::print("{}", wrapped(sign + given.reply, style_, 2));
   if (given.right) return Move::answered;
   return std::nullopt;
 }
@@ -248,7 +279,8 @@ void Dialogue::help() const {
   fmt::print("{}", table({{"Enter", "go on"},
                           {"b", "back to the step before"},
                           {"d", "deeper, where a step offers it"},
-                          {"h", "a hint for the question"},
+                          {"h", "a hint for the question, the next one each time"},
+                          {"why", "the derivation, line by line, where the text offers one"},
                           {"s", "show the answer"},
                           {"r", "read this step again"},
                           {"q", "leave; the lesson remembers where"}},

@@ -8,7 +8,8 @@ namespace byhand::tutor {
 
 struct Grade {
   bool right = false;
-  std::string reply;  // one sentence or two
+  bool understood = true;  // as an answer, right or wrong
+  std::string reply;       // one sentence or two
 };
 
 /// Grades a number: "−0.42", "1/10", with or without the unit. A listed wrong answer gets its own reply; text that

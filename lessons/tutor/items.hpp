@@ -32,6 +32,23 @@ struct Excerpt {
   std::string code;
 };
 
+/// Each row has as many cells as `head`.
+struct Table {
+  std::vector<std::string> head;
+  std::vector<std::vector<std::string>> rows;
+};
+
+/// `why` names the rule or the equation that gives this line from the one before.
+struct DerivationLine {
+  std::string why, plain, latex;
+};
+
+/// A law, line by line. Folded: a reader opens it.
+struct Derivation {
+  std::string title;
+  std::vector<DerivationLine> lines;
+};
+
 /// A result that is compared with its old value when a parameter changes.
 struct Measure {
   std::string quantity;
@@ -81,20 +98,22 @@ struct WrongAnswer {
 };
 
 /// Asks the reader to predict a number with its sign. An answer is right within `tolerance` (in `unit`); wrong
-/// answers are recognised within it too. A wrong answer within the tolerance of another answer is dropped; at the
-/// default parameters it is a LessonError.
+/// answers are recognised within it too. A missing sign and factors ½, 2, h, g, L are recognised by themselves;
+/// `wrong` is for misconceptions with a sentence of their own. `hints` come one by one: what to look at, the
+/// equation, the first line of the answer. A wrong answer within the tolerance of another answer is dropped; at
+/// the default parameters it is a LessonError.
 struct Prediction {
   std::string ask = {};
   double answer = 0;
   std::string unit = {};
   double tolerance = 0;
   std::vector<WrongAnswer> wrong = {};
-  std::string hint = {};
-  std::string right = {};  // reply to the right answer, also printed on the page
+  std::vector<std::string> hints = {};
+  std::string right = {};  // explains the answer: to a right answer, to a reader who passes, and on the page
 };
 
 struct Option {
-  std::string words, reply;  // `reply`: to a reader who chooses it
+  std::string words, reply;  // `reply`: to a reader who chooses it, after "Yes." or "No."
 };
 
 /// Multiple choice. `answer` is the index of the right option, found by the run.
@@ -102,7 +121,7 @@ struct Choice {
   std::string ask = {};
   std::vector<Option> options = {};
   int answer = 0;
-  std::string hint = {};
+  std::vector<std::string> hints = {};
 };
 
 /// Allowed difference between measured and expected value, inclusive. A value that is not finite never meets it.
@@ -134,6 +153,7 @@ struct Claim {
   bool is_false() const { return claimed && !holds(); }
 };
 
-using Item = std::variant<Text, Equation, Excerpt, Measure, Figure, Sequence, Prediction, Choice, Claim>;
+using Item =
+    std::variant<Text, Equation, Excerpt, Table, Derivation, Measure, Figure, Sequence, Prediction, Choice, Claim>;
 
 }  // namespace byhand::tutor

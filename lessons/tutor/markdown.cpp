@@ -74,8 +74,21 @@ class PageWriter {
     paragraph(fmt::format("`{}`, line {}:\n\n```cpp\n{}```\n", excerpt.file, excerpt.line, excerpt.code));
   }
 
+  void operator()(const tutor::Table& table) {
+    std::string lines = row(table.head) + rule(table.head.size());
+    for (const auto& cells : table.rows) lines += row(cells);
+    paragraph(lines);
+  }
+
+  void operator()(const Derivation& derivation) {
+    std::string lines;
+    for (const DerivationLine& line : derivation.lines)
+      lines += fmt::format("{}{}:\n\n$$\n{}\n$$\n", lines.empty() ? "" : "\n", line.why, line.latex);
+    paragraph(details(derivation.title, lines));
+  }
+
   void operator()(const Measure& measure) {
-    table_row(Table::measures, {"quantity", "value"}, {measure.quantity, quantity(measure.value, measure.unit)});
+    table_row(Columns::measures, {"quantity", "value"}, {measure.quantity, quantity(measure.value, measure.unit)});
   }
 
   void operator()(const Figure& figure) {
@@ -96,7 +109,7 @@ class PageWriter {
     std::string answer = fmt::format("**{}**. {}\n", quantity(question.answer, question.unit, 4), question.right);
     for (const WrongAnswer& wrong : question.wrong)
       answer += fmt::format("\nNot {}: {}\n", quantity(wrong.value, question.unit, 4), wrong.reply);
-    ask(question.ask, question.hint, answer);
+    ask(question.ask, question.hints, answer);
   }
 
   void operator()(const Choice& question) {
@@ -108,38 +121,39 @@ class PageWriter {
       answer += fmt::format("{}{}{}. {}{} {}\n", index == 1 ? "" : "\n", right ? "**" : "Not ", index,
                             option.words, right ? "**." : ":", option.reply);
     }
-    ask(words, question.hint, answer);
+    ask(words, question.hints, answer);
   }
 
   void operator()(const Claim& claim) {
     const std::string range = claim.range.empty() ? "" : fmt::format(" (for {})", claim.range);
-    table_row(Table::claims, {"claim", "measured", "expected", "according to", "verdict"},
+    table_row(Columns::claims, {"claim", "measured", "expected", "according to", "verdict"},
               {claim.quantity + range, measurement(claim), expectation(claim), claim.source, verdict(claim)});
   }
 
  private:
-  enum class Table { none, measures, claims };
+  enum class Columns { none, measures, claims };
 
   void paragraph(const std::string& words) {
     page_ += "\n" + words;
-    table_ = Table::none;
+    columns_ = Columns::none;
   }
 
-  void table_row(Table table, const std::vector<std::string>& head, const std::vector<std::string>& cells) {
-    if (table_ != table) page_ += "\n" + row(head) + rule(head.size());
+  void table_row(Columns columns, const std::vector<std::string>& head, const std::vector<std::string>& cells) {
+    if (columns_ != columns) page_ += "\n" + row(head) + rule(head.size());
     page_ += row(cells);
-    table_ = table;
+    columns_ = columns;
   }
 
-  void ask(const std::string& words, const std::string& hint, const std::string& answer) {
+  void ask(const std::string& words, const std::vector<std::string>& hints, const std::string& answer) {
     paragraph("**Before you read on.** " + words + (words.ends_with('\n') ? "" : "\n"));
-    if (!hint.empty()) paragraph(details("Hint", hint + "\n"));
+    for (size_t i = 0; i < hints.size(); ++i)
+      paragraph(details(hints.size() == 1 ? "Hint" : fmt::format("Hint {}", i + 1), hints[i] + "\n"));
     paragraph(details("Answer", answer));
   }
 
   std::string& page_;
   FramesWanted frames_;
-  Table table_ = Table::none;
+  Columns columns_ = Columns::none;
 };
 
 std::string parameters(const Lesson& lesson) {

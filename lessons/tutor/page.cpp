@@ -24,17 +24,26 @@ struct Unwrap {
   void operator()(Sequence& sequence) const { unwrap(sequence.caption); }
   void operator()(Prediction& question) const {
     unwrap(question.ask);
-    unwrap(question.hint);
+    for (std::string& hint : question.hints) unwrap(hint);
     unwrap(question.right);
     for (WrongAnswer& wrong : question.wrong) unwrap(wrong.reply);
   }
   void operator()(Choice& question) const {
     unwrap(question.ask);
-    unwrap(question.hint);
+    for (std::string& hint : question.hints) unwrap(hint);
     for (Option& option : question.options) {
       unwrap(option.words);
       unwrap(option.reply);
     }
+  }
+  void operator()(Table& table) const {
+    for (std::string& cell : table.head) unwrap(cell);
+    for (auto& row : table.rows)
+      for (std::string& cell : row) unwrap(cell);
+  }
+  void operator()(Derivation& derivation) const {
+    unwrap(derivation.title);
+    for (DerivationLine& line : derivation.lines) unwrap(line.why);
   }
   void operator()(auto&) const {}  // formulas and excerpts keep their lines
 
@@ -58,6 +67,23 @@ void Page::equation(int number, Formula numbers) {
 
 void Page::excerpt(const std::string& file, const std::string& tag) {
   add(read_excerpt(BYHAND_SOURCE_DIR, file, tag));
+}
+
+void Page::table(std::vector<std::string> head, std::vector<std::vector<std::string>> rows) {
+  for (const auto& row : rows)
+    if (row.size() != head.size())
+      throw LessonError(fmt::format("the table of \"{}\" has {} columns, but a row of {} cells",
+                                    head.empty() ? "" : head.front(), head.size(), row.size()));
+  add(Table{std::move(head), std::move(rows)});
+}
+
+void Page::derivation(std::string title, std::vector<DerivationLine> lines) {
+  if (lines.empty()) throw LessonError(fmt::format("the derivation \"{}\" has no lines", title));
+  for (const DerivationLine& line : lines)
+    if (line.why.empty() || line.plain.empty() || line.latex.empty())
+      throw LessonError(fmt::format("the derivation \"{}\" has a line \"{}\" without its reason or its formula",
+                                    title, line.plain + line.latex + line.why));
+  add(Derivation{std::move(title), std::move(lines)});
 }
 
 void Page::measure(std::string quantity, double value, std::string unit) {

@@ -53,6 +53,13 @@ class Page {
   /// "solver/row.hpp"). Throws LessonError when the file or the pair of markers is missing.
   void excerpt(const std::string& file, const std::string& tag);
 
+  /// `page.table({"symbol", "meaning", "unit"}, {{"d", "P₂ − P₁", "m"}, …})`; cells may use emphasis.
+  void table(std::vector<std::string> head, std::vector<std::vector<std::string>> rows);
+
+  /// A derivation, folded: <details> on the page; `why` opens it at a terminal.
+  /// `page.derivation("Why β < 2", {{"(21) with JV = 0", "C′ = C + hJV", R"(C' = C + hJV)"}, …})`
+  void derivation(std::string title, std::vector<DerivationLine> lines);
+
   /// A result. When a parameter changes, its old and new value are printed on one line.
   void measure(std::string quantity, double value, std::string unit);
 

@@ -117,6 +117,25 @@ std::string item_text(const Excerpt& excerpt, const Style& style) {
          toned(folded(excerpt.code, style, 4), Tone::code, style);
 }
 
+std::string item_text(const Table& table, const Style& style) {
+  auto rows = table.rows;
+  rows.insert(rows.begin(), table.head);
+  for (std::string& cell : rows.front())
+    if (!cell.empty()) cell = "**" + cell + "**";
+  return tutor::table(rows, style, 2);
+}
+
+std::string item_text(const Derivation& derivation, const Style& style) {
+  return wrapped(derivation.title + ": `why` shows it line by line.", style, 2);
+}
+
+std::string derivation_text(const Derivation& derivation, const Style& style) {
+  std::string lines = wrapped("**" + derivation.title + "**", style, 2);
+  for (const DerivationLine& line : derivation.lines)
+    lines += formula(line.plain, "", style) + wrapped(line.why, style, 10);
+  return lines;
+}
+
 std::string item_text(const Measure& measure, const Style& style) {
   return toned("  " + measure.quantity + " = ", Tone::quiet, style) + quantity(measure.value, measure.unit) + "\n";
 }

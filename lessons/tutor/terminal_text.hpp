@@ -22,6 +22,10 @@ std::string closing_text(const Lesson& lesson, const Style& style);
 std::string item_text(const Text& text, const Style& style);
 std::string item_text(const Equation& equation, const Style& style);
 std::string item_text(const Excerpt& excerpt, const Style& style);
+std::string item_text(const Table& table, const Style& style);
+/// Its title alone; derivation_text has its lines.
+std::string item_text(const Derivation& derivation, const Style& style);
+std::string derivation_text(const Derivation& derivation, const Style& style);
 std::string item_text(const Measure& measure, const Style& style);
 std::string item_text(const Claim& claim, const Style& style);
 std::string item_text(const Prediction& question, const Style& style);

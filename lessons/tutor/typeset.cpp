@@ -4,12 +4,14 @@
 #include <glib.h>
 
 #include <algorithm>
+#include <numeric>
 #include <sstream>
 
 namespace byhand::tutor {
 namespace {
 
 constexpr char escape = '\033';
+constexpr int narrowest_column = 8;
 
 std::string_view code_of(Tone tone) {
   switch (tone) {
@@ -173,12 +175,61 @@ std::string folded(std::string_view lines, const Style& style, int indent) {
   return all;
 }
 
-std::string table(const std::vector<std::vector<std::string>>& rows, int indent) {
+namespace {
+
+using Rows = std::vector<std::vector<std::string>>;
+
+std::vector<int> column_widths(const Rows& rows) {
   std::vector<int> widths;
   for (const auto& row : rows) {
     widths.resize(std::max(widths.size(), row.size()));
     for (size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], display_width(row[i]));
   }
+  return widths;
+}
+
+std::vector<std::string> lines_of(const std::string& words) {
+  std::vector<std::string> all;
+  std::istringstream stream(words);
+  for (std::string line; std::getline(stream, line);) all.push_back(line);
+  return all;
+}
+
+}  // namespace
+
+std::string table(const Rows& rows, const Style& style, int indent) {
+  Rows shown = rows;
+  for (auto& row : shown)
+    for (std::string& cell : row) cell = with_emphasis(cell, style);
+  std::vector<int> widths = column_widths(shown);
+  const int gaps = 2 * static_cast<int>(widths.size()) - 2;
+  while (std::accumulate(widths.begin(), widths.end(), indent + gaps) > style.width) {
+    const auto widest = std::max_element(widths.begin(), widths.end());
+    if (*widest <= narrowest_column) break;
+    --*widest;
+  }
+  std::string all;
+  for (const auto& row : rows) {
+    Rows cells;  // the lines of each cell
+    size_t height = 1;
+    for (size_t i = 0; i < row.size(); ++i) {
+      Style column = style;
+      column.width = widths[i];
+      cells.push_back(lines_of(wrapped(row[i], column)));
+      height = std::max(height, cells.back().size());
+    }
+    for (size_t line = 0; line < height; ++line) {
+      std::string words = indentation(indent);
+      for (size_t i = 0; i < cells.size(); ++i)
+        words += padded(line < cells[i].size() ? cells[i][line] : "", widths[i] + 2);
+      all += words.erase(words.find_last_not_of(' ') + 1) + "\n";
+    }
+  }
+  return all;
+}
+
+std::string table(const std::vector<std::vector<std::string>>& rows, int indent) {
+  const std::vector<int> widths = column_widths(rows);
   std::string all;
   for (const auto& row : rows) {
     std::string line = indentation(indent);

@@ -38,4 +38,8 @@ std::string folded(std::string_view lines, const Style& style, int indent);
 /// Rows in columns, each as wide as its widest cell, two blanks apart.
 std::string table(const std::vector<std::vector<std::string>>& rows, int indent = 0);
 
+/// The same within `style.width` columns: cells of the widest columns continue on further lines. Cells may use
+/// *emphasis*.
+std::string table(const std::vector<std::vector<std::string>>& rows, const Style& style, int indent = 0);
+
 }  // namespace byhand::tutor

@@ -92,6 +92,11 @@ Value::Value(double value, int digits) : plain_(number(value, digits)), latex_(l
 Value::Value(const std::vector<double>& list)
     : plain_(list_of(list, number)), latex_(list_of(list, latex_number)) {}
 
+std::string several(long n, std::string_view one, std::string_view many) {
+  const std::string words = n == 1 ? std::string(one) : many.empty() ? std::string(one) + "s" : std::string(many);
+  return Value(n).plain() + " " + words;
+}
+
 std::string unwrapped(std::string_view source) {
   std::string words;
   bool new_paragraph = false;

@@ -57,6 +57,9 @@ struct Formula {
   std::string plain, latex;
 };
 
+/// "1 box", "2 boxes"; without `many`, "3 links" from "link".
+std::string several(long n, std::string_view one, std::string_view many = {});
+
 /// Replaces each `@` by the next value. Throws LessonError unless there are as many values as marks.
 std::string fill(std::string_view words, const std::vector<Value>& values);
 Formula fill(std::string_view plain, std::string_view latex, const std::vector<Value>& values);

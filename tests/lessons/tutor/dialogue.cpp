@@ -93,8 +93,19 @@ TEST_F(Dialogue, WrongPredictionsGetTheirOwnReplyAndAnotherTry) {
 TEST_F(Dialogue, HintsAndShows) {
   Terminal reader = open();
   reader.expect(prompt);
+  reader.enter("why");
+  reader.expect("There is no derivation in this step so far.");
+  reader.expect(prompt);
   reader.enter("h");
-  reader.expect("Multiply by the same number each time.");
+  reader.expect("Look at what one step leaves.");
+  reader.expect(prompt);
+  reader.enter("hint");
+  reader.expect("A step leaves (1 − β) of the error.");
+  for (int i = 0; i < 2; ++i) {
+    reader.expect(prompt);
+    reader.enter("hint");
+    reader.expect("Multiply by the same number each time.");
+  }
   reader.expect(prompt);
   reader.enter("s");
   reader.expect("0.03277 m");
@@ -103,12 +114,32 @@ TEST_F(Dialogue, HintsAndShows) {
   reader.expect("There is no question here.");
 }
 
+TEST_F(Dialogue, AReaderWhoPassesGetsTheExplanation) {
+  Terminal reader = open();
+  reader.expect(prompt);
+  reader.enter("");
+  reader.expect("0.03277 m");
+  reader.expect("(1 − β)ⁿ is left");
+  reader.expect("Enter goes on");
+}
+
+TEST_F(Dialogue, WhyOpensADerivation) {
+  Terminal reader = open();
+  reader.expect(prompt);
+  reader.enter("s");
+  reader.expect("Why (1 − β)ⁿ: `why` shows it line by line.");
+  EXPECT_THAT(reader.said_until(prompt), Not(HasSubstr("C₀")));
+  reader.enter("why");
+  reader.expect("Cₙ = (1 − β)ⁿ C₀");
+  reader.expect("n steps, one after the other");
+}
+
 TEST_F(Dialogue, AChoiceIsGradedByNumberOrWords) {
   Terminal reader = open({"--step", "2"});
   reader.expect("Does it settle?");
   reader.expect(prompt);
   reader.enter("2");
-  reader.expect("Each step leaves more than there was.");
+  reader.expect("No. Each step leaves more than there was.");
   reader.expect(prompt);
   reader.enter("3");
   reader.expect("type a number from 1 to 2");
@@ -158,7 +189,7 @@ TEST_F(Dialogue, FractionsAreNumbersAndKeysMayBeNames) {
   reader.expect("bob: disc → box");
   reader.expect(prompt);
   reader.enter("h");
-  reader.expect("Multiply by the same number each time.");
+  reader.expect("Look at what one step leaves.");
 }
 
 TEST_F(Dialogue, ABadValueIsRefusedInASentenceAndChangesNothing) {

@@ -108,6 +108,15 @@ const std::vector<Misuse> misuses = {
      [](Page& page) {
        page.choose({.ask = "Which?", .options = {{"a", ""}, {"b", ""}}, .answer = 2});
      }},
+    {"RowOfATableTooShort", "2 columns, but a row of 1 cells",
+     [](Page& page) {
+       page.table({"symbol", "meaning"}, {{"d"}});
+     }},
+    {"DerivationWithoutLines", "has no lines", [](Page& page) { page.derivation("Why", {}); }},
+    {"DerivationWithoutAReason", "without its reason",
+     [](Page& page) {
+       page.derivation("Why", {{"", "C = 0", "C = 0"}});
+     }},
     {"PictureTwice", "two pictures are called twice",
      [](Page& page) {
        for (int i = 0; i < 2; ++i) page.figure("twice", "A picture.", [](renderer::Canvas&) {});

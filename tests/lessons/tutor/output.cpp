@@ -69,8 +69,10 @@ TEST(Output, ThePageHoldsWhatTheLessonSays) {
        {"# 99. Fixture", "## 1 The error shrinks", "## 1a What a picture adds *(deeper)*",
         R"(JV = -\beta C \tag{22})", R"(JV = -0.2 \cdot 0.1\,\mathrm{m})",
         "const double corrected = error - beta * error;", "![The error, step by step.](figures/errors.png)",
-        "<details><summary>Answer</summary>", R"(| \|C\| at the end (for β < 2) | 0.032768 m |)",
-        "./lessons/run 99 --set beta=2.1"})
+        "<details><summary>Answer</summary>", "<details><summary>Hint 3</summary>",
+        "| symbol | meaning | unit |\n|---|---|---|\n| β |", "<details><summary>Why (1 − β)ⁿ</summary>",
+        "n steps, one after the other:\n\n$$\nC_n = (1 - \\beta)^n C_0\n$$",
+        R"(| \|C\| at the end (for β < 2) | 0.032768 m |)", "./lessons/run 99 --set beta=2.1"})
     EXPECT_THAT(page, HasSubstr(words));
 }
 

@@ -39,6 +39,14 @@ TEST(Say, PutsNumbersListsAndWordsInTheirPlaces) {
   EXPECT_EQ(formula.latex, R"(\lambda = -0.5)");
 }
 
+TEST(Several, CountsOneAndMany) {
+  EXPECT_EQ(several(1, "box", "boxes"), "1 box");
+  EXPECT_EQ(several(0, "box", "boxes"), "0 boxes");
+  EXPECT_EQ(several(2, "box", "boxes"), "2 boxes");
+  EXPECT_EQ(several(17, "link"), "17 links");
+  EXPECT_EQ(several(1, "link"), "1 link");
+}
+
 TEST(ReadNumber, TakesWhatPeopleType) {
   EXPECT_EQ(read_number("0.5"), 0.5);
   EXPECT_EQ(read_number("+.5"), 0.5);
@@ -106,6 +114,22 @@ TEST(Folded, KeepsShortLinesAsTheyAreAndBreaksLongOnesBetweenWords) {
   EXPECT_EQ(folded("JV = [ l₁  a₁ ]\n     [ l₂ ]", {40, false}, 2), "  JV = [ l₁  a₁ ]\n       [ l₂ ]\n");
   EXPECT_EQ(folded("  a quite long line of code that goes on;\n\nb", {24, false}, 2),
             "    a quite long line of\n        code that goes\n        on;\n\n  b\n");
+}
+
+TEST(TableOfWords, KeepsWithinTheWidthAndKeepsEveryWord) {
+  const std::vector<std::vector<std::string>> rows = {
+      {"**symbol**", "**meaning**", "unit"},
+      {"C̈", "a second derivative, said at such length that it goes on and on", "m/s²"}};
+  for (const int width : {30, 40, 80, 200}) {
+    std::istringstream lines(table(rows, Style{width, true}, 2));
+    std::string shown;
+    for (std::string line; std::getline(lines, line); shown += line + " ")
+      EXPECT_LE(display_width(line), width) << line;
+    std::istringstream words(
+        "symbol meaning unit C̈ a second derivative, said at such length that it goes on m/s²");
+    for (std::string word; words >> word;) EXPECT_NE(shown.find(word), std::string::npos) << word;
+  }
+  EXPECT_EQ(table({{"a", "b"}, {"ccc", "d"}}, Style{80, false}, 2), "  a    b\n  ccc  d\n");
 }
 
 TEST(ArticleEquation, IsThereFrom1To23InBothForms) {
