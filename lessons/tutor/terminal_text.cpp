@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "lessons/tutor/equations.hpp"
 #include "lessons/tutor/text_chart.hpp"
@@ -20,13 +21,8 @@ std::string formula(const std::string& block, const std::string& label, const St
   return toned(lines.substr(0, lines.size() - 1), Tone::formula, style) + "\n";
 }
 
-std::string tolerance(const Tolerance& tolerance) {
-  switch (tolerance.kind) {
-    case Tolerance::Kind::absolute: return " ± " + number(tolerance.size, 2);
-    case Tolerance::Kind::relative: return " ± " + number(100 * tolerance.size, 2) + " %";
-    default: return "";
-  }
-}
+/// Says of a size that numbers of double precision leave by themselves what it is.
+std::string if_rounding(double size) { return size > 0 && size < 1e-11 ? " (rounding)" : ""; }
 
 const Measure* find(const Page& page, const Measure& like) {
   for (const Item& item : page.items())
@@ -59,16 +55,24 @@ std::string verdict(const Claim& claim) {
 }
 
 std::string expectation(const Claim& claim) {
-  const std::string bound = claim.tolerance.kind == Tolerance::Kind::at_most    ? "≤ "
-                            : claim.tolerance.kind == Tolerance::Kind::at_least ? "≥ "
-                                                                                : "";
   const std::string unit = claim.unit.empty() || claim.unit == "1" ? "" : " " + claim.unit;
-  if (claim.tolerance.kind == Tolerance::Kind::relative)
-    return quantity(claim.expected, claim.unit) + tolerance(claim.tolerance);
-  return bound + number(claim.expected, 6) + tolerance(claim.tolerance) + unit;
+  const auto& [kind, size] = claim.tolerance;
+  switch (kind) {
+    case Tolerance::Kind::relative:
+      return quantity(claim.expected, claim.unit) + " ± " + number(100 * size, 2) + " %" + if_rounding(100 * size);
+    case Tolerance::Kind::absolute:
+      return number(claim.expected, 6) + " ± " + number(size, 2) + unit + if_rounding(size);
+    case Tolerance::Kind::at_most:
+      return "≤ " + quantity(claim.expected, claim.unit) + if_rounding(claim.expected);
+    case Tolerance::Kind::at_least: return "≥ " + quantity(claim.expected, claim.unit);
+  }
+  return "";
 }
 
-std::string measurement(const Claim& claim) { return quantity(claim.measured, claim.unit); }
+std::string measurement(const Claim& claim) {
+  const bool of_nothing = claim.expected == 0 || claim.tolerance.kind == Tolerance::Kind::at_most;
+  return quantity(claim.measured, claim.unit) + (of_nothing ? if_rounding(std::abs(claim.measured)) : "");
+}
 
 std::string heading_text(const Lesson& lesson, const Style& style) {
   return "\n" + toned(fmt::format("{}. {}", lesson.number(), lesson.about().title), Tone::title, style) + "\n" +

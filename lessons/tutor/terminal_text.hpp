@@ -11,7 +11,7 @@ namespace byhand::tutor {
 
 /// A claim in words, the same on the terminal, in Markdown and in the table.
 std::string verdict(const Claim& claim);      // "holds", "false", "not claimed"
-std::string expectation(const Claim& claim);  // "2.006 s ± 0.1 %", "≤ 1e-9 m"
+std::string expectation(const Claim& claim);  // "2.006 s ± 0.1 %", "≤ 10⁻⁹ m", "0 ± 10⁻¹² m (rounding)"
 std::string measurement(const Claim& claim);  // "2.007 s"
 std::string quantity(double value, const std::string& unit, int digits = 6);
 
