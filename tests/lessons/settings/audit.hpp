@@ -1,0 +1,71 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "lessons/tutor/lesson.hpp"
+#include "tests/lessons/settings/rules.hpp"
+#include "tests/lessons/settings/settings.hpp"
+
+namespace byhand::tests {
+
+/// How much of a lesson to try.
+struct Extent {
+  int random = 200;       // random settings
+  unsigned seed = 1;      // of them, and of the order of the pairs
+  bool pairs = true;      // of ends of two parameters
+  double seconds = 1e9;   // of the processor for each step; what does not fit is left out and counted
+  bool all_steps = true;  // also those that no parameter changes
+  Setting base = {};      // instead of defaults where nothing else is said; random settings keep it
+};
+
+/// Sentences alike but for their numbers that break the same rule in the same step.
+struct Failure {
+  std::string step, command;  // the first setting that does
+  Finding finding;
+  int settings = 0;  // how many do
+};
+
+/// Runs the steps of a lesson at many settings and holds each page against the rules. A step that does not change
+/// with a parameter, as seen at the ends of its range, runs once for all its values.
+class Audit {
+ public:
+  Audit(tutor::Lesson& lesson, Extent extent);
+
+  const std::vector<Failure>& failures() const { return failures_; }
+  int runs() const { return runs_; }
+  /// "step 7: 120 of 300 settings", for each step that took too long.
+  std::vector<std::string> left_out() const;
+
+ private:
+  struct StepState {
+    std::string page;               // at the base: all it says and draws
+    std::set<std::string> depends;  // parameters that change it
+    double seconds = 0;             // taken
+    int tried = 0, wanted = 0;      // settings
+  };
+
+  void try_ends();
+  void try_suggestions();
+  void try_random();
+  void try_pairs();
+  /// What the step says at the setting, without those parameters that it does not depend on; nothing if its time
+  /// is up.
+  std::optional<std::string> try_step(const tutor::Step& step, const Setting& setting);
+  std::vector<Finding> findings(const tutor::Step& step, const Setting& setting, std::string& page);
+  bool may_depend(const tutor::Step& step, const tutor::ParameterRecord& parameter) const;
+  Setting relevant(const tutor::Step& step, const Setting& setting) const;
+  void report(const std::string& step, const std::string& command, Finding finding);
+  std::string command(const std::string& step, const Setting& setting) const;
+
+  tutor::Lesson& lesson_;
+  Extent extent_;
+  std::map<std::string, StepState> steps_;
+  std::vector<Failure> failures_;
+  int runs_ = 0;
+};
+
+}  // namespace byhand::tests

@@ -1,0 +1,55 @@
+// Lesson::run for the programs settings_01_jacobian …: the main of a lesson ends in it, and here it turns every
+// knob of the lesson instead of telling it. The tutor's own stays in its library.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "tests/lessons/settings/audit.hpp"
+
+namespace byhand::tests {
+namespace {
+
+/// Reads --random=N, --seed=N, --seconds=N, --quick.
+Extent extent(int argc, const char* const* argv) {
+  Extent extent;
+  for (const std::string& word : std::vector<std::string>(argv + 1, argv + argc)) {
+    const std::string value = word.substr(std::min(word.find('=') + 1, word.size()));
+    if (word == "--quick")
+      extent.pairs = extent.all_steps = false;
+    else if (word.starts_with("--random="))
+      extent.random = std::stoi(value);
+    else if (word.starts_with("--seed="))
+      extent.seed = static_cast<unsigned>(std::stoul(value));
+    else if (word.starts_with("--seconds="))
+      extent.seconds = std::stod(value);
+    else
+      throw std::invalid_argument(word + " is none of --random=N, --seed=N, --seconds=N, --quick");
+  }
+  return extent;
+}
+
+}  // namespace
+}  // namespace byhand::tests
+
+namespace byhand::tutor {
+
+int Lesson::run(int argc, const char* const* argv) {
+  tests::Extent extent = tests::extent(argc, argv);
+  // A coarse map is as true as a fine one, and takes a hundredth of the time.
+  if (is_parameter("resolution")) extent.base = {{"resolution", "4"}};
+  const tests::Audit audit(*this, extent);
+  for (const auto& [step, command, finding, settings] : audit.failures())
+    fmt::print("{} step {}: {}, at {} such as\n  {}\n  {}\n\n", about_.slug, step, finding.rule,
+               several(settings, "setting"), command, finding.words);
+  for (const std::string& line : audit.left_out()) fmt::print("{} {}\n", about_.slug, line);
+  fmt::print("{}: {} in {}, seed {}\n", about_.slug,
+             several(static_cast<long>(audit.failures().size()), "failure"), several(audit.runs(), "run"),
+             extent.seed);
+  return audit.failures().empty() ? 0 : 1;
+}
+
+}  // namespace byhand::tutor

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "lessons/tutor/lesson.hpp"
+
+namespace byhand::tests {
+
+/// Parameters and their values as a reader types them; the others keep their defaults.
+using Setting = std::vector<std::pair<std::string, std::string>>;
+
+/// A suggestion of a lesson's closing: "./lessons/run 4 --step 6b --set sweeps=8".
+struct Suggestion {
+  std::string step;  // empty: all
+  Setting setting;
+};
+std::vector<Suggestion> suggestions(const tutor::Closing& closing);
+
+/// The ends of the range, or each of the choices.
+std::vector<std::string> ends(const tutor::ParameterRecord& parameter);
+
+/// A value in the range with three digits: uniform, or log-uniform where the range spans a decade. A range that
+/// begins at zero gives zero now and then, and small numbers as often as large ones.
+std::string any_value(const tutor::ParameterRecord& parameter, std::mt19937& random);
+
+/// The options "--set a=1 --set b=2", each with a blank before it.
+std::string options(const Setting& setting);
+
+}  // namespace byhand::tests
