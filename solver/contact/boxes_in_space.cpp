@@ -10,7 +10,7 @@
 namespace byhand {
 namespace {
 
-using Eigen::Vector3d, Eigen::Matrix3d;
+using Eigen::Vector2d, Eigen::Vector3d, Eigen::Matrix3d;
 using ContactPoint3 = ContactPoint<SpaceBody>;
 using Manifold3 = Manifold<SpaceBody>;
 
@@ -34,25 +34,29 @@ struct Boxes {
 int face_number(int axis, bool negative) { return axis + 3 * negative; }
 
 struct Vertex {
-  Vector3d at;  // in the axes of the reference box [m]
+  Vector3d at;  // along the two sides of the reference face, and out of it, from the centre of its box [m]
   int side;     // the face of the first box that names the polygon's edge from here to the next vertex
 };
 
 /// Four vertices and four cuts make eight; rounding could make every cut yield half as many again.
 struct Polygon {
-  std::array<Vertex, 20> vertices;
+  static constexpr int capacity = 20;
+
+  std::array<Vertex, capacity> vertices;
   int size = 0;
 
   void add(const Vertex& vertex) { vertices[size++] = vertex; }
   const Vertex& operator[](int i) const { return vertices[i]; }
-  const Vertex& before(int i) const { return vertices[(i + size - 1) % size]; }
+  const Vertex& before(int i) const { return vertices[(i == 0 ? size : i) - 1]; }
+  const Vertex& after(int i) const { return vertices[i + 1 == size ? 0 : i + 1]; }
 };
 
 /// The part of the polygon with `sign` x[axis] <= `reach`; `side` names the cut edge (Sutherland–Hodgman).
-Polygon clipped(const Polygon& polygon, int axis, double sign, double reach, int side) {
+template <int axis, int sign>
+Polygon clipped(const Polygon& polygon, double reach, int side) {
   Polygon result;
   for (int i = 0; i < polygon.size; ++i) {
-    const Vertex &a = polygon[i], &b = polygon[(i + 1) % polygon.size];
+    const Vertex &a = polygon[i], &b = polygon.after(i);
     const double beyond_a = sign * a.at[axis] - reach, beyond_b = sign * b.at[axis] - reach;
     if (beyond_a <= 0) result.add(a);
     if ((beyond_a <= 0) != (beyond_b <= 0))
@@ -64,30 +68,37 @@ Polygon clipped(const Polygon& polygon, int axis, double sign, double reach, int
 /// Four of more than four vertices that keep nearly all of the area: the deepest, the one furthest from it, the
 /// one furthest from the line between them, and the one furthest outside this triangle. Differences below `level`
 /// [m] do not count, so that the choice lasts; above it, vertices of a box go before crossings of parallel edges.
-std::array<int, 4> four_of(const Polygon& polygon, const Vector3d& out, double level) {
+std::array<int, 4> four_of(const Polygon& polygon, double level) {
+  std::array<double, Polygon::capacity> handicap;
+  for (int i = 0; i < polygon.size; ++i) handicap[i] = polygon.before(i).side == polygon[i].side ? 2 * level : 0;
   const auto best = [&](auto&& distance) {
-    const auto score = [&](int i) {
-      const bool crossing = polygon.before(i).side == polygon[i].side;
-      return distance(polygon[i].at) - (crossing ? 2 * level : 0);
-    };
+    std::array<double, Polygon::capacity> score;
+    double most = -infinity;
+    for (int i = 0; i < polygon.size; ++i) {
+      score[i] = distance(polygon[i].at) - handicap[i];
+      most = std::max(most, score[i]);
+    }
     int chosen = 0;
-    for (int i = 1; i < polygon.size; ++i)
-      if (score(i) > score(chosen) + level) chosen = i;
+    while (score[chosen] < most - level) ++chosen;
     return chosen;
   };
-  const auto left_of = [&](const Vector3d& from, const Vector3d& to) -> Vector3d {
-    return out.cross(to - from).normalized();
+  const auto left_of = [](const Vector3d& from, const Vector3d& to) -> Vector2d {
+    return Vector2d(from.y() - to.y(), to.x() - from.x()).normalized();
   };
-  const int deepest = best([&](const Vector3d& p) { return -out.dot(p); });
+  const auto along = [](const Vector2d& n, const Vector3d& from, const Vector3d& to) {
+    return n.x() * (to.x() - from.x()) + n.y() * (to.y() - from.y());
+  };
+  const int deepest = best([](const Vector3d& p) { return -p.z(); });
   const Vector3d a = polygon[deepest].at;
   const int furthest = best([&](const Vector3d& p) { return (p - a).norm(); });
-  const Vector3d b = polygon[furthest].at, across = left_of(a, b);
-  const int aside = best([&](const Vector3d& p) { return std::abs(across.dot(p - a)); });
+  const Vector3d b = polygon[furthest].at;
+  const Vector2d across = left_of(a, b);
+  const int aside = best([&](const Vector3d& p) { return std::abs(along(across, a, p)); });
   const Vector3d c = polygon[aside].at;
-  const double turn = across.dot(c - a) > 0 ? -1 : 1;  // outwards of the triangle
-  const int outside = best([&, bc = left_of(b, c), ca = left_of(c, a)](const Vector3d& p) {
-    return std::max({turn * across.dot(p - a), turn * bc.dot(p - b), turn * ca.dot(p - c)});
-  });
+  const double turn = along(across, a, c) > 0 ? -1 : 1;  // outwards of the triangle
+  const Vector2d ab = turn * across, bc = turn * left_of(b, c), ca = turn * left_of(c, a);
+  const int outside = best(
+      [&](const Vector3d& p) { return std::max(std::max(along(ab, a, p), along(bc, b, p)), along(ca, c, p)); });
   return {deepest, furthest, aside, outside};
 }
 
@@ -99,7 +110,7 @@ Manifold3 collide_face(const Boxes& boxes, int reference) {
   const Vector3d centre = box.axes.transpose() * (other.centre - box.centre);
   const int axis = reference % 3;
   const double side = centre[axis] < 0 ? -1 : 1;
-  const Vector3d out = side * Vector3d::Unit(axis), n = box.axes * out;
+  const Vector3d n = side * box.axes.col(axis);
 
   int facing;
   turn.row(axis).cwiseAbs().maxCoeff(&facing);
@@ -120,26 +131,31 @@ Manifold3 collide_face(const Boxes& boxes, int reference) {
     return face_number(sides[j], s * turn(sides[j], in_face[i]) < 0);
   };
 
+  const auto by_face = [&](const Vector3d& v) { return Vector3d(v[sides[0]], v[sides[1]], side * v[axis]); };
+  const Vector3d middle = by_face(centre + facing_side * other.half[facing] * turn.col(facing)),
+                 half0 = by_face(other.half[in_face[0]] * turn.col(in_face[0])),
+                 half1 = by_face(other.half[in_face[1]] * turn.col(in_face[1]));
   Polygon polygon;
-  const Vector3d middle = centre + facing_side * other.half[facing] * turn.col(facing);
   for (const auto& [s, t] : {std::pair{1, 1}, {-1, 1}, {-1, -1}, {1, -1}}) {
-    const Vector3d a = s * turn.col(in_face[0]), b = t * turn.col(in_face[1]);
     // The edge that begins at (+, +) is on the second axis's side, the next one on the first's.
-    polygon.add({middle + other.half[in_face[0]] * a + other.half[in_face[1]] * b,
-                 s == t ? name(false, 1, t) : name(false, 0, s)});
+    polygon.add({middle + s * half0 + t * half1, s == t ? name(false, 1, t) : name(false, 0, s)});
   }
-  for (const int i : {0, 1})
-    for (const double s : {1, -1}) polygon = clipped(polygon, sides[i], s, box.half[sides[i]], name(true, i, s));
+  polygon = clipped<0, 1>(polygon, box.half[sides[0]], name(true, 0, 1));
+  polygon = clipped<0, -1>(polygon, box.half[sides[0]], name(true, 0, -1));
+  polygon = clipped<1, 1>(polygon, box.half[sides[1]], name(true, 1, 1));
+  polygon = clipped<1, -1>(polygon, box.half[sides[1]], name(true, 1, -1));
 
   Manifold3 manifold;
   manifold.reference = reference + 1;
   manifold.normal = second ? Vector3d(-n) : n;
   std::array<int, 4> chosen = {0, 1, 2, 3};
-  if (polygon.size > 4) chosen = four_of(polygon, out, 2e-4 * box.half.minCoeff());
+  if (polygon.size > 4) chosen = four_of(polygon, 2e-4 * box.half.minCoeff());
   for (int k = 0; k < std::min(polygon.size, 4); ++k) {
     const Vertex& vertex = polygon[chosen[k]];
-    const double separation = side * vertex.at[axis] - box.half[axis];
-    const Vector3d q = box.centre + box.axes * vertex.at, p = q - separation * n;
+    const double separation = vertex.at.z() - box.half[axis];
+    Vector3d own;
+    own[sides[0]] = vertex.at.x(), own[sides[1]] = vertex.at.y(), own[axis] = side * vertex.at.z();
+    const Vector3d q = box.centre + box.axes * own, p = q - separation * n;
     int from = polygon.before(chosen[k]).side, to = vertex.side;
     if (second == (facing_side > 0)) std::swap(from, to);  // as seen from the first box
     const std::uint32_t feature = (face1 * 6 + from) * 6 + to;
@@ -266,7 +282,9 @@ Manifold<SpaceBody> collide_boxes(const Box<SpaceBody>& box1, const Pose<SpaceBo
   const auto largest = [&](int from, int to) {
     return static_cast<int>(std::max_element(&separation[from], separation.data() + to) - separation.data());
   };
-  const int first = largest(0, 3), second = largest(3, 6), best = largest(0, 15);
+  const auto larger = [&](int a, int b) { return separation[b] > separation[a] ? b : a; };
+  const int first = largest(0, 3), second = largest(3, 6), edge = largest(6, 15),
+            best = larger(larger(first, second), edge);
   if (!(separation[best] <= margin)) return {};
   // A tie goes to the box further right, whichever of the two is called the first.
   const Vector3d& apart = boxes.apart;
@@ -280,7 +298,7 @@ Manifold<SpaceBody> collide_boxes(const Box<SpaceBody>& box1, const Pose<SpaceBo
   const double least_gain = hysteresis(box1, box2);
   Manifold3 manifold;
   double nearest = infinity;
-  for (const int axis : {static_cast<int>(hint) - 1, face, largest(6, 15)}) {
+  for (const int axis : {static_cast<int>(hint) - 1, face, edge}) {
     if (axis < 0 || axis >= (overlap ? 15 : 6)) continue;
     if (separation[axis] < separation[best] - least_gain) continue;
     manifold = collide_axis(boxes, axis);
