@@ -41,11 +41,17 @@ requires(M::angular == 0) InverseMass<M> with_mass(double mass) {
 }
 
 /// A body of `mass` [kg] > 0 and principal moments of `inertia` [kg m²] > 0 about its centre: one in the
-/// plane, three in space.
+/// plane, three in space, of which none exceeds the sum of the other two (∫x² ≥ 0 along each axis).
 template <class M>
 requires(M::angular > 0) InverseMass<M> with_mass(double mass, const Angular<M>& inertia) {
   require_positive("mass", mass, "kg");
   for (const double moment : inertia) require_positive("moment of inertia", moment, "kg m²");
+  if constexpr (M::angular == 3) {
+    const double largest = inertia.maxCoeff(), others = inertia.sum() - largest;
+    if (largest > others * (1 + 1e-12))
+      refuse("largest moment of inertia", largest, "at most " + text_of(others) + ", the sum of the other two",
+             "kg m²");
+  }
   return {1 / mass, inertia.cwiseInverse()};
 }
 

@@ -36,6 +36,17 @@ TEST(Mass, MustBePositiveAndFinite) {
     expect_refusal([&] { box<SpaceBody>(mass, {1, 1, 1}); }, name, "positive finite number [kg]");
   }
   expect_refusal([] { with_mass<SpaceBody>(1, {1, -2, 1}); }, "moment of inertia is -2", "[kg m²]");
+  expect_refusal(
+      [] {
+        with_mass<SpaceBody>(1, {1, 2, 3.01});
+      },
+      "largest moment of inertia is 3.01", "at most 3, the sum");
+  expect_refusal(
+      [] {
+        with_mass<SpaceBody>(1, {7, 2, 3});
+      },
+      "largest moment of inertia is 7", "at most 5, the sum");
+  EXPECT_NO_THROW((with_mass<SpaceBody>(1, {1, 2, 3}))) << "a plate";
   expect_refusal([] { ball<PlaneBody>(1, 0); }, "radius is 0", "[m]");
   expect_refusal([] { box<SpaceBody>(1, {1, 1, nan}); }, "side is nan", "[m]");
 }

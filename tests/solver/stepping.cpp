@@ -160,7 +160,7 @@ TEST(Energy, IsTheSumOverTheBodiesThatMove) {
   pose.position = {0, 2, 0};
   pose.rotation =
       space_rotation(Angular<SpaceBody>(std::acos(-1.0) / 2, 0, 0));  // z of the world is -y, or y, of the body
-  scene.add_body(pose, with_mass<SpaceBody>(3, {1, 2, 5}), V);
+  scene.add_body(pose, with_mass<SpaceBody>(3, {4, 2, 5}), V);
   EXPECT_NEAR(kinetic_energy(scene.bodies()), 0.5 * 3 * 14 + 0.5 * 2 * 16, 1e-12);
   EXPECT_NEAR(potential_energy(scene), 3 * 9.81 * 2, 1e-12);
   EXPECT_NEAR(energy(scene), kinetic_energy(scene.bodies()) + potential_energy(scene), 1e-12);
