@@ -84,9 +84,9 @@ void effective_mass(const Setting& setting, Page& page) {
       [=](Canvas& canvas) { draw_product(canvas, J, inverse_mass, product); });
 
   page.text(
-      R"(JM⁻¹Jᵀ is an *inverse* mass: heavier bodies make it smaller. 1/(JM⁻¹Jᵀ) is the effective mass, @ kg/m². This
-      row has the length |d|; per metre along the rod the effective mass is @ kg, the bob's own mass, for nothing
-      else moves.)",
+      R"(JM⁻¹Jᵀ is an *inverse* mass: heavier bodies make it smaller. 1/(JM⁻¹Jᵀ) = @ kg/m² is the effective mass for
+      JV. JV is |d| times the speed along the rod; for that speed the effective mass is |d|²/(JM⁻¹Jᵀ) = @ kg, the
+      bob's own mass, for nothing else moves.)",
       1 / row.K, length * length / row.K);
   const Pendulum pair = two_free_bobs(setting);
   const double light = setting.mass(), heavy = 4 * light, together = length * length / OneRow(pair).K;

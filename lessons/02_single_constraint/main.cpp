@@ -22,7 +22,7 @@ int main(int argc, char** argv) {
   lesson.step("The effective mass", with(effective_mass));
   lesson.step("λ: sign and size", with(lambda));
   lesson.step("What the impulse does to V", with(onto_the_tangent));
-  lesson.step("λ/h is the tension", with(tension));
+  lesson.step("From λ to the tension", with(tension));
   lesson.step("JV = 0 and the length of the rod", with(off_the_circle));
   lesson.step("Ten seconds beside the exact pendulum", with(ten_seconds));
 

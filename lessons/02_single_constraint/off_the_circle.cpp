@@ -1,6 +1,7 @@
 #include "lessons/02_single_constraint/steps.hpp"
 #include "lessons/02_single_constraint/swing.hpp"
 #include "lessons/pictures/rods_and_bobs.hpp"
+#include "lessons/tutor/rounding.hpp"
 
 namespace byhand::single_constraint {
 namespace {
@@ -106,9 +107,9 @@ void off_the_circle(const Setting& setting, Page& page) {
   const double radius = last.position.norm(), momentum = cross(last.position, last.velocity)[0];
   const double grown = length * std::pow(1 + 2 * speed * speed * h * second / (length * length), 0.25);
   page.text(
-      R"(After one second the rod is @ m long instead of @ m, and the bob is slower, @ m/s instead of @: each impulse
-      acts along the rod, so it does not change the angular momentum, v times the length.)",
-      radius, length, last.velocity.norm(), speed);
+      R"(After one second the rod is @ mm too long, and the bob is slower by @ m/s: each impulse acts along the rod, so
+      it does not change the angular momentum, speed times length.)",
+      (radius - length) / millimetre, tutor::small_error(speed - last.velocity.norm(), 3));
 
   page.claim({.quantity = "stretch after one step",
               .unit = "mm",

@@ -60,7 +60,7 @@ void ten_seconds(const Setting& setting, Page& page) {
   const Sample &first = run.front(), &last = run.back();
   const double stretch = last.position.norm() / length - 1, change = last.energy - first.energy;
 
-  page.text("Here is the article's whole step for the bob, in eight lines, each with its equation:");
+  page.text("Here is the article's whole step for the bob, in seven lines, each with its equation:");
   page.excerpt("lessons/02_single_constraint/plain.hpp", "step");
   page.text(
       R"(The solver does the same for any bodies and constraints (`advance` in solver/step.cpp). Let it run for @
@@ -130,7 +130,7 @@ void ten_seconds(const Setting& setting, Page& page) {
 
   Vector x = first.position, v = first.velocity;
   for (std::size_t i = 0; i + 1 < run.size(); ++i) plain_step(x, v, mass, Vector(0, -gravity()), h);
-  page.claim({.quantity = "place after ten seconds: the eight lines against the solver",
+  page.claim({.quantity = "place after ten seconds: the seven lines against the solver",
               .unit = "m",
               .expected = 0,
               .source = "the same step; its rounding grows with the number of steps",
