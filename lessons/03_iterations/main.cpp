@@ -26,7 +26,7 @@ int main(int argc, char** argv) {
   };
 
   step("Two links that share a bob", two_links);
-  step("Ten links, one sweep", one_sweep);
+  step("A chain and one sweep", one_sweep);
   step("All at once", all_at_once);
   step("Many sweeps", many_sweeps);
   step("A chain twice as long", twice_as_long);

@@ -136,8 +136,8 @@ void many_sweeps(Page& page, const Knobs& knobs) {
       R"(\rho = \cos^2\frac{\pi}{2N} = @ \text{ for } N = @, \qquad \frac{\ln 10}{-\ln\rho} = @ \text{ sweeps a digit})",
       rho, knobs.links, digit);
   page.text(
-      R"(A *warm start* begins with the λ of the step before instead of 0. @ Each sweep leaves the same share of the
-      error whatever λ it began with: a better guess begins lower, it does not fall faster. What it is worth over
+      R"(A *warm start* begins with the λ of the step before instead of 0. @ In the long run each sweep leaves the
+      same share of the error whatever λ it began with: a better guess begins lower, it does not fall faster. What it is worth over
       many steps comes in step 6.)",
       !warm_seen ? say("After @ s with @ a step nothing is left to be solved on this scale.", second,
                        several(knobs.sweeps, "warm sweep"))

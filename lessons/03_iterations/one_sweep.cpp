@@ -1,4 +1,4 @@
-// Step 2: ten links and one sweep, row by row.
+// Step 2: a chain and one sweep, row by row.
 
 #include <algorithm>
 #include <cmath>
