@@ -124,9 +124,9 @@ void contact(tutor::Page& page, const Settings& set) {
   const Jacobian<PlaneBody, 1> J = at.row();
 
   page.text(
-      R"(One recipe, another constraint. Two bodies touch at P₁ and P₂ along a unit normal n, and may not enter
-      each other. C is how far P₂ is outside of body 1, measured along n: C = (P₂ − P₁)·n, and it must not be
-      negative. Differentiate, isolate, look. Where d stood in (14), n stands now.)");
+      R"(The same steps, another constraint. Two bodies touch at P₁ and P₂ along a unit normal n and must not overlap.
+      C is the distance of P₂ from body 1 along n, C = (P₂ − P₁)·n, and it must not be negative. Differentiate,
+      isolate the velocities, look: n stands where d stood in (14).)");
   page.equation(15, "J = [ @  @  @  @ ]", R"(J = \begin{bmatrix} @ & @ & @ & @ \end{bmatrix})",
                 vector(J.l1().transpose()), J.a1()(0, 0), vector(J.l2().transpose()), J.a2()(0, 0));
   page.excerpt("solver/constraints/contact.hpp", "jacobian");
@@ -143,25 +143,27 @@ void contact(tutor::Page& page, const Settings& set) {
     by_body.matrix << other.side2(), other.side1();
     return by_body;
   };
-  const double kept = (row_of_exchanged(at.contact.normal).matrix + J.matrix).cwiseAbs().maxCoeff();
-  const double flipped = (row_of_exchanged(-at.contact.normal).matrix - J.matrix).cwiseAbs().maxCoeff();
+  const double kept = (row_of_exchanged(at.contact.normal).matrix + J.matrix).norm() / J.matrix.norm();
+  const double flipped = (row_of_exchanged(-at.contact.normal).matrix - J.matrix).norm() / J.matrix.norm();
   page.text(
-      R"(*Which way does the normal point?* From body 1 to body 2. Then JV > 0 means that they part, overlap is
-      negative, and the push that keeps them apart has λ ≥ 0. Name the bodies the other way round and turn n round
-      with them: every arrow stays on its body. Forget to turn n, and the whole row changes sign: the solver would
-      then pull overlapping bodies together and hold parting ones. A rod forgives the exchange, a contact does
-      not.)");
+      R"(*Which way does the normal point?* From body 1 to body 2. Then JV > 0 means that they separate, C < 0 that
+      they overlap, and the push that keeps them apart has λ ≥ 0. Number the bodies the other way round and reverse
+      n with them: every arrow stays on its body. Forget to reverse n and the whole row changes sign; the solver
+      would then pull overlapping bodies together. A rod does not need this care, a contact does.)");
 
   const Dropped dropped = dropped_term(set, step);
-  page.text(
-      R"(*What is dropped?* C is a product of two things that move, so Ċ has two terms: (Ṗ₂ − Ṗ₁)·n, which is (15),
-      and (P₂ − P₁)·ṅ, which is left out. When may you? ṅ is square to n, so a gap or an overlap straight along n
-      costs nothing. Only where P₂ lies *beside* P₁ does the turning normal sweep over it, at ω₁ times the offset.
-      Contact points are chosen on top of each other, and there the dropped term is zero.)");
-  page.figure("dropped", "What (15) leaves out, while the plank turns: a straight line through zero.",
-              dropped.chart);
-
   const double w1 = at.V1[2];
+  page.text(
+      R"(*What is left out?* C is a product of two things that change, so Ċ has two terms: (Ṗ₂ − Ṗ₁)·n, which is
+      (15), and (P₂ − P₁)·ṅ, which is dropped. When may it be? ṅ is perpendicular to n, so a gap or an overlap
+      along n adds nothing. Only where P₂ lies *beside* P₁ does the turning normal count, at ω₁ times the offset.
+      Contact points are chosen opposite each other, and there the dropped term is zero.)");
+  if (std::abs(w1) > 1e-6 * set.speed / length)
+    page.figure("dropped", "What (15) leaves out, while the plank turns: a straight line through zero.",
+                dropped.chart);
+  else
+    page.text("Here the plank does not turn, so (15) leaves out nothing wherever P₂ lies.");
+
   const double C = -0.02 * length;
   page.claim({.quantity = "C of the overlapping box",
               .unit = "m",
@@ -169,18 +171,18 @@ void contact(tutor::Page& page, const Settings& set) {
               .source = "the overlap, negative",
               .measured = at.value(),
               .tolerance = tutor::absolute(1e-14 * length)});
-  page.claim({.quantity = "exchange the bodies and turn n: change of the row",
-              .unit = "1, m",
+  page.claim({.quantity = "exchange the bodies and reverse n: change of the row, relative",
+              .unit = "1",
               .expected = 0,
               .source = "C is the same",
               .measured = flipped,
-              .tolerance = tutor::absolute(1e-14 * (1 + length))});
-  page.claim({.quantity = "exchange the bodies, keep n: row + old row",
-              .unit = "1, m",
+              .tolerance = tutor::absolute(1e-14)});
+  page.claim({.quantity = "exchange the bodies, keep n: row + old row, relative",
+              .unit = "1",
               .expected = 0,
               .source = "C changes its sign",
               .measured = kept,
-              .tolerance = tutor::absolute(1e-14 * (1 + length))});
+              .tolerance = tutor::absolute(1e-14)});
   // Central differences: speeds times (turn in a step)²/6, a few times over, and rounding of C over the step.
   const double turn = (2 * std::abs(set.spin()) + set.speed / length) * step;
   const double speeds = set.speed + length * std::abs(set.spin());
@@ -192,7 +194,7 @@ void contact(tutor::Page& page, const Settings& set) {
               .measured = dropped.straight_above,
               .tolerance = tutor::at_most()});
   page.claim({.quantity = "what (15) drops, per metre beside",
-              .unit = "1/s",
+              .unit = "(m/s)/m",
               .expected = -w1,
               .source = "(P₂ − P₁)·ṅ with ṅ = ω₁ × n",
               .measured = dropped.slope,

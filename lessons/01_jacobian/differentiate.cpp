@@ -3,6 +3,7 @@
 
 #include "lessons/01_jacobian/picture.hpp"
 #include "lessons/pictures/growing.hpp"
+#include "lessons/tutor/rounding.hpp"
 
 // (9) and (10): the rate of C, from the velocities of the two ends.
 namespace byhand::lesson01 {
@@ -63,12 +64,12 @@ void differentiate(tutor::Page& page, const Settings& set) {
   const Linear<PlaneBody> d = pair.d(), v1 = pair.V1.head<2>(), v2 = pair.V2.head<2>();
 
   page.text(
-      R"(Solving C = 0 for positions is hard, for C is curved. Its rate is easier: how fast is C changing *now*?
-      Differentiate ½(P₂ − P₁)² by the product rule and the half is gone. L is constant and leaves no trace.)");
+      R"(To find J, differentiate C and look for the velocities. The product rule on ½(P₂ − P₁)² cancels the half;
+      L is constant and drops out.)");
   page.equation(9);
   page.text(
-      R"(The product is a dot product: only the part of the velocity along P₂ − P₁ counts. Try it on the bob before
-      the bodies begin to turn.)");
+      R"(The product is a dot product: only the part of the velocity along P₂ − P₁ counts. Try it first on a bob,
+      which does not turn.)");
   const Linear<PlaneParticle> place = length * Linear<PlaneParticle>(0.6, -0.8), moving(speed, 0);
   const double bob = rate_of_bob(place, moving, length);
   page.predict(
@@ -78,30 +79,33 @@ void differentiate(tutor::Page& page, const Settings& set) {
        .answer = bob,
        .unit = "m²/s",
        .tolerance = 0.02 * length * speed,
-       .wrong = {{speed, "Only the part of v along d changes the length, and (9) multiplies it by |d|."},
-                 {bob / length, "That is d|d|/dt, the row divided by |d|; (14) is not divided."},
-                 {length * speed, "That takes all of v; the part across d only turns the rod."}},
-       .hints = {"Multiply component by component, then add."},
-       .right = "Its unit is m²/s: C is in m², and so is its change."});
+       .wrong = {{speed,
+                  "That is the speed. Only its part along P₂ − P₁ counts, and (9) multiplies it by |P₂ − P₁|."},
+                 {bob / length, "That is how fast the distance grows, in m/s; (9) has it times |P₂ − P₁|."},
+                 {length * speed, "That takes all of v₂; the part across P₂ − P₁ only turns the rod."}},
+       .hints = {"Which part of the bob's velocity makes the rod longer?",
+                 "(9) with Ṗ₁ = 0 and Ṗ₂ = v₂: multiply component by component, then add.",
+                 tutor::say("@ · @ + (@) · 0 = …", place.x(), speed, place.y())},
+       .right = "Only the component along P₂ − P₁ counts. The unit is m²/s, for C is in m²."});
   page.text(
-      R"(An anchor point on a turning body has two reasons to move: its body's centre goes somewhere, and the arm r
-      from the centre to the point swings round. In the plane ω × r is ω(−r_y, r_x).)");
+      R"(An anchor point on a turning body moves for two reasons: the centre of its body moves, and the arm r from
+      the centre to the point turns. In the plane ω × r is ω(−r_y, r_x).)");
   page.equation(10, "Ċ = @·((@ + @) − (@ + @)) = @ m²/s",
                 R"(\dot C = @ \cdot ((@ + @) - (@ + @)) = @\,\mathrm{m^2/s})", vector(d), vector(v2),
                 vector(pair.V2[2] * Linear<PlaneBody>(-pair.r2().y(), pair.r2().x())), vector(v1),
                 vector(pair.V1[2] * Linear<PlaneBody>(-pair.r1().y(), pair.r1().x())), pair.rate());
   page.text(
-      R"(Do not believe a derivative: check it. Here two boxes drift and spin for @ s with the rod between them as
-      a mere tape measure; nobody holds anything yet. The curve is (10) at each moment. The dots know nothing of
-      (10): they read C a little later and a little earlier, subtract, and divide by the time between, @ s.)",
+      R"(Check every derivative. Here two boxes drift and spin for @ s; the rod only measures, it does not hold them
+      yet. The curve is (10) at each moment. The dots do not use (10): they take C a little later and a little
+      earlier, subtract, and divide by the time between, @ s.)",
       tutor::Value(time, 3), tutor::Value(2 * step, 3));
   const Rates all = rates(pair, time, step);
   constexpr double seconds = 4;
   const Linear<PlaneBody> sides = box_sides(set);
   page.sequence(
       "motion",
-      tutor::say("Two boxes in @ s of flight, slowed down. The dots are differences of C, the curve is (10).",
-                 tutor::Value(time, 3)),
+      tutor::say("Two boxes in @ s of flight, @. The dots are differences of C, the curve is (10).",
+                 tutor::Value(time, 3), time < seconds ? "slowed down" : "sped up"),
       tutor::Seconds{seconds}, [=](renderer::Canvas& canvas, double at) {
         const auto [left, right] = canvas.page().inset(16).split_columns(0.56);
         const auto [upper, lower] = right.split_rows(0.5, 16);
@@ -119,9 +123,9 @@ void differentiate(tutor::Page& page, const Settings& set) {
       });
   page.figure("rate", "Ċ of the two boxes: the formula and the differences along the motion.", all.rate);
   page.text(
-      R"(Over the whole flight the two differ by at most @ m²/s. A centred difference is allowed @ m²/s: its own
-      error shrinks with the square of its step.)",
-      all.largest_difference, all.tolerance);
+      R"(The largest difference over the whole flight is @ m²/s. The error of the centred difference itself is at
+      most @ m²/s: it falls with the square of its step until rounding takes over.)",
+      tutor::small_error(all.largest_difference), tutor::Value(std::max(all.tolerance, 1e-11), 2));
 
   page.claim({.quantity = "Ċ of the bob",
               .unit = "m²/s",

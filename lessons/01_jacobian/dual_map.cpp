@@ -84,34 +84,30 @@ void draw_force(renderer::Canvas& canvas, const Jacobian<PlaneParticle, 1>& J, d
 void dual_map(tutor::Page& page, const Settings& set) {
   const Rod rod = rod_of(set);
   const Jacobian<PlaneParticle, 1>& J = rod.J;
-  page.text(
-      R"(J takes velocities to a rate of C. The article takes the way back, from λ to a force on the bodies, by the
-      transpose, and calls it the inverse.)");
-  page.equation(5);
   const double JJt = (J.matrix * J.matrix.transpose())(0, 0);
   page.text(
-      R"(J has no inverse: it is one row and swallows all but one of the directions in which bodies can move. And
-      Jᵀ does not even undo that one. Take the row of |d| − L, a rod between two bodies. Ask for Ċ = 1, use V =
-      Jᵀ·1, and look what you get: JJᵀ = @, not 1. (With (14) it would be 2|d|², which is not even a number without
-      a unit; and where bodies turn, square metres are added to metres to the fourth.))",
+      R"(J takes velocities to a rate of C, and (5) takes λ back to forces on the bodies by the transpose. Is that the
+      inverse of J, as the article says? A row has no inverse: JV = 0 for all directions of V but one. And Jᵀ does
+      not undo even that one. Take the row of |d| − L between two particles, ask for Ċ = 1 with V = Jᵀ·1, and Ċ is
+      JJᵀ = @. (With (14) it would be 2|d|², in square metres; and where bodies turn, square metres would be added
+      to metres to the fourth power.))",
       JJt);
   page.text(
-      R"(What Jᵀ truly is, you have known since you pushed a door. A lever that multiplies a speed divides a force,
-      so that the *power* is the same on both sides: (λJᵀ)·V = λ(JV), for every V. That makes Jᵀ the dual of J. And
-      it says why constraint forces point along J: where JV = 0, where the bodies do what the constraint allows,
-      the force does no work. A rod neither drives nor brakes its bob.)");
+      R"(Jᵀ is the *dual* of J, as with a lever: what multiplies a speed divides a force, so that the power is the
+      same on both sides, (λJᵀ)·V = λ(JV) for every V. This is why constraint forces point along J: where JV = 0, the
+      motions that the constraint allows, the force does no work. A rod neither drives nor brakes its bob.)");
   double difference = 0;
   const renderer::Chart chart = power(J, difference);
-  page.figure("dual", "The rod's force is square to every motion that the rod allows.",
+  page.figure("dual", "The rod's force is perpendicular to every motion that the rod allows.",
               [J, length = set.length()](renderer::Canvas& canvas) { draw_force(canvas, J, length); });
   page.figure("power",
-              "Power of a pull of 1 N on a bob that moves at 1 m/s in any direction: F·V and λ·JV are one.",
+              "Power of a pull of 1 N on a bob that moves at 1 m/s, over its direction: F·V and λ·JV agree.",
               chart);
   const double back = (J.matrix * rod.W.matrix.transpose())(0, 0) / rod.inverse_mass;
   page.text(
-      R"(The way back that does deserve the name is longer: M⁻¹Jᵀ(JM⁻¹Jᵀ)⁻¹. It gives the velocities of least
-      kinetic energy with the wanted Ċ, and J times it is @. It needs the masses, and it is what (17) and (20) do
-      together: next lesson.)",
+      R"(What does lead from a wanted Ċ to velocities is M⁻¹Jᵀ(JM⁻¹Jᵀ)⁻¹: of all V with that Ċ it gives the one with
+      the least kinetic energy, and J times it is @. It needs the masses, and it is what (17) and (20) of lesson 2
+      do together.)",
       back);
 
   const Linear<PlaneParticle> n = J.l2().transpose();
@@ -125,7 +121,7 @@ void dual_map(tutor::Page& page, const Settings& set) {
   page.claim({.quantity = "F·V along the circle at λ = 1 N",
               .unit = "W",
               .expected = 0,
-              .source = "the tangent is square to the rod",
+              .source = "the tangent is perpendicular to the rod",
               .measured = n.dot(allowed),
               .tolerance = tutor::absolute(1e-15 * set.speed)});
   page.claim({.quantity = "F·V − λ·JV over all directions, largest",

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "lessons/01_jacobian/picture.hpp"
+#include "lessons/tutor/rounding.hpp"
 #include "solver/constraints/contact.hpp"
 #include "solver/constraints/friction.hpp"
 #include "solver/constraints/normalised_distance.hpp"
@@ -133,25 +134,26 @@ Accuracy accuracy(const Pair& pair) {
 void dual_numbers(tutor::Page& page, const Settings& set) {
   const Pair pair = pair_of(set);
   page.text(
-      R"(Differences are honest but blunt: a large step misses the bend, a small one drowns in rounding. There is a
-      way to differentiate a program to the last digit. Give every number a second part that says how it changes,
-      (a, a′), and teach + and × the rules of differentiation: (a, a′)(b, b′) = (ab, a′b + ab′). These are dual
-      numbers. Push them through the one line that computes C and J falls out, with no derivation at all.)");
+      R"(Differences have two errors: with a large step they miss the curvature of C, with a small one they are lost
+      in rounding. A program can also be differentiated to the last digit. Give every number a second part, its
+      derivative, (a, a′), and let + and × follow the rules of differentiation: (a, a′)(b, b′) = (ab, a′b + ab′).
+      These are dual numbers. The line of code that computes C, fed with dual numbers, returns J as well.)");
   page.excerpt("lessons/01_jacobian/dual_numbers.cpp", "gradient");
   const Accuracy all = accuracy(pair);
   page.figure("accuracy",
-              "How well differences know Ċ, over their step; the dashed line is what dual numbers miss.",
+              "The error of differences of C, over their step. The dashed line is the error of dual numbers.",
               all.chart);
+  const bool rounding_only = all.dual <= 1e-12 * (1 + std::abs(pair.rate()));
   page.text(
-      R"(At their best the one-sided difference misses Ċ by @ m²/s and the centred one by @ m²/s. The dual number
-      misses by @ m²/s.)",
-      tutor::Value(all.best_one_sided, 2), tutor::Value(all.best_centred, 2), tutor::Value(all.dual, 2));
+      R"(With its best step the one-sided difference has an error of @ m²/s and the centred one of @ m²/s. The error
+      of the dual number is @.)",
+      tutor::small_error(all.best_one_sided), tutor::small_error(all.best_centred),
+      rounding_only ? std::string("rounding alone") : tutor::say("@ m²/s", tutor::small_error(all.dual)));
   constexpr int draws = 200;
   page.text(
-      R"(So why derive by hand? Because the hand finds what the machine cannot: that (14) is four short
-      expressions, that it costs a handful of products, what it means and when it vanishes. The machine is the
-      referee. Below, every kind of constraint of the solver has its J compared at @ random poses, in all four
-      models.)",
+      R"(So why derive by hand? The result shows what no table of numbers can: (14) is four short expressions, cheap
+      to compute, and one sees what they mean and when they vanish. Dual numbers are the check. Below, the J of five
+      kinds of constraint is compared with them at @ random poses, in all four models.)",
       draws);
   const double tolerance = 100 * std::numeric_limits<double>::epsilon();
   const auto claim = [&](const char* model, double difference) {

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "lessons/01_jacobian/picture.hpp"
+#include "lessons/tutor/rounding.hpp"
 #include "renderer/space.hpp"
 
 // (16): the same row along a tangent; one axis in the plane, two in space.
@@ -42,6 +43,8 @@ Sliding sliding(const Settings& set, double turn) {
   return at;
 }
 
+Point3 shown(const Eigen::RowVector3d& part) { return tutor::without_rounding(Point3(part)); }
+
 void draw_sliding(renderer::Canvas& canvas, const Settings& set) {
   const double length = set.length, shaft = 0.012 * length;
   const Sliding at = sliding(set, 0);
@@ -72,15 +75,15 @@ void friction(tutor::Page& page, const Settings& set) {
   const Sliding at = sliding(set, 0);
   const Jacobian<SpaceBody, 2> J = at.rows();
   page.text(
-      R"(Friction has no C to keep. It has a *rate* that it wants to be zero: how fast P₂ slides past P₁ along the
-      surface. Replace n by a tangent t and the recipe has nothing else to do.)");
+      R"(Friction has no C. It has a *rate* that should be zero: how fast P₂ slides past P₁ along the surface.
+      Replace n in (15) by a tangent t.)");
   page.equation(16);
   page.text(
-      R"(In the plane there is one tangent, in space there are two, and with them two rows. Here a box slides and
-      spins on a floor and touches it with one corner. Its l₂ are the tangents, its a₂ the moments that they have
-      about the centre:)");
-  page.formula("t₁: l₂ = @, a₂ = @", R"(t_1:\; l_2 = @,\; a_2 = @)", J.l2().row(0).eval(), J.a2().row(0).eval());
-  page.formula("t₂: l₂ = @, a₂ = @", R"(t_2:\; l_2 = @,\; a_2 = @)", J.l2().row(1).eval(), J.a2().row(1).eval());
+      R"(In the plane there is one tangent, in space there are two, and so two rows. Here a box slides@ on a floor
+      and touches it with one corner. Its l₂ are the tangents, its a₂ their moments about the centre:)",
+      set.spin() != 0 ? " and spins" : "");
+  page.formula("t₁: l₂ = @, a₂ = @", R"(t_1:\; l_2 = @,\; a_2 = @)", shown(J.l2().row(0)), shown(J.a2().row(0)));
+  page.formula("t₂: l₂ = @, a₂ = @", R"(t_2:\; l_2 = @,\; a_2 = @)", shown(J.l2().row(1)), shown(J.a2().row(1)));
   page.figure("friction",
               "A corner that slides: two tangents span the floor, and the slip is measured along both.",
               [=](renderer::Canvas& canvas) { draw_sliding(canvas, set); });
@@ -88,10 +91,10 @@ void friction(tutor::Page& page, const Settings& set) {
   const double step = 1e-4 / (1 + std::abs(set.spin()));
   const Rows<2> measured = (at.slip(step) - at.slip(-step)) / (2 * step);
   page.text(
-      R"(The slip along t₁ and t₂ is @ m/s: JV, with the spin of the box in it. Which two tangents? Any. Turn them
-      about n and both numbers change, but not the length of the pair. Whoever bounds friction axis by axis makes
-      it depend on that choice; lesson 7 will show what that does to a slide.)",
-      slip);
+      R"(The slip along t₁ and t₂ is @ m/s: JV, with the spin of the box in it. Any two perpendicular tangents will
+      do. Turn them about n and both numbers change, but not the length of the pair. A bound on each axis by itself
+      makes friction depend on that choice; lesson 7 shows what that does to a slide.)",
+      tutor::without_rounding(slip));
 
   double shortest = slip.norm(), longest = slip.norm();
   for (int i = 1; i < 24; ++i) {
@@ -124,7 +127,7 @@ void friction(tutor::Page& page, const Settings& set) {
   page.claim({.quantity = "change of |slip| while the tangents turn",
               .unit = "m/s",
               .expected = 0,
-              .source = "a vector's length does not know its axes",
+              .source = "a length does not depend on the axes",
               .measured = longest - shortest,
               .tolerance = tutor::absolute(1e-14 * (longest + 1e-3))});
 }

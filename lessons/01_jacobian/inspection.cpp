@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "lessons/01_jacobian/picture.hpp"
+#include "lessons/tutor/rounding.hpp"
 
 // (14): J read off (13), and why there is only one.
 namespace byhand::lesson01 {
@@ -125,21 +126,18 @@ void draw_field(renderer::Canvas& canvas, double length) {
   canvas.arrow_key({40, 520}, kind, "l_2 = d,");
 }
 
-void say_swap(tutor::Page& page, const Pair& pair, const Entries& row, double exact) {
+void say_swap(tutor::Page& page, const Pair& pair, const Entries& row) {
   const Entries other = swapped(pair).matrix;
   page.text(
-      R"(*What if you name the bodies the other way round?* Then d turns into −d. Written as a list, the linear
-      entries of the row change sign: l₁ was @ and becomes @.
-
-      But look at the bodies and not at the list: that new l₁ belongs to what used to be body 2. The two blocks of
-      the row have changed places, and so each body keeps its arrows. It has to be so: (2) does not care which end
-      you call the first.)",
+      R"(*What if the bodies are numbered the other way round?* Then d becomes −d and l₁, which was @, becomes @.
+      But the new l₁ belongs to what was body 2: the two halves of the row have changed places, and each body keeps
+      its arrows. It has to be so, for (2) is the same from both ends.)",
       vector(row.segment<2>(0).transpose()), vector(other.segment<2>(0).transpose()));
-  page.claim({.quantity = "row after the swap − row with its blocks exchanged",
-              .unit = "m, m²",
-              .expected = exact,
+  page.claim({.quantity = "row after the swap − row with its blocks exchanged, relative",
+              .unit = "1",
+              .expected = 1e-14,
               .source = "C of (2) is the same from both ends",
-              .measured = (other - exchanged(row)).cwiseAbs().maxCoeff(),
+              .measured = (other - exchanged(row)).norm() / row.norm(),
               .tolerance = tutor::at_most()});
 }
 
@@ -153,24 +151,35 @@ void inspection(tutor::Page& page, const Settings& set) {
   const Linear<PlaneBody> sides = box_sides(set);
 
   page.text(
-      R"(The last of the four steps is to look. In (13) every velocity stands alone behind its coefficient; the
-      coefficients, in the order of the velocities, *are* J.)");
+      R"(The last step is to look. In (13) every velocity stands alone behind its coefficient. The coefficients, in
+      the order of V, are the four parts of J. For the two boxes:)");
   page.equation(14, "J = [ @  @  @  @ ]", R"(J = \begin{bmatrix} @ & @ & @ & @ \end{bmatrix})",
                 vector(J.l1().transpose()), J.a1()(0, 0), vector(J.l2().transpose()), J.a2()(0, 0));
+  page.derivation(
+      "From (2) to (14), line by line",
+      {{"(2), with d = P₂ − P₁ (11)", "C = ½(d·d − L²)", R"(C = \tfrac{1}{2}(d \cdot d - L^2))"},
+       {"product rule; L is constant (9)", "Ċ = d·(Ṗ₂ − Ṗ₁)", R"(\dot C = d \cdot (\dot P_2 - \dot P_1))"},
+       {"each anchor point moves with its centre and turns about it (10)",
+        "Ċ = d·((v₂ + ω₂ × r₂) − (v₁ + ω₁ × r₁))",
+        R"(\dot C = d \cdot ((v_2 + \omega_2 \times r_2) - (v_1 + \omega_1 \times r_1)))"},
+       {"d·(ω × r) = ω·(r × d) (13)", "Ċ = −d·v₁ − (r₁ × d)·ω₁ + d·v₂ + (r₂ × d)·ω₂",
+        R"(\dot C = -d \cdot v_1 - (r_1 \times d) \cdot \omega_1 + d \cdot v_2 + (r_2 \times d) \cdot \omega_2)"},
+       {"compare with (8)", "l₁ = −d, a₁ = −r₁ × d, l₂ = d, a₂ = r₂ × d",
+        R"(l_1 = -d,\; a_1 = -r_1 \times d,\; l_2 = d,\; a_2 = r_2 \times d)"}});
+  page.text("The solver writes this row, and later those of contacts and friction, with d replaced by u:");
   page.excerpt("solver/jacobian.hpp", "along");
   page.text(
-      R"("By inspection" sounds like a licence to guess. It is not: Ċ = JV holds for *every* V, and that leaves no
-      choice. Let one coordinate of one body move at 1 and all else rest, and JV is one entry of J. Six such
-      movements, six entries; any two rows that agree on all motions are the same row.)");
+      R"("By inspection" is not guessing. Ċ = JV holds for *every* V, and that leaves one J only: let one
+      component of V be 1 and the others 0, and JV is one entry of J. Six such movements give six entries.)");
   constexpr double each = 0.6;
-  page.sequence("probes", "Six movements find six numbers: each time Ċ is read off C, with no J in sight.",
+  page.sequence("probes", "Six movements give six numbers: each time Ċ is measured from C, without (14).",
                 tutor::Seconds{entries * each}, [=](renderer::Canvas& canvas, double time) {
                   draw_probe(canvas, pair, by_probe, sides, length, time, each);
                 });
 
   page.text(
-      R"(A row is a picture on its bodies. l is an arrow on the body's centre, a is a bow around it; an arrow on
-      one side has its counterpart on the other.)");
+      R"(A row can be drawn on its bodies: l is an arrow at the body's centre, a is a bow around it. The two arrows
+      are equal and opposite.)");
   page.figure(
       "row", "The four parts of J, drawn on the bodies that they belong to.", [=](renderer::Canvas& canvas) {
         canvas.look(
@@ -192,42 +201,43 @@ void inspection(tutor::Page& page, const Settings& set) {
   const Distance<PlaneParticle> rod{{0, 1}, length};
   Pose<PlaneParticle> anchor, bob;
   bob.position = (length + set.stretch) * Linear<PlaneParticle>(0.6, -0.8);
-  const double C = rod.value<double>(anchor, bob)[0], out = rod.jacobian(anchor, bob).l2().dot(bob.position);
+  const double C = tutor::without_rounding(rod.value<double>(anchor, bob)[0], length * length),
+               out = rod.jacobian(anchor, bob).l2().dot(bob.position);
+  const char *towards = "J is the gradient of C, so it points where C grows; nearer to the anchor C is smaller.",
+             *away = R"(J is the gradient of C. Farther from the anchor C is larger, whether the rod is too long or
+                     too short.)";
   page.choose(
-      {.ask = tutor::say(R"(A rod from an anchor to a bob is @: C = @ m². Does J's arrow on the bob point to the
-                         anchor or away from it?)",
-                         C > 0   ? "too long"
-                         : C < 0 ? "too short"
-                                 : "just right",
+      {.ask = tutor::say(R"(A rod from an anchor to a bob @: C = @ m². Does the arrow l₂ at the bob point to
+                                 the anchor or away from it?)",
+                         C > 0   ? "is too long"
+                         : C < 0 ? "is too short"
+                                 : "has its length",
                          C),
-       .options = {{"to the anchor",
-                    R"(J is the gradient: it points where C grows. The minus in (17) turns the push round. (The
-                    article says "towards the target".))"},
-                   {"away from the anchor",
-                    R"(J is the gradient of C: away from the anchor is where C grows, whether the rod is too long
-                    or too short.)"},
-                   {"that depends on the sign of C",
-                    "d does not ask for C: (14) contains neither C nor L. Only λ will ask."}},
+       .options = {{"to the anchor", towards},
+                   {"away from the anchor", away},
+                   {"that depends on the sign of C", "(14) contains neither C nor L, only d."}},
        .answer = out < 0 ? 0 : 1,
-       .hints = {"(14) says l₂ = d. From where to where does d point?"}});
+       .hints = {"Which way must the bob move for C to grow?", "(14): l₂ = d = P₂ − P₁.",
+                 "P₁ is the anchor and P₂ the bob: d leads from P₁ to P₂."}});
   page.figure("field", "J's arrow on the bob points where C grows: outwards, also where the rod is too short.",
               [=](renderer::Canvas& canvas) { draw_field(canvas, length); });
   page.text(
-      R"(So the article's "always points towards the target" needs a grain of salt. Move both bodies a little along
-      J and C grows by |J|² times that little. Whether to go there or back is not J's business: it is the sign of
-      λ, and that is the next lesson.)");
+      R"(Move both bodies a little along J and C grows by |J|² times that little. Whether C has to grow or to shrink
+      is not in J: the sign of λ decides it (lesson 2).
 
-  say_swap(page, pair, row, 1e-13 * (1 + length * length));
+      *The article says that J "always points towards the target". That is so only where C is negative.*)");
+
+  say_swap(page, pair, row);
 
   Pair along = pair;  // both bodies moving along J
   along.V1 = row.head<3>().transpose();
   along.V2 = row.tail<3>().transpose();
   const double along_step = step / (1 + row.norm());
-  page.claim({.quantity = "six probes against (14), largest difference",
-              .unit = "m, m²",
-              .expected = probe_tolerance(pair, step),
+  page.claim({.quantity = "six probes against (14), largest difference over |J|",
+              .unit = "1",
+              .expected = probe_tolerance(pair, step) / row.norm(),
               .source = "step²/6 · bound on the third derivative, and rounding",
-              .measured = (by_probe - row).cwiseAbs().maxCoeff(),
+              .measured = (by_probe - row).cwiseAbs().maxCoeff() / row.norm(),
               .tolerance = tutor::at_most()});
   page.claim({.quantity = "Ċ when both bodies move along J",
               .unit = "m⁴/s",

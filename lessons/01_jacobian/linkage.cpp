@@ -5,7 +5,7 @@
 #include "lessons/pictures/rods_and_bobs.hpp"
 #include "lessons/scenes/chain.hpp"
 
-// (6) to (8): many rows, nearly all of them zero.
+// Many rows, nearly all of their entries zero.
 namespace byhand::lesson01 {
 namespace {
 
@@ -56,39 +56,32 @@ constexpr int stored = decltype(Jacobian<Model, 1>::matrix)::ColsAtCompileTime;
 
 void linkage(tutor::Page& page, const Settings& set) {
   page.text(
-      R"(A constraint between two bodies has one row with four parts, one for each kind of velocity of each body.
-      Multiplied out, it is four dot products.)");
-  page.equation(6);
-  page.equation(7);
-  page.equation(8);
-  page.excerpt("solver/jacobian.hpp", "8");
-  page.text(
-      R"(How many numbers is that? In the plane a body can turn in one way only, so a is *one* number and a row is
-      (2 + 1)·2 = @. In space it is (3 + 3)·2 = @. (The article's "two scalar values in 2D, and three in 3D" fits
-      l.) A bob that does not turn needs @ in the plane and @ in space, and the solver stores no more than that.)",
+      R"(How many numbers has a row? Two times (l and a), for two bodies. In the plane a body turns in one way only,
+      so a is *one* number and a row has (2 + 1)·2 = @. In space it has (3 + 3)·2 = @. A bob that does not turn needs
+      @ in the plane and @ in space. The solver stores no more than that, and (8) reads:)",
       stored<PlaneBody>, stored<SpaceBody>, stored<PlaneParticle>, stored<SpaceParticle>);
+  page.excerpt("solver/jacobian.hpp", "8");
+  page.text(R"(*The article's "two scalar values in 2D, and three scalar values in 3D" is true of l alone.*)");
 
   const Scene<PlaneBody> scene = chain_of(set);
   const Eigen::MatrixXd J = whole(scene);
   const int links = set.links;
   const double zeros = double((J.array() == 0).count()) / double(J.size());
   page.text(
-      R"(Now @ links, pinned end to end. A pin is two constraints, so there are @ rows, and all the bodies together
-      have @ velocities: a matrix of @ numbers. Here it is, with every entry that is exactly zero left empty.)",
+      R"(Now @ links, pinned end to end. A pin is two constraints, so there are @ rows, and all bodies together have
+      @ components of velocity: a matrix of @ numbers. Entries that are exactly zero are left empty.)",
       links, J.rows(), J.cols(), J.size());
-  page.figure("linkage", "The chain: each pin speaks of two neighbours and of nobody else.",
-              [=](renderer::Canvas& canvas) {
-                const auto linkage = pictures::rods_and_bobs(scene);
-                std::vector<renderer::Point> corners{{0, 0}};
-                for (const auto& link : linkage.links) corners.push_back(link.to);
-                canvas.look(renderer::fit(renderer::bounds(corners), canvas.page(), 60));
-                pictures::draw(canvas, linkage);
-              });
+  page.figure("linkage", "The chain: each pin joins two neighbours.", [=](renderer::Canvas& canvas) {
+    const auto linkage = pictures::rods_and_bobs(scene);
+    std::vector<renderer::Point> corners{{0, 0}};
+    for (const auto& link : linkage.links) corners.push_back(link.to);
+    canvas.look(renderer::fit(renderer::bounds(corners), canvas.page(), 60));
+    pictures::draw(canvas, linkage);
+  });
   page.figure("matrix", "J of the chain. Empty cells are zero.", picture_of(J));
   page.text(
-      R"(@ % of it is nothing, and for twice as long a chain it would be @ %. That is why no solver here ever
-      builds this matrix: it keeps the rows, each with the numbers of its own two bodies, and (8) skips the
-      rest.)",
+      R"(@ % of the entries are zero, and @ % for a chain twice as long. So the solver does not build this matrix: it
+      keeps the rows, each with the numbers of its own two bodies, and (8) skips the rest.)",
       tutor::Value(100 * zeros, 3), tutor::Value(100 * share_of_zeros(2 * links), 3));
 
   Eigen::VectorXd V = Eigen::VectorXd::Zero(J.cols());

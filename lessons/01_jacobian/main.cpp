@@ -23,34 +23,35 @@ int main(int argc, char** argv) {
   };
 
   lesson.step("What C says", with(what_c_says));
+  lesson.step("A rate is a row times velocities", with(one_row));
   lesson.step("Differentiate", with(differentiate));
   lesson.step("The triple product", with(triple_product));
   lesson.step("J by inspection", with(inspection));
-  lesson.step("Slope 2, or 1 if a sign is wrong", with(slopes));
-  lesson.step("The same recipe for a contact", with(contact));
+  lesson.step("Test J with small steps", with(slopes));
+  lesson.step("The same steps for a contact", with(contact));
 
-  lesson.deeper("Dual numbers: the machine as referee", with(dual_numbers));
+  lesson.deeper("Dual numbers: the computer checks J", with(dual_numbers));
   lesson.deeper("Friction: the same row along a tangent", with(friction));
   lesson.deeper("How to read (23)", with(separation));
   lesson.deeper("½(d² − L²) or |d| − L?", with(two_forms));
-  lesson.deeper("A linkage's J, and how much of it is nothing", with(linkage));
-  lesson.deeper("Jᵀ is not an inverse", with(dual_map));
+  lesson.deeper("J of a chain, and how much of it is zero", with(linkage));
+  lesson.deeper("What Jᵀ is", with(dual_map));
 
   lesson.closing(
       {.now_you_know =
-           {"C is one number, zero when all is well; for the article's rod it is in square metres.",
-            "Ċ = JV: differentiate, free ω with the triple product, read the coefficients off.",
-            "J points where C grows, and does not know how wrong things are.",
-            "What J leaves of ΔC falls with slope 2; a wrong sign makes it slope 1.",
-            "A contact's normal points from body 1 to body 2, and has to turn if the bodies change names."},
+           {"C is one number, zero where the constraint is met; for the article's rod it is in square metres.",
+            "Ċ = JV: a rate is linear in the velocities. J is the row of its coefficients: l₁, a₁, l₂, a₂.",
+            "To find J: differentiate C, take ω out of the cross product, read the coefficients off.",
+            "J points where C grows, whatever the sign of C. λJᵀ pushes the bodies along it.",
+            "|ΔC − h·JV| falls like h²; with a wrong sign that the motion uses, only like h.",
+            "A contact's normal points from body 1 to body 2; exchange the bodies and it must be reversed."},
        .tries = {{"A rod that is too short: watch the sign of C, and where J points.",
                   "./lessons/run jacobian --set stretch=-0.1"},
-                 {"Bodies that do not turn hide a wrong a₂: both slopes become 2.",
-                  "./lessons/run jacobian --set spin=0 --step 5"},
+                 {"Bodies that do not turn: the test does not find a wrong a₂.",
+                  "./lessons/run jacobian --set spin=0 --step 6"},
                  {"A rod of ten metres, C and J from two different forms.",
-                  "./lessons/run jacobian --set length=10 --step 6d"}},
+                  "./lessons/run jacobian --set length=10 --step 7d"}},
        .next =
-           R"(You have a direction. Lesson 2 finds how hard to push along it: λ, from one number for the error and
-           one for the mass.)"});
+           R"(J says in which direction to push. Lesson 2 computes how hard: λ, from the rate JV and the masses.)"});
   return lesson.run(argc, argv);
 }

@@ -66,25 +66,25 @@ void draw_discs(renderer::Canvas& canvas, const Discs& at, double length) {
 void separation(tutor::Page& page, const Settings& set) {
   const double length = set.length, distance = 0.5 * length;
   const Discs at = discs(length, distance);
-  page.text("For contacts the article prints C itself, before it is differentiated.");
+  page.text("For contacts the article also prints C itself, with x the centres of mass:");
   page.equation(23);
   page.text(
-      R"(As printed it is a riddle: four vectors in brackets, dotted with one. Read the brackets as a sum, with
-      each r the arm *in the world*, from the centre x to the contact point:)");
+      R"(Read the brackets as a sum, and each r as the arm *in the world*, from the centre x to the contact
+      point:)");
   page.formula("C = ((x₂ + r₂) − (x₁ + r₁))·n = @ m", R"(C = ((x_2 + r_2) - (x_1 + r_1)) \cdot n = @\,\mathrm{m})",
                at.value());
   page.text(
-      R"(Now it is P₂ − P₁ along n, and the rest follows: it is a length in metres, negative where the bodies
-      overlap; the article's "interpenetration depth" is −C. Its rate with n held still is (15). Two discs show it
-      without any formula for contacts: their gap is the distance of the centres less both radii.)");
+      R"(That is P₂ − P₁ along n: a length in metres, negative where the bodies overlap; the article's
+      "inter-penetration depth" is −C. Its rate with n held still is JV of (15). Two discs check it: their gap is
+      the distance of the centres less both radii.)");
   page.figure("discs", "Two discs overlap. C is the short stretch between the tips of both arms, counted along n.",
               [=](renderer::Canvas& canvas) { draw_discs(canvas, at, length); });
   const auto& arms = at.contact.at.arms;
   const double literal =
       (at.second.position + arms.second - at.first.position - arms.first).dot(at.contact.normal);
   page.text(
-      R"(And "in the world" matters. These discs have turned; take their arms as they are stored, in the bodies'
-      own frames, and (23) says @ m.)",
+      R"(The arms must be those in the world. These discs have turned; with their arms as they are stored, in the
+      bodies' own frames, (23) would give @ m.)",
       literal);
   page.claim({.quantity = "C of (23) for two overlapping discs",
               .unit = "m",

@@ -12,6 +12,7 @@ struct Settings {
 };
 
 void what_c_says(tutor::Page& page, const Settings& set);
+void one_row(tutor::Page& page, const Settings& set);
 void differentiate(tutor::Page& page, const Settings& set);
 void triple_product(tutor::Page& page, const Settings& set);
 void inspection(tutor::Page& page, const Settings& set);

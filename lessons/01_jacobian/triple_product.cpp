@@ -110,43 +110,46 @@ void triple_product(tutor::Page& page, const Settings& set) {
   page.equation(11);
   page.equation(12);
   page.text(
-      R"(The linear velocities already stand alone, each behind its coefficient d. The two ω are still locked in a
-      cross product. The scalar triple product frees them: a·(b × c) is the volume of the box that a, b, c span,
-      and the volume stays when the three change places in turn.)");
+      R"(J has the coefficients of the velocities. v₁ and v₂ already stand alone behind theirs, −d and d. The two ω
+      are still inside a cross product. The scalar triple product takes them out: a·(b × c) is the volume that a,
+      b and c span, and it stays the same when the three change places in a cycle.)");
   page.formula("d·(ω × r) = ω·(r × d)", R"(d \cdot (\omega \times r) = \omega \cdot (r \times d))");
   page.equation(13);
   page.text(
-      R"(In turn, not at will: r × d and d × r differ by a sign, and this is where most hand-made Jacobians go
-      wrong. In the plane r × d is one number, r_x d_y − r_y d_x: |d| times the lever arm with which d passes the
-      centre.)");
+      R"(Only a cyclic change keeps the sign: r × d and d × r differ by one, and this is where most Jacobians
+      derived by hand go wrong. In the plane r × d is one number, r_x d_y − r_y d_x: |d| times the lever arm with
+      which d passes the centre.)");
   page.predict(
-      {.ask = tutor::say("A body's arm is r₂ = (@, 0) m and d = (0, @) m. How large is its angular entry a₂?", arm,
-                         -size),
+      {.ask = tutor::say(
+           R"(a₂ is the factor of ω₂ in (13). Body 2 has the arm r₂ = (@, 0) m, and d = (0, @) m. How large is
+                         a₂?)",
+           arm, -size),
        .answer = a2,
        .unit = "m²",
        .tolerance = 0.05 * area,
        .wrong = {{-a2, "That is d × r; the step from (12) to (13) gives r × d."},
                  {0, "d does not pass through the centre, so it has a lever arm."}},
-       .hints = {"r_x d_y − r_y d_x."},
-       .right = R"(Turn the body anticlockwise (ω₂ > 0) and P₂ rises, against d: the rod gets shorter, so a
-                negative entry is what you should expect.)"});
+       .hints = {"If the body turns anticlockwise, does P₂ move along d or against it?",
+                 "a₂ = r₂ × d = r_x d_y − r_y d_x.", tutor::say("@ · (@) − 0 · 0 = …", arm, -size)},
+       .right = R"(Turn the body anticlockwise (ω₂ > 0) and P₂ rises, against d: the rod gets shorter, so the
+                entry is negative.)"});
   const Turning turning = entry_over_direction(arm, size);
   page.figure("lever", "d acts on the body with a lever arm; a₂ is |d| times that arm, with a sign.",
               [oblique = arm_and_rod({arm, 0}, size * Point(0.5, -std::sqrt(0.75)))](renderer::Canvas& canvas) {
                 draw_lever(canvas, canvas.page().inset(20), oblique);
               });
   page.text(
-      R"(Turn d once round the tip of the arm. Where it points through the centre, at 0° and 180°, turning the body
-      does not change C, and a₂ is zero. Square to the arm it is largest, @ m². The dots turn the body a little and
-      watch C.)",
+      R"(Turn d once round the tip of the arm. Where its line passes through the centre, at 0° and 180°, turning the
+      body does not change C, and a₂ is zero. At right angles to the arm it is largest, @ m². The dots turn the
+      body a little and measure C.)",
       area);
   page.figure("entry", "a₂ while d turns round the tip of the arm.", turning.chart);
   constexpr int draws = 1000;
   const double mismatch = largest_mismatch(draws);
   page.text(
-      R"(In space all three are vectors and nothing changes: over @ random triples both sides agree to @ of their
-      size.)",
-      draws, tutor::Value(mismatch, 2));
+      R"(In space all three are vectors and the identity is the same: for @ random triples both sides agree to
+      rounding.)",
+      draws);
 
   page.claim({.quantity = "a₂ of the question",
               .unit = "m²",

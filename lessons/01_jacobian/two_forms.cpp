@@ -89,9 +89,9 @@ renderer::Chart gains(const Settings& set) {
 void two_forms(tutor::Page& page, const Settings& set) {
   const double length = set.length;
   page.text(
-      R"(You could have begun with |d| − L, an error in metres. Its gradient is n = d/|d|: (14) divided by the
-      length of d. Which one is right? Both. Let a bob fly outwards and let (17) stop it at the end of its rod,
-      once with each row (lesson 2 is about that formula):)");
+      R"(One can also begin with C = |d| − L, an error in metres. Its l₂ is n = d/|d|: (14) divided by the length of
+      d. Both are right. Let a bob fly outwards and let the solver stop it at the end of its rod, once with each row
+      (by (17), the subject of lesson 2):)");
   const auto at = pendulum<PlaneParticle>(0.6, length, set.mass);
   const Pose<PlaneParticle>&anchor = at.bodies().pose[0], &bob = at.bodies().pose[1];
   const InverseMass<PlaneParticle>&m1 = at.bodies().inverse_mass[0], &m2 = at.bodies().inverse_mass[1];
@@ -113,13 +113,13 @@ void two_forms(tutor::Page& page, const Settings& set) {
       - from |d| − L: λ = @ N·s, the impulse is @ N·s)",
       squared.lambda, vector(squared.on_bob), normalised.lambda, vector(normalised.on_bob));
   page.text(
-      R"(The same blow. λ differs by the factor |d| and carries another unit, N·s/m, so never compare λ across the
-      two forms, and never bound one with the other's limit.
+      R"(The impulse is the same. λ differs by the factor |d| and has another unit, N·s/m instead of N·s: never
+      compare the λ of one form with that of the other, nor with a bound meant for it.
 
-      The trouble begins when C is needed too. A cure for drift (lesson 4) asks for JV = −(β/h)C: a share β of the
-      error, each step. Take C and J of one and the same form and each removes nearly that share. Take C from (2)
-      and J from |d| − L, as it is easily done when the article's C meets a normalised row, and the share becomes
-      β·L: it depends on the unit in which you measure!)");
+      Mixing the forms goes wrong as soon as C is used too. A cure for drift (lesson 4) asks for JV = −(β/h)C: in
+      each step a share β of the error. With C and J of the same form, that is nearly the share removed. With C from
+      (2) and J from |d| − L, easily done when the article's C meets a normalised row, the share is β·L/(1 m): it
+      depends on the unit of length!)");
   page.excerpt("lessons/01_jacobian/two_forms.cpp", "mixed");
   page.figure(
       "gains",
@@ -127,8 +127,8 @@ void two_forms(tutor::Page& page, const Settings& set) {
       gains(set));
   const double diverges = 2 / set.beta;
   page.text(
-      R"(On a rod of 1 m you would never notice. At β = @ the mixed rod overshoots from L = @ m on and diverges
-      from about @ m on. This is why no scene of this course has L = 1 m.)",
+      R"(On a rod of 1 m nobody would notice, so test with other lengths. At β = @ the mixed rod overshoots from
+      about L = @ m on and diverges from about @ m on.)",
       set.beta, 1 / set.beta, diverges);
 
   const auto own = stretches<Distance>(10, set.mass, 0.2, set.h, 20),

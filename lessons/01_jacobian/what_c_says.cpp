@@ -6,6 +6,7 @@
 #include "lessons/pictures/growing.hpp"
 #include "lessons/pictures/rods_and_bobs.hpp"
 #include "lessons/scenes/pendulum.hpp"
+#include "lessons/tutor/rounding.hpp"
 
 // (1) and (2): C is one number that says how wrong things are.
 namespace byhand::lesson01 {
@@ -49,7 +50,7 @@ renderer::Chart value_over_time(double length, double mass) {
   return {.x = {.label = "time (s)", .range = std::pair{0.0, duration}},
           .y = {.label = "C (m²)"},
           .curves = {curve},
-          .references = {{renderer::Reference::Across::y, 0, "the rod is content"}}};
+          .references = {{renderer::Reference::Across::y, 0, "C = 0"}}};
 }
 
 renderer::Chart landscape(double length, double mass) {
@@ -80,39 +81,71 @@ renderer::Chart landscape(double length, double mass) {
 
 void what_c_says(tutor::Page& page, const Settings& set) {
   const double length = set.length, mass = set.mass, stretch = set.stretch, far = length + stretch;
-  const double C = value_at(far * from_straight_down<PlaneParticle>(three_four_five), length, mass);
+  const double C = tutor::without_rounding(
+      value_at(far * from_straight_down<PlaneParticle>(three_four_five), length, mass), length * length);
 
   page.text(
-      R"(A constraint is a number. It is zero while all is well, and it says how wrong things are when they are
-      not. The article calls it C and lets it depend on where two bodies are and how they are turned.)");
+      R"(This course follows one article: R. Gaul, *Modelling and Solving Physical Constraints* (2013). Its equations
+      keep their numbers here, (1) to (23). Each is derived, computed by the solver that comes with the course, and
+      checked; in this lesson (1) to (16) and (23). This is its example, a rod between two bodies:)");
+  page.figure("rod",
+              "Two bodies and a rod. P₁ and P₂ are its ends, r₁ and r₂ lead there from the centres of mass.",
+              [pair = pair_of(set), sides = box_sides(set), length](renderer::Canvas& canvas) {
+                canvas.look(renderer::fit({-0.5 * length, -0.5 * length, 2.8 * length, 1.3 * length},
+                                          canvas.page().inset(12), 8));
+                draw(canvas, pair, sides, true);
+              });
+  page.table({"symbol", "meaning", "unit"},
+             {{"P₁, P₂", "anchor points: where the constraint holds body 1 and body 2", "m"},
+              {"d", "P₂ − P₁, from one anchor point to the other", "m"},
+              {"r₁, r₂", "arms, from a body's centre of mass to its anchor point", "m"},
+              {"L", "length that the rod should have", "m"},
+              {"v, ω", "velocity of a centre of mass, angular velocity of a body", "m/s, rad/s"},
+              {"C", "value of the constraint; Ċ is its rate of change", "m² for this rod"},
+              {"V", "all velocities in one column: v₁, ω₁, v₂, ω₂", ""},
+              {"J", "Jacobian, the row of numbers with Ċ = JV", ""},
+              {"λ", "how hard the constraint pushes along J", ""},
+              {"h", "time step", "s"}});
+  page.text(
+      R"(A constraint is written as one number, C. It is zero where the constraint is met, and it says by how much
+      it is violated where not. It depends on where the two bodies are (l, for linear) and on how they are turned
+      (a, for angular):)");
   page.equation(1);
   page.text(
-      R"(Ours is a rod of @ m from a fixed anchor to a bob. With P₁ the anchor and P₂ the bob, the article writes
-      it with squares, so that no root stands in the way when we differentiate.)",
-      length);
-  page.equation(2, "C = ½(@² − @²) = @ m²", R"(C = \tfrac{1}{2}(@^2 - @^2) = @\,\mathrm{m^2})", far, length, C);
-  page.text("The solver says the same in one line. `at.separation` is P₂ − P₁.");
+      R"(For the rod the article compares squares of lengths, so that no root stands in the way when we
+      differentiate:)");
+  page.equation(2);
+  page.text("The solver says the same in one line; `at.separation` is P₂ − P₁.");
   page.excerpt("solver/constraints/distance.hpp", "value");
 
+  const double first_order = length * stretch;
   page.predict(
-      {.ask = tutor::say("The rod is @ m long and the bob is @ m from the anchor. How large is C of (2)?", length,
-                         far),
+      {.ask = tutor::say(R"(Take the simplest case: body 1 is fixed, body 2 is a small bob. The rod is @ m long and
+                         the bob is @ m from the anchor. How large is C of (2)?)",
+                         length, far),
        .answer = C,
        .unit = "m²",
        .tolerance = 0.02 * length * std::max(std::abs(stretch), 1e-3),
        .wrong = {{stretch,
-                  R"(That is the stretch in metres; (2) is ½(d² − L²), about L times the stretch, in square
-                  metres.)"},
-                 {2 * C, "That is d² − L²; the half in front is there to swallow the 2 of the derivative."},
-                 {-C, "Too long counts as positive: d² comes first."}},
-       .hints = {"Square both lengths, subtract, halve."},
-       .right = "Close to L times the stretch: C is not the stretch itself, and its unit is not the metre."});
+                  "That is the stretch in metres; (2) is half a difference of squares, in square metres."},
+                 {2 * C, "That is d² − L²; the half in front cancels the 2 of the derivative."},
+                 {-C, "d² comes first: a rod that is too long has C > 0, one that is too short C < 0."}},
+       .hints = {"Two lengths matter: the one that the rod has and the one that it should have.",
+                 "(2): C = ½(d² − L²).", tutor::say("½(@² − @²) = …", far, length)},
+       .right =
+           stretch == 0
+               ? "The rod has its length, so C is zero."
+               : tutor::say(R"(With a stretch s it is L·s + ½s², here @ m² + @ m². C is not the stretch itself,
+                                 and its unit is not the metre.)",
+                            first_order, 0.5 * stretch * stretch)});
+  page.formula("C = ½(@² − @²) = @ m²", R"(C = \tfrac{1}{2}(@^2 - @^2) = @\,\mathrm{m^2})", far, length, C);
 
   page.text(
-      R"(Now take the bob in your hand and nudge it: out, back, along the circle, in, back. Watch C. Along the rod
-      it answers at once, and its sign tells too long from too short. Along the circle it does not move at all:
-      that is the direction in which the rod leaves the bob free.)");
-  page.sequence("nudge", "A hand nudges the bob. C rises outside the circle, falls inside, and rests on it.",
+      R"(Now move the bob by hand: out, back, along the circle, in, back. Watch C. Along the rod it changes, and
+      its sign tells too long from too short. Along the circle it does not change: that is the direction in which
+      the rod leaves the bob free.)");
+  page.sequence("nudge",
+                "The bob is moved by hand. C is positive outside the circle, negative inside, zero on it.",
                 tutor::Seconds{duration}, [=](renderer::Canvas& canvas, double time) {
                   const auto [left, right] = canvas.page().inset(16).split_columns(0.5);
                   const renderer::Chart whole = value_over_time(length, mass);
@@ -133,9 +166,9 @@ void what_c_says(tutor::Page& page, const Settings& set) {
                   renderer::draw(canvas, pictures::grown_to(whole, time), right);
                 });
   page.text(
-      R"(Put the bob anywhere and colour the place by its C: a landscape. It is a bowl, −½L² deep at the anchor,
-      and the rod asks the bob to stay on one contour of it. Everything in this lesson is about the slope of that
-      landscape under the bob.)");
+      R"(Put the bob anywhere and colour the place by its C. The landscape is a bowl, −½L² deep at the anchor, and
+      the rod asks the bob to stay on one of its contours. This lesson is about the slope of that landscape under
+      the bob.)");
   page.figure("landscape",
               "C over the place of the bob. Red is too long, blue too short; on the dashed contour C = 0.",
               landscape(length, mass));

@@ -1,5 +1,6 @@
 #include <array>
 
+#include "lessons/02_single_constraint/plain.hpp"
 #include "lessons/02_single_constraint/steps.hpp"
 #include "renderer/canvas.hpp"
 
@@ -59,16 +60,17 @@ void effective_mass(const Setting& setting, Page& page) {
                m2 = scene.bodies().inverse_mass[1].linear;
 
   page.text(
-      R"(How stubborn is JV? Push with one unit of impulse along Jᵀ and see by how much JV changes: that is JM⁻¹Jᵀ,
-      and (17) will divide by it. M⁻¹ is written as a matrix,)");
+      R"(How hard is it to change JV? Push with one unit of impulse along Jᵀ: JV then changes by JM⁻¹Jᵀ, the number
+      that (17) will divide by. M⁻¹ has the bodies' inverse masses on its diagonal:)");
   page.equation(18);
   page.text(
-      R"(but please never build one. A particle needs one number, m⁻¹; what turns needs I⁻¹ as well. So a row
-      between two bodies needs at most four things, two of them here.)");
+      R"(No program needs this matrix. A particle has one number, m⁻¹; a body that turns has I⁻¹ as well. So a row
+      between two bodies needs at most four terms, and this one needs two:)");
   page.equation(19, "JM⁻¹Jᵀ = |l₁|²·m₁⁻¹ + |l₂|²·m₂⁻¹ = @·@ + @·@ = @ m²/kg",
                 R"(JM^{-1}J^T = |l_1|^2 m_1^{-1} + |l_2|^2 m_2^{-1} = @\cdot @ + @\cdot @ = @\ \mathrm{m^2/kg})",
                 row.J.l1().squaredNorm(), m1, row.J.l2().squaredNorm(), m2, row.K);
-  page.excerpt("solver/row.hpp", "18");
+  page.excerpt("lessons/02_single_constraint/plain.hpp", "19");
+  page.text("The solver does the same sum for any J, with W = JM⁻¹ computed once:");
   page.excerpt("solver/row.hpp", "19");
 
   Row4 J = row.J.matrix;
@@ -76,27 +78,35 @@ void effective_mass(const Setting& setting, Page& page) {
   const double product = J * inverse_mass * J.transpose();
   page.figure(
       "no_matrix",
-      say(R"(What (19) is in full. The held point is a body with an inverse mass of 0: infinitely heavy, said
-          without infinity. (19) multiplies @ times; as a product of matrices it would be @ times.)",
+      say(R"((19) as a product of matrices. The fixed point has an inverse mass of 0, as if it were infinitely heavy.
+          (19) needs @ multiplications, the product of matrices @.)",
           2 * (PlaneParticle::linear + 1), 4 * 4 + 4),
       [=](Canvas& canvas) { draw_product(canvas, J, inverse_mass, product); });
 
   page.text(
-      R"(Two names in the article are loose. M⁻¹ is not "the mass of the constraint" but the bodies' *inverse* mass
-      matrix, and JM⁻¹Jᵀ is not the "constraint mass" but the *inverse* effective mass: heavier bodies make it
-      smaller. Turn it over, E = @ kg/m²; for a unit step along the rod that is E·|d|² = @ kg, the bob's own mass,
-      for nothing else moves.)",
+      R"(JM⁻¹Jᵀ is an *inverse* mass: heavier bodies make it smaller. 1/(JM⁻¹Jᵀ) = @ kg/m² is the effective mass for
+      JV. JV is |d| times the speed along the rod; for that speed the effective mass is |d|²/(JM⁻¹Jᵀ) = @ kg, the
+      bob's own mass, for nothing else moves.)",
       1 / row.K, length * length / row.K);
   const Pendulum pair = two_free_bobs(setting);
   const double light = setting.mass(), heavy = 4 * light, together = length * length / OneRow(pair).K;
   page.text(
       R"(Let both ends of a rod move, @ kg at one and @ kg at the other, and the effective mass along it is @ kg:
-      less than the lighter one, for the other end gives way too.)",
+      less than the lighter one, for the other end moves too.
+
+      *The article calls M⁻¹ "the mass of the constraint" and JM⁻¹Jᵀ "the constraint mass". The first is the
+      inverse mass matrix of the bodies, the second the inverse effective mass.*)",
       light, heavy, together);
 
   Pendulum twice = scene;
   twice.set_mass(1, with_mass<PlaneParticle>(2 * setting.mass()));
-  page.claim({.quantity = "JM⁻¹Jᵀ from four numbers",
+  page.claim({.quantity = "JM⁻¹Jᵀ by the two terms of (19)",
+              .unit = "m²/kg",
+              .expected = product,
+              .source = "J, M⁻¹ and Jᵀ multiplied as matrices",
+              .measured = plain_inverse_effective_mass(row.J.l1().transpose(), m1, row.J.l2().transpose(), m2),
+              .tolerance = relative(1e-14)});
+  page.claim({.quantity = "JM⁻¹Jᵀ by the solver",
               .unit = "m²/kg",
               .expected = product,
               .source = "J, M⁻¹ and Jᵀ multiplied as matrices",

@@ -37,15 +37,15 @@ void gravity_after(const Setting& setting, Page& page) {
   page.text(
       R"(The article does not say when gravity enters. Let a bob hang at rest, straight down, and exchange the two
       lines: solve first, then add gravity, then move. In the first step JV = 0, so λ = 0; gravity then makes the
-      bob fall at gh, and it moves. The next solve sees that and stops it, and gravity comes again, unseen. It
-      falls at gh for ever.)");
+      bob fall at gh, and it moves. The next solve stops it, and gravity is added again after the solve. So in each
+      step the bob moves down at gh.)");
   page.figure(
       "gravity_after",
       say(R"(A hanging bob. With gravity before λ it hangs; with gravity after λ it sinks at gh = @ m/s: @ m in @
           s.)",
           gravity() * h, wrong.y.back(), wrong.x.back()),
       Chart{.x = {.label = "time (s)"}, .y = {.label = "depth (m)"}, .curves = {right, wrong}});
-  page.text("Nothing here is wrong with (17). It answered exactly what it was asked, one step too late.");
+  page.text("(17) is right each time; the V that it is given lacks the gravity of that step.");
   // Each step may round the bob's place by one unit in its last digit.
   const double rounding = 2.3e-16 / h * (setting.length() + wrong.y.back());
   page.claim({.quantity = "speed of sinking, gravity after λ",

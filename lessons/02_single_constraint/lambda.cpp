@@ -11,46 +11,53 @@ namespace palette = renderer::palette;
 
 void lambda(const Setting& setting, Page& page) {
   const Pendulum scene = let_go(setting);
-  const OneRow row(scene);
+  const OneRow row = shown_row(setting);
   const double length = setting.length(), along = row.lambda * length,
                full = setting.mass() * gravity() * setting.h();
   const bool pulls = row.lambda < 0;
 
   page.text(
-      R"(Now (17): the one number λ with which JV becomes 0. There is no bias yet, b = 0. First its sign, and that
-      without any arithmetic: JM⁻¹Jᵀ is a sum of squares, so only JV decides.)");
+      R"(The impulse λJᵀ changes V by M⁻¹Jᵀλ and so JV by JM⁻¹Jᵀλ. Which λ makes JV + b zero? b is the bias; until
+      lesson 4 it is 0.)");
   page.equation(17);
-  if (std::abs(along) > 1e-12 * full) {
+  page.derivation(
+      "(17), line by line",
+      {{"(5): the impulse is Jᵀλ; divided by the masses it is a change of velocity", "ΔV = M⁻¹Jᵀλ",
+        R"(\Delta V = M^{-1}J^T\lambda)"},
+       {"wanted: J(V + ΔV) + b = 0", "JV + JM⁻¹Jᵀλ + b = 0", R"(JV + JM^{-1}J^T\lambda + b = 0)"},
+       {"JM⁻¹Jᵀ is one number, (19)", "λ = −(JV + b)/(JM⁻¹Jᵀ)", R"(\lambda = -\frac{JV + b}{JM^{-1}J^T})"}});
+  if (along != 0) {
     const std::string
-        toward = "The push on the bob is λd. With λ < 0 it points against d, to the held point: the rod pulls.",
+        toward =
+            "The impulse on the bob is λd. With λ < 0 it points against d, to the fixed point: the rod pulls.",
         away =
-            "The push on the bob is λd. With λ > 0 it points along d, away from the held point: the rod pushes.";
-    page.choose(
-        {.ask = say(R"(J's arrow on the bob is d: it points away from the held point, where C grows. Gravity has
-                    just made JV @. Which sign has λ?)",
-                    pulls ? "positive" : "negative"),
-         .options = {{"negative", toward}, {"positive", away}},
-         .answer = pulls ? 0 : 1,
-         .hints = {"The minus in (17) turns it round."}});
+            "The impulse on the bob is λd. With λ > 0 it points along d, away from the fixed point: the rod "
+            "pushes.";
+    page.choose({.ask = say("In the first step JV is @. Which sign has λ?", pulls ? "positive" : "negative"),
+                 .options = {{"negative", toward}, {"positive", away}},
+                 .answer = pulls ? 0 : 1,
+                 .hints = {"Which of the numbers in (17) can be negative?",
+                           "(17) with b = 0: λ = −JV/(JM⁻¹Jᵀ), and JM⁻¹Jᵀ is a sum of squares.",
+                           pulls ? "JV > 0, so −JV < 0." : "JV < 0, so −JV > 0."}});
   } else {
-    page.text(
-        "You have put the bob level with the held point, where JV is 0 but for rounding: λ has nothing to do.");
+    page.text("You let go level with the fixed point, where JV is 0: λ is 0 as well.");
   }
 
   page.predict(
       {.ask = say(
-           R"(@ kg at @°, at rest, one step of gravity already in V. λ counts per metre of d; times |d| it is an
-           impulse. How large is λ·|d|, with its sign?)",
-           setting.mass(), setting.angle()),
+           R"(@ kg at @°, at rest, one step of gravity in V (g = @ m/s², h = @ s). λ is in N·s/m; multiply by |d| to
+           get the impulse along the rod. How large is λ·|d|, with its sign?)",
+           setting.mass(), setting.angle(), gravity(), setting.h),
        .answer = along,
        .unit = "N·s",
        .tolerance = 0.02 * full,
-       .wrong = {{-full, "You stopped all of gravity; the rod only stops the part along J."},
-                 {along / setting.h(), "That is λ/h, a force."},
-                 {-along, "J points away from the held point; look once more at which way this rod acts."},
-                 {row.lambda, "That is λ itself, in N·s/m: (14) is not divided by |d|."}},
-       .hints = {"JV over |d| is the speed along d. Which mass has to lose it?"},
-       .right = say("m·g·h is @ N·s; the rod answers for its part along d.", full)});
+       .wrong = {{-full, "That cancels all of gravity; the rod only cancels the part along d."},
+                 {-along, "Look again at the minus in (17) and at the sign of JV."},
+                 {row.lambda, say("As a number that is λ, in N·s/m; times |d| = @ m it is the impulse.", length)}},
+       .hints = {"Only the part of gravity along the rod is cancelled. Which angle does the rod make with it?",
+                 "(17) times |d|: λ|d| = −(JV/|d|)·m, and JV/|d| is the speed along d.",
+                 say("−@ · (@ · @ · cos @°) = …", setting.mass(), gravity(), setting.h, setting.angle())},
+       .right = say("It is −m·g·h·cosθ: m·g·h is @ N·s, and the rod cancels its part along d.", full)});
 
   page.formula("λ = −(@ + 0) / @ = @ N·s/m, and λ·|d| = @ N·s",
                R"(\lambda = \frac{-(@ + 0)}{@} = @\ \mathrm{N\,s/m}, \qquad \lambda\,|d| = @\ \mathrm{N\,s})",
@@ -67,21 +74,20 @@ void lambda(const Setting& setting, Page& page) {
                  {push.first, -unit * along / full * row.d / length, palette::force, "λ l₁"}};
   page.figure(
       "lambda_sign",
-      R"(Left: the row's two arrows point away from the rod, where C grows (drawn shorter than they are). Right:
-      the impulses λJᵀ on the bob and on the held point, which has the mass of the world behind it and does not
-      notice. The minus in (17) has turned them round wherever JV is positive.)",
+      say(R"(Left: the row's two arrows, −d and d (drawn shorter than they are), point where C grows. Right: the
+                  impulses λJᵀ on the bob and on the fixed point, which they do not move. @)",
+          pulls        ? "λ is negative: they are reversed, the rod pulls."
+          : along != 0 ? "λ is positive: they point the same way, the rod pushes."
+                       : "λ is zero: there are none."),
       [row_picture, push](Canvas& canvas) {
         draw(canvas, {row_picture, push});
       });
-  page.text(
-      R"(The article says that J "points towards the target". It does not: a gradient points where C *grows*, and
-      the minus in (17) does the rest.)");
 
   page.claim({.quantity = "λ·|d| of the first step",
               .unit = "N·s",
               .expected = -full * std::cos(radians(setting.angle())),
               .source = "−m·g·h·cosθ",
-              .measured = along,
+              .measured = OneRow(scene).lambda * length,
               .tolerance = absolute(1e-14 * full)});
 }
 

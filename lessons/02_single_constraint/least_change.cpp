@@ -1,4 +1,5 @@
 #include "lessons/02_single_constraint/steps.hpp"
+#include "lessons/tutor/rounding.hpp"
 #include "renderer/chart.hpp"
 #include "solver/measure.hpp"
 
@@ -37,20 +38,29 @@ void least_change(const Setting& setting, Page& page) {
   const auto energy = [&](double lambda) { return energy_after(scene, row, lambda); };
 
   page.text(
-      R"((17) was found by asking for JV = 0. Ask something else: of all λ, which leaves the least kinetic energy?
-      ½|V + M⁻¹Jᵀλ|² in the mass metric is a parabola in λ, JM⁻¹Jᵀ is its curvature, and JV its slope at λ = 0. So
-      its lowest point is (17) again.)");
+      R"((17) was found by asking for JV = 0. Ask something else: of all impulses λ along the row, which leaves the
+      least kinetic energy? The kinetic energy is a parabola in λ with the slope JV at λ = 0 and the curvature
+      JM⁻¹Jᵀ. So its lowest point is (17) again.)");
+  page.derivation("The least kinetic energy",
+                  {{"V becomes V + M⁻¹Jᵀλ", "T(λ) = ½(V + M⁻¹Jᵀλ)·M(V + M⁻¹Jᵀλ)",
+                    R"(T(\lambda) = \tfrac12 (V + M^{-1}J^T\lambda)\cdot M(V + M^{-1}J^T\lambda))"},
+                   {"multiply out", "T(λ) = T(0) + λJV + ½λ²JM⁻¹Jᵀ",
+                    R"(T(\lambda) = T(0) + \lambda JV + \tfrac12\lambda^2 JM^{-1}J^T)"},
+                   {"dT/dλ = 0", "λ = −JV/(JM⁻¹Jᵀ)", R"(\lambda = -JV/(JM^{-1}J^T))"}});
   Curve parabola{.label = "kinetic energy", .colour = palette::force};
   for (int i = 0; i <= 80; ++i) {
     parabola.x.push_back(unit * (-2 + 3.0 * i / 80));
     parabola.y.push_back(energy(parabola.x.back()));
   }
   page.figure("parabola",
-              say("Kinetic energy after an impulse λ along the row. The dot is λ of (17), @ N·s/m.", row.lambda),
+              say("Kinetic energy after an impulse λ along the row. The dot is λ of (17), @ N·s/m.",
+                  shown_row(setting).lambda),
               Chart{.x = {.label = "λ (N·s/m)"},
                     .y = {.label = "kinetic energy (J)"},
                     .curves = {parabola},
-                    .annotations = {{row.lambda, energy(row.lambda), "λ of (17)"}}});
+                    .annotations = {{shown_row(setting).lambda,
+                                     tutor::without_rounding(energy(row.lambda), energy(unit) + energy(-unit)),
+                                     "λ of (17)"}}});
   const double left = energy(-unit), middle = energy(0), right = energy(unit);
   page.claim({.quantity = "λ with the least kinetic energy",
               .unit = "N·s/m",
@@ -71,9 +81,9 @@ void least_change(const Setting& setting, Page& page) {
   };
   const Eigen::Vector2d only1(0, 0), only2(speed, speed);
   page.text(
-      R"(But why push along Jᵀ at all? Other impulses make JV = 0 as well. Two free bobs, @ kg and @ kg, the first
-      runs at @ m/s into the rod. Stopping the first alone would do. So would speeding up the second alone. Measure
-      each by the change it makes, ½ΔV·MΔV:
+      R"(But why push along Jᵀ at all? Other impulses make JV = 0 as well. Of two free bobs, @ kg and @ kg, the first
+      moves at @ m/s along the rod towards the second. Stopping the first alone makes JV = 0, and so does speeding up
+      the second alone. Compare the changes by ½ΔV·MΔV:
 
       - push the first alone: @ J
       - push the second alone: @ J
@@ -85,9 +95,9 @@ void least_change(const Setting& setting, Page& page) {
              .colour = palette::constraint};
   page.figure(
       "least_change",
-      R"(Velocities along the rod. On the line JV = 0; on each ellipse the change of V costs the same. The solver's
-      answer is where the smallest ellipse that reaches the line touches it: nothing else on the line changes V as
-      little, and it is the only one that keeps the momentum.)",
+      R"(Velocities along the rod. On the line JV = 0; on each ellipse ½ΔV·MΔV is constant. The solver's answer is
+      where the smallest ellipse that reaches the line touches it: the smallest change of V on the line, and the
+      only one that keeps the momentum.)",
       Chart{.x = {.label = "u₁ (m/s)", .range = std::pair{-0.3 * speed, 1.6 * speed}},
             .y = {.label = "u₂ (m/s)", .range = std::pair{-0.4 * speed, 1.2 * speed}},
             .curves = {rule, equal_cost(before, solved, m1, m2), equal_cost(before, only1, m1, m2)},

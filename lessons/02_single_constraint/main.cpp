@@ -1,7 +1,7 @@
 #include "lessons/02_single_constraint/steps.hpp"
 
-// One bob, one rod, one row: from a velocity that would break the rod to the impulse that saves it, and to what is
-// still wrong after ten seconds of that.
+// One bob, one rod, one row: from a velocity that would stretch the rod to the impulse that cancels it, and to the
+// error that is left after ten seconds.
 int main(int argc, char** argv) {
   using namespace byhand;
   using namespace byhand::single_constraint;
@@ -18,33 +18,34 @@ int main(int argc, char** argv) {
     return [=](tutor::Page& page) { step(setting, page); };
   };
 
-  lesson.step("Gravity first, and the rod objects", with(gravity_first));
-  lesson.step("Four numbers and no matrix", with(effective_mass));
-  lesson.step("λ: its sign before its size", with(lambda));
-  lesson.step("The impulse turns V onto the tangent", with(onto_the_tangent));
-  lesson.step("λ/h is the tension", with(tension));
-  lesson.step("The tangent leaves the circle", with(off_the_circle));
+  lesson.step("Gravity enters V first", with(gravity_first));
+  lesson.step("The effective mass", with(effective_mass));
+  lesson.step("λ: sign and size", with(lambda));
+  lesson.step("What the impulse does to V", with(onto_the_tangent));
+  lesson.step("From λ to the tension", with(tension));
+  lesson.step("JV = 0 and the length of the rod", with(off_the_circle));
   lesson.step("Ten seconds beside the exact pendulum", with(ten_seconds));
 
-  lesson.deeper("Of all impulses, the smallest change", with(least_change));
-  lesson.deeper("Gravity after the solve, and how it sinks", with(gravity_after));
+  lesson.deeper("The least change of V", with(least_change));
+  lesson.deeper("Gravity added after the solve", with(gravity_after));
   lesson.deeper("Why velocity and not position", with(why_velocity));
-  lesson.deeper("The same rod with a third number", with(rigid_rod));
+  lesson.deeper("A rod that turns", with(rigid_rod));
 
   lesson.closing(
       {.now_you_know =
-           {"Gravity goes into V first; JV then says how fast the rod would be stretched.",
-            "JM⁻¹Jᵀ is the inverse effective mass: a few numbers, never a matrix, and (17) divides by it.",
-            "λ is an impulse. It is negative where the rod pulls, and λ/h is the tension for every h.",
-            "After (20) JV = 0 to rounding: the push along Jᵀ is the smallest that does it, and does no work.",
-            "JV = 0 holds the rate, not the length. The rod grows by (vh)²/2L a step, and energy only falls."},
-       .tries = {{"Let go above the pivot: which sign has λ when the rod must push?",
+           {"Gravity goes into V first; JV then says how fast C would change.",
+            "JM⁻¹Jᵀ is the inverse effective mass: a few products, no matrix.",
+            "λ is an impulse. It is negative where the rod pulls, and −λ|d|/h is the tension, for every h.",
+            "After (20) JV = 0 to rounding. Of all impulses that do it, λJᵀ changes V least.",
+            "JV = 0 keeps the rate zero, not the length: C grows by ½h²v² a step, and with b = 0 energy never "
+            "rises."},
+       .tries = {{"Let go above the fixed point, where the rod must push: which sign has λ?",
                   "./lessons/run single_constraint --set angle=120"},
-                 {"Take a third of the step: drift and lost energy come down with it.",
+                 {"A third of the step: compare the drift and the lost energy.",
                   "./lessons/run single_constraint --set h=1/180"},
-                 {"A light bob on a long rod: which numbers do not notice?",
+                 {"A light bob on a long rod: which numbers stay the same?",
                   "./lessons/run single_constraint --set mass=0.1 --set length=10"}},
-       .next = R"(One row is solved exactly by one formula. With two rods that share a bob, solving one spoils the
-               other: lesson 3, Iterations. The drift you saw is cured in lesson 4, Baumgarte.)"});
+       .next = R"(One row is solved exactly by one formula. With two rods that share a bob, solving one row changes
+               the JV of the other: lesson 3. The drift that you saw is cured in lesson 4.)"});
   return lesson.run(argc, argv);
 }

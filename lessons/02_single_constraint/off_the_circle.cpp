@@ -1,6 +1,7 @@
 #include "lessons/02_single_constraint/steps.hpp"
 #include "lessons/02_single_constraint/swing.hpp"
 #include "lessons/pictures/rods_and_bobs.hpp"
+#include "lessons/tutor/rounding.hpp"
 
 namespace byhand::single_constraint {
 namespace {
@@ -42,9 +43,10 @@ void draw_steps(Canvas& canvas, const Swing& run, double length) {
 void off_the_circle(const Setting& setting, Page& page) {
   const double length = setting.length(), h = setting.h(), millimetre = 1e-3;
   const double one = stretch(setting, h), law = speed * speed * h * h / (2 * length);
+  const double ratio = speed * h / length;
   page.text(
-      R"(JV = 0 is kept, but for rounding. So the rod keeps its length? Take gravity away: the bob is at the lowest
-      point, moves sideways at @ m/s, and JV = 0. λ has nothing to do.)",
+      R"(After each solve JV is 0 to rounding. Does the rod keep its length? Take gravity away: the bob is at the
+      lowest point and moves sideways at @ m/s, so JV = 0 from the start, λ = 0, and the step only moves the bob:)",
       speed);
   page.excerpt("solver/integrate/euler.hpp", "advance");
   page.predict(
@@ -53,10 +55,17 @@ void off_the_circle(const Setting& setting, Page& page) {
        .answer = one / millimetre,
        .unit = "mm",
        .tolerance = 0.1 * one / millimetre,
-       .wrong = {{0, "JV = 0 sends the bob along the tangent, and the tangent leaves the circle by (vh)²/2L."},
-                 {speed * h / millimetre, "That is how far the bob moves; nearly all of it is sideways."}},
-       .hints = {"Pythagoras: L one way, v·h the other."},
-       .right = say("(vh)²/2L is @ mm.", law / millimetre)});
+       .wrong = {{0, "JV = 0 sends the bob along the tangent, and the tangent leaves the circle."},
+                 {speed * h / millimetre, "That is how far the bob moves; it moves at right angles to the rod."}},
+       .hints = {"The bob moves v·h at right angles to the rod. How far is it from the fixed point then?",
+                 "Pythagoras: √(L² + (vh)²) − L.",
+                 say("√(@² + @²) − @ = … (in metres)", length, Value(speed * h, 4), length)},
+       .right =
+           say(ratio <= 0.5 ? R"(The new length is the hypotenuse. For v·h much smaller than L the difference is
+                                    close to (vh)²/2L, @ mm.)"
+                            : R"(The new length is the hypotenuse. (vh)²/2L would be @ mm: that estimate needs
+                                    v·h much smaller than L.)",
+               law / millimetre)});
   page.formula("√(L² + (vh)²) − L = @ mm,   (vh)²/2L = @ mm",
                R"(\sqrt{L^2 + (vh)^2} - L = @\ \mathrm{mm}, \qquad \frac{(vh)^2}{2L} = @\ \mathrm{mm})",
                one / millimetre, law / millimetre);
@@ -65,8 +74,8 @@ void off_the_circle(const Setting& setting, Page& page) {
   const Swing steps = swing(weightless(setting), coarse, 8 * coarse);
   page.figure(
       "off_the_circle",
-      say(R"(The same bob in steps of @ s, so coarse that the eye can follow. Each step leaves at right angles to
-          the rod as it is, the next rod is the longer one, and no step ever comes back.)",
+      say(R"(The same bob in coarse steps of @ s. Each step is at right angles to the rod of that moment, so the rod
+          is longer after it; no step makes it shorter.)",
           coarse),
       [=](Canvas& canvas) { draw_steps(canvas, steps, length); });
 
@@ -82,8 +91,12 @@ void off_the_circle(const Setting& setting, Page& page) {
   const double slope = std::log2(measured.y[0] / measured.y[1]);
   page.figure(
       "one_step",
-      R"(How much too long the rod is after one step. Half the step: a quarter of the error. But a second then has
-      twice as many steps, so the drift over a *time* only halves.)",
+      say(ratio <= 0.5 ? R"(How much too long the rod is after one step, over h. From h to h/2 the slope is @:
+                                  half the step, a quarter of the error. A second then has twice as many steps, so the
+                                  drift over a *time* halves.)"
+                       : R"(How much too long the rod is after one step, over h. From h to h/2 the slope is @;
+                                  it becomes 2 where v·h is much smaller than L.)",
+          Value(slope, 3)),
       Chart{.x = {.label = "time step h (s)", .scale = Scale::logarithmic},
             .y = {.label = "stretch after one step (m)", .scale = Scale::logarithmic},
             .curves = {measured, theory}});
@@ -94,11 +107,10 @@ void off_the_circle(const Setting& setting, Page& page) {
   const double radius = last.position.norm(), momentum = cross(last.position, last.velocity)[0];
   const double grown = length * std::pow(1 + 2 * speed * speed * h * second / (length * length), 0.25);
   page.text(
-      R"(After one second of this the rod is @ m long instead of @ m, and the bob is slower, @ m/s: each impulse
-      acts along the rod, so it cannot change the angular momentum, v times R.)",
-      radius, length, last.velocity.norm());
+      R"(After one second the rod is @ mm too long, and the bob is slower by @ m/s: each impulse acts along the rod, so
+      it does not change the angular momentum, speed times length.)",
+      (radius - length) / millimetre, tutor::small_error(speed - last.velocity.norm(), 3));
 
-  const double ratio = speed * h / length;
   page.claim({.quantity = "stretch after one step",
               .unit = "mm",
               .expected = law / millimetre,

@@ -1,5 +1,6 @@
 #include "lessons/02_single_constraint/bob_picture.hpp"
 #include "lessons/02_single_constraint/steps.hpp"
+#include "lessons/tutor/rounding.hpp"
 #include "solver/measure.hpp"
 
 namespace byhand::single_constraint {
@@ -16,13 +17,17 @@ void onto_the_tangent(const Setting& setting, Page& page) {
   std::tie(after.state().velocity[0], after.state().velocity[1]) = row.velocities_after();
   const OneRow solved(after);
 
+  const OneRow shown = shown_row(setting);
+  const Vector impulse = tutor::without_rounding(Vector(shown.lambda * shown.d)),
+               left = (solved.v2.array().abs() > 1e-13 * gain).select(solved.v2, 0);
   page.text(
-      R"(λ goes back to the bodies the way the rate came from them: through the same row, transposed. The article
-      calls the product a force. λ came from velocities, so it is an *impulse*: F = P/h is the force.)");
-  page.equation(5, "P = λ·d = @·@ = @ N·s on the bob", R"(P = \lambda\,d = @\cdot @ = @\ \mathrm{N\,s})",
-                row.lambda, row.d, Vector(row.lambda * row.d));
-  page.equation(20, "v₂ = @ + @·@ = @ m/s", R"(v_2 = @ + @\cdot @ = @\ \mathrm{m/s})", row.v2,
-                scene.bodies().inverse_mass[1].linear, Vector(row.lambda * row.d), solved.v2);
+      R"(λ goes back to the bodies by (5). Here it was computed from velocities, so λJᵀ is an *impulse* P, a force
+      times the time it acts. (*The article calls it a force F; the force is P/h.*))");
+  page.formula("P = λ·d = @·@ = @ N·s on the bob", R"(P = \lambda\,d = @\cdot @ = @\ \mathrm{N\,s})", shown.lambda,
+               shown.d, impulse);
+  page.text("Divided by the masses, the impulses change the velocities:");
+  page.equation(20, "v₂ = @ + @·@ = @ m/s", R"(v_2 = @ + @\cdot @ = @\ \mathrm{m/s})", shown.v2,
+                scene.bodies().inverse_mass[1].linear, impulse, left);
   page.excerpt("solver/row.hpp", "20");
 
   BobPicture picture(scene);
@@ -32,21 +37,18 @@ void onto_the_tangent(const Setting& setting, Page& page) {
   picture.arrows = {{picture.second, scale * row.v2, palette::velocity, "V with gravity"},
                     {tip, scale * (solved.v2 - row.v2), palette::force, "m⁻¹λd"},
                     {picture.second, scale * solved.v2, palette::constraint, "V after"}};
-  page.figure(
-      "onto_the_tangent",
-      R"(The impulse is perpendicular to the velocity that it leaves behind: it takes away what lay along d and
-      touches nothing else.)",
-      [picture](Canvas& canvas) { draw(canvas, {picture}); });
+  const bool cancels = shown.lambda != 0, moves = left.norm() > 0;
+  page.figure("onto_the_tangent",
+              cancels && moves
+                  ? R"(The impulse is perpendicular to the velocity that it leaves behind: it takes away
+                                 the part along d and nothing else.)"
+              : moves ? "V lies along the tangent already; the impulse is zero."
+                      : "V lies along d; the impulse takes all of it away.",
+              [picture](Canvas& canvas) { draw(canvas, {picture}); });
 
-  const Vector impulse = row.lambda * row.d;
   page.text(
-      R"(JV is now @ m²/s, which is rounding and nothing else. One row by itself is solved *exactly* by one
-      formula; nothing is iterated.
-
-      The article calls Jᵀ the inverse of J. A row has no inverse: JJᵀ here is @ m². What is true is better.
-      Because it is the same row both ways, the impulse does no work on any motion that obeys the rod: P·V = @
-      J.)",
-      solved.JV, row.J.matrix.squaredNorm(), impulse.dot(solved.v2));
+      R"(JV is now zero to rounding. One row by itself is solved *exactly* by one formula; nothing is iterated. And
+      the impulse does no work on the velocity that it leaves, P·V = λJV = 0.)");
 
   const double arrival = std::sqrt(gravity() * length);
   const Pendulum pair = two_free_bobs(setting, Vector(0.9 * arrival, -0.5 * arrival));
@@ -55,25 +57,25 @@ void onto_the_tangent(const Setting& setting, Page& page) {
   std::tie(freed.state().velocity[0], freed.state().velocity[1]) = hit.velocities_after();
   const Vector before_momentum = linear_momentum(pair.bodies()), after_momentum = linear_momentum(freed.bodies());
   BobPicture blow(pair), answer(freed);
-  const double shown = 0.7 * length / arrival;
+  const double per_speed = 0.7 * length / arrival;
   blow.title = "the first bob is hit, the rod answers";
-  const Vector answered = shown * hit.lambda * hit.d / setting.mass();
+  const Vector answered = per_speed * hit.lambda * hit.d / setting.mass();
   blow.arrows = {{blow.first, -answered, palette::force, "−λd"},
                  {blow.second, answered, palette::force, "λd"},
-                 {blow.first, shown * hit.v1, palette::velocity, "v₁"}};
+                 {blow.first, per_speed * hit.v1, palette::velocity, "v₁"}};
   answer.title = "after: JV = 0";
-  answer.arrows = {{answer.first, shown * freed.bodies().velocity[0], palette::velocity, "v₁"},
-                   {answer.second, shown * freed.bodies().velocity[1], palette::velocity, "v₂"}};
+  answer.arrows = {{answer.first, per_speed * freed.bodies().velocity[0], palette::velocity, "v₁"},
+                   {answer.second, per_speed * freed.bodies().velocity[1], palette::velocity, "v₂"}};
   blow.guides = answer.guides = false;
   page.text(
-      R"(On the other end of the rod acts −λd. A held point swallows it; two free bobs show what it is for. Hit one
-      of @ kg, with one of @ kg at the other end: what one gains the other loses, and the momentum stays @
-      kg·m/s.)",
-      setting.mass(), 4 * setting.mass(), after_momentum);
+      R"(On the other end of the rod acts −λd. The fixed point does not move; with two free bobs one sees what −λd is
+      for. Hit one of @ kg, with one of @ kg at the other end: what one gains the other loses, and the momentum
+      stays @ kg·m/s.)",
+      setting.mass(), 4 * setting.mass(), tutor::without_rounding(after_momentum));
   page.figure(
       "momentum_kept",
       R"(Two free bobs, the second four times as heavy. The rod answers with two equal and opposite impulses
-      (orange) along itself; the velocities along the rod are equal afterwards, those across it untouched.)",
+      (orange) along itself; the velocities along the rod are equal afterwards, those across it unchanged.)",
       [blow, answer](Canvas& canvas) {
         draw(canvas, {blow, answer});
       });

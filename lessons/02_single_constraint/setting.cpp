@@ -1,5 +1,7 @@
 #include "lessons/02_single_constraint/setting.hpp"
 
+#include "lessons/tutor/rounding.hpp"
+
 namespace byhand::single_constraint {
 
 OneRow::OneRow(const Pendulum& scene) {
@@ -20,6 +22,16 @@ std::pair<Vector, Vector> OneRow::velocities_after(double impulse) const {
   std::pair<Vector, Vector> after{v1, v2};
   apply_impulse<PlaneParticle, 1>(W, Rows<1>(impulse), after.first, after.second);
   return after;
+}
+
+OneRow shown_row(const Setting& setting) {
+  OneRow row(let_go(setting));
+  const double gain = gravity() * setting.h(), length = setting.length();
+  row.d = tutor::without_rounding(row.d);
+  row.v2 = tutor::without_rounding(row.v2);
+  row.JV = tutor::without_rounding(row.JV, length * gain);
+  row.lambda = tutor::without_rounding(row.lambda, setting.mass() * gain / length);
+  return row;
 }
 
 }  // namespace byhand::single_constraint

@@ -54,4 +54,7 @@ struct OneRow {
   double lambda = 0;  // [N s/m]; times |d| it is in N s
 };
 
+/// The row of `let_go` with zeros in place of what is only rounding: for sentences, formulas and answers.
+OneRow shown_row(const Setting& setting);
+
 }  // namespace byhand::single_constraint

@@ -1,8 +1,10 @@
+#include "lessons/02_single_constraint/plain.hpp"
 #include "lessons/02_single_constraint/steps.hpp"
 #include "lessons/02_single_constraint/swing.hpp"
 #include "lessons/exact/simple_pendulum.hpp"
 #include "lessons/pictures/growing.hpp"
 #include "lessons/pictures/rods_and_bobs.hpp"
+#include "lessons/tutor/rounding.hpp"
 
 namespace byhand::single_constraint {
 namespace {
@@ -58,12 +60,12 @@ void ten_seconds(const Setting& setting, Page& page) {
   const Sample &first = run.front(), &last = run.back();
   const double stretch = last.position.norm() / length - 1, change = last.energy - first.energy;
 
+  page.text("Here is the article's whole step for the bob, in seven lines, each with its equation:");
+  page.excerpt("lessons/02_single_constraint/plain.hpp", "step");
   page.text(
-      R"(Here is the whole step; nothing of it is hidden. Two of its lines wait for later: the λ of the last step
-      (lesson 3) and the bias b (lesson 4), which is 0 here.)");
-  page.excerpt("solver/step.cpp", "step");
-  page.text("Let it run for @ seconds from @°, beside the exact pendulum, with C of (2) beneath.", seconds,
-            setting.release());
+      R"(The solver does the same for any bodies and constraints (`advance` in solver/step.cpp). Let it run for @
+      seconds from @°, beside the exact pendulum, with C of (2) beneath.)",
+      seconds, setting.release());
 
   const Chart C{.x = {.label = "time (s)"},
                 .y = {.label = "C (m²)"},
@@ -73,23 +75,26 @@ void ten_seconds(const Setting& setting, Page& page) {
                             .colour = palette::error}}};
   page.sequence(
       "ten_seconds",
-      say(R"(Blue: the article's step with b = 0. Dashed: the exact pendulum. C only ever grows, fastest where the
+      say(R"(Blue: the article's step with b = 0. Dashed: the exact pendulum. C never falls, and grows fastest where the
           bob is fast; after @ s the rod is @ % too long.)",
-          seconds, 100 * stretch),
+          seconds, tutor::small_error(100 * stretch, 4)),
       Seconds{seconds},
       [film = Film{run, exact, length, C}](Canvas& canvas, double time) { film.draw(canvas, time); });
 
   page.choose(
-      {.ask =
-           say(R"(After @ s the rod has grown by @ %, and the bob hangs that much lower at times. Has the energy,
-               kinetic and potential, risen or fallen?)",
-               seconds, 100 * stretch),
-       .options = {{"risen", "Every step the next impulse throws the outward part of V away, and ½m·vᵣ² with it."},
-                   {"fallen", say(R"(Yes, by @ m·g·L. Each step the next impulse throws away the outward part of V
-                                  that the tangent left, and its kinetic energy with it.)",
-                                  -change / scale)}},
+      {.ask = say(
+           R"(After @ s the rod has grown by @ %, so at the lowest point the bob is lower than it should be. Has
+                  the energy, kinetic and potential together, risen or fallen?)",
+           seconds, tutor::small_error(100 * stretch, 4)),
+       .options = {{"risen",
+                    R"(A rod cannot give energy: the impulse takes the part of V along d away, and with it the
+                             kinetic energy of that part.)"},
+                   {"fallen", say(R"(It has fallen by @ m·g·L. Each step moves the bob off the circle, and the next
+                                  impulse takes the outward part of V away, with its kinetic energy.)",
+                                  tutor::small_error(-change / scale, 4))}},
        .answer = change > 0 ? 0 : 1,
-       .hints = {"An impulse that makes JV = 0 takes a part of V away. Does it ever give one?"}});
+       .hints = {"What does an impulse that makes JV = 0 do to the part of V along d?",
+                 "Kinetic energy is ½m(v_along² + v_across²).", "v_along becomes 0, v_across stays."}});
 
   double thrown = 0, squares = 0;
   for (std::size_t i = 0; i + 1 < run.size(); ++i) {
@@ -97,24 +102,57 @@ void ten_seconds(const Setting& setting, Page& page) {
     squares += run[i + 1].velocity.squaredNorm();
   }
   page.text(
-      R"(Both can be said exactly. C grows by ½|v|²h² in each step, because d·v = 0 leaves only the square. And the
-      energy falls by ½m|ΔV|² in each step, where ΔV is all that the step does to V: gravity along the way is paid
-      back by the height, and the rod's push does no work on what follows. A sum of squares: this step can lose
-      energy and *cannot* gain any. The angle after @ s is @ rad, the exact one @ rad.)",
+      R"(Both have an exact law. In each step C grows by ½|v|²h². And in each step the energy falls by ½m|ΔV|²,
+      where ΔV is all that the step does to V, gravity and impulse together. Both are squares: with b = 0 this step
+      loses energy and *cannot* gain any. The angle after @ s is @ rad, the exact one @ rad.)",
       seconds, last.angle(), exact.angle(seconds));
+  page.derivation(
+      "What a step does to C and to the energy",
+      {{"(2) after the move, with d′ = d + hv", "C′ − C = ½|d + hv|² − ½|d|²",
+        R"(C' - C = \tfrac12|d + hv|^2 - \tfrac12|d|^2)"},
+       {"d·v = JV = 0 after the solve", "C′ − C = ½h²|v|²", R"(C' - C = \tfrac12 h^2|v|^2)"},
+       {"kinetic energy, with v = V′ after the solve and ΔV = V′ − V", "½m|V′|² − ½m|V|² = mV′·ΔV − ½m|ΔV|²",
+        R"(\tfrac12 m|V'|^2 - \tfrac12 m|V|^2 = mV'\cdot\Delta V - \tfrac12 m|\Delta V|^2)"},
+       {"mΔV = mgh + λd, and d·V′ = 0", "mV′·ΔV = mg·(hV′)", R"(mV'\cdot\Delta V = mg\cdot(hV'))"},
+       {"the bob moves by hV′: gravity's work equals the loss of potential energy", "E′ − E = −½m|ΔV|²",
+        R"(E' - E = -\tfrac12 m|\Delta V|^2)"}});
   Curve energy{.label = "the step with b = 0",
                .x = each(run, [](const Sample& s) { return s.time; }),
                .y = each(run, [&](const Sample& s) { return (s.energy - first.energy) / scale; }),
                .colour = palette::error};
   Curve still{.label = "exact", .x = {0, seconds}, .y = {0, 0}, .style = CurveStyle::theory};
-  page.figure(
-      "energy",
-      say("Change of energy in units of m·g·L. After @ s it is @: falling, in steps, wherever the bob is fast.",
-          seconds, change / scale),
-      Chart{.x = {.label = "time (s)"}, .y = {.label = "ΔE/(m·g·L)"}, .curves = {energy, still}});
+  page.figure("energy",
+              say("Change of energy in units of m·g·L; it never rises. After @ s it is −@.", seconds,
+                  tutor::small_error(-change / scale, 4)),
+              Chart{.x = {.label = "time (s)"}, .y = {.label = "ΔE/(m·g·L)"}, .curves = {energy, still}});
   page.measure("rod after ten seconds", 100 * stretch, "% too long");
   page.measure("energy after ten seconds", change / scale, "m·g·L");
 
+  Vector x = first.position, v = first.velocity;
+  for (std::size_t i = 0; i + 1 < run.size(); ++i) plain_step(x, v, mass, Vector(0, -gravity()), h);
+  page.claim({.quantity = "place after ten seconds: the seven lines against the solver",
+              .unit = "m",
+              .expected = 0,
+              .source = "the same step; its rounding grows with the number of steps",
+              .measured = (x - last.position).norm(),
+              .tolerance = absolute(1e-11 * static_cast<double>(run.size()) * last.position.norm())});
+  double least_rise = INFINITY, largest_gain = -INFINITY;
+  for (std::size_t i = 0; i + 1 < run.size(); ++i) {
+    least_rise = std::min(least_rise, run[i + 1].C - run[i].C);
+    largest_gain = std::max(largest_gain, run[i + 1].energy - run[i].energy);
+  }
+  page.claim({.quantity = "least change of C in a step",
+              .unit = "m²",
+              .expected = -1e-14 * last.position.squaredNorm(),
+              .source = "½h²|v|² ≥ 0, but for rounding",
+              .measured = least_rise,
+              .tolerance = at_least()});
+  page.claim({.quantity = "largest change of energy in a step",
+              .unit = "J",
+              .expected = 1e-13 * scale * (last.position.norm() / length),
+              .source = "−½m|ΔV|² ≤ 0, but for rounding",
+              .measured = largest_gain,
+              .tolerance = at_most()});
   page.claim({.quantity = "C at the end",
               .unit = "m²",
               .expected = 0.5 * h * h * squares,
@@ -132,7 +170,7 @@ void ten_seconds(const Setting& setting, Page& page) {
   page.claim({.quantity = "C after 2 s with h, over C with h/2",
               .unit = "1",
               .expected = 2,
-              .source = "law of the drift, Ċ ≈ ½hv²",
+              .source = "ΔC = ½h²v² a step, so Ċ ≈ ½hv²",
               .measured = whole / half,
               .tolerance = absolute(10 * std::sqrt(ratio)),
               .claimed = ratio <= 0.0025,

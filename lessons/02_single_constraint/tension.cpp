@@ -5,6 +5,7 @@
 #include "lessons/exact/simple_pendulum.hpp"
 #include "lessons/pictures/growing.hpp"
 #include "lessons/pictures/rods_and_bobs.hpp"
+#include "lessons/tutor/rounding.hpp"
 
 namespace byhand::single_constraint {
 namespace {
@@ -61,16 +62,17 @@ void tension(const Setting& setting, Page& page) {
     add_gravity(scene.state(), scene.gravity, step);
     return -OneRow(scene).lambda * length / step;
   };
+  const auto shown = [&](double step) { return tutor::without_rounding(pull(step), weight); };
   page.text(
-      R"(An impulse is a force times the time it acts. So λ by itself means little: half the step, half the λ. But
-      λ|d|/h is the force along d, and −λ|d|/h the pull of the rod, its tension. Take the first step again, from
-      @°:
+      R"(An impulse is a force times the time it acts: half the step, half the λ. So λ|d|/h is the force along d, and
+      −λ|d|/h the tension of the rod. In the first step from @°:
 
-      - with h = @ s it is @ N
+      - with h = @ s the tension is @ N
       - with h/4: @ N
       - with h/64: @ N
-      - what the rod must hold, m·g·cosθ: @ N)",
-      setting.angle(), setting.h, pull(h), pull(h / 4), pull(h / 64), held);
+      - m·g·cosθ, what the rod must hold: @ N@)",
+      setting.angle(), setting.h, shown(h), shown(h / 4), shown(h / 64), tutor::without_rounding(held, weight),
+      shown(h) < 0 ? ". It is negative: the rod pushes" : "");
   double worst = 0;
   for (int i = 0; i <= 6; ++i) worst = std::max(worst, std::abs(pull(h / (1 << i)) - held));
   page.claim({.quantity = "tension at release, the worst of h … h/64",
@@ -82,44 +84,50 @@ void tension(const Setting& setting, Page& page) {
 
   const SimplePendulum exact(radians(setting.release()), length, gravity());
   const double period = exact.period(), lowest = exact.tension(period / 4, mass) / weight;
+  const double peak = peak_tension(setting, h, period) / weight;
   page.predict(
-      {.ask = say(R"(Now let it swing from rest at @°. How hard does the rod pull when the bob passes the lowest
-                  point, in weights of the bob?)",
-                  setting.release()),
+      {.ask = say(
+           R"(Now let it swing from rest at @°. How large is the tension when the bob passes the lowest point, in
+                  units of its weight m·g?)",
+           setting.release()),
        .answer = lowest,
-       .unit = "weights",
-       .tolerance = 0.1,
+       .unit = "m·g",
+       .tolerance = 0.1 * std::min(1.0, lowest - 1),
        .wrong = {{1,
-                  say("That only holds the weight; turning it round costs mv²/L = @ weights more.", lowest - 1)},
-                 {lowest - 1, "That is the turning part alone; the weight hangs on it as well."}},
-       .hints = {"Energy gives v² at the bottom; to turn it into a circle takes mv²/L."},
-       .right = say("The solver measures @ with this h.", peak_tension(setting, h, period) / weight)});
+                  say("That only holds the weight; turning the bob round takes mv²/L = @ m·g more.", lowest - 1)},
+                 {lowest - 1, "That is the part that turns the bob; its weight comes on top."}},
+       .hints = {"What does the rod do at the lowest point besides holding the weight?",
+                 "Tension = m·g + mv²/L, and energy gives v² = 2gL(1 − cosθ₀).",
+                 say("1 + 2·(1 − cos @°) = …", setting.release())},
+       .right = say(R"(By energy mv²/L is 2(1 − cosθ₀) times m·g; with the weight that makes 3 − 2cosθ₀. The solver
+                    measures @ m·g with this h.)",
+                    peak)});
 
   const double end = std::min(period, 4.0);
   const Swing run = swing(setting, h, end);
   const Chart chart = tension_chart(run, exact, mass, end);
   page.figure(
       "tension_over_time",
-      say(R"(What the solver's λ says the rod pulls with, against m(g·cosθ + Lθ̇²) of the exact pendulum, over @ s
-          from @°. Nobody told the solver about circles. It begins exact and then falls short; the next two steps
-          show why.)",
-          end, setting.release()),
+      say(R"(The tension by the solver's λ and that of the exact pendulum, m(g·cosθ + Lθ̇²), over @ s from @°. The
+          solver knows nothing of circles; it only makes JV = 0 in each step.)",
+          Value(end, 3), setting.release()),
       chart);
-  page.sequence("swing", "The swing, the pull of the rod (orange) and the weight (grey), and −λ|d|/h as it comes.",
+  page.sequence("swing", "The swing, the pull of the rod (orange), the weight (grey), and −λ|d|/h over time.",
                 Seconds{end},
                 [=](Canvas& canvas, double time) { draw_frame(canvas, at(run, time), run, chart, weight); });
 
-  const double error = peak_tension(setting, h, period) / weight - lowest,
-               half = peak_tension(setting, h / 2, period) / weight - lowest,
+  const double error = peak - lowest, half = peak_tension(setting, h / 2, period) / weight - lowest,
                step = std::sqrt(gravity() / length) * h;
   page.text(
-      R"(At the bottom the run pulls with @ weights where the exact answer is @. What is missing is the step's
-      error, not the solver's: with h/2 the error is @ instead of @.)",
-      lowest + error, lowest, half, error);
+      R"(At the bottom the tension is @ m·g in this run and @ m·g exactly. @ of @ m·g is the error of the step, not of
+      the solver, which makes JV zero to rounding: with h/2 it is @ m·g. The next two steps show where it comes
+      from.)",
+      lowest + error, lowest, error < 0 ? "The lack" : "The excess", tutor::small_error(std::abs(error)),
+      tutor::small_error(std::abs(half)));
   const bool fine = step <= 0.05 && setting.release() >= 30 && setting.release() <= 120;
   const std::string range = "h·√(g/L) ≤ 0.05, release 30° … 120°";
   page.claim({.quantity = "greatest tension, from h and h/2 towards h = 0",
-              .unit = "weights",
+              .unit = "m·g",
               .expected = lowest,
               .source = "3 − 2·cosθ₀, from energy",
               .measured = lowest + 2 * half - error,

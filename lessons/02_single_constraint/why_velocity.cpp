@@ -14,9 +14,8 @@ void why_velocity(const Setting& setting, Page& page) {
   const auto error = [&] { return rod.value<double>(scene.bodies().pose[0], scene.bodies().pose[1])[0]; };
 
   page.text(
-      R"(Why not push the *position* until C = 0, with the same row? Pull the bob out to @ L and try. C of (2) has
-      a square in it, so J is only true where you stand: each push along M⁻¹Jᵀ of −C/(JM⁻¹Jᵀ) leaves something
-      over.)",
+      R"(Why not move the *position* until C = 0, with the same row? Pull the bob out to @ L and try. C of (2) is
+      quadratic, so J changes with the position: a move of −C/(JM⁻¹Jᵀ) along M⁻¹Jᵀ leaves an error.)",
       stretched);
   Curve left{.label = "position: |C| left", .style = CurveStyle::line_and_markers, .colour = palette::error};
   std::vector<double> distances;
@@ -29,21 +28,20 @@ void why_velocity(const Setting& setting, Page& page) {
   }
   page.figure(
       "why_velocity",
-      R"(|C| after each push of the position. It is Newton's method: the error is squared each time, quick, but
-      never done. JV = 0 is linear in V, and one push solves it to rounding.)",
-      Chart{.x = {.label = "pushes", .ticks = {{0, "0"}, {1, "1"}, {2, "2"}, {3, "3"}}},
+      R"(|C| after each move of the position. This is Newton's method: each error is proportional to the square of
+      the last. JV = 0 is linear in V, and one impulse solves it to rounding.)",
+      Chart{.x = {.label = "moves", .ticks = {{0, "0"}, {1, "1"}, {2, "2"}, {3, "3"}}},
             .y = {.label = "|C| (m²)", .scale = Scale::logarithmic},
             .curves = {left}});
   page.text(
-      R"(After one push @ m² of @ m² are left, after two @ m². Newton would do; but the pushed bob also keeps its
-      velocity. If it was on its way out, it is out again in the next step: moving the position repairs what has
-      happened, while an impulse stops it from happening. And with many rods each push spoils its neighbours, where
-      a linear system still has one answer. So solve V first; whoever wants C = 0 as well adds it to that (lesson
-      4).)",
+      R"(After one move @ m² of @ m² are left, after two @ m². That would do; but the bob keeps its velocity. If it
+      moves outwards, it is off the circle again one step later: moving the position removes the error, an impulse
+      prevents it. And with many rods each move changes its neighbours' C, where JV = 0 for all rows is a linear
+      system with one solution. So solve for V first, and correct C in addition (lesson 4).)",
       left.y[1], left.y[0], left.y[2]);
 
   const double C0 = left.y[0];
-  page.claim({.quantity = "C left after one push of the position",
+  page.claim({.quantity = "C left after one move of the position",
               .unit = "m²",
               .expected = C0 * C0 / (2 * distances[0] * distances[0]),
               .source = "C₀²/(2|d|²), what the linear part leaves",

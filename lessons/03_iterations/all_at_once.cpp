@@ -64,33 +64,40 @@ void all_at_once(Page& page, const Knobs& knobs) {
   const Eigen::MatrixXd inverse = A.llt().solve(Eigen::MatrixXd::Identity(n, n));
 
   page.text(
-      R"(Why go round at all? Write (17) once for every row, let each see what *all* the others do to its bobs, and
-      it becomes one linear system, with the inverse effective masses of (19) on the diagonal and the shared bobs
-      beside it:)");
+      R"(One can also solve all rows at once. Each row's impulse changes the JV of every row that shares a body with
+      it. Ask that JV + b be zero in all rows after all impulses together:)");
   page.formula("A λ = −(JV + b),   A = JM⁻¹Jᵀ, @ × @",
                R"(A\,\lambda = -(JV + b), \qquad A = JM^{-1}J^T, \quad @ \times @)", n, n);
+  page.derivation("One equation for all rows",
+                  {{"all rows of J below each other, all λ in a column: (20)", "V′ = V + M⁻¹Jᵀλ",
+                    R"(V' = V + M^{-1}J^T\lambda)"},
+                   {"wanted in every row", "JV′ + b = 0", R"(JV' + b = 0)"},
+                   {"insert", "JM⁻¹Jᵀ λ = −(JV + b)", R"(JM^{-1}J^T\,\lambda = -(JV + b))"}});
   page.text(
-      R"(Row i of A has at most three numbers that are not zero, because a joint shares bobs only with the one
-      above and the one below: A is *sparse*, @ of @ entries. Its inverse is *full*: every joint's λ depends on
-      every row's error. Read a column of A⁻¹ as an answer: "if only this row is wrong, what must each joint do?"
-      The pull goes at full strength through all joints up to the anchor; below, each joint passes on what the bobs
-      under it need. One sweep of the last step could not know that; A⁻¹ does.)",
-      nonzeros(A), n * n);
-  page.figure("matrices",
-              say(R"(Left: A, @ entries that are not zero. Middle: its Cholesky factor, A = GGᵀ, with @. Right: its
+      R"(On the diagonal of A stands (19) of each row; beside it, what a joint does to its neighbours through the bob
+      that they share. A joint has at most two neighbours, so each row of A has at most three numbers that are not
+      zero, 3N − 2 in all: @ of @@. Its inverse is *full*: every joint's λ depends on every row's error. A column
+      of A⁻¹ says what each joint must do if only that one row has an error: all joints above pull with full
+      strength, each joint below with what the bobs under it need.)",
+      nonzeros(A), n * n, n >= 6 ? "; A is *sparse*" : " (for long chains A is *sparse*)");
+  page.figure(
+      "matrices",
+      say(R"(Left: A, @ entries that are not zero. Middle: its Cholesky factor R, A = RRᵀ, with @. Right: its
                   inverse, with @. Empty cells are zero.)",
-                  nonzeros(A), nonzeros(factor), nonzeros(inverse)),
-              [=](renderer::Canvas& canvas) {
-                const auto cells = canvas.page().inset(16, 120).cells(1, 3, 18);
-                draw(canvas, map_of(A, "A = JM⁻¹Jᵀ", "m²/kg", true), cells[0]);
-                draw(canvas, map_of(factor, "its factor G", "m/√kg", true), cells[1]);
-                draw(canvas, map_of(inverse, "A⁻¹", "kg/m²", false), cells[2]);
-              });
+          nonzeros(A), nonzeros(factor), nonzeros(inverse)),
+      [=](renderer::Canvas& canvas) {
+        const auto cells = canvas.page().inset(16, 120).cells(1, 3, 18);
+        draw(canvas, map_of(A, "A = JM⁻¹Jᵀ", "m²/kg", true), cells[0]);
+        draw(canvas, map_of(factor, "its factor R", "m/√kg", true), cells[1]);
+        draw(canvas, map_of(inverse, "A⁻¹", "kg/m²", false), cells[2]);
+      });
   page.text(
-      R"(The article calls solving everything at once "very inefficient". It would be, with that full inverse. But
-      nobody needs the inverse: eliminate one joint after the other and you need only the *factor* in the middle,
-      which is as sparse as A. On a chain the direct solve stores @ numbers, two a joint; on a tree it is the same.
-      What it costs is for the deeper part of this lesson.)",
+      R"(Nobody needs the inverse. Eliminate one joint after the other: this needs only the factor in the middle, which
+      is as sparse as A. On a chain the direct solve stores @ numbers, about two a joint, and on a tree as many; a
+      deeper part of this lesson counts what it costs.
+
+      *The article calls solving all constraints simultaneously "very inefficient". For loops and piles it can be;
+      for a chain it is not.*)",
       2 * n - 1);
 
   HeldStep direct(chain, knobs.h, Direct{});
@@ -103,11 +110,10 @@ void all_at_once(Page& page, const Knobs& knobs) {
     for (int j = 0; j < n; ++j)
       worst_inverse = std::max(worst_inverse, std::abs(inverse(i, j) * L * L / (m * (n - std::max(i, j))) - 1));
   }
-  page.text(
-      R"(Solved directly, once: the top joint carries @ N, the lowest @ N, and no row has an error left worth the
-      name (@ gh).)",
-      direct.shares().front() * knobs.weight(), direct.shares().back() * knobs.weight(),
-      direct.error() / knobs.fall());
+  page.text("Solved directly, once: the top joint carries @ N, the lowest @ N, and the error of every row is @.",
+            direct.shares().front() * knobs.weight(), direct.shares().back() * knobs.weight(),
+            direct.error() <= 1e-12 * n * knobs.fall() ? std::string("rounding")
+                                                       : say("up to @ gh", direct.error() / knobs.fall()));
   page.claim({.quantity = "largest relative error of the joints' forces",
               .unit = "1",
               .expected = 0,

@@ -29,25 +29,37 @@ void heavy_end(Page& page, const Knobs& knobs) {
   const ChainOptions heavy = with_heavy_end(knobs.chain(), ratio);
   const double light_digit = measured_digit(knobs.chain(), h), heavy_digit = measured_digit(heavy, h);
 
-  page.text("The same @ links, but the bob at the end weighs @ times as much as each of the others.", n, ratio);
-  page.predict(
-      {.ask = say("With equal bobs one more digit takes @ sweeps. With an end bob @ times as heavy?",
-                  std::round(light_digit), ratio),
-       .answer = heavy_digit,
-       .unit = "sweeps",
-       .tolerance = 0.25 * heavy_digit,
-       .wrong = {{light_digit,
-                  R"(Mass cancels in one pendulum, not between rows: each sweep hands over only 1/r of what is
-                  missing.)"}},
-       .hints =
-           {R"(The last row joins a light bob and a heavy one, and its impulse is the same for both. Which of the
-           two does it move?)"},
-       .right = "Each sweep hands over only about 1/r of what is missing."});
+  const bool heavier = ratio > 1;
+  page.text("The same @ links, but the bob at the end has @ mass@.", n,
+            heavier ? say("@ times the", ratio) : "the same",
+            heavier ? " of each of the others" : " as the others: set `ratio` to make it heavier");
+  if (heavier) {
+    const double change = heavy_digit / light_digit;
+    constexpr double same = 1e-3;
+    page.choose(
+        {.ask =
+             say(R"(With equal bobs one more digit takes @ sweeps. With an end bob of @ times the mass: fewer, as
+                    many, or more?)",
+                 Value(light_digit, 3), ratio),
+         .options =
+             {{"fewer",
+               "The last row's impulse moves mostly its light bob; the heavy one changes its speed little."},
+              {"as many", "Mass cancels in one pendulum, not between the bobs of one row."},
+              {"more", say(R"(@ times as many, @. The last row's impulse hardly changes the speed of the heavy bob,
+                                  so the weight goes up the chain in small portions.)",
+                           Value(change, 3), Value(heavy_digit, 4))}},
+         .answer = change > 1 + same   ? 2
+                   : change < 1 - same ? 0
+                                       : 1,
+         .hints = {"The last row's impulse is the same for the light bob and the heavy one. Which of the two does "
+                   "it move?",
+                   "(20): Δv = λl/m.", say("Of the speed difference the heavy bob takes 1/(1 + @).", ratio)}});
+  }
   page.text(
-      R"(The last row finds the heavy bob falling away from the light one and makes their speeds meet. But in that
-      trade the light bob gives way: it takes r/(1 + r) of the change, the heavy one 1/(1 + r). The heavy bob
-      hardly slows down, while the light one is yanked out of the row above. So the weight climbs the chain in
-      portions of 1/r, and for large r ρ ≈ 1 − 1/(r(N − 1)):)");
+      R"(Let r be the ratio of the masses. The last row finds the heavy bob falling away from the light one and makes
+      their speeds equal. The light bob takes the share r/(1 + r) of the change, @, the heavy one 1/(1 + r), @. And the
+      row above then corrects the light bob. For r much larger than N the result is ρ ≈ 1 − 1/(r(N − 1)):)",
+      Value(ratio / (1 + ratio), 4), Value(1 / (1 + ratio), 3));
   renderer::Curve measured{.label = "measured", .style = renderer::CurveStyle::markers};
   renderer::Curve exact{.label = "eigenvalues", .style = renderer::CurveStyle::theory};
   renderer::Curve law{
@@ -61,8 +73,8 @@ void heavy_end(Page& page, const Knobs& knobs) {
     law.y.push_back(std::log(10.0) * r * (n - 1));
   }
   renderer::Chart chart;
-  chart.x = {.label = "end bob's mass, in masses of the others (1)", .scale = renderer::Scale::logarithmic};
-  chart.y = {.label = "sweeps for one more digit (1)", .scale = renderer::Scale::logarithmic};
+  chart.x = {.label = "end bob's mass, in masses of the others", .scale = renderer::Scale::logarithmic};
+  chart.y = {.label = "sweeps for one more digit", .scale = renderer::Scale::logarithmic};
   chart.curves = {measured, exact, law};
   page.figure("heavy_end", say("Sweeps for one more digit against the end bob's mass, @ links.", n), chart);
 
@@ -71,8 +83,8 @@ void heavy_end(Page& page, const Knobs& knobs) {
   for (int i = 0; i < few; ++i) sweep.solve_sweep();
   direct.solve();
   page.text(
-      R"(After @ sweeps the top joint carries @ of the weight. The direct solve, same rows: @. It sees all rows at
-      once, and a ratio of masses is only a number in A.)",
+      R"(After @ sweeps the top joint carries the share @ of the weight; with the direct solve of the same rows it is
+      @.)",
       few, sweep.shares().front(), direct.shares().front());
   page.claim({.quantity = "sweeps for one more digit, heavy end",
               .unit = "1",
@@ -80,7 +92,7 @@ void heavy_end(Page& page, const Knobs& knobs) {
               .source = "largest eigenvalue of D⁻¹A, dense",
               .measured = heavy_digit,
               .tolerance = relative(1e-4)});
-  page.claim({.quantity = "the same, law B4",
+  page.claim({.quantity = "the same, for a very heavy end",
               .unit = "1",
               .expected = std::log(10.0) * ratio * (n - 1),
               .source = "ρ ≈ 1 − 1/(r(N − 1))",

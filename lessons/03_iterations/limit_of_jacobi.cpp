@@ -1,4 +1,4 @@
-// Deeper: Jacobi's limit, law B5.
+// Deeper: where Jacobi diverges.
 
 #include <cmath>
 
@@ -61,12 +61,12 @@ double mu(int rods) {
 
 void limit_of_jacobi(Page& page, const Knobs& knobs) {
   page.text(
-      R"(On a chain Jacobi is only slow. It can also fail. Hang *one* square box of @ kg on several parallel rods.
-      Each row looks at the falling box and corrects the whole of what it sees; then all of them push at once. Two
-      rods may, four push far too much:)",
+      R"(On a chain Jacobi is slow; on other scenes it can diverge. Hang *one* square box of @ kg on several parallel
+      rods. Each row sees the falling box and corrects all of its own error; then all impulses act at once. For two
+      rods that is bearable, for four it is far too much:)",
       knobs.mass);
   renderer::Chart chart;
-  chart.x.label = "sweeps (1)";
+  chart.x.label = "sweeps";
   chart.y = {.label = "largest error (gh)", .scale = renderer::Scale::logarithmic, .range = {{1e-6, 1e6}}};
   constexpr int last = 20;
   int colour = 0;
@@ -88,16 +88,16 @@ void limit_of_jacobi(Page& page, const Knobs& knobs) {
   page.figure("limit_of_jacobi",
               "One box on 2, 3, 4 and 8 rods, Jacobi from λ = 0. Markers: measured; dashed: |1 − μ|ⁿ.", chart);
   page.text(
-      R"(All that matters is μ, the largest eigenvalue of D⁻¹A, where D is the diagonal of A: an error is
-      multiplied by 1 − μ in each sweep, and beyond μ = 2 it grows. For the box it is @ with 3 rods and @ with 4.
-      On a chain μ never reaches 2. The cure is to take a share ω of each step (*relaxation*): ω < 2/μ, which is @
-      for 4 rods. Gauss–Seidel needs no cure: the second row sees what the first has done.)",
+      R"(What decides is μ, the largest eigenvalue of D⁻¹A, where D is the diagonal of A: each sweep multiplies that
+      error by 1 − μ, so for μ > 2 it grows. For the box μ is @ with 3 rods and @ with 4. On a chain μ is below 2. The
+      cure is to apply only a part w of each change (*relaxation*): w < 2/μ, which is @ for 4 rods. Gauss–Seidel needs
+      no cure: the second row sees what the first has done.)",
       Value(mu(3), 3), Value(mu(4), 3), Value(2 / mu(4), 3));
   for (const int rods : {2, 3, 4, 8})
     page.claim({.quantity = say("@ rods: growth of the error a sweep", rods),
                 .unit = "1",
                 .expected = std::abs(1 - mu(rods)),
-                .source = "law B5: |1 − μ|, μ = Σ 1/(1 + m x²/I)",
+                .source = "|1 − μ|, μ = Σ 1/(1 + m x²/I)",
                 .measured = factor(Jacobi{}, rods, knobs),
                 .tolerance = relative(1e-9)});
   for (const double share : {0.99, 1.01}) {
@@ -105,7 +105,7 @@ void limit_of_jacobi(Page& page, const Knobs& knobs) {
     page.claim({.quantity = say("4 rods, relaxed to @", Value(relaxation, 3)),
                 .unit = "1",
                 .expected = std::abs(1 - relaxation * mu(4)),
-                .source = "|1 − ωμ|",
+                .source = "|1 − wμ|",
                 .measured = factor(Jacobi{.relaxation = relaxation}, 4, knobs),
                 .tolerance = relative(1e-9)});
   }

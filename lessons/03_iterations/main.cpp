@@ -25,30 +25,30 @@ int main(int argc, char** argv) {
     lesson.deeper(title, [=](Page& page) { tell(page, knobs); });
   };
 
-  step("Two links undo each other's work", two_links);
-  step("Ten links, one sweep", one_sweep);
+  step("Two links that share a bob", two_links);
+  step("A chain and one sweep", one_sweep);
   step("All at once", all_at_once);
   step("Many sweeps", many_sweeps);
-  step("Why twice as long takes four times as many", twice_as_long);
-  step("What a warm start buys", warm_start);
+  step("A chain twice as long", twice_as_long);
+  step("Cold and warm over many steps", warm_start);
   step("1, 4, 16, 64 sweeps, and direct", side_by_side);
   deeper("A heavy end", heavy_end);
   deeper("What the direct solve costs", price_of_direct);
-  deeper("Where Jacobi fails", limit_of_jacobi);
+  deeper("Where Jacobi diverges", limit_of_jacobi);
 
   lesson.closing(
       {.now_you_know =
-           {"(17) is exact for one row; for rows that share bodies it is one sub-step of Gauss–Seidel.",
-            R"(A sweep leaves the share cos²(π/2N) of a chain's slowest error, in any order: twice as long, four
-            times as many sweeps.)",
-            "A warm start is a head start in one step and the whole way over many; it rings.",
+           {"(17) is exact for one row; for rows that share bodies it is one step of Gauss–Seidel.",
+            R"(A sweep leaves the share cos²(π/2N) of a chain's slowest error, in any order: a chain twice as long needs
+            about four times as many sweeps.)",
+            "A warm start lets sweeps add up over the steps; the error then falls by √q a step and rings.",
             "Too few sweeps make a chain soft, by an amount that can be computed.",
-            "All rows at once cost a chain no more than a few sweeps, and nothing is left over."},
+            "All rows at once cost a chain as much as a few sweeps and leave only rounding."},
        .tries = {{"A chain twice as long; look at the sweeps for a digit:", "./lessons/run 3 --set links=20"},
-                 {"Start the swinging chains warm: with few sweeps, memory and correction fight.",
+                 {"Start the swinging chains warm: with few sweeps the correction makes them ring.",
                   "./lessons/run iterations --step 7 --set warm=1"},
                  {"One sweep a step, cold and warm:", "./lessons/run iterations --step 6 --set sweeps=1"}},
-       .next =
-           "Lesson 4 takes up the drift: what pulling stretched links back costs, and where it stops working."});
+       .next = "Lesson 4 is about drift: what it costs to pull stretched links back, and for which β that is "
+               "stable."});
   return lesson.run(argc, argv);
 }

@@ -78,69 +78,81 @@ void many_sweeps(Page& page, const Knobs& knobs) {
   const double jacobi = sweeps_per_digit(measured_factor(Jacobi{.warm_start = false}, chain, h));
 
   page.text(
-      R"(How fast is going round? Solve the same step, hanging chain, gravity just in V, with 1, 2, 3, … sweeps and
-      look at the largest error each time. Four ways to go round, all from λ = 0:
+      R"(How fast do sweeps converge? Solve the same step, hanging chain, gravity just in V, with 1, 2, 3, … sweeps
+      and compare the largest error each time. Four ways, all from λ = 0:
 
-      - *Jacobi*: every row looks at the same V, then all push at once. It could run in parallel.
+      - *Jacobi*: every row sees the same V, then all act at once. It could run in parallel.
       - *Gauss–Seidel* top-down, bottom-up, or *red–black*: all odd rows, then all even ones (rows of one colour
         share no bob, so these could run in parallel too).)");
   constexpr double same = 1e-6;
   const bool alike = std::abs(digits[1] / digits[0] - 1) < same && std::abs(digits[2] / digits[0] - 1) < same;
   const auto steepest = static_cast<int>(std::min_element(digits.begin(), digits.end()) - digits.begin());
   page.choose(
-      {.ask = "Top-down, bottom-up, red–black: whose error falls most steeply in the end?",
-       .options = {{"top-down",
-                    R"(It follows the chain from its anchor, but the load comes from below. The first sweeps
-                    differ; the slow wave along the chain decides the slope.)"},
-                   {"bottom-up",
-                    R"(It follows the load, and the first sweep shows it; then the slow wave along the chain
-                    decides, and no order sees that.)"},
-                   {"red–black",
-                    R"(Its rows do not wait for each other, which makes it fast on a processor, not steeper a
-                    sweep.)"},
-                   {"all the same",
-                    R"(The first sweeps differ; the slow wave along the chain decides the slope, and no order sees
-                    it.)"}},
+      {.ask = "Top-down, bottom-up, red–black: whose error falls most steeply after many sweeps?",
+       .options =
+           {{"top-down",
+             "It differs in the first sweeps only; later the error is smooth, and no order sees that better."},
+            {"bottom-up", R"(It follows the load and begins lower; later the error is smooth along the chain, and
+                                 no order sees that better.)"},
+            {"red–black", "Its rows could run in parallel, which makes a sweep quicker, not more effective."},
+            {"all the same", R"(The first sweeps differ. Later only the smoothest error is left, a wave as long as
+                                    the chain, and every order leaves the same share of it.)"}},
        .answer = alike ? 3 : steepest,
-       .hints = {R"(After a few sweeps every order has smoothed the errors out: neighbours are wrong by nearly the
-               same. What can one row still see of that?)"}});
+       .hints = {
+           "After a few sweeps every order has smoothed the errors: neighbours are wrong by nearly the same.",
+           "A row sees only its own JV: the difference between its two bobs.",
+           "For a smooth error that difference is the same, whichever row comes first."}});
 
   const double second = 1.0;
   const std::vector<int> counts = sweep_counts(std::max(12, static_cast<int>(4.3 * digit)));
   renderer::Chart chart;
-  chart.x.label = "sweeps (1)";
+  chart.x.label = "sweeps";
   chart.y.label = "largest error (gh)";
   chart.y.scale = renderer::Scale::logarithmic;
   chart.y.range = {{1e-5, 2}};
   chart.curves.push_back(curve_of("Jacobi", Jacobi{.warm_start = false}, knobs, counts));
   for (const Named& order : orders) chart.curves.push_back(curve_of(order.name, order.solver, knobs, counts));
-  chart.curves.push_back(warm_curve(second, knobs, counts));
+  renderer::Curve warm = warm_curve(second, knobs, counts);
+  const double cold_first = chart.curves[1].y.front(), warm_first = warm.y.front();
+  const bool warm_seen = warm_first > chart.y.range->first;
+  if (warm_seen) chart.curves.push_back(std::move(warm));
   chart.curves.push_back(theory("cosⁿ(π/2N)", std::sqrt(rho), counts));
   chart.curves.push_back(theory("cos²ⁿ(π/2N)", rho, counts));
-  page.figure(
-      "error_over_sweeps",
-      say(R"(The largest error against sweeps, @ links. Dashed: the rates that theory predicts, drawn from 1.
-          Top-down and bottom-up lie near each other, red–black beside them; all fall alike. The warm curve is the
-          step after @ s of @ warm sweeps a step.)",
-          knobs.links, second, knobs.sweeps),
-      chart);
+  page.figure("error_over_sweeps",
+              say(R"(The largest error against sweeps, @ links. Dashed: the rates of theory, drawn from 1. @@)",
+                  knobs.links,
+                  alike ? "The three orders of Gauss–Seidel fall with the same slope."
+                        : "The three orders of Gauss–Seidel have different slopes here.",
+                  warm_seen ? say(" The warm curve is the step after @ s with @ a step.", second,
+                                  several(knobs.sweeps, "warm sweep"))
+                            : std::string()),
+              chart);
   page.text(
-      R"(On this scale a straight line means: each sweep leaves the same share of the error. For N equal links
-      hanging from an anchor that share is cos(π/2N) for Jacobi and its square for Gauss–Seidel in *any* order:)");
+      R"(On this scale a straight line means that each sweep leaves the same share of the error. For N equal links
+      hanging from an anchor that share is cos(π/2N) for Jacobi and its square for Gauss–Seidel in *any* order (the
+      next step derives it):)");
   page.formula(
       "ρ = cos²(π/2N) = @ for N = @,   one more digit: ln 10 / −ln ρ = @ sweeps",
       R"(\rho = \cos^2\frac{\pi}{2N} = @ \text{ for } N = @, \qquad \frac{\ln 10}{-\ln\rho} = @ \text{ sweeps a digit})",
       rho, knobs.links, digit);
   page.text(
-      R"(A *warm start* begins with the λ of the step before instead of 0. It begins lower, and then it falls no
-      faster: a better guess is worth a head start, not a steeper line. What that is worth over many steps comes in
-      step 6.)");
+      R"(A *warm start* begins with the λ of the step before instead of 0. @ In the long run each sweep leaves the
+      same share of the error whatever λ it began with: a better guess begins lower, it does not fall faster. What it is worth over
+      many steps comes in step 6.)",
+      !warm_seen ? say("After @ s with @ a step nothing is left to be solved on this scale.", second,
+                       several(knobs.sweeps, "warm sweep"))
+      : warm_first < cold_first
+          ? say("After one sweep its error is @ gh, the cold one's @ gh.", Value(warm_first, 2),
+                Value(cold_first, 2))
+          : say(R"(Here that guess is no better: after one sweep its error is @ gh, the cold one's @
+                                      gh, for so few sweeps leave oscillations (step 6).)",
+                Value(warm_first, 2), Value(cold_first, 2)));
   page.measure("sweeps for one more digit", digits[0], "1");
   for (int i = 0; i < 3; ++i)
     page.claim({.quantity = say("sweeps for one more digit, @", orders[i].name),
                 .unit = "1",
                 .expected = digit,
-                .source = "law B4: ρ = cos²(π/2N)",
+                .source = "ρ = cos²(π/2N), the rate of sweeps on a chain",
                 .measured = digits[i],
                 .tolerance = relative(same)});
   page.claim({.quantity = "the same for Jacobi",

@@ -1,4 +1,4 @@
-// Step 2: ten links and one sweep, row by row.
+// Step 2: a chain and one sweep, row by row.
 
 #include <algorithm>
 #include <cmath>
@@ -123,10 +123,9 @@ void one_sweep(Page& page, const Knobs& knobs) {
   const double right = 1.0;
 
   page.text(
-      R"(Now @ links, each with a bob of @ kg: @ N in all, and the top joint must carry every newton of it. Each
-      joint below carries one bob less; that is the dashed line in the pictures below, and it is what the exact λ
-      gives at any h, since λ is an impulse and the force is λ over h (times L here, because (14) is not divided by
-      the length).)",
+      R"(Now @ links, each with a bob of @ kg: @ N in all. The top joint must carry the whole weight, each joint below
+      one bob less; that is the dashed line in the pictures. λ is in N·s/m as in lesson 2, so the force of a joint is
+      −λL/h.)",
       knobs.links, knobs.mass, knobs.weight());
   page.predict(
       {.ask = say(R"(λ is zero everywhere. One sweep from top to bottom, each of the @ rows solved once. What share
@@ -135,9 +134,12 @@ void one_sweep(Page& page, const Knobs& knobs) {
        .answer = shares.front(),
        .unit = "1",
        .tolerance = 0.2 / knobs.links(),
-       .wrong = {{right, "It met only its own bob's weight: the others had not pulled yet."}},
-       .hints = {"When row 1 is solved, what has happened to the bobs below it so far?"},
-       .right = say("One bob out of @. The top row was solved first, when nobody had pulled on its bob yet.",
+       .wrong = {{right,
+                  "When row 1 is solved, only its own bob pulls at it: the rows below have not acted yet."}},
+       .hints = {"When row 1 is solved, what has happened to the bobs below it so far?",
+                 "Row 1 stops its own bob: λL = −m·gh. The whole weight times h is N·m·gh.",
+                 say("m·gh / (@·m·gh) = …", knobs.links)},
+       .right = say("One bob out of @: row 1 was solved first, when no other row had pulled on its bob.",
                     knobs.links)});
 
   const auto linkage = pictures::rods_and_bobs(first.scene());
@@ -146,16 +148,16 @@ void one_sweep(Page& page, const Knobs& knobs) {
       "row_by_row",
       say(R"(Two sweeps row by row, then whole sweeps in growing strides. Left: how fast each bob still falls.
           Above: what each joint carries, as a share of all @ N (dashed: the weight below it). Below: each row's
-          error. The row being solved is yellow; watch its error vanish and its neighbours' grow.)",
+          error. The row being solved is yellow: its error becomes zero, its neighbours' errors change.)",
           knobs.weight()),
       Frames{static_cast<int>(frames.size())}, [=](renderer::Canvas& canvas, double at) {
         draw_instant(canvas, linkage, frames[static_cast<std::size_t>(at)]);
       });
   page.text(
-      R"(After the first sweep the upper joints carry @ … of the weight. Joint after joint passes *half* of what it
-      meets to the next: gh, then gh/2, then gh/4, since each shares its error between two equal bobs. And from
-      bottom to top it is no better: then every row but the top one finds its two bobs falling side by side, sees
-      no error and does nothing.)",
+      R"(After the first sweep the @ joints carry the shares @ of the weight. Each row shares its error between two
+      equal bobs, so it passes *half* of it on to the next: gh, then gh/2, then gh/4. From bottom to top the result at
+      the top is the same: every row but the top one finds its two bobs falling together, without an error.)",
+      knobs.links() <= 4 ? "" : "upper",
       std::vector<double>(shares.begin(), shares.begin() + std::min(4, knobs.links())));
   page.claim({.quantity = "share at the top joint, from top to bottom",
               .unit = "1",

@@ -83,10 +83,10 @@ double settled_stretch(const Knobs& knobs, int sweeps) {
 }
 
 /// The same from the textbook's matrices: the bias that makes up for what k sweeps leave is as large as the speed
-/// at which links part without it, (β/h) C / |d| = r, and C = ½(d² - L²).
+/// at which links part without it, (β/h) C / |d| = that speed, and C = ½(d² - L²).
 double textbook_stretch(const Knobs& knobs, int sweeps) {
-  const double r = textbook_cold_errors(knobs.chain(), sweeps, knobs.fall()).maxCoeff(), L = knobs.length;
-  const double s = r * knobs.h / knobs.beta;
+  const double speed = textbook_cold_errors(knobs.chain(), sweeps, knobs.fall()).maxCoeff(), L = knobs.length;
+  const double s = speed * knobs.h / knobs.beta;
   return s + std::sqrt(s * s + L * L) - L;
 }
 
@@ -139,22 +139,22 @@ void side_by_side(Page& page, const Knobs& knobs) {
     least = std::min(least, worst(run));
     if (std::isinf(run.lost_at)) most = std::max(most, worst(run));
   }
+  if (std::isinf(least)) least = most = 1000 * L;  // all flew apart
   chart.y.range = {{0.02 * least, 3 * std::max(most, least)}};
   world = {-reach.x(), -reach.y(), 2 * reach.x(), reach.y() + L};
-  std::vector<renderer::Point> right_length;  // where the end of a chain that does not stretch swings
+  std::vector<renderer::Point> right_length;  // as far as the end of a chain that does not stretch can be
   for (double part = -1; part <= 1.001; part += 0.05)
-    right_length.emplace_back(knobs.links * L *
-                              from_straight_down<PlaneParticle>(part * knobs.angle * M_PI / 180));
+    right_length.emplace_back(knobs.links * L * from_straight_down<PlaneParticle>(part * M_PI / 2));
 
   page.text(
-      R"(Now let it swing: released at @° from straight down, @ s, and with the correction of lesson 4 (β = @)
-      pulling stretched links back. Five times the same chain, started @; only the number of sweeps a step differs,
-      and the last solves all rows at once.)",
-      knobs.angle, film_seconds, knobs.beta, knobs.warm() == 1 ? "warm" : "cold");
+      R"(Now let it swing for @ s from @°, with the correction of lesson 4 pulling stretched links back (β = @). Five
+      times the same chain, started @; only the number of sweeps a step differs, and the last solves all rows at
+      once.)",
+      film_seconds, knobs.angle, knobs.beta, knobs.warm() == 1 ? "warm" : "cold");
   page.sequence(
       "sweeps_side_by_side",
       say(R"(The same chain of @ links with @, @, @ and @ sweeps a step, and solved directly. Below: the largest
-          stretch of any link. Dashed: where the end of a chain that does not stretch would swing.)",
+          stretch of any link. Dashed: as far as a chain that does not stretch can reach.)",
           knobs.links, compared_sweeps[0], compared_sweeps[1], compared_sweeps[2], compared_sweeps[3]),
       Seconds{film_seconds}, [=, runs = runs](renderer::Canvas& canvas, double time) mutable {
         for (Run& run : runs)
@@ -167,38 +167,58 @@ void side_by_side(Page& page, const Knobs& knobs) {
     if (std::isinf(run.lost_at))
       page.measure(say("largest stretch, @", run.name), worst(run), "mm");
     else
-      page.text("With @ a step the chain flew apart after @ s.", run.name, Value(run.lost_at, 2));
+      page.text("The chain of \"@\" flew apart after @ s.", run.name, Value(run.lost_at, 2));
   }
+  const Run &fewest = runs.front(), &direct = runs.back();
+  const bool softer = worst(fewest) > 1.1 * worst(direct);
   if (knobs.warm() == 1) {
     std::vector<double> limits;
     for (const int sweeps : compared_sweeps) {
       const double q = std::pow(chain_factor(knobs.links), sweeps);
-      limits.push_back((1 - q) / q);
+      limits.push_back(std::min((1 - q) / q, 2.0));
     }
+    const auto beyond = std::count_if(limits.begin(), limits.end(), [&](double at) { return at < knobs.beta; });
     page.text(
-        R"(Warm, the limit of step 6 decides, (1 − q)/q: @ for these sweeps (and never more than 2). Here β = @. A
-        chain whose limit is lower does not come to rest: it quivers, or crumples.)",
-        limits, knobs.beta);
+        R"(For warm starts the limit of step 6 decides, (1 − q)/q or 2: @ for these sweeps. Here β = @: @)",
+        limits, knobs.beta,
+        beyond == 0
+            ? std::string("none of the four is beyond its limit.")
+            : say("@ beyond the limit, where the correction makes the chain ring instead of bringing it to rest.",
+                  beyond == 1 ? std::string("one of the four is") : say("@ of the four are", beyond)));
+  } else if (std::isfinite(direct.lost_at)) {
+    page.text("Here even the chain whose rows are solved exactly flies apart, so sweeps are not the reason.");
+  } else if (softer && knobs.beta > 0) {
+    page.text(
+        R"(Few sweeps make the chain *soft*, like a rubber band. How soft can be computed. Where the chain hangs still,
+        the correction must make up in each step for what the sweeps leave: the speed of stretching s of step 6 is met
+        by a bias of the same size, (β/h)C/|d| = s. So the worst link is too long by about s·h/β.)");
+  } else if (softer) {
+    page.text(
+        R"(With β = 0 nothing pulls stretched links back: with few sweeps the links part at the speed s of step 6 and
+        keep parting.)");
   } else {
-    page.text(
-        R"(Few sweeps do not look wrong, they look *soft*: the chain is a rubber band, and nobody asked for rubber.
-        How soft can be said beforehand. Where the chain hangs still, the correction must make up in each step for
-        what the sweeps leave: the parting speed r of step 6 is answered by a bias of the same size, (β/h)C/|d| =
-        r. So the worst link hangs out by about r·h/β:)");
+    page.text("On this chain even @ a step stretches it hardly more than the direct solve does.",
+              several(compared_sweeps.front(), "sweep"));
   }
   const bool claimed = knobs.warm() == 0 && knobs.beta >= 0.01;
   for (const int sweeps : compared_sweeps)
     page.claim({.quantity = say("stretch at rest, sweeps a step: @", sweeps),
                 .unit = "m",
                 .expected = claimed ? textbook_stretch(knobs, sweeps) : 0,
-                .source = "(β/h) C/|d| = (1 − Gᵏ)⁻¹Gᵏ gh",
+                .source = "(β/h) C/|d| = (1 − Sᵏ)⁻¹Sᵏ gh, S the matrix of a sweep",
                 .measured = claimed ? settled_stretch(knobs, sweeps) : 0,
                 .tolerance = absolute(1e-6 * L),
                 .claimed = claimed,
                 .range = "cold, β ≥ 0.01"});
-  page.text(
-      R"(Solved directly nothing is left of that; what still stretches it is the step itself, the tangent of lesson
-      2. So ask of a soft chain first which of the two it is: more sweeps mend one, smaller steps the other.)");
+  if (std::isinf(direct.lost_at))
+    page.text(
+        R"(Solved directly, each step's rows are satisfied to rounding. What still stretches the chain is the step itself,
+        which leaves the circle (lesson 2). So ask of a soft chain which of the two it is: more sweeps cure one, smaller
+        steps the other.)");
+  else
+    page.text(
+        R"(What makes it fly apart is the time step: the tension turns light links into springs that are too stiff for h
+        (lesson 8). Smaller steps help, more sweeps do not.)");
 }
 
 }  // namespace byhand::iterations

@@ -1,4 +1,4 @@
-// Step 5: why twice as long takes four times as many.
+// Step 5: sweeps against the length of the chain.
 
 #include <cmath>
 
@@ -54,8 +54,8 @@ renderer::Chart digits_over_links(const Knobs& knobs) {
     law.y.push_back(coefficient * links * links);
   }
   renderer::Chart chart;
-  chart.x = {.label = "links N (1)", .scale = renderer::Scale::logarithmic, .range = {{2, 120}}};
-  chart.y = {.label = "sweeps for one more digit (1)", .scale = renderer::Scale::logarithmic, .range = {{3, 2e4}}};
+  chart.x = {.label = "links N", .scale = renderer::Scale::logarithmic, .range = {{2, 120}}};
+  chart.y = {.label = "sweeps for one more digit", .scale = renderer::Scale::logarithmic, .range = {{3, 2e4}}};
   chart.curves = {measured, law};
   return chart;
 }
@@ -66,27 +66,31 @@ void twice_as_long(Page& page, const Knobs& knobs) {
   const double h = knobs.h;
   const double once = measured_digit(knobs.chain(), h), twice = measured_digit(knobs.chain(2 * knobs.links), h);
   page.predict(
-      {.ask = say("@ sweeps for one more digit with @ links. How many with @ links?", std::round(once),
+      {.ask = say("It takes @ sweeps for one more digit with @ links. How many with @ links?", Value(once, 3),
                   knobs.links, 2 * knobs.links),
        .answer = twice,
        .unit = "sweeps",
        .tolerance = 0.12 * twice,
-       .wrong = {{2 * once, "News walks like a drunkard: twice as far takes four times as long."},
+       .wrong = {{2 * once,
+                  "That would be so if an error moved along the chain in one direction; it goes up and down at "
+                  "random."},
                  {once,
-                  R"(Each sweep does touch every row once, but an error that stretches over the whole
-                           chain is hard to see from any one of them.)"}},
-       .hints = {R"(An error spreads by halves: half to the joint above, half to the joint below. How far does
-                    somebody get who tosses a coin before each step?)"},
-       .right = say("@ times as many.", Value(twice / once, 3))});
+                  "Each sweep does touch every row once, but a row passes an error on only to its neighbours."}},
+       .hints = {"A row passes its error on to the joints above and below. How far does it get in n sweeps?",
+                 "A random walk gets about √n joints far in n steps.",
+                 "To get twice as far, √n must double: n grows by a factor of 4."},
+       .right =
+           say(R"(@ times as many: errors spread like a random walk, which needs about N² sweeps to cross N joints
+                    (exactly 4 times only for long chains).)",
+               Value(twice / once, 3))});
   page.text(
-      R"(Here is why. Take Jacobi, the simplest. Say e is what is still missing from a joint's λ. Solving its row
-      by (17) makes the joint right *for what its neighbours now do*, so what is missing from it afterwards is the
-      mean of what is missing from them:)");
+      R"(Take Jacobi, the simplest. Let eᵢ be what joint i's λ still lacks. Solving row i by (17) makes it right *for
+      what its neighbours do now*, so what it lacks afterwards is the mean of what they lack:)");
   page.formula("eᵢ ← ½ (eᵢ₋₁ + eᵢ₊₁)", R"(e_i \leftarrow \tfrac{1}{2}\,(e_{i-1} + e_{i+1}))");
   page.text(
-      R"(That is a drunkard's walk: every bit of error goes up or down one joint by the toss of a coin, and is gone
-      only when it falls off the free end (at the anchor it turns back). After n steps a walker is about √n from
-      where it began. To cross N joints takes about N² sweeps.)");
+      R"(This is a random walk: in each sweep every bit of error moves up or down by one joint, with equal shares. At
+      the anchor it turns back, at the free end it disappears. After n steps a random walk is about √n from where it
+      began, so to cross N joints takes about N² sweeps.)");
 
   constexpr int joints = 41;
   constexpr double half = 0.5;
@@ -102,23 +106,35 @@ void twice_as_long(Page& page, const Knobs& knobs) {
     walk.curves.push_back(std::move(curve));
   }
   page.figure(
-      "drunkard",
-      say(R"(One joint in the middle of @ was wrong; where that error is some sweeps of Jacobi's later (each takes
-          @ of its step, else odd and even joints blink by turns). Four times the sweeps, twice the width: @, @, @
-          joints.)",
+      "random_walk",
+      say(R"(One joint in the middle of @ was wrong: where that error is after some sweeps of Jacobi (each takes @ of
+          its change, else it is on odd and even joints by turns). Four times the sweeps, twice the standard deviation: @,
+          @, @ joints.)",
           joints, half, Value(widths[0], 3), Value(widths[1], 3), Value(widths[2], 3)),
       walk);
   page.text(
-      R"(The last error to go is the smoothest one, a quarter of a wave from anchor to free end: put eᵢ = cos((i −
-      1)θ) into the rule and it comes out multiplied by cos θ; the free end wants cos Nθ = 0, so θ = π/2N.
-      Gauss–Seidel uses news as it comes in, and does two of Jacobi's sweeps in one: cos²(π/2N). No order of rows
-      helps, for a wave as long as the chain looks flat from everywhere.)");
-  page.figure("digits_over_links", "Sweeps for one more digit against the number of links: a slope of 2.",
-              digits_over_links(knobs));
+      R"(The last error to disappear is the smoothest one, a quarter of a wave from anchor to free end. Jacobi leaves
+      the share cos(π/2N) of it. Gauss–Seidel uses each new value at once and does two of Jacobi's sweeps in one:
+      cos²(π/2N), in any order of the rows.)");
+  page.derivation(
+      "The rate cos(π/2N)",
+      {{"try a wave, with the anchor's mirror image e₀ = e₂", "eᵢ = cos((i − 1)θ)",
+        R"(e_i = \cos((i - 1)\theta))"},
+       {"the mean of its neighbours", "½(cos((i − 2)θ) + cos(iθ)) = cos θ · cos((i − 1)θ)",
+        R"(\tfrac12(\cos((i-2)\theta) + \cos(i\theta)) = \cos\theta\,\cos((i-1)\theta))"},
+       {"nothing is missing beyond the free end: e of joint N + 1 is 0", "cos(Nθ) = 0, θ = π/2N",
+        R"(\cos(N\theta) = 0, \quad \theta = \frac{\pi}{2N})"},
+       {"so each sweep multiplies this error by", "cos θ = cos(π/2N)", R"(\cos\theta = \cos\frac{\pi}{2N})"},
+       {"for large N, ln cos²(π/2N) ≈ −π²/4N²", "one digit takes about 4 ln 10/π² · N² = 0.933 N² sweeps",
+        R"(\frac{4\ln 10}{\pi^2} N^2 = 0.933\,N^2)"}});
+  page.figure(
+      "digits_over_links",
+      "Sweeps for one more digit against the number of links, both logarithmic: a slope of 2 for long chains.",
+      digits_over_links(knobs));
   page.claim({.quantity = say("sweeps for a digit, @ links over @", 2 * knobs.links, knobs.links),
               .unit = "1",
               .expected = std::log(chain_factor(knobs.links)) / std::log(chain_factor(2 * knobs.links)),
-              .source = "law B4; 4 for long chains",
+              .source = "ρ = cos²(π/2N); 4 for long chains",
               .measured = twice / once,
               .tolerance = relative(1e-6)});
   page.claim({.quantity = "width of the error after 16 sweeps of half a step",

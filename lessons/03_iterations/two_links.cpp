@@ -1,9 +1,11 @@
-// Step 1: two links, and each row undoes what the other did.
+// Step 1: two links, and each row changes the error of the other.
 
+#include <algorithm>
 #include <cmath>
 
 #include "lessons/03_iterations/held_step.hpp"
 #include "lessons/03_iterations/knobs.hpp"
+#include "lessons/03_iterations/plain.hpp"
 #include "lessons/pictures/rods_and_bobs.hpp"
 #include "renderer/canvas.hpp"
 
@@ -78,16 +80,15 @@ void two_links(Page& page, const Knobs& knobs) {
   solve(0);
 
   page.text(
-      R"(In lesson 2 one constraint was solved, once, and was done: after (17) and (20) its JV was zero and stayed
-      zero for the step. Hang a second link below the first and that is over, because the two rows *share a bob*.
+      R"(In lesson 2 one constraint was solved once, and its JV was zero for the rest of the step. Hang a second link
+      below the first: the two rows *share a bob*, and solving one changes the JV of the other.
 
       Two bobs of @ kg hang on rods of @ m. Gravity is already in V, so in this step of @ s both fall at gh = @
-      m/s. The upper rod is getting longer at exactly that rate. The lower one is not: its two ends fall
-      together.)",
+      m/s. The upper rod is getting longer at that rate. The lower one is not, for its two ends fall together.)",
       m, L, knobs.h, fall);
   page.text(
-      R"(Row 1 goes first. By (17) it stops the upper bob, and row 1 is content. But now the lower bob falls away
-      from one that stands still. Row 2's turn:)");
+      R"(Row 1 goes first. By (17) it stops the upper bob, and its error is zero. Now the lower bob falls away from
+      one that stands still. Row 2 is next:)");
   page.equation(17, "λ₂ = −(@ + 0) / (@²/@ + @²/@) = @ N·s/m",
                 R"(\lambda_2 = \frac{-(@ + 0)}{@^2/@ + @^2/@} = @\,\mathrm{N\,s/m})", rate, L, m, L, m, lambda);
   page.predict(
@@ -95,13 +96,14 @@ void two_links(Page& page, const Knobs& knobs) {
        .answer = left,
        .unit = "gh",
        .tolerance = 0.05,
-       .wrong = {{0, "Row 2 pulled on the bob they share."},
-                 {1, "Only half of row 2's impulse was needed: the other half of it lifted the lower bob."}},
-       .hints =
-           {R"(Row 2's impulse acts on both bobs, equal and opposite, and both weigh the same. How fast do they
-               move when their speeds have met?)"},
-       .right = R"(The two bobs meet in the middle: the lower one slows down by half of gh, the upper one is pulled
-                back into falling by the other half.)"});
+       .wrong = {{0, "Row 2 pulled on the bob that both rows share."},
+                 {1, "Row 2's impulse is shared by two equal bobs, so it gives the upper one only half of gh."}},
+       .hints = {"Row 2's impulse acts on both bobs, equal and opposite, and both have the same mass.",
+                 "After row 2 both bobs move at the same speed, and their total momentum is what it was: m·gh.",
+                 "2m·v = m·gh. Row 1's error is the speed of the upper bob."},
+       .right =
+           R"(The two bobs share the momentum m·gh: the lower one slows down to gh/2, the upper one is pulled down
+                at gh/2, and that is row 1's error.)"});
   page.figure(
       "two_links",
       say(R"(Four moments of one solve. Green: how fast each bob falls. Purple: how fast each rod is getting
@@ -112,11 +114,13 @@ void two_links(Page& page, const Knobs& knobs) {
         for (std::size_t i = 0; i < cells.size(); ++i) draw_panel(canvas, panels[i], L, cells[i]);
       });
   page.text(
-      R"(So row 2 undid half of what row 1 had done; and when row 1 mends that, it undoes half of what row 2 did.
-      Nothing is wrong with (17): it is exact for *one* row while the others hold still. Written for "the system",
-      as the article has it, it is one *sub-step* of a method that goes round and round: Gauss–Seidel, which the
-      article knows as Sequential Impulses. One round over all rows is a *sweep*, and this is the loop that makes
-      it:)");
+      R"(Row 2 has undone half of what row 1 did; solving row 1 again undoes half of what row 2 did. (17) is exact for
+      *one* row while the others wait. For many rows it is one step of a method that goes round and round:
+      *Gauss–Seidel*. One round over all rows is a *sweep*. In the plainest words, for a hanging chain:)");
+  page.excerpt("lessons/03_iterations/plain.cpp", "sweep");
+  page.text(
+      R"(*The article calls the method Sequential Impulses, and writes (17) for "the system"; one (17) solves one
+      row.* The solver's loop does the same for rows of all kinds: `solve` is (17), `apply` is (20).)");
   page.excerpt("solver/gauss_seidel.cpp", "sweep");
 
   constexpr int rounds = 10;
@@ -124,13 +128,28 @@ void two_links(Page& page, const Knobs& knobs) {
   for (int i = 0; i < rounds; ++i) many.solve_sweep();
   const double after = many.errors()[0] / fall;
   page.text(
-      R"(Each round halves what is left. After @ sweeps @ of gh remain, and the two rods carry @ and @ of the
-      weight. It converges; the question of this lesson is how fast.)",
+      R"(Each sweep halves the error. After @ sweeps @ gh remain, and the two rods carry @ and @ of the weight. It
+      converges; the question of this lesson is how fast.)",
       rounds, after, many.shares()[0], many.shares()[1]);
+  const ChainOptions longer = knobs.chain(5);
+  HeldStep solver(longer, h);
+  std::vector<double> v(5, fall), impulses(5, 0.0);
+  double apart = 0;
+  for (int i = 0; i < rounds; ++i) {
+    solver.solve_sweep();
+    plain_sweep(longer, v, impulses);
+  }
+  for (std::size_t i = 0; i < v.size(); ++i) apart = std::max(apart, std::abs(v[i] - solver.speeds()[i]) / fall);
+  page.claim({.quantity = say("the plain sweep against the solver, 5 links, @ sweeps", rounds),
+              .unit = "gh",
+              .expected = 1e-13,
+              .source = "the same arithmetic: rounding",
+              .measured = apart,
+              .tolerance = at_most()});
   page.claim({.quantity = "row 1's error after row 2",
               .unit = "gh",
               .expected = 0.5,
-              .source = "equal masses share the blow",
+              .source = "equal masses share the momentum",
               .measured = left,
               .tolerance = absolute(1e-12)});
   page.claim({.quantity = say("row 1's error after @ sweeps", rounds),

@@ -1,4 +1,4 @@
-// Step 6: what a warm start buys.
+// Step 6: cold and warm over many steps.
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +8,7 @@
 #include "lessons/03_iterations/textbook.hpp"
 #include "lessons/pictures/growing.hpp"
 #include "lessons/pictures/rods_and_bobs.hpp"
+#include "lessons/tutor/rounding.hpp"
 #include "renderer/canvas.hpp"
 #include "solver/step.hpp"
 
@@ -107,10 +108,11 @@ void warm_start(Page& page, const Knobs& knobs) {
   const std::string range = "q ≥ 0.01";
 
   page.text(
-      R"(A simulation does not take the sweeps it needs: it takes @ a step and moves on. What k = @ sweeps leave of
-      the slow wave is q = ρᵏ = @. Let the chain hang like that for some seconds, without any correction of
-      positions, once *cold* (each step begins at λ = 0) and once *warm* (each begins with the λ of the last).)",
-      k, k, q);
+      R"(A simulation does not take the sweeps that it needs: it takes @ a step and moves on. After k = @ the slow wave
+      of step 5 still has the share q = ρᵏ of its size, @. Let the chain hang like that for some seconds, without any
+      correction of positions, once *cold* (each step begins at λ = 0) and once *warm* (each begins with the λ of the
+      last).)",
+      k, several(k, "sweep"), small_error(q, 4));
 
   const Chain settled = settled_cold(knobs, visible ? q : 0.01);
   const double rate = largest(stretching(settled));
@@ -118,31 +120,51 @@ void warm_start(Page& page, const Knobs& knobs) {
   const auto& bodies = settled.scene.bodies();
   const double held = knobs.h * bodies.velocity[1].y() - bodies.pose[1].position.y();
   const double carried = settled.work.system.lambda.front() * -held / knobs.h;
+  const bool stretches = rate > 1e-9 * fall;
+  if (stretches)
+    page.text(
+        R"(**Cold, the chain keeps getting longer.** Every step lacks the same share of λ again, and the error that is
+        left stays in V and is added to the next. In the end the links part at a steady speed, the worst at @ m/s. The
+        joints then carry the weight (@ N of @ N at the top), but only because the rows see this speed.)",
+        rate, carried, knobs.weight());
+  else
+    page.text(
+        R"(**Cold.** @ solve each step to rounding, so even without a memory the chain hangs as it should, with @ N of @
+        N at the top. The rest of this step is about fewer sweeps.)",
+        several(k, "sweep"), carried, knobs.weight());
   page.text(
-      R"(**Cold, it never gets there.** Every step finds the same missing share again, and whatever is left of it
-      stays in V and is added to the next. It settles where links part at a steady speed: the worst of them at @
-      m/s. The joints do carry the weight by then (@ N of @ N at the top), but only because the chain is coming
-      apart: its stretching speed is what makes the rows pull.)",
-      rate, carried, knobs.weight());
+      R"(**Warm, the error disappears.** Each step begins where the last one stopped. For the slow wave, with sₙ the
+      speed of stretching that step n leaves:)");
+  if (q > 1e-11)
+    page.formula("sₙ₊₁ = q (2sₙ − sₙ₋₁),   so |sₙ| falls by √q = @ a step",
+                 R"(s_{n+1} = q\,(2s_n - s_{n-1}), \qquad |s_n| \sim \sqrt{q}^{\,n}, \quad \sqrt q = @)",
+                 std::sqrt(q));
+  else
+    page.formula("sₙ₊₁ = q (2sₙ − sₙ₋₁),   so |sₙ| falls by √q a step",
+                 R"(s_{n+1} = q\,(2s_n - s_{n-1}), \qquad |s_n| \sim \sqrt{q}^{\,n})");
+  page.derivation(
+      "What a warm start leaves",
+      {{"step n: V brings sₙ₋₁ and gravity adds g′, the sweeps end with λₙ", "sₙ = sₙ₋₁ + g′ − Aλₙ",
+        R"(s_n = s_{n-1} + g' - A\lambda_n)"},
+       {"step n + 1 begins with sₙ in V and with λₙ", "before its sweeps: sₙ + g′ − Aλₙ = 2sₙ − sₙ₋₁",
+        R"(s_n + g' - A\lambda_n = 2s_n - s_{n-1})"},
+       {"the sweeps leave the share q of it", "sₙ₊₁ = q(2sₙ − sₙ₋₁)", R"(s_{n+1} = q(2s_n - s_{n-1}))"},
+       {"try sₙ = zⁿ", "z² − 2qz + q = 0, z = q ± i√(q(1 − q)), |z| = √q",
+        R"(z^2 - 2qz + q = 0, \quad z = q \pm i\sqrt{q(1-q)}, \quad |z| = \sqrt q)"}});
   page.text(
-      R"(**Warm, it arrives.** What this step could not finish is where the next one starts. For the slow wave,
-      with rₙ the error that step n leaves:)");
-  page.formula("rₙ₊₁ = q (2rₙ − rₙ₋₁),   so |rₙ| falls by √q = @ a step",
-               R"(r_{n+1} = q\,(2r_n - r_{n-1}), \qquad |r_n| \sim \sqrt{q}^{\,n}, \quad \sqrt q = @)",
-               std::sqrt(q));
-  page.text(
-      R"((The step adds to V what it failed to remove, and its λ is off by as much again: hence 2rₙ − rₙ₋₁.) Each
-      warm sweep is worth half a cold one, but they add up over steps and cold ones do not.)");
+      R"(One warm sweep shrinks the error by √ρ, one cold sweep by ρ; but warm sweeps add up over the steps and cold ones
+      do not.)");
 
   const Chain cold = hanging(knobs, false), warm = hanging(knobs, true);
+  constexpr double lowest = 1e-6;  // on the chart [gh]
   renderer::Chart chart;
   chart.x.label = "time (s)";
-  chart.y = {.label = "largest error (gh)", .scale = renderer::Scale::logarithmic, .range = {{1e-6, 30}}};
+  chart.y = {.label = "largest error (gh)", .scale = renderer::Scale::logarithmic, .range = {{lowest, 30}}};
   chart.curves = {error_over_time("cold", cold, knobs, seconds), error_over_time("warm", warm, knobs, seconds)};
   renderer::Curve law{.label = "√q a step", .style = renderer::CurveStyle::theory};
   for (double t = 0; t < seconds; t += knobs.h) {
     const double value = std::pow(q, 0.5 * t / knobs.h);
-    if (value < 1e-6) break;
+    if (value < lowest) break;
     law.x.push_back(t);
     law.y.push_back(value);
   }
@@ -153,40 +175,42 @@ void warm_start(Page& page, const Knobs& knobs) {
   Chain last = cold;
   while (last.time < seconds) last.step(knobs.h);
   const double pitch = knobs.length, depth = 0.6 * pitch - last.scene.bodies().pose.back().position.y();
-  page.sequence(
-      "cold_and_warm",
-      say(R"(The same chain with @ sweeps a step, cold and warm, without any correction of positions; both began at
-          @ m. Right: the largest error over time, dashed the law √qⁿ.)",
-          k, n * knobs.length()),
-      Seconds{seconds}, [=, cold = cold, warm = warm](renderer::Canvas& canvas, double time) mutable {
-        while (cold.time < time - 0.5 * knobs.h) {
-          cold.step(knobs.h);
-          warm.step(knobs.h);
-        }
-        const auto [left, right] = canvas.page().inset(16).split_columns(0.36, 16);
-        draw_chains(canvas, cold, warm, depth, pitch, left);
-        draw(canvas, pictures::grown_to(chart, time), right.inset(0, 40));
-      });
-  if (visible) {
-    const double arrived = std::pow(q, 0.5 / knobs.h);
+  if (worst > 10 * lowest)
+    page.sequence(
+        "cold_and_warm",
+        say(R"(The same chain with @ a step, cold and warm, without any correction of positions; both began at @ m.
+          Right: the largest error over time, dashed the law √qⁿ.)",
+            several(k, "sweep"), n * knobs.length()),
+        Seconds{seconds}, [=, cold = cold, warm = warm](renderer::Canvas& canvas, double time) mutable {
+          while (cold.time < time - 0.5 * knobs.h) {
+            cold.step(knobs.h);
+            warm.step(knobs.h);
+          }
+          const auto [left, right] = canvas.page().inset(16).split_columns(0.36, 16);
+          draw_chains(canvas, cold, warm, depth, pitch, left);
+          draw(canvas, pictures::grown_to(chart, time), right.inset(0, 40));
+        });
+  else
+    page.text("With @ a step neither chain shows an error worth drawing.", several(k, "sweep"));
+  const double arrived = std::pow(q, 0.5 / knobs.h);
+  if (visible)
     page.text(
-        R"(After one second of warm steps the slow wave is down to about @ of where it began. One cold step would
-        need about @ sweeps for that, in every step anew.)",
-        Value(arrived, 2), Value(std::max(1.0, std::log(arrived) / std::log(chain_factor(n))), 3));
-  }
-  const auto limit = [](double left) { return (1 - left) / left; };
+        R"(After one second of warm steps the slow wave is down to @ of where it began. Cold, that would take about @ in
+        every step.)",
+        small_error(arrived), several(std::max(1L, std::lround(0.5 * k / knobs.h)), "sweep"));
+  const auto limit = [](double left) { return std::min((1 - left) / left, 2.0); };
   page.text(
-      R"(**And it has a price.** Look at the warm curve: it does not just fall, it *rings*, for the roots of that
-      rule are complex. λ remembers. As soon as positions are corrected as well, it remembers the correction too
-      and pays it twice: then the ringing grows unless β < (1 − q)/q, which is @ here and @ for one sweep a step.
-      Lesson 4 shows what that looks like.)",
+      R"(**The price.** The warm error does not only fall, it *rings*: the roots z are complex. λ keeps what the last
+      step added to it. Once positions are corrected too (lesson 4), with a share β in each step, λ also keeps the
+      correction and applies it again: the ringing then grows unless β < (1 − q)/q and β < 2. Here the limit is @, for
+      one sweep a step @.)",
       Value(limit(q), 3), Value(limit(chain_factor(n)), 3));
 
-  page.measure("largest error of the cold chain", rate / fall, "gh");
+  if (stretches) page.measure("largest error of the cold chain", rate / fall, "gh");
   page.claim({.quantity = "warm: what a step leaves of the slow wave",
               .unit = "1",
               .expected = std::sqrt(q),
-              .source = "√q, q = cos²ᵏ(π/2N) (law B6 at β = 0)",
+              .source = "√q, q = cos²ᵏ(π/2N)",
               .measured = visible ? std::sqrt(measured_q(knobs, q)) : std::sqrt(q),
               .tolerance = relative(1e-5 + slack * slack),
               .claimed = visible && slack < 0.1,
@@ -194,7 +218,7 @@ void warm_start(Page& page, const Knobs& knobs) {
   page.claim({.quantity = "cold: the worst link's speed of parting",
               .unit = "m/s",
               .expected = textbook_cold_errors(knobs.chain(), k, fall).cwiseAbs().maxCoeff(),
-              .source = "(1 − Gᵏ)⁻¹Gᵏ of the sweep's matrix G",
+              .source = "(1 − Sᵏ)⁻¹Sᵏ gh, S the matrix of a sweep",
               .measured = rate,
               .tolerance = relative(1e-6),
               .claimed = visible,

@@ -1,0 +1,104 @@
+#include <algorithm>
+#include <cmath>
+
+#include "lessons/01_jacobian/picture.hpp"
+
+// (3) to (8): a rate is linear in the velocities, and its coefficients are one row J with four parts.
+namespace byhand::lesson01 {
+namespace {
+
+//! [four products]
+/// (8) as it is printed: l₁·v₁ + a₁·ω₁ + l₂·v₂ + a₂·ω₂, for bodies in the plane.
+double four_products(const Jacobian<PlaneBody, 1>& J, const Velocity<PlaneBody>& V1,
+                     const Velocity<PlaneBody>& V2) {
+  const Linear<PlaneBody> v1 = V1.head<2>(), v2 = V2.head<2>();
+  const double w1 = V1[2], w2 = V2[2];
+  return J.l1().dot(v1) + J.a1()(0, 0) * w1 + J.l2().dot(v2) + J.a2()(0, 0) * w2;
+}
+//! [four products]
+
+/// Ċ of a bob at d from a resting anchor that moves at `v`, from differences of C [m²/s].
+double rate_by_differences(const Linear<PlaneBody>& d, const Linear<PlaneBody>& v, double step) {
+  Pair pair{{{0, 1, {}}, d.norm()}, {}, {}, {0, 0, 0}, {v.x(), v.y(), 0}};
+  pair.pose2.position = d;
+  return difference(pair, step);
+}
+
+}  // namespace
+
+void one_row(tutor::Page& page, const Settings& set) {
+  const double length = set.length, speed = set.speed;
+  page.text(
+      R"(We want C = 0 at all times. C bends with the positions, so C = 0 is hard to solve for them. Its rate is
+      easier: if C is 0 now, and never changes, it stays 0.)");
+  page.equation(3);
+  page.text(
+      R"(Why is the rate easier? C changes only because the bodies move. Move one of them along x at 1 m/s, alone,
+      and C changes at some rate; at 2 m/s it changes twice as fast. Move in two ways at once and the rates add.
+      So Ċ is a sum: each component of velocity, times a number that says how much C depends on it. Stack the
+      velocities in a column V = (v₁, ω₁, v₂, ω₂), the numbers in a row J in the same order, and the sum is their
+      product:)");
+  page.equation(4);
+  page.derivation(
+      "Ċ = JV, by the chain rule",
+      {{"C depends on time through the poses q₁, …, q₆ of both bodies (x, y and angle of each)",
+        "C = C(q₁(t), …, q₆(t))", R"(C = C(q_1(t), \dots, q_6(t)))"},
+       {"the chain rule", "Ċ = ∂C/∂q₁ · q̇₁ + … + ∂C/∂q₆ · q̇₆",
+        R"(\dot C = \frac{\partial C}{\partial q_1}\,\dot q_1 + \dots + \frac{\partial C}{\partial q_6}\,\dot q_6)"},
+       {"the rates of the poses are the velocities", "(q̇₁, …, q̇₆) = V = (v₁, ω₁, v₂, ω₂)",
+        R"((\dot q_1, \dots, \dot q_6) = V = (v_1, \omega_1, v_2, \omega_2))"},
+       {"the slopes, in the same order, are the row J", "Ċ = JV", R"(\dot C = JV)"}});
+  page.text(
+      R"(J is the *Jacobian* of C. V holds four kinds of velocity: linear and angular, of body 1 and of body 2. So J
+      has four parts, and the article calls them l₁, a₁, l₂, a₂. (In (1) the same letters meant positions and
+      angles. From here on they are the parts of J.))");
+  page.equation(6);
+  page.equation(7);
+  page.text(
+      R"(Multiplied out, a row times a column is four dot products. In the plane ω and a are single numbers.)");
+  page.equation(8);
+  page.excerpt("lessons/01_jacobian/one_row.cpp", "four products");
+
+  const Linear<PlaneBody> slope = length * Linear<PlaneBody>(0.6, -0.8), v = Linear<PlaneBody>::Constant(speed);
+  const double rate = slope.dot(v), step = 1e-3 * length / speed;
+  page.predict(
+      {.ask = tutor::say(R"(A bob on a rod; the other end rests. Move the bob at 1 m/s along x and C changes by @
+                         m²/s; at 1 m/s along y it changes by @ m²/s. Now it moves at (@, @) m/s. How large is
+                         Ċ?)",
+                         slope.x(), slope.y(), speed, speed),
+       .answer = rate,
+       .unit = "m²/s",
+       .tolerance = 0.02 * length * speed,
+       .wrong = {{1.4 * length * speed, "One of the two rates is negative; add them with their signs."},
+                 {slope.x() + slope.y(), "That is for 1 m/s along both axes."}},
+       .hints = {"What does each component of the velocity contribute by itself?",
+                 "(8) with v₁ = 0 and no turning: Ċ = l₂·v₂.",
+                 tutor::say("l₂ = (@, @) m; begin with @ · @.", slope.x(), slope.y(), slope.x(), speed)},
+       .right = R"(The two measured rates are the part l₂ of the row. Once J is known, every motion's Ċ is a sum of
+                products.)"});
+  page.text(
+      R"(The same row leads back. J says how velocities change C; turned into a column, Jᵀ says in which directions
+      to push the bodies in order to change C, and one number λ says how hard:)");
+  page.equation(5);
+  page.text(
+      R"(So body 1 is pushed by λl₁ and turned by λa₁, body 2 by λl₂ and λa₂. How large λ must be is the question of
+      lesson 2. *The article calls Jᵀ "the inverse" of J; a row has no inverse, and the last deeper part of this
+      lesson says what Jᵀ is. What follows now is how to find J.*)");
+
+  const Pair pair = pair_of(set);
+  const double speeds = pair.V1.norm() + pair.V2.norm();
+  page.claim({.quantity = "Ċ of the bob of the question",
+              .unit = "m²/s",
+              .expected = rate_by_differences(slope, v, step),
+              .source = "differences of C along the motion",
+              .measured = rate,
+              .tolerance = tutor::absolute(1e-11 * length * speed)});
+  page.claim({.quantity = "(8) for two turning boxes, four products",
+              .unit = "m²/s",
+              .expected = pair.rate(),
+              .source = "JV as the solver computes it",
+              .measured = four_products(pair.row(), pair.V1, pair.V2),
+              .tolerance = tutor::absolute(1e-14 * pair.row().matrix.norm() * speeds)});
+}
+
+}  // namespace byhand::lesson01
