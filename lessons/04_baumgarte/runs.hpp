@@ -11,7 +11,8 @@ namespace byhand::baumgarte {
 using Vector = Linear<PlaneParticle>;
 
 /// A bob at rest in weightlessness, on a rod that begins `error` [m] too long: the error [m] at the beginning and
-/// after each step of h [s].
+/// after each step of h [s], until a step throws the bob through the anchor. There the rod's direction turns round
+/// and |d| − L is another error.
 std::vector<double> errors(const Setting& setting, const Baumgarte& cure, double h, int steps);
 
 /// The same rod in the article's squared form (2), after one step [m].
