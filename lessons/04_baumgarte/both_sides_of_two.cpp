@@ -95,15 +95,16 @@ void both_sides_of_two(const Setting& setting, Page& page) {
   const bool settles = std::abs(overshooting.errors.back()) < std::abs(e);
 
   page.text("β is a share. What happens if a step removes more than all of the error?");
-  page.predict({.ask = say("The rod is @ cm too long and β = @. How much too long is it after one step?", 100 * e, bold),
-                .answer = 100 * after,
-                .unit = "cm",
-                .tolerance = 100 * e * 0.03,
-                .wrong = {{-100 * after, "The size is right, but the bob has passed its place: mind the sign."},
-                          {-100 * e * bold, "That is by how much the step moves the bob, not where the bob arrives."}},
-                .hints = {"The step moves the bob by more than the error. On which side does it arrive?",
-                          "C′ = (1 − β)C.", say("1 − β = @.", 1 - bold)},
-                .right = "1 − β = −½: the step overshoots by half of the error, so the rod is now too short."});
+  page.predict(
+      {.ask = say("The rod is @ cm too long and β = @. How much too long is it after one step?", 100 * e, bold),
+       .answer = 100 * after,
+       .unit = "cm",
+       .tolerance = 100 * e * 0.03,
+       .wrong = {{-100 * after, "The size is right, but the bob has passed its place: mind the sign."},
+                 {-100 * e * bold, "That is by how much the step moves the bob, not where the bob arrives."}},
+       .hints = {"The step moves the bob by more than the error. On which side does it arrive?", "C′ = (1 − β)C.",
+                 say("1 − β = @.", 1 - bold)},
+       .right = "1 − β = −½: the step overshoots by half of the error, so the rod is now too short."});
   page.choose({.ask = say("And if it goes on like that, with β = @, does it settle?", bold),
                .options = {{"yes", "Each step overshoots by half, and a half of a half of a half goes to zero."},
                            {"no", "Each step overshoots by half, and a half of a half of a half goes to zero."}},

@@ -66,26 +66,28 @@ void frame_rate(const Setting& setting, Page& page) {
        .hints = {"Count in steps first, then in milliseconds.", "C after k steps = (1 − β)ᵏ C₀.",
                  "It takes the same number of steps. How long does each of them last now?"},
        .right = "The same number of steps, each half as long."});
-  page.formula("half-time = h · ln 2/(−ln(1 − β)) = @ ms", R"(t_{1/2} = h\,\frac{\ln 2}{-\ln(1-\beta)} = @\ \mathrm{ms})",
-               1000 * half);
-  page.derivation("The half-time",
-                  {{"k steps", "Cₖ = (1 − β)ᵏ C₀", R"(C_k = (1-\beta)^k\,C_0)"},
-                   {"half is left", "(1 − β)ᵏ = ½", R"((1-\beta)^k = \tfrac12)"},
-                   {"logarithm", "k = ln 2/(−ln(1 − β))", R"(k = \frac{\ln 2}{-\ln(1-\beta)})"},
-                   {"each step lasts h", "t = k h", R"(t_{1/2} = k\,h)"},
-                   {"for small β, −ln(1 − β) ≈ β", "t ≈ ln 2 · h/β = 0.69 h/β", R"(t_{1/2} \approx 0.69\,\frac{h}{\beta})"}});
+  page.formula("half-time = h · ln 2/(−ln(1 − β)) = @ ms",
+               R"(t_{1/2} = h\,\frac{\ln 2}{-\ln(1-\beta)} = @\ \mathrm{ms})", 1000 * half);
+  page.derivation("The half-time", {{"k steps", "Cₖ = (1 − β)ᵏ C₀", R"(C_k = (1-\beta)^k\,C_0)"},
+                                    {"half is left", "(1 − β)ᵏ = ½", R"((1-\beta)^k = \tfrac12)"},
+                                    {"logarithm", "k = ln 2/(−ln(1 − β))", R"(k = \frac{\ln 2}{-\ln(1-\beta)})"},
+                                    {"each step lasts h", "t = k h", R"(t_{1/2} = k\,h)"},
+                                    {"for small β, −ln(1 − β) ≈ β", "t ≈ ln 2 · h/β = 0.69 h/β",
+                                     R"(t_{1/2} \approx 0.69\,\frac{h}{\beta})"}});
   page.text(
       R"(So the time in β is h/β (here @ ms), for small β. A game that is tuned at one frame rate and runs at
       another has stiffer or softer joints, although nobody touched β. To keep the half-time, keep h/β: with h
       halved *and* β halved, the half-time goes from @ ms to @ ms. @)",
       1000 * h / beta, Value(1000 * half, 3), Value(1000 * kept, 3),
-      nearly_kept ? "" : say(R"((This β is too large for that rule. Exactly, (1 − β)^(1/h) must stay: half the step
+      nearly_kept ? ""
+                  : say(R"((This β is too large for that rule. Exactly, (1 − β)^(1/h) must stay: half the step
                              needs β = 1 − √(1 − @) = @.))",
-                             beta, Value(1 - std::sqrt(1 - beta), 3)));
-  page.figure("half_time_over_h",
-              say("Half-time over the time step. With β kept it is proportional to h (slope 1); with h/β kept it @.",
-                  nearly_kept ? "stays nearly the same" : "changes much less"),
-              half_times(setting, beta));
+                        beta, Value(1 - std::sqrt(1 - beta), 3)));
+  page.figure(
+      "half_time_over_h",
+      say("Half-time over the time step. With β kept it is proportional to h (slope 1); with h/β kept it @.",
+          nearly_kept ? "stays nearly the same" : "changes much less"),
+      half_times(setting, beta));
   page.measure("half-time", 1000 * half, "ms");
 
   const Tolerance rounding = relative(1e-13 * length / e / (beta * (1 - beta)));

@@ -63,16 +63,16 @@ void read_literally(const Setting& setting, Page& page) {
     law.x.push_back(i * decay_seconds / 40);
     law.y.push_back(100 * e * std::exp(-beta * law.x.back()));
   }
-  page.figure(
-      "literal_and_per_step",
-      say("The same number β = @, read in two ways, over @ s. Read literally, @ at the end.", setting.beta,
-          decay_seconds,
-          left > 1e-9 ? say("@ % of the error is left", Value(100 * left, 3)) : "less than 10⁻⁷ % of the error is left"),
-      Chart{.x = {.label = "time (s)", .range = {{0, decay_seconds}}},
-            .y = {.label = "|C| (cm)", .scale = Scale::logarithmic, .range = {{1e-2 * e, 200 * e}}},
-            .curves = {decay(setting, say("as printed: −βC, β = @ s⁻¹", setting.beta), literal, steps,
-                             static_cast<std::size_t>(std::max(1, steps / 40))),
-                       per_step, law}});
+  page.figure("literal_and_per_step",
+              say("The same number β = @, read in two ways, over @ s. Read literally, @ at the end.", setting.beta,
+                  decay_seconds,
+                  left > 1e-9 ? say("@ % of the error is left", Value(100 * left, 3))
+                              : "less than 10⁻⁷ % of the error is left"),
+              Chart{.x = {.label = "time (s)", .range = {{0, decay_seconds}}},
+                    .y = {.label = "|C| (cm)", .scale = Scale::logarithmic, .range = {{1e-2 * e, 200 * e}}},
+                    .curves = {decay(setting, say("as printed: −βC, β = @ s⁻¹", setting.beta), literal, steps,
+                                     static_cast<std::size_t>(std::max(1, steps / 40))),
+                               per_step, law}});
   page.text(
       R"(Both readings are in use; you must know which one a program means. Per step the limit is β = 2; as printed
       it is 2/h = @ s⁻¹. The solver of this course divides by h, and calls the other reading

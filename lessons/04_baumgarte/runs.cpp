@@ -32,7 +32,8 @@ Track follow(Scene<PlaneParticle> scene, const DriftCure& cure, double h, int st
   Simulation<PlaneParticle> simulation{std::move(scene), one_row(cure)};
   Track track;
   const auto& bodies = simulation.scene.bodies();
-  for (int i = 0; i <= steps; ++i) {
+  const double far = 100 * bodies.pose[1].position.norm();
+  for (int i = 0; i <= steps && bodies.pose[1].position.norm() < far; ++i) {
     if (i > 0) simulation.step(h);
     track.push_back({i * h, bodies.pose[1].position, bodies.velocity[1], kinetic_energy(bodies),
                      potential_energy(simulation.scene)});

@@ -31,7 +31,8 @@ using Track = std::vector<Sample>;
 
 /// A bob that goes round the anchor without gravity: the beginning and every step.
 Track circling(const Setting& setting, double speed, const DriftCure& cure, double h, int steps);
-/// A pendulum let go at the lesson's `release`: the beginning and every step.
+/// A pendulum let go at the lesson's `release`: the beginning and every step, until its rod is a hundred times as
+/// long.
 Track swinging(const Setting& setting, const DriftCure& cure, double h, int steps);
 
 /// The sample that shows at a time [s].

@@ -41,8 +41,9 @@ void steady_spin(const Setting& setting, Page& page) {
   const bool small = turn <= 0.1;
 
   if (!settles)
-    page.text(setting.beta() < 2 ? "With β = @ the rod takes very long to settle. This step therefore uses β = 0.2."
-                                 : "With β = @ the rod never settles. This step therefore uses β = 0.2.",
+    page.text(setting.beta() < 2
+                  ? "With β = @ the rod takes very long to settle. This step therefore uses β = 0.2."
+                  : "With β = @ the rod never settles. This step therefore uses β = 0.2.",
               setting.beta);
   page.text(
       R"(β removes a share of the error. Where every step adds a new error, some error stays. Let the bob of step 1
@@ -50,28 +51,31 @@ void steady_spin(const Setting& setting, Page& page) {
       setting.speed(), beta);
   const double answer = 1000 * spin.stretch * length, one_step = 500 * turn * turn * length;
   if (small)
-    page.predict({.ask = say(R"(In each step the tangent leaves the circle by ½(ωh)²L = @ mm. By how much is the rod
+    page.predict(
+        {.ask = say(R"(In each step the tangent leaves the circle by ½(ωh)²L = @ mm. By how much is the rod
                              too long once it has settled?)",
-                             Value(one_step, 4)),
-                  .answer = answer,
-                  .unit = "mm",
-                  .tolerance = 0.03 * answer,
-                  .wrong = {{one_step, "That is what one step adds; the removed share β of the error must be as much."},
-                            {0, "Then there would be no error of which β could remove a share."}},
-                  .hints = {"Once the rod has settled, a step adds as much error as it removes.",
-                            "added: ½(ωh)²L; removed: βC.", say("@ · C = @ mm.", beta, Value(one_step, 4))},
-                  .right = "C = ½(ωh)²L/β, with the settled ω: on the longer rod the bob goes round more slowly."});
-  page.formula("βC = ½(ωh)²L   ⟹   C/L = (ωh)²/(2β) = @ for ωh = @",
-               R"(\beta C = \tfrac12(\omega h)^2 L \quad\Rightarrow\quad \frac{C}{L} = \frac{(\omega h)^2}{2\beta} = @
+                    Value(one_step, 4)),
+         .answer = answer,
+         .unit = "mm",
+         .tolerance = 0.03 * answer,
+         .wrong = {{one_step, "That is what one step adds; the removed share β of the error must be as much."},
+                   {0, "Then there would be no error of which β could remove a share."}},
+         .hints = {"Once the rod has settled, a step adds as much error as it removes.",
+                   "added: ½(ωh)²L; removed: βC.", say("@ · C = @ mm.", beta, Value(one_step, 4))},
+         .right = "C = ½(ωh)²L/β, with the settled ω: on the longer rod the bob goes round more slowly."});
+  page.formula(
+      "βC = ½(ωh)²L   ⟹   C/L = (ωh)²/(2β) = @ for ωh = @",
+      R"(\beta C = \tfrac12(\omega h)^2 L \quad\Rightarrow\quad \frac{C}{L} = \frac{(\omega h)^2}{2\beta} = @
                   \text{ for } \omega h = @)",
-               law(spin, beta), spin.turn);
+      law(spin, beta), spin.turn);
   if (!small)
     page.text(R"(The law is the first term of an expansion in ωh, and this ωh is too large for it: the rod in fact
               stays too long by C/L = @.)",
               spin.stretch);
   page.derivation(
       "The stretch of a spinning rod",
-      {{"the step h·v is at right angles to d (law of drift)", "|d′|² = |d|² + (h v)²", R"(|d'|^2 = |d|^2 + (hv)^2)"},
+      {{"the step h·v is at right angles to d (law of drift)", "|d′|² = |d|² + (h v)²",
+        R"(|d'|^2 = |d|^2 + (hv)^2)"},
        {"square root, for small ωh = hv/L", "added to C: ½(ωh)²L", R"(\tfrac12(\omega h)^2 L)"},
        {"law of the share", "removed from C: βC", R"(\beta C)"},
        {"settled: added = removed", "C/L = (ωh)²/(2β)", R"(\frac{C}{L} = \frac{(\omega h)^2}{2\beta})"}});
