@@ -102,11 +102,12 @@ ChainsFilm film_of(const Setting& setting, double beta) {
     return HangingChain({setting.links, setting.sweeps, beta, warm}, length, setting.mass, h);
   };
   ChainsFilm film{hanging(true), hanging(false), length, 0, {}, setting.links};
-  film.beside = {.x = {.label = "time (s)"}, .y = {.label = "largest |C|/L (1)", .scale = Scale::logarithmic}};
+  film.beside = {.x = {.label = "time (s)", .range = {{0, chain_seconds}}},
+                 .y = {.label = "largest |C|/L (1)", .scale = Scale::logarithmic}};
   double depth = setting.links * length, most = 0.1;
   for (const auto& [start, name] : {std::pair{&film.warm, "warm"}, std::pair{&film.cold, "cold"}}) {
     HangingChain chain = *start;
-    Curve curve{.label = name};
+    Curve curve{.label = name, .x = {0}, .y = {HangingChain::start_error}};
     while (chain.time() < chain_seconds) {
       chain.step();
       if (chain.broken_up()) break;
