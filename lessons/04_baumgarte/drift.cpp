@@ -25,6 +25,9 @@ std::vector<double> radii(double radius, double speed, double h, int steps) {
   return squares;
 }
 
+/// The angle of one step round the circle at first, ωh [1].
+double turn_of(const Setting& setting) { return setting.speed() * setting.h() / setting.length(); }
+
 /// The same for small steps [m].
 double law(double radius, double speed, double h, double time) {
   return radius * std::pow(1 + 2 * h * speed * speed * time / (radius * radius), 0.25);
@@ -86,12 +89,14 @@ void drift(const Setting& setting, Page& page) {
   const int steps = static_cast<int>(std::lround(spiral_seconds / h));
   const Track run = circling(setting, speed, NoDriftCure{}, h, steps);
   const std::vector<double> exact = radii(length, speed, h, steps);
-  const double C = run.back().position.norm() - length, kept = run.back().kinetic / run.front().kinetic;
+  const double C = run.back().position.norm() - length;
+  const double lost = 1 - run.back().kinetic / run.front().kinetic;
+  const bool visible = C > 0.02 * length;
 
   page.text(
-      R"(Lesson 2 left you with a rod that grew. Each step sends the bob along its tangent, because JV = 0 asks for
-      no more, and the tangent leaves the circle. To see that and nothing else, take gravity away: a bob goes round
-      at @ m/s on a rod of @ m, h is @ s and nothing cures the drift (b = 0).)",
+      R"(In lesson 2 the rod became longer and longer. Each step moves the bob along the tangent, because JV = 0 asks
+      for no more, and the tangent leaves the circle. This growing error is called *drift*. To see it alone, take
+      gravity away: a bob goes round at @ m/s on a rod of @ m; h is @ s, and nothing corrects the drift (b = 0).)",
       speed, length, setting.h);
   Curve measured{.label = "C",
                  .x = each(run, [](const Sample& s) { return s.time; }),
@@ -104,49 +109,66 @@ void drift(const Setting& setting, Page& page) {
   }
   const Chart beside{
       .x = {.label = "time (s)"}, .y = {.label = "C = |d| − L (cm)"}, .curves = {measured, expected}};
-  page.sequence(
-      "growing_circle",
-      say(R"(A bob on a rod without weight, b = 0. The circle opens into a spiral: after @ s the rod is @ cm too
-          long. Dashed beside it: the law below.)",
-          spiral_seconds, Value(100 * C, 3)),
-      Seconds{spiral_seconds},
-      [film = SpiralFilm{run, length, beside}](Canvas& canvas, double time) { film.draw(canvas, time); });
+  page.sequence("growing_circle",
+                say(visible ? R"(A bob on a rod without mass, b = 0. The circle opens into a spiral: after @ s the
+                              rod is @ cm too long. Right: the error C; dashed, the law below.)"
+                            : R"(A bob on a rod without mass, b = 0. After @ s the rod is @ cm too long, which is
+                              too little to see on the left. Right: the error C; dashed, the law below.)",
+                    spiral_seconds, Value(100 * C, 3)),
+                Seconds{spiral_seconds}, [film = SpiralFilm{run, length, beside}](Canvas& canvas, double time) {
+                  film.draw(canvas, time);
+                });
   page.choose(
-      {.ask = say("The bob is @ % farther out than it should be. What has become of its energy?",
-                  Value(100 * C / length, 3)),
+      {.ask = "The bob is now farther out than it should be. What has become of its kinetic energy?",
        .options = {{"risen",
-                    R"(It has gone outward, but nothing pushed it there. Every step the next impulse throws the
-                    outward part of V away, and ½m·vᵣ² with it.)"},
+                    R"(The bob moved outward, but nothing pushed it outward. The next impulse removes the outward
+                    part of V, and its energy ½m·vᵣ² with it.)"},
                    {"the same",
-                    R"(The pull is along the rod and the bob moves across it, so no work is done: true in the
-                    limit. A step of finite size leaves the tangent pointing a little outward, and the next impulse
-                    throws that part of V away.)"},
-                   {"fallen", say(R"(Yes: @ % of it is left. Each impulse throws the outward part of V away, and
-                                  ½m·vᵣ² with it.)",
-                                  Value(100 * kept, 3))}},
-       .answer = kept < 1 ? 2 : 0,
-       .hints = {"An impulse that makes JV = 0 takes a part of V away. Does it ever give one?"}});
+                    R"(The pull is along the rod and the bob moves across it, so no work is done: this is true in
+                    the limit h → 0. After a step of finite size the velocity points a little outward, and the next
+                    impulse removes that part.)"},
+                   {"fallen",
+                    say("The bob has lost @ %. Each impulse removes the outward part of V, and ½m·vᵣ² with it.",
+                        Value(100 * lost, 3))}},
+       .answer = lost > 0 ? 2 : 0,
+       .hints = {"Look at the direction of V just after a step, against the rod's new direction.",
+                 "(20) with JV = 0 removes the part of V along the rod and leaves the part across it.",
+                 "v² = v_across² + vᵣ², and the impulse sets vᵣ = 0."}});
   page.text(
-      R"(The law takes two lines. The way h·v is at right angles to d, so Pythagoras says by how much d² grows; and
-      the rod's pull goes through the anchor, so |v||d|, the angular momentum, stays:)");
+      R"(The law needs two facts. The displacement h·v is at right angles to d, so Pythagoras gives the new |d|².
+      The impulse points at the anchor, so the angular momentum m|v||d| stays.)");
   page.formula("|d|²  grows by  h²|v|²  a step,   |v||d| stays   ⟹   |d| ≈ L (1 + 2hv₀²t/L²)^¼",
                R"(|d|^2 \mathrel{+}= h^2|v|^2, \quad |v||d| = \text{const} \quad\Rightarrow\quad )"
                R"(|d| \approx L\,\bigl(1 + 2hv_0^2t/L^2\bigr)^{1/4})");
+  page.derivation(
+      "How a rod grows without correction",
+      {{"JV = d·v = 0, so h·v is at right angles to d", "|d′|² = |d|² + h²|v|²", R"(|d'|^2 = |d|^2 + h^2|v|^2)"},
+       {"the impulse points at the anchor, so angular momentum stays", "|v||d| = v₀L", R"(|v||d| = v_0 L)"},
+       {"insert |v| = v₀L/|d|", "|d′|² − |d|² = h²v₀²L²/|d|²", R"(|d'|^2 - |d|^2 = h^2 v_0^2 L^2/|d|^2)"},
+       {"divide by h; for small h the left side is a derivative", "|d|² · d(|d|²)/dt = h v₀²L²",
+        R"(|d|^2\,\frac{d|d|^2}{dt} = h\,v_0^2 L^2)"},
+       {"the left side is half the derivative of |d|⁴; integrate from |d| = L", "|d|⁴ = L⁴ + 2hv₀²L²t",
+        R"(|d|^4 = L^4 + 2hv_0^2L^2t)"},
+       {"fourth root", "|d| = L (1 + 2hv₀²t/L²)^¼", R"(|d| = L\,(1 + 2hv_0^2t/L^2)^{1/4})"},
+       {"for small t, (1 + x)^¼ ≈ 1 + x/4", "C ≈ hv₀²t/(2L)", R"(C \approx \frac{hv_0^2}{2L}\,t)"}});
   page.formula("at first  Ċ ≈ hv²/2L = @ cm/s",
                R"(\dot C \approx \frac{hv^2}{2L} = @\ \mathrm{cm/s} \text{ at first})",
                100 * h * speed * speed / (2 * length));
   page.text(
-      R"(So the error grows in proportion to time at first, to h and to the centripetal acceleration v²/L, and
-      later with the fourth root of time, for the bob gets slower as it gets out. Half the step means half the
-      drift: smaller steps help, and never cure.)");
-  page.figure(
-      "law_of_drift",
-      R"(Error over time for three steps. The points are runs, the dashed lines the law: slope 1 at first (each
-      quarter of h lowers it by four), bending towards the fourth root.)",
-      law_of_drift(setting));
+      R"(At first the error grows in proportion to the time, to h and to the centripetal acceleration v²/L. Later
+      it grows with the fourth root of time, because the bob slows down as it moves outward. Half the step gives
+      half the early drift: smaller steps help, but they never remove it.)");
+  const double at_first = 2 * turn_of(setting) * turn_of(setting), at_last = 1000 * at_first;
+  page.figure("law_of_drift",
+              say("Error over time for three steps; points: runs, dashed: the law. @ @",
+                  at_first < 0.2 ? "At first the slope is 1, and a quarter of h lowers the error to a quarter."
+                                 : "The steps are so large that the curve with h bends from its first step on.",
+                  at_last > 2 ? "Later the curves bend towards the fourth root."
+                              : "The error stays so small that no bend is seen yet."),
+              law_of_drift(setting));
   page.measure("C after four seconds", 100 * C, "cm");
 
-  const double turn = speed * h / length, spread = 1 + 2 * turn * turn * steps, rounding = 1e-12 * steps;
+  const double turn = turn_of(setting), spread = 1 + 2 * turn * turn * steps, rounding = 1e-12 * steps;
   page.claim({.quantity = say("rod after @ s", spiral_seconds),
               .unit = "m",
               .expected = exact.back(),
@@ -157,15 +179,21 @@ void drift(const Setting& setting, Page& page) {
       {.quantity = "the same from the fourth root",
        .unit = "m",
        .expected = law(length, speed, h, steps * h),
-       .source = "law B3",
+       .source = "law of drift: L(1 + 2hv₀²t/L²)^¼",
        .measured = run.back().position.norm(),
        .tolerance = relative((std::pow(turn, 4) + turn * turn * std::log(spread) / 2) / (4 * spread) + rounding)});
   page.claim({.quantity = "growth of C in the first step",
               .unit = "m/s",
               .expected = h * speed * speed / (2 * length),
-              .source = "law B3: hv²/2L",
+              .source = "law of drift: hv²/2L",
               .measured = (run[1].position.norm() - length) / h,
               .tolerance = relative(turn * turn / 4 + 1e-15 / (turn * turn))});
+  page.claim({.quantity = "kinetic energy lost, over the energy at first",
+              .unit = "1",
+              .expected = 0,
+              .source = "an impulse that makes JV = 0 only removes a part of V",
+              .measured = lost,
+              .tolerance = at_least()});
   page.claim({.quantity = "energy at the end",
               .unit = "J",
               .expected = 0.5 * mass * std::pow(speed * length / exact[exact.size() - 2], 2),

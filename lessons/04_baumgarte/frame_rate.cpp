@@ -45,37 +45,48 @@ void frame_rate(const Setting& setting, Page& page) {
   const double beta = one_side ? setting.beta() : 0.2;
   const double half = measured_half_time(setting, beta, h), finer = measured_half_time(setting, beta, h / 2),
                kept = measured_half_time(setting, beta / 2, h / 2);
+  const bool nearly_kept = std::abs(kept / half - 1) < 0.15;
 
   if (!one_side)
     page.text(
-        "With β = @ the error is gone within a step or two, or changes sides: there is no half-time to speak of.",
+        R"(With β = @ the error is gone within a few steps, or it changes sides: there is no half-time. This step
+        therefore uses β = 0.2.)",
         setting.beta);
   page.text(
-      R"(Divided by h, β is a share *per step*. It has no unit, as the article says, and it still depends on how
-      many steps a second has. With β = @ and h = @ s half of the error is gone after @ ms.)",
+      R"(Divided by h, β is a share *per step*. It has no unit, as the article says, and still its effect depends on
+      the number of steps in a second. With β = @ and h = @ s, half of the error is gone after @ ms.)",
       beta, setting.h, Value(1000 * half, 3));
   page.predict(
       {.ask = say("β = @ stays, h is halved. What becomes of the half-time of @ ms?", beta, Value(1000 * half, 3)),
        .answer = 1000 * finer,
        .unit = "ms",
        .tolerance = 50 * half,
-       .wrong = {{1000 * half, "β is per step: what has a time in it is h/β. Keep h/β if you change h."},
-                 {2000 * half, "The steps are shorter, and each still takes the same share."}},
-       .hints = {"How many steps does it take? How long do they last now?"},
+       .wrong = {{1000 * half, "β is a share per step. The time is in h/β, and h has changed."},
+                 {2000 * half, "The steps are shorter, and each of them still removes the same share."}},
+       .hints = {"Count in steps first, then in milliseconds.", "C after k steps = (1 − β)ᵏ C₀.",
+                 "It takes the same number of steps. How long does each of them last now?"},
        .right = "The same number of steps, each half as long."});
-  page.formula(
-      "half-time = h · ln 2/(−ln(1 − β)) ≈ 0.69 h/β,   h/β = @ ms",
-      R"(t_{1/2} = h\,\frac{\ln 2}{-\ln(1-\beta)} \approx 0.69\,\frac{h}{\beta}, \qquad \frac{h}{\beta} = @\ \mathrm{ms})",
-      1000 * h / beta);
+  page.formula("half-time = h · ln 2/(−ln(1 − β)) = @ ms",
+               R"(t_{1/2} = h\,\frac{\ln 2}{-\ln(1-\beta)} = @\ \mathrm{ms})", 1000 * half);
+  page.derivation("The half-time", {{"k steps", "Cₖ = (1 − β)ᵏ C₀", R"(C_k = (1-\beta)^k\,C_0)"},
+                                    {"half is left", "(1 − β)ᵏ = ½", R"((1-\beta)^k = \tfrac12)"},
+                                    {"logarithm", "k = ln 2/(−ln(1 − β))", R"(k = \frac{\ln 2}{-\ln(1-\beta)})"},
+                                    {"each step lasts h", "t = k h", R"(t_{1/2} = k\,h)"},
+                                    {"for small β, −ln(1 − β) ≈ β", "t ≈ ln 2 · h/β = 0.69 h/β",
+                                     R"(t_{1/2} \approx 0.69\,\frac{h}{\beta})"}});
   page.text(
-      R"(What has a time in it is h/β. A game that was tuned at one frame rate and runs at another has stiffer or
-      softer joints, without anyone having touched β. Keep h/β instead: with h halved *and* β halved the half-time
-      goes from @ ms to @ ms.)",
-      Value(1000 * half, 3), Value(1000 * kept, 3));
+      R"(So the time in β is h/β (here @ ms), for small β. A game that is tuned at one frame rate and runs at
+      another has stiffer or softer joints, although nobody touched β. To keep the half-time, keep h/β: with h
+      halved *and* β halved, the half-time goes from @ ms to @ ms. @)",
+      1000 * h / beta, Value(1000 * half, 3), Value(1000 * kept, 3),
+      nearly_kept ? ""
+                  : say(R"((This β is too large for that rule. Exactly, (1 − β)^(1/h) must stay: half the step
+                             needs β = 1 − √(1 − @) = @.))",
+                        beta, Value(1 - std::sqrt(1 - beta), 3)));
   page.figure(
       "half_time_over_h",
-      R"(Half-time over the time step. With β kept it shrinks with h (slope 1); with h/β kept it stays nearly where
-      it was.)",
+      say("Half-time over the time step. With β kept it is proportional to h (slope 1); with h/β kept it @.",
+          nearly_kept ? "stays nearly the same" : "changes much less"),
       half_times(setting, beta));
   page.measure("half-time", 1000 * half, "ms");
 
@@ -83,7 +94,7 @@ void frame_rate(const Setting& setting, Page& page) {
   page.claim({.quantity = "half-time",
               .unit = "s",
               .expected = h * std::log(2) / -std::log1p(-beta),
-              .source = "law B1: h·ln 2/(−ln(1 − β))",
+              .source = "law of the share: h·ln 2/(−ln(1 − β))",
               .measured = half,
               .tolerance = rounding});
   page.claim({.quantity = "half-time with half the step",
@@ -91,6 +102,12 @@ void frame_rate(const Setting& setting, Page& page) {
               .expected = half / 2,
               .source = "proportional to h",
               .measured = finer,
+              .tolerance = rounding});
+  page.claim({.quantity = "half-time with half the step and 1 − √(1 − β)",
+              .unit = "s",
+              .expected = half,
+              .source = "(1 − β)^(1/h) stays",
+              .measured = measured_half_time(setting, 1 - std::sqrt(1 - beta), h / 2),
               .tolerance = rounding});
   page.claim({.quantity = "half-time with h/β kept",
               .unit = "s",

@@ -24,30 +24,32 @@ int main(int argc, char** argv) {
 
   lesson.step("Drift, and the law of how it grows", with(drift));
   lesson.step("A share β of the error in each step", with(a_share_of_the_error));
-  lesson.step("Both sides of 2", with(both_sides_of_two));
+  lesson.step("More than all of the error", with(both_sides_of_two));
   lesson.step("Read literally, (22) has no 1/h", with(read_literally));
   lesson.step("No unit, and still a matter of frame rate", with(frame_rate));
   lesson.step("What β costs on a pendulum", with(what_it_costs));
 
-  lesson.deeper("What a spin leaves", with(steady_spin));
-  lesson.deeper("The trap: warm start and few sweeps", with(the_trap));
+  lesson.deeper("The error that a spin leaves", with(steady_spin));
+  lesson.deeper("Warm start, few sweeps and β", with(the_trap));
 
   lesson.closing(
       {.now_you_know =
-           {"JV = 0 follows the tangent: C grows at hv²/2L, later more slowly, and energy falls.",
-            "JV = −(β/h)C leaves (1 − β) of an error: monotone to 1, overshooting to 2, growing beyond.",
-            "Printed without 1/h, β is a rate in 1/s; with it, a share a step, and h/β is the time in it.",
-            "On a pendulum it lends energy and takes it back; over a swing energy falls, whatever β.",
-            "What a turn feeds in stays: C/L = (ωh)²/(2β).",
-            "With a warm start and few sweeps the limit is (1 − q)/q, and that may be far below 0.1."},
+           {"JV = 0 follows the tangent: C grows, at first at hv²/2L, and the bob loses energy.",
+            R"(JV = −(β/h)C leaves the share 1 − β of an error in each step: no overshoot up to β = 1, overshoot up to
+            2, growth beyond.)",
+            "As printed, without 1/h, β is a rate in 1/s; with 1/h it is a share a step, and its time is h/β.",
+            R"(On a pendulum the correction adds energy and takes it back; with small steps a swing loses energy for
+            every β below 2.)",
+            "A steady spin leaves C/L = (ωh)²/(2β).",
+            "With a warm start the limit is min((1 − q)/q, 2); with few sweeps that can be far below 0.1."},
        .tries = {{"Just beyond the limit: what do the rod, the claims and the stems do?",
                   "./lessons/run baumgarte --set beta=2.1"},
-                 {"Twice the frame rate, and the time constant h/β kept.",
+                 {"Twice the frame rate, and the time h/β kept.",
                   "./lessons/run baumgarte --set h=1/120 --set beta=0.1"},
-                 {"Out of the trap: how many sweeps does ten links' chain need at this β?",
+                 {"How many sweeps does the chain of ten links need at this β?",
                   "./lessons/run baumgarte --step 6b --set sweeps=8"}},
        .next =
-           R"(What pulls in a rod also pushes out what overlaps: contacts come next, whose rows may only push, and
-           friction, which leans on them.)"});
+           R"(The correction that shortens a rod also separates bodies that overlap. Contacts come next: rows that
+           may only push, and friction, whose bound depends on them.)"});
   return lesson.run(argc, argv);
 }

@@ -34,23 +34,24 @@ void read_literally(const Setting& setting, Page& page) {
   const std::vector<double> run = errors(setting, literal, h, steps);
   const double half = half_time(run[1] / run[0], h), left = run.back() / e;
 
-  page.text("Now read (22) as it stands, letter by letter:");
+  page.text("Now read (22) as it is printed:");
   page.equation(22, "JV = −@ s⁻¹ · @ m = @ m/s",
                 R"(JV = -@\,\mathrm{s}^{-1}\cdot @\,\mathrm{m} = @\,\mathrm{m/s})", setting.beta, setting.error,
                 -beta * e);
   page.text(
-      R"(For the units to agree β must be a *rate* in 1/s, so it is not "unit-less" here, and C decays like e^(−βt)
-      whatever the step. With a number "between 0.1 and 0.3" that is a slow rate.)");
+      R"(For the units to agree, β must now be a *rate* in 1/s, so it is not "unit-less". A step leaves the share 1 −
+      βh of C, and for small βh that is a decay like e^(−βt), whatever the step.)");
   Prediction question{
       .ask =
           say("Read literally, with β = @ s⁻¹: after how many seconds is half of the error gone?", setting.beta),
       .answer = half,
       .unit = "s",
       .tolerance = 0.04 * half,
-      .wrong = {{1 / beta, "By then 1/e, about a third, is left; half is left a little sooner."},
-                {0.5 / beta, "It goes more slowly as there is less of it: e^(−βt), not 1 − βt."}},
-      .hints = {"e^(−βt) = ½."},
-      .right = "ln 2/β, and h hardly matters."};
+      .wrong = {{1 / beta, "By then the share 1/e, about a third, is left; half is left a little sooner."},
+                {0.5 / beta, "The rate falls as the error falls: e^(−βt), not 1 − βt."}},
+      .hints = {"β is now a rate per second, so the number of steps does not matter.", "C = C₀ e^(−βt).",
+                "e^(−βt) = ½, so βt = ln 2 = 0.693."},
+      .right = say("ln 2/β = @ s; the step h changes it only a little.", Value(std::log(2) / beta, 3))};
   if (beta < 1)
     question.wrong.push_back({half_time(1 - beta, h), "Without 1/h, β is a rate per second, not per step."});
   page.predict(question);
@@ -62,19 +63,19 @@ void read_literally(const Setting& setting, Page& page) {
     law.x.push_back(i * decay_seconds / 40);
     law.y.push_back(100 * e * std::exp(-beta * law.x.back()));
   }
-  page.figure(
-      "literal_and_per_step",
-      say(R"(The same number β = @, read in two ways, over @ s. Read literally @ % of the error is still there at
-          the end.)",
-          setting.beta, decay_seconds, Value(100 * left, 3)),
-      Chart{.x = {.label = "time (s)", .range = {{0, decay_seconds}}},
-            .y = {.label = "|C| (cm)", .scale = Scale::logarithmic, .range = {{1e-2 * e, 200 * e}}},
-            .curves = {decay(setting, say("as printed: −βC, β = @ s⁻¹", setting.beta), literal, steps,
-                             static_cast<std::size_t>(std::max(1, steps / 40))),
-                       per_step, law}});
+  page.figure("literal_and_per_step",
+              say("The same number β = @, read in two ways, over @ s. Read literally, @ at the end.", setting.beta,
+                  decay_seconds,
+                  left > 1e-9 ? say("@ % of the error is left", Value(100 * left, 3))
+                              : "less than 10⁻⁷ % of the error is left"),
+              Chart{.x = {.label = "time (s)", .range = {{0, decay_seconds}}},
+                    .y = {.label = "|C| (cm)", .scale = Scale::logarithmic, .range = {{1e-2 * e, 200 * e}}},
+                    .curves = {decay(setting, say("as printed: −βC, β = @ s⁻¹", setting.beta), literal, steps,
+                                     static_cast<std::size_t>(std::max(1, steps / 40))),
+                               per_step, law}});
   page.text(
-      R"(Both readings are in use, and both are right if you know which you have. Per step, the limit is β = 2; as
-      printed it is 2/h = @ s⁻¹. The solver of this course divides by h and calls the other one
+      R"(Both readings are in use; you must know which one a program means. Per step the limit is β = 2; as printed
+      it is 2/h = @ s⁻¹. The solver of this course divides by h, and calls the other reading
       `BetaReading::literal`.)",
       2 / h);
   page.measure("half-time as printed", half, "s");
@@ -95,7 +96,7 @@ void read_literally(const Setting& setting, Page& page) {
     page.claim({.quantity = say("left after fifty steps, β = @ s⁻¹ = @/h", side / h, side),
                 .unit = "1",
                 .expected = std::pow(side - 1, 50),
-                .source = "law B1: |1 − βh|⁵⁰",
+                .source = "law of the share: |1 − βh|⁵⁰",
                 .measured = std::abs(errors(setting, {side / h, BetaReading::literal}, h, 50).back() / e),
                 .tolerance = absolute(1e-11 * length / e)});
 }

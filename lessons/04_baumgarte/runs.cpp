@@ -22,7 +22,8 @@ std::vector<double> weightless(const Setting& setting, const Baumgarte& cure, do
   std::vector<double> errors{setting.error()};
   for (int i = 0; i < steps; ++i) {
     simulation.step(h);
-    errors.push_back(bob.norm() - setting.length());
+    if (-bob.y() < 0.05 * setting.length()) break;
+    errors.push_back(-bob.y() - setting.length());
   }
   return errors;
 }
@@ -31,7 +32,8 @@ Track follow(Scene<PlaneParticle> scene, const DriftCure& cure, double h, int st
   Simulation<PlaneParticle> simulation{std::move(scene), one_row(cure)};
   Track track;
   const auto& bodies = simulation.scene.bodies();
-  for (int i = 0; i <= steps; ++i) {
+  const double far = 100 * bodies.pose[1].position.norm();
+  for (int i = 0; i <= steps && bodies.pose[1].position.norm() < far; ++i) {
     if (i > 0) simulation.step(h);
     track.push_back({i * h, bodies.pose[1].position, bodies.velocity[1], kinetic_energy(bodies),
                      potential_energy(simulation.scene)});

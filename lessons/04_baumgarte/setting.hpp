@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "lessons/tutor/lesson.hpp"
 
 namespace byhand::baumgarte {
@@ -15,5 +17,8 @@ struct Setting {
 inline constexpr double gravity = 9.81;  // [m/s²], as Scene has it
 inline constexpr double pi = 3.14159265358979323846;
 inline double radians(double degrees) { return degrees / 180 * pi; }
+
+/// The value, or 0 where it is only rounding beside `scale`.
+inline double without_rounding(double value, double scale) { return std::abs(value) < 1e-9 * scale ? 0 : value; }
 
 }  // namespace byhand::baumgarte

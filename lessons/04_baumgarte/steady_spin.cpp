@@ -33,33 +33,52 @@ double law(const Spin& spin, double beta) { return spin.turn * spin.turn / (2 * 
 }  // namespace
 
 void steady_spin(const Setting& setting, Page& page) {
-  const double length = setting.length(), beta = setting.beta(), turn = setting.speed() * setting.h() / length;
+  const bool settles = setting.beta() <= 1.95;
+  // Beyond, the rod does not settle, or takes too long: what follows is then told for a usual β.
+  const double length = setting.length(), beta = settles ? setting.beta() : 0.2,
+               turn = setting.speed() * setting.h() / length;
   const Spin spin = settled(setting, beta, turn);
-  const bool settles = beta <= 1.95;
-  const bool claimed = settles && turn <= 0.1;
+  const bool small = turn <= 0.1;
 
+  if (!settles)
+    page.text(setting.beta() < 2
+                  ? "With β = @ the rod takes very long to settle. This step therefore uses β = 0.2."
+                  : "With β = @ the rod never settles. This step therefore uses β = 0.2.",
+              setting.beta);
   page.text(
-      R"(β removes a share of what is wrong. Where every step puts a new error in, a share of it stays. Let the bob
-      of step 1 go round again at @ m/s, now with β = @, until nothing changes any more.)",
-      setting.speed(), setting.beta);
+      R"(β removes a share of the error. Where every step adds a new error, some error stays. Let the bob of step 1
+      go round again at @ m/s, now with β = @, until its rod no longer changes.)",
+      setting.speed(), beta);
   const double answer = 1000 * spin.stretch * length, one_step = 500 * turn * turn * length;
-  if (claimed)
+  if (small)
     page.predict(
-        {.ask =
-             say(R"(In each step its tangent leaves the circle by ½(ωh)²L = @ mm. By how much is the rod too long
-                 once it has settled?)",
-                 one_step),
+        {.ask = say(R"(In each step the tangent leaves the circle by ½(ωh)²L = @ mm. By how much is the rod
+                             too long once it has settled?)",
+                    Value(one_step, 4)),
          .answer = answer,
          .unit = "mm",
          .tolerance = 0.03 * answer,
-         .wrong = {{one_step, "That is what one step adds; the share β that is taken away must be as much."},
-                   {0, "Then there would be nothing of which β could take a share."}},
-         .hints = {"What comes in, ½(ωh)²L, must be what goes out, βC."},
-         .right = "ω is the settled one: the rod is longer, so the bob goes round more slowly."});
+         .wrong = {{one_step, "That is what one step adds; the removed share β of the error must be as much."},
+                   {0, "Then there would be no error of which β could remove a share."}},
+         .hints = {"Once the rod has settled, a step adds as much error as it removes.",
+                   "added: ½(ωh)²L; removed: βC.", say("@ · C = @ mm.", beta, Value(one_step, 4))},
+         .right = "C = ½(ωh)²L/β, with the settled ω: on the longer rod the bob goes round more slowly."});
   page.formula(
-      "βC = ½(ωh)²L   ⟹   C/L = (ωh)²/(2β) = @",
-      R"(\beta C = \tfrac12(\omega h)^2 L \quad\Rightarrow\quad \frac{C}{L} = \frac{(\omega h)^2}{2\beta} = @)",
-      law(spin, beta));
+      "βC = ½(ωh)²L   ⟹   C/L = (ωh)²/(2β) = @ for ωh = @",
+      R"(\beta C = \tfrac12(\omega h)^2 L \quad\Rightarrow\quad \frac{C}{L} = \frac{(\omega h)^2}{2\beta} = @
+                  \text{ for } \omega h = @)",
+      law(spin, beta), spin.turn);
+  if (!small)
+    page.text(R"(The law is the first term of an expansion in ωh, and this ωh is too large for it: the rod in fact
+              stays too long by C/L = @.)",
+              spin.stretch);
+  page.derivation(
+      "The stretch of a spinning rod",
+      {{"the step h·v is at right angles to d (law of drift)", "|d′|² = |d|² + (h v)²",
+        R"(|d'|^2 = |d|^2 + (hv)^2)"},
+       {"square root, for small ωh = hv/L", "added to C: ½(ωh)²L", R"(\tfrac12(\omega h)^2 L)"},
+       {"law of the share", "removed from C: βC", R"(\beta C)"},
+       {"settled: added = removed", "C/L = (ωh)²/(2β)", R"(\frac{C}{L} = \frac{(\omega h)^2}{2\beta})"}});
 
   Chart chart{.x = {.label = "ωh, angle of one step (rad)", .scale = Scale::logarithmic},
               .y = {.label = "C/L (1)", .scale = Scale::logarithmic}};
@@ -76,25 +95,25 @@ void steady_spin(const Setting& setting, Page& page) {
     chart.curves.push_back(measured);
     chart.curves.push_back(expected);
   }
-  chart.references.push_back({Reference::Across::x, 0.1, "claimed up to here"});
+  chart.references.push_back({Reference::Across::x, 0.1, "ωh = 0.1"});
   page.figure("steady_stretch",
               R"(How much too long a spinning rod stays, over the angle that it turns in one step. Dashed: the law,
-              which is the first term of an expansion; to the right of the thin line the next ones show.)",
+              the first term of an expansion; to the right of the thin line the further terms are visible.)",
               chart);
   page.text(
-      R"(Half the step, a quarter of the stretch; β can buy no more than a factor. If you keep h/β, as the time
-      asks, the stretch goes with h.)");
+      R"(For small ωh, half the step leaves a quarter of the stretch, while β changes it only in proportion. If you
+      keep h/β, as the half-time asks, the stretch is proportional to h.)");
   page.measure("settled stretch", 1000 * spin.stretch, "mm per m");
 
   // Next in the expansion are ½β(C/L)² and ⅓(ωh)⁴ beside (ωh)².
   page.claim({.quantity = "settled stretch, over L",
               .unit = "1",
               .expected = law(spin, beta),
-              .source = "law B1: (ωh)²/(2β), ω settled",
+              .source = "law of the spinning rod: (ωh)²/(2β), ω settled",
               .measured = spin.stretch,
               .tolerance = relative(spin.turn * spin.turn * (0.5 + 1 / beta) + 2e-15 / (law(spin, beta) * beta)),
-              .claimed = claimed,
-              .range = "ωh ≤ 0.1, β ≤ 1.95"});
+              .claimed = small,
+              .range = "ωh ≤ 0.1"});
 }
 
 }  // namespace byhand::baumgarte

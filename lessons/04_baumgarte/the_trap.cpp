@@ -14,7 +14,7 @@ namespace {
 using namespace tutor;
 using namespace renderer;
 
-constexpr double chain_seconds = 4;
+constexpr double chain_seconds = 4, least_shown = 1e-5;  // [s], of |C|/L [1]
 
 /// Decades that errors grow by in a hundred steps.
 double decades(double growth) { return 100 * std::log10(std::max(growth, 1e-30)); }
@@ -57,6 +57,12 @@ double measured_limit(const Setting& setting, double law) {
   return (settles + grows) / 2;
 }
 
+std::string largest_error_of(const HangingChain& chain, double length) {
+  const double error = chain.largest_error() / length;
+  if (chain.broken_up()) return "broken up";
+  return error < least_shown ? "|C| below 10⁻⁵ L" : say("|C| up to @ L", Value(error, 2));
+}
+
 struct ChainsFilm {
   HangingChain warm, cold;
   double length, view;  // [m]
@@ -83,40 +89,66 @@ struct ChainsFilm {
                      {.bob = std::min(13.0, 0.3 * spacing), .rod = std::min(5.0, 0.15 * spacing)});
       canvas.clip({});
       canvas.look_at_page();
-      canvas.text({frames[i].centre().x(), frames[i].y + 12},
-                  say("|C| to @ L", Value(chain->largest_error() / length, 2)),
+      canvas.text({frames[i].centre().x(), frames[i].y + 12}, largest_error_of(*chain, length),
                   {.size = 18, .colour = palette::error});
     }
     renderer::draw(canvas, pictures::grown_to(beside, time), right.inset(0, 40));
   }
 };
 
-ChainsFilm film(const Setting& setting, double beta) {
+ChainsFilm film_of(const Setting& setting, double beta) {
   const double h = setting.h(), length = setting.length();
   const auto hanging = [&](bool warm) {
     return HangingChain({setting.links, setting.sweeps, beta, warm}, length, setting.mass, h);
   };
   ChainsFilm film{hanging(true), hanging(false), length, 0, {}, setting.links};
-  film.beside = {.x = {.label = "time (s)"}, .y = {.label = "largest |C|/L (1)", .scale = Scale::logarithmic}};
-  constexpr double least = 1e-5;  // of the chart
+  film.beside = {.x = {.label = "time (s)", .range = {{0, chain_seconds}}},
+                 .y = {.label = "largest |C|/L (1)", .scale = Scale::logarithmic}};
   double depth = setting.links * length, most = 0.1;
   for (const auto& [start, name] : {std::pair{&film.warm, "warm"}, std::pair{&film.cold, "cold"}}) {
     HangingChain chain = *start;
-    Curve curve{.label = name};
+    Curve curve{.label = name, .x = {0}, .y = {HangingChain::start_error}};
     while (chain.time() < chain_seconds) {
       chain.step();
+      if (chain.broken_up()) break;
       curve.x.push_back(chain.time());
       const double error = chain.largest_error() / length;
-      curve.y.push_back(error > least ? error : NAN);
+      curve.y.push_back(error > least_shown ? error : NAN);
       most = std::max(most, error);
     }
     const double lowest = -chain.linkage().bobs.back().at.y();
     if (start == &film.cold && lowest < 2 * depth) depth = std::max(depth, lowest);
     film.beside.curves.push_back(curve);
   }
-  film.beside.y.range = {least, 2 * most};
+  film.beside.y.range = {least_shown, 2 * most};
   film.view = 1.08 * depth;
   return film;
+}
+
+/// Growth in a step of the slowest wave, of which a step's sweeps leave the share q, as a plain loop: error e, its
+/// rate V and the remembered λ, in units in which A = 1 and h = 1.
+double wave_growth_by_hand(double q, double beta, int steps) {
+  double e = 1e-3, V = 0, lambda = 0, log_size = 0;
+  for (int i = 0; i < 2 * steps; ++i) {
+    //! [plain_wave]
+    const double warm = V + lambda;  // the warm start applies last step's λ
+    // The sweeps leave the share q of JV + βC.
+    const double V_new = q * warm - (1 - q) * beta * e;
+    lambda += V_new - warm;  // the sum is remembered
+    V = V_new;
+    e += V;
+    //! [plain_wave]
+    const double size = std::sqrt(e * e + V * V + lambda * lambda);
+    if (i >= steps) log_size += std::log(size);
+    e /= size, V /= size, lambda /= size;
+  }
+  return std::exp(log_size / steps);
+}
+
+/// "is multiplied by 1.0511 in a step", or what a reader should know instead.
+std::string fate_of_error(double growth) {
+  if (growth == 0) return "is gone after a few steps";
+  return say("is multiplied by @ in each step", Value(growth, 4));
 }
 
 }  // namespace
@@ -127,61 +159,95 @@ void the_trap(const Setting& setting, Page& page) {
   const double growth = measured_growth({links, sweeps, beta}, setting.h, 2000),
                cold = measured_growth({links, sweeps, beta, false}, setting.h, 2000);
   const bool dies_out = growth < 1;
+  const std::string shown_q = q < 1e-6 ? "less than 10⁻⁶" : say("@", Value(q, 4));
 
   page.text(
-      R"(One row, solved exactly, takes any β below 2. Now the chain of lesson 3: @ links, warm start, and @
-      Gauss–Seidel sweeps a step, as an engine would do it. β = @.)",
-      links, sweeps, setting.beta);
-  page.choose(
-      {.ask = say(R"("Usually between 0.1 and 0.3": β = @, @ links, @ warm sweeps a step. Does an error die out?)",
-                  setting.beta, links, sweeps),
-       .options = {{"yes", dies_out
-                               ? say("Yes, it is multiplied by @ a step: β is below (1 − q)/q = @.", growth, limit)
-                               : say(R"(It is multiplied by @ a step. λ remembers the correction of last step and
-                                     pays it twice; see (1 − q)/q.)",
-                                     growth)},
-                   {"no",
-                    dies_out ? say("It is multiplied by @ a step, and that is less than 1.", growth)
-                             : say(R"(No, it is multiplied by @ a step: λ remembers last step's correction and pays
-                                   it again, more than was due.)",
-                                   growth)}},
-       .answer = dies_out ? 0 : 1,
-       .hints = {"λ starts from last step's, and that held a correction too."}});
+      R"(One row, solved exactly, settles for every β below 2. Now the chain of lesson 3: @, and @ of Gauss–Seidel in
+      each step, as an engine would do it. β = @.)",
+      several(links, "link"), several(sweeps, "warm sweep"), setting.beta);
+  const std::string reason =
+      dies_out ? say("β is below the limit, @.", limit)
+      : beta >= 2
+          ? "Beyond 2 even one row overshoots by more than its error."
+          : R"(λ starts from last step's value, which holds last step's correction as well; the error is corrected
+            twice.)";
+  page.choose({.ask = say("β = @, @, @ a step. Does an error of the rods die out?", setting.beta,
+                          several(links, "link"), several(sweeps, "warm sweep")),
+               .options = {{"yes", say("It @. @", fate_of_error(growth), reason)},
+                           {"no", say("It @. @", fate_of_error(growth), reason)}},
+               .answer = dies_out ? 0 : 1,
+               .hints = {"λ starts from last step's value. What did that value contain beside the weight?",
+                         "Of the slowest wave, k sweeps leave q = cos²ᵏ(π/2N) (lesson 3).",
+                         say("Here q is @: compare β with (1 − q)/q, and with 2.", shown_q)}});
+  ChainsFilm film = film_of(setting, beta);
+  const auto ends = [&](const Curve& curve, double a_step) {
+    if (curve.x.empty() || curve.x.back() < chain_seconds - 1.5 * setting.h())
+      return std::string("grow until the chain breaks up");
+    if (a_step >= 1) return std::string("grow");
+    const double last = curve.y.back();
+    if (std::isnan(last)) return std::string("become smaller than 10⁻⁵ L");
+    return say(last > HangingChain::start_error ? "settle at @ L (it sags)" : "come down to @ L", Value(last, 2));
+  };
   page.sequence(
       "warm_and_cold",
-      say(R"(The same chain of @ m with β = @ and @ sweeps a step, warm and cold. The warm one @; the cold one @.
-          What leaves the picture goes on in the chart.)",
-          links * setting.length(), setting.beta, sweeps,
-          dies_out ? "calms down" : "rings louder with every swing",
-          cold < 1 ? "sags, and stays" : "does no better"),
-      Seconds{chain_seconds}, [film = film(setting, beta), h = setting.h()](Canvas& canvas, double time) mutable {
-        film.draw(canvas, time, h);
-      });
+      say(R"(The same chain of @ m with β = @ and @ a step, with warm and with cold start; its lowest rod begins @ %
+          too long. Within @ s the errors of the warm chain @, those of the cold chain @.)",
+          links * setting.length(), setting.beta, several(sweeps, "sweep"), 100 * HangingChain::start_error,
+          chain_seconds, ends(film.beside.curves[0], growth), ends(film.beside.curves[1], cold)),
+      Seconds{chain_seconds},
+      [film, h = setting.h()](Canvas& canvas, double time) mutable { film.draw(canvas, time, h); });
   page.text(
-      R"(Follow the slowest wave along the chain, of which k sweeps leave q = cos²ᵏ(π/2N) = @. A warm step begins
-      with all of last step's λ, the correction that it held included; sweeps take the surplus out again, but only
-      1 − q of it. From e′ = e + hV and V′ = V + the new impulse, a step multiplies the wave by a root z of)",
-      q);
-  page.formula(
-      "z³ − [1 + 2q − (1 − q)β] z² + 3q z − q = 0,   |z| < 1 only for β < (1 − q)/q = @",
-      R"(z^3 - [1 + 2q - (1-q)\beta]\,z^2 + 3q\,z - q = 0, \qquad |z| < 1 \iff \beta < \frac{1-q}{q} = @)", limit);
-  page.text(
-      R"(The limit is (1 − q)/q, and 2 only where that is more. Few sweeps, or many links, and it is tiny. Nobody
-      tells you by an error message: the chain just sings.)");
+      R"(Follow the slowest wave along the chain. k sweeps leave the share q = cos²ᵏ(π/2N) of it, which is @ here. A
+      warm step begins with all of last step's λ, and this λ includes last step's correction; the sweeps remove only
+      the share 1 − q of that surplus. As a program, with e for the wave of C, V for its rate, and A = h = 1:)",
+      shown_q);
+  page.excerpt("lessons/04_baumgarte/the_trap.cpp", "plain_wave");
+  page.text("A step multiplies the wave by a root z of the cubic");
+  page.formula("z³ − [1 + 2q − (1 − q)β] z² + 3q z − q = 0",
+               R"(z^3 - [1 + 2q - (1-q)\beta]\,z^2 + 3q\,z - q = 0)");
+  page.derivation(
+      "Where the cubic and its limit come from",
+      {{"the sweeps leave q of the residual JV + (β/h)e, counted after the warm start",
+        "V′ + (β/h)e = q (V + λ + (β/h)e)", R"(V' + \tfrac{\beta}{h}e = q\,(V + \lambda + \tfrac{\beta}{h}e))"},
+       {"λ is what the last step changed, V₋ the rate before it", "λ = V − V₋", R"(\lambda = V - V_-)"},
+       {"positions move with the new rate", "e′ = e + hV′", R"(e' = e + hV')"},
+       {"growth by z in a step: V′ = zV, V₋ = V/z; from the line before, e = hzV/(z − 1)",
+        "z = q(2 − 1/z) − (1 − q)β z/(z − 1)", R"(z = q\,(2 - \tfrac1z) - (1-q)\,\beta\,\frac{z}{z-1})"},
+       {"times z(z − 1)", "z³ − [1 + 2q − (1 − q)β]z² + 3qz − q = 0",
+        R"(z^3 - [1 + 2q - (1-q)\beta]\,z^2 + 3q\,z - q = 0)"},
+       {"a pair of roots on the unit circle, z = e^(±iφ); the third root is then q, the product of all",
+        "sum of pairs: 1 + 2q cos φ = 3q;   sum: 2 cos φ + q = 1 + 2q − (1 − q)β",
+        R"(1 + 2q\cos\varphi = 3q,\qquad 2\cos\varphi + q = 1 + 2q - (1-q)\beta)"},
+       {"eliminate cos φ", "β = (1 − q)/q", R"(\beta = \frac{1-q}{q})"},
+       {"waves with q = 0, which one sweep removes, behave like one row", "β < 2", R"(\beta < 2)"}});
+  page.formula("all waves die out  ⟺  β < min((1 − q)/q, 2) = @",
+               R"(\text{all waves die out} \iff \beta < \min\Bigl(\frac{1-q}{q},\,2\Bigr) = @)", limit);
+  page.text(dies_out
+                ? R"(β = @ is below that. With few sweeps or many links the limit becomes very small, and the
+                       solver gives no error message: the chain only oscillates more and more.)"
+                : R"(β = @ is above that. The solver gives no error message: the chain only oscillates more and
+                       more.)",
+            setting.beta);
   page.figure(
       "beta_and_sweeps",
-      say(R"(By how many decades errors along @ links grow (red) or die out (blue) in a hundred steps. Dashed: the
-          law.)",
-          links),
+      say(R"(By how many decades errors along @ grow (red) or die out (blue) in a hundred steps. Dashed: the
+                  law.)",
+          several(links, "link")),
       map(setting, links));
   page.text(
-      R"(What helps: more sweeps (here the limit reaches @ with ten times as many), smaller β, a cold start, which
-      is stable up to 2 and sags, or solving the chain directly, where q = 0 and 2 is the limit again. Later
-      lessons keep the correction out of what λ remembers.)",
-      Value(std::min(2.0, limit_of_beta(links, 10 * sweeps)), 3));
+      R"(What helps:
+
+      - more sweeps: @;
+      - a smaller β;
+      - a cold start, which settles for every β below 2, but sags;
+      - a direct solve of the chain: then q = 0, and the limit is 2;
+      - a correction that λ does not remember: split impulse (lesson 5) and soft constraints (lesson 6).)",
+      limit < 2 ? say("with @ the limit is @", several(10 * sweeps, "sweep"),
+                      Value(limit_of_beta(links, 10 * sweeps), 3))
+                : "here there are already enough");
   page.measure("growth of an error in a step", growth, "1");
 
-  // The waves that a sweep in chain order removes at once hang together; in a long chain rounding feeds them.
+  // The waves that a sweep in chain order removes at once are coupled; in a long chain rounding feeds them.
   const bool pure = beta <= 1.5 || (beta <= 2 && links <= 12);
   const std::string range = "β ≤ 1.5, or β ≤ 2 and at most 12 links";
   page.claim({.quantity = "growth in a step, warm",
@@ -204,11 +270,17 @@ void the_trap(const Setting& setting, Page& page) {
   page.claim({.quantity = "β at which an error neither grows nor dies out",
               .unit = "1",
               .expected = limit,
-              .source = "law B6: (1 − q)/q",
+              .source = "law of warm start: (1 − q)/q",
               .measured = in_reach ? measured_limit(setting, limit) : 0,
               .tolerance = relative(0.02),
               .claimed = in_reach,
               .range = "0.02 ≤ (1 − q)/q ≤ 1.9, at most 20 links"});
+  page.claim({.quantity = "growth of the slowest wave, the program's six lines",
+              .unit = "1",
+              .expected = growth_of_wave(q, beta),
+              .source = "largest root of the cubic",
+              .measured = wave_growth_by_hand(q, beta, 4000),
+              .tolerance = absolute(2e-3)});
 }
 
 }  // namespace byhand::baumgarte

@@ -1,5 +1,6 @@
 #include "lessons/04_baumgarte/warm_chain.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -52,7 +53,19 @@ double spectral_radius(Eigen::Matrix3d M) {
   return std::exp(log_radius);
 }
 
+double cold_growth(double q, double beta) {
+  Eigen::Matrix3d companion;
+  companion << 1 + q - (1 - q) * beta, -q, 0, 1, 0, 0, 0, 1, 0;
+  return spectral_radius(companion);
+}
+
 }  // namespace
+
+double growth_of_wave(double q, double beta) {
+  Eigen::Matrix3d companion;
+  companion << 1 + 2 * q - (1 - q) * beta, -3 * q, q, 1, 0, 0, 0, 1, 0;
+  return spectral_radius(companion);
+}
 
 double measured_growth(const Sweeping& sweeping, double h, int steps) {
   constexpr double usual = 1e-4;  // small beside a link of 1 m, large beside its rounding
@@ -78,7 +91,7 @@ double slow_wave(int links, int sweeps) { return std::pow(std::cos(std::numbers:
 
 double limit_of_beta(int links, int sweeps) {
   const double q = slow_wave(links, sweeps);
-  return (1 - q) / q;
+  return std::min(2.0, (1 - q) / q);
 }
 
 double growth_law(const Sweeping& sweeping) {
@@ -86,23 +99,20 @@ double growth_law(const Sweeping& sweeping) {
   double largest = std::abs(1 - sweeping.beta);  // q = 0: the waves that a sweep removes at once
   for (int j = 1; 2 * j - 1 <= n; ++j) {
     const double q = std::pow(std::cos((2 * j - 1) * std::numbers::pi / (2 * n)), 2 * sweeping.sweeps);
-    Eigen::Matrix3d companion;
-    if (sweeping.warm)
-      companion << 1 + 2 * q - (1 - q) * sweeping.beta, -3 * q, q, 1, 0, 0, 0, 1, 0;
-    else
-      companion << 1 + q - (1 - q) * sweeping.beta, -q, 0, 1, 0, 0, 0, 1, 0;
-    largest = std::max(largest, spectral_radius(companion));
+    largest = std::max(largest, sweeping.warm ? growth_of_wave(q, sweeping.beta) : cold_growth(q, sweeping.beta));
   }
   return largest;
 }
 
 struct HangingChain::State {
   Chain chain;
-  double h;
+  double length, h;
 };
 
 HangingChain::HangingChain(const Sweeping& sweeping, double length, double mass, double h)
-    : state_(new State{chain(sweeping, length, mass), h}) {}
+    : state_(new State{chain(sweeping, length, mass), length, h}) {
+  state_->chain.scene.state().pose.back().position.y() -= start_error * length;
+}
 HangingChain::HangingChain(const HangingChain& other) : state_(new State(*other.state_)) {}
 HangingChain& HangingChain::operator=(const HangingChain& other) {
   *state_ = *other.state_;
@@ -110,7 +120,13 @@ HangingChain& HangingChain::operator=(const HangingChain& other) {
 }
 HangingChain::~HangingChain() = default;
 
-void HangingChain::step() { state_->chain.step(state_->h); }
+void HangingChain::step() {
+  if (broken_up())
+    state_->chain.time += state_->h;
+  else
+    state_->chain.step(state_->h);
+}
+bool HangingChain::broken_up() const { return !(largest_error() < 100 * state_->length); }
 double HangingChain::time() const { return state_->chain.time; }
 double HangingChain::largest_error() const { return position_error(state_->chain.scene).max; }
 pictures::Linkage HangingChain::linkage() const { return pictures::rods_and_bobs(state_->chain.scene); }

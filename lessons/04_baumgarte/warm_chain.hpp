@@ -25,20 +25,28 @@ double measured_growth(const Sweeping& sweeping, double h, int steps);
 /// (1 − q)β]z + q = 0.
 double growth_law(const Sweeping& sweeping);
 
+/// The same of one wave with a warm start: the largest |z| of that cubic.
+double growth_of_wave(double q, double beta);
+
 /// What k sweeps leave of the slowest wave, q = cos²ᵏ(π/2N).
 double slow_wave(int links, int sweeps);
-/// The largest β at which that wave dies out with a warm start, (1 − q)/q.
+/// The largest β at which every wave dies out with a warm start: (1 − q)/q, but never more than 2.
 double limit_of_beta(int links, int sweeps);
 
-/// A chain hanging from an anchor under its weight.
+/// A chain hanging from an anchor under its weight; its lowest rod begins too long by the share `start_error`.
 class HangingChain {
  public:
+  static constexpr double start_error = 0.01;
+
   HangingChain(const Sweeping& sweeping, double length, double mass, double h);
   HangingChain(const HangingChain& other);
   HangingChain& operator=(const HangingChain& other);
   ~HangingChain();
 
+  /// Steps, unless the chain has broken up: beyond that its numbers mean nothing.
   void step();
+  /// Whether a rod is a hundred times as long as it should be.
+  bool broken_up() const;
   double time() const;
   double largest_error() const;  // of |C| [m]
   pictures::Linkage linkage() const;

@@ -15,10 +15,10 @@ namespace {
 using namespace tutor;
 using namespace renderer;
 
-constexpr double pop_seconds = 1.5;
+constexpr double pop_seconds = 1.5, deepest = 0.4;  // [s], [m]
 
 /// A unit box that begins `depth` [m] deep in the ground.
-Simulation<PlaneBody> sunk(double depth, const Baumgarte& cure) {
+Simulation<PlaneBody> sunk(double depth, const DriftCure& cure) {
   Simulation<PlaneBody> simulation{stack(1), {GaussSeidel{}, cure}};
   simulation.scene.state().pose[1].position.y() -= depth;
   return simulation;
@@ -29,26 +29,36 @@ double clearance(const Simulation<PlaneBody>& simulation) {
   return simulation.scene.bodies().pose[1].position.y() - 0.5;
 }
 
+/// Its highest point above the ground, or 0 if it stays down [m].
 double peak(Simulation<PlaneBody> simulation, double h) {
-  double highest = clearance(simulation);
-  while (simulation.time < pop_seconds) {
+  double highest = 0;
+  do {
     simulation.step(h);
     highest = std::max(highest, clearance(simulation));
-  }
-  return highest;
+  } while (simulation.time < pop_seconds || simulation.scene.bodies().velocity[1].y() > gravity * h);
+  return highest < 1e-11 ? 0 : highest;
 }
 
-/// The depth from which it leaves the ground, law B2 [m].
+/// The depth from which it leaves the ground if steps are many [m].
 double law_of_pop(double beta, double h) { return (1 - beta / 2) * 2 * gravity * h * h / (beta * beta); }
 
+/// The same step by step [m]: after n steps a throw at v = βd/h is at −d + h(nv − ghn(n − 1)/2), and the least d
+/// that brings it above the ground at some n counts.
+double pop_by_steps(double beta, double h) {
+  double least = INFINITY;
+  for (double n = std::floor(1 / beta) + 1; n < 3 / beta + 2; ++n)
+    if (beta * n > 1) least = std::min(least, gravity * h * h * n * (n - 1) / (2 * (beta * n - 1)));
+  return least;
+}
+
 /// The speed at which that depth leaves: what is slower does not get off the ground [m/s].
-double harmless_speed(double beta, double h) { return beta / h * law_of_pop(beta, h); }
+double harmless_speed(double beta, double h) { return beta / h * pop_by_steps(beta, h); }
 
 double measured_pop(double beta, double h) {
   double stays = 0.5 * law_of_pop(beta, h), pops = 1.5 * law_of_pop(beta, h);
   for (int i = 0; i < 30; ++i) {
     const double middle = 0.5 * (stays + pops);
-    (peak(sunk(middle, {beta}), h) > 1e-11 ? pops : stays) = middle;
+    (peak(sunk(middle, Baumgarte{beta}), h) > 0 ? pops : stays) = middle;
   }
   return 0.5 * (stays + pops);
 }
@@ -99,13 +109,13 @@ Chart peaks(const Setting& setting) {
   const double h = setting.h();
   Chart chart{.x = {.label = "overlap at the start (m)"}, .y = {.label = "peak above the ground (m)"}};
   for (const double beta : {0.5 * setting.beta(), setting.beta(), std::min(1.0, 2 * setting.beta())}) {
-    const double limit = law_of_pop(beta, h);
+    const double limit = pop_by_steps(beta, h);
     Curve measured{.label = say("β = @", Value(beta, 2)), .style = CurveStyle::markers},
         law{.style = CurveStyle::theory};
-    for (int i = 1; i <= 20; ++i) {
-      const double depth = 0.02 * i;
+    for (int i = 1; i <= 10; ++i) {
+      const double depth = deepest * i / 10;
       measured.x.push_back(depth);
-      measured.y.push_back(std::max(0.0, peak(sunk(depth, {beta}), h)));
+      measured.y.push_back(peak(sunk(depth, Baumgarte{beta}), h));
       law.x.push_back(depth);
       law.y.push_back(depth > limit ? law_of_peak(depth, beta, h) : 0);
     }
@@ -120,97 +130,153 @@ Chart peaks(const Setting& setting) {
 
 void deep_contact(const Setting& setting, Page& page) {
   const double h = setting.h(), beta = setting.beta(), depth = setting.depth(), cap = setting.cap();
-  const double law = law_of_pop(beta, h), speed = beta * depth / h;
-  Simulation<PlaneBody> first = sunk(depth, {beta});
+  const double law = law_of_pop(beta, h), by_steps = pop_by_steps(beta, h), speed = beta * depth / h;
+  const Simulation<PlaneBody> free_run = sunk(depth, Baumgarte{beta}),
+                              capped = sunk(depth, Baumgarte{.beta = beta, .speed_cap = cap}),
+                              split = sunk(depth, SplitImpulse{.beta = beta});
+  Simulation<PlaneBody> first = free_run;
   first.step(h);
   const double leaves_at = first.scene.bodies().velocity[1].y();
+  const double highest = peak(free_run, h), highest_capped = peak(capped, h), highest_split = peak(split, h);
 
   page.text(
-      R"(Where C is positive there is still room: the row lets the gap close within the step and no further, b =
-      C/h. Where it is negative, two bodies are inside each other, and (22) has them out again by a share β a step,
-      as it did with rods. But a rod is held on both sides. Nothing holds a box that comes out of the ground.)");
+      R"(Where C is positive there is a gap: the row lets it close within the step and no further, b = C/h. Where C is
+      negative, two bodies overlap, and (22) separates them by a share β a step, as it did with rods. But a rod is
+      held on both sides; nothing holds a box that moves out of the ground.)");
   page.equation(22, "JV = −(β/h)·C = −(@/(@ s))·(−@ m) = @ m/s",
                 R"(JV = -\frac{\beta}{h}\,C = -\frac{@}{@\,\mathrm{s}}\cdot(-@\,\mathrm{m}) = @\,\mathrm{m/s})",
                 setting.beta, setting.h, setting.depth, speed);
-  page.predict(
-      {.ask = say("A unit box begins @ m deep in the ground, at rest; β = @, h = @ s. How fast does it leave?",
+  page.choose(
+      {.ask = say(R"(A unit box begins @ m deep in the ground, at rest; β = @, h = @ s, and it leaves at the
+                          speed above. Does it rise above the ground?)",
                   setting.depth, setting.beta, setting.h),
-       .answer = leaves_at,
-       .unit = "m/s",
-       .tolerance = 0.03 * speed,
-       .wrong = {{0, "The row asks for a rate of −βC/h, and the ground may push as hard as that takes."},
-                 {depth / h, "That would have all of it out in one step; β takes a share."}},
-       .hints = {"β of the overlap is to be gone after one step of h."},
-       .right = "Sunk by accident, thrown by a catapult."});
-  const std::vector<NamedBox> runs{
-      {say("@ m deep", Value(0.8 * law, 2)), sunk(0.8 * law, {beta})},
-      {say("@ m deep", depth), sunk(depth, {beta})},
-      {say("@ m, at most @ m/s", depth, cap), sunk(depth, {.beta = beta, .speed_cap = cap})}};
+       .options = {{"yes", highest > 0 ? say("Its lower side rises @ m above the ground.", Value(highest, 3))
+                                       : "Gravity and the next corrections stop it below the surface."},
+                   {"no", highest > 0
+                              ? say("Its lower side rises @ m above the ground.", Value(highest, 3))
+                              : say(R"(It takes @ m of depth to get above the ground with these β and h. From
+                                            @ m it only comes out, slower and slower.)",
+                                    Value(by_steps, 3), setting.depth)}},
+       .answer = highest > 0 ? 0 : 1,
+       .hints = {"It is thrown upwards from that depth. How high does a throw rise?", "v²/(2g).",
+                 say("(@ m/s)²/(2 · 9.81 m/s²) = @ m; compare it with the depth.", Value(speed, 3),
+                     Value(speed * speed / (2 * gravity), 3))}});
+  const double shallow = std::min(0.8 * by_steps, deepest);
+  const std::vector<NamedBox> runs{{say("@ m deep", Value(shallow, 2)), sunk(shallow, Baumgarte{beta})},
+                                   {say("@ m deep", depth), free_run},
+                                   {say("@ m, ≤ @ m/s", depth, cap), capped},
+                                   {say("@ m, split", depth), split}};
   const Chart chart = heights(runs, h);
-  const double top = std::max(1.2, 1.1 + std::min(4.0, peak(runs[1].box, h)));
+  const double top = std::max(1.2, 1.1 + std::min(4.0, highest));
   page.sequence(
       "pop",
-      say(R"(Three boxes come out of the ground, β = @: from @ of the limit, from @ m, and from there with a limit
-          on the speed.)",
-          setting.beta, 0.8, setting.depth),
+      say(R"(Four boxes come out of the ground, β = @: from @ m; from @ m; from there with the speed of the
+          correction limited to @ m/s; and from there with split impulse. They rise above it by @, @, @ and @ m.)",
+          setting.beta, Value(shallow, 2), setting.depth, setting.cap, Value(peak(runs[0].box, h), 3),
+          Value(highest, 3), Value(highest_capped, 3), Value(highest_split, 3)),
       Seconds{pop_seconds}, [=, runs = runs](Canvas& canvas, double time) mutable {
         for (NamedBox& run : runs)
           while (run.box.time < time - 0.5 * h) run.box.step(h);
-        const auto [left, right] = canvas.page().inset(16).split_columns(0.56, 20);
+        const auto [left, right] = canvas.page().inset(16).split_columns(0.6, 20);
         draw_runs(canvas, runs, left, top);
         renderer::draw(canvas, pictures::grown_to(chart, time), right.inset(0, 60));
       });
   page.text(
-      R"(Once in flight it is a stone that was thrown upwards at βd/h. In the first step it rises by βd; then
-      gravity takes gh from its speed in every step. Sum that, and the highest point lies above the ground if)");
+      R"(Once it moves freely it is a stone thrown upwards at βd/h. In the first step it rises by βd; after that
+      gravity takes gh from its speed in each step. Its highest point lies above the ground if)");
   page.formula("d > (1 − β/2) · 2gh²/β² = @ m",
                R"(d > \left(1-\tfrac{\beta}{2}\right)\frac{2 g h^2}{\beta^2} = @\,\mathrm{m})", law);
-  page.figure(
-      "pop_over_depth",
-      say("How high a box pops above the ground against how deep it began, h = @ s. Lines: a throw at βd/h.",
-          setting.h),
-      peaks(setting));
-  page.text(
-      R"(Twice the β, a quarter of the depth: in a game that spawns things inside each other a large β is a gun.
-      Three cures are in use. A *smaller* β. A *limit* on the speed that the correction may ask for: below @ m/s,
-      at which the limiting depth leaves, whatever is stuck comes out and stays down. And *split impulses*, which
-      solve the correction by itself and throw its velocity away once it has moved the box; they cost a second
-      solve and are not in this solver. (The few millimetres of *slop* that engines leave alone are for another
-      trouble: a contact at rest that is corrected to the last is open every other step, and has to be found
-      anew.))",
-      Value(harmless_speed(beta, h), 3));
+  page.derivation(
+      "From which depth a box pops off the ground",
+      {{"(22): the speed after the first step", "v = βd/h", R"(v = \beta d/h)"},
+       {"after n steps, each with gh less", "y = −d + h(n v − gh n(n − 1)/2)",
+        R"(y = -d + h\Bigl(n v - gh\,\frac{n(n-1)}{2}\Bigr))"},
+       {"largest y: n = v/(gh) + ½, if it were no whole number", "y = −d + ½gh² (v/(gh) + ½)²",
+        R"(y = -d + \tfrac12 gh^2\Bigl(\frac{v}{gh} + \tfrac12\Bigr)^2)"},
+       {"insert v, and x = βd/(gh²)", "y > 0  ⟺  (x + ½)² > 2x/β", R"(y > 0 \iff (x+\tfrac12)^2 > 2x/\beta)"},
+       {"the largest root of x² + (1 − 2/β)x + ¼ = 0, without the small ¼", "x > 2/β − 1", R"(x > 2/\beta - 1)"},
+       {"back to d", "d > (1 − β/2) 2gh²/β²", R"(d > (1-\tfrac{\beta}{2})\frac{2gh^2}{\beta^2})"}});
+  page.text(R"(n is a whole number, so the limit is really @ m. @)", Value(by_steps, 4),
+            by_steps > deepest ? say("No overlap of this lesson, up to @ m, is as deep as that.", deepest)
+                               : "For small β, twice the β pops from a quarter of the depth.");
+  if (pop_by_steps(std::min(1.0, 2 * beta), h) < deepest)
+    page.figure(
+        "pop_over_depth",
+        say("How high a box rises above the ground against how deep it began, h = @ s. Lines: a throw at βd/h.",
+            setting.h),
+        peaks(setting));
+  page.text(R"(Three cures are in use.
 
-  page.measure("peak above the ground", peak(sunk(depth, {beta}), h), "m");
+            - A *smaller β*: the speed and the peak fall, but an overlap also lasts longer.
+            - A *limit* on the speed that the correction may ask for: below @ m/s, the speed at which the limiting
+              depth leaves, no box rises above the ground.
+            - *Split impulse*, a method of its own.)",
+            Value(harmless_speed(beta, h), 3));
+  page.text(
+      R"(Split impulse keeps the correction out of V. Its recipe:
+
+      - solve the rows with b = 0 where bodies overlap (and b = C/h at a gap), as if there were nothing to correct;
+      - keep a copy of V and λ;
+      - solve the rows again with b = (β/h)C: what that adds to V is a pseudo-velocity P;
+      - move the bodies by h(V + P);
+      - put the copies back: P is forgotten.
+
+      Its knob is β, as before. No overlap can throw a body, because no velocity of the correction is left after the
+      step, and a warm start does not remember it either. Its price is a second solve of all rows. It does not make
+      JV = 0 any more accurate, and it does not help where forces are too large for the step (lesson 8).)");
+  page.text(
+      R"(Engines also leave a few millimetres of overlap uncorrected, the *slop*. It has another purpose: a resting
+      contact that is corrected completely opens every few steps, and has to be found again.)");
+
+  page.measure("peak above the ground", highest, "m");
   page.claim({.quantity = "speed at which it leaves",
               .unit = "m/s",
               .expected = speed,
               .source = "βd/h, (22)",
               .measured = leaves_at,
               .tolerance = relative(1e-12)});
+  const bool shallow_law = 1.5 * law < deepest;
+  const std::string range = "1.5 (1 − β/2)·2gh²/β² < 0.4 m";
+  const double popped = shallow_law ? measured_pop(beta, h) : 0;
   page.claim({.quantity = "depth from which it pops off the ground",
               .unit = "m",
+              .expected = by_steps,
+              .source = "a throw at βd/h, step by step",
+              .measured = popped,
+              .tolerance = absolute(1e-6 * by_steps + 1e-10),
+              .claimed = shallow_law,
+              .range = range});
+  const double u = 2 / beta - 1;
+  page.claim({.quantity = "the same beside the law for many steps",
+              .unit = "m",
               .expected = law,
-              .source = "law B2: (1 − β/2)·2gh²/β²",
-              .measured = measured_pop(beta, h),
-              .tolerance = relative(1e-6),
-              .claimed = law < 0.3 && beta < 0.5,
-              .range = "a limit below 0.3 m, β < 0.5"});
+              .source = "law of the pop: (1 − β/2)·2gh²/β², at most ¼ too large in x",
+              .measured = popped,
+              .tolerance = relative(1 - 0.5 * (1 + std::sqrt(1 - 1 / (u * u))) + 1e-6),
+              .claimed = shallow_law,
+              .range = range});
   page.claim({.quantity = "peak above the ground",
               .unit = "m",
-              .expected = law_of_peak(depth, beta, h),
-              .source = "a throw at βd/h, step by step",
-              .measured = peak(sunk(depth, {beta}), h),
-              .tolerance = absolute(1e-9),
-              .claimed = depth > law && speed / gravity < pop_seconds,
-              .range = "deeper than that, up within 1.5 s"});
+              .expected = depth > by_steps ? law_of_peak(depth, beta, h) : 0,
+              .source = "a throw at βd/h, step by step, or it stays down",
+              .measured = highest,
+              .tolerance = absolute(1e-9 * (1 + highest)),
+              .claimed = std::abs(depth / by_steps - 1) > 1e-6,
+              .range = "a depth not within 10⁻⁶ of the limit"});
   page.claim({.quantity = "peak above the ground with the limit on the speed",
               .unit = "m",
               .expected = cap < harmless_speed(beta, h) ? 0 : cap * cap / (2 * gravity),
               .source = "it stays down, or v²/2g",
-              .measured = peak(sunk(depth, {.beta = beta, .speed_cap = cap}), h),
+              .measured = highest_capped,
               .tolerance = at_most(),
               .claimed = std::abs(cap / harmless_speed(beta, h) - 1) > 0.05,
               .range = "a limit not within 5 % of harmless"});
+  page.claim({.quantity = "peak above the ground with split impulse",
+              .unit = "m",
+              .expected = 0,
+              .source = "no velocity of the correction is left",
+              .measured = highest_split,
+              .tolerance = absolute(1e-9)});
 }
 
 }  // namespace byhand::contact
