@@ -138,9 +138,7 @@ void which_knob(const Setting&, Page& page) {
   picture.y.reversed = true;
   picture.heat_map =
       cells(x, y, outcomes, {"holds", "still leans or grows", "rings", "falls, tears or breaks", "no solution"});
-  page.figure("which_knob",
-              "Each cell is a run of 15 s or more. An empty cell was not run: the scene has no such knob.",
-              picture);
+  page.figure("which_knob", "Each cell is a run of 15 s or more. Empty cells were not run.", picture);
 
   int fail = 0, cured = 0, cures = 0, universal = 0;
   for (int row = 0; row < rows; ++row) {

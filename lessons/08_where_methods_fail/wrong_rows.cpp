@@ -118,10 +118,10 @@ void wrong_rows(const Setting& setting, Page& page) {
        .unit = "1",
        .tolerance = 0.1 * whole,
        .wrong = {{half,
-                  R"(The bob hangs still, but not λ: each step corrects the other rod's correction, and the
+                  R"(The bob is calm, but not λ: each step corrects the other rod's correction, and the
                            warm start keeps the sum.)"},
                  {4 * half, "The growth does not feed on itself: every step adds the same."}},
-       .hints = {"The bob does not move. What does one step add to λ?",
+       .hints = {"The bob stays where it is. What does each step add to λ?",
                  "A step of k sweeps adds 2kmβΔ/h to the difference of the two λ, whatever they are.",
                  say("@ · @/@", Value(half, 3), seconds, seconds / 2)},
        .right = "Every step adds the same, so the pull grows in proportion to time, without end."});
@@ -164,7 +164,9 @@ void wrong_rows(const Setting& setting, Page& page) {
     agreed.right += (map.outcomes[i] == Outcome::settles) ==
                     (map.y.values[i / columns] > softness_that_bounds(map.x.values[i % columns]));
   }
-  if (agreed.runs > 0) page.text("Of the runs in which λ has come to an end: @", agreed.sentence());
+  if (agreed.runs > 0)
+    page.text("Of the @ runs in which λ has stopped growing or a rod has broken, the law predicts @.", agreed.runs,
+              agreed.right);
 
   const Film<PlaneParticle> circles = rounds();
   page.text(
