@@ -19,11 +19,11 @@ using laws::Law;
 constexpr std::array<const char*, 4> families{"too few iterations", "the correction overshoots",
                                               "the step is too large", "the rows are wrong"};
 
-/// A law's number, quantity and setting; what it says and what was found.
+/// A limit: of which law, of what and where; what the law says and what was found.
 struct Line {
   int law;
   Family family;
-  std::string quantity, unit, setting;
+  std::string name, quantity, unit, setting;
   double predicted, tolerance, measured;
   bool first;  // of its law
 };
@@ -33,7 +33,7 @@ std::vector<Line> lines(const Page& page) {
   std::vector<laws::Boundary> boundaries;
   for (const Law& law : laws::all())
     for (const laws::Boundary& boundary : law.boundaries) {
-      lines.push_back({law.number, law.family, boundary.quantity, boundary.unit, boundary.setting,
+      lines.push_back({law.number, law.family, law.name, boundary.quantity, boundary.unit, boundary.setting,
                        boundary.predicted, boundary.tolerance, 0, &boundary == &law.boundaries.front()});
       boundaries.push_back(boundary);
     }
@@ -117,32 +117,34 @@ void all_laws(const Setting&, Page& page) {
   for (const Line& line : all) worst = std::max(worst, std::abs(line.measured / line.predicted - 1));
 
   page.text(
-      R"(A law is worth what it foresees. Here all @ of them stand at once, each at several settings: what it says
-      from a derivation, and what bisection finds without it, by running scenes on both sides until they meet. The
-      derivations stand at the heads of the files in `lessons/08_where_methods_fail/laws`.)",
+      R"(These are the @ laws of the course, by number, with the place of each limit; other lessons cite them by name.
+      The derivations are at the heads of the files in `lessons/08_where_methods_fail/laws`.)",
       laws.size());
+  std::vector<std::vector<std::string>> rows;
+  for (const Law& law : laws)
+    rows.push_back({std::to_string(law.number), law.name, law.sentence, law.formula,
+                    families[static_cast<std::size_t>(law.family)]});
+  page.table({"", "law", "what it says", "limit", "family"}, rows);
+  page.text(
+      R"(A law is worth what it predicts. So each is tried at several settings: the number that its derivation gives,
+      beside the one that bisection finds by running scenes on both sides of the limit.)");
   page.figure("all_laws",
-              say(R"(@ boundaries of @ laws. Left: predicted against measured; numbers are the laws'. Right: one
-                  setting of each law. All are in the table below.)",
+              say(R"(@ limits of @ laws. Left: predicted against measured, with the numbers of the laws. Right: one
+                  setting of each law. All are in the table of claims below.)",
                   all.size(), laws.size()),
               [all](Canvas& canvas) {
                 const auto [left, right] = canvas.page().inset(14).split_columns(0.4, 16);
                 renderer::draw(canvas, diagonal(all), left.inset(0, 24));
                 draw_table(canvas, all, right.inset(0, 14));
               });
-  std::string list;
-  for (const Law& law : laws)
-    list +=
-        say("- @, *@*: @. @\n", law.number, families[static_cast<std::size_t>(law.family)], law.name, law.formula);
-  page.text("What they say:\n\n@", list);
   for (const Line& line : all)
     page.claim({.quantity = say("law @: @, @", line.law, line.quantity, line.setting),
                 .unit = line.unit.empty() ? "1" : line.unit,
                 .expected = line.predicted,
-                .source = say("law B@", line.law),
+                .source = line.name,
                 .measured = line.measured,
                 .tolerance = line.predicted == 0 ? absolute(line.tolerance) : relative(line.tolerance)});
-  page.measure("largest deviation of a measured boundary from its law", 100 * worst, "%");
+  page.measure("largest deviation of a measured limit from its law", 100 * worst, "%");
 }
 
 }  // namespace byhand::failures

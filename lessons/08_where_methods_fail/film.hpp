@@ -32,7 +32,7 @@ struct Shooting {
   std::function<double(const Scene<M>&)> read = {};                   // and how it is read off the scene
   std::vector<renderer::Curve> laws = {};                             // drawn over it
   std::function<bool(const Scene<M>&)> failed = {};                   // where a run stops
-  std::string failure = {};                                           // what is said of it then: "falls"
+  std::string failure = {}, success = {};                             // its words: "falls" or "stands"
   std::function<void(renderer::Canvas&, const Scene<M>&)> draw = {};  // in the world
 };
 
@@ -49,7 +49,8 @@ class Film {
 
   double seconds() const { return plan_.seconds; }
   double hurry() const { return plan_.hurry; }
-  /// When a run failed, in words: "falls at 2.4 s", or "does not".
+  bool failed(int take) const { return std::isfinite(fails_at_[take]); }
+  /// "falls after 2.4 s", or "stands".
   std::string fate(int take) const;
   /// What its gauge says at the end.
   double last(int take) const { return last_[take]; }
@@ -87,8 +88,7 @@ Film<M>::Film(Shooting<M> shooting) : plan_(std::move(shooting)) {
 
 template <class M>
 std::string Film<M>::fate(int take) const {
-  const double time = fails_at_[take];
-  return std::isfinite(time) ? tutor::say("@ at @ s", plan_.failure, tutor::Value(time, 3)) : "does not";
+  return failed(take) ? tutor::say("@ after @ s", plan_.failure, tutor::Value(fails_at_[take], 3)) : plan_.success;
 }
 
 template <class M>

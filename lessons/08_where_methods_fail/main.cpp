@@ -1,7 +1,7 @@
 #include "lessons/08_where_methods_fail/steps.hpp"
 
-// Where methods fail: four families, each with its symptom, its law, a map that shows where it lives, and the knob
-// that helps.
+// Where methods fail: four families, each with its symptom, its law, a map of the law's limit, and the knob that
+// helps.
 int main(int argc, char** argv) {
   using namespace byhand;
   using namespace byhand::failures;
@@ -10,12 +10,14 @@ int main(int argc, char** argv) {
   const Setting setting{
       .resolution = lesson.parameter("resolution", 20, "1", {4, 64}, "cells a side of each map"),
       .boxes = lesson.parameter("boxes", 15, "1", {8, 24}, "of the stack that is filmed"),
-      .sweeps = lesson.parameter("sweeps", 4, "1", {1, 30}, "sweeps a step that are too few"),
+      .sweeps =
+          lesson.parameter("sweeps", 4, "1", {1, 30}, "sweeps a step, of the stack and of the chain that rings"),
       .links = lesson.parameter("links", 10, "1", {3, 20}, "links of the chain that rings"),
-      .beta = lesson.parameter("beta", 0.3, "1", {0, 1}, "its share of an error that a step corrects"),
+      .beta = lesson.parameter("beta", 0.3, "1", {0.01, 1}, "share of an error that a step corrects"),
       .end_mass = lesson.parameter("end_mass", 600.0, "kg", {1, 1e5}, "of the chain whose links weigh 1 kg"),
       .hertz = lesson.parameter("hertz", 30.0, "Hz", {10, 60}, "of soft contacts"),
-      .conflict = lesson.parameter("conflict", 0.1, "m", {1e-4, 0.5}, "by which two rods of one bob disagree"),
+      .conflict =
+          lesson.parameter("conflict", 0.1, "m", {1e-4, 0.5}, "difference in length of two rods of one bob"),
   };
   const auto with = [setting](void (*step)(const Setting&, tutor::Page&)) {
     return [=](tutor::Page& page) { step(setting, page); };
@@ -27,7 +29,7 @@ int main(int argc, char** argv) {
   lesson.step("The contact is too soft", with(too_soft));
   lesson.step("The rows are wrong", with(wrong_rows));
   lesson.step("Which knob?", with(which_knob));
-  lesson.step("All laws on one diagonal", with(all_laws));
+  lesson.step("All laws", with(all_laws));
 
   lesson.deeper("A heavy box on a light one", with(heavy_on_light));
   lesson.deeper("Four contacts on one box", with(many_contacts));
@@ -36,19 +38,21 @@ int main(int argc, char** argv) {
 
   lesson.closing(
       {.now_you_know =
-           {R"(It creeps, always one way, and each sweep helps: too few iterations. Chains ask for N² sweeps,
-            stacks for N³; a direct solve for none.)",
-            "It rings: the correction overshoots. A warm start bears β < (1 − q)/q and not a hair more.",
-            R"(It flies apart, and sweeps change nothing: the step. Sideways a taut chain is an explicit spring, ωh
-            < 2; a stack on soft contacts buckles like a tree.)",
-            "It is calm, and λ grows: the rows. Regularise, reorder, refresh.",
-            "Look first, then turn a knob: a cure for one family does nothing for another."},
+           {R"(It gives way slowly, in one direction, and more sweeps help: too few iterations. Chains need N² sweeps,
+            stacks N³; a direct solve needs none.)",
+            R"(It rings: the correction is too strong. From a warm start a chain needs β < (1 − q)/q, and never more
+            than 2.)",
+            R"(It flies apart, and more sweeps change nothing: the step is too long. Sideways a taut chain is an
+            explicit spring, ωh < 2. A stack on soft contacts buckles, whatever the step.)",
+            "It is calm while λ grows: the rows are wrong. Regularise, reorder, refresh.",
+            "Look at the symptom first: no knob cures every failure."},
        .tries = {{"A finer map of where a warm start rings:", "./lessons/run 8 --step 2 --set resolution=40"},
-                 {"A taller stack, and sweeps that are nearly enough:",
+                 {"A taller stack, and nearly enough sweeps:",
                   "./lessons/run where_methods --step 1 --set boxes=20 --set sweeps=12"},
-                 {"A lighter end, on this side of the boundary:", "./lessons/run 8 --step 3 --set end_mass=200"},
-                 {"Stiffer contacts, taller stacks:", "./lessons/run 8 --step 4 --set hertz=60"}},
-       .next = R"(You know where each method ends. Lesson 9 asks what it costs before that: error against work, on
-               one chart.)"});
+                 {"A lighter end, below the limit:", "./lessons/run 8 --step 3 --set end_mass=200"},
+                 {"Stiffer contacts and higher stacks:", "./lessons/run 8 --step 4 --set hertz=60"}},
+       .next =
+           R"(You know where each method ends. Lesson 9 asks what accuracy costs before that: error against work,
+               for every method.)"});
   return lesson.run(argc, argv);
 }

@@ -47,30 +47,47 @@ Knob counting_knob(std::string label, double low, double high, int cells, Scale 
   return whole;
 }
 
-double share_foreseen(const Map& map, const std::function<bool(double x, double y)>& settles) {
+std::string Agreement::sentence() const { return tutor::say("The law predicts @ of @ runs.", right, runs); }
+
+Agreement agreement(const Map& map, const std::function<bool(double x, double y)>& settles) {
   const std::size_t columns = map.x.values.size();
-  double right = 0;
+  Agreement result{0, static_cast<int>(map.outcomes.size())};
   for (std::size_t i = 0; i < map.outcomes.size(); ++i)
-    right +=
+    result.right +=
         (map.outcomes[i] == Outcome::settles) == settles(map.x.values[i % columns], map.y.values[i / columns]);
-  return right / static_cast<double>(map.outcomes.size());
+  return result;
+}
+
+void claim_agreement(tutor::Page& page, const Agreement& agreement, double share, const std::string& law,
+                     const tutor::Parameter<int>& resolution) {
+  page.claim({.quantity = "share of runs that end as the law says",
+              .unit = "1",
+              .expected = share,
+              .source = law,
+              .measured = agreement.share(),
+              .tolerance = tutor::at_least(),
+              .claimed = resolution >= 10,
+              .range = "10 cells a side or more"});
 }
 
 renderer::HeatMap cells(std::vector<double> x, std::vector<double> y,
-                        const std::vector<std::optional<Outcome>>& outcomes) {
+                        const std::vector<std::optional<Outcome>>& outcomes, const OutcomeNames& names) {
   renderer::HeatMap map{.label = "how the run ends", .x = std::move(x), .y = std::move(y)};
   // From pale to dark: in grey they still tell what is worse.
-  map.classes = {{"settles", {205, 227, 214}},
-                 {"drifts", {112, 172, 212}},
-                 {"rings", palette::highlight},
-                 {"explodes", renderer::mix(palette::force, palette::ink, 0.45)}};
+  const std::array<renderer::Colour, 5> colours{{{205, 227, 214},
+                                                 {112, 172, 212},
+                                                 palette::highlight,
+                                                 renderer::mix(palette::force, palette::ink, 0.45),
+                                                 palette::ink}};
+  for (std::size_t i = 0; i < names.size(); ++i) map.classes.push_back({names[i], colours[i]});
   for (const auto& outcome : outcomes) map.values.push_back(outcome ? static_cast<double>(*outcome) : NAN);
   for (std::size_t i = 0; i < map.classes.size(); ++i)
     if (std::count(map.values.begin(), map.values.end(), static_cast<double>(i)) == 0) map.classes[i].name.clear();
   return map;
 }
 
-renderer::Chart chart(const Map& map, std::string law, const std::function<double(double x)>& boundary) {
+renderer::Chart chart(const Map& map, std::string law, const std::function<double(double x)>& boundary,
+                      const OutcomeNames& names) {
   const std::vector<double> edges = renderer::cell_edges(map.y.values, map.y.axis.scale);
   renderer::Curve curve{.label = std::move(law), .style = renderer::CurveStyle::theory};
   curve.colour = palette::ink;
@@ -82,7 +99,7 @@ renderer::Chart chart(const Map& map, std::string law, const std::function<doubl
   return {.x = map.x.axis,
           .y = map.y.axis,
           .curves = {std::move(curve)},
-          .heat_map = cells(map.x.values, map.y.values, {map.outcomes.begin(), map.outcomes.end()})};
+          .heat_map = cells(map.x.values, map.y.values, {map.outcomes.begin(), map.outcomes.end()}, names)};
 }
 
 }  // namespace byhand::failures

@@ -1,11 +1,14 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "lessons/08_where_methods_fail/laws/law.hpp"
 #include "lessons/tutor/page.hpp"
+#include "lessons/tutor/parameter.hpp"
 
 namespace byhand::failures {
 
@@ -37,14 +40,30 @@ Map map_of(const tutor::Page& page, const Knob& x, const Knob& y, const Run& run
           })};
 }
 
-/// The share of all runs that settle where a law says so, or do not where it says that.
-double share_foreseen(const Map& map, const std::function<bool(double x, double y)>& settles);
+/// How many of the runs settle where a law says so, and do not settle where it does not.
+struct Agreement {
+  int right = 0, runs = 0;
+
+  double share() const { return static_cast<double>(right) / runs; }
+  /// "The law predicts 337 of 340 runs."
+  std::string sentence() const;
+};
+Agreement agreement(const Map& map, const std::function<bool(double x, double y)>& settles);
+/// A claim that at least such a share of them agrees, for maps of 10 × 10 cells or more.
+void claim_agreement(tutor::Page& page, const Agreement& agreement, double share, const std::string& law,
+                     const tutor::Parameter<int>& resolution);
+
+/// What the outcomes are called in a scene, in the order of laws::Outcome.
+using OutcomeNames = std::array<std::string, 5>;
+inline const OutcomeNames outcome_names{"settles", "drifts", "rings", "explodes", "no solution"};
 
 /// Cells that are outcomes, or empty where there is none. The legend names those that occur.
 renderer::HeatMap cells(std::vector<double> x, std::vector<double> y,
-                        const std::vector<std::optional<laws::Outcome>>& outcomes);
+                        const std::vector<std::optional<laws::Outcome>>& outcomes,
+                        const OutcomeNames& names = outcome_names);
 
 /// The map with a law's boundary over it: y for any x, or for whole x alone if its knob counts.
-renderer::Chart chart(const Map& map, std::string law, const std::function<double(double x)>& boundary);
+renderer::Chart chart(const Map& map, std::string law, const std::function<double(double x)>& boundary,
+                      const OutcomeNames& names = outcome_names);
 
 }  // namespace byhand::failures

@@ -16,6 +16,7 @@ Film<PlaneBody> film_of_stacks(int boxes, const std::vector<SolvedStack>& stacks
       .failed =
           [=](const Scene<PlaneBody>& scene) { return !(scene.bodies().pose.back().position.y() > height - 1.5); },
       .failure = "falls",
+      .success = "stands",
       .draw =
           [](renderer::Canvas& canvas, const Scene<PlaneBody>& scene) {
             pictures::Shapes shapes = pictures::shapes_of(scene);

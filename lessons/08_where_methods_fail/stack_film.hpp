@@ -1,9 +1,13 @@
 #pragma once
 
 #include "lessons/08_where_methods_fail/film.hpp"
+#include "lessons/08_where_methods_fail/map.hpp"
 #include "lessons/scenes/boxes.hpp"
 
 namespace byhand::failures {
+
+/// What outcomes are called in maps of stacks.
+inline const OutcomeNames stack_outcomes{"stands", "leans", "rings", "has fallen", "no solution"};
 
 /// A kicked stack and how it is solved.
 struct SolvedStack {

@@ -24,14 +24,14 @@ constexpr double seconds = 10;                     // of a run
 ConflictingRods rods(double conflict, double share) { return {.conflict = conflict, .softness = share / mass}; }
 
 /// What the rods pull against each other with [N].
-double quarrel(const ConflictingRods& rods, double time) { return laws::pull_apart(rods, time) / 2; }
+double tug(const ConflictingRods& rods, double time) { return laws::pull_apart(rods, time) / 2; }
 
 /// Explodes: harder than a rod bears; drifts: not yet, but harder and harder.
-Outcome end_of_quarrel(double conflict, double share) {
+Outcome end_of_conflict(double conflict, double share) {
   const ConflictingRods both = rods(conflict, share);
-  const double last = quarrel(both, seconds);
+  const double last = tug(both, seconds);
   if (!(last < strength)) return Outcome::explodes;
-  return last > 1.01 * quarrel(both, 2 * seconds / 3) ? Outcome::drifts : Outcome::settles;
+  return last > 1.01 * tug(both, 2 * seconds / 3) ? Outcome::drifts : Outcome::settles;
 }
 
 /// The softness at which two rods settle on what they bear.
@@ -48,7 +48,7 @@ renderer::Chart over_time(double conflict, const std::vector<double>& shares) {
     renderer::Curve curve{.label = share > 0 ? say("softness @ A", Value(share, 2)) : "rigid"};
     for (int i = 1; i <= 40; ++i) {
       curve.x.push_back(seconds * i / 40);
-      curve.y.push_back(quarrel(rods(conflict, share), curve.x.back()) / (mass * gravity));
+      curve.y.push_back(tug(rods(conflict, share), curve.x.back()) / (mass * gravity));
     }
     chart.curves.push_back(std::move(curve));
   }
@@ -58,7 +58,7 @@ renderer::Chart over_time(double conflict, const std::vector<double>& shares) {
 
 constexpr double circle_radius = 1, circle_speed = 5;  // of what goes round [m], [m/s]
 
-/// Law 14: what a particle keeps of its speed on a soft rod that is relaxed with a stale J.
+/// The law of stale Jacobians: what a particle keeps of its speed on a soft rod that is relaxed with a stale J.
 double speed_by_law(double time) {
   return circle_speed / std::sqrt(1 + circle_speed * circle_speed * step * time / (circle_radius * circle_radius));
 }
@@ -71,7 +71,7 @@ Film<PlaneParticle> rounds() {
          VelocityStepping{.solver = Direct{},
                           .drift = SoftConstraints{.frequency = 2 / step, .refresh = refresh}}}};
   };
-  renderer::Curve law{.label = "law 14", .style = renderer::CurveStyle::theory};
+  renderer::Curve law{.label = "law of the stale J", .style = renderer::CurveStyle::theory};
   constexpr double filmed = 3.5;
   for (int i = 0; i <= 50; ++i) {
     law.x.push_back(filmed * i / 50);
@@ -86,6 +86,7 @@ Film<PlaneParticle> rounds() {
        .laws = {law},
        .failed = [](const Scene<PlaneParticle>&) { return false; },
        .failure = "stops",
+       .success = "goes round",
        .draw = [](renderer::Canvas& canvas,
                   const Scene<PlaneParticle>& scene) { pictures::draw(canvas, pictures::rods_and_bobs(scene)); }});
 }
@@ -95,101 +96,137 @@ Film<PlaneParticle> rounds() {
 void wrong_rows(const Setting& setting, Page& page) {
   const double conflict = setting.conflict, bound = softness_that_bounds(conflict);
   const double borne = strength / (mass * gravity);
+  const ConflictingRods rigid = rods(conflict, 0);
+  const double half = tug(rigid, seconds / 2) / (mass * gravity), whole = tug(rigid, seconds) / (mass * gravity),
+               moved = laws::bob_moves(rigid, seconds);
 
   page.text(
-      R"(**Symptom:** there is none, or a small one: *the picture is calm*, and something that you do not look at
-      is wrong. λ grows without end; a direct solve refuses; friction holds nothing; what goes round slows down.
-      The fourth family solves the wrong rows, well enough and in small enough steps: they repeat each other,
+      R"(**Symptom of the fourth family:** *the picture is calm*, and a number that nobody looks at is wrong. λ grows
+      without bound, a direct solve finds no solution, friction does not hold, something that goes round slows down.
+      The rows are solved well, in steps that are short enough; but they are the wrong rows. They repeat each other,
       contradict each other, stand in the wrong order, or belong to where the bodies were a moment ago.)");
   page.text(
-      R"(Two rods hold one bob of @ kg between the same two points, and one is @ m longer than the other. No λ can
-      satisfy both. In each step each rod asks for β/h of its own error, the other undoes it, and a warm start
-      keeps the sum.)",
-      mass, setting.conflict);
-  const ConflictingRods rigid = rods(conflict, 0);
-  const double half = quarrel(rigid, seconds / 2) / (mass * gravity),
-               whole = quarrel(rigid, seconds) / (mass * gravity);
-  page.predict({.ask = say("After @ s the rods pull against each other with @ weights of the bob. After @ s?",
-                           seconds / 2, Value(half, 3), seconds),
-                .answer = whole,
-                .unit = "weights",
-                .tolerance = 0.1 * whole,
-                .wrong = {{half,
-                           R"(Each step corrects the other's correction, and warm start keeps the sum; look at λ,
-                           not at the picture.)"},
-                          {4 * half, "Nothing feeds on itself here: each step adds the same."}},
-                .hints = {"How much does each step add?"},
-                .right = "It grows by the same in every step, for ever."});
+      R"(Two rods hold one bob of @ kg between the same two points, and one is @ m longer than the other. No λ
+      satisfies both. In each step each rod asks for β/h of its own error and so undoes the correction of the other;
+      the warm start keeps the sum of all that. The picture stays calm: in @ s the bob moves by @ m at most.)",
+      mass, setting.conflict, seconds, Value(moved, 2));
+  page.predict(
+      {.ask = say(R"(After @ s the rods pull against each other with @ times the weight of the bob. With how
+                           many times its weight after @ s?)",
+                  seconds / 2, Value(half, 3), seconds),
+       .answer = whole,
+       .unit = "1",
+       .tolerance = 0.1 * whole,
+       .wrong = {{half,
+                  R"(The bob is calm, but not λ: each step corrects the other rod's correction, and the
+                           warm start keeps the sum.)"},
+                 {4 * half, "The growth does not feed on itself: every step adds the same."}},
+       .hints = {"The bob stays where it is. What does each step add to λ?",
+                 "A step of k sweeps adds 2kmβΔ/h to the difference of the two λ, whatever they are.",
+                 say("@ · @/@", Value(half, 3), seconds, seconds / 2)},
+       .right = "Every step adds the same, so the pull grows in proportion to time, without end."});
   page.figure("quarrel",
               say(R"(What two rods that differ by @ m pull against each other with: rigid, and with softness, in
                   shares of each row's own A = JM⁻¹Jᵀ.)",
                   setting.conflict),
               over_time(conflict, {0, bound / 10, bound, 10 * bound}));
   page.text(
-      R"(A softness γ lets each row give way a little, JV + b + γλ = 0, and the quarrel ends where γλ makes up for
-      half of the difference between what the two ask for. If a rod bears F, say @ weights, γ has to be large
-      enough:)",
+      R"(A softness γ lets each row give way a little, JV + b + γλ = 0. The pulls stop growing where γ(λ₁ − λ₂) makes
+      up for the difference of the two biases. If a rod bears the force F, say @ weights of the bob, γ has to be at
+      least)",
       borne);
-  page.formula("γ > β δ/(2 h² F) = @ A", R"(\gamma > \frac{\beta\,\delta}{2 h^2 F} = @\,A)", Value(bound, 3));
+  page.formula("γ > β Δ/(2 h² F) = @ A", R"(\gamma > \frac{\beta\,\Delta}{2 h^2 F} = @\,A)", Value(bound, 3));
+  page.derivation("Why γ > βΔ/2h²F",
+                  {{"the biases of the two rows differ", "b₁ − b₂ = βΔ/h", R"(b_1 - b_2 = \beta\Delta/h)"},
+                   {"A = 1/m: each row, once solved, leaves the other short by this, which it makes up for",
+                    "Δλ = ∓ mβΔ/h for each row and sweep",
+                    R"(\Delta\lambda = \mp\,m\beta\Delta/h \text{ for each row and sweep})"},
+                   {"k sweeps a step, 1/h steps a second, over h for a force", "d|λ₁ − λ₂|/(h dt) = 2kmβΔ/h³",
+                    R"(\frac{d|\lambda_1 - \lambda_2|}{h\,dt} = \frac{2km\beta\Delta}{h^3})"},
+                   {"with softness both rows hold: JV + b₁ + γλ₁ = 0 and JV + b₂ + γλ₂ = 0", "γ|λ₁ − λ₂| = βΔ/h",
+                    R"(\gamma\,|\lambda_1 - \lambda_2| = \beta\Delta/h)"},
+                   {"each rod pulls with half of the difference", "F = |λ₁ − λ₂|/(2h) = βΔ/(2h²γ)",
+                    R"(F = \frac{|\lambda_1 - \lambda_2|}{2h} = \frac{\beta\Delta}{2h^2\gamma})"}});
 
-  const Map map = map_of(page, knob("conflict δ (m)", 1e-4, 0.5, setting.resolution),
-                         knob("softness γ / A (1)", 1e-5, 1, setting.resolution), end_of_quarrel);
+  const Map map = map_of(page, knob("difference of the lengths Δ (m)", 1e-4, 0.5, setting.resolution),
+                         knob("softness γ / A (1)", 1e-5, 1, setting.resolution), end_of_conflict);
   page.figure("conflict_and_softness",
-              say(R"(Each cell is a run of @ s. "Explodes" is: pulls with more than @ weights. "Drifts" is: not
-                  yet, but harder and harder. Dashed: the law.)",
+              say(R"(Each cell is a run of @ s. A rod breaks if it is pulled with more than @ weights of the bob.
+                  Dashed: the law.)",
                   seconds, borne),
-              chart(map, "γ = βδ/2h²F", softness_that_bounds));
+              chart(map, "γ = βΔ/2h²F", softness_that_bounds,
+                    {"holds", "holds, but λ still grows", "rings", "breaks", "no solution"}));
   const std::size_t columns = map.x.values.size();
-  double ended = 0, right = 0;
+  Agreement agreed;
   for (std::size_t i = 0; i < map.outcomes.size(); ++i) {
     if (map.outcomes[i] == Outcome::drifts) continue;
-    ++ended;
-    right += (map.outcomes[i] == Outcome::settles) ==
-             (map.y.values[i / columns] > softness_that_bounds(map.x.values[i % columns]));
+    ++agreed.runs;
+    agreed.right += (map.outcomes[i] == Outcome::settles) ==
+                    (map.y.values[i / columns] > softness_that_bounds(map.x.values[i % columns]));
   }
-  page.text("Of the @ runs that had come to an end the law foresees @ %.", static_cast<int>(ended),
-            Value(100 * right / ended, 3));
+  if (agreed.runs > 0)
+    page.text("Of the @ runs in which λ has stopped growing or a rod has broken, the law predicts @.", agreed.runs,
+              agreed.right);
+
   const Film<PlaneParticle> circles = rounds();
   page.text(
-      R"(And then rows that were right a moment ago. A particle goes round on a soft rod, solved exactly; after
-      each step its row is relaxed, hard and without bias (that keeps corrections out of V). Its correction u along
-      the rod is just what turns V onto the new tangent. Relax with the J of the step's start, and u is thrown away
-      instead:)");
+      R"(Rows can also be out of date. A particle goes round on a soft rod that is solved exactly. After each step its
+      row is *relaxed*: solved once more, rigid and without bias, so that the velocity of the correction does not
+      stay in V (lesson 6). Now the correction u along the rod is just what turns V into the new tangent. If the
+      relax pass still has the J of the start of the step, it removes u, and the particle slows down:)");
   page.formula("v = v₀ / √(1 + v₀² h t/R²)", R"(v = v_0 \left(1 + \frac{v_0^2\,h\,t}{R^2}\right)^{-1/2})");
-  page.sequence("stale_rows",
-                say(R"(A particle that goes round at @ m/s on a soft rod, without gravity or friction. With a stale
-                    J it has @ m/s after @ s, with a fresh one @ m/s.)",
-                    circle_speed, Value(circles.last(0), 3), circles.seconds(), Value(circles.last(1), 3)),
-                Seconds{circles.seconds()}, circles.drawing());
+  page.derivation(
+      "Why a stale J slows it down",
+      {{"a step along the tangent leaves the circle by", "v²h²/(2R)", R"(\frac{v^2h^2}{2R})"},
+       {"the soft row brings it back by a speed u along the rod", "uh = v²h²/(2R)   ⟹   u = v²h/(2R)",
+        R"(u = \frac{v^2h}{2R})"},
+       {"at the new pose the tangent has turned by", "δ = vh/R", R"(\delta = \frac{vh}{R})"},
+       {"fresh J: what V has along the new tangent stays", "v cosδ + u sinδ ≈ v − v³h²/2R² + v³h²/2R² = v",
+        R"(v\cos\delta + u\sin\delta \approx v)"},
+       {"stale J: u is removed first", "v cosδ ≈ v − v³h²/2R²", R"(v\cos\delta \approx v - \frac{v^3h^2}{2R^2})"},
+       {"a step is h long", "dv/dt = −h v³/(2R²)", R"(\frac{dv}{dt} = -\frac{h\,v^3}{2R^2})"},
+       {"integrated", "1/v² = 1/v₀² + ht/R²", R"(\frac1{v^2} = \frac1{v_0^2} + \frac{h\,t}{R^2})"}});
+  page.sequence(
+      "stale_rows",
+      say(R"(A particle that sets out at @ m/s on a soft rod, without gravity or friction. After @ s it has
+                    @ m/s with a stale J and @ m/s with a fresh one.)",
+          circle_speed, circles.seconds(), Value(circles.last(0), 3), Value(circles.last(1), 3)),
+      Seconds{circles.seconds()}, circles.drawing());
   page.text(
-      R"(**Which knob?** Not sweeps, not the step. *Regularise*: a softness, or a share of the diagonal in a direct
-      solve. *Reorder*: normals before the friction that leans on them. *Refresh*: write J anew where bodies have
-      moved between two solves. And if you can, take away the row that says what others say.)");
+      R"(**Which knob?** Neither sweeps nor the step. *Regularise*: give the rows a softness, or add a share of the
+      diagonal in a direct solve. *Reorder*: solve normals before the friction that they bound. *Refresh*: write J
+      again if bodies have moved between two solves. And if you can, remove a row that repeats another.)");
 
   page.claim({.quantity = "share of ended runs that end as the law says",
               .unit = "1",
               .expected = 0.95,
-              .source = "law B8",
-              .measured = right / ended,
+              .source = "law of conflicting rows",
+              .measured = agreed.runs > 0 ? agreed.share() : 0,
               .tolerance = at_least(),
               .claimed = setting.resolution >= 10,
               .range = "10 cells a side or more"});
-  page.claim({.quantity = "pull after twice the time",
-              .unit = "of the first",
+  page.claim({.quantity = "pull after twice the time, over the first",
+              .unit = "1",
               .expected = 2,
-              .source = "law B8: it grows linearly",
+              .source = "law of conflicting rows: it grows in proportion to time",
               .measured = whole / half,
               .tolerance = relative(0.02)});
+  page.claim({.quantity = "the bob moves by at most",
+              .unit = "m",
+              .expected = conflict * (1 + 1e-6),
+              .source = "it hangs between the two lengths",
+              .measured = moved,
+              .tolerance = at_most()});
   page.claim({.quantity = "speed at the end, stale J",
               .unit = "m/s",
               .expected = speed_by_law(circles.seconds()),
-              .source = "law B14",
+              .source = "law of stale Jacobians",
               .measured = circles.last(0),
               .tolerance = relative(0.02)});
   page.claim({.quantity = "speed at the end, fresh J",
               .unit = "m/s",
               .expected = circle_speed,
-              .source = "nothing works on it",
+              .source = "nothing does work on it",
               .measured = circles.last(1),
               .tolerance = relative(0.02)});
 }

@@ -12,15 +12,15 @@ using namespace tutor;
 void chains(Page& page) {
   const Survey& solved = survey(page, Problem("chain", {{"links", 10}}), Error::algebraic, 1e6);
   page.text(
-      R"(First a solver by itself: how far one step of ten links leaves the velocities from the exact answer to its
-      own equations. Here sweeps are what counts, conjugate ones gain most, and a direct solve has rounding only.
-      It is the only error that more sweeps take all the way down.)");
+      R"(First the solver alone: how far the velocities after one step of ten links are from the exact solution of the
+      same rows. This is the only error that more sweeps reduce to rounding. Conjugate sweeps need the fewest; a direct
+      solve has rounding only.)");
   show(page, "chain_10_algebraic", solved, Error::algebraic);
   page.text(
-      R"(One knob of the scene at a time: longer downwards, heavier at the end within each length. Look for what
-      moves and what does not. The curves by sweeps climb with the square of the length and with the end mass; the
-      direct solve with substeps moves up with the length alone, because a chain costs it a fixed price a link; and
-      the number of substeps at which its crosses end is set by T·h²/(m·l) = 1, tension against step.)");
+      R"(Now one parameter of the scene at a time: 10, 50 and 200 links, each with an end mass of 1, 100 and 1000. By the
+      laws of lesson 8 the sweeps needed grow with the length and with the end mass. The cost of the direct solve grows
+      with the length alone, by a fixed price for each link, and the number of substeps that it needs is set by
+      T·h²/(m·l) < 1.)");
   for (const int links : {10, 50, 200})
     for (const int end_mass : {1, 100, 1000}) {
       const Problem problem("chain",
@@ -40,7 +40,7 @@ void chains(Page& page) {
       page.claim({.quantity = say("@ links, end mass @: least drift of the direct solve", links, end_mass),
                   .unit = "m",
                   .expected = 1e-3 * links,
-                  .source = "a thousandth of its length, whatever hangs on it",
+                  .source = "a thousandth of its length, with any end mass",
                   .measured = least,
                   .tolerance = at_most()});
     }

@@ -164,8 +164,9 @@ void show(tutor::Page& page, const std::string& name, const Survey& survey, Erro
   std::string caption =
       error == Error::trajectory
           ? tutor::say("Trajectory after @ s, held against a reference: @, @.", scene.time, scene.reference,
-                       uncertainty > 0 ? tutor::say("uncertain by @ m", tutor::Value(uncertainty, 2))
-                                       : std::string("which is exact"))
+                       uncertainty > 1e-11 ? tutor::say("uncertain by @ m", tutor::Value(uncertainty, 2))
+                       : uncertainty > 0   ? std::string("known to rounding")
+                                           : std::string("which is exact"))
       : error == Error::reaction
           ? tutor::say(
                 R"(Force of what holds the scene, mean over the last frame before @ s, held against the reference

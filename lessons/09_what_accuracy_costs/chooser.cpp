@@ -31,31 +31,45 @@ Problem problem_of(const Setting& setting) {
   return Problem(name, values);
 }
 
-/// Which error, and how much of it or of time: drift, unless another is named.
-Wish wish_of(const Setting& setting) {
-  Wish wish{.error = Error::drift, .accuracy = setting.drift()};
-  std::string named;
+/// What is asked for, and what of it is set aside.
+struct Question {
+  Wish wish;
+  std::vector<std::string> aside = {};
+};
+
+/// Drift, unless another error is named; of several the first one.
+Question question_of(const Setting& setting) {
+  Question question{{.error = Error::drift, .accuracy = setting.drift()}};
+  Wish& wish = question.wish;
   for (const auto& [error, bound] :
        {std::pair{Error::trajectory, setting.trajectory()}, std::pair{Error::energy, setting.energy()},
         std::pair{Error::momentum, setting.momentum()}, std::pair{Error::reaction, setting.reaction()}}) {
     if (bound == 0) continue;
-    const std::string name(name_of(error));
-    if (!named.empty())
-      throw std::invalid_argument(fmt::format("{} and {}: ask for one error at a time", named, name));
-    named = name;
-    wish.error = error, wish.accuracy = bound;
+    if (wish.error != Error::drift)
+      question.aside.emplace_back(name_of(error));
+    else
+      wish.error = error, wish.accuracy = bound;
   }
   if (setting.budget() > 0) {
     wish.accuracy = NAN;
     wish.budget = 1e9 * setting.budget();
     wish.cost = Cost::wall_time;
   }
-  return wish;
+  return question;
+}
+
+/// Whether the scene has that error at all.
+bool is_defined(Error error, const NamedScene& scene) {
+  return (error != Error::energy || scene.keeps_energy) && (error != Error::momentum || scene.keeps_spin);
 }
 
 std::string unit(Error error) { return unit_of(error) == "1" ? "" : " " + std::string(unit_of(error)); }
 
+/// "a drift", "an energy".
+std::string article(const std::string& error) { return (error.front() == 'e' ? "an " : "a ") + error; }
+
 std::string error_in_words(const byhand::Point& point, Error error) {
+  if (point[error] < 1e-11) return say("@ of rounding only", std::string(name_of(error)));
   return say("@ of @@", std::string(name_of(error)), Value(point[error], 2), unit(error));
 }
 
@@ -100,7 +114,7 @@ std::string runners_up(const byhand::Choice& choice, const Wish& wish) {
     const double times = cost_of(point, wish.cost) / cost_of(choice.best, wish.cost);
     const bool misses = std::isfinite(wish.accuracy) && !(point[wish.error] <= wish.accuracy);
     lines += say("\n- @: @ for @ (×@)@", point.described(), error_in_words(point, wish.error),
-                 cost_in_words(point, wish.cost), Value(times, 2), misses ? ", not quite what you ask" : "");
+                 cost_in_words(point, wish.cost), Value(times, 2), misses ? ", which misses your target" : "");
   }
   return lines;
 }
@@ -114,8 +128,8 @@ std::string passed(const byhand::Choice& choice) {
 
 std::string margin_in_words(const byhand::Choice& choice, const Problem& problem) {
   const std::string& stress = problem.scene().stress;
-  if (std::isinf(choice.margin)) return say("It still holds with the largest @ that can be asked for.", stress);
-  return say("It fails from @ ×@ (@).", stress, Value(choice.margin, 2),
+  if (std::isinf(choice.margin)) return say("It still does with the largest @ that this scene may have.", stress);
+  return say("It no longer does if @ is @ times as large (@).", stress, Value(choice.margin, 2),
              Value(choice.margin * problem[stress], 3));
 }
 
@@ -123,17 +137,26 @@ std::string margin_in_words(const byhand::Choice& choice, const Problem& problem
 
 void chooser(Page& page, const Setting& setting) {
   const Problem problem = problem_of(setting);
-  const Wish wish = wish_of(setting);
+  const auto [wish, aside] = question_of(setting);
   const bool by_budget = std::isfinite(wish.budget);
   const std::string error(name_of(wish.error));
   page.text(
-      R"(No chart answers for *your* scene. The program does: it runs every method on it, doubles each knob until
-      the error is small enough, halves in between, and recommends what it has run.)");
-  page.text(by_budget
-                ? say("**You ask:** @. What has the least error, @, within @ µs a frame by this machine's clock?",
-                      description(problem), error, setting.budget() * 1e6)
-                : say("**You ask:** @. What is the cheapest with an error, @, of at most @@?",
-                      description(problem), error, wish.accuracy, unit(wish.error)));
+      R"(No chart answers for *your* scene, but the program does. It runs every method on it, doubles each knob until the
+      error is small enough, bisects in between, and recommends what it has run.)");
+  if (!aside.empty())
+    page.text("You ask for several errors. The program looks for one at a time, here the @; it sets aside: @.",
+              error, fmt::format("{}", fmt::join(aside, ", ")));
+  if (!is_defined(wish.error, problem.scene())) {
+    page.text("Here the program has no answer: @ is not conserved by a @, so it has no such error.", error,
+              problem.scene().title);
+    return;
+  }
+  page.text(
+      by_budget
+          ? say("**You ask:** @. Which method has the least @ error within @ µs a frame by this machine's clock?",
+                description(problem), error, setting.budget() * 1e6)
+          : say("**You ask:** @. Which is the cheapest method with @ error of at most @@?", description(problem),
+                article(error), wish.accuracy, unit(wish.error)));
   const byhand::Choice choice = choose(problem, wish);
   const byhand::Point& best = choice.best;
 
@@ -142,25 +165,26 @@ void chooser(Page& page, const Setting& setting) {
               cost_in_words(best, wish.cost), margin_in_words(choice, problem));
     if (const std::string others = runners_up(choice, wish); !others.empty()) page.text("Runners-up:\n" + others);
     if (choice.finer && cost_of(*choice.finer, wish.cost) <= cost_of(best, wish.cost))
-      page.text("Ten times more accuracy costs nothing: it is there already.");
+      page.text("It is already ten times more accurate than you ask.");
     else if (choice.finer)
       page.text("Ten times more accuracy would cost @ times as much: @, @.",
                 Value(cost_of(*choice.finer, wish.cost) / cost_of(best, wish.cost), 2), choice.finer->described(),
                 error_in_words(*choice.finer, wish.error));
     else if (!by_budget)
-      page.text("Ten times more accuracy nothing here reaches.");
+      page.text("No method here is ten times more accurate.");
   } else if (best.has(wish.error)) {
-    page.text(by_budget ? "**Nothing runs within that budget.** The nearest: @, @ for @."
-                        : "**Nothing reaches that here.** The best that was reached: @, @ for @.",
+    page.text(by_budget ? "**No method runs within that budget.** The nearest is @: @ for @."
+                        : "**No method here reaches that.** The nearest is @: @ for @.",
               best.described(), error_in_words(best, wish.error), cost_in_words(best, wish.cost));
   } else {
-    page.text("**Nothing reaches that here:** no method ran this scene to its end.");
+    page.text("**No method here reaches that:** none ran this scene to its end.");
   }
-  if (const std::string out = passed(choice); !out.empty()) page.text("Not considered:\n" + out);
+  if (const std::string out = passed(choice); !out.empty())
+    page.text("Methods that cannot do this scene or failed:\n" + out);
 
   const std::string caption =
-      R"(What was found, the best of each method; the knob stands at the points. Left of the dotted line is
-      accurate enough, below it cheap enough.)";
+      R"(The best run of each method; the labels are the values of its knob. Runs left of the dotted line, or below it,
+      reach the target.)";
   if (best.has(wish.error)) {
     if (by_budget)
       page.clocked("choice", caption, [=] { return chart_of(choice, problem, wish); });
@@ -178,7 +202,7 @@ void chooser(Page& page, const Setting& setting) {
               .measured = again.has(wish.error) ? again[wish.error] : INFINITY,
               .tolerance = at_most(),
               .claimed = choice.reached,
-              .range = "wishes that can be had"});
+              .range = "if the target was reached"});
   if (choice.finer)
     page.claim({.quantity = error + " of the finer one",
                 .unit = std::string(unit_of(wish.error)),
@@ -187,7 +211,7 @@ void chooser(Page& page, const Setting& setting) {
                 .measured = (*choice.finer)[wish.error],
                 .tolerance = at_most()});
   page.text(
-      R"(Ask again with your own: any scene of this lesson by name, any error (`drift`, `trajectory`, `energy`,
+      R"(Ask again for your own scene: any scene of this lesson by name, any error (`drift`, `trajectory`, `energy`,
       `momentum`, `reaction`), or a `budget` of time a frame, such as 200us.)");
 }
 

@@ -11,16 +11,16 @@ void in_space(Page& page) {
   const Survey& pendulum =
       survey(page, Problem("spherical_pendulum", {{"length", 2}, {"mass", 3}}), Error::trajectory);
   page.text(
-      R"(Round the vertical there is one error more: the angular momentum about it, which neither the weight nor
-      the rod can change. A method whose impulses act along the rod at one and the same place keeps it to rounding
-      and has an upright line at the left edge; one that puts positions back does it along another line, and
-      pays.)");
+      R"(For motion about the vertical there is one error more: the angular momentum about it, which neither the weight
+      nor the rod can change. A method whose impulses act along the rod, at the place where the rod then is, keeps it to
+      rounding and has a vertical line at the left edge. A method that moves positions back acts along another
+      line, and does not keep it.)");
   show(page, "spherical", pendulum,
        {Error::trajectory, Error::drift, Error::energy, Error::momentum, Error::reaction});
   const Survey& top = survey(page, Problem("top"), Error::trajectory);
   page.text(
-      R"(A top that precesses steadily on its tip turns @ rad in a frame about its own axis: a step that cannot
-      follow the spin gets the force on the tip wrong, however well the rows are solved.)",
+      R"(A top that precesses steadily on its tip turns by @ rad a frame about its own axis. A step that is too long for
+      the spin gets the force on the tip wrong, however well its rows are solved.)",
       Value(top.problem["spin"] * frame, 2));
   show(page, "top", top, {Error::trajectory, Error::drift, Error::energy, Error::momentum, Error::reaction});
   claim_first_order(page, "spherical pendulum", pendulum);

@@ -11,9 +11,9 @@ void incline(Page& page) {
   const Problem problem("incline");
   const Survey& all = survey(page, problem, Error::trajectory);
   page.text(
-      R"(A block sets out down a slope of @° at @ m/s; friction, μ = @, stops it. Sliding is exact in velocity and
-      late by half a step in position, so the order is 1 and a single sweep will do: sweeps buy nothing here,
-      substeps do.)",
+      R"(A block slides down a slope of @°, at @ m/s first; friction with μ = @ stops it. The velocity of a sliding block
+      is exact, its position half a step late: the order is 1. One sweep solves the rows, so more sweeps gain nothing,
+      but substeps do.)",
       problem["angle"], problem["speed"], problem["friction"]);
   show(page, "incline", all, {Error::trajectory, Error::drift});
   claim_first_order(page, "incline", all, "s = ½ a t (t + h)");

@@ -11,9 +11,9 @@ void linkages(Page& page) {
   const Survey& all =
       survey(page, Problem("four_bar", {{"length", 2}, {"mass", 3}, {"coupler_mass", 3}}), Error::trajectory);
   page.text(
-      R"(Three bars and four pins close a loop. The graph is a ring, so that sweeps have no beginning to start
-      from, and the direct solve fills one block in; both are small. It swings as a simple pendulum of another
-      length, which gives the reference in closed form.)");
+      R"(Three bars and four pins form a loop. Sweeps have no end of a chain to begin at, and the factor of the direct
+      solve gets one more block. The linkage swings as a simple pendulum of another length, so its reference is a closed
+      form.)");
   show(page, "four_bar", all, {Error::trajectory, Error::drift, Error::energy, Error::reaction});
   claim_first_order(page, "four-bar", all);
 }

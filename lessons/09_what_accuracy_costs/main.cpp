@@ -13,13 +13,15 @@ int main(int argc, char** argv) {
   for (const NamedScene& scene : catalogue()) scenes.push_back(scene.name);
   const accuracy::Setting setting{
       .scene = lesson.parameter("scene", "chain", scenes, "what the chooser is asked about"),
-      .drift = lesson.parameter("drift", 1e-3, "m", {1e-14, 10}, "largest separation or overlap that may be"),
+      .drift = lesson.parameter("drift", 1e-3, "m", {1e-9, 10}, "largest separation or overlap that may be"),
       .trajectory =
           lesson.parameter("trajectory", 0.0, "m", {0, 100}, "instead: distance from the true motion; 0: no"),
-      .energy = lesson.parameter("energy", 0.0, "1", {0, 100}, "instead: change of energy over its scale; 0: no"),
+      .energy = lesson.parameter("energy", 0.0, "1", {0, 100},
+                                 "instead: change of energy over m·g·L of the scene; 0: no"),
       .momentum = lesson.parameter("momentum", 0.0, "1", {0, 100}, "instead: change of angular momentum; 0: no"),
       .reaction = lesson.parameter("reaction", 0.0, "1", {0, 100}, "instead: error of the reaction force; 0: no"),
-      .budget = lesson.parameter("budget", 0.0, "s", {0, 1}, "the other way round: time a frame, 200us; 0: no"),
+      .budget =
+          lesson.parameter("budget", 0.0, "s", {0, 1}, "instead of an error: time a frame, such as 200us; 0: no"),
       .links = lesson.parameter("links", 50, "1", {1, 500}, "of the chain"),
       .end_mass = lesson.parameter("end_mass", 100.0, "kg", {1e-3, 1e6}, "of the chain or double pendulum"),
       .mass = lesson.parameter("mass", 1.0, "kg", {1e-3, 1e3}, "of a link, bar, bob or block"),
@@ -28,37 +30,41 @@ int main(int argc, char** argv) {
       .top_mass = lesson.parameter("top_mass", 1.0, "kg", {1e-3, 1e6}, "of the topmost box of the stack"),
       .base = lesson.parameter("base", 10, "1", {1, 30}, "boxes in the lowest row of the pyramid")};
 
+  lesson.step("The methods that compete", the_methods);
   lesson.step("Order is the slope", order_is_the_slope);
   lesson.deeper("The pendulums in full", five_errors);
   lesson.step("Stable is not accurate", stable_is_not_accurate);
-  lesson.deeper("What goes round in space", in_space);
+  lesson.deeper("Motion about the vertical", in_space);
   lesson.step("Substeps or sweeps", substeps_or_sweeps);
   lesson.deeper("Chains, longer and heavier", chains);
   lesson.deeper("A loop of bars", linkages);
-  lesson.step("What the step hides", what_the_step_hides);
-  lesson.step("Stacks and walls", contacts);
+  lesson.step("The error that sweeps do not reduce", what_the_step_hides);
+  lesson.step("Stacks and pyramids", contacts);
   lesson.deeper("A block on a slope", incline);
-  lesson.step("What the model costs", model_cost);
   lesson.step("Ask the program", [=](tutor::Page& page) { chooser(page, setting); });
   lesson.answers({"scene", "drift", "trajectory", "energy", "momentum", "reaction", "budget", "links", "end_mass",
                   "mass", "length", "boxes", "top_mass", "base"});
+  lesson.deeper("What the model costs", model_cost);
+  lesson.deeper("Where the article's equations are", equations);
 
   lesson.closing(
       {.now_you_know =
-           {R"(Order is the slope of error against step on two logarithmic axes; a plateau is an error that this
-            knob does not touch.)",
-            R"(Drift, trajectory, energy, momentum, reaction and algebraic error are six questions; no method is
-            best in all.)",
-            "For the same row-solves, many short steps beat one that is solved well.",
-            "What has no loops is solved directly and stepped often; the rest is swept.",
-            "A model with numbers that a scene does not need gives the same answer for more bytes and more time."},
+           {R"(The order of a method is the slope of its error against the step on two logarithmic axes. Where a curve
+            turns straight up, its knob no longer reduces the error.)",
+            R"(Drift, trajectory, energy, momentum, reaction force and algebraic error are six questions, and no method
+            is best in all.)",
+            R"(For the same row-solves, many short steps are more accurate than one that is solved well; but each writes
+            its rows again.)",
+            "Solve scenes without loops directly, with substeps; solve others by sweeps.",
+            "A model with more numbers than a scene needs gives the same motion for more bytes and more time."},
        .tries = {{"The heavy chain: what is cheapest for a millimetre?",
                   "./lessons/run 9 --set scene=chain --set links=50 --set end_mass=100 --set drift=1e-3"},
                  {"The other way round: what does a fifth of a millisecond a frame buy?",
                   "./lessons/run 9 --set scene=chain --set links=50 --set budget=200us"},
-                 {"A force that is right to a hundredth, in a four-bar linkage:",
+                 {"A reaction force within one per cent, in a four-bar linkage:",
                   "./lessons/run 9 --set scene=four_bar --set reaction=0.01"},
-                 {"Too much to ask:", "./lessons/run 9 --set scene=spherical_pendulum --set trajectory=1e-16"}},
-       .next = "Choose a scene of your own, name its kinds in its type, and measure. That is all of it."});
+                 {"More than any method reaches:",
+                  "./lessons/run 9 --set scene=spherical_pendulum --set trajectory=1e-10"}},
+       .next = "This was the last lesson. Choose a scene of your own, ask the program, and measure."});
   return lesson.run(argc, argv);
 }

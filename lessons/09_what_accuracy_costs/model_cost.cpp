@@ -1,4 +1,4 @@
-// Step 6: the same motion with more numbers than it needs.
+// Deeper: the same motion with more numbers than it needs.
 
 #include <chrono>
 #include <cmath>
@@ -79,6 +79,11 @@ renderer::Chart clocked(std::string_view scene, const Values& values, const std:
   return chart;
 }
 
+/// "to the last bit", "to rounding", "to 3 mm".
+std::string agreeing(double apart) {
+  return apart == 0 ? "to the last bit" : apart < 1e-11 ? "to rounding" : say("to @ m", Value(apart, 2));
+}
+
 }  // namespace
 
 void model_cost(Page& page) {
@@ -91,9 +96,9 @@ void model_cost(Page& page) {
   const Built &least = models.front(), &most = models.back();
 
   page.text(
-      R"(Before a method costs anything, the *model* does. A bob on a rod needs two numbers to move with. As a body
-      in space it has six, a quaternion and an inertia, none of which does anything: the rod holds its centre and
-      nothing turns it. Here is one chain of @ bobs, and one pendulum, four times over.)",
+      R"(Before a method costs anything, the *model* does. A bob on a rod needs two numbers to move with. As a body in
+      space it has six, and a quaternion and an inertia, though the rod holds its centre and nothing turns it. Here is
+      one chain of @ bobs and one pendulum, each in four models.)",
       links);
   page.predict(
       {.ask = R"(The chain as bodies in space: how many times as many numbers does it move with as the chain of
@@ -103,7 +108,8 @@ void model_cost(Page& page) {
        .tolerance = 0.1,
        .wrong = {{1.5, "That is one axis more to move along. A body in space also turns, about three."},
                  {2, "Three axes to move along, and three to turn about."}},
-       .hints = {"Count axes to move along and axes to turn about."},
+       .hints = {"Count axes to move along and axes to turn about.", "numbers of a body = axes along + axes about",
+                 "Particle in the plane: 2 + 0. Body in space: 3 + 3."},
        .right = say("@ instead of @ a body.", most.degrees / links, least.degrees / links)});
   page.figure("models",
               R"(What one body of the chain takes in each model, with its rod: the numbers it moves with, its state
@@ -113,11 +119,11 @@ void model_cost(Page& page) {
   for (const Built& built : models) chain_apart = std::max(chain_apart, built.apart);
   for (const Built& built : pendulums) pendulum_apart = std::max(pendulum_apart, built.apart);
   page.text(
-      R"(Bytes of a body's row: @ as particles in the plane, @ as bodies in space; row-solves a step: @ and @, the
-      same rows in the same order. And what is bought with it? After @ s all four chains are where the first is, to
-      @ m, the pendulums to @ m: rounding.)",
+      R"(A body's row takes @ bytes with particles in the plane and @ with bodies in space; a step takes @ and @
+      row-solves, the same rows in the same order. The motion is the same: after @ s all four chains agree @, the
+      pendulums @.)",
       least.row_bytes / links, most.row_bytes / links, least.row_solves, most.row_solves, 2.0,
-      Value(chain_apart, 2), Value(pendulum_apart, 2));
+      agreeing(chain_apart), agreeing(pendulum_apart));
   page.clocked(
       "models_clocked",
       R"(The same four chains by the clock: one step of ten sweeps, over the number of bodies. Measured on the
@@ -149,10 +155,10 @@ void model_cost(Page& page) {
                                                   "links in space"};
   const auto linked = build("chain", values, with_and_without, 2);
   page.text(
-      R"(Two more prices that hide. *Something that could touch, or nothing*: where a body has a shape, every step
-      looks for contacts, though here one link alone has one and none is ever found. The answer is the same to @ m.
-      The clock shows what looking for nothing costs; it is little, for it is many shapes that are dear.)",
-      Value(linked[1].apart, 2));
+      R"(Two more costs are easily overlooked. *Shapes*: as soon as a body has one, every step looks for contacts. Here
+      one link has a shape and no contact is ever found; the two motions agree @. The clock shows what the search
+      costs. For one shape that is little; many shapes cost more.)",
+      agreeing(linked[1].apart));
   page.clocked(
       "touch_clocked",
       R"(The chain of stiff links, without a shape, with one, and in space. Measured on the machine and at the
@@ -169,9 +175,9 @@ void model_cost(Page& page) {
   const double whole = error_of(chain, by_sweeps(BlockSolve::whole), Error::drift),
                rows = error_of(chain, by_sweeps(BlockSolve::row_by_row), Error::drift);
   page.text(
-      R"(*One block of K rows, or K rows*: a pin is two rows that share both bodies. Solved as one block, with a 2
-      × 2 inverse, they cannot undo each other. Ten sweeps leave a largest separation of @ m that way and @ m row
-      by row: for the same row-solves. (A body of small inertia at the end of an arm shows it better: lesson 6.))",
+      R"(*Blocks*: a pin is two rows that share both bodies. Solved as one block, with a 2 × 2 inverse, the two cannot
+      undo each other. For the same row-solves, ten sweeps a step leave a largest separation of @ m that way and of @ m
+      row by row. (A body of small inertia at the end of an arm shows the difference better: lesson 6.))",
       Value(whole, 3), Value(rows, 3));
   page.measure("drift, blocks of two rows", whole, "m");
   page.measure("drift, row by row", rows, "m");

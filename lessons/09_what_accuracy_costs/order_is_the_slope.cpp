@@ -1,4 +1,4 @@
-// Step 1: how to read a work–precision chart.
+// Step 2: how to read a work–precision chart.
 
 #include <cmath>
 #include <numbers>
@@ -32,34 +32,32 @@ double gain_in_period(const Problem& problem, const Configuration& configuration
 void order_is_the_slope(Page& page) {
   const Problem problem("pendulum", {{"length", 2}, {"mass", 3}});
   page.text(
-      R"(Eight lessons gave you methods and knobs. Which one, then, and how far turned? Not a matter of taste: run
-      them all on a scene whose true motion is known, and draw what each gets wrong against what it costs.
-
-      Begin with a bob of @ kg on a rod of @ m, let go level, whose angle after a second elliptic functions give to
-      the last digit. Each curve below is one method; each point on it one run, with the number of steps or sweeps
-      a frame of 1/60 s written at it. To the left: less error. Down: less work. So **down and left is good**, and
-      what no other run beats in both lies on the broad staircase, the *front*.)",
+      R"(A bob of @ kg on a rod of @ m is released level. Elliptic functions give its angle after a second to the last
+      digit. Each curve below is one method, and each point of it one run, labelled with the number of substeps,
+      sweeps or iterations in a frame of 1/60 s. The error grows to the right, the work grows upwards; so **down and
+      left is good**. The broad staircase, the *front*, joins the runs that no other run beats in both.)",
       problem["mass"], problem["length"]);
   const Survey& all = survey(page, problem, Error::trajectory);
   show(page, "pendulum_trajectory", all, Error::trajectory);
   page.text(
-      R"(Work is counted in *row-solves*, (17) and (20) once each, which are the same on every machine; a direct
-      solve is charged the row-solves that its multiplications would buy. What your machine's clock says of it
-      comes next, and it never decides anything in this course.)");
+      R"(Work is counted in *row-solves*, one use of (17) and (20) each, which are the same on every machine. A direct
+      solve is charged the row-solves that its multiplications amount to. What a substep costs besides, writing its
+      rows and finding its contacts, is not counted. The clock counts it; its chart comes next, and no statement of
+      this course depends on it.)");
   show_clocked(page, "pendulum_trajectory_clocked", all, Error::trajectory);
   page.text(
-      R"(Both axes are logarithmic, so a power law is a straight line: where the error falls as hᵖ and the cost
-      grows as 1/h, ten times the cost go p decades to the left. That p is the *order*, and the legend has it as it
-      was fitted. What does it buy?)");
+      R"(Both axes are logarithmic, so a power law is a straight line. Where the error falls as hᵖ and the work grows as
+      1/h, ten times the work moves a point by p decades to the left. That p is the *order* of the method; the legend
+      gives the fitted one.)");
   const Configuration& euler = configuration_named("direct, substeps");
   const Configuration& rattle = configuration_named("RATTLE, substeps");
   const double first = gain_in_place(problem, euler, 1), second = gain_in_place(problem, rattle, 0);
   const auto nearest = [](double ratio) { return std::log2(ratio) < 1.5 ? 2 : 4; };
   tutor::Choice question{
       .ask =
-          R"(Halve the time step. The error of the bob's *place* after a second is divided by what, with symplectic
-          Euler (β = 1), and with RATTLE?)",
-      .hints = {"Look at the legend: an error of order p is divided by 2ᵖ."}};
+          R"(Halve the time step. By what is the error of the bob's *place* after a second divided, with symplectic
+          Euler (direct, β = 1), and with RATTLE?)",
+      .hints = {"Of which order is each method?", "error ∝ hᵖ", "(h/2)ᵖ = hᵖ/2ᵖ, with p = 1 and p = 2"}};
   for (const auto& [one, two] : {std::pair{2, 2}, std::pair{2, 4}, std::pair{4, 4}}) {
     if (nearest(first) == one && nearest(second) == two)
       question.answer = static_cast<int>(question.options.size());
@@ -71,10 +69,10 @@ void order_is_the_slope(Page& page) {
   const double first_period = gain_in_period(problem, euler, 1),
                second_period = gain_in_period(problem, rattle, 0);
   page.text(
-      R"(Ask for the *period* instead, from one passage through the lowest point to the next but one, and the
-      answer is another: @ and @. Symplectic Euler runs round the same orbit as a method of order two, half a step
-      behind it, and a clock that is late by the same amount for ever keeps good time. Which error you chart
-      decides which order you see.)",
+      R"(Measure the *period* instead, from one passage through the lowest point to the next but one, and the answer
+      changes: the errors are divided by @ and @. Symplectic Euler follows the orbit of a method of order two, half a
+      step behind it, and a clock that is always late by the same amount measures periods well. So the order depends
+      on the error that you look at.)",
       Value(first_period, 3), Value(second_period, 3));
   page.claim({.quantity = "place after a second, symplectic Euler, h halved: error divided by",
               .unit = "1",
@@ -101,9 +99,9 @@ void order_is_the_slope(Page& page) {
               .measured = second_period,
               .tolerance = relative(0.05)});
   page.text(
-      R"(Two traps stand on this chart. Errors of opposite sign cancel, so a curve may dive where it has no right
-      to: trust slopes over many points and never one lucky point. And every line ends somewhere: at the bottom
-      left rounding waits, and the reference itself is only so sure (dotted).)");
+      R"(Two warnings. Errors of opposite sign cancel, so one point of a curve may lie much too far to the left: trust
+      the slope of many points, not one of them. And every curve ends, at rounding or at the uncertainty of the
+      reference (dotted where it is in sight).)");
   struct Expected {
     const char *configuration, *source;
     double order;

@@ -1,4 +1,4 @@
-// Step 2: errors that are kept apart, because a method may have one and not the other.
+// Step 3: errors that are kept apart, because a method may have one and not the other.
 
 #include <cmath>
 #include <numbers>
@@ -78,28 +78,37 @@ void stable_is_not_accurate(Page& page) {
                       &direct = configuration_named("direct, substeps");
 
   page.text(
-      R"("How accurate is it?" is five questions. *Drift*: how far is a joint from holding? *Trajectory*: is the
-      bob where it should be? *Energy and momentum*: what was lost or made? *Reaction force*: would the bolt break?
-      And, of a solver alone, the *algebraic* error: how far are the rows from solved? A method may be perfect in
-      one and hopeless in another. The same runs as before, by drift:)");
+      R"("How accurate is it?" is several questions. *Drift*: how far is a joint from holding? *Trajectory*: how far is
+      each body from where it should be? *Energy* and *momentum*: how much was lost or gained, over mgL and over the
+      true momentum? *Reaction force*: is the force in a joint right? And, of a solver alone, the *algebraic* error:
+      how far are the rows from solved? A method may be very good in one and very bad in another. Here are the same
+      runs as before by drift:)");
   show(page, "pendulum_drift", all, Error::drift);
-  page.text("And the very same, by energy:");
+  page.text("And here they are by energy:");
   show(page, "pendulum_energy", all, Error::energy);
 
   const byhand::Point once = measure(problem, xpbd, 1, 0), symmetric = measure(problem, rattle, 1, 0);
   const double left = 100 * (1 - once[Error::energy]);
-  page.predict(
-      {.ask = say(R"(XPBD with zero compliance puts the bob back onto its circle in every step: over @ s the rod is
-                  never wrong by more than @ m. Released from @°, one step a frame: how much of the energy m·g·L
-                  with which it sets out is left?)",
-                  problem.scene().duration, Value(once[Error::drift], 2), problem["angle"]),
-       .answer = left,
-       .unit = "%",
-       .tolerance = 4,
-       .wrong = {{100, "Stable and on the constraint, and wrong: the velocity is read off a chord."},
-                 {70, "Worse. It loses that much in the first seconds, and goes on."}},
-       .hints = {"The velocity is read off the chord between two points of the circle."},
-       .right = "Its error is of first order in the step, and all of one sign."});
+  page.choose(
+      {.ask = say(
+           R"(XPBD puts the bob back onto its circle in every step: over @ s the rod is never wrong by more than
+                  rounding. What happens to the energy mgL with which the bob sets out, at one step a frame?)",
+           problem.scene().duration),
+       .options = {{"it is kept within a few per cent",
+                    say(R"(The positions are right, but the velocity is the chord between
+                                                     two of them, which is too short: @ % is left.)",
+                        Value(left, 2))},
+                   {"about half of it is lost",
+                    say("More: every chord is too short, and @ % is left.", Value(left, 2))},
+                   {"most of it is lost",
+                    say(R"(The velocity is read off a chord of the circle, which is shorter than the
+                                       arc, in every step again: @ % is left.)",
+                        Value(left, 2))}},
+       .answer = left > 90   ? 0
+                 : left > 40 ? 1
+                             : 2,
+       .hints = {"From what does XPBD take the velocity?", "v = (x − x₀)/h, with x and x₀ on the circle",
+                 "A chord of the angle φ is 2R sin(φ/2) long, the arc Rφ."}});
   page.measure("XPBD, energy left", left, "%");
   const SimplePendulum exact(problem["angle"] * std::numbers::pi / 180, length, problem["gravity"]);
   std::vector<Swing> swings{{"XPBD", palette::error, problem, xpbd.setting(1, 0)},
@@ -107,8 +116,8 @@ void stable_is_not_accurate(Page& page) {
                             {"RATTLE", palette::velocity, problem, rattle.setting(1, 0)}};
   page.sequence(
       "stable_and_wrong",
-      R"(One step a frame, three methods, all stable. Dashed: where the bob should be. Right: the energy that is
-      gone. The rod of the uppermost has the right length to rounding throughout.)",
+      R"(Three stable methods at one step a frame. Dashed: the true motion. Right: the change of energy. The rod of
+      the uppermost has the right length to rounding throughout.)",
       Seconds{seconds}, [=, energy = problem.start().energy()](renderer::Canvas& canvas, double time) mutable {
         for (Swing& swing : swings) swing.go_on(time, energy);
         draw_swings(canvas, swings, exact, length, time);
@@ -138,9 +147,9 @@ void stable_is_not_accurate(Page& page) {
               .measured = symmetric[Error::energy] / once[Error::energy],
               .tolerance = at_most()});
   page.text(
-      R"(So ask first which error your scene cannot bear. A rope bridge in a game must not come apart: drift. A
-      clock must keep time: trajectory and energy. A crane must not break its bolts: the reaction force. There is a
-      chart for each; the deeper steps have them all, scene by scene.)");
+      R"(So decide first which error your scene must not have. A rope bridge in a game must not come apart: drift. A
+      clock must keep time: trajectory and energy. A crane must not break its bolts: the reaction force. The deeper
+      steps have a chart for each error, scene by scene.)");
 }
 
 }  // namespace byhand::accuracy

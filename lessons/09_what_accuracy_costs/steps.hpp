@@ -6,12 +6,12 @@
 // The steps of this lesson, in order; each is a file of that name.
 namespace byhand::accuracy {
 
+void the_methods(tutor::Page& page);
 void order_is_the_slope(tutor::Page& page);
 void stable_is_not_accurate(tutor::Page& page);
 void substeps_or_sweeps(tutor::Page& page);
 void what_the_step_hides(tutor::Page& page);
 void contacts(tutor::Page& page);
-void model_cost(tutor::Page& page);
 void chooser(tutor::Page& page, const Setting& setting);
 
 void five_errors(tutor::Page& page);
@@ -19,5 +19,7 @@ void linkages(tutor::Page& page);
 void in_space(tutor::Page& page);
 void chains(tutor::Page& page);
 void incline(tutor::Page& page);
+void model_cost(tutor::Page& page);
+void equations(tutor::Page& page);
 
 }  // namespace byhand::accuracy

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -96,9 +97,24 @@ std::string failures(const Survey& survey) {
 double least_cost(const Survey& survey, Error error, double at_most,
                   const std::function<bool(const Configuration&)>& counts) {
   double least = std::numeric_limits<double>::infinity();
-  for (const byhand::Point& point : survey.points())
-    if (counts(*point.configuration) && point.has(error) && point[error] <= at_most)
-      least = std::min(least, point.row_solves);
+  for (const Series& series : survey.series) {
+    if (!counts(*series.configuration)) continue;
+    const byhand::Point* before = nullptr;  // the last one whose error is too large
+    for (const byhand::Point& point : series.points) {
+      if (!point.has(error)) continue;
+      if (point[error] > at_most) {
+        before = &point;
+        continue;
+      }
+      const double share = before ? std::log((*before)[error] / at_most) /
+                                        std::log((*before)[error] / std::max(point[error], at_most / 1e6))
+                                  : 1;
+      const double cost =
+          before ? before->row_solves * std::pow(point.row_solves / before->row_solves, share) : point.row_solves;
+      least = std::min(least, cost);
+      break;
+    }
+  }
   return least;
 }
 

@@ -61,8 +61,8 @@ void claim_first_order(tutor::Page& page, const std::string& scene, const Survey
 /// What cannot run the problem or fails, at which knobs, and why, as a list; empty if all goes well.
 std::string failures(const Survey& survey);
 
-/// The least cost [row-solves a frame] at which any configuration that `counts` has at most that error; infinite
-/// if none has.
+/// The least cost [row-solves a frame] at which any configuration that `counts` has at most that error, along the
+/// straight line on logarithmic axes between the two knobs on either side of it; infinite if none has.
 double least_cost(const Survey& survey, Error error, double at_most,
                   const std::function<bool(const Configuration&)>& counts);
 

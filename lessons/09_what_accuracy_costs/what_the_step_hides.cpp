@@ -1,4 +1,4 @@
-// Step 4: the plateau: rows that are solved ever better, in a step that stays as wrong as it is.
+// Step 5: the plateau: rows are solved better and better, but the error of the step stays.
 
 #include <cmath>
 
@@ -28,13 +28,15 @@ void what_the_step_hides(Page& page) {
        .answer = many[Error::trajectory],
        .unit = "m",
        .tolerance = 0.03 * some[Error::trajectory],
-       .wrong = {{0, "The rows are solved to rounding then. The step is still as long as it was."},
+       .wrong = {{0, "Then the rows are solved to rounding. But the step is as long as before."},
                  {some[Error::trajectory] * std::sqrt(static_cast<double>(some.knob) / many.knob),
-                  "Sweeps do not buy time: after a few the rows are as good as solved."}},
-       .hints = {"What would a direct solve of the same step give?"},
-       .right = say(R"(The plateau is the step's own error; the direct solve of the same steps is @ m off. Change
+                  "After a few sweeps the rows are nearly solved; what is left is the error of the step."}},
+       .hints = {"What would a direct solve of the same steps give?",
+                 "error = error of the solver + error of the step", "The error of the solver is small already."},
+       .right =
+           say(R"(It stays: this is the error of the step. The direct solve of the same steps is @ m off. Change
                     h, not the sweeps.)",
-                    Value(exact[Error::trajectory], 4))});
+               Value(exact[Error::trajectory], 4))});
   renderer::Chart chart{.title = title_of(problem) + "; one step a frame",
                         .x = {.label = "sweeps a step", .scale = renderer::Scale::logarithmic},
                         .y = {.label = "error (m, m/s)", .scale = renderer::Scale::logarithmic}};
@@ -51,16 +53,13 @@ void what_the_step_hides(Page& page) {
                        .label = "trajectory, solved directly"}};
   page.figure(
       "plateau",
-      R"(More sweeps a step. The rows end up solved to rounding; the trajectory stops where the direct solve of the
-      same steps is, and stays.)",
+      R"(More sweeps a step. The rows are solved to rounding in the end; the trajectory stops improving where the direct
+      solve of the same steps is.)",
       chart);
   page.text(
-      R"(The first few sweeps buy motion, the rest only digits of an answer to the wrong question. On a
-      work–precision chart this is a curve that turns straight up. It is also why a comparison by residuals alone
-      tells you nothing about a simulation. The cure is in the step: cut it, or take one of a higher order. And the
-      error of a step has a sign, so that two of them may cancel: β = @ may beat β = 1 in the angle and lose in the
-      energy.)",
-      beta);
+      R"(Here the first sweeps improve the motion, and all further ones improve only the solution of a step that is
+      wrong itself. On a work–precision chart such a curve turns straight up. So residuals alone do not compare
+      simulations. What helps is a shorter step or a method of higher order.)");
   page.claim({.quantity = say("trajectory, @ sweeps over @", many.knob, some.knob),
               .unit = "1",
               .expected = 1,

@@ -3,12 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <regex>
 #include <set>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "lessons/equations.hpp"
 #include "lessons/tutor/about.hpp"
 #include "tests/lessons/tutor/process.hpp"
 
@@ -23,6 +25,20 @@ std::vector<std::string> slugs() {
   std::istringstream listed(BYHAND_LISTED);
   for (std::string slug; std::getline(listed, slug, ',');) all.insert(all.begin(), slug);
   return all;
+}
+
+/// The label of the first step of a page that displays each equation of the article.
+std::map<int, std::string> first_places(const std::string& page) {
+  std::map<int, std::string> places;
+  const std::regex heading(R"(## (\d+[a-z]*) .*)"), tag(R"(.*\\tag\{(\d+)\}.*)");
+  std::istringstream lines(page);
+  std::string step;
+  std::smatch match;
+  for (std::string line; std::getline(lines, line);) {
+    if (std::regex_match(line, match, heading)) step = match[1];
+    if (std::regex_match(line, match, tag)) places.emplace(std::stoi(match[1]), step);
+  }
+  return places;
 }
 
 class EveryLesson : public testing::TestWithParam<std::string> {
@@ -61,6 +77,19 @@ TEST_P(EveryLesson, HoldsItsClaimsAndLeavesAPageWhoseLinksLeadSomewhereAndWhoseC
     EXPECT_EQ(tried.status, 0) << (*at)[0] << tried.complained;
   }
   EXPECT_GE(commands, 2);
+
+  const int lesson_number = std::stoi(GetParam());
+  const std::map<int, std::string> found = first_places(page);
+  for (int i = 0; i < 23; ++i) {
+    const auto& [first_lesson, step, says] = tutor::equation_places[static_cast<std::size_t>(i)];
+    const auto here = found.find(i + 1);
+    if (first_lesson == lesson_number)
+      EXPECT_EQ(here == found.end() ? "nowhere" : here->second, step) << "(" << i + 1 << ")";
+    else if (first_lesson > lesson_number)
+      EXPECT_EQ(here, found.end()) << "(" << i + 1
+                                   << ") stands earlier than lessons/equations.cpp says, here in step "
+                                   << here->second;
+  }
 }
 
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(EveryLesson);

@@ -60,7 +60,8 @@ Outcome stretched_rod(double beta, double step, bool literally) {
 Law one_row() {
   Law law{1,
           Family::overshooting_correction,
-          "a correction by more than the whole error overshoots, by more than twice the error it grows",
+          "drift correction of one row",
+          "a correction of more than the whole error overshoots; of more than twice the error, it grows",
           "β < 2; read literally β < 2/h; spinning C/L = (ωh)²/2β",
           {}};
   law.boundaries.push_back(bisected({"β", "", "per step", 2, 0.01, {}, [](double beta) {
@@ -82,7 +83,8 @@ Law one_row() {
 Law uncorrected_drift() {
   Law law{3,
           Family::too_large_a_step,
-          "without a correction what turns drifts outwards",
+          "drift without correction",
+          "without correction, whatever turns drifts outwards",
           "R = R0 (1 + 2 v0² h t/R0²)^¼",
           {}};
   for (const auto& [speed, rate] : {std::pair{1, 60}, {3, 60}, {10, 60}, {30, 60}, {30, 240}})

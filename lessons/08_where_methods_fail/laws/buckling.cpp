@@ -50,8 +50,9 @@ double softest_contacts(int boxes) {
 Law buckling() {
   Law law{17,
           Family::too_large_a_step,
-          "a column on soft contacts buckles under its own weight, and no sweeps or substeps help",
-          "N³ < 7.84 kw²/2mg, k = mω²",
+          "buckling of soft contacts",
+          "a column on soft contacts buckles under its own weight; sweeps and substeps do not move the limit",
+          "N³ < 7.84 k w²/(2mg), k = m_eff ω², m_eff = m/5",
           {}};
   struct Setting {
     int boxes, substeps, steps;

@@ -57,8 +57,9 @@ double gravity_that_sweeps_hold(int boxes, int sweeps, double step) {
 Law creep() {
   Law law{18,
           Family::too_few_iterations,
-          "sweeps hand bending on slowly: a column leans faster than they can set it up",
-          "(σh)² < (1 - q)/q, σ² = 1.571 g/N, q = (1 - 2.06/N⁴)ᵏ",
+          "creep of a stack",
+          "sweeps remove bending slowly: a column leans faster than they can correct",
+          "(σh)² < (1 − q)/q, σ² = 1.571 g/N, q = (1 − 2.06/N⁴)ᵏ",
           {}};
   struct Setting {
     int boxes, sweeps, rate;
@@ -86,7 +87,8 @@ double regularisation_that_holds(int boxes, double step) {
 Law exact_columns() {
   Law law{20,
           Family::too_few_iterations,
-          "solved exactly any column stands, whatever its friction, but only while little is regularised",
+          "exact solution of a stack",
+          "solved exactly, a column stands at any friction; regularisation topples it",
           "r < 1.236/(σ²h²N⁴)",
           {}};
   for (const auto& [boxes, rate] : {std::pair{20, 60}, {25, 60}, {30, 60}}) {

@@ -50,8 +50,9 @@ Slide slide(FrictionBound bound, double heading, double speed) {
 Law friction() {
   Law law{10,
           Family::wrong_rows,
-          "friction bounded axis by axis is a square: it brakes and turns what slides aslant",
-          "1/√2 of the way at 45°, tan φ' = tan²φ",
+          "bound of friction",
+          "friction bounded axis by axis is a square: it brakes harder between the axes and turns the motion",
+          "1/√2 of the distance at 45°; tan φ' = tan²φ",
           {}};
   const double degree = std::numbers::pi / 180;
   for (const double speed : {1.0, 3.0, 10.0})

@@ -53,7 +53,8 @@ double heaviest_top(int sweeps, double beta) {
 Law heavy_on_light() {
   Law law{9,
           Family::too_few_iterations,
-          "heavy on light settles for certain no more once its mass is about three times the sweeps",
+          "heavy on light",
+          "a box of more than about 3k times the mass below it does not settle with k warm sweeps",
           "r < about 3k at β = 0.2",
           {}};
   for (const int sweeps : {1, 2, 4, 8}) {
@@ -73,8 +74,9 @@ Law heavy_on_light() {
 Law hopping() {
   Law law{19,
           Family::overshooting_correction,
-          "contacts ring as rods do, but earlier: an open one closes its gap in one step",
-          "β < 0.35 to 0.45 (1 - q)/q, q = cos²ᵏ(π/2N)",
+          "warm start of contacts",
+          "contacts ring earlier than rods: an open contact closes its gap within one step",
+          "β < 0.35 to 0.45 times (1 − q)/q, q = cos²ᵏ(π/2N)",
           {}};
   struct Setting {
     int boxes, sweeps;

@@ -9,9 +9,9 @@
 // nothing and share nothing, so that many can be made side by side.
 namespace byhand::laws {
 
-/// How a run ends: where it should be; held off from there or still moving away; swinging about it for ever; or in
-/// another place altogether, or nowhere.
-enum class Outcome { settles, drifts, rings, explodes };
+/// How a run ends: where it should be; held off from there or still moving away; oscillating without end; far away
+/// or not finite; or not at all, because the rows have no solution.
+enum class Outcome { settles, drifts, rings, explodes, no_solution };
 
 /// One number that a law predicts, for one setting of all else.
 struct Boundary {
@@ -30,8 +30,9 @@ enum class Family { too_few_iterations, overshooting_correction, too_large_a_ste
 struct Law {
   int number;
   Family family;
-  std::string name;     // the law in one sentence
-  std::string formula;  // where the boundary is
+  std::string name;      // by which texts cite it
+  std::string sentence;  // what it says
+  std::string formula;   // where the boundary is
   std::vector<Boundary> boundaries;
 };
 

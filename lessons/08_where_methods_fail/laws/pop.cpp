@@ -20,7 +20,8 @@ double popping_overlap(double beta, double step) {
 Law pop() {
   Law law{2,
           Family::overshooting_correction,
-          "a contact that is pushed out keeps the push: deep overlaps pop off the ground",
+          "contact pop",
+          "a contact that is corrected through its velocity keeps that velocity: deep overlaps leave the ground",
           "d < (1 - β/2) 2gh²/β²",
           {}};
   for (const auto& [beta, rate] : {std::pair{0.05, 60}, {0.1, 60}, {0.1, 120}, {0.2, 60}, {0.2, 240}, {0.4, 60}}) {

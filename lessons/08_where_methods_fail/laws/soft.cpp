@@ -97,8 +97,9 @@ double speed_left(double speed, double step, bool refresh) {
 Law springs() {
   Law law{11,
           Family::too_large_a_step,
-          "a spring that acts by where it was overshoots",
-          "ωh < 2(√(1 + ζ²) - ζ); soft chains √2 ωh < 2",
+          "explicit springs",
+          "a spring force taken at the start of the step overshoots",
+          "ωh < 2(√(1 + ζ²) − ζ); a chain of soft rows with one warm sweep: √2 ωh < 2",
           {}};
   for (const double damping : {0.0, 0.1, 0.5, 1.0, 5.0})
     law.boundaries.push_back(
@@ -125,8 +126,9 @@ Law springs() {
 Law substeps() {
   Law law{12,
           Family::too_few_iterations,
-          "substeps gain their square; sweeps end at the error of the step itself",
-          "C(n substeps)/C = 1/n²; C(sweeps)/C(exact) = 1",
+          "substeps or sweeps",
+          "n substeps divide the stretch by n²; sweeps only approach the exact solution of the same step",
+          "C(n substeps)/C = 1/n²; C(many sweeps)/C(exact) = 1",
           {}};
   for (const int n : {16, 32})
     law.boundaries.push_back({"stretch", "of that with 8 substeps", fmt::format("5 links, exact, {} substeps", n),
@@ -152,8 +154,9 @@ Law substeps() {
 Law stale_rows() {
   Law law{14,
           Family::wrong_rows,
-          "rows relaxed where the step began throw away the turn of the tangent",
-          "v = v0 (1 + v0² h t/R²)^-½; refreshed v = v0",
+          "stale Jacobian",
+          "rows relaxed with the J of the start of the step lose the turn of the velocity",
+          "v = v₀ (1 + v₀² h t/R²)^−½; refreshed v = v₀",
           {}};
   for (const auto& [speed, rate] : {std::pair{1, 60}, {3, 60}, {10, 60}, {10, 240}})
     law.boundaries.push_back({"speed after 1 s", "of the first",

@@ -102,8 +102,9 @@ double hinge_error(double turn, double arm) {
 Law spin() {
   Law law{13,
           Family::too_large_a_step,
-          "a velocity is straight and what turns is not",
-          "r√((θ - sinθ)² + (1 - cosθ)²); explicit wobble ×10 when (1 + Ω²h²)^(t/2h) = 10",
+          "rotation within a step",
+          "a step moves straight on, but points of a rotating body move on circles",
+          "hinge error r√((θ − sinθ)² + (1 − cosθ)²); explicit wobble × 10 when (1 + Ω²h²)^(t/2h) = 10",
           {}};
   for (const double turn : {0.01, 0.1, 1.0, 3.0})
     law.boundaries.push_back({"error of the hinge", "m", fmt::format("{} rad a step, 1 m from the centre", turn),
@@ -149,8 +150,9 @@ Outcome run(const LongArm& box) {
 Law block_or_rows() {
   Law law{15,
           Family::too_few_iterations,
-          "rows that nearly say the same have to be solved as one block",
-          "row by row β < (1 - q)/q, q = (A12/A11)²ᵏ; as a block β < 2",
+          "block or rows",
+          "rows that are nearly dependent have to be solved as one block",
+          "row by row β < (1 − q)/q, q = (A₁₂/A₁₁)²ᵏ; as a block β < 2",
           {}};
   const auto add = [&](std::string setting, const LongArm& box, double limit) {
     law.boundaries.push_back(

@@ -70,8 +70,12 @@ Outcome jacobi(int contacts, double relaxation) {
 }
 
 Law slow_sweeps() {
-  Law law{
-      4, Family::too_few_iterations, "news walks along a chain like a drunkard", "0.933 N² sweeps a digit", {}};
+  Law law{4,
+          Family::too_few_iterations,
+          "rate of Gauss–Seidel",
+          "a sweep passes an error on to the neighbouring rows only, so a chain needs N² sweeps",
+          "0.933 N² sweeps a digit on an anchored chain",
+          {}};
   const auto add = [&](std::string setting, double rate, const SweptChain& chain, double tolerance) {
     law.boundaries.push_back({"sweeps for a digit", "", std::move(setting), digits_to_sweeps(rate), tolerance,
                               [chain] { return digits_to_sweeps(left_by_a_sweep(chain)); }});
@@ -99,8 +103,9 @@ Law slow_sweeps() {
 Law jacobi_overshoots() {
   Law law{5,
           Family::overshooting_correction,
-          "rows that correct the same error at once correct it too often",
-          "relaxation < 2/λ(D⁻¹A)",
+          "relaxation of Jacobi",
+          "rows that correct the same error at the same time correct it too often",
+          "ω < 2/μ, μ the largest eigenvalue of D⁻¹A",
           {}};
   for (const int contacts : {2, 3, 4, 6, 8, 12})
     law.boundaries.push_back(

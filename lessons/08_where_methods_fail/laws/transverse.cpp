@@ -50,7 +50,7 @@ double heaviest_end(const TautChain& chain) {
 
 Outcome run(const TautChain& chain) {
   using M = PlaneParticle;
-  VelocityStepping method{Direct{}, Baumgarte{0.2}};
+  VelocityStepping method{Direct{}, Baumgarte{chain.beta}};
   if (chain.sweeps > 0) method.solver = GaussSeidel{chain.sweeps};
   method.substeps = chain.substeps;
   Simulation<M> simulation{
@@ -75,8 +75,9 @@ Outcome run(const TautChain& chain) {
 Law transverse() {
   Law law{7,
           Family::too_large_a_step,
-          "sideways a taut chain is an explicit spring, even where each step is solved exactly",
-          "ω h < 2, about T h²/(m l) < 1",
+          "transverse instability",
+          "sideways a taut chain is an explicit spring, even if each step is solved exactly",
+          "ω_max h < 2; a long light chain: T h²/(m l) < 1",
           {}};
   const auto add = [&](std::string setting, TautChain chain) {
     law.boundaries.push_back(bisected({"end mass",

@@ -12,6 +12,7 @@ struct TautChain {
   double step = 1.0 / 60;       // [s]
   int substeps = 1;
   int sweeps = 0;  // of Gauss–Seidel; 0 solves each step exactly
+  double beta = 0.2;
 };
 /// Settles as long as it swings no wider than a thousand times as far as at first: a chain does swing. What swings
 /// wider explodes, or rings where its links' own stretch holds it.

@@ -26,7 +26,7 @@ double share_that_passes(const FlyingBalls& balls, int how_many) {
   for (int i = 0; i < how_many; ++i) {
     Scene<M> scene;
     scene.gravity.setZero();
-    scene.set_margin(balls.margin, 0);
+    scene.set_margin(balls.margin, balls.lookahead);
     scene.set_shape(scene.add_body({0, 0}, fixed<M>()), Box<M>{{balls.wall, 20}});
     const double start =
         -(balls.wall + 4 * radius + balls.margin) - (i + 0.5) / how_many * balls.speed * balls.step;
@@ -43,7 +43,8 @@ double share_that_passes(const FlyingBalls& balls, int how_many) {
 Law tunnelling() {
   Law law{16,
           Family::too_large_a_step,
-          "a body that goes further in a step than it is seen passes a wall",
+          "tunnelling",
+          "a body that moves farther in a step than its contacts are detected passes a wall",
           "v h < r + margin + w/2",
           {}};
   for (const FlyingBalls& balls :

@@ -9,6 +9,7 @@ namespace byhand::laws {
 struct FlyingBalls {
   double speed = 10, wall = 0.1;
   double margin = 0.02;  // from which contacts are seen [m]
+  double lookahead = 0;  // by how many steps of its approach a contact is seen before that
   double step = 1.0 / 60;
 };
 /// The share of them that ends behind it.

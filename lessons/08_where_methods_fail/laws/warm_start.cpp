@@ -21,9 +21,9 @@
 //
 //   z³ - [1 + 2q - (1 - q)β] z² + 3q z - q = 0
 //
-// Its pair of complex roots leaves the unit circle at β = (1 - q)/q: there z³ - (3q)z² + 3q z - q has the product
-// of its roots q, the real one q, and |z| = 1 for the others. Beyond, the chain rings; one that is solved exactly
-// has q = 0, and the limit is law 1's.
+// At β = (1 - q)/q one root is z = q. The product of all three is q, so the other two have the product 1 and the
+// sum 3 - 1/q: for q > 1/5 they are complex and lie on the unit circle. Beyond, the slow mode rings. The fast
+// modes have q = 0 and law 1's limit of 2, which is the smaller one for q < 1/3.
 //
 // Derived for this course; nobody seems to have printed it.
 namespace byhand::laws {
@@ -41,6 +41,7 @@ Outcome run(const WarmChain& chain) {
   VelocityStepping method{
       GaussSeidel{.sweeps = chain.sweeps, .warm_start = chain.warm_start, .order = chain.order},
       Baumgarte{chain.beta}};
+  if (chain.sweeps == 0) method.solver = Direct{};
   method.substeps = chain.substeps;
   Simulation<M> simulation{rod_chain<M, NormalisedDistance>({.links = chain.links}), method};
   simulation.scene.gravity.setZero();
@@ -57,8 +58,9 @@ Outcome run(const WarmChain& chain) {
 Law warm_start() {
   Law law{6,
           Family::overshooting_correction,
-          "a warm start pays last step's correction again: more than the sweeps can take back rings",
-          "β < (1 - q)/q, q = cos²ᵏ(π/2N)",
+          "warm start with Baumgarte",
+          "a warm start repeats the last step's correction; if the sweeps cannot remove it, the error rings",
+          "β < min(2, (1 − q)/q), q = cos²ᵏ(π/2N)",
           {}};
   struct Setting {
     int links, sweeps;

@@ -10,7 +10,7 @@ namespace byhand::laws {
 
 /// A straight chain of unit links without weight, each bob off by about a ten-millionth of a link along it.
 struct WarmChain {
-  int links = 10, sweeps = 1;
+  int links = 10, sweeps = 1;  // no sweeps: each step is solved exactly
   double beta = 0.2;
   bool warm_start = true;
   SweepOrder order = {};  // natural

@@ -187,8 +187,10 @@ double margin(const Problem& problem, const Point& point, Error error, double li
   const double value = problem[scene.stress];
   const auto holds = [&](double factor) {
     if (factor == 1) return true;
-    const Point again = measure(problem.with(scene.stress, factor * value), *point.configuration, point.knob,
-                                point.tuning, {error == Error::algebraic, error, limit});
+    // Times its largest factor the value may be above its upper end by rounding.
+    const Point again =
+        measure(problem.with(scene.stress, std::min(factor * value, parameter->high)), *point.configuration,
+                point.knob, point.tuning, {error == Error::algebraic, error, limit});
     return again.has(error) && again[error] <= limit;
   };
   if (!(value > 0)) return NAN;

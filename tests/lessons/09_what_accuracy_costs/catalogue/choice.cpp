@@ -166,6 +166,16 @@ TEST(Chooser, FindsTheMarginByRunning) {
     EXPECT_LE(drift(factor), wish.accuracy) << factor;
 }
 
+TEST(Chooser, LooksForTheMarginUpToTheEndOfTheRangeAndNotBeyond) {
+  // 1e6/30 · 30 is above 1e6 by rounding.
+  const Problem problem("chain", {{"links", 1}, {"end_mass", 30}});
+  Point point;
+  point.configuration = &configuration_named("direct, substeps");
+  point.knob = 1;
+  point.tuning = 0.2;
+  EXPECT_EQ(margin(problem, point, Error::drift, 1e9), INFINITY);
+}
+
 TEST(Chooser, SpendsABudgetOnTheMostAccurate) {
   const Problem problem = short_chain();
   const Wish wish{.error = Error::trajectory, .budget = 400};

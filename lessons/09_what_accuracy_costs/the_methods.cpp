@@ -1,0 +1,194 @@
+// Step 1: the methods that the charts compare, those that no lesson before has had with their recipes.
+
+#include <algorithm>
+#include <cmath>
+
+#include "lessons/09_what_accuracy_costs/catalogue/work_precision.hpp"
+#include "lessons/09_what_accuracy_costs/steps.hpp"
+
+namespace byhand::accuracy {
+namespace {
+
+using namespace tutor;
+
+struct Recipe {
+  std::string_view name, source, idea;
+  std::array<std::string_view, 5> lines;
+  std::string_view knob, holds;
+};
+
+const std::vector<Recipe> recipes{
+    {"XPBD",
+     "extended position-based dynamics, M. Müller and others, 2020",
+     R"(corrects *positions*. It lets the bodies move freely, moves them back until the constraints hold, and reads the
+     velocities off the distance that was covered.)",
+     {"Move freely: v ← v₀ + hg, x ← x₀ + hv.", "Start every Λ at 0.",
+      "For each constraint, at its present C: ΔΛ = −(C + γΛ)/(JM⁻¹Jᵀ + γ).", "Correct at once: x ← x + M⁻¹Jᵀ ΔΛ.",
+      "Read the velocity: v ← (x − x₀)/h."},
+     "substeps, with one pass over the constraints in each",
+     R"(It holds rods, joints and contacts, and is stable at every step. It does not hold energy: a chord of the path
+     is shorter than the path, so what swings slows down.)"},
+    {"AVBD",
+     "augmented vertex block descent, C. Giles and others, 2025",
+     R"(minimises, *body by body*, the energy of a step of implicit Euler, in which each constraint is a spring of
+     stiffness κ plus a force Λ that makes up for what the spring lacks.)",
+     {"Free motion: y = x₀ + h(v₀ + hg).",
+      "For each body, with F = Λ − κC: (M + Σ κJᵀJ + G) Δx = −M(x − y) + Σ JᵀF.",
+      "After each round over the bodies: Λ ← Λ − κC, and a larger κ where C is not zero.",
+      "Repeat for so many rounds (iterations).", "Read the velocity: v ← (x − x₀)/h."},
+     "iterations; α is the share of an old error that a step leaves",
+     R"(It holds rods, joints and contacts, hard ones and very soft ones. Momentum is kept only as far as the rounds
+     have converged, and an effect moves on by few bodies a round.)"},
+    {"RATTLE",
+     "H. C. Andersen, 1983",
+     R"(is the leapfrog with constraints: half a kick of gravity, a move, half a kick; and two sets of impulses, one
+     for C = 0 after the move and one for JV = 0 after the kick.)",
+     {"V½ = V₀ + ½hg + M⁻¹J(x₀)ᵀλ", "x₁ = x₀ + hV½", "λ is such that C(x₁) = 0: Newton's method, with one factor.",
+      "V₁ = V½ + ½hg + M⁻¹J(x₁)ᵀμ", "μ is such that J(x₁)V₁ = 0."},
+     "substeps",
+     R"(It holds C and JV to rounding, is of order 2, and its error in energy stays bounded. It cannot do contacts or
+     rows that repeat each other, and a step that is too long has no solution.)"},
+    {"Accelerations (index 1)",
+     "E. Hairer and G. Wanner, Solving Ordinary Differential Equations II",
+     R"(are not a method yet, but what the next three share. Differentiate C twice, solve for forces instead of
+     impulses, and an ordinary differential equation is left.)",
+     {"C̈ = JV̇ + J̇V = 0", "Newton's law: MV̇ = F + Jᵀf", "So JM⁻¹Jᵀ f = −(JM⁻¹F + J̇V): (17) with forces.",
+      "V̇ = a(x, V) = M⁻¹(F + Jᵀf)", "Integrate ẋ = V and V̇ = a(x, V) by any rule; explicit Euler is the first."},
+     "substeps",
+     R"(The forces are exact for the present state. But only C̈ = 0 is enforced, so whatever error C has stays and
+     grows. No contacts.)"},
+    {"RK4",
+     "the classical rule of C. Runge and W. Kutta, about 1900",
+     R"(integrates these accelerations with four slopes a step, each the pair (V, a) at some state.)",
+     {"k₁ at the start", "k₂ half a step along k₁", "k₃ half a step along k₂", "k₄ a whole step along k₃",
+      "The step: h (k₁ + 2k₂ + 2k₃ + k₄)/6"},
+     "substeps",
+     R"(It is of order 4: the most exact of all in a trajectory. Drift and energy errors are tiny and grow with time.)"},
+    {"Implicit midpoint",
+     "a symmetric rule, the simplest of Gauss's",
+     R"(integrates the same accelerations with one slope a step, that of its own middle.)",
+     {"Guess V_m = V₀.", "X_m = x₀ + ½hV_m", "V_m ← V₀ + ½h a(X_m, V_m)", "Repeat the last two until V_m stays.",
+      "x₁ = x₀ + hV_m, V₁ = V₀ + h a(X_m, V_m)"},
+     "substeps",
+     R"(It is of order 2; of particles on rods, energy and C stay bounded. A step that is too long does not
+     converge.)"},
+    {"NNCG",
+     "nonlinear conjugate gradients on sweeps, M. Silcowitz-Hansen and others, 2010; *conjugate sweeps* on the "
+     "charts",
+     R"(speeds up Gauss–Seidel. What a sweep has changed is taken for a gradient, and λ goes on in the direction of the
+     changes before it.)",
+     {"One sweep: g = (λ after it) − (λ before it).", "s = |g|²/|g of the sweep before|², but 0 if g has grown.",
+      "λ ← λ + s d, and V with it.", "d ← g + s d", "Repeat, and end with a sweep, so that λ keeps its bounds."},
+     "sweeps",
+     R"(It holds all that Gauss–Seidel holds, contacts too. A slow error takes about the square root of the sweeps that
+     it would take otherwise. With bounds there is no proof, and on some stacks no gain.)"},
+    {"Accelerated gradient",
+     "H. Mazhar and others, 2015, after Y. Nesterov, 1983",
+     R"(changes all λ at once down the gradient JV + b + γλ, clamps them to their bounds, and goes ahead with
+     momentum.)",
+     {"g = JV + b + γλ at a point y ahead of λ", "λ' = y − D⁻¹g/L, clamped; D is the diagonal of JM⁻¹Jᵀ.",
+      "L is doubled until it bounds the curvature on the way.",
+      "y ← λ' + β(λ' − λ), with Nesterov's β; uphill β = 0", "Repeat; the best λ is kept."},
+     "iterations",
+     R"(It holds all that Gauss–Seidel holds, in an order that does not matter. The error falls with the square of the
+     iterations.)"}};
+
+void introduce(Page& page, const Recipe& recipe) {
+  std::string text =
+      say("**@** (@) @\n\n", std::string(recipe.name), std::string(recipe.source), unwrapped(recipe.idea));
+  for (const std::string_view line : recipe.lines) text += say("- @\n", std::string(line));
+  page.text(text + say("\nKnob: @. @", std::string(recipe.knob), unwrapped(recipe.holds)));
+}
+
+/// The largest error of a pendulum's rod within a time [m].
+double drift_within(const Problem& problem, const byhand::Setting& setting, double seconds) {
+  AnyScene scene = problem.start();
+  scene.use(setting.method);
+  double largest = 0;
+  while (scene.time() < seconds - 0.5 * frame) {
+    scene.step(frame);
+    largest = std::max(largest, scene.separation());
+  }
+  return largest;
+}
+
+/// "yes", or why not.
+std::string answer(const std::string& refusal) { return refusal.empty() ? "yes" : "no"; }
+
+}  // namespace
+
+void the_methods(Page& page) {
+  page.text(
+      R"(Eight lessons have given you methods and their knobs. This one runs them all, on scenes whose true motion is
+      known, and compares the errors they make with the work they take. Some that compete here are new; each has a
+      paragraph, five lines and its knob.)");
+  for (const Recipe& recipe : recipes) introduce(page, recipe);
+
+  const Problem pendulum("pendulum", {{"length", 2}, {"mass", 3}}), stack("stack", {{"boxes", 3}});
+  const byhand::Setting rk4 = configuration_named("RK4, substeps").setting(1, 0);
+  const double five = drift_within(pendulum, rk4, 5), ten = drift_within(pendulum, rk4, 10);
+  page.choose(
+      {.ask = R"(RK4 has C̈ = 0 exactly, in each of its stages. What happens to the length of a pendulum's rod?)",
+       .options = {{"it stays right to rounding", "C̈ = 0 leaves C free to be any straight line in time."},
+                   {"its error grows",
+                    say(R"(Nothing pulls C back to zero, so every small error stays: @ m off after 5 s, @ m
+                                    after 10 s.)",
+                        Value(five, 2), Value(ten, 2))},
+                   {"its error swings about zero", "Something would have to pull C back. C̈ = 0 does not know C."}},
+       .answer = ten > 1.3 * five ? 1 : 0,
+       .hints = {"What does C̈ = 0 say about C itself?", "C̈ = 0 integrates to C = C₀ + Ċ₀ t.",
+                 "Each step leaves a small error in C₀ or Ċ₀. What removes it?"}});
+
+  page.text(
+      R"(The charts also show what earlier lessons explained: Gauss–Seidel, its symmetric form and SOR, Jacobi,
+      conjugate gradients and direct solves (lesson 3), Baumgarte (lesson 4), split impulse, soft constraints and
+      projection. Not each of them can do every scene:)");
+  std::vector<std::vector<std::string>> rows;
+  int without_contacts = 0, refused = 0;
+  for (const Configuration& configuration : configurations()) {
+    if (configuration.defaults) continue;
+    const Method method = configuration.setting(1, configuration.tunings.front()).method;
+    const std::string joints = pendulum.start().refusal(method), contacts = stack.start().refusal(method);
+    refused += !joints.empty();
+    without_contacts += !contacts.empty();
+    rows.push_back({configuration.name.substr(0, configuration.name.find(',')), configuration.knob,
+                    configuration.tuning, answer(joints), answer(contacts)});
+  }
+  page.table({"method", "knob", "tuned by", "rods and joints", "contacts"}, rows);
+
+  page.claim({.quantity = "methods that cannot do rods",
+              .unit = "1",
+              .expected = 0,
+              .source = "the paragraphs above",
+              .measured = static_cast<double>(refused),
+              .tolerance = absolute(0)});
+  page.claim({.quantity = "methods that cannot do contacts",
+              .unit = "1",
+              .expected = 5,
+              .source = "RATTLE, three rules on accelerations, conjugate gradients",
+              .measured = static_cast<double>(without_contacts),
+              .tolerance = absolute(0)});
+  page.claim({.quantity = "RK4 on a pendulum: error of the rod after 10 s, over 5 s",
+              .unit = "1",
+              .expected = 1.3,
+              .source = "nothing takes it away",
+              .measured = ten / five,
+              .tolerance = at_least()});
+  const auto energy_change = [&](const char* name) {
+    return measure(pendulum, configuration_named(name), 1, 0)[Error::energy];
+  };
+  page.claim({.quantity = "implicit midpoint on a pendulum: change of energy over 10 s, over mgL",
+              .unit = "1",
+              .expected = 1e-3,
+              .source = "bounded",
+              .measured = energy_change("implicit midpoint, substeps"),
+              .tolerance = at_most()});
+  page.claim({.quantity = "explicit Euler on the same accelerations: change of energy over 10 s, over mgL",
+              .unit = "1",
+              .expected = 0.1,
+              .source = "order 1: it gains energy",
+              .measured = energy_change("explicit Euler, substeps"),
+              .tolerance = at_least()});
+}
+
+}  // namespace byhand::accuracy
