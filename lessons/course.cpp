@@ -28,10 +28,12 @@ using namespace byhand::tutor;
 using Arguments = std::vector<std::string>;
 
 constexpr auto usage = R"(./lessons/run [LESSON] [OPTIONS]
+./lessons/run practise [N]
 
 Without a lesson: the course at a terminal, every lesson straight through otherwise.
 
   LESSON        its number or name: ./lessons/run 3, ./lessons/run baumgarte
+  practise      exercises in which you write the code; ./lessons/run practise --help
   --all         every lesson straight through; further options go to each
   --no-install  list the Debian packages that are missing and stop
   --help        this page; ./lessons/run LESSON --help shows the options of a lesson
@@ -183,6 +185,7 @@ int run(Arguments arguments) {
     arguments.erase(all, arguments.end());
     return run_all(slugs, arguments);
   }
+  if (arguments.front() == "practise") return build_and_run("practise", {arguments.begin() + 1, arguments.end()});
   const auto slug = find_lesson(slugs, arguments.front());
   if (!slug) {
     fmt::print(stderr, "{}", unknown(slugs, arguments.front()));

@@ -52,7 +52,7 @@ std::optional<std::string> Keyboard::line() {
 bool Keyboard::pressed_within(int milliseconds) {
   if (!rest_.empty()) return true;
   pollfd input{STDIN_FILENO, POLLIN, 0};
-  return poll(&input, 1, milliseconds) > 0;
+  return poll(&input, 1, milliseconds) != 0;  // on Ctrl-C, line() has nothing to wait for
 }
 
 }  // namespace byhand::tutor

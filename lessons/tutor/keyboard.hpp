@@ -18,7 +18,7 @@ class Keyboard {
   /// The next line without its newline; nothing at the end of input and on Ctrl-C.
   std::optional<std::string> line();
 
-  /// Waits for input at most so long; returns whether there is some.
+  /// Waits for input at most so long; returns whether line() has something to tell: input, its end or Ctrl-C.
   bool pressed_within(int milliseconds);
 
  private:

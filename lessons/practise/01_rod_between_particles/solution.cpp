@@ -1,0 +1,11 @@
+#include "practise.hpp"
+
+double value(Vec2 p1, Vec2 p2, double L) {
+  const Vec2 d = p2 - p1;
+  return (dot(d, d) - L * L) / 2;
+}
+
+ParticleRow jacobian(Vec2 p1, Vec2 p2, double) {
+  const Vec2 d = p2 - p1;
+  return {-d, d};
+}

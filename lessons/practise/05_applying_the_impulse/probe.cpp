@@ -1,0 +1,35 @@
+#include "lessons/practise/judge/probe.hpp"
+#include "lessons/practise/05_applying_the_impulse/signature.hpp"
+#include "lessons/practise/judge/stage.hpp"
+
+void probe(Probe& p, const Code& code) {
+  const auto [apply_impulse] = Learners::of(code);
+  BodyRow J = p.row("J");
+  J.l1 = -J.l2;  // as of every row between two bodies: what one gets, the other loses
+  const Velocities V = p.velocities("V");
+  const double lambda = p.number("lambda", "kg/s", -3, 3);
+  const InverseMasses W = p.inverse_masses();
+
+  Velocities after = V;
+  apply_impulse(after, J, lambda, W);
+  p.answer("v1", "m/s", after.v1);
+  p.answer("w1", "rad/s", after.w1);
+  p.answer("v2", "m/s", after.v2);
+  p.answer("w2", "rad/s", after.w2);
+  const auto momentum = [&](const Velocities& of) { return 1 / W.m1 * of.v1 + 1 / W.m2 * of.v2; };
+  p.law("the sum of the momenta along x stays", "kg m/s", momentum(after).x, momentum(V).x);
+  p.law("the sum of the momenta along y stays", "kg m/s", momentum(after).y, momentum(V).y);
+  Velocities solved = V;
+  apply_impulse(solved, J, right_pieces().impulse(J, V, 0, right_pieces().inverse_mass(J, W)), W);
+  p.law("after the impulse of (17), JV = 0: J·(after − before) = −J·before", "m²/s", dot(J, solved) - dot(J, V),
+        -dot(J, V));
+}
+
+void film(Film& film, const Code& code) {
+  const auto apply = std::get<0>(Learners::of(code));
+  RodPieces pieces = right_pieces();
+  pieces.apply = [apply](Velocities& V, const BodyRow& J, double lambda, const InverseMasses& W) {
+    apply(V, J, lambda, W);
+  };
+  two_boxes(film, pieces);
+}

@@ -1,0 +1,5 @@
+#include "practise.hpp"
+
+void warm_start(std::span<Row> rows, Velocities& V) { not_written_yet(); }
+
+void sweep(std::span<Row> rows, Velocities& V) { not_written_yet(); }

@@ -1,0 +1,3 @@
+#include "practise.hpp"
+
+double bias(double C, double beta, double h) { return beta / h * C; }

@@ -1,0 +1,53 @@
+#include "lessons/practise/judge/probe.hpp"
+#include "lessons/practise/09_clamping_a_contact/signature.hpp"
+#include "lessons/practise/judge/stage.hpp"
+
+constexpr double width = 0.2, height = 1, mass = 1, inertia = mass * (width * width + height * height) / 12;
+
+/// Twenty sweeps over both contacts of a thin box. A ball's single contact could not tell whether the increment or
+/// the sum is clamped: here row 1 must take back what it gave too much.
+template <class Clamp>
+Vec2 solve(Body& box, const std::vector<GroundContact>& contacts, double h, const Clamp& clamp_contact) {
+  double accumulated[2] = {0, 0};
+  for (int pass = 0; pass < 20; ++pass)
+    for (std::size_t i = 0; i < 2; ++i) {
+      const GroundContact& at = contacts[i];
+      const double K = 1 / mass + at.r.x * at.r.x / inertia;
+      const double b = at.C > 0 ? at.C / h : 0.2 / h * at.C;
+      const double applied = clamp_contact(accumulated[i], -(box.v.y + box.w * at.r.x + b) / K);
+      box.v.y += applied / mass;
+      box.w += applied * at.r.x / inertia;
+    }
+  return {accumulated[0], accumulated[1]};
+}
+
+void probe(Probe& p, const Code& code) {
+  const auto [clamp_contact] = Learners::of(code);
+  const double given = p.number("accumulated", "N s", 0.1, 3), delta = p.number("delta", "N s", -5, 5);
+  double accumulated = given;
+  const double applied = clamp_contact(accumulated, delta);
+  p.answer("applied", "N s", applied);
+  p.answer("accumulated", "N s", accumulated);
+  p.law("accumulated changes by what is applied", "N s", accumulated, given + applied);
+  p.law("accumulated is not negative", "N s", accumulated, std::abs(accumulated));
+
+  Body box{.v = {0, -p.number("speed", "m/s", 0.2, 2)}, .w = p.number("turning", "rad/s", -2, 2)};
+  const std::vector<GroundContact> contacts{{{-width / 2, -height / 2}, 0}, {{width / 2, -height / 2}, 0}};
+  const Vec2 sum = solve(box, contacts, time_step, clamp_contact);
+  p.answer("λ of a thin box", "N s", sum);
+  p.answer("its velocity", "m/s", box.v.y);
+  p.answer("its turning", "rad/s", box.w);
+}
+
+void film(Film& film, const Code& code) {
+  const auto clamp_contact = std::get<0>(Learners::of(code));
+  film.title = "A thin box, dropped from 0.3 m";
+  film.quantity = "height of its lower corner";
+  film.unit = "m";
+  film.middle = {0, 0.8};
+  film.height = 2.4;
+  const Body box{.at = {0, 0.85}, .angle = 0.06, .mass = mass, .inertia = inertia, .sides = {width, height}};
+  box_on_ground(film, box, {0, -9.81}, 0, [&](Body& of, std::vector<GroundContact>& contacts, double h) {
+    solve(of, contacts, h, clamp_contact);
+  });
+}

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "lessons/practise/judge/process.hpp"
+
+// What a process does to itself between fork and exec, without memory or exceptions. Each does nothing where the
+// system cannot.
+namespace byhand::practise {
+
+void limit(const Limits& limits, std::size_t file_bytes);
+
+/// Allows memory, reading and writing open descriptors, and ending; anything else kills the process with SIGSYS.
+void allow_computing_only();
+
+/// Allows reading below `readable` and anything below `writable`, and no other file.
+void allow_files(const std::vector<std::filesystem::path>& readable, const std::filesystem::path& writable);
+
+}  // namespace byhand::practise

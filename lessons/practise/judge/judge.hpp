@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "lessons/practise/judge/exercise.hpp"
+
+namespace byhand::practise {
+
+inline constexpr int probes = 24;
+
+/// What the judge compares with: the sheets of the right answer and of each misconception on the same probes.
+/// Without any code, so that a course can send it to a machine where learners' programs run.
+struct Key {
+  struct Misconception {
+    std::string sentence;
+    std::vector<Sheet> sheets;
+  };
+  std::uint64_t seed = 1;
+  std::vector<Sheet> right;
+  std::vector<std::vector<Numbers>> tolerance;  // of each value of `right`
+  std::vector<Misconception> misconceptions;
+  Film film;
+};
+
+/// Runs the solution and every mutant, which are the exercise's variants.
+Key key(const Exercise& exercise, std::uint64_t seed);
+
+/// The sheet of code on one probe.
+Sheet sheet(const Exercise& exercise, const Code& code, std::uint64_t seed, int index);
+
+struct Verdict {
+  enum class Kind { right, misconception, wrong, not_written, stopped, does_not_compile };
+  Kind kind = Kind::wrong;
+  std::string sentence;  // one
+  std::string details;   // the probe's numbers, or the compiler's lines
+  std::string printed;   // by the learner's code
+  int line = 0;          // of the learner's file, where one is to blame
+  Film film;             // what the code did; may be cut short
+
+  bool is_right() const { return kind == Kind::right; }
+};
+
+/// Runs the code on all probes and compares. A Stopped that the code throws becomes the verdict.
+Verdict judge(const Exercise& exercise, const Key& key, const Code& code);
+
+/// Whether both say the same on a probe, within what rounding explains.
+bool same_sheet(const Sheet& one, const Sheet& other, const std::vector<Numbers>& tolerance);
+
+/// The same for the answers alone, or for the laws where nothing is answered: what a test of a few numbers sees.
+bool same_answers(const Sheet& one, const Sheet& other);
+
+/// How much the values of the solution's sheet may differ by rounding: ten times what they change when each given
+/// number changes by 1e-13 of itself, but at least 1e-12 of the largest value.
+std::vector<Numbers> tolerance(const Exercise& exercise, const Code& solution, std::uint64_t seed, int index);
+
+}  // namespace byhand::practise

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "lessons/practise/judge/wire.hpp"
+
+namespace byhand::practise {
+
+/// A learner's process ended, or answered nothing that counts.
+struct Stopped {
+  std::string sentence;
+  bool not_written = false;  // the stub said so
+};
+
+struct Limits {
+  double seconds = 2;
+  std::size_t bytes = 256u << 20;
+};
+
+/// The process that runs a learner's functions. It gets no files, no network and no further processes where the
+/// system has seccomp; it has one socket to the judge, and what it prints is kept.
+class Process {
+ public:
+  explicit Process(const std::filesystem::path& program, Limits limits = {});
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
+  ~Process();
+
+  /// Throws Stopped if no answer comes. All calls together may take `limits.seconds`.
+  Numbers call(std::size_t which, const Numbers& arguments);
+
+  /// The first lines that the learner's code printed.
+  std::string printed() const;
+
+ private:
+  void receive(void* bytes, std::size_t count);
+  [[noreturn]] void ended();
+  [[noreturn]] void end(const std::string& sentence);
+
+  Limits limits_;
+  std::chrono::nanoseconds left_;
+  pid_t child_ = -1;
+  int socket_ = -1, print_ = -1;
+};
+
+struct Finished {
+  int status = 0;  // −1: it took too long or was killed
+  std::string said;
+};
+
+/// Runs a program that may read the system and `readable`, and write into `folder` alone, where the system has
+/// Landlock.
+Finished run_confined(const std::vector<std::string>& command, const std::vector<std::filesystem::path>& readable,
+                      const std::filesystem::path& folder, Limits limits);
+
+/// A folder that is gone with its last user.
+class Scratch {
+ public:
+  Scratch();
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+  ~Scratch();
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace byhand::practise
