@@ -79,7 +79,11 @@ std::string expectation(const Claim& claim) {
 std::string measurement(const Claim& claim) {
   if (is_beyond_words(claim, claim.measured)) return "–";
   const bool of_nothing = claim.expected == 0 || claim.tolerance.kind == Tolerance::Kind::at_most;
-  return quantity(claim.measured, claim.unit) + (of_nothing ? if_rounding(std::abs(claim.measured)) : "");
+  const double size = std::abs(claim.measured);
+  if (!of_nothing) return quantity(claim.measured, claim.unit);
+  return (size > 0 && size < 1e-30 ? "below " + quantity(1e-30, claim.unit)
+                                   : quantity(claim.measured, claim.unit)) +
+         if_rounding(size);
 }
 
 std::string heading_text(const Lesson& lesson, const Style& style) {

@@ -158,6 +158,8 @@ TEST(Claim, CallsRoundingByItsName) {
   EXPECT_EQ(expectation(claim(5e-15, 0, at_most())), "≤ 5·10⁻¹⁵ m (rounding)");
   EXPECT_EQ(expectation(claim(0.5, 0.5, at_least())), "≥ 0.5 m");
   EXPECT_EQ(measurement(claim(0, -2e-16, absolute(0.001))), "−2·10⁻¹⁶ m (rounding)");
+  EXPECT_EQ(measurement(claim(0, -4.8e-140, absolute(0.001))), "below 10⁻³⁰ m (rounding)");
+  EXPECT_THAT(broken_by(with(claim(0, -4.8e-140, absolute(0.001)))), IsEmpty());
   EXPECT_EQ(measurement(claim(0, 2e-11, absolute(0.001))), "2·10⁻¹¹ m");
   EXPECT_EQ(measurement(claim(5e-15, 2e-16, at_most())), "2·10⁻¹⁶ m (rounding)");
   EXPECT_EQ(measurement(claim(8e-20, 8e-20, relative(0.001))), "8·10⁻²⁰ m") << "what is expected is no rounding";
