@@ -25,6 +25,12 @@ std::string formula(const std::string& block, const std::string& label, const St
 /// Says of a size that numbers of double precision leave by themselves what it is.
 std::string if_rounding(double size) { return size > 0 && size < 1e-11 ? " (rounding)" : ""; }
 
+/// Outside its range a claim may measure, or expect, what nobody can imagine.
+bool is_beyond_words(const Claim& claim, double value) {
+  const double size = std::abs(value);
+  return !claim.claimed && !(size == 0 || (1e-11 <= size && size <= 1e9));
+}
+
 const Measure* find(const Page& page, const Measure& like) {
   for (const Item& item : page.items())
     if (const auto* measure = std::get_if<Measure>(&item); measure && measure->quantity == like.quantity)
@@ -56,6 +62,7 @@ std::string verdict(const Claim& claim) {
 }
 
 std::string expectation(const Claim& claim) {
+  if (is_beyond_words(claim, claim.expected)) return "–";
   const std::string unit = claim.unit.empty() || claim.unit == "1" ? "" : " " + claim.unit;
   const auto& [kind, size] = claim.tolerance;
   switch (kind) {
@@ -71,8 +78,13 @@ std::string expectation(const Claim& claim) {
 }
 
 std::string measurement(const Claim& claim) {
+  if (is_beyond_words(claim, claim.measured)) return "–";
   const bool of_nothing = claim.expected == 0 || claim.tolerance.kind == Tolerance::Kind::at_most;
-  return quantity(claim.measured, claim.unit) + (of_nothing ? if_rounding(std::abs(claim.measured)) : "");
+  const double size = std::abs(claim.measured);
+  if (!of_nothing) return quantity(claim.measured, claim.unit);
+  return (size > 0 && size < 1e-30 ? "below " + quantity(1e-30, claim.unit)
+                                   : quantity(claim.measured, claim.unit)) +
+         if_rounding(size);
 }
 
 std::string heading_text(const Lesson& lesson, const Style& style) {

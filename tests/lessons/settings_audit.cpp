@@ -158,6 +158,21 @@ TEST(Audit, RunsAStepOnlyForParametersThatChangeIt) {
   EXPECT_EQ(knobs.other_runs, 1 + 6 + 10) << "the base, six ends, and the random settings";
 }
 
+TEST(Audit, CatchesAParameterThatAnotherStepLooksAtToo) {
+  const auto failures = [](bool truly) {
+    Lesson lesson({.slug = "98_answers", .title = "Answers", .summary = "One step answers."});
+    const auto a = lesson.parameter("a", 0.5, "1", {0, 1}, "of the second step");
+    lesson.step("First", [=](Page& page) { say_size(page, truly ? 1 : a()); });
+    lesson.step("Second", [=](Page& page) { say_size(page, a); });
+    lesson.answers({"a"});
+    return Audit(lesson, {.random = 0}).failures();
+  };
+  EXPECT_THAT(failures(true), IsEmpty());
+  ASSERT_THAT(failures(false), SizeIs(1));
+  EXPECT_EQ(failures(false)[0].step, "1");
+  EXPECT_EQ(failures(false)[0].finding.rule, "answers() gives its parameter to another step");
+}
+
 TEST(Audit, LeavesOutWhatTakesTooLongAndSaysSo) {
   Knobs knobs([](Page& page, double a, double b) { say_size(page, a + b); });
   const Audit audit(knobs.lesson, {.random = 10, .seconds = 0});

@@ -9,6 +9,7 @@
 #include "lessons/tutor/chart_data.hpp"
 #include "lessons/tutor/recording.hpp"
 #include "tests/lessons/settings/numbers.hpp"
+#include "tests/lessons/settings/pictures.hpp"
 #include "tests/lessons/settings/watchdog.hpp"
 
 namespace byhand::tests {
@@ -43,6 +44,7 @@ Audit::Audit(tutor::Lesson& lesson, Extent extent) : lesson_(lesson), extent_(st
   try_suggestions();
   try_random();
   if (extent_.pairs) try_pairs();
+  if (extent_.all_steps) try_foreign_parameters();
 }
 
 void Audit::try_ends() {
@@ -100,6 +102,21 @@ void Audit::try_pairs() {
       if (relevant(step, pair).size() == 2) try_step(step, pair);
 }
 
+void Audit::try_foreign_parameters() {
+  std::mt19937 random(extent_.seed);
+  for (const Step& step : lesson_.steps()) {
+    Setting foreign;
+    for (const ParameterRecord& p : lesson_.parameters())
+      if (!may_depend(step, p)) foreign.emplace_back(p.name, any_value(p, random));
+    if (foreign.empty()) continue;
+    std::string page;
+    findings(step, foreign, page);
+    ++runs_;
+    if (page != steps_[step.label].page)
+      report(step.label, command(step.label, foreign), {"answers() gives its parameter to another step", page});
+  }
+}
+
 bool Audit::may_depend(const Step& step, const ParameterRecord& parameter) const {
   return parameter.step.empty() || parameter.step == step.label;
 }
@@ -140,7 +157,9 @@ std::vector<Finding> Audit::findings(const Step& step, const Setting& setting, s
     for (const ParameterRecord& p : lesson_.parameters()) given.push_back(p.typed(p.value));
     const tutor::RecordedStep recorded = record_step(lesson_, step, true);
     page = everything_on(recorded.page);
-    return broken_rules(recorded.page, given);
+    std::vector<Finding> found = broken_rules(recorded.page, given);
+    if (extent_.pictures) std::ranges::move(blank_pictures(recorded.page, pictures_), std::back_inserter(found));
+    return found;
   } catch (const std::exception& error) {
     page = error.what();
     return {{"exit status", error.what()}};

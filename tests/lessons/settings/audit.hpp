@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lessons/tutor/lesson.hpp"
+#include "lessons/tutor/picture_writer.hpp"
 #include "tests/lessons/settings/rules.hpp"
 #include "tests/lessons/settings/settings.hpp"
 
@@ -19,6 +20,7 @@ struct Extent {
   bool pairs = true;      // of ends of two parameters
   double seconds = 1e9;   // of the processor for each step; what does not fit is left out and counted
   bool all_steps = true;  // also those that no parameter changes
+  bool pictures = false;  // draw them, too
   Setting base = {};      // instead of defaults where nothing else is said; random settings keep it
 };
 
@@ -52,6 +54,8 @@ class Audit {
   void try_suggestions();
   void try_random();
   void try_pairs();
+  /// Turns what Lesson::answers gives to other steps: this one says the same.
+  void try_foreign_parameters();
   /// What the step says at the setting, without those parameters that it does not depend on; nothing if its time
   /// is up.
   std::optional<std::string> try_step(const tutor::Step& step, const Setting& setting);
@@ -63,6 +67,7 @@ class Audit {
 
   tutor::Lesson& lesson_;
   Extent extent_;
+  tutor::PictureWriter pictures_{{}, {"small", 640, 360, 15}, tutor::FramesWanted::none, true};
   std::map<std::string, StepState> steps_;
   std::vector<Failure> failures_;
   int runs_ = 0;

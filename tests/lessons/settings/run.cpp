@@ -15,11 +15,11 @@ namespace {
 
 /// Reads --random=N, --seed=N, --seconds=N, --quick.
 Extent extent(int argc, const char* const* argv) {
-  Extent extent;
+  Extent extent{.pictures = true};
   for (const std::string& word : std::vector<std::string>(argv + 1, argv + argc)) {
     const std::string value = word.substr(std::min(word.find('=') + 1, word.size()));
     if (word == "--quick")
-      extent.pairs = extent.all_steps = false;
+      extent.pairs = extent.all_steps = extent.pictures = false;
     else if (word.starts_with("--random="))
       extent.random = std::stoi(value);
     else if (word.starts_with("--seed="))
