@@ -2,23 +2,28 @@
 // `lessons/run`.
 
 #include <fmt/format.h>
-#include <sys/wait.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <csignal>
+#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "lessons/tutor/about.hpp"
 #include "lessons/tutor/bookmark.hpp"
+#include "lessons/tutor/child_process.hpp"
 #include "lessons/tutor/keyboard.hpp"
 #include "lessons/tutor/options.hpp"
+#include "lessons/tutor/output_folder.hpp"
+#include "lessons/tutor/streams.hpp"
 #include "lessons/tutor/typeset.hpp"
 
 namespace {
@@ -27,59 +32,34 @@ namespace fs = std::filesystem;
 using namespace byhand::tutor;
 using Arguments = std::vector<std::string>;
 
-constexpr auto usage = R"(./lessons/run [LESSON] [OPTIONS]
-./lessons/run practise [N]
-
-Without a lesson: the course at a terminal, every lesson straight through otherwise.
-
-  LESSON        its number or name: ./lessons/run 3, ./lessons/run baumgarte
-  practise      exercises in which you write the code; ./lessons/run practise --help
-  --all         every lesson straight through; further options go to each
-  --no-install  list the Debian packages that are missing and stop
-  --help        this page; ./lessons/run LESSON --help shows the options of a lesson
-
-Lessons:
-)";
-
 fs::path program(const std::string& slug) { return fs::read_symlink("/proc/self/exe").parent_path() / slug; }
 
 /// Builds a target with the command in BYHAND_BUILD, if it is set, so that a reader waits for one lesson only.
-/// Returns its exit status.
-int build(const std::string& target) {
+Ended build(const std::string& target) {
   const char* builder = std::getenv("BYHAND_BUILD");
-  if (builder == nullptr) return 0;
-  std::fflush(stdout);
-  const int status = std::system(fmt::format("'{}' {}", builder, target).c_str());
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 3;
+  return builder == nullptr ? Ended{} : run_program(builder, {target}, Group::own);
 }
 
-/// Runs a lesson and returns its exit status. The lesson alone handles Ctrl-C meanwhile.
-int run_lesson(const std::string& slug, Arguments arguments) {
-  const std::string path = program(slug).string();
-  arguments.insert(arguments.begin(), path);
-  std::vector<char*> argv;
-  argv.reserve(arguments.size() + 1);
-  for (std::string& argument : arguments) argv.push_back(argument.data());
-  argv.push_back(nullptr);
-
-  std::fflush(stdout);
-  const pid_t child = fork();
-  if (child < 0) throw std::runtime_error("no process could be started for " + slug);
-  if (child == 0) {
-    execv(path.c_str(), argv.data());
-    fmt::print(stderr, "{} could not be started\n", path);
-    _exit(3);
-  }
-  const auto former = std::signal(SIGINT, SIG_IGN);
-  int status = 0;
-  waitpid(child, &status, 0);
-  std::signal(SIGINT, former);
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+Ended run_lesson(const std::string& slug, const Arguments& arguments) {
+  const fs::path path = program(slug);
+  if (!fs::exists(path))
+    throw std::runtime_error(fmt::format("{0} is not built yet: ./lessons/run {0} builds it.", slug));
+  const Ended ended = run_program(path.string(), arguments, Group::ours);
+  if (ended.by_signal && !ended.passed_on)
+    complain(
+        fmt::format("{} was ended by signal {} ({}).\n", slug, ended.status - 128, strsignal(ended.status - 128)));
+  return ended;
 }
 
-int build_and_run(const std::string& slug, const Arguments& arguments) {
-  if (const int failed = build(slug)) return failed;
-  return run_lesson(slug, arguments);
+Ended build_and_run(const std::string& slug, const Arguments& arguments) {
+  const Ended built = build(slug);
+  return built.well() ? run_lesson(slug, arguments) : built;
+}
+
+/// The exit status of the course after this; after a signal that ended the program, ends by it too.
+int status_of(const Ended& ended) {
+  if (ended.by_signal && ended.passed_on) end_by(ended.passed_on);
+  return ended.status;
 }
 
 std::string progress(const Bookmark& bookmark) {
@@ -113,7 +93,7 @@ std::string unknown(const std::vector<std::string>& slugs, const std::string& ca
   std::string names;
   for (const std::string& slug : slugs)
     names += fmt::format("{}{} {}", names.empty() ? "" : ", ", std::stoi(slug), slug.substr(3));
-  return fmt::format("There is no lesson \"{}\"; there are {}.\n", called, names);
+  return fmt::format("There is no lesson \"{}\"; there are {}.", called, names);
 }
 
 std::string output_of(const Arguments& arguments) {
@@ -124,19 +104,73 @@ std::string output_of(const Arguments& arguments) {
   return default_output().string();
 }
 
-int run_all(const std::vector<std::string>& slugs, Arguments arguments) {
-  if (const int failed = build("lessons")) return failed;
-  arguments.insert(arguments.begin(), "--no-interactive");
-  int worst = 0;
-  for (const std::string& slug : slugs) {
-    const int status = run_lesson(slug, arguments);
-    if (status != 0) fmt::print(stderr, "{} ended with status {}\n", slug, status);
-    worst = std::max(worst, status);
+bool has(const Arguments& arguments, const std::string& option) {
+  return std::find(arguments.begin(), arguments.end(), option) != arguments.end();
+}
+
+/// What came of the lessons of a run with --all.
+struct Outcome {
+  std::vector<std::string> failed;  // "05_contact (status 1)"
+  size_t run = 0, of = 0;
+  std::string sentence() const {
+    return fmt::format("{} of {} lessons ended well{}{}.\n", run - failed.size(), of,
+                       failed.empty() ? "" : fmt::format("; not {}", fmt::join(failed, ", ")),
+                       run < of ? fmt::format("; {} were not run", of - run) : "");
   }
-  if (std::find(arguments.begin(), arguments.end(), "--check") == arguments.end())
+};
+
+/// A false claim or a crash is the lesson's own; any other failure would be that of the next lessons too.
+bool concerns_all(const Ended& ended) {
+  constexpr int false_claim = 1;
+  return !ended.well() && ended.status != false_claim && (!ended.by_signal || ended.passed_on);
+}
+
+int run_all(const std::vector<std::string>& slugs, Arguments arguments) {
+  if (const Ended built = build("lessons"); !built.well()) return status_of(built);
+  const bool draws = !has(arguments, "--check") && !has(arguments, "--quiet") &&
+                     !has(arguments, "--list-parameters") && !has(arguments, "--help");
+  arguments.insert(arguments.begin(), "--no-interactive");
+  Outcome outcome{{}, 0, slugs.size()};
+  Ended worst;
+  for (const std::string& slug : slugs) {
+    const Ended ended = run_lesson(slug, arguments);
+    ++outcome.run;
+    if (!ended.well()) outcome.failed.push_back(fmt::format("{} (status {})", slug, ended.status));
+    if (ended.status > worst.status) worst = ended;
+    worst.passed_on = ended.passed_on;
+    if (concerns_all(ended) || ended.passed_on) break;
+  }
+  constexpr int bad_usage = 2;
+  const bool refused_at_once = outcome.run == 1 && worst.status == bad_usage;
+  if (!worst.well() || outcome.run < outcome.of) {
+    if (!refused_at_once) complain(outcome.sentence());
+  } else if (draws) {
     fmt::print("\nAll pictures are in {}/LESSON/figures and frames, beside LESSON/lesson.md.\n",
-               output_of(arguments));
-  return worst;
+               printable(output_of(arguments)));
+  }
+  return status_of(worst);
+}
+
+/// Holds every lesson's folder in `output` against its manifest.
+int verify(const fs::path& output) {
+  if (!fs::is_directory(output))
+    throw std::invalid_argument(fmt::format("verify {}: there is no such folder", output.string()));
+  std::vector<fs::path> folders;
+  for (const auto& entry : fs::directory_iterator(output))
+    if (entry.is_directory() && is_lesson_folder(entry.path())) folders.push_back(entry.path());
+  if (folders.empty() && is_lesson_folder(output)) folders.push_back(output);
+  if (folders.empty())
+    throw std::invalid_argument(fmt::format("verify {}: there is no lesson in this folder", output.string()));
+  std::sort(folders.begin(), folders.end());
+  bool well = true;
+  for (const fs::path& folder : folders) {
+    int files = 0;
+    const std::vector<std::string> wrong = differences(folder, files);
+    for (const std::string& line : wrong) fmt::print("{}\n", printable((folder / line).string()));
+    if (wrong.empty()) fmt::print("{}: {} files as they were written\n", printable(folder.string()), files);
+    well = well && wrong.empty();
+  }
+  return well ? 0 : 1;
 }
 
 /// The first lesson that is begun but not ended, else the first that is not finished.
@@ -163,11 +197,12 @@ int open_course(const std::vector<std::string>& slugs) {
     if (!line || *line == "q") return 0;
     const auto chosen = line->empty() ? next : find_lesson(slugs, *line);
     if (!chosen) {
-      fmt::print("{}", line->empty() ? "Type the number of a lesson, or q.\n" : unknown(slugs, *line));
+      fmt::print("{}",
+                 line->empty() ? "Type the number of a lesson, or q.\n" : printable(unknown(slugs, *line)) + "\n");
       continue;
     }
-    const int status = build_and_run(*chosen, {});
-    if (status != 0 || !read_bookmark(*chosen).step.empty()) return status;
+    const Ended ended = build_and_run(*chosen, {});
+    if (!ended.well() || ended.passed_on || !read_bookmark(*chosen).step.empty()) return status_of(ended);
   }
 }
 
@@ -176,31 +211,37 @@ int run(Arguments arguments) {
   for (const About& lesson : contents()) slugs.push_back(lesson.slug);
   const bool at_terminal = isatty(STDIN_FILENO) && isatty(STDOUT_FILENO);
   if (arguments.empty() && at_terminal) return open_course(slugs);
-  if (!arguments.empty() && arguments.front() == "--help") {
-    fmt::print("{}{}", usage, overview());
-    return 0;
+  if (!arguments.empty() && arguments.front() == "verify") {
+    if (arguments.size() > 2)
+      throw std::invalid_argument(fmt::format("verify takes one folder, but \"{}\" follows", arguments[2]));
+    return verify(arguments.size() == 2 ? fs::path(arguments[1]) : default_output());
   }
   if (arguments.empty() || arguments.front().starts_with("--")) {
-    const auto all = std::remove(arguments.begin(), arguments.end(), "--all");
-    arguments.erase(all, arguments.end());
+    std::erase(arguments, "--all");
     return run_all(slugs, arguments);
   }
-  if (arguments.front() == "practise") return build_and_run("practise", {arguments.begin() + 1, arguments.end()});
+  if (arguments.front() == "practise")
+    return status_of(build_and_run("practise", {arguments.begin() + 1, arguments.end()}));
   const auto slug = find_lesson(slugs, arguments.front());
-  if (!slug) {
-    fmt::print(stderr, "{}", unknown(slugs, arguments.front()));
-    return 2;
-  }
-  return build_and_run(*slug, {arguments.begin() + 1, arguments.end()});
+  if (!slug) throw std::invalid_argument(unknown(slugs, arguments.front()));
+  return status_of(build_and_run(*slug, {arguments.begin() + 1, arguments.end()}));
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  open_standard_streams();
+  const auto refuse = [](int status, const char* sentence) {
+    complain(printable(sentence) + "\n");
+    return status;
+  };
   try {
-    return run({argv + 1, argv + argc});
+    const int status = run({argv + 1, argv + argc});
+    if (std::fflush(stdout) != 0) throw std::system_error(errno, std::generic_category(), "standard output");
+    return status;
+  } catch (const std::invalid_argument& error) {
+    return refuse(2, error.what());
   } catch (const std::exception& error) {
-    fmt::print(stderr, "{}\n", error.what());
-    return 3;
+    return refuse(3, error.what());
   }
 }

@@ -18,8 +18,8 @@ namespace {
 constexpr std::size_t capacity = 4;  // frames in the queue: 11 MB at 1280 × 720
 }
 
-FrameWriter::FrameWriter(std::filesystem::path folder, Encoding encoding)
-    : folder_(std::move(folder)), encoding_(encoding) {
+FrameWriter::FrameWriter(std::filesystem::path folder, Encoding encoding, WriteFile write_file)
+    : folder_(std::move(folder)), encoding_(encoding), write_file_(std::move(write_file)) {
   if (encoding_ == Encoding::beside) thread_ = std::thread([this] { encode_queue(); });
 }
 
@@ -35,7 +35,7 @@ std::filesystem::path FrameWriter::path(int index) const { return folder_ / fmt:
 
 void FrameWriter::write(Image image) {
   if (encoding_ == Encoding::at_once) {
-    write_png(path(count_++), image);
+    write_file_(path(count_++), encode_png(image));
     return;
   }
   std::unique_lock lock(mutex_);
@@ -70,7 +70,7 @@ void FrameWriter::encode_queue() {
     lock.unlock();
     changed_.notify_all();
     try {
-      write_png(path(index), image);
+      write_file_(path(index), encode_png(image));
       lock.lock();
     } catch (...) {
       lock.lock();

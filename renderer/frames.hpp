@@ -5,10 +5,13 @@
 #include <deque>
 #include <exception>
 #include <filesystem>
+#include <functional>
 #include <mutex>
 #include <span>
+#include <string_view>
 #include <thread>
 
+#include "renderer/file.hpp"
 #include "renderer/image.hpp"
 
 namespace byhand::renderer {
@@ -17,9 +20,12 @@ namespace byhand::renderer {
 class FrameWriter {
  public:
   enum class Encoding { beside, at_once };
+  /// Writes the bytes of a frame's file; called on the background thread.
+  using WriteFile = std::function<void(const std::filesystem::path& path, std::string_view bytes)>;
 
   /// `Encoding::at_once` starts no thread: `write` returns once the file exists.
-  explicit FrameWriter(std::filesystem::path folder, Encoding encoding = Encoding::beside);
+  explicit FrameWriter(std::filesystem::path folder, Encoding encoding = Encoding::beside,
+                       WriteFile write_file = write_whole);
   FrameWriter(const FrameWriter&) = delete;
   FrameWriter& operator=(const FrameWriter&) = delete;
   /// Waits for the file being written and drops the queue. Call `finish` first to write all frames.
@@ -43,6 +49,7 @@ class FrameWriter {
 
   std::filesystem::path folder_;
   Encoding encoding_;
+  WriteFile write_file_;
   int count_ = 0;
   int written_ = 0;
   std::deque<Image> queue_;

@@ -2,17 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
-#include <filesystem>
-#include <system_error>
+#include <optional>
+#include <set>
+#include <string>
 #include <type_traits>
 
 #include "lessons/tutor/claim_table.hpp"
 #include "lessons/tutor/json.hpp"
 #include "lessons/tutor/markdown.hpp"
+#include "lessons/tutor/streams.hpp"
 #include "lessons/tutor/terminal_text.hpp"
-#include "renderer/error.hpp"
-#include "renderer/file.hpp"
 
 namespace byhand::tutor {
 namespace {
@@ -41,17 +40,18 @@ void print(const RecordedStep& recorded, const Lesson& lesson, const PictureWrit
   fmt::print("{}", words);
 }
 
-}  // namespace
-
-PictureWriter picture_writer(const Lesson& lesson, const Options& options) {
-  const std::filesystem::path folder = options.output / lesson.about().slug;
-  std::error_code error;
-  // Fails before the work begins rather than after a minute.
-  if (!options.check && !std::filesystem::create_directories(folder, error) && error)
-    throw renderer::EnvironmentError(
-        fmt::format("Cannot make the folder {}: {}.", folder.string(), error.message()));
-  return {folder, options.quality, options.frames, options.quiet};
+/// The files that hold what a clock measured.
+std::set<std::string> clocked(const std::vector<RecordedStep>& steps) {
+  std::set<std::string> names;
+  for (const RecordedStep& step : steps)
+    for (const Item& item : step.page.items())
+      if (const auto* figure = std::get_if<Figure>(&item);
+          figure && std::holds_alternative<TimedChart>(figure->picture))
+        names.insert({figure_path(figure->name), data_path(figure->name)});
+  return names;
 }
+
+}  // namespace
 
 void write_pictures(const Page& page, PictureWriter& pictures) {
   for (const Item& item : page.items()) {
@@ -60,33 +60,36 @@ void write_pictures(const Page& page, PictureWriter& pictures) {
   }
 }
 
-void write_page(const Lesson& lesson, const std::vector<RecordedStep>& steps, const Options& options,
-                const PictureWriter& pictures) {
-  renderer::write_whole(pictures.folder() / "lesson.md", markdown(lesson, steps, options.frames));
-  renderer::write_whole(pictures.folder() / "manifest.json", manifest(lesson, steps, options, pictures.gl()));
-  if (!options.quiet)
+void finish_output(const Lesson& lesson, const std::vector<RecordedStep>& steps, const Options& options,
+                   bool whole, PictureWriter& pictures) {
+  OutputFolder& output = pictures.output();
+  if (whole) output.write("lesson.md", markdown(lesson, steps, options.frames));
+  output.finish(made_by(lesson, options, whole ? "" : options.step, pictures.gl()), clocked(steps), whole);
+  if (whole && !options.quiet)
     fmt::print("\nThe lesson as a page: {0}/lesson.md; its pictures: {0}/figures and {0}/frames\n",
-               pictures.folder().string());
+               printable(output.path().string()));
 }
 
 int run_batch(const Lesson& lesson, const Options& options) {
   const bool whole = options.step.empty();
   const bool speaks = !options.quiet && !options.check;
-  PictureWriter pictures = picture_writer(lesson, options);
+  // Fails before the work begins rather than after a minute.
+  std::optional<PictureWriter> pictures;
+  if (!options.check) pictures.emplace(lesson, options);
   std::vector<RecordedStep> steps;
   if (speaks && whole) fmt::print("{}", heading_text(lesson, {}));
   for (const Step& step : lesson.steps()) {
     if (!whole && step.label != options.step) continue;
     steps.push_back(record_step(lesson, step, options.quiet));
-    if (speaks) print(steps.back(), lesson, pictures);
-    if (!options.check) write_pictures(steps.back().page, pictures);
+    if (speaks) print(steps.back(), lesson, *pictures);
+    if (pictures) write_pictures(steps.back().page, *pictures);
   }
   if (speaks && whole) fmt::print("{}", closing_text(lesson, {}));
   if (whole) validate(steps);
-  if (whole && !options.check) write_page(lesson, steps, options, pictures);
+  if (pictures) finish_output(lesson, steps, options, whole, *pictures);
   if (options.check && !options.quiet) fmt::print("{}", claim_table(steps));
   const std::string wrong = false_claims(lesson, steps);
-  fmt::print(stderr, "{}", wrong);
+  complain(wrong);
   return wrong.empty() ? 0 : 1;
 }
 

@@ -2,8 +2,6 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include "lessons/tutor/json.hpp"
 #include "renderer/error.hpp"
@@ -32,8 +30,7 @@ fs::path bookmark_file(const std::string& slug) {
 }  // namespace
 
 Bookmark read_bookmark(const std::string& slug) {
-  std::ifstream file(bookmark_file(slug));
-  return bookmark_from_json({std::istreambuf_iterator<char>(file), {}});
+  return bookmark_from_json(renderer::read_whole(bookmark_file(slug)).value_or(""));
 }
 
 bool save_bookmark(const std::string& slug, const Bookmark& bookmark) {

@@ -15,6 +15,7 @@
 #include "lessons/tutor/keyboard.hpp"
 #include "lessons/tutor/picture_writer.hpp"
 #include "lessons/tutor/recording.hpp"
+#include "lessons/tutor/streams.hpp"
 #include "lessons/tutor/terminal_text.hpp"
 #include "lessons/tutor/terminal_view.hpp"
 
@@ -36,7 +37,7 @@ class Dialogue {
   Dialogue(Lesson& lesson, const Options& options)
       : lesson_(lesson),
         options_(options),
-        pictures_(picture_writer(lesson, options)),
+        pictures_(lesson, options),
         style_(terminal_style()),
         view_(pictures_, keyboard_, style_) {}
 
@@ -308,7 +309,6 @@ void Dialogue::leave() const {
 /// Writes the page of the whole lesson, deeper steps included, with the present parameters.
 int Dialogue::finish() {
   fmt::print("{}", closing_text(lesson_, style_));
-  save_bookmark(lesson_.about().slug, {"", true});
   std::fflush(stdout);
   std::vector<RecordedStep> steps;
   for (const Step& step : lesson_.steps()) {
@@ -316,9 +316,10 @@ int Dialogue::finish() {
     write_pictures(steps.back().page, pictures_);
   }
   validate(steps);
-  write_page(lesson_, steps, options_, pictures_);
+  finish_output(lesson_, steps, options_, true, pictures_);
+  save_bookmark(lesson_.about().slug, {"", true});
   const std::string wrong = false_claims(lesson_, steps);
-  fmt::print(stderr, "{}", wrong);
+  complain(wrong);
   return wrong.empty() ? 0 : 1;
 }
 

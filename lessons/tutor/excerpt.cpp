@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lessons/tutor/error.hpp"
+#include "renderer/error.hpp"
 
 namespace byhand::tutor {
 namespace {
@@ -33,7 +34,9 @@ std::string without_common_indentation(const std::vector<std::string>& lines) {
 
 Excerpt read_excerpt(const std::string& root, const std::string& file, const std::string& tag) {
   std::ifstream source(root + "/" + file);
-  if (!source) throw LessonError(fmt::format("the excerpt [{}] is from {}, which cannot be read", tag, file));
+  if (!source)
+    throw renderer::EnvironmentError(
+        fmt::format("The source {} cannot be read: the checkout {} is not complete.", file, root));
   const std::string marker = "//! [" + tag + "]";
   Excerpt excerpt{file, 0, ""};
   std::vector<std::string> lines;

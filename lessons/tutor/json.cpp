@@ -1,16 +1,28 @@
 #include "lessons/tutor/json.hpp"
 
+#include <map>
 #include <nlohmann/json.hpp>
 
-#include "lessons/tutor/picture_writer.hpp"
+#include "lessons/tutor/commit.hpp"
 
 // The only source that includes nlohmann-json, which takes seconds to compile.
 namespace byhand::tutor {
 
 using Json = nlohmann::ordered_json;
 
-std::string manifest(const Lesson& lesson, const std::vector<RecordedStep>& steps, const Options& options,
-                     const std::string& gl) {
+namespace {
+
+std::map<std::string, std::string> strings(const Json& object) {
+  std::map<std::string, std::string> all;
+  if (object.is_object())
+    for (const auto& [name, value] : object.items())
+      if (value.is_string()) all[name] = value;
+  return all;
+}
+
+}  // namespace
+
+std::string made_by(const Lesson& lesson, const Options& options, const std::string& step, const std::string& gl) {
   Json parameters = Json::object();
   Json time_step = nullptr;
   for (const ParameterRecord& p : lesson.parameters()) {
@@ -22,16 +34,8 @@ std::string manifest(const Lesson& lesson, const std::vector<RecordedStep>& step
     parameters[p.name] = {{"value", value}, {"unit", p.unit}};
     if (p.name == "h") time_step = parameters[p.name];
   }
-  Json clocked = Json::array();
-  for (const RecordedStep& step : steps)
-    for (const Item& item : step.page.items())
-      if (const auto* figure = std::get_if<Figure>(&item);
-          figure && std::holds_alternative<TimedChart>(figure->picture)) {
-        clocked.push_back(figure_path(figure->name));
-        clocked.push_back(data_path(figure->name));
-      }
-  const Json json = {
-      {"lesson", lesson.about().slug},
+  return Json{
+      {"step", step.empty() ? Json() : Json(step)},
       {"options",
        {{"quality", options.quality.name},
         {"width", options.quality.width},
@@ -42,9 +46,37 @@ std::string manifest(const Lesson& lesson, const std::vector<RecordedStep>& step
       {"time_step", time_step},
       {"method", lesson.about().method},
       {"gl", gl},
-      {"clocked", clocked},
-  };
-  return json.dump(2) + "\n";
+      {"commit", commit()},
+      {"compiler", BYHAND_COMPILER},
+  }
+      .dump();
+}
+
+std::string to_json(const Manifest& manifest) {
+  Json runs = Json::array();
+  for (const WrittenRun& run : manifest.runs) {
+    Json json = Json::parse(run.made_by);
+    json["files"] = run.files;
+    json["clocked"] = run.clocked;
+    runs.push_back(std::move(json));
+  }
+  return Json{{"lesson", manifest.lesson}, {"runs", runs}}.dump(2) + "\n";
+}
+
+Manifest manifest_from_json(const std::string& text) {
+  const auto json = Json::parse(text, nullptr, false);
+  if (!json.is_object() || !json.contains("lesson") || !json["lesson"].is_string() || !json.contains("runs"))
+    return {};
+  Manifest manifest{json["lesson"]};
+  for (Json run : json["runs"]) {
+    if (!run.is_object()) return {};
+    WrittenRun written{.made_by = "", .files = strings(run["files"]), .clocked = strings(run["clocked"])};
+    run.erase("files");
+    run.erase("clocked");
+    written.made_by = run.dump();
+    manifest.runs.push_back(std::move(written));
+  }
+  return manifest;
 }
 
 std::string to_json(const Bookmark& bookmark) {

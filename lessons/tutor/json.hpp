@@ -1,18 +1,23 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "lessons/tutor/bookmark.hpp"
+#include "lessons/tutor/lesson.hpp"
 #include "lessons/tutor/options.hpp"
-#include "lessons/tutor/recording.hpp"
+#include "lessons/tutor/output_folder.hpp"
 
 namespace byhand::tutor {
 
-/// manifest.json: the options, method and OpenGL version that made the files beside it. It holds no dates and no
-/// names of machines: the same options give the same bytes, except in the files that it lists as clocked.
-std::string manifest(const Lesson& lesson, const std::vector<RecordedStep>& steps, const Options& options,
-                     const std::string& gl);
+/// What manifest.json says of a run beside its files: step, options, method, OpenGL, commit and compiler. There
+/// are no dates and no names of machines: the same options give the same bytes, except in the clocked files.
+/// `step` is the label of its only step; empty: the whole lesson.
+std::string made_by(const Lesson& lesson, const Options& options, const std::string& step, const std::string& gl);
+
+std::string to_json(const Manifest& manifest);
+
+/// An empty manifest if the text is none.
+Manifest manifest_from_json(const std::string& text);
 
 /// {"step":"3a","finished":false}
 std::string to_json(const Bookmark& bookmark);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <stdexcept>
+#include <system_error>
 
 #include "lessons/tutor/command_line.hpp"
 #include "lessons/tutor/lesson.hpp"
@@ -54,6 +55,17 @@ void require_step(const Lesson& lesson, const std::string& label) {
   throw std::invalid_argument(fmt::format("--step {}: this lesson has the steps {}", label, labels));
 }
 
+void refuse_contradictions(const CommandLine& line) {
+  const auto both = [](bool one, bool other, const char* names) {
+    if (one && other) throw std::invalid_argument(fmt::format("{}: choose one of them", names));
+  };
+  both(line.interactive, line.no_interactive, "--interactive and --no-interactive");
+  both(line.interactive, line.check, "--interactive and --check");
+  both(line.interactive, line.quiet, "--interactive and --quiet");
+  both(line.interactive, line.list_parameters, "--interactive and --list-parameters");
+  both(line.check, line.list_parameters, "--check and --list-parameters");
+}
+
 }  // namespace
 
 std::string_view to_string(FramesWanted frames) {
@@ -63,16 +75,17 @@ std::string_view to_string(FramesWanted frames) {
 
 std::filesystem::path default_output() {
   const std::filesystem::path folder = std::filesystem::path(BYHAND_SOURCE_DIR) / "output";
-  const std::filesystem::path nearby = std::filesystem::proximate(folder);
-  return *nearby.begin() == ".." ? folder : nearby;
+  std::error_code removed;  // the current folder
+  const std::filesystem::path here = std::filesystem::current_path(removed);
+  const std::filesystem::path nearby = std::filesystem::proximate(folder, here, removed);
+  return removed || *nearby.begin() == ".." ? folder : nearby;
 }
 
 Options read_options(const Lesson& lesson, int argc, const char* const* argv, bool at_terminal) {
   CommandLine line =
       parse_command_line(fmt::format("{}. {}\n{}", lesson.number(), lesson.about().title, lesson.about().summary),
                          fmt::format("./lessons/run {}", lesson.number()), usage(lesson), argc, argv);
-  if (line.interactive && line.no_interactive)
-    throw std::invalid_argument("--interactive and --no-interactive: choose one of them");
+  refuse_contradictions(line);
   Options options;
   options.output = line.output;
   options.list_parameters = line.list_parameters;
@@ -87,7 +100,14 @@ Options read_options(const Lesson& lesson, int argc, const char* const* argv, bo
   options.frames = line.frames == "none"   ? FramesWanted::none
                    : line.frames == "last" ? FramesWanted::last
                                            : FramesWanted::all;
-  for (const std::string& setting : line.settings) options.set.push_back(split_setting(setting));
+  for (const std::string& setting : line.settings) {
+    options.set.push_back(split_setting(setting));
+    const std::string& name = options.set.back().first;
+    if (std::any_of(options.set.begin(), options.set.end() - 1,
+                    [&](const auto& set) { return set.first == name; }))
+      throw std::invalid_argument(
+          fmt::format("--set {}: {} is set twice, and can have one value only", setting, name));
+  }
   if (!options.step.empty()) require_step(lesson, options.step);
   return options;
 }

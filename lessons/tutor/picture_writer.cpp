@@ -4,13 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "lessons/tutor/chart_data.hpp"
+#include "lessons/tutor/lesson.hpp"
 #include "lessons/tutor/progress.hpp"
-#include "renderer/error.hpp"
-#include "renderer/file.hpp"
+#include "lessons/tutor/streams.hpp"
 #include "renderer/frames.hpp"
 #include "renderer/png.hpp"
 
@@ -38,14 +40,6 @@ Image draw(Canvas& canvas, const FrameDrawing& frame, double time) {
   return canvas.image();
 }
 
-/// Frames of an earlier, longer run must not remain among the new ones.
-void remove_frames(const fs::path& folder) {
-  std::error_code error;
-  fs::remove_all(folder, error);
-  if (error)
-    throw renderer::EnvironmentError(fmt::format("{} cannot be removed: {}", folder.string(), error.message()));
-}
-
 }  // namespace
 
 std::string figure_path(const std::string& name) { return "figures/" + name + ".png"; }
@@ -53,8 +47,11 @@ std::string data_path(const std::string& name) { return "data/" + name + ".csv";
 std::string frames_folder(const std::string& name) { return "frames/" + name; }
 std::string strip_path(const std::string& name) { return "frames/" + name + ".png"; }
 
-PictureWriter::PictureWriter(fs::path folder, Quality quality, FramesWanted frames, bool quiet)
-    : folder_(std::move(folder)), quality_(std::move(quality)), frames_(frames), quiet_(quiet) {}
+PictureWriter::PictureWriter(const Lesson& lesson, const Options& options)
+    : output_(options.output / lesson.about().slug),
+      quality_(options.quality),
+      frames_(options.frames),
+      quiet_(options.quiet) {}
 
 Canvas& PictureWriter::canvas() {
   if (!canvas_) canvas_.emplace(quality_.width, quality_.height);
@@ -67,14 +64,14 @@ Canvas& PictureWriter::small_canvas() {
 }
 
 void PictureWriter::write(const Figure& figure) {
-  renderer::write_png(folder_ / figure_path(figure.name), draw(canvas(), figure));
-  if (const auto* chart = chart_of(figure)) renderer::write_whole(folder_ / data_path(figure.name), csv(*chart));
+  output_.write(figure_path(figure.name), renderer::encode_png(draw(canvas(), figure)));
+  if (const auto* chart = chart_of(figure)) output_.write(data_path(figure.name), csv(*chart));
 }
 
 void PictureWriter::write(const Sequence& sequence) {
-  const fs::path folder = folder_ / frames_folder(sequence.name);
-  remove_frames(folder);
-  remove_frames(folder_ / strip_path(sequence.name));
+  // Frames of an earlier, longer run must not remain among the new ones.
+  output_.remove(frames_folder(sequence.name));
+  output_.remove(strip_path(sequence.name));
   if (frames_ == FramesWanted::none) return;
 
   const int frames = count(sequence);
@@ -82,7 +79,9 @@ void PictureWriter::write(const Sequence& sequence) {
   const bool all = frames_ == FramesWanted::all;
   Progress progress(fmt::format("drawing {}", sequence.name), all ? frames : static_cast<int>(in_strip.size()),
                     quiet_);
-  renderer::FrameWriter writer(folder);
+  renderer::FrameWriter writer(
+      frames_folder(sequence.name), renderer::FrameWriter::Encoding::beside,
+      [this](const fs::path& path, std::string_view bytes) { output_.write(path.string(), bytes); });
   std::vector<Image> strip;
   FrameDrawing drawing = sequence.draw;
   for (int i = 0; i < frames; ++i) {
@@ -93,11 +92,11 @@ void PictureWriter::write(const Sequence& sequence) {
     if (all)
       writer.write(std::move(image));
     else if (i == frames - 1)
-      renderer::write_png(writer.path(i), image);
+      output_.write(writer.path(i).string(), renderer::encode_png(image));
     progress.advance();
   }
   writer.finish();
-  renderer::write_png(folder_ / strip_path(sequence.name), renderer::strip(strip, strip_columns));
+  output_.write(strip_path(sequence.name), renderer::encode_png(renderer::strip(strip, strip_columns)));
 }
 
 Image PictureWriter::small(const Figure& figure) { return draw(small_canvas(), figure); }
@@ -114,11 +113,11 @@ double PictureWriter::time(const Sequence& sequence, int index) const {
 }
 
 std::string PictureWriter::path(const Figure& figure) const {
-  return (folder_ / figure_path(figure.name)).string();
+  return printable((output_.path() / figure_path(figure.name)).string());
 }
 
 std::string PictureWriter::path(const Sequence& sequence) const {
-  return frames_ == FramesWanted::none ? "" : (folder_ / strip_path(sequence.name)).string();
+  return frames_ == FramesWanted::none ? "" : printable((output_.path() / strip_path(sequence.name)).string());
 }
 
 std::string PictureWriter::gl() const { return canvas_ ? canvas_->describe() : ""; }

@@ -1,15 +1,17 @@
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <string>
 
 #include "lessons/tutor/items.hpp"
 #include "lessons/tutor/options.hpp"
+#include "lessons/tutor/output_folder.hpp"
 #include "renderer/canvas.hpp"
 #include "renderer/image.hpp"
 
 namespace byhand::tutor {
+
+class Lesson;
 
 /// Paths of the files of a lesson, relative to the lesson's folder.
 std::string figure_path(const std::string& name);    // figures/<name>.png
@@ -18,10 +20,12 @@ std::string frames_folder(const std::string& name);  // frames/<name>
 std::string strip_path(const std::string& name);     // frames/<name>.png
 
 /// Draws the figures and sequences of a lesson and writes them into its folder. Opens OpenGL at the first picture,
-/// so a run without pictures needs none. Every function may throw renderer::EnvironmentError.
+/// so a run without pictures needs none. Every function, the constructor too, may throw
+/// renderer::EnvironmentError.
 class PictureWriter {
  public:
-  PictureWriter(std::filesystem::path folder, Quality quality, FramesWanted frames, bool quiet);
+  /// Makes the lesson's output folder and claims it.
+  PictureWriter(const Lesson& lesson, const Options& options);
 
   /// Writes the picture and, for a chart, its data.
   void write(const Figure& figure);
@@ -36,11 +40,11 @@ class PictureWriter {
   int count(const Sequence& sequence) const;
   double time(const Sequence& sequence, int index) const;
 
-  /// File of the picture or of the contact sheet; empty if no frames are written.
+  /// File of the picture or of the contact sheet, to be printed; empty if no frames are written.
   std::string path(const Figure& figure) const;
   std::string path(const Sequence& sequence) const;
 
-  const std::filesystem::path& folder() const { return folder_; }
+  OutputFolder& output() { return output_; }
   /// OpenGL's renderer and version; empty before the first picture.
   std::string gl() const;
 
@@ -48,7 +52,7 @@ class PictureWriter {
   renderer::Canvas& canvas();
   renderer::Canvas& small_canvas();
 
-  std::filesystem::path folder_;
+  OutputFolder output_;
   Quality quality_;
   FramesWanted frames_;
   bool quiet_;

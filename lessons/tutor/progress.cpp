@@ -3,13 +3,21 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <chrono>
+#include <cmath>
 #include <csignal>
-#include <cstdio>
+
+#include "lessons/tutor/streams.hpp"
 
 namespace byhand::tutor {
 
 using namespace std::chrono_literals;
+
+std::string time_left(double elapsed, int done, int total) {
+  if (done <= 0 || done >= total) return "";
+  const double seconds = elapsed * (total - done) / done;
+  return seconds < 100 ? fmt::format("{:.0f} s left", std::ceil(seconds))
+                       : fmt::format("{:.0f} min left", std::ceil(seconds / 60));
+}
 
 Progress::Progress(std::string what, int total, bool quiet) : what_(std::move(what)), total_(total) {
   if (!quiet) thread_ = std::thread([this] { report(); });
@@ -35,15 +43,20 @@ void Progress::report() {
   const auto finished = [this] { return finished_; };
   if (changed_.wait_for(lock, 1s, finished)) return;
   if (!isatty(STDERR_FILENO)) {
-    fmt::print(stderr, "{} …\n", what_);
+    const std::string left = time_left();
+    complain(fmt::format("{}{}{} …\n", what_, left.empty() ? "" : ", ", left));
     return;
   }
   for (int tick = 0; !finished_; ++tick) {
     show_bar(tick);
     changed_.wait_for(lock, 200ms, finished);
   }
-  fmt::print(stderr, "\r\033[K");
-  std::fflush(stderr);
+  complain("\r\033[K");
+}
+
+std::string Progress::time_left() const {
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;
+  return tutor::time_left(elapsed.count(), done_, total_);
 }
 
 void Progress::show_bar(int tick) const {
@@ -52,12 +65,12 @@ void Progress::show_bar(int tick) const {
   if (const int total = total_; total > 0) {
     const int filled = done_ * width / total;
     for (int i = 0; i < width; ++i) bar += i < filled ? "━" : "╌";
-    bar += fmt::format(" {}/{}", done_, total);
+    const std::string left = time_left();
+    bar += fmt::format(" {}/{}{}{}", done_.load(), total, left.empty() ? "" : ", ", left);
   } else {
     for (int i = 0; i < width; ++i) bar += i == tick % width ? "━" : "╌";
   }
-  fmt::print(stderr, "\r\033[K{} {}", bar, what_);
-  std::fflush(stderr);
+  complain(fmt::format("\r\033[K{} {}", bar, what_));
 }
 
 }  // namespace byhand::tutor

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <mutex>
 #include <string>
@@ -8,8 +9,12 @@
 
 namespace byhand::tutor {
 
-/// Reports work that takes longer than a second on standard error: a progress bar on a terminal, one line
-/// otherwise, nothing if `quiet`. Its own thread prints until it is destroyed.
+/// The time that the rest of `total` equal steps takes if `done` of them took `elapsed` seconds: "40 s left",
+/// "3 min left". Empty if nothing is done or left.
+std::string time_left(double elapsed, int done, int total);
+
+/// Reports work that takes longer than a second on standard error: a progress bar with the time left on a
+/// terminal, one line otherwise, nothing if `quiet`. Its own thread prints until it is destroyed.
 class Progress {
  public:
   /// `total`: number of steps; 0 if unknown.
@@ -25,7 +30,9 @@ class Progress {
  private:
   void report();
   void show_bar(int tick) const;
+  std::string time_left() const;
 
+  const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   std::string what_;
   std::atomic<int> total_;
   std::atomic<int> done_{0};

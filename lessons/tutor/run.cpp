@@ -3,17 +3,18 @@
 
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <exception>
-#include <filesystem>
 #include <new>
 #include <stdexcept>
+#include <string_view>
 #include <system_error>
 
 #include "lessons/tutor/batch.hpp"
 #include "lessons/tutor/dialogue.hpp"
 #include "lessons/tutor/lesson.hpp"
 #include "lessons/tutor/options.hpp"
+#include "lessons/tutor/signals.hpp"
+#include "lessons/tutor/streams.hpp"
 #include "lessons/tutor/terminal_text.hpp"
 #include "renderer/error.hpp"
 
@@ -22,8 +23,8 @@ namespace {
 
 enum ExitStatus { fine = 0, false_claim = 1, bad_usage = 2, environment = 3 };
 
-int refuse(ExitStatus status, const char* sentence) {
-  fmt::print(stderr, "{}\n", sentence);
+int refuse(ExitStatus status, std::string_view sentence) {
+  complain(printable(sentence) + "\n");
   return status;
 }
 
@@ -41,6 +42,8 @@ int answer(Lesson& lesson, int argc, const char* const* argv) {
 }  // namespace
 
 int Lesson::run(int argc, const char* const* argv) {
+  open_standard_streams();
+  leave_no_temporary_files();
   try {
     int status = fine;
     try {
@@ -59,7 +62,7 @@ int Lesson::run(int argc, const char* const* argv) {
   } catch (const std::invalid_argument& error) {
     return refuse(bad_usage, error.what());
   } catch (const std::exception& error) {
-    return refuse(false_claim, fmt::format("{} is written wrongly: {}", about_.slug, error.what()).c_str());
+    return refuse(false_claim, fmt::format("{} is written wrongly: {}", about_.slug, error.what()));
   }
 }
 

@@ -302,9 +302,10 @@ TEST_F(Dialogue, ColoursAndPicturesComeWithATerminalThatHasThem) {
                                                           {"XDG_STATE_HOME", (folder_ / "state").string()}};
   auto with = environment;
   with["NO_COLOR"] = "1";
-  const std::vector<std::string> command = {
-      BYHAND_FIXTURE, "--quality", "low", "--step", "1a", "--output", (folder_ / "output").string()};
-  Terminal colourful(command, environment), plain(command, with);
+  const auto command = [&](const char* output) -> std::vector<std::string> {
+    return {BYHAND_FIXTURE, "--quality", "low", "--step", "1a", "--output", (folder_ / output).string()};
+  };
+  Terminal colourful(command("coloured"), environment), plain(command("plain"), with);
   colourful.expect("The bob where it ended.");
   plain.expect("The bob where it ended.");
   EXPECT_THAT(colourful.transcript(), HasSubstr("\033[38;5;"));

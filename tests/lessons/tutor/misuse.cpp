@@ -96,7 +96,6 @@ const std::vector<Misuse> misuses = {
     {"NoRange", "does not say where it is",
      [](Page& page) { page.claim({.quantity = "q", .source = "s", .claimed = false}); }},
     {"NoSuchEquation", "no equation (24)", [](Page& page) { page.equation(24); }},
-    {"NoSuchFile", "cannot be read", [](Page& page) { page.excerpt("solver/nothing.hpp", "tag"); }},
     {"NoSuchTag", "no lines between",
      [](Page& page) { page.excerpt("tests/lessons/fixture/main.cpp", "nothing"); }},
     {"TooFewValues", "2 places for 1 values", [](Page& page) { page.text("@ and @", 1); }},
@@ -125,6 +124,12 @@ const std::vector<Misuse> misuses = {
     {"PictureInAnotherFolder", "cannot name a picture",
      [](Page& page) { page.figure("../up", "A picture.", [](renderer::Canvas&) {}); }},
 };
+
+TEST(Lesson, ASourceThatIsMissingIsTheEnvironments) {
+  const Ran ran = check([](Page& page) { page.excerpt("solver/nothing.hpp", "tag"); });
+  EXPECT_EQ(ran.status, 3);
+  EXPECT_THAT(ran.complained, HasSubstr("solver/nothing.hpp cannot be read"));
+}
 
 INSTANTIATE_TEST_SUITE_P(Lesson, RefusedMisuse, testing::ValuesIn(misuses),
                          [](const auto& misuse) { return std::string(misuse.param.name); });

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <chrono>
 #include <string>
 
 #include "tests/lessons/tutor/process.hpp"
@@ -106,17 +107,32 @@ TEST_P(RefusedOption, InOneSentenceWithStatusTwo) {
 
 INSTANTIATE_TEST_SUITE_P(
     Options, RefusedOption,
-    testing::Values(Refusal{"--quality huge", "huge"}, Refusal{"--frames some", "some"},
-                    Refusal{"--set beta", "NAME=VALUE"}, Refusal{"--set beta=x", "\"x\" is not a number"},
-                    Refusal{"--set beta=0.2.1", "not a number"}, Refusal{"--set gamma=1", "only beta, h, steps"},
-                    Refusal{"--set beta=3.5", "from 0 to 3"}, Refusal{"--set beta=inf", "not a number"},
-                    Refusal{"--set steps=2.5", "not a whole number"}, Refusal{"--set h=1/0", "divides by zero"},
-                    Refusal{"--set h=5kg", "\"5kg\" is not a number"},
-                    Refusal{"--set h=ms", "\"ms\" is not a number"},
-                    Refusal{"--set h=5s", "h = 5s is out of range"}, Refusal{"--set beta=5ms", "\"5ms\" is not"},
-                    Refusal{"--set bob=sphere", "bob = sphere is none of its choices: disc, box"},
-                    Refusal{"--step 9", "1, 1a, 2"}, Refusal{"--output", "--output"},
-                    Refusal{"--interactive --no-interactive", "choose one"}, Refusal{"--surprise", "--surprise"}));
+    testing::Values(
+        Refusal{"--quality huge", "huge"}, Refusal{"--frames some", "some"}, Refusal{"--set beta", "NAME=VALUE"},
+        Refusal{"--set beta=x", "\"x\" is not a number"}, Refusal{"--set beta=0.2.1", "not a number"},
+        Refusal{"--set gamma=1", "only beta, h, steps"}, Refusal{"--set beta=3.5", "from 0 to 3"},
+        Refusal{"--set beta=inf", "not a number"}, Refusal{"--set steps=2.5", "not a whole number"},
+        Refusal{"--set h=1/0", "divides by zero"}, Refusal{"--set h=5kg", "\"5kg\" is not a number"},
+        Refusal{"--set h=ms", "\"ms\" is not a number"}, Refusal{"--set h=5s", "h = 5s is out of range"},
+        Refusal{"--set beta=5ms", "\"5ms\" is not"},
+        Refusal{"--set bob=sphere", "bob = sphere is none of its choices: disc, box"},
+        Refusal{"--step 9", "1, 1a, 2"}, Refusal{"--output", "--output"},
+        Refusal{"--interactive --no-interactive", "choose one"}, Refusal{"--surprise", "--surprise"},
+        Refusal{"--output ''", "names no folder"},
+        Refusal{"--output --check", "a folder of that name is ./--check"}, Refusal{"--step ''", "no label"},
+        Refusal{"--set '[beta=1]'", "no parameter \"[beta\""}, Refusal{"--set ''", "NAME=VALUE"},
+        Refusal{"--interactive --check", "choose one"}, Refusal{"--interactive --quiet", "choose one"},
+        Refusal{"--check --list-parameters", "choose one"},
+        Refusal{"--check=2", "--check takes no value, but \"2\""},
+        Refusal{"--check=true", "--check takes no value, but \"true\""},
+        Refusal{"--set beta=1 --set beta=1", "beta is set twice"},
+        Refusal{"--quality low --quality low", "--quality is given twice"},
+        Refusal{"--quality", "--quality needs a value: low|medium|high"},
+        Refusal{"--quality higj", "do you mean high?"}, Refusal{"--chek", "do you mean --check?"},
+        Refusal{"check", "do you mean --check?"}, Refusal{"-h", "There is no option \"-h\""},
+        Refusal{"--", "There is no option \"--\""},
+        Refusal{"\"$(printf -- '--bo\\ngus\\033[31m\\302\\233')\"", "\"--bo\\ngus\\x1b[31m\\xc2\\x9b\""},
+        Refusal{"\"$(printf -- '--set=b\\377=1')\"", "\"b\\xff\""}));
 
 TEST(Environment, AnUnusableOutputFolderIsStatusThree) {
   const Folder folder;
@@ -125,6 +141,37 @@ TEST(Environment, AnUnusableOutputFolderIsStatusThree) {
   EXPECT_EQ(finished.status, 3);
   EXPECT_THAT(finished.complained, HasSubstr((folder / "file").string()));
   EXPECT_THAT(finished.said, IsEmpty());
+}
+
+TEST(Options, AMissingWorkingFolderIsNoneOfHelpsBusiness) {
+  const Folder folder;
+  const std::string gone = (folder / "gone").string();
+  const Finished help =
+      run("mkdir " + gone + " && cd " + gone + " && rmdir " + gone + " && " + BYHAND_FIXTURE + " --help");
+  EXPECT_EQ(help.status, 0) << help.complained;
+  EXPECT_THAT(help.said, HasSubstr("--quality"));
+}
+
+TEST(Environment, ALineOfTwentyMegabytesIsReadInASecond) {
+  const Folder folder;
+  const auto begin = std::chrono::steady_clock::now();
+  const Finished finished =
+      run("head -c 20000000 /dev/zero | tr '\\0' x | XDG_STATE_HOME=" + folder.path().string() + " timeout 60 " +
+          BYHAND_FIXTURE + " --interactive --frames none --output " + folder.path().string());
+  EXPECT_EQ(finished.status, 0) << finished.complained;
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5));
+}
+
+TEST(Environment, APlaceThatIsNoFileIsALessonNotBegun) {
+  for (const char* make : {"mkdir -p", "mkfifo"}) {
+    const Folder folder;
+    const std::string place = (folder / "constraints-by-hand/99_fixture.json").string();
+    const Finished finished = run("mkdir -p $(dirname " + place + ") && " + make + " " + place +
+                                  " && XDG_STATE_HOME=" + folder.path().string() + " timeout 20 " +
+                                  BYHAND_FIXTURE + " --interactive --output " + (folder / "output").string());
+    EXPECT_EQ(finished.status, 0) << make << finished.complained;
+    EXPECT_THAT(finished.said, HasSubstr("1/2  The error shrinks")) << make;
+  }
 }
 
 TEST(Environment, AFullDiskIsStatusThree) {

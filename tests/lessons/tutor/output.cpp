@@ -10,6 +10,7 @@
 #include <string>
 
 #include "tests/lessons/tutor/process.hpp"
+#include "tests/lessons/tutor/written.hpp"
 
 namespace byhand::tests {
 namespace {
@@ -25,19 +26,15 @@ fs::path fixture(const Folder& folder, const std::string& options = "") {
   return folder / "99_fixture";
 }
 
-/// Every file below the folder with its bytes.
-std::map<std::string, std::string> all_files(const fs::path& folder) {
-  std::map<std::string, std::string> files;
-  for (const auto& entry : fs::recursive_directory_iterator(folder))
-    if (entry.is_regular_file()) files[fs::relative(entry.path(), folder).string()] = contents(entry.path());
-  return files;
-}
-
 /// The same without what a clock measured, by the lesson's own word.
 std::map<std::string, std::string> unclocked_files(const fs::path& folder) {
   auto files = all_files(folder);
-  const auto manifest = nlohmann::json::parse(files.at("manifest.json"));
-  for (const std::string name : manifest.at("clocked")) EXPECT_EQ(files.erase(name), 1u) << name;
+  auto manifest = nlohmann::json::parse(files.at("manifest.json"));
+  for (auto& made : manifest.at("runs")) {
+    for (const auto& [name, sum] : made.at("clocked").items()) EXPECT_EQ(files.erase(name), 1u) << name;
+    made.erase("clocked");
+  }
+  files.at("manifest.json") = manifest.dump();
   return files;
 }
 
@@ -102,7 +99,13 @@ TEST(Output, DataHaveAHeaderWithUnitsAndARowForEachPoint) {
 
 TEST(Output, TheManifestSaysWhatMadeIt) {
   const Folder folder;
-  const auto json = nlohmann::json::parse(contents(fixture(folder, "--set h=1/120") / "manifest.json"));
+  const auto manifest = nlohmann::json::parse(contents(fixture(folder, "--set h=1/120") / "manifest.json"));
+  EXPECT_EQ(manifest.at("lesson"), "99_fixture");
+  ASSERT_EQ(manifest.at("runs").size(), 1u);
+  const auto& json = manifest.at("runs").front();
+  EXPECT_TRUE(json.at("step").is_null());
+  EXPECT_THAT(json.at("commit").get<std::string>(), testing::ContainsRegex("^([0-9a-f]{40}(-dirty)?|unknown)$"));
+  EXPECT_THAT(json.at("compiler").get<std::string>(), testing::ContainsRegex("^(GNU|Clang) [0-9.]+$"));
   EXPECT_EQ(json.at("options").at("quality"), "low");
   EXPECT_EQ(json.at("options").at("parameters").at("beta").at("value"), 0.2);
   EXPECT_EQ(json.at("options").at("parameters").at("bob").at("value"), "disc");
@@ -110,6 +113,84 @@ TEST(Output, TheManifestSaysWhatMadeIt) {
   EXPECT_EQ(json.at("time_step").at("unit"), "s");
   EXPECT_EQ(json.at("method"), "correction");
   EXPECT_THAT(json.at("gl").get<std::string>(), HasSubstr("OpenGL"));
+}
+
+TEST(Output, TheManifestListsEveryFileWithItsSum) {
+  const Folder folder;
+  EXPECT_TRUE(manifest_holds(fixture(folder)));
+}
+
+TEST(Output, TheManifestKeepsTheOptionsOfEachPart) {
+  const Folder folder;
+  fixture(folder);
+  const fs::path lesson = fixture(folder, "--step 2 --set beta=0.5 --frames last");
+  EXPECT_TRUE(manifest_holds(lesson));
+  const auto runs = nlohmann::json::parse(contents(lesson / "manifest.json")).at("runs");
+  ASSERT_EQ(runs.size(), 2u);
+  EXPECT_TRUE(runs[0].at("step").is_null());
+  EXPECT_EQ(runs[0].at("options").at("parameters").at("beta").at("value"), 0.2);
+  EXPECT_TRUE(runs[0].at("files").contains("figures/errors.png"));
+  EXPECT_FALSE(runs[0].at("files").contains("frames/settling/0004.png")) << "removed by the second run";
+  EXPECT_EQ(runs[1].at("step"), "2");
+  EXPECT_EQ(runs[1].at("options").at("parameters").at("beta").at("value"), 0.5);
+  EXPECT_EQ(runs[1].at("files").size(), 2u);
+  fixture(folder);
+  EXPECT_TRUE(manifest_holds(lesson));
+  EXPECT_EQ(nlohmann::json::parse(contents(lesson / "manifest.json")).at("runs").size(), 1u);
+}
+
+TEST(Output, AWholeRunRemovesWhatEarlierOnesListedAndNothingElse) {
+  const Folder folder;
+  const fs::path lesson = fixture(folder);
+  auto manifest = nlohmann::json::parse(contents(lesson / "manifest.json"));
+  for (const char* name : {"figures/of_old.png", "../../outside", "/etc/hostname", "mine.html"})
+    manifest["runs"][0]["files"][name] = "";
+  std::ofstream(lesson / "manifest.json") << manifest;
+  std::ofstream(lesson / "figures/of_old.png") << "old";
+  std::ofstream(lesson / "mine.html") << "mine";
+  std::ofstream(folder / "outside") << "not a lesson's";
+  fixture(folder);
+  EXPECT_FALSE(fs::exists(lesson / "figures/of_old.png"));
+  EXPECT_EQ(contents(lesson / "mine.html"), "mine");
+  EXPECT_EQ(contents(folder / "outside"), "not a lesson's");
+}
+
+TEST(Output, AnUnreadableManifestIsNone) {
+  const Folder folder;
+  const fs::path lesson = fixture(folder);
+  for (const char* text :
+       {"", "{", "[]", "{\"lesson\":3}", R"({"lesson":"x","runs":[3]})", R"({"lesson":"x","runs":7})",
+        R"({"lesson":"x","runs":[{"files":[1],"clocked":{"a":2}}]})"}) {
+    std::ofstream(lesson / "manifest.json") << text;
+    fixture(folder, "--step 1a");
+    EXPECT_NO_THROW(nlohmann::json::parse(contents(lesson / "manifest.json"))) << text;
+    fixture(folder);
+    EXPECT_TRUE(manifest_holds(lesson)) << text;
+  }
+}
+
+TEST(Output, VerifyNamesEveryFileThatDiffers) {
+  const Folder folder;
+  const fs::path lesson = fixture(folder);
+  const auto verify = [&] { return run(std::string(BYHAND_COURSE) + " verify " + folder.path().string()); };
+  EXPECT_EQ(verify().status, 0);
+  EXPECT_THAT(verify().said, HasSubstr("99_fixture: 13 files as they were written"));
+  std::ofstream(lesson / "page.html") << "a reader's own";
+  EXPECT_EQ(verify().status, 0);
+  std::string frame = contents(lesson / "frames/settling/0002.png");
+  frame[100] ^= 1;
+  std::ofstream(lesson / "frames/settling/0002.png") << frame;
+  fs::remove(lesson / "data/errors.csv");
+  std::ofstream(lesson / "figures/foreign.png") << "";
+  const Finished differing = verify();
+  EXPECT_EQ(differing.status, 1);
+  EXPECT_THAT(differing.said, AllOf(HasSubstr("99_fixture/frames/settling/0002.png is not as it was written\n"),
+                                    HasSubstr("99_fixture/data/errors.csv is missing\n"),
+                                    HasSubstr("99_fixture/figures/foreign.png is not listed\n")));
+  EXPECT_EQ(std::count(differing.said.begin(), differing.said.end(), '\n'), 3);
+  fs::remove(lesson / "manifest.json");
+  EXPECT_EQ(verify().status, 1);
+  EXPECT_EQ(run(std::string(BYHAND_COURSE) + " verify " + (folder / "nowhere").string()).status, 2);
 }
 
 TEST(Output, FramesOfALongerRunAreRemoved) {
