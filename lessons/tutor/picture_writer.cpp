@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <string_view>
 #include <utility>
@@ -20,25 +19,9 @@ namespace byhand::tutor {
 namespace {
 
 namespace fs = std::filesystem;
-using renderer::Canvas;
 using renderer::Image;
 
 constexpr int strip_frames = 6, strip_columns = 3;
-
-Image draw(Canvas& canvas, const Figure& figure) {
-  canvas.clear();
-  if (const auto* chart = chart_of(figure))
-    renderer::draw(canvas, *chart, canvas.page().inset(12));
-  else
-    std::get<Drawing>(figure.picture)(canvas);
-  return canvas.image();
-}
-
-Image draw(Canvas& canvas, const FrameDrawing& frame, double time) {
-  canvas.clear();
-  frame(canvas, time);
-  return canvas.image();
-}
 
 }  // namespace
 
@@ -49,22 +32,12 @@ std::string strip_path(const std::string& name) { return "frames/" + name + ".pn
 
 PictureWriter::PictureWriter(const Lesson& lesson, const Options& options)
     : output_(options.output / lesson.about().slug),
-      quality_(options.quality),
+      drawer_(options.quality),
       frames_(options.frames),
       quiet_(options.quiet) {}
 
-Canvas& PictureWriter::canvas() {
-  if (!canvas_) canvas_.emplace(quality_.width, quality_.height);
-  return *canvas_;
-}
-
-Canvas& PictureWriter::small_canvas() {
-  if (!small_canvas_) small_canvas_.emplace(640, 360);
-  return *small_canvas_;
-}
-
 void PictureWriter::write(const Figure& figure) {
-  output_.write(figure_path(figure.name), renderer::encode_png(draw(canvas(), figure)));
+  output_.write(figure_path(figure.name), renderer::encode_png(drawer_.draw(figure)));
   if (const auto* chart = chart_of(figure)) output_.write(data_path(figure.name), csv(*chart));
 }
 
@@ -74,7 +47,7 @@ void PictureWriter::write(const Sequence& sequence) {
   output_.remove(strip_path(sequence.name));
   if (frames_ == FramesWanted::none) return;
 
-  const int frames = count(sequence);
+  const int frames = drawer_.count(sequence);
   const std::vector<int> in_strip = renderer::spread(frames, strip_frames);
   const bool all = frames_ == FramesWanted::all;
   Progress progress(fmt::format("drawing {}", sequence.name), all ? frames : static_cast<int>(in_strip.size()),
@@ -87,7 +60,7 @@ void PictureWriter::write(const Sequence& sequence) {
   for (int i = 0; i < frames; ++i) {
     const bool shown = std::binary_search(in_strip.begin(), in_strip.end(), i);
     if (!all && !shown) continue;
-    Image image = draw(canvas(), drawing, time(sequence, i));
+    Image image = drawer_.draw(drawing, drawer_.time(sequence, i));
     if (shown) strip.push_back(image);
     if (all)
       writer.write(std::move(image));
@@ -99,19 +72,6 @@ void PictureWriter::write(const Sequence& sequence) {
   output_.write(strip_path(sequence.name), renderer::encode_png(renderer::strip(strip, strip_columns)));
 }
 
-Image PictureWriter::small(const Figure& figure) { return draw(small_canvas(), figure); }
-Image PictureWriter::small(const FrameDrawing& frame, double at) { return draw(small_canvas(), frame, at); }
-
-int PictureWriter::count(const Sequence& sequence) const {
-  if (const auto* frames = std::get_if<Frames>(&sequence.length)) return std::max(1, frames->value);
-  return static_cast<int>(std::lround(std::get<Seconds>(sequence.length).value * quality_.rate)) + 1;
-}
-
-double PictureWriter::time(const Sequence& sequence, int index) const {
-  if (std::holds_alternative<Frames>(sequence.length)) return index;
-  return static_cast<double>(index) / quality_.rate;
-}
-
 std::string PictureWriter::path(const Figure& figure) const {
   return printable((output_.path() / figure_path(figure.name)).string());
 }
@@ -119,7 +79,5 @@ std::string PictureWriter::path(const Figure& figure) const {
 std::string PictureWriter::path(const Sequence& sequence) const {
   return frames_ == FramesWanted::none ? "" : printable((output_.path() / strip_path(sequence.name)).string());
 }
-
-std::string PictureWriter::gl() const { return canvas_ ? canvas_->describe() : ""; }
 
 }  // namespace byhand::tutor

@@ -1,13 +1,11 @@
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "lessons/tutor/items.hpp"
 #include "lessons/tutor/options.hpp"
 #include "lessons/tutor/output_folder.hpp"
-#include "renderer/canvas.hpp"
-#include "renderer/image.hpp"
+#include "lessons/tutor/picture_drawer.hpp"
 
 namespace byhand::tutor {
 
@@ -32,31 +30,19 @@ class PictureWriter {
   /// Writes the chosen frames and the contact sheet, after removing those of an earlier run.
   void write(const Sequence& sequence);
 
-  /// The same pictures at 640 × 360 pixels, for a terminal.
-  renderer::Image small(const Figure& figure);
-  renderer::Image small(const FrameDrawing& draw, double time);
-
-  /// Number of frames of a sequence, and the time that frame `index` gets.
-  int count(const Sequence& sequence) const;
-  double time(const Sequence& sequence, int index) const;
-
   /// File of the picture or of the contact sheet, to be printed; empty if no frames are written.
   std::string path(const Figure& figure) const;
   std::string path(const Sequence& sequence) const;
 
   OutputFolder& output() { return output_; }
   /// OpenGL's renderer and version; empty before the first picture.
-  std::string gl() const;
+  std::string gl() const { return drawer_.gl(); }
 
  private:
-  renderer::Canvas& canvas();
-  renderer::Canvas& small_canvas();
-
   OutputFolder output_;
-  Quality quality_;
+  PictureDrawer drawer_;
   FramesWanted frames_;
   bool quiet_;
-  std::optional<renderer::Canvas> canvas_, small_canvas_;
 };
 
 }  // namespace byhand::tutor

@@ -33,7 +33,7 @@ void TerminalView::show(const Item& item) {
     fmt::print("{}", item_text(*figure, style_));
     std::fflush(stdout);
     if (style_.colours && std::holds_alternative<Drawing>(figure->picture))
-      fmt::print("{}\n", terminal_picture(pictures_.small(*figure), style_.width, style_.picture_rows));
+      fmt::print("{}\n", terminal_picture(small_.draw(*figure), style_.width, style_.picture_rows));
     pictures_.write(*figure);
     fmt::print("{}", caption_text(figure->caption, pictures_.path(*figure), style_));
   } else if (const auto* sequence = std::get_if<Sequence>(&item)) {
@@ -53,15 +53,15 @@ void TerminalView::show(const Item& item) {
 /// Plays the animation: ten pictures a second, or two if its length is a number of frames. Enter skips to the end.
 void TerminalView::play(const Sequence& sequence) {
   const bool counted = std::holds_alternative<Frames>(sequence.length);
-  const int frames = pictures_.count(sequence);
-  const double last = pictures_.time(sequence, frames - 1);
+  const int frames = small_.count(sequence);
+  const double last = small_.time(sequence, frames - 1);
   const int pictures = counted ? frames : static_cast<int>(last * 10) + 1;
   FrameDrawing draw = sequence.draw;
   bool skipped = false;
   for (int i = 0; i < pictures; ++i) {
     if (skipped && i + 1 < pictures) continue;
     const double time = i + 1 == pictures ? last : counted ? i : i / 10.0;
-    const std::string picture = terminal_picture(pictures_.small(draw, time), style_.width, style_.picture_rows);
+    const std::string picture = terminal_picture(small_.draw(draw, time), style_.width, style_.picture_rows);
     if (i > 0) fmt::print("\033[{}A\r", std::count(picture.begin(), picture.end(), '\n') + 1);
     fmt::print("{}\n", picture);
     std::fflush(stdout);

@@ -26,6 +26,7 @@ class TerminalView {
   PictureWriter& pictures_;
   Keyboard& keyboard_;
   const Style& style_;
+  PictureDrawer small_{small_quality};
 };
 
 }  // namespace byhand::tutor

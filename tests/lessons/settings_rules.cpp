@@ -255,7 +255,7 @@ TEST(Rules, AFigureShowsMoreThanRounding) {
 }
 
 TEST(Rules, APictureIsNotBlank) {
-  PictureWriter pictures({}, {"small", 640, 360, 15}, FramesWanted::none, true);
+  PictureDrawer pictures(small_quality);
   const auto blank = [&](Item item) { return broken(blank_pictures(with(std::move(item)), pictures)); };
   const Drawing nothing = [](renderer::Canvas&) {};
   const Drawing disc = [](renderer::Canvas& canvas) { canvas.disc(canvas.page().centre(), 100); };

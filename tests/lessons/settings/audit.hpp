@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "lessons/tutor/lesson.hpp"
-#include "lessons/tutor/picture_writer.hpp"
+#include "lessons/tutor/picture_drawer.hpp"
 #include "tests/lessons/settings/rules.hpp"
 #include "tests/lessons/settings/settings.hpp"
 
@@ -67,7 +67,7 @@ class Audit {
 
   tutor::Lesson& lesson_;
   Extent extent_;
-  tutor::PictureWriter pictures_{{}, {"small", 640, 360, 15}, tutor::FramesWanted::none, true};
+  tutor::PictureDrawer pictures_{tutor::small_quality};
   std::map<std::string, StepState> steps_;
   std::vector<Failure> failures_;
   int runs_ = 0;

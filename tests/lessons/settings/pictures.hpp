@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "lessons/tutor/page.hpp"
-#include "lessons/tutor/picture_writer.hpp"
+#include "lessons/tutor/picture_drawer.hpp"
 #include "renderer/image.hpp"
 #include "tests/lessons/settings/rules.hpp"
 
@@ -14,6 +14,6 @@ bool is_blank(const renderer::Image& image);
 
 /// Draws the page's pictures, and of each sequence its first, middle and last frame, small and into no file. None
 /// may be blank.
-std::vector<Finding> blank_pictures(const tutor::Page& page, tutor::PictureWriter& pictures);
+std::vector<Finding> blank_pictures(const tutor::Page& page, tutor::PictureDrawer& pictures);
 
 }  // namespace byhand::tests

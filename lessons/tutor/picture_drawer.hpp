@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "lessons/tutor/items.hpp"
+#include "lessons/tutor/options.hpp"
+#include "renderer/canvas.hpp"
+#include "renderer/image.hpp"
+
+namespace byhand::tutor {
+
+/// Draws figures and frames at one quality. Opens OpenGL at the first picture. Every function may throw
+/// renderer::EnvironmentError.
+class PictureDrawer {
+ public:
+  explicit PictureDrawer(const Quality& quality) : quality_(quality) {}
+
+  renderer::Image draw(const Figure& figure);
+  renderer::Image draw(const FrameDrawing& frame, double time);
+
+  /// Number of frames of a sequence, and the time that frame `index` gets.
+  int count(const Sequence& sequence) const;
+  double time(const Sequence& sequence, int index) const;
+
+  /// OpenGL's renderer and version; empty before the first picture.
+  std::string gl() const { return canvas_ ? canvas_->describe() : ""; }
+
+ private:
+  renderer::Canvas& blank();
+
+  Quality quality_;
+  std::optional<renderer::Canvas> canvas_;
+};
+
+/// For a terminal.
+inline const Quality small_quality = {"small", 640, 360, 15};
+
+}  // namespace byhand::tutor
