@@ -208,7 +208,8 @@ void warm_start(Page& page, const Knobs& knobs) {
     law.x.push_back(t);
     law.y.push_back(value);
   }
-  if (law.x.size() > 1) chart.curves.push_back(law);
+  const bool law_shown = law.x.size() > 1 && slack < 0.1;
+  if (law_shown) chart.curves.push_back(law);
   const double worst = std::max(std::min(most, 1e3), largest_from(0, of_cold));
   chart.y.range->second = std::max(3.0, 2 * worst);
 
@@ -219,8 +220,8 @@ void warm_start(Page& page, const Knobs& knobs) {
     page.sequence(
         "cold_and_warm",
         say(R"(The same chain with @ a step, cold and warm, without any correction of positions; both began at @ m.
-          Right: the largest error over time, dashed the law √qⁿ.)",
-            several(k, "sweep"), n * knobs.length()),
+          Right: the largest error over time@.)",
+            several(k, "sweep"), n * knobs.length(), law_shown ? ", dashed the law √qⁿ" : ""),
         Seconds{seconds}, [=, cold = cold, warm = warm](renderer::Canvas& canvas, double time) mutable {
           while (cold.time < time - 0.5 * knobs.h) {
             cold.step(knobs.h);

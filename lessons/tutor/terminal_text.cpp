@@ -57,6 +57,8 @@ std::string verdict(const Claim& claim) {
 std::string expectation(const Claim& claim) {
   const std::string unit = claim.unit.empty() || claim.unit == "1" ? "" : " " + claim.unit;
   const auto& [kind, size] = claim.tolerance;
+  const bool two_sided = kind == Tolerance::Kind::relative || kind == Tolerance::Kind::absolute;
+  if (!claim.claimed && two_sided) return quantity(claim.expected, claim.unit);  // no tolerance is meant here
   switch (kind) {
     case Tolerance::Kind::relative:
       return quantity(claim.expected, claim.unit) + " ± " + number(100 * size, 2) + " %" + if_rounding(100 * size);
