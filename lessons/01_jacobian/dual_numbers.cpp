@@ -12,15 +12,15 @@
 #include "solver/constraints/normalised_distance.hpp"
 #include "solver/constraints/pin.hpp"
 
-// The machine differentiates `value` by itself, to rounding; what was derived by hand is held against it.
+// Dual numbers differentiate `value` to rounding; every J derived by hand is compared with them.
 namespace byhand::lesson01 {
 namespace {
 
 namespace palette = renderer::palette;
 
-//! [gradient]
 /// J without a derivation: a dual number δ moves the bodies in one of the 2 dof ways after the other, and C(x + δ)
 /// holds that way's column.
+//! [gradient]
 template <class M, class Kind>
 auto gradient(const Kind& constraint, const Pose<M>& pose1, const Pose<M>& pose2) {
   using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<double, 1, 1>>;

@@ -25,7 +25,7 @@ Pair moving_in(Pair pair, int way) {
   return pair;
 }
 
-/// All six entries by six small movements; knows C, not J.
+/// All six entries by six small movements, from C alone.
 Entries probed(const Pair& pair, double step) {
   Entries row;
   for (int way = 0; way < entries; ++way) row[way] = difference(moving_in(pair, way), step);

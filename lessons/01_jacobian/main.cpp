@@ -1,5 +1,4 @@
-// Lesson 01, Jacobian: from a number that says how wrong things are to the row of numbers that says how it
-// changes.
+// Lesson 1: from C, the value of a constraint, to J, the row that says how C changes with the velocities.
 
 #include "lessons/01_jacobian/steps.hpp"
 

@@ -3,7 +3,7 @@
 
 #include "lessons/01_jacobian/picture.hpp"
 
-// What J leaves over is of second order, and a wrong sign is not.
+// The error of ΔC ≈ h JV is of second order in h; with a wrong sign in J it is of first order.
 namespace byhand::lesson01 {
 namespace {
 

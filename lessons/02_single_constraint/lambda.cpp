@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "lessons/02_single_constraint/bob_picture.hpp"
@@ -50,7 +51,7 @@ void lambda(const Setting& setting, Page& page) {
            setting.mass(), setting.angle(), gravity(), setting.h),
        .answer = along,
        .unit = "N·s",
-       .tolerance = 0.02 * full,
+       .tolerance = along == 0 ? 0.02 * full : std::min(0.02 * full, 0.2 * std::abs(along)),
        .wrong = {{-full, "That cancels all of gravity; the rod only cancels the part along d."},
                  {-along, "Look again at the minus in (17) and at the sign of JV."},
                  {row.lambda, say("As a number that is λ, in N·s/m; times |d| = @ m it is the impulse.", length)}},

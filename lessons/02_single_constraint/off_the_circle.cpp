@@ -111,6 +111,14 @@ void off_the_circle(const Setting& setting, Page& page) {
       it does not change the angular momentum, speed times length.)",
       (radius - length) / millimetre, tutor::small_error(speed - last.velocity.norm(), 3));
 
+  page.derivation("How fast the rod grows, without gravity",
+                  {{"Pythagoras: each step of length vh is at right angles to the rod, of length ℓ",
+                    "ℓ² grows by v²h² a step, by v²h a second", R"(\frac{d\ell^2}{dt} = v^2 h)"},
+                   {"angular momentum, with v₀ at ℓ = L", "v = v₀L/ℓ", R"(v = v_0 L/\ell)"},
+                   {"multiply by 2ℓ²", "ℓ⁴ grows by 2v₀²L²h a second", R"(\frac{d\ell^4}{dt} = 2v_0^2L^2h)"},
+                   {"add up over the time t", "ℓ = L(1 + 2v₀²ht/L²)^¼",
+                    R"(\ell = L\left(1 + \frac{2v_0^2ht}{L^2}\right)^{1/4})"}});
+
   page.claim({.quantity = "stretch after one step",
               .unit = "mm",
               .expected = law / millimetre,
@@ -130,13 +138,13 @@ void off_the_circle(const Setting& setting, Page& page) {
   page.claim({.quantity = "angular momentum for 1 kg, after a second",
               .unit = "m²/s",
               .expected = speed * length,
-              .source = "v·R at the start: the rod has no lever arm",
+              .source = "v·L at the start: the impulse has no lever arm",
               .measured = momentum,
               .tolerance = relative(1e-11)});
   page.claim({.quantity = "length of the rod after a second",
               .unit = "m",
               .expected = grown,
-              .source = "R₀(1 + 2v²ht/R₀²)^¼",
+              .source = "L(1 + 2v²ht/L²)^¼",
               .measured = radius,
               .tolerance = relative(ratio * ratio),
               .claimed = ratio <= 0.1,

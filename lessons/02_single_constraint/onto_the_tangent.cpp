@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "lessons/02_single_constraint/bob_picture.hpp"
 #include "lessons/02_single_constraint/steps.hpp"
 #include "lessons/tutor/rounding.hpp"
@@ -19,7 +21,7 @@ void onto_the_tangent(const Setting& setting, Page& page) {
 
   const OneRow shown = shown_row(setting);
   const Vector impulse = tutor::without_rounding(Vector(shown.lambda * shown.d)),
-               left = (solved.v2.array().abs() > 1e-13 * gain).select(solved.v2, 0);
+               left = (solved.v2.array().abs() > std::max(1e-10 * gain, 1e-11)).select(solved.v2, 0);
   page.text(
       R"(λ goes back to the bodies by (5). Here it was computed from velocities, so λJᵀ is an *impulse* P, a force
       times the time it acts. (*The article calls it a force F; the force is P/h.*))");

@@ -1,7 +1,5 @@
 #include "lessons/02_single_constraint/setting.hpp"
 
-#include "lessons/tutor/rounding.hpp"
-
 namespace byhand::single_constraint {
 
 OneRow::OneRow(const Pendulum& scene) {

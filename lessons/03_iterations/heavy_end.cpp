@@ -29,32 +29,27 @@ void heavy_end(Page& page, const Knobs& knobs) {
   const ChainOptions heavy = with_heavy_end(knobs.chain(), ratio);
   const double light_digit = measured_digit(knobs.chain(), h), heavy_digit = measured_digit(heavy, h);
 
-  const bool heavier = ratio > 1;
-  page.text("The same @ links, but the bob at the end has @ mass@.", n,
-            heavier ? say("@ times the", ratio) : "the same",
-            heavier ? " of each of the others" : " as the others: set `ratio` to make it heavier");
-  if (heavier) {
-    const double change = heavy_digit / light_digit;
-    constexpr double same = 1e-3;
+  const double change = heavy_digit / light_digit;
+  page.text("The same @ links. The mass of the bob at the end over that of each other bob is @.", n, ratio);
+  if (change > 1.1)
     page.choose(
         {.ask =
-             say(R"(With equal bobs one more digit takes @ sweeps. With an end bob of @ times the mass: fewer, as
-                    many, or more?)",
-                 Value(light_digit, 3), ratio),
+             say(R"(With equal bobs one more digit takes @ sweeps. With this heavy end: fewer, as many, or more?)",
+                 Value(light_digit, 3)),
          .options =
              {{"fewer",
-               "The last row's impulse moves mostly its light bob; the heavy one changes its speed little."},
-              {"as many", "Mass cancels in one pendulum, not between the bobs of one row."},
-              {"more", say(R"(@ times as many, @. The last row's impulse hardly changes the speed of the heavy bob,
-                                  so the weight goes up the chain in small portions.)",
-                           Value(change, 3), Value(heavy_digit, 4))}},
-         .answer = change > 1 + same   ? 2
-                   : change < 1 - same ? 0
-                                       : 1,
-         .hints = {"The last row's impulse is the same for the light bob and the heavy one. Which of the two does "
-                   "it move?",
-                   "(20): Δv = λl/m.", say("Of the speed difference the heavy bob takes 1/(1 + @).", ratio)}});
-  }
+               "The last row's impulse moves mostly its light bob; the heavy one hardly changes its speed."},
+              {"as many", "Mass cancels in one pendulum, not between the two bobs of a row."},
+              {"more", say(R"(It takes @ sweeps, @ times as many. The last row's impulse hardly changes the speed
+                                  of the heavy bob, so the weight goes up the chain in small portions.)",
+                           Value(heavy_digit, 4), Value(change, 3))}},
+         .answer = 2,
+         .hints = {
+             "The last row's impulse is the same for the light bob and the heavy one. Which of them does it move?",
+             "(20): Δv = λl/m.", say("Of the difference in speed the heavy bob takes 1/(1 + @).", ratio)}});
+  else
+    page.text("That is nearly equal: @ sweeps for one more digit, @ with equal bobs. Set `ratio` to 100.",
+              Value(heavy_digit, 4), Value(light_digit, 4));
   page.text(
       R"(Let r be the ratio of the masses. The last row finds the heavy bob falling away from the light one and makes
       their speeds equal. The light bob takes the share r/(1 + r) of the change, @, the heavy one 1/(1 + r), @. And the

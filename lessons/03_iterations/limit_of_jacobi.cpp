@@ -87,6 +87,12 @@ void limit_of_jacobi(Page& page, const Knobs& knobs) {
   }
   page.figure("limit_of_jacobi",
               "One box on 2, 3, 4 and 8 rods, Jacobi from λ = 0. Markers: measured; dashed: |1 − μ|ⁿ.", chart);
+  page.derivation("Where Jacobi diverges",
+                  {{"e is what λ lacks; the rows see the error Ae, and each corrects it alone", "change = D⁻¹Ae",
+                    R"(\text{change} = D^{-1}Ae)"},
+                   {"all changes at once", "e′ = e − D⁻¹Ae", R"(e' = e - D^{-1}Ae)"},
+                   {"for an eigenvector, D⁻¹Ae = μe", "e′ = (1 − μ)e", R"(e' = (1 - \mu)\,e)"},
+                   {"it shrinks if |1 − μ| < 1", "0 < μ < 2", R"(0 < \mu < 2)"}});
   page.text(
       R"(What decides is μ, the largest eigenvalue of D⁻¹A, where D is the diagonal of A: each sweep multiplies that
       error by 1 − μ, so for μ > 2 it grows. For the box μ is @ with 3 rods and @ with 4. On a chain μ is below 2. The

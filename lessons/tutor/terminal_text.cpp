@@ -65,6 +65,8 @@ std::string expectation(const Claim& claim) {
   if (is_beyond_words(claim, claim.expected)) return "–";
   const std::string unit = claim.unit.empty() || claim.unit == "1" ? "" : " " + claim.unit;
   const auto& [kind, size] = claim.tolerance;
+  const bool two_sided = kind == Tolerance::Kind::relative || kind == Tolerance::Kind::absolute;
+  if (!claim.claimed && two_sided) return quantity(claim.expected, claim.unit);  // no tolerance is meant here
   switch (kind) {
     case Tolerance::Kind::relative:
       return quantity(claim.expected, claim.unit) + " ± " + number(100 * size, 2) + " %" + if_rounding(100 * size);
