@@ -61,9 +61,11 @@ class OnACorner {
   double entry(const Row& one, const Row& other) const { return one.matrix.dot(over_mass(other).matrix); }
   double solve(const Row& J, double lower, double upper, double before) {
     const Row W = over_mass(J);
-    const double wanted = before + impulse(J, W, bodies_.velocity[0], bodies_.velocity[1], 0.0);
+    //! [bounded]
+    const double wanted = before + impulse(J, W, bodies_.velocity[0], bodies_.velocity[1], 0.0);  // (17)
     const double change = std::clamp(wanted, lower, upper) - before;
-    apply_impulse(W, Rows<1>(change), bodies_.velocity[0], bodies_.velocity[1]);
+    apply_impulse(W, Rows<1>(change), bodies_.velocity[0], bodies_.velocity[1]);  // (20)
+    //! [bounded]
     return change;
   }
 
