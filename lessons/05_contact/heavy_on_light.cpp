@@ -153,12 +153,11 @@ void heavy_on_light(const Setting& setting, Page& page) {
       settled ? say("has come to rest after @ s, @ mm below its place", settling,
                     Value(1000 * without_rounding(warm_high, 1), 3))
               : say("has not come to rest after @ s", settling));
-  page.figure(
-      "over_ratio",
-      say(R"(How far the upper box is from its place, at most, in the eighth second; @ sweeps a step. Dashed: from
+  page.figure("over_ratio",
+              say(R"(How far the upper box is from its place, at most, in the eighth second; @ a step. Dashed: from
           the matrices of Gauss–Seidel.)",
-          sweeps),
-      over_ratio(setting));
+                  several(sweeps, "sweep")),
+              over_ratio(setting));
 
   const bool mild = law < 0.3 && std::pow(1 - beta * (1 - std::pow(q, sweeps)), settling / h) < 1e-3;
   page.measure("the upper box has sunk, cold", without_rounding(high, 1), "m");

@@ -333,7 +333,7 @@ void stack_of_boxes(const Setting& setting, Page& page) {
       No error is left over that could creep. Counted in multiplications, a step has cost as much as @ sweeps.)",
       Value(static_cast<double>(standing.work.row_solves) / standing.work.system.rows() / steps, 2));
 
-  page.measure("lowest contact after the first step, sweeps", first.front() / gravity, "boxes");
+  page.measure("lowest contact after the first step, in weights of a box", first.front() / gravity, "1");
   double worst_first = 0, worst_direct = 0;
   for (int i = 0; i < n; ++i) {
     worst_first = std::max(worst_first, std::abs(first[i] - by_hand[i]));

@@ -49,7 +49,7 @@ double measured_rate(const Setting& setting, double side) {
   return error(2) / error(1);
 }
 
-/// Where either row is content, and the way that the sweeps take, in units of mgh.
+/// Where each row has JV = 0, and how the sweeps move λ, in units of mgh.
 Chart way_of_sweeps(const Setting& setting, double side) {
   const double unit = gravity * setting.h, half = leverage(setting, side) / 2;  // the box has 1 kg
   Chart chart{.title = say("box of @ m on an arm of @ m", side, setting.length),
