@@ -170,12 +170,10 @@ bool one_sided(const System<M>& system, const Block<M, K, B>& block, int k) {
 /// manifold the normals at zero or above and friction within `upper` times their sum.
 template <int K, Bound B>
 Rows<K> bounded(const Rows<K>& lambda, double lower, double upper, double normal) {
-  //! [interval]
   if constexpr (B == Bound::none)
     return lambda;
   else if constexpr (B == Bound::interval)
     return Rows<K>(std::clamp(lambda[0], lower, upper));
-  //! [interval]
   else if constexpr (B == Bound::manifold) {
     const double first = larger(0, lambda[0]), second = larger(0, lambda[1]);
     const double radius = upper * (first + second);

@@ -40,7 +40,7 @@ Chart map(const Setting& setting, int links) {
   }
   std::vector<Tick> ticks;
   for (const double sweeps : {1, 2, 4, 8, 16, 32, 64}) ticks.push_back({sweeps, say("@", sweeps)});
-  Chart chart{.x = {.label = "warm sweeps a step (1)", .scale = Scale::logarithmic, .ticks = ticks},
+  Chart chart{.x = {.label = "warm sweeps a step", .scale = Scale::logarithmic, .ticks = ticks},
               .y = {.label = "β (1)", .scale = Scale::logarithmic},
               .heat_map = grows};
   if (!law.x.empty()) chart.curves.push_back(law);

@@ -16,13 +16,14 @@ using namespace tutor;
 using namespace renderer;
 
 constexpr double bounce_seconds = 3, ball_radius = 0.15;  // [s], of the ball [m]
+constexpr double bounce_threshold = 0.1;                  // slower contacts rest [m/s]
 constexpr int bounces = 3, fine = 16;
 
 using Solved = Simulation<PlaneBody>;
 
 Solved solved(const Setting& setting, double e) {
   Solved simulation{bouncing_ball<PlaneBody>(setting.drop, e, ball_radius), {}};
-  simulation.method.bounce_threshold = 0.1;
+  simulation.method.bounce_threshold = bounce_threshold;
   return simulation;
 }
 
@@ -45,6 +46,33 @@ struct OnOverlap {
   }
 };
 double height(const OnOverlap& ball) { return ball.pose.position.y(); }
+
+/// A particle that bounces as the solver's contacts do, in its plainest form: a first solve that closes the gap,
+/// and a second for the bounce.
+struct TwoSolves {
+  double h, e;
+  Pose<PlaneParticle> pose;
+  double velocity = 0, time = 0;
+
+  void step() {
+    double& y = pose.position.y();
+    const double gap = y, begins = velocity - gravity * h / 2;
+    //! [two_solves]
+    velocity -= gravity * h;
+    const bool touches = velocity < -gap / h;
+    if (touches) velocity = -gap / h;  // first solve: close the gap
+    y += h * velocity;
+    const double meets = std::sqrt(begins * begins + 2 * gravity * gap);  // the parabola's speed at the ground
+    if (touches && meets > bounce_threshold) velocity = e * meets + gravity * h / 2;  // second solve
+    //! [two_solves]
+    time += h;
+  }
+};
+double height(const TwoSolves& ball) { return ball.pose.position.y(); }
+TwoSolves two_solves(const Setting& setting, double e) {
+  return {setting.h, e, {Linear<PlaneParticle>(0, setting.drop)}};
+}
+void step(TwoSolves& ball, double) { ball.step(); }
 
 OnOverlap on_overlap(const Setting& setting, double e) {
   return {setting.h, e, {Linear<PlaneParticle>(0, setting.drop)}};
@@ -147,56 +175,57 @@ void bounce(const Setting& setting, Page& page) {
   const double e = setting.restitution, h = setting.h(), drop = setting.drop();
 
   page.text(
-      R"(Until now a contact stopped what came. Let it give some of the speed back: a share e, the restitution, of
-      the rate at which the two approached.)");
+      R"(Until now a contact stopped what approached. Let it return some of the speed: the share e, the
+      *restitution*, of the rate at which the two approached, JV⁻.)");
   page.formula("JV⁺ = −e JV⁻,   that is (21) with b = e JV⁻", R"(JV^+ = -e\,JV^-, \qquad b = e\,JV^-)");
-  page.predict({.ask = say("e = @, dropped from @ m. How high is the @rd peak?", setting.restitution, setting.drop,
-                           bounces),
-                .answer = drop * std::pow(e, 2 * bounces),
-                .unit = "m",
-                .tolerance = 0.05 * drop * std::pow(e, 2 * bounces),
-                .wrong = {{drop * std::pow(e, bounces), "e scales speed; height goes with its square."},
-                          {drop * std::pow(e, 2 * bounces - 2), "That is the peak before."}},
-                .hints = {"How does the height of a throw go with its speed?"},
-                .right = "Each bounce leaves e² of the height."});
+  page.predict(
+      {.ask = say("e = @, dropped from @ m. How high is the third peak?", setting.restitution, setting.drop),
+       .answer = drop * std::pow(e, 2 * bounces),
+       .unit = "m",
+       .tolerance = 0.05 * drop * std::pow(e, 2 * bounces),
+       .wrong = {{drop * std::pow(e, bounces), "e scales the speed; the height goes with its square."},
+                 {drop * std::pow(e, 2 * bounces - 2), "That is the peak before."}},
+       .hints = {"How does the height of a throw depend on its speed?", "v²/(2g): a bounce leaves e² of it.",
+                 say("@ · e² · e² · e².", setting.drop)},
+       .right = "Each bounce leaves e of the speed and so e² of the height."});
   page.text(
-      R"(One line, it seems: where the ball is under the ground, turn its speed round. Here it is, with all that
-      belongs to a step:)");
+      R"(It seems to take one line: where the ball is below the ground, reverse its speed. Here is that line in a
+      complete step:)");
   page.excerpt("lessons/05_contact/bounce.cpp", "on_overlap");
   const std::vector<double> overlap = peaks(on_overlap(setting, 1), h, bounces),
                             own = peaks(solved(setting, 1), h, bounces);
   page.sequence(
       "three_balls",
-      say(R"(e = 1, dropped from @ m. Blue: turned round when it is found under the ground. The others: the solver,
-          with steps of h and of h/@.)",
+      say(R"(e = 1, dropped from @ m. Blue: its speed is reversed where it is below the ground. The others: the
+          solver, with steps of h and of h/@.)",
           setting.drop, fine),
       Seconds{bounce_seconds},
       [film = film(setting)](Canvas& canvas, double time) mutable { film.draw(canvas, time); });
   page.text(
-      R"(With e = 1 it ought to come back to @ m. Bouncing on overlap its peaks are @ m: it *gains*. Look where: V
-      already holds this step's gravity when it is turned round, and so gh that pulled down now pulls up. The way
-      up begins with gh more than the way down ended with and takes one step more; the peak is higher by h·v, the
-      depth of one step's fall. Each time.)",
+      R"(With e = 1 it should come back to @ m. Reversed on overlap its peaks are @ m: it *gains* energy. The reason:
+      V already holds this step's gravity when it is reversed, so the gh that pulled down now pushes up. The way up
+      begins with gh more than the way down ended with, and takes one step more; each peak is higher by about h·v,
+      the height of the last step's fall.)",
       setting.drop, overlap);
   page.text(
-      R"(The solver does it in two solves. First the row closes the gap, as ever (b = C/h), and positions move: the
-      ball arrives *on* the ground. Then the rows are solved again with b = e JV⁻, where −JV⁻ is the speed at which
-      it met the ground. That second solve goes on from the λ that the first has accumulated, so that the sum is
-      what is clamped, and a slow approach is let be, or what rests would rattle:)");
-  page.excerpt("solver/contact/restitution.hpp", "bounce");
+      R"(The solver uses two solves. In the first the row closes the gap, as always (b = C/h), and the positions
+      move: the ball arrives *on* the ground. Then the rows are solved again with b = e JV⁻. Which speed is JV⁻? Not
+      the one before the step, which lacks the last part of the fall, nor the one after it, which has too much. The
+      heights of a falling ball lie on a parabola, and this parabola meets the ground within the step; its speed
+      there counts. For the way up to begin with e times that speed, V needs half of gh more. For one ball:)");
+  page.excerpt("lessons/05_contact/bounce.cpp", "two_solves");
   page.text(
-      R"(Which speed is that? Not the one before the step, which lacks the last bit of the fall, nor the one after
-      it, which has too much. The heights of a falling ball, step by step, lie on a parabola, and that parabola
-      meets the ground within the step; there it has the speed to be given back. The way up is a parabola too, and
-      for it to begin with e times that speed V has to be half of gh more:)");
+      R"(The threshold keeps a ball that only rests from rattling. The solver does the same for all contacts
+      together; its second solve continues from the λ of the first, so that the sum is clamped:)");
   page.excerpt("solver/contact/restitution.hpp", "parting");
   page.text(
-      R"(Its peaks with e = 1 are @ m: the heights of single steps, which may miss the top of their parabola by
-      gh²/8 = @ m. And with e = @, at both time steps:)",
+      R"(Its peaks with e = 1 are @ m. These are heights of single steps, which may miss the top of their parabola by
+      up to gh²/8 = @ m. With e = @:)",
       own, Value(gravity * h * h / 8, 2), setting.restitution);
   page.figure("peaks",
-              say("Peaks after each bounce, e = @, dropped from @ m. Dashed: e²ⁿ of that.", setting.restitution,
-                  setting.drop),
+              say(R"(Peaks after each bounce, e = @, dropped from @ m. Dashed: e²ⁿ of that. The solver's ball
+                  comes to rest once it meets the ground at @ m/s or less.)",
+                  setting.restitution, setting.drop, bounce_threshold),
               peaks_over_bounces(setting));
 
   page.measure("first peak, e = 1, on overlap", overlap.front(), "m");
@@ -215,13 +244,24 @@ void bounce(const Setting& setting, Page& page) {
               .source = "nothing is gained: the top of the parabola of a fall from rest",
               .measured = *std::max_element(own.begin(), own.end()),
               .tolerance = at_most()});
+  const std::vector<double> plain = peaks(two_solves(setting, e), h, bounces),
+                            all = peaks(solved(setting, e), h, bounces);
+  double differ = std::abs(static_cast<double>(plain.size()) - static_cast<double>(all.size()));
+  for (std::size_t i = 0; i < std::min(plain.size(), all.size()); ++i)
+    differ = std::max(differ, std::abs(plain[i] - all[i]));
+  page.claim({.quantity = "peaks of the plain two solves beside the solver's, largest difference",
+              .unit = "m",
+              .expected = 0,
+              .source = "the same method",
+              .measured = differ,
+              .tolerance = absolute(1e-9 * drop)});
   const double step = h / 256;
   const std::vector<double> exact = peaks(solved(setting, e), step, bounces);
   for (int k = 0; k < bounces; ++k)
     page.claim({.quantity = say("peak @ of the solver, h/256", k + 1),
                 .unit = "m",
                 .expected = drop * std::pow(e * e, k + 1),
-                .source = "law A9: e²ⁿ, to gh²/8",
+                .source = "e²ⁿ of the drop, to gh²/8",
                 .measured = k < static_cast<int>(exact.size()) ? exact[k] : NAN,
                 .tolerance = absolute(gravity * step * step / 8 + 1e-9 * drop)});
 }

@@ -91,8 +91,9 @@ void cradle(const Setting& setting, Page& page) {
       many{.sweeps = 200 * n, .warm_start = false};
 
   page.text(
-      R"(@ balls of one mass in a row, just touching, e = 1; the first comes at @ m/s. You know what happens: the
-      last one leaves, and the others stay. Now ask (17), for all contacts at once.)",
+      R"(@ balls of equal mass hang in a row and just touch, e = 1; the first comes at @ m/s. You know what happens:
+      the last one leaves, and the others stay. Now ask (17), for all contacts at once. Only the first pair
+      approaches, so only this pair must separate, at v; no other pair may approach.)",
       n, setting.speed);
   page.predict(
       {.ask = say(R"(@ balls, all contacts solved at once, e = 1. How fast is the first ball afterwards, in units
@@ -101,12 +102,14 @@ void cradle(const Setting& setting, Page& page) {
        .answer = direct.front(),
        .unit = "v",
        .tolerance = 0.04,
-       .wrong = {{0, "That is nature. The smallest change of V that parts all pairs shares the blow among all."},
-                 {-1, "Then the others would have all of the momentum, twice over."}},
-       .hints =
-           {R"(Only the first pair approached, so only it must part, at v. The others must not approach. What is
-               the least that does both?)"},
-       .right = say("(2 − N)/N, and all the others go off together at 2/N = @ v.", 2.0 / n)});
+       .wrong =
+           {{0, "So it is in nature. But here one impulse in each contact acts at the same instant on all balls."},
+            {-1, "Then the others together would have twice the momentum that came in."}},
+       .hints = {"All other balls leave together, at one speed u: no pair among them may approach or separate.",
+                 "momentum: v₁ + (N − 1)u = v;   separation of the first pair: u − v₁ = v.",
+                 say("u = v + v₁, so v₁ + @(v + v₁) = v.", n - 1)},
+       .right =
+           say("(2 − N)/N = @; all the others leave together at 2/N = @ v.", Value((2.0 - n) / n, 3), 2.0 / n)});
   const std::vector<double> one_forward = after_a_step(setting, forward),
                             one_backward = after_a_step(setting, backward);
   std::vector<double> nature(static_cast<std::size_t>(n), 0.0);
@@ -117,27 +120,34 @@ void cradle(const Setting& setting, Page& page) {
                {"one sweep, first contact first", one_forward, {}},
                {"one sweep, last contact first", one_backward, {}},
                {"nature", nature, palette::muted}};
-  page.figure("cradle_speeds",
-              say(R"(What becomes of @ balls in one step: solved at once, by one sweep in either direction (for the
+  page.figure(
+      "cradle_speeds",
+      say(R"(The speeds of @ balls after one step: solved at once, by one sweep in either direction (for the
                   stop and for the bounce), and in nature.)",
-                  n),
-              bars);
+          n),
+      bars);
   page.text(
-      R"(Momentum is right in all of them, and solved at once the energy is right as well. Still it is not what
-      happens. One sweep gives something else, and with the contacts taken from the other end something else again;
-      energy is left lying about (@ and @ of it are there). More sweeps do not lead to nature either, they lead to
-      the first answer: it is the one where no row wants anything any more.)",
+      R"(Momentum is right in all of them, and solved at once the energy is right as well; but nature does something
+      else. One sweep gives a third result, and one sweep from the other end a fourth; the energy is then @ and @ of
+      what it was. More sweeps do not approach nature either. They approach the first result, in which every row has
+      what it asks for.)",
       Value(sum(one_forward, 2), 2), Value(sum(one_backward, 2), 2));
+  page.derivation(
+      "All contacts at once",
+      {{"impulses between the balls only: momentum stays", "v₁ + (N − 1)u = v", "v_1 + (N-1)\\,u = v"},
+       {"e = 1 in the first contact", "u − v₁ = v", "u - v_1 = v"},
+       {"insert u", "N v₁ = (2 − N) v", "N\\,v_1 = (2-N)\\,v"},
+       {"so", "v₁ = (2 − N)/N · v,   u = 2/N · v", R"(v_1 = \frac{2-N}{N}\,v, \qquad u = \frac{2}{N}\,v)"}});
   page.text(
-      R"(What do the rows not know? *When*. A blow runs through steel balls from one to the next, and takes about a
-      ten-thousandth of a second for each; rows say that all of it happens at the same instant, and then momentum
-      and energy are two equations for @ unknowns. Tell them: leave a hair of air between the balls, and take steps
-      so short that one collision is over before the next begins.)",
+      R"(What do the rows not know? *When*. An impact runs through steel balls from one to the next and takes about
+      a ten-thousandth of a second for each. The rows treat all impacts as simultaneous, and then momentum and
+      energy are two equations for @ unknown speeds. The missing information can be given: leave a small gap between
+      the balls, and take steps so short that one collision is over before the next begins.)",
       n);
   page.figure(
       "cradle_gaps",
-      R"(Balls a millimetre apart, all contacts solved at once in each step. Left, with steps shorter than the
-      flight across a gap: nature. Right: everything in one step.)",
+      R"(Balls a millimetre apart, all contacts solved at once in each step. Left, with steps shorter than the time
+      to cross a gap: as in nature. Right: all collisions in one step.)",
       gaps(setting));
   page.sequence(
       "two_cradles",
@@ -154,17 +164,16 @@ void cradle(const Setting& setting, Page& page) {
         apart.draw(canvas, lower, say("@ mm apart", 1000 * HangingCradle::gap));
       });
   page.text(
-      R"(So the question what a solver *should* do here has no answer in (17). It is good to know which one yours
-      gives: a pile that is hit from one side behaves like the first. This one follows Moreau: JV⁺ ≥ −e JV⁻ for all
-      contacts at once, also for those that were parting when they were hit, which may turn back by the share e.
-      With one e for all and without friction that cannot make energy. To let only those bounce that approached,
-      and hold the others at JV⁺ ≥ 0, does: of sixty random piles with e = 1 one ended with 36 times its own.)");
+      R"(So (17) alone does not say what a solver *should* do here; it is good to know what yours does. This one
+      follows Moreau: JV⁺ ≥ −e JV⁻ for all contacts at once, also for those that were separating when they were hit
+      (they may turn back with the share e). With one e for all contacts and without friction that cannot create
+      energy. Letting only those bounce that approached, and holding the others at JV⁺ ≥ 0, can.)");
 
   page.measure("first ball, all at once", direct.front(), "v");
   page.claim({.quantity = "largest difference from (2 − N)/N and 2/N, all at once",
               .unit = "v",
               .expected = 0,
-              .source = "law A10",
+              .source = "law of the simultaneous cradle",
               .measured = largest_difference(direct, shared(n)),
               .tolerance = absolute(1e-9)});
   page.claim({.quantity = "energy, all at once",

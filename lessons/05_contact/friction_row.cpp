@@ -61,9 +61,11 @@ class OnACorner {
   double entry(const Row& one, const Row& other) const { return one.matrix.dot(over_mass(other).matrix); }
   double solve(const Row& J, double lower, double upper, double before) {
     const Row W = over_mass(J);
-    const double wanted = before + impulse(J, W, bodies_.velocity[0], bodies_.velocity[1], 0.0);
+    //! [bounded]
+    const double wanted = before + impulse(J, W, bodies_.velocity[0], bodies_.velocity[1], 0.0);  // (17)
     const double change = std::clamp(wanted, lower, upper) - before;
-    apply_impulse(W, Rows<1>(change), bodies_.velocity[0], bodies_.velocity[1]);
+    apply_impulse(W, Rows<1>(change), bodies_.velocity[0], bodies_.velocity[1]);  // (20)
+    //! [bounded]
     return change;
   }
 
@@ -177,38 +179,33 @@ void friction_row(const Setting& setting, Page& page) {
   const bool sticks = std::abs(settled.slip()) < 1e-6 * speed;
 
   page.text(
-      R"(Friction is (15) once more, with a tangent t in the place of n. It has no C to keep; it only wants JV = 0,
-      no slip. What is new is its bound. Coulomb's law: at most μ times what presses, so its bound is another row's
-      λ:)");
+      R"(Friction is (15) once more, with a tangent t in the place of n. It has no C to keep; it asks only for JV =
+      0, no slip. What is new is its bound: by Coulomb's law friction is at most μ times the normal force, so its
+      bound is another row's λ:)");
   page.equation(16);
   page.formula("−μ λₙ ≤ λₜ ≤ μ λₙ", R"(-\mu\,\lambda_n \le \lambda_t \le \mu\,\lambda_n)");
   page.text(
-      R"(λₙ is the *accumulated* one of the contact, and so is λₜ. The two rows act at one point of one body, and
-      so it is tempting to compute the velocity of that point once and give it to both. Here is a box of @ kg that
-      comes straight down on its corner, turned by @° and not turning. The corner moves straight down, too:
-      friction has nothing to do, has it?)",
-      setting.mass, tilt);
-  page.predict(
-      {.ask = say(
-           R"(The corner comes down at @ m/s and does not slip. The normal's row stops it. How fast does it slip
-           then? (To the right is positive.))",
-           setting.speed),
-       .answer = pressed.slip(),
-       .unit = "m/s",
-       .tolerance = 0.1 * std::abs(pressed.slip()),
-       .wrong =
-           {{0,
-             "The push is straight up, but it is not under the centre: it turns the box, and the corner with it."},
-            {-pressed.slip(),
-             R"(The push passes to the left of the centre, so it turns the box clockwise. Which way does a point
-             below the centre go?)"}},
-       .hints = {"The push passes beside the centre of mass. What does it do besides stopping the corner?"},
-       .right = say("−A_{tn}/A_{nn} times the approach: @ of it.",
-                    Value(-before.coupling(mass) / before.normal_share(mass), 3))});
+      R"(λₙ is the *accumulated* λ of the contact, and λₜ the accumulated λ of friction. The two rows act at the same
+      point of the same body, so why compute JV again for the second? Here is a box of @ kg that comes straight down
+      on its corner at @ m/s. It is turned by @°, its centre lies to the right of the corner, and it is not
+      rotating: the corner moves straight down and does not slip.)",
+      setting.mass, setting.speed, tilt);
+  const std::string slips =
+      say(R"(The push is straight up and passes to the left of the centre, so it turns the box
+                                clockwise, and a point below the centre then moves to the left: @ m/s.)",
+          Value(std::abs(pressed.slip()), 3));
+  page.choose({.ask = "The normal's row stops the corner. Does the corner slip then, and which way?",
+               .options = {{"to the left", slips}, {"it does not slip", slips}, {"to the right", slips}},
+               .answer = pressed.slip() < 0   ? 0
+                         : pressed.slip() > 0 ? 2
+                                              : 1,
+               .hints = {"The push passes beside the centre of mass. What does it do besides stopping the corner?",
+                         "It changes ω by I⁻¹(r × n)λ, and the corner's velocity by that ω × r.",
+                         "The box turns clockwise. Which way does a point below its centre move?"}});
   page.figure(
       "on_a_corner",
       R"(Left: the corner comes straight down. Middle: the normal's push (orange) has stopped it and made it slip.
-      Right: friction has answered what it found *then*. Green: how the corner moves.)",
+      Right: friction has acted on the slip that it found *then*. Green: the corner's velocity.)",
       [=](Canvas& canvas) {
         const auto frames = canvas.page().inset(16).cells(1, 3, 12);
         draw_corner(canvas, before, speed, mass, "before", frames[0]);
@@ -216,41 +213,53 @@ void friction_row(const Setting& setting, Page& page) {
         draw_corner(canvas, rubbed, speed, mass, "after friction", frames[2]);
       });
   page.text(
-      R"(So JV is computed again for each row, from V as the row before has left it. That is not care, that is what
-      the *sequential* in sequential impulses means: with the old JV friction would have found 0 and given 0, and
-      the corner would slip away at @ m/s. For the same reason the tangent needs an effective mass of its own. (19)
-      is @/m along n and @/m along t: this corner gives way sideways @ times as easily as upwards.)",
+      R"(So JV is computed again for each row, from the V that the row before has left. That is what *sequential*
+      means in sequential impulses: with the old JV friction would have found 0 and given 0, and the corner would
+      slip at @ m/s. For the same reason the tangent needs an effective mass of its own. (19) is @/m along n and @/m
+      along t: the corner gives way sideways @ times as easily as upwards.)",
       Value(std::abs(pressed.slip()), 3), Value(before.normal_share(mass), 3),
       Value(before.tangent_share(mass), 3), Value(before.tangent_share(mass) / before.normal_share(mass), 3));
-  page.text(sticks ? R"(And friction's push has disturbed the normal in turn (@ m/s up): another sweep, until both
-                     are at rest. With μ = @ the corner then sticks.)"
-                   : R"(And friction's push has disturbed the normal in turn (@ m/s up): another sweep, until
-                     nothing changes. With μ = @ the bound is too small and the corner still slips.)",
-            Value(rubbed.approach(), 3), setting.friction);
+  page.derivation(
+      "The slip that the normal's impulse makes",
+      {{"(17) with b = 0 stops the corner, which came at the rate −v", "λₙ = v/Aₙₙ", R"(\lambda_n = v/A_{nn})"},
+       {"that impulse changes the rate along t by Aₜₙ = J_t M⁻¹ J_nᵀ for each unit", "slip = Aₜₙ v/Aₙₙ",
+        R"(\text{slip} = \frac{A_{tn}}{A_{nn}}\,v)"},
+       {"(19), with r from the centre to the corner", "Aₙₙ = 1/m + rₓ²/I,   Aₜₙ = −rₓ r_y/I",
+        R"(A_{nn} = \frac1m + \frac{r_x^2}{I}, \qquad A_{tn} = -\frac{r_x r_y}{I})"}});
+  const double lifted = rubbed.approach();
   page.text(
-      R"(If friction leans on the normal, which of the two comes first? Take the simplest thing that slides, a
+      R"(Friction's push has disturbed the normal in turn: the corner now moves @ at @ m/s. So another sweep follows,
+      and another. @)",
+      lifted > 0 ? "up" : "down", Value(std::abs(lifted), 3),
+      sticks ? say("In the end both rates are zero: with μ = @ the corner sticks.", setting.friction)
+             : say("In the end nothing changes any more: with μ = @ the bound is too small, and the corner slips.",
+                   setting.friction));
+  page.text(
+      R"(Friction needs λₙ for its bound. Which of the two rows comes first? Take the simplest thing that slides, a
       particle of @ kg at @ m/s on level ground, μ = @: one contact, one row of friction.)",
       setting.mass, setting.speed, setting.friction);
   const double full = mu * mass * gravity * h, first = rubbed_in_a_step(setting, orders[1].solver);
   page.predict(
-      {.ask = say(R"(Friction's row first, then the normal's; one sweep, from λ = 0. Friction's impulse? (μmgh is @
-                  N s.))",
+      {.ask = say(R"(Friction's row first, then the normal's; one sweep, from λ = 0. What is friction's impulse?
+                  (μmgh is @ N·s.))",
                   Value(full, 3)),
        .answer = first,
        .unit = "N s",
        .tolerance = 0.05 * full,
-       .wrong = {{full, "Its bound is μ times a normal impulse, and that one is still zero."}},
-       .hints = {"What is λₙ when friction's turn comes?"},
-       .right = "Nothing presses yet, so nothing rubs."});
+       .wrong = {{full, "Its bound is μ times a normal impulse, and that one is still zero."},
+                 {-full, "Its bound is μ times a normal impulse, and that one is still zero."}},
+       .hints = {"In which order are the two rows visited?", "|λₜ| ≤ μ λₙ.",
+                 "What is λₙ when friction's turn comes?"},
+       .right = "λₙ is still zero when friction's turn comes, so the bound is zero too."});
   page.figure("order_of_rows",
               say("A particle slides at @ m/s, μ = @. One cold sweep with friction first never slows it.",
                   setting.speed, setting.friction),
               speeds(setting));
   page.text(
-      R"(With two sweeps the second finds what the first has left, and a warm start remembers what pressed a step
-      ago: both hide the mistake, but for a step's delay. Normals first is right from the beginning. It has its
-      price: what friction then disturbs, no normal comes after to mend, and bodies sink a little where they rub.
-      So there are engines, Box2D among them, that solve friction first and rely on the warm start.)");
+      R"(With two sweeps the second finds the λₙ of the first, and a warm start keeps the λₙ of the step before: both
+      hide the mistake, apart from the delay. With the normals first friction is right from the first sweep. But
+      then no normal row follows to correct what friction disturbs, so bodies may sink a little where they rub.
+      Some engines, Box2D among them, therefore solve friction first and rely on the warm start.)");
 
   page.measure("slip after the normal's impulse", pressed.slip(), "m/s");
   page.measure("stopping distance", stopping_distance(setting, orders[0].solver), "m");
@@ -266,7 +275,7 @@ void friction_row(const Setting& setting, Page& page) {
   page.claim({.quantity = "friction's impulse, friction first, 1 cold sweep",
               .unit = "N s",
               .expected = 0,
-              .source = "law B10: the bound is zero",
+              .source = "its bound, μλₙ, is zero",
               .measured = first,
               .tolerance = absolute(0)});
   page.claim({.quantity = "friction's impulse, normal first, 1 cold sweep",
@@ -279,7 +288,7 @@ void friction_row(const Setting& setting, Page& page) {
   page.claim({.quantity = "stopping distance, normal first",
               .unit = "m",
               .expected = speed * speed / (2 * mu * gravity) - speed * h / 2,
-              .source = "law A7: v²/(2μg) − vh/2",
+              .source = "v²/(2μg), less half a step: −vh/2",
               .measured = stopping_distance(setting, orders[0].solver),
               // A last step that is not a whole one: f(1 − f)/2 of μgh², f its share.
               .tolerance = absolute(mu * gravity * h * h / 8 + 1e-9),

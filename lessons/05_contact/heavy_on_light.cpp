@@ -107,10 +107,15 @@ void heavy_on_light(const Setting& setting, Page& page) {
   const double q = ratio / (1 + ratio);
 
   page.text(
-      R"(A box of @ kg on one of 1 kg. The upper row finds the heavy box falling on the light one and makes their
-      speeds meet; in that trade the light one gives way. The row below stops the light one again, and so on: each
-      sweep leaves r/(1 + r) = @ of what is missing, and @ sweeps leave @.)",
-      setting.ratio, Value(q, 4), sweeps, Value(std::pow(q, sweeps), 3));
+      R"(A box of @ kg stands on one of 1 kg. The upper row finds the heavy box moving towards the light one and makes
+      their speeds equal: mostly the light one gives way. The row below stops the light one again, and so on. Each
+      sweep leaves r/(1 + r) = @ of the error, and @ leave @ of it.)",
+      setting.ratio, Value(q, 4), several(sweeps, "sweep"), Value(std::pow(q, sweeps), 3));
+  page.derivation("What a sweep leaves of a heavy box on a light one",
+                  {{"the upper row: masses M above and m below, r = M/m",
+                    "the common speed is vM/(M + m) = v r/(1 + r)", R"(v\,\frac{M}{M+m} = v\,\frac{r}{1+r})"},
+                   {"the lower row stops the light box; the heavy one keeps that speed", "share r/(1 + r) a sweep",
+                    R"(\frac{r}{1+r} \text{ a sweep})"}});
   Chart chart{.x = {.label = "time (s)"}, .y = {.label = "upper box has sunk by (m)"}};
   for (NamedPile run : runs) {
     Curve curve{.label = run.name};
@@ -123,8 +128,7 @@ void heavy_on_light(const Setting& setting, Page& page) {
   }
   page.sequence(
       "heavy_on_light",
-      say(R"(A box @ times as heavy as the one beneath, put down without a sound. Dashed: where its upper side
-          belongs.)",
+      say("A box with @ times the mass of the one below, at rest at first. Dashed: where its upper side belongs.",
           setting.ratio),
       Seconds{pair_seconds}, [=, runs = runs](Canvas& canvas, double time) mutable {
         for (NamedPile& run : runs)
@@ -133,23 +137,30 @@ void heavy_on_light(const Setting& setting, Page& page) {
         draw_runs(canvas, runs, left);
         renderer::draw(canvas, pictures::grown_to(chart, time), right.inset(0, 60));
       });
-  page.text(
-      R"(Cold, the pair sinks into each other until the correction of the overlap makes up for what the sweeps
-      leave, as the soft chain did in lesson 3. Warm, λ gets there over many steps; but meanwhile the overlap has
-      grown, its correction is remembered as well, and beyond r of about 3 × sweeps it does not settle (lesson 4's
-      trap). Solved directly a ratio of masses is a number in A.)");
-  page.figure(
-      "over_ratio",
-      say(R"(How far the upper box is from its place, at most, in the eighth second; @ sweeps a step. Dashed: from
-          the matrices of Gauss–Seidel.)",
-          sweeps),
-      over_ratio(setting));
-
-  const double law = textbook_sinking(ratio, sweeps, beta, h);
-  const bool mild = law < 0.3 && std::pow(1 - beta * (1 - std::pow(q, sweeps)), settling / h) < 1e-3;
   const auto [low, high] = range_of_sinking(pair(runs[0].pile.method.solver, ratio, beta), h);
+  const auto [warm_low, warm_high] = range_of_sinking(pair(runs[1].pile.method.solver, ratio, beta), h);
   const auto [direct_low, direct_high] = range_of_sinking(pair(Direct{}, ratio, beta), h);
-  page.measure("the upper box has sunk, cold", high, "m");
+  const double law = textbook_sinking(ratio, sweeps, beta, h);
+  const bool settled = warm_high - warm_low < 1e-3 && warm_high < 0.5;
+  page.text(
+      R"(Started cold, the boxes sink into each other until the correction of the overlap makes up for what the sweeps
+      leave, like the soft chain of lesson 3: here @. Started warm, λ reaches the weight over many steps. But
+      meanwhile the overlap has grown, and its correction is remembered as well (lesson 4); beyond a ratio of about 3
+      times the sweeps such a pair does not come to rest. Here it @. Solved directly, a ratio of masses is only a
+      number in A.)",
+      high < 0.5 ? say("by @ mm after @ s", Value(1000 * without_rounding(high, 1), 3), settling)
+                 : "so deep that they no longer stand on each other",
+      settled ? say("has come to rest after @ s, @ mm below its place", settling,
+                    Value(1000 * without_rounding(warm_high, 1), 3))
+              : say("has not come to rest after @ s", settling));
+  page.figure("over_ratio",
+              say(R"(How far the upper box is from its place, at most, in the eighth second; @ a step. Dashed: from
+          the matrices of Gauss–Seidel.)",
+                  several(sweeps, "sweep")),
+              over_ratio(setting));
+
+  const bool mild = law < 0.3 && std::pow(1 - beta * (1 - std::pow(q, sweeps)), settling / h) < 1e-3;
+  page.measure("the upper box has sunk, cold", without_rounding(high, 1), "m");
   page.claim({.quantity = "the upper box has sunk, cold sweeps",
               .unit = "m",
               .expected = law,

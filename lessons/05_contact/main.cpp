@@ -1,7 +1,6 @@
 #include "lessons/05_contact/steps.hpp"
 
-// Rows that may only push, friction that leans on them, and what becomes of many of them: bounces, cradles,
-// stacks.
+// Rows that may only push, friction within their bounds, and many contacts together: bounces, cradles, stacks.
 int main(int argc, char** argv) {
   using namespace byhand;
   using namespace byhand::contact;
@@ -19,7 +18,7 @@ int main(int argc, char** argv) {
       .speed = lesson.parameter("speed", 3.0, "m/s", {1, 10}, "of the box that is pushed along"),
       .restitution = lesson.parameter("e", 0.5, "1", {0.3, 0.95}, "restitution of the ball"),
       .drop = lesson.parameter("drop", 1.0, "m", {0.3, 5}, "height from which the ball falls"),
-      .balls = lesson.parameter("balls", 5, "1", {2, 10}, "of the cradle"),
+      .balls = lesson.parameter("balls", 5, "1", {3, 10}, "of the cradle"),
       .boxes = lesson.parameter("boxes", 20, "1", {2, 30}, "of the stack"),
       .sweeps = lesson.parameter("sweeps", 10, "1", {1, 100}, "sweeps over the stack in a step"),
       .base = lesson.parameter("base", 10, "1", {2, 20}, "boxes in the pyramid's lowest row"),
@@ -30,9 +29,9 @@ int main(int argc, char** argv) {
   };
 
   lesson.step("A row that may only push", with(push_only));
-  lesson.step("The pop of a deep contact", with(deep_contact));
-  lesson.step("Friction leans on the normal", with(friction_row));
-  lesson.step("Sticks or slides", with(sticks_or_slides));
+  lesson.step("A deep contact", with(deep_contact));
+  lesson.step("Friction is bounded by the normal", with(friction_row));
+  lesson.step("A box on a slope", with(sticks_or_slides));
   lesson.step("A bounce", with(bounce));
   lesson.step("Newton's cradle", with(cradle));
   lesson.step("A stack", with(stack_of_boxes));
@@ -41,21 +40,24 @@ int main(int argc, char** argv) {
 
   lesson.closing(
       {.now_you_know =
-           {"A contact is an inequality: JV + b ≥ 0, λ ≥ 0, one of them zero; what is clamped is the sum.",
-            "An overlap d leaves at βd/h, and pops off the ground beyond (1 − β/2)·2gh²/β².",
+           {R"(A contact is an inequality: JV + b ≥ 0, λ ≥ 0, one of them zero; the sum of all changes of λ is
+            clamped.)",
+            R"(An overlap d leaves at βd/h, and rises above the ground beyond about (1 − β/2)·2gh²/β²; split impulse
+            forgets this velocity.)",
             "Friction is (16) within μ times the normal's λ; each row computes JV anew, normals first.",
-            "It sticks while tanθ ≤ μ, and then slides by ½at(t + h).",
-            "A bounce is b = e JV⁻, with JV⁻ from before the step; reversed on overlap it gains h·v each time.",
-            "Where many touch at once, rows have an answer and nature has another.",
-            R"(A stack's weight is easily carried; its bending is not: to stand it takes ¾gh²N³ warm sweeps, or a
-            direct solve.)"},
-       .tries = {{"A square box hides the wrong clamp, a slim one shows it. Where between the two does it begin?",
+            "A block sticks while tanθ ≤ μ; beyond, it slides by ½at(t + h).",
+            "A bounce is b = e JV⁻, with JV⁻ where the fall meets the ground; reversed on overlap it gains h·v "
+            "each time.",
+            "Where many bodies touch at once, the rows have one result and nature has another.",
+            R"(Sweeps carry a stack's weight quickly, but not its bending: to stand it takes about ¾gh²N³ warm sweeps,
+            or a direct solve.)"},
+       .tries = {{"With each change clamped a square box stands and a slim one does not. Where does it begin?",
                   "./lessons/run contact --step 1 --set width=0.7"},
-                 {"Half the step: a stack that fell stands, with the same sweeps. How far could you raise it?",
+                 {"Half the step: which of the stacks stand now, with the same sweeps?",
                   "./lessons/run contact --step 7 --set h=1/120"},
                  {"Half the step: which of the bounces come nearer to the law?",
                   "./lessons/run contact --step 5 --set h=1/120"}},
-       .next = R"(Two rows made a contact with friction. Next, rows are put together into joints: pins, hinges,
-               sliders, limits and motors.)"});
+       .next = R"(Two rows made a contact with friction. Next, rows make joints: pins, welds, sliders, stops and
+               motors.)"});
   return lesson.run(argc, argv);
 }

@@ -200,9 +200,9 @@ void push_only(const Setting& setting, Page& page) {
                1 - s);
   page.text(
       R"(So **the sum is clamped**. A row may take back what it gave, down to zero; a later change may pull, as long
-      as the sum of all pushes. In the solver every bound is one interval for the sum λ; a contact has the interval
-      from 0 to ∞:)");
-  page.excerpt("solver/system.hpp", "interval");
+      as the sum of all pushes. Every bound is an interval for the sum λ: a contact has the interval from 0 to ∞, a
+      rod from −∞ to ∞, and friction has one that moves:)");
+  page.excerpt("lessons/05_contact/friction_row.cpp", "bounded");
 
   page.measure("speed upwards after one step, each clamped", up, "gh");
   page.claim({.quantity = "speed upwards after one step, each change clamped",

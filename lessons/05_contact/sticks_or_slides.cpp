@@ -80,11 +80,12 @@ Chart distances(const Setting& setting, double limit) {
   const double h = setting.h(), mu = setting.friction(), time = std::round(1 / h) * h;
   Curve measured{.label = "measured", .style = CurveStyle::markers},
       law{.label = "½at(t + h)", .style = CurveStyle::theory};
-  for (double angle = radians(4); angle < radians(41); angle += radians(2)) {
+  const double steepest = std::max(radians(41), limit + radians(12));  // always some that slide
+  for (double angle = radians(4); angle < steepest; angle += radians(2)) {
     measured.x.push_back(degrees(angle));
-    measured.y.push_back(slid_after(on_slope(setting, angle), angle, time, h));
+    measured.y.push_back(without_rounding(slid_after(on_slope(setting, angle), angle, time, h), 1));
   }
-  for (double angle = radians(4); angle < radians(41); angle += radians(0.5)) {
+  for (double angle = radians(4); angle < steepest; angle += radians(0.5)) {
     law.x.push_back(degrees(angle));
     law.y.push_back(law_of_sliding(angle, mu, time, h));
   }
@@ -101,9 +102,9 @@ void sticks_or_slides(const Setting& setting, Page& page) {
   const double slope = radians(setting.slope);
 
   page.text(
-      R"(Put a box of @ kg on a slope. Its weight has a part mg·cosθ that presses and a part mg·sinθ that pulls
-      along, and the bound allows μ times the first. Nothing in the solver says "static" or "kinetic": the same
-      row, JV = 0 within ±μλₙ, sticks where its λ stays inside and slides where it is at the bound.)",
+      R"(Put a box of @ kg on a slope. The part mg·cosθ of its weight presses on the slope, the part mg·sinθ pulls
+      along it, and friction is at most μ times the first. Nothing in the solver says "static" or "kinetic": the same
+      row, JV = 0 within ±μλₙ, sticks while its λ stays inside the bound and slides while λ is at the bound.)",
       setting.mass);
   page.predict({.ask = say("μ = @. From which slope on does the box slide?", setting.friction),
                 .answer = degrees(measured_limit(setting)),
@@ -111,8 +112,9 @@ void sticks_or_slides(const Setting& setting, Page& page) {
                 .tolerance = 0.4,
                 .wrong = {{degrees(std::asin(std::min(1.0, mu))),
                            "That is sinθ = μ: the normal force is mg·cosθ, not mg."}},
-                .hints = {"mg·sinθ pulls, mg·cosθ presses."},
-                .right = "tanθ = μ; the mass is on both sides."});
+                .hints = {"Compare the force along the slope with the largest friction.",
+                          "mg·sinθ pulls, mg·cosθ presses.", say("sinθ = @ · cosθ.", setting.friction)},
+                .right = say("tanθ = μ, so θ = arctan @; the mass is on both sides.", setting.friction)});
   const double farthest = law_of_sliding(slope, mu, slide_seconds, h) + 0.9;
   const double steepest = std::max(slope, limit + radians(1)), fall = farthest * std::sin(steepest);
   const Rectangle world{-0.8, -0.4 - fall, 0.8 + farthest * std::cos(slope), 1.4 + fall};
@@ -133,20 +135,26 @@ void sticks_or_slides(const Setting& setting, Page& page) {
         }
       });
   page.text(
-      R"(The edge is sharp. A thousandth below it the box has not moved after a second by more than rounding; a
-      thousandth above it slides, with the acceleration of the book, a = g(sinθ − μ·cosθ). Its velocity is exactly
-      a·t, for each step adds a·h. The distance is not ½at² but ½at(t + h): symplectic Euler moves with the
-      velocity of the *end* of each step.)");
+      R"(The limit is sharp. A thousandth below it the box has moved only by rounding after a second; a thousandth
+      above it slides, with the acceleration of the textbook, a = g(sinθ − μ·cosθ). Its velocity is exactly a·t,
+      because each step adds a·h. The distance is not ½at² but ½at(t + h): symplectic Euler moves with the velocity
+      of the *end* of each step.)");
+  page.derivation("The distance in steps", {{"after k steps", "v = k a h", R"(v_k = k\,a\,h)"},
+                                            {"each step moves by h times the new velocity",
+                                             "s = h · ah (1 + 2 + … + n)", R"(s = a h^2\,(1 + 2 + \dots + n))"},
+                                            {"1 + 2 + … + n = n(n + 1)/2, and t = nh", "s = ½ a t (t + h)",
+                                             R"(s = \tfrac12\,a\,t\,(t+h))"}});
   page.figure("distance_over_slope",
               say("How far the box slides in a second, μ = @, and the law.", setting.friction),
               distances(setting, limit));
 
   const double time = std::round(1 / h) * h, beside = 0.001;
-  page.measure("slid in 1 s on the third slope", slid_after(on_slope(setting, slope), slope, time, h), "m");
+  page.measure("slid in 1 s on the third slope",
+               without_rounding(slid_after(on_slope(setting, slope), slope, time, h), 1), "m");
   page.claim({.quantity = "slope at which it begins to slide",
               .unit = "°",
               .expected = degrees(limit),
-              .source = "law A7: tanθ = μ",
+              .source = "tanθ = μ",
               .measured = degrees(measured_limit(setting)),
               .tolerance = absolute(1e-5)});
   page.claim({.quantity = "slid in 1 s a thousandth below it",

@@ -103,46 +103,58 @@ struct BarsFilm {
 void bounds_on_turns(const Setting& setting, Page& page) {
   const double h = setting.h(), strength = setting.strength();
   page.text(
-      R"(A stop and a motor share one row, the turn's J = [0 −1 0 1]. What makes them two things is where λ may go,
-      and the solver holds that with the line you know from contacts:)");
-  page.excerpt("solver/system.hpp", "bound");
+      R"(A stop and a motor share one row, the turn's J = [0 −1 0 1]. They differ in the interval for λ and in the
+      speed that they ask for. The solver clamps the sum of λ to that interval, as lesson 5 did for a contact:)");
+  page.excerpt("lessons/05_contact/friction_row.cpp", "bounded");
   page.formula("stop:  JV ≥ −(β/h)C,  0 ≤ λ        motor:  JV = s,  |λ| ≤ τh",
                R"(\text{stop: } JV \ge -\tfrac{\beta}{h}C,\ 0 \le \lambda \qquad
                   \text{motor: } JV = s,\ |\lambda| \le \tau h)");
   page.text(
-      R"(The bound is on the *impulse* of a step, so a strength in N m is multiplied by h. (Forget that and a motor
-      is twice as strong at twice the frame rate.) Take a bar of @ m and @ kg, hinged at one end, held level and
-      let go. To hold it there takes mgl/2 = @ N m.)",
+      R"(The bound is on the *impulse* of a step, so a strength in N m is multiplied by h. (Without the h a motor would
+      be twice as strong at twice the frame rate.) Take a bar of @ m and @ kg, hinged at one end and released level.
+      To hold it there takes mgl/2 = @ N m.)",
       setting.length, setting.mass, 0.5 * weight_moment(setting));
 
   const double law = braked_at(strength), balance = strength < 0.5 ? std::acos(2 * strength) : 0;
   const Held weak = held(setting, strength), at_rest = after(weak, bar_settles, h);
   const double rest = below_level(at_rest);
-  const bool brakes = strength >= 0.24 && strength <= 0.48;
-  if (brakes)
+  const double needs = 0.5 * std::abs(std::cos(law));  // to hold the bar where the brake first stops it [mgl]
+  const bool holds_there = needs<0.98 * strength, swings_back = needs> 1.02 * strength;
+  const bool at_rest_now = std::abs(at_rest.scene.bodies().velocity[1][2]) < 1e-6;
+  const std::string where = say("½ sin φ = @ φ has the solution φ = @°; there the weight needs @ mgl.",
+                                setting.strength, Value(degrees(law), 4), Value(needs, 3));
+  if (holds_there)
     page.predict(
-        {.ask = say(R"(A motor of at most @ mgl is told to hold the bar (s = 0). It is too weak by far. How many
-                    degrees below level does the bar come to rest?)",
-                    setting.strength),
+        {.ask = say(
+             R"(A motor of at most @ mgl is told to hold the bar (s = 0). It is too weak. How many degrees below
+                    level does the bar come to rest?)",
+             setting.strength),
          .answer = degrees(rest),
          .unit = "°",
          .tolerance = 3,
-         .wrong = {{degrees(balance),
-                    R"(There its strength balances the weight's moment. But the bar arrives with speed, and it
-                    takes more way to spend that.)"},
-                   {90, "So it would with no motor at all and some friction; this one still pushes back there."},
-                   {0, "It needs mgl/2 there, and has not got it."}},
-         .hints = {R"(At its bound it is a brake that always gives the same. Gravity's work is ½mgl sin φ; what is
-                 the brake's?)"},
-         .right = "There ½ sin φ = φ times the strength over mgl, and from there on it can hold."});
+         .wrong =
+             {{degrees(balance),
+               R"(There its strength balances the weight's moment. But the bar arrives with speed, and needs more
+                    way to lose it.)"},
+              {90, "So it would with some friction instead of the motor; the motor still pushes back there."},
+              {0, "To hold it level takes mgl/2, and the motor has less."}},
+         .hints = {"At its bound the motor is a brake of constant moment. Compare two energies.",
+                   "Gravity's work is ½mgl sin φ; the brake's is τφ.",
+                   say("½ sin φ = @ φ, with φ in radians.", setting.strength)},
+         .right = where});
   page.text(
-      R"(All the way down its λ sits on the bound, so it takes the energy τφ. Gravity gave ½mgl sin φ. They are
-      equal at @°, @ the lowest point; there the weight needs @ mgl, @. If you *set the bar down gently*, the
-      answer is another one: it stays from arccos(2τ/mgl) = @° on.)",
-      Value(degrees(law), 4), law > pi / 2 ? "beyond" : "short of", Value(0.5 * std::abs(std::cos(law)), 3),
-      brakes ? "which is less than the motor has, and it holds"
-             : "which is more than the motor has, and the bar swings back, less far each time",
+      R"(All the way down its λ is at the bound, so the motor takes the energy τφ; gravity gives ½mgl sin φ. They are
+      equal at @°, @ the lowest point. There the weight needs @ mgl, @. If you *set the bar down gently*, the result
+      is different: it stays from arccos(2τ/mgl) = @° on.)",
+      Value(degrees(law), 4), law > pi / 2 ? "beyond" : "short of", Value(needs, 3),
+      holds_there   ? "less than the motor has, so it holds the bar"
+      : swings_back ? "more than the motor has, so the bar swings back, less far each time"
+                    : "just about what the motor has",
       Value(degrees(balance), 4));
+  if (!holds_there)
+    page.text(
+        at_rest_now ? "After @ s it is at rest, @° below level." : "After @ s it still moves, @° below level.",
+        bar_settles, Value(degrees(rest), 4));
   const std::vector<Shown> shown{{say("stop at @°", Value(degrees(stop_at), 3)), arm_on_stop(setting)},
                                  {say("motor of @ mgl", enough), held(setting, enough)},
                                  {say("motor of @ mgl", setting.strength), weak}};
@@ -166,19 +178,19 @@ void bounds_on_turns(const Setting& setting, Page& page) {
 
   const Held on_stop = after(shown[0].arm, bar_settles, h), holds = after(shown[1].arm, bar_settles, h);
   page.text(
-      R"(The stop gives nothing for @°, one blow when the bar arrives, and then what the bar leans on it with: ½mgl
-      cos @° = @ mgl. The strong motor gives exactly the weight's moment and not its strength: a bound is no
-      command. Only the weak one knows its bound.)",
+      R"(The stop gives nothing for @°, then one large impulse when the bar arrives, and then the moment of the bar's
+      weight: ½mgl cos @° = @ mgl. The strong motor gives exactly the weight's moment and not its full strength: a
+      bound is only a limit. The weak one is at its limit.)",
       Value(degrees(stop_at), 3), Value(degrees(stop_at), 3), Value(moment(on_stop, setting), 4));
-  page.measure("the weak motor's bar at rest, below level", degrees(rest), "°");
+  page.measure(say("the weak motor's bar after @ s, below level", bar_settles), degrees(rest), "°");
   page.claim({.quantity = "where the weak motor stops the bar, below level",
               .unit = "rad",
               .expected = law,
               .source = "½ sin φ = (τ/mgl) φ",
               .measured = rest,
               .tolerance = absolute(2 * h * h * gravity / setting.length + 1e-3),
-              .claimed = brakes && h * h * gravity / setting.length < 0.01,
-              .range = "0.24 ≤ strength ≤ 0.48 mgl, gh² < L/100"});
+              .claimed = holds_there && h * h * gravity / setting.length < 0.01,
+              .range = "a motor that can hold where it first stops the bar, gh² < L/100"});
   for (const double share : {0.98, 1.02}) {
     const double set_down = std::acos(std::min(1.0, 2 * strength)) / share;
     const bool stays = share < 1;

@@ -68,8 +68,8 @@ Run run_of(const SliderCrankOptions& options, double h) {
     const double moment = machine.reaction(motor_row).torque2[0];
     run.position_off = std::max(run.position_off, std::abs(x - exact.position(angle)));
     run.speed_off = std::max(run.speed_off, std::abs(machine.scene.bodies().velocity[crank][2] - options.speed));
-    // An impulse changes V from the middle of the last step to that of this one. The first steps still take up
-    // that nothing has drifted yet, while later ones always correct a little.
+    // An impulse changes V from the middle of the last step to that of this one. The run starts
+    // without drift, and its first steps build it up.
     if (machine.time > 10 * h)
       run.moment_off = std::max(run.moment_off, std::abs(moment - moment_at(options, angle - options.speed * h)));
     run.position.x.push_back(machine.time);
@@ -125,18 +125,25 @@ void driven_crank(const Setting& setting, Page& page) {
   const Run run = run_of(options, h), fine = run_of(options, h / 2);
 
   page.text(
-      R"(Every joint of this lesson in one machine: a motor turns a crank of @ m at @ rad/s, a rod of @ m joins it
-      by two pins to a piston, and a slider keeps the piston on its way. Three bodies of @ kg are nine numbers;
-      three pins and a slider take eight, and the motor's row the last. Nothing is left to chance, so there is a
-      closed form for all of it:)",
+      R"(Every joint of this lesson in one machine: a motor turns a crank of @ m at @ rad/s, a rod of @ m joins it by two
+      pins to a piston, and a slider guides the piston. Three bodies of @ kg have nine numbers of velocity; three pins
+      and a slider take eight of them, and the motor's row the last. The motion is fixed, so there is a closed form
+      for all of it:)",
       setting.crank, setting.speed, setting.length, setting.mass);
   page.formula("x = r cos θ + √(l² − r² sin² θ),   θ = θ₀ + ωt,   τ = ½ω² dI/dθ",
                R"(x = r\cos\theta + \sqrt{l^2 - r^2\sin^2\theta},\quad \theta = \theta_0 + \omega t,\quad
                   \tau = \tfrac12\omega^2\,\frac{dI}{d\theta})");
   page.text(
-      R"(I(θ) is what the machine's kinetic energy is over ½ω²: the crank's own @ kg m², and what rod and piston
-      add, which the angle decides. The motor pays for every rise of it and is paid back at every fall.)",
+      R"(I(θ) is the machine's kinetic energy divided by ½ω²: the crank's own @ kg m², and a part of the rod and the
+      piston that depends on the angle. Where I(θ) rises the motor gives energy, where it falls the motor takes it
+      back.)",
       Value(options.crank_mass * r * r / 3, 3));
+  page.derivation(
+      "The motor's moment",
+      {{"kinetic energy at a steady ω", "E = ½ I(θ) ω²", R"(E = \tfrac12\,I(\theta)\,\omega^2)"},
+       {"the motor's power is the change of E (there is no gravity here)", "τω = dE/dt = ½ω² dI/dθ · ω",
+        R"(\tau\,\omega = \dot E = \tfrac12\omega^2\,\frac{dI}{d\theta}\,\omega)"},
+       {"divide by ω", "τ = ½ ω² dI/dθ", R"(\tau = \tfrac12\,\omega^2\,\frac{dI}{d\theta})"}});
 
   double peak = 0;
   Curve position{.label = "closed form", .style = CurveStyle::theory}, moment = position;
@@ -157,7 +164,7 @@ void driven_crank(const Setting& setting, Page& page) {
                   .curves = {run.moment, moment}}};
   page.sequence("slider_crank",
                 R"(One turn and a half of the crank, all rows solved at once (β = 1). Orange: the motor's moment.
-                Dashed: the closed forms, which the solver has never seen.)",
+                Dashed: the closed forms.)",
                 Seconds{std::min(end, 3.0)},
                 [film](Canvas& canvas, double time) mutable { film.draw(canvas, time); });
   page.predict(
@@ -172,21 +179,20 @@ void driven_crank(const Setting& setting, Page& page) {
            }(),
        .unit = "1",
        .tolerance = 0.1,
-       .wrong =
-           {{2,
-             "The energy goes with the square of the speed. (The power, moment times speed, goes with its cube.)"},
-            {8, "That is the power; the moment is the power over the speed."}},
-       .hints = {"There is no gravity here: all that the motor does is to give and take kinetic energy."}});
-  page.text(
-      R"((The first few steps of the moment are not drawn: they take up that nothing has drifted yet.) The crank
-      turns at exactly its speed (off by @ rad/s at most): a motor with strength to spare is a row like any other.
-      The piston is off by @ mm at most, @ of that at half the step; that is the tangent of every step, (ωh)², with
-      ωh = @ here.)",
-      Value(run.speed_off, 1), Value(1000 * run.position_off, 3), Value(fine.position_off / run.position_off, 2),
-      Value(turn, 3));
-
+       .wrong = {{2, "The energy goes with the square of the speed."},
+                 {8, "That is the power, the moment times the speed."}},
+       .hints = {"There is no gravity here: the motor only gives and takes kinetic energy.", "τ = ½ω² dI/dθ.",
+                 "dI/dθ depends on the angle alone, not on the speed."},
+       .right = "τ = ½ω² dI/dθ goes with the square of the speed."});
   const bool calm = turn <= 0.15 && l >= 1.5 * r;
   const std::string range = "ωh ≤ 0.15, l ≥ 1.5 r";
+  page.text(
+      R"((The first steps of the moment are not drawn: the run starts without drift, and these steps build it up.) The
+      crank turns at its speed but for rounding: a motor with enough strength is a row like any other. The piston is
+      off by @ mm at most, @ of that at half the step@)",
+      Value(1000 * run.position_off, 3), Value(fine.position_off / run.position_off, 2),
+      calm ? say("; that is the tangent of every step, which goes with (ωh)², and ωh = @.", Value(turn, 3)) : ".");
+
   page.measure("piston off at most", 1000 * run.position_off, "mm");
   page.claim({.quantity = "crank's speed, largest difference",
               .unit = "rad/s",

@@ -153,23 +153,30 @@ void flat(const Setting& setting, Page& page) {
   const FourBar third{four_bar(bars_of(setting, radians(60), 3)), exactly()};
 
   page.text(
-      R"(Count the rank, not the rows. Hang a third arm between the two of the last step, parallel and of the same
-      length: one body and two pins more, @ numbers and @ rows.)",
+      R"(Hang a third arm between the two of the last step, parallel and of the same length: one body and two pins
+      more, @ numbers and @ rows.)",
       static_cast<int>(three.cols()), rows_of_three);
   page.choose(
       {.ask = say("@ − @ = @. Does it still move?", static_cast<int>(three.cols()), rows_of_three,
                   static_cast<int>(three.cols()) - rows_of_three),
-       .options = {{"no", "One row repeats what the others say; count the rank, not the rows."},
-                   {"yes", say("The rank is @: the coupler is level already, and the third arm says so once more.",
-                               rank_of_three)}},
+       .options = {{"no",
+                    say(R"(One row repeats what the others say: the coupler is level already, and the third arm
+                              asks for it again. The rank, the number of independent rows, is @.)",
+                        rank_of_three)},
+                   {"yes",
+                    say(R"(One row repeats what the others say: the coupler is level already, and the third arm
+                               asks for it again. The rank, the number of independent rows, is @.)",
+                        rank_of_three)}},
        .answer = static_cast<int>(three.cols()) > rank_of_three ? 1 : 0,
-       .hints = {"Look at the coupler's motion with two arms. Does the third arm object?"}});
+       .hints = {"Look at the coupler's motion with two arms. Does the third arm prevent it?",
+                 "freedoms = numbers − rank, not numbers − rows.",
+                 "The coupler stays level with two arms. What does the third arm ask of it?"}});
   page.text(
-      R"(So A has no inverse, and the direct solve says so instead of dividing by it: "@". (A sweep never notices.
-      It only ever divides by blocks of its own.)
+      R"(So A has no inverse, and the direct solve says so instead of dividing by zero: "@". (A sweep does not notice:
+      it divides only by blocks of its own.)
 
-      The linkage with two arms gets there by itself, for one moment: *flat*, with all bars in one line. Then the
-      four pins' rows along that line say one thing twice, and the rank falls from @ to @:)",
+      The linkage with two arms has such a moment too: *flat*, with all bars in one line. There the four pins' rows
+      along that line repeat one another, and the rank falls from @ to @:)",
       complaint(third, h), static_cast<int>(J.rows()), at_flat);
   Curve least{.label = "measured", .style = CurveStyle::line_and_markers},
       square{.label = "slope 2", .style = CurveStyle::theory};
@@ -180,39 +187,39 @@ void flat(const Setting& setting, Page& page) {
   }
   square.x = {30, least.x.back()};
   for (const double off : square.x) square.y.push_back(least.y.back() * std::pow(off / least.x.back(), 2));
-  page.figure("towards_flat", "The nearer to flat, the nearer to singular: with the square of the angle.",
+  page.figure("towards_flat", "The least eigenvalue of A falls with the square of the angle from flat.",
               Chart{.x = {.label = "arms from level (°)", .scale = Scale::logarithmic},
                     .y = {.label = "least eigenvalue of A (1/kg)", .scale = Scale::logarithmic},
                     .curves = {least, square}});
 
   const double ratio = crossed_ratio(bars), speed = pi / 2;
-  const std::vector<Way> ways{{"alike, 1 : 1", sent_off(setting, speed, 1)},
+  const std::vector<Way> ways{{"equal, 1 : 1", sent_off(setting, speed, 1)},
                               {say("crossed, 1 : −@", Value(-1 / ratio, 3)), sent_off(setting, speed, ratio)},
                               {"neither, 1 : −1", sent_off(setting, speed, -1)}};
   Chart energies{.x = {.label = "time (s)"}, .y = {.label = "kinetic energy (of the start)", .range = {{0, 1.1}}}};
   for (const Way& way : ways) energies.curves.push_back(energy_of(way, h));
   const auto kept = [&](int way) { return energies.curves[way].y.back(); };
   page.text(
-      R"(A row less is a freedom more. At that moment the linkage has two, and *two ways lead on*: it can stay a
-      parallelogram, or fold into a crossed one, whose arms turn against each other and at first as (c + a) to (c −
-      a), @ to 1. Nothing in J knows which; the velocities do. What if they ask for neither? J at the flat pose has
-      nothing against it, so the first step goes that way, and the next one finds pins that have parted: @ % of the
-      energy is left when the linkage is back on a way that exists.)",
-      Value(-1 / ratio, 3), Value(100 * kept(2), 2));
-  page.sequence("ways_on",
-                say(R"(The same flat pose, sent off in three ways, without gravity; regularisation @. Only two of
-                    them lead on.)",
-                    shown_share),
-                Seconds{flat_seconds},
-                [film = FlatFilm{ways, bars, h, energies}](Canvas& canvas, double time) mutable {
-                  film.draw(canvas, time);
-                });
+      R"(One independent row less is one freedom more. In the flat pose the linkage has two, and *two motions lead
+      on*: it can stay a parallelogram, or fold into a crossed linkage, whose arms turn against each other, at first
+      as (c + a) to (c − a), @ to 1. J does not decide between them; the velocities do. What if the velocities fit
+      neither? J at the flat pose allows them, so the first step goes there, and the next one finds pins that have
+      parted: @ % of the energy is left after @ s.)",
+      Value(-1 / ratio, 3), Value(100 * kept(2), 2), flat_seconds);
+  page.sequence(
+      "ways_on",
+      say(R"(The same flat pose with three choices of velocity, without gravity; regularisation @. Only two
+                    fit a motion of the linkage.)",
+          shown_share),
+      Seconds{flat_seconds}, [film = FlatFilm{ways, bars, h, energies}](Canvas& canvas, double time) mutable {
+        film.draw(canvas, time);
+      });
   page.text(
-      R"(**Regularisation** carries the direct solve across: add a small share ε of A's own diagonal to it, (A +
-      εD)λ = −(JV + b). It is softness, γ = εD: each row may give way a little, by γλ. Its price is that pins part
-      at a speed of about ε times what they carry; what it buys is a bound for λ. You need one. Let the right-hand
-      pivot be set @ mm too far out: flat, the bars cannot reach, and their pull on themselves moves nothing that
-      could stop it. Only ε answers:)",
+      R"(**Regularisation** lets the direct solve pass this pose: add a small share ε of A's own diagonal D to A, (A +
+      εD)λ = −(JV + b). It acts like softness γ = εD: each row may give way a little, by γλ. Its cost: pins part at a
+      speed of about ε times what they carry. Its benefit: λ is bounded. Suppose the right-hand pivot is @ mm too far
+      out. In the flat pose the bars cannot reach it, and their pull on each other moves nothing that could end it;
+      only ε does:)",
       1000 * misfit);
   page.formula("λ = (β/h) δ / (ε (4/m_a + 2/m_c)) = @ N·s for ε = @, where mgh = @ N·s",
                R"(\lambda = \frac{\beta\,\delta/h}{\varepsilon\,(4/m_a + 2/m_c)} = @\,\mathrm{N\,s}
@@ -220,7 +227,7 @@ void flat(const Setting& setting, Page& page) {
                self_pull_by_hand(setting, strict), strict, setting.mass() * gravity * h);
   Chart price{.x = {.label = "regularisation ε (1)", .scale = Scale::logarithmic},
               .y = {.label = "pins part at (m/s)", .scale = Scale::logarithmic}};
-  Chart gain{.x = price.x, .y = {.label = "self-pull of a misfit (N s)", .scale = Scale::logarithmic}};
+  Chart gain{.x = price.x, .y = {.label = "pull of a misfit (N s)", .scale = Scale::logarithmic}};
   Curve parting{.style = CurveStyle::line_and_markers}, pull{.label = "measured", .style = CurveStyle::markers},
       law{.label = "law", .style = CurveStyle::theory};
   for (int decade = -9; decade <= -1; ++decade) {
@@ -235,8 +242,8 @@ void flat(const Setting& setting, Page& page) {
   price.curves = {parting};
   gain.curves = {pull, law};
   page.figure("price_of_regularisation",
-              say(R"(What ε costs and what it buys, in the first step from flat. Left: how fast pins part when the
-                  linkage falls. Right: with what it pulls at itself when its pivots are @ mm too far apart.)",
+              say(R"(Cost and benefit of ε, in the first step from flat. Left: how fast pins part when the linkage
+                  falls. Right: the impulse along the bars when the pivots are @ mm too far apart.)",
                   1000 * misfit),
               [price, gain](Canvas& canvas) {
                 const auto cells = canvas.page().inset(14, 60).cells(1, 2, 24);
@@ -244,8 +251,8 @@ void flat(const Setting& setting, Page& page) {
                 draw(canvas, gain, cells[1]);
               });
   page.text(
-      R"(Between the two lies room: with ε = @ pins part at @ mm/s and the pull is @ N·s. So regularise *always*
-      where loops close, by as much as you do not see.)",
+      R"(With ε = @ pins part at @ mm/s and the pull is @ N·s. Where loops close, always use some regularisation, small
+      enough not to be seen.)",
       loose, Value(1000 * parting_speed(setting, loose), 2), Value(self_pull(setting, loose), 3));
 
   page.measure("energy left, sent off neither way", kept(2), "1");
@@ -267,7 +274,7 @@ void flat(const Setting& setting, Page& page) {
               .source = "square of the angle",
               .measured = least_at(setting, radians(1)) / least_at(setting, radians(0.5)),
               .tolerance = absolute(0.01)});
-  page.claim({.quantity = say("self-pull of the misfit, ε = @", strict),
+  page.claim({.quantity = say("pull of the misfit, ε = @", strict),
               .unit = "N s",
               .expected = self_pull_by_hand(setting, strict),
               .source = "βδ/(hε(4/m_a + 2/m_c))",

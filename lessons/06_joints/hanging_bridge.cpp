@@ -38,17 +38,17 @@ void hanging_bridge(const Setting& setting, Page& page) {
   const Bridge bridge_now = at_rest(setting);
   const double plank = setting.mass() * gravity, weight = planks * plank, pull = -force(bridge_now, 0).x();
   page.text(
-      R"(@ planks of @ m and @ kg, pinned end to end between two anchors: @ rows in a path, which the direct solve
-      takes at one go. At rest two things can be said of it without a computer. Each anchor carries half the
-      weight; and the level part of the pull, H, is the same in every pin, for nothing else pulls sideways. So a
-      plank slopes as the weight between its middle and the lowest point of the bridge, over H:)",
+      R"(@ planks of @ m and @ kg, pinned end to end between two anchors: @ rows in a path, which the direct solve takes
+      at once. Two things about the state of rest follow from statics. Each anchor carries half the weight; and the
+      horizontal part of the pull, H, is the same in every pin, because no other force is horizontal. So a plank
+      slopes as the weight between its middle and the lowest point of the bridge, over H:)",
       planks, setting.length, setting.mass, 2 * (planks + 1));
   page.formula(
       "tan θᵢ = (i − (n + 1)/2) w/H,   w = @ N, H = @ N",
       R"(\tan\theta_i = \bigl(i - \tfrac{n+1}{2}\bigr)\frac{w}{H}, \qquad w = @\,\mathrm{N},\; H = @\,\mathrm{N})",
       plank, Value(pull, 4));
-  Curve level{.label = "level", .style = CurveStyle::line_and_markers},
-      upright{.label = "upright", .style = CurveStyle::line_and_markers},
+  Curve level{.label = "horizontal", .style = CurveStyle::line_and_markers},
+      upright{.label = "vertical", .style = CurveStyle::line_and_markers},
       law{.label = "statics", .style = CurveStyle::theory};
   std::vector<std::pair<Point, Point>> arrows;
   double worst = 0, worst_level = 0, worst_slope = 0;
@@ -73,10 +73,10 @@ void hanging_bridge(const Setting& setting, Page& page) {
     worst_slope = std::max(worst_slope, std::abs(turn.sin / turn.cos - (i - 0.5 * (planks + 1)) * plank / pull));
   }
   Chart chart{
-      .x = {.label = "pin (1)"}, .y = {.label = "force (weight of the bridge)"}, .curves = {level, upright, law}};
+      .x = {.label = "pin"}, .y = {.label = "force (weight of the bridge)"}, .curves = {level, upright, law}};
   page.figure("bridge",
-              R"(The bridge at rest; arrows: what each pin gives to what is on its right (the last one: to the
-              anchor). Below: their level part, the same in all, and their upright part, the weight beyond.)",
+              R"(The bridge at rest; arrows: the force of each pin on the body to its right (the last one: on the
+              anchor). Below: their horizontal parts, the same in all, and their vertical parts, the weight beyond.)",
               [=](Canvas& canvas) {
                 const auto [upper, lower] = canvas.page().inset(16).split_rows(0.48, 10);
                 const double span = planks * setting.length();
@@ -88,21 +88,21 @@ void hanging_bridge(const Setting& setting, Page& page) {
                 draw(canvas, chart, lower);
               });
   page.text(
-      R"(The flatter the bridge, the larger H: an anchor of this one carries @ N, @ of the whole weight, and a
-      level one would have to pull without end. That is why this one is laid in an arc; and its tension, all along
-      the chain, is what makes bridges a hard case for sweeps (lesson 3).)",
+      R"(The flatter the bridge, the larger H: an anchor of this one carries @ N, @ of the whole weight, and a level one
+      would need an infinite pull. Therefore this one hangs in an arc. Its tension, all along the chain, makes bridges
+      hard for sweeps (lesson 3).)",
       Value(force(bridge_now, 0).norm(), 4), Value(force(bridge_now, 0).norm() / weight, 3));
   const std::string source = "statics: the weight beyond the pin";
-  page.claim({.quantity = "upright force of each pin, largest difference over the weight",
+  page.claim({.quantity = "vertical force of each pin, largest difference over the weight",
               .unit = "1",
               .expected = 0,
               .source = source,
               .measured = worst,
               .tolerance = absolute(1e-4)});
-  page.claim({.quantity = "level force, largest difference from pin to pin over the weight",
+  page.claim({.quantity = "horizontal force, largest difference from pin to pin over the weight",
               .unit = "1",
               .expected = 0,
-              .source = "nothing else pulls sideways",
+              .source = "no other force is horizontal",
               .measured = worst_level,
               .tolerance = absolute(1e-4)});
   page.claim({.quantity = "slope of the planks, largest difference",

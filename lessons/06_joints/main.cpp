@@ -9,7 +9,7 @@ int main(int argc, char** argv) {
   const Setting setting{
       .length = lesson.parameter("length", 2.0, "m", {0.5, 5}, "length of a bar or rod"),
       .mass = lesson.parameter("mass", 3.0, "kg", {0.1, 100}, "mass of a bar or bob"),
-      .h = lesson.parameter("h", 1.0 / 60, "s", {1e-3, 0.03}, "time step"),
+      .h = lesson.parameter("h", 1.0 / 60, "s", {1.0 / 400, 0.03}, "time step"),
       .beta = lesson.parameter("beta", 0.2, "1", {0.05, 1}, "share of the error that a step takes away"),
       .side = lesson.parameter("side", 0.2, "m", {0.05, 2}, "of the box on the arm (step 2)"),
       .angle = lesson.parameter("angle", 60.0, "deg", {5, 85}, "from which the four-bar is released (step 3)"),
@@ -18,8 +18,8 @@ int main(int argc, char** argv) {
           lesson.parameter("strength", 0.25, "mgl", {0.05, 0.48}, "of the motor that is too weak (step 5)"),
       .crank = lesson.parameter("crank", 0.4, "m", {0.05, 0.45}, "length of the crank (step 6)"),
       .speed = lesson.parameter("speed", 6.0, "rad/s", {1, 20}, "of the motor (step 6)"),
-      .gap = lesson.parameter("gap", 0.2, "m", {0.01, 0.5}, "by which one rod is longer (step 7)"),
-      .sweeps = lesson.parameter("sweeps", 10, "1", {1, 60}, "sweeps a step (steps 2, 7)"),
+      .gap = lesson.parameter("gap", 0.2, "m", {0.01, 0.3}, "by which one rod is longer (step 7)"),
+      .sweeps = lesson.parameter("sweeps", 10, "1", {1, 30}, "sweeps a step (steps 2, 7)"),
   };
   const auto with = [setting](void (*step)(const Setting&, tutor::Page&)) {
     return [=](tutor::Page& page) { step(setting, page); };
@@ -27,34 +27,32 @@ int main(int argc, char** argv) {
 
   lesson.step("From rows to joints", with(rows_to_joints));
   lesson.step("Block or row", with(block_or_row));
-  lesson.step("A four-bar linkage is a pendulum", with(four_bar_linkage));
-  lesson.step("Flat, and a row too many", with(flat));
+  lesson.step("A four-bar linkage", with(four_bar_linkage));
+  lesson.step("One row too many", with(flat));
   lesson.step("Stops and motors are bounds", with(bounds_on_turns));
   lesson.step("A motor drives a slider-crank", with(driven_crank));
-  lesson.step("Rods that repeat, rods that contradict", with(conflicting_rods));
+  lesson.step("Rods that repeat and rods that contradict", with(conflicting_rods));
 
-  lesson.deeper("A rope lets go", with(ropes));
+  lesson.deeper("A rope", with(ropes));
   lesson.deeper("A spring is a soft row", with(soft_rows));
   lesson.deeper("A bridge", with(hanging_bridge));
   lesson.deeper("A ragdoll on a stair", with(ragdoll_on_a_stair));
 
   lesson.closing(
       {.now_you_know =
-           {R"(A joint is K rows of the kind you know: a pin two, a weld three, a slider two. Stops, motors and
-            ropes are one row between bounds.)",
-            "Rows that lean on the same arm belong in one block; row by row a sweep leaves A₁₂²/(A₁₁A₂₂).",
-            R"(Machines made of joints are held to closed forms by nothing but their rows: periods, pistons,
-            moments.)",
-            R"(Degrees of freedom are numbers less *rank*. Where rows repeat, A is singular, and a regularisation
-            decides.)",
-            R"(Rows that contradict each other fight without end under a warm start, and the picture stays calm:
-            look at λ.)"},
+           {R"(A joint is K rows of the kind you know: a pin two, a weld three, a slider two. A stop, a motor and a rope
+            are one row within bounds.)",
+            "Rows that act through the same arm belong in one block; row by row a sweep leaves A₁₂²/(A₁₁A₂₂).",
+            "Machines made of joints follow their closed forms: periods, pistons, moments.",
+            R"(Degrees of freedom are numbers less *rank*. Where rows repeat, A is singular, and a regularisation makes λ
+            unique.)",
+            R"(With a warm start the λ of rows that contradict each other grows in every step while nothing moves: test
+            |λ|, not the picture.)"},
        .tries = {{"A box as large as its arm: is there still a difference between block and row?",
                   "./lessons/run joints --step 2 --set side=2"},
                  {"A motor that is a little stronger: where does the bar come to rest now?",
                   "./lessons/run joints --step 5 --set strength=0.4"},
-                 {"One sweep a step: how fast does the quarrel of the rods grow?",
-                  "./lessons/run joints --step 7 --set sweeps=1"}},
-       .next = "Lesson 7 leaves the plane: the same code with three axes more to turn about."});
+                 {"One sweep a step: how fast does λ grow now?", "./lessons/run joints --step 7 --set sweeps=1"}},
+       .next = "Lesson 7 leaves the plane: the same code with three axes of rotation."});
   return lesson.run(argc, argv);
 }

@@ -75,10 +75,9 @@ void ragdoll_on_a_stair(const Setting&, Page& page) {
   const double at_rest = passed(doll);
 
   page.text(
-      R"(Ten boxes, nine pins, two stops to each pin, and contacts wherever something touches: a ragdoll of @ kg
-      falls on a stair. Not one line of the solver knows what a ragdoll is. (@ sweeps a step of @ s, β = @, @ mm of
-      slop.))",
-      Value(weight / gravity, 3), sweeps, Value(step, 3), 0.2, 1);
+      R"(Ten boxes, nine pins, two stops to each pin, and contacts wherever something touches: a ragdoll of @ kg falls
+      on a stair. No line of the solver is about ragdolls. (@ a step of @ s, β = @, @ mm of slop.))",
+      Value(weight / gravity, 3), several(sweeps, "sweep"), Value(step, 3), 0.2, 1);
   page.sequence(
       "ragdoll", "Head, torso, arms and legs are boxes; each joint is a pin with two stops.",
       Seconds{fall_seconds}, [doll = start](Canvas& canvas, double time) mutable {
@@ -92,9 +91,9 @@ void ragdoll_on_a_stair(const Setting&, Page& page) {
         canvas.look_at_page();
       });
   page.text(
-      R"(A joint's stop is one more row that sweeps have to bring into line with all others, so it gives way under
-      a blow: @° at most here. At rest hardly anything is left of that (@°), the stops only ever pushed, and the
-      ground carries @ N, which is the doll's weight.)",
+      R"(A joint's stop is one more row that the sweeps have to bring together with all others, so an impact passes it:
+      by @° at most here. At rest only @° of that is left, no stop ever pulled, and the ground carries @ N, the doll's
+      weight.)",
       Value(degrees(worst), 2), Value(degrees(at_rest), 2), Value(carried(doll), 5));
   page.claim({.quantity = "least λ of any stop in any step",
               .unit = "N m s",

@@ -30,7 +30,7 @@ Track track_of(Simulation<PlaneParticle> simulation, const Setting& setting, dou
     const Point at = simulation.scene.bodies().pose[1].position;
     const double lambda = simulation.work.system.lambda[0];
     track.time.push_back(simulation.time);
-    // The first steps take up that the throw is along the tangent.
+    // The throw starts along the tangent, without drift; the first steps build it up.
     track.pull.push_back(simulation.time < 20 * h ? NAN : std::abs(lambda) / weight);
     track.path.push_back(at);
     if (std::isnan(track.let_go) && lambda == 0) track.let_go = -at.y() / at.norm();
@@ -68,8 +68,14 @@ void ropes(const Setting& setting, Page& page) {
                 .tolerance = 4,
                 .wrong = {{180, "The bob would have to arrive there with no speed, held up by the rope."},
                           {90, "There it is still fast: the rope has to turn it round, at twice the weight."}},
-                .hints = {"The pull is m(v²/L + g cos θ), and v² = 4gL − 2gL(1 − cos θ)."},
-                .right = "The pull mg(2 + 3 cos θ) ends where cos θ = −2/3."});
+                .hints = {"What does the rope have to pull for? The bob's turning, and a part of its weight.",
+                          "T = m(v²/L + g cos θ), and v² = 4gL − 2gL(1 − cos θ).", "T = mg(2 + 3 cos θ) = 0."},
+                .right = "The pull mg(2 + 3 cos θ) becomes zero where cos θ = −2/3."});
+  page.derivation("Where the pull ends", {{"energy, from the lowest point with v₀² = 4gL",
+                                           "v² = 4gL − 2gL(1 − cos θ)", R"(v^2 = 4gL - 2gL\,(1-\cos\theta))"},
+                                          {"along the rope: mass times v²/L towards the anchor",
+                                           "T = m(v²/L + g cos θ)", R"(T = m\,(v^2/L + g\cos\theta))"},
+                                          {"insert", "T = mg(2 + 3 cos θ)", R"(T = mg\,(2 + 3\cos\theta))"}});
   Chart chart{.x = {.label = "time (s)"}, .y = {.label = "pull or push, |λ|/h (mg)"}};
   chart.curves = {{.label = "rope", .x = rope.time, .y = rope.pull},
                   {.label = "rod", .x = rod.time, .y = rod.pull}};
@@ -98,9 +104,9 @@ void ropes(const Setting& setting, Page& page) {
                 draw(canvas, chart, right.inset(0, 60));
               });
   page.text(
-      R"(Nothing switches here. While the rope is shorter than its length the row lets it close the gap within the
-      step and no more, JV ≥ −C/h, and (17) would need a negative λ to do so: it is clamped to zero and the bob
-      flies. When it would overshoot, the same row catches it.)");
+      R"(No code switches here. While the distance is shorter than the rope, the row lets it close the gap within the
+      step and no more, JV ≥ −C/h; (17) would need a pushing λ to hold it back, which is clamped to zero, and the bob
+      flies. When it would go beyond the length, the same row catches it.)");
   page.claim({.quantity = "cos θ where the rope goes slack",
               .unit = "1",
               .expected = -2.0 / 3,

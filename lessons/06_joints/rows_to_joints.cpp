@@ -116,17 +116,17 @@ void rows_to_joints(const Setting& setting, Page& page) {
   const double length = setting.length;
 
   page.text(
-      R"(The article says it in passing: a system of constraints can form a joint. You have all that it takes. Lay
-      two bars of @ m and @ kg end to end and ask that the two ends, P₁ and P₂, stay together. That is C = P₂ − P₁
-      = 0, a *vector*: one row for each axis of the world. Differentiate, isolate V, and each row is the one that
-      (14), (15) and (16) share, with e_x or e_y for its direction:)",
+      R"(The article mentions it in one sentence: a system of constraints can form a joint. Put two bars of @ m and @
+      kg end to end and ask that the two ends, P₁ and P₂, stay together. That is C = P₂ − P₁ = 0, a *vector*: one row
+      for each axis of the world. Differentiate and isolate V, and each row has the form that (14), (15) and (16)
+      share, with e_x or e_y for its direction:)",
       setting.length, setting.mass);
   page.excerpt("solver/constraints/pin.hpp", "jacobian");
   page.text(
-      R"(That is a **pin**. Ask besides that the bars do not turn against each other, φ̇ = ω₂ − ω₁ = 0, and the row
-      [0 −1 0 1] makes it a **weld**. Keep that row and one across a rail, and it is a **slider**: what is not
-      forbidden, along the rail, is free. Nothing else is new. (17) becomes K equations for K numbers, and the
-      effective mass a K × K block: A = JM⁻¹Jᵀ is inverted as a whole.)");
+      R"(That is a **pin**. Add φ̇ = ω₂ − ω₁ = 0, the row [0 −1 0 1], so that the bars do not turn against each other,
+      and it is a **weld**. Keep that row and one across a rail, and it is a **slider**, free along the rail. For K
+      rows (17) becomes K equations for K numbers, and the effective mass a K × K block: A = JM⁻¹Jᵀ is inverted as a
+      whole.)");
   page.figure("joints",
               say(R"(Two bars of @ m and @ kg, four ways to join them, and the numbers that say so: above J with a
                   column for each of the two bodies' velocities, below A = JM⁻¹Jᵀ (1/kg, 1/(kg m) and 1/(kg m²)).
@@ -138,28 +138,27 @@ void rows_to_joints(const Setting& setting, Page& page) {
                   draw_column(canvas, columns[i], bodies, length, cells[i]);
               });
   page.text(
-      R"(Look at A. Beside the diagonal stands what one row does to the other: here @ 1/kg between the pin's x and
-      y. To push one end along x you turn the bar, and its end moves along y too. Two pins at the *centres* of two
-      bodies would have zeros there; the longer the arms and the smaller the inertia, the more the rows are in each
-      other's way. The next step shows what that costs.)",
+      R"(Look at A. An entry off the diagonal says what one row does to the other: here @ 1/kg between the pin's x and
+      y. An impulse at one end along x also turns the bar, and so moves its end along y. For two pins at the
+      *centres* of two bodies these entries would be zero; the longer the arms and the smaller the inertia, the more
+      the rows disturb each other. The next step shows what that costs.)",
       Value(pin_A(0, 1), 3));
   page.text(
-      R"(And the rest of what joints do is *not a row but a bound*, the same that made a contact of a row. The
-      turn's row [0 −1 0 1] with 0 ≤ λ is a **stop**: it pushes back at the end of the way, and never pulls. With a
-      speed for its target and |λ| ≤ τh it is a **motor** of strength τ. A rod's row with λ ≥ 0 for its pull is a
-      **rope**. Here they all are at work:)");
+      R"(The other parts of joints are *not rows but bounds*, as for a contact. The turn's row [0 −1 0 1] with 0 ≤ λ
+      is a **stop**: it pushes back at the end of the range, and never pulls. With a speed as its target and |λ| ≤ τh
+      it is a **motor** of strength τ. A rod's row with λ ≥ 0 for its pull is a **rope**. All of them at work:)");
   page.sequence(
       "six_joints",
-      say(R"(What joints leave free. Above equations, below bounds: the bar of the stop ends at @°, the motor turns
-          once in @ s, the rope is slack at first. Arrows: the force that the joint gives the bar (λ/h).)",
+      say(R"(What joints leave free. Above: equations; below: bounds. The stop is at @°, the motor turns once in @
+          s, the rope is slack at first. Arrows: the force that the joint gives the bar (λ/h).)",
           Value(degrees(sample_stop), 3), sample_seconds),
       Seconds{sample_seconds},
       [samples = Samples(setting)](Canvas& canvas, double time) mutable { samples.draw(canvas, time); });
 
   const std::vector<int> free{6 - static_cast<int>(pin_A.rows()), 6 - static_cast<int>(weld_A.rows())};
   page.text(
-      R"(Two bodies in the plane move with six numbers. A pin takes two of them and leaves @, a weld takes three
-      and leaves @: the two bodies are one.)",
+      R"(Two bodies in the plane have six numbers of velocity. A pin takes two of them and leaves @; a weld takes
+      three and leaves @: the two bodies move as one.)",
       free[0], free[1]);
   double slope_error = 0;
   for (const Column& column : columns) slope_error = std::max(slope_error, column.matrices.slope_error);

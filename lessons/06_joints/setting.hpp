@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "lessons/tutor/lesson.hpp"
 #include "solver/step.hpp"
 
@@ -20,6 +22,9 @@ inline constexpr double gravity = 9.81;  // [m/s²], as Scene has it
 inline constexpr double pi = 3.14159265358979323846;
 inline double radians(double degrees) { return degrees / 180 * pi; }
 inline double degrees(double radians) { return radians / pi * 180; }
+
+/// The value, or 0 where it is only rounding beside `scale`.
+inline double without_rounding(double value, double scale) { return std::abs(value) < 1e-9 * scale ? 0 : value; }
 
 /// All rows at once, and as much of the error as one step can take: what is left is the step's own.
 inline VelocityStepping exactly(double regularisation = 0) {

@@ -49,19 +49,37 @@ double sag(const Setting& setting, double frequency, double load) {
 void soft_rows(const Setting& setting, Page& page) {
   const double h = setting.h(), length = setting.length(), heavy = 10, shown = 20;  // load [1], ω [rad/s]
   page.text(
-      R"(Let a row give way on purpose. Ask for the impulse that a spring and a damper would give, λ/h = −(kC +
-      cĊ), both taken at the *end* of the step; C there is C + h JV. Gather JV, and it is a row again, with a bias
-      and a softness γ:)");
+      R"(Let a row give way on purpose. Ask for the impulse that a spring and a damper would give, λ/h = −(kC + cĊ),
+      both taken at the *end* of the step, where C has become C + h JV. Solve for JV, and it is a row again, with a
+      bias and a softness γ:)");
   page.formula("JV + (k/(c + hk)) C + γλ = 0,   γ = 1/(h(c + hk))",
                R"(JV + \frac{k}{c + hk}\,C + \gamma\lambda = 0, \qquad \gamma = \frac{1}{h(c + hk)})");
+  page.derivation("A spring and a damper as a row",
+                  {{"force of spring and damper at the step's end", "λ/h = −k(C + hJV) − c JV",
+                    R"(\lambda/h = -k\,(C + hJV) - c\,JV)"},
+                   {"collect JV", "(c + hk) JV + kC + λ/h = 0", R"((c + hk)\,JV + kC + \lambda/h = 0)"},
+                   {"divide by c + hk", "JV + k/(c + hk) C + γλ = 0,   γ = 1/(h(c + hk))",
+                    R"(JV + \frac{k}{c+hk}\,C + \gamma\lambda = 0,\qquad \gamma = \frac{1}{h(c+hk)})"}});
   page.text(
-      R"(Nobody tunes k and c by hand: say a frequency ω and a damping ζ, and take k = m ω² and c = 2mζω with the
-      row's own effective mass (19). A spring that carries only its own bob then hangs out by g/ω², whatever the
-      bob weighs. But m is the mass that *this row* sees, not what hangs below it.)");
+      R"(Instead of k and c one gives a frequency ω and a damping ratio ζ, and takes k = m ω² and c = 2mζω with the
+      row's own effective mass m = 1/A of (19). A spring that carries only its own bob then stretches by g/ω²,
+      whatever the bob's mass. But m is the mass that *this row* sees, not what hangs below it.)");
+  page.text(
+      R"(**Soft constraints** use this in place of Baumgarte's β, for every row. The recipe:
+
+      - apply gravity to V;
+      - solve the rows with this bias and this γ (ω about 90 rad/s, ζ = 1);
+      - move the bodies by h·V;
+      - solve the rows again, hard and without bias: this relaxes them, JV = 0;
+      - keep that λ, which contains no correction, for the next warm start.
+
+      The knobs are ω and ζ. One row is stable for every ωh and ζ, and the relaxed λ does not ring as in lesson 4. The
+      price is a second solve. A soft row under load stretches by T/(mω²), so it cannot hold a heavy load on a light
+      body exactly; and with few sweeps on a long chain it has a limit of its own (lesson 8).)");
   const double light = sag(setting, shown, 0), loaded = sag(setting, shown, heavy);
   page.predict(
       {.ask = say(R"(At ω = @ rad/s the bob hangs out by @ mm. Now hang one of @ times its mass below it. How far
-                  does the spring hang out, in mm?)",
+                  does the spring hang out?)",
                   shown, Value(1000 * light, 3), heavy),
        .answer = 1000 * loaded,
        .unit = "mm",
@@ -69,7 +87,8 @@ void soft_rows(const Setting& setting, Page& page) {
        .wrong = {{1000 * light,
                   "The spring was tuned to its own bob. What it carries is now more, and its stiffness is not."},
                  {1000 * heavy * light, "It still carries its own bob too."}},
-       .hints = {"C = T/k, and k = m ω² with the first bob's m."},
+       .hints = {"The stiffness was chosen for the first bob. What does the spring carry now?",
+                 "C = T/k, and k = m ω² with the first bob's m.", say("T is @ times as large.", heavy + 1)},
        .right = "C = T/(mω²), and T is the weight of both."});
   Chart sags{.x = {.label = "ω (rad/s)", .scale = Scale::logarithmic},
              .y = {.label = "sag (m)", .scale = Scale::logarithmic}};
@@ -86,7 +105,7 @@ void soft_rows(const Setting& setting, Page& page) {
     sags.curves.push_back(law);
   }
   sags.references.push_back({Reference::Across::x, 1 / h, "ωh = 1"});
-  Chart rings{.x = {.label = "steps (1)"}, .y = {.label = "stretch over its start (1)"}};
+  Chart rings{.x = {.label = "step"}, .y = {.label = "stretch over its start (1)"}};
   double worst = 0;
   for (const double turn : {0.1, 0.5, 2.0, 10.0}) {
     Hanging hanging = on_spring(setting, turn / h, 0, 0);
@@ -116,20 +135,20 @@ void soft_rows(const Setting& setting, Page& page) {
         draw(canvas, rings, cells[1]);
       });
   page.text(
-      R"(A spring that is a plain force, stepped by symplectic Euler, blows up beyond ωh = 2; this one cannot, for
-      every k, c and h, as long as its row is solved exactly. It loses energy instead: at ωh = 2 not one swing is
-      left. A spring that shall swing needs ωh well below 1; one that shall only be *firm* may be as stiff as you
-      like, and what it hangs out by is known beforehand.)");
+      R"(A spring that is an explicit force, stepped by symplectic Euler, becomes unstable beyond ωh = 2. This row does
+      not, for any k, c and h, as long as it is solved exactly. It loses energy instead: at ωh = 2 not one swing is
+      left. A spring that is meant to swing needs ωh well below 1; one that is only meant to be *firm* may be as stiff
+      as you like, and its stretch is known beforehand.)");
   page.claim({.quantity = "sag of the bob alone",
               .unit = "m",
               .expected = gravity / (shown * shown),
-              .source = "law B11: T/(m_eff ω²) = g/ω²",
+              .source = "law of the soft row: T/(m_eff ω²) = g/ω²",
               .measured = light,
               .tolerance = relative(1e-6)});
   page.claim({.quantity = say("sag with @ times its mass below", heavy),
               .unit = "m",
               .expected = gravity * (1 + heavy) / (shown * shown),
-              .source = "law B11: T/(m_eff ω²)",
+              .source = "law of the soft row: T/(m_eff ω²)",
               .measured = loaded,
               .tolerance = relative(1e-4)});
   page.claim({.quantity = "energy after a step over before, at most, ωh up to 10",
