@@ -115,6 +115,10 @@ void nutation(const Setting& setting, Page& page) {
       setting.share);
   page.formula("u̇² = 2(E/m + gLu)(1 − u²)/L² − (L_y/(mL²))²",
                R"(\dot u^2 = \frac{2}{L^2}\Bigl(\frac{E}{m} + gLu\Bigr)(1-u^2) - \Bigl(\frac{L_y}{mL^2}\Bigr)^2)");
+  page.text(
+      R"(is a cubic in u. Its roots in reach are the two cones, at @° and @°, and the time from one to the other and back
+      is an elliptic integral. One nutation takes @ s and leads @° round the vertical.)",
+      setting.angle, degrees(pendulum.other_angle()), exact.period, degrees(exact.precession));
   page.derivation(
       "Why u̇² is a cubic in u",
       {{"energy and angular momentum about the vertical stay",
@@ -123,10 +127,6 @@ void nutation(const Setting& setting, Page& page) {
        {"solve for θ̇²", "θ̇² = 2(E/m + gL cosθ)/L² − (L_y/(mL² sinθ))²",
         R"(\dot\theta^2 = \frac{2}{L^2}\Bigl(\frac Em + gL\cos\theta\Bigr) - \Bigl(\frac{L_y}{mL^2\sin\theta}\Bigr)^2)"},
        {"u̇ = −sinθ θ̇, sin²θ = 1 − u²", "u̇² = (1 − u²) θ̇²", R"(\dot u^2 = (1 - u^2)\,\dot\theta^2)"}});
-  page.text(
-      R"(is a cubic in u. Its roots in reach are the two cones, at @° and @°, and the time from one to the other and back
-      is an elliptic integral. One nutation takes @ s and leads @° round the vertical.)",
-      setting.angle, degrees(pendulum.other_angle()), exact.period, degrees(exact.precession));
   page.sequence(
       "between_two_cones",
       say(R"(The bob set out sideways at @ of the cone's speed. Grey rings: the two cones of the exact motion.
