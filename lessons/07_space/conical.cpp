@@ -70,11 +70,11 @@ void conical(const Setting& setting, Page& page) {
       R"(A bob needs no orientation: it is a `SpaceParticle`, and its rod is the one row of lesson 2, now of six numbers.
       Start it sideways at the right speed, and it circles at a steady angle. That is the conical pendulum.)");
   page.predict(
-      {.ask = say(
-           "It circles on a cone at @° from straight down. What does the rod pull with, in weights of the bob?",
-           setting.angle),
+      {.ask = say("It circles on a cone at @° from straight down. How many times the weight of the bob does the "
+                  "rod pull with?",
+                  setting.angle),
        .answer = fine.tension / weight,
-       .unit = "weights",
+       .unit = "1",
        .tolerance = 0.03 * measured,
        .wrong = {{std::cos(angle),
                   "That is the part of the weight along the rod. But it is the *vertical* forces that balance: "
@@ -98,7 +98,7 @@ void conical(const Setting& setting, Page& page) {
       R"(The pull of the rod over the angle of the cone: λ/h, mean of the third turn. The lower dashed line is the
               part of the weight along the rod, which is not the pull.)",
       over_angle(setting));
-  page.measure("tension", measured, "weights");
+  page.measure("tension over weight", measured, "1");
   page.measure("one turn", turn.period, "s");
 
   // A step leaves the circle by ½(vh)² and β pulls that back; to first order in h both periods and pulls are off.
