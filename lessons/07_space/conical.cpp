@@ -67,35 +67,38 @@ void conical(const Setting& setting, Page& page) {
   const double measured = turn.tension / weight;
 
   page.text(
-      R"(A bob needs no orientation: it is a `SpaceParticle`, and its rod the same one row as in lesson 2, now of
-      six numbers. Start it sideways at the right speed, and it circles at a steady angle: the conical
-      pendulum.)");
+      R"(A bob needs no orientation: it is a `SpaceParticle`, and its rod is the one row of lesson 2, now of six numbers.
+      Start it sideways at the right speed, and it circles at a steady angle. That is the conical pendulum.)");
   page.predict(
-      {.ask = say(
-           "It circles on a cone at @° from straight down. What does the rod pull with, in weights of the bob?",
-           setting.angle),
+      {.ask = say("It circles on a cone at @° from straight down. How many times the weight of the bob does the "
+                  "rod pull with?",
+                  setting.angle),
        .answer = fine.tension / weight,
-       .unit = "weights",
+       .unit = "1",
        .tolerance = 0.03 * measured,
        .wrong = {{std::cos(angle),
-                  "That is the weight along the rod; but here the *vertical* must balance: T·cosθ = mg."},
-                 {1, "It holds the weight, but aslant: only T·cosθ of it points up."},
-                 {std::tan(angle), "That is the part that turns the bob, T·sinθ."}},
-       .hints = {"The bob stays at its height. Which part of the pull carries the weight?"},
-       .right = say("1/cosθ. With steps of @ s the run has @.", setting.h, measured)});
+                  "That is the part of the weight along the rod. But it is the *vertical* forces that balance: "
+                  "T·cosθ = mg."},
+                 {1, "The rod is inclined: only the part T·cosθ of its pull points up."},
+                 {std::tan(angle), "That is T·sinθ over mg, the part that keeps the bob on its circle."}},
+       .hints = {"The bob stays at its height. Which part of the pull carries the weight?", "T·cosθ = mg",
+                 say("T/mg = 1/cos @°", setting.angle)},
+       .right = say("1/cosθ. With steps of @ s the run has @.", setting.h, Value(measured, 4))});
   page.formula("T·cosθ = mg,   T·sinθ = mω²L·sinθ   ⟹   T = mg/cosθ = @ N,   ω² = g/(L·cosθ)",
                R"(T\cos\theta = mg, \quad T\sin\theta = m\omega^2 L\sin\theta \quad\Rightarrow\quad )"
                R"(T = \frac{mg}{\cos\theta} = @\ \mathrm{N}, \quad \omega^2 = \frac{g}{L\cos\theta})",
                exact.tension(setting.mass));
-  page.figure("cone",
-              R"(Forces on the bob (orange) as the run has them, with its velocity (green). The rod's pull both
-              carries the weight and turns the bob.)",
-              [=](Canvas& canvas) { draw_cone(canvas, angle, measured); });
-  page.figure("tension_over_angle",
-              R"(The rod's pull over the angle of the cone: λ/h, averaged over the third turn. The lower dashed
-              line is the mistake of taking the weight along the rod for it.)",
-              over_angle(setting));
-  page.measure("tension", measured, "weights");
+  page.figure(
+      "cone",
+      R"(Forces on the bob (orange) in the run, and its velocity (green). The pull of the rod carries the weight
+              and keeps the bob on its circle.)",
+      [=](Canvas& canvas) { draw_cone(canvas, angle, measured); });
+  page.figure(
+      "tension_over_angle",
+      R"(The pull of the rod over the angle of the cone: λ/h, mean of the third turn. The lower dashed line is the
+              part of the weight along the rod, which is not the pull.)",
+      over_angle(setting));
+  page.measure("tension over weight", measured, "1");
   page.measure("one turn", turn.period, "s");
 
   // A step leaves the circle by ½(vh)² and β pulls that back; to first order in h both periods and pulls are off.

@@ -99,6 +99,27 @@ Kept kept_in(const Flight& flight, const char* name) {
   return kept;
 }
 
+//! [explicit]
+/// One step of the explicit term: the spin about the body's own axes, from what it was at the start.
+Eigen::Vector3d explicitly(const Eigen::Vector3d& I, const Eigen::Vector3d& spin, double h) {
+  const Eigen::Vector3d momentum = I.cwiseProduct(spin);
+  return spin + h * momentum.cross(spin).cwiseQuotient(I);
+}
+//! [explicit]
+
+//! [implicit]
+/// One step of the implicit term: the same with the mean of the spins before and after, found by repetition.
+Eigen::Vector3d implicitly(const Eigen::Vector3d& I, const Eigen::Vector3d& spin, double h) {
+  Eigen::Vector3d after = spin;
+  for (int i = 0; i < 50; ++i) {
+    const Eigen::Vector3d mean = 0.5 * (spin + after), momentum = I.cwiseProduct(mean);
+    const double half = 0.5 * h * mean.norm();  // tan(half)/half is 1 + half²/3: for a turn about one axis
+    after = spin + h * std::tan(half) / half * momentum.cross(mean).cwiseQuotient(I);
+  }
+  return after;
+}
+//! [implicit]
+
 /// The mean time from one flip to the next [s].
 double between_flips(const Flight& flight) {
   const auto times = flips_of(flight);
@@ -121,36 +142,42 @@ void flips(const Setting& setting, Page& page) {
   const double measured = between_flips(implicit_flight);
 
   page.text(
-      R"(A real book turns over, again and again: try it, with a rubber band round it. About the middle axis a spin
-      is unstable; what is off grows until the book has flipped, then it spins steadily for a while, and flips
-      back. Euler's equations have the exact answer, an elliptic sine; here the book flips every @ s, half its
-      period.)",
+      R"(A real book turns over, again and again; try it, with a rubber band round it. A spin about the middle axis is
+      unstable: the small part about the other axes grows until the book has flipped; then it spins steadily for a
+      while, and flips back. Euler's equations have an exact solution, an elliptic sine. By it this book flips every
+      @ s, half its period.)",
       half_period);
   page.text(
-      R"(So the term must be added. There are two ways. *Explicit*: ω += −h I⁻¹(ω × Iω), from what is known at the
-      start of the step. *Implicit*: the ω that turns the book is the mean of before and after, which takes three
-      small equations and a few steps of Newton's for each body. In the step they stand around the rows:)");
-  page.excerpt("solver/integrate/gyroscopic.hpp", "gyroscopic");
+      R"(So the term has to be added. There are two ways. *Explicit*: from the spin at the start of the step. In the
+      body's own axes, where I is three numbers:)");
+  page.excerpt("lessons/07_space/flips.cpp", "explicit");
+  page.text(
+      R"(*Implicit*: with the mean of the spins before and after, about which the book turns in the step. These are three
+      equations for three unknowns; repetition solves them for the short steps here, the solver uses Newton's method.)");
+  page.excerpt("lessons/07_space/flips.cpp", "implicit");
   page.sequence(
       "three_books",
-      R"(The same book thrown with the term left out, explicit and implicit. The yellow end shows which way up it
-      is, the arrow is Iω, which should not move. Below: the spin about the book's own y; dashed the exact one.)",
+      R"(The same book thrown without the term, with the explicit and with the implicit one. The yellow end shows which
+      way up it is; the arrow is Iω, which should not move. Below: the spin about the book's own y, dashed the exact
+      one.)",
       Seconds{flip_seconds}, [film = film_of(setting)](Canvas& canvas, double time) { film.draw(canvas, time); });
 
   const Eigen::Vector3d kick = moments.cwiseProduct(spin).cross(spin);
   const double gain = h * h / 2 * kick.dot(kick.cwiseQuotient(moments));
   page.choose(
-      {.ask = R"(The explicit term is a kick at right angles to ω: it does no work. What does the energy do over
-              many flips?)",
+      {.ask =
+           R"(The explicit term is a kick at right angles to ω, so it does no work at the start of the step. What does
+              the energy do over many flips?)",
        .options =
-           {{"it stays",
-             R"(At right angles to ω at the *start* of the step. A step along the tangent of a sphere leaves the
-             sphere, always outward.)"},
+           {{"it is conserved",
+             R"(The kick is at right angles to ω at the *start* of the step. A step along the tangent of a sphere leaves
+             the sphere, always outwards.)"},
             {"it rises",
-             "Yes: each step adds ½h²k·I⁻¹k, with k = Iω × ω, the square of its kick; never less than nothing."},
-            {"it falls", "Nothing is thrown away here as the rod does; the kick is only added."}},
+             "Each step adds ½h²k·I⁻¹k with k = Iω × ω: the square of the kick, which is never negative."},
+            {"it falls", "Nothing is removed here, as a rod removes velocity; the kick is only added."}},
        .answer = flights[1].back().energy > flights[1][0].energy ? 1 : 2,
-       .hints = {"Think of the tangent of lesson 2: to which side of the circle does it leave?"}});
+       .hints = {"To which side of a circle does a step along its tangent lead?",
+                 "E = ½ω·Iω, and ω' = ω + h I⁻¹k with k·ω = 0", "E' − E = h k·ω + ½h² k·I⁻¹k"}});
   Chart energy{.x = {.label = "time (s)"}, .y = {.label = "largest |ΔE|/E (1)", .scale = Scale::logarithmic}},
       momentum{.x = {.label = "time (s)"},
                .y = {.label = "largest |Δ(Iω)|/|Iω| (1)", .scale = Scale::logarithmic}};
@@ -158,25 +185,26 @@ void flips(const Setting& setting, Page& page) {
     energy.curves.push_back(each.energy);
     momentum.curves.push_back(each.momentum);
   }
-  page.figure("what_is_kept",
-              say(R"(Energy (left) and angular momentum (right) over @ s, the largest relative change so far. Left
-                  out keeps the one, explicit neither, implicit both, to rounding.)",
-                  flight_seconds),
-              [=](Canvas& canvas) {
-                const auto [left, right] = canvas.page().inset(20, 60).split_columns(0.5, 24);
-                renderer::draw(canvas, energy, left);
-                renderer::draw(canvas, momentum, right);
-              });
+  page.figure(
+      "what_is_kept",
+      say(R"(Energy (left) and angular momentum (right) over @ s, the largest relative change so far. Without the
+                  term energy is conserved and angular momentum is not; the explicit term conserves neither, the
+                  implicit one both, to rounding.)",
+          flight_seconds),
+      [=](Canvas& canvas) {
+        const auto [left, right] = canvas.page().inset(20, 60).split_columns(0.5, 24);
+        renderer::draw(canvas, energy, left);
+        renderer::draw(canvas, momentum, right);
+      });
   if (flew_apart(flights[1], flight_seconds))
-    page.text("The explicit book is past any use after @ s: its spin has passed a hundredfold.",
+    page.text("With the explicit term the book spins a hundred times as fast as at first after @ s.",
               flights[1].back().time);
   else
     page.text("After @ s the explicit book has @ times the energy it was thrown with.", flight_seconds,
               flights[1].back().energy / flights[1][0].energy);
-  page.measure("from flip to flip, implicit", measured, "s");
-
   const double turned = spin.norm() * h;
   const bool flips_twice = std::isfinite(measured);
+  if (flips_twice) page.measure("from flip to flip, implicit", measured, "s");
   page.claim({.quantity = "implicit: from flip to flip",
               .unit = "s",
               .expected = half_period,
@@ -188,13 +216,13 @@ void flips(const Setting& setting, Page& page) {
   page.claim({.quantity = "implicit: largest |ΔE|/E",
               .unit = "1",
               .expected = 1e-12,
-              .source = "it is kept",
+              .source = "it is conserved",
               .measured = kept[2].worst_energy,
               .tolerance = at_most()});
   page.claim({.quantity = "implicit: largest |Δ(Iω)|/|Iω|",
               .unit = "1",
               .expected = 1e-12,
-              .source = "it is kept",
+              .source = "it is conserved",
               .measured = kept[2].worst_momentum,
               .tolerance = at_most()});
   page.claim({.quantity = "explicit: energy gained in the first step",
@@ -203,6 +231,34 @@ void flips(const Setting& setting, Page& page) {
               .source = "½h²k·I⁻¹k, k = Iω × ω",
               .measured = flights[1][1].energy - flights[1][0].energy,
               .tolerance = absolute(1e-13 * flights[1][0].energy)});
+  page.claim({.quantity = "term left out: largest |ΔE|/E",
+              .unit = "1",
+              .expected = 1e-10,
+              .source = "ω stays, in world and body",
+              .measured = kept[0].worst_energy,
+              .tolerance = at_most()});
+  const double apart = std::acos(std::min(1.0, flights[0][0].momentum.normalized().dot(spin.normalized())));
+  page.claim({.quantity = "term left out: largest |Δ(Iω)|/|Iω|",
+              .unit = "1",
+              .expected = 1.9 * std::sin(apart),
+              .source = "Iω carried round ω",
+              .measured = kept[0].worst_momentum,
+              .tolerance = at_least()});
+  const auto first_step = [&](int flight, const Eigen::Vector3d& plain) {
+    return (flights[flight][1].spin() - plain).norm() / spin.norm();
+  };
+  page.claim({.quantity = "plain explicit step from the solver's",
+              .unit = "1",
+              .expected = 0,
+              .source = "begin_turn, end_turn",
+              .measured = first_step(1, explicitly(moments, spin, h)),
+              .tolerance = absolute(1e-12)});
+  page.claim({.quantity = "plain implicit step from the solver's",
+              .unit = "1",
+              .expected = 0,
+              .source = "begin_turn, end_turn",
+              .measured = first_step(2, implicitly(moments, spin, h)),
+              .tolerance = absolute(1e-12)});
 }
 
 }  // namespace byhand::space

@@ -97,9 +97,9 @@ void gyroscope(const Setting& setting, Page& page) {
             without = let_go(setting, Gyroscopic::none, as_ball);
 
   page.text(
-      R"(Now let gravity pull on a spinning body: a thin wheel of @ kg on an axle, spinning at @ rad/s, its other
-      end on a ball joint on a post, three rows. Its weight has an arm of @ m about the post. It is set going round
-      at just the rate that lasts; let go from rest it would nod a little as well.)",
+      R"(Now gravity acts on a spinning body: a thin wheel of @ kg on an axle, spinning at @ rad/s. The other end of the
+      axle rests on a post, on a ball joint of three rows, @ m from the wheel. The axle is started at the steady rate at
+      which it goes round the post; released from rest it would nod a little as well.)",
       setting.mass, wheel_rate, arm);
   page.predict(
       {.ask = say(R"(The wheel's Iω is mR²ω = @ kg m²/s along the axle, and the weight's moment is mga = @ N m. By
@@ -108,11 +108,14 @@ void gyroscope(const Setting& setting, Page& page) {
        .answer = exact,
        .unit = "rad/s",
        .tolerance = 0.03 * exact,
-       .wrong = {{0, "Then it would have to fall: a moment changes Iω. It changes it sideways."},
+       .wrong = {{0,
+                  "Then Iω would stay, in spite of the moment of the weight. That moment changes it, sideways."},
                  {top.mass * gravity * arm / top.moment_across,
                   "That is the angular acceleration with which it would begin to fall if it did not spin."}},
-       .hints = {"The moment is level and at right angles to the axle: in a second it adds mga to Iω, sideways."},
-       .right = "mga/(mR²ω) = ga/(R²ω); the mass does not matter."});
+       .hints = {"In which direction does the moment of the weight change Iω?",
+                 "d(Iω)/dt = mga, level and at right angles to the axle; Iω turns at the rate φ̇.",
+                 "mR²ω · φ̇ = mga"},
+       .right = "mga/(mR²ω) = ga/(R²ω), for any mass."});
   page.formula(
       "d(Iω)/dt = mga   ⟹   rate = ga/(R²ω) = @ rad/s",
       R"(\frac{d(I\omega)}{dt} = mga \quad\Rightarrow\quad \dot\varphi = \frac{ga}{R^2\omega} = @\ \mathrm{rad/s})",
@@ -130,16 +133,16 @@ void gyroscope(const Setting& setting, Page& page) {
   };
   curve("implicit", run, exact);
   curve("left out", without, as_ball);
-  page.figure("gyroscope",
-              say(R"(The gyroscope over @ s, from pale to dark: it does not fall, it goes round. Right: how far,
-                  with the term and without. Dashed: the wheel's rate, and that of a ball.)",
-                  precession_seconds),
-              [=](Canvas& canvas) { draw_run(canvas, run, chart); });
+  page.figure(
+      "gyroscope",
+      say(R"(The gyroscope over @ s, from pale to dark: it does not fall, it goes round. Right: by what angle, with
+                  the gyroscopic term and without. Dashed: the exact rates of the wheel and of a ball.)",
+          precession_seconds),
+      [=](Canvas& canvas) { draw_run(canvas, run, chart); });
   page.text(
-      R"(With the gyroscopic term left out it goes round too, and it looks right; but at @ times the rate. The
-      solver then treats the wheel as a ball, all of whose moments are ½mR². Nothing in the picture tells you; a
-      number does.)",
-      mean_rate(without) / mean_rate(run));
+      R"(Without the gyroscopic term it goes round as well, and looks right, but at @ times the rate. The solver then
+      treats the wheel as a ball, all of whose moments are ½mR². No picture tells you that; a number does.)",
+      Value(mean_rate(without) / mean_rate(run), 3));
 
   const double turned = wheel_rate * setting.h / 64;
   page.claim({.quantity = "precession at h/64",

@@ -71,45 +71,55 @@ void left_out(const Setting& setting, Page& page) {
   const Flight flight = thrown(setting, careless, Gyroscopic::none, term_seconds);
   const Eigen::Vector3d moments = moments_of(setting), spin = first_spin(setting, careless);
   const double alpha = angle_between(moments.cwiseProduct(spin), spin);
-  double turned = 0, energy = 0, off_law = 0;
+  double turned = 0, energy = 0, off_law = 0, lengthened = 0;
   for (const Instant& now : flight) {
     const double off = angle_between(now.momentum, flight[0].momentum);
     turned = std::max(turned, off);
     off_law = std::max(off_law, std::abs(off - carried_round(alpha, spin.norm() * now.time)));
     energy = std::max(energy, std::abs(now.energy / flight[0].energy - 1));
+    lengthened = std::max(lengthened, std::abs(now.momentum.norm() / flight[0].momentum.norm() - 1));
   }
 
   page.text(
-      R"(Throw the book, spinning at @ rad/s about its middle axis, and, carelessly thrown, with @ of that about
-      each of the others. No gravity, no constraint, nothing in any row: so V stays. Or does it? What must stay is
-      the angular momentum Iω. In the plane that is the same thing. Here I turns:)",
+      R"(Throw the book, spinning at @ rad/s about its middle axis and, because it is thrown carelessly, at @ of that
+      about each of the others. There is no gravity, no constraint and no row, so V stays as it is. Or does it? What has
+      to stay is the angular momentum Iω. In the plane that is the same thing. In space I turns:)",
       setting.spin, careless);
   page.formula("d(Iω)/dt = 0   ⟹   Iω̇ = −ω × Iω",
                R"(\frac{d}{dt}(I\omega) = 0 \quad\Rightarrow\quad I\dot\omega = -\,\omega\times I\omega)");
+  page.derivation(
+      "Why Iω̇ = −ω × Iω",
+      {{"no moment acts", "d(Iω)/dt = 0", R"(\frac{d}{dt}(I\omega) = 0)"},
+       {"I turns with the body: dI/dt = [ω]I − I[ω], [ω]v = ω × v", "d(Iω)/dt = ω × Iω − I(ω × ω) + Iω̇",
+        R"(\frac{d}{dt}(I\omega) = \omega\times I\omega - I(\omega\times\omega) + I\dot\omega)"},
+       {"ω × ω = 0", "Iω̇ = −ω × Iω", R"(I\dot\omega = -\,\omega\times I\omega)"}});
   page.text(
-      R"(So ω turns without any force, wherever Iω and ω do not point the same way. That is the *gyroscopic term*.
-      It is no constraint and has no row; a step must add it, as it adds gravity, and the article's does not.)");
+      R"(So ω turns without any force, unless Iω and ω have the same direction. That is the *gyroscopic term*. It is no
+      constraint and has no row; a step must add it, as it adds gravity. The article's step does not.)");
   const auto flipped = flips_of(flight).size();
   page.choose(
       {.ask =
            say("The solver steps the book for @ s with the term left out. Does the book flip over?", term_seconds),
-       .options = {{"never",
-                    R"(Yes: without ω × Iω nothing turns ω. The book spins on about the axis it was given; it is Iω
-                    in the world that goes astray.)"},
-                   {"every now and then",
-                    R"(A real book does. But without ω × Iω nothing turns ω; look at what happens to the angular
-                    momentum instead.)"},
-                   {"once, and then it stays", "Then something would have to turn ω once. Nothing does."}},
+       .options =
+           {{"never",
+             R"(Without ω × Iω nothing turns ω. The book spins on about the axis that it was given, and Iω, which
+                    should stay, goes round.)"},
+            {"every now and then",
+             R"(A real book does. But without ω × Iω nothing turns ω; it is the angular momentum that
+                    changes.)"},
+            {"once, and then it stays", "Then something would have to turn ω once. Nothing does."}},
        .answer = flipped == 0 ? 0 : 1,
-       .hints = {"Which line of the step would change V?"}});
-  page.figure("left_out",
-              say(R"(The gyroscopic term left out. ω stays where it is, at @° from Iω, and carries Iω round with
-                  the book: arrows an eighth of a turn apart. Right: how far Iω is from where it was.)",
-                  Value(degrees(alpha), 3)),
-              [=, chart = off_over_time(flight)](Canvas& canvas) { draw_fan(canvas, flight, chart); });
+       .hints = {"Which line of the step could change V?", "ω(n+1) = ω(n) if no row and no term changes it.",
+                 "For a flip the spin about y has to change its sign."}});
+  page.figure(
+      "left_out",
+      say(R"(Without the gyroscopic term ω stays where it is, at @° from Iω, and Iω is carried round with the book:
+                  arrows an eighth of a turn apart. Right: the angle between Iω and where it was.)",
+          Value(degrees(alpha), 3)),
+      [=, chart = off_over_time(flight)](Canvas& canvas) { draw_fan(canvas, flight, chart); });
   page.text(
-      R"(It looks harmless: the energy is kept, ω is kept, |Iω| is kept. But the *direction* of Iω is off by up to
-      @°, and a real book does something else altogether: it turns over every @ s, as you will see.)",
+      R"(It looks harmless: energy, ω and the length of Iω are all kept. But the *direction* of Iω is wrong by up to @°,
+      and a real book moves quite differently: it turns over every @ s, as the next step shows.)",
       Value(degrees(turned), 3), Value(FreeTop(moments, spin).period() / 2, 3));
   page.measure("Iω off by up to", degrees(turned), "deg");
 
@@ -137,6 +147,12 @@ void left_out(const Setting& setting, Page& page) {
               .expected = 0,
               .source = "ω fixed in world and body",
               .measured = energy,
+              .tolerance = absolute(1e-11)});
+  page.claim({.quantity = "length of Iω, largest relative change",
+              .unit = "1",
+              .expected = 0,
+              .source = "Iω carried round ω",
+              .measured = lengthened,
               .tolerance = absolute(1e-11)});
 }
 

@@ -92,6 +92,7 @@ struct TumbleFilm {
 struct Tumble {
   TumbleFilm film;
   bool rests = false;   // whether it has come to rest
+  double rises = 0;     // the largest rise of its energy in a step, over its first energy
   double pressed = 0;   // the ground's push at the end, over the weight [1]
   double flatness = 0;  // the largest |cosine| between an axis of the book and the vertical, at the end
   double deepest = 0;   // overlap at the end [m]
@@ -110,6 +111,8 @@ Tumble tumble(const Setting& setting) {
     tumble.film.pose.push_back(bodies.pose[1]);
     total.x.push_back(book.time);
     total.y.push_back(energy(book.scene));
+    if (total.y.size() > 1)
+      tumble.rises = std::max(tumble.rises, (total.y.back() - total.y[total.y.size() - 2]) / total.y.front());
   }
   tumble.rests = still > 0;
   tumble.film.beside = {
@@ -128,13 +131,17 @@ Tumble tumble(const Setting& setting) {
 void let_loose(const Setting& setting, Page& page) {
   const Tumble thrown = tumble(setting);
   page.text(
-      R"(So far the contacts were given. Let the solver find them: a scene whose bodies have shapes looks for the
-      points where they touch, in every step, and makes two rows of friction and one contact of each. Here is a book
-      thrown along the ground at @ m/s, μ = @.)",
+      R"(So far the contacts were given. Now the solver finds them: in every step it looks for the points where bodies
+      with shapes touch, and each point gets a contact and two rows of friction. Here is a book thrown along the ground
+      at @ m/s, μ = @.)",
       setting.speed, setting.friction);
   page.sequence("tumbling",
-                R"(A book thrown along the ground: it tumbles over corners and edges, slides on a face, and comes
-                to rest. Below: its energy, which each knock and all rubbing take from.)",
+                say(R"(A book thrown along the ground: it tumbles over corners and edges@. Below: its energy, which
+                    impacts and friction take away@.)",
+                    thrown.rests ? ", and comes to rest in the end" : "",
+                    thrown.rises > 1e-3 ? say("; where it rises, by up to @ % in a step, β pushes an overlap out",
+                                              Value(100 * thrown.rises, 2))
+                                        : std::string()),
                 Seconds{tumble_seconds},
                 [film = thrown.film](Canvas& canvas, double time) { film.draw(canvas, time); });
 
@@ -144,10 +151,9 @@ void let_loose(const Setting& setting, Page& page) {
   const Stop straight = slid(setting, speed, 0), spinning = slid(setting, speed, spin),
              whirl = slid(setting, 0, spin);
   page.text(
-      R"(Friction at four corners also brakes a spin. Lying flat and spinning only, at ω = @ rad/s, each corner
-      slips at right angles to its arm r = @ m with the whole of its μmg/4, so the moment is μmgr; and I =
-      mr²/3:)",
-      spin, half_diagonal);
+      R"(Friction at four corners also brakes a spin. If the book lies flat and only spins, at ω = @ rad/s, each corner
+      slips at right angles to its arm r = @ m, and its friction is μmg/4. So the moment is μmgr, and with I = mr²/3)",
+      Value(spin, 4), Value(half_diagonal, 4));
   page.formula(
       "ω̇ = −3μg/r   ⟹   it rests after ωr/(3μg) = @ s",
       R"(\dot\omega = -\frac{3\mu g}{r} \quad\Rightarrow\quad t = \frac{\omega r}{3\mu g} = @\ \mathrm{s})",
@@ -157,14 +163,17 @@ void let_loose(const Setting& setting, Page& page) {
               gets farther?)",
        .options =
            {{"the one that does not spin",
-             "There is more to brake in the other, and no more friction to do it with: the disc is shared."},
-            {"the one that spins", say(R"(Yes: @ m instead of @ m. Each corner's friction has one length, and part
-                                       of it now goes against the spin.)",
-                                       spinning.distance, straight.distance)},
+             "The friction of each corner is shared between slide and spin, so less of it brakes the slide."},
+            {"the one that spins",
+             say(R"(@ m instead of @ m. The friction of each corner has a fixed length, and part
+                                       of it now acts against the spin.)",
+                 spinning.distance, straight.distance)},
             {"both get equally far",
-             "That would be so if spin and slide each had a friction of their own: the pyramid's mistake."}},
+             "That would be so if slide and spin each had a friction of their own, as axes have in a pyramid."}},
        .answer = spinning.distance > straight.distance ? 1 : 0,
-       .hints = {"Each corner has an impulse of fixed length, against its own slip."}});
+       .hints = {"Against what does the friction of each corner act?",
+                 "Its length is μλ; its direction is against the slip v + ω × r of that corner.",
+                 "With a spin, the friction of the corners is not parallel."}});
   page.measure("straight", straight.distance, "m");
   page.measure("spinning as well", spinning.distance, "m");
 
@@ -196,7 +205,7 @@ void let_loose(const Setting& setting, Page& page) {
   page.claim({.quantity = "flat and straight: distance",
               .unit = "m",
               .expected = speed * speed / (2 * a) - speed * setting.h / 2,
-              .source = "law A7: v²/2μg − vh/2",
+              .source = "v²/2μg − vh/2: half a step short",
               .measured = straight.distance,
               .tolerance = absolute(a * setting.h * setting.h)});
   page.claim({.quantity = "flat, spinning only: time to rest",

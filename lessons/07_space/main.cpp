@@ -26,28 +26,34 @@ int main(int argc, char** argv) {
 
   lesson.step("The same code", with(same_code));
   lesson.step("The inertia turns with the body", with(turned_inertia));
-  lesson.step("Round the vertical at a steady angle", with(conical));
-  lesson.step("Between two cones", with(nutation));
-  lesson.step("What turns ω without a force", with(left_out));
+  lesson.step("A pendulum on a cone", with(conical));
+  lesson.step("A pendulum between two cones", with(nutation));
+  lesson.step("ω turns without a force", with(left_out));
   lesson.step("The book that flips", with(flips));
   lesson.step("Two axes of friction", with(two_axes));
 
   lesson.deeper("An orientation is four numbers", with(orientation));
   lesson.deeper("A gyroscope does not fall", with(gyroscope));
-  lesson.deeper("Let loose on the ground", with(let_loose));
+  lesson.deeper("A book thrown along the ground", with(let_loose));
 
   lesson.closing(
       {.now_you_know =
            {"A row has the same four parts in space; r × n has three numbers there, and a row has 12.",
-            "I belongs to the body and turns with it: RIRᵀ. Forget it, and JV still vanishes; the momentum tells.",
-            "A rod keeps the momentum about the vertical to rounding; periods come with the error of the step.",
-            "Iω stays, so ω must turn: left out nothing flips, explicit gains energy, implicit keeps both.",
-            "Coulomb's bound is a disc. Axis by axis it is a square, which brakes and bends by direction."},
-       .tries = {{"A smaller wobble waits longer before it flips:",
+            R"(I belongs to the body and turns with it: RIRᵀ. If R is forgotten, JV still vanishes, but the angular momentum
+            changes.)",
+            "A rod conserves the angular momentum about the vertical to rounding; periods have the error of the "
+            "step.",
+            R"(Iω stays, so ω turns. Without the gyroscopic term nothing flips, the explicit term gains energy, the
+            implicit one conserves energy and momentum.)",
+            "Coulomb's bound is a disc. Bounded axis by axis it is a square, which favours directions and bends "
+            "paths."},
+       .tries = {{"A smaller wobble takes longer to grow into a flip:",
                   "./lessons/run space --step 6 --set wobble=0.005"},
-                 {"Faster, and the explicit term runs away:", "./lessons/run space --step 6 --set spin=15"},
+                 {"A faster spin, with which the explicit term gains energy sooner:",
+                  "./lessons/run space --step 6 --set spin=15"},
                  {"A book that is not turned hides the mistake:", "./lessons/run space --step 2 --set tilt=0"}},
-       .next = R"(You now have all of the article in three dimensions. What is left is to choose: how many sweeps,
-               how many substeps, which solver, for how much error.)"});
+       .next =
+           R"(You now have all of the article in three dimensions. Lesson 8 shows where its methods fail, and lesson 9
+               what their accuracy costs.)"});
   return lesson.run(argc, argv);
 }

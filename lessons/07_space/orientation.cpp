@@ -101,42 +101,43 @@ void orientation(const Setting& setting, Page& page) {
   const Turned first = by_first_order(rate, h);
   const auto steps = static_cast<double>(std::lround(1 / h));
 
-  page.text(
-      "In the plane an orientation is an angle, and turns add up: whatever the order. In space they do not.");
+  page.text("In the plane an orientation is an angle, and turns add up in any order. In space they do not.");
   page.predict(
-      {.ask = R"(Turn a book by 90° about x, then by 90° about y; and another first about y, then about x. By what
-              angle would you have to turn the one to make it lie as the other?)",
+      {.ask =
+           R"(Turn a book by 90° about x, then by 90° about y, and another book first about y, then about x. By what
+              angle do you have to turn the one to make it lie like the other?)",
        .answer = degrees(apart),
        .unit = "deg",
        .tolerance = 2,
-       .wrong = {{0, "Turns in space do not add up as numbers do; try it with a book."},
-                 {180, "That is both turns together; about a slanting axis less will do."},
-                 {90, "It looks like a quarter turn, but about no edge of the book."}},
-       .hints =
-           {"The axis of the turn between them is a diagonal of a cube. How much turns one edge into the next?"},
-       .right = "About a diagonal of a cube, which carries each axis into the next."});
+       .wrong = {{0, "Then the order would not matter. Try it with a book."},
+                 {180, "That is the sum of both turns; about a slanting axis a smaller turn is enough."},
+                 {90, "A quarter turn about an edge of the book does not do it; the axis is slanting."}},
+       .hints = {"Follow where each axis of the book goes in either order.",
+                 "The turn between them takes x to y, y to z and z to x: its axis is a diagonal of a cube.",
+                 "Three such turns are a full one."},
+       .right = "It is a third of a full turn about a diagonal of a cube, which takes each axis to the next."});
   page.figure("order_of_turns",
               R"(The same two quarter turns in either order (the yellow end is the book's +y). The results differ
               by a third of a full turn.)",
               [](Canvas& canvas) { draw_orders(canvas); });
   page.text(
-      R"(So no three angles that simply add up will do. The solver keeps four numbers, a *unit quaternion*, q =
-      (cos ½θ, sin ½θ·n) for a turn by θ about n. One product puts two turns together, and a turn at a steady ω for
-      a step is)");
+      R"(So three angles that are added up are not enough. The solver keeps four numbers, a *unit quaternion*, q =
+      (cos ½θ, sin ½θ·n) for a turn by θ about n. The product of two quaternions is one turn after the other, and a step
+      of turning at a steady ω is)");
   page.formula(
       "q ← exp(½ωh) q,   exp(½ωh) = (cos ½|ω|h, sin ½|ω|h · ω/|ω|)",
       R"(q \leftarrow \exp(\tfrac12\omega h)\,q, \qquad )"
       R"(\exp(\tfrac12\omega h) = \bigl(\cos\tfrac12|\omega|h,\ \sin\tfrac12|\omega|h\ \tfrac{\omega}{|\omega|}\bigr))");
   page.text(
-      R"(Often you will see q + ½ωqh in its place, made unit afterwards: the first two terms of the series. It goes
-      along the tangent of a sphere, as the bob of lesson 2 along that of a circle, and turns by 2·atan(½ωh) where
-      ωh was wanted. At @ rad/s, @ rad a step, it is @° behind after a second, and without being made unit |q| has
-      grown to @.)",
-      setting.spin, Value(turn, 3), Value(degrees(first.lag), 3), first.stretched);
-  page.figure("lag",
-              R"(How far an orientation is off after a second of steady turning, over the angle of one step.
-              Dashed: the first term of ωh − 2·atan(½ωh).)",
-              lag_over_rate(h));
+      R"(Often q + ½ωqh is used instead, scaled to unit length afterwards: the first two terms of the series. It goes
+      along the tangent of a sphere, as the bob of lesson 2 along that of a circle, and turns by 2·atan(½ωh) instead of
+      ωh. At @ rad/s, @ rad a step, it is @° behind after a second; without scaling, |q| grows to @.)",
+      setting.spin, Value(turn, 3), Value(degrees(first.lag), 3), Value(first.stretched, 6));
+  page.figure(
+      "lag",
+      R"(Error of an orientation after a second of steady turning, over the angle of one step; the exponential has
+              rounding errors only. Dashed: the first term of ωh − 2·atan(½ωh).)",
+      lag_over_rate(h));
 
   page.claim({.quantity = "angle between the two orders",
               .unit = "rad",

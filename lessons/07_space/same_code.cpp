@@ -107,37 +107,38 @@ void draw_twins(Canvas& canvas, const Twins& twins, double length) {
 void same_code(const Setting& setting, Page& page) {
   const Numbers plane = numbers_of<PlaneBody>(), space = numbers_of<SpaceBody>();
   page.text(
-      R"(Everything so far moved in the plane. Here is the row of lesson 1 again, as the solver has it, and the
-      product (8) that each sweep takes. Look for a 2:)");
+      R"(So far everything moved in the plane. Here is the row of lesson 1 as the solver writes it, and the product (8)
+      that each sweep needs. Look for a number of dimensions in them:)");
   page.excerpt("solver/jacobian.hpp", "along");
   page.excerpt("solver/jacobian.hpp", "8");
   page.text(
-      R"(There is none. A body's type says along how many axes it moves and about how many it turns: the bodies of
-      the last lessons were `Model<2, 1>`, this lesson's are `Model<3, 3>`, and nothing is written twice. Four
-      things grow with it, and you will meet each:
+      R"(There is none. The type of a body says along how many axes it moves and about how many it turns: bodies in the
+      plane are `Model<2, 1>`, those of this lesson `Model<3, 3>`, and no code is written twice. Four things change,
+      and each has its step in this lesson:
 
-      - r × n is one number in the plane (how much a push turns) and three in space (about which axis);
+      - r × n is one number in the plane (how much a push turns the body) and three in space (about which axis);
       - I is one number in the plane; in space it is three, along axes that turn with the body;
       - an orientation is a cosine and a sine in the plane and a quaternion in space;
-      - Iω and ω need not point the same way, and that turns ω without any force.)");
+      - Iω and ω may point in different directions, and then ω turns without any force.)");
   page.figure("numbers",
               R"(Numbers in a row of J (both bodies), in a body's pose, velocity and inertia, by model. A block of
               three rows, a ball joint, is three times the first bar.)",
               how_many());
   page.text(
-      R"(A row has @ numbers now instead of @, and a body's velocity @ instead of @. A sweep multiplies twice as
-      much; that is all that changes for sweeps, β and warm starts: they only see rows.)",
-      space.row, plane.row, space.velocity, plane.velocity);
+      R"(A row has @ numbers instead of @, and the velocity of a body @ instead of @. So a sweep takes @ times as many
+      multiplications. Nothing else changes for sweeps, β and warm starts, because they see rows only.)",
+      space.row, plane.row, space.velocity, plane.velocity, space.row / plane.row);
 
   const Twins pair = twins(setting);
   page.text(
-      R"(To see that nothing else has changed, let the same rod swing in both: `hinged_rod<M>`, @ m long, @ kg,
-      released at @°, with two rows for its pin in the plane and three in space.)",
+      R"(To check that, let the same rod swing in both models: `hinged_rod<M>`, @ m long, @ kg, released at @°, held by
+      two rows in the plane and by three in space.)",
       setting.length, setting.mass, setting.angle);
-  page.figure("twins",
-              R"(One description of a scene in two models: a rod that swings on a pin, a tenth of a second from one
-              picture to the next, in the plane and on a ball joint in space.)",
-              [=, length = setting.length()](Canvas& canvas) { draw_twins(canvas, pair, length); });
+  page.figure(
+      "twins",
+      R"(One scene in two models: a rod swings on a pin in the plane and on a ball joint in space; a tenth of a
+              second from one position to the next.)",
+      [=, length = setting.length()](Canvas& canvas) { draw_twins(canvas, pair, length); });
 
   const Eigen::Vector3d sides = book_sides();
   const double mass = setting.mass;
@@ -153,11 +154,12 @@ void same_code(const Setting& setting, Page& page) {
                 .answer = growth,
                 .unit = "1",
                 .tolerance = 0.02 * growth,
-                .wrong = {{4, "That is the square of the arm alone; there is more wood too."},
-                          {8, "That is the mass alone; it also lies twice as far out."},
-                          {growth_in_plane, "That is a plate in the plane: mass 4 times, arm² 4 times."}},
-                .hints = {"I is a sum of mass × arm². How does the mass grow, how the arm?"},
-                .right = say("Mass 8 times, arm² 4 times. In the plane it is @.", growth_in_plane)});
+                .wrong = {{4, "That is the square of the distance alone; there is also more wood."},
+                          {8, "That is the mass alone; it is also twice as far from the axis."},
+                          {growth_in_plane, "That is a plate in the plane: mass 4 times, distance² 4 times."}},
+                .hints = {"I is a sum of mass times distance squared. How does each of them grow?", "I = Σ m r²",
+                          "m grows 2³ times, r² grows 2² times."},
+                .right = say("Mass 8 times, distance² 4 times. In the plane it is @.", growth_in_plane)});
 
   page.claim({.quantity = "numbers in a row",
               .unit = "1",

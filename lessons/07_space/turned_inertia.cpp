@@ -61,6 +61,28 @@ Catch caught_on_a_nail(const Eigen::Vector3d& sides, double mass, double tilt, b
   return caught;
 }
 
+//! [18]
+/// M⁻¹Jᵀ for one side of a row, (18): `l` over the mass, and `a` by the inertia turned into the world.
+Velocity<SpaceBody> divided_by_mass(const Eigen::Vector3d& l, const Eigen::Vector3d& a, double mass,
+                                    const Eigen::Matrix3d& I, const Eigen::Matrix3d& R) {
+  Velocity<SpaceBody> W;
+  W << l / mass, R * I.inverse() * R.transpose() * a;
+  return W;
+}
+//! [18]
+
+/// How far that is from the solver's own, for a slanting row of the caught book.
+double difference_from_the_solver(const Catch& caught, double mass) {
+  const Eigen::Vector3d n = Eigen::Vector3d(1, -2, 0.5).normalized(), arm(0.3, -0.2, 0.7);
+  Jacobian<SpaceBody, 1> J;
+  set_row_along<SpaceBody, 1>(J, 0, n, Arm<SpaceBody>::Zero(), arm);
+  const auto W = times_inverse_mass(J, fixed<SpaceBody>(), Pose<SpaceBody>(), caught.mass, caught.pose);
+  const Eigen::Matrix3d I = caught.mass.angular.cwiseInverse().asDiagonal();
+  const Velocity<SpaceBody> plain =
+      divided_by_mass(n, arm.cross(n), mass, I, caught.pose.rotation.toRotationMatrix());
+  return (W.matrix.row(0).tail<6>().transpose() - plain).norm() / plain.norm();
+}
+
 Chart over_tilt(double mass, double limit) {
   Chart chart{.x = {.label = "turned by (deg)", .range = {{0, limit}}}, .y = {.label = "change of L (%)"}};
   struct Body {
@@ -120,48 +142,66 @@ void turned_inertia(const Setting& setting, Page& page) {
   const Eigen::Vector3d moments = right.mass.angular.cwiseInverse();
 
   page.text(
-      R"((18) has I⁻¹ in it, and says nothing of its axes. In the plane there is one, and it never turns. A body in
-      space has three: this book of @ m and @ kg has the moments @ kg m² about its own x, y and z. Turn the book
-      and they turn with it. What the world sees is)",
+      R"(I⁻¹ stands in (18), and the article does not say about which axes. In the plane there is one axis, and it never
+      turns. A body in space has three: this book of @ m and @ kg has the moments @ kg m² about its own x, y and z, and
+      these axes turn with the book. In the axes of the world its inertia is)",
       book_sides(), setting.mass, moments);
   page.formula("I(world) = R I Rᵀ,   I⁻¹(world) = R I⁻¹ Rᵀ",
                R"(I_{\text{world}} = R\,I\,R^{\mathsf T}, \qquad I^{-1}_{\text{world}} = R\,I^{-1}R^{\mathsf T})");
-  page.text("to be made anew whenever the body has turned, so in every step. `inverse_inertia` below does that:");
-  page.excerpt("solver/row.hpp", "18");
+  page.derivation("Why R I Rᵀ",
+                  {{"turn ω into the axes of the body", "Rᵀω", R"(R^{\mathsf T}\omega)"},
+                   {"there I gives the angular momentum", "I Rᵀω", R"(I\,R^{\mathsf T}\omega)"},
+                   {"turn that back into the axes of the world", "R I Rᵀ ω", R"(R\,I\,R^{\mathsf T}\omega)"},
+                   {"its inverse, as Rᵀ = R⁻¹", "(R I Rᵀ)⁻¹ = R I⁻¹ Rᵀ",
+                    R"((R\,I\,R^{\mathsf T})^{-1} = R\,I^{-1}R^{\mathsf T})"}});
   page.text(
-      R"(What if it is forgotten? The book flies by at @ m/s, turned by @°, and the middle of its yellow side
-      catches on a nail: a pin, three rows, solved as a block. Here it is with the mistake as an option:)",
+      "It has to be computed again in every step in which the body has turned. With it, (18) is for one body");
+  page.excerpt("lessons/07_space/turned_inertia.cpp", "18");
+  page.text(
+      R"(What if R is forgotten? The book flies by at @ m/s, turned by @°, and the middle of its yellow side catches on a
+      nail: a pin, three rows, solved as one block. Here is that solve, with the mistake as an option:)",
       flight(), setting.tilt);
   page.excerpt("lessons/07_space/turned_inertia.cpp", "caught");
+  const bool shows = wrong.lost() > 1e-9;
   page.choose(
-      {.ask = "The inertia is left in the body's axes, and the rows are solved. What can you tell it by?",
-       .options = {{"JV is not zero: the held point moves on",
-                    R"(λ is solved for with the same W that hands it on, so whatever M⁻¹ is, JV vanishes.
-                            You would see nothing at the joint.)"},
-                   {"the angular momentum about the nail has changed",
-                    "Yes. The nail pushes at the point about which you count, so it cannot give any."}},
-       .answer = right.slip < 1e-9 && wrong.slip < 1e-9 ? 1 : 0,
-       .hints = {"(17) divides by JM⁻¹Jᵀ and (20) multiplies by M⁻¹Jᵀ, with whatever M⁻¹ you gave them."}});
+      {.ask = say(
+           R"(The inertia is left in the body's axes, for this book that has turned by @°, and the rows are solved.
+                  By what can you notice it?)",
+           setting.tilt),
+       .options =
+           {{"JV is not zero: the held point moves on",
+             R"(λ is computed with the same M⁻¹ with which it is applied, so JV vanishes whatever M⁻¹ is. The
+                    joint shows nothing.)"},
+            {"the angular momentum about the nail has changed",
+             shows ? "The push acts at the nail, so it has no moment about the nail; a change is a mistake."
+                   : "It would, if the book had turned. As long as R is the identity, RIRᵀ is I."},
+            {"by nothing", shows ? "The nail cannot change the angular momentum about itself. Compute that."
+                                 : "The book has not turned, so R is the identity and RIRᵀ is I."}},
+       .answer = shows ? 1 : 2,
+       .hints = {"Compare what (17) and (20) do with M⁻¹, and ask which quantity the nail cannot change.",
+                 "(17) divides by JM⁻¹Jᵀ, (20) multiplies by M⁻¹Jᵀ; the push acts at the nail.",
+                 "JV after = JV before + JM⁻¹Jᵀ λ"}});
   page.figure(
       "caught_on_a_nail",
-      say(R"(The book just caught, with I turned (left) and left as it was (right). Both held points stand still. L
-          is the angular momentum about the nail, which the nail's push cannot change; on the right @.)",
-          wrong.lost() > 1e-9 ? say("it has, by @ %", Value(100 * wrong.lost(), 3))
-                              : "it has not either, for this book is not turned yet"),
+      say(R"(The book just caught, with I turned (left) and as it was (right). The held point rests in both. L is the
+          angular momentum about the nail, which the push of the nail cannot change; on the right it @.)",
+          shows ? say("has changed, by @ %", Value(100 * wrong.lost(), 3))
+                : "has not changed either, because this book has not turned"),
       [=](Canvas& canvas) {
         const auto [left, beside] = canvas.page().inset(20).split_columns(0.5, 20);
         draw_catch(canvas, right, "I⁻¹ turned: RI⁻¹Rᵀ", left);
         draw_catch(canvas, wrong, "I⁻¹ in the body's axes", beside);
       });
   page.text(
-      R"(The joint looks calm; the body only turns about a wrong axis at a wrong rate. And the mistake hides well:
-      a body that has not turned yet does not show it, nor does a ball or a cube, whose I is the same about every
-      axis. So test with a book, and turn it first.)");
+      R"(@ A body that has not turned does not show the mistake, nor does a ball or a cube, whose I is the same about
+      every axis. So test with a book, and turn it first.)",
+      shows ? "The joint looks right, but the body turns about a wrong axis and too fast or too slowly."
+            : "Here joint and motion are right in spite of the mistake.");
   page.figure(
       "lost_by_tilt",
       "How much of the angular momentum about the nail one solve changes, over how far the body was turned.",
       over_tilt(mass, 90));
-  page.measure("change of L, I not turned", 100 * wrong.lost(), "%");
+  page.measure("change of L, I not turned", shows ? 100 * wrong.lost() : 0, "%");
 
   page.claim({.quantity = "speed of the held point, I not turned",
               .unit = "m/s",
@@ -183,6 +223,12 @@ void turned_inertia(const Setting& setting, Page& page) {
               .source = "(RIRᵀ − I)ω",
               .measured = (wrong.after_L - wrong.before_L).norm(),
               .tolerance = absolute(1e-12 * right.before_L.norm())});
+  page.claim({.quantity = "plain M⁻¹Jᵀ from the solver's",
+              .unit = "1",
+              .expected = 0,
+              .source = "times_inverse_mass",
+              .measured = difference_from_the_solver(right, mass),
+              .tolerance = absolute(1e-12)});
 }
 
 }  // namespace byhand::space

@@ -125,7 +125,7 @@ void wrong_rows(const Setting& setting, Page& page) {
                  "A step of k sweeps adds 2kmβΔ/h to the difference of the two λ, whatever they are.",
                  say("@ · @/@", Value(half, 3), seconds, seconds / 2)},
        .right = "Every step adds the same, so the pull grows in proportion to time, without end."});
-  page.figure("quarrel",
+  page.figure("two_rods",
               say(R"(What two rods that differ by @ m pull against each other with: rigid, and with softness, in
                   shares of each row's own A = JM⁻¹Jᵀ.)",
                   setting.conflict),

@@ -75,7 +75,7 @@ std::string error_in_words(const byhand::Point& point, Error error) {
 
 std::string cost_in_words(const byhand::Point& point, Cost cost) {
   if (cost == Cost::wall_time) return say("@ µs a frame", Value(point.nanoseconds / 1000, 3));
-  return say("@ row-solves a frame", Value(point.row_solves, 4));
+  return point.row_solves == 1 ? "1 row-solve a frame" : say("@ row-solves a frame", Value(point.row_solves, 4));
 }
 
 renderer::Chart chart_of(const byhand::Choice& choice, const Problem& problem, const Wish& wish) {
@@ -190,7 +190,8 @@ void chooser(Page& page, const Setting& setting) {
       page.clocked("choice", caption, [=] { return chart_of(choice, problem, wish); });
     else
       page.figure("choice", caption, chart_of(choice, problem, wish));
-    page.measure("error of what is recommended", best[wish.error], std::string(unit_of(wish.error)));
+    if (best[wish.error] >= 1e-11)
+      page.measure("error of what is recommended", best[wish.error], std::string(unit_of(wish.error)));
     page.measure("its row-solves a frame", best.row_solves, "1");
   }
 

@@ -85,7 +85,7 @@ Law uncorrected_drift() {
           Family::too_large_a_step,
           "drift without correction",
           "without correction, whatever turns drifts outwards",
-          "R = R0 (1 + 2 v0² h t/R0²)^¼",
+          "R = R₀ (1 + 2 v₀² h t/R₀²)^¼",
           {}};
   for (const auto& [speed, rate] : {std::pair{1, 60}, {3, 60}, {10, 60}, {30, 60}, {30, 240}})
     law.boundaries.push_back({"R/R0 after 1 s", "", fmt::format("{} m/s on 1 m, {} Hz", speed, rate),

@@ -22,7 +22,7 @@ Law pop() {
           Family::overshooting_correction,
           "contact pop",
           "a contact that is corrected through its velocity keeps that velocity: deep overlaps leave the ground",
-          "d < (1 - β/2) 2gh²/β²",
+          "d < (1 − β/2) 2gh²/β²",
           {}};
   for (const auto& [beta, rate] : {std::pair{0.05, 60}, {0.1, 60}, {0.1, 120}, {0.2, 60}, {0.2, 240}, {0.4, 60}}) {
     const Column column{.boxes = 1, .beta = beta, .step = 1.0 / rate};
