@@ -76,6 +76,7 @@ TEST(Rules, ANumberAsSmallAsRoundingIsCalledRounding) {
 
 TEST(Rules, ANumberThatTheReaderSetMayHaveAnySize) {
   EXPECT_THAT(broken_rules("You asked for 1e-14 m.", {"1e-14"}), IsEmpty());
+  EXPECT_THAT(broken_rules("You asked for 10⁻¹⁴ m.", {"0.5", "1e-14"}), IsEmpty());
   EXPECT_THAT(broken_rules("You asked for 1e-14 m.", {"1e-13"}), testing::SizeIs(1));
 }
 

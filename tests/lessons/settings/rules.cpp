@@ -60,8 +60,15 @@ std::vector<Finding> meaningless_numbers(const string& words, const std::vector<
       if (!(bad == "∞" && words.substr(0, at).ends_with("0 to ")))  // an interval of λ
         found.push_back({"not a finite number", sentence_around(words, at)});
   const bool rounding = speaks_of_rounding(words);
+  // "1e-14" comes back as 10⁻¹⁴.
+  const auto is_given = [&](const Number& number) {
+    return std::any_of(given.begin(), given.end(), [&](const string& value) {
+      const std::vector<Number> set = numbers(value);
+      return set.size() == 1 && std::abs(set[0].magnitude - number.magnitude) < 1e-4;
+    });
+  };
   for (const Number& number : numbers(words)) {
-    if (std::find(given.begin(), given.end(), number.typed) != given.end()) continue;
+    if (is_given(number)) continue;
     if (number.magnitude > largest) found.push_back({"a number above 10⁹", sentence_around(words, number.begin)});
     if (std::isfinite(number.magnitude) && number.magnitude < (rounding ? smallest_rounding : smallest))
       found.push_back({rounding ? "a number below 10⁻³⁰, too small for rounding"
