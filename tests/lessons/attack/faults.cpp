@@ -299,7 +299,7 @@ TEST_F(Faults, ProgressOfASlowRunReachesNoFile) {
 
 TEST_F(Faults, ProgressTellsTheTimeLeft) {
   std::vector<std::string> slow = command();
-  slow.push_back("--no-interactive");
+  slow.insert(slow.end(), {"--no-interactive", "--set", "steps=20"});
   Terminal reader(slow, {{"LD_PRELOAD", BYHAND_FAIL_CALL}, {"SLOW_FSYNC", "1"}});
   reader.expect(" s left drawing settling");
   EXPECT_EQ(reader.leave(), 0);
