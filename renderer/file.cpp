@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sched.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -9,6 +10,7 @@
 #include <atomic>
 #include <cerrno>
 #include <climits>
+#include <csignal>
 #include <fstream>
 #include <iterator>
 #include <string>
@@ -57,15 +59,41 @@ class Listed {
   Unfinished* place_ = nullptr;
 };
 
+/// Held while a temporary file is created, and for good by a process that ends: so none is created behind the back
+/// of the handler that removes them.
+std::atomic_flag creating = ATOMIC_FLAG_INIT;
+std::atomic<bool> ending{false};
+
+void wait_for_turn() {
+  while (creating.test_and_set()) sched_yield();
+}
+
+[[noreturn]] void wait_for_the_end() {
+  for (;;) pause();
+}
+
+/// Opens a new file, which is no symbolic link. A handler must not run in a thread that holds `creating`.
+int create(const fs::path& path) {
+  sigset_t all, before;
+  sigfillset(&all);
+  pthread_sigmask(SIG_BLOCK, &all, &before);
+  wait_for_turn();
+  const int number = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+  creating.clear();
+  const int error = errno;
+  pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  errno = error;
+  return number;
+}
+
 class Descriptor {
  public:
-  Descriptor(const fs::path& path, int flags) : number_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {}
+  explicit Descriptor(int number) : number_(number) { require(number >= 0); }
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
   ~Descriptor() {
     if (number_ >= 0) ::close(number_);
   }
-  explicit operator bool() const { return number_ >= 0; }
 
   void write(std::string_view bytes) const {
     while (!bytes.empty()) {
@@ -84,8 +112,7 @@ class Descriptor {
 };
 
 void sync_folder(const fs::path& folder) {
-  const Descriptor descriptor(folder.empty() ? "." : folder, O_RDONLY | O_DIRECTORY);
-  require(bool(descriptor));
+  const Descriptor descriptor(::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   try {
     descriptor.sync();
   } catch (const std::system_error& error) {
@@ -108,14 +135,14 @@ fs::path temporary_beside(const fs::path& path) {
 }
 
 void write_and_rename(const fs::path& temporary, const fs::path& path, std::string_view bytes) {
-  Descriptor file(temporary, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW);
-  require(bool(file));
+  Descriptor file(create(temporary));
   try {
     file.write(bytes);
     file.sync();
     file.close();
     fs::rename(temporary, path);
   } catch (...) {
+    if (ending) wait_for_the_end();  // the file is gone already, and the process soon
     ::unlink(temporary.c_str());
     throw;
   }
@@ -156,6 +183,8 @@ bool is_unfinished(const fs::path& path) {
 }
 
 void remove_unfinished() noexcept {
+  if (ending.exchange(true)) return;
+  wait_for_turn();
   for (const Unfinished& place : unfinished)
     if (place.named) ::unlink(place.name.data());
 }

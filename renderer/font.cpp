@@ -39,6 +39,20 @@ char32_t next_code_point(std::string_view& text) {
 
 bool combines(char32_t c) { return (c >= 0x300 && c <= 0x36f) || (c >= 0x20d0 && c <= 0x20ff); }
 
+/// Whether the font's tables lie within the file: stb_truetype reads them without asking.
+bool is_whole(const std::vector<unsigned char>& file) {
+  const auto number = [&](std::size_t at, int bytes) {
+    std::size_t value = 0;
+    for (int i = 0; i < bytes; ++i) value = value << 8 | file[at + std::size_t(i)];
+    return value;
+  };
+  constexpr std::size_t header = 12, record = 16;
+  if (file.size() < header || file.size() < header + record * number(4, 2)) return false;
+  for (std::size_t at = header; at < header + record * number(4, 2); at += record)
+    if (number(at + 8, 4) + number(at + 12, 4) > file.size()) return false;
+  return true;
+}
+
 }  // namespace
 
 struct Font::Face {
@@ -46,8 +60,9 @@ struct Font::Face {
     const std::string path = fmt::format(BYHAND_FONTS "/{}", name);
     std::ifstream in(path, std::ios::binary);
     data.assign(std::istreambuf_iterator<char>(in), {});
-    if (data.empty() || !stbtt_InitFont(&info, data.data(), 0))
-      throw EnvironmentError(fmt::format("There is no font at {}: apt install fonts-dejavu-core.", path));
+    if (!is_whole(data) || !stbtt_InitFont(&info, data.data(), 0))
+      throw EnvironmentError(
+          fmt::format("There is no whole font at {}: apt install --reinstall fonts-dejavu-core.", path));
   }
 
   double scale(double size) const { return stbtt_ScaleForMappingEmToPixels(&info, float(size)); }

@@ -9,7 +9,7 @@
 namespace byhand::renderer {
 namespace {
 
-constexpr int shadow_side = 512;  // pixels
+constexpr int shadow_side = 512, soft_level = 2, soft_side = shadow_side >> soft_level;  // pixels
 
 // The page is drawn upside down, because glReadPixels returns the lowest row first.
 constexpr const char* flat_vertex = R"(#version 330 core
@@ -77,6 +77,26 @@ constexpr const char* caster_fragment = R"(#version 330 core
 out vec4 colour;
 void main() { colour = vec4(1.0); })";
 
+// Softens the edges of shadows, here rather than at each pixel of the floor: that would take most of a frame's
+// time.
+constexpr const char* softener_vertex = R"(#version 330 core
+void main() { gl_Position = vec4(4.0 * vec2(gl_VertexID & 1, gl_VertexID >> 1) - 1.0, 0.0, 1.0); })";
+
+constexpr const char* softener_fragment = R"(#version 330 core
+uniform sampler2D shadows;
+uniform int level;
+out vec4 colour;
+void main() {
+  ivec2 last = textureSize(shadows, level) - 1;
+  float shadow = 0.0;
+  const float weight[5] = float[](0.0625, 0.25, 0.375, 0.25, 0.0625);
+  for (int i = 0; i < 5; ++i)
+    for (int j = 0; j < 5; ++j)
+      shadow += weight[i] * weight[j] *
+                texelFetch(shadows, clamp(ivec2(gl_FragCoord.xy) + ivec2(i - 2, j - 2), ivec2(0), last), level).r;
+  colour = vec4(shadow);
+})";
+
 constexpr const char* floor_vertex = R"(#version 330 core
 uniform mat4 view;
 uniform vec3 centre, along, across;
@@ -102,11 +122,7 @@ void main() {
   vec2 inward = min(gl_FragCoord.xy - frame.xy, frame.zw - gl_FragCoord.xy) / rim;
   fading *= smoothstep(0.0, 1.0, min(inward.x, inward.y));
   vec2 uv = 0.5 + 0.5 * place / extent;
-  float shadow = 0.0;
-  const float weight[5] = float[](0.0625, 0.25, 0.375, 0.25, 0.0625);
-  for (int i = 0; i < 5; ++i)
-    for (int j = 0; j < 5; ++j)
-      shadow += weight[i] * weight[j] * textureLod(shadows, uv + vec2(i - 2, j - 2) * (4.0 / 512.0), 2.0).r;
+  float shadow = textureLod(shadows, uv, 0.0).r;
   vec3 c = mix(paper, line, 0.85 * max(near.x, near.y));
   colour = vec4(mix(paper, mix(c, dark, 0.42 * shadow), fading), 1.0);
 })";
@@ -225,8 +241,20 @@ void Painter::make_space() {
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, shadow_map_, 0);
   require_complete();
 
+  glGenTextures(1, &soft_map_);
+  glBindTexture(GL_TEXTURE_2D, soft_map_);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_R16, soft_side, soft_side, 0, GL_RED, GL_UNSIGNED_SHORT, nullptr);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  glGenFramebuffers(1, &soft_);
+  glBindFramebuffer(GL_FRAMEBUFFER, soft_);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, soft_map_, 0);
+  require_complete();
+
   solid_ = link(solid_vertex, solid_fragment);
   caster_ = link(caster_vertex, caster_fragment);
+  softener_ = link(softener_vertex, softener_fragment);
   floor_ = link(floor_vertex, floor_fragment);
   glGenVertexArrays(1, &no_array_);
   glGenVertexArrays(1, &solid_array_);
@@ -318,6 +346,14 @@ void Painter::paint_space(const Space& space, const PixelBox& frame, Colour pape
     draw_solids();
     glBindTexture(GL_TEXTURE_2D, shadow_map_);
     glGenerateMipmap(GL_TEXTURE_2D);
+
+    glBindFramebuffer(GL_FRAMEBUFFER, soft_);
+    glViewport(0, 0, soft_side, soft_side);
+    glUseProgram(softener_);
+    glUniform1i(glGetUniformLocation(softener_, "level"), soft_level);
+    glBindVertexArray(no_array_);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glBindTexture(GL_TEXTURE_2D, soft_map_);
   }
 
   glBindFramebuffer(GL_FRAMEBUFFER, samples_);

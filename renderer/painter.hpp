@@ -48,9 +48,11 @@ class Painter {
   std::unique_ptr<Context> context_;
   std::string description_;
   GLuint page_ = 0, page_colour_ = 0, atlas_ = 0, flat_ = 0, flat_array_ = 0, flat_buffer_ = 0;
-  // For scenes in space, created with the first: a multisampled framebuffer with depth, and the shadow map.
-  GLuint samples_ = 0, samples_colour_ = 0, samples_depth_ = 0, shadow_ = 0, shadow_map_ = 0;
-  GLuint solid_ = 0, caster_ = 0, floor_ = 0, solid_array_ = 0, solid_buffer_ = 0, no_array_ = 0;
+  // For scenes in space, created with the first: a multisampled framebuffer with depth, the shadow map, and the
+  // same with soft edges.
+  GLuint samples_ = 0, samples_colour_ = 0, samples_depth_ = 0, shadow_ = 0, shadow_map_ = 0, soft_ = 0,
+         soft_map_ = 0;
+  GLuint solid_ = 0, caster_ = 0, softener_ = 0, floor_ = 0, solid_array_ = 0, solid_buffer_ = 0, no_array_ = 0;
 };
 
 }  // namespace byhand::renderer

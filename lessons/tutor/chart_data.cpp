@@ -26,7 +26,8 @@ std::string quoted(const std::string& cell) {
 
 Column column(std::string header, const std::vector<double>& values) {
   Column made{std::move(header), {}};
-  for (const double value : values) made.cells.push_back(std::isnan(value) ? "" : fmt::format("{}", value));
+  // The last digits would tell one processor's sine and exponential from another's.
+  for (const double value : values) made.cells.push_back(std::isnan(value) ? "" : fmt::format("{:.12g}", value));
   return made;
 }
 

@@ -6,8 +6,8 @@
 namespace byhand::tutor {
 
 /// Reads lines from standard input. While it exists, Ctrl-C acts like the end of input at the next prompt. If the
-/// program does not reach a prompt within a second, it exits with the terminal's colours reset; the bookmark is
-/// already saved.
+/// program does not reach a prompt within a second, it exits with the terminal's colours reset and the status 130;
+/// the bookmark is already saved.
 class Keyboard {
  public:
   Keyboard();

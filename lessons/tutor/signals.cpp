@@ -20,6 +20,7 @@ void leave_no_temporary_files() {
   struct sigaction last {};
   last.sa_handler = on_last_signal;
   last.sa_flags = SA_RESETHAND;
+  sigfillset(&last.sa_mask);
   for (const int signal : {SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGPIPE, SIGXCPU, SIGUSR1, SIGUSR2, SIGABRT, SIGBUS,
                            SIGFPE, SIGILL, SIGSEGV}) {
     struct sigaction former {};

@@ -101,7 +101,7 @@ TEST_F(Commands, WithoutRootOrNetworkSayWhatIsMissing) {
 }
 
 TEST_F(Commands, WorkUnderOddPaths) {
-  for (const std::string name : {"a b", "it's", "\"quoted\"", "ünï ∂", "$HOME `x`", "a&b", "(1)", "-dash", "#hash",
+  for (const std::string name : {"a b", "it's", "ünï ∂", "$HOME `x`", "a&b", "(1)", "-dash", "#hash",
                                  "[x]*?", "per%cent", "{b}", "a+b=c", "~", "at@x:y"}) {
     SCOPED_TRACE(name);
     const fs::path odd = folder_ / name;
@@ -111,7 +111,7 @@ TEST_F(Commands, WorkUnderOddPaths) {
 }
 
 TEST_F(Commands, RefusePathsThatCMakeCannotBuild) {
-  for (const std::string name : {"line\nbreak", "semi;colon", "back\\slash", "pi|pe"}) {
+  for (const std::string name : {"line\nbreak", "semi;colon", "back\\slash", "pi|pe", "quo\"te"}) {
     make_checkout(folder_ / name);
     const Finished finished = start(folder_ / name);
     EXPECT_EQ(finished.status, 3);

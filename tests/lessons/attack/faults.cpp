@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "tests/lessons/tutor/process.hpp"
+#include "tests/lessons/tutor/terminal.hpp"
 #include "tests/lessons/tutor/written.hpp"
 
 namespace byhand::tests {
@@ -161,6 +162,26 @@ TEST_F(Faults, AFullDiskIsReportedAndLeavesNothingHalfMade) {
   }
 }
 
+TEST_F(Faults, AFontThatIsCutShortIsReported) {
+  const std::string font = BYHAND_FONT, cut = (folder_ / "cut").string();
+  const auto with_bytes = [&](std::uintmax_t bytes, const std::string& command) {
+    return run("head -c " + std::to_string(bytes) + " " + font + " >" + cut +
+               " && unshare --user --map-root-user --mount sh -c 'mount --bind " + cut + " " + font + " && " +
+               command + "'");
+  };
+  const std::uintmax_t whole = fs::file_size(font);
+  if (with_bytes(whole, "true").status != 0) GTEST_SKIP() << "this machine mounts nothing for users";
+  const std::string draw =
+      std::string(BYHAND_FIXTURE) + " --quiet --quality low --output " + (folder_ / "output").string();
+  for (const std::uintmax_t bytes :
+       {std::uintmax_t{0}, std::uintmax_t{5}, std::uintmax_t{100}, whole / 3, whole / 2, whole - 1}) {
+    const Finished finished = with_bytes(bytes, draw);
+    EXPECT_EQ(finished.status, 3) << bytes;
+    EXPECT_THAT(finished.complained, HasSubstr("There is no whole font at " + font)) << bytes;
+  }
+  EXPECT_EQ(with_bytes(whole, draw).status, 0);
+}
+
 TEST_F(Faults, AFileThatIsTooLargeIsReportedInsteadOfASignal) {
   const Finished finished = run("ulimit -f 8; exec " + std::string(BYHAND_FIXTURE) + " --quiet --output " +
                                 (folder_ / "output").string());
@@ -274,6 +295,14 @@ TEST_F(Faults, ProgressOfASlowRunReachesNoFile) {
       EXPECT_TRUE(manifest_holds(lesson())) << closed;
     }
   }
+}
+
+TEST_F(Faults, ProgressTellsTheTimeLeft) {
+  std::vector<std::string> slow = command();
+  slow.insert(slow.end(), {"--no-interactive", "--set", "steps=20"});
+  Terminal reader(slow, {{"LD_PRELOAD", BYHAND_FAIL_CALL}, {"SLOW_FSYNC", "1"}});
+  reader.expect(" s left drawing settling");
+  EXPECT_EQ(reader.leave(), 0);
 }
 
 }  // namespace

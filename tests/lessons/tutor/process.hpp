@@ -69,6 +69,8 @@ class Started {
     argv.push_back(nullptr);
     process_ = fork();
     if (process_ != 0) return;
+    // Whoever runs the tests in the background may ignore Ctrl-C.
+    for (const int number : {SIGINT, SIGQUIT, SIGHUP, SIGTERM}) std::signal(number, SIG_DFL);
     const auto redirect = [](const char* file, int flags, int to) { dup2(open(file, flags, 0600), to); };
     redirect("/dev/null", O_RDONLY, 0);
     redirect(out.c_str(), O_WRONLY | O_CREAT, 1);
