@@ -14,6 +14,10 @@ namespace byhand::tutor {
 std::string manifest(const Lesson& lesson, const std::vector<RecordedStep>& steps, const Options& options,
                      const std::string& gl);
 
+/// The predictions of the pages, in order, for a course's own quiz: a list of objects with `lesson`, `step`,
+/// `ask`, `answer`, `unit`, `tolerance`, `wrong` (each with `value` and `reply`), `hints` and `right`.
+std::string questions(const Lesson& lesson, const std::vector<RecordedStep>& steps);
+
 /// {"step":"3a","finished":false}
 std::string to_json(const Bookmark& bookmark);
 
