@@ -50,7 +50,9 @@ int main(int argc, char** argv) {
                  {"A rod of ten metres, C and J from two different forms.",
                   "./lessons/run jacobian --set length=10 --step 6d"}},
        .next =
-           R"(You have a direction. Lesson 2 finds how hard to push along it: λ, from one number for the error and
+           R"(Write C and J yourself: `./lessons/run practise 1`, 2 and, for a constraint that no lesson derives, 11.
+
+           You have a direction. Lesson 2 finds how hard to push along it: λ, from one number for the error and
            one for the mass.)"});
   return lesson.run(argc, argv);
 }

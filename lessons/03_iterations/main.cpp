@@ -49,6 +49,7 @@ int main(int argc, char** argv) {
                   "./lessons/run iterations --step 7 --set warm=1"},
                  {"One sweep a step, cold and warm:", "./lessons/run iterations --step 6 --set sweeps=1"}},
        .next =
+           "Write the sweep yourself: `./lessons/run practise 7`.\n\n"
            "Lesson 4 takes up the drift: what pulling stretched links back costs, and where it stops working."});
   return lesson.run(argc, argv);
 }

@@ -47,7 +47,9 @@ int main(int argc, char** argv) {
                  {"Out of the trap: how many sweeps does ten links' chain need at this β?",
                   "./lessons/run baumgarte --step 6b --set sweeps=8"}},
        .next =
-           R"(What pulls in a rod also pushes out what overlaps: contacts come next, whose rows may only push, and
+           R"(Write b yourself: `./lessons/run practise 8`.
+
+           What pulls in a rod also pushes out what overlaps: contacts come next, whose rows may only push, and
            friction, which leans on them.)"});
   return lesson.run(argc, argv);
 }

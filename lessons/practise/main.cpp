@@ -159,7 +159,7 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
     wanted.asked_unmask = unmask->count() > 0;
-    if (wanted.number == 0 && argc > 1)
+    if (wanted.number == 0 && argc > 1 && wanted.grade.empty() && wanted.course.empty())
       throw std::invalid_argument("Name the exercise: ./lessons/run practise 2 …");
     const int status = run(wanted);
     return std::fflush(stdout) == 0 ? status : environment;

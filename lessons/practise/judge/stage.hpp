@@ -34,7 +34,7 @@ struct GroundContact {
   double C = 0;  // height of the point [m]
 };
 
-/// A box on the ground under `gravity`; `solve` ends the box's step with new velocities. The ground is drawn at
+/// A box whose corners meet the ground, under `gravity`; `solve` ends the box's step with new velocities. The ground is drawn at
 /// `slope` [rad].
 void box_on_ground(Film& film, Body box, Vec2 gravity, double slope,
                    const std::function<void(Body&, std::vector<GroundContact>&, double h)>& solve);
