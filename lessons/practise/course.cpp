@@ -45,29 +45,28 @@ void copy_judge(const fs::path& source, const std::vector<const Exercise*>& want
   }
 }
 
+std::string html(const std::string& text) {
+  std::string escaped;
+  for (const char c : text) escaped += c == '&' ? "&amp;" : c == '<' ? "&lt;" : std::string(1, c);
+  return escaped;
+}
+
 /// What PrairieLearn needs to show the question; its image is built from the same folder.
 void write_question(const fs::path& folder, const std::vector<const Exercise*>& wanted) {
-  std::string editors, text;
+  std::string page = "<pl-question-panel>\n";
   for (const Exercise* exercise : wanted) {
-    text += fmt::format("<pre>{}</pre>\n", contents_of(exercise->folder() / "signature.hpp"));
-    editors += fmt::format(
-        "<pl-file-editor file-name=\"{0}.cpp\" ace-mode=\"ace/mode/c_cpp\" source-file-name=\"{0}.cpp\" "
-        "allow-blank=\"true\"></pl-file-editor>\n",
+    page += fmt::format(
+        "<pre>{}\n{}</pre>\n<pl-file-editor file-name=\"{}.cpp\" ace-mode=\"ace/mode/c_cpp\" "
+        "source-file-name=\"{}.cpp\"></pl-file-editor>\n",
+        html(statement(*exercise)), html(contents_of(exercise->folder() / "signature.hpp")), exercise->name,
         exercise->name);
     renderer::write_whole(folder / "question" / (exercise->name + ".cpp"),
                           contents_of(exercise->folder() / "stub.cpp"));
   }
-  std::string escaped;
-  for (const char c : text) {
-    if (c == '&')
-      escaped += "&amp;";
-    else
-      escaped += c;
-  }
-  renderer::write_whole(folder / "question" / "question.html",
-                        "<pl-question-panel>\n" + escaped + editors +
-                            "</pl-question-panel>\n<pl-submission-panel>\n<pl-external-grader-results>"
-                            "</pl-external-grader-results>\n</pl-submission-panel>\n");
+  page +=
+      "</pl-question-panel>\n<pl-submission-panel>\n<pl-external-grader-results></pl-external-grader-results>\n"
+      "</pl-submission-panel>\n";
+  renderer::write_whole(folder / "question" / "question.html", page);
   renderer::write_whole(folder / "question" / "info.json",
                         R"({
   "uuid": "5c0e1a4e-6d0f-4d4b-9a39-2f9c1b7e6a10",

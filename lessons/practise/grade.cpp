@@ -37,11 +37,8 @@ int run(const std::vector<std::string>& arguments) {
   const auto key_file = [&](const Exercise& exercise) { return keys / (exercise.name + ".json"); };
   for (const Exercise& exercise : exercises())
     if (std::filesystem::exists(key_file(exercise))) wanted.push_back(&exercise);
-  std::vector<Report> files = reports;  // a stream cannot be written twice
-  std::erase_if(files, [](const Report& report) { return report.file == "-"; });
-  write(files, not_finished(wanted));
-  write(reports, grade(wanted, submission,
-                       [&](const Exercise& exercise) { return key_from_json(contents_of(key_file(exercise))); }));
+  const Keys read = [&](const Exercise& exercise) { return key_from_json(contents_of(key_file(exercise))); };
+  grade(wanted, submission, read, reports);
   return 0;
 }
 

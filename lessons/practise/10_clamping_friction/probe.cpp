@@ -47,7 +47,7 @@ void probe(Probe& p, const Code& code) {
 void film(Film& film, const Code& code) {
   const auto solve_contact = std::get<1>(Learners::of(code));
   film.title = "A box kicked up a slope of 20°, μ = 0.5";
-  film.quantity = "lowest corner";
+  film.quantity = "centre above the ground";
   film.unit = "mm";
   film.middle = {0.2, 0.5};
   film.height = 3;

@@ -22,6 +22,17 @@ std::string picture_of(const Film& yours, const Film& right) {
   }
 }
 
+std::vector<Graded> not_finished(const std::vector<const Exercise*>& wanted) {
+  std::vector<Graded> all;
+  for (const Exercise* exercise : wanted) {
+    Graded graded{.exercise = exercise, .file = exercise->name + ".cpp"};
+    graded.verdict.kind = Verdict::Kind::stopped;
+    graded.verdict.sentence = "The judge did not finish.";
+    all.push_back(std::move(graded));
+  }
+  return all;
+}
+
 }  // namespace
 
 std::vector<Graded> grade(const std::vector<const Exercise*>& wanted, const std::filesystem::path& folder,
@@ -38,17 +49,6 @@ std::vector<Graded> grade(const std::vector<const Exercise*>& wanted, const std:
       graded.verdict.kind = Verdict::Kind::not_written;
       graded.verdict.sentence = graded.file + " is missing.";
     }
-    all.push_back(std::move(graded));
-  }
-  return all;
-}
-
-std::vector<Graded> not_finished(const std::vector<const Exercise*>& wanted) {
-  std::vector<Graded> all;
-  for (const Exercise* exercise : wanted) {
-    Graded graded{.exercise = exercise, .file = exercise->name + ".cpp"};
-    graded.verdict.kind = Verdict::Kind::stopped;
-    graded.verdict.sentence = "The judge did not finish.";
     all.push_back(std::move(graded));
   }
   return all;
@@ -71,6 +71,16 @@ void write(const std::vector<Report>& reports, const std::vector<Graded>& graded
       fmt::print("{}", format(graded));
     else
       renderer::write_whole(file, format(graded));
+}
+
+std::vector<Graded> grade(const std::vector<const Exercise*>& wanted, const std::filesystem::path& folder,
+                          const Keys& keys, const std::vector<Report>& reports) {
+  std::vector<Report> files = reports;
+  std::erase_if(files, [](const Report& report) { return report.file == "-"; });
+  write(files, not_finished(wanted));
+  auto graded = grade(wanted, folder, keys);
+  write(reports, graded);
+  return graded;
 }
 
 }  // namespace byhand::practise

@@ -24,9 +24,6 @@ using Keys = std::function<Key(const Exercise&)>;
 std::vector<Graded> grade(const std::vector<const Exercise*>& wanted, const std::filesystem::path& folder,
                           const Keys& keys);
 
-/// What is written before the judge begins, so that a results file exists whatever happens.
-std::vector<Graded> not_finished(const std::vector<const Exercise*>& wanted);
-
 /// gradescope, classroom50, prairielearn, junit, github (annotations, to be printed), summary (Markdown).
 using Format = std::string (*)(const std::vector<Graded>&);
 const std::map<std::string, Format>& formats();
@@ -38,6 +35,11 @@ struct Report {
 };
 Report parse_report(const std::string& words);
 void write(const std::vector<Report>& reports, const std::vector<Graded>& graded);
+
+/// Grades and writes the reports. Files say at first that the judge did not finish, so that they exist whatever
+/// happens.
+std::vector<Graded> grade(const std::vector<const Exercise*>& wanted, const std::filesystem::path& folder,
+                          const Keys& keys, const std::vector<Report>& reports);
 
 /// A key as JSON, for a machine that has no solution.
 std::string to_json(const Key& key);
