@@ -61,6 +61,12 @@ std::string xml(const std::string& text) {
   return escaped;
 }
 
+/// Without Markdown's marks, which QTI does not read.
+std::string plain_xml(std::string words) {
+  std::erase_if(words, [](char c) { return c == '*' || c == '`'; });
+  return xml(words);
+}
+
 std::string number(const Json& value) { return fmt::format("{}", value.get<double>()); }
 
 /// The unit behind the question, since the answer is a number alone.
@@ -107,7 +113,8 @@ std::string moodle(const std::vector<Json>& all) {
     if (const std::string unit = question["unit"]; !unit.empty() && unit != "1")
       text += fmt::format(
           "    <units><unit><multiplier>1</multiplier><unit_name>{}</unit_name></unit></units>\n    "
-          "<unitgradingtype>0</unitgradingtype>\n    <unitpenalty>0</unitpenalty>\n    <showunits>3</showunits>\n",
+          "<unitgradingtype>0</unitgradingtype>\n    <unitpenalty>0</unitpenalty>\n    <showunits>0</showunits>\n "
+          "   <unitsleft>0</unitsleft>\n",
           xml(unit));
     for (const Json& hint : question["hints"])
       text += fmt::format("    <hint format=\"markdown\"><text>{}</text></hint>\n", xml(hint));
@@ -135,7 +142,7 @@ std::string item(const Json& question, const std::string& identifier, const std:
   const auto feedback = [](const std::string& id, const std::string& words) {
     return fmt::format(
         "  <modalFeedback outcomeIdentifier=\"FEEDBACK\" identifier=\"{}\" showHide=\"show\">{}</modalFeedback>\n",
-        id, xml(words));
+        id, plain_xml(words));
   };
   std::string rules =
       fmt::format("      <responseIf>{}{}</responseIf>\n", near(question["answer"]), then("RIGHT", 1));
@@ -164,7 +171,7 @@ std::string item(const Json& question, const std::string& identifier, const std:
   </responseProcessing>
 {}</assessmentItem>
 )",
-      identifier, xml(title), number(question["answer"]), xml(question["ask"]),
+      identifier, xml(title), number(question["answer"]), plain_xml(question["ask"]),
       question["unit"] == "1" ? "" : xml(question["unit"]), rules, replies);
 }
 
