@@ -51,6 +51,8 @@ int main(int argc, char** argv) {
                  {"A rod of ten metres, C and J from two different forms.",
                   "./lessons/run jacobian --set length=10 --step 7d"}},
        .next =
-           R"(J says in which direction to push. Lesson 2 computes how hard: λ, from the rate JV and the masses.)"});
+           R"(Write C and J yourself: `./lessons/run practise 1`, 2 and, for a constraint that no lesson derives, 11.
+
+           J says in which direction to push. Lesson 2 computes how hard: λ, from the rate JV and the masses.)"});
   return lesson.run(argc, argv);
 }

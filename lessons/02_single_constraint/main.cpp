@@ -45,7 +45,10 @@ int main(int argc, char** argv) {
                   "./lessons/run single_constraint --set h=1/180"},
                  {"A light bob on a long rod: which numbers stay the same?",
                   "./lessons/run single_constraint --set mass=0.1 --set length=10"}},
-       .next = R"(One row is solved exactly by one formula. With two rods that share a bob, solving one row changes
-               the JV of the other: lesson 3. The drift that you saw is cured in lesson 4.)"});
+       .next =
+           R"(Write K, λ, the impulse and the step yourself: `./lessons/run practise 3` to 6.
+
+           One row is solved exactly by one formula. With two rods that share a bob, solving one row changes
+           the JV of the other: lesson 3. The drift that you saw is cured in lesson 4.)"});
   return lesson.run(argc, argv);
 }

@@ -48,7 +48,9 @@ int main(int argc, char** argv) {
                  {"Start the swinging chains warm: with few sweeps the correction makes them ring.",
                   "./lessons/run iterations --step 7 --set warm=1"},
                  {"One sweep a step, cold and warm:", "./lessons/run iterations --step 6 --set sweeps=1"}},
-       .next = "Lesson 4 is about drift: what it costs to pull stretched links back, and for which β that is "
-               "stable."});
+       .next =
+           R"(Write the sweep yourself: `./lessons/run practise 7`.
+
+           Lesson 4 is about drift: what it costs to pull stretched links back, and for which β that is stable.)"});
   return lesson.run(argc, argv);
 }

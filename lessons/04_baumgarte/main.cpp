@@ -49,7 +49,9 @@ int main(int argc, char** argv) {
                  {"How many sweeps does the chain of ten links need at this β?",
                   "./lessons/run baumgarte --step 6b --set sweeps=8"}},
        .next =
-           R"(The correction that shortens a rod also separates bodies that overlap. Contacts come next: rows that
+           R"(Write b yourself: `./lessons/run practise 8`.
+
+           The correction that shortens a rod also separates bodies that overlap. Contacts come next: rows that
            may only push, and friction, whose bound depends on them.)"});
   return lesson.run(argc, argv);
 }

@@ -57,7 +57,10 @@ int main(int argc, char** argv) {
                   "./lessons/run contact --step 7 --set h=1/120"},
                  {"Half the step: which of the bounces come nearer to the law?",
                   "./lessons/run contact --step 5 --set h=1/120"}},
-       .next = R"(Two rows made a contact with friction. Next, rows make joints: pins, welds, sliders, stops and
-               motors.)"});
+       .next =
+           R"(Write both clamps yourself: `./lessons/run practise 9` and 10.
+
+           Two rows made a contact with friction. Next, rows make joints: pins, welds, sliders, stops and
+           motors.)"});
   return lesson.run(argc, argv);
 }

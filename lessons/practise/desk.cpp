@@ -36,6 +36,9 @@ std::string signature(const Exercise& exercise) {
   return text.substr(begin + 1, end - begin - 2);
 }
 
+/// Sources are at most 115 columns wide.
+std::string code(const std::string& text) { return folded(text, {.width = 120}, 2); }
+
 /// Statements are drawings too, so their lines stay; those that begin at the margin are wrapped.
 std::string laid_out(const std::string& text) {
   std::string all, line;
@@ -98,8 +101,7 @@ std::string task_text(const Exercise& exercise) {
   const Task about = task(exercise);
   return toned(fmt::format("{}  {}", exercise.number(), about.title), Tone::title, style()) +
          fmt::format("   lesson {}, equations {}\n\n{}\n{}", about.lesson, about.equations,
-                     laid_out(about.statement),
-                     toned(folded(signature(exercise), style(), 4), Tone::code, style()));
+                     laid_out(about.statement), toned(code(signature(exercise)), Tone::code, style()));
 }
 
 std::string verdict_text(const Verdict& verdict) {
@@ -129,8 +131,7 @@ std::string solution_text(const Exercise& exercise) {
     save_bookmark(slug(exercise), kept);
     note = "\nThis solution was requested before the exercise was solved; the list of exercises says so.\n";
   }
-  return toned("A solution\n", Tone::title, style()) +
-         folded(contents_of(exercise.folder() / "solution.cpp"), style(), 2) +
+  return toned("A solution\n", Tone::title, style()) + code(contents_of(exercise.folder() / "solution.cpp")) +
          toned("\nIts derivation\n", Tone::title, style()) + wrapped(task(exercise).derivation, style()) + note;
 }
 
@@ -210,10 +211,10 @@ std::string given_text(const Sheet& sheet) {
 std::string unmask_text(const Exercise& exercise) {
   const Task about = task(exercise);
   const Variant& mutant = masked(exercise, about);
-  std::string code = contents_of(exercise.folder() / mutant.file);
-  code.erase(0, code.find("#include"));  // its sentence
+  const std::string text = contents_of(exercise.folder() / mutant.file);  // its sentence, then its code
   return "This code is wrong, and it passes this test:\n\n  " +
-         given_text(sheet_with(exercise, mutant.code, about.blind)) + "\n\n" + folded(code, style(), 2) +
+         given_text(sheet_with(exercise, mutant.code, about.blind)) + "\n\n" +
+         code(text.substr(text.find("#include"))) +
          fmt::format(
              "\nGive numbers on which it is wrong; those that you leave out stay as above:\n"
              "  {} --unmask \"NAME=NUMBER NAME=NUMBER,NUMBER\"\n",

@@ -4,11 +4,15 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
+#include "lessons/practise/course.hpp"
 #include "lessons/practise/desk.hpp"
 #include "lessons/practise/judge/picture.hpp"
 #include "renderer/error.hpp"
@@ -24,7 +28,8 @@ enum ExitStatus { right = 0, wrong = 1, bad_usage = 2, does_not_compile = 3, env
 struct Wanted {
   int number = 0, hint = 0;
   std::uint64_t seed = 1;
-  std::string folder = "my_exercises", check, film, unmask;
+  std::string folder = "my_exercises", check, film, unmask, grade, course, to;
+  std::vector<std::string> reports;
   bool solution = false, asked_unmask = false;
 };
 
@@ -58,7 +63,38 @@ int check_file(const Exercise& exercise, const Wanted& wanted) {
   return verdict.is_right() ? right : wrong;
 }
 
+std::vector<const Exercise*> all_or(int number) {
+  std::vector<const Exercise*> wanted;
+  for (const Exercise& exercise : exercises())
+    if (number == 0 || exercise.number() == number) wanted.push_back(&exercise);
+  if (wanted.empty()) wanted.push_back(&chosen(number));
+  return wanted;
+}
+
+int grade_folder(const Wanted& wanted) {
+  std::vector<Report> reports;
+  for (const std::string& words : wanted.reports) reports.push_back(parse_report(words));
+  if (reports.empty()) reports.push_back(parse_report("summary=-"));
+  const Keys keys = [&](const Exercise& exercise) { return key(exercise, wanted.seed); };
+  const auto graded = grade(all_or(wanted.number), wanted.grade, keys, reports);
+  return std::all_of(graded.begin(), graded.end(), [](const Graded& one) { return one.verdict.is_right(); })
+             ? right
+             : wrong;
+}
+
+int export_to(const Wanted& wanted) {
+  if (wanted.to.empty()) throw std::invalid_argument("--export needs --to FOLDER");
+  if (wanted.course == "moodle" || wanted.course == "qti")
+    export_questions(wanted.course, wanted.to);
+  else
+    export_course(wanted.course, wanted.to, wanted.seed, all_or(wanted.number));
+  fmt::print("Written into {}\n", wanted.to);
+  return right;
+}
+
 int run(const Wanted& wanted) {
+  if (!wanted.course.empty()) return export_to(wanted);
+  if (!wanted.grade.empty()) return grade_folder(wanted);
   if (wanted.number == 0) {
     fmt::print("Exercises: ./lessons/run practise N\n{}", overview());
     return right;
@@ -105,13 +141,24 @@ int main(int argc, char** argv) {
   app.add_option("--seed", wanted.seed, "of the random probes (default 1)");
   app.add_option("--hint", wanted.hint, "hint 1, 2 or 3");
   app.add_flag("--solution", wanted.solution, "the solution and its derivation");
+  app.add_option("--grade", wanted.grade, "judge all exercises in a folder, or exercise N of it")
+      ->type_name("DIR");
+  app.add_option("--report", wanted.reports,
+                 "with --grade; repeatable: gradescope, classroom50, prairielearn, junit,\n"
+                 "github or summary, into a file or - for the terminal")
+      ->type_name("FORMAT=FILE")
+      ->take_all();
+  app.add_option("--export", wanted.course,
+                 "for a course: gradescope, classroom50, prairielearn, junit; or the\n"
+                 "predictions of all lessons: moodle, qti");
+  app.add_option("--to", wanted.to, "new folder for --export")->type_name("DIR");
   auto* unmask = app.add_option("--unmask", wanted.unmask, "choose numbers on which a wrong code is wrong")
                      ->expected(0, 1)
                      ->type_name("NUMBERS");
   try {
     app.parse(argc, argv);
     wanted.asked_unmask = unmask->count() > 0;
-    if (wanted.number == 0 && argc > 1)
+    if (wanted.number == 0 && argc > 1 && wanted.grade.empty() && wanted.course.empty())
       throw std::invalid_argument("Name the exercise: ./lessons/run practise 2 …");
     const int status = run(wanted);
     return std::fflush(stdout) == 0 ? status : environment;

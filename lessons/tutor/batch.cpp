@@ -70,7 +70,21 @@ void finish_output(const Lesson& lesson, const std::vector<RecordedStep>& steps,
                printable(output.path().string()));
 }
 
+namespace {
+
+int print_questions(const Lesson& lesson, const Options& options) {
+  std::vector<RecordedStep> steps;
+  for (const Step& step : lesson.steps())
+    if (options.step.empty() || step.label == options.step)
+      steps.push_back(record_step(lesson, step, options.quiet));
+  fmt::print("{}", questions(lesson, steps));
+  return 0;
+}
+
+}  // namespace
+
 int run_batch(const Lesson& lesson, const Options& options) {
+  if (options.questions) return print_questions(lesson, options);
   const bool whole = options.step.empty();
   const bool speaks = !options.quiet && !options.check;
   // Fails before the work begins rather than after a minute.

@@ -79,6 +79,27 @@ Manifest manifest_from_json(const std::string& text) {
   return manifest;
 }
 
+std::string questions(const Lesson& lesson, const std::vector<RecordedStep>& steps) {
+  Json all = Json::array();
+  for (const RecordedStep& step : steps)
+    for (const Item& item : step.page.items())
+      if (const auto* asked = std::get_if<Prediction>(&item)) {
+        Json wrong = Json::array();
+        for (const WrongAnswer& answer : asked->wrong)
+          wrong.push_back({{"value", answer.value}, {"reply", answer.reply}});
+        all.push_back({{"lesson", lesson.about().slug},
+                       {"step", step.step->label},
+                       {"ask", asked->ask},
+                       {"answer", asked->answer},
+                       {"unit", asked->unit},
+                       {"tolerance", asked->tolerance},
+                       {"wrong", wrong},
+                       {"hints", asked->hints},
+                       {"right", asked->right}});
+      }
+  return all.dump(2) + "\n";
+}
+
 std::string to_json(const Bookmark& bookmark) {
   return Json{{"step", bookmark.step}, {"finished", bookmark.finished}}.dump() + "\n";
 }

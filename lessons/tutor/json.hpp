@@ -19,6 +19,10 @@ std::string to_json(const Manifest& manifest);
 /// An empty manifest if the text is none.
 Manifest manifest_from_json(const std::string& text);
 
+/// The predictions of the pages, in order, for a course's own quiz: a list of objects with `lesson`, `step`,
+/// `ask`, `answer`, `unit`, `tolerance`, `wrong` (each with `value` and `reply`), `hints` and `right`.
+std::string questions(const Lesson& lesson, const std::vector<RecordedStep>& steps);
+
 /// {"step":"3a","finished":false}
 std::string to_json(const Bookmark& bookmark);
 

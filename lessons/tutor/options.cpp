@@ -91,9 +91,10 @@ Options read_options(const Lesson& lesson, int argc, const char* const* argv, bo
   options.list_parameters = line.list_parameters;
   options.check = line.check;
   options.quiet = line.quiet;
+  options.questions = line.questions;
   options.step = line.step;
   options.interactive = line.interactive || (at_terminal && !line.no_interactive);
-  if (options.check || options.quiet) options.interactive = false;
+  if (options.check || options.quiet || options.questions) options.interactive = false;
   options.quality =
       *std::find_if(qualities.begin(), qualities.end(), [&](const Quality& q) { return q.name == line.quality; });
   if (line.frames.empty()) line.frames = options.interactive ? "last" : "all";

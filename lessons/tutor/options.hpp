@@ -27,7 +27,7 @@ struct Options {
   Quality quality;
   FramesWanted frames = FramesWanted::all;
   std::vector<std::pair<std::string, std::string>> set;  // name, value
-  bool list_parameters = false, check = false, quiet = false;
+  bool list_parameters = false, check = false, quiet = false, questions = false;
   std::string step;  // label of the only step to run; empty: all
 };
 

@@ -47,8 +47,8 @@ void probe(Probe& p, const Code& code) {
 void film(Film& film, const Code& code) {
   const auto solve_contact = std::get<1>(Learners::of(code));
   film.title = "A box kicked up a slope of 20°, μ = 0.5";
-  film.quantity = "height of its lower corner above the slope";
-  film.unit = "m";
+  film.quantity = "centre above the ground";
+  film.unit = "mm";
   film.middle = {0.2, 0.5};
   film.height = 3;
   const double mass = 2, side = 0.6, slope = 20 * std::acos(-1.0) / 180;

@@ -73,14 +73,15 @@ void box_on_ground(Film& film, Body box, Vec2 gravity, double slope,
                    const std::function<void(Body&, std::vector<GroundContact>&, double h)>& solve) {
   for (int i = 0; i <= steps; ++i) {
     std::vector<GroundContact> contacts;
-    for (const double side : {-0.5, 0.5}) {
-      const Vec2 r = turned({side * box.sides.x, -box.sides.y / 2}, box.angle);
-      contacts.push_back({r, box.at.y + r.y});
-    }
+    for (const double x : {-0.5, 0.5})
+      for (const double y : {-0.5, 0.5}) {
+        const Vec2 r = turned({x * box.sides.x, y * box.sides.y}, box.angle);
+        contacts.push_back({r, box.at.y + r.y});
+      }
     if (i % 2 == 0)
       film.frames.push_back({{{Shape::ground, turned({-20, 0}, slope), turned({20, 0}, slope)},
                               {Shape::box, turned(box.at, slope), box.sides, box.angle + slope}},
-                             std::min(contacts[0].C, contacts[1].C)});
+                             1000 * box.at.y});
     box.v += h * gravity;
     solve(box, contacts, h);
     move(box);

@@ -34,8 +34,8 @@ struct GroundContact {
   double C = 0;  // height of the point [m]
 };
 
-/// A box on the ground under `gravity`; `solve` ends the box's step with new velocities. The ground is drawn at
-/// `slope` [rad].
+/// Reads the height of the centre [mm] of a box whose corners meet the ground, under `gravity`; `solve` ends the
+/// box's step with new velocities. The ground is drawn at `slope` [rad].
 void box_on_ground(Film& film, Body box, Vec2 gravity, double slope,
                    const std::function<void(Body&, std::vector<GroundContact>&, double h)>& solve);
 

@@ -1,0 +1,113 @@
+#include "lessons/practise/course.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <stdexcept>
+
+#include "renderer/error.hpp"
+#include "renderer/file.hpp"
+
+namespace byhand::practise {
+namespace {
+
+namespace fs = std::filesystem;
+
+void require_empty(const fs::path& folder) {
+  if (fs::exists(folder) && !fs::is_empty(folder))
+    throw std::invalid_argument(
+        fmt::format("{} holds something; --to names a new or empty folder", folder.string()));
+}
+
+void copy_into(const fs::path& from, const fs::path& to) {
+  fs::create_directories(to.parent_path());
+  fs::copy(from, to, fs::copy_options::recursive);
+}
+
+/// The task without what a learner is not to read before solving it.
+std::string statement(const Exercise& exercise) {
+  const std::string text = contents_of(exercise.folder() / "task.md");
+  return text.substr(0, text.find("## Hint"));
+}
+
+void copy_judge(const fs::path& source, const std::vector<const Exercise*>& wanted) {
+  const fs::path here = practise_folder(), root = here.parent_path().parent_path();
+  copy_into(here / "export" / "CMakeLists.txt", source / "CMakeLists.txt");
+  copy_into(root / "renderer", source / "renderer");
+  for (const char* part : {"CMakeLists.txt", "exercise.cpp.in", "grade.cpp", "judge", "learner"})
+    copy_into(here / part, source / "lessons" / "practise" / part);
+  for (const Exercise* exercise : wanted) {
+    const fs::path folder = source / "lessons" / "practise" / exercise->name;
+    for (const char* file : {"signature.hpp", "probe.cpp", "stub.cpp"})
+      copy_into(exercise->folder() / file, folder / file);
+    renderer::write_whole(folder / "task.md", statement(*exercise));
+  }
+}
+
+std::string html(const std::string& text) {
+  std::string escaped;
+  for (const char c : text) escaped += c == '&' ? "&amp;" : c == '<' ? "&lt;" : std::string(1, c);
+  return escaped;
+}
+
+/// What PrairieLearn needs to show the question; its image is built from the same folder.
+void write_question(const fs::path& folder, const std::vector<const Exercise*>& wanted) {
+  std::string page = "<pl-question-panel>\n";
+  for (const Exercise* exercise : wanted) {
+    page += fmt::format(
+        "<pre>{}\n{}</pre>\n<pl-file-editor file-name=\"{}.cpp\" ace-mode=\"ace/mode/c_cpp\" "
+        "source-file-name=\"{}.cpp\"></pl-file-editor>\n",
+        html(statement(*exercise)), html(contents_of(exercise->folder() / "signature.hpp")), exercise->name,
+        exercise->name);
+    renderer::write_whole(folder / "question" / (exercise->name + ".cpp"),
+                          contents_of(exercise->folder() / "stub.cpp"));
+  }
+  page +=
+      "</pl-question-panel>\n<pl-submission-panel>\n<pl-external-grader-results></pl-external-grader-results>\n"
+      "</pl-submission-panel>\n";
+  renderer::write_whole(folder / "question" / "question.html", page);
+  renderer::write_whole(folder / "question" / "info.json",
+                        R"({
+  "uuid": "5c0e1a4e-6d0f-4d4b-9a39-2f9c1b7e6a10",
+  "title": "Constraints by hand",
+  "topic": "Constraints",
+  "type": "v3",
+  "gradingMethod": "External",
+  "externalGradingOptions": {
+    "enabled": true,
+    "image": "practise",
+    "entrypoint": "/judge/grade.sh",
+    "timeout": 120
+  }
+}
+)");
+}
+
+}  // namespace
+
+void export_course(const std::string& kind, const fs::path& folder, std::uint64_t seed,
+                   const std::vector<const Exercise*>& wanted) {
+  const fs::path own = practise_folder() / "export" / kind;
+  if (kind.empty() || !fs::is_directory(own))
+    throw std::invalid_argument(
+        fmt::format("--export {}: there are gradescope, classroom50, prairielearn, junit, moodle and qti", kind));
+  require_empty(folder);
+  copy_judge(folder / "source", wanted);
+  for (const Exercise* exercise : wanted)
+    renderer::write_whole(folder / "keys" / (exercise->name + ".json"), to_json(key(*exercise, seed)));
+  copy_into(practise_folder() / "export" / "build.sh", folder / "build.sh");
+  for (const auto& file : fs::directory_iterator(own)) copy_into(file.path(), folder / file.path().filename());
+  if (kind != "gradescope") copy_into(practise_folder() / "export" / "Dockerfile", folder / "Dockerfile");
+  if (kind == "prairielearn") write_question(folder, wanted);
+  if (kind == "gradescope") {
+    const std::string command = fmt::format(
+        "cd '{}' && cmake -E tar cf autograder.zip --format=zip --mtime=2000-01-01 build.sh setup.sh "
+        "run_autograder source keys",
+        folder.string());
+    if (std::system(command.c_str()) != 0)
+      throw renderer::EnvironmentError("autograder.zip could not be written in " + folder.string());
+  }
+}
+
+}  // namespace byhand::practise

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "lessons/practise/judge/grading.hpp"
+
+namespace byhand::practise {
+
+/// Makes a folder that a teacher gives to gradescope, classroom50, prairielearn or junit: the judge's sources, the
+/// keys of this seed and what starts them; neither solutions nor mutants, hints or derivations. Throws
+/// std::invalid_argument for another kind or a folder that holds something.
+void export_course(const std::string& kind, const std::filesystem::path& folder, std::uint64_t seed,
+                   const std::vector<const Exercise*>& wanted);
+
+/// The predictions of all lessons as moodle (Moodle XML) or qti (QTI 2.1 items).
+void export_questions(const std::string& kind, const std::filesystem::path& folder);
+
+}  // namespace byhand::practise

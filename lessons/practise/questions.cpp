@@ -1,0 +1,207 @@
+#include <fmt/format.h>
+#include <sys/wait.h>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "lessons/practise/course.hpp"
+#include "lessons/tutor/about.hpp"
+#include "renderer/error.hpp"
+#include "renderer/file.hpp"
+
+// The predictions of the lessons as questions for a course's learning platform.
+namespace byhand::practise {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+std::string output_of(const std::string& command) {
+  std::string text;
+  FILE* pipe = popen(command.c_str(), "r");
+  if (pipe == nullptr) throw renderer::EnvironmentError("no process could be started for " + command);
+  std::array<char, 4096> buffer{};
+  while (const std::size_t count = fread(buffer.data(), 1, buffer.size(), pipe)) text.append(buffer.data(), count);
+  if (pclose(pipe) != 0) throw renderer::EnvironmentError("this failed: " + command);
+  return text;
+}
+
+/// Of the lessons beside this program, built first if `lessons/run` started it.
+std::vector<Json> questions() {
+  if (const char* builder = std::getenv("BYHAND_BUILD"))
+    if (std::system(fmt::format("'{}' lessons", builder).c_str()) != 0)
+      throw renderer::EnvironmentError("the lessons could not be built");
+  const fs::path folder = fs::read_symlink("/proc/self/exe").parent_path();
+  std::vector<Json> all;
+  for (const tutor::About& lesson : tutor::contents())
+    for (const Json& question :
+         Json::parse(output_of(fmt::format("'{}' --questions --quiet", (folder / lesson.slug).string()))))
+      all.push_back(question);
+  return all;
+}
+
+std::string xml(const std::string& text) {
+  std::string escaped;
+  for (const char c : text) {
+    if (c == '&')
+      escaped += "&amp;";
+    else if (c == '<')
+      escaped += "&lt;";
+    else if (c == '>')
+      escaped += "&gt;";
+    else if (c == '"')
+      escaped += "&quot;";
+    else
+      escaped += c;
+  }
+  return escaped;
+}
+
+/// Without Markdown's marks, which QTI does not read.
+std::string plain_xml(std::string words) {
+  std::erase_if(words, [](char c) { return c == '*' || c == '`'; });
+  return xml(words);
+}
+
+std::string number(const Json& value) { return fmt::format("{}", value.get<double>()); }
+
+/// The unit behind the question, since the answer is a number alone.
+std::string asked(const Json& question) {
+  const std::string unit = question["unit"];
+  return question["ask"].get<std::string>() + (unit.empty() || unit == "1" ? "" : " [" + unit + "]");
+}
+
+std::string name(const Json& question, int index) {
+  return fmt::format("{} {}.{}", question["lesson"].get<std::string>(), question["step"].get<std::string>(),
+                     index);
+}
+
+/// https://docs.moodle.org/en/Moodle_XML_format: numerical questions. Wrong answers earn nothing and get their
+/// reply.
+std::string moodle(const std::vector<Json>& all) {
+  std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<quiz>\n";
+  std::string lesson;
+  int index = 0;
+  for (const Json& question : all) {
+    if (question["lesson"] != lesson) {
+      lesson = question["lesson"];
+      index = 0;
+      text += fmt::format(
+          "  <question type=\"category\"><category><text>$course$/top/Constraints by Hand/{}</text></category>"
+          "</question>\n",
+          xml(lesson));
+    }
+    const auto answer = [&](const Json& value, int fraction, const std::string& reply) {
+      return fmt::format(
+          "    <answer fraction=\"{}\" format=\"moodle_auto_format\">\n      <text>{}</text>\n      "
+          "<tolerance>{}</tolerance>\n      <feedback format=\"markdown\"><text>{}</text></feedback>\n    "
+          "</answer>\n",
+          fraction, number(value), number(question["tolerance"]), xml(reply));
+    };
+    text += fmt::format(
+        "  <question type=\"numerical\">\n    <name><text>{}</text></name>\n    <questiontext format=\"markdown\">"
+        "<text>{}</text></questiontext>\n    <generalfeedback "
+        "format=\"markdown\"><text>{}</text></generalfeedback>\n"
+        "    <defaultgrade>1</defaultgrade>\n    <penalty>0.3333333</penalty>\n    <hidden>0</hidden>\n",
+        xml(name(question, ++index)), xml(asked(question)), xml(question["right"]));
+    text += answer(question["answer"], 100, question["right"]);
+    for (const Json& wrong : question["wrong"]) text += answer(wrong["value"], 0, wrong["reply"]);
+    if (const std::string unit = question["unit"]; !unit.empty() && unit != "1")
+      text += fmt::format(
+          "    <units><unit><multiplier>1</multiplier><unit_name>{}</unit_name></unit></units>\n    "
+          "<unitgradingtype>0</unitgradingtype>\n    <unitpenalty>0</unitpenalty>\n    <showunits>0</showunits>\n "
+          "   <unitsleft>0</unitsleft>\n",
+          xml(unit));
+    for (const Json& hint : question["hints"])
+      text += fmt::format("    <hint format=\"markdown\"><text>{}</text></hint>\n", xml(hint));
+    text += "  </question>\n";
+  }
+  return text + "</quiz>\n";
+}
+
+/// One QTI 2.1 item: a text entry of a number, compared within the tolerance, with modal feedback.
+std::string item(const Json& question, const std::string& identifier, const std::string& title) {
+  const std::string tolerance = number(question["tolerance"]);
+  const auto near = [&](const Json& value) {
+    return fmt::format(
+        "<equal toleranceMode=\"absolute\" tolerance=\"{0} {0}\"><variable identifier=\"RESPONSE\"/>"
+        "<baseValue baseType=\"float\">{1}</baseValue></equal>",
+        tolerance, number(value));
+  };
+  const auto then = [](const std::string& feedback, int score) {
+    return fmt::format(
+        "<setOutcomeValue identifier=\"FEEDBACK\"><baseValue "
+        "baseType=\"identifier\">{}</baseValue></setOutcomeValue>"
+        "<setOutcomeValue identifier=\"SCORE\"><baseValue baseType=\"float\">{}</baseValue></setOutcomeValue>",
+        feedback, score);
+  };
+  const auto feedback = [](const std::string& id, const std::string& words) {
+    return fmt::format(
+        "  <modalFeedback outcomeIdentifier=\"FEEDBACK\" identifier=\"{}\" showHide=\"show\">{}</modalFeedback>\n",
+        id, plain_xml(words));
+  };
+  std::string rules =
+      fmt::format("      <responseIf>{}{}</responseIf>\n", near(question["answer"]), then("RIGHT", 1));
+  std::string replies = feedback("RIGHT", question["right"]);
+  int index = 0;
+  for (const Json& wrong : question["wrong"]) {
+    const std::string id = fmt::format("WRONG{}", ++index);
+    rules += fmt::format("      <responseElseIf>{}{}</responseElseIf>\n", near(wrong["value"]), then(id, 0));
+    replies += feedback(id, wrong["reply"]);
+  }
+  return fmt::format(
+      R"(<?xml version="1.0" encoding="UTF-8"?>
+<assessmentItem xmlns="http://www.imsglobal.org/xsd/imsqti_v2p1" xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xsi:schemaLocation="http://www.imsglobal.org/xsd/imsqti_v2p1 http://www.imsglobal.org/xsd/qti/qtiv2p1/imsqti_v2p1.xsd" identifier="{}" title="{}" adaptive="false" timeDependent="false">
+  <responseDeclaration identifier="RESPONSE" cardinality="single" baseType="float">
+    <correctResponse><value>{}</value></correctResponse>
+  </responseDeclaration>
+  <outcomeDeclaration identifier="SCORE" cardinality="single" baseType="float"><defaultValue><value>0</value></defaultValue></outcomeDeclaration>
+  <outcomeDeclaration identifier="FEEDBACK" cardinality="single" baseType="identifier"/>
+  <itemBody>
+    <p>{}</p>
+    <p><textEntryInteraction responseIdentifier="RESPONSE" expectedLength="12"/> {}</p>
+  </itemBody>
+  <responseProcessing>
+    <responseCondition>
+{}    </responseCondition>
+  </responseProcessing>
+{}</assessmentItem>
+)",
+      identifier, xml(title), number(question["answer"]), plain_xml(question["ask"]),
+      question["unit"] == "1" ? "" : xml(question["unit"]), rules, replies);
+}
+
+void write_qti(const fs::path& folder, const std::vector<Json>& all) {
+  std::string resources;
+  int index = 0;
+  for (const Json& question : all) {
+    const std::string identifier = fmt::format("prediction_{:03}", ++index), file = identifier + ".xml";
+    renderer::write_whole(folder / file, item(question, identifier, name(question, index)));
+    resources += fmt::format(
+        "    <resource identifier=\"{}\" type=\"imsqti_item_xmlv2p1\" href=\"{}\"><file "
+        "href=\"{}\"/></resource>\n",
+        identifier, file, file);
+  }
+  renderer::write_whole(
+      folder / "imsmanifest.xml",
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<manifest xmlns=\"http://www.imsglobal.org/xsd/imscp_v1p1\" "
+      "identifier=\"constraints_by_hand\">\n  <metadata><schema>QTIv2.1 Package</schema><schemaversion>1.0.0"
+      "</schemaversion></metadata>\n  <organizations/>\n  <resources>\n" +
+          resources + "  </resources>\n</manifest>\n");
+}
+
+}  // namespace
+
+void export_questions(const std::string& kind, const fs::path& folder) {
+  const std::vector<Json> all = questions();
+  if (kind == "moodle")
+    renderer::write_whole(folder / "predictions.xml", moodle(all));
+  else
+    write_qti(folder, all);
+}
+
+}  // namespace byhand::practise

@@ -1,0 +1,211 @@
+// What a course's platforms get.
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "lessons/practise/judge/grading.hpp"
+#include "tests/practise/learner.hpp"
+
+namespace byhand::tests {
+namespace {
+
+using namespace practise;
+using Json = nlohmann::json;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+void put(const std::filesystem::path& file, const std::string& text) {
+  std::filesystem::create_directories(file.parent_path());
+  std::ofstream(file) << text;
+}
+
+/// Exercise 8 right, 4 a misconception, 3 does not compile, all others missing.
+void submit(const Folder& folder) {
+  put(folder / "08_bias.cpp", text_of(8, "solution.cpp"));
+  put(folder / "04_impulse.cpp", text_of(4, "mutants/no_minus.cpp"));
+  put(folder / "03_inverse_effective_mass.cpp", "#include \"practise.hpp\"\n\nint & < broken;\n");
+}
+
+struct Graded4 {
+  Folder folder;
+  int status = -1;
+  Json gradescope, classroom50, prairielearn;
+  std::string junit, github;
+
+  explicit Graded4(const std::string& program) {
+    submit(folder);
+    const auto out = [&](const char* name) { return (folder / name).string(); };
+    const Finished finished = run(fmt::format(
+        "{} --report gradescope={} --report classroom50={} --report prairielearn={} --report junit={} "
+        "--report github=-",
+        fmt::format(fmt::runtime(program), folder.path().string()), out("g"), out("c"), out("p"), out("j")));
+    status = finished.status;
+    github = finished.said;
+    gradescope = Json::parse(contents(folder / "g"));
+    classroom50 = Json::parse(contents(folder / "c"));
+    prairielearn = Json::parse(contents(folder / "p"));
+    junit = contents(folder / "j");
+  }
+};
+
+const Graded4& here() {
+  static const Graded4 graded(std::string(BYHAND_PRACTISE) + " --grade {} --seed 5");
+  return graded;
+}
+
+TEST(Formats, OfOneRunAgree) {
+  EXPECT_EQ(here().status, 1);
+  const std::size_t count = exercises().size();
+  ASSERT_EQ(here().gradescope["tests"].size(), count);
+  ASSERT_EQ(here().classroom50["tests"].size(), count);
+  ASSERT_EQ(here().prairielearn["tests"].size(), count);
+  int right = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Json &g = here().gradescope["tests"][i], &c = here().classroom50["tests"][i],
+               &p = here().prairielearn["tests"][i];
+    const bool passed = g["status"] == "passed";
+    right += passed;
+    EXPECT_EQ(passed, i + 1 == 8);
+    EXPECT_EQ(g["name"], c["test-name"]);
+    EXPECT_EQ(g["name"], p["name"]);
+    EXPECT_EQ(g["score"], c["score"]);
+    EXPECT_EQ(g["score"], p["points"]);
+    EXPECT_EQ(c["passed"], passed);
+    EXPECT_EQ(c["message"], p["message"]);
+  }
+  EXPECT_EQ(here().gradescope["score"], right);
+  EXPECT_EQ(here().classroom50["score"], right);
+  EXPECT_DOUBLE_EQ(here().prairielearn["score"], double(right) / double(count));
+  EXPECT_THAT(here().junit, HasSubstr("tests=\"11\" failures=\"10\" errors=\"0\" skipped=\"0\""));
+}
+
+TEST(Formats, Classroom50HasItsKeysAndIntegers) {
+  const Json& result = here().classroom50;
+  EXPECT_EQ(result["schema"], "classroom50/result/v1");
+  for (const char* key : {"classroom", "assignment", "submission", "commit", "release", "review", "datetime"}) {
+    ASSERT_TRUE(result[key].is_string()) << key;
+    EXPECT_FALSE(result[key].get<std::string>().empty()) << key;
+  }
+  EXPECT_TRUE(result["score"].is_number_integer());
+  EXPECT_TRUE(result["max-score"].is_number_integer());
+  for (const Json& test : result["tests"]) EXPECT_TRUE(test["max-score"].is_number_integer());
+}
+
+TEST(Formats, PrairieLearnTakesNoAttemptForWhatDoesNotCompile) {
+  const Json& results = here().prairielearn;
+  EXPECT_EQ(results["gradable"], false);
+  EXPECT_EQ(results["format_errors"].size(), 1U);
+  EXPECT_THAT(results["format_errors"][0], HasSubstr("03_inverse_effective_mass.cpp:3:"));
+  EXPECT_LE(contents(here().folder / "p").size(), 1000000U);
+  const Json& image = results["tests"][3]["images"][0];
+  EXPECT_THAT(image["url"].get<std::string>(), testing::StartsWith("data:image/png;base64,iVBORw0KGgo"));
+}
+
+TEST(Formats, JUnitIsXmlWithTheSentences) {
+  EXPECT_THAT(here().junit, HasSubstr("<failure message=\"Without the minus, your impulse doubles"));
+  EXPECT_THAT(here().junit, AllOf(HasSubstr("int &amp; &lt; broken"), Not(HasSubstr("int & <"))));
+  if (run("xmllint --version").status != 0) GTEST_SKIP() << "xmllint is not installed";
+  const Finished checked = run("xmllint --noout " + (here().folder / "j").string());
+  EXPECT_EQ(checked.status, 0) << checked.complained;
+}
+
+TEST(Formats, GitHubMarksTheLine) {
+  EXPECT_THAT(here().github,
+              HasSubstr("::error file=03_inverse_effective_mass.cpp,line=3,title=3. Inverse effective "
+                        "mass::It does not compile.%0A"));
+  EXPECT_THAT(here().github,
+              HasSubstr("::error file=04_impulse.cpp,line=1,title=4. The impulse λ::Without the minus"));
+  EXPECT_EQ(std::count(here().github.begin(), here().github.end(), '\n'), 10);
+}
+
+TEST(Formats, AnUnknownReportIsRefused) {
+  const Finished finished = run(std::string(BYHAND_PRACTISE) + " --grade . --report csv=x");
+  EXPECT_EQ(finished.status, 2);
+  EXPECT_THAT(finished.complained,
+              HasSubstr("FORMAT of classroom50, github, gradescope, junit, prairielearn, summary"));
+}
+
+TEST(Keys, AsJsonJudgeTheSame) {
+  for (const Exercise& tried : exercises()) {
+    const Key key = key_of(tried.number()), read = key_from_json(to_json(key));
+    EXPECT_EQ(to_json(read), to_json(key));
+    for (const Variant& variant : tried.variants)
+      EXPECT_EQ(judge(tried, read, variant.code).sentence, judge(tried, key, variant.code).sentence)
+          << variant.file;
+  }
+}
+
+/// A course's judge, exported with seed 5: it grades as this program does with that seed.
+class Course : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = new Folder;
+    exported_ = run(fmt::format("{} --export gradescope --to {} --seed 5", BYHAND_PRACTISE, course().string()));
+  }
+  static void TearDownTestSuite() { delete folder_; }
+  static std::filesystem::path course() { return *folder_ / "course"; }
+
+  static inline Folder* folder_ = nullptr;
+  static inline Finished exported_{};
+};
+
+TEST_F(Course, HoldsNoSolution) {
+  EXPECT_EQ(exported_.status, 0) << exported_.complained;
+  std::string all;
+  for (const auto& file : std::filesystem::recursive_directory_iterator(course())) {
+    const std::string name = file.path().string();
+    EXPECT_THAT(name, AllOf(Not(HasSubstr("solution")), Not(HasSubstr("mutants")), Not(HasSubstr(".git"))));
+    if (file.is_regular_file() && file.path().filename() == "task.md") all += contents(file.path());
+  }
+  EXPECT_THAT(all, AllOf(HasSubstr("# The impulse λ"), Not(HasSubstr("## "))));
+  EXPECT_TRUE(std::filesystem::exists(course() / "autograder.zip"));
+  EXPECT_EQ(
+      std::filesystem::status(course() / "run_autograder").permissions() & std::filesystem::perms::owner_exec,
+      std::filesystem::perms::owner_exec);
+}
+
+TEST_F(Course, GradesByKeysAsThisProgramDoes) {
+  const Graded4 there(fmt::format("{} --keys {} --submission {{}}", BYHAND_GRADE, (course() / "keys").string()));
+  EXPECT_EQ(there.status, 0) << "grading ran";
+  EXPECT_EQ(there.gradescope, here().gradescope);
+  EXPECT_EQ(there.prairielearn, here().prairielearn);
+  EXPECT_EQ(there.junit, here().junit);
+}
+
+TEST_F(Course, ResultsExistEvenIfTheJudgeIsKilled) {
+  const Folder submission;
+  put(submission / "01_rod_between_particles.cpp",
+      "#include \"practise.hpp\"\ndouble value(Vec2, Vec2, double) { for (volatile int i = 0;; i = i + 1) {} }\n"
+      "ParticleRow jacobian(Vec2, Vec2, double) { return {}; }\n");
+  const std::string results = (submission / "results.json").string();
+  run(fmt::format("timeout -s KILL 1.5 {} --keys {} --submission {} --report gradescope={}", BYHAND_GRADE,
+                  (course() / "keys").string(), submission.path().string(), results));
+  EXPECT_THAT(Json::parse(contents(results))["tests"][0]["output"], HasSubstr("The judge did not finish."));
+}
+
+TEST_F(Course, IsExportedOnlyIntoAnEmptyFolder) {
+  EXPECT_EQ(run(fmt::format("{} --export junit --to {}", BYHAND_PRACTISE, course().string())).status, 2);
+  EXPECT_EQ(
+      run(fmt::format("{} --export blackboard --to {}/new", BYHAND_PRACTISE, folder_->path().string())).status, 2);
+  EXPECT_EQ(run(std::string(BYHAND_PRACTISE) + " --export junit").status, 2);
+}
+
+TEST(Courses, OthersGetTheirStarters) {
+  const Folder folder;
+  for (const auto& [kind, file] : {std::pair{"junit", "grade.sh"},
+                                   {"classroom50", "autograder.py"},
+                                   {"prairielearn", "question/info.json"}}) {
+    const auto to = folder / kind;
+    EXPECT_EQ(run(fmt::format("{} 8 --export {} --to {}", BYHAND_PRACTISE, kind, to.string())).status, 0);
+    EXPECT_TRUE(std::filesystem::exists(to / file)) << kind;
+    EXPECT_TRUE(std::filesystem::exists(to / "Dockerfile")) << kind;
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(to / "keys"), {}), 1) << "exercise 8 alone";
+  }
+}
+
+}  // namespace
+}  // namespace byhand::tests
