@@ -145,12 +145,11 @@ void push_only(const Setting& setting, Page& page) {
                          r²m/I.)",
                  say("Here s = @. When the second row has pushed too, does the first want to take back?",
                      Value(s, 3))}});
-  page.figure(
-      "two_ways_to_clamp",
-      say(R"(λ of the two rows of a @ × 1 m box, sweep by sweep, in units of mgh. Kept as a sum each comes to half
-          the weight.)",
-          width),
-      over_sweeps(setting));
+  page.figure("two_ways_to_clamp",
+              say(R"(λ of the two rows of a @ × 1 m box, sweep by sweep, in units of mgh. Clamped as a sum each
+          approaches half the weight.)",
+                  width),
+              over_sweeps(setting));
   page.formula("left over:  s(1 − s)/(1 + s)² · gh = @ gh,   s = r²m/I = @   (nothing for s ≥ 1)",
                R"(\frac{s(1-s)}{(1+s)^2}\,gh = @\,gh \text{ left over},\quad s = \frac{r^2m}{I} = @
                   \quad(\text{nothing for } s \ge 1))",

@@ -312,7 +312,7 @@ void stack_of_boxes(const Setting& setting, Page& page) {
   page.text(beside_law());
   page.figure(
       "sweeps_needed",
-      say(R"(Squares: sweeps for one more digit of a stack's slowest error. Dots: how many warm sweeps a step
+      say(R"(Upper points: sweeps for one more digit of a stack's slowest error. Lower line: how many warm sweeps a step
                   a kicked stack needs to stand for @ s, h = @ s (none: more than 64). Dashed: the laws.)",
           patience, setting.h),
       needed(h));

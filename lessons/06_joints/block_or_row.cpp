@@ -268,8 +268,8 @@ void block_or_row(const Setting& setting, Page& page) {
               .source = "what the sweeps leave is many times the tangent",
               .measured = rows.worst / block.worst,
               .tolerance = at_least(),
-              .claimed = tame && left > 0.7,
-              .range = "a share above 0.7 is missing after the sweeps"});
+              .claimed = tame && left > 0.8,
+              .range = "a share above 0.8 is missing after the sweeps"});
   page.claim({.quantity = "row by row, started warm over started cold",
               .unit = "1",
               .expected = 1,

@@ -100,7 +100,7 @@ struct ConflictFilm {
 void conflicting_rods(const Setting& setting, Page& page) {
   const double h = setting.h(), beta = setting.beta(), m = setting.mass(), length = setting.length(),
                gap = setting.gap(), weight = m * gravity;
-  const int sweeps = setting.sweeps(), steps = static_cast<int>(std::lround(conflict_seconds / h));
+  const int sweeps = setting.sweeps();
   const double softness = give / m;
   const GaussSeidel warm{.sweeps = sweeps}, cold{.sweeps = sweeps, .warm_start = false};
 
@@ -134,6 +134,7 @@ void conflicting_rods(const Setting& setting, Page& page) {
 
   // Two lengths.
   const Rods start = two_rods(setting, gap, warm), end = after(start, conflict_seconds, h);
+  const double steps = std::round(end.time / h);
   const double a_step = sweeps * m * beta * gap / h;  // what a step adds to either λ
   const double grown = opposed(end);
   page.text(
