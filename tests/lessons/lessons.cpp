@@ -83,12 +83,13 @@ TEST_P(EveryLesson, HoldsItsClaimsAndLeavesAPageWhoseLinksLeadSomewhereAndWhoseC
   for (int i = 0; i < 23; ++i) {
     const auto& [first_lesson, step, says] = tutor::equation_places[static_cast<std::size_t>(i)];
     const auto here = found.find(i + 1);
-    if (first_lesson == lesson_number)
+    if (first_lesson == lesson_number) {
       EXPECT_EQ(here == found.end() ? "nowhere" : here->second, step) << "(" << i + 1 << ")";
-    else if (first_lesson > lesson_number)
+    } else if (first_lesson > lesson_number) {
       EXPECT_EQ(here, found.end()) << "(" << i + 1
                                    << ") stands earlier than lessons/equations.cpp says, here in step "
                                    << here->second;
+    }
   }
 }
 
