@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "lessons/tutor/equations.hpp"
+#include "lessons/tutor/grading.hpp"
 #include "lessons/tutor/picture_writer.hpp"
 #include "lessons/tutor/terminal_text.hpp"
 
@@ -106,7 +107,7 @@ class PageWriter {
   }
 
   void operator()(const Prediction& question) {
-    std::string answer = fmt::format("**{}**. {}\n", quantity(question.answer, question.unit, 4), question.right);
+    std::string answer = fmt::format("**{}**. {}\n", printed_answer(question), question.right);
     for (const WrongAnswer& wrong : question.wrong)
       answer += fmt::format("\nNot {}: {}\n", quantity(wrong.value, question.unit, 4), wrong.reply);
     ask(question.ask, question.hints, answer);

@@ -36,14 +36,6 @@ struct ParameterRecord {
   std::string described(double any) const;
 };
 
-/// Parses "0.5", "-2", "1/60", "1e-3", with "−" or "-". Throws std::invalid_argument unless the whole text is one
-/// finite number.
-double read_number(std::string_view text);
-
-/// Parses a number with an optional unit and converts it to `unit`. Beside `unit` itself, the smaller units of s,
-/// m and kg are known: "200us", "0.5 mm".
-double read_quantity(std::string_view text, const std::string& unit);
-
 /// The number as a reader would type it: 0.2, 1/60, 1e-05.
 std::string typed(double value);
 

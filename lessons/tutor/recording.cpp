@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "lessons/tutor/grading.hpp"
 #include "lessons/tutor/progress.hpp"
 
 namespace byhand::tutor {
@@ -25,6 +26,13 @@ void drop_ambiguous_answers(Prediction& question, bool at_defaults) {
     }
   }
   question.wrong = std::move(kept);
+}
+
+/// An answer that is refused when it is typed as it is printed helps nobody.
+void require_acceptable(const Prediction& question) {
+  const std::string printed = printed_answer(question);
+  if (!grade(question, printed).right)
+    throw LessonError(fmt::format("\"{}\": the answer {} would be refused if typed so", question.ask, printed));
 }
 
 }  // namespace
@@ -50,6 +58,7 @@ void validate(const std::vector<RecordedStep>& steps) {
     for (const Item& item : recorded.page.items()) {
       if (const auto* figure = std::get_if<Figure>(&item)) require_new(figure->name);
       if (const auto* sequence = std::get_if<Sequence>(&item)) require_new(sequence->name);
+      if (const auto* question = std::get_if<Prediction>(&item)) require_acceptable(*question);
       claimed = claimed || std::holds_alternative<Claim>(item);
     }
   }

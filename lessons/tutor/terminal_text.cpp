@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "lessons/tutor/equations.hpp"
+#include "lessons/tutor/grading.hpp"
 #include "lessons/tutor/text_chart.hpp"
 
 namespace byhand::tutor {
@@ -180,7 +181,7 @@ std::string caption_text(const std::string& caption, const std::string& path, co
 }
 
 std::string answer_text(const Prediction& question, const Style& style) {
-  return wrapped(fmt::format("**{}**. {}", quantity(question.answer, question.unit, 4), question.right), style, 2);
+  return wrapped(fmt::format("**{}**. {}", printed_answer(question), question.right), style, 2);
 }
 
 std::string answer_text(const Choice& question, const Style& style) {

@@ -10,6 +10,7 @@
 
 #include "lessons/tutor/equations.hpp"
 #include "lessons/tutor/parameter.hpp"
+#include "lessons/tutor/typed_quantity.hpp"
 #include "lessons/tutor/typeset.hpp"
 
 namespace byhand::tests {
