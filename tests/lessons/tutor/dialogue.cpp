@@ -35,7 +35,7 @@ TEST_F(Dialogue, EnterGoesOnToTheEndAndLeavesThePage) {
   reader.expect("1/2  The error shrinks");
   reader.expect(prompt);
   reader.enter("");
-  reader.expect("d deeper: What a picture adds");
+  reader.expect("`deeper` shows “What a picture adds”");
   reader.expect(prompt);
   reader.enter("");
   reader.expect("2/2  It settles, or not");
@@ -168,7 +168,7 @@ TEST_F(Dialogue, AChangeInFrontOfAQuestionDoesNotGiveItsAnswerAway) {
   reader.expect(prompt);
   reader.enter("beta 0.5");
   reader.expect("beta: 0.2 → 0.5");
-  const std::string said = reader.said_until("your answer");
+  const std::string said = reader.said_until("Your prediction");
   EXPECT_THAT(said, Not(HasSubstr("0.003125")));
   EXPECT_THAT(said, HasSubstr("After 5 steps?"));
   reader.expect(prompt);

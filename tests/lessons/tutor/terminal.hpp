@@ -4,6 +4,7 @@
 #include <poll.h>
 #include <pty.h>
 #include <signal.h>
+#include <sys/ioctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -11,15 +12,22 @@
 #include <chrono>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace byhand::tests {
 
-/// A program on a terminal of 80 columns, and a reader who types and reads along.
+/// The size of a terminal.
+struct Size {
+  unsigned short columns = 80, rows = 24;
+};
+
+/// A program on a terminal, and a reader who types, reads along and turns the pages.
 class Terminal {
  public:
-  Terminal(std::vector<std::string> command, const std::map<std::string, std::string>& environment) {
-    winsize size{24, 80, 0, 0};
+  Terminal(std::vector<std::string> command, const std::map<std::string, std::string>& environment,
+           Size at_first = {}) {
+    winsize size{at_first.rows, at_first.columns, 0, 0};
     program_ = forkpty(&terminal_, nullptr, nullptr, &size);
     if (program_ == 0) {
       for (const auto& [name, value] : environment) setenv(name.c_str(), value.c_str(), 1);
@@ -45,10 +53,16 @@ class Terminal {
     ASSERT_EQ(write(terminal_, keys.data(), keys.size()), static_cast<ssize_t>(keys.size()));
   }
   void enter(const std::string& line) { type(line + "\n"); }
+  void resize(Size now) {
+    winsize size{now.rows, now.columns, 0, 0};
+    ioctl(terminal_, TIOCSWINSZ, &size);
+  }
+  /// Whether to press Enter where the program waits at the end of a page.
+  void turn_pages(bool turn) { turns_pages_ = turn; }
 
   /// Reads on until `words` appear behind what was expected before.
   void expect(const std::string& words) {
-    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(20);
     while (transcript_.find(words, read_to_) == std::string::npos) {
       if (std::chrono::steady_clock::now() > deadline || !read_more()) {
         FAIL() << "never said: " << words << "\nafter:\n" << transcript_.substr(read_to_);
@@ -86,13 +100,20 @@ class Terminal {
     // A terminal says "\r\n" where the program says "\n".
     for (ssize_t i = 0; i < count; ++i)
       if (buffer[static_cast<size_t>(i)] != '\r') transcript_ += buffer[static_cast<size_t>(i)];
+    constexpr std::string_view page_end = " goes on --";
+    for (size_t at = transcript_.find(page_end, turned_to_); turns_pages_ && at != std::string::npos;
+         at = transcript_.find(page_end, turned_to_)) {
+      turned_to_ = at + page_end.size();
+      type("\n");
+    }
     return true;
   }
 
   int terminal_ = -1;
   pid_t program_ = -1;
   std::string transcript_;
-  size_t read_to_ = 0;
+  size_t read_to_ = 0, turned_to_ = 0;
+  bool turns_pages_ = true;
 };
 
 /// Without pseudo-terminals (a bare chroot) nobody can sit at one: such programs say so and test nothing.
