@@ -59,7 +59,7 @@ bool has_cursor() {
          std::string_view(terminal) != "dumb";
 }
 
-/// Keys are not echoed, and come one by one.
+/// Keys are not echoed, and come one by one. libedit undoes this at the end of each line.
 void take_keys() {
   termios keys = found;
   keys.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);
@@ -175,8 +175,8 @@ Keyboard::Keyboard() {
   sigaction(SIGCONT, &action, nullptr);
   std::signal(SIGTERM, on_end);
   std::signal(SIGHUP, on_end);
-  take_keys();
   editor_ = std::make_unique<Editor>(*this);
+  take_keys();
 }
 
 Keyboard::~Keyboard() {
@@ -217,6 +217,13 @@ bool Keyboard::wait(int milliseconds) {
 }
 
 std::optional<std::string> Keyboard::line(const std::string& prompt) {
+  const auto typed = read_line(prompt);
+  // What follows was pasted, and is for the next prompts.
+  kept_ = waiting_.size();
+  return typed;
+}
+
+std::optional<std::string> Keyboard::read_line(const std::string& prompt) {
   if (!editor_) {
     std::string visible = prompt;
     std::erase(visible, '\1');
@@ -228,6 +235,7 @@ std::optional<std::string> Keyboard::line(const std::string& prompt) {
   editor_->prompt = prompt;
   int count = 0;
   const char* const typed = interrupted ? nullptr : el_gets(editor_->line, &count);
+  take_keys();
   if (!typed || count <= 0 || interrupted) return std::nullopt;
   std::string words(typed, static_cast<size_t>(count));
   words.erase(words.find_last_not_of("\r\n") + 1);
@@ -246,14 +254,12 @@ std::optional<std::string> Keyboard::plain_line() {
 }
 
 Key Keyboard::key_within(int milliseconds) {
-  // Keys that came earlier were not meant for this.
-  const size_t before = waiting_.size();
-  if (!wait(milliseconds)) return Key::ended;
-  if (waiting_.size() == before) return Key::none;
-  const char first = waiting_[before];
-  const bool enter = first == '\n' || first == '\r', space = first == ' ' && editor_;
-  if (!enter && !space) return Key::other;
-  waiting_.erase(before, 1);
+  if (kept_ == waiting_.size() && !wait(milliseconds)) return Key::ended;
+  if (kept_ == waiting_.size()) return Key::none;
+  const char key = waiting_[kept_];
+  const bool enter = key == '\n' || key == '\r', space = key == ' ' && editor_;
+  if (!enter && !space) return ++kept_, Key::other;
+  waiting_.erase(kept_, 1);
   return enter ? Key::enter : Key::space;
 }
 

@@ -41,10 +41,12 @@ class Keyboard {
 
  private:
   struct Editor;
+  std::optional<std::string> read_line(const std::string& prompt);
   std::optional<std::string> plain_line();
   bool wait(int milliseconds);  // until something is in waiting_; false at the end of input and on Ctrl-C
 
   std::string waiting_;  // read but not yet returned
+  size_t kept_ = 0;      // of these, keys that wait for the next prompt
   std::unique_ptr<Editor> editor_;
 };
 

@@ -53,9 +53,9 @@ Style Screen::style() const {
 void Screen::pause() {
   const Style now = style();
   if (!now.cursor) {
-    write("-- Enter goes on --");
+    write("-- Enter turns the page --");
   } else {
-    write(toned("-- Space goes on --", Tone::quiet, now));
+    write(toned("-- Space turns the page --", Tone::quiet, now));
   }
   if (keyboard_.key_within(-1) == Key::ended) ended_ = true;
   if (now.cursor) write("\r\033[K");

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <regex>
 #include <string>
 
 #include "tests/lessons/tutor/process.hpp"
@@ -307,15 +308,18 @@ TEST_F(Dialogue, ColoursAndPicturesComeWithATerminalThatHasThem) {
   Terminal colourful(command, environment), plain(command, with);
   colourful.expect("The bob where it ended.");
   plain.expect("The bob where it ended.");
-  EXPECT_THAT(colourful.transcript(), HasSubstr("\033[38;5;"));
-  EXPECT_THAT(plain.transcript(), Not(HasSubstr("\033[")));
+  const std::regex colour(R"(\x1b\[[0-9;]+m)");
+  EXPECT_TRUE(std::regex_search(colourful.transcript(), colour));
+  EXPECT_FALSE(std::regex_search(plain.transcript(), colour));
+  for (const Terminal* terminal : {&colourful, &plain})
+    EXPECT_THAT(terminal->transcript(), HasSubstr("⠁")) << "the disc in braille";
 }
 
 TEST_F(Dialogue, NoLineIsWiderThanTheTerminal) {
   Terminal reader = open();
   reader.expect(prompt);
   reader.enter("s");
-  reader.expect("? helps");
+  reader.expect("`?` lists");
   reader.enter("?");
   reader.expect("how many steps");
   std::istringstream lines(reader.transcript());

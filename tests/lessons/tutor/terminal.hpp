@@ -6,6 +6,7 @@
 #include <signal.h>
 #include <sys/ioctl.h>
 #include <sys/wait.h>
+#include <termios.h>
 #include <unistd.h>
 
 #include <array>
@@ -62,7 +63,7 @@ class Terminal {
 
   /// Reads on until `words` appear behind what was expected before.
   void expect(const std::string& words) {
-    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(8);
     while (transcript_.find(words, read_to_) == std::string::npos) {
       if (std::chrono::steady_clock::now() > deadline || !read_more()) {
         FAIL() << "never said: " << words << "\nafter:\n" << transcript_.substr(read_to_);
@@ -78,6 +79,22 @@ class Terminal {
     return transcript_.substr(from, read_to_ - from);
   }
 
+  /// What is said until nothing comes for a second.
+  std::string said_until_quiet() {
+    const size_t from = read_to_;
+    while (read_more(1'000)) {
+    }
+    read_to_ = transcript_.size();
+    return transcript_.substr(from);
+  }
+
+  /// Whether the terminal echoes keys by itself.
+  bool echoes() const {
+    termios settings{};
+    tcgetattr(terminal_, &settings);
+    return (settings.c_lflag & ECHO) != 0;
+  }
+
   /// Reads to the end and returns the exit status, −1 for a signal.
   int leave() {
     while (read_more()) {
@@ -91,16 +108,16 @@ class Terminal {
   const std::string& transcript() const { return transcript_; }
 
  private:
-  bool read_more() {
+  bool read_more(int milliseconds = 20'000) {
     pollfd readable{terminal_, POLLIN, 0};
-    if (poll(&readable, 1, 60'000) <= 0) return false;
+    if (poll(&readable, 1, milliseconds) <= 0) return false;
     std::array<char, 4096> buffer{};
     const ssize_t count = read(terminal_, buffer.data(), buffer.size());
     if (count <= 0) return false;
     // A terminal says "\r\n" where the program says "\n".
     for (ssize_t i = 0; i < count; ++i)
       if (buffer[static_cast<size_t>(i)] != '\r') transcript_ += buffer[static_cast<size_t>(i)];
-    constexpr std::string_view page_end = " goes on --";
+    constexpr std::string_view page_end = " turns the page --";
     for (size_t at = transcript_.find(page_end, turned_to_); turns_pages_ && at != std::string::npos;
          at = transcript_.find(page_end, turned_to_)) {
       turned_to_ = at + page_end.size();
