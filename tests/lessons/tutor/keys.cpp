@@ -133,12 +133,15 @@ TEST_F(Keys, NoLineIsWiderThanTheTerminal) {
       Terminal reader = open({}, size, {{"TERM", terminal}});
       reader.expect(prompt);
       reader.enter("show");
-      reader.expect("lists what else");
+      reader.expect("Enter goes on");
       reader.expect(prompt);
       reader.enter("beta 0.5");
+      reader.expect("beta: 0.2 → 0.5");
+      reader.expect("Enter goes on");
       reader.expect(prompt);
       reader.enter("?");
       reader.expect("how many steps");
+      reader.expect("Enter goes on");
       reader.expect(prompt);
       reader.enter("deeper");
       reader.expect("What a picture adds (deeper)");
@@ -216,7 +219,7 @@ TEST_F(Keys, OpenShowsThePictureInTheDesktopsViewer) {
   reader.expect("There is no picture in this step so far.");
   reader.expect(prompt);
   reader.enter("show");
-  reader.expect("lists what else");
+  reader.expect("Enter goes on");
   reader.expect(prompt);
   reader.enter("open nothing");
   reader.expect("There is no picture \"nothing\" in this step so far, only errors.");
@@ -261,7 +264,7 @@ TEST_F(Keys, TwoSettingsStandSideBySideOrOneBelowTheOther) {
     Terminal reader = open({}, size);
     reader.expect(prompt);
     reader.enter("show");
-    reader.expect("lists what else");
+    reader.expect("Enter goes on");
     reader.expect(prompt);
     reader.enter("beta 0.5");
     reader.expect("0.032768 m → 0.003125 m");
