@@ -125,7 +125,7 @@ struct Keyboard::Editor {
         waiting.erase(0, valid ? static_cast<size_t>(g_unichar_to_utf8(next, nullptr)) : 1);
         return 1;
       }
-      if (!self.keyboard.wait(-1)) return 0;
+      if (!self.keyboard.wait(-1, true)) return 0;
     }
   }
 
@@ -194,7 +194,7 @@ void Keyboard::on_resize(std::function<void()> redraw) {
   if (editor_) editor_->redraw = std::move(redraw);
 }
 
-bool Keyboard::wait(int milliseconds) {
+bool Keyboard::wait(int milliseconds, bool or_resized) {
   using namespace std::chrono;
   const auto until = steady_clock::now() + milliseconds * 1ms;
   while (!interrupted) {
@@ -211,7 +211,7 @@ bool Keyboard::wait(int milliseconds) {
       waiting_.append(buffer.data(), static_cast<size_t>(count));
       return true;
     }
-    if (resized || (milliseconds >= 0 && steady_clock::now() >= until)) return true;
+    if ((or_resized && resized) || (milliseconds >= 0 && steady_clock::now() >= until)) return true;
   }
   return false;
 }

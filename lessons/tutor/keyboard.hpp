@@ -43,7 +43,8 @@ class Keyboard {
   struct Editor;
   std::optional<std::string> read_line(const std::string& prompt);
   std::optional<std::string> plain_line();
-  bool wait(int milliseconds);  // until something is in waiting_; false at the end of input and on Ctrl-C
+  /// Waits for input, which it adds to waiting_. Returns false at the end of input and on Ctrl-C.
+  bool wait(int milliseconds, bool or_resized = false);
 
   std::string waiting_;  // read but not yet returned
   size_t kept_ = 0;      // of these, keys that wait for the next prompt

@@ -158,6 +158,12 @@ TEST(Grading, WhateverIsPrintedAsAnAnswerIsAcceptedWhenTypedBack) {
     }
 }
 
+TEST(Grading, LongNonsenseIsRefusedAtOnce) {
+  for (const std::string& words :
+       {std::string(100'000, '('), std::string(100'000, 'm'), "1 " + std::string(60, 'm') + "x"})
+    EXPECT_FALSE(grade(asked(1, "m", 0.1), words).understood);
+}
+
 TEST(Grading, AChoiceIsANumberOrItsWordsInAnyCase) {
   const Choice question{.ask = "Does it?", .options = {{"Yes", "It does."}, {"no", "It does not."}}, .answer = 0};
   for (const char* words : {"1", " 1 ", "Yes", "yes", "YES"}) EXPECT_TRUE(grade(question, words).right) << words;

@@ -9,6 +9,7 @@
 #include <termios.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <map>
@@ -63,7 +64,7 @@ class Terminal {
 
   /// Reads on until `words` appear behind what was expected before.
   void expect(const std::string& words) {
-    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(8);
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
     while (transcript_.find(words, read_to_) == std::string::npos) {
       if (std::chrono::steady_clock::now() > deadline || !read_more()) {
         FAIL() << "never said: " << words << "\nafter:\n" << transcript_.substr(read_to_);
@@ -77,6 +78,25 @@ class Terminal {
     const size_t from = read_to_;
     expect(words);
     return transcript_.substr(from, read_to_ - from);
+  }
+
+  /// The same up to the first of several words, for as long as a lesson may compute.
+  std::string said_until_one_of(const std::vector<std::string>& words) {
+    const size_t from = read_to_;
+    while (true) {
+      size_t end = std::string::npos;
+      for (const std::string& word : words)
+        if (const size_t at = transcript_.find(word, from); at != std::string::npos)
+          end = std::min(end, at + word.size());
+      if (end != std::string::npos) {
+        read_to_ = end;
+        return transcript_.substr(from, end - from);
+      }
+      if (!read_more(300'000)) {
+        ADD_FAILURE() << "never said: " << words.front() << "\nafter:\n" << transcript_.substr(from);
+        return "What you now know";
+      }
+    }
   }
 
   /// What is said until nothing comes for a second.
@@ -108,7 +128,7 @@ class Terminal {
   const std::string& transcript() const { return transcript_; }
 
  private:
-  bool read_more(int milliseconds = 20'000) {
+  bool read_more(int milliseconds = 60'000) {
     pollfd readable{terminal_, POLLIN, 0};
     if (poll(&readable, 1, milliseconds) <= 0) return false;
     std::array<char, 4096> buffer{};
