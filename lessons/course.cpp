@@ -20,9 +20,11 @@
 #include "lessons/tutor/about.hpp"
 #include "lessons/tutor/bookmark.hpp"
 #include "lessons/tutor/child_process.hpp"
+#include "lessons/tutor/dialogue.hpp"
 #include "lessons/tutor/keyboard.hpp"
 #include "lessons/tutor/options.hpp"
 #include "lessons/tutor/output_folder.hpp"
+#include "lessons/tutor/screen.hpp"
 #include "lessons/tutor/streams.hpp"
 #include "lessons/tutor/typeset.hpp"
 
@@ -70,11 +72,21 @@ std::string progress(const Bookmark& bookmark) {
 std::string overview() {
   std::string lines;
   for (const About& lesson : contents()) {
-    lines += fmt::format("  {}  {} {}\n", std::stoi(lesson.slug), padded(lesson.title, 28),
-                         progress(read_bookmark(lesson.slug)));
+    lines += fmt::format("  {}  {}\n", std::stoi(lesson.slug), lesson.title);
     lines += wrapped(lesson.summary, {}, 5);
   }
   return lines;
+}
+
+/// A line for each lesson, so that the menu fits on a screen of 24 rows.
+std::string menu(const Style& style, const std::optional<std::string>& next) {
+  std::vector<std::vector<std::string>> rows;
+  std::string summary;
+  for (const About& lesson : contents()) {
+    rows.push_back({std::to_string(std::stoi(lesson.slug)), lesson.title, progress(read_bookmark(lesson.slug))});
+    if (next == lesson.slug) summary = fmt::format("\nLesson {}: {}", std::stoi(lesson.slug), lesson.summary);
+  }
+  return table(rows, style, 2) + (summary.empty() ? "" : wrapped(summary, style));
 }
 
 /// The lesson with this number or name, or the only one whose name contains `called`.
@@ -184,24 +196,32 @@ std::optional<std::string> next_lesson(const std::vector<std::string>& slugs) {
 }
 
 int open_course(const std::vector<std::string>& slugs) {
-  Keyboard keyboard;
-  fmt::print("\nConstraints by Hand\n");
+  bool show_menu = true;
   while (true) {
     const auto next = next_lesson(slugs);
-    fmt::print(
-        "\n{}\n{}a number chooses, q leaves ▸ ", overview(),
-        next ? fmt::format("Enter goes on with lesson {}, ", std::stoi(*next)) : "All lessons are finished: ");
-    std::fflush(stdout);
-    const auto line = keyboard.line();
+    std::optional<std::string> line;
+    {
+      // The lesson has a keyboard of its own.
+      Keyboard keyboard;
+      const Style style = Screen(keyboard, false).style();
+      if (show_menu) fmt::print("\n{}\n\n{}", toned("Constraints by Hand", Tone::title, style), menu(style, next));
+      const std::string go_on =
+          next ? fmt::format("Enter goes on with lesson {}, a number chooses, q leaves.", std::stoi(*next))
+               : "All lessons are finished: a number chooses one, q leaves.";
+      fmt::print("\n{}", toned(wrapped(go_on, style), Tone::quiet, style));
+      line = keyboard.line("▸ ");
+    }
     if (!line) fmt::print("\n");
-    if (!line || *line == "q") return 0;
+    if (!line || *line == "q" || *line == "quit") return 0;
     const auto chosen = line->empty() ? next : find_lesson(slugs, *line);
+    show_menu = chosen.has_value();
     if (!chosen) {
       fmt::print("{}",
                  line->empty() ? "Type the number of a lesson, or q.\n" : printable(unknown(slugs, *line)) + "\n");
       continue;
     }
     const Ended ended = build_and_run(*chosen, {});
+    if (ended.status == back_to_menu && !ended.by_signal) continue;
     if (!ended.well() || ended.passed_on || !read_bookmark(*chosen).step.empty()) return status_of(ended);
   }
 }
@@ -224,7 +244,8 @@ int run(Arguments arguments) {
     return status_of(build_and_run("practise", {arguments.begin() + 1, arguments.end()}));
   const auto slug = find_lesson(slugs, arguments.front());
   if (!slug) throw std::invalid_argument(unknown(slugs, arguments.front()));
-  return status_of(build_and_run(*slug, {arguments.begin() + 1, arguments.end()}));
+  const Ended ended = build_and_run(*slug, {arguments.begin() + 1, arguments.end()});
+  return ended.status == back_to_menu && !ended.by_signal ? open_course(slugs) : status_of(ended);
 }
 
 }  // namespace

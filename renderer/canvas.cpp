@@ -114,6 +114,7 @@ struct Canvas::State {
   void restart() {
     vertices.clear();
     batches.clear();
+    labels.clear();
     camera = {page(), page().centre(), 1};
     clip = {0, 0, width, height};
   }
@@ -197,6 +198,8 @@ struct Canvas::State {
   Camera camera;
   PixelBox clip;
   Colour paper = palette::paper;
+  bool lists_labels = false;
+  std::vector<Label> labels;
 };
 
 Canvas::Canvas(int width, int height) {
@@ -385,6 +388,10 @@ void Canvas::text(const Point& at, std::string_view text, const TextStyle& style
   if (!where.allFinite() || text.empty()) return;
   State& s = *state_;
   const TextBlock block = lay_out(s.font, s.scale, where, text, style);
+  if (s.lists_labels) {
+    s.labels.push_back({std::string(text), block.box, style.colour});
+    return;
+  }
   const Point held = share(style.anchor);
   const auto write = [&](Colour colour, double halo) {
     for (std::size_t i = 0; i < block.lines.size(); ++i) {
@@ -399,6 +406,9 @@ void Canvas::text(const Point& at, std::string_view text, const TextStyle& style
   if (style.halo > 0) write(s.paper, style.halo);
   write(style.colour, 0);
 }
+
+void Canvas::list_labels() { state_->lists_labels = true; }
+const std::vector<Label>& Canvas::labels() const { return state_->labels; }
 
 Rectangle Canvas::measure(const Point& at, std::string_view text, const TextStyle& style) const {
   return lay_out(state_->font, state_->scale, camera().to_page(at), text, style).box;

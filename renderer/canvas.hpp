@@ -57,6 +57,13 @@ struct ArrowKind {
   std::string unit{};
 };
 
+/// A text that a canvas lists instead of drawing it.
+struct Label {
+  std::string text;  // with its markup
+  Rectangle box;     // points on the page
+  Colour colour;
+};
+
 /// A page that is drawn with OpenGL without a window. Positions and lengths are in world units of the current
 /// camera; widths of lines and sizes of text are in points. A page is always 720 points high, so a picture looks
 /// the same at any resolution. Later shapes cover earlier ones. Text is UTF-8: `_x`, `^x`, `_{…}`, `^{…}` are
@@ -120,6 +127,9 @@ class Canvas {
   /// A dimension line from a to b with ticks and a text, shifted by `offset` points to its left.
   void dimension(const Point& a, const Point& b, std::string_view text, double offset = 18);
   void text(const Point& at, std::string_view text, const TextStyle& style = {});
+  /// Draws no text from now on; `labels` lists it since `clear`, for terminals, which write letters themselves.
+  void list_labels();
+  const std::vector<Label>& labels() const;
   /// Bounding box of the text, in points on the page.
   Rectangle measure(const Point& at, std::string_view text, const TextStyle& style = {}) const;
 

@@ -87,6 +87,8 @@ CommandLine parse_command_line(const std::string& title, const std::string& prog
   app.add_option("--step", line.step, "only this step, 3 or 3a; at a terminal from there")
       ->type_name("N")
       ->check(require_label);
+  app.add_flag("--plain", line.plain,
+               "at a terminal, for screen readers: pictures and tables\nin words, no box characters");
   app.add_flag("--quiet", line.quiet, "no text, no progress, only what is wrong");
   refuse_misshapen(app, argc, argv);
   try {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 
@@ -11,10 +12,12 @@
 #include "lessons/tutor/bookmark.hpp"
 #include "lessons/tutor/claim_table.hpp"
 #include "lessons/tutor/command.hpp"
+#include "lessons/tutor/desktop.hpp"
 #include "lessons/tutor/grading.hpp"
 #include "lessons/tutor/keyboard.hpp"
 #include "lessons/tutor/picture_writer.hpp"
 #include "lessons/tutor/recording.hpp"
+#include "lessons/tutor/screen.hpp"
 #include "lessons/tutor/streams.hpp"
 #include "lessons/tutor/terminal_text.hpp"
 #include "lessons/tutor/terminal_view.hpp"
@@ -24,6 +27,15 @@ namespace {
 
 bool is_question(const Item& item) {
   return std::holds_alternative<Prediction>(item) || std::holds_alternative<Choice>(item);
+}
+
+bool is_picture(const Item& item) {
+  return std::holds_alternative<Figure>(item) || std::holds_alternative<Sequence>(item);
+}
+
+const std::string& name_of(const Item& picture) {
+  const auto* figure = std::get_if<Figure>(&picture);
+  return figure ? figure->name : std::get<Sequence>(picture).name;
 }
 
 template <class Visitor>
@@ -38,71 +50,112 @@ class Dialogue {
       : lesson_(lesson),
         options_(options),
         pictures_(lesson, options),
-        style_(terminal_style()),
-        view_(pictures_, keyboard_, style_) {}
+        screen_(keyboard_, options.plain),
+        view_(pictures_, keyboard_, screen_) {
+    keyboard_.on_tab([this](std::string_view before) { return completions(before); });
+  }
 
   int run();
 
  private:
   /// What follows the prompt at an item or at the end of a step.
-  enum class Move { next, answered, repeat, back, deeper, quit };
+  enum class Move { next, answered, repeat, back, deeper, menu, quit };
 
-  Move visit(size_t step);
+  Move visit();
   Move prompt_until_done(size_t item);
   std::optional<Move> execute(const Command& command, size_t item);
   std::optional<Move> answer(const std::string& words, size_t item);
   void change(const Command& command, size_t item);
-  void print_answer(size_t item) const;
+  void reset(size_t item);
+  void compare(const Page& before, size_t item);
+  void print_answer(size_t item);
   void hint(size_t item);
-  void why(size_t item) const;
-  void help() const;
-  void print_prompt(size_t item) const;
+  void why(size_t item);
+  void open(const std::string& name, size_t item);
+  void list_parameters();
+  void help();
+
+  bool asks(size_t item) const { return item < page_->items().size(); }
+  std::shared_ptr<const Item> item(size_t index) const { return item(page_, index); }
+  static std::shared_ptr<const Item> item(const std::shared_ptr<const Page>& page, size_t index) {
+    return {page, &page->items()[index]};
+  }
+  void record();
+  void print_title();
+  std::string what_can_be_typed(size_t item) const;
+  std::string unit_asked_for(size_t item) const;
+  std::vector<std::string> completions(std::string_view before) const;
   bool goes_deeper() const { return at_ + 1 < lesson_.steps().size() && lesson_.steps()[at_ + 1].deeper; }
   size_t next_core(size_t step) const;
   size_t before(size_t step) const;
+  void take_up(const Bookmark& bookmark);
+  void save(Bookmark bookmark);
   int finish();
-  void leave() const;
+  void leave();
 
+  /// Prints a line of the dialogue itself, which may use emphasis.
   template <class... T>
-  void print_line(fmt::format_string<T...> words, T&&... values) const {
-    fmt::print("{}", wrapped(fmt::format(words, std::forward<T>(values)...), style_, 2));
+  void say_line(fmt::format_string<T...> words, T&&... values) {
+    screen_.show([line = fmt::format(words, std::forward<T>(values)...)](const Style& style) {
+      return wrapped(line, style, 2);
+    });
   }
 
   Lesson& lesson_;
   const Options& options_;
   Keyboard keyboard_;
   PictureWriter pictures_;
-  Style style_;
+  Screen screen_;
   TerminalView view_;
-  size_t at_ = 0;           // index of the current step
-  Page page_;               // of the current step
-  size_t hints_given_ = 0;  // of the present question
+  size_t at_ = 0;                     // index of the current step
+  std::shared_ptr<const Page> page_;  // of the current step
+  size_t hints_given_ = 0;            // of the present question
   bool bookmark_saved_ = true;
 };
 
 int Dialogue::run() {
+  const Bookmark bookmark = read_bookmark(lesson_.about().slug);
   const auto& steps = lesson_.steps();
-  Bookmark bookmark = read_bookmark(lesson_.about().slug);
   const std::string start = options_.step.empty() ? bookmark.step : options_.step;
   const auto found =
       std::find_if(steps.begin(), steps.end(), [&](const Step& step) { return step.label == start; });
-  fmt::print("{}", heading_text(lesson_, style_));
+  screen_.show([this](const Style& style) { return heading_text(lesson_, style); });
   if (found != steps.end() && found != steps.begin()) {
     at_ = static_cast<size_t>(found - steps.begin());
-    if (options_.step.empty())
-      fmt::print("{}", toned("You stopped here last time; b goes back.\n", Tone::quiet, style_));
+    if (options_.step.empty()) say_line("You stopped here last time; `back` goes back.");
   }
+  if (options_.set.empty()) take_up(bookmark);
   while (at_ < steps.size()) {
-    bookmark.step = steps[at_].label;
-    bookmark_saved_ = save_bookmark(lesson_.about().slug, bookmark);
-    switch (visit(at_)) {
+    save({.step = steps[at_].label, .finished = bookmark.finished});
+    switch (visit()) {
       case Move::back: at_ = before(at_); break;
       case Move::deeper: ++at_; break;
+      case Move::menu: return back_to_menu;
       case Move::quit: leave(); return 0;
       default: at_ = next_core(at_);
     }
   }
   return finish();
+}
+
+/// Sets the parameters as the reader left them.
+void Dialogue::take_up(const Bookmark& bookmark) {
+  std::string settings;
+  for (const auto& [name, value] : bookmark.set) {
+    try {
+      lesson_.set(name, value);
+      settings += fmt::format("{}{} = {}", settings.empty() ? "" : ", ", name, value);
+    } catch (const std::invalid_argument&) {
+      // The lesson has changed since then.
+    }
+  }
+  if (!settings.empty()) say_line("As you left it: {}; `reset` brings the defaults back.", settings);
+}
+
+void Dialogue::save(Bookmark bookmark) {
+  for (const ParameterRecord& p : lesson_.parameters())
+    if (p.value != p.initial) bookmark.set.emplace_back(p.name, p.typed(p.value));
+  bookmark_saved_ = save_bookmark(lesson_.about().slug, bookmark);
 }
 
 size_t Dialogue::next_core(size_t step) const {
@@ -119,88 +172,115 @@ size_t Dialogue::before(size_t step) const {
   return step;
 }
 
-Dialogue::Move Dialogue::visit(size_t step) {
-  page_ = record_step(lesson_, lesson_.steps()[step], options_.quiet).page;
-  fmt::print("{}", title_text(lesson_, lesson_.steps()[step], style_));
-  for (size_t item = 0;;) {
-    const bool ended = item >= page_.items().size();
+void Dialogue::record() {
+  page_ = std::make_shared<const Page>(record_step(lesson_, lesson_.steps()[at_], options_.quiet).page);
+}
+
+void Dialogue::print_title() {
+  screen_.begin();
+  screen_.show([this, at = at_](const Style& style) { return title_text(lesson_, lesson_.steps()[at], style); });
+}
+
+Dialogue::Move Dialogue::visit() {
+  record();
+  print_title();
+  for (size_t at = 0;;) {
+    const bool ended = !asks(at);
     if (!ended) {
-      fmt::print("\n");
-      view_.show(page_.items()[item]);
-      if (!is_question(page_.items()[item])) {
-        ++item;
+      screen_.show([](const Style&) { return "\n"; });
+      view_.show(item(at));
+      if (!is_question(*item(at))) {
+        ++at;
         continue;
       }
     }
-    const Move move = prompt_until_done(item);
+    const Move move = prompt_until_done(at);
     if (move == Move::repeat) {
-      item = 0;
-      fmt::print("{}", title_text(lesson_, lesson_.steps()[step], style_));
+      at = 0;
+      print_title();
     } else if (!ended && (move == Move::next || move == Move::answered)) {
-      ++item;
+      ++at;
     } else {
       return move;
     }
   }
 }
 
-void Dialogue::print_prompt(size_t item) const {
-  std::string words;
-  if (item < page_.items().size())
-    words = "your answer (h hints, s shows, Enter goes on)";
-  else
-    words = fmt::format("Enter goes on{}{}, ? helps",
-                        goes_deeper() ? ", d deeper: " + lesson_.steps()[at_ + 1].title : "",
-                        at_ > 0 ? ", b back" : "");
-  fmt::print("\n{}{} ", toned(words, Tone::quiet, style_), toned(" ▸", Tone::question, style_));
-  std::fflush(stdout);
+std::string Dialogue::what_can_be_typed(size_t item) const {
+  if (!asks(item))
+    return fmt::format("Enter goes on{}{}, `?` lists what else can be typed.",
+                       goes_deeper() ? fmt::format(", `deeper` shows “{}”", lesson_.steps()[at_ + 1].title) : "",
+                       at_ > 0 ? ", `back` goes back" : "");
+  const auto* question = std::get_if<Prediction>(&page_->items()[item]);
+  if (!question) return "Your choice, or `hint`, `show`, `skip`, `?`";
+  const bool plain_number = question->unit.empty() || question->unit == "1";
+  return fmt::format("Your prediction{}, or `hint`, `show`, `skip`, `?`",
+                     plain_number ? ", a plain number" : " in " + question->unit);
+}
+
+std::string Dialogue::unit_asked_for(size_t item) const {
+  if (!asks(item)) return "";
+  if (const auto* choice = std::get_if<Choice>(&page_->items()[item]))
+    return fmt::format("1–{} ", choice->options.size());
+  const std::string& unit = std::get<Prediction>(page_->items()[item]).unit;
+  return unit.empty() || unit == "1" ? "" : unit + " ";
 }
 
 Dialogue::Move Dialogue::prompt_until_done(size_t item) {
   hints_given_ = 0;
   while (true) {
-    print_prompt(item);
-    const auto line = keyboard_.line();
+    const auto above = [words = what_can_be_typed(item)](const Style& style) {
+      return "\n" + toned(wrapped(words, style), Tone::quiet, style);
+    };
+    const auto prompt = [unit = unit_asked_for(item)](const Style& style) {
+      const std::string_view sign = style.plain ? "> " : "▸ ";
+      if (!style.colours) return fmt::format("{}{}", unit, sign);
+      return fmt::format("\1\033[1;33m\1{}{}\1\033[0m\1", unit, sign);
+    };
+    const auto line = screen_.ask(above, prompt);
     if (!line) {
       fmt::print("\n");
       return Move::quit;
     }
-    const size_t items = page_.items().size();
+    const size_t items = page_->items().size();
     if (const auto move = execute(parse_command(lesson_, *line), item)) return *move;
-    if (page_.items().size() != items) return Move::repeat;
+    if (page_->items().size() != items) return Move::repeat;
   }
 }
 
 /// Returns nothing if the prompt stays at this item.
 std::optional<Dialogue::Move> Dialogue::execute(const Command& command, size_t item) {
-  const bool asking = item < page_.items().size();
   switch (command.kind) {
     case Command::Kind::next:
-      if (asking) print_answer(item);
+      if (asks(item)) print_answer(item);
       return Move::next;
     case Command::Kind::repeat: return Move::repeat;
+    case Command::Kind::menu: return Move::menu;
     case Command::Kind::quit: return Move::quit;
     case Command::Kind::back:
       if (at_ > 0) return Move::back;
-      print_line("This is where the lesson begins.");
+      say_line("This is where the lesson begins.");
       break;
     case Command::Kind::deeper:
       if (goes_deeper()) return Move::deeper;
-      print_line("Nothing goes deeper here.");
+      say_line("Nothing goes deeper here.");
       break;
-    case Command::Kind::hint: hint(item); break;
-    case Command::Kind::why: why(item); break;
     case Command::Kind::show:
-      if (asking) {
+      if (asks(item)) {
         print_answer(item);
         return Move::answered;
       }
-      print_line("There is no question here.");
+      say_line("There is no question here.");
       break;
+    case Command::Kind::hint: hint(item); break;
+    case Command::Kind::why: why(item); break;
+    case Command::Kind::open: open(command.name, item); break;
     case Command::Kind::help: help(); break;
+    case Command::Kind::list: list_parameters(); break;
+    case Command::Kind::reset: reset(item); break;
     case Command::Kind::query:
       for (const ParameterRecord& p : lesson_.parameters())
-        if (p.name == command.name) print_line("{}", p.described(p.value));
+        if (p.name == command.name) say_line("{}", p.described(p.value));
       break;
     case Command::Kind::set: change(command, item); break;
     case Command::Kind::answer: return answer(command.value, item);
@@ -208,43 +288,68 @@ std::optional<Dialogue::Move> Dialogue::execute(const Command& command, size_t i
   return std::nullopt;
 }
 
-void Dialogue::print_answer(size_t item) const {
-  fmt::print("{}", of_question(page_.items()[item], [&](const auto& q) { return answer_text(q, style_); }));
+void Dialogue::print_answer(size_t item) {
+  screen_.show([question = this->item(item)](const Style& style) {
+    return of_question(*question, [&](const auto& q) { return answer_text(q, style); });
+  });
 }
 
 /// The next hint of the question; after the last one, the last one again.
 void Dialogue::hint(size_t item) {
-  if (item >= page_.items().size()) return print_line("There is no question here.");
-  const auto hints = of_question(page_.items()[item], [](const auto& q) { return q.hints; });
-  if (hints.empty()) return print_line("This question has no hint.");
-  print_line("{}", hints[std::min(hints_given_, hints.size() - 1)]);
-  ++hints_given_;
-  if (hints_given_ < hints.size()) print_line("`hint` says more.");
+  if (!asks(item)) return say_line("There is no question here.");
+  const auto hints = of_question(*this->item(item), [](const auto& q) { return q.hints; });
+  if (hints.empty()) return say_line("This question has no hint.");
+  const size_t given = std::min(hints_given_++, hints.size() - 1);
+  say_line("{}{}", hints[given], given + 1 < hints.size() ? " (`hint` says more.)" : "");
 }
 
 /// The derivations above this item, line by line.
-void Dialogue::why(size_t item) const {
+void Dialogue::why(size_t item) {
   bool derived = false;
-  for (size_t i = 0; i < std::min(item, page_.items().size()); ++i) {
-    const auto* derivation = std::get_if<Derivation>(&page_.items()[i]);
-    if (!derivation) continue;
-    fmt::print("{}{}", derived ? "\n" : "", derivation_text(*derivation, style_));
+  for (size_t i = 0; i < std::min(item, page_->items().size()); ++i) {
+    if (!std::holds_alternative<Derivation>(*this->item(i))) continue;
+    screen_.show([shown = this->item(i), derived](const Style& style) {
+      return (derived ? "\n" : "") + derivation_text(std::get<Derivation>(*shown), style);
+    });
     derived = true;
   }
-  if (!derived) print_line("There is no derivation in this step so far.");
+  if (!derived) say_line("There is no derivation in this step so far.");
+}
+
+/// The picture of this name, or the last one above this item.
+void Dialogue::open(const std::string& name, size_t item) {
+  const Item* found = nullptr;
+  std::string names;
+  for (size_t i = 0; i < std::min(item, page_->items().size()); ++i) {
+    const Item& seen = page_->items()[i];
+    if (!is_picture(seen)) continue;
+    names += (names.empty() ? "" : ", ") + name_of(seen);
+    if (name.empty() || name_of(seen) == name) found = &seen;
+  }
+  if (!found)
+    return names.empty() ? say_line("There is no picture in this step so far.")
+                         : say_line("There is no picture \"{}\" in this step so far, only {}.", name, names);
+  const auto* figure = std::get_if<Figure>(found);
+  const std::string path = figure ? pictures_.path(*figure) : pictures_.path(std::get<Sequence>(*found));
+  if (path.empty()) return say_line("No frames were written: the lesson was started with --frames none.");
+  const std::string problem = open_in_viewer(path);
+  if (!problem.empty()) say_line("{} The picture is {}", problem, path);
 }
 
 std::optional<Dialogue::Move> Dialogue::answer(const std::string& words, size_t item) {
-  if (item >= page_.items().size()) {
-    print_line("There is no question here, and no key or parameter is called \"{}\": `?` lists them.", words);
+  if (!asks(item)) {
+    say_line("There is no question here, and no command or parameter is called \"{}\": `?` lists them.", words);
     return std::nullopt;
   }
-  const Grade given =
-      of_question(page_.items()[item], [&](const auto& question) { return grade(question, words); });
-  const std::string sign = given.right        ? toned("Yes.", Tone::good, style_) + " "
-                           : given.understood ? toned("No.", Tone::bad, style_) + " "
-                                              : "";
-  fmt::print("{}", wrapped(sign + given.reply, style_, 2));
+  const auto* prediction = std::get_if<Prediction>(this->item(item).get());
+  const Grade given = prediction ? grade(*prediction, words, forgettable_factors(lesson_))
+                                 : grade(std::get<Choice>(*this->item(item)), words);
+  screen_.show([given](const Style& style) {
+    const std::string verdict = given.right        ? toned("Yes.", Tone::good, style) + " "
+                                : given.understood ? toned("No.", Tone::bad, style) + " "
+                                                   : "";
+    return wrapped(verdict + given.reply, style, 2);
+  });
   if (given.right) return Move::answered;
   return std::nullopt;
 }
@@ -256,59 +361,97 @@ void Dialogue::change(const Command& command, size_t item) {
     return std::string();
   };
   const std::string old = value();
-  std::optional<Page> now;
+  const std::shared_ptr<const Page> before = page_;
   try {
     lesson_.set(command.name, command.value);
-    now = record_step(lesson_, lesson_.steps()[at_], options_.quiet).page;
+    record();
   } catch (const std::invalid_argument& bad) {
-    lesson_.set(command.name, old);
-    print_line("{}. Nothing was changed.", bad.what());
-    return;
+    if (lesson_.is_parameter(command.name)) lesson_.set(command.name, old);
+    return say_line("{}. Nothing was changed.", bad.what());
   }
-  fmt::print("\n{}\n", toned(fmt::format("  {}: {} → {}", command.name, old, value()), Tone::question, style_));
-  fmt::print("{}", changes_text(page_, *now, item, style_));
-  page_ = std::move(*now);
-  if (item > page_.items().size()) return;
-  for (size_t i = 0; i < item; ++i) {
-    const Item& seen = page_.items()[i];
-    if (std::holds_alternative<Figure>(seen) || std::holds_alternative<Sequence>(seen)) view_.show(seen);
-  }
-  if (item < page_.items().size() && is_question(page_.items()[item])) view_.show(page_.items()[item]);
+  save({.step = lesson_.steps()[at_].label, .finished = read_bookmark(lesson_.about().slug).finished});
+  screen_.show([words = fmt::format("  {}: {} → {}", command.name, old, value())](const Style& style) {
+    return "\n" + toned(words, Tone::question, style) + "\n";
+  });
+  compare(*before, item);
 }
 
-void Dialogue::help() const {
-  fmt::print("{}", table({{"Enter", "go on"},
-                          {"b", "back to the step before"},
-                          {"d", "deeper, where a step offers it"},
-                          {"h", "a hint for the question, the next one each time"},
-                          {"why", "the derivation, line by line, where the text offers one"},
-                          {"s", "show the answer"},
-                          {"r", "read this step again"},
-                          {"q", "leave; the lesson remembers where"}},
-                         2));
-  if (lesson_.parameters().empty()) return;
-  const ParameterRecord& first = lesson_.parameters().front();
-  print_line(
-      "A name and a value change a parameter and run the step again: `{} {}`. A name alone tells what it "
-      "is.",
-      first.name, first.typed(first.value));
+void Dialogue::reset(size_t item) {
+  if (lesson_.at_defaults()) return say_line("All parameters have their defaults.");
+  const std::shared_ptr<const Page> before = page_;
+  for (const ParameterRecord& p : lesson_.parameters()) lesson_.set(p.name, p.typed(p.initial));
+  record();
+  save({.step = lesson_.steps()[at_].label, .finished = read_bookmark(lesson_.about().slug).finished});
+  say_line("All parameters have their defaults again.");
+  compare(*before, item);
+}
+
+/// Numbers and pictures above this item, as they were and as they are.
+void Dialogue::compare(const Page& before, size_t item) {
+  const auto was = std::make_shared<const Page>(before);
+  screen_.show([was, now = page_, item](const Style& style) { return changes_text(*was, *now, item, style); });
+  if (item > page_->items().size()) return;
+  for (size_t i = 0; i < item; ++i) {
+    if (!is_picture(page_->items()[i])) continue;
+    const auto old = std::find_if(was->items().begin(), was->items().end(), [&](const Item& other) {
+      return is_picture(other) && name_of(other) == name_of(page_->items()[i]);
+    });
+    screen_.show([](const Style&) { return "\n"; });
+    if (old == was->items().end())
+      view_.show(this->item(i));
+    else
+      view_.compare({was, &*old}, this->item(i));
+  }
+  if (asks(item) && is_question(page_->items()[item])) view_.show(this->item(item));
+}
+
+void Dialogue::list_parameters() {
+  if (lesson_.parameters().empty()) return say_line("This lesson has no parameters.");
   std::vector<std::vector<std::string>> rows;
   for (const ParameterRecord& p : lesson_.parameters())
     rows.push_back(
         {p.name, p.typed(p.value) + (p.choices.empty() ? " [" + p.unit + "]" : ""), p.allowed(), p.meaning});
-  fmt::print("{}", table(rows, 2));
+  screen_.show([rows](const Style& style) { return table(rows, style, 2); });
 }
 
-void Dialogue::leave() const {
-  fmt::print("{}",
-             toned(bookmark_saved_ ? "Until next time: the lesson goes on where you stopped.\n"
-                                   : "Until next time (the place could not be kept: no writable state folder).\n",
-                   Tone::quiet, style_));
+void Dialogue::help() {
+  std::vector<std::vector<std::string>> rows = {{"Enter", "go on"}};
+  for (const CommandWord& command : command_words())
+    rows.push_back({command.word + (command.key.empty() ? "" : ", " + command.key), command.help});
+  screen_.show([rows](const Style& style) { return table(rows, style, 2) + "\n"; });
+  if (lesson_.parameters().empty()) return;
+  const ParameterRecord& first = lesson_.parameters().front();
+  say_line("A name and a value change a parameter and run the step again: `{} {}`. A name alone tells what it is.",
+           first.name, first.typed(first.value));
+  list_parameters();
+}
+
+/// Words that Tab completes: commands, parameters, and the choices of a parameter.
+std::vector<std::string> Dialogue::completions(std::string_view before) const {
+  std::vector<std::string> words;
+  const bool begins = before.find_first_not_of(' ') == std::string_view::npos;
+  if (begins)
+    for (const CommandWord& command : command_words()) words.push_back(command.word);
+  if (begins || before == "set ")
+    for (const ParameterRecord& p : lesson_.parameters()) words.push_back(p.name);
+  if (before == "open ")
+    for (const Item& item : page_->items())
+      if (is_picture(item)) words.push_back(name_of(item));
+  for (const ParameterRecord& p : lesson_.parameters())
+    if (before == p.name + " " || before == "set " + p.name + " ")
+      words.insert(words.end(), p.choices.begin(), p.choices.end());
+  return words;
+}
+
+void Dialogue::leave() {
+  say_line("{}", bookmark_saved_ ? "Until next time: the lesson goes on where you stopped."
+                                 : "Until next time (the place could not be kept: no writable state folder).");
 }
 
 /// Writes the page of the whole lesson, deeper steps included, with the present parameters.
 int Dialogue::finish() {
-  fmt::print("{}", closing_text(lesson_, style_));
+  screen_.begin();
+  screen_.show([this](const Style& style) { return closing_text(lesson_, style); });
   std::fflush(stdout);
   std::vector<RecordedStep> steps;
   for (const Step& step : lesson_.steps()) {
@@ -317,7 +460,7 @@ int Dialogue::finish() {
   }
   validate(steps);
   finish_output(lesson_, steps, options_, true, pictures_);
-  save_bookmark(lesson_.about().slug, {"", true});
+  save({.step = "", .finished = true});
   const std::string wrong = false_claims(lesson_, steps);
   complain(wrong);
   return wrong.empty() ? 0 : 1;

@@ -101,7 +101,9 @@ std::string questions(const Lesson& lesson, const std::vector<RecordedStep>& ste
 }
 
 std::string to_json(const Bookmark& bookmark) {
-  return Json{{"step", bookmark.step}, {"finished", bookmark.finished}}.dump() + "\n";
+  Json set = Json::object();
+  for (const auto& [name, value] : bookmark.set) set[name] = value;
+  return Json{{"step", bookmark.step}, {"finished", bookmark.finished}, {"set", set}}.dump() + "\n";
 }
 
 Bookmark bookmark_from_json(const std::string& text) {
@@ -111,6 +113,9 @@ Bookmark bookmark_from_json(const std::string& text) {
   if (const auto step = json.find("step"); step != json.end() && step->is_string()) bookmark.step = *step;
   if (const auto finished = json.find("finished"); finished != json.end() && finished->is_boolean())
     bookmark.finished = *finished;
+  if (const auto set = json.find("set"); set != json.end() && set->is_object())
+    for (const auto& [name, value] : set->items())
+      if (value.is_string()) bookmark.set.emplace_back(name, value);
   return bookmark;
 }
 

@@ -26,9 +26,8 @@ std::pair<std::string, std::string> split_setting(const std::string& setting) {
 std::string usage(const Lesson& lesson) {
   std::string words =
       "At a terminal the lesson goes step by step. Type a prediction when it asks for one, and\n"
-      "  Enter goes on    b goes back      d goes deeper    h hints    s shows the answer\n"
-      "  beta 0.5, h 1/120  change a parameter: the step runs again, old and new side by side\n"
-      "  r reads the step again    ? helps    q leaves and remembers where\n\n"
+      "Enter to go on. hint, show, why, deeper, back, again, open, set, menu and quit do what they say; ? lists\n"
+      "them all. `beta 0.5` or `h 1/120` changes a parameter: the step runs again, old and new side by side.\n\n"
       "Parameters of this lesson:\n";
   for (const ParameterRecord& p : lesson.parameters()) words += fmt::format("  {}\n", p.described(p.initial));
   words += fmt::format(
@@ -92,6 +91,7 @@ Options read_options(const Lesson& lesson, int argc, const char* const* argv, bo
   options.check = line.check;
   options.quiet = line.quiet;
   options.questions = line.questions;
+  options.plain = line.plain;
   options.step = line.step;
   options.interactive = line.interactive || (at_terminal && !line.no_interactive);
   if (options.check || options.quiet || options.questions) options.interactive = false;

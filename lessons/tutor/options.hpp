@@ -28,7 +28,8 @@ struct Options {
   FramesWanted frames = FramesWanted::all;
   std::vector<std::pair<std::string, std::string>> set;  // name, value
   bool list_parameters = false, check = false, quiet = false, questions = false;
-  std::string step;  // label of the only step to run; empty: all
+  bool plain = false;  // for screen readers
+  std::string step;    // label of the only step to run; empty: all
 };
 
 /// The project's output folder, relative to the current folder where it lies below it.

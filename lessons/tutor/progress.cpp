@@ -43,6 +43,8 @@ void Progress::report() {
   const auto finished = [this] { return finished_; };
   if (changed_.wait_for(lock, 1s, finished)) return;
   if (!isatty(STDERR_FILENO)) {
+    // Both streams may go to one file: a buffer may have been written up to the middle of a letter.
+    std::fflush(stdout);
     const std::string left = time_left();
     complain(fmt::format("{}{}{} …\n", what_, left.empty() ? "" : ", ", left));
     return;

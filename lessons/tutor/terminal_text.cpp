@@ -99,6 +99,7 @@ std::string title_text(const Lesson& lesson, const Step& step, const Style& styl
       std::count_if(lesson.steps().begin(), lesson.steps().end(), [](const Step& s) { return !s.deeper; });
   const std::string title = step.deeper ? fmt::format("{}  {} (deeper)", step.label, step.title)
                                         : fmt::format("{}/{}  {}", step.label, core, step.title);
+  if (style.plain) return "\n" + title + "\n";
   std::string rule;
   for (int i = 0; i < std::min(style.width, display_width(title)); ++i) rule += "─";
   return "\n" + toned(title, Tone::title, style) + "\n" + toned(rule, Tone::title, style) + "\n";
@@ -161,7 +162,7 @@ std::string item_text(const Measure& measure, const Style& style) {
 
 std::string item_text(const Claim& claim, const Style& style) {
   const Tone tone = !claim.claimed ? Tone::quiet : claim.holds() ? Tone::good : Tone::bad;
-  const std::string sign = !claim.claimed ? "–" : claim.holds() ? "✓" : "✗";
+  const std::string sign = style.plain ? "-" : !claim.claimed ? "–" : claim.holds() ? "✓" : "✗";
   std::string words = fmt::format("**{}**: measured {}, expected {} ({})", claim.quantity, measurement(claim),
                                   expectation(claim), claim.source);
   if (!claim.claimed)

@@ -8,6 +8,9 @@
 #include <limits>
 #include <vector>
 
+#include "lessons/tutor/braille.hpp"
+#include "lessons/tutor/chart_words.hpp"
+#include "lessons/tutor/terminal_picture.hpp"
 #include "lessons/tutor/words.hpp"
 #include "renderer/ticks.hpp"
 
@@ -21,7 +24,6 @@ using renderer::CurveStyle;
 using renderer::HeatMap;
 using renderer::Scale;
 
-constexpr int plot_rows = 16;
 constexpr int margin = 10;  // columns for the labels of the vertical axis
 
 constexpr std::array<const char*, 8> marks = {"•", "×", "+", "o", "#", "*", "%", "="};
@@ -77,10 +79,25 @@ class Grid {
     if (row >= 0 && row < rows && column >= 0 && column < columns) rows_[row][column] = {sign, colour};
   }
 
+  /// One of the 2 × 4 braille dots of a cell; `row` and `column` count cells. A sign in the cell hides it.
+  void put_dot(double row, double column, int colour) {
+    const int y = static_cast<int>(std::floor(dots_down * (row + 0.5))),
+              x = static_cast<int>(std::floor(dots_across * (column + 0.5)));
+    const int rows = static_cast<int>(rows_.size()), columns = static_cast<int>(rows_.front().size());
+    if (y < 0 || x < 0 || y / dots_down >= rows || x / dots_across >= columns) return;
+    Cell& cell = rows_[y / dots_down][x / dots_across];
+    cell.dots |= braille_dot(x % dots_across, y % dots_down);
+    cell.dot_colour = colour;
+  }
+
   std::string row(int row, const Style& style) const {
     std::string line;
-    for (const Cell& cell : rows_[row])
-      line += style.colours && cell.colour ? fmt::format("\033[{}m{}\033[0m", cell.colour, cell.sign) : cell.sign;
+    for (const Cell& cell : rows_[row]) {
+      const bool fine = cell.dots && std::string_view(cell.sign) == " ";
+      const std::string sign = fine ? braille(cell.dots) : cell.sign;
+      const int colour = fine ? cell.dot_colour : cell.colour;
+      line += style.colours && colour ? fmt::format("\033[{}m{}\033[0m", colour, sign) : sign;
+    }
     return line.erase(line.find_last_not_of(' ') + 1);
   }
 
@@ -88,6 +105,8 @@ class Grid {
   struct Cell {
     const char* sign = " ";
     int colour = 0;
+    unsigned dots = 0;
+    int dot_colour = 0;
   };
   std::vector<std::vector<Cell>> rows_;
 };
@@ -95,10 +114,11 @@ class Grid {
 struct Pen {
   const char* sign;
   int colour;
+  bool fine = false;  // lines in braille, and the sign on them now and then
 };
 
 /// Theory has dots of its own; measurements have a sign and a colour each.
-std::vector<Pen> pens(const std::vector<Curve>& curves) {
+std::vector<Pen> pens(const std::vector<Curve>& curves, const Style& style) {
   std::vector<Pen> all;
   size_t measured = 0;
   for (const Curve& curve : curves) {
@@ -107,7 +127,7 @@ std::vector<Pen> pens(const std::vector<Curve>& curves) {
     else if (curve.style == CurveStyle::front)
       all.push_back({"░", 33});
     else {
-      all.push_back({marks[measured % marks.size()], mark_colours[measured % mark_colours.size()]});
+      all.push_back({marks[measured % marks.size()], mark_colours[measured % mark_colours.size()], style.colours});
       ++measured;
     }
   }
@@ -118,11 +138,15 @@ void draw_segment(Grid& grid, const Ruler& x, const Ruler& y, const Curve& curve
   const double x0 = x.position(curve.x[i - 1]), x1 = x.position(curve.x[i]);
   const double y0 = y.position(curve.y[i - 1]), y1 = y.position(curve.y[i]);
   if (!std::isfinite(x0 + x1 + y0 + y1)) return;
-  const int samples =
-      std::min(4 * (x.count() + y.count()),
-               static_cast<int>(std::ceil(2 * std::max(std::abs(x1 - x0), std::abs(y1 - y0)))) + 1);
+  const int samples = std::min(
+      4 * (x.count() + y.count()),
+      static_cast<int>(std::ceil((pen.fine ? 8 : 2) * std::max(std::abs(x1 - x0), std::abs(y1 - y0)))) + 1);
   for (int k = 0; k <= samples; ++k) {
     const double share = static_cast<double>(k) / samples;
+    if (pen.fine) {
+      grid.put_dot(y0 + share * (y1 - y0), x0 + share * (x1 - x0), pen.colour);
+      continue;
+    }
     grid.put(static_cast<int>(std::lround(y0 + share * (y1 - y0))),
              static_cast<int>(std::lround(x0 + share * (x1 - x0))), pen.sign, pen.colour);
   }
@@ -141,6 +165,8 @@ void draw_curve(Grid& grid, const Ruler& x, const Ruler& y, const Curve& curve, 
   if (curve.style == CurveStyle::front) return draw_front(grid, x, y, curve, pen);
   const bool joined = curve.style == CurveStyle::line || curve.style == CurveStyle::line_and_markers ||
                       curve.style == CurveStyle::theory;
+  constexpr int signs_apart = 12;  // columns, on a fine line
+  int next_sign = 0;
   for (size_t i = 0; i < curve.x.size(); ++i) {
     if (joined && i > 0) draw_segment(grid, x, y, curve, i, pen);
     // A run that failed stands at the edge.
@@ -154,6 +180,11 @@ void draw_curve(Grid& grid, const Ruler& x, const Ruler& y, const Curve& curve, 
       for (int row = std::min(from, to); row <= std::max(from, to); ++row)
         grid.put(row, x.cell(curve.x[i]), "│", pen.colour);
     }
+    if (pen.fine && curve.style == CurveStyle::line && i > 0) {
+      const bool has_come = std::abs(x.cell(curve.x[i]) - x.cell(curve.x[i - 1])) > 0 || i % 64 == 0;
+      if (!has_come || x.cell(curve.x[i]) < next_sign) continue;
+    }
+    next_sign = x.cell(curve.x[i]) + signs_apart;
     grid.put(y.cell(curve.y[i]), x.cell(curve.x[i]), pen.sign, pen.colour);
   }
 }
@@ -235,6 +266,9 @@ struct AxisTicks {
   std::string label;
 };
 
+/// So that a chart with its axis, legend and caption fits on the terminal.
+int plot_height(const Style& style) { return std::clamp(style.rows - 12, 6, 16); }
+
 AxisTicks ticks_of(const Axis& axis, std::pair<double, double> range, int most) {
   if (!axis.ticks.empty()) return {axis.ticks, axis.label};
   const auto found = renderer::ticks(axis.scale, range.first, range.second, most);
@@ -266,7 +300,7 @@ std::string horizontal_axis(const Ruler& x, const AxisTicks& axis, int columns) 
 
 std::string plot(const Chart& chart, const Style& style) {
   const auto ranges = renderer::ranges(chart);
-  const int columns = style.width - margin - 2;
+  const int columns = style.width - margin - 2, plot_rows = plot_height(style);
   const Ruler x(chart.x, ranges.x, columns, false), y(chart.y, ranges.y, plot_rows, true);
   const AxisTicks x_ticks = ticks_of(chart.x, ranges.x, 7), y_ticks = ticks_of(chart.y, ranges.y, 5);
 
@@ -282,7 +316,7 @@ std::string plot(const Chart& chart, const Style& style) {
         grid.put(i, x.cell(line.value), "╎", 0);
     }
   }
-  const auto with = pens(chart.curves);
+  const auto with = pens(chart.curves, style);
   // What was measured lies over what theory says.
   const auto measured = [](const Curve& curve) {
     return curve.style != CurveStyle::theory && curve.style != CurveStyle::front;
@@ -294,7 +328,7 @@ std::string plot(const Chart& chart, const Style& style) {
     if (x.shows(note.x) && y.shows(note.y)) grid.put(y.cell(note.y), x.cell(note.x), "◆", 0);
   }
 
-  std::vector<std::string> labels(plot_rows);
+  std::vector<std::string> labels(static_cast<size_t>(plot_rows));
   for (const auto& tick : y_ticks.ticks)
     if (y.shows(tick.value)) labels[static_cast<size_t>(y.cell(tick.value))] = tick.label;
 
@@ -310,7 +344,10 @@ std::string plot(const Chart& chart, const Style& style) {
   const auto add_key = [&](const std::string& sign, const std::string& label) {
     if (!label.empty()) key += wrapped(sign + " " + label, style, margin + 1);
   };
-  for (size_t i = 0; i < with.size(); ++i) add_key(with[i].sign, chart.curves[i].label);
+  for (size_t i = 0; i < with.size(); ++i)
+    add_key(style.colours && with[i].colour ? fmt::format("\033[{}m{}\033[0m", with[i].colour, with[i].sign)
+                                            : with[i].sign,
+            chart.curves[i].label);
   for (const auto& line : chart.references)
     add_key(line.axis == renderer::Reference::Across::y ? "╌" : "╎", line.label);
   for (const auto& note : chart.annotations)
@@ -345,9 +382,30 @@ std::string bars(const Chart& chart, const Style& style) {
   return text + (chart.x.label.empty() ? "" : "  (" + chart.x.label + ")\n");
 }
 
+Chart without_markup(Chart chart) {
+  const auto clean = [](std::string& label) { label = tutor::without_markup(label); };
+  for (Axis* const axis : {&chart.x, &chart.y}) {
+    clean(axis->label);
+    for (auto& tick : axis->ticks) clean(tick.label);
+  }
+  clean(chart.title);
+  for (Curve& curve : chart.curves) clean(curve.label);
+  for (auto& line : chart.references) clean(line.label);
+  for (auto& note : chart.annotations) clean(note.text);
+  for (auto& bars : chart.bars) clean(bars.label);
+  for (std::string& name : chart.bar_names) clean(name);
+  if (chart.heat_map) {
+    clean(chart.heat_map->label);
+    for (auto& kind : chart.heat_map->classes) clean(kind.name);
+  }
+  return chart;
+}
+
 }  // namespace
 
-std::string text_chart(const Chart& chart, const Style& style) {
+std::string text_chart(const Chart& marked_up, const Style& style) {
+  const Chart chart = without_markup(marked_up);
+  if (style.plain) return wrapped(chart_in_words(chart), style, 2);
   std::string text = chart.title.empty() ? "" : wrapped("**" + chart.title + "**", style, 2);
   if (!chart.bars.empty()) text += bars(chart, style);
   if (!chart.curves.empty() && chart.bars.empty()) return text + plot(chart, style);

@@ -7,7 +7,7 @@
 
 namespace byhand::tutor {
 
-/// The chart in characters, at most 80 columns (or `style.width`) wide and about 20 lines high.
+/// The chart in characters, `style.width` columns wide and about 20 lines high; in words if `style.plain`.
 std::string text_chart(const renderer::Chart& chart, const Style& style);
 
 }  // namespace byhand::tutor

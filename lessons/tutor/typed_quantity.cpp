@@ -118,7 +118,8 @@ std::optional<Term> named(std::string_view name) {
     term.decades += decades;
     return term;
   }
-  for (size_t first = name.size() - 1; first > 0; --first) {
+  constexpr size_t longest = 8;  // "kgms"; trying all ways to part a long word takes long
+  for (size_t first = name.size() - 1; first > 0 && name.size() <= longest; --first) {
     const auto left = named(name.substr(0, first)), right = named(name.substr(first));
     if (left && right) return *left * *right;
   }
@@ -171,6 +172,8 @@ class Reader {
   explicit Reader(std::string_view typed) : typed_(typed), text_(in_ascii(typed)), rest_(text_) {}
 
   TypedQuantity read() {
+    constexpr size_t longest = 200;  // what nests more deeply was not typed
+    if (typed_.size() > longest) fail();
     Term term = sum();
     skip_blanks();
     if (!rest_.empty()) fail();

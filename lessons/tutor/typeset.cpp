@@ -4,8 +4,12 @@
 #include <glib.h>
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <numeric>
 #include <sstream>
+
+#include "lessons/tutor/typed_quantity.hpp"
 
 namespace byhand::tutor {
 namespace {
@@ -28,14 +32,45 @@ std::string_view code_of(Tone tone) {
 
 std::string indentation(int columns) { return std::string(static_cast<size_t>(std::max(0, columns)), ' '); }
 
+/// Whether a word is a unit of physics, behind a number: "m²", "N·s,".
+bool is_unit_word(std::string_view word) {
+  while (!word.empty() && std::string_view(".,;:)]!?").find(word.back()) != std::string_view::npos)
+    word.remove_suffix(1);
+  return word == "%" || word == "°" || is_unit(word);
+}
+
+bool ends_in_number(std::string_view word) {
+  if (word.ends_with('m') && word.find(escape) != std::string_view::npos)
+    word = word.substr(0, word.rfind(escape));
+  static constexpr std::array<std::string_view, 10> raised = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  return !word.empty() &&
+         (std::isdigit(static_cast<unsigned char>(word.back())) ||
+          std::any_of(raised.begin(), raised.end(), [&](auto sign) { return word.ends_with(sign); }));
+}
+
+/// The words of a paragraph; a number and its units are one word.
+std::vector<std::string> unbreakable_words(const std::string& paragraph) {
+  std::vector<std::string> all;
+  std::istringstream words(paragraph);
+  bool measured = false;
+  for (std::string word; words >> word;) {
+    measured = measured && is_unit_word(word);
+    if (measured)
+      all.back() += " " + word;
+    else
+      all.push_back(word);
+    measured = measured || ends_in_number(word);
+  }
+  return all;
+}
+
 /// One paragraph, its lines behind `indent` blanks, the first one behind `first`.
 std::string wrapped_paragraph(const std::string& paragraph, const Style& style, const std::string& first,
                               int indent) {
   std::string lines, line = first;
   int column = display_width(first);
   bool empty = true;
-  std::istringstream words(with_emphasis(paragraph, style));
-  for (std::string word; words >> word;) {
+  for (const std::string& word : unbreakable_words(with_emphasis(paragraph, style))) {
     const int width = display_width(word);
     if (!empty && column + 1 + width > style.width) {
       lines += line + "\n";

@@ -10,7 +10,9 @@ namespace byhand::tutor {
 struct Style {
   int width = 80;        // columns
   bool colours = false;  // whether to write escape sequences for colour and weight
-  int picture_rows = 22;
+  int rows = 24;
+  bool cursor = false;  // whether escape sequences move the cursor: animations
+  bool plain = false;   // for screen readers: no pictures, no box characters
 };
 
 enum class Tone { title, quiet, formula, code, good, bad, question };

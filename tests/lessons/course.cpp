@@ -71,6 +71,34 @@ TEST(Course, BuildsALessonWhenItsReaderComesToIt) {
   }
 }
 
+TEST(Course, TheMenuFitsOnAScreenAndStaysBelowItsError) {
+  const Folder folder;
+  for (const Size size : {Size{80, 24}, Size{50, 24}}) {
+    Terminal reader({BYHAND_REAL_COURSE}, {{"TERM", "dumb"}, {"XDG_STATE_HOME", folder.path().string()}}, size);
+    const std::string menu = reader.said_until("▸");
+    EXPECT_LT(std::count(menu.begin(), menu.end(), '\n'), size.rows) << menu;
+    for (const char* number : {"1  ", "9  "}) EXPECT_THAT(menu, HasSubstr(number));
+    reader.enter("77");
+    reader.expect("There is no lesson \"77\"");
+    EXPECT_THAT(reader.said_until("▸"), Not(HasSubstr("Constraints by Hand")))
+        << "the menu is not printed over it";
+    reader.enter("q");
+    EXPECT_EQ(reader.leave(), 0);
+  }
+}
+
+TEST(Course, TheMenuIsAWordAwayFromALesson) {
+  const Folder folder;
+  Terminal reader({BYHAND_COURSE, "fixture", "--output", folder.path().string()},
+                  {{"TERM", "dumb"}, {"XDG_STATE_HOME", folder.path().string()}});
+  reader.expect("▸");
+  reader.enter("menu");
+  reader.expect("Enter goes on with lesson 99");
+  reader.expect("▸");
+  reader.enter("q");
+  EXPECT_EQ(reader.leave(), 0);
+}
+
 TEST(Course, ShowsHowFarTheReaderGotAndGoesOnThere) {
   const Folder folder;
   const std::map<std::string, std::string> environment = {{"TERM", "dumb"},

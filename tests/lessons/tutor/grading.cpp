@@ -65,7 +65,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(Grading, TextThatIsNoNumberIsNoAnswer) {
   for (const char* words :
-       {"many", "",      "m",  "1x", "0x10",    "nan", "inf",      "1//2", "1 2", "1 1/2", "2..3",     "1e999",
+       {"many", "",      "m",  "1x", "0x10",    "nan", "inf",      "1//2", "1 2", "1 1/2",    "2..3",    "1e999",
         "m 3",  "3 foo", "(1", "1)", "3 m + 2", "--",  "sqrt(-1)", "1/0",  "2^",  "\xff\xfe", "3 \033[A"}) {
     const Grade given = grade(asked(1, "m", 0.1), words);
     EXPECT_FALSE(given.understood) << words;
@@ -156,6 +156,12 @@ TEST(Grading, WhateverIsPrintedAsAnAnswerIsAcceptedWhenTypedBack) {
       const std::string printed = printed_answer(question);
       EXPECT_TRUE(grade(question, printed).right) << printed << " for " << answer << " ± " << question.tolerance;
     }
+}
+
+TEST(Grading, LongNonsenseIsRefusedAtOnce) {
+  for (const std::string& words :
+       {std::string(100'000, '('), std::string(100'000, 'm'), "1 " + std::string(60, 'm') + "x"})
+    EXPECT_FALSE(grade(asked(1, "m", 0.1), words).understood);
 }
 
 TEST(Grading, AChoiceIsANumberOrItsWordsInAnyCase) {
