@@ -46,8 +46,8 @@ void heavy_on_light(const Setting& setting, Page& page) {
        .answer = static_cast<int>(std::lround(std::log2(heavier))),
        .hints = {"What do k sweeps leave, and on which combination of k and r does it depend?",
                  "q = (r/(1 + r))ᵏ = (1 − 1/(1 + r))ᵏ", "For large r that is about e^(−k/r)."}});
-  const Map map = map_of(page, counting_knob("warm sweeps a step (1)", 1, 16, setting.resolution),
-                         knob("upper mass / lower mass (1)", 1, 200, setting.resolution),
+  const Map map = map_of(page, counting_knob("warm sweeps a step", 1, 16, setting.resolution),
+                         knob("upper mass / lower mass", 1, 200, setting.resolution),
                          [](double k, double ratio) { return two_boxes(static_cast<int>(k), ratio); });
   std::vector<double> limits(1);
   for (int k = 1; k <= 17; ++k) limits.push_back(laws::heaviest_top(k, pair_beta));

@@ -45,8 +45,8 @@ void many_contacts(const Setting& setting, Page& page) {
   page.formula("|1 − ω μ| < 1:   ω < 2/μ = 2/@ = @",
                R"(|1 - \omega\mu| < 1: \quad \omega < \frac{2}{\mu} = \frac{2}{@} = @)", Value(mu, 3),
                Value(2 / mu, 3));
-  const Map map = map_of(page, counting_knob("contacts (1)", 2, 16, setting.resolution, renderer::Scale::linear),
-                         knob("relaxation ω (1)", 0.1, 1.9, setting.resolution),
+  const Map map = map_of(page, counting_knob("contacts", 2, 16, setting.resolution, renderer::Scale::linear),
+                         knob("relaxation ω", 0.1, 1.9, setting.resolution),
                          [](double n, double omega) { return laws::jacobi(static_cast<int>(n), omega); });
   const auto boundary = [](double n) {
     return 2 / laws::largest_eigenvalue(std::max(2, static_cast<int>(std::lround(n))));

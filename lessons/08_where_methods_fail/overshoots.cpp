@@ -144,8 +144,8 @@ void overshoots(const Setting& setting, Page& page) {
         R"(z = 1 - \beta \;\Rightarrow\; \beta < 2, \text{ the smaller limit for } q < 1/3)"}});
 
   const Map map = map_of(
-      page, counting_knob("warm sweeps a step (1)", 1, 64, setting.resolution),
-      knob("β (1)", 0.01, 2.5, setting.resolution), [links](double k, double b) {
+      page, counting_knob("warm sweeps a step", 1, 64, setting.resolution),
+      knob("β", 0.01, 2.5, setting.resolution), [links](double k, double b) {
         return laws::run(laws::WarmChain{.links = links, .sweeps = static_cast<int>(k), .beta = b, .steps = 1500});
       });
   page.figure("beta_and_sweeps",

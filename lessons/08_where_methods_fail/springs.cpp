@@ -58,8 +58,8 @@ void springs(const Setting& setting, Page& page) {
         R"(z^2 - (2 - 2\zeta s - s^2)\,z + (1 - 2\zeta s) = 0)"},
        {"a root reaches z = −1 where", "4 − 4ζs − s² = 0", R"(4 - 4\zeta s - s^2 = 0)"},
        {"the positive root", "s = 2(√(1 + ζ²) − ζ)", R"(s = 2\left(\sqrt{1 + \zeta^2} - \zeta\right))"}});
-  const Map map = map_of(page, knob("damping ratio ζ (1)", 0, 3, setting.resolution, renderer::Scale::linear),
-                         knob("ωh (1)", 0.1, 4, setting.resolution),
+  const Map map = map_of(page, knob("damping ratio ζ", 0, 3, setting.resolution, renderer::Scale::linear),
+                         knob("ωh", 0.1, 4, setting.resolution),
                          [](double zeta, double omega_h) { return laws::explicit_spring(omega_h, zeta); });
   const Agreement agreed =
       agreement(map, [](double zeta, double omega_h) { return omega_h < largest_omega_h(zeta); });

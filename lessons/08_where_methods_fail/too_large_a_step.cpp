@@ -143,7 +143,7 @@ void too_large_a_step(const Setting& setting, Page& page) {
   page.text(seen(chains, end_mass, limit, heaviest_at(4 * rate)));
 
   const Map map = map_of(page, knob("steps a second (Hz)", 30, 480, setting.resolution),
-                         knob("end mass / mass of a link (1)", 10, 1e5, setting.resolution),
+                         knob("end mass / mass of a link", 10, 1e5, setting.resolution),
                          [](double hz, double r) { return laws::run(TautChain{.end_mass = r, .step = 1 / hz}); });
   page.figure("mass_and_step",
               say("Each cell is a run of an exactly solved chain of @ links. Dashed: ω_max h = 2.", chain.links),

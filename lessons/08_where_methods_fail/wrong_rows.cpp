@@ -149,7 +149,7 @@ void wrong_rows(const Setting& setting, Page& page) {
                     R"(F = \frac{|\lambda_1 - \lambda_2|}{2h} = \frac{\beta\Delta}{2h^2\gamma})"}});
 
   const Map map = map_of(page, knob("difference of the lengths Δ (m)", 1e-4, 0.5, setting.resolution),
-                         knob("softness γ / A (1)", 1e-5, 1, setting.resolution), end_of_conflict);
+                         knob("softness γ / A", 1e-5, 1, setting.resolution), end_of_conflict);
   page.figure("conflict_and_softness",
               say(R"(Each cell is a run of @ s. A rod breaks if it is pulled with more than @ weights of the bob.
                   Dashed: the law.)",

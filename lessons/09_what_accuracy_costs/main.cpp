@@ -13,7 +13,7 @@ int main(int argc, char** argv) {
   for (const NamedScene& scene : catalogue()) scenes.push_back(scene.name);
   const accuracy::Setting setting{
       .scene = lesson.parameter("scene", "chain", scenes, "what the chooser is asked about"),
-      .drift = lesson.parameter("drift", 1e-3, "m", {1e-9, 10}, "largest separation or overlap that may be"),
+      .drift = lesson.parameter("drift", 1e-3, "m", {1e-9, 0.1}, "largest separation or overlap that may be"),
       .trajectory =
           lesson.parameter("trajectory", 0.0, "m", {0, 100}, "instead: distance from the true motion; 0: no"),
       .energy = lesson.parameter("energy", 0.0, "1", {0, 100},
