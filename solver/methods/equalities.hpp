@@ -100,20 +100,20 @@ double tolerance(const Bodies<M>& bodies, double h) {
   return 1e-9 * std::sqrt(sum);
 }
 
-/// Calls `improve` until error() is at most `enough` and decreases no more, except by rounding. Throws
-/// NoConvergence after 100 errors or for one that is not finite.
+/// Calls `improve` until error() is at most `enough` and decreases no more, except by rounding, 99 times at most.
+/// Throws NoConvergence if it is not at most `enough` then, and for an error that is not finite.
 template <class Error, class Improve>
 void iterate(double enough, Error&& error, Improve&& improve) {
   double last = std::numeric_limits<double>::infinity();
   for (int count = 1;; ++count) {
     const double now = error();
-    if (now == 0 || (now <= enough && now > 0.9 * last)) return;
+    if (now == 0 || (now <= enough && (now > 0.9 * last || count == 100))) return;
     if (!std::isfinite(now))
       throw NoConvergence(
           "the equations of an implicit step led to numbers that are not finite; take a smaller step");
     if (count == 100)
       throw NoConvergence("after 100 iterations the equations of an implicit step are wrong by " +
-                          text_of(now / enough) +
+                          text_of(std::ceil(now / enough)) +
                           " times their tolerance, as directions change too much within it; "
                           "take a smaller step or more substeps");
     last = now;
