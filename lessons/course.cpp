@@ -69,15 +69,6 @@ std::string progress(const Bookmark& bookmark) {
   return bookmark.finished ? "finished" : "";
 }
 
-std::string overview() {
-  std::string lines;
-  for (const About& lesson : contents()) {
-    lines += fmt::format("  {}  {}\n", std::stoi(lesson.slug), lesson.title);
-    lines += wrapped(lesson.summary, {}, 5);
-  }
-  return lines;
-}
-
 /// A line for each lesson, so that the menu fits on a screen of 24 rows.
 std::string menu(const Style& style, const std::optional<std::string>& next) {
   std::vector<std::vector<std::string>> rows;

@@ -6,6 +6,7 @@
 #include "lessons/tutor/lesson.hpp"
 #include "lessons/tutor/options.hpp"
 #include "lessons/tutor/output_folder.hpp"
+#include "lessons/tutor/recording.hpp"
 
 namespace byhand::tutor {
 
