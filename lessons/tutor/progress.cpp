@@ -5,6 +5,8 @@
 
 #include <cmath>
 #include <csignal>
+#include <cstdlib>
+#include <string_view>
 
 #include "lessons/tutor/streams.hpp"
 
@@ -42,7 +44,8 @@ void Progress::report() {
   std::unique_lock lock(mutex_);
   const auto finished = [this] { return finished_; };
   if (changed_.wait_for(lock, 1s, finished)) return;
-  if (!isatty(STDERR_FILENO)) {
+  const char* const terminal = std::getenv("TERM");
+  if (!isatty(STDERR_FILENO) || !terminal || std::string_view(terminal) == "dumb") {
     // Both streams may go to one file: a buffer may have been written up to the middle of a letter.
     std::fflush(stdout);
     const std::string left = time_left();

@@ -46,8 +46,8 @@ const Claim* find(const Page& page, const Claim& like) {
 
 std::string change(const std::string& what, const std::string& before, const std::string& now,
                    const Style& style) {
-  const std::string line = fmt::format("  {}: {} → {}", what, before, now);
-  return (before == now ? toned(line, Tone::quiet, style) : line) + "\n";
+  const std::string lines = wrapped(fmt::format("{}: {} → {}", what, before, now), style, 2);
+  return before == now ? toned(lines, Tone::quiet, style) : lines;
 }
 
 }  // namespace

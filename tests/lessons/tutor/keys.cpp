@@ -130,6 +130,7 @@ TEST_F(Keys, AnotherSizeWrapsTheStepAnew) {
 TEST_F(Keys, NoLineIsWiderThanTheTerminal) {
   for (const Size size : {Size{80, 24}, Size{100, 40}, Size{50, 24}, Size{200, 60}})
     for (const char* terminal : {"xterm-256color", "dumb"}) {
+      std::filesystem::remove_all(folder_ / "state");
       Terminal reader = open({}, size, {{"TERM", terminal}});
       reader.expect(prompt);
       reader.enter("show");

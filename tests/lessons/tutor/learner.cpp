@@ -37,7 +37,7 @@ std::vector<std::string> answers(const std::string& page) {
   for (std::sregex_iterator at(page.begin(), page.end(), summary), end; at != end; ++at) {
     const std::string words = (*at)[1];
     std::smatch found;
-    if (std::regex_search(words, found, number) || std::regex_search(words, found, choice))
+    if (std::regex_search(words, found, choice) || std::regex_search(words, found, number))
       all.push_back(found[1]);
   }
   return all;
