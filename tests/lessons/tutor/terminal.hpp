@@ -22,6 +22,7 @@ class Terminal {
     winsize size{24, 80, 0, 0};
     program_ = forkpty(&terminal_, nullptr, nullptr, &size);
     if (program_ == 0) {
+      ::signal(SIGINT, SIG_DFL);  // whoever runs the tests in the background may ignore it
       for (const auto& [name, value] : environment) setenv(name.c_str(), value.c_str(), 1);
       std::vector<char*> argv;
       argv.reserve(command.size() + 1);
