@@ -133,7 +133,7 @@ TEST_F(PassedOn, SignalsEndTheLessonToo) {
 TEST_F(PassedOn, SignalsEndABuildWithAllThatItStarted) {
   const fs::path builder = folder_ / "a b'uild";
   const std::string lock = (folder_ / "lock").string();
-  std::ofstream(builder) << "#!/bin/bash\n(exec 9>'" << lock << "'; flock 9; touch '"
+  std::ofstream(builder) << "#!/bin/bash\n(exec 9>'" << lock << "'; flock 9; echo >'"
                          << (folder_ / "begun").string() << "'; exec sleep 60) | cat\n";
   fs::permissions(builder, fs::perms::owner_all);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
