@@ -97,7 +97,8 @@ TEST_F(AllLessons, SayARefusedOptionOnce) {
 }
 
 TEST_F(AllLessons, EndWithOneControlC) {
-  for (const std::string& slug : slugs) lesson(slug, "touch '" + (folder_ / "begun").string() + "'; sleep 60");
+  for (const std::string& slug : slugs)
+    lesson(slug, "echo >'" + (folder_ / "begun").string() + "'; exec sleep 60");
   Terminal reader(command({"--all"}), {});
   wait_for("begun");
   reader.type("\x03");
@@ -110,7 +111,7 @@ TEST_F(PassedOn, SignalsEndTheLessonToo) {
   // The lesson's lock ends with the lesson.
   const std::string lock = (folder_ / "lock").string();
   lesson("01_jacobian",
-         "exec 9>'" + lock + "'; flock 9; touch '" + (folder_ / "begun").string() + "'; exec sleep 60");
+         "exec 9>'" + lock + "'; flock 9; echo >'" + (folder_ / "begun").string() + "'; exec sleep 60");
   for (const char* all : {"1", "--all"}) {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGKILL}) {
       SCOPED_TRACE(signal);
@@ -132,7 +133,7 @@ TEST_F(PassedOn, SignalsEndTheLessonToo) {
 TEST_F(PassedOn, SignalsEndABuildWithAllThatItStarted) {
   const fs::path builder = folder_ / "a b'uild";
   const std::string lock = (folder_ / "lock").string();
-  std::ofstream(builder) << "#!/bin/bash\n(exec 9>'" << lock << "'; flock 9; touch '"
+  std::ofstream(builder) << "#!/bin/bash\n(exec 9>'" << lock << "'; flock 9; echo >'"
                          << (folder_ / "begun").string() << "'; exec sleep 60) | cat\n";
   fs::permissions(builder, fs::perms::owner_all);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {

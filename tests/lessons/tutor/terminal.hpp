@@ -32,6 +32,7 @@ class Terminal {
     winsize size{at_first.rows, at_first.columns, 0, 0};
     program_ = forkpty(&terminal_, nullptr, nullptr, &size);
     if (program_ == 0) {
+      ::signal(SIGINT, SIG_DFL);  // whoever runs the tests in the background may ignore it
       for (const auto& [name, value] : environment) setenv(name.c_str(), value.c_str(), 1);
       std::vector<char*> argv;
       argv.reserve(command.size() + 1);
