@@ -49,6 +49,7 @@ void film(Film& film, const Code& code) {
   film.height = 2.4;
   const Body box{.at = {0, 0.8}, .mass = mass, .inertia = inertia, .sides = {width, height}};
   box_on_ground(film, box, {0, -9.81}, 0, [&](Body& of, std::vector<GroundContact>& contacts, double h) {
+    std::erase_if(contacts, [](const GroundContact& at) { return at.C > 0.1; });
     solve(of, contacts, h, clamp_contact);
   });
 }

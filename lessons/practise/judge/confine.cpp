@@ -61,7 +61,7 @@ sock_filter unless(unsigned value) { return BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, 
 }  // namespace
 
 void limit(const Limits& limits, std::size_t file_bytes) {
-  set(RLIMIT_CPU, static_cast<rlim_t>(std::ceil(limits.seconds)) + 1);
+  set(RLIMIT_CPU, static_cast<rlim_t>(std::ceil(limits.seconds)));
   set(RLIMIT_AS, limits.bytes);
   set(RLIMIT_FSIZE, file_bytes);
   set(RLIMIT_CORE, 0);

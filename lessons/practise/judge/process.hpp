@@ -2,7 +2,6 @@
 
 #include <sys/types.h>
 
-#include <chrono>
 #include <cstddef>
 #include <filesystem>
 #include <string>
@@ -19,7 +18,7 @@ struct Stopped {
 };
 
 struct Limits {
-  double seconds = 2;
+  double seconds = 2;  // of computing: a busy machine takes longer by the clock
   std::size_t bytes = 256u << 20;
 };
 
@@ -32,7 +31,7 @@ class Process {
   Process& operator=(const Process&) = delete;
   ~Process();
 
-  /// Throws Stopped if no answer comes. All calls together may take `limits.seconds`.
+  /// Throws Stopped if no answer comes. All calls together may compute for `limits.seconds`.
   Numbers call(std::size_t which, const Numbers& arguments);
 
   /// The first lines that the learner's code printed.
@@ -44,7 +43,6 @@ class Process {
   [[noreturn]] void end(const std::string& sentence);
 
   Limits limits_;
-  std::chrono::nanoseconds left_;
   pid_t child_ = -1;
   int socket_ = -1, print_ = -1;
 };
