@@ -161,9 +161,10 @@ int watch(const Exercise& exercise, const Key& key, const fs::path& file) {
       judge_file(exercise, key, file);
       std::fflush(stdout);
     }
-    if (!keyboard.pressed_within(100)) continue;
-    const auto line = keyboard.line();
-    if (!line || *line == "q") break;
+    const tutor::Key pressed = keyboard.key_within(100);
+    if (pressed == tutor::Key::none) continue;
+    const auto line = pressed == tutor::Key::other ? keyboard.line("▸ ") : std::optional<std::string>("");
+    if (pressed == tutor::Key::ended || !line || *line == "q") break;
     if (*line == "h")
       fmt::print("{}", hint_text(exercise, hints = std::min(hints + 1, 3)));
     else if (*line == "s")

@@ -8,6 +8,8 @@
 
 #include <stdexcept>
 
+#include "lessons/tutor/typed_quantity.hpp"
+
 namespace byhand::tests {
 namespace {
 
