@@ -45,7 +45,8 @@ Ended build(const std::string& target) {
 Ended run_lesson(const std::string& slug, const Arguments& arguments) {
   const fs::path path = program(slug);
   if (!fs::exists(path))
-    throw std::runtime_error(fmt::format("{0} is not built yet: ./lessons/run {0} builds it.", slug));
+    throw std::runtime_error(fmt::format("{} is not built yet: ./lessons/run {} builds it.", slug,
+                                         slug == "practise" ? slug : std::to_string(std::stoi(slug))));
   const Ended ended = run_program(path.string(), arguments, Group::ours);
   if (ended.by_signal && !ended.passed_on)
     complain(

@@ -48,7 +48,7 @@ class Grammar {
         return {"--set", any({"", "=", "beta", "gamma=1", "=1", "beta==1", "[beta=1]", " beta=1", "BETA=1"})};
       case 3:
         return {"--set",
-                "beta=" + any({"", "x", "nan", "inf", "-1", "3.0001", "1/0", "1e999", "0x1", "1 2", "1,5"})};
+                "beta=" + any({"", "x", "nan", "inf", "-1", "3.0001", "1/0", "1e999", "0x1", "1 2", "1,5,2"})};
       case 4:
         return {any({"--check", "--quiet", "--list-parameters", "--no-interactive"}) + "=" +
                 any({"", "1", "false"})};

@@ -157,9 +157,11 @@ TEST_F(Keys, NoLineIsWiderThanTheTerminal) {
 
 TEST_F(Keys, NoEscapeSequencesOnADumbTerminalAndNoColoursIfUnwanted) {
   const std::regex escape(R"(\x1b)"), colour(R"(\x1b\[[0-9;]+m)");
-  Terminal dumb = open({"--step", "1a"}, {}, {{"TERM", "dumb"}});
-  dumb.expect("is 0.03277 m off.");
-  EXPECT_FALSE(std::regex_search(dumb.transcript(), escape));
+  {
+    Terminal dumb = open({"--step", "1a"}, {}, {{"TERM", "dumb"}});
+    dumb.expect("is 0.03277 m off.");
+    EXPECT_FALSE(std::regex_search(dumb.transcript(), escape));
+  }
   Terminal grey = open({"--step", "1a"}, {}, {{"TERM", "xterm-256color"}, {"NO_COLOR", "1"}});
   grey.expect("is 0.03277 m off.");
   EXPECT_FALSE(std::regex_search(grey.transcript(), colour));
@@ -188,9 +190,11 @@ TEST_F(Keys, AFilmSaysHowLongItIsAndKeepsWhatIsTypedMeanwhile) {
 }
 
 TEST_F(Keys, RealPicturesWhereTheTerminalHasThem) {
-  Terminal kitty = open({"--step", "1a"}, {}, {{"TERM", "xterm-kitty"}, {"KITTY_PID", "1"}});
-  kitty.expect("The bob where it ended.");
-  EXPECT_THAT(kitty.transcript(), HasSubstr("\033_G"));
+  {
+    Terminal kitty = open({"--step", "1a"}, {}, {{"TERM", "xterm-kitty"}, {"KITTY_PID", "1"}});
+    kitty.expect("The bob where it ended.");
+    EXPECT_THAT(kitty.transcript(), HasSubstr("\033_G"));
+  }
   Terminal mlterm = open({"--step", "1a"}, {}, {{"TERM", "mlterm"}});
   mlterm.expect("The bob where it ended.");
   EXPECT_THAT(mlterm.transcript(), HasSubstr("\033P0;1;0q"));
