@@ -50,6 +50,12 @@ std::string change(const std::string& what, const std::string& before, const std
   return before == now ? toned(lines, Tone::quiet, style) : lines;
 }
 
+/// " ± 0.1 %"; " to 12 digits" where a percentage would have no meaning.
+std::string within_relative(double size) {
+  if (size > 0 && size <= 1e-6) return fmt::format(" to {:.0f} digits", std::floor(-std::log10(size) + 1e-9));
+  return " ± " + number(100 * size, 2) + " %";
+}
+
 }  // namespace
 
 std::string quantity(double value, const std::string& unit, int digits) {
@@ -68,8 +74,7 @@ std::string expectation(const Claim& claim) {
   const bool two_sided = kind == Tolerance::Kind::relative || kind == Tolerance::Kind::absolute;
   if (!claim.claimed && two_sided) return quantity(claim.expected, claim.unit);  // no tolerance is meant here
   switch (kind) {
-    case Tolerance::Kind::relative:
-      return quantity(claim.expected, claim.unit) + " ± " + number(100 * size, 2) + " %" + if_rounding(100 * size);
+    case Tolerance::Kind::relative: return quantity(claim.expected, claim.unit) + within_relative(size);
     case Tolerance::Kind::absolute:
       return number(claim.expected, 6) + " ± " + number(size, 2) + unit + if_rounding(size);
     case Tolerance::Kind::at_most:

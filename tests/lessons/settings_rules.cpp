@@ -155,7 +155,9 @@ TEST(Claim, CallsRoundingByItsName) {
   EXPECT_EQ(expectation(claim(0.5, 0.5, absolute(9e-12))), "0.5 ± 9·10⁻¹² m (rounding)");
   EXPECT_EQ(expectation(claim(0.5, 0.5, absolute(2e-11))), "0.5 ± 2·10⁻¹¹ m");
   EXPECT_EQ(expectation(claim(0.5, 0.5, absolute(0))), "0.5 ± 0 m");
-  EXPECT_EQ(expectation(claim(0.5, 0.5, relative(1e-14))), "0.5 m ± 10⁻¹² % (rounding)");
+  EXPECT_EQ(expectation(claim(0.5, 0.5, relative(1e-5))), "0.5 m ± 0.001 %");
+  EXPECT_EQ(expectation(claim(0.5, 0.5, relative(1e-6))), "0.5 m to 6 digits");
+  EXPECT_EQ(expectation(claim(0.5, 0.5, relative(3e-14))), "0.5 m to 13 digits");
   EXPECT_EQ(expectation(claim(5e-15, 0, at_most())), "≤ 5·10⁻¹⁵ m (rounding)");
   EXPECT_EQ(expectation(claim(0.5, 0.5, at_least())), "≥ 0.5 m");
   EXPECT_EQ(measurement(claim(0, -2e-16, absolute(0.001))), "−2·10⁻¹⁶ m (rounding)");
