@@ -1,0 +1,18 @@
+// Your friction acts in one direction only, as a contact does: its impulse may have either sign, −μN ≤ λ ≤ μN.
+#include <algorithm>
+
+#include "practise.hpp"
+
+double clamp_friction(double& accumulated, double delta, double mu, double normal) {
+  const double before = accumulated;
+  accumulated = std::clamp(before + delta, 0.0, mu * normal);
+  return accumulated - before;
+}
+
+void solve_contact(Contact& c, Velocities& V) {
+  const double before = c.lambda_normal;
+  c.lambda_normal = std::max(0.0, before - dot(c.J_normal, V) / c.K_normal);
+  V += (c.lambda_normal - before) * c.W_normal;
+  const double delta = -dot(c.J_tangent, V) / c.K_tangent;
+  V += clamp_friction(c.lambda_tangent, delta, c.mu, c.lambda_normal) * c.W_tangent;
+}
