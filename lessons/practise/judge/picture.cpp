@@ -46,8 +46,10 @@ void draw_panel(Canvas& canvas, const Rectangle& place, const Film& film, const 
   canvas.clip(std::nullopt);
   canvas.look_at_page();
   canvas.text({head.centre().x(), head.y + 0.66 * head.height}, title, {.size = 20, .bold = true});
-  const std::string reading =
-      std::isfinite(frame.reading) ? fmt::format("{:.3g} {}", frame.reading, right.unit) : "not a finite number";
+  const double size = std::abs(frame.reading);
+  const std::string number =
+      fmt::format(fmt::runtime(1000 <= size && size < 1e6 ? "{:.0f}" : "{:.3g}"), frame.reading);
+  const std::string reading = std::isfinite(size) ? number + " " + right.unit : "not a finite number";
   canvas.text({head.centre().x(), head.y + 0.24 * head.height}, right.quantity + ": " + reading,
               {.size = 17, .colour = palette::error});
 }
