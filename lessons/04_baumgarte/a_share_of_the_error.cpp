@@ -69,7 +69,7 @@ void a_share_of_the_error(const Setting& setting, Page& page) {
                     setting.beta),
          .answer = 100 * left,
          .unit = "cm",
-         .tolerance = 100 * e * 0.015,
+         .tolerance = 100 * (left == 0 ? 0.015 * e : std::min(0.015 * e, 0.2 * std::abs(left))),
          .wrong = {{100 * e * (1 - shown_steps * beta),
                     "Each step removes a share of what is left, not of the error at the start."},
                    {100 * e * (1 - beta), "That is the error after the first step; four more follow."}},

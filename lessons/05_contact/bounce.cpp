@@ -254,7 +254,9 @@ void bounce(const Setting& setting, Page& page) {
               .expected = 0,
               .source = "the same method",
               .measured = differ,
-              .tolerance = absolute(1e-9 * drop)});
+              .tolerance = absolute(1e-9 * drop),
+              .claimed = std::pow(e, bounces) * std::sqrt(2 * gravity * drop) > gravity * h,
+              .range = "a ball that is off the ground for two steps after each bounce"});
   const double step = h / 256;
   const std::vector<double> exact = peaks(solved(setting, e), step, bounces);
   for (int k = 0; k < bounces; ++k)

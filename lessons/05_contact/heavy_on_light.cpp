@@ -8,6 +8,7 @@
 #include "lessons/05_contact/steps.hpp"
 #include "lessons/pictures/boxes.hpp"
 #include "lessons/pictures/growing.hpp"
+#include "lessons/tutor/rounding.hpp"
 
 namespace byhand::contact {
 namespace {
@@ -110,7 +111,7 @@ void heavy_on_light(const Setting& setting, Page& page) {
       R"(A box of @ kg stands on one of 1 kg. The upper row finds the heavy box moving towards the light one and makes
       their speeds equal: mostly the light one gives way. The row below stops the light one again, and so on. Each
       sweep leaves r/(1 + r) = @ of the error, and @ leave @ of it.)",
-      setting.ratio, Value(q, 4), several(sweeps, "sweep"), Value(std::pow(q, sweeps), 3));
+      setting.ratio, Value(q, 4), several(sweeps, "sweep"), small_error(std::pow(q, sweeps), 3));
   page.derivation("What a sweep leaves of a heavy box on a light one",
                   {{"the upper row: masses M above and m below, r = M/m",
                     "the common speed is vM/(M + m) = v r/(1 + r)", R"(v\,\frac{M}{M+m} = v\,\frac{r}{1+r})"},
@@ -126,17 +127,16 @@ void heavy_on_light(const Setting& setting, Page& page) {
     }
     chart.curves.push_back(std::move(curve));
   }
-  page.sequence(
-      "heavy_on_light",
-      say("A box with @ times the mass of the one below, at rest at first. Dashed: where its upper side belongs.",
-          setting.ratio),
-      Seconds{pair_seconds}, [=, runs = runs](Canvas& canvas, double time) mutable {
-        for (NamedPile& run : runs)
-          while (run.pile.time < time - 0.5 * h) run.pile.step(h);
-        const auto [left, right] = canvas.page().inset(16).split_columns(0.56, 20);
-        draw_runs(canvas, runs, left);
-        renderer::draw(canvas, pictures::grown_to(chart, time), right.inset(0, 60));
-      });
+  page.sequence("heavy_on_light",
+                say("A box with @ of the one below, at rest at first. Dashed: where its upper side belongs.",
+                    ratio == 1 ? "the mass" : say("@ times the mass", setting.ratio)),
+                Seconds{pair_seconds}, [=, runs = runs](Canvas& canvas, double time) mutable {
+                  for (NamedPile& run : runs)
+                    while (run.pile.time < time - 0.5 * h) run.pile.step(h);
+                  const auto [left, right] = canvas.page().inset(16).split_columns(0.56, 20);
+                  draw_runs(canvas, runs, left);
+                  renderer::draw(canvas, pictures::grown_to(chart, time), right.inset(0, 60));
+                });
   const auto [low, high] = range_of_sinking(pair(runs[0].pile.method.solver, ratio, beta), h);
   const auto [warm_low, warm_high] = range_of_sinking(pair(runs[1].pile.method.solver, ratio, beta), h);
   const auto [direct_low, direct_high] = range_of_sinking(pair(Direct{}, ratio, beta), h);

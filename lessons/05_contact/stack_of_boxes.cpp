@@ -117,7 +117,7 @@ Chart needed(double h) {
   for (const int boxes : {6, 8, 10, 12, 14, 16, 18, 20}) {
     for (Curve* curve : {&stands, &law_stands, &digit, &law_digit}) curve->x.push_back(boxes);
     stands.y.push_back(sweeps_needed(boxes, h));
-    stands.point_labels.push_back(tutor::number(stands.y.back()));
+    stands.point_labels.push_back(std::isinf(stands.y.back()) ? "> 64" : tutor::number(stands.y.back()));
     law_stands.y.push_back(law_of_standing(boxes, h));
     digit.y.push_back(std::log(10) / share_taken(boxes, h));
     law_digit.y.push_back(std::log(10) * std::pow(boxes, 4) / 2);

@@ -222,14 +222,15 @@ void block_or_row(const Setting& setting, Page& page) {
                     side < 0.15 * length ? " (The box is drawn larger than it is.)" : ""),
                 Seconds{swing_seconds}, [film](Canvas& canvas, double time) mutable { film.draw(canvas, time); });
   const double tangent = gravity * h * h / beta;
-  const bool tame = beta >= 0.1 && beta <= 1 && gravity * h * h / length < 0.02, small = side <= length / 4;
+  const bool tame = beta >= 0.1 && beta <= 1 && gravity * h * h / length < 0.02,
+             on_tangent = tame && side <= length / 4 && h / beta * std::sqrt(gravity / length) <= 0.45;
   const Drift warm = drift_of(
       {"", held_box(setting, side, pi / 2, sweeps, BlockSolve::row_by_row, Baumgarte{beta}, true)}, length, h);
   page.text(R"(In @ s the pin @ when its rows were solved as a block, and it @ row by row.@)", drift_seconds,
             fate(block), fate(rows),
-            tame && small ? R"( The block's error is the step's own tangent (lesson 4: r(ωh)²/2β, with ω² = 2g/r at
+            on_tangent ? R"( The block's error is the step's own tangent (lesson 4: r(ωh)²/2β, with ω² = 2g/r at
                               the bottom: gh²/β, whatever the arm); the rest is what the sweeps left.)"
-                          : "");
+                       : "");
   page.text(R"(Row by row with a warm start the pin @, @. @)", fate(warm),
             std::isfinite(warm.broke) && std::isinf(rows.broke)
                 ? "which is worse: λ also remembers the corrections (lesson 4)"
@@ -260,8 +261,8 @@ void block_or_row(const Setting& setting, Page& page) {
               .source = "gh²/β at the bottom of the swing",
               .measured = block.worst,
               .tolerance = relative(0.25),
-              .claimed = tame && small,
-              .range = "0.1 ≤ β ≤ 1, gh² < L/50, side ≤ L/4"});
+              .claimed = on_tangent,
+              .range = "0.1 ≤ β ≤ 1, gh² < L/50, side ≤ L/4, h/β·√(g/L) ≤ 0.45"});
   page.claim({.quantity = "row by row over as a block",
               .unit = "1",
               .expected = 10,

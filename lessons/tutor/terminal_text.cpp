@@ -31,6 +31,13 @@ bool is_beyond_words(const Claim& claim, double value) {
   return !claim.claimed && !(size == 0 || (1e-11 <= size && size <= 1e9));
 }
 
+/// Whether the claim expects nothing but rounding: zero, or what its tolerance cannot tell from zero.
+bool expects_nothing(const Claim& claim) {
+  const double size = std::abs(claim.expected);
+  return size == 0 || claim.tolerance.kind == Tolerance::Kind::at_most ||
+         (claim.tolerance.kind == Tolerance::Kind::absolute && size < std::min(claim.tolerance.size, 1e-11));
+}
+
 const Measure* find(const Page& page, const Measure& like) {
   for (const Item& item : page.items())
     if (const auto* measure = std::get_if<Measure>(&item); measure && measure->quantity == like.quantity)
@@ -76,7 +83,8 @@ std::string expectation(const Claim& claim) {
   switch (kind) {
     case Tolerance::Kind::relative: return quantity(claim.expected, claim.unit) + within_relative(size);
     case Tolerance::Kind::absolute:
-      return number(claim.expected, 6) + " ± " + number(size, 2) + unit + if_rounding(size);
+      return number(expects_nothing(claim) ? 0 : claim.expected, 6) + " ± " + number(size, 2) + unit +
+             if_rounding(size);
     case Tolerance::Kind::at_most:
       return "≤ " + quantity(claim.expected, claim.unit) + if_rounding(claim.expected);
     case Tolerance::Kind::at_least: return "≥ " + quantity(claim.expected, claim.unit);
@@ -86,9 +94,8 @@ std::string expectation(const Claim& claim) {
 
 std::string measurement(const Claim& claim) {
   if (is_beyond_words(claim, claim.measured)) return "–";
-  const bool of_nothing = claim.expected == 0 || claim.tolerance.kind == Tolerance::Kind::at_most;
   const double size = std::abs(claim.measured);
-  if (!of_nothing) return quantity(claim.measured, claim.unit);
+  if (!expects_nothing(claim)) return quantity(claim.measured, claim.unit);
   return (size > 0 && size < 1e-30 ? "below " + quantity(1e-30, claim.unit)
                                    : quantity(claim.measured, claim.unit)) +
          if_rounding(size);

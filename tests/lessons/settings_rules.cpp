@@ -52,7 +52,8 @@ TEST(Rules, ANumberIsFinite) {
   EXPECT_THAT(broken_by(say("The bob is at @ m.", nan)), ElementsAre("not a finite number"));
   EXPECT_THAT(broken_by(say("It takes @ sweeps.", infinity)), ElementsAre("not a finite number"));
   EXPECT_THAT(broken_by(say("It falls to @ m.", -infinity)), ElementsAre("not a finite number"));
-  EXPECT_THAT(broken_by("λ lies in the interval from 0 to ∞."), IsEmpty());
+  EXPECT_THAT(broken_by("λ lies in the interval from 0 to ∞, or from −∞ to ∞."), IsEmpty());
+  EXPECT_THAT(broken_by("It rises from 2 to ∞."), ElementsAre("not a finite number"));
 }
 
 TEST(Rules, ANumberIsNeitherAbove1e9NorBelow1eMinus11) {
@@ -163,6 +164,9 @@ TEST(Claim, CallsRoundingByItsName) {
   EXPECT_EQ(measurement(claim(0, -2e-16, absolute(0.001))), "−2·10⁻¹⁶ m (rounding)");
   EXPECT_EQ(measurement(claim(0, -4.8e-140, absolute(0.001))), "below 10⁻³⁰ m (rounding)");
   EXPECT_THAT(broken_by(with(claim(0, -4.8e-140, absolute(0.001)))), IsEmpty());
+  EXPECT_EQ(expectation(claim(8e-14, 9e-14, absolute(1e-9))), "0 ± 10⁻⁹ m");
+  EXPECT_EQ(measurement(claim(8e-14, 9e-14, absolute(1e-9))), "9·10⁻¹⁴ m (rounding)");
+  EXPECT_EQ(expectation(claim(8e-14, 9e-14, absolute(1e-15))), "8·10⁻¹⁴ ± 10⁻¹⁵ m (rounding)");
   EXPECT_EQ(measurement(claim(0, 2e-11, absolute(0.001))), "2·10⁻¹¹ m");
   EXPECT_EQ(measurement(claim(5e-15, 2e-16, at_most())), "2·10⁻¹⁶ m (rounding)");
   EXPECT_EQ(measurement(claim(8e-20, 8e-20, relative(0.001))), "8·10⁻²⁰ m") << "what is expected is no rounding";

@@ -53,12 +53,18 @@ void add(std::vector<Finding>& all, std::vector<Finding> more) {
   std::move(more.begin(), more.end(), std::back_inserter(all));
 }
 
+/// "from 0 to ∞", "from −∞ to ∞": the interval of a λ.
+bool is_bound(const string& words, size_t at) {
+  const string before = words.substr(0, at);
+  return before.ends_with("from 0 to ") || before.ends_with("from −∞ to ") ||
+         (before.ends_with("from −") && words.compare(at, string("∞ to").size(), "∞ to") == 0);
+}
+
 std::vector<Finding> meaningless_numbers(const string& words, const std::vector<string>& given) {
   std::vector<Finding> found;
   for (const string_view bad : {"not a number", "∞", "nan ", "-inf", "infty"})
     for (const size_t at : places(words, bad))
-      if (!(bad == "∞" && words.substr(0, at).ends_with("0 to ")))  // an interval of λ
-        found.push_back({"not a finite number", sentence_around(words, at)});
+      if (!is_bound(words, at)) found.push_back({"not a finite number", sentence_around(words, at)});
   const bool rounding = speaks_of_rounding(words);
   // "1e-14" comes back as 10⁻¹⁴.
   const auto is_given = [&](const Number& number) {
