@@ -201,6 +201,8 @@ TEST(Rules, TheAnswersOfAQuestionStayApart) {
   EXPECT_THAT(broken_by(question(1, 1.001, 1e-4)), IsEmpty());
   EXPECT_THAT(broken_by(question(0.003, 1, 0.02)), ElementsAre("zero is taken for the answer"));
   EXPECT_THAT(broken_by(question(0, 1, 0.02)), IsEmpty()) << "zero is the answer";
+  EXPECT_THAT(broken_by(question(1.0 / 3, 1, 1e-20)), ElementsAre("the answer is refused as it is printed"));
+  EXPECT_THAT(broken_by(question(1.0 / 3, 1, 1e-6)), IsEmpty());
   EXPECT_THAT(broken_by(with(Choice{.ask = "Which?", .options = {{"2 m", ""}, {"3 m", ""}, {"2 m", ""}}})),
               ElementsAre("two answers are the same"));
   EXPECT_THAT(broken_by(with(Choice{.ask = "Which?", .options = {{"2 m", ""}, {"3 m", ""}}})), IsEmpty());

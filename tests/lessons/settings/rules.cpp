@@ -11,6 +11,7 @@
 #include <sstream>
 #include <string_view>
 
+#include "lessons/tutor/grading.hpp"
 #include "lessons/tutor/terminal_text.hpp"
 #include "tests/lessons/settings/numbers.hpp"
 
@@ -177,15 +178,19 @@ bool shows_only_rounding(const renderer::Chart& chart, std::vector<double> value
 
 std::vector<Finding> answers_that_meet(const Prediction& question) {
   std::vector<Finding> found;
-  const auto printed = [&](double value) { return quantity(value, question.unit, 4); };
-  std::set<string> answers = {printed(question.answer)};
-  for (const WrongAnswer& wrong : question.wrong)
-    if (!answers.insert(printed(wrong.value)).second)
-      found.push_back({"two answers are the same", fmt::format("{} {}", question.ask, printed(wrong.value))});
+  const auto add_with = [&](const char* rule, const string& answer) {
+    found.push_back({rule, fmt::format("{} {} ± {}", question.ask, answer, number(question.tolerance))});
+  };
+  std::set<string> answers = {printed_answer(question)};
+  if (!grade(question, *answers.begin()).right)
+    add_with("the answer is refused as it is printed", *answers.begin());
+  for (const WrongAnswer& wrong : question.wrong) {
+    const string printed = quantity(wrong.value, question.unit, 4);
+    if (!answers.insert(printed).second || grade(question, printed).right)
+      add_with("two answers are the same", printed);
+  }
   if (question.answer != 0 && std::abs(question.answer) <= question.tolerance)
-    found.push_back(
-        {"zero is taken for the answer",
-         fmt::format("{} {} ± {}", question.ask, printed(question.answer), number(question.tolerance))});
+    add_with("zero is taken for the answer", printed_answer(question));
   return found;
 }
 
@@ -249,7 +254,7 @@ std::vector<string> passages(const Item& item) {
   if (const auto* question = std::get_if<Prediction>(&item)) {
     paragraphs(question->ask);
     each(question->hints);
-    all.push_back("Answer: " + quantity(question->answer, question->unit, 4) + ". " + question->right);
+    all.push_back("Answer: " + printed_answer(*question) + ". " + question->right);
     for (const WrongAnswer& wrong : question->wrong)
       all.push_back("Not " + quantity(wrong.value, question->unit, 4) + ": " + wrong.reply);
   }
