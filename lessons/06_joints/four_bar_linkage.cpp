@@ -140,7 +140,7 @@ void four_bar_linkage(const Setting& setting, Page& page) {
   // Near the release angle at which the error of the period changes its sign its order cannot be seen.
   const double error = swing.period - pendulum.period();
   const bool ordered =
-      swings && turn <= 0.045 && setting.angle() <= 70 && std::abs(error) > 0.2 * turn * turn * pendulum.period();
+      swings && turn <= 0.045 && setting.angle() <= 60 && std::abs(error) > 0.15 * turn * turn * pendulum.period();
   const std::string range = "released up to 90°, ωh ≤ 0.06";
   page.text(
       R"(The solver does not know that formula. It knows @ rows; the pins' impulses along the bars keep the coupler
@@ -179,7 +179,7 @@ void four_bar_linkage(const Setting& setting, Page& page) {
               .measured = error / (fine.period - pendulum.period()),
               .tolerance = absolute(0.7),
               .claimed = ordered,
-              .range = "released up to 70°, ωh ≤ 0.045, an error above 20 % of (ωh)²"});
+              .range = "released up to 60°, ωh ≤ 0.045, an error above 15 % of (ωh)²"});
   page.claim(
       {.quantity = say("angle beside the pendulum's, largest difference in @ s", measured_for),
        .unit = "rad",
