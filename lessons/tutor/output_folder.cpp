@@ -107,7 +107,12 @@ void OutputFolder::begin_to_write() {
 
 void OutputFolder::write(const std::string& name, std::string_view bytes) {
   begin_to_write();
-  renderer::write_whole(path_ / name, bytes);
+  try {
+    renderer::write_whole(path_ / name, bytes);
+  } catch (const EnvironmentError&) {
+    check_in_place();
+    throw;
+  }
   files_[name] = sha256(bytes);
 }
 
@@ -122,13 +127,17 @@ void OutputFolder::remove(const std::string& name) {
   files_.erase(name);
 }
 
-void OutputFolder::check_written() const {
+void OutputFolder::check_in_place() const {
   struct stat claimed {
   }, named{};
   if (fstat(descriptor_, &claimed) != 0 || stat(path_.c_str(), &named) != 0 || claimed.st_ino != named.st_ino ||
       claimed.st_dev != named.st_dev)
     throw EnvironmentError(
         fmt::format("The folder {} was moved or removed while the lesson wrote into it.", path_.string()));
+}
+
+void OutputFolder::check_written() const {
+  check_in_place();
   for (const auto& [name, sum] : files_)
     if (checksum(path_ / name) != sum)
       throw EnvironmentError(

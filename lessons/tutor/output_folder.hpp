@@ -46,6 +46,7 @@ class OutputFolder {
  private:
   void begin_to_write();
   void claim();
+  void check_in_place() const;
   void check_written() const;
 
   std::filesystem::path path_;
