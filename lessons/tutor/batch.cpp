@@ -7,6 +7,7 @@
 #include <string>
 #include <type_traits>
 
+#include "lessons/site/page_writer.hpp"
 #include "lessons/tutor/claim_table.hpp"
 #include "lessons/tutor/json.hpp"
 #include "lessons/tutor/markdown.hpp"
@@ -63,9 +64,12 @@ void write_pictures(const Page& page, PictureWriter& pictures) {
 void finish_output(const Lesson& lesson, const std::vector<RecordedStep>& steps, const Options& options,
                    bool whole, PictureWriter& pictures) {
   OutputFolder& output = pictures.output();
-  if (whole) output.write("lesson.md", markdown(lesson, steps, options.frames));
+  if (whole && options.page)
+    site::write_page(lesson, steps, options.output);
+  else if (whole)
+    output.write("lesson.md", markdown(lesson, steps, options.frames));
   output.finish(made_by(lesson, options, whole ? "" : options.step, pictures.gl()), clocked(steps), whole);
-  if (whole && !options.quiet)
+  if (whole && !options.quiet && !options.page)
     fmt::print("\nThe lesson as a page: {0}/lesson.md; its pictures: {0}/figures and {0}/frames\n",
                printable(output.path().string()));
 }
@@ -86,7 +90,7 @@ int print_questions(const Lesson& lesson, const Options& options) {
 int run_batch(const Lesson& lesson, const Options& options) {
   if (options.questions) return print_questions(lesson, options);
   const bool whole = options.step.empty();
-  const bool speaks = !options.quiet && !options.check;
+  const bool speaks = !options.quiet && !options.check && !options.page;
   // Fails before the work begins rather than after a minute.
   std::optional<PictureWriter> pictures;
   if (!options.check) pictures.emplace(lesson, options);

@@ -63,6 +63,12 @@ void refuse_contradictions(const CommandLine& line) {
   both(line.interactive, line.quiet, "--interactive and --quiet");
   both(line.interactive, line.list_parameters, "--interactive and --list-parameters");
   both(line.check, line.list_parameters, "--check and --list-parameters");
+  both(line.page, line.interactive, "--page and --interactive");
+  both(line.page, line.check, "--page and --check");
+  both(line.page, line.questions, "--page and --questions");
+  both(line.page, line.list_parameters, "--page and --list-parameters");
+  both(line.page, !line.step.empty(), "--page and --step");
+  both(line.page, line.frames == "none", "--page and --frames none");
 }
 
 }  // namespace
@@ -92,12 +98,13 @@ Options read_options(const Lesson& lesson, int argc, const char* const* argv, bo
   options.quiet = line.quiet;
   options.questions = line.questions;
   options.plain = line.plain;
+  options.page = line.page;
   options.step = line.step;
   options.interactive = line.interactive || (at_terminal && !line.no_interactive);
-  if (options.check || options.quiet || options.questions) options.interactive = false;
+  if (options.check || options.quiet || options.questions || options.page) options.interactive = false;
   options.quality =
       *std::find_if(qualities.begin(), qualities.end(), [&](const Quality& q) { return q.name == line.quality; });
-  if (line.frames.empty()) line.frames = options.interactive ? "last" : "all";
+  if (line.frames.empty()) line.frames = options.interactive || options.page ? "last" : "all";
   options.frames = line.frames == "none"   ? FramesWanted::none
                    : line.frames == "last" ? FramesWanted::last
                                            : FramesWanted::all;

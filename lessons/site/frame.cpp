@@ -1,0 +1,68 @@
+#include "lessons/site/frame.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "lessons/site/markup.hpp"
+
+namespace byhand::site {
+namespace {
+
+struct Destination {
+  std::string_view page, words;
+};
+constexpr std::array<Destination, 4> destinations{{{"index.html", "Lessons"},
+                                                   {"equations.html", "Equations"},
+                                                   {"laws.html", "Laws"},
+                                                   {"teaching.html", "For teachers"}}};
+
+std::string navigation(std::string_view here) {
+  std::string all;
+  for (const Destination& to : destinations)
+    all += fmt::format("<li><a href=\"{}\"{}>{}</a></li>", to.page,
+                       to.page == here ? " aria-current=\"page\"" : "", to.words);
+  return all;
+}
+
+}  // namespace
+
+std::string framed(const Frame& frame) {
+  const std::string beside =
+      frame.beside.empty()
+          ? ""
+          : fmt::format("<nav class=\"beside\" aria-label=\"This page\">{}</nav>\n", frame.beside);
+  return fmt::format(
+      R"(<!DOCTYPE html>
+<html lang="en" xmlns="http://www.w3.org/1999/xhtml">
+<head>
+<meta charset="utf-8" />
+<meta name="viewport" content="width=device-width, initial-scale=1" />
+<meta name="color-scheme" content="light dark" />
+<title>{0} – Constraints by Hand</title>
+<link rel="stylesheet" href="assets/style.css" />
+<script defer="defer" src="assets/equations.js"></script>
+<script defer="defer" src="assets/site.js"></script>
+{1}</head>
+<body>
+<a class="skip" href="#content">Skip to the content</a>
+<header class="top">
+<a class="course" href="index.html">Constraints by Hand</a>
+<nav aria-label="Course"><ul>{2}</ul></nav>
+<div class="search" role="search"></div>
+</header>
+<div class="page{3}">
+{4}<main id="content" tabindex="-1">
+{5}</main>
+</div>
+<footer class="bottom">
+<p>Constraints by Hand, MIT licence. Equations (1) to (23) are those of R. Gaul, <cite>Modelling and Solving Physical Constraints</cite>, 2013. <a href="teaching.html#licence">Licences</a></p>
+</footer>
+{6}</body>
+</html>
+)",
+      escaped(frame.title), frame.head, navigation(frame.here), beside.empty() ? "" : " with-beside", beside,
+      frame.content, frame.foot);
+}
+
+}  // namespace byhand::site

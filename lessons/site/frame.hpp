@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace byhand::site {
+
+/// A page of the site around its content. All pages lie in one folder, beside assets/.
+struct Frame {
+  std::string title;           // of the page; the course's name follows it in <title>
+  std::string content;         // of <main>
+  std::string beside = {};     // of the column beside it, such as the list of steps; may be empty
+  std::string head = {};       // more elements of <head>
+  std::string foot = {};       // more elements at the end of <body>
+  std::string_view here = {};  // the page among those of the navigation, "equations.html"; may be empty
+};
+
+std::string framed(const Frame& frame);
+
+}  // namespace byhand::site

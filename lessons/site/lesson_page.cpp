@@ -1,0 +1,95 @@
+#include "lessons/site/lesson_page.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "lessons/site/frame.hpp"
+#include "lessons/site/json.hpp"
+#include "lessons/site/markup.hpp"
+
+namespace byhand::site {
+namespace {
+
+using namespace tutor;
+
+std::string steps_beside(const std::vector<RecordedStep>& steps) {
+  std::string all;
+  for (const auto& [step, page] : steps)
+    all += fmt::format("<li{0}><a href=\"#step-{1}\"><span>{1}</span> {2}</a></li>\n",
+                       step->deeper ? " class=\"deeper\"" : "", step->label, inline_html(step->title));
+  return "<p>In this lesson</p>\n<ol>\n" + all + "</ol>\n";
+}
+
+std::string parameters(const Lesson& lesson) {
+  if (lesson.parameters().empty()) return "";
+  std::string rows;
+  for (const ParameterRecord& p : lesson.parameters())
+    rows += fmt::format(
+        "<tr data-parameter=\"{0}\"><th scope=\"row\"><code>{0}</code></th><td>{1}</td><td>{2}</td><td>{3}</td>"
+        "<td>{4}</td></tr>\n",
+        p.name, p.typed(p.value), escaped(p.unit), escaped(p.allowed()), inline_html(p.meaning));
+  return fmt::format(
+      "<details class=\"parameters\"><summary>{} of this lesson</summary><div class=\"scroll\"><table><thead><tr>"
+      "<th scope=\"col\">name</th><th scope=\"col\">value</th><th scope=\"col\">unit</th>"
+      "<th scope=\"col\">allowed</th><th scope=\"col\">meaning</th></tr></thead><tbody>\n{}</tbody></table></div>"
+      "</details>\n",
+      several(static_cast<long>(lesson.parameters().size()), "parameter"), rows);
+}
+
+std::string closing(const Closing& closing) {
+  std::string all;
+  if (!closing.now_you_know.empty()) {
+    all += "<section class=\"closing\" id=\"now-you-know\">\n<h2>What you now know</h2>\n<ul>\n";
+    for (const std::string& known : closing.now_you_know) all += "<li>" + inline_html(known) + "</li>\n";
+    all += "</ul>\n</section>\n";
+  }
+  if (!closing.tries.empty()) {
+    all += "<section class=\"closing\" id=\"to-try\">\n<h2>To try</h2>\n";
+    for (const Try& attempt : closing.tries)
+      all += fmt::format("<p>{}</p>\n<pre><code>{}</code></pre>\n", inline_html(attempt.what),
+                         escaped(attempt.command));
+    all += "</section>\n";
+  }
+  if (!closing.next.empty())
+    all += "<section class=\"closing\" id=\"next\">\n<h2>What comes next</h2>\n" + prose_html(closing.next) +
+           "\n</section>\n";
+  return all;
+}
+
+/// The lessons before and after this one.
+std::string neighbours(const std::string& slug) {
+  const std::vector<About>& all = contents();
+  const auto here = std::find_if(all.begin(), all.end(), [&](const About& lesson) { return lesson.slug == slug; });
+  const auto link = [](const About& lesson, const char* rel, const char* words) {
+    return fmt::format("<a rel=\"{}\" href=\"{}\"><span>{}</span> {}. {}</a>", rel, page_of(lesson.slug), words,
+                       std::stoi(lesson.slug), escaped(lesson.title));
+  };
+  std::string links;
+  if (here != all.end() && here != all.begin()) links += link(*std::prev(here), "prev", "Previous");
+  if (here != all.end() && std::next(here) != all.end()) links += link(*std::next(here), "next", "Next");
+  return links.empty() ? ""
+                       : "<nav class=\"neighbours\" aria-label=\"Neighbouring lessons\">" + links + "</nav>\n";
+}
+
+}  // namespace
+
+std::string page_of(const std::string& slug) { return slug + ".html"; }
+
+std::string lesson_page(const Lesson& lesson, const std::vector<RecordedStep>& steps, const Pictures& pictures) {
+  const About& about = lesson.about();
+  std::string content = fmt::format(
+      "<article class=\"lesson\" data-lesson=\"{}\">\n<header class=\"lesson\">\n<p class=\"number\">Lesson "
+      "{}</p>\n"
+      "<h1>{}</h1>\n<p class=\"summary\">{}</p>\n{}</header>\n",
+      about.slug, lesson.number(), escaped(about.title), inline_html(about.summary), parameters(lesson));
+  for (const RecordedStep& step : steps) content += step_html(step, pictures);
+  content += closing(lesson.closing()) + "</article>\n" + neighbours(about.slug);
+  return framed(
+      {.title = fmt::format("{}. {}", lesson.number(), about.title),
+       .content = content,
+       .beside = steps_beside(steps),
+       .foot = "<script type=\"application/json\" id=\"parameters\">" + parameters_json(lesson) + "</script>\n"});
+}
+
+}  // namespace byhand::site

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace byhand::site {
+
+/// Text for HTML: <, >, & and " as entities. The pages are XML too, so that EPUB can hold them.
+std::string escaped(std::string_view text);
+
+/// One paragraph of an item's prose, whose *emphasis*, **strong** and `code` become elements. "(14)" links to
+/// equation 14 of the article.
+std::string inline_html(std::string_view words);
+
+/// Prose with paragraphs and lists (see tutor::Page).
+std::string prose_html(std::string_view words);
+
+/// Prose without its marks, for a search and for attributes.
+std::string plain_text(std::string_view words);
+
+}  // namespace byhand::site

@@ -1,0 +1,236 @@
+#include "lessons/site/step_html.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "lessons/site/alternative.hpp"
+#include "lessons/site/code_html.hpp"
+#include "lessons/site/markup.hpp"
+#include "lessons/site/mathml.hpp"
+#include "lessons/tutor/equations.hpp"
+#include "lessons/tutor/grading.hpp"
+#include "lessons/tutor/terminal_text.hpp"
+
+namespace byhand::site {
+namespace {
+
+using namespace tutor;
+
+std::string equation_line(const std::string& latex, int number) {
+  const std::string label =
+      number == 0 ? "" : fmt::format("<a class=\"number\" href=\"equations.html#equation-{0}\">({0})</a>", number);
+  return fmt::format("<div class=\"equation\"><div class=\"formula\">{}</div>{}</div>", display_mathml(latex),
+                     label);
+}
+
+std::string folded(const std::string& css_class, const std::string& summary, const std::string& inside) {
+  return fmt::format("<details class=\"{}\"><summary>{}</summary>{}</details>", css_class, summary, inside);
+}
+
+template <class Cells, class Html>
+std::string row(const char* cell, const Cells& cells, const Html& html) {
+  std::string all;
+  for (const auto& words : cells)
+    all += fmt::format("<{}>{}</{}>", cell, html(words), cell == std::string_view("td") ? "td" : "th");
+  return all;
+}
+
+template <class Head>
+std::string table(const Head& head, const std::string& rows) {
+  return fmt::format("<div class=\"scroll\"><table><thead><tr>{}</tr></thead><tbody>{}</tbody></table></div>",
+                     row("th scope=\"col\"", head, [](std::string_view words) { return inline_html(words); }),
+                     rows);
+}
+
+/// Writes the children of a step's section. A run of claims, or of measures, becomes one child.
+class ItemWriter {
+ public:
+  ItemWriter(const RecordedStep& step, const Pictures& pictures) : step_(step), pictures_(pictures) {}
+
+  std::string all() {
+    for (const Item& item : step_.page.items()) {
+      std::visit(*this, item);
+      ++index_;
+    }
+    close_run();
+    return html_;
+  }
+
+  void operator()(const Text& text) { block("text", prose_html(text.words)); }
+
+  void operator()(const Equation& equation) {
+    std::string lines;
+    if (equation.number > 0) lines += equation_line(article_equation(equation.number).latex, equation.number);
+    if (!equation.numbers.latex.empty()) lines += equation_line(equation.numbers.latex, 0);
+    block("equations", lines);
+  }
+
+  void operator()(const Excerpt& excerpt) {
+    child(fmt::format(
+        "<figure class=\"excerpt\" data-item=\"{}\"><figcaption><code>{}</code>, line {}</figcaption>{}"
+        "</figure>",
+        index_, escaped(excerpt.file), excerpt.line, code_html(excerpt.code)));
+  }
+
+  void operator()(const tutor::Table& data) {
+    std::string rows;
+    for (const auto& cells : data.rows)
+      rows += "<tr>" + row("td", cells, [](const std::string& words) { return inline_html(words); }) + "</tr>";
+    block("table", table(data.head, rows));
+  }
+
+  void operator()(const Derivation& derivation) {
+    std::string lines;
+    for (const DerivationLine& line : derivation.lines)
+      lines += fmt::format("<li><p>{}</p>{}</li>", inline_html(line.why), equation_line(line.latex, 0));
+    block("derivation", folded("lines", "Derivation: " + inline_html(derivation.title), "<ol>" + lines + "</ol>"));
+  }
+
+  void operator()(const Measure& measure) {
+    begin_run(Run::measures);
+    run_ += fmt::format("<div data-item=\"{}\"><dt>{}</dt><dd>{}</dd></div>", index_,
+                        inline_html(measure.quantity), escaped(quantity(measure.value, measure.unit)));
+  }
+
+  void operator()(const Figure& figure) {
+    const std::string words = alternative(figure);
+    picture("figure", figure.name, figure.caption, words, pictures_.figure(figure, words));
+  }
+
+  void operator()(const Sequence& film) {
+    const std::string words = alternative(film);
+    picture("film", film.name, film.caption, words, pictures_.film(film, words));
+  }
+
+  void operator()(const Prediction& question) {
+    std::string answer = fmt::format("<p><strong>{}</strong>. {}</p>", escaped(printed_answer(question)),
+                                     inline_html(question.right));
+    for (const WrongAnswer& wrong : question.wrong)
+      answer += fmt::format("<p>Not {}: {}</p>", escaped(quantity(wrong.value, question.unit, 4)),
+                            inline_html(wrong.reply));
+    const std::string unit = question.unit.empty() || question.unit == "1" ? "" : escaped(question.unit);
+    const std::string field = fmt::format(
+        "<p class=\"answer\"><label>Your prediction <input name=\"typed\" type=\"text\" autocomplete=\"off\" "
+        "/></label>{} <button type=\"submit\">Check</button></p>",
+        unit.empty() ? "" : " <span class=\"unit\">" + unit + "</span>");
+    ask("number", question.ask, field, question.hints, answer);
+  }
+
+  void operator()(const Choice& question) {
+    std::string options, answer;
+    for (size_t i = 0; i < question.options.size(); ++i) {
+      const Option& option = question.options[i];
+      const bool right = static_cast<int>(i) == question.answer;
+      options += fmt::format(
+          "<li><label><input class=\"answer\" name=\"typed\" type=\"radio\" value=\"{}\" /> {}</label></li>",
+          i + 1, inline_html(option.words));
+      const std::string words = fmt::format("{}. {}", i + 1, inline_html(option.words));
+      answer += fmt::format("<p>{} {}</p>", right ? "<strong>" + words + "</strong>." : "Not " + words + ":",
+                            inline_html(option.reply));
+    }
+    ask("choice", question.ask, "<ol>" + options + "</ol>", question.hints, answer);
+  }
+
+  void operator()(const Claim& claim) {
+    begin_run(Run::claims);
+    const std::string range =
+        claim.range.empty() ? "" : fmt::format(" <span class=\"range\">(for {})</span>", inline_html(claim.range));
+    const std::string said = verdict(claim);
+    run_ += fmt::format(
+        "<tr data-item=\"{}\" data-verdict=\"{}\"><td>{}{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>",
+        index_, said, inline_html(claim.quantity), range, escaped(measurement(claim)), escaped(expectation(claim)),
+        inline_html(claim.source), said);
+    ++(claim.is_false() ? false_ : claim.claimed ? hold_ : not_claimed_);
+  }
+
+ private:
+  enum class Run { none, measures, claims };
+
+  void child(const std::string& html) {
+    close_run();
+    html_ += html + "\n";
+  }
+  void block(const char* css_class, const std::string& inside) {
+    child(fmt::format("<div class=\"{}\" data-item=\"{}\">{}</div>", css_class, index_, inside));
+  }
+
+  void picture(const char* kind, const std::string& name, const std::string& caption, const std::string& words,
+               const Shown& shown) {
+    child(fmt::format(
+        "<figure class=\"{0}\" id=\"{0}-{1}\" data-item=\"{2}\" data-{0}=\"{1}\"><div class=\"picture\">{3}</div>"
+        "<figcaption>{4}{5}</figcaption>{6}</figure>",
+        kind, name, index_, shown.markup, inline_html(caption),
+        shown.links.empty() ? "" : " <span class=\"files\">" + shown.links + "</span>",
+        words.empty() ? "" : folded("words", "In words", prose_html(words))));
+  }
+
+  void ask(const char* kind, const std::string& words, const std::string& field,
+           const std::vector<std::string>& hints, const std::string& answer) {
+    std::string folds;
+    for (size_t i = 0; i < hints.size(); ++i)
+      folds += folded("hint", hints.size() == 1 ? "Hint" : fmt::format("Hint {}", i + 1), prose_html(hints[i]));
+    folds += folded("solution", "Answer", answer);
+    ++questions_;
+    child(
+        fmt::format("<form class=\"question\" data-item=\"{}\" data-question=\"{}.{}\" data-kind=\"{}\" "
+                    "aria-label=\"Before you read on\"><p class=\"before\">Before you read on</p>{}{}"
+                    "<p class=\"reply\" role=\"status\"></p>{}</form>",
+                    index_, step_.step->label, questions_, kind, prose_html(words), field, folds));
+  }
+
+  void begin_run(Run run) {
+    if (kind_ == run) return;
+    close_run();
+    kind_ = run;
+    first_ = index_;
+  }
+
+  void close_run() {
+    if (kind_ == Run::measures)
+      html_ += fmt::format("<dl class=\"measures\" data-item=\"{}\">{}</dl>\n", first_, run_);
+    if (kind_ == Run::claims) {
+      constexpr std::array head{"claim", "measured", "expected", "according to", "verdict"};
+      html_ += fmt::format(
+          "<details class=\"claims\" data-item=\"{}\" data-false=\"{}\"{}><summary>{}</summary>{}</details>\n",
+          first_, false_, false_ ? " open=\"open\"" : "", claims_in_short(), table(head, run_));
+    }
+    kind_ = Run::none;
+    run_.clear();
+    hold_ = false_ = not_claimed_ = 0;
+  }
+
+  /// "7 claims hold, 1 is false, 2 are not claimed here"
+  std::string claims_in_short() const {
+    std::string words;
+    const auto add = [&](int n, const char* one, const char* many) {
+      if (n == 0) return;
+      words += words.empty() ? several(n, "claim") + " " : fmt::format(", {} ", n);
+      words += n == 1 ? one : many;
+    };
+    add(hold_, "holds", "hold");
+    add(false_, "is false", "are false");
+    add(not_claimed_, "is not claimed here", "are not claimed here");
+    return words;
+  }
+
+  const RecordedStep& step_;
+  const Pictures& pictures_;
+  std::string html_, run_;
+  Run kind_ = Run::none;
+  int index_ = 0, first_ = 0, questions_ = 0, hold_ = 0, false_ = 0, not_claimed_ = 0;
+};
+
+}  // namespace
+
+std::string step_html(const RecordedStep& recorded, const Pictures& pictures) {
+  const Step& step = *recorded.step;
+  return fmt::format(
+      "<section class=\"step{}\" id=\"step-{}\" data-step=\"{}\">\n"
+      "<h2><a class=\"label\" href=\"#step-{}\">{}</a> {}{}</h2>\n{}</section>\n",
+      step.deeper ? " deeper" : "", step.label, step.label, step.label, step.label, inline_html(step.title),
+      step.deeper ? " <span class=\"depth\">deeper</span>" : "", ItemWriter(recorded, pictures).all());
+}
+
+}  // namespace byhand::site
