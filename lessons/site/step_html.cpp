@@ -11,7 +11,7 @@
 #include "lessons/site/mathml.hpp"
 #include "lessons/tutor/equations.hpp"
 #include "lessons/tutor/grading.hpp"
-#include "lessons/tutor/terminal_text.hpp"
+#include "lessons/tutor/claim_words.hpp"
 
 namespace byhand::site {
 namespace {

@@ -1,18 +1,17 @@
 #include "lessons/tutor/grading.hpp"
 
 #include <fmt/format.h>
-#include <glib.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
 #include <numbers>
 #include <optional>
 #include <stdexcept>
 
+#include "lessons/tutor/claim_words.hpp"
 #include "lessons/tutor/lesson.hpp"
-#include "lessons/tutor/terminal_text.hpp"
+#include "lessons/tutor/lower_case.hpp"
 #include "lessons/tutor/typed_quantity.hpp"
 
 namespace byhand::tutor {
@@ -124,11 +123,6 @@ std::string what_is_missing(const Prediction& question, double value, const std:
   return sentence;
 }
 
-std::string in_lower_case(const std::string& words) {
-  const std::unique_ptr<char, decltype(&g_free)> lower(g_utf8_strdown(words.c_str(), -1), g_free);
-  return trimmed(lower.get());
-}
-
 }  // namespace
 
 std::vector<Factor> forgettable_factors(const Lesson& lesson) {
@@ -173,9 +167,9 @@ Grade grade(const Prediction& question, const std::string& typed, const std::vec
 }
 
 Grade grade(const Choice& question, const std::string& typed) {
-  const std::string words = in_lower_case(typed);
+  const std::string words = trimmed(in_lower_case(typed));
   for (size_t i = 0; i < question.options.size(); ++i)
-    if (words == std::to_string(i + 1) || words == in_lower_case(question.options[i].words))
+    if (words == std::to_string(i + 1) || words == trimmed(in_lower_case(question.options[i].words)))
       return {static_cast<int>(i) == question.answer, true, question.options[i].reply};
   return {false, false,
           fmt::format("\"{}\" is not one of them: type a number from 1 to {}, or `?` for what else can be typed.",

@@ -14,6 +14,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <utility>
 
 #include "lessons/tutor/typeset.hpp"
 #include "renderer/file.hpp"

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -22,6 +23,13 @@ struct ParameterRecord {
   bool integer = false;
   std::vector<std::string> choices = {};  // if any, the value is an index into this list; a reader types the name
   std::string step = {};                  // label of the only step that depends on it; empty: any may
+  mutable bool was_read = false;          // whether a step has read the value since this was set to false
+
+  /// The value for a step, which may ask from several threads.
+  double read_value() const {
+    std::atomic_ref(was_read).store(true, std::memory_order_relaxed);
+    return value;
+  }
 
   /// Sets the value from "0.5", "1/120", "−3", "200us" or the name of a choice. Otherwise throws
   /// std::invalid_argument with one sentence that names the text and the allowed values, and leaves the value
@@ -47,16 +55,16 @@ class Parameter {
   explicit Parameter(const ParameterRecord& record) : record_(&record) {}
   T operator()() const {
     if constexpr (std::is_same_v<T, std::string>)
-      return record_->typed(record_->value);
+      return record_->typed(record_->read_value());
     else
-      return static_cast<T>(record_->value);
+      return static_cast<T>(record_->read_value());
   }
   operator T() const { return (*this)(); }
   operator Value() const {
     if constexpr (std::is_same_v<T, std::string>)
       return Value((*this)());
     else
-      return Value(typed(record_->value), typed(record_->value));
+      return Value(typed(record_->read_value()), typed(record_->value));
   }
 
  private:

@@ -3,10 +3,15 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <atomic>
+#include <chrono>
 #include <cmath>
+#include <condition_variable>
 #include <csignal>
 #include <cstdlib>
+#include <mutex>
 #include <string_view>
+#include <thread>
 
 #include "lessons/tutor/streams.hpp"
 
@@ -21,61 +26,82 @@ std::string time_left(double elapsed, int done, int total) {
                        : fmt::format("{:.0f} min left", std::ceil(seconds / 60));
 }
 
-Progress::Progress(std::string what, int total, bool quiet) : what_(std::move(what)), total_(total) {
-  if (!quiet) thread_ = std::thread([this] { report(); });
+struct Progress::Reporter {
+  Reporter(std::string what_, int total_) : what(std::move(what_)), total(total_) {}
+
+  void report();
+  void show_bar(int tick) const;
+  std::string time_left() const;
+
+  const std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
+  std::string what;
+  std::atomic<int> total;
+  std::atomic<int> done{0};
+  bool finished = false;
+  std::mutex mutex;
+  std::condition_variable changed;
+  std::thread thread;
+};
+
+Progress::Progress(std::string what, int total, bool quiet)
+    : reporter_(std::make_unique<Reporter>(std::move(what), total)) {
+  if (!quiet) reporter_->thread = std::thread([this] { reporter_->report(); });
 }
 
 Progress::~Progress() {
-  if (!thread_.joinable()) return;
+  if (!reporter_->thread.joinable()) return;
   {
-    const std::lock_guard lock(mutex_);
-    finished_ = true;
+    const std::lock_guard lock(reporter_->mutex);
+    reporter_->finished = true;
   }
-  changed_.notify_all();
-  thread_.join();
+  reporter_->changed.notify_all();
+  reporter_->thread.join();
 }
 
-void Progress::report() {
+void Progress::advance() { ++reporter_->done; }
+void Progress::expect(int more) { reporter_->total += more; }
+
+void Progress::Reporter::report() {
   // Only the thread that prompts the reader handles Ctrl-C.
   sigset_t signals;
   sigfillset(&signals);
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
 
-  std::unique_lock lock(mutex_);
-  const auto finished = [this] { return finished_; };
-  if (changed_.wait_for(lock, 1s, finished)) return;
+  std::unique_lock lock(mutex);
+  const auto is_finished = [this] { return finished; };
+  if (changed.wait_for(lock, 1s, is_finished)) return;
   const char* const terminal = std::getenv("TERM");
   if (!isatty(STDERR_FILENO) || !terminal || std::string_view(terminal) == "dumb") {
     // Both streams may go to one file: a buffer may have been written up to the middle of a letter.
     std::fflush(stdout);
     const std::string left = time_left();
-    complain(fmt::format("{}{}{} …\n", what_, left.empty() ? "" : ", ", left));
+    complain(fmt::format("{}{}{} …\n", what, left.empty() ? "" : ", ", left));
     return;
   }
-  for (int tick = 0; !finished_; ++tick) {
+  for (int tick = 0; !finished; ++tick) {
     show_bar(tick);
-    changed_.wait_for(lock, 200ms, finished);
+    changed.wait_for(lock, 200ms, is_finished);
   }
   complain("\r\033[K");
 }
 
-std::string Progress::time_left() const {
-  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;
-  return tutor::time_left(elapsed.count(), done_, total_);
+std::string Progress::Reporter::time_left() const {
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+  return tutor::time_left(elapsed.count(), done, total);
 }
 
-void Progress::show_bar(int tick) const {
+void Progress::Reporter::show_bar(int tick) const {
   constexpr int width = 24;
   std::string bar;
-  if (const int total = total_; total > 0) {
-    const int filled = done_ * width / total;
+  if (const int all = total; all > 0) {
+    const int filled = done * width / all;
     for (int i = 0; i < width; ++i) bar += i < filled ? "━" : "╌";
     const std::string left = time_left();
-    bar += fmt::format(" {}/{}{}{}", done_.load(), total, left.empty() ? "" : ", ", left);
+    bar += fmt::format(" {}/{}{}{}", done.load(), all, left.empty() ? "" : ", ", left);
   } else {
     for (int i = 0; i < width; ++i) bar += i == tick % width ? "━" : "╌";
   }
-  complain(fmt::format("\r\033[K{} {}", bar, what_));
+  complain(fmt::format("\r\033[K{} {}", bar, what));
 }
 
 }  // namespace byhand::tutor

@@ -1,11 +1,7 @@
 #pragma once
 
-#include <atomic>
-#include <chrono>
-#include <condition_variable>
-#include <mutex>
+#include <memory>
 #include <string>
-#include <thread>
 
 namespace byhand::tutor {
 
@@ -23,23 +19,13 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
   ~Progress();
 
-  void advance() { ++done_; }
+  void advance();
   /// Adds `more` steps to the total.
-  void expect(int more) { total_ += more; }
+  void expect(int more);
 
  private:
-  void report();
-  void show_bar(int tick) const;
-  std::string time_left() const;
-
-  const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-  std::string what_;
-  std::atomic<int> total_;
-  std::atomic<int> done_{0};
-  bool finished_ = false;
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  std::thread thread_;
+  struct Reporter;
+  std::unique_ptr<Reporter> reporter_;
 };
 
 }  // namespace byhand::tutor

@@ -3,18 +3,12 @@
 #include <string>
 #include <vector>
 
+#include "lessons/tutor/claim_words.hpp"
 #include "lessons/tutor/lesson.hpp"
 #include "lessons/tutor/options.hpp"
 #include "lessons/tutor/typeset.hpp"
 
 namespace byhand::tutor {
-
-/// A claim in words, the same on the terminal, in Markdown and in the table. "–" for a number without a meaning
-/// where nothing is claimed: not finite, above 10⁹, or below 10⁻¹¹.
-std::string verdict(const Claim& claim);      // "holds", "false", "not claimed"
-std::string expectation(const Claim& claim);  // "2.006 s ± 0.1 %", "2 s to 12 digits", "≤ 10⁻⁹ m"
-std::string measurement(const Claim& claim);  // "2.007 s"
-std::string quantity(double value, const std::string& unit, int digits = 6);
 
 /// A lesson as it is printed on a terminal. Each text ends with a newline.
 std::string heading_text(const Lesson& lesson, const Style& style);

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cerrno>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 #include <optional>
 #include <stdexcept>
@@ -302,9 +304,11 @@ class Reader {
       digits += rest_.substr(0, length);
       rest_.remove_prefix(length);
     }
-    double value = 0;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (error != std::errc{} || end != digits.data() + digits.size()) fail();
+    // libc++ reads no double with from_chars before version 20.
+    char* end = nullptr;
+    errno = 0;
+    const double value = std::strtod(digits.c_str(), &end);
+    if (digits.empty() || errno == ERANGE || end != digits.c_str() + digits.size()) fail();
     return value;
   }
 
