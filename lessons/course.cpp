@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
@@ -46,7 +47,7 @@ Ended run_lesson(const std::string& slug, const Arguments& arguments) {
   const fs::path path = program(slug);
   if (!fs::exists(path))
     throw std::runtime_error(fmt::format("{} is not built yet: ./lessons/run {} builds it.", slug,
-                                         slug == "practise" ? slug : std::to_string(std::stoi(slug))));
+                                         std::isdigit(slug.front()) ? std::to_string(std::stoi(slug)) : slug));
   const Ended ended = run_program(path.string(), arguments, Group::ours);
   if (ended.by_signal && !ended.passed_on)
     complain(
@@ -232,8 +233,9 @@ int run(Arguments arguments) {
     std::erase(arguments, "--all");
     return run_all(slugs, arguments);
   }
-  if (arguments.front() == "practise")
-    return status_of(build_and_run("practise", {arguments.begin() + 1, arguments.end()}));
+  for (const char* program : {"practise", "site"})
+    if (arguments.front() == program)
+      return status_of(build_and_run(program, {arguments.begin() + 1, arguments.end()}));
   const auto slug = find_lesson(slugs, arguments.front());
   if (!slug) throw std::invalid_argument(unknown(slugs, arguments.front()));
   const Ended ended = build_and_run(*slug, {arguments.begin() + 1, arguments.end()});

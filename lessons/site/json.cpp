@@ -1,6 +1,14 @@
 #include "lessons/site/json.hpp"
 
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
+
+#include "lessons/site/lesson_page.hpp"
+#include "lessons/site/mathml.hpp"
+#include "lessons/tutor/about.hpp"
+#include "lessons/tutor/commit.hpp"
+#include "lessons/tutor/equations.hpp"
 
 namespace byhand::site {
 namespace {
@@ -30,6 +38,66 @@ std::string parameters_json(const tutor::Lesson& lesson) {
                    {"value", p.typed(p.value)},
                    {"step", p.step}});
   return for_script(all);
+}
+
+std::string to_json(const Digest& digest) {
+  Json steps = Json::array();
+  for (const Digest::Step& step : digest.steps)
+    steps.push_back({{"label", step.label},
+                     {"title", step.title},
+                     {"deeper", step.deeper},
+                     {"words", step.words},
+                     {"questions", step.questions},
+                     {"laws", step.laws}});
+  return Json{{"slug", digest.slug},
+              {"steps", steps},
+              {"claims", digest.claims},
+              {"figures", digest.figures},
+              {"films", digest.films}}
+      .dump();
+}
+
+Digest digest_from_json(const std::string& text) {
+  const Json json = Json::parse(text);
+  Digest digest{.slug = json.at("slug"),
+                .claims = json.at("claims"),
+                .figures = json.at("figures"),
+                .films = json.at("films")};
+  for (const Json& step : json.at("steps"))
+    digest.steps.push_back({.label = step.at("label"),
+                            .title = step.at("title"),
+                            .deeper = step.at("deeper"),
+                            .words = step.at("words"),
+                            .questions = step.at("questions"),
+                            .laws = step.at("laws")});
+  return digest;
+}
+
+std::string search_script(const std::vector<Digest>& lessons) {
+  Json pages = Json::array();
+  for (const Digest& lesson : lessons) {
+    Json steps = Json::array();
+    for (const Digest::Step& step : lesson.steps)
+      steps.push_back({"step-" + step.label, step.label + " " + step.title, step.words});
+    pages.push_back({page_of(lesson.slug), lesson_title(lesson.slug), steps});
+  }
+  return "'use strict';\nvar searchPages = " + pages.dump() + ";\n";
+}
+
+std::string equations_script() {
+  Json all = Json::object();
+  for (int i = 1; i <= tutor::article_equations; ++i)
+    all[std::to_string(i)] = display_mathml(tutor::article_equation(i).latex);
+  return "'use strict';\nvar equations = " + all.dump() + ";\n";
+}
+
+std::string site_manifest(const std::map<std::string, std::string>& files) {
+  return Json{{"site", "Constraints by Hand"}, {"commit", tutor::commit()}, {"files", files}}.dump(2) + "\n";
+}
+
+bool is_site_manifest(const std::string& text) {
+  const Json json = Json::parse(text, nullptr, false);
+  return json.is_object() && json.contains("site") && json.contains("files");
 }
 
 }  // namespace byhand::site

@@ -16,8 +16,9 @@ using namespace tutor;
 std::string steps_beside(const std::vector<RecordedStep>& steps) {
   std::string all;
   for (const auto& [step, page] : steps)
-    all += fmt::format("<li{0}><a href=\"#step-{1}\"><span>{1}</span> {2}</a></li>\n",
-                       step->deeper ? " class=\"deeper\"" : "", step->label, inline_html(step->title));
+    all +=
+        fmt::format("<li{0}><a href=\"#step-{1}\"><span>{1}</span> {2}</a></li>\n",
+                    step->deeper ? " class=\"deeper\"" : "", step->label, inline_html(step->title, Links::none));
   return "<p>In this lesson</p>\n<ol>\n" + all + "</ol>\n";
 }
 
@@ -73,6 +74,12 @@ std::string neighbours(const std::string& slug) {
 }
 
 }  // namespace
+
+std::string lesson_title(const std::string& slug) {
+  for (const About& lesson : contents())
+    if (lesson.slug == slug) return fmt::format("{}. {}", std::stoi(slug), lesson.title);
+  return slug;
+}
 
 std::string page_of(const std::string& slug) { return slug + ".html"; }
 

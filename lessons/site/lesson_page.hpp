@@ -17,7 +17,7 @@ namespace byhand::site {
 std::string lesson_page(const tutor::Lesson& lesson, const std::vector<tutor::RecordedStep>& steps,
                         const Pictures& pictures);
 
-/// "04_baumgarte.html"
-std::string page_of(const std::string& slug);
+std::string page_of(const std::string& slug);       // "04_baumgarte.html"
+std::string lesson_title(const std::string& slug);  // "4. Baumgarte", of a lesson in the contents
 
 }  // namespace byhand::site

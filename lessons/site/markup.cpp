@@ -5,23 +5,23 @@
 #include <algorithm>
 #include <cctype>
 
+#include "lessons/tutor/equations.hpp"
+
 namespace byhand::site {
 namespace {
-
-constexpr int last_equation = 23;
 
 /// The N of "(N)" at the beginning of `words`, if N is an equation of the article; else 0.
 int equation_at(std::string_view words) {
   const size_t end = words.find_first_not_of("0123456789", 1);
   if (end == std::string_view::npos || end == 1 || end > 3 || words[end] != ')' || words[1] == '0') return 0;
   const int number = std::stoi(std::string(words.substr(1, end - 1)));
-  return number <= last_equation ? number : 0;
+  return number <= tutor::article_equations ? number : 0;
 }
 
 /// Converts marks from left to right. A mark without a partner is a character like any other.
 class Inline {
  public:
-  explicit Inline(std::string_view words) : words_(words) {}
+  Inline(std::string_view words, Links links) : words_(words), links_(links) {}
 
   std::string html() {
     while (at_ < words_.size())
@@ -53,14 +53,15 @@ class Inline {
     auto end = words_.find(mark, from);
     while (end != std::string_view::npos && words_[end - 1] == ' ') end = words_.find(mark, end + 1);
     if (end == std::string_view::npos || end == from) return false;
-    all_ += fmt::format("<{0}>{1}</{0}>", element, Inline(words_.substr(from, end - from)).html());
+    all_ += fmt::format("<{0}>{1}</{0}>", element, Inline(words_.substr(from, end - from), links_).html());
     at_ = end + mark.size();
     return true;
   }
 
   bool equation() {
     // f(2) is a function of two, not equation (2).
-    if (!rest().starts_with('(') || std::isalnum(static_cast<unsigned char>(before()))) return false;
+    if (links_ == Links::none || !rest().starts_with('(') || std::isalnum(static_cast<unsigned char>(before())))
+      return false;
     const int number = equation_at(rest());
     if (number == 0) return false;
     all_ += fmt::format("<a class=\"recall\" href=\"equations.html#equation-{0}\">({0})</a>", number);
@@ -69,6 +70,7 @@ class Inline {
   }
 
   std::string_view words_;
+  Links links_;
   size_t at_ = 0;
   std::string all_;
 };
@@ -98,7 +100,7 @@ std::string escaped(std::string_view text) {
   return all;
 }
 
-std::string inline_html(std::string_view words) { return Inline(words).html(); }
+std::string inline_html(std::string_view words, Links links) { return Inline(words, links).html(); }
 
 std::string prose_html(std::string_view words) {
   std::string all, block;

@@ -9,8 +9,9 @@ namespace byhand::site {
 std::string escaped(std::string_view text);
 
 /// One paragraph of an item's prose, whose *emphasis*, **strong** and `code` become elements. "(14)" links to
-/// equation 14 of the article.
-std::string inline_html(std::string_view words);
+/// equation 14 of the article unless the paragraph is a link itself.
+enum class Links { equations, none };
+std::string inline_html(std::string_view words, Links links = Links::equations);
 
 /// Prose with paragraphs and lists (see tutor::Page).
 std::string prose_html(std::string_view words);

@@ -178,10 +178,11 @@ class Reader {
     while (bytes < rest_.size() && (static_cast<unsigned char>(rest_[bytes]) & 0xc0) == 0x80) ++bytes;
     return take(bytes);
   }
-  /// What stands between braces, as it is written.
+  /// What stands between braces, or one character, as it is written.
   std::string_view words() {
     skip_blanks();
-    if (!take("{")) fail("lacks a {");
+    if (rest_.empty()) fail("ends too early");
+    if (!take("{")) return take_character();
     const std::string_view inside = take(rest_.find('}'));
     if (!take("}")) fail("lacks a }");
     return inside;
@@ -206,6 +207,12 @@ class Reader {
   std::string argument() {
     skip_blanks();
     if (take("{")) {
+      // V_{final}: a name, no product of letters.
+      const std::string_view name = rest_.substr(0, rest_.find('}'));
+      if (name.size() > 2 && std::all_of(name.begin(), name.end(), is_letter)) {
+        take(name.size() + 1);
+        return upright(name);
+      }
       const std::string inside = row();
       if (!take("}")) fail("lacks a }");
       return element("mrow", inside);

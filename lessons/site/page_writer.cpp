@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "lessons/site/json.hpp"
 #include "lessons/site/lesson_page.hpp"
 #include "lessons/site/markup.hpp"
 #include "lessons/tutor/picture_writer.hpp"
@@ -44,6 +45,7 @@ Pictures linked(const std::string& slug) {
 void write_page(const Lesson& lesson, const std::vector<RecordedStep>& steps,
                 const std::filesystem::path& folder) {
   const std::string& slug = lesson.about().slug;
+  renderer::write_whole(folder / (slug + ".json"), to_json(digest(lesson, steps)));
   renderer::write_whole(folder / page_of(slug), lesson_page(lesson, steps, linked(slug)));
 }
 

@@ -11,6 +11,8 @@ struct About {
   std::string title = {};    // "Baumgarte"
   std::string summary = {};  // one line for the course
   std::string method = {};   // default time-stepping method of its scenes, for manifest.json
+  std::vector<std::string> goals = {};  // what its reader can do afterwards, each after "You can "
+  std::string before = {};              // what it takes to follow
 };
 
 /// The lessons of the course, in order. Defined by each course.

@@ -10,7 +10,7 @@ namespace byhand::tutor {
 namespace {
 
 // R. Gaul, "Modelling and Solving Physical Constraints", 2013, (1) to (23).
-const std::array<Formula, 23> article = {{
+const std::array<Formula, article_equations> article = {{
     {"C(l₁, a₁, l₂, a₂) = 0", R"(C(l_1, a_1, l_2, a_2) = 0)"},
     {"C(l₁, a₁, l₂, a₂) = ½[(P₂ − P₁)² − L²] = 0",
      R"(C(l_1, a_1, l_2, a_2) = \tfrac{1}{2}\left[(P_2 - P_1)^2 - L^2\right] = 0)"},

@@ -1,0 +1,139 @@
+// The course as a web site: every lesson's program writes its page, and this one what they share. Started by
+// `lessons/run site`.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "lessons/site/course_pages.hpp"
+#include "lessons/site/json.hpp"
+#include "lessons/site/site_folder.hpp"
+#include "lessons/tutor/about.hpp"
+#include "lessons/tutor/child_process.hpp"
+#include "lessons/tutor/options.hpp"
+#include "lessons/tutor/streams.hpp"
+#include "renderer/error.hpp"
+#include "renderer/file.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace byhand;
+
+enum ExitStatus { fine = 0, failed = 1, bad_usage = 2, environment = 3 };
+
+struct Wanted {
+  std::string output = tutor::default_output().string(), quality = "medium";
+  bool quiet = false;
+};
+
+/// A program that this one started did not do its work; `status` is its exit status.
+struct Failed : std::runtime_error {
+  Failed(const std::string& words, const tutor::Ended& how) : std::runtime_error(words), ended(how) {}
+  tutor::Ended ended;
+};
+
+void build(const std::string& target) {
+  const char* builder = std::getenv("BYHAND_BUILD");
+  if (builder == nullptr) return;
+  const tutor::Ended ended = tutor::run_program(builder, {target}, tutor::Group::own);
+  if (!ended.well()) throw Failed("", ended);
+}
+
+/// Runs a lesson's program and returns the digest that it left in the folder.
+site::Digest write_lesson(const std::string& slug, const fs::path& folder, const Wanted& wanted) {
+  const fs::path program = fs::read_symlink("/proc/self/exe").parent_path() / slug;
+  std::vector<std::string> arguments{"--page", "--output", folder.string(), "--quality", wanted.quality};
+  if (wanted.quiet) arguments.emplace_back("--quiet");
+  const tutor::Ended ended = tutor::run_program(program.string(), arguments, tutor::Group::ours);
+  if (!ended.well()) throw Failed(fmt::format("{} ended with status {}", slug, ended.status), ended);
+  const fs::path file = folder / (slug + ".json");
+  const auto text = renderer::read_whole(file);
+  if (!text) throw std::runtime_error(fmt::format("{} wrote no {}", slug, file.filename().string()));
+  fs::remove(file);
+  return site::digest_from_json(*text);
+}
+
+void copy_assets(const fs::path& folder) {
+  const fs::path assets = fs::path(BYHAND_SITE_FOLDER) / "assets";
+  if (!fs::is_directory(assets))
+    throw renderer::EnvironmentError(
+        fmt::format("There is no folder {}: the checkout is not complete.", assets.string()));
+  fs::copy(assets, folder / "assets", fs::copy_options::recursive);
+}
+
+int run(const Wanted& wanted) {
+  const fs::path output = fs::path(wanted.output) / "site";
+  site::SiteFolder folder(output);
+  build("lessons");
+  std::vector<site::Digest> lessons;
+  const auto& contents = tutor::contents();
+  for (const tutor::About& lesson : contents) {
+    if (!wanted.quiet) fmt::print(stderr, "{} of {}: {}\n", lessons.size() + 1, contents.size(), lesson.title);
+    lessons.push_back(write_lesson(lesson.slug, folder.path(), wanted));
+  }
+  const auto write = [&](const char* name, const std::string& bytes) {
+    renderer::write_whole(folder.path() / name, bytes);
+  };
+  copy_assets(folder.path());
+  write("index.html", site::contents_page(lessons));
+  write("equations.html", site::equations_page());
+  write("laws.html", site::laws_page(lessons));
+  write("teaching.html", site::teaching_page(lessons));
+  write("assets/search.js", site::search_script(lessons));
+  write("assets/equations.js", site::equations_script());
+  folder.finish();
+  if (!wanted.quiet) fmt::print("The course as a web site: {}/index.html\n", tutor::printable(output.string()));
+  return fine;
+}
+
+int refuse(int status, const std::string& sentence) {
+  tutor::complain(tutor::printable(sentence) + "\n");
+  return status;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  tutor::open_standard_streams();
+  Wanted wanted;
+  CLI::App app("The course as a web site, in output/site/", "./lessons/run site");
+  app.footer(
+      "The pages open from the disk or from any web server, and need nothing from elsewhere. An older site is\n"
+      "replaced when the new one is complete.\n\n"
+      "Exit status: 0 fine, 1 a claim is false, 2 bad usage, 3 the environment (build, disk full, folder not "
+      "writable).");
+  app.set_help_flag("--help", "this page");
+  app.add_option("--output", wanted.output, "folder that gets the folder site (default output/)")
+      ->type_name("DIR");
+  app.add_option("--quality", wanted.quality, "of pictures: low, medium (default) or high")
+      ->check(CLI::IsMember({"low", "medium", "high"}))
+      ->type_name("low|medium|high");
+  app.add_flag("--quiet", wanted.quiet, "no progress, only what is wrong");
+  try {
+    app.parse(argc, argv);
+    if (wanted.output.empty()) throw std::invalid_argument("--output \"\" names no folder");
+    const int status = run(wanted);
+    return std::fflush(stdout) == 0 ? status : environment;
+  } catch (const CLI::CallForHelp&) {
+    fmt::print("{}", app.help());
+    return fine;
+  } catch (const CLI::ParseError& bad) {
+    return refuse(bad_usage, fmt::format("{}; --help shows the options", bad.what()));
+  } catch (const std::invalid_argument& bad) {
+    return refuse(bad_usage, bad.what());
+  } catch (const Failed& bad) {
+    if (bad.ended.by_signal && bad.ended.passed_on) tutor::end_by(bad.ended.passed_on);
+    return *bad.what() ? refuse(bad.ended.status, fmt::format("{}; the site stays as it was.", bad.what()))
+                       : bad.ended.status;
+  } catch (const std::exception& error) {
+    return refuse(environment, error.what());
+  }
+}

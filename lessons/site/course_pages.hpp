@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lessons/site/digest.hpp"
+#include "lessons/tutor/about.hpp"
+
+namespace byhand::site {
+
+/// The pages of the course that belong to no single lesson.
+std::string contents_page(const std::vector<Digest>& lessons);
+/// The article's equations, each with the place where the course displays it first.
+std::string equations_page();
+/// Every law that a lesson derives, with its place.
+std::string laws_page(const std::vector<Digest>& lessons);
+/// For those who teach with the course.
+std::string teaching_page(const std::vector<Digest>& lessons);
+
+}  // namespace byhand::site

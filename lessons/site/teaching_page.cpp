@@ -1,0 +1,85 @@
+#include <fmt/format.h>
+
+#include "lessons/site/course_pages.hpp"
+#include "lessons/site/frame.hpp"
+#include "lessons/site/lesson_page.hpp"
+#include "lessons/site/markup.hpp"
+#include "lessons/site/reading.hpp"
+
+namespace byhand::site {
+namespace {
+
+using namespace tutor;
+
+std::string schedule(const std::vector<Digest>& lessons) {
+  std::string rows;
+  int core = 0, deeper = 0;
+  for (const Digest& lesson : lessons) {
+    const Minutes minutes = reading_time(lesson);
+    core += minutes.core;
+    deeper += minutes.deeper;
+    for (const About& about : contents())
+      if (about.slug == lesson.slug)
+        rows +=
+            fmt::format("<tr><th scope=\"row\"><a href=\"{}\">{}</a></th><td>{}</td><td>{}</td><td>{}</td></tr>\n",
+                        page_of(lesson.slug), escaped(lesson_title(lesson.slug)), inline_html(about.before),
+                        minutes.core, minutes.deeper);
+  }
+  return fmt::format(
+      "<div class=\"scroll\"><table><thead><tr><th scope=\"col\">lesson</th><th scope=\"col\">before</th>"
+      "<th scope=\"col\">minutes</th><th scope=\"col\">deeper</th></tr></thead><tbody>\n{}"
+      "<tr><th scope=\"row\">all</th><td></td><td>{}</td><td>{}</td></tr>\n</tbody></table></div>\n"
+      "<p>Minutes are estimated from the number of words and questions.</p>\n",
+      rows, core, deeper);
+}
+
+}  // namespace
+
+std::string teaching_page(const std::vector<Digest>& lessons) {
+  std::string content =
+      "<h1>Use this in your course</h1>\n"
+      "<p class=\"summary\">The pages are a folder of files. Nothing in them needs a server or a network.</p>\n"
+      "<section id=\"plan\">\n<h2>Plan</h2>\n" +
+      schedule(lessons) +
+      R"(<p>Lessons 1 to 4 are the article's core; 5 to 7 build on it and can be chosen from; 8 and 9 suit a project. Deeper
+steps can be left out: no core step needs one.</p>
+</section>
+<section id="hosting">
+<h2>Hosting</h2>
+<p>Copy the folder to any web server, a learning platform's file area or a USB stick; its name and place do not matter. Open
+<code>index.html</code>. No page loads anything from another host, sets a cookie or stores what a student does.</p>
+</section>
+<section id="linking">
+<h2>Linking</h2>
+<p>Each step has an address, such as <a href="04_baumgarte.html#step-3">04_baumgarte.html#step-3</a>; so has each
+<a href="equations.html#equation-17">equation</a>.</p>
+</section>
+<section id="exercises">
+<h2>Exercises</h2>
+<p>Eleven exercises ask for one function of a step each and judge it with probes; frequent wrong derivations get their own reply.
+<code>./lessons/run practise</code> lists them. For a course:</p>
+<pre><code>./lessons/run practise --export gradescope --to FOLDER
+./lessons/run practise --export classroom50 --to FOLDER
+./lessons/run practise --export prairielearn --to FOLDER
+./lessons/run practise --export junit --to FOLDER</code></pre>
+<p>write a judge without solutions, with probes of your own <code>--seed</code>. The predictions of all lessons as a quiz:</p>
+<pre><code>./lessons/run practise --export moodle --to FOLDER
+./lessons/run practise --export qti --to FOLDER</code></pre>
+</section>
+<section id="rebuilding">
+<h2>Rebuilding</h2>
+<pre><code>./lessons/run site</code></pre>
+<p>writes the site anew from the checkout. Apart from charts of measured running times, the same commit gives the same bytes;
+<code>manifest.json</code> lists the commit and the SHA-256 of each file.</p>
+</section>
+<section id="licence">
+<h2>Licence and citation</h2>
+<p>Text, code and figures: MIT licence. You may change and redistribute them; keep the notice. The fonts are under the licences beside
+them, in <code>assets/fonts</code>. To cite the course: see <code>CITATION.cff</code> in the repository. The equations are those of
+R. Gaul, <cite>Modelling and Solving Physical Constraints</cite>, 2013.</p>
+</section>
+)";
+  return framed({.title = "Use this in your course", .content = content, .here = "teaching.html"});
+}
+
+}  // namespace byhand::site
