@@ -34,7 +34,7 @@ std::string framed(const Frame& frame) {
           : fmt::format("<nav class=\"beside\" aria-label=\"This page\">{}</nav>\n", frame.beside);
   return fmt::format(
       R"(<!DOCTYPE html>
-<html lang="en" xmlns="http://www.w3.org/1999/xhtml">
+<html lang="en" xmlns="http://www.w3.org/1999/xhtml"{7}>
 <head>
 <meta charset="utf-8" />
 <meta name="viewport" content="width=device-width, initial-scale=1" />
@@ -62,7 +62,7 @@ std::string framed(const Frame& frame) {
 </html>
 )",
       escaped(frame.title), frame.head, navigation(frame.here), beside.empty() ? "" : " with-beside", beside,
-      frame.content, frame.foot);
+      frame.content, frame.foot, frame.lesson.empty() ? "" : fmt::format(" data-lesson=\"{}\"", frame.lesson));
 }
 
 }  // namespace byhand::site

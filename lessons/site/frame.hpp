@@ -12,6 +12,7 @@ struct Frame {
   std::string beside = {};     // of the column beside it, such as the list of steps; may be empty
   std::string head = {};       // more elements of <head>
   std::string foot = {};       // more elements at the end of <body>
+  std::string lesson = {};     // slug of the lesson whose page it is; may be empty
   std::string_view here = {};  // the page among those of the navigation, "equations.html"; may be empty
 };
 

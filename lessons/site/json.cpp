@@ -24,7 +24,7 @@ std::string for_script(const Json& json) {
 
 }  // namespace
 
-std::string parameters_json(const tutor::Lesson& lesson) {
+std::string parameters_json(const tutor::Lesson& lesson, const std::vector<tutor::RecordedStep>& steps) {
   Json all = Json::array();
   for (const tutor::ParameterRecord& p : lesson.parameters())
     all.push_back({{"name", p.name},
@@ -34,10 +34,11 @@ std::string parameters_json(const tutor::Lesson& lesson) {
                    {"high", p.range.high},
                    {"whole", p.integer},
                    {"choices", p.choices},
-                   {"initial", p.typed(p.initial)},
-                   {"value", p.typed(p.value)},
-                   {"step", p.step}});
-  return for_script(all);
+                   {"initial", p.initial},
+                   {"typed", p.typed(p.initial)}});
+  Json reads = Json::object();
+  for (const tutor::RecordedStep& step : steps) reads[step.step->label] = step.reads;
+  return for_script({{"parameters", all}, {"steps", reads}});
 }
 
 std::string to_json(const Digest& digest) {

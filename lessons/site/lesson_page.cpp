@@ -15,7 +15,7 @@ using namespace tutor;
 
 std::string steps_beside(const std::vector<RecordedStep>& steps) {
   std::string all;
-  for (const auto& [step, page] : steps)
+  for (const auto\& [ step, page, reads ] : steps)
     all +=
         fmt::format("<li{0}><a href=\"#step-{1}\"><span>{1}</span> {2}</a></li>\n",
                     step->deeper ? " class=\"deeper\"" : "", step->label, inline_html(step->title, Links::none));
@@ -86,17 +86,18 @@ std::string page_of(const std::string& slug) { return slug + ".html"; }
 std::string lesson_page(const Lesson& lesson, const std::vector<RecordedStep>& steps, const Pictures& pictures) {
   const About& about = lesson.about();
   std::string content = fmt::format(
-      "<article class=\"lesson\" data-lesson=\"{}\">\n<header class=\"lesson\">\n<p class=\"number\">Lesson "
+      "<article class=\"lesson\">\n<header class=\"lesson\">\n<p class=\"number\">Lesson "
       "{}</p>\n"
       "<h1>{}</h1>\n<p class=\"summary\">{}</p>\n{}</header>\n",
-      about.slug, lesson.number(), escaped(about.title), inline_html(about.summary), parameters(lesson));
+      lesson.number(), escaped(about.title), inline_html(about.summary), parameters(lesson));
   for (const RecordedStep& step : steps) content += step_html(step, pictures);
   content += closing(lesson.closing()) + "</article>\n" + neighbours(about.slug);
-  return framed(
-      {.title = fmt::format("{}. {}", lesson.number(), about.title),
-       .content = content,
-       .beside = steps_beside(steps),
-       .foot = "<script type=\"application/json\" id=\"parameters\">" + parameters_json(lesson) + "</script>\n"});
+  return framed({.title = fmt::format("{}. {}", lesson.number(), about.title),
+                 .content = content,
+                 .beside = steps_beside(steps),
+                 .lesson = about.slug,
+                 .foot = "<script type=\"application/json\" id=\"parameters\">" + parameters_json(lesson, steps) +
+                         "</script>\n"});
 }
 
 }  // namespace byhand::site

@@ -7,13 +7,16 @@
 
 namespace byhand::site {
 
-/// The page of a lesson: <article data-lesson="04_baumgarte"> holds the steps (see step_html). Scripts find the
-/// lesson's parameters as JSON in <script type="application/json" id="parameters">:
+/// The page of a lesson: <html data-lesson="04_baumgarte">, and in <main> the steps (see step_html). Scripts find
+/// the parameters as JSON in <script type="application/json" id="parameters">, with those that each step reads:
 ///
-///     [{"name": "beta", "unit": "1", "meaning": "…", "low": 0.01, "high": 3, "whole": false, "choices": [],
-///       "initial": "0.5", "value": "0.5", "step": ""}, …]
+///     {"parameters": [{"name": "h", "unit": "s", "meaning": "time step", "low": 0.001, "high": 0.05, "whole":
+///     false,
+///                      "choices": [], "initial": 0.016666666666666666, "typed": "1/60"}, …],
+///      "steps": {"1": ["h", …], …}}
 ///
-/// with the numbers as a reader types them; `step` is the label of the only step that depends on it, or empty.
+/// `typed` is the initial value as a reader types it; of a choice, low, high and initial mean nothing but the
+/// index.
 std::string lesson_page(const tutor::Lesson& lesson, const std::vector<tutor::RecordedStep>& steps,
                         const Pictures& pictures);
 

@@ -9,9 +9,9 @@
 #include "lessons/site/code_html.hpp"
 #include "lessons/site/markup.hpp"
 #include "lessons/site/mathml.hpp"
+#include "lessons/tutor/claim_words.hpp"
 #include "lessons/tutor/equations.hpp"
 #include "lessons/tutor/grading.hpp"
-#include "lessons/tutor/claim_words.hpp"
 
 namespace byhand::site {
 namespace {
@@ -96,12 +96,12 @@ class ItemWriter {
 
   void operator()(const Figure& figure) {
     const std::string words = alternative(figure);
-    picture("figure", figure.name, figure.caption, words, pictures_.figure(figure, words));
+    picture("figure", figure.name, figure.caption, words, pictures_.figure(figure));
   }
 
   void operator()(const Sequence& film) {
     const std::string words = alternative(film);
-    picture("film", film.name, film.caption, words, pictures_.film(film, words));
+    picture("film", film.name, film.caption, words, pictures_.film(film));
   }
 
   void operator()(const Prediction& question) {

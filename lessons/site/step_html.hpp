@@ -12,11 +12,10 @@ struct Shown {
   std::string markup, links = {};
 };
 
-/// How the page shows what is drawn: as links to files, or drawn in the page itself. `alternative` says in words
-/// what is to be seen, for readers who do not see it.
+/// How the page shows what is drawn: as written files, or drawn in the page itself.
 struct Pictures {
-  std::function<Shown(const tutor::Figure&, const std::string& alternative)> figure;
-  std::function<Shown(const tutor::Sequence&, const std::string& alternative)> film;
+  std::function<Shown(const tutor::Figure&)> figure;
+  std::function<Shown(const tutor::Sequence&)> film;
 };
 
 /// A told step as HTML that is XML too: what the native program writes and what the program in the browser tells

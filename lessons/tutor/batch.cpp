@@ -98,9 +98,11 @@ int run_batch(const Lesson& lesson, const Options& options) {
   if (speaks && whole) fmt::print("{}", heading_text(lesson, {}));
   for (const Step& step : lesson.steps()) {
     if (!whole && step.label != options.step) continue;
+    forget_reads(lesson);
     steps.push_back(record_step(lesson, step, options.quiet));
     if (speaks) print(steps.back(), lesson, *pictures);
     if (pictures) write_pictures(steps.back().page, *pictures);
+    steps.back().reads = reads(lesson);
   }
   if (speaks && whole) fmt::print("{}", closing_text(lesson, {}));
   if (whole) validate(steps);

@@ -48,6 +48,17 @@ RecordedStep record_step(const Lesson& lesson, const Step& step, bool quiet) {
   return recorded;
 }
 
+void forget_reads(const Lesson& lesson) {
+  for (const ParameterRecord& parameter : lesson.parameters()) parameter.was_read = false;
+}
+
+std::vector<std::string> reads(const Lesson& lesson) {
+  std::vector<std::string> names;
+  for (const ParameterRecord& parameter : lesson.parameters())
+    if (parameter.was_read) names.push_back(parameter.name);
+  return names;
+}
+
 void validate(const std::vector<RecordedStep>& steps) {
   bool claimed = false;
   std::set<std::string> names;

@@ -11,7 +11,12 @@ namespace byhand::tutor {
 struct RecordedStep {
   const Step* step;
   Page page;
+  std::vector<std::string> reads = {};  // names of the parameters on which page and pictures depend, once drawn
 };
+
+/// Begins to note which parameters are read, and says which were since.
+void forget_reads(const Lesson& lesson);
+std::vector<std::string> reads(const Lesson& lesson);
 
 /// Runs the step. Drops each wrong answer of a question that lies within the tolerance of another answer; at the
 /// default parameters such an answer is a LessonError instead.

@@ -12,9 +12,9 @@
 #include <string>
 #include <vector>
 
-#include "lessons/site/course_pages.hpp"
+#include "lessons/site/course/course_pages.hpp"
+#include "lessons/site/course/site_folder.hpp"
 #include "lessons/site/json.hpp"
-#include "lessons/site/site_folder.hpp"
 #include "lessons/tutor/about.hpp"
 #include "lessons/tutor/child_process.hpp"
 #include "lessons/tutor/options.hpp"

@@ -1,4 +1,4 @@
-#include "lessons/site/reading.hpp"
+#include "lessons/site/course/reading.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "lessons/site/site_folder.hpp"
+#include "lessons/site/course/site_folder.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>

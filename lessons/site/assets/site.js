@@ -1,0 +1,159 @@
+// What every page can do without the lesson's program: recall equations, search, mark the step in view. The pages are
+// complete without it, and it loads nothing from elsewhere.
+'use strict';
+(() => {
+  const element = (name, attributes = {}, ...inside) => {
+    const made = document.createElement(name);
+    for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);
+    made.append(...inside);
+    return made;
+  };
+
+  // "(14)" shows the equation below it: while the mouse is over either, while it has the focus, or from one tap to the
+  // next. Escape closes it. A second tap, or Enter, follows the link.
+  let shown = null, closing = 0;
+  const close = () => {
+    shown?.box.remove();
+    shown?.link.removeAttribute('aria-describedby');
+    shown = null;
+  };
+  const recall = link => {
+    clearTimeout(closing);
+    if (shown?.link === link) return;
+    close();
+    const mathml = window.equations?.[link.textContent.slice(1, -1)];
+    if (!mathml) return;
+    const box = element('div', { class: 'recalled', id: 'recalled', role: 'tooltip' });
+    box.innerHTML = mathml;
+    document.body.append(box);
+    const at = link.getBoundingClientRect(), size = box.getBoundingClientRect();
+    const left = Math.max(8, Math.min(at.left, document.documentElement.clientWidth - size.width - 8));
+    const below = at.bottom + size.height + 8 < innerHeight;
+    box.style.left = `${left + scrollX}px`;
+    box.style.top = `${(below ? at.bottom + 4 : at.top - size.height - 4) + scrollY}px`;
+    link.setAttribute('aria-describedby', 'recalled');
+    shown = { link, box };
+  };
+  const closest = (event, selector) => event.target instanceof Element ? event.target.closest(selector) : null;
+  document.addEventListener('pointerover', event => {
+    if (event.pointerType === 'touch') return;
+    const link = closest(event, '.recall');
+    if (link) recall(link);
+    else if (closest(event, '.recalled')) clearTimeout(closing);
+    else if (shown && document.activeElement !== shown.link) {
+      clearTimeout(closing);
+      closing = setTimeout(close, 250);
+    }
+  });
+  document.addEventListener('focusin', event => {
+    const link = closest(event, '.recall');
+    if (link && link.matches(':focus-visible')) recall(link);
+    else if (!closest(event, '.recalled')) close();
+  });
+  document.addEventListener('keydown', event => { if (event.key === 'Escape') close(); });
+  let touched = false;
+  document.addEventListener('pointerdown', event => { touched = event.pointerType === 'touch'; });
+  document.addEventListener('click', event => {
+    const link = closest(event, '.recall');
+    if (link && touched && shown?.link !== link) {
+      event.preventDefault();
+      recall(link);
+    } else if (touched && !link && !closest(event, '.recalled')) close();
+  });
+
+  // What is wider than the page can be scrolled with the keyboard.
+  const scrollers = () => {
+    for (const box of document.querySelectorAll('.formula, .scroll, pre')) {
+      if (box.scrollWidth > box.clientWidth + 1) box.tabIndex = 0;
+      else box.removeAttribute('tabindex');
+    }
+  };
+  addEventListener('resize', scrollers);
+  addEventListener('load', scrollers);
+  document.addEventListener('toggle', scrollers, true);
+
+  // The step in view is marked in the list of steps.
+  const entries = new Map([...document.querySelectorAll('.beside a')].map(a => [a.hash.slice(1), a]));
+  if (entries.size > 0) {
+    const steps = [...document.querySelectorAll('.step')];
+    const mark = () => {
+      const here = steps.filter(step => step.getBoundingClientRect().top < innerHeight / 3).pop();
+      for (const [id, link] of entries) {
+        if (here?.id === id) link.setAttribute('aria-current', 'location');
+        else link.removeAttribute('aria-current');
+      }
+    };
+    let waiting = false;
+    addEventListener('scroll', () => {
+      if (waiting) return;
+      waiting = true;
+      requestAnimationFrame(() => { waiting = false; mark(); });
+    }, { passive: true });
+    mark();
+  }
+
+  // The search: every word typed is in the step, titles count most. Its index is loaded when somebody searches.
+  const place = document.querySelector('.search');
+  const input = element('input', { type: 'search', 'aria-label': 'Search the course', placeholder: 'Search', autocomplete: 'off', spellcheck: 'false' });
+  const results = element('ol', { 'aria-label': 'Results' });
+  const said = element('p', { class: 'none', role: 'status', hidden: '' });
+  place.append(input, said, results);
+  let index;
+  const load = () => index ??= new Promise((resolve, reject) => {
+    const script = element('script', { src: 'assets/search.js' });
+    script.onload = () => resolve(window.searchPages.flatMap(([page, lesson, steps]) =>
+      steps.map(([anchor, title, words]) => ({ href: `${page}#${anchor}`, lesson, title, words, low: words.toLowerCase(), heading: `${lesson} ${title}`.toLowerCase() }))));
+    script.onerror = () => reject(new Error('assets/search.js cannot be loaded'));
+    document.head.append(script);
+  });
+  const occurrences = (text, word) => text.split(word).length - 1;
+  const score = (entry, words) => {
+    let sum = 0;
+    for (const word of words) {
+      const found = 20 * occurrences(entry.heading, word) + Math.min(10, occurrences(entry.low, word));
+      if (found === 0) return 0;
+      sum += found;
+    }
+    return sum;
+  };
+  const excerpt = (entry, words) => {
+    const at = Math.max(0, ...words.map(word => entry.low.indexOf(word)).slice(0, 1));
+    const begin = at < 60 ? 0 : entry.words.lastIndexOf(' ', at - 50) + 1;
+    const text = entry.words.slice(begin, begin + 160);
+    const parts = text.split(new RegExp(`(${words.map(word => word.replace(/[.*+?^${}()|[\]\\]/g, '\\$&')).join('|')})`, 'i'));
+    const line = element('span');
+    parts.forEach((part, i) => line.append(i % 2 ? element('mark', {}, part) : part));
+    line.prepend(begin ? '… ' : '');
+    line.append(begin + 160 < entry.words.length ? ' …' : '');
+    return line;
+  };
+  const search = async () => {
+    const words = input.value.toLowerCase().split(/\s+/).filter(Boolean);
+    const typed = input.value;
+    if (words.length === 0) {
+      results.replaceChildren();
+      said.hidden = true;
+      return;
+    }
+    let entries;
+    try { entries = await load(); } catch (error) { said.textContent = error.message; said.hidden = false; return; }
+    if (input.value !== typed) return;
+    const found = entries.map(entry => [score(entry, words), entry]).filter(([points]) => points > 0)
+      .sort((a, b) => b[0] - a[0]).slice(0, 12);
+    results.replaceChildren(...found.map(([, entry]) => element('li', {},
+      element('a', { href: entry.href }, element('strong', {}, `${entry.lesson}, step ${entry.title}`), excerpt(entry, words)))));
+    said.textContent = found.length ? `${found.length === 12 ? 'The first 12' : found.length} steps found` : `No step has ${words.join(' and ')}.`;
+    said.hidden = found.length > 0;
+  };
+  input.addEventListener('focus', () => load().catch(() => {}));
+  input.addEventListener('input', search);
+  place.addEventListener('keydown', event => {
+    const links = [...results.querySelectorAll('a')], here = links.indexOf(document.activeElement);
+    if (event.key === 'Escape') { input.value = ''; search(); input.focus(); }
+    else if (event.key === 'ArrowDown' && links.length) { event.preventDefault(); links[Math.min(here + 1, links.length - 1)].focus(); }
+    else if (event.key === 'ArrowUp' && here >= 0) { event.preventDefault(); (here ? links[here - 1] : input).focus(); }
+    else if (event.key === 'Enter' && document.activeElement === input && links.length) links[0].click();
+  });
+  document.addEventListener('pointerdown', event => { if (!closest(event, '.search')) results.replaceChildren(); });
+  results.addEventListener('click', () => results.replaceChildren());
+})();
