@@ -29,8 +29,17 @@ const About& about(const Digest& lesson) {
   return *std::find_if(all.begin(), all.end(), [&](const About& one) { return one.slug == lesson.slug; });
 }
 
+/// Where an equation is displayed first, if the course has that lesson.
+std::string first_place(const EquationPlace& place) {
+  for (const About& lesson : contents())
+    if (std::stoi(lesson.slug) == place.lesson)
+      return fmt::format(R"(<p>First in <a href="{}#step-{}">lesson {}, step {}</a>.</p>)", page_of(lesson.slug),
+                         place.step, place.lesson, place.step);
+  return "";
+}
+
 std::string step_link(const Digest& lesson, const Digest::Step& step) {
-  return fmt::format("<a href=\"{}#step-{}\">{} {}</a>", page_of(lesson.slug), step.label, step.label,
+  return fmt::format(R"(<a href="{}#step-{}">{} {}</a>)", page_of(lesson.slug), step.label, step.label,
                      inline_html(step.title, Links::none));
 }
 
@@ -42,16 +51,26 @@ std::string card(const Digest& lesson) {
     steps += fmt::format("<li{}>{}</li>\n", step.deeper ? " class=\"deeper\"" : "", step_link(lesson, step));
     questions += step.questions;
   }
-  return fmt::format(
-      "<section class=\"card\" id=\"{}\">\n<p class=\"number\">{}</p>\n<div>\n<h2><a href=\"{}\">{}</a></h2>\n"
-      "<p class=\"summary\">{}</p>\n<p class=\"facts\">{}; {}, {}, {}, {}</p>\n"
-      "<details><summary>Goals and steps</summary>\n<p>Afterwards you can</p>\n{}\n<p><strong>Before:</strong> "
-      "{}</p>\n"
-      "<ol class=\"steps\">\n{}</ol>\n</details>\n</div>\n</section>\n",
-      lesson.slug, std::stoi(lesson.slug), page_of(lesson.slug), escaped(it.title), inline_html(it.summary),
-      in_words(reading_time(lesson)), several(questions, "prediction"), several(lesson.figures, "figure"),
-      several(lesson.films, "film"), several(lesson.claims, "checked claim"), list(it.goals),
-      inline_html(it.before), steps);
+  return fmt::format(R"(<section class="card" id="{}">
+<p class="number">{}</p>
+<div>
+<h2><a href="{}">{}</a></h2>
+<p class="summary">{}</p>
+<p class="facts">{}; {}, {}, {}, {}</p>
+<details><summary>Goals and steps</summary>
+<p>Afterwards you can</p>
+{}
+<p><strong>Before:</strong> {}</p>
+<ol class="steps">
+{}</ol>
+</details>
+</div>
+</section>
+)",
+                     lesson.slug, std::stoi(lesson.slug), page_of(lesson.slug), escaped(it.title),
+                     inline_html(it.summary), in_words(reading_time(lesson)), several(questions, "prediction"),
+                     several(lesson.figures, "figure"), several(lesson.films, "film"),
+                     several(lesson.claims, "checked claim"), list(it.goals), inline_html(it.before), steps);
 }
 
 }  // namespace
@@ -65,15 +84,15 @@ std::string contents_page(const std::vector<Digest>& lessons) {
   }
   return framed(
       {.title = "Lessons",
-       .content = fmt::format(
-           "<header class=\"cover\">\n<h1>Constraints by Hand</h1>\n<p class=\"summary\">A course that derives "
-           "physical "
-           "constraints, solves them and keeps them stable, and shows where each method fails and what its "
-           "accuracy "
-           "costs. Every number in it was computed by the C++ that it quotes, and {} of them are checked against "
-           "independent answers.</p>\n<p><a class=\"start\" href=\"{}\">Begin with lesson "
-           "1</a></p>\n</header>\n{}",
-           claims, page_of(lessons.front().slug), cards),
+       .content = fmt::format(R"(<header class="cover">
+<h1>Constraints by Hand</h1>
+<p class="summary">A course that derives physical constraints, solves them and keeps them stable, and shows where each method
+fails and what its accuracy costs. Every number in it was computed by the C++ that it quotes; {} of them are checked against
+independent answers.</p>
+<p><a class="start" href="{}">Begin with lesson {}</a></p>
+</header>
+{})",
+                              claims, page_of(lessons.front().slug), std::stoi(lessons.front().slug), cards),
        .here = "index.html"});
 }
 
@@ -81,22 +100,22 @@ std::string equations_page() {
   std::string rows;
   for (int i = 1; i <= article_equations; ++i) {
     const EquationPlace& place = equation_places[static_cast<size_t>(i - 1)];
-    const About& lesson = contents()[static_cast<size_t>(place.lesson - 1)];
-    rows += fmt::format(
-        "<section class=\"law\" id=\"equation-{0}\">\n<h2>({0}) {1}</h2>\n<div class=\"equation\"><div "
-        "class=\"formula\">"
-        "{2}</div></div>\n<p>Derived or used first in <a href=\"{3}#step-{4}\">lesson {5}, step {4}</a>.</p>\n"
-        "</section>\n",
-        i, inline_html(place.says, Links::none), display_mathml(article_equation(i).latex), page_of(lesson.slug),
-        place.step, place.lesson);
+    rows += fmt::format(R"(<section class="law" id="equation-{0}">
+<h2>({0}) {1}</h2>
+<div class="equation"><div class="formula">{2}</div></div>
+{3}
+</section>
+)",
+                        i, inline_html(place.says, Links::none), display_mathml(article_equation(i).latex),
+                        first_place(place));
   }
-  return framed(
-      {.title = "Equations",
-       .content = fmt::format("<h1>Equations (1) to ({})</h1>\n<p class=\"summary\">As R. Gaul prints them in "
-                              "<cite>Modelling and Solving Physical Constraints</cite>, 2013. Wherever a "
-                              "lesson cites one, its number brings it back.</p>\n{}",
-                              article_equations, rows),
-       .here = "equations.html"});
+  return framed({.title = "Equations",
+                 .content = fmt::format(R"(<h1>Equations (1) to ({})</h1>
+<p class="summary">As R. Gaul prints them in <cite>Modelling and Solving Physical Constraints</cite>, 2013. Wherever a lesson
+cites one, its number brings it back.</p>
+{})",
+                                        article_equations, rows),
+                 .here = "equations.html"});
 }
 
 std::string laws_page(const std::vector<Digest>& lessons) {
@@ -110,12 +129,11 @@ std::string laws_page(const std::vector<Digest>& lessons) {
       all += fmt::format("<section>\n<h2>{}</h2>\n<ul class=\"laws\">\n{}</ul>\n</section>\n",
                          escaped(lesson_title(lesson.slug)), rows);
   }
-  return framed(
-      {.title = "Laws",
-       .content = "<h1>Laws and derivations</h1>\n<p class=\"summary\">What the lessons derive line by line, "
-                  "beyond the article. Each is held against what was measured.</p>\n" +
-                  all,
-       .here = "laws.html"});
+  return framed({.title = "Laws",
+                 .content = R"(<h1>Laws and derivations</h1>
+<p class="summary">What the lessons derive line by line, beyond the article. Each is held against what was measured.</p>
+)" + all,
+                 .here = "laws.html"});
 }
 
 }  // namespace byhand::site

@@ -1,0 +1,231 @@
+// The program behind ./lessons/run site, with a course of one small lesson.
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <regex>
+#include <set>
+
+#include "lessons/site/course/site_folder.hpp"
+#include "renderer/error.hpp"
+#include "tests/lessons/tutor/process.hpp"
+#include "tests/site/markup.hpp"
+
+namespace byhand::tests {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+const std::string program = BYHAND_SITE_OF_FIXTURE;
+
+/// The site of the fixture, written once.
+class Site : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = std::make_unique<Folder>();
+    const Finished finished = run(fmt::format("{} --quality low --output {}", program, folder_->path().string()));
+    ASSERT_EQ(finished.status, 0) << finished.complained;
+    for (const auto& entry : fs::directory_iterator(root()))
+      if (entry.path().extension() == ".html")
+        pages_.emplace(entry.path().filename(), of_page(contents(entry.path())));
+  }
+  static void TearDownTestSuite() {
+    pages_.clear();
+    folder_.reset();
+  }
+  static fs::path root() { return folder_->path() / "site"; }
+
+  static std::unique_ptr<Folder> folder_;
+  static std::map<std::string, Markup> pages_;
+};
+std::unique_ptr<Folder> Site::folder_;
+std::map<std::string, Markup> Site::pages_;
+
+TEST_F(Site, HasItsPages) {
+  std::vector<std::string> names;
+  for (const auto& page : pages_) names.push_back(page.first);
+  EXPECT_THAT(names, ElementsAre("99_fixture.html", "equations.html", "index.html", "laws.html", "teaching.html"));
+}
+
+TEST_F(Site, EveryPageIsWellFormed) {
+  for (const auto& [name, page] : pages_) EXPECT_EQ(page.mistake(), "") << name;
+}
+
+TEST_F(Site, EveryLinkAndAnchorResolves) {
+  int links = 0;
+  for (const auto& [name, page] : pages_)
+    for (const std::string& link : page.all("//@href | //@src")) {
+      if (link.starts_with("data:")) continue;
+      const auto hash = link.find('#');
+      const std::string file = link.substr(0, hash);
+      EXPECT_TRUE(file.empty() || fs::is_regular_file(root() / file)) << name << ": " << link;
+      if (hash == std::string::npos) continue;
+      const Markup& target = pages_.at(file.empty() ? name : file);
+      const std::string id = link.substr(hash + 1);
+      EXPECT_EQ(target.all(fmt::format("//*[@id='{}']", id)).size(), 1U) << name << ": " << link;
+      ++links;
+    }
+  EXPECT_GT(links, 20);
+}
+
+TEST_F(Site, StylesNameFilesThatAreThere) {
+  const std::string css = contents(root() / "assets" / "style.css");
+  const std::regex url("url\\(([^)]*)\\)");
+  int files = 0;
+  for (std::sregex_iterator it(css.begin(), css.end(), url), end; it != end; ++it, ++files)
+    EXPECT_TRUE(fs::is_regular_file(root() / "assets" / (*it)[1].str())) << (*it)[1];
+  EXPECT_GT(files, 5);
+  EXPECT_TRUE(fs::is_regular_file(root() / "assets" / "fonts" / "LICENCES.txt"));
+}
+
+TEST_F(Site, AsksNothingOfOtherHosts) {
+  for (const auto& [name, page] : pages_)
+    for (const std::string& link : page.all("//@href | //@src"))
+      EXPECT_EQ(link.find("//"), std::string::npos) << name << ": " << link;
+  for (const char* const file : {"style.css", "site.js"})
+    EXPECT_EQ(contents(root() / "assets" / file).find("://"), std::string::npos) << file;
+}
+
+TEST_F(Site, EveryPageHasLandmarksATitleAndOneMainHeading) {
+  for (const auto& [name, page] : pages_) {
+    EXPECT_EQ(page.all("/html/@lang").size(), 1U) << name;
+    EXPECT_THAT(page.all("/html/head/title"), ElementsAre(HasSubstr("Constraints by Hand"))) << name;
+    for (const char* const one :
+         {"//main", "//h1", "/html/body/header", "/html/body/footer", "/html/body/a[@class='skip']"})
+      EXPECT_EQ(page.all(one).size(), 1U) << name << ": " << one;
+    EXPECT_THAT(page.all("//nav[not(@aria-label)]"), IsEmpty()) << name;
+    EXPECT_EQ(page.all("//body/a[@class='skip']/@href").front(), "#content") << name;
+  }
+}
+
+TEST_F(Site, HeadingsSkipNoLevel) {
+  for (const auto& [name, page] : pages_) {
+    EXPECT_THAT(page.all("//h3[not(preceding::h2)]"), IsEmpty()) << name;
+    EXPECT_THAT(page.all("//h4"), IsEmpty()) << name;
+    EXPECT_THAT(page.all("//h2[normalize-space()='']"), IsEmpty()) << name;
+  }
+}
+
+TEST_F(Site, EveryPictureHasAnAlternative) {
+  for (const auto& [name, page] : pages_) {
+    EXPECT_THAT(page.all("//img[not(@alt) or @alt='']"), IsEmpty()) << name;
+    EXPECT_THAT(page.all("//svg[not(@role='img')]"), IsEmpty()) << name;
+    EXPECT_THAT(page.all("//svg[not(title) and not(@aria-label)]"), IsEmpty()) << name;
+  }
+}
+
+TEST_F(Site, IdsAreUnique) {
+  for (const auto& [name, page] : pages_) {
+    const std::vector<std::string> ids = page.all("//@id");
+    EXPECT_EQ(std::set<std::string>(ids.begin(), ids.end()).size(), ids.size()) << name;
+  }
+}
+
+TEST_F(Site, LinksPictureAndDataOfEveryFigure) {
+  const Markup& lesson = pages_.at("99_fixture.html");
+  EXPECT_EQ(lesson.all("//figure[@data-figure='errors']//span[@class='files']/a"),
+            (std::vector<std::string>{"SVG", "PNG", "CSV"}));
+  EXPECT_THAT(contents(root() / lesson.all("//figure[@data-figure='errors']//a[.='CSV']/@href").front()),
+              HasSubstr("step (1)"));
+}
+
+TEST_F(Site, TellsScriptsTheParametersAndWhichStepReadsThem) {
+  const std::string json = pages_.at("99_fixture.html").all("//script[@id='parameters']").front();
+  EXPECT_THAT(json, HasSubstr(R"({"name":"beta","unit":"1")"));
+  EXPECT_THAT(json, HasSubstr(R"("1":["beta","h","steps")"));
+}
+
+TEST_F(Site, SearchKnowsTheWordsOfEveryStep) {
+  const std::string index = contents(root() / "assets" / "search.js");
+  const Markup& lesson = pages_.at("99_fixture.html");
+  for (const std::string& id : lesson.all("//section/@id[starts-with(., 'step-')]"))
+    EXPECT_THAT(index, HasSubstr('"' + id + '"'));
+  EXPECT_THAT(index, HasSubstr("Each step of 1/60 s removes a share of the error, beta = 0.2."));
+}
+
+TEST_F(Site, RebuiltHasTheSameBytes) {
+  const Folder again;
+  ASSERT_EQ(run(fmt::format("{} --quality low --quiet --output {}", program, again.path().string())).status, 0);
+  auto first = site::checksums(root()), second = site::checksums(again / "site");
+  const auto is_clocked = [](const auto& file) {
+    return file.first.find("clocked") != std::string::npos || file.first.ends_with("/manifest.json");
+  };
+  std::erase_if(first, is_clocked);
+  std::erase_if(second, is_clocked);
+  EXPECT_GT(first.size(), 20U);
+  EXPECT_EQ(first, second);
+}
+
+TEST_F(Site, ReplacesAnOlderSiteAndLeavesNothingBeside) {
+  const Folder folder;
+  fs::create_directory(folder / "site");
+  std::ofstream(folder / "site" / "manifest.json") << R"({"site": "", "files": {}})";
+  std::ofstream(folder / "site" / "old.html") << "old";
+  ASSERT_EQ(run(fmt::format("{} --quality low --quiet --output {}", program, folder.path().string())).status, 0);
+  EXPECT_FALSE(fs::exists(folder / "site" / "old.html"));
+  EXPECT_TRUE(fs::exists(folder / "site" / "index.html"));
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 1);
+}
+
+TEST(SiteProgram, RefusesAFolderThatItDidNotWrite) {
+  const Folder folder;
+  fs::create_directory(folder / "site");
+  std::ofstream(folder / "site" / "thesis.html") << "mine";
+  const Finished finished = run(fmt::format("{} --output {}", program, folder.path().string()));
+  EXPECT_EQ(finished.status, 2);
+  EXPECT_THAT(finished.complained, HasSubstr("is not a site that ./lessons/run site wrote"));
+  EXPECT_EQ(contents(folder / "site" / "thesis.html"), "mine");
+}
+
+TEST(SiteProgram, RefusesBadUsageInOneSentence) {
+  for (const char* const bad : {"--output", "--quality best", "--nonsense", "04", "--output ''"}) {
+    const Finished finished = run(program + " " + bad);
+    EXPECT_EQ(finished.status, 2) << bad;
+    EXPECT_EQ(finished.said, "") << bad;
+    EXPECT_EQ(std::count(finished.complained.begin(), finished.complained.end(), '\n'), 1) << finished.complained;
+  }
+}
+
+TEST(SiteProgram, SaysWhereItCannotWrite) {
+  const Finished finished = run(program + " --output /proc/nowhere");
+  EXPECT_EQ(finished.status, 3);
+  EXPECT_THAT(finished.complained, HasSubstr("/proc/nowhere"));
+}
+
+TEST(SiteFolder, LeavesTheOldSiteUntilItIsFinished) {
+  const Folder folder;
+  fs::create_directory(folder / "site");
+  {
+    site::SiteFolder begun(folder / "site");
+    std::ofstream(begun.path() / "index.html") << "new";
+    EXPECT_TRUE(fs::is_empty(folder / "site"));
+  }
+  EXPECT_TRUE(fs::is_empty(folder / "site"));
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 1);
+  site::SiteFolder finished(folder / "site");
+  std::ofstream(finished.path() / "index.html") << "new";
+  finished.finish();
+  EXPECT_EQ(contents(folder / "site" / "index.html"), "new");
+}
+
+TEST(SiteFolder, BelongsToOneRunAtATime) {
+  const Folder folder;
+  const site::SiteFolder first(folder / "site");
+  EXPECT_THROW(site::SiteFolder(folder / "site"), renderer::EnvironmentError);
+}
+
+TEST(SiteFolder, IsEmptiedOfWhatAKilledRunLeft) {
+  const Folder folder;
+  fs::create_directories(folder / ".site.part" / "assets");
+  const site::SiteFolder fresh(folder / "site");
+  EXPECT_TRUE(fs::is_empty(fresh.path()));
+}
+
+}  // namespace
+}  // namespace byhand::tests

@@ -1,0 +1,154 @@
+#include "lessons/site/step_html.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "lessons/tutor/lesson.hpp"
+#include "tests/site/markup.hpp"
+
+namespace byhand::tests {
+namespace {
+
+using namespace tutor;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// The section of one step, as HTML, with a stand-in for each picture.
+std::string told(const StepFunction& run) {
+  static Lesson lesson({.slug = "98_told"});
+  const Step step{.label = "3a", .title = "(17) & *more*", .deeper = true, .run = run};
+  const RecordedStep recorded = record_step(lesson, step, true);
+  return site::step_html(recorded, {.figure =
+                                        [](const Figure&) {
+                                          return site::Shown{"<svg></svg>", "LINK"};
+                                        },
+                                    .film = [](const Sequence&) { return site::Shown{"<svg></svg>"}; }});
+}
+Markup read(const StepFunction& run) { return of_page(told(run)); }
+
+Claim claim(const char* quantity, double measured, bool claimed = true) {
+  return {.quantity = quantity,
+          .unit = "m",
+          .expected = 1,
+          .source = "a law",
+          .measured = measured,
+          .tolerance = absolute(0.1),
+          .claimed = claimed,
+          .range = claimed ? "" : "β < 1"};
+}
+
+TEST(StepHtml, IsASectionUnderItsLabel) {
+  const Markup section = read([](Page& page) { page.text("Words."); });
+  EXPECT_EQ(section.mistake(), "");
+  EXPECT_THAT(section.all("/section/@id"), ElementsAre("step-3a"));
+  EXPECT_THAT(section.all("/section/@data-step"), ElementsAre("3a"));
+  EXPECT_THAT(section.all("/section/h2"), ElementsAre("3a (17) & more deeper"));
+  EXPECT_THAT(section.all("/section/h2//a//a"), IsEmpty());
+}
+
+TEST(StepHtml, EveryChildHasTheIndexOfItsItem) {
+  const Markup section = read([](Page& page) {
+    page.text("One.");
+    page.measure("a", 1, "m");
+    page.measure("b", 2, "m");
+    page.claim(claim("c", 1));
+    page.claim(claim("d", 1));
+    page.equation(17);
+    page.claim(claim("e", 1));
+  });
+  EXPECT_THAT(section.all("/section/*/@data-item"), ElementsAre("0", "1", "3", "5", "6"));
+  EXPECT_THAT(section.all("//*/@data-item"), ElementsAre("0", "1", "1", "2", "3", "3", "4", "5", "6", "6"));
+}
+
+TEST(StepHtml, AnEquationOfTheArticleCarriesItsNumberAndItsNumbersDoNot) {
+  const Markup section = read([](Page& page) { page.equation(22, "JV = −@", "JV = -@", 3.0); });
+  EXPECT_THAT(section.all("//*[@class='number']"), ElementsAre("(22)"));
+  EXPECT_THAT(section.all("//math"), ElementsAre("JV=−βC", "JV=−3"));
+}
+
+TEST(StepHtml, ClaimsAreFoldedToOneLineThatCountsTheVerdicts) {
+  const auto in_short = [](const std::vector<Claim>& claims) {
+    const Markup section = read([&](Page& page) {
+      for (const Claim& one : claims) page.claim(one);
+    });
+    return section.all("//details[@class='claims']/summary");
+  };
+  EXPECT_THAT(in_short({claim("a", 1)}), ElementsAre("1 claim holds"));
+  EXPECT_THAT(in_short({claim("a", 1), claim("b", 1.05)}), ElementsAre("2 claims hold"));
+  EXPECT_THAT(in_short({claim("a", 1), claim("b", 2)}), ElementsAre("1 claim holds, 1 is false"));
+  EXPECT_THAT(in_short({claim("a", 1), claim("b", 2, false), claim("c", 2, false)}),
+              ElementsAre("1 claim holds, 2 are not claimed here"));
+  EXPECT_THAT(in_short({claim("a", 2, false)}), ElementsAre("1 claim is not claimed here"));
+}
+
+TEST(StepHtml, AFalseClaimIsOpen) {
+  EXPECT_THAT(told([](Page& page) { page.claim(claim("a", 1)); }), HasSubstr("data-false=\"0\">"));
+  EXPECT_THAT(told([](Page& page) { page.claim(claim("a", 2)); }), HasSubstr("data-false=\"1\" open=\"open\">"));
+}
+
+TEST(StepHtml, AQuestionKeepsItsAnswerFolded) {
+  const Markup section = read([](Page& page) {
+    page.predict({.ask = "How far?",
+                  .answer = 2,
+                  .unit = "m",
+                  .tolerance = 0.1,
+                  .wrong = {{4, "Half of it."}},
+                  .hints = {"Look.", "(8)"},
+                  .right = "So far."});
+    page.choose({.ask = "Which?",
+                 .options = {{"this", "It is."}, {"that", "It is not."}},
+                 .answer = 1,
+                 .hints = {"Think."}});
+  });
+  EXPECT_EQ(section.mistake(), "");
+  EXPECT_THAT(section.all("//form/@data-question"), ElementsAre("3a.1", "3a.2"));
+  EXPECT_THAT(section.all("//form/@data-kind"), ElementsAre("number", "choice"));
+  EXPECT_THAT(section.all("//form[1]//details/summary"), ElementsAre("Hint 1", "Hint 2", "Answer"));
+  EXPECT_THAT(section.all("//form[2]//details/summary"), ElementsAre("Hint", "Answer"));
+  EXPECT_THAT(section.all("//form[1]//details[@class='solution']/p"),
+              ElementsAre("2 m. So far.", "Not 4 m: Half of it."));
+  EXPECT_THAT(section.all("//form[2]//details[@class='solution']/p"),
+              ElementsAre("Not 1. this: It is.", "2. that. It is not."));
+  EXPECT_THAT(section.all("//form//*[not(ancestor-or-self::details)][contains(., 'So far')]"), IsEmpty());
+  EXPECT_THAT(section.all("//input[@type='radio']/@value"), ElementsAre("1", "2"));
+}
+
+TEST(StepHtml, AFigureHasItsPictureCaptionLinksAndWords) {
+  const Markup section = read([](Page& page) {
+    page.figure("errors", "The *error*.",
+                renderer::Chart{.x = {.label = "t (s)"},
+                                .y = {.label = "C (m)"},
+                                .curves = {{.label = "C", .x = {0, 1, 2}, .y = {3, 1, 5}}}});
+  });
+  EXPECT_THAT(section.all("//figure/@data-figure"), ElementsAre("errors"));
+  EXPECT_THAT(section.all("//figure/div[@class='picture']/svg"), ElementsAre(""));
+  EXPECT_THAT(section.all("//figcaption"), ElementsAre("The error. LINK"));
+  EXPECT_THAT(section.all("//figure/details[@class='words']"), ElementsAre(HasSubstr("3")));
+}
+
+TEST(StepHtml, TablesDerivationsAndSourceAreThere) {
+  const Markup section = read([](Page& page) {
+    page.table({"symbol", "meaning"}, {{"β", "a *share*"}, {"C", "the error"}});
+    page.derivation("Why", {{"by (21)", "a = b", "a = b"}, {"then", "b = c", "b = c"}});
+    page.excerpt("tests/lessons/fixture/main.cpp", "correct");
+  });
+  EXPECT_EQ(section.mistake(), "");
+  EXPECT_THAT(section.all("//th[@scope='col']"), ElementsAre("symbol", "meaning"));
+  EXPECT_THAT(section.all("//td"), ElementsAre("β", "a share", "C", "the error"));
+  EXPECT_THAT(section.all("//details[@class='lines']/summary"), ElementsAre("Derivation: Why"));
+  EXPECT_THAT(section.all("//details[@class='lines']//li/p"), ElementsAre("by (21)", "then"));
+  EXPECT_THAT(section.all("//figure[@class='excerpt']/figcaption"), ElementsAre(HasSubstr("main.cpp, line ")));
+  EXPECT_THAT(section.all("//pre/code"), ElementsAre("const double corrected = error - beta * error;\n"));
+}
+
+TEST(StepHtml, IsTheSameEachTime) {
+  const auto run = [](Page& page) {
+    page.text("β is @.", 0.1);
+    page.equation(17);
+  };
+  EXPECT_EQ(told(run), told(run));
+}
+
+}  // namespace
+}  // namespace byhand::tests
