@@ -1,5 +1,7 @@
 #include "lessons/exact/heavy_top.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>

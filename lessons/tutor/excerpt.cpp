@@ -3,10 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
+#include <sstream>
 #include <vector>
 
 #include "lessons/tutor/error.hpp"
+#include "lessons/tutor/source_text.hpp"
 #include "renderer/error.hpp"
 
 namespace byhand::tutor {
@@ -33,10 +34,11 @@ std::string without_common_indentation(const std::vector<std::string>& lines) {
 }  // namespace
 
 Excerpt read_excerpt(const std::string& root, const std::string& file, const std::string& tag) {
-  std::ifstream source(root + "/" + file);
-  if (!source)
+  const std::optional<std::string> text = source_text(root + "/" + file);
+  if (!text)
     throw renderer::EnvironmentError(
         fmt::format("The source {} cannot be read: the checkout {} is not complete.", file, root));
+  std::istringstream source(*text);
   const std::string marker = "//! [" + tag + "]";
   Excerpt excerpt{file, 0, ""};
   std::vector<std::string> lines;

@@ -1,0 +1,24 @@
+#include "lessons/site/live/film.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace byhand::site {
+
+using namespace tutor;
+
+bool Film::in_real_time() const { return std::holds_alternative<Seconds>(sequence_->length); }
+
+int Film::frames() const {
+  if (const auto* frames = std::get_if<Frames>(&sequence_->length)) return std::max(1, frames->value);
+  return static_cast<int>(std::lround(std::get<Seconds>(sequence_->length).value * rate)) + 1;
+}
+
+void Film::draw(renderer::Canvas& canvas, int index) {
+  index = std::clamp(index, 0, frames() - 1);
+  if (index < last_) drawing_ = sequence_->draw;
+  last_ = index;
+  drawing_(canvas, in_real_time() ? static_cast<double>(index) / rate : index);
+}
+
+}  // namespace byhand::site

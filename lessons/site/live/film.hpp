@@ -1,0 +1,25 @@
+#pragma once
+
+#include "lessons/tutor/items.hpp"
+
+namespace byhand::site {
+
+/// A sequence whose frames can be asked for in any order. One that lies before the last is drawn from the
+/// beginning, because a drawing advances its simulation to the time that it draws.
+class Film {
+ public:
+  static constexpr int rate = 30;  // frames per second of a sequence in real time
+
+  explicit Film(const tutor::Sequence& sequence) : sequence_(&sequence), drawing_(sequence.draw) {}
+
+  int frames() const;
+  bool in_real_time() const;
+  void draw(renderer::Canvas& canvas, int index);
+
+ private:
+  const tutor::Sequence* sequence_;
+  tutor::FrameDrawing drawing_;
+  int last_ = 0;
+};
+
+}  // namespace byhand::site

@@ -1,0 +1,583 @@
+'use strict';
+// A lesson's page comes to life: its parameters become sliders, and what depends on one that changed is told again by
+// the lesson's own C++ in two workers, one for steps that answer at once and one for the others.
+
+(() => {
+  const parts = globalThis.byhandParts ?? {};  // the lesson, its files and the worker, packed (see pack in build)
+  const quick = 100, patience = 2500, rest = 350;  // ms: of a step; of a reader before a step needs a button; between changes
+  const reduced = matchMedia('(prefers-reduced-motion: reduce)');
+
+  const make = (tag, properties = {}, ...children) => {
+    const { data = {}, attributes = {}, ...own } = properties;
+    const element = Object.assign(document.createElement(tag), own);
+    Object.assign(element.dataset, data);
+    for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+    element.append(...children);
+    return element;
+  };
+  const pause = milliseconds => new Promise(resolve => setTimeout(resolve, milliseconds));
+  const nextFrame = () => new Promise(requestAnimationFrame);
+
+  // ---- The lesson's program in a worker.
+
+  class Stopped extends Error {}
+
+  class Lesson {
+    #worker; #waiting = new Map(); #next = 0; #source;
+
+    start() {
+      this.#source ??= unpacked(parts.worker).then(bytes => URL.createObjectURL(new Blob([bytes], { type: 'text/javascript' })));
+      this.started = this.#source.then(source => {
+        const worker = this.#worker = new Worker(source);
+        worker.onmessage = ({ data }) => this.#hear(data);
+        worker.onerror = event => this.#hear({ id: 0, failure: event.message });
+        return this.#post({ start: { lesson: parts.lesson, files: parts.files } });
+      });
+      return this.started;
+    }
+
+    #post(message, progress) {
+      return new Promise((resolve, reject) => {
+        const id = this.#next++;
+        this.#waiting.set(id, { resolve, reject, progress });
+        this.#worker.postMessage({ id, ...message });
+      });
+    }
+
+    #hear({ id, answer, failure, done, total }) {
+      const waiting = this.#waiting.get(id);
+      if (!waiting) return;
+      if (total !== undefined) return waiting.progress?.(done, total);
+      this.#waiting.delete(id);
+      failure === undefined ? waiting.resolve(answer) : waiting.reject(new Error(failure));
+    }
+
+    // `milliseconds`: how long it may take; without it, as long as it takes.
+    async ask(request, { milliseconds, progress } = {}) {
+      await (this.started ?? this.start());
+      const answer = this.#post({ request }, progress);
+      const timer = milliseconds && setTimeout(() => this.stop(), milliseconds);
+      return answer.finally(() => clearTimeout(timer));
+    }
+
+    stop() {
+      this.#worker?.terminate();
+      this.started = undefined;
+      for (const { reject } of this.#waiting.values()) reject(new Stopped('stopped'));
+      this.#waiting.clear();
+    }
+  }
+
+  const atOnce = new Lesson(), takingTime = new Lesson();
+
+  async function unpacked(packed) {
+    const bytes = Uint8Array.from(atob(packed), letter => letter.charCodeAt(0));
+    return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer();
+  }
+
+  // ---- Settings: what the reader changed, as it was typed. The address carries them: #beta=1.9&h=1/120
+
+  const settings = new Map();
+  let parameters = new Map();
+
+  function readAddress() {
+    settings.clear();
+    for (const pair of decodeURIComponent(location.hash.slice(1)).split('&')) {
+      const [name, value] = pair.split('=');
+      if (value !== undefined && parameters.has(name)) settings.set(name, value);
+    }
+  }
+
+  function writeAddress() {
+    const anchor = decodeURIComponent(location.hash.slice(1)).split('&').filter(part => part && !part.includes('='));
+    const changed = [...settings].map(([name, value]) => `${name}=${value}`);
+    const hash = [...anchor, ...changed].join('&');
+    history.replaceState(null, '', hash ? '#' + hash : location.pathname + location.search);
+  }
+
+  const asObject = map => Object.fromEntries(map);
+
+  // A slider's place, 0 to 1, for a value, and the value for a place: by ratio where a range spans two powers of ten.
+  function scale({ low, high, whole }) {
+    const byRatio = low > 0 && high / low >= 100;
+    const place = value => byRatio ? Math.log(value / low) / Math.log(high / low) : (value - low) / (high - low);
+    const at = share => {
+      const value = byRatio ? low * (high / low) ** share : low + share * (high - low);
+      const rounded = whole ? Math.round(value) : +value.toPrecision(byRatio ? 2 : 3);
+      return String(Math.min(high, Math.max(low, rounded)));
+    };
+    return { place, at, steps: whole && high - low <= 1000 && !byRatio ? high - low : 500 };
+  }
+
+  const number = typed => {
+    const [above, below = 1] = typed.replace('−', '-').split('/').map(Number);
+    return above / below;
+  };
+
+  // ---- One step of the page.
+
+  // What must differ for a child to count as changed: not its picture, nor what this script added.
+  function bare(node) {
+    const copy = node.cloneNode(true);
+    copy.querySelectorAll('.picture, .files, .player, .reply').forEach(part => part.replaceChildren());
+    copy.querySelectorAll('.player').forEach(part => part.remove());
+    copy.querySelectorAll('details').forEach(part => part.removeAttribute('open'));
+    if (copy.matches('details')) copy.removeAttribute('open');
+    copy.classList.remove('fresh');
+    if (!copy.classList.length) copy.removeAttribute('class');
+    return copy;
+  }
+
+  class Step {
+    constructor(section) {
+      this.section = section;
+      this.label = section.dataset.step;
+      this.read = new Set();
+      this.stale = false;
+      this.controls = new Map();
+      this.settings = make('div', { className: 'settings' });
+      this.state = make('p', { className: 'state', attributes: { role: 'status' } });
+      section.querySelector('h2').after(this.settings, this.state);
+      this.shown = new Map();  // by data-item: the child as it was last shown, bare, and its picture
+      this.films = new Map();
+      this.section.querySelectorAll('figure[data-film]').forEach(figure => this.films.set(figure.dataset.film, new Film(this, figure)));
+    }
+
+    get lesson() { return this.milliseconds < quick ? atOnce : takingTime; }
+    get distance() {
+      const { top, bottom } = this.section.getBoundingClientRect();
+      return top > innerHeight ? top - innerHeight : bottom < 0 ? -bottom : 0;
+    }
+
+    request(more) { return { ...more, step: this.label, settings: asObject(settings) }; }
+
+    // Tells the step at the present settings. Without `willing`, only if it does not take long.
+    async tell(willing = false) {
+      this.stale = false;
+      this.telling = true;
+      const begin = performance.now();
+      const bar = setTimeout(() => this.say('computing …'), 300);
+      try {
+        const told = await this.lesson.ask(this.request({ ask: 'tell' }), {
+          milliseconds: willing ? undefined : patience,
+          progress: (done, total) => this.sayProgress(done, total),
+        });
+        this.milliseconds = performance.now() - begin;
+        if (told.refused) return refuse(told);
+        if (told.error) return this.say(told.error);
+        this.needsButton = false;
+        this.read = new Set(told.read);
+        this.offerSettings();
+        this.show(told.html);
+        this.say('');
+      } catch (error) {
+        if (!(error instanceof Stopped)) throw error;
+        this.milliseconds = Infinity;
+        this.needsButton = true;
+        this.offerRun();
+      } finally {
+        clearTimeout(bar);
+        this.telling = false;
+        this.section.classList.toggle('stale', this.stale || !!this.needsButton);
+      }
+    }
+
+    say(words) { this.state.replaceChildren(words); }
+    sayProgress(done, total) {
+      const bar = make('progress', { max: total, value: done, attributes: { 'aria-label': 'share of this step that is computed' } });
+      const stop = make('button', { type: 'button', textContent: 'Stop', onclick: () => takingTime.stop() });
+      this.state.replaceChildren('computing ', bar, ' ', stop);
+    }
+    offerRun() {
+      const run = make('button', { type: 'button', className: 'run', textContent: 'Run it with these settings' });
+      run.onclick = () => queue.run(this);
+      this.state.replaceChildren('This step takes longer than a moment. ', run);
+    }
+
+    show(html) {
+      const fresh = new DOMParser().parseFromString(html, 'text/html').querySelector('section');
+      const keep = new Set();
+      let before = this.state;
+      for (const next of fresh.querySelectorAll(':scope > [data-item]')) {
+        before = this.place(next, before);
+        keep.add(before);
+      }
+      for (const old of this.section.querySelectorAll(':scope > [data-item]')) if (!keep.has(old)) old.remove();
+    }
+
+    // Puts the child `next` after `before`, or leaves what stands there if it is the same; returns what stands there.
+    place(next, before) {
+      const key = next.dataset.item;
+      const old = this.section.querySelector(`:scope > [data-item="${key}"]`);
+      const picture = next.querySelector('.picture')?.innerHTML;
+      const words = bare(next);
+      const same = old && old.tagName === next.tagName && (this.shown.get(key)?.words ?? bare(old)).isEqualNode(words);
+      if (same) {
+        if (picture !== undefined && picture !== this.shown.get(key)?.picture) this.draw(old, picture);
+        this.shown.set(key, { words, picture });
+        if (before.nextElementSibling !== old) before.after(old);
+        return old;
+      }
+      this.shown.set(key, { words, picture });
+      this.carryOver(old, next);
+      if (old) old.replaceWith(next);
+      before.after(next);
+      if (next.dataset.film) this.adopt(next);
+      this.mark(next);
+      return next;
+    }
+
+    draw(figure, picture) {
+      const film = this.films.get(figure.dataset.film);
+      figure.querySelector('.picture').innerHTML = picture;
+      if (film) film.retold();
+    }
+    adopt(figure) {
+      const film = this.films.get(figure.dataset.film);
+      film ? film.moveTo(figure) : this.films.set(figure.dataset.film, new Film(this, figure));
+    }
+
+    // What was unfolded or typed stays so.
+    carryOver(old, next) {
+      if (!old) return;
+      const details = [...next.querySelectorAll('details')];
+      if (next.matches('details')) details.unshift(next);
+      const before = [...old.querySelectorAll('details')];
+      if (old.matches('details')) before.unshift(old);
+      details.forEach((one, i) => { if (before[i]?.open) one.open = true; });
+      const typed = old.querySelector('input[type=text]'), field = next.querySelector('input[type=text]');
+      if (typed && field) field.value = typed.value;
+    }
+
+    mark(child) {
+      child.classList.add('fresh');
+      setTimeout(() => child.classList.remove('fresh'), 1600);
+    }
+
+    // A slider for each parameter that the step reads.
+    offerSettings() {
+      for (const name of parameters.keys()) {
+        if (!this.read.has(name)) continue;
+        if (!this.controls.has(name)) this.controls.set(name, new Control(this, parameters.get(name)));
+        this.settings.append(this.controls.get(name).element);
+      }
+      for (const [name, control] of this.controls) if (!this.read.has(name)) control.element.remove();
+    }
+  }
+
+  // ---- A parameter beside a step.
+
+  class Control {
+    constructor(step, parameter) {
+      this.parameter = parameter;
+      const { name, unit, meaning, choices, allowed } = parameter;
+      const id = `set-${step.label}-${name}`;
+      const title = make('span', { className: 'name', id: id + '-name', textContent: name });
+      const about = make('span', { className: 'meaning', id: id + '-meaning', textContent: meaning });
+      this.error = make('p', { className: 'refused', id: id + '-refused', attributes: { role: 'alert' } });
+      const naming = { 'aria-labelledby': title.id, 'aria-describedby': `${about.id} ${this.error.id}` };
+      this.element = make('div', { className: 'setting', data: { name } }, title);
+      if (choices.length) {
+        this.field = make('select', { attributes: naming }, ...choices.map(choice => make('option', { textContent: choice })));
+      } else {
+        this.field = make('input', { type: 'text', autocomplete: 'off', spellcheck: false, attributes: naming });
+        this.element.title = `${allowed} ${unit === '1' ? '' : unit}`;
+      }
+      this.field.onchange = () => change(name, this.field.value);
+      this.element.append(this.field);
+      if (!choices.length && unit && unit !== '1') this.element.append(make('span', { className: 'unit', textContent: unit }));
+      if (!choices.length) {
+        this.scale = scale(parameter);
+        this.slider = make('input', {
+          type: 'range', min: 0, max: this.scale.steps, step: 1,
+          attributes: { 'aria-labelledby': title.id, 'aria-describedby': about.id },
+        });
+        this.slider.oninput = () => change(name, this.scale.at(this.slider.value / this.scale.steps), this.slider);
+        this.element.append(this.slider);
+      }
+      this.element.append(about, this.error);
+      this.show();
+    }
+
+    show(moving) {
+      const typed = settings.get(this.parameter.name) ?? this.parameter.typed;
+      this.error.textContent = '';
+      this.field.value = typed;
+      this.field.removeAttribute('aria-invalid');
+      this.element.classList.toggle('changed', settings.has(this.parameter.name));
+      if (!this.slider) return;
+      const value = number(typed);
+      if (this.slider !== moving && Number.isFinite(value)) this.slider.value = Math.round(this.scale.steps * this.scale.place(value));
+      this.slider.setAttribute('aria-valuetext', `${typed} ${this.parameter.unit === '1' ? '' : this.parameter.unit}`);
+    }
+
+    refuse(sentence) {
+      this.error.textContent = sentence;
+      this.field.setAttribute('aria-invalid', 'true');
+    }
+  }
+
+  let steps = [];
+  const controls = name => steps.map(step => step.controls.get(name)).filter(Boolean);
+
+  function refuse({ refused, parameter }) { controls(parameter).forEach(control => control.refuse(refused)); }
+
+  // ---- A change: what depends on it is told again, the step in view first.
+
+  let changed = 0;
+
+  async function change(name, value, moving) {
+    changed = performance.now();
+    const { typed } = parameters.get(name);
+    if (!moving) {  // a slider stays within its range
+      const answer = await atOnce.ask({ ask: 'check', settings: { [name]: value } });
+      if (answer.refused) return refuse(answer);
+      value = answer.typed[name];
+    }
+    value === typed ? settings.delete(name) : settings.set(name, value);
+    controls(name).forEach(control => control.show(moving));
+    writeAddress();
+    bar.show();
+    queue.add(steps.filter(step => step.read.has(name)));
+  }
+
+  const queue = {
+    running: new Set(),
+
+    add(stale) {
+      for (const step of stale) {
+        step.stale = true;
+        step.section.classList.add('stale');
+        if (step.needsButton) step.offerRun();
+      }
+      this.advance();
+    },
+
+    next(lesson) {
+      const rested = performance.now() - changed > rest;
+      return steps
+        .filter(step => step.stale && !step.telling && !step.needsButton && step.lesson === lesson)
+        .map(step => ({ step, distance: step.distance }))
+        .filter(({ distance, step }) => distance <= (rested ? innerHeight : 0) && (rested || step.milliseconds === undefined || step.milliseconds < 4 * quick))
+        .sort((a, b) => a.distance - b.distance)[0]?.step;
+    },
+
+    async advance() {
+      for (const lesson of [atOnce, takingTime]) this.serve(lesson);
+      clearTimeout(this.later);
+      if (steps.some(step => step.stale)) this.later = setTimeout(() => this.advance(), rest + 20);
+    },
+
+    async serve(lesson) {
+      if (this.running.has(lesson)) return;
+      this.running.add(lesson);
+      try {
+        for (let step; (step = this.next(lesson));) {
+          await step.tell();
+          await nextFrame();
+        }
+      } catch (error) {
+        bar.fail(error);
+      } finally {
+        this.running.delete(lesson);
+      }
+    },
+
+    async run(step) {
+      step.stale = true;
+      await step.tell(true).catch(error => bar.fail(error));
+    },
+  };
+
+  // ---- A film: every frame is drawn when it is looked at.
+
+  class Film {
+    constructor(step, figure) {
+      this.step = step;
+      this.name = figure.dataset.film;
+      const button = (words, label, onclick) => make('button', { type: 'button', textContent: words, onclick, attributes: { 'aria-label': label } });
+      this.play = button('▶', 'play', () => this.playing ? this.stop() : this.run());
+      this.back = button('‹', 'one frame back', () => this.jump(-1));
+      this.ahead = button('›', 'one frame on', () => this.jump(1));
+      this.slider = make('input', { type: 'range', min: 0, max: 1, value: 1, attributes: { 'aria-label': 'time in the film' } });
+      this.slider.oninput = () => { this.stop(); this.show(+this.slider.value); };
+      this.time = make('output');
+      this.player = make('div', { className: 'player' }, this.play, this.back, this.ahead, this.slider, this.time);
+      this.moveTo(figure);
+    }
+
+    moveTo(figure) {
+      this.figure = figure;
+      figure.querySelector('.picture').after(this.player);
+      this.retold();
+    }
+
+    // The step was told again, and its last frame stands in the picture.
+    retold() {
+      const screen = this.figure.querySelector('.screen');
+      if (!screen) return;
+      const wanted = this.frames > 1 && this.index !== undefined && this.index < this.frames - 1 ? this.index : undefined;
+      this.frames = +screen.dataset.frames;
+      this.rate = +screen.dataset.rate;
+      this.slider.max = this.frames - 1;
+      this.index = this.frames - 1;
+      this.slider.value = this.index;
+      this.tellTime();
+      if (wanted !== undefined && !this.playing) this.show(Math.min(wanted, this.frames - 1));
+    }
+
+    tellTime() {
+      this.time.textContent = this.rate ? `${(this.index / this.rate).toFixed(2)} s` : `${this.index} of ${this.frames - 1}`;
+      this.slider.setAttribute('aria-valuetext', this.time.textContent);
+    }
+
+    async ready() {
+      if (this.frames === undefined) await this.step.tell(true);
+    }
+
+    // Draws frame `index`; if others are asked for meanwhile, the last of them after it.
+    async show(index) {
+      this.wanted = index;
+      if (this.drawing) return this.drawing;
+      this.drawing = (async () => {
+        await this.ready();
+        do {
+          index = this.wanted;
+          const { svg, error } = await this.step.lesson.ask(this.step.request({ ask: 'frame', film: this.name, index }));
+          if (error) return this.step.say(error);
+          this.figure.querySelector('.screen').innerHTML = svg;
+          this.index = index;
+          this.slider.value = index;
+          this.tellTime();
+        } while (this.wanted !== index);
+      })().catch(error => bar.fail(error)).finally(() => { this.drawing = undefined; });
+      return this.drawing;
+    }
+
+    async jump(by) {
+      this.stop();
+      await this.ready();
+      await this.show(Math.min(this.frames - 1, Math.max(0, this.index + by)));
+    }
+
+    async run() {
+      this.playing = true;
+      this.play.textContent = '❚❚';
+      this.play.setAttribute('aria-label', 'pause');
+      await this.ready();
+      const first = this.index >= this.frames - 1 ? 0 : this.index, begin = performance.now();
+      const rate = this.rate || 3;  // frames that stand for steps: three a second
+      this.drawn = 0;
+      for (let index = first; this.playing; ++this.drawn) {
+        await this.show(index);
+        if (index >= this.frames - 1) break;
+        await nextFrame();
+        index = Math.min(this.frames - 1, Math.max(index, first + Math.floor((performance.now() - begin) / 1000 * rate)));
+      }
+      this.perSecond = this.drawn / ((performance.now() - begin) / 1000);
+      this.stop();
+    }
+
+    stop() {
+      this.playing = false;
+      this.play.textContent = '▶';
+      this.play.setAttribute('aria-label', 'play');
+    }
+  }
+
+  // ---- Questions, graded by the lesson.
+
+  async function grade(form, typed) {
+    const [label, question] = form.dataset.question.split('.');
+    const step = steps.find(step => step.label === label);
+    const reply = form.querySelector('.reply');
+    const given = await step.lesson.ask(step.request({ ask: 'grade', question: +question, typed }));
+    const verdict = !given.understood ? '' : given.right ? 'Yes. ' : 'No. ';
+    reply.className = 'reply ' + (!given.understood ? '' : given.right ? 'right' : 'wrong');
+    reply.textContent = verdict + (given.reply ?? given.error);
+  }
+
+  document.addEventListener('submit', event => {
+    const form = event.target.closest('form[data-question]');
+    if (!form) return;
+    event.preventDefault();
+    if (form.dataset.kind === 'number') grade(form, form.elements.typed.value).catch(error => bar.fail(error));
+  });
+  document.addEventListener('change', event => {
+    const form = event.target.closest('form[data-kind="choice"]');
+    if (form && event.target.name === 'typed') grade(form, event.target.value).catch(error => bar.fail(error));
+  });
+
+  // ---- What the reader changed, at the foot of the window.
+
+  const bar = {
+    element: make('aside', { className: 'changes', hidden: true, attributes: { 'aria-label': 'Changed settings' } }),
+
+    show() {
+      const reset = make('button', { type: 'button', textContent: 'Reset', onclick: resetAll });
+      const copy = make('button', { type: 'button', textContent: 'Copy link', onclick: () => this.copy(copy) });
+      const changes = [...settings].map(([name, value]) =>
+        make('span', { className: 'change' }, `${name} = ${value}`, make('span', { className: 'was' }, ` (${parameters.get(name).typed})`)));
+      this.element.replaceChildren(...changes, reset, copy);
+      this.element.hidden = !settings.size;
+    },
+
+    copy(button) {
+      navigator.clipboard?.writeText(location.href).then(() => { button.textContent = 'Copied'; },
+        () => { button.textContent = 'The link is in the address bar'; });
+    },
+
+    fail(error) {
+      if (error instanceof Stopped) return;
+      this.element.hidden = false;
+      this.element.setAttribute('role', 'alert');
+      this.element.replaceChildren(`The lesson's program stopped (${error.message}). The page stays readable; load it again to change settings.`);
+    },
+  };
+
+  function resetAll() {
+    const names = [...settings.keys()];
+    settings.clear();
+    names.forEach(name => controls(name).forEach(control => control.show()));
+    changed = performance.now();
+    writeAddress();
+    bar.show();
+    queue.add(steps.filter(step => names.some(name => step.read.has(name))));
+  }
+
+  // ---- Beginning.
+
+  async function begin() {
+    const article = document.querySelector('article[data-lesson]');
+    if (!article || !parts.lesson) return;
+    document.body.append(bar.element);
+    try {
+      const about = await atOnce.start();
+      parameters = new Map(about.parameters.map(parameter => [parameter.name, parameter]));
+    } catch (error) {
+      return bar.fail(error);
+    }
+    steps = [...article.querySelectorAll('section[data-step]')].map(section => new Step(section));
+    const reads = globalThis.byhandReads ?? {};
+    for (const step of steps) step.read = new Set(reads[step.label] ?? []);
+    readAddress();
+    steps.forEach(step => step.offerSettings());
+    document.documentElement.classList.add('live');
+    bar.show();
+    if (settings.size) queue.add(steps.filter(step => [...settings.keys()].some(name => step.read.has(name))));
+    addEventListener('scroll', () => queue.advance(), { passive: true });
+    addEventListener('hashchange', () => {
+      const before = asObject(settings);
+      readAddress();
+      const names = [...parameters.keys()].filter(name => before[name] !== settings.get(name));
+      names.forEach(name => controls(name).forEach(control => control.show()));
+      bar.show();
+      queue.add(steps.filter(step => names.some(name => step.read.has(name))));
+    });
+    takingTime.start().catch(error => bar.fail(error));
+    document.documentElement.dataset.ready = '';
+  }
+
+  globalThis.byhandPage = { get steps() { return steps; }, settings, queue };  // for tests
+  begin();
+})();

@@ -1,0 +1,143 @@
+#include "lessons/site/live/program.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "lessons/site/live/drawn.hpp"
+#include "lessons/site/step_html.hpp"
+#include "lessons/tutor/grading.hpp"
+
+namespace byhand::site {
+namespace {
+
+using namespace tutor;
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kept = 2;  // told pages of a step: a reader may look at two settings side by side
+
+struct Refused : std::invalid_argument {
+  Refused(std::string name, const char* sentence) : std::invalid_argument(sentence), parameter(std::move(name)) {}
+  std::string parameter;
+};
+
+Json described(const ParameterRecord& p) {
+  return {{"name", p.name},        {"unit", p.unit},       {"meaning", p.meaning},
+          {"low", p.range.low},    {"high", p.range.high}, {"initial", p.initial},
+          {"whole", p.integer},    {"choices", p.choices}, {"typed", p.typed(p.initial)},
+          {"allowed", p.allowed()}};
+}
+
+Json described(const Lesson& lesson) {
+  Json parameters = Json::array(), steps = Json::array();
+  for (const ParameterRecord& p : lesson.parameters()) parameters.push_back(described(p));
+  for (const Step& s : lesson.steps()) steps.push_back({{"label", s.label}, {"title", s.title}});
+  return {{"parameters", parameters}, {"steps", steps}};
+}
+
+/// Question `number`, from 1, of the page.
+const Item& question(const Page& page, int number) {
+  for (const Item& item : page.items())
+    if ((std::holds_alternative<Prediction>(item) || std::holds_alternative<Choice>(item)) && --number == 0)
+      return item;
+  throw std::invalid_argument("There is no such question.");
+}
+
+Json graded(const Lesson& lesson, const Item& item, const std::string& typed) {
+  const auto* prediction = std::get_if<Prediction>(&item);
+  const Grade given =
+      prediction ? grade(*prediction, typed, forgettable_factors(lesson)) : grade(std::get<Choice>(item), typed);
+  return {{"right", given.right}, {"understood", given.understood}, {"reply", given.reply}};
+}
+
+}  // namespace
+
+void Program::apply(const std::map<std::string, std::string>& settings) {
+  for (const ParameterRecord& p : lesson_.parameters()) lesson_.set(p.name, p.typed(p.initial));
+  for (const auto& [name, value] : settings) try {
+      lesson_.set(name, value);
+    } catch (const std::invalid_argument& refused) {
+      throw Refused(name, refused.what());
+    }
+}
+
+std::string Program::settings() const {
+  std::string all;
+  for (const ParameterRecord& p : lesson_.parameters()) all += fmt::format("{}={} ", p.name, p.typed(p.value));
+  return all;
+}
+
+const Step& Program::step(const std::string& label) const {
+  for (const Step& step : lesson_.steps())
+    if (step.label == label) return step;
+  throw std::invalid_argument(fmt::format("There is no step {}.", label));
+}
+
+Program::Told& Program::told(const Step& step) {
+  std::list<Told>& pages = told_[step.label];
+  const std::string now = settings();
+  const auto found =
+      std::find_if(pages.begin(), pages.end(), [&](const Told& told) { return told.settings == now; });
+  if (found != pages.end()) {
+    pages.splice(pages.begin(), pages, found);
+    return pages.front();
+  }
+  for (const ParameterRecord& p : lesson_.parameters()) p.was_read = false;
+  Told told{now, record_step(lesson_, step, true)};
+  pages.push_front(std::move(told));
+  tell(pages.front());
+  if (pages.size() > kept) pages.pop_back();
+  return pages.front();
+}
+
+void Program::tell(Told& told) const {
+  for (const Item& item : told.recorded.page.items())
+    if (const auto* sequence = std::get_if<Sequence>(&item)) told.films.try_emplace(sequence->name, *sequence);
+  const auto figure = [](const Figure& it, const std::string& words) { return Shown{drawn(it, words)}; };
+  const auto film = [&](const Sequence& it, const std::string& words) {
+    Film& film = told.films.at(it.name);
+    return Shown{fmt::format("<div class=\"screen\" data-frames=\"{}\" data-rate=\"{}\">{}</div>", film.frames(),
+                             film.in_real_time() ? Film::rate : 0,
+                             drawn(it.name, it.caption, words,
+                                   [&](renderer::Canvas& canvas) { film.draw(canvas, film.frames() - 1); }))};
+  };
+  told.html = step_html(told.recorded, {figure, film});
+  for (const ParameterRecord& p : lesson_.parameters())
+    if (p.was_read) told.read.push_back(p.name);
+}
+
+std::string Program::answer(const std::string& request) {
+  Json reply;
+  try {
+    const Json asked = Json::parse(request);
+    apply(asked.value("settings", std::map<std::string, std::string>{}));
+    const std::string what = asked.at("ask");
+    const auto asked_step = [&]() -> const Step& { return step(asked.at("step")); };
+    if (what == "describe") {
+      reply = described(lesson_);
+    } else if (what == "check") {
+      for (const ParameterRecord& p : lesson_.parameters()) reply["typed"][p.name] = p.typed(p.value);
+    } else if (what == "tell") {
+      const Told& page = told(asked_step());
+      reply = {{"html", page.html}, {"read", page.read}};
+    } else if (what == "frame") {
+      Film& film = told(asked_step()).films.at(asked.at("film"));
+      const std::string name = asked.at("film");
+      reply["svg"] =
+          drawn(name, name, "", [&](renderer::Canvas& canvas) { film.draw(canvas, asked.at("index")); });
+    } else if (what == "grade") {
+      reply = graded(lesson_, question(told(asked_step()).recorded.page, asked.at("question")), asked.at("typed"));
+    } else {
+      throw std::invalid_argument(fmt::format("\"{}\" is no request.", what));
+    }
+  } catch (const Refused& refused) {
+    reply = {{"refused", refused.what()}, {"parameter", refused.parameter}};
+  } catch (const std::exception& error) {
+    reply = {{"error", error.what()}};
+  }
+  return reply.dump();
+}
+
+}  // namespace byhand::site

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <list>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "lessons/site/live/film.hpp"
+#include "lessons/tutor/lesson.hpp"
+#include "lessons/tutor/recording.hpp"
+
+namespace byhand::site {
+
+/// A lesson that answers the requests of its page, as JSON. Every request may carry the parameters that differ
+/// from their defaults, as a reader types them: "settings": {"beta": "1.9"}.
+///
+///     {"ask": "describe"}                              {"parameters": […], "steps": [{"label", "title"}, …]}
+///     {"ask": "check"}                                 {"typed": {"beta": "1.9"}}
+///     {"ask": "tell", "step": "3a"}                    {"html": "<section …", "read": ["beta", "h"]}
+///     {"ask": "frame", "step": "3a", "film": "stems", "index": 7}         {"svg": "<svg …"}
+///     {"ask": "grade", "step": "3a", "question": 1, "typed": "0.2 m"}     {"right", "understood", "reply"}
+///
+/// A value that is refused is answered by {"refused": the lesson's sentence, "parameter": "beta"}, what cannot be
+/// answered by {"error": "…"}.
+class Program {
+ public:
+  explicit Program(tutor::Lesson lesson) : lesson_(std::move(lesson)) {}
+  std::string answer(const std::string& request);
+
+ private:
+  struct Told {
+    std::string settings;  // at which it was told
+    tutor::RecordedStep recorded;
+    std::map<std::string, Film> films = {};
+    std::string html = {};
+    std::vector<std::string> read = {};  // the parameters that it depends on
+  };
+
+  void apply(const std::map<std::string, std::string>& settings);
+  const tutor::Step& step(const std::string& label) const;
+  std::string settings() const;
+  /// The step at the present settings, told now unless it was one of the latest.
+  Told& told(const tutor::Step& step);
+  void tell(Told& told) const;
+
+  tutor::Lesson lesson_;
+  std::map<std::string, std::list<Told>> told_;  // by the label of the step, the latest first
+};
+
+}  // namespace byhand::site

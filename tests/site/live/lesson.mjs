@@ -1,0 +1,20 @@
+// A lesson's WebAssembly under node: the same wasi.js and program.js as in the page's worker.
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import vm from 'node:vm';
+
+const root = fileURLToPath(new URL('../../..', import.meta.url));
+const context = vm.createContext({ ...globalThis, WebAssembly, performance, TextEncoder, TextDecoder, console });
+for (const name of ['wasi.js', 'program.js'])
+  vm.runInContext(readFileSync(join(root, 'lessons/site/live', name), 'utf8'), context, name);
+
+// The files a lesson reads, from the checkout itself.
+const files = {
+  get(path) {
+    const place = path.startsWith('fonts/') ? join('/usr/share/fonts/truetype/dejavu', path.slice(6)) : join(root, path);
+    try { return new Uint8Array(readFileSync(place)); } catch { return undefined; }
+  },
+};
+
+export const lesson = (wasm, progress) => context.start({ program: readFileSync(wasm), files, progress });
