@@ -57,7 +57,7 @@ struct Collect {
 
 Digest digest(const Lesson& lesson, const std::vector<RecordedStep>& steps) {
   Digest all{.slug = lesson.about().slug};
-  for (const auto\& [ step, page, reads ] : steps) {
+  for (const auto& [step, page, reads] : steps) {
     Digest::Step& here =
         all.steps.emplace_back(Digest::Step{.label = step->label, .title = step->title, .deeper = step->deeper});
     for (const Item& item : page.items()) std::visit(Collect{all, here}, item);

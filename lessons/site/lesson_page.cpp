@@ -15,7 +15,7 @@ using namespace tutor;
 
 std::string steps_beside(const std::vector<RecordedStep>& steps) {
   std::string all;
-  for (const auto\& [ step, page, reads ] : steps)
+  for (const auto& [step, page, reads] : steps)
     all +=
         fmt::format("<li{0}><a href=\"#step-{1}\"><span>{1}</span> {2}</a></li>\n",
                     step->deeper ? " class=\"deeper\"" : "", step->label, inline_html(step->title, Links::none));

@@ -12,7 +12,7 @@ namespace byhand::tutor {
 std::string claim_table(const std::vector<RecordedStep>& steps) {
   std::vector<std::vector<std::string>> rows = {{"step", "verdict", "measured", "expected", "quantity (source)"}};
   std::map<std::string, int> count;
-  for (const auto\& [ step, page, reads ] : steps) {
+  for (const auto& [step, page, reads] : steps) {
     for (const Claim& claim : claims(page)) {
       ++count[verdict(claim)];
       rows.push_back({step->label, verdict(claim), measurement(claim), expectation(claim),
@@ -26,7 +26,7 @@ std::string claim_table(const std::vector<RecordedStep>& steps) {
 
 std::string false_claims(const Lesson& lesson, const std::vector<RecordedStep>& steps) {
   std::string lines;
-  for (const auto\& [ step, page, reads ] : steps)
+  for (const auto& [step, page, reads] : steps)
     for (const Claim& claim : claims(page))
       if (claim.is_false())
         lines += fmt::format("{} step {}: {} is false: measured {}, expected {} ({})\n", lesson.about().slug,

@@ -186,7 +186,7 @@ std::string markdown(const Lesson& lesson, const std::vector<RecordedStep>& step
   std::string page =
       fmt::format("# {}. {}\n\n{}\n", lesson.number(), lesson.about().title, lesson.about().summary);
   page += parameters(lesson);
-  for (const auto\& [ step, recorded, reads ] : steps) {
+  for (const auto& [step, recorded, reads] : steps) {
     page += fmt::format("\n## {} {}{}\n", step->label, step->title, step->deeper ? " *(deeper)*" : "");
     PageWriter write(page, frames);
     for (const Item& item : recorded.items()) std::visit(write, item);

@@ -132,7 +132,7 @@
     constructor(section) {
       this.section = section;
       this.label = section.dataset.step;
-      this.read = new Set();
+      this.read = new Set(reads[this.label]);
       this.stale = false;
       this.controls = new Map();
       this.settings = make('div', { className: 'settings' });
@@ -166,7 +166,7 @@
         if (told.refused) return refuse(told);
         if (told.error) return this.say(told.error);
         this.needsButton = false;
-        this.read = new Set(told.read);
+        this.read = new Set(told.reads);
         this.offerSettings();
         this.show(told.html);
         this.say('');
@@ -558,8 +558,8 @@
       return bar.fail(error);
     }
     steps = [...article.querySelectorAll('section[data-step]')].map(section => new Step(section));
-    const reads = globalThis.byhandReads ?? {};
-    for (const step of steps) step.read = new Set(reads[step.label] ?? []);
+    
+    
     readAddress();
     steps.forEach(step => step.offerSettings());
     document.documentElement.classList.add('live');

@@ -84,9 +84,8 @@ Program::Told& Program::told(const Step& step) {
     pages.splice(pages.begin(), pages, found);
     return pages.front();
   }
-  for (const ParameterRecord& p : lesson_.parameters()) p.was_read = false;
-  Told told{now, record_step(lesson_, step, true)};
-  pages.push_front(std::move(told));
+  forget_reads(lesson_);
+  pages.push_front({now, record_step(lesson_, step, true)});
   tell(pages.front());
   if (pages.size() > kept) pages.pop_back();
   return pages.front();
@@ -97,15 +96,14 @@ void Program::tell(Told& told) const {
     if (const auto* sequence = std::get_if<Sequence>(&item)) told.films.try_emplace(sequence->name, *sequence);
   const auto figure = [](const Figure& it, const std::string& words) { return Shown{drawn(it, words)}; };
   const auto film = [&](const Sequence& it, const std::string& words) {
-    Film& film = told.films.at(it.name);
-    return Shown{fmt::format("<div class=\"screen\" data-frames=\"{}\" data-rate=\"{}\">{}</div>", film.frames(),
-                             film.in_real_time() ? Film::rate : 0,
+    Film& shown = told.films.at(it.name);
+    return Shown{fmt::format("<div class=\"screen\" data-frames=\"{}\" data-rate=\"{}\">{}</div>", shown.frames(),
+                             shown.in_real_time() ? Film::rate : 0,
                              drawn(it.name, it.caption, words,
-                                   [&](renderer::Canvas& canvas) { film.draw(canvas, film.frames() - 1); }))};
+                                   [&](renderer::Canvas& canvas) { shown.draw(canvas, shown.frames() - 1); }))};
   };
   told.html = step_html(told.recorded, {figure, film});
-  for (const ParameterRecord& p : lesson_.parameters())
-    if (p.was_read) told.read.push_back(p.name);
+  told.recorded.reads = reads(lesson_);
 }
 
 std::string Program::answer(const std::string& request) {
@@ -121,7 +119,7 @@ std::string Program::answer(const std::string& request) {
       for (const ParameterRecord& p : lesson_.parameters()) reply["typed"][p.name] = p.typed(p.value);
     } else if (what == "tell") {
       const Told& page = told(asked_step());
-      reply = {{"html", page.html}, {"read", page.read}};
+      reply = {{"html", page.html}, {"reads", page.recorded.reads}};
     } else if (what == "frame") {
       Film& film = told(asked_step()).films.at(asked.at("film"));
       const std::string name = asked.at("film");

@@ -3,7 +3,6 @@
 #include <list>
 #include <map>
 #include <string>
-#include <vector>
 
 #include "lessons/site/live/film.hpp"
 #include "lessons/tutor/lesson.hpp"
@@ -16,7 +15,7 @@ namespace byhand::site {
 ///
 ///     {"ask": "describe"}                              {"parameters": […], "steps": [{"label", "title"}, …]}
 ///     {"ask": "check"}                                 {"typed": {"beta": "1.9"}}
-///     {"ask": "tell", "step": "3a"}                    {"html": "<section …", "read": ["beta", "h"]}
+///     {"ask": "tell", "step": "3a"}                    {"html": "<section …", "reads": ["beta", "h"]}
 ///     {"ask": "frame", "step": "3a", "film": "stems", "index": 7}         {"svg": "<svg …"}
 ///     {"ask": "grade", "step": "3a", "question": 1, "typed": "0.2 m"}     {"right", "understood", "reply"}
 ///
@@ -33,7 +32,6 @@ class Program {
     tutor::RecordedStep recorded;
     std::map<std::string, Film> films = {};
     std::string html = {};
-    std::vector<std::string> read = {};  // the parameters that it depends on
   };
 
   void apply(const std::map<std::string, std::string>& settings);
