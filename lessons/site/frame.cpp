@@ -34,7 +34,7 @@ std::string framed(const Frame& frame) {
           : fmt::format("<nav class=\"beside\" aria-label=\"This page\">{}</nav>\n", frame.beside);
   return fmt::format(
       R"(<!DOCTYPE html>
-<html lang="en" xmlns="http://www.w3.org/1999/xhtml"{7}>
+<html lang="en" xmlns="http://www.w3.org/1999/xhtml"{1}>
 <head>
 <meta charset="utf-8" />
 <meta name="viewport" content="width=device-width, initial-scale=1" />
@@ -43,7 +43,7 @@ std::string framed(const Frame& frame) {
 <link rel="stylesheet" href="assets/style.css" />
 <script defer="defer" src="assets/equations.js"></script>
 <script defer="defer" src="assets/site.js"></script>
-{1}</head>
+</head>
 <body>
 <a class="skip" href="#content">Skip to the content</a>
 <header class="top">
@@ -61,8 +61,8 @@ std::string framed(const Frame& frame) {
 {6}</body>
 </html>
 )",
-      escaped(frame.title), frame.head, navigation(frame.here), beside.empty() ? "" : " with-beside", beside,
-      frame.content, frame.foot, frame.lesson.empty() ? "" : fmt::format(" data-lesson=\"{}\"", frame.lesson));
+      escaped(frame.title), frame.lesson.empty() ? "" : fmt::format(" data-lesson=\"{}\"", frame.lesson),
+      navigation(frame.here), beside.empty() ? "" : " with-beside", beside, frame.content, frame.foot);
 }
 
 }  // namespace byhand::site

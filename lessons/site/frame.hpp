@@ -10,9 +10,8 @@ struct Frame {
   std::string title;           // of the page; the course's name follows it in <title>
   std::string content;         // of <main>
   std::string beside = {};     // of the column beside it, such as the list of steps; may be empty
-  std::string head = {};       // more elements of <head>
-  std::string foot = {};       // more elements at the end of <body>
   std::string lesson = {};     // slug of the lesson whose page it is; may be empty
+  std::string foot = {};       // more elements at the end of <body>
   std::string_view here = {};  // the page among those of the navigation, "equations.html"; may be empty
 };
 
