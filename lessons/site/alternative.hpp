@@ -1,14 +1,21 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "lessons/tutor/items.hpp"
 
 namespace byhand::site {
 
-/// What a picture shows, in prose with the numbers, for readers who do not see it. Of a chart that measures
-/// running times, which no two runs share, only what is measured. Empty if nothing is known but the caption.
-std::string alternative(const tutor::Figure& figure);
-std::string alternative(const tutor::Sequence& film);
+/// What a picture shows, for readers who do not see it.
+struct Alternative {
+  std::string label;  // one line, with the numbers: "Chart of C (m) over time (s). h = 1/60 s: from 0 to 0.436; …"
+  std::string words = {};  // all that is known, in prose with a list; empty if that is no more
+};
+
+/// Of a chart it is computed from the data; of a drawing it is the texts in its SVG; of a chart that measures
+/// running times, which no two runs share, what is measured.
+Alternative alternative(const tutor::Figure& figure, std::string_view svg);
+Alternative alternative(const tutor::Sequence& film, std::string_view svg);
 
 }  // namespace byhand::site

@@ -83,15 +83,15 @@ std::string lesson_title(const std::string& slug) {
 
 std::string page_of(const std::string& slug) { return slug + ".html"; }
 
-std::string lesson_page(const Lesson& lesson, const std::vector<RecordedStep>& steps, const Pictures& pictures) {
+std::string lesson_page(const Lesson& lesson, const std::vector<RecordedStep>& steps,
+                        const std::string& sections) {
   const About& about = lesson.about();
   std::string content = fmt::format(
       "<article class=\"lesson\">\n<header class=\"lesson\">\n<p class=\"number\">Lesson "
       "{}</p>\n"
       "<h1>{}</h1>\n<p class=\"summary\">{}</p>\n{}</header>\n",
       lesson.number(), escaped(about.title), inline_html(about.summary), parameters(lesson));
-  for (const RecordedStep& step : steps) content += step_html(step, pictures);
-  content += closing(lesson.closing()) + "</article>\n" + neighbours(about.slug);
+  content += sections + closing(lesson.closing()) + "</article>\n" + neighbours(about.slug);
   return framed({.title = fmt::format("{}. {}", lesson.number(), about.title),
                  .content = content,
                  .beside = steps_beside(steps),

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "lessons/site/step_html.hpp"
+#include "lessons/tutor/recording.hpp"
 
 namespace byhand::site {
 
@@ -15,10 +15,10 @@ namespace byhand::site {
 ///                      "choices": [], "initial": 0.016666666666666666, "typed": "1/60"}, …],
 ///      "steps": {"1": ["h", …], …}}
 ///
-/// `typed` is the initial value as a reader types it; of a choice, low, high and initial mean nothing but the
-/// index.
+/// `sections` are those of the steps (see step_html). `typed` is the initial value as a reader types it; of a
+/// choice, low, high and initial mean nothing but the index.
 std::string lesson_page(const tutor::Lesson& lesson, const std::vector<tutor::RecordedStep>& steps,
-                        const Pictures& pictures);
+                        const std::string& sections);
 
 std::string page_of(const std::string& slug);       // "04_baumgarte.html"
 std::string lesson_title(const std::string& slug);  // "4. Baumgarte", of a lesson in the contents

@@ -16,7 +16,9 @@ namespace {
 enum class Kind {
   variable,  // italic
   upright,
-  sign,      // an operator or a relation: the browser's dictionary spaces it
+  sign,  // an operator: the browser's dictionary spaces it
+  relation,
+  space,
   function,  // cos, ln
   limits,    // max, sum: scripts stand below and above in a display
 };
@@ -60,20 +62,20 @@ const std::map<std::string_view, Symbol> symbols = {
     {"times", {"×", Kind::sign}},
     {"pm", {"±", Kind::sign}},
     {"mp", {"∓", Kind::sign}},
-    {"Rightarrow", {"⇒", Kind::sign}},
-    {"leftarrow", {"←", Kind::sign}},
-    {"to", {"→", Kind::sign}},
-    {"iff", {"⟺", Kind::sign}},
-    {"le", {"≤", Kind::sign}},
-    {"ge", {"≥", Kind::sign}},
-    {"ne", {"≠", Kind::sign}},
-    {"approx", {"≈", Kind::sign}},
-    {"sim", {"∼", Kind::sign}},
-    {"ll", {"≪", Kind::sign}},
-    {"gg", {"≫", Kind::sign}},
-    {"gtrsim", {"≳", Kind::sign}},
-    {"lesssim", {"≲", Kind::sign}},
-    {"in", {"∈", Kind::sign}},
+    {"Rightarrow", {"⇒", Kind::relation}},
+    {"leftarrow", {"←", Kind::relation}},
+    {"to", {"→", Kind::relation}},
+    {"iff", {"⟺", Kind::relation}},
+    {"le", {"≤", Kind::relation}},
+    {"ge", {"≥", Kind::relation}},
+    {"ne", {"≠", Kind::relation}},
+    {"approx", {"≈", Kind::relation}},
+    {"sim", {"∼", Kind::relation}},
+    {"ll", {"≪", Kind::relation}},
+    {"gg", {"≫", Kind::relation}},
+    {"gtrsim", {"≳", Kind::relation}},
+    {"lesssim", {"≲", Kind::relation}},
+    {"in", {"∈", Kind::relation}},
     {"int", {"∫", Kind::sign}},
     {"oint", {"∮", Kind::sign}},
     {"%", {"%", Kind::upright}},
@@ -118,17 +120,37 @@ class Reader {
  public:
   explicit Reader(std::string_view latex) : whole_(latex), rest_(latex) {}
 
-  /// The parts of a display, or all as one.
-  std::vector<std::string> parts(bool split) {
-    std::vector<std::string> parts = {""};
+  /// A formula in one piece.
+  std::string whole() {
+    const std::string all = row();
+    if (!rest_.empty()) fail("does not balance");
+    if (all.empty()) fail("is empty");
+    return all;
+  }
+
+  /// The statements of a display, which \quad separates, and their parts from one relation to the next: lines may
+  /// break between them.
+  struct Part {
+    std::string markup = {};
+    bool begins_statement = true;
+  };
+  std::vector<Part> parts() {
+    std::vector<Part> parts = {{}};
+    bool related = false;
+    operand_ = false;
     while (!ends()) {
-      if (split && (take_command("quad") || take_command("qquad")))
-        parts.emplace_back();
-      else
-        parts.back() += scripted();
+      if (take_command("quad") || take_command("qquad")) {
+        if (!parts.back().markup.empty()) parts.emplace_back();
+        related = operand_ = false;
+      } else {
+        const bool relation = at_relation();
+        if (relation && related) parts.push_back({"", false});
+        related = related || relation;
+        parts.back().markup += scripted();
+      }
     }
     if (!rest_.empty()) fail("does not balance");
-    std::erase(parts, "");
+    if (parts.back().markup.empty()) parts.pop_back();
     if (parts.empty()) fail("is empty");
     return parts;
   }
@@ -197,9 +219,20 @@ class Reader {
            (command.ends_with('r') && sizes.contains(command.substr(0, command.size() - 1)));
   }
 
+  bool at_relation() {
+    skip_blanks();
+    const std::string_view command = next_command();
+    const auto found = symbols.find(command);
+    return rest_.starts_with('=') || command == "mathrel" ||
+           (found != symbols.end() && found->second.kind == Kind::relation);
+  }
+
+  /// A row is an operand of what follows it, and begins without one.
   std::string row() {
     std::string row;
+    operand_ = false;
     while (!ends()) row += scripted();
+    operand_ = true;
     return row;
   }
 
@@ -237,6 +270,7 @@ class Reader {
         break;
     }
     if (!primes.empty()) above = element("mrow", primes + above.value_or(""));
+    if (it.kind != Kind::space) operand_ = it.kind != Kind::sign && it.kind != Kind::relation;
     const bool limits = it.kind == Kind::limits;
     std::string all = it.markup;
     if (below && above)
@@ -266,12 +300,21 @@ class Reader {
     if (is_digit(c)) return {element("mn", number())};
     if (is_letter(c)) return {element("mi", take(1))};
     const std::string_view sign = take_character();
-    if (sign == "-") return {element("mo", "−")};
-    if (sign == "|") return {"<mo stretchy=\"false\" lspace=\"0\" rspace=\"0\">|</mo>"};
-    if (sign == "/") return {"<mo lspace=\"0.06em\" rspace=\"0.06em\">/</mo>"};
-    if (std::string_view("()[]").find(sign) != std::string_view::npos)
-      return {fmt::format("<mo stretchy=\"false\">{}</mo>", sign)};
-    return {sign.size() > 1 ? element("mi", sign) : element("mo", escaped(sign))};
+    if (sign == "-") return operation("−");
+    if (sign == "+") return operation("+");
+    // It closes what follows an operand, and opens what does not.
+    if (sign == "|")
+      return {"<mo stretchy=\"false\" lspace=\"0\" rspace=\"0\">|</mo>", operand_ ? Kind::upright : Kind::sign};
+    if (sign == "/") return {"<mo lspace=\"0.06em\" rspace=\"0.06em\">/</mo>", Kind::sign};
+    if (sign == "(" || sign == "[") return {fmt::format("<mo stretchy=\"false\">{}</mo>", sign), Kind::sign};
+    if (sign == ")" || sign == "]") return {fmt::format("<mo stretchy=\"false\">{}</mo>", sign)};
+    if (sign.size() > 1) return {element("mi", sign)};
+    return {element("mo", escaped(sign)), sign == "=" ? Kind::relation : Kind::sign};
+  }
+
+  /// A sign without an operand before it belongs to what follows, and is not spaced from it.
+  Base operation(const char* sign) const {
+    return {fmt::format("<mo{}>{}</mo>", operand_ ? "" : " form=\"prefix\"", sign), Kind::sign};
   }
 
   std::string_view number() {
@@ -289,7 +332,7 @@ class Reader {
     take(1 + name.size());
     if (const auto found = symbols.find(name); found != symbols.end()) return symbol(found->second);
     if (const auto space = spaces.find(name); space != spaces.end())
-      return {fmt::format("<mspace width=\"{}\"></mspace>", space->second)};
+      return {fmt::format("<mspace width=\"{}\"></mspace>", space->second), Kind::space};
     if (const auto accent = accents.find(name); accent != accents.end())
       return {fmt::format("<mover accent=\"true\">{}<mo stretchy=\"false\">{}</mo></mover>", argument(),
                           accent->second)};
@@ -299,7 +342,7 @@ class Reader {
     if (name == "mathrm") return {units()};
     if (name == "mathsf")
       return {fmt::format("<mi mathvariant=\"normal\" class=\"sans\">{}</mi>", escaped(words()))};
-    if (name == "mathrel") return {relation()};
+    if (name == "mathrel") return {relation(), Kind::relation};
     if (name == "left") return {fenced("right", "")};
     if (name.ends_with('l') && sizes.contains(name.substr(0, name.size() - 1))) {
       const std::string size(name.substr(0, name.size() - 1));
@@ -310,15 +353,16 @@ class Reader {
     fail(fmt::format("has the unknown command \\{}", name));
   }
 
-  static Base symbol(const Symbol& symbol) {
+  Base symbol(const Symbol& symbol) const {
     switch (symbol.kind) {
       case Kind::variable: return {element("mi", symbol.text)};
       case Kind::upright: return {fmt::format("<mi mathvariant=\"normal\">{}</mi>", symbol.text)};
       case Kind::function: return {element("mi", symbol.text), Kind::function};
       case Kind::limits: return {fmt::format("<mo movablelimits=\"true\">{}</mo>", symbol.text), Kind::limits};
-      case Kind::sign: break;
+      default: break;
     }
-    return {element("mo", symbol.text)};
+    const std::string_view text = symbol.text;
+    return text == "±" || text == "∓" ? operation(symbol.text) : Base{element("mo", text), symbol.kind};
   }
 
   std::string fraction(bool small) {
@@ -386,6 +430,7 @@ class Reader {
   }
 
   std::string_view whole_, rest_;
+  bool operand_ = false;  // whether a sign that comes next has an operand before it
 };
 
 constexpr auto math_namespace = "http://www.w3.org/1998/Math/MathML";
@@ -396,11 +441,13 @@ std::string math(const std::string& inside, const char* attributes) {
 
 }  // namespace
 
-std::string inline_mathml(std::string_view latex) { return math(Reader(latex).parts(false).front(), ""); }
+std::string inline_mathml(std::string_view latex) { return math(Reader(latex).whole(), ""); }
 
 std::string display_mathml(std::string_view latex) {
   std::string all;
-  for (const std::string& part : Reader(latex).parts(true)) all += math(part, " display=\"block\"");
+  for (const Reader::Part& part : Reader(latex).parts())
+    all += math(part.markup, part.begins_statement && !all.empty() ? " displaystyle=\"true\" class=\"statement\""
+                                                                   : " displaystyle=\"true\"");
   return all;
 }
 

@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include "lessons/site/drawn.hpp"
 #include "lessons/site/json.hpp"
 #include "lessons/site/lesson_page.hpp"
-#include "lessons/site/markup.hpp"
+#include "lessons/site/step_html.hpp"
+#include "lessons/tutor/chart_data.hpp"
 #include "lessons/tutor/picture_writer.hpp"
-#include "renderer/error.hpp"
 #include "renderer/file.hpp"
+#include "renderer/opengl/space_picture.hpp"
 
 namespace byhand::site {
 namespace {
@@ -15,41 +17,33 @@ namespace {
 namespace fs = std::filesystem;
 using namespace tutor;
 
-std::string link(const std::string& path, const char* words) {
-  return fmt::format("<a href=\"{}\">{}</a>", path, words);
-}
-
-/// The pictures that a PictureWriter has written into the lesson's folder, and links to their files.
-class Written {
+/// Draws pictures into the page and writes their data beside it.
+class Drawer {
  public:
-  Written(const fs::path& site, const std::string& slug) : site_(site), folder_(slug + "/") {}
+  Drawer(const fs::path& site, const std::string& slug) : site_(site), folder_(slug + "/") {}
 
   Shown operator()(const Figure& figure) const {
-    const bool is_drawing = std::holds_alternative<Drawing>(figure.picture);
+    if (const auto* chart = chart_of(figure)) renderer::write_whole(site_ / data(figure), csv(*chart));
+    const std::string link =
+        std::holds_alternative<Drawing>(figure.picture) ? "" : fmt::format("<a href=\"{}\">CSV</a>", data(figure));
+    const std::string svg = drawn(figure, renderer::space_picture);
+    if (!std::holds_alternative<TimedChart>(figure.picture)) return {svg, link};
     // What a clock measured stays out of the page, whose bytes are the same each time.
-    const std::string svg = folder_ + svg_path(figure.name);
-    const std::string markup =
-        std::holds_alternative<TimedChart>(figure.picture)
-            ? fmt::format("<img src=\"{}\" alt=\"Measured running times; the numbers are in the CSV file.\" />",
-                          svg)
-            : drawn(figure.name);
-    return {markup, links(folder_ + figure_path(figure.name), svg) +
-                        (is_drawing ? "" : " " + link(folder_ + data_path(figure.name), "CSV"))};
+    const std::string path = folder_ + "figures/" + figure.name + ".svg";
+    renderer::write_whole(site_ / path, svg);
+    return {fmt::format("<img src=\"{}\" alt=\"\" width=\"1280\" height=\"720\" />", path), link};
   }
+
   Shown operator()(const Sequence& film) const {
-    return {drawn(film.name), links(folder_ + strip_path(film.name), folder_ + svg_path(film.name))};
+    const auto* seconds = std::get_if<Seconds>(&film.length);
+    const double last = seconds ? seconds->value : std::get<Frames>(film.length).value - 1;
+    FrameDrawing draw = film.draw;
+    return {drawn(
+        film.name, [&](renderer::Canvas& canvas) { draw(canvas, last); }, renderer::space_picture)};
   }
 
  private:
-  static std::string links(const std::string& png, const std::string& svg) {
-    return link(svg, "SVG") + " " + link(png, "PNG");
-  }
-  std::string drawn(const std::string& name) const {
-    const fs::path path = site_ / folder_ / svg_path(name);
-    const auto svg = renderer::read_whole(path);
-    if (!svg) throw renderer::EnvironmentError(fmt::format("Cannot read {}.", path.string()));
-    return *svg;
-  }
+  std::string data(const Figure& figure) const { return folder_ + data_path(figure.name); }
 
   fs::path site_;
   std::string folder_;
@@ -57,12 +51,21 @@ class Written {
 
 }  // namespace
 
-void write_page(const Lesson& lesson, const std::vector<RecordedStep>& steps,
-                const std::filesystem::path& folder) {
+std::vector<RecordedStep> write_page(const Lesson& lesson, const fs::path& folder, bool quiet) {
   const std::string& slug = lesson.about().slug;
-  const Written written(folder, slug);
+  const Drawer drawer(folder, slug);
+  std::vector<RecordedStep> steps;
+  std::string sections;
+  for (const Step& step : lesson.steps()) {
+    forget_reads(lesson);
+    steps.push_back(record_step(lesson, step, quiet));
+    sections += step_html(steps.back(), {.figure = drawer, .film = drawer});
+    steps.back().reads = reads(lesson);
+  }
+  validate(steps);
+  renderer::write_whole(folder / page_of(slug), lesson_page(lesson, steps, sections));
   renderer::write_whole(folder / (slug + ".json"), to_json(digest(lesson, steps)));
-  renderer::write_whole(folder / page_of(slug), lesson_page(lesson, steps, {.figure = written, .film = written}));
+  return steps;
 }
 
 }  // namespace byhand::site

@@ -1,15 +1,15 @@
 #pragma once
 
+#include <filesystem>
 #include <vector>
 
-#include "lessons/tutor/options.hpp"
 #include "lessons/tutor/recording.hpp"
 
 namespace byhand::site {
 
-/// Writes the page of a lesson, NN_slug.html, and its digest for the site's other pages, NN_slug.json, into the
-/// folder of the site. Its pictures are those that a PictureWriter has written into NN_slug/ beside it.
-void write_page(const tutor::Lesson& lesson, const std::vector<tutor::RecordedStep>& steps,
-                const std::filesystem::path& folder);
+/// Runs the whole lesson and writes its page, NN_slug.html, into the folder of the site, with the data of its
+/// charts in NN_slug/data and its digest for the site's other pages in NN_slug.json. Returns what was recorded.
+std::vector<tutor::RecordedStep> write_page(const tutor::Lesson& lesson, const std::filesystem::path& folder,
+                                            bool quiet);
 
 }  // namespace byhand::site

@@ -94,15 +94,8 @@ class ItemWriter {
                         inline_html(measure.quantity), escaped(quantity(measure.value, measure.unit)));
   }
 
-  void operator()(const Figure& figure) {
-    const std::string words = alternative(figure);
-    picture("figure", figure.name, figure.caption, words, pictures_.figure(figure));
-  }
-
-  void operator()(const Sequence& film) {
-    const std::string words = alternative(film);
-    picture("film", film.name, film.caption, words, pictures_.film(film));
-  }
+  void operator()(const Figure& figure) { picture("figure", figure, pictures_.figure(figure)); }
+  void operator()(const Sequence& film) { picture("film", film, pictures_.film(film)); }
 
   void operator()(const Prediction& question) {
     std::string answer = fmt::format("<p><strong>{}</strong>. {}</p>", escaped(printed_answer(question)),
@@ -156,14 +149,16 @@ class ItemWriter {
     child(fmt::format("<div class=\"{}\" data-item=\"{}\">{}</div>", css_class, index_, inside));
   }
 
-  void picture(const char* kind, const std::string& name, const std::string& caption, const std::string& words,
-               const Shown& shown) {
-    child(fmt::format(
-        "<figure class=\"{0}\" id=\"{0}-{1}\" data-item=\"{2}\" data-{0}=\"{1}\"><div class=\"picture\">{3}</div>"
-        "<figcaption>{4}{5}</figcaption>{6}</figure>",
-        kind, name, index_, shown.markup, inline_html(caption),
-        shown.links.empty() ? "" : " <span class=\"files\">" + shown.links + "</span>",
-        words.empty() ? "" : folded("words", "In words", prose_html(words))));
+  template <class Drawn>
+  void picture(const char* kind, const Drawn& it, const Shown& shown) {
+    const Alternative other = alternative(it, shown.markup);
+    child(
+        fmt::format("<figure class=\"{0}\" id=\"{0}-{1}\" data-item=\"{2}\" data-{0}=\"{1}\">"
+                    "<div class=\"picture\" role=\"img\" "
+                    "aria-label=\"{3}\">{4}</div><figcaption>{5}{6}</figcaption>{7}</figure>",
+                    kind, it.name, index_, escaped(plain_text(other.label)), shown.markup, inline_html(it.caption),
+                    shown.links.empty() ? "" : " <span class=\"files\">" + shown.links + "</span>",
+                    other.words.empty() ? "" : folded("words", "In words", prose_html(other.words))));
   }
 
   void ask(const char* kind, const std::string& words, const std::string& field,

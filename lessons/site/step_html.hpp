@@ -29,7 +29,9 @@ struct Pictures {
 /// data-item is the index of the (first) item among the step's; every claim and measure carries its own inside.
 /// To tell a step again, parse the new section and replace the children that differ. Among the children are
 ///
-///     <figure data-figure="law_of_drift">         the picture in .picture; data-words: its alternative text
+///     <figure data-figure="law_of_drift">         the picture in .picture, whose label is computed
+///                                                 from it; readers of screens do not enter .picture, so nothing
+///                                                 to press belongs there
 ///     <figure data-film="growing_circle">         the same; the key frames, until it is played
 ///     <form data-question="3.1">                  the first question of step 3; data-kind="number" or "choice".
 ///                                                 Its .answer (a field and a button, or radio buttons with the

@@ -64,12 +64,9 @@ void write_pictures(const Page& page, PictureWriter& pictures) {
 void finish_output(const Lesson& lesson, const std::vector<RecordedStep>& steps, const Options& options,
                    bool whole, PictureWriter& pictures) {
   OutputFolder& output = pictures.output();
-  if (whole && options.page)
-    site::write_page(lesson, steps, options.output);
-  else if (whole)
-    output.write("lesson.md", markdown(lesson, steps, options.frames));
+  if (whole) output.write("lesson.md", markdown(lesson, steps, options.frames));
   output.finish(made_by(lesson, options, whole ? "" : options.step, pictures.gl()), clocked(steps), whole);
-  if (whole && !options.quiet && !options.page)
+  if (whole && !options.quiet)
     fmt::print("\nThe lesson as a page: {0}/lesson.md; its pictures: {0}/figures and {0}/frames\n",
                printable(output.path().string()));
 }
@@ -85,12 +82,23 @@ int print_questions(const Lesson& lesson, const Options& options) {
   return 0;
 }
 
+/// Returns the exit status.
+int complain_of_false_claims(const Lesson& lesson, const std::vector<RecordedStep>& steps) {
+  const std::string wrong = false_claims(lesson, steps);
+  complain(wrong);
+  return wrong.empty() ? 0 : 1;
+}
+
 }  // namespace
 
 int run_batch(const Lesson& lesson, const Options& options) {
   if (options.questions) return print_questions(lesson, options);
+  if (options.page) {
+    const std::vector<RecordedStep> steps = site::write_page(lesson, options.output, options.quiet);
+    return complain_of_false_claims(lesson, steps);
+  }
   const bool whole = options.step.empty();
-  const bool speaks = !options.quiet && !options.check && !options.page;
+  const bool speaks = !options.quiet && !options.check;
   // Fails before the work begins rather than after a minute.
   std::optional<PictureWriter> pictures;
   if (!options.check) pictures.emplace(lesson, options);
@@ -98,19 +106,15 @@ int run_batch(const Lesson& lesson, const Options& options) {
   if (speaks && whole) fmt::print("{}", heading_text(lesson, {}));
   for (const Step& step : lesson.steps()) {
     if (!whole && step.label != options.step) continue;
-    forget_reads(lesson);
     steps.push_back(record_step(lesson, step, options.quiet));
     if (speaks) print(steps.back(), lesson, *pictures);
     if (pictures) write_pictures(steps.back().page, *pictures);
-    steps.back().reads = reads(lesson);
   }
   if (speaks && whole) fmt::print("{}", closing_text(lesson, {}));
   if (whole) validate(steps);
   if (pictures) finish_output(lesson, steps, options, whole, *pictures);
   if (options.check && !options.quiet) fmt::print("{}", claim_table(steps));
-  const std::string wrong = false_claims(lesson, steps);
-  complain(wrong);
-  return wrong.empty() ? 0 : 1;
+  return complain_of_false_claims(lesson, steps);
 }
 
 }  // namespace byhand::tutor

@@ -68,7 +68,7 @@ void refuse_contradictions(const CommandLine& line) {
   both(line.page, line.questions, "--page and --questions");
   both(line.page, line.list_parameters, "--page and --list-parameters");
   both(line.page, !line.step.empty(), "--page and --step");
-  both(line.page, line.frames == "none", "--page and --frames none");
+  both(line.page, !line.frames.empty(), "--page and --frames");
 }
 
 }  // namespace
@@ -104,7 +104,7 @@ Options read_options(const Lesson& lesson, int argc, const char* const* argv, bo
   if (options.check || options.quiet || options.questions || options.page) options.interactive = false;
   options.quality =
       *std::find_if(qualities.begin(), qualities.end(), [&](const Quality& q) { return q.name == line.quality; });
-  if (line.frames.empty()) line.frames = options.interactive || options.page ? "last" : "all";
+  if (line.frames.empty()) line.frames = options.interactive ? "last" : "all";
   options.frames = line.frames == "none"   ? FramesWanted::none
                    : line.frames == "last" ? FramesWanted::last
                                            : FramesWanted::all;

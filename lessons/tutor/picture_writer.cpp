@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "lessons/site/svg.hpp"
 #include "lessons/tutor/chart_data.hpp"
 #include "lessons/tutor/lesson.hpp"
 #include "lessons/tutor/progress.hpp"
@@ -27,7 +26,6 @@ constexpr int strip_frames = 6, strip_columns = 3;
 }  // namespace
 
 std::string figure_path(const std::string& name) { return "figures/" + name + ".png"; }
-std::string svg_path(const std::string& name) { return "figures/" + name + ".svg"; }
 std::string data_path(const std::string& name) { return "data/" + name + ".csv"; }
 std::string frames_folder(const std::string& name) { return "frames/" + name; }
 std::string strip_path(const std::string& name) { return "frames/" + name + ".png"; }
@@ -36,12 +34,10 @@ PictureWriter::PictureWriter(const Lesson& lesson, const Options& options)
     : output_(options.output / lesson.about().slug),
       drawer_(options.quality),
       frames_(options.frames),
-      quiet_(options.quiet),
-      page_(options.page) {}
+      quiet_(options.quiet) {}
 
 void PictureWriter::write(const Figure& figure) {
   output_.write(figure_path(figure.name), renderer::encode_png(drawer_.draw(figure)));
-  if (page_) output_.write(svg_path(figure.name), site::svg(figure));
   if (const auto* chart = chart_of(figure)) output_.write(data_path(figure.name), csv(*chart));
 }
 
@@ -73,7 +69,6 @@ void PictureWriter::write(const Sequence& sequence) {
     progress.advance();
   }
   writer.finish();
-  if (page_) output_.write(svg_path(sequence.name), site::svg(sequence, drawer_.time(sequence, frames - 1)));
   output_.write(strip_path(sequence.name), renderer::encode_png(renderer::strip(strip, strip_columns)));
 }
 

@@ -13,7 +13,6 @@ class Lesson;
 
 /// Paths of the files of a lesson, relative to the lesson's folder.
 std::string figure_path(const std::string& name);    // figures/<name>.png
-std::string svg_path(const std::string& name);       // figures/<name>.svg
 std::string data_path(const std::string& name);      // data/<name>.csv
 std::string frames_folder(const std::string& name);  // frames/<name>
 std::string strip_path(const std::string& name);     // frames/<name>.png
@@ -26,10 +25,9 @@ class PictureWriter {
   /// Makes the lesson's output folder and claims it.
   PictureWriter(const Lesson& lesson, const Options& options);
 
-  /// Writes the picture and, for a chart, its data; for a page, also the picture as SVG.
+  /// Writes the picture and, for a chart, its data.
   void write(const Figure& figure);
-  /// Writes the chosen frames and the contact sheet, after removing those of an earlier run; for a page, also the
-  /// last frame as SVG.
+  /// Writes the chosen frames and the contact sheet, after removing those of an earlier run.
   void write(const Sequence& sequence);
 
   /// File of the picture or of the contact sheet, to be printed; empty if no frames are written.
@@ -44,7 +42,7 @@ class PictureWriter {
   OutputFolder output_;
   PictureDrawer drawer_;
   FramesWanted frames_;
-  bool quiet_, page_;
+  bool quiet_;
 };
 
 }  // namespace byhand::tutor

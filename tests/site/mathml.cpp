@@ -32,7 +32,7 @@ TEST(MathML, LettersAreVariablesAndDigitsNumbers) {
   EXPECT_EQ(converted("JV"), "<mi>J</mi><mi>V</mi>");
   EXPECT_EQ(converted("13.5"), "<mn>13.5</mn>");
   EXPECT_EQ(converted("2."), "<mn>2</mn><mo>.</mo>");
-  EXPECT_EQ(converted("-\\beta"), "<mo>−</mo><mi>β</mi>");
+  EXPECT_EQ(converted("-\\beta"), "<mo form=\"prefix\">−</mo><mi>β</mi>");
 }
 
 TEST(MathML, IndicesAndExponentsBelongToTheLastElement) {
@@ -40,7 +40,7 @@ TEST(MathML, IndicesAndExponentsBelongToTheLastElement) {
   EXPECT_EQ(converted("J^T"), "<msup><mi>J</mi><mi>T</mi></msup>");
   EXPECT_EQ(converted("v_0^2"), converted("v^2_0"));
   EXPECT_EQ(converted("v_0^2"), "<msubsup><mi>v</mi><mn>0</mn><mn>2</mn></msubsup>");
-  EXPECT_EQ(converted("10^{-5}"), "<msup><mn>10</mn><mrow><mo>−</mo><mn>5</mn></mrow></msup>");
+  EXPECT_EQ(converted("10^{-5}"), "<msup><mn>10</mn><mrow><mo form=\"prefix\">−</mo><mn>5</mn></mrow></msup>");
   EXPECT_EQ(converted("C'"), "<msup><mi>C</mi><mrow><mo>′</mo></mrow></msup>");
 }
 
@@ -86,12 +86,25 @@ TEST(MathML, DelimitersGrowWithWhatTheyHold) {
   EXPECT_EQ(converted("\\left. x \\right|"), "<mrow><mi>x</mi><mo fence=\"true\">|</mo></mrow>");
 }
 
-TEST(MathML, ADisplayBreaksBetweenItsStatementsOnly) {
+TEST(MathML, ADisplayBreaksBetweenStatementsAndBeforeRelationsButTheFirst) {
   const auto parts = [](const std::string& latex) {
     return Markup("<all>" + display_mathml(latex) + "</all>").all("//*[local-name()='math']");
   };
   EXPECT_THAT(parts("a = b \\quad c = d \\qquad e"), ElementsAre("a=b", "c=d", "e"));
-  EXPECT_THAT(parts("\\frac{a \\quad b}{c}"), SizeIs(1));
+  EXPECT_THAT(parts("a = b = c \\le d"), ElementsAre("a=b", "=c", "≤d"));
+  EXPECT_THAT(parts("a = b, \\quad c = d"), ElementsAre("a=b,", "c=d"));
+  EXPECT_THAT(parts("\\frac{a = b = c \\quad d}{e}"), SizeIs(1));
+  EXPECT_THAT(parts("\\quad a"), ElementsAre("a"));
+}
+
+TEST(MathML, ASignWithoutAnOperandBeforeItBelongsToWhatFollows) {
+  const std::string prefix = "<mo form=\"prefix\">−</mo>", binary = "<mo>−</mo>";
+  for (const std::string before : {"", "a = ", "a + (", "2 \\cdot ", "\\frac{1}{2} = ", "a,\\, ", "a \\le ", "["})
+    EXPECT_THAT(converted(before + "-b"), HasSubstr(prefix)) << before;
+  for (const std::string before : {"a", "(a)", "a^2", "\\beta", "\\frac{1}{2}", "a\\,", "|a|", "3", "\\sqrt{2}"})
+    EXPECT_THAT(converted(before + "-b"), HasSubstr(binary)) << before;
+  EXPECT_THAT(converted("|-a|"), HasSubstr(prefix));
+  EXPECT_THAT(converted("x^{-1}"), HasSubstr(prefix));
 }
 
 TEST(MathML, WhatItDoesNotKnowIsNamedWithTheFormula) {

@@ -30,7 +30,7 @@ using namespace byhand;
 enum ExitStatus { fine = 0, failed = 1, bad_usage = 2, environment = 3 };
 
 struct Wanted {
-  std::string output = tutor::default_output().string(), quality = "medium";
+  std::string output = tutor::default_output().string();
   bool quiet = false;
 };
 
@@ -50,7 +50,7 @@ void build(const std::string& target) {
 /// Runs a lesson's program and returns the digest that it left in the folder.
 site::Digest write_lesson(const std::string& slug, const fs::path& folder, const Wanted& wanted) {
   const fs::path program = fs::read_symlink("/proc/self/exe").parent_path() / slug;
-  std::vector<std::string> arguments{"--page", "--output", folder.string(), "--quality", wanted.quality};
+  std::vector<std::string> arguments{"--page", "--output", folder.string()};
   if (wanted.quiet) arguments.emplace_back("--quiet");
   const tutor::Ended ended = tutor::run_program(program.string(), arguments, tutor::Group::ours);
   if (!ended.well()) throw Failed(fmt::format("{} ended with status {}", slug, ended.status), ended);
@@ -113,9 +113,6 @@ int main(int argc, char** argv) {
   app.set_help_flag("--help", "this page");
   app.add_option("--output", wanted.output, "folder that gets the folder site (default output/)")
       ->type_name("DIR");
-  app.add_option("--quality", wanted.quality, "of pictures: low, medium (default) or high")
-      ->check(CLI::IsMember({"low", "medium", "high"}))
-      ->type_name("low|medium|high");
   app.add_flag("--quiet", wanted.quiet, "no progress, only what is wrong");
   try {
     app.parse(argc, argv);

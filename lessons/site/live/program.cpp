@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "lessons/site/live/drawn.hpp"
+#include "lessons/site/drawn.hpp"
 #include "lessons/site/step_html.hpp"
 #include "lessons/tutor/grading.hpp"
 
@@ -94,13 +94,13 @@ Program::Told& Program::told(const Step& step) {
 void Program::tell(Told& told) const {
   for (const Item& item : told.recorded.page.items())
     if (const auto* sequence = std::get_if<Sequence>(&item)) told.films.try_emplace(sequence->name, *sequence);
-  const auto figure = [](const Figure& it, const std::string& words) { return Shown{drawn(it, words)}; };
-  const auto film = [&](const Sequence& it, const std::string& words) {
+  const auto figure = [](const Figure& it) { return Shown{drawn(it)}; };
+  const auto film = [&](const Sequence& it) {
     Film& shown = told.films.at(it.name);
     return Shown{fmt::format("<div class=\"screen\" data-frames=\"{}\" data-rate=\"{}\">{}</div>", shown.frames(),
-                             shown.in_real_time() ? Film::rate : 0,
-                             drawn(it.name, it.caption, words,
-                                   [&](renderer::Canvas& canvas) { shown.draw(canvas, shown.frames() - 1); }))};
+                             shown.in_real_time() ? Film::rate : 0, drawn(it.name, [&](renderer::Canvas& canvas) {
+                               shown.draw(canvas, shown.frames() - 1);
+                             }))};
   };
   told.html = step_html(told.recorded, {figure, film});
   told.recorded.reads = reads(lesson_);
@@ -123,8 +123,7 @@ std::string Program::answer(const std::string& request) {
     } else if (what == "frame") {
       Film& film = told(asked_step()).films.at(asked.at("film"));
       const std::string name = asked.at("film");
-      reply["svg"] =
-          drawn(name, name, "", [&](renderer::Canvas& canvas) { film.draw(canvas, asked.at("index")); });
+      reply["svg"] = drawn(name, [&](renderer::Canvas& canvas) { film.draw(canvas, asked.at("index")); });
     } else if (what == "grade") {
       reply = graded(lesson_, question(told(asked_step()).recorded.page, asked.at("question")), asked.at("typed"));
     } else {

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include "lessons/tutor/items.hpp"
+#include "renderer/svg_canvas.hpp"
+
+namespace byhand::site {
+
+/// A picture as an SVG element, whose ids begin with `name`. `draw_window` draws what is in space (see SvgCanvas).
+std::string drawn(const std::string& name, const tutor::Drawing& drawing,
+                  const renderer::SvgCanvas::DrawWindow& draw_window = {});
+std::string drawn(const tutor::Figure& figure, const renderer::SvgCanvas::DrawWindow& draw_window = {});
+
+}  // namespace byhand::site
