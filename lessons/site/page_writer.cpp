@@ -31,7 +31,8 @@ class Drawer {
     // What a clock measured stays out of the page, whose bytes are the same each time.
     const std::string path = folder_ + "figures/" + figure.name + ".svg";
     renderer::write_whole(site_ / path, svg);
-    return {fmt::format("<img src=\"{}\" alt=\"\" width=\"1280\" height=\"720\" />", path), link};
+    return {fmt::format("<img src=\"{}\" alt=\"\" width=\"1280\" height=\"720\" />", path),
+            fmt::format("<a href=\"{}\">SVG</a> {}", path, link)};
   }
 
   Shown operator()(const Sequence& film) const {

@@ -151,13 +151,16 @@ class ItemWriter {
 
   template <class Drawn>
   void picture(const char* kind, const Drawn& it, const Shown& shown) {
+    constexpr auto save =
+        R"(<button type="button" aria-label="Save as SVG">SVG</button> <button type="button" aria-label="Save as PNG">PNG</button> )";
     const Alternative other = alternative(it, shown.markup);
+    const bool in_page = shown.markup.find("<svg") != std::string::npos;
     child(
         fmt::format("<figure class=\"{0}\" id=\"{0}-{1}\" data-item=\"{2}\" data-{0}=\"{1}\">"
                     "<div class=\"picture\" role=\"img\" "
                     "aria-label=\"{3}\">{4}</div><figcaption>{5}{6}</figcaption>{7}</figure>",
                     kind, it.name, index_, escaped(plain_text(other.label)), shown.markup, inline_html(it.caption),
-                    shown.links.empty() ? "" : " <span class=\"files\">" + shown.links + "</span>",
+                    fmt::format(" <span class=\"files\">{}{}</span>", in_page ? save : "", shown.links),
                     other.words.empty() ? "" : folded("words", "In words", prose_html(other.words))));
   }
 

@@ -6,4 +6,7 @@ namespace byhand::tutor {
 /// lessons/commit.cmake writes its source.
 const char* commit();
 
+/// When it was committed, "2026-11-22T17:35:02Z"; the beginning of 1970 without git.
+const char* commit_time();
+
 }  // namespace byhand::tutor

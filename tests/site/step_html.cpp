@@ -123,7 +123,7 @@ TEST(StepHtml, AFigureHasItsPictureCaptionLinksAndWords) {
   });
   EXPECT_THAT(section.all("//figure/@data-figure"), ElementsAre("errors"));
   EXPECT_THAT(section.all("//figure/div[@class='picture']/svg"), ElementsAre(""));
-  EXPECT_THAT(section.all("//figcaption"), ElementsAre("The error. LINK"));
+  EXPECT_THAT(section.all("//figcaption"), ElementsAre("The error. SVG PNG LINK"));
   EXPECT_THAT(section.all("//figure/details[@class='words']"), ElementsAre(HasSubstr("3")));
 }
 

@@ -2,6 +2,7 @@
 // complete without it, and it loads nothing from elsewhere.
 'use strict';
 (() => {
+  document.documentElement.classList.add('scripted');
   const element = (name, attributes = {}, ...inside) => {
     const made = document.createElement(name);
     for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);
@@ -71,6 +72,33 @@
   addEventListener('resize', scrollers);
   addEventListener('load', scrollers);
   document.addEventListener('toggle', scrollers, true);
+
+  // A figure as it is shown, saved as SVG, or as PNG of 2560 × 1440 pixels.
+  const save = (name, blob) => {
+    const link = element('a', { href: URL.createObjectURL(blob), download: name });
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+  };
+  const asSvg = svg => new Blob([new XMLSerializer().serializeToString(svg)], { type: 'image/svg+xml' });
+  const asPng = svg => new Promise((resolve, reject) => {
+    const image = new Image(2560, 1440), address = URL.createObjectURL(asSvg(svg));
+    image.onerror = reject;
+    image.onload = () => {
+      const canvas = element('canvas', { width: image.width, height: image.height });
+      canvas.getContext('2d').drawImage(image, 0, 0, image.width, image.height);
+      URL.revokeObjectURL(address);
+      canvas.toBlob(resolve, 'image/png');
+    };
+    image.src = address;
+  });
+  document.addEventListener('click', async event => {
+    const button = closest(event, '.files button');
+    const figure = button?.closest('figure'), svg = figure?.querySelector('.picture svg');
+    if (!svg) return;
+    const name = figure.dataset.figure ?? figure.dataset.film;
+    if (button.textContent === 'SVG') save(`${name}.svg`, asSvg(svg));
+    else save(`${name}.png`, await asPng(svg));
+  });
 
   // The step in view is marked in the list of steps.
   const entries = new Map([...document.querySelectorAll('.beside a')].map(a => [a.hash.slice(1), a]));

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "lessons/site/course/book.hpp"
 #include "lessons/site/course/course_pages.hpp"
 #include "lessons/site/course/site_folder.hpp"
 #include "lessons/site/json.hpp"
@@ -89,6 +90,7 @@ int run(const Wanted& wanted) {
   write("teaching.html", site::teaching_page(lessons));
   write("assets/search.js", site::search_script(lessons));
   write("assets/equations.js", site::equations_script());
+  write("constraints_by_hand.epub", site::book(folder.path(), lessons));
   folder.finish();
   if (!wanted.quiet) fmt::print("The course as a web site: {}/index.html\n", tutor::printable(output.string()));
   return fine;

@@ -33,6 +33,11 @@ std::string schedule(const std::vector<Digest>& lessons) {
       rows, core, deeper);
 }
 
+std::string example(const Digest& lesson) {
+  const std::string address = fmt::format("{}#step-{}", page_of(lesson.slug), lesson.steps.front().label);
+  return fmt::format("<a href=\"{0}\">{0}</a>", address);
+}
+
 }  // namespace
 
 std::string teaching_page(const std::vector<Digest>& lessons) {
@@ -47,12 +52,13 @@ steps can be left out: no core step needs one.</p>
 <section id="hosting">
 <h2>Hosting</h2>
 <p>Copy the folder to any web server, a learning platform's file area or a USB stick; its name and place do not matter. Open
-<code>index.html</code>. No page loads anything from another host, sets a cookie or stores what a student does.</p>
+<code>index.html</code>. The whole course is also an e-book: <a href="constraints_by_hand.epub">constraints_by_hand.epub</a>.
+No page loads anything from another host, sets a cookie or stores what a student does.</p>
 </section>
 <section id="linking">
 <h2>Linking</h2>
-<p>Each step has an address, such as <a href="04_baumgarte.html#step-3">04_baumgarte.html#step-3</a>; so has each
-<a href="equations.html#equation-17">equation</a>.</p>
+<p>Each step has an address, such as )" +
+      example(lessons.front()) + R"(; so has each <a href="equations.html#equation-17">equation</a>.</p>
 </section>
 <section id="exercises">
 <h2>Exercises</h2>

@@ -1,0 +1,186 @@
+#include "lessons/site/course/book.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "lessons/site/course/zip.hpp"
+#include "lessons/site/lesson_page.hpp"
+#include "lessons/site/markup.hpp"
+#include "lessons/tutor/commit.hpp"
+#include "renderer/error.hpp"
+#include "renderer/file.hpp"
+
+namespace byhand::site {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string contents_of(const fs::path& path) {
+  if (auto bytes = renderer::read_whole(path)) return *std::move(bytes);
+  throw renderer::EnvironmentError(fmt::format("Cannot read {}.", path.string()));
+}
+
+void replace_all(std::string& text, std::string_view what, std::string_view by) {
+  for (auto at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size()))
+    text.replace(at, what.size(), by);
+}
+
+/// Removes every stretch from `begin` to `end`.
+void remove_all(std::string& text, std::string_view begin, std::string_view end) {
+  for (auto at = text.find(begin); at != std::string::npos; at = text.find(begin, at))
+    text.erase(at, text.find(end, at) + end.size() - at);
+}
+
+/// The content of a page of the site without what only a browser has a use for.
+std::string content(const fs::path& page) {
+  const std::string all = contents_of(page);
+  const std::string_view main = "<main id=\"content\" tabindex=\"-1\">";
+  const auto begin = all.find(main) + main.size();
+  std::string text = all.substr(begin, all.find("</main>") - begin);
+  remove_all(text, " <span class=\"files\">", "</span>");
+  remove_all(text, "<p class=\"answer\">", "</p>");
+  remove_all(text, "<input class=\"answer\"", "/>");
+  remove_all(text, "<p class=\"reply\"", "</p>");
+  remove_all(text, "<nav class=\"neighbours\"", "</nav>");
+  replace_all(text, ".html#", ".xhtml#");
+  replace_all(text, ".html\"", ".xhtml\"");
+  return text;
+}
+
+struct Chapter {
+  std::string file, title;  // "04_baumgarte", "4. Baumgarte"
+  std::string content;
+};
+
+std::string page(const std::string& title, const std::string& content) {
+  return fmt::format(R"(<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE html>
+<html xmlns="http://www.w3.org/1999/xhtml" xmlns:epub="http://www.idpf.org/2007/ops" lang="en" xml:lang="en">
+<head>
+<title>{}</title>
+<link rel="stylesheet" type="text/css" href="assets/style.css" />
+</head>
+<body>
+{}
+</body>
+</html>
+)",
+                     escaped(title), content);
+}
+
+std::string title_page() {
+  return R"(<section epub:type="titlepage">
+<h1>Constraints by Hand</h1>
+<p class="summary">A course that derives physical constraints, solves them and keeps them stable, and shows where each method
+fails and what its accuracy costs.</p>
+<p>Its numbers and figures were computed by the C++ that it quotes. As a web site, where its parameters can be changed, and as
+programs it is in the repository; <code>./lessons/run site</code> writes the site and this book.</p>
+<p>MIT licence. Equations (1) to (23) are those of R. Gaul, <cite>Modelling and Solving Physical Constraints</cite>, 2013. The
+licences of the fonts are in <code>assets/fonts/LICENCES.txt</code>.</p>
+</section>)";
+}
+
+std::string table_of_contents(const std::vector<Chapter>& chapters, const std::vector<Digest>& lessons) {
+  std::string rows;
+  for (const Chapter& chapter : chapters) {
+    std::string steps;
+    for (const Digest& lesson : lessons)
+      if (lesson.slug == chapter.file)
+        for (const Digest::Step& step : lesson.steps)
+          steps += fmt::format("<li><a href=\"{}.xhtml#step-{}\">{} {}</a></li>\n", chapter.file, step.label,
+                               step.label, inline_html(step.title, Links::none));
+    rows += fmt::format("<li><a href=\"{}.xhtml\">{}</a>{}</li>\n", chapter.file, escaped(chapter.title),
+                        steps.empty() ? "" : "\n<ol>\n" + steps + "</ol>\n");
+  }
+  return "<nav epub:type=\"toc\" id=\"toc\"><h1>Contents</h1>\n<ol>\n" + rows + "</ol></nav>";
+}
+
+/// One entry of the list of files.
+std::string item(const std::string& id, const std::string& file, const char* type,
+                 const std::string& properties = "") {
+  return fmt::format("<item id=\"{}\" href=\"{}\" media-type=\"{}\"{}/>\n", id, file, type,
+                     properties.empty() ? "" : fmt::format(" properties=\"{}\"", properties));
+}
+
+std::string properties_of(const std::string& content) {
+  std::string all;
+  if (content.find("<math") != std::string::npos) all += "mathml";
+  if (content.find("<svg") != std::string::npos) all += all.empty() ? "svg" : " svg";
+  return all;
+}
+
+std::string package(const std::string& items, const std::string& spine) {
+  return fmt::format(R"(<?xml version="1.0" encoding="utf-8"?>
+<package xmlns="http://www.idpf.org/2007/opf" version="3.0" unique-identifier="id" xml:lang="en">
+<metadata xmlns:dc="http://purl.org/dc/elements/1.1/">
+<dc:identifier id="id">constraints-by-hand {0}</dc:identifier>
+<dc:title>Constraints by Hand</dc:title>
+<dc:language>en</dc:language>
+<dc:rights>MIT licence</dc:rights>
+<meta property="dcterms:modified">{1}</meta>
+<meta property="schema:accessMode">textual</meta>
+<meta property="schema:accessMode">visual</meta>
+<meta property="schema:accessModeSufficient">textual</meta>
+<meta property="schema:accessibilityFeature">MathML</meta>
+<meta property="schema:accessibilityFeature">alternativeText</meta>
+<meta property="schema:accessibilityFeature">structuralNavigation</meta>
+<meta property="schema:accessibilityFeature">tableOfContents</meta>
+<meta property="schema:accessibilityHazard">none</meta>
+<meta property="schema:accessibilitySummary">Formulas are MathML. Charts have their numbers in words.</meta>
+</metadata>
+<manifest>
+{2}</manifest>
+<spine>
+{3}</spine>
+</package>
+)",
+                     tutor::commit(), tutor::commit_time(), items, spine);
+}
+
+}  // namespace
+
+std::string book(const fs::path& site, const std::vector<Digest>& lessons) {
+  std::vector<Chapter> chapters = {{"title", "Constraints by Hand", title_page()}};
+  for (const Digest& lesson : lessons)
+    chapters.push_back({lesson.slug, lesson_title(lesson.slug), content(site / page_of(lesson.slug))});
+  chapters.push_back({"equations", "Equations", content(site / "equations.html")});
+  chapters.push_back({"laws", "Laws", content(site / "laws.html")});
+
+  Zip zip;
+  zip.add("mimetype", "application/epub+zip", Zip::Store::as_it_is);
+  zip.add("META-INF/container.xml", R"(<?xml version="1.0"?>
+<container version="1.0" xmlns="urn:oasis:names:tc:opendocument:xmlns:container">
+<rootfiles><rootfile full-path="book/package.opf" media-type="application/oebps-package+xml"/></rootfiles>
+</container>
+)");
+  std::string items, spine;
+  for (const Chapter& chapter : chapters) {
+    zip.add("book/" + chapter.file + ".xhtml", page(chapter.title, chapter.content));
+    items += item("c-" + chapter.file, chapter.file + ".xhtml", "application/xhtml+xml",
+                  properties_of(chapter.content));
+    spine += fmt::format("<itemref idref=\"c-{}\"/>\n", chapter.file);
+  }
+  zip.add("book/contents.xhtml", page("Contents", table_of_contents(chapters, lessons)));
+  items += item("contents", "contents.xhtml", "application/xhtml+xml", "nav");
+  int files = 0;
+  const auto add_files = [&](const fs::path& folder, const char* extension, const char* type) {
+    if (!fs::is_directory(site / folder)) return;
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(site / folder))
+      if (entry.path().extension() == extension) names.push_back((folder / entry.path().filename()).string());
+    std::sort(names.begin(), names.end());
+    for (const std::string& name : names) {
+      zip.add("book/" + name, contents_of(site / name));
+      items += item(fmt::format("f-{}", ++files), name, type);
+    }
+  };
+  add_files("assets", ".css", "text/css");
+  add_files("assets/fonts", ".woff2", "font/woff2");
+  add_files("assets/fonts", ".txt", "text/plain");
+  for (const Digest& lesson : lessons) add_files(fs::path(lesson.slug) / "figures", ".svg", "image/svg+xml");
+  zip.add("book/package.opf", package(items, spine));
+  return zip.finish();
+}
+
+}  // namespace byhand::site

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace byhand::site {
+
+/// A ZIP archive, the same bytes for the same files: entries in the order in which they were added, without dates.
+class Zip {
+ public:
+  enum class Store { compressed, as_it_is };
+  void add(const std::string& name, std::string_view bytes, Store store = Store::compressed);
+  /// The archive. Nothing can be added afterwards.
+  std::string finish();
+
+ private:
+  std::string archive_, directory_;
+  int entries_ = 0;
+};
+
+}  // namespace byhand::site
