@@ -73,6 +73,14 @@ std::string neighbours(const std::string& slug) {
                        : "<nav class=\"neighbours\" aria-label=\"Neighbouring lessons\">" + links + "</nav>\n";
 }
 
+/// The lesson's program with what it reads, its worker, and what makes the page live (see lessons/site/live).
+std::string live_scripts(const std::string& slug) {
+  std::string all;
+  for (const std::string& name : {std::string("worker"), std::string("files"), slug, std::string("live")})
+    all += fmt::format("<script defer=\"defer\" src=\"live/{}.js\"></script>\n", name);
+  return all;
+}
+
 }  // namespace
 
 std::string lesson_title(const std::string& slug) {
@@ -84,7 +92,7 @@ std::string lesson_title(const std::string& slug) {
 std::string page_of(const std::string& slug) { return slug + ".html"; }
 
 std::string lesson_page(const Lesson& lesson, const std::vector<RecordedStep>& steps,
-                        const std::string& sections) {
+                        const std::string& sections, bool live) {
   const About& about = lesson.about();
   std::string content = fmt::format(
       "<article class=\"lesson\">\n<header class=\"lesson\">\n<p class=\"number\">Lesson "
@@ -97,7 +105,7 @@ std::string lesson_page(const Lesson& lesson, const std::vector<RecordedStep>& s
                  .beside = steps_beside(steps),
                  .lesson = about.slug,
                  .foot = "<script type=\"application/json\" id=\"parameters\">" + parameters_json(lesson, steps) +
-                         "</script>\n"});
+                         "</script>\n" + (live ? live_scripts(about.slug) : "")});
 }
 
 }  // namespace byhand::site

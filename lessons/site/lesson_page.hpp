@@ -15,10 +15,10 @@ namespace byhand::site {
 ///                      "choices": [], "initial": 0.016666666666666666, "typed": "1/60"}, …],
 ///      "steps": {"1": ["h", …], …}}
 ///
-/// `sections` are those of the steps (see step_html). `typed` is the initial value as a reader types it; of a
+/// `sections` are those of the steps (see step_html). `live`: with the scripts in live/ (see lessons/site/live). `typed` is the initial value as a reader types it; of a
 /// choice, low, high and initial mean nothing but the index.
 std::string lesson_page(const tutor::Lesson& lesson, const std::vector<tutor::RecordedStep>& steps,
-                        const std::string& sections);
+                        const std::string& sections, bool live = false);
 
 std::string page_of(const std::string& slug);       // "04_baumgarte.html"
 std::string lesson_title(const std::string& slug);  // "4. Baumgarte", of a lesson in the contents

@@ -48,6 +48,15 @@ void build(const std::string& target) {
   if (!ended.well()) throw Failed("", ended);
 }
 
+/// Compiles the lessons for a browser, so that their pages are live. False without what that needs.
+bool write_live(const fs::path& folder) {
+  const char* builder = std::getenv("BYHAND_LIVE");
+  if (builder == nullptr) return false;
+  const tutor::Ended ended = tutor::run_program(builder, {(folder / "live").string()}, tutor::Group::own);
+  if (ended.by_signal) throw Failed("", ended);
+  return ended.well();
+}
+
 /// Runs a lesson's program and returns the digest that it left in the folder.
 site::Digest write_lesson(const std::string& slug, const fs::path& folder, const Wanted& wanted) {
   const fs::path program = fs::read_symlink("/proc/self/exe").parent_path() / slug;
@@ -74,6 +83,7 @@ int run(const Wanted& wanted) {
   const fs::path output = fs::path(wanted.output) / "site";
   site::SiteFolder folder(output);
   build("lessons");
+  const bool live = write_live(folder.path());
   std::vector<site::Digest> lessons;
   const auto& contents = tutor::contents();
   for (const tutor::About& lesson : contents) {
@@ -92,6 +102,8 @@ int run(const Wanted& wanted) {
   write("assets/equations.js", site::equations_script());
   write("constraints_by_hand.epub", site::book(folder.path(), lessons));
   folder.finish();
+  if (!wanted.quiet && !live)
+    fmt::print("Its pages are static: what compiles the lessons for a browser is missing.\n");
   if (!wanted.quiet) fmt::print("The course as a web site: {}/index.html\n", tutor::printable(output.string()));
   return fine;
 }

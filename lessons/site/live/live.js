@@ -3,6 +3,7 @@
 // the lesson's own C++ in two workers, one for steps that answer at once and one for the others.
 
 (() => {
+  const style = new URL('live.css', document.currentScript.src).href;
   const parts = globalThis.byhandParts ?? {};  // the lesson, its files and the worker, packed (see pack in build)
   const quick = 100, patience = 2500, rest = 350;  // ms: of a step; of a reader before a step needs a button; between changes
   const reduced = matchMedia('(prefers-reduced-motion: reduce)');
@@ -44,7 +45,10 @@
       });
     }
 
-    #hear({ id, answer, failure, done, total }) {
+    memory = 0;  // bytes that the program uses
+
+    #hear({ id, answer, failure, done, total, memory }) {
+      this.memory = memory ?? this.memory;
       const waiting = this.#waiting.get(id);
       if (!waiting) return;
       if (total !== undefined) return waiting.progress?.(done, total);
@@ -129,7 +133,7 @@
   }
 
   class Step {
-    constructor(section) {
+    constructor(section, reads) {
       this.section = section;
       this.label = section.dataset.step;
       this.read = new Set(reads[this.label]);
@@ -324,9 +328,15 @@
 
   // ---- A change: what depends on it is told again, the step in view first.
 
-  let changed = 0;
+  let changed = 0, changing = 0;
 
   async function change(name, value, moving) {
+    ++changing;
+    await take(name, value, moving).catch(error => bar.fail(error));
+    --changing;
+  }
+
+  async function take(name, value, moving) {
     changed = performance.now();
     const { typed } = parameters.get(name);
     if (!moving) {  // a slider stays within its range
@@ -514,7 +524,7 @@
     element: make('aside', { className: 'changes', hidden: true, attributes: { 'aria-label': 'Changed settings' } }),
 
     show() {
-      const reset = make('button', { type: 'button', textContent: 'Reset', onclick: resetAll });
+      const reset = make('button', { type: 'button', className: 'reset', textContent: 'Reset', onclick: resetAll });
       const copy = make('button', { type: 'button', textContent: 'Copy link', onclick: () => this.copy(copy) });
       const changes = [...settings].map(([name, value]) =>
         make('span', { className: 'change' }, `${name} = ${value}`, make('span', { className: 'was' }, ` (${parameters.get(name).typed})`)));
@@ -548,8 +558,9 @@
   // ---- Beginning.
 
   async function begin() {
-    const article = document.querySelector('article[data-lesson]');
+    const article = document.querySelector('article.lesson');
     if (!article || !parts.lesson) return;
+    document.head.append(make('link', { rel: 'stylesheet', href: style }));
     document.body.append(bar.element);
     try {
       const about = await atOnce.start();
@@ -557,9 +568,8 @@
     } catch (error) {
       return bar.fail(error);
     }
-    steps = [...article.querySelectorAll('section[data-step]')].map(section => new Step(section));
-    
-    
+    const { steps: reads } = JSON.parse(document.getElementById('parameters').textContent);
+    steps = [...article.querySelectorAll('section[data-step]')].map(section => new Step(section, reads));
     readAddress();
     steps.forEach(step => step.offerSettings());
     document.documentElement.classList.add('live');
@@ -578,6 +588,12 @@
     document.documentElement.dataset.ready = '';
   }
 
-  globalThis.byhandPage = { get steps() { return steps; }, settings, queue };  // for tests
+  // For tests: the steps, whether all in reach are told at the present settings, and the bytes of the programs.
+  globalThis.byhandPage = {
+    get steps() { return steps; },
+    settled: () => !changing && performance.now() - changed > rest + 50 && !steps.some(step => step.telling)
+      && !queue.next(atOnce) && !queue.next(takingTime),
+    memory: () => atOnce.memory + takingTime.memory,
+  };
   begin();
 })();

@@ -16,11 +16,13 @@ async function start({ program, files, progress = () => {}, complain = console.e
   const lesson = instance.exports;
   system.use(lesson.memory);
   lesson._initialize();
-  return request => {
+  const ask = request => {
     const bytes = new TextEncoder().encode(JSON.stringify(request));
     const at = lesson.request(bytes.length);
     new Uint8Array(lesson.memory.buffer, at, bytes.length).set(bytes);
     const answer = lesson.answer();
     return JSON.parse(new TextDecoder().decode(new Uint8Array(lesson.memory.buffer, answer, lesson.answer_size())));
   };
+  ask.memory = () => lesson.memory.buffer.byteLength;
+  return ask;
 }

@@ -23,6 +23,6 @@ function report(done, total) {
 
 onmessage = ({ data }) => {
   busy = busy.then(() => answer(data)).then(
-    answer => postMessage({ id: data.id, answer }),
+    answer => postMessage({ id: data.id, answer, memory: ask.memory() }),
     error => postMessage({ id: data.id, failure: String(error?.message ?? error) }));
 };

@@ -1,0 +1,70 @@
+// Every page of the site, as a reader opens it: from the disk, from a server, without JavaScript, narrow and wide, light
+// and dark.
+import assert from 'node:assert/strict';
+import { after, test } from 'node:test';
+
+import { axe, lessons, live, open, pages, quick, quit, serve, url } from './browser.mjs';
+
+after(quit);
+
+for (const page of pages)
+  test(`${page} loads from the disk without a complaint, and asks for nothing outside the site`, async () => {
+    const asked = [];
+    const tab = await open(url(page), { before: tab => tab.on('request', request => asked.push(request.url())) });
+    if (lessons.includes(page.slice(0, -5))) await tab.waitForSelector('html[data-ready]', { timeout: 60_000 });
+    const folder = url('').replace(/\/?$/, '/');
+    assert.deepEqual(asked.filter(address => !address.startsWith(folder) && !/^(blob|data):/.test(address)), []);
+    assert.deepEqual(tab.complaints, []);
+    await tab.close();
+  });
+
+test('the lessons are live from a server too', async () => {
+  const server = await serve();
+  for (const lesson of quick ? lessons.slice(0, 1) : lessons) {
+    const tab = await live(lesson, { address: `${server.address}${lesson}.html` });
+    assert.deepEqual(tab.complaints, []);
+    await tab.close();
+  }
+  server.close();
+});
+
+for (const page of pages)
+  test(`${page} is complete without JavaScript`, async () => {
+    const tab = await open(url(page), { script: false });
+    assert.deepEqual(tab.complaints, []);
+    const seen = await tab.evaluate(() => {
+      const visible = element => element.checkVisibility?.() ?? element.offsetParent !== null;
+      return {
+        heading: document.querySelector('h1')?.textContent.trim(),
+        steps: document.querySelectorAll('section.step').length,
+        pictures: [...document.querySelectorAll('.picture')].filter(picture => !picture.querySelector('svg, img')).length,
+        dead: [...document.querySelectorAll('main button, main input')].filter(visible).length,
+      };
+    });
+    assert.ok(seen.heading);
+    if (lessons.includes(page.slice(0, -5))) assert.ok(seen.steps >= 5, `${seen.steps} steps`);
+    assert.equal(seen.pictures, 0, 'figures without a picture');
+    assert.equal(seen.dead, 0, 'buttons and fields that do nothing');
+    await tab.close();
+  });
+
+for (const page of pages)
+  for (const width of [360, 768, 1440])
+    test(`${page} needs no horizontal bar at ${width} pixels`, async () => {
+      const tab = lessons.includes(page.slice(0, -5)) ? await live(page.slice(0, -5), { width }) : await open(url(page), { width });
+      const wide = await tab.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
+      assert.ok(wide <= 0, `${wide} pixels too wide`);
+      await tab.close();
+    });
+
+for (const page of quick ? ['index.html', `${lessons[Math.min(3, lessons.length - 1)]}.html`] : pages)
+  for (const dark of [false, true])
+    test(`axe-core finds nothing on ${page}, ${dark ? 'dark' : 'light'}`, async () => {
+      const lesson = page.slice(0, -5);
+      const tab = lessons.includes(lesson) ? await live(lesson, { dark }) : await open(url(page), { dark });
+      await tab.evaluate(() => document.querySelectorAll('details').forEach(fold => { fold.open = true; }));
+      await tab.addScriptTag({ path: axe });
+      const { violations } = await tab.evaluate(() => axe.run(document, { runOnly: ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'best-practice'] }));
+      assert.deepEqual(violations.map(({ id, nodes }) => `${id}: ${nodes.slice(0, 3).map(node => node.html.slice(0, 160)).join(' | ')}`), []);
+      await tab.close();
+    });

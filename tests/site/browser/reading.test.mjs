@@ -1,0 +1,156 @@
+// Questions, films, the keyboard, and a page whose program is damaged.
+import assert from 'node:assert/strict';
+import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, test } from 'node:test';
+import { pathToFileURL } from 'node:url';
+
+import { lessons, live, open, quick, quit, settled, site } from './browser.mjs';
+
+after(quit);
+
+const chosen = quick ? lessons.filter(name => name.startsWith('04')) : lessons;
+const baumgarte = lessons.find(name => name.startsWith('04'));
+
+for (const lesson of chosen)
+  test(`${lesson}: right answers are right, wrong ones are not, and each gets the lesson's reply`, { timeout: 600_000 }, async () => {
+    const tab = await live(lesson);
+    const replies = await tab.evaluate(async () => {
+      const all = [];
+      for (const form of document.querySelectorAll('form[data-question]')) {
+        const reply = form.querySelector('.reply'), name = form.dataset.question;
+        const answered = async act => {
+          reply.textContent = '';
+          act();
+          for (let i = 0; i < 1200 && !reply.textContent; ++i) await new Promise(resolve => setTimeout(resolve, 50));
+          return { right: reply.classList.contains('right'), wrong: reply.classList.contains('wrong'), words: reply.textContent };
+        };
+        if (form.dataset.kind === 'number') {
+          const type = words => answered(() => { form.elements.typed.value = words; form.requestSubmit(); });
+          const solution = form.querySelector('.solution strong').textContent;
+          all.push({ name, kind: 'number', right: await type(solution), wrong: await type('-123456789'), odd: await type('many') });
+        } else {
+          const options = [...form.querySelectorAll('input[type=radio]')], given = [];
+          for (const option of options) given.push(await answered(() => option.click()));
+          all.push({ name, kind: 'choice', given });
+        }
+      }
+      return all;
+    });
+    assert.ok(replies.length > 0, 'there are questions');
+    for (const { name, kind, right, wrong, odd, given } of replies) {
+      if (kind === 'choice') {
+        assert.equal(given.filter(reply => reply.right).length, 1, `${name} has one right option`);
+        assert.ok(given.every(reply => reply.right ? reply.words.startsWith('Yes.') : reply.words.startsWith('No.')), name);
+      } else {
+        assert.ok(right.right && !right.wrong, `${name}: the printed answer is accepted: ${right.words}`);
+        assert.ok(wrong.wrong && !wrong.right, `${name}: ${wrong.words}`);
+        assert.ok(!odd.right && !odd.wrong && odd.words.includes('not a number'), `${name}: ${odd.words}`);
+      }
+    }
+    assert.deepEqual(tab.complaints, []);
+    await tab.close();
+  });
+
+test('a film plays, pauses, is scrubbed and goes frame by frame', async () => {
+  const tab = await live(baumgarte);
+  const film = await tab.$('figure[data-film]');
+  await film.evaluate(film => film.scrollIntoView());
+  const button = label => film.$(`.player button[aria-label="${label}"]`);
+  const time = () => film.$eval('.player input[type=range]', slider => +slider.value);
+  const picture = () => film.$eval('.picture', picture => picture.innerHTML);
+
+  await (await button('play')).click();
+  await tab.waitForFunction(film => +film.querySelector('.player input').value > 3 && film.querySelector('[aria-label="pause"]'), {}, film);
+  const moving = await picture();
+  await (await button('pause')).click();
+  await tab.waitForFunction(film => film.querySelector('[aria-label="play"]'), {}, film);
+  await new Promise(resolve => setTimeout(resolve, 200));
+  const stopped = await time(), still = await picture();
+  assert.notEqual(still, moving, 'frames differ');
+  await new Promise(resolve => setTimeout(resolve, 300));
+  assert.equal(await time(), stopped, 'it stands still');
+
+  await (await button('one frame on')).click();
+  await tab.waitForFunction((film, at) => +film.querySelector('.player input').value === at, {}, film, stopped + 1);
+  await (await button('one frame back')).click();
+  await tab.waitForFunction((film, at) => +film.querySelector('.player input').value === at, {}, film, stopped);
+  assert.equal(await picture(), still, 'the same frame is the same picture');
+
+  await film.$eval('.player input', slider => { slider.value = 0; slider.dispatchEvent(new Event('input')); });
+  await tab.waitForFunction((film, before) => film.querySelector('.picture').innerHTML !== before, {}, film, still);
+  assert.deepEqual(tab.complaints, []);
+  await tab.close();
+});
+
+test('no film moves by itself', async () => {
+  const tab = await live(baumgarte);
+  const pictures = () => tab.$$eval('figure[data-film] .picture', all => all.map(one => one.innerHTML).join());
+  const before = await pictures();
+  await new Promise(resolve => setTimeout(resolve, 1000));
+  assert.equal(await pictures(), before);
+  await tab.close();
+});
+
+test('films of this lesson play at 30 frames a second', { skip: quick }, async () => {
+  const tab = await live(baumgarte);
+  const rates = await tab.evaluate(async () => {
+    const rates = [];
+    for (const step of byhandPage.steps.filter(step => step.lesson === step.lesson)) for (const film of step.films.values()) {
+      await film.ready();
+      if (!film.rate || film.frames < 20) continue;
+      await film.run();
+      rates.push([film.name, film.perSecond]);
+    }
+    return rates;
+  });
+  assert.ok(rates.length > 0);
+  for (const [name, perSecond] of rates) assert.ok(perSecond >= 24, `${name}: ${perSecond.toFixed(1)} frames/s`);
+  await tab.close();
+});
+
+test('the keyboard alone suffices: to a slider, along it, into a film and a question', async () => {
+  const tab = await live(baumgarte);
+  const reach = async selector => {
+    for (let i = 0; i < 600; ++i) {
+      await tab.keyboard.press('Tab');
+      if (await tab.evaluate(selector => document.activeElement.matches(selector), selector)) return;
+    }
+    assert.fail(`Tab never reaches ${selector}`);
+  };
+  await reach('.setting[data-name="beta"] input[type=range]');
+  for (let i = 0; i < 5; ++i) await tab.keyboard.press('ArrowRight');
+  await tab.waitForFunction(() => decodeURIComponent(location.hash).includes('beta='));
+  await settled(tab);
+  assert.ok(await tab.evaluate(() => document.activeElement.matches('.setting[data-name="beta"] input[type=range]')), 'the focus stays');
+  await reach('.player button[aria-label="play"]');
+  await tab.keyboard.press('Enter');
+  await tab.waitForFunction(() => document.querySelector('.player button[aria-label="pause"]'));
+  await tab.keyboard.press('Enter');
+  await reach('form[data-kind="number"] input[name="typed"]');
+  await tab.keyboard.type('1');
+  await tab.keyboard.press('Enter');
+  await tab.waitForFunction(() => document.activeElement.closest('form').querySelector('.reply').textContent);
+  assert.deepEqual(tab.complaints, []);
+  await tab.close();
+});
+
+for (const [what, damage] of [
+  ['cut short', text => text.slice(0, text.length / 2) + '";\n'],
+  ['another file', () => '(globalThis.byhandParts ??= {}).lesson = "aGVsbG8=";\n'],
+])
+  test(`a page whose program is ${what} says so and stays readable`, async () => {
+    const folder = mkdtempSync(join(tmpdir(), 'site-'));
+    cpSync(site, folder, { recursive: true });
+    const program = join(folder, 'live', `${baumgarte}.js`);
+    writeFileSync(program, damage(readFileSync(program, 'utf8')));
+    const tab = await open(pathToFileURL(join(folder, `${baumgarte}.html`)).href);
+    await tab.waitForSelector('.changes[role="alert"]', { timeout: 30_000 });
+    assert.match(await tab.$eval('.changes', bar => bar.textContent), /program .* (stays|stayed) /);
+    assert.ok((await tab.$$('section.step')).length >= 5);
+    assert.equal(await tab.$eval('html', html => html.classList.contains('live')), false, 'no dead sliders or buttons');
+    assert.equal((await tab.$$('.player, .setting')).length, 0);
+    await tab.close();
+    rmSync(folder, { recursive: true });
+  });

@@ -1,0 +1,136 @@
+// Sliders: at both ends and in between, the page's claims hold, and what depends on a setting is told again.
+import assert from 'node:assert/strict';
+import { after, test } from 'node:test';
+
+import { lessons, live, quick, quit, settled } from './browser.mjs';
+
+after(quit);
+
+const chosen = quick ? lessons.filter(name => /^0[24]/.test(name)) : lessons;
+const somewhere = (() => { let state = 20131; return () => (state = (state * 48271) % 2147483647) / 2147483647; })();
+
+const falseClaims = tab => tab.evaluate(() => [...document.querySelectorAll('[data-verdict="false"]')].map(row => row.textContent));
+
+// Moves the slider of a parameter beside the first step that offers it, as the keyboard or a finger would.
+async function move(tab, name, share) {
+  await tab.evaluate((name, share) => {
+    const slider = document.querySelector(`.setting[data-name="${name}"] input[type=range]`);
+    slider.closest('section').scrollIntoView();
+    slider.value = Math.round(slider.max * share);
+    slider.dispatchEvent(new Event('input', { bubbles: true }));
+  }, name, share);
+  await settled(tab);
+}
+
+for (const lesson of chosen)
+  test(`${lesson}: at the ends of every slider and between them every claim holds`, { timeout: 1_800_000 }, async () => {
+    const tab = await live(lesson);
+    const names = await tab.evaluate(() => [...new Set([...document.querySelectorAll('.setting input[type=range]')].map(slider => slider.closest('.setting').dataset.name))]);
+    assert.ok(names.length > 0, 'the page offers sliders');
+    for (const name of names) {
+      for (const share of [0, 1, ...Array.from({ length: quick ? 1 : 10 }, somewhere)]) {
+        await move(tab, name, share);
+        assert.deepEqual(await falseClaims(tab), [], `${name} at ${share} of its range`);
+        assert.deepEqual(tab.complaints, []);
+      }
+      await tab.evaluate(() => document.querySelector('.changes .reset')?.click());
+      await settled(tab);
+    }
+    await tab.close();
+  });
+
+const baumgarte = lessons.find(name => name.startsWith('04'));
+
+test('a slider is answered within 50 ms by the step in view', async () => {
+  const tab = await live(baumgarte);
+  await move(tab, 'beta', 0.5);  // the program is warm
+  const times = await tab.evaluate(async () => {
+    const step = byhandPage.steps.find(step => step.label === '2'), times = [];
+    step.section.scrollIntoView();
+    const slider = step.settings.querySelector('[data-name="beta"] input[type=range]');
+    for (const share of [0.2, 0.4, 0.6, 0.8, 0.3, 0.5, 0.7]) {
+      const change = new Promise(resolve => new MutationObserver((_, watch) => { watch.disconnect(); resolve(performance.now()); })
+        .observe(step.section, { childList: true }));
+      const begin = performance.now();
+      slider.value = slider.max * share;
+      slider.dispatchEvent(new Event('input', { bubbles: true }));
+      times.push(await change - begin);
+      await new Promise(resolve => setTimeout(resolve, 500));
+    }
+    return times.sort((a, b) => a - b);
+  });
+  assert.ok(times[3] <= 50, `median of ${times.map(Math.round)} ms`);
+  await tab.close();
+});
+
+test('an exact value can be typed, and the address keeps it', async () => {
+  const tab = await live(baumgarte);
+  const type = async (name, value) => {
+    const field = await tab.$(`.setting[data-name="${name}"] input[type=text]`);
+    await field.evaluate(field => { field.value = ''; });
+    await field.type(value);
+    await field.press('Enter');
+    await tab.waitForFunction((name, value) => decodeURIComponent(location.hash).includes(`${name}=`), {}, name, value);
+    await settled(tab);
+  };
+  await type('h', '1/120');
+  await type('beta', '1.9');
+  assert.equal(await tab.evaluate(() => decodeURIComponent(location.hash)), '#h=1/120&beta=1.9');
+  const address = await tab.evaluate(() => location.href);
+  const words = await tab.$eval('#step-2', step => step.innerText);
+  await tab.close();
+
+  const again = await live(baumgarte, { address });
+  await settled(again);
+  await again.evaluate(() => document.querySelector('#step-2').scrollIntoView());
+  await settled(again);
+  assert.equal(await again.$eval('.setting[data-name="h"] input[type=text]', field => field.value), '1/120');
+  assert.equal(await again.$eval('#step-2', step => step.innerText), words, 'a link shows what its author saw');
+  await again.close();
+});
+
+test('a value out of range is refused at its slider in the lesson\'s own sentence', async () => {
+  const tab = await live(baumgarte);
+  const field = await tab.$('.setting[data-name="beta"] input[type=text]');
+  for (const [typed, sentence] of [['7', /beta|7.*(0\.01|3)/], ['many', /"many" is not a number/]]) {
+    await field.evaluate(field => { field.value = ''; });
+    await field.type(typed);
+    await field.press('Enter');
+    await tab.waitForFunction(() => document.querySelector('.setting[data-name="beta"] .refused').textContent);
+    assert.match(await tab.$eval('.setting[data-name="beta"] .refused', refused => refused.textContent), sentence);
+    assert.equal(await field.evaluate(field => field.getAttribute('aria-invalid')), 'true');
+  }
+  assert.equal(await tab.evaluate(() => location.hash), '', 'the setting stays as it was');
+  await tab.close();
+});
+
+test('reset restores the page as it was written', async () => {
+  const tab = await live(baumgarte);
+  const words = () => tab.$$eval('section.step', steps => steps.map(step => [...step.querySelectorAll('.text, .measures, .claims')].map(part => part.textContent)));
+  const written = await words();
+  await move(tab, 'beta', 0.9);
+  assert.notDeepEqual(await words(), written);
+  await tab.click('.changes .reset');
+  await settled(tab);
+  for (const step of await tab.$$('section.step')) {
+    await step.evaluate(step => step.scrollIntoView());
+    await settled(tab);
+  }
+  assert.deepEqual(await words(), written);
+  await tab.close();
+});
+
+test('hundreds of changes leave the memory as it was', { skip: quick }, async () => {
+  const tab = await live(baumgarte);
+  const used = async () => {
+    await (await tab.createCDPSession()).send('HeapProfiler.collectGarbage');
+    return (await tab.metrics()).JSHeapUsedSize + await tab.evaluate(() => byhandPage.memory());
+  };
+  const change = async count => { for (let i = 0; i < count; ++i) await move(tab, 'beta', (i % 50) / 50); };
+  await change(60);
+  const before = await used();
+  await change(500);
+  const grown = await used() - before;
+  assert.ok(grown < 8e6, `${grown} bytes more`);
+  await tab.close();
+});
