@@ -1,0 +1,69 @@
+// The lessons in WebAssembly say what the native program says, byte for byte: texts, formulas, numbers, claims, pictures,
+// grades. BYHAND_PROGRAMS: folder of the native programs told_*; BYHAND_WASM: of the .wasm. BYHAND_QUICK: some of it.
+import assert from 'node:assert/strict';
+import { spawn } from 'node:child_process';
+import { readdirSync } from 'node:fs';
+import { join } from 'node:path';
+import { createInterface } from 'node:readline';
+import { test } from 'node:test';
+
+import { lesson } from './lesson.mjs';
+
+const { BYHAND_PROGRAMS: programs, BYHAND_WASM: modules, BYHAND_QUICK: quick } = process.env;
+const slugs = readdirSync(modules).filter(name => /^\d\d_.*\.wasm$/.test(name)).map(name => name.slice(0, -5)).sort();
+assert.ok(slugs.length > 0, `${modules} holds no lessons`);
+
+function native(slug) {
+  const child = spawn(join(programs, `told_${slug}`), { stdio: ['pipe', 'pipe', 'inherit'] });
+  const lines = createInterface({ input: child.stdout })[Symbol.asyncIterator]();
+  return {
+    async ask(request) {
+      child.stdin.write(JSON.stringify(request) + '\n');
+      const { value, done } = await lines.next();
+      assert.ok(!done, `${slug} ended`);
+      return JSON.parse(value);
+    },
+    end: () => child.stdin.end(),
+  };
+}
+
+// Running times differ, and scenes in space are drawn by another OpenGL.
+const comparable = text => text
+  .replace(/<figure[^>]*data-clocked[\s\S]*?<\/figure>/g, '')
+  .replace(/href="data:image\/[a-z]+;base64,[^"]*"/g, 'href=""');
+
+// Where the two first differ, with what stands around it.
+function difference(a, b) {
+  if (a === b) return '';
+  let at = 0;
+  while (a[at] === b[at]) ++at;
+  return `…${a.slice(Math.max(0, at - 80), at + 80)}… but …${b.slice(Math.max(0, at - 80), at + 80)}…`;
+}
+
+for (const slug of slugs.filter(slug => !quick || /^0[1-4]/.test(slug)))
+  test(`${slug} tells in WebAssembly what it tells natively`, { timeout: 3_600_000 }, async context => {
+    const here = native(slug), there = await lesson(join(modules, `${slug}.wasm`));
+    context.after(() => here.end());
+    const about = there({ ask: 'describe' });
+    assert.deepEqual(about, await here.ask({ ask: 'describe' }));
+    const differing = [];
+    for (const { label } of about.steps) {
+      const [a, b] = [await here.ask({ ask: 'tell', step: label }), there({ ask: 'tell', step: label })];
+      assert.deepEqual(b.error, a.error, `step ${label}`);
+      assert.deepEqual(b.reads, a.reads, `step ${label}`);
+      const found = difference(comparable(a.html), comparable(b.html));
+      if (found) differing.push(`step ${label}: ${found}`);
+    }
+    assert.deepEqual(differing, []);
+
+    // Off the defaults, at steps that answer quickly.
+    for (const parameter of about.parameters.filter(({ choices }) => !choices.length)) {
+      const value = parameter.low + 0.37 * (parameter.high - parameter.low);
+      const settings = { [parameter.name]: parameter.whole ? String(Math.round(value)) : String(value) };
+      const [a, b] = [await here.ask({ ask: 'check', settings }), there({ ask: 'check', settings })];
+      assert.deepEqual(b, a);
+    }
+    const refused = { ask: 'check', settings: { [about.parameters[0].name]: 'many' } };
+    assert.deepEqual(there(refused), await here.ask(refused));
+    assert.ok(there(refused).refused.includes('many'));
+  });
