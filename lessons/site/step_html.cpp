@@ -85,7 +85,8 @@ class ItemWriter {
     std::string lines;
     for (const DerivationLine& line : derivation.lines)
       lines += fmt::format("<li><p>{}</p>{}</li>", inline_html(line.why), equation_line(line.latex, 0));
-    block("derivation", folded("lines", "Derivation: " + inline_html(derivation.title), "<ol>" + lines + "</ol>"));
+    block("derivation",
+          folded("lines", "Derivation: " + inline_html(derivation.title, Links::none), "<ol>" + lines + "</ol>"));
   }
 
   void operator()(const Measure& measure) {
@@ -171,11 +172,10 @@ class ItemWriter {
       folds += folded("hint", hints.size() == 1 ? "Hint" : fmt::format("Hint {}", i + 1), prose_html(hints[i]));
     folds += folded("solution", "Answer", answer);
     ++questions_;
-    child(
-        fmt::format("<form class=\"question\" data-item=\"{}\" data-question=\"{}.{}\" data-kind=\"{}\" "
-                    "aria-label=\"Before you read on\"><p class=\"before\">Before you read on</p>{}{}"
-                    "<p class=\"reply\" role=\"status\"></p>{}</form>",
-                    index_, step_.step->label, questions_, kind, prose_html(words), field, folds));
+    child(fmt::format(
+        R"(<form class="question" data-item="{0}" data-question="{1}.{2}" data-kind="{3}" aria-label="Question {1}.{2}">)"
+        R"(<p class="before">Before you read on</p>{4}{5}<p class="reply" role="status"></p>{6}</form>)",
+        index_, step_.step->label, questions_, kind, prose_html(words), field, folds));
   }
 
   void begin_run(Run run) {
@@ -224,11 +224,13 @@ class ItemWriter {
 
 std::string step_html(const RecordedStep& recorded, const Pictures& pictures) {
   const Step& step = *recorded.step;
-  return fmt::format(
-      "<section class=\"step{}\" id=\"step-{}\" data-step=\"{}\">\n"
-      "<h2><a class=\"label\" href=\"#step-{}\">{}</a> {}{}</h2>\n{}</section>\n",
-      step.deeper ? " deeper" : "", step.label, step.label, step.label, step.label, inline_html(step.title),
-      step.deeper ? " <span class=\"depth\">deeper</span>" : "", ItemWriter(recorded, pictures).all());
+  return fmt::format(R"(<section class="step{0}" id="step-{1}" data-step="{1}">
+<h2><span class="label">{1}</span> {2}{3}</h2>
+{4}</section>
+)",
+                     step.deeper ? " deeper" : "", step.label, inline_html(step.title),
+                     step.deeper ? " <span class=\"depth\">deeper</span>" : "",
+                     ItemWriter(recorded, pictures).all());
 }
 
 }  // namespace byhand::site

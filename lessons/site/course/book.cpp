@@ -26,10 +26,10 @@ void replace_all(std::string& text, std::string_view what, std::string_view by) 
     text.replace(at, what.size(), by);
 }
 
-/// Removes every stretch from `begin` to `end`.
-void remove_all(std::string& text, std::string_view begin, std::string_view end) {
-  for (auto at = text.find(begin); at != std::string::npos; at = text.find(begin, at))
-    text.erase(at, text.find(end, at) + end.size() - at);
+/// Replaces every stretch from `begin` to `end`.
+void replace_all(std::string& text, std::string_view begin, std::string_view end, std::string_view by) {
+  for (auto at = text.find(begin); at != std::string::npos; at = text.find(begin, at + by.size()))
+    text.replace(at, text.find(end, at) + end.size() - at, by);
 }
 
 /// The content of a page of the site without what only a browser has a use for.
@@ -38,11 +38,14 @@ std::string content(const fs::path& page) {
   const std::string_view main = "<main id=\"content\" tabindex=\"-1\">";
   const auto begin = all.find(main) + main.size();
   std::string text = all.substr(begin, all.find("</main>") - begin);
-  remove_all(text, " <span class=\"files\">", "</span>");
-  remove_all(text, "<p class=\"answer\">", "</p>");
-  remove_all(text, "<input class=\"answer\"", "/>");
-  remove_all(text, "<p class=\"reply\"", "</p>");
-  remove_all(text, "<nav class=\"neighbours\"", "</nav>");
+  replace_all(text, " <span class=\"files\">", "</span>", "");
+  replace_all(text, "<p class=\"answer\">", "</p>", "");
+  replace_all(text, "<input class=\"answer\"", "/>", "");
+  replace_all(text, "<p class=\"reply\"", "</p>", "");
+  replace_all(text, "<nav class=\"neighbours\"", "</nav>", "");
+  // Measured running times would make every copy another book.
+  replace_all(text, "<div class=\"picture\" role=\"img\" aria-label=\"Chart of measured running times", "</div>",
+              "<p>(Running times differ from run to run; the site has this chart.)</p>");
   replace_all(text, ".html#", ".xhtml#");
   replace_all(text, ".html\"", ".xhtml\"");
   return text;
@@ -178,7 +181,6 @@ std::string book(const fs::path& site, const std::vector<Digest>& lessons) {
   add_files("assets", ".css", "text/css");
   add_files("assets/fonts", ".woff2", "font/woff2");
   add_files("assets/fonts", ".txt", "text/plain");
-  for (const Digest& lesson : lessons) add_files(fs::path(lesson.slug) / "figures", ".svg", "image/svg+xml");
   zip.add("book/package.opf", package(items, spine));
   return zip.finish();
 }
