@@ -4,9 +4,11 @@
 
 #include <algorithm>
 
+#include "lessons/site/digest.hpp"
 #include "lessons/site/frame.hpp"
 #include "lessons/site/json.hpp"
 #include "lessons/site/markup.hpp"
+#include "lessons/site/reading.hpp"
 
 namespace byhand::site {
 namespace {
@@ -20,6 +22,20 @@ std::string steps_beside(const std::vector<RecordedStep>& steps) {
         fmt::format("<li{0}><a href=\"#step-{1}\"><span>{1}</span> {2}</a></li>\n",
                     step->deeper ? " class=\"deeper\"" : "", step->label, inline_html(step->title, Links::none));
   return "<p>In this lesson</p>\n<ol>\n" + all + "</ol>\n";
+}
+
+std::string goals(const About& about) {
+  if (about.goals.empty()) return "";
+  std::string all;
+  for (const std::string& goal : about.goals) all += "<li>" + inline_html(goal) + "</li>\n";
+  return fmt::format(R"(<details class="goals"><summary>Goals and what it takes</summary>
+<p>Afterwards you can</p>
+<ul>
+{}</ul>
+<p><strong>Before:</strong> {}</p>
+</details>
+)",
+                     all, inline_html(about.before));
 }
 
 std::string parameters(const Lesson& lesson) {
@@ -94,11 +110,17 @@ std::string page_of(const std::string& slug) { return slug + ".html"; }
 std::string lesson_page(const Lesson& lesson, const std::vector<RecordedStep>& steps,
                         const std::string& sections, bool live) {
   const About& about = lesson.about();
-  std::string content = fmt::format(
-      "<article class=\"lesson\">\n<header class=\"lesson\">\n<p class=\"number\">Lesson "
-      "{}</p>\n"
-      "<h1>{}</h1>\n<p class=\"summary\">{}</p>\n{}</header>\n",
-      lesson.number(), escaped(about.title), inline_html(about.summary), parameters(lesson));
+  std::string content =
+      fmt::format(R"(<article class="lesson">
+<header class="lesson">
+<p class="number">Lesson {}</p>
+<h1>{}</h1>
+<p class="summary">{}</p>
+<p class="facts">{}</p>
+{}{}</header>
+)",
+                  lesson.number(), escaped(about.title), inline_html(about.summary),
+                  in_words(reading_time(digest(lesson, steps))), goals(about), parameters(lesson));
   content += sections + closing(lesson.closing()) + "</article>\n" + neighbours(about.slug);
   return framed({.title = fmt::format("{}. {}", lesson.number(), about.title),
                  .content = content,

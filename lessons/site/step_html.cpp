@@ -159,7 +159,7 @@ class ItemWriter {
     child(
         fmt::format("<figure class=\"{0}\" id=\"{0}-{1}\" data-item=\"{2}\" data-{0}=\"{1}\">"
                     "<div class=\"picture\" role=\"img\" "
-                    "aria-label=\"{3}\">{4}</div><figcaption>{5}{6}</figcaption>{7}</figure>",
+                    "aria-label=\"{3}\">{4}</div><figcaption>{5}{6}{7}</figcaption></figure>",
                     kind, it.name, index_, escaped(plain_text(other.label)), shown.markup, inline_html(it.caption),
                     fmt::format(" <span class=\"files\">{}{}</span>", in_page ? save : "", shown.links),
                     other.words.empty() ? "" : folded("words", "In words", prose_html(other.words))));

@@ -176,7 +176,7 @@ TEST_F(Site, BookIsSoundEpub) {
   // (epubcheck itself needs binfmt-misc to start.)
   const auto check = "java -jar /usr/share/java/epubcheck.jar";
   EXPECT_EQ(contents(book).substr(30, 28), "mimetypeapplication/epub+zip");
-  if (run(std::string(check) + " --version").status != 0) GTEST_SKIP() << "epubcheck is not installed";
+  if (!fs::exists("/usr/share/java/epubcheck.jar")) GTEST_SKIP() << "epubcheck is not installed";
   const Finished checked = run(check + (" " + book.string()));
   EXPECT_EQ(checked.status, 0) << checked.said << checked.complained;
   EXPECT_THAT(checked.said + checked.complained, testing::Not(HasSubstr("WARNING")));

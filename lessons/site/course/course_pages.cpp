@@ -6,11 +6,11 @@
 #include <numeric>
 
 #include "lessons/equations.hpp"
-#include "lessons/site/course/reading.hpp"
 #include "lessons/site/frame.hpp"
 #include "lessons/site/lesson_page.hpp"
 #include "lessons/site/markup.hpp"
 #include "lessons/site/mathml.hpp"
+#include "lessons/site/reading.hpp"
 #include "lessons/tutor/equations.hpp"
 
 namespace byhand::site {

@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
 #include "lessons/site/course/course_pages.hpp"
-#include "lessons/site/course/reading.hpp"
 #include "lessons/site/frame.hpp"
 #include "lessons/site/lesson_page.hpp"
 #include "lessons/site/markup.hpp"
+#include "lessons/site/reading.hpp"
 
 namespace byhand::site {
 namespace {

@@ -6,6 +6,7 @@
 #include <ctime>
 #include <exception>
 
+#include "lessons/site/step_html.hpp"
 #include "lessons/tutor/chart_data.hpp"
 #include "lessons/tutor/recording.hpp"
 #include "tests/lessons/settings/numbers.hpp"
@@ -157,6 +158,9 @@ std::vector<Finding> Audit::findings(const Step& step, const Setting& setting, s
     for (const ParameterRecord& p : lesson_.parameters()) given.push_back(p.typed(p.value));
     const tutor::RecordedStep recorded = record_step(lesson_, step, true);
     page = everything_on(recorded.page);
+    // Throws for a formula that is no MathML.
+    const auto no_picture = [](const auto&) { return site::Shown{}; };
+    site::step_html(recorded, {.figure = no_picture, .film = no_picture});
     std::vector<Finding> found = broken_rules(recorded.page, given);
     if (extent_.pictures) std::ranges::move(blank_pictures(recorded.page, pictures_), std::back_inserter(found));
     return found;

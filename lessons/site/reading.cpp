@@ -1,4 +1,4 @@
-#include "lessons/site/course/reading.hpp"
+#include "lessons/site/reading.hpp"
 
 #include <fmt/format.h>
 
@@ -20,7 +20,7 @@ Minutes reading_time(const Digest& lesson) {
 }
 
 std::string in_words(const Minutes& minutes) {
-  const std::string core = fmt::format("about {} minutes", minutes.core);
+  const std::string core = fmt::format("about {} minutes", std::max(5, minutes.core));
   return minutes.deeper == 0 ? core : fmt::format("{}, {} more with the deeper steps", core, minutes.deeper);
 }
 
