@@ -258,14 +258,19 @@
       setTimeout(() => child.classList.remove('fresh'), 1600);
     }
 
-    // A slider for each parameter that the step reads.
+    // A slider for each parameter that the step reads. One that is there is not moved: it would lose the focus.
     offerSettings() {
-      for (const name of parameters.keys()) {
-        if (!this.read.has(name)) continue;
-        if (!this.controls.has(name)) this.controls.set(name, new Control(this, parameters.get(name)));
-        this.settings.append(this.controls.get(name).element);
+      let before = null;
+      for (const [name, parameter] of parameters) {
+        if (!this.read.has(name)) {
+          this.controls.get(name)?.element.remove();
+          continue;
+        }
+        if (!this.controls.has(name)) this.controls.set(name, new Control(this, parameter));
+        const { element } = this.controls.get(name);
+        if (!element.isConnected) before ? before.after(element) : this.settings.prepend(element);
+        before = element;
       }
-      for (const [name, control] of this.controls) if (!this.read.has(name)) control.element.remove();
     }
   }
 

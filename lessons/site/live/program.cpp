@@ -94,13 +94,12 @@ Program::Told& Program::told(const Step& step) {
 void Program::tell(Told& told) const {
   for (const Item& item : told.recorded.page.items())
     if (const auto* sequence = std::get_if<Sequence>(&item)) told.films.try_emplace(sequence->name, *sequence);
-  const auto figure = [](const Figure& it) { return Shown{drawn(it)}; };
+  const auto figure = [&](const Figure& it) { return Shown{drawn(it, draw_window_)}; };
   const auto film = [&](const Sequence& it) {
     Film& shown = told.films.at(it.name);
+    const auto last = [&](renderer::Canvas& canvas) { shown.draw(canvas, shown.frames() - 1); };
     return Shown{fmt::format("<div class=\"screen\" data-frames=\"{}\" data-rate=\"{}\">{}</div>", shown.frames(),
-                             shown.in_real_time() ? Film::rate : 0, drawn(it.name, [&](renderer::Canvas& canvas) {
-                               shown.draw(canvas, shown.frames() - 1);
-                             }))};
+                             shown.in_real_time() ? Film::rate : 0, drawn(it.name, last, draw_window_))};
   };
   told.html = step_html(told.recorded, {figure, film});
   told.recorded.reads = reads(lesson_);
@@ -123,7 +122,8 @@ std::string Program::answer(const std::string& request) {
     } else if (what == "frame") {
       Film& film = told(asked_step()).films.at(asked.at("film"));
       const std::string name = asked.at("film");
-      reply["svg"] = drawn(name, [&](renderer::Canvas& canvas) { film.draw(canvas, asked.at("index")); });
+      const auto frame = [&](renderer::Canvas& canvas) { film.draw(canvas, asked.at("index")); };
+      reply["svg"] = drawn(name, frame, draw_window_);
     } else if (what == "grade") {
       reply = graded(lesson_, question(told(asked_step()).recorded.page, asked.at("question")), asked.at("typed"));
     } else {

@@ -7,6 +7,7 @@
 #include "lessons/site/live/film.hpp"
 #include "lessons/tutor/lesson.hpp"
 #include "lessons/tutor/recording.hpp"
+#include "renderer/svg_canvas.hpp"
 
 namespace byhand::site {
 
@@ -23,7 +24,9 @@ namespace byhand::site {
 /// answered by {"error": "…"}.
 class Program {
  public:
-  explicit Program(tutor::Lesson lesson) : lesson_(std::move(lesson)) {}
+  /// `draw_window` draws what its pictures show in space.
+  explicit Program(tutor::Lesson lesson, renderer::SvgCanvas::DrawWindow draw_window = {})
+      : lesson_(std::move(lesson)), draw_window_(std::move(draw_window)) {}
   std::string answer(const std::string& request);
 
  private:
@@ -42,6 +45,7 @@ class Program {
   void tell(Told& told) const;
 
   tutor::Lesson lesson_;
+  renderer::SvgCanvas::DrawWindow draw_window_;
   std::map<std::string, std::list<Told>> told_;  // by the label of the step, the latest first
 };
 

@@ -9,12 +9,15 @@ async function unpacked(packed) {
 
 // `program`: the bytes of the .wasm. `files`: those that the lesson reads, by path. `progress(done, total)` hears of
 // work that takes its time.
-async function start({ program, files, progress = () => {}, complain = console.error }) {
+// `canvas()` makes one for WebGL; without it nothing is drawn in space.
+async function start({ program, files, progress = () => {}, canvas, complain = console.error }) {
   const system = wasi(files, complain);
+  let memory;
   const { instance } = await WebAssembly.instantiate(program,
-    { wasi_snapshot_preview1: system.calls, page: { progress } });
+    { wasi_snapshot_preview1: system.calls, page: { progress, has_webgl: () => canvas ? 1 : 0 }, env: openGl(canvas, () => memory.buffer) });
   const lesson = instance.exports;
-  system.use(lesson.memory);
+  memory = lesson.memory;
+  system.use(memory);
   lesson._initialize();
   const ask = request => {
     const bytes = new TextEncoder().encode(JSON.stringify(request));

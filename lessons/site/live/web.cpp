@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "lessons/site/live/program.hpp"
+#include "lessons/site/live/space_window.hpp"
 
 /// The lesson's main, as the compiler calls it.
 extern "C" int __main_argc_argv(int argc, char** argv);
@@ -17,7 +18,7 @@ std::string request_text, answer_text;
 
 /// The main of a lesson fills it and calls this at its end.
 int byhand::tutor::Lesson::run(int, const char* const*) {
-  program.emplace(std::move(*this));
+  program.emplace(std::move(*this), site::space_window());
   return 0;
 }
 

@@ -7,12 +7,15 @@ let ask, busy = Promise.resolve();
 async function answer({ id, start: packed, request }) {
   if (packed) {
     const [program, files] = await Promise.all([unpacked(packed.lesson), unpacked(packed.files)]);
-    ask = await start({ program, files: untar(files), progress: (done, total) => report(done, total) });
+    ask = await start({ program, files: untar(files), progress: report, canvas: webgl });
     return ask({ ask: 'describe' });
   }
   working = id;
   return ask(request);
 }
+
+// Scenes in space, where the browser can draw them.
+const webgl = globalThis.OffscreenCanvas && new OffscreenCanvas(1, 1).getContext('webgl2') ? () => new OffscreenCanvas(16, 16) : undefined;
 
 let working, spoken = 0;
 function report(done, total) {

@@ -35,7 +35,10 @@ export async function open(address, { width = 1440, height = 900, dark = false, 
   page.on('pageerror', error => page.complaints.push(error.message));
   page.on('requestfailed', request => page.complaints.push(`${request.url()}: ${request.failure()?.errorText}`));
   await page.setViewport({ width, height });
-  await page.emulateMediaFeatures([{ name: 'prefers-color-scheme', value: dark ? 'dark' : 'light' }]);
+  await page.emulateMediaFeatures([
+    { name: 'prefers-color-scheme', value: dark ? 'dark' : 'light' },
+    { name: 'prefers-reduced-motion', value: 'reduce' },  // a smooth scroll moves what a click aims at
+  ]);
   await page.setJavaScriptEnabled(script);
   await before?.(page);
   await page.goto(address, { waitUntil: 'load' });
@@ -56,6 +59,7 @@ const types = { '.html': 'text/html; charset=utf-8', '.js': 'text/javascript', '
 export async function serve(folder = site) {
   const server = createServer((request, response) => {
     const path = join(folder, decodeURIComponent(new URL(request.url, 'http://x').pathname));
+    if (path.endsWith('favicon.ico')) return response.writeHead(204).end();  // browsers ask for it by themselves
     if (!path.startsWith(folder) || !existsSync(path) || !extname(path)) return response.writeHead(404).end();
     response.writeHead(200, { 'content-type': types[extname(path)] ?? 'application/octet-stream' });
     createReadStream(path).pipe(response);

@@ -55,31 +55,34 @@ for (const lesson of chosen)
 
 test('a film plays, pauses, is scrubbed and goes frame by frame', async () => {
   const tab = await live(baumgarte);
-  const film = await tab.$('figure[data-film]');
-  await film.evaluate(film => film.scrollIntoView());
-  const button = label => film.$(`.player button[aria-label="${label}"]`);
-  const time = () => film.$eval('.player input[type=range]', slider => +slider.value);
-  const picture = () => film.$eval('.picture', picture => picture.innerHTML);
+  const first = 'figure[data-film]';  // telling its step may replace the figure
+  await tab.$eval(first, film => film.scrollIntoView());
+  const press = label => tab.click(`${first} .player button[aria-label="${label}"]`);
+  const offers = label => tab.waitForSelector(`${first} .player button[aria-label="${label}"]`);
+  const time = () => tab.$eval(`${first} .player input`, slider => +slider.value);
+  const reaches = at => tab.waitForFunction((first, at) => +document.querySelector(`${first} .player input`).value === at, {}, first, at);
+  const picture = () => tab.$eval(`${first} .picture`, picture => picture.innerHTML);
 
-  await (await button('play')).click();
-  await tab.waitForFunction(film => +film.querySelector('.player input').value > 3 && film.querySelector('[aria-label="pause"]'), {}, film);
+  await press('play');
+  await offers('pause');
+  await tab.waitForFunction(first => { const { value, max } = document.querySelector(`${first} .player input`); return value > 3 && value < max; }, {}, first);
   const moving = await picture();
-  await (await button('pause')).click();
-  await tab.waitForFunction(film => film.querySelector('[aria-label="play"]'), {}, film);
-  await new Promise(resolve => setTimeout(resolve, 200));
+  await press('pause');
+  await offers('play');
+  await tab.waitForFunction(() => byhandPage.steps.every(({ films }) => [...films.values()].every(film => !film.drawing)));
   const stopped = await time(), still = await picture();
   assert.notEqual(still, moving, 'frames differ');
   await new Promise(resolve => setTimeout(resolve, 300));
   assert.equal(await time(), stopped, 'it stands still');
 
-  await (await button('one frame on')).click();
-  await tab.waitForFunction((film, at) => +film.querySelector('.player input').value === at, {}, film, stopped + 1);
-  await (await button('one frame back')).click();
-  await tab.waitForFunction((film, at) => +film.querySelector('.player input').value === at, {}, film, stopped);
+  await press('one frame on');
+  await reaches(stopped + 1);
+  await press('one frame back');
+  await reaches(stopped);
   assert.equal(await picture(), still, 'the same frame is the same picture');
 
-  await film.$eval('.player input', slider => { slider.value = 0; slider.dispatchEvent(new Event('input')); });
-  await tab.waitForFunction((film, before) => film.querySelector('.picture').innerHTML !== before, {}, film, still);
+  await tab.$eval(`${first} .player input`, slider => { slider.value = 0; slider.dispatchEvent(new Event('input')); });
+  await tab.waitForFunction((first, before) => document.querySelector(`${first} .picture`).innerHTML !== before, {}, first, still);
   assert.deepEqual(tab.complaints, []);
   await tab.close();
 });

@@ -6,7 +6,7 @@ import vm from 'node:vm';
 
 const root = fileURLToPath(new URL('../../..', import.meta.url));
 const context = vm.createContext({ ...globalThis, WebAssembly, performance, TextEncoder, TextDecoder, console });
-for (const name of ['wasi.js', 'program.js'])
+for (const name of ['wasi.js', 'webgl.js', 'program.js'])
   vm.runInContext(readFileSync(join(root, 'lessons/site/live', name), 'utf8'), context, name);
 
 // The files a lesson reads, from the checkout itself.

@@ -2,7 +2,7 @@
 // grades. BYHAND_PROGRAMS: folder of the native programs told_*; BYHAND_WASM: of the .wasm. BYHAND_QUICK: some of it.
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
-import { readdirSync } from 'node:fs';
+import { existsSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { createInterface } from 'node:readline';
 import { test } from 'node:test';
@@ -40,7 +40,7 @@ function difference(a, b) {
   return `…${a.slice(Math.max(0, at - 80), at + 80)}… but …${b.slice(Math.max(0, at - 80), at + 80)}…`;
 }
 
-for (const slug of slugs.filter(slug => !quick || /^0[1-4]/.test(slug)))
+for (const slug of slugs.filter(slug => !quick || existsSync(join(programs, `told_${slug}`))))
   test(`${slug} tells in WebAssembly what it tells natively`, { timeout: 3_600_000 }, async context => {
     const here = native(slug), there = await lesson(join(modules, `${slug}.wasm`));
     context.after(() => here.end());

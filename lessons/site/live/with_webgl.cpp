@@ -1,0 +1,57 @@
+// Scenes in space by the browser's WebGL 2, whose functions the worker offers under OpenGL's names (webgl.js).
+
+#include <algorithm>
+#include <cstdint>
+
+#include "lessons/site/live/space_window.hpp"
+#include "renderer/opengl/offscreen.hpp"
+#include "renderer/opengl/pixel_canvas.hpp"
+
+__attribute__((import_module("page"), import_name("has_webgl"))) int has_webgl();
+
+namespace byhand {
+namespace {
+
+class WebGl : public renderer::Context {
+  void make_current() override {}
+  const char* name() const override { return "WebGL 2"; }
+};
+
+/// A part of an image as a BMP file, which costs no compression; browsers tell the format by the bytes.
+std::string bitmap(const renderer::Image& image, const renderer::PixelBox& part) {
+  const std::uint32_t row = (3u * std::uint32_t(part.width) + 3) / 4 * 4, size = row * std::uint32_t(part.height);
+  std::string file = "BM";
+  const auto put = [&](std::uint32_t number, int bytes) {
+    for (int i = 0; i < bytes; ++i) file += static_cast<char>(number >> (8 * i) & 0xff);
+  };
+  put(54 + size, 4), put(0, 4), put(54, 4);  // sizes of the file, nothing, of the headers
+  put(40, 4), put(std::uint32_t(part.width), 4), put(std::uint32_t(part.height), 4);
+  put(1, 2), put(24, 2), put(0, 4), put(size, 4), put(2835, 4), put(2835, 4), put(0, 8);
+  for (int y = part.y + part.height - 1; y >= part.y; --y) {
+    for (int x = part.x; x < part.x + part.width; ++x) {
+      const auto* rgb = image.pixel(x, y);
+      for (const int channel : {2, 1, 0}) file += static_cast<char>(rgb[channel]);
+    }
+    file.append(row - 3u * std::uint32_t(part.width), '\0');
+  }
+  return file;
+}
+
+std::string draw(const renderer::SvgCanvas::Window& window, const renderer::PageSize& page,
+                 renderer::Colour paper) {
+  static renderer::PixelCanvas canvas(page.width, page.height);
+  canvas.clear(paper);
+  canvas.draw(window.scene);
+  return bitmap(canvas.image(), window.frame);
+}
+
+}  // namespace
+
+std::unique_ptr<renderer::Context> renderer::Context::make() { return std::make_unique<WebGl>(); }
+
+renderer::SvgCanvas::DrawWindow site::space_window() {
+  if (has_webgl()) return draw;
+  return {};
+}
+
+}  // namespace byhand
