@@ -107,8 +107,8 @@ std::string lesson_title(const std::string& slug) {
 
 std::string page_of(const std::string& slug) { return slug + ".html"; }
 
-std::string lesson_page(const Lesson& lesson, const std::vector<RecordedStep>& steps,
-                        const std::string& sections, bool live) {
+std::string lesson_page(const Lesson& lesson, const std::vector<RecordedStep>& steps, const std::string& sections,
+                        bool live) {
   const About& about = lesson.about();
   std::string content =
       fmt::format(R"(<article class="lesson">

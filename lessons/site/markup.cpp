@@ -132,8 +132,12 @@ std::string prose_html(std::string_view words) {
 
 std::string plain_text(std::string_view words) {
   std::string all;
-  for (const char c : words)
-    if (c != '*' && c != '`') all += c == '\n' ? ' ' : c;
+  each_line(words, [&](std::string_view line) {
+    if (line.starts_with("- ")) line.remove_prefix(2);
+    if (!line.empty() && !all.empty()) all += ' ';
+    for (const char c : line)
+      if (c != '*' && c != '`') all += c;
+  });
   return all;
 }
 

@@ -265,7 +265,7 @@ class Reader {
       else if (take("^"))
         above = argument();
       else if (take("'"))
-        primes += "<mo>′</mo>";
+        primes += "<mo lspace=\"0\" rspace=\"0\">′</mo>";
       else
         break;
     }

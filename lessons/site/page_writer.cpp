@@ -64,7 +64,8 @@ std::vector<RecordedStep> write_page(const Lesson& lesson, const fs::path& folde
     steps.back().reads = reads(lesson);
   }
   validate(steps);
-  renderer::write_whole(folder / page_of(slug), lesson_page(lesson, steps, sections, fs::exists(folder / "live" / (slug + ".js"))));
+  renderer::write_whole(folder / page_of(slug),
+                        lesson_page(lesson, steps, sections, fs::exists(folder / "live" / (slug + ".js"))));
   renderer::write_whole(folder / (slug + ".json"), to_json(digest(lesson, steps)));
   return steps;
 }

@@ -41,7 +41,9 @@ TEST(Prose, HasParagraphsAndLists) {
   EXPECT_EQ(prose_html(""), "");
 }
 
-TEST(Prose, WithoutItsMarksIsPlain) { EXPECT_EQ(site::plain_text("a *b*\n`c`"), "a b c"); }
+TEST(Prose, WithoutItsMarksIsPlain) {
+  EXPECT_EQ(site::plain_text("a *b*:\n- `c`\n- 2 - 1\n\nd"), "a b: c 2 - 1 d");
+}
 
 }  // namespace
 }  // namespace byhand::tests

@@ -41,7 +41,7 @@ TEST(MathML, IndicesAndExponentsBelongToTheLastElement) {
   EXPECT_EQ(converted("v_0^2"), converted("v^2_0"));
   EXPECT_EQ(converted("v_0^2"), "<msubsup><mi>v</mi><mn>0</mn><mn>2</mn></msubsup>");
   EXPECT_EQ(converted("10^{-5}"), "<msup><mn>10</mn><mrow><mo form=\"prefix\">−</mo><mn>5</mn></mrow></msup>");
-  EXPECT_EQ(converted("C'"), "<msup><mi>C</mi><mrow><mo>′</mo></mrow></msup>");
+  EXPECT_EQ(converted("C'"), "<msup><mi>C</mi><mrow><mo lspace=\"0\" rspace=\"0\">′</mo></mrow></msup>");
 }
 
 TEST(MathML, AnIndexOfManyLettersIsAName) {

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "lessons/site/course/site_folder.hpp"
+#include "lessons/site/course/slides.hpp"
 #include "renderer/error.hpp"
 #include "tests/lessons/tutor/process.hpp"
 #include "tests/site/markup.hpp"
@@ -180,6 +181,24 @@ TEST_F(Site, BookIsSoundEpub) {
   const Finished checked = run(check + (" " + book.string()));
   EXPECT_EQ(checked.status, 0) << checked.said << checked.complained;
   EXPECT_THAT(checked.said + checked.complained, testing::Not(HasSubstr("WARNING")));
+}
+
+TEST_F(Site, SlidesShowEveryFormulaPictureAndQuestionOnceWithTheTextAsNotes) {
+  const site::Digest fixture{.slug = "99_fixture"};
+  const Markup deck = of_page(site::slides(root(), fixture));
+  const Markup& lesson = pages_.at("99_fixture.html");
+  EXPECT_EQ(deck.mistake(), "");
+  for (const char* const path :
+       {"//figure[@data-figure]", "//figure[@data-film]", "//form", "//div[@class='equations']"})
+    EXPECT_EQ(deck.all(path).size(), lesson.all(path).size()) << path;
+  EXPECT_THAT(deck.all("//figure[@class='excerpt']//code"), testing::Not(IsEmpty()));
+  EXPECT_EQ(deck.all("//aside[@class='notes']//div[@class='text']"), lesson.all("//div[@class='text']"));
+  EXPECT_THAT(deck.all("//section[count(*[not(self::aside) and not(self::h3)]) > 1][not(section)][not(h1)]"),
+              IsEmpty());
+  for (const std::string& link : deck.all("//@href | //img/@src")) {
+    if (link.starts_with("reveal/")) continue;
+    EXPECT_TRUE(fs::exists(root() / link.substr(3, link.find('#') - 3))) << link;
+  }
 }
 
 TEST(SiteProgram, RefusesAFolderThatItDidNotWrite) {

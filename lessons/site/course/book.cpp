@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "lessons/site/course/page_text.hpp"
 #include "lessons/site/course/zip.hpp"
 #include "lessons/site/lesson_page.hpp"
 #include "lessons/site/markup.hpp"
@@ -21,31 +22,13 @@ std::string contents_of(const fs::path& path) {
   throw renderer::EnvironmentError(fmt::format("Cannot read {}.", path.string()));
 }
 
-void replace_all(std::string& text, std::string_view what, std::string_view by) {
-  for (auto at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size()))
-    text.replace(at, what.size(), by);
-}
-
-/// Replaces every stretch from `begin` to `end`.
-void replace_all(std::string& text, std::string_view begin, std::string_view end, std::string_view by) {
-  for (auto at = text.find(begin); at != std::string::npos; at = text.find(begin, at + by.size()))
-    text.replace(at, text.find(end, at) + end.size() - at, by);
-}
-
-/// The content of a page of the site without what only a browser has a use for.
 std::string content(const fs::path& page) {
-  const std::string all = contents_of(page);
-  const std::string_view main = "<main id=\"content\" tabindex=\"-1\">";
-  const auto begin = all.find(main) + main.size();
-  std::string text = all.substr(begin, all.find("</main>") - begin);
-  replace_all(text, " <span class=\"files\">", "</span>", "");
-  replace_all(text, "<p class=\"answer\">", "</p>", "");
-  replace_all(text, "<input class=\"answer\"", "/>", "");
-  replace_all(text, "<p class=\"reply\"", "</p>", "");
-  replace_all(text, "<nav class=\"neighbours\"", "</nav>", "");
+  std::string text = content_of_page(page);
   // Measured running times would make every copy another book.
   replace_all(text, "<div class=\"picture\" role=\"img\" aria-label=\"Chart of measured running times", "</div>",
               "<p>(Running times differ from run to run; the site has this chart.)</p>");
+  // An attribute of SVG 2, which EPUB 3 knows as a style only.
+  replace_all(text, "paint-order=\"stroke\"", "style=\"paint-order:stroke\"");
   replace_all(text, ".html#", ".xhtml#");
   replace_all(text, ".html\"", ".xhtml\"");
   return text;

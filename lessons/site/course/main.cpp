@@ -15,7 +15,9 @@
 #include "lessons/site/course/book.hpp"
 #include "lessons/site/course/course_pages.hpp"
 #include "lessons/site/course/site_folder.hpp"
+#include "lessons/site/course/slides.hpp"
 #include "lessons/site/json.hpp"
+#include "lessons/site/lesson_page.hpp"
 #include "lessons/tutor/about.hpp"
 #include "lessons/tutor/child_process.hpp"
 #include "lessons/tutor/options.hpp"
@@ -32,7 +34,7 @@ enum ExitStatus { fine = 0, failed = 1, bad_usage = 2, environment = 3 };
 
 struct Wanted {
   std::string output = tutor::default_output().string();
-  bool quiet = false;
+  bool quiet = false, slides = false;
 };
 
 /// A program that this one started did not do its work; `status` is its exit status.
@@ -79,6 +81,15 @@ void copy_assets(const fs::path& folder) {
   fs::copy(assets, folder / "assets", fs::copy_options::recursive);
 }
 
+/// Fetches reveal.js, then writes each lesson as slides.
+void write_slides(const fs::path& site, const std::vector<site::Digest>& lessons) {
+  const fs::path folder = site / "slides", fetch = fs::path(BYHAND_SITE_FOLDER) / "fetch_reveal";
+  const tutor::Ended ended = tutor::run_program(fetch.string(), {(folder / "reveal").string()}, tutor::Group::own);
+  if (!ended.well()) throw Failed("reveal.js could not be fetched", ended);
+  for (const site::Digest& lesson : lessons)
+    renderer::write_whole(folder / site::page_of(lesson.slug), site::slides(site, lesson));
+}
+
 int run(const Wanted& wanted) {
   const fs::path output = fs::path(wanted.output) / "site";
   site::SiteFolder folder(output);
@@ -101,6 +112,7 @@ int run(const Wanted& wanted) {
   write("assets/search.js", site::search_script(lessons));
   write("assets/equations.js", site::equations_script());
   write("constraints_by_hand.epub", site::book(folder.path(), lessons));
+  if (wanted.slides) write_slides(folder.path(), lessons);
   folder.finish();
   if (!wanted.quiet && !live)
     fmt::print("Its pages are static: what compiles the lessons for a browser is missing.\n");
@@ -127,6 +139,7 @@ int main(int argc, char** argv) {
   app.set_help_flag("--help", "this page");
   app.add_option("--output", wanted.output, "folder that gets the folder site (default output/)")
       ->type_name("DIR");
+  app.add_flag("--slides", wanted.slides, "also each lesson as slides, in site/slides/; takes reveal.js from npm");
   app.add_flag("--quiet", wanted.quiet, "no progress, only what is wrong");
   try {
     app.parse(argc, argv);
