@@ -72,6 +72,12 @@ No page loads anything from another host, sets a cookie or stores what a student
 <pre><code>./lessons/run practise --export moodle --to FOLDER
 ./lessons/run practise --export qti --to FOLDER</code></pre>
 </section>
+<section id="slides">
+<h2>Slides</h2>
+<pre><code>./lessons/run site --slides</code></pre>
+<p>adds <code>slides/</code>: a lesson's formulas, figures and questions, one a slide, with the text as speaker notes (press S). They
+work without a network; reveal.js is fetched once, by npm, when they are written.</p>
+</section>
 <section id="rebuilding">
 <h2>Rebuilding</h2>
 <pre><code>./lessons/run site</code></pre>
