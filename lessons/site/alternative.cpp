@@ -33,13 +33,14 @@ std::string course(const renderer::Curve& curve) {
     if (std::isfinite(y)) finite.push_back(y);
   const std::string name = curve.label.empty() ? "" : curve.label + ": ";
   if (finite.empty()) return name + "no finite value";
+  const auto [least, most] = std::minmax_element(finite.begin(), finite.end());
+  const double low = *least, high = *most, rounding = 1e-12 * std::max(std::abs(low), std::abs(high));
+  const auto said = [&](double y) { return number(std::abs(y) < rounding ? 0 : y, digits); };
   const double first = finite.front(), last = finite.back();
-  const auto [low, high] = std::minmax_element(finite.begin(), finite.end());
   std::string words =
-      name + (finite.size() == 1 ? number(first, digits)
-                                 : fmt::format("from {} to {}", number(first, digits), number(last, digits)));
-  if (*low < std::min(first, last)) words += fmt::format(", at least {}", number(*low, digits));
-  if (*high > std::max(first, last)) words += fmt::format(", at most {}", number(*high, digits));
+      name + (finite.size() == 1 ? said(first) : fmt::format("from {} to {}", said(first), said(last)));
+  if (low < std::min(first, last) - rounding) words += fmt::format(", at least {}", said(low));
+  if (high > std::max(first, last) + rounding) words += fmt::format(", at most {}", said(high));
   return words;
 }
 

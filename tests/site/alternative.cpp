@@ -1,0 +1,61 @@
+#include "lessons/site/alternative.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace byhand::tests {
+namespace {
+
+using renderer::Chart;
+using site::alternative;
+using tutor::Figure;
+
+std::string label(Chart chart) { return alternative(Figure{"name", "caption", std::move(chart)}, "").label; }
+
+Chart chart(std::vector<renderer::Curve> curves) {
+  return {.x = {.label = "β (1)"}, .y = {.label = "error (m)"}, .curves = std::move(curves)};
+}
+
+TEST(Alternative, OfACurveSaysWhereItBeginsAndEndsAndItsExtremesBetween) {
+  EXPECT_EQ(label(chart({{.label = "run", .x = {0, 1, 2}, .y = {0.16, 0.01, 5e-6}}})),
+            "Chart of error (m) over β (1). run: from 0.16 to 5·10⁻⁶");
+  EXPECT_EQ(label(chart({{.label = "run", .x = {0, 1, 2}, .y = {1, 7, 2}}})),
+            "Chart of error (m) over β (1). run: from 1 to 2, at most 7");
+  EXPECT_EQ(label(chart({{.label = "run", .x = {0, 1, 2}, .y = {1, -7, 2}}})),
+            "Chart of error (m) over β (1). run: from 1 to 2, at least −7");
+}
+
+TEST(Alternative, CallsRoundingZero) {
+  EXPECT_EQ(label(chart({{.label = "sine", .x = {0, 1, 2}, .y = {0, 1, 1.2e-16}}})),
+            "Chart of error (m) over β (1). sine: from 0 to 0, at most 1");
+}
+
+TEST(Alternative, LeavesFailedRunsOutAndCountsWhatDoesNotFit) {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(label(chart({{.label = "run", .x = {0, 1}, .y = {inf, 2}}})), "Chart of error (m) over β (1). run: 2");
+  EXPECT_EQ(label(chart({{.label = "run", .x = {0}, .y = {inf}}})),
+            "Chart of error (m) over β (1). run: no finite value");
+  const renderer::Curve one{.label = "c", .x = {0, 1}, .y = {1, 2}};
+  EXPECT_EQ(
+      label(chart({one, one, one, one, one, one})),
+      "Chart of error (m) over β (1). c: from 1 to 2; c: from 1 to 2; c: from 1 to 2; c: from 1 to 2; and 2 more");
+}
+
+TEST(Alternative, OfADrawingIsWhatIsWrittenInItWithoutTheNumbersOfAxes) {
+  const Figure drawing{"name", "caption", tutor::Drawing([](renderer::Canvas&) {})};
+  EXPECT_EQ(alternative(drawing,
+                        "<svg><text x=\"1\">P<tspan>1</tspan></text><text>0.5</text><text>−10</text>"
+                        "<text>C &lt; 0</text><text>C &lt; 0</text></svg>")
+                .label,
+            "Drawing with the words: P1; C < 0");
+  EXPECT_EQ(alternative(drawing, "<svg></svg>").label, "Drawing");
+}
+
+TEST(Alternative, OfRunningTimesHasNoNumbers) {
+  const Figure clocked{"name", "caption", tutor::TimedChart{[]() -> const Chart& { throw 0; }}};
+  EXPECT_EQ(alternative(clocked, "").label.find_first_of("0123456789"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace byhand::tests
