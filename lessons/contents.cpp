@@ -23,7 +23,7 @@ const std::vector<About>& contents() {
       {.slug = "05_contact",
        .title = "Contact and friction",
        .summary =
-           "Rows that may only push, friction that leans on them, bounces, and what a stack asks of a solver.",
+           "Rows that may only push, friction bounded by what they push with, bounces, and what a stack asks of a solver.",
        .method = "symplectic Euler; Gauss–Seidel or direct with an active set; Baumgarte"},
       {.slug = "06_joints",
        .title = "Joints",
