@@ -37,8 +37,8 @@ const std::vector<About>& contents() {
        .before = "Lessons 1 and 2; step 6b also uses lesson 3."},
       {.slug = "05_contact",
        .title = "Contact and friction",
-       .summary =
-           "Rows that may only push, friction that leans on them, bounces, and what a stack asks of a solver.",
+       .summary = "Rows that may only push, friction bounded by what they push with, bounces, and what a stack "
+                  "asks of a solver.",
        .method = "symplectic Euler; Gauss–Seidel or direct with an active set; Baumgarte",
        .goals = {"clamp the sum of all impulses of a row", "predict what sticks, what slides and how far",
                  "say what a stack asks of a solver"},

@@ -3,9 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
+#include <set>
 #include <stdexcept>
 
+#include "lessons/tutor/child_process.hpp"
 #include "renderer/error.hpp"
 #include "renderer/file.hpp"
 
@@ -84,6 +85,28 @@ void write_question(const fs::path& folder, const std::vector<const Exercise*>& 
 )");
 }
 
+/// The same bytes each time: CMake's archiver keeps the order in which it is given the files.
+void write_autograder(const fs::path& folder) {
+  std::set<std::string> names;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file()) names.insert(entry.path().lexically_relative(folder).string());
+  std::vector<std::string> words = {"cmake",
+                                    "-E",
+                                    "chdir",
+                                    folder.string(),
+                                    "cmake",
+                                    "-E",
+                                    "tar",
+                                    "cf",
+                                    "autograder.zip",
+                                    "--format=zip",
+                                    "--mtime=2000-01-01",
+                                    "--"};
+  words.insert(words.end(), names.begin(), names.end());
+  if (!tutor::run_program("/usr/bin/env", words, tutor::Group::ours).well())
+    throw renderer::EnvironmentError("autograder.zip could not be written in " + folder.string());
+}
+
 }  // namespace
 
 void export_course(const std::string& kind, const fs::path& folder, std::uint64_t seed,
@@ -100,14 +123,7 @@ void export_course(const std::string& kind, const fs::path& folder, std::uint64_
   for (const auto& file : fs::directory_iterator(own)) copy_into(file.path(), folder / file.path().filename());
   if (kind != "gradescope") copy_into(practise_folder() / "export" / "Dockerfile", folder / "Dockerfile");
   if (kind == "prairielearn") write_question(folder, wanted);
-  if (kind == "gradescope") {
-    const std::string command = fmt::format(
-        "cd '{}' && cmake -E tar cf autograder.zip --format=zip --mtime=2000-01-01 build.sh setup.sh "
-        "run_autograder source keys",
-        folder.string());
-    if (std::system(command.c_str()) != 0)
-      throw renderer::EnvironmentError("autograder.zip could not be written in " + folder.string());
-  }
+  if (kind == "gradescope") write_autograder(folder);
 }
 
 }  // namespace byhand::practise

@@ -1,15 +1,14 @@
 #include <fmt/format.h>
-#include <sys/wait.h>
 
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "lessons/practise/course.hpp"
 #include "lessons/tutor/about.hpp"
+#include "lessons/tutor/child_process.hpp"
+#include "lessons/tutor/printed_by.hpp"
 #include "renderer/error.hpp"
 #include "renderer/file.hpp"
 
@@ -20,26 +19,16 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-std::string output_of(const std::string& command) {
-  std::string text;
-  FILE* pipe = popen(command.c_str(), "r");
-  if (pipe == nullptr) throw renderer::EnvironmentError("no process could be started for " + command);
-  std::array<char, 4096> buffer{};
-  while (const std::size_t count = fread(buffer.data(), 1, buffer.size(), pipe)) text.append(buffer.data(), count);
-  if (pclose(pipe) != 0) throw renderer::EnvironmentError("this failed: " + command);
-  return text;
-}
-
 /// Of the lessons beside this program, built first if `lessons/run` started it.
 std::vector<Json> questions() {
   if (const char* builder = std::getenv("BYHAND_BUILD"))
-    if (std::system(fmt::format("'{}' lessons", builder).c_str()) != 0)
+    if (!tutor::run_program(builder, {"lessons"}, tutor::Group::ours).well())
       throw renderer::EnvironmentError("the lessons could not be built");
   const fs::path folder = fs::read_symlink("/proc/self/exe").parent_path();
   std::vector<Json> all;
   for (const tutor::About& lesson : tutor::contents())
     for (const Json& question :
-         Json::parse(output_of(fmt::format("'{}' --questions --quiet", (folder / lesson.slug).string()))))
+         Json::parse(tutor::printed_by((folder / lesson.slug).string(), {"--questions", "--quiet"})))
       all.push_back(question);
   return all;
 }

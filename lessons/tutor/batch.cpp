@@ -67,7 +67,7 @@ void finish_output(const Lesson& lesson, const std::vector<RecordedStep>& steps,
   if (whole) output.write("lesson.md", markdown(lesson, steps, options.frames));
   output.finish(made_by(lesson, options, whole ? "" : options.step, pictures.gl()), clocked(steps), whole);
   if (whole && !options.quiet)
-    fmt::print("\nThe lesson as a page: {0}/lesson.md; its pictures: {0}/figures and {0}/frames\n",
+    fmt::print("\nThe lesson as a page:\n  {0}/lesson.md\nIts pictures:\n  {0}/figures\n  {0}/frames\n",
                printable(output.path().string()));
 }
 

@@ -89,8 +89,10 @@ bool near(const Prediction& question, double value) {
 std::optional<std::string> unit_that_fits(const Prediction& question, double number) {
   if (!question.unit.empty() && !is_unit(question.unit)) return std::nullopt;
   const TypedQuantity asked = question.unit.empty() ? TypedQuantity{.value = 1} : read_typed(question.unit);
+  const auto is_angle = [](std::string_view unit) { return unit == "rad" || unit == "°"; };
   for (const char* unit : {"m", "cm", "mm", "m²", "cm²", "mm²", "m/s", "cm/s", "mm/s", "s",     "ms", "kg",
                            "g", "J",  "kJ", "N",  "kN",  "rad", "°",   "%",    "1",    "rad/s", "°/s"}) {
+    if (is_angle(unit) && !is_angle(question.unit)) continue;  // an angle too is a plain number
     const TypedQuantity other = read_typed(unit);
     if (other.dimension == asked.dimension && other.value != asked.value &&
         near(question, number * other.value / asked.value))

@@ -168,6 +168,33 @@ TEST_F(Course, HoldsNoSolution) {
       std::filesystem::perms::owner_exec);
 }
 
+TEST_F(Course, OfTheSameSeedIsTheSameBytes) {
+  const Folder folder;
+  const auto again = folder / "it's another folder";
+  EXPECT_EQ(
+      run(fmt::format("{} --export gradescope --to \"{}\" --seed 5", BYHAND_PRACTISE, again.string())).status, 0);
+  std::size_t files = 0;
+  for (const auto& file : std::filesystem::recursive_directory_iterator(course()))
+    if (file.is_regular_file()) {
+      ++files;
+      EXPECT_EQ(contents(again / file.path().lexically_relative(course())), contents(file.path())) << file.path();
+    }
+  EXPECT_GT(files, 50U);
+}
+
+/// As in the image that a platform builds from the folder, but that the packages are there.
+TEST_F(Course, BuildsItsJudgeFromTheExportedFolderAlone) {
+  const std::string build = (*folder_ / "built").string(), source = (course() / "source").string();
+  const Finished configured = run(fmt::format("cmake -S {} -B {} -DCMAKE_BUILD_TYPE=Debug", source, build));
+  ASSERT_EQ(configured.status, 0) << configured.complained;
+  const Finished built = run(fmt::format("cmake --build {} --target grade", build));
+  ASSERT_EQ(built.status, 0) << built.said << built.complained;
+  const Graded4 there(
+      fmt::format("{}/lessons/grade --keys {} --submission {{}}", build, (course() / "keys").string()));
+  EXPECT_EQ(there.status, 0) << "grading ran";
+  EXPECT_EQ(there.gradescope, here().gradescope);
+}
+
 TEST_F(Course, GradesByKeysAsThisProgramDoes) {
   const Graded4 there(fmt::format("{} --keys {} --submission {{}}", BYHAND_GRADE, (course() / "keys").string()));
   EXPECT_EQ(there.status, 0) << "grading ran";

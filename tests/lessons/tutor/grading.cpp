@@ -92,6 +92,7 @@ TEST(Grading, ARightValueInAWrongUnitIsToldSo) {
   EXPECT_THAT(reply(area, "2050"), HasSubstr("The number is right in cm²"));
   EXPECT_THAT(reply(angle, "0.5236"), HasSubstr("The number is right in rad"));
   EXPECT_THAT(reply(asked(0.05, "1", 0.001), "5"), HasSubstr("The number is right in %"));
+  EXPECT_THAT(reply(asked(0.025, "1", 0.004), "1.4"), testing::Not(HasSubstr("°"))) << "a share is no angle";
   EXPECT_THAT(reply(asked(14, "boxes", 0.5), "14 m"), HasSubstr("the answer is in boxes"));
 }
 
