@@ -15,8 +15,9 @@ namespace byhand::site {
 ///                      "choices": [], "initial": 0.016666666666666666, "typed": "1/60"}, …],
 ///      "steps": {"1": ["h", …], …}}
 ///
-/// `sections` are those of the steps (see step_html). `live`: with the scripts in live/ (see lessons/site/live). `typed` is the initial value as a reader types it; of a
-/// choice, low, high and initial mean nothing but the index.
+/// `sections` are those of the steps (see step_html). `live`: with the scripts in live/ (see lessons/site/live).
+/// `typed` is the initial value as a reader types it; of a choice, low, high and initial mean nothing but the
+/// index.
 std::string lesson_page(const tutor::Lesson& lesson, const std::vector<tutor::RecordedStep>& steps,
                         const std::string& sections, bool live = false);
 
