@@ -4,10 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 
 #include "renderer/error.hpp"
+#include "renderer/font_file.hpp"
 
 #define STBTT_STATIC
 #define STB_TRUETYPE_IMPLEMENTATION
@@ -39,30 +38,11 @@ char32_t next_code_point(std::string_view& text) {
 
 bool combines(char32_t c) { return (c >= 0x300 && c <= 0x36f) || (c >= 0x20d0 && c <= 0x20ff); }
 
-/// Whether the font's tables lie within the file: stb_truetype reads them without asking.
-bool is_whole(const std::vector<unsigned char>& file) {
-  const auto number = [&](std::size_t at, int bytes) {
-    std::size_t value = 0;
-    for (int i = 0; i < bytes; ++i) value = value << 8 | file[at + std::size_t(i)];
-    return value;
-  };
-  constexpr std::size_t header = 12, record = 16;
-  if (file.size() < header || file.size() < header + record * number(4, 2)) return false;
-  for (std::size_t at = header; at < header + record * number(4, 2); at += record)
-    if (number(at + 8, 4) + number(at + 12, 4) > file.size()) return false;
-  return true;
-}
-
 }  // namespace
 
 struct Font::Face {
-  explicit Face(const char* name) {
-    const std::string path = fmt::format(BYHAND_FONTS "/{}", name);
-    std::ifstream in(path, std::ios::binary);
-    data.assign(std::istreambuf_iterator<char>(in), {});
-    if (!is_whole(data) || !stbtt_InitFont(&info, data.data(), 0))
-      throw EnvironmentError(
-          fmt::format("There is no whole font at {}: apt install --reinstall fonts-dejavu-core.", path));
+  explicit Face(const char* name) : data(font_file(name)) {
+    if (!stbtt_InitFont(&info, data.data(), 0)) throw EnvironmentError(fmt::format("{} is not a font.", name));
   }
 
   double scale(double size) const { return stbtt_ScaleForMappingEmToPixels(&info, float(size)); }
@@ -75,51 +55,68 @@ Font::Font()
     : regular_(std::make_unique<Face>("DejaVuSans.ttf")), bold_(std::make_unique<Face>("DejaVuSans-Bold.ttf")) {}
 Font::~Font() = default;
 
+std::vector<Font::Piece> Font::pieces(std::string_view text) {
+  std::vector<Piece> all;
+  const auto take = [&](std::string& words) {  // the next code point
+    const std::string_view before = text;
+    next_code_point(text);
+    words += before.substr(0, before.size() - text.size());
+  };
+  const auto take_escaped = [&](std::string& words) {
+    if (text.front() == '\\' && text.size() > 1) text.remove_prefix(1);
+    take(words);
+  };
+  while (!text.empty()) {
+    const char c = text.front();
+    if ((c != '_' && c != '^') || text.size() == 1) {
+      if (all.empty() || all.back().factor != 1) all.emplace_back();
+      take_escaped(all.back().words);
+      continue;
+    }
+    text.remove_prefix(1);
+    std::string& words = all.emplace_back(Piece{{}, c == '^' ? raise : -lower, small}).words;
+    if (text.front() == '{') {
+      text.remove_prefix(1);
+      while (!text.empty() && text.front() != '}') take_escaped(words);
+      if (!text.empty()) text.remove_prefix(1);
+      continue;
+    }
+    take_escaped(words);
+    // A combining mark after a single raised letter belongs to it.
+    for (std::string_view rest = text; !rest.empty() && combines(next_code_point(rest)); rest = text) take(words);
+  }
+  return all;
+}
+
 Font::Line Font::lay_out(std::string_view text, double size, const Face& face) {
   Line line;
   double& pen = line.width;
-  double shift = 0, factor = 1;
-  enum class Group { none, one, braces } group = Group::none;
-  int previous = 0;
   struct Box {
     double left, right, top;
   } base{};  // of the last base letter, in pixels
-  while (!text.empty()) {
-    char32_t c = next_code_point(text);
-    if (group == Group::braces && c == U'}') {
-      group = Group::none, factor = 1, shift = 0;
-      continue;
+  for (const Piece& piece : pieces(text)) {
+    const double letter_size = size * piece.factor, shift = size * piece.shift, scale = face.scale(letter_size);
+    int previous = 0;
+    for (std::string_view rest = piece.words; !rest.empty();) {
+      const char32_t c = next_code_point(rest);
+      const int glyph = stbtt_FindGlyphIndex(&face.info, int(c));
+      int advance = 0, bearing = 0, x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+      stbtt_GetGlyphHMetrics(&face.info, glyph, &advance, &bearing);
+      stbtt_GetGlyphBox(&face.info, glyph, &x0, &y0, &x1, &y1);
+      if (combines(c)) {
+        // Centres the mark over its letter and lifts it above tall letters: fonts place it for small ones.
+        int small_top = 0, unused = 0;
+        stbtt_GetCodepointBox(&face.info, 'x', &unused, &unused, &unused, &small_top);
+        const double up = std::max(0.0, base.top - scale * small_top);
+        line.letters.push_back({glyph, (base.left + base.right - scale * (x0 + x1)) / 2, shift + up, letter_size});
+      } else {
+        if (previous) pen += scale * stbtt_GetGlyphKernAdvance(&face.info, previous, glyph);
+        base = {pen + scale * x0, pen + scale * x1, scale * y1};
+        line.letters.push_back({glyph, pen, shift, letter_size});
+        pen += scale * advance;
+        previous = glyph;
+      }
     }
-    if (group == Group::none && (c == U'_' || c == U'^') && !text.empty()) {
-      factor = small, shift = (c == U'^' ? raise : -lower) * size, previous = 0;
-      group = text.front() == '{' ? Group::braces : Group::one;
-      if (group == Group::braces) text.remove_prefix(1);
-      continue;
-    }
-    if (c == U'\\' && !text.empty()) c = next_code_point(text);
-
-    const int glyph = stbtt_FindGlyphIndex(&face.info, int(c));
-    const double scale = face.scale(size * factor);
-    int advance = 0, bearing = 0, x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-    stbtt_GetGlyphHMetrics(&face.info, glyph, &advance, &bearing);
-    stbtt_GetGlyphBox(&face.info, glyph, &x0, &y0, &x1, &y1);
-    if (combines(c)) {
-      // Centres the mark over its letter and lifts it above tall letters: fonts place it for small ones.
-      int small_top = 0, unused = 0;
-      stbtt_GetCodepointBox(&face.info, 'x', &unused, &unused, &unused, &small_top);
-      const double up = std::max(0.0, base.top - scale * small_top);
-      line.letters.push_back({glyph, (base.left + base.right - scale * (x0 + x1)) / 2, shift + up, size * factor});
-    } else {
-      if (previous) pen += scale * stbtt_GetGlyphKernAdvance(&face.info, previous, glyph);
-      base = {pen + scale * x0, pen + scale * x1, scale * y1};
-      line.letters.push_back({glyph, pen, shift, size * factor});
-      pen += scale * advance;
-      previous = glyph;
-    }
-    // A combining mark after a single raised letter belongs to it.
-    std::string_view rest = text;
-    if (group == Group::one && (rest.empty() || !combines(next_code_point(rest))))
-      group = Group::none, factor = 1, shift = 0, previous = 0;
   }
   return line;
 }

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <string>
 #include <string_view>
 #include <tuple>
 #include <vector>
@@ -25,6 +26,14 @@ class Font {
   /// glyphs. `upright` false rotates the line by 90° anticlockwise about `at`.
   void write(Vertices& to, std::string_view line, const Point& at, double size, bool bold, Colour colour,
              double halo, bool upright);
+
+  /// A part of a line without markup: text of one size at one height.
+  struct Piece {
+    std::string words{};
+    double shift = 0;   ///< of its baseline, upwards, in sizes of the line
+    double factor = 1;  ///< its size, in sizes of the line
+  };
+  static std::vector<Piece> pieces(std::string_view line);
 
   static constexpr int atlas_width = 1024;
   int atlas_height() const { return int(atlas_.size()) / atlas_width; }

@@ -5,14 +5,14 @@
 
 namespace byhand::tutor {
 
-renderer::Canvas& PictureDrawer::blank() {
+renderer::PixelCanvas& PictureDrawer::blank() {
   if (!canvas_) canvas_.emplace(quality_.width, quality_.height);
   canvas_->clear();
   return *canvas_;
 }
 
 renderer::Image PictureDrawer::draw(const Figure& figure) {
-  renderer::Canvas& canvas = blank();
+  renderer::PixelCanvas& canvas = blank();
   if (const auto* chart = chart_of(figure))
     renderer::draw(canvas, *chart, canvas.page().inset(12));
   else
@@ -21,7 +21,7 @@ renderer::Image PictureDrawer::draw(const Figure& figure) {
 }
 
 renderer::Image PictureDrawer::draw(const FrameDrawing& frame, double time) {
-  renderer::Canvas& canvas = blank();
+  renderer::PixelCanvas& canvas = blank();
   frame(canvas, time);
   return canvas.image();
 }

@@ -5,8 +5,7 @@
 
 #include "lessons/tutor/items.hpp"
 #include "lessons/tutor/options.hpp"
-#include "renderer/canvas.hpp"
-#include "renderer/image.hpp"
+#include "renderer/opengl/pixel_canvas.hpp"
 
 namespace byhand::tutor {
 
@@ -27,10 +26,10 @@ class PictureDrawer {
   std::string gl() const { return canvas_ ? canvas_->describe() : ""; }
 
  private:
-  renderer::Canvas& blank();
+  renderer::PixelCanvas& blank();
 
   Quality quality_;
-  std::optional<renderer::Canvas> canvas_;
+  std::optional<renderer::PixelCanvas> canvas_;
 };
 
 /// For a terminal.

@@ -1,4 +1,5 @@
 #include "renderer/chart.hpp"
+#include "renderer/opengl/pixel_canvas.hpp"
 
 #include <gtest/gtest.h>
 
@@ -98,7 +99,7 @@ TEST(ChartRanges, RefuseLengthsThatDiffer) {
 }
 
 TEST(Chart, ACurvePassesThroughItsPoints) {
-  Canvas canvas(960, 540);
+  PixelCanvas canvas(960, 540);
   for (const bool logarithmic : {false, true}) {
     canvas.clear();
     Chart chart = line_of({1, 10, 100}, {1, 10, 100});
@@ -113,7 +114,7 @@ TEST(Chart, ACurvePassesThroughItsPoints) {
 }
 
 TEST(Chart, AReversedAxisRunsTheOtherWay) {
-  Canvas canvas(960, 540);
+  PixelCanvas canvas(960, 540);
   Chart chart = line_of({0, 1}, {0.9, 0.9});
   chart.y.range = std::pair(0.0, 1.0);
   chart.y.reversed = true;
@@ -123,7 +124,7 @@ TEST(Chart, AReversedAxisRunsTheOtherWay) {
 }
 
 TEST(Chart, AFailedRunIsACrossAtTheEdgeOnItsSide) {
-  Canvas canvas(960, 540);
+  PixelCanvas canvas(960, 540);
   for (const double bad : {infinity, -infinity}) {
     canvas.clear();
     Chart chart = line_of({0, 1, 2}, {1, bad, 1});
@@ -140,7 +141,7 @@ TEST(Chart, AFailedRunIsACrossAtTheEdgeOnItsSide) {
 }
 
 TEST(Chart, AFailedRunSaysWhy) {
-  Canvas canvas(960, 540);
+  PixelCanvas canvas(960, 540);
   for (const bool says : {false, true}) {
     canvas.clear();
     Chart chart = line_of({0, 1, infinity}, {1, 2, 1.5});
@@ -157,7 +158,7 @@ TEST(Chart, AFailedRunSaysWhy) {
 }
 
 TEST(Chart, AFrontIsLevelFromAPointAndThenUpright) {
-  Canvas canvas(960, 540);
+  PixelCanvas canvas(960, 540);
   Chart chart = line_of({0, 1}, {2, 1});
   chart.curves[0].style = CurveStyle::front;
   chart.curves[0].colour = palette::series(0);
@@ -175,7 +176,7 @@ TEST(Chart, AFrontIsLevelFromAPointAndThenUpright) {
 }
 
 TEST(Chart, NanLeavesAGap) {
-  Canvas canvas(960, 540);
+  PixelCanvas canvas(960, 540);
   const Rectangle plot =
       draw(canvas, line_of({0, 1, 2, 3, 4, 5}, {1, 1, nan, nan, 1, 1}), canvas.page().inset(40));
   const Image image = canvas.image();
@@ -185,7 +186,7 @@ TEST(Chart, NanLeavesAGap) {
 }
 
 TEST(Chart, NothingOfACurveLeavesTheAxes) {
-  Canvas canvas(960, 540);
+  PixelCanvas canvas(960, 540);
   Chart chart = line_of({-10, 0.5, 1, 11}, {-1e6, 1e9, -1e9, 1e6});
   chart.x.range = chart.y.range = std::pair(0.0, 1.0);
   const Rectangle plot = draw(canvas, chart, canvas.page().inset(40));
@@ -196,7 +197,7 @@ TEST(Chart, NothingOfACurveLeavesTheAxes) {
 }
 
 TEST(Chart, ACellOfAHeatMapHasTheColourOfItsValue) {
-  Canvas canvas(960, 540);
+  PixelCanvas canvas(960, 540);
   Chart chart;
   chart.heat_map = HeatMap{.x = {0, 1, 2}, .y = {0, 1}, .values = {0, 1, 2, 3, nan, infinity}};
   const Rectangle plot = draw(canvas, chart, canvas.page().inset(40));
@@ -213,7 +214,7 @@ TEST(Chart, ACellOfAHeatMapHasTheColourOfItsValue) {
 }
 
 TEST(Chart, ACellOfAMapOfClassesHasTheColourOfItsClassAndTheLegendShowsAll) {
-  Canvas canvas(960, 540);
+  PixelCanvas canvas(960, 540);
   Chart chart;
   chart.heat_map = HeatMap{.x = {0, 1}, .y = {0, 1}, .values = {1, 0, nan, infinity}};
   chart.heat_map->classes = {{"calm", palette::force}, {"wild", palette::velocity}, {"never", palette::highlight}};
@@ -256,7 +257,7 @@ TEST(Chart, ADivergingMapIsSymmetricAboutZero) {
 }
 
 TEST(Chart, BarsAreAsHighAsTheirValues) {
-  Canvas canvas(960, 540);
+  PixelCanvas canvas(960, 540);
   Chart chart;
   chart.bar_names = {"a", "b"};
   chart.bars = {{.values = {2, 4}}};
@@ -275,7 +276,7 @@ TEST(Chart, BarsAreAsHighAsTheirValues) {
 
 // Wherever the legend goes, every point of every curve can still be seen.
 TEST(Chart, TheLegendCoversNoCurve) {
-  Canvas canvas(960, 540);
+  PixelCanvas canvas(960, 540);
   for (int shape = 0; shape < 6; ++shape) {
     canvas.clear();
     Chart chart;
@@ -306,12 +307,12 @@ TEST(Chart, TheLegendCoversNoCurve) {
 }
 
 TEST(Chart, RefusesAFrameWithoutRoom) {
-  Canvas canvas(320, 180);
+  PixelCanvas canvas(320, 180);
   EXPECT_THROW(draw(canvas, scenes::two_orders(), {0, 0, 40, 30}), std::invalid_argument);
 }
 
 TEST(Chart, LeavesTheCameraAsItWas) {
-  Canvas canvas(320, 180);
+  PixelCanvas canvas(320, 180);
   const Camera camera = fit({0, 0, 3, 2}, canvas.page());
   canvas.look(camera);
   draw(canvas, scenes::two_orders(), canvas.page());
@@ -319,7 +320,7 @@ TEST(Chart, LeavesTheCameraAsItWas) {
 }
 
 TEST(Chart, EveryKindFitsIntoASmallFrame) {
-  Canvas canvas(960, 540);
+  PixelCanvas canvas(960, 540);
   for (const Chart& chart : {scenes::two_orders(), scenes::joint_forces(), scenes::stable_region(),
                              scenes::sparse_matrix(), scenes::stems(), scenes::damped_oscillation()}) {
     canvas.clear(white);
