@@ -229,9 +229,11 @@ class SvgCanvas::Surface : public DrawingSurface {
     std::string all;
     double height = 0;  // of the baseline so far, in sizes
     for (const Font::Piece& piece : Font::pieces(line)) {
-      const bool plain = piece.shift == height && piece.factor == 1;
+      const bool plain = piece.shift == height && piece.factor == 1 && !piece.italic;
       if (!plain) {
-        all += "<tspan" + attribute("dy", (height - piece.shift) * size);
+        all += "<tspan";
+        if (piece.shift != height) all += attribute("dy", (height - piece.shift) * size);
+        if (piece.italic) all += " font-style=\"italic\"";
         if (piece.factor != 1) all += attribute("font-size", piece.factor * size);
         all += ">";
       }
