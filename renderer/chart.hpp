@@ -120,4 +120,7 @@ std::string class_name(const HeatMap& map, double value);
 /// labels.
 Rectangle draw(Canvas& canvas, const Chart& chart, const Rectangle& frame);
 
+/// The rectangle between the axes that `draw` would return; draws nothing.
+Rectangle layout(Canvas& canvas, const Chart& chart, const Rectangle& frame);
+
 }  // namespace byhand::renderer

@@ -80,9 +80,13 @@ class ChartDrawing {
         x_(chart.x, ranges_.x),
         y_(chart.y, ranges_.y) {}
 
-  Rectangle draw() {
+  Rectangle layout() {
     list_entries();
     lay_out();
+    return plot_;
+  }
+  Rectangle draw() {
+    layout();
     draw_heat_map();
     draw_axes();
     draw_bars();
@@ -614,11 +618,17 @@ void ChartDrawing::draw_colour_bar() {
 }
 
 void ChartDrawing::draw_bars() {
+  // A bar of zero is a thin line.
+  const auto visible = [](Rectangle bar) {
+    constexpr double least = 3;
+    if (bar.height < least) bar.y -= (least - bar.height) / 2, bar.height = least;
+    return bar;
+  };
   canvas_.clip(plot_);
   for (std::size_t series = 0; series < chart_.bars.size(); ++series)
     for (std::size_t i = 0; i < chart_.bar_names.size(); ++i)
       if (std::isfinite(chart_.bars[series].values[i]))
-        canvas_.rectangle(bar(series, i), {entries_[series].colour, {{}, 0}});
+        canvas_.rectangle(visible(bar(series, i)), {entries_[series].colour, {{}, 0}});
   canvas_.clip(std::nullopt);
   for (std::size_t series = 0; series < chart_.bars.size(); ++series)
     for (std::size_t i = 0; i < chart_.bar_names.size(); ++i)
@@ -816,6 +826,14 @@ Rectangle draw(Canvas& canvas, const Chart& chart, const Rectangle& frame) {
   const Camera before = canvas.camera();
   canvas.look_at_page();
   const Rectangle plot = ChartDrawing(canvas, chart, frame).draw();
+  canvas.look(before);
+  return plot;
+}
+
+Rectangle layout(Canvas& canvas, const Chart& chart, const Rectangle& frame) {
+  const Camera before = canvas.camera();
+  canvas.look_at_page();
+  const Rectangle plot = ChartDrawing(canvas, chart, frame).layout();
   canvas.look(before);
   return plot;
 }

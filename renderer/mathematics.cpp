@@ -8,6 +8,7 @@ namespace byhand::renderer {
 namespace {
 
 using Words = std::u32string_view;
+constexpr char32_t no_break_space = 0xa0;
 
 bool is_digit(char32_t c) { return c >= U'0' && c <= U'9'; }
 bool is_small_greek(char32_t c) { return c >= U'α' && c <= U'ϖ'; }
@@ -23,8 +24,8 @@ bool is_one_of(const std::array<Words, n>& list, Words word) {
 }
 
 // Products of quantities that look like words.
-constexpr std::array<Words, 16> products{U"JV", U"JM",  U"gh", U"mg", U"mgh", U"mgL", U"gL", U"vh",
-                                         U"kw", U"RIR", U"RI", U"hv", U"mL",  U"rN",  U"dt", U"ml"};
+constexpr std::array<Words, 18> products{U"JV",  U"JM", U"gh", U"mg", U"mgh", U"mgL", U"gL", U"vh", U"kw",
+                                         U"RIR", U"RI", U"hv", U"hV", U"hg",  U"mL",  U"rN", U"dt", U"ml"};
 constexpr std::array<Words, 8> functions{U"arctan", U"sin", U"cos", U"tan", U"exp", U"log", U"ln", U"max"};
 constexpr std::array<Words, 18> units{U"m",  U"s",  U"N",  U"J",  U"W",   U"kg",  U"mm", U"cm", U"km",
                                       U"ms", U"μs", U"Hz", U"kN", U"rad", U"deg", U"mJ", U"kJ", U"ns"};
@@ -34,7 +35,7 @@ class LabelReader {
   explicit LabelReader(std::span<const LabelSign> signs) : signs_(signs), is_unit_(signs.size()) {
     for (const LabelSign& sign : signs) text_ += sign.code;
     for (std::size_t i = 0; i < text_.size(); ++i) {
-      if (is_digit(text_[i]) && at(i + 1) == U' ') mark_units(i + 2);
+      if (is_digit(text_[i]) && (at(i + 1) == U' ' || at(i + 1) == no_break_space)) mark_units(i + 2);
       if (text_[i] == U'(' && (i == 0 || text_[i - 1] == U' ')) mark_bracket(i + 1);
     }
   }

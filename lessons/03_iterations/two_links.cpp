@@ -52,7 +52,7 @@ void draw_panel(renderer::Canvas& canvas, const Panel& now, double length, const
     const Point middle = camera.to_page((rod.from + rod.to) / 2), bob = camera.to_page(now.linkage.bobs[i].at);
     if (i == now.solved) {
       const Point up = camera.to_page(rod.from), down = camera.to_page(rod.to);
-      canvas.rod(up - Point(0, 18), down + Point(0, 26), {palette::highlight, {palette::ink, 0}}, 11);
+      canvas.rod(up - Point(0, 18), down + Point(0, 26), {palette::highlight, {palette::ink, 1.6}}, 11);
     }
     canvas.text(middle - Point(16, 0), in_falls(now.errors[i]),
                 {.size = 24, .colour = palette::error, .anchor = renderer::Anchor::right, .bold = true});

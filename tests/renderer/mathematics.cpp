@@ -32,6 +32,7 @@ TEST(Mathematics, QuantitiesAreItalic) {
 TEST(Mathematics, UnitsAreUpright) {
   EXPECT_EQ(marked("L = 2 m"), "⟨L⟩ = 2 m");
   EXPECT_EQ(marked("t (s)"), "⟨t⟩ (s)");
+  EXPECT_EQ(marked("at 0\u00a0m/s and v"), "at 0\u00a0m/s and ⟨v⟩");
   EXPECT_EQ(marked("force (N s/m)"), "force (N s/m)");
   EXPECT_EQ(marked("entry of J (1, m)"), "entry of ⟨J⟩ (1, m)");
   EXPECT_EQ(marked("A (1/kg)"), "⟨A⟩ (1/kg)");
