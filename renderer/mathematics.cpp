@@ -36,8 +36,11 @@ class LabelReader {
     for (const LabelSign& sign : signs) text_ += sign.code;
     for (std::size_t i = 0; i < text_.size(); ++i) {
       if (is_digit(text_[i]) && (at(i + 1) == U' ' || at(i + 1) == no_break_space)) mark_units(i + 2);
+      if (text_[i] == U')' && at(i + 1) == U' ') mark_units(i + 2);
       if (text_[i] == U'(' && (i == 0 || text_[i - 1] == U' ')) mark_bracket(i + 1);
     }
+    // "kg/m²": a label that is a unit, not the name of a quantity.
+    if (text_.find(U'/') != text_.npos) mark_if_unit(0, text_.size());
   }
 
   std::vector<bool> italics() const {
@@ -85,16 +88,21 @@ class LabelReader {
 
   // A bracket that begins at `i`, if there is nothing but units and numbers in it.
   void mark_bracket(std::size_t i) {
-    const std::size_t begin = i;
-    for (; at(i) != U')'; ++i) {
-      const std::size_t end = end_of_word(i);
-      const bool belongs = end > i
-                               ? is_unit(i, end)
-                               : is_digit(at(i)) || is_exponent(i) || Words(U"·/ ,°%").find(at(i)) != Words::npos;
-      if (i == text_.size() || !belongs) return;
-      if (end > i) i = end - 1;
+    const std::size_t end = text_.find(U')', i);
+    if (end != text_.npos) mark_if_unit(i, end);
+  }
+
+  // The signs from `begin` to `end`, if they are nothing but units and numbers.
+  void mark_if_unit(std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::size_t word = end_of_word(i);
+      const bool belongs =
+          word > i ? is_unit(i, word)
+                   : is_digit(text_[i]) || is_exponent(i) || Words(U"·/√ ,°%").find(text_[i]) != Words::npos;
+      if (!belongs) return;
+      if (word > i) i = word - 1;
     }
-    std::fill(is_unit_.begin() + std::ptrdiff_t(begin), is_unit_.begin() + std::ptrdiff_t(i), true);
+    std::fill(is_unit_.begin() + std::ptrdiff_t(begin), is_unit_.begin() + std::ptrdiff_t(end), true);
   }
 
   bool is_quantity(std::size_t begin, std::size_t end) const {

@@ -66,8 +66,8 @@ void draw_sliding(renderer::Canvas& canvas, const Settings& set) {
   space.sphere({0, 0, shaft}, 1.6 * shaft, palette::error);
   canvas.draw(space);
   for (const Named& arrow : arrows) {
-    const renderer::Point tip = space.project(arrow.tip), way = tip - space.project({0, 0, 0});
-    canvas.text(tip + 26 * way.normalized(), arrow.name, {.size = 22, .colour = arrow.colour, .halo = 3});
+    const renderer::Point end = space.project(arrow.tip), way = end - space.project({0, 0, 0});
+    canvas.text(end + 26 * way.normalized(), arrow.name, {.size = 22, .colour = arrow.colour, .halo = 3});
   }
 }
 

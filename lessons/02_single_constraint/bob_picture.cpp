@@ -42,7 +42,8 @@ void draw(Canvas& canvas, const BobPicture& picture, const Rectangle& frame, dou
 
   labels.avoid_path(std::array<Point, 2>{picture.first, picture.second});
   labels.avoid_disc(picture.second, 18 / canvas.camera().scale);
-  for (const BobPicture::Arrow& arrow : picture.arrows) {
+  for (BobPicture::Arrow arrow : picture.arrows) {
+    arrow.from += arrow.aside / scale * Vector(-arrow.by.y(), arrow.by.x()).normalized();
     canvas.arrow(arrow.from, arrow.from + arrow.by, {arrow.colour, arrow.width, arrow.dash});
     labels.avoid_path(std::array<Point, 2>{arrow.from, arrow.from + arrow.by});
   }

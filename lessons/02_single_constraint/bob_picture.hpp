@@ -16,6 +16,7 @@ struct BobPicture {
     std::string label;
     double width = 4;
     renderer::Dash dash = renderer::Dash::solid;
+    double aside = 0;  // drawn so many points to the left of its way, off a rod that it would cover
   };
   explicit BobPicture(const Pendulum& scene);
 

@@ -113,6 +113,7 @@ void two_links(Page& page, const Knobs& knobs) {
         const auto cells = canvas.page().inset(20).cells(1, 4, 10);
         for (std::size_t i = 0; i < cells.size(); ++i) draw_panel(canvas, panels[i], L, cells[i]);
       });
+  within_a_sweep(page, knobs);
   page.text(
       R"(Row 2 has undone half of what row 1 did; solving row 1 again undoes half of what row 2 did. (17) is exact for
       *one* row while the others wait. For many rows it is one step of a method that goes round and round:

@@ -72,7 +72,7 @@ std::string at_the_corner(const OnACorner& box, double speed) {
 
 void within_the_cone(const Setting& setting, Page& page) {
   const double speed = setting.speed();
-  OnACorner box(setting.mass(), speed, setting.friction(), speed);
+  OnACorner box(setting.mass(), speed, setting.friction(), -speed);
   std::vector<Solved> states{{box, impulse_of(box)}};
   std::vector<pictures::Acts::Act> acts{{"V", at_the_corner(box, speed), palette::velocity}};
   for (int sweep = 1; sweep <= 2; ++sweep) {
@@ -97,7 +97,7 @@ void within_the_cone(const Setting& setting, Page& page) {
   const pictures::Acts film(acts);
   page.sequence(
       "within_the_cone",
-      say(R"(The same box, which now also moves to the right at @ m/s: two sweeps within one step, slowed to @ s.
+      say(R"(The same box, which now also moves to the left at @ m/s: two sweeps within one step, slowed to @ s.
                     Orange: the impulse at the corner so far; it stays in the cone |λₜ| ≤ μλₙ (dashed, μ = @). Green: the corner's velocity.)",
           setting.speed, film.seconds(), setting.friction),
       Seconds{film.seconds()},

@@ -38,6 +38,9 @@ TEST(Mathematics, UnitsAreUpright) {
   EXPECT_EQ(marked("A (1/kg)"), "⟨A⟩ (1/kg)");
   EXPECT_EQ(marked("g = 9.81 m/s^2, h"), "⟨g⟩ = 9.81 m/s2, ⟨h⟩");
   EXPECT_EQ(marked("slid in 1 s (m)"), "slid in 1 s (m)");
+  EXPECT_EQ(marked("m/√kg"), "m/√kg");
+  EXPECT_EQ(marked("= (2.9) + (−1.1) m²/s"), "= (2.9) + (−1.1) m²/s");
+  EXPECT_EQ(marked("λ/h (N)"), "⟨λ⟩/⟨h⟩ (N)");
 }
 
 TEST(Mathematics, WordsFunctionsAndTransposesAreUpright) {
