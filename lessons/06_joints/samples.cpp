@@ -104,6 +104,7 @@ void Samples::draw(Canvas& canvas, double time) {
       draw_sleeve(canvas, bar.from, rail);
     else
       canvas.hinge(bar.from);
+    canvas.clip({});  // arrows may reach beyond
     const Given& of = reactions[i];
     if (of.force.norm() > 1e-3 * weight_)
       canvas.vector(bar.from, of.force, {palette::force, 0.3 * length_ / weight_});
@@ -112,7 +113,6 @@ void Samples::draw(Canvas& canvas, double time) {
     if (i != roped && i != pinned && std::abs(couple) > 0.02)
       draw_turn(canvas, bar.from, -pi / 2, -pi / 2 + std::clamp(2 * couple, -2.6, 2.6), 0.3 * length_,
                 {palette::force, 4});
-    canvas.clip({});
   }
   canvas.look_at_page();
 }
