@@ -7,9 +7,9 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "renderer/font.hpp"
+#include "renderer/drawing_surface.hpp"
 #include "renderer/outline.hpp"
-#include "renderer/painter.hpp"
+#include "renderer/space.hpp"
 #include "renderer/ticks.hpp"
 
 namespace byhand::renderer {
@@ -54,13 +54,14 @@ struct TextBlock {
   double letters;  // height of the lines from the last baseline to the top of the first line's capitals
 };
 
-TextBlock lay_out(const Font& font, double scale, const Point& at, std::string_view text, const TextStyle& style) {
+TextBlock lay_out(const DrawingSurface& surface, double scale, const Point& at, std::string_view text,
+                  const TextStyle& style) {
   TextBlock block;
   double width = 0;
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
     block.lines.push_back(text.substr(begin, end - begin));
-    block.widths.push_back(font.width(block.lines.back(), style.size * scale, style.bold) / scale);
+    block.widths.push_back(surface.text_width(block.lines.back(), style.size * scale, style.bold) / scale);
     width = std::max(width, block.widths.back());
     begin = end + 1;
   }
@@ -89,8 +90,8 @@ Mark series_mark(int i) {
 
 // The members work in pixels, y down.
 struct Canvas::State {
-  State(int width_, int height_)
-      : width(width_), height(height_), scale(height / page_height), painter(width, height) {}
+  State(const PageSize& size, std::unique_ptr<DrawingSurface> surface_)
+      : width(size.width), height(size.height), scale(height / page_height), surface(std::move(surface_)) {}
 
   Rectangle page() const { return {0, 0, width / scale, page_height}; }
   Point pixel(const Point& page_point) const { return {page_point.x() * scale, height - page_point.y() * scale}; }
@@ -112,57 +113,54 @@ struct Canvas::State {
   }
 
   void restart() {
-    vertices.clear();
-    batches.clear();
+    surface->clear(paper);
     labels.clear();
     camera = {page(), page().centre(), 1};
     clip = {0, 0, width, height};
   }
 
-  void draw_fill(std::span<const Point> pixels, Colour colour) {
-    for (const Point& p : pixels)
-      if (!p.allFinite()) return;
-    if (colour.a > 0) fill(vertices, pixels, colour);
+  Pen pen(const Stroke& style) const {
+    Pen pen{style.colour, style.width * scale};
+    if (style.dash == Dash::dashed) pen.on = 9 * scale, pen.off = 5.5 * scale;
+    if (style.dash == Dash::dotted) pen.on = 2 * scale, pen.off = 5 * scale;
+    return pen;
   }
 
   // `fading`: opacity from zero at the first point to one at the last.
   void draw_stroke(std::span<const Point> pixels, const Stroke& style, bool fading = false) {
-    const double w = style.width * scale;
-    if (w <= 0) return;
-    const std::vector<std::vector<Point>> runs = clipped(pixels, reach(w + 2));
+    Pen with = pen(style);
+    if (with.width <= 0) return;
+    const std::vector<std::vector<Point>> runs = clipped(pixels, reach(with.width + 2));
     double whole = 0, done = 0;
     for (const std::vector<Point>& run : runs) whole += length(run);
     for (const std::vector<Point>& run : runs) {
       if (fading) {
-        const double first = done / whole;
+        with.opacity_at_start = done / whole;
         done += length(run);
-        stroke(vertices, run, w, style.colour, false, first, done / whole);
-      } else if (style.dash == Dash::solid) {
-        stroke(vertices, run, w, style.colour);
-      } else {
-        const bool dots = style.dash == Dash::dotted;
-        const double on = scale * (dots ? 2 : 9), off = scale * (dots ? 5 : 5.5);
-        for (const std::vector<Point>& piece : dashed(run, on, off)) stroke(vertices, piece, w, style.colour);
+        with.opacity_at_end = done / whole;
       }
+      surface->path(run, with);
     }
   }
 
-  void draw_outline(std::span<const Point> pixels, const Stroke& style) {
+  void draw_shape(std::span<const Point> pixels, const Look& look, bool sharp = false) {
     for (const Point& p : pixels)
       if (!p.allFinite()) return;
-    stroke(vertices, pixels, style.width * scale, style.colour, true);
+    surface->polygon(pixels, look.fill, pen(look.edge), sharp);
   }
 
-  void draw_shape(std::span<const Point> pixels, const Look& look) {
-    draw_fill(pixels, look.fill);
-    draw_outline(pixels, look.edge);
+  void draw_fill(std::span<const Point> pixels, Colour colour) { draw_shape(pixels, {colour, {colour, 0}}); }
+
+  void draw_disc(const Point& centre, double radius, const Look& look) {
+    if (centre.allFinite() && radius > 0 && std::isfinite(radius))
+      surface->disc(centre, radius, look.fill, pen(look.edge));
   }
 
   void draw_arrow(const Point& tail, const Point& tip, const Stroke& style) {
     const Point way = tip - tail;
     const double length = way.norm(), w = style.width * scale;
     if (!way.allFinite()) return;
-    if (length < 0.75 * w) return draw_fill(circle(tip, 1.2 * w), style.colour);
+    if (length < 0.75 * w) return draw_disc(tip, 1.2 * w, {style.colour, {style.colour, 0}});
     const Point ahead = way / length;
     // A short arrow keeps its shape: its head is at most 60 % of the length.
     const double head = std::min(5.2 * w, 0.6 * length), half = 0.38 * head;
@@ -183,18 +181,9 @@ struct Canvas::State {
                     {palette::muted, 1.2});
   }
 
-  // Makes a batch of all vertices since the last one.
-  void close_batch() {
-    const std::size_t first = batches.empty() ? 0 : batches.back().first + batches.back().count;
-    if (vertices.size() > first) batches.push_back({clip, first, vertices.size() - first, std::nullopt});
-  }
-
   int width, height;
   double scale;  // pixels per point
-  Painter painter;
-  Font font;
-  Vertices vertices;
-  std::vector<Batch> batches;
+  std::unique_ptr<DrawingSurface> surface;
   Camera camera;
   PixelBox clip;
   Colour paper = palette::paper;
@@ -202,12 +191,15 @@ struct Canvas::State {
   std::vector<Label> labels;
 };
 
-Canvas::Canvas(int width, int height) {
+PageSize::PageSize(int width_, int height_) : width(width_), height(height_) {
   constexpr int least = 16, most = 8192;
   if (std::min(width, height) < least || std::max(width, height) > most)
     throw std::invalid_argument(
         fmt::format("A page has {} to {} pixels on each side; got {} × {}.", least, most, width, height));
-  state_ = std::make_unique<State>(width, height);
+}
+
+Canvas::Canvas(const PageSize& size, std::unique_ptr<DrawingSurface> surface)
+    : state_(std::make_unique<State>(size, std::move(surface))) {
   clear();
 }
 Canvas::Canvas(Canvas&&) noexcept = default;
@@ -217,11 +209,11 @@ Canvas::~Canvas() = default;
 int Canvas::width() const { return state_->width; }
 int Canvas::height() const { return state_->height; }
 Rectangle Canvas::page() const { return state_->page(); }
-const std::string& Canvas::describe() const { return state_->painter.describe(); }
+DrawingSurface& Canvas::surface() const { return *state_->surface; }
 
 void Canvas::clear(Colour paper) {
-  state_->restart();
   state_->paper = paper;
+  state_->restart();
 }
 
 void Canvas::look(const Camera& camera) { state_->camera = camera; }
@@ -231,13 +223,13 @@ const Camera& Canvas::camera() const { return state_->camera; }
 void Canvas::clip(const std::optional<Rectangle>& rectangle) {
   const PixelBox box = state_->box(rectangle.value_or(page()));
   if (box == state_->clip) return;
-  state_->close_batch();
+  state_->surface->clip(box);
   state_->clip = box;
 }
 
 void Canvas::disc(const Point& centre, double radius, const Look& look) {
   const double pixels = radius * state_->camera.scale * state_->scale;
-  if (pixels > 0 && std::isfinite(pixels)) state_->draw_shape(circle(state_->seen(centre), pixels), look);
+  state_->draw_disc(state_->seen(centre), pixels, look);
 }
 
 void Canvas::box(const Point& centre, const Point& size, double angle, const Look& look) {
@@ -250,8 +242,7 @@ void Canvas::rectangle(const Rectangle& r, const Look& look) {
   const Point a = snapped(state_->seen(Point(r.x, r.y))), c = snapped(state_->seen(Point(r.right(), r.top())));
   if (!a.allFinite() || !c.allFinite()) return;
   const std::array<Point, 4> outline{a, Point(c.x(), a.y()), c, Point(a.x(), c.y())};
-  fill_sharply(state_->vertices, outline, look.fill);
-  state_->draw_outline(outline, look.edge);
+  state_->draw_shape(outline, look, true);
 }
 
 void Canvas::polygon(std::span<const Point> points, const Look& look) {
@@ -295,7 +286,7 @@ void Canvas::spring(const Point& a, const Point& b, int turns, double thickness,
 }
 
 void Canvas::hinge(const Point& at) {
-  state_->draw_shape(circle(state_->seen(at), 4.5 * state_->scale), {palette::paper, {palette::ink, 1.8}});
+  state_->draw_disc(state_->seen(at), 4.5 * state_->scale, {palette::paper, {palette::ink, 1.8}});
 }
 
 void Canvas::anchor(const Point& at, const Point& body_side) {
@@ -328,11 +319,11 @@ void Canvas::mark(const Point& at, Mark mark, Colour colour, double size) {
   if (!p.allFinite()) return;
   // These radii give all shapes about the same area.
   switch (mark) {
-    case Mark::disc: return state_->draw_shape(circle(p, r), full);
+    case Mark::disc: return state_->draw_disc(p, r, full);
     case Mark::square: return state_->draw_shape(regular(4, 1.25 * r, std::numbers::pi / 4), full);
     case Mark::triangle: return state_->draw_shape(regular(3, 1.45 * r, 0), full);
     case Mark::diamond: return state_->draw_shape(regular(4, 1.35 * r, 0), full);
-    case Mark::circle: return state_->draw_shape(circle(p, 0.85 * r), open);
+    case Mark::circle: return state_->draw_disc(p, 0.85 * r, open);
     case Mark::open_square: return state_->draw_shape(regular(4, 1.1 * r, std::numbers::pi / 4), open);
     case Mark::open_triangle: return state_->draw_shape(regular(3, 1.3 * r, 0), open);
     case Mark::open_diamond: return state_->draw_shape(regular(4, 1.2 * r, 0), open);
@@ -387,41 +378,31 @@ void Canvas::text(const Point& at, std::string_view text, const TextStyle& style
   const Point where = camera().to_page(at);
   if (!where.allFinite() || text.empty()) return;
   State& s = *state_;
-  const TextBlock block = lay_out(s.font, s.scale, where, text, style);
+  const TextBlock block = lay_out(*s.surface, s.scale, where, text, style);
   if (s.lists_labels) {
     s.labels.push_back({std::string(text), block.box, style.colour});
     return;
   }
   const Point held = share(style.anchor);
-  const auto write = [&](Colour colour, double halo) {
-    for (std::size_t i = 0; i < block.lines.size(); ++i) {
-      const double fall = cap_height * style.size + double(i) * line_height * style.size;
-      const Rectangle& box = block.box;
-      const Point begin = style.upright ? Point(box.x + held.x() * (box.width - block.widths[i]), box.top() - fall)
-                                        : Point(box.x + fall, box.y + held.y() * (box.height - block.widths[i]));
-      s.font.write(s.vertices, block.lines[i], s.pixel(begin), style.size * s.scale, style.bold, colour,
-                   halo * s.scale, style.upright);
-    }
-  };
-  if (style.halo > 0) write(s.paper, style.halo);
-  write(style.colour, 0);
+  std::vector<TextLine> lines;
+  for (std::size_t i = 0; i < block.lines.size(); ++i) {
+    const double fall = cap_height * style.size + double(i) * line_height * style.size;
+    const Rectangle& box = block.box;
+    const Point begin = style.upright ? Point(box.x + held.x() * (box.width - block.widths[i]), box.top() - fall)
+                                      : Point(box.x + fall, box.y + held.y() * (box.height - block.widths[i]));
+    lines.push_back({block.lines[i], s.pixel(begin)});
+  }
+  s.surface->text(lines,
+                  {style.size * s.scale, style.bold, legible(style.colour), style.halo * s.scale, style.upright});
 }
 
 void Canvas::list_labels() { state_->lists_labels = true; }
 const std::vector<Label>& Canvas::labels() const { return state_->labels; }
 
 Rectangle Canvas::measure(const Point& at, std::string_view text, const TextStyle& style) const {
-  return lay_out(state_->font, state_->scale, camera().to_page(at), text, style).box;
+  return lay_out(*state_->surface, state_->scale, camera().to_page(at), text, style).box;
 }
 
-void Canvas::draw(const Space& space) {
-  state_->close_batch();
-  state_->batches.push_back({state_->box(space.camera().frame), state_->vertices.size(), 0, space});
-}
-
-Image Canvas::image() {
-  state_->close_batch();
-  return state_->painter.paint(state_->paper, state_->vertices, state_->batches, state_->font);
-}
+void Canvas::draw(const Space& space) { state_->surface->space(space, state_->box(space.camera().frame)); }
 
 }  // namespace byhand::renderer

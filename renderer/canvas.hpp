@@ -8,11 +8,12 @@
 #include <vector>
 
 #include "renderer/camera.hpp"
-#include "renderer/image.hpp"
 #include "renderer/palette.hpp"
 
 namespace byhand::renderer {
 
+class DrawingSurface;
+struct PageSize;
 class Space;
 
 enum class Dash { solid, dashed, dotted };
@@ -41,8 +42,8 @@ Mark series_mark(int i);
 enum class Anchor { centre, left, right, top, bottom, top_left, top_right, bottom_left, bottom_right };
 
 struct TextStyle {
-  double size = 18;  ///< points; lines are 1.3 × this apart
-  Colour colour = palette::ink;
+  double size = 18;              ///< points; lines are 1.3 × this apart
+  Colour colour = palette::ink;  ///< darkened where its contrast is too low for text
   Anchor anchor = Anchor::centre;
   bool bold = false;
   double halo = 0;      ///< width [points] of a border in the colour of the paper, for text that crosses lines
@@ -64,26 +65,17 @@ struct Label {
   Colour colour;
 };
 
-/// A page that is drawn with OpenGL without a window. Positions and lengths are in world units of the current
-/// camera; widths of lines and sizes of text are in points. A page is always 720 points high, so a picture looks
-/// the same at any resolution. Later shapes cover earlier ones. Text is UTF-8: `_x`, `^x`, `_{…}`, `^{…}` are
-/// subscripts and superscripts (a backslash escapes `_`, `^` and `\`), combining marks (λ̇) are supported, and
+/// A page, drawn on pixels (PixelCanvas) or as SVG (SvgCanvas). Positions and lengths are in world units of the
+/// current camera; widths of lines and sizes of text are in points. A page is always 720 points high, so a picture
+/// looks the same at any resolution. Later shapes cover earlier ones. Text is UTF-8: `_x`, `^x`, `_{…}`, `^{…}`
+/// are subscripts and superscripts (a backslash escapes `_`, `^` and `\`), combining marks (λ̇) are supported, and
 /// '\n' begins a new line. Coordinates that are not finite leave a gap.
 class Canvas {
  public:
-  /// A page of `width` × `height` pixels (16 … 8192 each, else std::invalid_argument). Throws EnvironmentError
-  /// without OpenGL or the font.
-  Canvas(int width, int height);
-  Canvas(Canvas&&) noexcept;
-  Canvas& operator=(Canvas&&) noexcept;
-  ~Canvas();
-
-  int width() const;
+  int width() const;  ///< pixels
   int height() const;
   /// The whole page in points: (0, 0) lower left, 720 high.
   Rectangle page() const;
-  /// OpenGL's renderer, its version and the library that made the context, for manifest.json.
-  const std::string& describe() const;
 
   /// Empties the page, resets the camera to the page in points and removes the clipping.
   void clear(Colour paper = palette::paper);
@@ -136,8 +128,12 @@ class Canvas {
   /// Draws a scene in space into its camera's frame. Place labels at `space.project(point)`.
   void draw(const Space& space);
 
-  /// Renders the page.
-  Image image();
+ protected:
+  Canvas(Canvas&&) noexcept;
+  Canvas& operator=(Canvas&&) noexcept;
+  Canvas(const PageSize& size, std::unique_ptr<DrawingSurface> surface);
+  ~Canvas();
+  DrawingSurface& surface() const;
 
  private:
   struct State;

@@ -63,6 +63,8 @@ void refuse_contradictions(const CommandLine& line) {
   both(line.interactive, line.quiet, "--interactive and --quiet");
   both(line.interactive, line.list_parameters, "--interactive and --list-parameters");
   both(line.check, line.list_parameters, "--check and --list-parameters");
+  if (!line.film.empty() && !line.frames.empty() && line.frames != "all")
+    throw std::invalid_argument(fmt::format("--film needs all frames, not --frames {}", line.frames));
 }
 
 }  // namespace
@@ -97,7 +99,8 @@ Options read_options(const Lesson& lesson, int argc, const char* const* argv, bo
   if (options.check || options.quiet || options.questions) options.interactive = false;
   options.quality =
       *std::find_if(qualities.begin(), qualities.end(), [&](const Quality& q) { return q.name == line.quality; });
-  if (line.frames.empty()) line.frames = options.interactive ? "last" : "all";
+  if (line.frames.empty()) line.frames = options.interactive && line.film.empty() ? "last" : "all";
+  options.film = line.film;
   options.frames = line.frames == "none"   ? FramesWanted::none
                    : line.frames == "last" ? FramesWanted::last
                                            : FramesWanted::all;

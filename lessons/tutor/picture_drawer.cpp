@@ -5,14 +5,14 @@
 
 namespace byhand::tutor {
 
-renderer::Canvas& PictureDrawer::blank() {
+renderer::PixelCanvas& PictureDrawer::blank() {
   if (!canvas_) canvas_.emplace(quality_.width, quality_.height);
   canvas_->clear();
   return *canvas_;
 }
 
 renderer::Image PictureDrawer::draw(const Figure& figure) {
-  renderer::Canvas& canvas = blank();
+  renderer::PixelCanvas& canvas = blank();
   if (const auto* chart = chart_of(figure))
     renderer::draw(canvas, *chart, canvas.page().inset(12));
   else
@@ -21,7 +21,7 @@ renderer::Image PictureDrawer::draw(const Figure& figure) {
 }
 
 renderer::Image PictureDrawer::draw(const FrameDrawing& frame, double time) {
-  renderer::Canvas& canvas = blank();
+  renderer::PixelCanvas& canvas = blank();
   frame(canvas, time);
   return canvas.image();
 }
@@ -34,6 +34,12 @@ int PictureDrawer::count(const Sequence& sequence) const {
 double PictureDrawer::time(const Sequence& sequence, int index) const {
   if (std::holds_alternative<Frames>(sequence.length)) return index;
   return static_cast<double>(index) / quality_.rate;
+}
+
+double PictureDrawer::rate(const Sequence& sequence) const {
+  if (std::holds_alternative<Seconds>(sequence.length)) return quality_.rate;
+  constexpr double each = 0.8, longest = 40;  // [s] a frame, and of the film
+  return std::max(1 / each, count(sequence) / longest);
 }
 
 }  // namespace byhand::tutor

@@ -5,8 +5,7 @@
 
 #include "lessons/tutor/items.hpp"
 #include "lessons/tutor/options.hpp"
-#include "renderer/canvas.hpp"
-#include "renderer/image.hpp"
+#include "renderer/opengl/pixel_canvas.hpp"
 
 namespace byhand::tutor {
 
@@ -22,15 +21,17 @@ class PictureDrawer {
   /// Number of frames of a sequence, and the time that frame `index` gets.
   int count(const Sequence& sequence) const;
   double time(const Sequence& sequence, int index) const;
+  /// Frames per second of a film of the sequence: slow enough to see each, if they are counted.
+  double rate(const Sequence& sequence) const;
 
   /// OpenGL's renderer and version; empty before the first picture.
   std::string gl() const { return canvas_ ? canvas_->describe() : ""; }
 
  private:
-  renderer::Canvas& blank();
+  renderer::PixelCanvas& blank();
 
   Quality quality_;
-  std::optional<renderer::Canvas> canvas_;
+  std::optional<renderer::PixelCanvas> canvas_;
 };
 
 /// For a terminal.

@@ -222,7 +222,7 @@ int picture_columns(const Style& style) {
   return columns;
 }
 
-std::string character_picture(renderer::Canvas& canvas, int columns, const Style& style) {
+std::string character_picture(renderer::PixelCanvas& canvas, int columns, const Style& style) {
   const int rows = picture_rows(columns);
   const Image image = canvas.image();
   Cells cells(static_cast<size_t>(rows), std::vector<Cell>(static_cast<size_t>(columns)));

@@ -4,14 +4,13 @@
 #include <string>
 
 #include "lessons/tutor/typeset.hpp"
-#include "renderer/canvas.hpp"
-#include "renderer/image.hpp"
+#include "renderer/opengl/pixel_canvas.hpp"
 
 namespace byhand::tutor {
 
 /// A picture of characters: lines and areas in braille, labels in letters, on the terminal's own background.
 /// `canvas` lists its labels (Canvas::list_labels).
-std::string character_picture(renderer::Canvas& canvas, int columns, const Style& style);
+std::string character_picture(renderer::PixelCanvas& canvas, int columns, const Style& style);
 
 /// Whether the terminal shows real pictures, by kitty's or iTerm's protocol or as sixels.
 bool shows_images();

@@ -37,7 +37,7 @@ class TerminalView {
   PictureWriter& pictures_;
   Keyboard& keyboard_;
   Screen& screen_;
-  std::optional<renderer::Canvas> for_characters_, for_images_;
+  std::optional<renderer::PixelCanvas> for_characters_, for_images_;
 };
 
 }  // namespace byhand::tutor

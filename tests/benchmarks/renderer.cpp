@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "renderer/frames.hpp"
+#include "renderer/opengl/pixel_canvas.hpp"
 #include "renderer/png.hpp"
 #include "tests/renderer/scenes.hpp"
 
@@ -15,21 +16,21 @@ namespace {
 
 constexpr int width = 1280, height = 720;
 
-Image frame(Canvas& canvas, int index) {
+Image frame(PixelCanvas& canvas, int index) {
   canvas.clear();
   scenes::lesson_frame(canvas, 0.7 * std::sin(0.05 * index));
   return canvas.image();
 }
 
 void draw(benchmark::State& state) {
-  Canvas canvas(width, height);
+  PixelCanvas canvas(width, height);
   int index = 0;
   for (auto _ : state) benchmark::DoNotOptimize(frame(canvas, index++));
 }
 BENCHMARK(draw)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void encode(benchmark::State& state) {
-  Canvas canvas(width, height);
+  PixelCanvas canvas(width, height);
   const Image image = frame(canvas, 0);
   for (auto _ : state) benchmark::DoNotOptimize(encode_png(image));
   state.counters["bytes"] = double(encode_png(image).size());
@@ -39,7 +40,7 @@ BENCHMARK(encode)->Unit(benchmark::kMillisecond)->UseRealTime();
 void frames_to_disk(benchmark::State& state, FrameWriter::Encoding encoding) {
   const std::filesystem::path folder =
       std::filesystem::temp_directory_path() / ("byhand_frames_" + std::to_string(getpid()));
-  Canvas canvas(width, height);
+  PixelCanvas canvas(width, height);
   FrameWriter writer(folder, encoding);
   for (auto _ : state) writer.write(frame(canvas, writer.count()));
   writer.finish();

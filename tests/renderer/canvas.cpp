@@ -1,4 +1,5 @@
 #include "renderer/canvas.hpp"
+#include "renderer/opengl/pixel_canvas.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +20,7 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 class OnWhite : public testing::Test {
  protected:
   OnWhite() { canvas_.clear(white); }
-  Canvas canvas_{720, 480};
+  PixelCanvas canvas_{720, 480};
   const double pixels_ = 480 / 720.0;  // a point
 };
 
@@ -235,7 +236,7 @@ TEST(Canvas, LooksAlikeAtEverySize) {
   std::array<double, 3> shares{};
   const std::array sizes{480, 720, 1080};
   for (int i = 0; i < 3; ++i) {
-    Canvas canvas(sizes[i] * 16 / 9, sizes[i]);
+    PixelCanvas canvas(sizes[i] * 16 / 9, sizes[i]);
     canvas.clear(white);
     canvas.line({100, 100}, {900, 600}, {black, 3});
     canvas.mark({300, 600}, Mark::square, black, 14);
@@ -247,13 +248,13 @@ TEST(Canvas, LooksAlikeAtEverySize) {
 }
 
 TEST(Canvas, RefusesAPageThatIsTooSmallOrTooLarge) {
-  EXPECT_THROW(Canvas(0, 100), std::invalid_argument);
-  EXPECT_THROW(Canvas(100, -1), std::invalid_argument);
-  EXPECT_THROW(Canvas(100, 10000), std::invalid_argument);
+  EXPECT_THROW(PixelCanvas(0, 100), std::invalid_argument);
+  EXPECT_THROW(PixelCanvas(100, -1), std::invalid_argument);
+  EXPECT_THROW(PixelCanvas(100, 10000), std::invalid_argument);
 }
 
 TEST(Canvas, SaysWhatDraws) {
-  const std::string text = Canvas(64, 64).describe();
+  const std::string text = PixelCanvas(64, 64).describe();
   EXPECT_NE(text.find("OpenGL"), std::string::npos) << text;
   EXPECT_TRUE(text.find("OSMesa") != std::string::npos || text.find("EGL") != std::string::npos) << text;
 }

@@ -1,4 +1,5 @@
 #include "renderer/chart.hpp"
+#include "renderer/opengl/pixel_canvas.hpp"
 
 #include <gtest/gtest.h>
 
@@ -98,7 +99,7 @@ TEST(ChartRanges, RefuseLengthsThatDiffer) {
 }
 
 TEST(Chart, ACurvePassesThroughItsPoints) {
-  Canvas canvas(960, 540);
+  PixelCanvas canvas(960, 540);
   for (const bool logarithmic : {false, true}) {
     canvas.clear();
     Chart chart = line_of({1, 10, 100}, {1, 10, 100});
@@ -113,7 +114,7 @@ TEST(Chart, ACurvePassesThroughItsPoints) {
 }
 
 TEST(Chart, AReversedAxisRunsTheOtherWay) {
-  Canvas canvas(960, 540);
+  PixelCanvas canvas(960, 540);
   Chart chart = line_of({0, 1}, {0.9, 0.9});
   chart.y.range = std::pair(0.0, 1.0);
   chart.y.reversed = true;
@@ -123,7 +124,7 @@ TEST(Chart, AReversedAxisRunsTheOtherWay) {
 }
 
 TEST(Chart, AFailedRunIsACrossAtTheEdgeOnItsSide) {
-  Canvas canvas(960, 540);
+  PixelCanvas canvas(960, 540);
   for (const double bad : {infinity, -infinity}) {
     canvas.clear();
     Chart chart = line_of({0, 1, 2}, {1, bad, 1});
@@ -140,7 +141,7 @@ TEST(Chart, AFailedRunIsACrossAtTheEdgeOnItsSide) {
 }
 
 TEST(Chart, AFailedRunSaysWhy) {
-  Canvas canvas(960, 540);
+  PixelCanvas canvas(960, 540);
   for (const bool says : {false, true}) {
     canvas.clear();
     Chart chart = line_of({0, 1, infinity}, {1, 2, 1.5});
@@ -157,7 +158,7 @@ TEST(Chart, AFailedRunSaysWhy) {
 }
 
 TEST(Chart, AFrontIsLevelFromAPointAndThenUpright) {
-  Canvas canvas(960, 540);
+  PixelCanvas canvas(960, 540);
   Chart chart = line_of({0, 1}, {2, 1});
   chart.curves[0].style = CurveStyle::front;
   chart.curves[0].colour = palette::series(0);
@@ -175,7 +176,7 @@ TEST(Chart, AFrontIsLevelFromAPointAndThenUpright) {
 }
 
 TEST(Chart, NanLeavesAGap) {
-  Canvas canvas(960, 540);
+  PixelCanvas canvas(960, 540);
   const Rectangle plot =
       draw(canvas, line_of({0, 1, 2, 3, 4, 5}, {1, 1, nan, nan, 1, 1}), canvas.page().inset(40));
   const Image image = canvas.image();
@@ -185,7 +186,7 @@ TEST(Chart, NanLeavesAGap) {
 }
 
 TEST(Chart, NothingOfACurveLeavesTheAxes) {
-  Canvas canvas(960, 540);
+  PixelCanvas canvas(960, 540);
   Chart chart = line_of({-10, 0.5, 1, 11}, {-1e6, 1e9, -1e9, 1e6});
   chart.x.range = chart.y.range = std::pair(0.0, 1.0);
   const Rectangle plot = draw(canvas, chart, canvas.page().inset(40));
@@ -196,7 +197,7 @@ TEST(Chart, NothingOfACurveLeavesTheAxes) {
 }
 
 TEST(Chart, ACellOfAHeatMapHasTheColourOfItsValue) {
-  Canvas canvas(960, 540);
+  PixelCanvas canvas(960, 540);
   Chart chart;
   chart.heat_map = HeatMap{.x = {0, 1, 2}, .y = {0, 1}, .values = {0, 1, 2, 3, nan, infinity}};
   const Rectangle plot = draw(canvas, chart, canvas.page().inset(40));
@@ -213,7 +214,7 @@ TEST(Chart, ACellOfAHeatMapHasTheColourOfItsValue) {
 }
 
 TEST(Chart, ACellOfAMapOfClassesHasTheColourOfItsClassAndTheLegendShowsAll) {
-  Canvas canvas(960, 540);
+  PixelCanvas canvas(960, 540);
   Chart chart;
   chart.heat_map = HeatMap{.x = {0, 1}, .y = {0, 1}, .values = {1, 0, nan, infinity}};
   chart.heat_map->classes = {{"calm", palette::force}, {"wild", palette::velocity}, {"never", palette::highlight}};
@@ -256,7 +257,7 @@ TEST(Chart, ADivergingMapIsSymmetricAboutZero) {
 }
 
 TEST(Chart, BarsAreAsHighAsTheirValues) {
-  Canvas canvas(960, 540);
+  PixelCanvas canvas(960, 540);
   Chart chart;
   chart.bar_names = {"a", "b"};
   chart.bars = {{.values = {2, 4}}};
@@ -275,7 +276,7 @@ TEST(Chart, BarsAreAsHighAsTheirValues) {
 
 // Wherever the legend goes, every point of every curve can still be seen.
 TEST(Chart, TheLegendCoversNoCurve) {
-  Canvas canvas(960, 540);
+  PixelCanvas canvas(960, 540);
   for (int shape = 0; shape < 6; ++shape) {
     canvas.clear();
     Chart chart;
@@ -305,13 +306,120 @@ TEST(Chart, TheLegendCoversNoCurve) {
   }
 }
 
+// What a canvas lists of the labels of a chart.
+std::vector<Label> labels_of(const Chart& chart) {
+  PixelCanvas canvas(960, 540);
+  canvas.list_labels();
+  draw(canvas, chart, canvas.page().inset(40));
+  return canvas.labels();
+}
+
+const Label* find(const std::vector<Label>& labels, const std::string& text) {
+  const auto found = std::find_if(labels.begin(), labels.end(), [&](const Label& l) { return l.text == text; });
+  return found == labels.end() ? nullptr : &*found;
+}
+
+// The marks of several runs with a law for each: two dashed lines of one colour.
+Chart two_laws() {
+  Chart chart;
+  for (const double slope : {0.2, 1.0}) {
+    Curve law{.label = slope < 1 ? "flat law" : "steep law", .style = CurveStyle::theory};
+    Curve run{.label = slope < 1 ? "flat run" : "steep run", .style = CurveStyle::markers};
+    for (int i = 0; i <= 10; ++i) {
+      law.x.push_back(0.1 * i), law.y.push_back(slope * 0.1 * i * i);
+      if (i % 3 == 0) run.x.push_back(law.x.back()), run.y.push_back(law.y.back());
+    }
+    chart.curves.push_back(law);
+    chart.curves.push_back(run);
+  }
+  return chart;
+}
+
+TEST(Chart, LabelsALawBesideItsLineAndNoOther) {
+  const Chart chart = two_laws();
+  const std::vector<Label> labels = labels_of(chart);
+  PixelCanvas canvas(960, 540);
+  const Rectangle plot = draw(canvas, chart, canvas.page().inset(40));
+  const ChartRanges r = ranges(chart);
+  const auto nearest = [&](const Curve& curve, const Rectangle& box) {
+    double least = 1e9;
+    for (double t = 0; t < 10; t += 0.01) {
+      const std::size_t i = std::size_t(t);
+      const double x = curve.x[i] + (t - double(i)) * (curve.x[i + 1] - curve.x[i]);
+      const double y = curve.y[i] + (t - double(i)) * (curve.y[i + 1] - curve.y[i]);
+      const Point p(plot.x + (x - r.x.first) / (r.x.second - r.x.first) * plot.width,
+                    plot.y + (y - r.y.first) / (r.y.second - r.y.first) * plot.height);
+      least = std::min(least, std::hypot(std::max({box.x - p.x(), p.x() - box.right(), 0.0}),
+                                         std::max({box.y - p.y(), p.y() - box.top(), 0.0})));
+    }
+    return least;
+  };
+  for (const int mine : {0, 2}) {
+    const Label* label = find(labels, chart.curves[std::size_t(mine)].label);
+    ASSERT_NE(label, nullptr);
+    const double own = nearest(chart.curves[std::size_t(mine)], label->box);
+    EXPECT_GT(own, 0);
+    EXPECT_LT(own, 16);
+    EXPECT_GT(nearest(chart.curves[std::size_t(2 - mine)], label->box), 1.8 * own);
+  }
+  const Label *first = find(labels, "flat run"), *second = find(labels, "steep run");
+  ASSERT_TRUE(first && second);
+  EXPECT_NEAR(first->box.x, second->box.x, 1e-9) << "marks without a line are named in a legend";
+}
+
+TEST(Chart, NamesCurvesThatLieOnEachOtherInALegend) {
+  Chart chart = two_laws();
+  chart.curves[2].y = chart.curves[0].y;
+  const std::vector<Label> labels = labels_of(chart);
+  const Label *first = find(labels, "flat law"), *second = find(labels, "steep law");
+  ASSERT_TRUE(first && second);
+  EXPECT_NEAR(first->box.x, second->box.x, 1e-9);
+}
+
+TEST(Chart, AGrowingChartHasTheLayoutOfTheWhole) {
+  for (Chart chart : {scenes::damped_oscillation(), scenes::stems(), two_laws()}) {
+    const std::vector<Label> whole = labels_of(chart);
+    const double last = ranges(chart).x.second;
+    for (const double share : {-0.1, 0.0, 0.3, 0.9, 1.0}) {
+      chart.until = share * last;
+      const std::vector<Label> labels = labels_of(chart);
+      ASSERT_EQ(labels.size(), whole.size()) << chart.title << " at " << share;
+      for (std::size_t i = 0; i < labels.size(); ++i) {
+        EXPECT_EQ(labels[i].text, whole[i].text);
+        EXPECT_EQ(labels[i].box.x, whole[i].box.x);
+        EXPECT_EQ(labels[i].box.y, whole[i].box.y);
+      }
+    }
+  }
+}
+
+TEST(Chart, AGrowingCurveEndsBetweenItsPointsAtTheTimeThatIsShown) {
+  PixelCanvas canvas(960, 540);
+  Chart chart{.curves = {{.x = {0, 1}, .y = {0, 1}}}};
+  for (const double until : {0.2, 0.55, 0.9}) {
+    canvas.clear();
+    chart.until = until;
+    const Rectangle plot = draw(canvas, chart, canvas.page().inset(40));
+    const Image image = canvas.image();
+    const auto is_drawn = [&](double share) {
+      return nearer_than_paper(
+          colour_at(image, pixel_of(canvas, {plot.x + share * plot.width,
+                                             plot.y + (share - ranges(chart).y.first) * plot.height /
+                                                          (ranges(chart).y.second - ranges(chart).y.first)})),
+          palette::series(0));
+    };
+    EXPECT_TRUE(is_drawn(until - 0.01));
+    EXPECT_FALSE(is_drawn(until + 0.03));
+  }
+}
+
 TEST(Chart, RefusesAFrameWithoutRoom) {
-  Canvas canvas(320, 180);
+  PixelCanvas canvas(320, 180);
   EXPECT_THROW(draw(canvas, scenes::two_orders(), {0, 0, 40, 30}), std::invalid_argument);
 }
 
 TEST(Chart, LeavesTheCameraAsItWas) {
-  Canvas canvas(320, 180);
+  PixelCanvas canvas(320, 180);
   const Camera camera = fit({0, 0, 3, 2}, canvas.page());
   canvas.look(camera);
   draw(canvas, scenes::two_orders(), canvas.page());
@@ -319,7 +427,7 @@ TEST(Chart, LeavesTheCameraAsItWas) {
 }
 
 TEST(Chart, EveryKindFitsIntoASmallFrame) {
-  Canvas canvas(960, 540);
+  PixelCanvas canvas(960, 540);
   for (const Chart& chart : {scenes::two_orders(), scenes::joint_forces(), scenes::stable_region(),
                              scenes::sparse_matrix(), scenes::stems(), scenes::damped_oscillation()}) {
     canvas.clear(white);

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "renderer/opengl/pixel_canvas.hpp"
 #include "renderer/png.hpp"
 #include "tests/renderer/scenes.hpp"
 
@@ -16,7 +17,7 @@ namespace {
 class Golden : public testing::TestWithParam<scenes::Scene> {};
 
 TEST_P(Golden, FrameIsTheOneThatWasLookedAt) {
-  Canvas canvas(426, 240);
+  PixelCanvas canvas(426, 240);
   GetParam().draw(canvas);
   const Image actual = canvas.image();
   const std::string name = std::string(GetParam().name) + ".png";

@@ -1,4 +1,5 @@
 #include "renderer/labels.hpp"
+#include "renderer/opengl/pixel_canvas.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +12,7 @@ namespace {
 TEST(Labels, DoNotCoverOneAnotherNorLeaveTheFrame) {
   std::mt19937 random(20131207);
   std::uniform_real_distribution<double> x(100, 1100), y(80, 640);
-  Canvas canvas(640, 360);
+  PixelCanvas canvas(640, 360);
   for (int trial = 0; trial < 50; ++trial) {
     canvas.clear();
     const Rectangle frame{60, 40, 1100, 640};
@@ -27,7 +28,7 @@ TEST(Labels, DoNotCoverOneAnotherNorLeaveTheFrame) {
 }
 
 TEST(Labels, StandClearOfDiscsAndPaths) {
-  Canvas canvas(640, 360);
+  PixelCanvas canvas(640, 360);
   canvas.look(fit({-2, -2, 4, 4}, canvas.page()));
   Labels labels(canvas, canvas.page());
   labels.avoid_disc({0, 0}, 0.3);
@@ -41,14 +42,14 @@ TEST(Labels, StandClearOfDiscsAndPaths) {
 }
 
 TEST(Labels, ALonelyLabelStandsAtTheRight) {
-  Canvas canvas(640, 360);
+  PixelCanvas canvas(640, 360);
   Labels labels(canvas, canvas.page());
   const Rectangle box = labels.place({300, 300}, "bob", {}, 12);
   EXPECT_DOUBLE_EQ(box.x, 312);
 }
 
 TEST(Labels, WithNoRoomAtAllTheTextIsStillDrawn) {
-  Canvas canvas(640, 360);
+  PixelCanvas canvas(640, 360);
   Labels labels(canvas, canvas.page());
   labels.avoid(canvas.page());
   const Image before = canvas.image();

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "renderer/opengl/pixel_canvas.hpp"
 #include "tests/renderer/scenes.hpp"
 
 namespace byhand::renderer {
@@ -45,7 +46,7 @@ TEST(Pixels, AreTheSameFromOSMesaAndEgl) {
 }
 
 TEST(Pixels, ASecondImageOfAPageIsTheSame) {
-  Canvas canvas(320, 180);
+  PixelCanvas canvas(320, 180);
   scenes::pendulum(canvas);
   const Image first = canvas.image();
   EXPECT_EQ(first, canvas.image());
@@ -58,7 +59,7 @@ TEST(Pixels, ASecondImageOfAPageIsTheSame) {
 }
 
 TEST(Pixels, TwoCanvasesDoNotDisturbEachOther) {
-  Canvas one(320, 180), other(200, 160);
+  PixelCanvas one(320, 180), other(200, 160);
   scenes::pendulum(one);
   const Image before = one.image();
   scenes::shapes(other);

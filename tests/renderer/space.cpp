@@ -1,4 +1,5 @@
 #include "renderer/space.hpp"
+#include "renderer/opengl/pixel_canvas.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +12,7 @@ namespace {
 
 class SpaceOnPaper : public testing::Test {
  protected:
-  Canvas canvas_{640, 360};
+  PixelCanvas canvas_{640, 360};
   const SpaceCamera camera_ = fit({0, 0, 0}, 2, {-1, 2, -0.7}, canvas_.page());
 
   Colour seen(const Space& scene, const Point3& point) {

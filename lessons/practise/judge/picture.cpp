@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "renderer/frames.hpp"
+#include "renderer/opengl/pixel_canvas.hpp"
 #include "renderer/png.hpp"
 
 namespace byhand::practise {
@@ -74,7 +75,7 @@ void draw(Canvas& canvas, const Film& yours, const Film& right, int index) {
 }
 
 std::string still_png(const Film& yours, const Film& right) {
-  Canvas canvas(1280, 720);
+  PixelCanvas canvas(1280, 720);
   canvas.clear();
   const std::vector<int> instants = spread(count(right), 4);
   const auto cells = below_title(canvas, right.title).cells(2, 4, 10);
@@ -87,7 +88,7 @@ std::string still_png(const Film& yours, const Film& right) {
 }
 
 void write_film(const std::filesystem::path& folder, const Film& yours, const Film& right) {
-  Canvas canvas(854, 480);
+  PixelCanvas canvas(854, 480);
   FrameWriter writer(folder);
   for (int i = 0; i < count(right); ++i) {
     draw(canvas, yours, right, i);

@@ -4,13 +4,14 @@
 #include <exception>
 #include <filesystem>
 
+#include "renderer/opengl/pixel_canvas.hpp"
 #include "renderer/png.hpp"
 #include "tests/renderer/scenes.hpp"
 
 int main(int, char** arguments) {
   using namespace byhand::renderer;
   try {
-    Canvas canvas(854, 480);
+    PixelCanvas canvas(854, 480);
     std::puts(canvas.describe().c_str());
     for (const scenes::Scene& scene : scenes::all) {
       canvas.clear();

@@ -2,7 +2,7 @@
 #include <EGL/eglext.h>
 
 #include "renderer/error.hpp"
-#include "renderer/offscreen.hpp"
+#include "renderer/opengl/offscreen.hpp"
 
 namespace byhand::renderer {
 namespace {

@@ -3,7 +3,7 @@
 #include <array>
 
 #include "renderer/error.hpp"
-#include "renderer/offscreen.hpp"
+#include "renderer/opengl/offscreen.hpp"
 
 #if defined(__SANITIZE_ADDRESS__)
 #define BYHAND_LEAKS_ARE_REPORTED

@@ -1,8 +1,8 @@
-#include "renderer/offscreen.hpp"
+#include "renderer/opengl/offscreen.hpp"
 
 #include <fmt/format.h>
 
-#include "renderer/gl.hpp"
+#include "renderer/opengl/gl.hpp"
 
 namespace byhand::renderer {
 

@@ -6,20 +6,15 @@
 #include <span>
 #include <vector>
 
+#include "renderer/drawing_surface.hpp"
 #include "renderer/font.hpp"
-#include "renderer/gl.hpp"
 #include "renderer/image.hpp"
-#include "renderer/offscreen.hpp"
+#include "renderer/opengl/gl.hpp"
+#include "renderer/opengl/offscreen.hpp"
 #include "renderer/outline.hpp"
 #include "renderer/space.hpp"
 
 namespace byhand::renderer {
-
-/// A rectangle of pixels, y down.
-struct PixelBox {
-  int x = 0, y = 0, width = 0, height = 0;
-  bool operator==(const PixelBox&) const = default;
-};
 
 /// A draw call: triangles of the page clipped to `clip`, or a scene in space with `clip` as its viewport.
 struct Batch {

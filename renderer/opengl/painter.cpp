@@ -1,4 +1,4 @@
-#include "renderer/painter.hpp"
+#include "renderer/opengl/painter.hpp"
 
 #include <fmt/format.h>
 

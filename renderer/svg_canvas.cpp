@@ -1,0 +1,269 @@
+#include "renderer/svg_canvas.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+#include <utility>
+
+#include "renderer/font.hpp"
+
+namespace byhand::renderer {
+namespace {
+
+constexpr int svg_height = 720;  // points
+
+// A hundredth of a point is the unit of coordinates: files stay small, and their bytes do not depend on rounding
+// in the last digits.
+std::int64_t hundredths(double value) { return std::llround(100 * value); }
+
+// "12.3", "-.05", "7"
+void append(std::string& to, std::int64_t hundredths) {
+  if (hundredths < 0) to += '-';
+  const std::int64_t size = std::abs(hundredths), whole = size / 100, rest = size % 100;
+  if (whole > 0 || rest == 0) to += std::to_string(whole);
+  if (rest == 0) return;
+  to += '.';
+  to += static_cast<char>('0' + rest / 10);
+  if (rest % 10 > 0) to += static_cast<char>('0' + rest % 10);
+}
+
+std::string decimal(double value) {
+  std::string digits;
+  append(digits, hundredths(value));
+  return digits;
+}
+
+std::string attribute(std::string_view name, double value) {
+  return fmt::format(" {}=\"{}\"", name, decimal(value));
+}
+
+// "#fcfbf7" or, if that is the same, "#fff"
+std::string hexadecimal(Colour c) {
+  const bool is_short = c.r % 17 == 0 && c.g % 17 == 0 && c.b % 17 == 0;
+  return is_short ? fmt::format("#{:x}{:x}{:x}", c.r / 17, c.g / 17, c.b / 17)
+                  : fmt::format("#{:02x}{:02x}{:02x}", c.r, c.g, c.b);
+}
+
+// `kind`: fill or stroke
+std::string paint(std::string_view kind, Colour colour, double opacity = 1) {
+  if (colour.a == 0) return fmt::format(" {}=\"none\"", kind);
+  std::string both = fmt::format(" {}=\"{}\"", kind, hexadecimal(colour));
+  opacity *= colour.a / 255.0;
+  return opacity < 1 ? both + attribute(fmt::format("{}-opacity", kind), opacity) : both;
+}
+
+std::string pen_attributes(const Pen& pen, double opacity = 1) {
+  if (pen.width <= 0 || pen.colour.a == 0) return "";
+  std::string all = paint("stroke", pen.colour, opacity) + attribute("stroke-width", pen.width);
+  if (pen.on > 0) all += fmt::format(" stroke-dasharray=\"{} {}\"", decimal(pen.on), decimal(pen.off));
+  return all;
+}
+
+std::string escaped(std::string_view words) {
+  std::string all;
+  for (const char c : words) switch (c) {
+      case '<': all += "&lt;"; break;
+      case '>': all += "&gt;"; break;
+      case '&': all += "&amp;"; break;
+      case '"': all += "&quot;"; break;
+      default: all += c;
+    }
+  return all;
+}
+
+// The path through the points, as relative steps between rounded points; empty if they are all the same.
+std::string path_data(std::span<const Point> points) {
+  std::string data;
+  std::int64_t x = 0, y = 0;
+  char command = 0;
+  const auto step = [&](char next, std::initializer_list<std::int64_t> numbers) {
+    if (command != next) data += next;
+    for (const std::int64_t number : numbers) {
+      const char last = data.back();
+      if (number >= 0 && last >= '0' && last <= '9') data += ' ';
+      append(data, number);
+    }
+    command = next;
+  };
+  for (const Point& p : points) {
+    const std::int64_t next_x = hundredths(p.x()), next_y = hundredths(p.y()), dx = next_x - x, dy = next_y - y;
+    if (!command)
+      step('M', {next_x, next_y});
+    else if (dx != 0 && dy != 0)
+      step('l', {dx, dy});
+    else if (dx != 0)
+      step('h', {dx});
+    else if (dy != 0)
+      step('v', {dy});
+    x = next_x, y = next_y;
+  }
+  return command == 'M' ? "" : data;
+}
+
+std::string base64(std::string_view bytes) {
+  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
+    std::uint32_t group = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      group = group << 8 | (k < count ? static_cast<unsigned char>(bytes[i + k]) : 0U);
+    for (std::size_t k = 0; k < 4; ++k) text += k > count ? '=' : digits[group >> (18 - 6 * k) & 63];
+  }
+  return text;
+}
+
+}  // namespace
+
+class SvgCanvas::Surface : public DrawingSurface {
+ public:
+  Surface(const PageSize& size, std::string name, DrawWindow draw_window)
+      : size_(size), name_(std::move(name)), draw_window_(std::move(draw_window)) {}
+
+  void clear(Colour paper) override {
+    body_.clear(), clips_.clear(), windows_.clear();
+    clipped_ = false;
+    paper_ = paper;
+  }
+
+  void clip(const PixelBox& box) override {
+    if (std::exchange(clipped_, box != PixelBox{0, 0, size_.width, size_.height})) body_ += "</g>";
+    if (!clipped_) return;
+    auto known = std::find(clips_.begin(), clips_.end(), box);
+    if (known == clips_.end()) known = clips_.insert(known, box);
+    body_ += fmt::format("<g clip-path=\"url(#{}-clip{})\">", name_, known - clips_.begin());
+  }
+
+  void polygon(std::span<const Point> corners, Colour fill, const Pen& edge, bool sharp) override {
+    const std::string data = path_data(corners);
+    if (data.empty() || (fill.a == 0 && edge.width <= 0)) return;
+    body_ += fmt::format("<path d=\"{}z\"{}{}{}/>", data, paint("fill", fill), pen_attributes(edge),
+                         sharp && edge.width <= 0 ? " shape-rendering=\"crispEdges\"" : "");
+  }
+
+  void disc(const Point& centre, double radius, Colour fill, const Pen& edge) override {
+    body_ += "<circle" + attribute("cx", centre.x()) + attribute("cy", centre.y()) + attribute("r", radius) +
+             paint("fill", fill) + pen_attributes(edge) + "/>";
+  }
+
+  void path(std::span<const Point> points, const Pen& pen) override {
+    const auto line = [&](std::span<const Point> part, double opacity) {
+      const std::string data = path_data(part);
+      if (!data.empty())
+        body_ += fmt::format("<path d=\"{}\" fill=\"none\"{}/>", data, pen_attributes(pen, opacity));
+    };
+    if (pen.opacity_at_start == pen.opacity_at_end) return line(points, pen.opacity_at_end);
+    // SVG has no gradient along a path: a few parts of one opacity each.
+    const std::size_t segments = points.size() - 1, parts = std::min<std::size_t>(segments, 24);
+    for (std::size_t i = 0; i < parts; ++i) {
+      const std::size_t first = segments * i / parts, last = segments * (i + 1) / parts;
+      const double share = static_cast<double>(first + last) / static_cast<double>(2 * segments);
+      line(points.subspan(first, last - first + 1),
+           pen.opacity_at_start + share * (pen.opacity_at_end - pen.opacity_at_start));
+    }
+  }
+
+  void text(std::span<const TextLine> lines, const Lettering& how) override {
+    for (const TextLine& line : lines) {
+      if (line.words.empty()) continue;
+      body_ += "<text";
+      if (how.upright)
+        body_ += attribute("x", line.at.x()) + attribute("y", line.at.y());
+      else
+        body_ +=
+            fmt::format(" transform=\"translate({} {})rotate(-90)\"", decimal(line.at.x()), decimal(line.at.y()));
+      // With its length given, a line keeps its place also where another font must do.
+      body_ += attribute("font-size", how.size) +
+               attribute("textLength", text_width(line.words, how.size, how.bold)) +
+               (how.bold ? " font-weight=\"bold\"" : "") + paint("fill", how.colour);
+      if (how.halo > 0)
+        body_ += paint("stroke", paper_) + attribute("stroke-width", 2 * how.halo) + " paint-order=\"stroke\"";
+      body_ += ">" + spans(line.words, how.size) + "</text>";
+    }
+  }
+
+  double text_width(std::string_view line, double size, bool bold) const override {
+    return font_.width(line, size, bold);
+  }
+
+  void space(const Space& space, const PixelBox& frame) override {
+    if (frame.width <= 0 || frame.height <= 0) return;
+    windows_.push_back({space, frame});
+    if (!draw_window_) return;
+    body_ += fmt::format("<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" href=\"data:image/png;base64,{}\"/>",
+                         frame.x, frame.y, frame.width, frame.height,
+                         base64(draw_window_(windows_.back(), size_, paper_)));
+  }
+
+  const std::vector<Window>& windows() const { return windows_; }
+
+  std::string svg(std::string_view title, std::string_view description) const {
+    std::string all = fmt::format(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" role=\"img\" "
+        "aria-labelledby=\"{2}-title{3}\" font-family=\"'DejaVu Sans',sans-serif\" stroke-linejoin=\"round\" "
+        "xml:space=\"preserve\"><title id=\"{2}-title\">{4}</title>",
+        size_.width, size_.height, name_, description.empty() ? "" : fmt::format(" {}-description", name_),
+        escaped(title));
+    if (!description.empty())
+      all += fmt::format("<desc id=\"{}-description\">{}</desc>", name_, escaped(description));
+    for (std::size_t i = 0; i < clips_.size(); ++i)
+      all += fmt::format("<clipPath id=\"{}-clip{}\"><path d=\"{}\"/></clipPath>", name_, i, outline(clips_[i]));
+    std::string sheet = outline({0, 0, size_.width, size_.height});
+    if (!draw_window_)
+      for (const Window& window : windows_) sheet += outline(window.frame);
+    all += fmt::format("<path d=\"{}\"{} fill-rule=\"evenodd\"/>", sheet, paint("fill", paper_));
+    return all + body_ + (clipped_ ? "</g></svg>" : "</svg>");
+  }
+
+ private:
+  static std::string outline(const PixelBox& box) {
+    return fmt::format("M{} {}h{}v{}h{}z", box.x, box.y, box.width, box.height, -box.width);
+  }
+
+  // A line with its subscripts and superscripts.
+  static std::string spans(std::string_view line, double size) {
+    std::string all;
+    double height = 0;  // of the baseline so far, in sizes
+    for (const Font::Piece& piece : Font::pieces(line)) {
+      const bool plain = piece.shift == height && piece.factor == 1 && !piece.italic;
+      if (!plain) {
+        all += "<tspan";
+        if (piece.shift != height) all += attribute("dy", (height - piece.shift) * size);
+        if (piece.italic) all += " font-style=\"italic\"";
+        if (piece.factor != 1) all += attribute("font-size", piece.factor * size);
+        all += ">";
+      }
+      all += escaped(piece.words) + (plain ? "" : "</tspan>");
+      height = piece.shift;
+    }
+    return all;
+  }
+
+  PageSize size_;
+  std::string name_;
+  DrawWindow draw_window_;
+  Font font_;
+  std::string body_;
+  std::vector<PixelBox> clips_;
+  std::vector<Window> windows_;
+  bool clipped_ = false;
+  Colour paper_ = palette::paper;
+};
+
+SvgCanvas::SvgCanvas(int width, std::string name, DrawWindow draw_window)
+    : Canvas({width, svg_height},
+             std::make_unique<Surface>(PageSize(width, svg_height), std::move(name), std::move(draw_window))) {}
+
+std::string SvgCanvas::svg(std::string_view title, std::string_view description) const {
+  return static_cast<const Surface&>(surface()).svg(title, description);
+}
+
+const std::vector<SvgCanvas::Window>& SvgCanvas::windows() const {
+  return static_cast<const Surface&>(surface()).windows();
+}
+
+}  // namespace byhand::renderer
