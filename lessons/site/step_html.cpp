@@ -29,19 +29,14 @@ std::string folded(const std::string& css_class, const std::string& summary, con
   return fmt::format("<details class=\"{}\"><summary>{}</summary>{}</details>", css_class, summary, inside);
 }
 
-template <class Cells, class Html>
-std::string row(const char* cell, const Cells& cells, const Html& html) {
-  std::string all;
-  for (const auto& words : cells)
-    all += fmt::format("<{}>{}</{}>", cell, html(words), cell == std::string_view("td") ? "td" : "th");
-  return all;
-}
-
+/// A column without a name has no header cell.
 template <class Head>
 std::string table(const Head& head, const std::string& rows) {
+  std::string cells;
+  for (const std::string_view words : head)
+    cells += words.empty() ? "<td></td>" : fmt::format("<th scope=\"col\">{}</th>", inline_html(words));
   return fmt::format("<div class=\"scroll\"><table><thead><tr>{}</tr></thead><tbody>{}</tbody></table></div>",
-                     row("th scope=\"col\"", head, [](std::string_view words) { return inline_html(words); }),
-                     rows);
+                     cells, rows);
 }
 
 /// Writes the children of a step's section. A run of claims, or of measures, becomes one child.
@@ -76,8 +71,11 @@ class ItemWriter {
 
   void operator()(const tutor::Table& data) {
     std::string rows;
-    for (const auto& cells : data.rows)
-      rows += "<tr>" + row("td", cells, [](const std::string& words) { return inline_html(words); }) + "</tr>";
+    for (const auto& row : data.rows) {
+      rows += "<tr>";
+      for (const std::string& cell : row) rows += "<td>" + inline_html(cell) + "</td>";
+      rows += "</tr>";
+    }
     block("table", table(data.head, rows));
   }
 

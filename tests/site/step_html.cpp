@@ -142,6 +142,12 @@ TEST(StepHtml, TablesDerivationsAndSourceAreThere) {
   EXPECT_THAT(section.all("//pre/code"), ElementsAre("const double corrected = error - beta * error;\n"));
 }
 
+TEST(StepHtml, AColumnWithoutANameHasNoHeaderCell) {
+  const Markup section = read([](Page& page) { page.table({"", "law"}, {{"1", "a law"}}); });
+  EXPECT_THAT(section.all("//thead//th"), ElementsAre("law"));
+  EXPECT_THAT(section.all("//thead//td"), ElementsAre(""));
+}
+
 TEST(StepHtml, IsTheSameEachTime) {
   const auto run = [](Page& page) {
     page.text("β is @.", 0.1);
