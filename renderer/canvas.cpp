@@ -392,7 +392,8 @@ void Canvas::text(const Point& at, std::string_view text, const TextStyle& style
                                       : Point(box.x + fall, box.y + held.y() * (box.height - block.widths[i]));
     lines.push_back({block.lines[i], s.pixel(begin)});
   }
-  s.surface->text(lines, {style.size * s.scale, style.bold, style.colour, style.halo * s.scale, style.upright});
+  s.surface->text(lines,
+                  {style.size * s.scale, style.bold, legible(style.colour), style.halo * s.scale, style.upright});
 }
 
 void Canvas::list_labels() { state_->lists_labels = true; }

@@ -42,8 +42,8 @@ Mark series_mark(int i);
 enum class Anchor { centre, left, right, top, bottom, top_left, top_right, bottom_left, bottom_right };
 
 struct TextStyle {
-  double size = 18;  ///< points; lines are 1.3 × this apart
-  Colour colour = palette::ink;
+  double size = 18;              ///< points; lines are 1.3 × this apart
+  Colour colour = palette::ink;  ///< darkened where its contrast is too low for text
   Anchor anchor = Anchor::centre;
   bool bold = false;
   double halo = 0;      ///< width [points] of a border in the colour of the paper, for text that crosses lines

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -90,6 +91,9 @@ struct Chart {
   std::optional<HeatMap> heat_map{};
   std::vector<Annotation> annotations{};
   std::vector<Reference> references{};
+  /// Curves other than theory are drawn up to this x, and a dot is at each end; the layout is that of the whole
+  /// chart. For the chart beside a moving scene.
+  double until = std::numeric_limits<double>::infinity();
 };
 
 /// The range of each axis: the given one, else that of the data with a margin, including zero for bars and stems.
@@ -110,9 +114,13 @@ std::vector<double> cell_edges(const std::vector<double>& centres, Scale scale);
 std::string class_name(const HeatMap& map, double value);
 
 /// Draws the chart with axes and labels into `frame` (points on the page) and restores the camera. Curves are
-/// labelled at their ends if there is room, else in a legend in the emptiest place, or beside the chart if the
-/// legend is long. Returns the rectangle between the axes. Throws as `ranges` does, and std::invalid_argument for
-/// a frame too small for the labels.
+/// labelled at their ends if there is room, else beside themselves where a label cannot be taken for that of
+/// another curve, else in a legend in the emptiest place, or beside the chart if the legend is long. Returns the
+/// rectangle between the axes. Throws as `ranges` does, and std::invalid_argument for a frame too small for the
+/// labels.
 Rectangle draw(Canvas& canvas, const Chart& chart, const Rectangle& frame);
+
+/// The rectangle between the axes that `draw` would return; draws nothing.
+Rectangle layout(Canvas& canvas, const Chart& chart, const Rectangle& frame);
 
 }  // namespace byhand::renderer

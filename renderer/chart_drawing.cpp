@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 
 #include "renderer/chart.hpp"
@@ -79,9 +80,13 @@ class ChartDrawing {
         x_(chart.x, ranges_.x),
         y_(chart.y, ranges_.y) {}
 
-  Rectangle draw() {
+  Rectangle layout() {
     list_entries();
     lay_out();
+    return plot_;
+  }
+  Rectangle draw() {
+    layout();
     draw_heat_map();
     draw_axes();
     draw_bars();
@@ -96,6 +101,9 @@ class ChartDrawing {
   void lay_out();
   void choose_ticks();
   bool labels_fit_at_ends();
+  void label_curves_directly();
+  std::optional<Rectangle> place_beside(std::size_t entry) const;
+  void sample_curves();
   Point legend_size() const;
   bool legend_fits_inside();
   double legend_rows(bool drawing);
@@ -106,6 +114,7 @@ class ChartDrawing {
   void draw_bars();
   void draw_curves();
   void draw_stems(const Curve& curve, Colour colour);
+  void draw_end(const Entry& entry);
   void draw_marks(const Entry& entry);
   Point failure_place(double x, double y) const;
   Point draw_failure(double x, double y, Colour colour);
@@ -115,14 +124,25 @@ class ChartDrawing {
   void draw_end_labels();
 
   Point at(double x, double y) const { return {plot_.x + x_(x) * plot_.width, plot_.y + y_(y) * plot_.height}; }
-  std::vector<Point> points(const Curve& curve) const {
+  std::vector<Point> points(const Curve& curve, double until = std::numeric_limits<double>::infinity()) const {
     std::vector<Point> places;
-    for (std::size_t i = 0; i < curve.x.size(); ++i) {
+    for (std::size_t i = 0; i < curve.x.size() && !(curve.x[i] > until); ++i) {
       if (curve.style == CurveStyle::front && i > 0) places.push_back(at(curve.x[i], curve.y[i - 1]));
       places.push_back(at(curve.x[i], curve.y[i]));
     }
     return places;
   }
+  // The points that are drawn by now.
+  std::vector<Point> shown(const Curve& curve) const {
+    if (curve.style == CurveStyle::theory) return points(curve);
+    std::vector<Point> places = points(curve, chart_.until);
+    const std::size_t n = places.size();
+    if (n == 0 || n >= curve.x.size() || !has_line(curve.style) || curve.style == CurveStyle::front) return places;
+    const double share = (chart_.until - curve.x[n - 1]) / (curve.x[n] - curve.x[n - 1]);
+    places.push_back(places.back() + share * (at(curve.x[n], curve.y[n]) - places.back()));
+    return places;
+  }
+  bool is_growing() const { return chart_.until < std::numeric_limits<double>::infinity(); }
   // The rectangle of bar `i` of series `series`.
   Rectangle bar(std::size_t series, std::size_t i) const {
     const double n = double(chart_.bars.size()), width = 0.76 / n;
@@ -145,6 +165,9 @@ class ChartDrawing {
     const std::string power = "×" + number(std::pow(10.0, ticks.exponent), 1);
     return axis.label.empty() ? power : axis.label + "  " + power;
   }
+  bool is_in_legend(const Entry& e) const {
+    return !e.label.empty() && !direct_[std::size_t(&e - entries_.data())];
+  }
   // Number of points of curves and bars inside a rectangle.
   double covered(const Rectangle& box) const;
 
@@ -155,6 +178,8 @@ class ChartDrawing {
   Position x_, y_;
   Ticks x_ticks_, y_ticks_;
   std::vector<Entry> entries_;
+  std::vector<std::vector<Point>> samples_;       // of the line or the marks of each entry, on the page
+  std::vector<std::optional<Rectangle>> direct_;  // where entries are labelled beside their curves
   enum class Labelling { none, at_ends, inside, beside, above } labelling_ = Labelling::none;
   std::vector<double> end_heights_;
   Rectangle legend_;
@@ -183,6 +208,7 @@ void ChartDrawing::list_entries() {
                         series_mark(next), &curve});
     if (!is_outside_series(curve.style)) ++next;
   }
+  direct_.resize(entries_.size());
 }
 
 // Wraps a text at the width of the frame.
@@ -288,9 +314,11 @@ void ChartDrawing::lay_out() {
     right = without_labels;
     place(0);
   }
-  const Point legend = legend_size();
+  if (!map) label_curves_directly();
   const auto many =
-      std::count_if(entries_.begin(), entries_.end(), [](const Entry& e) { return !e.label.empty(); });
+      std::count_if(entries_.begin(), entries_.end(), [&](const Entry& e) { return is_in_legend(e); });
+  if (many == 0) return;
+  const Point legend = legend_size();
   if (!map && many > 8 && legend.x() < 0.4 * frame_.width && legend.y() < plot_.height) {
     labelling_ = Labelling::beside;
     right = std::max(right, legend.x() + 14);
@@ -334,28 +362,100 @@ bool ChartDrawing::labels_fit_at_ends() {
   return true;
 }
 
+void ChartDrawing::sample_curves() {
+  constexpr double apart = 4;  // points
+  samples_.assign(entries_.size(), {});
+  const double foot =
+      std::clamp(at(0, chart_.y.scale == Scale::linear ? 0 : ranges_.y.first).y(), plot_.y, plot_.top());
+  for (std::size_t k = 0; k < entries_.size(); ++k) {
+    const Entry& e = entries_[k];
+    if (!e.curve) continue;
+    const auto sample = [&](const Point& from, const Point& to) {
+      const Point step = to - from;
+      const double length = std::min(step.norm(), 4000.0);
+      for (double s = apart; s < length; s += apart) samples_[k].push_back(from + s / length * step);
+    };
+    const std::vector<Point> places = points(*e.curve);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      if (!places[i].allFinite()) continue;
+      samples_[k].push_back(places[i]);
+      if (e.style == CurveStyle::stems) sample(places[i], {places[i].x(), foot});
+      if (i + 1 < places.size() && has_line(e.style) && places[i + 1].allFinite())
+        sample(places[i], places[i + 1]);
+    }
+  }
+}
+
+// A place for the label beside its curve: free, and nearer to this curve than to any other. The clearest one.
+std::optional<Rectangle> ChartDrawing::place_beside(std::size_t entry) const {
+  constexpr double gap = 7, clear = 30;  // points from the curve; beyond `clear` others do not matter
+  const Entry& e = entries_[entry];
+  const std::vector<Point>& mine = samples_[entry];
+  const double w = width(e.label, small_size), h = small_size;
+  std::optional<Rectangle> best;
+  double best_score = 0;
+  const std::size_t stride = std::max<std::size_t>(1, mine.size() / 60);
+  for (std::size_t i = stride; i + stride < mine.size(); i += stride) {
+    const Point ahead = (mine[i + stride] - mine[i - stride]).normalized(), aside(-ahead.y(), ahead.x());
+    for (const double side : {1.0, -1.0}) {
+      const double away = gap + 0.5 * (std::abs(aside.x()) * w + std::abs(aside.y()) * h);
+      const Point centre = mine[i] + side * away * aside;
+      const Rectangle box{centre.x() - w / 2, centre.y() - h / 2, w, h};
+      const Rectangle inside = plot_.inset(4);
+      if (box.x < inside.x || box.right() > inside.right() || box.y < inside.y || box.top() > inside.top())
+        continue;
+      const auto distance = [&](const std::vector<Point>& others) {
+        double least = 2 * clear;
+        for (const Point& p : others)
+          least = std::min(least, std::hypot(std::max({box.x - p.x(), p.x() - box.right(), 0.0}),
+                                             std::max({box.y - p.y(), p.y() - box.top(), 0.0})));
+        return least;
+      };
+      const double own = distance(mine);
+      if (own < 3 || covered(box.inset(-3)) > 0) continue;
+      double others = clear;
+      for (std::size_t k = 0; k < entries_.size(); ++k)
+        if (k != entry && entries_[k].curve) others = std::min(others, distance(samples_[k]));
+      bool taken = false;
+      for (const auto& other : direct_) taken = taken || (other && other->inset(-6).overlap(box) > 0);
+      if (taken || others < 2 * own) continue;
+      // Far from other curves, and towards the end, where the eye looks for it.
+      const double score = others + 10 * double(i) / double(mine.size());
+      if (score > best_score) best_score = score, best = box;
+    }
+  }
+  return best;
+}
+
+// All curves of a kind, theory or data, are labelled beside themselves, or none of them is.
+void ChartDrawing::label_curves_directly() {
+  sample_curves();
+  for (const bool theory : {false, true}) {
+    std::vector<std::size_t> placed;
+    bool all = true;
+    for (std::size_t i = 0; i < entries_.size() && all; ++i) {
+      const Entry& e = entries_[i];
+      if (e.label.empty() || (e.style == CurveStyle::theory) != theory) continue;
+      if (e.curve && has_line(e.style)) direct_[i] = place_beside(i);
+      all = direct_[i].has_value();
+      placed.push_back(i);
+    }
+    if (!all)
+      for (const std::size_t i : placed) direct_[i].reset();
+  }
+}
+
 double ChartDrawing::covered(const Rectangle& box) const {
   constexpr double margin = 8;  // points about a cross
   double hits = 0;
-  for (const Entry& e : entries_) {
-    if (!e.curve) continue;
-    const std::vector<Point> places = points(*e.curve);
-    for (std::size_t i = 0; i < e.curve->x.size(); ++i)
-      hits += box.inset(-margin).contains(failure_place(e.curve->x[i], e.curve->y[i]));
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      hits += box.contains(places[i]);
-      if (e.style == CurveStyle::stems) {
-        const double foot =
-            std::clamp(at(0, chart_.y.scale == Scale::linear ? 0 : ranges_.y.first).y(), plot_.y, plot_.top());
-        const Rectangle stem{places[i].x() - 1, std::min(foot, places[i].y()), 2, std::abs(foot - places[i].y())};
-        hits += stem.overlap(box) > 0;
-      }
-      if (i + 1 == places.size() || !has_line(e.style)) continue;
-      const Point step = places[i + 1] - places[i];
-      const double length = std::min(step.norm(), 4000.0);
-      for (double s = 4; s < length; s += 4) hits += box.contains(places[i] + s / length * step);
-    }
+  for (std::size_t k = 0; k < entries_.size(); ++k) {
+    for (const Point& p : samples_[k]) hits += box.contains(p);
+    if (!entries_[k].curve) continue;
+    const Curve& curve = *entries_[k].curve;
+    for (std::size_t i = 0; i < curve.x.size(); ++i)
+      hits += box.inset(-margin).contains(failure_place(curve.x[i], curve.y[i]));
   }
+  for (const auto& label : direct_) hits += label && label->overlap(box) > 0;
   for (std::size_t series = 0; series < chart_.bars.size(); ++series)
     for (std::size_t i = 0; i < chart_.bar_names.size(); ++i) hits += bar(series, i).overlap(box) > 0;
   for (const Annotation& a : chart_.annotations) hits += box.contains(at(a.x, a.y));
@@ -372,7 +472,7 @@ double ChartDrawing::covered(const Rectangle& box) const {
 Point ChartDrawing::legend_size() const {
   double w = 0, h = 0;
   for (const Entry& e : entries_) {
-    if (e.label.empty()) continue;
+    if (!is_in_legend(e)) continue;
     w = std::max(w, width(e.label, small_size) + 42);
     h += line_height * small_size;
   }
@@ -380,6 +480,7 @@ Point ChartDrawing::legend_size() const {
 }
 
 bool ChartDrawing::legend_fits_inside() {
+  sample_curves();
   const double w = legend_size().x(), h = legend_size().y();
   if (w > 0.6 * plot_.width || h > 0.7 * plot_.height) return false;
   const double gap = 8;
@@ -401,7 +502,7 @@ double ChartDrawing::legend_rows(bool drawing) {
   double x = frame_.x, y = plot_.top() + legend_.height;
   double rows = 1;
   for (const Entry& e : entries_) {
-    if (e.label.empty()) continue;
+    if (!is_in_legend(e)) continue;
     const double w = width(e.label, small_size) + 36;
     if (x > frame_.x && x + w > frame_.right()) x = frame_.x, y -= row, ++rows;
     if (drawing) {
@@ -517,11 +618,17 @@ void ChartDrawing::draw_colour_bar() {
 }
 
 void ChartDrawing::draw_bars() {
+  // A bar of zero is a thin line.
+  const auto visible = [](Rectangle bar) {
+    constexpr double least = 3;
+    if (bar.height < least) bar.y -= (least - bar.height) / 2, bar.height = least;
+    return bar;
+  };
   canvas_.clip(plot_);
   for (std::size_t series = 0; series < chart_.bars.size(); ++series)
     for (std::size_t i = 0; i < chart_.bar_names.size(); ++i)
       if (std::isfinite(chart_.bars[series].values[i]))
-        canvas_.rectangle(bar(series, i), {entries_[series].colour, {{}, 0}});
+        canvas_.rectangle(visible(bar(series, i)), {entries_[series].colour, {{}, 0}});
   canvas_.clip(std::nullopt);
   for (std::size_t series = 0; series < chart_.bars.size(); ++series)
     for (std::size_t i = 0; i < chart_.bar_names.size(); ++i)
@@ -541,14 +648,15 @@ void ChartDrawing::draw_curves() {
     for (const Entry& e : entries_) {
       if (!e.curve || layer(e.style) != now) continue;
       if (e.style == CurveStyle::stems) draw_stems(*e.curve, e.colour);
-      if (has_line(e.style)) canvas_.path(points(*e.curve), stroke(e));
+      if (has_line(e.style)) canvas_.path(shown(*e.curve), stroke(e));
     }
   }
   canvas_.clip(std::nullopt);
   for (const Entry& e : entries_) {
     if (!e.curve) continue;
     if (has_marks(e.style)) draw_marks(e);
-    for (std::size_t i = 0; i < e.curve->x.size(); ++i) {
+    if (is_growing() && e.style != CurveStyle::theory) draw_end(e);
+    for (std::size_t i = 0; i < e.curve->x.size() && !(e.curve->x[i] > chart_.until); ++i) {
       const Point p = draw_failure(e.curve->x[i], e.curve->y[i], e.colour);
       if (p.allFinite() && !e.curve->point_labels.empty())
         reasons_.push_back({p, e.curve->point_labels[i], e.colour});
@@ -556,18 +664,25 @@ void ChartDrawing::draw_curves() {
   }
 }
 
+// Where a growing curve has arrived.
+void ChartDrawing::draw_end(const Entry& e) {
+  const std::vector<Point> places = shown(*e.curve);
+  if (!places.empty() && places.back().allFinite() && plot_.inset(-3).contains(places.back()))
+    canvas_.mark(places.back(), Mark::disc, e.colour, 10);
+}
+
 void ChartDrawing::draw_stems(const Curve& curve, Colour colour) {
   const double foot =
       chart_.y.scale == Scale::linear ? std::clamp(0.0, ranges_.y.first, ranges_.y.second) : ranges_.y.first;
-  for (std::size_t i = 0; i < curve.x.size(); ++i)
+  for (std::size_t i = 0; i < curve.x.size() && !(curve.x[i] > chart_.until); ++i)
     canvas_.line(at(curve.x[i], foot), at(curve.x[i], curve.y[i]), {fade(colour, 0.75), 1.8});
 }
 
 void ChartDrawing::draw_marks(const Entry& e) {
-  const std::vector<Point> places = points(*e.curve);
-  const double size = places.size() > 80 && e.style == CurveStyle::markers ? 6 : 9;
+  const std::vector<Point> places = points(*e.curve, chart_.until);
+  const double size = e.curve->x.size() > 80 && e.style == CurveStyle::markers ? 6 : 9;
   // A line with many points has a marker at every n-th only.
-  const double apart = e.style == CurveStyle::line_and_markers && places.size() > 40 ? 26 : 0;
+  const double apart = e.style == CurveStyle::line_and_markers && e.curve->x.size() > 40 ? 26 : 0;
   Point last(-1e9, -1e9);
   for (const Point& p : places) {
     if (!p.allFinite() || !plot_.inset(-3).contains(p) || (p - last).norm() < apart) continue;
@@ -626,7 +741,8 @@ void ChartDrawing::draw_end_labels() {
     std::size_t last = e.curve->x.size();
     while (!at(e.curve->x[last - 1], e.curve->y[last - 1]).allFinite()) --last;
     const Point end = at(e.curve->x[last - 1], e.curve->y[last - 1]);
-    if (std::abs(end.y() - place.y()) > 3 || end.x() < plot_.right() - 4)
+    const bool arrived = e.style == CurveStyle::theory || !(e.curve->x[last - 1] > chart_.until);
+    if (arrived && (std::abs(end.y() - place.y()) > 3 || end.x() < plot_.right() - 4))
       canvas_.line(end + Point(3, 0), place - Point(3, 0), {fade(e.colour, 0.6), 1.2});
     canvas_.text(place, e.label, {.size = small_size + 1, .colour = e.colour, .anchor = Anchor::left});
   }
@@ -642,6 +758,12 @@ void ChartDrawing::draw_texts() {
   for (const Point& p : failures_) labels.avoid({p.x() - 7, p.y() - 7, 14, 14});
   for (std::size_t series = 0; series < chart_.bars.size(); ++series)
     for (std::size_t i = 0; i < chart_.bar_names.size(); ++i) labels.avoid(bar(series, i));
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    if (!direct_[i]) continue;
+    canvas_.text(direct_[i]->centre(), entries_[i].label,
+                 {.size = small_size, .colour = label_colour(entries_[i]), .halo = 3});
+    labels.avoid(*direct_[i]);
+  }
   if (labelling_ == Labelling::at_ends) draw_end_labels();
   if (labelling_ == Labelling::above) legend_rows(true);
   if (labelling_ == Labelling::inside) {
@@ -651,7 +773,7 @@ void ChartDrawing::draw_texts() {
   if (labelling_ == Labelling::inside || labelling_ == Labelling::beside) {
     double y = legend_.top() - 4 - 0.5 * line_height * small_size;
     for (const Entry& e : entries_) {
-      if (e.label.empty()) continue;
+      if (!is_in_legend(e)) continue;
       draw_sample({legend_.x + 4, y}, e);
       canvas_.text({legend_.x + 38, y}, e.label, {.size = small_size, .anchor = Anchor::left});
       y -= line_height * small_size;
@@ -686,7 +808,7 @@ void ChartDrawing::draw_texts() {
   for (const Entry& e : entries_)
     if (e.curve)
       for (std::size_t i = 0; i < e.curve->point_labels.size(); ++i)
-        if (const Point p = at(e.curve->x[i], e.curve->y[i]); plot_.contains(p))
+        if (const Point p = at(e.curve->x[i], e.curve->y[i]); plot_.contains(p) && !(e.curve->x[i] > chart_.until))
           labels.place(p, e.curve->point_labels[i], {.size = 14, .colour = label_colour(e), .halo = 2.5});
   for (const Reason& reason : reasons_)
     labels.place(reason.at, reason.text, {.size = 14, .colour = reason.colour, .halo = 2.5});
@@ -704,6 +826,14 @@ Rectangle draw(Canvas& canvas, const Chart& chart, const Rectangle& frame) {
   const Camera before = canvas.camera();
   canvas.look_at_page();
   const Rectangle plot = ChartDrawing(canvas, chart, frame).draw();
+  canvas.look(before);
+  return plot;
+}
+
+Rectangle layout(Canvas& canvas, const Chart& chart, const Rectangle& frame) {
+  const Camera before = canvas.camera();
+  canvas.look_at_page();
+  const Rectangle plot = ChartDrawing(canvas, chart, frame).layout();
   canvas.look(before);
   return plot;
 }

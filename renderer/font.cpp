@@ -7,6 +7,7 @@
 
 #include "renderer/error.hpp"
 #include "renderer/font_file.hpp"
+#include "renderer/mathematics.hpp"
 
 #define STBTT_STATIC
 #define STB_TRUETYPE_IMPLEMENTATION
@@ -51,50 +52,74 @@ struct Font::Face {
   stbtt_fontinfo info{};
 };
 
-Font::Font()
-    : regular_(std::make_unique<Face>("DejaVuSans.ttf")), bold_(std::make_unique<Face>("DejaVuSans-Bold.ttf")) {}
+Font::Font() {
+  for (const char* name :
+       {"DejaVuSans.ttf", "DejaVuSans-Oblique.ttf", "DejaVuSans-Bold.ttf", "DejaVuSans-BoldOblique.ttf"})
+    faces_.emplace_back(name);
+}
 Font::~Font() = default;
 
 std::vector<Font::Piece> Font::pieces(std::string_view text) {
-  std::vector<Piece> all;
-  const auto take = [&](std::string& words) {  // the next code point
-    const std::string_view before = text;
-    next_code_point(text);
-    words += before.substr(0, before.size() - text.size());
+  struct Sign {
+    std::string_view bytes;
+    int level, group;  // signs of one group are at one height
   };
-  const auto take_escaped = [&](std::string& words) {
+  std::vector<Sign> signs;
+  std::vector<LabelSign> label;
+  int level = 0, group = 0;
+  const auto take = [&] {  // the next code point
+    const std::string_view before = text;
+    label.push_back({next_code_point(text), level});
+    signs.push_back({before.substr(0, before.size() - text.size()), level, group});
+  };
+  const auto take_escaped = [&] {
     if (text.front() == '\\' && text.size() > 1) text.remove_prefix(1);
-    take(words);
+    take();
   };
   while (!text.empty()) {
     const char c = text.front();
     if ((c != '_' && c != '^') || text.size() == 1) {
-      if (all.empty() || all.back().factor != 1) all.emplace_back();
-      take_escaped(all.back().words);
+      take_escaped();
       continue;
     }
     text.remove_prefix(1);
-    std::string& words = all.emplace_back(Piece{{}, c == '^' ? raise : -lower, small}).words;
+    level = c == '^' ? 1 : -1, ++group;
     if (text.front() == '{') {
       text.remove_prefix(1);
-      while (!text.empty() && text.front() != '}') take_escaped(words);
+      while (!text.empty() && text.front() != '}') take_escaped();
       if (!text.empty()) text.remove_prefix(1);
-      continue;
+    } else {
+      take_escaped();
+      // A combining mark after a single raised letter belongs to it.
+      for (std::string_view rest = text; !rest.empty() && combines(next_code_point(rest)); rest = text) take();
     }
-    take_escaped(words);
-    // A combining mark after a single raised letter belongs to it.
-    for (std::string_view rest = text; !rest.empty() && combines(next_code_point(rest)); rest = text) take(words);
+    level = 0, ++group;
+  }
+
+  const std::vector<bool> italic = italics(label);
+  std::vector<Piece> all;
+  for (std::size_t i = 0; i < signs.size(); ++i) {
+    const Sign& sign = signs[i];
+    if (i == 0 || sign.group != signs[i - 1].group || italic[i] != italic[i - 1])
+      all.push_back({"",
+                     sign.level == 0  ? 0
+                     : sign.level > 0 ? raise
+                                      : -lower,
+                     sign.level == 0 ? 1 : small, italic[i]});
+    all.back().words += sign.bytes;
   }
   return all;
 }
 
-Font::Line Font::lay_out(std::string_view text, double size, const Face& face) {
+Font::Line Font::lay_out(std::string_view text, double size, bool bold) const {
   Line line;
   double& pen = line.width;
   struct Box {
     double left, right, top;
   } base{};  // of the last base letter, in pixels
   for (const Piece& piece : pieces(text)) {
+    const int index = 2 * bold + piece.italic;
+    const Face& face = faces_[std::size_t(index)];
     const double letter_size = size * piece.factor, shift = size * piece.shift, scale = face.scale(letter_size);
     int previous = 0;
     for (std::string_view rest = piece.words; !rest.empty();) {
@@ -108,11 +133,12 @@ Font::Line Font::lay_out(std::string_view text, double size, const Face& face) {
         int small_top = 0, unused = 0;
         stbtt_GetCodepointBox(&face.info, 'x', &unused, &unused, &unused, &small_top);
         const double up = std::max(0.0, base.top - scale * small_top);
-        line.letters.push_back({glyph, (base.left + base.right - scale * (x0 + x1)) / 2, shift + up, letter_size});
+        line.letters.push_back(
+            {index, glyph, (base.left + base.right - scale * (x0 + x1)) / 2, shift + up, letter_size});
       } else {
         if (previous) pen += scale * stbtt_GetGlyphKernAdvance(&face.info, previous, glyph);
         base = {pen + scale * x0, pen + scale * x1, scale * y1};
-        line.letters.push_back({glyph, pen, shift, letter_size});
+        line.letters.push_back({index, glyph, pen, shift, letter_size});
         pen += scale * advance;
         previous = glyph;
       }
@@ -121,13 +147,12 @@ Font::Line Font::lay_out(std::string_view text, double size, const Face& face) {
   return line;
 }
 
-double Font::width(std::string_view line, double size, bool bold) const {
-  return lay_out(line, size, bold ? *bold_ : *regular_).width;
-}
+double Font::width(std::string_view line, double size, bool bold) const { return lay_out(line, size, bold).width; }
 
-const Font::AtlasGlyph& Font::slot(const Face& face, bool bold, int glyph, double size, int phase, int halo) {
-  const int steps = int(std::lround(size * size_steps));
-  const auto [found, fresh] = slots_.try_emplace({bold, glyph, steps, phase, halo});
+const Font::AtlasGlyph& Font::slot(const PlacedGlyph& of, int phase, int halo) {
+  const Face& face = faces_[std::size_t(of.face)];
+  const int glyph = of.glyph, steps = int(std::lround(of.size * size_steps));
+  const auto [found, fresh] = slots_.try_emplace({of.face, glyph, steps, phase, halo});
   AtlasGlyph& slot = found->second;
   if (!fresh) return slot;
 
@@ -165,14 +190,13 @@ const Font::AtlasGlyph& Font::slot(const Face& face, bool bold, int glyph, doubl
 
 void Font::write(Vertices& to, std::string_view line, const Point& at, double size, bool bold, Colour colour,
                  double halo, bool upright) {
-  const Face& face = bold ? *bold_ : *regular_;
   // Rotated by 90° anticlockwise, right becomes up and up becomes left.
   const double along = upright ? at.x() : -at.y(), down = upright ? at.y() : at.x();
-  for (const PlacedGlyph& letter : lay_out(line, size, face).letters) {
+  for (const PlacedGlyph& letter : lay_out(line, size, bold).letters) {
     const double x = along + letter.x;
     const double column = std::floor(x + 0.5 / phases);
     const int phase = std::clamp(int(std::floor((x - column) * phases + 0.5)), 0, phases - 1);
-    const AtlasGlyph& s = slot(face, bold, letter.glyph, letter.size, phase, int(std::lround(halo * size_steps)));
+    const AtlasGlyph& s = slot(letter, phase, int(std::lround(halo * size_steps)));
     if (s.width == 0) continue;
     const double left = column + s.left, top = std::round(down - letter.y) + s.top;
     const auto corner = [&](int i, int j) {

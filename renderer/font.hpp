@@ -27,11 +27,12 @@ class Font {
   void write(Vertices& to, std::string_view line, const Point& at, double size, bool bold, Colour colour,
              double halo, bool upright);
 
-  /// A part of a line without markup: text of one size at one height.
+  /// A part of a line without markup: text of one style and size at one height.
   struct Piece {
     std::string words{};
     double shift = 0;   ///< of its baseline, upwards, in sizes of the line
     double factor = 1;  ///< its size, in sizes of the line
+    bool italic = false;
   };
   static std::vector<Piece> pieces(std::string_view line);
 
@@ -43,7 +44,7 @@ class Font {
  private:
   struct Face;
   struct PlacedGlyph {
-    int glyph;
+    int face, glyph;
     double x, y, size;  // pixels, from the beginning of the baseline, y up
   };
   struct AtlasGlyph {
@@ -53,13 +54,13 @@ class Font {
     std::vector<PlacedGlyph> letters;
     double width = 0;
   };
-  static Line lay_out(std::string_view text, double size, const Face& face);
-  const AtlasGlyph& slot(const Face& face, bool bold, int glyph, double size, int phase, int halo);
+  Line lay_out(std::string_view text, double size, bool bold) const;
+  const AtlasGlyph& slot(const PlacedGlyph& letter, int phase, int halo);
 
-  std::unique_ptr<Face> regular_, bold_;
+  std::vector<Face> faces_;  // upright, italic, bold, bold italic
   std::vector<std::uint8_t> atlas_;
   int row_top_ = 0, row_bottom_ = 0, row_end_ = 0;
-  std::map<std::tuple<bool, int, int, int, int>, AtlasGlyph> slots_;
+  std::map<std::tuple<int, int, int, int, int>, AtlasGlyph> slots_;
 };
 
 }  // namespace byhand::renderer

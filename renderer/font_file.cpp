@@ -31,8 +31,8 @@ std::vector<unsigned char> font_file(const char* name) {
   std::ifstream in(path, std::ios::binary);
   std::vector<unsigned char> bytes(std::istreambuf_iterator<char>(in), {});
   if (!is_whole(bytes))
-    throw EnvironmentError(
-        fmt::format("There is no whole font at {}: apt install --reinstall fonts-dejavu-core.", path));
+    throw EnvironmentError(fmt::format(
+        "There is no whole font at {}: apt install --reinstall fonts-dejavu-core fonts-dejavu-extra.", path));
   return bytes;
 }
 

@@ -61,12 +61,29 @@ Colour from_oklab(const Point3& lab) {
   return {encoded(rgb.x()), encoded(rgb.y()), encoded(rgb.z())};
 }
 
+double luminance(Colour c) { return 0.2126 * linear(c.r) + 0.7152 * linear(c.g) + 0.0722 * linear(c.b); }
+
 }  // namespace
 
 Colour mix(Colour a, Colour b, double t) {
   Colour colour = from_oklab((1 - t) * oklab(a) + t * oklab(b));
   colour.a = std::uint8_t(std::lround((1 - t) * a.a + t * b.a));
   return colour;
+}
+
+double contrast(Colour a, Colour b) {
+  const auto [low, high] = std::minmax({luminance(a), luminance(b)});
+  return (high + 0.05) / (low + 0.05);
+}
+
+Colour legible(Colour colour) {
+  constexpr double needed = 4.5, light = 0.5;
+  if (luminance(colour) > light) return colour;
+  Colour darker = colour;
+  for (int i = 1; i <= 20 && contrast(darker, palette::paper) < needed; ++i)
+    darker = mix(colour, palette::ink, 0.05 * i);
+  darker.a = colour.a;
+  return darker;
 }
 
 namespace palette {
@@ -76,10 +93,10 @@ Colour series(int i) {
                                                   {213, 94, 0},
                                                   {0, 140, 102},
                                                   {176, 72, 134},
-                                                  {230, 159, 0},
-                                                  {86, 180, 233},
+                                                  {118, 157, 43},
+                                                  {92, 76, 245},
                                                   {38, 41, 48},
-                                                  {140, 116, 60}}};
+                                                  {112, 68, 57}}};
   return colours[std::size_t(i % 8 + 8) % 8];
 }
 

@@ -18,6 +18,13 @@ constexpr Colour fade(Colour colour, double opacity) {
 /// Interpolates linearly in Oklab from `a` (t = 0) to `b` (t = 1), so that equal steps of t look equal.
 Colour mix(Colour a, Colour b, double t);
 
+/// Ratio of luminances as the Web Content Accessibility Guidelines define it, 1 … 21.
+double contrast(Colour a, Colour b);
+
+/// The colour, or the nearest one on the way to ink that has a contrast of 4.5 on paper, as text needs it. A light
+/// colour, for text on dark, stays.
+Colour legible(Colour colour);
+
 /// The colours of the course, each with one meaning. The hues are those of Okabe and Ito (2008), distinguishable
 /// with the usual colour vision deficiencies; two are darkened so that they are legible as text.
 namespace palette {
@@ -34,7 +41,7 @@ inline constexpr Colour error{176, 72, 134};
 inline constexpr Colour theory{88, 92, 100};  ///< always dashed
 inline constexpr Colour highlight{240, 174, 20};
 
-/// Colour of curve `i`, 0, 1, …; repeats after eight.
+/// Colour of curve `i`, 0, 1, …; repeats after eight. Each has a contrast of 3 on paper, as lines need it.
 Colour series(int i);
 
 /// Sequential colour map, pale to dark for t = 0 … 1 (clamped): perceptually uniform, with decreasing lightness.

@@ -203,14 +203,11 @@ class SvgCanvas::Surface : public DrawingSurface {
 
   std::string svg(std::string_view title, std::string_view description) const {
     std::string all = fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\"{2} font-family=\"'DejaVu "
-        "Sans',sans-serif\" "
-        "stroke-linejoin=\"round\" xml:space=\"preserve\">",
-        size_.width, size_.height,
-        title.empty() ? ""
-                      : fmt::format(" role=\"img\" aria-labelledby=\"{0}-title{1}\"", name_,
-                                    description.empty() ? "" : fmt::format(" {}-description", name_)));
-    if (!title.empty()) all += fmt::format("<title id=\"{}-title\">{}</title>", name_, escaped(title));
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" role=\"img\" "
+        "aria-labelledby=\"{2}-title{3}\" font-family=\"'DejaVu Sans',sans-serif\" stroke-linejoin=\"round\" "
+        "xml:space=\"preserve\"><title id=\"{2}-title\">{4}</title>",
+        size_.width, size_.height, name_, description.empty() ? "" : fmt::format(" {}-description", name_),
+        escaped(title));
     if (!description.empty())
       all += fmt::format("<desc id=\"{}-description\">{}</desc>", name_, escaped(description));
     for (std::size_t i = 0; i < clips_.size(); ++i)
@@ -232,9 +229,11 @@ class SvgCanvas::Surface : public DrawingSurface {
     std::string all;
     double height = 0;  // of the baseline so far, in sizes
     for (const Font::Piece& piece : Font::pieces(line)) {
-      const bool plain = piece.shift == height && piece.factor == 1;
+      const bool plain = piece.shift == height && piece.factor == 1 && !piece.italic;
       if (!plain) {
-        all += "<tspan" + attribute("dy", (height - piece.shift) * size);
+        all += "<tspan";
+        if (piece.shift != height) all += attribute("dy", (height - piece.shift) * size);
+        if (piece.italic) all += " font-style=\"italic\"";
         if (piece.factor != 1) all += attribute("font-size", piece.factor * size);
         all += ">";
       }

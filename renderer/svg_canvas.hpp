@@ -26,8 +26,7 @@ class SvgCanvas : public Canvas {
   /// Without `draw_window`, the paper has holes where the windows are, for a canvas that lies below the picture.
   SvgCanvas(int width, std::string name, DrawWindow draw_window = {});
 
-  /// The page. Screen readers read the title and the description; an empty title is left out,
-  /// for a page that says itself what the picture shows. The same drawing gives the same bytes.
+  /// The page. Screen readers read the title and the description. The same drawing gives the same bytes.
   std::string svg(std::string_view title, std::string_view description = {}) const;
 
   const std::vector<Window>& windows() const;

@@ -30,7 +30,8 @@ Rod rod_of(const Settings& set) {
   return rod;
 }
 
-/// The power of a pull of λ = −1 N on a bob that moves at 1 m/s, over the direction of that motion.
+/// The power of a pull of λ = −1 N on a bob that moves at 1 m/s, over the angle from the rod's direction to that
+/// motion.
 renderer::Chart power(const Jacobian<PlaneParticle, 1>& J, double& largest_difference) {
   renderer::Curve of_force{.label = "F·V", .style = renderer::CurveStyle::markers, .colour = palette::force};
   renderer::Curve of_row{.label = "λ·JV", .colour = palette::constraint};
@@ -38,7 +39,8 @@ renderer::Chart power(const Jacobian<PlaneParticle, 1>& J, double& largest_diffe
   const Linear<PlaneParticle> force = -J.l2().transpose();
   for (int degrees = 0; degrees <= 360; degrees += 6) {
     const double at = degrees * std::numbers::pi / 180;
-    const Velocity<PlaneParticle> V(std::cos(at), std::sin(at));
+    const Linear<PlaneParticle> along = J.l2().transpose(), across(-along.y(), along.x());
+    const Velocity<PlaneParticle> V = std::cos(at) * along + std::sin(at) * across;
     const double by_row = -dot(J, Velocity<PlaneParticle>(0, 0), V)[0];
     of_row.x.push_back(degrees);
     of_row.y.push_back(by_row);
@@ -46,7 +48,7 @@ renderer::Chart power(const Jacobian<PlaneParticle, 1>& J, double& largest_diffe
     of_force.y.push_back(force.dot(V));
     largest_difference = std::max(largest_difference, std::abs(force.dot(V) - by_row));
   }
-  return {.x = {.label = "direction of the bob's motion (°)",
+  return {.x = {.label = "from the rod's direction to the bob's motion (°)",
                 .range = std::pair{0.0, 360.0},
                 .ticks = {{0, "0"}, {90, "90"}, {180, "180"}, {270, "270"}, {360, "360"}}},
           .y = {.label = "power of the rod's force (W)"},
@@ -100,9 +102,11 @@ void dual_map(tutor::Page& page, const Settings& set) {
   const renderer::Chart chart = power(J, difference);
   page.figure("dual", "The rod's force is perpendicular to every motion that the rod allows.",
               [J, length = set.length()](renderer::Canvas& canvas) { draw_force(canvas, J, length); });
-  page.figure("power",
-              "Power of a pull of 1 N on a bob that moves at 1 m/s, over its direction: F·V and λ·JV agree.",
-              chart);
+  page.figure(
+      "power",
+      R"(Power of a pull of 1 N on a bob that moves at 1 m/s, over the angle between rod and motion: F·V and λ·JV
+              agree. At 90° and 270° the bob moves as the rod allows.)",
+      chart);
   const double back = (J.matrix * rod.W.matrix.transpose())(0, 0) / rod.inverse_mass;
   page.text(
       R"(What does lead from a wanted Ċ to velocities is M⁻¹Jᵀ(JM⁻¹Jᵀ)⁻¹: of all V with that Ċ it gives the one with

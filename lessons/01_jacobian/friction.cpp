@@ -65,8 +65,10 @@ void draw_sliding(renderer::Canvas& canvas, const Settings& set) {
   for (const Named& arrow : arrows) space.arrow({0, 0, shaft}, arrow.tip + shaft * normal, shaft, arrow.colour);
   space.sphere({0, 0, shaft}, 1.6 * shaft, palette::error);
   canvas.draw(space);
-  for (const Named& arrow : arrows)
-    canvas.text(space.project(arrow.tip * 1.2), arrow.name, {.size = 22, .colour = arrow.colour, .halo = 3});
+  for (const Named& arrow : arrows) {
+    const renderer::Point end = space.project(arrow.tip), way = end - space.project({0, 0, 0});
+    canvas.text(end + 26 * way.normalized(), arrow.name, {.size = 22, .colour = arrow.colour, .halo = 3});
+  }
 }
 
 }  // namespace

@@ -166,12 +166,13 @@ void inspection(tutor::Page& page, const Settings& set) {
         R"(\dot C = -d \cdot v_1 - (r_1 \times d) \cdot \omega_1 + d \cdot v_2 + (r_2 \times d) \cdot \omega_2)"},
        {"compare with (8)", "l₁ = −d, a₁ = −r₁ × d, l₂ = d, a₂ = r₂ × d",
         R"(l_1 = -d,\; a_1 = -r_1 \times d,\; l_2 = d,\; a_2 = r_2 \times d)"}});
+  four_parts(page, set);
   page.text("The solver writes this row, and later those of contacts and friction, with d replaced by u:");
   page.excerpt("solver/jacobian.hpp", "along");
   page.text(
       R"("By inspection" is not guessing. Ċ = JV holds for *every* V, and that leaves one J only: let one
       component of V be 1 and the others 0, and JV is one entry of J. Six such movements give six entries.)");
-  constexpr double each = 0.6;
+  constexpr double each = 1.4;
   page.sequence("probes", "Six movements give six numbers: each time Ċ is measured from C, without (14).",
                 tutor::Seconds{entries * each}, [=](renderer::Canvas& canvas, double time) {
                   draw_probe(canvas, pair, by_probe, sides, length, time, each);

@@ -48,6 +48,27 @@ renderer::Chart picture_of(const Eigen::MatrixXd& J) {
           .heat_map = map};
 }
 
+/// The chain with one pin marked, beside the matrix with that pin's two rows framed where its links' columns are.
+void draw_pin_and_rows(renderer::Canvas& canvas, const Scene<PlaneBody>& scene, const Eigen::MatrixXd& J,
+                       int pin) {
+  const auto [left, right] = canvas.page().inset(16).split_columns(0.42, 20);
+  const auto linkage = pictures::rods_and_bobs(scene);
+  std::vector<renderer::Point> corners{{0, 0}};
+  for (const auto& link : linkage.links) corners.push_back(link.to);
+  canvas.look(renderer::fit(renderer::bounds(corners), left, 60));
+  pictures::draw(canvas, linkage);
+  const renderer::Point joint = linkage.links[std::size_t(pin)].from;
+  canvas.disc(joint, 18 / canvas.camera().scale, {renderer::fade(palette::force, 0), {palette::force, 3.5}});
+  canvas.text(joint, tutor::say("pin @", pin + 1),
+              {.size = 20, .colour = palette::force, .anchor = renderer::Anchor::bottom_left, .offset = {16, 14}});
+  const renderer::Rectangle plot = renderer::draw(canvas, picture_of(J), right);
+  const double cell = plot.width / double(J.cols());
+  const int first = 3 * std::max(pin - 1, 0), columns = 3 * (pin > 0 ? 2 : 1);
+  canvas.look_at_page();
+  canvas.rectangle({plot.x + first * cell, plot.top() - (2 * pin + 2) * cell, columns * cell, 2 * cell},
+                   {renderer::fade(palette::force, 0), {palette::force, 3.5}});
+}
+
 /// How many entries of a row are stored.
 template <class Model>
 constexpr int stored = decltype(Jacobian<Model, 1>::matrix)::ColsAtCompileTime;
@@ -71,13 +92,13 @@ void linkage(tutor::Page& page, const Settings& set) {
       R"(Now @ links, pinned end to end. A pin is two constraints, so there are @ rows, and all bodies together have
       @ components of velocity: a matrix of @ numbers. Entries that are exactly zero are left empty.)",
       links, J.rows(), J.cols(), J.size());
-  page.figure("linkage", "The chain: each pin joins two neighbours.", [=](renderer::Canvas& canvas) {
-    const auto linkage = pictures::rods_and_bobs(scene);
-    std::vector<renderer::Point> corners{{0, 0}};
-    for (const auto& link : linkage.links) corners.push_back(link.to);
-    canvas.look(renderer::fit(renderer::bounds(corners), canvas.page(), 60));
-    pictures::draw(canvas, linkage);
-  });
+  const int chosen = links / 2;
+  page.figure(
+      "linkage",
+      tutor::say(R"(The chain and its J: pin @ joins two links, and its two rows are not zero in the columns
+                         of these two.)",
+                 chosen + 1),
+      [=](renderer::Canvas& canvas) { draw_pin_and_rows(canvas, scene, J, chosen); });
   page.figure("matrix", "J of the chain. Empty cells are zero.", picture_of(J));
   page.text(
       R"(@ % of the entries are zero, and @ % for a chain twice as long. So the solver does not build this matrix: it

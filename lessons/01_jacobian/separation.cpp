@@ -40,10 +40,13 @@ void draw_discs(renderer::Canvas& canvas, const Discs& at, double length) {
   const Point p1 = x1 + at.radius1 * n, p2 = x2 - at.radius2 * n;
   canvas.disc(x1, at.radius1, {renderer::fade(palette::body, 0.8), {palette::ink, 1.8}});
   canvas.disc(x2, at.radius2, {renderer::fade(palette::body, 0.8), {palette::ink, 1.8}});
+  const Point aside(-n.y(), n.x());
+  // C beside the arms' tips, whose arrow heads it would cover.
+  const Point shift = 0.05 * length * -aside;
+  for (const Point& tip : {p1, p2}) canvas.line(tip, tip + 1.3 * shift, {palette::muted, 1.3});
   canvas.arrow(x1, p1, {palette::ink, 3});
   canvas.arrow(x2, p2, {palette::ink, 3});
-  canvas.line(p1, p2, {palette::error, 7});
-  const Point aside(-n.y(), n.x());
+  canvas.line(p1 + shift, p2 + shift, {palette::error, 6});
   const renderer::TextStyle style{.size = 20, .halo = 3};
   renderer::TextStyle red = style;
   red.colour = palette::error;

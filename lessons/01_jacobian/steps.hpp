@@ -26,4 +26,7 @@ void two_forms(tutor::Page& page, const Settings& set);
 void linkage(tutor::Page& page, const Settings& set);
 void dual_map(tutor::Page& page, const Settings& set);
 
+/// The film of the step by inspection.
+void four_parts(tutor::Page& page, const Settings& set);
+
 }  // namespace byhand::lesson01

@@ -54,13 +54,12 @@ renderer::Chart value_over_time(double length, double mass) {
 }
 
 renderer::Chart landscape(double length, double mass) {
-  constexpr int cells = 75;
-  renderer::HeatMap map{.label = "C (m²)", .diverging = true, .square = true};
-  for (int i = 0; i < cells; ++i) {
-    const double at = 1.5 * length * (2.0 * i / (cells - 1) - 1);
-    map.x.push_back(at);
-    map.y.push_back(at);
-  }
+  constexpr int rows = 81, columns = 145;  // as the page: equal lengths along x and y
+  renderer::HeatMap map{
+      .label = "C (m²)", .diverging = true, .range = std::pair{-length * length, length * length}, .square = true};
+  const auto place = [length](int i, int count) { return 1.5 * length / (rows / 2) * (i - count / 2); };
+  for (int i = 0; i < columns; ++i) map.x.push_back(place(i, columns));
+  for (int i = 0; i < rows; ++i) map.y.push_back(place(i, rows));
   for (const double y : map.y)
     for (const double x : map.x) map.values.push_back(value_at({x, y}, length, mass));
   renderer::Curve circle{
@@ -70,11 +69,19 @@ renderer::Chart landscape(double length, double mass) {
     circle.x.push_back(at.x());
     circle.y.push_back(at.y());
   }
+  // The slope under a bob on the circle is d, drawn shorter: a line with a head.
+  const Point bob = length * from_straight_down<PlaneParticle>(three_four_five), ahead = 0.5 * bob,
+              aside = 0.12 * Point(-ahead.y(), ahead.x()), tip = bob + ahead, neck = bob + 0.78 * ahead;
+  renderer::Curve slope{.label = "slope of C", .colour = renderer::palette::constraint};
+  for (const Point& p : {bob, tip, Point(neck + aside), tip, Point(neck - aside)}) {
+    slope.x.push_back(p.x());
+    slope.y.push_back(p.y());
+  }
   return {.x = {.label = "x of the bob (m)"},
           .y = {.label = "y of the bob (m)"},
-          .curves = {circle},
+          .curves = {circle, slope},
           .heat_map = map,
-          .annotations = {{0, 0, "anchor"}}};
+          .annotations = {{0, 0, "anchor"}, {bob.x(), bob.y(), "bob"}}};
 }
 
 }  // namespace
@@ -160,18 +167,20 @@ void what_c_says(tutor::Page& page, const Settings& set) {
                   canvas.text(at, tutor::say("C = @ m²", tutor::Value(std::abs(now) < 1e-9 ? 0 : now, 2)),
                               {.size = 20,
                                .colour = renderer::palette::error,
-                               .anchor = renderer::Anchor::top,
-                               .halo = 3,
-                               .offset = {0, -24}});
+                               .anchor = renderer::Anchor::left,
+                               .halo = 4,
+                               .offset = {24, 22}});
                   renderer::draw(canvas, pictures::grown_to(whole, time), right);
                 });
   page.text(
       R"(Put the bob anywhere and colour the place by its C. The landscape is a bowl, −½L² deep at the anchor, and
       the rod asks the bob to stay on one of its contours. This lesson is about the slope of that landscape under
       the bob.)");
-  page.figure("landscape",
-              "C over the place of the bob. Red is too long, blue too short; on the dashed contour C = 0.",
-              landscape(length, mass));
+  page.figure(
+      "landscape",
+      R"(C over the place of the bob. Red is too long, blue too short; on the dashed contour C = 0. Arrow: the
+              slope of C under a bob at the end of its rod; it points along the rod.)",
+      landscape(length, mass));
 
   double along = 0;
   for (int i = 0; i < 60; ++i)

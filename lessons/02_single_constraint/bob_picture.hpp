@@ -15,6 +15,8 @@ struct BobPicture {
     renderer::Colour colour;
     std::string label;
     double width = 4;
+    renderer::Dash dash = renderer::Dash::solid;
+    double aside = 0;  // drawn so many points to the left of its way, off a rod that it would cover
   };
   explicit BobPicture(const Pendulum& scene);
 
@@ -26,8 +28,7 @@ struct BobPicture {
   Vector first, second;  // where the two bodies are [m]
 };
 
-void draw(renderer::Canvas& canvas, const BobPicture& picture, const renderer::Rectangle& frame);
-/// Pictures side by side over the whole page.
+/// Pictures side by side over the whole page, all at one scale.
 void draw(renderer::Canvas& canvas, const std::vector<BobPicture>& pictures);
 
 }  // namespace byhand::single_constraint

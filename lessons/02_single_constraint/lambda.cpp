@@ -71,8 +71,9 @@ void lambda(const Setting& setting, Page& page) {
   row_picture.arrows = {{row_picture.second, unit * row.d / length, palette::constraint, "l₂ = d"},
                         {row_picture.first, -unit * row.d / length, palette::constraint, "l₁ = −d"}};
   push.title = say("λJᵀ: λ·|d| = @ N·s", along);
-  push.arrows = {{push.second, unit * along / full * row.d / length, palette::force, "λ l₂"},
-                 {push.first, -unit * along / full * row.d / length, palette::force, "λ l₁"}};
+  push.arrows = {
+      {push.second, unit * along / full * row.d / length, palette::force, "λ l₂", 4, renderer::Dash::solid, 16},
+      {push.first, -unit * along / full * row.d / length, palette::force, "λ l₁", 4, renderer::Dash::solid, -16}};
   page.figure(
       "lambda_sign",
       say(R"(Left: the row's two arrows, −d and d (drawn shorter than they are), point where C grows. Right: the

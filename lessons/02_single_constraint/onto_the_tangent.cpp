@@ -2,6 +2,7 @@
 
 #include "lessons/02_single_constraint/bob_picture.hpp"
 #include "lessons/02_single_constraint/steps.hpp"
+#include "lessons/02_single_constraint/within_a_step.hpp"
 #include "lessons/tutor/rounding.hpp"
 #include "solver/measure.hpp"
 
@@ -36,9 +37,10 @@ void onto_the_tangent(const Setting& setting, Page& page) {
   const double scale = 0.58 * length / gain;
   const Vector tip = picture.second + scale * row.v2;
   picture.title = "V + M⁻¹Jᵀλ";
-  picture.arrows = {{picture.second, scale * row.v2, palette::velocity, "V with gravity"},
-                    {tip, scale * (solved.v2 - row.v2), palette::force, "m⁻¹λd"},
-                    {picture.second, scale * solved.v2, palette::constraint, "V after"}};
+  picture.arrows = {
+      {picture.second, scale * row.v2, palette::velocity, "V with gravity", 3, renderer::Dash::dashed},
+      {tip, scale * (solved.v2 - row.v2), palette::force, "m⁻¹λd"},
+      {picture.second, scale * solved.v2, palette::velocity, "V after"}};
   const bool cancels = shown.lambda != 0, moves = left.norm() > 0;
   page.figure("onto_the_tangent",
               cancels && moves
@@ -52,6 +54,8 @@ void onto_the_tangent(const Setting& setting, Page& page) {
       R"(JV is now zero to rounding. One row by itself is solved *exactly* by one formula; nothing is iterated. And
       the impulse does no work on the velocity that it leaves, P·V = λJV = 0.)");
 
+  within_a_step(setting, page);
+
   const double arrival = std::sqrt(gravity() * length);
   const Pendulum pair = two_free_bobs(setting, Vector(0.9 * arrival, -0.5 * arrival));
   const OneRow hit(pair);
@@ -59,7 +63,7 @@ void onto_the_tangent(const Setting& setting, Page& page) {
   std::tie(freed.state().velocity[0], freed.state().velocity[1]) = hit.velocities_after();
   const Vector before_momentum = linear_momentum(pair.bodies()), after_momentum = linear_momentum(freed.bodies());
   BobPicture blow(pair), answer(freed);
-  const double per_speed = 0.7 * length / arrival;
+  const double per_speed = 1.1 * length / arrival;
   blow.title = "the first bob is hit, the rod answers";
   const Vector answered = per_speed * hit.lambda * hit.d / setting.mass();
   blow.arrows = {{blow.first, -answered, palette::force, "−λd"},

@@ -35,6 +35,9 @@ std::vector<RodSample> swing_rod(const Setting& setting, double angle, double h,
   return samples;
 }
 
+// The rigid rod and its curve.
+const Colour rigid = palette::series(4);
+
 /// Twice the time between the first two passages through the lowest point [s].
 double measured_period(const std::vector<RodSample>& samples) {
   std::vector<double> passages;
@@ -51,7 +54,7 @@ void draw_both(Canvas& canvas, const Sample& bob, const RodSample& rod, double l
   canvas.look(fit({-1.25 * length, -1.3 * length, 2.5 * length, 2.4 * length}, scene, 10));
   pictures::draw(canvas, {.bobs = {{bob.position, 1}}, .rods = {{{0, 0}, bob.position}}});
   pictures::draw(canvas, {.links = {{{0, 0}, rod.end}}, .anchors = {{0, 0}}},
-                 {.bodies = {palette::highlight, {palette::ink, 1.8}}});
+                 {.bodies = {mix(palette::paper, rigid, 0.55), {palette::ink, 1.8}}});
   draw(canvas, pictures::grown_to(chart, bob.time), beside);
 }
 
@@ -89,7 +92,7 @@ void rigid_rod(const Setting& setting, Page& page) {
   const double end = 1.05 * exact.period();
   const auto rod = swing_rod(setting, start, h, end);
   const Swing bobs = swing(setting, h, end);
-  Curve turned{.label = "rod", .colour = palette::highlight}, swung{.label = "bob", .colour = palette::constraint};
+  Curve turned{.label = "rod", .colour = rigid}, swung{.label = "bob", .colour = palette::constraint};
   for (const RodSample& sample : rod) {
     turned.x.push_back(sample.time);
     turned.y.push_back(sample.angle * 180 / pi);
@@ -114,7 +117,7 @@ void rigid_rod(const Setting& setting, Page& page) {
       chart);
   page.sequence(
       "rod_and_bob_swing",
-      "The same length and mass, let go together: a bob on a massless rod (blue) and a rigid rod (yellow).",
+      "The same length and mass, let go together: a bob on a massless rod (blue) and a rigid rod (olive).",
       Seconds{std::min(end, 4.0)}, [=](Canvas& canvas, double time) {
         const auto now = std::upper_bound(rod.begin(), rod.end(), time + 1e-9,
                                           [](double t, const RodSample& sample) { return t < sample.time; });
@@ -124,17 +127,14 @@ void rigid_rod(const Setting& setting, Page& page) {
   using Point2 = PlaneParticle;
   using Rigid = PlaneBody;
   const auto bytes = [](std::size_t size) { return static_cast<double>(size); };
-  const Chart cost{.y = {.label = "bytes"},
-                   .bar_names = {"velocity", "pose", "M⁻¹", "J"},
-                   .bars = {{.label = "bob on a rod",
-                             .values = {bytes(sizeof(Velocity<Point2>)), bytes(sizeof(Pose<Point2>)),
-                                        bytes(sizeof(InverseMass<Point2>)), bytes(sizeof(Jacobian<Point2, 1>))},
-                             .colour = palette::constraint},
-                            {.label = "hinged rigid rod",
-                             .values = {bytes(sizeof(Velocity<Rigid>)), bytes(sizeof(Pose<Rigid>)),
-                                        bytes(sizeof(InverseMass<Rigid>)), bytes(sizeof(Jacobian<Rigid, 2>))},
-                             .colour = palette::highlight}}};
-  page.figure("what_it_costs", "What the larger model stores for one body and its constraint.", cost);
+  const auto stored = [&](const char* what, std::size_t small, std::size_t large) {
+    return std::vector<std::string>{what, say("@", bytes(small)), say("@", bytes(large))};
+  };
+  page.table({"stored, in bytes", "bob on a rod", "hinged rigid rod"},
+             {stored("velocity", sizeof(Velocity<Point2>), sizeof(Velocity<Rigid>)),
+              stored("pose", sizeof(Pose<Point2>), sizeof(Pose<Rigid>)),
+              stored("M⁻¹", sizeof(InverseMass<Point2>), sizeof(InverseMass<Rigid>)),
+              stored("J", sizeof(Jacobian<Point2, 1>), sizeof(Jacobian<Rigid, 2>))});
   page.text(
       R"(The larger model shows what the smaller cannot: a period of @ s instead of @ s, and a hinge that carries @
       m·g at first. It costs @ numbers of J instead of @, a 2×2 effective mass instead of one number, and a sine and

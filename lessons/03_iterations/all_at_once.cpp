@@ -87,9 +87,17 @@ void all_at_once(Page& page, const Knobs& knobs) {
           nonzeros(A), nonzeros(factor), nonzeros(inverse)),
       [=](renderer::Canvas& canvas) {
         const auto cells = canvas.page().inset(16, 120).cells(1, 3, 18);
-        draw(canvas, map_of(A, "A = JM⁻¹Jᵀ", "m²/kg", true), cells[0]);
-        draw(canvas, map_of(factor, "its factor R", "m/√kg", true), cells[1]);
-        draw(canvas, map_of(inverse, "A⁻¹", "kg/m²", false), cells[2]);
+        const std::array maps{map_of(A, "A = JM⁻¹Jᵀ", "m²/kg", true),
+                              map_of(factor, "its factor R", "m/√kg", true),
+                              map_of(inverse, "A⁻¹", "kg/m²", false)};
+        // All as large as the smallest, whose numbers beside the colours are the longest.
+        double side = cells[0].width;
+        for (const renderer::Chart& map : maps)
+          side = std::min(side, renderer::layout(canvas, map, cells[0]).width);
+        for (std::size_t i = 0; i < maps.size(); ++i) {
+          const double own = renderer::layout(canvas, maps[i], cells[i]).width;
+          draw(canvas, maps[i], {cells[i].x, cells[i].y, cells[i].width - (own - side), cells[i].height});
+        }
       });
   page.text(
       R"(Nobody needs the inverse. Eliminate one joint after the other: this needs only the factor in the middle, which

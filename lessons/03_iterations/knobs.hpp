@@ -29,6 +29,8 @@ struct Knobs {
 
 // The steps, each in the file of its name.
 void two_links(tutor::Page& page, const Knobs& knobs);
+/// The film of step 1.
+void within_a_sweep(tutor::Page& page, const Knobs& knobs);
 void one_sweep(tutor::Page& page, const Knobs& knobs);
 void all_at_once(tutor::Page& page, const Knobs& knobs);
 void many_sweeps(tutor::Page& page, const Knobs& knobs);

@@ -85,7 +85,7 @@ void draw_chain(renderer::Canvas& canvas, const pictures::Linkage& linkage, cons
     const Point bob = camera.to_page(linkage.bobs[i].at), above = camera.to_page(linkage.rods[i].from);
     if (i == now.solved)
       canvas.rod(above - Point(0, 0.25 * spacing), bob + Point(0, 0.25 * spacing),
-                 {palette::highlight, {palette::ink, 0}}, 0.16 * spacing);
+                 {palette::highlight, {palette::ink, 1.2}}, 0.16 * spacing);
     canvas.vector(bob + Point(28, 0.3 * spacing), {0, -now.speeds[i]}, {palette::velocity, 0.6 * spacing});
     if (links <= 20)
       canvas.text(Point(above.x() - 16, (above.y() + bob.y()) / 2), std::to_string(i + 1),

@@ -52,7 +52,7 @@ void draw_panel(renderer::Canvas& canvas, const Panel& now, double length, const
     const Point middle = camera.to_page((rod.from + rod.to) / 2), bob = camera.to_page(now.linkage.bobs[i].at);
     if (i == now.solved) {
       const Point up = camera.to_page(rod.from), down = camera.to_page(rod.to);
-      canvas.rod(up - Point(0, 18), down + Point(0, 26), {palette::highlight, {palette::ink, 0}}, 11);
+      canvas.rod(up - Point(0, 18), down + Point(0, 26), {palette::highlight, {palette::ink, 1.6}}, 11);
     }
     canvas.text(middle - Point(16, 0), in_falls(now.errors[i]),
                 {.size = 24, .colour = palette::error, .anchor = renderer::Anchor::right, .bold = true});
@@ -113,6 +113,7 @@ void two_links(Page& page, const Knobs& knobs) {
         const auto cells = canvas.page().inset(20).cells(1, 4, 10);
         for (std::size_t i = 0; i < cells.size(); ++i) draw_panel(canvas, panels[i], L, cells[i]);
       });
+  within_a_sweep(page, knobs);
   page.text(
       R"(Row 2 has undone half of what row 1 did; solving row 1 again undoes half of what row 2 did. (17) is exact for
       *one* row while the others wait. For many rows it is one step of a method that goes round and round:

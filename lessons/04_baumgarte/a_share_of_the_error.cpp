@@ -5,6 +5,7 @@
 #include "lessons/04_baumgarte/rod_end.hpp"
 #include "lessons/04_baumgarte/runs.hpp"
 #include "lessons/04_baumgarte/steps.hpp"
+#include "lessons/04_baumgarte/within_two_steps.hpp"
 
 namespace byhand::baumgarte {
 namespace {
@@ -98,6 +99,9 @@ void a_share_of_the_error(const Setting& setting, Page& page) {
                    {"(22) with β/h", "JV = −(β/h)C", R"(JV = -\tfrac{\beta}{h}\,C)"},
                    {"insert", "C′ = C − βC = (1 − β)C", R"(C' = C - \beta C = (1-\beta)\,C)"},
                    {"k steps", "Cₖ = (1 − β)ᵏC₀", R"(C_k = (1-\beta)^k\,C_0)"}});
+  page.text(
+      "On the circle of step 1 the same happens to the drift of every step. Here is one of them, slowed down:");
+  within_two_steps(setting, page);
   const double push = 0.5 * setting.mass() * std::pow(beta * e / h, 2);
   const auto returned = [&] {
     if (beta < 1)

@@ -4,6 +4,7 @@
 
 #include "lessons/pictures/growing.hpp"
 #include "lessons/pictures/rods_and_bobs.hpp"
+#include "lessons/pictures/runs.hpp"
 #include "lessons/scenes/pendulum.hpp"
 #include "renderer/canvas.hpp"
 
@@ -45,7 +46,8 @@ void PendulumFilm::draw(Canvas& canvas, double time) const {
     canvas.line({0, 0}, ghost, {palette::theory, 2, Dash::dashed});
     canvas.disc(ghost, 13 / canvas.camera().scale, {palette::paper, {palette::theory, 2}});
     canvas.trail(trail, {palette::velocity, 3});
-    pictures::draw(canvas, {.bobs = {{now, 1}}, .rods = {{{0, 0}, now}}, .anchors = {{0, 0}}}, {.bob = 13});
+    pictures::draw(canvas, {.bobs = {{now, 1}}, .rods = {{{0, 0}, now}}, .anchors = {{0, 0}}},
+                   {.bob = 13, .bodies = pictures::look_of_run(static_cast<int>(i))});
     canvas.look_at_page();
     canvas.text({frames[i].centre().x(), frames[i].top() - 8}, say("β = @", betas_[i]),
                 {.size = 22, .colour = palette::series(static_cast<int>(i)), .bold = true});

@@ -6,6 +6,7 @@
 #include "lessons/04_baumgarte/steps.hpp"
 #include "lessons/04_baumgarte/warm_chain.hpp"
 #include "lessons/pictures/growing.hpp"
+#include "lessons/pictures/runs.hpp"
 #include "renderer/canvas.hpp"
 
 namespace byhand::baumgarte {
@@ -86,7 +87,9 @@ struct ChainsFilm {
       const double spacing = length * canvas.camera().scale;
       canvas.clip(below);
       pictures::draw(canvas, chain->linkage(),
-                     {.bob = std::min(13.0, 0.3 * spacing), .rod = std::min(5.0, 0.15 * spacing)});
+                     {.bob = std::min(13.0, 0.3 * spacing),
+                      .rod = std::min(5.0, 0.15 * spacing),
+                      .bodies = pictures::look_of_run(i)});
       canvas.clip({});
       canvas.look_at_page();
       canvas.text({frames[i].centre().x(), frames[i].y + 12}, largest_error_of(*chain, length),

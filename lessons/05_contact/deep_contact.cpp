@@ -6,6 +6,7 @@
 #include "lessons/05_contact/steps.hpp"
 #include "lessons/pictures/boxes.hpp"
 #include "lessons/pictures/growing.hpp"
+#include "lessons/pictures/runs.hpp"
 #include "lessons/scenes/boxes.hpp"
 #include "solver/step.hpp"
 
@@ -99,7 +100,9 @@ void draw_runs(Canvas& canvas, const std::vector<NamedBox>& runs, const Rectangl
                 {.size = 20, .colour = palette::series(static_cast<int>(i)), .bold = true});
     canvas.clip(below);
     canvas.look(fit({-0.7, -0.5, 1.4, top + 0.6}, below, 0));
-    pictures::draw(canvas, pictures::shapes_of(runs[i].box.scene));
+    pictures::Shapes shapes = pictures::shapes_of(runs[i].box.scene);
+    for (auto& box : shapes.boxes) box.look = pictures::look_of_run(static_cast<int>(i));
+    pictures::draw(canvas, shapes);
     canvas.clip({});
   }
   canvas.look_at_page();
@@ -113,12 +116,18 @@ Chart peaks(const Setting& setting) {
     Curve measured{.label = say("β = @", Value(beta, 2)), .style = CurveStyle::markers},
         law{.style = CurveStyle::theory};
     for (int i = 1; i <= 10; ++i) {
-      const double depth = deepest * i / 10;
-      measured.x.push_back(depth);
-      measured.y.push_back(peak(sunk(depth, Baumgarte{beta}), h));
+      measured.x.push_back(deepest * i / 10);
+      measured.y.push_back(peak(sunk(measured.x.back(), Baumgarte{beta}), h));
+    }
+    for (int i = 4; i <= 40; ++i) {
+      const double depth = deepest * i / 40;
+      if (i > 4 && limit > law.x.back() && limit < depth) law.x.push_back(limit), law.y.push_back(0);
       law.x.push_back(depth);
       law.y.push_back(depth > limit ? law_of_peak(depth, beta, h) : 0);
     }
+    if (beta == setting.beta() && limit < deepest)
+      chart.references.push_back(
+          {Reference::Across::x, limit, say("limit for β = @: @ m", Value(beta, 2), Value(limit, 4))});
     chart.curves.push_back(measured);
     chart.curves.push_back(law);
   }

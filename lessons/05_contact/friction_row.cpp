@@ -3,9 +3,9 @@
 #include <array>
 #include <cmath>
 
+#include "lessons/05_contact/on_a_corner.hpp"
 #include "lessons/05_contact/steps.hpp"
 #include "renderer/canvas.hpp"
-#include "solver/constraints/contact.hpp"
 #include "solver/constraints/friction.hpp"
 #include "solver/step.hpp"
 
@@ -14,66 +14,6 @@ namespace {
 
 using namespace tutor;
 using namespace renderer;
-
-constexpr double tilt = 30;  // of the box that comes down on its corner [deg]
-
-/// A unit box that comes straight down on a corner, and what its two rows make of that, one after the other.
-class OnACorner {
- public:
-  OnACorner(double mass, double speed, double friction) : friction_(friction) {
-    const auto [sin, cos] = sin_cos(radians(tilt));
-    corner_ = {0.5 * (sin - cos), -0.5 * (sin + cos)};
-    const Pose<PlaneBody> tilted{-corner_, plane_rotation(radians(tilt))};
-    Scene<PlaneBody> scene;
-    const int ground = scene.add_body(Pose<PlaneBody>(), fixed<PlaneBody>());
-    const int box = scene.add_body(tilted, byhand::box<PlaneBody>(mass, {1, 1}), {0, -speed, 0});
-    const Contact<PlaneBody> contact{between<PlaneBody>(scene.bodies(), ground, {0, 0}, box, {0, 0})};
-    bodies_ = scene.bodies();
-    normal_ = contact.jacobian(bodies_.pose[0], bodies_.pose[1]);
-    tangent_ = Friction<PlaneBody>{contact.at, tangents_of<PlaneBody>(contact.normal)}.jacobian(bodies_.pose[0],
-                                                                                                bodies_.pose[1]);
-  }
-
-  void solve_normal() { pressed_ += solve(normal_, 0, INFINITY, pressed_); }
-  void solve_friction() { rubbed_ += solve(tangent_, -friction_ * pressed_, friction_ * pressed_, rubbed_); }
-
-  double approach() const { return rate(normal_); }
-  double slip() const { return rate(tangent_); }
-  double pressed() const { return pressed_; }
-  double rubbed() const { return rubbed_; }
-  /// A = JM⁻¹Jᵀ between two rows, in 1/m.
-  double coupling(double mass) const { return mass * entry(tangent_, normal_); }
-  double normal_share(double mass) const { return mass * entry(normal_, normal_); }
-  double tangent_share(double mass) const { return mass * entry(tangent_, tangent_); }
-
-  Point centre() const { return bodies_.pose[1].position; }
-  Point corner_velocity() const { return {slip(), approach()}; }
-  double spin() const { return bodies_.velocity[1][2]; }
-
- private:
-  using Row = Jacobian<PlaneBody, 1>;
-
-  Row over_mass(const Row& J) const {
-    return times_inverse_mass(J, bodies_.inverse_mass[0], bodies_.pose[0], bodies_.inverse_mass[1],
-                              bodies_.pose[1]);
-  }
-  double rate(const Row& J) const { return dot(J, bodies_.velocity[0], bodies_.velocity[1])[0]; }
-  double entry(const Row& one, const Row& other) const { return one.matrix.dot(over_mass(other).matrix); }
-  double solve(const Row& J, double lower, double upper, double before) {
-    const Row W = over_mass(J);
-    //! [bounded]
-    const double wanted = before + impulse(J, W, bodies_.velocity[0], bodies_.velocity[1], 0.0);  // (17)
-    const double change = std::clamp(wanted, lower, upper) - before;
-    apply_impulse(W, Rows<1>(change), bodies_.velocity[0], bodies_.velocity[1]);  // (20)
-    //! [bounded]
-    return change;
-  }
-
-  Bodies<PlaneBody> bodies_;
-  Point corner_;  // from the centre [m]
-  Row normal_, tangent_;
-  double friction_, pressed_ = 0, rubbed_ = 0;
-};
 
 /// Without what rounding leaves, to three digits.
 Value tidy(double value) { return {std::abs(value) < 1e-9 ? 0 : value, 3}; }
@@ -142,7 +82,7 @@ Chart speeds(const Setting& setting) {
     Curve curve{.label = orders[i].name,
                 .x = {0},
                 .y = {setting.speed()},
-                .style = i == 0 ? CurveStyle::line : CurveStyle::line_and_markers};
+                .style = i == 0 ? CurveStyle::line : CurveStyle::markers};
     const int every = std::max(1, static_cast<int>(stop / setting.h() / 16));
     for (int step = 1; simulation.time < 1.3 * stop; ++step) {
       simulation.step(setting.h);
@@ -226,6 +166,7 @@ void friction_row(const Setting& setting, Page& page) {
         R"(\text{slip} = \frac{A_{tn}}{A_{nn}}\,v)"},
        {"(19), with r from the centre to the corner", "Aₙₙ = 1/m + rₓ²/I,   Aₜₙ = −rₓ r_y/I",
         R"(A_{nn} = \frac1m + \frac{r_x^2}{I}, \qquad A_{tn} = -\frac{r_x r_y}{I})"}});
+  within_the_cone(setting, page);
   const double lifted = rubbed.approach();
   page.text(
       R"(Friction's push has disturbed the normal in turn: the corner now moves @ at @ m/s. So another sweep follows,

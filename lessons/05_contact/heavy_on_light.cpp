@@ -8,6 +8,7 @@
 #include "lessons/05_contact/steps.hpp"
 #include "lessons/pictures/boxes.hpp"
 #include "lessons/pictures/growing.hpp"
+#include "lessons/pictures/runs.hpp"
 #include "lessons/tutor/rounding.hpp"
 
 namespace byhand::contact {
@@ -75,7 +76,8 @@ Chart over_ratio(const Setting& setting) {
   }
   return {.x = {.label = "mass of the upper box over the lower (1)", .scale = Scale::logarithmic},
           .y = {.label = "upper box off its place after 7 s (m)", .scale = Scale::logarithmic},
-          .curves = {cold, warm, direct, law}};
+          .curves = {cold, warm, direct, law},
+          .references = {{.value = least, .label = "0.1 μm or less"}}};
 }
 
 void draw_runs(Canvas& canvas, const std::vector<NamedPile>& runs, const Rectangle& frame) {
@@ -88,7 +90,11 @@ void draw_runs(Canvas& canvas, const std::vector<NamedPile>& runs, const Rectang
     canvas.clip(below);
     canvas.look(fit({-0.8, -0.3, 1.6, 2.9}, below, 0));
     pictures::Shapes shapes = pictures::shapes_of(runs[i].pile.scene);
-    for (auto& box : shapes.boxes) box.look.fill = fade(box.body == 2 ? palette::muted : palette::body, 0.75);
+    for (auto& box : shapes.boxes) {
+      box.look = pictures::look_of_run(static_cast<int>(i));
+      if (box.body == 1) box.look.fill = mix(palette::paper, box.look.fill, 0.5);  // the light one
+      box.look.fill = fade(box.look.fill, 0.75);
+    }
     pictures::draw(canvas, shapes);
     canvas.line({-0.6, 2}, {0.6, 2}, {palette::muted, 1.5, Dash::dashed});
     canvas.clip({});

@@ -201,7 +201,7 @@ void push_only(const Setting& setting, Page& page) {
       R"(So **the sum is clamped**. A row may take back what it gave, down to zero; a later change may pull, as long
       as the sum of all pushes. Every bound is an interval for the sum λ: a contact has the interval from 0 to ∞, a
       rod from −∞ to ∞, and friction has one that moves:)");
-  page.excerpt("lessons/05_contact/friction_row.cpp", "bounded");
+  page.excerpt("lessons/05_contact/on_a_corner.hpp", "bounded");
 
   page.measure("speed upwards after one step, each clamped", up, "gh");
   page.claim({.quantity = "speed upwards after one step, each change clamped",

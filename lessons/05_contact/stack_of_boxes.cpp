@@ -7,6 +7,7 @@
 #include "lessons/05_contact/steps.hpp"
 #include "lessons/pictures/boxes.hpp"
 #include "lessons/pictures/growing.hpp"
+#include "lessons/pictures/runs.hpp"
 
 namespace byhand::contact {
 namespace {
@@ -122,7 +123,9 @@ Chart needed(double h) {
     digit.y.push_back(std::log(10) / share_taken(boxes, h));
     law_digit.y.push_back(std::log(10) * std::pow(boxes, 4) / 2);
   }
-  return {.x = {.label = "number of boxes N", .scale = Scale::logarithmic},
+  std::vector<Tick> counted;
+  for (const double boxes : stands.x) counted.push_back({boxes, tutor::number(boxes)});
+  return {.x = {.label = "number of boxes N", .scale = Scale::logarithmic, .ticks = counted},
           .y = {.label = "number of sweeps", .scale = Scale::logarithmic},
           .curves = {stands, law_stands, digit, law_digit}};
 }
@@ -167,6 +170,7 @@ Chart shifts(const std::vector<NamedPile>& runs, double h) {
     }
     chart.curves.push_back(std::move(curve));
   }
+  chart.references.push_back({.value = 1e-6, .label = "1 μm or less"});
   return chart;
 }
 
@@ -180,7 +184,10 @@ void draw_runs(Canvas& canvas, const std::vector<NamedPile>& runs, const Rectang
     canvas.clip(below);
     canvas.look(fit({-0.16 * boxes, -0.03 * boxes, 0.32 * boxes, 1.06 * boxes}, below, 0));
     pictures::Shapes shapes = pictures::shapes_of(runs[i].pile.scene);
-    for (auto& box : shapes.boxes) box.look.edge.width = 1;
+    for (auto& box : shapes.boxes) {
+      box.look = pictures::look_of_run(static_cast<int>(i));
+      box.look.edge.width = 1;
+    }
     pictures::draw(canvas, shapes);
     canvas.clip({});
   }

@@ -85,7 +85,10 @@ Chart distances(const Setting& setting, double limit) {
     measured.x.push_back(degrees(angle));
     measured.y.push_back(without_rounding(slid_after(on_slope(setting, angle), angle, time, h), 1));
   }
-  for (double angle = radians(4); angle < steepest; angle += radians(0.5)) {
+  std::vector<double> angles{limit};  // where the law has its corner
+  for (double angle = radians(4); angle < steepest; angle += radians(0.5)) angles.push_back(angle);
+  std::sort(angles.begin(), angles.end());
+  for (const double angle : angles) {
     law.x.push_back(degrees(angle));
     law.y.push_back(law_of_sliding(angle, mu, time, h));
   }

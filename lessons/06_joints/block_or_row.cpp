@@ -1,5 +1,6 @@
 // Step 2: the rows of a joint together, or one after the other.
 
+#include <algorithm>
 #include <cmath>
 
 #include "lessons/06_joints/mechanism.hpp"
@@ -79,6 +80,20 @@ Chart way_of_sweeps(const Setting& setting, double side) {
               .colour = palette::force};
   chart.curves = {x_row, y_row, block, way};
   chart.annotations.push_back({way.x.back(), way.y.back(), say("after @ sweeps", shown_sweeps)});
+  return chart;
+}
+
+/// The part of such a chart where the sweeps go, by itself and without names.
+Chart seen_close(Chart chart) {
+  const Curve& way = chart.curves.back();
+  const auto [left, right] = std::minmax_element(way.x.begin(), way.x.end());
+  const auto [low, high] = std::minmax_element(way.y.begin(), way.y.end());
+  const double wide = 0.2 * std::max(*right - *left, 1e-9), tall = 0.2 * std::max(*high - *low, 1e-9);
+  chart.title = "";
+  chart.x = {.label = "seen close", .range = {{*left - wide, *right + wide}}};
+  chart.y = {.range = {{*low - tall, *high + tall}}};
+  for (Curve& curve : chart.curves) curve.label = "";
+  chart.annotations.clear();
   return chart;
 }
 
@@ -178,7 +193,8 @@ void block_or_row(const Setting& setting, Page& page) {
       [plump = way_of_sweeps(setting, length), small = way_of_sweeps(setting, side)](Canvas& canvas) {
         const auto cells = canvas.page().inset(14, 30).cells(1, 2, 24);
         draw(canvas, plump, cells[0]);
-        draw(canvas, small, cells[1]);
+        const Rectangle plot = draw(canvas, small, cells[1]);
+        draw(canvas, seen_close(small), {plot.x + 12, plot.y + 34, 0.5 * plot.width, 0.42 * plot.height});
       });
   page.text(
       R"(On the left a box as large as its arm: the rows ask for different things, and a few sweeps are enough. @ As a

@@ -6,6 +6,7 @@
 #include "lessons/06_joints/runs.hpp"
 #include "lessons/06_joints/steps.hpp"
 #include "lessons/pictures/growing.hpp"
+#include "lessons/pictures/runs.hpp"
 #include "lessons/scenes/pendulum.hpp"
 #include "solver/constraints/limit.hpp"
 #include "solver/constraints/motor.hpp"
@@ -86,7 +87,8 @@ struct BarsFilm {
       canvas.look(fit({-0.75 * length, -1.1 * length, 1.9 * length, 1.5 * length}, below, 4));
       if (i == 0) draw_stop(canvas, {0, 0}, -stop_at, length);
       canvas.anchor({0, 0}, {0, -1});
-      draw_bar(canvas, {{0, 0}, 2 * arm.scene.bodies().pose[1].position});
+      draw_bar(canvas, {{0, 0}, 2 * arm.scene.bodies().pose[1].position}, 16,
+               pictures::look_of_run(static_cast<int>(i)));
       canvas.hinge({0, 0});
       const double given = std::min(moment(arm, setting), 1.0), phi = -below_level(arm),
                    aside = given > 0 ? -0.12 : 0.12;
@@ -105,7 +107,7 @@ void bounds_on_turns(const Setting& setting, Page& page) {
   page.text(
       R"(A stop and a motor share one row, the turn's J = [0 −1 0 1]. They differ in the interval for λ and in the
       speed that they ask for. The solver clamps the sum of λ to that interval, as lesson 5 did for a contact:)");
-  page.excerpt("lessons/05_contact/friction_row.cpp", "bounded");
+  page.excerpt("lessons/05_contact/on_a_corner.hpp", "bounded");
   page.formula("stop:  JV ≥ −(β/h)C,  0 ≤ λ        motor:  JV = s,  |λ| ≤ τh",
                R"(\text{stop: } JV \ge -\tfrac{\beta}{h}C,\ 0 \le \lambda \qquad
                   \text{motor: } JV = s,\ |\lambda| \le \tau h)");

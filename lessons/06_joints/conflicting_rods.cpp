@@ -50,21 +50,23 @@ Curve over_time(const Cure& cure, const Setting& setting) {
   return curve;
 }
 
+// Colours that no curve of the chart has.
+const Colour short_rod = palette::ink, long_rod = palette::series(7);
+
 void draw_rods(Canvas& canvas, const Rods& rods, double length, double gap, const Rectangle& frame) {
   const double apart = 0.09 * length;  // the rods are one line; drawn side by side they can be told apart
   canvas.look(fit({-0.6 * length, -1.3 * (length + gap), 1.2 * length, 1.45 * (length + gap)}, frame, 6));
   const Point bob = rods.scene.bodies().pose[1].position;
   canvas.anchor({0, 0});
-  for (const auto& [side, colour] : {std::pair{-1, palette::constraint}, std::pair{1, palette::series(1)}}) {
+  for (const auto& [side, colour] : {std::pair{-1, short_rod}, std::pair{1, long_rod}}) {
     const Point off(side * apart, 0);
     canvas.rod(off, bob + off, {colour, {palette::ink, 0}}, 7);
   }
   canvas.rod({-1.4 * apart, 0}, {1.4 * apart, 0}, body_look, 12);
   canvas.rod(bob - Point(1.4 * apart, 0), bob + Point(1.4 * apart, 0), body_look, 12);
   canvas.disc(bob - Point(0, 0.16 * length), 0.12 * length);
-  canvas.line({-0.5 * length, -length}, {0.5 * length, -length}, {palette::constraint, 1.6, Dash::dashed});
-  canvas.line({-0.5 * length, -length - gap}, {0.5 * length, -length - gap},
-              {palette::series(1), 1.6, Dash::dashed});
+  canvas.line({-0.5 * length, -length}, {0.5 * length, -length}, {short_rod, 1.6, Dash::dashed});
+  canvas.line({-0.5 * length, -length - gap}, {0.5 * length, -length - gap}, {long_rod, 1.6, Dash::dashed});
   canvas.look_at_page();
 }
 
@@ -87,10 +89,8 @@ struct ConflictFilm {
     };
     canvas.text({left.x + 10, left.y + 70}, say("@ s", Value(std::floor(time * 10 + 1e-9) / 10, 3)),
                 {.size = 24, .anchor = Anchor::left, .bold = true});
-    canvas.text({left.x + 10, left.y + 40}, says(0),
-                {.size = 19, .colour = palette::constraint, .anchor = Anchor::left});
-    canvas.text({left.x + 10, left.y + 12}, says(1),
-                {.size = 19, .colour = palette::series(1), .anchor = Anchor::left});
+    canvas.text({left.x + 10, left.y + 40}, says(0), {.size = 19, .colour = short_rod, .anchor = Anchor::left});
+    canvas.text({left.x + 10, left.y + 12}, says(1), {.size = 19, .colour = long_rod, .anchor = Anchor::left});
     renderer::draw(canvas, pictures::grown_to(beside, time), right.inset(0, 40));
   }
 };
@@ -183,7 +183,9 @@ void conflicting_rods(const Setting& setting, Page& page) {
                                 {"cold start", two_rods(setting, gap, cold)},
                                 {"soft rows", two_rods(setting, gap, warm, softness)},
                                 {"regularised", two_rods(setting, gap, Direct{.regularisation = added_share})}};
-  Chart chart{.x = {.label = "time (s)"}, .y = {.label = "rod against rod (mg)", .scale = Scale::logarithmic}};
+  // On two logarithmic axes, what grows in proportion to time is a straight line.
+  Chart chart{.x = {.label = "time (s)", .scale = Scale::logarithmic},
+              .y = {.label = "rod against rod (mg)", .scale = Scale::logarithmic}};
   double most = 0, least = INFINITY;
   for (const Cure& cure : cures) {
     chart.curves.push_back(over_time(cure, setting));

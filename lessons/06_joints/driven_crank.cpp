@@ -104,8 +104,7 @@ struct CrankFilm {
     if (machine.time > 0) {
       const double given = machine.reaction(motor_row).torque2[0], most = ranges(moment).y.second;
       if (std::abs(given) > 0.02 * most)
-        draw_turn(canvas, {0, 0}, -pi / 2, -pi / 2 + std::clamp(2 * given / most, -2.0, 2.0), 0.75 * r,
-                  {palette::force, 4});
+        draw_turn(canvas, {0, 0}, pi, pi + std::clamp(2 * given / most, -1.4, 1.4), 1.15 * r, {palette::force, 4});
     }
     canvas.clip({});
     canvas.look_at_page();

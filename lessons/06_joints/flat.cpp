@@ -198,6 +198,16 @@ void flat(const Setting& setting, Page& page) {
                               {"neither, 1 : −1", sent_off(setting, speed, -1)}};
   Chart energies{.x = {.label = "time (s)"}, .y = {.label = "kinetic energy (of the start)", .range = {{0, 1.1}}}};
   for (const Way& way : ways) energies.curves.push_back(energy_of(way, h));
+  // The second lies on the first: marks at some of its points leave the line below to be seen.
+  Curve& second = energies.curves[1];
+  Curve sparse{.label = second.label, .style = CurveStyle::markers};
+  const std::size_t last = second.x.size() - 1;
+  for (std::size_t k = 0; k <= 24; ++k) {
+    const std::size_t i = k * last / 24;
+    sparse.x.push_back(second.x[i]);
+    sparse.y.push_back(second.y[i]);
+  }
+  second = sparse;
   const auto kept = [&](int way) { return energies.curves[way].y.back(); };
   page.text(
       R"(One independent row less is one freedom more. In the flat pose the linkage has two, and *two motions lead

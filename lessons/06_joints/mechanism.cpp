@@ -19,8 +19,8 @@ Bar bar_of(const Pose<PlaneBody>& pose, double length) {
   return {pose.position - half, pose.position + half};
 }
 
-void draw_bar(Canvas& canvas, const Bar& bar, double thickness) {
-  canvas.rod(bar.from, bar.to, body_look, thickness);
+void draw_bar(Canvas& canvas, const Bar& bar, double thickness, const Look& look) {
+  canvas.rod(bar.from, bar.to, look, thickness);
 }
 
 void draw_weld(Canvas& canvas, const Point& at) {

@@ -12,7 +12,8 @@ struct Bar {
 };
 Bar bar_of(const Pose<PlaneBody>& pose, double length);
 
-void draw_bar(renderer::Canvas& canvas, const Bar& bar, double thickness = 16);
+void draw_bar(renderer::Canvas& canvas, const Bar& bar, double thickness = 16,
+              const renderer::Look& look = renderer::body_look);
 
 /// Where two bodies are welded.
 void draw_weld(renderer::Canvas& canvas, const renderer::Point& at);

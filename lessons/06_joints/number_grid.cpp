@@ -1,5 +1,8 @@
 #include "lessons/06_joints/number_grid.hpp"
 
+#include <algorithm>
+#include <string>
+
 #include "lessons/tutor/words.hpp"
 
 namespace byhand::joints {
@@ -22,8 +25,12 @@ void draw_grid(Canvas& canvas, const Eigen::MatrixXd& matrix, const Point& at, c
       const double value = std::abs(matrix(i, j)) < 1e-12 * most ? 0 : matrix(i, j);
       canvas.rectangle(box,
                        {value == 0 ? palette::paper : palette::diverging(0.5 * value / most), {palette::grid, 1}});
-      canvas.text(box.centre(), tutor::number(value, 2),
-                  {.size = 13, .colour = value == 0 ? palette::muted : palette::ink});
+      const std::string number = tutor::number(value, 3);
+      // As large as the cell allows, with a little air.
+      const double width = canvas.measure({0, 0}, number, {.size = 13}).width;
+      canvas.text(box.centre(), number,
+                  {.size = 13 * std::min(1.0, (cell.x() - 6) / width),
+                   .colour = value == 0 ? palette::muted : palette::ink});
     }
   }
 }

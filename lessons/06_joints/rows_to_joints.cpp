@@ -150,7 +150,7 @@ void rows_to_joints(const Setting& setting, Page& page) {
   page.sequence(
       "six_joints",
       say(R"(What joints leave free. Above: equations; below: bounds. The stop is at @°, the motor turns once in @
-          s, the rope is slack at first. Arrows: the force that the joint gives the bar (λ/h).)",
+          s, the rope is slack at first. Arrows and bows: the force and the moment that the joint gives the bar (λ/h).)",
           Value(degrees(sample_stop), 3), sample_seconds),
       Seconds{sample_seconds},
       [samples = Samples(setting)](Canvas& canvas, double time) mutable { samples.draw(canvas, time); });

@@ -56,21 +56,26 @@ Samples::Samples(const Setting& setting)
   scene.state().velocity[body(sliding)].head<2>() = std::min(up, 2.5 * length_ / sample_seconds) * along;
 }
 
-std::array<Point, 6> Samples::forces() const {
-  std::array<Point, 6> forces;
-  forces.fill(Point(0, 0));
-  if (simulation_.time == 0) return forces;
-  for (const auto& joint : simulation_.scene.entries())
-    forces[joint.body2 - 1] += Point(simulation_.reaction(joint.id).force);
+std::array<Samples::Given, 6> Samples::given() const {
+  std::array<Given, 6> all;
+  if (simulation_.time == 0) return all;
+  for (const auto& joint : simulation_.scene.entries()) {
+    const auto reaction = simulation_.reaction(joint.id);
+    const auto& pose = simulation_.scene.bodies().pose[joint.body2];
+    const Point force = Point(reaction.force), arm = bar_of(pose, length_).from - Point(pose.position);
+    all[joint.body2 - 1].force += force;
+    // What is left of the torque about the centre when the force acts at the hinge.
+    all[joint.body2 - 1].couple += reaction.torque2[0] - (arm.x() * force.y() - arm.y() * force.x());
+  }
   // The rope has turned with the step since it pulled; its arrow is drawn along it.
   const Point end = bar_of(simulation_.scene.bodies().pose[1 + roped], length_).from;
-  forces[roped] = -forces[roped].norm() * end.normalized();
-  return forces;
+  all[roped].force = -all[roped].force.norm() * end.normalized();
+  return all;
 }
 
 void Samples::draw(Canvas& canvas, double time) {
   advance_to(simulation_, time, h_);
-  const auto given = forces();
+  const std::array<Given, 6> reactions = given();
   const auto cells = canvas.page().inset(12).cells(2, 3, 8);
   for (int i = pinned; i <= roped; ++i) {
     const Rectangle& cell = cells[i];
@@ -99,9 +104,15 @@ void Samples::draw(Canvas& canvas, double time) {
       draw_sleeve(canvas, bar.from, rail);
     else
       canvas.hinge(bar.from);
-    if (given[i].norm() > 1e-3 * weight_)
-      canvas.vector(bar.from, given[i], {palette::force, 0.3 * length_ / weight_});
-    canvas.clip({});
+    canvas.clip({});  // arrows may reach beyond
+    const Given& of = reactions[i];
+    if (of.force.norm() > 1e-3 * weight_)
+      canvas.vector(bar.from, of.force, {palette::force, 0.3 * length_ / weight_});
+    // A couple of the weight's moment about the hinge is a bow over two radians. Rope and pin have none.
+    const double couple = of.couple / (0.5 * weight_ * length_);
+    if (i != roped && i != pinned && std::abs(couple) > 0.02)
+      draw_turn(canvas, bar.from, -pi / 2, -pi / 2 + std::clamp(2 * couple, -2.6, 2.6), 0.3 * length_,
+                {palette::force, 4});
   }
   canvas.look_at_page();
 }

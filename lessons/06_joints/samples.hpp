@@ -28,8 +28,12 @@ class Samples {
  private:
   using Joined = Simulation<PlaneBody>;
 
-  /// What each joint gives its bar [N].
-  std::array<renderer::Point, 6> forces() const;
+  /// What each joint gives its bar at the hinge: a force [N] and a couple [N m].
+  struct Given {
+    renderer::Point force{0, 0};
+    double couple = 0;
+  };
+  std::array<Given, 6> given() const;
 
   double length_, weight_, h_;
   Joined simulation_;

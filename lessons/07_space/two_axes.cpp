@@ -62,7 +62,19 @@ struct PucksFilm {
       pictures::add_trail(space, trail, 0.02 * reach, palette::velocity);
       space.box(place(end), {2 * size, size, 2 * size}, Eigen::Quaterniond::Identity(), palette::highlight);
     }
+    struct Axis {
+      Point3 tip;
+      const char* name;
+    };
+    const double raised = 0.02 * reach, axis = 0.38 * reach;
+    const std::array<Axis, 2> axes{{{{axis, raised, 0}, "t_1"}, {{0, raised, axis}, "t_2"}}};
+    for (const Axis& of : axes) space.arrow({0, raised, 0}, of.tip, 0.012 * reach, palette::constraint);
     canvas.draw(space);
+    for (const Axis& of : axes) {
+      const Point tip = space.project(of.tip);
+      canvas.text(tip + 16 * (tip - space.project({0, raised, 0})).normalized(), of.name,
+                  {.size = 20, .colour = palette::constraint, .halo = 3});
+    }
     canvas.text({frame.centre().x(), frame.top() - 16}, name, {.size = 22, .bold = true});
   }
 
@@ -70,6 +82,8 @@ struct PucksFilm {
     const auto [left, right] = canvas.page().inset(14).split_columns(0.5, 10);
     draw_ways(canvas, pyramid, "each axis by itself", left, time);
     draw_ways(canvas, disc, "both together: a disc", right, time);
+    canvas.text({left.x + 8, left.y + 14}, say("@ s", Value(std::floor(time * 10 + 1e-9) / 10, 3)),
+                {.size = 24, .anchor = Anchor::left, .bold = true});
   }
 };
 

@@ -43,25 +43,21 @@ std::vector<Line> lines(const Page& page) {
   return lines;
 }
 
-Chart diagonal(const std::vector<Line>& lines) {
-  Chart chart{.x = {.label = "predicted (each in its own unit)", .scale = Scale::logarithmic},
-              .y = {.label = "measured", .scale = Scale::logarithmic}};
-  double low = 1e300, high = 0;
+/// How far what was measured lies from what the law predicts, by law. Limits that a law predicts as 0 are left
+/// out.
+Chart deviations(const std::vector<Line>& lines) {
+  Chart chart{.x = {.label = "law"}, .y = {.label = "measured / predicted − 1 (%)"}};
   for (std::size_t family = 0; family < families.size(); ++family) {
     Curve curve{.label = families[family], .style = CurveStyle::markers};
     for (const Line& line : lines) {
       if (static_cast<std::size_t>(line.family) != family || !(line.predicted > 0)) continue;
-      curve.x.push_back(line.predicted);
-      curve.y.push_back(line.measured);
-      curve.point_labels.push_back(line.first ? std::to_string(line.law) : "");
-      low = std::min(low, line.predicted);
-      high = std::max(high, line.predicted);
+      curve.x.push_back(line.law);
+      curve.y.push_back(100 * (line.measured / line.predicted - 1));
+      curve.point_names.push_back(line.setting);
     }
     chart.curves.push_back(std::move(curve));
   }
-  chart.x.range = chart.y.range = std::pair(low / 2, high * 2);
-  chart.curves.push_back(
-      {.label = "as predicted", .x = {low / 2, high * 2}, .y = {low / 2, high * 2}, .style = CurveStyle::theory});
+  chart.references.push_back({.value = 0, .label = "as predicted"});
   return chart;
 }
 
@@ -129,12 +125,12 @@ void all_laws(const Setting&, Page& page) {
       R"(A law is worth what it predicts. So each is tried at several settings: the number that its derivation gives,
       beside the one that bisection finds by running scenes on both sides of the limit.)");
   page.figure("all_laws",
-              say(R"(@ limits of @ laws. Left: predicted against measured, with the numbers of the laws. Right: one
-                  setting of each law. All are in the table of claims below.)",
+              say(R"(@ limits of @ laws. Left: how far each measured limit lies from the predicted one. Right:
+                  one setting of each law. All are in the table of claims below.)",
                   all.size(), laws.size()),
               [all](Canvas& canvas) {
                 const auto [left, right] = canvas.page().inset(14).split_columns(0.4, 16);
-                renderer::draw(canvas, diagonal(all), left.inset(0, 24));
+                renderer::draw(canvas, deviations(all), left.inset(0, 24));
                 draw_table(canvas, all, right.inset(0, 14));
               });
   for (const Line& line : all)

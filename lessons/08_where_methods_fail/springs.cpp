@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "lessons/08_where_methods_fail/growing_mode.hpp"
 #include "lessons/08_where_methods_fail/laws/soft.hpp"
 #include "lessons/08_where_methods_fail/map.hpp"
 #include "lessons/08_where_methods_fail/steps.hpp"
@@ -58,6 +59,7 @@ void springs(const Setting& setting, Page& page) {
         R"(z^2 - (2 - 2\zeta s - s^2)\,z + (1 - 2\zeta s) = 0)"},
        {"a root reaches z = −1 where", "4 − 4ζs − s² = 0", R"(4 - 4\zeta s - s^2 = 0)"},
        {"the positive root", "s = 2(√(1 + ζ²) − ζ)", R"(s = 2\left(\sqrt{1 + \zeta^2} - \zeta\right))"}});
+  growing_mode(page);
   const Map map = map_of(page, knob("damping ratio ζ", 0, 3, setting.resolution, renderer::Scale::linear),
                          knob("ωh", 0.1, 4, setting.resolution),
                          [](double zeta, double omega_h) { return laws::explicit_spring(omega_h, zeta); });

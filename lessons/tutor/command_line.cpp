@@ -76,6 +76,7 @@ CommandLine parse_command_line(const std::string& title, const std::string& prog
              "854×480 at 15/s, 1280×720 at 30/s (default),\n1920×1080 at 60/s");
   add_choice(app, "--frames", line.frames, {"none", "last", "all"},
              "of each sequence; default all, at a terminal last");
+  add_choice(app, "--film", line.film, {"webm", "mp4"}, "each sequence as a film too, by ffmpeg");
   app.add_option("--set", line.settings, "give a parameter another value; repeatable")
       ->type_name("NAME=VALUE")
       ->expected(1)

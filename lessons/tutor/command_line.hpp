@@ -12,6 +12,7 @@ struct CommandLine {
   std::string output;
   std::string quality = "medium";  // low, medium or high
   std::string frames;              // none, last, all; empty: the default
+  std::string film;                // webm, mp4; empty: none
   std::string step;
   std::vector<std::string> settings;  // "NAME=VALUE"
 };

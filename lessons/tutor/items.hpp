@@ -84,7 +84,7 @@ struct Frames {
   int value = 0;
 };
 
-/// Writes the animation frames/<name>/0000.png … and a contact sheet of six frames, frames/<name>.png.
+/// Writes the animation frames/<name>/0000.png … and two key frames, one below the other, frames/<name>.png.
 struct Sequence {
   std::string name, caption;
   std::variant<Seconds, Frames> length;

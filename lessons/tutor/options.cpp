@@ -69,6 +69,8 @@ void refuse_contradictions(const CommandLine& line) {
   both(line.page, line.list_parameters, "--page and --list-parameters");
   both(line.page, !line.step.empty(), "--page and --step");
   both(line.page, !line.frames.empty(), "--page and --frames");
+  if (!line.film.empty() && !line.frames.empty() && line.frames != "all")
+    throw std::invalid_argument(fmt::format("--film needs all frames, not --frames {}", line.frames));
 }
 
 }  // namespace
@@ -104,7 +106,8 @@ Options read_options(const Lesson& lesson, int argc, const char* const* argv, bo
   if (options.check || options.quiet || options.questions || options.page) options.interactive = false;
   options.quality =
       *std::find_if(qualities.begin(), qualities.end(), [&](const Quality& q) { return q.name == line.quality; });
-  if (line.frames.empty()) line.frames = options.interactive ? "last" : "all";
+  if (line.frames.empty()) line.frames = options.interactive && line.film.empty() ? "last" : "all";
+  options.film = line.film;
   options.frames = line.frames == "none"   ? FramesWanted::none
                    : line.frames == "last" ? FramesWanted::last
                                            : FramesWanted::all;

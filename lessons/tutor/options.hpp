@@ -17,7 +17,7 @@ struct Quality {
   int width, height, rate;  // pixels, pixels, frames per second
 };
 
-/// Frames of a sequence to write. The contact sheet is written for `last` and `all`.
+/// Frames of a sequence to write. The key frames are written for `last` and `all`.
 enum class FramesWanted { none, last, all };
 std::string_view to_string(FramesWanted frames);
 
@@ -26,6 +26,7 @@ struct Options {
   std::filesystem::path output;
   Quality quality;
   FramesWanted frames = FramesWanted::all;
+  std::string film;                                      // format of films; empty: none
   std::vector<std::pair<std::string, std::string>> set;  // name, value
   bool list_parameters = false, check = false, quiet = false, questions = false;
   bool plain = false;  // for screen readers

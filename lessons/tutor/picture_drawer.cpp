@@ -36,4 +36,10 @@ double PictureDrawer::time(const Sequence& sequence, int index) const {
   return static_cast<double>(index) / quality_.rate;
 }
 
+double PictureDrawer::rate(const Sequence& sequence) const {
+  if (std::holds_alternative<Seconds>(sequence.length)) return quality_.rate;
+  constexpr double each = 0.8, longest = 40;  // [s] a frame, and of the film
+  return std::max(1 / each, count(sequence) / longest);
+}
+
 }  // namespace byhand::tutor

@@ -21,6 +21,8 @@ class PictureDrawer {
   /// Number of frames of a sequence, and the time that frame `index` gets.
   int count(const Sequence& sequence) const;
   double time(const Sequence& sequence, int index) const;
+  /// Frames per second of a film of the sequence: slow enough to see each, if they are counted.
+  double rate(const Sequence& sequence) const;
 
   /// OpenGL's renderer and version; empty before the first picture.
   std::string gl() const { return canvas_ ? canvas_->describe() : ""; }

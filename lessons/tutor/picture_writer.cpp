@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "lessons/tutor/chart_data.hpp"
+#include "lessons/tutor/film.hpp"
 #include "lessons/tutor/lesson.hpp"
 #include "lessons/tutor/progress.hpp"
 #include "lessons/tutor/streams.hpp"
@@ -21,7 +22,11 @@ namespace {
 namespace fs = std::filesystem;
 using renderer::Image;
 
-constexpr int strip_frames = 6, strip_columns = 3;
+/// Two frames that tell the most: after two fifths, when something has happened, and the last.
+std::vector<int> key_frames(int count) {
+  const int first = 2 * (count - 1) / 5, last = count - 1;
+  return first == last ? std::vector<int>{last} : std::vector<int>{first, last};
+}
 
 }  // namespace
 
@@ -29,11 +34,15 @@ std::string figure_path(const std::string& name) { return "figures/" + name + ".
 std::string data_path(const std::string& name) { return "data/" + name + ".csv"; }
 std::string frames_folder(const std::string& name) { return "frames/" + name; }
 std::string strip_path(const std::string& name) { return "frames/" + name + ".png"; }
+std::string film_path(const std::string& name, const std::string& format) {
+  return "frames/" + name + "." + format;
+}
 
 PictureWriter::PictureWriter(const Lesson& lesson, const Options& options)
     : output_(options.output / lesson.about().slug),
       drawer_(options.quality),
       frames_(options.frames),
+      film_(options.film),
       quiet_(options.quiet) {}
 
 void PictureWriter::write(const Figure& figure) {
@@ -45,10 +54,11 @@ void PictureWriter::write(const Sequence& sequence) {
   // Frames of an earlier, longer run must not remain among the new ones.
   output_.remove(frames_folder(sequence.name));
   output_.remove(strip_path(sequence.name));
+  for (const char* format : {"webm", "mp4"}) output_.remove(film_path(sequence.name, format));
   if (frames_ == FramesWanted::none) return;
 
   const int frames = drawer_.count(sequence);
-  const std::vector<int> in_strip = renderer::spread(frames, strip_frames);
+  const std::vector<int> in_strip = key_frames(frames);
   const bool all = frames_ == FramesWanted::all;
   Progress progress(fmt::format("drawing {}", sequence.name), all ? frames : static_cast<int>(in_strip.size()),
                     quiet_);
@@ -69,7 +79,12 @@ void PictureWriter::write(const Sequence& sequence) {
     progress.advance();
   }
   writer.finish();
-  output_.write(strip_path(sequence.name), renderer::encode_png(renderer::strip(strip, strip_columns)));
+  constexpr int gap = 12;
+  output_.write(strip_path(sequence.name),
+                renderer::encode_png(renderer::strip(strip, 1, strip.front().width + 2 * gap, gap)));
+  if (!film_.empty())
+    output_.write(film_path(sequence.name, film_),
+                  encoded_film(output_.path() / frames_folder(sequence.name), drawer_.rate(sequence), film_));
 }
 
 std::string PictureWriter::path(const Figure& figure) const {

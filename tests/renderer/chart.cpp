@@ -306,6 +306,113 @@ TEST(Chart, TheLegendCoversNoCurve) {
   }
 }
 
+// What a canvas lists of the labels of a chart.
+std::vector<Label> labels_of(const Chart& chart) {
+  PixelCanvas canvas(960, 540);
+  canvas.list_labels();
+  draw(canvas, chart, canvas.page().inset(40));
+  return canvas.labels();
+}
+
+const Label* find(const std::vector<Label>& labels, const std::string& text) {
+  const auto found = std::find_if(labels.begin(), labels.end(), [&](const Label& l) { return l.text == text; });
+  return found == labels.end() ? nullptr : &*found;
+}
+
+// The marks of several runs with a law for each: two dashed lines of one colour.
+Chart two_laws() {
+  Chart chart;
+  for (const double slope : {0.2, 1.0}) {
+    Curve law{.label = slope < 1 ? "flat law" : "steep law", .style = CurveStyle::theory};
+    Curve run{.label = slope < 1 ? "flat run" : "steep run", .style = CurveStyle::markers};
+    for (int i = 0; i <= 10; ++i) {
+      law.x.push_back(0.1 * i), law.y.push_back(slope * 0.1 * i * i);
+      if (i % 3 == 0) run.x.push_back(law.x.back()), run.y.push_back(law.y.back());
+    }
+    chart.curves.push_back(law);
+    chart.curves.push_back(run);
+  }
+  return chart;
+}
+
+TEST(Chart, LabelsALawBesideItsLineAndNoOther) {
+  const Chart chart = two_laws();
+  const std::vector<Label> labels = labels_of(chart);
+  PixelCanvas canvas(960, 540);
+  const Rectangle plot = draw(canvas, chart, canvas.page().inset(40));
+  const ChartRanges r = ranges(chart);
+  const auto nearest = [&](const Curve& curve, const Rectangle& box) {
+    double least = 1e9;
+    for (double t = 0; t < 10; t += 0.01) {
+      const std::size_t i = std::size_t(t);
+      const double x = curve.x[i] + (t - double(i)) * (curve.x[i + 1] - curve.x[i]);
+      const double y = curve.y[i] + (t - double(i)) * (curve.y[i + 1] - curve.y[i]);
+      const Point p(plot.x + (x - r.x.first) / (r.x.second - r.x.first) * plot.width,
+                    plot.y + (y - r.y.first) / (r.y.second - r.y.first) * plot.height);
+      least = std::min(least, std::hypot(std::max({box.x - p.x(), p.x() - box.right(), 0.0}),
+                                         std::max({box.y - p.y(), p.y() - box.top(), 0.0})));
+    }
+    return least;
+  };
+  for (const int mine : {0, 2}) {
+    const Label* label = find(labels, chart.curves[std::size_t(mine)].label);
+    ASSERT_NE(label, nullptr);
+    const double own = nearest(chart.curves[std::size_t(mine)], label->box);
+    EXPECT_GT(own, 0);
+    EXPECT_LT(own, 16);
+    EXPECT_GT(nearest(chart.curves[std::size_t(2 - mine)], label->box), 1.8 * own);
+  }
+  const Label *first = find(labels, "flat run"), *second = find(labels, "steep run");
+  ASSERT_TRUE(first && second);
+  EXPECT_NEAR(first->box.x, second->box.x, 1e-9) << "marks without a line are named in a legend";
+}
+
+TEST(Chart, NamesCurvesThatLieOnEachOtherInALegend) {
+  Chart chart = two_laws();
+  chart.curves[2].y = chart.curves[0].y;
+  const std::vector<Label> labels = labels_of(chart);
+  const Label *first = find(labels, "flat law"), *second = find(labels, "steep law");
+  ASSERT_TRUE(first && second);
+  EXPECT_NEAR(first->box.x, second->box.x, 1e-9);
+}
+
+TEST(Chart, AGrowingChartHasTheLayoutOfTheWhole) {
+  for (Chart chart : {scenes::damped_oscillation(), scenes::stems(), two_laws()}) {
+    const std::vector<Label> whole = labels_of(chart);
+    const double last = ranges(chart).x.second;
+    for (const double share : {-0.1, 0.0, 0.3, 0.9, 1.0}) {
+      chart.until = share * last;
+      const std::vector<Label> labels = labels_of(chart);
+      ASSERT_EQ(labels.size(), whole.size()) << chart.title << " at " << share;
+      for (std::size_t i = 0; i < labels.size(); ++i) {
+        EXPECT_EQ(labels[i].text, whole[i].text);
+        EXPECT_EQ(labels[i].box.x, whole[i].box.x);
+        EXPECT_EQ(labels[i].box.y, whole[i].box.y);
+      }
+    }
+  }
+}
+
+TEST(Chart, AGrowingCurveEndsBetweenItsPointsAtTheTimeThatIsShown) {
+  PixelCanvas canvas(960, 540);
+  Chart chart{.curves = {{.x = {0, 1}, .y = {0, 1}}}};
+  for (const double until : {0.2, 0.55, 0.9}) {
+    canvas.clear();
+    chart.until = until;
+    const Rectangle plot = draw(canvas, chart, canvas.page().inset(40));
+    const Image image = canvas.image();
+    const auto is_drawn = [&](double share) {
+      return nearer_than_paper(
+          colour_at(image, pixel_of(canvas, {plot.x + share * plot.width,
+                                             plot.y + (share - ranges(chart).y.first) * plot.height /
+                                                          (ranges(chart).y.second - ranges(chart).y.first)})),
+          palette::series(0));
+    };
+    EXPECT_TRUE(is_drawn(until - 0.01));
+    EXPECT_FALSE(is_drawn(until + 0.03));
+  }
+}
+
 TEST(Chart, RefusesAFrameWithoutRoom) {
   PixelCanvas canvas(320, 180);
   EXPECT_THROW(draw(canvas, scenes::two_orders(), {0, 0, 40, 30}), std::invalid_argument);

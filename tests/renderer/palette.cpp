@@ -50,6 +50,26 @@ TEST(Palette, CurvesStayApartForAllEyes) {
       }
 }
 
+TEST(Palette, CurvesAreSeenOnPaper) {
+  for (int i = 0; i < 8; ++i) EXPECT_GT(contrast(palette::series(i), palette::paper), 3) << "curve " << i;
+}
+
+TEST(Palette, ContrastIsThatOfTheGuidelines) {
+  EXPECT_NEAR(contrast({0, 0, 0}, {255, 255, 255}), 21, 1e-9);
+  EXPECT_NEAR(contrast({119, 119, 119}, {255, 255, 255}), 4.48, 0.005);  // #777 on white, which fails by little
+  EXPECT_EQ(contrast({1, 2, 3}, {100, 50, 3}), contrast({100, 50, 3}, {1, 2, 3}));
+}
+
+TEST(Palette, LegibleTextHasTheContrastOfTheGuidelines) {
+  for (int i = 0; i < 8; ++i)
+    EXPECT_GE(contrast(legible(palette::series(i)), palette::paper), 4.5) << "curve " << i;
+  for (const Colour c : {palette::force, palette::velocity, palette::error, palette::muted, palette::theory})
+    EXPECT_GE(contrast(legible(c), palette::paper), 4.5);
+  EXPECT_EQ(legible(palette::ink), palette::ink);
+  EXPECT_EQ(legible(palette::constraint), palette::constraint);
+  EXPECT_EQ(legible(palette::paper), palette::paper) << "text on dark";
+}
+
 TEST(Palette, MeaningsStayApartForAllEyes) {
   const std::array meanings{palette::constraint, palette::force,     palette::velocity,
                             palette::error,      palette::highlight, palette::ink};

@@ -291,10 +291,10 @@ class Changes {
 };
 
 template <class Method>
-void expect_steps_as_built_anew() {
-  in_all_models([]<class M>(Random& random) {
+void expect_steps_as_built_anew(int changes_in_all = 5000) {
+  in_all_models([&]<class M>(Random& random) {
     Changes<M, Method> changes(random);
-    for (int count = 0; count < 5000;) {
+    for (int count = 0; count < changes_in_all;) {
       changes.run();
       for (const int last = count + 1 + random.index(3); count < last; ++count) changes.change();
       SCOPED_TRACE(testing::Message() << "after " << count << " changes");
@@ -308,7 +308,8 @@ void expect_steps_as_built_anew() {
 TEST(AnyChanges, OfVelocityStepping) { expect_steps_as_built_anew<VelocityStepping>(); }
 TEST(AnyChanges, OfXpbd) { expect_steps_as_built_anew<Xpbd>(); }
 TEST(AnyChanges, OfAvbd) { expect_steps_as_built_anew<Avbd>(); }
-TEST(AnyChanges, OfRattle) { expect_steps_as_built_anew<Rattle>(); }
+// Its equations are not linear: a step after a change takes up to a hundred solves.
+TEST(AnyChanges, OfRattle) { expect_steps_as_built_anew<Rattle>(1000); }
 TEST(AnyChanges, OfAccelerations) { expect_steps_as_built_anew<Accelerations>(); }
 
 TEST(MovedScene, LeavesAnEmptyOneThatStepsAndIsFilledAnew) {

@@ -124,7 +124,7 @@
   function bare(node) {
     const copy = node.cloneNode(true);
     copy.querySelectorAll('.picture, .files, .player, .reply').forEach(part => part.replaceChildren());
-    copy.querySelectorAll('.player').forEach(part => part.remove());
+    copy.querySelectorAll('.player, .before').forEach(part => part.remove());
     copy.querySelectorAll('details').forEach(part => part.removeAttribute('open'));
     if (copy.matches('details')) copy.removeAttribute('open');
     copy.classList.remove('fresh');
@@ -144,6 +144,8 @@
       section.querySelector('h2').after(this.settings, this.state);
       this.shown = new Map();  // by data-item: the child as it was last shown, bare, and its picture
       this.films = new Map();
+      this.written = new Map([...section.querySelectorAll('figure .picture')].map(picture =>
+        [picture.closest('figure').dataset.item, picture.innerHTML]));
       this.section.querySelectorAll('figure[data-film]').forEach(figure => this.films.set(figure.dataset.film, new Film(this, figure)));
     }
 
@@ -207,6 +209,25 @@
         keep.add(before);
       }
       for (const old of this.section.querySelectorAll(':scope > [data-item]')) if (!keep.has(old)) old.remove();
+      this.compare();
+    }
+
+    // Beside each picture, where the reader asked for it, the one that the page was written with: at the defaults.
+    compare() {
+      this.section.querySelectorAll('.before').forEach(before => before.remove());
+      if (!bar.comparing || !settings.size) return;
+      for (const figure of this.section.querySelectorAll('figure[data-item]')) {
+        const picture = this.written.get(figure.dataset.item);
+        if (!picture || ![...settings.keys()].some(name => this.read.has(name))) continue;
+        const svg = new DOMParser().parseFromString(picture, 'text/html').querySelector('svg');
+        if (!svg) continue;
+        svg.setAttribute('xmlns', 'http://www.w3.org/2000/svg');
+        const source = 'data:image/svg+xml,' + encodeURIComponent(new XMLSerializer().serializeToString(svg));
+        const title = svg.querySelector('title')?.textContent ?? '';
+        figure.querySelector('.picture').before(make('div', { className: 'before' },
+          make('p', { textContent: 'At the defaults:' }), make('img', { src: source, alt: `At the defaults: ${title}` }),
+          make('p', { textContent: 'At your settings:' })));
+      }
     }
 
     // Puts the child `next` after `before`, or leaves what stands there if it is the same; returns what stands there.
@@ -533,7 +554,16 @@
       const copy = make('button', { type: 'button', textContent: 'Copy link', onclick: () => this.copy(copy) });
       const changes = [...settings].map(([name, value]) =>
         make('span', { className: 'change' }, `${name} = ${value}`, make('span', { className: 'was' }, ` (${parameters.get(name).typed})`)));
-      this.element.replaceChildren(...changes, reset, copy);
+      const beside = make('button', {
+        type: 'button', className: 'beside-defaults', textContent: 'Beside the defaults',
+        attributes: { 'aria-pressed': String(!!this.comparing) },
+        onclick: () => {
+          this.comparing = !this.comparing;
+          beside.setAttribute('aria-pressed', String(this.comparing));
+          steps.forEach(step => step.compare());
+        },
+      });
+      this.element.replaceChildren(...changes, reset, beside, copy);
       this.element.hidden = !settings.size;
     },
 

@@ -18,7 +18,6 @@ function openGl(canvas, memory) {
   const places = new Map();  // of uniforms, by program and name
 
   const calls = {
-    glGetString: () => 0,
     glGetShaderInfoLog: () => {},
     glShaderSource(shader, _count, list) {
       const source = text(view().getUint32(list, true));

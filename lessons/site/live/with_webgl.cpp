@@ -4,10 +4,14 @@
 #include <cstdint>
 
 #include "lessons/site/live/space_window.hpp"
+#include "renderer/opengl/gl.hpp"
 #include "renderer/opengl/offscreen.hpp"
 #include "renderer/opengl/pixel_canvas.hpp"
 
 __attribute__((import_module("page"), import_name("has_webgl"))) int has_webgl();
+
+/// The worker returns numbers only, no text.
+extern "C" const GLubyte* glGetString(GLenum) { return reinterpret_cast<const GLubyte*>("WebGL 2"); }
 
 namespace byhand {
 namespace {

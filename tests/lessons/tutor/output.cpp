@@ -84,6 +84,35 @@ TEST(Output, PandocTurnsThePageIntoHtml) {
   EXPECT_THAT(finished.said, testing::Not(HasSubstr("$$")));
 }
 
+TEST(Output, FilmsAreWrittenByFfmpegTheSameTwice) {
+  if (run("command -v ffmpeg").status != 0) GTEST_SKIP() << "ffmpeg is not installed";
+  const Folder one, two;
+  const auto first = all_files(fixture(one, "--film webm")), second = all_files(fixture(two, "--film webm"));
+  int films = 0;
+  for (const auto& [name, bytes] : first)
+    if (name.ends_with(".webm")) {
+      ++films;
+      EXPECT_TRUE(bytes.starts_with("\x1a\x45\xdf\xa3")) << name << " is no WebM file";
+      EXPECT_EQ(bytes, second.at(name));
+      EXPECT_THAT(first.at("manifest.json"), HasSubstr(name));
+    }
+  EXPECT_GE(films, 1);
+  const auto without = all_files(fixture(one));
+  for (const auto& [name, bytes] : without) EXPECT_FALSE(name.ends_with(".webm")) << "of an earlier run";
+}
+
+TEST(Output, AFilmWithoutFfmpegIsAFailureOfTheEnvironment) {
+  const Folder folder;
+  const Finished finished = run("PATH=/nonexistent " + std::string(BYHAND_FIXTURE) +
+                                " --quality low --film mp4 --output " + folder.path().string());
+  EXPECT_EQ(finished.status, 3);
+  EXPECT_THAT(finished.complained, HasSubstr("Films need ffmpeg: apt install ffmpeg"));
+  const Finished few =
+      run(std::string(BYHAND_FIXTURE) + " --film mp4 --frames last --output " + folder.path().string());
+  EXPECT_EQ(few.status, 2);
+  EXPECT_THAT(few.complained, HasSubstr("--film needs all frames, not --frames last"));
+}
+
 TEST(Output, DataHaveAHeaderWithUnitsAndARowForEachPoint) {
   const Folder folder;
   std::istringstream data(contents(fixture(folder) / "data/errors.csv"));

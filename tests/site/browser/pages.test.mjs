@@ -57,7 +57,7 @@ for (const page of pages)
       await tab.close();
     });
 
-for (const page of quick ? ['index.html', `${lessons[Math.min(3, lessons.length - 1)]}.html`] : pages)
+for (const page of quick ? pages.filter(page => page.startsWith('04')) : pages)
   for (const dark of [false, true])
     test(`axe-core finds nothing on ${page}, ${dark ? 'dark' : 'light'}`, async () => {
       const lesson = page.slice(0, -5);

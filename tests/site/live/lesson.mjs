@@ -9,10 +9,10 @@ const context = vm.createContext({ ...globalThis, WebAssembly, performance, Text
 for (const name of ['wasi.js', 'webgl.js', 'program.js'])
   vm.runInContext(readFileSync(join(root, 'lessons/site/live', name), 'utf8'), context, name);
 
-// The files a lesson reads, from the checkout itself.
+// The files a lesson reads: the checkout's, and the fonts that lessons/site/live/build made.
 const files = {
   get(path) {
-    const place = path.startsWith('fonts/') ? join('/usr/share/fonts/truetype/dejavu', path.slice(6)) : join(root, path);
+    const place = path.startsWith('fonts/') ? join(process.env.BYHAND_WASM, path) : join(root, path);
     try { return new Uint8Array(readFileSync(place)); } catch { return undefined; }
   },
 };

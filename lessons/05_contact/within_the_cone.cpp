@@ -1,0 +1,109 @@
+#include <array>
+#include <vector>
+
+#include "lessons/05_contact/on_a_corner.hpp"
+#include "lessons/pictures/acts.hpp"
+
+namespace byhand::contact {
+namespace {
+
+using namespace tutor;
+using namespace renderer;
+
+/// The box after each row that was solved, and what that row asked for before it was clamped.
+struct Solved {
+  OnACorner box;
+  Point asked;  // (λₜ, λₙ) [N s]
+};
+
+Point impulse_of(const OnACorner& box) { return {box.rubbed(), box.pressed()}; }
+
+struct ConeFilm {
+  pictures::Acts acts;
+  std::vector<Solved> states;    // the first: before any row
+  double friction, speed, unit;  // [1], [m/s], the largest impulse [N s]
+
+  void draw(Canvas& canvas, double time) const {
+    const auto [left, right] = canvas.page().inset(20).split_columns(0.54, 30);
+    // The impulse so far, and the row that is being solved: first towards what it asks for, then clamped.
+    const std::size_t present = acts.now(time);
+    Point impulse = impulse_of(states[0].box), velocity = states[0].box.corner_velocity();
+    Point asked = impulse;
+    if (present > 0) {
+      const Solved &from = states[present - 1], &to = states[present];
+      const double share = acts.share(present, time);
+      const Point before = impulse_of(from.box), after = impulse_of(to.box);
+      const bool clamped = (to.asked - after).norm() > 1e-9 * unit;
+      const double reach = clamped ? pictures::eased(share / 0.6) : share,
+                   back = clamped ? pictures::eased((share - 0.6) / 0.4) : 0;
+      asked = before + reach * ((clamped ? to.asked : after) - before);
+      impulse = asked + back * (after - asked);
+      const double done = share;
+      velocity = Point(from.box.corner_velocity()) +
+                 done * (Point(to.box.corner_velocity()) - Point(from.box.corner_velocity()));
+    }
+    canvas.look(fit({-1.35, -0.95, 2.7, 2.6}, left, 6));
+    canvas.ground({-1.3, 0}, {1.3, 0});
+    const double scale = 1.1 / unit;
+    // The cone |λₜ| ≤ μλₙ, as high as the largest impulse.
+    const double height = 1.25, half = std::min(friction * height, 1.25);
+    const double top = friction > 0 ? half / friction : height;
+    canvas.polygon(std::array<Point, 3>{Point(0, 0), Point(half, top), Point(-half, top)},
+                   {fade(palette::highlight, 0.25), {palette::highlight, 0}});
+    canvas.box(states[0].box.centre(), {1, 1}, radians(tilt), {fade(palette::body, 0.35), {palette::muted, 1.6}});
+    for (const double side : {-1.0, 1.0})
+      canvas.line({0, 0}, {side * half, top}, {palette::muted, 1.8, Dash::dashed});
+    canvas.text({half, top}, "λ_t = μλ_n",
+                {.size = 18, .colour = palette::muted, .anchor = Anchor::bottom, .halo = 3, .offset = {0, 6}});
+    if (velocity.norm() > 1e-6 * speed) canvas.arrow({0, 0}, 0.7 / speed * velocity, {palette::velocity, 4});
+    if ((asked - impulse).norm() > 1e-6 * unit)
+      canvas.arrow({0, 0}, scale * asked, {fade(palette::force, 0.45), 3, Dash::dashed});
+    if (impulse.norm() > 1e-6 * unit) canvas.arrow({0, 0}, scale * impulse, {palette::force, 4.5});
+    acts.draw(canvas, right, time);
+  }
+};
+
+std::string at_the_corner(const OnACorner& box, double speed) {
+  return say("The corner moves at @\u00a0m/s along and @\u00a0m/s up.",
+             Value(without_rounding(box.slip(), speed), 2), Value(without_rounding(box.approach(), speed), 2));
+}
+
+}  // namespace
+
+void within_the_cone(const Setting& setting, Page& page) {
+  const double speed = setting.speed();
+  OnACorner box(setting.mass(), speed, setting.friction(), -speed);
+  std::vector<Solved> states{{box, impulse_of(box)}};
+  std::vector<pictures::Acts::Act> acts{{"V", at_the_corner(box, speed), palette::velocity}};
+  for (int sweep = 1; sweep <= 2; ++sweep) {
+    const double rubbed = box.rubbed();
+    box.solve_normal();
+    states.push_back({box, {rubbed, box.pressed()}});
+    acts.push_back({say("λ_n = @ N·s", Value(box.pressed(), 3)),
+                    say("@The normal's row. @", sweep == 1 ? "" : "Again: ", at_the_corner(box, speed)),
+                    palette::force});
+    const double asked = box.rubbed_if_unbounded();
+    box.solve_friction();
+    states.push_back({box, {asked, box.pressed()}});
+    const bool clamped = std::abs(asked - box.rubbed()) > 1e-9 * box.pressed();
+    acts.push_back({say("λ_t = @ N·s", Value(without_rounding(box.rubbed(), box.pressed()), 3)),
+                    clamped ? say("Friction asks for @ and is clamped to the cone. @", Value(asked, 3),
+                                  at_the_corner(box, speed))
+                            : say("Friction's row; the cone has room for it. @", at_the_corner(box, speed)),
+                    palette::force});
+  }
+  double unit = 0;
+  for (const Solved& state : states) unit = std::max({unit, impulse_of(state.box).norm(), state.asked.norm()});
+  const pictures::Acts film(acts);
+  page.sequence(
+      "within_the_cone",
+      say(R"(The same box, which now also moves to the left at @ m/s: two sweeps within one step, slowed to @ s.
+                    Orange: the impulse at the corner so far; it stays in the cone |λₜ| ≤ μλₙ (dashed, μ = @). Green: the corner's velocity.)",
+          setting.speed, film.seconds(), setting.friction),
+      Seconds{film.seconds()},
+      [shown = ConeFilm{film, states, setting.friction(), speed, unit}](Canvas& canvas, double time) {
+        shown.draw(canvas, time);
+      });
+}
+
+}  // namespace byhand::contact
