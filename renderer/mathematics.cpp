@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 #include <string_view>
 
 namespace byhand::renderer {
@@ -27,8 +28,8 @@ bool is_one_of(const std::array<Words, n>& list, Words word) {
 constexpr std::array<Words, 18> products{U"JV",  U"JM", U"gh", U"mg", U"mgh", U"mgL", U"gL", U"vh", U"kw",
                                          U"RIR", U"RI", U"hv", U"hV", U"hg",  U"mL",  U"rN", U"dt", U"ml"};
 constexpr std::array<Words, 8> functions{U"arctan", U"sin", U"cos", U"tan", U"exp", U"log", U"ln", U"max"};
-constexpr std::array<Words, 18> units{U"m",  U"s",  U"N",  U"J",  U"W",   U"kg",  U"mm", U"cm", U"km",
-                                      U"ms", U"μs", U"Hz", U"kN", U"rad", U"deg", U"mJ", U"kJ", U"ns"};
+constexpr std::array<Words, 19> units{U"m",  U"s",  U"N",  U"J",  U"W",   U"kg",  U"mm", U"cm", U"km", U"ms",
+                                      U"μs", U"μm", U"Hz", U"kN", U"rad", U"deg", U"mJ", U"kJ", U"ns"};
 
 class LabelReader {
  public:

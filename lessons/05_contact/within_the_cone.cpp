@@ -54,7 +54,7 @@ struct ConeFilm {
     for (const double side : {-1.0, 1.0})
       canvas.line({0, 0}, {side * half, top}, {palette::muted, 1.8, Dash::dashed});
     canvas.text({half, top}, "λ_t = μλ_n",
-                {.size = 18, .colour = palette::muted, .anchor = Anchor::bottom, .halo = 3, .offset = {0, 6}});
+                {.size = 18, .colour = palette::muted, .anchor = Anchor::left, .halo = 3, .offset = {10, -4}});
     if (velocity.norm() > 1e-6 * speed) canvas.arrow({0, 0}, 0.7 / speed * velocity, {palette::velocity, 4});
     if ((asked - impulse).norm() > 1e-6 * unit)
       canvas.arrow({0, 0}, scale * asked, {fade(palette::force, 0.45), 3, Dash::dashed});
@@ -80,7 +80,7 @@ void within_the_cone(const Setting& setting, Page& page) {
     box.solve_normal();
     states.push_back({box, {rubbed, box.pressed()}});
     acts.push_back({say("λ_n = @ N·s", Value(box.pressed(), 3)),
-                    say("@The normal's row. @", sweep == 1 ? "" : "Again: ", at_the_corner(box, speed)),
+                    say("The normal's row@. @", sweep == 1 ? "" : " again", at_the_corner(box, speed)),
                     palette::force});
     const double asked = box.rubbed_if_unbounded();
     box.solve_friction();

@@ -41,6 +41,7 @@ TEST(Mathematics, UnitsAreUpright) {
   EXPECT_EQ(marked("m/√kg"), "m/√kg");
   EXPECT_EQ(marked("= (2.9) + (−1.1) m²/s"), "= (2.9) + (−1.1) m²/s");
   EXPECT_EQ(marked("λ/h (N)"), "⟨λ⟩/⟨h⟩ (N)");
+  EXPECT_EQ(marked("1 μm or less"), "1 μm or less");
 }
 
 TEST(Mathematics, WordsFunctionsAndTransposesAreUpright) {
