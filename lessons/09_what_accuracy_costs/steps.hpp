@@ -12,13 +12,16 @@ void stable_is_not_accurate(tutor::Page& page);
 void substeps_or_sweeps(tutor::Page& page);
 void what_the_step_hides(tutor::Page& page);
 void contacts(tutor::Page& page);
+void one_page(tutor::Page& page);
 void chooser(tutor::Page& page, const Setting& setting);
 
-void five_errors(tutor::Page& page);
-void linkages(tutor::Page& page);
-void in_space(tutor::Page& page);
-void chains(tutor::Page& page);
-void incline(tutor::Page& page);
+// With `appendix` also the charts of all other errors.
+void five_errors(tutor::Page& page, bool appendix);
+void linkages(tutor::Page& page, bool appendix);
+void in_space(tutor::Page& page, bool appendix);
+void chains(tutor::Page& page, bool appendix);
+void incline(tutor::Page& page, bool appendix);
+void thousand_periods(tutor::Page& page);
 void model_cost(tutor::Page& page);
 void equations(tutor::Page& page);
 
