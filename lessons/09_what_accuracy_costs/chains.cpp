@@ -79,9 +79,10 @@ renderer::Chart chart_of(const Scaling& scaling, const std::string& label, const
 
 }  // namespace
 
-void chains(Page& page, bool appendix) {
-  std::vector<double> lengths{10, 30, 100, 300}, ratios{1, 100, 1e4, 1e6};
-  if (appendix) lengths.push_back(1000), ratios = {1, 10, 100, 1e3, 1e4, 1e5, 1e6};
+void chains(Page& page) { cost_to_a_millimetre(page, {10, 30, 100}, {1, 10, 100, 1e3, 1e4}, "millimetre"); }
+
+void cost_to_a_millimetre(Page& page, const std::vector<double>& lengths, const std::vector<double>& ratios,
+                          const std::string& name) {
   const Scaling longer = scaling(page, lengths,
                                  [](double n) {
                                    return Problem("chain", {{"links", n}});
@@ -94,7 +95,7 @@ void chains(Page& page, bool appendix) {
       never open by more than @ m, with all choices free. First chains of @ to @ equal links, released level:)",
       wanted, lengths.front(), lengths.back());
   page.figure(
-      "millimetre_by_length",
+      name + "_by_length",
       R"(Cost of a drift of a millimetre against the number of links. Crosses: no choice of the method reaches it
               for 60 row-solves, set-up included, a row and substep of law 7.)",
       chart_of(longer, "links", {1, 2}), longer.data);
@@ -108,7 +109,7 @@ void chains(Page& page, bool appendix) {
       the tension, whatever solves the rows:)",
       ratios.back());
   page.figure(
-      "millimetre_by_mass",
+      name + "_by_mass",
       R"(Cost of a drift of a millimetre against the mass of the end over that of a link. Crosses: no choice of the
               method reaches it for 60 row-solves, set-up included, a row and substep of law 7.)",
       chart_of(heavier, "mass ratio", {0.5}), heavier.data);
@@ -125,19 +126,6 @@ void chains(Page& page, bool appendix) {
               .source = "law 7: T·h²/(m·l) stays the same",
               .measured = by_mass,
               .tolerance = absolute(0.1)});
-  if (!appendix) return;
-  const Survey& solved = survey(page, Problem("chain", {{"links", 10}}), {Error::algebraic}, 5000, 60);
-  page.text(
-      R"(The solver alone: how far the velocities after one step of ten links are from the exact solution of the same
-      rows. This is the only error that more sweeps reduce to rounding.)");
-  show(page, "chain_10_algebraic", solved, Error::algebraic);
-  for (const int links : {10, 50, 200})
-    for (const int end_mass : {1, 100, 1000}) {
-      const Problem problem("chain",
-                            {{"links", static_cast<double>(links)}, {"end_mass", static_cast<double>(end_mass)}});
-      show(page, say("chain_@_@", links, end_mass), survey(page, problem, swing_errors, 240 * links, 60),
-           {Error::drift, Error::trajectory, Error::reaction, Error::energy});
-    }
 }
 
 }  // namespace byhand::accuracy

@@ -7,7 +7,7 @@ namespace byhand::accuracy {
 
 using namespace tutor;
 
-void five_errors(Page& page, bool appendix) {
+void five_errors(Page& page) {
   const Survey& simple = survey(page, Problem("pendulum", {{"length", 2}, {"mass", 3}}), swing_errors, swing_most);
   page.text(
       R"(The simple pendulum again, by the force in its rod. The λ of a step is an impulse; λ/h is the mean force of that
@@ -19,7 +19,6 @@ void five_errors(Page& page, bool appendix) {
       R"(A rod on a pin has two rows, which are solved as one block. So one sweep is exact: more sweeps cost more and
       change nothing.)");
   show(page, "compound_trajectory", compound, Error::trajectory);
-  if (appendix) show(page, "compound", compound, {Error::drift, Error::energy, Error::reaction});
   const Survey& twice = survey(page, Problem("double_pendulum", {{"length", 2}, {"mass", 3}, {"end_mass", 3}}),
                                swing_errors, swing_most);
   page.text(
@@ -27,7 +26,6 @@ void five_errors(Page& page, bool appendix) {
       that says nothing about a method.)",
       twice.problem.compared_at());
   show(page, "double_trajectory", twice, Error::trajectory);
-  if (appendix) show(page, "double", twice, {Error::drift, Error::energy, Error::reaction});
   for (const auto* one : {&simple, &compound, &twice}) claim_first_order(page, one->problem);
 }
 

@@ -7,7 +7,7 @@ namespace byhand::accuracy {
 
 using namespace tutor;
 
-void in_space(Page& page, bool appendix) {
+void in_space(Page& page) {
   const Survey& pendulum =
       survey(page, Problem("spherical_pendulum", {{"length", 2}, {"mass", 3}}), spin_errors, swing_most);
   page.text(
@@ -16,14 +16,12 @@ void in_space(Page& page, bool appendix) {
       rounding and has a vertical line at the left edge. A method that moves positions back acts along another
       line, and does not keep it.)");
   show(page, "spherical", pendulum, {Error::trajectory, Error::momentum});
-  if (appendix) show(page, "spherical", pendulum, {Error::drift, Error::energy, Error::reaction});
   const Survey& top = survey(page, Problem("top"), spin_errors, swing_most);
   page.text(
       R"(A top that precesses steadily on its tip turns by @ rad a frame about its own axis. A step that is too long for
       the spin gets the force on the tip wrong, however well its rows are solved.)",
       Value(top.problem["spin"] * frame, 2));
   show(page, "top_trajectory", top, Error::trajectory);
-  if (appendix) show(page, "top", top, {Error::drift, Error::energy, Error::momentum, Error::reaction});
   claim_first_order(page, pendulum.problem);
 }
 

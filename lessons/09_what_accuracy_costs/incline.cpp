@@ -7,7 +7,7 @@ namespace byhand::accuracy {
 
 using namespace tutor;
 
-void incline(Page& page, bool appendix) {
+void incline(Page& page) {
   const Problem problem("incline");
   const Survey& all = survey(page, problem, {Error::drift, Error::trajectory}, swing_most);
   page.text(
@@ -16,7 +16,6 @@ void incline(Page& page, bool appendix) {
       but substeps do.)",
       problem["angle"], problem["speed"], problem["friction"]);
   show(page, "incline_trajectory", all, Error::trajectory);
-  if (appendix) show(page, "incline_drift", all, Error::drift);
   claim_first_order(page, problem, "s = ½ a t (t + h)");
 }
 

@@ -7,7 +7,7 @@ namespace byhand::accuracy {
 
 using namespace tutor;
 
-void linkages(Page& page, bool appendix) {
+void linkages(Page& page) {
   const Survey& all = survey(page, Problem("four_bar", {{"length", 2}, {"mass", 3}, {"coupler_mass", 3}}),
                              swing_errors, swing_most);
   page.text(
@@ -15,7 +15,6 @@ void linkages(Page& page, bool appendix) {
       solve gets one more block. The linkage swings as a simple pendulum of another length, so its reference is a closed
       form.)");
   show(page, "four_bar_reaction", all, Error::reaction);
-  if (appendix) show(page, "four_bar", all, {Error::trajectory, Error::drift, Error::energy});
   claim_first_order(page, all.problem);
 }
 

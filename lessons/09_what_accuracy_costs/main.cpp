@@ -29,29 +29,28 @@ int main(int argc, char** argv) {
       .top_mass =
           lesson.parameter("top_mass", Initial::top_mass, "kg", {1e-3, 1e6}, "of the topmost box of the stack"),
       .base = lesson.parameter("base", Initial::base, "1", {1, 30}, "boxes in the lowest row of the pyramid")};
-  const tutor::Parameter<int> appendix =
-      lesson.parameter("appendix", 0, "1", {0, 1}, "1: also draw the charts of all other errors and scenes");
-  const auto deeper = [&](const char* title, void (*step)(tutor::Page&, bool)) {
-    lesson.deeper(title, [=](tutor::Page& page) { step(page, appendix == 1); });
-  };
+  const tutor::Parameter<std::string> charts_of =
+      lesson.parameter("appendix", "none", appendix_scenes(), "which further charts are drawn, in the appendix");
 
   lesson.step("The methods that compete", the_methods);
   lesson.step("Order is the slope", order_is_the_slope);
-  deeper("The pendulums in full", five_errors);
+  lesson.deeper("The pendulums in full", five_errors);
   lesson.step("Stable is not accurate", stable_is_not_accurate);
   lesson.deeper("Energy over a thousand periods", thousand_periods);
-  deeper("Motion about the vertical", in_space);
+  lesson.deeper("Motion about the vertical", in_space);
   lesson.step("Substeps or sweeps", substeps_or_sweeps);
-  deeper("Chains, longer and heavier", chains);
-  deeper("A loop of bars", linkages);
+  lesson.deeper("Chains, longer and heavier", chains);
+  lesson.deeper("A loop of bars", linkages);
   lesson.deeper("The error that sweeps do not reduce", what_the_step_hides);
   lesson.step("Stacks and pyramids", contacts);
-  deeper("A block on a slope", incline);
+  lesson.deeper("A block on a slope", incline);
   lesson.step("One picture and one page", one_page);
   lesson.step("Ask the program", [=](tutor::Page& page) { chooser(page, setting); });
   lesson.answers({"scene", "drift", "trajectory", "energy", "momentum", "reaction", "budget", "links", "end_mass",
                   "mass", "length", "boxes", "top_mass", "base"});
   lesson.deeper("What the model costs", model_cost);
+  lesson.deeper("Appendix: further charts", [=](tutor::Page& page) { appendix(page, charts_of); });
+  lesson.answers({"appendix"});
   lesson.deeper("Where the article's equations are", equations);
 
   lesson.closing(

@@ -16,7 +16,7 @@ namespace {
 using namespace tutor;
 namespace palette = renderer::palette;
 
-constexpr double seconds = 6;
+constexpr double film_seconds = 6;
 
 /// A pendulum with a method, and what is seen of it.
 struct Swing {
@@ -60,7 +60,7 @@ void draw_swings(renderer::Canvas& canvas, const std::vector<Swing>& swings, con
     canvas.disc({bob.x(), bob.y()}, 0.07 * length, {swing.colour, {palette::ink, 1.5}});
     canvas.anchor({0, 0});
   }
-  renderer::Chart chart{.x = {.label = "time (s)", .range = {{0, seconds}}},
+  renderer::Chart chart{.x = {.label = "time (s)", .range = {{0, film_seconds}}},
                         .y = {.label = "energy, change over mgL (1)", .range = {{-1, 0.15}}}};
   for (const Swing& swing : swings) chart.curves.push_back(swing.energy);
   canvas.look_at_page();
@@ -117,7 +117,7 @@ void stable_is_not_accurate(Page& page) {
       "stable_and_wrong",
       R"(Three stable methods at one step a frame. Dashed: the true motion. Right: the change of energy. The rod of
       the uppermost has the right length to rounding throughout.)",
-      Seconds{seconds}, [=, energy = problem.start().energy()](renderer::Canvas& canvas, double time) mutable {
+      Seconds{film_seconds}, [=, energy = problem.start().energy()](renderer::Canvas& canvas, double time) mutable {
         for (Swing& swing : swings) swing.go_on(time, energy);
         draw_swings(canvas, swings, exact, length, time);
       });

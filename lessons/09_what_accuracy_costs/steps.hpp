@@ -15,12 +15,18 @@ void contacts(tutor::Page& page);
 void one_page(tutor::Page& page);
 void chooser(tutor::Page& page, const Setting& setting);
 
-// With `appendix` also the charts of all other errors.
-void five_errors(tutor::Page& page, bool appendix);
-void linkages(tutor::Page& page, bool appendix);
-void in_space(tutor::Page& page, bool appendix);
-void chains(tutor::Page& page, bool appendix);
-void incline(tutor::Page& page, bool appendix);
+void five_errors(tutor::Page& page);
+void linkages(tutor::Page& page);
+void in_space(tutor::Page& page);
+void chains(tutor::Page& page);
+void incline(tutor::Page& page);
+/// Names of what the appendix can draw; the first is nothing.
+std::vector<std::string> appendix_scenes();
+void appendix(tutor::Page& page, const std::string& scene);
+/// What each method costs to a drift of a millimetre, by the links of a chain and by its mass ratio; the figures
+/// are called name_by_length and name_by_mass.
+void cost_to_a_millimetre(tutor::Page& page, const std::vector<double>& lengths, const std::vector<double>& ratios,
+                          const std::string& name);
 void thousand_periods(tutor::Page& page);
 void model_cost(tutor::Page& page);
 void equations(tutor::Page& page);

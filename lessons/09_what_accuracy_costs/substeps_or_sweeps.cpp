@@ -72,7 +72,7 @@ void substeps_or_sweeps(Page& page) {
   };
   page.text(
       R"(That is at equal row-solves. Each substep also writes its rows again, 64 times in a frame instead of once: with
-      that set-up @ × @ costs @ times as much as @ × @. So does the clock say, nearly:)",
+      that set-up @ × @ costs @ times as much as @ × @. The clock sees it too:)",
       ways.back().first, ways.back().second, Value(cost(ways.back()) / cost(ways.front()), 2), ways.front().first,
       ways.front().second);
   page.clocked(
