@@ -69,7 +69,10 @@ const std::vector<About>& contents() {
       {.slug = "09_what_accuracy_costs",
        .title = "What accuracy costs",
        .summary = "Error against cost for every method, the price of the model, and a program that chooses.",
-       .method = "all that the solver has, each with its best settings and with its defaults",
+       .method =
+           "all that the solver has, the best of all choices at each point: substeps and sweeps in steps of 2, "
+           "strengths of √2, relaxations of 1.3, until no step gains 5 %; at most 20 initial conditions; times "
+           "are medians of the frames in 20 ms",
        .goals = {"read a chart of error against cost",
                  "choose a method, a step and a number of sweeps for a scene and an accuracy",
                  "say which error a number means"},

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 #include <set>
-#include <utility>
 
+#include "lessons/09_what_accuracy_costs/catalogue/tidy.hpp"
 #include "lessons/09_what_accuracy_costs/survey.hpp"
 
 namespace byhand::accuracy {
@@ -17,153 +17,167 @@ using namespace renderer;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double rounding = 1e-16;  // where an error of zero is drawn
+constexpr std::size_t most_curves = 7;
 
 std::string axis_label(Error error) {
   switch (error) {
     case Error::drift: return "drift: largest separation or overlap (m)";
     case Error::trajectory: return "trajectory: farthest body from the reference (m)";
-    case Error::energy: return "energy: largest change over its scale (1)";
-    case Error::momentum: return "angular momentum: largest relative change (1)";
-    case Error::reaction: return "reaction force: error over the force (1)";
+    case Error::energy: return "energy: largest change over its scale";
+    case Error::momentum: return "angular momentum: largest relative change";
+    case Error::reaction: return "reaction force: error over the force";
+    case Error::contact: return "contacts: residual of complementarity and cone (m/s)";
     case Error::algebraic: return "algebraic: velocities from the direct solve's (m/s)";
   }
   return "";
 }
 
 std::string axis_label(Cost cost) {
-  return cost == Cost::row_solves ? "cost (row-solves a frame)" : "cost (µs a frame)";
+  return cost == Cost::wall_time ? "cost (µs a frame)" : "cost (row-solves a frame, set-up included)";
 }
 
-double on_axis(double cost, Cost which) { return which == Cost::row_solves ? cost : cost / 1000; }
+double on_axis(const byhand::Point& point, Cost cost) {
+  return cost == Cost::wall_time ? point.nanoseconds / 1000 : cost_of(point, cost);
+}
 
-/// A configuration has its colour in all charts, and with defaults that of the tuned one.
-Colour colour_of(const Configuration& configuration) {
-  int tuned = 0;
-  for (const Configuration& other : configurations()) {
-    if (other.defaults) continue;
-    if (configuration.name.starts_with(other.name)) return palette::series(tuned);
-    ++tuned;
+/// A front without points that are nearly its neighbours.
+std::vector<byhand::Point> thinned(const std::vector<byhand::Point>& front) {
+  std::vector<byhand::Point> kept;
+  for (auto point = front.rbegin(); point != front.rend(); ++point)
+    if (kept.empty() || point->cost > 1.3 * kept.back().cost || &*point == &front.front()) kept.push_back(*point);
+  return kept;
+}
+
+/// The families that are drawn in colour: the article's own, those with most points on the front of all, and then
+/// one of each kind.
+std::vector<const Family*> chosen(const Survey& survey, Error error) {
+  std::vector<const Family*> drawn;
+  const auto add = [&](const Family& family) {
+    if (drawn.size() < most_curves && std::find(drawn.begin(), drawn.end(), &family) == drawn.end() &&
+        !survey.front(family, error).empty())
+      drawn.push_back(&family);
+  };
+  add(family_named("Gauss–Seidel"));
+  const std::vector<byhand::Point> front = pareto_front(survey.points(), error);
+  std::vector<std::pair<std::ptrdiff_t, const Family*>> on_front;
+  for (const Family& family : families())
+    if (const auto count =
+            std::count_if(front.begin(), front.end(), [&](const auto& point) { return point.family == &family; });
+        count > 0)
+      on_front.emplace_back(count, &family);
+  std::stable_sort(on_front.begin(), on_front.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  for (const auto& [count, family] : on_front) add(*family);
+  for (const char* name :
+       {"direct", "RATTLE", "XPBD", "conjugate sweeps", "AVBD", "RK4", "implicit midpoint", "Jacobi"})
+    add(family_named(name));
+  return drawn;
+}
+
+/// A front and its errors over the initial conditions.
+struct Spread {
+  const Family* family;
+  std::vector<byhand::Point> points;
+  std::vector<std::vector<double>> errors;  // by point, ascending; infinite where a run failed
+};
+
+double quantile(const std::vector<double>& sorted, double share) {
+  return sorted[static_cast<std::size_t>(std::lround(share * static_cast<double>(sorted.size() - 1)))];
+}
+
+std::vector<Spread> spread_of(const tutor::Page& page, const Survey& survey, Error error, std::string* data) {
+  std::vector<Spread> spreads;
+  for (const Family* family : chosen(survey, error))
+    spreads.push_back({family, thinned(survey.front(*family, error)), {}});
+  struct Job {
+    std::size_t spread, point;
+  };
+  std::vector<Job> jobs;
+  for (std::size_t s = 0; s < spreads.size(); ++s)
+    for (std::size_t i = 0; i < spreads[s].points.size(); ++i) jobs.push_back({s, i});
+  const int starts = starts_of(survey);
+  std::vector<Problem> problems;
+  for (int i = 0; i < starts; ++i) problems.push_back(survey.problem.variation(i));
+  const auto runs = page.side_by_side(static_cast<int>(jobs.size()), [&](int i) {
+    const auto [s, p] = jobs[static_cast<std::size_t>(i)];
+    const byhand::Point& point = spreads[s].points[p];
+    std::vector<byhand::Point> all;
+    for (const Problem& problem : problems)
+      all.push_back(measure(problem, *point.family, point.knobs, {.algebraic = error == Error::algebraic}));
+    return all;
+  });
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    std::vector<double> found;
+    for (int start = 0; start < starts; ++start) {
+      const byhand::Point& point = runs[i][static_cast<std::size_t>(start)];
+      found.push_back(point.has(error) ? std::max(point[error], rounding) : infinity);
+      if (start > 0)
+        *data += tidy_rows(problems[static_cast<std::size_t>(start)], std::span(&point, 1), survey.watched, start);
+    }
+    std::sort(found.begin(), found.end());
+    spreads[jobs[i].spread].errors.push_back(std::move(found));
   }
-  return palette::ink;
+  return spreads;
 }
 
-/// Its name without its knob, where no other would then be called the same.
-std::string short_name(const Configuration& configuration) {
-  const auto bare = [](const Configuration& c) { return c.name.substr(0, c.name.find(',')); };
-  for (const Configuration& other : configurations())
-    if (bare(other) == bare(configuration) && other.knob != configuration.knob) return configuration.name;
-  return bare(configuration) + (configuration.defaults ? ", defaults" : "");
-}
-
-/// Whether the error falls from knob to knob, or it has no order that is worth a number.
-bool keeps_falling(const std::vector<byhand::Point>& points, Error error) {
-  double last = infinity;
-  int falls = 0;
-  for (const byhand::Point& point : points) {
-    if (!point.has(error)) continue;
-    if (point[error] >= last) return false;
-    falls += std::isfinite(last);
-    last = point[error];
-  }
-  return falls >= 2;
-}
-
-std::string label_of(const Series& series, Error error) {
-  const Configuration& configuration = *series.configuration;
-  std::string label = short_name(configuration);
-  if (!configuration.tuning.empty() && !configuration.defaults)
-    label += fmt::format(" ({} {:g})", configuration.tuning, series.tuning);
-  if (series.points.empty()) return label;
-  if (series.points.front().outcome == Outcome::refused) return label + ": cannot";
-  const double order = fitted_order(series.points, error);
-  if (std::isfinite(order) && keeps_falling(series.points, error)) label += fmt::format(", order {:.1f}", order);
-  return label;
-}
-
-/// "RATTLE 4"
-std::string named(const byhand::Point& point) {
-  const std::string& name = point.configuration->name;
-  return fmt::format("{} {}", name.substr(0, name.find(',')), point.knob);
-}
-
-/// Why a run failed, in the few words that fit at a cross; the page has the whole sentence.
-std::string reason_of(const byhand::Point& point) {
-  if (point.reason.find("blew up") != std::string::npos) return fmt::format("{}: blows up", point.knob);
-  if (std::isfinite(point.row_solves)) return fmt::format("{}: no solution", point.knob);
-  return point.configuration->name.substr(0, point.configuration->name.find(',')) + ": no solution";
-}
-
-using Place = std::pair<double, double>;
-
-Place place_of(const byhand::Point& point, Error error, Cost cost) {
-  const double spent = on_axis(cost_of(point, cost), cost);
-  if (!point.has(error)) return {infinity, std::isfinite(spent) ? spent : infinity};
-  return {std::max(point[error], rounding), spent};
-}
-
-}  // namespace
-
-std::string title_of(const Problem& problem) {
-  std::string title;
-  for (const char c : description(problem)) title += c == '_' ? ' ' : c;
-  return title;
-}
-
-Chart work_precision(const Survey& survey, Error error, Cost cost) {
-  const std::vector<byhand::Point> all = survey.points();
-  const std::vector<byhand::Point> front = pareto_front(all, error, cost);
+Chart work_precision(const Survey& survey, const std::vector<Spread>& spreads, Error error, Cost cost) {
   Chart chart{.title = title_of(survey.problem),
               .x = {.label = axis_label(error), .scale = Scale::logarithmic},
               .y = {.label = axis_label(cost), .scale = Scale::logarithmic}};
-
-  Curve best{.label = "front: no other beats these in both", .style = CurveStyle::front};
-  std::set<Place> on_front;
-  const Configuration* last = nullptr;
-  for (const byhand::Point& point : front) {
-    const Place place = place_of(point, error, cost);
-    best.x.push_back(place.first), best.y.push_back(place.second);
-    const bool same = std::exchange(last, point.configuration) == point.configuration;
-    best.point_labels.push_back(same ? std::to_string(point.knob) : named(point));
-    best.point_names.push_back(point.described());
-    on_front.insert(place);
+  const bool counted = cost != Cost::wall_time;
+  bool named = false;
+  for (const Family& family : families()) {
+    if (!counted ||
+        std::any_of(spreads.begin(), spreads.end(), [&](const Spread& s) { return s.family == &family; }))
+      continue;
+    Curve pale{.label = named ? "" : "other methods", .colour = fade(palette::ink, 0.18)};
+    for (const byhand::Point& point : survey.front(family, error))
+      pale.x.push_back(std::max(point[error], rounding)), pale.y.push_back(on_axis(point, cost));
+    if (pale.x.empty()) continue;
+    named = true;
+    chart.curves.push_back(std::move(pale));
   }
-  chart.curves.push_back(std::move(best));
-
-  for (const Series& series : survey.series) {
-    Curve curve{.label = label_of(series, error),
-                .style = series.configuration->defaults ? CurveStyle::markers : CurveStyle::line_and_markers,
-                .colour = colour_of(*series.configuration)};
-    bool failed = false;
-    for (const byhand::Point& point : series.points) {
-      // Where the error has no meaning in this scene there is nothing to draw.
-      if (point.outcome == Outcome::refused || (point.outcome == Outcome::finished && !point.has(error))) continue;
-      const Place place = place_of(point, error, cost);
-      curve.x.push_back(place.first), curve.y.push_back(place.second);
-      curve.point_names.push_back(std::to_string(point.knob));
-      const bool ends = &point == &series.points.front() || &point == &series.points.back();
-      if (point.outcome == Outcome::failed && !series.configuration->defaults)
-        curve.point_labels.push_back(std::exchange(failed, true) ? std::to_string(point.knob) : reason_of(point));
-      else
-        curve.point_labels.push_back(ends && !series.configuration->defaults && !on_front.contains(place)
-                                         ? std::to_string(point.knob)
-                                         : "");
+  std::vector<const Family*> drawn;
+  for (const Spread& spread : spreads) drawn.push_back(spread.family);
+  const std::vector<Colour> colours = colours_of(drawn);
+  for (const Spread& spread : spreads) {
+    Curve median{.label = spread.family->name,
+                 .style = CurveStyle::line_and_markers,
+                 .colour = colours[static_cast<std::size_t>(&spread - spreads.data())]};
+    Curve low{.colour = fade(*median.colour, 0.45)}, high = low;
+    for (std::size_t i = 0; i < spread.points.size(); ++i) {
+      const byhand::Point& point = spread.points[i];
+      const double y = on_axis(point, cost);
+      median.x.push_back(quantile(spread.errors[i], 0.5)), median.y.push_back(y);
+      low.x.push_back(quantile(spread.errors[i], 0.25)), low.y.push_back(y);
+      high.x.push_back(quantile(spread.errors[i], 0.75)), high.y.push_back(std::isfinite(high.x.back()) ? y : NAN);
+      if (!std::isfinite(low.x.back())) low.y.back() = NAN;
+      if (!std::isfinite(high.x.back())) high.x.back() = low.x.back();
+      const bool ends = i == 0 || i + 1 == spread.points.size();
+      const std::string knobs = spread.family->pass.empty()
+                                    ? std::to_string(point.knobs.substeps)
+                                    : fmt::format("{}×{}", point.knobs.substeps, point.knobs.passes);
+      median.point_labels.push_back(ends ? knobs : "");
     }
-    if (!series.points.empty()) chart.curves.push_back(std::move(curve));
+    if (spread.errors.front().size() > 1)
+      chart.curves.push_back(std::move(low)), chart.curves.push_back(std::move(high));
+    chart.curves.push_back(std::move(median));
   }
   // Far below all errors it would only make the chart narrow; the caption names it too.
   const double uncertainty = survey.problem.reference().uncertainty;
+  const auto front = pareto_front(survey.points(), error);
   if (error == Error::trajectory && !front.empty() && uncertainty > front.front()[error] / 100)
     chart.references.push_back(
         {.axis = renderer::Reference::Across::x, .value = uncertainty, .label = "uncertainty of the reference"});
   return chart;
 }
 
-void show(tutor::Page& page, const std::string& name, const Survey& survey, Error error) {
+std::string caption_of(const Survey& survey, Error error) {
   const NamedScene& scene = survey.problem.scene();
-  const double uncertainty = survey.problem.reference().uncertainty;
+  const double uncertainty = survey.problem.reference().uncertainty, time = survey.problem.compared_at();
   std::string caption =
       error == Error::trajectory
-          ? tutor::say("Trajectory after @ s, held against a reference: @, @.", scene.time, scene.reference,
+          ? tutor::say("Trajectory after @ s, held against a reference: @, @.", time, scene.reference,
                        uncertainty > 1e-11 ? tutor::say("uncertain by @ m", tutor::Value(uncertainty, 2))
                        : uncertainty > 0   ? std::string("known to rounding")
                                            : std::string("which is exact"))
@@ -171,17 +185,58 @@ void show(tutor::Page& page, const std::string& name, const Survey& survey, Erro
           ? tutor::say(
                 R"(Force of what holds the scene, mean over the last frame before @ s, held against the reference
                 (@).)",
-                scene.time, scene.reference)
+                time, scene.reference)
       : error == Error::algebraic
           ? tutor::say("Velocities after one step at @ s, against those of the direct solve of the same step.",
-                       scene.time)
+                       time)
+      : error == Error::contact
+          ? tutor::say("Largest residual of complementarity and friction cone after a step at @ s.", time)
           : tutor::say("@ over @ s.", error == Error::drift ? "Drift, the largest" : "The largest change",
                        scene.duration);
-  caption += tutor::say(
-      R"( At the points: the swept knob, substeps or sweeps a frame. Tuned for least @; marks without a line:
-      defaults. Crosses at the edge: runs that failed.)",
-      std::string(name_of(survey.tuned_for)));
-  page.figure(name, caption, work_precision(survey, error));
+  if (const double growth = survey.problem.reference().lyapunov_time; std::isfinite(growth))
+    caption += tutor::say(" A small disturbance grows e-fold in @ s.", tutor::Value(growth, 2));
+  const int starts = starts_of(survey);
+  caption +=
+      starts > 1
+          ? tutor::say(R"( Each curve is the best a method can do with all its choices: the median over @ initial
+      conditions between thin quartiles.)",
+                       starts)
+          : std::string(" Each curve is the best a method can do with all its choices.");
+  caption += R"( At its ends: substeps a frame × sweeps or iterations in each. Runs that failed do not count. All
+      runs, with the choices of each, are in the data.)";
+  return caption;
+}
+
+}  // namespace
+
+std::vector<renderer::Colour> colours_of(const std::vector<const Family*>& drawn) {
+  std::set<int> taken;
+  std::vector<renderer::Colour> colours;
+  for (const Family* family : drawn) {
+    int index = static_cast<int>(family - families().data()) % static_cast<int>(most_curves);
+    while (taken.contains(index)) index = (index + 1) % static_cast<int>(most_curves);
+    taken.insert(index);
+    colours.push_back(renderer::palette::series(index));
+  }
+  return colours;
+}
+
+std::string title_of(const Problem& problem) {
+  std::string title;
+  for (const char c : description(problem)) title += c == '_' ? ' ' : c;
+  return title;
+}
+
+int starts_of(const Survey& survey) {
+  const double bodies = survey.problem.start().degrees_of_freedom() / 3.0;
+  return bodies * survey.problem.scene().duration < 60 ? 20 : 1;
+}
+
+void show(tutor::Page& page, const std::string& name, const Survey& survey, Error error) {
+  std::string data = tidy_head() + tidy_rows(survey.problem, survey.points(), survey.watched);
+  const auto spreads = spread_of(page, survey, error, &data);
+  page.figure(name, caption_of(survey, error), work_precision(survey, spreads, error, Cost::counted),
+              std::move(data));
 }
 
 void show(tutor::Page& page, const std::string& prefix, const Survey& survey,
@@ -190,26 +245,33 @@ void show(tutor::Page& page, const std::string& prefix, const Survey& survey,
 }
 
 void show_clocked(tutor::Page& page, const std::string& name, const Survey& survey, Error error) {
-  page.clocked(name,
-               R"(The same against wall time, median of a frame, measured on the machine and at the moment of the
-               run while nothing else of the lesson ran.)",
-               [survey = Survey(survey), error]() mutable {
-                 for (Series& series : survey.series)
-                   for (byhand::Point& point : series.points)
-                     if (point.outcome == Outcome::finished)
-                       point.nanoseconds = nanoseconds_a_frame(
-                           survey.problem, series.configuration->setting(point.knob, series.tuning), 0.02);
-                 return work_precision(survey, error, Cost::wall_time);
-               });
+  std::string ignored;
+  page.clocked(
+      name,
+      R"(The same methods against wall time: the median of a frame, from the first initial condition, measured
+               on the machine and at the moment of the run while nothing else of the lesson ran.)",
+      [survey = Survey(survey), error] {
+        std::vector<Spread> spreads;
+        for (const Family* family : chosen(survey, error)) {
+          Spread spread{family, thinned(survey.front(*family, error)), {}};
+          for (byhand::Point& point : spread.points) {
+            point.nanoseconds = nanoseconds_a_frame(survey.problem, family->setting(point.knobs), 0.02);
+            spread.errors.push_back({std::max(point[error], rounding)});
+          }
+          spreads.push_back(std::move(spread));
+        }
+        return work_precision(survey, spreads, error, Cost::wall_time);
+      });
 }
 
-void claim_first_order(tutor::Page& page, const std::string& scene, const Survey& survey,
-                       const std::string& source) {
-  page.claim({.quantity = scene + ": order of the direct solve with substeps",
+void claim_first_order(tutor::Page& page, const Problem& problem, const std::string& source) {
+  const auto order =
+      fitted_order(refined(problem, "direct", with_cure({}, Cure::baumgarte), 64), Error::trajectory);
+  page.claim({.quantity = problem.scene().title + ": order of the direct solve with substeps",
               .unit = "1",
               .expected = 1,
               .source = source,
-              .measured = fitted_order(survey.find("direct, substeps")->points, Error::trajectory),
+              .measured = order ? order->slope : NAN,
               .tolerance = tutor::absolute(0.25)});
 }
 

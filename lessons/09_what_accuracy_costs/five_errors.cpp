@@ -8,25 +8,25 @@ namespace byhand::accuracy {
 using namespace tutor;
 
 void five_errors(Page& page) {
-  const Survey& simple = survey(page, Problem("pendulum", {{"length", 2}, {"mass", 3}}), Error::trajectory);
+  const Survey& simple = survey(page, Problem("pendulum", {{"length", 2}, {"mass", 3}}), swing_errors, swing_most);
   page.text(
       R"(The simple pendulum again, by the force in its rod. The λ of a step is an impulse; λ/h is the mean force of that
       step. So a method that is half a step late has the force of half a step ago.)");
   show(page, "pendulum_reaction", simple, Error::reaction);
   const Survey& compound =
-      survey(page, Problem("compound_pendulum", {{"length", 2}, {"mass", 3}}), Error::trajectory);
+      survey(page, Problem("compound_pendulum", {{"length", 2}, {"mass", 3}}), swing_errors, swing_most);
   page.text(
-      R"(A rod on a pin has two rows, which are solved as one block. So one sweep is exact, and the curves by sweeps are
-      vertical: more sweeps cost more and change nothing.)");
-  show(page, "compound", compound, {Error::trajectory, Error::drift, Error::energy, Error::reaction});
-  const Survey& twice =
-      survey(page, Problem("double_pendulum", {{"length", 2}, {"mass", 3}, {"end_mass", 3}}), Error::trajectory);
+      R"(A rod on a pin has two rows, which are solved as one block. So one sweep is exact: more sweeps cost more and
+      change nothing.)");
+  show(page, "compound_trajectory", compound, Error::trajectory);
+  const Survey& twice = survey(page, Problem("double_pendulum", {{"length", 2}, {"mass", 3}, {"end_mass", 3}}),
+                               swing_errors, swing_most);
   page.text(
       R"(The double pendulum is compared after @ s only. Its motion is chaotic: later any two trajectories differ, and
       that says nothing about a method.)",
-      twice.problem.scene().time);
-  show(page, "double", twice, {Error::trajectory, Error::drift, Error::energy, Error::reaction});
-  for (const auto* one : {&simple, &compound, &twice}) claim_first_order(page, one->problem.scene().title, *one);
+      twice.problem.compared_at());
+  show(page, "double_trajectory", twice, Error::trajectory);
+  for (const auto* one : {&simple, &compound, &twice}) claim_first_order(page, one->problem);
 }
 
 }  // namespace byhand::accuracy

@@ -13,38 +13,44 @@ int main(int argc, char** argv) {
   for (const NamedScene& scene : catalogue()) scenes.push_back(scene.name);
   const accuracy::Setting setting{
       .scene = lesson.parameter("scene", "chain", scenes, "what the chooser is asked about"),
-      .drift = lesson.parameter("drift", 1e-3, "m", {1e-9, 0.1}, "largest separation or overlap that may be"),
-      .trajectory =
-          lesson.parameter("trajectory", 0.0, "m", {0, 100}, "instead: distance from the true motion; 0: no"),
-      .energy = lesson.parameter("energy", 0.0, "1", {0, 100},
-                                 "instead: change of energy over m·g·L of the scene; 0: no"),
-      .momentum = lesson.parameter("momentum", 0.0, "1", {0, 100}, "instead: change of angular momentum; 0: no"),
-      .reaction = lesson.parameter("reaction", 0.0, "1", {0, 100}, "instead: error of the reaction force; 0: no"),
-      .budget =
-          lesson.parameter("budget", 0.0, "s", {0, 1}, "instead of an error: time a frame, such as 200us; 0: no"),
-      .links = lesson.parameter("links", 50, "1", {1, 500}, "of the chain"),
-      .end_mass = lesson.parameter("end_mass", 100.0, "kg", {1e-3, 1e6}, "of the chain or double pendulum"),
-      .mass = lesson.parameter("mass", 1.0, "kg", {1e-3, 1e3}, "of a link, bar, bob or block"),
-      .length = lesson.parameter("length", 1.0, "m", {0.01, 100}, "of a link, bar or rod"),
-      .boxes = lesson.parameter("boxes", 10, "1", {1, 100}, "of the stack"),
-      .top_mass = lesson.parameter("top_mass", 1.0, "kg", {1e-3, 1e6}, "of the topmost box of the stack"),
-      .base = lesson.parameter("base", 10, "1", {1, 30}, "boxes in the lowest row of the pyramid")};
+      .drift = lesson.parameter("drift", 0.0, "m", {0, 0.1},
+                                "largest separation or overlap that may be; 0: 1 mm if nothing else is asked for"),
+      .trajectory = lesson.parameter("trajectory", 0.0, "m", {0, 100}, "distance from the true motion; 0: any"),
+      .energy = lesson.parameter("energy", 0.0, "1", {0, 100}, "change of energy over m·g·L of the scene; 0: any"),
+      .momentum = lesson.parameter("momentum", 0.0, "1", {0, 100}, "change of angular momentum; 0: any"),
+      .reaction = lesson.parameter("reaction", 0.0, "1", {0, 100}, "error of the reaction force; 0: any"),
+      .budget = lesson.parameter("budget", 0.0, "s", {0, 1}, "time a frame, such as 200us; 0: any"),
+      .links = lesson.parameter("links", Initial::links, "1", {1, 500}, "of the chain"),
+      .end_mass =
+          lesson.parameter("end_mass", Initial::end_mass, "kg", {1e-3, 1e6}, "of the chain or double pendulum"),
+      .mass = lesson.parameter("mass", Initial::mass, "kg", {1e-3, 1e3}, "of a link, bar, bob or block"),
+      .length = lesson.parameter("length", Initial::length, "m", {0.01, 100}, "of a link, bar or rod"),
+      .boxes = lesson.parameter("boxes", Initial::boxes, "1", {1, 100}, "of the stack"),
+      .top_mass =
+          lesson.parameter("top_mass", Initial::top_mass, "kg", {1e-3, 1e6}, "of the topmost box of the stack"),
+      .base = lesson.parameter("base", Initial::base, "1", {1, 30}, "boxes in the lowest row of the pyramid")};
+  const tutor::Parameter<std::string> charts_of =
+      lesson.parameter("appendix", "none", appendix_scenes(), "which further charts are drawn, in the appendix");
 
   lesson.step("The methods that compete", the_methods);
   lesson.step("Order is the slope", order_is_the_slope);
   lesson.deeper("The pendulums in full", five_errors);
   lesson.step("Stable is not accurate", stable_is_not_accurate);
+  lesson.deeper("Energy over a thousand periods", thousand_periods);
   lesson.deeper("Motion about the vertical", in_space);
   lesson.step("Substeps or sweeps", substeps_or_sweeps);
   lesson.deeper("Chains, longer and heavier", chains);
   lesson.deeper("A loop of bars", linkages);
-  lesson.step("The error that sweeps do not reduce", what_the_step_hides);
+  lesson.deeper("The error that sweeps do not reduce", what_the_step_hides);
   lesson.step("Stacks and pyramids", contacts);
   lesson.deeper("A block on a slope", incline);
+  lesson.step("One picture and one page", one_page);
   lesson.step("Ask the program", [=](tutor::Page& page) { chooser(page, setting); });
   lesson.answers({"scene", "drift", "trajectory", "energy", "momentum", "reaction", "budget", "links", "end_mass",
                   "mass", "length", "boxes", "top_mass", "base"});
   lesson.deeper("What the model costs", model_cost);
+  lesson.deeper("Appendix: further charts", [=](tutor::Page& page) { appendix(page, charts_of); });
+  lesson.answers({"appendix"});
   lesson.deeper("Where the article's equations are", equations);
 
   lesson.closing(
@@ -54,13 +60,16 @@ int main(int argc, char** argv) {
             R"(Drift, trajectory, energy, momentum, reaction force and algebraic error are six questions, and no method
             is best in all.)",
             R"(For the same row-solves, many short steps are more accurate than one that is solved well; but each writes
-            its rows again.)",
+            its rows again, which has to be counted.)",
+            "What falls or comes apart is cheap. So first a run has to stand or hold; then its errors count.",
             "Solve scenes without loops directly, with substeps; solve others by sweeps.",
             "A model with more numbers than a scene needs gives the same motion for more bytes and more time."},
        .tries = {{"The heavy chain: what is cheapest for a millimetre?",
                   "./lessons/run 9 --set scene=chain --set links=50 --set end_mass=100 --set drift=1e-3"},
                  {"The other way round: what does a fifth of a millisecond a frame buy?",
                   "./lessons/run 9 --set scene=chain --set links=50 --set budget=200us"},
+                 {"Both at once: a drift, and a time that it may take:",
+                  "./lessons/run 9 --set scene=stack --set drift=5cm --set budget=1ms"},
                  {"A reaction force within one per cent, in a four-bar linkage:",
                   "./lessons/run 9 --set scene=four_bar --set reaction=0.01"},
                  {"More than any method reaches:",

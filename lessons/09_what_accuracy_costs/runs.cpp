@@ -5,9 +5,9 @@
 namespace byhand::accuracy {
 
 double error_of(const Problem& problem, const byhand::Setting& setting, Error error) {
-  Configuration alone;
-  alone.setting = [&](int, double) { return setting; };
-  const byhand::Point point = measure(problem, alone, 1, 0);
+  Family alone;
+  alone.setting = [&](const Knobs&) { return setting; };
+  const byhand::Point point = measure(problem, alone, {});
   return point.has(error) ? point[error] : INFINITY;
 }
 

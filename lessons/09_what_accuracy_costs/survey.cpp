@@ -4,117 +4,89 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
-#include <utility>
+
+#include "lessons/09_what_accuracy_costs/catalogue/tidy.hpp"
+#include "lessons/09_what_accuracy_costs/catalogue/tuning.hpp"
 
 namespace byhand::accuracy {
-namespace {
-
-/// The same with those values of its knob at which a run costs at most so many row-solves. Costs rise with the
-/// knob, so one run tells.
-Configuration affordable(const Problem& problem, const Configuration& configuration, double most) {
-  Configuration cheaper = configuration;
-  const int first = configuration.values.front();
-  const double tuning = configuration.tunings.empty() ? 0 : configuration.tunings.back();
-  const double cost = measure(problem, configuration, first, tuning).row_solves * problem.scene().duration / frame;
-  while (cheaper.values.size() > 1 && cost * cheaper.values.back() / first > most) cheaper.values.pop_back();
-  return cheaper;
-}
-
-Series run(const Problem& problem, const Configuration& configuration, Error tuned_for, double most) {
-  const Configuration cheaper = affordable(problem, configuration, most);
-  Series series{&configuration, best_tuning(problem, cheaper, tuned_for), {}};
-  for (const int knob : cheaper.values) {
-    series.points.push_back(
-        measure(problem, configuration, knob, series.tuning, {.algebraic = tuned_for == Error::algebraic}));
-    const byhand::Point& now = series.points.back();
-    // What fails before its first frame is over fails with every knob; and what fell down at first was cheap then.
-    const bool at_once = now.outcome == Outcome::failed && !std::isfinite(now.row_solves);
-    if (now.outcome == Outcome::refused || at_once || now.row_solves * problem.scene().duration / frame > most)
-      break;
-  }
-  return series;
-}
-
-std::string key(const Problem& problem, Error tuned_for, double most) {
-  return fmt::format("{} {} {} {}", description(problem), problem.model(), static_cast<int>(tuned_for), most);
-}
-
-}  // namespace
 
 std::string description(const Problem& problem) {
-  std::string text = problem.scene().title;
-  const char* before = ": ";
-  for (const SceneParameter& parameter : problem.scene().parameters) {
-    if (parameter.name == "gravity") continue;
-    text += fmt::format("{}{} = {:.4g}", before, parameter.name, problem[parameter.name]);
-    if (parameter.unit != "1") text += " " + parameter.unit;
-    before = ", ";
-  }
-  return text;
+  return problem.scene().title + ": " + described_parameters(problem);
 }
 
 std::vector<byhand::Point> Survey::points() const {
   std::vector<byhand::Point> all;
-  for (const Series& one : series) all.insert(all.end(), one.points.begin(), one.points.end());
+  for (const auto& family : runs) all.insert(all.end(), family.begin(), family.end());
   return all;
 }
 
-const Series* Survey::find(std::string_view configuration) const {
-  for (const Series& one : series)
-    if (one.configuration->name == configuration) return &one;
-  return nullptr;
+std::vector<byhand::Point> Survey::front(const Family& family, Error error) const {
+  return pareto_front(runs[static_cast<std::size_t>(&family - families().data())], error);
 }
 
-const Survey& survey(const tutor::Page& page, const Problem& problem, Error tuned_for, double most) {
+std::optional<byhand::Point> Survey::best(const Family& family, Error error, double at_most) const {
+  std::optional<byhand::Point> cheapest;
+  for (const byhand::Point& point : front(family, error))
+    if (point[error] <= at_most) cheapest = point;
+  return cheapest;
+}
+
+const Survey& survey(const tutor::Page& page, const Problem& problem, std::vector<Error> watched, double most,
+                     int runs) {
   static std::map<std::string, Survey> known;
-  const std::string name = key(problem, tuned_for, most);
+  std::string name = fmt::format("{} {} {} {}", description(problem), problem.model(), most, runs);
+  for (const Error error : watched) name += name_of(error);
   if (const auto found = known.find(name); found != known.end()) return found->second;
-  const auto& all = configurations();
   problem.reference();  // before the threads, which would wait for it
-  auto series = page.side_by_side(static_cast<int>(all.size()), [&](int i) {
-    return run(problem, all[static_cast<std::size_t>(i)], tuned_for, most);
+  const auto& all = families();
+  const bool algebraic = std::find(watched.begin(), watched.end(), Error::algebraic) != watched.end();
+  auto points = page.side_by_side(static_cast<int>(all.size()), [&](int i) {
+    Runs tried(problem, all[static_cast<std::size_t>(i)], {.algebraic = algebraic, .most = most});
+    explore(tried, watched, runs);
+    return tried.points();
   });
-  return known.emplace(name, Survey{problem, tuned_for, std::move(series)}).first->second;
+  return known.emplace(name, Survey{problem, std::move(watched), std::move(points)}).first->second;
+}
+
+std::vector<byhand::Point> refined(const Problem& problem, std::string_view family, Knobs knobs, int last) {
+  std::vector<byhand::Point> points;
+  for (; knobs.substeps <= last; knobs.substeps *= 2)
+    points.push_back(measure(problem, family_named(family), knobs));
+  return points;
 }
 
 std::string failures(const Survey& survey) {
   std::string text;
-  for (const Series& series : survey.series) {
-    std::string knobs, reason;
-    for (const byhand::Point& point : series.points) {
-      if (point.outcome == Outcome::finished) continue;
-      if (point.outcome == Outcome::failed) knobs += fmt::format("{}{}", knobs.empty() ? " " : ", ", point.knob);
-      if (reason.empty()) reason = point.reason;
+  for (const auto& runs : survey.runs) {
+    if (runs.empty()) continue;
+    std::map<std::string, int> ends;
+    const byhand::Point* refused = nullptr;
+    int good = 0;
+    for (const byhand::Point& point : runs) {
+      good += point.outcome == Outcome::good;
+      if (point.outcome == Outcome::refused) refused = &point;
+      if (point.outcome != Outcome::good && point.outcome != Outcome::too_slow)
+        ++ends[std::string(name_of(point.outcome, survey.problem.scene().duty))];
     }
-    if (reason.empty()) continue;
-    text += fmt::format("\n- {}{}{}: {}", series.configuration->name, knobs.empty() ? "" : " =", knobs, reason);
+    if (ends.empty()) continue;
+    text += fmt::format("\n- {}: ", runs.front().family->name);
+    if (refused && good == 0) {
+      text += refused->reason;
+      continue;
+    }
+    text +=
+        fmt::format("of {} runs {} {}", runs.size(), good, name_of(Outcome::good, survey.problem.scene().duty));
+    for (const auto& [end, count] : ends) text += fmt::format(", {} {}", count, end);
   }
   return text;
 }
 
 double least_cost(const Survey& survey, Error error, double at_most,
-                  const std::function<bool(const Configuration&)>& counts) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const Series& series : survey.series) {
-    if (!counts(*series.configuration)) continue;
-    const byhand::Point* before = nullptr;  // the last one whose error is too large
-    for (const byhand::Point& point : series.points) {
-      if (!point.has(error)) continue;
-      if (point[error] > at_most) {
-        before = &point;
-        continue;
-      }
-      const double share = before ? std::log((*before)[error] / at_most) /
-                                        std::log((*before)[error] / std::max(point[error], at_most / 1e6))
-                                  : 1;
-      const double cost =
-          before ? before->row_solves * std::pow(point.row_solves / before->row_solves, share) : point.row_solves;
-      least = std::min(least, cost);
-      break;
-    }
-  }
+                  const std::vector<std::string_view>& families) {
+  double least = INFINITY;
+  for (const std::string_view name : families)
+    least = std::min(least, cost_to_reach(survey.front(family_named(name), error), error, at_most));
   return least;
 }
 

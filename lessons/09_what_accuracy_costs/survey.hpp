@@ -1,69 +1,72 @@
 #pragma once
 
-#include <functional>
 #include <initializer_list>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "lessons/09_what_accuracy_costs/catalogue/work_precision.hpp"
+#include "lessons/09_what_accuracy_costs/catalogue/front.hpp"
 #include "lessons/tutor/page.hpp"
 #include "renderer/chart.hpp"
 
-// All ways to go about a scene, measured, and drawn as a work–precision chart.
+// All ways to go about a scene, each tuned at every point, and drawn as a work–precision chart.
 namespace byhand::accuracy {
 
-/// What one configuration does on one problem: its runs by rising knob, at the tuning that is best there.
-struct Series {
-  const Configuration* configuration = nullptr;
-  double tuning = 0;
-  std::vector<byhand::Point> points;
-};
+/// What the surveys of swinging scenes watch, and up to which cost a frame.
+inline const std::vector<Error> swing_errors{Error::drift, Error::trajectory, Error::energy, Error::reaction},
+    spin_errors{Error::drift, Error::trajectory, Error::energy, Error::momentum, Error::reaction};
+inline constexpr double swing_most = 5000;
 
-/// What all of them do.
+/// The runs of all families on one problem.
 struct Survey {
   Problem problem;
-  Error tuned_for;
-  std::vector<Series> series;
+  std::vector<Error> watched;
+  std::vector<std::vector<byhand::Point>> runs;  // by family
 
   /// Every run.
   std::vector<byhand::Point> points() const;
-  /// The series of that configuration; none if the solver has no such configuration.
-  const Series* find(std::string_view configuration) const;
+  /// The best that one family can do: its lower envelope over all choices, for this error.
+  std::vector<byhand::Point> front(const Family& family, Error error) const;
+  /// The cheapest of its runs with at most that error; none if none has.
+  std::optional<byhand::Point> best(const Family& family, Error error, double at_most) const;
 };
 
-/// Runs all configurations on the problem, side by side; each with the tuning that has the least of `tuned_for`,
-/// and each knob as far as a run costs `most` row-solves. Kept: a problem that two steps look at is measured once.
-const Survey& survey(const tutor::Page& page, const Problem& problem, Error tuned_for, double most = 1e7);
+/// Runs all families on the problem, each tuned for each error that is watched, up to a cost of `most` a frame and
+/// about `runs` runs a family. Kept: a problem that two steps look at is measured once.
+const Survey& survey(const tutor::Page& page, const Problem& problem, std::vector<Error> watched, double most,
+                     int runs = 300);
 
 /// "chain: links = 50, end_mass = 100 kg, …".
 std::string description(const Problem& problem);
 /// The same for a chart, where _ would lower a letter: with spaces.
 std::string title_of(const Problem& problem);
 
-/// Error against cost in row-solves, log–log: a curve a configuration with its tuning and its fitted order in the
-/// legend, the knob at the points, failures at the edge, and the front of those that no other beats.
-renderer::Chart work_precision(const Survey& survey, Error error, Cost cost = Cost::row_solves);
+/// Initial conditions that a chart's points are run from: twenty, fewer where all these runs would take long.
+int starts_of(const Survey& survey);
 
-/// The chart, with a caption that names the reference and its uncertainty.
+/// A colour for each: its own in all charts, unless another has it already; at most seven differ.
+std::vector<renderer::Colour> colours_of(const std::vector<const Family*>& drawn);
+
+/// Error against cost on logarithmic axes: at most seven methods, those on the front and the article's own, by
+/// their medians over the initial conditions, and the others pale. Its CSV file has all runs.
 void show(tutor::Page& page, const std::string& name, const Survey& survey, Error error);
-
+/// The charts of several errors, each named "prefix_error".
+void show(tutor::Page& page, const std::string& prefix, const Survey& survey, std::initializer_list<Error> errors);
 /// The same against wall time, measured when it is wanted.
 void show_clocked(tutor::Page& page, const std::string& name, const Survey& survey, Error error);
 
-/// The charts of several errors, each named "prefix_error".
-void show(tutor::Page& page, const std::string& prefix, const Survey& survey, std::initializer_list<Error> errors);
-
+/// Runs with these choices at 1, 2, 4 … substeps.
+std::vector<byhand::Point> refined(const Problem& problem, std::string_view family, Knobs knobs, int last);
 /// Claims that the trajectory of the direct solve with substeps is of order 1, from what `source` says.
-void claim_first_order(tutor::Page& page, const std::string& scene, const Survey& survey,
-                       const std::string& source = "symplectic Euler");
+void claim_first_order(tutor::Page& page, const Problem& problem, const std::string& source = "symplectic Euler");
 
-/// What cannot run the problem or fails, at which knobs, and why, as a list; empty if all goes well.
+/// How the runs of each family ended, as a list of those that cannot run the problem or did not do their duty.
 std::string failures(const Survey& survey);
 
-/// The least cost [row-solves a frame] at which any configuration that `counts` has at most that error, along the
-/// straight line on logarithmic axes between the two knobs on either side of it; infinite if none has.
+/// The least cost at which any of these families reaches that error, between points along the fronts; infinite if
+/// none does.
 double least_cost(const Survey& survey, Error error, double at_most,
-                  const std::function<bool(const Configuration&)>& counts);
+                  const std::vector<std::string_view>& families);
 
 }  // namespace byhand::accuracy

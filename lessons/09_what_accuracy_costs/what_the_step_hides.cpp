@@ -1,4 +1,4 @@
-// Step 5: the plateau: rows are solved better and better, but the error of the step stays.
+// Deeper: the plateau: rows are solved better and better, but the error of the step stays.
 
 #include <cmath>
 
@@ -12,24 +12,27 @@ using namespace tutor;
 
 void what_the_step_hides(Page& page) {
   const Problem problem("double_pendulum", {{"length", 2}, {"mass", 3}, {"end_mass", 3}});
-  const Configuration& sweeps = configuration_named("Gauss–Seidel, sweeps");
+  const Family& sweeps = family_named("Gauss–Seidel");
   const double beta = 0.2;
   const std::vector<int> counts{1, 2, 4, 8, 16, 32, 64, 256, 1024, 10000};
   const auto points = page.side_by_side(static_cast<int>(counts.size()), [&](int i) {
-    return measure(problem, sweeps, counts[static_cast<std::size_t>(i)], beta, {.algebraic = true});
+    return measure(problem, sweeps,
+                   {.passes = counts[static_cast<std::size_t>(i)], .cure = Cure::baumgarte, .strength = beta},
+                   {.algebraic = true});
   });
   const byhand::Point &some = points[6], &many = points.back();
-  const byhand::Point exact = measure(problem, configuration_named("direct, substeps"), 1, beta);
+  const byhand::Point exact =
+      measure(problem, family_named("direct"), {.cure = Cure::baumgarte, .strength = beta});
 
   page.predict(
       {.ask = say(R"(A double pendulum, one step a frame, @ sweeps in each, and its trajectory is @ m off after @
                   s. With @ sweeps: how far off?)",
-                  some.knob, Value(some[Error::trajectory], 3), problem.scene().time, many.knob),
+                  some.knobs.passes, Value(some[Error::trajectory], 3), problem.scene().time, many.knobs.passes),
        .answer = many[Error::trajectory],
        .unit = "m",
        .tolerance = 0.03 * some[Error::trajectory],
        .wrong = {{0, "Then the rows are solved to rounding. But the step is as long as before."},
-                 {some[Error::trajectory] * std::sqrt(static_cast<double>(some.knob) / many.knob),
+                 {some[Error::trajectory] * std::sqrt(static_cast<double>(some.knobs.passes) / many.knobs.passes),
                   "After a few sweeps the rows are nearly solved; what is left is the error of the step."}},
        .hints = {"What would a direct solve of the same steps give?",
                  "error = error of the solver + error of the step", "The error of the solver is small already."},
@@ -43,7 +46,7 @@ void what_the_step_hides(Page& page) {
   renderer::Curve algebraic{.label = "algebraic (m/s)", .style = renderer::CurveStyle::line_and_markers},
       trajectory{.label = "trajectory (m)", .style = renderer::CurveStyle::line_and_markers};
   for (const byhand::Point& point : points) {
-    algebraic.x.push_back(point.knob), trajectory.x.push_back(point.knob);
+    algebraic.x.push_back(point.knobs.passes), trajectory.x.push_back(point.knobs.passes);
     algebraic.y.push_back(std::max(point[Error::algebraic], 1e-16));
     trajectory.y.push_back(point[Error::trajectory]);
   }
@@ -60,13 +63,13 @@ void what_the_step_hides(Page& page) {
       R"(Here the first sweeps improve the motion, and all further ones improve only the solution of a step that is
       wrong itself. On a work–precision chart such a curve turns straight up. So residuals alone do not compare
       simulations. What helps is a shorter step or a method of higher order.)");
-  page.claim({.quantity = say("trajectory, @ sweeps over @", many.knob, some.knob),
+  page.claim({.quantity = say("trajectory, @ sweeps over @", many.knobs.passes, some.knobs.passes),
               .unit = "1",
               .expected = 1,
               .source = "the step's own error",
               .measured = many[Error::trajectory] / some[Error::trajectory],
               .tolerance = relative(0.03)});
-  page.claim({.quantity = say("trajectory, @ sweeps", many.knob),
+  page.claim({.quantity = say("trajectory, @ sweeps", many.knobs.passes),
               .unit = "m",
               .expected = exact[Error::trajectory],
               .source = "direct solve of the same steps",

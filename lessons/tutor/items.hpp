@@ -66,10 +66,11 @@ struct TimedChart {
   std::function<const renderer::Chart&()> chart;
 };
 
-/// Writes figures/<name>.png and, for a chart, data/<name>.csv.
+/// Writes figures/<name>.png and, for a chart or where there is `data`, data/<name>.csv.
 struct Figure {
   std::string name, caption;
   std::variant<renderer::Chart, Drawing, TimedChart> picture;
+  std::string data = {};  // the CSV file, where it is not the chart's own
 };
 
 /// The chart of the figure, measured now if it is a TimedChart; null for a drawing.

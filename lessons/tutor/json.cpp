@@ -1,5 +1,7 @@
 #include "lessons/tutor/json.hpp"
 
+#include <algorithm>
+#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -18,6 +20,14 @@ std::map<std::string, std::string> strings(const Json& object) {
     for (const auto& [name, value] : object.items())
       if (value.is_string()) all[name] = value;
   return all;
+}
+
+/// "Intel(R) Xeon(R) …": what measured times belong to.
+std::string processor() {
+  std::ifstream about("/proc/cpuinfo");
+  for (std::string line; std::getline(about, line);)
+    if (line.starts_with("model name")) return line.substr(std::min(line.find(':') + 2, line.size()));
+  return "unknown";
 }
 
 }  // namespace
@@ -48,6 +58,7 @@ std::string made_by(const Lesson& lesson, const Options& options, const std::str
       {"gl", gl},
       {"commit", commit()},
       {"compiler", BYHAND_COMPILER},
+      {"processor", processor()},
   }
       .dump();
 }

@@ -90,14 +90,14 @@ void Page::measure(std::string quantity, double value, std::string unit) {
   add(Measure{std::move(quantity), value, std::move(unit)});
 }
 
-void Page::figure(std::string name, std::string caption, renderer::Chart chart) {
+void Page::figure(std::string name, std::string caption, renderer::Chart chart, std::string data) {
   require_file_name(name);
-  add(Figure{std::move(name), std::move(caption), std::move(chart)});
+  add(Figure{std::move(name), std::move(caption), std::move(chart), std::move(data)});
 }
 
-void Page::figure(std::string name, std::string caption, Drawing draw) {
+void Page::figure(std::string name, std::string caption, Drawing draw, std::string data) {
   require_file_name(name);
-  add(Figure{std::move(name), std::move(caption), std::move(draw)});
+  add(Figure{std::move(name), std::move(caption), std::move(draw), std::move(data)});
 }
 
 void Page::clocked(std::string name, std::string caption, std::function<renderer::Chart()> measure) {

@@ -63,11 +63,12 @@ class Page {
   /// A result. When a parameter changes, its old and new value are printed on one line.
   void measure(std::string quantity, double value, std::string unit);
 
-  /// A chart: figures/<name>.png and data/<name>.csv. Names are [a-z0-9_]+ and unique in a lesson.
-  void figure(std::string name, std::string caption, renderer::Chart chart);
+  /// A chart: figures/<name>.png and data/<name>.csv, which holds `data` where it is not empty. Names are
+  /// [a-z0-9_]+ and unique in a lesson.
+  void figure(std::string name, std::string caption, renderer::Chart chart, std::string data = {});
 
   /// A picture. `draw` runs later, and only if pictures are written: capture by value.
-  void figure(std::string name, std::string caption, Drawing draw);
+  void figure(std::string name, std::string caption, Drawing draw, std::string data = {});
 
   /// A chart of measured running times, the only output that differs between runs. `measure` runs later, while
   /// nothing else does, and only if the chart is shown or written: capture by value.

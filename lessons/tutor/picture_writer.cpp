@@ -47,7 +47,10 @@ PictureWriter::PictureWriter(const Lesson& lesson, const Options& options)
 
 void PictureWriter::write(const Figure& figure) {
   output_.write(figure_path(figure.name), renderer::encode_png(drawer_.draw(figure)));
-  if (const auto* chart = chart_of(figure)) output_.write(data_path(figure.name), csv(*chart));
+  if (!figure.data.empty())
+    output_.write(data_path(figure.name), figure.data);
+  else if (const auto* chart = chart_of(figure))
+    output_.write(data_path(figure.name), csv(*chart));
 }
 
 void PictureWriter::write(const Sequence& sequence) {

@@ -62,11 +62,23 @@ template <class M>
 struct SceneWithMethod {
   Scene<M> scene;
   Method method = {};
+  int bodies = 0;  // that move
   std::variant<VelocityStepping::Work<M>, Accelerations::Work<M>, Rattle::Work<M>, Xpbd::Work<M>, Avbd::Work<M>>
       work = {};  // that of the method's family
 
-  explicit SceneWithMethod(Scene<M>&& given) : scene(std::move(given)) {}
+  explicit SceneWithMethod(Scene<M>&& given) : scene(std::move(given)) {
+    for_each_moving(scene.bodies(), [&](int, double) { ++bodies; });
+  }
 };
+
+/// Equal parts of a time step.
+template <class Family>
+int substeps_of(const Family& family) {
+  if constexpr (requires { family.substeps; })
+    return family.substeps;
+  else
+    return 1;
+}
 
 }  // namespace
 
@@ -86,11 +98,12 @@ template <class M>
 AnyScene::AnyScene(Scene<M> scene)
     : running_(new Running{decltype(Running::one)(std::in_place_type<SceneWithMethod<M>>, std::move(scene))}) {}
 AnyScene::AnyScene(const AnyScene& other)
-    : running_(std::make_unique<Running>(*other.running_)), time_(other.time_) {}
+    : running_(std::make_unique<Running>(*other.running_)), time_(other.time_), effort_(other.effort_) {}
 AnyScene::AnyScene(AnyScene&& other) noexcept = default;
 AnyScene& AnyScene::operator=(AnyScene other) noexcept {
   running_.swap(other.running_);
   time_ = other.time_;
+  effort_ = other.effort_;
   return *this;
 }
 AnyScene::~AnyScene() = default;
@@ -104,6 +117,7 @@ void AnyScene::use(const Method& method) {
         running.work.template emplace<typename Family::template Work<M>>();
       },
       running_->one, method);
+  effort_ = {};
 }
 
 std::string AnyScene::refusal(const Method& method) const {
@@ -117,20 +131,29 @@ void AnyScene::step(double h) {
       [&]<class M>(SceneWithMethod<M>& running) {
         std::visit(
             [&]<class Family>(const Family& family) {
-              advance(running.scene, family, h, std::get<typename Family::template Work<M>>(running.work));
+              auto& work = std::get<typename Family::template Work<M>>(running.work);
+              advance(running.scene, family, h, work);
+              const int substeps = substeps_of(family);
+              effort_.substeps += substeps;
+              effort_.rows += static_cast<long long>(substeps) * work.system.rows();
+              effort_.bodies += static_cast<long long>(substeps) * running.bodies;
+              if (!running.scene.colliders().shapes.empty()) effort_.contacts += work.system.rows();
             },
             running.method);
       },
       running_->one);
+  ++effort_.steps;
   time_ += h;
 }
 
-long long AnyScene::row_solves() const {
-  return std::visit(
+Effort AnyScene::effort() const {
+  Effort effort = effort_;
+  effort.row_solves = std::visit(
       [](const auto& running) {
         return std::visit([](const auto& work) { return work.row_solves; }, running.work);
       },
       running_->one);
+  return effort;
 }
 
 double AnyScene::separation() const {
@@ -194,6 +217,27 @@ double AnyScene::algebraic_error(double h) const {
         }
       },
       running_->one);
+}
+
+double AnyScene::residual() const {
+  return std::visit(
+      []<class M>(const SceneWithMethod<M>& running) {
+        const auto* work = std::get_if<Work<M>>(&running.work);
+        return work && work->version ? byhand::residual(work->system, running.scene.bodies().velocity)
+                                     : static_cast<double>(NAN);
+      },
+      running_->one);
+}
+
+double AnyScene::farthest_from(const std::vector<Eigen::Vector3d>& places) const {
+  return read([&](const auto& scene) {
+    double largest = 0;
+    auto place = places.begin();
+    for_each_moving(scene.bodies(), [&](int i, double) {
+      largest = std::max(largest, (in_space(scene.bodies().pose[i].position) - *place++).squaredNorm());
+    });
+    return std::sqrt(largest);
+  });
 }
 
 bool AnyScene::finite() const {

@@ -15,6 +15,15 @@ struct Placement {
   bool moves = true;
 };
 
+/// What a method has done, in counts that are the same on every machine.
+struct Effort {
+  long long row_solves = 0;  // uses of (17) and (20); a direct solve counts as those of as many multiplications
+  long long rows = 0;        // written: once in each substep
+  long long bodies = 0;      // moved: once in each substep
+  long long contacts = 0;    // rows of contacts, found once in each step
+  long long substeps = 0, steps = 0;
+};
+
 /// A scene of any model with any method, for programs that choose both as they run. A value: a copy is a way back.
 class AnyScene {
  public:
@@ -37,7 +46,8 @@ class AnyScene {
   /// What has been stepped so far [s].
   double time() const { return time_; }
   /// What the method has spent since it was chosen.
-  long long row_solves() const;
+  long long row_solves() const { return effort().row_solves; }
+  Effort effort() const;
 
   /// How far the two points of any joint are apart, or a rod from its length, or two bodies in each other, at most
   /// [m].
@@ -56,6 +66,12 @@ class AnyScene {
   /// The largest difference of any velocity from that of the direct solve of the same first substep of a step of h
   /// [s] [m/s, rad/s]; NaN for a method that does not solve rows, and where rows repeat each other.
   double algebraic_error(double h) const;
+  /// The largest residual of the rows of the last substep, see gauss_seidel.hpp [m/s]: for contacts, how far they
+  /// are from complementarity and from the friction cone. NaN for a method that does not solve rows for
+  /// velocities.
+  double residual() const;
+  /// The largest distance of the centre of a body that moves from its place, of as many places [m].
+  double farthest_from(const std::vector<Eigen::Vector3d>& places) const;
   /// Whether all poses and velocities are finite.
   bool finite() const;
 
@@ -78,6 +94,7 @@ class AnyScene {
 
   std::unique_ptr<Running> running_;
   double time_ = 0;  // [s]
+  Effort effort_;    // without row-solves, which the method counts
 };
 
 }  // namespace byhand

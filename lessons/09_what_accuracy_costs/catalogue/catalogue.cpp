@@ -256,6 +256,8 @@ std::vector<NamedScene> make_catalogue() {
        .models = any_bobs,
        .stress = "gravity",
        .duration = 10,
+       .size = "length",
+       .varied = "angle",
        .reference = elliptic,
        .make = make_pendulum,
        .exact = exact_pendulum},
@@ -265,6 +267,8 @@ std::vector<NamedScene> make_catalogue() {
        .models = {links, space_links},
        .stress = "gravity",
        .duration = 10,
+       .size = "length",
+       .varied = "angle",
        .reference = elliptic,
        .make = make_compound_pendulum,
        .exact = exact_compound_pendulum},
@@ -273,6 +277,9 @@ std::vector<NamedScene> make_catalogue() {
        .parameters = {angle_of(90), length_of("of each rod"), link_mass, end_mass, gravity},
        .models = any_two,
        .stress = "end_mass",
+       .size = "length",
+       .varied = "angle",
+       .chaotic = true,
        .reference = angles,
        .make = make_double_pendulum,
        .exact = exact_double_pendulum},
@@ -286,6 +293,9 @@ std::vector<NamedScene> make_catalogue() {
                       gravity},
        .models = any_chain,
        .stress = "end_mass",
+       .size = "length",
+       .varied = "angle",
+       .chaotic = true,
        .reference = angles,
        .make = make_long_chain,
        .exact = exact_long_chain},
@@ -299,6 +309,8 @@ std::vector<NamedScene> make_catalogue() {
                       gravity},
        .models = {links},
        .stress = "coupler_mass",
+       .size = "length",
+       .varied = "angle",
        .reference = elliptic,
        .make = make_four_bar,
        .exact = exact_four_bar},
@@ -312,6 +324,8 @@ std::vector<NamedScene> make_catalogue() {
        .models = {space_bobs},
        .stress = "azimuth_rate",
        .keeps_spin = true,
+       .size = "length",
+       .varied = "angle",
        .reference = elliptic,
        .make = make_spherical_pendulum,
        .exact = exact_spherical_pendulum},
@@ -321,6 +335,8 @@ std::vector<NamedScene> make_catalogue() {
        .models = {space_bobs},
        .stress = "gravity",
        .keeps_spin = true,
+       .size = "length",
+       .varied = "angle",
        .reference = "closed form",
        .make = make_conical_pendulum,
        .exact = exact_conical_pendulum},
@@ -335,6 +351,8 @@ std::vector<NamedScene> make_catalogue() {
        .models = {space_links},
        .stress = "spin",
        .keeps_spin = true,
+       .size = "arm",
+       .varied = "spin",
        .reference = "closed form (steady precession)",
        .make = make_top,
        .exact = exact_top},
@@ -348,6 +366,9 @@ std::vector<NamedScene> make_catalogue() {
        .models = {"boxes in the plane"},
        .stress = "top_mass",
        .time = 5,
+       .duration = 30,
+       .duty = Duty::stand,
+       .varied = "kick",
        .reference = "it stands",
        .make = make_stack,
        .exact = stands},
@@ -358,6 +379,9 @@ std::vector<NamedScene> make_catalogue() {
        .models = {"boxes in the plane"},
        .stress = "gravity",
        .time = 5,
+       .duration = 30,
+       .duty = Duty::stand,
+       .varied = "kick",
        .reference = "it stands",
        .make = make_pyramid,
        .exact = stands},
@@ -372,7 +396,9 @@ std::vector<NamedScene> make_catalogue() {
        .models = {"boxes in the plane"},
        .stress = "speed",
        .duration = 2,
+       .duty = Duty::slide,
        .keeps_energy = false,
+       .varied = "speed",
        .reference = "closed form",
        .make = make_incline,
        .exact = exact_incline},
@@ -427,12 +453,29 @@ Problem Problem::with(std::string_view parameter, double value) const {
   return Problem(scene_->name, values, model_);
 }
 
+Problem Problem::variation(int i, int seed) const {
+  if (i == 0) return *this;
+  const double golden = 0.6180339887498949 * i + 0.7548776662466927 * seed, share = golden - std::floor(golden);
+  const std::string& varied = scene_->varied;
+  const double value = (*this)[varied];
+  if (varied != "kick") return with(varied, value * (0.95 + 0.1 * share));
+  const double push = value == 0 ? 0.02 : std::abs(value);
+  return with(varied, (i % 2 == 0 ? 1 : -1) * push * (0.5 + 0.5 * share));
+}
+
 const Reference& Problem::reference() const {
   std::call_once(known_->once, [&] {
+    Reference& known = known_->reference;
+    known.time = scene_->time;
+    if (scene_->chaotic) {
+      known.lyapunov_time = lyapunov_time(*this);
+      known.time = std::max(2 * frame, std::min(known.time, std::floor(known.lyapunov_time / frame) * frame));
+    }
     const auto exact = scene_->exact(*this);
-    const ExactState before = exact(scene_->time - frame), end = exact(scene_->time);
-    known_->reference = {end.positions, std::max(before.uncertainty, end.uncertainty),
-                         (end.momentum - before.momentum) / frame - start().weight()};
+    const ExactState before = exact(known.time - frame), end = exact(known.time);
+    known.positions = end.positions;
+    known.uncertainty = std::max(before.uncertainty, end.uncertainty);
+    known.reaction = (end.momentum - before.momentum) / frame - start().weight();
   });
   return known_->reference;
 }

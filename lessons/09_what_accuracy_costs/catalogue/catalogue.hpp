@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <map>
 #include <memory>
@@ -36,12 +37,21 @@ struct ExactState {
 
 /// What a run is held against at one time.
 struct Reference {
+  double time = 0;                                     // [s]
+  double lyapunov_time = INFINITY;                     // in which a small disturbance grows e-fold [s]
   std::vector<Eigen::Vector3d> positions;              // of the centres of all bodies that move [m]
   double uncertainty = 0;                              // largest error expected in one [m]
   Eigen::Vector3d reaction = Eigen::Vector3d::Zero();  // of all that does not move, mean over the last frame [N]
 };
 
 class Problem;
+
+/// What a scene has to do before any error of it counts.
+enum class Duty {
+  hold,   // no joint opens by more than a tenth of a body
+  stand,  // no box ends up more than half a box from its place
+  slide,  // the block is never more than half a block from where it should be
+};
 
 /// A scene of the catalogue.
 struct NamedScene {
@@ -50,10 +60,14 @@ struct NamedScene {
   std::vector<std::string> models;  // what it can be made of; the first is meant where none is named
   std::string stress;               // the parameter that makes it harder as it grows
   double time = 1;                  // when trajectory and reaction are held against the reference [s]
-  double duration = 5;              // how long drift, energy and momentum are watched [s]
+  double duration = 5;              // how long its duty, drift, energy and momentum are watched [s]
+  Duty duty = Duty::hold;
   bool keeps_energy = true;
   bool keeps_spin = false;  // angular momentum about the vertical through the origin
-  std::string reference;    // where the exact answer comes from
+  std::string size = {};    // the parameter that is the length of a body; empty: 1 m
+  std::string varied = {};  // the parameter that differs between initial conditions
+  bool chaotic = false;
+  std::string reference;  // where the exact answer comes from
   AnyScene (*make)(const Problem&);
   std::function<ExactState(double time)> (*exact)(const Problem&);
 };
@@ -79,9 +93,17 @@ class Problem {
   /// The same with another value.
   Problem with(std::string_view parameter, double value) const;
 
+  /// The same from another initial condition, by up to a twentieth: of a stack, another push. The 0th is its own.
+  Problem variation(int i, int seed = 1) const;
+
+  /// Length of a body [m].
+  double size() const { return scene_->size.empty() ? 1 : (*this)[scene_->size]; }
   /// The scene as it begins.
   AnyScene start() const { return scene_->make(*this); }
-  /// What its run is held against at scene().time; worked out when first asked for, once for all copies.
+  /// When trajectory and reaction are held against the reference [s]: at scene().time, but of a chaotic scene
+  /// within its Lyapunov time.
+  double compared_at() const { return std::round(reference().time / frame) * frame; }
+  /// What its run is held against then; worked out when first asked for, once for all copies.
   const Reference& reference() const;
 
  private:
@@ -94,5 +116,9 @@ class Problem {
   std::string model_;
   std::shared_ptr<Known> known_ = std::make_shared<Known>();
 };
+
+/// In which a small disturbance of the motion grows e-fold [s], over its duration, by direct solves of short
+/// steps; infinite where it does not grow.
+double lyapunov_time(const Problem& problem);
 
 }  // namespace byhand

@@ -133,6 +133,7 @@ TEST(Output, TheManifestSaysWhatMadeIt) {
   ASSERT_EQ(manifest.at("runs").size(), 1u);
   const auto& json = manifest.at("runs").front();
   EXPECT_TRUE(json.at("step").is_null());
+  EXPECT_FALSE(json.at("processor").get<std::string>().empty());
   EXPECT_THAT(json.at("commit").get<std::string>(), testing::ContainsRegex("^([0-9a-f]{40}(-dirty)?|unknown)$"));
   EXPECT_THAT(json.at("compiler").get<std::string>(), testing::ContainsRegex("^(GNU|Clang) [0-9.]+$"));
   EXPECT_EQ(json.at("options").at("quality"), "low");

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "lessons/09_what_accuracy_costs/catalogue/work_precision.hpp"
+#include "lessons/09_what_accuracy_costs/catalogue/tuning.hpp"
 #include "lessons/exact/compound_pendulum.hpp"
 #include "lessons/exact/swinging_chain.hpp"
 
@@ -38,8 +38,8 @@ INSTANTIATE_TEST_SUITE_P(Catalogue, EveryScene, testing::ValuesIn(all_scenes()))
 
 TEST_P(EveryScene, IsRunByEveryMethodOrRefusedWithAReason) {
   const Problem problem = small(GetParam());
-  for (const Configuration& configuration : configurations()) {
-    const Setting setting = configuration.setting(configuration.values[2], configuration.tunings.front());
+  for (const Family& family : families()) {
+    const Setting setting = family.setting(first_knobs(problem, family, family.cures.front(), 4));
     AnyScene scene = problem.start();
     const std::string refusal = scene.refusal(setting.method);
     if (!refusal.empty()) {
@@ -48,18 +48,18 @@ TEST_P(EveryScene, IsRunByEveryMethodOrRefusedWithAReason) {
     }
     scene.use(setting.method);
     // Boxes that lie on two others have rows that repeat each other: that alone a direct solve may refuse.
-    const bool repeats = GetParam().scene == "pyramid" && configuration.name.rfind("direct", 0) == 0;
+    const bool repeats = GetParam().scene == "pyramid" && family.name == "direct";
     bool refused = false;
     try {
       for (int i = 0; i < 20; ++i) scene.step(frame / setting.steps);
-      EXPECT_TRUE(scene.finite()) << configuration.name;
+      EXPECT_TRUE(scene.finite()) << family.name;
       EXPECT_NEAR(scene.time(), 20 * frame / setting.steps, 1e-12);
-      EXPECT_GT(scene.row_solves(), 0) << configuration.name;
+      EXPECT_GT(scene.row_solves(), 0) << family.name;
     } catch (const SingularSystem& error) {
-      EXPECT_THAT(error.what(), HasSubstr("repeat")) << configuration.name;
+      EXPECT_THAT(error.what(), HasSubstr("repeat")) << family.name;
       refused = true;
     }
-    EXPECT_EQ(refused, repeats) << configuration.name;
+    EXPECT_EQ(refused, repeats) << family.name;
   }
 }
 
@@ -83,9 +83,12 @@ TEST_P(EveryScene, ComesToItsReferenceAsStepsAreShortened) {
   const Problem problem = small(GetParam());
   // A pyramid's rows repeat each other, which the direct solve refuses.
   const bool repeats = GetParam().scene == "pyramid";
-  const Configuration& exact = configuration_named(repeats ? "conjugate sweeps, substeps" : "direct, substeps");
-  const Point coarse = measure(problem, exact, 16, 1), fine = measure(problem, exact, 64, 1);
-  ASSERT_EQ(fine.outcome, Outcome::finished) << fine.reason;
+  const Family& exact = family_named(repeats ? "conjugate sweeps to a tolerance" : "direct");
+  Knobs knobs{.substeps = 16, .passes = 8, .cure = Cure::baumgarte, .strength = 1};
+  const Point coarse = measure(problem, exact, knobs);
+  knobs.substeps = 64;
+  const Point fine = measure(problem, exact, knobs);
+  ASSERT_EQ(fine.outcome, Outcome::good) << fine.reason;
   const double rounding = std::max(1e-9, 10 * problem.reference().uncertainty);
   for (const Error error : {Error::drift, Error::trajectory}) {
     EXPECT_LT(fine[error], std::max(rounding, coarse[error] / 3)) << name_of(error);
@@ -181,7 +184,7 @@ TEST(SwingingChain, RefusesBadInput) {
 TEST(Reference, OfAHangingChainPullsWithItsWeight) {
   const Problem problem("chain", {{"links", 50}, {"angle", 0}, {"end_mass", 100}});
   EXPECT_LT((problem.reference().reaction - Eigen::Vector3d(0, 149 * 9.81, 0)).norm(), 1e-8);
-  const Point exact = measure(problem, configuration_named("direct, substeps"), 1, 0.2);
+  const Point exact = measure(problem, family_named("direct"), {.cure = Cure::baumgarte, .strength = 0.2});
   EXPECT_LT(exact[Error::reaction], 1e-12);
   EXPECT_LT(exact[Error::trajectory], 1e-12);
 }

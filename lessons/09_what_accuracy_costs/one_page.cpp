@@ -1,0 +1,271 @@
+// Step 6: what all charts say together: performance profiles, and one page of advice.
+
+#include <algorithm>
+#include <cmath>
+
+#include "lessons/09_what_accuracy_costs/catalogue/limits.hpp"
+#include "lessons/09_what_accuracy_costs/catalogue/profile.hpp"
+#include "lessons/09_what_accuracy_costs/catalogue/tidy.hpp"
+#include "lessons/09_what_accuracy_costs/steps.hpp"
+#include "lessons/09_what_accuracy_costs/survey.hpp"
+#include "renderer/canvas.hpp"
+
+namespace byhand::accuracy {
+namespace {
+
+using namespace tutor;
+
+struct Class {
+  std::string name;
+  Problem problem;
+  double most;
+  int runs;
+};
+
+const std::vector<Class>& equalities() {
+  static const std::vector<Class> all{
+      {"one rod", Problem("pendulum", {{"length", 2}, {"mass", 3}}), swing_most, 300},
+      {"two links", Problem("double_pendulum", {{"length", 2}, {"mass", 3}, {"end_mass", 3}}), swing_most, 300},
+      {"a chain of 10", Problem("chain", {{"links", 10}}), 4000, 80},
+      {"a heavy end on 50 links", Problem("chain", {{"links", 50}, {"end_mass", 100}}), 12000, 60},
+      {"a loop of bars", Problem("four_bar", {{"length", 2}, {"mass", 3}, {"coupler_mass", 3}}), swing_most, 300},
+      {"a rod in space", Problem("spherical_pendulum", {{"length", 2}, {"mass", 3}}), swing_most, 300},
+      {"a spinning top", Problem("top"), swing_most, 300}};
+  return all;
+}
+const std::vector<Class>& contact_scenes() {
+  static const std::vector<Class> all{
+      {"a stack of 10", Problem("stack", {{"boxes", 10}, {"kick", 0.02}}), 3000, 80},
+      {"a heavy box on 4", Problem("stack", {{"boxes", 5}, {"top_mass", 100}, {"kick", 0.02}}), 3000, 60},
+      {"a pyramid of 21", Problem("pyramid", {{"base", 6}, {"kick", 0.02}}), 6000, 50},
+      {"a sliding block", Problem("incline"), swing_most, 300}};
+  return all;
+}
+
+std::vector<Error> watched_of(const Problem& problem) {
+  if (problem.scene().duty == Duty::stand) return {Error::drift, Error::trajectory, Error::contact};
+  if (problem.scene().duty == Duty::slide) return {Error::drift, Error::trajectory};
+  return problem.scene().keeps_spin ? spin_errors : swing_errors;
+}
+
+const Survey& survey_of(const Page& page, const Class& one) {
+  return survey(page, one.problem, watched_of(one.problem), one.most, one.runs);
+}
+
+/// The errors and targets that count: lengths by a body's, the others as they are.
+std::vector<std::pair<Error, double>> targets_of(const Problem& problem) {
+  std::vector<std::pair<Error, double>> targets;
+  for (const Error error : watched_of(problem)) {
+    if (error == Error::contact) continue;
+    const bool length = error == Error::drift || error == Error::trajectory;
+    for (const double share : {1e-2, 1e-3, 1e-4})
+      targets.emplace_back(error, length ? share * problem.size() : 10 * share);
+  }
+  return targets;
+}
+
+struct Tasks {
+  std::vector<Task> tasks;
+  std::string data =
+      "class,error kind,error wanted,unit,method,cost (row-solves of Gauss–Seidel a frame),time (ns a frame)\n";
+};
+
+/// What each method costs at each scene, error and target; by the clock with a time for each run that is needed.
+Tasks tasks_of(const Page& page, const std::vector<Class>& classes, Cost cost) {
+  Tasks all;
+  for (const Class& one : classes) {
+    const Survey& survey = survey_of(page, one);
+    for (const auto& [error, wanted] : targets_of(one.problem)) {
+      Task task{say("@, @, @", one.name, std::string(name_of(error)), wanted), {}};
+      for (const Family& family : families()) {
+        const auto front = survey.front(family, error);
+        double spent = cost_to_reach(front, error, wanted);
+        if (cost == Cost::wall_time && std::isfinite(spent)) {
+          const auto best = survey.best(family, error, wanted);
+          spent = nanoseconds_a_frame(one.problem, family.setting(best->knobs), 0.002);
+        }
+        task.cost.push_back(spent);
+        all.data +=
+            say("@,@,@,@,@,@,@\n", one.name, std::string(name_of(error)), wanted, std::string(unit_of(error)),
+                family.name, cost == Cost::counted && std::isfinite(spent) ? say("@", Value(spent, 6)) : "",
+                cost == Cost::wall_time && std::isfinite(spent) ? say("@", Value(spent, 6)) : "");
+      }
+      all.tasks.push_back(std::move(task));
+    }
+  }
+  return all;
+}
+
+/// The profiles of the seven methods with the largest area under theirs.
+renderer::Chart profiles(const std::vector<Task>& tasks, Cost cost) {
+  using namespace renderer;
+  constexpr double most = 100;
+  struct Drawn {
+    std::size_t method;
+    double area;
+  };
+  std::vector<Drawn> drawn;
+  for (std::size_t i = 0; i < families().size(); ++i) {
+    const Profile profile(tasks, i);
+    double area = 0;
+    for (double tau = 1; tau < most; tau *= 1.05) area += profile(tau);
+    if (area > 0) drawn.push_back({i, area});
+  }
+  std::stable_sort(drawn.begin(), drawn.end(), [](const Drawn& a, const Drawn& b) { return a.area > b.area; });
+  if (drawn.size() > 7) drawn.resize(7);
+  Chart chart{.x = {.label = cost == Cost::wall_time ? "τ: at most so many times the time of the fastest"
+                                                     : "τ: at most so many times the cost of the cheapest",
+                    .scale = Scale::logarithmic,
+                    .range = {{1, most}}},
+              .y = {.label = "share of all tasks", .range = {{0, 1}}}};
+  std::vector<const Family*> shown;
+  for (const Drawn& one : drawn) shown.push_back(&families()[one.method]);
+  const std::vector<Colour> colours = colours_of(shown);
+  for (const Drawn& one : drawn) {
+    const Profile profile(tasks, one.method);
+    Curve curve{.label = families()[one.method].name,
+                .colour = colours[static_cast<std::size_t>(&one - drawn.data())]};
+    double before = profile(1);
+    curve.x = {1}, curve.y = {before};
+    for (const double ratio : profile.ratios()) {
+      if (ratio <= 1 || ratio > most) continue;
+      curve.x.insert(curve.x.end(), {ratio, ratio});
+      curve.y.insert(curve.y.end(), {before, profile(ratio)});
+      before = profile(ratio);
+    }
+    curve.x.push_back(most), curve.y.push_back(before);
+    chart.curves.push_back(std::move(curve));
+  }
+  return chart;
+}
+
+/// What does most tasks at the least cost, in words.
+std::string winners(const std::vector<Task>& tasks) {
+  std::string best, steady;
+  double most = -1, widest = -1;
+  for (std::size_t i = 0; i < families().size(); ++i) {
+    const Profile profile(tasks, i);
+    if (profile(1) > most) most = profile(1), best = families()[i].name;
+    if (profile(1e300) > widest) widest = profile(1e300), steady = families()[i].name;
+  }
+  return say("Cheapest most often: @, at @ % of the tasks. Most tasks at any cost: @, @ %.", best,
+             Value(100 * most, 2), steady, Value(100 * widest, 2));
+}
+
+/// In which of its other errors a run is bad: a tenth and more.
+std::string warning(const byhand::Point& point) {
+  std::string bad;
+  for (const Error error : {Error::energy, Error::momentum, Error::reaction})
+    if (point.has(error) && point[error] > 0.1) bad += (bad.empty() ? "" : ", ") + std::string(name_of(error));
+  return bad.empty() ? "" : " (bad: " + bad + ")";
+}
+
+void draw_page(renderer::Canvas& canvas, const std::vector<std::string>& head,
+               const std::vector<std::vector<std::string>>& rows) {
+  using namespace renderer;
+  const Rectangle paper = canvas.page().inset(16);
+  const double height = paper.height / static_cast<double>(rows.size() + 1);
+  std::vector<double> width(head.size(), 0);
+  double size = 13, sum = 0;
+  const auto widest = [&] {
+    sum = 0;
+    for (std::size_t c = 0; c < head.size(); ++c) {
+      width[c] = canvas.measure({0, 0}, head[c], {.size = size, .bold = true}).width;
+      for (const auto& row : rows)
+        width[c] = std::max(width[c], canvas.measure({0, 0}, row[c], {.size = size}).width);
+      sum += width[c] + 14;
+    }
+  };
+  for (widest(); sum > paper.width; widest()) size *= std::min(0.98, paper.width / sum);
+  double y = paper.top() - height / 2;
+  const auto put = [&](const std::vector<std::string>& cells, bool bold) {
+    double x = paper.x;
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+      canvas.text({x, y}, cells[c], {.size = size, .anchor = Anchor::left, .bold = bold});
+      x += width[c] + 14;
+    }
+  };
+  put(head, true);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    y -= height;
+    if (i % 2 == 0) canvas.line({paper.x, y + height / 2}, {paper.right(), y + height / 2}, {palette::grid, 1});
+    put(rows[i], false);
+  }
+}
+
+std::string law_of(const Problem& problem) {
+  const Limit limit = limit_of(problem);
+  return limit.law == 0 ? "–" : say("@: @", limit.law, limit.number);
+}
+
+}  // namespace
+
+void one_page(Page& page) {
+  page.text(
+      R"(Many charts, and one decision. A *performance profile* (E. D. Dolan and J. J. Moré, 2002) puts all of them into
+      one picture. A task is a scene, an error and a target. For each method the curve says at which share of all tasks
+      it costs at most τ times as much as the cheapest method for that task; where it fails, it never does. So the height
+      at τ = 1 is how often a method is the cheapest, the height at the right how often it can do the task at all.)");
+  const Tasks joints = tasks_of(page, equalities(), Cost::counted),
+              touching = tasks_of(page, contact_scenes(), Cost::counted);
+  page.figure("profile_equalities",
+              say("Rods and joints: @ tasks, three targets for each error of each of @ scenes.",
+                  joints.tasks.size(), equalities().size()),
+              profiles(joints.tasks, Cost::counted), joints.data);
+  page.text("Rods and joints. " + winners(joints.tasks));
+  page.figure("profile_contacts",
+              say("Contacts: @ tasks of @ scenes, which have to stand or slide first.", touching.tasks.size(),
+                  contact_scenes().size()),
+              profiles(touching.tasks, Cost::counted), touching.data);
+  page.text("Contacts. " + winners(touching.tasks));
+  page.clocked("profile_equalities_clocked",
+               R"(Rods and joints by the clock: the same tasks and runs, the median time of a frame,
+               measured on the machine and at the moment of the run.)",
+               [] { return profiles(tasks_of(Page(), equalities(), Cost::wall_time).tasks, Cost::wall_time); });
+  page.clocked("profile_contacts_clocked", R"(Contacts by the clock: the same tasks and runs.)", [] {
+    return profiles(tasks_of(Page(), contact_scenes(), Cost::wall_time).tasks, Cost::wall_time);
+  });
+
+  page.text(
+      R"(And here is what to use, from the same runs: for each class of scene and each accuracy the cheapest run, its
+      choices, its cost in row-solves a frame with set-up, and the law of lesson 8 that limits it, with its number at one
+      step a frame. Lengths are shares of a body's.)");
+  const std::vector<std::string> head{
+      "scene", "accuracy", "to keep it together (drift)", "cost", "to be in the right place (trajectory)",
+      "cost",  "law"};
+  std::vector<std::vector<std::string>> rows;
+  std::string data = tidy_head();
+  int empty = 0, asked = 0;
+  for (const auto* classes : {&equalities(), &contact_scenes()})
+    for (const Class& one : *classes) {
+      const Survey& survey = survey_of(page, one);
+      for (const double share : {1e-2, 1e-4}) {
+        std::vector<std::string> row{one.name, say("@ %", 100 * share)};
+        for (const Error error : {Error::drift, Error::trajectory}) {
+          std::optional<byhand::Point> best;
+          for (const Family& family : families())
+            if (const auto found = survey.best(family, error, share * one.problem.size());
+                found && (!best || found->cost < best->cost))
+              best = found;
+          ++asked, empty += !best;
+          row.push_back(best ? best->described() + warning(*best) : "none here");
+          row.push_back(best ? say("@", Value(best->cost, 2)) : "–");
+          if (best) data += tidy_rows(one.problem, std::span(&*best, 1), survey.watched);
+        }
+        row.push_back(law_of(one.problem));
+        rows.push_back(std::move(row));
+      }
+    }
+  page.table(head, rows);
+  page.figure(
+      "one_page", R"(The same page as a picture, to be printed.)",
+      [head, rows](renderer::Canvas& canvas) { draw_page(canvas, head, rows); }, data);
+  page.claim({.quantity = "share of this page that some method does",
+              .unit = "1",
+              .expected = 0.9,
+              .source = "the targets are within reach",
+              .measured = 1 - static_cast<double>(empty) / asked,
+              .tolerance = at_least()});
+}
+
+}  // namespace byhand::accuracy
