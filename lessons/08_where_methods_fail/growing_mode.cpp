@@ -54,7 +54,7 @@ struct ModeFilm {
     canvas.line({0, -0.45 * reach}, {0, 0.45 * reach}, {palette::theory, 1.8, Dash::dashed});
     canvas.spring({-2 * reach, 0}, {x - side / 2, 0}, 9);
     canvas.box({x, 0}, {side, side}, 0);
-    pictures::draw_growing(canvas, {x, 0.34 * reach}, {-omega_h * omega_h * now.x, 0}, pulled,
+    pictures::draw_growing(canvas, {now.x, 0.34 * reach}, {-0.25 * omega_h * omega_h * now.x, 0}, pulled,
                            {palette::force, 4});
     pictures::draw_growing(canvas, {now.x, -0.34 * reach}, {next.way, 0}, moved, {palette::velocity, 4});
     Chart grown = sizes;
@@ -94,7 +94,7 @@ void growing_mode(Page& page) {
   page.sequence(
       "growing_mode",
       say(R"(Four steps of a mass on an explicit spring without damping, ωh = @, in @ s: each multiplies x by z =
-                    @, the root of z² − (2 − ω²h²)z + 1 = 0. Orange: h²ω²x, what the pull changes; green: hv after it.)",
+                    @, the root of z² − (2 − ω²h²)z + 1 = 0. Orange: h²ω²x, what the pull changes, drawn a quarter as long; green: hv after it.)",
           omega_h, film.seconds(), Value(z, 4)),
       Seconds{film.seconds()},
       [shown = ModeFilm{film, run, sizes}](Canvas& canvas, double time) { shown.draw(canvas, time); });

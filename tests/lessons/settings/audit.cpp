@@ -134,7 +134,7 @@ Setting Audit::relevant(const Step& step, const Setting& setting) const {
 std::optional<std::string> Audit::try_step(const Step& step, const Setting& setting) {
   StepState& state = steps_[step.label];
   ++state.wanted;
-  if (state.seconds > extent_.seconds) return {};
+  if (state.tried > 0 && state.seconds >= extent_.seconds) return {};
   ++state.tried;
   ++runs_;
   const double begin = processor_seconds();
