@@ -43,7 +43,11 @@ const std::vector<About>& contents() {
       {.slug = "09_what_accuracy_costs",
        .title = "What accuracy costs",
        .summary = "Error against cost for every method, the price of the model, and a program that chooses.",
-       .method = "all that the solver has, each with its best settings and with its defaults"}};
+       .method = "all that the solver has, each with its best settings and with its defaults"},
+      {.slug = "10_beside_the_engines",
+       .title = "Beside the engines",
+       .summary = "The same scenes in Box2D, Chipmunk, Bullet and ODE: errors, times, and who wins where.",
+       .method = "velocity stepping by the scene's graph; each engine's own"}};
   return lessons;
 }
 
