@@ -15,7 +15,7 @@ using namespace renderer;
 using M = PlaneBody;
 
 constexpr int chain_frames = 60, most_at_once = 60;
-constexpr int substeps = 4;
+constexpr int substeps = 4, most_substeps = 16;
 constexpr double level = 1.57079632679489661923;
 
 /// The largest gap of a pin in a second; infinite once the chain has flown apart by more than its link [m].
@@ -115,9 +115,9 @@ void chains(const Setting& setting, Page& page) {
   const std::string ahead = ahead_of_ours(errors);
   page.text(
       R"(This course's pins open by @@. It solves the @ pins at once, in a time proportional to their number (lesson 3),
-      so that what is left is the error of the step: four times as many substeps leave @.)",
+      so that what is left is the error of the step: @ substeps instead of @ leave @.)",
       in_millimetres(ours), ahead.empty() ? ", less than anyone else's" : say("; less is left by @", ahead), links,
-      in_millimetres(errors.front().by_setting.back()));
+      most_substeps, substeps, in_millimetres(errors.front().by_setting.back()));
   page.claim({.quantity = "the chain, this course with four substeps: largest gap",
               .unit = "m",
               .expected = 0.01,

@@ -10,7 +10,7 @@ int main(int argc, char** argv) {
   const Setting setting{
       .links = lesson.parameter("links", 50, "1", {2, 200}, "of the chain"),
       .end_mass = lesson.parameter("end_mass", 100.0, "kg", {1, 1000}, "of the chain, whose links weigh 1 kg"),
-      .base = lesson.parameter("base", 20, "1", {2, 20}, "boxes in the lowest row of the pyramid"),
+      .base = lesson.parameter("base", 20, "1", {3, 20}, "boxes in the lowest row of the pyramid"),
       .boxes = lesson.parameter("boxes", 10, "1", {2, 30}, "of the stack"),
       .friction = lesson.parameter("friction", 0.5, "1", {0.1, 0.9}, "μ of the block on a slope"),
   };

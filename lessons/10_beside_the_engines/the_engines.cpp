@@ -63,7 +63,8 @@ void the_engines(const Setting&, Page& page) {
         names);
   }
   std::vector<std::vector<std::string>> rows{
-      {ours_name, "", "double", "by the scene's graph: directly, or by conjugate sweeps until they converge", ""}};
+      {ours_name, "", "double", "by the scene's graph: directly, or by conjugate sweeps to a tolerance of 10⁻⁶",
+       ""}};
   for (const Engine& engine : all)
     rows.push_back({engine.name, engine.version, engine.name.starts_with("Box2D") ? "single" : "double",
                     solver_of(engine), engine.knob.empty() ? "" : say("@ @", engine.usual, engine.knob)});

@@ -13,7 +13,11 @@ namespace {
 using namespace byhand;
 using namespace byhand::engines;
 
-VelocityStepping method() { return {ByGraph{}, Baumgarte{.beta = 0.2, .slop = 0.001, .speed_cap = 3}}; }
+VelocityStepping method() {
+  ByGraph solver;
+  solver.loops.tolerance = 1e-6;
+  return {solver, Baumgarte{.beta = 0.2, .slop = 0.001, .speed_cap = 3}};
+}
 
 template <class M>
 void compare(const char* name, const Scene<M>& scene, const std::vector<Contestant<M>>& contestants, int rounds) {
@@ -24,7 +28,8 @@ void compare(const char* name, const Scene<M>& scene, const std::vector<Contesta
     double farthest = 0, error = 0;
     run<M>(contestants[i], scene, frames, [&](const Scene<M>& seen, double) {
       for (int body = 0; body < seen.bodies().size(); ++body)
-        farthest = std::max(farthest, (seen.bodies().pose[body].position - scene.bodies().pose[body].position).norm());
+        farthest =
+            std::max(farthest, (seen.bodies().pose[body].position - scene.bodies().pose[body].position).norm());
       error = std::max(error, position_error(seen).max);
     });
     std::printf("  %-24s %8.2f us  %.2f of ours  moved %.2e m  error %.1e m\n", contestants[i].name.c_str(),

@@ -8,7 +8,8 @@
 #include "lessons/scenes/pendulum.hpp"
 #include "solver/measure.hpp"
 
-// A wrong adapter would slander an engine. Each engine reproduces what any engine has to, at a step that is short enough.
+// A wrong adapter would slander an engine. Each engine reproduces what any engine has to, at a step that is short
+// enough.
 namespace byhand::engines {
 namespace {
 
@@ -34,7 +35,8 @@ TEST_P(Adapter, FallsByHalfGTSquared) {
   const Scene<M> end = after(scene, 0.5);
   const Pose<M>& pose = end.bodies().pose[0];
   EXPECT_NEAR(pose.position.x(), 1 + 3 * 0.5, 1e-4);
-  EXPECT_NEAR(pose.position.y(), 5 - 0.5 * 9.81 * 0.25, 9.81 * 0.5 * frame / short_steps) << "half a step more or less";
+  EXPECT_NEAR(pose.position.y(), 5 - 0.5 * 9.81 * 0.25, 9.81 * 0.5 * frame / short_steps)
+      << "half a step more or less";
   EXPECT_NEAR(std::atan2(pose.rotation.sin, pose.rotation.cos), 1, 1e-4);
   EXPECT_NEAR(end.bodies().velocity[0].y(), -9.81 * 0.5, 1e-4);
 }
@@ -89,11 +91,12 @@ TEST_P(Adapter, LaysAndSwingsInSpaceToo) {
   EXPECT_NEAR(std::atan2(middle.x(), -middle.y()), exact.angle(1), 0.01 * std::abs(exact.angle(1)));
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, Adapter, testing::Range(0, static_cast<int>(all_engines().size())), [](const auto& tested) {
-  std::string name = all_engines()[tested.param].name;
-  std::erase_if(name, [](char c) { return !std::isalnum(c); });
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Each, Adapter, testing::Range(0, static_cast<int>(all_engines().size())),
+                         [](const auto& tested) {
+                           std::string name = all_engines()[tested.param].name;
+                           std::erase_if(name, [](char c) { return !std::isalnum(c); });
+                           return name;
+                         });
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(Adapter);
 
 TEST(Engines, EachIsThereOrNamedAsMissing) {
