@@ -25,14 +25,14 @@ double fallen(const Contestant<M>& contestant) {
 
 /// The angle of a hinged rod after a second of 64 steps a frame, less the exact one [rad].
 double angle_error(const Engine& engine) {
-  const double angle = 1, length = 1.5, mass = 2;
+  const double angle = 1, rod_length = 1.5, rod_mass = 2;
   double turned = 0;
-  engines::run<M>(engines::theirs<M>(engine, engine.usual, 64), hinged_rod(angle, length, mass), 60,
+  engines::run<M>(engines::theirs<M>(engine, engine.usual, 64), hinged_rod(angle, rod_length, rod_mass), 60,
                   [&](const Scene<M>& seen, double) {
                     const auto& rotation = seen.bodies().pose[1].rotation;
                     turned = std::atan2(rotation.sin, rotation.cos);
                   });
-  return turned - CompoundPendulum(angle, length, mass, gravity).angle(1);
+  return turned - CompoundPendulum(angle, rod_length, rod_mass, gravity).angle(1);
 }
 
 std::string solver_of(const Engine& engine) {
