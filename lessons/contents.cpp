@@ -76,7 +76,15 @@ const std::vector<About>& contents() {
        .goals = {"read a chart of error against cost",
                  "choose a method, a step and a number of sweeps for a scene and an accuracy",
                  "say which error a number means"},
-       .before = "Lessons 1 to 4 and 8; the methods beyond the article are explained."}};
+       .before = "Lessons 1 to 4 and 8; the methods beyond the article are explained."},
+      {.slug = "10_beside_the_engines",
+       .title = "Beside the engines",
+       .summary = "The same scenes in Box2D, Chipmunk, Bullet and ODE: errors, times, and who wins where.",
+       .method = "velocity stepping by the scene's graph; each engine's own",
+       .goals = {"compare engines fairly: the same scene, settings of equal cost, and one definition of error",
+                 "say what an engine gives up for its speed, scene by scene",
+                 "know where the course's solver loses, and why"},
+       .before = "Lessons 5, 6 and 9."}};
   return lessons;
 }
 

@@ -27,10 +27,10 @@ Eigen::Matrix2d isotropic_inverse_of(const Eigen::Matrix2d& A) {
 
 template <class M, int K, Bound B>
 void prepare(const Block<M, K, B>& block, const System<M>& system, BlockSolve block_solve, double relaxation,
-             PreparedBlock<M, K, B>& result) {
+             double* D, PreparedBlock<M, K, B>& result) {
   const double *gamma = &system.gamma[block.row], *bias = &system.bias[block.row];
   Eigen::Matrix<double, K, K> A = inverse_effective_mass(block.J, block.W), minus_E;
-  for (int k = 0; k < K; ++k) A(k, k) += gamma[k];
+  for (int k = 0; k < K; ++k) D[block.row + k] = A(k, k) += gamma[k];
   if constexpr (K == 2 && B == Bound::friction)
     minus_E = -relaxation * isotropic_inverse_of(A);
   else
@@ -47,39 +47,125 @@ void prepare(const Block<M, K, B>& block, const System<M>& system, BlockSolve bl
   result.upper = system.upper[block.row];
 }
 
+/// Writes a manifold into a lane of `result`.
 void prepare(const Block<PlaneBody, 3, Bound::manifold>& block, const System<PlaneBody>& system,
-             BlockSolve block_solve, double relaxation, PreparedBlock<PlaneBody, 3, Bound::manifold>& result) {
-  Eigen::Matrix3d A = inverse_effective_mass(block.J, block.W);
-  result.J = block.J.matrix;
+             BlockSolve block_solve, double relaxation, double* D, int lane, PreparedManifold& result) {
+  const InverseMass<PlaneBody>&mass1 = system.inverse_mass[block.body1], &mass2 = system.inverse_mass[block.body2];
+  const double m = mass1.linear + mass2.linear, I1 = mass1.angular[0], I2 = mass2.angular[0];
+  const double *J = block.J.matrix.data(), *gamma = &system.gamma[block.row];
+  // (19): the normals have one direction, at right angles to that of friction.
+  const auto turning = [&](int k, int l) { return I1 * J[k + 2] * J[l + 2] + I2 * J[k + 5] * J[l + 5]; };
+  const auto alike = [&](int k, int l) { return m * (J[k + 3] * J[l + 3] + J[k + 4] * J[l + 4]) + turning(k, l); };
+  constexpr int rows[] = {0, 6, 12};
+  const double A00 = alike(0, 0) + gamma[0], A11 = alike(6, 6) + gamma[1], A22 = alike(12, 12) + gamma[2];
+  D[block.row] = A00;
+  D[block.row + 1] = A11;
+  D[block.row + 2] = A22;
+  result.count = lane + 1;
+  result.row[lane] = block.row;
+  result.body1[lane] = block.body1;
+  result.body2[lane] = block.body2;
+  result.moves1[lane] = block.moves1;
+  result.moves2[lane] = block.moves2;
+  result.nx[lane] = J[3];
+  result.ny[lane] = J[4];
+  result.m1[lane] = mass1.linear;
+  result.I1[lane] = I1;
+  result.m2[lane] = mass2.linear;
+  result.I2[lane] = I2;
   for (int k = 0; k < 3; ++k) {
-    result.bias[k] = system.bias[block.row + k];
-    result.gamma[k] = system.gamma[block.row + k];
-    A(k, k) += result.gamma[k];
+    result.a1[k][lane] = J[rows[k] + 2];
+    result.a2[k][lane] = J[rows[k] + 5];
+    result.bias[k][lane] = system.bias[block.row + k];
+    result.gamma[k][lane] = gamma[k];
   }
-  result.normals = {A, block_solve == BlockSolve::row_by_row};
-  result.A02 = A(0, 2);
-  result.A12 = A(1, 2);
-  result.E22 = A(2, 2) > 0 ? 1 / A(2, 2) : 0.0;
-  result.coefficient = system.upper[block.row];
-  result.relaxation = relaxation;
+  const NormalRows normals(A00, alike(0, 6), A11, block_solve == BlockSolve::row_by_row);
+  result.normals[lane] = normals;
+  result.E00[lane] = normals.E00;
+  result.E01[lane] = normals.E01;
+  result.E11[lane] = normals.E11;
+  result.A02[lane] = turning(0, 12);
+  result.A12[lane] = turning(6, 12);
+  result.E22[lane] = A22 > 0 ? 1 / A22 : 0.0;
+  result.coefficient[lane] = system.upper[block.row];
+  result.relaxation[lane] = relaxation;
+}
+
+/// Whether a manifold shares no body that moves with the only one of `before`.
+bool apart(const Block<PlaneBody, 3, Bound::manifold>& block, const PreparedManifold& before) {
+  const auto has = [&](int body) { return body == before.body1[0] || body == before.body2[0]; };
+  return !(block.moves1 && has(block.body1)) && !(block.moves2 && has(block.body2));
+}
+
+template <class M, int K, Bound B>
+void prepare_run(std::span<const Block<M, K, B>> blocks, const System<M>& system, BlockSolve block_solve,
+                 double relaxation, double* D, std::span<PreparedBlock<M, K, B>> results) {
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    const Block<M, K, B>& block = blocks[i];
+    PreparedBlock<M, K, B>& result = results[i];
+    result.body1 = block.body1;
+    result.body2 = block.body2;
+    result.moves1 = block.moves1;
+    result.moves2 = block.moves2;
+    result.row = block.row;
+    result.W = block.W;
+    prepare(block, system, block_solve, relaxation, D, result);
+  }
+}
+
+/// Two manifolds in a result where they share no moving body.
+void prepare_run(std::span<const Block<PlaneBody, 3, Bound::manifold>> blocks, const System<PlaneBody>& system,
+                 BlockSolve block_solve, double relaxation, double* D, std::span<PreparedManifold> results) {
+  std::size_t used = 0;
+  for (const auto& block : blocks) {
+    if (used > 0 && results[used - 1].count == 1 && apart(block, results[used - 1])) {
+      prepare(block, system, block_solve, relaxation, D, 1, results[used - 1]);
+      continue;
+    }
+    PreparedManifold& result = results[used++];
+    prepare(block, system, block_solve, relaxation, D, 0, result);
+    // The other lane computes something as long as it is alone, and writes nothing.
+    result.row[1] = block.row;
+    result.body1[1] = result.body2[1] = block.body1;
+    result.moves1[1] = result.moves2[1] = false;
+  }
+  for (; used < results.size(); ++used) results[used].count = 0;
 }
 
 /// Sweeps that watch nothing.
 struct Unwatched {
   void operator()(int, double, double) const {}
+  void operator()(int, int, detail::Pair, detail::Pair) const {}
 };
 
 /// The largest squares of Δλ and λ, as speeds. The sum shows NaN, which the maxima pass over.
-struct Watch {
-  const double* speed;  // of Prepared
-  double change = 0, push = 0, sum = 0;
+class Watch {
+ public:
+  explicit Watch(const double* speed) : speed_(speed) {}
 
   void operator()(int row, double delta, double lambda) {
-    const double square = speed[row] * delta * delta;
-    change = std::max(change, square);
-    sum += square;
-    push = std::max(push, speed[row] * lambda * lambda);
+    note(detail::Pair{speed_[row], 0}, detail::Pair{delta, 0}, detail::Pair{lambda, 0});
   }
+  /// Of two rows.
+  void operator()(int row1, int row2, detail::Pair delta, detail::Pair lambda) {
+    note(detail::Pair{speed_[row1], speed_[row2]}, delta, lambda);
+  }
+  Residual residual() const {
+    const double sum = sum_[0] + sum_[1];
+    return {std::sqrt(std::isnan(sum) ? sum : std::max(change_[0], change_[1])),
+            std::sqrt(std::max(push_[0], push_[1]))};
+  }
+
+ private:
+  void note(detail::Pair speed, detail::Pair delta, detail::Pair lambda) {
+    const detail::Pair square = speed * delta * delta, push = speed * lambda * lambda;
+    change_ = change_ < square ? square : change_;
+    sum_ += square;
+    push_ = push_ < push ? push : push_;
+  }
+
+  const double* speed_;  // of Prepared
+  detail::Pair change_ = {}, push_ = {}, sum_ = {};
 };
 
 //! [sweep]
@@ -96,6 +182,32 @@ template <bool soft, class M, int K, Bound B, class Watching>
   }
 }
 //! [sweep]
+
+/// The same over manifolds, one or two at a time.
+template <bool soft, class Watching>
+[[gnu::noinline]] void sweep_run(const PreparedManifold* block, int count, int next, double* lambda, double* V,
+                                 Watching& watch) {
+  for (; count > 0; --count, block += next) {
+    if (block->count == 0) continue;
+    detail::Pair v1[3], v2[3], now[3];
+    gather_velocities(*block, V, v1, v2);
+    gather(lambda, block->row[0], block->row[1], now);
+    const auto change = solve<soft>(*block, v1, v2, now);
+    apply(*block, change, v1, v2);
+    scatter_velocities(*block, v1, v2, V);
+    for (int k = 0; k < 3; ++k) {
+      now[k] += change[k];
+      const int row1 = block->row[0] + k, row2 = block->row[1] + k;
+      lambda[row1] = now[k][0];
+      if (block->count == 2) {
+        lambda[row2] = now[k][1];
+        watch(row1, row2, change[k], now[k]);
+      } else {
+        watch(row1, change[k][0], now[k][0]);
+      }
+    }
+  }
+}
 
 template <class M, class Watching>
 void sweep(const System<M>& system, const Prepared<M>& prepared, double* lambda, double* V, int ways,
@@ -127,15 +239,13 @@ double inverse_mass(const System<M>& system, const BlockHeader& block) {
 template <class M>
 void prepare(const System<M>& system, BlockSolve block_solve, double relaxation, Prepared<M>& prepared) {
   prepared.soft = std::any_of(system.gamma.begin(), system.gamma.end(), [](double gamma) { return gamma != 0; });
-  for_each_block_with(system, prepared.blocks, [&]<int K, Bound B>(const Block<M, K, B>& block, auto& result) {
-    result.body1 = block.body1;
-    result.body2 = block.body2;
-    result.moves1 = block.moves1;
-    result.moves2 = block.moves2;
-    result.row = block.row;
-    result.W = block.W;
-    prepare(block, system, block_solve, relaxation, result);
-  });
+  prepared.D.resize(system.rows());
+  for (const Run& run : system.runs)
+    for_type<M>(run.type, [&](auto type) {
+      std::get<type>(prepared.blocks).resize(std::get<type>(system.blocks).size());
+      prepare_run(part<type>(system.blocks, run), system, block_solve, relaxation, prepared.D.data(),
+                  part<type>(prepared.blocks, run));
+    });
 }
 
 template <class M>
@@ -147,7 +257,7 @@ void prepare_to_watch(const System<M>& system, double relaxation, Prepared<M>& p
     for (const auto& block : blocks) {
       const double share = inverse_mass(system, block), speed = share * per_relaxation;
       for (int k = 0, row = block.row; k < K; ++k, ++row) {
-        const double D = inverse_effective_mass(block.J, block.W, k) + system.gamma[row];
+        const double D = prepared.D[row];
         const double l2 = std::max(block.J.l1().row(k).squaredNorm(), block.J.l2().row(k).squaredNorm());
         prepared.impulse[row] = l2 > 0 || share == 0 ? l2 : D / share;
         prepared.speed[row] = D * speed;
@@ -267,9 +377,9 @@ void sweep(const System<M>& system, const Prepared<M>& prepared, double* lambda,
 
 template <class M>
 Residual watched_sweep(const System<M>& system, const Prepared<M>& prepared, double* lambda, double* V, int ways) {
-  Watch watch{prepared.speed.data()};
+  Watch watch(prepared.speed.data());
   sweep(system, prepared, lambda, V, ways, watch);
-  return {std::sqrt(std::isnan(watch.sum) ? watch.sum : watch.change), std::sqrt(watch.push)};
+  return watch.residual();
 }
 
 template <class M>

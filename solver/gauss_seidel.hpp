@@ -64,7 +64,8 @@ struct Prepared {
   using BlockOf = PreparedBlock<M, K, B>;
 
   PerBlock<M, BlockOf> blocks;
-  bool soft = false;  // whether any γ is not zero
+  bool soft = false;      // whether any γ is not zero
+  std::vector<double> D;  // by row, the diagonal of JM⁻¹Jᵀ + γ
   // Of watched sweeps, by row: what makes of a Δλ² the square of an impulse [N s], |l|² (of a row that only turns,
   // D over m₁⁻¹ + m₂⁻¹), and the square of a speed, D times m₁⁻¹ + m₂⁻¹.
   std::vector<double> impulse, speed;
@@ -75,7 +76,7 @@ struct Prepared {
 /// Fills `prepared` from the system's rows. `relaxation` multiplies every Δλ.
 template <class M>
 void prepare(const System<M>& system, BlockSolve block_solve, double relaxation, Prepared<M>& prepared);
-/// Fills `impulse` and `speed`, besides, for sweeps that are watched.
+/// Fills `impulse` and `speed` after that, for sweeps that are watched.
 template <class M>
 void prepare_to_watch(const System<M>& system, double relaxation, Prepared<M>& prepared);
 

@@ -94,7 +94,8 @@ const Rule rules[] = {{"solver", {"renderer", "lessons", "tests"}},
                       {"lessons/scenes", pictures},
                       {"lessons/exact", pictures},
                       {"lessons/08_where_methods_fail/laws", pictures},
-                      {"lessons/09_what_accuracy_costs/catalogue", pictures}};
+                      {"lessons/09_what_accuracy_costs/catalogue", pictures},
+                      {"lessons/10_beside_the_engines/engines", pictures}};
 
 /// Every include that a rule forbids, one a line.
 std::string upward(const Graph& graph) {

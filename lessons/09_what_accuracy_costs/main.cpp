@@ -74,6 +74,6 @@ int main(int argc, char** argv) {
                   "./lessons/run 9 --set scene=four_bar --set reaction=0.01"},
                  {"More than any method reaches:",
                   "./lessons/run 9 --set scene=spherical_pendulum --set trajectory=1e-10"}},
-       .next = "This was the last lesson. Choose a scene of your own, ask the program, and measure."});
+       .next = "Choose a scene of your own and ask the program. Lesson 10 puts these scenes into the engines that people use."});
   return lesson.run(argc, argv);
 }

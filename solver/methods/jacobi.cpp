@@ -3,19 +3,43 @@
 namespace byhand {
 namespace {
 
+template <bool soft, class M, int K, Bound B>
+void find_change(const PreparedBlock<M, K, B>& block, const double* V, const double* lambda, double* changes) {
+  Eigen::Map<Rows<K>>(changes + block.row) = solve<soft>(block, V, lambda);
+}
+template <bool soft>
+void find_change(const PreparedManifold& block, const double* V, const double* lambda, double* changes) {
+  if (block.count == 0) return;
+  detail::Pair v1[3], v2[3], now[3];
+  gather_velocities(block, V, v1, v2);
+  gather(lambda, block.row[0], block.row[1], now);
+  const auto change = solve<soft>(block, v1, v2, now);
+  for (int lane = 0; lane < block.count; ++lane)
+    for (int k = 0; k < 3; ++k) changes[block.row[lane] + k] = change[k][lane];
+}
+
+template <class M, int K, Bound B>
+void apply_change(const PreparedBlock<M, K, B>& block, const double* changes, double* V) {
+  apply<M, K>(block, Rows<K>(Eigen::Map<const Rows<K>>(changes + block.row)), V);
+}
+inline void apply_change(const PreparedManifold& block, const double* changes, double* V) {
+  if (block.count == 0) return;
+  detail::Pair v1[3], v2[3], change[3];
+  gather_velocities(block, V, v1, v2);
+  gather(changes, block.row[0], block.row[1], change);
+  apply(block, {change[0], change[1], change[2]}, v1, v2);
+  scatter_velocities(block, v1, v2, V);
+}
+
 template <bool soft, class M>
 void sweep(System<M>& system, Prepared<M>& prepared, double* V) {
   double *lambda = system.lambda.data(), *changes = prepared.change.data();
-  for_each_block_with(system, prepared.blocks,
-                      [&]<int K, Bound B>(const auto&, const PreparedBlock<M, K, B>& block) {
-                        Eigen::Map<Rows<K>>(changes + block.row) = solve<soft>(block, V, lambda);
-                      });
-  for_each_block_with(system, prepared.blocks,
-                      [&]<int K, Bound B>(const auto&, const PreparedBlock<M, K, B>& block) {
-                        const Rows<K> change = Eigen::Map<const Rows<K>>(changes + block.row);
-                        Eigen::Map<Rows<K>>(lambda + block.row) += change;
-                        apply<M, K>(block, change, V);
-                      });
+  const auto for_each_prepared = [&](auto&& f) {
+    for_each_block_with(system, prepared.blocks, [&](const auto&, const auto& block) { f(block); });
+  };
+  for_each_prepared([&](const auto& block) { find_change<soft>(block, V, lambda, changes); });
+  for_each_prepared([&](const auto& block) { apply_change(block, changes, V); });
+  for (int i = 0; i < system.rows(); ++i) lambda[i] += changes[i];
 }
 
 }  // namespace

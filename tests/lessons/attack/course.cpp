@@ -21,7 +21,7 @@ using namespace std::chrono_literals;
 
 const std::vector<std::string> slugs = {
     "01_jacobian", "02_single_constraint",  "03_iterations",         "04_baumgarte", "05_contact", "06_joints",
-    "07_space",    "08_where_methods_fail", "09_what_accuracy_costs"};
+    "07_space",    "08_where_methods_fail", "09_what_accuracy_costs", "10_beside_the_engines"};
 
 class Course : public testing::Test {
  protected:
@@ -75,7 +75,7 @@ TEST_F(AllLessons, GoOnAfterAFailureOfALesson) {
   EXPECT_THAT(finished.said, IsEmpty());
   EXPECT_EQ(finished.complained,
             "04_baumgarte was ended by signal 11 (Segmentation fault).\n"
-            "7 of 9 lessons ended well; not 02_single_constraint (status 1), 04_baumgarte (status 139).\n");
+            "8 of 10 lessons ended well; not 02_single_constraint (status 1), 04_baumgarte (status 139).\n");
 }
 
 TEST_F(AllLessons, StopAtAFailureOfTheEnvironment) {
@@ -85,7 +85,7 @@ TEST_F(AllLessons, StopAtAFailureOfTheEnvironment) {
   EXPECT_EQ(finished.status, 3);
   EXPECT_THAT(finished.said, IsEmpty());
   EXPECT_EQ(finished.complained,
-            "The disk is full.\n2 of 9 lessons ended well; not 03_iterations (status 3); 6 were not run.\n");
+            "The disk is full.\n2 of 10 lessons ended well; not 03_iterations (status 3); 7 were not run.\n");
 }
 
 TEST_F(AllLessons, SayARefusedOptionOnce) {
@@ -102,7 +102,7 @@ TEST_F(AllLessons, EndWithOneControlC) {
   Terminal reader(command({"--all"}), {});
   wait_for("begun");
   reader.type("\x03");
-  reader.expect("0 of 9 lessons ended well; not 01_jacobian (status 130); 8 were not run.");
+  reader.expect("0 of 10 lessons ended well; not 01_jacobian (status 130); 9 were not run.");
   EXPECT_EQ(reader.leave(), -1) << "ended by the signal, so that a script around it ends too";
   EXPECT_EQ(ran().size(), 1u);
 }

@@ -1,0 +1,44 @@
+#include "lessons/10_beside_the_engines/steps.hpp"
+#include "lessons/tutor/lesson.hpp"
+
+// Beside the engines: the course's scenes in engines that other people use, measured by the same functions.
+int main(int argc, char** argv) {
+  using namespace byhand;
+  using namespace byhand::beside;
+
+  tutor::Lesson lesson(tutor::contents().at(9));
+  const Setting setting{
+      .links = lesson.parameter("links", 50, "1", {2, 200}, "of the chain"),
+      .end_mass = lesson.parameter("end_mass", 100.0, "kg", {1, 1000}, "of the chain, whose links weigh 1 kg"),
+      .base = lesson.parameter("base", 20, "1", {3, 20}, "boxes in the lowest row of the pyramid"),
+      .boxes = lesson.parameter("boxes", 10, "1", {2, 30}, "of the stack"),
+      .friction = lesson.parameter("friction", 0.5, "1", {0.1, 0.9}, "μ of the block on a slope"),
+  };
+  const auto with = [setting](void (*step)(const Setting&, tutor::Page&)) {
+    return [=](tutor::Page& page) { step(setting, page); };
+  };
+
+  lesson.step("The engines", with(the_engines));
+  lesson.step("Two pendulums", with(pendulums));
+  lesson.step("A chain with a load", with(chains));
+  lesson.step("A stack", with(stacks));
+  lesson.step("A block on a slope", with(block_on_a_slope));
+  lesson.step("A pyramid", with(wall_of_boxes));
+  lesson.deeper("The pyramid in space", with(wall_in_space));
+
+  lesson.closing(
+      {.now_you_know =
+           {"Two engines can be compared only in the same scene, by the same measure, each with its own knob "
+            "turned.",
+            R"(An engine's defaults are a choice for games: the fall of a frame at a time, an overlap that is left, a
+            few iterations. Each is a term of its error that you can compute.)",
+            R"(A short step reduces every error of a pendulum; a load on a chain needs a direct solve; a stack needs
+            either many iterations or a direct solve.)",
+            "A time belongs to one machine; the ratio of two times in one run says more."},
+       .tries = {{"A short chain with a light end, which iterations can hold:",
+                  "./lessons/run 10 --step 3 --set links=10 --set end_mass=1"},
+                 {"The tallest stack:", "./lessons/run 10 --step 4 --set boxes=30"},
+                 {"A slippery slope:", "./lessons/run 10 --step 5 --set friction=0.1"}},
+       .next = "This was the last lesson. Take a scene of your own to the engine that you use, and measure."});
+  return lesson.run(argc, argv);
+}

@@ -1,0 +1,119 @@
+// Step 1: who takes part, and how an adapter is kept from slandering an engine.
+
+#include <cmath>
+
+#include "lessons/10_beside_the_engines/field.hpp"
+#include "lessons/10_beside_the_engines/steps.hpp"
+#include "lessons/exact/compound_pendulum.hpp"
+#include "lessons/scenes/pendulum.hpp"
+
+namespace byhand::beside {
+namespace {
+
+using namespace tutor;
+using M = PlaneBody;
+
+/// How far a box that is let go has fallen in a second [m].
+double fallen(const Contestant<M>& contestant) {
+  Scene<M> scene;
+  scene.add_body(Linear<M>(0, 10), box<M>(2, {1, 0.5}));
+  double height = 10;
+  engines::run<M>(contestant, scene, 60,
+                  [&](const Scene<M>& seen, double) { height = seen.bodies().pose[0].position.y(); });
+  return 10 - height;
+}
+
+/// The angle of a hinged rod after a second of 64 steps a frame, less the exact one [rad].
+double angle_error(const Engine& engine) {
+  const double angle = 1, rod_length = 1.5, rod_mass = 2;
+  double turned = 0;
+  engines::run<M>(engines::theirs<M>(engine, engine.usual, 64), hinged_rod(angle, rod_length, rod_mass), 60,
+                  [&](const Scene<M>& seen, double) {
+                    const auto& rotation = seen.bodies().pose[1].rotation;
+                    turned = std::atan2(rotation.sin, rotation.cos);
+                  });
+  return turned - CompoundPendulum(angle, rod_length, rod_mass, gravity).angle(1);
+}
+
+std::string solver_of(const Engine& engine) {
+  if (engine.name == "Box2D 3") return "one sweep a substep, soft contacts, then a relaxing sweep";
+  if (engine.name == "Box2D 2.4") return "Gauss–Seidel on velocities, then on positions";
+  if (engine.name == "ODE QuickStep") return "Gauss–Seidel with over-relaxation, rows in random order";
+  if (engine.name == "ODE direct") return "all rows at once: Lemke's method on a dense matrix";
+  return "Gauss–Seidel on velocities";
+}
+
+}  // namespace
+
+void the_engines(const Setting&, Page& page) {
+  const auto& all = engines::all_engines();
+  page.text(
+      R"(How does what you have learnt compare with the engines that people use? This lesson puts the course's scenes into
+      @. Each gets the very same bodies, shapes and joints, and what it makes of them is read back and measured by the
+      functions that measure ours. Sleeping is switched off, building a world is not timed.)",
+      all.empty()
+          ? "other engines"
+          : several(static_cast<long>(all.size()), "engine or mode of an engine", "engines or modes of engines"));
+  if (!engines::missing().empty()) {
+    std::string names;
+    for (const std::string& name : engines::missing()) names += (names.empty() ? "" : ", ") + name;
+    page.text(
+        R"(Not here: @. Those of Debian's packages are installed and built by `./lessons/run 10`; Box2D 3 is fetched by
+        CMake if you configure with `-DBYHAND_BOX2D_3=ON`.)",
+        names);
+  }
+  std::vector<std::vector<std::string>> rows{
+      {ours_name, "", "double", "by the scene's graph: directly, or by conjugate sweeps to a tolerance of 10⁻⁶",
+       ""}};
+  for (const Engine& engine : all)
+    rows.push_back({engine.name, engine.version, engine.name.starts_with("Box2D") ? "single" : "double",
+                    solver_of(engine), engine.knob.empty() ? "" : say("@ @", engine.usual, engine.knob)});
+  page.table({"engine", "version", "precision", "how it solves", "by default"}, rows);
+  page.text(
+      R"(An adapter that gives an engine the wrong inertia would slander it. So each one is tested first on what every
+      engine has to get right: free fall, and a rod on a pin, which follows an elliptic integral.)");
+
+  const double step_error = 0.5 * gravity * frame;
+  page.predict(
+      {.ask =
+           R"(Gravity first, then the positions: symplectic Euler, one step of 1/60 s a frame. A box is let go. By how
+              many metres has it fallen too far after a second?)",
+       .answer = step_error,
+       .unit = "m",
+       .tolerance = 0.02 * step_error,
+       .wrong = {{gravity * frame, "In each step the error is ½gh², for part of the speed is right."}},
+       .hints = {"Compare the velocity that a step uses with the mean velocity in that step.",
+                 "Each step is too far by h · ½gh.", "60 steps of ½ · 9.81 · (1/60)² m."},
+       .right = say("½gh² a step makes ½gt·h = @ m in t = 1 s.", Value(step_error, 3))});
+  std::vector<std::vector<std::string>> falls;
+  const double exact = 0.5 * gravity;
+  const auto add = [&](const std::string& name, double fall) {
+    const double steps = step_error / (fall - exact);
+    falls.push_back({name, say("@ m", Value(fall, 4)),
+                     std::abs(fall - exact) < 1e-4 ? "none"
+                     : std::abs(steps - std::round(steps)) < 0.02 * std::abs(steps)
+                         ? say("@½gt·h with h = 1/@ s", fall > exact ? "" : "−", std::lround(60 * std::abs(steps)))
+                         : say("@ m", Value(fall - exact, 2))});
+    page.claim({.quantity = "free fall in a second, " + name,
+                .unit = "m",
+                .expected = exact,
+                .source = "½gt², within ½gt·h of a step of a frame",
+                .measured = fall,
+                .tolerance = absolute(1.001 * step_error)});
+  };
+  page.text("Fallen in one second of 60 frames, where ½gt² is @ m:", Value(exact, 4));
+  add(ours_name, fallen(engines::ours<M>(ours_name, best_method())));
+  for (const Engine& engine : all) add(engine.name, fallen(engines::theirs<M>(engine, engine.usual)));
+  page.table({"engine", "fallen", "too far by"}, falls);
+  if (std::any_of(all.begin(), all.end(), [](const Engine& engine) { return engine.name == "Chipmunk"; }))
+    page.text("Chipmunk moves the bodies first and then lets gravity act, so that it falls as much too little.");
+  for (const Engine& engine : all)
+    page.claim({.quantity = "a rod on a pin after a second of 64 steps a frame, " + engine.name,
+                .unit = "rad",
+                .expected = 0.01,
+                .source = "elliptic integral, within a hundredth of a radian",
+                .measured = std::abs(angle_error(engine)),
+                .tolerance = at_most()});
+}
+
+}  // namespace byhand::beside
