@@ -74,6 +74,7 @@ int main(int argc, char** argv) {
                   "./lessons/run 9 --set scene=four_bar --set reaction=0.01"},
                  {"More than any method reaches:",
                   "./lessons/run 9 --set scene=spherical_pendulum --set trajectory=1e-10"}},
-       .next = "Choose a scene of your own and ask the program. Lesson 10 puts these scenes into the engines that people use."});
+       .next = "Choose a scene of your own and ask the program. Lesson 10 puts these scenes into the engines that "
+               "people use."});
   return lesson.run(argc, argv);
 }

@@ -117,7 +117,8 @@ void stable_is_not_accurate(Page& page) {
       "stable_and_wrong",
       R"(Three stable methods at one step a frame. Dashed: the true motion. Right: the change of energy. The rod of
       the uppermost has the right length to rounding throughout.)",
-      Seconds{film_seconds}, [=, energy = problem.start().energy()](renderer::Canvas& canvas, double time) mutable {
+      Seconds{film_seconds},
+      [=, energy = problem.start().energy()](renderer::Canvas& canvas, double time) mutable {
         for (Swing& swing : swings) swing.go_on(time, energy);
         draw_swings(canvas, swings, exact, length, time);
       });

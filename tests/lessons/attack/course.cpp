@@ -19,9 +19,16 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using namespace std::chrono_literals;
 
-const std::vector<std::string> slugs = {
-    "01_jacobian", "02_single_constraint",  "03_iterations",         "04_baumgarte", "05_contact", "06_joints",
-    "07_space",    "08_where_methods_fail", "09_what_accuracy_costs", "10_beside_the_engines"};
+const std::vector<std::string> slugs = {"01_jacobian",
+                                        "02_single_constraint",
+                                        "03_iterations",
+                                        "04_baumgarte",
+                                        "05_contact",
+                                        "06_joints",
+                                        "07_space",
+                                        "08_where_methods_fail",
+                                        "09_what_accuracy_costs",
+                                        "10_beside_the_engines"};
 
 class Course : public testing::Test {
  protected:
