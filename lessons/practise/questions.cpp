@@ -56,7 +56,7 @@ std::string plain_xml(std::string words) {
   return xml(words);
 }
 
-std::string number(const Json& value) { return fmt::format("{}", value.get<double>()); }
+std::string number(const Json& value) { return fmt::format("{:.12g}", value.get<double>()); }
 
 /// The unit behind the question, since the answer is a number alone.
 std::string asked(const Json& question) {
