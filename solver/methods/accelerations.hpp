@@ -16,8 +16,9 @@
 //   scaled
 //                      to unit length at every stage and at the end. Order 4.
 //   implicit midpoint  V_m = V₀ + ½h a(X_m, V_m), X_m half a step along V_m; V₁ = V₀ + h a, X₁ a whole step along
-//                      V_m. By fixed-point iteration. Symmetric. Of particles on rods energy and C stay bounded;
-//                      of bodies that turn both errors grow as t², for C̈ = 0 is kept to second order only.
+//                      V_m. By fixed-point iteration. Symmetric. Of particles on rods the errors of energy and C
+//                      stay small for some twenty periods and grow then (lesson 9); of bodies that turn they grow
+//                      as t² from the start, for C̈ = 0 is kept to second order only.
 //                      Order 2.
 //
 // Cost of a substep: rows written and solved directly 1, 4, or as often as the iteration takes.
