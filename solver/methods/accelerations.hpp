@@ -12,9 +12,8 @@
 // forces are exact, but only C̈ = 0 is enforced, not C = 0: the error of a rule stays and grows as t².
 //
 //   explicit Euler     x₁ = x₀ + hv₀, v₁ = v₀ + ha(x₀, v₀). Order 1, gains energy.
-//   RK4                the classical rule of four stages; in space on the quaternion's four numbers, q̇ = ½ωq, with
-//   unit
-//                      length at every stage and at the end. Order 4.
+//   RK4                the classical rule of four stages; in space on the quaternion's four numbers, q̇ = ½ωq,
+//                      scaled to unit length at every stage and at the end. Order 4.
 //   implicit midpoint  V_m = V₀ + ½h a(X_m, V_m), X_m half a step along V_m; V₁ = V₀ + h a, X₁ a whole step along
 //                      V_m. By fixed-point iteration. Symmetric. Of particles on rods the errors of energy and C
 //                      stay small for some twenty periods and grow then (lesson 9); of bodies that turn they grow
