@@ -69,6 +69,7 @@ void prepare(const Block<PlaneBody, 3, Bound::manifold>& block, const System<Pla
   result.moves2[lane] = block.moves2;
   result.nx[lane] = J[3];
   result.ny[lane] = J[4];
+  result.ends[lane] = J[9] != 0 || J[10] != 0;
   result.m1[lane] = mass1.linear;
   result.I1[lane] = I1;
   result.m2[lane] = mass2.linear;

@@ -40,6 +40,7 @@ struct PreparedBlock<PlaneBody, 3, Bound::manifold> {
   int row[2], body1[2], body2[2];
   bool moves1[2], moves2[2];
   Pair nx, ny;          // n; t is (ny, -nx)
+  Pair ends;            // 1, or 0 of a point, whose second row is zero
   Pair a1[3], a2[3];    // of J (6), by row
   Pair m1, I1, m2, I2;  // inverse masses and inertias
   Pair bias[3], gamma[3];
@@ -95,7 +96,7 @@ template <bool soft>
                                                                 const detail::Pair* now) {
   using detail::Pair;
   const Pair vx = v2[0] - v1[0], vy = v2[1] - v1[1], along = block.nx * vx + block.ny * vy;
-  Pair rate[3] = {along, along, block.ny * vx - block.nx * vy};
+  Pair rate[3] = {along, block.ends * along, block.ny * vx - block.nx * vy};
   for (int k = 0; k < 3; ++k) {
     rate[k] += block.bias[k] + (block.a1[k] * v1[2] + block.a2[k] * v2[2]);
     if constexpr (soft) rate[k] += block.gamma[k] * now[k];
@@ -113,7 +114,7 @@ template <bool soft>
 [[gnu::always_inline]] inline void apply(const PreparedManifold& block, const std::array<detail::Pair, 3>& change,
                                          detail::Pair* v1, detail::Pair* v2) {
   using detail::Pair;
-  const Pair push = change[0] + change[1];
+  const Pair push = change[0] + block.ends * change[1];
   const Pair px = block.nx * push + block.ny * change[2], py = block.ny * push - block.nx * change[2];
   const auto turn = [&](const Pair* a) { return a[0] * change[0] + a[1] * change[1] + a[2] * change[2]; };
   v1[0] -= block.m1 * px;
