@@ -42,6 +42,8 @@ Solution solve(const ConjugateSweeps& solver, System<M>& system, std::vector<Vel
   begin_sweeps(system, solver.warm_start, begin, velocities);
   const int ways = byhand::ways(solver.order);
   const double speed = fastest(system, velocities);
+  prepared.direction.reserve(system.rows());
+  prepared.V_direction.reserve(velocities.size());
   double last = 0;  // the square of the last gradient
   for (int k = 1;; ++k) {
     prepared.lambda_before = system.lambda;
