@@ -88,6 +88,7 @@ class Started {
     waitpid(process_, nullptr, 0);
   }
 
+  pid_t process() const { return process_; }
   void send(int signal) const { kill(process_, signal); }
   bool runs() const {
     siginfo_t info{};
