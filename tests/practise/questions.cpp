@@ -54,11 +54,13 @@ TEST(Questions, OfAllLessonsReachMoodleWithTheirReplies) {
   const Folder folder, again;
   const std::string file = exported("moodle", folder) + "/predictions.xml", text = contents(file);
   expect_xml(file);
-  std::size_t questions = 0, wrong = 0;
+  std::size_t asking = 0, questions = 0, wrong = 0;
   for (const auto& entry : std::filesystem::directory_iterator(lessons)) {
     const std::string slug = entry.path().filename();
     if (!std::regex_match(slug, std::regex("[0-9][0-9]_[a-z_]+")) || !entry.is_regular_file()) continue;
-    for (const Json& question : of_lesson(slug)) {
+    const Json asked = of_lesson(slug);
+    asking += !asked.empty();
+    for (const Json& question : asked) {
       ++questions;
       wrong += question["wrong"].size();
     }
@@ -67,7 +69,7 @@ TEST(Questions, OfAllLessonsReachMoodleWithTheirReplies) {
   EXPECT_EQ(count(text, "<question type=\"numerical\">"), questions);
   EXPECT_EQ(count(text, "fraction=\"100\""), questions);
   EXPECT_EQ(count(text, "fraction=\"0\""), wrong);
-  EXPECT_EQ(count(text, "<question type=\"category\">"), 9U);
+  EXPECT_EQ(count(text, "<question type=\"category\">"), asking);
   exported("moodle", again);
   EXPECT_EQ(contents(again / "predictions.xml"), text) << "the same bytes each time";
 }
