@@ -202,12 +202,15 @@ class SvgCanvas::Surface : public DrawingSurface {
   const std::vector<Window>& windows() const { return windows_; }
 
   std::string svg(std::string_view title, std::string_view description) const {
+    std::string label = "aria-hidden=\"true\"";  // of a picture that is named by what surrounds it
+    if (!title.empty())
+      label = fmt::format("role=\"img\" aria-labelledby=\"{0}-title{1}\"", name_,
+                          description.empty() ? "" : fmt::format(" {}-description", name_));
     std::string all = fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" role=\"img\" "
-        "aria-labelledby=\"{2}-title{3}\" font-family=\"'DejaVu Sans',sans-serif\" stroke-linejoin=\"round\" "
-        "xml:space=\"preserve\"><title id=\"{2}-title\">{4}</title>",
-        size_.width, size_.height, name_, description.empty() ? "" : fmt::format(" {}-description", name_),
-        escaped(title));
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" {} "
+        "font-family=\"'DejaVu Sans',sans-serif\" stroke-linejoin=\"round\" xml:space=\"preserve\">",
+        size_.width, size_.height, label);
+    if (!title.empty()) all += fmt::format("<title id=\"{}-title\">{}</title>", name_, escaped(title));
     if (!description.empty())
       all += fmt::format("<desc id=\"{}-description\">{}</desc>", name_, escaped(description));
     for (std::size_t i = 0; i < clips_.size(); ++i)

@@ -143,6 +143,8 @@ TEST(SvgCanvas, TellsAScreenReaderTitleAndDescription) {
   EXPECT_THAT(parse(svg).titles, ElementsAre("C < 0", "falls \"by\" half & stays"));
   EXPECT_THAT(svg, HasSubstr("role=\"img\" aria-labelledby=\"a-title a-description\""));
   EXPECT_THAT(canvas.svg("only a title"), HasSubstr("aria-labelledby=\"a-title\""));
+  EXPECT_THAT(canvas.svg(""), testing::AllOf(HasSubstr("aria-hidden=\"true\""), Not(HasSubstr("labelledby")),
+                                             Not(HasSubstr("<title"))));
 }
 
 TEST(SvgCanvas, BeginsAllIdsWithItsNameAndUsesNoOthers) {
