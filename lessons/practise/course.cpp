@@ -6,8 +6,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "lessons/tutor/child_process.hpp"
-#include "renderer/error.hpp"
+#include "lessons/site/course/zip.hpp"
 #include "renderer/file.hpp"
 
 namespace byhand::practise {
@@ -85,26 +84,13 @@ void write_question(const fs::path& folder, const std::vector<const Exercise*>& 
 )");
 }
 
-/// The same bytes each time: CMake's archiver keeps the order in which it is given the files.
 void write_autograder(const fs::path& folder) {
   std::set<std::string> names;
   for (const auto& entry : fs::recursive_directory_iterator(folder))
     if (entry.is_regular_file()) names.insert(entry.path().lexically_relative(folder).string());
-  std::vector<std::string> words = {"cmake",
-                                    "-E",
-                                    "chdir",
-                                    folder.string(),
-                                    "cmake",
-                                    "-E",
-                                    "tar",
-                                    "cf",
-                                    "autograder.zip",
-                                    "--format=zip",
-                                    "--mtime=2000-01-01",
-                                    "--"};
-  words.insert(words.end(), names.begin(), names.end());
-  if (!tutor::run_program("/usr/bin/env", words, tutor::Group::ours).well())
-    throw renderer::EnvironmentError("autograder.zip could not be written in " + folder.string());
+  site::Zip archive;
+  for (const std::string& name : names) archive.add(name, contents_of(folder / name));
+  renderer::write_whole(folder / "autograder.zip", archive.finish());
 }
 
 }  // namespace
