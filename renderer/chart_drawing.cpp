@@ -820,22 +820,24 @@ void ChartDrawing::draw_texts() {
   }
 }
 
-}  // namespace
-
-Rectangle draw(Canvas& canvas, const Chart& chart, const Rectangle& frame) {
+/// What `drawn` makes of the chart in points of the page; the camera stays as it was.
+Rectangle on_the_page(Canvas& canvas, const Chart& chart, const Rectangle& frame,
+                      Rectangle (ChartDrawing::*drawn)()) {
   const Camera before = canvas.camera();
   canvas.look_at_page();
-  const Rectangle plot = ChartDrawing(canvas, chart, frame).draw();
+  const Rectangle plot = (ChartDrawing(canvas, chart, frame).*drawn)();
   canvas.look(before);
   return plot;
 }
 
+}  // namespace
+
+Rectangle draw(Canvas& canvas, const Chart& chart, const Rectangle& frame) {
+  return on_the_page(canvas, chart, frame, &ChartDrawing::draw);
+}
+
 Rectangle layout(Canvas& canvas, const Chart& chart, const Rectangle& frame) {
-  const Camera before = canvas.camera();
-  canvas.look_at_page();
-  const Rectangle plot = ChartDrawing(canvas, chart, frame).layout();
-  canvas.look(before);
-  return plot;
+  return on_the_page(canvas, chart, frame, &ChartDrawing::layout);
 }
 
 }  // namespace byhand::renderer
