@@ -9,6 +9,7 @@
 #include <iterator>
 #include <utility>
 
+#include "renderer/encoding.hpp"
 #include "renderer/font.hpp"
 
 namespace byhand::renderer {
@@ -63,18 +64,6 @@ std::string pen_attributes(const Pen& pen, double opacity = 1) {
   return all;
 }
 
-std::string escaped(std::string_view words) {
-  std::string all;
-  for (const char c : words) switch (c) {
-      case '<': all += "&lt;"; break;
-      case '>': all += "&gt;"; break;
-      case '&': all += "&amp;"; break;
-      case '"': all += "&quot;"; break;
-      default: all += c;
-    }
-  return all;
-}
-
 // The path through the points, as relative steps between rounded points; empty if they are all the same.
 std::string path_data(std::span<const Point> points) {
   std::string data;
@@ -102,19 +91,6 @@ std::string path_data(std::span<const Point> points) {
     x = next_x, y = next_y;
   }
   return command == 'M' ? "" : data;
-}
-
-std::string base64(std::string_view bytes) {
-  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
-    std::uint32_t group = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      group = group << 8 | (k < count ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-    for (std::size_t k = 0; k < 4; ++k) text += k > count ? '=' : digits[group >> (18 - 6 * k) & 63];
-  }
-  return text;
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "lessons/tutor/about.hpp"
 #include "lessons/tutor/child_process.hpp"
 #include "lessons/tutor/printed_by.hpp"
+#include "renderer/encoding.hpp"
 #include "renderer/error.hpp"
 #include "renderer/file.hpp"
 
@@ -33,27 +34,10 @@ std::vector<Json> questions() {
   return all;
 }
 
-std::string xml(const std::string& text) {
-  std::string escaped;
-  for (const char c : text) {
-    if (c == '&')
-      escaped += "&amp;";
-    else if (c == '<')
-      escaped += "&lt;";
-    else if (c == '>')
-      escaped += "&gt;";
-    else if (c == '"')
-      escaped += "&quot;";
-    else
-      escaped += c;
-  }
-  return escaped;
-}
-
 /// Without Markdown's marks, which QTI does not read.
 std::string plain_xml(std::string words) {
   std::erase_if(words, [](char c) { return c == '*' || c == '`'; });
-  return xml(words);
+  return renderer::escaped(words);
 }
 
 std::string number(const Json& value) { return fmt::format("{:.12g}", value.get<double>()); }
@@ -82,21 +66,22 @@ std::string moodle(const std::vector<Json>& all) {
       text += fmt::format(
           "  <question type=\"category\"><category><text>$course$/top/Constraints by Hand/{}</text></category>"
           "</question>\n",
-          xml(lesson));
+          renderer::escaped(lesson));
     }
     const auto answer = [&](const Json& value, int fraction, const std::string& reply) {
       return fmt::format(
           "    <answer fraction=\"{}\" format=\"moodle_auto_format\">\n      <text>{}</text>\n      "
           "<tolerance>{}</tolerance>\n      <feedback format=\"markdown\"><text>{}</text></feedback>\n    "
           "</answer>\n",
-          fraction, number(value), number(question["tolerance"]), xml(reply));
+          fraction, number(value), number(question["tolerance"]), renderer::escaped(reply));
     };
     text += fmt::format(
         "  <question type=\"numerical\">\n    <name><text>{}</text></name>\n    <questiontext format=\"markdown\">"
         "<text>{}</text></questiontext>\n    <generalfeedback "
         "format=\"markdown\"><text>{}</text></generalfeedback>\n"
         "    <defaultgrade>1</defaultgrade>\n    <penalty>0.3333333</penalty>\n    <hidden>0</hidden>\n",
-        xml(name(question, ++index)), xml(asked(question)), xml(question["right"]));
+        renderer::escaped(name(question, ++index)), renderer::escaped(asked(question)),
+        renderer::escaped(question["right"].get<std::string>()));
     text += answer(question["answer"], 100, question["right"]);
     for (const Json& wrong : question["wrong"]) text += answer(wrong["value"], 0, wrong["reply"]);
     if (const std::string unit = question["unit"]; !unit.empty() && unit != "1")
@@ -104,9 +89,10 @@ std::string moodle(const std::vector<Json>& all) {
           "    <units><unit><multiplier>1</multiplier><unit_name>{}</unit_name></unit></units>\n    "
           "<unitgradingtype>0</unitgradingtype>\n    <unitpenalty>0</unitpenalty>\n    <showunits>0</showunits>\n "
           "   <unitsleft>0</unitsleft>\n",
-          xml(unit));
+          renderer::escaped(unit));
     for (const Json& hint : question["hints"])
-      text += fmt::format("    <hint format=\"markdown\"><text>{}</text></hint>\n", xml(hint));
+      text += fmt::format("    <hint format=\"markdown\"><text>{}</text></hint>\n",
+                          renderer::escaped(hint.get<std::string>()));
     text += "  </question>\n";
   }
   return text + "</quiz>\n";
@@ -160,8 +146,8 @@ std::string item(const Json& question, const std::string& identifier, const std:
   </responseProcessing>
 {}</assessmentItem>
 )",
-      identifier, xml(title), number(question["answer"]), plain_xml(question["ask"]),
-      question["unit"] == "1" ? "" : xml(question["unit"]), rules, replies);
+      identifier, renderer::escaped(title), number(question["answer"]), plain_xml(question["ask"]),
+      question["unit"] == "1" ? "" : renderer::escaped(question["unit"].get<std::string>()), rules, replies);
 }
 
 void write_qti(const fs::path& folder, const std::vector<Json>& all) {

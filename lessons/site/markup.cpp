@@ -88,18 +88,6 @@ void each_line(std::string_view words, const F& line) {
 
 }  // namespace
 
-std::string escaped(std::string_view text) {
-  std::string all;
-  for (const char c : text) switch (c) {
-      case '<': all += "&lt;"; break;
-      case '>': all += "&gt;"; break;
-      case '&': all += "&amp;"; break;
-      case '"': all += "&quot;"; break;
-      default: all += c;
-    }
-  return all;
-}
-
 std::string inline_html(std::string_view words, Links links) { return Inline(words, links).html(); }
 
 std::string prose_html(std::string_view words) {

@@ -3,10 +3,12 @@
 #include <string>
 #include <string_view>
 
+#include "renderer/encoding.hpp"
+
 namespace byhand::site {
 
-/// Text for HTML: <, >, & and " as entities. The pages are XML too, so that EPUB can hold them.
-std::string escaped(std::string_view text);
+// The pages are XML too, so that EPUB can hold them.
+using renderer::escaped;
 
 /// One paragraph of an item's prose, whose *emphasis*, **strong** and `code` become elements. "(14)" links to
 /// equation 14 of the article unless the paragraph is a link itself.

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <cstdlib>
 #include <ctime>
 #include <nlohmann/json.hpp>
 
 #include "lessons/practise/judge/grading.hpp"
+#include "renderer/encoding.hpp"
 
 // What each consumer of results reads. Each format says the same of a submission.
 namespace byhand::practise {
@@ -39,19 +39,6 @@ std::string output(const Verdict& verdict) {
 
 /// What a learner's code prints may be no UTF-8.
 std::string dump(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
-
-std::string base64(const std::string& bytes) {
-  constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
-    std::uint32_t three = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      three = three << 8 | (k < count ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-    for (std::size_t k = 0; k < 4; ++k) text += k <= count ? digits[three >> (18 - 6 * k) & 63] : '=';
-  }
-  return text;
-}
 
 /// https://gradescope-autograders.readthedocs.io/en/latest/specs
 std::string gradescope(const All& all) {
@@ -112,7 +99,7 @@ std::string prairielearn(const All& all) {
                  {"max_points", 1},
                  {"message", graded.verdict.sentence},
                  {"output", output(graded.verdict)}};
-    if (const std::string picture = base64(graded.picture); !picture.empty() && picture.size() <= room) {
+    if (const std::string picture = renderer::base64(graded.picture); !picture.empty() && picture.size() <= room) {
       room -= picture.size();
       test["images"] = {{{"label", "Your code and the right one"}, {"url", "data:image/png;base64," + picture}}};
     }
