@@ -1,14 +1,9 @@
 #include "lessons/site/drawn.hpp"
 
 namespace byhand::site {
-namespace {
-
-constexpr int width = 1280;
-
-}  // namespace
 
 std::string drawn(const std::string& name, const tutor::Drawing& drawing,
-                  const renderer::SvgCanvas::DrawWindow& draw_window) {
+                  const renderer::SvgCanvas::DrawWindow& draw_window, int width) {
   renderer::SvgCanvas canvas(width, name, draw_window);
   drawing(canvas);
   return canvas.svg("");
