@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "lessons/pictures/step_terms.hpp"
 #include "lessons/scenes/pull.hpp"
 #include "lessons/tutor/held.hpp"
 #include "renderer/camera.hpp"
@@ -40,7 +41,7 @@ class HeldScene final : public tutor::Held {
   std::string stopped() const override { return stopped_; }
   void go_on_from(const Held& other) override;
   void draw(renderer::Canvas& canvas, std::optional<double> part = {}) const override;
-  std::string words() const override;
+  std::string words(std::optional<double> part = {}) const override;
 
   const Simulation<M>& simulation() const { return now_; }
   /// What the hand has given since the beginning [N s].
@@ -60,7 +61,8 @@ class HeldScene final : public tutor::Held {
   bool covers(int body, const Linear<M>& point) const;
   double reach(int body) const;  // [m]
   void draw_hand(renderer::Canvas& canvas) const;
-  void draw_within(renderer::Canvas& canvas, double part) const;
+  /// What the next step does; nothing where it would fail.
+  std::optional<StepTerms> next_terms() const;
 
   InHand<M> given_;
   Simulation<M> now_;

@@ -55,8 +55,8 @@ class Held {
   /// The scene now or, with `part` in [0, parts), within its next step: velocities, gravity, JV, λ, velocities,
   /// poses.
   virtual void draw(renderer::Canvas& canvas, std::optional<double> part = {}) const = 0;
-  /// Time, energy, |C| and λ.
-  virtual std::string words() const = 0;
+  /// Time, energy, |C| and λ; within a step what its part does.
+  virtual std::string words(std::optional<double> part = {}) const = 0;
 };
 
 /// What a step offers to hold. `scene` begins one at the present parameters.

@@ -70,13 +70,13 @@ void act(tutor::Held& scene, const Json& act) {
   }
 }
 
-Json described(const tutor::Held& scene) {
+Json described(const tutor::Held& scene, std::optional<double> part) {
   Json bodies = Json::array();
   for (const Held::Body& body : scene.bodies())
     bodies.push_back(
         {{"name", body.name}, {"x", body.at.x()}, {"y", Held::page.top() - body.at.y()}, {"reach", body.reach}});
-  return {{"bodies", bodies},     {"held", scene.held()},   {"h", scene.h()},
-          {"parts", Held::parts}, {"words", scene.words()}, {"stopped", scene.stopped()}};
+  return {{"bodies", bodies},     {"held", scene.held()},       {"h", scene.h()},
+          {"parts", Held::parts}, {"words", scene.words(part)}, {"stopped", scene.stopped()}};
 }
 
 }  // namespace
@@ -166,9 +166,9 @@ std::string Program::answer(const std::string& request) {
       const Step& step = asked_step();
       Held& scene = in_hand(step);
       for (const Json& one : asked.value("acts", Json::array())) act(scene, one);
-      reply = described(scene);
       std::optional<double> part;
       if (asked.contains("part")) part = asked["part"];
+      reply = described(scene, part);
       const auto draw = [&](renderer::Canvas& canvas) { scene.draw(canvas, part); };
       reply["svg"] = drawn(step.hold->name, draw, {}, Held::width);
     } else if (what == "grade") {
