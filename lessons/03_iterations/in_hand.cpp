@@ -8,7 +8,7 @@ namespace byhand::iterations {
 
 tutor::Hold in_hand(const Knobs& knobs) {
   return {
-      "chain_in_hand", "The chain, before it is released.", [knobs] {
+      "chain_in_hand", "The chain; it begins at the angle of its release.", [knobs] {
         ChainOptions chain = knobs.chain();
         chain.angle = knobs.angle() * M_PI / 180;
         const bool warm = knobs.warm() == 1;

@@ -149,8 +149,7 @@ void draw_part(Canvas& canvas, const StepTerms& terms, double part, double longe
   canvas.text({24, top - 62}, words, {.size = 24, .anchor = Anchor::top_left, .halo = 5});
   canvas.look(world);
   canvas.arrow_key({24, 20}, {palette::velocity, speeds, "m/s"}, "V:");
-  if (present >= 1 && present <= 4)
-    canvas.arrow_key({canvas.page().centre().x(), 20}, {colour, changes, "m/s"}, "changes of V:");
+  if (present >= 1 && present <= 4) canvas.arrow_key({24, 46}, {colour, changes, "m/s"}, "changes of V:");
 }
 
 }  // namespace byhand::pictures

@@ -72,15 +72,16 @@
       });
       this.#handles.splice(scene.bodies.length).forEach(handle => handle.remove());
       if (scene.stopped) this.stop();
-      if (!this.playing) this.#tell();
+      this.#tell();
     }
 
-    // At rest the numbers are said; while it moves they would only interrupt.
+    // At rest a reader of screens says the numbers; while it moves they would only interrupt.
     #tell() {
       const { words, stopped } = this.#scene;
+      this.reading.setAttribute('aria-live', this.playing ? 'off' : 'polite');
       this.reading.textContent = stopped ? `${words} ${stopped}` : words;
       this.reading.classList.toggle('stopped', !!stopped);
-      this.picture.setAttribute('aria-label', this.reading.textContent);
+      if (!this.playing) this.picture.setAttribute('aria-label', this.reading.textContent);
     }
 
     // ---- The hand.
