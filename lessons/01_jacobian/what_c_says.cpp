@@ -54,7 +54,7 @@ renderer::Chart value_over_time(double length, double mass) {
 }
 
 renderer::Chart landscape(double length, double mass) {
-  constexpr int rows = 81, columns = 145;  // as the page: equal lengths along x and y
+  constexpr int rows = 121, columns = 121;
   renderer::HeatMap map{
       .label = "C (m²)", .diverging = true, .range = std::pair{-length * length, length * length}, .square = true};
   const auto place = [length](int i, int count) { return 1.5 * length / (rows / 2) * (i - count / 2); };
@@ -82,6 +82,26 @@ renderer::Chart landscape(double length, double mass) {
           .curves = {circle, slope},
           .heat_map = map,
           .annotations = {{0, 0, "anchor"}, {bob.x(), bob.y(), "bob"}}};
+}
+
+/// C along the rod's line, and its slope at the rod's length.
+renderer::Chart cut(double length, double mass) {
+  renderer::Curve bowl{.label = "C", .colour = renderer::palette::error},
+      slope{.label = "slope L", .colour = renderer::palette::constraint};
+  for (int i = 0; i <= 90; ++i) {
+    const double far = 1.5 * length * i / 90;
+    bowl.x.push_back(far);
+    bowl.y.push_back(value_at(far * from_straight_down<PlaneParticle>(three_four_five), length, mass));
+  }
+  for (const double far : {0.6 * length, 1.4 * length}) {
+    slope.x.push_back(far);
+    slope.y.push_back(length * (far - length));
+  }
+  return {.x = {.label = "distance from the anchor (m)"},
+          .y = {.label = "C (m²)"},
+          .curves = {bowl, slope},
+          .annotations = {{length, 0, "bob"}},
+          .references = {{renderer::Reference::Across::y, 0, "C = 0"}}};
 }
 
 }  // namespace
@@ -179,8 +199,12 @@ void what_c_says(tutor::Page& page, const Settings& set) {
   page.figure(
       "landscape",
       R"(C over the place of the bob. Red is too long, blue too short; on the dashed contour C = 0. Arrow: the
-              slope of C under a bob at the end of its rod; it points along the rod.)",
-      landscape(length, mass));
+              slope of C under a bob at the end of its rod; it points along the rod. Right: C along that line.)",
+      [map = landscape(length, mass), along = cut(length, mass)](renderer::Canvas& canvas) {
+        const auto [left, right] = canvas.page().inset(12).split_columns(0.6, 20);
+        renderer::draw(canvas, map, left);
+        renderer::draw(canvas, along, right.inset(0, 80));
+      });
 
   double along = 0;
   for (int i = 0; i < 60; ++i)
