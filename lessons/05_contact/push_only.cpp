@@ -5,6 +5,8 @@
 #include "lessons/05_contact/standing_box.hpp"
 #include "lessons/05_contact/steps.hpp"
 #include "lessons/pictures/boxes.hpp"
+#include "lessons/pictures/growing.hpp"
+#include "lessons/pictures/runs.hpp"
 #include "solver/constraints/contact.hpp"
 
 namespace byhand::contact {
@@ -78,13 +80,31 @@ Chart over_sweeps(const Setting& setting) {
   return chart;
 }
 
-void draw_stand(Canvas& canvas, const Stand& stand, const Rectangle& frame, double weight) {
-  const Rectangle below{frame.x, frame.y, frame.width, frame.height - 60};
+/// How far each box has turned.
+Chart turns(std::vector<Stand> stands) {
+  Chart chart{.x = {.label = "time (s)", .range = {{0, stand_seconds}}}, .y = {.label = "turned by (°)"}};
+  for (Stand& stand : stands) {
+    Curve curve{.label = stand.name};
+    for (; stand.box.time() < stand_seconds; stand.box.step()) {
+      const auto& rotation = stand.box.scene().bodies().pose[1].rotation;
+      curve.x.push_back(stand.box.time());
+      curve.y.push_back(degrees(std::atan2(rotation.sin, rotation.cos)));
+    }
+    chart.curves.push_back(std::move(curve));
+  }
+  return chart;
+}
+
+void draw_stand(Canvas& canvas, const Stand& stand, const Rectangle& frame, double weight, int number) {
+  const Rectangle below{frame.x, frame.y, frame.width, frame.height - 50};
   canvas.look_at_page();
-  canvas.text({frame.centre().x(), frame.top() - 26}, stand.name, {.size = 21});
+  canvas.text({frame.centre().x(), frame.top() - 26}, stand.name,
+              {.size = 21, .colour = palette::series(number), .bold = true});
   canvas.clip(below);
-  canvas.look(fit({-0.9, -0.3, 1.8, 1.9}, below, 0));
-  pictures::draw(canvas, pictures::shapes_of(stand.box.scene()));
+  canvas.look(fit({-0.9, -0.12, 1.8, 1.5}, below, 0));
+  pictures::Shapes shapes = pictures::shapes_of(stand.box.scene());
+  for (auto& box : shapes.boxes) box.look = pictures::look_of_run(number);
+  pictures::draw(canvas, shapes);
   const auto& contacts = stand.box.scene().all<Contact>();
   for (std::size_t i = 0; i < stand.box.lambda().size(); ++i) {
     const Pose<PlaneBody>& pose = stand.box.scene().bodies().pose[contacts[i].at.body2];
@@ -179,15 +199,18 @@ void push_only(const Setting& setting, Page& page) {
   page.sequence(
       "hop_and_tip",
       say(R"(Three boxes fall flat from @ m, with @ a step. With each change clamped the square box @ and the box of
-          @ m @; with the sum clamped it @. Arrows: λ of the step (mgh is 0.7 m long).)",
+          @ m @; with the sum clamped it @. Arrows: λ of the step (mgh is 0.7 m
+          long).)",
           lift, several(setting.sweeps, "sweep"), fate(stands[0].box), width, fate(stands[1].box),
           fate(stands[2].box)),
-      Seconds{stand_seconds}, [stands, h, weight](Canvas& canvas, double time) mutable {
-        const auto frames = canvas.page().inset(16).cells(1, static_cast<int>(stands.size()), 16);
+      Seconds{stand_seconds}, [stands, h, weight, turned = turns(stands)](Canvas& canvas, double time) mutable {
+        const auto [above, under] = canvas.page().inset(16).split_rows(0.6, 10);
+        const auto frames = above.cells(1, static_cast<int>(stands.size()), 16);
         for (std::size_t i = 0; i < stands.size(); ++i) {
           while (stands[i].box.time() < time - 0.5 * h) stands[i].box.step();
-          draw_stand(canvas, stands[i], frames[i], weight);
+          draw_stand(canvas, stands[i], frames[i], weight, static_cast<int>(i));
         }
+        renderer::draw(canvas, pictures::grown_to(turned, time), under);
       });
   page.text(
       R"(A test with a square box would not find the mistake. A push at one corner of it turns it so much that the
