@@ -185,7 +185,8 @@ void draw_runs(Canvas& canvas, const std::vector<NamedPile>& runs, const Rectang
       canvas.text({cells[i].centre().x(), cells[i].y + 12}, say("falls after @ s", Value(runs[i].pile.time, 3)),
                   {.size = 18, .colour = palette::error, .bold = true});
     canvas.clip(below);
-    canvas.look(fit({-0.27 * boxes, -0.03 * boxes, 0.54 * boxes, 1.06 * boxes}, below, 0));
+    const double aside = std::max(0.27 * boxes, 1.2);
+    canvas.look(fit({-aside, -0.03 * boxes, 2 * aside, 1.06 * boxes}, below, 0));
     pictures::Shapes shapes = pictures::shapes_of(runs[i].pile.scene);
     for (auto& box : shapes.boxes) {
       box.look = pictures::look_of_run(static_cast<int>(i));
