@@ -171,27 +171,25 @@ void what_c_says(tutor::Page& page, const Settings& set) {
       R"(Now move the bob by hand: out, back, along the circle, in, back. Watch C. Along the rod it changes, and
       its sign tells too long from too short. Along the circle it does not change: that is the direction in which
       the rod leaves the bob free.)");
-  page.sequence("nudge",
-                "The bob is moved by hand. C is positive outside the circle, negative inside, zero on it.",
-                tutor::Seconds{duration}, [=](renderer::Canvas& canvas, double time) {
-                  const auto [left, right] = canvas.page().inset(16).split_columns(0.5);
-                  const renderer::Chart whole = value_over_time(length, mass);
-                  canvas.look(renderer::fit({-0.7 * length, -1.4 * length, 2 * length, 1.6 * length}, left));
-                  std::vector<Point> circle;
-                  for (int i = 0; i <= 60; ++i)
-                    circle.push_back(length * from_straight_down<PlaneParticle>(-0.9 + 2.6 * i / 60));
-                  canvas.path(circle, {renderer::palette::theory, 1.6, renderer::Dash::dashed});
-                  const Point at = nudged(time, length);
-                  pictures::draw(canvas, pictures::rods_and_bobs(bob_at(at, length, mass)));
-                  const double now = value_at(at, length, mass);
-                  canvas.text(at, tutor::say("C = @ m²", tutor::Value(std::abs(now) < 1e-9 ? 0 : now, 2)),
-                              {.size = 20,
-                               .colour = renderer::palette::error,
-                               .anchor = renderer::Anchor::left,
-                               .halo = 4,
-                               .offset = {24, 22}});
-                  renderer::draw(canvas, pictures::grown_to(whole, time), right);
-                });
+  page.sequence(
+      "nudge", "The bob is moved by hand. C is positive outside the circle, negative inside, zero on it.",
+      tutor::Seconds{duration}, [=](renderer::Canvas& canvas, double time) {
+        const auto [left, right] = canvas.page().inset(16).split_columns(0.5);
+        const renderer::Chart whole = value_over_time(length, mass);
+        canvas.look(renderer::fit({-0.95 * length, -1.4 * length, 2.05 * length, 1.6 * length}, left));
+        std::vector<Point> circle;
+        for (int i = 0; i <= 60; ++i)
+          circle.push_back(length * from_straight_down<PlaneParticle>(-0.9 + 2.6 * i / 60));
+        canvas.path(circle, {renderer::palette::theory, 1.6, renderer::Dash::dashed});
+        const Point at = nudged(time, length);
+        pictures::draw(canvas, pictures::rods_and_bobs(bob_at(at, length, mass)));
+        const double now = value_at(at, length, mass);
+        canvas.look_at_page();
+        canvas.text({left.x + 8, left.top() - 8},
+                    tutor::say("C = @ m²", tutor::Value(std::abs(now) < 1e-9 ? 0 : now, 2)),
+                    {.size = 26, .colour = renderer::palette::error, .anchor = renderer::Anchor::top_left});
+        renderer::draw(canvas, pictures::grown_to(whole, time), right);
+      });
   page.text(
       R"(Put the bob anywhere and colour the place by its C. The landscape is a bowl, −½L² deep at the anchor, and
       the rod asks the bob to stay on one of its contours. This lesson is about the slope of that landscape under

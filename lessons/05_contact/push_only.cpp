@@ -1,5 +1,6 @@
 // Step 1: an inequality, and what has to be kept at zero or above.
 
+#include <algorithm>
 #include <cmath>
 
 #include "lessons/05_contact/standing_box.hpp"
@@ -21,6 +22,7 @@ constexpr int shown_sweeps = 8;
 /// What a box is stood with, and what it is called.
 struct Stand {
   std::string name;
+  double width;  // [m]
   StandingBox box;
 };
 
@@ -83,6 +85,7 @@ Chart over_sweeps(const Setting& setting) {
 /// How far each box has turned.
 Chart turns(std::vector<Stand> stands) {
   Chart chart{.x = {.label = "time (s)", .range = {{0, stand_seconds}}}, .y = {.label = "turned by (°)"}};
+  double low = 0, high = 0;
   for (Stand& stand : stands) {
     Curve curve{.label = stand.name};
     for (; stand.box.time() < stand_seconds; stand.box.step()) {
@@ -90,8 +93,13 @@ Chart turns(std::vector<Stand> stands) {
       curve.x.push_back(stand.box.time());
       curve.y.push_back(degrees(std::atan2(rotation.sin, rotation.cos)));
     }
+    const auto [least, most] = std::minmax_element(curve.y.begin(), curve.y.end());
+    low = std::min(low, *least);
+    high = std::max(high, *most);
     chart.curves.push_back(std::move(curve));
   }
+  const double room = 0.1 * std::max(high - low, 5.0);  // so that rounding looks like none
+  chart.y.range = {{low - room, high + room}};
   return chart;
 }
 
@@ -101,7 +109,8 @@ void draw_stand(Canvas& canvas, const Stand& stand, const Rectangle& frame, doub
   canvas.text({frame.centre().x(), frame.top() - 26}, stand.name,
               {.size = 21, .colour = palette::series(number), .bold = true});
   canvas.clip(below);
-  canvas.look(fit({-0.9, -0.12, 1.8, 1.5}, below, 0));
+  const double half = std::max(0.9, 0.6 * stand.width);
+  canvas.look(fit({-half, -0.12, 2 * half, 1.5}, below, 0));
   pictures::Shapes shapes = pictures::shapes_of(stand.box.scene());
   for (auto& box : shapes.boxes) box.look = pictures::look_of_run(number);
   pictures::draw(canvas, shapes);
@@ -187,9 +196,9 @@ void push_only(const Setting& setting, Page& page) {
        {"speed of the box", "(λ₁ + λ₂)/m − gh = s(1 − s)/(1 + s)² gh",
         R"(\frac{\lambda_1+\lambda_2}{m} - gh = \frac{s(1-s)}{(1+s)^2}\,gh)"}});
   std::vector<Stand> stands{
-      {"1 × 1 m, each clamped", {1, mass, h, setting.sweeps, Clamp::each, lift}},
-      {say("@ × 1 m, each clamped", width), {width, mass, h, setting.sweeps, Clamp::each, lift}},
-      {say("@ × 1 m, sum clamped", width), {width, mass, h, setting.sweeps, Clamp::sum, lift}}};
+      {"1 × 1 m, each clamped", 1, {1, mass, h, setting.sweeps, Clamp::each, lift}},
+      {say("@ × 1 m, each clamped", width), width, {width, mass, h, setting.sweeps, Clamp::each, lift}},
+      {say("@ × 1 m, sum clamped", width), width, {width, mass, h, setting.sweeps, Clamp::sum, lift}}};
   page.text(up > 0
                 ? R"(In a step of rest that is only @ m/s. But gh could be any speed: let boxes *fall* on their two
                corners from @ m, and the same share of the speed of the fall is left over, together with a turn.)"
