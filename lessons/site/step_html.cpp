@@ -7,6 +7,7 @@
 
 #include "lessons/site/alternative.hpp"
 #include "lessons/site/code_html.hpp"
+#include "lessons/site/colours.hpp"
 #include "lessons/site/markup.hpp"
 #include "lessons/site/mathml.hpp"
 #include "lessons/tutor/claim_words.hpp"
@@ -228,7 +229,7 @@ std::string step_html(const RecordedStep& recorded, const Pictures& pictures) {
 )",
                      step.deeper ? " deeper" : "", step.label, inline_html(step.title),
                      step.deeper ? " <span class=\"depth\">deeper</span>" : "",
-                     ItemWriter(recorded, pictures).all());
+                     with_colours(ItemWriter(recorded, pictures).all()));
 }
 
 }  // namespace byhand::site
