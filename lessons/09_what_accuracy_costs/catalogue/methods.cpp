@@ -97,7 +97,8 @@ std::vector<Family> make_families() {
       xpbd,
       avbd,
   };
-  for (Family& family : all) family.weights = weights_of(family.name);
+  for (Family& family : all)
+    family.weights = weights_of(family.name), family.weights_in_space = weights_of(family.name, true);
   return all;
 }
 
