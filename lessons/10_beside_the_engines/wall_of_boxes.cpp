@@ -124,8 +124,8 @@ void wall_of_boxes(const Setting& setting, Page& page) {
       sweeps.first, sweeps.second);
   if (field.size() > 1) {
     page.text(
-        R"(How few sweeps a step keep this course's error below that of each engine by default? From rest: @. After
-        the kick: @.)",
+        R"(How many sweeps a step does it take for no more error than any engine has by default? From rest @, after
+        the kick @.)",
         enough(field, at_rest.moved), enough(kicked_field, after_kick.moved));
     page.figure("wall_moved", say("@ boxes from rest: how far a box has come after @ s.", boxes, frames * frame),
                 compared(at_rest.moved, "moved (m)"));
@@ -184,7 +184,7 @@ void wall_in_space(const Setting& setting, Page& page) {
       and the last @, where 50 are allowed.@)",
       in_millimetres(moved), ahead.empty() ? "" : say("; less is left by @", ahead), sweeps.first, sweeps.second,
       field.size() > 1
-          ? say(" To have no more error than any engine has by default it takes: @.", enough(field, rest.moved))
+          ? say(" For no more error than any engine has by default it takes @.", enough(field, rest.moved))
           : std::string());
   page.claim({.quantity = "this course, the wall in space: moved",
               .unit = "m",
