@@ -214,8 +214,8 @@ std::string caption_of(const Survey& survey, Error error, int starts) {
                                            : std::string("which is exact"))
       : error == Error::reaction
           ? tutor::say(
-                R"(Force of what holds the scene, mean over the last frame before @ s, held against the reference
-                (@).)",
+                R"(Force of what holds the scene, mean over the last frame before @ s, held against a reference:
+                @.)",
                 time, scene.reference)
       : error == Error::algebraic
           ? tutor::say("Velocities after one step at @ s, against those of the direct solve of the same step.",

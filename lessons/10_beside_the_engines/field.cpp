@@ -132,14 +132,17 @@ Chart against_time(const std::vector<Entrant<M>>& all, const std::vector<Errors>
 template <class M>
 Chart at_equal_error(const std::vector<Contest<M>>& contests, int frames) {
   std::vector<std::string> names;
+  std::string fastest;
   Curve times{.label = "time for no more than its error"}, errors{.label = "error in no more than its time"};
   for (const Contest<M>& contest : contests) {
     const Comparison found = beside_the_fastest(contest.errors, times_of(contest.entrants, contest.scene, frames));
-    names.push_back(say("@, @", contest.name, found.engine));
+    names.push_back(contest.name);
+    fastest += say("@@", fastest.empty() ? "" : ", ", found.engine);
     times.y.push_back(found.time);
     errors.y.push_back(std::max(found.error, rounding));
   }
-  Chart chart = by_name(names, {times, errors}, "this course over the fastest engine");
+  Chart chart = by_name(names, {times, errors}, "this course over that engine");
+  chart.title = "The fastest engine in each: " + fastest;
   chart.references.push_back({.value = 1, .label = "as that engine"});
   return chart;
 }
