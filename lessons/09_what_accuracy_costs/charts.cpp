@@ -95,13 +95,16 @@ double quantile(const std::vector<double>& sorted, double share) {
 /// The fronts that are drawn, and from how many initial conditions.
 struct Drawn {
   std::vector<Spread> spreads;
-  int starts = most_starts;
+  int starts = 1;
 };
 
-/// As many points as can be run from twenty initial conditions within a budget of counted cost. Where a reference
-/// takes longer than the runs, the scene's own has to do.
+/// As many points as can be run from twenty initial conditions within a budget of counted cost; from the scene's
+/// own alone where each reference would take longer than all runs.
 Drawn drawn_of(const Survey& survey, Error error) {
-  const double duration = survey.problem.scene().duration;
+  const double duration = survey.problem.scene().duration,
+               bodies = survey.problem.start().degrees_of_freedom() / 3.0;
+  const bool alone = needs_reference(error) && survey.problem.scene().chaotic && bodies * duration > 60;
+  const int starts = alone ? 1 : most_starts;
   Drawn drawn;
   for (const double spacing : {1.3, 2.0, 4.0}) {
     drawn.spreads.clear();
@@ -110,11 +113,9 @@ Drawn drawn_of(const Survey& survey, Error error) {
       drawn.spreads.push_back({family, thinned(survey.front(*family, error), spacing), {}});
       for (const byhand::Point& point : drawn.spreads.back().points) work += point.cost * duration / frame;
     }
-    drawn.starts = std::clamp(static_cast<int>(budget / work), 1, most_starts);
-    if (drawn.starts == most_starts) break;
+    drawn.starts = std::clamp(static_cast<int>(budget / work), 1, starts);
+    if (drawn.starts == starts) break;
   }
-  const double bodies = survey.problem.start().degrees_of_freedom() / 3.0;
-  if (needs_reference(error) && survey.problem.scene().chaotic && bodies * duration > 60) drawn.starts = 1;
   return drawn;
 }
 

@@ -120,9 +120,9 @@ void stability(Page& page) {
               heavy + ", runs"},
              rows);
   page.text(
-      R"(All limits fall as the root of the end's mass: this is law 7, which holds for every method that takes the
-      direction of a rod from the start of a step. Implicit midpoint takes it from the middle, and needs no limit in
-      theory; but its steps are found by repetition, which converges only where ωh < 2.@)",
+      R"(All limits fall as the root of the end's mass: this is law 7, which holds for every method whose forces act along
+      directions that are known before the step ends. Implicit midpoint takes them from the middle of the step, and
+      needs no limit in theory; but it finds that middle by repetition, which converges only where ωh < 2.@)",
       always.empty() ? ""
                      : say(" Stable at every step that was tried: @. What that costs in energy, the step before "
                            "this one has shown.",
