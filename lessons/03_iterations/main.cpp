@@ -16,7 +16,8 @@ int main(int argc, char** argv) {
       .sweeps = lesson.parameter("sweeps", 10, "1", {1, 100}, "sweeps a step (step 6, and the chain to hold in step 7)"),
       .beta = lesson.parameter("beta", 0.2, "1", {0, 1}, "share of the stretch that a step corrects (step 7)"),
       .angle = lesson.parameter("angle", 20.0, "°", {1, 80}, "from which the chain is released (step 7)"),
-      .warm = lesson.parameter("warm", 0, "1", {0, 1}, "1: steps begin with the λ of the last one (step 7)"),
+      .start = lesson.parameter("start", "cold", {"cold", "warm"},
+                                "what sweeps begin with: λ = 0, or the λ of the last step (step 7)"),
       .ratio = lesson.parameter("ratio", 100.0, "1", {1, 1000}, "mass of the end bob over the others (deeper)")};
   const auto step = [&](const char* title, void (*tell)(Page&, const Knobs&)) {
     lesson.step(title, [=](Page& page) { tell(page, knobs); });
@@ -47,7 +48,7 @@ int main(int argc, char** argv) {
             "All rows at once cost a chain as much as a few sweeps and leave only rounding."},
        .tries = {{"A chain twice as long; look at the sweeps for a digit:", "./lessons/run 3 --set links=20"},
                  {"Start the swinging chains warm: with few sweeps the correction makes them ring.",
-                  "./lessons/run iterations --step 7 --set warm=1"},
+                  "./lessons/run iterations --step 7 --set start=warm"},
                  {"One sweep a step, cold and warm:", "./lessons/run iterations --step 6 --set sweeps=1"}},
        .next =
            R"(Write the sweep yourself: `./lessons/run practise 7`.

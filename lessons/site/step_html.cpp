@@ -7,6 +7,7 @@
 
 #include "lessons/site/alternative.hpp"
 #include "lessons/site/code_html.hpp"
+#include "lessons/site/colours.hpp"
 #include "lessons/site/drawn.hpp"
 #include "lessons/site/markup.hpp"
 #include "lessons/site/mathml.hpp"
@@ -235,13 +236,14 @@ std::string hold_figure(const tutor::Hold& hold) {
 
 std::string step_html(const RecordedStep& recorded, const Pictures& pictures) {
   const Step& step = *recorded.step;
-  return fmt::format(R"(<section class="step{0}" id="step-{1}" data-step="{1}">
+  return fmt::format(
+      R"(<section class="step{0}" id="step-{1}" data-step="{1}">
 <h2><span class="label">{1}</span> {2}{3}</h2>
 {4}</section>
 )",
-                     step.deeper ? " deeper" : "", step.label, inline_html(step.title),
-                     step.deeper ? " <span class=\"depth\">deeper</span>" : "",
-                     ItemWriter(recorded, pictures).all() + (step.hold ? hold_figure(*step.hold) : ""));
+      step.deeper ? " deeper" : "", step.label, inline_html(step.title),
+      step.deeper ? " <span class=\"depth\">deeper</span>" : "",
+      with_colours(ItemWriter(recorded, pictures).all()) + (step.hold ? hold_figure(*step.hold) : ""));
 }
 
 }  // namespace byhand::site

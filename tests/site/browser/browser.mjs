@@ -27,6 +27,8 @@ export const launch = () => browser ??= puppeteer.launch({
 });
 export const quit = async () => { await (await browser)?.close(); browser = undefined; };
 
+export const launchFirefox = executablePath => puppeteer.launch({ browser: 'firefox', executablePath });
+
 // A page with what its console complained of, and every request that left the folder.
 export async function open(address, { width = 1440, height = 900, dark = false, script = true, touch = false, before } = {}) {
   const page = await (await launch()).newPage();
