@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
 
-import { lessons, live, quick, quit } from './browser.mjs';
+import { axe, lessons, live, quick, quit, settled } from './browser.mjs';
 
 after(quit);
 
@@ -214,3 +214,17 @@ test('it runs at the speed of the clock, and is drawn 30 times a second', { skip
     await tab.close();
   }
 });
+
+for (const dark of [false, true])
+  test(`axe-core finds nothing on a scene that is held beside settings that are compared, ${dark ? 'dark' : 'light'}`, async () => {
+    const tab = await withScene(rod, { dark, hash: '#beta=1.5&versus=defaults' });
+    await tab.focus(`${figure} .hand`);
+    await tab.keyboard.press('Enter');
+    await holds(tab, true);
+    await tab.waitForSelector('.compared .twin');
+    await settled(tab);
+    await tab.addScriptTag({ path: axe });
+    const { violations } = await tab.evaluate(() => axe.run('#step-2', { runOnly: ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'best-practice'] }));
+    assert.deepEqual(violations.map(({ id, nodes }) => `${id}: ${nodes.slice(0, 3).map(node => node.html.slice(0, 160)).join(' | ')}`), []);
+    await tab.close();
+  });
