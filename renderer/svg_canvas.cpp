@@ -118,9 +118,8 @@ class SvgCanvas::Surface : public DrawingSurface {
   void polygon(std::span<const Point> corners, Colour fill, const Pen& edge, bool sharp) override {
     const std::string data = path_data(corners);
     if (data.empty() || (fill.a == 0 && edge.width <= 0)) return;
-    // Neighbours among sharp ones, the cells of a map, differ in colour.
     if (sharp && edge.width <= 0)
-      add(fmt::format("<path d=\"{}\"{}", data, paint("fill", fill)), " shape-rendering=\"crispEdges\"");
+      add_cell(data, fill);
     else
       add(fmt::format("<path d=\"{}z\"", data), paint("fill", fill) + pen_attributes(edge));
   }
@@ -203,6 +202,7 @@ class SvgCanvas::Surface : public DrawingSurface {
   // Neighbours that look alike: their common attributes are written once, in a group around them.
   struct Run {
     std::string look, alone, together;
+    std::string cell;  // how the last element begins if it is a cell
     int size = 0;
 
     std::string written() const { return size > 1 ? "<g" + look + ">" + together + "</g>" : alone; }
@@ -214,6 +214,18 @@ class SvgCanvas::Surface : public DrawingSurface {
     run_.look = look;
     if (++run_.size == 1) run_.alone = begin + look + end;
     run_.together += begin + end;
+    run_.cell.clear();
+  }
+
+  // A cell of a map or a bar; cells of one colour in a row are one path.
+  void add_cell(const std::string& data, Colour fill) {
+    const std::string begin = paint("fill", fill) + " d=\"", end = "\"/>";
+    if (begin == run_.cell) {
+      for (std::string* all : {&run_.alone, &run_.together}) all->insert(all->size() - end.size(), data);
+    } else {
+      add("<path", " shape-rendering=\"crispEdges\"", begin + data + end);
+      run_.cell = begin;
+    }
   }
 
   void end_run() { body_ += std::exchange(run_, {}).written(); }

@@ -178,6 +178,17 @@ TEST(SvgCanvas, WritesWhatNeighboursShareOnce) {
   EXPECT_EQ(parse(svg).count.at("g"), 1);
 }
 
+TEST(SvgCanvas, WritesCellsOfOneColourInARowAsOnePath) {
+  SvgCanvas canvas(1280, "a");
+  const auto cell = [&](double x, Colour colour) { canvas.rectangle({x, 620, 10, 10}, {colour, {{}, 0}}); };
+  cell(100, palette::constraint);
+  cell(110, palette::constraint);
+  cell(120, palette::force);
+  EXPECT_THAT(canvas.svg("title"),
+              testing::AllOf(HasSubstr(" d=\"M100 100h10v-10h-10M110 100h10v-10h-10\"/><path fill"),
+                             HasSubstr(" d=\"M120 100h10v-10h-10\"/></g>")));
+}
+
 TEST(SvgCanvas, EndsAGroupWhereAClipBegins) {
   SvgCanvas canvas(1280, "a");
   const auto two_lines = [&] {
