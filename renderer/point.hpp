@@ -44,6 +44,7 @@ class Vector {
     return v;
   }
 
+  // NOLINTBEGIN(readability-identifier-naming): Eigen's names.
   static constexpr Vector Zero() { return {}; }
   static constexpr Vector Constant(double value) {
     Vector v;
@@ -128,6 +129,7 @@ class Vector {
     const Vector across = along_z ? Vector(0, -z(), y()) : Vector(-y(), x(), 0);
     return across * (1 / across.norm());
   }
+  // NOLINTEND(readability-identifier-naming)
 
  private:
   template <class F>

@@ -139,7 +139,7 @@ bool in_motion(const Bodies<M>& bodies, int body) {
   return moves(bodies.inverse_mass[body]) || !bodies.velocity[body].isZero(0);
 }
 
-/// Whether all of these are finite numbers: x - x is zero, or not a number.
+/// Whether all of these are finite numbers: 0 x is zero for those, and not a number for the others.
 template <int L, int A>
 bool are_finite(const std::vector<Pose<Model<L, A>>>& pose,
                 const std::vector<Eigen::Matrix<double, L + A, 1>>& velocity) {
@@ -147,13 +147,13 @@ bool are_finite(const std::vector<Pose<Model<L, A>>>& pose,
   Eigen::Matrix<double, L + A, 1> V = decltype(V)::Zero();
   Eigen::Matrix<double, A == 3 ? 4 : 2, 1> q = decltype(q)::Zero();
   for (std::size_t i = 0; i < pose.size(); ++i) {
-    x += pose[i].position - pose[i].position;
-    V += velocity[i] - velocity[i];
+    x += 0 * pose[i].position;
+    V += 0 * velocity[i];
     if constexpr (A == 1) {
       const Eigen::Vector2d turned(pose[i].rotation.cos, pose[i].rotation.sin);
-      q += turned - turned;
+      q += 0 * turned;
     }
-    if constexpr (A == 3) q += pose[i].rotation.coeffs() - pose[i].rotation.coeffs();
+    if constexpr (A == 3) q += 0 * pose[i].rotation.coeffs();
   }
   return x.sum() + V.sum() + q.sum() == 0;
 }

@@ -11,7 +11,7 @@ struct Knobs {
   tutor::Parameter<double> length, mass, h;
   tutor::Parameter<int> sweeps;
   tutor::Parameter<double> beta, angle;
-  tutor::Parameter<int> warm;
+  tutor::Parameter<std::string> start;
   tutor::Parameter<double> ratio;
 
   /// The lesson's chain, hanging at rest, or as many links as are asked for.
@@ -19,6 +19,8 @@ struct Knobs {
   ChainOptions chain(int count) const {
     return {.links = count, .length = length(), .mass = mass(), .end_mass = mass()};
   }
+  /// Whether steps begin with the λ of the last one.
+  bool warm() const { return start() == "warm"; }
   /// gh: how fast everything falls once gravity is in V [m/s].
   double fall() const { return gravity * h(); }
   /// Of the whole chain [N].
@@ -40,5 +42,8 @@ void side_by_side(tutor::Page& page, const Knobs& knobs);
 void heavy_end(tutor::Page& page, const Knobs& knobs);
 void price_of_direct(tutor::Page& page, const Knobs& knobs);
 void limit_of_jacobi(tutor::Page& page, const Knobs& knobs);
+
+/// The chain of step 7.
+tutor::Hold in_hand(const Knobs& knobs);
 
 }  // namespace byhand::iterations

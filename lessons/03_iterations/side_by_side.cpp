@@ -8,6 +8,7 @@
 #include "lessons/03_iterations/textbook.hpp"
 #include "lessons/pictures/growing.hpp"
 #include "lessons/pictures/rods_and_bobs.hpp"
+#include "lessons/pictures/runs.hpp"
 #include "renderer/canvas.hpp"
 #include "solver/step.hpp"
 
@@ -26,7 +27,7 @@ Chain swinging(const Knobs& knobs, std::optional<int> sweeps, double degrees) {
   ChainOptions options = knobs.chain();
   options.angle = degrees * M_PI / 180;
   VelocityStepping method{.solver = Direct{}, .drift = Baumgarte{knobs.beta}};
-  if (sweeps) method.solver = GaussSeidel{.sweeps = *sweeps, .warm_start = knobs.warm() == 1};
+  if (sweeps) method.solver = GaussSeidel{.sweeps = *sweeps, .warm_start = knobs.warm()};
   return {rod_chain<PlaneParticle>(options), method};
 }
 
@@ -106,7 +107,8 @@ void draw_runs(renderer::Canvas& canvas, const std::vector<Run>& runs, const ren
     canvas.look(camera);
     if (time < runs[i].lost_at) {
       canvas.path(right_length, {palette::muted, 1.5, renderer::Dash::dashed});
-      pictures::draw(canvas, pictures::rods_and_bobs(runs[i].chain.scene), {.bob = 6, .rod = 2.6});
+      pictures::draw(canvas, pictures::rods_and_bobs(runs[i].chain.scene),
+                     {.bob = 6, .rod = 2.6, .bodies = pictures::look_of_run(static_cast<int>(i))});
     } else {
       canvas.look_at_page();
       canvas.text(below.centre(), say("flew apart\nafter @ s", Value(runs[i].lost_at, 2)), {.size = 20});
@@ -152,7 +154,7 @@ void side_by_side(Page& page, const Knobs& knobs) {
       R"(Now let it swing for @ s from @°, with the correction of lesson 4 pulling stretched links back (β = @). Five
       times the same chain, started @; only the number of sweeps a step differs, and the last solves all rows at
       once.)",
-      film_seconds, knobs.angle, knobs.beta, knobs.warm() == 1 ? "warm" : "cold");
+      film_seconds, knobs.angle, knobs.beta, knobs.warm() ? "warm" : "cold");
   page.sequence(
       "sweeps_side_by_side",
       say(R"(The same chain of @ links with @, @, @ and @ sweeps a step, and solved directly. Below: the largest
@@ -173,7 +175,7 @@ void side_by_side(Page& page, const Knobs& knobs) {
   }
   const Run &fewest = runs.front(), &direct = runs.back();
   const bool softer = worst(fewest) > 1.1 * worst(direct);
-  if (knobs.warm() == 1) {
+  if (knobs.warm()) {
     std::vector<double> limits;
     for (const int sweeps : compared_sweeps) {
       const double q = std::pow(chain_factor(knobs.links), sweeps);
@@ -204,7 +206,7 @@ void side_by_side(Page& page, const Knobs& knobs) {
   }
   for (const int sweeps : compared_sweeps) {
     const double smallest = 1e-6 * L;
-    const bool cold = knobs.warm() == 0 && knobs.beta >= 0.01;
+    const bool cold = !knobs.warm() && knobs.beta >= 0.01;
     const double expected = cold ? textbook_stretch(knobs, sweeps) : 0;
     const bool claimed = expected > smallest;
     page.claim({.quantity = say("stretch at rest, sweeps a step: @", sweeps),

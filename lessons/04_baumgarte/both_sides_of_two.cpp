@@ -79,8 +79,8 @@ Chart factors(const Setting& setting) {
     measured.x.push_back(i / 10.0);
     measured.y.push_back(factor(setting, i / 10.0));
   }
-  return {.x = {.label = "β (1)", .range = {{0, 3.05}}},
-          .y = {.label = "|C after a step| / |C before| (1)", .range = {{0, 2.1}}},
+  return {.x = {.label = "β", .range = {{0, 3.05}}},
+          .y = {.label = "|C after a step| / |C before|", .range = {{0, 2.1}}},
           .curves = {measured, {.label = "|1 − β|", .x = {0, 1, 3}, .y = {1, 0, 2}, .style = CurveStyle::theory}},
           .annotations = {{1, 0, "all of it at once"}, {2, 1, "beyond: it grows"}},
           .references = {{Reference::Across::y, 1, "as wrong as before"}}};

@@ -63,7 +63,7 @@ struct SpiralFilm {
 Chart law_of_drift(const Setting& setting) {
   const double length = setting.length(), speed = setting.speed();
   Chart chart{.x = {.label = "time (s)", .scale = Scale::logarithmic},
-              .y = {.label = "C/L (1)", .scale = Scale::logarithmic}};
+              .y = {.label = "C/L", .scale = Scale::logarithmic}};
   for (const int cut : {1, 4, 16}) {
     const double h = setting.h() / cut, end = 1000 * setting.h();
     const Track run = circling(setting, speed, NoDriftCure{}, h, static_cast<int>(std::lround(end / h)));

@@ -18,7 +18,7 @@ PendulumFilm::PendulumFilm(const Setting& setting)
       exact_(radians(setting.release()), setting.length(), gravity),
       length_(setting.length()) {
   below_ = {.x = {.label = "time (s)"},
-            .y = {.label = "|C|/L (1)", .scale = Scale::logarithmic, .range = {{1e-6, 2}}}};
+            .y = {.label = "|C|/L", .scale = Scale::logarithmic, .range = {{1e-6, 2}}}};
   const double h = setting.h();
   for (std::size_t i = 0; i < 3; ++i) {
     const DriftCure cure = betas_[i] == 0 ? DriftCure(NoDriftCure{}) : DriftCure(Baumgarte{betas_[i]});

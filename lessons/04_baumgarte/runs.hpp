@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "lessons/04_baumgarte/setting.hpp"
-#include "solver/drift.hpp"
 #include "solver/model.hpp"
+#include "solver/step.hpp"
 
 namespace byhand::baumgarte {
 

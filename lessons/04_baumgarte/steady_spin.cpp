@@ -81,7 +81,7 @@ void steady_spin(const Setting& setting, Page& page) {
        {"settled: added = removed", "C/L = (ωh)²/(2β)", R"(\frac{C}{L} = \frac{(\omega h)^2}{2\beta})"}});
 
   Chart chart{.x = {.label = "ωh, angle of one step (rad)", .scale = Scale::logarithmic},
-              .y = {.label = "C/L (1)", .scale = Scale::logarithmic}};
+              .y = {.label = "C/L", .scale = Scale::logarithmic}};
   for (const double b : {0.1, 0.2, 0.5, 1.0}) {
     Curve measured{.label = say("β = @", b), .style = CurveStyle::markers},
         expected{.label = b == 1 ? "(ωh)²/2β" : "", .style = CurveStyle::theory};

@@ -42,7 +42,7 @@ Chart map(const Setting& setting, int links) {
   std::vector<Tick> ticks;
   for (const double sweeps : {1, 2, 4, 8, 16, 32, 64}) ticks.push_back({sweeps, say("@", sweeps)});
   Chart chart{.x = {.label = "warm sweeps a step", .scale = Scale::logarithmic, .ticks = ticks},
-              .y = {.label = "β (1)", .scale = Scale::logarithmic},
+              .y = {.label = "β", .scale = Scale::logarithmic},
               .heat_map = grows};
   if (!law.x.empty()) chart.curves.push_back(law);
   return chart;
@@ -106,7 +106,7 @@ ChainsFilm film_of(const Setting& setting, double beta) {
   };
   ChainsFilm film{hanging(true), hanging(false), length, 0, {}, setting.links};
   film.beside = {.x = {.label = "time (s)", .range = {{0, chain_seconds}}},
-                 .y = {.label = "largest |C|/L (1)", .scale = Scale::logarithmic}};
+                 .y = {.label = "largest |C|/L", .scale = Scale::logarithmic}};
   double depth = setting.links * length, most = 0.1;
   for (const auto& [start, name] : {std::pair{&film.warm, "warm"}, std::pair{&film.cold, "cold"}}) {
     HangingChain chain = *start;

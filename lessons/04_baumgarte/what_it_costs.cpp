@@ -176,8 +176,8 @@ void what_it_costs(const Setting& setting, Page& page) {
           swing to the third and the error of the period. Dashed: the laws for small steps. @)",
           setting.release(), setting.h,
           left_out ? "(Points where it gained, or changed by rounding only, are left out.)" : ""),
-      Chart{.x = {.label = "β (1)", .scale = Scale::logarithmic},
-            .y = {.label = "error (1)", .scale = Scale::logarithmic},
+      Chart{.x = {.label = "β", .scale = Scale::logarithmic},
+            .y = {.label = "error", .scale = Scale::logarithmic},
             .curves = with_points({drift, energy, time, drift_law, energy_law})});
   page.text(
       R"(Of these β the drift is least at @, the loss of energy at @, the error of the period at @. (Where a curve

@@ -74,7 +74,7 @@ Chart gaps(const Setting& setting) {
     last.x.push_back(share);
     last.y.push_back(speeds.back());
   }
-  return {.x = {.label = "h, in times that a ball takes to cross a gap (1)", .scale = Scale::logarithmic},
+  return {.x = {.label = "h, in times that a ball takes to cross a gap", .scale = Scale::logarithmic},
           .y = {.label = "speed after the blow (v)"},
           .curves = {first, last},
           .references = {{Reference::Across::x, 1, "h = gap/v"}}};

@@ -74,7 +74,7 @@ Chart over_ratio(const Setting& setting) {
     law.x.push_back(ratio);
     law.y.push_back(std::max(least, textbook_sinking(ratio, sweeps, beta, h)));
   }
-  return {.x = {.label = "mass of the upper box over the lower (1)", .scale = Scale::logarithmic},
+  return {.x = {.label = "mass of the upper box over the lower", .scale = Scale::logarithmic},
           .y = {.label = "upper box off its place after 7 s (m)", .scale = Scale::logarithmic},
           .curves = {cold, warm, direct, law},
           .references = {{.value = least, .label = "0.1 μm or less"}}};

@@ -235,7 +235,7 @@ void flat(const Setting& setting, Page& page) {
                R"(\lambda = \frac{\beta\,\delta/h}{\varepsilon\,(4/m_a + 2/m_c)} = @\,\mathrm{N\,s}
                   \text{ for } \varepsilon = @, \text{ where } mgh = @\,\mathrm{N\,s})",
                self_pull_by_hand(setting, strict), strict, setting.mass() * gravity * h);
-  Chart price{.x = {.label = "regularisation ε (1)", .scale = Scale::logarithmic},
+  Chart price{.x = {.label = "regularisation ε", .scale = Scale::logarithmic},
               .y = {.label = "pins part at (m/s)", .scale = Scale::logarithmic}};
   Chart gain{.x = price.x, .y = {.label = "pull of a misfit (N s)", .scale = Scale::logarithmic}};
   Curve parting{.style = CurveStyle::line_and_markers}, pull{.label = "measured", .style = CurveStyle::markers},

@@ -84,7 +84,7 @@ Errors errors(const Setting& setting, const Nutation& exact, double h) {
 
 Chart over_h(const Setting& setting, const Nutation& exact) {
   Chart chart{.x = {.label = "time step h (s)", .scale = Scale::logarithmic},
-              .y = {.label = "relative error (1)", .scale = Scale::logarithmic}};
+              .y = {.label = "relative error", .scale = Scale::logarithmic}};
   Curve period{.label = "nutation", .style = CurveStyle::line_and_markers},
       precession{.label = "precession", .style = CurveStyle::line_and_markers},
       slope{.label = "∝ h²", .style = CurveStyle::theory};

@@ -53,7 +53,7 @@ void unseen(const Setting& setting, Page& page) {
              walls = knob("thickness of the wall (m)", 0.01, 1, setting.resolution);
   const int columns = static_cast<int>(speeds.values.size());
   renderer::HeatMap map{
-      .label = "share that passes (1)", .x = speeds.values, .y = walls.values, .range = {{0, 1}}};
+      .label = "share that passes", .x = speeds.values, .y = walls.values, .range = {{0, 1}}};
   const auto at = [&](int cell) {
     return FlyingBalls{.speed = speeds.values[cell % columns], .wall = walls.values[cell / columns]};
   };

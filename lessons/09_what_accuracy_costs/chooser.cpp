@@ -167,6 +167,15 @@ std::string margin_in_words(const byhand::Choice& choice, const Problem& problem
              Value(choice.margin * problem[stress], 3));
 }
 
+/// "all methods were tried up to 7500 row-solves a frame, …".
+std::string searched_in_words(const byhand::Choice& choice) {
+  return say(
+      "all methods were tried up to @ row-solves a frame@", Value(choice.searched, 2),
+      choice.searched_exactly > choice.searched
+          ? say(", and XPBD and those that solve each step exactly up to @", Value(choice.searched_exactly, 2))
+          : std::string());
+}
+
 /// How sure the answer is. With n good of n starts, at 95 % certainty the share of good ones is above 0.05^(1/n).
 std::string certainty(const byhand::Choice& choice, const std::map<Error, double>& limits) {
   const Verification& verified = choice.verified;
@@ -177,10 +186,9 @@ std::string certainty(const byhand::Choice& choice, const std::map<Error, double
   if (!limits.empty())
     text += verified.within == verified.starts ? ", and kept what you ask in all"
                                                : say(", and kept what you ask in @", verified.within);
-  return text + say(". So with 95 % certainty more than @ % of such starts go well. @ runs were made; all methods "
-                    "were tried up to @ row-solves a frame.",
+  return text + say(". So with 95 % certainty more than @ % of such starts go well. @ runs were made; @.",
                     Value(100 * std::pow(0.05, 1.0 / verified.starts), 2), choice.spent.runs,
-                    Value(choice.searched, 2));
+                    searched_in_words(choice));
 }
 
 renderer::Chart chart_of(const byhand::Choice& choice, const Problem& problem,
@@ -284,11 +292,10 @@ void chooser(Page& page, const Setting& setting) {
       page.text("The same method does not become ten times more accurate at a hundred times the cost.");
   } else {
     const bool dear = std::isfinite(wish.budget);
-    page.text("**No method here reaches that@** up to @ row-solves a frame.@", dear ? " within that time" : "",
-              Value(choice.searched, 2),
+    page.text("**No method here reaches that@**: @.@", dear ? " within that time" : "", searched_in_words(choice),
               best.outcome == Outcome::good && std::isfinite(choice.best.excess) && !limits.empty()
-                  ? say(" The nearest is @ for @: @ of what may be.", best.described(), cost_in_words(best),
-                        say("@ times", Value(choice.best.excess, 2)))
+                  ? say(" The nearest is @ for @, with @ times the error that you allow.", best.described(),
+                        cost_in_words(best), Value(choice.best.excess, 2))
                   : std::string(" No run did its duty to the end."));
   }
   if (const std::string out = passed(choice); !out.empty())
@@ -313,7 +320,7 @@ void chooser(Page& page, const Setting& setting) {
                 .measured = again.has(error) ? again[error] : INFINITY,
                 .tolerance = at_most(),
                 .claimed = choice.reached,
-                .range = "if the target was reached"});
+                .range = "targets that are reached"});
   }
   page.claim({.quantity = "initial conditions from which it does its duty",
               .unit = "1",
@@ -322,7 +329,7 @@ void chooser(Page& page, const Setting& setting) {
               .measured = static_cast<double>(choice.verified.good),
               .tolerance = absolute(0),
               .claimed = choice.reached,
-              .range = "if the target was reached"});
+              .range = "targets that are reached"});
   page.text(
       R"(Ask again for your own scene: any scene of this lesson by name, any errors (`drift`, `trajectory`, `energy`,
       `momentum`, `reaction`), one or several, and a `budget` of time a frame, such as 200us.)");

@@ -36,6 +36,7 @@ int main(int argc, char** argv) {
   lesson.step("Order is the slope", order_is_the_slope);
   lesson.deeper("The pendulums in full", five_errors);
   lesson.step("Stable is not accurate", stable_is_not_accurate);
+  lesson.deeper("Until which step a method is stable", stability);
   lesson.deeper("Energy over a thousand periods", thousand_periods);
   lesson.deeper("Motion about the vertical", in_space);
   lesson.step("Substeps or sweeps", substeps_or_sweeps);

@@ -61,7 +61,7 @@ void draw_swings(renderer::Canvas& canvas, const std::vector<Swing>& swings, con
     canvas.anchor({0, 0});
   }
   renderer::Chart chart{.x = {.label = "time (s)", .range = {{0, film_seconds}}},
-                        .y = {.label = "energy, change over mgL (1)", .range = {{-1, 0.15}}}};
+                        .y = {.label = "energy, change over mgL", .range = {{-1, 0.15}}}};
   for (const Swing& swing : swings) chart.curves.push_back(swing.energy);
   canvas.look_at_page();
   renderer::draw(canvas, chart, right);

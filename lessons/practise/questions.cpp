@@ -9,6 +9,7 @@
 #include "lessons/tutor/about.hpp"
 #include "lessons/tutor/child_process.hpp"
 #include "lessons/tutor/printed_by.hpp"
+#include "lessons/tutor/progress.hpp"
 #include "renderer/encoding.hpp"
 #include "renderer/error.hpp"
 #include "renderer/file.hpp"
@@ -26,11 +27,14 @@ std::vector<Json> questions() {
     if (!tutor::run_program(builder, {"lessons"}, tutor::Group::ours).well())
       throw renderer::EnvironmentError("the lessons could not be built");
   const fs::path folder = fs::read_symlink("/proc/self/exe").parent_path();
+  const auto& lessons = tutor::contents();
+  tutor::Progress progress("the predictions of all lessons", static_cast<int>(lessons.size()), false);
   std::vector<Json> all;
-  for (const tutor::About& lesson : tutor::contents())
-    for (const Json& question :
-         Json::parse(tutor::printed_by((folder / lesson.slug).string(), {"--questions", "--quiet"})))
-      all.push_back(question);
+  for (const tutor::About& lesson : lessons) {
+    const std::string asked = tutor::printed_by((folder / lesson.slug).string(), {"--questions", "--quiet"});
+    for (const Json& question : Json::parse(asked)) all.push_back(question);
+    progress.advance();
+  }
   return all;
 }
 

@@ -3,8 +3,6 @@
 namespace byhand::site {
 namespace {
 
-constexpr int width = 1280;
-
 /// Writes into the windows of scenes in space why they are empty.
 void explain_empty_windows(renderer::SvgCanvas& canvas) {
   canvas.clip(std::nullopt);
@@ -17,7 +15,7 @@ void explain_empty_windows(renderer::SvgCanvas& canvas) {
 }  // namespace
 
 std::string drawn(const std::string& name, const tutor::Drawing& drawing,
-                  const renderer::SvgCanvas::DrawWindow& draw_window) {
+                  const renderer::SvgCanvas::DrawWindow& draw_window, int width) {
   renderer::SvgCanvas canvas(width, name, draw_window);
   drawing(canvas);
   if (!draw_window) explain_empty_windows(canvas);

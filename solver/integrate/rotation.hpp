@@ -194,7 +194,7 @@ template <class T, class Vector>
 [[gnu::always_inline]] inline Eigen::Matrix<T, 3, 1> rotate(const Eigen::Quaternion<T>& q,
                                                             const Eigen::MatrixBase<Vector>& v) {
   const Eigen::Matrix<T, 3, 1>& u = v.template cast<T>();
-  const T x = q.x(), y = q.y(), z = q.z(), w = q.w();
+  const T &x = q.x(), &y = q.y(), &z = q.z(), &w = q.w();
   const T a = y * u.z() - z * u.y(), b = z * u.x() - x * u.z(), c = x * u.y() - y * u.x();
   const T p = a + a, r = b + b, s = c + c;
   return {u.x() + w * p + (y * s - z * r), u.y() + w * r + (z * p - x * s), u.z() + w * s + (x * r - y * p)};

@@ -23,7 +23,7 @@ using Code = std::function<Numbers(std::size_t which, const Numbers& arguments)>
 template <class T>
 constexpr std::size_t size_of_numbers() {
   static_assert(std::is_trivially_copyable_v<T> && sizeof(T) % sizeof(double) == 0, "a struct of doubles");
-  return sizeof(T) / sizeof(double);
+  return sizeof(T) / sizeof(double);  // NOLINT(bugprone-sizeof-expression): T may be double itself.
 }
 
 template <class T>

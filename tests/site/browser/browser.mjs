@@ -30,13 +30,13 @@ export const quit = async () => { await (await browser)?.close(); browser = unde
 export const launchFirefox = executablePath => puppeteer.launch({ browser: 'firefox', executablePath });
 
 // A page with what its console complained of, and every request that left the folder.
-export async function open(address, { width = 1440, height = 900, dark = false, script = true, before } = {}) {
+export async function open(address, { width = 1440, height = 900, dark = false, script = true, touch = false, before } = {}) {
   const page = await (await launch()).newPage();
   page.complaints = [];
   page.on('console', message => { if (['error', 'warn'].includes(message.type())) page.complaints.push(message.text()); });
   page.on('pageerror', error => page.complaints.push(error.message));
   page.on('requestfailed', request => page.complaints.push(`${request.url()}: ${request.failure()?.errorText}`));
-  await page.setViewport({ width, height });
+  await page.setViewport({ width, height, hasTouch: touch });
   await page.emulateMediaFeatures([
     { name: 'prefers-color-scheme', value: dark ? 'dark' : 'light' },
     { name: 'prefers-reduced-motion', value: 'reduce' },  // a smooth scroll moves what a click aims at

@@ -87,16 +87,3 @@ test('reset restores the page as it was written', async () => {
   await tab.close();
 });
 
-test('pictures can be seen beside those at the defaults', async () => {
-  const tab = await live(baumgarte);
-  await move(tab, 'beta', 0.95);
-  await tab.click('.changes .beside-defaults');
-  await tab.$eval('#step-2', step => step.scrollIntoView());
-  await settled(tab);
-  const shown = await tab.$$eval('#step-2 figure:is([data-figure], [data-film])', figures => figures.map(figure => [!!figure.querySelector('.before img[alt]'), !!figure.querySelector('.picture svg')]));
-  assert.ok(shown.length > 0 && shown.every(([before, now]) => before && now));
-  await tab.click('.changes .beside-defaults');
-  assert.equal((await tab.$$('.before')).length, 0);
-  assert.deepEqual(tab.complaints, []);
-  await tab.close();
-});
