@@ -57,6 +57,13 @@ for (const page of pages)
       await tab.close();
     });
 
+for (const lesson of lessons)
+  test(`${lesson} shows whole lines of code at 1440 pixels`, async () => {
+    const tab = await open(url(`${lesson}.html`));
+    assert.deepEqual(await tab.$$eval('.excerpt pre', all => all.filter(pre => pre.scrollWidth > pre.clientWidth).map(pre => pre.textContent)), []);
+    await tab.close();
+  });
+
 for (const page of quick ? pages.filter(page => page.startsWith('04')) : pages)
   for (const dark of [false, true])
     test(`axe-core finds nothing on ${page}, ${dark ? 'dark' : 'light'}`, async () => {
