@@ -8,7 +8,7 @@ namespace byhand::iterations {
 
 tutor::Hold in_hand(const Knobs& knobs) {
   return {
-      "chain_in_hand", "The chain, before it is released.", [knobs] {
+      "chain_in_hand", "The chain; it begins at the angle of its release.", [knobs] {
         ChainOptions chain = knobs.chain();
         chain.angle = knobs.angle() * M_PI / 180;
         const bool warm = knobs.warm() == 1;
@@ -18,7 +18,7 @@ tutor::Hold in_hand(const Knobs& knobs) {
             {.start = {rod_chain<PlaneParticle>(chain),
                        {GaussSeidel{.sweeps = knobs.sweeps, .warm_start = warm}, Baumgarte{beta}}},
              .h = knobs.h,
-             .view = {-1.1 * whole, -1.2 * whole, 2.2 * whole, 1.5 * whole},
+             .view = {-1.1 * whole, -1.1 * whole, 2.2 * whole, 1.4 * whole},
              .body = "bob",
              .unit_of_C = "m²",
              .law =

@@ -6,7 +6,8 @@ namespace byhand::baumgarte {
 
 tutor::Hold in_hand(const Setting& setting) {
   return {
-      "rod_in_hand", "A bob on a rod of the right length, at rest.", [setting] {
+      "rod_in_hand", "A bob on a rod that is corrected by β; it begins at rest, 30° from straight down.",
+      [setting] {
         const double length = setting.length(), beta = setting.beta();
         // One cold sweep, the hand's rows last: the rod answers the hand only in the next step, so that a pull of
         // the force F stretches it, by Fh²/(mβ).

@@ -22,13 +22,13 @@ Scene<PlaneBody> boxes_between_walls(double mass, const Surface& surface) {
 }  // namespace
 
 tutor::Hold in_hand(const Setting& setting) {
-  return {"boxes_in_hand", "Four boxes on the floor, two of them a stack.", [setting] {
+  return {"boxes_in_hand", "Four boxes on the floor between two walls; two of them begin as a stack.", [setting] {
             const GaussSeidel solver{.sweeps = setting.sweeps};
             return pictures::in_hand<PlaneBody>(
                 {.start = {boxes_between_walls(setting.mass, {.friction = setting.friction}),
                            {solver, Baumgarte{.beta = setting.beta, .slop = 0.005}}},
                  .h = setting.h(),
-                 .view = {-wall - 0.3, -0.4, 2 * wall + 0.6, 6},
+                 .view = {-wall - 0.3, -0.9, 2 * wall + 0.6, 6.4},
                  .body = "box",
                  .law = "A step of h must not carry a box through another; try a smaller one."});
           }};

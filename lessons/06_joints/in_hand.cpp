@@ -6,7 +6,7 @@ namespace byhand::joints {
 
 tutor::Hold in_hand(const Setting& setting) {
   return {
-      "linkage_in_hand", "The four-bar linkage, before it is let go.", [setting] {
+      "linkage_in_hand", "The four-bar linkage; it begins where it is let go.", [setting] {
         const FourBarOptions bars = bars_of(setting, radians(setting.angle()));
         const double arm = bars.arm, across = bars.coupler + 2.4 * arm;
         return pictures::in_hand<PlaneBody>(

@@ -226,7 +226,7 @@ void HeldScene<M>::draw_hand(Canvas& canvas) const {
   const Pose<M>& pose = now_.scene.bodies().pose[grip_->body];
   const Point hand = now_.scene.bodies().pose[hand_].position,
               point = anchor<M, double>(pose, in_world<M, double>(pose, grip_->arm));
-  canvas.line(point, hand, {palette::highlight, 3, Dash::dashed});
+  canvas.line(point, hand, {palette::muted, 3, Dash::dashed});
   canvas.disc(hand, 9 / canvas.camera().scale, {fade(palette::highlight, 0.5), {palette::ink, 1.8}});
 }
 
@@ -265,7 +265,7 @@ std::string HeldScene<M>::words(std::optional<double> part) const {
     const PartInWords now = in_words(*terms, static_cast<int>(*part));
     return now.formula + ". " + now.words;
   }
-  const char* most = now_.scene.count() > 1 ? "at most " : "";
+  const char* most = now_.scene.count() > (grip_ ? 3 : 1) ? "at most " : "";
   const double error = tutor::without_rounding(position_error(now_.scene).max, 1);
   return say("Time @ s: energy @ J, |C| @@ @, impulse λ|l₂| @@ N·s.", Value(now_.time, 4),
              Value(energy(now_.scene), 4), most, Value(error, 3), given_.unit_of_C, most,

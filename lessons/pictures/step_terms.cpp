@@ -57,19 +57,21 @@ StepTerms terms_of(const Simulation<M>& now, const Simulation<M>& next, double h
     terms.moves.push_back({i, h * after, turn});
   }
   add_gravity(bodies, now.scene.gravity, h);
+  std::vector<Linear<M>> pushed(bodies.size(), Linear<M>::Zero()), pulled = pushed;
   const System<M>& system = next.work.system;
   for_each_block(system, [&]<int K, Bound B>(const Block<M, K, B>& block, const Run& run) {
     const Rows<K> JV = dot(block.J, bodies.velocity[block.body1], bodies.velocity[block.body2]);
     const bool hand = next.scene.store(run.kind).kind() == typeid(Pull<M>);
-    Linear<M> rate = Linear<M>::Zero(), change1 = Linear<M>::Zero(), change2 = Linear<M>::Zero();
+    std::vector<Linear<M>>& changed = hand ? pulled : pushed;
+    Linear<M> rate = Linear<M>::Zero();
     for (int k = 0; k < K; ++k) {
       const double lambda = system.lambda[block.row + k];
       const Linear<M> l2 = block.J.l2().row(k);
       const double length = l2.norm();
       if (lambda == 0 || length == 0) continue;
       rate += JV[k] / (length * length) * l2;
-      change1 += lambda * Linear<M>(block.W.l1().row(k));
-      change2 += lambda * Linear<M>(block.W.l2().row(k));
+      changed[block.body1] += lambda * Linear<M>(block.W.l1().row(k));
+      changed[block.body2] += lambda * Linear<M>(block.W.l2().row(k));
       if (hand) continue;
       ++terms.rows;
       if (std::abs(lambda) * length <= std::abs(terms.impulse)) continue;
@@ -77,13 +79,14 @@ StepTerms terms_of(const Simulation<M>& now, const Simulation<M>& next, double h
       terms.JV = JV[k] / length;
       terms.bias = system.bias[block.row + k] / length;
     }
-    const Point at1 = bodies.pose[block.body1].position, at2 = bodies.pose[block.body2].position;
-    if (!hand && block.moves2) terms.rates.push_back({at2, rate, palette::error});
-    if (!hand && !block.moves2) terms.rates.push_back({at1, -rate, palette::error});
-    const Colour colour = hand ? palette::highlight : palette::force;
-    if (block.moves1) terms.changes.push_back({at1, change1, colour});
-    if (block.moves2) terms.changes.push_back({at2, change2, colour});
+    if (hand) return;
+    const int seen = block.moves2 ? block.body2 : block.body1;
+    terms.rates.push_back({bodies.pose[seen].position, block.moves2 ? rate : -rate, palette::error});
   });
+  for (int i = 0; i < bodies.size(); ++i) {
+    terms.changes.push_back({bodies.pose[i].position, pushed[i], palette::force});
+    terms.changes.push_back({bodies.pose[i].position, pulled[i], palette::highlight});
+  }
   return terms;
 }
 template StepTerms terms_of(const Simulation<PlaneParticle>&, const Simulation<PlaneParticle>&, double);
@@ -107,7 +110,7 @@ PartInWords in_words(const StepTerms& terms, int part) {
               palette::error};
     case 3:
       return {say("λ|l₂| = @ N·s", real(terms.impulse)),
-              terms.rows > 1 ? "M⁻¹Jᵀλ: what impulses change of V, along J; above the largest."
+              terms.rows > 1 ? "M⁻¹Jᵀλ: what all impulses change of V; above the largest of them."
                              : "M⁻¹Jᵀλ: what the impulse changes of V, along J.",
               palette::force};
     case 4:
@@ -122,8 +125,10 @@ double share_of(double part) { return eased((part - std::floor(part)) / 0.8); }
 
 void draw_part(Canvas& canvas, const StepTerms& terms, double part, double longest) {
   const int present = static_cast<int>(part);
-  const double speeds = arrow_scale(longest_of({&terms.before, &terms.after}), longest),
-               changes = arrow_scale(longest_of({&terms.gravity, &terms.rates, &terms.changes}), longest);
+  const double least = 0.2 * terms.gain;  // or rest, which is rounding, would look like motion
+  const double speeds = arrow_scale(std::max(longest_of({&terms.before, &terms.after}), least), longest),
+               changes = arrow_scale(std::max(longest_of({&terms.gravity, &terms.rates, &terms.changes}), least),
+                                     longest);
   // Each comes in with its part and stays for a while, dashed.
   const auto term = [&](int first, int last, const Arrows& arrows, double scale) {
     if (first <= present && present <= last)
@@ -139,12 +144,12 @@ void draw_part(Canvas& canvas, const StepTerms& terms, double part, double longe
   const auto [formula, words, colour] = in_words(terms, present);
   canvas.look_at_page();
   const double top = canvas.page().top();
-  canvas.text({24, top - 16}, formula, {.size = 30, .colour = colour, .anchor = Anchor::top_left, .bold = true});
-  canvas.text({24, top - 62}, words, {.size = 24, .anchor = Anchor::top_left});
+  canvas.text({24, top - 16}, formula,
+              {.size = 30, .colour = colour, .anchor = Anchor::top_left, .bold = true, .halo = 5});
+  canvas.text({24, top - 62}, words, {.size = 24, .anchor = Anchor::top_left, .halo = 5});
   canvas.look(world);
   canvas.arrow_key({24, 20}, {palette::velocity, speeds, "m/s"}, "V:");
-  if (present >= 1 && present <= 4)
-    canvas.arrow_key({canvas.page().centre().x(), 20}, {colour, changes, "m/s"}, "changes of V:");
+  if (present >= 1 && present <= 4) canvas.arrow_key({24, 46}, {colour, changes, "m/s"}, "changes of V:");
 }
 
 }  // namespace byhand::pictures

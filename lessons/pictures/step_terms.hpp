@@ -17,7 +17,7 @@ struct StepTerms {
   };
   std::vector<Arrow> before = {}, gravity = {};
   std::vector<Arrow> rates = {};    // JV, along J, of the rows with an impulse
-  std::vector<Arrow> changes = {};  // M⁻¹Jᵀλ of each row and body
+  std::vector<Arrow> changes = {};  // M⁻¹Jᵀλ of all rows, and apart the hand's
   std::vector<Arrow> after = {};
   struct Move {
     int body;

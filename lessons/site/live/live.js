@@ -603,13 +603,13 @@
       const copy = make('button', { type: 'button', textContent: 'Copy link', onclick: () => this.copy(copy) });
       const changes = [...settings].map(([name, value]) =>
         make('span', { className: 'change' }, `${name} = ${value}`, make('span', { className: 'was' }, ` (${parameters.get(name).typed})`)));
-      const press = (className, words, pressed, onclick) =>
-        make('button', { type: 'button', className, textContent: words, onclick, attributes: { 'aria-pressed': String(pressed) } });
+      const button = (className, words, onclick) => make('button', { type: 'button', className, textContent: words, onclick });
+      const pin = button('compare-with-this', 'Compare with this', () => compareWith(new Map(settings)));
       const atDefaults = !!versus && !versus.size;
-      const beside = press('beside-defaults', 'Beside the defaults', atDefaults, () => compareWith(atDefaults ? undefined : new Map()));
-      const pin = press('compare-with-this', 'Compare with this', !!versus && !atDefaults, () => compareWith(new Map(settings)));
-      const there = versus?.size ? [make('span', { className: 'beside' }, `beside ${called(versus, [...versus.keys()])} `,
-        make('button', { type: 'button', textContent: 'Stop comparing', onclick: () => compareWith(undefined) }))] : [];
+      const beside = button('beside-defaults', 'Beside the defaults', () => compareWith(atDefaults ? undefined : new Map()));
+      beside.setAttribute('aria-pressed', String(atDefaults));
+      const there = versus?.size ? [make('span', { className: 'change' }, `beside ${called(versus, [...versus.keys()])}`),
+        button('stop-comparing', 'Stop comparing', () => compareWith(undefined))] : [];
       this.element.replaceChildren(...changes, ...there, reset, pin, beside, copy);
       this.element.hidden = !settings.size && !versus;
     },

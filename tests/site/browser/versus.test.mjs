@@ -47,7 +47,7 @@ test('settings that are pinned stay beside those that change, in figures and num
 
   const ids = await tab.$$eval('[id]', all => all.map(({ id }) => id));
   assert.equal(new Set(ids).size, ids.length, 'no id is there twice');
-  await tab.evaluate(() => [...document.querySelectorAll('.changes button')].find(button => button.textContent === 'Stop comparing').click());
+  await tab.click('.changes .stop-comparing');
   await tab.waitForFunction(() => !document.querySelector('.versus'));
   assert.equal(await hash(tab), `#beta=${other}`);
   assert.deepEqual(tab.complaints, []);

@@ -57,6 +57,16 @@ for (const slug of slugs.filter(slug => !quick || existsSync(join(programs, `tol
     }
     assert.deepEqual(differing, []);
 
+    // A scene that is held goes the same way.
+    for (const { label } of about.steps) {
+      const hold = (...acts) => ({ ask: 'hold', step: label, acts, part: 3.5 });
+      const { bodies, error } = there(hold());
+      if (error) continue;  // nothing to hold in this step
+      const { x, y } = bodies.at(-1);
+      for (const request of [hold(), hold(['grab', x, y], ['move', x + 90, y - 60], ['step', 40]), hold(['release'], ['step', 40])])
+        assert.deepEqual(there(request), await here.ask(request), `step ${label}`);
+    }
+
     // Off the defaults, at steps that answer quickly.
     for (const parameter of about.parameters.filter(({ choices }) => !choices.length)) {
       const value = parameter.low + 0.37 * (parameter.high - parameter.low);
