@@ -1,11 +1,13 @@
 #include "solver/constraints/friction.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "lessons/01_jacobian/picture.hpp"
 #include "lessons/tutor/rounding.hpp"
+#include "renderer/labels.hpp"
 #include "renderer/space.hpp"
 
 // (16): the same row along a tangent; one axis in the plane, two in space.
@@ -45,30 +47,55 @@ Sliding sliding(const Settings& set, double turn) {
 
 Point3 shown(const Eigen::RowVector3d& part) { return tutor::without_rounding(Point3(part)); }
 
+/// The edges of a box alone, so that its middle is seen.
+void add_wire_box(renderer::Space& space, const Pose<SpaceBody>& pose, const Point3& sides, double thickness) {
+  const auto corner = [&](int i) {
+    const Point3 sign(i & 1 ? 0.5 : -0.5, i & 2 ? 0.5 : -0.5, i & 4 ? 0.5 : -0.5);
+    return Point3(pose.position + rotate(pose.rotation, Point3(sign.cwiseProduct(sides))));
+  };
+  for (int i = 0; i < 8; ++i)
+    for (const int bit : {1, 2, 4})
+      if (!(i & bit)) space.rod(corner(i), corner(i | bit), thickness, palette::fixed);
+}
+
 void draw_sliding(renderer::Canvas& canvas, const Settings& set) {
   const double length = set.length, shaft = 0.012 * length;
   const Sliding at = sliding(set, 0);
   renderer::Space space(renderer::fit(at.box.position, 0.62 * length, {-0.55, 1, -0.5}, canvas.page()));
   space.ground({0, 0, 0}, 2 * length, length / 4);
-  space.box(at.box.position, length * Point3(0.5, 0.4, 0.3), at.box.rotation, palette::body);
+  add_wire_box(space, at.box, length * Point3(0.5, 0.4, 0.3), 0.5 * shaft);
   const Rows<2> slip = dot(at.rows(), at.still, at.V);
   const Point3 velocity = at.friction.tangents * slip, tip = 0.3 * length * velocity.normalized();
   struct Named {
-    Point3 tip;
+    Point3 from, by;
     const char* name;
     renderer::Colour colour;
   };
-  std::vector<Named> arrows = {{0.4 * length * at.friction.tangents.col(0), "t_1", palette::constraint},
-                               {0.4 * length * at.friction.tangents.col(1), "t_2", palette::constraint},
-                               {0.4 * length * normal, "n", palette::ink}};
-  if (velocity.norm() > 0) arrows.push_back({tip, "slip", palette::velocity});
-  for (const Named& arrow : arrows) space.arrow({0, 0, shaft}, arrow.tip + shaft * normal, shaft, arrow.colour);
-  space.sphere({0, 0, shaft}, 1.6 * shaft, palette::error);
+  // l₂ and n at the corner, a₂ at the centre; a₂ is a length, drawn at the scale of r₂.
+  const Point3 corner(0, 0, shaft), centre = at.box.position;
+  const auto a2 = [&](int row) { return Point3(at.rows().a2().row(row)); };
+  std::vector<Named> arrows = {
+      {corner, 0.4 * length * at.friction.tangents.col(0), "l_2 = t_1", palette::constraint},
+      {corner, 0.4 * length * at.friction.tangents.col(1), "l_2 = t_2", palette::constraint},
+      {corner, 0.3 * length * normal, "n", palette::ink},
+      {centre, a2(0), "a_2 = r_2 × t_1", palette::constraint},
+      {centre, a2(1), "a_2 = r_2 × t_2", palette::constraint}};
+  if (velocity.norm() > 0) arrows.push_back({corner, tip, "slip", palette::velocity});
+  space.rod(centre, corner, 0.6 * shaft, palette::muted);
+  space.sphere(centre, 1.4 * shaft, palette::ink);
+  for (const Named& arrow : arrows) space.arrow(arrow.from, arrow.from + arrow.by, shaft, arrow.colour);
+  space.sphere(corner, 1.6 * shaft, palette::error);
   canvas.draw(space);
-  for (const Named& arrow : arrows) {
-    const renderer::Point end = space.project(arrow.tip), way = end - space.project({0, 0, 0});
-    canvas.text(end + 26 * way.normalized(), arrow.name, {.size = 22, .colour = arrow.colour, .halo = 3});
-  }
+  renderer::Labels labels(canvas, canvas.page());
+  for (const Named& arrow : arrows)
+    labels.avoid_path(
+        std::array<renderer::Point, 2>{space.project(arrow.from), space.project(arrow.from + arrow.by)});
+  const std::array<renderer::Point, 2> arm{space.project(centre), space.project(corner)};
+  labels.avoid_path(arm);
+  for (const Named& arrow : arrows)
+    labels.place(space.project(arrow.from + arrow.by), arrow.name, {.size = 22, .colour = arrow.colour, .halo = 3},
+                 12);
+  labels.place(0.5 * (arm[0] + arm[1]), "r_2", {.size = 22, .colour = palette::muted, .halo = 3}, 10);
 }
 
 }  // namespace
@@ -86,9 +113,11 @@ void friction(tutor::Page& page, const Settings& set) {
       set.spin() != 0 ? " and spins" : "");
   page.formula("t₁: l₂ = @, a₂ = @", R"(t_1:\; l_2 = @,\; a_2 = @)", shown(J.l2().row(0)), shown(J.a2().row(0)));
   page.formula("t₂: l₂ = @, a₂ = @", R"(t_2:\; l_2 = @,\; a_2 = @)", shown(J.l2().row(1)), shown(J.a2().row(1)));
-  page.figure("friction",
-              "A corner that slides: two tangents span the floor, and the slip is measured along both.",
-              [=](renderer::Canvas& canvas) { draw_sliding(canvas, set); });
+  page.figure(
+      "friction",
+      R"(A corner that slides: two tangents span the floor, and the slip is measured along both. l₂ acts at the
+              corner, a₂ about the centre.)",
+      [=](renderer::Canvas& canvas) { draw_sliding(canvas, set); });
   const Rows<2> slip = dot(J, at.still, at.V);
   const double step = 1e-4 / (1 + std::abs(set.spin()));
   const Rows<2> measured = (at.slip(step) - at.slip(-step)) / (2 * step);

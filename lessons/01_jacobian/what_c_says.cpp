@@ -54,7 +54,7 @@ renderer::Chart value_over_time(double length, double mass) {
 }
 
 renderer::Chart landscape(double length, double mass) {
-  constexpr int rows = 81, columns = 145;  // as the page: equal lengths along x and y
+  constexpr int rows = 121, columns = 121;
   renderer::HeatMap map{
       .label = "C (m²)", .diverging = true, .range = std::pair{-length * length, length * length}, .square = true};
   const auto place = [length](int i, int count) { return 1.5 * length / (rows / 2) * (i - count / 2); };
@@ -82,6 +82,26 @@ renderer::Chart landscape(double length, double mass) {
           .curves = {circle, slope},
           .heat_map = map,
           .annotations = {{0, 0, "anchor"}, {bob.x(), bob.y(), "bob"}}};
+}
+
+/// C along the rod's line, and its slope at the rod's length.
+renderer::Chart cut(double length, double mass) {
+  renderer::Curve bowl{.label = "C", .colour = renderer::palette::error},
+      slope{.label = "slope L", .colour = renderer::palette::constraint};
+  for (int i = 0; i <= 90; ++i) {
+    const double far = 1.5 * length * i / 90;
+    bowl.x.push_back(far);
+    bowl.y.push_back(value_at(far * from_straight_down<PlaneParticle>(three_four_five), length, mass));
+  }
+  for (const double far : {0.6 * length, 1.4 * length}) {
+    slope.x.push_back(far);
+    slope.y.push_back(length * (far - length));
+  }
+  return {.x = {.label = "distance from the anchor (m)"},
+          .y = {.label = "C (m²)"},
+          .curves = {bowl, slope},
+          .annotations = {{length, 0, "bob"}},
+          .references = {{renderer::Reference::Across::y, 0, "C = 0"}}};
 }
 
 }  // namespace
@@ -151,27 +171,25 @@ void what_c_says(tutor::Page& page, const Settings& set) {
       R"(Now move the bob by hand: out, back, along the circle, in, back. Watch C. Along the rod it changes, and
       its sign tells too long from too short. Along the circle it does not change: that is the direction in which
       the rod leaves the bob free.)");
-  page.sequence("nudge",
-                "The bob is moved by hand. C is positive outside the circle, negative inside, zero on it.",
-                tutor::Seconds{duration}, [=](renderer::Canvas& canvas, double time) {
-                  const auto [left, right] = canvas.page().inset(16).split_columns(0.5);
-                  const renderer::Chart whole = value_over_time(length, mass);
-                  canvas.look(renderer::fit({-0.7 * length, -1.4 * length, 2 * length, 1.6 * length}, left));
-                  std::vector<Point> circle;
-                  for (int i = 0; i <= 60; ++i)
-                    circle.push_back(length * from_straight_down<PlaneParticle>(-0.9 + 2.6 * i / 60));
-                  canvas.path(circle, {renderer::palette::theory, 1.6, renderer::Dash::dashed});
-                  const Point at = nudged(time, length);
-                  pictures::draw(canvas, pictures::rods_and_bobs(bob_at(at, length, mass)));
-                  const double now = value_at(at, length, mass);
-                  canvas.text(at, tutor::say("C = @ m²", tutor::Value(std::abs(now) < 1e-9 ? 0 : now, 2)),
-                              {.size = 20,
-                               .colour = renderer::palette::error,
-                               .anchor = renderer::Anchor::left,
-                               .halo = 4,
-                               .offset = {24, 22}});
-                  renderer::draw(canvas, pictures::grown_to(whole, time), right);
-                });
+  page.sequence(
+      "nudge", "The bob is moved by hand. C is positive outside the circle, negative inside, zero on it.",
+      tutor::Seconds{duration}, [=](renderer::Canvas& canvas, double time) {
+        const auto [left, right] = canvas.page().inset(16).split_columns(0.5);
+        const renderer::Chart whole = value_over_time(length, mass);
+        canvas.look(renderer::fit({-0.95 * length, -1.4 * length, 2.05 * length, 1.6 * length}, left));
+        std::vector<Point> circle;
+        for (int i = 0; i <= 60; ++i)
+          circle.push_back(length * from_straight_down<PlaneParticle>(-0.9 + 2.6 * i / 60));
+        canvas.path(circle, {renderer::palette::theory, 1.6, renderer::Dash::dashed});
+        const Point at = nudged(time, length);
+        pictures::draw(canvas, pictures::rods_and_bobs(bob_at(at, length, mass)));
+        const double now = value_at(at, length, mass);
+        canvas.look_at_page();
+        canvas.text({left.x + 8, left.top() - 8},
+                    tutor::say("C = @ m²", tutor::Value(std::abs(now) < 1e-9 ? 0 : now, 2)),
+                    {.size = 26, .colour = renderer::palette::error, .anchor = renderer::Anchor::top_left});
+        renderer::draw(canvas, pictures::grown_to(whole, time), right);
+      });
   page.text(
       R"(Put the bob anywhere and colour the place by its C. The landscape is a bowl, −½L² deep at the anchor, and
       the rod asks the bob to stay on one of its contours. This lesson is about the slope of that landscape under
@@ -179,8 +197,12 @@ void what_c_says(tutor::Page& page, const Settings& set) {
   page.figure(
       "landscape",
       R"(C over the place of the bob. Red is too long, blue too short; on the dashed contour C = 0. Arrow: the
-              slope of C under a bob at the end of its rod; it points along the rod.)",
-      landscape(length, mass));
+              slope of C under a bob at the end of its rod; it points along the rod. Right: C along that line.)",
+      [map = landscape(length, mass), along = cut(length, mass)](renderer::Canvas& canvas) {
+        const auto [left, right] = canvas.page().inset(12).split_columns(0.6, 20);
+        renderer::draw(canvas, map, left);
+        renderer::draw(canvas, along, right.inset(0, 80));
+      });
 
   double along = 0;
   for (int i = 0; i < 60; ++i)

@@ -8,6 +8,7 @@
 #include "lessons/03_iterations/textbook.hpp"
 #include "lessons/pictures/growing.hpp"
 #include "lessons/pictures/rods_and_bobs.hpp"
+#include "lessons/pictures/runs.hpp"
 #include "renderer/canvas.hpp"
 #include "solver/step.hpp"
 
@@ -106,7 +107,8 @@ void draw_runs(renderer::Canvas& canvas, const std::vector<Run>& runs, const ren
     canvas.look(camera);
     if (time < runs[i].lost_at) {
       canvas.path(right_length, {palette::muted, 1.5, renderer::Dash::dashed});
-      pictures::draw(canvas, pictures::rods_and_bobs(runs[i].chain.scene), {.bob = 6, .rod = 2.6});
+      pictures::draw(canvas, pictures::rods_and_bobs(runs[i].chain.scene),
+                     {.bob = 6, .rod = 2.6, .bodies = pictures::look_of_run(static_cast<int>(i))});
     } else {
       canvas.look_at_page();
       canvas.text(below.centre(), say("flew apart\nafter @ s", Value(runs[i].lost_at, 2)), {.size = 20});

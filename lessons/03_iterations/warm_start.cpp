@@ -8,6 +8,7 @@
 #include "lessons/03_iterations/textbook.hpp"
 #include "lessons/pictures/growing.hpp"
 #include "lessons/pictures/rods_and_bobs.hpp"
+#include "lessons/pictures/runs.hpp"
 #include "lessons/tutor/rounding.hpp"
 #include "renderer/canvas.hpp"
 #include "solver/step.hpp"
@@ -105,7 +106,9 @@ void draw_chains(renderer::Canvas& canvas, const Chain& cold, const Chain& warm,
     canvas.clip(below);
     const double spacing = pitch * camera.scale;
     pictures::draw(canvas, pictures::rods_and_bobs(chain->scene),
-                   {.bob = std::min(13.0, 0.3 * spacing), .rod = std::min(5.0, 0.15 * spacing)});
+                   {.bob = std::min(13.0, 0.3 * spacing),
+                    .rod = std::min(5.0, 0.15 * spacing),
+                    .bodies = pictures::look_of_run(i)});
     canvas.clip({});
   }
   canvas.look_at_page();

@@ -1,10 +1,13 @@
 // Step 1: an inequality, and what has to be kept at zero or above.
 
+#include <algorithm>
 #include <cmath>
 
 #include "lessons/05_contact/standing_box.hpp"
 #include "lessons/05_contact/steps.hpp"
 #include "lessons/pictures/boxes.hpp"
+#include "lessons/pictures/growing.hpp"
+#include "lessons/pictures/runs.hpp"
 #include "solver/constraints/contact.hpp"
 
 namespace byhand::contact {
@@ -19,6 +22,7 @@ constexpr int shown_sweeps = 8;
 /// What a box is stood with, and what it is called.
 struct Stand {
   std::string name;
+  double width;  // [m]
   StandingBox box;
 };
 
@@ -78,13 +82,38 @@ Chart over_sweeps(const Setting& setting) {
   return chart;
 }
 
-void draw_stand(Canvas& canvas, const Stand& stand, const Rectangle& frame, double weight) {
-  const Rectangle below{frame.x, frame.y, frame.width, frame.height - 60};
+/// How far each box has turned.
+Chart turns(std::vector<Stand> stands) {
+  Chart chart{.x = {.label = "time (s)", .range = {{0, stand_seconds}}}, .y = {.label = "turned by (°)"}};
+  double low = 0, high = 0;
+  for (Stand& stand : stands) {
+    Curve curve{.label = stand.name};
+    for (; stand.box.time() < stand_seconds; stand.box.step()) {
+      const auto& rotation = stand.box.scene().bodies().pose[1].rotation;
+      curve.x.push_back(stand.box.time());
+      curve.y.push_back(degrees(std::atan2(rotation.sin, rotation.cos)));
+    }
+    const auto [least, most] = std::minmax_element(curve.y.begin(), curve.y.end());
+    low = std::min(low, *least);
+    high = std::max(high, *most);
+    chart.curves.push_back(std::move(curve));
+  }
+  const double room = 0.1 * std::max(high - low, 5.0);  // so that rounding looks like none
+  chart.y.range = {{low - room, high + room}};
+  return chart;
+}
+
+void draw_stand(Canvas& canvas, const Stand& stand, const Rectangle& frame, double weight, int number) {
+  const Rectangle below{frame.x, frame.y, frame.width, frame.height - 50};
   canvas.look_at_page();
-  canvas.text({frame.centre().x(), frame.top() - 26}, stand.name, {.size = 21});
+  canvas.text({frame.centre().x(), frame.top() - 26}, stand.name,
+              {.size = 21, .colour = palette::series(number), .bold = true});
   canvas.clip(below);
-  canvas.look(fit({-0.9, -0.3, 1.8, 1.9}, below, 0));
-  pictures::draw(canvas, pictures::shapes_of(stand.box.scene()));
+  const double half = std::max(0.9, 0.6 * stand.width);
+  canvas.look(fit({-half, -0.12, 2 * half, 1.5}, below, 0));
+  pictures::Shapes shapes = pictures::shapes_of(stand.box.scene());
+  for (auto& box : shapes.boxes) box.look = pictures::look_of_run(number);
+  pictures::draw(canvas, shapes);
   const auto& contacts = stand.box.scene().all<Contact>();
   for (std::size_t i = 0; i < stand.box.lambda().size(); ++i) {
     const Pose<PlaneBody>& pose = stand.box.scene().bodies().pose[contacts[i].at.body2];
@@ -167,9 +196,9 @@ void push_only(const Setting& setting, Page& page) {
        {"speed of the box", "(λ₁ + λ₂)/m − gh = s(1 − s)/(1 + s)² gh",
         R"(\frac{\lambda_1+\lambda_2}{m} - gh = \frac{s(1-s)}{(1+s)^2}\,gh)"}});
   std::vector<Stand> stands{
-      {"1 × 1 m, each clamped", {1, mass, h, setting.sweeps, Clamp::each, lift}},
-      {say("@ × 1 m, each clamped", width), {width, mass, h, setting.sweeps, Clamp::each, lift}},
-      {say("@ × 1 m, sum clamped", width), {width, mass, h, setting.sweeps, Clamp::sum, lift}}};
+      {"1 × 1 m, each clamped", 1, {1, mass, h, setting.sweeps, Clamp::each, lift}},
+      {say("@ × 1 m, each clamped", width), width, {width, mass, h, setting.sweeps, Clamp::each, lift}},
+      {say("@ × 1 m, sum clamped", width), width, {width, mass, h, setting.sweeps, Clamp::sum, lift}}};
   page.text(up > 0
                 ? R"(In a step of rest that is only @ m/s. But gh could be any speed: let boxes *fall* on their two
                corners from @ m, and the same share of the speed of the fall is left over, together with a turn.)"
@@ -179,15 +208,18 @@ void push_only(const Setting& setting, Page& page) {
   page.sequence(
       "hop_and_tip",
       say(R"(Three boxes fall flat from @ m, with @ a step. With each change clamped the square box @ and the box of
-          @ m @; with the sum clamped it @. Arrows: λ of the step (mgh is 0.7 m long).)",
+          @ m @; with the sum clamped it @. Arrows: λ of the step (mgh is 0.7 m
+          long).)",
           lift, several(setting.sweeps, "sweep"), fate(stands[0].box), width, fate(stands[1].box),
           fate(stands[2].box)),
-      Seconds{stand_seconds}, [stands, h, weight](Canvas& canvas, double time) mutable {
-        const auto frames = canvas.page().inset(16).cells(1, static_cast<int>(stands.size()), 16);
+      Seconds{stand_seconds}, [stands, h, weight, turned = turns(stands)](Canvas& canvas, double time) mutable {
+        const auto [above, under] = canvas.page().inset(16).split_rows(0.6, 10);
+        const auto frames = above.cells(1, static_cast<int>(stands.size()), 16);
         for (std::size_t i = 0; i < stands.size(); ++i) {
           while (stands[i].box.time() < time - 0.5 * h) stands[i].box.step();
-          draw_stand(canvas, stands[i], frames[i], weight);
+          draw_stand(canvas, stands[i], frames[i], weight, static_cast<int>(i));
         }
+        renderer::draw(canvas, pictures::grown_to(turned, time), under);
       });
   page.text(
       R"(A test with a square box would not find the mistake. A push at one corner of it turns it so much that the

@@ -163,7 +163,7 @@ Chart shifts(const std::vector<NamedPile>& runs, double h) {
               .y = {.label = "top box is off by (m)", .scale = Scale::logarithmic, .range = {{1e-6, 100}}}};
   for (NamedPile run : runs) {
     Curve curve{.label = run.name};
-    while (run.pile.time < hurry * stack_seconds) {
+    while (run.pile.time < hurry * stack_seconds && !has_fallen(run.pile)) {
       run.pile.step(h);
       curve.x.push_back(run.pile.time);
       curve.y.push_back(std::max(1e-6, shift(run.pile)));
@@ -177,12 +177,16 @@ Chart shifts(const std::vector<NamedPile>& runs, double h) {
 void draw_runs(Canvas& canvas, const std::vector<NamedPile>& runs, const Rectangle& frame, int boxes) {
   const auto cells = frame.cells(1, static_cast<int>(runs.size()), 8);
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    const Rectangle below{cells[i].x, cells[i].y, cells[i].width, cells[i].height - 36};
+    const Rectangle below{cells[i].x, cells[i].y + 28, cells[i].width, cells[i].height - 64};
     canvas.look_at_page();
     canvas.text({cells[i].centre().x(), cells[i].top() - 16}, runs[i].name,
                 {.size = 20, .colour = palette::series(static_cast<int>(i)), .bold = true});
+    if (has_fallen(runs[i].pile))
+      canvas.text({cells[i].centre().x(), cells[i].y + 12}, say("falls after @ s", Value(runs[i].pile.time, 3)),
+                  {.size = 18, .colour = palette::error, .bold = true});
     canvas.clip(below);
-    canvas.look(fit({-0.16 * boxes, -0.03 * boxes, 0.32 * boxes, 1.06 * boxes}, below, 0));
+    const double aside = std::max(0.27 * boxes, 1.2);
+    canvas.look(fit({-aside, -0.03 * boxes, 2 * aside, 1.06 * boxes}, below, 0));
     pictures::Shapes shapes = pictures::shapes_of(runs[i].pile.scene);
     for (auto& box : shapes.boxes) {
       box.look = pictures::look_of_run(static_cast<int>(i));
@@ -267,12 +271,12 @@ void stack_of_boxes(const Setting& setting, Page& page) {
   const Chart chart = shifts(runs, h);
   page.sequence("stack",
                 say(R"(@ boxes after a kick, with @ and with @ warm sweeps a step, and solved directly; shown @
-                    times as fast. Right: how far the top box is from where it stood.)",
+                    times as fast, until it has fallen. Right: how far the top box is from where it stood.)",
                     n, sweeps, 2 * sweeps, hurry),
                 Seconds{stack_seconds}, [=, runs = runs](Canvas& canvas, double time) mutable {
                   for (NamedPile& run : runs)
-                    while (run.pile.time < hurry * time - 0.5 * h) run.pile.step(h);
-                  const auto [left, right] = canvas.page().inset(14).split_columns(0.56, 16);
+                    while (run.pile.time < hurry * time - 0.5 * h && !has_fallen(run.pile)) run.pile.step(h);
+                  const auto [left, right] = canvas.page().inset(14).split_columns(0.62, 16);
                   draw_runs(canvas, runs, left, n);
                   renderer::draw(canvas, pictures::grown_to(chart, hurry * time), right.inset(0, 50));
                 });

@@ -4,6 +4,8 @@
 
 #include "lessons/05_contact/steps.hpp"
 #include "lessons/pictures/boxes.hpp"
+#include "lessons/pictures/growing.hpp"
+#include "lessons/pictures/runs.hpp"
 #include "lessons/scenes/incline.hpp"
 #include "solver/step.hpp"
 
@@ -57,23 +59,42 @@ struct Slope {
 };
 
 void draw_slope(Canvas& canvas, const Slope& slope, const Rectangle& frame, const Rectangle& world, double weight,
-                double h) {
+                double h, int number) {
   canvas.look_at_page();
   const double distance = slid(slope.box, slope.angle);
   canvas.text({frame.centre().x(), frame.top() - 22}, say("@°", Value(degrees(slope.angle), 3)),
-              {.size = 24, .bold = true});
+              {.size = 24, .colour = palette::series(number), .bold = true});
   canvas.text({frame.centre().x(), frame.y + 16},
               say("has slid @ m", Value(std::abs(distance) < 5e-7 ? 0 : distance, 3)), {.size = 20});
   const Rectangle below{frame.x, frame.y + 40, frame.width, frame.height - 90};
   canvas.clip(below);
   canvas.look(fit(world, below, 0));
-  pictures::draw(canvas, pictures::shapes_of(slope.box.scene));
+  pictures::Shapes shapes = pictures::shapes_of(slope.box.scene);
+  for (auto& box : shapes.boxes) box.look = pictures::look_of_run(number);
+  pictures::draw(canvas, shapes);
   if (slope.box.time > 0)
     pictures::draw(canvas, pictures::pushes(slope.box.scene, slope.box.work.system),
                    {palette::force, 0.9 / (weight * h), "mg"});
   canvas.vector(slope.box.scene.bodies().pose[1].position, Point(0, -weight), {palette::muted, 0.9 / weight, "N"});
   canvas.clip({});
   canvas.look_at_page();
+}
+
+Chart ways_over_time(const std::vector<Slope>& slopes, double friction, double h) {
+  Chart chart{.x = {.label = "time (s)", .range = {{0, slide_seconds}}}, .y = {.label = "slid (m)"}};
+  std::vector<Curve> laws;
+  for (Slope slope : slopes) {
+    Curve run{.label = say("@°", Value(degrees(slope.angle), 3))}, law{.style = CurveStyle::theory};
+    for (; slope.box.time < slide_seconds + 0.5 * h; slope.box.step(h)) {
+      for (Curve* curve : {&run, &law}) curve->x.push_back(slope.box.time);
+      run.y.push_back(slid(slope.box, slope.angle));
+      law.y.push_back(law_of_sliding(slope.angle, friction, slope.box.time, h));
+    }
+    chart.curves.push_back(std::move(run));
+    laws.push_back(std::move(law));
+  }
+  chart.curves.insert(chart.curves.end(), laws.begin(), laws.end());
+  return chart;
 }
 
 Chart distances(const Setting& setting, double limit) {
@@ -121,21 +142,24 @@ void sticks_or_slides(const Setting& setting, Page& page) {
   const double farthest = law_of_sliding(slope, mu, slide_seconds, h) + 0.9;
   const double steepest = std::max(slope, limit + radians(1)), fall = farthest * std::sin(steepest);
   const Rectangle world{-0.8, -0.4 - fall, 0.8 + farthest * std::cos(slope), 1.4 + fall};
+  std::vector<Slope> slopes;
+  for (const double angle : {limit - radians(1), limit + radians(1), slope})
+    slopes.push_back({angle, on_slope(setting, angle)});
   page.sequence(
       "three_slopes",
       say(R"(μ = @: one degree below tanθ = μ, one degree above, and @°. Orange: the contacts' forces, normal and
-          friction in one; grey: the weight. Where the box sticks they cancel.)",
+          friction in one; grey: the weight. Where the box sticks they cancel. Below: how far each has slid, dashed by
+          the formula below.)",
           setting.friction, setting.slope),
       Seconds{slide_seconds},
-      [slopes = std::vector<Slope>{{limit - radians(1), on_slope(setting, limit - radians(1))},
-                                   {limit + radians(1), on_slope(setting, limit + radians(1))},
-                                   {slope, on_slope(setting, slope)}},
-       world, h, mass](Canvas& canvas, double time) mutable {
-        const auto frames = canvas.page().inset(16).cells(1, static_cast<int>(slopes.size()), 14);
+      [slopes, ways = ways_over_time(slopes, mu, h), world, h, mass](Canvas& canvas, double time) mutable {
+        const auto [above, under] = canvas.page().inset(16).split_rows(0.62, 10);
+        const auto frames = above.cells(1, static_cast<int>(slopes.size()), 14);
         for (std::size_t i = 0; i < slopes.size(); ++i) {
           while (slopes[i].box.time < time - 0.5 * h) slopes[i].box.step(h);
-          draw_slope(canvas, slopes[i], frames[i], world, mass * gravity, h);
+          draw_slope(canvas, slopes[i], frames[i], world, mass * gravity, h, static_cast<int>(i));
         }
+        renderer::draw(canvas, pictures::grown_to(ways, time), under);
       });
   page.text(
       R"(The limit is sharp. A thousandth below it the box has moved only by rounding after a second; a thousandth

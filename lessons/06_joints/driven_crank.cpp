@@ -102,9 +102,11 @@ struct CrankFilm {
     for (const Point& at : {bar_of(pose[crank], r).from, bar_of(pose[rod], l).from, bar_of(pose[rod], l).to})
       canvas.hinge(at);
     if (machine.time > 0) {
-      const double given = machine.reaction(motor_row).torque2[0], most = ranges(moment).y.second;
+      const double given = machine.reaction(motor_row).torque2[0], most = ranges(moment).y.second,
+                   along = std::atan2(pose[crank].rotation.sin, pose[crank].rotation.cos);
       if (std::abs(given) > 0.02 * most)
-        draw_turn(canvas, {0, 0}, pi, pi + std::clamp(2 * given / most, -1.4, 1.4), 1.15 * r, {palette::force, 4});
+        draw_turn(canvas, {0, 0}, along, along + std::clamp(2 * given / most, -1.4, 1.4), 0.6 * r,
+                  {palette::force, 4});
     }
     canvas.clip({});
     canvas.look_at_page();

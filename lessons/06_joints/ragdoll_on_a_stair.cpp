@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <memory>
+#include <set>
+#include <utility>
 
 #include "lessons/06_joints/runs.hpp"
 #include "lessons/06_joints/steps.hpp"
@@ -52,6 +54,19 @@ double least_of_stops(const Doll& doll) {
   return least;
 }
 
+/// The bodies of each joint at which a stop pushed in the last step.
+std::set<std::pair<int, int>> pushing_stops(const Doll& doll) {
+  std::set<std::pair<int, int>> joints;
+  if (doll.time == 0) return joints;
+  const auto& [lambda, row_of] = std::tie(doll.work.system.lambda, doll.work.system.row_of);
+  for (int place = 0; place < doll.scene.lasting(); ++place) {
+    const auto& entry = doll.scene.entries()[place];
+    if (doll.scene.get_if<Limit<PlaneBody, Turn>>(place) && lambda[row_of[place]] > 0)
+      joints.insert({entry.body1, entry.body2});
+  }
+  return joints;
+}
+
 /// What ground and stairs carry, upright [N].
 double carried(const Doll& doll) {
   double sum = 0;
@@ -79,14 +94,21 @@ void ragdoll_on_a_stair(const Setting&, Page& page) {
       on a stair. No line of the solver is about ragdolls. (@ a step of @ s, β = @, @ mm of slop.))",
       Value(weight / gravity, 3), several(sweeps, "sweep"), Value(step, 3), 0.2, 1);
   page.sequence(
-      "ragdoll", "Head, torso, arms and legs are boxes; each joint is a pin with two stops.",
+      "ragdoll",
+      R"(Head, torso, arms and legs are boxes; each joint is a pin with two stops. Orange: a joint at which a stop
+      pushes.)",
       Seconds{fall_seconds}, [doll = start](Canvas& canvas, double time) mutable {
         advance_to(doll, time, step);
-        canvas.look(fit({-1.5, -0.15, 4.6, 3.3}, canvas.page(), 0));
+        canvas.look(fit({-0.9, -0.15, 4.3, 3.1}, canvas.page(), 0));
         pictures::draw(canvas, pictures::shapes_of(doll.scene));
+        const std::set<std::pair<int, int>> stopped = pushing_stops(doll);
         for (const auto& joint : doll.scene.all<Pin>()) {
           const Pose<PlaneBody>& pose = doll.scene.bodies().pose[joint.at.body2];
-          canvas.hinge(anchor<PlaneBody, double>(pose, in_world<PlaneBody, double>(pose, joint.at.arms.second)));
+          const Point at =
+              anchor<PlaneBody, double>(pose, in_world<PlaneBody, double>(pose, joint.at.arms.second));
+          if (stopped.contains({joint.at.body1, joint.at.body2}))
+            canvas.disc(at, 14 / canvas.camera().scale, {palette::force, {palette::ink, 1.4}});
+          canvas.hinge(at);
         }
         canvas.look_at_page();
       });

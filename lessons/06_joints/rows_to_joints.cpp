@@ -4,6 +4,7 @@
 
 #include "lessons/06_joints/mechanism.hpp"
 #include "lessons/06_joints/number_grid.hpp"
+#include "lessons/06_joints/rows_adding_up.hpp"
 #include "lessons/06_joints/samples.hpp"
 #include "lessons/06_joints/steps.hpp"
 #include "lessons/scenes/rod.hpp"
@@ -127,6 +128,7 @@ void rows_to_joints(const Setting& setting, Page& page) {
       and it is a **weld**. Keep that row and one across a rail, and it is a **slider**, free along the rail. For K
       rows (17) becomes K equations for K numbers, and the effective mass a K × K block: A = JM⁻¹Jᵀ is inverted as a
       whole.)");
+  rows_adding_up(setting, page);
   page.figure("joints",
               say(R"(Two bars of @ m and @ kg, four ways to join them, and the numbers that say so: above J with a
                   column for each of the two bodies' velocities, below A = JM⁻¹Jᵀ (1/kg, 1/(kg m) and 1/(kg m²)).

@@ -5,6 +5,7 @@
 
 #include "lessons/07_space/steps.hpp"
 #include "lessons/07_space/thrown.hpp"
+#include "lessons/07_space/turning_with_the_body.hpp"
 #include "lessons/exact/free_top.hpp"
 #include "lessons/pictures/space_scene.hpp"
 #include "renderer/labels.hpp"
@@ -96,6 +97,7 @@ void left_out(const Setting& setting, Page& page) {
   page.text(
       R"(So ω turns without any force, unless Iω and ω have the same direction. That is the *gyroscopic term*. It is no
       constraint and has no row; a step must add it, as it adds gravity. The article's step does not.)");
+  turning_with_the_body(setting, careless, page);
   const auto flipped = flips_of(flight).size();
   page.choose(
       {.ask =

@@ -14,7 +14,10 @@ Eigen::Vector3d first_spin(const Setting& setting, double wobble) {
 }
 
 Flight thrown(const Setting& setting, double wobble, Gyroscopic choice, double seconds) {
-  const double h = setting.h;
+  return thrown(setting, wobble, choice, seconds, setting.h);
+}
+
+Flight thrown(const Setting& setting, double wobble, Gyroscopic choice, double seconds, double h) {
   const Eigen::Vector3d spin = first_spin(setting, wobble);
   Simulation<SpaceBody> book{free_top(moments_of(setting), spin), {Direct{}, NoDriftCure{}}};
   book.method.gyroscopic = choice;

@@ -30,6 +30,8 @@ using Flight = std::vector<Instant>;
 /// The flight without gravity, from its start on, one instant a step. It ends early once the spin passes a
 /// hundredfold of what it was.
 Flight thrown(const Setting& setting, double wobble, Gyroscopic choice, double seconds);
+/// The same with steps of `h` [s].
+Flight thrown(const Setting& setting, double wobble, Gyroscopic choice, double seconds, double h);
 
 /// The last instant of a flight by `time` [s].
 const Instant& at(const Flight& flight, double time);

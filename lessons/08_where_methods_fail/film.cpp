@@ -1,5 +1,7 @@
 #include "lessons/08_where_methods_fail/film.hpp"
 
+#include <algorithm>
+
 namespace byhand::failures {
 
 void draw_cell(renderer::Canvas& canvas, const renderer::Rectangle& cell, const renderer::Rectangle& view,
@@ -14,8 +16,9 @@ void draw_cell(renderer::Canvas& canvas, const renderer::Rectangle& cell, const 
   draw();
   canvas.clip({});
   canvas.look_at_page();
-  canvas.text({middle, cell.y + 14}, words,
-              {.size = 18, .colour = failed ? palette::error : palette::muted, .bold = failed});
+  renderer::TextStyle style{.size = 18, .colour = failed ? palette::error : palette::muted, .bold = failed};
+  style.size *= std::min(1.0, cell.width / canvas.measure({0, 0}, words, style).width);
+  canvas.text({middle, cell.y + 14}, words, style);
 }
 
 }  // namespace byhand::failures

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lessons/pictures/growing.hpp"
+#include "lessons/pictures/runs.hpp"
 #include "lessons/tutor/page.hpp"
 #include "renderer/canvas.hpp"
 #include "solver/step.hpp"
@@ -25,15 +26,15 @@ struct Take {
 template <class M>
 struct Shooting {
   std::vector<Take<M>> takes = {};
-  renderer::Rectangle view = {};                                      // of the world [m]
-  double seconds = 3.5;                                               // of film
-  double hurry = 1;                                                   // seconds of the scene in one of the film
-  renderer::Axis gauge = {};                                          // what the chart beside shows
-  std::function<double(const Scene<M>&)> read = {};                   // and how it is read off the scene
-  std::vector<renderer::Curve> laws = {};                             // drawn over it
-  std::function<bool(const Scene<M>&)> failed = {};                   // where a run stops
-  std::string failure = {}, success = {};                             // its words: "falls" or "stands"
-  std::function<void(renderer::Canvas&, const Scene<M>&)> draw = {};  // in the world
+  renderer::Rectangle view = {};                     // of the world [m]
+  double seconds = 3.5;                              // of film
+  double hurry = 1;                                  // seconds of the scene in one of the film
+  renderer::Axis gauge = {};                         // what the chart beside shows
+  std::function<double(const Scene<M>&)> read = {};  // and how it is read off the scene
+  std::vector<renderer::Curve> laws = {};            // drawn over it
+  std::function<bool(const Scene<M>&)> failed = {};  // where a run stops
+  std::string failure = {}, success = {};            // its words: "falls" or "stands"
+  std::function<void(renderer::Canvas&, const Scene<M>&, const renderer::Look& bodies)> draw = {};  // in the world
 };
 
 /// Draws a run's cell on the page: its name above, what is said of it below, the scene by `draw` in between.
@@ -95,7 +96,7 @@ template <class M>
 tutor::FrameDrawing Film<M>::drawing() const {
   return [film = *this, takes = plan_.takes](renderer::Canvas& canvas, double time) mutable {
     const Shooting<M>& plan = film.plan_;
-    const auto [left, right] = canvas.page().inset(14).split_columns(0.58, 16);
+    const auto [left, right] = canvas.page().inset(14).split_columns(0.64, 16);
     const auto cells = left.cells(1, static_cast<int>(takes.size()), 8);
     for (int i = 0; i < static_cast<int>(takes.size()); ++i) {
       Simulation<M>& run = takes[i].run;
@@ -103,7 +104,7 @@ tutor::FrameDrawing Film<M>::drawing() const {
       const bool failed = plan.failed(run.scene);
       draw_cell(canvas, cells[i], plan.view, i, takes[i].name,
                 failed ? film.fate(i) : tutor::say("@ s", tutor::Value(run.time, 2)), failed,
-                [&] { plan.draw(canvas, run.scene); });
+                [&] { plan.draw(canvas, run.scene, pictures::look_of_run(i)); });
     }
     renderer::draw(canvas, pictures::grown_to(film.gauges_, plan.hurry * time + 1e-9), right.inset(0, 40));
   };

@@ -50,8 +50,8 @@ Film<PlaneParticle> film(int links, int sweeps, double beta) {
        .failure = "is torn apart",
        .success = "holds",
        .draw =
-           [](renderer::Canvas& canvas, const Scene<PlaneParticle>& chain) {
-             pictures::draw(canvas, pictures::rods_and_bobs(chain), {.bob = 7, .rod = 4});
+           [](renderer::Canvas& canvas, const Scene<PlaneParticle>& chain, const renderer::Look& look) {
+             pictures::draw(canvas, pictures::rods_and_bobs(chain), {.bob = 7, .rod = 4, .bodies = look});
            }});
 }
 

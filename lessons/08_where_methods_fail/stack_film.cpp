@@ -9,7 +9,7 @@ Film<PlaneBody> film_of_stacks(int boxes, const std::vector<SolvedStack>& stacks
   kick(kicked, 0.02);
   const double height = boxes;
   Shooting<PlaneBody> shooting{
-      .view = {-0.19 * height, -0.03 * height, 0.38 * height, 1.06 * height},
+      .view = {-0.33 * height, -0.03 * height, 0.66 * height, 1.06 * height},
       .hurry = hurry,
       .gauge = {.label = "top box is off by (m)", .scale = renderer::Scale::logarithmic, .range = {{1e-5, 100}}},
       .read = [](const Scene<PlaneBody>& scene) { return std::abs(scene.bodies().pose.back().position.x()); },
@@ -18,9 +18,9 @@ Film<PlaneBody> film_of_stacks(int boxes, const std::vector<SolvedStack>& stacks
       .failure = "falls",
       .success = "stands",
       .draw =
-          [](renderer::Canvas& canvas, const Scene<PlaneBody>& scene) {
+          [](renderer::Canvas& canvas, const Scene<PlaneBody>& scene, const renderer::Look& look) {
             pictures::Shapes shapes = pictures::shapes_of(scene);
-            for (auto& box : shapes.boxes) box.look.edge.width = 1;
+            for (auto& box : shapes.boxes) box.look = {look.fill, {look.edge.colour, 1}};
             pictures::draw(canvas, shapes);
           }};
   for (const SolvedStack& solved : stacks) shooting.takes.push_back({solved.name, {kicked, solved.method}});

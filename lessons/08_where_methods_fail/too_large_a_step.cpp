@@ -54,9 +54,9 @@ Film<PlaneParticle> film(double end_mass, int sweeps) {
        .failure = "is torn apart",
        .success = "holds",
        .draw =
-           [end_mass](renderer::Canvas& canvas, const Scene<PlaneParticle>& scene) {
+           [end_mass](renderer::Canvas& canvas, const Scene<PlaneParticle>& scene, const renderer::Look& look) {
              pictures::draw(canvas, pictures::rods_and_bobs(scene),
-                            {.bob = std::min(6.0, 34 / std::cbrt(end_mass)), .rod = 3});
+                            {.bob = std::min(6.0, 34 / std::cbrt(end_mass)), .rod = 3, .bodies = look});
            }});
 }
 

@@ -87,8 +87,10 @@ Film<PlaneParticle> rounds() {
        .failed = [](const Scene<PlaneParticle>&) { return false; },
        .failure = "stops",
        .success = "goes round",
-       .draw = [](renderer::Canvas& canvas,
-                  const Scene<PlaneParticle>& scene) { pictures::draw(canvas, pictures::rods_and_bobs(scene)); }});
+       .draw =
+           [](renderer::Canvas& canvas, const Scene<PlaneParticle>& scene, const renderer::Look& look) {
+             pictures::draw(canvas, pictures::rods_and_bobs(scene), {.bodies = look});
+           }});
 }
 
 }  // namespace

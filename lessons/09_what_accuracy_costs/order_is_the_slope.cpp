@@ -6,6 +6,7 @@
 #include "lessons/09_what_accuracy_costs/runs.hpp"
 #include "lessons/09_what_accuracy_costs/steps.hpp"
 #include "lessons/09_what_accuracy_costs/survey.hpp"
+#include "lessons/09_what_accuracy_costs/walking_down.hpp"
 #include "lessons/exact/simple_pendulum.hpp"
 
 namespace byhand::accuracy {
@@ -79,6 +80,7 @@ void order_is_the_slope(Page& page) {
   page.choose(std::move(question));
   const double first_period = gain_in_period(problem, euler, whole),
                second_period = gain_in_period(problem, rattle, {});
+  walking_down(problem, page);
   page.text(
       R"(Measure the *period* instead, from one passage through the lowest point to the next but one, and the answer
       changes: the errors are divided by @ and @. Symplectic Euler follows the orbit of a method of order two, half a

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cctype>
 #include <nlohmann/json.hpp>
 
 #include "lessons/practise/judge/grading.hpp"
@@ -166,6 +168,67 @@ TEST_F(Course, HoldsNoSolution) {
   EXPECT_EQ(
       std::filesystem::status(course() / "run_autograder").permissions() & std::filesystem::perms::owner_exec,
       std::filesystem::perms::owner_exec);
+}
+
+/// A text's tokens, a blank after each: numbers, signs and names of functions as they are, any other name, with
+/// its members, as x. Without comments, types and std::.
+std::string tokens_of(const std::string& code) {
+  const auto in_name = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '.'; };
+  std::string all;
+  for (std::size_t i = 0; i < code.size();) {
+    std::size_t end = i + 1;
+    if (code[i] == '#' || code.compare(i, 2, "//") == 0) {
+      i = std::min(code.find('\n', i), code.size());
+    } else if (in_name(code[i])) {
+      while (end < code.size() && in_name(code[end])) ++end;
+      const std::string name = code.substr(i, end - i);
+      const bool number = std::isdigit(static_cast<unsigned char>(name[0]));
+      const bool called = end < code.size() && code[end] == '(';
+      if (name == "std")
+        end += 2;
+      else if (name != "const" && name != "double")
+        all += number || called || name == "return" ? name + " " : "x ";
+      i = end;
+    } else {
+      if (!std::isspace(static_cast<unsigned char>(code[i]))) all += std::string{code[i], ' '};
+      i = end;
+    }
+  }
+  return all;
+}
+
+/// The right sides and returned values of a solution that are more than a few tokens long. Not C of a rod, which
+/// the tasks print.
+std::vector<std::string> expressions_of(const std::string& solution) {
+  const std::string tokens = tokens_of(solution);
+  std::vector<std::string> all;
+  for (const std::string begin : {"= ", "return "})
+    for (std::size_t at = tokens.find(begin); at != std::string::npos; at = tokens.find(begin, at + 1)) {
+      const std::size_t from = at + begin.size();
+      const std::string one = tokens.substr(from, tokens.find_first_of(";=", from) - from);
+      if (std::count(one.begin(), one.end(), ' ') >= 8 && one != "( dot ( x , x ) - x * x ) / 2 ")
+        all.push_back(one);
+    }
+  return all;
+}
+
+TEST_F(Course, HoldsNoFormulaOfASolution) {
+  std::map<std::string, std::string> exported;
+  for (const auto& file : std::filesystem::recursive_directory_iterator(course() / "source" / "lessons"))
+    if (file.is_regular_file()) exported[file.path().string()] = tokens_of(contents(file.path()));
+  std::size_t searched = 0;
+  for (const Exercise& each : exercises()) {
+    const std::vector<std::string> formulas = expressions_of(text_of(each.number(), "solution.cpp"));
+    for (const std::string& formula : formulas)
+      for (const auto& [file, tokens] : exported)
+        EXPECT_EQ(tokens.find(formula), std::string::npos) << file << " has " << formula << " of " << each.name;
+    searched += formulas.size();
+  }
+  EXPECT_GE(searched, 10U);
+  // What is looked for is found in the solutions themselves.
+  EXPECT_NE(tokens_of("double f() { return -(dot(row.J, V) + row.b) / row.K; }")
+                .find(expressions_of(text_of(4, "solution.cpp")).at(0)),
+            std::string::npos);
 }
 
 TEST_F(Course, OfTheSameSeedIsTheSameBytes) {

@@ -41,65 +41,6 @@ TEST(CollidePlane, SeparationIsTheLeastTranslationThatParts) {
   EXPECT_GT(overlaps, 500);
 }
 
-TEST(CollidePlane, SeparationOfBoxesApartIsTheirDistanceToOnePerCent) {
-  int apart = 0;
-  in_random_pairs(
-      [&](Random& random, const auto& first, const auto& second) {
-        const double margin = random.uniform(0, 2);
-        const auto manifold = touch(first, second, margin);
-        ASSERT_NO_FATAL_FAILURE(expect_sound(first, second, margin, manifold));
-        if (manifold.empty()) {
-          EXPECT_GT(largest_gap(first, second), margin - 1e-4);
-          return;
-        }
-        const double nearest = least_separation(manifold);
-        if (nearest <= 0) return;
-        ++apart;
-        // No direction shows a distance that is much less, and two points of theirs are that far apart.
-        EXPECT_GE(largest_gap(first, second), 0.99 * nearest - 1e-6);
-        const auto at = std::find_if(manifold.begin(), manifold.end(),
-                                     [&](const auto& point) { return point.separation == nearest; });
-        EXPECT_NEAR((at->p2 - at->p1).norm(), nearest, rounding);
-      },
-      3000);
-  EXPECT_GT(apart, 500);
-}
-
-TEST(CollidePlane, SwappedShapesGiveTheMirroredAnswer) {
-  in_random_pairs(
-      [](Random&, const auto& first, const auto& second) {
-        expect_same(touch(first, second, 1), mirrored<M>(touch(second, first, 1)), rounding);
-      },
-      3000);
-}
-
-TEST(CollidePlane, MovingBothMovesTheAnswer) {
-  in_random_pairs(
-      [](Random& random, const auto& first, const auto& second) {
-        const auto by = random.pose<M>();
-        auto expected = touch(first, second, 1);
-        expected.normal = rotate(by.rotation, expected.normal);
-        for (auto& point : expected.points)
-          point.p1 = to_world<M>(by, point.p1), point.p2 = to_world<M>(by, point.p2);
-        expect_same(touch(Solid<M>{first.shape, carried<M>(by, first.pose)},
-                          Solid<M>{second.shape, carried<M>(by, second.pose)}, 1),
-                    expected, 10 * rounding);
-      },
-      3000);
-}
-
-TEST(CollidePlane, PartingAlongTheNormalPartsByAsMuch) {
-  in_random_pairs(
-      [](Random& random, const auto& first, Solid<M> second) {
-        const auto before = touch(first, second, 0);
-        if (before.empty()) return;
-        const double by = random.uniform(0, -least_separation(before));
-        second.pose.position += by * before.normal;
-        EXPECT_NEAR(least_separation(touch(first, second, 1)), least_separation(before) + by, rounding);
-      },
-      3000);
-}
-
 TEST(CollidePlane, FeaturesStayWhileTheBoxesHardlyMove) {
   in_random_pairs(
       [](Random& random, const auto& first, Solid<M> second) {

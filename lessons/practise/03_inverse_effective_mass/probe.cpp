@@ -19,7 +19,7 @@ void probe(Probe& p, const Code& code) {
 
 void film(Film& film, const Code& code) {
   const auto K = std::get<0>(Learners::of(code));
-  RodPieces pieces = right_pieces();
+  RodPieces pieces;
   pieces.inverse_mass = [K](const BodyRow& J, const InverseMasses& W) {
     return K(J, 1 / W.m1, 1 / W.I1, 1 / W.m2, 1 / W.I2);
   };

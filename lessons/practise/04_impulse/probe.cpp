@@ -8,7 +8,7 @@ void probe(Probe& p, const Code& code) {
   const Velocities V = p.velocities("V");
   const double b = p.number("b", "m²/s", -3, 3);
   const InverseMasses W = p.inverse_masses();
-  const double K = right_pieces().inverse_mass(J, W);
+  const double K = inverse_mass_along(J, W);
 
   const double lambda = impulse(J, V, b, K);
   p.answer("lambda", "kg/s", lambda);
@@ -18,7 +18,7 @@ void probe(Probe& p, const Code& code) {
 }
 
 void film(Film& film, const Code& code) {
-  RodPieces pieces = right_pieces();
+  RodPieces pieces;
   pieces.impulse = std::get<0>(Learners::of(code));
   two_boxes(film, pieces);
 }

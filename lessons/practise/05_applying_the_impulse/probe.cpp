@@ -19,15 +19,15 @@ void probe(Probe& p, const Code& code) {
   const auto momentum = [&](const Velocities& of) { return 1 / W.m1 * of.v1 + 1 / W.m2 * of.v2; };
   p.law("the sum of the momenta along x stays", "kg m/s", momentum(after).x, momentum(V).x);
   p.law("the sum of the momenta along y stays", "kg m/s", momentum(after).y, momentum(V).y);
-  Velocities solved = V;
-  apply_impulse(solved, J, right_pieces().impulse(J, V, 0, right_pieces().inverse_mass(J, W)), W);
-  p.law("after the impulse of (17), JV = 0: J·(after − before) = −J·before", "m²/s", dot(J, solved) - dot(J, V),
+  Velocities after_17 = V;
+  apply_impulse(after_17, J, solved(J, V, W, 0).lambda, W);
+  p.law("after the impulse of (17), JV = 0: J·(after − before) = −J·before", "m²/s", dot(J, after_17) - dot(J, V),
         -dot(J, V));
 }
 
 void film(Film& film, const Code& code) {
   const auto apply = std::get<0>(Learners::of(code));
-  RodPieces pieces = right_pieces();
+  RodPieces pieces;
   pieces.apply = [apply](Velocities& V, const BodyRow& J, double lambda, const InverseMasses& W) {
     apply(V, J, lambda, W);
   };

@@ -28,11 +28,9 @@ void probe(Probe& p, const Code& code) {
 
 void film(Film& film, const Code& code) {
   const auto [step] = Learners::of(code);
-  film.title = "A bob on a rod of 2 m, let go at 90°";
+  film.title = "Bob on a rod of 2 m, let go at 90°";
   film.quantity = "distance from the anchor";
   film.unit = "m";
-  film.middle = {0, -0.8};
-  film.height = 4.5;
   Pendulum bob{{2, 0}, {}, 2, 9.81};
   for (int i = 0; i <= 240; ++i) {
     if (i % 2 == 0)

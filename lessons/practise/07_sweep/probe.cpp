@@ -18,7 +18,7 @@ void probe(Probe& p, const Code& code) {
     Row& row = rows[static_cast<std::size_t>(i)];
     row.J = p.row(name + ".J");
     row.W = over_masses(row.J, W);
-    row.K = dot(row.J, Velocities{row.W.l1, row.W.a1, row.W.l2, row.W.a2});
+    row.K = inverse_mass_along(row.J, W);
     row.b = p.number(name + ".b", "m²/s", -2, 2);
     row.lambda = p.number(name + ".lambda", "kg/s", -2, 2);
   }
@@ -45,8 +45,6 @@ void film(Film& film, const Code& code) {
   film.title = "Two rods of 1 m, the lower bob ten times as heavy, 2 sweeps a step";
   film.quantity = "length of the upper rod";
   film.unit = "m";
-  film.middle = {0, -0.8};
-  film.height = 4.5;
   constexpr double h = time_step;
   const InverseMasses masses{1 / 0.5, 0, 1 / 5.0, 0};
   Vec2 p1{1, 0}, p2{2, 0};
@@ -64,12 +62,12 @@ void film(Film& film, const Code& code) {
     V.v2.y -= 9.81 * h;
     const Vec2 d = p2 - p1;
     rows[0].J = {p1, 0, {}, 0};
-    rows[1].J = {-d, 0, d, 0};
-    rows[0].b = 0.1 / h * (dot(p1, p1) - 1) / 2;
-    rows[1].b = 0.1 / h * (dot(d, d) - 1) / 2;
+    rows[1].J = rod_slope({}, {}, d);
+    rows[0].b = -rate_that_keeps(rod_error(p1, 1), 0.9, h);
+    rows[1].b = -rate_that_keeps(rod_error(d, 1), 0.9, h);
     for (Row& row : rows) {
       row.W = over_masses(row.J, masses);
-      row.K = dot(row.J, Velocities{row.W.l1, row.W.a1, row.W.l2, row.W.a2});
+      row.K = inverse_mass_along(row.J, masses);
     }
     warm_start(rows, V);
     for (int k = 0; k < 2; ++k) sweep(rows, V);

@@ -16,7 +16,7 @@ void probe(Probe& p, const Code& code) {
 }
 
 void film(Film& film, const Code& code) {
-  RodPieces pieces = right_pieces();
+  RodPieces pieces;
   pieces.bias = std::get<0>(Learners::of(code));
   two_boxes(film, pieces);
 }

@@ -9,15 +9,17 @@ constexpr double width = 0.2, height = 1, mass = 1, inertia = mass * (width * wi
 template <class Clamp>
 std::vector<double> solve(Body& box, const std::vector<GroundContact>& contacts, double h,
                           const Clamp& clamp_contact) {
+  const InverseMasses masses{0, 0, 1 / mass, 1 / inertia};
   std::vector<double> accumulated(contacts.size(), 0.0);
   for (int pass = 0; pass < 20; ++pass)
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       const GroundContact& at = contacts[i];
-      const double K = 1 / mass + at.r.x * at.r.x / inertia;
-      const double b = at.C > 0 ? at.C / h : 0.2 / h * at.C;
-      const double applied = clamp_contact(accumulated[i], -(box.v.y + box.w * at.r.x + b) / K);
-      box.v.y += applied / mass;
-      box.w += applied * at.r.x / inertia;
+      const BodyRow J{{}, 0, {0, 1}, at.r.x};
+      Velocities V{{}, 0, box.v, box.w};
+      const double wanted = rate_that_keeps(at.C, at.C > 0 ? 0 : 0.8, h);
+      V += clamp_contact(accumulated[i], solved(J, V, masses, wanted).lambda) * over_masses(J, masses);
+      box.v = V.v2;
+      box.w = V.w2;
     }
   return accumulated;
 }
@@ -42,11 +44,9 @@ void probe(Probe& p, const Code& code) {
 
 void film(Film& film, const Code& code) {
   const auto clamp_contact = std::get<0>(Learners::of(code));
-  film.title = "A thin box, dropped flat from 30 cm";
+  film.title = "Thin box, dropped flat from 30 cm";
   film.quantity = "centre above the ground";
   film.unit = "mm";
-  film.middle = {0, 0.8};
-  film.height = 2.4;
   const Body box{.at = {0, 0.8}, .mass = mass, .inertia = inertia, .sides = {width, height}};
   box_on_ground(film, box, {0, -9.81}, 0, [&](Body& of, std::vector<GroundContact>& contacts, double h) {
     std::erase_if(contacts, [](const GroundContact& at) { return at.C > 0.1; });

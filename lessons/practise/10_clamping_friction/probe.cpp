@@ -7,9 +7,9 @@ Contact contact_at(Vec2 r, double mass, double inertia, double mu) {
   Contact c;
   const InverseMasses masses{0, 0, 1 / mass, 1 / inertia};
   const auto row = [&](Vec2 along, BodyRow& J, BodyRow& W, double& K) {
-    J = {-along, 0, along, cross(r, along)};
+    J = {-along, 0, along, dot(along, cross(1.0, r))};
     W = over_masses(J, masses);
-    K = dot(J.l2, W.l2) + J.a2 * W.a2;
+    K = inverse_mass_along(J, masses);
   };
   row({0, 1}, c.J_normal, c.W_normal, c.K_normal);
   row({1, 0}, c.J_tangent, c.W_tangent, c.K_tangent);
@@ -46,11 +46,9 @@ void probe(Probe& p, const Code& code) {
 
 void film(Film& film, const Code& code) {
   const auto solve_contact = std::get<1>(Learners::of(code));
-  film.title = "A box kicked up a slope of 20°, μ = 0.5";
+  film.title = "Box kicked up a slope of 20°, μ = 0.5";
   film.quantity = "centre above the ground";
   film.unit = "mm";
-  film.middle = {0.2, 0.5};
-  film.height = 3;
   const double mass = 2, side = 0.6, slope = 20 * std::acos(-1.0) / 180;
   const Body box{
       .at = {-0.8, side / 2}, .v = {3, 0}, .mass = mass, .inertia = mass * side * side / 6, .sides = {side, side}};

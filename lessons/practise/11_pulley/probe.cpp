@@ -29,7 +29,7 @@ void probe(Probe& p, const Code& code) {
       (60 * t);
   p.law("J is the gradient of C, so JV = dC/dt", "m/s", dot(J, V), rate);
   // Body 1 sinks by `ratio` while body 2 rises by 1: no rope is needed.
-  const Velocities runs{pulley.ratio / length(down1) * down1, 0, -1 / length(down2) * down2, 0};
+  const Velocities runs{pulley.ratio * unit(down1), 0, -unit(down2), 0};
   p.law("if the rope runs over its wheels, JV = 0: l1·v1 = −l2·v2", "m/s", dot(J.l1, runs.v1),
         -dot(J.l2, runs.v2));
   p.law("if all is shifted, C stays", "m",
@@ -45,8 +45,6 @@ void film(Film& film, const Code& code) {
   film.title = "Two boxes on a pulley of ratio 2";
   film.quantity = "length of the rope";
   film.unit = "m";
-  film.middle = {0, -0.2};
-  film.height = 4.4;
   const Pulley pulley{{-0.9, 1.6}, {0.9, 1.6}, 2, 5.5};
   Body one{.at = {-0.9, -0.3}, .mass = 1.2, .inertia = 0.05, .sides = {0.5, 0.5}};
   Body two{.at = {0.9, -0.45}, .mass = 2, .inertia = 0.1, .sides = {0.7, 0.5}};
@@ -68,9 +66,7 @@ void film(Film& film, const Code& code) {
     two.v.y -= 9.81 * h;
     const BodyRow J = jacobian(one.at, r1, two.at, r2, pulley);
     Velocities V{one.v, one.w, two.v, two.w};
-    const BodyRow W = over_masses(J, masses);
-    const double K = dot(J, Velocities{W.l1, W.a1, W.l2, W.a2});
-    V += -(dot(J, V) + 0.2 / h * value(one.at, r1, two.at, r2, pulley)) / K * W;
+    V = solved(J, V, masses, rate_that_keeps(value(one.at, r1, two.at, r2, pulley), 0.8, h)).V;
     one.v = V.v1, one.w = V.w1, two.v = V.v2, two.w = V.w2;
     for (Body* body : {&one, &two}) {
       body->at += h * body->v;

@@ -23,8 +23,6 @@ struct Frame {
 struct Film {
   std::string title;           // "Two boxes on a rod"
   std::string quantity, unit;  // of the reading
-  Vec2 middle;
-  double height = 4;  // of the world that is shown [m]
   std::vector<Frame> frames;
 };
 

@@ -225,8 +225,7 @@ std::string to_json(const Key& key) {
     for (const Shape& s : frame.shapes) shapes.push_back({int(s.kind), s.at.x, s.at.y, s.to.x, s.to.y, s.angle});
     frames.push_back({frame.reading, shapes});
   }
-  json["film"] = {{"title", film.title}, {"quantity", film.quantity}, {"unit", film.unit}, {"x", film.middle.x},
-                  {"y", film.middle.y},  {"height", film.height},     {"frames", frames}};
+  json["film"] = {{"title", film.title}, {"quantity", film.quantity}, {"unit", film.unit}, {"frames", frames}};
   return json.dump() + "\n";
 }
 
@@ -242,8 +241,7 @@ Key key_from_json(const std::string& text) {
     key.misconceptions.push_back(std::move(wrong));
   }
   const Json& film = json.at("film");
-  key.film = {
-      film.at("title"), film.at("quantity"), film.at("unit"), {film.at("x"), film.at("y")}, film.at("height"), {}};
+  key.film = {film.at("title"), film.at("quantity"), film.at("unit"), {}};
   for (const Json& frame : film.at("frames")) {
     Frame shown{{}, frame[0]};
     for (const Json& s : frame[1])

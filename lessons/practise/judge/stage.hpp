@@ -15,15 +15,31 @@ struct Body {
   Vec2 sides{0.5, 0.5};
 };
 
-/// The pieces of one step of a rod between two bodies, in the order of the article.
-struct RodPieces {
-  std::function<BodyRow(Vec2 r1, Vec2 r2, Vec2 d)> jacobian;
-  std::function<double(const BodyRow& J, const InverseMasses& W)> inverse_mass;
-  std::function<double(double C, double beta, double h)> bias;
-  std::function<double(const BodyRow& J, const Velocities& V, double b, double K)> impulse;
-  std::function<void(Velocities& V, const BodyRow& J, double lambda, const InverseMasses& W)> apply;
+/// V and λ at once from M(V' − V) = Jᵀλ and JV' = `rate`, as a system of linear equations: what a course gets is
+/// not to hold the formulas that its learners derive.
+struct Solved {
+  Velocities V;
+  double lambda = 0;
 };
-RodPieces right_pieces();
+Solved solved(const BodyRow& J, const Velocities& V, const InverseMasses& W, double rate);
+/// The row's K: how much its rate changes for an impulse of 1.
+double inverse_mass_along(const BodyRow& J, const InverseMasses& W);
+/// What an impulse of 1 changes, M⁻¹Jᵀ as a product of matrices.
+BodyRow over_masses(const BodyRow& J, const InverseMasses& W);
+/// The rate of C that leaves `kept` of it after a step.
+double rate_that_keeps(double C, double kept, double h);
+/// ½(d² − L²) of a rod, and its slope by differences.
+double rod_error(Vec2 d, double L);
+BodyRow rod_slope(Vec2 r1, Vec2 r2, Vec2 d);
+
+/// The piece of a step of a rod between two bodies that a learner wrote; the stage does the others.
+struct RodPieces {
+  std::function<BodyRow(Vec2 r1, Vec2 r2, Vec2 d)> jacobian = nullptr;
+  std::function<double(const BodyRow& J, const InverseMasses& W)> inverse_mass = nullptr;
+  std::function<double(double C, double beta, double h)> bias = nullptr;
+  std::function<double(const BodyRow& J, const Velocities& V, double b, double K)> impulse = nullptr;
+  std::function<void(Velocities& V, const BodyRow& J, double lambda, const InverseMasses& W)> apply = nullptr;
+};
 
 /// Two boxes, corner to corner on a rod that begins too long, three seconds without gravity.
 void two_boxes(Film& film, const RodPieces& pieces);
@@ -41,8 +57,6 @@ void box_on_ground(Film& film, Body box, Vec2 gravity, double slope,
 
 /// Vec2 turned by an angle [rad].
 Vec2 turned(Vec2 a, double angle);
-
-/// M⁻¹Jᵀ.
-BodyRow over_masses(const BodyRow& J, const InverseMasses& W);
+Vec2 unit(Vec2 a);
 
 }  // namespace byhand::practise

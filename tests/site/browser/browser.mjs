@@ -27,14 +27,16 @@ export const launch = () => browser ??= puppeteer.launch({
 });
 export const quit = async () => { await (await browser)?.close(); browser = undefined; };
 
+export const launchFirefox = executablePath => puppeteer.launch({ browser: 'firefox', executablePath });
+
 // A page with what its console complained of, and every request that left the folder.
-export async function open(address, { width = 1440, height = 900, dark = false, script = true, before } = {}) {
+export async function open(address, { width = 1440, height = 900, dark = false, script = true, touch = false, before } = {}) {
   const page = await (await launch()).newPage();
   page.complaints = [];
   page.on('console', message => { if (['error', 'warn'].includes(message.type())) page.complaints.push(message.text()); });
   page.on('pageerror', error => page.complaints.push(error.message));
   page.on('requestfailed', request => page.complaints.push(`${request.url()}: ${request.failure()?.errorText}`));
-  await page.setViewport({ width, height });
+  await page.setViewport({ width, height, hasTouch: touch });
   await page.emulateMediaFeatures([
     { name: 'prefers-color-scheme', value: dark ? 'dark' : 'light' },
     { name: 'prefers-reduced-motion', value: 'reduce' },  // a smooth scroll moves what a click aims at
@@ -54,6 +56,17 @@ export async function live(lesson, { hash, address = url(`${lesson}.html`, hash)
 
 // Waits until every step that is stale and in reach has been told again.
 export const settled = (page, timeout = 120_000) => page.waitForFunction(() => byhandPage.settled(), { timeout, polling: 50 });
+
+// Moves the slider of a parameter beside the first step that offers it, as the keyboard or a finger would.
+export async function move(tab, name, share) {
+  await tab.evaluate((name, share) => {
+    const slider = document.querySelector(`.setting[data-name="${name}"] input[type=range]`);
+    slider.closest('section').scrollIntoView();
+    slider.value = Math.round(slider.max * share);
+    slider.dispatchEvent(new Event('input', { bubbles: true }));
+  }, name, share);
+  await settled(tab);
+}
 
 const types = { '.html': 'text/html; charset=utf-8', '.js': 'text/javascript', '.css': 'text/css', '.svg': 'image/svg+xml', '.png': 'image/png', '.woff2': 'font/woff2' };
 export async function serve(folder = site) {
