@@ -18,8 +18,8 @@ namespace {
 constexpr int svg_height = 720;  // points
 
 // A hundredth of a point is the unit of coordinates: files stay small, and their bytes do not depend on rounding
-// in the last digits.
-std::int64_t hundredths(double value) { return std::llround(100 * value); }
+// in the last digits. Halves, which layouts give often, round up also where they miss a little.
+std::int64_t hundredths(double value) { return static_cast<std::int64_t>(std::floor(100 * value + 0.500001)); }
 
 // "12.3", "-.05", "7"
 void append(std::string& to, std::int64_t hundredths) {
@@ -118,9 +118,8 @@ class SvgCanvas::Surface : public DrawingSurface {
   void polygon(std::span<const Point> corners, Colour fill, const Pen& edge, bool sharp) override {
     const std::string data = path_data(corners);
     if (data.empty() || (fill.a == 0 && edge.width <= 0)) return;
-    // Neighbours among sharp ones, the cells of a map, differ in colour.
     if (sharp && edge.width <= 0)
-      add(fmt::format("<path d=\"{}\"{}", data, paint("fill", fill)), " shape-rendering=\"crispEdges\"");
+      add_cell(corners, fill);
     else
       add(fmt::format("<path d=\"{}z\"", data), paint("fill", fill) + pen_attributes(edge));
   }
@@ -203,6 +202,8 @@ class SvgCanvas::Surface : public DrawingSurface {
   // Neighbours that look alike: their common attributes are written once, in a group around them.
   struct Run {
     std::string look, alone, together;
+    std::string cell_begin;  // how the last element begins if it is a cell
+    PixelBox cell{};
     int size = 0;
 
     std::string written() const { return size > 1 ? "<g" + look + ">" + together + "</g>" : alone; }
@@ -214,6 +215,31 @@ class SvgCanvas::Surface : public DrawingSurface {
     run_.look = look;
     if (++run_.size == 1) run_.alone = begin + look + end;
     run_.together += begin + end;
+    run_.cell_begin.clear();
+  }
+
+  // A cell of a map or a bar, on whole pixels. Cells of one colour in a row are one path, and those side by side
+  // one rectangle of it.
+  void add_cell(std::span<const Point> corners, Colour fill) {
+    const auto [left, right] = std::ranges::minmax(corners, {}, [](const Point& p) { return p.x(); });
+    const auto [top, bottom] = std::ranges::minmax(corners, {}, [](const Point& p) { return p.y(); });
+    const auto pixels = [](double length) { return static_cast<int>(std::lround(length)); };
+    PixelBox box{pixels(left.x()), pixels(top.y()), pixels(right.x() - left.x()), pixels(bottom.y() - top.y())};
+    const std::string begin = paint("fill", fill) + " d=\"", end = "\"/>";
+    const bool goes_on = begin == run_.cell_begin;
+    const PixelBox& last = run_.cell;
+    std::string grown;  // the rectangle that it makes longer
+    if (goes_on && box.x == last.x + last.width && box.y == last.y && box.height == last.height) {
+      grown = outline(last);
+      box.x = last.x, box.width += last.width;
+    }
+    if (goes_on)
+      for (std::string* all : {&run_.alone, &run_.together})
+        all->replace(all->size() - end.size() - grown.size(), grown.size(), outline(box));
+    else
+      add("<path", " shape-rendering=\"crispEdges\"", begin + outline(box) + end);
+    run_.cell_begin = begin;
+    run_.cell = box;
   }
 
   void end_run() { body_ += std::exchange(run_, {}).written(); }

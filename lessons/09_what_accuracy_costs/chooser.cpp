@@ -16,8 +16,8 @@ namespace {
 
 using namespace tutor;
 
-constexpr std::size_t shown = 4;       // runners-up
-constexpr double finest_drift = 1e-9;  // [m]: finer ones are rounding
+constexpr std::size_t shown = 4;                       // runners-up
+constexpr double finest_drift = 1e-9, finest = 1e-11;  // of drift [m] and of other errors: less is rounding
 
 /// The scene that is asked about, and what was set that it does not have.
 struct Asked {
@@ -65,19 +65,22 @@ std::map<Error, double> limits_of(const Setting& setting) {
 
 std::string unit(Error error) { return unit_of(error) == "1" ? "" : " " + std::string(unit_of(error)); }
 
-/// "a drift of at most 0.001 m and an energy …".
+/// "a drift", "an energy".
+std::string with_article(Error error) {
+  const std::string name(name_of(error));
+  return (name.front() == 'e' ? "an " : "a ") + name;
+}
+
+/// "a drift error of at most 0.001 m and an energy …".
 std::string asked_for(const std::map<Error, double>& limits) {
   std::string text;
-  for (const auto& [error, limit] : limits) {
-    const std::string name(name_of(error));
-    text += say("@@ @ error of at most @@", text.empty() ? "" : " and ", name.front() == 'e' ? "an" : "a", name,
-                limit, unit(error));
-  }
+  for (const auto& [error, limit] : limits)
+    text += say("@@ error of at most @@", text.empty() ? "" : " and ", with_article(error), limit, unit(error));
   return text;
 }
 
 std::string in_words(double value, Error error) {
-  if (value < 1e-11) return "rounding only";
+  if (value < finest) return "rounding only";
   return say("@@", Value(value, 2), unit(error));
 }
 
@@ -90,6 +93,15 @@ std::string reached_in_words(const byhand::Point& point, const std::map<Error, d
     if (point.has(error))
       text += say("@@ @", text.empty() ? "" : ", ", std::string(name_of(error)), in_words(point[error], error));
   return text;
+}
+
+std::string law_18(const Limit& limit, const Knobs& knobs) {
+  const double worth = static_cast<double>(knobs.passes) * knobs.substeps * knobs.substeps;
+  return say("law 18: plain sweeps times substeps squared have to be more than @, and here they are @@",
+             limit.number, worth,
+             worth >= limit.sweeps   ? std::string()
+             : knobs.relaxation != 1 ? say(", which is enough with ω = @", Value(knobs.relaxation, 3))
+                                     : std::string(", with which it stood all the same"));
 }
 
 /// Why the recommended run is not cheaper, by its law's number and by runs.
@@ -106,8 +118,7 @@ std::string why(const byhand::Choice& choice, const std::map<Error, double>& lim
                ? say("law 18: sweeps would have to be more than @ a step of a frame; law 20: an exact solve holds "
                      "any column",
                      limit.number)
-               : say("law 18: sweeps times substeps squared have to be more than @, and here they are @",
-                     limit.number, static_cast<double>(knobs.passes) * knobs.substeps * knobs.substeps);
+               : law_18(limit, knobs);
   else if (limit.law == 13)
     text = say("law 13: it turns by @ in a step of a frame", limit.number);
   else
@@ -240,10 +251,12 @@ void chooser(Page& page, const Setting& setting) {
                 std::string(name_of(error)), problem.scene().title);
       return;
     }
-  if (limits.contains(Error::drift) && limits.at(Error::drift) < finest_drift) {
-    page.text("Here the program has no answer: a drift below 10⁻⁹ m cannot be told from rounding.");
-    return;
-  }
+  for (const auto& [error, limit] : limits)
+    if (const double least = error == Error::drift ? finest_drift : finest; limit < least) {
+      page.text("Here the program has no answer: @ error below @@ cannot be told from rounding.",
+                with_article(error), least, unit(error));
+      return;
+    }
   const bool by_clock = setting.budget() > 0;
   const std::string within =
       by_clock ? say(" within @ µs a frame by this machine's clock", setting.budget() * 1e6) : "";

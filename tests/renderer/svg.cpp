@@ -178,6 +178,35 @@ TEST(SvgCanvas, WritesWhatNeighboursShareOnce) {
   EXPECT_EQ(parse(svg).count.at("g"), 1);
 }
 
+TEST(SvgCanvas, JoinsCellsOfOneColour) {
+  SvgCanvas canvas(1280, "a");
+  const auto cell = [&](double x, double y, Colour colour) {
+    canvas.rectangle({x, y, 10, 10}, {colour, {{}, 0}});
+  };
+  cell(100, 620, palette::constraint);
+  cell(110, 620, palette::constraint);
+  cell(130, 620, palette::constraint);
+  cell(140, 610, palette::constraint);
+  cell(150, 610, palette::force);
+  EXPECT_THAT(
+      canvas.svg("title"),
+      testing::AllOf(HasSubstr(" d=\"M100 90h20v10h-20zM130 90h10v10h-10zM140 100h10v10h-10z\"/><path fill"),
+                     HasSubstr(" d=\"M150 100h10v10h-10z\"/></g>")));
+}
+
+TEST(SvgCanvas, RoundsAHalfAlikeWhereItMissesALittle) {
+  const auto written = [](double y) {
+    SvgCanvas canvas(1280, "a");
+    canvas.line({100, y}, {200, y});
+    return canvas.svg("title");
+  };
+  for (const double half : {350.125, 350.375, 350.625}) {
+    EXPECT_EQ(written(std::nextafter(half, 0)), written(half));
+    EXPECT_EQ(written(std::nextafter(half, 1000)), written(half));
+  }
+  EXPECT_NE(written(350.125), written(350.135));
+}
+
 TEST(SvgCanvas, EndsAGroupWhereAClipBegins) {
   SvgCanvas canvas(1280, "a");
   const auto two_lines = [&] {

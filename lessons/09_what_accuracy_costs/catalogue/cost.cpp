@@ -4,7 +4,7 @@ namespace byhand {
 
 namespace {
 
-struct Row {
+struct Calibrated {
   std::string_view family;
   Weights plane, space;
 };
@@ -12,7 +12,7 @@ struct Row {
 // g++ 12.2 -O3, x86-64: 49.3 instructions for a row-solve of Gauss–Seidel. The shares behind each line are the
 // largest by which any of the runs differs from it: 5 scenes in the plane and 4 in space, 1 to 6 substeps, 1 to 20
 // passes. Contacts are in the plane alone.
-constexpr Row table[] = {
+constexpr Calibrated table[] = {
     {"Gauss–Seidel", {1, 6.26, 0, 9.62, 0, 9.02}, {1.56, 10, 12.3, 0, 40.1, 19.7}},  // within 22 % and 14 %
     {"symmetric Gauss–Seidel",
      {1.01, 6.22, 0, 9.62, 0, 7.39},
@@ -42,8 +42,8 @@ constexpr Row table[] = {
 }  // namespace
 
 Weights weights_of(std::string_view family, bool in_space) {
-  const Row* row = &table[0];
-  for (const Row& one : table)
+  const Calibrated* row = &table[0];
+  for (const Calibrated& one : table)
     if (one.family == family) row = &one;
   return in_space ? row->space : row->plane;
 }

@@ -13,9 +13,10 @@ export const axe = require.resolve('axe-core/axe.min.js');
 
 export const site = resolve(process.env.BYHAND_SITE);
 export const quick = !!process.env.BYHAND_QUICK;
-export const lessons = readdirSync(site).filter(name => /^\d\d_.*\.html$/.test(name)).map(name => name.slice(0, -5)).sort();
+// Those that are live: lesson 10 needs engines that no browser has.
+export const lessons = readdirSync(join(site, 'live')).filter(name => /^\d\d_.*\.js$/.test(name)).map(name => name.slice(0, -3)).sort();
 export const pages = readdirSync(site).filter(name => name.endsWith('.html')).sort();
-assert.ok(lessons.length > 0, `${site} holds no lessons`);
+assert.ok(lessons.length > 0, `${site} holds no live lessons`);
 
 export const url = (page, hash = '') => pathToFileURL(join(site, page)).href + hash;
 
