@@ -13,9 +13,10 @@ constexpr char32_t no_break_space = 0xa0;
 
 bool is_digit(char32_t c) { return c >= U'0' && c <= U'9'; }
 bool is_small_greek(char32_t c) { return c >= U'α' && c <= U'ϖ'; }
+bool is_latin(char32_t c) { return (c >= U'A' && c <= U'Z') || (c >= U'a' && c <= U'z'); }
 bool is_letter(char32_t c) {
-  return (c >= U'A' && c <= U'Z') || (c >= U'a' && c <= U'z') || (c >= 0xc0 && c < 0x250 && c != U'×') ||
-         is_small_greek(c) || (c >= 0x1e00 && c < 0x1f00);
+  return is_latin(c) || c == U'\xb5' || (c >= 0xc0 && c < 0x250 && c != U'×') || is_small_greek(c) ||
+         (c >= 0x1e00 && c < 0x1f00);
 }
 bool combines(char32_t c) { return (c >= 0x300 && c <= 0x36f) || (c >= 0x20d0 && c <= 0x20ff); }
 
@@ -28,8 +29,8 @@ bool is_one_of(const std::array<Words, n>& list, Words word) {
 constexpr std::array<Words, 18> products{U"JV",  U"JM", U"gh", U"mg", U"mgh", U"mgL", U"gL", U"vh", U"kw",
                                          U"RIR", U"RI", U"hv", U"hV", U"hg",  U"mL",  U"rN", U"dt", U"ml"};
 constexpr std::array<Words, 8> functions{U"arctan", U"sin", U"cos", U"tan", U"exp", U"log", U"ln", U"max"};
-constexpr std::array<Words, 19> units{U"m",  U"s",  U"N",  U"J",  U"W",   U"kg",  U"mm", U"cm", U"km", U"ms",
-                                      U"μs", U"μm", U"Hz", U"kN", U"rad", U"deg", U"mJ", U"kJ", U"ns"};
+constexpr std::array<Words, 20> units{U"m",  U"s",  U"N",  U"J",  U"W",   U"kg",  U"mm", U"cm", U"km", U"ms",
+                                      U"μs", U"μm", U"Hz", U"kN", U"rad", U"deg", U"mJ", U"kJ", U"ns", U"\xb5s"};
 
 class LabelReader {
  public:
@@ -51,7 +52,8 @@ class LabelReader {
       const std::size_t end = end_of_word(i);
       if (begin == end) continue;
       for (const Words function : functions)
-        if (Words(text_).substr(i, end - i).starts_with(function)) begin = i + function.size();
+        if (Words(text_).substr(i, end - i).starts_with(function) && !is_latin(at(i + function.size())))  // "cost"
+          begin = i + function.size();
       if (begin < end && !is_unit_[i] && is_quantity(begin, end))
         std::fill(slanted.begin() + std::ptrdiff_t(begin), slanted.begin() + std::ptrdiff_t(end), true);
       i = end - 1;
@@ -87,10 +89,12 @@ class LabelReader {
     }
   }
 
-  // A bracket that begins at `i`, if there is nothing but units and numbers in it.
+  // A bracket that begins at `i`, if there is nothing but units and numbers in it, or a unit of its own: "(μs a
+  // frame)".
   void mark_bracket(std::size_t i) {
     const std::size_t end = text_.find(U')', i);
     if (end != text_.npos) mark_if_unit(i, end);
+    if (end_of_word(i) > i + 1) mark_units(i);
   }
 
   // The signs from `begin` to `end`, if they are nothing but units and numbers.
@@ -106,6 +110,14 @@ class LabelReader {
     std::fill(is_unit_.begin() + std::ptrdiff_t(begin), is_unit_.begin() + std::ptrdiff_t(end), true);
   }
 
+  // Whether digits stand before `i`, and a letter of the same level before them.
+  bool ends_a_name(std::size_t i) const {
+    std::size_t digits = i;
+    while (digits > 0 && is_digit(text_[digits - 1])) --digits;
+    return digits > 0 && digits < i && is_letter(text_[digits - 1]) &&
+           signs_[digits - 1].level == signs_[i].level && signs_[digits].level == signs_[i].level;
+  }
+
   bool is_quantity(std::size_t begin, std::size_t end) const {
     std::u32string word;
     for (std::size_t i = begin; i < end; ++i)
@@ -115,6 +127,7 @@ class LabelReader {
     if (word == U"T" && signs_[begin].level > 0) return false;
     if (begin > 0 && (text_[begin - 1] == U'\'' || text_[begin - 1] == U'’')) return false;  // the joint's
     if (is_digit(at(end)) && signs_[end].level == signs_[begin].level) return false;         // law B1
+    if (ends_a_name(begin)) return false;                                                    // Box2D
     return word != U"a" || at(end) != U' ' || !is_letter(at(end + 1));                       // an article
   }
 

@@ -18,8 +18,8 @@ namespace {
 constexpr int svg_height = 720;  // points
 
 // A hundredth of a point is the unit of coordinates: files stay small, and their bytes do not depend on rounding
-// in the last digits.
-std::int64_t hundredths(double value) { return std::llround(100 * value); }
+// in the last digits. Halves, which layouts give often, round up also where they miss a little.
+std::int64_t hundredths(double value) { return static_cast<std::int64_t>(std::floor(100 * value + 0.500001)); }
 
 // "12.3", "-.05", "7"
 void append(std::string& to, std::int64_t hundredths) {
@@ -101,12 +101,13 @@ class SvgCanvas::Surface : public DrawingSurface {
       : size_(size), name_(std::move(name)), draw_window_(std::move(draw_window)) {}
 
   void clear(Colour paper) override {
-    body_.clear(), clips_.clear(), windows_.clear();
+    body_.clear(), run_ = {}, clips_.clear(), windows_.clear();
     clipped_ = false;
     paper_ = paper;
   }
 
   void clip(const PixelBox& box) override {
+    end_run();
     if (std::exchange(clipped_, box != PixelBox{0, 0, size_.width, size_.height})) body_ += "</g>";
     if (!clipped_) return;
     auto known = std::find(clips_.begin(), clips_.end(), box);
@@ -117,20 +118,21 @@ class SvgCanvas::Surface : public DrawingSurface {
   void polygon(std::span<const Point> corners, Colour fill, const Pen& edge, bool sharp) override {
     const std::string data = path_data(corners);
     if (data.empty() || (fill.a == 0 && edge.width <= 0)) return;
-    body_ += fmt::format("<path d=\"{}z\"{}{}{}/>", data, paint("fill", fill), pen_attributes(edge),
-                         sharp && edge.width <= 0 ? " shape-rendering=\"crispEdges\"" : "");
+    if (sharp && edge.width <= 0)
+      add_cell(corners, fill);
+    else
+      add(fmt::format("<path d=\"{}z\"", data), paint("fill", fill) + pen_attributes(edge));
   }
 
   void disc(const Point& centre, double radius, Colour fill, const Pen& edge) override {
-    body_ += "<circle" + attribute("cx", centre.x()) + attribute("cy", centre.y()) + attribute("r", radius) +
-             paint("fill", fill) + pen_attributes(edge) + "/>";
+    add("<circle" + attribute("cx", centre.x()) + attribute("cy", centre.y()) + attribute("r", radius),
+        paint("fill", fill) + pen_attributes(edge));
   }
 
   void path(std::span<const Point> points, const Pen& pen) override {
     const auto line = [&](std::span<const Point> part, double opacity) {
       const std::string data = path_data(part);
-      if (!data.empty())
-        body_ += fmt::format("<path d=\"{}\" fill=\"none\"{}/>", data, pen_attributes(pen, opacity));
+      if (!data.empty()) add(fmt::format("<path d=\"{}\"", data), " fill=\"none\"" + pen_attributes(pen, opacity));
     };
     if (pen.opacity_at_start == pen.opacity_at_end) return line(points, pen.opacity_at_end);
     // SVG has no gradient along a path: a few parts of one opacity each.
@@ -146,19 +148,16 @@ class SvgCanvas::Surface : public DrawingSurface {
   void text(std::span<const TextLine> lines, const Lettering& how) override {
     for (const TextLine& line : lines) {
       if (line.words.empty()) continue;
-      body_ += "<text";
-      if (how.upright)
-        body_ += attribute("x", line.at.x()) + attribute("y", line.at.y());
-      else
-        body_ +=
-            fmt::format(" transform=\"translate({} {})rotate(-90)\"", decimal(line.at.x()), decimal(line.at.y()));
-      // With its length given, a line keeps its place also where another font must do.
-      body_ += attribute("font-size", how.size) +
-               attribute("textLength", text_width(line.words, how.size, how.bold)) +
-               (how.bold ? " font-weight=\"bold\"" : "") + paint("fill", how.colour);
+      const std::string place = how.upright ? attribute("x", line.at.x()) + attribute("y", line.at.y())
+                                            : fmt::format(" transform=\"translate({} {})rotate(-90)\"",
+                                                          decimal(line.at.x()), decimal(line.at.y()));
+      std::string look =
+          attribute("font-size", how.size) + (how.bold ? " font-weight=\"bold\"" : "") + paint("fill", how.colour);
       if (how.halo > 0)
-        body_ += paint("stroke", paper_) + attribute("stroke-width", 2 * how.halo) + " paint-order=\"stroke\"";
-      body_ += ">" + spans(line.words, how.size) + "</text>";
+        look += paint("stroke", paper_) + attribute("stroke-width", 2 * how.halo) + " paint-order=\"stroke\"";
+      // With its length given, a line keeps its place also where another font must do.
+      add("<text" + place + attribute("textLength", text_width(line.words, how.size, how.bold)), look,
+          ">" + spans(line.words, how.size) + "</text>");
     }
   }
 
@@ -170,6 +169,7 @@ class SvgCanvas::Surface : public DrawingSurface {
     if (frame.width <= 0 || frame.height <= 0) return;
     windows_.push_back({space, frame});
     if (!draw_window_) return;
+    end_run();
     body_ += fmt::format("<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" href=\"data:image/png;base64,{}\"/>",
                          frame.x, frame.y, frame.width, frame.height,
                          base64(draw_window_(windows_.back(), size_, paper_)));
@@ -195,10 +195,55 @@ class SvgCanvas::Surface : public DrawingSurface {
     if (!draw_window_)
       for (const Window& window : windows_) sheet += outline(window.frame);
     all += fmt::format("<path d=\"{}\"{} fill-rule=\"evenodd\"/>", sheet, paint("fill", paper_));
-    return all + body_ + (clipped_ ? "</g></svg>" : "</svg>");
+    return all + body_ + run_.written() + (clipped_ ? "</g></svg>" : "</svg>");
   }
 
  private:
+  // Neighbours that look alike: their common attributes are written once, in a group around them.
+  struct Run {
+    std::string look, alone, together;
+    std::string cell_begin;  // how the last element begins if it is a cell
+    PixelBox cell{};
+    int size = 0;
+
+    std::string written() const { return size > 1 ? "<g" + look + ">" + together + "</g>" : alone; }
+  };
+
+  // An element of three parts; `look`: attributes that it would inherit from a group.
+  void add(const std::string& begin, const std::string& look, const std::string& end = "/>") {
+    if (look != run_.look) end_run();
+    run_.look = look;
+    if (++run_.size == 1) run_.alone = begin + look + end;
+    run_.together += begin + end;
+    run_.cell_begin.clear();
+  }
+
+  // A cell of a map or a bar, on whole pixels. Cells of one colour in a row are one path, and those side by side
+  // one rectangle of it.
+  void add_cell(std::span<const Point> corners, Colour fill) {
+    const auto [left, right] = std::ranges::minmax(corners, {}, [](const Point& p) { return p.x(); });
+    const auto [top, bottom] = std::ranges::minmax(corners, {}, [](const Point& p) { return p.y(); });
+    const auto pixels = [](double length) { return static_cast<int>(std::lround(length)); };
+    PixelBox box{pixels(left.x()), pixels(top.y()), pixels(right.x() - left.x()), pixels(bottom.y() - top.y())};
+    const std::string begin = paint("fill", fill) + " d=\"", end = "\"/>";
+    const bool goes_on = begin == run_.cell_begin;
+    const PixelBox& last = run_.cell;
+    std::string grown;  // the rectangle that it makes longer
+    if (goes_on && box.x == last.x + last.width && box.y == last.y && box.height == last.height) {
+      grown = outline(last);
+      box.x = last.x, box.width += last.width;
+    }
+    if (goes_on)
+      for (std::string* all : {&run_.alone, &run_.together})
+        all->replace(all->size() - end.size() - grown.size(), grown.size(), outline(box));
+    else
+      add("<path", " shape-rendering=\"crispEdges\"", begin + outline(box) + end);
+    run_.cell_begin = begin;
+    run_.cell = box;
+  }
+
+  void end_run() { body_ += std::exchange(run_, {}).written(); }
+
   static std::string outline(const PixelBox& box) {
     return fmt::format("M{} {}h{}v{}h{}z", box.x, box.y, box.width, box.height, -box.width);
   }
@@ -227,6 +272,7 @@ class SvgCanvas::Surface : public DrawingSurface {
   DrawWindow draw_window_;
   Font font_;
   std::string body_;
+  Run run_;  // what follows it
   std::vector<PixelBox> clips_;
   std::vector<Window> windows_;
   bool clipped_ = false;

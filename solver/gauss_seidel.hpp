@@ -80,16 +80,55 @@ void prepare(const System<M>& system, BlockSolve block_solve, double relaxation,
 template <class M>
 void prepare_to_watch(const System<M>& system, double relaxation, Prepared<M>& prepared);
 
+namespace detail {
+
+/// K sums that run side by side, two at once.
+template <int K>
+class Sums {
+ public:
+  /// Begins with the numbers of a column, times `factor`.
+  explicit Sums(const double* column, double factor = 1) {
+    for (int i = 0; i < K / 2; ++i) pairs_[i] = pair(column + 2 * i) * factor;
+    if constexpr (K % 2 == 1) last_ = column[K - 1] * factor;
+  }
+  void add(const double* column, double factor) {
+    for (int i = 0; i < K / 2; ++i) pairs_[i] += pair(column + 2 * i) * factor;
+    if constexpr (K % 2 == 1) last_ += column[K - 1] * factor;
+  }
+  Rows<K> operator+(const Sums& others) const {
+    Rows<K> all;
+    for (int i = 0; i < K / 2; ++i) {
+      const Pair sum = pairs_[i] + others.pairs_[i];
+      std::memcpy(&all[2 * i], &sum, sizeof sum);
+    }
+    if constexpr (K % 2 == 1) all[K - 1] = last_ + others.last_;
+    return all;
+  }
+
+ private:
+  static Pair pair(const double* numbers) {
+    Pair both;
+    std::memcpy(&both, numbers, sizeof both);
+    return both;
+  }
+
+  Pair pairs_[K / 2 + 1];
+  double last_;
+};
+
+}  // namespace detail
+
 /// (17) for one prepared block at velocities V (dof numbers a body): the Δλ of its rows, within their bounds.
 template <bool soft, class M, int K, Bound B>
 inline Rows<K> solve(const PreparedBlock<M, K, B>& block, const double* V, const double* lambda) {
   constexpr int dof = M::dof;
   const double *v1 = V + dof * block.body1, *v2 = V + dof * block.body2;
   // Two chains of sums; body 1 comes late, for along a chain the block before has just written it.
-  Rows<K> change = block.bias, late = block.J.col(0) * v1[0];
-  for (int i = 0; i < dof; ++i) change += block.J.col(dof + i) * v2[i];
-  for (int i = 1; i < dof; ++i) late += block.J.col(i) * v1[i];
-  change += late;
+  const double* J = block.J.data();
+  detail::Sums<K> early(block.bias.data()), late(J, v1[0]);
+  for (int i = 0; i < dof; ++i) early.add(J + K * (dof + i), v2[i]);
+  for (int i = 1; i < dof; ++i) late.add(J + K * i, v1[i]);
+  Rows<K> change = early + late;
   if constexpr (soft)
     for (int k = 0; k < K; ++k)
       for (int l = 0; l < K; ++l) change[k] += block.gamma[k][l] * lambda[block.row + l];

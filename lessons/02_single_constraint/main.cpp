@@ -19,6 +19,7 @@ int main(int argc, char** argv) {
   };
 
   lesson.step("Gravity enters V first", with(gravity_first));
+  lesson.hold(in_hand(setting));
   lesson.step("The effective mass", with(effective_mass));
   lesson.step("λ: sign and size", with(lambda));
   lesson.step("What the impulse does to V", with(onto_the_tangent));

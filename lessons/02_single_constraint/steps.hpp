@@ -18,4 +18,7 @@ void gravity_after(const Setting& setting, tutor::Page& page);
 void why_velocity(const Setting& setting, tutor::Page& page);
 void rigid_rod(const Setting& setting, tutor::Page& page);
 
+/// The bob that step 1 speaks of.
+tutor::Hold in_hand(const Setting& setting);
+
 }  // namespace byhand::single_constraint

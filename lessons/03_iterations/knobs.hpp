@@ -43,4 +43,7 @@ void heavy_end(tutor::Page& page, const Knobs& knobs);
 void price_of_direct(tutor::Page& page, const Knobs& knobs);
 void limit_of_jacobi(tutor::Page& page, const Knobs& knobs);
 
+/// The chain of step 7.
+tutor::Hold in_hand(const Knobs& knobs);
+
 }  // namespace byhand::iterations

@@ -13,7 +13,8 @@ int main(int argc, char** argv) {
       .length = lesson.parameter("length", 2.0, "m", {0.1, 10}, "length of a link"),
       .mass = lesson.parameter("mass", 3.0, "kg", {0.1, 100}, "mass of a bob"),
       .h = lesson.parameter("h", 1.0 / 60, "s", {1e-3, 0.05}, "time step"),
-      .sweeps = lesson.parameter("sweeps", 10, "1", {1, 100}, "sweeps a step where a chain is stepped (step 6)"),
+      .sweeps =
+          lesson.parameter("sweeps", 10, "1", {1, 100}, "sweeps a step (step 6, and the chain to hold in step 7)"),
       .beta = lesson.parameter("beta", 0.2, "1", {0, 1}, "share of the stretch that a step corrects (step 7)"),
       .angle = lesson.parameter("angle", 20.0, "°", {1, 80}, "from which the chain is released (step 7)"),
       .start = lesson.parameter("start", "cold", {"cold", "warm"},
@@ -33,6 +34,7 @@ int main(int argc, char** argv) {
   step("A chain twice as long", twice_as_long);
   step("Cold and warm over many steps", warm_start);
   step("1, 4, 16, 64 sweeps, and direct", side_by_side);
+  lesson.hold(in_hand(knobs));
   deeper("A heavy end", heavy_end);
   deeper("What the direct solve costs", price_of_direct);
   deeper("Where Jacobi diverges", limit_of_jacobi);

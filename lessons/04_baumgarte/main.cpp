@@ -24,6 +24,7 @@ int main(int argc, char** argv) {
 
   lesson.step("Drift, and the law of how it grows", with(drift));
   lesson.step("A share β of the error in each step", with(a_share_of_the_error));
+  lesson.hold(in_hand(setting));
   lesson.step("More than all of the error", with(both_sides_of_two));
   lesson.step("Read literally, (22) has no 1/h", with(read_literally));
   lesson.step("No unit, and still a matter of frame rate", with(frame_rate));

@@ -14,4 +14,7 @@ void what_it_costs(const Setting& setting, tutor::Page& page);
 void steady_spin(const Setting& setting, tutor::Page& page);
 void the_trap(const Setting& setting, tutor::Page& page);
 
+/// A bob on the rod that step 2 corrects.
+tutor::Hold in_hand(const Setting& setting);
+
 }  // namespace byhand::baumgarte

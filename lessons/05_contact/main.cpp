@@ -31,6 +31,7 @@ int main(int argc, char** argv) {
   lesson.step("A row that may only push", with(push_only));
   lesson.step("A deep contact", with(deep_contact));
   lesson.step("Friction is bounded by the normal", with(friction_row));
+  lesson.hold(in_hand(setting));
   lesson.step("A box on a slope", with(sticks_or_slides));
   lesson.step("A bounce", with(bounce));
   lesson.step("Newton's cradle", with(cradle));

@@ -15,4 +15,7 @@ void stack_of_boxes(const Setting& setting, tutor::Page& page);
 void wall_of_boxes(const Setting& setting, tutor::Page& page);
 void heavy_on_light(const Setting& setting, tutor::Page& page);
 
+/// Boxes on the floor, with the friction of step 3.
+tutor::Hold in_hand(const Setting& setting);
+
 }  // namespace byhand::contact

@@ -188,7 +188,8 @@ void sticks_or_slides(const Setting& setting, Page& page) {
               .unit = "m",
               .expected = 0,
               .source = "it sticks",
-              .measured = slid_after(on_slope(setting, (1 - beside) * limit), (1 - beside) * limit, time, h),
+              .measured = without_rounding(
+                  slid_after(on_slope(setting, (1 - beside) * limit), (1 - beside) * limit, time, h), 1),
               .tolerance = absolute(1e-9)});
   page.claim({.quantity = "slid in 1 s a thousandth above it",
               .unit = "m",

@@ -28,6 +28,7 @@ int main(int argc, char** argv) {
   lesson.step("From rows to joints", with(rows_to_joints));
   lesson.step("Block or row", with(block_or_row));
   lesson.step("A four-bar linkage", with(four_bar_linkage));
+  lesson.hold(in_hand(setting));
   lesson.step("One row too many", with(flat));
   lesson.step("Stops and motors are bounds", with(bounds_on_turns));
   lesson.step("A motor drives a slider-crank", with(driven_crank));

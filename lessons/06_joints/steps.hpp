@@ -17,4 +17,7 @@ void soft_rows(const Setting& setting, tutor::Page& page);
 void hanging_bridge(const Setting& setting, tutor::Page& page);
 void ragdoll_on_a_stair(const Setting& setting, tutor::Page& page);
 
+/// The four-bar linkage of step 3.
+tutor::Hold in_hand(const Setting& setting);
+
 }  // namespace byhand::joints

@@ -179,8 +179,7 @@ void flips(const Setting& setting, Page& page) {
        .hints = {"To which side of a circle does a step along its tangent lead?",
                  "E = ½ω·Iω, and ω' = ω + h I⁻¹k with k·ω = 0", "E' − E = h k·ω + ½h² k·I⁻¹k"}});
   Chart energy{.x = {.label = "time (s)"}, .y = {.label = "largest |ΔE|/E", .scale = Scale::logarithmic}},
-      momentum{.x = {.label = "time (s)"},
-               .y = {.label = "largest |Δ(Iω)|/|Iω|", .scale = Scale::logarithmic}};
+      momentum{.x = {.label = "time (s)"}, .y = {.label = "largest |Δ(Iω)|/|Iω|", .scale = Scale::logarithmic}};
   for (const Kept& each : kept) {
     energy.curves.push_back(each.energy);
     momentum.curves.push_back(each.momentum);

@@ -57,6 +57,29 @@ Chart deviations(const std::vector<Line>& lines) {
     }
     chart.curves.push_back(std::move(curve));
   }
+  // Over the settings of each law: from quartile to quartile, and a ring at the median.
+  Curve quartiles{.colour = palette::ink},
+      medians{.label = "median and quartiles", .style = CurveStyle::markers, .colour = palette::ink};
+  for (auto begin = lines.begin(); begin != lines.end();) {
+    const auto end = std::find_if(begin, lines.end(), [&](const Line& line) { return line.law != begin->law; });
+    std::vector<double> all;
+    for (auto line = begin; line != end; ++line)
+      if (line->predicted > 0) all.push_back(100 * (line->measured / line->predicted - 1));
+    std::sort(all.begin(), all.end());
+    const auto at = [&](double share) {
+      return all[static_cast<std::size_t>(std::lround(share * static_cast<double>(all.size() - 1)))];
+    };
+    if (!all.empty()) {
+      const double law = begin->law;
+      quartiles.x.insert(quartiles.x.end(), {law, law, law});
+      quartiles.y.insert(quartiles.y.end(), {at(0.25), at(0.75), NAN});
+      medians.x.push_back(law);
+      medians.y.push_back(at(0.5));
+    }
+    begin = end;
+  }
+  chart.curves.push_back(std::move(quartiles));
+  chart.curves.push_back(std::move(medians));
   chart.references.push_back({.value = 0, .label = "as predicted"});
   return chart;
 }
@@ -125,7 +148,8 @@ void all_laws(const Setting&, Page& page) {
       R"(A law is worth what it predicts. So each is tried at several settings: the number that its derivation gives,
       beside the one that bisection finds by running scenes on both sides of the limit.)");
   page.figure("all_laws",
-              say(R"(@ limits of @ laws. Left: how far each measured limit lies from the predicted one. Right:
+              say(R"(@ limits of @ laws. Left: how far each measured limit lies from the predicted one, with
+                  the median and quartiles of each law. Right:
                   one setting of each law. All are in the table of claims below.)",
                   all.size(), laws.size()),
               [all](Canvas& canvas) {

@@ -52,8 +52,7 @@ void unseen(const Setting& setting, Page& page) {
   const Knob speeds = knob("speed (m/s)", 2, 100, setting.resolution),
              walls = knob("thickness of the wall (m)", 0.01, 1, setting.resolution);
   const int columns = static_cast<int>(speeds.values.size());
-  renderer::HeatMap map{
-      .label = "share that passes", .x = speeds.values, .y = walls.values, .range = {{0, 1}}};
+  renderer::HeatMap map{.label = "share that passes", .x = speeds.values, .y = walls.values, .range = {{0, 1}}};
   const auto at = [&](int cell) {
     return FlyingBalls{.speed = speeds.values[cell % columns], .wall = walls.values[cell / columns]};
   };

@@ -18,6 +18,8 @@ using namespace renderer;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double rounding = 1e-16;  // where an error of zero is drawn
 constexpr std::size_t most_curves = 7;
+constexpr int most_starts = 20;
+constexpr double budget = 1e9;  // counted cost of a chart's runs from all initial conditions
 
 std::string axis_label(Error error) {
   switch (error) {
@@ -40,11 +42,16 @@ double on_axis(const byhand::Point& point, Cost cost) {
   return cost == Cost::wall_time ? point.nanoseconds / 1000 : cost_of(point, cost);
 }
 
-/// A front without points that are nearly its neighbours.
-std::vector<byhand::Point> thinned(const std::vector<byhand::Point>& front) {
+bool needs_reference(Error error) {
+  return error != Error::drift && error != Error::energy && error != Error::momentum;
+}
+
+/// A front without points that cost less than `spacing` times as much as the one before.
+std::vector<byhand::Point> thinned(const std::vector<byhand::Point>& front, double spacing = 1.3) {
   std::vector<byhand::Point> kept;
   for (auto point = front.rbegin(); point != front.rend(); ++point)
-    if (kept.empty() || point->cost > 1.3 * kept.back().cost || &*point == &front.front()) kept.push_back(*point);
+    if (kept.empty() || point->cost > spacing * kept.back().cost || &*point == &front.front())
+      kept.push_back(*point);
   return kept;
 }
 
@@ -85,25 +92,50 @@ double quantile(const std::vector<double>& sorted, double share) {
   return sorted[static_cast<std::size_t>(std::lround(share * static_cast<double>(sorted.size() - 1)))];
 }
 
-std::vector<Spread> spread_of(const tutor::Page& page, const Survey& survey, Error error, std::string* data) {
+/// The fronts that are drawn, and from how many initial conditions.
+struct Drawn {
   std::vector<Spread> spreads;
-  for (const Family* family : chosen(survey, error))
-    spreads.push_back({family, thinned(survey.front(*family, error)), {}});
+  int starts = 1;
+};
+
+/// As many points as can be run from twenty initial conditions within a budget of counted cost; from the scene's
+/// own alone where each reference would take longer than all runs.
+Drawn drawn_of(const Survey& survey, Error error) {
+  const double duration = survey.problem.scene().duration,
+               bodies = survey.problem.start().degrees_of_freedom() / 3.0;
+  const bool alone = needs_reference(error) && survey.problem.scene().chaotic && bodies * duration > 60;
+  const int starts = alone ? 1 : most_starts;
+  Drawn drawn;
+  for (const double spacing : {1.3, 2.0, 4.0}) {
+    drawn.spreads.clear();
+    double work = 0;
+    for (const Family* family : chosen(survey, error)) {
+      drawn.spreads.push_back({family, thinned(survey.front(*family, error), spacing), {}});
+      for (const byhand::Point& point : drawn.spreads.back().points) work += point.cost * duration / frame;
+    }
+    drawn.starts = std::clamp(static_cast<int>(budget / work), 1, starts);
+    if (drawn.starts == starts) break;
+  }
+  return drawn;
+}
+
+Drawn spread_of(const tutor::Page& page, const Survey& survey, Error error, std::string* data) {
+  Drawn drawn = drawn_of(survey, error);
+  auto& [spreads, starts] = drawn;
   struct Job {
     std::size_t spread, point;
   };
   std::vector<Job> jobs;
   for (std::size_t s = 0; s < spreads.size(); ++s)
     for (std::size_t i = 0; i < spreads[s].points.size(); ++i) jobs.push_back({s, i});
-  const int starts = starts_of(survey);
   std::vector<Problem> problems;
   for (int i = 0; i < starts; ++i) problems.push_back(survey.problem.variation(i));
+  const Watch watch{.reference = needs_reference(error), .algebraic = error == Error::algebraic};
   const auto runs = page.side_by_side(static_cast<int>(jobs.size()), [&](int i) {
-    const auto [s, p] = jobs[static_cast<std::size_t>(i)];
-    const byhand::Point& point = spreads[s].points[p];
+    const Job& job = jobs[static_cast<std::size_t>(i)];
+    const byhand::Point& point = drawn.spreads[job.spread].points[job.point];
     std::vector<byhand::Point> all;
-    for (const Problem& problem : problems)
-      all.push_back(measure(problem, *point.family, point.knobs, {.algebraic = error == Error::algebraic}));
+    for (const Problem& problem : problems) all.push_back(measure(problem, *point.family, point.knobs, watch));
     return all;
   });
   for (std::size_t i = 0; i < jobs.size(); ++i) {
@@ -117,7 +149,7 @@ std::vector<Spread> spread_of(const tutor::Page& page, const Survey& survey, Err
     std::sort(found.begin(), found.end());
     spreads[jobs[i].spread].errors.push_back(std::move(found));
   }
-  return spreads;
+  return drawn;
 }
 
 Chart work_precision(const Survey& survey, const std::vector<Spread>& spreads, Error error, Cost cost) {
@@ -172,7 +204,7 @@ Chart work_precision(const Survey& survey, const std::vector<Spread>& spreads, E
   return chart;
 }
 
-std::string caption_of(const Survey& survey, Error error) {
+std::string caption_of(const Survey& survey, Error error, int starts) {
   const NamedScene& scene = survey.problem.scene();
   const double uncertainty = survey.problem.reference().uncertainty, time = survey.problem.compared_at();
   std::string caption =
@@ -183,8 +215,8 @@ std::string caption_of(const Survey& survey, Error error) {
                                            : std::string("which is exact"))
       : error == Error::reaction
           ? tutor::say(
-                R"(Force of what holds the scene, mean over the last frame before @ s, held against the reference
-                (@).)",
+                R"(Force of what holds the scene, mean over the last frame before @ s, held against a reference:
+                @.)",
                 time, scene.reference)
       : error == Error::algebraic
           ? tutor::say("Velocities after one step at @ s, against those of the direct solve of the same step.",
@@ -195,7 +227,6 @@ std::string caption_of(const Survey& survey, Error error) {
                        scene.duration);
   if (const double growth = survey.problem.reference().lyapunov_time; std::isfinite(growth))
     caption += tutor::say(" A small disturbance grows e-fold in @ s.", tutor::Value(growth, 2));
-  const int starts = starts_of(survey);
   caption +=
       starts > 1
           ? tutor::say(R"( Each curve is the best a method can do with all its choices: the median over @ initial
@@ -227,16 +258,11 @@ std::string title_of(const Problem& problem) {
   return title;
 }
 
-int starts_of(const Survey& survey) {
-  const double bodies = survey.problem.start().degrees_of_freedom() / 3.0;
-  return bodies * survey.problem.scene().duration < 60 ? 20 : 1;
-}
-
 void show(tutor::Page& page, const std::string& name, const Survey& survey, Error error) {
   std::string data = tidy_head() + tidy_rows(survey.problem, survey.points(), survey.watched);
-  const auto spreads = spread_of(page, survey, error, &data);
-  page.figure(name, caption_of(survey, error), work_precision(survey, spreads, error, Cost::counted),
-              std::move(data));
+  const Drawn drawn = spread_of(page, survey, error, &data);
+  page.figure(name, caption_of(survey, error, drawn.starts),
+              work_precision(survey, drawn.spreads, error, Cost::counted), std::move(data));
 }
 
 void show(tutor::Page& page, const std::string& prefix, const Survey& survey,

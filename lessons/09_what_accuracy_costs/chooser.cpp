@@ -16,8 +16,8 @@ namespace {
 
 using namespace tutor;
 
-constexpr std::size_t shown = 4;       // runners-up
-constexpr double finest_drift = 1e-9;  // [m]: finer ones are rounding
+constexpr std::size_t shown = 4;                       // runners-up
+constexpr double finest_drift = 1e-9, finest = 1e-11;  // of drift [m] and of other errors: less is rounding
 
 /// The scene that is asked about, and what was set that it does not have.
 struct Asked {
@@ -65,19 +65,22 @@ std::map<Error, double> limits_of(const Setting& setting) {
 
 std::string unit(Error error) { return unit_of(error) == "1" ? "" : " " + std::string(unit_of(error)); }
 
-/// "a drift of at most 0.001 m and an energy …".
+/// "a drift", "an energy".
+std::string with_article(Error error) {
+  const std::string name(name_of(error));
+  return (name.front() == 'e' ? "an " : "a ") + name;
+}
+
+/// "a drift error of at most 0.001 m and an energy …".
 std::string asked_for(const std::map<Error, double>& limits) {
   std::string text;
-  for (const auto& [error, limit] : limits) {
-    const std::string name(name_of(error));
-    text += say("@@ @ error of at most @@", text.empty() ? "" : " and ", name.front() == 'e' ? "an" : "a", name,
-                limit, unit(error));
-  }
+  for (const auto& [error, limit] : limits)
+    text += say("@@ error of at most @@", text.empty() ? "" : " and ", with_article(error), limit, unit(error));
   return text;
 }
 
 std::string in_words(double value, Error error) {
-  if (value < 1e-11) return "rounding only";
+  if (value < finest) return "rounding only";
   return say("@@", Value(value, 2), unit(error));
 }
 
@@ -90,6 +93,15 @@ std::string reached_in_words(const byhand::Point& point, const std::map<Error, d
     if (point.has(error))
       text += say("@@ @", text.empty() ? "" : ", ", std::string(name_of(error)), in_words(point[error], error));
   return text;
+}
+
+std::string law_18(const Limit& limit, const Knobs& knobs) {
+  const double worth = static_cast<double>(knobs.passes) * knobs.substeps * knobs.substeps;
+  return say("law 18: plain sweeps times substeps squared have to be more than @, and here they are @@",
+             limit.number, worth,
+             worth >= limit.sweeps   ? std::string()
+             : knobs.relaxation != 1 ? say(", which is enough with ω = @", Value(knobs.relaxation, 3))
+                                     : std::string(", with which it stood all the same"));
 }
 
 /// Why the recommended run is not cheaper, by its law's number and by runs.
@@ -106,8 +118,7 @@ std::string why(const byhand::Choice& choice, const std::map<Error, double>& lim
                ? say("law 18: sweeps would have to be more than @ a step of a frame; law 20: an exact solve holds "
                      "any column",
                      limit.number)
-               : say("law 18: sweeps times substeps squared have to be more than @, and here they are @",
-                     limit.number, static_cast<double>(knobs.passes) * knobs.substeps * knobs.substeps);
+               : law_18(limit, knobs);
   else if (limit.law == 13)
     text = say("law 13: it turns by @ in a step of a frame", limit.number);
   else
@@ -167,6 +178,15 @@ std::string margin_in_words(const byhand::Choice& choice, const Problem& problem
              Value(choice.margin * problem[stress], 3));
 }
 
+/// "all methods were tried up to 7500 row-solves a frame, …".
+std::string searched_in_words(const byhand::Choice& choice) {
+  return say(
+      "all methods were tried up to @ row-solves a frame@", Value(choice.searched, 2),
+      choice.searched_exactly > choice.searched
+          ? say(", and XPBD and those that solve each step exactly up to @", Value(choice.searched_exactly, 2))
+          : std::string());
+}
+
 /// How sure the answer is. With n good of n starts, at 95 % certainty the share of good ones is above 0.05^(1/n).
 std::string certainty(const byhand::Choice& choice, const std::map<Error, double>& limits) {
   const Verification& verified = choice.verified;
@@ -177,10 +197,9 @@ std::string certainty(const byhand::Choice& choice, const std::map<Error, double
   if (!limits.empty())
     text += verified.within == verified.starts ? ", and kept what you ask in all"
                                                : say(", and kept what you ask in @", verified.within);
-  return text + say(". So with 95 % certainty more than @ % of such starts go well. @ runs were made; all methods "
-                    "were tried up to @ row-solves a frame.",
+  return text + say(". So with 95 % certainty more than @ % of such starts go well. @ runs were made; @.",
                     Value(100 * std::pow(0.05, 1.0 / verified.starts), 2), choice.spent.runs,
-                    Value(choice.searched, 2));
+                    searched_in_words(choice));
 }
 
 renderer::Chart chart_of(const byhand::Choice& choice, const Problem& problem,
@@ -232,10 +251,12 @@ void chooser(Page& page, const Setting& setting) {
                 std::string(name_of(error)), problem.scene().title);
       return;
     }
-  if (limits.contains(Error::drift) && limits.at(Error::drift) < finest_drift) {
-    page.text("Here the program has no answer: a drift below 10⁻⁹ m cannot be told from rounding.");
-    return;
-  }
+  for (const auto& [error, limit] : limits)
+    if (const double least = error == Error::drift ? finest_drift : finest; limit < least) {
+      page.text("Here the program has no answer: @ error below @@ cannot be told from rounding.",
+                with_article(error), least, unit(error));
+      return;
+    }
   const bool by_clock = setting.budget() > 0;
   const std::string within =
       by_clock ? say(" within @ µs a frame by this machine's clock", setting.budget() * 1e6) : "";
@@ -284,11 +305,10 @@ void chooser(Page& page, const Setting& setting) {
       page.text("The same method does not become ten times more accurate at a hundred times the cost.");
   } else {
     const bool dear = std::isfinite(wish.budget);
-    page.text("**No method here reaches that@** up to @ row-solves a frame.@", dear ? " within that time" : "",
-              Value(choice.searched, 2),
+    page.text("**No method here reaches that@**: @.@", dear ? " within that time" : "", searched_in_words(choice),
               best.outcome == Outcome::good && std::isfinite(choice.best.excess) && !limits.empty()
-                  ? say(" The nearest is @ for @: @ of what may be.", best.described(), cost_in_words(best),
-                        say("@ times", Value(choice.best.excess, 2)))
+                  ? say(" The nearest is @ for @, with @ times the error that you allow.", best.described(),
+                        cost_in_words(best), Value(choice.best.excess, 2))
                   : std::string(" No run did its duty to the end."));
   }
   if (const std::string out = passed(choice); !out.empty())
@@ -313,7 +333,7 @@ void chooser(Page& page, const Setting& setting) {
                 .measured = again.has(error) ? again[error] : INFINITY,
                 .tolerance = at_most(),
                 .claimed = choice.reached,
-                .range = "if the target was reached"});
+                .range = "targets that are reached"});
   }
   page.claim({.quantity = "initial conditions from which it does its duty",
               .unit = "1",
@@ -322,7 +342,7 @@ void chooser(Page& page, const Setting& setting) {
               .measured = static_cast<double>(choice.verified.good),
               .tolerance = absolute(0),
               .claimed = choice.reached,
-              .range = "if the target was reached"});
+              .range = "targets that are reached"});
   page.text(
       R"(Ask again for your own scene: any scene of this lesson by name, any errors (`drift`, `trajectory`, `energy`,
       `momentum`, `reaction`), one or several, and a `budget` of time a frame, such as 200us.)");

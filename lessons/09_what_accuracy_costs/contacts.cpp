@@ -89,7 +89,7 @@ void contacts(Page& page) {
               .measured = column_other / column_direct,
               .tolerance = at_least(),
               .claimed = std::isfinite(column_other),
-              .range = "another method reaches it"});
+              .range = "stacks where another method reaches it"});
 }
 
 }  // namespace byhand::accuracy

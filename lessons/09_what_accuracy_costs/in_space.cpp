@@ -13,7 +13,7 @@ void in_space(Page& page) {
   page.text(
       R"(For motion about the vertical there is one error more: the angular momentum about it, which neither the weight
       nor the rod can change. A method whose impulses act along the rod, at the place where the rod then is, keeps it to
-      rounding and has a vertical line at the left edge. A method that moves positions back acts along another
+      rounding, at the left edge. A method that moves positions back acts along another
       line, and does not keep it.)");
   show(page, "spherical", pendulum, {Error::trajectory, Error::momentum});
   const Survey& top = survey(page, Problem("top"), spin_errors, swing_most);

@@ -36,6 +36,7 @@ int main(int argc, char** argv) {
   lesson.step("Order is the slope", order_is_the_slope);
   lesson.deeper("The pendulums in full", five_errors);
   lesson.step("Stable is not accurate", stable_is_not_accurate);
+  lesson.deeper("Until which step a method is stable", stability);
   lesson.deeper("Energy over a thousand periods", thousand_periods);
   lesson.deeper("Motion about the vertical", in_space);
   lesson.step("Substeps or sweeps", substeps_or_sweeps);
@@ -72,7 +73,7 @@ int main(int argc, char** argv) {
                   "./lessons/run 9 --set scene=stack --set drift=5cm --set budget=1ms"},
                  {"A reaction force within one per cent, in a four-bar linkage:",
                   "./lessons/run 9 --set scene=four_bar --set reaction=0.01"},
-                 {"More than any method reaches:",
+                 {"A tenth of a nanometre, for which the step's own error has to be tiny:",
                   "./lessons/run 9 --set scene=spherical_pendulum --set trajectory=1e-10"}},
        .next = "Choose a scene of your own and ask the program. Lesson 10 puts these scenes into the engines that "
                "people use."});

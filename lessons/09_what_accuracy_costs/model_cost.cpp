@@ -171,14 +171,14 @@ void model_cost(Page& page) {
               .measured = linked[1].apart,
               .tolerance = absolute(0)});
 
-  const Problem chain("chain", values);
+  const Problem chain("chain", {{"links", 10}, {"length", 2}, {"mass", 3}, {"end_mass", 3}});
   const double whole = error_of(chain, by_sweeps(BlockSolve::whole), Error::drift),
                rows = error_of(chain, by_sweeps(BlockSolve::row_by_row), Error::drift);
   page.text(
       R"(*Blocks*: a pin is two rows that share both bodies. Solved as one block, with a 2 × 2 inverse, the two cannot
-      undo each other. For the same row-solves, ten sweeps a step leave a largest separation of @ m that way and of @ m
-      row by row. (A body of small inertia at the end of an arm shows the difference better: lesson 6.))",
-      Value(whole, 3), Value(rows, 3));
+      undo each other. On @ such links, ten sweeps a step leave a largest separation of @ m that way and of @ m row by
+      row, for the same row-solves. (A body of small inertia at the end of an arm shows the difference better: lesson 6.))",
+      chain["links"], Value(whole, 3), Value(rows, 3));
   page.measure("drift, blocks of two rows", whole, "m");
   page.measure("drift, row by row", rows, "m");
 }

@@ -50,11 +50,13 @@ void order_is_the_slope(Page& page) {
   page.text(
       R"(Work is counted in *row-solves* of Gauss–Seidel, one use of (17) and (20) each. Whatever else a substep does is
       charged too, at the instructions that it takes beside such a row-solve: a row that is written costs @ of them,
-      a row of contact that is found @, a row-solve of the direct solve @, one of conjugate sweeps @. So the count is
+      a row of contact that is found @, a row-solve of the direct solve @, one of conjugate sweeps @. Of bodies that turn in space a row-solve costs @ and a
+      row that is written @. So the count is
       the same on every machine, and 64 substeps of one sweep cost more than one step of 64 sweeps, as they do by the
       clock. The clock's chart comes next; no statement of this course depends on it.)",
       Value(weights_of("Gauss–Seidel").row, 2), Value(weights_of("Gauss–Seidel").contact, 2),
-      Value(weights_of("direct").row_solve, 2), Value(weights_of("conjugate sweeps").row_solve, 2));
+      Value(weights_of("direct").row_solve, 2), Value(weights_of("conjugate sweeps").row_solve, 2),
+      Value(weights_of("Gauss–Seidel", true).row_solve, 2), Value(weights_of("Gauss–Seidel", true).row, 2));
   show_clocked(page, "pendulum_trajectory_clocked", all, Error::trajectory);
   page.text(
       R"(Both axes are logarithmic, so a power law is a straight line. Where the error falls as hᵖ and the work grows as

@@ -28,6 +28,7 @@ void appendix(tutor::Page& page, const std::string& scene);
 void cost_to_a_millimetre(tutor::Page& page, const std::vector<double>& lengths, const std::vector<double>& ratios,
                           const std::string& name);
 void thousand_periods(tutor::Page& page);
+void stability(tutor::Page& page);
 void model_cost(tutor::Page& page);
 void equations(tutor::Page& page);
 

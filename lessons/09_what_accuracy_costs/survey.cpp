@@ -62,14 +62,14 @@ std::string failures(const Survey& survey) {
     if (runs.empty()) continue;
     std::map<std::string, int> ends;
     const byhand::Point* refused = nullptr;
-    int good = 0;
+    int good = 0, failed = 0;
     for (const byhand::Point& point : runs) {
       good += point.outcome == Outcome::good;
       if (point.outcome == Outcome::refused) refused = &point;
-      if (point.outcome != Outcome::good && point.outcome != Outcome::too_slow)
-        ++ends[std::string(name_of(point.outcome, survey.problem.scene().duty))];
+      failed += point.outcome != Outcome::good && point.outcome != Outcome::too_slow;
+      if (point.outcome != Outcome::good) ++ends[std::string(name_of(point.outcome, survey.problem.scene().duty))];
     }
-    if (ends.empty()) continue;
+    if (failed == 0) continue;
     text += fmt::format("\n- {}: ", runs.front().family->name);
     if (refused && good == 0) {
       text += refused->reason;

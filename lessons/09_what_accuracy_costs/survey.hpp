@@ -42,14 +42,12 @@ std::string description(const Problem& problem);
 /// The same for a chart, where _ would lower a letter: with spaces.
 std::string title_of(const Problem& problem);
 
-/// Initial conditions that a chart's points are run from: twenty, fewer where all these runs would take long.
-int starts_of(const Survey& survey);
-
 /// A colour for each: its own in all charts, unless another has it already; at most seven differ.
 std::vector<renderer::Colour> colours_of(const std::vector<const Family*>& drawn);
 
 /// Error against cost on logarithmic axes: at most seven methods, those on the front and the article's own, by
-/// their medians over the initial conditions, and the others pale. Its CSV file has all runs.
+/// their medians over twenty initial conditions (fewer where these runs would take long), and the others pale. Its
+/// CSV file has all runs.
 void show(tutor::Page& page, const std::string& name, const Survey& survey, Error error);
 /// The charts of several errors, each named "prefix_error".
 void show(tutor::Page& page, const std::string& prefix, const Survey& survey, std::initializer_list<Error> errors);

@@ -143,7 +143,7 @@ void the_methods(Page& page) {
       R"(The charts also show what earlier lessons explained: Gauss–Seidel, its symmetric form and SOR, Jacobi,
       conjugate gradients and direct solves (lesson 3), Baumgarte (lesson 4), split impulse, soft constraints and
       projection. Any cure of drift goes with any solver of rows, and each chart finds the best of all of them at each of
-      its points. Not each method can do every scene:)");
+      its points. Not every method can do every scene:)");
   std::vector<std::vector<std::string>> rows;
   int without_contacts = 0, refused = 0;
   for (const Family& family : families()) {

@@ -8,9 +8,13 @@ namespace byhand::beside {
 using namespace tutor;
 using namespace renderer;
 
+namespace {
+constexpr double rounding = 1e-9;  // [m, rad]: smaller errors are drawn there
+}
+
 std::string in_millimetres(double metres) {
   if (!std::isfinite(metres)) return "failed";
-  if (metres < 1e-9) return "rounding";
+  if (metres < rounding) return "rounding";
   return say("@ mm", Value(1000 * metres, 2));
 }
 
@@ -31,8 +35,8 @@ Chart compared(const std::vector<Errors>& all, const std::string& label) {
   bool several_settings = false;
   for (const Errors& errors : all) {
     names.push_back(errors.name);
-    usual.y.push_back(std::max(errors.usual(), 1e-9));
-    least.y.push_back(std::max(errors.least(), 1e-9));
+    usual.y.push_back(std::max(errors.usual(), rounding));
+    least.y.push_back(std::max(errors.least(), rounding));
     several_settings = several_settings || errors.by_setting.size() > 1;
   }
   std::vector<Curve> curves{usual};
@@ -42,42 +46,69 @@ Chart compared(const std::vector<Errors>& all, const std::string& label) {
 
 namespace {
 
-/// How the course's settings compare with the quickest engine: their least error in no more than its time, and
-/// their least time for no more than its error.
-std::string verdict(const std::vector<double>& errors, const std::vector<double>& seconds, const std::string& name,
-                    double its_error, double its_seconds) {
-  double error = INFINITY, time = INFINITY;
-  for (std::size_t i = 0; i < errors.size(); ++i) {
-    if (seconds[i] <= its_seconds) error = std::min(error, errors[i]);
-    if (errors[i] <= its_error) time = std::min(time, seconds[i]);
+/// How the course's settings compare with the engine that is fastest by default and did not fail.
+struct Comparison {
+  std::string engine;       // empty: none
+  double error = INFINITY;  // the least in no more than its time, over its error
+  double time = INFINITY;   // the least for no more than its error, over its time
+  bool exact = false;       // that error is rounding only
+};
+
+/// `seconds` has a time for each setting of each entrant.
+Comparison beside_the_fastest(const std::vector<Errors>& all, const std::vector<double>& seconds) {
+  Comparison result;
+  double its_time = INFINITY, its_error = 0;
+  const double* time = seconds.data() + all[0].by_setting.size();
+  for (std::size_t i = 1; i < all.size(); time += all[i++].by_setting.size())
+    if (std::isfinite(all[i].usual()) && *time < its_time)
+      its_time = *time, its_error = all[i].usual(), result.engine = all[i].name;
+  for (std::size_t i = 0; i < all[0].by_setting.size(); ++i) {
+    const double error = all[0].by_setting[i];
+    if (seconds[i] <= its_time) result.error = std::min(result.error, error / its_error);
+    if (error <= its_error) result.time = std::min(result.time, seconds[i] / its_time);
   }
-  const std::string in_its_time = std::isfinite(error)
-                                      ? say("in its time @ of its error", Value(error / its_error, 1))
-                                      : std::string("never as quick"),
-                    for_its_error = std::isfinite(time)
-                                        ? say("for its error @ of its time", Value(time / its_seconds, 2))
+  result.exact = result.error * its_error < rounding;
+  return result;
+}
+
+std::string verdict(const Comparison& found) {
+  const std::string in_its_time = !std::isfinite(found.error) ? "never as fast"
+                                  : found.exact               ? "in its time only rounding"
+                                                : say("in its time @ of its error", Value(found.error, 1)),
+                    for_its_error = std::isfinite(found.time)
+                                        ? say("for its error @ of its time", Value(found.time, 2))
                                         : std::string("never as accurate");
-  return say("This course beside @, the quickest: @, @", name, in_its_time, for_its_error);
+  return say("This course beside @, the fastest: @, @", found.engine, in_its_time, for_its_error);
+}
+
+template <class M>
+std::vector<double> times_of(const std::vector<Entrant<M>>& all, const Scene<M>& scene, int frames) {
+  std::vector<Contestant<M>> contestants;
+  for (const Entrant<M>& entrant : all)
+    contestants.insert(contestants.end(), entrant.settings.begin(), entrant.settings.end());
+  return engines::seconds_a_frame(contestants, scene, frames, 3);
 }
 
 }  // namespace
 
 template <class M>
+std::string reached_with(const Entrant<M>& ours, const Errors& errors, double wanted) {
+  const Contestant<M>* least = nullptr;
+  for (std::size_t i = 0; i < ours.settings.size(); ++i)
+    if (errors.by_setting[i] <= 1.01 * wanted && (!least || ours.settings[i].effort < least->effort))
+      least = &ours.settings[i];
+  return least ? least->setting : "none of its settings";
+}
+
+template <class M>
 Chart against_time(const std::vector<Entrant<M>>& all, const std::vector<Errors>& errors, const Scene<M>& scene,
                    int frames, const std::string& label) {
-  std::vector<Contestant<M>> contestants;
-  for (const Entrant<M>& entrant : all)
-    contestants.insert(contestants.end(), entrant.settings.begin(), entrant.settings.end());
-  const std::vector<double> seconds = engines::seconds_a_frame(contestants, scene, frames, 3);
+  const std::vector<double> seconds = times_of(all, scene, frames);
   Chart chart{.x = {.label = "processor time (µs a frame)", .scale = Scale::logarithmic},
               .y = {.label = label, .scale = Scale::logarithmic}};
   const double* time = seconds.data();
-  double quickest = INFINITY, its_error = 0;
-  std::string its_name;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const std::vector<double>& error = errors[i].by_setting;
-    if (i > 0 && std::isfinite(error[0]) && time[0] < quickest)
-      quickest = time[0], its_error = error[0], its_name = all[i].name;
     std::vector<std::size_t> order(error.size());
     std::iota(order.begin(), order.end(), 0);
     std::sort(order.begin(), order.end(), [&](auto a, auto b) { return time[a] < time[b]; });
@@ -87,13 +118,32 @@ Chart against_time(const std::vector<Entrant<M>>& all, const std::vector<Errors>
       if (!(error[setting] < least)) continue;
       least = error[setting];
       curve.x.push_back(1e6 * time[setting]);
-      curve.y.push_back(std::max(least, 1e-9));
+      curve.y.push_back(std::max(least, rounding));
     }
     if (curve.x.empty()) curve.label += " (failed)";
     chart.curves.push_back(std::move(curve));
     time += error.size();
   }
-  if (std::isfinite(quickest)) chart.title = verdict(errors[0].by_setting, seconds, its_name, its_error, quickest);
+  if (const Comparison found = beside_the_fastest(errors, seconds); !found.engine.empty())
+    chart.title = verdict(found);
+  return chart;
+}
+
+template <class M>
+Chart at_equal_error(const std::vector<Contest<M>>& contests, int frames) {
+  std::vector<std::string> names;
+  std::string fastest;
+  Curve times{.label = "time for no more than its error"}, errors{.label = "error in no more than its time"};
+  for (const Contest<M>& contest : contests) {
+    const Comparison found = beside_the_fastest(contest.errors, times_of(contest.entrants, contest.scene, frames));
+    names.push_back(contest.name);
+    fastest += say("@@", fastest.empty() ? "" : ", ", found.engine);
+    times.y.push_back(found.time);
+    errors.y.push_back(std::max(found.error, rounding));
+  }
+  Chart chart = by_name(names, {times, errors}, "this course over that engine");
+  chart.title = "The fastest engine in each: " + fastest;
+  chart.references.push_back({.value = 1, .label = "as that engine"});
   return chart;
 }
 
@@ -121,8 +171,10 @@ std::string ahead_of_ours(const std::vector<Errors>& all) {
 }
 
 #define BYHAND_INSTANTIATE(M)                                                                                   \
+  template std::string reached_with(const Entrant<M>&, const Errors&, double);                                  \
   template Chart against_time(const std::vector<Entrant<M>>&, const std::vector<Errors>&, const Scene<M>&, int, \
                               const std::string&);                                                              \
+  template Chart at_equal_error(const std::vector<Contest<M>>&, int);                                           \
   template double deepest_overlap(const Scene<M>&);                                                             \
   template std::pair<int, int> first_and_last_sweeps(const Scene<M>&, int)
 BYHAND_INSTANTIATE(PlaneBody);

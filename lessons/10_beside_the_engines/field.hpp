@@ -41,9 +41,14 @@ struct Entrant {
 template <class M>
 std::vector<Entrant<M>> entrants(int substeps, int most, const std::function<bool(const Engine&)>& may) {
   std::vector<Entrant<M>> all{{ours_name, {}}};
-  all.front().settings.push_back(engines::ours<M>(ours_name, best_method(substeps)));
+  const auto add_ours = [&](int count) {
+    all.front().settings.push_back(engines::ours<M>(ours_name, best_method(count)));
+    all.front().settings.back().setting = tutor::several(count, "substep", "substeps");
+    all.front().settings.back().effort = count;
+  };
+  add_ours(substeps);
   for (int more = 1; more <= substeps * most && most > 1; more *= 2)
-    if (more != substeps) all.front().settings.push_back(engines::ours<M>(ours_name, best_method(more)));
+    if (more != substeps) add_ours(more);
   for (const Engine& engine : engines::all_engines()) {
     if (!may(engine)) continue;
     Entrant<M> entrant{engine.name, {engines::theirs<M>(engine, engine.usual)}};
@@ -84,8 +89,13 @@ std::vector<Errors> errors_of(const std::vector<Entrant<M>>& all, F&& error) {
   return result;
 }
 
-/// "1.2 mm", "fell".
+/// "1.2 mm", "failed".
 std::string in_millimetres(double metres);
+
+/// The least effort with which the course has that error, or a hundredth more: "2 substeps", "none of its
+/// settings".
+template <class M>
+std::string reached_with(const Entrant<M>& ours, const Errors& errors, double wanted);
 
 /// The default and the best setting of each entrant, on a logarithmic axis.
 renderer::Chart compared(const std::vector<Errors>& all, const std::string& label);
@@ -95,11 +105,24 @@ renderer::Chart by_name(const std::vector<std::string>& names, std::vector<rende
                         const std::string& label);
 
 /// Error against microseconds a frame, one curve an entrant: of its settings those that no other of its own beats
-/// in both. The title compares the
-/// course with the quickest engine.
+/// in both. The title compares the course with the fastest engine, at equal time and at equal error.
 template <class M>
 renderer::Chart against_time(const std::vector<Entrant<M>>& all, const std::vector<Errors>& errors,
                              const Scene<M>& scene, int frames, const std::string& label);
+
+/// Who takes part in a scene, and with which errors.
+template <class M>
+struct Contest {
+  std::string name;
+  Scene<M> scene;
+  std::vector<Entrant<M>> entrants;
+  std::vector<Errors> errors;
+};
+
+/// For each contest the course beside the engine that is fastest there: its least time for no more than that
+/// engine's error, over that engine's time, and its least error in no more than that time, over that error.
+template <class M>
+renderer::Chart at_equal_error(const std::vector<Contest<M>>& contests, int frames);
 
 /// The overlap of shapes that is deepest [m].
 template <class M>

@@ -75,10 +75,11 @@ void pendulums(const Setting&, Page& page) {
       return std::isfinite(error) ? say("@", Value(error, 2)) : std::string("failed");
     };
     rows.push_back({errors.name, same == bobs.end() ? "no rigid rod" : cell(same->usual()), cell(errors.usual()),
-                    cell(errors.least()), say("@ %", Value(100 * gained(with_pins[i].settings.front()), 2))});
+                    cell(errors.least()), reached_with(with_pins.front(), rods.front(), errors.usual()),
+                    say("@ %", Value(100 * gained(with_pins[i].settings.front()), 2))});
   }
   page.table({"", "bob, default (rad)", "rod, default (rad)", "rod, 2 to 8 times the work (rad)",
-              "rod's energy after 5 s, default"},
+              "this course as exact with", "rod's energy after 5 s, default"},
              rows);
   page.text(
       "The energy is the change over that of the swing: above zero an engine adds energy, below zero it takes "

@@ -85,28 +85,31 @@ void the_engines(const Setting&, Page& page) {
        .hints = {"Compare the velocity that a step uses with the mean velocity in that step.",
                  "Each step is too far by h · ½gh.", "60 steps of ½ · 9.81 · (1/60)² m."},
        .right = say("½gh² a step makes ½gt·h = @ m in t = 1 s.", Value(step_error, 3))});
-  std::vector<std::vector<std::string>> falls;
+  std::vector<std::pair<std::string, double>> falls{
+      {ours_name, fallen(engines::ours<M>(ours_name, best_method()))}};
+  for (const Engine& engine : all)
+    falls.emplace_back(engine.name, fallen(engines::theirs<M>(engine, engine.usual)));
   const double exact = 0.5 * gravity;
-  const auto add = [&](const std::string& name, double fall) {
+  page.text("Fallen in one second of 60 frames, where ½gt² is @ m:", Value(exact, 4));
+  std::vector<std::vector<std::string>> table;
+  for (const auto& [name, fall] : falls) {
     const double steps = step_error / (fall - exact);
-    falls.push_back({name, say("@ m", Value(fall, 4)),
+    table.push_back({name, say("@ m", Value(fall, 4)),
                      std::abs(fall - exact) < 1e-4 ? "none"
                      : std::abs(steps - std::round(steps)) < 0.02 * std::abs(steps)
                          ? say("@½gt·h with h = 1/@ s", fall > exact ? "" : "−", std::lround(60 * std::abs(steps)))
                          : say("@ m", Value(fall - exact, 2))});
+  }
+  page.table({"engine", "fallen", "too far by"}, table);
+  if (std::any_of(all.begin(), all.end(), [](const Engine& engine) { return engine.name == "Chipmunk"; }))
+    page.text("Chipmunk moves the bodies first and then lets gravity act, so that it falls as much too little.");
+  for (const auto& [name, fall] : falls)
     page.claim({.quantity = "free fall in a second, " + name,
                 .unit = "m",
                 .expected = exact,
                 .source = "½gt², within ½gt·h of a step of a frame",
                 .measured = fall,
                 .tolerance = absolute(1.001 * step_error)});
-  };
-  page.text("Fallen in one second of 60 frames, where ½gt² is @ m:", Value(exact, 4));
-  add(ours_name, fallen(engines::ours<M>(ours_name, best_method())));
-  for (const Engine& engine : all) add(engine.name, fallen(engines::theirs<M>(engine, engine.usual)));
-  page.table({"engine", "fallen", "too far by"}, falls);
-  if (std::any_of(all.begin(), all.end(), [](const Engine& engine) { return engine.name == "Chipmunk"; }))
-    page.text("Chipmunk moves the bodies first and then lets gravity act, so that it falls as much too little.");
   for (const Engine& engine : all)
     page.claim({.quantity = "a rod on a pin after a second of 64 steps a frame, " + engine.name,
                 .unit = "rad",

@@ -3,14 +3,22 @@
 namespace byhand::site {
 namespace {
 
-constexpr int width = 1280;
+/// Writes into the windows of scenes in space why they are empty.
+void explain_empty_windows(renderer::SvgCanvas& canvas) {
+  canvas.clip(std::nullopt);
+  canvas.look_at_page();
+  for (const auto& [scene, frame] : canvas.windows())
+    canvas.text({frame.x + frame.width / 2.0, canvas.height() - frame.y - frame.height / 2.0},
+                "This browser has no WebGL,\nwhich draws what is in space.", {.size = 16});
+}
 
 }  // namespace
 
 std::string drawn(const std::string& name, const tutor::Drawing& drawing,
-                  const renderer::SvgCanvas::DrawWindow& draw_window) {
+                  const renderer::SvgCanvas::DrawWindow& draw_window, int width) {
   renderer::SvgCanvas canvas(width, name, draw_window);
   drawing(canvas);
+  if (!draw_window) explain_empty_windows(canvas);
   return canvas.svg("");
 }
 

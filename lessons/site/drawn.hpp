@@ -7,9 +7,10 @@
 
 namespace byhand::site {
 
-/// A picture as an SVG element, whose ids begin with `name`. `draw_window` draws what is in space (see SvgCanvas).
+/// A picture as an SVG element, `width` × 720 points, whose ids begin with `name`. `draw_window` draws what is in
+/// space (see SvgCanvas).
 std::string drawn(const std::string& name, const tutor::Drawing& drawing,
-                  const renderer::SvgCanvas::DrawWindow& draw_window = {});
+                  const renderer::SvgCanvas::DrawWindow& draw_window = {}, int width = 1280);
 std::string drawn(const tutor::Figure& figure, const renderer::SvgCanvas::DrawWindow& draw_window = {});
 
 }  // namespace byhand::site

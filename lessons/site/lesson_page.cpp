@@ -92,7 +92,8 @@ std::string neighbours(const std::string& slug) {
 /// The lesson's program with what it reads, its worker, and what makes the page live (see lessons/site/live).
 std::string live_scripts(const std::string& slug) {
   std::string all;
-  for (const std::string& name : {std::string("worker"), std::string("files"), slug, std::string("live")})
+  for (const std::string& name :
+       {std::string("worker"), std::string("files"), slug, std::string("hold"), std::string("live")})
     all += fmt::format("<script defer=\"defer\" src=\"live/{}.js\"></script>\n", name);
   return all;
 }

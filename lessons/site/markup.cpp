@@ -25,7 +25,7 @@ class Inline {
 
   std::string html() {
     while (at_ < words_.size())
-      if (!code() && !span("**", "strong") && !span("*", "em") && !equation()) {
+      if (!code() && !span("**", "strong") && !span("*", "em") && !equation() && !below()) {
         all_ += escaped(words_.substr(at_, 1));
         ++at_;
       }
@@ -66,6 +66,20 @@ class Inline {
     if (number == 0) return false;
     all_ += fmt::format("<a class=\"recall\" href=\"equations.html#equation-{0}\">({0})</a>", number);
     at_ = words_.find(')', at_) + 1;
+    return true;
+  }
+
+  /// r_x: one letter below another; at_once is a name.
+  bool below() {
+    const auto letter = [&](size_t i) {
+      const char c = i < words_.size() ? words_[i] : ' ';
+      return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+    };
+    if (!rest().starts_with('_') || at_ == 0 || !std::isalpha(static_cast<unsigned char>(before())) ||
+        (at_ > 1 && letter(at_ - 2)) || !letter(at_ + 1) || words_[at_ + 1] == '_' || letter(at_ + 2))
+      return false;
+    all_ += fmt::format("<sub>{}</sub>", words_[at_ + 1]);
+    at_ += 2;
     return true;
   }
 

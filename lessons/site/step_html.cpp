@@ -8,6 +8,7 @@
 #include "lessons/site/alternative.hpp"
 #include "lessons/site/code_html.hpp"
 #include "lessons/site/colours.hpp"
+#include "lessons/site/drawn.hpp"
 #include "lessons/site/markup.hpp"
 #include "lessons/site/mathml.hpp"
 #include "lessons/tutor/claim_words.hpp"
@@ -219,17 +220,30 @@ class ItemWriter {
   int index_ = 0, first_ = 0, questions_ = 0, hold_ = 0, false_ = 0, not_claimed_ = 0;
 };
 
+/// The scene as it begins; a live page lets a reader hold it.
+std::string hold_figure(const tutor::Hold& hold) {
+  const auto scene = hold.scene();
+  const std::string svg = drawn(
+      hold.name, [&](renderer::Canvas& canvas) { scene->draw(canvas); }, {}, tutor::Held::width);
+  return fmt::format(R"(<figure class="figure hold" id="hold-{0}" data-item="hold" data-hold="{0}">)"
+                     R"(<div class="picture" role="img" aria-label="{1} {2}">{3}</div>)"
+                     "<figcaption>{4}</figcaption></figure>\n",
+                     hold.name, escaped(plain_text(hold.caption)), escaped(scene->words()), svg,
+                     inline_html(hold.caption));
+}
+
 }  // namespace
 
 std::string step_html(const RecordedStep& recorded, const Pictures& pictures) {
   const Step& step = *recorded.step;
-  return fmt::format(R"(<section class="step{0}" id="step-{1}" data-step="{1}">
+  return fmt::format(
+      R"(<section class="step{0}" id="step-{1}" data-step="{1}">
 <h2><span class="label">{1}</span> {2}{3}</h2>
 {4}</section>
 )",
-                     step.deeper ? " deeper" : "", step.label, inline_html(step.title),
-                     step.deeper ? " <span class=\"depth\">deeper</span>" : "",
-                     with_colours(ItemWriter(recorded, pictures).all()));
+      step.deeper ? " deeper" : "", step.label, inline_html(step.title),
+      step.deeper ? " <span class=\"depth\">deeper</span>" : "",
+      with_colours(ItemWriter(recorded, pictures).all()) + (step.hold ? hold_figure(*step.hold) : ""));
 }
 
 }  // namespace byhand::site

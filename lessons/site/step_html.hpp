@@ -33,6 +33,9 @@ struct Pictures {
 ///                                                 from it; readers of screens do not enter .picture, so nothing
 ///                                                 to press belongs there
 ///     <figure data-film="growing_circle">         the same; the key frames, until it is played
+///     <figure data-hold="bob_in_hand">            the step's scene to hold, last, with data-item="hold": its
+///     picture
+///                                                 as it begins
 ///     <form data-question="3.1">                  the first question of step 3; data-kind="number" or "choice".
 ///                                                 Its .answer (a field and a button, or radio buttons with the
 ///                                                 value 1, 2, …; all named "typed") is hidden until <html> has

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <sstream>
 #include <vector>
 
 #include "lessons/tutor/error.hpp"
 #include "lessons/tutor/source_text.hpp"
+#include "lessons/tutor/words.hpp"
 #include "renderer/error.hpp"
 
 namespace byhand::tutor {
@@ -38,12 +38,13 @@ Excerpt read_excerpt(const std::string& root, const std::string& file, const std
   if (!text)
     throw renderer::EnvironmentError(
         fmt::format("The source {} cannot be read: the checkout {} is not complete.", file, root));
-  std::istringstream source(*text);
   const std::string marker = "//! [" + tag + "]";
   Excerpt excerpt{file, 0, ""};
   std::vector<std::string> lines;
   int number = 0, markers = 0;
-  for (std::string line; markers < 2 && std::getline(source, line);) {
+  for (const std::string_view part : lines_of(*text)) {
+    if (markers == 2) break;
+    const std::string line(part);
     ++number;
     if (trimmed(line) == marker) {
       ++markers;

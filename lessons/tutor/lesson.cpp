@@ -96,6 +96,12 @@ void Lesson::answers(const std::vector<std::string>& parameters) {
   }
 }
 
+void Lesson::hold(Hold hold) {
+  if (steps_.empty())
+    throw LessonError(fmt::format("there is no step yet that could offer {} to hold", hold.name));
+  steps_.back().hold = std::move(hold);
+}
+
 std::string Lesson::step_of(const std::vector<std::pair<std::string, std::string>>& settings) const {
   std::string step;
   for (const auto& [name, value] : settings)

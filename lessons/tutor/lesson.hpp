@@ -2,12 +2,14 @@
 
 #include <deque>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "lessons/tutor/about.hpp"
 #include "lessons/tutor/error.hpp"
+#include "lessons/tutor/held.hpp"
 #include "lessons/tutor/page.hpp"
 #include "lessons/tutor/parameter.hpp"
 
@@ -32,6 +34,7 @@ struct Step {
   std::string title;
   bool deeper = false;
   StepFunction run;
+  std::optional<Hold> hold = {};
 };
 
 /// A lesson: parameters, steps and closing. The main of a lesson fills one and returns `run(argc, argv)`.
@@ -68,6 +71,10 @@ class Lesson {
   /// Declares that only the step added last depends on these parameters. If the command line sets them and no
   /// others, only that step runs.
   void answers(const std::vector<std::string>& parameters);
+
+  /// Gives the step added last a scene that a reader of its live page can hold. The page shows how it begins;
+  /// terminal and lesson.md do without.
+  void hold(Hold hold);
 
   void closing(Closing closing);
 

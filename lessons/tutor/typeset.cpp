@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "lessons/tutor/typed_quantity.hpp"
+#include "lessons/tutor/words.hpp"
 
 namespace byhand::tutor {
 namespace {
@@ -223,13 +224,6 @@ std::vector<int> column_widths(const Rows& rows) {
   return widths;
 }
 
-std::vector<std::string> lines_of(const std::string& words) {
-  std::vector<std::string> all;
-  std::istringstream stream(words);
-  for (std::string line; std::getline(stream, line);) all.push_back(line);
-  return all;
-}
-
 }  // namespace
 
 std::string table(const Rows& rows, const Style& style, int indent) {
@@ -250,7 +244,9 @@ std::string table(const Rows& rows, const Style& style, int indent) {
     for (size_t i = 0; i < row.size(); ++i) {
       Style column = style;
       column.width = widths[i];
-      cells.push_back(lines_of(wrapped(row[i], column)));
+      const std::string cell = wrapped(row[i], column);
+      const auto lines = lines_of(cell);
+      cells.emplace_back(lines.begin(), lines.end());
       height = std::max(height, cells.back().size());
     }
     for (size_t line = 0; line < height; ++line) {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "lessons/tutor/error.hpp"
 
@@ -97,11 +96,20 @@ std::string several(long n, std::string_view one, std::string_view many) {
   return Value(n).plain() + " " + words;
 }
 
+std::vector<std::string_view> lines_of(std::string_view text) {
+  std::vector<std::string_view> lines;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    lines.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return lines;
+}
+
 std::string unwrapped(std::string_view source) {
   std::string words;
   bool new_paragraph = false;
-  std::istringstream lines{std::string(source)};
-  for (std::string line; std::getline(lines, line);) {
+  for (std::string_view line : lines_of(source)) {
     const auto first = line.find_first_not_of(' ');
     if (first == std::string::npos) {
       new_paragraph = true;

@@ -64,6 +64,9 @@ std::string several(long n, std::string_view one, std::string_view many = {});
 std::string fill(std::string_view words, const std::vector<Value>& values);
 Formula fill(std::string_view plain, std::string_view latex, const std::vector<Value>& values);
 
+/// The lines of a text, without their ends. They last as long as it.
+std::vector<std::string_view> lines_of(std::string_view text);
+
 /// Prose as a source has it, R"(...)" over several lines, with one line for each paragraph: a line break becomes a
 /// blank, and indentation goes. Blank lines part paragraphs; a line that begins with "- " stays a line of its own.
 std::string unwrapped(std::string_view source);

@@ -16,7 +16,7 @@ std::string space_picture(const SvgCanvas::Window& window, const PageSize& page,
   Image part{frame.width, frame.height, {}};
   for (int y = frame.y; y < frame.y + frame.height; ++y)
     part.rgb.insert(part.rgb.end(), whole.pixel(frame.x, y), whole.pixel(frame.x, y) + 3 * frame.width);
-  return encode_png(part);
+  return encode_png(part, Compression::thorough);
 }
 
 }  // namespace byhand::renderer

@@ -42,6 +42,7 @@ TEST(Mathematics, UnitsAreUpright) {
   EXPECT_EQ(marked("= (2.9) + (−1.1) m²/s"), "= (2.9) + (−1.1) m²/s");
   EXPECT_EQ(marked("λ/h (N)"), "⟨λ⟩/⟨h⟩ (N)");
   EXPECT_EQ(marked("1 μm or less"), "1 μm or less");
+  EXPECT_EQ(marked("time (µs a frame)"), "time (µs a frame)");
 }
 
 TEST(Mathematics, WordsFunctionsAndTransposesAreUpright) {
@@ -52,6 +53,7 @@ TEST(Mathematics, WordsFunctionsAndTransposesAreUpright) {
   EXPECT_EQ(marked("ln 2/h"), "ln 2/⟨h⟩");
   EXPECT_EQ(marked("ω_{max} h = 2"), "⟨ω⟩max ⟨h⟩ = 2");
   EXPECT_EQ(marked("Gauss–Seidel, N = 10"), "Gauss–Seidel, ⟨N⟩ = 10");
+  EXPECT_EQ(marked("cost and Box2D 3, 2D and 2v"), "cost and Box2D 3, 2⟨D⟩ and 2⟨v⟩");
   EXPECT_EQ(marked("ΔE/(m·g·L)"), "Δ⟨E⟩/(⟨m⟩·⟨g⟩·⟨L⟩)");
 }
 

@@ -62,6 +62,18 @@ TEST_F(Png, HasTheSameBytesEveryTime) {
   EXPECT_EQ(once, elsewhere);
 }
 
+TEST_F(Png, IsSmallerWithThoroughCompressionAndHasTheSamePixels) {
+  Image image = noise(64, 64);
+  for (int y = 0; y < 64; ++y)
+    for (int x = 0; x < 64; ++x)
+      for (int channel = 0; channel < 3; ++channel)
+        image.rgb[3 * std::size_t(64 * y + x) + channel] = std::uint8_t((x * x + y * y) / 40 + channel);
+  const std::string thorough = encode_png(image, Compression::thorough);
+  EXPECT_LT(thorough.size(), encode_png(image, Compression::quick).size());
+  std::ofstream(folder_ / "a.png", std::ios::binary) << thorough;
+  EXPECT_EQ(read_png(folder_ / "a.png"), image);
+}
+
 TEST_F(Png, ReplacesAnOlderFileAndMakesFolders) {
   const fs::path path = folder_ / "deep" / "er" / "a.png";
   write_png(path, noise(8, 8));

@@ -165,6 +165,63 @@ TEST(SvgCanvas, BeginsAllIdsWithItsNameAndUsesNoOthers) {
   EXPECT_EQ(parsed.count.at("g"), 3);
 }
 
+TEST(SvgCanvas, WritesWhatNeighboursShareOnce) {
+  SvgCanvas canvas(1280, "a");
+  for (int i = 0; i < 3; ++i) canvas.line({100, 100.0 + i}, {200, 100.0 + i}, {palette::constraint, 4});
+  canvas.disc({50, 50}, 20);
+  canvas.line({100, 200}, {200, 200}, {palette::constraint, 4});
+  const std::string svg = canvas.svg("title");
+  EXPECT_THAT(
+      svg,
+      HasSubstr("><path d=\"M100 620h100\"/><path d=\"M100 619h100\"/><path d=\"M100 618h100\"/></g><circle"));
+  EXPECT_THAT(svg, HasSubstr("<path d=\"M100 520h100\" fill=\"none\" stroke="));
+  EXPECT_EQ(parse(svg).count.at("g"), 1);
+}
+
+TEST(SvgCanvas, JoinsCellsOfOneColour) {
+  SvgCanvas canvas(1280, "a");
+  const auto cell = [&](double x, double y, Colour colour) {
+    canvas.rectangle({x, y, 10, 10}, {colour, {{}, 0}});
+  };
+  cell(100, 620, palette::constraint);
+  cell(110, 620, palette::constraint);
+  cell(130, 620, palette::constraint);
+  cell(140, 610, palette::constraint);
+  cell(150, 610, palette::force);
+  EXPECT_THAT(
+      canvas.svg("title"),
+      testing::AllOf(HasSubstr(" d=\"M100 90h20v10h-20zM130 90h10v10h-10zM140 100h10v10h-10z\"/><path fill"),
+                     HasSubstr(" d=\"M150 100h10v10h-10z\"/></g>")));
+}
+
+TEST(SvgCanvas, RoundsAHalfAlikeWhereItMissesALittle) {
+  const auto written = [](double y) {
+    SvgCanvas canvas(1280, "a");
+    canvas.line({100, y}, {200, y});
+    return canvas.svg("title");
+  };
+  for (const double half : {350.125, 350.375, 350.625}) {
+    EXPECT_EQ(written(std::nextafter(half, 0)), written(half));
+    EXPECT_EQ(written(std::nextafter(half, 1000)), written(half));
+  }
+  EXPECT_NE(written(350.125), written(350.135));
+}
+
+TEST(SvgCanvas, EndsAGroupWhereAClipBegins) {
+  SvgCanvas canvas(1280, "a");
+  const auto two_lines = [&] {
+    for (int i = 0; i < 2; ++i) canvas.line({100, 100.0 + i}, {200, 100.0 + i}, {palette::constraint, 4});
+  };
+  two_lines();
+  canvas.clip(Rectangle{10, 10, 100, 100});
+  two_lines();
+  canvas.clip(std::nullopt);
+  const std::string svg = canvas.svg("title");
+  EXPECT_EQ(parse(svg).error, "");
+  EXPECT_THAT(svg, HasSubstr("</g><g clip-path=\"url(#a-clip0)\"><g "));
+  EXPECT_THAT(svg, HasSubstr("</g></g>"));
+}
+
 TEST(SvgCanvas, IsEmptyAfterClear) {
   SvgCanvas canvas(1280, "a");
   const std::string empty = canvas.svg("title");

@@ -34,6 +34,13 @@ TEST(Prose, NumbersOfTheArticlesEquationsAreLinks) {
   EXPECT_EQ(inline_html("by (17)", Links::none), "by (17)");
 }
 
+TEST(Prose, ALetterBelowAnotherIsASubscript) {
+  EXPECT_EQ(inline_html("ω(−r_y, r_x) and t_1"), "ω(−r<sub>y</sub>, r<sub>x</sub>) and t<sub>1</sub>");
+  for (const char* const name : {"at_once", "x_", "_x", "x_ y", "2_3", "a_b_c", "xy_z", "x_yz", "x__y"})
+    EXPECT_EQ(inline_html(name), name);
+  EXPECT_EQ(inline_html("`r_x`"), "<code>r_x</code>");
+}
+
 TEST(Prose, HasParagraphsAndLists) {
   EXPECT_EQ(prose_html("one\n\ntwo"), "<p>one</p><p>two</p>");
   EXPECT_EQ(prose_html("two:\n- a\n- b\n  of it\n\nend"),

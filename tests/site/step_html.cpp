@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "lessons/tutor/lesson.hpp"
+#include "renderer/canvas.hpp"
 #include "tests/site/markup.hpp"
 
 namespace byhand::tests {
@@ -146,6 +147,37 @@ TEST(StepHtml, AColumnWithoutANameHasNoHeaderCell) {
   const Markup section = read([](Page& page) { page.table({"", "law"}, {{"1", "a law"}}); });
   EXPECT_THAT(section.all("//thead//th"), ElementsAre("law"));
   EXPECT_THAT(section.all("//thead//td"), ElementsAre(""));
+}
+
+struct Still final : Held {
+  double h() const override { return 1; }
+  double time() const override { return 0; }
+  std::vector<Body> bodies() const override { return {}; }
+  int held() const override { return -1; }
+  void grab(const renderer::Point&) override {}
+  void move(const renderer::Point&) override {}
+  void release() override {}
+  void step() override {}
+  void reset() override {}
+  std::string stopped() const override { return ""; }
+  void go_on_from(const Held&) override {}
+  void draw(renderer::Canvas& canvas, std::optional<double>) const override { canvas.text({480, 360}, "still"); }
+  std::string words(std::optional<double>) const override { return "Energy 3 J."; }
+};
+
+TEST(StepHtml, ASceneToHoldComesLastAndSaysItsNumbers) {
+  Lesson lesson({.slug = "98_told"});
+  EXPECT_THROW(lesson.hold({"bob", "A bob.", [] { return std::make_unique<Still>(); }}), LessonError);
+  lesson.step("One", [](Page& page) { page.text("Words."); });
+  lesson.hold({"bob", "A *bob*.", [] { return std::make_unique<Still>(); }});
+  const RecordedStep recorded = record_step(lesson, lesson.steps().front(), true);
+  const Markup section = of_page(site::step_html(recorded, {}));
+  EXPECT_EQ(section.mistake(), "");
+  EXPECT_THAT(section.all("/section/*/@data-item"), ElementsAre("0", "hold"));
+  EXPECT_THAT(section.all("//figure/@data-hold"), ElementsAre("bob"));
+  EXPECT_THAT(section.all("//figure/div/@aria-label"), ElementsAre("A bob. Energy 3 J."));
+  EXPECT_THAT(section.all("//figure/div/svg"), ElementsAre("still"));
+  EXPECT_THAT(section.all("//figcaption"), ElementsAre("A bob."));
 }
 
 TEST(StepHtml, IsTheSameEachTime) {

@@ -98,7 +98,7 @@ const Case cases[] = {
      },
      0x8a3b58e844d3bc13},
     {"SpaceStackAcceleratedGradient",
-     [] { return after_ten_seconds(sliding_stack<SpaceBody>(), {AcceleratedGradient{}}); }, 0x44552383fccb0686},
+     [] { return after_ten_seconds(sliding_stack<SpaceBody>(), {AcceleratedGradient{}}); }, 0x9fff2eb9de3aa033},
     {"PlaneBodiesSymmetricSplitImpulse",
      [] {
        return after_ten_seconds(pinned_chain<PlaneBody>(swinging),
@@ -123,7 +123,7 @@ const Case cases[] = {
     {"PlaneStackSlides", [] { return after_ten_seconds(sliding_stack<PlaneBody>(), {GaussSeidel{}}); },
      0x162fcdd7332ef549},
     {"SpaceStackSlides", [] { return after_ten_seconds(sliding_stack<SpaceBody>(), {GaussSeidel{}}); },
-     0xc390209390540c8d},
+     0x1c04bbac9e7a8766},
 };
 
 class Determinism : public testing::TestWithParam<Case> {};

@@ -268,6 +268,10 @@ int AnyScene::degrees_of_freedom() const {
   });
 }
 
+bool AnyScene::turns_in_space() const {
+  return read([]<class M>(const Scene<M>&) { return M::angular == 3; });
+}
+
 int AnyScene::rows() const {
   return read([](const auto& scene) {
     int count = 0;

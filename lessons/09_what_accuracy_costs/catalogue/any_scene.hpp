@@ -80,6 +80,8 @@ class AnyScene {
 
   /// Numbers that all moving bodies move with, without regard to what holds them.
   int degrees_of_freedom() const;
+  /// Whether its bodies turn in space.
+  bool turns_in_space() const;
   /// Rows of all constraints.
   int rows() const;
   /// Bytes of all poses, velocities, masses, shapes and constraints: what describes the scene.

@@ -273,14 +273,17 @@ Choice choose(const Problem& problem, const Wish& wish, const Search& search) {
      : all[i].exact || all[i].name == "XPBD" ? second
                                              : rest)
         .push_back(i);
+  // Those that solve exactly have few choices, so that their search goes on when that of all others has cost
+  // enough.
   double level = wish.limits.empty() ? INFINITY : 20 * rows * choice.limit.substeps;
   for (;; level *= 2.5) {
-    look(first, level), look(second, level), look(rest, level);
+    look(first, level), look(second, level);
+    if (choice.spent.work <= search.enough) look(rest, level), choice.searched = std::min(level, wish.budget);
     choice.spent = {};
     for (const Spent& one : spent) choice.spent += one;
-    if (std::isfinite(cheapest_yet) || level >= wish.budget || choice.spent.work > search.enough) break;
+    if (std::isfinite(cheapest_yet) || level >= wish.budget || choice.spent.work > 3 * search.enough) break;
   }
-  choice.searched = std::min(level, wish.budget);
+  choice.searched_exactly = std::min(level, wish.budget);
   std::stable_sort(found.begin(), found.end(), by_preference);
 
   // Twenty initial conditions decide: what fails one takes more substeps, or another method is tried.

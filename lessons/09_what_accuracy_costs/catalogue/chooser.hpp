@@ -58,6 +58,7 @@ struct Choice {
   double margin = NAN;                // see `margin`
   Spent spent;                        // on the search
   double searched = 0;                // up to which cost a frame all methods were tried
+  double searched_exactly = 0;        // and those that solve each step exactly, and XPBD
 };
 
 struct Search {
@@ -69,7 +70,7 @@ struct Search {
       };
   int starts = 20;  // initial conditions of the verification
   bool finer = true;
-  double enough = 4e8;  // counted cost after which the search does not go on to dearer methods
+  double enough = 4e8;  // counted cost after which only methods that solve each step exactly are tried further
 };
 
 /// Throws std::invalid_argument unless the wish has a limit or a budget, all above zero, and only errors that this

@@ -14,8 +14,9 @@ struct Weights {
   double row_solve = 1, row = 0, body = 0, contact = 0, substep = 0, step = 0;
 };
 
-/// Of the family of that name; calibrated by tests/lessons/09_what_accuracy_costs/calibrate.cpp.
-Weights weights_of(std::string_view family);
+/// Of the family of that name, for bodies that turn in space or for all others; calibrated by
+/// tests/lessons/09_what_accuracy_costs/calibrate.cpp.
+Weights weights_of(std::string_view family, bool in_space = false);
 
 inline double cost_of(const Effort& effort, const Weights& weights) {
   return weights.row_solve * static_cast<double>(effort.row_solves) +

@@ -97,7 +97,8 @@ std::vector<Family> make_families() {
       xpbd,
       avbd,
   };
-  for (Family& family : all) family.weights = weights_of(family.name);
+  for (Family& family : all)
+    family.weights = weights_of(family.name), family.weights_in_space = weights_of(family.name, true);
   return all;
 }
 
@@ -142,7 +143,10 @@ std::string described_knobs(const Family& family, const Knobs& knobs) {
   if (knobs.cure == Cure::soft) text += fmt::format(", soft constraints with ωh = {:.3g}", knobs.strength);
   if (knobs.cure == Cure::projection)
     text += fmt::format(", projection by {:.0f} sweep{}", knobs.strength, knobs.strength == 1 ? "" : "s");
-  if (knobs.regularisation > 0) text += fmt::format(", regularised by {:g}", knobs.regularisation);
+  if (knobs.regularisation > 0) {  // 1e-9, not 1e-09
+    const double exponent = std::floor(std::log10(knobs.regularisation) + 1e-9);
+    text += fmt::format(", regularised by {:.2g}e{}", knobs.regularisation / std::pow(10, exponent), exponent);
+  }
   return text;
 }
 

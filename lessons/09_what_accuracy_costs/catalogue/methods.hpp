@@ -40,7 +40,7 @@ struct Family {
   bool solves_rows = true;  // for velocities, so that laws 6 and 18 are about it
   bool exact = false;       // whether each solve is exact, so that neither law limits it
   std::function<Setting(const Knobs&)> setting;
-  Weights weights = {};
+  Weights weights = {}, weights_in_space = {};
 };
 
 /// All of them.

@@ -17,6 +17,7 @@ struct Contestant {
   std::function<std::unique_ptr<World<M>>(const Scene<M>&)> build;
   int steps = 1;
   std::string setting = "its default";
+  int effort = 1;  // how far its knob is turned, to compare its own settings by
 };
 
 template <class M>

@@ -72,34 +72,45 @@
     }
   }
 
-  const atOnce = new Lesson(), takingTime = new Lesson();
+  const atOnce = new Lesson(), takingTime = new Lesson(), inHand = new Lesson();  // the last starts where a scene is held
 
   async function unpacked(packed) {
     const bytes = Uint8Array.from(atob(packed), letter => letter.charCodeAt(0));
     return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer();
   }
 
-  // ---- Settings: what the reader changed, as it was typed. The address carries them: #beta=1.9&h=1/120
+  // ---- Settings: what the reader changed, as it was typed, and those with which to compare. The address carries them:
+  // #beta=1.9&h=1/120&versus=beta:0.2 or versus=defaults
 
   const settings = new Map();
+  let versus;  // as `settings`, or undefined
   let parameters = new Map();
 
   function readAddress() {
     settings.clear();
+    versus = undefined;
+    const known = ([name, value]) => value !== undefined && parameters.has(name);
     for (const pair of decodeURIComponent(location.hash.slice(1)).split('&')) {
       const [name, value] = pair.split('=');
-      if (value !== undefined && parameters.has(name)) settings.set(name, value);
+      if (known([name, value])) settings.set(name, value);
+      if (name === 'versus' && value) versus = new Map(value.split(',').map(one => one.split(':')).filter(known));
     }
   }
 
   function writeAddress() {
     const anchor = decodeURIComponent(location.hash.slice(1)).split('&').filter(part => part && !part.includes('='));
     const changed = [...settings].map(([name, value]) => `${name}=${value}`);
+    if (versus) changed.push('versus=' + ([...versus].map(pair => pair.join(':')).join(',') || 'defaults'));
     const hash = [...anchor, ...changed].join('&');
     history.replaceState(null, '', hash ? '#' + hash : location.pathname + location.search);
   }
 
   const asObject = map => Object.fromEntries(map);
+
+  // Names of the parameters in which the two settings differ, and how one of them is called beside the other.
+  const valueIn = (map, name) => map.get(name) ?? parameters.get(name).typed;
+  const differing = () => versus ? [...parameters.keys()].filter(name => valueIn(settings, name) !== valueIn(versus, name)) : [];
+  const called = (map, names) => names.map(name => `${name} = ${valueIn(map, name)}`).join(', ');
 
   // A slider's place, 0 to 1, for a value, and the value for a place: by ratio where a range spans two powers of ten.
   function scale({ low, high, whole }) {
@@ -124,10 +135,10 @@
   function bare(node) {
     const copy = node.cloneNode(true);
     copy.querySelectorAll('.picture, .files, .player, .reply').forEach(part => part.replaceChildren());
-    copy.querySelectorAll('.player, .before').forEach(part => part.remove());
+    copy.querySelectorAll('.player, .versus').forEach(part => part.remove());
     copy.querySelectorAll('details').forEach(part => part.removeAttribute('open'));
     if (copy.matches('details')) copy.removeAttribute('open');
-    copy.classList.remove('fresh');
+    copy.classList.remove('fresh', 'compared');
     if (!copy.classList.length) copy.removeAttribute('class');
     return copy;
   }
@@ -138,14 +149,15 @@
       this.label = section.dataset.step;
       this.read = new Set(reads[this.label]);
       this.stale = false;
+      this.written = section.cloneNode(true);  // at the defaults
       this.controls = new Map();
       this.settings = make('div', { className: 'settings' });
       this.state = make('p', { className: 'state', attributes: { role: 'status' } });
       section.querySelector('h2').after(this.settings, this.state);
       this.shown = new Map();  // by data-item: the child as it was last shown, bare, and its picture
       this.films = new Map();
-      this.written = new Map([...section.querySelectorAll('figure .picture')].map(picture =>
-        [picture.closest('figure').dataset.item, picture.innerHTML]));
+      const held = section.querySelector('figure[data-hold]');
+      if (held) this.hold = new byhandHold(held, { make, lesson: inHand, request: () => this.request(), reduced, fail: error => bar.fail(error) });
       this.section.querySelectorAll('figure[data-film]').forEach(figure => this.films.set(figure.dataset.film, new Film(this, figure)));
     }
 
@@ -212,28 +224,51 @@
       this.compare();
     }
 
-    // Beside each picture, where the reader asked for it, the one that the page was written with: at the defaults.
-    compare() {
-      this.section.querySelectorAll('.before').forEach(before => before.remove());
-      if (!bar.comparing || !settings.size) return;
-      for (const figure of this.section.querySelectorAll('figure[data-item]')) {
-        const picture = this.written.get(figure.dataset.item);
-        if (!picture || ![...settings.keys()].some(name => this.read.has(name))) continue;
-        const svg = new DOMParser().parseFromString(picture, 'text/html').querySelector('svg');
-        if (!svg) continue;
-        svg.setAttribute('xmlns', 'http://www.w3.org/2000/svg');
-        const source = 'data:image/svg+xml,' + encodeURIComponent(new XMLSerializer().serializeToString(svg));
-        const title = svg.querySelector('title')?.textContent ?? '';
-        figure.querySelector('.picture').before(make('div', { className: 'before' },
-          make('p', { textContent: 'At the defaults:' }), make('img', { src: source, alt: `At the defaults: ${title}` }),
-          make('p', { textContent: 'At your settings:' })));
+    // Beside each picture and each measured number what it is at the other settings, where the reader compares.
+    async compare() {
+      this.uncompared = !!versus && this.distance > innerHeight;
+      if (this.uncompared) return;
+      const names = differing().filter(name => this.read.has(name)), turn = this.comparing = {};
+      const other = names.length ? await this.toldVersus().catch(error => bar.fail(error)) : undefined;
+      if (this.comparing !== turn) return;
+      this.section.querySelectorAll('.versus').forEach(part => part.remove());
+      this.section.querySelectorAll('.compared').forEach(part => part.classList.remove('compared'));
+      if (!other) return;
+      const [here, there] = [called(settings, names), called(versus, names)];
+      for (const figure of this.section.querySelectorAll(':scope > figure:is([data-figure], [data-film])')) {
+        const picture = other.querySelector(`:scope > #${figure.id} .picture`);
+        if (!picture) continue;
+        figure.classList.add('compared');
+        const twin = make('div', { className: 'versus twin', innerHTML: apart(picture.innerHTML), attributes: { role: 'img', 'aria-label': `${there}: ${picture.ariaLabel ?? picture.getAttribute('aria-label')}` } });
+        figure.prepend(make('p', { className: 'versus there', textContent: there }), twin, make('p', { className: 'versus here', textContent: here }));
       }
+      const numbers = new Map([...other.querySelectorAll(':scope > .measures > div')].map(row =>
+        [row.querySelector('dt').textContent, row.querySelector('dd').textContent]));
+      for (const row of this.section.querySelectorAll(':scope > .measures > div')) {
+        const number = numbers.get(row.querySelector('dt').textContent);
+        if (number !== undefined) row.append(make('dd', { className: 'versus', textContent: `${number} with ${there}` }));
+      }
+    }
+
+    // This step at the settings with which the reader compares.
+    async toldVersus() {
+      if (!versus.size) return this.written;
+      const key = JSON.stringify([...versus]);
+      if (this.other?.key === key) return this.other.section;
+      if (this.needsButton) return;
+      const told = await this.lesson.ask({ ...this.request({ ask: 'tell' }), settings: asObject(versus) }, { milliseconds: patience })
+        .catch(error => { if (!(error instanceof Stopped)) throw error; return {}; });
+      if (told.refused || told.error) this.say(told.refused ?? told.error);
+      if (!told.html) return;
+      this.other = { key, section: new DOMParser().parseFromString(told.html, 'text/html').querySelector('section') };
+      return this.other.section;
     }
 
     // Puts the child `next` after `before`, or leaves what stands there if it is the same; returns what stands there.
     place(next, before) {
       const key = next.dataset.item;
       const old = this.section.querySelector(`:scope > [data-item="${key}"]`);
+      if (next.dataset.hold) return old;  // goes on by itself, and stays last
       const picture = next.querySelector('.picture')?.innerHTML;
       const words = bare(next);
       const same = old && old.tagName === next.tagName && (this.shown.get(key)?.words ?? bare(old)).isEqualNode(words);
@@ -347,6 +382,9 @@
     }
   }
 
+  // A picture's markup with other ids, to stand beside the picture.
+  const apart = svg => svg.replaceAll(/(id="|url\(#|href="#)/g, '$1versus-');
+
   let steps = [];
   const controls = name => steps.map(step => step.controls.get(name)).filter(Boolean);
 
@@ -384,6 +422,7 @@
       for (const step of stale) {
         step.stale = true;
         step.section.classList.add('stale');
+        step.hold?.retold();
         if (step.needsButton) step.offerRun();
       }
       this.advance();
@@ -400,6 +439,7 @@
 
     async advance() {
       for (const lesson of [atOnce, takingTime]) this.serve(lesson);
+      steps.filter(step => step.uncompared && !step.stale && step.distance <= innerHeight).forEach(step => step.compare());
       clearTimeout(this.later);
       if (steps.some(step => step.stale)) this.later = setTimeout(() => this.advance(), rest + 20);
     },
@@ -450,7 +490,7 @@
 
     // The step was told again, and its last frame stands in the picture.
     retold() {
-      const screen = this.figure.querySelector('.screen');
+      const screen = this.figure.querySelector('.picture .screen');
       if (!screen) return;
       const wanted = this.frames > 1 && this.index !== undefined && this.index < this.frames - 1 ? this.index : undefined;
       this.frames = +screen.dataset.frames;
@@ -481,13 +521,22 @@
           index = this.wanted;
           const { svg, error } = await this.step.lesson.ask(this.step.request({ ask: 'frame', film: this.name, index }));
           if (error) return this.step.say(error);
-          this.figure.querySelector('.screen').innerHTML = svg;
+          this.figure.querySelector('.picture .screen').innerHTML = svg;
+          await this.showVersus(index);
           this.index = index;
           this.slider.value = index;
           this.tellTime();
         } while (this.wanted !== index);
       })().catch(error => bar.fail(error)).finally(() => { this.drawing = undefined; });
       return this.drawing;
+    }
+
+    async showVersus(index) {
+      const twin = this.figure.querySelector('.twin');
+      if (!twin) return;
+      const request = this.step.request({ ask: 'frame', film: this.name, index });
+      const { svg } = await this.step.lesson.ask({ ...request, settings: asObject(versus) });
+      if (svg) twin.innerHTML = apart(svg);
     }
 
     async jump(by) {
@@ -554,17 +603,15 @@
       const copy = make('button', { type: 'button', textContent: 'Copy link', onclick: () => this.copy(copy) });
       const changes = [...settings].map(([name, value]) =>
         make('span', { className: 'change' }, `${name} = ${value}`, make('span', { className: 'was' }, ` (${parameters.get(name).typed})`)));
-      const beside = make('button', {
-        type: 'button', className: 'beside-defaults', textContent: 'Beside the defaults',
-        attributes: { 'aria-pressed': String(!!this.comparing) },
-        onclick: () => {
-          this.comparing = !this.comparing;
-          beside.setAttribute('aria-pressed', String(this.comparing));
-          steps.forEach(step => step.compare());
-        },
-      });
-      this.element.replaceChildren(...changes, reset, beside, copy);
-      this.element.hidden = !settings.size;
+      const button = (className, words, onclick) => make('button', { type: 'button', className, textContent: words, onclick });
+      const pin = button('compare-with-this', 'Compare with this', () => compareWith(new Map(settings)));
+      const atDefaults = !!versus && !versus.size;
+      const beside = button('beside-defaults', 'Beside the defaults', () => compareWith(atDefaults ? undefined : new Map()));
+      beside.setAttribute('aria-pressed', String(atDefaults));
+      const there = versus?.size ? [make('span', { className: 'change' }, `beside ${called(versus, [...versus.keys()])}`),
+        button('stop-comparing', 'Stop comparing', () => compareWith(undefined))] : [];
+      this.element.replaceChildren(...changes, ...there, reset, pin, beside, copy);
+      this.element.hidden = !settings.size && !versus;
     },
 
     copy(button) {
@@ -579,6 +626,13 @@
       this.element.replaceChildren(`The lesson's program stopped (${error.message}). The page stays readable; load it again to change settings.`);
     },
   };
+
+  function compareWith(other) {
+    versus = other;
+    writeAddress();
+    bar.show();
+    steps.filter(step => !step.stale).forEach(step => step.compare());
+  }
 
   function resetAll() {
     const names = [...settings.keys()];
@@ -610,6 +664,7 @@
     document.documentElement.classList.add('live');
     bar.show();
     if (settings.size) queue.add(steps.filter(step => [...settings.keys()].some(name => step.read.has(name))));
+    steps.filter(step => !step.stale).forEach(step => step.compare());
     addEventListener('scroll', () => queue.advance(), { passive: true });
     addEventListener('hashchange', () => {
       const before = asObject(settings);
@@ -618,6 +673,7 @@
       names.forEach(name => controls(name).forEach(control => control.show()));
       bar.show();
       queue.add(steps.filter(step => names.some(name => step.read.has(name))));
+      steps.filter(step => !step.stale).forEach(step => step.compare());
     });
     takingTime.start().catch(error => bar.fail(error));
     document.documentElement.dataset.ready = '';
@@ -628,7 +684,7 @@
     get steps() { return steps; },
     settled: () => !changing && performance.now() - changed > rest + 50 && !steps.some(step => step.telling)
       && !queue.next(atOnce) && !queue.next(takingTime),
-    memory: () => atOnce.memory + takingTime.memory,
+    memory: () => atOnce.memory + takingTime.memory + inHand.memory,
   };
   begin();
 })();

@@ -52,6 +52,33 @@ Json graded(const Lesson& lesson, const Item& item, const std::string& typed) {
   return {{"right", given.right}, {"understood", given.understood}, {"reply", given.reply}};
 }
 
+void act(tutor::Held& scene, const Json& act) {
+  const std::string what = act.at(0);
+  const auto point = [&] { return renderer::Point(act.at(1), Held::page.top() - act.at(2).get<double>()); };
+  if (what == "grab") {
+    scene.grab(point());
+  } else if (what == "move") {
+    scene.move(point());
+  } else if (what == "release") {
+    scene.release();
+  } else if (what == "step") {
+    for (int i = 0; i < act.at(1); ++i) scene.step();
+  } else if (what == "reset") {
+    scene.reset();
+  } else {
+    throw std::invalid_argument(fmt::format("\"{}\" is nothing to do with a scene.", what));
+  }
+}
+
+Json described(const tutor::Held& scene, std::optional<double> part) {
+  Json bodies = Json::array();
+  for (const Held::Body& body : scene.bodies())
+    bodies.push_back(
+        {{"name", body.name}, {"x", body.at.x()}, {"y", Held::page.top() - body.at.y()}, {"reach", body.reach}});
+  return {{"bodies", bodies},     {"held", scene.held()},       {"h", scene.h()},
+          {"parts", Held::parts}, {"words", scene.words(part)}, {"stopped", scene.stopped()}};
+}
+
 }  // namespace
 
 void Program::apply(const std::map<std::string, std::string>& settings) {
@@ -105,6 +132,17 @@ void Program::tell(Told& told) const {
   told.recorded.reads = reads(lesson_);
 }
 
+Held& Program::in_hand(const Step& step) {
+  if (!step.hold) throw std::invalid_argument(fmt::format("Step {} has nothing to hold.", step.label));
+  InHand& now = in_hand_[step.label];
+  if (!now.scene || now.settings != settings()) {
+    auto scene = step.hold->scene();
+    if (now.scene) scene->go_on_from(*now.scene);
+    now = {settings(), std::move(scene)};
+  }
+  return *now.scene;
+}
+
 std::string Program::answer(const std::string& request) {
   Json reply;
   try {
@@ -124,6 +162,15 @@ std::string Program::answer(const std::string& request) {
       const std::string name = asked.at("film");
       const auto frame = [&](renderer::Canvas& canvas) { film.draw(canvas, asked.at("index")); };
       reply["svg"] = drawn(name, frame, draw_window_);
+    } else if (what == "hold") {
+      const Step& step = asked_step();
+      Held& scene = in_hand(step);
+      for (const Json& one : asked.value("acts", Json::array())) act(scene, one);
+      std::optional<double> part;
+      if (asked.contains("part")) part = asked["part"];
+      reply = described(scene, part);
+      const auto draw = [&](renderer::Canvas& canvas) { scene.draw(canvas, part); };
+      reply["svg"] = drawn(step.hold->name, draw, {}, Held::width);
     } else if (what == "grade") {
       reply = graded(lesson_, question(told(asked_step()).recorded.page, asked.at("question")), asked.at("typed"));
     } else {

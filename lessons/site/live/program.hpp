@@ -2,6 +2,7 @@
 
 #include <list>
 #include <map>
+#include <memory>
 #include <string>
 
 #include "lessons/site/live/film.hpp"
@@ -20,8 +21,13 @@ namespace byhand::site {
 ///     {"ask": "frame", "step": "3a", "film": "stems", "index": 7}         {"svg": "<svg …"}
 ///     {"ask": "grade", "step": "3a", "question": 1, "typed": "0.2 m"}     {"right", "understood", "reply"}
 ///
-/// A value that is refused is answered by {"refused": the lesson's sentence, "parameter": "beta"}, what cannot be
-/// answered by {"error": "…"}.
+///     {"ask": "hold", "step": "1", "acts": [["grab", 480, 300], ["step", 2], ["release"]]}
+///         {"svg", "bodies": [{"name", "x", "y", "reach"}, …], "held", "h", "parts", "words", "stopped"}
+///
+/// The scene that a step offers to hold goes on from one request to the next. Its acts are grab and move (to a
+/// point of its picture, y down), release, step (so many) and reset; "part": 2.5 draws it within its next step
+/// (see tutor::Held). A value that is refused is answered by {"refused": the lesson's sentence, "parameter":
+/// "beta"}, what cannot be answered by {"error": "…"}.
 class Program {
  public:
   /// `draw_window` draws what its pictures show in space.
@@ -37,16 +43,25 @@ class Program {
     std::string html = {};
   };
 
+  /// The scene that a reader holds, at the settings for which it was made.
+  struct InHand {
+    std::string settings = {};
+    std::unique_ptr<tutor::Held> scene = {};
+  };
+
   void apply(const std::map<std::string, std::string>& settings);
   const tutor::Step& step(const std::string& label) const;
   std::string settings() const;
   /// The step at the present settings, told now unless it was one of the latest.
   Told& told(const tutor::Step& step);
   void tell(Told& told) const;
+  /// The scene of the step at the present settings.
+  tutor::Held& in_hand(const tutor::Step& step);
 
   tutor::Lesson lesson_;
   renderer::SvgCanvas::DrawWindow draw_window_;
   std::map<std::string, std::list<Told>> told_;  // by the label of the step, the latest first
+  std::map<std::string, InHand> in_hand_;        // by the label of the step
 };
 
 }  // namespace byhand::site

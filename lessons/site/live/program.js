@@ -1,9 +1,19 @@
 'use strict';
 // The lesson's C++: starts it, hands it requests and reads its answers (see program.hpp).
 
+// The bytes of a text with seven bits a letter (see seven_bits).
+function bytesOf(letters) {
+  const bytes = new Uint8Array(7 * letters.length >> 3);
+  for (let i = 0, at = 0, held = 0, bits = 0; i < letters.length; ++i) {
+    held = (held << 7 | letters.charCodeAt(i)) & 0x3fff;
+    bits += 7;
+    if (bits >= 8) bytes[at++] = held >> (bits -= 8);
+  }
+  return bytes;
+}
+
 async function unpacked(packed) {
-  const bytes = Uint8Array.from(atob(packed), letter => letter.charCodeAt(0));
-  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
+  const stream = new Blob([bytesOf(packed)]).stream().pipeThrough(new DecompressionStream('gzip'));
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 

@@ -2,10 +2,19 @@
 // OpenGL's functions, as far as the painter calls them, over WebGL 2. WebAssembly passes numbers: places in its memory,
 // and for objects their numbers in a table.
 
+const R16 = 0x822a;
+
 // `canvas` is made when something is first drawn. `memory()`: of the program.
 function openGl(canvas, memory) {
-  let made;
-  const gl = () => made ??= canvas().getContext('webgl2', { antialias: false });
+  let made, sixteenBits;  // of a channel; without them half a float does
+  const gl = () => {
+    if (!made) {
+      made = canvas().getContext('webgl2', { antialias: false });
+      sixteenBits = made.getExtension('EXT_texture_norm16');
+      made.getExtension('EXT_color_buffer_float');
+    }
+    return made;
+  };
   const objects = [null], number = object => objects.push(object) - 1;
   const bytes = (at, length) => new Uint8Array(memory(), at, length), view = () => new DataView(memory());
   const text = at => {
@@ -46,6 +55,7 @@ function openGl(canvas, memory) {
       gl().uniformMatrix4fv(objects[place], !!transpose, new Float32Array(memory(), at, 16 * count));
     },
     glTexImage2D(target, level, inner, width, height, border, format, type, at) {
+      if (inner === R16 && !sixteenBits) [inner, type] = [gl().R16F, gl().HALF_FLOAT];
       const channels = format === gl().RGBA ? 4 : format === gl().RGB ? 3 : 1;
       gl().texImage2D(target, level, inner, width, height, border, format, type, at ? bytes(at, width * height * channels) : null);
     },

@@ -2,11 +2,13 @@
 //
 //   ninja -C build/release calibrate_costs && cd "$(mktemp -d)"
 //   valgrind --tool=callgrind --callgrind-out-file=counts FOLDER/calibrate_costs run > efforts
+//   (run_in_space for the weights of bodies that turn in space)
 //   FOLDER/calibrate_costs fit efforts counts.*
 //
 // The first runs each method with many choices and has callgrind write how many instructions each run took. The
 // second finds for each method the weights, none below zero, with the least relative error. A row-solve of
-// Gauss–Seidel in the plane is the unit.
+// Gauss–Seidel in the plane is the unit: `fit` in a folder of runs in space takes its instructions as a last
+// argument "unit=…".
 
 #include <fmt/format.h>
 #include <valgrind/callgrind.h>
@@ -23,10 +25,16 @@ namespace {
 using namespace byhand;
 using Counts = std::array<double, 6>;  // in the order of Weights
 
-void run() {
-  const std::vector<Problem> problems{Problem("chain", {{"links", 10}}, "bobs in the plane"),
-                                      Problem("chain", {{"links", 10}}), Problem("chain", {{"links", 40}}),
-                                      Problem("stack", {{"boxes", 5}}), Problem("pyramid", {{"base", 5}})};
+std::vector<Problem> in_plane() {
+  return {Problem("chain", {{"links", 10}}, "bobs in the plane"), Problem("chain", {{"links", 10}}),
+          Problem("chain", {{"links", 40}}), Problem("stack", {{"boxes", 5}}), Problem("pyramid", {{"base", 5}})};
+}
+std::vector<Problem> in_space() {
+  return {Problem("chain", {{"links", 10}}, "balls in space"), Problem("chain", {{"links", 10}}, "links in space"),
+          Problem("chain", {{"links", 40}}, "links in space"), Problem("top")};
+}
+
+void run(const std::vector<Problem>& problems) {
   for (const Problem& problem : problems)
     for (const Family& family : families())
       for (const int substeps : {1, 2, 6})
@@ -78,7 +86,7 @@ Counts fitted(const std::vector<std::pair<Counts, double>>& runs) {
   return weights;
 }
 
-void fit(const char* efforts, int count, char** dumps) {
+void fit(const char* efforts, int count, char** dumps, double unit) {
   std::map<std::string, std::vector<std::pair<Counts, double>>> by_family;
   std::ifstream lines(efforts);
   std::string line;
@@ -95,7 +103,7 @@ void fit(const char* efforts, int count, char** dumps) {
       if (std::getline(fields, field, ';')) number = std::stod(field);
     if (counts[0] > 0) by_family[name].emplace_back(counts, instructions);
   }
-  const double unit = fitted(by_family.at("Gauss–Seidel"))[0];
+  if (unit == 0) unit = fitted(by_family.at("Gauss–Seidel"))[0];
   fmt::print("instructions of a row-solve: {:.1f}\n", unit);
   for (const Family& family : families()) {
     const auto& runs = by_family[family.name];
@@ -115,8 +123,10 @@ void fit(const char* efforts, int count, char** dumps) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc > 3 && std::string(argv[1]) == "fit")
-    fit(argv[2], argc - 3, argv + 3);
+  const std::string command = argc > 1 ? argv[1] : "", last = argv[argc - 1], unit = "unit=";
+  const bool given = last.starts_with(unit);
+  if (command == "fit" && argc > 3)
+    fit(argv[2], argc - 3 - given, argv + 3, given ? std::stod(last.substr(unit.size())) : 0);
   else
-    run();
+    run(command == "run_in_space" ? in_space() : in_plane());
 }

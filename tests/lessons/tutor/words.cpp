@@ -2,6 +2,7 @@
 
 #include "lessons/tutor/words.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
@@ -75,6 +76,13 @@ TEST(DisplayWidth, CountsColumnsNotBytes) {
   EXPECT_EQ(display_width("λ̇"), 1);  // a combining dot
   EXPECT_EQ(display_width("表"), 2);
   EXPECT_EQ(display_width("\033[1;36mβ\033[0m"), 1);
+}
+
+TEST(Words, ATextHasTheLinesBetweenItsLineBreaks) {
+  EXPECT_THAT(lines_of("one\n\n two\n"), testing::ElementsAre("one", "", " two"));
+  EXPECT_THAT(lines_of("one\ntwo"), testing::ElementsAre("one", "two"));
+  EXPECT_THAT(lines_of("\n"), testing::ElementsAre(""));
+  EXPECT_THAT(lines_of(""), testing::IsEmpty());
 }
 
 TEST(Unwrapped, MakesOneLineOfEachParagraphAndItem) {

@@ -13,9 +13,10 @@ export const axe = require.resolve('axe-core/axe.min.js');
 
 export const site = resolve(process.env.BYHAND_SITE);
 export const quick = !!process.env.BYHAND_QUICK;
-export const lessons = readdirSync(site).filter(name => /^\d\d_.*\.html$/.test(name)).map(name => name.slice(0, -5)).sort();
+// Those that are live: lesson 10 needs engines that no browser has.
+export const lessons = readdirSync(join(site, 'live')).filter(name => /^\d\d_.*\.js$/.test(name)).map(name => name.slice(0, -3)).sort();
 export const pages = readdirSync(site).filter(name => name.endsWith('.html')).sort();
-assert.ok(lessons.length > 0, `${site} holds no lessons`);
+assert.ok(lessons.length > 0, `${site} holds no live lessons`);
 
 export const url = (page, hash = '') => pathToFileURL(join(site, page)).href + hash;
 
@@ -27,14 +28,16 @@ export const launch = () => browser ??= puppeteer.launch({
 });
 export const quit = async () => { await (await browser)?.close(); browser = undefined; };
 
+export const launchFirefox = executablePath => puppeteer.launch({ browser: 'firefox', executablePath });
+
 // A page with what its console complained of, and every request that left the folder.
-export async function open(address, { width = 1440, height = 900, dark = false, script = true, before } = {}) {
+export async function open(address, { width = 1440, height = 900, dark = false, script = true, touch = false, before } = {}) {
   const page = await (await launch()).newPage();
   page.complaints = [];
   page.on('console', message => { if (['error', 'warn'].includes(message.type())) page.complaints.push(message.text()); });
   page.on('pageerror', error => page.complaints.push(error.message));
   page.on('requestfailed', request => page.complaints.push(`${request.url()}: ${request.failure()?.errorText}`));
-  await page.setViewport({ width, height });
+  await page.setViewport({ width, height, hasTouch: touch });
   await page.emulateMediaFeatures([
     { name: 'prefers-color-scheme', value: dark ? 'dark' : 'light' },
     { name: 'prefers-reduced-motion', value: 'reduce' },  // a smooth scroll moves what a click aims at
@@ -54,6 +57,17 @@ export async function live(lesson, { hash, address = url(`${lesson}.html`, hash)
 
 // Waits until every step that is stale and in reach has been told again.
 export const settled = (page, timeout = 120_000) => page.waitForFunction(() => byhandPage.settled(), { timeout, polling: 50 });
+
+// Moves the slider of a parameter beside the first step that offers it, as the keyboard or a finger would.
+export async function move(tab, name, share) {
+  await tab.evaluate((name, share) => {
+    const slider = document.querySelector(`.setting[data-name="${name}"] input[type=range]`);
+    slider.closest('section').scrollIntoView();
+    slider.value = Math.round(slider.max * share);
+    slider.dispatchEvent(new Event('input', { bubbles: true }));
+  }, name, share);
+  await settled(tab);
+}
 
 const types = { '.html': 'text/html; charset=utf-8', '.js': 'text/javascript', '.css': 'text/css', '.svg': 'image/svg+xml', '.png': 'image/png', '.woff2': 'font/woff2' };
 export async function serve(folder = site) {

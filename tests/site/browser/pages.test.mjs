@@ -1,9 +1,11 @@
 // Every page of the site, as a reader opens it: from the disk, from a server, without JavaScript, narrow and wide, light
 // and dark.
 import assert from 'node:assert/strict';
+import { readdirSync, statSync } from 'node:fs';
+import { join } from 'node:path';
 import { after, test } from 'node:test';
 
-import { axe, lessons, live, open, pages, quick, quit, serve, url } from './browser.mjs';
+import { axe, lessons, live, open, pages, quick, quit, serve, site, url } from './browser.mjs';
 
 after(quit);
 
@@ -17,6 +19,12 @@ for (const page of pages)
     assert.deepEqual(tab.complaints, []);
     await tab.close();
   });
+
+test('the whole site is at most 15 MB', { skip: quick && 'only of the whole course' }, () => {
+  const size = path => statSync(path).isDirectory()
+    ? readdirSync(path).reduce((sum, name) => sum + size(join(path, name)), 0) : statSync(path).size;
+  assert.ok(size(site) <= 15e6, `${size(site)} bytes`);
+});
 
 test('the lessons are live from a server too', async () => {
   const server = await serve();
@@ -56,6 +64,13 @@ for (const page of pages)
       assert.ok(wide <= 0, `${wide} pixels too wide`);
       await tab.close();
     });
+
+for (const lesson of lessons)
+  test(`${lesson} shows whole lines of code at 1440 pixels`, async () => {
+    const tab = await open(url(`${lesson}.html`));
+    assert.deepEqual(await tab.$$eval('.excerpt pre', all => all.filter(pre => pre.scrollWidth > pre.clientWidth).map(pre => pre.textContent)), []);
+    await tab.close();
+  });
 
 for (const page of quick ? pages.filter(page => page.startsWith('04')) : pages)
   for (const dark of [false, true])

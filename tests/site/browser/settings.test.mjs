@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
 
-import { lessons, live, quick, quit, settled } from './browser.mjs';
+import { lessons, live, move, quick, quit, settled } from './browser.mjs';
 
 after(quit);
 
@@ -10,17 +10,6 @@ const chosen = quick ? lessons.filter(name => /^0[24]/.test(name)) : lessons;
 const somewhere = (() => { let state = 20131; return () => (state = (state * 48271) % 2147483647) / 2147483647; })();
 
 const falseClaims = tab => tab.evaluate(() => [...document.querySelectorAll('[data-verdict="false"]')].map(row => row.textContent));
-
-// Moves the slider of a parameter beside the first step that offers it, as the keyboard or a finger would.
-async function move(tab, name, share) {
-  await tab.evaluate((name, share) => {
-    const slider = document.querySelector(`.setting[data-name="${name}"] input[type=range]`);
-    slider.closest('section').scrollIntoView();
-    slider.value = Math.round(slider.max * share);
-    slider.dispatchEvent(new Event('input', { bubbles: true }));
-  }, name, share);
-  await settled(tab);
-}
 
 for (const lesson of chosen)
   test(`${lesson}: at the ends of every slider and between them every claim holds`, { timeout: 1_800_000 }, async () => {
@@ -40,28 +29,6 @@ for (const lesson of chosen)
   });
 
 const baumgarte = lessons.find(name => name.startsWith('04'));
-
-test('a slider is answered within 50 ms by the step in view', async () => {
-  const tab = await live(baumgarte);
-  await move(tab, 'beta', 0.5);  // the program is warm
-  const times = await tab.evaluate(async () => {
-    const step = byhandPage.steps.find(step => step.label === '2'), times = [];
-    step.section.scrollIntoView();
-    const slider = step.settings.querySelector('[data-name="beta"] input[type=range]');
-    for (const share of [0.2, 0.4, 0.6, 0.8, 0.3, 0.5, 0.7]) {
-      const change = new Promise(resolve => new MutationObserver((_, watch) => { watch.disconnect(); resolve(performance.now()); })
-        .observe(step.section, { childList: true }));
-      const begin = performance.now();
-      slider.value = slider.max * share;
-      slider.dispatchEvent(new Event('input', { bubbles: true }));
-      times.push(await change - begin);
-      await new Promise(resolve => setTimeout(resolve, 500));
-    }
-    return times.sort((a, b) => a - b);
-  });
-  assert.ok(times[0] <= 50, `${times.map(Math.round)} ms`);  // others may be at work on this machine
-  await tab.close();
-});
 
 test('an exact value can be typed, and the address keeps it', async () => {
   const tab = await live(baumgarte);
@@ -120,31 +87,3 @@ test('reset restores the page as it was written', async () => {
   await tab.close();
 });
 
-test('pictures can be seen beside those at the defaults', async () => {
-  const tab = await live(baumgarte);
-  await move(tab, 'beta', 0.95);
-  await tab.click('.changes .beside-defaults');
-  await tab.$eval('#step-2', step => step.scrollIntoView());
-  await settled(tab);
-  const shown = await tab.$$eval('#step-2 figure:is([data-figure], [data-film])', figures => figures.map(figure => [!!figure.querySelector('.before img[alt]'), !!figure.querySelector('.picture svg')]));
-  assert.ok(shown.length > 0 && shown.every(([before, now]) => before && now));
-  await tab.click('.changes .beside-defaults');
-  assert.equal((await tab.$$('.before')).length, 0);
-  assert.deepEqual(tab.complaints, []);
-  await tab.close();
-});
-
-test('hundreds of changes leave the memory as it was', { skip: quick }, async () => {
-  const tab = await live(baumgarte);
-  const used = async () => {
-    await (await tab.createCDPSession()).send('HeapProfiler.collectGarbage');
-    return (await tab.metrics()).JSHeapUsedSize + await tab.evaluate(() => byhandPage.memory());
-  };
-  const change = async count => { for (let i = 0; i < count; ++i) await move(tab, 'beta', (i % 50) / 50); };
-  await change(60);
-  const before = await used();
-  await change(500);
-  const grown = await used() - before;
-  assert.ok(grown < 8e6, `${grown} bytes more`);
-  await tab.close();
-});

@@ -270,6 +270,7 @@ const std::vector<Request> requests{
     {"chain", {{"links", 5}}, {{Error::trajectory, 1e-2}}},
     {"chain", {{"links", 20}, {"end_mass", 10}}, {{Error::drift, 1e-3}}},
     {"chain", {{"links", 50}, {"end_mass", 100}}, {{Error::drift, 1e-3}}},
+    {"chain", {{"links", 50}}, {{Error::drift, 1e-3}}},
     {"four_bar", {}, {{Error::reaction, 0.01}}},
     {"four_bar", {{"coupler_mass", 100}}, {{Error::drift, 1e-3}}},
     {"four_bar", {}, {{Error::drift, 1e-5}}},

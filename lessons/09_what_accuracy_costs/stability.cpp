@@ -1,0 +1,151 @@
+// Deeper: until which step each method is stable, by eigenvalues and by runs.
+
+#include <algorithm>
+#include <cmath>
+
+#include "lessons/09_what_accuracy_costs/catalogue/spectrum.hpp"
+#include "lessons/09_what_accuracy_costs/steps.hpp"
+#include "lessons/09_what_accuracy_costs/survey.hpp"
+
+namespace byhand::accuracy {
+namespace {
+
+using namespace tutor;
+
+constexpr double longest = 0.1;   // [s]
+constexpr double one = 1 + 1e-4;  // beyond which a spectral radius is no rounding
+const std::vector<double> masses{1, 3, 10, 30, 100, 300, 1e3, 3e3, 1e4};  // of the end [kg]
+constexpr std::size_t middle = 4;                                         // of them
+
+ChainOptions taut(double end_mass) { return {.links = 6, .end_mass = end_mass}; }
+
+/// The longest stable step of a method [s], by end mass.
+struct Limits {
+  std::string name;
+  Method method;
+  std::vector<double> eigenvalues = {}, runs = {};
+};
+
+std::vector<Limits> limits(const Page& page) {
+  std::vector<Limits> methods;
+  for (const auto& [name, cure] :
+       {std::pair{"direct", Cure::baumgarte}, std::pair{"RATTLE", Cure::none},
+        std::pair{"implicit midpoint", Cure::none}, std::pair{"RK4", Cure::none}, std::pair{"XPBD", Cure::none}})
+    methods.push_back({name, family_named(name).setting(with_cure({}, cure)).method});
+  const std::size_t count = masses.size();
+  const auto found = page.side_by_side(static_cast<int>(2 * count * methods.size()), [&](int i) {
+    const auto cell = static_cast<std::size_t>(i / 2);
+    const Method& method = methods[cell / count].method;
+    const ChainOptions chain = taut(masses[cell % count]);
+    return longest_step(
+        [&](double h) { return i % 2 == 0 ? spectral_radius(chain, method, h) < one : stays(chain, method, h); },
+        longest);
+  });
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    Limits& method = methods[i / 2 / count];
+    (i % 2 == 0 ? method.eigenvalues : method.runs).push_back(found[i]);
+  }
+  return methods;
+}
+
+renderer::Chart chart_of(const std::vector<Limits>& methods) {
+  using namespace renderer;
+  Chart chart{.x = {.label = "mass of the end over that of a link", .scale = Scale::logarithmic},
+              .y = {.label = "longest stable step (s)", .scale = Scale::logarithmic}};
+  std::vector<const Family*> drawn;
+  for (const Limits& method : methods) drawn.push_back(&family_named(method.name));
+  const std::vector<Colour> colours = colours_of(drawn);
+  const auto curve = [&](std::size_t i, const std::vector<double>& steps, CurveStyle style) {
+    Curve made{.style = style, .colour = colours[i]};
+    for (std::size_t j = 0; j < masses.size(); ++j)
+      if (std::isfinite(steps[j])) made.x.push_back(masses[j]), made.y.push_back(steps[j]);
+    return made;
+  };
+  for (std::size_t i = 0; i < methods.size(); ++i) {
+    Curve line = curve(i, methods[i].eigenvalues, CurveStyle::line),
+          dots = curve(i, methods[i].runs, CurveStyle::markers);
+    if (line.x.empty()) continue;
+    line.label = methods[i].name;
+    chart.curves.push_back(std::move(line));
+    chart.curves.push_back(std::move(dots));
+  }
+  return chart;
+}
+
+std::string in_ms(double step) {
+  return std::isfinite(step) ? say("@ ms", Value(1000 * step, 3)) : say("more than @ ms", 1000 * longest);
+}
+
+}  // namespace
+
+void stability(Page& page) {
+  const std::vector<Limits> methods = limits(page);
+  const Limits &direct = methods.front(), &rk4 = methods[3], &xpbd = methods.back();
+  page.text(
+      R"(Before a method can be accurate it has to be stable. Take @ bobs of 1 kg on rods of 1 m that hang straight down,
+      the last of them heavier, and push them aside a little. To first order one step is then a matrix: it takes the
+      positions and velocities to the side from before the step to after it. If all its eigenvalues are within 1, a
+      disturbance stays; the largest modulus of them is the *spectral radius*. Where it passes 1 the method becomes
+      unstable, however well each step is solved.)",
+      taut(1).links);
+  page.predict(
+      {.ask =
+           R"(Sideways the bobs are springs with frequencies ω. Steps of velocity first, position after, are stable
+              for ωh < 2, and RK4 for ωh < 2√2. How many times as long may a step of RK4 be as one of the direct solve?)",
+       .answer = std::sqrt(2.0),
+       .unit = "1",
+       .tolerance = 0.02,
+       .wrong = {{4, "That is the number of its slopes, which is what the longer step costs."}},
+       .hints = {"Both have the same ω.", "2√2 over 2", "√2"},
+       .right = say("√2. With an end of @ kg: @ beside @.", masses[middle], in_ms(rk4.eigenvalues[middle]),
+                    in_ms(direct.eigenvalues[middle]))});
+  page.figure(
+      "stability",
+      R"(The longest stable step against the mass of the end. Lines: where the spectral radius of one step passes 1. Dots:
+      up to which step a thousand steps leave a small disturbance below a thousand times its width, by bisection. Where a
+      line is missing, the limit is beyond 0.1 s.)",
+      chart_of(methods));
+  std::vector<std::vector<std::string>> rows;
+  std::string always;
+  for (const Limits& method : methods) {
+    rows.push_back({method.name});
+    for (const std::size_t i : {middle, masses.size() - 1})
+      for (const double step : {method.eigenvalues[i], method.runs[i]}) rows.back().push_back(in_ms(step));
+    if (std::none_of(method.eigenvalues.begin(), method.eigenvalues.end(),
+                     [](double h) { return std::isfinite(h); }))
+      always += (always.empty() ? "" : ", ") + method.name;
+  }
+  const std::string light = say("@ kg", masses[middle]), heavy = say("@ kg", masses.back());
+  page.table({"longest stable step", light + ", eigenvalues", light + ", runs", heavy + ", eigenvalues",
+              heavy + ", runs"},
+             rows);
+  page.text(
+      R"(All limits fall as the root of the end's mass: this is law 7, which holds for every method whose forces act along
+      directions that are known before the step ends. Implicit midpoint takes them from the middle of the step, and
+      needs no limit in theory; but it finds that middle by repetition, which converges only where ωh < 2.@)",
+      always.empty() ? ""
+                     : say(" Stable at every step that was tried: @. What that costs in energy, the step before "
+                           "this one has shown.",
+                           always));
+  page.claim({.quantity = "RK4 over direct, longest stable step",
+              .unit = "1",
+              .expected = std::sqrt(2.0),
+              .source = "2√2 over 2 on the imaginary axis",
+              .measured = rk4.eigenvalues[middle] / direct.eigenvalues[middle],
+              .tolerance = relative(0.01)});
+  for (const Limits* method : {&direct, &methods[1], &methods[2], &rk4})
+    page.claim({.quantity = method->name + ", longest stable step by runs over that by eigenvalues",
+                .unit = "1",
+                .expected = 1,
+                .source = "a small disturbance follows the linearised step",
+                .measured = method->runs[middle] / method->eigenvalues[middle],
+                .tolerance = relative(0.03)});
+  page.claim({.quantity = say("XPBD at a step of @ s, end of @ kg: spectral radius", longest, masses.back()),
+              .unit = "1",
+              .expected = one,
+              .source = "it reads velocities off positions, which damps at every step",
+              .measured = spectral_radius(taut(masses.back()), xpbd.method, longest),
+              .tolerance = at_most()});
+}
+
+}  // namespace byhand::accuracy

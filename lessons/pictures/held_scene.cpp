@@ -1,0 +1,278 @@
+#include "lessons/pictures/held_scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lessons/pictures/boxes.hpp"
+#include "lessons/pictures/rods_and_bobs.hpp"
+#include "lessons/tutor/rounding.hpp"
+#include "renderer/canvas.hpp"
+#include "solver/measure.hpp"
+
+namespace byhand::pictures {
+namespace {
+
+using namespace renderer;
+using tutor::say;
+using tutor::Value;
+
+constexpr double slack = 12;         // how far beside a body it may be taken [points]
+constexpr double too_far = 0.5;      // of the picture, in one step: a scene where a body moves so has flown apart
+constexpr double hand_rate = 20;     // ω of the hand's springs [rad/s], damped critically
+constexpr double hand_weights = 10;  // the hand's strength, over the weight of all bodies
+
+template <class M>
+bool has_shapes(const Scene<M>& scene) {
+  return !scene.colliders().shapes.empty();
+}
+
+/// Rods and bobs as large as fingers want them, but small beside the shortest rod.
+LinkageStyle style_of(const Linkage& linkage, double points_per_metre) {
+  double shortest = 1e9;
+  for (const Linkage::Bar& rod : linkage.rods)
+    shortest = std::min(shortest, points_per_metre * (rod.to - rod.from).norm());
+  const double size = std::clamp(shortest / 60, 0.2, 1.0);
+  return {.bob = 20 * size, .rod = 8 * size, .link = 22};
+}
+
+template <class M>
+void draw_scene(Canvas& canvas, const Scene<M>& scene) {
+  if constexpr (M::angular > 0)
+    if (has_shapes(scene)) return pictures::draw(canvas, shapes_of(scene));
+  const Linkage linkage = rods_and_bobs(scene);
+  pictures::draw(canvas, linkage, style_of(linkage, canvas.camera().scale));
+}
+
+template <class M>
+bool begin_alike(const Bodies<M>& one, const Bodies<M>& other) {
+  return std::equal(one.pose.begin(), one.pose.end(), other.pose.begin(), other.pose.end(),
+                    [](const Pose<M>& a, const Pose<M>& b) {
+                      if constexpr (M::angular > 0)
+                        if (a.rotation.cos != b.rotation.cos || a.rotation.sin != b.rotation.sin) return false;
+                      return a.position == b.position;
+                    });
+}
+
+/// The largest impulse λ|l₂| of a row that is not the hand's [N s].
+template <class M>
+double largest_impulse(const Simulation<M>& simulation) {
+  double largest = 0;
+  const System<M>& system = simulation.work.system;
+  for_each_block(system, [&]<int K, Bound B>(const Block<M, K, B>& block, const Run& run) {
+    if (simulation.scene.store(run.kind).kind() == typeid(Pull<M>)) return;
+    for (int k = 0; k < K; ++k) {
+      const double impulse = system.lambda[block.row + k] * block.J.l2().row(k).norm();
+      if (std::abs(impulse) > std::abs(largest)) largest = impulse;
+    }
+  });
+  return largest;
+}
+
+}  // namespace
+
+template <class M>
+HeldScene<M>::HeldScene(InHand<M> given)
+    : given_(std::move(given)),
+      now_(given_.start),
+      camera_(fit(given_.view, {page.x, page.y + 36, page.width, page.height - 96}, 20)) {
+  Scene<M>& scene = given_.start.scene;
+  double mass = 0;
+  for (const InverseMass<M>& inverse : scene.bodies().inverse_mass)
+    if (moves(inverse)) mass += 1 / inverse.linear;
+  strength_ = hand_weights * mass * std::max(scene.gravity.norm(), 1.0);
+  hand_ = scene.add_body(Linear<M>(Linear<M>::Zero()), fixed<M>());
+  reset();
+}
+
+template <class M>
+void HeldScene<M>::reset() {
+  now_ = given_.start;
+  grip_.reset();
+  hand_impulse_.setZero();
+  stopped_.clear();
+}
+
+template <class M>
+double HeldScene<M>::reach(int body) const {
+  const Scene<M>& scene = now_.scene;
+  if constexpr (M::angular > 0) {
+    if (has_shapes(scene)) {
+      const Shape<M>& shape = scene.colliders().shapes[body];
+      if (const auto* box = std::get_if<byhand::Box<M>>(&shape)) return box->half().norm();
+      if (const auto* ball = std::get_if<Ball<M>>(&shape)) return ball->radius;
+    }
+    return 40 / camera_.scale;
+  } else {
+    const Linkage linkage = rods_and_bobs(scene);
+    const Linkage::Bob bob{scene.bodies().pose[body].position, 1 / scene.bodies().inverse_mass[body].linear};
+    return bob_radius(linkage, bob, style_of(linkage, camera_.scale)) / camera_.scale;
+  }
+}
+
+template <class M>
+std::vector<tutor::Held::Body> HeldScene<M>::bodies() const {
+  const Bodies<M>& bodies = now_.scene.bodies();
+  std::vector<Body> all;
+  for (int i = 0; i < bodies.size(); ++i)
+    if (moves(bodies.inverse_mass[i]))
+      all.push_back({given_.body, camera_.to_page(bodies.pose[i].position), reach(i) * camera_.scale});
+  if (all.size() > 1)
+    for (std::size_t i = 0; i < all.size(); ++i) all[i].name += " " + std::to_string(i + 1);
+  return all;
+}
+
+template <class M>
+int HeldScene<M>::held() const {
+  if (!grip_) return -1;
+  const auto& mass = now_.scene.bodies().inverse_mass;
+  return static_cast<int>(std::count_if(mass.begin(), mass.begin() + grip_->body, moves<M>));
+}
+
+template <class M>
+bool HeldScene<M>::covers(int body, const Linear<M>& point) const {
+  const Pose<M>& pose = now_.scene.bodies().pose[body];
+  const double beside = slack / camera_.scale;
+  if constexpr (M::angular > 0)
+    if (has_shapes(now_.scene))
+      if (const auto* box = std::get_if<byhand::Box<M>>(&now_.scene.colliders().shapes[body]))
+        return ((arm_to<M>(pose, point).cwiseAbs() - box->half()).array() <= beside).all();
+  return (point - pose.position).norm() <= reach(body) + beside;
+}
+
+template <class M>
+int HeldScene<M>::body_at(const Linear<M>& point) const {
+  const Bodies<M>& bodies = now_.scene.bodies();
+  int nearest = -1;
+  const auto distance = [&](int body) { return (point - bodies.pose[body].position).norm(); };
+  for (int i = 0; i < bodies.size(); ++i)
+    if (moves(bodies.inverse_mass[i]) && covers(i, point) && (nearest < 0 || distance(i) < distance(nearest)))
+      nearest = i;
+  return nearest;
+}
+
+template <class M>
+void HeldScene<M>::grab(const Point& at) {
+  release();
+  const Linear<M> point = camera_.to_world(at);
+  const int body = body_at(point);
+  if (body < 0) return;
+  if constexpr (M::angular > 0)
+    hold(body, has_shapes(now_.scene) ? arm_to<M>(now_.scene.bodies().pose[body], point) : Arm<M>(Arm<M>::Zero()),
+         point);
+  else
+    hold(body, {}, point);
+}
+
+template <class M>
+void HeldScene<M>::hold(int body, const Arm<M>& arm, const Linear<M>& hand) {
+  now_.scene.set_position(hand_, hand);
+  grip_ = Grip{body, arm, {}};
+  for (int axis = 0; axis < 2; ++axis) {
+    Pull<M> pull{.at = {hand_, body}, .along = Linear<M>::Unit(axis), .strength = strength_ / std::sqrt(2.0)};
+    if constexpr (M::angular > 0) pull.at.arms.second = arm;
+    pull.elastic = tuned(now_.scene.bodies(), pull, hand_rate, 1);
+    grip_->rows[axis] = now_.scene.add(pull);
+  }
+}
+
+template <class M>
+void HeldScene<M>::move(const Point& to) {
+  if (grip_) now_.scene.set_position(hand_, camera_.to_world(to));
+}
+
+template <class M>
+void HeldScene<M>::release() {
+  if (!grip_) return;
+  for (const auto& row : grip_->rows) now_.scene.remove(row);
+  grip_.reset();
+}
+
+template <class M>
+void HeldScene<M>::step() {
+  if (!stopped_.empty()) return;
+  const auto stop = [&](const std::string& how) {
+    stopped_ = say("After @ s @. @", Value(now_.time, 3), how, given_.law);
+  };
+  try {
+    now_.step(given_.h);
+  } catch (const std::runtime_error& error) {
+    return stop(say("the step failed: @", error.what()));
+  }
+  const Bodies<M>& bodies = now_.scene.bodies();
+  if (grip_)
+    for (int axis = 0; axis < 2; ++axis)
+      hand_impulse_[axis] += now_.work.system.lambda[now_.work.system.row_of[now_.scene.place(grip_->rows[axis])]];
+  double moved = 0;
+  for (const Velocity<M>& V : bodies.velocity) moved = std::max(moved, given_.h * V.template head<2>().norm());
+  if (moved > too_far * std::max(given_.view.width, given_.view.height))
+    stop(say("the scene has flown apart: a body moves @ m in one step", Value(moved, 2)));
+}
+
+template <class M>
+void HeldScene<M>::go_on_from(const Held& other) {
+  const auto* that = dynamic_cast<const HeldScene*>(&other);
+  if (!that || !that->stopped_.empty()) return;
+  if (!begin_alike(given_.start.scene.bodies(), that->given_.start.scene.bodies())) return;
+  now_.scene.state().pose = that->now_.scene.bodies().pose;
+  now_.scene.state().velocity = that->now_.scene.bodies().velocity;
+  now_.time = that->now_.time;
+  hand_impulse_ = that->hand_impulse_;
+  if (that->grip_) hold(that->grip_->body, that->grip_->arm, now_.scene.bodies().pose[hand_].position);
+}
+
+template <class M>
+void HeldScene<M>::draw_hand(Canvas& canvas) const {
+  if (!grip_) return;
+  const Pose<M>& pose = now_.scene.bodies().pose[grip_->body];
+  const Point hand = now_.scene.bodies().pose[hand_].position,
+              point = anchor<M, double>(pose, in_world<M, double>(pose, grip_->arm));
+  canvas.line(point, hand, {palette::muted, 3, Dash::dashed});
+  canvas.disc(hand, 9 / canvas.camera().scale, {fade(palette::highlight, 0.5), {palette::ink, 1.8}});
+}
+
+template <class M>
+std::optional<StepTerms> HeldScene<M>::next_terms() const {
+  if (!stopped_.empty()) return {};
+  Simulation<M> next = now_;
+  try {
+    next.step(given_.h);
+  } catch (const std::runtime_error&) {
+    return {};
+  }
+  return terms_of(now_, next, given_.h);
+}
+
+template <class M>
+void HeldScene<M>::draw(Canvas& canvas, std::optional<double> part) const {
+  canvas.clip(page);
+  canvas.look(camera_);
+  const std::optional<StepTerms> terms = part ? next_terms() : std::nullopt;
+  Scene<M> seen = now_.scene;
+  if (terms && *part >= parts - 1)
+    for (const auto& [body, by, turn] : terms->moves) {
+      Pose<M>& pose = seen.state().pose[body];
+      pose.position += share_of(*part) * Linear<M>(by);
+      if constexpr (M::angular > 0) pose.rotation = rotated_by(pose.rotation, share_of(*part) * turn);
+    }
+  draw_scene(canvas, seen);
+  draw_hand(canvas);
+  if (terms) draw_part(canvas, *terms, *part, 0.3 * std::min(given_.view.width, given_.view.height));
+}
+
+template <class M>
+std::string HeldScene<M>::words(std::optional<double> part) const {
+  if (const std::optional<StepTerms> terms = part ? next_terms() : std::nullopt) {
+    const PartInWords now = in_words(*terms, static_cast<int>(*part));
+    return now.formula + ". " + now.words;
+  }
+  const char* most = now_.scene.count() > (grip_ ? 3 : 1) ? "at most " : "";
+  const double error = tutor::without_rounding(position_error(now_.scene).max, 1);
+  return say("Time @ s: energy @ J, |C| @@ @, impulse λ|l₂| @@ N·s.", Value(now_.time, 4),
+             Value(energy(now_.scene), 4), most, Value(error, 3), given_.unit_of_C, most,
+             Value(largest_impulse(now_), 3));
+}
+
+template class HeldScene<PlaneParticle>;
+template class HeldScene<PlaneBody>;
+
+}  // namespace byhand::pictures

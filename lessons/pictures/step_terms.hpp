@@ -1,0 +1,51 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "renderer/canvas.hpp"
+#include "solver/step.hpp"
+
+namespace byhand::pictures {
+
+/// What the terms of one step do to the velocities of a scene in the plane, at the middles of its bodies: what a
+/// film within a step shows, of any scene and step.
+struct StepTerms {
+  struct Arrow {
+    renderer::Point from, by;  // [m], [m/s]
+    renderer::Colour colour;
+  };
+  std::vector<Arrow> before = {}, gravity = {};
+  std::vector<Arrow> rates = {};    // JV, along J, of the rows with an impulse
+  std::vector<Arrow> changes = {};  // M⁻¹Jᵀλ of all rows, and apart the hand's
+  std::vector<Arrow> after = {};
+  struct Move {
+    int body;
+    renderer::Point by;
+    double turn;
+  };
+  std::vector<Move> moves = {};          // hV [m, rad]
+  double gain = 0;                       // gh [m/s]
+  double JV = 0, bias = 0, impulse = 0;  // over or times |l₂|, of the row with the largest impulse [m/s, m/s, N s]
+  int rows = 0;                          // with an impulse, but for the hand's
+};
+
+/// The terms of the step of h [s] that leads from one state to the next.
+template <class M>
+StepTerms terms_of(const Simulation<M>& now, const Simulation<M>& next, double h);
+
+/// A part of the step, 0 to 5: velocities, gravity, JV, λ, velocities, poses.
+struct PartInWords {
+  std::string formula, words;
+  renderer::Colour colour;
+};
+PartInWords in_words(const StepTerms& terms, int part);
+
+/// How far a part, 2.3 for the third, has come: it moves, then holds.
+double share_of(double part);
+
+/// Draws the arrows of a part into the world of the canvas's camera, the longest about `longest` [m], and its
+/// words.
+void draw_part(renderer::Canvas& canvas, const StepTerms& terms, double part, double longest);
+
+}  // namespace byhand::pictures

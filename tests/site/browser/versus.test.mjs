@@ -1,0 +1,114 @@
+// Two settings side by side: one is pinned, the other goes on changing.
+import assert from 'node:assert/strict';
+import { after, test } from 'node:test';
+
+import { lessons, live, move, quit, settled } from './browser.mjs';
+
+after(quit);
+
+const baumgarte = lessons.find(name => name.startsWith('04'));
+const step = '#step-2', figures = `${step} > figure:is([data-figure], [data-film])`;
+
+const hash = tab => tab.evaluate(() => decodeURIComponent(location.hash));
+const compared = tab => tab.waitForFunction(figures => [...document.querySelectorAll(figures)].every(figure => figure.querySelector('.twin svg')), {}, figures);
+async function inView(tab) {
+  await tab.$eval(step, step => step.scrollIntoView());
+  await settled(tab);
+}
+// Of each figure: what its two pictures are called, and their letters.
+const seen = tab => tab.$$eval(figures, figures => figures.map(figure => ({
+  there: figure.querySelector('.there')?.textContent,
+  here: figure.querySelector('.here')?.textContent,
+  twin: figure.querySelector('.twin')?.textContent,
+  picture: figure.querySelector('.picture').textContent,
+})));
+
+test('settings that are pinned stay beside those that change, in figures and numbers, and in the address', async () => {
+  const tab = await live(baumgarte);
+  await move(tab, 'beta', 0.5);
+  await inView(tab);
+  const pinned = await seen(tab), value = (await hash(tab)).match(/beta=([^&]*)/)[1];
+  await tab.click('.changes .compare-with-this');
+  assert.equal(await hash(tab), `#beta=${value}&versus=beta:${value}`);
+  assert.equal((await tab.$$('.versus')).length, 0, 'nothing differs yet');
+
+  await move(tab, 'beta', 0.1);
+  await inView(tab);
+  await compared(tab);
+  const now = await seen(tab), other = (await hash(tab)).match(/beta=([^&]*)/)[1];
+  assert.ok(now.length > 0);
+  assert.ok(now.every(({ there, here }) => there === `beta = ${value}` && here === `beta = ${other}`), JSON.stringify(now));
+  assert.deepEqual(now.map(({ twin }) => twin), pinned.map(({ picture }) => picture), 'the pinned pictures are those of before');
+  assert.ok(now.some(({ twin, picture }) => twin !== picture));
+  const numbers = await tab.$$eval(`${step} .measures > div`, rows => rows.map(row => row.querySelector('dd.versus')?.textContent));
+  assert.ok(numbers.every(number => number?.endsWith(`with beta = ${value}`)), numbers.join());
+  assert.equal(await hash(tab), `#beta=${other}&versus=beta:${value}`);
+  const address = await tab.evaluate(() => location.href);
+
+  const ids = await tab.$$eval('[id]', all => all.map(({ id }) => id));
+  assert.equal(new Set(ids).size, ids.length, 'no id is there twice');
+  await tab.click('.changes .stop-comparing');
+  await tab.waitForFunction(() => !document.querySelector('.versus'));
+  assert.equal(await hash(tab), `#beta=${other}`);
+  assert.deepEqual(tab.complaints, []);
+  await tab.close();
+
+  const again = await live(baumgarte, { address });
+  await settled(again);
+  await inView(again);
+  await compared(again);
+  assert.deepEqual(await seen(again), now, 'a link shows what its author saw');
+  await again.close();
+});
+
+test('the defaults stand beside what changed, and questions keep their words', async () => {
+  const tab = await live(baumgarte);
+  const questions = await tab.$$eval('.question .before', all => all.length);
+  await move(tab, 'beta', 0.95);
+  await tab.click('.changes .beside-defaults');
+  await inView(tab);
+  await compared(tab);
+  assert.match(await hash(tab), /&versus=defaults$/);
+  assert.ok((await seen(tab)).every(({ there }) => there === 'beta = 0.2'));
+  await tab.click('.changes .beside-defaults');
+  await tab.waitForFunction(() => !document.querySelector('.versus'));
+  assert.equal(await tab.$$eval('.question .before', all => all.length), questions);
+  assert.deepEqual(tab.complaints, []);
+  await tab.close();
+});
+
+test('a film shows both settings at the same moment', async () => {
+  const tab = await live(baumgarte, { hash: '#beta=1.5&versus=beta:0.1' });
+  await inView(tab);
+  await compared(tab);
+  const film = `${step} > figure[data-film]`;
+  const pictures = () => tab.$eval(film, film => [film.querySelector('.twin').innerHTML, film.querySelector('.picture').innerHTML]);
+  const before = await pictures();
+  await tab.$eval(`${film} .player input`, slider => { slider.value = 5; slider.dispatchEvent(new Event('input')); });
+  await tab.waitForFunction((film, twin) => document.querySelector(`${film} .twin`).innerHTML !== twin, {}, film, before[0]);
+  const [twin, picture] = await pictures();
+  assert.notEqual(picture, before[1]);
+  assert.notEqual(twin.replaceAll('versus-', ''), picture);
+  await tab.close();
+});
+
+for (const [width, beside] of [[360, false], [1440, true]])
+  test(`the two stand ${beside ? 'side by side' : 'one above the other'} at ${width} pixels, without a horizontal bar`, async () => {
+    const tab = await live(baumgarte, { width, hash: '#beta=1.5&versus=defaults' });
+    await inView(tab);
+    await compared(tab);
+    const [twin, picture] = await tab.$eval(figures, figure => ['.twin', '.picture'].map(part => figure.querySelector(part).getBoundingClientRect().toJSON()));
+    assert.equal(Math.abs(twin.y - picture.y) < 2 && twin.x < picture.x, beside);
+    assert.equal(twin.y + twin.height <= picture.y, !beside);
+    assert.ok(Math.abs(twin.width - picture.width) < 2, `${twin.width} and ${picture.width}`);
+    assert.ok(await tab.evaluate(() => document.documentElement.scrollWidth <= document.documentElement.clientWidth));
+    await tab.close();
+  });
+
+test('pinned settings that the lesson refuses are refused in its own sentence', async () => {
+  const tab = await live(baumgarte, { hash: '#beta=1.5&versus=beta:9' });
+  await inView(tab);
+  await tab.waitForFunction(step => /beta/.test(document.querySelector(`${step} .state`).textContent), {}, step);
+  assert.equal((await tab.$$('.versus')).length, 0);
+  await tab.close();
+});
