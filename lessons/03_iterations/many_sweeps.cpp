@@ -23,10 +23,10 @@ const std::array<Named, 3> orders{{{"top-down", {.warm_start = false, .order = S
                                    {"bottom-up", {.warm_start = false, .order = SweepOrder::reverse}},
                                    {"red–black", {.warm_start = false, .order = SweepOrder::coloured}}}};
 
-/// About sixty whole numbers from 1 to `last`.
+/// Every number of sweeps up to twenty, where the orders differ, then about sixty up to `last`.
 std::vector<int> sweep_counts(int last) {
   std::vector<int> counts;
-  for (int i = 1; i <= last; i += 1 + last / 60) counts.push_back(i);
+  for (int i = 1; i <= last; i += i < 20 ? 1 : 1 + last / 60) counts.push_back(i);
   return counts;
 }
 
@@ -78,7 +78,7 @@ void many_sweeps(Page& page, const Knobs& knobs) {
   const double jacobi = sweeps_per_digit(measured_factor(Jacobi{.warm_start = false}, chain, h));
 
   page.text(
-      R"(How fast do sweeps converge? Solve the same step, hanging chain, gravity just in V, with 1, 2, 3, … sweeps
+      R"(How fast do sweeps converge? Solve the same step, hanging chain, gravity just in V, with 1, 2, 3, … sweeps,
       and compare the largest error each time. Four ways, all from λ = 0:
 
       - *Jacobi*: every row sees the same V, then all act at once. It could run in parallel.

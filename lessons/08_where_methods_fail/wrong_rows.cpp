@@ -42,12 +42,12 @@ double softness_that_bounds(double conflict) {
 
 renderer::Chart over_time(double conflict, const std::vector<double>& shares) {
   renderer::Chart chart{
-      .x = {.label = "time (s)"},
+      .x = {.label = "time (s)", .scale = renderer::Scale::logarithmic},
       .y = {.label = "pull against each other (weights of the bob)", .scale = renderer::Scale::logarithmic}};
   for (const double share : shares) {
     renderer::Curve curve{.label = share > 0 ? say("softness @ A", Value(share, 2)) : "rigid"};
     for (int i = 1; i <= 40; ++i) {
-      curve.x.push_back(seconds * i / 40);
+      curve.x.push_back(seconds * std::pow(200, i / 40.0 - 1));
       curve.y.push_back(tug(rods(conflict, share), curve.x.back()) / (mass * gravity));
     }
     chart.curves.push_back(std::move(curve));
@@ -129,7 +129,8 @@ void wrong_rows(const Setting& setting, Page& page) {
        .right = "Every step adds the same, so the pull grows in proportion to time, without end."});
   page.figure("two_rods",
               say(R"(What two rods that differ by @ m pull against each other with: rigid, and with softness, in
-                  shares of each row's own A = JM⁻¹Jᵀ.)",
+                  shares of each row's own A = JM⁻¹Jᵀ. On logarithmic axes growth in proportion to time is a line of
+                  slope 1.)",
                   setting.conflict),
               over_time(conflict, {0, bound / 10, bound, 10 * bound}));
   page.text(
