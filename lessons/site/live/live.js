@@ -137,6 +137,7 @@
     copy.querySelectorAll('.picture, .files, .player, .reply').forEach(part => part.replaceChildren());
     copy.querySelectorAll('.player, .versus').forEach(part => part.remove());
     copy.querySelectorAll('details').forEach(part => part.removeAttribute('open'));
+    copy.querySelectorAll('[tabindex]').forEach(part => part.removeAttribute('tabindex'));
     if (copy.matches('details')) copy.removeAttribute('open');
     copy.classList.remove('fresh', 'compared');
     if (!copy.classList.length) copy.removeAttribute('class');
@@ -283,6 +284,8 @@
       if (old) old.replaceWith(next);
       before.after(next);
       if (next.dataset.film) this.adopt(next);
+      for (const box of next.querySelectorAll('.formula, .scroll, pre'))  // as in site.js
+        if (box.scrollWidth > box.clientWidth + 1) box.tabIndex = 0;
       this.mark(next);
       return next;
     }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "lessons/scenes/boxes.hpp"
+#include "lessons/scenes/four_bar.hpp"
 #include "lessons/scenes/pendulum.hpp"
 #include "lessons/tutor/words.hpp"
 #include "renderer/svg_canvas.hpp"
@@ -181,6 +182,19 @@ TEST(HeldScene, APullStretchesTheRodOfLesson4ByFhhOverMBeta) {
     EXPECT_NEAR(position_error(scene.simulation().scene).max, (1 - beta) * force * h * h / (3 * beta), 1e-9)
         << beta;
   }
+}
+
+TEST(HeldScene, PinsHoldWhileABarIsDragged) {
+  Boxes scene =
+      held(four_bar({.arm = 1, .coupler = 1.5, .angle = 0.6}), {.solver = Direct{}, .drift = Baumgarte{1}});
+  const Point begin = scene.bodies()[2].at;
+  drag(scene, 2, {-120, 60});
+  for (int i = 0; i < 90; ++i) {
+    scene.step();
+    ASSERT_LT(position_error(scene.simulation().scene).max, 0.02) << i;
+  }
+  EXPECT_EQ(scene.stopped(), "");
+  EXPECT_LT(scene.bodies()[2].at.x(), begin.x() - 40);
 }
 
 TEST(HeldScene, TheSameEventsGiveTheSameBytes) {
