@@ -32,6 +32,17 @@ TEST(Colours, ASymbolHasTheColourThatItsPictureGivesIt) {
   EXPECT_THAT(step, HasSubstr("<mi>J</mi>")) << "which the picture does not name";
 }
 
+TEST(Colours, OfSeveralTextsAreThoseOfEach) {
+  const std::string both = site::drawn("picture", [](Canvas& canvas) {
+    for (const char* words : {"J", "λ", "V"}) canvas.text({100, 100}, words, {.colour = renderer::palette::force});
+    canvas.text({100, 100}, "V", {.colour = renderer::palette::velocity});
+  });
+  const std::string step = with(both);
+  EXPECT_THAT(step, HasSubstr("<mi class=\"force\">λ</mi>"));
+  EXPECT_THAT(step, HasSubstr("<mi class=\"velocity\">V</mi>"));
+  EXPECT_THAT(step, HasSubstr("<mi>J</mi>"));
+}
+
 TEST(Colours, WithoutSuchAPictureItIsBlack) {
   EXPECT_THAT(with(""), Not(HasSubstr("class=\"force\"")));
   EXPECT_THAT(with(picture("λ", renderer::palette::ink)), Not(HasSubstr("class=\"force\"")));
