@@ -165,7 +165,7 @@ TEST(CollideLaws, GiveTheSameBitsEverywhere) {
         }
       },
       500);
-  EXPECT_EQ(hash, 5082058914088589159u);
+  EXPECT_EQ(hash, 14914979778073157387u);
 }
 
 TEST(CollideLaws, TouchOnlyWithinTheMargin) {
