@@ -54,12 +54,11 @@ renderer::Chart value_over_time(double length, double mass) {
 }
 
 renderer::Chart landscape(double length, double mass) {
-  constexpr int rows = 121, columns = 121;
+  constexpr int half = 60, cells = 2 * half + 1;  // along an axis
   renderer::HeatMap map{
       .label = "C (m²)", .diverging = true, .range = std::pair{-length * length, length * length}, .square = true};
-  const auto place = [length](int i, int count) { return 1.5 * length / (rows / 2) * (i - count / 2); };
-  for (int i = 0; i < columns; ++i) map.x.push_back(place(i, columns));
-  for (int i = 0; i < rows; ++i) map.y.push_back(place(i, rows));
+  for (int i = 0; i < cells; ++i) map.x.push_back(1.5 * length / half * (i - half));
+  map.y = map.x;
   for (const double y : map.y)
     for (const double x : map.x) map.values.push_back(value_at({x, y}, length, mass));
   renderer::Curve circle{

@@ -97,8 +97,8 @@ std::vector<double> peaks(AnyBall ball, double h, int count) {
 }
 
 template <class AnyBall>
-Curve heights(std::string name, AnyBall ball, double h, Colour colour) {
-  Curve curve{.label = std::move(name), .x = {0}, .y = {height(ball)}, .colour = colour};
+Curve heights(const std::string& name, AnyBall ball, double h, Colour colour) {
+  Curve curve{.label = name, .x = {0}, .y = {height(ball)}, .colour = colour};
   while (ball.time < bounce_seconds - 0.5 * h) {
     step(ball, h);
     curve.x.push_back(ball.time);

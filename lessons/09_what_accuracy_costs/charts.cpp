@@ -176,7 +176,8 @@ Chart work_precision(const Survey& survey, const std::vector<Spread>& spreads, E
     Curve median{.label = spread.family->name,
                  .style = CurveStyle::line_and_markers,
                  .colour = colours[static_cast<std::size_t>(&spread - spreads.data())]};
-    Curve low{.colour = fade(*median.colour, 0.45)}, high = low;
+    Curve low{.colour = fade(*median.colour, 0.45)};
+    Curve high = low;
     for (std::size_t i = 0; i < spread.points.size(); ++i) {
       const byhand::Point& point = spread.points[i];
       const double y = on_axis(point, cost);

@@ -140,7 +140,7 @@ void show_errors(Page& page, const byhand::Point& best, const Problem& problem) 
   for (const Error error : errors) {
     if (!best.has(error)) continue;
     const bool length = error == Error::drift || error == Error::trajectory;
-    const double bad = length ? problem.size() / 10 : error == Error::contact ? 0.1 : 0.1;
+    const double bad = length ? problem.size() / 10 : 0.1;
     rows.push_back({std::string(name_of(error)), in_words(best[error], error), best[error] > bad ? "bad" : ""});
     if (best[error] > bad) warnings += say("@@", warnings.empty() ? "" : ", ", std::string(name_of(error)));
   }
@@ -270,7 +270,7 @@ void chooser(Page& page, const Setting& setting) {
     page.side_by_side(count, [&](int i) { return work(i), 0; });
   };
   Wish wish{.limits = limits};
-  const auto time_of = [&](const byhand::Point& point) {
+  const auto time_of = [&problem = problem](const byhand::Point& point) {
     return nanoseconds_a_frame(problem, point.family->setting(point.knobs), 0.05);
   };
   if (by_clock) {  // what one row-solve takes here and now

@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <limits>
-#include <ranges>
 
 #include "lessons/09_what_accuracy_costs/runs.hpp"
 #include "lessons/09_what_accuracy_costs/steps.hpp"
@@ -77,7 +76,8 @@ void substeps_or_sweeps(Page& page) {
       counted[problem == &in_space].second.push_back(
           measure(*problem, gauss_seidel, knobs_of(way), {.seconds = 0.5, .reference = false}).cost);
   const auto over_one_step = [](std::vector<double> cost) {
-    for (double& one : cost | std::views::reverse) one /= cost.front();
+    const double one_step = cost.front();
+    for (double& one : cost) one /= one_step;
     return cost;
   };
   page.text(
