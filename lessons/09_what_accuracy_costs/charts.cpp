@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <set>
+#include <string_view>
 
 #include "lessons/09_what_accuracy_costs/catalogue/tidy.hpp"
 #include "lessons/09_what_accuracy_costs/survey.hpp"
@@ -242,13 +244,21 @@ std::string caption_of(const Survey& survey, Error error, int starts) {
 }  // namespace
 
 std::vector<renderer::Colour> colours_of(const std::vector<const Family*>& drawn) {
-  std::set<int> taken;
+  constexpr std::array<std::string_view, most_curves> own{"direct", "Gauss–Seidel", "RATTLE", "conjugate sweeps",
+                                                          "RK4",    "XPBD",         "AVBD"};
+  const auto own_index = [&](const Family* family) {
+    return static_cast<std::size_t>(std::find(own.begin(), own.end(), family->name) - own.begin());
+  };
+  std::set<std::size_t> taken;
+  for (const Family* family : drawn)
+    if (own_index(family) < own.size()) taken.insert(own_index(family));
   std::vector<renderer::Colour> colours;
   for (const Family* family : drawn) {
-    int index = static_cast<int>(family - families().data()) % static_cast<int>(most_curves);
-    while (taken.contains(index)) index = (index + 1) % static_cast<int>(most_curves);
+    std::size_t index = own_index(family);
+    if (index == own.size())
+      for (index = 0; taken.contains(index);) ++index;
     taken.insert(index);
-    colours.push_back(renderer::palette::series(index));
+    colours.push_back(renderer::palette::series(static_cast<int>(index)));
   }
   return colours;
 }

@@ -42,7 +42,7 @@ std::string description(const Problem& problem);
 /// The same for a chart, where _ would lower a letter: with spaces.
 std::string title_of(const Problem& problem);
 
-/// A colour for each: its own in all charts, unless another has it already; at most seven differ.
+/// A colour for each. The seven that most charts draw have their own in all of them, others one that is left.
 std::vector<renderer::Colour> colours_of(const std::vector<const Family*>& drawn);
 
 /// Error against cost on logarithmic axes: at most seven methods, those on the front and the article's own, by

@@ -112,9 +112,10 @@ struct WalkFilm {
 void walking_down(const Problem& problem, Page& page) {
   const std::array<const Family*, 2> families{&family_named("direct"), &family_named("RATTLE")};
   const std::array names{"symplectic Euler", "RATTLE"};
+  const std::vector<Colour> colours = colours_of({families[0], families[1]});
   WalkFilm film{.acts = pictures::Acts({}),
                 .methods = {},
-                .colours = {palette::series(0), palette::series(1)},
+                .colours = {colours[0], colours[1]},
                 .exact = {},
                 .chart = {.x = {.label = "error of the place (m)", .scale = Scale::logarithmic},
                           .y = {.label = "cost (row-solves a frame)", .scale = Scale::logarithmic}},
@@ -139,7 +140,7 @@ void walking_down(const Problem& problem, Page& page) {
     const auto millimetres = [&](std::size_t m) { return Value(1000 * error(m, i), 2); };
     acts.push_back(
         {say("h = 1/@ s: @ mm, @ mm", 60 << i, millimetres(0), millimetres(1)),
-         i == 0 ? say("Symplectic Euler (blue) and RATTLE (orange), @ s: how far the bob is from its true place.",
+         i == 0 ? say("Symplectic Euler (blue) and RATTLE (green), @ s: how far the bob is from its true place.",
                       problem.compared_at())
                 : say("Half the step: the errors are divided by @ and @.", Value(error(0, i - 1) / error(0, i), 2),
                       Value(error(1, i - 1) / error(1, i), 2)),
