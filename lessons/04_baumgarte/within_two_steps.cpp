@@ -77,11 +77,12 @@ void within_two_steps(const Setting& setting, Page& page) {
        {say("JV = −(β/h)C = @ m/s", Value(-beta / h * C, 3)),
         "In the next step the bias b = (β/h)C asks for a speed along the rod.", palette::force},
        {say("(1 − β)C = @ mm", Value(1000 * left * C, 3)), fate, palette::error}});
+  const double enlarged = drawn_step * length / way;
   page.sequence(
       "within_two_steps",
-      say(R"(Tangent, drift, correction, slowed from two steps of @ s to @ s. The step is drawn @ times as long as it is;
-          what the bob does along the circle in the second step is left out.)",
-          setting.h, acts.seconds(), Value(drawn_step * length / way, 2)),
+      say(R"(Tangent, drift, correction, slowed from two steps of @ s to @ s. The step is drawn @ long as it is; what the bob
+          does along the circle in the second step is left out.)",
+          setting.h, acts.seconds(), std::abs(enlarged - 1) < 0.05 ? "as" : say("@ times as", Value(enlarged, 2))),
       Seconds{acts.seconds()},
       [film = CorrectionFilm{acts, beta}](Canvas& canvas, double time) { film.draw(canvas, time); });
 }
