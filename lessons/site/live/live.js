@@ -630,11 +630,13 @@
     },
   };
 
+  const compareAll = () => steps.filter(step => !step.stale).forEach(step => step.compare());
+
   function compareWith(other) {
     versus = other;
     writeAddress();
     bar.show();
-    steps.filter(step => !step.stale).forEach(step => step.compare());
+    compareAll();
   }
 
   function resetAll() {
@@ -667,7 +669,7 @@
     document.documentElement.classList.add('live');
     bar.show();
     if (settings.size) queue.add(steps.filter(step => [...settings.keys()].some(name => step.read.has(name))));
-    steps.filter(step => !step.stale).forEach(step => step.compare());
+    compareAll();
     addEventListener('scroll', () => queue.advance(), { passive: true });
     addEventListener('hashchange', () => {
       const before = asObject(settings);
@@ -676,7 +678,7 @@
       names.forEach(name => controls(name).forEach(control => control.show()));
       bar.show();
       queue.add(steps.filter(step => names.some(name => step.read.has(name))));
-      steps.filter(step => !step.stale).forEach(step => step.compare());
+      compareAll();
     });
     takingTime.start().catch(error => bar.fail(error));
     document.documentElement.dataset.ready = '';
