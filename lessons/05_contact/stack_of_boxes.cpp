@@ -155,6 +155,7 @@ std::string why_it_falls(int boxes, const GaussSeidel& solver, double h) {
   return say(
       "Why does it fall, although every contact carries its weight? Friction is not the reason: with μ = 10⁴ @.",
       std::isinf(glued) ? say("it stands for @ s", patience)
+      : glued == fell   ? say("it falls after @ s too", Value(glued, 3))
                         : say("it falls after @ s instead of @ s", Value(glued, 3), Value(fell, 3)));
 }
 
