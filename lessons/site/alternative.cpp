@@ -62,8 +62,9 @@ std::string label(const Chart& chart) {
   if (chart.heat_map)
     for (const auto& [name, cells] : tutor::cells_of_classes(*chart.heat_map))
       parts.push_back(fmt::format("{}: {}", name, tutor::several(cells, "cell")));
-  for (const renderer::Curve& curve : chart.curves)
-    if (!curve.y.empty()) parts.push_back(course(curve));
+  for (const bool named : {true, false})
+    for (const renderer::Curve& curve : chart.curves)
+      if (!curve.y.empty() && curve.label.empty() != named) parts.push_back(course(curve));
   for (const renderer::Bars& bars : chart.bars)
     for (size_t i = 0; i < std::min(bars.values.size(), chart.bar_names.size()); ++i)
       parts.push_back(fmt::format("{}{}{}: {}", chart.bar_names[i], bars.label.empty() ? "" : ", ", bars.label,

@@ -28,8 +28,10 @@ TEST(Alternative, OfACurveSaysWhereItBeginsAndEndsAndItsExtremesBetween) {
             "Chart of error (m) over β (1). run: from 1 to 2, at least −7");
 }
 
-TEST(Alternative, GivesACurveWithoutANameOneOfItsOwn) {
+TEST(Alternative, CallsACurveWithoutANameACurveAndTellsItAfterTheOthers) {
   EXPECT_EQ(label(chart({{.x = {0, 1}, .y = {1, 2}}})), "Chart of error (m) over β (1). a curve: from 1 to 2");
+  EXPECT_EQ(label(chart({{.x = {0, 1}, .y = {1, 2}}, {.label = "run", .x = {0, 1}, .y = {3, 4}}})),
+            "Chart of error (m) over β (1). run: from 3 to 4; a curve: from 1 to 2");
 }
 
 TEST(Alternative, OfAMapOfClassesCountsTheCellsOfEach) {
