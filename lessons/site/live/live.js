@@ -684,6 +684,7 @@
     steps = [...article.querySelectorAll('section[data-step]')].map(section => new Step(section, reads));
     readAddress();
     steps.forEach(step => step.offerSettings());
+    if (settings.size || versus) document.getElementById(decodeURIComponent(location.hash.slice(1)).split('&')[0])?.scrollIntoView();
     document.documentElement.classList.add('live');
     bar.show();
     if (settings.size) queue.add(steps.filter(step => [...settings.keys()].some(name => step.read.has(name))));

@@ -56,6 +56,14 @@ test('an exact value can be typed, and the address keeps it', async () => {
   await again.close();
 });
 
+test('a link to a step with settings opens it there', async () => {
+  const tab = await live(baumgarte, { hash: '#step-3&beta=1.9' });
+  await settled(tab);
+  assert.ok(Math.abs(await tab.$eval('#step-3', step => step.getBoundingClientRect().top)) < 100);
+  assert.equal(await tab.$eval('#step-3 .setting[data-name="beta"] input[type=text]', field => field.value), '1.9');
+  await tab.close();
+});
+
 test('a value out of range is refused at its slider in the lesson\'s own sentence', async () => {
   const tab = await live(baumgarte);
   const field = await tab.$('.setting[data-name="beta"] input[type=text]');
