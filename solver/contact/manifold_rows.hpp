@@ -77,7 +77,6 @@ inline void set_lane(Pair& numbers, int which, double value) { numbers[which] = 
 inline bool not_negative(double number) { return number >= 0; }
 inline bool not_negative(Pair numbers) { return numbers[0] >= 0 && numbers[1] >= 0; }
 
-//! [manifold]
 /// λ >= 0 of both normals, given their rates at the present `lambda`: the complementarity problem of two rows,
 /// solved by trying which of them press.
 inline std::array<double, 2> pressing_normals(const NormalRows& rows, const Rows<3>& rate, const double* lambda) {
@@ -152,7 +151,6 @@ template <class Number>
   v2[1] += numbers.m2 * py;
   v2[2] += numbers.I2 * turn(numbers.a2);
 }
-//! [manifold]
 
 /// Three numbers in a row, of a body or of a manifold's λ: from one place, or from two into the pairs' halves.
 [[gnu::always_inline]] inline void gather(const double* all, const int* place, double* three) {
