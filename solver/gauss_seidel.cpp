@@ -3,6 +3,8 @@
 namespace byhand {
 namespace {
 
+using detail::Pair;
+
 template <int K>
 Eigen::Matrix<double, K, K> inverse_of(Eigen::Matrix<double, K, K> A, BlockSolve block_solve) {
   if (block_solve == BlockSolve::whole || K == 1) return inverse_or_zero<K>(A);

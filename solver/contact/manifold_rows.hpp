@@ -43,7 +43,6 @@ struct ManifoldNumbers {
   Number A02, A12, E22;  // of A between the normals and friction; inverse of A's friction row alone
   Number coefficient, relaxation;
 };
-using detail::Pair;
 
 /// One manifold; or two that share no moving body, for every x86-64 processor computes with two numbers at once.
 /// Each comes to the same bits as by itself.
@@ -54,7 +53,7 @@ struct PreparedBlock<PlaneBody, 3, Bound::manifold> {
   bool moves1[2], moves2[2];
   union {
     ManifoldNumbers<double> one;
-    ManifoldNumbers<Pair> two;
+    ManifoldNumbers<detail::Pair> two;
   };
   NormalRows normals[2];
 };
@@ -71,11 +70,11 @@ template <class F>
 template <class Number>
 inline constexpr int lanes = sizeof(Number) / sizeof(double);
 inline double lane(double number, int /*which*/) { return number; }
-inline double lane(Pair numbers, int which) { return numbers[which]; }
+inline double lane(detail::Pair numbers, int which) { return numbers[which]; }
 inline void set_lane(double& number, int /*which*/, double value) { number = value; }
-inline void set_lane(Pair& numbers, int which, double value) { numbers[which] = value; }
+inline void set_lane(detail::Pair& numbers, int which, double value) { numbers[which] = value; }
 inline bool not_negative(double number) { return number >= 0; }
-inline bool not_negative(Pair numbers) { return numbers[0] >= 0 && numbers[1] >= 0; }
+inline bool not_negative(detail::Pair numbers) { return numbers[0] >= 0 && numbers[1] >= 0; }
 
 /// λ >= 0 of both normals, given their rates at the present `lambda`: the complementarity problem of two rows,
 /// solved by trying which of them press.
@@ -156,8 +155,8 @@ template <class Number>
 [[gnu::always_inline]] inline void gather(const double* all, const int* place, double* three) {
   for (int i = 0; i < 3; ++i) three[i] = all[place[0] + i];
 }
-[[gnu::always_inline]] inline void gather(const double* all, const int* place, Pair* three) {
-  for (int i = 0; i < 3; ++i) three[i] = Pair{all[place[0] + i], all[place[1] + i]};
+[[gnu::always_inline]] inline void gather(const double* all, const int* place, detail::Pair* three) {
+  for (int i = 0; i < 3; ++i) three[i] = detail::Pair{all[place[0] + i], all[place[1] + i]};
 }
 template <class Number>
 [[gnu::always_inline]] inline void gather_velocities(const PreparedManifold& block, const double* V, Number* v1,
