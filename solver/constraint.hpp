@@ -32,9 +32,8 @@
 //   double restitution                      e of a contact, in [0, 1]
 //   static constexpr bool periodic          whether `value` is an angle in (-π, π], which may jump by 2π
 //   static constexpr bool holds_where_found whether C and J are known at the poses of a substep's start alone, as
-//   of
-//                                           a contact, whose points are where the shapes touch. Methods on
-//                                           positions then go on with C + J times the displacement
+//                                           of a contact, whose points are where the shapes touch. Methods
+//                                           on positions then go on with C + J times the displacement
 //   void require_valid(bodies)              throws std::invalid_argument for other members out of range
 //
 // A scene keeps all constraints of a kind in one store (Store below). Each stage of a step calls a store once for

@@ -3,6 +3,8 @@
 namespace byhand {
 namespace {
 
+using detail::Pair;
+
 template <int K>
 Eigen::Matrix<double, K, K> inverse_of(Eigen::Matrix<double, K, K> A, BlockSolve block_solve) {
   if (block_solve == BlockSolve::whole || K == 1) return inverse_or_zero<K>(A);
@@ -47,9 +49,11 @@ void prepare(const Block<M, K, B>& block, const System<M>& system, BlockSolve bl
   result.upper = system.upper[block.row];
 }
 
-/// Writes a manifold into a lane of `result`.
+/// Writes a manifold into a lane of `result` and of its `numbers`.
+template <class Number>
 void prepare(const Block<PlaneBody, 3, Bound::manifold>& block, const System<PlaneBody>& system,
-             BlockSolve block_solve, double relaxation, double* D, int lane, PreparedManifold& result) {
+             BlockSolve block_solve, double relaxation, double* D, int lane, PreparedManifold& result,
+             ManifoldNumbers<Number>& numbers) {
   const InverseMass<PlaneBody>&mass1 = system.inverse_mass[block.body1], &mass2 = system.inverse_mass[block.body2];
   const double m = mass1.linear + mass2.linear, I1 = mass1.angular[0], I2 = mass2.angular[0];
   const double *J = block.J.matrix.data(), *gamma = &system.gamma[block.row];
@@ -61,41 +65,42 @@ void prepare(const Block<PlaneBody, 3, Bound::manifold>& block, const System<Pla
   D[block.row] = A00;
   D[block.row + 1] = A11;
   D[block.row + 2] = A22;
+  const NormalRows normals(A00, alike(0, 6), A11, block_solve == BlockSolve::row_by_row);
   result.count = lane + 1;
   result.row[lane] = block.row;
   result.body1[lane] = block.body1;
   result.body2[lane] = block.body2;
   result.moves1[lane] = block.moves1;
   result.moves2[lane] = block.moves2;
-  result.nx[lane] = J[3];
-  result.ny[lane] = J[4];
-  result.ends[lane] = J[9] != 0 || J[10] != 0;
-  result.m1[lane] = mass1.linear;
-  result.I1[lane] = I1;
-  result.m2[lane] = mass2.linear;
-  result.I2[lane] = I2;
-  for (int k = 0; k < 3; ++k) {
-    result.a1[k][lane] = J[rows[k] + 2];
-    result.a2[k][lane] = J[rows[k] + 5];
-    result.bias[k][lane] = system.bias[block.row + k];
-    result.gamma[k][lane] = gamma[k];
-  }
-  const NormalRows normals(A00, alike(0, 6), A11, block_solve == BlockSolve::row_by_row);
   result.normals[lane] = normals;
-  result.E00[lane] = normals.E00;
-  result.E01[lane] = normals.E01;
-  result.E11[lane] = normals.E11;
-  result.A02[lane] = turning(0, 12);
-  result.A12[lane] = turning(6, 12);
-  result.E22[lane] = A22 > 0 ? 1 / A22 : 0.0;
-  result.coefficient[lane] = system.upper[block.row];
-  result.relaxation[lane] = relaxation;
+  const auto set = [&](Number& number, double value) { set_lane(number, lane, value); };
+  set(numbers.nx, J[3]);
+  set(numbers.ny, J[4]);
+  set(numbers.ends, J[9] != 0 || J[10] != 0);
+  set(numbers.m1, mass1.linear);
+  set(numbers.I1, I1);
+  set(numbers.m2, mass2.linear);
+  set(numbers.I2, I2);
+  for (int k = 0; k < 3; ++k) {
+    set(numbers.a1[k], J[rows[k] + 2]);
+    set(numbers.a2[k], J[rows[k] + 5]);
+    set(numbers.bias[k], system.bias[block.row + k]);
+    set(numbers.gamma[k], gamma[k]);
+  }
+  set(numbers.E00, normals.E00);
+  set(numbers.E01, normals.E01);
+  set(numbers.E11, normals.E11);
+  set(numbers.A02, turning(0, 12));
+  set(numbers.A12, turning(6, 12));
+  set(numbers.E22, A22 > 0 ? 1 / A22 : 0.0);
+  set(numbers.coefficient, system.upper[block.row]);
+  set(numbers.relaxation, relaxation);
 }
 
-/// Whether a manifold shares no body that moves with the only one of `before`.
-bool apart(const Block<PlaneBody, 3, Bound::manifold>& block, const PreparedManifold& before) {
-  const auto has = [&](int body) { return body == before.body1[0] || body == before.body2[0]; };
-  return !(block.moves1 && has(block.body1)) && !(block.moves2 && has(block.body2));
+/// Whether two blocks share no body that moves.
+bool apart(const BlockHeader& a, const BlockHeader& b) {
+  const auto has = [&](int body) { return body == b.body1 || body == b.body2; };
+  return !(a.moves1 && has(a.body1)) && !(a.moves2 && has(a.body2));
 }
 
 template <class M, int K, Bound B>
@@ -118,25 +123,26 @@ void prepare_run(std::span<const Block<M, K, B>> blocks, const System<M>& system
 void prepare_run(std::span<const Block<PlaneBody, 3, Bound::manifold>> blocks, const System<PlaneBody>& system,
                  BlockSolve block_solve, double relaxation, double* D, std::span<PreparedManifold> results) {
   std::size_t used = 0;
-  for (const auto& block : blocks) {
-    if (used > 0 && results[used - 1].count == 1 && apart(block, results[used - 1])) {
-      prepare(block, system, block_solve, relaxation, D, 1, results[used - 1]);
-      continue;
-    }
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
     PreparedManifold& result = results[used++];
-    prepare(block, system, block_solve, relaxation, D, 0, result);
-    // The other lane computes something as long as it is alone, and writes nothing.
-    result.row[1] = block.row;
-    result.body1[1] = result.body2[1] = block.body1;
-    result.moves1[1] = result.moves2[1] = false;
+    const auto write = [&](int lane, auto& numbers) {
+      prepare(blocks[i + lane], system, block_solve, relaxation, D, lane, result, numbers);
+    };
+    if (i + 1 < blocks.size() && apart(blocks[i + 1], blocks[i])) {
+      write(0, result.two);
+      write(1, result.two);
+      ++i;
+    } else {
+      write(0, result.one);
+    }
   }
   for (; used < results.size(); ++used) results[used].count = 0;
 }
 
 /// Sweeps that watch nothing.
 struct Unwatched {
-  void operator()(int, double, double) const {}
-  void operator()(int, int, detail::Pair, detail::Pair) const {}
+  void operator()(const int*, int, double, double) const {}
+  void operator()(const int*, int, Pair, Pair) const {}
 };
 
 /// The largest squares of Δλ and λ, as speeds. The sum shows NaN, which the maxima pass over.
@@ -144,12 +150,12 @@ class Watch {
  public:
   explicit Watch(const double* speed) : speed_(speed) {}
 
-  void operator()(int row, double delta, double lambda) {
-    note(detail::Pair{speed_[row], 0}, detail::Pair{delta, 0}, detail::Pair{lambda, 0});
+  /// Row k of one block, or of two, whose first rows are given.
+  void operator()(const int* first, int k, double delta, double lambda) {
+    note(Pair{speed_[first[0] + k], 0}, Pair{delta, 0}, Pair{lambda, 0});
   }
-  /// Of two rows.
-  void operator()(int row1, int row2, detail::Pair delta, detail::Pair lambda) {
-    note(detail::Pair{speed_[row1], speed_[row2]}, delta, lambda);
+  void operator()(const int* first, int k, Pair delta, Pair lambda) {
+    note(Pair{speed_[first[0] + k], speed_[first[1] + k]}, delta, lambda);
   }
   Residual residual() const {
     const double sum = sum_[0] + sum_[1];
@@ -158,15 +164,15 @@ class Watch {
   }
 
  private:
-  void note(detail::Pair speed, detail::Pair delta, detail::Pair lambda) {
-    const detail::Pair square = speed * delta * delta, push = speed * lambda * lambda;
+  void note(Pair speed, Pair delta, Pair lambda) {
+    const Pair square = speed * delta * delta, push = speed * lambda * lambda;
     change_ = change_ < square ? square : change_;
     sum_ += square;
     push_ = push_ < push ? push : push_;
   }
 
   const double* speed_;  // of Prepared
-  detail::Pair change_ = {}, push_ = {}, sum_ = {};
+  Pair change_ = {}, push_ = {}, sum_ = {};
 };
 
 //! [sweep]
@@ -179,7 +185,7 @@ template <bool soft, class M, int K, Bound B, class Watching>
     Eigen::Map<Rows<K>> now(lambda + block->row);
     now += change;
     apply<M, K>(*block, change, V);
-    for (int k = 0; k < K; ++k) watch(block->row + k, change[k], now[k]);
+    for (int k = 0; k < K; ++k) watch(&block->row, k, change[k], now[k]);
   }
 }
 //! [sweep]
@@ -188,26 +194,20 @@ template <bool soft, class M, int K, Bound B, class Watching>
 template <bool soft, class Watching>
 [[gnu::noinline]] void sweep_run(const PreparedManifold* block, int count, int next, double* lambda, double* V,
                                  Watching& watch) {
-  for (; count > 0; --count, block += next) {
-    if (block->count == 0) continue;
-    detail::Pair v1[3], v2[3], now[3];
-    gather_velocities(*block, V, v1, v2);
-    gather(lambda, block->row[0], block->row[1], now);
-    const auto change = solve<soft>(*block, v1, v2, now);
-    apply(*block, change, v1, v2);
-    scatter_velocities(*block, v1, v2, V);
-    for (int k = 0; k < 3; ++k) {
-      now[k] += change[k];
-      const int row1 = block->row[0] + k, row2 = block->row[1] + k;
-      lambda[row1] = now[k][0];
-      if (block->count == 2) {
-        lambda[row2] = now[k][1];
-        watch(row1, row2, change[k], now[k]);
-      } else {
-        watch(row1, change[k][0], now[k][0]);
+  for (; count > 0; --count, block += next)
+    with_numbers(*block, [&]<class Number>(const ManifoldNumbers<Number>& numbers) {
+      Number v1[3], v2[3], now[3];
+      gather_velocities(*block, V, v1, v2);
+      gather(lambda, block->row, now);
+      const auto change = solve<soft>(numbers, block->normals, v1, v2, now);
+      apply(numbers, change, v1, v2);
+      scatter_velocities(*block, v1, v2, V);
+      for (int k = 0; k < 3; ++k) {
+        now[k] += change[k];
+        for (int i = 0; i < lanes<Number>; ++i) lambda[block->row[i] + k] = lane(now[k], i);
+        watch(block->row, k, change[k], now[k]);
       }
-    }
-  }
+    });
 }
 
 template <class M, class Watching>

@@ -59,8 +59,8 @@ class Scene {
     int kind = 0, index = 0;
     int id = 0;  // negative for a constraint that was found
     int body1 = 0, body2 = 0;
-    std::uint64_t stamp =
-        0;  // no other constraint that was added to any scene has it; copies of the scene keep it
+    // No other constraint that was added to any scene has it; copies of the scene keep it.
+    std::uint64_t stamp = 0;
   };
 
   Scene();

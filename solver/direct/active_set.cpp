@@ -68,7 +68,6 @@ double objective(const System<M>& system, const std::vector<Velocity<M>>& veloci
   return sum;
 }
 
-//! [active_set]
 /// Solves the rows that are not at a bound, clamps λ, and lets sweeps find the rows that change sides. The bounds
 /// of friction follow the normal impulses with a delay. If the two drive each other up, sweeps start again from
 /// the beginning.
@@ -106,7 +105,6 @@ Solution solve_with_bounds(const Direct& solver, System<M>& system, Bodies<M>& b
   }
   return swept(100 * solver.rounds);
 }
-//! [active_set]
 
 }  // namespace
 

@@ -36,13 +36,11 @@ namespace byhand {
 /// How ω × Iω of bodies in space enters a step; other models have no such term.
 enum class Gyroscopic { none, explicit_, implicit };
 
-//! [gyroscopic]
 /// Before the rows are solved: changes velocities from Ω₀ to Ω, with which the poses turn for a step h [s].
 void begin_turn(Gyroscopic choice, Bodies<SpaceBody>& bodies, double h);
 /// After the poses have moved: changes velocities from Ω to Ω₁, and where a body turns by more than 1 rad its
 /// rotation too. Throws std::invalid_argument for more than 100,000 rad.
 void end_turn(Gyroscopic choice, Bodies<SpaceBody>& bodies, double h);
-//! [gyroscopic]
 template <class M>
 void begin_turn(Gyroscopic, Bodies<M>&, double) {}
 template <class M>

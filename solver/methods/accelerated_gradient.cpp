@@ -13,7 +13,6 @@ void step_within_bounds(const System<M>& system, const std::vector<double>& from
   hold_within_bounds(system, result);
 }
 
-//! [accelerated_gradient]
 /// From λ and its gradient g down to where the residual is within the tolerance, or as far as the iterations
 /// allow. `best` becomes the best λ. Returns the number of passes over all rows.
 template <class M>
@@ -63,7 +62,6 @@ int descend(const AcceleratedGradient& solver, int iterations, double speed, con
   }
   return passes;
 }
-//! [accelerated_gradient]
 
 }  // namespace
 

@@ -37,7 +37,6 @@ void require_valid(const ConjugateGradients& solver) {
   require_valid_tolerance(solver.tolerance);
 }
 
-//! [conjugate_gradients]
 template <class M>
 Solution solve(const ConjugateGradients& solver, System<M>& system, std::vector<Velocity<M>>& velocities,
                ConjugateGradientWork<M>& work, Begin begin) {
@@ -72,7 +71,6 @@ Solution solve(const ConjugateGradients& solver, System<M>& system, std::vector<
     rz_before = rz;
   }
 }
-//! [conjugate_gradients]
 
 #define BYHAND_INSTANTIATE(M)                                                               \
   template Solution solve(const ConjugateGradients&, System<M>&, std::vector<Velocity<M>>&, \

@@ -9,13 +9,14 @@ void find_change(const PreparedBlock<M, K, B>& block, const double* V, const dou
 }
 template <bool soft>
 void find_change(const PreparedManifold& block, const double* V, const double* lambda, double* changes) {
-  if (block.count == 0) return;
-  detail::Pair v1[3], v2[3], now[3];
-  gather_velocities(block, V, v1, v2);
-  gather(lambda, block.row[0], block.row[1], now);
-  const auto change = solve<soft>(block, v1, v2, now);
-  for (int lane = 0; lane < block.count; ++lane)
-    for (int k = 0; k < 3; ++k) changes[block.row[lane] + k] = change[k][lane];
+  with_numbers(block, [&]<class Number>(const ManifoldNumbers<Number>& numbers) {
+    Number v1[3], v2[3], now[3];
+    gather_velocities(block, V, v1, v2);
+    gather(lambda, block.row, now);
+    const auto change = solve<soft>(numbers, block.normals, v1, v2, now);
+    for (int i = 0; i < lanes<Number>; ++i)
+      for (int k = 0; k < 3; ++k) changes[block.row[i] + k] = lane(change[k], i);
+  });
 }
 
 template <class M, int K, Bound B>
@@ -23,12 +24,14 @@ void apply_change(const PreparedBlock<M, K, B>& block, const double* changes, do
   apply<M, K>(block, Rows<K>(Eigen::Map<const Rows<K>>(changes + block.row)), V);
 }
 inline void apply_change(const PreparedManifold& block, const double* changes, double* V) {
-  if (block.count == 0) return;
-  detail::Pair v1[3], v2[3], change[3];
-  gather_velocities(block, V, v1, v2);
-  gather(changes, block.row[0], block.row[1], change);
-  apply(block, {change[0], change[1], change[2]}, v1, v2);
-  scatter_velocities(block, v1, v2, V);
+  with_numbers(block, [&]<class Number>(const ManifoldNumbers<Number>& numbers) {
+    Number v1[3], v2[3];
+    std::array<Number, 3> change;
+    gather_velocities(block, V, v1, v2);
+    gather(changes, block.row, change.data());
+    apply(numbers, change, v1, v2);
+    scatter_velocities(block, v1, v2, V);
+  });
 }
 
 template <bool soft, class M>

@@ -131,6 +131,15 @@ TEST(Avbd, CountsEachRowAtEachOfItsMovingBodiesAndOnceForItsMultiplier) {
   EXPECT_EQ(simulation.work.row_solves, 4 * (13 + 7));
 }
 
+TEST(Avbd, LetsEachBodyFallWhateverItsIndex) {
+  Scene<PlaneParticle> scene;
+  for (const double x : {0.0, 1.0, 2.0}) scene.add_body({x, 0}, with_mass<PlaneParticle>(2));
+  Simulation simulation{scene, Avbd{}};
+  run(simulation, 0.5, h);
+  for (const Pose<PlaneParticle>& pose : simulation.scene.bodies().pose)
+    EXPECT_NEAR(pose.position.y(), -9.81 * h * h * 30 * 31 / 2, 1e-12);
+}
+
 TEST(Avbd, RefusesChoicesOutsideTheirRange) {
   const auto refuses = [](const Avbd& method, const char* sentence) {
     auto scene = pendulum<PlaneParticle, NormalisedDistance>(1, 1, 1);

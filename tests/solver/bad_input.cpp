@@ -6,7 +6,10 @@
 #include "lessons/scenes/chain.hpp"
 #include "solver/constraints/contact.hpp"
 #include "solver/constraints/friction.hpp"
+#include "solver/constraints/limit.hpp"
 #include "solver/constraints/motor.hpp"
+#include "solver/constraints/normalised_distance.hpp"
+#include "solver/constraints/spring.hpp"
 #include "tests/solver/solving.hpp"
 
 // Bad input is refused where it enters, in one sentence with the value and what is allowed, and leaves nothing
@@ -186,6 +189,32 @@ TEST(Contact, MustHaveAUnitNormal) {
   });
 }
 
+TEST(BodyForces, AreOfABodyOfTheScene) {
+  Subject<PlaneBody> subject;
+  const std::string allowed = "at least 0 and less than 2, the number of bodies";
+  subject.refuses([&] { subject.scene.set_gravity_scale(2, 0); }, "body index is 2", allowed);
+  subject.refuses([&] { subject.scene.set_damping(-1, 0); }, "body index is -1", allowed);
+}
+
+TEST(Spring, IsTunedToAPositiveFrequencyAndADampingRatioThatIsNotNegative) {
+  Scene<PlaneParticle> scene;
+  for (const double x : {0.0, 1.0}) scene.add_body({x, 0}, with_mass<PlaneParticle>(1));
+  const NormalisedDistance<PlaneParticle> row{{0, 1}, 1};
+  expect_refusal([&] { tuned(scene.bodies(), row, 0, 1); }, "frequency is 0", "[rad/s]");
+  for (const double bad : {-0.1, infinity, nan})
+    expect_refusal([&] { tuned(scene.bodies(), row, 1, bad); }, fmt::format("damping ratio is {}", bad),
+                   "between 0");
+}
+
+TEST(Swing, StopsWithinHalfATurn) {
+  Subject<SpaceBody> subject;
+  const auto freedom = swing<SpaceBody>(subject.scene.bodies(), 0, 1, Linear<SpaceBody>::Unit(1));
+  for (const double bad : {-1.0, 0.0, 3.15, nan})
+    expect_refusal([&] { subject.scene.add(at_most<SpaceBody>(bad, freedom)); },
+                   fmt::format("place of the stop is {}", bad), "above 0 and below 3.14");
+  EXPECT_NO_THROW(subject.scene.add(at_most<SpaceBody>(3.1, freedom)));
+}
+
 TEST(Margin, MustBePositiveAndFinite) {
   Subject<PlaneBody> subject;
   for (const double bad : {0.0, -1.0, infinity, nan})
@@ -287,6 +316,7 @@ TEST(Step, MustHaveATimeAndChoicesWithinTheirRange) {
     refuses(0.1, {GaussSeidel{}, SoftConstraints{.slop = nan}}, "slop is nan", "[m]");
     refuses(0.1, {GaussSeidel{}, SoftConstraints{.speed_cap = nan}}, "speed cap is nan", "[m/s]");
     refuses(0.1, {Direct{Factorisation::structured, -1}}, "regularisation is -1", "between 0 and 1");
+    refuses(0.1, {Direct{.smallest_pivot = 1.5}}, "smallest pivot is 1.5", "between 0 and 1");
     VelocityStepping method;
     method.substeps = 0;
     refuses(0.1, method, "number of substeps is 0", "at least 1");

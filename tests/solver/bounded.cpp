@@ -2,6 +2,7 @@
 
 #include "solver/constraints/contact.hpp"
 #include "solver/constraints/friction.hpp"
+#include "solver/methods/positions.hpp"
 #include "tests/solver/solving.hpp"
 
 // Contacts push and never pull; friction holds no more than the contact presses.
@@ -182,6 +183,38 @@ TEST(BoundedRows, MeetAtTheSameAnswerInEveryOrder) {
     EXPECT_LE(difference(after_a_step<M>(scene, jacobi), expected), 1e-13);
     EXPECT_LE(solved(scene, GaussSeidel{50, false}).residual, 1e-13);
   });
+}
+
+// Newton's step of methods on positions, held against the conditions of its complementarity problem: first of the
+// two normals, then of friction within μ times their new sum.
+TEST(BoundedNewton, OfAManifoldSolvesBothNormalsAndThenFriction) {
+  Random random;
+  int pressing = 0, slipping = 0;
+  for (int i = 0; i < 2000; ++i) {
+    Eigen::Matrix3d J, A;
+    for (double& entry : J.reshaped()) entry = random.uniform(-1, 1);
+    A = J * J.transpose() + 0.1 * Eigen::Matrix3d::Identity();
+    const double mu = random.uniform(0, 1), first = random.uniform(0, 1), second = random.uniform(0, 1);
+    const Rows<3> before(first, second, mu * (first + second) * random.uniform(-1, 1));
+    const Rows<3> residual = random.vector<3>(3);
+    const Rows<3> change = bounded_newton<Bound::manifold, 3>(A, residual, before, {0, mu, 0}),
+                  after = before + change;
+    const Eigen::Vector2d rates = residual.head<2>() + A.topLeftCorner<2, 2>() * change.head<2>();
+    for (int k = 0; k < 2; ++k) {
+      EXPECT_GE(after[k], -1e-13);
+      EXPECT_GE(rates[k], -1e-12);
+      EXPECT_NEAR(after[k] * rates[k], 0, 1e-11);
+      pressing += after[k] > 1e-9;
+    }
+    const double slip = residual[2] + A.row(2).dot(change), radius = mu * (after[0] + after[1]);
+    EXPECT_LE(std::abs(after[2]), radius + 1e-13);
+    if (std::abs(after[2]) < radius - 1e-9)
+      EXPECT_NEAR(slip, 0, 1e-11);
+    else
+      EXPECT_LE(slip * after[2], 1e-11) << "at its bound friction opposes the slip", ++slipping;
+  }
+  EXPECT_GT(pressing, 500);
+  EXPECT_GT(slipping, 500);
 }
 
 TEST(BoundedRows, AreSolvedDirectlyAsSweepsEnd) {

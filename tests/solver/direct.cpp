@@ -3,6 +3,7 @@
 
 #include "lessons/scenes/branches.hpp"
 #include "lessons/scenes/chain.hpp"
+#include "solver/constraints/spring.hpp"
 #include "tests/solver/solving.hpp"
 
 // The structured direct solve is held against the dense one on every shape of graph that could break it.
@@ -208,6 +209,31 @@ TEST(SingularSystem, WithRegularisationHasTheRightSumOfImpulses) {
       EXPECT_NEAR(answer.lambda[0] + answer.lambda[1], -3 * 9.81 * time_step, 1e-8);
       EXPECT_NEAR(answer.lambda[0], answer.lambda[1], 1e-6) << "two equal rods share";
     }
+  });
+}
+
+TEST(SingularSystem, IsFoundWhateverTheUnitOfMass) {
+  for (const double mass : {1e-9, 1.0, 1e9}) {
+    Scene<PlaneBody> scene;
+    const int ground = scene.add_body({0, 0}, fixed<PlaneBody>());
+    const int body = scene.add_body({0.3, 0.2}, with_mass<PlaneBody>(mass, Angular<PlaneBody>(mass)));
+    for (int i = 0; i < 2; ++i) scene.add(pin<PlaneBody>(scene.bodies(), ground, body, {0, 0.7}));
+    EXPECT_THROW(solved(scene, Direct{}), SingularSystem) << mass;
+    scene.remove(1);
+    EXPECT_NO_THROW(solved(scene, Direct{})) << mass;
+  }
+}
+
+TEST(Direct, LetsASpringBetweenFixedBodiesPullByHookesLaw) {
+  in_all_models([]<class M>(Random&) {
+    Scene<M> scene;
+    const int first = scene.add_body(Linear<M>(Linear<M>::Zero()), fixed<M>());
+    const int second = scene.add_body(Linear<M>(1.5 * Linear<M>::Unit(0)), fixed<M>());
+    const double stiffness = 1e6, stretch = 0.5;
+    const auto spring = scene.add(Spring<M>{{first, second}, 1, {stiffness}});
+    Simulation simulation{scene, {Direct{}}};
+    simulation.step(0.1);
+    EXPECT_NEAR(simulation.reaction(spring).force[0], -stiffness * stretch, 1e-6);
   });
 }
 

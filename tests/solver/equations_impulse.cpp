@@ -296,6 +296,29 @@ TEST(Equation22, IsBetaOverHTimesC) {
   EXPECT_EQ(correction(NoDriftCure{}, 1.0 / 60).rate, 0);
 }
 
+/// J of `rows` random rows of which the last repeats the first, and its JM⁻¹Jᵀ.
+template <int K>
+Eigen::Matrix<double, K, K> with_a_row_twice(Random& random) {
+  Eigen::Matrix<double, K, K + 2> J;
+  for (double& entry : J.reshaped()) entry = random.uniform(-1, 1);
+  J.row(K - 1) = J.row(0);
+  return J * J.transpose();
+}
+
+TEST(Equation17, GivesARowThatRepeatsAnotherNoImpulse) {
+  Random random;
+  const auto check = [&]<int K>(std::integral_constant<int, K>) {
+    for (int i = 0; i < draws; ++i) {
+      const auto A = with_a_row_twice<K>(random), E = inverse_or_zero<K>(A);
+      EXPECT_TRUE(E.row(K - 1).isZero(0) && E.col(K - 1).isZero(0)) << E;
+      EXPECT_LE((A * E * A - A).norm(), 1e-9 * A.norm()) << "the others do its work";
+    }
+  };
+  check(std::integral_constant<int, 2>());
+  check(std::integral_constant<int, 3>());
+  check(std::integral_constant<int, 6>());
+}
+
 /// The share of a normalised rod's error that is left after one step without gravity.
 template <class M>
 double share_left(const Baumgarte& cure, double h) {

@@ -180,6 +180,18 @@ TEST(SpaceRotation, InThePlaneIsThePlaneRotation) {
   EXPECT_NEAR(v.z(), 3, 2e-15);
 }
 
+TEST(TurnOf, IsTheTurnOfAtMostHalfARoundThatEitherQuaternionOfARotationStandsFor) {
+  std::mt19937_64 random(12);
+  std::normal_distribution<double> normal;
+  for (const double size : {0.0, 1e-200, 1e-12, 0.3, 1.5, 3.0, 3.1415}) {
+    const Vector3d turn = size * Vector3d(normal(random), normal(random), normal(random)).normalized();
+    const Quaterniond q = space_rotation<double>(turn), same(-q.coeffs());
+    const double rounding = 8 * std::numeric_limits<double>::epsilon() * size;
+    EXPECT_LE((turn_of(q) - turn).norm(), rounding) << size;
+    EXPECT_LE((turn_of(same) - turn).norm(), rounding) << size;
+  }
+}
+
 TEST(SpaceRotation, StaysAUnitQuaternionAndKeepsItsAngleOverAMillionSteps) {
   const Vector3d turn(0.01, -0.02, 0.015);
   Quaterniond q = Quaterniond::Identity();

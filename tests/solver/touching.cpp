@@ -60,6 +60,19 @@ TEST(Touching, LeavesAloneWhatIsFartherThanTheMarginAndWhatDoesNotMove) {
   }
 }
 
+TEST(Touching, TakesAnotherMarginFromTheNextStepOnThoughNothingMoves) {
+  Scene<PlaneBody> scene;
+  scene.gravity.setZero();
+  add_ground(scene);
+  add_unit_box(scene, 0, 0.55);
+  Simulation<PlaneBody> simulation{scene, {}};
+  for (const auto& [margin, found] : {std::pair(0.02, 0u), {0.06, 1u}, {0.04, 0u}}) {
+    simulation.scene.set_margin(margin);
+    simulation.step(h);
+    EXPECT_EQ(simulation.scene.all<ContactManifold>().size(), found) << margin;
+  }
+}
+
 TEST(Touching, LetsBodiesThatAreJoinedPassThroughEachOther) {
   Scene<M> scene;
   scene.set_contact_rows(ContactRows::points);
