@@ -145,7 +145,7 @@ void too_few_iterations(const Setting& setting, Page& page) {
                   stack_outcomes));
   const Agreement agreed = agreement(map, [](double n, double k) { return k > sweeps_to_stand(n); });
   page.text(agreed.sentence());
-  const double whole = gravity_held(1), cut = gravity_held(4);
+  static const double whole = gravity_held(1), cut = gravity_held(4);  // no knob changes them
   page.text(
       R"(**Which knob?** More sweeps, but their number grows with N³. Substeps are cheaper: with h/4, (σh)² is a
       sixteenth, so 4 substeps of one sweep hold what needs @ sweeps of a whole step. Conjugate sweeps, which combine

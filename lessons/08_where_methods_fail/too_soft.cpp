@@ -30,10 +30,13 @@ bool stands(int boxes, double hertz) {
   return laws::buckle({.boxes = boxes, .sweeps = 0, .frequency = hertz}) == Outcome::settles;
 }
 
-/// The tallest column that stands on contacts of this frequency, by building it up.
+/// The tallest column that stands on contacts of this frequency, by building up or taking down the law's.
 int tallest(double hertz) {
+  constexpr int most = 40;
   int boxes = 2;
-  while (boxes < 40 && stands(boxes + 1, hertz)) ++boxes;
+  while (boxes < most && laws::softest_contacts(boxes + 1) < hertz) ++boxes;
+  while (boxes > 2 && !stands(boxes, hertz)) --boxes;
+  while (boxes < most && stands(boxes + 1, hertz)) ++boxes;
   return boxes;
 }
 
