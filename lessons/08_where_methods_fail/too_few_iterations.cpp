@@ -135,10 +135,13 @@ void too_few_iterations(const Setting& setting, Page& page) {
                       to see it fall.)",
                 Value(law, 3), sweeps));
 
-  const Map map = map_of(page, counting_knob("boxes N", 4, 24, setting.resolution, renderer::Scale::linear),
-                         counting_knob("warm sweeps a step", 1, 64, setting.resolution), [](double n, double k) {
-                           return laws::lean(Column{.boxes = static_cast<int>(n), .sweeps = static_cast<int>(k)});
-                         });
+  static std::map<int, Map> maps;
+  const Map& map = kept(maps, setting.resolution, [&] {
+    return map_of(page, counting_knob("boxes N", 4, 24, setting.resolution, renderer::Scale::linear),
+                  counting_knob("warm sweeps a step", 1, 64, setting.resolution), [](double n, double k) {
+                    return laws::lean(Column{.boxes = static_cast<int>(n), .sweeps = static_cast<int>(k)});
+                  });
+  });
   page.figure("boxes_and_sweeps", "Each cell is a run of a column after a slight push. Dashed: the law.",
               chart(
                   map, "(σh)² = (1 − q)/q, about 0.763 gh²N³", [](double n) { return sweeps_to_stand(n); },

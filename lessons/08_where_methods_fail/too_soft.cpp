@@ -129,9 +129,12 @@ void too_soft(const Setting& setting, Page& page) {
             @; on the stiffer contacts it @.)",
       highest, hertz, filmed, stacks.hurry() * stacks.seconds(), top(0), top(1), top(2));
 
-  const Map map = map_of(page, counting_knob("boxes N", 4, 22, setting.resolution, renderer::Scale::linear),
-                         knob("frequency of the contacts (Hz)", 8, 100, setting.resolution),
-                         [](double n, double hz) { return nudged(static_cast<int>(n), hz); });
+  static std::map<int, Map> maps;
+  const Map& map = kept(maps, setting.resolution, [&] {
+    return map_of(page, counting_knob("boxes N", 4, 22, setting.resolution, renderer::Scale::linear),
+                  knob("frequency of the contacts (Hz)", 8, 100, setting.resolution),
+                  [](double n, double hz) { return nudged(static_cast<int>(n), hz); });
+  });
   const auto boundary = [](double n) { return laws::softest_contacts(static_cast<int>(std::lround(n))); };
   page.figure(
       "boxes_and_stiffness",
