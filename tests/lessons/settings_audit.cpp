@@ -161,6 +161,12 @@ TEST(Audit, RunsAStepOnlyForParametersThatChangeIt) {
   EXPECT_EQ(knobs.other_runs, 1 + 6 + 9) << "the base, six ends, and ten random settings, one of which is an end";
 }
 
+TEST(Audit, RunsTheStepThatIsAskedForAlone) {
+  Knobs knobs([](Page& page, double a, double b) { say_size(page, a == 1 ? 1e12 : a + b); });
+  EXPECT_THAT(Audit(knobs.lesson, {.random = 10, .step = "1"}).failures(), SizeIs(1));
+  EXPECT_EQ(knobs.other_runs, 0);
+}
+
 TEST(Audit, CatchesAParameterThatAnotherStepLooksAtToo) {
   const auto failures = [](bool truly) {
     Lesson lesson({.slug = "98_answers", .title = "Answers", .summary = "One step answers."});

@@ -39,7 +39,7 @@ Audit::Audit(tutor::Lesson& lesson, Extent extent) : lesson_(lesson), extent_(st
   for (const Step& step : lesson_.steps()) {
     const bool turns = std::any_of(lesson_.parameters().begin(), lesson_.parameters().end(),
                                    [&](const ParameterRecord& p) { return may_depend(step, p); });
-    if (!turns && !extent_.all_steps) continue;
+    if ((!turns && !extent_.all_steps) || (!extent_.step.empty() && step.label != extent_.step)) continue;
     steps_[step.label].page = try_step(step, {}).value_or("");
   }
   until_ = 0.5 * extent_.seconds;
@@ -52,7 +52,7 @@ Audit::Audit(tutor::Lesson& lesson, Extent extent) : lesson_(lesson), extent_(st
   try_random();
   until_ = extent_.seconds;
   if (extent_.pairs) try_pairs();
-  if (extent_.all_steps) try_foreign_parameters();
+  if (extent_.all_steps && extent_.step.empty()) try_foreign_parameters();
 }
 
 void Audit::try_ends() {
@@ -73,7 +73,7 @@ void Audit::try_ends() {
       if (!changes) state.depends.erase(p.name);
       used = used || changes;
     }
-    if (!used && extent_.all_steps)
+    if (!used && extent_.all_steps && extent_.step.empty())
       report("", command("", {{p.name, ends(p).front()}}), {"no step says anything else", p.described(p.initial)});
   }
 }

@@ -17,6 +17,7 @@ namespace byhand::tests {
 struct Extent {
   int random = 200;                   // random settings
   unsigned seed = 1;                  // of them, and of the order of the pairs
+  std::string step = {};              // only this one; empty: all
   bool pairs = true;                  // of ends of two parameters
   double seconds = 1e9;               // of the processor for each step; what does not fit is left out and counted
   bool all_steps = true;              // also those that no parameter changes

@@ -14,13 +14,15 @@
 namespace byhand::tests {
 namespace {
 
-/// Reads --random=N, --seed=N, --seconds=N, --quick.
+/// Reads --step=N, --random=N, --seed=N, --seconds=N, --quick.
 Extent extent(int argc, const char* const* argv) {
   Extent extent{.pictures = true};
   for (const std::string& word : std::vector<std::string>(argv + 1, argv + argc)) {
     const std::string value = word.substr(std::min(word.find('=') + 1, word.size()));
     if (word == "--quick")
       extent.pairs = extent.all_steps = extent.pictures = false;
+    else if (word.starts_with("--step="))
+      extent.step = value;
     else if (word.starts_with("--random="))
       extent.random = std::stoi(value);
     else if (word.starts_with("--seed="))
@@ -28,7 +30,7 @@ Extent extent(int argc, const char* const* argv) {
     else if (word.starts_with("--seconds="))
       extent.seconds = std::stod(value);
     else
-      throw std::invalid_argument(word + " is none of --random=N, --seed=N, --seconds=N, --quick");
+      throw std::invalid_argument(word + " is none of --step=N, --random=N, --seed=N, --seconds=N, --quick");
   }
   return extent;
 }
