@@ -84,7 +84,8 @@ const std::vector<About>& contents() {
        .goals = {"compare engines fairly: the same scene, settings of equal cost, and one definition of error",
                  "say what an engine gives up for its speed, scene by scene",
                  "know where the course's solver loses, and why"},
-       .before = "Lessons 5, 6 and 9."}};
+       .before = "Lessons 5, 6 and 9.",
+       .native = "the engines are native libraries, which a browser cannot load"}};
   return lessons;
 }
 

@@ -98,7 +98,7 @@ void least_change(const Setting& setting, Page& page) {
       R"(Velocities along the rod. On the line JV = 0; on each ellipse ½ΔV·MΔV is constant. The solver's answer is
       where the smallest ellipse that reaches the line touches it: the smallest change of V on the line, and the
       only one that keeps the momentum.)",
-      Chart{.x = {.label = "u₁ (m/s)", .range = std::pair{-0.45 * speed, 2.1 * speed}},
+      Chart{.x = {.label = "u₁ (m/s)", .range = std::pair{-0.55 * speed, 2.25 * speed}},
             .y = {.label = "u₂ (m/s)", .range = std::pair{-0.3 * speed, 1.15 * speed}},
             .curves = {rule, equal_cost(before, solved, m1, m2), equal_cost(before, only1, m1, m2)},
             .annotations = {{before.x(), before.y(), "V before"},

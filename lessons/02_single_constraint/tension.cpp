@@ -50,7 +50,7 @@ void draw_frame(Canvas& canvas, const Sample& now, const Swing& run, const Chart
   canvas.text({scene.centre().x(), scene.top() - 14},
               say("the rod pulls with @ N", std::round(10 * now.tension) / 10),
               {.size = 22, .colour = palette::force, .bold = true});
-  canvas.text({scene.centre().x(), scene.top() - 44}, say("its weight is @ N", Value(weight, 3)),
+  canvas.text({scene.centre().x(), scene.top() - 44}, say("the bob weighs @ N", Value(weight, 3)),
               {.size = 20, .colour = palette::muted});
   draw(canvas, pictures::grown_to(chart, now.time), beside);
 }

@@ -70,7 +70,7 @@ void within_a_step(const Setting& setting, Page& page) {
   const Vector left = tutor::without_rounding(Vector(row.v2 + answer));
   const std::string fate = rate > 0 ? "longer" : rate < 0 ? "shorter" : "";
   const pictures::Acts acts(
-      {{say("V = hg = @ m/s", Value(row.v2.norm(), 3)), "Gravity adds gh to V, straight down.", palette::velocity},
+      {{say("V = gh = @ m/s", Value(row.v2.norm(), 3)), "Gravity adds gh to V, straight down.", palette::velocity},
        {say("JV/|d| = @ m/s", Value(rate, 3)),
         rate == 0 ? "V has no part along d: the rod keeps its length."
                   : say("The part of V along d: the rod would get @.", fate),

@@ -127,8 +127,11 @@ struct BounceFilm {
     canvas.look(fit({-1.2, -0.2, 2.4, top + 2 * ball_radius + 0.3}, left, 4));
     canvas.ground({-1.2, 0}, {1.2, 0});
     const double all[] = {height(overlap), height(coarse), height(finer)};
-    for (int i = 0; i < 3; ++i)
-      canvas.disc({0.75 * (i - 1), all[i] + ball_radius}, ball_radius, {palette::series(i), {palette::ink, 1.8}});
+    for (int i = 0; i < 3; ++i) {
+      const double x = 0.75 * (i - 1);
+      canvas.disc({x, all[i] + ball_radius}, ball_radius, {palette::series(i), {palette::ink, 1.8}});
+      canvas.text({x, -0.12}, chart.curves[i].label, {.size = 16, .colour = palette::series(i)});
+    }
     canvas.look_at_page();
     renderer::draw(canvas, pictures::grown_to(chart, time), right.inset(0, 60));
   }

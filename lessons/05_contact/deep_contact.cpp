@@ -205,7 +205,7 @@ void deep_contact(const Setting& setting, Page& page) {
        {"insert v, and x = βd/(gh²)", "y > 0  ⟺  (x + ½)² > 2x/β", R"(y > 0 \iff (x+\tfrac12)^2 > 2x/\beta)"},
        {"the largest root of x² + (1 − 2/β)x + ¼ = 0, without the small ¼", "x > 2/β − 1", R"(x > 2/\beta - 1)"},
        {"back to d", "d > (1 − β/2) 2gh²/β²", R"(d > (1-\tfrac{\beta}{2})\frac{2gh^2}{\beta^2})"}});
-  page.text(R"(n is a whole number, so the limit is really @ m. @)", Value(by_steps, 4),
+  page.text(R"(With whole numbers n the limit is @ m. @)", Value(by_steps, 4),
             by_steps > deepest ? say("No overlap of this lesson, up to @ m, is as deep as that.", deepest)
                                : "For small β, twice the β pops from a quarter of the depth.");
   if (pop_by_steps(std::min(1.0, 2 * beta), h) < deepest)

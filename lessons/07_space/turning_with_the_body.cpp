@@ -89,7 +89,7 @@ void turning_with_the_body(const Setting& setting, double careless, Page& page) 
     const Instant& now = flight[(k + 1) * slow_steps];
     acts.push_back({say("ω: @°, Iω: @°", Value(degrees(between(now.omega, first.omega)), 3),
                         Value(std::round(1e6 * degrees(between(now.momentum, first.momentum))) / 1e6, 2)),
-                    k == 0 ? "from where they were. The axes have turned with the book, so I has; the parts still "
+                    k == 0 ? "Angles from where both were. The axes have turned with the book, so I has; the parts still "
                              "add up to the same Iω. So ω must turn."
                            : "The book has turned further.",
                     palette::error});

@@ -8,6 +8,7 @@
 #include "lessons/09_what_accuracy_costs/steps.hpp"
 #include "lessons/09_what_accuracy_costs/survey.hpp"
 #include "lessons/exact/simple_pendulum.hpp"
+#include "lessons/pictures/growing.hpp"
 #include "renderer/canvas.hpp"
 
 namespace byhand::accuracy {
@@ -41,8 +42,19 @@ struct Swing {
   }
 };
 
-void draw_swings(renderer::Canvas& canvas, const std::vector<Swing>& swings, const SimplePendulum& exact,
-                 double length, double time) {
+/// The energy of all of them over the whole film.
+renderer::Chart energies(std::vector<Swing> swings, double start) {
+  renderer::Chart chart{.x = {.label = "time (s)", .range = {{0, film_seconds}}},
+                        .y = {.label = "energy, change over mgL", .range = {{-1, 0.15}}}};
+  for (Swing& swing : swings) {
+    swing.go_on(film_seconds, start);
+    chart.curves.push_back(swing.energy);
+  }
+  return chart;
+}
+
+void draw_swings(renderer::Canvas& canvas, const std::vector<Swing>& swings, const renderer::Chart& chart,
+                 const SimplePendulum& exact, double length, double time) {
   const auto [left, right] = canvas.page().inset(20).split_columns(0.46, 20);
   const auto cells = left.cells(static_cast<int>(swings.size()), 1, 8);
   for (std::size_t i = 0; i < swings.size(); ++i) {
@@ -60,11 +72,8 @@ void draw_swings(renderer::Canvas& canvas, const std::vector<Swing>& swings, con
     canvas.disc({bob.x(), bob.y()}, 0.07 * length, {swing.colour, {palette::ink, 1.5}});
     canvas.anchor({0, 0});
   }
-  renderer::Chart chart{.x = {.label = "time (s)", .range = {{0, film_seconds}}},
-                        .y = {.label = "energy, change over mgL", .range = {{-1, 0.15}}}};
-  for (const Swing& swing : swings) chart.curves.push_back(swing.energy);
   canvas.look_at_page();
-  renderer::draw(canvas, chart, right);
+  renderer::draw(canvas, pictures::grown_to(chart, time), right);
 }
 
 }  // namespace
@@ -113,14 +122,14 @@ void stable_is_not_accurate(Page& page) {
       {"XPBD", palette::error, problem, xpbd.setting({})},
       {"direct, β = 0.2", palette::force, problem, direct.setting(with_cure({}, Cure::baumgarte))},
       {"RATTLE", palette::velocity, problem, rattle.setting({})}};
+  const double start = problem.start().energy();
   page.sequence(
       "stable_and_wrong",
       R"(Three stable methods at one step a frame. Dashed: the true motion. Right: the change of energy. The rod of
       the uppermost has the right length to rounding throughout.)",
-      Seconds{film_seconds},
-      [=, energy = problem.start().energy()](renderer::Canvas& canvas, double time) mutable {
-        for (Swing& swing : swings) swing.go_on(time, energy);
-        draw_swings(canvas, swings, exact, length, time);
+      Seconds{film_seconds}, [=, chart = energies(swings, start)](renderer::Canvas& canvas, double time) mutable {
+        for (Swing& swing : swings) swing.go_on(time, start);
+        draw_swings(canvas, swings, chart, exact, length, time);
       });
   page.claim({.quantity = "XPBD, largest drift",
               .unit = "m",

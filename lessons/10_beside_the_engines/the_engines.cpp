@@ -70,7 +70,7 @@ void the_engines(const Setting&, Page& page) {
                     solver_of(engine), engine.knob.empty() ? "" : say("@ @", engine.usual, engine.knob)});
   page.table({"engine", "version", "precision", "how it solves", "by default"}, rows);
   page.text(
-      R"(An adapter that gives an engine the wrong inertia would slander it. So each one is tested first on what every
+      R"(An adapter that gives an engine the wrong inertia would make it look wrong. So each one is tested first on what every
       engine has to get right: free fall, and a rod on a pin, which follows an elliptic integral.)");
 
   const double step_error = 0.5 * gravity * frame;

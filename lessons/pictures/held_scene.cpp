@@ -256,7 +256,7 @@ void HeldScene<M>::draw(Canvas& canvas, std::optional<double> part) const {
     }
   draw_scene(canvas, seen);
   draw_hand(canvas);
-  if (terms) draw_part(canvas, *terms, *part, 0.3 * std::min(given_.view.width, given_.view.height));
+  if (terms) draw_part(canvas, *terms, *part, 0.2 * std::min(given_.view.width, given_.view.height));
 }
 
 template <class M>

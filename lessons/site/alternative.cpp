@@ -31,7 +31,7 @@ std::string course(const renderer::Curve& curve) {
   std::vector<double> finite;
   for (const double y : curve.y)
     if (std::isfinite(y)) finite.push_back(y);
-  const std::string name = curve.label.empty() ? "" : curve.label + ": ";
+  const std::string name = curve.label.empty() ? "a curve: " : curve.label + ": ";
   if (finite.empty()) return name + "no finite value";
   const auto [least, most] = std::minmax_element(finite.begin(), finite.end());
   const double low = *least, high = *most, rounding = 1e-12 * std::max(std::abs(low), std::abs(high));
@@ -59,8 +59,12 @@ std::string label(const Chart& chart) {
       if (std::isfinite(value)) low = std::min(low, value), high = std::max(high, value);
     if (low <= high) parts.push_back(fmt::format("from {} to {}", number(low, digits), number(high, digits)));
   }
-  for (const renderer::Curve& curve : chart.curves)
-    if (!curve.y.empty()) parts.push_back(course(curve));
+  if (chart.heat_map)
+    for (const auto& [name, cells] : tutor::cells_of_classes(*chart.heat_map))
+      parts.push_back(fmt::format("{}: {}", name, tutor::several(cells, "cell")));
+  for (const bool named : {true, false})
+    for (const renderer::Curve& curve : chart.curves)
+      if (!curve.y.empty() && curve.label.empty() != named) parts.push_back(course(curve));
   for (const renderer::Bars& bars : chart.bars)
     for (size_t i = 0; i < std::min(bars.values.size(), chart.bar_names.size()); ++i)
       parts.push_back(fmt::format("{}{}{}: {}", chart.bar_names[i], bars.label.empty() ? "" : ", ", bars.label,
@@ -100,9 +104,10 @@ std::string written(std::string_view svg) {
   return all;
 }
 
-Alternative of_drawing(const char* kind, std::string_view svg) {
+Alternative of_drawing(const char* kind, const std::string& caption, std::string_view svg) {
   const std::string texts = written(svg);
-  return {texts.empty() ? kind : fmt::format("{} with the words: {}", kind, texts)};
+  return {texts.empty() ? fmt::format("{}: {}", kind, caption)
+                        : fmt::format("{} with the words: {}", kind, texts)};
 }
 
 }  // namespace
@@ -110,12 +115,12 @@ Alternative of_drawing(const char* kind, std::string_view svg) {
 Alternative alternative(const tutor::Figure& figure, std::string_view svg) {
   if (const auto* chart = std::get_if<Chart>(&figure.picture))
     return {label(*chart), tutor::chart_in_words(*chart)};
-  if (std::holds_alternative<tutor::Drawing>(figure.picture)) return of_drawing("Drawing", svg);
+  if (std::holds_alternative<tutor::Drawing>(figure.picture)) return of_drawing("Drawing", figure.caption, svg);
   return {"Chart of measured running times, different in every run; the numbers are in the CSV file."};
 }
 
-Alternative alternative(const tutor::Sequence&, std::string_view svg) {
-  return of_drawing("Last picture of a film", svg);
+Alternative alternative(const tutor::Sequence& film, std::string_view svg) {
+  return of_drawing("Last picture of a film", film.caption, svg);
 }
 
 }  // namespace byhand::site

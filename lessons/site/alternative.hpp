@@ -13,8 +13,8 @@ struct Alternative {
   std::string words = {};  // all that is known, in prose with a list; empty if that is no more
 };
 
-/// Of a chart it is computed from the data; of a drawing it is the texts in its SVG; of a chart that measures
-/// running times, which no two runs share, what is measured.
+/// Of a chart it is computed from the data; of a drawing it is the texts in its SVG, or its caption where it has
+/// none; of a chart that measures running times, which no two runs share, what is measured.
 Alternative alternative(const tutor::Figure& figure, std::string_view svg);
 Alternative alternative(const tutor::Sequence& film, std::string_view svg);
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <set>
 #include <string_view>
 #include <vector>
 
@@ -13,7 +15,7 @@ namespace {
 namespace palette = renderer::palette;
 
 struct Quantity {
-  const char *symbol, *css_class;
+  std::string_view symbol, css_class;
   renderer::Colour colour;
 };
 
@@ -28,41 +30,62 @@ constexpr Quantity quantities[] = {{"J", "constraint", palette::constraint},
                                    {"ω", "velocity", palette::velocity},
                                    {"C", "error", palette::error}};
 
-/// The variables, which are italic, in the texts that pictures write in this colour: their own or that of a group
-/// around them.
-std::string variables_in(std::string_view html, renderer::Colour colour) {
+/// The fill that a tag names, or nothing.
+std::string_view fill_of(std::string_view tag) {
+  constexpr std::string_view name = " fill=\"";
+  const auto at = tag.find(name);
+  if (at == std::string_view::npos) return {};
+  const std::string_view rest = tag.substr(at + name.size());
+  return rest.substr(0, rest.find('"'));
+}
+
+bool is_in(const Quantity& quantity, std::string_view variable, std::string_view fill) {
+  const renderer::Colour seen = renderer::legible(quantity.colour);
+  return variable.find(quantity.symbol) != std::string_view::npos &&
+         fill == fmt::format("#{:02x}{:02x}{:02x}", seen.r, seen.g, seen.b);
+}
+
+/// The quantities that pictures name in their colour: in italics, in a text with that fill or, without its own, in
+/// the group around it.
+std::set<const Quantity*> named_in_pictures(std::string_view html) {
   constexpr std::string_view italic = "<tspan font-style=\"italic\">";
-  const renderer::Colour seen = renderer::legible(colour);
-  const std::string fill = fmt::format(" fill=\"#{:02x}{:02x}{:02x}\"", seen.r, seen.g, seen.b);
-  std::string all;
-  std::vector<bool> groups;  // around here, the innermost last: whether they have that colour
+  std::set<const Quantity*> named;
+  std::vector<std::string_view> groups;  // the fills of those around here, the innermost last
   for (auto at = html.find('<'); at != std::string_view::npos; at = html.find('<', at + 1)) {
     const std::string_view rest = html.substr(at), tag = rest.substr(0, rest.find('>'));
-    const bool coloured = tag.find(fill) != std::string_view::npos;
-    if (tag == "<g" || tag.starts_with("<g ")) groups.push_back(coloured);
+    if (tag == "<g" || tag.starts_with("<g ")) groups.push_back(fill_of(tag));
     if (tag == "</g" && !groups.empty()) groups.pop_back();
-    const bool own = tag.find(" fill=") != std::string_view::npos;
-    if (!tag.starts_with("<text") || !(own ? coloured : !groups.empty() && groups.back())) continue;
+    if (!tag.starts_with("<text")) continue;
+    std::string_view fill = fill_of(tag);
+    if (fill.empty() && !groups.empty()) fill = groups.back();
     const std::string_view text = rest.substr(0, rest.find("</text>"));
     for (auto i = text.find(italic); i != std::string_view::npos; i = text.find(italic, i + 1)) {
       const auto begin = i + italic.size();
-      all += text.substr(begin, text.find('<', begin) - begin);
+      const std::string_view variable = text.substr(begin, text.find('<', begin) - begin);
+      for (const Quantity& quantity : quantities)
+        if (is_in(quantity, variable, fill)) named.insert(&quantity);
     }
   }
-  return all;
+  return named;
 }
 
 }  // namespace
 
-std::string with_colours(std::string html) {
-  for (const auto& [symbol, css_class, colour] : quantities) {
-    if (variables_in(html, colour).find(symbol) == std::string::npos) continue;
-    const std::string plain = fmt::format("<mi>{}</mi>", symbol),
-                      coloured = fmt::format("<mi class=\"{}\">{}</mi>", css_class, symbol);
-    for (auto at = html.find(plain); at != std::string::npos; at = html.find(plain, at + coloured.size()))
-      html.replace(at, plain.size(), coloured);
+std::string with_colours(std::string_view html) {
+  constexpr std::string_view plain = "<mi>";
+  const std::set<const Quantity*> named = named_in_pictures(html);
+  std::string all;
+  std::size_t copied = 0;
+  for (auto at = html.find(plain); at != std::string_view::npos; at = html.find(plain, at + 1)) {
+    const std::string_view symbol = html.substr(at + plain.size(), html.find("</mi>", at) - at - plain.size());
+    const auto quantity =
+        std::find_if(named.begin(), named.end(), [&](const Quantity* one) { return one->symbol == symbol; });
+    if (quantity == named.end()) continue;
+    all += html.substr(copied, at - copied);
+    all += fmt::format("<mi class=\"{}\">", (*quantity)->css_class);
+    copied = at + plain.size();
   }
-  return html;
+  return all += html.substr(copied);
 }
 
 }  // namespace byhand::site

@@ -54,6 +54,16 @@ std::string parameters(const Lesson& lesson) {
       several(static_cast<long>(lesson.parameters().size()), "parameter"), rows);
 }
 
+/// Why a page computes nothing again.
+std::string static_page(const Lesson& lesson) {
+  const About& about = lesson.about();
+  return fmt::format(
+      "<p class=\"facts\">This page has no sliders: {}. <code>./lessons/run {}</code> computes it with your own "
+      "values.</p>\n",
+      escaped(about.native.empty() ? "its program was not compiled for a browser" : about.native),
+      lesson.number());
+}
+
 std::string closing(const Closing& closing) {
   std::string all;
   if (!closing.now_you_know.empty()) {
@@ -111,17 +121,17 @@ std::string page_of(const std::string& slug) { return slug + ".html"; }
 std::string lesson_page(const Lesson& lesson, const std::vector<RecordedStep>& steps, const std::string& sections,
                         bool live) {
   const About& about = lesson.about();
-  std::string content =
-      fmt::format(R"(<article class="lesson">
+  std::string content = fmt::format(R"(<article class="lesson">
 <header class="lesson">
 <p class="number">Lesson {}</p>
 <h1>{}</h1>
 <p class="summary">{}</p>
 <p class="facts">{}</p>
-{}{}</header>
+{}{}{}</header>
 )",
-                  lesson.number(), escaped(about.title), inline_html(about.summary),
-                  in_words(reading_time(digest(lesson, steps))), goals(about), parameters(lesson));
+                                    lesson.number(), escaped(about.title), inline_html(about.summary),
+                                    in_words(reading_time(digest(lesson, steps))), live ? "" : static_page(lesson),
+                                    goals(about), parameters(lesson));
   content += sections + closing(lesson.closing()) + "</article>\n" + neighbours(about.slug);
   return framed({.title = fmt::format("{}. {}", lesson.number(), about.title),
                  .content = content,

@@ -13,6 +13,7 @@ struct About {
   std::string method = {};              // default time-stepping method of its scenes, for manifest.json
   std::vector<std::string> goals = {};  // what its reader can do afterwards, each after "You can "
   std::string before = {};              // what it takes to follow
+  std::string native = {};              // why no browser can run its program; empty where one can
 };
 
 /// The lessons of the course, in order. Defined by each course.

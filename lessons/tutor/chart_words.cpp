@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lessons/tutor/rounding.hpp"
 #include "lessons/tutor/words.hpp"
 
 namespace byhand::tutor {
@@ -14,8 +15,8 @@ using renderer::Chart;
 using renderer::Curve;
 using renderer::HeatMap;
 
-std::string point(const Curve& curve, size_t i) {
-  return fmt::format("({}, {})", number(curve.x[i], 3), number(curve.y[i], 3));
+std::string point(const Curve& curve, size_t i, double size) {
+  return fmt::format("({}, {})", number(curve.x[i], 3), number(without_rounding(curve.y[i], size), 3));
 }
 
 std::string words_of(const Curve& curve) {
@@ -26,9 +27,11 @@ std::string words_of(const Curve& curve) {
   if (finite.empty()) return fmt::format("- {}: no finite values\n", name);
   const auto [low, high] = std::minmax_element(finite.begin(), finite.end(),
                                                [&](size_t a, size_t b) { return curve.y[a] < curve.y[b]; });
+  const double size = std::max(std::abs(curve.y[*low]), std::abs(curve.y[*high]));
+  const auto at = [&](size_t i) { return point(curve, i, size); };
   const size_t failed = curve.y.size() - finite.size();
-  return fmt::format("- {}: from {} to {}, lowest at {}, highest at {}{}\n", name, point(curve, finite.front()),
-                     point(curve, finite.back()), point(curve, *low), point(curve, *high),
+  return fmt::format("- {}: from {} to {}, lowest at {}, highest at {}{}\n", name, at(finite.front()),
+                     at(finite.back()), at(*low), at(*high),
                      failed ? "; " + several(static_cast<long>(failed), "point") + " without a finite value" : "");
 }
 
@@ -43,10 +46,8 @@ std::string words_of(const HeatMap& map) {
                        map.values.size());
   }
   std::string words;
-  for (size_t i = 0; i < map.classes.size(); ++i) {
-    const auto cells = std::count(finite.begin(), finite.end(), static_cast<double>(i));
-    if (cells) words += fmt::format("- {}: {}\n", map.classes[i].name, several(cells, "cell"));
-  }
+  for (const auto& [name, cells] : cells_of_classes(map))
+    words += fmt::format("- {}: {}\n", name, several(cells, "cell"));
   return words;
 }
 
@@ -55,6 +56,14 @@ std::string axis(const renderer::Axis& axis, const std::string& otherwise) {
 }
 
 }  // namespace
+
+std::vector<std::pair<std::string, long>> cells_of_classes(const HeatMap& map) {
+  std::vector<std::pair<std::string, long>> all;
+  for (size_t i = 0; i < map.classes.size(); ++i)
+    if (const long cells = std::count(map.values.begin(), map.values.end(), static_cast<double>(i)))
+      all.emplace_back(map.classes[i].name, cells);
+  return all;
+}
 
 std::string chart_in_words(const Chart& chart) {
   std::string words = chart.title.empty() ? "" : chart.title + ". ";

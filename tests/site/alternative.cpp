@@ -4,6 +4,8 @@
 
 #include <limits>
 
+#include "lessons/tutor/chart_words.hpp"
+
 namespace byhand::tests {
 namespace {
 
@@ -26,7 +28,27 @@ TEST(Alternative, OfACurveSaysWhereItBeginsAndEndsAndItsExtremesBetween) {
             "Chart of error (m) over β (1). run: from 1 to 2, at least −7");
 }
 
+TEST(Alternative, CallsACurveWithoutANameACurveAndTellsItAfterTheOthers) {
+  EXPECT_EQ(label(chart({{.x = {0, 1}, .y = {1, 2}}})), "Chart of error (m) over β (1). a curve: from 1 to 2");
+  EXPECT_EQ(label(chart({{.x = {0, 1}, .y = {1, 2}}, {.label = "run", .x = {0, 1}, .y = {3, 4}}})),
+            "Chart of error (m) over β (1). run: from 3 to 4; a curve: from 1 to 2");
+}
+
+TEST(Alternative, OfAMapOfClassesCountsTheCellsOfEach) {
+  Chart map = chart({});
+  map.heat_map = renderer::HeatMap{.x = {1, 2}, .y = {1, 2}, .values = {0, 1, 1, 1}};
+  map.heat_map->label = "end";
+  map.heat_map->classes = {{"stands"}, {"falls"}, {"rings"}};
+  EXPECT_EQ(label(map), "Chart of end over β (1) and error (m). stands: 1 cell; falls: 3 cells");
+}
+
 TEST(Alternative, CallsRoundingZero) {
+  EXPECT_NE(tutor::chart_in_words(chart({{.label = "sine", .x = {0, 1, 2}, .y = {0, 1, 1.2e-16}}}))
+                .find("from (0, 0) to (2, 0)"),
+            std::string::npos);
+  EXPECT_NE(
+      tutor::chart_in_words(chart({{.label = "tiny", .x = {0, 1}, .y = {0, 1.2e-16}}})).find("to (1, 1.2·10⁻¹⁶)"),
+      std::string::npos);
   EXPECT_EQ(label(chart({{.label = "sine", .x = {0, 1, 2}, .y = {0, 1, 1.2e-16}}})),
             "Chart of error (m) over β (1). sine: from 0 to 0, at most 1");
 }
@@ -49,7 +71,7 @@ TEST(Alternative, OfADrawingIsWhatIsWrittenInItWithoutTheNumbersOfAxes) {
                         "<text>C &lt; 0</text><text>C &lt; 0</text></svg>")
                 .label,
             "Drawing with the words: P1; C < 0");
-  EXPECT_EQ(alternative(drawing, "<svg></svg>").label, "Drawing");
+  EXPECT_EQ(alternative(drawing, "<svg></svg>").label, "Drawing: caption");
 }
 
 TEST(Alternative, OfRunningTimesHasNoNumbers) {

@@ -142,6 +142,11 @@ TEST_F(Site, TellsScriptsTheParametersAndWhichStepReadsThem) {
   EXPECT_THAT(json, HasSubstr(R"("1":["beta","h","steps")"));
 }
 
+TEST_F(Site, APageThatIsNotLiveSaysWhy) {
+  EXPECT_THAT(contents(root() / "99_fixture.html"),
+              HasSubstr("This page has no sliders: its program was not compiled for a browser."));
+}
+
 TEST_F(Site, SearchKnowsTheWordsOfEveryStep) {
   const std::string index = contents(root() / "assets" / "search.js");
   const Markup& lesson = pages_.at("99_fixture.html");

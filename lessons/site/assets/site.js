@@ -64,7 +64,7 @@
 
   // What is wider than the page can be scrolled with the keyboard.
   const scrollers = () => {
-    for (const box of document.querySelectorAll('.formula, .scroll, pre')) {
+    for (const box of document.querySelectorAll('.formula, .scroll, .picture, pre')) {
       if (box.scrollWidth > box.clientWidth + 1) box.tabIndex = 0;
       else box.removeAttribute('tabindex');
     }
@@ -72,6 +72,21 @@
   addEventListener('resize', scrollers);
   addEventListener('load', scrollers);
   document.addEventListener('toggle', scrollers, true);
+
+  // What a narrow page shows of a wider figure at first: what is drawn farthest left, or all of it in the middle.
+  const look = new IntersectionObserver(entries => {
+    for (const { isIntersecting, target: picture } of entries) {
+      if (!isIntersecting) continue;
+      look.unobserve(picture);
+      picture.dataset.placed = '';
+      if (picture.scrollWidth <= picture.clientWidth + 1) continue;
+      const boxes = [...picture.querySelectorAll('svg :is(circle, text, path:not(svg > path:first-child))')].map(drawn => drawn.getBoundingClientRect());
+      const begin = picture.getBoundingClientRect().left - picture.scrollLeft;
+      const left = Math.min(...boxes.map(box => box.left)) - begin, right = Math.max(...boxes.map(box => box.right)) - begin;
+      picture.scrollLeft = left - Math.max(8, (picture.clientWidth - (right - left)) / 2);
+    }
+  }, { rootMargin: '50%' });
+  document.querySelectorAll('.picture').forEach(picture => look.observe(picture));
 
   // A figure as it is shown, saved as SVG, or as PNG of 2560 × 1440 pixels.
   const save = (name, blob) => {

@@ -46,7 +46,7 @@ std::string teaching_page(const std::vector<Digest>& lessons) {
       "<p class=\"summary\">The pages are a folder of files. Nothing in them needs a server or a network.</p>\n"
       "<section id=\"plan\">\n<h2>Plan</h2>\n" +
       schedule(lessons) +
-      R"(<p>Lessons 1 to 4 are the article's core; 5 to 7 build on it and can be chosen from; 8 and 9 suit a project. Deeper
+      R"(<p>Lessons 1 to 4 are the article's core; 5 to 7 build on it and can be chosen from; 8 to 10 suit a project. Deeper
 steps can be left out: no core step needs one.</p>
 </section>
 <section id="hosting">
@@ -58,7 +58,9 @@ No page loads anything from another host, sets a cookie or stores what a student
 <section id="linking">
 <h2>Linking</h2>
 <p>Each step has an address, such as )" +
-      example(lessons.front()) + R"(; so has each <a href="equations.html#equation-17">equation</a>.</p>
+      example(lessons.front()) + R"(; so has each <a href="equations.html#equation-17">equation</a>. A
+link can carry settings too: <code>04_baumgarte.html#step-3&amp;beta=1.9</code> opens that step with β = 1.9, and with
+<code>&amp;versus=beta:0.2</code> after it, another setting stands beside.</p>
 </section>
 <section id="exercises">
 <h2>Exercises</h2>

@@ -225,7 +225,8 @@
       this.compare();
     }
 
-    // Beside each picture and each measured number what it is at the other settings, where the reader compares.
+    // Beside each picture and each measured number what it is at the other settings, where the reader compares, and
+    // below each text its sentences that differ.
     async compare() {
       this.uncompared = !!versus && this.distance > innerHeight;
       if (this.uncompared) return;
@@ -242,12 +243,23 @@
         figure.classList.add('compared');
         const twin = make('div', { className: 'versus twin', innerHTML: apart(picture.innerHTML), attributes: { role: 'img', 'aria-label': `${there}: ${picture.ariaLabel ?? picture.getAttribute('aria-label')}` } });
         figure.prepend(make('p', { className: 'versus there', textContent: there }), twin, make('p', { className: 'versus here', textContent: here }));
+        const shown = figure.querySelector('.picture');
+        twin.onscroll = () => { shown.scrollLeft = twin.scrollLeft; };
+        shown.onscroll = () => { twin.scrollLeft = shown.scrollLeft; };
+        twin.scrollLeft = shown.scrollLeft;
+        if (twin.scrollWidth > twin.clientWidth + 1) twin.tabIndex = 0;
       }
       const numbers = new Map([...other.querySelectorAll(':scope > .measures > div')].map(row =>
         [row.querySelector('dt').textContent, row.querySelector('dd').textContent]));
       for (const row of this.section.querySelectorAll(':scope > .measures > div')) {
         const number = numbers.get(row.querySelector('dt').textContent);
         if (number !== undefined) row.append(make('dd', { className: 'versus', textContent: `${number} with ${there}` }));
+      }
+      const told = new Set(sentences(this.section));
+      for (const twin of other.querySelectorAll(':scope > :is(.text, .claims)')) {
+        const words = sentences(twin).filter(sentence => !told.has(sentence)).join(' ');
+        const child = this.section.querySelector(`:scope > [data-item="${twin.dataset.item}"]:is(.text, .claims)`);
+        if (words && child) (child.querySelector('summary') ?? child).append(make('span', { className: 'versus' }, make('strong', {}, `With ${there}: `), words));
       }
     }
 
@@ -281,10 +293,12 @@
       }
       this.shown.set(key, { words, picture });
       this.carryOver(old, next);
+      const scrolled = old?.querySelector('.picture')?.scrollLeft;
       if (old) old.replaceWith(next);
       before.after(next);
+      if (old && picture !== undefined) next.querySelector('.picture').scrollLeft = scrolled;
       if (next.dataset.film) this.adopt(next);
-      for (const box of next.querySelectorAll('.formula, .scroll, pre'))  // as in site.js
+      for (const box of next.querySelectorAll('.formula, .scroll, .picture, pre'))  // as in site.js
         if (box.scrollWidth > box.clientWidth + 1) box.tabIndex = 0;
       this.mark(next);
       return next;
@@ -384,6 +398,10 @@
       this.field.setAttribute('aria-invalid', 'true');
     }
   }
+
+  // What a step says in its texts, and of its claims whether they hold.
+  const sentences = part => [...part.querySelectorAll(':is(.text :is(p, li), .claims > summary):not(.versus)')]
+    .flatMap(({ textContent }) => textContent.split(/(?<=[.:;?!]) /));
 
   // A picture's markup with other ids, to stand beside the picture.
   const apart = svg => svg.replaceAll(/(id="|url\(#|href="#)/g, '$1versus-');
@@ -666,6 +684,7 @@
     steps = [...article.querySelectorAll('section[data-step]')].map(section => new Step(section, reads));
     readAddress();
     steps.forEach(step => step.offerSettings());
+    if (settings.size || versus) document.getElementById(decodeURIComponent(location.hash.slice(1)).split('&')[0])?.scrollIntoView();
     document.documentElement.classList.add('live');
     bar.show();
     if (settings.size) queue.add(steps.filter(step => [...settings.keys()].some(name => step.read.has(name))));

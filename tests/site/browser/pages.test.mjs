@@ -20,6 +20,13 @@ for (const page of pages)
     await tab.close();
   });
 
+for (const page of pages.filter(page => /^\d\d_/.test(page) && !lessons.includes(page.slice(0, -5))))
+  test(`${page} says why it has no sliders`, async () => {
+    const tab = await open(url(page));
+    assert.match(await tab.$eval('header.lesson', header => header.textContent), /This page has no sliders: the engines are native libraries/);
+    await tab.close();
+  });
+
 test('the whole site is at most 15 MB', { skip: quick && 'only of the whole course' }, () => {
   const size = path => statSync(path).isDirectory()
     ? readdirSync(path).reduce((sum, name) => sum + size(join(path, name)), 0) : statSync(path).size;
@@ -64,6 +71,39 @@ for (const page of pages)
       assert.ok(wide <= 0, `${wide} pixels too wide`);
       await tab.close();
     });
+
+// Of the figures that are drawn in the page: the least height of a letter of 15 points, and those that keys cannot scroll.
+for (const page of pages)
+  for (const width of [360, 768, 1280, 1440])
+    test(`${page} has letters of 11 pixels in its figures at ${width} pixels, and keys reach what is out of sight`, async () => {
+      const tab = await open(url(page), { width });
+      const { letters, unreached } = await tab.$$eval(':is(.figure:not(.hold), .film) .picture', pictures => ({
+        letters: pictures.flatMap(picture => [...picture.querySelectorAll('svg')]).map(svg => 15 * svg.getBoundingClientRect().width / svg.viewBox.baseVal.width),
+        unreached: pictures.filter(picture => picture.scrollWidth > picture.clientWidth + 1 && picture.tabIndex !== 0).length,
+      }));
+      assert.ok(letters.every(height => height >= 11), `${Math.min(...letters)} pixels`);
+      assert.equal(unreached, 0);
+      await tab.close();
+    });
+
+test('on a narrow page a figure begins where something is drawn, and the arrow keys scroll it', async () => {
+  const tab = await open(url(`${lessons[0]}.html`), { width: 360 });
+  const empty = [];
+  for (const picture of await tab.$$('.figure .picture')) {
+    await picture.evaluate(picture => picture.scrollIntoView({ block: 'center' }));
+    await tab.waitForFunction(picture => picture.dataset.placed !== undefined, {}, picture);
+    const [first, left] = await picture.evaluate(picture => [
+      Math.min(...[...picture.querySelectorAll('svg :is(circle, text, path:not(svg > path:first-child))')].map(drawn => drawn.getBoundingClientRect().left)),
+      picture.getBoundingClientRect().left]);
+    if (first - left > 180) empty.push(first - left);
+  }
+  assert.deepEqual(empty, [], 'pixels without a mark');
+  const picture = await tab.$('.figure .picture'), at = () => picture.evaluate(picture => picture.scrollLeft), before = await at();
+  await picture.focus();
+  await tab.keyboard.press('ArrowRight');
+  await tab.waitForFunction((picture, before) => picture.scrollLeft > before, {}, picture, before);
+  await tab.close();
+});
 
 for (const lesson of lessons)
   test(`${lesson} shows whole lines of code at 1440 pixels`, async () => {

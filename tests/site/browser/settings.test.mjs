@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
 
-import { lessons, live, move, quick, quit, settled } from './browser.mjs';
+import { axe, lessons, live, move, quick, quit, settled } from './browser.mjs';
 
 after(quit);
 
@@ -56,6 +56,14 @@ test('an exact value can be typed, and the address keeps it', async () => {
   await again.close();
 });
 
+test('a link to a step with settings opens it there', async () => {
+  const tab = await live(baumgarte, { hash: '#step-3&beta=1.9' });
+  await settled(tab);
+  assert.ok(Math.abs(await tab.$eval('#step-3', step => step.getBoundingClientRect().top)) < 100);
+  assert.equal(await tab.$eval('#step-3 .setting[data-name="beta"] input[type=text]', field => field.value), '1.9');
+  await tab.close();
+});
+
 test('a value out of range is refused at its slider in the lesson\'s own sentence', async () => {
   const tab = await live(baumgarte);
   const field = await tab.$('.setting[data-name="beta"] input[type=text]');
@@ -70,6 +78,19 @@ test('a value out of range is refused at its slider in the lesson\'s own sentenc
   assert.equal(await tab.evaluate(() => location.hash), '', 'the setting stays as it was');
   await tab.close();
 });
+
+for (const dark of [false, true])
+  test(`steps out of view that are not told again yet say so, and axe-core finds nothing on them, ${dark ? 'dark' : 'light'}`, async () => {
+    const tab = await live(baumgarte, { dark, hash: '#beta=1.5' });
+    await settled(tab);
+    await new Promise(resolve => setTimeout(resolve, 600));
+    const says = await tab.$$eval('.stale > .state', states => states.map(state => getComputedStyle(state, '::before').content));
+    assert.ok(says.length > 0 && says.every(words => words.includes('settings before')), says.join());
+    await tab.addScriptTag({ path: axe });
+    const { violations } = await tab.evaluate(() => axe.run(document.querySelectorAll('.stale'), { runOnly: ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa'] }));
+    assert.deepEqual(violations.map(({ id, nodes }) => `${id}: ${nodes[0].html.slice(0, 160)}`), []);
+    await tab.close();
+  });
 
 test('reset restores the page as it was written', async () => {
   const tab = await live(baumgarte);

@@ -27,7 +27,8 @@ test('settings that are pinned stay beside those that change, in figures and num
   const tab = await live(baumgarte);
   await move(tab, 'beta', 0.5);
   await inView(tab);
-  const pinned = await seen(tab), value = (await hash(tab)).match(/beta=([^&]*)/)[1];
+  const sentences = () => tab.$$eval(`${step} .text :is(p, li)`, all => all.map(one => one.textContent).join(' '));
+  const pinned = await seen(tab), told = await sentences(), value = (await hash(tab)).match(/beta=([^&]*)/)[1];
   await tab.click('.changes .compare-with-this');
   assert.equal(await hash(tab), `#beta=${value}&versus=beta:${value}`);
   assert.equal((await tab.$$('.versus')).length, 0, 'nothing differs yet');
@@ -42,6 +43,15 @@ test('settings that are pinned stay beside those that change, in figures and num
   assert.ok(now.some(({ twin, picture }) => twin !== picture));
   const numbers = await tab.$$eval(`${step} .measures > div`, rows => rows.map(row => row.querySelector('dd.versus')?.textContent));
   assert.ok(numbers.every(number => number?.endsWith(`with beta = ${value}`)), numbers.join());
+  const others = await tab.$$eval(`${step} .text > .versus`, all => all.map(one => one.textContent));
+  const here = await sentences();
+  assert.ok(others.length > 0);
+  for (const words of others) {
+    assert.ok(words.startsWith(`With beta = ${value}: `), words);
+    const said = words.slice(words.indexOf(':') + 2);
+    assert.ok(told.includes(said.split(/(?<=[.:;?!]) /)[0]), `${said} was said with that setting`);
+    assert.ok(!here.includes(said), `${said} is not said with this one`);
+  }
   assert.equal(await hash(tab), `#beta=${other}&versus=beta:${value}`);
   const address = await tab.evaluate(() => location.href);
 
