@@ -23,6 +23,10 @@ using Solved = Simulation<PlaneBody>;
 
 Solved solved(const Setting& setting, double e) {
   Solved simulation{bouncing_ball<PlaneBody>(setting.drop, e, ball_radius), {}};
+  // A contact is seen within v h and the margin, but a step falls by gh² more: of a long step the margin has to
+  // hold that, or the ball sinks in, and its correction lifts it.
+  Scene<PlaneBody>& scene = simulation.scene;
+  scene.set_margin(std::max(scene.colliders().margin, gravity * setting.h * setting.h));
   simulation.method.bounce_threshold = bounce_threshold;
   return simulation;
 }

@@ -27,9 +27,9 @@ std::vector<Pressed> pressed(const Pile& pile, double h);
 /// What each layer of a stack presses on the one below with [N], the lowest first.
 std::vector<double> layer_forces(const Pile& stack, double h);
 
-/// How a stack is corrected here: not at all while it overlaps by less than a centimetre, which is more than it
-/// sinks; else a warm start would remember the corrections too (lesson 4).
-inline constexpr Baumgarte left_alone{.slop = 0.01};
+/// How a stack is corrected here: not at all while it overlaps by less than a tenth of a box, which is more than
+/// it sinks, or a face tilts, while it stands; else a warm start would remember the corrections too (lesson 4).
+inline constexpr Baumgarte left_alone{.slop = 0.1};
 
 /// A stack of unit boxes of 1 kg, the topmost of `top_mass` [kg], kicked to 0.02 m/s at its top, or left alone.
 Pile column(int boxes, const RowSolver& solver, double kick_speed = 0.02, double top_mass = 1);

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -38,6 +39,14 @@ Map map_of(const tutor::Page& page, const Knob& x, const Knob& y, const Run& run
   return {x, y, page.side_by_side(columns * rows, [&](int cell) {
             return run(x.values[cell % columns], y.values[cell / columns]);
           })};
+}
+
+/// A map that no knob but the resolution changes, made when it is first wanted.
+template <class Make>
+const Map& kept(std::map<int, Map>& known, int resolution, const Make& make) {
+  const auto [place, fresh] = known.try_emplace(resolution);
+  if (fresh) place->second = make();
+  return place->second;
 }
 
 /// How many of the runs settle where a law says so, and do not settle where it does not.

@@ -30,10 +30,13 @@ bool stands(int boxes, double hertz) {
   return laws::buckle({.boxes = boxes, .sweeps = 0, .frequency = hertz}) == Outcome::settles;
 }
 
-/// The tallest column that stands on contacts of this frequency, by building it up.
+/// The tallest column that stands on contacts of this frequency, by building up or taking down the law's.
 int tallest(double hertz) {
+  constexpr int most = 40;
   int boxes = 2;
-  while (boxes < 40 && stands(boxes + 1, hertz)) ++boxes;
+  while (boxes < most && laws::softest_contacts(boxes + 1) < hertz) ++boxes;
+  while (boxes > 2 && !stands(boxes, hertz)) --boxes;
+  while (boxes < most && stands(boxes + 1, hertz)) ++boxes;
   return boxes;
 }
 
@@ -126,9 +129,12 @@ void too_soft(const Setting& setting, Page& page) {
             @; on the stiffer contacts it @.)",
       highest, hertz, filmed, stacks.hurry() * stacks.seconds(), top(0), top(1), top(2));
 
-  const Map map = map_of(page, counting_knob("boxes N", 4, 22, setting.resolution, renderer::Scale::linear),
-                         knob("frequency of the contacts (Hz)", 8, 100, setting.resolution),
-                         [](double n, double hz) { return nudged(static_cast<int>(n), hz); });
+  static std::map<int, Map> maps;
+  const Map& map = kept(maps, setting.resolution, [&] {
+    return map_of(page, counting_knob("boxes N", 4, 22, setting.resolution, renderer::Scale::linear),
+                  knob("frequency of the contacts (Hz)", 8, 100, setting.resolution),
+                  [](double n, double hz) { return nudged(static_cast<int>(n), hz); });
+  });
   const auto boundary = [](double n) { return laws::softest_contacts(static_cast<int>(std::lround(n))); };
   page.figure(
       "boxes_and_stiffness",

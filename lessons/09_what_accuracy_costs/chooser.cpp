@@ -126,8 +126,8 @@ std::string why(const byhand::Choice& choice, const std::map<Error, double>& lim
   if (choice.coarser) {
     const byhand::Point& coarser = *choice.coarser;
     text += coarser.outcome != Outcome::good
-                ? say(". With @ substeps: @", coarser.knobs.substeps, coarser.reason)
-                : say(". With @ substeps: @", coarser.knobs.substeps,
+                ? say(". With @: @", several(coarser.knobs.substeps, "substep"), coarser.reason)
+                : say(". With @: @", several(coarser.knobs.substeps, "substep"),
                       limits.empty() ? cost_in_words(coarser) : reached_in_words(coarser, limits));
   }
   return text;
@@ -169,12 +169,18 @@ std::string passed(const byhand::Choice& choice) {
   return lines;
 }
 
+/// A factor above 1 in words: "4 % more", "2.1 times as much".
+std::string beside_one(double factor, const char* as_much, const char* more) {
+  return factor < 1.1 ? say("@ % @", Value(100 * (factor - 1), 1), more)
+                      : say("@ times @", Value(factor, 2), as_much);
+}
+
 std::string margin_in_words(const byhand::Choice& choice, const Problem& problem) {
   const std::string& stress = problem.scene().stress;
   if (std::isnan(choice.margin)) return "";
   if (std::isinf(choice.margin))
     return say("It still does with the largest @ that was tried, up to a thousand times as large.", stress);
-  return say("It no longer does if @ is @ times as large (@).", stress, Value(choice.margin, 2),
+  return say("It no longer does if @ is @ (@).", stress, beside_one(choice.margin, "as large", "larger"),
              Value(choice.margin * problem[stress], 3));
 }
 
@@ -296,13 +302,16 @@ void chooser(Page& page, const Setting& setting) {
     page.text(certainty(choice, limits));
     if (const std::string others = runners_up(choice, limits); !others.empty())
       page.text("Runners-up:\n" + others);
-    if (choice.finer && choice.finer->cost <= 1.001 * best.cost)
+    if (!limits.empty() && excess(best, limits) <= 0.1)
       page.text("It is already ten times more accurate than you ask.");
+    else if (choice.finer && choice.finer->cost <= 1.005 * best.cost)
+      page.text("Ten times more accuracy by the same method costs as much: @.", choice.finer->described());
     else if (choice.finer)
-      page.text("Ten times more accuracy by the same method would cost @ times as much: @.",
-                Value(choice.finer->cost / best.cost, 2), choice.finer->described());
+      page.text("Ten times more accuracy by the same method would cost @: @.",
+                beside_one(choice.finer->cost / best.cost, "as much", "more"), choice.finer->described());
     else if (!limits.empty())
-      page.text("The same method does not become ten times more accurate at a hundred times the cost.");
+      page.text(
+          "For ten times more accuracy no choice of the same method was found at up to a hundred times the cost.");
   } else {
     const bool dear = std::isfinite(wish.budget);
     page.text("**No method here reaches that@**: @.@", dear ? " within that time" : "", searched_in_words(choice),

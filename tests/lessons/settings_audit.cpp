@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <ctime>
 #include <stdexcept>
 
 #include "lessons/tutor/typed_quantity.hpp"
@@ -15,6 +16,7 @@ namespace {
 
 using namespace byhand::tutor;
 using testing::AllOf;
+using testing::Contains;
 using testing::Each;
 using testing::ElementsAre;
 using testing::Field;
@@ -141,9 +143,8 @@ TEST(Audit, CatchesAStepThatThrows) {
     say_size(page, a);
   });
   const auto failures = Audit(knobs.lesson, {.random = 0}).failures();
-  ASSERT_THAT(failures, SizeIs(testing::Ge(1)));
-  EXPECT_EQ(failures[0].finding.rule, "exit status");
-  EXPECT_EQ(failures[0].finding.words, "a body is nowhere");
+  EXPECT_THAT(failures, Contains(Field(&Failure::finding, AllOf(Field(&Finding::rule, "exit status"),
+                                                                Field(&Finding::words, "a body is nowhere")))));
 }
 
 TEST(Audit, CatchesAParameterThatNoStepLooksAt) {
@@ -157,7 +158,13 @@ TEST(Audit, CatchesAParameterThatNoStepLooksAt) {
 TEST(Audit, RunsAStepOnlyForParametersThatChangeIt) {
   Knobs knobs([](Page& page, double a, double b) { say_size(page, a + b); });
   Audit(knobs.lesson, {.random = 10});
-  EXPECT_EQ(knobs.other_runs, 1 + 6 + 10) << "the base, six ends, and the random settings";
+  EXPECT_EQ(knobs.other_runs, 1 + 6 + 9) << "the base, six ends, and ten random settings, one of which is an end";
+}
+
+TEST(Audit, RunsTheStepThatIsAskedForAlone) {
+  Knobs knobs([](Page& page, double a, double b) { say_size(page, a == 1 ? 1e12 : a + b); });
+  EXPECT_THAT(Audit(knobs.lesson, {.random = 10, .step = "1"}).failures(), SizeIs(1));
+  EXPECT_EQ(knobs.other_runs, 0);
 }
 
 TEST(Audit, CatchesAParameterThatAnotherStepLooksAtToo) {
@@ -179,6 +186,43 @@ TEST(Audit, LeavesOutWhatTakesTooLongAndSaysSo) {
   Knobs knobs([](Page& page, double a, double b) { say_size(page, a + b); });
   const Audit audit(knobs.lesson, {.random = 10, .seconds = 0});
   EXPECT_THAT(audit.left_out(), SizeIs(2));
+}
+
+TEST(Audit, KeepsTimeForRandomSettings) {
+  int random = 0;
+  Knobs knobs([&](Page& page, double a, double b) {
+    const std::clock_t begin = std::clock();
+    while (std::clock() < begin + CLOCKS_PER_SEC / 50) continue;
+    random += (a > 0 && a < 0.5) || (a > 0.5 && a < 1);
+    say_size(page, a + b);
+  });
+  const Audit audit(knobs.lesson, {.random = 1000, .seconds = 0.06, .all_steps = false});
+  EXPECT_GE(random, 1) << "the base and six ends take longer than all";
+  EXPECT_THAT(audit.left_out(),
+              ElementsAre(testing::MatchesRegex("step 1 at .* of .* settings, for want of time")));
+}
+
+TEST(Audit, TriesASettingOnce) {
+  int runs = 0;
+  Lesson lesson({.slug = "98_choices", .title = "Choices", .summary = "Three."});
+  const auto choice = lesson.parameter("choice", "one", {"one", "two", "three"}, "of three");
+  lesson.step("Only", [&, choice](Page& page) { page.text("It is @.", (++runs, choice())); });
+  Audit(lesson, {.random = 50});
+  EXPECT_EQ(runs, 4) << "the base and three choices";
+}
+
+TEST(Audit, TriesWhatIsAskedForWhateverTheTime) {
+  Knobs knobs([](Page& page, double a, double) { say_size(page, a == 0.25 ? 1e12 : a); });
+  const std::vector<Suggestion> also{suggestion("./lessons/run 98 --step 1 --set a=0.25")};
+  const auto failures = Audit(knobs.lesson, {.random = 0, .seconds = 0, .also = also}).failures();
+  EXPECT_THAT(failures, Contains(Field(&Failure::command, "./lessons/run 98 --step 1 --set a=0.25")));
+}
+
+TEST(Audit, LeavesOutAndCountsWhatIsBeyondItsTime) {
+  Knobs knobs([](Page& page, double a, double b) { say_size(page, a == 1 ? 1e12 : a + b); });
+  const Audit audit(knobs.lesson, {.random = 0, .pairs = false, .beyond = {{"a", "1"}}});
+  EXPECT_THAT(audit.failures(), IsEmpty());
+  EXPECT_THAT(audit.left_out(), Contains("step 1 at 6 of 7 settings, for want of time"));
 }
 
 TEST(Audit, KeepsTheBaseAtRandom) {

@@ -208,10 +208,12 @@ TEST(BoundedNewton, OfAManifoldSolvesBothNormalsAndThenFriction) {
     }
     const double slip = residual[2] + A.row(2).dot(change), radius = mu * (after[0] + after[1]);
     EXPECT_LE(std::abs(after[2]), radius + 1e-13);
-    if (std::abs(after[2]) < radius - 1e-9)
+    if (std::abs(after[2]) < radius - 1e-9) {
       EXPECT_NEAR(slip, 0, 1e-11);
-    else
-      EXPECT_LE(slip * after[2], 1e-11) << "at its bound friction opposes the slip", ++slipping;
+    } else {
+      EXPECT_LE(slip * after[2], 1e-11) << "at its bound friction opposes the slip";
+      ++slipping;
+    }
   }
   EXPECT_GT(pressing, 500);
   EXPECT_GT(slipping, 500);

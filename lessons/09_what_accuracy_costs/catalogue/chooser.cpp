@@ -234,6 +234,7 @@ Verification verify(const Problem& problem, const Point& point, const Wish& wish
                                                   {.reference = asks_for_reference(wish.limits)});
   });
   Verification result{.starts = starts, .seconds = problem.scene().duration};
+  if (!points.empty()) result.excess = excess(points.front(), wish.limits);
   for (const Point& one : points) {
     result.good += one.outcome == Outcome::good;
     result.within += excess(one, wish.limits) <= 1;
@@ -286,7 +287,8 @@ Choice choose(const Problem& problem, const Wish& wish, const Search& search) {
   choice.searched_exactly = std::min(level, wish.budget);
   std::stable_sort(found.begin(), found.end(), by_preference);
 
-  // Twenty initial conditions decide: what fails one takes more substeps, or another method is tried.
+  // Twenty initial conditions decide, over the whole time: what fails one, or errs too much after the search has
+  // stopped watching, takes more substeps, or another method is tried.
   const int dear = std::max(problem.start().degrees_of_freedom() / 300,
                             asks_for_reference(wish.limits) ? choice.limit.substeps / 8 : 0);
   const int starts = std::max(std::min(4, search.starts), search.starts / std::max(1, dear));
@@ -295,7 +297,8 @@ Choice choose(const Problem& problem, const Wish& wish, const Search& search) {
     for (int attempt = 0; attempt < 8; ++attempt) {
       choice.verified = verify(problem, candidate.point, wish, starts, search);
       choice.spent.runs += starts;
-      if (choice.verified.good == starts) break;
+      if (!wish.limits.empty()) candidate.excess = choice.verified.excess;
+      if (choice.verified.good == starts && choice.verified.excess <= 1) break;
       Knobs more = candidate.point.knobs;
       more.substeps = std::max(more.substeps + 1, more.substeps * 5 / 4);
       candidate.point =

@@ -31,6 +31,7 @@ struct Candidate {
 struct Verification {
   int starts = 0, good = 0, within = 0;  // did their duty; had errors within the limits, too
   double seconds = 0;                    // of each
+  double excess = INFINITY;              // the largest error over its limit, from the scene's own start
   std::string first_failure = {};        // "a joint opened …"; empty if all are good
 };
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <ctime>
 #include <exception>
 
@@ -38,18 +39,26 @@ Audit::Audit(tutor::Lesson& lesson, Extent extent) : lesson_(lesson), extent_(st
   for (const Step& step : lesson_.steps()) {
     const bool turns = std::any_of(lesson_.parameters().begin(), lesson_.parameters().end(),
                                    [&](const ParameterRecord& p) { return may_depend(step, p); });
-    if (!turns && !extent_.all_steps) continue;
+    if ((!turns && !extent_.all_steps) || (!extent_.step.empty() && step.label != extent_.step)) continue;
     steps_[step.label].page = try_step(step, {}).value_or("");
   }
+  until_ = 0.5 * extent_.seconds;
   try_ends();
-  try_suggestions();
+  until_ = INFINITY;
+  try_all(extent_.also);
+  until_ = 0.6 * extent_.seconds;
+  try_all(suggestions(lesson_.closing()));
+  until_ = 0.9 * extent_.seconds;
   try_random();
+  until_ = extent_.seconds;
   if (extent_.pairs) try_pairs();
-  if (extent_.all_steps) try_foreign_parameters();
+  if (extent_.all_steps && extent_.step.empty()) try_foreign_parameters();
 }
 
 void Audit::try_ends() {
-  for (const ParameterRecord& p : lesson_.parameters()) {
+  auto parameters = lesson_.parameters();
+  std::shuffle(parameters.begin(), parameters.end(), std::mt19937(extent_.seed));
+  for (const ParameterRecord& p : parameters) {
     bool used = false;
     for (const Step& step : lesson_.steps()) {
       if (!may_depend(step, p) || !steps_.contains(step.label)) continue;
@@ -64,13 +73,13 @@ void Audit::try_ends() {
       if (!changes) state.depends.erase(p.name);
       used = used || changes;
     }
-    if (!used && extent_.all_steps)
+    if (!used && extent_.all_steps && extent_.step.empty())
       report("", command("", {{p.name, ends(p).front()}}), {"no step says anything else", p.described(p.initial)});
   }
 }
 
-void Audit::try_suggestions() {
-  for (const auto& [label, setting] : suggestions(lesson_.closing()))
+void Audit::try_all(const std::vector<Suggestion>& all) {
+  for (const auto& [label, setting] : all)
     for (const Step& step : lesson_.steps())
       if ((label.empty() || label == step.label) && !relevant(step, setting).empty()) try_step(step, setting);
 }
@@ -133,12 +142,15 @@ Setting Audit::relevant(const Step& step, const Setting& setting) const {
 
 std::optional<std::string> Audit::try_step(const Step& step, const Setting& setting) {
   StepState& state = steps_[step.label];
-  ++state.wanted;
-  if (state.tried > 0 && state.seconds >= extent_.seconds) return {};
+  const Setting shown = relevant(step, setting);
+  if (!state.wanted.insert(shown).second) return {};
+  const bool beyond = std::any_of(shown.begin(), shown.end(), [&](const auto& s) {
+    return std::find(extent_.beyond.begin(), extent_.beyond.end(), s) != extent_.beyond.end();
+  });
+  if (beyond || (state.tried > 0 && state.seconds >= until_)) return {};
   ++state.tried;
   ++runs_;
   const double begin = processor_seconds();
-  const Setting shown = relevant(step, setting);
   const std::string repeat = command(step.label, shown);
   std::string page;
   {
@@ -194,10 +206,19 @@ std::string Audit::command(const std::string& step, const Setting& setting) cons
 std::vector<std::string> Audit::left_out() const {
   std::vector<std::string> lines;
   for (const auto& [label, state] : steps_)
-    if (state.tried < state.wanted)
-      lines.push_back(
-          fmt::format("step {}: {} of {} settings in {:.0f} s", label, state.tried, state.wanted, state.seconds));
+    if (const auto wanted = static_cast<int>(state.wanted.size()); state.tried < wanted)
+      lines.push_back(fmt::format("step {} at {} of {} settings, for want of time", label, state.tried, wanted));
   return lines;
+}
+
+std::string Audit::time_taken() const {
+  double all = 0;
+  std::pair<double, std::string> longest;
+  for (const auto& [label, state] : steps_) {
+    all += state.seconds;
+    longest = std::max(longest, {state.seconds, label});
+  }
+  return fmt::format("{:.0f} s, {:.0f} s of them for step {}", all, longest.first, longest.second);
 }
 
 }  // namespace byhand::tests

@@ -15,13 +15,16 @@ namespace byhand::tests {
 
 /// How much of a lesson to try.
 struct Extent {
-  int random = 200;       // random settings
-  unsigned seed = 1;      // of them, and of the order of the pairs
-  bool pairs = true;      // of ends of two parameters
-  double seconds = 1e9;   // of the processor for each step; what does not fit is left out and counted
-  bool all_steps = true;  // also those that no parameter changes
-  bool pictures = false;  // draw them, too
-  Setting base = {};      // instead of defaults where nothing else is said; random settings keep it
+  int random = 200;                   // random settings
+  unsigned seed = 1;                  // of them, and of the order of the pairs
+  std::string step = {};              // only this one; empty: all
+  bool pairs = true;                  // of ends of two parameters
+  double seconds = 1e9;               // of the processor for each step; what does not fit is left out and counted
+  bool all_steps = true;              // also those that no parameter changes
+  bool pictures = false;              // draw them, too
+  Setting base = {};                  // instead of defaults where nothing else is said; random settings keep it
+  Setting beyond = {};                // values that take longer than a step has: left out and counted
+  std::vector<Suggestion> also = {};  // settings to try besides, whatever the time
 };
 
 /// Sentences alike but for their numbers that break the same rule in the same step.
@@ -32,26 +35,30 @@ struct Failure {
 };
 
 /// Runs the steps of a lesson at many settings and holds each page against the rules. A step that does not change
-/// with a parameter, as seen at the ends of its range, runs once for all its values.
+/// with a parameter, as seen at the ends of its range, runs once for all its values. Where the time is short, the
+/// ends may take half of it, the random settings most of the rest, and each seed tries other ones.
 class Audit {
  public:
   Audit(tutor::Lesson& lesson, Extent extent);
 
   const std::vector<Failure>& failures() const { return failures_; }
   int runs() const { return runs_; }
-  /// "step 7: 120 of 300 settings", for each step that took too long.
+  /// "step 7 at 120 of 300 settings, for want of time", for each step that took too long.
   std::vector<std::string> left_out() const;
+  /// Of the processor: "180 s, 120 s of them for step 7".
+  std::string time_taken() const;
 
  private:
   struct StepState {
     std::string page;               // at the base: all it says and draws
     std::set<std::string> depends;  // parameters that change it
     double seconds = 0;             // taken
-    int tried = 0, wanted = 0;      // settings
+    std::set<Setting> wanted;       // settings, each once
+    int tried = 0;                  // of them
   };
 
   void try_ends();
-  void try_suggestions();
+  void try_all(const std::vector<Suggestion>& all);
   void try_random();
   void try_pairs();
   /// Turns what Lesson::answers gives to other steps: this one says the same.
@@ -68,6 +75,7 @@ class Audit {
   tutor::Lesson& lesson_;
   Extent extent_;
   tutor::PictureDrawer pictures_{tutor::small_quality};
+  double until_ = 0;  // seconds of a step that what is tried now may take
   std::map<std::string, StepState> steps_;
   std::vector<Failure> failures_;
   int runs_ = 0;

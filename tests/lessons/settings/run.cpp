@@ -9,17 +9,20 @@
 #include <vector>
 
 #include "tests/lessons/settings/audit.hpp"
+#include "tests/lessons/settings/once_false.hpp"
 
 namespace byhand::tests {
 namespace {
 
-/// Reads --random=N, --seed=N, --seconds=N, --quick.
+/// Reads --step=N, --random=N, --seed=N, --seconds=N, --quick.
 Extent extent(int argc, const char* const* argv) {
   Extent extent{.pictures = true};
   for (const std::string& word : std::vector<std::string>(argv + 1, argv + argc)) {
     const std::string value = word.substr(std::min(word.find('=') + 1, word.size()));
     if (word == "--quick")
       extent.pairs = extent.all_steps = extent.pictures = false;
+    else if (word.starts_with("--step="))
+      extent.step = value;
     else if (word.starts_with("--random="))
       extent.random = std::stoi(value);
     else if (word.starts_with("--seed="))
@@ -27,7 +30,7 @@ Extent extent(int argc, const char* const* argv) {
     else if (word.starts_with("--seconds="))
       extent.seconds = std::stod(value);
     else
-      throw std::invalid_argument(word + " is none of --random=N, --seed=N, --seconds=N, --quick");
+      throw std::invalid_argument(word + " is none of --step=N, --random=N, --seed=N, --seconds=N, --quick");
   }
   return extent;
 }
@@ -41,14 +44,17 @@ int Lesson::run(int argc, const char* const* argv) {
   tests::Extent extent = tests::extent(argc, argv);
   // A coarse map is as true as a fine one, and takes a hundredth of the time.
   if (is_parameter("resolution")) extent.base = {{"resolution", "4"}};
+  // Of this chapter the lesson itself says that it takes minutes.
+  if (is_parameter("appendix")) extent.beyond = {{"appendix", "millimetre"}};
+  extent.also = tests::once_false(number());
   const tests::Audit audit(*this, extent);
   for (const auto& [step, command, finding, settings] : audit.failures())
     fmt::print("{} step {}: {}, at {} such as\n  {}\n  {}\n\n", about_.slug, step, finding.rule,
                several(settings, "setting"), command, finding.words);
   for (const std::string& line : audit.left_out()) fmt::print("{} {}\n", about_.slug, line);
-  fmt::print("{}: {} in {}, seed {}\n", about_.slug,
+  fmt::print("{}: {} in {}, seed {}, {}\n", about_.slug,
              several(static_cast<long>(audit.failures().size()), "failure"), several(audit.runs(), "run"),
-             extent.seed);
+             extent.seed, audit.time_taken());
   return audit.failures().empty() ? 0 : 1;
 }
 

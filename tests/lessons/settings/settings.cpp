@@ -33,19 +33,21 @@ double with_three_digits(double value) { return std::stod(fmt::format("{:.3g}", 
 
 }  // namespace
 
+Suggestion suggestion(const std::string& command) {
+  Suggestion suggestion;
+  std::istringstream words(command);
+  for (std::string word; words >> word;) {
+    if (word == "--step") words >> suggestion.step;
+    if (word != "--set" || !(words >> word)) continue;
+    const auto equals = std::min(word.find('='), word.size());
+    suggestion.setting.emplace_back(word.substr(0, equals), word.substr(std::min(equals + 1, word.size())));
+  }
+  return suggestion;
+}
+
 std::vector<Suggestion> suggestions(const tutor::Closing& closing) {
   std::vector<Suggestion> all;
-  for (const tutor::Try& attempt : closing.tries) {
-    Suggestion suggestion;
-    std::istringstream words(attempt.command);
-    for (std::string word; words >> word;) {
-      if (word == "--step") words >> suggestion.step;
-      if (word != "--set" || !(words >> word)) continue;
-      const auto equals = std::min(word.find('='), word.size());
-      suggestion.setting.emplace_back(word.substr(0, equals), word.substr(std::min(equals + 1, word.size())));
-    }
-    all.push_back(std::move(suggestion));
-  }
+  for (const tutor::Try& attempt : closing.tries) all.push_back(suggestion(attempt.command));
   return all;
 }
 

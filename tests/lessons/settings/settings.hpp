@@ -12,11 +12,13 @@ namespace byhand::tests {
 /// Parameters and their values as a reader types them; the others keep their defaults.
 using Setting = std::vector<std::pair<std::string, std::string>>;
 
-/// A suggestion of a lesson's closing: "./lessons/run 4 --step 6b --set sweeps=8".
+/// What a command such as "./lessons/run 4 --step 6b --set sweeps=8" asks of a lesson.
 struct Suggestion {
   std::string step;  // empty: all
   Setting setting;
 };
+Suggestion suggestion(const std::string& command);
+/// Those of a lesson's closing.
 std::vector<Suggestion> suggestions(const tutor::Closing& closing);
 
 /// The ends of the range, or each of the choices.

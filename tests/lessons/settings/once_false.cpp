@@ -1,0 +1,28 @@
+#include "tests/lessons/settings/once_false.hpp"
+
+#include <fmt/format.h>
+
+#include <string_view>
+
+namespace byhand::tests {
+namespace {
+
+constexpr std::string_view commands[] = {
+    "./lessons/run 4 --step 2 --set h=0.05 --set length=0.5",
+    "./lessons/run 5 --step 5 --set h=0.0485 --set e=0.822 --set drop=1.15",
+    "./lessons/run 5 --step 7 --set h=0.0365 --set boxes=7 --set sweeps=1",
+    "./lessons/run 8 --step 1 --set resolution=4 --set boxes=9 --set sweeps=2",
+    "./lessons/run 9 --step 7 --set links=100 --set end_mass=10 --set drift=0.003",
+};
+
+}  // namespace
+
+std::vector<Suggestion> once_false(int lesson) {
+  std::vector<Suggestion> all;
+  for (const std::string_view command : commands)
+    if (command.starts_with(fmt::format("./lessons/run {} ", lesson)))
+      all.push_back(suggestion(std::string(command)));
+  return all;
+}
+
+}  // namespace byhand::tests
