@@ -19,7 +19,9 @@ int main(int argc, char** argv) {
       .energy = lesson.parameter("energy", 0.0, "1", {0, 100}, "change of energy over m·g·L of the scene; 0: any"),
       .momentum = lesson.parameter("momentum", 0.0, "1", {0, 100}, "change of angular momentum; 0: any"),
       .reaction = lesson.parameter("reaction", 0.0, "1", {0, 100}, "error of the reaction force; 0: any"),
-      .budget = lesson.parameter("budget", 0.0, "s", {0, 1}, "time a frame, such as 200us; 0: any"),
+      // A search tries what the budget allows: at a millisecond it takes half a minute, and a second would take
+      // hours.
+      .budget = lesson.parameter("budget", 0.0, "s", {0, 1e-3}, "time a frame, such as 200us; 0: any"),
       .links = lesson.parameter("links", Initial::links, "1", {1, 500}, "of the chain"),
       .end_mass =
           lesson.parameter("end_mass", Initial::end_mass, "kg", {1e-3, 1e6}, "of the chain or double pendulum"),
