@@ -154,12 +154,14 @@ void nutation(const Setting& setting, Page& page) {
                  "L = x × mv: v changes by hg and by a multiple of d = x, then x changes by hv.",
                  "x × x = 0, (x + hv) × v = x × v"}});
   const Errors coarse = errors(setting, exact, h / 16), fine = errors(setting, exact, h / 32);
-  const double order = std::log2(coarse.period / fine.period),
-               order_round = std::log2(coarse.precession / fine.precession);
+  const double order = std::log2(coarse.period / fine.period), halved = coarse.precession / fine.precession;
+  const std::string powers =
+      halved > 0 ? say("they fall as h to the power of @ and @", Value(order, 3), Value(std::log2(halved), 3))
+                 : say("the first falls as h to the power of @ and the second changes its sign", Value(order, 3));
   page.figure("errors_over_h",
               say(R"(Error of the duration of one nutation and of the angle of its precession, over the time step.
-                  Between h/16 and h/32 they fall as h to the power of @ and @.)",
-                  Value(order, 3), Value(order_round, 3)),
+                  Between h/16 and h/32 @.)",
+                  powers),
               over_h(setting, exact));
   page.text(
       R"(The drift of lesson 4 fell with h only. Here the error falls with h², for two reasons: the velocities of
