@@ -76,15 +76,14 @@ void chains(const Setting& setting, Page& page) {
   if (std::any_of(errors.begin(), errors.end(),
                   [](const Errors& e) { return e.name != ours_name && e.name != "ODE direct"; })) {
     const std::string reply = say("The best of them leaves a gap of @.", in_millimetres(iterative));
-    page.choose(
-        {.ask = "Those that iterate, with their defaults: what is the least gap that any of them leaves?",
-         .options = {{"less than 1 mm", reply}, {"1 mm to 10 cm", reply}, {"more than 10 cm", reply}},
-         .answer = iterative < 1e-3   ? 0
-                   : iterative <= 0.1 ? 1
-                                      : 2,
-         .hints = {"How far does news of the load come up the chain in one frame?",
-                   "One sweep moves it by a link or two; a warm start goes on in the next frame.",
-                   say("@ links, and the heaviest weighs @ times the others.", links, Value(end_mass, 3))}});
+    page.choose({.ask = "Those that iterate, with their defaults: what is the least gap that any of them leaves?",
+                 .options = {{"less than 1 mm", reply}, {"1 mm to 10 cm", reply}, {"more than 10 cm", reply}},
+                 .answer = iterative < 1e-3   ? 0
+                           : iterative <= 0.1 ? 1
+                                              : 2,
+                 .hints = {"How far does news of the load come up the chain in one frame?",
+                           "One sweep moves it by a link or two; a warm start goes on in the next frame.",
+                           say("@ links of 1 kg, and @ kg at the end.", links, end_mass)}});
   }
   page.figure("chain_gap",
               say("The chain of @ with @ kg at its end: largest gap of a pin in @ s.", links, end_mass,
