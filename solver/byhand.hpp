@@ -1,6 +1,6 @@
 #pragma once
 
-// Everything that most users of the library need. Other families of methods are in solver/methods/method.hpp.
+// Everything that most users of the library need. Other families of methods are in lessons/methods/method.hpp.
 
 #include "solver/constraints/contact_manifold.hpp"
 #include "solver/constraints/distance.hpp"

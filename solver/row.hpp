@@ -4,7 +4,7 @@
 #include "solver/jacobian.hpp"
 #include "solver/support/finite.hpp"
 
-// The article's arithmetic for one constraint by itself, line by line. The row solvers in methods/ do the
+// The article's arithmetic for one constraint by itself, line by line. The row solvers in rows/ do the
 // same sums, fused and in bulk; a test holds one against the other.
 namespace byhand {
 

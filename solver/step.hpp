@@ -4,12 +4,13 @@
 #include <variant>
 
 #include "solver/contact/restitution.hpp"
+#include "solver/cures/baumgarte.hpp"
+#include "solver/cures/projection.hpp"
+#include "solver/cures/soft_constraints.hpp"
+#include "solver/cures/split_impulse.hpp"
 #include "solver/integrate/euler.hpp"
 #include "solver/integrate/gyroscopic.hpp"
-#include "solver/methods/projection.hpp"
-#include "solver/methods/row_solvers.hpp"
-#include "solver/methods/soft_constraints.hpp"
-#include "solver/methods/split_impulse.hpp"
+#include "solver/row_solvers.hpp"
 
 namespace byhand {
 
@@ -54,7 +55,7 @@ Method default_method() {
 }
 
 /// A scene, its method and what that keeps between steps. It is a value: a copy saves the state. The method is a
-/// type (see methods/method.hpp), so that a simulation keeps only what its own method needs.
+/// type (see lessons/methods/method.hpp), so that a simulation keeps only what its own method needs.
 template <class M, class Method = VelocityStepping>
 struct Simulation {
   Scene<M> scene;

@@ -122,7 +122,7 @@ void two_links(Page& page, const Knobs& knobs) {
   page.text(
       R"(*The article calls the method Sequential Impulses, and writes (17) for "the system"; one (17) solves one
       row.* The solver's loop does the same for rows of all kinds: `solve` is (17), `apply` is (20).)");
-  page.excerpt("solver/gauss_seidel.cpp", "sweep");
+  page.excerpt("solver/rows/gauss_seidel.cpp", "sweep");
 
   constexpr int rounds = 10;
   HeldStep many(knobs.chain(2), h);

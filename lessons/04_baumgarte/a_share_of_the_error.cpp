@@ -59,7 +59,7 @@ void a_share_of_the_error(const Setting& setting, Page& page) {
   page.text(
       R"(A side note: the article prints (22) without the 1/h. Then m/s would stand on the left and m on the right;
       step 4 is about that. In the solver the choice between the two is one line, and (17) does the rest:)");
-  page.excerpt("solver/drift.hpp", "bias");
+  page.excerpt("solver/cures/baumgarte.hpp", "bias");
   page.text(
       R"(Watch the correction alone, in weightlessness: a bob at rest on a rod of @ m that is @ m too long. C is |d|
       − L here, in metres, and its J is (14) divided by |d|.)",

@@ -2,7 +2,7 @@
 
 #include "lessons/scenes/boxes.hpp"
 #include "solver/constraints/contact.hpp"
-#include "solver/drift.hpp"
+#include "solver/cures/baumgarte.hpp"
 #include "solver/integrate/euler.hpp"
 
 namespace byhand::contact {

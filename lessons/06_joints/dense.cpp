@@ -3,7 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 
-#include "solver/methods/step_work.hpp"
+#include "solver/step_work.hpp"
 
 namespace byhand::joints {
 

@@ -3,7 +3,7 @@
 #include <stdexcept>
 
 #include "solver/direct/graph.hpp"
-#include "solver/gauss_seidel.hpp"
+#include "solver/rows/gauss_seidel.hpp"
 
 namespace byhand {
 

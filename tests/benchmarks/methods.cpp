@@ -1,4 +1,4 @@
-#include "solver/methods/method.hpp"
+#include "lessons/methods/method.hpp"
 
 #include <benchmark/benchmark.h>
 

@@ -6,7 +6,7 @@
 
 #include "lessons/scenes/box_pile.hpp"
 #include "solver/byhand.hpp"
-#include "solver/methods/accelerated_gradient.hpp"
+#include "solver/rows/accelerated_gradient.hpp"
 
 // Writes random piles as friction problems, with the answers of the row solvers, one pile a line of JSON. What the
 // numbers mean stands in tests/referee/judge, which reads them.

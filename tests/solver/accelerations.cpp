@@ -1,4 +1,4 @@
-#include "solver/methods/accelerations.hpp"
+#include "lessons/methods/accelerations.hpp"
 
 #include "lessons/exact/double_pendulum.hpp"
 #include "lessons/scenes/chain.hpp"

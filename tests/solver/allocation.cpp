@@ -1,11 +1,11 @@
 #include <gtest/gtest.h>
 
+#include "lessons/methods/accelerations.hpp"
+#include "lessons/methods/rattle.hpp"
 #include "lessons/scenes/branches.hpp"
 #include "lessons/scenes/chain.hpp"
 #include "lessons/scenes/incline.hpp"
 #include "solver/constraints/friction.hpp"
-#include "solver/methods/accelerations.hpp"
-#include "solver/methods/rattle.hpp"
 #include "tests/solver/allocations.hpp"
 #include "tests/solver/solving.hpp"
 

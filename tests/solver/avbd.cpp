@@ -1,4 +1,4 @@
-#include "solver/methods/avbd.hpp"
+#include "lessons/methods/avbd.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
+#include "lessons/methods/positions.hpp"
 #include "solver/constraints/contact.hpp"
 #include "solver/constraints/friction.hpp"
-#include "solver/methods/positions.hpp"
 #include "tests/solver/solving.hpp"
 
 // Contacts push and never pull; friction holds no more than the contact presses.

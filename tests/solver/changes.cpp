@@ -2,13 +2,13 @@
 
 #include <map>
 
+#include "lessons/methods/method.hpp"
 #include "lessons/scenes/chain.hpp"
 #include "solver/constraints/friction.hpp"
 #include "solver/constraints/limit.hpp"
 #include "solver/constraints/motor.hpp"
 #include "solver/constraints/rope.hpp"
 #include "solver/constraints/weld.hpp"
-#include "solver/methods/method.hpp"
 #include "tests/solver/solving.hpp"
 
 // Whatever is done to a scene while it runs, its next step is that of a simulation built anew from the same state.

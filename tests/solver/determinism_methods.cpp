@@ -1,11 +1,11 @@
 #include <gtest/gtest.h>
 
+#include "lessons/methods/accelerations.hpp"
+#include "lessons/methods/avbd.hpp"
+#include "lessons/methods/rattle.hpp"
+#include "lessons/methods/xpbd.hpp"
 #include "lessons/scenes/boxes.hpp"
 #include "lessons/scenes/chain.hpp"
-#include "solver/methods/accelerations.hpp"
-#include "solver/methods/avbd.hpp"
-#include "solver/methods/rattle.hpp"
-#include "solver/methods/xpbd.hpp"
 #include "tests/solver/hash.hpp"
 
 // As determinism.cpp, for the families that do not step velocities. They cost more a step, and a bit that differs

@@ -3,12 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "lessons/methods/equalities.hpp"
 #include "lessons/scenes/chain.hpp"
 #include "lessons/scenes/pendulum.hpp"
 #include "lessons/scenes/top.hpp"
 #include "solver/constraints/contact.hpp"
 #include "solver/constraints/spring.hpp"
-#include "solver/methods/equalities.hpp"
 #include "tests/solver/law_motion.hpp"
 
 // What is asked alike of all methods for scenes of equalities.

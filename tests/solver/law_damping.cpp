@@ -1,8 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "lessons/methods/method.hpp"
 #include "lessons/scenes/chain.hpp"
-#include "solver/methods/method.hpp"
 #include "tests/solver/law_motion.hpp"
 #include "tests/solver/random.hpp"
 

@@ -2,10 +2,10 @@
 #include <gtest/gtest.h>
 
 #include "lessons/exact/free_top.hpp"
+#include "lessons/methods/avbd.hpp"
+#include "lessons/methods/rattle.hpp"
+#include "lessons/methods/xpbd.hpp"
 #include "lessons/scenes/top.hpp"
-#include "solver/methods/avbd.hpp"
-#include "solver/methods/rattle.hpp"
-#include "solver/methods/xpbd.hpp"
 #include "tests/solver/law_motion.hpp"
 #include "tests/solver/random.hpp"
 

@@ -1,11 +1,11 @@
 #include <gtest/gtest.h>
 
 #include "lessons/exact/slider_crank.hpp"
+#include "lessons/methods/method.hpp"
 #include "lessons/scenes/boxes.hpp"
 #include "lessons/scenes/chain.hpp"
 #include "lessons/scenes/slider_crank.hpp"
 #include "solver/constraints/weld.hpp"
-#include "solver/methods/method.hpp"
 #include "tests/solver/law_motion.hpp"
 #include "tests/solver/random.hpp"
 

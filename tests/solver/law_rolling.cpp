@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
+#include "lessons/methods/avbd.hpp"
+#include "lessons/methods/xpbd.hpp"
 #include "lessons/scenes/boxes.hpp"
-#include "solver/methods/avbd.hpp"
-#include "solver/methods/xpbd.hpp"
 #include "tests/solver/law_motion.hpp"
 
 // Discs in the plane and balls in space that roll and slide, by every family of methods that takes contacts. The

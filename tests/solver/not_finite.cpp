@@ -4,9 +4,9 @@
 #include <bit>
 #include <limits>
 
+#include "lessons/methods/method.hpp"
 #include "lessons/scenes/boxes.hpp"
 #include "lessons/scenes/chain.hpp"
-#include "solver/methods/method.hpp"
 #include "tests/solver/random.hpp"
 
 // NaN and infinity: a step that would leave one in the scene throws, and the scene stays as it was.

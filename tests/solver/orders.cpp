@@ -7,10 +7,10 @@
 #include "lessons/exact/free_top.hpp"
 #include "lessons/exact/simple_pendulum.hpp"
 #include "lessons/exact/spherical_pendulum.hpp"
+#include "lessons/methods/accelerations.hpp"
+#include "lessons/methods/rattle.hpp"
 #include "lessons/scenes/spherical_pendulum.hpp"
 #include "lessons/scenes/top.hpp"
-#include "solver/methods/accelerations.hpp"
-#include "solver/methods/rattle.hpp"
 #include "tests/solver/law_motion.hpp"
 
 // The order of each method: the slope of its error over its step, fitted over four steps, of particles and bodies,

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
+#include "lessons/methods/method.hpp"
 #include "lessons/scenes/chain.hpp"
 #include "solver/constraints/anchors.hpp"
-#include "solver/methods/method.hpp"
 #include "tests/solver/compiled.hpp"
 #include "tests/solver/dual.hpp"
 #include "tests/solver/law_motion.hpp"

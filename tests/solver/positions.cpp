@@ -1,9 +1,9 @@
-#include "solver/methods/positions.hpp"
+#include "lessons/methods/positions.hpp"
 
+#include "lessons/methods/xpbd.hpp"
 #include "solver/constraints/motor.hpp"
 #include "solver/constraints/pin.hpp"
 #include "solver/constraints/rope.hpp"
-#include "solver/methods/xpbd.hpp"
 #include "tests/solver/law_motion.hpp"
 #include "tests/solver/random.hpp"
 

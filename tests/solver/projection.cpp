@@ -1,10 +1,10 @@
-#include "solver/methods/projection.hpp"
+#include "solver/cures/projection.hpp"
 
 #include <gmock/gmock.h>
 
+#include "lessons/methods/xpbd.hpp"
 #include "lessons/scenes/boxes.hpp"
 #include "solver/constraints/spring.hpp"
-#include "solver/methods/xpbd.hpp"
 #include "tests/solver/random.hpp"
 #include "tests/solver/swing.hpp"
 

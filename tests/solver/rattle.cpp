@@ -1,4 +1,4 @@
-#include "solver/methods/rattle.hpp"
+#include "lessons/methods/rattle.hpp"
 
 #include "lessons/scenes/chain.hpp"
 #include "lessons/scenes/circle.hpp"

@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
 
 #include "lessons/exact/hanging_chain.hpp"
+#include "lessons/methods/method.hpp"
 #include "lessons/scenes/boxes.hpp"
 #include "lessons/scenes/chain.hpp"
 #include "solver/constraints/weld.hpp"
-#include "solver/methods/method.hpp"
 #include "tests/solver/law_motion.hpp"
 #include "tests/solver/solving.hpp"
 

@@ -2,10 +2,10 @@
 
 #include <gmock/gmock.h>
 
+#include "lessons/methods/method.hpp"
 #include "lessons/scenes/boxes.hpp"
 #include "lessons/scenes/chain.hpp"
 #include "solver/constraints/friction.hpp"
-#include "solver/methods/method.hpp"
 #include "tests/solver/law_motion.hpp"
 #include "tests/solver/solving.hpp"
 

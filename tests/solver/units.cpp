@@ -1,14 +1,14 @@
 #include <gtest/gtest.h>
 
+#include "lessons/methods/accelerations.hpp"
+#include "lessons/methods/avbd.hpp"
+#include "lessons/methods/rattle.hpp"
+#include "lessons/methods/xpbd.hpp"
 #include "lessons/scenes/box_pile.hpp"
 #include "lessons/scenes/chain.hpp"
 #include "lessons/scenes/top.hpp"
 #include "solver/constraints/spring.hpp"
 #include "solver/constraints/weld.hpp"
-#include "solver/methods/accelerations.hpp"
-#include "solver/methods/avbd.hpp"
-#include "solver/methods/rattle.hpp"
-#include "solver/methods/xpbd.hpp"
 
 // No absolute length, mass or time hides in a method: the same scene in other units moves the same way. Units are
 // powers of four here, and so are the same to the last bit: products of powers of two are exact, and so are the

@@ -1,4 +1,4 @@
-#include "solver/methods/xpbd.hpp"
+#include "lessons/methods/xpbd.hpp"
 
 #include <gmock/gmock.h>
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "solver/methods/method.hpp"
+#include "lessons/methods/method.hpp"
 
 namespace byhand {
 

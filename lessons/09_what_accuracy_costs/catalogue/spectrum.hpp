@@ -2,8 +2,8 @@
 
 #include <functional>
 
+#include "lessons/methods/method.hpp"
 #include "lessons/scenes/chain.hpp"
-#include "solver/methods/method.hpp"
 
 // Until which step a method is stable on a chain of bobs that hangs straight down: by linear algebra, and by runs.
 namespace byhand {

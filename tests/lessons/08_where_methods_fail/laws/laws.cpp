@@ -13,7 +13,7 @@
 #include "lessons/08_where_methods_fail/laws/sweeps.hpp"
 #include "lessons/08_where_methods_fail/laws/transverse.hpp"
 #include "lessons/08_where_methods_fail/laws/warm_start.hpp"
-#include "solver/gauss_seidel.hpp"
+#include "solver/rows/gauss_seidel.hpp"
 
 // Each law of lesson 8: where it says, on both sides of that, and where its experiment finds it.
 namespace {
