@@ -1,4 +1,4 @@
-# cmake -Dsource=FOLDER -Dout=FILE -P commit.cmake: writes the source of byhand::tutor::commit().
+# cmake -Dsource=FOLDER -Dout=FILE -P commit.cmake: writes the source of byhand::course::commit().
 execute_process(COMMAND git --no-optional-locks -C ${source} describe --always --dirty --abbrev=40 --exclude=*
   OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE failed)
 if(failed)
@@ -10,8 +10,8 @@ if(failed)
   set(time 1970-01-01T00:00:00Z)
 endif()
 file(CONFIGURE OUTPUT ${out} CONTENT [[
-#include "lessons/tutor/commit.hpp"
+#include "lessons/files/commit.hpp"
 
-const char* byhand::tutor::commit() { return "@commit@"; }
-const char* byhand::tutor::commit_time() { return "@time@"; }
+const char* byhand::course::commit() { return "@commit@"; }
+const char* byhand::course::commit_time() { return "@time@"; }
 ]] @ONLY)

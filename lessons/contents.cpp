@@ -1,6 +1,6 @@
-#include "lessons/tutor/about.hpp"
+#include "lessons/page/about.hpp"
 
-namespace byhand::tutor {
+namespace byhand::course {
 
 const std::vector<About>& contents() {
   static const std::vector<About> lessons = {
@@ -89,4 +89,4 @@ const std::vector<About>& contents() {
   return lessons;
 }
 
-}  // namespace byhand::tutor
+}  // namespace byhand::course

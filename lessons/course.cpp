@@ -18,21 +18,21 @@
 #include <system_error>
 #include <vector>
 
-#include "lessons/tutor/about.hpp"
-#include "lessons/tutor/bookmark.hpp"
-#include "lessons/tutor/child_process.hpp"
-#include "lessons/tutor/dialogue.hpp"
-#include "lessons/tutor/keyboard.hpp"
-#include "lessons/tutor/options.hpp"
-#include "lessons/tutor/output_folder.hpp"
-#include "lessons/tutor/screen.hpp"
-#include "lessons/tutor/streams.hpp"
-#include "lessons/tutor/typeset.hpp"
+#include "lessons/files/bookmark.hpp"
+#include "lessons/files/child_process.hpp"
+#include "lessons/files/options.hpp"
+#include "lessons/files/output_folder.hpp"
+#include "lessons/files/streams.hpp"
+#include "lessons/page/about.hpp"
+#include "lessons/terminal/dialogue.hpp"
+#include "lessons/terminal/keyboard.hpp"
+#include "lessons/terminal/screen.hpp"
+#include "lessons/terminal/typeset.hpp"
 
 namespace {
 
 namespace fs = std::filesystem;
-using namespace byhand::tutor;
+using namespace byhand::course;
 using Arguments = std::vector<std::string>;
 
 fs::path program(const std::string& slug) { return fs::read_symlink("/proc/self/exe").parent_path() / slug; }

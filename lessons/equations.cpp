@@ -1,6 +1,6 @@
 #include "lessons/equations.hpp"
 
-namespace byhand::tutor {
+namespace byhand::course {
 
 const std::array<EquationPlace, 23> equation_places{{
     {1, "1", "a constraint is a function of two poses that is zero"},
@@ -28,4 +28,4 @@ const std::array<EquationPlace, 23> equation_places{{
     {1, "7c", "the separation of a contact"},
 }};
 
-}  // namespace byhand::tutor
+}  // namespace byhand::course

@@ -3,7 +3,7 @@
 #include <array>
 #include <string_view>
 
-namespace byhand::tutor {
+namespace byhand::course {
 
 /// Where the course displays an equation of the article for the first time.
 struct EquationPlace {
@@ -15,4 +15,4 @@ struct EquationPlace {
 /// Equations (1) to (23), in this order.
 extern const std::array<EquationPlace, 23> equation_places;
 
-}  // namespace byhand::tutor
+}  // namespace byhand::course

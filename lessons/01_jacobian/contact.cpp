@@ -90,9 +90,9 @@ void draw_touch(renderer::Canvas& canvas, const Settings& set) {
            {.scale = 0.36 * length,
             .radius = 0.11 * length,
             .l1 = "l_1 = −n",
-            .a1 = tutor::say("a_1 = −r_1 × n = @ m", tutor::Value(J.a1()(0, 0), 3)),
+            .a1 = course::say("a_1 = −r_1 × n = @ m", course::Value(J.a1()(0, 0), 3)),
             .l2 = "l_2 = n",
-            .a2 = tutor::say("a_2 = r_2 × n = @ m", tutor::Value(J.a2()(0, 0), 3)),
+            .a2 = course::say("a_2 = r_2 × n = @ m", course::Value(J.a2()(0, 0), 3)),
             .a1_aside = {-0.38 * length, -0.3 * length},
             .a2_aside = {0.68 * length, -0.02 * length}});
   canvas.arrow(p2, p2 + 0.25 * length * n, {palette::ink, 3});
@@ -107,7 +107,7 @@ void draw_touch(renderer::Canvas& canvas, const Settings& set) {
 
 }  // namespace
 
-void contact(tutor::Page& page, const Settings& set) {
+void contact(course::Page& page, const Settings& set) {
   const double length = set.length, step = 1e-4 * length / (length * std::abs(set.spin()) + set.speed);
   const Touch at = touch(set, -0.02 * length, 0);
   const Jacobian<PlaneBody, 1> J = at.row();
@@ -149,7 +149,7 @@ void contact(tutor::Page& page, const Settings& set) {
       Contact points are chosen opposite each other, and there the dropped term is zero.)");
   if (std::abs(w1) > 1e-6 * set.speed / length)
     page.text("Here the plank turns at @ rad/s: for each millimetre beside P₁, (15) leaves out @ mm/s.",
-              tutor::Value(w1, 3), tutor::Value(dropped.slope, 3));
+              course::Value(w1, 3), course::Value(dropped.slope, 3));
   else
     page.text("Here the plank does not turn, so (15) leaves out nothing wherever P₂ lies.");
 
@@ -159,19 +159,19 @@ void contact(tutor::Page& page, const Settings& set) {
               .expected = C,
               .source = "the overlap, negative",
               .measured = at.value(),
-              .tolerance = tutor::absolute(1e-14 * length)});
+              .tolerance = course::absolute(1e-14 * length)});
   page.claim({.quantity = "exchange the bodies and reverse n: change of the row, relative",
               .unit = "1",
               .expected = 0,
               .source = "C is the same",
               .measured = flipped,
-              .tolerance = tutor::absolute(1e-14)});
+              .tolerance = course::absolute(1e-14)});
   page.claim({.quantity = "exchange the bodies, keep n: row + old row, relative",
               .unit = "1",
               .expected = 0,
               .source = "C changes its sign",
               .measured = kept,
-              .tolerance = tutor::absolute(1e-14)});
+              .tolerance = course::absolute(1e-14)});
   // Central differences: speeds times (turn in a step)²/6, a few times over, and rounding of C over the step.
   const double turn = (2 * std::abs(set.spin()) + set.speed / length) * step;
   const double speeds = set.speed + length * std::abs(set.spin());
@@ -181,13 +181,13 @@ void contact(tutor::Page& page, const Settings& set) {
               .expected = tolerance,
               .source = "ṅ is square to n; the differences' own error",
               .measured = dropped.straight_above,
-              .tolerance = tutor::at_most()});
+              .tolerance = course::at_most()});
   page.claim({.quantity = "what (15) drops, per metre beside",
               .unit = "(m/s)/m",
               .expected = -w1,
               .source = "(P₂ − P₁)·ṅ with ṅ = ω₁ × n",
               .measured = dropped.slope,
-              .tolerance = tutor::absolute(20 * tolerance / length)});
+              .tolerance = course::absolute(20 * tolerance / length)});
 }
 
 }  // namespace byhand::lesson01

@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "lessons/01_jacobian/picture.hpp"
+#include "lessons/page/rounding.hpp"
 #include "lessons/pictures/growing.hpp"
-#include "lessons/tutor/rounding.hpp"
 
 // (9) and (10): the rate of C, from the velocities of the two ends.
 namespace byhand::lesson01 {
@@ -58,7 +58,7 @@ Rates rates(const Pair& start, double time, double step) {
 
 }  // namespace
 
-void differentiate(tutor::Page& page, const Settings& set) {
+void differentiate(course::Page& page, const Settings& set) {
   const double length = set.length, speed = set.speed, time = watched(set), step = set.h / 100;
   const Pair pair = pair_of(set);
   const Linear<PlaneBody> d = pair.d(), v1 = pair.V1.head<2>(), v2 = pair.V2.head<2>();
@@ -73,9 +73,9 @@ void differentiate(tutor::Page& page, const Settings& set) {
   const Linear<PlaneParticle> place = length * Linear<PlaneParticle>(0.6, -0.8), moving(speed, 0);
   const double bob = rate_of_bob(place, moving, length);
   page.predict(
-      {.ask = tutor::say(R"(P₂ − P₁ is (@, @) m, the bob moves with v₂ = (@, 0) m/s and the anchor stands still.
+      {.ask = course::say(R"(P₂ − P₁ is (@, @) m, the bob moves with v₂ = (@, 0) m/s and the anchor stands still.
                          How large is Ċ of (9)?)",
-                         place.x(), place.y(), speed),
+                          place.x(), place.y(), speed),
        .answer = bob,
        .unit = "m²/s",
        .tolerance = 0.02 * length * speed,
@@ -85,7 +85,7 @@ void differentiate(tutor::Page& page, const Settings& set) {
                  {length * speed, "That takes all of v₂; the part across P₂ − P₁ only turns the rod."}},
        .hints = {"Which part of the bob's velocity makes the rod longer?",
                  "(9) with Ṗ₁ = 0 and Ṗ₂ = v₂: multiply component by component, then add.",
-                 tutor::say("@ · @ + (@) · 0 = …", place.x(), speed, place.y())},
+                 course::say("@ · @ + (@) · 0 = …", place.x(), speed, place.y())},
        .right = "Only the component along P₂ − P₁ counts. The unit is m²/s, for C is in m²."});
   page.text(
       R"(An anchor point on a turning body moves for two reasons: the centre of its body moves, and the arm r from
@@ -98,15 +98,15 @@ void differentiate(tutor::Page& page, const Settings& set) {
       R"(Check every derivative. Here two boxes drift and spin for @ s; the rod only measures, it does not hold them
       yet. The curve is (10) at each moment. The dots do not use (10): they take C a little later and a little
       earlier, subtract, and divide by the time between, @ s.)",
-      tutor::Value(time, 3), tutor::Value(2 * step, 3));
+      course::Value(time, 3), course::Value(2 * step, 3));
   const Rates all = rates(pair, time, step);
   constexpr double seconds = 4;
   const Linear<PlaneBody> sides = box_sides(set);
   page.sequence(
       "motion",
-      tutor::say("Two boxes in @ s of flight, @. The dots are differences of C, the curve is (10).",
-                 tutor::Value(time, 3), time < seconds ? "slowed down" : "sped up"),
-      tutor::Seconds{seconds}, [=](renderer::Canvas& canvas, double at) {
+      course::say("Two boxes in @ s of flight, @. The dots are differences of C, the curve is (10).",
+                  course::Value(time, 3), time < seconds ? "slowed down" : "sped up"),
+      course::Seconds{seconds}, [=](renderer::Canvas& canvas, double at) {
         const auto [left, right] = canvas.page().inset(16).split_columns(0.56);
         const auto [upper, lower] = right.split_rows(0.5, 16);
         const double now = time * at / seconds;
@@ -125,20 +125,20 @@ void differentiate(tutor::Page& page, const Settings& set) {
   page.text(
       R"(The largest difference over the whole flight is @ m²/s. The error of the centred difference itself is at
       most @ m²/s: it falls with the square of its step until rounding takes over.)",
-      tutor::small_error(all.largest_difference), tutor::Value(std::max(all.tolerance, 1e-11), 2));
+      course::small_error(all.largest_difference), course::Value(std::max(all.tolerance, 1e-11), 2));
 
   page.claim({.quantity = "Ċ of the bob",
               .unit = "m²/s",
               .expected = 0.6 * length * speed,
               .source = "d·v by hand",
               .measured = bob,
-              .tolerance = tutor::relative(1e-14)});
+              .tolerance = course::relative(1e-14)});
   page.claim({.quantity = "largest difference between (10) and differences of C",
               .unit = "m²/s",
               .expected = all.tolerance,
               .source = "step²/6 · bound on the third derivative, and rounding",
               .measured = all.largest_difference,
-              .tolerance = tutor::at_most()});
+              .tolerance = course::at_most()});
 }
 
 }  // namespace byhand::lesson01

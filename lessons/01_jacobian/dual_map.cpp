@@ -83,7 +83,7 @@ void draw_force(renderer::Canvas& canvas, const Jacobian<PlaneParticle, 1>& J, d
 
 }  // namespace
 
-void dual_map(tutor::Page& page, const Settings& set) {
+void dual_map(course::Page& page, const Settings& set) {
   const Rod rod = rod_of(set);
   const Jacobian<PlaneParticle, 1>& J = rod.J;
   const double JJt = (J.matrix * J.matrix.transpose())(0, 0);
@@ -121,25 +121,25 @@ void dual_map(tutor::Page& page, const Settings& set) {
               .expected = 2,
               .source = "n·n + n·n",
               .measured = JJt,
-              .tolerance = tutor::absolute(1e-14)});
+              .tolerance = course::absolute(1e-14)});
   page.claim({.quantity = "F·V along the circle at λ = 1 N",
               .unit = "W",
               .expected = 0,
               .source = "the tangent is perpendicular to the rod",
               .measured = n.dot(allowed),
-              .tolerance = tutor::absolute(1e-15 * set.speed)});
+              .tolerance = course::absolute(1e-15 * set.speed)});
   page.claim({.quantity = "F·V − λ·JV over all directions, largest",
               .unit = "W",
               .expected = 1e-15,
               .source = "Jᵀ is the dual map",
               .measured = difference,
-              .tolerance = tutor::at_most()});
+              .tolerance = course::at_most()});
   page.claim({.quantity = "J·M⁻¹Jᵀ(JM⁻¹Jᵀ)⁻¹",
               .unit = "1",
               .expected = 1,
               .source = "a right inverse",
               .measured = back,
-              .tolerance = tutor::absolute(1e-15)});
+              .tolerance = course::absolute(1e-15)});
 }
 
 }  // namespace byhand::lesson01

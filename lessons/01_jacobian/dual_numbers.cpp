@@ -6,7 +6,7 @@
 #include <random>
 
 #include "lessons/01_jacobian/picture.hpp"
-#include "lessons/tutor/rounding.hpp"
+#include "lessons/page/rounding.hpp"
 #include "solver/constraints/contact.hpp"
 #include "solver/constraints/friction.hpp"
 #include "solver/constraints/normalised_distance.hpp"
@@ -131,7 +131,7 @@ Accuracy accuracy(const Pair& pair) {
 
 }  // namespace
 
-void dual_numbers(tutor::Page& page, const Settings& set) {
+void dual_numbers(course::Page& page, const Settings& set) {
   const Pair pair = pair_of(set);
   page.text(
       R"(Differences have two errors: with a large step they miss the curvature of C, with a small one they are lost
@@ -147,8 +147,8 @@ void dual_numbers(tutor::Page& page, const Settings& set) {
   page.text(
       R"(With its best step the one-sided difference has an error of @ m²/s and the centred one of @ m²/s. The error
       of the dual number is @.)",
-      tutor::small_error(all.best_one_sided), tutor::small_error(all.best_centred),
-      rounding_only ? std::string("rounding alone") : tutor::say("@ m²/s", tutor::small_error(all.dual)));
+      course::small_error(all.best_one_sided), course::small_error(all.best_centred),
+      rounding_only ? std::string("rounding alone") : course::say("@ m²/s", course::small_error(all.dual)));
   constexpr int draws = 200;
   page.text(
       R"(So why derive by hand? The result shows what no table of numbers can: (14) is four short expressions, cheap
@@ -157,12 +157,12 @@ void dual_numbers(tutor::Page& page, const Settings& set) {
       draws);
   const double tolerance = 100 * std::numeric_limits<double>::epsilon();
   const auto claim = [&](const char* model, double difference) {
-    page.claim({.quantity = tutor::say("J by hand against dual numbers, @, relative", model),
+    page.claim({.quantity = course::say("J by hand against dual numbers, @, relative", model),
                 .unit = "1",
                 .expected = tolerance,
                 .source = "some hundred roundings",
                 .measured = difference,
-                .tolerance = tutor::at_most()});
+                .tolerance = course::at_most()});
   };
   claim("particles in the plane", largest_difference<PlaneParticle>(set.length, draws));
   claim("bodies in the plane", largest_difference<PlaneBody>(set.length, draws));

@@ -54,29 +54,29 @@ struct PartsFilm {
 
 }  // namespace
 
-void four_parts(tutor::Page& page, const Settings& set) {
+void four_parts(course::Page& page, const Settings& set) {
   const Pair pair = pair_of(set);
   const Jacobian<PlaneBody, 1> J = pair.row();
   const double a1 = J.a1()(0, 0), a2 = J.a2()(0, 0);
-  const auto shown = [](double value) { return tutor::Value(std::abs(value) < 1e-12 ? 0 : value, 3); };
+  const auto shown = [](double value) { return course::Value(std::abs(value) < 1e-12 ? 0 : value, 3); };
   const pictures::Acts acts(
-      {{tutor::say("Ċ = d·(Ṗ_2 − Ṗ_1) = @ m²/s", shown(pair.rate())),
+      {{course::say("Ċ = d·(Ṗ_2 − Ṗ_1) = @ m²/s", shown(pair.rate())),
         "The product rule on ½(d·d − L²): what the ends do along d counts.", palette::velocity},
        {"Ṗ = v + ω × r", "Each end moves with its centre, and turns about it (dashed).", palette::velocity},
        {"l_1 = −d,  l_2 = d", "What multiplies v₁ and v₂: d itself.", palette::constraint},
-       {tutor::say("a_1 = −r_1 × d = @,  a_2 = r_2 × d = @ m²", shown(a1), shown(a2)),
+       {course::say("a_1 = −r_1 × d = @,  a_2 = r_2 × d = @ m²", shown(a1), shown(a2)),
         "What multiplies ω₁ and ω₂: the moments of d about the centres.", palette::constraint},
        {"Ċ = l_1·v_1 + a_1ω_1 + l_2·v_2 + a_2ω_2 = JV",
-        tutor::say("= (@) + (@) + (@) + (@) m²/s", shown(J.l1().transpose().dot(pair.V1.head<2>())),
-                   shown(a1 * pair.V1[2]), shown(J.l2().transpose().dot(pair.V2.head<2>())),
-                   shown(a2 * pair.V2[2])),
+        course::say("= (@) + (@) + (@) + (@) m²/s", shown(J.l1().transpose().dot(pair.V1.head<2>())),
+                    shown(a1 * pair.V1[2]), shown(J.l2().transpose().dot(pair.V2.head<2>())),
+                    shown(a2 * pair.V2[2])),
         palette::ink}});
   page.sequence(
       "four_parts",
-      tutor::say(R"(From the rate of C to the four parts of J, in @ s. Green: velocities, of the ends and of the
+      course::say(R"(From the rate of C to the four parts of J, in @ s. Green: velocities, of the ends and of the
                            centres; blue: the parts of J, l as arrows (drawn shorter) and a as bows.)",
-                 acts.seconds()),
-      tutor::Seconds{acts.seconds()},
+                  acts.seconds()),
+      course::Seconds{acts.seconds()},
       [film = PartsFilm{acts, pair, box_sides(set), set.length(), 0.5 * set.length() / set.speed()}](
           renderer::Canvas& canvas, double time) { film.draw(canvas, time); });
 }

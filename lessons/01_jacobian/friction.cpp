@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "lessons/01_jacobian/picture.hpp"
-#include "lessons/tutor/rounding.hpp"
+#include "lessons/page/rounding.hpp"
 #include "renderer/labels.hpp"
 #include "renderer/space.hpp"
 
@@ -45,7 +45,7 @@ Sliding sliding(const Settings& set, double turn) {
   return at;
 }
 
-Point3 shown(const Eigen::RowVector3d& part) { return tutor::without_rounding(Point3(part)); }
+Point3 shown(const Eigen::RowVector3d& part) { return course::without_rounding(Point3(part)); }
 
 /// The edges of a box alone, so that its middle is seen.
 void add_wire_box(renderer::Space& space, const Pose<SpaceBody>& pose, const Point3& sides, double thickness) {
@@ -100,7 +100,7 @@ void draw_sliding(renderer::Canvas& canvas, const Settings& set) {
 
 }  // namespace
 
-void friction(tutor::Page& page, const Settings& set) {
+void friction(course::Page& page, const Settings& set) {
   const Sliding at = sliding(set, 0);
   const Jacobian<SpaceBody, 2> J = at.rows();
   page.text(
@@ -125,7 +125,7 @@ void friction(tutor::Page& page, const Settings& set) {
       R"(The slip along t₁ and t₂ is @ m/s: JV, with the spin of the box in it. Any two perpendicular tangents will
       do. Turn them about n and both numbers change, but not the length of the pair. A bound on each axis by itself
       makes friction depend on that choice; lesson 7 shows what that does to a slide.)",
-      tutor::without_rounding(slip));
+      course::without_rounding(slip));
 
   double shortest = slip.norm(), longest = slip.norm();
   for (int i = 1; i < 24; ++i) {
@@ -142,25 +142,25 @@ void friction(tutor::Page& page, const Settings& set) {
               .expected = 1,
               .source = "a surface's dimension",
               .measured = double(Friction<PlaneBody>::rows),
-              .tolerance = tutor::absolute(0)});
+              .tolerance = course::absolute(0)});
   page.claim({.quantity = "rows of (16) in space",
               .unit = "1",
               .expected = 2,
               .source = "a surface's dimension",
               .measured = double(J.matrix.rows()),
-              .tolerance = tutor::absolute(0)});
+              .tolerance = course::absolute(0)});
   page.claim({.quantity = "slip by (16) against differences of position",
               .unit = "m/s",
               .expected = tolerance,
               .source = "step²/6 · |ω|³|r|, and rounding",
               .measured = (measured - slip).cwiseAbs().maxCoeff(),
-              .tolerance = tutor::at_most()});
+              .tolerance = course::at_most()});
   page.claim({.quantity = "change of |slip| while the tangents turn",
               .unit = "m/s",
               .expected = 0,
               .source = "a length does not depend on the axes",
               .measured = longest - shortest,
-              .tolerance = tutor::absolute(1e-14 * (longest + 1e-3))});
+              .tolerance = course::absolute(1e-14 * (longest + 1e-3))});
 }
 
 }  // namespace byhand::lesson01

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "lessons/01_jacobian/picture.hpp"
-#include "lessons/tutor/rounding.hpp"
+#include "lessons/page/rounding.hpp"
 
 // (14): J read off (13), and why there is only one.
 namespace byhand::lesson01 {
@@ -80,13 +80,13 @@ void draw_probe(renderer::Canvas& canvas, const Pair& pair, const Entries& row, 
   draw(canvas, nudged, sides, true);
   canvas.look_at_page();
   canvas.text({left.x + 16, left.top() - 24},
-              tutor::say("only body @ @", way < 3 ? 1 : 2,
-                         way % 3 == 0   ? "moves along x"
-                         : way % 3 == 1 ? "moves along y"
-                                        : "turns"),
+              course::say("only body @ @", way < 3 ? 1 : 2,
+                          way % 3 == 0   ? "moves along x"
+                          : way % 3 == 1 ? "moves along y"
+                                         : "turns"),
               {.size = 22, .anchor = renderer::Anchor::left, .bold = true});
   canvas.text({left.x + 16, left.top() - 58},
-              tutor::say("@ = @", names[static_cast<std::size_t>(way)], tutor::Value(row[way], 3)),
+              course::say("@ = @", names[static_cast<std::size_t>(way)], course::Value(row[way], 3)),
               {.size = 22, .colour = palette::constraint, .anchor = renderer::Anchor::left});
   renderer::draw(canvas, bars(row, way + 1), right);
 }
@@ -126,7 +126,7 @@ void draw_field(renderer::Canvas& canvas, double length) {
   canvas.arrow_key({40, 520}, kind, "l_2 = d,");
 }
 
-void say_swap(tutor::Page& page, const Pair& pair, const Entries& row) {
+void say_swap(course::Page& page, const Pair& pair, const Entries& row) {
   const Entries other = swapped(pair).matrix;
   page.text(
       R"(*What if the bodies are numbered the other way round?* Then d becomes −d and l₁, which was @, becomes @.
@@ -138,12 +138,12 @@ void say_swap(tutor::Page& page, const Pair& pair, const Entries& row) {
               .expected = 1e-14,
               .source = "C of (2) is the same from both ends",
               .measured = (other - exchanged(row)).norm() / row.norm(),
-              .tolerance = tutor::at_most()});
+              .tolerance = course::at_most()});
 }
 
 }  // namespace
 
-void inspection(tutor::Page& page, const Settings& set) {
+void inspection(course::Page& page, const Settings& set) {
   const double length = set.length, step = 1e-3;
   const Pair pair = pair_of(set);
   const Jacobian<PlaneBody, 1> J = pair.row();
@@ -174,7 +174,7 @@ void inspection(tutor::Page& page, const Settings& set) {
       component of V be 1 and the others 0, and JV is one entry of J. Six such movements give six entries.)");
   constexpr double each = 1.4;
   page.sequence("probes", "Six movements give six numbers: each time Ċ is measured from C, without (14).",
-                tutor::Seconds{entries * each}, [=](renderer::Canvas& canvas, double time) {
+                course::Seconds{entries * each}, [=](renderer::Canvas& canvas, double time) {
                   draw_probe(canvas, pair, by_probe, sides, length, time, each);
                 });
 
@@ -190,9 +190,9 @@ void inspection(tutor::Page& page, const Settings& set) {
                  {.scale = 0.5 * length / J.l2().norm(),
                   .radius = 0.14 * length,
                   .l1 = "l_1 = −d",
-                  .a1 = tutor::say("a_1 = −r_1 × d = @ m²", tutor::Value(J.a1()(0, 0), 3)),
+                  .a1 = course::say("a_1 = −r_1 × d = @ m²", course::Value(J.a1()(0, 0), 3)),
                   .l2 = "l_2 = d",
-                  .a2 = tutor::say("a_2 = r_2 × d = @ m²", tutor::Value(J.a2()(0, 0), 3)),
+                  .a2 = course::say("a_2 = r_2 × d = @ m²", course::Value(J.a2()(0, 0), 3)),
                   .a1_aside = {0, -0.46 * length},
                   .a2_aside = {0, -0.5 * length}});
         canvas.arrow_key({40, 40}, {palette::constraint, 0.5 * length / J.l2().norm(), "m"}, "l:");
@@ -202,18 +202,18 @@ void inspection(tutor::Page& page, const Settings& set) {
   const Distance<PlaneParticle> rod{{0, 1}, length};
   Pose<PlaneParticle> anchor, bob;
   bob.position = (length + set.stretch) * Linear<PlaneParticle>(0.6, -0.8);
-  const double C = tutor::without_rounding(rod.value<double>(anchor, bob)[0], length * length),
+  const double C = course::without_rounding(rod.value<double>(anchor, bob)[0], length * length),
                out = rod.jacobian(anchor, bob).l2().dot(bob.position);
   const char *towards = "J is the gradient of C, so it points where C grows; nearer to the anchor C is smaller.",
              *away = R"(J is the gradient of C. Farther from the anchor C is larger, whether the rod is too long or
                      too short.)";
   page.choose(
-      {.ask = tutor::say(R"(A rod from an anchor to a bob @: C = @ m². Does the arrow l₂ at the bob point to
+      {.ask = course::say(R"(A rod from an anchor to a bob @: C = @ m². Does the arrow l₂ at the bob point to
                                  the anchor or away from it?)",
-                         C > 0   ? "is too long"
-                         : C < 0 ? "is too short"
-                                 : "has its length",
-                         C),
+                          C > 0   ? "is too long"
+                          : C < 0 ? "is too short"
+                                  : "has its length",
+                          C),
        .options = {{"to the anchor", towards},
                    {"away from the anchor", away},
                    {"that depends on the sign of C", "(14) contains neither C nor L, only d."}},
@@ -239,13 +239,13 @@ void inspection(tutor::Page& page, const Settings& set) {
               .expected = probe_tolerance(pair, step) / row.norm(),
               .source = "step²/6 · bound on the third derivative, and rounding",
               .measured = (by_probe - row).cwiseAbs().maxCoeff() / row.norm(),
-              .tolerance = tutor::at_most()});
+              .tolerance = course::at_most()});
   page.claim({.quantity = "Ċ when both bodies move along J",
               .unit = "m⁴/s",
               .expected = row.squaredNorm(),
               .source = "|J|² > 0: C grows there",
               .measured = difference(along, along_step),
-              .tolerance = tutor::absolute(difference_tolerance(along, along_step))});
+              .tolerance = course::absolute(difference_tolerance(along, along_step))});
 }
 
 }  // namespace byhand::lesson01

@@ -59,7 +59,7 @@ void draw_pin_and_rows(renderer::Canvas& canvas, const Scene<PlaneBody>& scene, 
   pictures::draw(canvas, linkage);
   const renderer::Point joint = linkage.links[std::size_t(pin)].from;
   canvas.disc(joint, 18 / canvas.camera().scale, {renderer::fade(palette::force, 0), {palette::force, 3.5}});
-  canvas.text(joint, tutor::say("pin @", pin + 1),
+  canvas.text(joint, course::say("pin @", pin + 1),
               {.size = 20, .colour = palette::force, .anchor = renderer::Anchor::bottom_left, .offset = {16, 14}});
   const renderer::Rectangle plot = renderer::draw(canvas, picture_of(J), right);
   const double cell = plot.width / double(J.cols());
@@ -75,7 +75,7 @@ constexpr int stored = decltype(Jacobian<Model, 1>::matrix)::ColsAtCompileTime;
 
 }  // namespace
 
-void linkage(tutor::Page& page, const Settings& set) {
+void linkage(course::Page& page, const Settings& set) {
   page.text(
       R"(How many numbers has a row? Two times (l and a), for two bodies. In the plane a body turns in one way only,
       so a is *one* number and a row has (2 + 1)·2 = @. In space it has (3 + 3)·2 = @. A bob that does not turn needs
@@ -95,15 +95,15 @@ void linkage(tutor::Page& page, const Settings& set) {
   const int chosen = links / 2;
   page.figure(
       "linkage",
-      tutor::say(R"(The chain and its J: pin @ joins two links, and its two rows are not zero in the columns
+      course::say(R"(The chain and its J: pin @ joins two links, and its two rows are not zero in the columns
                          of these two.)",
-                 chosen + 1),
+                  chosen + 1),
       [=](renderer::Canvas& canvas) { draw_pin_and_rows(canvas, scene, J, chosen); });
   page.figure("matrix", "J of the chain. Empty cells are zero.", picture_of(J));
   page.text(
       R"(@ % of the entries are zero, and @ % for a chain twice as long. So the solver does not build this matrix: it
       keeps the rows, each with the numbers of its own two bodies, and (8) skips the rest.)",
-      tutor::Value(100 * zeros, 3), tutor::Value(100 * share_of_zeros(2 * links), 3));
+      course::Value(100 * zeros, 3), course::Value(100 * share_of_zeros(2 * links), 3));
 
   Eigen::VectorXd V = Eigen::VectorXd::Zero(J.cols());
   for (int i = 0; i < V.size(); ++i) V[i] = double((37 * i + 11) % 23) / 23 - 0.5;  // anything at all
@@ -118,12 +118,12 @@ void linkage(tutor::Page& page, const Settings& set) {
     difference = std::max(difference, (dot(row, V1, V2) - by_matrix.segment<2>(2 * i)).cwiseAbs().maxCoeff());
   }
   const auto claim_numbers = [&](const char* model, int expected, int measured) {
-    page.claim({.quantity = tutor::say("numbers in a row, @", model),
+    page.claim({.quantity = course::say("numbers in a row, @", model),
                 .unit = "1",
                 .expected = double(expected),
                 .source = "(7): l and a of two bodies",
                 .measured = double(measured),
-                .tolerance = tutor::absolute(0)});
+                .tolerance = course::absolute(0)});
   };
   claim_numbers("bodies in the plane", 2 * (2 + 1), stored<PlaneBody>);
   claim_numbers("bodies in space", 2 * (3 + 3), stored<SpaceBody>);
@@ -132,13 +132,13 @@ void linkage(tutor::Page& page, const Settings& set) {
               .expected = share_of_zeros(links),
               .source = "counted by pins: 4 entries for the first, 8 for each other",
               .measured = zeros,
-              .tolerance = tutor::absolute(1e-12)});
+              .tolerance = course::absolute(1e-12)});
   page.claim({.quantity = "JV by (8) against the whole matrix, largest difference",
               .unit = "m/s",
               .expected = 1e-14 * (1 + set.length),
               .source = "zeros add nothing",
               .measured = difference,
-              .tolerance = tutor::at_most()});
+              .tolerance = course::at_most()});
 }
 
 }  // namespace byhand::lesson01

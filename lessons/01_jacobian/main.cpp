@@ -6,7 +6,7 @@ using namespace byhand;
 using namespace byhand::lesson01;
 
 int main(int argc, char** argv) {
-  tutor::Lesson lesson(tutor::contents().at(0));
+  course::Lesson lesson(course::contents().at(0));
   const Settings set{
       lesson.parameter("length", 2.0, "m", {0.2, 20}, "length L of the rod"),
       lesson.parameter("stretch", 0.1, "m", {-0.1, 1}, "how much too long the rod is at first"),
@@ -17,8 +17,8 @@ int main(int argc, char** argv) {
       lesson.parameter("beta", 0.2, "1", {0.01, 1.5}, "share of the error that a step should remove"),
       lesson.parameter("links", 10, "1", {2, 40}, "links of the chain"),
   };
-  const auto with = [&](void (*step)(tutor::Page&, const Settings&)) {
-    return [step, set](tutor::Page& page) { step(page, set); };
+  const auto with = [&](void (*step)(course::Page&, const Settings&)) {
+    return [step, set](course::Page& page) { step(page, set); };
   };
 
   lesson.step("What C says", with(what_c_says));

@@ -26,7 +26,7 @@ double rate_by_differences(const Linear<PlaneBody>& d, const Linear<PlaneBody>& 
 
 }  // namespace
 
-void one_row(tutor::Page& page, const Settings& set) {
+void one_row(course::Page& page, const Settings& set) {
   const double length = set.length, speed = set.speed;
   page.text(
       R"(We want C = 0 at all times. C bends with the positions, so C = 0 is hard to solve for them. Its rate is
@@ -62,10 +62,10 @@ void one_row(tutor::Page& page, const Settings& set) {
   const Linear<PlaneBody> slope = length * Linear<PlaneBody>(0.6, -0.8), v = Linear<PlaneBody>::Constant(speed);
   const double rate = slope.dot(v), step = 1e-3 * length / speed;
   page.predict(
-      {.ask = tutor::say(R"(A bob on a rod; the other end rests. Move the bob at 1 m/s along x and C changes by @
+      {.ask = course::say(R"(A bob on a rod; the other end rests. Move the bob at 1 m/s along x and C changes by @
                          m²/s; at 1 m/s along y it changes by @ m²/s. Now it moves at (@, @) m/s. How large is
                          Ċ?)",
-                         slope.x(), slope.y(), speed, speed),
+                          slope.x(), slope.y(), speed, speed),
        .answer = rate,
        .unit = "m²/s",
        .tolerance = 0.02 * length * speed,
@@ -73,7 +73,7 @@ void one_row(tutor::Page& page, const Settings& set) {
                  {slope.x() + slope.y(), "That is for 1 m/s along both axes."}},
        .hints = {"What does each component of the velocity contribute by itself?",
                  "(8) with v₁ = 0 and no turning: Ċ = l₂·v₂.",
-                 tutor::say("l₂ = (@, @) m; begin with @ · @.", slope.x(), slope.y(), slope.x(), speed)},
+                 course::say("l₂ = (@, @) m; begin with @ · @.", slope.x(), slope.y(), slope.x(), speed)},
        .right = R"(The two measured rates are the part l₂ of the row. Once J is known, every motion's Ċ is a sum of
                 products.)"});
   page.text(
@@ -92,13 +92,13 @@ void one_row(tutor::Page& page, const Settings& set) {
               .expected = rate_by_differences(slope, v, step),
               .source = "differences of C along the motion",
               .measured = rate,
-              .tolerance = tutor::absolute(1e-11 * length * speed)});
+              .tolerance = course::absolute(1e-11 * length * speed)});
   page.claim({.quantity = "(8) for two turning boxes, four products",
               .unit = "m²/s",
               .expected = pair.rate(),
               .source = "JV as the solver computes it",
               .measured = four_products(pair.row(), pair.V1, pair.V2),
-              .tolerance = tutor::absolute(1e-14 * pair.row().matrix.norm() * speeds)});
+              .tolerance = course::absolute(1e-14 * pair.row().matrix.norm() * speeds)});
 }
 
 }  // namespace byhand::lesson01

@@ -14,7 +14,7 @@ using renderer::Point;
 using renderer::Stroke;
 namespace palette = renderer::palette;
 
-tutor::Value vector(const Linear<PlaneBody>& v) { return tutor::say("(@, @)", v.x(), v.y()); }
+course::Value vector(const Linear<PlaneBody>& v) { return course::say("(@, @)", v.x(), v.y()); }
 
 void draw(Canvas& canvas, const Pair& pair, const Linear<PlaneBody>& sides, bool named) {
   const Point c1 = pair.pose1.position, c2 = pair.pose2.position, p1 = c1 + pair.r1(), p2 = c2 + pair.r2();

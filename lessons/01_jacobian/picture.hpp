@@ -8,7 +8,7 @@
 namespace byhand::lesson01 {
 
 /// A vector in words: "(1.2, −1.6)"; in LaTeX as well.
-tutor::Value vector(const Linear<PlaneBody>& v);
+course::Value vector(const Linear<PlaneBody>& v);
 
 /// The boxes, the rod, the arms and their names, in the world of the canvas's camera.
 void draw(renderer::Canvas& canvas, const Pair& pair, const Linear<PlaneBody>& sides, bool named);

@@ -61,12 +61,12 @@ void draw_discs(renderer::Canvas& canvas, const Discs& at, double length) {
   renderer::TextStyle blue = style;
   blue.colour = palette::constraint;
   canvas.text(x2 + (at.radius2 + 0.2 * length) * n, "n", blue);
-  canvas.text((p1 + p2) / 2 - 0.25 * length * aside, tutor::say("C = @ m", tutor::Value(at.value(), 3)), red);
+  canvas.text((p1 + p2) / 2 - 0.25 * length * aside, course::say("C = @ m", course::Value(at.value(), 3)), red);
 }
 
 }  // namespace
 
-void separation(tutor::Page& page, const Settings& set) {
+void separation(course::Page& page, const Settings& set) {
   const double length = set.length, distance = 0.5 * length;
   const Discs at = discs(length, distance);
   page.text("For contacts the article also prints C itself, with x the centres of mass:");
@@ -94,7 +94,7 @@ void separation(tutor::Page& page, const Settings& set) {
               .expected = distance - at.radius1 - at.radius2,
               .source = "distance less both radii",
               .measured = at.value(),
-              .tolerance = tutor::absolute(4e-15 * length)});
+              .tolerance = course::absolute(4e-15 * length)});
   const double apart = 0.8 * length;
   const Discs gap = discs(length, apart);
   page.claim({.quantity = "C of two discs that are apart",
@@ -102,7 +102,7 @@ void separation(tutor::Page& page, const Settings& set) {
               .expected = apart - gap.radius1 - gap.radius2,
               .source = "distance less both radii",
               .measured = gap.value(),
-              .tolerance = tutor::absolute(4e-15 * length)});
+              .tolerance = course::absolute(4e-15 * length)});
 }
 
 }  // namespace byhand::lesson01

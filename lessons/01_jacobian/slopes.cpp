@@ -26,7 +26,7 @@ Pair bob_of(const Settings& set) {
 
 }  // namespace
 
-void slopes(tutor::Page& page, const Settings& set) {
+void slopes(course::Page& page, const Settings& set) {
   const double h = set.h;
   const Pair pair = pair_of(set), bob = bob_of(set);
   const Jacobian<PlaneBody, 1> J = pair.row();
@@ -39,9 +39,9 @@ void slopes(tutor::Page& page, const Settings& set) {
   const double at_h = left_over(bob, bob.row(), h), at_half = left_over(bob, bob.row(), h / 2);
   const double factor = at_h / at_half, exact = 0.5 * set.speed * set.speed * h * h;
   page.predict(
-      {.ask = tutor::say(R"(A bob flies past its anchor at @ m/s. You halve the step h. By what factor does |ΔC −
+      {.ask = course::say(R"(A bob flies past its anchor at @ m/s. You halve the step h. By what factor does |ΔC −
                          h·JV| shrink?)",
-                         set.speed),
+                          set.speed),
        .answer = factor,
        .unit = "1",
        .tolerance = 0.2,
@@ -51,7 +51,7 @@ void slopes(tutor::Page& page, const Settings& set) {
        .hints = {"Which power of h is left when the first power is taken away?",
                  "C of (2) after the step: ½(d + hv)² − ½L².",
                  "½(d + hv)² − ½d² = h d·v + ½h²v²; the first term is h·JV."},
-       .right = tutor::say("The rest is exactly ½h²v², here @ m²: half the step, a quarter of it.", exact)});
+       .right = course::say("The rest is exactly ½h²v², here @ m²: half the step, a quarter of it.", exact)});
   const double first_order = 2 * J.matrix(0, 5) * pair.V2[2];
   page.text(
       R"(For the bob: ½(d + hv)² − ½d² = h d·v + ½h²v². For two turning boxes the rest is ½h²C̈ and terms of higher
@@ -106,8 +106,8 @@ void slopes(tutor::Page& page, const Settings& set) {
                                       "still below ½h²C̈";
   page.figure(
       "slopes",
-      tutor::say("What J misses of ΔC, for smaller and smaller steps: @, @. Points below rounding are left out.",
-                 of_right, of_spoilt),
+      course::say("What J misses of ΔC, for smaller and smaller steps: @, @. Points below rounding are left out.",
+                  of_right, of_spoilt),
       {.x = {.label = "step h (s)", .scale = renderer::Scale::logarithmic},
        .y = {.label = "|ΔC − h·JV| (m²)", .scale = renderer::Scale::logarithmic},
        .curves = {spoilt, right, simple, first, second}});
@@ -124,19 +124,19 @@ void slopes(tutor::Page& page, const Settings& set) {
               .expected = exact,
               .source = "½h²v² on paper",
               .measured = at_h,
-              .tolerance = tutor::absolute(1e-12 * exact + rounding(bob, h))});
+              .tolerance = course::absolute(1e-12 * exact + rounding(bob, h))});
   page.claim({.quantity = "rest of the boxes, over h²",
               .unit = "m²/s²",
               .expected = std::abs(curvature) / 2,
               .source = "½|C̈| from the accelerations of the arms",
               .measured = left_over(pair, J, small) / (small * small),
-              .tolerance = tutor::absolute(third * small / 6 + noise / (small * small))});
+              .tolerance = course::absolute(third * small / 6 + noise / (small * small))});
   page.claim({.quantity = "slope with (14)",
               .unit = "1",
               .expected = 2,
               .source = "Taylor",
               .measured = measured_slope,
-              .tolerance = tutor::absolute(slope_tolerance(share)),
+              .tolerance = course::absolute(slope_tolerance(share)),
               .claimed = share < 0.2,
               .range = "C̈ not close to 0"});
   page.claim({.quantity = "slope with a₂ of the wrong sign",
@@ -144,7 +144,7 @@ void slopes(tutor::Page& page, const Settings& set) {
               .expected = 1,
               .source = "2h|a₂ω₂| remains",
               .measured = spoilt_slope,
-              .tolerance = tutor::absolute(slope_tolerance(spoilt_share)),
+              .tolerance = course::absolute(slope_tolerance(spoilt_share)),
               .claimed = spoilt_share < 0.2,
               .range = "a₂ω₂ well above hC̈"});
 }

@@ -101,7 +101,7 @@ void draw_lever(renderer::Canvas& canvas, const renderer::Rectangle& frame, cons
 
 }  // namespace
 
-void triple_product(tutor::Page& page, const Settings& set) {
+void triple_product(course::Page& page, const Settings& set) {
   const double arm = set.length / 4, size = set.length / 2, area = arm * size;
   const Pair pair = arm_and_rod({arm, 0}, {0, -size});
   const double a2 = pair.row().a2()(0, 0);
@@ -120,7 +120,7 @@ void triple_product(tutor::Page& page, const Settings& set) {
       derived by hand go wrong. In the plane r × d is one number, r_x d_y − r_y d_x: |d| times the lever arm with
       which d passes the centre.)");
   page.predict(
-      {.ask = tutor::say(
+      {.ask = course::say(
            R"(a₂ is the factor of ω₂ in (13). Body 2 has the arm r₂ = (@, 0) m, and d = (0, @) m. How large is
                          a₂?)",
            arm, -size),
@@ -130,7 +130,7 @@ void triple_product(tutor::Page& page, const Settings& set) {
        .wrong = {{-a2, "That is d × r; the step from (12) to (13) gives r × d."},
                  {0, "d does not pass through the centre, so it has a lever arm."}},
        .hints = {"If the body turns anticlockwise, does P₂ move along d or against it?",
-                 "a₂ = r₂ × d = r_x d_y − r_y d_x.", tutor::say("@ · (@) − 0 · 0 = …", arm, -size)},
+                 "a₂ = r₂ × d = r_x d_y − r_y d_x.", course::say("@ · (@) − 0 · 0 = …", arm, -size)},
        .right = R"(Turn the body anticlockwise (ω₂ > 0) and P₂ rises, against d: the rod gets shorter, so the
                 entry is negative.)"});
   const Turning turning = entry_over_direction(arm, size);
@@ -156,19 +156,19 @@ void triple_product(tutor::Page& page, const Settings& set) {
               .expected = -area,
               .source = "r_x d_y − r_y d_x",
               .measured = a2,
-              .tolerance = tutor::relative(1e-14)});
+              .tolerance = course::relative(1e-14)});
   page.claim({.quantity = "a₂ while d turns round: largest difference",
               .unit = "m²",
               .expected = 1e-14 * area,
               .source = "|r| |d| sin of the angle between them",
               .measured = turning.largest_difference,
-              .tolerance = tutor::at_most()});
+              .tolerance = course::at_most()});
   page.claim({.quantity = "d·(ω × r) − ω·(r × d) in space, relative",
               .unit = "1",
               .expected = 0,
               .source = "the volume of one and the same box",
               .measured = mismatch,
-              .tolerance = tutor::absolute(8 * std::numeric_limits<double>::epsilon())});
+              .tolerance = course::absolute(8 * std::numeric_limits<double>::epsilon())});
 }
 
 }  // namespace byhand::lesson01

@@ -86,7 +86,7 @@ renderer::Chart gains(const Settings& set) {
 
 }  // namespace
 
-void two_forms(tutor::Page& page, const Settings& set) {
+void two_forms(course::Page& page, const Settings& set) {
   const double length = set.length;
   page.text(
       R"(One can also begin with C = |d| − L, an error in metres. Its l₂ is n = d/|d|: (14) divided by the length of
@@ -123,7 +123,7 @@ void two_forms(tutor::Page& page, const Settings& set) {
   page.excerpt("lessons/01_jacobian/two_forms.cpp", "mixed");
   page.figure(
       "gains",
-      tutor::say("Which share of a stretch one step removes, for rods of many lengths, at β = @.", set.beta),
+      course::say("Which share of a stretch one step removes, for rods of many lengths, at β = @.", set.beta),
       gains(set));
   const double diverges = 2 / set.beta;
   page.text(
@@ -139,43 +139,43 @@ void two_forms(tutor::Page& page, const Settings& set) {
               .expected = 0,
               .source = "λ grows by |d| where J shrinks by it",
               .measured = (squared.on_bob - normalised.on_bob).norm(),
-              .tolerance = tutor::absolute(1e-14 * size)});
+              .tolerance = course::absolute(1e-14 * size)});
   page.claim({.quantity = "λ of |d| − L over λ of (2)",
               .unit = "m",
               .expected = length,
               .source = "|d|",
               .measured = normalised.lambda / squared.lambda,
-              .tolerance = tutor::relative(1e-14)});
+              .tolerance = course::relative(1e-14)});
   page.claim({.quantity = "share removed, (2) with (14)",
               .unit = "1",
               .expected = squared_on_paper(set.beta),
               .source = "β(2L + e)/(2(L + e))",
               .measured = gain<Distance>(length, set),
-              .tolerance = tutor::absolute(1e-11)});
+              .tolerance = course::absolute(1e-11)});
   page.claim({.quantity = "share removed, |d| − L with n",
               .unit = "1",
               .expected = set.beta,
               .source = "β",
               .measured = gain<NormalisedDistance>(length, set),
-              .tolerance = tutor::absolute(1e-11)});
+              .tolerance = course::absolute(1e-11)});
   page.claim({.quantity = "share removed, (2) with n",
               .unit = "1",
               .expected = mixed_on_paper(set.beta, length),
               .source = "βL(1 + e/(2L))",
               .measured = gain<Mixed>(length, set),
-              .tolerance = tutor::absolute(1e-11 * (1 + length))});
+              .tolerance = course::absolute(1e-11 * (1 + length))});
   page.claim({.quantity = "10 m rod at β = 0.2 after 20 steps, own J: share left",
               .unit = "1",
               .expected = std::pow(1 - squared_on_paper(0.2), 20) * (1 + 1e-9),
               .source = "the first step's share is the least",
               .measured = std::abs(own.back() / own.front()),
-              .tolerance = tutor::at_most()});
+              .tolerance = course::at_most()});
   page.claim({.quantity = "12 m rod at β = 0.2 after 5 steps, mixed: growth",
               .unit = "1",
               .expected = 1,
               .source = "β·L > 2 diverges",
               .measured = std::abs(mixed.back() / mixed.front()),
-              .tolerance = tutor::at_least()});
+              .tolerance = course::at_least()});
 }
 
 }  // namespace byhand::lesson01

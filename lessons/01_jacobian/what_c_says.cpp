@@ -3,10 +3,10 @@
 #include <numbers>
 
 #include "lessons/01_jacobian/picture.hpp"
+#include "lessons/page/rounding.hpp"
 #include "lessons/pictures/growing.hpp"
 #include "lessons/pictures/rods_and_bobs.hpp"
 #include "lessons/scenes/pendulum.hpp"
-#include "lessons/tutor/rounding.hpp"
 
 // (1) and (2): C is one number that says how wrong things are.
 namespace byhand::lesson01 {
@@ -105,9 +105,9 @@ renderer::Chart cut(double length, double mass) {
 
 }  // namespace
 
-void what_c_says(tutor::Page& page, const Settings& set) {
+void what_c_says(course::Page& page, const Settings& set) {
   const double length = set.length, mass = set.mass, stretch = set.stretch, far = length + stretch;
-  const double C = tutor::without_rounding(
+  const double C = course::without_rounding(
       value_at(far * from_straight_down<PlaneParticle>(three_four_five), length, mass), length * length);
 
   page.text(
@@ -146,9 +146,10 @@ void what_c_says(tutor::Page& page, const Settings& set) {
 
   const double first_order = length * stretch;
   page.predict(
-      {.ask = tutor::say(R"(Take the simplest case: body 1 is fixed, body 2 is a small bob. The rod is @ m long and
+      {.ask =
+           course::say(R"(Take the simplest case: body 1 is fixed, body 2 is a small bob. The rod is @ m long and
                          the bob is @ m from the anchor. How large is C of (2)?)",
-                         length, far),
+                       length, far),
        .answer = C,
        .unit = "m²",
        .tolerance = 0.02 * length * std::max(std::abs(stretch), 1e-3),
@@ -157,13 +158,13 @@ void what_c_says(tutor::Page& page, const Settings& set) {
                  {2 * C, "That is d² − L²; the half in front cancels the 2 of the derivative."},
                  {-C, "d² comes first: a rod that is too long has C > 0, one that is too short C < 0."}},
        .hints = {"Two lengths matter: the one that the rod has and the one that it should have.",
-                 "(2): C = ½(d² − L²).", tutor::say("½(@² − @²) = …", far, length)},
+                 "(2): C = ½(d² − L²).", course::say("½(@² − @²) = …", far, length)},
        .right =
            stretch == 0
                ? "The rod has its length, so C is zero."
-               : tutor::say(R"(With a stretch s it is L·s + ½s², here @ m² + @ m². C is not the stretch itself,
+               : course::say(R"(With a stretch s it is L·s + ½s², here @ m² + @ m². C is not the stretch itself,
                                  and its unit is not the metre.)",
-                            first_order, 0.5 * stretch * stretch)});
+                             first_order, 0.5 * stretch * stretch)});
   page.formula("C = ½(@² − @²) = @ m²", R"(C = \tfrac{1}{2}(@^2 - @^2) = @\,\mathrm{m^2})", far, length, C);
 
   page.text(
@@ -172,7 +173,7 @@ void what_c_says(tutor::Page& page, const Settings& set) {
       the rod leaves the bob free.)");
   page.sequence(
       "nudge", "The bob is moved by hand. C is positive outside the circle, negative inside, zero on it.",
-      tutor::Seconds{duration}, [=](renderer::Canvas& canvas, double time) {
+      course::Seconds{duration}, [=](renderer::Canvas& canvas, double time) {
         const auto [left, right] = canvas.page().inset(16).split_columns(0.5);
         const renderer::Chart whole = value_over_time(length, mass);
         canvas.look(renderer::fit({-0.95 * length, -1.4 * length, 2.05 * length, 1.6 * length}, left));
@@ -185,7 +186,7 @@ void what_c_says(tutor::Page& page, const Settings& set) {
         const double now = value_at(at, length, mass);
         canvas.look_at_page();
         canvas.text({left.x + 8, left.top() - 8},
-                    tutor::say("C = @ m²", tutor::Value(std::abs(now) < 1e-9 ? 0 : now, 2)),
+                    course::say("C = @ m²", course::Value(std::abs(now) < 1e-9 ? 0 : now, 2)),
                     {.size = 26, .colour = renderer::palette::error, .anchor = renderer::Anchor::top_left});
         renderer::draw(canvas, pictures::grown_to(whole, time), right);
       });
@@ -212,19 +213,19 @@ void what_c_says(tutor::Page& page, const Settings& set) {
               .expected = stretch * (length + stretch / 2),
               .source = "L s + ½ s² for a stretch s",
               .measured = C,
-              .tolerance = tutor::absolute(exact)});
+              .tolerance = course::absolute(exact)});
   page.claim({.quantity = "C at the anchor",
               .unit = "m²",
               .expected = -length * length / 2,
               .source = "−½ L²",
               .measured = value_at({0, 0}, length, mass),
-              .tolerance = tutor::absolute(exact)});
+              .tolerance = course::absolute(exact)});
   page.claim({.quantity = "largest |C| along the circle",
               .unit = "m²",
               .expected = exact,
               .source = "rounding of L²",
               .measured = along,
-              .tolerance = tutor::at_most()});
+              .tolerance = course::at_most()});
 }
 
 }  // namespace byhand::lesson01

@@ -7,7 +7,7 @@
 namespace byhand::single_constraint {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using namespace renderer;
 
 using Row4 = Eigen::RowVector4d;
@@ -29,7 +29,7 @@ double draw_matrix(Canvas& canvas, const Eigen::MatrixXd& matrix, double x, doub
       const Rectangle box{x + j * cell, top - (i + 1) * cell, cell, cell};
       const bool zero = matrix(i, j) == 0;
       canvas.rectangle(box, {zero ? palette::paper : fade(colour, 0.25), {palette::grid, 1.5}});
-      canvas.text(box.centre(), tutor::number(matrix(i, j), 3),
+      canvas.text(box.centre(), course::number(matrix(i, j), 3),
                   {.size = 22, .colour = zero ? palette::muted : palette::ink});
     }
   const double right = x + cell * matrix.cols();

@@ -4,7 +4,7 @@
 namespace byhand::single_constraint {
 namespace {
 
-using namespace tutor;
+using namespace course;
 
 enum class Gravity { before_the_solve, after_the_solve };
 

@@ -5,7 +5,7 @@
 
 namespace byhand::single_constraint {
 
-using namespace tutor;
+using namespace course;
 using renderer::Canvas;
 namespace palette = renderer::palette;
 

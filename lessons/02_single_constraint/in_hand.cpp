@@ -4,7 +4,7 @@
 
 namespace byhand::single_constraint {
 
-tutor::Hold in_hand(const Setting& setting) {
+course::Hold in_hand(const Setting& setting) {
   return {"bob_in_hand", "The bob on its rod; it begins at the angle at which it is let go.", [setting] {
             const double length = setting.length();
             // Rows are solved in reverse: the hand's, which come last, before the rod's, whose JV is then 0.

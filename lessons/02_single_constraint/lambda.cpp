@@ -6,7 +6,7 @@
 
 namespace byhand::single_constraint {
 
-using namespace tutor;
+using namespace course;
 using renderer::Canvas;
 namespace palette = renderer::palette;
 

@@ -1,12 +1,12 @@
 #include "lessons/02_single_constraint/steps.hpp"
-#include "lessons/tutor/rounding.hpp"
+#include "lessons/page/rounding.hpp"
 #include "renderer/chart.hpp"
 #include "solver/measure.hpp"
 
 namespace byhand::single_constraint {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using namespace renderer;
 
 /// Kinetic energy of the scene after an impulse λ along its row [J].
@@ -59,7 +59,7 @@ void least_change(const Setting& setting, Page& page) {
                     .y = {.label = "kinetic energy (J)"},
                     .curves = {parabola},
                     .annotations = {{shown_row(setting).lambda,
-                                     tutor::without_rounding(energy(row.lambda), energy(unit) + energy(-unit)),
+                                     course::without_rounding(energy(row.lambda), energy(unit) + energy(-unit)),
                                      "λ of (17)"}}});
   const double left = energy(-unit), middle = energy(0), right = energy(unit);
   page.claim({.quantity = "λ with the least kinetic energy",

@@ -6,7 +6,7 @@ int main(int argc, char** argv) {
   using namespace byhand;
   using namespace byhand::single_constraint;
 
-  tutor::Lesson lesson(tutor::contents().at(1));
+  course::Lesson lesson(course::contents().at(1));
   const Setting setting{
       .length = lesson.parameter("length", 2.0, "m", {0.1, 20}, "length of the rod"),
       .mass = lesson.parameter("mass", 3.0, "kg", {0.01, 1000}, "mass of the bob"),
@@ -14,8 +14,8 @@ int main(int argc, char** argv) {
       .angle = lesson.parameter("angle", 30.0, "deg", {0, 180}, "where the bob is let go, from straight down"),
       .release = lesson.parameter("release", 90.0, "deg", {5, 170}, "where the long swings start"),
   };
-  const auto with = [setting](void (*step)(const Setting&, tutor::Page&)) {
-    return [=](tutor::Page& page) { step(setting, page); };
+  const auto with = [setting](void (*step)(const Setting&, course::Page&)) {
+    return [=](course::Page& page) { step(setting, page); };
   };
 
   lesson.step("Gravity enters V first", with(gravity_first));

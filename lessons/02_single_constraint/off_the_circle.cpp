@@ -1,12 +1,12 @@
 #include "lessons/02_single_constraint/steps.hpp"
 #include "lessons/02_single_constraint/swing.hpp"
+#include "lessons/page/rounding.hpp"
 #include "lessons/pictures/rods_and_bobs.hpp"
-#include "lessons/tutor/rounding.hpp"
 
 namespace byhand::single_constraint {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using namespace renderer;
 
 constexpr double speed = 3;  // [m/s]
@@ -109,7 +109,7 @@ void off_the_circle(const Setting& setting, Page& page) {
   page.text(
       R"(After one second the rod is @ mm too long, and the bob is slower by @ m/s: each impulse acts along the rod, so
       it does not change the angular momentum, speed times length.)",
-      (radius - length) / millimetre, tutor::small_error(speed - last.velocity.norm(), 3));
+      (radius - length) / millimetre, course::small_error(speed - last.velocity.norm(), 3));
 
   page.derivation("How fast the rod grows, without gravity",
                   {{"Pythagoras: each step of length vh is at right angles to the rod, of length ℓ",

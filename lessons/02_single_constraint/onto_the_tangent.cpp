@@ -3,12 +3,12 @@
 #include "lessons/02_single_constraint/bob_picture.hpp"
 #include "lessons/02_single_constraint/steps.hpp"
 #include "lessons/02_single_constraint/within_a_step.hpp"
-#include "lessons/tutor/rounding.hpp"
+#include "lessons/page/rounding.hpp"
 #include "solver/measure.hpp"
 
 namespace byhand::single_constraint {
 
-using namespace tutor;
+using namespace course;
 using renderer::Canvas;
 namespace palette = renderer::palette;
 
@@ -21,7 +21,7 @@ void onto_the_tangent(const Setting& setting, Page& page) {
   const OneRow solved(after);
 
   const OneRow shown = shown_row(setting);
-  const Vector impulse = tutor::without_rounding(Vector(shown.lambda * shown.d)),
+  const Vector impulse = course::without_rounding(Vector(shown.lambda * shown.d)),
                left = (solved.v2.array().abs() > std::max(1e-10 * gain, 1e-11)).select(solved.v2, 0);
   page.text(
       R"(λ goes back to the bodies by (5). Here it was computed from velocities, so λJᵀ is an *impulse* P, a force
@@ -77,7 +77,7 @@ void onto_the_tangent(const Setting& setting, Page& page) {
       R"(On the other end of the rod acts −λd. The fixed point does not move; with two free bobs one sees what −λd is
       for. Hit one of @ kg, with one of @ kg at the other end: what one gains the other loses, and the momentum
       stays @ kg·m/s.)",
-      setting.mass(), 4 * setting.mass(), tutor::without_rounding(after_momentum));
+      setting.mass(), 4 * setting.mass(), course::without_rounding(after_momentum));
   page.figure(
       "momentum_kept",
       R"(Two free bobs, the second four times as heavy. The rod answers with two equal and opposite impulses

@@ -10,7 +10,7 @@
 namespace byhand::single_constraint {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using namespace renderer;
 
 /// A rigid rod that swings from a hinge: what is seen of it at the beginning of a step.

@@ -25,10 +25,10 @@ std::pair<Vector, Vector> OneRow::velocities_after(double impulse) const {
 OneRow shown_row(const Setting& setting) {
   OneRow row(let_go(setting));
   const double gain = gravity() * setting.h(), length = setting.length();
-  row.d = tutor::without_rounding(row.d);
-  row.v2 = tutor::without_rounding(row.v2);
-  row.JV = tutor::without_rounding(row.JV, length * gain);
-  row.lambda = tutor::without_rounding(row.lambda, setting.mass() * gain / length);
+  row.d = course::without_rounding(row.d);
+  row.v2 = course::without_rounding(row.v2);
+  row.JV = course::without_rounding(row.JV, length * gain);
+  row.lambda = course::without_rounding(row.lambda, setting.mass() * gain / length);
   return row;
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "lessons/page/lesson.hpp"
+#include "lessons/page/rounding.hpp"
 #include "lessons/scenes/pendulum.hpp"
-#include "lessons/tutor/lesson.hpp"
-#include "lessons/tutor/rounding.hpp"
 #include "solver/integrate/euler.hpp"
 #include "solver/row.hpp"
 
@@ -13,7 +13,7 @@ using Vector = Linear<PlaneParticle>;
 
 /// The lesson's parameters: one bob on one rod.
 struct Setting {
-  tutor::Parameter<double> length, mass, h, angle, release;  // [m], [kg], [s], [deg], [deg]
+  course::Parameter<double> length, mass, h, angle, release;  // [m], [kg], [s], [deg], [deg]
 };
 
 inline constexpr double pi = 3.14159265358979323846;
@@ -25,7 +25,7 @@ inline double gravity() { return -Pendulum().gravity.y(); }
 /// The bob held at the angle, at rest, with one step of gravity already in its velocity.
 inline Pendulum let_go(const Setting& setting) {
   Pendulum scene = pendulum<PlaneParticle>(radians(setting.angle()), setting.length(), setting.mass());
-  scene.state().pose[1].position = tutor::without_rounding(scene.state().pose[1].position);
+  scene.state().pose[1].position = course::without_rounding(scene.state().pose[1].position);
   add_gravity(scene.state(), scene.gravity, setting.h());
   return scene;
 }
@@ -35,7 +35,7 @@ inline Pendulum let_go(const Setting& setting) {
 inline Pendulum two_free_bobs(const Setting& setting, const Vector& velocity = Vector::Zero()) {
   Pendulum scene;
   scene.gravity.setZero();
-  const Vector along = tutor::without_rounding(from_straight_down<PlaneParticle>(radians(setting.angle())));
+  const Vector along = course::without_rounding(from_straight_down<PlaneParticle>(radians(setting.angle())));
   scene.add_body(Vector::Zero(), with_mass<PlaneParticle>(setting.mass()), velocity);
   scene.add_body(setting.length() * along, with_mass<PlaneParticle>(4 * setting.mass()));
   scene.add(Distance<PlaneParticle>{{0, 1}, setting.length()});

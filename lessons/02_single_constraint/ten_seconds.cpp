@@ -2,14 +2,14 @@
 #include "lessons/02_single_constraint/steps.hpp"
 #include "lessons/02_single_constraint/swing.hpp"
 #include "lessons/exact/simple_pendulum.hpp"
+#include "lessons/page/rounding.hpp"
 #include "lessons/pictures/growing.hpp"
 #include "lessons/pictures/rods_and_bobs.hpp"
-#include "lessons/tutor/rounding.hpp"
 
 namespace byhand::single_constraint {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using namespace renderer;
 
 constexpr double seconds = 10;
@@ -77,7 +77,7 @@ void ten_seconds(const Setting& setting, Page& page) {
       "ten_seconds",
       say(R"(Blue: the article's step with b = 0. Dashed: the exact pendulum. C never falls, and grows fastest where the
           bob is fast; after @ s the rod is @ % too long.)",
-          seconds, tutor::small_error(100 * stretch, 4)),
+          seconds, course::small_error(100 * stretch, 4)),
       Seconds{seconds},
       [film = Film{run, exact, length, C}](Canvas& canvas, double time) { film.draw(canvas, time); });
 
@@ -85,13 +85,13 @@ void ten_seconds(const Setting& setting, Page& page) {
       {.ask = say(
            R"(After @ s the rod has grown by @ %, so at the lowest point the bob is lower than it should be. Has
                   the energy, kinetic and potential together, risen or fallen?)",
-           seconds, tutor::small_error(100 * stretch, 4)),
+           seconds, course::small_error(100 * stretch, 4)),
        .options = {{"risen",
                     R"(A rod cannot give energy: the impulse takes the part of V along d away, and with it the
                              kinetic energy of that part.)"},
                    {"fallen", say(R"(It has fallen by @ m·g·L. Each step moves the bob off the circle, and the next
                                   impulse takes the outward part of V away, with its kinetic energy.)",
-                                  tutor::small_error(-change / scale, 4))}},
+                                  course::small_error(-change / scale, 4))}},
        .answer = change > 0 ? 0 : 1,
        .hints = {"What does an impulse that makes JV = 0 do to the part of V along d?",
                  "Kinetic energy is ½m(v_along² + v_across²).", "v_along becomes 0, v_across stays."}});
@@ -123,7 +123,7 @@ void ten_seconds(const Setting& setting, Page& page) {
   Curve still{.label = "exact", .x = {0, seconds}, .y = {0, 0}, .style = CurveStyle::theory};
   page.figure("energy",
               say("Change of energy in units of m·g·L; it never rises. After @ s it is −@.", seconds,
-                  tutor::small_error(-change / scale, 4)),
+                  course::small_error(-change / scale, 4)),
               Chart{.x = {.label = "time (s)"}, .y = {.label = "ΔE/(m·g·L)"}, .curves = {energy, still}});
   page.measure("rod after ten seconds", 100 * stretch, "% too long");
   page.measure("energy after ten seconds", change / scale, "m·g·L");

@@ -3,14 +3,14 @@
 #include "lessons/02_single_constraint/steps.hpp"
 #include "lessons/02_single_constraint/swing.hpp"
 #include "lessons/exact/simple_pendulum.hpp"
+#include "lessons/page/rounding.hpp"
 #include "lessons/pictures/growing.hpp"
 #include "lessons/pictures/rods_and_bobs.hpp"
-#include "lessons/tutor/rounding.hpp"
 
 namespace byhand::single_constraint {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using namespace renderer;
 
 /// The greatest tension on the first way through the lowest point [N].
@@ -65,7 +65,7 @@ void tension(const Setting& setting, Page& page) {
     add_gravity(scene.state(), scene.gravity, step);
     return -OneRow(scene).lambda * length / step;
   };
-  const auto shown = [&](double step) { return tutor::without_rounding(pull(step), weight); };
+  const auto shown = [&](double step) { return course::without_rounding(pull(step), weight); };
   page.text(
       R"(An impulse is a force times the time it acts: half the step, half the λ. So λ|d|/h is the force along d, and
       −λ|d|/h the tension of the rod. In the first step from @°:
@@ -74,7 +74,7 @@ void tension(const Setting& setting, Page& page) {
       - with h/4: @ N
       - with h/64: @ N
       - m·g·cosθ, what the rod must hold: @ N@)",
-      setting.angle(), setting.h, shown(h), shown(h / 4), shown(h / 64), tutor::without_rounding(held, weight),
+      setting.angle(), setting.h, shown(h), shown(h / 4), shown(h / 64), course::without_rounding(held, weight),
       shown(h) < 0 ? ". It is negative: the rod pushes" : "");
   double worst = 0;
   for (int i = 0; i <= 6; ++i) worst = std::max(worst, std::abs(pull(h / (1 << i)) - held));
@@ -125,8 +125,8 @@ void tension(const Setting& setting, Page& page) {
       R"(At the bottom the tension is @ m·g in this run and @ m·g exactly. @ of @ m·g is the error of the step, not of
       the solver, which makes JV zero to rounding: with h/2 it is @ m·g. The next two steps show where it comes
       from.)",
-      lowest + error, lowest, error < 0 ? "The lack" : "The excess", tutor::small_error(std::abs(error)),
-      tutor::small_error(std::abs(half)));
+      lowest + error, lowest, error < 0 ? "The lack" : "The excess", course::small_error(std::abs(error)),
+      course::small_error(std::abs(half)));
   const bool fine = step <= 0.05 && setting.release() >= 30 && setting.release() <= 120;
   const std::string range = "h·√(g/L) ≤ 0.05, release 30° … 120°";
   page.claim({.quantity = "greatest tension, from h and h/2 towards h = 0",

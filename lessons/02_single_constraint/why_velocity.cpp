@@ -3,7 +3,7 @@
 
 namespace byhand::single_constraint {
 
-using namespace tutor;
+using namespace course;
 using namespace renderer;
 
 void why_velocity(const Setting& setting, Page& page) {

@@ -9,7 +9,7 @@
 namespace byhand::single_constraint {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using namespace renderer;
 
 struct StepFilm {
@@ -67,7 +67,7 @@ void within_a_step(const Setting& setting, Page& page) {
   const Pendulum scene = let_go(setting);
   const Vector bob = scene.bodies().pose[1].position, answer = row.lambda / setting.mass() * row.d;
   const double length = setting.length(), h = setting.h(), rate = row.JV / length, impulse = row.lambda * length;
-  const Vector left = tutor::without_rounding(Vector(row.v2 + answer));
+  const Vector left = course::without_rounding(Vector(row.v2 + answer));
   const std::string fate = rate > 0 ? "longer" : rate < 0 ? "shorter" : "";
   const pictures::Acts acts(
       {{say("V = gh = @ m/s", Value(row.v2.norm(), 3)), "Gravity adds gh to V, straight down.", palette::velocity},

@@ -5,6 +5,6 @@
 namespace byhand::single_constraint {
 
 /// The film of one step, slowed: gravity, JV, λ, back onto the tangent.
-void within_a_step(const Setting& setting, tutor::Page& page);
+void within_a_step(const Setting& setting, course::Page& page);
 
 }  // namespace byhand::single_constraint

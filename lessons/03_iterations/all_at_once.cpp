@@ -12,7 +12,7 @@
 namespace byhand::iterations {
 namespace {
 
-using namespace tutor;
+using namespace course;
 
 /// JM⁻¹Jᵀ [m²/kg] from the rows as the solver wrote them; the step must be in natural order.
 Eigen::MatrixXd matrix_of(const System<PlaneParticle>& system, int bodies) {

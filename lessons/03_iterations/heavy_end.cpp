@@ -9,7 +9,7 @@
 namespace byhand::iterations {
 namespace {
 
-using namespace tutor;
+using namespace course;
 
 ChainOptions with_heavy_end(ChainOptions chain, double ratio) {
   chain.end_mass = ratio * chain.mass;

@@ -6,7 +6,7 @@
 
 namespace byhand::iterations {
 
-tutor::Hold in_hand(const Knobs& knobs) {
+course::Hold in_hand(const Knobs& knobs) {
   return {
       "chain_in_hand", "The chain; it begins at the angle of its release.", [knobs] {
         ChainOptions chain = knobs.chain();
@@ -23,8 +23,8 @@ tutor::Hold in_hand(const Knobs& knobs) {
              .unit_of_C = "m²",
              .law =
                  warm && beta > limit
-                     ? tutor::say("With a warm start β may be min((1 − q)/q, 2) = @ at most; here it is @.", limit,
-                                  beta)
+                     ? course::say("With a warm start β may be min((1 − q)/q, 2) = @ at most; here it is @.",
+                                   limit, beta)
                      : "A chain bears a time step of about the shortest period of its links; try a smaller h."});
       }};
 }

@@ -1,18 +1,18 @@
 #pragma once
 
+#include "lessons/page/lesson.hpp"
 #include "lessons/scenes/chain.hpp"
-#include "lessons/tutor/lesson.hpp"
 
 namespace byhand::iterations {
 
 /// What a reader can turn in this lesson.
 struct Knobs {
-  tutor::Parameter<int> links;
-  tutor::Parameter<double> length, mass, h;
-  tutor::Parameter<int> sweeps;
-  tutor::Parameter<double> beta, angle;
-  tutor::Parameter<std::string> start;
-  tutor::Parameter<double> ratio;
+  course::Parameter<int> links;
+  course::Parameter<double> length, mass, h;
+  course::Parameter<int> sweeps;
+  course::Parameter<double> beta, angle;
+  course::Parameter<std::string> start;
+  course::Parameter<double> ratio;
 
   /// The lesson's chain, hanging at rest, or as many links as are asked for.
   ChainOptions chain() const { return chain(links()); }
@@ -30,20 +30,20 @@ struct Knobs {
 };
 
 // The steps, each in the file of its name.
-void two_links(tutor::Page& page, const Knobs& knobs);
+void two_links(course::Page& page, const Knobs& knobs);
 /// The film of step 1.
-void within_a_sweep(tutor::Page& page, const Knobs& knobs);
-void one_sweep(tutor::Page& page, const Knobs& knobs);
-void all_at_once(tutor::Page& page, const Knobs& knobs);
-void many_sweeps(tutor::Page& page, const Knobs& knobs);
-void twice_as_long(tutor::Page& page, const Knobs& knobs);
-void warm_start(tutor::Page& page, const Knobs& knobs);
-void side_by_side(tutor::Page& page, const Knobs& knobs);
-void heavy_end(tutor::Page& page, const Knobs& knobs);
-void price_of_direct(tutor::Page& page, const Knobs& knobs);
-void limit_of_jacobi(tutor::Page& page, const Knobs& knobs);
+void within_a_sweep(course::Page& page, const Knobs& knobs);
+void one_sweep(course::Page& page, const Knobs& knobs);
+void all_at_once(course::Page& page, const Knobs& knobs);
+void many_sweeps(course::Page& page, const Knobs& knobs);
+void twice_as_long(course::Page& page, const Knobs& knobs);
+void warm_start(course::Page& page, const Knobs& knobs);
+void side_by_side(course::Page& page, const Knobs& knobs);
+void heavy_end(course::Page& page, const Knobs& knobs);
+void price_of_direct(course::Page& page, const Knobs& knobs);
+void limit_of_jacobi(course::Page& page, const Knobs& knobs);
 
 /// The chain of step 7.
-tutor::Hold in_hand(const Knobs& knobs);
+course::Hold in_hand(const Knobs& knobs);
 
 }  // namespace byhand::iterations

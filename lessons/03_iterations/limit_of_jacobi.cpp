@@ -11,7 +11,7 @@
 namespace byhand::iterations {
 namespace {
 
-using namespace tutor;
+using namespace course;
 
 /// Where `rods` parallel rods hold a box of unit width, from its middle.
 std::vector<double> places(int rods) {

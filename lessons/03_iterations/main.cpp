@@ -4,7 +4,7 @@
 
 using namespace byhand;
 using namespace byhand::iterations;
-using namespace byhand::tutor;
+using namespace byhand::course;
 
 int main(int argc, char** argv) {
   Lesson lesson(contents().at(2));

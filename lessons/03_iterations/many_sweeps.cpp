@@ -13,7 +13,7 @@
 namespace byhand::iterations {
 namespace {
 
-using namespace tutor;
+using namespace course;
 
 struct Named {
   std::string name;

@@ -11,7 +11,7 @@
 namespace byhand::iterations {
 namespace {
 
-using namespace tutor;
+using namespace course;
 namespace palette = renderer::palette;
 using renderer::Point;
 

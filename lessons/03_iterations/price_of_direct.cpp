@@ -11,7 +11,7 @@
 namespace byhand::iterations {
 namespace {
 
-using namespace tutor;
+using namespace course;
 
 struct Price {
   double row_solves, error;  // error in gh

@@ -15,7 +15,7 @@
 namespace byhand::iterations {
 namespace {
 
-using namespace tutor;
+using namespace course;
 namespace palette = renderer::palette;
 using Chain = Simulation<PlaneParticle>;
 

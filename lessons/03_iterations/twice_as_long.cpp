@@ -9,7 +9,7 @@
 namespace byhand::iterations {
 namespace {
 
-using namespace tutor;
+using namespace course;
 
 /// What is missing at each joint, after so many sweeps of Jacobi's, of a disturbance that began in the middle
 /// joint of a chain at rest, as a share of that beginning.

@@ -12,7 +12,7 @@
 namespace byhand::iterations {
 namespace {
 
-using namespace tutor;
+using namespace course;
 namespace palette = renderer::palette;
 using renderer::Point;
 

@@ -6,17 +6,17 @@
 #include "lessons/03_iterations/held_step.hpp"
 #include "lessons/03_iterations/knobs.hpp"
 #include "lessons/03_iterations/textbook.hpp"
+#include "lessons/page/rounding.hpp"
 #include "lessons/pictures/growing.hpp"
 #include "lessons/pictures/rods_and_bobs.hpp"
 #include "lessons/pictures/runs.hpp"
-#include "lessons/tutor/rounding.hpp"
 #include "renderer/canvas.hpp"
 #include "solver/step.hpp"
 
 namespace byhand::iterations {
 namespace {
 
-using namespace tutor;
+using namespace course;
 namespace palette = renderer::palette;
 using Chain = Simulation<PlaneParticle>;
 

@@ -12,7 +12,7 @@
 namespace byhand::iterations {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using renderer::Point;
 namespace palette = renderer::palette;
 

@@ -11,7 +11,7 @@
 namespace byhand::baumgarte {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using namespace renderer;
 
 constexpr double spiral_seconds = 4;

@@ -8,7 +8,7 @@
 namespace byhand::baumgarte {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using namespace renderer;
 
 /// Half-time as a run shows it [s].

@@ -4,7 +4,7 @@
 
 namespace byhand::baumgarte {
 
-tutor::Hold in_hand(const Setting& setting) {
+course::Hold in_hand(const Setting& setting) {
   return {
       "rod_in_hand", "A bob on a rod that is corrected by β; it begins at rest, 30° from straight down.",
       [setting] {
@@ -17,11 +17,11 @@ tutor::Hold in_hand(const Setting& setting) {
              .h = setting.h(),
              .view = {-1.3 * length, -1.5 * length, 2.6 * length, 2.6 * length},
              .body = "bob",
-             .law =
-                 beta > 2
-                     ? tutor::say("With β = @ a step multiplies the error by 1 − β = @: it grows.", beta, 1 - beta)
-                     : "Below β = 2 the error of a rod at rest shrinks; this bob moves too far in one step, "
-                       "so try a smaller h."});
+             .law = beta > 2
+                        ? course::say("With β = @ a step multiplies the error by 1 − β = @: it grows.", beta,
+                                      1 - beta)
+                        : "Below β = 2 the error of a rod at rest shrinks; this bob moves too far in one step, "
+                          "so try a smaller h."});
       }};
 }
 

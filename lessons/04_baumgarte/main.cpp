@@ -6,7 +6,7 @@ int main(int argc, char** argv) {
   using namespace byhand;
   using namespace byhand::baumgarte;
 
-  tutor::Lesson lesson(tutor::contents().at(3));
+  course::Lesson lesson(course::contents().at(3));
   const Setting setting{
       .beta = lesson.parameter("beta", 0.2, "1", {0.01, 3}, "share of the error that a step takes away"),
       .h = lesson.parameter("h", 1.0 / 60, "s", {1e-3, 0.05}, "time step"),
@@ -18,8 +18,8 @@ int main(int argc, char** argv) {
       .links = lesson.parameter("links", 10, "1", {2, 30}, "links of the chain"),
       .sweeps = lesson.parameter("sweeps", 1, "1", {1, 60}, "sweeps over the chain in a step"),
   };
-  const auto with = [setting](void (*step)(const Setting&, tutor::Page&)) {
-    return [=](tutor::Page& page) { step(setting, page); };
+  const auto with = [setting](void (*step)(const Setting&, course::Page&)) {
+    return [=](course::Page& page) { step(setting, page); };
   };
 
   lesson.step("Drift, and the law of how it grows", with(drift));

@@ -11,7 +11,7 @@
 namespace byhand::baumgarte {
 
 using namespace renderer;
-using tutor::say;
+using course::say;
 
 PendulumFilm::PendulumFilm(const Setting& setting)
     : betas_(film_betas(setting)),

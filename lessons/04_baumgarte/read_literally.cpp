@@ -9,7 +9,7 @@
 namespace byhand::baumgarte {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using namespace renderer;
 
 constexpr double decay_seconds = 10;

@@ -2,16 +2,16 @@
 
 #include <cmath>
 
-#include "lessons/tutor/lesson.hpp"
+#include "lessons/page/lesson.hpp"
 
 namespace byhand::baumgarte {
 
 /// The lesson's parameters.
 struct Setting {
-  tutor::Parameter<double> beta, h;              // [1], [s]
-  tutor::Parameter<double> length, mass, error;  // of the rod [m], of the bob [kg], at the start [m]
-  tutor::Parameter<double> speed, release;       // round the circle [m/s], of the pendulum [deg]
-  tutor::Parameter<int> links, sweeps;           // of the chain
+  course::Parameter<double> beta, h;              // [1], [s]
+  course::Parameter<double> length, mass, error;  // of the rod [m], of the bob [kg], at the start [m]
+  course::Parameter<double> speed, release;       // round the circle [m/s], of the pendulum [deg]
+  course::Parameter<int> links, sweeps;           // of the chain
 };
 
 inline constexpr double gravity = 9.81;  // [m/s²], as Scene has it

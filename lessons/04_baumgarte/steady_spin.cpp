@@ -10,7 +10,7 @@
 namespace byhand::baumgarte {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using namespace renderer;
 
 /// A bob that has gone round until its rod no longer changes.

@@ -5,16 +5,16 @@
 // The steps, each in the file of its name.
 namespace byhand::baumgarte {
 
-void drift(const Setting& setting, tutor::Page& page);
-void a_share_of_the_error(const Setting& setting, tutor::Page& page);
-void both_sides_of_two(const Setting& setting, tutor::Page& page);
-void read_literally(const Setting& setting, tutor::Page& page);
-void frame_rate(const Setting& setting, tutor::Page& page);
-void what_it_costs(const Setting& setting, tutor::Page& page);
-void steady_spin(const Setting& setting, tutor::Page& page);
-void the_trap(const Setting& setting, tutor::Page& page);
+void drift(const Setting& setting, course::Page& page);
+void a_share_of_the_error(const Setting& setting, course::Page& page);
+void both_sides_of_two(const Setting& setting, course::Page& page);
+void read_literally(const Setting& setting, course::Page& page);
+void frame_rate(const Setting& setting, course::Page& page);
+void what_it_costs(const Setting& setting, course::Page& page);
+void steady_spin(const Setting& setting, course::Page& page);
+void the_trap(const Setting& setting, course::Page& page);
 
 /// A bob on the rod that step 2 corrects.
-tutor::Hold in_hand(const Setting& setting);
+course::Hold in_hand(const Setting& setting);
 
 }  // namespace byhand::baumgarte

@@ -12,7 +12,7 @@
 namespace byhand::baumgarte {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using namespace renderer;
 
 constexpr double chain_seconds = 4, least_shown = 1e-5;  // [s], of |C|/L [1]

@@ -10,7 +10,7 @@
 namespace byhand::baumgarte {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using namespace renderer;
 
 constexpr double drawn_step = 0.6;  // hv as it is drawn, in lengths of the rod

@@ -5,6 +5,6 @@
 namespace byhand::baumgarte {
 
 /// The film of a step that leaves the circle and of the correction in the next: tangent, drift, correction.
-void within_two_steps(const Setting& setting, tutor::Page& page);
+void within_two_steps(const Setting& setting, course::Page& page);
 
 }  // namespace byhand::baumgarte

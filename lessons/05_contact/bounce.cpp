@@ -12,7 +12,7 @@
 namespace byhand::contact {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using namespace renderer;
 
 constexpr double bounce_seconds = 3, ball_radius = 0.15;  // [s], of the ball [m]

@@ -11,7 +11,7 @@
 namespace byhand::contact {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using namespace renderer;
 
 using Row = Simulation<PlaneBody>;

@@ -13,7 +13,7 @@
 namespace byhand::contact {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using namespace renderer;
 
 constexpr double pop_seconds = 1.5, deepest = 0.4;  // [s], [m]

@@ -12,7 +12,7 @@
 namespace byhand::contact {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using namespace renderer;
 
 /// Without what rounding leaves, to three digits.

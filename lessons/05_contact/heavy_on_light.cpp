@@ -6,15 +6,15 @@
 
 #include "lessons/05_contact/column.hpp"
 #include "lessons/05_contact/steps.hpp"
+#include "lessons/page/rounding.hpp"
 #include "lessons/pictures/boxes.hpp"
 #include "lessons/pictures/growing.hpp"
 #include "lessons/pictures/runs.hpp"
-#include "lessons/tutor/rounding.hpp"
 
 namespace byhand::contact {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using namespace renderer;
 
 constexpr double pair_seconds = 2, settling = 8;  // [s]

@@ -21,7 +21,7 @@ Scene<PlaneBody> boxes_between_walls(double mass, const Surface& surface) {
 
 }  // namespace
 
-tutor::Hold in_hand(const Setting& setting) {
+course::Hold in_hand(const Setting& setting) {
   return {"boxes_in_hand", "Four boxes on the floor between two walls; two of them begin as a stack.", [setting] {
             const GaussSeidel solver{.sweeps = setting.sweeps};
             return pictures::in_hand<PlaneBody>(

@@ -5,7 +5,7 @@ int main(int argc, char** argv) {
   using namespace byhand;
   using namespace byhand::contact;
 
-  tutor::Lesson lesson(tutor::contents().at(4));
+  course::Lesson lesson(course::contents().at(4));
   const Setting setting{
       .h = lesson.parameter("h", 1.0 / 60, "s", {1e-3, 0.05}, "time step"),
       .beta = lesson.parameter("beta", 0.2, "1", {0.05, 1}, "share of an overlap that a step takes away"),
@@ -24,8 +24,8 @@ int main(int argc, char** argv) {
       .base = lesson.parameter("base", 10, "1", {2, 20}, "boxes in the pyramid's lowest row"),
       .ratio = lesson.parameter("ratio", 100.0, "1", {1, 1000}, "mass of the upper box over that of the lower"),
   };
-  const auto with = [setting](void (*step)(const Setting&, tutor::Page&)) {
-    return [=](tutor::Page& page) { step(setting, page); };
+  const auto with = [setting](void (*step)(const Setting&, course::Page&)) {
+    return [=](course::Page& page) { step(setting, page); };
   };
 
   lesson.step("A row that may only push", with(push_only));

@@ -77,6 +77,6 @@ class OnACorner {
 };
 
 /// The film of its rows, one after the other: the impulse moves in the cone of friction.
-void within_the_cone(const Setting& setting, tutor::Page& page);
+void within_the_cone(const Setting& setting, course::Page& page);
 
 }  // namespace byhand::contact

@@ -13,7 +13,7 @@
 namespace byhand::contact {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using namespace renderer;
 
 constexpr double stand_seconds = 2.3, lift = 0.3;  // [s], [m]

@@ -13,7 +13,7 @@
 namespace byhand::contact {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using namespace renderer;
 
 constexpr double stack_seconds = 3.5, hurry = 4;  // of film [s]; seconds of the stack in one of the film
@@ -131,13 +131,13 @@ Chart needed(double h) {
   for (const int boxes : {6, 8, 10, 12, 14, 16, 18, 20}) {
     for (Curve* curve : {&stands, &law_stands, &digit, &law_digit}) curve->x.push_back(boxes);
     stands.y.push_back(sweeps_needed(boxes, h));
-    stands.point_labels.push_back(std::isinf(stands.y.back()) ? "> 64" : tutor::number(stands.y.back()));
+    stands.point_labels.push_back(std::isinf(stands.y.back()) ? "> 64" : course::number(stands.y.back()));
     law_stands.y.push_back(law_of_standing(boxes, h));
     digit.y.push_back(std::log(10) / share_taken(boxes));
     law_digit.y.push_back(std::log(10) * std::pow(boxes, 4) / 2);
   }
   std::vector<Tick> counted;
-  for (const double boxes : stands.x) counted.push_back({boxes, tutor::number(boxes)});
+  for (const double boxes : stands.x) counted.push_back({boxes, course::number(boxes)});
   return {.x = {.label = "number of boxes N", .scale = Scale::logarithmic, .ticks = counted},
           .y = {.label = "number of sweeps", .scale = Scale::logarithmic},
           .curves = {stands, law_stands, digit, law_digit}};

@@ -5,17 +5,17 @@
 // The steps, each in the file of its name.
 namespace byhand::contact {
 
-void push_only(const Setting& setting, tutor::Page& page);
-void deep_contact(const Setting& setting, tutor::Page& page);
-void friction_row(const Setting& setting, tutor::Page& page);
-void sticks_or_slides(const Setting& setting, tutor::Page& page);
-void bounce(const Setting& setting, tutor::Page& page);
-void cradle(const Setting& setting, tutor::Page& page);
-void stack_of_boxes(const Setting& setting, tutor::Page& page);
-void wall_of_boxes(const Setting& setting, tutor::Page& page);
-void heavy_on_light(const Setting& setting, tutor::Page& page);
+void push_only(const Setting& setting, course::Page& page);
+void deep_contact(const Setting& setting, course::Page& page);
+void friction_row(const Setting& setting, course::Page& page);
+void sticks_or_slides(const Setting& setting, course::Page& page);
+void bounce(const Setting& setting, course::Page& page);
+void cradle(const Setting& setting, course::Page& page);
+void stack_of_boxes(const Setting& setting, course::Page& page);
+void wall_of_boxes(const Setting& setting, course::Page& page);
+void heavy_on_light(const Setting& setting, course::Page& page);
 
 /// Boxes on the floor, with the friction of step 3.
-tutor::Hold in_hand(const Setting& setting);
+course::Hold in_hand(const Setting& setting);
 
 }  // namespace byhand::contact

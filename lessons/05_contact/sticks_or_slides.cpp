@@ -12,7 +12,7 @@
 namespace byhand::contact {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using namespace renderer;
 
 constexpr double slide_seconds = 2;

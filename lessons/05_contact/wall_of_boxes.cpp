@@ -10,7 +10,7 @@
 namespace byhand::contact {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using namespace renderer;
 
 constexpr double wall_seconds = 5, slop = 0.001;  // [s], [m]

@@ -7,7 +7,7 @@
 namespace byhand::contact {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using namespace renderer;
 
 /// The box after each row that was solved, and what that row asked for before it was clamped.

@@ -14,7 +14,7 @@
 namespace byhand::joints {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using namespace renderer;
 using Held = Simulation<PlaneBody>;
 

@@ -12,7 +12,7 @@
 namespace byhand::joints {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using namespace renderer;
 using Machine = Simulation<PlaneBody>;
 

@@ -13,7 +13,7 @@
 namespace byhand::joints {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using namespace renderer;
 
 constexpr double flat_seconds = 1.8, misfit = 1e-3;                // [s], [m]

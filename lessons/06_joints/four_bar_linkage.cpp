@@ -15,7 +15,7 @@
 namespace byhand::joints {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using namespace renderer;
 
 constexpr double four_bar_seconds = 2.5, measured_for = 10;  // [s]

@@ -11,7 +11,7 @@
 namespace byhand::joints {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using namespace renderer;
 using Bridge = Simulation<PlaneBody>;
 

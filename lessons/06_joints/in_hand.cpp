@@ -4,7 +4,7 @@
 
 namespace byhand::joints {
 
-tutor::Hold in_hand(const Setting& setting) {
+course::Hold in_hand(const Setting& setting) {
   return {
       "linkage_in_hand", "The four-bar linkage; it begins where it is let go.", [setting] {
         const FourBarOptions bars = bars_of(setting, radians(setting.angle()));

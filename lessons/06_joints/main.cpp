@@ -5,7 +5,7 @@ int main(int argc, char** argv) {
   using namespace byhand;
   using namespace byhand::joints;
 
-  tutor::Lesson lesson(tutor::contents().at(5));
+  course::Lesson lesson(course::contents().at(5));
   const Setting setting{
       .length = lesson.parameter("length", 2.0, "m", {0.5, 5}, "length of a bar or rod"),
       .mass = lesson.parameter("mass", 3.0, "kg", {0.1, 100}, "mass of a bar or bob"),
@@ -21,8 +21,8 @@ int main(int argc, char** argv) {
       .gap = lesson.parameter("gap", 0.2, "m", {0.01, 0.3}, "by which one rod is longer (step 7)"),
       .sweeps = lesson.parameter("sweeps", 10, "1", {1, 30}, "sweeps a step (steps 2, 7)"),
   };
-  const auto with = [setting](void (*step)(const Setting&, tutor::Page&)) {
-    return [=](tutor::Page& page) { step(setting, page); };
+  const auto with = [setting](void (*step)(const Setting&, course::Page&)) {
+    return [=](course::Page& page) { step(setting, page); };
   };
 
   lesson.step("From rows to joints", with(rows_to_joints));

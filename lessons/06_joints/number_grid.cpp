@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "lessons/tutor/words.hpp"
+#include "lessons/page/words.hpp"
 
 namespace byhand::joints {
 
@@ -25,7 +25,7 @@ void draw_grid(Canvas& canvas, const Eigen::MatrixXd& matrix, const Point& at, c
       const double value = std::abs(matrix(i, j)) < 1e-12 * most ? 0 : matrix(i, j);
       canvas.rectangle(box,
                        {value == 0 ? palette::paper : palette::diverging(0.5 * value / most), {palette::grid, 1}});
-      const std::string number = tutor::number(value, 3);
+      const std::string number = course::number(value, 3);
       // As large as the cell allows, with a little air.
       const double width = canvas.measure({0, 0}, number, {.size = 13}).width;
       canvas.text(box.centre(), number,

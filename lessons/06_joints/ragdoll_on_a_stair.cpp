@@ -15,7 +15,7 @@
 namespace byhand::joints {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using namespace renderer;
 using Doll = Simulation<PlaneBody>;
 

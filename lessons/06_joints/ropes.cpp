@@ -11,7 +11,7 @@
 namespace byhand::joints {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using namespace renderer;
 
 constexpr int finer = 16;  // steps for one of the lesson's: the moment of letting go is known to a step

@@ -16,7 +16,7 @@
 namespace byhand::joints {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using namespace renderer;
 
 constexpr double bar_angle = -0.3, seen_seconds = 0.9, motor_speed = 0.8;  // [rad], [s], [rad/s]

@@ -5,6 +5,6 @@
 namespace byhand::joints {
 
 /// A film: one anchor, row by row, what motion each row leaves to a bar, and a claim about the pin.
-void rows_adding_up(const Setting& setting, tutor::Page& page);
+void rows_adding_up(const Setting& setting, course::Page& page);
 
 }  // namespace byhand::joints

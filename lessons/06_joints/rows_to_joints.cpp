@@ -15,7 +15,7 @@
 namespace byhand::joints {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using namespace renderer;
 
 constexpr double first_angle = 0.35, second_angle = -0.9;  // of the two bars [rad]

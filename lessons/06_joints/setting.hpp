@@ -2,20 +2,20 @@
 
 #include <cmath>
 
-#include "lessons/tutor/lesson.hpp"
+#include "lessons/page/lesson.hpp"
 #include "solver/step.hpp"
 
 namespace byhand::joints {
 
 /// The lesson's parameters.
 struct Setting {
-  tutor::Parameter<double> length, mass, h, beta;  // of bars and rods [m], [kg], [s], [1]
-  tutor::Parameter<double> side;                   // of the box on the arm [m]
-  tutor::Parameter<double> angle, coupler;         // release of the four-bar [deg], its coupler's mass [kg]
-  tutor::Parameter<double> strength;               // of the motor that holds an arm [mgl]
-  tutor::Parameter<double> crank, speed;           // of the slider-crank [m], [rad/s]
-  tutor::Parameter<double> gap;                    // between the lengths of two rods [m]
-  tutor::Parameter<int> sweeps;                    // over rows in a step
+  course::Parameter<double> length, mass, h, beta;  // of bars and rods [m], [kg], [s], [1]
+  course::Parameter<double> side;                   // of the box on the arm [m]
+  course::Parameter<double> angle, coupler;         // release of the four-bar [deg], its coupler's mass [kg]
+  course::Parameter<double> strength;               // of the motor that holds an arm [mgl]
+  course::Parameter<double> crank, speed;           // of the slider-crank [m], [rad/s]
+  course::Parameter<double> gap;                    // between the lengths of two rods [m]
+  course::Parameter<int> sweeps;                    // over rows in a step
 };
 
 inline constexpr double gravity = 9.81;  // [m/s²], as Scene has it

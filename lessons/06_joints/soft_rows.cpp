@@ -10,7 +10,7 @@
 namespace byhand::joints {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using namespace renderer;
 using Hanging = Simulation<PlaneParticle>;
 

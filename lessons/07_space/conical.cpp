@@ -10,7 +10,7 @@
 namespace byhand::space {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using namespace renderer;
 
 Chart over_angle(const Setting& setting) {

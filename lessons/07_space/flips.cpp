@@ -13,7 +13,7 @@
 namespace byhand::space {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using namespace renderer;
 
 constexpr double flip_seconds = 5, flight_seconds = 20;

@@ -10,7 +10,7 @@
 namespace byhand::space {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using namespace renderer;
 
 constexpr double arm = 0.3, wheel = 0.25, wheel_rate = 60, precession_seconds = 4;  // [m], [m], [rad/s], [s]

@@ -13,7 +13,7 @@
 namespace byhand::space {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using namespace renderer;
 
 constexpr double term_seconds = 5, careless = 0.4;  // [s], share of the spin about the other axes

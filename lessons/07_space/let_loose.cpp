@@ -13,7 +13,7 @@
 namespace byhand::space {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using namespace renderer;
 using Loose = Simulation<SpaceBody>;
 

@@ -6,7 +6,7 @@ int main(int argc, char** argv) {
   using namespace byhand;
   using namespace byhand::space;
 
-  tutor::Lesson lesson(tutor::contents().at(6));
+  course::Lesson lesson(course::contents().at(6));
   const Setting setting{
       .h = lesson.parameter("h", 1.0 / 60, "s", {1.0 / 480, 1.0 / 30}, "time step"),
       .length = lesson.parameter("length", 2.0, "m", {0.5, 10}, "length of the rods"),
@@ -20,8 +20,8 @@ int main(int argc, char** argv) {
       .speed = lesson.parameter("speed", 4.0, "m/s", {1, 6}, "of what slides"),
       .heading = lesson.parameter("heading", 30.0, "deg", {1, 89}, "of the puck that is looked at closely"),
   };
-  const auto with = [setting](void (*step)(const Setting&, tutor::Page&)) {
-    return [=](tutor::Page& page) { step(setting, page); };
+  const auto with = [setting](void (*step)(const Setting&, course::Page&)) {
+    return [=](course::Page& page) { step(setting, page); };
   };
 
   lesson.step("The same code", with(same_code));

@@ -8,7 +8,7 @@
 namespace byhand::space {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using namespace renderer;
 using Vector = Eigen::Vector3d;
 using Quaternion = Eigen::Quaterniond;

@@ -11,7 +11,7 @@
 namespace byhand::space {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using namespace renderer;
 
 constexpr double rod_seconds = 2;

@@ -2,18 +2,18 @@
 
 #include <Eigen/Core>
 
-#include "lessons/tutor/lesson.hpp"
+#include "lessons/page/lesson.hpp"
 
 namespace byhand::space {
 
 /// The lesson's parameters.
 struct Setting {
-  tutor::Parameter<double> h;                         // [s]
-  tutor::Parameter<double> length, mass;              // of rods [m], of each body [kg]
-  tutor::Parameter<double> tilt;                      // of the book that is caught [deg]
-  tutor::Parameter<double> angle, share;              // of the cone [deg], of the speed that keeps it [1]
-  tutor::Parameter<double> spin, wobble;              // of the book [rad/s], beside its middle axis [1]
-  tutor::Parameter<double> friction, speed, heading;  // μ [1], of the pucks [m/s], [deg]
+  course::Parameter<double> h;                         // [s]
+  course::Parameter<double> length, mass;              // of rods [m], of each body [kg]
+  course::Parameter<double> tilt;                      // of the book that is caught [deg]
+  course::Parameter<double> angle, share;              // of the cone [deg], of the speed that keeps it [1]
+  course::Parameter<double> spin, wobble;              // of the book [rad/s], beside its middle axis [1]
+  course::Parameter<double> friction, speed, heading;  // μ [1], of the pucks [m/s], [deg]
 };
 
 inline constexpr double gravity = 9.81;  // [m/s²], as Scene has it

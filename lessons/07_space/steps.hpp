@@ -5,15 +5,15 @@
 // The steps, each in the file of its name.
 namespace byhand::space {
 
-void same_code(const Setting& setting, tutor::Page& page);
-void turned_inertia(const Setting& setting, tutor::Page& page);
-void conical(const Setting& setting, tutor::Page& page);
-void nutation(const Setting& setting, tutor::Page& page);
-void left_out(const Setting& setting, tutor::Page& page);
-void flips(const Setting& setting, tutor::Page& page);
-void two_axes(const Setting& setting, tutor::Page& page);
-void orientation(const Setting& setting, tutor::Page& page);
-void gyroscope(const Setting& setting, tutor::Page& page);
-void let_loose(const Setting& setting, tutor::Page& page);
+void same_code(const Setting& setting, course::Page& page);
+void turned_inertia(const Setting& setting, course::Page& page);
+void conical(const Setting& setting, course::Page& page);
+void nutation(const Setting& setting, course::Page& page);
+void left_out(const Setting& setting, course::Page& page);
+void flips(const Setting& setting, course::Page& page);
+void two_axes(const Setting& setting, course::Page& page);
+void orientation(const Setting& setting, course::Page& page);
+void gyroscope(const Setting& setting, course::Page& page);
+void let_loose(const Setting& setting, course::Page& page);
 
 }  // namespace byhand::space

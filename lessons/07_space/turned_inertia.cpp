@@ -11,7 +11,7 @@
 namespace byhand::space {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using namespace renderer;
 
 Eigen::Vector3d flight() { return {0, -3, 1.5}; }  // [m/s]

@@ -16,7 +16,7 @@
 namespace byhand::space {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using namespace renderer;
 
 constexpr int stretches = 3, slow_steps = 120;  // of the motion, and the steps of each

@@ -10,7 +10,7 @@
 namespace byhand::space {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using namespace renderer;
 
 constexpr int pucks = 24;

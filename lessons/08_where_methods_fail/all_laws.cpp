@@ -4,14 +4,14 @@
 #include <array>
 #include <cmath>
 
-#include "lessons/08_where_methods_fail/laws/law.hpp"
 #include "lessons/08_where_methods_fail/steps.hpp"
+#include "lessons/laws/law.hpp"
 #include "renderer/canvas.hpp"
 
 namespace byhand::failures {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using namespace renderer;
 using laws::Family;
 using laws::Law;
@@ -98,7 +98,7 @@ void draw_table(Canvas& canvas, const std::vector<Line>& lines, const Rectangle&
   for (const Line& line : lines)
     if (line.first)
       rows.push_back({std::to_string(line.law), say("@: @", with_unit(line.quantity, line.unit), line.setting),
-                      tutor::number(line.predicted, 3), tutor::number(line.measured, 3),
+                      course::number(line.predicted, 3), course::number(line.measured, 3),
                       static_cast<int>(line.family)});
   const double height = std::min(32.0, frame.height / (static_cast<double>(rows.size()) + 1));
   const double dot = frame.x + 6, law = dot + 34, what = law + 10, measured = frame.right(),
@@ -137,7 +137,7 @@ void all_laws(const Setting&, Page& page) {
 
   page.text(
       R"(These are the @ laws of the course, by number, with the place of each limit; other lessons cite them by name.
-      The derivations are at the heads of the files in `lessons/08_where_methods_fail/laws`.)",
+      The derivations are at the heads of the files in `lessons/laws`.)",
       laws.size());
   std::vector<std::vector<std::string>> rows;
   for (const Law& law : laws)

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "lessons/page/page.hpp"
 #include "lessons/pictures/growing.hpp"
 #include "lessons/pictures/runs.hpp"
-#include "lessons/tutor/page.hpp"
 #include "renderer/canvas.hpp"
 #include "solver/step.hpp"
 
@@ -55,7 +55,7 @@ class Film {
   std::string fate(int take) const;
   /// What its gauge says at the end.
   double last(int take) const { return last_[take]; }
-  tutor::FrameDrawing drawing() const;
+  course::FrameDrawing drawing() const;
 
  private:
   static constexpr double step = 1.0 / 60;
@@ -89,11 +89,12 @@ Film<M>::Film(Shooting<M> shooting) : plan_(std::move(shooting)) {
 
 template <class M>
 std::string Film<M>::fate(int take) const {
-  return failed(take) ? tutor::say("@ after @ s", plan_.failure, tutor::Value(fails_at_[take], 3)) : plan_.success;
+  return failed(take) ? course::say("@ after @ s", plan_.failure, course::Value(fails_at_[take], 3))
+                      : plan_.success;
 }
 
 template <class M>
-tutor::FrameDrawing Film<M>::drawing() const {
+course::FrameDrawing Film<M>::drawing() const {
   return [film = *this, takes = plan_.takes](renderer::Canvas& canvas, double time) mutable {
     const Shooting<M>& plan = film.plan_;
     const auto [left, right] = canvas.page().inset(14).split_columns(0.64, 16);
@@ -103,7 +104,7 @@ tutor::FrameDrawing Film<M>::drawing() const {
       while (run.time < plan.hurry * time - 0.5 * step && !plan.failed(run.scene)) run.step(step);
       const bool failed = plan.failed(run.scene);
       draw_cell(canvas, cells[i], plan.view, i, takes[i].name,
-                failed ? film.fate(i) : tutor::say("@ s", tutor::Value(run.time, 2)), failed,
+                failed ? film.fate(i) : course::say("@ s", course::Value(run.time, 2)), failed,
                 [&] { plan.draw(canvas, run.scene, pictures::look_of_run(i)); });
     }
     renderer::draw(canvas, pictures::grown_to(film.gauges_, plan.hurry * time + 1e-9), right.inset(0, 40));

@@ -10,7 +10,7 @@
 namespace byhand::failures {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using namespace renderer;
 
 constexpr double omega_h = 2.1;  // a little beyond the limit of 2

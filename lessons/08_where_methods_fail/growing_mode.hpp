@@ -1,10 +1,10 @@
 #pragma once
 
-#include "lessons/tutor/lesson.hpp"
+#include "lessons/page/lesson.hpp"
 
 namespace byhand::failures {
 
 /// The film of an explicit spring beyond its limit: its mode grows by the same factor in each step.
-void growing_mode(tutor::Page& page);
+void growing_mode(course::Page& page);
 
 }  // namespace byhand::failures

@@ -2,15 +2,15 @@
 
 #include <cmath>
 
-#include "lessons/08_where_methods_fail/laws/column.hpp"
-#include "lessons/08_where_methods_fail/laws/hopping.hpp"
 #include "lessons/08_where_methods_fail/map.hpp"
 #include "lessons/08_where_methods_fail/steps.hpp"
+#include "lessons/laws/column.hpp"
+#include "lessons/laws/hopping.hpp"
 
 namespace byhand::failures {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using laws::Outcome;
 
 constexpr double pair_beta = 0.2;

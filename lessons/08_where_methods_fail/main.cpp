@@ -6,7 +6,7 @@ int main(int argc, char** argv) {
   using namespace byhand;
   using namespace byhand::failures;
 
-  tutor::Lesson lesson(tutor::contents().at(7));
+  course::Lesson lesson(course::contents().at(7));
   const Setting setting{
       .resolution = lesson.parameter("resolution", 20, "1", {4, 64}, "cells a side of each map"),
       .boxes = lesson.parameter("boxes", 15, "1", {8, 24}, "of the stack that is filmed"),
@@ -19,8 +19,8 @@ int main(int argc, char** argv) {
       .conflict =
           lesson.parameter("conflict", 0.1, "m", {1e-4, 0.5}, "difference in length of two rods of one bob"),
   };
-  const auto with = [setting](void (*step)(const Setting&, tutor::Page&)) {
-    return [=](tutor::Page& page) { step(setting, page); };
+  const auto with = [setting](void (*step)(const Setting&, course::Page&)) {
+    return [=](course::Page& page) { step(setting, page); };
   };
 
   lesson.step("Too few iterations", with(too_few_iterations));

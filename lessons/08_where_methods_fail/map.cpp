@@ -47,7 +47,7 @@ Knob counting_knob(std::string label, double low, double high, int cells, Scale 
   return whole;
 }
 
-std::string Agreement::sentence() const { return tutor::say("The law predicts @ of @ runs.", right, runs); }
+std::string Agreement::sentence() const { return course::say("The law predicts @ of @ runs.", right, runs); }
 
 Agreement agreement(const Map& map, const std::function<bool(double x, double y)>& settles) {
   const std::size_t columns = map.x.values.size();
@@ -58,14 +58,14 @@ Agreement agreement(const Map& map, const std::function<bool(double x, double y)
   return result;
 }
 
-void claim_agreement(tutor::Page& page, const Agreement& agreement, double share, const std::string& law,
-                     const tutor::Parameter<int>& resolution) {
+void claim_agreement(course::Page& page, const Agreement& agreement, double share, const std::string& law,
+                     const course::Parameter<int>& resolution) {
   page.claim({.quantity = "share of runs that end as the law says",
               .unit = "1",
               .expected = share,
               .source = law,
               .measured = agreement.share(),
-              .tolerance = tutor::at_least(),
+              .tolerance = course::at_least(),
               .claimed = resolution >= 10,
               .range = "10 cells a side or more"});
 }

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "lessons/08_where_methods_fail/laws/law.hpp"
-#include "lessons/tutor/page.hpp"
-#include "lessons/tutor/parameter.hpp"
+#include "lessons/laws/law.hpp"
+#include "lessons/page/page.hpp"
+#include "lessons/page/parameter.hpp"
 
 namespace byhand::failures {
 
@@ -34,7 +34,7 @@ struct Map {
 
 /// Makes every run of a map, side by side.
 template <class Run>
-Map map_of(const tutor::Page& page, const Knob& x, const Knob& y, const Run& run) {
+Map map_of(const course::Page& page, const Knob& x, const Knob& y, const Run& run) {
   const int columns = static_cast<int>(x.values.size()), rows = static_cast<int>(y.values.size());
   return {x, y, page.side_by_side(columns * rows, [&](int cell) {
             return run(x.values[cell % columns], y.values[cell / columns]);
@@ -59,8 +59,8 @@ struct Agreement {
 };
 Agreement agreement(const Map& map, const std::function<bool(double x, double y)>& settles);
 /// A claim that at least such a share of them agrees, for maps of 10 × 10 cells or more.
-void claim_agreement(tutor::Page& page, const Agreement& agreement, double share, const std::string& law,
-                     const tutor::Parameter<int>& resolution);
+void claim_agreement(course::Page& page, const Agreement& agreement, double share, const std::string& law,
+                     const course::Parameter<int>& resolution);
 
 /// What the outcomes are called in a scene, in the order of laws::Outcome.
 using OutcomeNames = std::array<std::string, 5>;

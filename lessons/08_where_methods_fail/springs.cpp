@@ -3,14 +3,14 @@
 #include <cmath>
 
 #include "lessons/08_where_methods_fail/growing_mode.hpp"
-#include "lessons/08_where_methods_fail/laws/soft.hpp"
 #include "lessons/08_where_methods_fail/map.hpp"
 #include "lessons/08_where_methods_fail/steps.hpp"
+#include "lessons/laws/soft.hpp"
 
 namespace byhand::failures {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using laws::Outcome;
 
 /// The largest ωh of an explicit spring.

@@ -2,16 +2,16 @@
 
 #include <cmath>
 
-#include "lessons/08_where_methods_fail/laws/column.hpp"
-#include "lessons/08_where_methods_fail/laws/creep.hpp"
 #include "lessons/08_where_methods_fail/map.hpp"
 #include "lessons/08_where_methods_fail/stack_film.hpp"
 #include "lessons/08_where_methods_fail/steps.hpp"
+#include "lessons/laws/column.hpp"
+#include "lessons/laws/creep.hpp"
 
 namespace byhand::failures {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using laws::Column;
 using laws::Outcome;
 

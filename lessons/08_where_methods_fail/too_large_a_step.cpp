@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "lessons/08_where_methods_fail/film.hpp"
-#include "lessons/08_where_methods_fail/laws/transverse.hpp"
 #include "lessons/08_where_methods_fail/map.hpp"
 #include "lessons/08_where_methods_fail/steps.hpp"
+#include "lessons/laws/transverse.hpp"
 #include "lessons/pictures/rods_and_bobs.hpp"
 #include "lessons/scenes/chain.hpp"
 #include "solver/measure.hpp"
@@ -14,7 +14,7 @@
 namespace byhand::failures {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using laws::Outcome;
 using laws::TautChain;
 

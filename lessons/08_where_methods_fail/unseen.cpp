@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lessons/08_where_methods_fail/laws/tunnelling.hpp"
 #include "lessons/08_where_methods_fail/map.hpp"
 #include "lessons/08_where_methods_fail/steps.hpp"
+#include "lessons/laws/tunnelling.hpp"
 
 namespace byhand::failures {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using laws::FlyingBalls;
 
 constexpr double ball_radius = 0.05;  // [m]

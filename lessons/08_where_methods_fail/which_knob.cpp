@@ -3,17 +3,17 @@
 #include <cmath>
 #include <optional>
 
-#include "lessons/08_where_methods_fail/laws/column.hpp"
-#include "lessons/08_where_methods_fail/laws/redundant.hpp"
-#include "lessons/08_where_methods_fail/laws/transverse.hpp"
-#include "lessons/08_where_methods_fail/laws/warm_start.hpp"
 #include "lessons/08_where_methods_fail/map.hpp"
 #include "lessons/08_where_methods_fail/steps.hpp"
+#include "lessons/laws/column.hpp"
+#include "lessons/laws/redundant.hpp"
+#include "lessons/laws/transverse.hpp"
+#include "lessons/laws/warm_start.hpp"
 
 namespace byhand::failures {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using laws::Outcome;
 
 enum Knobs { none, more_sweeps, direct, less_beta, substeps, stiffness, softness, how_many };

@@ -8,7 +8,7 @@
 namespace byhand::accuracy {
 namespace {
 
-using namespace tutor;
+using namespace course;
 
 struct Chapter {
   std::string name;

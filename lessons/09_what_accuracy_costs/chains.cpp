@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lessons/09_what_accuracy_costs/catalogue/chooser.hpp"
-#include "lessons/09_what_accuracy_costs/catalogue/tidy.hpp"
 #include "lessons/09_what_accuracy_costs/steps.hpp"
 #include "lessons/09_what_accuracy_costs/survey.hpp"
+#include "lessons/catalogue/chooser.hpp"
+#include "lessons/catalogue/tidy.hpp"
 
 namespace byhand::accuracy {
 namespace {
 
-using namespace tutor;
+using namespace course;
 
 constexpr double wanted = 1e-3;
 constexpr double angle = 30;     // [°]: from level a light chain whips, which has nothing to do with its length

@@ -9,8 +9,8 @@
 #include <set>
 #include <string_view>
 
-#include "lessons/09_what_accuracy_costs/catalogue/tidy.hpp"
 #include "lessons/09_what_accuracy_costs/survey.hpp"
+#include "lessons/catalogue/tidy.hpp"
 
 namespace byhand::accuracy {
 namespace {
@@ -121,7 +121,7 @@ Drawn drawn_of(const Survey& survey, Error error) {
   return drawn;
 }
 
-Drawn spread_of(const tutor::Page& page, const Survey& survey, Error error, std::string* data) {
+Drawn spread_of(const course::Page& page, const Survey& survey, Error error, std::string* data) {
   Drawn drawn = drawn_of(survey, error);
   auto& [spreads, starts] = drawn;
   struct Job {
@@ -212,29 +212,29 @@ std::string caption_of(const Survey& survey, Error error, int starts) {
   const double uncertainty = survey.problem.reference().uncertainty, time = survey.problem.compared_at();
   std::string caption =
       error == Error::trajectory
-          ? tutor::say("Trajectory after @ s, held against a reference: @, @.", time, scene.reference,
-                       uncertainty > 1e-11 ? tutor::say("uncertain by @ m", tutor::Value(uncertainty, 2))
-                       : uncertainty > 0   ? std::string("known to rounding")
-                                           : std::string("which is exact"))
+          ? course::say("Trajectory after @ s, held against a reference: @, @.", time, scene.reference,
+                        uncertainty > 1e-11 ? course::say("uncertain by @ m", course::Value(uncertainty, 2))
+                        : uncertainty > 0   ? std::string("known to rounding")
+                                            : std::string("which is exact"))
       : error == Error::reaction
-          ? tutor::say(
+          ? course::say(
                 R"(Force of what holds the scene, mean over the last frame before @ s, held against a reference:
                 @.)",
                 time, scene.reference)
       : error == Error::algebraic
-          ? tutor::say("Velocities after one step at @ s, against those of the direct solve of the same step.",
-                       time)
+          ? course::say("Velocities after one step at @ s, against those of the direct solve of the same step.",
+                        time)
       : error == Error::contact
-          ? tutor::say("Largest residual of complementarity and friction cone after a step at @ s.", time)
-          : tutor::say("@ over @ s.", error == Error::drift ? "Drift, the largest" : "The largest change",
-                       scene.duration);
+          ? course::say("Largest residual of complementarity and friction cone after a step at @ s.", time)
+          : course::say("@ over @ s.", error == Error::drift ? "Drift, the largest" : "The largest change",
+                        scene.duration);
   if (const double growth = survey.problem.reference().lyapunov_time; std::isfinite(growth))
-    caption += tutor::say(" A small disturbance grows e-fold in @ s.", tutor::Value(growth, 2));
+    caption += course::say(" A small disturbance grows e-fold in @ s.", course::Value(growth, 2));
   caption +=
       starts > 1
-          ? tutor::say(R"( Each curve is the best a method can do with all its choices: the median over @ initial
+          ? course::say(R"( Each curve is the best a method can do with all its choices: the median over @ initial
       conditions between thin quartiles.)",
-                       starts)
+                        starts)
           : std::string(" Each curve is the best a method can do with all its choices.");
   caption += R"( At its ends: substeps a frame × sweeps or iterations in each. Runs that failed do not count. All
       runs, with the choices of each, are in the data.)";
@@ -269,19 +269,19 @@ std::string title_of(const Problem& problem) {
   return title;
 }
 
-void show(tutor::Page& page, const std::string& name, const Survey& survey, Error error) {
+void show(course::Page& page, const std::string& name, const Survey& survey, Error error) {
   std::string data = tidy_head() + tidy_rows(survey.problem, survey.points(), survey.watched);
   const Drawn drawn = spread_of(page, survey, error, &data);
   page.figure(name, caption_of(survey, error, drawn.starts),
               work_precision(survey, drawn.spreads, error, Cost::counted), std::move(data));
 }
 
-void show(tutor::Page& page, const std::string& prefix, const Survey& survey,
+void show(course::Page& page, const std::string& prefix, const Survey& survey,
           std::initializer_list<Error> errors) {
   for (const Error error : errors) show(page, fmt::format("{}_{}", prefix, name_of(error)), survey, error);
 }
 
-void show_clocked(tutor::Page& page, const std::string& name, const Survey& survey, Error error) {
+void show_clocked(course::Page& page, const std::string& name, const Survey& survey, Error error) {
   std::string ignored;
   page.clocked(
       name,
@@ -301,7 +301,7 @@ void show_clocked(tutor::Page& page, const std::string& name, const Survey& surv
       });
 }
 
-void claim_first_order(tutor::Page& page, const Problem& problem, const std::string& source) {
+void claim_first_order(course::Page& page, const Problem& problem, const std::string& source) {
   const auto order =
       fitted_order(refined(problem, "direct", with_cure({}, Cure::baumgarte), 64), Error::trajectory);
   page.claim({.quantity = problem.scene().title + ": order of the direct solve with substeps",
@@ -309,7 +309,7 @@ void claim_first_order(tutor::Page& page, const Problem& problem, const std::str
               .expected = 1,
               .source = source,
               .measured = order ? order->slope : NAN,
-              .tolerance = tutor::absolute(0.25)});
+              .tolerance = course::absolute(0.25)});
 }
 
 }  // namespace byhand::accuracy

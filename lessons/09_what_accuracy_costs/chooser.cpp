@@ -1,20 +1,20 @@
 // Step 7: ask the program.
 
-#include "lessons/09_what_accuracy_costs/catalogue/chooser.hpp"
+#include "lessons/catalogue/chooser.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "lessons/09_what_accuracy_costs/catalogue/tidy.hpp"
 #include "lessons/09_what_accuracy_costs/steps.hpp"
 #include "lessons/09_what_accuracy_costs/survey.hpp"
+#include "lessons/catalogue/tidy.hpp"
 
 namespace byhand::accuracy {
 namespace {
 
-using namespace tutor;
+using namespace course;
 
 constexpr std::size_t shown = 4;                       // runners-up
 constexpr double finest_drift = 1e-9, finest = 1e-11;  // of drift [m] and of other errors: less is rounding

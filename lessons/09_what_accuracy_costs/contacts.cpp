@@ -7,7 +7,7 @@
 
 namespace byhand::accuracy {
 
-using namespace tutor;
+using namespace course;
 
 void contacts(Page& page) {
   const Problem stack("stack", {{"boxes", 10}, {"kick", 0.02}}), pyramid("pyramid", {{"base", 6}, {"kick", 0.02}});

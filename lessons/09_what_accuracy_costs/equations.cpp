@@ -3,11 +3,11 @@
 #include "lessons/equations.hpp"
 
 #include "lessons/09_what_accuracy_costs/steps.hpp"
-#include "lessons/tutor/about.hpp"
+#include "lessons/page/about.hpp"
 
 namespace byhand::accuracy {
 
-using namespace tutor;
+using namespace course;
 
 void equations(Page& page) {
   page.text(

@@ -5,7 +5,7 @@
 
 namespace byhand::accuracy {
 
-using namespace tutor;
+using namespace course;
 
 void in_space(Page& page) {
   const Survey& pendulum =

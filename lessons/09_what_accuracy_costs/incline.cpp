@@ -5,7 +5,7 @@
 
 namespace byhand::accuracy {
 
-using namespace tutor;
+using namespace course;
 
 void incline(Page& page) {
   const Problem problem("incline");

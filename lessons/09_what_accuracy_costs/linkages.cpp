@@ -5,7 +5,7 @@
 
 namespace byhand::accuracy {
 
-using namespace tutor;
+using namespace course;
 
 void linkages(Page& page) {
   const Survey& all = survey(page, Problem("four_bar", {{"length", 2}, {"mass", 3}, {"coupler_mass", 3}}),

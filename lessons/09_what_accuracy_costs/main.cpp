@@ -1,14 +1,14 @@
 // Lesson 9: what accuracy costs, by method, by model, and for the reader's own scene.
 
-#include "lessons/09_what_accuracy_costs/catalogue/catalogue.hpp"
 #include "lessons/09_what_accuracy_costs/steps.hpp"
-#include "lessons/tutor/lesson.hpp"
+#include "lessons/catalogue/catalogue.hpp"
+#include "lessons/page/lesson.hpp"
 
 int main(int argc, char** argv) {
   using namespace byhand;
   using namespace byhand::accuracy;
 
-  tutor::Lesson lesson(tutor::contents().at(8));
+  course::Lesson lesson(course::contents().at(8));
   std::vector<std::string> scenes;
   for (const NamedScene& scene : catalogue()) scenes.push_back(scene.name);
   const accuracy::Setting setting{
@@ -31,7 +31,7 @@ int main(int argc, char** argv) {
       .top_mass =
           lesson.parameter("top_mass", Initial::top_mass, "kg", {1e-3, 1e6}, "of the topmost box of the stack"),
       .base = lesson.parameter("base", Initial::base, "1", {1, 30}, "boxes in the lowest row of the pyramid")};
-  const tutor::Parameter<std::string> charts_of =
+  const course::Parameter<std::string> charts_of =
       lesson.parameter("appendix", "none", appendix_scenes(), "which further charts are drawn, in the appendix");
 
   lesson.step("The methods that compete", the_methods);
@@ -48,11 +48,11 @@ int main(int argc, char** argv) {
   lesson.step("Stacks and pyramids", contacts);
   lesson.deeper("A block on a slope", incline);
   lesson.step("One picture and one page", one_page);
-  lesson.step("Ask the program", [=](tutor::Page& page) { chooser(page, setting); });
+  lesson.step("Ask the program", [=](course::Page& page) { chooser(page, setting); });
   lesson.answers({"scene", "drift", "trajectory", "energy", "momentum", "reaction", "budget", "links", "end_mass",
                   "mass", "length", "boxes", "top_mass", "base"});
   lesson.deeper("What the model costs", model_cost);
-  lesson.deeper("Appendix: further charts", [=](tutor::Page& page) { appendix(page, charts_of); });
+  lesson.deeper("Appendix: further charts", [=](course::Page& page) { appendix(page, charts_of); });
   lesson.answers({"appendix"});
   lesson.deeper("Where the article's equations are", equations);
 

@@ -9,7 +9,7 @@
 namespace byhand::accuracy {
 namespace {
 
-using namespace tutor;
+using namespace course;
 
 /// A scene of the catalogue as one model, and what it came to.
 struct Built {

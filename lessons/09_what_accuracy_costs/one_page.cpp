@@ -3,17 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lessons/09_what_accuracy_costs/catalogue/limits.hpp"
-#include "lessons/09_what_accuracy_costs/catalogue/profile.hpp"
-#include "lessons/09_what_accuracy_costs/catalogue/tidy.hpp"
 #include "lessons/09_what_accuracy_costs/steps.hpp"
 #include "lessons/09_what_accuracy_costs/survey.hpp"
+#include "lessons/catalogue/limits.hpp"
+#include "lessons/catalogue/profile.hpp"
+#include "lessons/catalogue/tidy.hpp"
 #include "renderer/canvas.hpp"
 
 namespace byhand::accuracy {
 namespace {
 
-using namespace tutor;
+using namespace course;
 
 struct Class {
   std::string name;

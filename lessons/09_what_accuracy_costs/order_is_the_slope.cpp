@@ -12,7 +12,7 @@
 namespace byhand::accuracy {
 namespace {
 
-using namespace tutor;
+using namespace course;
 
 /// By how much halving the step divides an error, from four steps a frame on.
 template <class ErrorOf>
@@ -65,7 +65,7 @@ void order_is_the_slope(Page& page) {
   const Knobs whole{.cure = Cure::baumgarte, .strength = 1};
   const double first = gain_in_place(problem, euler, whole), second = gain_in_place(problem, rattle, {});
   const auto nearest = [](double ratio) { return std::log2(ratio) < 1.5 ? 2 : 4; };
-  tutor::Choice question{
+  course::Choice question{
       .ask =
           R"(Halve the time step. By what is the error of the bob's *place* after a second divided, with symplectic
           Euler (direct, β = 1), and with RATTLE?)",

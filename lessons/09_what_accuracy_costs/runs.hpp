@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lessons/09_what_accuracy_costs/catalogue/run.hpp"
+#include "lessons/catalogue/run.hpp"
 
 // Single runs that several steps look at.
 namespace byhand::accuracy {

@@ -2,20 +2,20 @@
 
 #include <string>
 
-#include "lessons/tutor/parameter.hpp"
+#include "lessons/page/parameter.hpp"
 
 namespace byhand::accuracy {
 
 /// What the chooser is asked. A number that the scene does not have is named and left aside.
 struct Setting {
-  tutor::Parameter<std::string> scene;
-  tutor::Parameter<double> drift, trajectory, energy, momentum, reaction;  // 0: not asked for
-  tutor::Parameter<double> budget;                                         // 0: none
-  tutor::Parameter<int> links;
-  tutor::Parameter<double> end_mass, mass, length;
-  tutor::Parameter<int> boxes;
-  tutor::Parameter<double> top_mass;
-  tutor::Parameter<int> base;
+  course::Parameter<std::string> scene;
+  course::Parameter<double> drift, trajectory, energy, momentum, reaction;  // 0: not asked for
+  course::Parameter<double> budget;                                         // 0: none
+  course::Parameter<int> links;
+  course::Parameter<double> end_mass, mass, length;
+  course::Parameter<int> boxes;
+  course::Parameter<double> top_mass;
+  course::Parameter<int> base;
 };
 
 /// What these are where nobody sets them.

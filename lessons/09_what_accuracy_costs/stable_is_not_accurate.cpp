@@ -14,7 +14,7 @@
 namespace byhand::accuracy {
 namespace {
 
-using namespace tutor;
+using namespace course;
 namespace palette = renderer::palette;
 
 constexpr double film_seconds = 6;

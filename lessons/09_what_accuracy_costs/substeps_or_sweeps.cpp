@@ -10,7 +10,7 @@
 namespace byhand::accuracy {
 namespace {
 
-using namespace tutor;
+using namespace course;
 
 /// Least trajectory error over β for so many substeps of so many warm sweeps.
 double best_error(const Problem& problem, int substeps, int sweeps) {
@@ -37,7 +37,7 @@ void substeps_or_sweeps(Page& page) {
       R"(You have @ row-solves a frame for a swinging chain of @ links: @ sweeps. Spend them all on one step, or divide
       the step and sweep each part less?)",
       64 * ten["links"], ten["links"], 64);
-  tutor::Choice question{
+  course::Choice question{
       .ask = "Which comes nearest to the true motion after a second (each with its best β)?",
       .answer = static_cast<int>(best),
       .hints = {"Two errors add up: that of the solver, and that of the step. Which does each way reduce?",

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <map>
 
-#include "lessons/09_what_accuracy_costs/catalogue/tidy.hpp"
-#include "lessons/09_what_accuracy_costs/catalogue/tuning.hpp"
+#include "lessons/catalogue/tidy.hpp"
+#include "lessons/catalogue/tuning.hpp"
 
 namespace byhand::accuracy {
 
@@ -32,7 +32,7 @@ std::optional<byhand::Point> Survey::best(const Family& family, Error error, dou
   return cheapest;
 }
 
-const Survey& survey(const tutor::Page& page, const Problem& problem, std::vector<Error> watched, double most,
+const Survey& survey(const course::Page& page, const Problem& problem, std::vector<Error> watched, double most,
                      int runs) {
   static std::map<std::string, Survey> known;
   std::string name = fmt::format("{} {} {} {}", description(problem), problem.model(), most, runs);

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "lessons/09_what_accuracy_costs/catalogue/front.hpp"
-#include "lessons/tutor/page.hpp"
+#include "lessons/catalogue/front.hpp"
+#include "lessons/page/page.hpp"
 #include "renderer/chart.hpp"
 
 // All ways to go about a scene, each tuned at every point, and drawn as a work–precision chart.
@@ -34,7 +34,7 @@ struct Survey {
 
 /// Runs all families on the problem, each tuned for each error that is watched, up to a cost of `most` a frame and
 /// about `runs` runs a family. Kept: a problem that two steps look at is measured once.
-const Survey& survey(const tutor::Page& page, const Problem& problem, std::vector<Error> watched, double most,
+const Survey& survey(const course::Page& page, const Problem& problem, std::vector<Error> watched, double most,
                      int runs = 300);
 
 /// "chain: links = 50, end_mass = 100 kg, …".
@@ -48,16 +48,17 @@ std::vector<renderer::Colour> colours_of(const std::vector<const Family*>& drawn
 /// Error against cost on logarithmic axes: at most seven methods, those on the front and the article's own, by
 /// their medians over twenty initial conditions (fewer where these runs would take long), and the others pale. Its
 /// CSV file has all runs.
-void show(tutor::Page& page, const std::string& name, const Survey& survey, Error error);
+void show(course::Page& page, const std::string& name, const Survey& survey, Error error);
 /// The charts of several errors, each named "prefix_error".
-void show(tutor::Page& page, const std::string& prefix, const Survey& survey, std::initializer_list<Error> errors);
+void show(course::Page& page, const std::string& prefix, const Survey& survey,
+          std::initializer_list<Error> errors);
 /// The same against wall time, measured when it is wanted.
-void show_clocked(tutor::Page& page, const std::string& name, const Survey& survey, Error error);
+void show_clocked(course::Page& page, const std::string& name, const Survey& survey, Error error);
 
 /// Runs with these choices at 1, 2, 4 … substeps.
 std::vector<byhand::Point> refined(const Problem& problem, std::string_view family, Knobs knobs, int last);
 /// Claims that the trajectory of the direct solve with substeps is of order 1, from what `source` says.
-void claim_first_order(tutor::Page& page, const Problem& problem, const std::string& source = "symplectic Euler");
+void claim_first_order(course::Page& page, const Problem& problem, const std::string& source = "symplectic Euler");
 
 /// How the runs of each family ended, as a list of those that cannot run the problem or did not do their duty.
 std::string failures(const Survey& survey);

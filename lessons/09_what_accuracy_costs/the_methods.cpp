@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lessons/09_what_accuracy_costs/catalogue/run.hpp"
 #include "lessons/09_what_accuracy_costs/steps.hpp"
+#include "lessons/catalogue/run.hpp"
 
 namespace byhand::accuracy {
 namespace {
 
-using namespace tutor;
+using namespace course;
 
 struct Recipe {
   std::string_view name, source, idea;

@@ -11,7 +11,7 @@
 namespace byhand::accuracy {
 namespace {
 
-using namespace tutor;
+using namespace course;
 
 struct Kept {
   std::string name;

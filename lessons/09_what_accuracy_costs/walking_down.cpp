@@ -14,7 +14,7 @@
 namespace byhand::accuracy {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using namespace renderer;
 using Spot = renderer::Point;
 

@@ -8,7 +8,7 @@
 
 namespace byhand::accuracy {
 
-using namespace tutor;
+using namespace course;
 
 void what_the_step_hides(Page& page) {
   const Problem problem("double_pendulum", {{"length", 2}, {"mass", 3}, {"end_mass", 3}});

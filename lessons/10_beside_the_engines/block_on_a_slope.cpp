@@ -9,7 +9,7 @@
 namespace byhand::beside {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using M = PlaneBody;
 
 constexpr int slope_frames = 120;  // 2 s

@@ -5,7 +5,7 @@
 
 namespace byhand::beside {
 
-using namespace tutor;
+using namespace course;
 using namespace renderer;
 
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "lessons/10_beside_the_engines/engines/contest.hpp"
-#include "lessons/tutor/page.hpp"
+#include "lessons/engines/contest.hpp"
+#include "lessons/page/page.hpp"
 #include "solver/measure.hpp"
 
 // Who takes part in a contest, and the charts of its outcome.
@@ -43,7 +43,7 @@ std::vector<Entrant<M>> entrants(int substeps, int most, const std::function<boo
   std::vector<Entrant<M>> all{{ours_name, {}}};
   const auto add_ours = [&](int count) {
     all.front().settings.push_back(engines::ours<M>(ours_name, best_method(count)));
-    all.front().settings.back().setting = tutor::several(count, "substep", "substeps");
+    all.front().settings.back().setting = course::several(count, "substep", "substeps");
     all.front().settings.back().effort = count;
   };
   add_ours(substeps);

@@ -1,12 +1,12 @@
 #include "lessons/10_beside_the_engines/steps.hpp"
-#include "lessons/tutor/lesson.hpp"
+#include "lessons/page/lesson.hpp"
 
 // Beside the engines: the course's scenes in engines that other people use, measured by the same functions.
 int main(int argc, char** argv) {
   using namespace byhand;
   using namespace byhand::beside;
 
-  tutor::Lesson lesson(tutor::contents().at(9));
+  course::Lesson lesson(course::contents().at(9));
   const Setting setting{
       .links = lesson.parameter("links", 50, "1", {2, 200}, "of the chain"),
       .end_mass = lesson.parameter("end_mass", 100.0, "kg", {1, 1000}, "of the chain, whose links weigh 1 kg"),
@@ -14,8 +14,8 @@ int main(int argc, char** argv) {
       .boxes = lesson.parameter("boxes", 10, "1", {2, 30}, "of the stack"),
       .friction = lesson.parameter("friction", 0.5, "1", {0.1, 0.9}, "μ of the block on a slope"),
   };
-  const auto with = [setting](void (*step)(const Setting&, tutor::Page&)) {
-    return [=](tutor::Page& page) { step(setting, page); };
+  const auto with = [setting](void (*step)(const Setting&, course::Page&)) {
+    return [=](course::Page& page) { step(setting, page); };
   };
 
   lesson.step("The engines", with(the_engines));

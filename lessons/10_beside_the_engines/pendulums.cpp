@@ -10,7 +10,7 @@
 namespace byhand::beside {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using M = PlaneBody;
 
 constexpr double released = 1, length = 1.5, mass = 2;

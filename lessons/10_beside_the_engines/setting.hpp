@@ -1,16 +1,16 @@
 #pragma once
 
-#include "lessons/tutor/parameter.hpp"
+#include "lessons/page/parameter.hpp"
 
 namespace byhand::beside {
 
 /// The parameters of this lesson.
 struct Setting {
-  tutor::Parameter<int> links;        // of the chain
-  tutor::Parameter<double> end_mass;  // of its last link [kg]; the others weigh 1 kg
-  tutor::Parameter<int> base;         // boxes in the pyramid's lowest row
-  tutor::Parameter<int> boxes;        // of the stack
-  tutor::Parameter<double> friction;  // of the block on the slope
+  course::Parameter<int> links;        // of the chain
+  course::Parameter<double> end_mass;  // of its last link [kg]; the others weigh 1 kg
+  course::Parameter<int> base;         // boxes in the pyramid's lowest row
+  course::Parameter<int> boxes;        // of the stack
+  course::Parameter<double> friction;  // of the block on the slope
 };
 
 }  // namespace byhand::beside

@@ -9,7 +9,7 @@
 namespace byhand::beside {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using namespace renderer;
 using M = PlaneBody;
 

@@ -10,7 +10,7 @@
 namespace byhand::beside {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using M = PlaneBody;
 
 /// How far a box that is let go has fallen in a second [m].

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lessons/page/rounding.hpp"
 #include "lessons/pictures/boxes.hpp"
 #include "lessons/pictures/rods_and_bobs.hpp"
-#include "lessons/tutor/rounding.hpp"
 #include "renderer/canvas.hpp"
 #include "solver/measure.hpp"
 
@@ -13,8 +13,8 @@ namespace byhand::pictures {
 namespace {
 
 using namespace renderer;
-using tutor::say;
-using tutor::Value;
+using course::say;
+using course::Value;
 
 constexpr double slack = 12;         // how far beside a body it may be taken [points]
 constexpr double too_far = 0.5;      // of the picture, in one step: a scene where a body moves so has flown apart
@@ -110,7 +110,7 @@ double HeldScene<M>::reach(int body) const {
 }
 
 template <class M>
-std::vector<tutor::Held::Body> HeldScene<M>::bodies() const {
+std::vector<course::Held::Body> HeldScene<M>::bodies() const {
   const Bodies<M>& bodies = now_.scene.bodies();
   std::vector<Body> all;
   for (int i = 0; i < bodies.size(); ++i)
@@ -266,7 +266,7 @@ std::string HeldScene<M>::words(std::optional<double> part) const {
     return now.formula + ". " + now.words;
   }
   const char* most = now_.scene.count() > (grip_ ? 3 : 1) ? "at most " : "";
-  const double error = tutor::without_rounding(position_error(now_.scene).max, 1);
+  const double error = course::without_rounding(position_error(now_.scene).max, 1);
   return say("Time @ s: energy @ J, |C| @@ @, impulse λ|l₂| @@ N·s.", Value(now_.time, 4),
              Value(energy(now_.scene), 4), most, Value(error, 3), given_.unit_of_C, most,
              Value(largest_impulse(now_), 3));

@@ -2,9 +2,9 @@
 
 #include <array>
 
+#include "lessons/page/held.hpp"
 #include "lessons/pictures/step_terms.hpp"
 #include "lessons/scenes/pull.hpp"
-#include "lessons/tutor/held.hpp"
 #include "renderer/camera.hpp"
 #include "solver/step.hpp"
 
@@ -25,7 +25,7 @@ struct InHand {
 /// holds, each of limited strength, so that it pulls with a spring's force and never with more than ten times the
 /// weight of all bodies.
 template <class M>
-class HeldScene final : public tutor::Held {
+class HeldScene final : public course::Held {
  public:
   explicit HeldScene(InHand<M> given);
 
@@ -75,7 +75,7 @@ class HeldScene final : public tutor::Held {
 };
 
 template <class M>
-std::unique_ptr<tutor::Held> in_hand(InHand<M> given) {
+std::unique_ptr<course::Held> in_hand(InHand<M> given) {
   return std::make_unique<HeldScene<M>>(std::move(given));
 }
 

@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lessons/page/rounding.hpp"
 #include "lessons/pictures/acts.hpp"
 #include "lessons/scenes/pull.hpp"
-#include "lessons/tutor/rounding.hpp"
 
 namespace byhand::pictures {
 
 using namespace renderer;
-using tutor::say;
-using tutor::Value;
+using course::say;
+using course::Value;
 
 namespace {
 
@@ -93,7 +93,7 @@ template StepTerms terms_of(const Simulation<PlaneParticle>&, const Simulation<P
 template StepTerms terms_of(const Simulation<PlaneBody>&, const Simulation<PlaneBody>&, double);
 
 PartInWords in_words(const StepTerms& terms, int part) {
-  const auto real = [&](double value) { return Value(tutor::without_rounding(value, 1e3 * terms.gain), 3); };
+  const auto real = [&](double value) { return Value(course::without_rounding(value, 1e3 * terms.gain), 3); };
   double way = 0;
   for (const StepTerms::Move& move : terms.moves) way = std::max(way, 1000 * move.by.norm());
   switch (part) {

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "lessons/practise/course.hpp"
-#include "lessons/practise/desk.hpp"
 #include "lessons/practise/judge/picture.hpp"
+#include "lessons/practise/watch.hpp"
 #include "renderer/error.hpp"
 #include "renderer/file.hpp"
 

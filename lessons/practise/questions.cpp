@@ -5,11 +5,11 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "lessons/files/child_process.hpp"
+#include "lessons/files/printed_by.hpp"
+#include "lessons/page/about.hpp"
+#include "lessons/page/progress.hpp"
 #include "lessons/practise/course.hpp"
-#include "lessons/tutor/about.hpp"
-#include "lessons/tutor/child_process.hpp"
-#include "lessons/tutor/printed_by.hpp"
-#include "lessons/tutor/progress.hpp"
 #include "renderer/encoding.hpp"
 #include "renderer/error.hpp"
 #include "renderer/file.hpp"
@@ -24,14 +24,14 @@ using Json = nlohmann::json;
 /// Of the lessons beside this program, built first if `lessons/run` started it.
 std::vector<Json> questions() {
   if (const char* builder = std::getenv("BYHAND_BUILD"))
-    if (!tutor::run_program(builder, {"lessons"}, tutor::Group::ours).well())
+    if (!course::run_program(builder, {"lessons"}, course::Group::ours).well())
       throw renderer::EnvironmentError("the lessons could not be built");
   const fs::path folder = fs::read_symlink("/proc/self/exe").parent_path();
-  const auto& lessons = tutor::contents();
-  tutor::Progress progress("the predictions of all lessons", static_cast<int>(lessons.size()), false);
+  const auto& lessons = course::contents();
+  course::Progress progress("the predictions of all lessons", static_cast<int>(lessons.size()), false);
   std::vector<Json> all;
-  for (const tutor::About& lesson : lessons) {
-    const std::string asked = tutor::printed_by((folder / lesson.slug).string(), {"--questions", "--quiet"});
+  for (const course::About& lesson : lessons) {
+    const std::string asked = course::printed_by((folder / lesson.slug).string(), {"--questions", "--quiet"});
     for (const Json& question : Json::parse(asked)) all.push_back(question);
     progress.advance();
   }

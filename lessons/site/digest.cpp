@@ -1,12 +1,12 @@
 #include "lessons/site/digest.hpp"
 
-#include "lessons/site/markup.hpp"
-#include "lessons/tutor/equations.hpp"
+#include "lessons/page/equations.hpp"
+#include "lessons/page/html/markup.hpp"
 
 namespace byhand::site {
 namespace {
 
-using namespace tutor;
+using namespace course;
 
 /// Collects of each item what it adds to the digest.
 struct Collect {
@@ -19,7 +19,7 @@ struct Collect {
     add(equation.numbers.plain);
   }
   void operator()(const Excerpt& excerpt) const { add(excerpt.file); }
-  void operator()(const tutor::Table& table) const {
+  void operator()(const course::Table& table) const {
     for (const auto& row : table.rows)
       for (const std::string& cell : row) add(cell);
   }

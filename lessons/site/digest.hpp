@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "lessons/tutor/recording.hpp"
+#include "lessons/page/recording.hpp"
 
 namespace byhand::site {
 
@@ -23,6 +23,6 @@ struct Digest {
   int claims = 0, figures = 0, films = 0;
 };
 
-Digest digest(const tutor::Lesson& lesson, const std::vector<tutor::RecordedStep>& steps);
+Digest digest(const course::Lesson& lesson, const std::vector<course::RecordedStep>& steps);
 
 }  // namespace byhand::site

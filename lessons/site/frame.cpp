@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "lessons/site/markup.hpp"
+#include "lessons/page/html/markup.hpp"
 
 namespace byhand::site {
 namespace {

@@ -4,11 +4,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include "lessons/files/commit.hpp"
+#include "lessons/page/about.hpp"
+#include "lessons/page/equations.hpp"
+#include "lessons/page/html/mathml.hpp"
 #include "lessons/site/lesson_page.hpp"
-#include "lessons/site/mathml.hpp"
-#include "lessons/tutor/about.hpp"
-#include "lessons/tutor/commit.hpp"
-#include "lessons/tutor/equations.hpp"
 
 namespace byhand::site {
 namespace {
@@ -24,9 +24,9 @@ std::string for_script(const Json& json) {
 
 }  // namespace
 
-std::string parameters_json(const tutor::Lesson& lesson, const std::vector<tutor::RecordedStep>& steps) {
+std::string parameters_json(const course::Lesson& lesson, const std::vector<course::RecordedStep>& steps) {
   Json all = Json::array();
-  for (const tutor::ParameterRecord& p : lesson.parameters())
+  for (const course::ParameterRecord& p : lesson.parameters())
     all.push_back({{"name", p.name},
                    {"unit", p.unit},
                    {"meaning", p.meaning},
@@ -37,7 +37,7 @@ std::string parameters_json(const tutor::Lesson& lesson, const std::vector<tutor
                    {"initial", p.initial},
                    {"typed", p.typed(p.initial)}});
   Json reads = Json::object();
-  for (const tutor::RecordedStep& step : steps) reads[step.step->label] = step.reads;
+  for (const course::RecordedStep& step : steps) reads[step.step->label] = step.reads;
   return for_script({{"parameters", all}, {"steps", reads}});
 }
 
@@ -87,13 +87,13 @@ std::string search_script(const std::vector<Digest>& lessons) {
 
 std::string equations_script() {
   Json all = Json::object();
-  for (int i = 1; i <= tutor::article_equations; ++i)
-    all[std::to_string(i)] = display_mathml(tutor::article_equation(i).latex);
+  for (int i = 1; i <= course::article_equations; ++i)
+    all[std::to_string(i)] = display_mathml(course::article_equation(i).latex);
   return "'use strict';\nvar equations = " + all.dump() + ";\n";
 }
 
 std::string site_manifest(const std::map<std::string, std::string>& files) {
-  return Json{{"site", "Constraints by Hand"}, {"commit", tutor::commit()}, {"files", files}}.dump(2) + "\n";
+  return Json{{"site", "Constraints by Hand"}, {"commit", course::commit()}, {"files", files}}.dump(2) + "\n";
 }
 
 bool is_site_manifest(const std::string& text) {

@@ -9,7 +9,7 @@
 namespace byhand::site {
 
 /// The parameters of a lesson (see lesson_page), safe within <script>.
-std::string parameters_json(const tutor::Lesson& lesson, const std::vector<tutor::RecordedStep>& steps);
+std::string parameters_json(const course::Lesson& lesson, const std::vector<course::RecordedStep>& steps);
 
 /// A lesson's program hands its digest over to the program that writes the site. Throws std::runtime_error for
 /// anything but what `to_json` writes.

@@ -4,16 +4,16 @@
 
 #include <algorithm>
 
+#include "lessons/page/html/markup.hpp"
 #include "lessons/site/digest.hpp"
 #include "lessons/site/frame.hpp"
 #include "lessons/site/json.hpp"
-#include "lessons/site/markup.hpp"
 #include "lessons/site/reading.hpp"
 
 namespace byhand::site {
 namespace {
 
-using namespace tutor;
+using namespace course;
 
 std::string steps_beside(const std::vector<RecordedStep>& steps) {
   std::string all;

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "lessons/tutor/recording.hpp"
+#include "lessons/page/recording.hpp"
 
 namespace byhand::site {
 
@@ -18,7 +18,7 @@ namespace byhand::site {
 /// `sections` are those of the steps (see step_html). `live`: with the scripts in live/ (see lessons/site/live).
 /// `typed` is the initial value as a reader types it; of a choice, low, high and initial mean nothing but the
 /// index.
-std::string lesson_page(const tutor::Lesson& lesson, const std::vector<tutor::RecordedStep>& steps,
+std::string lesson_page(const course::Lesson& lesson, const std::vector<course::RecordedStep>& steps,
                         const std::string& sections, bool live = false);
 
 std::string page_of(const std::string& slug);       // "04_baumgarte.html"

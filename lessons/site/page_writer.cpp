@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include "lessons/site/drawn.hpp"
+#include "lessons/files/chart_data.hpp"
+#include "lessons/files/picture_writer.hpp"
+#include "lessons/page/html/drawn.hpp"
+#include "lessons/page/html/step_html.hpp"
 #include "lessons/site/json.hpp"
 #include "lessons/site/lesson_page.hpp"
-#include "lessons/site/step_html.hpp"
-#include "lessons/tutor/chart_data.hpp"
-#include "lessons/tutor/picture_writer.hpp"
 #include "renderer/file.hpp"
 #include "renderer/opengl/space_picture.hpp"
 
@@ -15,7 +15,7 @@ namespace byhand::site {
 namespace {
 
 namespace fs = std::filesystem;
-using namespace tutor;
+using namespace course;
 
 /// Draws pictures into the page and writes their data beside it.
 class Drawer {

@@ -3,13 +3,13 @@
 #include <filesystem>
 #include <vector>
 
-#include "lessons/tutor/recording.hpp"
+#include "lessons/page/recording.hpp"
 
 namespace byhand::site {
 
 /// Runs the whole lesson and writes its page, NN_slug.html, into the folder of the site, with the data of its
 /// charts in NN_slug/data and its digest for the site's other pages in NN_slug.json. Returns what was recorded.
-std::vector<tutor::RecordedStep> write_page(const tutor::Lesson& lesson, const std::filesystem::path& folder,
-                                            bool quiet);
+std::vector<course::RecordedStep> write_page(const course::Lesson& lesson, const std::filesystem::path& folder,
+                                             bool quiet);
 
 }  // namespace byhand::site

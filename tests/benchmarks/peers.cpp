@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "lessons/10_beside_the_engines/engines/contest.hpp"
+#include "lessons/engines/contest.hpp"
 #include "lessons/scenes/boxes.hpp"
 #include "lessons/scenes/chain.hpp"
 #include "solver/measure.hpp"

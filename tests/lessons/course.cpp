@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "tests/lessons/tutor/process.hpp"
-#include "tests/lessons/tutor/terminal.hpp"
+#include "tests/lessons/terminal/process.hpp"
+#include "tests/lessons/terminal/terminal.hpp"
 
 namespace byhand::tests {
 namespace {

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "lessons/equations.hpp"
-#include "lessons/tutor/about.hpp"
-#include "tests/lessons/tutor/process.hpp"
+#include "lessons/page/about.hpp"
+#include "tests/lessons/terminal/process.hpp"
 
 namespace byhand::tests {
 namespace {
@@ -48,9 +48,9 @@ class EveryLesson : public testing::TestWithParam<std::string> {
 };
 
 TEST_P(EveryLesson, IsCalledAsItsFolder) {
-  const auto& course = tutor::contents();
+  const auto& course = course::contents();
   const auto listed = std::find_if(course.begin(), course.end(),
-                                   [](const tutor::About& about) { return about.slug == GetParam(); });
+                                   [](const course::About& about) { return about.slug == GetParam(); });
   ASSERT_NE(listed, course.end());
   EXPECT_FALSE(listed->title.empty());
   EXPECT_FALSE(listed->summary.empty());
@@ -81,7 +81,7 @@ TEST_P(EveryLesson, HoldsItsClaimsAndLeavesAPageWhoseLinksLeadSomewhereAndWhoseC
   const int lesson_number = std::stoi(GetParam());
   const std::map<int, std::string> found = first_places(page);
   for (int i = 0; i < 23; ++i) {
-    const auto& [first_lesson, step, says] = tutor::equation_places[static_cast<std::size_t>(i)];
+    const auto& [first_lesson, step, says] = course::equation_places[static_cast<std::size_t>(i)];
     const auto here = found.find(i + 1);
     const std::string stands = here == found.end() ? "nowhere" : here->second;
     if (first_lesson < lesson_number) continue;

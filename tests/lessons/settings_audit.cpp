@@ -9,12 +9,12 @@
 #include <ctime>
 #include <stdexcept>
 
-#include "lessons/tutor/typed_quantity.hpp"
+#include "lessons/page/typed_quantity.hpp"
 
 namespace byhand::tests {
 namespace {
 
-using namespace byhand::tutor;
+using namespace byhand::course;
 using testing::AllOf;
 using testing::Contains;
 using testing::Each;

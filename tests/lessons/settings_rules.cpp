@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-#include "lessons/tutor/terminal_text.hpp"
+#include "lessons/terminal/terminal_text.hpp"
 #include "renderer/canvas.hpp"
 #include "tests/lessons/settings/numbers.hpp"
 #include "tests/lessons/settings/pictures.hpp"
@@ -17,7 +17,7 @@
 namespace byhand::tests {
 namespace {
 
-using namespace byhand::tutor;
+using namespace byhand::course;
 using renderer::Chart;
 using renderer::Curve;
 using renderer::CurveStyle;
@@ -104,7 +104,7 @@ TEST(Rules, HoldForAllThatAPageSays) {
   const std::vector<Item> items = {
       Text{"Fine.\n\n" + bad},
       Equation{0, {bad, ""}},
-      tutor::Table{{"a"}, {{"1"}, {bad}}},
+      course::Table{{"a"}, {{"1"}, {bad}}},
       Derivation{"Why", {{"by (4)", bad, ""}}},
       Measure{"energy", 1e12, "J"},
       Figure{"name", bad, Drawing()},

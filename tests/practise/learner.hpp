@@ -4,7 +4,7 @@
 #include <string>
 
 #include "lessons/practise/judge/check.hpp"
-#include "tests/lessons/tutor/process.hpp"
+#include "tests/lessons/terminal/process.hpp"
 
 namespace byhand::tests {
 

@@ -2,7 +2,7 @@
 
 #include <chrono>
 
-#include "tests/lessons/tutor/terminal.hpp"
+#include "tests/lessons/terminal/terminal.hpp"
 #include "tests/practise/learner.hpp"
 
 namespace byhand::tests {

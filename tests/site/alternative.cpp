@@ -1,17 +1,17 @@
-#include "lessons/site/alternative.hpp"
+#include "lessons/page/html/alternative.hpp"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "lessons/tutor/chart_words.hpp"
+#include "lessons/page/chart_words.hpp"
 
 namespace byhand::tests {
 namespace {
 
+using course::Figure;
 using renderer::Chart;
 using site::alternative;
-using tutor::Figure;
 
 std::string label(Chart chart) { return alternative(Figure{"name", "caption", std::move(chart)}, "").label; }
 
@@ -43,11 +43,11 @@ TEST(Alternative, OfAMapOfClassesCountsTheCellsOfEach) {
 }
 
 TEST(Alternative, CallsRoundingZero) {
-  EXPECT_NE(tutor::chart_in_words(chart({{.label = "sine", .x = {0, 1, 2}, .y = {0, 1, 1.2e-16}}}))
+  EXPECT_NE(course::chart_in_words(chart({{.label = "sine", .x = {0, 1, 2}, .y = {0, 1, 1.2e-16}}}))
                 .find("from (0, 0) to (2, 0)"),
             std::string::npos);
   EXPECT_NE(
-      tutor::chart_in_words(chart({{.label = "tiny", .x = {0, 1}, .y = {0, 1.2e-16}}})).find("to (1, 1.2·10⁻¹⁶)"),
+      course::chart_in_words(chart({{.label = "tiny", .x = {0, 1}, .y = {0, 1.2e-16}}})).find("to (1, 1.2·10⁻¹⁶)"),
       std::string::npos);
   EXPECT_EQ(label(chart({{.label = "sine", .x = {0, 1, 2}, .y = {0, 1, 1.2e-16}}})),
             "Chart of error (m) over β (1). sine: from 0 to 0, at most 1");
@@ -65,7 +65,7 @@ TEST(Alternative, LeavesFailedRunsOutAndCountsWhatDoesNotFit) {
 }
 
 TEST(Alternative, OfADrawingIsWhatIsWrittenInItWithoutTheNumbersOfAxes) {
-  const Figure drawing{"name", "caption", tutor::Drawing([](renderer::Canvas&) {})};
+  const Figure drawing{"name", "caption", course::Drawing([](renderer::Canvas&) {})};
   EXPECT_EQ(alternative(drawing,
                         "<svg><text x=\"1\">P<tspan>1</tspan></text><text>0.5</text><text>−10</text>"
                         "<text>C &lt; 0</text><text>C &lt; 0</text></svg>")
@@ -75,7 +75,7 @@ TEST(Alternative, OfADrawingIsWhatIsWrittenInItWithoutTheNumbersOfAxes) {
 }
 
 TEST(Alternative, OfRunningTimesHasNoNumbers) {
-  const Figure clocked{"name", "caption", tutor::TimedChart{[]() -> const Chart& { throw 0; }}};
+  const Figure clocked{"name", "caption", course::TimedChart{[]() -> const Chart& { throw 0; }}};
   EXPECT_EQ(alternative(clocked, "").label.find_first_of("0123456789"), std::string::npos);
 }
 

@@ -1,16 +1,16 @@
 // One colour per quantity in a picture and in the formulas of its step.
 
-#include "lessons/site/colours.hpp"
+#include "lessons/page/html/colours.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <regex>
 
-#include "lessons/site/drawn.hpp"
-#include "lessons/site/mathml.hpp"
+#include "lessons/page/html/drawn.hpp"
+#include "lessons/page/html/mathml.hpp"
 #include "renderer/palette.hpp"
-#include "tests/lessons/tutor/process.hpp"
+#include "tests/lessons/terminal/process.hpp"
 
 namespace byhand::tests {
 namespace {

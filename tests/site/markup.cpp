@@ -1,4 +1,4 @@
-#include "lessons/site/markup.hpp"
+#include "lessons/page/html/markup.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "lessons/site/mathml.hpp"
+#include "lessons/page/html/mathml.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,9 +7,9 @@
 #include <cstring>
 #include <limits>
 
-#include "lessons/tutor/equations.hpp"
-#include "lessons/tutor/error.hpp"
-#include "lessons/tutor/words.hpp"
+#include "lessons/page/equations.hpp"
+#include "lessons/page/error.hpp"
+#include "lessons/page/words.hpp"
 #include "tests/site/markup.hpp"
 
 namespace byhand::tests {
@@ -111,7 +111,7 @@ TEST(MathML, WhatItDoesNotKnowIsNamedWithTheFormula) {
   const auto refusal = [](const std::string& latex) {
     try {
       display_mathml(latex);
-    } catch (const tutor::LessonError& error) {
+    } catch (const course::LessonError& error) {
       return std::string(error.what());
     }
     return std::string("converted");
@@ -125,8 +125,8 @@ TEST(MathML, WhatItDoesNotKnowIsNamedWithTheFormula) {
 }
 
 TEST(MathML, OfEveryEquationOfTheArticleIsWellFormedAndComplete) {
-  for (int i = 1; i <= tutor::article_equations; ++i) {
-    const Markup math("<all>" + display_mathml(tutor::article_equation(i).latex) + "</all>");
+  for (int i = 1; i <= course::article_equations; ++i) {
+    const Markup math("<all>" + display_mathml(course::article_equation(i).latex) + "</all>");
     EXPECT_EQ(math.mistake(), "") << i;
     EXPECT_THAT(math.all("//*[local-name()='msub' or local-name()='msup' or local-name()='mfrac'][count(*) != 2]"),
                 IsEmpty());
@@ -140,8 +140,8 @@ TEST(MathML, HoldsEveryNumberThatAFormulaCanGet) {
                              -std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
     for (const char* const formula : {"\\frac{@}{@}", "x^{@}", "@\\,\\mathrm{m}", "\\tfrac12 \\cdot @^2"}) {
       const auto marks = static_cast<size_t>(std::count(formula, formula + std::strlen(formula), '@'));
-      const std::vector<tutor::Value> values(marks, tutor::Value(value));
-      const std::string latex = tutor::fill(std::string(marks, '@'), formula, values).latex;
+      const std::vector<course::Value> values(marks, course::Value(value));
+      const std::string latex = course::fill(std::string(marks, '@'), formula, values).latex;
       EXPECT_EQ(Markup(display_mathml(latex)).mistake(), "") << latex;
     }
 }

@@ -12,7 +12,7 @@
 #include "lessons/site/course/site_folder.hpp"
 #include "lessons/site/course/slides.hpp"
 #include "renderer/error.hpp"
-#include "tests/lessons/tutor/process.hpp"
+#include "tests/lessons/terminal/process.hpp"
 #include "tests/site/markup.hpp"
 
 namespace byhand::tests {

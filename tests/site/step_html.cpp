@@ -1,16 +1,16 @@
-#include "lessons/site/step_html.hpp"
+#include "lessons/page/html/step_html.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "lessons/tutor/lesson.hpp"
+#include "lessons/page/lesson.hpp"
 #include "renderer/canvas.hpp"
 #include "tests/site/markup.hpp"
 
 namespace byhand::tests {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/lessons/tutor/process.hpp"
+#include "tests/lessons/terminal/process.hpp"
 
 namespace byhand::tests {
 namespace {

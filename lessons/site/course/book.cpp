@@ -4,11 +4,11 @@
 
 #include <algorithm>
 
+#include "lessons/files/commit.hpp"
+#include "lessons/page/html/markup.hpp"
 #include "lessons/site/course/page_text.hpp"
 #include "lessons/site/course/zip.hpp"
 #include "lessons/site/lesson_page.hpp"
-#include "lessons/site/markup.hpp"
-#include "lessons/tutor/commit.hpp"
 #include "renderer/error.hpp"
 #include "renderer/file.hpp"
 
@@ -121,7 +121,7 @@ std::string package(const std::string& items, const std::string& spine) {
 {3}</spine>
 </package>
 )",
-                     tutor::commit(), tutor::commit_time(), items, spine);
+                     course::commit(), course::commit_time(), items, spine);
 }
 
 }  // namespace

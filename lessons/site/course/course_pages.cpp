@@ -6,17 +6,17 @@
 #include <numeric>
 
 #include "lessons/equations.hpp"
+#include "lessons/page/equations.hpp"
+#include "lessons/page/html/markup.hpp"
+#include "lessons/page/html/mathml.hpp"
 #include "lessons/site/frame.hpp"
 #include "lessons/site/lesson_page.hpp"
-#include "lessons/site/markup.hpp"
-#include "lessons/site/mathml.hpp"
 #include "lessons/site/reading.hpp"
-#include "lessons/tutor/equations.hpp"
 
 namespace byhand::site {
 namespace {
 
-using namespace tutor;
+using namespace course;
 
 std::string list(const std::vector<std::string>& items) {
   std::string all = "<ul>";

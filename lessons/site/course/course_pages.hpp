@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "lessons/page/about.hpp"
 #include "lessons/site/digest.hpp"
-#include "lessons/tutor/about.hpp"
 
 namespace byhand::site {
 

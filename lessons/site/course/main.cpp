@@ -12,16 +12,16 @@
 #include <string>
 #include <vector>
 
+#include "lessons/files/child_process.hpp"
+#include "lessons/files/options.hpp"
+#include "lessons/files/streams.hpp"
+#include "lessons/page/about.hpp"
 #include "lessons/site/course/book.hpp"
 #include "lessons/site/course/course_pages.hpp"
 #include "lessons/site/course/site_folder.hpp"
 #include "lessons/site/course/slides.hpp"
 #include "lessons/site/json.hpp"
 #include "lessons/site/lesson_page.hpp"
-#include "lessons/tutor/about.hpp"
-#include "lessons/tutor/child_process.hpp"
-#include "lessons/tutor/options.hpp"
-#include "lessons/tutor/streams.hpp"
 #include "renderer/error.hpp"
 #include "renderer/file.hpp"
 
@@ -33,20 +33,20 @@ using namespace byhand;
 enum ExitStatus { fine = 0, failed = 1, bad_usage = 2, environment = 3 };
 
 struct Wanted {
-  std::string output = tutor::default_output().string();
+  std::string output = course::default_output().string();
   bool quiet = false, slides = false;
 };
 
 /// A program that this one started did not do its work; `status` is its exit status.
 struct Failed : std::runtime_error {
-  Failed(const std::string& words, const tutor::Ended& how) : std::runtime_error(words), ended(how) {}
-  tutor::Ended ended;
+  Failed(const std::string& words, const course::Ended& how) : std::runtime_error(words), ended(how) {}
+  course::Ended ended;
 };
 
 void build(const std::string& target) {
   const char* builder = std::getenv("BYHAND_BUILD");
   if (builder == nullptr) return;
-  const tutor::Ended ended = tutor::run_program(builder, {target}, tutor::Group::own);
+  const course::Ended ended = course::run_program(builder, {target}, course::Group::own);
   if (!ended.well()) throw Failed("", ended);
 }
 
@@ -54,7 +54,7 @@ void build(const std::string& target) {
 bool write_live(const fs::path& folder) {
   const char* builder = std::getenv("BYHAND_LIVE");
   if (builder == nullptr) return false;
-  const tutor::Ended ended = tutor::run_program(builder, {(folder / "live").string()}, tutor::Group::own);
+  const course::Ended ended = course::run_program(builder, {(folder / "live").string()}, course::Group::own);
   if (ended.by_signal) throw Failed("", ended);
   return ended.well();
 }
@@ -64,7 +64,7 @@ site::Digest write_lesson(const std::string& slug, const fs::path& folder, const
   const fs::path program = fs::read_symlink("/proc/self/exe").parent_path() / slug;
   std::vector<std::string> arguments{"--page", "--output", folder.string()};
   if (wanted.quiet) arguments.emplace_back("--quiet");
-  const tutor::Ended ended = tutor::run_program(program.string(), arguments, tutor::Group::ours);
+  const course::Ended ended = course::run_program(program.string(), arguments, course::Group::ours);
   if (!ended.well()) throw Failed(fmt::format("{} ended with status {}", slug, ended.status), ended);
   const fs::path file = folder / (slug + ".json");
   const auto text = renderer::read_whole(file);
@@ -84,7 +84,8 @@ void copy_assets(const fs::path& folder) {
 /// Fetches reveal.js, then writes each lesson as slides.
 void write_slides(const fs::path& site, const std::vector<site::Digest>& lessons) {
   const fs::path folder = site / "slides", fetch = fs::path(BYHAND_SITE_FOLDER) / "fetch_reveal";
-  const tutor::Ended ended = tutor::run_program(fetch.string(), {(folder / "reveal").string()}, tutor::Group::own);
+  const course::Ended ended =
+      course::run_program(fetch.string(), {(folder / "reveal").string()}, course::Group::own);
   if (!ended.well()) throw Failed("reveal.js could not be fetched", ended);
   for (const site::Digest& lesson : lessons)
     renderer::write_whole(folder / site::page_of(lesson.slug), site::slides(site, lesson));
@@ -96,8 +97,8 @@ int run(const Wanted& wanted) {
   build("lessons");
   const bool live = write_live(folder.path());
   std::vector<site::Digest> lessons;
-  const auto& contents = tutor::contents();
-  for (const tutor::About& lesson : contents) {
+  const auto& contents = course::contents();
+  for (const course::About& lesson : contents) {
     if (!wanted.quiet) fmt::print(stderr, "{} of {}: {}\n", lessons.size() + 1, contents.size(), lesson.title);
     lessons.push_back(write_lesson(lesson.slug, folder.path(), wanted));
   }
@@ -116,19 +117,19 @@ int run(const Wanted& wanted) {
   folder.finish();
   if (!wanted.quiet && !live)
     fmt::print("Its pages are static: what compiles the lessons for a browser is missing.\n");
-  if (!wanted.quiet) fmt::print("The course as a web site: {}/index.html\n", tutor::printable(output.string()));
+  if (!wanted.quiet) fmt::print("The course as a web site: {}/index.html\n", course::printable(output.string()));
   return fine;
 }
 
 int refuse(int status, const std::string& sentence) {
-  tutor::complain(tutor::printable(sentence) + "\n");
+  course::complain(course::printable(sentence) + "\n");
   return status;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  tutor::open_standard_streams();
+  course::open_standard_streams();
   Wanted wanted;
   CLI::App app("The course as a web site, in output/site/", "./lessons/run site");
   app.footer(
@@ -154,7 +155,7 @@ int main(int argc, char** argv) {
   } catch (const std::invalid_argument& bad) {
     return refuse(bad_usage, bad.what());
   } catch (const Failed& bad) {
-    if (bad.ended.by_signal && bad.ended.passed_on) tutor::end_by(bad.ended.passed_on);
+    if (bad.ended.by_signal && bad.ended.passed_on) course::end_by(bad.ended.passed_on);
     return *bad.what() ? refuse(bad.ended.status, fmt::format("{}; the site stays as it was.", bad.what()))
                        : bad.ended.status;
   } catch (const std::exception& error) {

@@ -10,8 +10,8 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "lessons/files/checksum.hpp"
 #include "lessons/site/json.hpp"
-#include "lessons/tutor/checksum.hpp"
 #include "renderer/error.hpp"
 #include "renderer/file.hpp"
 
@@ -98,7 +98,7 @@ std::map<std::string, std::string> checksums(const fs::path& folder) {
     if (!entry.is_regular_file() || name == manifest) continue;
     const auto bytes = renderer::read_whole(entry.path());
     if (!bytes) throw EnvironmentError(fmt::format("Cannot read {}.", entry.path().string()));
-    all[name] = tutor::sha256(*bytes);
+    all[name] = course::sha256(*bytes);
   }
   return all;
 }

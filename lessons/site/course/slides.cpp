@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "lessons/page/html/markup.hpp"
 #include "lessons/site/course/page_text.hpp"
 #include "lessons/site/lesson_page.hpp"
-#include "lessons/site/markup.hpp"
 
 namespace byhand::site {
 namespace {

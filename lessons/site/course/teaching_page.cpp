@@ -1,15 +1,15 @@
 #include <fmt/format.h>
 
+#include "lessons/page/html/markup.hpp"
 #include "lessons/site/course/course_pages.hpp"
 #include "lessons/site/frame.hpp"
 #include "lessons/site/lesson_page.hpp"
-#include "lessons/site/markup.hpp"
 #include "lessons/site/reading.hpp"
 
 namespace byhand::site {
 namespace {
 
-using namespace tutor;
+using namespace course;
 
 std::string schedule(const std::vector<Digest>& lessons) {
   std::string rows;

@@ -5,7 +5,7 @@
 
 namespace byhand::site {
 
-using namespace tutor;
+using namespace course;
 
 bool Film::in_real_time() const { return std::holds_alternative<Seconds>(sequence_->length); }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lessons/tutor/items.hpp"
+#include "lessons/page/items.hpp"
 
 namespace byhand::site {
 
@@ -10,15 +10,15 @@ class Film {
  public:
   static constexpr int rate = 30;  // frames per second of a sequence in real time
 
-  explicit Film(const tutor::Sequence& sequence) : sequence_(&sequence), drawing_(sequence.draw) {}
+  explicit Film(const course::Sequence& sequence) : sequence_(&sequence), drawing_(sequence.draw) {}
 
   int frames() const;
   bool in_real_time() const;
   void draw(renderer::Canvas& canvas, int index);
 
  private:
-  const tutor::Sequence* sequence_;
-  tutor::FrameDrawing drawing_;
+  const course::Sequence* sequence_;
+  course::FrameDrawing drawing_;
   int last_ = 0;
 };
 

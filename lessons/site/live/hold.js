@@ -1,6 +1,6 @@
 'use strict';
 // A scene that a reader holds: dragged by mouse, finger or keys, let go, stepped, and seen within a step. All motion is
-// the lesson's own C++ (tutor::Held), which draws every picture; here are only hands, clock and buttons.
+// the lesson's own C++ (course::Held), which draws every picture; here are only hands, clock and buttons.
 
 // `lesson`: its program in a worker. `request(acts)` asks for the scene of the step at the present settings.
 (() => {

@@ -5,7 +5,7 @@
 
 #include "lessons/site/live/program.hpp"
 
-int byhand::tutor::Lesson::run(int, const char* const*) {
+int byhand::course::Lesson::run(int, const char* const*) {
   site::Program program(std::move(*this));
   for (std::string request; std::getline(std::cin, request);) std::cout << program.answer(request) << std::endl;
   return 0;

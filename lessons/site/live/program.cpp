@@ -6,14 +6,14 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "lessons/site/drawn.hpp"
-#include "lessons/site/step_html.hpp"
-#include "lessons/tutor/grading.hpp"
+#include "lessons/page/grading.hpp"
+#include "lessons/page/html/drawn.hpp"
+#include "lessons/page/html/step_html.hpp"
 
 namespace byhand::site {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kept = 2;  // told pages of a step: a reader may look at two settings side by side
@@ -52,7 +52,7 @@ Json graded(const Lesson& lesson, const Item& item, const std::string& typed) {
   return {{"right", given.right}, {"understood", given.understood}, {"reply", given.reply}};
 }
 
-void act(tutor::Held& scene, const Json& act) {
+void act(course::Held& scene, const Json& act) {
   const std::string what = act.at(0);
   const auto point = [&] { return renderer::Point(act.at(1), Held::page.top() - act.at(2).get<double>()); };
   if (what == "grab") {
@@ -70,7 +70,7 @@ void act(tutor::Held& scene, const Json& act) {
   }
 }
 
-Json described(const tutor::Held& scene, std::optional<double> part) {
+Json described(const course::Held& scene, std::optional<double> part) {
   Json bodies = Json::array();
   for (const Held::Body& body : scene.bodies())
     bodies.push_back(

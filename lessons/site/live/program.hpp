@@ -5,9 +5,9 @@
 #include <memory>
 #include <string>
 
+#include "lessons/page/lesson.hpp"
+#include "lessons/page/recording.hpp"
 #include "lessons/site/live/film.hpp"
-#include "lessons/tutor/lesson.hpp"
-#include "lessons/tutor/recording.hpp"
 #include "renderer/svg_canvas.hpp"
 
 namespace byhand::site {
@@ -26,19 +26,19 @@ namespace byhand::site {
 ///
 /// The scene that a step offers to hold goes on from one request to the next. Its acts are grab and move (to a
 /// point of its picture, y down), release, step (so many) and reset; "part": 2.5 draws it within its next step
-/// (see tutor::Held). A value that is refused is answered by {"refused": the lesson's sentence, "parameter":
+/// (see course::Held). A value that is refused is answered by {"refused": the lesson's sentence, "parameter":
 /// "beta"}, what cannot be answered by {"error": "…"}.
 class Program {
  public:
   /// `draw_window` draws what its pictures show in space.
-  explicit Program(tutor::Lesson lesson, renderer::SvgCanvas::DrawWindow draw_window = {})
+  explicit Program(course::Lesson lesson, renderer::SvgCanvas::DrawWindow draw_window = {})
       : lesson_(std::move(lesson)), draw_window_(std::move(draw_window)) {}
   std::string answer(const std::string& request);
 
  private:
   struct Told {
     std::string settings;  // at which it was told
-    tutor::RecordedStep recorded;
+    course::RecordedStep recorded;
     std::map<std::string, Film> films = {};
     std::string html = {};
   };
@@ -46,19 +46,19 @@ class Program {
   /// The scene that a reader holds, at the settings for which it was made.
   struct InHand {
     std::string settings = {};
-    std::unique_ptr<tutor::Held> scene = {};
+    std::unique_ptr<course::Held> scene = {};
   };
 
   void apply(const std::map<std::string, std::string>& settings);
-  const tutor::Step& step(const std::string& label) const;
+  const course::Step& step(const std::string& label) const;
   std::string settings() const;
   /// The step at the present settings, told now unless it was one of the latest.
-  Told& told(const tutor::Step& step);
+  Told& told(const course::Step& step);
   void tell(Told& told) const;
   /// The scene of the step at the present settings.
-  tutor::Held& in_hand(const tutor::Step& step);
+  course::Held& in_hand(const course::Step& step);
 
-  tutor::Lesson lesson_;
+  course::Lesson lesson_;
   renderer::SvgCanvas::DrawWindow draw_window_;
   std::map<std::string, std::list<Told>> told_;  // by the label of the step, the latest first
   std::map<std::string, InHand> in_hand_;        // by the label of the step

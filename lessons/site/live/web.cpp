@@ -17,7 +17,7 @@ std::string request_text, answer_text;
 }  // namespace
 
 /// The main of a lesson fills it and calls this at its end.
-int byhand::tutor::Lesson::run(int, const char* const*) {
+int byhand::course::Lesson::run(int, const char* const*) {
   program.emplace(std::move(*this), site::space_window());
   return 0;
 }

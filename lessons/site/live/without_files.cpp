@@ -3,13 +3,13 @@
 #include <cstdio>
 #include <memory>
 
-#include "lessons/tutor/source_text.hpp"
+#include "lessons/page/source_text.hpp"
 #include "renderer/error.hpp"
 #include "renderer/font_file.hpp"
 
 namespace byhand {
 
-std::optional<std::string> tutor::source_text(const std::string& path) {
+std::optional<std::string> course::source_text(const std::string& path) {
   const std::unique_ptr<std::FILE, decltype(&std::fclose)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
   if (!file) return std::nullopt;
   std::string text;
@@ -19,7 +19,7 @@ std::optional<std::string> tutor::source_text(const std::string& path) {
 }
 
 std::vector<unsigned char> renderer::font_file(const char* name) {
-  const auto bytes = tutor::source_text(std::string("/fonts/") + name);
+  const auto bytes = course::source_text(std::string("/fonts/") + name);
   if (!bytes) throw EnvironmentError(std::string("The page came without the font ") + name + ".");
   return {bytes->begin(), bytes->end()};
 }

@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cctype>
 
-#include "lessons/tutor/lower_case.hpp"
-#include "lessons/tutor/progress.hpp"
-#include "lessons/tutor/side_by_side.hpp"
+#include "lessons/page/lower_case.hpp"
+#include "lessons/page/progress.hpp"
+#include "lessons/page/side_by_side.hpp"
 
 /// Told to the page: `done` of `total` pieces of a step's work are done.
 __attribute__((import_module("page"), import_name("progress"))) void report_progress(int done, int total);
 
-namespace byhand::tutor {
+namespace byhand::course {
 
 struct Progress::Reporter {
   int done, total;
@@ -38,4 +38,4 @@ std::string in_lower_case(const std::string& words) {
   return lower;
 }
 
-}  // namespace byhand::tutor
+}  // namespace byhand::course

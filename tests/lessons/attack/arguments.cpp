@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <random>
 
-#include "tests/lessons/tutor/process.hpp"
+#include "tests/lessons/terminal/process.hpp"
 
 namespace byhand::tests {
 namespace {

@@ -6,8 +6,8 @@
 
 #include <thread>
 
-#include "tests/lessons/tutor/process.hpp"
-#include "tests/lessons/tutor/written.hpp"
+#include "tests/lessons/files/written.hpp"
+#include "tests/lessons/terminal/process.hpp"
 
 namespace byhand::tests {
 namespace {

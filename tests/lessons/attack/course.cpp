@@ -8,8 +8,8 @@
 #include <chrono>
 #include <thread>
 
-#include "tests/lessons/tutor/process.hpp"
-#include "tests/lessons/tutor/terminal.hpp"
+#include "tests/lessons/terminal/process.hpp"
+#include "tests/lessons/terminal/terminal.hpp"
 
 namespace byhand::tests {
 namespace {

@@ -11,9 +11,9 @@
 #include <random>
 #include <thread>
 
-#include "tests/lessons/tutor/process.hpp"
-#include "tests/lessons/tutor/terminal.hpp"
-#include "tests/lessons/tutor/written.hpp"
+#include "tests/lessons/files/written.hpp"
+#include "tests/lessons/terminal/process.hpp"
+#include "tests/lessons/terminal/terminal.hpp"
 
 namespace byhand::tests {
 namespace {

@@ -3,10 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "lessons/page/words.hpp"
 #include "lessons/scenes/boxes.hpp"
 #include "lessons/scenes/four_bar.hpp"
 #include "lessons/scenes/pendulum.hpp"
-#include "lessons/tutor/words.hpp"
 #include "renderer/svg_canvas.hpp"
 #include "solver/measure.hpp"
 #include "tests/solver/dual.hpp"
@@ -66,7 +66,7 @@ void drag(HeldScene<M>& scene, int index, const Point& by) {
 
 template <class M>
 std::string picture(const HeldScene<M>& scene, std::optional<double> part = {}) {
-  renderer::SvgCanvas canvas(tutor::Held::width, "held");
+  renderer::SvgCanvas canvas(course::Held::width, "held");
   scene.draw(canvas, part);
   return canvas.svg("");
 }
@@ -256,7 +256,7 @@ TEST(HeldScene, LookingIntoAStepLeavesItAsItIs) {
   Bob scene = rod(0.2, 0.5);
   steps(scene, 3);
   const std::string before = picture(scene);
-  for (double part = 0; part < tutor::Held::parts; part += 0.5) EXPECT_NE(picture(scene, part), before);
+  for (double part = 0; part < course::Held::parts; part += 0.5) EXPECT_NE(picture(scene, part), before);
   EXPECT_EQ(picture(scene), before);
 }
 
@@ -264,7 +264,7 @@ TEST(HeldScene, AStepFromRestShowsGravityItsPartAlongTheRodAndTheImpulse) {
   const double angle = 0.5, gain = 9.81 * h, along = gain * std::cos(angle);
   const Bob scene = rod(0.2, angle);
   const auto shows = [&](int part, double number) {
-    EXPECT_THAT(picture(scene, part + 0.9), HasSubstr(tutor::number(number, 3))) << part;
+    EXPECT_THAT(picture(scene, part + 0.9), HasSubstr(course::number(number, 3))) << part;
   };
   shows(1, gain);
   shows(2, along);

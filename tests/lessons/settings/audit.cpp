@@ -7,9 +7,9 @@
 #include <ctime>
 #include <exception>
 
-#include "lessons/site/step_html.hpp"
-#include "lessons/tutor/chart_data.hpp"
-#include "lessons/tutor/recording.hpp"
+#include "lessons/files/chart_data.hpp"
+#include "lessons/page/html/step_html.hpp"
+#include "lessons/page/recording.hpp"
 #include "tests/lessons/settings/numbers.hpp"
 #include "tests/lessons/settings/pictures.hpp"
 #include "tests/lessons/settings/watchdog.hpp"
@@ -17,25 +17,25 @@
 namespace byhand::tests {
 namespace {
 
-using tutor::ParameterRecord;
-using tutor::Step;
+using course::ParameterRecord;
+using course::Step;
 
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 /// All that a page says and draws in its charts.
-std::string everything_on(const tutor::Page& page) {
+std::string everything_on(const course::Page& page) {
   std::string all;
-  for (const tutor::Item& item : page.items()) {
+  for (const course::Item& item : page.items()) {
     for (const std::string& words : passages(item)) all += words + "\n";
-    if (const auto* figure = std::get_if<tutor::Figure>(&item))
-      if (const auto* chart = std::get_if<renderer::Chart>(&figure->picture)) all += tutor::csv(*chart);
+    if (const auto* figure = std::get_if<course::Figure>(&item))
+      if (const auto* chart = std::get_if<renderer::Chart>(&figure->picture)) all += course::csv(*chart);
   }
   return all;
 }
 
 }  // namespace
 
-Audit::Audit(tutor::Lesson& lesson, Extent extent) : lesson_(lesson), extent_(std::move(extent)) {
+Audit::Audit(course::Lesson& lesson, Extent extent) : lesson_(lesson), extent_(std::move(extent)) {
   for (const Step& step : lesson_.steps()) {
     const bool turns = std::any_of(lesson_.parameters().begin(), lesson_.parameters().end(),
                                    [&](const ParameterRecord& p) { return may_depend(step, p); });
@@ -168,7 +168,7 @@ std::vector<Finding> Audit::findings(const Step& step, const Setting& setting, s
     std::vector<std::string> given;
     for (const auto& [name, value] : setting) lesson_.set(name, value);
     for (const ParameterRecord& p : lesson_.parameters()) given.push_back(p.typed(p.value));
-    const tutor::RecordedStep recorded = record_step(lesson_, step, true);
+    const course::RecordedStep recorded = record_step(lesson_, step, true);
     page = everything_on(recorded.page);
     // Throws for a formula that is no MathML.
     const auto no_picture = [](const auto&) { return site::Shown{}; };

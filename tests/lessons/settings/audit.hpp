@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "lessons/tutor/lesson.hpp"
-#include "lessons/tutor/picture_drawer.hpp"
+#include "lessons/files/picture_drawer.hpp"
+#include "lessons/page/lesson.hpp"
 #include "tests/lessons/settings/rules.hpp"
 #include "tests/lessons/settings/settings.hpp"
 
@@ -39,7 +39,7 @@ struct Failure {
 /// ends may take half of it, the random settings most of the rest, and each seed tries other ones.
 class Audit {
  public:
-  Audit(tutor::Lesson& lesson, Extent extent);
+  Audit(course::Lesson& lesson, Extent extent);
 
   const std::vector<Failure>& failures() const { return failures_; }
   int runs() const { return runs_; }
@@ -65,16 +65,16 @@ class Audit {
   void try_foreign_parameters();
   /// What the step says at the setting, without those parameters that it does not depend on; nothing if its time
   /// is up.
-  std::optional<std::string> try_step(const tutor::Step& step, const Setting& setting);
-  std::vector<Finding> findings(const tutor::Step& step, const Setting& setting, std::string& page);
-  bool may_depend(const tutor::Step& step, const tutor::ParameterRecord& parameter) const;
-  Setting relevant(const tutor::Step& step, const Setting& setting) const;
+  std::optional<std::string> try_step(const course::Step& step, const Setting& setting);
+  std::vector<Finding> findings(const course::Step& step, const Setting& setting, std::string& page);
+  bool may_depend(const course::Step& step, const course::ParameterRecord& parameter) const;
+  Setting relevant(const course::Step& step, const Setting& setting) const;
   void report(const std::string& step, const std::string& command, Finding finding);
   std::string command(const std::string& step, const Setting& setting) const;
 
-  tutor::Lesson& lesson_;
+  course::Lesson& lesson_;
   Extent extent_;
-  tutor::PictureDrawer pictures_{tutor::small_quality};
+  course::PictureDrawer pictures_{course::small_quality};
   double until_ = 0;  // seconds of a step that what is tried now may take
   std::map<std::string, StepState> steps_;
   std::vector<Failure> failures_;

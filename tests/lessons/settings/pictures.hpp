@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "lessons/tutor/page.hpp"
-#include "lessons/tutor/picture_drawer.hpp"
+#include "lessons/files/picture_drawer.hpp"
+#include "lessons/page/page.hpp"
 #include "renderer/image.hpp"
 #include "tests/lessons/settings/rules.hpp"
 
@@ -14,6 +14,6 @@ bool is_blank(const renderer::Image& image);
 
 /// Draws the page's pictures, and of each sequence its first, middle and last frame, small and into no file. None
 /// may be blank.
-std::vector<Finding> blank_pictures(const tutor::Page& page, tutor::PictureDrawer& pictures);
+std::vector<Finding> blank_pictures(const course::Page& page, course::PictureDrawer& pictures);
 
 }  // namespace byhand::tests

@@ -11,14 +11,14 @@
 #include <sstream>
 #include <string_view>
 
-#include "lessons/tutor/grading.hpp"
-#include "lessons/tutor/terminal_text.hpp"
+#include "lessons/page/grading.hpp"
+#include "lessons/terminal/terminal_text.hpp"
 #include "tests/lessons/settings/numbers.hpp"
 
 namespace byhand::tests {
 namespace {
 
-using namespace tutor;
+using namespace course;
 using std::string;
 using std::string_view;
 
@@ -230,7 +230,7 @@ std::vector<string> passages(const Item& item) {
   if (const auto* equation = std::get_if<Equation>(&item)) {
     all.push_back(equation->numbers.plain);
   }
-  if (const auto* table = std::get_if<tutor::Table>(&item))
+  if (const auto* table = std::get_if<course::Table>(&item))
     for (const auto& row : table->rows) all.push_back(fmt::format("{}", fmt::join(row, " | ")));
   if (const auto* derivation = std::get_if<Derivation>(&item))
     for (const DerivationLine& line : derivation->lines) each({line.why, line.plain});

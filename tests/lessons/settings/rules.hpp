@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "lessons/tutor/page.hpp"
+#include "lessons/page/page.hpp"
 #include "renderer/chart.hpp"
 
 namespace byhand::tests {
@@ -14,7 +14,7 @@ struct Finding {
 };
 
 /// What one item says, one string for each part that is read by itself: a paragraph, an option, a caption.
-std::vector<std::string> passages(const tutor::Item& item);
+std::vector<std::string> passages(const course::Item& item);
 
 /// The rules for words: numbers have a meaning, and one is not many. A number that the reader set may have any
 /// size: `given` lists these as they were typed.
@@ -24,6 +24,6 @@ std::vector<Finding> broken_rules(const std::string& words, const std::vector<st
 std::vector<Finding> broken_rules(const renderer::Chart& chart, const std::string& caption);
 
 /// All rules for a page: those above, claims that hold, and answers that stay apart.
-std::vector<Finding> broken_rules(const tutor::Page& page, const std::vector<std::string>& given = {});
+std::vector<Finding> broken_rules(const course::Page& page, const std::vector<std::string>& given = {});
 
 }  // namespace byhand::tests

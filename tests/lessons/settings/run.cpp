@@ -1,5 +1,5 @@
 // Lesson::run for the programs settings_01_jacobian …: the main of a lesson ends in it, and here it turns every
-// knob of the lesson instead of telling it. The tutor's own stays in its library.
+// knob of the lesson instead of telling it. The terminal's own stays in its library.
 
 #include <fmt/format.h>
 
@@ -38,7 +38,7 @@ Extent extent(int argc, const char* const* argv) {
 }  // namespace
 }  // namespace byhand::tests
 
-namespace byhand::tutor {
+namespace byhand::course {
 
 int Lesson::run(int argc, const char* const* argv) {
   tests::Extent extent = tests::extent(argc, argv);
@@ -58,4 +58,4 @@ int Lesson::run(int argc, const char* const* argv) {
   return audit.failures().empty() ? 0 : 1;
 }
 
-}  // namespace byhand::tutor
+}  // namespace byhand::course

@@ -17,7 +17,7 @@ double log_uniform(double low, double high, std::mt19937& random) {
   return std::exp(uniform(std::log(low), std::log(high), random));
 }
 
-double any_number(const tutor::Range& range, std::mt19937& random) {
+double any_number(const course::Range& range, std::mt19937& random) {
   if (range.low == 0) {
     switch (random() % 4) {
       case 0: return 0;
@@ -45,23 +45,23 @@ Suggestion suggestion(const std::string& command) {
   return suggestion;
 }
 
-std::vector<Suggestion> suggestions(const tutor::Closing& closing) {
+std::vector<Suggestion> suggestions(const course::Closing& closing) {
   std::vector<Suggestion> all;
-  for (const tutor::Try& attempt : closing.tries) all.push_back(suggestion(attempt.command));
+  for (const course::Try& attempt : closing.tries) all.push_back(suggestion(attempt.command));
   return all;
 }
 
-std::vector<std::string> ends(const tutor::ParameterRecord& parameter) {
+std::vector<std::string> ends(const course::ParameterRecord& parameter) {
   if (!parameter.choices.empty()) return parameter.choices;
-  return {tutor::typed(parameter.range.low), tutor::typed(parameter.range.high)};
+  return {course::typed(parameter.range.low), course::typed(parameter.range.high)};
 }
 
-std::string any_value(const tutor::ParameterRecord& parameter, std::mt19937& random) {
+std::string any_value(const course::ParameterRecord& parameter, std::mt19937& random) {
   if (!parameter.choices.empty()) return parameter.choices[random() % parameter.choices.size()];
   const double value = any_number(parameter.range, random);
-  return tutor::typed(parameter.integer
-                          ? std::round(value)
-                          : std::clamp(with_three_digits(value), parameter.range.low, parameter.range.high));
+  return course::typed(parameter.integer
+                           ? std::round(value)
+                           : std::clamp(with_three_digits(value), parameter.range.low, parameter.range.high));
 }
 
 std::string options(const Setting& setting) {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "lessons/tutor/lesson.hpp"
+#include "lessons/page/lesson.hpp"
 
 namespace byhand::tests {
 
@@ -19,14 +19,14 @@ struct Suggestion {
 };
 Suggestion suggestion(const std::string& command);
 /// Those of a lesson's closing.
-std::vector<Suggestion> suggestions(const tutor::Closing& closing);
+std::vector<Suggestion> suggestions(const course::Closing& closing);
 
 /// The ends of the range, or each of the choices.
-std::vector<std::string> ends(const tutor::ParameterRecord& parameter);
+std::vector<std::string> ends(const course::ParameterRecord& parameter);
 
 /// A value in the range with three digits: uniform, or log-uniform where the range spans a decade. A range that
 /// begins at zero gives zero now and then, and small numbers as often as large ones.
-std::string any_value(const tutor::ParameterRecord& parameter, std::mt19937& random);
+std::string any_value(const course::ParameterRecord& parameter, std::mt19937& random);
 
 /// The options "--set a=1 --set b=2", each with a blank before it.
 std::string options(const Setting& setting);

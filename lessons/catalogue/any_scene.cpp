@@ -1,0 +1,311 @@
+#include "lessons/catalogue/any_scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <variant>
+
+#include "solver/constraints/contact_manifold.hpp"
+#include "solver/constraints/normalised_distance.hpp"
+#include "solver/constraints/pin.hpp"
+#include "solver/measure.hpp"
+
+namespace byhand {
+namespace {
+
+/// Three numbers of what has two in the plane, and of a rate of turning, which has one.
+template <class V>
+Eigen::Vector3d in_space(const Eigen::MatrixBase<V>& v) {
+  if constexpr (V::RowsAtCompileTime == 1)
+    return {0, 0, v[0]};
+  else if constexpr (V::RowsAtCompileTime == 2)
+    return {v[0], v[1], 0};
+  else
+    return v;
+}
+
+template <class M>
+Eigen::Matrix3d rotation_in_space(const Pose<M>& pose) {
+  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
+  if constexpr (M::angular == 1) {
+    R(0, 0) = R(1, 1) = pose.rotation.cos;
+    R(1, 0) = pose.rotation.sin;
+    R(0, 1) = -pose.rotation.sin;
+  }
+  if constexpr (M::angular == 3) R = pose.rotation.toRotationMatrix();
+  return R;
+}
+
+/// Calls f(i, mass [kg]) for each body that moves.
+template <class M, class F>
+void for_each_moving(const Bodies<M>& bodies, F&& f) {
+  for (int i = 0; i < bodies.size(); ++i)
+    if (moves(bodies.inverse_mass[i])) f(i, 1 / bodies.inverse_mass[i].linear);
+}
+
+/// Bytes of all constraints: of every kind that scenes of the catalogue have.
+template <class M>
+std::size_t constraint_bytes(const Scene<M>& scene) {
+  const auto rods = scene.template all<NormalisedDistance>();
+  const auto pins = scene.template all<Pin>();
+  std::size_t bytes = rods.size_bytes() + pins.size_bytes(), counted = rods.size() + pins.size();
+  if constexpr (std::is_same_v<M, PlaneBody>) {
+    const auto manifolds = scene.template all<ContactManifold>();
+    bytes += manifolds.size_bytes(), counted += manifolds.size();
+  }
+  require(counted == static_cast<std::size_t>(scene.count()), "constraints whose size is known", counted, "all");
+  return bytes;
+}
+
+/// A scene with any method and what that keeps between steps.
+template <class M>
+struct SceneWithMethod {
+  Scene<M> scene;
+  Method method = {};
+  int bodies = 0;  // that move
+  std::variant<VelocityStepping::Work<M>, Accelerations::Work<M>, Rattle::Work<M>, Xpbd::Work<M>, Avbd::Work<M>>
+      work = {};  // that of the method's family
+
+  explicit SceneWithMethod(Scene<M>&& given) : scene(std::move(given)) {
+    for_each_moving(scene.bodies(), [&](int, double) { ++bodies; });
+  }
+};
+
+/// Equal parts of a time step.
+template <class Family>
+int substeps_of(const Family& family) {
+  if constexpr (requires { family.substeps; })
+    return family.substeps;
+  else
+    return 1;
+}
+
+}  // namespace
+
+struct AnyScene::Running {
+  std::variant<SceneWithMethod<PlaneParticle>, SceneWithMethod<PlaneBody>, SceneWithMethod<SpaceParticle>,
+               SceneWithMethod<SpaceBody>>
+      one;
+};
+
+/// Calls f(const Scene<M>&).
+template <class F>
+auto AnyScene::read(F&& f) const {
+  return std::visit([&](const auto& running) { return f(running.scene); }, running_->one);
+}
+
+template <class M>
+AnyScene::AnyScene(Scene<M> scene)
+    : running_(new Running{decltype(Running::one)(std::in_place_type<SceneWithMethod<M>>, std::move(scene))}) {}
+AnyScene::AnyScene(const AnyScene& other)
+    : running_(std::make_unique<Running>(*other.running_)), time_(other.time_), effort_(other.effort_) {}
+AnyScene::AnyScene(AnyScene&& other) noexcept = default;
+AnyScene& AnyScene::operator=(AnyScene other) noexcept {
+  running_.swap(other.running_);
+  time_ = other.time_;
+  effort_ = other.effort_;
+  return *this;
+}
+AnyScene::~AnyScene() = default;
+
+void AnyScene::use(const Method& method) {
+  std::visit([](const auto& family) { require_valid(family); }, method);
+  if (const std::string reason = refusal(method); !reason.empty()) throw std::invalid_argument(reason);
+  std::visit(
+      [&]<class M, class Family>(SceneWithMethod<M>& running, const Family& family) {
+        running.method = family;
+        running.work.template emplace<typename Family::template Work<M>>();
+      },
+      running_->one, method);
+  effort_ = {};
+}
+
+std::string AnyScene::refusal(const Method& method) const {
+  return read([&](const auto& scene) {
+    return std::visit([&](const auto& family) { return byhand::refusal(scene, family); }, method);
+  });
+}
+
+void AnyScene::step(double h) {
+  std::visit(
+      [&]<class M>(SceneWithMethod<M>& running) {
+        std::visit(
+            [&]<class Family>(const Family& family) {
+              auto& work = std::get<typename Family::template Work<M>>(running.work);
+              advance(running.scene, family, h, work);
+              const int substeps = substeps_of(family);
+              effort_.substeps += substeps;
+              effort_.rows += static_cast<long long>(substeps) * work.system.rows();
+              effort_.bodies += static_cast<long long>(substeps) * running.bodies;
+              if (!running.scene.colliders().shapes.empty()) effort_.contacts += work.system.rows();
+            },
+            running.method);
+      },
+      running_->one);
+  ++effort_.steps;
+  time_ += h;
+}
+
+Effort AnyScene::effort() const {
+  Effort effort = effort_;
+  effort.row_solves = std::visit(
+      [](const auto& running) {
+        return std::visit([](const auto& work) { return work.row_solves; }, running.work);
+      },
+      running_->one);
+  return effort;
+}
+
+double AnyScene::separation() const {
+  return read([]<class M>(const Scene<M>& scene) {
+    double largest = 0;
+    for (const auto& entry : scene.entries()) {
+      const ConstraintStore<M>& store = scene.store(entry.kind);
+      if (store.position_rows == 0) continue;
+      double C[6];  // no constraint has more rows
+      store.write_value(entry.index, scene.bodies(), C);
+      double apart = -*std::min_element(C, C + store.position_rows);  // of what touches
+      if (store.bound == Bound::none)                                 // a rod has one row, a pin one for each axis
+        apart = store.position_rows == 1 ? std::abs(C[0]) : Eigen::Map<const Linear<M>>(C).norm();
+      largest = std::max(largest, apart);
+    }
+    return largest;
+  });
+}
+
+double AnyScene::energy() const {
+  return read([](const auto& scene) { return byhand::energy(scene); });
+}
+
+double AnyScene::energy_scale() const {
+  return read([](const auto& scene) {
+    double scale = 0;
+    for_each_moving(scene.bodies(),
+                    [&](int i, double mass) { scale += mass * scene.bodies().pose[i].position.norm(); });
+    scale *= scene.gravity.norm();
+    return scale > 0 ? scale : kinetic_energy(scene.bodies());
+  });
+}
+
+Eigen::Vector3d AnyScene::momentum() const {
+  return read([](const auto& scene) { return in_space(linear_momentum(scene.bodies())); });
+}
+
+Eigen::Vector3d AnyScene::angular_momentum() const {
+  return read([](const auto& scene) { return in_space(byhand::angular_momentum(scene.bodies())); });
+}
+
+Eigen::Vector3d AnyScene::weight() const {
+  return read([]<class M>(const Scene<M>& scene) {
+    double sum = 0;
+    for_each_moving(scene.bodies(), [&](int, double mass) { sum += mass; });
+    return in_space(Linear<M>(sum * scene.gravity));
+  });
+}
+
+double AnyScene::algebraic_error(double h) const {
+  return std::visit(
+      [=]<class M>(const SceneWithMethod<M>& running) {
+        const auto* method = std::get_if<VelocityStepping>(&running.method);
+        if (!method) return static_cast<double>(NAN);
+        Simulation<M> one{running.scene, *method, std::get<Work<M>>(running.work)};
+        const int substeps = std::exchange(one.method.substeps, 1);
+        try {
+          return byhand::algebraic_error(std::move(one), h / substeps);
+        } catch (const SingularSystem&) {
+          return static_cast<double>(NAN);
+        }
+      },
+      running_->one);
+}
+
+double AnyScene::residual() const {
+  return std::visit(
+      []<class M>(const SceneWithMethod<M>& running) {
+        const auto* work = std::get_if<Work<M>>(&running.work);
+        return work && work->version ? byhand::residual(work->system, running.scene.bodies().velocity)
+                                     : static_cast<double>(NAN);
+      },
+      running_->one);
+}
+
+double AnyScene::farthest_from(const std::vector<Eigen::Vector3d>& places) const {
+  return read([&](const auto& scene) {
+    double largest = 0;
+    auto place = places.begin();
+    for_each_moving(scene.bodies(), [&](int i, double) {
+      largest = std::max(largest, (in_space(scene.bodies().pose[i].position) - *place++).squaredNorm());
+    });
+    return std::sqrt(largest);
+  });
+}
+
+bool AnyScene::finite() const {
+  return read([](const auto& scene) {
+    const auto& bodies = scene.bodies();
+    for (int i = 0; i < bodies.size(); ++i)
+      if (!bodies.pose[i].position.allFinite() || !bodies.velocity[i].allFinite()) return false;
+    return true;
+  });
+}
+
+std::vector<Placement> AnyScene::placements() const {
+  return read([](const auto& scene) {
+    const auto& bodies = scene.bodies();
+    std::vector<Placement> all;
+    for (int i = 0; i < bodies.size(); ++i)
+      all.push_back(
+          {in_space(bodies.pose[i].position), rotation_in_space(bodies.pose[i]), moves(bodies.inverse_mass[i])});
+    return all;
+  });
+}
+
+int AnyScene::degrees_of_freedom() const {
+  return read([]<class M>(const Scene<M>& scene) {
+    int count = 0;
+    for_each_moving(scene.bodies(), [&](int, double) { count += M::dof; });
+    return count;
+  });
+}
+
+bool AnyScene::turns_in_space() const {
+  return read([]<class M>(const Scene<M>&) { return M::angular == 3; });
+}
+
+int AnyScene::rows() const {
+  return read([](const auto& scene) {
+    int count = 0;
+    for (const auto& entry : scene.entries()) count += scene.store(entry.kind).rows;
+    return count;
+  });
+}
+
+std::size_t AnyScene::scene_bytes() const {
+  return read([]<class M>(const Scene<M>& scene) {
+    return scene.bodies().size() * (sizeof(Pose<M>) + sizeof(Velocity<M>) + sizeof(InverseMass<M>)) +
+           scene.colliders().shapes.size() * (sizeof(Shape<M>) + sizeof(Surface)) + constraint_bytes(scene);
+  });
+}
+
+std::size_t AnyScene::row_bytes() const {
+  return read([]<class M>(const Scene<M>& scene) {
+    constexpr std::size_t numbers = 8;  // λ, C, bias, γ, rate, two bounds, restitution
+    std::size_t bytes = 0;
+    for (const auto& entry : scene.entries()) {
+      const ConstraintStore<M>& store = scene.store(entry.kind);
+      bytes += store.rows * numbers * sizeof(double);
+      for_type<M>(store.block_type, [&](auto type) {
+        using Blocks = std::tuple_element_t<type, decltype(System<M>::blocks)>;
+        bytes += sizeof(typename Blocks::value_type);
+      });
+    }
+    return bytes;
+  });
+}
+
+template AnyScene::AnyScene(Scene<PlaneParticle>);
+template AnyScene::AnyScene(Scene<PlaneBody>);
+template AnyScene::AnyScene(Scene<SpaceParticle>);
+template AnyScene::AnyScene(Scene<SpaceBody>);
+
+}  // namespace byhand

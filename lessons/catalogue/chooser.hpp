@@ -1,0 +1,97 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lessons/catalogue/front.hpp"
+#include "lessons/catalogue/limits.hpp"
+
+// Which method is the cheapest that is accurate enough here? The laws leave out what cannot do it; the rest is
+// run.
+namespace byhand {
+
+/// What is wanted: errors of at most so much at the least cost, or the least error at a cost of at most so much,
+/// or both.
+struct Wish {
+  std::map<Error, double> limits = {};  // in the unit of each error
+  double budget = INFINITY;             // counted cost a frame; without limits the least drift within it
+};
+
+/// One method at its best.
+struct Candidate {
+  bool reached = false;
+  Point point;               // the cheapest that reaches the wish, or what comes nearest
+  double excess = INFINITY;  // the largest error over its limit
+};
+
+/// A run from each of several initial conditions.
+struct Verification {
+  int starts = 0, good = 0, within = 0;  // did their duty; had errors within the limits, too
+  double seconds = 0;                    // of each
+  double excess = INFINITY;              // the largest error over its limit, from the scene's own start
+  std::string first_failure = {};        // "a joint opened …"; empty if all are good
+};
+
+/// What a search takes: runs, and their counted cost.
+struct Spent {
+  int runs = 0;
+  double work = 0;
+
+  Spent& operator+=(const Spent& other) {
+    runs += other.runs;
+    work += other.work;
+    return *this;
+  }
+};
+
+struct Choice {
+  bool reached = false;
+  Candidate best;                     // what is recommended; where nothing reaches the wish, what comes nearest
+  Verification verified;              // of what is recommended
+  Limit limit;                        // what the laws say
+  std::vector<Candidate> runners_up;  // the best of each other method, in the order of preference
+  std::vector<Point> passed;          // what cannot run this scene or failed, one point a method
+  std::optional<Point> coarser;       // the next coarser choice of the same method that was tried, and missed
+  std::optional<Point> finer;         // the same cure and method with a tenth of the error
+  double margin = NAN;                // see `margin`
+  Spent spent;                        // on the search
+  double searched = 0;                // up to which cost a frame all methods were tried
+  double searched_exactly = 0;        // and those that solve each step exactly, and XPBD
+};
+
+struct Search {
+  std::function<void(const std::string&)> told = [](const std::string&) {};  // of each method as it begins
+  /// Calls work(0) … work(count - 1), each once.
+  std::function<void(int count, const std::function<void(int)>& work)> side_by_side =
+      [](int count, const std::function<void(int)>& work) {
+        for (int i = 0; i < count; ++i) work(i);
+      };
+  int starts = 20;  // initial conditions of the verification
+  bool finer = true;
+  double enough = 4e8;  // counted cost after which only methods that solve each step exactly are tried further
+};
+
+/// Throws std::invalid_argument unless the wish has a limit or a budget, all above zero, and only errors that this
+/// scene has.
+Choice choose(const Problem& problem, const Wish& wish, const Search& search = {});
+
+/// The largest error over its limit; infinite unless the run did its duty and has all these errors.
+double excess(const Point& point, const std::map<Error, double>& limits);
+
+/// Runs a point's choices from other initial conditions, from the scene's own on.
+Verification verify(const Problem& problem, const Point& point, const Wish& wish, int starts,
+                    const Search& search = {}, int seed = 1);
+
+/// The factor on the scene's stress parameter, at least 1 and within 5 %, at which this point's method no longer
+/// keeps within the limits; infinite if it does at the parameter's upper end and up to a thousand, NaN if the
+/// parameter is not above zero.
+double margin(const Problem& problem, const Point& point, const std::map<Error, double>& limits);
+
+/// The cheapest run of one method within the limits that costs at most `bound`, or what came nearest.
+Candidate cheapest(const Problem& problem, const Family& family, const Wish& wish, double bound,
+                   Spent* spent = nullptr);
+
+}  // namespace byhand

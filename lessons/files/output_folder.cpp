@@ -1,0 +1,200 @@
+#include "lessons/files/output_folder.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <system_error>
+
+#include "lessons/files/checksum.hpp"
+#include "lessons/files/json.hpp"
+#include "renderer/error.hpp"
+#include "renderer/file.hpp"
+
+namespace byhand::course {
+namespace {
+
+namespace fs = std::filesystem;
+using renderer::EnvironmentError;
+
+constexpr auto manifest_name = "manifest.json";
+
+std::string checksum(const fs::path& path) {
+  const auto bytes = renderer::read_whole(path);
+  return bytes ? sha256(*bytes) : "";
+}
+
+/// Only lessons' files are ever listed. A manifest is a file that anybody may have edited.
+bool is_ours(const std::string& name) {
+  if (name == "lesson.md") return true;
+  const fs::path path(name);
+  return path == path.lexically_normal() && path.has_filename() &&
+         (name.starts_with("figures/") || name.starts_with("data/") || name.starts_with("frames/"));
+}
+
+Manifest read_manifest(const fs::path& folder) {
+  const auto text = renderer::read_whole(folder / manifest_name);
+  Manifest manifest = text ? manifest_from_json(*text) : Manifest{};
+  const auto foreign = [](const auto& file) { return !is_ours(file.first); };
+  for (WrittenRun& run : manifest.runs) {
+    std::erase_if(run.files, foreign);
+    std::erase_if(run.clocked, foreign);
+  }
+  return manifest;
+}
+
+/// Removes a name, and all names below it, from what earlier runs wrote.
+void forget(Manifest& manifest, const std::string& name) {
+  const auto gone = [&](const auto& file) { return file.first == name || file.first.starts_with(name + "/"); };
+  for (WrittenRun& run : manifest.runs) {
+    std::erase_if(run.files, gone);
+    std::erase_if(run.clocked, gone);
+  }
+  std::erase_if(manifest.runs, [](const WrittenRun& run) { return run.files.empty() && run.clocked.empty(); });
+}
+
+void remove_unfinished_of_killed_runs(const fs::path& folder) {
+  std::vector<fs::path> found;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (renderer::is_unfinished(entry.path())) found.push_back(entry.path());
+  for (const fs::path& path : found) fs::remove(path);
+}
+
+}  // namespace
+
+OutputFolder::OutputFolder(fs::path folder) : path_(std::move(folder)) {
+  try {
+    fs::create_directories(path_);
+    claim();
+    remove_unfinished_of_killed_runs(path_);
+  } catch (const std::system_error& error) {
+    if (descriptor_ >= 0) close(descriptor_);
+    throw EnvironmentError(fmt::format("Cannot use the folder {}: {}. Choose another with --output.",
+                                       path_.string(), error.code().message()));
+  } catch (...) {
+    close(descriptor_);
+    throw;
+  }
+  before_ = read_manifest(path_);
+}
+
+OutputFolder::~OutputFolder() { close(descriptor_); }
+
+void OutputFolder::claim() {
+  descriptor_ = open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor_ < 0) throw std::system_error(errno, std::generic_category());
+  // The lock ends with the process. Some network file systems lock no folders: there the check at the end remains.
+  if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+    throw EnvironmentError(
+        fmt::format("Another run writes into {}: wait until it has ended, or choose another folder with --output.",
+                    path_.string()));
+}
+
+void OutputFolder::begin_to_write() {
+  if (writing_) return;
+  std::error_code error;
+  fs::remove(path_ / manifest_name, error);
+  if (!error && fsync(descriptor_) != 0 && errno != EINVAL) error = {errno, std::generic_category()};
+  if (error)
+    throw EnvironmentError(
+        fmt::format("Cannot remove {}: {}.", (path_ / manifest_name).string(), error.message()));
+  writing_ = true;
+}
+
+void OutputFolder::write(const std::string& name, std::string_view bytes) {
+  begin_to_write();
+  try {
+    renderer::write_whole(path_ / name, bytes);
+  } catch (const EnvironmentError&) {
+    check_in_place();
+    throw;
+  }
+  files_[name] = sha256(bytes);
+}
+
+void OutputFolder::remove(const std::string& name) {
+  begin_to_write();
+  std::error_code error;
+  fs::remove_all(path_ / name, error);
+  if (error)
+    throw EnvironmentError(fmt::format("Cannot remove {}: {}.", (path_ / name).string(), error.message()));
+  forget(before_, name);
+  std::erase_if(files_, [&](const auto& file) { return file.first.starts_with(name + "/"); });
+  files_.erase(name);
+}
+
+void OutputFolder::check_in_place() const {
+  struct stat claimed {
+  }, named{};
+  if (fstat(descriptor_, &claimed) != 0 || stat(path_.c_str(), &named) != 0 || claimed.st_ino != named.st_ino ||
+      claimed.st_dev != named.st_dev)
+    throw EnvironmentError(
+        fmt::format("The folder {} was moved or removed while the lesson wrote into it.", path_.string()));
+}
+
+void OutputFolder::check_written() const {
+  check_in_place();
+  for (const auto& [name, sum] : files_)
+    if (checksum(path_ / name) != sum)
+      throw EnvironmentError(
+          fmt::format("{} was changed or removed by another program while the lesson wrote its files.",
+                      (path_ / name).string()));
+}
+
+void OutputFolder::finish(const std::string& made_by, const std::set<std::string>& clocked, bool whole) {
+  begin_to_write();
+  Manifest manifest = before_;
+  for (const auto& [name, sum] : files_) forget(manifest, name);
+  if (whole) {
+    for (const WrittenRun& run : manifest.runs)
+      for (const auto* files : {&run.files, &run.clocked})
+        for (const auto& [name, sum] : *files) remove(name);
+    manifest.runs.clear();
+  }
+  check_written();
+  WrittenRun run{made_by};
+  for (const auto& file : files_) (clocked.contains(file.first) ? run.clocked : run.files).insert(file);
+  manifest.lesson = path_.filename().string();
+  manifest.runs.push_back(std::move(run));
+  renderer::write_whole(path_ / manifest_name, to_json(manifest));
+  before_ = std::move(manifest);
+  files_.clear();
+  writing_ = false;
+}
+
+bool is_lesson_folder(const fs::path& folder) {
+  const auto exists = [&](const char* name) { return fs::exists(folder / name); };
+  return exists(manifest_name) || exists("lesson.md") || exists("figures") || exists("data") || exists("frames");
+}
+
+std::vector<std::string> differences(const fs::path& folder, int& files) {
+  files = 0;
+  if (!fs::exists(folder / manifest_name))
+    return {"manifest.json is missing: a run was stopped, or has not ended yet"};
+  const Manifest manifest = read_manifest(folder);
+  if (manifest.lesson.empty()) return {"manifest.json is no manifest of a lesson"};
+  std::vector<std::string> wrong;
+  std::set<std::string> listed;
+  for (const WrittenRun& run : manifest.runs)
+    for (const auto* sums : {&run.files, &run.clocked})
+      for (const auto& [name, sum] : *sums) {
+        ++files;
+        listed.insert(name);
+        if (!fs::exists(folder / name))
+          wrong.push_back(name + " is missing");
+        else if (checksum(folder / name) != sum)
+          wrong.push_back(name + " is not as it was written");
+      }
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    const std::string name = entry.path().lexically_relative(folder).string();
+    if (!entry.is_directory() && is_ours(name) && !listed.contains(name)) wrong.push_back(name + " is not listed");
+  }
+  std::sort(wrong.begin(), wrong.end());
+  return wrong;
+}
+
+}  // namespace byhand::course

@@ -1,0 +1,109 @@
+#include "lessons/laws/column.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "lessons/laws/record.hpp"
+#include "lessons/scenes/boxes.hpp"
+#include "solver/constraints/contact_manifold.hpp"
+#include "solver/step.hpp"
+
+namespace byhand::laws {
+namespace {
+
+/// The column, each box sunk into the one below by `overlap` [m], before any contact has borne a weight.
+Simulation<PlaneBody> put_down(const Column& column, double overlap) {
+  VelocityStepping method{GaussSeidel{column.sweeps}, Baumgarte{column.beta}};
+  // A tolerance that one solve meets, though it is regularised: law 20 is about one solve a step.
+  if (column.sweeps == 0) method.solver = Direct{.regularisation = column.regularisation, .tolerance = 1e-5};
+  if (column.frequency > 0) method.drift = SoftConstraints{.frequency = 2 * std::numbers::pi * column.frequency};
+  method.substeps = column.substeps;
+  Simulation<PlaneBody> simulation{{}, method};
+  Scene<PlaneBody>& scene = simulation.scene;
+  scene.gravity = {0, -column.gravity};
+  scene.add_body({0, 0}, fixed<PlaneBody>());
+  for (int i = 1; i <= column.boxes; ++i) {
+    const double y = i * (1 - overlap) - 0.5;
+    scene.add_body({0, y}, box<PlaneBody>(i == column.boxes ? column.top_mass : 1, {1, 1}));
+    const auto meet = [&](double x) {
+      Anchors<PlaneBody> at{i - 1, i};
+      at.arms = {Arm<PlaneBody>(x, i == 1 ? 0 : 0.5), Arm<PlaneBody>(x, -0.5)};
+      return at;
+    };
+    ContactManifold<PlaneBody> face;
+    face.at = meet(-0.5);
+    face.second = meet(0.5).arms;
+    face.coefficient = column.friction;
+    scene.add(face);
+  }
+  return simulation;
+}
+
+/// The same with all weights borne as they should be.
+Simulation<PlaneBody> stand(const Column& column, double overlap) {
+  Simulation<PlaneBody> simulation = put_down(column, overlap);
+  const VelocityStepping method = std::exchange(simulation.method, {Direct{}, NoDriftCure{}});
+  simulation.step(column.step);
+  simulation.method = method;
+  return simulation;
+}
+
+}  // namespace
+
+Outcome lean(const Column& column) {
+  // Sunk in, or a box that leans would open a gap, which closes by itself.
+  Simulation<PlaneBody> simulation = stand(column, 1e-4);
+  const double push = 1e-7;
+  kick(simulation.scene, push);
+  Record record(push, 1);
+  for (int i = 0; i < column.steps; ++i) {
+    simulation.step(column.step);
+    if (!record.note(simulation.scene.bodies().velocity[column.boxes].x())) break;
+  }
+  return record.outcome();
+}
+
+Outcome hop(const Column& column) {
+  Simulation<PlaneBody> simulation = put_down(column, 0);
+  const double h = column.step / column.substeps, sinks = column.gravity * h * h;
+  for (int i = 0, quiet = 0; i < column.steps; ++i) {
+    simulation.step(column.step);
+    const double off = std::abs(simulation.scene.bodies().pose[column.boxes].position.y() - (column.boxes - 0.5));
+    if (!(off < 1)) return Outcome::explodes;
+    quiet = off < 1e-5 * sinks ? quiet + 1 : 0;
+    if (quiet == 500) return Outcome::settles;
+  }
+  return Outcome::rings;
+}
+
+bool pops(const Column& column, double overlap) {
+  Simulation<PlaneBody> simulation = put_down(column, overlap);
+  for (int i = 0; i < column.steps; ++i) {
+    simulation.step(column.step);
+    if (simulation.scene.bodies().pose[1].position.y() > 0.5 + 1e-9) return true;
+  }
+  return false;
+}
+
+Outcome buckle(const Column& column) {
+  Simulation<PlaneBody> simulation = put_down(column, 0);
+  const double push = 1e-7;
+  kick(simulation.scene, push);
+  Record record(push, 1);
+  for (int i = 0; i < column.steps; ++i) {
+    simulation.step(column.step);
+    if (!record.note(simulation.scene.bodies().pose[column.boxes].position.x())) break;
+  }
+  return record.outcome();
+}
+
+double time_to_fall(const Column& column, double time) {
+  Simulation<PlaneBody> simulation = stand(column, 0);
+  kick(simulation.scene, 0.02);
+  while (simulation.time < time && simulation.scene.bodies().pose[column.boxes].position.y() > column.boxes - 1)
+    simulation.step(column.step);
+  return simulation.time;
+}
+
+}  // namespace byhand::laws

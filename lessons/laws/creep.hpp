@@ -1,0 +1,25 @@
+#pragma once
+
+#include "lessons/laws/law.hpp"
+
+namespace byhand::laws {
+
+/// What of the slowest bending of a column of unit boxes a sweep leaves, face by face: 1 - 2.06/N⁴.
+double bending_left_by_a_sweep(int boxes);
+
+/// σ² at which a column of so many unit boxes tips over by itself [1/s²].
+double tipping_rate_squared(int boxes, double gravity);
+
+/// The gravity [m/s²] up to which so many sweeps of a time step [s] hold a column of unit boxes.
+double gravity_that_sweeps_hold(int boxes, int sweeps, double step);
+
+/// The regularisation, a share of the diagonal, up to which an exact solve with a time step [s] holds it.
+double regularisation_that_holds(int boxes, double step);
+
+/// Law 18: why columns solved by sweeps fall.
+Law creep();
+
+/// Law 20: what has nothing to do with it, and what has.
+Law exact_columns();
+
+}  // namespace byhand::laws

@@ -1,0 +1,40 @@
+#include "lessons/laws/pop.hpp"
+
+#include <fmt/format.h>
+
+#include "lessons/laws/column.hpp"
+
+// Law 2. An overlap d is left at v = βd/h in the first step. The row can push but not pull, so the body keeps that
+// speed, and gravity takes gh of it in every further step: n steps lift it by nβd - gh² n(n - 1)/2. Most is at
+// n = βd/gh² + ½, near enough (βd)²/2gh² + βd/2, and it leaves the ground if that is more than d:
+//
+//   d > (1 - β/2) 2gh²/β²
+//
+// A cap on the speed lowers the jump; a split impulse has none.
+namespace byhand::laws {
+
+double popping_overlap(double beta, double step) {
+  return (1 - beta / 2) * 2 * 9.81 * step * step / (beta * beta);
+}
+
+Law pop() {
+  Law law{2,
+          Family::overshooting_correction,
+          "contact pop",
+          "a contact that is corrected through its velocity keeps that velocity: deep overlaps leave the ground",
+          "d < (1 − β/2) 2gh²/β²",
+          {}};
+  for (const auto& [beta, rate] : {std::pair{0.05, 60}, {0.1, 60}, {0.1, 120}, {0.2, 60}, {0.2, 240}, {0.4, 60}}) {
+    const Column column{.boxes = 1, .beta = beta, .step = 1.0 / rate};
+    law.boundaries.push_back(bisected({"overlap",
+                                       "m",
+                                       fmt::format("β {}, {} Hz", beta, rate),
+                                       popping_overlap(beta, column.step),
+                                       0.02,
+                                       {},
+                                       [=](double overlap) { return !pops(column, overlap); }}));
+  }
+  return law;
+}
+
+}  // namespace byhand::laws

@@ -1,0 +1,340 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "lessons/catalogue/chooser.hpp"
+#include "lessons/catalogue/profile.hpp"
+#include "lessons/catalogue/tidy.hpp"
+
+// Work against precision, and the choice that follows from it.
+namespace {
+
+using namespace byhand;
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+Problem short_chain() { return Problem("chain", {{"links", 4}, {"end_mass", 20}}); }
+
+Point point(double drift, double cost) {
+  Point result;
+  result.family = &families().front();
+  result.error[static_cast<int>(Error::drift)] = drift;
+  result.cost = cost;
+  return result;
+}
+
+TEST(ParetoFront, HoldsWhatNothingBeatsInBoth) {
+  Point failed = point(1e-9, 1);
+  failed.outcome = Outcome::fell;
+  const std::vector<Point> points{point(1, 10),    point(0.1, 100), point(0.5, 200), failed,
+                                  point(0.01, 50), point(NAN, 1),   point(1, 10)};
+  const auto front = pareto_front(points, Error::drift);
+  ASSERT_EQ(front.size(), 2u);
+  EXPECT_EQ(front[0][Error::drift], 0.01);
+  EXPECT_EQ(front[1][Error::drift], 1);
+}
+
+TEST(CostToReach, IsInterpolatedOnLogarithmicAxes) {
+  const std::vector<Point> front{point(1e-4, 400), point(1e-2, 100)};
+  EXPECT_NEAR(cost_to_reach(front, Error::drift, 1e-3), 200, 1e-9);
+  EXPECT_EQ(cost_to_reach(front, Error::drift, 1e-2), 100);
+  EXPECT_EQ(cost_to_reach(front, Error::drift, 1), 100);
+  EXPECT_EQ(cost_to_reach(front, Error::drift, 1e-5), INFINITY);
+}
+
+std::vector<Point> refined(const Problem& problem, const char* family, int last, double beta = 1) {
+  std::vector<Point> points;
+  for (int substeps = 1; substeps <= last; substeps *= 2)
+    points.push_back(
+        measure(problem, family_named(family), {.substeps = substeps, .cure = Cure::baumgarte, .strength = beta}));
+  return points;
+}
+
+TEST(FittedOrder, IsOneForTheTrajectoryOfSymplecticEuler) {
+  for (const char* scene : {"compound_pendulum", "spherical_pendulum"}) {
+    const auto order = fitted_order(refined(Problem(scene), "direct", 64), Error::trajectory);
+    ASSERT_TRUE(order);
+    EXPECT_NEAR(order->slope, 1, 0.05 + order->uncertainty);
+    EXPECT_LT(order->uncertainty, 0.2);
+  }
+}
+
+TEST(FittedOrder, IsTwoForTheDriftThatBaumgarteLeaves) {
+  const auto order = fitted_order(refined(Problem("pendulum"), "direct", 32), Error::drift);  // (ωh)²/2β, atlas B1
+  ASSERT_TRUE(order);
+  EXPECT_NEAR(order->slope, 2, 0.1);
+}
+
+TEST(FittedOrder, IsNoneFromTwoPoints) {
+  EXPECT_FALSE(fitted_order(refined(Problem("pendulum"), "direct", 2), Error::drift));
+}
+
+TEST(Measure, TellsStableFromAccurate) {
+  // Atlas A1: XPBD keeps the rod's length to rounding, and loses nine tenths of the energy.
+  const Point xpbd = measure(Problem("pendulum"), family_named("XPBD"), {});
+  EXPECT_EQ(xpbd.outcome, Outcome::good);
+  EXPECT_LT(xpbd[Error::drift], 1e-9);
+  EXPECT_NEAR(xpbd[Error::energy], 0.9, 0.05);
+  EXPECT_NEAR(xpbd[Error::trajectory], 2 * std::sin(0.23 / 2), 0.02);
+}
+
+TEST(Measure, TellsTheSolversErrorFromTheSteps) {
+  // More sweeps bring a chain to the direct solve of the same step, and no further: the rest is the step's.
+  const Problem problem("chain", {{"links", 4}});
+  const auto swept = [&](int sweeps) {
+    return measure(problem, family_named("Gauss–Seidel"),
+                   {.passes = sweeps, .cure = Cure::baumgarte, .strength = 0.2}, {.algebraic = true});
+  };
+  const Point few = swept(4), many = swept(256),
+              direct = measure(problem, family_named("direct"), {.cure = Cure::baumgarte, .strength = 0.2},
+                               {.algebraic = true});
+  EXPECT_GT(few[Error::algebraic], 1e-3);
+  EXPECT_LT(many[Error::algebraic], 1e-6);
+  EXPECT_LT(direct[Error::algebraic], 1e-10);
+  EXPECT_NEAR(many[Error::trajectory], direct[Error::trajectory], 1e-3 * direct[Error::trajectory]);
+  EXPECT_GT(direct[Error::trajectory], 0.01);
+}
+
+TEST(Measure, ResidualOfContactsFallsWithSweeps) {
+  const Problem stack("stack", {{"boxes", 5}, {"kick", 0.02}});
+  const auto residual = [&](int sweeps) {
+    return measure(stack, family_named("Gauss–Seidel"),
+                   {.passes = sweeps, .cure = Cure::baumgarte, .strength = 0.05})[Error::contact];
+  };
+  EXPECT_LT(residual(64), 0.1 * residual(4));
+}
+
+TEST(Measure, GivesTheSameNumbersTwice) {
+  const auto run = [] {
+    return measure(short_chain(), family_named("Gauss–Seidel"),
+                   {.substeps = 8, .passes = 4, .cure = Cure::baumgarte, .strength = 0.02});
+  };
+  const Point a = run(), b = run();
+  for (const Error error : {Error::drift, Error::trajectory, Error::energy, Error::reaction})
+    EXPECT_EQ(a[error], b[error]);
+  EXPECT_EQ(a.cost, b.cost);
+}
+
+TEST(Profile, IsThatOfDolanAndMore) {
+  // Two tasks: the first method is the cheaper once, and fails the second.
+  const std::vector<Task> tasks{{"a", {10, 20}}, {"b", {INFINITY, 7}}, {"c", {INFINITY, INFINITY}}, {"d", {3, 9}}};
+  const Profile first(tasks, 0), second(tasks, 1);
+  EXPECT_EQ(first(1), 0.5);
+  EXPECT_EQ(first(1000), 0.5);
+  EXPECT_EQ(second(1), 0.25);
+  EXPECT_EQ(second(1.9), 0.25);
+  EXPECT_EQ(second(2), 0.5);
+  EXPECT_EQ(second(3), 0.75);
+}
+
+TEST(Tidy, IsReplottedByGnuplot) {
+  if (std::system("command -v gnuplot > /dev/null") != 0) GTEST_SKIP() << "gnuplot is not installed";
+  const auto folder = std::filesystem::path(testing::TempDir()) / "tidy_gnuplot";
+  std::filesystem::create_directories(folder);
+  const Problem problem("pendulum");
+  const auto points = refined(problem, "direct", 16);
+  std::ofstream(folder / "runs.csv") << tidy_head() << tidy_rows(problem, points, errors);
+  std::ofstream(folder / "plot.gp") << "set datafile separator ','\n"
+                                       "set terminal dumb\n"
+                                       "set output '"
+                                    << (folder / "plot.txt").string()
+                                    << "'\n"
+                                       "set logscale xy\n"
+                                       "set table '"
+                                    << (folder / "table.txt").string()
+                                    << "'\n"
+                                       "plot '"
+                                    << (folder / "runs.csv").string()
+                                    << "' skip 1 using (strcol(12) eq 'drift' ? $13 : NaN):15 with linespoints\n";
+  ASSERT_EQ(std::system(("gnuplot '" + (folder / "plot.gp").string() + "'").c_str()), 0);
+  std::ifstream table(folder / "table.txt");
+  std::vector<std::pair<double, double>> plotted;
+  for (std::string line; std::getline(table, line);) {
+    std::istringstream words(line);
+    double x = 0, y = 0;
+    char kind = ' ';
+    if (words >> x >> y >> kind && kind == 'i') plotted.emplace_back(x, y);
+  }
+  ASSERT_EQ(plotted.size(), points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    EXPECT_NEAR(plotted[i].first / points[i][Error::drift], 1, 1e-5);
+    EXPECT_NEAR(plotted[i].second / points[i].cost, 1, 1e-5);
+  }
+}
+
+// ---- The chooser
+
+TEST(Chooser, FindsTheMarginByRunning) {
+  const Problem problem = short_chain();
+  Point point;
+  point.family = &family_named("direct");
+  point.knobs = {.substeps = 4, .cure = Cure::baumgarte, .strength = 0.8};
+  const std::map<Error, double> limits{{Error::drift, 1e-2}};
+  const double factor = margin(problem, point, limits);
+  ASSERT_TRUE(std::isfinite(factor));
+  const auto over = [&](double times) {
+    return excess(measure(problem.with("end_mass", times * 20), *point.family, point.knobs), limits);
+  };
+  EXPECT_GT(over(factor), 1);
+  EXPECT_GT(factor, 1);
+  for (double times = 1; times < factor / 1.05; times *= std::sqrt(2.0)) EXPECT_LE(over(times), 1) << times;
+}
+
+TEST(Chooser, LooksForTheMarginUpToTheEndOfTheRangeAndNotBeyond) {
+  // 1e6/30 · 30 is above 1e6 by rounding; beyond a thousand times it does not look.
+  const Problem problem("chain", {{"links", 1}, {"end_mass", 30}});
+  Point point;
+  point.family = &family_named("direct");
+  point.knobs = with_cure({}, Cure::baumgarte);
+  EXPECT_EQ(margin(problem, point, {{Error::drift, 1e9}}), INFINITY);
+}
+
+TEST(Chooser, SpendsABudgetOnTheMostAccurate) {
+  const Problem problem = short_chain();
+  const Choice choice = choose(problem, {.budget = 400});
+  ASSERT_TRUE(choice.reached);
+  EXPECT_LE(choice.best.point.cost, 400);
+  for (const Family& family : families())
+    for (const int substeps : {1, 2, 4}) {
+      const Point one =
+          measure(problem, family, {.substeps = substeps, .cure = family.cures.front(), .strength = 0.2});
+      EXPECT_TRUE(one.cost > 400 || !one.has(Error::drift) ||
+                  one[Error::drift] >= 0.95 * choice.best.point[Error::drift])
+          << one.described();
+    }
+}
+
+TEST(Chooser, KeepsAnAccuracyAndABudgetTogether) {
+  const Wish cheap{.limits = {{Error::drift, 1e-3}}, .budget = 30},
+      enough{.limits = {{Error::drift, 1e-3}}, .budget = 3000};
+  EXPECT_FALSE(choose(short_chain(), cheap).reached);
+  const Choice choice = choose(short_chain(), enough);
+  ASSERT_TRUE(choice.reached);
+  EXPECT_LE(choice.best.point.cost, 3000);
+  EXPECT_LE(choice.best.point[Error::drift], 1e-3);
+}
+
+TEST(Chooser, RefusesAWishThatIsNone) {
+  const Problem problem = short_chain();
+  EXPECT_THAT([&] { choose(problem, {}); },
+              ThrowsMessage<std::invalid_argument>(HasSubstr("an accuracy or a budget")));
+  EXPECT_THAT(
+      [&] {
+        choose(problem, {.limits = {{Error::drift, 0}}});
+      },
+      ThrowsMessage<std::invalid_argument>(HasSubstr("accuracy is 0")));
+  EXPECT_THAT(
+      [&] {
+        choose(problem, {.limits = {{Error::momentum, 1}}});
+      },
+      ThrowsMessage<std::invalid_argument>(HasSubstr("error is momentum")));
+}
+
+struct Request {
+  const char* scene;
+  Values values;
+  std::map<Error, double> limits;
+};
+void PrintTo(const Request& one, std::ostream* out) {
+  *out << one.scene;
+  for (const auto& [name, value] : one.values) *out << ' ' << name << '=' << value;
+  for (const auto& [error, limit] : one.limits) *out << ' ' << name_of(error) << ':' << limit;
+}
+
+const Values kicked{{"kick", 0.02}};
+Values kicked_with(const char* name, double value) { return {{"kick", 0.02}, {name, value}}; }
+
+const std::vector<Request> requests{
+    // those of the review
+    {"stack", {{"kick", 0.02}, {"top_mass", 1000}}, {{Error::drift, 0.01}}},
+    {"stack", kicked, {{Error::drift, 0.05}}},
+    {"stack", kicked_with("boxes", 15), {{Error::drift, 0.02}}},
+    {"chain", {{"links", 10}, {"end_mass", 1e5}}, {{Error::drift, 1e-3}}},
+    {"chain", {{"links", 10}, {"end_mass", 1e6}}, {{Error::drift, 1e-3}}},
+    {"pendulum", {}, {{Error::drift, 1e-3}}},
+    // every scene, coarse and fine, each error
+    {"pendulum", {}, {{Error::trajectory, 1e-3}}},
+    {"pendulum", {{"angle", 170}}, {{Error::energy, 1e-3}}},
+    {"pendulum", {}, {{Error::drift, 1e-4}, {Error::energy, 0.05}}},
+    {"compound_pendulum", {}, {{Error::trajectory, 1e-2}}},
+    {"compound_pendulum", {}, {{Error::reaction, 1e-2}}},
+    {"double_pendulum", {}, {{Error::trajectory, 1e-2}}},
+    {"double_pendulum", {{"end_mass", 50}}, {{Error::drift, 1e-3}}},
+    {"double_pendulum", {}, {{Error::energy, 1e-2}}},
+    {"chain", {{"links", 5}}, {{Error::drift, 1e-2}}},
+    {"chain", {{"links", 5}}, {{Error::trajectory, 1e-2}}},
+    {"chain", {{"links", 20}, {"end_mass", 10}}, {{Error::drift, 1e-3}}},
+    {"chain", {{"links", 50}, {"end_mass", 100}}, {{Error::drift, 1e-3}}},
+    {"chain", {{"links", 50}}, {{Error::drift, 1e-3}}},
+    {"four_bar", {}, {{Error::reaction, 0.01}}},
+    {"four_bar", {{"coupler_mass", 100}}, {{Error::drift, 1e-3}}},
+    {"four_bar", {}, {{Error::drift, 1e-5}}},
+    {"spherical_pendulum", {}, {{Error::trajectory, 1e-6}}},
+    {"spherical_pendulum", {}, {{Error::momentum, 1e-3}}},
+    {"conical_pendulum", {}, {{Error::drift, 1e-3}}},
+    {"conical_pendulum", {}, {{Error::energy, 1e-2}, {Error::trajectory, 1e-2}}},
+    {"top", {}, {{Error::drift, 1e-3}}},
+    {"top", {{"spin", 60}}, {{Error::momentum, 1e-2}}},
+    {"stack", kicked_with("boxes", 4), {{Error::trajectory, 1e-2}}},
+    {"pyramid", kicked_with("base", 4), {{Error::drift, 1e-3}}},
+    {"incline", {}, {{Error::trajectory, 1e-2}}},
+    {"incline", {{"angle", -30}, {"speed", 0}}, {{Error::drift, 1e-3}}},
+};
+
+class ThirtyRequests : public testing::TestWithParam<Request> {};
+INSTANTIATE_TEST_SUITE_P(Chooser, ThirtyRequests, testing::ValuesIn(requests));
+
+/// The cheapest of many choices drawn without regard to any law, that keeps the limits and costs at most `most`,
+/// and does so from four other initial conditions, too.
+std::optional<Point> brute_force(const Problem& problem, const std::map<Error, double>& limits, double most) {
+  std::optional<Point> best;
+  Watch watch{.most = most};
+  for (const auto& [error, limit] : limits) watch.limit[static_cast<std::size_t>(error)] = limit;
+  unsigned state = 12345;
+  const auto drawn = [&](int count) {
+    return static_cast<int>((state = state * 1664525u + 1013904223u) >> 16) % count;
+  };
+  const int substeps[] = {1, 2, 3, 4, 6, 8, 12, 16, 32, 48, 64, 128, 192}, passes[] = {1, 2, 3, 4, 6, 8, 16, 32};
+  const double strengths[] = {0.01, 0.02, 0.05, 0.1, 0.2, 0.4, 0.8, 1.2}, relaxations[] = {1, 1, 1.3, 1.6, 0.5};
+  for (int i = 0; i < 1200; ++i) {
+    const Family& family = families()[static_cast<std::size_t>(drawn(static_cast<int>(families().size())))];
+    Knobs knobs{.substeps = substeps[drawn(13)], .passes = family.pass.empty() ? 1 : passes[drawn(8)]};
+    knobs.cure = family.cures[static_cast<std::size_t>(drawn(static_cast<int>(family.cures.size())))];
+    knobs.strength = knobs.cure == Cure::projection ? 1 + drawn(4) : strengths[drawn(8)];
+    if (family.name == "AVBD") knobs.strength = std::min(knobs.strength, 1.0);
+    knobs.relaxation = std::clamp(relaxations[drawn(5)], family.least_relaxation, family.most_relaxation);
+    const Point point = measure(problem, family, knobs, watch);
+    if (excess(point, limits) > 1 || point.cost > watch.most) continue;
+    bool stands = true;
+    for (int start = 1; start < 5 && stands; ++start)
+      stands = measure(problem.variation(start), family, knobs, {.reference = false}).outcome == Outcome::good;
+    if (!stands) continue;
+    best = point;
+    watch.most = point.cost;
+  }
+  return best;
+}
+
+TEST_P(ThirtyRequests, NeverFailAndAreWithinAThirdOfTheCheapestThatBruteForceFinds) {
+  const Problem problem(GetParam().scene, GetParam().values);
+  const auto& limits = GetParam().limits;
+  const Choice choice = choose(problem, {.limits = limits});
+  ASSERT_TRUE(choice.reached) << choice.best.point.reason;
+  const Point& best = choice.best.point;
+  RecordProperty("chosen", best.described());
+  EXPECT_EQ(choice.verified.good, choice.verified.starts) << choice.verified.first_failure;
+  EXPECT_LE(excess(measure(problem, *best.family, best.knobs), limits), 1) << best.described();
+  // From initial conditions that the chooser has not seen it does its duty, too.
+  const Verification other = verify(problem, best, {.limits = limits}, 5, {}, 2);
+  EXPECT_EQ(other.good, other.starts) << other.first_failure;
+  if (const auto cheaper = brute_force(problem, limits, best.cost / 1.3))
+    ADD_FAILURE() << best.described() << " costs " << best.cost << ", " << cheaper->described() << " "
+                  << cheaper->cost;
+}
+
+}  // namespace

@@ -1,0 +1,211 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <ctime>
+
+#include "lessons/catalogue/cost.hpp"
+#include "lessons/catalogue/limits.hpp"
+#include "lessons/catalogue/tuning.hpp"
+#include "lessons/laws/sweeps.hpp"
+#include "lessons/laws/transverse.hpp"
+
+// What counts as a run, what it costs, and how methods are tuned.
+namespace {
+
+using namespace byhand;
+using testing::HasSubstr;
+
+constexpr Knobs with_beta(double beta, int substeps = 1, int passes = 1) {
+  return {.substeps = substeps, .passes = passes, .cure = Cure::baumgarte, .strength = beta};
+}
+const Family& sweeps() { return family_named("Gauss–Seidel"); }
+const Family& direct() { return family_named("direct"); }
+
+TEST(Outcome, OfAStackIsThatItStandsForThirtySecondsOrWhenItFell) {
+  const Problem stack("stack", {{"boxes", 10}, {"kick", 0.02}});
+  const Point stood = measure(stack, direct(), with_beta(0.2));
+  EXPECT_EQ(stood.outcome, Outcome::good);
+  EXPECT_NEAR(stood.seconds, 30, 1e-9);
+  const Point fell = measure(stack, sweeps(), with_beta(0));
+  EXPECT_EQ(fell.outcome, Outcome::fell);
+  EXPECT_THAT(fell.reason, HasSubstr("half a box from its place at"));
+  EXPECT_FALSE(fell.has(Error::drift));
+}
+
+TEST(Outcome, OfAStackThatFallsAfterFiveSecondsIsAFailureToo) {
+  // Seven sweeps hold 15 boxes by law 18, six let them lean until they fall, after more than ten seconds.
+  const Problem stack("stack", {{"boxes", 15}, {"kick", 0.02}});
+  EXPECT_EQ(limit_of(stack).law, 18);
+  const Point fell = measure(stack, sweeps(), with_beta(0, 1, 5));
+  EXPECT_EQ(fell.outcome, Outcome::fell);
+  EXPECT_GT(fell.seconds, 5);
+  EXPECT_EQ(measure(stack, sweeps(), with_beta(0, 4, 5)).outcome, Outcome::good);
+}
+
+TEST(Outcome, OfAChainIsThatItHoldsOrWhenAJointOpened) {
+  const Problem chain("chain", {{"links", 10}, {"end_mass", 1000}});
+  const Point opened = measure(chain, sweeps(), with_beta(0.01));
+  EXPECT_EQ(opened.outcome, Outcome::opened);
+  EXPECT_THAT(opened.reason, HasSubstr("a joint opened by a tenth of a body at"));
+  EXPECT_EQ(measure(chain, direct(), with_beta(0.2, 8)).outcome, Outcome::good);
+}
+
+TEST(Outcome, OfABlockIsThatItSlidesAsItShould) {
+  // Released just above the angle of friction it slides, just below it stays.
+  const double critical = std::atan(0.5) * 180 / M_PI;
+  for (const double angle : {0.99 * critical, 1.01 * critical}) {
+    const Problem incline("incline", {{"angle", angle}, {"speed", 0}});
+    const Point point = measure(incline, sweeps(), with_beta(0.2, 1, 4));
+    EXPECT_EQ(point.outcome, Outcome::good) << point.reason;
+    EXPECT_LT(point[Error::trajectory], 0.01) << angle;
+  }
+}
+
+class Cost : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Catalogue, Cost, testing::Values("links in the plane", "links in space"));
+
+TEST_P(Cost, OfManyStepsAndOfManySweepsDiffersAsTheirTimesDo) {
+  const Problem chain("chain", {}, GetParam());
+  const Knobs often = with_beta(0.001, 64, 1), long_once = with_beta(0.001, 1, 64);
+  const auto run = [&](const Knobs& knobs) {
+    AnyScene scene = chain.start();
+    scene.use(sweeps().setting(knobs).method);
+    const std::clock_t start = std::clock();  // of the processor, which other programs do not lengthen
+    for (int i = 0; i < 40; ++i) scene.step(frame);
+    return static_cast<double>(std::clock() - start);
+  };
+  double least[2] = {1e9, 1e9};  // interleaved, so that what else runs slows both
+  for (int i = 0; i < 30; ++i) {
+    least[0] = std::min(least[0], run(often));
+    least[1] = std::min(least[1], run(long_once));
+  }
+  const auto cost = [&](const Knobs& knobs) {
+    return measure(chain, sweeps(), knobs, {.seconds = 0.5, .reference = false}).cost;
+  };
+  const double counted = cost(often) / cost(long_once), timed = least[0] / least[1];
+  EXPECT_GT(timed, 3);
+  // What writes rows runs more of its instructions at a time than a sweep, where each row waits for the one
+  // before.
+  EXPECT_LT(std::abs(std::log(counted / timed)), std::log(1.5)) << counted << " and " << timed;
+}
+
+TEST(Weights, AreThoseOfTheModel) {
+  // A top is one body on three rows; a step of one sweep solves each once.
+  const Weights space = weights_of("Gauss–Seidel", true);
+  EXPECT_NEAR(measure(Problem("top"), sweeps(), {}, {.seconds = 0.5}).cost,
+              3 * (space.row_solve + space.row) + space.body + space.substep + space.step, 1e-9);
+  const Weights plane = weights_of("Gauss–Seidel");
+  EXPECT_NEAR(measure(Problem("pendulum"), sweeps(), {}, {.seconds = 0.5}).cost,
+              plane.row_solve + plane.row + plane.body + plane.substep + plane.step, 1e-9);
+}
+
+TEST(Limit, OfLaw7IsThatOfTheHangingChain) {
+  // From straight down nothing swings, and the law's own bound is that a chain of equal light links bears T
+  // h²/(ml) = 1 nearly: the heaviest end at these substeps is at least what `limit_of` allows, and less than twice
+  // as much.
+  for (const int substeps : {2, 5, 20}) {
+    const double end = 1.0 / 9.81 * 3600 * substeps * substeps * 0.98 - 9;
+    const Problem chain("chain", {{"links", 10}, {"end_mass", end}, {"angle", 0}});
+    EXPECT_EQ(limit_of(chain).law, 7);
+    EXPECT_EQ(substeps_of_law_7(chain), substeps);
+    const double heaviest = laws::heaviest_end({.links = 10, .substeps = substeps});
+    EXPECT_GT(heaviest, 0.97 * end);
+    EXPECT_LT(heaviest, 2 * end);
+  }
+}
+
+TEST(Limit, OfASweepIsYoungs) {
+  for (const double relaxation : {1.0, 1.2, 1.5, 1.8}) {
+    const Problem chain("chain", {{"links", 10}});
+    EXPECT_NEAR(left_by_a_sweep(chain, relaxation),
+                laws::left_by_a_sweep(laws::SweptChain{.links = 10, .relaxation = relaxation}), 0.02)
+        << relaxation;
+  }
+  const double r = 30;
+  EXPECT_NEAR(left_by_a_sweep(Problem("double_pendulum", {{"end_mass", r}})), r / (1 + r), 1e-12);
+}
+
+TEST(LyapunovTime, IsLongForAPendulumAndSeparatesTheDoublePendulumsRuns) {
+  // Atlas A4: trajectories are compared while t <= 2 s.
+  const Problem twice("double_pendulum", {{"angle", 130}});
+  const double time = lyapunov_time(twice);
+  EXPECT_GT(time, 0.2);
+  EXPECT_LT(time, 2);
+  EXPECT_LE(twice.compared_at(), std::max(2 * frame, time) + 1e-9);
+  EXPECT_GT(lyapunov_time(Problem("pendulum", {{"angle", 20}})), 2);
+  EXPECT_EQ(Problem("pendulum").compared_at(), 1);
+}
+
+// ---- Tuning
+
+class Tuned : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Scenes, Tuned,
+                         testing::Values("pendulum", "double_pendulum", "chain", "four_bar", "stack"));
+
+Problem problem_of(const std::string& scene) {
+  if (scene == "chain") return Problem("chain", {{"links", 10}});
+  if (scene == "stack") return Problem("stack", {{"boxes", 5}, {"kick", 0.02}});
+  return Problem(scene);
+}
+
+TEST_P(Tuned, IsNeverBeatenByADefault) {
+  const Problem problem = problem_of(GetParam());
+  const std::array watched{Error::drift, Error::trajectory};
+  for (const char* name : {"Gauss–Seidel", "direct", "XPBD"}) {
+    const Family& family = family_named(name);
+    Runs runs(problem, family, {.most = 3000});
+    explore(runs, watched, 300);
+    std::vector<Knobs> defaults;
+    for (const int substeps : {1, 4}) {
+      Knobs knobs{.substeps = substeps, .passes = family.pass == "sweep" ? 10 : 1};
+      if (family.cures.size() > 1) knobs = with_cure(knobs, Cure::baumgarte);
+      defaults.push_back(knobs);
+    }
+    for (const Knobs& knobs : defaults) {
+      const Point untuned = measure(problem, family, knobs);
+      for (const Error error : watched)
+        if (untuned.has(error) && untuned[error] > 1e-12 && untuned.cost < 1500) {
+          EXPECT_LT(cost_to_reach(pareto_front(runs.points(), error), error, untuned[error]), 1.05 * untuned.cost)
+              << untuned.described() << ", " << name_of(error);
+        }
+    }
+  }
+}
+
+TEST_P(Tuned, NeitherFellNorViolatesALaw) {
+  const Problem problem = problem_of(GetParam());
+  Runs runs(problem, sweeps(), {.most = 2000});
+  explore(runs, std::array{Error::drift}, 150);
+  const auto front = pareto_front(runs.points(), Error::drift);
+  ASSERT_FALSE(front.empty());
+  for (const Point& point : front) {
+    EXPECT_EQ(point.outcome, Outcome::good);
+    if (point.knobs.cure == Cure::baumgarte) {
+      EXPECT_LT(point.knobs.strength, largest_beta(problem, point.knobs.passes, point.knobs.relaxation))
+          << point.described();
+    }
+    EXPECT_NE(measure(problem, *point.family, point.knobs, {.seconds = 5}).outcome, Outcome::blew_up);
+  }
+}
+
+TEST(Tuned, MovesNoConclusionWithOtherInitialConditions) {
+  // The direct solve is more accurate at equal cost than sweeps, by the medians of two times ten starts.
+  const Problem chain("chain", {{"links", 10}, {"end_mass", 100}});
+  const Knobs swept = with_beta(0.005, 8, 8), exact = with_beta(0.8, 4);
+  for (const int seed : {1, 2}) {
+    std::vector<double> ratios;
+    for (int i = 1; i <= 10; ++i) {
+      const Problem start = chain.variation(i, seed);
+      const Point a = measure(start, direct(), exact), b = measure(start, sweeps(), swept);
+      EXPECT_LT(a.cost, b.cost);
+      ratios.push_back(a[Error::drift] / (b.has(Error::drift) ? b[Error::drift] : 1));
+    }
+    std::sort(ratios.begin(), ratios.end());
+    EXPECT_LT(ratios[5], 0.3) << seed;
+  }
+  EXPECT_NE(chain.variation(1, 1)["angle"], chain.variation(1, 2)["angle"]);
+  EXPECT_EQ(chain.variation(0, 2)["angle"], chain["angle"]);
+}
+
+}  // namespace
