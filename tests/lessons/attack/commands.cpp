@@ -60,6 +60,14 @@ class Commands : public testing::Test {
     EXPECT_EQ(finished.said, "version " + version + ", hello\n");
   }
 
+  /// A command of the test's own, found before the machine's.
+  void command(const std::string& name, const std::string& script) const {
+    write(folder_ / "bin" / name, "#!/bin/sh\n" + script + "\n");
+    fs::permissions(folder_ / "bin" / name, fs::perms::owner_all);
+  }
+  void only_installed(const std::string& package) const { command("dpkg-query", "echo installed " + package); }
+  std::string first_in_path() const { return "PATH=" + (folder_ / "bin").string() + ":$PATH"; }
+
   const Folder folder_;
   const fs::path checkout_ = folder_ / "checkout";
 };
@@ -80,21 +88,94 @@ TEST_F(Commands, HelpAndNoInstallHaveNoSideEffect) {
 }
 
 TEST_F(Commands, NoInstallListsWhatIsMissingAndStops) {
-  write(folder_ / "bin/dpkg-query", "#!/bin/sh\necho installed cmake\n");
-  fs::permissions(folder_ / "bin/dpkg-query", fs::perms::owner_all);
-  const Finished finished = start(checkout_, "--no-install", "PATH=" + (folder_ / "bin").string() + ":$PATH");
+  only_installed("cmake");
+  const Finished finished = start(checkout_, "--no-install", first_in_path());
   EXPECT_EQ(finished.status, 3);
   EXPECT_THAT(finished.complained, testing::AllOf(HasSubstr("ninja-build"), HasSubstr("Nothing was installed")));
   EXPECT_FALSE(fs::exists(checkout_ / "build"));
 }
 
+TEST_F(Commands, NoInstallListsWhatThatCommandWouldInstall) {
+  only_installed("cmake");
+  for (const char* plain : {"--all", "2", "baumgarte", "practise", "verify", ""}) {
+    const Finished finished = start(checkout_, std::string(plain) + " --no-install", first_in_path());
+    EXPECT_EQ(finished.status, 3) << plain;
+    EXPECT_THAT(finished.complained, testing::AllOf(HasSubstr("libosmesa6-dev"), Not(HasSubstr("clang-19")),
+                                                    Not(HasSubstr("libode-dev"))))
+        << plain;
+  }
+  EXPECT_THAT(start(checkout_, "site --no-install", first_in_path()).complained,
+              testing::AllOf(HasSubstr("clang-19"), HasSubstr("wasi-libc"), HasSubstr("libosmesa6-dev")));
+  for (const char* engines : {"10", "beside_the_engines", "engine"})
+    EXPECT_THAT(start(checkout_, std::string(engines) + " --no-install", first_in_path()).complained,
+                HasSubstr("libode-dev"))
+        << engines;
+}
+
+TEST_F(Commands, NoInstallRefusesALineThatCouldNotRun) {
+  for (const char* line : {"nosuch --no-install", "--no-install --bogus", "2 --set --no-install",
+                           "11 --no-install", "--no-install 2 3", "e --no-install", "2 --check --no-install"}) {
+    const Finished finished = start(checkout_, line);
+    EXPECT_EQ(finished.status, 2) << line;
+    EXPECT_EQ(std::count(finished.complained.begin(), finished.complained.end(), '\n'), 1) << finished.complained;
+    EXPECT_THAT(finished.said, testing::IsEmpty());
+  }
+  const Finished hostile = start(checkout_, "$'a\\nb\\e[31m' --no-install");
+  EXPECT_THAT(hostile.complained, Not(testing::AnyOf(HasSubstr("\033"), HasSubstr("a\nb"))));
+}
+
+TEST_F(Commands, HelpByItsOtherNamesIsHelp) {
+  for (const char* help : {"-h", "help"}) {
+    const Finished finished = start(checkout_, help);
+    EXPECT_EQ(finished.status, 0) << help;
+    EXPECT_THAT(finished.said, HasSubstr("verify FOLDER"));
+  }
+}
+
+TEST_F(Commands, HelpThatCannotBePrintedIsAFailureOfTheEnvironment) {
+  for (const char* line : {"--help >/dev/full", "--help >&-"}) {
+    const Finished finished = start(checkout_, line);
+    EXPECT_EQ(finished.status, 3) << line;
+    EXPECT_THAT(finished.complained, HasSubstr("standard output")) << line;
+    EXPECT_EQ(std::count(finished.complained.begin(), finished.complained.end(), '\n'), 1) << finished.complained;
+  }
+}
+
+TEST_F(Commands, AreFoundThroughLinksAndFromAnywhere) {
+  expect_version(checkout_, "1");
+  fs::create_symlink(checkout_ / "lessons/run", folder_ / "course");
+  fs::create_symlink("course", folder_ / "once more");
+  const std::string folder = quoted(folder_.path().string());
+  for (const std::string line :
+       {"CDPATH=. checkout/lessons/run hello", "CDPATH=.. checkout/lessons/run hello",
+        "export CDPATH=..; cd checkout; lessons/run hello", "./course hello", "'./once more' hello",
+        "cd checkout/lessons && CDPATH=.. bash run hello", "PATH=$PWD:$PATH course hello"}) {
+    const Finished finished = run("cd " + folder + " && " + line);
+    EXPECT_EQ(finished.status, 0) << line << "\n" << finished.complained;
+    EXPECT_EQ(finished.said, "version 1, hello\n") << line;
+  }
+}
+
+TEST_F(Commands, APathThatLacksCommandsIsTheEnvironments) {
+  const auto expect_named = [&](const std::string& path) {
+    const Finished finished = start(checkout_, "hello", "PATH=" + path);
+    EXPECT_EQ(finished.status, 3) << path;
+    EXPECT_THAT(finished.complained, HasSubstr("PATH")) << path;
+    EXPECT_EQ(std::count(finished.complained.begin(), finished.complained.end(), '\n'), 1) << finished.complained;
+  };
+  expect_named("");
+  expect_named("/nonexistent");
+  fs::create_directory(folder_ / "bin");
+  for (const char* command : {"readlink", "dirname", "sed"})
+    fs::create_symlink(fs::path("/usr/bin") / command, folder_ / "bin" / command);
+  expect_named((folder_ / "bin").string());
+}
+
 TEST_F(Commands, WithoutRootOrNetworkSayWhatIsMissing) {
-  write(folder_ / "bin/dpkg-query", "#!/bin/sh\necho installed cmake\n");
-  write(folder_ / "bin/apt-get", "#!/bin/sh\necho 'E: no network' >&2; exit 100\n");
-  write(folder_ / "bin/sudo", "#!/bin/sh\nexec \"$@\"\n");
-  for (const auto& entry : fs::directory_iterator(folder_ / "bin"))
-    fs::permissions(entry.path(), fs::perms::owner_all);
-  const Finished finished = start(checkout_, "", "PATH=" + (folder_ / "bin").string() + ":$PATH");
+  only_installed("cmake");
+  command("apt-get", "echo 'E: no network' >&2; exit 100");
+  command("sudo", "exec \"$@\"");
+  const Finished finished = start(checkout_, "", first_in_path());
   EXPECT_EQ(finished.status, 3);
   EXPECT_THAT(finished.complained,
               testing::AllOf(HasSubstr("E: no network"), HasSubstr("apt-get could not install")));
@@ -168,6 +249,69 @@ TEST_F(Commands, ACheckoutThatCannotBeWrittenIsBuiltInTheCache) {
   EXPECT_THAT(finished.complained, HasSubstr(checkout_.string() + " cannot be written, so it is built in"));
   EXPECT_FALSE(fs::exists(checkout_ / "build"));
   EXPECT_EQ(run(cache + read_only("exec \"$0/lessons/run\" hello")).complained, "") << "once is enough";
+}
+
+TEST_F(Commands, ACheckoutThatCannotBeWrittenIsNotBuiltWhereAnotherUserMayComeFirst) {
+  fs::create_directory(checkout_ / "build");
+  const std::string locked =
+      "unshare --user --map-root-user --mount sh -c 'mount --bind \"$0\" \"$0\" && mount -o "
+      "remount,ro,bind \"$0\" && exec \"$0/lessons/run\" hello' " +
+      quoted(checkout_.string());
+  if (run("unshare --user --map-root-user --mount true").status != 0) GTEST_SKIP() << "mounts nothing for users";
+  for (const char* environment :
+       {"env -u HOME -u XDG_CACHE_HOME ", "HOME= XDG_CACHE_HOME= ", "HOME=relative XDG_CACHE_HOME=cache "}) {
+    const Finished finished = run(environment + locked);
+    EXPECT_EQ(finished.status, 3) << environment;
+    EXPECT_THAT(finished.complained, HasSubstr("HOME")) << environment;
+    EXPECT_EQ(std::count(finished.complained.begin(), finished.complained.end(), '\n'), 1) << finished.complained;
+  }
+}
+
+TEST_F(Commands, WaitingIsSaidOnlyWhenItLasts) {
+  expect_version(checkout_, "1");
+  const std::string held = quoted((checkout_ / "build/release").string());
+  const auto while_held = [&](const std::string& seconds) {
+    return run("flock " + held + " sleep " + seconds + " & sleep 0.1; " +
+               quoted((checkout_ / "lessons/run").string()) + " hello; wait");
+  };
+  EXPECT_EQ(while_held("0.4").complained, "");
+  const Finished longer = while_held("3");
+  EXPECT_EQ(longer.status, 0);
+  EXPECT_THAT(longer.complained, HasSubstr("Waiting for another build"));
+}
+
+TEST_F(Commands, ABuildSaysWhatItBuildsAndHowLongItTakes) {
+  EXPECT_THAT(start(checkout_, "hello").complained, HasSubstr("building course: 2 steps"));
+  const Finished finished = run("source=" + quoted(BYHAND_SOURCE) +
+                                "; bash -c '. \"$0/.ci/setup\"; { echo \"[1/90] a\"; sleep 6; echo \"[9/90] b\"; "
+                                "sleep 6; echo \"[89/90] c\"; } | count \"building lessons\"' \"$source\"");
+  EXPECT_THAT(finished.complained,
+              testing::MatchesRegex("building lessons: 90 steps …\nbuilding lessons: 9 of 90 steps, about [12] "
+                                    "minutes? left\nbuilding lessons: 89 of 90 steps, less than a minute left\n"));
+}
+
+TEST_F(Commands, TestsRefuseASeedThatIsNoNumber) {
+  for (const char* seed : {"x", "'1;touch evil'", "-1", "99999999999999999999", "1e3"}) {
+    const Finished finished = run("cd " + quoted(folder_.path().string()) + " && " +
+                                  quoted(BYHAND_SOURCE "/tests/run") + " --no-install --seed=" + seed);
+    EXPECT_EQ(finished.status, 2) << seed;
+    EXPECT_THAT(finished.complained, HasSubstr("--seed")) << seed;
+  }
+}
+
+TEST_F(Commands, APackerThatIsInterruptedPrintsNoTraceback) {
+  for (const char* program : {"seven_bits", "letter_boxes"}) {
+    const std::string fifo = (folder_ / program).string();
+    ASSERT_EQ(run("mkfifo " + fifo).status, 0);
+    Started packing({"/bin/sh", "-c",
+                     std::string("exec ") + BYHAND_SOURCE + "/lessons/site/live/" + program + " " +
+                         (folder_ / "fonts").string() + " <" + fifo});
+    const std::ofstream held(fifo);
+    std::this_thread::sleep_for(std::chrono::milliseconds(400));
+    packing.send(SIGINT);
+    const Finished finished = packing.finish();
+    EXPECT_EQ(finished.complained, "") << program;
+  }
 }
 
 TEST_F(Commands, ABuildThatFailsSaysWhereItsWordsAre) {
