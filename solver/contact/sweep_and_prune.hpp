@@ -11,9 +11,9 @@ namespace byhand {
 /// Two bodies, the one with the smaller index first.
 using BodyPair = std::pair<int, int>;
 
-/// Broad phase: finds overlapping bounds. It keeps them sorted along the first axis from call to call, so that
-/// where the order changes little, a call takes time in proportion to the number of bounds and of overlaps along
-/// that axis.
+/// Broad phase: finds overlapping bounds. It keeps them sorted from call to call along the axis on which they
+/// spread most, looked up now and then, so that where the order changes little, a call takes time in proportion to
+/// the number of bounds and of overlaps along that axis.
 template <int dim>
 class SweepAndPrune {
  public:
@@ -23,14 +23,19 @@ class SweepAndPrune {
   /// bounds and bounds that are not numbers overlap nothing. Valid until the next call.
   const std::vector<BodyPair>& overlapping(const std::vector<Bounds>& bounds);
 
+  /// The axis along which the last call sorted.
+  int axis() const { return axis_; }
+
  private:
   struct Entry {
     std::array<double, dim> low, high;
     int index;
   };
-  void update(const std::vector<Bounds>& bounds);
+  template <int axis>
+  void sweep(const std::vector<Bounds>& bounds, bool sorted);
 
-  std::vector<Entry> sorted_;  // by low[0]
+  int axis_ = 0, calls_ = 0;
+  std::vector<Entry> sorted_;  // by low[axis_]
   std::vector<BodyPair> pairs_, by_second_;
   std::vector<int> begin_;  // scratch
 };

@@ -100,15 +100,16 @@ BENCHMARK(box_and_box<SpaceBody>);
 BENCHMARK(boxes_apart<SpaceBody>);
 
 /// Unit boxes in a row ten high, which sway a little from call to call.
+/// Columns of `height` boxes, a third of which sways.
 template <int dim>
 void sweep_and_prune(benchmark::State& state) {
   using Vector = Eigen::Matrix<double, dim, 1>;
-  const int bodies = static_cast<int>(state.range(0));
+  const int bodies = static_cast<int>(state.range(0)), height = static_cast<int>(state.range(1));
   std::vector<Eigen::AlignedBox<double, dim>> bounds;
   for (int i = 0; i < bodies; ++i) {
     Vector at = Vector::Zero();
-    at[0] = 1.05 * (i / 10) + 0.003 * (i % 10);
-    at[1] = i % 10;
+    at[0] = 1.05 * (i / height) + 0.003 * (i % 10);
+    at[1] = i % height;
     bounds.emplace_back(Vector(at - Vector::Constant(0.51)), Vector(at + Vector::Constant(0.51)));
   }
   SweepAndPrune<dim> sweep;
@@ -124,7 +125,8 @@ void sweep_and_prune(benchmark::State& state) {
   state.counters["pairs_per_body"] = static_cast<double>(pairs) / bodies;
   state.SetComplexityN(bodies);
 }
-BENCHMARK(sweep_and_prune<2>)->RangeMultiplier(4)->Range(64, 16384)->Complexity(benchmark::oN);
-BENCHMARK(sweep_and_prune<3>)->RangeMultiplier(4)->Range(64, 16384)->Complexity(benchmark::oN);
+BENCHMARK(sweep_and_prune<2>)->ArgsProduct({{64, 256, 1024, 4096, 16384}, {10}})->Complexity(benchmark::oN);
+BENCHMARK(sweep_and_prune<3>)->ArgsProduct({{64, 256, 1024, 4096, 16384}, {10}})->Complexity(benchmark::oN);
+BENCHMARK(sweep_and_prune<2>)->Name("column")->Args({500, 500})->Args({2000, 2000})->Args({8000, 8000});
 
 }  // namespace

@@ -68,6 +68,34 @@ TEST(SweepAndPrune, FindsThemWhateverItSawBefore) {
   });
 }
 
+TEST(SweepAndPrune, FollowsTheAxisOnWhichTheBoundsSpread) {
+  in_plane_and_space([]<int dim>(Random random) {
+    SweepAndPrune<dim> sweep;
+    const auto boxes = random_boxes<dim>(random, 60);
+    for (int axis : {0, 1, dim - 1, 0, dim - 1, 1}) {
+      auto spread = boxes;
+      for (auto& box : spread)
+        if (!box.isEmpty()) box.min()[axis] *= 5, box.max()[axis] *= 5;
+      for (int call = 0; call < 64; ++call) ASSERT_EQ(sweep.overlapping(spread), all_pairs<dim>(spread));
+      EXPECT_EQ(sweep.axis(), axis);
+    }
+  });
+}
+
+TEST(SweepAndPrune, SortsARowAlongItselfAtOnce) {
+  in_plane_and_space([]<int dim>(Random) {
+    using Vector = Eigen::Matrix<double, dim, 1>;
+    for (int axis = 0; axis < dim; ++axis) {
+      SweepAndPrune<dim> sweep;
+      Boxes<dim> boxes = {{Vector::Constant(-infinity), Vector::Constant(infinity)}};  // the ground
+      for (int i = 0; i < 2000; ++i)
+        boxes.emplace_back(Vector(i * Vector::Unit(axis)), Vector(i * Vector::Unit(axis) + Vector::Ones()));
+      EXPECT_EQ(sweep.overlapping(boxes).size(), 1999U + 2000U);
+      EXPECT_EQ(sweep.axis(), axis);
+    }
+  });
+}
+
 TEST(SweepAndPrune, NumbersThePairsOfBodiesAddedInAnotherOrderAnotherWayAndNoMore) {
   in_plane_and_space([]<int dim>(Random random) {
     const auto boxes = random_boxes<dim>(random, 200);
