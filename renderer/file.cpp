@@ -134,6 +134,14 @@ fs::path temporary_beside(const fs::path& path) {
   return path.parent_path() / fmt::format("{}{}-{}{}", prefix, getpid(), next++, suffix);
 }
 
+/// A rename would put a file in the place of a device or a pipe, for every program of the machine if we are root.
+void require_replaceable(const fs::path& path) {
+  std::error_code error;
+  const fs::file_status there = fs::symlink_status(path, error);
+  if (fs::exists(there) && !fs::is_regular_file(there) && !fs::is_symlink(there))
+    throw EnvironmentError(fmt::format("Cannot write {}: it is no file but a folder, a device or a pipe.", path.string()));
+}
+
 void write_and_rename(const fs::path& temporary, const fs::path& path, std::string_view bytes) {
   Descriptor file(create(temporary));
   try {
@@ -154,6 +162,7 @@ void write_and_rename(const fs::path& temporary, const fs::path& path, std::stri
 void write_whole(const fs::path& path, std::string_view bytes) {
   try {
     make_folder(path.parent_path());
+    require_replaceable(path);
     // A process of the same number, in another container or before a power failure, may have left such a name.
     for (int attempt = 0;; ++attempt) {
       const fs::path temporary = temporary_beside(path);

@@ -8,8 +8,9 @@
 namespace byhand::renderer {
 
 /// Writes a file atomically and durably: writes a temporary file beside it, syncs it, renames it and syncs the
-/// folder. Creates missing folders. Replaces a symbolic link, never the file that it names. Throws
-/// EnvironmentError with path and reason, and then leaves an old file unchanged and no temporary file.
+/// folder. Creates missing folders. Replaces a symbolic link, never the file that it names, and nothing else but
+/// regular files. Throws EnvironmentError with path and reason, and then leaves an old file unchanged and no
+/// temporary file.
 void write_whole(const std::filesystem::path& path, std::string_view bytes);
 
 /// The bytes of a regular file; nothing if it is missing, something else or cannot be read.
