@@ -154,40 +154,20 @@ void contact(course::Page& page, const Settings& set) {
     page.text("Here the plank does not turn, so (15) leaves out nothing wherever P₂ lies.");
 
   const double C = -0.02 * length;
-  page.claim({.quantity = "C of the overlapping box",
-              .unit = "m",
-              .expected = C,
-              .source = "the overlap, negative",
-              .measured = at.value(),
-              .tolerance = course::absolute(1e-14 * length)});
-  page.claim({.quantity = "exchange the bodies and reverse n: change of the row, relative",
-              .unit = "1",
-              .expected = 0,
-              .source = "C is the same",
-              .measured = flipped,
-              .tolerance = course::absolute(1e-14)});
-  page.claim({.quantity = "exchange the bodies, keep n: row + old row, relative",
-              .unit = "1",
-              .expected = 0,
-              .source = "C changes its sign",
-              .measured = kept,
-              .tolerance = course::absolute(1e-14)});
+  page.claim("C of the overlapping box", at.value(), "m",
+             is(C, "the overlap, negative", course::absolute(1e-14 * length)));
+  page.claim("exchange the bodies and reverse n: change of the row, relative", flipped, "1",
+             is(0, "C is the same", course::absolute(1e-14)));
   // Central differences: speeds times (turn in a step)²/6, a few times over, and rounding of C over the step.
+  page.claim("exchange the bodies, keep n: row + old row, relative", kept, "1",
+             is(0, "C changes its sign", course::absolute(1e-14)));
   const double turn = (2 * std::abs(set.spin()) + set.speed / length) * step;
   const double speeds = set.speed + length * std::abs(set.spin());
   const double tolerance = 4 * speeds * turn * turn + 1e-14 * length / step;
-  page.claim({.quantity = "what (15) drops, P₂ straight above or below P₁",
-              .unit = "m/s",
-              .expected = tolerance,
-              .source = "ṅ is square to n; the differences' own error",
-              .measured = dropped.straight_above,
-              .tolerance = course::at_most()});
-  page.claim({.quantity = "what (15) drops, per metre beside",
-              .unit = "(m/s)/m",
-              .expected = -w1,
-              .source = "(P₂ − P₁)·ṅ with ṅ = ω₁ × n",
-              .measured = dropped.slope,
-              .tolerance = course::absolute(20 * tolerance / length)});
+  page.claim("what (15) drops, P₂ straight above or below P₁", dropped.straight_above, "m/s",
+             is(tolerance, "ṅ is square to n; the differences' own error", course::at_most()));
+  page.claim("what (15) drops, per metre beside", dropped.slope, "(m/s)/m",
+             is(-w1, "(P₂ − P₁)·ṅ with ṅ = ω₁ × n", course::absolute(20 * tolerance / length)));
 }
 
 }  // namespace byhand::lesson01

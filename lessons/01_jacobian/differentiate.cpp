@@ -127,18 +127,9 @@ void differentiate(course::Page& page, const Settings& set) {
       most @ m²/s: it falls with the square of its step until rounding takes over.)",
       course::small_error(all.largest_difference), course::Value(std::max(all.tolerance, 1e-11), 2));
 
-  page.claim({.quantity = "Ċ of the bob",
-              .unit = "m²/s",
-              .expected = 0.6 * length * speed,
-              .source = "d·v by hand",
-              .measured = bob,
-              .tolerance = course::relative(1e-14)});
-  page.claim({.quantity = "largest difference between (10) and differences of C",
-              .unit = "m²/s",
-              .expected = all.tolerance,
-              .source = "step²/6 · bound on the third derivative, and rounding",
-              .measured = all.largest_difference,
-              .tolerance = course::at_most()});
+  page.claim("Ċ of the bob", bob, "m²/s", is(0.6 * length * speed, "d·v by hand", course::relative(1e-14)));
+  page.claim("largest difference between (10) and differences of C", all.largest_difference, "m²/s",
+             is(all.tolerance, "step²/6 · bound on the third derivative, and rounding", course::at_most()));
 }
 
 }  // namespace byhand::lesson01

@@ -116,30 +116,12 @@ void dual_map(course::Page& page, const Settings& set) {
 
   const Linear<PlaneParticle> n = J.l2().transpose();
   const Velocity<PlaneParticle> allowed(-n.y() * set.speed, n.x() * set.speed);
-  page.claim({.quantity = "JJᵀ of a unit row between two particles",
-              .unit = "1",
-              .expected = 2,
-              .source = "n·n + n·n",
-              .measured = JJt,
-              .tolerance = course::absolute(1e-14)});
-  page.claim({.quantity = "F·V along the circle at λ = 1 N",
-              .unit = "W",
-              .expected = 0,
-              .source = "the tangent is perpendicular to the rod",
-              .measured = n.dot(allowed),
-              .tolerance = course::absolute(1e-15 * set.speed)});
-  page.claim({.quantity = "F·V − λ·JV over all directions, largest",
-              .unit = "W",
-              .expected = 1e-15,
-              .source = "Jᵀ is the dual map",
-              .measured = difference,
-              .tolerance = course::at_most()});
-  page.claim({.quantity = "J·M⁻¹Jᵀ(JM⁻¹Jᵀ)⁻¹",
-              .unit = "1",
-              .expected = 1,
-              .source = "a right inverse",
-              .measured = back,
-              .tolerance = course::absolute(1e-15)});
+  page.claim("JJᵀ of a unit row between two particles", JJt, "1", is(2, "n·n + n·n", course::absolute(1e-14)));
+  page.claim("F·V along the circle at λ = 1 N", n.dot(allowed), "W",
+             is(0, "the tangent is perpendicular to the rod", course::absolute(1e-15 * set.speed)));
+  page.claim("F·V − λ·JV over all directions, largest", difference, "W",
+             is(1e-15, "Jᵀ is the dual map", course::at_most()));
+  page.claim("J·M⁻¹Jᵀ(JM⁻¹Jᵀ)⁻¹", back, "1", is(1, "a right inverse", course::absolute(1e-15)));
 }
 
 }  // namespace byhand::lesson01

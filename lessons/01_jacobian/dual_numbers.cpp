@@ -157,12 +157,8 @@ void dual_numbers(course::Page& page, const Settings& set) {
       draws);
   const double tolerance = 100 * std::numeric_limits<double>::epsilon();
   const auto claim = [&](const char* model, double difference) {
-    page.claim({.quantity = course::say("J by hand against dual numbers, @, relative", model),
-                .unit = "1",
-                .expected = tolerance,
-                .source = "some hundred roundings",
-                .measured = difference,
-                .tolerance = course::at_most()});
+    page.claim(course::say("J by hand against dual numbers, @, relative", model), difference, "1",
+               is(tolerance, "some hundred roundings", course::at_most()));
   };
   claim("particles in the plane", largest_difference<PlaneParticle>(set.length, draws));
   claim("bodies in the plane", largest_difference<PlaneBody>(set.length, draws));

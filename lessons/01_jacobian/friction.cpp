@@ -137,30 +137,14 @@ void friction(course::Page& page, const Settings& set) {
   // Only the corner's turning has a third derivative: |ω|³|r|, times step²/6; then the rounding of the slip.
   const double spin = std::abs(set.spin()), arm = set.length;
   const double tolerance = step * step / 6 * spin * spin * spin * arm + 4e-15 * set.length / step;
-  page.claim({.quantity = "rows of (16) in the plane",
-              .unit = "1",
-              .expected = 1,
-              .source = "a surface's dimension",
-              .measured = double(Friction<PlaneBody>::rows),
-              .tolerance = course::absolute(0)});
-  page.claim({.quantity = "rows of (16) in space",
-              .unit = "1",
-              .expected = 2,
-              .source = "a surface's dimension",
-              .measured = double(J.matrix.rows()),
-              .tolerance = course::absolute(0)});
-  page.claim({.quantity = "slip by (16) against differences of position",
-              .unit = "m/s",
-              .expected = tolerance,
-              .source = "step²/6 · |ω|³|r|, and rounding",
-              .measured = (measured - slip).cwiseAbs().maxCoeff(),
-              .tolerance = course::at_most()});
-  page.claim({.quantity = "change of |slip| while the tangents turn",
-              .unit = "m/s",
-              .expected = 0,
-              .source = "a length does not depend on the axes",
-              .measured = longest - shortest,
-              .tolerance = course::absolute(1e-14 * (longest + 1e-3))});
+  page.claim("rows of (16) in the plane", double(Friction<PlaneBody>::rows), "1",
+             is(1, "a surface's dimension", course::absolute(0)));
+  page.claim("rows of (16) in space", double(J.matrix.rows()), "1",
+             is(2, "a surface's dimension", course::absolute(0)));
+  page.claim("slip by (16) against differences of position", (measured - slip).cwiseAbs().maxCoeff(), "m/s",
+             is(tolerance, "step²/6 · |ω|³|r|, and rounding", course::at_most()));
+  page.claim("change of |slip| while the tangents turn", longest - shortest, "m/s",
+             is(0, "a length does not depend on the axes", course::absolute(1e-14 * (longest + 1e-3))));
 }
 
 }  // namespace byhand::lesson01

@@ -133,12 +133,9 @@ void say_swap(course::Page& page, const Pair& pair, const Entries& row) {
       But the new l₁ belongs to what was body 2: the two halves of the row have changed places, and each body keeps
       its arrows. It has to be so, for (2) is the same from both ends.)",
       vector(row.segment<2>(0).transpose()), vector(other.segment<2>(0).transpose()));
-  page.claim({.quantity = "row after the swap − row with its blocks exchanged, relative",
-              .unit = "1",
-              .expected = 1e-14,
-              .source = "C of (2) is the same from both ends",
-              .measured = (other - exchanged(row)).norm() / row.norm(),
-              .tolerance = course::at_most()});
+  page.claim("row after the swap − row with its blocks exchanged, relative",
+             (other - exchanged(row)).norm() / row.norm(), "1",
+             is(1e-14, "C of (2) is the same from both ends", course::at_most()));
 }
 
 }  // namespace
@@ -234,18 +231,13 @@ void inspection(course::Page& page, const Settings& set) {
   along.V1 = row.head<3>().transpose();
   along.V2 = row.tail<3>().transpose();
   const double along_step = step / (1 + row.norm());
-  page.claim({.quantity = "six probes against (14), largest difference over |J|",
-              .unit = "1",
-              .expected = probe_tolerance(pair, step) / row.norm(),
-              .source = "step²/6 · bound on the third derivative, and rounding",
-              .measured = (by_probe - row).cwiseAbs().maxCoeff() / row.norm(),
-              .tolerance = course::at_most()});
-  page.claim({.quantity = "Ċ when both bodies move along J",
-              .unit = "m⁴/s",
-              .expected = row.squaredNorm(),
-              .source = "|J|² > 0: C grows there",
-              .measured = difference(along, along_step),
-              .tolerance = course::absolute(difference_tolerance(along, along_step))});
+  page.claim("six probes against (14), largest difference over |J|",
+             (by_probe - row).cwiseAbs().maxCoeff() / row.norm(), "1",
+             is(probe_tolerance(pair, step) / row.norm(), "step²/6 · bound on the third derivative, and rounding",
+                course::at_most()));
+  page.claim(
+      "Ċ when both bodies move along J", difference(along, along_step), "m⁴/s",
+      is(row.squaredNorm(), "|J|² > 0: C grows there", course::absolute(difference_tolerance(along, along_step))));
 }
 
 }  // namespace byhand::lesson01

@@ -118,27 +118,16 @@ void linkage(course::Page& page, const Settings& set) {
     difference = std::max(difference, (dot(row, V1, V2) - by_matrix.segment<2>(2 * i)).cwiseAbs().maxCoeff());
   }
   const auto claim_numbers = [&](const char* model, int expected, int measured) {
-    page.claim({.quantity = course::say("numbers in a row, @", model),
-                .unit = "1",
-                .expected = double(expected),
-                .source = "(7): l and a of two bodies",
-                .measured = double(measured),
-                .tolerance = course::absolute(0)});
+    page.claim(course::say("numbers in a row, @", model), double(measured), "1",
+               is(double(expected), "(7): l and a of two bodies", course::absolute(0)));
   };
   claim_numbers("bodies in the plane", 2 * (2 + 1), stored<PlaneBody>);
   claim_numbers("bodies in space", 2 * (3 + 3), stored<SpaceBody>);
-  page.claim({.quantity = "share of zeros in J of the chain",
-              .unit = "1",
-              .expected = share_of_zeros(links),
-              .source = "counted by pins: 4 entries for the first, 8 for each other",
-              .measured = zeros,
-              .tolerance = course::absolute(1e-12)});
-  page.claim({.quantity = "JV by (8) against the whole matrix, largest difference",
-              .unit = "m/s",
-              .expected = 1e-14 * (1 + set.length),
-              .source = "zeros add nothing",
-              .measured = difference,
-              .tolerance = course::at_most()});
+  page.claim("share of zeros in J of the chain", zeros, "1",
+             is(share_of_zeros(links), "counted by pins: 4 entries for the first, 8 for each other",
+                course::absolute(1e-12)));
+  page.claim("JV by (8) against the whole matrix, largest difference", difference, "m/s",
+             is(1e-14 * (1 + set.length), "zeros add nothing", course::at_most()));
 }
 
 }  // namespace byhand::lesson01

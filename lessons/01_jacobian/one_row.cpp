@@ -87,18 +87,12 @@ void one_row(course::Page& page, const Settings& set) {
 
   const Pair pair = pair_of(set);
   const double speeds = pair.V1.norm() + pair.V2.norm();
-  page.claim({.quantity = "Ċ of the bob of the question",
-              .unit = "m²/s",
-              .expected = rate_by_differences(slope, v, step),
-              .source = "differences of C along the motion",
-              .measured = rate,
-              .tolerance = course::absolute(1e-11 * length * speed)});
-  page.claim({.quantity = "(8) for two turning boxes, four products",
-              .unit = "m²/s",
-              .expected = pair.rate(),
-              .source = "JV as the solver computes it",
-              .measured = four_products(pair.row(), pair.V1, pair.V2),
-              .tolerance = course::absolute(1e-14 * pair.row().matrix.norm() * speeds)});
+  page.claim("Ċ of the bob of the question", rate, "m²/s",
+             is(rate_by_differences(slope, v, step), "differences of C along the motion",
+                course::absolute(1e-11 * length * speed)));
+  page.claim("(8) for two turning boxes, four products", four_products(pair.row(), pair.V1, pair.V2), "m²/s",
+             is(pair.rate(), "JV as the solver computes it",
+                course::absolute(1e-14 * pair.row().matrix.norm() * speeds)));
 }
 
 }  // namespace byhand::lesson01

@@ -89,20 +89,12 @@ void separation(course::Page& page, const Settings& set) {
       R"(The arms must be those in the world. These discs have turned; with their arms as they are stored, in the
       bodies' own frames, (23) would give @ m.)",
       literal);
-  page.claim({.quantity = "C of (23) for two overlapping discs",
-              .unit = "m",
-              .expected = distance - at.radius1 - at.radius2,
-              .source = "distance less both radii",
-              .measured = at.value(),
-              .tolerance = course::absolute(4e-15 * length)});
+  page.claim("C of (23) for two overlapping discs", at.value(), "m",
+             is(distance - at.radius1 - at.radius2, "distance less both radii", course::absolute(4e-15 * length)));
   const double apart = 0.8 * length;
   const Discs gap = discs(length, apart);
-  page.claim({.quantity = "C of two discs that are apart",
-              .unit = "m",
-              .expected = apart - gap.radius1 - gap.radius2,
-              .source = "distance less both radii",
-              .measured = gap.value(),
-              .tolerance = course::absolute(4e-15 * length)});
+  page.claim("C of two discs that are apart", gap.value(), "m",
+             is(apart - gap.radius1 - gap.radius2, "distance less both radii", course::absolute(4e-15 * length)));
 }
 
 }  // namespace byhand::lesson01

@@ -119,34 +119,16 @@ void slopes(course::Page& page, const Settings& set) {
 
   if (second_order) page.measure("slope with (14)", measured_slope, "1");
   if (first_order_seen) page.measure("slope with a₂ of the wrong sign", spoilt_slope, "1");
-  page.claim({.quantity = "rest of the bob at h",
-              .unit = "m²",
-              .expected = exact,
-              .source = "½h²v² on paper",
-              .measured = at_h,
-              .tolerance = course::absolute(1e-12 * exact + rounding(bob, h))});
-  page.claim({.quantity = "rest of the boxes, over h²",
-              .unit = "m²/s²",
-              .expected = std::abs(curvature) / 2,
-              .source = "½|C̈| from the accelerations of the arms",
-              .measured = left_over(pair, J, small) / (small * small),
-              .tolerance = course::absolute(third * small / 6 + noise / (small * small))});
-  page.claim({.quantity = "slope with (14)",
-              .unit = "1",
-              .expected = 2,
-              .source = "Taylor",
-              .measured = measured_slope,
-              .tolerance = course::absolute(slope_tolerance(share)),
-              .claimed = share < 0.2,
-              .range = "C̈ not close to 0"});
-  page.claim({.quantity = "slope with a₂ of the wrong sign",
-              .unit = "1",
-              .expected = 1,
-              .source = "2h|a₂ω₂| remains",
-              .measured = spoilt_slope,
-              .tolerance = course::absolute(slope_tolerance(spoilt_share)),
-              .claimed = spoilt_share < 0.2,
-              .range = "a₂ω₂ well above hC̈"});
+  page.claim("rest of the bob at h", at_h, "m²",
+             is(exact, "½h²v² on paper", course::absolute(1e-12 * exact + rounding(bob, h))));
+  page.claim("rest of the boxes, over h²", left_over(pair, J, small) / (small * small), "m²/s²",
+             is(std::abs(curvature) / 2, "½|C̈| from the accelerations of the arms",
+                course::absolute(third * small / 6 + noise / (small * small))));
+  page.claim("slope with (14)", measured_slope, "1", is(2, "Taylor", course::absolute(slope_tolerance(share))),
+             Condition{share < 0.2, "C̈ not close to 0"});
+  page.claim("slope with a₂ of the wrong sign", spoilt_slope, "1",
+             is(1, "2h|a₂ω₂| remains", course::absolute(slope_tolerance(spoilt_share))),
+             Condition{spoilt_share < 0.2, "a₂ω₂ well above hC̈"});
 }
 
 }  // namespace byhand::lesson01

@@ -151,24 +151,12 @@ void triple_product(course::Page& page, const Settings& set) {
       rounding.)",
       draws);
 
-  page.claim({.quantity = "a₂ of the question",
-              .unit = "m²",
-              .expected = -area,
-              .source = "r_x d_y − r_y d_x",
-              .measured = a2,
-              .tolerance = course::relative(1e-14)});
-  page.claim({.quantity = "a₂ while d turns round: largest difference",
-              .unit = "m²",
-              .expected = 1e-14 * area,
-              .source = "|r| |d| sin of the angle between them",
-              .measured = turning.largest_difference,
-              .tolerance = course::at_most()});
-  page.claim({.quantity = "d·(ω × r) − ω·(r × d) in space, relative",
-              .unit = "1",
-              .expected = 0,
-              .source = "the volume of one and the same box",
-              .measured = mismatch,
-              .tolerance = course::absolute(8 * std::numeric_limits<double>::epsilon())});
+  page.claim("a₂ of the question", a2, "m²", is(-area, "r_x d_y − r_y d_x", course::relative(1e-14)));
+  page.claim("a₂ while d turns round: largest difference", turning.largest_difference, "m²",
+             is(1e-14 * area, "|r| |d| sin of the angle between them", course::at_most()));
+  page.claim(
+      "d·(ω × r) − ω·(r × d) in space, relative", mismatch, "1",
+      is(0, "the volume of one and the same box", course::absolute(8 * std::numeric_limits<double>::epsilon())));
 }
 
 }  // namespace byhand::lesson01

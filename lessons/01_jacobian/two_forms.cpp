@@ -134,48 +134,21 @@ void two_forms(course::Page& page, const Settings& set) {
   const auto own = stretches<Distance>(10, set.mass, 0.2, set.h, 20),
              mixed = stretches<Mixed>(12, set.mass, 0.2, set.h, 5);
   const double size = squared.on_bob.norm();
-  page.claim({.quantity = "impulse of both forms, difference",
-              .unit = "N·s",
-              .expected = 0,
-              .source = "λ grows by |d| where J shrinks by it",
-              .measured = (squared.on_bob - normalised.on_bob).norm(),
-              .tolerance = course::absolute(1e-14 * size)});
-  page.claim({.quantity = "λ of |d| − L over λ of (2)",
-              .unit = "m",
-              .expected = length,
-              .source = "|d|",
-              .measured = normalised.lambda / squared.lambda,
-              .tolerance = course::relative(1e-14)});
-  page.claim({.quantity = "share removed, (2) with (14)",
-              .unit = "1",
-              .expected = squared_on_paper(set.beta),
-              .source = "β(2L + e)/(2(L + e))",
-              .measured = gain<Distance>(length, set),
-              .tolerance = course::absolute(1e-11)});
-  page.claim({.quantity = "share removed, |d| − L with n",
-              .unit = "1",
-              .expected = set.beta,
-              .source = "β",
-              .measured = gain<NormalisedDistance>(length, set),
-              .tolerance = course::absolute(1e-11)});
-  page.claim({.quantity = "share removed, (2) with n",
-              .unit = "1",
-              .expected = mixed_on_paper(set.beta, length),
-              .source = "βL(1 + e/(2L))",
-              .measured = gain<Mixed>(length, set),
-              .tolerance = course::absolute(1e-11 * (1 + length))});
-  page.claim({.quantity = "10 m rod at β = 0.2 after 20 steps, own J: share left",
-              .unit = "1",
-              .expected = std::pow(1 - squared_on_paper(0.2), 20) * (1 + 1e-9),
-              .source = "the first step's share is the least",
-              .measured = std::abs(own.back() / own.front()),
-              .tolerance = course::at_most()});
-  page.claim({.quantity = "12 m rod at β = 0.2 after 5 steps, mixed: growth",
-              .unit = "1",
-              .expected = 1,
-              .source = "β·L > 2 diverges",
-              .measured = std::abs(mixed.back() / mixed.front()),
-              .tolerance = course::at_least()});
+  page.claim("impulse of both forms, difference", (squared.on_bob - normalised.on_bob).norm(), "N·s",
+             is(0, "λ grows by |d| where J shrinks by it", course::absolute(1e-14 * size)));
+  page.claim("λ of |d| − L over λ of (2)", normalised.lambda / squared.lambda, "m",
+             is(length, "|d|", course::relative(1e-14)));
+  page.claim("share removed, (2) with (14)", gain<Distance>(length, set), "1",
+             is(squared_on_paper(set.beta), "β(2L + e)/(2(L + e))", course::absolute(1e-11)));
+  page.claim("share removed, |d| − L with n", gain<NormalisedDistance>(length, set), "1",
+             is(set.beta, "β", course::absolute(1e-11)));
+  page.claim("share removed, (2) with n", gain<Mixed>(length, set), "1",
+             is(mixed_on_paper(set.beta, length), "βL(1 + e/(2L))", course::absolute(1e-11 * (1 + length))));
+  page.claim("10 m rod at β = 0.2 after 20 steps, own J: share left", std::abs(own.back() / own.front()), "1",
+             is(std::pow(1 - squared_on_paper(0.2), 20) * (1 + 1e-9), "the first step's share is the least",
+                course::at_most()));
+  page.claim("12 m rod at β = 0.2 after 5 steps, mixed: growth", std::abs(mixed.back() / mixed.front()), "1",
+             is(1, "β·L > 2 diverges", course::at_least()));
 }
 
 }  // namespace byhand::lesson01

@@ -208,24 +208,11 @@ void what_c_says(course::Page& page, const Settings& set) {
   for (int i = 0; i < 60; ++i)
     along = std::max(along, std::abs(value_at(length * from_straight_down<PlaneParticle>(0.1 * i), length, mass)));
   const double exact = 1e-14 * length * length;
-  page.claim({.quantity = "C of the stretched rod",
-              .unit = "m²",
-              .expected = stretch * (length + stretch / 2),
-              .source = "L s + ½ s² for a stretch s",
-              .measured = C,
-              .tolerance = course::absolute(exact)});
-  page.claim({.quantity = "C at the anchor",
-              .unit = "m²",
-              .expected = -length * length / 2,
-              .source = "−½ L²",
-              .measured = value_at({0, 0}, length, mass),
-              .tolerance = course::absolute(exact)});
-  page.claim({.quantity = "largest |C| along the circle",
-              .unit = "m²",
-              .expected = exact,
-              .source = "rounding of L²",
-              .measured = along,
-              .tolerance = course::at_most()});
+  page.claim("C of the stretched rod", C, "m²",
+             is(stretch * (length + stretch / 2), "L s + ½ s² for a stretch s", course::absolute(exact)));
+  page.claim("C at the anchor", value_at({0, 0}, length, mass), "m²",
+             is(-length * length / 2, "−½ L²", course::absolute(exact)));
+  page.claim("largest |C| along the circle", along, "m²", is(exact, "rounding of L²", course::at_most()));
 }
 
 }  // namespace byhand::lesson01

@@ -100,30 +100,15 @@ void effective_mass(const Setting& setting, Page& page) {
 
   Pendulum twice = scene;
   twice.set_mass(1, with_mass<PlaneParticle>(2 * setting.mass()));
-  page.claim({.quantity = "JM⁻¹Jᵀ by the two terms of (19)",
-              .unit = "m²/kg",
-              .expected = product,
-              .source = "J, M⁻¹ and Jᵀ multiplied as matrices",
-              .measured = plain_inverse_effective_mass(row.J.l1().transpose(), m1, row.J.l2().transpose(), m2),
-              .tolerance = relative(1e-14)});
-  page.claim({.quantity = "JM⁻¹Jᵀ by the solver",
-              .unit = "m²/kg",
-              .expected = product,
-              .source = "J, M⁻¹ and Jᵀ multiplied as matrices",
-              .measured = row.K,
-              .tolerance = relative(1e-14)});
-  page.claim({.quantity = "JM⁻¹Jᵀ with twice the mass, against once",
-              .unit = "1",
-              .expected = 0.5,
-              .source = "it is an inverse mass",
-              .measured = OneRow(twice).K / row.K,
-              .tolerance = relative(1e-14)});
-  page.claim({.quantity = "effective mass of two free bobs along the rod",
-              .unit = "kg",
-              .expected = light * heavy / (light + heavy),
-              .source = "m₁m₂/(m₁ + m₂)",
-              .measured = together,
-              .tolerance = relative(1e-13)});
+  page.claim("JM⁻¹Jᵀ by the two terms of (19)",
+             plain_inverse_effective_mass(row.J.l1().transpose(), m1, row.J.l2().transpose(), m2), "m²/kg",
+             is(product, "J, M⁻¹ and Jᵀ multiplied as matrices", relative(1e-14)));
+  page.claim("JM⁻¹Jᵀ by the solver", row.K, "m²/kg",
+             is(product, "J, M⁻¹ and Jᵀ multiplied as matrices", relative(1e-14)));
+  page.claim("JM⁻¹Jᵀ with twice the mass, against once", OneRow(twice).K / row.K, "1",
+             is(0.5, "it is an inverse mass", relative(1e-14)));
+  page.claim("effective mass of two free bobs along the rod", together, "kg",
+             is(light * heavy / (light + heavy), "m₁m₂/(m₁ + m₂)", relative(1e-13)));
 }
 
 }  // namespace byhand::single_constraint

@@ -42,18 +42,10 @@ void gravity_after(const Setting& setting, Page& page) {
       gravity() * h, wrong.depth, wrong.time);
   // Each step may round the bob's place by one unit in its last digit.
   const double rounding = 2.3e-16 / h * (setting.length() + wrong.depth);
-  page.claim({.quantity = "speed of sinking, gravity after λ",
-              .unit = "m/s",
-              .expected = gravity() * h,
-              .source = "g·h",
-              .measured = wrong.depth / wrong.time,
-              .tolerance = absolute(rounding)});
-  page.claim({.quantity = "depth after a second, gravity before λ",
-              .unit = "m",
-              .expected = 0,
-              .source = "it hangs",
-              .measured = right.depth,
-              .tolerance = absolute(1e-12 * setting.length())});
+  page.claim("speed of sinking, gravity after λ", wrong.depth / wrong.time, "m/s",
+             is(gravity() * h, "g·h", absolute(rounding)));
+  page.claim("depth after a second, gravity before λ", right.depth, "m",
+             is(0, "it hangs", absolute(1e-12 * setting.length())));
 }
 
 }  // namespace byhand::single_constraint

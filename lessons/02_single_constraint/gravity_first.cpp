@@ -53,12 +53,9 @@ void gravity_first(const Setting& setting, Page& page) {
   else
     page.text("You let go level with the fixed point, where gravity lies along the tangent: JV is 0.");
 
-  page.claim({.quantity = "JV after gravity",
-              .unit = "m²/s",
-              .expected = length * gain * std::cos(radians(setting.angle())),
-              .source = "L·g·h·cosθ",
-              .measured = OneRow(scene).JV,
-              .tolerance = absolute(1e-14 * length * gain)});
+  page.claim(
+      "JV after gravity", OneRow(scene).JV, "m²/s",
+      is(length * gain * std::cos(radians(setting.angle())), "L·g·h·cosθ", absolute(1e-14 * length * gain)));
 }
 
 }  // namespace byhand::single_constraint

@@ -85,12 +85,8 @@ void lambda(const Setting& setting, Page& page) {
         draw(canvas, {row_picture, push});
       });
 
-  page.claim({.quantity = "λ·|d| of the first step",
-              .unit = "N·s",
-              .expected = -full * std::cos(radians(setting.angle())),
-              .source = "−m·g·h·cosθ",
-              .measured = OneRow(scene).lambda * length,
-              .tolerance = absolute(1e-14 * full)});
+  page.claim("λ·|d| of the first step", OneRow(scene).lambda * length, "N·s",
+             is(-full * std::cos(radians(setting.angle())), "−m·g·h·cosθ", absolute(1e-14 * full)));
 }
 
 }  // namespace byhand::single_constraint

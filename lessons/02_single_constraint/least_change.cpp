@@ -62,14 +62,9 @@ void least_change(const Setting& setting, Page& page) {
                                      course::without_rounding(energy(row.lambda), energy(unit) + energy(-unit)),
                                      "λ of (17)"}}});
   const double left = energy(-unit), middle = energy(0), right = energy(unit);
-  page.claim({.quantity = "λ with the least kinetic energy",
-              .unit = "N·s/m",
-              .expected = row.lambda,
-              .source = "(17)",
-              .measured = unit * (left - right) / (2 * (left - 2 * middle + right)),
-              .tolerance = absolute(1e-13 * unit)});
-
   // Along the rod alone, two free bobs are two numbers u1, u2, and JV = 0 says that they are equal.
+  page.claim("λ with the least kinetic energy", unit * (left - right) / (2 * (left - 2 * middle + right)), "N·s/m",
+             is(row.lambda, "(17)", absolute(1e-13 * unit)));
   const double m1 = setting.mass(), m2 = 4 * m1, speed = std::sqrt(gravity() * setting.length());
   const Vector along = from_straight_down<PlaneParticle>(radians(setting.angle()));
   const Pendulum pair = two_free_bobs(setting, speed * along);
@@ -107,18 +102,10 @@ void least_change(const Setting& setting, Page& page) {
                             {only2.x(), only2.y(), "second alone"}}});
   double least = cost(only1);
   for (int i = 0; i <= 10000; ++i) least = std::min(least, cost(Eigen::Vector2d::Constant(speed * i / 10000)));
-  page.claim({.quantity = "change of V by (20), in the mass metric",
-              .unit = "J",
-              .expected = 0.5 * m1 * m2 / (m1 + m2) * speed * speed,
-              .source = "½·E·(JV)², E the effective mass",
-              .measured = cost(solved),
-              .tolerance = relative(1e-12)});
-  page.claim({.quantity = "the same, against every other way to JV = 0",
-              .unit = "J",
-              .expected = least * (1 + 1e-12),
-              .source = "the least of 10,000 points on the line",
-              .measured = cost(solved),
-              .tolerance = at_most()});
+  page.claim("change of V by (20), in the mass metric", cost(solved), "J",
+             is(0.5 * m1 * m2 / (m1 + m2) * speed * speed, "½·E·(JV)², E the effective mass", relative(1e-12)));
+  page.claim("the same, against every other way to JV = 0", cost(solved), "J",
+             is_at_most(least * (1 + 1e-12), "the least of 10,000 points on the line"));
 }
 
 }  // namespace byhand::single_constraint

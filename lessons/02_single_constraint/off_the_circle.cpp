@@ -119,36 +119,17 @@ void off_the_circle(const Setting& setting, Page& page) {
                    {"add up over the time t", "ℓ = L(1 + 2v₀²ht/L²)^¼",
                     R"(\ell = L\left(1 + \frac{2v_0^2ht}{L^2}\right)^{1/4})"}});
 
-  page.claim({.quantity = "stretch after one step",
-              .unit = "mm",
-              .expected = law / millimetre,
-              .source = "(vh)²/2L",
-              .measured = one / millimetre,
-              .tolerance = relative(0.3 * ratio * ratio + 1e-11 / (ratio * ratio)),
-              .claimed = ratio <= 0.5,
-              .range = "v·h ≤ L/2"});
-  page.claim({.quantity = "its slope against h",
-              .unit = "1",
-              .expected = 2,
-              .source = "a tangent leaves a circle quadratically",
-              .measured = slope,
-              .tolerance = absolute(0.5 * ratio * ratio + 1e-10 / (ratio * ratio)),
-              .claimed = ratio <= 0.5,
-              .range = "v·h ≤ L/2"});
-  page.claim({.quantity = "angular momentum for 1 kg, after a second",
-              .unit = "m²/s",
-              .expected = speed * length,
-              .source = "v·L at the start: the impulse has no lever arm",
-              .measured = momentum,
-              .tolerance = relative(1e-11)});
-  page.claim({.quantity = "length of the rod after a second",
-              .unit = "m",
-              .expected = grown,
-              .source = "L(1 + 2v²ht/L²)^¼",
-              .measured = radius,
-              .tolerance = relative(ratio * ratio),
-              .claimed = ratio <= 0.1,
-              .range = "v·h ≤ L/10"});
+  page.claim("stretch after one step", one / millimetre, "mm",
+             is(law / millimetre, "(vh)²/2L", relative(0.3 * ratio * ratio + 1e-11 / (ratio * ratio))),
+             Quantity("vh/L", ratio) <= 0.5);
+  page.claim(
+      "its slope against h", slope, "1",
+      is(2, "a tangent leaves a circle quadratically", absolute(0.5 * ratio * ratio + 1e-10 / (ratio * ratio))),
+      Quantity("vh/L", ratio) <= 0.5);
+  page.claim("angular momentum for 1 kg, after a second", momentum, "m²/s",
+             is(speed * length, "v·L at the start: the impulse has no lever arm", relative(1e-11)));
+  page.claim("length of the rod after a second", radius, "m",
+             is(grown, "L(1 + 2v²ht/L²)^¼", relative(ratio * ratio)), Quantity("vh/L", ratio) <= 0.1);
 }
 
 }  // namespace byhand::single_constraint

@@ -86,31 +86,15 @@ void onto_the_tangent(const Setting& setting, Page& page) {
         draw(canvas, {blow, answer});
       });
 
-  page.claim({.quantity = "JV after the impulse",
-              .unit = "m²/s",
-              .expected = 0,
-              .source = "(4)",
-              .measured = solved.JV,
-              .tolerance = absolute(1e-14 * length * gain)});
-  page.claim({.quantity = "speed of the bob after the impulse",
-              .unit = "m/s",
-              .expected = gain * std::sin(radians(setting.angle())),
-              .source = "g·h·sinθ, the part of gravity along the tangent",
-              .measured = solved.v2.norm(),
-              .tolerance = absolute(1e-14 * gain)});
-  page.claim({.quantity = "change of momentum of two free bobs",
-              .unit = "kg·m/s",
-              .expected = 0,
-              .source = "action and reaction",
-              .measured = (after_momentum - before_momentum).norm(),
-              .tolerance = absolute(1e-14 * setting.mass() * arrival)});
+  page.claim("JV after the impulse", solved.JV, "m²/s", is(0, "(4)", absolute(1e-14 * length * gain)));
+  page.claim("speed of the bob after the impulse", solved.v2.norm(), "m/s",
+             is(gain * std::sin(radians(setting.angle())), "g·h·sinθ, the part of gravity along the tangent",
+                absolute(1e-14 * gain)));
+  page.claim("change of momentum of two free bobs", (after_momentum - before_momentum).norm(), "kg·m/s",
+             is(0, "action and reaction", absolute(1e-14 * setting.mass() * arrival)));
   const auto spin = [](const Pendulum& bobs) { return angular_momentum(bobs.bodies())[0]; };
-  page.claim({.quantity = "change of angular momentum of two free bobs",
-              .unit = "kg·m²/s",
-              .expected = 0,
-              .source = "both impulses lie on one line",
-              .measured = spin(freed) - spin(pair),
-              .tolerance = absolute(1e-14 * setting.mass() * arrival * length)});
+  page.claim("change of angular momentum of two free bobs", spin(freed) - spin(pair), "kg·m²/s",
+             is(0, "both impulses lie on one line", absolute(1e-14 * setting.mass() * arrival * length)));
 }
 
 }  // namespace byhand::single_constraint

@@ -148,20 +148,11 @@ void rigid_rod(const Setting& setting, Page& page) {
     page.measure("period of the rigid rod", coarse, "s");
   else
     page.text("In this run the rod does not pass the lowest point twice, so it has no period to measure.");
-  page.claim({.quantity = "share of the weight on the hinge, released level",
-              .unit = "m·g",
-              .expected = 0.25,
-              .source = "mg − m·¾g",
-              .measured = share,
-              .tolerance = absolute(1e-12)});
-  page.claim({.quantity = "period of the rigid rod, from h and h/2 towards h = 0",
-              .unit = "s",
-              .expected = exact.period(),
-              .source = "elliptic integral, length 2L/3",
-              .measured = 2 * fine - coarse,
-              .tolerance = relative(10 * step * step),
-              .claimed = step <= 0.06 && setting.release() <= 120,
-              .range = "h·√(3g/2L) ≤ 0.06, release ≤ 120°"});
+  page.claim("share of the weight on the hinge, released level", share, "m·g",
+             is(0.25, "mg − m·¾g", absolute(1e-12)));
+  page.claim("period of the rigid rod, from h and h/2 towards h = 0", 2 * fine - coarse, "s",
+             is(exact.period(), "elliptic integral, length 2L/3", relative(10 * step * step)),
+             where(Quantity("h·√(3g/2L)", step) <= 0.06, Quantity("release", setting.release, "°") <= 120));
 }
 
 }  // namespace byhand::single_constraint

@@ -130,51 +130,28 @@ void ten_seconds(const Setting& setting, Page& page) {
 
   Vector x = first.position, v = first.velocity;
   for (std::size_t i = 0; i + 1 < run.size(); ++i) plain_step(x, v, mass, Vector(0, -gravity()), h);
-  page.claim({.quantity = "place after ten seconds: the seven lines against the solver",
-              .unit = "m",
-              .expected = 0,
-              .source = "the same step; its rounding grows with the number of steps",
-              .measured = (x - last.position).norm(),
-              .tolerance = absolute(1e-11 * static_cast<double>(run.size()) * last.position.norm())});
+  page.claim("place after ten seconds: the seven lines against the solver", (x - last.position).norm(), "m",
+             is(0, "the same step; its rounding grows with the number of steps",
+                absolute(1e-11 * static_cast<double>(run.size()) * last.position.norm())));
   double least_rise = INFINITY, largest_gain = -INFINITY;
   for (std::size_t i = 0; i + 1 < run.size(); ++i) {
     least_rise = std::min(least_rise, run[i + 1].C - run[i].C);
     largest_gain = std::max(largest_gain, run[i + 1].energy - run[i].energy);
   }
-  page.claim({.quantity = "least change of C in a step",
-              .unit = "m²",
-              .expected = -1e-14 * last.position.squaredNorm(),
-              .source = "½h²|v|² ≥ 0, but for rounding",
-              .measured = least_rise,
-              .tolerance = at_least()});
-  page.claim({.quantity = "largest change of energy in a step",
-              .unit = "J",
-              .expected = 1e-13 * scale * (last.position.norm() / length),
-              .source = "−½m|ΔV|² ≤ 0, but for rounding",
-              .measured = largest_gain,
-              .tolerance = at_most()});
-  page.claim({.quantity = "C at the end",
-              .unit = "m²",
-              .expected = 0.5 * h * h * squares,
-              .source = "½h²·Σ|v|² over all steps",
-              .measured = last.C,
-              .tolerance = absolute(1e-11 * length * length)});
-  page.claim({.quantity = "energy at the end",
-              .unit = "J",
-              .expected = -thrown,
-              .source = "−½m·Σ|ΔV|² over all steps",
-              .measured = change,
-              .tolerance = absolute(1e-11 * scale)});
+  page.claim("least change of C in a step", least_rise, "m²",
+             is_at_least(-1e-14 * last.position.squaredNorm(), "½h²|v|² ≥ 0, but for rounding"));
+  page.claim("largest change of energy in a step", largest_gain, "J",
+             is_at_most(1e-13 * scale * (last.position.norm() / length), "−½m|ΔV|² ≤ 0, but for rounding"));
+  page.claim("C at the end", last.C, "m²",
+             is(0.5 * h * h * squares, "½h²·Σ|v|² over all steps", absolute(1e-11 * length * length)));
+  page.claim("energy at the end", change, "J", is(-thrown, "−½m·Σ|ΔV|² over all steps", absolute(1e-11 * scale)));
   const double ratio = gravity() / length * h * h;
   const double half = swing(setting, h / 2, 2).back().C, whole = swing(setting, h, 2).back().C;
-  page.claim({.quantity = "C after 2 s with h, over C with h/2",
-              .unit = "1",
-              .expected = 2,
-              .source = "ΔC = ½h²v² a step, so Ċ ≈ ½hv²",
-              .measured = whole / half,
-              .tolerance = absolute(10 * std::sqrt(ratio)),
-              .claimed = ratio <= 0.0025 && setting.release() <= 150,
-              .range = "h·√(g/L) ≤ 0.05, release ≤ 150°"});  // from near the top, lost energy shifts the swing
+  // from near the top, lost energy shifts the swing
+  page.claim(
+      "C after 2 s with h, over C with h/2", whole / half, "1",
+      is(2, "ΔC = ½h²v² a step, so Ċ ≈ ½hv²", absolute(10 * std::sqrt(ratio))),
+      where(Quantity("h·√(g/L)", std::sqrt(ratio)) <= 0.05, Quantity("release", setting.release, "°") <= 150));
 }
 
 }  // namespace byhand::single_constraint

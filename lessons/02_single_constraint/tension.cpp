@@ -78,12 +78,8 @@ void tension(const Setting& setting, Page& page) {
       shown(h) < 0 ? ". It is negative: the rod pushes" : "");
   double worst = 0;
   for (int i = 0; i <= 6; ++i) worst = std::max(worst, std::abs(pull(h / (1 << i)) - held));
-  page.claim({.quantity = "tension at release, the worst of h … h/64",
-              .unit = "N",
-              .expected = 0,
-              .source = "distance from m·g·cosθ",
-              .measured = worst,
-              .tolerance = absolute(1e-13 * weight)});
+  page.claim("tension at release, the worst of h … h/64", worst, "N",
+             is(0, "distance from m·g·cosθ", absolute(1e-13 * weight)));
 
   const SimplePendulum exact(radians(setting.release()), length, gravity());
   const double period = exact.period(), lowest = exact.tension(period / 4, mass) / weight;
@@ -127,24 +123,12 @@ void tension(const Setting& setting, Page& page) {
       from.)",
       lowest + error, lowest, error < 0 ? "The lack" : "The excess", course::small_error(std::abs(error)),
       course::small_error(std::abs(half)));
-  const bool fine = step <= 0.05 && setting.release() >= 30 && setting.release() <= 120;
-  const std::string range = "h·√(g/L) ≤ 0.05, release 30° … 120°";
-  page.claim({.quantity = "greatest tension, from h and h/2 towards h = 0",
-              .unit = "m·g",
-              .expected = lowest,
-              .source = "3 − 2·cosθ₀, from energy",
-              .measured = lowest + 2 * half - error,
-              .tolerance = relative(5 * step * step),
-              .claimed = fine,
-              .range = range});
-  page.claim({.quantity = "error of the tension with h, over that with h/2",
-              .unit = "1",
-              .expected = 2,
-              .source = "the step is of first order",
-              .measured = error / half,
-              .tolerance = absolute(6 * step),
-              .claimed = fine,
-              .range = range});
+  const Condition fine =
+      where(Quantity("h·√(g/L)", step) <= 0.05, within(30, Quantity("release", setting.release, "°"), 120));
+  page.claim("greatest tension, from h and h/2 towards h = 0", lowest + 2 * half - error, "m·g",
+             is(lowest, "3 − 2·cosθ₀, from energy", relative(5 * step * step)), fine);
+  page.claim("error of the tension with h, over that with h/2", error / half, "1",
+             is(2, "the step is of first order", absolute(6 * step)), fine);
 }
 
 }  // namespace byhand::single_constraint

@@ -41,12 +41,9 @@ void why_velocity(const Setting& setting, Page& page) {
       left.y[1], left.y[0], left.y[2]);
 
   const double C0 = left.y[0];
-  page.claim({.quantity = "C left after one move of the position",
-              .unit = "m²",
-              .expected = C0 * C0 / (2 * distances[0] * distances[0]),
-              .source = "C₀²/(2|d|²), what the linear part leaves",
-              .measured = left.y[1],
-              .tolerance = relative(1e-12)});
+  page.claim("C left after one move of the position", left.y[1], "m²",
+             is(C0 * C0 / (2 * distances[0] * distances[0]), "C₀²/(2|d|²), what the linear part leaves",
+                relative(1e-12)));
 }
 
 }  // namespace byhand::single_constraint

@@ -122,30 +122,14 @@ void all_at_once(Page& page, const Knobs& knobs) {
             direct.shares().front() * knobs.weight(), direct.shares().back() * knobs.weight(),
             direct.error() <= 1e-12 * n * knobs.fall() ? std::string("rounding")
                                                        : say("up to @ gh", direct.error() / knobs.fall()));
-  page.claim({.quantity = "largest relative error of the joints' forces",
-              .unit = "1",
-              .expected = 0,
-              .source = "the weight below each joint",
-              .measured = worst_tension,
-              .tolerance = absolute(1e-12 * n)});
-  page.claim({.quantity = "largest relative error of A⁻¹, entry by entry",
-              .unit = "1",
-              .expected = 0,
-              .source = "(A⁻¹)ᵢⱼ = m (N + 1 − max(i, j)) / L²",
-              .measured = worst_inverse,
-              .tolerance = absolute(1e-12 * n)});
-  page.claim({.quantity = "entries of A that are not zero",
-              .unit = "1",
-              .expected = 3.0 * n - 2,
-              .source = "3N − 2",
-              .measured = static_cast<double>(nonzeros(A)),
-              .tolerance = absolute(0)});
-  page.claim({.quantity = "numbers that the direct solve stores",
-              .unit = "1",
-              .expected = 2.0 * n - 1,
-              .source = "2N − 1: nothing fills in",
-              .measured = static_cast<double>(direct.work().direct.plan.values),
-              .tolerance = absolute(0)});
+  page.claim("largest relative error of the joints' forces", worst_tension, "1",
+             is(0, "the weight below each joint", absolute(1e-12 * n)));
+  page.claim("largest relative error of A⁻¹, entry by entry", worst_inverse, "1",
+             is(0, "(A⁻¹)ᵢⱼ = m (N + 1 − max(i, j)) / L²", absolute(1e-12 * n)));
+  page.claim("entries of A that are not zero", static_cast<double>(nonzeros(A)), "1",
+             is(3.0 * n - 2, "3N − 2", absolute(0)));
+  page.claim("numbers that the direct solve stores", static_cast<double>(direct.work().direct.plan.values), "1",
+             is(2.0 * n - 1, "2N − 1: nothing fills in", absolute(0)));
 }
 
 }  // namespace byhand::iterations

@@ -81,33 +81,16 @@ void heavy_end(Page& page, const Knobs& knobs) {
       R"(After @ sweeps the top joint carries the share @ of the weight; with the direct solve of the same rows it is
       @.)",
       few, sweep.shares().front(), direct.shares().front());
-  page.claim({.quantity = "sweeps for one more digit, heavy end",
-              .unit = "1",
-              .expected = textbook_digit(heavy),
-              .source = "largest eigenvalue of D⁻¹A, dense",
-              .measured = heavy_digit,
-              .tolerance = relative(1e-4)});
-  page.claim({.quantity = "the same, for a very heavy end",
-              .unit = "1",
-              .expected = std::log(10.0) * ratio * (n - 1),
-              .source = "ρ ≈ 1 − 1/(r(N − 1))",
-              .measured = heavy_digit,
-              .tolerance = relative(n / ratio),
-              .claimed = ratio >= 5 * n,
-              .range = "r ≥ 5N"});
-  page.claim(
-      {.quantity = "two links: share that a sweep leaves",
-       .unit = "1",
-       .expected = ratio / (1 + ratio),
-       .source = "r/(1 + r)",
-       .measured = measured_factor(GaussSeidel{.warm_start = false}, with_heavy_end(knobs.chain(2), ratio), h),
-       .tolerance = relative(1e-6)});
-  page.claim({.quantity = "direct solve: share at the top joint",
-              .unit = "1",
-              .expected = 1,
-              .source = "all the weight hangs there",
-              .measured = direct.shares().front(),
-              .tolerance = relative(1e-9)});
+  page.claim("sweeps for one more digit, heavy end", heavy_digit, "1",
+             is(textbook_digit(heavy), "largest eigenvalue of D⁻¹A, dense", relative(1e-4)));
+  page.claim("the same, for a very heavy end", heavy_digit, "1",
+             is(std::log(10.0) * ratio * (n - 1), "ρ ≈ 1 − 1/(r(N − 1))", relative(n / ratio)),
+             Quantity("r", ratio) >= Quantity("5N", 5 * n));
+  page.claim("two links: share that a sweep leaves",
+             measured_factor(GaussSeidel{.warm_start = false}, with_heavy_end(knobs.chain(2), ratio), h), "1",
+             is(ratio / (1 + ratio), "r/(1 + r)", relative(1e-6)));
+  page.claim("direct solve: share at the top joint", direct.shares().front(), "1",
+             is(1, "all the weight hangs there", relative(1e-9)));
 }
 
 }  // namespace byhand::iterations

@@ -100,27 +100,17 @@ void limit_of_jacobi(Page& page, const Knobs& knobs) {
       no cure: the second row sees what the first has done.)",
       Value(mu(3), 3), Value(mu(4), 3), Value(2 / mu(4), 3));
   for (const int rods : {2, 3, 4, 8})
-    page.claim({.quantity = say("@ rods: growth of the error a sweep", rods),
-                .unit = "1",
-                .expected = std::abs(1 - mu(rods)),
-                .source = "|1 − μ|, μ = Σ 1/(1 + m x²/I)",
-                .measured = factor(Jacobi{}, rods, knobs),
-                .tolerance = relative(1e-9)});
+    page.claim(say("@ rods: growth of the error a sweep", rods), factor(Jacobi{}, rods, knobs), "1",
+               is(std::abs(1 - mu(rods)), "|1 − μ|, μ = Σ 1/(1 + m x²/I)", relative(1e-9)));
   for (const double share : {0.99, 1.01}) {
     const double relaxation = share * 2 / mu(4);
-    page.claim({.quantity = say("4 rods, relaxed to @", Value(relaxation, 3)),
-                .unit = "1",
-                .expected = std::abs(1 - relaxation * mu(4)),
-                .source = "|1 − wμ|",
-                .measured = factor(Jacobi{.relaxation = relaxation}, 4, knobs),
-                .tolerance = relative(1e-9)});
+    page.claim(say("4 rods, relaxed to @", Value(relaxation, 3)),
+               factor(Jacobi{.relaxation = relaxation}, 4, knobs), "1",
+               is(std::abs(1 - relaxation * mu(4)), "|1 − wμ|", relative(1e-9)));
   }
-  page.claim({.quantity = "Gauss–Seidel on 4 rods: error after 20 sweeps",
-              .unit = "gh",
-              .expected = 1e-3,
-              .source = "it converges: at most",
-              .measured = error_of_box(20, GaussSeidel{}, 4, knobs) / knobs.fall(),
-              .tolerance = at_most()});
+  page.claim("Gauss–Seidel on 4 rods: error after 20 sweeps",
+             error_of_box(20, GaussSeidel{}, 4, knobs) / knobs.fall(), "gh",
+             is_at_most(1e-3, "it converges: at most"));
 }
 
 }  // namespace byhand::iterations

@@ -149,18 +149,9 @@ void many_sweeps(Page& page, const Knobs& knobs) {
                 Value(warm_first, 2), Value(cold_first, 2)));
   page.measure("sweeps for one more digit", digits[0], "1");
   for (int i = 0; i < 3; ++i)
-    page.claim({.quantity = say("sweeps for one more digit, @", orders[i].name),
-                .unit = "1",
-                .expected = digit,
-                .source = "ρ = cos²(π/2N), the rate of sweeps on a chain",
-                .measured = digits[i],
-                .tolerance = relative(same)});
-  page.claim({.quantity = "the same for Jacobi",
-              .unit = "1",
-              .expected = 2 * digit,
-              .source = "its factor is √ρ",
-              .measured = jacobi,
-              .tolerance = relative(same)});
+    page.claim(say("sweeps for one more digit, @", orders[i].name), digits[i], "1",
+               is(digit, "ρ = cos²(π/2N), the rate of sweeps on a chain", relative(same)));
+  page.claim("the same for Jacobi", jacobi, "1", is(2 * digit, "its factor is √ρ", relative(same)));
 }
 
 }  // namespace byhand::iterations

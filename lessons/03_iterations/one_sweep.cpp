@@ -159,30 +159,14 @@ void one_sweep(Page& page, const Knobs& knobs) {
       the top is the same: every row but the top one finds its two bobs falling together, without an error.)",
       knobs.links() <= 4 ? "" : "upper",
       std::vector<double>(shares.begin(), shares.begin() + std::min(4, knobs.links())));
-  page.claim({.quantity = "share at the top joint, from top to bottom",
-              .unit = "1",
-              .expected = 1.0 / knobs.links(),
-              .source = "its own bob's weight",
-              .measured = shares.front(),
-              .tolerance = relative(1e-12)});
-  page.claim({.quantity = "the same from bottom to top",
-              .unit = "1",
-              .expected = 1.0 / knobs.links(),
-              .source = "its own bob's weight",
-              .measured = top_after_one(SweepOrder::reverse),
-              .tolerance = relative(1e-12)});
-  page.claim({.quantity = "the same in red–black order",
-              .unit = "1",
-              .expected = 1.0 / knobs.links(),
-              .source = "its own bob's weight",
-              .measured = top_after_one(SweepOrder::coloured),
-              .tolerance = relative(1e-12)});
-  page.claim({.quantity = "share at the lowest joint, from top to bottom",
-              .unit = "1",
-              .expected = std::pow(0.5, knobs.links() - 1) / knobs.links(),
-              .source = "halved at each joint",
-              .measured = shares.back(),
-              .tolerance = absolute(1e-15)});
+  page.claim("share at the top joint, from top to bottom", shares.front(), "1",
+             is(1.0 / knobs.links(), "its own bob's weight", relative(1e-12)));
+  page.claim("the same from bottom to top", top_after_one(SweepOrder::reverse), "1",
+             is(1.0 / knobs.links(), "its own bob's weight", relative(1e-12)));
+  page.claim("the same in red–black order", top_after_one(SweepOrder::coloured), "1",
+             is(1.0 / knobs.links(), "its own bob's weight", relative(1e-12)));
+  page.claim("share at the lowest joint, from top to bottom", shares.back(), "1",
+             is(std::pow(0.5, knobs.links() - 1) / knobs.links(), "halved at each joint", absolute(1e-15)));
 }
 
 }  // namespace byhand::iterations

@@ -93,32 +93,13 @@ void price_of_direct(Page& page, const Knobs& knobs) {
   const std::vector<double> plain = plain_elimination(diagonal, beside, rate), solved = direct.lambda();
   double apart = 0;
   for (int i = 0; i < n; ++i) apart = std::max(apart, std::abs(plain[i] / solved[i] - 1));
-  page.claim({.quantity = "the plain elimination against the solver, relative",
-              .unit = "1",
-              .expected = 1e-13 * n * n,
-              .source = "the same λ: rounding",
-              .measured = apart,
-              .tolerance = at_most()});
-  page.claim({.quantity = "direct solve, A and impulses included, in sweeps",
-              .unit = "1",
-              .expected = 3,
-              .source = "a few: at most",
-              .measured = once.row_solves / n + around,
-              .tolerance = at_most()});
-  page.claim({.quantity = say("cost of @ links over @", 2 * n, n),
-              .unit = "1",
-              .expected = 2,
-              .source = "O(N)",
-              .measured = twice.row_solves / once.row_solves,
-              .tolerance = relative(2.0 / n),
-              .claimed = n >= 8,
-              .range = "N ≥ 8"});
-  page.claim({.quantity = "error that it leaves",
-              .unit = "gh",
-              .expected = 0,
-              .source = "A λ = −JV",
-              .measured = once.error,
-              .tolerance = absolute(1e-13 * n)});
+  page.claim("the plain elimination against the solver, relative", apart, "1",
+             is_at_most(1e-13 * n * n, "the same λ: rounding"));
+  page.claim("direct solve, A and impulses included, in sweeps", once.row_solves / n + around, "1",
+             is_at_most(3, "a few: at most"));
+  page.claim(say("cost of @ links over @", 2 * n, n), twice.row_solves / once.row_solves, "1",
+             is(2, "O(N)", relative(2.0 / n)), Quantity("N", n) >= 8);
+  page.claim("error that it leaves", once.error, "gh", is(0, "A λ = −JV", absolute(1e-13 * n)));
 }
 
 }  // namespace byhand::iterations

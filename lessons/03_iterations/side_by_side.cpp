@@ -208,15 +208,11 @@ void side_by_side(Page& page, const Knobs& knobs) {
     const double smallest = 1e-6 * L;
     const bool cold = !knobs.warm() && knobs.beta >= 0.01;
     const double expected = cold ? textbook_stretch(knobs, sweeps) : 0;
-    const bool claimed = expected > smallest;
-    page.claim({.quantity = say("stretch at rest, sweeps a step: @", sweeps),
-                .unit = "m",
-                .expected = claimed ? expected : 0,
-                .source = "(β/h) C/|d| = (1 − Sᵏ)⁻¹Sᵏ gh, S the matrix of a sweep",
-                .measured = claimed ? settled_stretch(knobs, sweeps) : 0,
-                .tolerance = absolute(smallest),
-                .claimed = claimed,
-                .range = "cold, β ≥ 0.01, stretch above 10⁻⁶ L"});
+    const Condition claimed{expected > smallest, "cold, β ≥ 0.01, stretch above 10⁻⁶ L"};
+    page.claim(
+        say("stretch at rest, sweeps a step: @", sweeps), claimed ? settled_stretch(knobs, sweeps) : 0, "m",
+        is(claimed ? expected : 0, "(β/h) C/|d| = (1 − Sᵏ)⁻¹Sᵏ gh, S the matrix of a sweep", absolute(smallest)),
+        claimed);
   }
   if (std::isinf(direct.lost_at))
     page.text(

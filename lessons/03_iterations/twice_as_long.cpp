@@ -131,18 +131,11 @@ void twice_as_long(Page& page, const Knobs& knobs) {
       "digits_over_links",
       "Sweeps for one more digit against the number of links, both logarithmic: a slope of 2 for long chains.",
       digits_over_links(knobs));
-  page.claim({.quantity = say("sweeps for a digit, @ links over @", 2 * knobs.links, knobs.links),
-              .unit = "1",
-              .expected = std::log(chain_factor(knobs.links)) / std::log(chain_factor(2 * knobs.links)),
-              .source = "ρ = cos²(π/2N); 4 for long chains",
-              .measured = twice / once,
-              .tolerance = relative(1e-6)});
-  page.claim({.quantity = "width of the error after 16 sweeps of half a step",
-              .unit = "joints",
-              .expected = std::sqrt(16 * half),
-              .source = "a walk that moves every other time: √(n/2)",
-              .measured = widths[1],
-              .tolerance = relative(1e-6)});
+  page.claim(say("sweeps for a digit, @ links over @", 2 * knobs.links, knobs.links), twice / once, "1",
+             is(std::log(chain_factor(knobs.links)) / std::log(chain_factor(2 * knobs.links)),
+                "ρ = cos²(π/2N); 4 for long chains", relative(1e-6)));
+  page.claim("width of the error after 16 sweeps of half a step", widths[1], "joints",
+             is(std::sqrt(16 * half), "a walk that moves every other time: √(n/2)", relative(1e-6)));
 }
 
 }  // namespace byhand::iterations

@@ -141,24 +141,11 @@ void two_links(Page& page, const Knobs& knobs) {
     plain_sweep(longer, v, impulses);
   }
   for (std::size_t i = 0; i < v.size(); ++i) apart = std::max(apart, std::abs(v[i] - solver.speeds()[i]) / fall);
-  page.claim({.quantity = say("the plain sweep against the solver, 5 links, @ sweeps", rounds),
-              .unit = "gh",
-              .expected = 1e-13,
-              .source = "the same arithmetic: rounding",
-              .measured = apart,
-              .tolerance = at_most()});
-  page.claim({.quantity = "row 1's error after row 2",
-              .unit = "gh",
-              .expected = 0.5,
-              .source = "equal masses share the momentum",
-              .measured = left,
-              .tolerance = absolute(1e-12)});
-  page.claim({.quantity = say("row 1's error after @ sweeps", rounds),
-              .unit = "gh",
-              .expected = std::pow(0.5, rounds),
-              .source = "(½)ⁿ",
-              .measured = after,
-              .tolerance = absolute(1e-12)});
+  page.claim(say("the plain sweep against the solver, 5 links, @ sweeps", rounds), apart, "gh",
+             is_at_most(1e-13, "the same arithmetic: rounding"));
+  page.claim("row 1's error after row 2", left, "gh", is(0.5, "equal masses share the momentum", absolute(1e-12)));
+  page.claim(say("row 1's error after @ sweeps", rounds), after, "gh",
+             is(std::pow(0.5, rounds), "(½)ⁿ", absolute(1e-12)));
 }
 
 }  // namespace byhand::iterations

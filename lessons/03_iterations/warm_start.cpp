@@ -119,12 +119,11 @@ void draw_chains(renderer::Canvas& canvas, const Chain& cold, const Chain& warm,
 void warm_start(Page& page, const Knobs& knobs) {
   const int k = knobs.sweeps, n = knobs.links;
   const double q = std::pow(chain_factor(n), k), fall = knobs.fall(), seconds = 3;
-  const bool visible = q >= 0.01;
+  const Condition visible = Quantity("q", q) >= 0.01;
   // λ is kept per metre of a rod that meanwhile changes its length; what that does to √q is of second order in
   // this.
   const double slack = n * Knobs::gravity * knobs.h * knobs.h / knobs.length;
-  const bool lawful = visible && slack < 0.1;
-  const std::string range = "q ≥ 0.01";
+  const Condition lawful = both(visible, Quantity("Ngh²/L", slack) < 0.1);
 
   page.text(
       R"(A simulation does not take the sweeps that it needs: it takes @ a step and moves on. After k = @ the slow wave
@@ -251,28 +250,14 @@ void warm_start(Page& page, const Knobs& knobs) {
       Value(limit(q), 3), Value(limit(chain_factor(n)), 3));
 
   if (stretches) page.measure("largest error of the cold chain", rate / fall, "gh");
-  page.claim({.quantity = "warm: what a step leaves of the slow wave",
-              .unit = "1",
-              .expected = lawful ? std::sqrt(q) : 0,
-              .source = "√q, q = cos²ᵏ(π/2N)",
-              .measured = lawful ? std::sqrt(measured_q(knobs, q)) : 0,
-              .tolerance = relative(1e-5 + slack * slack),
-              .claimed = lawful,
-              .range = range + ", N g h² < L/10"});
-  page.claim({.quantity = "cold: the worst link's speed of parting",
-              .unit = "m/s",
-              .expected = visible ? textbook_cold_errors(knobs.chain(), k, fall).cwiseAbs().maxCoeff() : 0,
-              .source = "(1 − Sᵏ)⁻¹Sᵏ gh, S the matrix of a sweep",
-              .measured = visible ? rate : 0,
-              .tolerance = relative(1e-6),
-              .claimed = visible,
-              .range = range});
-  page.claim({.quantity = "cold: force at the top joint all the same",
-              .unit = "N",
-              .expected = knobs.weight(),
-              .source = "nothing speeds up any more",
-              .measured = carried,
-              .tolerance = relative(1e-6)});
+  page.claim("warm: what a step leaves of the slow wave", lawful ? std::sqrt(measured_q(knobs, q)) : 0, "1",
+             is(lawful ? std::sqrt(q) : 0, "√q, q = cos²ᵏ(π/2N)", relative(1e-5 + slack * slack)), lawful);
+  page.claim("cold: the worst link's speed of parting", visible ? rate : 0, "m/s",
+             is(visible ? textbook_cold_errors(knobs.chain(), k, fall).cwiseAbs().maxCoeff() : 0,
+                "(1 − Sᵏ)⁻¹Sᵏ gh, S the matrix of a sweep", relative(1e-6)),
+             visible);
+  page.claim("cold: force at the top joint all the same", carried, "N",
+             is(knobs.weight(), "nothing speeds up any more", relative(1e-6)));
 }
 
 }  // namespace byhand::iterations

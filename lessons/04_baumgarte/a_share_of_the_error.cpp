@@ -117,33 +117,18 @@ void a_share_of_the_error(const Setting& setting, Page& page) {
       beta * e / h, push, returned());
   if (five) page.measure("error after five steps", 100 * left, "cm");
 
-  page.claim({.quantity = "error after five steps",
-              .unit = "m",
-              .expected = std::pow(1 - beta, shown_steps) * e,
-              .source = "law of the share: (1 − β)⁵ of it",
-              .measured = run.back(),
-              .tolerance = absolute(1e-12 * length),
-              .claimed = five,
-              .range = "a bob that stays on its side of the anchor"});
-  page.claim({.quantity = "the same step with C and J of (2) and (14)",
-              .unit = "m",
-              .expected = e * (1 - beta * (length + e / 2) / (length + e)),
-              .source = "½(|d|² − L²)/|d| instead of |d| − L",
-              .measured = error_in_squared_form(setting),
-              .tolerance = absolute(1e-12 * length)});
+  page.claim("error after five steps", run.back(), "m",
+             is(std::pow(1 - beta, shown_steps) * e, "law of the share: (1 − β)⁵ of it", absolute(1e-12 * length)),
+             Condition{five, "a bob that stays on its side of the anchor"});
+  page.claim("the same step with C and J of (2) and (14)", error_in_squared_form(setting), "m",
+             is(e * (1 - beta * (length + e / 2) / (length + e)), "½(|d|² − L²)/|d| instead of |d| − L",
+                absolute(1e-12 * length)));
   const double moved = (run[1] - run[0]) / h, second = run.size() > 2 ? (run[2] - run[1]) / h : NAN;
-  page.claim({.quantity = "energy after the first step",
-              .unit = "J",
-              .expected = push,
-              .source = "½m(βC/h)²",
-              .measured = 0.5 * setting.mass() * moved * moved,
-              .tolerance = relative(1e-13 * length / (beta * e) + 1e-12)});
-  page.claim({.quantity = "energy after the second step over that after the first",
-              .unit = "1",
-              .expected = (1 - beta) * (1 - beta),
-              .source = "law of the share: the speed is βC/h",
-              .measured = second * second / (moved * moved),
-              .tolerance = absolute(1e-12 * length / (beta * e) + 1e-12)});
+  page.claim("energy after the first step", 0.5 * setting.mass() * moved * moved, "J",
+             is(push, "½m(βC/h)²", relative(1e-13 * length / (beta * e) + 1e-12)));
+  page.claim("energy after the second step over that after the first", second * second / (moved * moved), "1",
+             is((1 - beta) * (1 - beta), "law of the share: the speed is βC/h",
+                absolute(1e-12 * length / (beta * e) + 1e-12)));
 }
 
 }  // namespace byhand::baumgarte

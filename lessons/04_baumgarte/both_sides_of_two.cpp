@@ -135,19 +135,14 @@ void both_sides_of_two(const Setting& setting, Page& page) {
               factors(setting));
   page.measure("what a step leaves", factor(setting, setting.beta()), "1");
 
-  page.claim({.quantity = "what a step leaves with this β",
-              .unit = "1",
-              .expected = std::abs(1 - setting.beta()),
-              .source = "law of the share: |1 − β|",
-              .measured = factor(setting, setting.beta()),
-              .tolerance = absolute(1e-14 * setting.length() / e + 1e-9)});
+  page.claim("what a step leaves with this β", factor(setting, setting.beta()), "1",
+             is(std::abs(1 - setting.beta()), "law of the share: |1 − β|",
+                absolute(1e-14 * setting.length() / e + 1e-9)));
   for (const double beta : {1.99, 2.0, 2.01})
-    page.claim({.quantity = say("left after fifty steps, β = @", beta),
-                .unit = "1",
-                .expected = std::pow(std::abs(1 - beta), 50),
-                .source = "law of the share: |1 − β|⁵⁰",
-                .measured = std::abs(errors(setting, {beta}, setting.h, 50).back() / e),
-                .tolerance = absolute(1e-11 * setting.length() / e)});
+    page.claim(say("left after fifty steps, β = @", beta),
+               std::abs(errors(setting, {beta}, setting.h, 50).back() / e), "1",
+               is(std::pow(std::abs(1 - beta), 50), "law of the share: |1 − β|⁵⁰",
+                  absolute(1e-11 * setting.length() / e)));
 }
 
 }  // namespace byhand::baumgarte

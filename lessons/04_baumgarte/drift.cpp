@@ -169,37 +169,19 @@ void drift(const Setting& setting, Page& page) {
   page.measure("C after four seconds", 100 * C, "cm");
 
   const double turn = turn_of(setting), spread = 1 + 2 * turn * turn * steps, rounding = 1e-12 * steps;
-  page.claim({.quantity = say("rod after @ s", spiral_seconds),
-              .unit = "m",
-              .expected = exact.back(),
-              .source = "|d|² grows by (h|v|)², |v||d| stays",
-              .measured = run.back().position.norm(),
-              .tolerance = relative(rounding)});
+  page.claim(say("rod after @ s", spiral_seconds), run.back().position.norm(), "m",
+             is(exact.back(), "|d|² grows by (h|v|)², |v||d| stays", relative(rounding)));
+  page.claim("the same from the fourth root", run.back().position.norm(), "m",
+             is(law(length, speed, h, steps * h), "law of drift: L(1 + 2hv₀²t/L²)^¼",
+                relative((std::pow(turn, 4) + turn * turn * std::log(spread) / 2) / (4 * spread) + rounding)));
+  page.claim("growth of C in the first step", (run[1].position.norm() - length) / h, "m/s",
+             is(h * speed * speed / (2 * length), "law of drift: hv²/2L",
+                relative(turn * turn / 4 + 1e-15 / (turn * turn))));
+  page.claim("kinetic energy lost, over the energy at first", lost, "1",
+             is_at_least(0, "an impulse that makes JV = 0 only removes a part of V"));
   page.claim(
-      {.quantity = "the same from the fourth root",
-       .unit = "m",
-       .expected = law(length, speed, h, steps * h),
-       .source = "law of drift: L(1 + 2hv₀²t/L²)^¼",
-       .measured = run.back().position.norm(),
-       .tolerance = relative((std::pow(turn, 4) + turn * turn * std::log(spread) / 2) / (4 * spread) + rounding)});
-  page.claim({.quantity = "growth of C in the first step",
-              .unit = "m/s",
-              .expected = h * speed * speed / (2 * length),
-              .source = "law of drift: hv²/2L",
-              .measured = (run[1].position.norm() - length) / h,
-              .tolerance = relative(turn * turn / 4 + 1e-15 / (turn * turn))});
-  page.claim({.quantity = "kinetic energy lost, over the energy at first",
-              .unit = "1",
-              .expected = 0,
-              .source = "an impulse that makes JV = 0 only removes a part of V",
-              .measured = lost,
-              .tolerance = at_least()});
-  page.claim({.quantity = "energy at the end",
-              .unit = "J",
-              .expected = 0.5 * mass * std::pow(speed * length / exact[exact.size() - 2], 2),
-              .source = "|v| = v₀L/|d|",
-              .measured = run.back().kinetic,
-              .tolerance = relative(rounding)});
+      "energy at the end", run.back().kinetic, "J",
+      is(0.5 * mass * std::pow(speed * length / exact[exact.size() - 2], 2), "|v| = v₀L/|d|", relative(rounding)));
 }
 
 }  // namespace byhand::baumgarte

@@ -91,30 +91,14 @@ void frame_rate(const Setting& setting, Page& page) {
   page.measure("half-time", 1000 * half, "ms");
 
   const Tolerance rounding = relative(1e-13 * length / e / (beta * (1 - beta)));
-  page.claim({.quantity = "half-time",
-              .unit = "s",
-              .expected = h * std::log(2) / -std::log1p(-beta),
-              .source = "law of the share: h·ln 2/(−ln(1 − β))",
-              .measured = half,
-              .tolerance = rounding});
-  page.claim({.quantity = "half-time with half the step",
-              .unit = "s",
-              .expected = half / 2,
-              .source = "proportional to h",
-              .measured = finer,
-              .tolerance = rounding});
-  page.claim({.quantity = "half-time with half the step and 1 − √(1 − β)",
-              .unit = "s",
-              .expected = half,
-              .source = "(1 − β)^(1/h) stays",
-              .measured = measured_half_time(setting, 1 - std::sqrt(1 - beta), h / 2),
-              .tolerance = rounding});
-  page.claim({.quantity = "half-time with h/β kept",
-              .unit = "s",
-              .expected = std::log(2) * h / beta,
-              .source = "ln 2·h/β, short by about β/4 for β/2",
-              .measured = kept,
-              .tolerance = relative(0.3 * beta)});
+  page.claim("half-time", half, "s",
+             is(h * std::log(2) / -std::log1p(-beta), "law of the share: h·ln 2/(−ln(1 − β))", rounding));
+  page.claim("half-time with half the step", finer, "s", is(half / 2, "proportional to h", rounding));
+  page.claim("half-time with half the step and 1 − √(1 − β)",
+             measured_half_time(setting, 1 - std::sqrt(1 - beta), h / 2), "s",
+             is(half, "(1 − β)^(1/h) stays", rounding));
+  page.claim("half-time with h/β kept", kept, "s",
+             is(std::log(2) * h / beta, "ln 2·h/β, short by about β/4 for β/2", relative(0.3 * beta)));
 }
 
 }  // namespace byhand::baumgarte

@@ -80,25 +80,13 @@ void read_literally(const Setting& setting, Page& page) {
       2 / h);
   page.measure("half-time as printed", half, "s");
 
-  page.claim({.quantity = "half-time as printed",
-              .unit = "s",
-              .expected = std::log(2) / beta,
-              .source = "ln 2/β",
-              .measured = half,
-              .tolerance = relative(0.6 * beta * h)});
-  page.claim({.quantity = say("still there after @ s, as printed", decay_seconds),
-              .unit = "1",
-              .expected = std::pow(1 - beta * h, steps),
-              .source = "(1 − βh)ⁿ",
-              .measured = left,
-              .tolerance = absolute(1e-12 * length / e)});
+  page.claim("half-time as printed", half, "s", is(std::log(2) / beta, "ln 2/β", relative(0.6 * beta * h)));
+  page.claim(say("still there after @ s, as printed", decay_seconds), left, "1",
+             is(std::pow(1 - beta * h, steps), "(1 − βh)ⁿ", absolute(1e-12 * length / e)));
   for (const double side : {1.99, 2.01})
-    page.claim({.quantity = say("left after fifty steps, β = @ s⁻¹ = @/h", side / h, side),
-                .unit = "1",
-                .expected = std::pow(side - 1, 50),
-                .source = "law of the share: |1 − βh|⁵⁰",
-                .measured = std::abs(errors(setting, {side / h, BetaReading::literal}, h, 50).back() / e),
-                .tolerance = absolute(1e-11 * length / e)});
+    page.claim(say("left after fifty steps, β = @ s⁻¹ = @/h", side / h, side),
+               std::abs(errors(setting, {side / h, BetaReading::literal}, h, 50).back() / e), "1",
+               is(std::pow(side - 1, 50), "law of the share: |1 − βh|⁵⁰", absolute(1e-11 * length / e)));
 }
 
 }  // namespace byhand::baumgarte

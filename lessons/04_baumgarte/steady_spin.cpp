@@ -38,7 +38,7 @@ void steady_spin(const Setting& setting, Page& page) {
   const double length = setting.length(), beta = settles ? setting.beta() : 0.2,
                turn = setting.speed() * setting.h() / length;
   const Spin spin = settled(setting, beta, turn);
-  const bool small = turn <= 0.1;
+  const Condition small = Quantity("ωh", turn) <= 0.1;
 
   if (!settles)
     page.text(setting.beta() < 2
@@ -106,14 +106,10 @@ void steady_spin(const Setting& setting, Page& page) {
   page.measure("settled stretch", 1000 * spin.stretch, "mm per m");
 
   // Next in the expansion are ½β(C/L)² and ⅓(ωh)⁴ beside (ωh)².
-  page.claim({.quantity = "settled stretch, over L",
-              .unit = "1",
-              .expected = law(spin, beta),
-              .source = "law of the spinning rod: (ωh)²/(2β), ω settled",
-              .measured = spin.stretch,
-              .tolerance = relative(spin.turn * spin.turn * (0.5 + 1 / beta) + 2e-15 / (law(spin, beta) * beta)),
-              .claimed = small,
-              .range = "ωh ≤ 0.1"});
+  page.claim("settled stretch, over L", spin.stretch, "1",
+             is(law(spin, beta), "law of the spinning rod: (ωh)²/(2β), ω settled",
+                relative(spin.turn * spin.turn * (0.5 + 1 / beta) + 2e-15 / (law(spin, beta) * beta))),
+             small);
 }
 
 }  // namespace byhand::baumgarte

@@ -251,39 +251,18 @@ void the_trap(const Setting& setting, Page& page) {
   page.measure("growth of an error in a step", growth, "1");
 
   // The waves that a sweep in chain order removes at once are coupled; in a long chain rounding feeds them.
-  const bool pure = beta <= 1.5 || (beta <= 2 && links <= 12);
-  const std::string range = "β ≤ 1.5, or β ≤ 2 and at most 12 links";
-  page.claim({.quantity = "growth in a step, warm",
-              .unit = "1",
-              .expected = growth_law({links, sweeps, beta}),
-              .source = "largest root z over all waves",
-              .measured = growth,
-              .tolerance = absolute(1e-3),
-              .claimed = pure,
-              .range = range});
-  page.claim({.quantity = "growth in a step, cold",
-              .unit = "1",
-              .expected = growth_law({links, sweeps, beta, false}),
-              .source = "z² − [1 + q − (1 − q)β]z + q = 0",
-              .measured = cold,
-              .tolerance = absolute(1e-3),
-              .claimed = pure,
-              .range = range});
-  const bool in_reach = limit >= 0.02 && limit <= 1.9 && links <= 20;
-  page.claim({.quantity = "β at which an error neither grows nor dies out",
-              .unit = "1",
-              .expected = limit,
-              .source = "law of warm start: (1 − q)/q",
-              .measured = in_reach ? measured_limit(setting, limit) : 0,
-              .tolerance = relative(0.02),
-              .claimed = in_reach,
-              .range = "0.02 ≤ (1 − q)/q ≤ 1.9, at most 20 links"});
-  page.claim({.quantity = "growth of the slowest wave, the program's six lines",
-              .unit = "1",
-              .expected = growth_of_wave(q, beta),
-              .source = "largest root of the cubic",
-              .measured = wave_growth_by_hand(q, beta, 4000),
-              .tolerance = absolute(2e-3)});
+  const Quantity share("β", beta), length("links", links);
+  const Condition pure = either(share <= 1.5, both(share <= 2, length <= 12));
+  page.claim("growth in a step, warm", growth, "1",
+             is(growth_law({links, sweeps, beta}), "largest root z over all waves", absolute(1e-3)), pure);
+  page.claim("growth in a step, cold", cold, "1",
+             is(growth_law({links, sweeps, beta, false}), "z² − [1 + q − (1 − q)β]z + q = 0", absolute(1e-3)),
+             pure);
+  const Condition in_reach = both(within(0.02, Quantity("(1 − q)/q", limit), 1.9), length <= 20);
+  page.claim("β at which an error neither grows nor dies out", in_reach ? measured_limit(setting, limit) : 0, "1",
+             is(limit, "law of warm start: (1 − q)/q", relative(0.02)), in_reach);
+  page.claim("growth of the slowest wave, the program's six lines", wave_growth_by_hand(q, beta, 4000), "1",
+             is(growth_of_wave(q, beta), "largest root of the cubic", absolute(2e-3)));
 }
 
 }  // namespace byhand::baumgarte

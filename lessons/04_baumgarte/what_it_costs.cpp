@@ -225,37 +225,25 @@ void what_it_costs(const Setting& setting, Page& page) {
               setting.beta, Value(breaks, 3));
   }
 
-  const bool usual = period / h >= 100 && setting.release() >= 30 && setting.release() <= 120;
-  page.claim({.quantity = say("the most energy that any β from @ to @ gained", betas.front(), betas.back()),
-              .unit = "mgL",
-              .expected = rounding,
-              .source = "law of lost energy: none is gained, but for rounding",
-              .measured = most,
-              .tolerance = at_most(),
-              .claimed = usual,
-              .range = "30° ≤ release ≤ 120°, a swing ≥ 100 steps"});
+  const Condition wide = within(30, Quantity("release", setting.release, "°"), 120),
+                  usual = both(wide, Quantity("steps of a swing", period / h) >= 100);
+  page.claim(say("the most energy that any β from @ to @ gained", betas.front(), betas.back()), most, "mgL",
+             is_at_most(rounding, "law of lost energy: none is gained, but for rounding"), usual);
   const double behind = lag(setting, beta);
-  const bool near = usual && behind <= 0.3 && beta <= 1;
-  page.claim({.quantity = "largest drift, over L",
-              .unit = "1",
-              .expected = law_of_drift(setting, beta),
-              .source = "law of the spinning rod, (ωh)²/(2β), at the lowest point",
-              .measured = near ? measure(setting, beta, period).drift : 0,
-              .tolerance = relative(0.05 + 2 * behind * behind),
-              .claimed = near,
-              .range = "h/β·√(g/L) ≤ 0.3, β ≤ 1, 30° ≤ release ≤ 120°, a swing ≥ 100 steps"});
+  const Condition near = where(Quantity("h/β·√(g/L)", behind) <= 0.3, Quantity("β", beta) <= 1, usual);
+  page.claim("largest drift, over L", near ? measure(setting, beta, period).drift : 0, "1",
+             is(law_of_drift(setting, beta), "law of the spinning rod, (ωh)²/(2β), at the lowest point",
+                relative(0.05 + 2 * behind * behind)),
+             near);
   const double own_beta = beta >= 0.2 && beta <= 1.9 ? beta : 0.2;
   constexpr int fine = 1500;
   const std::vector<double> means =
       mean_energies(swinging(setting, Baumgarte{own_beta}, period / fine, 2 * fine), fine, 2);
-  page.claim({.quantity = say("energy that one swing of @ steps loses, β = @", fine, own_beta),
-              .unit = "mgL",
-              .expected = law_of_loss(setting, exact, own_beta, period / fine),
-              .source = "law of lost energy: h³(2 − β)/(4β²)·∮ Ṫu̇ dt",
-              .measured = (means[0] - means[1]) / (setting.mass() * gravity * length),
-              .tolerance = relative(0.01),
-              .claimed = setting.release() >= 30 && setting.release() <= 120,
-              .range = "30° ≤ release ≤ 120°"});
+  page.claim(say("energy that one swing of @ steps loses, β = @", fine, own_beta),
+             (means[0] - means[1]) / (setting.mass() * gravity * length), "mgL",
+             is(law_of_loss(setting, exact, own_beta, period / fine),
+                "law of lost energy: h³(2 − β)/(4β²)·∮ Ṫu̇ dt", relative(0.01)),
+             wide);
 }
 
 }  // namespace byhand::baumgarte

@@ -239,40 +239,26 @@ void bounce(const Setting& setting, Page& page) {
   page.measure("first peak, e = 1, solver", own.front(), "m");
   // After n steps it is h²g n(n + 1)/2 lower; the step after that turns g h (n + 1) round.
   const double n = std::ceil((std::sqrt(1 + 8 * drop / (gravity * h * h)) - 1) / 2);
-  page.claim({.quantity = "first peak on overlap, e = 1",
-              .unit = "m",
-              .expected = drop + gravity * h * h * (n + 1),
-              .source = "hv above the start, step by step",
-              .measured = overlap.front(),
-              .tolerance = absolute(1e-9 * drop)});
-  page.claim({.quantity = "highest peak of the solver, e = 1",
-              .unit = "m",
-              .expected = drop + gravity * h * h / 8,
-              .source = "nothing is gained: the top of the parabola of a fall from rest",
-              .measured = *std::max_element(own.begin(), own.end()),
-              .tolerance = at_most()});
+  page.claim("first peak on overlap, e = 1", overlap.front(), "m",
+             is(drop + gravity * h * h * (n + 1), "hv above the start, step by step", absolute(1e-9 * drop)));
+  page.claim(
+      "highest peak of the solver, e = 1", *std::max_element(own.begin(), own.end()), "m",
+      is_at_most(drop + gravity * h * h / 8, "nothing is gained: the top of the parabola of a fall from rest"));
   const std::vector<double> plain = peaks(two_solves(setting, e), h, bounces),
                             all = peaks(solved(setting, e), h, bounces);
   double differ = std::abs(static_cast<double>(plain.size()) - static_cast<double>(all.size()));
   for (std::size_t i = 0; i < std::min(plain.size(), all.size()); ++i)
     differ = std::max(differ, std::abs(plain[i] - all[i]));
-  page.claim({.quantity = "peaks of the plain two solves beside the solver's, largest difference",
-              .unit = "m",
-              .expected = 0,
-              .source = "the same method",
-              .measured = differ,
-              .tolerance = absolute(1e-9 * drop),
-              .claimed = std::pow(e, bounces) * std::sqrt(2 * gravity * drop) > gravity * h,
-              .range = "a ball that is off the ground for two steps after each bounce"});
+  page.claim("peaks of the plain two solves beside the solver's, largest difference", differ, "m",
+             is(0, "the same method", absolute(1e-9 * drop)),
+             Condition{std::pow(e, bounces) * std::sqrt(2 * gravity * drop) > gravity * h,
+                       "a ball that is off the ground for two steps after each bounce"});
   const double step = h / 256;
   const std::vector<double> exact = peaks(solved(setting, e), step, bounces);
   for (int k = 0; k < bounces; ++k)
-    page.claim({.quantity = say("peak @ of the solver, h/256", k + 1),
-                .unit = "m",
-                .expected = drop * std::pow(e * e, k + 1),
-                .source = "e²ⁿ of the drop, to gh²/8",
-                .measured = k < static_cast<int>(exact.size()) ? exact[k] : NAN,
-                .tolerance = absolute(gravity * step * step / 8 + 1e-9 * drop)});
+    page.claim(say("peak @ of the solver, h/256", k + 1), k < static_cast<int>(exact.size()) ? exact[k] : NAN, "m",
+               is(drop * std::pow(e * e, k + 1), "e²ⁿ of the drop, to gh²/8",
+                  absolute(gravity * step * step / 8 + 1e-9 * drop)));
 }
 
 }  // namespace byhand::contact

@@ -170,39 +170,18 @@ void cradle(const Setting& setting, Page& page) {
       energy. Letting only those bounce that approached, and holding the others at JV⁺ ≥ 0, can.)");
 
   page.measure("first ball, all at once", direct.front(), "v");
-  page.claim({.quantity = "largest difference from (2 − N)/N and 2/N, all at once",
-              .unit = "v",
-              .expected = 0,
-              .source = "law of the simultaneous cradle",
-              .measured = largest_difference(direct, shared(n)),
-              .tolerance = absolute(1e-9)});
-  page.claim({.quantity = "energy, all at once",
-              .unit = "½mv²",
-              .expected = 1,
-              .source = "e = 1",
-              .measured = sum(direct, 2),
-              .tolerance = absolute(1e-9)});
+  page.claim("largest difference from (2 − N)/N and 2/N, all at once", largest_difference(direct, shared(n)), "v",
+             is(0, "law of the simultaneous cradle", absolute(1e-9)));
+  page.claim("energy, all at once", sum(direct, 2), "½mv²", is(1, "e = 1", absolute(1e-9)));
   for (const auto& [name, speeds] :
        {std::pair{"first contact first", one_forward}, std::pair{"last contact first", one_backward}})
-    page.claim({.quantity = say("momentum, one sweep, @", name),
-                .unit = "mv",
-                .expected = 1,
-                .source = "(20) gives both bodies the same λ",
-                .measured = sum(speeds, 1),
-                .tolerance = absolute(1e-12)});
-  page.claim({.quantity = say("largest difference between @ sweeps and all at once", many.sweeps),
-              .unit = "v",
-              .expected = 0,
-              .source = "one answer",
-              .measured = largest_difference(after_a_step(setting, many), direct),
-              .tolerance = absolute(1e-6)});
+    page.claim(say("momentum, one sweep, @", name), sum(speeds, 1), "mv",
+               is(1, "(20) gives both bodies the same λ", absolute(1e-12)));
+  page.claim(say("largest difference between @ sweeps and all at once", many.sweeps),
+             largest_difference(after_a_step(setting, many), direct), "v", is(0, "one answer", absolute(1e-6)));
   const double gap = 0.001;
-  page.claim({.quantity = "last ball, steps of half a gap's flight",
-              .unit = "v",
-              .expected = 1,
-              .source = "nature: one collision after the other",
-              .measured = after_the_blow(setting, gap, 0.5 * gap / v).back(),
-              .tolerance = absolute(1e-9)});
+  page.claim("last ball, steps of half a gap's flight", after_the_blow(setting, gap, 0.5 * gap / v).back(), "v",
+             is(1, "nature: one collision after the other", absolute(1e-9)));
 }
 
 }  // namespace byhand::contact

@@ -238,54 +238,25 @@ void deep_contact(const Setting& setting, Page& page) {
       contact that is corrected completely opens every few steps, and has to be found again.)");
 
   page.measure("peak above the ground", highest, "m");
-  page.claim({.quantity = "speed at which it leaves",
-              .unit = "m/s",
-              .expected = speed,
-              .source = "βd/h, (22)",
-              .measured = leaves_at,
-              .tolerance = relative(1e-12)});
-  const bool shallow_law = 1.5 * law < deepest;
-  const std::string range = "1.5 (1 − β/2)·2gh²/β² < 0.4 m";
+  page.claim("speed at which it leaves", leaves_at, "m/s", is(speed, "βd/h, (22)", relative(1e-12)));
+  const Condition shallow_law = Quantity("1.5 (1 − β/2)·2gh²/β²", 1.5 * law, "m") < deepest;
   const double popped = shallow_law ? measured_pop(beta, h) : 0;
-  page.claim({.quantity = "depth from which it pops off the ground",
-              .unit = "m",
-              .expected = by_steps,
-              .source = "a throw at βd/h, step by step",
-              .measured = popped,
-              .tolerance = absolute(1e-6 * by_steps + 1e-10),
-              .claimed = shallow_law,
-              .range = range});
+  page.claim("depth from which it pops off the ground", popped, "m",
+             is(by_steps, "a throw at βd/h, step by step", absolute(1e-6 * by_steps + 1e-10)), shallow_law);
   const double u = 2 / beta - 1;
-  page.claim({.quantity = "the same beside the law for many steps",
-              .unit = "m",
-              .expected = law,
-              .source = "law of the pop: (1 − β/2)·2gh²/β², at most ¼ too large in x",
-              .measured = popped,
-              .tolerance = relative(1 - 0.5 * (1 + std::sqrt(1 - 1 / (u * u))) + 1e-6),
-              .claimed = shallow_law,
-              .range = range});
-  page.claim({.quantity = "peak above the ground",
-              .unit = "m",
-              .expected = depth > by_steps ? law_of_peak(depth, beta, h) : 0,
-              .source = "a throw at βd/h, step by step, or it stays down",
-              .measured = highest,
-              .tolerance = absolute(1e-9 * (1 + highest)),
-              .claimed = std::abs(depth / by_steps - 1) > 1e-6,
-              .range = "a depth not within 10⁻⁶ of the limit"});
-  page.claim({.quantity = "peak above the ground with the limit on the speed",
-              .unit = "m",
-              .expected = cap < harmless_speed(beta, h) ? 0 : cap * cap / (2 * gravity),
-              .source = "it stays down, or v²/2g",
-              .measured = highest_capped,
-              .tolerance = at_most(),
-              .claimed = std::abs(cap / harmless_speed(beta, h) - 1) > 0.05,
-              .range = "a limit not within 5 % of harmless"});
-  page.claim({.quantity = "peak above the ground with split impulse",
-              .unit = "m",
-              .expected = 0,
-              .source = "no velocity of the correction is left",
-              .measured = highest_split,
-              .tolerance = absolute(1e-9)});
+  page.claim("the same beside the law for many steps", popped, "m",
+             is(law, "law of the pop: (1 − β/2)·2gh²/β², at most ¼ too large in x",
+                relative(1 - 0.5 * (1 + std::sqrt(1 - 1 / (u * u))) + 1e-6)),
+             shallow_law);
+  page.claim("peak above the ground", highest, "m",
+             is(depth > by_steps ? law_of_peak(depth, beta, h) : 0,
+                "a throw at βd/h, step by step, or it stays down", absolute(1e-9 * (1 + highest))),
+             Quantity("|depth/limit − 1|", std::abs(depth / by_steps - 1)) > 1e-6);
+  page.claim("peak above the ground with the limit on the speed", highest_capped, "m",
+             is_at_most(cap < harmless_speed(beta, h) ? 0 : cap * cap / (2 * gravity), "it stays down, or v²/2g"),
+             Quantity("|limit/harmless − 1|", std::abs(cap / harmless_speed(beta, h) - 1)) > 0.05);
+  page.claim("peak above the ground with split impulse", highest_split, "m",
+             is(0, "no velocity of the correction is left", absolute(1e-9)));
 }
 
 }  // namespace byhand::contact

@@ -207,34 +207,18 @@ void friction_row(const Setting& setting, Page& page) {
   const double lever = 6 * std::pow(0.5 * (std::cos(radians(tilt)) - std::sin(radians(tilt))), 2);
   const double moment = -6 * 0.5 * (std::cos(radians(tilt)) - std::sin(radians(tilt))) * 0.5 *
                         (std::cos(radians(tilt)) + std::sin(radians(tilt)));
-  page.claim({.quantity = "slip after the normal's impulse",
-              .unit = "m/s",
-              .expected = speed * moment / (1 + lever),
-              .source = "v·rₓr_y m/I over 1 + rₓ² m/I, by hand",
-              .measured = pressed.slip(),
-              .tolerance = relative(1e-12)});
-  page.claim({.quantity = "friction's impulse, friction first, 1 cold sweep",
-              .unit = "N s",
-              .expected = 0,
-              .source = "its bound, μλₙ, is zero",
-              .measured = first,
-              .tolerance = absolute(0)});
-  page.claim({.quantity = "friction's impulse, normal first, 1 cold sweep",
-              .unit = "N s",
-              .expected = -full,
-              .source = "−μmgh, against the motion",
-              .measured = rubbed_in_a_step(setting, orders[0].solver),
-              .tolerance = relative(1e-12)});
+  page.claim("slip after the normal's impulse", pressed.slip(), "m/s",
+             is(speed * moment / (1 + lever), "v·rₓr_y m/I over 1 + rₓ² m/I, by hand", relative(1e-12)));
+  page.claim("friction's impulse, friction first, 1 cold sweep", first, "N s",
+             is(0, "its bound, μλₙ, is zero", absolute(0)));
+  page.claim("friction's impulse, normal first, 1 cold sweep", rubbed_in_a_step(setting, orders[0].solver), "N s",
+             is(-full, "−μmgh, against the motion", relative(1e-12)));
   const double steps = speed / (mu * gravity * h);
-  page.claim({.quantity = "stopping distance, normal first",
-              .unit = "m",
-              .expected = speed * speed / (2 * mu * gravity) - speed * h / 2,
-              .source = "v²/(2μg), less half a step: −vh/2",
-              .measured = stopping_distance(setting, orders[0].solver),
-              // A last step that is not a whole one: f(1 − f)/2 of μgh², f its share.
-              .tolerance = absolute(mu * gravity * h * h / 8 + 1e-9),
-              .claimed = steps > 4,
-              .range = "more than four steps"});
+  // A last step that is not a whole one: f(1 − f)/2 of μgh², f its share.
+  page.claim("stopping distance, normal first", stopping_distance(setting, orders[0].solver), "m",
+             is(speed * speed / (2 * mu * gravity) - speed * h / 2, "v²/(2μg), less half a step: −vh/2",
+                absolute(mu * gravity * h * h / 8 + 1e-9)),
+             Quantity("steps", steps) > 4);
 }
 
 }  // namespace byhand::contact

@@ -169,20 +169,11 @@ void heavy_on_light(const Setting& setting, Page& page) {
   const bool mild = law < 0.3 && std::pow(1 - beta * (1 - std::pow(q, sweeps)), settling / h) < 1e-3 &&
                     high < 0.5 && high - low < 0.01 * law + 1e-9;
   page.measure("the upper box has sunk, cold", without_rounding(high, 1), "m");
-  page.claim({.quantity = "the upper box has sunk, cold sweeps",
-              .unit = "m",
-              .expected = law,
-              .source = "(1 − Gᵏ)⁻¹Gᵏ gh = −(β/h)C",
-              .measured = high,
-              .tolerance = absolute(0.01 * law + 1e-9),
-              .claimed = mild,
-              .range = "sinks less than 0.3 m, stands, and is at rest after 7 s"});
-  page.claim({.quantity = "the upper box is off its place, solved directly",
-              .unit = "m",
-              .expected = 1e-6,
-              .source = "it stands",
-              .measured = std::max(std::abs(direct_low), std::abs(direct_high)),
-              .tolerance = at_most()});
+  page.claim("the upper box has sunk, cold sweeps", high, "m",
+             is(law, "(1 − Gᵏ)⁻¹Gᵏ gh = −(β/h)C", absolute(0.01 * law + 1e-9)),
+             Condition{mild, "sinks less than 0.3 m, stands, and is at rest after 7 s"});
+  page.claim("the upper box is off its place, solved directly",
+             std::max(std::abs(direct_low), std::abs(direct_high)), "m", is_at_most(1e-6, "it stands"));
 }
 
 }  // namespace byhand::contact

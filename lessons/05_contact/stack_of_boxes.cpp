@@ -376,39 +376,19 @@ void stack_of_boxes(const Setting& setting, Page& page) {
     worst_first = std::max(worst_first, std::abs(first[i] - by_hand[i]));
     worst_direct = std::max(worst_direct, std::abs(direct[i] / weight_above(n, i) - 1));
   }
-  page.claim({.quantity = "largest difference of a layer from points swept on a line",
-              .unit = "N",
-              .expected = 0,
-              .source = "the same sweeps by hand",
-              .measured = worst_first,
-              .tolerance = absolute(1e-9)});
-  page.claim({.quantity = "a layer over the weight above it, solved directly: largest deviation from 1",
-              .unit = "1",
-              .expected = 0,
-              .source = "the weight above",
-              .measured = worst_direct,
-              .tolerance = absolute(1e-9)});
-  page.claim({.quantity = say("fewest warm sweeps with which @ boxes stand", n),
-              .unit = "1",
-              .expected = law,
-              .source = "law of the stack: ¾gh²N³, within one sweep and 10 %",
-              .measured = needed_sweeps,
-              .tolerance = absolute(1 + 0.1 * law),
-              .claimed = law > 2 && law < 50,
-              .range = "2 < ¾gh²N³ < 50"});
+  page.claim("largest difference of a layer from points swept on a line", worst_first, "N",
+             is(0, "the same sweeps by hand", absolute(1e-9)));
+  page.claim("a layer over the weight above it, solved directly: largest deviation from 1", worst_direct, "1",
+             is(0, "the weight above", absolute(1e-9)));
+  page.claim(say("fewest warm sweeps with which @ boxes stand", n), needed_sweeps, "1",
+             is(law, "law of the stack: ¾gh²N³, within one sweep and 10 %", absolute(1 + 0.1 * law)),
+             within(2, Quantity("¾gh²N³", law), 50));
   constexpr int measured_boxes = 12;
-  page.claim({.quantity = say("share of the slowest error that a sweep takes, @ boxes, times N⁴", measured_boxes),
-              .unit = "1",
-              .expected = 2,
-              .source = "law of bending: 2.0/N⁴",
-              .measured = share_taken(measured_boxes) * std::pow(measured_boxes, 4),
-              .tolerance = relative(0.1)});
-  page.claim({.quantity = say("solved directly, the top box is off after @ s", patience),
-              .unit = "m",
-              .expected = 1e-3,
-              .source = "solved exactly it stands",
-              .measured = shift(standing),
-              .tolerance = at_most()});
+  page.claim(say("share of the slowest error that a sweep takes, @ boxes, times N⁴", measured_boxes),
+             share_taken(measured_boxes) * std::pow(measured_boxes, 4), "1",
+             is(2, "law of bending: 2.0/N⁴", relative(0.1)));
+  page.claim(say("solved directly, the top box is off after @ s", patience), shift(standing), "m",
+             is_at_most(1e-3, "solved exactly it stands"));
 }
 
 }  // namespace byhand::contact

@@ -178,31 +178,17 @@ void sticks_or_slides(const Setting& setting, Page& page) {
   const double time = std::round(1 / h) * h, beside = 0.001;
   page.measure("slid in 1 s on the third slope",
                without_rounding(slid_after(on_slope(setting, slope), slope, time, h), 1), "m");
-  page.claim({.quantity = "slope at which it begins to slide",
-              .unit = "°",
-              .expected = degrees(limit),
-              .source = "tanθ = μ",
-              .measured = degrees(measured_limit(setting)),
-              .tolerance = absolute(1e-5)});
-  page.claim({.quantity = "slid in 1 s a thousandth below it",
-              .unit = "m",
-              .expected = 0,
-              .source = "it sticks",
-              .measured = without_rounding(
-                  slid_after(on_slope(setting, (1 - beside) * limit), (1 - beside) * limit, time, h), 1),
-              .tolerance = absolute(1e-9)});
-  page.claim({.quantity = "slid in 1 s a thousandth above it",
-              .unit = "m",
-              .expected = law_of_sliding((1 + beside) * limit, mu, time, h),
-              .source = "½at(t + h)",
-              .measured = slid_after(on_slope(setting, (1 + beside) * limit), (1 + beside) * limit, time, h),
-              .tolerance = absolute(1e-9)});
-  page.claim({.quantity = "slid in 1 s on the third slope",
-              .unit = "m",
-              .expected = law_of_sliding(slope, mu, time, h),
-              .source = "½at(t + h), 0 where it sticks",
-              .measured = slid_after(on_slope(setting, slope), slope, time, h),
-              .tolerance = absolute(1e-9)});
+  page.claim("slope at which it begins to slide", degrees(measured_limit(setting)), "°",
+             is(degrees(limit), "tanθ = μ", absolute(1e-5)));
+  page.claim(
+      "slid in 1 s a thousandth below it",
+      without_rounding(slid_after(on_slope(setting, (1 - beside) * limit), (1 - beside) * limit, time, h), 1), "m",
+      is(0, "it sticks", absolute(1e-9)));
+  page.claim("slid in 1 s a thousandth above it",
+             slid_after(on_slope(setting, (1 + beside) * limit), (1 + beside) * limit, time, h), "m",
+             is(law_of_sliding((1 + beside) * limit, mu, time, h), "½at(t + h)", absolute(1e-9)));
+  page.claim("slid in 1 s on the third slope", slid_after(on_slope(setting, slope), slope, time, h), "m",
+             is(law_of_sliding(slope, mu, time, h), "½at(t + h), 0 where it sticks", absolute(1e-9)));
 }
 
 }  // namespace byhand::contact

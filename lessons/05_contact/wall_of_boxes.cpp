@@ -118,31 +118,11 @@ void wall_of_boxes(const Setting& setting, Page& page) {
               overlaps(base, h));
 
   page.measure("largest overlap after 5 s", 1000 * left, "mm");
-  const bool fine = h <= 0.02;
-  page.claim({.quantity = "what the ground carries",
-              .unit = "N",
-              .expected = boxes * gravity,
-              .source = "the weight of all",
-              .measured = ground,
-              .tolerance = relative(1e-3),
-              .claimed = fine,
-              .range = "h ≤ 0.02 s"});
-  page.claim({.quantity = "largest overlap after 5 s",
-              .unit = "m",
-              .expected = slop,
-              .source = "slop, above which it is pushed out",
-              .measured = left,
-              .tolerance = at_most(),
-              .claimed = fine,
-              .range = "h ≤ 0.02 s"});
-  page.claim({.quantity = "the top box has moved",
-              .unit = "m",
-              .expected = 0.004,
-              .source = "4 mm: it stands",
-              .measured = moved,
-              .tolerance = at_most(),
-              .claimed = fine,
-              .range = "h ≤ 0.02 s"});
+  const Condition fine = Quantity("h", h, "s") <= 0.02;
+  page.claim("what the ground carries", ground, "N", is(boxes * gravity, "the weight of all", relative(1e-3)),
+             fine);
+  page.claim("largest overlap after 5 s", left, "m", is_at_most(slop, "slop, above which it is pushed out"), fine);
+  page.claim("the top box has moved", moved, "m", is_at_most(0.004, "4 mm: it stands"), fine);
 }
 
 }  // namespace byhand::contact

@@ -238,8 +238,10 @@ void block_or_row(const Setting& setting, Page& page) {
                     side < 0.15 * length ? " (The box is drawn larger than it is.)" : ""),
                 Seconds{swing_seconds}, [film](Canvas& canvas, double time) mutable { film.draw(canvas, time); });
   const double tangent = gravity * h * h / beta;
-  const bool tame = beta >= 0.1 && beta <= 1 && gravity * h * h / length < 0.02,
-             on_tangent = tame && side <= length / 4 && h / beta * std::sqrt(gravity / length) <= 0.45;
+  const Condition tame =
+      both(within(0.1, Quantity("β", beta), 1), Quantity("gh²/L", gravity * h * h / length) < 0.02);
+  const Condition on_tangent = where(tame, Quantity("side/L", side / length) <= 0.25,
+                                     Quantity("h/β·√(g/L)", h / beta * std::sqrt(gravity / length)) <= 0.45);
   const Drift warm = drift_of(
       {"", held_box(setting, side, pi / 2, sweeps, BlockSolve::row_by_row, Baumgarte{beta}, true)}, length, h);
   page.text(R"(In @ s the pin @ when its rows were solved as a block, and it @ row by row.@)", drift_seconds,
@@ -259,42 +261,19 @@ void block_or_row(const Setting& setting, Page& page) {
                   "block.**");
 
   if (std::isinf(rows.broke)) page.measure("pin off at most, row by row", 1000 * rows.worst, "mm");
-  page.claim({.quantity = "what a sweep row by row leaves at 45°, small box",
-              .unit = "1",
-              .expected = rho,
-              .source = "A₁₂²/(A₁₁A₂₂)",
-              .measured = measured_rate(setting, side),
-              .tolerance = absolute(1e-9)});
-  page.claim({.quantity = "the same, large box",
-              .unit = "1",
-              .expected = rate(setting, length),
-              .source = "A₁₂²/(A₁₁A₂₂)",
-              .measured = measured_rate(setting, length),
-              .tolerance = absolute(1e-9)});
-  page.claim({.quantity = "pin off at most, as a block",
-              .unit = "m",
-              .expected = tangent,
-              .source = "gh²/β at the bottom of the swing",
-              .measured = block.worst,
-              .tolerance = relative(0.25),
-              .claimed = on_tangent,
-              .range = "0.1 ≤ β ≤ 1, gh² < L/50, side ≤ L/4, h/β·√(g/L) ≤ 0.45"});
-  page.claim({.quantity = "row by row over as a block",
-              .unit = "1",
-              .expected = 10,
-              .source = "what the sweeps leave is many times the tangent",
-              .measured = rows.worst / block.worst,
-              .tolerance = at_least(),
-              .claimed = tame && left > 0.8,
-              .range = "a share above 0.8 is missing after the sweeps"});
-  page.claim({.quantity = "row by row, started warm over started cold",
-              .unit = "1",
-              .expected = 1,
-              .source = "warm steps add up what single steps leave",
-              .measured = warm.worst / rows.worst,
-              .tolerance = at_most(),
-              .claimed = tame && left > 0.7 && left < 0.95 && beta <= 0.2 && gravity * h * h / length < 0.004,
-              .range = "between 0.7 and 0.95 is missing after the sweeps, β ≤ 0.2, gh² < L/250"});
+  page.claim("what a sweep row by row leaves at 45°, small box", measured_rate(setting, side), "1",
+             is(rho, "A₁₂²/(A₁₁A₂₂)", absolute(1e-9)));
+  page.claim("the same, large box", measured_rate(setting, length), "1",
+             is(rate(setting, length), "A₁₂²/(A₁₁A₂₂)", absolute(1e-9)));
+  page.claim("pin off at most, as a block", block.worst, "m",
+             is(tangent, "gh²/β at the bottom of the swing", relative(0.25)), on_tangent);
+  page.claim("row by row over as a block", rows.worst / block.worst, "1",
+             is_at_least(10, "what the sweeps leave is many times the tangent"),
+             both(tame, Quantity("share missing after the sweeps", left) > 0.8));
+  page.claim("row by row, started warm over started cold", warm.worst / rows.worst, "1",
+             is_at_most(1, "warm steps add up what single steps leave"),
+             where(within(0.7, Quantity("share missing after the sweeps", left), 0.95),
+                   within(0.1, Quantity("β", beta), 0.2), Quantity("gh²/L", gravity * h * h / length) < 0.004));
 }
 
 }  // namespace byhand::joints

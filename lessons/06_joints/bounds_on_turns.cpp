@@ -185,39 +185,24 @@ void bounds_on_turns(const Setting& setting, Page& page) {
       bound is only a limit. The weak one is at its limit.)",
       Value(degrees(stop_at), 3), Value(degrees(stop_at), 3), Value(moment(on_stop, setting), 4));
   page.measure(say("the weak motor's bar after @ s, below level", bar_settles), degrees(rest), "°");
-  page.claim({.quantity = "where the weak motor stops the bar, below level",
-              .unit = "rad",
-              .expected = law,
-              .source = "½ sin φ = (τ/mgl) φ",
-              .measured = rest,
-              .tolerance = absolute(2 * h * h * gravity / setting.length + 1e-3),
-              .claimed = holds_there && h * h * gravity / setting.length < 0.01,
-              .range = "a motor that can hold where it first stops the bar, gh² < L/100"});
+  page.claim("where the weak motor stops the bar, below level", rest, "rad",
+             is(law, "½ sin φ = (τ/mgl) φ", absolute(2 * h * h * gravity / setting.length + 1e-3)),
+             where(Condition{holds_there, "a motor that can hold where it first stops the bar"},
+                   Quantity("gh²/L", h * h * gravity / setting.length) < 0.01));
   for (const double share : {0.98, 1.02}) {
     const double set_down = balance / share;
     const bool stays = share < 1;
     const double moves = std::abs(below_level(after(held(setting, strength, set_down), 2, h)) - set_down);
-    page.claim({.quantity = say("set down gently at @°, it moves in two seconds by", Value(degrees(set_down), 4)),
-                .unit = "rad",
-                .expected = stays ? 1e-9 : balance - set_down,
-                .source = stays ? "½ cos φ < τ/mgl: it stays" : "½ cos φ > τ/mgl: it swings past the balance",
-                .measured = moves,
-                .tolerance = stays ? at_most() : at_least(),
-                .claimed = strength <= 0.45,
-                .range = "strength ≤ 0.45 mgl"});
+    page.claim(say("set down gently at @°, it moves in two seconds by", Value(degrees(set_down), 4)), moves, "rad",
+               is(stays ? 1e-9 : balance - set_down,
+                  stays ? "½ cos φ < τ/mgl: it stays" : "½ cos φ > τ/mgl: it swings past the balance",
+                  stays ? at_most() : at_least()),
+               Quantity("strength", strength, "mgl") <= 0.45);
   }
-  page.claim({.quantity = "what the stop carries at rest",
-              .unit = "mgl",
-              .expected = 0.5 * std::cos(stop_at),
-              .source = "½ cos φ",
-              .measured = moment(on_stop, setting),
-              .tolerance = absolute(1e-3)});
-  page.claim({.quantity = "what the strong motor gives",
-              .unit = "mgl",
-              .expected = 0.5,
-              .source = "the weight's moment",
-              .measured = moment(holds, setting),
-              .tolerance = absolute(1e-9)});
+  page.claim("what the stop carries at rest", moment(on_stop, setting), "mgl",
+             is(0.5 * std::cos(stop_at), "½ cos φ", absolute(1e-3)));
+  page.claim("what the strong motor gives", moment(holds, setting), "mgl",
+             is(0.5, "the weight's moment", absolute(1e-9)));
 }
 
 }  // namespace byhand::joints

@@ -125,14 +125,9 @@ void conflicting_rods(const Setting& setting, Page& page) {
       lambda(biased, 1), -lambda(shared, 0), -lambda(shared, 1));
   for (const auto& [rods, name] :
        {std::pair{&first, "cold"}, std::pair{&biased, "warm, from opposed λ"}, std::pair{&shared, "regularised"}})
-    page.claim({.quantity = say("the same rod twice, @: sum of λ", name),
-                .unit = "N s",
-                .expected = -weight * h,
-                .source = "the weight",
-                .measured = sum(*rods),
-                .tolerance = absolute(1e-6 * weight * h + 1e-12 * m)});
-
-  // Two lengths.
+    // Two lengths.
+    page.claim(say("the same rod twice, @: sum of λ", name), sum(*rods), "N s",
+               is(-weight * h, "the weight", absolute(1e-6 * weight * h + 1e-12 * m)));
   const Rods start = two_rods(setting, gap, warm), end = after(start, conflict_seconds, h);
   const double steps = std::round(end.time / h);
   const double a_step = sweeps * m * beta * gap / h;  // what a step adds to either λ
@@ -224,44 +219,20 @@ void conflicting_rods(const Setting& setting, Page& page) {
       Value(opposed(regularised), 4), added_share);
 
   page.measure("rod against rod at the end", grown / h / weight, "mg");
-  page.claim({.quantity = say("λ of the long rod after @ s", conflict_seconds),
-              .unit = "N s",
-              .expected = a_step * steps,
-              .source = "law of the conflict: k m β ΔL/h a step",
-              .measured = lambda(end, 1),
-              .tolerance = relative(1e-9)});
-  page.claim({.quantity = "how far the bob is from where the last row wants it",
-              .unit = "m",
-              .expected = 0,
-              .source = "the last row of a sweep has what it asks for",
-              .measured = end.scene.bodies().pose[1].position.norm() - (length + gap),
-              .tolerance = absolute(1e-9 * length + 2 * gap * std::pow(1 - beta, steps)),
-              .claimed = beta > 0.02,
-              .range = "β > 0.02"});
-  page.claim({.quantity = "rod against rod, cold",
-              .unit = "N s",
-              .expected = a_step + 0.5 * weight * h,
-              .source = "k m β ΔL/h, and the short rod carries the bob",
-              .measured = opposed(chilled),
-              .tolerance = relative(1e-3),
-              .claimed = beta > 0.02,
-              .range = "β > 0.02"});
-  page.claim({.quantity = "rod against rod, soft",
-              .unit = "N s",
-              .expected = soft_end,
-              .source = "βΔL/(2hγ)",
-              .measured = opposed(soft),
-              .tolerance = relative(1e-3),
-              .claimed = sweeps * give * steps > 20 && beta > 0.02,
-              .range = "sweeps enough to settle, β > 0.02"});
-  page.claim({.quantity = "rod against rod, regularised",
-              .unit = "N s",
-              .expected = regularised_end,
-              .source = "βΔL m/(2hε)",
-              .measured = opposed(regularised),
-              .tolerance = relative(1e-6),
-              .claimed = beta > 0.02,
-              .range = "β > 0.02"});
+  page.claim(say("λ of the long rod after @ s", conflict_seconds), lambda(end, 1), "N s",
+             is(a_step * steps, "law of the conflict: k m β ΔL/h a step", relative(1e-9)));
+  page.claim("how far the bob is from where the last row wants it",
+             end.scene.bodies().pose[1].position.norm() - (length + gap), "m",
+             is(0, "the last row of a sweep has what it asks for",
+                absolute(1e-9 * length + 2 * gap * std::pow(1 - beta, steps))),
+             Quantity("β", beta) > 0.02);
+  page.claim("rod against rod, cold", opposed(chilled), "N s",
+             is(a_step + 0.5 * weight * h, "k m β ΔL/h, and the short rod carries the bob", relative(1e-3)),
+             Quantity("β", beta) > 0.02);
+  page.claim("rod against rod, soft", opposed(soft), "N s", is(soft_end, "βΔL/(2hγ)", relative(1e-3)),
+             where(Condition{sweeps * give * steps > 20, "sweeps enough to settle"}, Quantity("β", beta) > 0.02));
+  page.claim("rod against rod, regularised", opposed(regularised), "N s",
+             is(regularised_end, "βΔL m/(2hε)", relative(1e-6)), Quantity("β", beta) > 0.02);
 }
 
 }  // namespace byhand::joints

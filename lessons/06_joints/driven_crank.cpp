@@ -185,8 +185,7 @@ void driven_crank(const Setting& setting, Page& page) {
        .hints = {"There is no gravity here: the motor only gives and takes kinetic energy.", "τ = ½ω² dI/dθ.",
                  "dI/dθ depends on the angle alone, not on the speed."},
        .right = "τ = ½ω² dI/dθ goes with the square of the speed."});
-  const bool calm = turn <= 0.15 && l >= 1.5 * r;
-  const std::string range = "ωh ≤ 0.15, l ≥ 1.5 r";
+  const Condition calm = both(Quantity("ωh", turn) <= 0.15, Quantity("l/r", l / r) >= 1.5);
   page.text(
       R"((The first steps of the moment are not drawn: the run starts without drift, and these steps build it up.) The
       crank turns at its speed but for rounding: a motor with enough strength is a row like any other. The piston is
@@ -195,37 +194,14 @@ void driven_crank(const Setting& setting, Page& page) {
       calm ? say("; that is the tangent of every step, which goes with (ωh)², and ωh = @.", Value(turn, 3)) : ".");
 
   page.measure("piston off at most", 1000 * run.position_off, "mm");
-  page.claim({.quantity = "crank's speed, largest difference",
-              .unit = "rad/s",
-              .expected = 0,
-              .source = "the motor's own row",
-              .measured = run.speed_off,
-              .tolerance = absolute(1e-9 * options.speed)});
-  page.claim({.quantity = "piston beside its closed form, largest difference",
-              .unit = "m",
-              .expected = 0,
-              .source = "r cos θ + √(l² − r² sin² θ)",
-              .measured = run.position_off,
-              .tolerance = absolute(turn * turn * r),
-              .claimed = calm,
-              .range = range});
-  page.claim({.quantity = "the same, h over h/2",
-              .unit = "1",
-              .expected = 4,
-              .source = "second order",
-              .measured = run.position_off / fine.position_off,
-              .tolerance = absolute(1),
-              .claimed = calm,
-              .range = range});
-  page.claim(
-      {.quantity = "motor's moment beside its closed form, after ten steps, largest difference over the peak",
-       .unit = "1",
-       .expected = 0,
-       .source = "½ω² dI/dθ",
-       .measured = run.moment_off / peak,
-       .tolerance = absolute(3 * turn * turn),
-       .claimed = calm,
-       .range = range});
+  page.claim("crank's speed, largest difference", run.speed_off, "rad/s",
+             is(0, "the motor's own row", absolute(1e-9 * options.speed)));
+  page.claim("piston beside its closed form, largest difference", run.position_off, "m",
+             is(0, "r cos θ + √(l² − r² sin² θ)", absolute(turn * turn * r)), calm);
+  page.claim("the same, h over h/2", run.position_off / fine.position_off, "1", is(4, "second order", absolute(1)),
+             calm);
+  page.claim("motor's moment beside its closed form, after ten steps, largest difference over the peak",
+             run.moment_off / peak, "1", is(0, "½ω² dI/dθ", absolute(3 * turn * turn)), calm);
 }
 
 }  // namespace byhand::joints

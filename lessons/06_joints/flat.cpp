@@ -266,53 +266,25 @@ void flat(const Setting& setting, Page& page) {
       loose, Value(1000 * parting_speed(setting, loose), 2), Value(self_pull(setting, loose), 3));
 
   page.measure("energy left, sent off neither way", kept(2), "1");
-  page.claim({.quantity = "rank of the three-armed linkage",
-              .unit = "1",
-              .expected = 11,
-              .source = "twelve rows, one of them said twice",
-              .measured = static_cast<double>(rank_of_three),
-              .tolerance = absolute(0)});
-  page.claim({.quantity = "rank of the flat linkage",
-              .unit = "1",
-              .expected = 7,
-              .source = "eight rows, one of them said twice",
-              .measured = static_cast<double>(at_flat),
-              .tolerance = absolute(0)});
-  page.claim({.quantity = "least eigenvalue of A, at 1° over at 0.5°",
-              .unit = "1",
-              .expected = 4,
-              .source = "square of the angle",
-              .measured = least_at(setting, radians(1)) / least_at(setting, radians(0.5)),
-              .tolerance = absolute(0.01)});
-  page.claim({.quantity = say("pull of the misfit, ε = @", strict),
-              .unit = "N s",
-              .expected = self_pull_by_hand(setting, strict),
-              .source = "βδ/(hε(4/m_a + 2/m_c))",
-              .measured = self_pull(setting, strict),
-              .tolerance = relative(4 * strict * (1 + setting.coupler() / setting.mass()))});
-  page.claim({.quantity = say("speed at which pins part, ε = @ over ε = @", loose, strict),
-              .unit = "1",
-              .expected = loose / strict,
-              .source = "proportional to ε",
-              .measured = parting_speed(setting, loose) / parting_speed(setting, strict),
-              .tolerance = absolute(0.5)});
+  page.claim("rank of the three-armed linkage", static_cast<double>(rank_of_three), "1",
+             is(11, "twelve rows, one of them said twice", absolute(0)));
+  page.claim("rank of the flat linkage", static_cast<double>(at_flat), "1",
+             is(7, "eight rows, one of them said twice", absolute(0)));
+  page.claim("least eigenvalue of A, at 1° over at 0.5°",
+             least_at(setting, radians(1)) / least_at(setting, radians(0.5)), "1",
+             is(4, "square of the angle", absolute(0.01)));
+  page.claim(say("pull of the misfit, ε = @", strict), self_pull(setting, strict), "N s",
+             is(self_pull_by_hand(setting, strict), "βδ/(hε(4/m_a + 2/m_c))",
+                relative(4 * strict * (1 + setting.coupler() / setting.mass()))));
+  page.claim(say("speed at which pins part, ε = @ over ε = @", loose, strict),
+             parting_speed(setting, loose) / parting_speed(setting, strict), "1",
+             is(loose / strict, "proportional to ε", absolute(0.5)));
   for (const int way : {0, 1})
-    page.claim({.quantity = "energy that is left on the way: " + ways[way].name,
-                .unit = "1",
-                .expected = 1,
-                .source = "pins do no work",
-                .measured = kept(way),
-                .tolerance = absolute(0.01),
-                .claimed = h <= 1.0 / 50,
-                .range = "h ≤ 1/50 s"});
-  page.claim({.quantity = "the crossed way beside its closed form, largest difference",
-              .unit = "rad",
-              .expected = 0,
-              .source = "tan(θ₂/2) = −tan(θ₁/2) (c + a)/(c − a)",
-              .measured = off_the_crossed_way(sent_off(setting, speed, ratio), ratio, h, flat_seconds),
-              .tolerance = absolute(0.05),
-              .claimed = h <= 1.0 / 50,
-              .range = "h ≤ 1/50 s"});
+    page.claim("energy that is left on the way: " + ways[way].name, kept(way), "1",
+               is(1, "pins do no work", absolute(0.01)), Quantity("h", h, "s") <= 1.0 / 50);
+  page.claim("the crossed way beside its closed form, largest difference",
+             off_the_crossed_way(sent_off(setting, speed, ratio), ratio, h, flat_seconds), "rad",
+             is(0, "tan(θ₂/2) = −tan(θ₁/2) (c + a)/(c − a)", absolute(0.05)), Quantity("h", h, "s") <= 1.0 / 50);
 }
 
 }  // namespace byhand::joints

@@ -136,12 +136,14 @@ void four_bar_linkage(const Setting& setting, Page& page) {
                        {.x = {.label = "time (s)"}, .y = {.label = "angle (°)"}, .curves = {swing.angle, exact}}}](
           Canvas& canvas, double time) mutable { film.draw(canvas, time); });
   const double turn = std::sqrt(gravity / length) * h;  // of the small swing in a step
-  const bool swings = setting.angle() <= 90 && turn <= 0.06 && swing.period > 0 && fine.period > 0;
+  const Quantity release_angle("release", setting.angle, "°"), step_angle("ωh", turn);
+  const Condition swings = where(release_angle <= 90, step_angle <= 0.06,
+                                 Condition{swing.period > 0 && fine.period > 0, "a measurable period"});
   // Near the release angle at which the error of the period changes its sign its order cannot be seen.
   const double error = swing.period - pendulum.period();
-  const bool ordered =
-      swings && turn <= 0.045 && setting.angle() <= 60 && std::abs(error) > 0.15 * turn * turn * pendulum.period();
-  const std::string range = "released up to 90°, ωh ≤ 0.06";
+  const Condition ordered = where(release_angle <= 60, step_angle <= 0.045,
+                                  Condition{swings && std::abs(error) > 0.15 * turn * turn * pendulum.period(),
+                                            "an error above 15 % of (ωh)²"});
   page.text(
       R"(The solver does not know that formula. It knows @ rows; the pins' impulses along the bars keep the coupler
       level. Period: @ s measured over @ s, @ s by the elliptic integral. @)",
@@ -158,45 +160,20 @@ void four_bar_linkage(const Setting& setting, Page& page) {
   // The errors of a step go with the square of its angle, which is largest at the lowest point.
   const double fastest = std::max(1.0, 2 * (1 - std::cos(release)));
   page.measure("period", swing.period, "s");
-  page.claim({.quantity = "degrees of freedom",
-              .unit = "1",
-              .expected = 1,
-              .source = "nine numbers less eight rows",
-              .measured = static_cast<double>(freedom),
-              .tolerance = absolute(0)});
-  page.claim({.quantity = "period",
-              .unit = "s",
-              .expected = pendulum.period(),
-              .source = "elliptic integral, ℓ = a(⅔m_a + m_c)/(m_a + m_c)",
-              .measured = swing.period,
-              .tolerance = relative(turn * turn / 3 * fastest),
-              .claimed = swings,
-              .range = range});
-  page.claim({.quantity = "error of the period, h over h/2",
-              .unit = "1",
-              .expected = 4,
-              .source = "second order",
-              .measured = error / (fine.period - pendulum.period()),
-              .tolerance = absolute(0.7),
-              .claimed = ordered,
-              .range = "released up to 60°, ωh ≤ 0.045, an error above 15 % of (ωh)²"});
-  page.claim(
-      {.quantity = say("angle beside the pendulum's, largest difference in @ s", measured_for),
-       .unit = "rad",
-       .expected = 0,
-       .source = "elliptic function at t + h/2",
-       .measured = swing.off,
-       .tolerance = absolute(turn * turn / 3 * fastest * std::sqrt(gravity / length * fastest) * measured_for),
-       .claimed = swings,
-       .range = range});
-  page.claim({.quantity = "tilt of the coupler, largest",
-              .unit = "rad",
-              .expected = 0,
-              .source = "a parallelogram keeps level",
-              .measured = swing.tilt,
-              .tolerance = absolute(turn * turn),
-              .claimed = swings,
-              .range = range});
+  page.claim("degrees of freedom", static_cast<double>(freedom), "1",
+             is(1, "nine numbers less eight rows", absolute(0)));
+  page.claim("period", swing.period, "s",
+             is(pendulum.period(), "elliptic integral, ℓ = a(⅔m_a + m_c)/(m_a + m_c)",
+                relative(turn * turn / 3 * fastest)),
+             swings);
+  page.claim("error of the period, h over h/2", error / (fine.period - pendulum.period()), "1",
+             is(4, "second order", absolute(0.7)), ordered);
+  page.claim(say("angle beside the pendulum's, largest difference in @ s", measured_for), swing.off, "rad",
+             is(0, "elliptic function at t + h/2",
+                absolute(turn * turn / 3 * fastest * std::sqrt(gravity / length * fastest) * measured_for)),
+             swings);
+  page.claim("tilt of the coupler, largest", swing.tilt, "rad",
+             is(0, "a parallelogram keeps level", absolute(turn * turn)), swings);
 }
 
 }  // namespace byhand::joints

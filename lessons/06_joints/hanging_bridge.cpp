@@ -93,24 +93,12 @@ void hanging_bridge(const Setting& setting, Page& page) {
       hard for sweeps (lesson 3).)",
       Value(force(bridge_now, 0).norm(), 4), Value(force(bridge_now, 0).norm() / weight, 3));
   const std::string source = "statics: the weight beyond the pin";
-  page.claim({.quantity = "vertical force of each pin, largest difference over the weight",
-              .unit = "1",
-              .expected = 0,
-              .source = source,
-              .measured = worst,
-              .tolerance = absolute(1e-4)});
-  page.claim({.quantity = "horizontal force, largest difference from pin to pin over the weight",
-              .unit = "1",
-              .expected = 0,
-              .source = "no other force is horizontal",
-              .measured = worst_level,
-              .tolerance = absolute(1e-4)});
-  page.claim({.quantity = "slope of the planks, largest difference",
-              .unit = "1",
-              .expected = 0,
-              .source = "tan θᵢ = (i − (n + 1)/2) w/H",
-              .measured = worst_slope,
-              .tolerance = absolute(1e-3)});
+  page.claim("vertical force of each pin, largest difference over the weight", worst, "1",
+             is(0, source, absolute(1e-4)));
+  page.claim("horizontal force, largest difference from pin to pin over the weight", worst_level, "1",
+             is(0, "no other force is horizontal", absolute(1e-4)));
+  page.claim("slope of the planks, largest difference", worst_slope, "1",
+             is(0, "tan θᵢ = (i − (n + 1)/2) w/H", absolute(1e-3)));
 }
 
 }  // namespace byhand::joints

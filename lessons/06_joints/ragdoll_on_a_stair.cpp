@@ -117,24 +117,10 @@ void ragdoll_on_a_stair(const Setting&, Page& page) {
       by @° at most here. At rest only @° of that is left, no stop ever pulled, and the ground carries @ N, the doll's
       weight.)",
       Value(degrees(worst), 2), Value(degrees(at_rest), 2), Value(carried(doll), 5));
-  page.claim({.quantity = "least λ of any stop in any step",
-              .unit = "N m s",
-              .expected = 0,
-              .source = "its bound, kept exactly",
-              .measured = least,
-              .tolerance = at_least()});
-  page.claim({.quantity = say("what the ground and the stairs carry after @ s", doll_settles),
-              .unit = "N",
-              .expected = weight,
-              .source = "the doll's weight",
-              .measured = carried(doll),
-              .tolerance = relative(1e-3)});
-  page.claim({.quantity = "stops passed at rest",
-              .unit = "rad",
-              .expected = 2e-3,
-              .source = "nothing pushes any more",
-              .measured = at_rest,
-              .tolerance = at_most()});
+  page.claim("least λ of any stop in any step", least, "N m s", is_at_least(0, "its bound, kept exactly"));
+  page.claim(say("what the ground and the stairs carry after @ s", doll_settles), carried(doll), "N",
+             is(weight, "the doll's weight", relative(1e-3)));
+  page.claim("stops passed at rest", at_rest, "rad", is_at_most(2e-3, "nothing pushes any more"));
 }
 
 }  // namespace byhand::joints

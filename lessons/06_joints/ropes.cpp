@@ -107,12 +107,8 @@ void ropes(const Setting& setting, Page& page) {
       R"(No code switches here. While the distance is shorter than the rope, the row lets it close the gap within the
       step and no more, JV ≥ −C/h; (17) would need a pushing λ to hold it back, which is clamped to zero, and the bob
       flies. When it would go beyond the length, the same row catches it.)");
-  page.claim({.quantity = "cos θ where the rope goes slack",
-              .unit = "1",
-              .expected = -2.0 / 3,
-              .source = "mg(2 + 3 cos θ) = 0",
-              .measured = rope.let_go,
-              .tolerance = absolute(8 * setting.h / finer / std::sqrt(length) + 1e-3)});
+  page.claim("cos θ where the rope goes slack", rope.let_go, "1",
+             is(-2.0 / 3, "mg(2 + 3 cos θ) = 0", absolute(8 * setting.h / finer / std::sqrt(length) + 1e-3)));
 }
 
 }  // namespace byhand::joints

@@ -188,12 +188,9 @@ void rows_adding_up(const Setting& setting, Page& page) {
           Canvas& canvas, double time) { film.draw(canvas, time); });
   const double m = setting.mass, I = 1 / bar.bodies.inverse_mass[1].angular[0];
   const Point r = bar.bodies.pose[1].position;
-  page.claim({.quantity = "turn of the bar once its end is pinned",
-              .unit = "rad/s",
-              .expected = (I * bar.V[2] + m * (r.x() * bar.V[1] - r.y() * bar.V[0])) / (I + m * r.squaredNorm()),
-              .source = "the pin has no moment about itself: Iω + mr × v is kept",
-              .measured = pinned,
-              .tolerance = relative(1e-12)});
+  page.claim("turn of the bar once its end is pinned", pinned, "rad/s",
+             is((I * bar.V[2] + m * (r.x() * bar.V[1] - r.y() * bar.V[0])) / (I + m * r.squaredNorm()),
+                "the pin has no moment about itself: Iω + mr × v is kept", relative(1e-12)));
 }
 
 }  // namespace byhand::joints

@@ -164,24 +164,14 @@ void rows_to_joints(const Setting& setting, Page& page) {
       free[0], free[1]);
   double slope_error = 0;
   for (const Column& column : columns) slope_error = std::max(slope_error, column.matrices.slope_error);
-  page.claim({.quantity = "JV beside the slope of C, largest difference over the four joints",
-              .unit = "m/s, rad/s",
-              .expected = 0,
-              .source = "difference quotient of C along V",
-              .measured = slope_error,
-              .tolerance = absolute(1e-8 * std::max(1.0, length))});
-  page.claim({.quantity = "A of the weld, largest difference relative to its largest entry",
-              .unit = "1",
-              .expected = 0,
-              .source = "Σ 1/m on x and y, Σ (r × e)(r × e)ᵀ/I",
-              .measured = (weld_A - weld_by_hand(bodies)).cwiseAbs().maxCoeff() / weld_A.cwiseAbs().maxCoeff(),
-              .tolerance = absolute(1e-14)});
-  page.claim({.quantity = "A of the pin beside the first two rows of the weld's, largest difference",
-              .unit = "1/kg",
-              .expected = 0,
-              .source = "the same two rows",
-              .measured = (weld_A.topLeftCorner<2, 2>() - pin_A).cwiseAbs().maxCoeff(),
-              .tolerance = absolute(0)});
+  page.claim("JV beside the slope of C, largest difference over the four joints", slope_error, "m/s, rad/s",
+             is(0, "difference quotient of C along V", absolute(1e-8 * std::max(1.0, length))));
+  page.claim("A of the weld, largest difference relative to its largest entry",
+             (weld_A - weld_by_hand(bodies)).cwiseAbs().maxCoeff() / weld_A.cwiseAbs().maxCoeff(), "1",
+             is(0, "Σ 1/m on x and y, Σ (r × e)(r × e)ᵀ/I", absolute(1e-14)));
+  page.claim("A of the pin beside the first two rows of the weld's, largest difference",
+             (weld_A.topLeftCorner<2, 2>() - pin_A).cwiseAbs().maxCoeff(), "1/kg",
+             is(0, "the same two rows", absolute(0)));
 }
 
 }  // namespace byhand::joints

@@ -139,24 +139,12 @@ void soft_rows(const Setting& setting, Page& page) {
       not, for any k, c and h, as long as it is solved exactly. It loses energy instead: at ωh = 2 not one swing is
       left. A spring that is meant to swing needs ωh well below 1; one that is only meant to be *firm* may be as stiff
       as you like, and its stretch is known beforehand.)");
-  page.claim({.quantity = "sag of the bob alone",
-              .unit = "m",
-              .expected = gravity / (shown * shown),
-              .source = "law of the soft row: T/(m_eff ω²) = g/ω²",
-              .measured = light,
-              .tolerance = relative(1e-6)});
-  page.claim({.quantity = say("sag with @ times its mass below", heavy),
-              .unit = "m",
-              .expected = gravity * (1 + heavy) / (shown * shown),
-              .source = "law of the soft row: T/(m_eff ω²)",
-              .measured = loaded,
-              .tolerance = relative(1e-4)});
-  page.claim({.quantity = "energy after a step over before, at most, ωh up to 10",
-              .unit = "1",
-              .expected = 1 + 1e-9,
-              .source = "implicit Euler never gains",
-              .measured = worst,
-              .tolerance = at_most()});
+  page.claim("sag of the bob alone", light, "m",
+             is(gravity / (shown * shown), "law of the soft row: T/(m_eff ω²) = g/ω²", relative(1e-6)));
+  page.claim(say("sag with @ times its mass below", heavy), loaded, "m",
+             is(gravity * (1 + heavy) / (shown * shown), "law of the soft row: T/(m_eff ω²)", relative(1e-4)));
+  page.claim("energy after a step over before, at most, ωh up to 10", worst, "1",
+             is_at_most(1 + 1e-9, "implicit Euler never gains"));
 }
 
 }  // namespace byhand::joints

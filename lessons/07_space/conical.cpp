@@ -103,18 +103,8 @@ void conical(const Setting& setting, Page& page) {
 
   // A step leaves the circle by ½(vh)² and β pulls that back; to first order in h both periods and pulls are off.
   const double turned = exact.angular_velocity() * h / 16;
-  page.claim({.quantity = "tension at h/16",
-              .unit = "N",
-              .expected = exact.tension(setting.mass),
-              .source = "mg/cosθ",
-              .measured = fine.tension,
-              .tolerance = relative(turned)});
-  page.claim({.quantity = "one turn at h/16",
-              .unit = "s",
-              .expected = exact.period(),
-              .source = "2π√(L·cosθ/g)",
-              .measured = fine.period,
-              .tolerance = relative(turned)});
+  page.claim("tension at h/16", fine.tension, "N", is(exact.tension(setting.mass), "mg/cosθ", relative(turned)));
+  page.claim("one turn at h/16", fine.period, "s", is(exact.period(), "2π√(L·cosθ/g)", relative(turned)));
 }
 
 }  // namespace byhand::space

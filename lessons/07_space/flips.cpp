@@ -204,60 +204,25 @@ void flips(const Setting& setting, Page& page) {
   const double turned = spin.norm() * h;
   const bool flips_twice = std::isfinite(measured);
   if (flips_twice) page.measure("from flip to flip, implicit", measured, "s");
-  page.claim({.quantity = "implicit: from flip to flip",
-              .unit = "s",
-              .expected = half_period,
-              .source = "elliptic half period",
-              .measured = flips_twice ? measured : half_period,
-              .tolerance = relative(turned * turned / 2),
-              .claimed = flips_twice,
-              .range = say("two flips within @ s", flight_seconds)});
-  page.claim({.quantity = "implicit: largest |ΔE|/E",
-              .unit = "1",
-              .expected = 1e-12,
-              .source = "it is conserved",
-              .measured = kept[2].worst_energy,
-              .tolerance = at_most()});
-  page.claim({.quantity = "implicit: largest |Δ(Iω)|/|Iω|",
-              .unit = "1",
-              .expected = 1e-12,
-              .source = "it is conserved",
-              .measured = kept[2].worst_momentum,
-              .tolerance = at_most()});
-  page.claim({.quantity = "explicit: energy gained in the first step",
-              .unit = "J",
-              .expected = gain,
-              .source = "½h²k·I⁻¹k, k = Iω × ω",
-              .measured = flights[1][1].energy - flights[1][0].energy,
-              .tolerance = absolute(1e-13 * flights[1][0].energy)});
-  page.claim({.quantity = "term left out: largest |ΔE|/E",
-              .unit = "1",
-              .expected = 1e-10,
-              .source = "ω stays, in world and body",
-              .measured = kept[0].worst_energy,
-              .tolerance = at_most()});
+  page.claim("implicit: from flip to flip", flips_twice ? measured : half_period, "s",
+             is(half_period, "elliptic half period", relative(turned * turned / 2)),
+             Condition{flips_twice, say("two flips within @ s", flight_seconds)});
+  page.claim("implicit: largest |ΔE|/E", kept[2].worst_energy, "1", is_at_most(1e-12, "it is conserved"));
+  page.claim("implicit: largest |Δ(Iω)|/|Iω|", kept[2].worst_momentum, "1", is_at_most(1e-12, "it is conserved"));
+  page.claim("explicit: energy gained in the first step", flights[1][1].energy - flights[1][0].energy, "J",
+             is(gain, "½h²k·I⁻¹k, k = Iω × ω", absolute(1e-13 * flights[1][0].energy)));
+  page.claim("term left out: largest |ΔE|/E", kept[0].worst_energy, "1",
+             is_at_most(1e-10, "ω stays, in world and body"));
   const double apart = std::acos(std::min(1.0, flights[0][0].momentum.normalized().dot(spin.normalized())));
-  page.claim({.quantity = "term left out: largest |Δ(Iω)|/|Iω|",
-              .unit = "1",
-              .expected = 1.9 * std::sin(apart),
-              .source = "Iω carried round ω",
-              .measured = kept[0].worst_momentum,
-              .tolerance = at_least()});
+  page.claim("term left out: largest |Δ(Iω)|/|Iω|", kept[0].worst_momentum, "1",
+             is_at_least(1.9 * std::sin(apart), "Iω carried round ω"));
   const auto first_step = [&](int flight, const Eigen::Vector3d& plain) {
     return (flights[flight][1].spin() - plain).norm() / spin.norm();
   };
-  page.claim({.quantity = "plain explicit step from the solver's",
-              .unit = "1",
-              .expected = 0,
-              .source = "begin_turn, end_turn",
-              .measured = first_step(1, explicitly(moments, spin, h)),
-              .tolerance = absolute(1e-12)});
-  page.claim({.quantity = "plain implicit step from the solver's",
-              .unit = "1",
-              .expected = 0,
-              .source = "begin_turn, end_turn",
-              .measured = first_step(2, implicitly(moments, spin, h)),
-              .tolerance = absolute(1e-12)});
+  page.claim("plain explicit step from the solver's", first_step(1, explicitly(moments, spin, h)), "1",
+             is(0, "begin_turn, end_turn", absolute(1e-12)));
+  page.claim("plain implicit step from the solver's", first_step(2, implicitly(moments, spin, h)), "1",
+             is(0, "begin_turn, end_turn", absolute(1e-12)));
 }
 
 }  // namespace byhand::space

@@ -145,18 +145,9 @@ void gyroscope(const Setting& setting, Page& page) {
       Value(mean_rate(without) / mean_rate(run), 3));
 
   const double turned = wheel_rate * setting.h / 64;
-  page.claim({.quantity = "precession at h/64",
-              .unit = "rad/s",
-              .expected = exact,
-              .source = "steady heavy top",
-              .measured = mean_rate(run),
-              .tolerance = relative(turned)});
-  page.claim({.quantity = "the same, gyroscopic term left out",
-              .unit = "rad/s",
-              .expected = as_ball,
-              .source = "a ball with the moment across",
-              .measured = mean_rate(without),
-              .tolerance = relative(turned)});
+  page.claim("precession at h/64", mean_rate(run), "rad/s", is(exact, "steady heavy top", relative(turned)));
+  page.claim("the same, gyroscopic term left out", mean_rate(without), "rad/s",
+             is(as_ball, "a ball with the moment across", relative(turned)));
 }
 
 }  // namespace byhand::space

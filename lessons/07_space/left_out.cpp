@@ -126,36 +126,14 @@ void left_out(const Setting& setting, Page& page) {
   page.measure("Iω off by up to", degrees(turned), "deg");
 
   const double step = spin.norm() * setting.h;  // how near to half a turn some step comes
-  page.claim({.quantity = "flips in the run",
-              .unit = "1",
-              .expected = 0,
-              .source = "nothing turns ω",
-              .measured = static_cast<double>(flipped),
-              .tolerance = absolute(0)});
-  page.claim({.quantity = "Iω off by up to",
-              .unit = "rad",
-              .expected = 2 * alpha,
-              .source = "twice the angle from ω to Iω",
-              .measured = turned,
-              .tolerance = relative(step * step / 8)});
-  page.claim({.quantity = "all angles from those of the law, at most",
-              .unit = "rad",
-              .expected = 0,
-              .source = "Iω carried round ω",
-              .measured = off_law,
-              .tolerance = absolute(1e-7)});
-  page.claim({.quantity = "energy, largest relative change",
-              .unit = "1",
-              .expected = 0,
-              .source = "ω fixed in world and body",
-              .measured = energy,
-              .tolerance = absolute(1e-11)});
-  page.claim({.quantity = "length of Iω, largest relative change",
-              .unit = "1",
-              .expected = 0,
-              .source = "Iω carried round ω",
-              .measured = lengthened,
-              .tolerance = absolute(1e-11)});
+  page.claim("flips in the run", static_cast<double>(flipped), "1", is(0, "nothing turns ω", absolute(0)));
+  page.claim("Iω off by up to", turned, "rad",
+             is(2 * alpha, "twice the angle from ω to Iω", relative(step * step / 8)));
+  page.claim("all angles from those of the law, at most", off_law, "rad",
+             is(0, "Iω carried round ω", absolute(1e-7)));
+  page.claim("energy, largest relative change", energy, "1", is(0, "ω fixed in world and body", absolute(1e-11)));
+  page.claim("length of Iω, largest relative change", lengthened, "1",
+             is(0, "Iω carried round ω", absolute(1e-11)));
 }
 
 }  // namespace byhand::space

@@ -177,43 +177,18 @@ void let_loose(const Setting& setting, Page& page) {
   page.measure("straight", straight.distance, "m");
   page.measure("spinning as well", spinning.distance, "m");
 
-  const std::string at_rest = say("a book at rest within @ s", patience);
-  page.claim({.quantity = "tumbled: overlap beyond the slop at the end",
-              .unit = "m",
-              .expected = 0,
-              .source = "β has taken it away",
-              .measured = std::max(0.0, thrown.deepest - slop),
-              .tolerance = absolute(1e-6),
-              .claimed = thrown.rests,
-              .range = at_rest});
-  page.claim({.quantity = "tumbled: what presses at the end, over the weight",
-              .unit = "1",
-              .expected = 1,
-              .source = "nothing moves",
-              .measured = thrown.pressed,
-              .tolerance = absolute(1e-3),
-              .claimed = thrown.rests,
-              .range = at_rest});
-  page.claim({.quantity = "tumbled: cosine of the upright axis",
-              .unit = "1",
-              .expected = 1,
-              .source = "it lies on a face",
-              .measured = thrown.flatness,
-              .tolerance = absolute(1e-4),
-              .claimed = thrown.rests,
-              .range = at_rest});
-  page.claim({.quantity = "flat and straight: distance",
-              .unit = "m",
-              .expected = speed * speed / (2 * a) - speed * setting.h / 2,
-              .source = "v²/2μg − vh/2: half a step short",
-              .measured = straight.distance,
-              .tolerance = absolute(a * setting.h * setting.h)});
-  page.claim({.quantity = "flat, spinning only: time to rest",
-              .unit = "s",
-              .expected = spin * half_diagonal / (3 * a),
-              .source = "ωr/(3μg)",
-              .measured = whirl.time,
-              .tolerance = absolute(2 * setting.h)});
+  const Condition at_rest{thrown.rests, say("a book at rest within @ s", patience)};
+  page.claim("tumbled: overlap beyond the slop at the end", std::max(0.0, thrown.deepest - slop), "m",
+             is(0, "β has taken it away", absolute(1e-6)), at_rest);
+  page.claim("tumbled: what presses at the end, over the weight", thrown.pressed, "1",
+             is(1, "nothing moves", absolute(1e-3)), at_rest);
+  page.claim("tumbled: cosine of the upright axis", thrown.flatness, "1",
+             is(1, "it lies on a face", absolute(1e-4)), at_rest);
+  page.claim("flat and straight: distance", straight.distance, "m",
+             is(speed * speed / (2 * a) - speed * setting.h / 2, "v²/2μg − vh/2: half a step short",
+                absolute(a * setting.h * setting.h)));
+  page.claim("flat, spinning only: time to rest", whirl.time, "s",
+             is(spin * half_diagonal / (3 * a), "ωr/(3μg)", absolute(2 * setting.h)));
 }
 
 }  // namespace byhand::space

@@ -176,34 +176,14 @@ void nutation(const Setting& setting, Page& page) {
                fastest = std::sqrt(2 * (pendulum.energy(1) + gravity * setting.length * std::cos(lowest))),
                turned = fastest * h / setting.length;
   const Tolerance second_order = relative(turned * turned * (4 + 1 / (2 * 0.2)));
-  page.claim({.quantity = "nutation",
-              .unit = "s",
-              .expected = exact.period,
-              .source = "elliptic integral",
-              .measured = run.period,
-              .tolerance = second_order,
-              .claimed = turned <= 0.2,
-              .range = "at most 0.2 rad in the longest step"});
-  page.claim({.quantity = "precession in it",
-              .unit = "rad",
-              .expected = exact.precession,
-              .source = "certified integration",
-              .measured = run.precession,
-              .tolerance = second_order,
-              .claimed = turned <= 0.2,
-              .range = "at most 0.2 rad in the longest step"});
-  page.claim({.quantity = "order: halvings of the nutation's error, from h/16 to h/32",
-              .unit = "1",
-              .expected = 2,
-              .source = "h²",
-              .measured = order,
-              .tolerance = absolute(0.1)});
-  page.claim({.quantity = say("L about the vertical after @ s", nod_seconds),
-              .unit = "kg m²/s",
-              .expected = given,
-              .source = "mL²sin²θ·φ̇ at the start",
-              .measured = kept,
-              .tolerance = relative(1e-11)});
+  page.claim("nutation", run.period, "s", is(exact.period, "elliptic integral", second_order),
+             Quantity("turn in the longest step", turned, "rad") <= 0.2);
+  page.claim("precession in it", run.precession, "rad",
+             is(exact.precession, "certified integration", second_order),
+             Quantity("turn in the longest step", turned, "rad") <= 0.2);
+  page.claim("order: halvings of the nutation's error, from h/16 to h/32", order, "1", is(2, "h²", absolute(0.1)));
+  page.claim(say("L about the vertical after @ s", nod_seconds), kept, "kg m²/s",
+             is(given, "mL²sin²θ·φ̇ at the start", relative(1e-11)));
 }
 
 }  // namespace byhand::space

@@ -139,30 +139,14 @@ void orientation(const Setting& setting, Page& page) {
               rounding errors only. Dashed: the first term of ωh − 2·atan(½ωh).)",
       lag_over_rate(h));
 
-  page.claim({.quantity = "angle between the two orders",
-              .unit = "rad",
-              .expected = 2 * pi / 3,
-              .source = "about a cube's diagonal",
-              .measured = apart,
-              .tolerance = absolute(1e-12)});
-  page.claim({.quantity = "exponential: error after 1 s",
-              .unit = "rad",
-              .expected = 0,
-              .source = "exact for steady ω",
-              .measured = by_exponential(rate, h),
-              .tolerance = absolute(1e-12)});
-  page.claim({.quantity = "first order: behind after 1 s",
-              .unit = "rad",
-              .expected = steps * (turn - 2 * std::atan(turn / 2)),
-              .source = "ωh − 2·atan(½ωh) a step",
-              .measured = first.lag,
-              .tolerance = absolute(1e-6)});
-  page.claim({.quantity = "first order, not made unit: |q| after 1 s",
-              .unit = "1",
-              .expected = std::pow(1 + turn * turn / 4, steps / 2),
-              .source = "√(1 + ¼(ωh)²) a step",
-              .measured = first.stretched,
-              .tolerance = relative(1e-10)});
+  page.claim("angle between the two orders", apart, "rad",
+             is(2 * pi / 3, "about a cube's diagonal", absolute(1e-12)));
+  page.claim("exponential: error after 1 s", by_exponential(rate, h), "rad",
+             is(0, "exact for steady ω", absolute(1e-12)));
+  page.claim("first order: behind after 1 s", first.lag, "rad",
+             is(steps * (turn - 2 * std::atan(turn / 2)), "ωh − 2·atan(½ωh) a step", absolute(1e-6)));
+  page.claim("first order, not made unit: |q| after 1 s", first.stretched, "1",
+             is(std::pow(1 + turn * turn / 4, steps / 2), "√(1 + ¼(ωh)²) a step", relative(1e-10)));
 }
 
 }  // namespace byhand::space

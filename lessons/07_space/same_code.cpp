@@ -161,24 +161,10 @@ void same_code(const Setting& setting, Page& page) {
                           "m grows 2³ times, r² grows 2² times."},
                 .right = say("Mass 8 times, distance² 4 times. In the plane it is @.", growth_in_plane)});
 
-  page.claim({.quantity = "numbers in a row",
-              .unit = "1",
-              .expected = 2 * (3 + 3),
-              .source = "(6): l1 a1 l2 a2, three each",
-              .measured = space.row,
-              .tolerance = absolute(0)});
-  page.claim({.quantity = "growth of I, sides doubled",
-              .unit = "1",
-              .expected = std::pow(2, 5),
-              .source = "mass 2³, arm² 2²",
-              .measured = growth,
-              .tolerance = relative(1e-12)});
-  page.claim({.quantity = say("rod in space from rod in the plane, over @ s", rod_seconds),
-              .unit = "m",
-              .expected = 0,
-              .source = "the same rod <2,1>",
-              .measured = pair.apart,
-              .tolerance = absolute(1e-10 * setting.length())});
+  page.claim("numbers in a row", space.row, "1", is(2 * (3 + 3), "(6): l1 a1 l2 a2, three each", absolute(0)));
+  page.claim("growth of I, sides doubled", growth, "1", is(std::pow(2, 5), "mass 2³, arm² 2²", relative(1e-12)));
+  page.claim(say("rod in space from rod in the plane, over @ s", rod_seconds), pair.apart, "m",
+             is(0, "the same rod <2,1>", absolute(1e-10 * setting.length())));
 }
 
 }  // namespace byhand::space

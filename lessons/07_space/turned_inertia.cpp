@@ -203,32 +203,16 @@ void turned_inertia(const Setting& setting, Page& page) {
       over_tilt(mass, 90));
   page.measure("change of L, I not turned", shows ? 100 * wrong.lost() : 0, "%");
 
-  page.claim({.quantity = "speed of the held point, I not turned",
-              .unit = "m/s",
-              .expected = 0,
-              .source = "JV = 0, whatever M⁻¹",
-              .measured = wrong.slip,
-              .tolerance = absolute(1e-12 * flight().norm())});
-  page.claim({.quantity = "change of L about the nail, I turned",
-              .unit = "1",
-              .expected = 0,
-              .source = "the push has no arm",
-              .measured = right.lost(),
-              .tolerance = absolute(1e-12)});
+  page.claim("speed of the held point, I not turned", wrong.slip, "m/s",
+             is(0, "JV = 0, whatever M⁻¹", absolute(1e-12 * flight().norm())));
+  page.claim("change of L about the nail, I turned", right.lost(), "1",
+             is(0, "the push has no arm", absolute(1e-12)));
   const Eigen::Matrix3d R = right.pose.rotation.toRotationMatrix(), I = moments.asDiagonal();
   const Eigen::Vector3d missing = (R * I * R.transpose() - I) * wrong.after.tail<3>();
-  page.claim({.quantity = "change of L, I not turned",
-              .unit = "kg m²/s",
-              .expected = missing.norm(),
-              .source = "(RIRᵀ − I)ω",
-              .measured = (wrong.after_L - wrong.before_L).norm(),
-              .tolerance = absolute(1e-12 * right.before_L.norm())});
-  page.claim({.quantity = "plain M⁻¹Jᵀ from the solver's",
-              .unit = "1",
-              .expected = 0,
-              .source = "times_inverse_mass",
-              .measured = difference_from_the_solver(right, mass),
-              .tolerance = absolute(1e-12)});
+  page.claim("change of L, I not turned", (wrong.after_L - wrong.before_L).norm(), "kg m²/s",
+             is(missing.norm(), "(RIRᵀ − I)ω", absolute(1e-12 * right.before_L.norm())));
+  page.claim("plain M⁻¹Jᵀ from the solver's", difference_from_the_solver(right, mass), "1",
+             is(0, "times_inverse_mass", absolute(1e-12)));
 }
 
 }  // namespace byhand::space

@@ -106,19 +106,11 @@ void turning_with_the_body(const Setting& setting, double careless, Page& page) 
           Value(stretches * stretch * turn, 2), film.seconds(), Value(1000 * h, 2)),
       Seconds{film.seconds()},
       [shown = TurningFilm{film, flight, moments}](Canvas& canvas, double time) { shown.draw(canvas, time); });
-  page.claim({.quantity = "film of Iω: its largest relative change",
-              .unit = "1",
-              .expected = 0,
-              .source = "no moment acts",
-              .measured = largest,
-              .tolerance = absolute(1e-11)});
+  page.claim("film of Iω: its largest relative change", largest, "1", is(0, "no moment acts", absolute(1e-11)));
   const Instant& last = flight.back();
-  page.claim({.quantity = "film of Iω: the spin at its end, from Euler's equations",
-              .unit = "rad/s",
-              .expected = 0,
-              .source = "elliptic functions",
-              .measured = (last.spin() - FreeTop(moments, spin).at(last.time).value).norm(),
-              .tolerance = absolute(std::pow(h * spin.norm(), 2) * spin.norm())});
+  page.claim("film of Iω: the spin at its end, from Euler's equations",
+             (last.spin() - FreeTop(moments, spin).at(last.time).value).norm(), "rad/s",
+             is(0, "elliptic functions", absolute(std::pow(h * spin.norm(), 2) * spin.norm())));
 }
 
 }  // namespace byhand::space

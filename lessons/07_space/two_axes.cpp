@@ -180,53 +180,22 @@ void two_axes(const Setting& setting, Page& page) {
 
   const auto stop = [&](double share) { return stopping_distance(share * v, a, h); };
   const double root = std::sqrt(0.5), within = 1e-9 * v * v / a;
-  page.claim({.quantity = "distance at 45°, each axis over disc",
-              .unit = "1",
-              .expected = std::sqrt(2.0) * stop(root) / stop(1),
-              .source = "√2·s(v/√2)/s(v), s summed step by step",
-              .measured = pyramid / disc,
-              .tolerance = relative(1e-8)});
-  page.claim({.quantity = say("where the puck at @° stops, each axis: x", setting.heading),
-              .unit = "m",
-              .expected = stop(std::cos(heading)),
-              .source = "one axis by itself",
-              .measured = closely.x(),
-              .tolerance = absolute(within)});
-  page.claim({.quantity = "the same, z",
-              .unit = "m",
-              .expected = stop(std::sin(heading)),
-              .source = "one axis by itself",
-              .measured = closely.y(),
-              .tolerance = absolute(within)});
-  page.claim({.quantity = "the puck at 45°, each axis, both axes turned by 45°",
-              .unit = "m",
-              .expected = stop(1),
-              .source = "now it goes along one axis",
-              .measured = distance(pi / 4, Bounds::pyramid, pi / 4),
-              .tolerance = absolute(within)});
+  page.claim("distance at 45°, each axis over disc", pyramid / disc, "1",
+             is(std::sqrt(2.0) * stop(root) / stop(1), "√2·s(v/√2)/s(v), s summed step by step", relative(1e-8)));
+  page.claim(say("where the puck at @° stops, each axis: x", setting.heading), closely.x(), "m",
+             is(stop(std::cos(heading)), "one axis by itself", absolute(within)));
+  page.claim("the same, z", closely.y(), "m", is(stop(std::sin(heading)), "one axis by itself", absolute(within)));
+  page.claim("the puck at 45°, each axis, both axes turned by 45°", distance(pi / 4, Bounds::pyramid, pi / 4), "m",
+             is(stop(1), "now it goes along one axis", absolute(within)));
   double nearest = INFINITY, farthest = 0;
   for (const Way& way : film.disc) {
     nearest = std::min(nearest, way.back().norm());
     farthest = std::max(farthest, way.back().norm());
   }
-  page.claim({.quantity = "disc: nearest of all directions",
-              .unit = "m",
-              .expected = stop(1),
-              .source = "the plane's",
-              .measured = nearest,
-              .tolerance = absolute(within)});
-  page.claim({.quantity = "disc: farthest of all directions",
-              .unit = "m",
-              .expected = stop(1),
-              .source = "the plane's",
-              .measured = farthest,
-              .tolerance = absolute(within)});
-  page.claim({.quantity = "plain bound of the disc from the solver's",
-              .unit = "1",
-              .expected = 0,
-              .source = "bounded",
-              .measured = difference_from_the_solver(setting.friction),
-              .tolerance = absolute(1e-12)});
+  page.claim("disc: nearest of all directions", nearest, "m", is(stop(1), "the plane's", absolute(within)));
+  page.claim("disc: farthest of all directions", farthest, "m", is(stop(1), "the plane's", absolute(within)));
+  page.claim("plain bound of the disc from the solver's", difference_from_the_solver(setting.friction), "1",
+             is(0, "bounded", absolute(1e-12)));
 }
 
 }  // namespace byhand::space

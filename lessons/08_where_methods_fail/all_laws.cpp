@@ -158,12 +158,10 @@ void all_laws(const Setting&, Page& page) {
                 draw_table(canvas, all, right.inset(0, 14));
               });
   for (const Line& line : all)
-    page.claim({.quantity = say("law @: @, @", line.law, line.quantity, line.setting),
-                .unit = line.unit.empty() ? "1" : line.unit,
-                .expected = line.predicted,
-                .source = line.name,
-                .measured = line.measured,
-                .tolerance = line.predicted == 0 ? absolute(line.tolerance) : relative(line.tolerance)});
+    page.claim(
+        say("law @: @, @", line.law, line.quantity, line.setting), line.measured,
+        line.unit.empty() ? "1" : line.unit,
+        is(line.predicted, line.name, line.predicted == 0 ? absolute(line.tolerance) : relative(line.tolerance)));
   page.measure("largest deviation of a measured limit from its law", 100 * worst, "%");
 }
 

@@ -98,12 +98,8 @@ void growing_mode(Page& page) {
           omega_h, film.seconds(), Value(z, 4)),
       Seconds{film.seconds()},
       [shown = ModeFilm{film, run, sizes}](Canvas& canvas, double time) { shown.draw(canvas, time); });
-  page.claim({.quantity = say("growth of an explicit spring in @ steps at ωh = @", steps, omega_h),
-              .unit = "1",
-              .expected = std::pow(z, steps),
-              .source = "z^n with the larger root of its polynomial",
-              .measured = run.back().x,
-              .tolerance = relative(1e-11)});
+  page.claim(say("growth of an explicit spring in @ steps at ωh = @", steps, omega_h), run.back().x, "1",
+             is(std::pow(z, steps), "z^n with the larger root of its polynomial", relative(1e-11)));
 }
 
 }  // namespace byhand::failures

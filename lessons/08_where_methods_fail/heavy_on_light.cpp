@@ -61,19 +61,12 @@ void heavy_on_light(const Setting& setting, Page& page) {
       were put down. With the light box on top of the heavy one there is no such limit.)",
       agreed.sentence());
   claim_agreement(page, agreed, 0.9, "law of heavy on light", setting.resolution);
-  page.claim({.quantity = say("heaviest box that settles on one of 1 kg, @ sweeps, from above", sweeps),
-              .unit = "kg",
-              .expected = law,
-              .source = "law of heavy on light",
-              .measured = measured,
-              .tolerance = relative(0.05)});
+  page.claim(say("heaviest box that settles on one of 1 kg, @ sweeps, from above", sweeps), measured, "kg",
+             is(law, "law of heavy on light", relative(0.05)));
   for (const double light : {0.5, 0.1, 0.01})
-    page.claim({.quantity = say("a box of @ kg on one of 1 kg, one sweep: whether it settles", light),
-                .unit = "1",
-                .expected = 1,
-                .source = "law of heavy on light: q < 1/2",
-                .measured = two_boxes(1, light) == Outcome::settles ? 1.0 : 0.0,
-                .tolerance = absolute(0)});
+    page.claim(say("a box of @ kg on one of 1 kg, one sweep: whether it settles", light),
+               two_boxes(1, light) == Outcome::settles ? 1.0 : 0.0, "1",
+               is(1, "law of heavy on light: q < 1/2", absolute(0)));
 }
 
 }  // namespace byhand::failures

@@ -60,21 +60,13 @@ void many_contacts(const Setting& setting, Page& page) {
       Gauss–Seidel cannot do that, because each row sees what the rows before it have done.)",
       agreed.sentence());
   claim_agreement(page, agreed, 0.97, "law of relaxed Jacobi", setting.resolution);
-  page.claim(
-      {.quantity = say("relaxation from which @ contacts diverge, by bisection", contacts),
-       .unit = "1",
-       .expected = 2 / mu,
-       .source = "law of relaxed Jacobi: 2/μ",
-       .measured = laws::bisect([](double omega) { return laws::jacobi(contacts, omega) == Outcome::settles; },
-                                1 / mu, std::min(1.99, 3 / mu), 0.001),
-       .tolerance = relative(0.01)});
+  page.claim(say("relaxation from which @ contacts diverge, by bisection", contacts),
+             laws::bisect([](double omega) { return laws::jacobi(contacts, omega) == Outcome::settles; }, 1 / mu,
+                          std::min(1.99, 3 / mu), 0.001),
+             "1", is(2 / mu, "law of relaxed Jacobi: 2/μ", relative(0.01)));
   for (const int n : {4, 16})
-    page.claim({.quantity = say("@ contacts, 500 sweeps of Gauss–Seidel: largest JV left, over gh", n),
-                .unit = "1",
-                .expected = 1e-4,
-                .source = "it converges for every positive definite A",
-                .measured = left_by_gauss_seidel(n, 500),
-                .tolerance = at_most()});
+    page.claim(say("@ contacts, 500 sweeps of Gauss–Seidel: largest JV left, over gh", n),
+               left_by_gauss_seidel(n, 500), "1", is_at_most(1e-4, "it converges for every positive definite A"));
 }
 
 }  // namespace byhand::failures

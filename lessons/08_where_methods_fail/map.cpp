@@ -60,14 +60,8 @@ Agreement agreement(const Map& map, const std::function<bool(double x, double y)
 
 void claim_agreement(course::Page& page, const Agreement& agreement, double share, const std::string& law,
                      const course::Parameter<int>& resolution) {
-  page.claim({.quantity = "share of runs that end as the law says",
-              .unit = "1",
-              .expected = share,
-              .source = law,
-              .measured = agreement.share(),
-              .tolerance = course::at_least(),
-              .claimed = resolution >= 10,
-              .range = "10 cells a side or more"});
+  page.claim("share of runs that end as the law says", agreement.share(), "1", is(share, law, course::at_least()),
+             Quantity("resolution", resolution) >= 10);
 }
 
 renderer::HeatMap cells(std::vector<double> x, std::vector<double> y,

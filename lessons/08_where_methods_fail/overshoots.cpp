@@ -165,36 +165,19 @@ void overshoots(const Setting& setting, Page& page) {
 
   claim_agreement(page, agreed, 0.93, "law of warm starts with Baumgarte", setting.resolution);
   const bool in_reach = limit >= 0.02 && limit <= 1.9 && links <= 20;
-  page.claim({.quantity = say("β from which @ links ring, by bisection", links),
-              .unit = "1",
-              .expected = limit,
-              .source = "law of warm starts: (1 − q)/q",
-              .measured = here,
-              .tolerance = relative(0.02),
-              .claimed = in_reach,
-              .range = "0.02 ≤ (1 − q)/q ≤ 1.9, at most 20 links"});
+  page.claim(say("β from which @ links ring, by bisection", links), here, "1",
+             is(limit, "law of warm starts: (1 − q)/q", relative(0.02)),
+             where(within(0.02, Quantity("(1 − q)/q", limit), 1.9), Quantity("links", links) <= 20));
   for (const double share : {0.85, 1.15}) {
     const int tried = static_cast<int>(share < 1 ? share * needed : std::ceil(share * needed));
     page.claim(
-        {.quantity = say("β = 0.2 with @ a step: whether it settles", several(tried, "sweep")),
-         .unit = "1",
-         .expected = share < 1 ? 0.0 : 1.0,
-         .source = "law of warm starts",
-         .measured = tried > 0 && laws::run(laws::WarmChain{.links = links, .sweeps = tried}) == Outcome::settles
-                         ? 1.0
-                         : 0.0,
-         .tolerance = absolute(0),
-         .claimed = tried > 0,
-         .range = "a sweep at least"});
+        say("β = 0.2 with @ a step: whether it settles", several(tried, "sweep")),
+        tried > 0 && laws::run(laws::WarmChain{.links = links, .sweeps = tried}) == Outcome::settles ? 1.0 : 0.0,
+        "1", is(share < 1 ? 0.0 : 1.0, "law of warm starts", absolute(0)), Quantity("sweeps", tried) >= 1);
   }
-  page.claim({.quantity = "largest error at the end, by split impulse",
-              .unit = "m",
-              .expected = 1e-3,
-              .source = "law of warm starts: no correction in λ",
-              .measured = chains.last(2),
-              .tolerance = at_most(),
-              .claimed = beta >= 0.1 && links <= 12 && sweeps >= 4,
-              .range = "β ≥ 0.1, at most 12 links, 4 sweeps or more"});
+  page.claim("largest error at the end, by split impulse", chains.last(2), "m",
+             is_at_most(1e-3, "law of warm starts: no correction in λ"),
+             where(Quantity("β", beta) >= 0.1, Quantity("links", links) <= 12, Quantity("sweeps", sweeps) >= 4));
 }
 
 }  // namespace byhand::failures

@@ -71,12 +71,8 @@ void springs(const Setting& setting, Page& page) {
             agreed.sentence());
   claim_agreement(page, agreed, 0.95, "law of explicit springs", setting.resolution);
   for (const double zeta : {0.0, 1.0, 2.0})
-    page.claim({.quantity = say("largest ωh at ζ = @, by bisection", zeta),
-                .unit = "1",
-                .expected = largest_omega_h(zeta),
-                .source = "law of explicit springs",
-                .measured = measured(zeta),
-                .tolerance = relative(0.01)});
+    page.claim(say("largest ωh at ζ = @, by bisection", zeta), measured(zeta), "1",
+               is(largest_omega_h(zeta), "law of explicit springs", relative(0.01)));
 }
 
 }  // namespace byhand::failures

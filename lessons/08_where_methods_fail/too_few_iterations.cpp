@@ -160,35 +160,17 @@ void too_few_iterations(const Setting& setting, Page& page) {
       stacks.last(2) < 1e-11 ? "less than 10⁻¹¹" : number(stacks.last(2), 2));
 
   claim_agreement(page, agreed, 0.9, "law of creep", setting.resolution);
-  const bool in_reach = law > 1.5 && law < 40;
-  page.claim({.quantity = say("fewest sweeps with which @ boxes stand, by bisection", boxes),
-              .unit = "1",
-              .expected = law,
-              .source = "law of creep, and the next whole number",
-              .measured = in_reach ? 1.0 * fewest_sweeps(boxes, static_cast<int>(2 * law) + 2) : 0,
-              .tolerance = absolute(1 + 0.05 * law),
-              .claimed = in_reach,
-              .range = "1.5 < 0.763 gh²N³ < 40"});
-  page.claim({.quantity = "gravity that 4 substeps of one sweep hold, over one step of one sweep",
-              .unit = "1",
-              .expected = 16,
-              .source = "law of creep: it counts h²",
-              .measured = cut / whole,
-              .tolerance = relative(0.05)});
-  page.claim({.quantity = "stack with sweeps above the law: whether it falls in the film",
-              .unit = "1",
-              .expected = 0,
-              .source = "law of creep",
-              .measured = stacks.failed(0) ? 1.0 : 0.0,
-              .tolerance = absolute(0),
-              .claimed = sweeps > 1.2 * law,
-              .range = "sweeps > 1.2 · 0.763 gh²N³"});
-  page.claim({.quantity = "solved directly, the top box has moved at the end",
-              .unit = "m",
-              .expected = 0.01,
-              .source = "law of exact stacks: it stands",
-              .measured = stacks.last(2),
-              .tolerance = at_most()});
+  const Condition in_reach = within(1.5, Quantity("0.763 gh²N³", law), 40);
+  page.claim(say("fewest sweeps with which @ boxes stand, by bisection", boxes),
+             in_reach ? 1.0 * fewest_sweeps(boxes, static_cast<int>(2 * law) + 2) : 0, "1",
+             is(law, "law of creep, and the next whole number", absolute(1 + 0.05 * law)), in_reach);
+  page.claim("gravity that 4 substeps of one sweep hold, over one step of one sweep", cut / whole, "1",
+             is(16, "law of creep: it counts h²", relative(0.05)));
+  page.claim("stack with sweeps above the law: whether it falls in the film", stacks.failed(0) ? 1.0 : 0.0, "1",
+             is(0, "law of creep", absolute(0)),
+             Quantity("sweeps", sweeps) > Quantity("1.2 · 0.763 gh²N³", 1.2 * law));
+  page.claim("solved directly, the top box has moved at the end", stacks.last(2), "m",
+             is_at_most(0.01, "law of exact stacks: it stands"));
 }
 
 }  // namespace byhand::failures

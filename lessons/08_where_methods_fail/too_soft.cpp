@@ -150,30 +150,16 @@ void too_soft(const Setting& setting, Page& page) {
       do not buckle; they have the limit of the first family only.)");
 
   claim_agreement(page, agreed, 0.93, "law of buckling", setting.resolution);
-  const bool in_reach = highest >= 8 && highest <= 30;
+  const Condition in_reach = within(8, Quantity("boxes", highest), 30);
   const double law = laws::softest_contacts(highest);
-  page.claim({.quantity = say("softest contacts on which @ boxes stand, by bisection", highest),
-              .unit = "Hz",
-              .expected = law,
-              .source = "law of buckling, for so many boxes",
-              .measured = in_reach ? laws::bisect([=](double hz) { return stands(highest, hz); }, 0.6 * law,
-                                                  1.6 * law, 0.004)
-                                   : 0,
-              .tolerance = relative(0.04),
-              .claimed = in_reach,
-              .range = "8 to 30 boxes"});
-  page.claim({.quantity = "effective mass of the contact at a corner of two boxes of 1 kg",
-              .unit = "kg",
-              .expected = 0.2,
-              .source = "1/(2/m + 2(w/2)²/I), I = mw²/6",
-              .measured = effective_mass_of_a_corner(),
-              .tolerance = relative(1e-12)});
-  page.claim({.quantity = "top box in the film: how far off on soft contacts, over contacts 16 times as stiff",
-              .unit = "1",
-              .expected = 10,
-              .source = "law of buckling",
-              .measured = std::min(off(0), off(1)) / off(2),
-              .tolerance = at_least()});
+  page.claim(
+      say("softest contacts on which @ boxes stand, by bisection", highest),
+      in_reach ? laws::bisect([=](double hz) { return stands(highest, hz); }, 0.6 * law, 1.6 * law, 0.004) : 0,
+      "Hz", is(law, "law of buckling, for so many boxes", relative(0.04)), in_reach);
+  page.claim("effective mass of the contact at a corner of two boxes of 1 kg", effective_mass_of_a_corner(), "kg",
+             is(0.2, "1/(2/m + 2(w/2)²/I), I = mw²/6", relative(1e-12)));
+  page.claim("top box in the film: how far off on soft contacts, over contacts 16 times as stiff",
+             std::min(off(0), off(1)) / off(2), "1", is_at_least(10, "law of buckling"));
 }
 
 }  // namespace byhand::failures

@@ -75,25 +75,13 @@ void unseen(const Setting& setting, Page& page) {
       approach at v the margin grows by vh, so their contact is found before they touch. A scene of this solver does
       that unless it is told not to, as here; what flies straight at a wall is then stopped at any speed. A half-space
       has no far side, so nothing passes it.)");
-  page.claim({.quantity = "balls that pass",
-              .unit = "1",
-              .expected = balls * share_by_law(speed, wall),
-              .source = "law of tunnelling: 1 − (r + margin + w/2)/(vh)",
-              .measured = passed,
-              .tolerance = absolute(2)});
-  page.claim({.quantity = "largest deviation of a cell from the law",
-              .unit = "1",
-              .expected = 0.05,
-              .source = "law of tunnelling",
-              .measured = worst,
-              .tolerance = at_most()});
+  page.claim("balls that pass", passed, "1",
+             is(balls * share_by_law(speed, wall), "law of tunnelling: 1 − (r + margin + w/2)/(vh)", absolute(2)));
+  page.claim("largest deviation of a cell from the law", worst, "1", is_at_most(0.05, "law of tunnelling"));
   for (const double fast : {30.0, 1000.0})
-    page.claim({.quantity = say("share that passes at @ m/s with speculative contacts", fast),
-                .unit = "1",
-                .expected = 0,
-                .source = "the contact is found before they touch",
-                .measured = laws::share_that_passes({.speed = fast, .wall = wall, .lookahead = 1}, 50),
-                .tolerance = absolute(0)});
+    page.claim(say("share that passes at @ m/s with speculative contacts", fast),
+               laws::share_that_passes({.speed = fast, .wall = wall, .lookahead = 1}, 50), "1",
+               is(0, "the contact is found before they touch", absolute(0)));
 }
 
 }  // namespace byhand::failures

@@ -158,24 +158,12 @@ void which_knob(const Setting&, Page& page) {
       - Do *more sweeps change nothing*? Then a shorter step, or stiffer contacts.
       - Is it *calm* while λ grows, or has a direct solve no solution? Then look at the rows.)",
       universal == 0 ? "no knob cures all five" : "one knob cures all five");
-  page.claim({.quantity = "failures that fail while no knob is turned",
-              .unit = "1",
-              .expected = static_cast<double>(rows),
-              .source = "laws of creep, warm starts, transverse instability, buckling and conflicting rows",
-              .measured = static_cast<double>(fail),
-              .tolerance = absolute(0)});
-  page.claim({.quantity = "cures of the steps before that cure",
-              .unit = "1",
-              .expected = static_cast<double>(cures),
-              .source = "the same",
-              .measured = static_cast<double>(cured),
-              .tolerance = absolute(0)});
-  page.claim({.quantity = "knobs that cure all five",
-              .unit = "1",
-              .expected = 0,
-              .source = "the same",
-              .measured = static_cast<double>(universal),
-              .tolerance = absolute(0)});
+  page.claim("failures that fail while no knob is turned", static_cast<double>(fail), "1",
+             is(static_cast<double>(rows),
+                "laws of creep, warm starts, transverse instability, buckling and conflicting rows", absolute(0)));
+  page.claim("cures of the steps before that cure", static_cast<double>(cured), "1",
+             is(static_cast<double>(cures), "the same", absolute(0)));
+  page.claim("knobs that cure all five", static_cast<double>(universal), "1", is(0, "the same", absolute(0)));
 }
 
 }  // namespace byhand::failures

@@ -200,38 +200,16 @@ void wrong_rows(const Setting& setting, Page& page) {
       diagonal in a direct solve. *Reorder*: solve normals before the friction that they bound. *Refresh*: write J
       again if bodies have moved between two solves. And if you can, remove a row that repeats another.)");
 
-  page.claim({.quantity = "share of ended runs that end as the law says",
-              .unit = "1",
-              .expected = 0.95,
-              .source = "law of conflicting rows",
-              .measured = agreed.runs > 0 ? agreed.share() : 0,
-              .tolerance = at_least(),
-              .claimed = setting.resolution >= 10,
-              .range = "10 cells a side or more"});
-  page.claim({.quantity = "pull after twice the time, over the first",
-              .unit = "1",
-              .expected = 2,
-              .source = "law of conflicting rows: it grows in proportion to time",
-              .measured = whole / half,
-              .tolerance = relative(0.02)});
-  page.claim({.quantity = "the bob moves by at most",
-              .unit = "m",
-              .expected = conflict * (1 + 1e-6),
-              .source = "it hangs between the two lengths",
-              .measured = moved,
-              .tolerance = at_most()});
-  page.claim({.quantity = "speed at the end, stale J",
-              .unit = "m/s",
-              .expected = speed_by_law(circles.seconds()),
-              .source = "law of stale Jacobians",
-              .measured = circles.last(0),
-              .tolerance = relative(0.02)});
-  page.claim({.quantity = "speed at the end, fresh J",
-              .unit = "m/s",
-              .expected = circle_speed,
-              .source = "nothing does work on it",
-              .measured = circles.last(1),
-              .tolerance = relative(0.02)});
+  page.claim("share of ended runs that end as the law says", agreed.runs > 0 ? agreed.share() : 0, "1",
+             is_at_least(0.95, "law of conflicting rows"), Quantity("resolution", setting.resolution) >= 10);
+  page.claim("pull after twice the time, over the first", whole / half, "1",
+             is(2, "law of conflicting rows: it grows in proportion to time", relative(0.02)));
+  page.claim("the bob moves by at most", moved, "m",
+             is_at_most(conflict * (1 + 1e-6), "it hangs between the two lengths"));
+  page.claim("speed at the end, stale J", circles.last(0), "m/s",
+             is(speed_by_law(circles.seconds()), "law of stale Jacobians", relative(0.02)));
+  page.claim("speed at the end, fresh J", circles.last(1), "m/s",
+             is(circle_speed, "nothing does work on it", relative(0.02)));
 }
 
 }  // namespace byhand::failures

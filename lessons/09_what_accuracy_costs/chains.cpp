@@ -121,18 +121,10 @@ void cost_to_a_millimetre(Page& page, const std::vector<double>& lengths, const 
               substep of law 7.)",
               chart_of(heavier, "mass ratio", {0.5}), heavier.data);
   const double by_mass = slope_of(ratios, heavier.of("direct"));
-  page.claim({.quantity = "direct, cost to a millimetre: power of the number of links",
-              .unit = "1",
-              .expected = 1,
-              .source = "a chain's factor has a block for each link",
-              .measured = by_length,
-              .tolerance = absolute(0.35)});
-  page.claim({.quantity = "direct, cost to a millimetre: power of the mass ratio",
-              .unit = "1",
-              .expected = 0.5,
-              .source = "law 7: its root, once the law asks for more than one substep",
-              .measured = by_mass,
-              .tolerance = at_most()});
+  page.claim("direct, cost to a millimetre: power of the number of links", by_length, "1",
+             is(1, "a chain's factor has a block for each link", absolute(0.35)));
+  page.claim("direct, cost to a millimetre: power of the mass ratio", by_mass, "1",
+             is_at_most(0.5, "law 7: its root, once the law asks for more than one substep"));
 }
 
 }  // namespace byhand::accuracy

@@ -304,12 +304,8 @@ void show_clocked(course::Page& page, const std::string& name, const Survey& sur
 void claim_first_order(course::Page& page, const Problem& problem, const std::string& source) {
   const auto order =
       fitted_order(refined(problem, "direct", with_cure({}, Cure::baumgarte), 64), Error::trajectory);
-  page.claim({.quantity = problem.scene().title + ": order of the direct solve with substeps",
-              .unit = "1",
-              .expected = 1,
-              .source = source,
-              .measured = order ? order->slope : NAN,
-              .tolerance = course::absolute(0.25)});
+  page.claim(problem.scene().title + ": order of the direct solve with substeps", order ? order->slope : NAN, "1",
+             is(1, source, course::absolute(0.25)));
 }
 
 }  // namespace byhand::accuracy

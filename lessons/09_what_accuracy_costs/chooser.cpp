@@ -335,23 +335,13 @@ void chooser(Page& page, const Setting& setting) {
   }
   for (const auto& [error, limit] : limits) {
     const byhand::Point again = choice.reached ? measure(problem, *best.family, best.knobs) : byhand::Point{};
-    page.claim({.quantity = std::string(name_of(error)) + " of what is recommended, run again",
-                .unit = std::string(unit_of(error)),
-                .expected = limit,
-                .source = "asked for",
-                .measured = again.has(error) ? again[error] : INFINITY,
-                .tolerance = at_most(),
-                .claimed = choice.reached,
-                .range = "targets that are reached"});
+    page.claim(std::string(name_of(error)) + " of what is recommended, run again",
+               again.has(error) ? again[error] : INFINITY, std::string(unit_of(error)),
+               is_at_most(limit, "asked for"), Condition{choice.reached, "targets that are reached"});
   }
-  page.claim({.quantity = "initial conditions from which it does its duty",
-              .unit = "1",
-              .expected = static_cast<double>(choice.verified.starts),
-              .source = "all of them",
-              .measured = static_cast<double>(choice.verified.good),
-              .tolerance = absolute(0),
-              .claimed = choice.reached,
-              .range = "targets that are reached"});
+  page.claim("initial conditions from which it does its duty", static_cast<double>(choice.verified.good), "1",
+             is(static_cast<double>(choice.verified.starts), "all of them", absolute(0)),
+             Condition{choice.reached, "targets that are reached"});
   page.text(
       R"(Ask again for your own scene: any scene of this lesson by name, any errors (`drift`, `trajectory`, `energy`,
       `momentum`, `reaction`), one or several, and a `budget` of time a frame, such as 200us.)");

@@ -70,26 +70,14 @@ void contacts(Page& page) {
   const Knobs whole = with_cure({}, Cure::baumgarte);
   const byhand::Point once = measure(stack, family_named("direct"), whole),
                       swept_once = measure(stack, family_named("Gauss–Seidel"), {});
-  page.claim({.quantity = "the stack, solved directly in one step a frame: farthest box",
-              .unit = "m",
-              .expected = 0.01,
-              .source = "it stands",
-              .measured = once.has(Error::trajectory) ? once[Error::trajectory] : INFINITY,
-              .tolerance = at_most()});
-  page.claim({.quantity = "the stack, one sweep a frame: when a box has left its place by half a box",
-              .unit = "s",
-              .expected = stack.scene().duration,
-              .source = "law of creep (lesson 8): too few sweeps, so it falls",
-              .measured = swept_once.outcome == Outcome::fell ? swept_once.seconds : INFINITY,
-              .tolerance = at_most()});
-  page.claim({.quantity = "the stack at a millimetre: cost of the best other method, over the direct solve",
-              .unit = "1",
-              .expected = 1,
-              .source = "a column has no loops (lesson 3)",
-              .measured = column_other / column_direct,
-              .tolerance = at_least(),
-              .claimed = std::isfinite(column_other),
-              .range = "stacks where another method reaches it"});
+  page.claim("the stack, solved directly in one step a frame: farthest box",
+             once.has(Error::trajectory) ? once[Error::trajectory] : INFINITY, "m", is_at_most(0.01, "it stands"));
+  page.claim("the stack, one sweep a frame: when a box has left its place by half a box",
+             swept_once.outcome == Outcome::fell ? swept_once.seconds : INFINITY, "s",
+             is_at_most(stack.scene().duration, "law of creep (lesson 8): too few sweeps, so it falls"));
+  page.claim("the stack at a millimetre: cost of the best other method, over the direct solve",
+             column_other / column_direct, "1", is_at_least(1, "a column has no loops (lesson 3)"),
+             Condition{std::isfinite(column_other), "stacks where another method reaches it"});
 }
 
 }  // namespace byhand::accuracy

@@ -130,26 +130,14 @@ void model_cost(Page& page) {
       machine and at the moment of the run.)",
       [=] { return clocked("chain", values, held_by_centres, links); });
   for (const Built& built : models)
-    page.claim({.quantity = "numbers a body moves with, " + built.model,
-                .unit = "1",
-                .expected = built.model == "bobs in the plane" ? 2.0
-                            : built.model == "balls in space"  ? 6.0
-                                                               : 3.0,
-                .source = "axes to move along and to turn about",
-                .measured = static_cast<double>(built.degrees) / links,
-                .tolerance = absolute(0)});
-  page.claim({.quantity = "four chains, largest distance between any two models",
-              .unit = "m",
-              .expected = 1e-8,
-              .source = "the same physics: rounding, and what a swinging chain makes of it in 2 s",
-              .measured = chain_apart,
-              .tolerance = at_most()});
-  page.claim({.quantity = "four pendulums, the same",
-              .unit = "m",
-              .expected = 1e-12,
-              .source = "the same physics: rounding",
-              .measured = pendulum_apart,
-              .tolerance = at_most()});
+    page.claim("numbers a body moves with, " + built.model, static_cast<double>(built.degrees) / links, "1",
+               is(built.model == "bobs in the plane" ? 2.0
+                  : built.model == "balls in space"  ? 6.0
+                                                     : 3.0,
+                  "axes to move along and to turn about", absolute(0)));
+  page.claim("four chains, largest distance between any two models", chain_apart, "m",
+             is_at_most(1e-8, "the same physics: rounding, and what a swinging chain makes of it in 2 s"));
+  page.claim("four pendulums, the same", pendulum_apart, "m", is_at_most(1e-12, "the same physics: rounding"));
 
   const std::vector<std::string> with_and_without{"links in the plane", "links in the plane that could touch",
                                                   "links in space"};
@@ -164,12 +152,8 @@ void model_cost(Page& page) {
       R"(The chain of stiff links, without a shape, with one, and in space. Measured on the machine and at the
       moment of the run.)",
       [=] { return clocked("chain", values, with_and_without, links); });
-  page.claim({.quantity = "links that could touch, from those that cannot",
-              .unit = "m",
-              .expected = 0,
-              .source = "the same rows in the same order",
-              .measured = linked[1].apart,
-              .tolerance = absolute(0)});
+  page.claim("links that could touch, from those that cannot", linked[1].apart, "m",
+             is(0, "the same rows in the same order", absolute(0)));
 
   const Problem chain("chain", {{"links", 10}, {"length", 2}, {"mass", 3}, {"end_mass", 3}});
   const double whole = error_of(chain, by_sweeps(BlockSolve::whole), Error::drift),

@@ -260,12 +260,8 @@ void one_page(Page& page) {
   page.figure(
       "one_page", R"(The same page as a picture, to be printed.)",
       [head, rows](renderer::Canvas& canvas) { draw_page(canvas, head, rows); }, data);
-  page.claim({.quantity = "share of this page that some method does",
-              .unit = "1",
-              .expected = 0.9,
-              .source = "the targets are within reach",
-              .measured = 1 - static_cast<double>(empty) / asked,
-              .tolerance = at_least()});
+  page.claim("share of this page that some method does", 1 - static_cast<double>(empty) / asked, "1",
+             is_at_least(0.9, "the targets are within reach"));
 }
 
 }  // namespace byhand::accuracy

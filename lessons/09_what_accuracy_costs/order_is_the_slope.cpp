@@ -87,30 +87,12 @@ void order_is_the_slope(Page& page) {
       step behind it, and a clock that is always late by the same amount measures periods well. So the order depends
       on the error that you look at.)",
       Value(first_period, 3), Value(second_period, 3));
-  page.claim({.quantity = "place after a second, symplectic Euler, h halved: error divided by",
-              .unit = "1",
-              .expected = 2,
-              .source = "order 1",
-              .measured = first,
-              .tolerance = relative(0.05)});
-  page.claim({.quantity = "the same, RATTLE",
-              .unit = "1",
-              .expected = 4,
-              .source = "order 2",
-              .measured = second,
-              .tolerance = relative(0.05)});
-  page.claim({.quantity = "period, symplectic Euler with β = 1, h halved: error divided by",
-              .unit = "1",
-              .expected = 4,
-              .source = "conjugate to leapfrog, of order 2",
-              .measured = first_period,
-              .tolerance = relative(0.05)});
-  page.claim({.quantity = "the same, RATTLE",
-              .unit = "1",
-              .expected = 4,
-              .source = "order 2",
-              .measured = second_period,
-              .tolerance = relative(0.05)});
+  page.claim("place after a second, symplectic Euler, h halved: error divided by", first, "1",
+             is(2, "order 1", relative(0.05)));
+  page.claim("the same, RATTLE", second, "1", is(4, "order 2", relative(0.05)));
+  page.claim("period, symplectic Euler with β = 1, h halved: error divided by", first_period, "1",
+             is(4, "conjugate to leapfrog, of order 2", relative(0.05)));
+  page.claim("the same, RATTLE", second_period, "1", is(4, "order 2", relative(0.05)));
   page.text(
       R"(Two warnings. Errors of opposite sign cancel, so one point of a curve may lie much too far to the left: trust
       the slope of many points, not one of them. And every curve ends, at rounding or at the uncertainty of the
@@ -124,12 +106,8 @@ void order_is_the_slope(Page& page) {
        {Expected{"RATTLE", "symmetric: 2", 2}, Expected{"implicit midpoint", "symmetric: 2", 2},
         Expected{"RK4", "four stages: 4", 4}}) {
     const auto fitted = fitted_order(refined(problem, name, {}, 32), Error::trajectory);
-    page.claim({.quantity = std::string("fitted order of ") + name,
-                .unit = "1",
-                .expected = order,
-                .source = source,
-                .measured = fitted ? fitted->slope : NAN,
-                .tolerance = absolute(0.2)});
+    page.claim(std::string("fitted order of ") + name, fitted ? fitted->slope : NAN, "1",
+               is(order, source, absolute(0.2)));
     if (fitted)
       fits += say("\n- @: @ ± @", std::string(name), Value(fitted->slope, 3), Value(fitted->uncertainty, 1));
   }

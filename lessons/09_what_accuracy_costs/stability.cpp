@@ -127,25 +127,15 @@ void stability(Page& page) {
                      : say(" Stable at every step that was tried: @. What that costs in energy, the step before "
                            "this one has shown.",
                            always));
-  page.claim({.quantity = "RK4 over direct, longest stable step",
-              .unit = "1",
-              .expected = std::sqrt(2.0),
-              .source = "2√2 over 2 on the imaginary axis",
-              .measured = rk4.eigenvalues[middle] / direct.eigenvalues[middle],
-              .tolerance = relative(0.01)});
+  page.claim("RK4 over direct, longest stable step", rk4.eigenvalues[middle] / direct.eigenvalues[middle], "1",
+             is(std::sqrt(2.0), "2√2 over 2 on the imaginary axis", relative(0.01)));
   for (const Limits* method : {&direct, &methods[1], &methods[2], &rk4})
-    page.claim({.quantity = method->name + ", longest stable step by runs over that by eigenvalues",
-                .unit = "1",
-                .expected = 1,
-                .source = "a small disturbance follows the linearised step",
-                .measured = method->runs[middle] / method->eigenvalues[middle],
-                .tolerance = relative(0.03)});
-  page.claim({.quantity = say("XPBD at a step of @ s, end of @ kg: spectral radius", longest, masses.back()),
-              .unit = "1",
-              .expected = one,
-              .source = "it reads velocities off positions, which damps at every step",
-              .measured = spectral_radius(taut(masses.back()), xpbd.method, longest),
-              .tolerance = at_most()});
+    page.claim(method->name + ", longest stable step by runs over that by eigenvalues",
+               method->runs[middle] / method->eigenvalues[middle], "1",
+               is(1, "a small disturbance follows the linearised step", relative(0.03)));
+  page.claim(say("XPBD at a step of @ s, end of @ kg: spectral radius", longest, masses.back()),
+             spectral_radius(taut(masses.back()), xpbd.method, longest), "1",
+             is_at_most(one, "it reads velocities off positions, which damps at every step"));
 }
 
 }  // namespace byhand::accuracy

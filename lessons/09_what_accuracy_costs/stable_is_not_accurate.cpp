@@ -131,30 +131,14 @@ void stable_is_not_accurate(Page& page) {
         for (Swing& swing : swings) swing.go_on(time, start);
         draw_swings(canvas, swings, chart, exact, length, time);
       });
-  page.claim({.quantity = "XPBD, largest drift",
-              .unit = "m",
-              .expected = 1e-6 * length,
-              .source = "C = 0 is solved by Newton's method",
-              .measured = once[Error::drift],
-              .tolerance = at_most()});
-  page.claim({.quantity = "XPBD, energy lost all the same",
-              .unit = "1",
-              .expected = 0.5,
-              .source = "stable is not accurate",
-              .measured = once[Error::energy],
-              .tolerance = at_least()});
-  page.claim({.quantity = "RATTLE, largest drift",
-              .unit = "m",
-              .expected = 1e-12 * length,
-              .source = "C = 0 is solved to rounding",
-              .measured = symmetric[Error::drift],
-              .tolerance = at_most()});
-  page.claim({.quantity = "RATTLE, largest change of energy, over XPBD's",
-              .unit = "1",
-              .expected = 0.01,
-              .source = "it swings about the true energy and keeps near it",
-              .measured = symmetric[Error::energy] / once[Error::energy],
-              .tolerance = at_most()});
+  page.claim("XPBD, largest drift", once[Error::drift], "m",
+             is_at_most(1e-6 * length, "C = 0 is solved by Newton's method"));
+  page.claim("XPBD, energy lost all the same", once[Error::energy], "1",
+             is_at_least(0.5, "stable is not accurate"));
+  page.claim("RATTLE, largest drift", symmetric[Error::drift], "m",
+             is_at_most(1e-12 * length, "C = 0 is solved to rounding"));
+  page.claim("RATTLE, largest change of energy, over XPBD's", symmetric[Error::energy] / once[Error::energy], "1",
+             is_at_most(0.01, "it swings about the true energy and keeps near it"));
   page.text(
       R"(So decide first which error your scene must not have. A rope bridge in a game must not come apart: drift. A
       clock must keep time: trajectory and energy. A crane must not break its bolts: the reaction force. The deeper

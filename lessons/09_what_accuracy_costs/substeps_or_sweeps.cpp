@@ -57,12 +57,8 @@ void substeps_or_sweeps(Page& page) {
                    Value(error[i], 2))});
   }
   page.choose(std::move(question));
-  page.claim({.quantity = "64 × 1 over 1 × 64, error of the trajectory",
-              .unit = "1",
-              .expected = 1,
-              .source = "law of substeps or sweeps (lesson 8)",
-              .measured = error[2] / error[0],
-              .tolerance = at_most()});
+  page.claim("64 × 1 over 1 × 64, error of the trajectory", error[2] / error[0], "1",
+             is_at_most(1, "law of substeps or sweeps (lesson 8)"));
 
   const Problem in_space("chain", {{"links", 10}}, "links in space");
   const auto knobs_of = [](const std::pair<int, int>& way) {
@@ -141,19 +137,12 @@ void substeps_or_sweeps(Page& page) {
         R"(Only methods that use the same structured solve come near it. RATTLE costs @ and then has no drift but
         rounding; with fewer substeps its steps are too long and have no solution. RK4 costs @.)",
         Value(rattle, 3), Value(rk4, 3));
-  page.claim({.quantity = say("direct with substeps: drift of at most @ m", wanted),
-              .unit = "row-solves a row",
-              .expected = 100,
-              .source = "two rows a joint: at 4 ns a row-solve 800 ns a joint and frame",
-              .measured = direct / heavy.start().rows(),
-              .tolerance = at_most()});
-  page.claim({.quantity = std::isfinite(swept) ? "the same by sweeps, over the direct solve"
-                                               : "cost up to which no sweeps do the same, over the direct solve",
-              .unit = "1",
-              .expected = 3,
-              .source = "sweeps a digit: length times mass ratio",
-              .measured = std::min(swept, most) / direct,
-              .tolerance = at_least()});
+  page.claim(say("direct with substeps: drift of at most @ m", wanted), direct / heavy.start().rows(),
+             "row-solves a row",
+             is_at_most(100, "two rows a joint: at 4 ns a row-solve 800 ns a joint and frame"));
+  page.claim(std::isfinite(swept) ? "the same by sweeps, over the direct solve"
+                                  : "cost up to which no sweeps do the same, over the direct solve",
+             std::min(swept, most) / direct, "1", is_at_least(3, "sweeps a digit: length times mass ratio"));
 }
 
 }  // namespace byhand::accuracy

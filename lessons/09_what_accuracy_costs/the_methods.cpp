@@ -161,40 +161,21 @@ void the_methods(Page& page) {
   }
   page.table({"method", "to choose", "cure of drift", "rods and joints", "contacts"}, rows);
 
-  page.claim({.quantity = "methods that cannot do rods",
-              .unit = "1",
-              .expected = 0,
-              .source = "the paragraphs above",
-              .measured = static_cast<double>(refused),
-              .tolerance = absolute(0)});
-  page.claim({.quantity = "methods that cannot do contacts",
-              .unit = "1",
-              .expected = 5,
-              .source = "RATTLE, three rules on accelerations, conjugate gradients",
-              .measured = static_cast<double>(without_contacts),
-              .tolerance = absolute(0)});
-  page.claim({.quantity = "RK4 on a pendulum: error of the rod after 10 s, over 5 s",
-              .unit = "1",
-              .expected = 1.3,
-              .source = "nothing takes it away",
-              .measured = ten / five,
-              .tolerance = at_least()});
+  page.claim("methods that cannot do rods", static_cast<double>(refused), "1",
+             is(0, "the paragraphs above", absolute(0)));
+  page.claim("methods that cannot do contacts", static_cast<double>(without_contacts), "1",
+             is(5, "RATTLE, three rules on accelerations, conjugate gradients", absolute(0)));
+  page.claim("RK4 on a pendulum: error of the rod after 10 s, over 5 s", ten / five, "1",
+             is_at_least(1.3, "nothing takes it away"));
   const auto energy_change = [&](const char* name) {
     return measure(pendulum, family_named(name), {})[Error::energy];
   };
-  page.claim({.quantity = "implicit midpoint on a pendulum: change of energy over 10 s, over mgL",
-              .unit = "1",
-              .expected = 1e-3,
-              .source = "symmetric, and the time is short",
-              .measured = energy_change("implicit midpoint"),
-              .tolerance = at_most()});
+  page.claim("implicit midpoint on a pendulum: change of energy over 10 s, over mgL",
+             energy_change("implicit midpoint"), "1", is_at_most(1e-3, "symmetric, and the time is short"));
   const byhand::Point euler = measure(pendulum, family_named("explicit Euler"), {});
-  page.claim({.quantity = "explicit Euler on the same accelerations: seconds until the rod is off by a tenth",
-              .unit = "s",
-              .expected = 5,
-              .source = "order 1: it gains energy, and nothing holds C",
-              .measured = euler.outcome == Outcome::opened ? euler.seconds : INFINITY,
-              .tolerance = at_most()});
+  page.claim("explicit Euler on the same accelerations: seconds until the rod is off by a tenth",
+             euler.outcome == Outcome::opened ? euler.seconds : INFINITY, "s",
+             is_at_most(5, "order 1: it gains energy, and nothing holds C"));
 }
 
 }  // namespace byhand::accuracy

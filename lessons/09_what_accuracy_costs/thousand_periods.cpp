@@ -85,24 +85,13 @@ void thousand_periods(Page& page) {
               say("Change of energy of a pendulum over @ periods, the largest between two points.", periods),
               chart);
   page.text("What became of the energy:\n" + said);
-  page.claim({.quantity = "RATTLE: change of energy at the end, over that of the first period",
-              .unit = "1",
-              .expected = 2,
-              .source = "symmetric: bounded for good",
-              .measured = kept[0].change.back() / kept[0].change.front(),
-              .tolerance = at_most()});
-  page.claim({.quantity = "implicit midpoint: change of energy at the end, over that of the first period",
-              .unit = "1",
-              .expected = 10,
-              .source = "its forces hold C̈ = 0 only, so C and the energy leave in the end",
-              .measured = kept[1].change.back() / kept[1].change.front(),
-              .tolerance = at_least()});
-  page.claim({.quantity = "XPBD: change of energy at the end",
-              .unit = "1",
-              .expected = 0.9,
-              .source = "each chord is too short: it comes to rest",
-              .measured = kept[4].change.back(),
-              .tolerance = at_least()});
+  page.claim("RATTLE: change of energy at the end, over that of the first period",
+             kept[0].change.back() / kept[0].change.front(), "1", is_at_most(2, "symmetric: bounded for good"));
+  page.claim("implicit midpoint: change of energy at the end, over that of the first period",
+             kept[1].change.back() / kept[1].change.front(), "1",
+             is_at_least(10, "its forces hold C̈ = 0 only, so C and the energy leave in the end"));
+  page.claim("XPBD: change of energy at the end", kept[4].change.back(), "1",
+             is_at_least(0.9, "each chord is too short: it comes to rest"));
 }
 
 }  // namespace byhand::accuracy

@@ -66,18 +66,11 @@ void what_the_step_hides(Page& page) {
       turns straight up. So residuals alone do not compare simulations. What helps is a shorter step or a method of
       higher order.)",
       points.front().knobs.passes, Value(100 * change, 2));
-  page.claim({.quantity = say("trajectory, @ sweeps over @", many.knobs.passes, some.knobs.passes),
-              .unit = "1",
-              .expected = 1,
-              .source = "the step's own error",
-              .measured = many[Error::trajectory] / some[Error::trajectory],
-              .tolerance = relative(0.03)});
-  page.claim({.quantity = say("trajectory, @ sweeps", many.knobs.passes),
-              .unit = "m",
-              .expected = exact[Error::trajectory],
-              .source = "direct solve of the same steps",
-              .measured = many[Error::trajectory],
-              .tolerance = relative(1e-6)});
+  page.claim(say("trajectory, @ sweeps over @", many.knobs.passes, some.knobs.passes),
+             many[Error::trajectory] / some[Error::trajectory], "1",
+             is(1, "the step's own error", relative(0.03)));
+  page.claim(say("trajectory, @ sweeps", many.knobs.passes), many[Error::trajectory], "m",
+             is(exact[Error::trajectory], "direct solve of the same steps", relative(1e-6)));
 }
 
 }  // namespace byhand::accuracy

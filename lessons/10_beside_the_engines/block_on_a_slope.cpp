@@ -83,12 +83,9 @@ void block_on_a_slope(const Setting& setting, Page& page) {
                 creeping),
       Value(100 * frame / time, 2));
   for (std::size_t i = 0; i < aside.size(); ++i)
-    page.claim({.quantity = say("this course, @° from the limit: slid", Value(aside[i], 2)),
-                .unit = "m",
-                .expected = 0.5 * acceleration(limit + aside[i] * degree) * time * (time + frame),
-                .source = "½at(t + h) of symplectic Euler",
-                .measured = ours[i],
-                .tolerance = absolute(2e-4)});
+    page.claim(say("this course, @° from the limit: slid", Value(aside[i], 2)), ours[i], "m",
+               is(0.5 * acceleration(limit + aside[i] * degree) * time * (time + frame),
+                  "½at(t + h) of symplectic Euler", absolute(2e-4)));
 }
 
 }  // namespace byhand::beside

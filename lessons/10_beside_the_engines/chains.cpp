@@ -173,14 +173,9 @@ void chains(const Setting& setting, Page& page) {
       in_millimetres(ours.usual()),
       ahead.empty() ? ", less than anyone else's" : say("; less is left by @", ahead), links, most_substeps,
       substeps, in_millimetres(ours.by_setting.back()));
-  page.claim({.quantity = "the chain, this course with four substeps: largest gap",
-              .unit = "m",
-              .expected = 0.01,
-              .source = "a hundredth of a link: a direct solve leaves the drift of the step alone",
-              .measured = ours.usual(),
-              .tolerance = at_most(),
-              .claimed = links >= 10 && links <= 200,
-              .range = "10 to 200 links"});
+  page.claim("the chain, this course with four substeps: largest gap", ours.usual(), "m",
+             is_at_most(0.01, "a hundredth of a link: a direct solve leaves the drift of the step alone"),
+             within(10, Quantity("links", links), 200));
 }
 
 }  // namespace byhand::beside

@@ -93,19 +93,11 @@ void pendulums(const Setting&, Page& page) {
   page.text("By default @ less error than this course with four substeps.@",
             ahead.empty() ? "no engine has" : say("of the engines here, these have: @;", ahead),
             ahead.empty() ? "" : " the times beside it say what that costs.");
-  page.claim({.quantity = "the bob, this course with four substeps: error of the angle",
-              .unit = "rad",
-              .expected = 0.05,
-              .source = "elliptic integral",
-              .measured = bobs.front().usual(),
-              .tolerance = at_most()});
+  page.claim("the bob, this course with four substeps: error of the angle", bobs.front().usual(), "rad",
+             is_at_most(0.05, "elliptic integral"));
   const auto& work = bobs.front().by_setting;
-  page.claim({.quantity = "the same: error with eight times as many substeps, over that",
-              .unit = "1",
-              .expected = 1.0 / 8,
-              .source = "symplectic Euler has order 1",
-              .measured = work.back() / work.front(),
-              .tolerance = relative(0.2)});
+  page.claim("the same: error with eight times as many substeps, over that", work.back() / work.front(), "1",
+             is(1.0 / 8, "symplectic Euler has order 1", relative(0.2)));
 }
 
 }  // namespace byhand::beside

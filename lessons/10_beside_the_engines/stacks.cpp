@@ -127,12 +127,8 @@ void stacks(const Setting& setting, Page& page) {
       more iterations or steps along its curve. Times of this machine, at the moment of the run.)",
       [=] { return against_time(more, shifts, tall, 60, "top off by (m)"); });
   for (std::size_t i = 0; i < scenes.size(); ++i)
-    page.claim({.quantity = "this course, stack of " + scenes[i].first + ": top is off after 10 s",
-                .unit = "m",
-                .expected = 0.5,
-                .source = "its middle is over its base, so it stands",
-                .measured = ours[i].shift,
-                .tolerance = at_most()});
+    page.claim("this course, stack of " + scenes[i].first + ": top is off after 10 s", ours[i].shift, "m",
+               is_at_most(0.5, "its middle is over its base, so it stands"));
 }
 
 }  // namespace byhand::beside

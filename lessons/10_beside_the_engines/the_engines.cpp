@@ -104,19 +104,11 @@ void the_engines(const Setting&, Page& page) {
   if (std::any_of(all.begin(), all.end(), [](const Engine& engine) { return engine.name == "Chipmunk"; }))
     page.text("Chipmunk moves the bodies first and then lets gravity act, so that it falls as much too little.");
   for (const auto& [name, fall] : falls)
-    page.claim({.quantity = "free fall in a second, " + name,
-                .unit = "m",
-                .expected = exact,
-                .source = "½gt², within ½gt·h of a step of a frame",
-                .measured = fall,
-                .tolerance = absolute(1.001 * step_error)});
+    page.claim("free fall in a second, " + name, fall, "m",
+               is(exact, "½gt², within ½gt·h of a step of a frame", absolute(1.001 * step_error)));
   for (const Engine& engine : all)
-    page.claim({.quantity = "a rod on a pin after a second of 64 steps a frame, " + engine.name,
-                .unit = "rad",
-                .expected = 0.01,
-                .source = "elliptic integral, within a hundredth of a radian",
-                .measured = std::abs(angle_error(engine)),
-                .tolerance = at_most()});
+    page.claim("a rod on a pin after a second of 64 steps a frame, " + engine.name, std::abs(angle_error(engine)),
+               "rad", is_at_most(0.01, "elliptic integral, within a hundredth of a radian"));
 }
 
 }  // namespace byhand::beside

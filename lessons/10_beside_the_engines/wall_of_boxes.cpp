@@ -146,13 +146,8 @@ void wall_of_boxes(const Setting& setting, Page& page) {
       });
   for (const bool after_a_kick : {false, true}) {
     const Wall& end = after_a_kick ? kicked : rest;
-    page.claim(
-        {.quantity = after_a_kick ? "this course, the wall after a kick: moved" : "this course, the wall: moved",
-         .unit = "m",
-         .expected = slop * base,
-         .source = "it stands: at most an overlap of 1 mm for each row",
-         .measured = end.moved,
-         .tolerance = at_most()});
+    page.claim(after_a_kick ? "this course, the wall after a kick: moved" : "this course, the wall: moved",
+               end.moved, "m", is_at_most(slop * base, "it stands: at most an overlap of 1 mm for each row"));
   }
 }
 
@@ -186,12 +181,8 @@ void wall_in_space(const Setting& setting, Page& page) {
       field.size() > 1
           ? say(" For no more error than any engine has by default it takes @.", enough(field, rest.moved))
           : std::string());
-  page.claim({.quantity = "this course, the wall in space: moved",
-              .unit = "m",
-              .expected = slop * base,
-              .source = "it stands: at most an overlap of 1 mm for each row",
-              .measured = moved,
-              .tolerance = at_most()});
+  page.claim("this course, the wall in space: moved", moved, "m",
+             is_at_most(slop * base, "it stands: at most an overlap of 1 mm for each row"));
 }
 
 }  // namespace byhand::beside

@@ -126,7 +126,7 @@ class PageWriter {
   }
 
   void operator()(const Claim& claim) {
-    const std::string range = claim.range.empty() ? "" : fmt::format(" (for {})", claim.range);
+    const std::string range = claim.range.words.empty() ? "" : fmt::format(" (for {})", claim.range.words);
     table_row(Columns::claims, {"claim", "measured", "expected", "according to", "verdict"},
               {claim.quantity + range, measurement(claim), expectation(claim), claim.source, verdict(claim)});
   }

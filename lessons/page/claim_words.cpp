@@ -14,7 +14,7 @@ std::string if_rounding(double size) { return size > 0 && size < 1e-11 ? " (roun
 /// Outside its range a claim may measure, or expect, what nobody can imagine.
 bool is_beyond_words(const Claim& claim, double value) {
   const double size = std::abs(value);
-  return !claim.claimed && !(size == 0 || (1e-11 <= size && size <= 1e9));
+  return !claim.claimed() && !(size == 0 || (1e-11 <= size && size <= 1e9));
 }
 
 /// Whether the claim expects nothing but rounding: zero, or what its tolerance cannot tell from zero.
@@ -37,16 +37,17 @@ std::string quantity(double value, const std::string& unit, int digits) {
 }
 
 std::string verdict(const Claim& claim) {
-  if (!claim.claimed) return "not claimed";
+  if (!claim.claimed()) return "not claimed";
   return claim.holds() ? "holds" : "false";
 }
 
 std::string expectation(const Claim& claim) {
+  if (claim.judged) return claim.judged->words;
   if (is_beyond_words(claim, claim.expected)) return "–";
   const std::string unit = claim.unit.empty() || claim.unit == "1" ? "" : " " + claim.unit;
   const auto& [kind, size] = claim.tolerance;
   const bool two_sided = kind == Tolerance::Kind::relative || kind == Tolerance::Kind::absolute;
-  if (!claim.claimed && two_sided) return quantity(claim.expected, claim.unit);  // no tolerance is meant here
+  if (!claim.claimed() && two_sided) return quantity(claim.expected, claim.unit);  // no tolerance is meant here
   switch (kind) {
     case Tolerance::Kind::relative: return quantity(claim.expected, claim.unit) + within_relative(size);
     case Tolerance::Kind::absolute:
@@ -60,6 +61,7 @@ std::string expectation(const Claim& claim) {
 }
 
 std::string measurement(const Claim& claim) {
+  if (claim.judged) return claim.judged->found;
   if (is_beyond_words(claim, claim.measured)) return "–";
   const double size = std::abs(claim.measured);
   if (!expects_nothing(claim)) return quantity(claim.measured, claim.unit);

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "lessons/page/condition.hpp"
 #include "lessons/page/words.hpp"
 #include "renderer/chart.hpp"
 
@@ -139,19 +141,41 @@ inline Tolerance at_most() { return {Tolerance::Kind::at_most, 0}; }
 /// measured ≥ expected
 inline Tolerance at_least() { return {Tolerance::Kind::at_least, 0}; }
 
+/// What a claim expects: `is(2, "O(N)", relative(0.1))`.
+struct Expected {
+  double value = 0;
+  std::string source = {};  // "elliptic integral", "law B1", …
+  Tolerance tolerance = {};
+};
+inline Expected is(double value, std::string source, Tolerance tolerance) {
+  return {value, std::move(source), tolerance};
+}
+inline Expected is_at_most(double limit, std::string source) { return {limit, std::move(source), at_most()}; }
+inline Expected is_at_least(double limit, std::string source) { return {limit, std::move(source), at_least()}; }
+
+/// A sentence and the condition under which it is true, made of measured numbers. `law` is what an independent
+/// answer predicts where the sentence is said; it may be left out.
+struct Judgement {
+  Condition when;
+  std::string say;
+  Condition law = {};
+};
+
 /// A number of the text, checked against an independent answer. Outside its range of parameters it is shown as
 /// "not claimed" and cannot fail.
 struct Claim {
   std::string quantity = {}, unit = {};
   double expected = 0;
-  std::string source = {};  // of the expected value: "elliptic integral", "law B1", …
+  std::string source = {};  // of the expected value
   double measured = 0;
   Tolerance tolerance = {};
-  bool claimed = true;     // whether the parameters lie in `range`
-  std::string range = {};  // "β < 2"; required if `claimed` can be false
+  Condition range = {};  // of parameters; needs words if it can be missed
+  /// Of a verdict, in place of numbers: its sentence is the quantity.
+  std::optional<Condition> judged = {};
 
-  bool holds() const { return tolerance.met(expected, measured); }
-  bool is_false() const { return claimed && !holds(); }
+  bool claimed() const { return range.met; }
+  bool holds() const { return judged ? judged->met : tolerance.met(expected, measured); }
+  bool is_false() const { return claimed() && !holds(); }
 };
 
 using Item =

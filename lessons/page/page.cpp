@@ -56,6 +56,8 @@ struct Unwrap {
 void Page::add(Item item) {
   std::visit(Unwrap{}, item);
   items_.push_back(std::move(item));
+  for (Claim& verdict : verdicts_) items_.emplace_back(std::move(verdict));
+  verdicts_.clear();
 }
 
 void Page::equation(int number) { equation(number, Formula{}); }
@@ -132,10 +134,34 @@ void Page::claim(Claim claim) {
   if (claim.source.empty())
     throw LessonError(
         fmt::format("the claim \"{}\" does not say where its expectation comes from", claim.quantity));
-  if (!claim.claimed && claim.range.empty())
+  if (!claim.claimed() && claim.range.words.empty())
     throw LessonError(
         fmt::format("the claim \"{}\" is not claimed here, but does not say where it is", claim.quantity));
   add(std::move(claim));
+}
+
+void Page::claim(std::string quantity, double measured, std::string unit, Expected expected, Condition range) {
+  claim({.quantity = std::move(quantity),
+         .unit = std::move(unit),
+         .expected = expected.value,
+         .source = std::move(expected.source),
+         .measured = measured,
+         .tolerance = expected.tolerance,
+         .range = std::move(range)});
+}
+
+std::string Page::verdict(const std::vector<Judgement>& sentences) {
+  for (const auto& [when, say, law] : sentences)
+    if (when.found.empty())
+      throw LessonError(fmt::format("the verdict \"{}\" does not name the number that it judges", say));
+  for (const auto& [when, say, law] : sentences) {
+    if (!when.met) continue;
+    const Condition judged = both(when, law);
+    const std::string sentence = unwrapped(say);
+    verdicts_.push_back({.quantity = fmt::format("“{}”", sentence), .source = "verdict", .judged = judged});
+    return sentence;
+  }
+  return {};
 }
 
 }  // namespace byhand::course

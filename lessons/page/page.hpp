@@ -82,6 +82,16 @@ class Page {
   void predict(Prediction question);
   void choose(Choice question);
   void claim(Claim claim);
+  /// `page.claim("period", 2 * fine - coarse, "s", is(exact.period(), "elliptic integral", relative(1e-3)),
+  /// where(Quantity("h·√(g/L)", step) <= 0.06))`.
+  void claim(std::string quantity, double measured, std::string unit, Expected expected, Condition range = {});
+
+  /// The first of these sentences whose condition is met, for the text that is added next, and a claim below that
+  /// text. "" if none is met: then nothing is claimed either. Throws LessonError for a condition without words.
+  ///
+  ///     page.text("After @ s the rod is @ m off. @", t, C, page.verdict({{.when = Quantity("C/L", C / L) < 0.01,
+  ///     .say = "That is too little to be seen."}}));
+  std::string verdict(const std::vector<Judgement>& sentences);
 
   /// Computes work(0), …, work(count − 1) in parallel on all cores and returns them in this order, with a progress
   /// bar. The result does not depend on the number of threads if work(i) depends on i alone.
@@ -103,6 +113,7 @@ class Page {
   void add(Item item);
 
   std::vector<Item> items_;
+  std::vector<Claim> verdicts_;  // of the text that is added next
   Progress* progress_ = nullptr;
 };
 

@@ -17,7 +17,7 @@ std::string claim_table(const std::vector<RecordedStep>& steps) {
       ++count[verdict(claim)];
       rows.push_back({step->label, verdict(claim), measurement(claim), expectation(claim),
                       fmt::format("{} ({}){}", claim.quantity, claim.source,
-                                  claim.claimed ? "" : fmt::format(", only for {}", claim.range))});
+                                  claim.claimed() ? "" : fmt::format(", only for {}", claim.range.words))});
     }
   }
   return table(rows) + fmt::format("{} hold, {} false, {} not claimed here\n", count["holds"], count["false"],

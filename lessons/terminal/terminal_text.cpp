@@ -115,14 +115,14 @@ std::string item_text(const Measure& measure, const Style& style) {
 }
 
 std::string item_text(const Claim& claim, const Style& style) {
-  const Tone tone = !claim.claimed ? Tone::quiet : claim.holds() ? Tone::good : Tone::bad;
-  const std::string sign = style.plain ? "-" : !claim.claimed ? "–" : claim.holds() ? "✓" : "✗";
+  const Tone tone = !claim.claimed() ? Tone::quiet : claim.holds() ? Tone::good : Tone::bad;
+  const std::string sign = style.plain ? "-" : !claim.claimed() ? "–" : claim.holds() ? "✓" : "✗";
   std::string words = fmt::format("**{}**: measured {}, expected {} ({})", claim.quantity, measurement(claim),
                                   expectation(claim), claim.source);
-  if (!claim.claimed)
-    words += fmt::format("; not claimed here, only for {}", claim.range);
-  else if (!claim.range.empty())
-    words += fmt::format(", claimed for {}", claim.range);
+  if (!claim.claimed())
+    words += fmt::format("; not claimed here, only for {}", claim.range.words);
+  else if (!claim.range.words.empty())
+    words += fmt::format(", claimed for {}", claim.range.words);
   if (claim.is_false()) words += ": FALSE";
   const std::string lines = wrapped(words, style, 4);
   return "  " + toned(sign, tone, style) + lines.substr(3);

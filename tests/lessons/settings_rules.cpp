@@ -142,8 +142,7 @@ TEST(Rules, AClaimHoldsWhereItIsClaimed) {
   EXPECT_THAT(broken_by(with(claim(1, 1.2, absolute(0.1)))), ElementsAre("a claim is false"));
   EXPECT_THAT(broken_by(with(claim(1, 1.05, absolute(0.1)))), IsEmpty());
   Claim outside = claim(1, 1.2, absolute(0.1));
-  outside.claimed = false;
-  outside.range = "β < 2";
+  outside.range = {false, "β < 2"};
   EXPECT_THAT(broken_by(with(outside)), IsEmpty());
 }
 
@@ -179,14 +178,13 @@ TEST(Claim, SaysNoMeaninglessNumberWhereNothingIsClaimed) {
     Claim outside = claim(wild, wild, absolute(1));
     EXPECT_NE(measurement(outside), "–") << "a claim shows what it measures";
     EXPECT_NE(expectation(outside), "–");
-    outside.claimed = false;
-    outside.range = "β < 2";
+    outside.range = {false, "β < 2"};
     EXPECT_EQ(measurement(outside), "–") << wild;
     EXPECT_EQ(expectation(outside), "–") << wild;
     EXPECT_THAT(broken_by(with(outside)), IsEmpty());
   }
   Claim outside = claim(1, 0, absolute(0.1));
-  outside.claimed = false;
+  outside.range.met = false;
   EXPECT_EQ(measurement(outside), "0 m");
   EXPECT_EQ(expectation(outside), "1 m") << "a tolerance is that of a claim";
 }

@@ -35,8 +35,7 @@ Claim claim(const char* quantity, double measured, bool claimed = true) {
           .source = "a law",
           .measured = measured,
           .tolerance = absolute(0.1),
-          .claimed = claimed,
-          .range = claimed ? "" : "β < 1"};
+          .range = {claimed, claimed ? "" : "β < 1"}};
 }
 
 TEST(StepHtml, IsASectionUnderItsLabel) {

@@ -129,14 +129,15 @@ class ItemWriter {
 
   void operator()(const Claim& claim) {
     begin_run(Run::claims);
-    const std::string range =
-        claim.range.empty() ? "" : fmt::format(" <span class=\"range\">(for {})</span>", inline_html(claim.range));
+    const std::string range = claim.range.words.empty() ? ""
+                                                        : fmt::format(" <span class=\"range\">(for {})</span>",
+                                                                      inline_html(claim.range.words));
     const std::string said = verdict(claim);
     run_ += fmt::format(
         "<tr data-item=\"{}\" data-verdict=\"{}\"><td>{}{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>",
         index_, said, inline_html(claim.quantity), range, escaped(measurement(claim)), escaped(expectation(claim)),
         inline_html(claim.source), said);
-    ++(claim.is_false() ? false_ : claim.claimed ? hold_ : not_claimed_);
+    ++(claim.is_false() ? false_ : claim.claimed() ? hold_ : not_claimed_);
   }
 
  private:

@@ -94,7 +94,7 @@ const std::vector<Misuse> misuses = {
     {"NoClaim", "needs at least one claim", [](Page& page) { page.text("All talk."); }},
     {"NoSource", "does not say where", [](Page& page) { page.claim({.quantity = "q"}); }},
     {"NoRange", "does not say where it is",
-     [](Page& page) { page.claim({.quantity = "q", .source = "s", .claimed = false}); }},
+     [](Page& page) { page.claim({.quantity = "q", .source = "s", .range = {false}}); }},
     {"NoSuchEquation", "no equation (24)", [](Page& page) { page.equation(24); }},
     {"NoSuchTag", "no lines between",
      [](Page& page) { page.excerpt("tests/lessons/fixture/main.cpp", "nothing"); }},

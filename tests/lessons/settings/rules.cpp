@@ -205,12 +205,12 @@ std::vector<Finding> answers_that_meet(const Choice& question) {
 
 string in_words(const Claim& claim) {
   return fmt::format("{}: measured {}, expected {} ({}){}", claim.quantity, measurement(claim), expectation(claim),
-                     claim.source, claim.range.empty() ? "" : "; for " + claim.range);
+                     claim.source, claim.range.words.empty() ? "" : "; for " + claim.range.words);
 }
 
 std::vector<Finding> broken_rules(const Claim& claim) {
   if (claim.is_false()) return {{"a claim is false", in_words(claim)}};
-  if (!claim.claimed) return {};
+  if (!claim.claimed()) return {};
   if (claim.tolerance.kind == Tolerance::Kind::relative && claim.tolerance.size >= 1)
     return {{"a claim allows as much as it claims", in_words(claim)}};
   return {};
