@@ -125,10 +125,10 @@ void slopes(course::Page& page, const Settings& set) {
              is(std::abs(curvature) / 2, "½|C̈| from the accelerations of the arms",
                 course::absolute(third * small / 6 + noise / (small * small))));
   page.claim("slope with (14)", measured_slope, "1", is(2, "Taylor", course::absolute(slope_tolerance(share))),
-             Condition{share < 0.2, "C̈ not close to 0"});
+             course::Condition{share < 0.2, "C̈ not close to 0"});
   page.claim("slope with a₂ of the wrong sign", spoilt_slope, "1",
              is(1, "2h|a₂ω₂| remains", course::absolute(slope_tolerance(spoilt_share))),
-             Condition{spoilt_share < 0.2, "a₂ω₂ well above hC̈"});
+             course::Condition{spoilt_share < 0.2, "a₂ω₂ well above hC̈"});
 }
 
 }  // namespace byhand::lesson01

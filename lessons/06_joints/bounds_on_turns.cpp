@@ -187,8 +187,8 @@ void bounds_on_turns(const Setting& setting, Page& page) {
   page.measure(say("the weak motor's bar after @ s, below level", bar_settles), degrees(rest), "°");
   page.claim("where the weak motor stops the bar, below level", rest, "rad",
              is(law, "½ sin φ = (τ/mgl) φ", absolute(2 * h * h * gravity / setting.length + 1e-3)),
-             where(Condition{holds_there, "a motor that can hold where it first stops the bar"},
-                   Quantity("gh²/L", h * h * gravity / setting.length) < 0.01));
+             both(Condition{holds_there, "a motor that can hold where it first stops the bar"},
+                  Quantity("gh²/L", h * h * gravity / setting.length) < 0.01));
   for (const double share : {0.98, 1.02}) {
     const double set_down = balance / share;
     const bool stays = share < 1;

@@ -164,7 +164,6 @@ void overshoots(const Setting& setting, Page& page) {
       2.)");
 
   claim_agreement(page, agreed, 0.93, "law of warm starts with Baumgarte", setting.resolution);
-  const bool in_reach = limit >= 0.02 && limit <= 1.9 && links <= 20;
   page.claim(say("β from which @ links ring, by bisection", links), here, "1",
              is(limit, "law of warm starts: (1 − q)/q", relative(0.02)),
              where(within(0.02, Quantity("(1 − q)/q", limit), 1.9), Quantity("links", links) <= 20));
