@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -20,6 +19,7 @@
 
 #include "lessons/files/bookmark.hpp"
 #include "lessons/files/child_process.hpp"
+#include "lessons/files/command_line.hpp"
 #include "lessons/files/options.hpp"
 #include "lessons/files/output_folder.hpp"
 #include "lessons/files/streams.hpp"
@@ -98,7 +98,7 @@ std::string unknown(const std::vector<std::string>& slugs, const std::string& ca
   std::string names;
   for (const std::string& slug : slugs)
     names += fmt::format("{}{} {}", names.empty() ? "" : ", ", std::stoi(slug), slug.substr(3));
-  return fmt::format("There is no lesson \"{}\"; there are {}.", called, names);
+  return fmt::format("There is no lesson \"{}\"; there are {}.", shortened(called), names);
 }
 
 std::string output_of(const Arguments& arguments) {
@@ -156,26 +156,57 @@ int run_all(const std::vector<std::string>& slugs, Arguments arguments) {
   return status_of(worst);
 }
 
-/// Holds every lesson's folder in `output` against its manifest.
+constexpr auto verify_help =
+    "./lessons/run verify [FOLDER]\n\n"
+    "Holds every lesson and the site in FOLDER (default output/), or the one that FOLDER is, against its "
+    "manifest: each\n"
+    "file that it lists is there with its SHA-256, and a lesson has no others.\n\n"
+    "Exit status: 0 all files are as they were written, 1 some are not, 2 bad usage, 3 the environment.\n";
+
+/// What is wrong with a folder; the sentence of an error is a difference too, so that the other folders are
+/// judged.
+std::vector<std::string> readable_differences(const fs::path& folder, int& files) {
+  try {
+    return differences(folder, files);
+  } catch (const fs::filesystem_error& error) {
+    return {"cannot be read: " + error.code().message()};
+  }
+}
+
+/// Holds the folders in `output` that lessons and the site wrote against their manifests.
 int verify(const fs::path& output) {
-  if (!fs::is_directory(output))
-    throw std::invalid_argument(fmt::format("verify {}: there is no such folder", output.string()));
+  std::error_code error;
+  if (!fs::is_directory(output, error))
+    throw std::invalid_argument(fmt::format(
+        "verify {}: {}", shortened(output.string()),
+        !error || error == std::errc::no_such_file_or_directory ? "there is no such folder" : error.message()));
   std::vector<fs::path> folders;
-  for (const auto& entry : fs::directory_iterator(output))
-    if (entry.is_directory() && is_lesson_folder(entry.path())) folders.push_back(entry.path());
-  if (folders.empty() && is_lesson_folder(output)) folders.push_back(output);
+  if (!fs::exists(fs::symlink_status(output / "manifest.json", error)))
+    for (const auto& entry : fs::directory_iterator(output))
+      if (is_written_folder(entry.path())) folders.push_back(entry.path());
+  if (folders.empty() && is_written_folder(output)) folders.push_back(output);
   if (folders.empty())
     throw std::invalid_argument(fmt::format("verify {}: there is no lesson in this folder", output.string()));
   std::sort(folders.begin(), folders.end());
   bool well = true;
   for (const fs::path& folder : folders) {
     int files = 0;
-    const std::vector<std::string> wrong = differences(folder, files);
+    const std::vector<std::string> wrong = readable_differences(folder, files);
     for (const std::string& line : wrong) fmt::print("{}\n", printable((folder / line).string()));
     if (wrong.empty()) fmt::print("{}: {} files as they were written\n", printable(folder.string()), files);
     well = well && wrong.empty();
   }
   return well ? 0 : 1;
+}
+
+int verify(const Arguments& typed) {
+  if (has(typed, "--help")) return fmt::print("{}", verify_help), 0;
+  if (typed.size() > 1)
+    throw std::invalid_argument(fmt::format("verify takes one folder, but \"{}\" follows", shortened(typed[1])));
+  if (typed.empty()) return verify(default_output());
+  if (const std::string refusal = not_a_folder(typed.front()); !refusal.empty())
+    throw std::invalid_argument("verify: " + refusal);
+  return verify(fs::path(typed.front()));
 }
 
 /// The first lesson that is begun but not ended, else the first that is not finished.
@@ -188,7 +219,30 @@ std::optional<std::string> next_lesson(const std::vector<std::string>& slugs) {
   return open == slugs.end() ? std::nullopt : std::optional(*open);
 }
 
-int open_course(const std::vector<std::string>& slugs) {
+/// The options that a reader wants in every lesson, and not in one: how it looks and where it draws.
+Arguments for_every_lesson(const Arguments& arguments) {
+  Arguments kept;
+  for (size_t i = 0; i < arguments.size(); ++i) {
+    const std::string name = arguments[i].substr(0, arguments[i].find('='));
+    const bool valued = name == "--output" || name == "--quality" || name == "--frames" || name == "--film";
+    if (!valued && arguments[i] != "--plain") continue;
+    kept.push_back(arguments[i]);
+    if (valued && name == arguments[i] && i + 1 < arguments.size()) kept.push_back(arguments[++i]);
+  }
+  return kept;
+}
+
+/// Whether these options are meant for the lessons of a reader. Refuses them as a lesson would.
+bool are_for_every_lesson(const Arguments& arguments) {
+  if (for_every_lesson(arguments) != arguments) return false;
+  std::vector<const char*> words = {"course"};
+  for (const std::string& argument : arguments) words.push_back(argument.c_str());
+  parse_command_line("", "./lessons/run", "", static_cast<int>(words.size()), words.data());
+  return true;
+}
+
+/// `options` go to every lesson that is chosen.
+int open_course(const std::vector<std::string>& slugs, const Arguments& options) {
   bool show_menu = true;
   while (true) {
     const auto next = next_lesson(slugs);
@@ -196,13 +250,13 @@ int open_course(const std::vector<std::string>& slugs) {
     {
       // The lesson has a keyboard of its own.
       Keyboard keyboard;
-      const Style style = Screen(keyboard, false).style();
+      const Style style = Screen(keyboard, has(options, "--plain")).style();
       if (show_menu) fmt::print("\n{}\n\n{}", toned("Constraints by Hand", Tone::title, style), menu(style, next));
       const std::string go_on =
           next ? fmt::format("Enter goes on with lesson {}, a number chooses, q leaves.", std::stoi(*next))
                : "All lessons are finished: a number chooses one, q leaves.";
       fmt::print("\n{}", toned(wrapped(go_on, style), Tone::quiet, style));
-      line = keyboard.line("▸ ");
+      line = keyboard.line(style.plain ? "> " : "▸ ");
     }
     if (!line) fmt::print("\n");
     if (!line || *line == "q" || *line == "quit") return 0;
@@ -213,7 +267,7 @@ int open_course(const std::vector<std::string>& slugs) {
                  line->empty() ? "Type the number of a lesson, or q.\n" : printable(unknown(slugs, *line)) + "\n");
       continue;
     }
-    const Ended ended = build_and_run(*chosen, {});
+    const Ended ended = build_and_run(*chosen, options);
     if (ended.status == back_to_menu && !ended.by_signal) continue;
     if (!ended.well() || ended.passed_on || !read_bookmark(*chosen).step.empty()) return status_of(ended);
   }
@@ -223,12 +277,9 @@ int run(Arguments arguments) {
   std::vector<std::string> slugs;
   for (const About& lesson : contents()) slugs.push_back(lesson.slug);
   const bool at_terminal = isatty(STDIN_FILENO) && isatty(STDOUT_FILENO);
-  if (arguments.empty() && at_terminal) return open_course(slugs);
-  if (!arguments.empty() && arguments.front() == "verify") {
-    if (arguments.size() > 2)
-      throw std::invalid_argument(fmt::format("verify takes one folder, but \"{}\" follows", arguments[2]));
-    return verify(arguments.size() == 2 ? fs::path(arguments[1]) : default_output());
-  }
+  if (at_terminal && are_for_every_lesson(arguments)) return open_course(slugs, arguments);
+  if (!arguments.empty() && arguments.front() == "verify")
+    return verify(Arguments(arguments.begin() + 1, arguments.end()));
   if (arguments.empty() || arguments.front().starts_with("--")) {
     std::erase(arguments, "--all");
     return run_all(slugs, arguments);
@@ -238,25 +289,14 @@ int run(Arguments arguments) {
       return status_of(build_and_run(program, {arguments.begin() + 1, arguments.end()}));
   const auto slug = find_lesson(slugs, arguments.front());
   if (!slug) throw std::invalid_argument(unknown(slugs, arguments.front()));
-  const Ended ended = build_and_run(*slug, {arguments.begin() + 1, arguments.end()});
-  return ended.status == back_to_menu && !ended.by_signal ? open_course(slugs) : status_of(ended);
+  arguments.erase(arguments.begin());
+  const Ended ended = build_and_run(*slug, arguments);
+  return ended.status == back_to_menu && !ended.by_signal ? open_course(slugs, for_every_lesson(arguments))
+                                                          : status_of(ended);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  open_standard_streams();
-  const auto refuse = [](int status, const char* sentence) {
-    complain(printable(sentence) + "\n");
-    return status;
-  };
-  try {
-    const int status = run({argv + 1, argv + argc});
-    if (std::fflush(stdout) != 0) throw std::system_error(errno, std::generic_category(), "standard output");
-    return status;
-  } catch (const std::invalid_argument& error) {
-    return refuse(2, error.what());
-  } catch (const std::exception& error) {
-    return refuse(3, error.what());
-  }
+  return exit_status_of([&] { return run({argv + 1, argv + argc}); });
 }

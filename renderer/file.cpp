@@ -139,7 +139,8 @@ void require_replaceable(const fs::path& path) {
   std::error_code error;
   const fs::file_status there = fs::symlink_status(path, error);
   if (fs::exists(there) && !fs::is_regular_file(there) && !fs::is_symlink(there))
-    throw EnvironmentError(fmt::format("Cannot write {}: it is no file but a folder, a device or a pipe.", path.string()));
+    throw EnvironmentError(
+        fmt::format("Cannot write {}: it is no file but a folder, a device or a pipe.", path.string()));
 }
 
 void write_and_rename(const fs::path& temporary, const fs::path& path, std::string_view bytes) {

@@ -7,6 +7,7 @@
 
 #include "renderer/palette.hpp"
 #include "renderer/png.hpp"
+#include "renderer/threads.hpp"
 
 #define STB_IMAGE_RESIZE_STATIC
 #define STB_IMAGE_RESIZE_IMPLEMENTATION
@@ -20,7 +21,8 @@ constexpr std::size_t capacity = 4;  // frames in the queue: 11 MB at 1280 × 72
 
 FrameWriter::FrameWriter(std::filesystem::path folder, Encoding encoding, WriteFile write_file)
     : folder_(std::move(folder)), encoding_(encoding), write_file_(std::move(write_file)) {
-  if (encoding_ == Encoding::beside) thread_ = std::thread([this] { encode_queue(); });
+  if (encoding_ == Encoding::beside) thread_ = started_thread([this] { encode_queue(); });
+  if (!thread_.joinable()) encoding_ = Encoding::at_once;
 }
 
 FrameWriter::~FrameWriter() {

@@ -2,6 +2,7 @@
 
 #include <sys/prctl.h>
 #include <sys/wait.h>
+#include <termios.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -34,6 +35,21 @@ class Blocked {
   sigset_t before_{};
 };
 
+/// The settings of the terminal when it was made. A program that reads key by key may be killed before it has put
+/// them back.
+class TerminalAsItIs {
+ public:
+  TerminalAsItIs() : known_(tcgetattr(STDIN_FILENO, &settings_) == 0) {}
+  void put_back() const {
+    const bool ours = tcgetpgrp(STDIN_FILENO) == getpgrp();  // else it is another job's by now
+    if (known_ && ours) tcsetattr(STDIN_FILENO, TCSANOW, &settings_);
+  }
+
+ private:
+  termios settings_{};
+  bool known_;
+};
+
 [[noreturn]] void become(const std::string& path, std::vector<char*>& argv, const sigset_t& mask, Group group,
                          pid_t parent) {
   // posix_spawn could not ask for this.
@@ -60,6 +76,7 @@ Ended run_program(const std::string& path, const std::vector<std::string>& argum
   std::fflush(stdout);
   const sigset_t awaited = signals({SIGCHLD, SIGINT, SIGTERM, SIGHUP, SIGQUIT});
   const Blocked blocked(awaited);
+  const TerminalAsItIs terminal;
   const pid_t parent = getpid(), child = fork();
   if (child < 0) throw std::system_error(errno, std::generic_category(), path + " cannot be started");
   if (child == 0) become(path, argv, blocked.before(), group, parent);
@@ -80,6 +97,7 @@ Ended run_program(const std::string& path, const std::vector<std::string>& argum
     } else if (waitpid(child, &status, WNOHANG) == child) {
       ended.by_signal = WIFSIGNALED(status);
       ended.status = ended.by_signal ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+      terminal.put_back();
       return ended;
     }
   }

@@ -20,8 +20,9 @@ enum class Group {
 };
 
 /// Runs the program at a path, without a shell, and waits until it ends. Signals that ask us to end are passed on;
-/// if we are killed, so is the program. Throws std::system_error if it cannot be started. Only for processes of
-/// one thread.
+/// if we are killed, so is the program. The terminal is
+/// afterwards as it was, whatever ended the program.
+/// Throws std::system_error if it cannot be started. Only for processes of one thread.
 Ended run_program(const std::string& path, const std::vector<std::string>& arguments, Group group);
 
 /// Ends this process by the signal, as its caller expects of a process that was asked to end.

@@ -25,12 +25,6 @@ void add_choice(CLI::App& app, const std::string& name, std::string& value,
       });
 }
 
-std::string require_folder(const std::string& typed) {
-  if (typed.empty()) return "\"\" names no folder";
-  if (typed.front() == '-') return "\"" + typed + "\" looks like an option; a folder of that name is ./" + typed;
-  return "";
-}
-
 std::string require_label(const std::string& typed) { return typed.empty() ? "\"\" is no label of a step" : ""; }
 
 /// Refuses what CLI11 would accept, or refuse in words of its own: unknown options, values of flags, options
@@ -59,6 +53,12 @@ void refuse_misshapen(const CLI::App& app, int argc, const char* const* argv) {
 
 }  // namespace
 
+std::string not_a_folder(const std::string& typed) {
+  if (typed.empty()) return "\"\" names no folder";
+  if (typed.front() == '-') return "\"" + typed + "\" looks like an option; a folder of that name is ./" + typed;
+  return "";
+}
+
 CommandLine parse_command_line(const std::string& title, const std::string& program, const std::string& footer,
                                int argc, const char* const* argv) {
   CommandLine line;
@@ -71,7 +71,7 @@ CommandLine parse_command_line(const std::string& title, const std::string& prog
   app.add_flag("--no-interactive", line.no_interactive, "straight through, no questions asked");
   app.add_option("--output", line.output, "folder of pages and pictures (default output/)")
       ->type_name("DIR")
-      ->check(require_folder);
+      ->check(not_a_folder);
   add_choice(app, "--quality", line.quality, {"low", "medium", "high"},
              "854×480 at 15/s, 1280×720 at 30/s (default),\n1920×1080 at 60/s");
   add_choice(app, "--frames", line.frames, {"none", "last", "all"},

@@ -17,6 +17,9 @@ struct CommandLine {
   std::vector<std::string> settings;  // "NAME=VALUE"
 };
 
+/// Why what is typed names no folder, in a sentence; empty if it may.
+std::string not_a_folder(const std::string& typed);
+
 /// Parses a command line. `title`, `program` and `footer` appear in the help. Throws HelpRequested for --help and
 /// std::invalid_argument with one sentence for an error.
 CommandLine parse_command_line(const std::string& title, const std::string& program, const std::string& footer,

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "lessons/files/commit.hpp"
 
@@ -14,7 +15,22 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-std::map<std::string, std::string> strings(const Json& object) {
+/// The JSON of a text that anybody may have edited; nothing if it is none or nests more deeply than ours, because
+/// what copies and prints it recurses. Members of these names are left out.
+template <class AnyJson>
+AnyJson shallow(const std::string& text, const std::set<std::string>& without = {}) {
+  constexpr int deepest = 12;  // ours have six
+  bool deep = false;
+  const auto keep = [&](int depth, typename AnyJson::parse_event_t event, AnyJson& parsed) {
+    deep = deep || depth > deepest;
+    const bool name = event == AnyJson::parse_event_t::key;
+    return !deep && !(name && without.contains(parsed.template get_ref<const std::string&>()));
+  };
+  AnyJson json = AnyJson::parse(text, keep, false);
+  return deep ? AnyJson() : json;
+}
+
+std::map<std::string, std::string> strings(const nlohmann::json& object) {
   std::map<std::string, std::string> all;
   if (object.is_object())
     for (const auto& [name, value] : object.items())
@@ -75,17 +91,23 @@ std::string to_json(const Manifest& manifest) {
 }
 
 Manifest manifest_from_json(const std::string& text) {
-  const auto json = Json::parse(text, nullptr, false);
-  if (!json.is_object() || !json.contains("lesson") || !json["lesson"].is_string() || !json.contains("runs"))
+  // This finds a name among a hundred thousand at once, which ordered_json does not; ordered_json keeps the order
+  // of what made a run.
+  const auto named = shallow<nlohmann::json>(text);
+  if (!named.is_object()) return {};
+  if (named.contains("site") && named.contains("files"))
+    return {.of = Manifest::Of::site, .runs = {{.made_by = "", .files = strings(named["files"])}}};
+  if (!named.contains("lesson") || !named["lesson"].is_string() || !named.contains("runs") ||
+      !named["runs"].is_array())
     return {};
-  Manifest manifest{json["lesson"]};
-  for (Json run : json["runs"]) {
+  Manifest manifest{.of = Manifest::Of::lesson, .lesson = named["lesson"]};
+  const auto ordered = shallow<Json>(text, {"files", "clocked"});
+  for (const auto& run : ordered["runs"]) {
     if (!run.is_object()) return {};
-    WrittenRun written{.made_by = "", .files = strings(run["files"]), .clocked = strings(run["clocked"])};
-    run.erase("files");
-    run.erase("clocked");
-    written.made_by = run.dump();
-    manifest.runs.push_back(std::move(written));
+    const nlohmann::json& same = named["runs"][manifest.runs.size()];
+    manifest.runs.push_back({.made_by = run.dump(),
+                             .files = strings(same.value("files", nlohmann::json())),
+                             .clocked = strings(same.value("clocked", nlohmann::json()))});
   }
   return manifest;
 }

@@ -17,7 +17,7 @@ std::string made_by(const Lesson& lesson, const Options& options, const std::str
 
 std::string to_json(const Manifest& manifest);
 
-/// An empty manifest if the text is none.
+/// The manifest of a lesson or of a site; that of nothing if the text is neither.
 Manifest manifest_from_json(const std::string& text);
 
 /// The predictions of the pages, in order, for a course's own quiz: a list of objects with `lesson`, `step`,

@@ -62,7 +62,10 @@ void refuse_contradictions(const CommandLine& line) {
   both(line.interactive, line.check, "--interactive and --check");
   both(line.interactive, line.quiet, "--interactive and --quiet");
   both(line.interactive, line.list_parameters, "--interactive and --list-parameters");
+  both(line.interactive, line.questions, "--interactive and --questions");
   both(line.check, line.list_parameters, "--check and --list-parameters");
+  both(line.check, line.questions, "--check and --questions");
+  both(line.questions, line.list_parameters, "--questions and --list-parameters");
   both(line.page, line.interactive, "--page and --interactive");
   both(line.page, line.check, "--page and --check");
   both(line.page, line.questions, "--page and --questions");

@@ -28,18 +28,23 @@ std::string checksum(const fs::path& path) {
   return bytes ? sha256(*bytes) : "";
 }
 
+bool lies_below(const fs::path& name) {
+  return name == name.lexically_normal() && name.has_filename() && name.is_relative() && *name.begin() != "..";
+}
+
 /// Only lessons' files are ever listed. A manifest is a file that anybody may have edited.
-bool is_ours(const std::string& name) {
+bool is_lessons(const std::string& name) {
   if (name == "lesson.md") return true;
-  const fs::path path(name);
-  return path == path.lexically_normal() && path.has_filename() &&
+  return lies_below(name) &&
          (name.starts_with("figures/") || name.starts_with("data/") || name.starts_with("frames/"));
 }
 
 Manifest read_manifest(const fs::path& folder) {
   const auto text = renderer::read_whole(folder / manifest_name);
   Manifest manifest = text ? manifest_from_json(*text) : Manifest{};
-  const auto foreign = [](const auto& file) { return !is_ours(file.first); };
+  const auto foreign = [&](const auto& file) {
+    return manifest.of == Manifest::Of::site ? !lies_below(file.first) : !is_lessons(file.first);
+  };
   for (WrittenRun& run : manifest.runs) {
     std::erase_if(run.files, foreign);
     std::erase_if(run.clocked, foreign);
@@ -49,12 +54,34 @@ Manifest read_manifest(const fs::path& folder) {
 
 /// Removes a name, and all names below it, from what earlier runs wrote.
 void forget(Manifest& manifest, const std::string& name) {
-  const auto gone = [&](const auto& file) { return file.first == name || file.first.starts_with(name + "/"); };
-  for (WrittenRun& run : manifest.runs) {
-    std::erase_if(run.files, gone);
-    std::erase_if(run.clocked, gone);
-  }
+  for (WrittenRun& run : manifest.runs)
+    for (auto* const files : {&run.files, &run.clocked}) {
+      files->erase(name);
+      const std::string below = name + "/";
+      const auto first = files->lower_bound(below);
+      files->erase(first, std::find_if_not(first, files->end(),
+                                           [&](const auto& file) { return file.first.starts_with(below); }));
+    }
   std::erase_if(manifest.runs, [](const WrittenRun& run) { return run.files.empty() && run.clocked.empty(); });
+}
+
+bool lists(const Manifest& manifest, const std::string& name) {
+  return std::any_of(manifest.runs.begin(), manifest.runs.end(), [&](const WrittenRun& run) {
+    return run.files.contains(name) || run.clocked.contains(name);
+  });
+}
+
+/// "0012.png"; a run that was killed lists its frames nowhere.
+bool is_frame(const std::string& name) {
+  constexpr size_t digits = 4;
+  return name.size() >= digits + 4 && name.ends_with(".png") &&
+         name.find_first_not_of("0123456789") == name.size() - 4;
+}
+
+/// Removes a file or a link, and nothing else.
+void remove_file(const fs::path& path) {
+  const fs::file_status there = fs::symlink_status(path);
+  if (fs::is_regular_file(there) || fs::is_symlink(there)) fs::remove(path);
 }
 
 void remove_unfinished_of_killed_runs(const fs::path& folder) {
@@ -68,7 +95,7 @@ void remove_unfinished_of_killed_runs(const fs::path& folder) {
 
 OutputFolder::OutputFolder(fs::path folder) : path_(std::move(folder)) {
   try {
-    fs::create_directories(path_);
+    make_folders(path_);
     claim();
     remove_unfinished_of_killed_runs(path_);
   } catch (const std::system_error& error) {
@@ -76,10 +103,11 @@ OutputFolder::OutputFolder(fs::path folder) : path_(std::move(folder)) {
     throw EnvironmentError(fmt::format("Cannot use the folder {}: {}. Choose another with --output.",
                                        path_.string(), error.code().message()));
   } catch (...) {
-    close(descriptor_);
+    if (descriptor_ >= 0) close(descriptor_);
     throw;
   }
   before_ = read_manifest(path_);
+  if (before_.of != Manifest::Of::lesson) before_ = {};
 }
 
 OutputFolder::~OutputFolder() { close(descriptor_); }
@@ -118,10 +146,22 @@ void OutputFolder::write(const std::string& name, std::string_view bytes) {
 
 void OutputFolder::remove(const std::string& name) {
   begin_to_write();
-  std::error_code error;
-  fs::remove_all(path_ / name, error);
-  if (error)
-    throw EnvironmentError(fmt::format("Cannot remove {}: {}.", (path_ / name).string(), error.message()));
+  const fs::path path = path_ / name;
+  try {
+    if (fs::is_directory(fs::symlink_status(path))) {
+      std::vector<std::string> ours;
+      for (const auto& entry : fs::directory_iterator(path)) {
+        const std::string file = entry.path().filename().string();
+        if (is_frame(file) || lists(before_, name + "/" + file)) ours.push_back(file);
+      }
+      for (const std::string& file : ours) remove_file(path / file);
+      if (fs::is_empty(path)) fs::remove(path);
+    } else {
+      remove_file(path);
+    }
+  } catch (const fs::filesystem_error& error) {
+    throw EnvironmentError(fmt::format("Cannot remove {}: {}.", path.string(), error.code().message()));
+  }
   forget(before_, name);
   std::erase_if(files_, [&](const auto& file) { return file.first.starts_with(name + "/"); });
   files_.erase(name);
@@ -158,6 +198,7 @@ void OutputFolder::finish(const std::string& made_by, const std::set<std::string
   check_written();
   WrittenRun run{made_by};
   for (const auto& file : files_) (clocked.contains(file.first) ? run.clocked : run.files).insert(file);
+  manifest.of = Manifest::Of::lesson;
   manifest.lesson = path_.filename().string();
   manifest.runs.push_back(std::move(run));
   renderer::write_whole(path_ / manifest_name, to_json(manifest));
@@ -166,33 +207,53 @@ void OutputFolder::finish(const std::string& made_by, const std::set<std::string
   writing_ = false;
 }
 
-bool is_lesson_folder(const fs::path& folder) {
-  const auto exists = [&](const char* name) { return fs::exists(folder / name); };
-  return exists(manifest_name) || exists("lesson.md") || exists("figures") || exists("data") || exists("frames");
+void make_folders(const fs::path& folder) {
+  std::error_code failed;
+  fs::create_directories(folder, failed);
+  if (!failed) return;
+  fs::path above;
+  for (const fs::path& part : folder) {
+    above /= part;
+    std::error_code ignored;
+    if (fs::is_symlink(fs::symlink_status(above, ignored)) && !fs::is_directory(above, ignored))
+      throw EnvironmentError(fmt::format(
+          "Cannot use the folder {}: {} is a link to {}, which is no folder. Choose another with --output.",
+          folder.string(), above.string(), fs::read_symlink(above, ignored).string()));
+  }
+  throw std::system_error(failed);
+}
+
+bool is_written_folder(const fs::path& folder) {
+  std::error_code ignored;
+  const auto exists = [&](const char* name) { return fs::exists(fs::symlink_status(folder / name, ignored)); };
+  return fs::is_directory(folder, ignored) &&
+         (exists(manifest_name) || exists("lesson.md") || exists("figures") || exists("data") || exists("frames"));
 }
 
 std::vector<std::string> differences(const fs::path& folder, int& files) {
   files = 0;
-  if (!fs::exists(folder / manifest_name))
+  std::error_code ignored;
+  if (!fs::exists(fs::symlink_status(folder / manifest_name, ignored)))
     return {"manifest.json is missing: a run was stopped, or has not ended yet"};
   const Manifest manifest = read_manifest(folder);
-  if (manifest.lesson.empty()) return {"manifest.json is no manifest of a lesson"};
+  if (manifest.of == Manifest::Of::nothing) return {"manifest.json is no manifest of a lesson or of a site"};
   std::vector<std::string> wrong;
-  std::set<std::string> listed;
   for (const WrittenRun& run : manifest.runs)
     for (const auto* sums : {&run.files, &run.clocked})
       for (const auto& [name, sum] : *sums) {
         ++files;
-        listed.insert(name);
-        if (!fs::exists(folder / name))
+        if (!fs::exists(fs::symlink_status(folder / name, ignored)))
           wrong.push_back(name + " is missing");
         else if (checksum(folder / name) != sum)
           wrong.push_back(name + " is not as it was written");
       }
-  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-    const std::string name = entry.path().lexically_relative(folder).string();
-    if (!entry.is_directory() && is_ours(name) && !listed.contains(name)) wrong.push_back(name + " is not listed");
-  }
+  // A site keeps what its owner puts into it, as a CNAME.
+  if (manifest.of == Manifest::Of::lesson)
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+      const std::string name = entry.path().lexically_relative(folder).string();
+      if (!entry.is_directory(ignored) && is_lessons(name) && !lists(manifest, name))
+        wrong.push_back(name + " is not listed");
+    }
   std::sort(wrong.begin(), wrong.end());
   return wrong;
 }

@@ -15,9 +15,10 @@ struct WrittenRun {
   std::map<std::string, std::string> files = {}, clocked = {};  // path below the folder → SHA-256
 };
 
-/// manifest.json of a lesson's folder: for each file the run that wrote it last.
+/// manifest.json of a lesson's folder, with the run that wrote each file last; or of a site, which one run writes.
 struct Manifest {
-  std::string lesson;
+  enum class Of { nothing, lesson, site } of = Of::nothing;
+  std::string lesson = {};
   std::vector<WrittenRun> runs = {};
 };
 
@@ -36,7 +37,8 @@ class OutputFolder {
 
   /// Writes a file whose path is relative to the folder. Not for two threads at once.
   void write(const std::string& name, std::string_view bytes);
-  /// Removes a file, or a folder of files, of an earlier run.
+  /// Removes a file of an earlier run, or of a folder its numbered frames and what the manifest lists: what a
+  /// person put beside them stays.
   void remove(const std::string& name);
 
   /// Checks that every file is there with the bytes that were written, then writes manifest.json. After a run of
@@ -56,11 +58,15 @@ class OutputFolder {
   std::map<std::string, std::string> files_;  // path → SHA-256
 };
 
-/// Whether a lesson has written into the folder: it holds manifest.json, lesson.md, figures, data or frames.
-bool is_lesson_folder(const std::filesystem::path& folder);
+/// Makes a folder and those above it. Throws renderer::EnvironmentError, which names a link that leads nowhere.
+void make_folders(const std::filesystem::path& folder);
 
-/// What is wrong with the folder of a lesson according to its manifest, one line for each file; nothing if all is
-/// as it was written. `files` becomes the number of files that the manifest lists.
+/// Whether a lesson, or ./lessons/run site, has written into the folder: it holds manifest.json, lesson.md,
+/// figures, data or frames.
+bool is_written_folder(const std::filesystem::path& folder);
+
+/// What is wrong with the folder of a lesson or of a site according to its manifest, one line for each file;
+/// nothing if all is as it was written. `files` becomes the number of files that the manifest lists.
 std::vector<std::string> differences(const std::filesystem::path& folder, int& files);
 
 }  // namespace byhand::course

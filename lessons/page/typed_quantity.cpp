@@ -291,10 +291,23 @@ class Reader {
     return value;
   }
 
+  /// "1,500" is a thousand and a half to some and one and a half to others; "0,500" and "1,50" are clear.
+  void refuse_thousands(const std::string& digits) const {
+    const size_t comma = digits.find(',');
+    if (comma == std::string::npos || digits.size() != comma + 4 || comma < 1 || comma > 3 || digits[0] == '0' ||
+        digits.find('.') != std::string::npos)
+      return;
+    std::string point = digits, none = digits;
+    point[comma] = '.';
+    none.erase(comma, 1);
+    throw std::invalid_argument(fmt::format("\"{}\" may mean {} or {}; write one of them", typed_, none, point));
+  }
+
   /// A decimal number with a point or a comma.
   double decimal() {
     size_t length = std::min(rest_.find_first_not_of("0123456789.,"), rest_.size());
     std::string digits(rest_.substr(0, length));
+    refuse_thousands(digits);
     std::replace(digits.begin(), digits.end(), ',', '.');
     rest_.remove_prefix(length);
     const size_t sign = rest_.size() > 1 && (rest_[1] == '-' || rest_[1] == '+') ? 2 : 1;
@@ -337,6 +350,9 @@ bool is_unit(std::string_view unit) {
 
 double read_quantity(std::string_view text, const std::string& unit) {
   const TypedQuantity read = read_typed(text);
+  if (read.has_pi && !read.has_unit && is_unit(unit) && read_typed(unit).value == degree)
+    throw std::invalid_argument(
+        fmt::format("\"{}\" has π but no unit; write {} rad, or degrees without π", text, text));
   if (!read.has_unit || !read.has_number) return read_number(text);
   const TypedQuantity in = is_unit(unit) ? read_typed(unit) : TypedQuantity{.value = 1};
   if (!(read.dimension == in.dimension))

@@ -27,7 +27,7 @@ constexpr wchar_t redisplay = L'\x1f';  // bound to libedit's command; nobody ty
 constexpr size_t longest = 4096;  // bytes of a line that are kept, as a terminal does
 
 volatile std::sig_atomic_t interrupted = 0, resized = 0;
-constexpr std::array handled = {SIGINT, SIGWINCH, SIGCONT, SIGTERM, SIGHUP};
+constexpr std::array handled = {SIGINT, SIGWINCH, SIGCONT, SIGTERM, SIGHUP, SIGQUIT};
 std::array<struct sigaction, handled.size()> former;  // what else handles them
 
 termios found;  // the terminal as it was
@@ -68,10 +68,12 @@ bool has_cursor() {
          std::string_view(terminal) != "dumb";
 }
 
-/// Keys are not echoed, and come one by one. libedit undoes this at the end of each line.
+/// Keys are not echoed, and come one by one. Ctrl-S is a key like others: a lesson that it stopped would notice no
+/// Ctrl-C. libedit undoes this at the end of each line.
 void take_keys() {
   termios keys = found;
   keys.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);
+  keys.c_iflag &= ~static_cast<tcflag_t>(IXON);
   tcsetattr(STDIN_FILENO, TCSADRAIN, &keys);
   changed = true;
 }
@@ -93,6 +95,7 @@ struct Keyboard::Editor {
     el_set(line, EL_CLIENTDATA, this);
     el_set(line, EL_EDITOR, "emacs");
     el_set(line, EL_SIGNAL, 0);
+    el_set(line, EL_SETTY, "-d", "-ixon", nullptr);
     el_set(line, EL_HIST, history, past);
     el_set(line, EL_PROMPT_ESC, &Editor::prompt_of, '\1');
     el_set(line, EL_GETCFN, &Editor::next_character);
@@ -185,6 +188,7 @@ Keyboard::Keyboard() {
   sigaction(SIGCONT, &action, nullptr);
   std::signal(SIGTERM, on_end);
   std::signal(SIGHUP, on_end);
+  std::signal(SIGQUIT, on_end);
   editor_ = std::make_unique<Editor>(*this);
   take_keys();
 }

@@ -14,6 +14,7 @@
 #include <thread>
 
 #include "lessons/files/streams.hpp"
+#include "renderer/threads.hpp"
 
 namespace byhand::course {
 
@@ -45,7 +46,7 @@ struct Progress::Reporter {
 
 Progress::Progress(std::string what, int total, bool quiet)
     : reporter_(std::make_unique<Reporter>(std::move(what), total)) {
-  if (!quiet) reporter_->thread = std::thread([this] { reporter_->report(); });
+  if (!quiet) reporter_->thread = renderer::started_thread([this] { reporter_->report(); });
 }
 
 Progress::~Progress() {

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cerrno>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -51,14 +50,14 @@ int Lesson::run(int argc, const char* const* argv) {
     } catch (const HelpRequested& help) {
       fmt::print("{}", help.text);
     }
-    if (std::fflush(stdout) != 0) throw std::system_error(errno, std::generic_category(), "standard output");
+    flush_standard_output();
     return status;
   } catch (const renderer::EnvironmentError& error) {
     return refuse(environment, error.what());
   } catch (const std::system_error& error) {
-    return refuse(environment, error.what());
-  } catch (const std::bad_alloc&) {
-    return refuse(environment, "There is not enough memory.");
+    return refuse(environment, sentence_of(error));
+  } catch (const std::bad_alloc& error) {
+    return refuse(environment, sentence_of(error));
   } catch (const std::invalid_argument& error) {
     return refuse(bad_usage, error.what());
   } catch (const std::exception& error) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "lessons/page/progress.hpp"
+#include "renderer/threads.hpp"
 
 namespace byhand::course {
 
@@ -36,10 +37,11 @@ void side_by_side(int count, const std::function<void(int)>& work, Progress* pro
   pthread_sigmask(SIG_BLOCK, &all, &before);
   std::vector<std::thread> others;
   const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  for (int i = 1; i < std::min(cores, count); ++i) others.emplace_back(run);
+  for (int i = 1; i < std::min(cores, count); ++i) others.push_back(renderer::started_thread(run));
   pthread_sigmask(SIG_SETMASK, &before, nullptr);
   run();
-  for (std::thread& other : others) other.join();
+  for (std::thread& other : others)
+    if (other.joinable()) other.join();
   if (failure) std::rethrow_exception(failure);
 }
 

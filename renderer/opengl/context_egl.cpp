@@ -49,6 +49,6 @@ class Egl : public Context {
 
 }  // namespace
 
-std::unique_ptr<Context> Context::make() { return std::make_unique<Egl>(); }
+std::unique_ptr<Context> Context::offered() { return std::make_unique<Egl>(); }
 
 }  // namespace byhand::renderer

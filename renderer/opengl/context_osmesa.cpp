@@ -59,6 +59,6 @@ class OSMesa : public Context {
 
 }  // namespace
 
-std::unique_ptr<Context> Context::make() { return std::make_unique<OSMesa>(); }
+std::unique_ptr<Context> Context::offered() { return std::make_unique<OSMesa>(); }
 
 }  // namespace byhand::renderer

@@ -9,13 +9,18 @@ namespace byhand::renderer {
 /// both export the same functions, so a program links one of them.
 class Context {
  public:
-  /// Throws EnvironmentError if the context cannot be created.
+  /// Throws EnvironmentError if the context cannot be created. Where no threads can be started for it, as under a
+  /// limit on processes, it draws without any.
   static std::unique_ptr<Context> make();
   virtual ~Context() = default;
   /// Makes this the calling thread's current context.
   virtual void make_current() = 0;
   /// "OSMesa" or "EGL".
   virtual const char* name() const = 0;
+
+ private:
+  /// What the library of the context offers.
+  static std::unique_ptr<Context> offered();
 };
 
 /// OpenGL's renderer, its version and the library of the context:

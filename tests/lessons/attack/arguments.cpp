@@ -124,7 +124,7 @@ void expect_refused(const Finished& finished, const Words& line) {
 }
 
 TEST(Arguments, ALineOfTheGrammarIsAcceptedAndOneWithABadWordRefused) {
-  Grammar grammar(1);
+  Grammar grammar(seeded(1));
   for (int i = 0; i < attempts(300) && !testing::Test::HasFailure(); ++i) {
     Words line = grammar.good();
     const Finished accepted = fixture(line);
@@ -138,7 +138,7 @@ TEST(Arguments, ALineOfTheGrammarIsAcceptedAndOneWithABadWordRefused) {
 }
 
 TEST(Arguments, AMutatedLineIsAcceptedOrRefusedInOnePrintableLine) {
-  Grammar grammar(2);
+  Grammar grammar(seeded(2));
   int refused = 0;
   for (int i = 0; i < attempts(400) && !testing::Test::HasFailure(); ++i) {
     Words line = grammar.good();

@@ -175,5 +175,104 @@ TEST_F(PassedOn, ALessonThatIsNotBuiltIsNamed) {
   EXPECT_EQ(finished.complained, "01_jacobian is not built yet: ./lessons/run 1 builds it.\n");
 }
 
+TEST_F(PassedOn, ALongNameIsShortened) {
+  const Finished finished = course({std::string(100'000, 'x')});
+  EXPECT_EQ(finished.status, 2);
+  EXPECT_LT(finished.complained.size(), 500u);
+}
+
+TEST_F(PassedOn, AFullOrClosedOutputIsOneSentence) {
+  const std::string program = "'" + (folder_ / "course").string() + "' ";
+  fs::create_directories(folder_ / "output/01_jacobian/figures");
+  std::ofstream(folder_ / "output/01_jacobian/manifest.json") << R"({"lesson":"01_jacobian","runs":[]})";
+  for (const std::string& line :
+       {"verify '" + (folder_ / "output").string() + "'", std::string("--all"), std::string("verify --help")})
+    for (const char* output : {" >/dev/full", " >&-"}) {
+      const Finished finished = run(program + line + output);
+      EXPECT_EQ(finished.status, 3) << line << output;
+      EXPECT_THAT(finished.complained, HasSubstr("standard output")) << line << output;
+      EXPECT_EQ(std::count(finished.complained.begin(), finished.complained.end(), '\n'), 1)
+          << finished.complained;
+    }
+}
+
+class AtATerminal : public Course {
+ protected:
+  /// A shell with the course in it, which shows afterwards how the terminal is set.
+  std::vector<std::string> in_a_shell(const std::string& program) const {
+    return {"/bin/sh", "-c", "trap : INT QUIT; " + program + "; stty -a; echo shown"};
+  }
+  static void expect_as_before(Terminal& reader) {
+    const std::string settings = reader.said_until("shown");
+    for (const char* setting : {" icanon ", " echo ", " ixon "}) EXPECT_THAT(settings, HasSubstr(setting));
+  }
+  std::map<std::string, std::string> environment() const {
+    return {{"TERM", "xterm"}, {"XDG_STATE_HOME", folder_.path().string()}};
+  }
+};
+
+TEST_F(AtATerminal, IsAsBeforeWhateverEndsALesson) {
+  for (const char* signal : {"SEGV", "ABRT", "KILL", "QUIT", "TERM", "HUP"}) {
+    SCOPED_TRACE(signal);
+    lesson("01_jacobian", std::string("stty -icanon -echo -ixon; kill -") + signal + " $$");
+    Terminal reader(in_a_shell("'" + (folder_ / "course").string() + "' 1"), environment());
+    expect_as_before(reader);
+    EXPECT_EQ(reader.leave(), 0);
+  }
+}
+
+TEST_F(AtATerminal, IsAsBeforeWhenALessonIsEndedByItsKeysOrFromOutside) {
+  const std::string fixture = std::string(BYHAND_FIXTURE) + " --quality low --output " + (folder_ / "o").string();
+  for (const char* signal : {"", "QUIT", "TERM", "HUP"}) {
+    SCOPED_TRACE(signal);
+    // The shell's own child, so there is no course to put things right.
+    Terminal reader(in_a_shell("echo here $$; " + fixture), environment());
+    reader.expect("here ");
+    const std::string shell = reader.said_until("\n");
+    reader.expect("▸");
+    if (*signal)
+      EXPECT_EQ(run("pkill -" + std::string(signal) + " -P " + shell).status, 0);
+    else
+      reader.type("\x1c");  // Ctrl-\ .
+    expect_as_before(reader);
+  }
+}
+
+TEST_F(AtATerminal, ControlSStopsNoLesson) {
+  Terminal reader({BYHAND_FIXTURE, "--quality", "low", "--output", (folder_ / "o").string()}, environment());
+  reader.expect("▸");
+  EXPECT_FALSE(reader.can_be_stopped());
+  reader.enter("q");
+  reader.leave();
+}
+
+TEST_F(AtATerminal, OptionsSurviveTheMenu) {
+  for (const std::string& slug : slugs) lesson(slug, "echo $0 got \"$@\"; exit 4");  // 4: back to the menu
+  Terminal reader(command({"2", "--plain", "--set", "h=1/120", "--output", "elsewhere", "--step", "1"}),
+                  environment());
+  reader.expect("02_single_constraint got --plain --set h=1/120 --output elsewhere --step 1");
+  reader.expect("> ");
+  reader.enter("3");
+  reader.expect("03_iterations got --plain --output elsewhere\n");
+  reader.expect("> ");
+  reader.enter("q");
+  EXPECT_EQ(reader.leave(), 0);
+}
+
+TEST_F(AtATerminal, PlainWordsAndPlacesOpenTheCourse) {
+  Terminal reader(command({"--plain", "--output=elsewhere"}), environment());
+  reader.expect("Constraints by Hand");
+  EXPECT_THAT(reader.said_until("> "), testing::Not(HasSubstr("▸")));
+  lesson("04_baumgarte", "echo got \"$@\"; exit 4");
+  reader.enter("4");
+  reader.expect("got --plain --output=elsewhere\n");
+  reader.enter("q");
+  EXPECT_EQ(reader.leave(), 0);
+  lesson("04_baumgarte", "exit 0");
+  Terminal checks(command({"--check"}), environment());
+  EXPECT_EQ(checks.leave(), 0);
+  EXPECT_GT(ran().size(), slugs.size()) << "all lessons";
+}
+
 }  // namespace
 }  // namespace byhand::tests

@@ -71,7 +71,7 @@ class Faults : public testing::Test {
 
 TEST_F(Faults, AKilledRunLeavesWholeFilesAndTheNextOneMendsIt) {
   undisturbed();
-  std::mt19937 random(20131207);
+  std::mt19937 random(seeded(20131207));
   const auto begin = std::chrono::steady_clock::now();
   Started(command()).finish();
   const auto took =
@@ -306,6 +306,79 @@ TEST_F(Faults, ProgressTellsTheTimeLeft) {
   Terminal reader(slow, {{"LD_PRELOAD", BYHAND_FAIL_CALL}, {"SLOW_FSYNC", "1"}});
   reader.expect(" s left drawing settling");
   EXPECT_EQ(reader.leave(), 0);
+}
+
+TEST_F(Faults, FilesThatAPersonPutBesideOursAreKept) {
+  Started(command()).finish();
+  std::ofstream(lesson() / "frames/settling/notes.txt") << "mine";
+  std::ofstream(lesson() / "frames/settling/0007b.png") << "mine too";
+  std::ofstream(folder_ / "elsewhere.png") << "elsewhere";
+  fs::create_directory(lesson() / "frames/settling/0123.png");
+  fs::create_directory(folder_ / "others");
+  std::ofstream(folder_ / "others/0000.png") << "others'";
+  fs::create_symlink(folder_ / "others", lesson() / "frames/settling/9998.png");
+  for (const char* frames : {"all", "last", "none"}) {
+    auto again = command();
+    again.insert(again.end(), {"--frames", frames});
+    EXPECT_EQ(Started(again).finish().status, 0);
+    EXPECT_EQ(contents(lesson() / "frames/settling/notes.txt"), "mine") << frames;
+    EXPECT_EQ(contents(lesson() / "frames/settling/0007b.png"), "mine too") << frames;
+    EXPECT_EQ(contents(folder_ / "others/0000.png"), "others'") << frames;
+    EXPECT_EQ(fs::exists(lesson() / "frames/settling/0000.png"), std::string(frames) == "all");
+  }
+}
+
+TEST_F(Faults, FramesOfALongerRunThatWasKilledGo) {
+  fs::create_directories(lesson() / "frames/settling");
+  std::ofstream(lesson() / "frames/settling/0999.png") << "of a killed run, which left no manifest";
+  expect_the_next_run_to_be_whole();
+}
+
+TEST_F(Faults, NothingButARegularFileIsReplaced) {
+  fs::create_directories(lesson() / "figures");
+  ASSERT_EQ(run("mkfifo '" + (lesson() / "figures/errors.png").string() + "'").status, 0);
+  const Finished finished = Started(command()).finish();
+  EXPECT_EQ(finished.status, 3);
+  EXPECT_THAT(finished.complained, HasSubstr("figures/errors.png"));
+  EXPECT_TRUE(fs::is_fifo(lesson() / "figures/errors.png"));
+}
+
+TEST_F(Faults, ALinkThatLeadsNowhereIsNamed) {
+  fs::create_symlink(folder_ / "nowhere", folder_ / "dangling");
+  fs::create_symlink("circle", folder_ / "circle");
+  for (const std::string output : {"dangling", "dangling/below", "circle"}) {
+    const Finished finished = Started(command(output)).finish();
+    EXPECT_EQ(finished.status, 3);
+    EXPECT_THAT(finished.complained,
+                testing::AllOf(HasSubstr("is a link to"), testing::Not(HasSubstr("File exists"))));
+    EXPECT_EQ(std::count(finished.complained.begin(), finished.complained.end(), '\n'), 1);
+  }
+  EXPECT_FALSE(fs::exists(folder_ / "nowhere"));
+}
+
+TEST_F(Faults, WithoutThreadsTheSamePicturesAreDrawn) {
+  undisturbed();
+  for (const char* threads : {"0", "1", "2"}) {
+    SCOPED_TRACE(threads);
+    fs::remove_all(folder_ / "output");
+    const Finished finished =
+        run(std::string("LD_PRELOAD=") + BYHAND_FAIL_CALL + " THREADS=" + threads + " timeout 60 " +
+            BYHAND_FIXTURE + " --quality low --output " + (folder_ / "output").string());
+    EXPECT_EQ(finished.status, 0) << finished.complained;
+    EXPECT_TRUE(lasting_files(lesson()) == undisturbed());
+  }
+}
+
+TEST_F(Faults, AClosedOutputIsNamed) {
+  for (const char* closed : {" >&-", " >/dev/full"}) {
+    for (const char* words : {" --check", " --list-parameters", " --help", " --questions"}) {
+      const Finished finished = run(std::string(BYHAND_FIXTURE) + words + closed);
+      EXPECT_EQ(finished.status, 3) << words << closed;
+      EXPECT_THAT(finished.complained, HasSubstr("standard output")) << words << closed;
+      EXPECT_EQ(std::count(finished.complained.begin(), finished.complained.end(), '\n'), 1)
+          << finished.complained;
+    }
+  }
 }
 
 }  // namespace

@@ -59,6 +59,34 @@ TEST(ReadNumber, TakesWhatPeopleType) {
     EXPECT_THROW(read_number(bad), std::invalid_argument) << bad;
 }
 
+TEST(ReadNumber, ACommaThatMayPartThousandsIsRefusedWithBothMeanings) {
+  EXPECT_EQ(read_number("0,205"), 0.205);
+  EXPECT_EQ(read_number("1,5"), 1.5);
+  EXPECT_EQ(read_number("1,50"), 1.5);
+  EXPECT_EQ(read_number("1,5000"), 1.5);
+  EXPECT_EQ(read_number("1234,500"), 1234.5);
+  EXPECT_EQ(read_number(",500"), 0.5);
+  for (const char* two : {"1,500", "-1,500", "12,000", "999,999", "2·1,500", "1,500/3", "1,500e3"})
+    EXPECT_THROW(read_number(two), std::invalid_argument) << two;
+  try {
+    read_number("1,500");
+    FAIL();
+  } catch (const std::invalid_argument& refusal) {
+    EXPECT_STREQ(refusal.what(), "\"1,500\" may mean 1500 or 1.500; write one of them");
+  }
+}
+
+TEST(ReadQuantity, PiWithoutAUnitIsNoNumberOfDegrees) {
+  EXPECT_NEAR(read_quantity("pi/6 rad", "deg"), 30, 1e-12);
+  EXPECT_EQ(read_quantity("30", "deg"), 30);
+  EXPECT_EQ(read_quantity("30°", "deg"), 30);
+  EXPECT_NEAR(read_quantity("pi/6", "rad"), 0.5236, 1e-4);
+  EXPECT_NEAR(read_quantity("pi/6", "m"), 0.5236, 1e-4);
+  for (const char* unit : {"deg", "°"})
+    for (const char* typed : {"pi/6", "π", "2 pi", "30 + pi"})
+      EXPECT_THROW(read_quantity(typed, unit), std::invalid_argument) << typed << unit;
+}
+
 TEST(Typed, IsReadBackAsTheSameNumber) {
   std::mt19937 random(2026);
   std::uniform_real_distribution<double> exponent(-6, 6);

@@ -59,6 +59,12 @@ inline int attempts(int standard) {
   return standard * (factor ? std::atoi(factor) : 1);
 }
 
+/// The seed of an attack: the same every day, another where BYHAND_SEED says so (./tests/run --attack --seed=N).
+inline unsigned seeded(unsigned standard) {
+  const char* const other = std::getenv("BYHAND_SEED");
+  return standard + (other ? static_cast<unsigned>(std::strtoul(other, nullptr, 10)) : 0);
+}
+
 /// A program started without a shell, its output in files.
 class Started {
  public:

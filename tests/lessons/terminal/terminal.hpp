@@ -116,6 +116,13 @@ class Terminal {
     return (settings.c_lflag & ECHO) != 0;
   }
 
+  /// Whether Ctrl-S stops what is written.
+  bool can_be_stopped() const {
+    termios settings{};
+    tcgetattr(terminal_, &settings);
+    return (settings.c_iflag & IXON) != 0;
+  }
+
   /// Reads to the end and returns the exit status, −1 for a signal.
   int leave() {
     while (read_more()) {

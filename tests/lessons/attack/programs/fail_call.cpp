@@ -1,10 +1,12 @@
 // Preloaded into a program, lets one of its system calls fail:
-//   FAIL_CALL=write FAIL_AT=3 FAIL_BELOW=/tmp/output  the third write to a file below that folder; no such call:
-//   none FAILED=/tmp/failed                                this file is made when it has failed SLOW_FSYNC=1 each
-//   fsync takes a fifth of a second
+//   FAIL_CALL=write FAIL_AT=3 FAIL_BELOW=/tmp/output  the third write to a file below that folder
+//   FAILED=/tmp/failed                                this file is made when it has failed
+//   SLOW_FSYNC=1                                      each fsync takes a fifth of a second
+//   THREADS=2                                         no more than two threads are ever started
 
 #include <dlfcn.h>
 #include <fcntl.h>
+#include <pthread.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
 #include <unistd.h>
@@ -82,6 +84,14 @@ int rename(const char* from, const char* to) noexcept {
 }
 int mkdir(const char* path, mode_t mode) noexcept {
   return fails("mkdir", path) ? -1 : real<int(const char*, mode_t)>("mkdir")(path, mode);
+}
+int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*begin)(void*),
+                   void* with) noexcept {
+  static std::atomic<int> started{0};
+  const std::string_view most = variable("THREADS");
+  if (!most.empty() && ++started > std::atoi(most.data())) return EAGAIN;
+  return real<int(pthread_t*, const pthread_attr_t*, void* (*)(void*), void*)>("pthread_create")(
+      thread, attributes, begin, with);
 }
 int remove(const char* path) noexcept {
   return fails("remove", path) ? -1 : real<int(const char*)>("remove")(path);
