@@ -96,9 +96,4 @@ std::string site_manifest(const std::map<std::string, std::string>& files) {
   return Json{{"site", "Constraints by Hand"}, {"commit", course::commit()}, {"files", files}}.dump(2) + "\n";
 }
 
-bool is_site_manifest(const std::string& text) {
-  const Json json = Json::parse(text, nullptr, false);
-  return json.is_object() && json.contains("site") && json.contains("files");
-}
-
 }  // namespace byhand::site

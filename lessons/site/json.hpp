@@ -25,6 +25,5 @@ std::string equations_script();
 
 /// manifest.json of a site: what made it, and the SHA-256 of each file.
 std::string site_manifest(const std::map<std::string, std::string>& files);
-bool is_site_manifest(const std::string& json);
 
 }  // namespace byhand::site

@@ -169,12 +169,34 @@ TEST_F(Site, RebuiltHasTheSameBytes) {
 TEST_F(Site, ReplacesAnOlderSiteAndLeavesNothingBeside) {
   const Folder folder;
   fs::create_directory(folder / "site");
-  std::ofstream(folder / "site" / "manifest.json") << R"({"site": "", "files": {}})";
+  std::ofstream(folder / "site" / "manifest.json") << R"({"site": "", "files": {"old.html": ""}})";
   std::ofstream(folder / "site" / "old.html") << "old";
   ASSERT_EQ(run(fmt::format("{} --quiet --output {}", program, folder.path().string())).status, 0);
   EXPECT_FALSE(fs::exists(folder / "site" / "old.html"));
   EXPECT_TRUE(fs::exists(folder / "site" / "index.html"));
   EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 1);
+}
+
+TEST_F(Site, KeepsWhatAPersonAddedToAnOlderSite) {
+  const Folder folder;
+  const fs::path mine = folder / "site";
+  const auto write_site = [&] {
+    return run(fmt::format("{} --quiet --output {}", program, folder.path().string()));
+  };
+  ASSERT_EQ(write_site().status, 0);
+  std::ofstream(mine / "CNAME") << "example.org";
+  std::ofstream(mine / "assets/mine.css") << "mine";
+  fs::create_directories(mine / "thesis/old");
+  std::ofstream(mine / "thesis/old/thesis.txt") << "precious";
+  fs::create_symlink("thesis", mine / "link");
+  for (int again = 0; again < 2; ++again) {
+    ASSERT_EQ(write_site().status, 0);
+    EXPECT_EQ(contents(mine / "CNAME"), "example.org");
+    EXPECT_EQ(contents(mine / "assets/mine.css"), "mine");
+    EXPECT_EQ(contents(mine / "thesis/old/thesis.txt"), "precious");
+    EXPECT_EQ(fs::read_symlink(mine / "link"), "thesis");
+    EXPECT_THAT(contents(mine / "manifest.json"), testing::Not(HasSubstr("CNAME")));
+  }
 }
 
 TEST_F(Site, BookIsSoundEpub) {
@@ -217,11 +239,29 @@ TEST(SiteProgram, RefusesAFolderThatItDidNotWrite) {
 }
 
 TEST(SiteProgram, RefusesBadUsageInOneSentence) {
-  for (const char* const bad : {"--output", "--quality", "--nonsense", "04", "--output ''"}) {
+  for (const char* const bad : {"--output", "--quality", "--nonsense", "04", "--output ''", "--output --quiet",
+                                "--output -x", "\"$(printf '\\033[31m')\"", "\"$(printf 'a\\nb')\""}) {
     const Finished finished = run(program + " " + bad);
     EXPECT_EQ(finished.status, 2) << bad;
     EXPECT_EQ(finished.said, "") << bad;
     EXPECT_EQ(std::count(finished.complained.begin(), finished.complained.end(), '\n'), 1) << finished.complained;
+    EXPECT_THAT(finished.complained, testing::Not(HasSubstr("\033")));
+  }
+  EXPECT_FALSE(fs::exists("--quiet"));
+}
+
+TEST(SiteProgram, FailuresOfTheEnvironmentAreOneSentence) {
+  const Folder folder;
+  fs::create_symlink("circle", folder / "circle");
+  fs::create_symlink("nowhere", folder / "dangling");
+  for (const std::string& line :
+       {std::string("--help >/dev/full"), std::string("--help >&-"), "--output " + (folder / "circle").string(),
+        "--output " + (folder / "dangling").string()}) {
+    const Finished finished = run(program + " " + line);
+    EXPECT_EQ(finished.status, 3) << line;
+    EXPECT_EQ(std::count(finished.complained.begin(), finished.complained.end(), '\n'), 1) << finished.complained;
+    EXPECT_THAT(finished.complained, testing::Not(HasSubstr("filesystem error")));
+    EXPECT_THAT(finished.complained, testing::ContainsRegex("standard output|is a link to")) << line;
   }
 }
 

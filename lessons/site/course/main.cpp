@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "lessons/files/child_process.hpp"
+#include "lessons/files/command_line.hpp"
 #include "lessons/files/options.hpp"
 #include "lessons/files/streams.hpp"
 #include "lessons/page/about.hpp"
@@ -30,7 +31,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace byhand;
 
-enum ExitStatus { fine = 0, failed = 1, bad_usage = 2, environment = 3 };
+constexpr int fine = 0;
 
 struct Wanted {
   std::string output = course::default_output().string();
@@ -121,44 +122,37 @@ int run(const Wanted& wanted) {
   return fine;
 }
 
-int refuse(int status, const std::string& sentence) {
-  course::complain(course::printable(sentence) + "\n");
-  return status;
+int command(int argc, const char* const* argv) {
+  Wanted wanted;
+  CLI::App app("The course as a web site, in output/site/", "./lessons/run site");
+  app.footer(
+      "The pages open from the disk or from any web server, and need nothing from elsewhere. An older site is\n"
+      "replaced when the new one is complete; files that you added to it stay.\n\n"
+      "Exit status: 0 fine, 1 a claim is false, 2 bad usage, 3 the environment (build, disk full, folder not "
+      "writable).");
+  app.set_help_flag("--help", "this page");
+  app.add_option("--output", wanted.output, "folder that gets the folder site (default output/)")
+      ->type_name("DIR")
+      ->check(course::not_a_folder);
+  app.add_flag("--slides", wanted.slides, "also each lesson as slides, in site/slides/; takes reveal.js from npm");
+  app.add_flag("--quiet", wanted.quiet, "no progress, only what is wrong");
+  try {
+    app.parse(argc, argv);
+    return run(wanted);
+  } catch (const CLI::CallForHelp&) {
+    fmt::print("{}", app.help());
+    return fine;
+  } catch (const CLI::ParseError& bad) {
+    throw std::invalid_argument(fmt::format("{}; --help shows the options", bad.what()));
+  } catch (const Failed& bad) {
+    if (bad.ended.by_signal && bad.ended.passed_on) course::end_by(bad.ended.passed_on);
+    if (*bad.what()) course::complain(course::printable(bad.what()) + "; the site stays as it was.\n");
+    return bad.ended.status;
+  }
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  course::open_standard_streams();
-  Wanted wanted;
-  CLI::App app("The course as a web site, in output/site/", "./lessons/run site");
-  app.footer(
-      "The pages open from the disk or from any web server, and need nothing from elsewhere. An older site is\n"
-      "replaced when the new one is complete.\n\n"
-      "Exit status: 0 fine, 1 a claim is false, 2 bad usage, 3 the environment (build, disk full, folder not "
-      "writable).");
-  app.set_help_flag("--help", "this page");
-  app.add_option("--output", wanted.output, "folder that gets the folder site (default output/)")
-      ->type_name("DIR");
-  app.add_flag("--slides", wanted.slides, "also each lesson as slides, in site/slides/; takes reveal.js from npm");
-  app.add_flag("--quiet", wanted.quiet, "no progress, only what is wrong");
-  try {
-    app.parse(argc, argv);
-    if (wanted.output.empty()) throw std::invalid_argument("--output \"\" names no folder");
-    const int status = run(wanted);
-    return std::fflush(stdout) == 0 ? status : environment;
-  } catch (const CLI::CallForHelp&) {
-    fmt::print("{}", app.help());
-    return fine;
-  } catch (const CLI::ParseError& bad) {
-    return refuse(bad_usage, fmt::format("{}; --help shows the options", bad.what()));
-  } catch (const std::invalid_argument& bad) {
-    return refuse(bad_usage, bad.what());
-  } catch (const Failed& bad) {
-    if (bad.ended.by_signal && bad.ended.passed_on) course::end_by(bad.ended.passed_on);
-    return *bad.what() ? refuse(bad.ended.status, fmt::format("{}; the site stays as it was.", bad.what()))
-                       : bad.ended.status;
-  } catch (const std::exception& error) {
-    return refuse(environment, error.what());
-  }
+  return course::exit_status_of([&] { return command(argc, argv); });
 }

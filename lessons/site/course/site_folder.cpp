@@ -5,12 +5,15 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <stdexcept>
 #include <system_error>
 
 #include "lessons/files/checksum.hpp"
+#include "lessons/files/json.hpp"
+#include "lessons/files/output_folder.hpp"
 #include "lessons/site/json.hpp"
 #include "renderer/error.hpp"
 #include "renderer/file.hpp"
@@ -23,10 +26,15 @@ using renderer::EnvironmentError;
 
 constexpr auto manifest = "manifest.json";
 
+course::Manifest manifest_of(const fs::path& site) {
+  return course::manifest_from_json(renderer::read_whole(site / manifest).value_or(""));
+}
+
 void refuse_foreign(const fs::path& site) {
-  if (!fs::exists(site) || (fs::is_directory(site) && fs::is_empty(site))) return;
-  const auto text = renderer::read_whole(site / manifest);
-  if (!text || !is_site_manifest(*text))
+  std::error_code ignored;
+  const fs::file_status there = fs::status(site, ignored);
+  if (!fs::exists(there) || (fs::is_directory(there) && fs::is_empty(site))) return;
+  if (manifest_of(site).of != course::Manifest::Of::site)
     throw std::invalid_argument(fmt::format(
         "{} is not a site that ./lessons/run site wrote, and would be replaced as a whole: move it, or "
         "choose another folder with --output",
@@ -51,7 +59,7 @@ SiteFolder::SiteFolder(fs::path site)
     : site_(std::move(site)), hidden_(site_.parent_path() / ("." + site_.filename().string() + ".part")) {
   refuse_foreign(site_);
   try {
-    fs::create_directories(hidden_);
+    course::make_folders(hidden_);
     descriptor_ = open(hidden_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (descriptor_ < 0) throw std::system_error(errno, std::generic_category());
     if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
@@ -65,7 +73,7 @@ SiteFolder::SiteFolder(fs::path site)
     throw EnvironmentError(fmt::format("Cannot use the folder {}: {}. Choose another with --output.",
                                        hidden_.string(), error.code().message()));
   } catch (...) {
-    close(descriptor_);
+    if (descriptor_ >= 0) close(descriptor_);
     throw;
   }
 }
@@ -76,9 +84,25 @@ SiteFolder::~SiteFolder() {
   close(descriptor_);
 }
 
+void SiteFolder::keep_what_a_person_added() const {
+  if (!fs::is_directory(site_)) return;
+  const course::Manifest old = manifest_of(site_);
+  for (const auto& entry : fs::recursive_directory_iterator(site_)) {
+    const fs::path name = entry.path().lexically_relative(site_);
+    const bool ours = name == manifest || std::any_of(old.runs.begin(), old.runs.end(), [&](const auto& run) {
+                        return run.files.contains(name.string());
+                      });
+    if (fs::is_directory(entry.symlink_status()) || ours || fs::exists(fs::symlink_status(hidden_ / name)))
+      continue;
+    fs::create_directories((hidden_ / name).parent_path());
+    fs::copy(entry.path(), hidden_ / name, fs::copy_options::copy_symlinks);
+  }
+}
+
 void SiteFolder::finish() {
   renderer::write_whole(hidden_ / manifest, site_manifest(checksums(hidden_)));
   try {
+    keep_what_a_person_added();
     if (fs::exists(site_)) {
       exchange(hidden_, site_);
       fs::remove_all(hidden_);
