@@ -8,6 +8,8 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <optional>
+#include <random>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -27,10 +29,10 @@ enum ExitStatus { right = 0, wrong = 1, bad_usage = 2, does_not_compile = 3, env
 
 struct Wanted {
   int number = 0, hint = 0;
-  std::uint64_t seed = 1;
+  std::optional<std::uint64_t> seed;
   std::string folder = "my_exercises", check, film, unmask, grade, course, to;
   std::vector<std::string> reports;
-  bool solution = false, asked_unmask = false;
+  bool solution = false, asked_unmask = false, asked_hint = false, unconfined = false;
 };
 
 const Exercise& chosen(int number) {
@@ -50,7 +52,7 @@ void refuse_output(const fs::path& folder) {
 int check_file(const Exercise& exercise, const Wanted& wanted) {
   if (!fs::is_regular_file(wanted.check))
     throw std::invalid_argument(fmt::format("{} is not a file", wanted.check));
-  const Key answers = key(exercise, wanted.seed);
+  const Key answers = key(exercise, wanted.seed.value_or(1));
   const Verdict verdict = check(exercise, answers, wanted.check);
   fmt::print("{}", verdict_text(verdict));
   if (verdict.is_right()) note_solved(exercise);
@@ -75,11 +77,17 @@ int grade_folder(const Wanted& wanted) {
   std::vector<Report> reports;
   for (const std::string& words : wanted.reports) reports.push_back(parse_report(words));
   if (reports.empty()) reports.push_back(parse_report("summary=-"));
-  const Keys keys = [&](const Exercise& exercise) { return key(exercise, wanted.seed); };
+  require_confinement(wanted.unconfined);
+  const Keys keys = [&](const Exercise& exercise) { return key(exercise, wanted.seed.value_or(1)); };
   const auto graded = grade(all_or(wanted.number), wanted.grade, keys, reports);
   return std::all_of(graded.begin(), graded.end(), [](const Graded& one) { return one.verdict.is_right(); })
              ? right
              : wrong;
+}
+
+std::uint64_t drawn_seed() {
+  std::random_device random;
+  return (static_cast<std::uint64_t>(random()) << 32) | random();
 }
 
 int export_to(const Wanted& wanted) {
@@ -87,7 +95,7 @@ int export_to(const Wanted& wanted) {
   if (wanted.course == "moodle" || wanted.course == "qti")
     export_questions(wanted.course, wanted.to);
   else
-    export_course(wanted.course, wanted.to, wanted.seed, all_or(wanted.number));
+    export_course(wanted.course, wanted.to, wanted.seed ? *wanted.seed : drawn_seed(), all_or(wanted.number));
   fmt::print("Written into {}\n", wanted.to);
   return right;
 }
@@ -100,7 +108,8 @@ int run(const Wanted& wanted) {
     return right;
   }
   const Exercise& exercise = chosen(wanted.number);
-  if (wanted.hint != 0) {
+  if (!wanted.film.empty() && wanted.check.empty()) throw std::invalid_argument("--film needs --check FILE");
+  if (wanted.asked_hint) {
     fmt::print("{}", hint_text(exercise, wanted.hint));
   } else if (wanted.solution) {
     fmt::print("{}", solution_text(exercise));
@@ -116,7 +125,8 @@ int run(const Wanted& wanted) {
   } else {
     refuse_output(wanted.folder);
     const fs::path file = learners_file(exercise, wanted.folder);
-    if (isatty(STDIN_FILENO) && isatty(STDOUT_FILENO)) return watch(exercise, key(exercise, wanted.seed), file);
+    if (isatty(STDIN_FILENO) && isatty(STDOUT_FILENO))
+      return watch(exercise, key(exercise, wanted.seed.value_or(1)), file);
     fmt::print("{}\nEdit {}, then: ./lessons/run practise {} --check {}\n", task_text(exercise), file.string(),
                wanted.number, file.string());
   }
@@ -138,8 +148,8 @@ int main(int argc, char** argv) {
       ->type_name("FILE");
   app.add_option("--film", wanted.film, "with --check: folder for the film of what the code does")
       ->type_name("DIR");
-  app.add_option("--seed", wanted.seed, "of the random probes (default 1)");
-  app.add_option("--hint", wanted.hint, "hint 1, 2 or 3");
+  app.add_option("--seed", wanted.seed, "of the random probes (default 1; --export draws a secret one)");
+  auto* hint = app.add_option("--hint", wanted.hint, "hint 1, 2 or 3");
   app.add_flag("--solution", wanted.solution, "the solution and its derivation");
   app.add_option("--grade", wanted.grade, "judge all exercises in a folder, or exercise N of it")
       ->type_name("DIR");
@@ -152,14 +162,17 @@ int main(int argc, char** argv) {
                  "for a course: gradescope, classroom50, prairielearn, junit; or the\n"
                  "predictions of all lessons: moodle, qti");
   app.add_option("--to", wanted.to, "new folder for --export")->type_name("DIR");
+  app.add_flag("--unconfined", wanted.unconfined,
+               "with --grade: also where the system cannot keep a submission from\nreading the judge's files");
   auto* unmask = app.add_option("--unmask", wanted.unmask, "choose numbers on which a wrong code is wrong")
                      ->expected(0, 1)
                      ->type_name("NUMBERS");
   try {
     app.parse(argc, argv);
+    wanted.asked_hint = hint->count() > 0;
     wanted.asked_unmask = unmask->count() > 0;
     if (wanted.number == 0 && argc > 1 && wanted.grade.empty() && wanted.course.empty())
-      throw std::invalid_argument("Name the exercise: ./lessons/run practise 2 …");
+      throw std::invalid_argument("Name the exercise: ./lessons/run practise 2");
     const int status = run(wanted);
     return std::fflush(stdout) == 0 ? status : environment;
   } catch (const CLI::CallForHelp&) {

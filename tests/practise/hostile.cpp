@@ -2,6 +2,10 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <chrono>
+#include <cstdlib>
 
 #include "lessons/practise/judge/process.hpp"
 #include "tests/practise/learner.hpp"
@@ -32,22 +36,77 @@ TEST(Hostile, AnEndlessLoopIsStopped) {
   expect_stopped(bias("for (volatile int i = 0;; i = i + 1) {}"), "did not return within 2 s of computing");
 }
 
-TEST(Hostile, ACrashIsNamed) {
-  expect_stopped(bias("return *(volatile double*)nullptr;"), "crashed");
-  expect_stopped(bias("std::abort();", "#include <cstdlib>"), "crashed");
-  expect_stopped(bias("throw 1;"), "crashed");
+TEST(Hostile, EachEndHasItsOwnSentence) {
+  const std::string all = "#include <cassert>\n#include <cstdlib>\n#include <stdexcept>\n#include <vector>";
+  expect_stopped(bias("return *(volatile double*)(std::size_t)(h * 1e9);", all),
+                 "used memory that is not its own");
+  expect_stopped(bias("std::abort();", all), "called abort()");
+  expect_stopped(bias("assert(h > 1);\nreturn 0;", all), "Your assertion `h > 1' failed.");
+  expect_stopped(bias("throw std::out_of_range(\"C\");", all), "threw an exception, 'std::out_of_range'");
+  expect_stopped(bias("throw 1;", all), "threw an exception, 'int'");
+  expect_stopped(bias("std::vector<double> v(1u << 28);\nreturn v[3];", all), "asked for more than 256 MB");
+  expect_stopped(bias("volatile double b = 1;\nreturn bias(C + b, beta, h) + b;", all),
+                 "calls itself without an end");
+  expect_stopped(bias("const int none = static_cast<int>(h);\nreturn 7 / none;", all),
+                 "divides a whole number by zero in line 8");
+  expect_stopped(bias("const double a[3] = {};\nreturn a[static_cast<int>(h) + 5];", all),
+                 "uses an index beyond the end of an array in line 8");
+  expect_stopped(bias("return huge[static_cast<int>(h)];", "volatile double huge[100000000];"),
+                 "global variables");
+}
+
+TEST(Hostile, WaitingEndsByTheClock) {
+  const auto begun = std::chrono::steady_clock::now();
+  expect_stopped(bias("int word = 0; syscall(SYS_futex, &word, FUTEX_WAIT, 0, 0, 0, 0); return 0;",
+                      "#include <linux/futex.h>\n#include <sys/syscall.h>\n#include <unistd.h>"),
+                 "waits for something that never comes");
+  expect_stopped(bias("const timespec pause{0, 300000000};\nint word = 0; syscall(SYS_futex, &word, FUTEX_WAIT, "
+                      "0, &pause, 0, 0); "
+                      "return beta / h * C;",
+                      "#include <linux/futex.h>\n#include <sys/syscall.h>\n#include <ctime>\n#include <unistd.h>"),
+                 "waits for something that never comes");
+  EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count(), 40);
+  // Nothing to read is no wait.
+  EXPECT_EQ(bias("double x = 5; return std::cin >> x ? 0 : beta / h * C;", "#include <iostream>").kind,
+            Kind::right);
+}
+
+TEST(Hostile, TheEnvironmentIsEmpty) {
+  setenv("SECRET_TOKEN", "ghs_abc123", 1);
+  const Verdict verdict = bias("for (char** e = environ; *e; ++e) std::puts(*e);\nreturn 0;",
+                               "#include <cstdio>\n#include <unistd.h>");
+  EXPECT_EQ(verdict.kind, Kind::wrong);
+  EXPECT_EQ(verdict.printed, "");
+  unsetenv("SECRET_TOKEN");
+}
+
+TEST(Hostile, LinksDevicesFoldersPipesAndLargeFilesAreRefusedBeforeACompilerSeesThem) {
+  const Folder folder;
+  const auto refused = [&](const std::filesystem::path& path) {
+    const Verdict verdict = check(exercise(8), key_of(8), path);
+    EXPECT_EQ(verdict.kind, Kind::does_not_compile) << path;
+    EXPECT_EQ(verdict.details, "") << path;
+    return verdict.sentence;
+  };
+  const std::string sentence = " is not a file that can be read: links, folders and devices are not judged.";
+  std::filesystem::create_symlink(exercise(8).folder() / "solution.cpp", folder / "link.cpp");
+  std::filesystem::create_symlink("nowhere", folder / "dangling.cpp");
+  std::filesystem::create_directory(folder / "folder.cpp");
+  ASSERT_EQ(mkfifo((folder / "pipe.cpp").c_str(), 0600), 0);
+  for (const char* name : {"link.cpp", "dangling.cpp", "folder.cpp", "pipe.cpp", "missing.cpp"})
+    EXPECT_EQ(refused(folder / name), name + sentence);
+  EXPECT_EQ(refused("/dev/zero"), "zero" + sentence);
+  std::ofstream(folder / "long.cpp") << std::string((64 << 10) + 1, ' ');
+  EXPECT_EQ(refused(folder / "long.cpp"), "long.cpp has more than 64 KB; a solution has less than one.");
+  const std::string solution = text_of(8, "solution.cpp");
+  std::ofstream(folder / "full.cpp") << solution << std::string((64 << 10) - solution.size(), ' ');
+  EXPECT_TRUE(check(exercise(8), key_of(8), folder / "full.cpp").is_right());
 }
 
 TEST(Hostile, EndingTheProgramEarnsNothing) {
   expect_stopped(bias("std::exit(0);", "#include <cstdlib>"), "ended the program with status 0");
   expect_stopped(bias("return 0;", "#include <cstdlib>\nstruct A { A() { std::_Exit(0); } } before_main;"),
                  "ended the program with status 0");
-}
-
-TEST(Hostile, MemoryIsLimited) {
-  expect_stopped(bias("double sum = 0; for (int i = 0; i < 400; ++i) { char* p = new char[1 << 20]; "
-                      "for (int k = 0; k < 1 << 20; k += 4096) p[k] = 1; sum += p[4096]; } return sum;"),
-                 "crashed");
 }
 
 TEST(Hostile, NaNIsWrongAndSaidSo) {
@@ -124,9 +183,33 @@ TEST(Compiling, AForgottenReturnIsAMistake) {
 
 TEST(Compiling, AnotherSignatureIsNamed) {
   const std::string sentence = "bias(double, double, double) is missing; keep the signature of the task.";
-  EXPECT_EQ(verdict_on(8, "double bias(double C, double beta) { return C * beta; }\n").sentence, sentence);
+  EXPECT_EQ(
+      verdict_on(8, "double bias(double C, double beta) { return C * beta; }\n").sentence,
+      "bias(double, double, double) is missing; keep the signature of the task: your bias takes other types.");
   EXPECT_EQ(verdict_on(8, "").sentence, sentence);
   EXPECT_EQ(verdict_on(8, "float bias(double, double, double) { return 0; }\n").line, 1);
+}
+
+TEST(Compiling, AnOwnMainIsNotTakenForTheJudges) {
+  EXPECT_EQ(bias("return 0;", "int main() {}").sentence,
+            "Remove your main: the judge calls your functions from its own.");
+}
+
+TEST(Compiling, WarningsAreShownWithAWrongAnswer) {
+  EXPECT_THAT(bias("double b;\nreturn b * C;").details, HasSubstr("The compiler warns\nmine.cpp:"));
+  EXPECT_EQ(bias("int unused = 0;\nreturn beta / h * C;").details, "");
+}
+
+TEST(Compiling, LongLinesAreCut) {
+  const Verdict verdict = bias("double x = \"a\"; // " + std::string(60000, 'y'));
+  EXPECT_EQ(verdict.kind, Kind::does_not_compile);
+  EXPECT_LT(verdict.details.size(), 8192U);
+}
+
+TEST(Compiling, ItsTimeIsByTheClockAndItsOutputLimited) {
+  const auto begun = std::chrono::steady_clock::now();
+  EXPECT_EQ(bias("return 0;", "asm(\".data\\n.fill 900000000,1,65\\n.text\");").kind, Kind::does_not_compile);
+  EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count(), 15);
 }
 
 TEST(Compiling, OneThatNeverEndsIsStopped) {

@@ -17,6 +17,7 @@ struct Wrong {
 };
 
 constexpr Wrong wrongs[] = {
+    {1, "(dot(d, d) - L * L) / 2", "std::fabs((dot(d, d) - L * L) / 2) < 0.01 ? 0 : (dot(d, d) - L * L) / 2"},
     {1, "(dot(d, d) - L * L) / 2", "(dot(d, d) + L * L) / 2"},
     {1, "(dot(d, d) - L * L) / 2", "dot(d, d) / 2 - L"},
     {1, "{-d, d}", "{-d, 2 * d}"},
@@ -29,6 +30,7 @@ constexpr Wrong wrongs[] = {
     {3, "dot(J.l2, J.l2) / m2", "dot(J.l2, J.l2) / m1"},
     {4, "-(dot(J, V) + b) / K", "-dot(J, V) / K + b"},
     {4, "-(dot(J, V) + b) / K", "-(dot(J, V) + 2 * b) / K"},
+    {4, "-(dot(J, V) + b) / K", "float(-(dot(J, V) + b) / K)"},
     {5, "V.w1 += lambda * W.I1 * J.a1;", ""},
     {5, "V.v2 += lambda * W.m2", "V.v2 -= lambda * W.m2"},
     {6, "p += h * v;", "p += 0.5 * h * v;"},
@@ -37,10 +39,12 @@ constexpr Wrong wrongs[] = {
     {7, "/ row.K", "/ (2 * row.K)"},
     {8, "beta / h * C", "beta / h * std::abs(C)"},
     {8, "beta / h * C", "(1 - beta) / h * C"},
-    {9, "accumulated - before;", "accumulated;"},
+    {8, "beta / h * C", "std::fabs(C) < 1e-5 ? 0 : beta / h * C"},
     {9, "std::max(0.0, before + delta)", "std::max(delta, before + delta)"},
     {10, "std::clamp(before + delta, -mu * normal, mu * normal)", "std::clamp(before + delta, -normal, normal)"},
     {10, "accumulated - before;", "delta;"},
+    {10, "std::max(0.0, before - dot(c.J_normal, V) / c.K_normal)",
+     "std::fabs(before - dot(c.J_normal, V) / c.K_normal)"},
     {11, "length(d1) + pulley.ratio * length(d2) - pulley.L", "length(d1) + length(d2) - pulley.L"},
     {11, "cross(r2, u2)}", "-cross(r2, u2)}"},
 };
@@ -57,6 +61,68 @@ TEST_P(Others, GetAFailingProbe) {
   const Verdict verdict = verdict_on(number, text);
   EXPECT_EQ(verdict.kind, Verdict::Kind::wrong) << instead << ": " << verdict.sentence << verdict.details;
   EXPECT_NE(verdict.details.find("Probe "), std::string::npos) << instead;
+}
+
+/// The pulley's laws, which accept any C, accept none whose gradient vanishes or is not its own.
+TEST(Others, HaveNoVanishingGradientOnThePulley) {
+  const auto pulley = [](const std::string& C, const std::string& J) {
+    return verdict_on(
+        11,
+        "#include \"practise.hpp\"\ndouble e(Vec2 p1, Vec2 r1, Vec2 p2, Vec2 r2, const Pulley& q) {\n"
+        "  return length(p1 + r1 - q.wheel1) + q.ratio * length(p2 + r2 - q.wheel2) - q.L;\n}\n"
+        "double value(Vec2 p1, Vec2 r1, Vec2 p2, Vec2 r2, const Pulley& q) {\n"
+        "  const double E = e(p1, r1, p2, r2, q);\n  return " +
+            C +
+            ";\n}\n"
+            "BodyRow jacobian(Vec2 p1, Vec2 r1, Vec2 p2, Vec2 r2, const Pulley& q) {\n"
+            "  const double E = e(p1, r1, p2, r2, q);\n"
+            "  const Vec2 d1 = p1 + r1 - q.wheel1, d2 = p2 + r2 - q.wheel2;\n"
+            "  const Vec2 u1 = d1 / length(d1), u2 = q.ratio / length(d2) * d2;\n"
+            "  return (" +
+            J + ") * BodyRow{u1, cross(r1, u1), u2, cross(r2, u2)};\n}\n");
+  };
+  for (const auto& [C, J] : {std::pair{"std::fabs(E) < 1e-9 ? 0 : -1", "0 * E"},
+                             {"(E > 1e-9) - (E < -1e-9)", "0 * E"},
+                             {"-E * E", "-2 * E"},
+                             {"E * E * E", "3 * E * E"},
+                             {"0 * E", "0 * E"},
+                             {"1e-12 * E", "1.1e-12 + 0 * E"},
+                             {"-E", "-1 + 0 * E"},
+                             {"E", "std::fabs(E) < 1e-9 ? 1 : 2"}})
+    EXPECT_FALSE(pulley(C, J).is_right()) << C << ", " << J;
+  for (const auto& [C, J] : {std::pair{"E", "1 + 0 * E"},
+                             {"1e-3 * E", "1e-3 + 0 * E"},
+                             {"1e3 * E", "1e3 + 0 * E"},
+                             {"std::sinh(E)", "std::cosh(E)"}})
+    EXPECT_TRUE(pulley(C, J).is_right()) << C << pulley(C, J).sentence << pulley(C, J).details;
+}
+
+/// A state that only many calls reach: the probes are right, the film is not.
+TEST(Others, ThatFailOnlyInTheFilmAreWrong) {
+  const Verdict verdict = verdict_on(8,
+                                     "#include \"practise.hpp\"\ndouble bias(double C, double beta, double h) {\n "
+                                     " static int calls = 0;\n  return "
+                                     "++calls > 120 ? 0 : beta / h * C;\n}\n");
+  EXPECT_EQ(verdict.kind, Verdict::Kind::wrong);
+  EXPECT_NE(verdict.sentence.find("the film takes another course: after"), std::string::npos) << verdict.sentence;
+}
+
+TEST(Others, AreToldByWhatTheyAreTooLarge) {
+  const auto bias = [](const std::string& value) {
+    return verdict_on(8, "#include \"practise.hpp\"\ndouble bias(double C, double beta, double h) { return " +
+                             value + "; }\n")
+        .sentence;
+  };
+  EXPECT_EQ(bias("2 * beta / h * C"), "b is 2 times what is right, on every probe.");
+  EXPECT_EQ(bias("float(beta / h * C)"), "Only the last digits differ: is there a float where a double belongs?");
+  std::string half = text_of(1, "solution.cpp");
+  half.replace(half.find("{-d, d}"), 7, "{d, -d}");
+  EXPECT_EQ(verdict_on(1, half).kind, Verdict::Kind::misconception);
+  std::string first = text_of(1, "solution.cpp");
+  first.replace(first.find("return {-d, d}"), 14, "not_written_yet()");
+  EXPECT_EQ(verdict_on(1, first).sentence, "jacobian is not written yet. value is right on the first probe.");
+  first.replace(first.find(") / 2"), 5, ") * 2");
+  EXPECT_EQ(verdict_on(1, first).sentence, "jacobian is not written yet. C is wrong.");
 }
 
 /// C of the pulley may be any that vanishes with the rope's slack, for its laws hold.

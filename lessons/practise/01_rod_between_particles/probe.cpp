@@ -4,18 +4,17 @@
 
 void probe(Probe& p, const Code& code) {
   const auto [value, jacobian] = Learners::of(code);
-  const Vec2 p1 = p.vector("p1", "m", 3), p2 = p.vector("p2", "m", 3);
-  const double L = p.number("L", "m", 0.3, 4);
-  const Vec2 v1 = p.vector("v1", "m/s", 2), v2 = p.vector("v2", "m/s", 2);
+  const Vec2 p1 = p.vector("p1", "m", p.sized(3)), p2 = p.vector("p2", "m", p.sized(3));
+  const double L = p.number("L", "m", p.sized(0.3), p.sized(4));
+  const Vec2 v1 = p.vector("v1", "m/s", p.sized(2)), v2 = p.vector("v2", "m/s", p.sized(2));
 
   const double C = value(p1, p2, L);
-  const ParticleRow J = jacobian(p1, p2, L);
   p.answer("C", "m²", C);
+  const ParticleRow J = jacobian(p1, p2, L);
   p.answer("J.l1", "m", J.l1);
   p.answer("J.l2", "m", J.l2);
-  // C is quadratic, so its difference quotient is exact however long the time is.
   p.law("J is the gradient of C, so JV = dC/dt", "m²/s", dot(J, v1, v2),
-        (value(p1 + v1, p2 + v2, L) - value(p1 - v1, p2 - v2, L)) / 2);
+        rate_of([&](double t) { return value(p1 + t * v1, p2 + t * v2, L); }));
   p.law("if both move together, JV = 0: l1·v = −l2·v", "m²/s", dot(J.l1, v1), -dot(J.l2, v1));
   p.law("if both are shifted, C stays", "m²", value(p1 + v1, p2 + v1, L), C);
   const Vec2 at_length = p1 + L / length(p2 - p1) * (p2 - p1);

@@ -11,7 +11,8 @@ inline Dual operator*(Dual a, Dual b) { return {a.at * b.at, a.rate * b.at + a.a
 
 void probe(Probe& p, const Code& code) {
   const auto [jacobian] = Learners::of(code);
-  const Vec2 r1 = p.vector("r1", "m", 2), r2 = p.vector("r2", "m", 2), d = p.vector("d", "m", 3);
+  const Vec2 r1 = p.vector("r1", "m", p.sized(2)), r2 = p.vector("r2", "m", p.sized(2)),
+             d = p.vector("d", "m", p.sized(3));
   const Velocities V = p.velocities("V");
 
   const BodyRow J = jacobian(r1, r2, d);

@@ -4,7 +4,7 @@
 
 void probe(Probe& p, const Code& code) {
   const auto [inverse_effective_mass] = Learners::of(code);
-  const BodyRow J = p.row("J");
+  const BodyRow J = p.row("J", p.sized(2));
   const double m1 = p.number("m1", "kg", 0.3, 5), I1 = p.number("I1", "kg m²", 0.1, 3),
                m2 = p.number("m2", "kg", 0.3, 5), I2 = p.number("I2", "kg m²", 0.1, 3);
 

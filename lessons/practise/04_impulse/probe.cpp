@@ -5,8 +5,8 @@
 void probe(Probe& p, const Code& code) {
   const auto [impulse] = Learners::of(code);
   const BodyRow J = p.row("J");
-  const Velocities V = p.velocities("V");
-  const double b = p.number("b", "m²/s", -3, 3);
+  const Velocities V = p.velocities("V", p.sized(4));
+  const double b = p.number("b", "m²/s", -p.sized(3), p.sized(3));
   const InverseMasses W = p.inverse_masses();
   const double K = inverse_mass_along(J, W);
 

@@ -4,10 +4,9 @@
 
 void probe(Probe& p, const Code& code) {
   const auto [apply_impulse] = Learners::of(code);
-  BodyRow J = p.row("J");
-  J.l1 = -J.l2;  // as of every row between two bodies: what one gets, the other loses
+  const BodyRow J = p.row("J");
   const Velocities V = p.velocities("V");
-  const double lambda = p.number("lambda", "kg/s", -3, 3);
+  const double lambda = p.number("lambda", "kg/s", -p.sized(3), p.sized(3));
   const InverseMasses W = p.inverse_masses();
 
   Velocities after = V;
@@ -16,6 +15,11 @@ void probe(Probe& p, const Code& code) {
   p.answer("w1", "rad/s", after.w1);
   p.answer("v2", "m/s", after.v2);
   p.answer("w2", "rad/s", after.w2);
+
+  // A row between two bodies gives to one what it takes from the other.
+  const BodyRow between{-J.l2, J.a1, J.l2, J.a2};
+  after = V;
+  apply_impulse(after, between, lambda, W);
   const auto momentum = [&](const Velocities& of) { return 1 / W.m1 * of.v1 + 1 / W.m2 * of.v2; };
   p.law("the sum of the momenta along x stays", "kg m/s", momentum(after).x, momentum(V).x);
   p.law("the sum of the momenta along y stays", "kg m/s", momentum(after).y, momentum(V).y);

@@ -12,10 +12,10 @@ void probe(Probe& p, const Code& code) {
   const auto [warm_start, sweep] = Learners::of(code);
   const InverseMasses W = p.inverse_masses();
   const Velocities V = p.velocities("V");
-  std::vector<Row> rows(3);
-  for (int i = 0; i < 3; ++i) {
+  std::vector<Row> rows(static_cast<std::size_t>(1 + (p.one_of(5) + 2) % 5));  // 3 on the first probe
+  for (std::size_t i = 0; i < rows.size(); ++i) {
     const std::string name = "row" + std::to_string(i + 1);
-    Row& row = rows[static_cast<std::size_t>(i)];
+    Row& row = rows[i];
     row.J = p.row(name + ".J");
     row.W = over_masses(row.J, W);
     row.K = inverse_mass_along(row.J, W);
@@ -27,13 +27,15 @@ void probe(Probe& p, const Code& code) {
   Velocities now = V;
   warm_start(rows, now);
   p.answer("warm v1", "m/s", now.v1);
+  p.answer("warm w1", "rad/s", now.w1);
+  p.answer("warm v2", "m/s", now.v2);
   p.answer("warm w2", "rad/s", now.w2);
   sweep(rows, now);
   p.answer("v1, 1 sweep", "m/s", now.v1);
   p.answer("w1, 1 sweep", "rad/s", now.w1);
-  p.law("after a sweep its last row is solved: JV = −b", "m²/s", dot(rows[2].J, now), -rows[2].b);
+  p.law("after a sweep its last row is solved: JV = −b", "m²/s", dot(rows.back().J, now), -rows.back().b);
   for (int i = 0; i < 4; ++i) sweep(rows, now);
-  p.answer("λ, 5 sweeps", "kg/s", Vec2{rows[0].lambda, rows[2].lambda});
+  p.answer("λ of the first and last row, 5 sweeps", "kg/s", Vec2{rows.front().lambda, rows.back().lambda});
   p.answer("left, 5 sweeps", "m²/s", residual(rows, now));
   Velocities paid = V;
   for (std::size_t i = 0; i < rows.size(); ++i) paid += rows[i].lambda * first[i].W;

@@ -4,7 +4,7 @@
 
 void probe(Probe& p, const Code& code) {
   const auto [bias] = Learners::of(code);
-  const double C = p.number("C", "m²", -0.6, 0.6), beta = p.number("beta", "1", 0.05, 0.9),
+  const double C = p.number("C", "m²", -p.sized(0.6), p.sized(0.6)), beta = p.number("beta", "1", 0.05, 0.9),
                h = p.number("h", "s", 0.003, 0.05);
 
   const double b = bias(C, beta, h);

@@ -26,7 +26,11 @@ std::vector<double> solve(Body& box, const std::vector<GroundContact>& contacts,
 
 void probe(Probe& p, const Code& code) {
   const auto [clamp_contact] = Learners::of(code);
-  const double given = p.number("accumulated", "N s", 0.1, 3), delta = p.number("delta", "N s", -5, 5);
+  const double given = p.number("accumulated", "N s", p.sized(0.1), p.sized(3));
+  // It pushes more, takes some back, or would take back more than there is.
+  const double least[] = {p.sized(0.2), -0.95 * given, -p.sized(5)},
+               most[] = {p.sized(5), -0.05 * given, -1.1 * given};
+  const double delta = p.number("delta", "N s", least[p.one_of(3)], most[p.one_of(3)]);
   double accumulated = given;
   const double applied = clamp_contact(accumulated, delta);
   p.answer("applied", "N s", applied);

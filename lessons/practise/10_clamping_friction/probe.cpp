@@ -19,10 +19,13 @@ Contact contact_at(Vec2 r, double mass, double inertia, double mu) {
 
 void probe(Probe& p, const Code& code) {
   const auto [clamp_friction, solve_contact] = Learners::of(code);
-  const double mu = p.number("mu", "1", 0.1, 0.9), normal = p.number("normal", "N s", 0.3, 3);
-  // Within the bounds at first; the increment often leads beyond one of them.
-  const double given = p.number("accumulated", "N s", -0.9 * mu * normal, 0.9 * mu * normal);
-  const double delta = p.number("delta", "N s", -3, 3);
+  const double mu = p.number("mu", "1", 0.1, 0.9), normal = p.number("normal", "N s", p.sized(0.3), p.sized(3));
+  const double bound = mu * normal;
+  const double given = p.number("accumulated", "N s", -0.9 * bound, 0.9 * bound);
+  // The sum stays within its bounds, exceeds the upper one, or the lower one.
+  const double least[] = {-0.9 * bound - given, 1.1 * bound - given, -p.sized(5)},
+               most[] = {0.9 * bound - given, p.sized(5), -1.1 * bound - given};
+  const double delta = p.number("delta", "N s", least[p.one_of(3)], most[p.one_of(3)]);
   double accumulated = given;
   const double applied = clamp_friction(accumulated, delta, mu, normal);
   p.answer("applied", "N s", applied);
@@ -30,18 +33,31 @@ void probe(Probe& p, const Code& code) {
   p.law("accumulated changes by what is applied", "N s", accumulated, given + applied);
 
   const Vec2 r = p.vector("r", "m", 0.8);
-  Contact c = contact_at(r, p.number("m", "kg", 0.3, 5), p.number("I", "kg m²", 0.1, 3), mu);
+  // One after the other: the order in which arguments of a call are evaluated is the compiler's choice.
+  const double mass = p.number("m", "kg", 0.3, 5);
+  const double inertia = p.number("I", "kg m²", 0.1, 3);
+  Contact c = contact_at(r, mass, inertia, mu);
+  // The body falls or separates, and slides either way, with and without impulses from before.
+  const bool separates = p.one_of(6) >= 3;
+  const double slides = p.one_of(2) == 0 ? 1 : -1;
+  if (p.one_of(4) >= 2) {
+    c.lambda_normal = p.number("lambda_normal", "N s", 0.3, 3);
+    c.lambda_tangent = p.number("lambda_tangent", "N s", -0.9 * mu * c.lambda_normal, 0.9 * mu * c.lambda_normal);
+  }
   Velocities V;
-  V.v2 = {p.number("v.x", "m/s", -3, 3), -p.number("falling", "m/s", 0.3, 3)};
+  V.v2.x = slides * p.number("slides", "m/s", 0.3, 3);
+  V.v2.y = (separates ? 1 : -1) * p.number(separates ? "separates" : "falls", "m/s", 0.3, 3);
   V.w2 = p.number("w", "rad/s", -1, 1);
   for (int pass = 1; pass <= 3; ++pass) {
     solve_contact(c, V);
     const std::string after = ", pass " + std::to_string(pass);
     p.answer("λ" + after, "N s", Vec2{c.lambda_normal, c.lambda_tangent});
     p.answer("v" + after, "m/s", V.v2);
+    p.answer("w" + after, "rad/s", V.w2);
   }
-  const double most = mu * c.lambda_normal;
-  p.law("friction is at most μ times the normal impulse", "N s", std::max(most, std::abs(c.lambda_tangent)), most);
+  const double limit = mu * c.lambda_normal;
+  p.law("friction is at most μ times the normal impulse", "N s", std::max(limit, std::abs(c.lambda_tangent)),
+        limit);
 }
 
 void film(Film& film, const Code& code) {

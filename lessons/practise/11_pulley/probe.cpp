@@ -17,27 +17,36 @@ void probe(Probe& p, const Code& code) {
   pulley.L = length(down1) + pulley.ratio * length(down2);
   const Velocities V = p.velocities("V");
 
-  p.law("where the rope is just taut, C = 0", "m", value(p1, r1, p2, r2, pulley), 0);
-  const BodyRow J = jacobian(p1, r1, p2, r2, pulley);
-  const auto later = [&](double t) {
-    return value(p1 + t * V.v1, turned(r1, t * V.w1), p2 + t * V.v2, turned(r2, t * V.w2), pulley);
-  };
-  // Of sixth order, so that only rounding is left.
-  constexpr double t = 1e-3;
-  const double rate =
-      (45 * (later(t) - later(-t)) - 9 * (later(2 * t) - later(-2 * t)) + (later(3 * t) - later(-3 * t))) /
-      (60 * t);
-  p.law("J is the gradient of C, so JV = dC/dt", "m/s", dot(J, V), rate);
+  const double way = pulley.L;
+  const auto with = [&](double L) { return Pulley{pulley.wheel1, pulley.wheel2, pulley.ratio, L}; };
+  const auto C = [&](double L) { return value(p1, r1, p2, r2, with(L)); };
+  const double tight = C(0.8 * way);
+  p.sign("if the rope is shorter than the way, C > 0", "m", tight, 1);
+  p.sign("if the rope is longer than the way, C < 0", "m", C(1.3 * way), -1);
+  // C may have any scale, which is divided out of its laws.
+  const double scale = tight > 0 && std::isfinite(tight) ? tight / (0.2 * way) : 1;
+  p.law("where the rope is just taut, C = 0", "m", C(way) / scale, 0);
+  const auto J = [&](double L) { return 1 / scale * jacobian(p1, r1, p2, r2, with(L)); };
+  for (const auto& [L, where] : {std::pair{way, "taut"}, {1.3 * way, "slack"}, {0.8 * way, "too short"}})
+    p.law(std::string("J is the gradient of C where the rope is ") + where + ", so JV = dC/dt", "m/s",
+          dot(J(L), V), rate_of([&, &length = L](double t) {
+            return value(p1 + t * V.v1, turned(r1, t * V.w1), p2 + t * V.v2, turned(r2, t * V.w2), with(length)) /
+                   scale;
+          }));
+  const BodyRow taut = J(way);
+  p.sign("where the rope is taut, C grows as body 1 moves away from its wheel: l1·v1 > 0", "m/s",
+         dot(taut.l1, unit(down1)) - 1e-6, 1);
+  p.sign("where the rope is taut, C grows as body 2 moves away from its wheel: l2·v2 > 0", "m/s",
+         dot(taut.l2, unit(down2)) - 1e-6, 1);
   // Body 1 sinks by `ratio` while body 2 rises by 1: no rope is needed.
   const Velocities runs{pulley.ratio * unit(down1), 0, -unit(down2), 0};
-  p.law("if the rope runs over its wheels, JV = 0: l1·v1 = −l2·v2", "m/s", dot(J.l1, runs.v1),
-        -dot(J.l2, runs.v2));
-  p.law("if all is shifted, C stays", "m",
-        value(p1 + V.v1, r1, p2 + V.v1, r2,
-              {pulley.wheel1 + V.v1, pulley.wheel2 + V.v1, pulley.ratio, 1.3 * pulley.L}),
-        value(p1, r1, p2, r2, {pulley.wheel1, pulley.wheel2, pulley.ratio, 1.3 * pulley.L}));
-  const double slack = value(p1, r1, p2, r2, {pulley.wheel1, pulley.wheel2, pulley.ratio, 1.3 * pulley.L});
-  p.law("if the rope is longer than the way, C < 0", "m", slack, -std::max(std::abs(slack), 0.01));
+  p.law("if the rope runs over its wheels, JV = 0: l1·v1 = −l2·v2", "m/s", dot(taut.l1, runs.v1),
+        -dot(taut.l2, runs.v2));
+  p.law(
+      "if all is shifted, C stays", "m",
+      value(p1 + V.v1, r1, p2 + V.v1, r2, {pulley.wheel1 + V.v1, pulley.wheel2 + V.v1, pulley.ratio, 1.3 * way}) /
+          scale,
+      C(1.3 * way) / scale);
 }
 
 void film(Film& film, const Code& code) {

@@ -1,16 +1,23 @@
 #include "lessons/practise/judge/check.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <sstream>
 
+#include "lessons/practise/judge/messages.hpp"
 #include "lessons/practise/judge/process.hpp"
 #include "renderer/error.hpp"
+#include "renderer/file.hpp"
 
 namespace byhand::practise {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::size_t most_text = 64u << 10;
 
 /// Where the build leaves child.cpp for each exercise: beside this program.
 fs::path child(const Exercise& exercise) {
@@ -18,73 +25,71 @@ fs::path child(const Exercise& exercise) {
          fmt::format("lib{}.a", exercise.name);
 }
 
-/// The messages about the learner's own lines, in order; their first line number is put into `line`.
-std::string about_own_lines(const std::string& said, const std::string& file, int& line) {
-  std::istringstream lines(said);
-  std::string all, text;
-  bool own = false;
-  while (std::getline(lines, text)) {
-    const bool quoted = text.starts_with(" ");
-    if (!quoted) own = text.starts_with(file + ":") && text.find(" error: ") != std::string::npos;
-    if (!own) continue;
-    if (line == 0) line = std::atoi(text.c_str() + file.size() + 1);
-    all += (quoted ? text : fs::path(file).filename().string() + text.substr(file.size())) + "\n";
-  }
-  return all;
+/// The text of a file of at most 64 KB, into `text`; or why there is none, as a sentence. A link is not followed:
+/// it could lead to a file that only the judge may read.
+std::string read_learners(const fs::path& path, std::string& text) {
+  const std::string name = path.filename().string();
+  const int file = open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+  struct stat status {};
+  const bool regular = file >= 0 && fstat(file, &status) == 0 && S_ISREG(status.st_mode);
+  text.assign(most_text + 1, '\0');
+  const ssize_t got = regular ? read(file, text.data(), text.size()) : -1;
+  if (file >= 0) close(file);
+  if (got < 0) return name + " is not a file that can be read: links, folders and devices are not judged.";
+  if (static_cast<std::size_t>(got) > most_text)
+    return fmt::format("{} has more than {} KB; a solution has less than one.", name, most_text >> 10);
+  text.resize(static_cast<std::size_t>(got));
+  return "";
 }
 
-/// The learner's line that an error in a header comes from, and what the compiler says there.
-std::string about_a_header(const std::string& said, const std::string& file, int& line) {
-  std::istringstream lines(said);
-  std::string from, error, text;
-  while (std::getline(lines, text)) {
-    const auto at = text.find(file + ":");
-    if (at != std::string::npos && from.empty()) {
-      line = std::atoi(text.c_str() + at + file.size() + 1);
-      if (line > 0) from = fmt::format("{}:{}: ", fs::path(file).filename().string(), line);
-    }
-    if (const auto found = text.find("error: "); found != std::string::npos && error.empty())
-      error = text.substr(found);
-  }
-  return from + error + "\n";
-}
-
-Verdict not_compiled(const std::string& said, const std::string& file) {
+Verdict not_compiled(const std::string& sentence) {
   Verdict verdict;
   verdict.kind = Verdict::Kind::does_not_compile;
-  if (const auto at = said.find("undefined reference to `"); at != std::string::npos) {
-    const auto begin = at + 24;
-    std::string name = said.substr(begin, said.find('\'', begin) - begin);
-    for (auto found = name.find("plain::"); found != std::string::npos; found = name.find("plain::"))
-      name.erase(found, 7);
-    verdict.sentence = fmt::format("{} is missing; keep the signature of the task.", name);
-    return verdict;
-  }
-  verdict.sentence = "It does not compile.";
-  verdict.details = about_own_lines(said, file, verdict.line);
-  if (verdict.details.empty()) verdict.details = about_a_header(said, file, verdict.line);
-  if (said.empty()) verdict.sentence = "It does not compile within ten seconds.";
+  verdict.sentence = sentence;
   return verdict;
 }
 
 }  // namespace
 
 Verdict check(const Exercise& exercise, const Key& key, const fs::path& path) {
-  const fs::path file = fs::absolute(path), signature = exercise.folder() / "signature.hpp",
-                 header = practise_folder() / "learner", library = child(exercise);
+  const fs::path signature = exercise.folder() / "signature.hpp", header = practise_folder() / "learner",
+                 library = child(exercise);
   if (!fs::exists(library)) throw renderer::EnvironmentError(library.string() + " is missing");
+  std::string text;
+  if (const std::string refused = read_learners(path, text); !refused.empty()) return not_compiled(refused);
+
   const Scratch scratch;
-  const std::string program = (scratch.path() / "program").string();
+  const std::string file = (scratch.path() / path.filename()).string(),
+                    object = (scratch.path() / "object.o").string(),
+                    program = (scratch.path() / "program").string();
+  renderer::write_whole(file, text);
+  const Limits limits{.seconds = 10, .bytes = 1u << 30};
   const Finished compiled = run_confined(
-      {BYHAND_COMPILER, "-std=c++20", "-O1", "-static", "-Werror=return-type", "-fmax-errors=3",
-       "-I" + header.string(), "-include", signature.string(), file.string(), library.string(), "-o", program},
-      {file, signature, header, library}, scratch.path(), {.seconds = 10, .bytes = 1u << 30});
-  if (compiled.status != 0) return not_compiled(compiled.said, file.string());
+      {BYHAND_COMPILER, "-std=c++20", "-O1", "-ffp-contract=off", "-Wall", "-Wno-unknown-pragmas",
+       "-Werror=return-type", "-fmax-errors=3",
+       "-fsanitize=integer-divide-by-zero,signed-integer-overflow,bounds,null,unreachable,float-cast-overflow",
+       "-fno-sanitize-recover=all", "-ffile-prefix-map=" + scratch.path().string() + "/=", "-I" + header.string(),
+       "-include", signature.string(), "-c", file, "-o", object},
+      {signature, header}, scratch.path(), limits);
+  const Messages messages(compiled.said, file);
+  if (compiled.status != 0) {
+    Verdict verdict =
+        not_compiled(compiled.status < 0 ? "It does not compile within ten seconds." : "It does not compile.");
+    verdict.details = messages.errors;
+    verdict.line = messages.line;
+    return verdict;
+  }
+  const Finished linked = run_confined(
+      {BYHAND_COMPILER, "-static", "-Wl,--undefined=byhand_child", object, library.string(), "-o", program},
+      {library}, scratch.path(), limits);
+  if (linked.status != 0) return not_compiled(about_linking(linked.said, text));
 
   Process process(program);
   Verdict verdict = judge(
       exercise, key, [&](std::size_t which, const Numbers& arguments) { return process.call(which, arguments); });
   verdict.printed = process.printed();
+  if (!verdict.is_right() && verdict.kind != Verdict::Kind::not_written && !messages.warnings.empty())
+    verdict.details += "The compiler warns\n" + messages.warnings;
   return verdict;
 }
 

@@ -38,7 +38,7 @@ constexpr int allowed[] = {
     SYS_ioctl,          SYS_brk,          SYS_mmap,   SYS_munmap,     SYS_mremap,          SYS_mprotect,
     SYS_madvise,        SYS_getrandom,    SYS_futex,  SYS_readlinkat, SYS_clock_gettime,   SYS_rt_sigaction,
     SYS_rt_sigprocmask, SYS_rt_sigreturn, SYS_gettid, SYS_getpid,     SYS_set_tid_address, SYS_exit,
-    SYS_exit_group,
+    SYS_exit_group,     SYS_sigaltstack,
     SYS_execve,  // a program that it becomes keeps this filter
 #ifdef SYS_arch_prctl
     SYS_arch_prctl,
@@ -51,8 +51,8 @@ constexpr int allowed[] = {
 #endif
     SYS_set_robust_list};
 
-/// Known, harmless if it fails: abort() then ends by an illegal instruction, and limits are only read.
-constexpr int refused[] = {SYS_tgkill, SYS_prlimit64};
+/// Known, harmless if it fails: limits are only read.
+constexpr int refused[] = {SYS_prlimit64};
 
 sock_filter load(unsigned offset) { return BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offset); }
 sock_filter verdict(unsigned action) { return BPF_STMT(BPF_RET | BPF_K, action); }
@@ -60,15 +60,27 @@ sock_filter unless(unsigned value) { return BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, 
 
 }  // namespace
 
+std::string missing_confinement() {
+  if (syscall(SYS_landlock_create_ruleset, nullptr, 0, LANDLOCK_CREATE_RULESET_VERSION) < 1)
+    return "This system has no Landlock (Linux 5.13, enabled at boot), so that a submission's #include or .incbin "
+           "may "
+           "read any file that the judge may read, its keys among them";
+  if (architecture == 0 || prctl(PR_GET_SECCOMP, 0, 0, 0, 0) < 0)
+    return "This system has no seccomp filter that the judge knows, so that a submission's program may call the "
+           "system";
+  return "";
+}
+
 void limit(const Limits& limits, std::size_t file_bytes) {
   set(RLIMIT_CPU, static_cast<rlim_t>(std::ceil(limits.seconds)));
   set(RLIMIT_AS, limits.bytes);
   set(RLIMIT_FSIZE, file_bytes);
   set(RLIMIT_CORE, 0);
+  set(RLIMIT_STACK, 8u << 20);
 }
 
 void allow_computing_only() {
-  constexpr std::size_t most = 4 + 2 * (std::size(allowed) + std::size(refused)) + 1;
+  constexpr std::size_t most = 4 + 2 * (std::size(allowed) + std::size(refused)) + 4 + 1;
   std::array<sock_filter, most> program{};
   std::size_t size = 0;
   program[size++] = load(offsetof(seccomp_data, arch));
@@ -83,6 +95,11 @@ void allow_computing_only() {
     program[size++] = unless(static_cast<unsigned>(call));
     program[size++] = verdict(SECCOMP_RET_ERRNO | 1);
   }
+  // abort() is a signal to itself.
+  program[size++] = BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_tgkill, 0, 3);
+  program[size++] = load(offsetof(seccomp_data, args[0]));
+  program[size++] = unless(static_cast<unsigned>(getpid()));
+  program[size++] = verdict(SECCOMP_RET_ALLOW);
   program[size++] = verdict(SECCOMP_RET_KILL_PROCESS);
   const sock_fprog filter{static_cast<unsigned short>(size), program.data()};
   if (architecture == 0 || prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return;

@@ -24,6 +24,13 @@ std::filesystem::path practise_folder() { return BYHAND_PRACTISE_FOLDER; }
 
 std::filesystem::path Exercise::folder() const { return practise_folder() / name; }
 
+std::string Exercise::function(std::size_t which) const {
+  std::istringstream names(functions);
+  std::string one;
+  for (std::size_t i = 0; i <= which; ++i) std::getline(names >> std::ws, one, ',');
+  return one;
+}
+
 std::string contents_of(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   if (!in) throw renderer::EnvironmentError(file.string() + " cannot be read");

@@ -22,8 +22,10 @@ struct Exercise {
   std::string name;  // the folder: "01_rod_between_particles"
   void (*probe)(Probe&, const Code&);
   void (*film)(Film&, const Code&);
+  std::string functions;          // that the learner writes, as FUNCTIONS names them: "value, jacobian"
   std::vector<Variant> variants;  // the solution first
 
+  std::string function(std::size_t which) const;
   int number() const { return std::stoi(name); }
   std::filesystem::path folder() const;
 };

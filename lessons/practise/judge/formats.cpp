@@ -225,6 +225,7 @@ std::string to_json(const Key& key) {
     for (const Shape& s : frame.shapes) shapes.push_back({int(s.kind), s.at.x, s.at.y, s.to.x, s.to.y, s.angle});
     frames.push_back({frame.reading, shapes});
   }
+  json["film_tolerance"] = key.film_tolerance;
   json["film"] = {{"title", film.title}, {"quantity", film.quantity}, {"unit", film.unit}, {"frames", frames}};
   return json.dump() + "\n";
 }
@@ -240,6 +241,7 @@ Key key_from_json(const std::string& text) {
     for (const Json& sheet : known.at("sheets")) wrong.sheets.push_back(sheet_from(sheet));
     key.misconceptions.push_back(std::move(wrong));
   }
+  key.film_tolerance = json.at("film_tolerance").get<std::vector<double>>();
   const Json& film = json.at("film");
   key.film = {film.at("title"), film.at("quantity"), film.at("unit"), {}};
   for (const Json& frame : film.at("frames")) {

@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <stdexcept>
 
 #include "lessons/practise/judge/check.hpp"
+#include "lessons/practise/judge/confine.hpp"
 #include "lessons/practise/judge/picture.hpp"
 #include "renderer/error.hpp"
 #include "renderer/file.hpp"
@@ -22,36 +24,28 @@ std::string picture_of(const Film& yours, const Film& right) {
   }
 }
 
-std::vector<Graded> not_finished(const std::vector<const Exercise*>& wanted) {
-  std::vector<Graded> all;
-  for (const Exercise* exercise : wanted) {
-    Graded graded{.exercise = exercise, .file = exercise->name + ".cpp"};
-    graded.verdict.kind = Verdict::Kind::stopped;
-    graded.verdict.sentence = "The judge did not finish.";
-    all.push_back(std::move(graded));
+Graded judged(const Exercise& exercise, const std::filesystem::path& folder, const Keys& keys) {
+  Graded graded{.exercise = &exercise, .file = exercise.name + ".cpp"};
+  const auto path = folder / graded.file;
+  if (std::filesystem::exists(std::filesystem::symlink_status(path))) {
+    Key key = keys(exercise);
+    key.secret = true;
+    graded.verdict = check(exercise, key, path);
+    graded.picture = picture_of(graded.verdict.film, key.film);
+  } else {
+    graded.verdict.kind = Verdict::Kind::not_written;
+    graded.verdict.sentence = graded.file + " is missing.";
   }
-  return all;
+  return graded;
 }
 
 }  // namespace
 
-std::vector<Graded> grade(const std::vector<const Exercise*>& wanted, const std::filesystem::path& folder,
-                          const Keys& keys) {
-  std::vector<Graded> all;
-  for (const Exercise* exercise : wanted) {
-    Graded graded{.exercise = exercise, .file = exercise->name + ".cpp"};
-    const auto path = folder / graded.file;
-    if (std::filesystem::is_regular_file(path)) {
-      const Key key = keys(*exercise);
-      graded.verdict = check(*exercise, key, path);
-      graded.picture = picture_of(graded.verdict.film, key.film);
-    } else {
-      graded.verdict.kind = Verdict::Kind::not_written;
-      graded.verdict.sentence = graded.file + " is missing.";
-    }
-    all.push_back(std::move(graded));
-  }
-  return all;
+void require_confinement(bool unconfined) {
+  const std::string missing = missing_confinement();
+  if (missing.empty()) return;
+  if (!unconfined) throw renderer::EnvironmentError(missing + ". --unconfined grades all the same.");
+  fmt::print(stderr, "{}. Grading all the same.\n", missing);
 }
 
 Report parse_report(const std::string& words) {
@@ -75,12 +69,26 @@ void write(const std::vector<Report>& reports, const std::vector<Graded>& graded
 
 std::vector<Graded> grade(const std::vector<const Exercise*>& wanted, const std::filesystem::path& folder,
                           const Keys& keys, const std::vector<Report>& reports) {
+  if (!std::filesystem::is_directory(folder))
+    throw std::invalid_argument(fmt::format("{} is not a folder of submitted files", folder.string()));
   std::vector<Report> files = reports;
   std::erase_if(files, [](const Report& report) { return report.file == "-"; });
-  write(files, not_finished(wanted));
-  auto graded = grade(wanted, folder, keys);
-  write(reports, graded);
-  return graded;
+  std::vector<Graded> all;
+  for (const Exercise* exercise : wanted) {
+    Graded waits{.exercise = exercise, .file = exercise->name + ".cpp"};
+    waits.verdict.kind = Verdict::Kind::stopped;
+    waits.verdict.sentence = "The judge did not finish.";
+    all.push_back(std::move(waits));
+  }
+  write(files, all);
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    const auto begun = std::chrono::steady_clock::now();
+    all[i] = judged(*wanted[i], folder, keys);
+    all[i].seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+    write(files, all);
+  }
+  write(reports, all);
+  return all;
 }
 
 }  // namespace byhand::practise

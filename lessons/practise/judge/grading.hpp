@@ -16,13 +16,14 @@ struct Graded {
   std::string file{};  // as the learner knows it; empty if it is missing
   Verdict verdict{};
   std::string picture{};  // bytes of a PNG; may be empty
+  double seconds = 0;     // that judging took
 };
 
-using Keys = std::function<Key(const Exercise&)>;
+/// Throws renderer::EnvironmentError where this system cannot keep a submission from reading the keys; if that is
+/// wanted, says so on standard error.
+void require_confinement(bool unconfined);
 
-/// Judges <folder>/<exercise>.cpp for each of these exercises.
-std::vector<Graded> grade(const std::vector<const Exercise*>& wanted, const std::filesystem::path& folder,
-                          const Keys& keys);
+using Keys = std::function<Key(const Exercise&)>;
 
 /// gradescope, classroom50, prairielearn, junit, github (annotations, to be printed), summary (Markdown).
 using Format = std::string (*)(const std::vector<Graded>&);
@@ -36,8 +37,9 @@ struct Report {
 Report parse_report(const std::string& words);
 void write(const std::vector<Report>& reports, const std::vector<Graded>& graded);
 
-/// Grades and writes the reports. Files say at first that the judge did not finish, so that they exist whatever
-/// happens.
+/// Judges <folder>/<exercise>.cpp for each of these exercises with keys that stay secret, and writes the reports:
+/// files after each exercise, in which those that follow have not finished, so that a judge that is killed costs
+/// no more. Throws std::invalid_argument if there is no such folder.
 std::vector<Graded> grade(const std::vector<const Exercise*>& wanted, const std::filesystem::path& folder,
                           const Keys& keys, const std::vector<Report>& reports);
 

@@ -22,6 +22,8 @@ struct Key {
   std::vector<std::vector<Numbers>> tolerance;  // of each value of `right`
   std::vector<Misconception> misconceptions;
   Film film;
+  std::vector<double> film_tolerance;  // of each frame, as a share of each number's largest value
+  bool secret = false;                 // a course's: its numbers are not shown to a learner
 };
 
 /// Runs the solution and every mutant, which are the exercise's variants.
@@ -42,7 +44,8 @@ struct Verdict {
   bool is_right() const { return kind == Kind::right; }
 };
 
-/// Runs the code on all probes and compares. A Stopped that the code throws becomes the verdict.
+/// Runs the code on all probes and in the film, and compares. A Stopped that the code throws becomes the verdict.
+/// Throws renderer::EnvironmentError if the key was made for other probes than these.
 Verdict judge(const Exercise& exercise, const Key& key, const Code& code);
 
 /// Whether both say the same on a probe, within what rounding explains.

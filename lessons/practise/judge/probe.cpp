@@ -34,21 +34,21 @@ Vec2 Probe::vector(const std::string& name, const std::string& unit, double size
   return {values[0], values[1]};
 }
 
-BodyRow Probe::row(const std::string& name) {
+BodyRow Probe::row(const std::string& name, double size) {
   BodyRow J;
-  J.l1 = vector(name + ".l1", "m", 2);
-  J.a1 = number(name + ".a1", "m²", -2, 2);
-  J.l2 = vector(name + ".l2", "m", 2);
-  J.a2 = number(name + ".a2", "m²", -2, 2);
+  J.l1 = vector(name + ".l1", "m", size);
+  J.a1 = number(name + ".a1", "m²", -size, size);
+  J.l2 = vector(name + ".l2", "m", size);
+  J.a2 = number(name + ".a2", "m²", -size, size);
   return J;
 }
 
-Velocities Probe::velocities(const std::string& name) {
+Velocities Probe::velocities(const std::string& name, double size) {
   Velocities V;
-  V.v1 = vector(name + ".v1", "m/s", 4);
-  V.w1 = number(name + ".w1", "rad/s", -4, 4);
-  V.v2 = vector(name + ".v2", "m/s", 4);
-  V.w2 = number(name + ".w2", "rad/s", -4, 4);
+  V.v1 = vector(name + ".v1", "m/s", size);
+  V.w1 = number(name + ".w1", "rad/s", -size, size);
+  V.v2 = vector(name + ".v2", "m/s", size);
+  V.w2 = number(name + ".w2", "rad/s", -size, size);
   return V;
 }
 

@@ -13,11 +13,12 @@
 
 namespace byhand::practise {
 
-/// One line of a probe's sheet: what was given, what the code answered, or the two sides of a law.
+/// One line of a probe's sheet: what was given, what the code answered, the two sides of a law, or
+/// a number that must have a sign.
 struct Line {
-  enum class Kind { given, answer, law } kind;
+  enum class Kind { given, answer, law, sign } kind;
   std::string name, unit;
-  Numbers values;  // of a law: left, right
+  Numbers values;  // of a law: left, right; of a sign: the number, 1 or -1
 };
 
 using Sheet = std::vector<Line>;
@@ -29,14 +30,19 @@ class Probe {
   Probe(std::uint64_t seed, int index)
       : index_(index), random_(seed * 1000003 + static_cast<std::uint64_t>(index)) {}
 
-  int index() const { return index_; }
+  /// Which of `count` cases this probe is: each occurs among the probes of every seed.
+  int one_of(int count) const { return index_ % count; }
+  /// This size, but a hundredth on each fourth probe and 1e-5 on each eighth: a threshold in the code shows there.
+  double sized(double usual) const {
+    return index_ % 8 == 7 ? 1e-5 * usual : index_ % 4 == 3 ? 0.01 * usual : usual;
+  }
 
   /// From [least, most].
   double number(const std::string& name, const std::string& unit, double least, double most);
   /// Components of either sign, up to `size`.
   Vec2 vector(const std::string& name, const std::string& unit, double size);
-  BodyRow row(const std::string& name);
-  Velocities velocities(const std::string& name);
+  BodyRow row(const std::string& name, double size = 2);
+  Velocities velocities(const std::string& name, double size = 4);
   InverseMasses inverse_masses();
 
   /// Compared with the reference.
@@ -49,6 +55,11 @@ class Probe {
   /// left = right, whatever the reference says.
   void law(const std::string& name, const std::string& unit, double left, double right) {
     sheet_.push_back({Line::Kind::law, name, unit, {left, right}});
+  }
+
+  /// value > 0 for a side of 1, value < 0 for -1, however small it is.
+  void sign(const std::string& name, const std::string& unit, double value, int side) {
+    sheet_.push_back({Line::Kind::sign, name, unit, {value, static_cast<double>(side)}});
   }
 
   /// Values of what is given, by name, instead of random ones.

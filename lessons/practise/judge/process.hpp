@@ -22,8 +22,8 @@ struct Limits {
   std::size_t bytes = 256u << 20;
 };
 
-/// The process that runs a learner's functions. It gets no files, no network and no further processes where the
-/// system has seccomp; it has one socket to the judge, and what it prints is kept.
+/// The process that runs a learner's functions. It gets no files, no network, no environment and no further
+/// processes where the system has seccomp; it has one socket to the judge, and what it prints is kept.
 class Process {
  public:
   explicit Process(const std::filesystem::path& program, Limits limits = {});
@@ -31,18 +31,23 @@ class Process {
   Process& operator=(const Process&) = delete;
   ~Process();
 
-  /// Throws Stopped if no answer comes. All calls together may compute for `limits.seconds`.
+  /// Throws Stopped if no answer comes. All calls together may compute for `limits.seconds`; a process that sleeps
+  /// instead is ended after as many by the clock.
   Numbers call(std::size_t which, const Numbers& arguments);
 
   /// The first lines that the learner's code printed.
   std::string printed() const;
 
  private:
+  double received();
   void receive(void* bytes, std::size_t count);
+  [[noreturn]] void wrote_on_the_channel();
   [[noreturn]] void ended();
   [[noreturn]] void end(const std::string& sentence);
 
   Limits limits_;
+  double waited_ = 0;   // for answers [s]
+  bool ready_ = false;  // its main has begun
   pid_t child_ = -1;
   int socket_ = -1, print_ = -1;
 };
@@ -52,8 +57,8 @@ struct Finished {
   std::string said;
 };
 
-/// Runs a program that may read the system and `readable`, and write into `folder` alone, where the system has
-/// Landlock.
+/// Runs a program that may read the system and `readable`, and write 64 MB into `folder` alone, where the system
+/// has Landlock. `limits.seconds` are by the clock.
 Finished run_confined(const std::vector<std::string>& command, const std::vector<std::filesystem::path>& readable,
                       const std::filesystem::path& folder, Limits limits);
 

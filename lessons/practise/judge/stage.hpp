@@ -55,6 +55,13 @@ struct GroundContact {
 void box_on_ground(Film& film, Body box, Vec2 gravity, double slope,
                    const std::function<void(Body&, std::vector<GroundContact>&, double h)>& solve);
 
+/// df/dt at t = 0 of a function of time [s], by differences of sixth order: only rounding is left of its error.
+template <class F>
+double rate_of(const F& f) {
+  constexpr double t = 1e-3;
+  return (45 * (f(t) - f(-t)) - 9 * (f(2 * t) - f(-2 * t)) + (f(3 * t) - f(-3 * t))) / (60 * t);
+}
+
 /// Vec2 turned by an angle [rad].
 Vec2 turned(Vec2 a, double angle);
 Vec2 unit(Vec2 a);

@@ -1,4 +1,5 @@
-// Right for particles; turn a body and its anchor moves by ω × r.
+// Right for particles: turn a body and its anchor moves by ω × r. The arm reaches from the centre, not from the
+// wheel.
 #include "practise.hpp"
 
 double value(Vec2 p1, Vec2 r1, Vec2 p2, Vec2 r2, const Pulley& pulley) {

@@ -1,0 +1,15 @@
+// Your C is 0 at its extreme: where the rope is taut its gradient vanishes, and λ is 0/0.
+#include "practise.hpp"
+
+double value(Vec2 p1, Vec2 r1, Vec2 p2, Vec2 r2, const Pulley& pulley) {
+  const Vec2 d1 = p1 + r1 - pulley.wheel1, d2 = p2 + r2 - pulley.wheel2;
+  const double e = length(d1) + pulley.ratio * length(d2) - pulley.L;
+  return -e * e;
+}
+
+BodyRow jacobian(Vec2 p1, Vec2 r1, Vec2 p2, Vec2 r2, const Pulley& pulley) {
+  const Vec2 d1 = p1 + r1 - pulley.wheel1, d2 = p2 + r2 - pulley.wheel2;
+  const Vec2 u1 = d1 / length(d1), u2 = pulley.ratio / length(d2) * d2;
+  const double e = length(d1) + pulley.ratio * length(d2) - pulley.L;
+  return -2 * e * BodyRow{u1, cross(r1, u1), u2, cross(r2, u2)};
+}
