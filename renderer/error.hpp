@@ -4,9 +4,9 @@
 
 namespace byhand::renderer {
 
-/// A failure of the environment: no OpenGL, a missing font, a full disk, a folder that is not writable. `what()`
-/// is one sentence with the cause and, if there is one, the remedy. A lesson then exits with status 3.
-struct EnvironmentError : std::runtime_error {
+/// OpenGL, a font or memory that drawing needs is missing. `what()` is one sentence with the cause and, if there
+/// is one, the remedy.
+struct Unavailable : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 

@@ -43,7 +43,7 @@ bool combines(char32_t c) { return (c >= 0x300 && c <= 0x36f) || (c >= 0x20d0 &&
 
 struct Font::Face {
   explicit Face(const char* name) : data(font_file(name)) {
-    if (!stbtt_InitFont(&info, data.data(), 0)) throw EnvironmentError(fmt::format("{} is not a font.", name));
+    if (!stbtt_InitFont(&info, data.data(), 0)) throw Unavailable(fmt::format("{} is not a font.", name));
   }
 
   double scale(double size) const { return stbtt_ScaleForMappingEmToPixels(&info, float(size)); }

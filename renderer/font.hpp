@@ -15,7 +15,7 @@ namespace byhand::renderer {
 /// Glyphs of DejaVu Sans, rasterised on demand into one atlas of grey pixels.
 class Font {
  public:
-  /// Throws EnvironmentError if the font is not installed.
+  /// Throws Unavailable if the font is not installed.
   Font();
   ~Font();
 

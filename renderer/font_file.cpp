@@ -31,7 +31,7 @@ std::vector<unsigned char> font_file(const char* name) {
   std::ifstream in(path, std::ios::binary);
   std::vector<unsigned char> bytes(std::istreambuf_iterator<char>(in), {});
   if (!is_whole(bytes))
-    throw EnvironmentError(fmt::format(
+    throw Unavailable(fmt::format(
         "There is no whole font at {}: apt install --reinstall fonts-dejavu-core fonts-dejavu-extra.", path));
   return bytes;
 }

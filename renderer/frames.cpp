@@ -19,13 +19,10 @@ namespace {
 constexpr std::size_t capacity = 4;  // frames in the queue: 11 MB at 1280 × 720
 }
 
-FrameWriter::FrameWriter(std::filesystem::path folder, Encoding encoding, WriteFile write_file)
-    : folder_(std::move(folder)), encoding_(encoding), write_file_(std::move(write_file)) {
-  if (encoding_ == Encoding::beside) thread_ = started_thread([this] { encode_queue(); });
-  if (!thread_.joinable()) encoding_ = Encoding::at_once;
-}
+FrameEncoder::FrameEncoder(Sink sink)
+    : sink_(std::move(sink)), thread_(started_thread([this] { encode_queue(); })) {}
 
-FrameWriter::~FrameWriter() {
+FrameEncoder::~FrameEncoder() {
   {
     const std::lock_guard lock(mutex_);
     queue_.clear();
@@ -33,27 +30,21 @@ FrameWriter::~FrameWriter() {
   stop();
 }
 
-std::filesystem::path FrameWriter::path(int index) const { return folder_ / fmt::format("{:04}.png", index); }
-
-void FrameWriter::write(Image image) {
-  if (encoding_ == Encoding::at_once) {
-    write_file_(path(count_++), encode_png(image));
-    return;
-  }
+void FrameEncoder::add(Image image) {
+  if (!thread_.joinable()) return sink_(count_++, encode_png(image));
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [this] { return queue_.size() < capacity || error_; });
   if (error_) std::rethrow_exception(error_);
   queue_.push_back(std::move(image));
-  ++count_;
   changed_.notify_all();
 }
 
-void FrameWriter::finish() {
+void FrameEncoder::finish() {
   stop();
   if (error_) std::rethrow_exception(error_);
 }
 
-void FrameWriter::stop() {
+void FrameEncoder::stop() {
   {
     const std::lock_guard lock(mutex_);
     closed_ = true;
@@ -62,7 +53,7 @@ void FrameWriter::stop() {
   if (thread_.joinable()) thread_.join();
 }
 
-void FrameWriter::encode_queue() {
+void FrameEncoder::encode_queue() {
   std::unique_lock lock(mutex_);
   for (int index = 0;; ++index) {
     changed_.wait(lock, [this] { return !queue_.empty() || closed_; });
@@ -72,7 +63,7 @@ void FrameWriter::encode_queue() {
     lock.unlock();
     changed_.notify_all();
     try {
-      write_file_(path(index), encode_png(image));
+      sink_(index, encode_png(image));
       lock.lock();
     } catch (...) {
       lock.lock();

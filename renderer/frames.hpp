@@ -1,57 +1,44 @@
 #pragma once
 
 #include <condition_variable>
-#include <cstddef>
 #include <deque>
 #include <exception>
-#include <filesystem>
 #include <functional>
 #include <mutex>
 #include <span>
 #include <string_view>
 #include <thread>
+#include <vector>
 
-#include "renderer/file.hpp"
 #include "renderer/image.hpp"
 
 namespace byhand::renderer {
 
-/// Writes an image sequence `<folder>/0000.png`, `0001.png`, …, and encodes it on a background thread.
-class FrameWriter {
+/// Encodes the images of a sequence as PNG files, on a background thread, or at once where none can be started.
+class FrameEncoder {
  public:
-  enum class Encoding { beside, at_once };
-  /// Writes the bytes of a frame's file; called on the background thread.
-  using WriteFile = std::function<void(const std::filesystem::path& path, std::string_view bytes)>;
+  /// Receives the bytes of frame 0, 1, …, in this order, on that thread.
+  using Sink = std::function<void(int index, std::string_view png)>;
 
-  /// `Encoding::at_once` starts no thread: `write` returns once the file exists.
-  explicit FrameWriter(std::filesystem::path folder, Encoding encoding = Encoding::beside,
-                       WriteFile write_file = write_whole);
-  FrameWriter(const FrameWriter&) = delete;
-  FrameWriter& operator=(const FrameWriter&) = delete;
-  /// Waits for the file being written and drops the queue. Call `finish` first to write all frames.
-  ~FrameWriter();
+  explicit FrameEncoder(Sink sink);
+  FrameEncoder(const FrameEncoder&) = delete;
+  FrameEncoder& operator=(const FrameEncoder&) = delete;
+  /// Waits for the frame being encoded and drops the queue. Call `finish` first to encode all frames.
+  ~FrameEncoder();
 
-  /// Queues the next frame; waits while four are queued. Rethrows the error of an earlier frame (EnvironmentError
-  /// for a full disk, …), after which no frame is written.
-  void write(Image image);
+  /// Queues the next frame; waits while four are queued. Rethrows the error of an earlier frame (that of the sink,
+  /// for one), after which no frame is encoded.
+  void add(Image image);
 
-  /// Waits until every frame is written and rethrows an error. No frame may follow.
+  /// Waits until every frame has reached the sink and rethrows an error. No frame may follow.
   void finish();
-
-  /// Number of frames so far.
-  int count() const { return count_; }
-  /// Path of frame `index`.
-  std::filesystem::path path(int index) const;
 
  private:
   void encode_queue();
   void stop();
 
-  std::filesystem::path folder_;
-  Encoding encoding_;
-  WriteFile write_file_;
-  int count_ = 0;
-  int written_ = 0;
+  Sink sink_;
+  int count_ = 0;  // of frames that were encoded at once
   std::deque<Image> queue_;
   bool closed_ = false;
   std::exception_ptr error_;

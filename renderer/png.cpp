@@ -8,7 +8,6 @@
 #include <stdexcept>
 
 #include "renderer/error.hpp"
-#include "renderer/file.hpp"
 
 namespace {
 
@@ -32,10 +31,6 @@ unsigned char* compress(unsigned char* data, int size, int* compressed_size, int
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #define STBI_WRITE_NO_STDIO
 #include <stb/stb_image_write.h>
-#define STB_IMAGE_STATIC
-#define STB_IMAGE_IMPLEMENTATION
-#define STBI_ONLY_PNG
-#include <stb/stb_image.h>
 
 namespace byhand::renderer {
 namespace {
@@ -57,20 +52,8 @@ std::string encode_png(const Image& image, Compression compression) {
     static_cast<std::string*>(to)->append(static_cast<const char*>(data), size);
   };
   if (!stbi_write_png_to_func(append, &bytes, image.width, image.height, 3, image.rgb.data(), 3 * image.width))
-    throw EnvironmentError("There is not enough memory to encode a picture.");
+    throw Unavailable("There is not enough memory to encode a picture.");
   return bytes;
-}
-
-void write_png(const std::filesystem::path& path, const Image& image) { write_whole(path, encode_png(image)); }
-
-Image read_png(const std::filesystem::path& path) {
-  Image image;
-  int channels = 0;
-  const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> pixels(
-      stbi_load(path.c_str(), &image.width, &image.height, &channels, 3), stbi_image_free);
-  if (!pixels) throw EnvironmentError(fmt::format("Cannot read {}: {}.", path.string(), stbi_failure_reason()));
-  image.rgb.assign(pixels.get(), pixels.get() + 3 * std::size_t(image.width) * image.height);
-  return image;
 }
 
 }  // namespace byhand::renderer

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <string>
 
 #include "renderer/image.hpp"
@@ -13,11 +12,5 @@ enum class Compression { quick, thorough };
 /// Encodes a PNG file, RGB with 8 bits per channel. The same image always gives the same bytes. Throws
 /// std::invalid_argument if the size is not positive or does not match the number of bytes.
 std::string encode_png(const Image& image, Compression compression = Compression::quick);
-
-/// Writes `image` atomically; throws as `encode_png` and `write_whole` do.
-void write_png(const std::filesystem::path& path, const Image& image);
-
-/// Reads any PNG file, without alpha. Throws EnvironmentError if it cannot.
-Image read_png(const std::filesystem::path& path);
 
 }  // namespace byhand::renderer

@@ -9,13 +9,26 @@
 #include <iterator>
 #include <utility>
 
-#include "renderer/encoding.hpp"
+#include "renderer/data_url.hpp"
 #include "renderer/font.hpp"
 
 namespace byhand::renderer {
 namespace {
 
 constexpr int svg_height = 720;  // points
+
+/// Text between tags.
+std::string escaped(std::string_view text) {
+  std::string all;
+  for (const char c : text) switch (c) {
+      case '<': all += "&lt;"; break;
+      case '>': all += "&gt;"; break;
+      case '&': all += "&amp;"; break;
+      case '"': all += "&quot;"; break;
+      default: all += c;
+    }
+  return all;
+}
 
 // A hundredth of a point is the unit of coordinates: files stay small, and their bytes do not depend on rounding
 // in the last digits. Halves, which layouts give often, round up also where they miss a little.
@@ -170,9 +183,8 @@ class SvgCanvas::Surface : public DrawingSurface {
     windows_.push_back({space, frame});
     if (!draw_window_) return;
     end_run();
-    body_ += fmt::format("<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" href=\"data:image/png;base64,{}\"/>",
-                         frame.x, frame.y, frame.width, frame.height,
-                         base64(draw_window_(windows_.back(), size_, paper_)));
+    body_ += fmt::format("<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" href=\"{}\"/>", frame.x, frame.y,
+                         frame.width, frame.height, data_url(draw_window_(windows_.back(), size_, paper_)));
   }
 
   const std::vector<Window>& windows() const { return windows_; }

@@ -1,15 +1,19 @@
-// Who includes whom: no room includes upward, no headers include each other in a circle, and no folders of the
-// solver do.
+// Who includes whom: each include goes along the arrows of the picture in .github/CONTRIBUTING.md; no rooms, no
+// headers and no folders of the solver include each other in a circle.
 
 #include <gtest/gtest.h>
 
 #include <unistd.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <set>
+#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -83,31 +87,71 @@ std::string circle(const Graph& graph) {
 
 bool is_in(const std::string& file, const std::string& folder) { return file.rfind(folder + "/", 0) == 0; }
 
-struct Rule {
-  const char* folder;
-  std::vector<std::string> may_not_include;
-};
-const std::vector<std::string> pictures = {"tests",         "renderer",        "lessons/page", "lessons/terminal",
-                                           "lessons/files", "lessons/pictures"};
-const Rule rules[] = {{"solver", {"renderer", "lessons", "tests"}},
-                      {"renderer", {"solver", "lessons", "tests"}},
-                      {"lessons", {"tests"}},
-                      {"lessons/methods", pictures},
-                      {"lessons/scenes", pictures},
-                      {"lessons/exact", pictures},
-                      {"lessons/laws", pictures},
-                      {"lessons/catalogue", pictures},
-                      {"lessons/engines", pictures}};
+/// The room of a file: solver, renderer, a folder of lessons/; "lesson" for those of all lessons, "course" for the
+/// files at the root of lessons/.
+std::string room(const std::string& file) {
+  const std::size_t slash = file.find('/');
+  if (!is_in(file, "lessons")) return file.substr(0, slash);
+  const std::size_t next = file.find('/', slash + 1);
+  if (next == std::string::npos) return "course";
+  return std::isdigit(static_cast<unsigned char>(file[slash + 1])) ? "lesson"
+                                                                   : file.substr(slash + 1, next - slash - 1);
+}
 
-/// Every include that a rule forbids, one a line.
-std::string upward(const Graph& graph) {
+/// The arrows of the Mermaid picture in a text, each with its line: `a --> b & c`, `a --> b --> c`.
+Graph picture_in(std::istream& text) {
+  Graph arrows;
+  bool inside = false;
+  std::string line;
+  while (std::getline(text, line)) {
+    if (line.rfind("```", 0) == 0) inside = line == "```mermaid";
+    if (!inside || line.find("-->") == std::string::npos) continue;
+    std::vector<std::string> from, to;
+    std::istringstream words(line);
+    for (std::string word; words >> word;) {
+      if (word == "-->") from = std::exchange(to, {});
+      if (word == "-->" || word == "&") continue;
+      to.push_back(word.substr(0, word.find('[')));
+      for (const std::string& source : from) arrows[source].emplace(to.back(), line);
+    }
+  }
+  return arrows;
+}
+
+/// The rooms that arrows lead to from `room`, over others too.
+std::set<std::string> reached(const Graph& picture, const std::string& room) {
+  std::set<std::string> all;
+  const auto visit = [&](const auto& self, const std::string& from) -> void {
+    if (const auto arrows = picture.find(from); arrows != picture.end())
+      for (const auto& [to, line] : arrows->second)
+        if (all.insert(to).second) self(self, to);
+  };
+  visit(visit, room);
+  return all;
+}
+
+/// Includes from one room into another that no arrows lead to, one a line.
+std::string against(const Graph& picture, const Graph& files) {
   std::string found;
-  for (const auto& [file, edges] : graph)
+  for (const auto& [file, edges] : files) {
+    const std::set<std::string> allowed = reached(picture, room(file));
     for (const auto& [other, line] : edges)
-      for (const Rule& rule : rules)
-        for (const std::string& folder : rule.may_not_include)
-          if (is_in(file, rule.folder) && is_in(other, folder))
-            found += "\n  " + line + " includes " + other + ", but " + rule.folder + " may not include " + folder;
+      if (room(other) != room(file) && allowed.count(room(other)) == 0)
+        found += "\n  " + line + " includes " + other + ", but no arrows lead from " + room(file) + " to " +
+                 room(other);
+  }
+  return found;
+}
+
+/// Arrows that no include goes along, one a line.
+std::string unused(const Graph& picture, const Graph& files) {
+  std::set<std::pair<std::string, std::string>> used;
+  for (const auto& [file, edges] : files)
+    for (const auto& [other, line] : edges) used.emplace(room(file), room(other));
+  std::string found;
+  for (const auto& [from, arrows] : picture)
+    for (const auto& [to, line] : arrows)
+      if (used.count({from, to}) == 0) found += "\n  nothing in " + from + " includes " + to;
   return found;
 }
 
@@ -132,7 +176,36 @@ const Graph& course() {
   return graph;
 }
 
-TEST(Includes, GoNoRoomUpward) { EXPECT_EQ(upward(course()), ""); }
+/// The picture of the house.
+const Graph& picture() {
+  static const Graph arrows = [] {
+    std::ifstream guide(fs::path(BYHAND_SOURCE_DIR) / ".github" / "CONTRIBUTING.md");
+    return picture_in(guide);
+  }();
+  return arrows;
+}
+
+TEST(Includes, GoAlongTheArrowsOfThePicture) { EXPECT_EQ(against(picture(), course()), ""); }
+TEST(Includes, GoAlongEveryArrowOfThePicture) { EXPECT_EQ(unused(picture(), course()), ""); }
+TEST(Includes, FormNoCircleOfRooms) { EXPECT_EQ(circle(picture()), ""); }
+
+// The picture may change; these do not.
+TEST(Includes, OfSolverAndRendererStayInTheirRooms) {
+  EXPECT_EQ(reached(picture(), "solver"), std::set<std::string>{});
+  EXPECT_EQ(reached(picture(), "renderer"), std::set<std::string>{});
+}
+TEST(Includes, OfALessonReachNothingThatABrowserLacks) {
+  const std::set<std::string> rooms = reached(picture(), "lesson");
+  EXPECT_EQ(rooms.count("page"), 1U);
+  for (const char* native : {"files", "terminal", "site", "practise", "course"})
+    EXPECT_EQ(rooms.count(native), 0U) << native;
+}
+TEST(Includes, OfComputationsReachNoPicture) {
+  for (const char* room : {"methods", "exact", "scenes", "laws", "catalogue", "engines"})
+    for (const char* drawn : {"renderer", "page", "pictures"})
+      EXPECT_EQ(reached(picture(), room).count(drawn), 0U) << room;
+}
+
 TEST(Includes, FormNoCircleOfFiles) { EXPECT_EQ(circle(course()), ""); }
 TEST(Includes, FormNoCircleOfTheSolversFolders) { EXPECT_EQ(circle(solver_folders(course())), ""); }
 
@@ -165,17 +238,26 @@ class Tree {
   fs::path root_;
 };
 
-TEST(Includes, ThatGoUpwardAreReported) {
+TEST(Includes, AgainstThePictureAreReported) {
+  std::istringstream guide(
+      "a --> b\n```mermaid\nlesson[\"01 …\"] --> exact & page\npage --> renderer\n"
+      "exact --> solver\n```\nrenderer --> lesson");
+  const Graph arrows = picture_in(guide);
   Tree tree;
   tree.file("renderer/canvas.hpp", {}).file("lessons/page/page.hpp", {"renderer/canvas.hpp"});
   tree.file("solver/row.hpp", {}).file("lessons/exact/top.hpp", {"solver/row.hpp"});
-  EXPECT_EQ(upward(tree.graph()), "");
+  tree.file("lessons/01_jacobian/main.cpp", {"lessons/page/page.hpp", "lessons/exact/top.hpp", "solver/row.hpp"});
+  EXPECT_EQ(against(arrows, tree.graph()), "");
+  EXPECT_EQ(unused(arrows, tree.graph()), "");
   tree.file("solver/body.hpp", {"solver/row.hpp", "renderer/canvas.hpp"});
   tree.file("lessons/exact/circle.cpp", {"lessons/page/page.hpp"});
-  EXPECT_EQ(upward(tree.graph()),
-            "\n  lessons/exact/circle.cpp:1 includes lessons/page/page.hpp, but lessons/exact may not include "
-            "lessons/page"
-            "\n  solver/body.hpp:2 includes renderer/canvas.hpp, but solver may not include renderer");
+  tree.file("lessons/course.cpp", {"lessons/page/page.hpp"});
+  EXPECT_EQ(against(arrows, tree.graph()),
+            "\n  lessons/course.cpp:1 includes lessons/page/page.hpp, but no arrows lead from course to page"
+            "\n  lessons/exact/circle.cpp:1 includes lessons/page/page.hpp, but no arrows lead from exact to page"
+            "\n  solver/body.hpp:2 includes renderer/canvas.hpp, but no arrows lead from solver to renderer");
+  tree.file("lessons/page/page.hpp", {});
+  EXPECT_EQ(unused(arrows, tree.graph()), "\n  nothing in page includes renderer");
 }
 
 TEST(Includes, ThatFormACircleAreReportedAsAChain) {

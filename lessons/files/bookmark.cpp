@@ -3,9 +3,9 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "lessons/files/atomic_file.hpp"
 #include "lessons/files/json.hpp"
-#include "renderer/error.hpp"
-#include "renderer/file.hpp"
+#include "lessons/page/error.hpp"
 
 namespace byhand::course {
 namespace {
@@ -30,15 +30,15 @@ fs::path bookmark_file(const std::string& slug) {
 }  // namespace
 
 Bookmark read_bookmark(const std::string& slug) {
-  return bookmark_from_json(renderer::read_whole(bookmark_file(slug)).value_or(""));
+  return bookmark_from_json(read_whole(bookmark_file(slug)).value_or(""));
 }
 
 bool save_bookmark(const std::string& slug, const Bookmark& bookmark) {
   const fs::path file = bookmark_file(slug);
   if (file.empty()) return false;
   try {
-    renderer::write_whole(file, to_json(bookmark));
-  } catch (const renderer::EnvironmentError&) {
+    write_whole(file, to_json(bookmark));
+  } catch (const EnvironmentError&) {
     return false;
   }
   return true;

@@ -8,14 +8,12 @@
 #include <memory>
 #include <vector>
 
+#include "lessons/files/atomic_file.hpp"
 #include "lessons/files/printed_by.hpp"
-#include "renderer/error.hpp"
-#include "renderer/file.hpp"
+#include "lessons/page/error.hpp"
 
 namespace byhand::course {
 namespace {
-
-using renderer::EnvironmentError;
 
 /// A file of its own in the folder for temporary files, removed at the end.
 class TemporaryFile {
@@ -59,7 +57,7 @@ std::string encoded_film(const std::filesystem::path& frames, double rate, const
   words.insert(words.end(), codec.begin(), codec.end());
   words.push_back(film.path);
   printed_by(ffmpeg.get(), words);
-  const auto bytes = renderer::read_whole(film.path);
+  const auto bytes = read_whole(film.path);
   if (!bytes || bytes->empty()) throw EnvironmentError(fmt::format("ffmpeg made no film of {}.", frames.string()));
   return *bytes;
 }

@@ -5,9 +5,10 @@
 #include <sstream>
 
 #include "lessons/files/picture_writer.hpp"
+#include "lessons/page/claim_words.hpp"
 #include "lessons/page/equations.hpp"
 #include "lessons/page/grading.hpp"
-#include "lessons/terminal/terminal_text.hpp"
+#include "lessons/page/lesson.hpp"
 
 namespace byhand::course {
 namespace {

@@ -10,21 +10,20 @@
 #include <cerrno>
 #include <system_error>
 
+#include "lessons/files/atomic_file.hpp"
 #include "lessons/files/checksum.hpp"
 #include "lessons/files/json.hpp"
-#include "renderer/error.hpp"
-#include "renderer/file.hpp"
+#include "lessons/page/error.hpp"
 
 namespace byhand::course {
 namespace {
 
 namespace fs = std::filesystem;
-using renderer::EnvironmentError;
 
 constexpr auto manifest_name = "manifest.json";
 
 std::string checksum(const fs::path& path) {
-  const auto bytes = renderer::read_whole(path);
+  const auto bytes = read_whole(path);
   return bytes ? sha256(*bytes) : "";
 }
 
@@ -40,7 +39,7 @@ bool is_lessons(const std::string& name) {
 }
 
 Manifest read_manifest(const fs::path& folder) {
-  const auto text = renderer::read_whole(folder / manifest_name);
+  const auto text = read_whole(folder / manifest_name);
   Manifest manifest = text ? manifest_from_json(*text) : Manifest{};
   const auto foreign = [&](const auto& file) {
     return manifest.of == Manifest::Of::site ? !lies_below(file.first) : !is_lessons(file.first);
@@ -87,7 +86,7 @@ void remove_file(const fs::path& path) {
 void remove_unfinished_of_killed_runs(const fs::path& folder) {
   std::vector<fs::path> found;
   for (const auto& entry : fs::recursive_directory_iterator(folder))
-    if (renderer::is_unfinished(entry.path())) found.push_back(entry.path());
+    if (is_unfinished(entry.path())) found.push_back(entry.path());
   for (const fs::path& path : found) fs::remove(path);
 }
 
@@ -136,7 +135,7 @@ void OutputFolder::begin_to_write() {
 void OutputFolder::write(const std::string& name, std::string_view bytes) {
   begin_to_write();
   try {
-    renderer::write_whole(path_ / name, bytes);
+    write_whole(path_ / name, bytes);
   } catch (const EnvironmentError&) {
     check_in_place();
     throw;
@@ -201,7 +200,7 @@ void OutputFolder::finish(const std::string& made_by, const std::set<std::string
   manifest.of = Manifest::Of::lesson;
   manifest.lesson = path_.filename().string();
   manifest.runs.push_back(std::move(run));
-  renderer::write_whole(path_ / manifest_name, to_json(manifest));
+  write_whole(path_ / manifest_name, to_json(manifest));
   before_ = std::move(manifest);
   files_.clear();
   writing_ = false;

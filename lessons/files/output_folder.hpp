@@ -24,7 +24,7 @@ struct Manifest {
 
 /// The folder of a lesson's files. It belongs to one process at a time. manifest.json is removed before the first
 /// file is written and written again when all files are, so where it stands, they are whole. All functions throw
-/// renderer::EnvironmentError.
+/// EnvironmentError.
 class OutputFolder {
  public:
   /// Makes the folder, claims it until this process ends, and removes the temporary files of killed runs.
@@ -58,7 +58,7 @@ class OutputFolder {
   std::map<std::string, std::string> files_;  // path → SHA-256
 };
 
-/// Makes a folder and those above it. Throws renderer::EnvironmentError, which names a link that leads nowhere.
+/// Makes a folder and those above it. Throws course::EnvironmentError, which names a link that leads nowhere.
 void make_folders(const std::filesystem::path& folder);
 
 /// Whether a lesson, or ./lessons/run site, has written into the folder: it holds manifest.json, lesson.md,

@@ -10,7 +10,7 @@
 namespace byhand::course {
 
 /// Draws figures and frames at one quality. Opens OpenGL at the first picture. Every function may throw
-/// renderer::EnvironmentError.
+/// EnvironmentError.
 class PictureDrawer {
  public:
   explicit PictureDrawer(const Quality& quality) : quality_(quality) {}

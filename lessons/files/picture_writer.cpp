@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -19,7 +18,6 @@
 namespace byhand::course {
 namespace {
 
-namespace fs = std::filesystem;
 using renderer::Image;
 
 /// Two frames that tell the most: after two fifths, when something has happened, and the last.
@@ -65,9 +63,10 @@ void PictureWriter::write(const Sequence& sequence) {
   const bool all = frames_ == FramesWanted::all;
   Progress progress(fmt::format("drawing {}", sequence.name), all ? frames : static_cast<int>(in_strip.size()),
                     quiet_);
-  renderer::FrameWriter writer(
-      frames_folder(sequence.name), renderer::FrameWriter::Encoding::beside,
-      [this](const fs::path& path, std::string_view bytes) { output_.write(path.string(), bytes); });
+  const auto write_frame = [&](int index, std::string_view png) {
+    output_.write(fmt::format("{}/{:04}.png", frames_folder(sequence.name), index), png);
+  };
+  renderer::FrameEncoder encoder(write_frame);
   std::vector<Image> strip;
   FrameDrawing drawing = sequence.draw;
   for (int i = 0; i < frames; ++i) {
@@ -76,12 +75,12 @@ void PictureWriter::write(const Sequence& sequence) {
     Image image = drawer_.draw(drawing, drawer_.time(sequence, i));
     if (shown) strip.push_back(image);
     if (all)
-      writer.write(std::move(image));
+      encoder.add(std::move(image));
     else if (i == frames - 1)
-      output_.write(writer.path(i).string(), renderer::encode_png(image));
+      write_frame(i, renderer::encode_png(image));
     progress.advance();
   }
-  writer.finish();
+  encoder.finish();
   constexpr int gap = 12;
   output_.write(strip_path(sequence.name),
                 renderer::encode_png(renderer::strip(strip, 1, strip.front().width + 2 * gap, gap)));

@@ -20,7 +20,7 @@ std::string film_path(const std::string& name, const std::string& format);  // f
 
 /// Draws the figures and sequences of a lesson and writes them into its folder. Opens OpenGL at the first picture,
 /// so a run without pictures needs none. Every function, the constructor too, may throw
-/// renderer::EnvironmentError.
+/// EnvironmentError.
 class PictureWriter {
  public:
   /// Makes the lesson's output folder and claims it.

@@ -5,7 +5,7 @@
 
 #include <memory>
 
-#include "renderer/error.hpp"
+#include "lessons/page/error.hpp"
 
 namespace byhand::course {
 
@@ -22,7 +22,7 @@ std::string printed_by(const std::string& path, const std::vector<std::string>& 
   const std::unique_ptr<gchar, decltype(&g_free)> text(printed, g_free);
   if (error) {
     const std::unique_ptr<GError, decltype(&g_error_free)> owned(error, g_error_free);
-    throw renderer::EnvironmentError(fmt::format("{} failed: {}.", path, owned->message));
+    throw EnvironmentError(fmt::format("{} failed: {}.", path, owned->message));
   }
   return text.get();
 }

@@ -2,14 +2,14 @@
 
 #include <csignal>
 
-#include "renderer/file.hpp"
+#include "lessons/files/atomic_file.hpp"
 
 namespace byhand::course {
 namespace {
 
 /// SA_RESETHAND has restored the default action, which ends the process once the handler returns.
 extern "C" void on_last_signal(int signal) {
-  renderer::remove_unfinished();
+  remove_unfinished();
   raise(signal);
 }
 

@@ -8,7 +8,6 @@
 #include "lessons/page/error.hpp"
 #include "lessons/page/source_text.hpp"
 #include "lessons/page/words.hpp"
-#include "renderer/error.hpp"
 
 namespace byhand::course {
 namespace {
@@ -36,7 +35,7 @@ std::string without_common_indentation(const std::vector<std::string>& lines) {
 Excerpt read_excerpt(const std::string& root, const std::string& file, const std::string& tag) {
   const std::optional<std::string> text = source_text(root + "/" + file);
   if (!text)
-    throw renderer::EnvironmentError(
+    throw EnvironmentError(
         fmt::format("The source {} cannot be read: the checkout {} is not complete.", file, root));
   const std::string marker = "//! [" + tag + "]";
   Excerpt excerpt{file, 0, ""};

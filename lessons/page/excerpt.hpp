@@ -7,7 +7,7 @@
 namespace byhand::course {
 
 /// The lines between the two marker lines `//! [tag]` of `file` under `root`, without markers of other tags.
-/// Throws renderer::EnvironmentError if the file cannot be read, and LessonError if the pair of markers or the
+/// Throws EnvironmentError if the file cannot be read, and LessonError if the pair of markers or the
 /// lines between them are missing.
 Excerpt read_excerpt(const std::string& root, const std::string& file, const std::string& tag);
 

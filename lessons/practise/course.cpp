@@ -6,8 +6,8 @@
 #include <set>
 #include <stdexcept>
 
+#include "lessons/files/atomic_file.hpp"
 #include "lessons/site/course/zip.hpp"
-#include "renderer/file.hpp"
 
 namespace byhand::practise {
 namespace {
@@ -34,14 +34,16 @@ std::string statement(const Exercise& exercise) {
 void copy_judge(const fs::path& source, const std::vector<const Exercise*>& wanted) {
   const fs::path here = practise_folder(), root = here.parent_path().parent_path();
   copy_into(here / "export" / "CMakeLists.txt", source / "CMakeLists.txt");
-  copy_into(root / "renderer", source / "renderer");
+  for (const char* part :
+       {"renderer", "lessons/files/atomic_file.hpp", "lessons/files/atomic_file.cpp", "lessons/page/error.hpp"})
+    copy_into(root / part, source / part);
   for (const char* part : {"CMakeLists.txt", "exercise.cpp.in", "grade.cpp", "judge", "learner"})
     copy_into(here / part, source / "lessons" / "practise" / part);
   for (const Exercise* exercise : wanted) {
     const fs::path folder = source / "lessons" / "practise" / exercise->name;
     for (const char* file : {"signature.hpp", "probe.cpp", "stub.cpp"})
       copy_into(exercise->folder() / file, folder / file);
-    renderer::write_whole(folder / "task.md", statement(*exercise));
+    course::write_whole(folder / "task.md", statement(*exercise));
   }
 }
 
@@ -60,15 +62,15 @@ void write_question(const fs::path& folder, const std::vector<const Exercise*>& 
         "source-file-name=\"{}.cpp\"></pl-file-editor>\n",
         html(statement(*exercise)), html(contents_of(exercise->folder() / "signature.hpp")), exercise->name,
         exercise->name);
-    renderer::write_whole(folder / "question" / (exercise->name + ".cpp"),
-                          contents_of(exercise->folder() / "stub.cpp"));
+    course::write_whole(folder / "question" / (exercise->name + ".cpp"),
+                        contents_of(exercise->folder() / "stub.cpp"));
   }
   page +=
       "</pl-question-panel>\n<pl-submission-panel>\n<pl-external-grader-results></pl-external-grader-results>\n"
       "</pl-submission-panel>\n";
-  renderer::write_whole(folder / "question" / "question.html", page);
-  renderer::write_whole(folder / "question" / "info.json",
-                        R"({
+  course::write_whole(folder / "question" / "question.html", page);
+  course::write_whole(folder / "question" / "info.json",
+                      R"({
   "uuid": "5c0e1a4e-6d0f-4d4b-9a39-2f9c1b7e6a10",
   "title": "Constraints by hand",
   "topic": "Constraints",
@@ -90,7 +92,7 @@ void write_autograder(const fs::path& folder) {
     if (entry.is_regular_file()) names.insert(entry.path().lexically_relative(folder).string());
   site::Zip archive;
   for (const std::string& name : names) archive.add(name, contents_of(folder / name));
-  renderer::write_whole(folder / "autograder.zip", archive.finish());
+  course::write_whole(folder / "autograder.zip", archive.finish());
 }
 
 }  // namespace
@@ -104,7 +106,7 @@ void export_course(const std::string& kind, const fs::path& folder, std::uint64_
   require_empty(folder);
   copy_judge(folder / "source", wanted);
   for (const Exercise* exercise : wanted)
-    renderer::write_whole(folder / "keys" / (exercise->name + ".json"), to_json(key(*exercise, seed)));
+    course::write_whole(folder / "keys" / (exercise->name + ".json"), to_json(key(*exercise, seed)));
   copy_into(practise_folder() / "export" / "build.sh", folder / "build.sh");
   for (const auto& file : fs::directory_iterator(own)) copy_into(file.path(), folder / file.path().filename());
   if (kind != "gradescope") copy_into(practise_folder() / "export" / "Dockerfile", folder / "Dockerfile");

@@ -14,11 +14,11 @@
 #include <string>
 #include <vector>
 
+#include "lessons/files/atomic_file.hpp"
+#include "lessons/page/error.hpp"
 #include "lessons/practise/course.hpp"
 #include "lessons/practise/judge/picture.hpp"
 #include "lessons/practise/watch.hpp"
-#include "renderer/error.hpp"
-#include "renderer/file.hpp"
 
 namespace {
 
@@ -58,7 +58,7 @@ int check_file(const Exercise& exercise, const Wanted& wanted) {
   if (verdict.is_right()) note_solved(exercise);
   if (!wanted.film.empty() && !verdict.film.frames.empty()) {
     write_film(wanted.film, verdict.film, answers.film);
-    byhand::renderer::write_whole(wanted.film + ".png", still_png(verdict.film, answers.film));
+    byhand::course::write_whole(wanted.film + ".png", still_png(verdict.film, answers.film));
     fmt::print("Film: {}/0000.png …, and {}.png\n", wanted.film, wanted.film);
   }
   if (verdict.kind == Verdict::Kind::does_not_compile) return does_not_compile;

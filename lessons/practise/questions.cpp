@@ -5,14 +5,14 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "lessons/files/atomic_file.hpp"
 #include "lessons/files/child_process.hpp"
 #include "lessons/files/printed_by.hpp"
 #include "lessons/page/about.hpp"
+#include "lessons/page/error.hpp"
+#include "lessons/page/html/escaped.hpp"
 #include "lessons/page/progress.hpp"
 #include "lessons/practise/course.hpp"
-#include "renderer/encoding.hpp"
-#include "renderer/error.hpp"
-#include "renderer/file.hpp"
 
 // The predictions of the lessons as questions for a course's learning platform.
 namespace byhand::practise {
@@ -25,7 +25,7 @@ using Json = nlohmann::json;
 std::vector<Json> questions() {
   if (const char* builder = std::getenv("BYHAND_BUILD"))
     if (!course::run_program(builder, {"lessons"}, course::Group::ours).well())
-      throw renderer::EnvironmentError("the lessons could not be built");
+      throw course::EnvironmentError("the lessons could not be built");
   const fs::path folder = fs::read_symlink("/proc/self/exe").parent_path();
   const auto& lessons = course::contents();
   course::Progress progress("the predictions of all lessons", static_cast<int>(lessons.size()), false);
@@ -41,7 +41,7 @@ std::vector<Json> questions() {
 /// Without Markdown's marks, which QTI does not read.
 std::string plain_xml(std::string words) {
   std::erase_if(words, [](char c) { return c == '*' || c == '`'; });
-  return renderer::escaped(words);
+  return site::escaped(words);
 }
 
 std::string number(const Json& value) { return fmt::format("{:.12g}", value.get<double>()); }
@@ -70,22 +70,22 @@ std::string moodle(const std::vector<Json>& all) {
       text += fmt::format(
           "  <question type=\"category\"><category><text>$course$/top/Constraints by Hand/{}</text></category>"
           "</question>\n",
-          renderer::escaped(lesson));
+          site::escaped(lesson));
     }
     const auto answer = [&](const Json& value, int fraction, const std::string& reply) {
       return fmt::format(
           "    <answer fraction=\"{}\" format=\"moodle_auto_format\">\n      <text>{}</text>\n      "
           "<tolerance>{}</tolerance>\n      <feedback format=\"markdown\"><text>{}</text></feedback>\n    "
           "</answer>\n",
-          fraction, number(value), number(question["tolerance"]), renderer::escaped(reply));
+          fraction, number(value), number(question["tolerance"]), site::escaped(reply));
     };
     text += fmt::format(
         "  <question type=\"numerical\">\n    <name><text>{}</text></name>\n    <questiontext format=\"markdown\">"
         "<text>{}</text></questiontext>\n    <generalfeedback "
         "format=\"markdown\"><text>{}</text></generalfeedback>\n"
         "    <defaultgrade>1</defaultgrade>\n    <penalty>0.3333333</penalty>\n    <hidden>0</hidden>\n",
-        renderer::escaped(name(question, ++index)), renderer::escaped(asked(question)),
-        renderer::escaped(question["right"].get<std::string>()));
+        site::escaped(name(question, ++index)), site::escaped(asked(question)),
+        site::escaped(question["right"].get<std::string>()));
     text += answer(question["answer"], 100, question["right"]);
     for (const Json& wrong : question["wrong"]) text += answer(wrong["value"], 0, wrong["reply"]);
     if (const std::string unit = question["unit"]; !unit.empty() && unit != "1")
@@ -93,10 +93,10 @@ std::string moodle(const std::vector<Json>& all) {
           "    <units><unit><multiplier>1</multiplier><unit_name>{}</unit_name></unit></units>\n    "
           "<unitgradingtype>0</unitgradingtype>\n    <unitpenalty>0</unitpenalty>\n    <showunits>0</showunits>\n "
           "   <unitsleft>0</unitsleft>\n",
-          renderer::escaped(unit));
+          site::escaped(unit));
     for (const Json& hint : question["hints"])
       text += fmt::format("    <hint format=\"markdown\"><text>{}</text></hint>\n",
-                          renderer::escaped(hint.get<std::string>()));
+                          site::escaped(hint.get<std::string>()));
     text += "  </question>\n";
   }
   return text + "</quiz>\n";
@@ -150,8 +150,8 @@ std::string item(const Json& question, const std::string& identifier, const std:
   </responseProcessing>
 {}</assessmentItem>
 )",
-      identifier, renderer::escaped(title), number(question["answer"]), plain_xml(question["ask"]),
-      question["unit"] == "1" ? "" : renderer::escaped(question["unit"].get<std::string>()), rules, replies);
+      identifier, site::escaped(title), number(question["answer"]), plain_xml(question["ask"]),
+      question["unit"] == "1" ? "" : site::escaped(question["unit"].get<std::string>()), rules, replies);
 }
 
 void write_qti(const fs::path& folder, const std::vector<Json>& all) {
@@ -159,13 +159,13 @@ void write_qti(const fs::path& folder, const std::vector<Json>& all) {
   int index = 0;
   for (const Json& question : all) {
     const std::string identifier = fmt::format("prediction_{:03}", ++index), file = identifier + ".xml";
-    renderer::write_whole(folder / file, item(question, identifier, name(question, index)));
+    course::write_whole(folder / file, item(question, identifier, name(question, index)));
     resources += fmt::format(
         "    <resource identifier=\"{}\" type=\"imsqti_item_xmlv2p1\" href=\"{}\"><file "
         "href=\"{}\"/></resource>\n",
         identifier, file, file);
   }
-  renderer::write_whole(
+  course::write_whole(
       folder / "imsmanifest.xml",
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<manifest xmlns=\"http://www.imsglobal.org/xsd/imscp_v1p1\" "
       "identifier=\"constraints_by_hand\">\n  <metadata><schema>QTIv2.1 Package</schema><schemaversion>1.0.0"
@@ -178,7 +178,7 @@ void write_qti(const fs::path& folder, const std::vector<Json>& all) {
 void export_questions(const std::string& kind, const fs::path& folder) {
   const std::vector<Json> all = questions();
   if (kind == "moodle")
-    renderer::write_whole(folder / "predictions.xml", moodle(all));
+    course::write_whole(folder / "predictions.xml", moodle(all));
   else
     write_qti(folder, all);
 }

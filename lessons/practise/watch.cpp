@@ -8,12 +8,12 @@
 #include <stdexcept>
 #include <thread>
 
+#include "lessons/files/atomic_file.hpp"
 #include "lessons/files/bookmark.hpp"
 #include "lessons/practise/judge/picture.hpp"
 #include "lessons/terminal/keyboard.hpp"
 #include "lessons/terminal/typeset.hpp"
 #include "renderer/error.hpp"
-#include "renderer/file.hpp"
 
 namespace byhand::practise {
 namespace {
@@ -65,9 +65,9 @@ void save_picture(const fs::path& file, const Verdict& verdict, const Key& key) 
   if (verdict.film.frames.empty()) return;
   const fs::path picture = fs::path(file).replace_extension(".png");
   try {
-    renderer::write_whole(picture, still_png(verdict.film, key.film));
+    course::write_whole(picture, still_png(verdict.film, key.film));
     fmt::print("{}", toned(fmt::format("Picture: {}\n", picture.string()), Tone::quiet, style()));
-  } catch (const renderer::EnvironmentError& none) {
+  } catch (const renderer::Unavailable& none) {
     fmt::print("No picture: {}\n", none.what());
   }
 }
@@ -143,7 +143,7 @@ void note_solved(const Exercise& exercise) {
 
 fs::path learners_file(const Exercise& exercise, const fs::path& folder) {
   const fs::path file = folder / (exercise.name + ".cpp");
-  if (!fs::exists(file)) renderer::write_whole(file, contents_of(exercise.folder() / "stub.cpp"));
+  if (!fs::exists(file)) course::write_whole(file, contents_of(exercise.folder() / "stub.cpp"));
   return file;
 }
 

@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
+#include "lessons/files/atomic_file.hpp"
 #include "lessons/files/chart_data.hpp"
 #include "lessons/files/picture_writer.hpp"
 #include "lessons/page/html/drawn.hpp"
 #include "lessons/page/html/step_html.hpp"
 #include "lessons/site/json.hpp"
 #include "lessons/site/lesson_page.hpp"
-#include "renderer/file.hpp"
 #include "renderer/opengl/space_picture.hpp"
 
 namespace byhand::site {
@@ -23,14 +23,14 @@ class Drawer {
   Drawer(const fs::path& site, const std::string& slug) : site_(site), folder_(slug + "/") {}
 
   Shown operator()(const Figure& figure) const {
-    if (const auto* chart = chart_of(figure)) renderer::write_whole(site_ / data(figure), csv(*chart));
+    if (const auto* chart = chart_of(figure)) course::write_whole(site_ / data(figure), csv(*chart));
     const std::string link =
         std::holds_alternative<Drawing>(figure.picture) ? "" : fmt::format("<a href=\"{}\">CSV</a>", data(figure));
     const std::string svg = drawn(figure, renderer::space_picture);
     if (!std::holds_alternative<TimedChart>(figure.picture)) return {svg, link};
     // What a clock measured stays out of the page, whose bytes are the same each time.
     const std::string path = folder_ + "figures/" + figure.name + ".svg";
-    renderer::write_whole(site_ / path, svg);
+    course::write_whole(site_ / path, svg);
     return {fmt::format("<img src=\"{}\" alt=\"\" width=\"1280\" height=\"720\" />", path),
             fmt::format("<a href=\"{}\">SVG</a> {}", path, link)};
   }
@@ -64,9 +64,9 @@ std::vector<RecordedStep> write_page(const Lesson& lesson, const fs::path& folde
     steps.back().reads = reads(lesson);
   }
   validate(steps);
-  renderer::write_whole(folder / page_of(slug),
-                        lesson_page(lesson, steps, sections, fs::exists(folder / "live" / (slug + ".js"))));
-  renderer::write_whole(folder / (slug + ".json"), to_json(digest(lesson, steps)));
+  course::write_whole(folder / page_of(slug),
+                      lesson_page(lesson, steps, sections, fs::exists(folder / "live" / (slug + ".js"))));
+  course::write_whole(folder / (slug + ".json"), to_json(digest(lesson, steps)));
   return steps;
 }
 

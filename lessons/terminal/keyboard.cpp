@@ -16,8 +16,8 @@
 #include <cstdlib>
 #include <utility>
 
+#include "lessons/files/atomic_file.hpp"
 #include "lessons/terminal/typeset.hpp"
-#include "renderer/file.hpp"
 
 namespace byhand::course {
 namespace {
@@ -47,7 +47,7 @@ extern "C" void on_alarm(int) {
   constexpr char reset[] = "\033[0m\n";
   [[maybe_unused]] const auto written = write(STDOUT_FILENO, reset, sizeof reset - 1);
   put_back_terminal();
-  renderer::remove_unfinished();
+  remove_unfinished();
   _exit(128 + SIGINT);
 }
 
@@ -57,7 +57,7 @@ extern "C" void on_new_size(int) { resized = 1; }
 /// Takes the terminal back as it was and ends as the signal asks.
 extern "C" void on_end(int signal) {
   put_back_terminal();
-  renderer::remove_unfinished();
+  remove_unfinished();
   std::signal(signal, SIG_DFL);
   raise(signal);
 }

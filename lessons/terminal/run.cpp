@@ -11,6 +11,7 @@
 #include "lessons/files/options.hpp"
 #include "lessons/files/signals.hpp"
 #include "lessons/files/streams.hpp"
+#include "lessons/page/error.hpp"
 #include "lessons/page/lesson.hpp"
 #include "lessons/terminal/batch.hpp"
 #include "lessons/terminal/dialogue.hpp"
@@ -52,7 +53,9 @@ int Lesson::run(int argc, const char* const* argv) {
     }
     flush_standard_output();
     return status;
-  } catch (const renderer::EnvironmentError& error) {
+  } catch (const renderer::Unavailable& error) {
+    return refuse(environment, error.what());
+  } catch (const EnvironmentError& error) {
     return refuse(environment, error.what());
   } catch (const std::system_error& error) {
     return refuse(environment, sentence_of(error));

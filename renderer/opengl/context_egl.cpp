@@ -12,7 +12,7 @@ class Egl : public Context {
   Egl() {
     display_ = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
     if (display_ == EGL_NO_DISPLAY || !eglInitialize(display_, nullptr, nullptr) || !eglBindAPI(EGL_OPENGL_API))
-      throw EnvironmentError("EGL offers no OpenGL without a window: apt install libegl-mesa0.");
+      throw Unavailable("EGL offers no OpenGL without a window: apt install libegl-mesa0.");
     const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
                                  3,
                                  EGL_CONTEXT_MINOR_VERSION,
@@ -22,7 +22,7 @@ class Egl : public Context {
                                  EGL_NONE};
     context_ = eglCreateContext(display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
     if (context_ == EGL_NO_CONTEXT)
-      throw EnvironmentError("EGL offers no OpenGL 3.3 core context: apt install libegl-mesa0.");
+      throw Unavailable("EGL offers no OpenGL 3.3 core context: apt install libegl-mesa0.");
     make_current();
   }
   Egl(const Egl&) = delete;
@@ -37,7 +37,7 @@ class Egl : public Context {
   void make_current() override {
     if (eglGetCurrentContext() == context_) return;
     if (!eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_))
-      throw EnvironmentError("EGL's OpenGL context cannot be made current.");
+      throw Unavailable("EGL's OpenGL context cannot be made current.");
   }
 
   const char* name() const override { return "EGL"; }

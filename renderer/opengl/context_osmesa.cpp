@@ -35,7 +35,7 @@ class OSMesa : public Context {
                               3,
                               0};
     context_ = OSMesaCreateContextAttribs(attributes, nullptr);
-    if (!context_) throw EnvironmentError("OSMesa offers no OpenGL 3.3 core context: apt install libosmesa6.");
+    if (!context_) throw Unavailable("OSMesa offers no OpenGL 3.3 core context: apt install libosmesa6.");
     make_current();
   }
   OSMesa(const OSMesa&) = delete;
@@ -45,7 +45,7 @@ class OSMesa : public Context {
   void make_current() override {
     if (OSMesaGetCurrentContext() == context_) return;
     if (!OSMesaMakeCurrent(context_, unused_.data(), GL_UNSIGNED_BYTE, side, side))
-      throw EnvironmentError("OSMesa's OpenGL context cannot be made current.");
+      throw Unavailable("OSMesa's OpenGL context cannot be made current.");
   }
 
   const char* name() const override { return "OSMesa"; }

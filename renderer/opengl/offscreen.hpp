@@ -9,7 +9,7 @@ namespace byhand::renderer {
 /// both export the same functions, so a program links one of them.
 class Context {
  public:
-  /// Throws EnvironmentError if the context cannot be created. Where no threads can be started for it, as under a
+  /// Throws Unavailable if the context cannot be created. Where no threads can be started for it, as under a
   /// limit on processes, it draws without any.
   static std::unique_ptr<Context> make();
   virtual ~Context() = default;

@@ -136,7 +136,7 @@ GLuint compile(GLenum kind, const char* source) {
   if (!fine) {
     std::array<char, 1024> log{};
     glGetShaderInfoLog(shader, GLsizei(log.size()), nullptr, log.data());
-    throw EnvironmentError(fmt::format("OpenGL does not compile the renderer's program: {}", log.data()));
+    throw Unavailable(fmt::format("OpenGL does not compile the renderer's program: {}", log.data()));
   }
   return shader;
 }
@@ -151,13 +151,13 @@ GLuint link(const char* vertex, const char* fragment) {
   glDeleteShader(f);
   GLint fine = 0;
   glGetProgramiv(program, GL_LINK_STATUS, &fine);
-  if (!fine) throw EnvironmentError("OpenGL does not link the renderer's program.");
+  if (!fine) throw Unavailable("OpenGL does not link the renderer's program.");
   return program;
 }
 
 void require_complete() {
   if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-    throw EnvironmentError("OpenGL does not offer the framebuffer that the renderer draws into.");
+    throw Unavailable("OpenGL does not offer the framebuffer that the renderer draws into.");
 }
 
 void attribute(GLuint index, GLint size, GLenum type, bool normalised, std::size_t stride, std::size_t offset) {
@@ -293,7 +293,7 @@ Image Painter::paint(Colour paper, std::span<const Vertex> vertices, std::span<c
   Image image{width_, height_, std::vector<std::uint8_t>(3 * std::size_t(width_) * height_)};
   glBindFramebuffer(GL_FRAMEBUFFER, page_);
   glReadPixels(0, 0, width_, height_, GL_RGB, GL_UNSIGNED_BYTE, image.rgb.data());
-  if (glGetError() != GL_NO_ERROR) throw EnvironmentError("OpenGL failed to draw a frame (out of memory?).");
+  if (glGetError() != GL_NO_ERROR) throw Unavailable("OpenGL failed to draw a frame (out of memory?).");
   return image;
 }
 

@@ -10,7 +10,7 @@ namespace byhand::renderer {
 /// A canvas whose page OpenGL draws without a window.
 class PixelCanvas : public Canvas {
  public:
-  /// A page of `width` × `height` pixels (16 … 8192 each, else std::invalid_argument). Throws EnvironmentError
+  /// A page of `width` × `height` pixels (16 … 8192 each, else std::invalid_argument). Throws Unavailable
   /// without OpenGL or the font.
   PixelCanvas(int width, int height);
 

@@ -4,10 +4,12 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "renderer/error.hpp"
-#include "renderer/file.hpp"
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
 #include "renderer/palette.hpp"
-#include "renderer/png.hpp"
+#include "tests/renderer/png_file.hpp"
 
 namespace byhand::renderer {
 namespace {
@@ -18,57 +20,60 @@ Image plain(int width, int height, int shade) {
   return {width, height, std::vector<std::uint8_t>(3 * std::size_t(width) * height, std::uint8_t(shade))};
 }
 
-class Frames : public testing::TestWithParam<FrameWriter::Encoding> {
- protected:
-  ~Frames() override { fs::remove_all(folder_); }
-  const fs::path folder_ = testing::TempDir() + "byhand_frames_" + std::to_string(getpid());
-};
-
-TEST_P(Frames, AreAllWrittenInOrder) {
-  FrameWriter writer(folder_, GetParam());
-  for (int i = 0; i < 30; ++i) writer.write(plain(40, 30, i));
-  writer.finish();
-  EXPECT_EQ(writer.count(), 30);
-  EXPECT_EQ(writer.path(7), folder_ / "0007.png");
-  for (int i = 0; i < 30; ++i) EXPECT_EQ(read_png(writer.path(i)), plain(40, 30, i));
-  EXPECT_FALSE(fs::exists(writer.path(30)));
+Image decoded(std::string_view png) {
+  const fs::path path = testing::TempDir() + "byhand_frame_" + std::to_string(getpid()) + ".png";
+  std::ofstream(path, std::ios::binary) << png;
+  Image image = read_png(path);
+  fs::remove(path);
+  return image;
 }
 
-TEST_P(Frames, CarryAnErrorBackToTheCaller) {
-  write_whole(folder_ / "file", "in the way");
-  FrameWriter writer(folder_ / "file", GetParam());
-  const auto write_and_finish = [&] {
-    for (int i = 0; i < 20; ++i) writer.write(plain(40, 30, i));
-    writer.finish();
+TEST(Frames, ReachTheSinkInOrder) {
+  std::vector<Image> images;
+  FrameEncoder encoder([&](int index, std::string_view png) {
+    EXPECT_EQ(index, int(images.size()));
+    images.push_back(decoded(png));
+  });
+  for (int i = 0; i < 30; ++i) encoder.add(plain(40, 30, i));
+  encoder.finish();
+  ASSERT_EQ(images.size(), 30U);
+  for (int i = 0; i < 30; ++i) EXPECT_EQ(images[std::size_t(i)], plain(40, 30, i));
+}
+
+[[noreturn]] void refuse(int, std::string_view) { throw std::domain_error("the disk is full"); }
+
+TEST(Frames, CarryAnErrorBackToTheCaller) {
+  FrameEncoder encoder(refuse);
+  const auto add_and_finish = [&] {
+    for (int i = 0; i < 20; ++i) encoder.add(plain(40, 30, i));
+    encoder.finish();
   };
-  EXPECT_THROW(write_and_finish(), EnvironmentError);
+  EXPECT_THROW(add_and_finish(), std::domain_error);
 }
 
-TEST_P(Frames, AnErrorOfTheLastFrameIsNotLost) {
-  write_whole(folder_ / "file", "in the way");
-  FrameWriter writer(folder_ / "file", GetParam());
-  const auto write_and_finish = [&] {
-    writer.write(plain(40, 30, 1));
-    writer.finish();
+TEST(Frames, AnErrorOfTheLastFrameIsNotLost) {
+  FrameEncoder encoder(refuse);
+  const auto add_and_finish = [&] {
+    encoder.add(plain(40, 30, 1));
+    encoder.finish();
   };
-  EXPECT_THROW(write_and_finish(), EnvironmentError);
+  EXPECT_THROW(add_and_finish(), std::domain_error);
 }
 
-TEST_P(Frames, AnAbandonedWriterEndsCleanly) {
-  { FrameWriter writer(folder_, GetParam()); }
+TEST(Frames, AnAbandonedEncoderEndsCleanly) {
+  int encoded = 0;
+  const auto count = [&](int, std::string_view png) {
+    EXPECT_EQ(decoded(png).width, 400);
+    ++encoded;
+  };
+  { FrameEncoder encoder(count); }
+  EXPECT_EQ(encoded, 0);
   {
-    FrameWriter writer(folder_, GetParam());
-    for (int i = 0; i < 6; ++i) writer.write(plain(400, 300, i));
+    FrameEncoder encoder(count);
+    for (int i = 0; i < 6; ++i) encoder.add(plain(400, 300, i));
   }
-  if (!fs::exists(folder_)) return;
-  for (const auto& entry : fs::directory_iterator(folder_)) EXPECT_NO_THROW(read_png(entry.path()));
+  EXPECT_LE(encoded, 6);
 }
-
-INSTANTIATE_TEST_SUITE_P(Encoding, Frames,
-                         testing::Values(FrameWriter::Encoding::beside, FrameWriter::Encoding::at_once),
-                         [](const auto& encoding) {
-                           return encoding.param == FrameWriter::Encoding::beside ? "Beside" : "AtOnce";
-                         });
 
 TEST(Strip, ShowsEachImageInItsPlace) {
   std::vector<Image> images;

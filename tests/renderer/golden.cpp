@@ -8,7 +8,7 @@
 #include <filesystem>
 
 #include "renderer/opengl/pixel_canvas.hpp"
-#include "renderer/png.hpp"
+#include "tests/renderer/png_file.hpp"
 #include "tests/renderer/scenes.hpp"
 
 namespace byhand::renderer {

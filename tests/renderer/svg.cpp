@@ -14,8 +14,8 @@
 
 #include "renderer/opengl/pixel_canvas.hpp"
 #include "renderer/opengl/space_picture.hpp"
-#include "renderer/png.hpp"
 #include "tests/renderer/coverage.hpp"
+#include "tests/renderer/png_file.hpp"
 #include "tests/renderer/scenes.hpp"
 
 namespace byhand::renderer {

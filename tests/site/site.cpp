@@ -290,7 +290,7 @@ TEST(SiteFolder, LeavesTheOldSiteUntilItIsFinished) {
 TEST(SiteFolder, BelongsToOneRunAtATime) {
   const Folder folder;
   const site::SiteFolder first(folder / "site");
-  EXPECT_THROW(site::SiteFolder(folder / "site"), renderer::EnvironmentError);
+  EXPECT_THROW(site::SiteFolder(folder / "site"), course::EnvironmentError);
 }
 
 TEST(SiteFolder, IsEmptiedOfWhatAKilledRunLeft) {

@@ -3,12 +3,9 @@
 #include <string>
 #include <string_view>
 
-#include "renderer/encoding.hpp"
+#include "lessons/page/html/escaped.hpp"
 
 namespace byhand::site {
-
-// The pages are XML too, so that EPUB can hold them.
-using renderer::escaped;
 
 /// One paragraph of an item's prose, whose *emphasis*, **strong** and `code` become elements. "(14)" links to
 /// equation 14 of the article unless the paragraph is a link itself.

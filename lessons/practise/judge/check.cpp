@@ -9,8 +9,8 @@
 
 #include "lessons/practise/judge/messages.hpp"
 #include "lessons/practise/judge/process.hpp"
-#include "renderer/error.hpp"
-#include "renderer/file.hpp"
+#include "lessons/page/error.hpp"
+#include "lessons/files/atomic_file.hpp"
 
 namespace byhand::practise {
 namespace {
@@ -54,7 +54,7 @@ Verdict not_compiled(const std::string& sentence) {
 Verdict check(const Exercise& exercise, const Key& key, const fs::path& path) {
   const fs::path signature = exercise.folder() / "signature.hpp", header = practise_folder() / "learner",
                  library = child(exercise);
-  if (!fs::exists(library)) throw renderer::EnvironmentError(library.string() + " is missing");
+  if (!fs::exists(library)) throw course::EnvironmentError(library.string() + " is missing");
   std::string text;
   if (const std::string refused = read_learners(path, text); !refused.empty()) return not_compiled(refused);
 
@@ -62,7 +62,7 @@ Verdict check(const Exercise& exercise, const Key& key, const fs::path& path) {
   const std::string file = (scratch.path() / path.filename()).string(),
                     object = (scratch.path() / "object.o").string(),
                     program = (scratch.path() / "program").string();
-  renderer::write_whole(file, text);
+  course::write_whole(file, text);
   const Limits limits{.seconds = 10, .bytes = 1u << 30};
   const Finished compiled = run_confined(
       {BYHAND_COMPILER, "-std=c++20", "-O1", "-ffp-contract=off", "-Wall", "-Wno-unknown-pragmas",

@@ -8,7 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "renderer/error.hpp"
+#include "lessons/page/error.hpp"
 
 namespace byhand::practise {
 namespace {
@@ -33,7 +33,7 @@ std::string Exercise::function(std::size_t which) const {
 
 std::string contents_of(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
-  if (!in) throw renderer::EnvironmentError(file.string() + " cannot be read");
+  if (!in) throw course::EnvironmentError(file.string() + " cannot be read");
   return {std::istreambuf_iterator<char>(in), {}};
 }
 

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lessons/practise/judge/grading.hpp"
-#include "renderer/encoding.hpp"
+#include "renderer/data_url.hpp"
 
 // What each consumer of results reads. Each format says the same of a submission.
 namespace byhand::practise {
@@ -99,9 +99,10 @@ std::string prairielearn(const All& all) {
                  {"max_points", 1},
                  {"message", graded.verdict.sentence},
                  {"output", output(graded.verdict)}};
-    if (const std::string picture = renderer::base64(graded.picture); !picture.empty() && picture.size() <= room) {
-      room -= picture.size();
-      test["images"] = {{{"label", "Your code and the right one"}, {"url", "data:image/png;base64," + picture}}};
+    if (const std::string url = renderer::data_url(graded.picture);
+        !graded.picture.empty() && url.size() <= room) {
+      room -= url.size();
+      test["images"] = {{{"label", "Your code and the right one"}, {"url", url}}};
     }
     tests.push_back(test);
     if (graded.verdict.kind == Verdict::Kind::does_not_compile)

@@ -7,11 +7,11 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "lessons/files/atomic_file.hpp"
 #include "lessons/practise/judge/check.hpp"
 #include "lessons/practise/judge/confine.hpp"
 #include "lessons/practise/judge/picture.hpp"
-#include "renderer/error.hpp"
-#include "renderer/file.hpp"
+#include "lessons/page/error.hpp"
 
 namespace byhand::practise {
 namespace {
@@ -19,7 +19,7 @@ namespace {
 std::string picture_of(const Film& yours, const Film& right) {
   try {
     return yours.frames.empty() ? "" : still_png(yours, right);
-  } catch (const renderer::EnvironmentError&) {
+  } catch (const renderer::Unavailable&) {
     return "";  // a machine without OpenGL grades without pictures
   }
 }
@@ -44,7 +44,7 @@ Graded judged(const Exercise& exercise, const std::filesystem::path& folder, con
 void require_confinement(bool unconfined) {
   const std::string missing = missing_confinement();
   if (missing.empty()) return;
-  if (!unconfined) throw renderer::EnvironmentError(missing + ". --unconfined grades all the same.");
+  if (!unconfined) throw course::EnvironmentError(missing + ". --unconfined grades all the same.");
   fmt::print(stderr, "{}. Grading all the same.\n", missing);
 }
 
@@ -64,7 +64,7 @@ void write(const std::vector<Report>& reports, const std::vector<Graded>& graded
     if (file == "-")
       fmt::print("{}", format(graded));
     else
-      renderer::write_whole(file, format(graded));
+      course::write_whole(file, format(graded));
 }
 
 std::vector<Graded> grade(const std::vector<const Exercise*>& wanted, const std::filesystem::path& folder,

@@ -19,7 +19,7 @@ struct Graded {
   double seconds = 0;     // that judging took
 };
 
-/// Throws renderer::EnvironmentError where this system cannot keep a submission from reading the keys; if that is
+/// Throws course::EnvironmentError where this system cannot keep a submission from reading the keys; if that is
 /// wanted, says so on standard error.
 void require_confinement(bool unconfined);
 

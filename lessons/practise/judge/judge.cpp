@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "lessons/practise/judge/process.hpp"
-#include "renderer/error.hpp"
+#include "lessons/page/error.hpp"
 
 namespace byhand::practise {
 namespace {
@@ -249,7 +249,7 @@ void require_same_probe(const Sheet& sheet, const Sheet& right, const std::strin
     same = sheet[i].name == right[i].name &&
            (sheet[i].kind != Line::Kind::given || sheet[i].values == right[i].values);
   if (!same)
-    throw renderer::EnvironmentError(fmt::format(
+    throw course::EnvironmentError(fmt::format(
         "The key of {} was made by another judge: its probes are not these. Export the course again", exercise));
 }
 

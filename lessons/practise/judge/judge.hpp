@@ -45,7 +45,7 @@ struct Verdict {
 };
 
 /// Runs the code on all probes and in the film, and compares. A Stopped that the code throws becomes the verdict.
-/// Throws renderer::EnvironmentError if the key was made for other probes than these.
+/// Throws course::EnvironmentError if the key was made for other probes than these.
 Verdict judge(const Exercise& exercise, const Key& key, const Code& code);
 
 /// Whether both say the same on a probe, within what rounding explains.

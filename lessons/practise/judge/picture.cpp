@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string_view>
 #include <vector>
 
+#include "lessons/files/atomic_file.hpp"
 #include "renderer/frames.hpp"
 #include "renderer/opengl/pixel_canvas.hpp"
 #include "renderer/png.hpp"
@@ -158,12 +160,14 @@ std::string still_png(const Film& yours, const Film& right) {
 
 void write_film(const std::filesystem::path& folder, const Film& yours, const Film& right) {
   PixelCanvas canvas(854, 480);
-  FrameWriter writer(folder);
+  FrameEncoder encoder([&](int index, std::string_view png) {
+    course::write_whole(folder / fmt::format("{:04}.png", index), png);
+  });
   for (int i = 0; i < count(right); ++i) {
     draw(canvas, yours, right, i);
-    writer.write(canvas.image());
+    encoder.add(canvas.image());
   }
-  writer.finish();
+  encoder.finish();
 }
 
 }  // namespace byhand::practise

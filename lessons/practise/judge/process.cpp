@@ -18,16 +18,17 @@
 #include <fstream>
 #include <iterator>
 
+#include "lessons/page/error.hpp"
 #include "lessons/practise/judge/confine.hpp"
 #include "lessons/practise/judge/protocol.hpp"
 #include "lessons/practise/judge/undefined.hpp"
-#include "renderer/error.hpp"
+#include "lessons/page/error.hpp"
 
 namespace byhand::practise {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-using renderer::EnvironmentError;
+using course::EnvironmentError;
 
 constexpr std::size_t most_printed = 64u << 10;
 constexpr double most_numbers = 1e6;

@@ -4,13 +4,13 @@
 
 #include <algorithm>
 
+#include "lessons/files/atomic_file.hpp"
 #include "lessons/files/commit.hpp"
+#include "lessons/page/error.hpp"
 #include "lessons/page/html/markup.hpp"
 #include "lessons/site/course/page_text.hpp"
 #include "lessons/site/course/zip.hpp"
 #include "lessons/site/lesson_page.hpp"
-#include "renderer/error.hpp"
-#include "renderer/file.hpp"
 
 namespace byhand::site {
 namespace {
@@ -18,8 +18,8 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string contents_of(const fs::path& path) {
-  if (auto bytes = renderer::read_whole(path)) return *std::move(bytes);
-  throw renderer::EnvironmentError(fmt::format("Cannot read {}.", path.string()));
+  if (auto bytes = course::read_whole(path)) return *std::move(bytes);
+  throw course::EnvironmentError(fmt::format("Cannot read {}.", path.string()));
 }
 
 std::string content(const fs::path& page) {

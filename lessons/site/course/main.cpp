@@ -12,19 +12,19 @@
 #include <string>
 #include <vector>
 
+#include "lessons/files/atomic_file.hpp"
 #include "lessons/files/child_process.hpp"
 #include "lessons/files/command_line.hpp"
 #include "lessons/files/options.hpp"
 #include "lessons/files/streams.hpp"
 #include "lessons/page/about.hpp"
+#include "lessons/page/error.hpp"
 #include "lessons/site/course/book.hpp"
 #include "lessons/site/course/course_pages.hpp"
 #include "lessons/site/course/site_folder.hpp"
 #include "lessons/site/course/slides.hpp"
 #include "lessons/site/json.hpp"
 #include "lessons/site/lesson_page.hpp"
-#include "renderer/error.hpp"
-#include "renderer/file.hpp"
 
 namespace {
 
@@ -68,7 +68,7 @@ site::Digest write_lesson(const std::string& slug, const fs::path& folder, const
   const course::Ended ended = course::run_program(program.string(), arguments, course::Group::ours);
   if (!ended.well()) throw Failed(fmt::format("{} ended with status {}", slug, ended.status), ended);
   const fs::path file = folder / (slug + ".json");
-  const auto text = renderer::read_whole(file);
+  const auto text = course::read_whole(file);
   if (!text) throw std::runtime_error(fmt::format("{} wrote no {}", slug, file.filename().string()));
   fs::remove(file);
   return site::digest_from_json(*text);
@@ -77,7 +77,7 @@ site::Digest write_lesson(const std::string& slug, const fs::path& folder, const
 void copy_assets(const fs::path& folder) {
   const fs::path assets = fs::path(BYHAND_SITE_FOLDER) / "assets";
   if (!fs::is_directory(assets))
-    throw renderer::EnvironmentError(
+    throw course::EnvironmentError(
         fmt::format("There is no folder {}: the checkout is not complete.", assets.string()));
   fs::copy(assets, folder / "assets", fs::copy_options::recursive);
 }
@@ -89,7 +89,7 @@ void write_slides(const fs::path& site, const std::vector<site::Digest>& lessons
       course::run_program(fetch.string(), {(folder / "reveal").string()}, course::Group::own);
   if (!ended.well()) throw Failed("reveal.js could not be fetched", ended);
   for (const site::Digest& lesson : lessons)
-    renderer::write_whole(folder / site::page_of(lesson.slug), site::slides(site, lesson));
+    course::write_whole(folder / site::page_of(lesson.slug), site::slides(site, lesson));
 }
 
 int run(const Wanted& wanted) {
@@ -104,7 +104,7 @@ int run(const Wanted& wanted) {
     lessons.push_back(write_lesson(lesson.slug, folder.path(), wanted));
   }
   const auto write = [&](const char* name, const std::string& bytes) {
-    renderer::write_whole(folder.path() / name, bytes);
+    course::write_whole(folder.path() / name, bytes);
   };
   copy_assets(folder.path());
   write("index.html", site::contents_page(lessons));

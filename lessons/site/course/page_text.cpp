@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "renderer/error.hpp"
-#include "renderer/file.hpp"
+#include "lessons/files/atomic_file.hpp"
+#include "lessons/page/error.hpp"
 
 namespace byhand::site {
 
@@ -18,8 +18,8 @@ void replace_all(std::string& text, std::string_view begin, std::string_view end
 }
 
 std::string content_of_page(const std::filesystem::path& page) {
-  const auto all = renderer::read_whole(page);
-  if (!all) throw renderer::EnvironmentError(fmt::format("Cannot read {}.", page.string()));
+  const auto all = course::read_whole(page);
+  if (!all) throw course::EnvironmentError(fmt::format("Cannot read {}.", page.string()));
   constexpr std::string_view main = "<main id=\"content\" tabindex=\"-1\">";
   const auto begin = all->find(main) + main.size();
   std::string text = all->substr(begin, all->find("</main>") - begin);

@@ -11,23 +11,23 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "lessons/files/atomic_file.hpp"
 #include "lessons/files/checksum.hpp"
 #include "lessons/files/json.hpp"
 #include "lessons/files/output_folder.hpp"
+#include "lessons/page/error.hpp"
 #include "lessons/site/json.hpp"
-#include "renderer/error.hpp"
-#include "renderer/file.hpp"
 
 namespace byhand::site {
 namespace {
 
 namespace fs = std::filesystem;
-using renderer::EnvironmentError;
+using course::EnvironmentError;
 
 constexpr auto manifest = "manifest.json";
 
 course::Manifest manifest_of(const fs::path& site) {
-  return course::manifest_from_json(renderer::read_whole(site / manifest).value_or(""));
+  return course::manifest_from_json(course::read_whole(site / manifest).value_or(""));
 }
 
 void refuse_foreign(const fs::path& site) {
@@ -100,7 +100,7 @@ void SiteFolder::keep_what_a_person_added() const {
 }
 
 void SiteFolder::finish() {
-  renderer::write_whole(hidden_ / manifest, site_manifest(checksums(hidden_)));
+  course::write_whole(hidden_ / manifest, site_manifest(checksums(hidden_)));
   try {
     keep_what_a_person_added();
     if (fs::exists(site_)) {
@@ -120,7 +120,7 @@ std::map<std::string, std::string> checksums(const fs::path& folder) {
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     const std::string name = entry.path().lexically_relative(folder).string();
     if (!entry.is_regular_file() || name == manifest) continue;
-    const auto bytes = renderer::read_whole(entry.path());
+    const auto bytes = course::read_whole(entry.path());
     if (!bytes) throw EnvironmentError(fmt::format("Cannot read {}.", entry.path().string()));
     all[name] = course::sha256(*bytes);
   }

@@ -7,8 +7,8 @@
 namespace byhand::site {
 
 /// The folder of a site while it is written: a hidden one beside the site, which it replaces at the end in one
-/// step. A reader finds the old site or the new one, never a half. What a person put into the old one, as a CNAME, is
-/// in the new one too. One process at a time. Every function throws renderer::EnvironmentError.
+/// step. A reader finds the old site or the new one, never a half. What a person put into the old one, as a CNAME,
+/// is in the new one too. One process at a time. Every function throws course::EnvironmentError.
 class SiteFolder {
  public:
   /// Claims the hidden folder and empties it of what a killed run left. Throws std::invalid_argument if `site` is
@@ -22,8 +22,8 @@ class SiteFolder {
   /// Where the files go.
   const std::filesystem::path& path() const { return hidden_; }
 
-  /// Lists all files in manifest.json, adds those of the old site that its own manifest does not list, puts the folder
-  /// in the place of the site and removes the old one.
+  /// Lists all files in manifest.json, adds those of the old site that its own manifest does not list, puts the
+  /// folder in the place of the site and removes the old one.
   void finish();
 
  private:

@@ -20,7 +20,7 @@ std::optional<std::string> course::source_text(const std::string& path) {
 
 std::vector<unsigned char> renderer::font_file(const char* name) {
   const auto bytes = course::source_text(std::string("/fonts/") + name);
-  if (!bytes) throw EnvironmentError(std::string("The page came without the font ") + name + ".");
+  if (!bytes) throw Unavailable(std::string("The page came without the font ") + name + ".");
   return {bytes->begin(), bytes->end()};
 }
 

@@ -1,4 +1,4 @@
-#include "renderer/file.hpp"
+#include "lessons/files/atomic_file.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -17,9 +17,9 @@
 #include <system_error>
 #include <utility>
 
-#include "renderer/error.hpp"
+#include "lessons/page/error.hpp"
 
-namespace byhand::renderer {
+namespace byhand::course {
 namespace fs = std::filesystem;
 namespace {
 
@@ -199,4 +199,4 @@ void remove_unfinished() noexcept {
     if (place.named) ::unlink(place.name.data());
 }
 
-}  // namespace byhand::renderer
+}  // namespace byhand::course

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace byhand::renderer {
+namespace byhand::course {
 
 /// Writes a file atomically and durably: writes a temporary file beside it, syncs it, renames it and syncs the
 /// folder. Creates missing folders. Replaces a symbolic link, never the file that it names, and nothing else but
@@ -23,4 +23,4 @@ bool is_unfinished(const std::filesystem::path& path);
 /// process.
 void remove_unfinished() noexcept;
 
-}  // namespace byhand::renderer
+}  // namespace byhand::course
