@@ -1,6 +1,6 @@
 // Deeper: where the course displays each equation of the article.
 
-#include "lessons/equations.hpp"
+#include "lessons/page/equation_places.hpp"
 
 #include "lessons/09_what_accuracy_costs/steps.hpp"
 #include "lessons/page/about.hpp"

@@ -48,7 +48,7 @@ int main(int argc, char** argv) {
   lesson.step("Stacks and pyramids", contacts);
   lesson.deeper("A block on a slope", incline);
   lesson.step("One picture and one page", one_page);
-  lesson.step("Ask the program", [=](course::Page& page) { chooser(page, setting); });
+  lesson.step("Ask the program", [=](course::Page& page) { recommendation(page, setting); });
   lesson.answers({"scene", "drift", "trajectory", "energy", "momentum", "reaction", "budget", "links", "end_mass",
                   "mass", "length", "boxes", "top_mass", "base"});
   lesson.deeper("What the model costs", model_cost);

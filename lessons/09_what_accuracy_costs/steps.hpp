@@ -13,7 +13,7 @@ void substeps_or_sweeps(course::Page& page);
 void what_the_step_hides(course::Page& page);
 void contacts(course::Page& page);
 void one_page(course::Page& page);
-void chooser(course::Page& page, const Setting& setting);
+void recommendation(course::Page& page, const Setting& setting);
 
 void five_errors(course::Page& page);
 void linkages(course::Page& page);

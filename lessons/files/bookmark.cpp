@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "lessons/files/atomic_file.hpp"
-#include "lessons/files/json.hpp"
+#include "lessons/files/lesson_json.hpp"
 #include "lessons/page/error.hpp"
 
 namespace byhand::course {

@@ -85,9 +85,6 @@ CommandLine parse_command_line(const std::string& title, const std::string& prog
   app.add_flag("--list-parameters", line.list_parameters, "what can be set: unit, range, meaning");
   app.add_flag("--check", line.check, "no pictures, only the claims, as a table");
   app.add_flag("--questions", line.questions, "no pictures, only the predictions, as JSON");
-  app.add_flag("--page", line.page,
-               "into DIR, a page of the web site instead of lesson.md;\n./lessons/run site writes all pages and "
-               "what they share");
   app.add_option("--step", line.step, "only this step, 3 or 3a; at a terminal from there")
       ->type_name("N")
       ->check(require_label);

@@ -8,7 +8,7 @@ namespace byhand::course {
 /// The options of a lesson as they were typed.
 struct CommandLine {
   bool interactive = false, no_interactive = false, list_parameters = false, check = false, quiet = false,
-       questions = false, plain = false, page = false;
+       questions = false, plain = false;
   std::string output;
   std::string quality = "medium";  // low, medium or high
   std::string frames;              // none, last, all; empty: the default

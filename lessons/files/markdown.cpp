@@ -5,8 +5,8 @@
 #include <sstream>
 
 #include "lessons/files/picture_writer.hpp"
+#include "lessons/page/article_equations.hpp"
 #include "lessons/page/claim_words.hpp"
-#include "lessons/page/equations.hpp"
 #include "lessons/page/grading.hpp"
 #include "lessons/page/lesson.hpp"
 

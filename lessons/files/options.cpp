@@ -66,12 +66,6 @@ void refuse_contradictions(const CommandLine& line) {
   both(line.check, line.list_parameters, "--check and --list-parameters");
   both(line.check, line.questions, "--check and --questions");
   both(line.questions, line.list_parameters, "--questions and --list-parameters");
-  both(line.page, line.interactive, "--page and --interactive");
-  both(line.page, line.check, "--page and --check");
-  both(line.page, line.questions, "--page and --questions");
-  both(line.page, line.list_parameters, "--page and --list-parameters");
-  both(line.page, !line.step.empty(), "--page and --step");
-  both(line.page, !line.frames.empty(), "--page and --frames");
   if (!line.film.empty() && !line.frames.empty() && line.frames != "all")
     throw std::invalid_argument(fmt::format("--film needs all frames, not --frames {}", line.frames));
 }
@@ -103,10 +97,9 @@ Options read_options(const Lesson& lesson, int argc, const char* const* argv, bo
   options.quiet = line.quiet;
   options.questions = line.questions;
   options.plain = line.plain;
-  options.page = line.page;
   options.step = line.step;
   options.interactive = line.interactive || (at_terminal && !line.no_interactive);
-  if (options.check || options.quiet || options.questions || options.page) options.interactive = false;
+  if (options.check || options.quiet || options.questions) options.interactive = false;
   options.quality =
       *std::find_if(qualities.begin(), qualities.end(), [&](const Quality& q) { return q.name == line.quality; });
   if (line.frames.empty()) line.frames = options.interactive && line.film.empty() ? "last" : "all";

@@ -30,7 +30,6 @@ struct Options {
   std::vector<std::pair<std::string, std::string>> set;  // name, value
   bool list_parameters = false, check = false, quiet = false, questions = false;
   bool plain = false;  // for screen readers
-  bool page = false;   // write a page of the web site instead of lesson.md
   std::string step;    // label of the only step to run; empty: all
 };
 

@@ -12,7 +12,7 @@
 
 #include "lessons/files/atomic_file.hpp"
 #include "lessons/files/checksum.hpp"
-#include "lessons/files/json.hpp"
+#include "lessons/files/lesson_json.hpp"
 #include "lessons/page/error.hpp"
 
 namespace byhand::course {

@@ -58,7 +58,7 @@ class OutputFolder {
   std::map<std::string, std::string> files_;  // path → SHA-256
 };
 
-/// Makes a folder and those above it. Throws course::EnvironmentError, which names a link that leads nowhere.
+/// Makes a folder and those above it. Throws EnvironmentError, which names a link that leads nowhere.
 void make_folders(const std::filesystem::path& folder);
 
 /// Whether a lesson, or ./lessons/run site, has written into the folder: it holds manifest.json, lesson.md,

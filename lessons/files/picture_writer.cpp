@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "lessons/files/chart_data.hpp"
-#include "lessons/files/film.hpp"
 #include "lessons/files/streams.hpp"
+#include "lessons/files/video.hpp"
 #include "lessons/page/lesson.hpp"
 #include "lessons/page/progress.hpp"
 #include "renderer/frames.hpp"

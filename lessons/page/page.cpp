@@ -5,7 +5,7 @@
 #include <memory>
 #include <optional>
 
-#include "lessons/page/equations.hpp"
+#include "lessons/page/article_equations.hpp"
 #include "lessons/page/error.hpp"
 #include "lessons/page/excerpt.hpp"
 

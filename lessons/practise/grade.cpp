@@ -11,7 +11,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "lessons/practise/judge/grading.hpp"
+#include "lessons/practise/judge/submission.hpp"
 
 namespace {
 

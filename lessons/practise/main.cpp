@@ -16,8 +16,8 @@
 
 #include "lessons/files/atomic_file.hpp"
 #include "lessons/page/error.hpp"
-#include "lessons/practise/course.hpp"
-#include "lessons/practise/judge/picture.hpp"
+#include "lessons/practise/export_course.hpp"
+#include "lessons/practise/judge/comparison.hpp"
 #include "lessons/practise/watch.hpp"
 
 namespace {

@@ -12,7 +12,7 @@
 #include "lessons/page/error.hpp"
 #include "lessons/page/html/escaped.hpp"
 #include "lessons/page/progress.hpp"
-#include "lessons/practise/course.hpp"
+#include "lessons/practise/export_course.hpp"
 
 // The predictions of the lessons as questions for a course's learning platform.
 namespace byhand::practise {

@@ -10,7 +10,7 @@
 
 #include "lessons/files/atomic_file.hpp"
 #include "lessons/files/bookmark.hpp"
-#include "lessons/practise/judge/picture.hpp"
+#include "lessons/practise/judge/comparison.hpp"
 #include "lessons/terminal/keyboard.hpp"
 #include "lessons/terminal/typeset.hpp"
 #include "renderer/error.hpp"

@@ -1,6 +1,6 @@
 #include "lessons/site/digest.hpp"
 
-#include "lessons/page/equations.hpp"
+#include "lessons/page/article_equations.hpp"
 #include "lessons/page/html/markup.hpp"
 
 namespace byhand::site {

@@ -7,7 +7,7 @@
 #include "lessons/page/html/markup.hpp"
 #include "lessons/site/digest.hpp"
 #include "lessons/site/frame.hpp"
-#include "lessons/site/json.hpp"
+#include "lessons/site/page_json.hpp"
 #include "lessons/site/reading.hpp"
 
 namespace byhand::site {

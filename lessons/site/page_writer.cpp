@@ -7,8 +7,8 @@
 #include "lessons/files/picture_writer.hpp"
 #include "lessons/page/html/drawn.hpp"
 #include "lessons/page/html/step_html.hpp"
-#include "lessons/site/json.hpp"
 #include "lessons/site/lesson_page.hpp"
+#include "lessons/site/page_json.hpp"
 #include "renderer/opengl/space_picture.hpp"
 
 namespace byhand::site {

@@ -7,10 +7,9 @@
 #include <string>
 #include <type_traits>
 
-#include "lessons/files/json.hpp"
+#include "lessons/files/lesson_json.hpp"
 #include "lessons/files/markdown.hpp"
 #include "lessons/files/streams.hpp"
-#include "lessons/site/page_writer.hpp"
 #include "lessons/terminal/claim_table.hpp"
 #include "lessons/terminal/terminal_text.hpp"
 
@@ -93,10 +92,6 @@ int complain_of_false_claims(const Lesson& lesson, const std::vector<RecordedSte
 
 int run_batch(const Lesson& lesson, const Options& options) {
   if (options.questions) return print_questions(lesson, options);
-  if (options.page) {
-    const std::vector<RecordedStep> steps = site::write_page(lesson, options.output, options.quiet);
-    return complain_of_false_claims(lesson, steps);
-  }
   const bool whole = options.step.empty();
   const bool speaks = !options.quiet && !options.check;
   // Fails before the work begins rather than after a minute.

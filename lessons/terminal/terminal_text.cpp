@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lessons/page/equations.hpp"
+#include "lessons/page/article_equations.hpp"
 #include "lessons/page/grading.hpp"
 #include "lessons/terminal/text_chart.hpp"
 

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "lessons/equations.hpp"
 #include "lessons/page/about.hpp"
+#include "lessons/page/equation_places.hpp"
 #include "tests/lessons/terminal/process.hpp"
 
 namespace byhand::tests {

@@ -8,7 +8,7 @@
 #include <cctype>
 #include <nlohmann/json.hpp>
 
-#include "lessons/practise/judge/grading.hpp"
+#include "lessons/practise/judge/submission.hpp"
 #include "tests/practise/learner.hpp"
 
 namespace byhand::tests {

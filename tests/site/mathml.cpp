@@ -7,7 +7,7 @@
 #include <cstring>
 #include <limits>
 
-#include "lessons/page/equations.hpp"
+#include "lessons/page/article_equations.hpp"
 #include "lessons/page/error.hpp"
 #include "lessons/page/words.hpp"
 #include "tests/site/markup.hpp"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "lessons/page/equations.hpp"
+#include "lessons/page/article_equations.hpp"
 
 namespace byhand::site {
 namespace {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "lessons/page/article_equations.hpp"
 #include "lessons/page/claim_words.hpp"
-#include "lessons/page/equations.hpp"
 #include "lessons/page/grading.hpp"
 #include "lessons/page/html/alternative.hpp"
 #include "lessons/page/html/code_html.hpp"

@@ -7,10 +7,10 @@
 
 #include <sstream>
 
+#include "lessons/files/atomic_file.hpp"
+#include "lessons/page/error.hpp"
 #include "lessons/practise/judge/messages.hpp"
 #include "lessons/practise/judge/process.hpp"
-#include "lessons/page/error.hpp"
-#include "lessons/files/atomic_file.hpp"
 
 namespace byhand::practise {
 namespace {

@@ -7,7 +7,7 @@
 #include <ctime>
 #include <nlohmann/json.hpp>
 
-#include "lessons/practise/judge/grading.hpp"
+#include "lessons/practise/judge/submission.hpp"
 #include "renderer/data_url.hpp"
 
 // What each consumer of results reads. Each format says the same of a submission.

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "lessons/practise/judge/process.hpp"
 #include "lessons/page/error.hpp"
+#include "lessons/practise/judge/process.hpp"
 
 namespace byhand::practise {
 namespace {

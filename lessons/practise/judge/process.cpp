@@ -22,7 +22,6 @@
 #include "lessons/practise/judge/confine.hpp"
 #include "lessons/practise/judge/protocol.hpp"
 #include "lessons/practise/judge/undefined.hpp"
-#include "lessons/page/error.hpp"
 
 namespace byhand::practise {
 namespace {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <numeric>
 
-#include "lessons/equations.hpp"
-#include "lessons/page/equations.hpp"
+#include "lessons/page/article_equations.hpp"
+#include "lessons/page/equation_places.hpp"
 #include "lessons/page/html/markup.hpp"
 #include "lessons/page/html/mathml.hpp"
 #include "lessons/site/frame.hpp"

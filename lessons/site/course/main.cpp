@@ -23,8 +23,8 @@
 #include "lessons/site/course/course_pages.hpp"
 #include "lessons/site/course/site_folder.hpp"
 #include "lessons/site/course/slides.hpp"
-#include "lessons/site/json.hpp"
 #include "lessons/site/lesson_page.hpp"
+#include "lessons/site/page_json.hpp"
 
 namespace {
 
@@ -62,8 +62,8 @@ bool write_live(const fs::path& folder) {
 
 /// Runs a lesson's program and returns the digest that it left in the folder.
 site::Digest write_lesson(const std::string& slug, const fs::path& folder, const Wanted& wanted) {
-  const fs::path program = fs::read_symlink("/proc/self/exe").parent_path() / slug;
-  std::vector<std::string> arguments{"--page", "--output", folder.string()};
+  const fs::path program = fs::read_symlink("/proc/self/exe").parent_path() / ("page_" + slug);
+  std::vector<std::string> arguments{folder.string()};
   if (wanted.quiet) arguments.emplace_back("--quiet");
   const course::Ended ended = course::run_program(program.string(), arguments, course::Group::ours);
   if (!ended.well()) throw Failed(fmt::format("{} ended with status {}", slug, ended.status), ended);
@@ -95,7 +95,7 @@ void write_slides(const fs::path& site, const std::vector<site::Digest>& lessons
 int run(const Wanted& wanted) {
   const fs::path output = fs::path(wanted.output) / "site";
   site::SiteFolder folder(output);
-  build("lessons");
+  build("pages");
   const bool live = write_live(folder.path());
   std::vector<site::Digest> lessons;
   const auto& contents = course::contents();

@@ -16,7 +16,7 @@
 #include "lessons/files/json.hpp"
 #include "lessons/files/output_folder.hpp"
 #include "lessons/page/error.hpp"
-#include "lessons/site/json.hpp"
+#include "lessons/site/page_json.hpp"
 
 namespace byhand::site {
 namespace {

@@ -123,10 +123,10 @@ void Program::tell(Told& told) const {
     if (const auto* sequence = std::get_if<Sequence>(&item)) told.films.try_emplace(sequence->name, *sequence);
   const auto figure = [&](const Figure& it) { return Shown{drawn(it, draw_window_)}; };
   const auto film = [&](const Sequence& it) {
-    Film& shown = told.films.at(it.name);
+    SeekableFilm& shown = told.films.at(it.name);
     const auto last = [&](renderer::Canvas& canvas) { shown.draw(canvas, shown.frames() - 1); };
     return Shown{fmt::format("<div class=\"screen\" data-frames=\"{}\" data-rate=\"{}\">{}</div>", shown.frames(),
-                             shown.in_real_time() ? Film::rate : 0, drawn(it.name, last, draw_window_))};
+                             shown.in_real_time() ? SeekableFilm::rate : 0, drawn(it.name, last, draw_window_))};
   };
   told.html = step_html(told.recorded, {figure, film});
   told.recorded.reads = reads(lesson_);
@@ -158,7 +158,7 @@ std::string Program::answer(const std::string& request) {
       const Told& page = told(asked_step());
       reply = {{"html", page.html}, {"reads", page.recorded.reads}};
     } else if (what == "frame") {
-      Film& film = told(asked_step()).films.at(asked.at("film"));
+      SeekableFilm& film = told(asked_step()).films.at(asked.at("film"));
       const std::string name = asked.at("film");
       const auto frame = [&](renderer::Canvas& canvas) { film.draw(canvas, asked.at("index")); };
       reply["svg"] = drawn(name, frame, draw_window_);

@@ -7,7 +7,7 @@
 
 #include "lessons/page/lesson.hpp"
 #include "lessons/page/recording.hpp"
-#include "lessons/site/live/film.hpp"
+#include "lessons/site/live/seekable_film.hpp"
 #include "renderer/svg_canvas.hpp"
 
 namespace byhand::site {
@@ -39,7 +39,7 @@ class Program {
   struct Told {
     std::string settings;  // at which it was told
     course::RecordedStep recorded;
-    std::map<std::string, Film> films = {};
+    std::map<std::string, SeekableFilm> films = {};
     std::string html = {};
   };
 

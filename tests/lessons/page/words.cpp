@@ -9,7 +9,7 @@
 #include <random>
 #include <sstream>
 
-#include "lessons/page/equations.hpp"
+#include "lessons/page/article_equations.hpp"
 #include "lessons/page/parameter.hpp"
 #include "lessons/page/typed_quantity.hpp"
 #include "lessons/terminal/typeset.hpp"

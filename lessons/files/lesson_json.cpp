@@ -1,4 +1,4 @@
-#include "lessons/files/json.hpp"
+#include "lessons/files/lesson_json.hpp"
 
 #include <algorithm>
 #include <fstream>

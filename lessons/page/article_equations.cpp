@@ -1,4 +1,4 @@
-#include "lessons/page/equations.hpp"
+#include "lessons/page/article_equations.hpp"
 
 #include <fmt/format.h>
 

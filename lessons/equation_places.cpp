@@ -1,4 +1,4 @@
-#include "lessons/equations.hpp"
+#include "lessons/page/equation_places.hpp"
 
 namespace byhand::course {
 

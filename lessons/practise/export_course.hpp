@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lessons/practise/judge/grading.hpp"
+#include "lessons/practise/judge/submission.hpp"
 
 namespace byhand::practise {
 

@@ -1,4 +1,4 @@
-#include "lessons/files/film.hpp"
+#include "lessons/files/video.hpp"
 
 #include <fmt/format.h>
 #include <glib.h>

@@ -1,4 +1,4 @@
-#include "lessons/practise/judge/grading.hpp"
+#include "lessons/practise/judge/submission.hpp"
 
 #include <fmt/format.h>
 
@@ -8,10 +8,11 @@
 #include <stdexcept>
 
 #include "lessons/files/atomic_file.hpp"
-#include "lessons/practise/judge/check.hpp"
-#include "lessons/practise/judge/confine.hpp"
-#include "lessons/practise/judge/picture.hpp"
 #include "lessons/page/error.hpp"
+#include "lessons/practise/judge/check.hpp"
+#include "lessons/practise/judge/comparison.hpp"
+#include "lessons/practise/judge/confine.hpp"
+#include "renderer/error.hpp"
 
 namespace byhand::practise {
 namespace {

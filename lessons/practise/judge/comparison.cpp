@@ -1,4 +1,4 @@
-#include "lessons/practise/judge/picture.hpp"
+#include "lessons/practise/judge/comparison.hpp"
 
 #include <fmt/format.h>
 

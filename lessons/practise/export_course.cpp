@@ -1,4 +1,4 @@
-#include "lessons/practise/course.hpp"
+#include "lessons/practise/export_course.hpp"
 
 #include <fmt/format.h>
 

@@ -242,7 +242,7 @@ std::string data_of(const byhand::Choice& choice, const Problem& problem) {
 
 }  // namespace
 
-void chooser(Page& page, const Setting& setting) {
+void recommendation(Page& page, const Setting& setting) {
   const auto [problem, ignored] = problem_of(setting);
   const std::map<Error, double> limits = limits_of(setting);
   page.text(

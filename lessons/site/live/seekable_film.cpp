@@ -1,4 +1,4 @@
-#include "lessons/site/live/film.hpp"
+#include "lessons/site/live/seekable_film.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,14 +7,14 @@ namespace byhand::site {
 
 using namespace course;
 
-bool Film::in_real_time() const { return std::holds_alternative<Seconds>(sequence_->length); }
+bool SeekableFilm::in_real_time() const { return std::holds_alternative<Seconds>(sequence_->length); }
 
-int Film::frames() const {
+int SeekableFilm::frames() const {
   if (const auto* frames = std::get_if<Frames>(&sequence_->length)) return std::max(1, frames->value);
   return static_cast<int>(std::lround(std::get<Seconds>(sequence_->length).value * rate)) + 1;
 }
 
-void Film::draw(renderer::Canvas& canvas, int index) {
+void SeekableFilm::draw(renderer::Canvas& canvas, int index) {
   index = std::clamp(index, 0, frames() - 1);
   if (index < last_) drawing_ = sequence_->draw;
   last_ = index;

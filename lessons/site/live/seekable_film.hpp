@@ -6,11 +6,11 @@ namespace byhand::site {
 
 /// A sequence whose frames can be asked for in any order. One that lies before the last is drawn from the
 /// beginning, because a drawing advances its simulation to the time that it draws.
-class Film {
+class SeekableFilm {
  public:
   static constexpr int rate = 30;  // frames per second of a sequence in real time
 
-  explicit Film(const course::Sequence& sequence) : sequence_(&sequence), drawing_(sequence.draw) {}
+  explicit SeekableFilm(const course::Sequence& sequence) : sequence_(&sequence), drawing_(sequence.draw) {}
 
   int frames() const;
   bool in_real_time() const;

@@ -1,4 +1,4 @@
-#include "lessons/site/json.hpp"
+#include "lessons/site/page_json.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 
 #include "lessons/files/commit.hpp"
 #include "lessons/page/about.hpp"
-#include "lessons/page/equations.hpp"
+#include "lessons/page/article_equations.hpp"
 #include "lessons/page/html/mathml.hpp"
 #include "lessons/site/lesson_page.hpp"
 
