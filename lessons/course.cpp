@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -43,6 +44,15 @@ Ended build(const std::string& target) {
   return builder == nullptr ? Ended{} : run_program(builder, {target}, Group::own);
 }
 
+/// Builds the lessons from `first` on, one after another, while the reader reads.
+std::unique_ptr<Beside> build_behind(const std::vector<std::string>& slugs, const std::string& first) {
+  const char* builder = std::getenv("BYHAND_BUILD");
+  if (builder == nullptr) return nullptr;
+  Arguments arguments{"--behind"};
+  arguments.insert(arguments.end(), std::find(slugs.begin(), slugs.end(), first), slugs.end());
+  return std::make_unique<Beside>(builder, arguments);
+}
+
 Ended run_lesson(const std::string& slug, const Arguments& arguments) {
   const fs::path path = program(slug);
   if (!fs::exists(path))
@@ -58,6 +68,14 @@ Ended run_lesson(const std::string& slug, const Arguments& arguments) {
 Ended build_and_run(const std::string& slug, const Arguments& arguments) {
   const Ended built = build(slug);
   return built.well() ? run_lesson(slug, arguments) : built;
+}
+
+/// The same for a reader at a terminal.
+Ended build_and_read(const std::vector<std::string>& slugs, const std::string& slug, const Arguments& arguments) {
+  const Ended built = build(slug);
+  if (!built.well()) return built;
+  const auto behind = build_behind(slugs, slug);
+  return run_lesson(slug, arguments);
 }
 
 /// The exit status of the course after this; after a signal that ended the program, ends by it too.
@@ -246,6 +264,7 @@ int open_course(const std::vector<std::string>& slugs, const Arguments& options)
   bool show_menu = true;
   while (true) {
     const auto next = next_lesson(slugs);
+    const auto behind = build_behind(slugs, next.value_or(slugs.front()));
     std::optional<std::string> line;
     {
       // The lesson has a keyboard of its own.
@@ -267,7 +286,7 @@ int open_course(const std::vector<std::string>& slugs, const Arguments& options)
                  line->empty() ? "Type the number of a lesson, or q.\n" : printable(unknown(slugs, *line)) + "\n");
       continue;
     }
-    const Ended ended = build_and_run(*chosen, options);
+    const Ended ended = build_and_read(slugs, *chosen, options);
     if (ended.status == back_to_menu && !ended.by_signal) continue;
     if (!ended.well() || ended.passed_on || !read_bookmark(*chosen).step.empty()) return status_of(ended);
   }
@@ -290,7 +309,8 @@ int run(Arguments arguments) {
   const auto slug = find_lesson(slugs, arguments.front());
   if (!slug) throw std::invalid_argument(unknown(slugs, arguments.front()));
   arguments.erase(arguments.begin());
-  const Ended ended = build_and_run(*slug, arguments);
+  const Ended ended =
+      at_terminal && arguments.empty() ? build_and_read(slugs, *slug, {}) : build_and_run(*slug, arguments);
   return ended.status == back_to_menu && !ended.by_signal ? open_course(slugs, for_every_lesson(arguments))
                                                           : status_of(ended);
 }

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <string>
@@ -107,11 +108,11 @@ Graph picture_in(std::istream& text) {
     if (line.rfind("```", 0) == 0) inside = line == "```mermaid";
     if (!inside || line.find("-->") == std::string::npos) continue;
     std::vector<std::string> from, to;
-    std::istringstream words(line);
+    std::istringstream words(std::regex_replace(line, std::regex(R"(\[[^\]]*\])"), ""));
     for (std::string word; words >> word;) {
       if (word == "-->") from = std::exchange(to, {});
       if (word == "-->" || word == "&") continue;
-      to.push_back(word.substr(0, word.find('[')));
+      to.push_back(word);
       for (const std::string& source : from) arrows[source].emplace(to.back(), line);
     }
   }

@@ -63,9 +63,8 @@ class TerminalAsItIs {
   _exit(3);
 }
 
-}  // namespace
-
-Ended run_program(const std::string& path, const std::vector<std::string>& arguments, Group group) {
+pid_t start(const std::string& path, const std::vector<std::string>& arguments, Group group,
+            const sigset_t& mask) {
   std::vector<std::string> words = {path};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
@@ -74,14 +73,21 @@ Ended run_program(const std::string& path, const std::vector<std::string>& argum
   argv.push_back(nullptr);
 
   std::fflush(stdout);
+  const pid_t parent = getpid(), child = fork();
+  if (child < 0) throw std::system_error(errno, std::generic_category(), path + " cannot be started");
+  if (child == 0) become(path, argv, mask, group, parent);
+  // Here too: a signal may come before the child has got there.
+  if (group == Group::own) setpgid(child, child);
+  return child;
+}
+
+}  // namespace
+
+Ended run_program(const std::string& path, const std::vector<std::string>& arguments, Group group) {
   const sigset_t awaited = signals({SIGCHLD, SIGINT, SIGTERM, SIGHUP, SIGQUIT});
   const Blocked blocked(awaited);
   const TerminalAsItIs terminal;
-  const pid_t parent = getpid(), child = fork();
-  if (child < 0) throw std::system_error(errno, std::generic_category(), path + " cannot be started");
-  if (child == 0) become(path, argv, blocked.before(), group, parent);
-  // Here too: a signal may come before the child has got there.
-  if (group == Group::own) setpgid(child, child);
+  const pid_t child = start(path, arguments, group, blocked.before());
 
   Ended ended;
   for (int status = 0;;) {
@@ -100,6 +106,18 @@ Ended run_program(const std::string& path, const std::vector<std::string>& argum
       terminal.put_back();
       return ended;
     }
+  }
+}
+
+Beside::Beside(const std::string& path, const std::vector<std::string>& arguments) {
+  sigset_t mask;
+  sigprocmask(SIG_BLOCK, nullptr, &mask);
+  process_ = start(path, arguments, Group::own, mask);
+}
+
+Beside::~Beside() {
+  kill(-process_, SIGTERM);
+  while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
   }
 }
 

@@ -25,6 +25,19 @@ enum class Group {
 /// Throws std::system_error if it cannot be started. Only for processes of one thread.
 Ended run_program(const std::string& path, const std::vector<std::string>& arguments, Group group);
 
+/// A program that runs beside this one, in a group of its own, until it ends or this object or process is gone.
+class Beside {
+ public:
+  Beside(const std::string& path, const std::vector<std::string>& arguments);
+  Beside(const Beside&) = delete;
+  Beside& operator=(const Beside&) = delete;
+  /// Asks the program and all that it started to end, and waits for it.
+  ~Beside();
+
+ private:
+  int process_;
+};
+
 /// Ends this process by the signal, as its caller expects of a process that was asked to end.
 void end_by(int signal);
 

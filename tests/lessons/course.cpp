@@ -4,8 +4,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
 #include "tests/lessons/terminal/process.hpp"
 #include "tests/lessons/terminal/terminal.hpp"
@@ -69,6 +73,45 @@ TEST(Course, BuildsALessonWhenItsReaderComesToIt) {
     EXPECT_EQ(finished.status, 3);
     EXPECT_THAT(finished.said, Not(HasSubstr("2 hold")));
   }
+}
+
+TEST(Course, BuildsLessonsWhileAReaderReadsAndStopsWhenHeLeaves) {
+  const Folder folder;
+  const std::string builder = (folder / "build").string(), lock = (folder / "lock").string();
+  std::ofstream(builder) << "#!/bin/sh\n[ $1 != --behind ] || exec flock " << lock << " sh -c 'echo $2 >"
+                         << (folder / "behind").string() << "; sleep 60' sh $*\n";
+  std::filesystem::permissions(builder, std::filesystem::perms::owner_all);
+  Terminal reader({BYHAND_COURSE},
+                  {{"TERM", "dumb"}, {"XDG_STATE_HOME", folder.path().string()}, {"BYHAND_BUILD", builder}});
+  reader.expect("▸");
+  const auto behind = [&] {
+    std::string target;
+    for (int i = 0; i < 1000 && !(std::ifstream(folder / "behind") >> target); ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    return target;
+  };
+  EXPECT_EQ(behind(), "99_fixture");
+  reader.enter("q");
+  EXPECT_EQ(reader.leave(), 0);
+  EXPECT_EQ(std::system(("flock -w 10 " + lock + " true").c_str()), 0) << "the build still runs";
+}
+
+// cmake stands for a compiler that works on: another build does not wait for it.
+TEST(Course, ABuildBehindTheReaderGivesWayToAnyOther) {
+  const Folder folder;
+  std::ofstream(folder / "cmake") << "#!/bin/sh\necho >" << (folder / "begun").string() << "\nexec sleep 60\n";
+  std::filesystem::permissions(folder / "cmake", std::filesystem::perms::owner_all);
+  const std::string shell =
+      fmt::format("mkdir -p {0}/release; export PATH={0}:$PATH; source {1}/.ci/setup; builds={0}; ",
+                  folder.path().string(), BYHAND_SOURCE);
+  std::ofstream(folder / "behind.sh") << shell << "build_behind release 01_jacobian 02_single_constraint\n";
+  std::ofstream(folder / "other.sh") << shell << "alone release echo built\n";
+  Started behind({"/usr/bin/setsid", "bash", (folder / "behind.sh").string(), "--behind"});
+  for (int i = 0; i < 1000 && !std::filesystem::exists(folder / "begun"); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  ASSERT_TRUE(std::filesystem::exists(folder / "begun"));
+  EXPECT_EQ(run("bash " + (folder / "other.sh").string()).said, "built\n");
+  EXPECT_EQ(behind.finish().status, -SIGTERM);
 }
 
 TEST(Course, TheMenuFitsOnAScreenAndStaysBelowItsError) {

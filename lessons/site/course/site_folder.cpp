@@ -13,7 +13,7 @@
 
 #include "lessons/files/atomic_file.hpp"
 #include "lessons/files/checksum.hpp"
-#include "lessons/files/json.hpp"
+#include "lessons/files/lesson_json.hpp"
 #include "lessons/files/output_folder.hpp"
 #include "lessons/page/error.hpp"
 #include "lessons/site/page_json.hpp"
