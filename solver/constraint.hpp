@@ -189,7 +189,7 @@ class Store final : public Constraints<M, Kind> {
     if constexpr (requires { constraint.soft(pose1, pose2, h); }) {
       const Soft soft = constraint.soft(pose1, pose2, h);
       system.gamma[row] = soft.gamma;
-      system.rate[row] = soft.rate;
+      system.target_rate[row] = soft.rate;
     } else {
       for (int k = 0; k < K; ++k) system.gamma[row + k] = softness_of(constraint);
     }

@@ -1,5 +1,9 @@
 #include "solver/measure.hpp"
 
+#include "solver/rows/operators.hpp"
+#include "solver/rows/residual.hpp"
+#include "solver/support/each_model.hpp"
+
 namespace byhand {
 
 template <class M>
@@ -18,7 +22,7 @@ PositionError position_error(const Scene<M>& scene) {
   for (const auto& entry : scene.entries()) {
     const ConstraintStore<M>& store = scene.store(entry.kind);
     if (store.position_rows == 0) continue;
-    double C[6];  // no block has more rows
+    double C[most_rows<M>];
     store.write_value(entry.index, scene.bodies(), C);
     for (int k = 0; k < store.position_rows; ++k) {
       const double error = store.bound == Bound::none ? std::abs(C[k]) : larger(0, -C[k]);
@@ -30,27 +34,9 @@ PositionError position_error(const Scene<M>& scene) {
   return {largest, rows > 0 ? std::sqrt(sum / rows) : 0.0};
 }
 
-template <class M>
-double algebraic_error(Simulation<M> simulation, double h) {
-  Simulation<M> exact = simulation;
-  exact.method.solver = Direct{Factorisation::dense};
-  try {
-    simulation.step(h);
-    exact.step(h);
-  } catch (const NotFinite&) {
-    return std::numeric_limits<double>::quiet_NaN();
-  }
-  const auto &V = simulation.scene.bodies().velocity, &exact_V = exact.scene.bodies().velocity;
-  double largest = 0;
-  for (std::size_t i = 0; i < V.size(); ++i)
-    for (int k = 0; k < M::dof; ++k) largest = larger(largest, std::abs(V[i][k] - exact_V[i][k]));
-  return largest;
-}
-
-#define BYHAND_INSTANTIATE(M)                                                  \
-  template PositionError position_error(const Scene<M>&);                      \
-  template double residual(const System<M>&, const std::vector<Velocity<M>>&); \
-  template double algebraic_error(Simulation<M>, double)
+#define BYHAND_INSTANTIATE(M)                             \
+  template PositionError position_error(const Scene<M>&); \
+  template double residual(const System<M>&, const std::vector<Velocity<M>>&)
 BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);
 #undef BYHAND_INSTANTIATE
 

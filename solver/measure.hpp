@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/integrate/euler.hpp"
 #include "solver/step.hpp"
 
 // Measured quantities of a scene: plain sums over all bodies that move, or over rows.
@@ -75,13 +76,27 @@ template <class M>
 PositionError position_error(const Scene<M>& scene);
 
 /// The largest residual of the rows as last written and solved, at velocities V [m/s]: that of the natural map,
-/// see gauss_seidel.hpp. NaN if any is.
+/// see rows/residual.hpp. NaN if any is.
 template <class M>
 double residual(const System<M>& system, const std::vector<Velocity<M>>& V);
 
 /// The largest difference between the velocities after one step and after the same step with the dense direct
 /// solver [m/s, rad/s]. The rest of the step's error is not the solver's. NaN where either step is NotFinite.
-template <class M>
-double algebraic_error(Simulation<M> simulation, double h);
+template <class M, class Method>
+double algebraic_error(Simulation<M, Method> simulation, double h) {
+  Simulation<M, Method> exact = simulation;
+  exact.method.solver = Direct{Factorisation::dense};
+  try {
+    simulation.step(h);
+    exact.step(h);
+  } catch (const NotFinite&) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  const auto &V = simulation.scene.bodies().velocity, &exact_V = exact.scene.bodies().velocity;
+  double largest = 0;
+  for (std::size_t i = 0; i < V.size(); ++i)
+    for (int k = 0; k < M::dof; ++k) largest = larger(largest, std::abs(V[i][k] - exact_V[i][k]));
+  return largest;
+}
 
 }  // namespace byhand

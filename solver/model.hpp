@@ -23,13 +23,6 @@ using PlaneBody = Model<2, 1>;
 using SpaceParticle = Model<3, 0>;
 using SpaceBody = Model<3, 3>;
 
-/// What a source file instantiates, once for each model: `instantiate` is a macro of the model's name.
-#define BYHAND_FOR_EACH_MODEL(instantiate) \
-  instantiate(PlaneParticle);              \
-  instantiate(PlaneBody);                  \
-  instantiate(SpaceParticle);              \
-  instantiate(SpaceBody)
-
 /// Declares, within a struct T<M>, what constructs, copies and destroys it. A source defines that once, as
 /// compiling it in each source that copies a simulation takes more than a second.
 #define BYHAND_DECLARE_COPIES(T) \
@@ -39,20 +32,6 @@ using SpaceBody = Model<3, 3>;
   T& operator=(const T&);        \
   T& operator=(T&&) noexcept;    \
   ~T()
-#define BYHAND_DEFINE_COPIES(T)                  \
-  template <class M>                             \
-  T<M>::T() = default;                           \
-  template <class M>                             \
-  T<M>::T(const T&) = default;                   \
-  template <class M>                             \
-  T<M>::T(T&&) noexcept = default;               \
-  template <class M>                             \
-  T<M>& T<M>::operator=(const T&) = default;     \
-  template <class M>                             \
-  T<M>& T<M>::operator=(T&&) noexcept = default; \
-  template <class M>                             \
-  T<M>::~T() = default;
-
 /// A point or direction in the model's world: 2 or 3 numbers.
 template <class M, class T = double>
 using Linear = Eigen::Matrix<T, M::linear, 1>;

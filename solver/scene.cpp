@@ -1,15 +1,9 @@
 #include "solver/scene.hpp"
 
-#include <atomic>
-
 #include "solver/direct/graph.hpp"
+#include "solver/support/each_model.hpp"
 
 namespace byhand {
-
-std::uint64_t new_stamp() {
-  static std::atomic<std::uint64_t> last = 0;
-  return ++last;
-}
 
 namespace {
 
@@ -292,8 +286,13 @@ void Scene<M>::require_same(const char* name, int now, int before) {
 }
 
 template <class M>
+bool Scene<M>::bounded() const {
+  return std::ranges::any_of(entries_, [&](const Entry& entry) { return store(entry.kind).bound != Bound::none; });
+}
+
+template <class M>
 Graph Scene<M>::graph() const {
-  Graph graph{bodies_.size(), {}};
+  Graph graph{bodies_.size(), {}, bounded()};
   graph.edges.reserve(entries_.size());
   const auto end = [&](int body) { return moves(bodies_.inverse_mass[body]) ? body : Edge::no_body; };
   for (const Entry& entry : entries_)
@@ -333,7 +332,7 @@ void Scene<M>::lay_out(const std::vector<int>& order, System<M>& system) const {
     system.bounded = system.bounded || store.bound != Bound::none;
     row += store.rows;
   }
-  for (auto* numbers : {&system.lambda, &system.C, &system.bias, &system.gamma, &system.rate, &system.lower,
+  for (auto* numbers : {&system.lambda, &system.C, &system.bias, &system.gamma, &system.target_rate, &system.lower,
                         &system.upper, &system.restitution})
     numbers->assign(row, 0.0);
   for (const Run& run : system.runs)

@@ -103,7 +103,7 @@ class Scene {
   /// Adds a constraint. Constraints are counted in the order in which they come, whatever their kind, and that is
   /// their natural order. Throws std::invalid_argument for what the kind refuses.
   template <class Kind>
-  Handle<Kind> add(const Kind& constraint) {
+  Handle<Kind> add(Kind constraint) {
     require_valid(constraint, bodies_);
     if constexpr (bound_of<Kind>() == Bound::friction) require_presses(constraint.contact);
     prepare_to_add();
@@ -132,22 +132,22 @@ class Scene {
   /// Calls change(constraint) on a copy, and takes that in its place if it is valid. Its bodies have to stay.
   template <class Kind, class F>
   void change(const Handle<Kind>& handle, F&& change) {
-    const int at = added_place(handle);
-    require_kind(entries_[at], typeid(Kind));
-    Kind& constraint = constraints<Kind>(entries_[at].kind).all[entries_[at].index];
-    Kind changed = constraint;
-    change_one(entries_[at], change, changed);
-    constraint = changed;
+    const Entry entry = entries_[added_place(handle)];
+    require_kind(entry, typeid(Kind));
+    Kind changed = constraints<Kind>(entry.kind).all[entry.index];
+    change_one(entry, change, changed);
+    replace(handle, changed);
   }
   /// The same for all constraints of a kind that were added: all are changed, or none.
   template <template <class> class Kind, class F>
   void change_all(F&& change) {
     const int kind = kind_of<Kind<M>>();
     if (kind < 0) return;
-    std::vector<Kind<M>> all = constraints<Kind<M>>(kind).all;
-    for (int place = 0; place < lasting_; ++place)
-      if (entries_[place].kind == kind) change_one(entries_[place], change, all[entries_[place].index]);
-    constraints<Kind<M>>(kind).all = std::move(all);
+    std::vector<Kind<M>> changed = constraints<Kind<M>>(kind).all;
+    std::vector<Entry> entries(entries_.begin(), entries_.begin() + lasting_);
+    std::erase_if(entries, [&](const Entry& entry) { return entry.kind != kind; });
+    for (const Entry& entry : entries) change_one(entry, change, changed[entry.index]);
+    for (const Entry& entry : entries) replace(entry.id, changed[entry.index]);
   }
 
   /// All constraints of a kind, in natural order.
@@ -174,6 +174,8 @@ class Scene {
   /// Equal only if layout, masses and shapes are: of this scene, of a copy, or of any other.
   std::uint64_t version() const { return version_; }
 
+  /// Whether any row has a bound.
+  bool bounded() const;
   /// What the order of solving depends on; a body that does not move takes no part.
   Graph graph() const;
   /// Lays the system's blocks out in this order of places. λ is kept for constraints that were added and stay.
@@ -217,6 +219,13 @@ class Scene {
     require_same("second body", constraint.at.body2, entry.body2);
     if constexpr (bound_of<Kind>() == Bound::friction)
       require_same("contact", constraint.contact, store(entry.kind).contact_of(entry.index));
+  }
+
+  /// Looks for its place anew: what changed it may have added and removed others.
+  template <class Kind>
+  void replace(int id, const Kind& changed) {
+    const Entry& entry = entries_[added_place(id)];
+    constraints<Kind>(entry.kind).all[entry.index] = changed;
   }
 
   /// Adds a constraint that lasts until contacts are looked for again; returns its identity, -1 - its place.

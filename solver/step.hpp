@@ -1,48 +1,69 @@
 #pragma once
 
+#include <any>
 #include <string>
 #include <variant>
 
-#include "solver/contact/restitution.hpp"
+#include "solver/constraints/reaction.hpp"
 #include "solver/cures/baumgarte.hpp"
 #include "solver/cures/projection.hpp"
 #include "solver/cures/soft_constraints.hpp"
 #include "solver/cures/split_impulse.hpp"
-#include "solver/integrate/euler.hpp"
+#include "solver/direct/by_graph.hpp"
+#include "solver/direct/direct.hpp"
 #include "solver/integrate/gyroscopic.hpp"
-#include "solver/row_solvers.hpp"
+#include "solver/rows/conjugate_sweeps.hpp"
+#include "solver/rows/gauss_seidel.hpp"
+#include "solver/rows/jacobi.hpp"
+#include "solver/work.hpp"
 
 namespace byhand {
 
+using RowSolver = std::variant<GaussSeidel, Jacobi, Direct, ConjugateSweeps, ByGraph>;
 using DriftCure = std::variant<NoDriftCure, Baumgarte, Projection, SplitImpulse, SoftConstraints>;
 
 /// What velocity stepping keeps between steps.
 template <class M>
-struct Work : RowWork<M> {
-  SplitImpulseWork<M> split_impulse;
-  SoftWork soft;
+struct Work : StepWork<M> {
+  Solution solution;      // of the last step
+  std::any solver, cure;  // what the row solver and the cure keep
 };
 
-/// The article's method, as choices. Cost of a step: substeps × (rows written once + sweeps over them).
-struct VelocityStepping {
+/// The article's method, as choices, with row solvers and cures of any type: one, or a std::variant of several.
+/// Cost of a step: substeps × (rows written once + sweeps over them).
+template <class Solver, class Cure>
+struct VelocitySteppingWith {
   template <class M>
   using Work = byhand::Work<M>;
 
-  RowSolver solver = GaussSeidel{};
-  DriftCure drift = Baumgarte{};
-  Euler euler = Euler::symplectic;
+  Solver solver = GaussSeidel{};
+  Cure drift = Baumgarte{};
   int substeps = 1;                              // equal parts of a step >= 1
   Gyroscopic gyroscopic = Gyroscopic::implicit;  // of bodies in space
   double bounce_threshold = 0.5;  // slower contacts do not bounce, or resting bodies would rattle [m/s] >= 0
 };
 
-void require_valid(const VelocityStepping& method);
-template <class M>
-std::string refusal(const Scene<M>& scene, const VelocityStepping& method);
+/// With those of the library. Others include advance.hpp, which has the step itself.
+using VelocityStepping = VelocitySteppingWith<RowSolver, DriftCure>;
+
+template <class Solver, class Cure>
+void require_valid(const VelocitySteppingWith<Solver, Cure>& method);
+template <class M, class Solver, class Cure>
+std::string refusal(const Scene<M>& scene, const VelocitySteppingWith<Solver, Cure>& method);
 /// One time step h [s]. Throws std::invalid_argument as require_steppable, SingularSystem from a direct solve, and
 /// NotFinite instead of leaving NaN or infinity; then the bodies are as they were.
+template <class M, class Solver, class Cure>
+void advance(Scene<M>& scene, const VelocitySteppingWith<Solver, Cure>& method, double step, Work<M>& work);
+
 template <class M>
 void advance(Scene<M>& scene, const VelocityStepping& method, double step, Work<M>& work);
+
+/// Lays the rows out again if the scene has changed or the solver needs another layout.
+template <class M>
+void lay_out(const Scene<M>& scene, const RowSolver& solver, Work<M>& work);
+/// Solves the rows of `work.system`, once they are written, and applies the impulses to the velocities.
+template <class M>
+void solve_rows(const RowSolver& solver, Bodies<M>& bodies, Work<M>& work, Begin begin = Begin::step);
 
 /// The method of a simulation that is given none. Velocity stepping solves chains, trees and columns directly and
 /// the rest by sweeps until they converge, and leaves a slop so that resting bodies keep touching.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "solver/row.hpp"
+#include "solver/support/stamp.hpp"
 
 namespace byhand {
 
@@ -66,6 +67,13 @@ using PerBlock = typename BlockTypes<M, E>::Storage;
 template <int, Bound>
 struct BlockTag {};
 
+/// The rows of a model's largest blocks.
+template <class M>
+inline constexpr int most_rows = []<int... K, Bound... B>(std::tuple<std::vector<BlockTag<K, B>>...>*) {
+  return std::max({K...});
+}
+(static_cast<PerBlock<M, BlockTag>*>(nullptr));
+
 /// Calls f(std::integral_constant) with the index of a block type among the vectors of PerBlock.
 template <class M, class F>
 void for_type(int type, F&& f) {
@@ -123,7 +131,7 @@ struct System {
   std::vector<Run> runs;                     // in solve order
   std::vector<InverseMass<M>> inverse_mass;  // by body
   // One number a row; with friction `upper` is μ.
-  std::vector<double> lambda, C, bias, gamma, rate, lower, upper, restitution;
+  std::vector<double> lambda, C, bias, gamma, target_rate, lower, upper, restitution;
   std::vector<double> stiffness;  // k of AVBD, else empty; a new layout keeps it, and λ, of constraints that stay
   std::vector<int> row_of;        // first row of each constraint, in natural order
   std::vector<std::uint64_t> stamp_of;  // stamp of each constraint, in natural order, ascending
@@ -185,25 +193,6 @@ Rows<K> bounded(const Rows<K>& lambda, double lower, double upper, double normal
 }
 //! [bound]
 
-// Row solvers use (17) for a block of rows, Δλ = -E(JV + b + γλ) with E = (JM⁻¹Jᵀ + γ)⁻¹, multiplied out
-// beforehand: the inner loop is two short sums, and a sweep costs half as much.
-
-/// E is the inverse of the whole K × K matrix, or of its lower triangle, which solves the rows one after the
-/// other.
-enum class BlockSolve { whole, row_by_row };
-
-template <class M, int K, Bound B>
-struct PreparedBlock {
-  int body1, body2;
-  bool moves1, moves2;
-  int row, normal_row;
-  Eigen::Matrix<double, K, 2 * M::dof> J;  // -E J, by columns: the K sums of (8) run side by side
-  Jacobian<M, K> W;                        // M⁻¹Jᵀ
-  Rows<K> bias;                            // -E b
-  double gamma[K][K];                      // -E γ
-  double lower, upper;
-};
-
 /// Inverse of a symmetric positive semidefinite K × K matrix by symmetric sweeps. A pivot that vanishes relative
 /// to its diagonal gets a zero row: rows without effect (two fixed bodies, J = 0, a repeated row) get no impulse.
 template <int K>
@@ -227,8 +216,5 @@ Eigen::Matrix<double, K, K> inverse_or_zero(Eigen::Matrix<double, K, K> A) {
   }
   return -A;
 }
-
-/// A number that no other call returns.
-std::uint64_t new_stamp();
 
 }  // namespace byhand

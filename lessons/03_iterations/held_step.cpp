@@ -2,6 +2,7 @@
 
 #include "lessons/03_iterations/textbook.hpp"
 #include "solver/measure.hpp"
+#include "solver/rows/operators.hpp"
 
 namespace byhand::iterations {
 
@@ -10,12 +11,12 @@ HeldStep::HeldStep(const ChainOptions& chain, double h, const RowSolver& solver)
   lay_out(scene_, solver_, work_);
   scene_.write_rows(work_.system, h);
   add_gravity(scene_.state(), scene_.gravity, h);
-  prepare(work_.system, BlockSolve::whole, 1.0, work_.prepared);
+  prepare(work_.system, BlockSolve::whole, 1.0, prepared_);
 }
 
 //! [row]
 void HeldStep::solve_row() {
-  const auto& rows = std::get<block_type<PlaneParticle, 1, Bound::none>()>(work_.prepared.blocks);
+  const auto& rows = std::get<block_type<PlaneParticle, 1, Bound::none>()>(prepared_.blocks);
   const auto& row = rows[next_];
   double *lambda = work_.system.lambda.data(), *V = numbers<PlaneParticle>(scene_.state().velocity);
   const Rows<1> change = byhand::solve<false>(row, V, lambda);  // (17)

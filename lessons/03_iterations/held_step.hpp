@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "lessons/scenes/chain.hpp"
+#include "solver/rows/prepared.hpp"
 #include "solver/step.hpp"
 
 namespace byhand::iterations {
@@ -42,6 +43,7 @@ class HeldStep {
   RowSolver solver_;
   Scene<PlaneParticle> scene_;
   Work<PlaneParticle> work_;
+  Prepared<PlaneParticle> prepared_;
   std::size_t next_ = 0;  // row to be solved
 };
 

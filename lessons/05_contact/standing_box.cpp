@@ -9,7 +9,7 @@ namespace byhand::contact {
 namespace {
 
 /// b of (21): an open contact may close and not more, a share of an overlap is taken away.
-double bias(double C, double h) { return C > 0 ? C / h : correction(Baumgarte{}, h).rate * C; }
+double bias(double C, double h) { return C > 0 ? C / h : Baumgarte{}.correction(h).per_second * C; }
 
 }  // namespace
 

@@ -3,7 +3,8 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 
-#include "solver/step_work.hpp"
+#include "solver/direct/graph.hpp"
+#include "solver/scene.hpp"
 
 namespace byhand::joints {
 
@@ -25,11 +26,11 @@ Eigen::MatrixXd dense_jacobian(const Scene<PlaneBody>& scene) {
   int columns = 0;
   for (int i = 0; i < bodies.size(); ++i)
     if (moves(bodies.inverse_mass[i])) column[i] = PlaneBody::dof * columns++;
-  StepWork<PlaneBody> work;
-  lay_out_naturally(scene, work);
-  scene.write_rows(work.system, 1);
-  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(work.system.rows(), PlaneBody::dof * columns);
-  work.system.for_each_run([&]<int K, Bound B>(std::span<const Block<PlaneBody, K, B>> blocks) {
+  System<PlaneBody> system;
+  scene.lay_out(natural_order(scene.count()), system);
+  scene.write_rows(system, 1);
+  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(system.rows(), PlaneBody::dof * columns);
+  system.for_each_run([&]<int K, Bound B>(std::span<const Block<PlaneBody, K, B>> blocks) {
     for (const auto& block : blocks) {
       if (block.moves1) J.block<K, PlaneBody::dof>(block.row, column[block.body1]) = block.J.side1();
       if (block.moves2) J.block<K, PlaneBody::dof>(block.row, column[block.body2]) = block.J.side2();

@@ -23,7 +23,7 @@ struct Built {
 byhand::Setting by_sweeps(BlockSolve block_solve = BlockSolve::whole) {
   GaussSeidel solver;
   solver.block_solve = block_solve;
-  return {VelocityStepping{solver, Baumgarte{0.2}}};
+  return {AnyStepping{solver, Baumgarte{0.2}}};
 }
 
 std::vector<Built> build(std::string_view scene, const Values& values, const std::vector<std::string>& models,

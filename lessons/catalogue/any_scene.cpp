@@ -63,8 +63,8 @@ struct SceneWithMethod {
   Scene<M> scene;
   Method method = {};
   int bodies = 0;  // that move
-  std::variant<VelocityStepping::Work<M>, Accelerations::Work<M>, Rattle::Work<M>, Xpbd::Work<M>, Avbd::Work<M>>
-      work = {};  // that of the method's family
+  std::variant<AnyStepping::Work<M>, Accelerations::Work<M>, Rattle::Work<M>, Xpbd::Work<M>, Avbd::Work<M>> work =
+      {};  // that of the method's family
 
   explicit SceneWithMethod(Scene<M>&& given) : scene(std::move(given)) {
     for_each_moving(scene.bodies(), [&](int, double) { ++bodies; });
@@ -206,9 +206,9 @@ Eigen::Vector3d AnyScene::weight() const {
 double AnyScene::algebraic_error(double h) const {
   return std::visit(
       [=]<class M>(const SceneWithMethod<M>& running) {
-        const auto* method = std::get_if<VelocityStepping>(&running.method);
+        const auto* method = std::get_if<AnyStepping>(&running.method);
         if (!method) return static_cast<double>(NAN);
-        Simulation<M> one{running.scene, *method, std::get<Work<M>>(running.work)};
+        Simulation<M, AnyStepping> one{running.scene, *method, std::get<Work<M>>(running.work)};
         const int substeps = std::exchange(one.method.substeps, 1);
         try {
           return byhand::algebraic_error(std::move(one), h / substeps);

@@ -18,7 +18,7 @@ double lyapunov_time(const Problem& problem) {
       if (body.moves) all.push_back(body.position);
     return all;
   };
-  VelocityStepping fine{Direct{}, Baumgarte{0.5}};
+  AnyStepping fine{Direct{}, Baumgarte{0.5}};
   fine.substeps = std::max(16, 4 * substeps_of_law_7(problem));
   one.use(fine), other.use(fine);
   const double before = other.farthest_from(places(one));

@@ -25,7 +25,7 @@ const std::vector<Cure> all_cures{Cure::baumgarte, Cure::projection, Cure::split
 template <class Solver>
 Family by_rows(const char* name, const char* pass, Solver solver) {
   return {.name = name, .pass = pass, .cures = all_cures, .setting = [=](const Knobs& knobs) {
-            VelocityStepping method{solver(knobs), cure_of(knobs)};
+            AnyStepping method{solver(knobs), cure_of(knobs)};
             method.substeps = knobs.substeps;
             method.gyroscopic = Gyroscopic::implicit;
             return Setting{method};

@@ -1,5 +1,7 @@
 #include "lessons/methods/accelerations.hpp"
 
+#include "solver/support/each_model.hpp"
+
 namespace byhand {
 namespace {
 

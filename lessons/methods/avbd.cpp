@@ -1,5 +1,7 @@
 #include "lessons/methods/avbd.hpp"
 
+#include "solver/support/each_model.hpp"
+
 namespace byhand {
 
 void require_valid(const Avbd& method) {

@@ -4,8 +4,9 @@
 #include <limits>
 #include <stdexcept>
 
-#include "solver/direct/direct.hpp"
-#include "solver/step_work.hpp"
+#include "solver/direct/equations.hpp"
+#include "solver/rows/operators.hpp"
+#include "solver/support/attempt.hpp"
 
 // Shared by methods that hold constraints exactly, as differential-algebraic equations M V̇ = F + Jᵀf with C = 0.
 // They run scenes of equalities only.
@@ -55,7 +56,7 @@ void begin_equalities(const Scene<M>& scene, double h, EqualitiesWork<M>& work) 
   work.h = h;
   if (work.version == scene.version()) return;
   work.version = scene.version();
-  scene.lay_out(solve_order(Layout::elimination, scene.graph(), M::dof, work.direct.plan), work.system);
+  scene.lay_out(elimination_order(scene.graph(), M::dof, work.direct.plan), work.system);
   for (auto* numbers : {&work.offset, &work.change}) numbers->assign(work.system.rows(), 0.0);
 }
 

@@ -3,8 +3,8 @@
 #include "lessons/methods/accelerations.hpp"
 #include "lessons/methods/avbd.hpp"
 #include "lessons/methods/rattle.hpp"
+#include "lessons/methods/row_solvers.hpp"
 #include "lessons/methods/xpbd.hpp"
-#include "solver/step.hpp"
 
 namespace byhand {
 
@@ -14,6 +14,6 @@ namespace byhand {
 ///   require_valid(method)                throws std::invalid_argument for a choice outside its range
 ///   refusal(scene, method)               why it cannot run a scene, in one sentence; empty if it can
 ///   advance(scene, method, step, work)   one time step [s]; throws std::invalid_argument with the refusal
-using Method = std::variant<VelocityStepping, Accelerations, Rattle, Xpbd, Avbd>;
+using Method = std::variant<AnyStepping, Accelerations, Rattle, Xpbd, Avbd>;
 
 }  // namespace byhand

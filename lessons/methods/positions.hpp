@@ -2,9 +2,10 @@
 
 #include "solver/contact/restitution.hpp"
 #include "solver/cures/bounded_newton.hpp"
+#include "solver/direct/graph.hpp"
 #include "solver/integrate/gyroscopic.hpp"
 #include "solver/integrate/rotation.hpp"
-#include "solver/step_work.hpp"
+#include "solver/support/attempt.hpp"
 
 // One constraint solved on positions: shared by projection, XPBD and AVBD.
 //
@@ -38,6 +39,15 @@ struct PositionWork : StepWork<M> {
   std::vector<Velocity<M>> displacement;  // of the bodies since the start of the substep [m, rad]
 };
 
+/// Lays the rows out in natural order if the scene has changed. Returns whether it has.
+template <class M>
+bool lay_out_naturally(const Scene<M>& scene, StepWork<M>& work) {
+  if (work.version == scene.version()) return false;
+  work.version = scene.version();
+  scene.lay_out(natural_order(scene.count()), work.system);
+  return true;
+}
+
 /// Begins a step [s]: finds contacts and makes room for all rows. Returns whether the layout has changed.
 template <class M>
 bool begin_rows(Scene<M>& scene, double step, PositionWork<M>& work) {
@@ -57,12 +67,12 @@ void write_targets(Scene<M>& scene, double h, double threshold, PositionWork<M>&
   note_parting(scene, h, threshold, system, work.parting);
   for_each_block(system, [&](const BlockHeader& block, const Run& run) {
     const ConstraintStore<M>& store = scene.store(run.kind);
-    double C[6] = {};  // no block has more rows
+    double C[most_rows<M>] = {};
     if (store.position_rows < store.rows && !store.holds_where_found)
       store.write_value(block.constraint, scene.bodies(), C);
     for (int k = 0; k < store.rows; ++k) {
       work.from[block.row + k] = k < store.position_rows ? 0 : C[k];
-      work.target[block.row + k] = h * system.rate[block.row + k];
+      work.target[block.row + k] = h * system.target_rate[block.row + k];
     }
   });
 }

@@ -1,6 +1,7 @@
 #include "lessons/methods/rattle.hpp"
 
 #include "solver/integrate/gyroscopic.hpp"
+#include "solver/support/each_model.hpp"
 
 namespace byhand {
 namespace {

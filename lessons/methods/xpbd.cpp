@@ -1,5 +1,7 @@
 #include "lessons/methods/xpbd.hpp"
 
+#include "solver/support/each_model.hpp"
+
 namespace byhand {
 
 void require_valid(const Xpbd& method) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "solver/constraints/contact_manifold.hpp"
+#include "solver/support/each_model.hpp"
 
 namespace byhand {
 namespace {
@@ -99,6 +100,7 @@ void ContactManager<M>::follow_balls(Scene<M>& scene, System<M>& system) {
     for_each_row(pair, system.row_of, [&](int row, double& kept) { kept = system.lambda[row]; });
     found_.clear();
     collide(scene, pair.bodies, std::numeric_limits<double>::infinity(), 0, &pair);
+    if (found_.empty()) continue;  // a pose is no number: the step's end says so
     pair = found_.front();
     overwrite_constraints(pair, scene);
     for_each_row(pair, system.row_of, [&](int row, double kept) { system.lambda[row] = kept; });
@@ -215,7 +217,8 @@ void ContactManager<M>::write_constraints(bool same, Scene<M>& scene) {
   scene.written_ = written_ = new_stamp();
 }
 
-template class ContactManager<PlaneBody>;
-template class ContactManager<SpaceBody>;
+#define BYHAND_INSTANTIATE(M) template class ContactManager<M>
+BYHAND_FOR_EACH_TURNING_MODEL(BYHAND_INSTANTIATE);
+#undef BYHAND_INSTANTIATE
 
 }  // namespace byhand

@@ -1,5 +1,7 @@
 #include "solver/contact/manifold.hpp"
 
+#include "solver/support/each_model.hpp"
+
 namespace byhand {
 namespace {
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "solver/integrate/euler.hpp"
-#include "solver/rows/gauss_seidel.hpp"
 #include "solver/scene.hpp"
 
 // Bodies that meet faster than a threshold part with a share e of their speed. Where several contacts meet,

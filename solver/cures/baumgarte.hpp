@@ -19,6 +19,13 @@ struct Baumgarte {
   BetaReading reading = BetaReading::per_step;
   double slop = 0;                                             // as in Correction
   double speed_cap = std::numeric_limits<double>::infinity();  // as in Correction
+
+  //! [bias]
+  /// (22): b = (β/h) C over a time step h [s].
+  Correction correction(double h) const {
+    return {reading == BetaReading::per_step ? beta / h : beta, slop, speed_cap};
+  }
+  //! [bias]
 };
 
 inline void require_valid(const NoDriftCure&) {}
@@ -27,13 +34,5 @@ inline void require_valid(const Baumgarte& cure) {
   require_in("beta", cure.beta, 0, per_step ? 3 : 1e6, per_step ? "" : "1/s");
   require_valid_slop(cure.slop, cure.speed_cap);
 }
-
-//! [bias]
-/// (22): b = (β/h) C over a time step h [s].
-inline Correction correction(const Baumgarte& cure, double h) {
-  return {cure.reading == BetaReading::per_step ? cure.beta / h : cure.beta, cure.slop, cure.speed_cap};
-}
-inline Correction correction(const NoDriftCure&, double /*h*/) { return {}; }
-//! [bias]
 
 }  // namespace byhand

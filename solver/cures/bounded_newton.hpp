@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "solver/rows/gauss_seidel.hpp"
+#include "solver/rows/normal_rows.hpp"
 
 // One step of Newton's method for one constraint on positions, within bounds on its accumulated Λ.
 namespace byhand {

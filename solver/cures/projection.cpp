@@ -1,6 +1,8 @@
 #include "solver/cures/projection.hpp"
 
 #include "solver/cures/bounded_newton.hpp"
+#include "solver/support/each_model.hpp"
+#include "solver/work.hpp"
 
 namespace byhand {
 namespace {
@@ -47,7 +49,15 @@ long long project(const Projection& cure, Scene<M>& scene) {
   return solved;
 }
 
-#define BYHAND_INSTANTIATE(M) template long long project(const Projection&, Scene<M>&)
+template <class M>
+void Projection::after_move(Stage<M>& stage) const {
+  stage.work.contacts.follow_balls(stage.scene, stage.work.system);
+  stage.work.row_solves += project(*this, stage.scene);
+}
+
+#define BYHAND_INSTANTIATE(M)                               \
+  template long long project(const Projection&, Scene<M>&); \
+  template void Projection::after_move(Stage<M>&) const
 BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);
 #undef BYHAND_INSTANTIATE
 

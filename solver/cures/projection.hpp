@@ -1,7 +1,6 @@
 #pragma once
 
 #include "solver/cures/correction.hpp"
-#include "solver/scene.hpp"
 
 // Post-stabilisation: after the poses have moved they are put back onto C = 0, and the velocities stay as they
 // are. Each constraint in turn moves its two bodies by
@@ -18,6 +17,9 @@ struct Projection {
   int sweeps = 4;    // >= 1
   double share = 1;  // s: share of each constraint's error that is removed, in (0, 1]
   double slop = 0;   // as in Correction
+
+  template <class M>
+  void after_move(Stage<M>& stage) const;
 };
 
 inline void require_valid(const Projection& cure) {
@@ -25,7 +27,6 @@ inline void require_valid(const Projection& cure) {
   require(cure.share > 0 && cure.share <= 1, "share of the projection", cure.share, "above 0 and at most 1");
   require_in("slop", cure.slop, 0, 1e300, "m");
 }
-inline Correction correction(const Projection&, double /*h*/) { return {}; }
 
 /// Moves the scene's poses towards C = 0. Returns the number of rows solved.
 template <class M>

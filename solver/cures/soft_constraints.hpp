@@ -1,7 +1,6 @@
 #pragma once
 
 #include "solver/cures/correction.hpp"
-#include "solver/row_solvers.hpp"
 
 // Each row becomes a damped spring of the same angular frequency ω and damping ratio ζ, whatever the masses. With
 // the row's effective mass m = 1/A of (19), A = JM⁻¹Jᵀ, and the spring row of constraints/spring.hpp,
@@ -28,52 +27,21 @@ struct SoftConstraints {
   bool refresh = true;       // with rows written at the new poses, so that V is tangent to C = 0 there
   double slop = 0;           // as in Correction
   double speed_cap = std::numeric_limits<double>::infinity();  // as in Correction
+
+  /// b = (ω/a₁) C.
+  Correction correction(double h) const {
+    return {frequency / (2 * damping_ratio + h * frequency), slop, speed_cap};
+  }
+  template <class M>
+  void begin(Stage<M>& stage) const;
+  template <class M>
+  void after_move(Stage<M>& stage) const;
 };
 
 inline void require_valid(const SoftConstraints& cure) {
   require_positive("frequency", cure.frequency, "rad/s");
   require_in("damping ratio", cure.damping_ratio, 0, 1e300);
   require_valid_slop(cure.slop, cure.speed_cap);
-}
-
-/// b = (ω/a₁) C.
-inline Correction correction(const SoftConstraints& cure, double h) {
-  return {cure.frequency / (2 * cure.damping_ratio + h * cure.frequency), cure.slop, cure.speed_cap};
-}
-
-/// The constraints' own γ and rate, by row.
-struct SoftWork {
-  std::vector<double> gamma, rate;
-};
-
-/// Before the solve: γ = A/a₂ for rows that have a C and no softness of their own. Open contacts stay hard.
-template <class M>
-void soften(const SoftConstraints& cure, double h, System<M>& system, SoftWork& work) {
-  const double a1 = 2 * cure.damping_ratio + h * cure.frequency, a2 = h * cure.frequency * a1;
-  work.gamma = system.gamma;
-  for_each_block(system, [&](const auto& block, const Run& run) {
-    for (int row = block.row, k = 0; k < run.position_rows; ++row, ++k) {
-      const bool open = system.C[row] > 0 && one_sided(system, block, k);
-      if (work.gamma[row] == 0 && !open) system.gamma[row] = inverse_effective_mass(block.J, block.W, k) / a2;
-    }
-  });
-}
-
-/// After the poses have moved: solves the rows again, hard and without bias, from the current λ.
-template <class M>
-void relax(const SoftConstraints& cure, const RowSolver& solver, double h, Scene<M>& scene, RowWork<M>& rows,
-           SoftWork& work) {
-  if (!cure.relax) return;
-  System<M>& system = rows.system;
-  if (cure.refresh) {
-    work.rate = system.rate;
-    write_rows(scene, h, rows);
-    system.rate = work.rate;  // springs keep theirs, or they would push twice
-  } else {
-    system.gamma = work.gamma;
-  }
-  set_bias({}, h, system);
-  solve_rows(solver, scene.state(), rows, Begin::resume);
 }
 
 }  // namespace byhand

@@ -1,8 +1,6 @@
 #pragma once
 
 #include "solver/cures/correction.hpp"
-#include "solver/integrate/euler.hpp"
-#include "solver/row_solvers.hpp"
 
 // Baumgarte's correction is a velocity and remains one: an overlap d is left with speed βd/h, so a box jumps.
 // Split impulse keeps V free of it, JV = 0, and moves the poses with V + P. The pseudo-velocities P satisfy
@@ -29,41 +27,25 @@ struct SplitImpulse {
   bool warm_start = true;  // start from the last step's P while the constraints are the same
   double slop = 0;         // as in Correction
   double speed_cap = std::numeric_limits<double>::infinity();  // as in Correction, of P
+
+  /// J(V + P) = -(β/h)C is for `after_move`; V keeps open contacts apart alone.
+  Correction correction(double /*h*/) const { return {0, slop, speed_cap}; }
+  template <class M>
+  void after_move(Stage<M>& stage) const;
+};
+
+/// What it keeps.
+template <class M>
+struct SplitImpulseWork {
+  std::vector<double> pseudo_impulses;  // of P, by row
+  std::uint64_t layout = 0;             // the layout they belong to
+  std::vector<double> lambda;           // λ and V of the first solve
+  std::vector<Velocity<M>> velocity;
 };
 
 inline void require_valid(const SplitImpulse& cure) {
   require_in("beta", cure.beta, 0, 3);
   require_valid_slop(cure.slop, cure.speed_cap);
-}
-inline Correction correction(const SplitImpulse& cure, double /*h*/) { return {0, cure.slop, cure.speed_cap}; }
-
-template <class M>
-struct SplitImpulseWork {
-  std::vector<double> pushes;  // impulses of P, by row
-  std::uint64_t layout = 0;    // the layout they belong to
-  std::vector<double> lambda;  // λ and V of the first solve
-  std::vector<Velocity<M>> velocity;
-};
-
-/// Moves the poses by h (V + P).
-template <class M>
-void push_poses(const SplitImpulse& cure, const RowSolver& solver, double h, Bodies<M>& bodies, RowWork<M>& rows,
-                SplitImpulseWork<M>& work) {
-  System<M>& system = rows.system;
-  work.velocity = bodies.velocity;
-  work.lambda = system.lambda;
-  if (!cure.warm_start || work.layout != system.layout) work.pushes.assign(system.rows(), 0.0);
-  work.layout = system.layout;
-  for (int i = 0; i < system.rows(); ++i) system.lambda[i] += work.pushes[i];
-  apply_all(system, work.pushes, bodies.velocity);
-  set_bias({cure.beta / h, cure.slop, cure.speed_cap}, h, system);
-  solve_rows(solver, bodies, rows, Begin::resume);
-  for (int i = 0; i < system.rows(); ++i) work.pushes[i] = system.lambda[i] - work.lambda[i];
-  for (int i = 0; i < bodies.size(); ++i) bodies.velocity[i] -= work.velocity[i];  // P
-  advance_poses(bodies, h);
-  bodies.velocity = work.velocity;
-  system.lambda = work.lambda;
-  set_bias(correction(cure, h), h, system);
 }
 
 }  // namespace byhand

@@ -1,6 +1,7 @@
 #include <Eigen/Cholesky>
 
-#include "solver/direct/direct.hpp"
+#include "solver/direct/equations.hpp"
+#include "solver/support/each_model.hpp"
 
 namespace byhand {
 

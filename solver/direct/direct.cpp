@@ -1,337 +1,146 @@
 #include "solver/direct/direct.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include "solver/direct/equations.hpp"
+#include "solver/rows/gauss_seidel.hpp"
+#include "solver/rows/operators.hpp"
+#include "solver/support/each_model.hpp"
 
 namespace byhand {
-
-template <class M>
-void refuse_singular(const System<M>& system, const Bodies<M>& bodies) {
-  require_finite<M>(bodies.pose, bodies.velocity, "");
-  system.for_each_type([]<int K, Bound B>(const std::vector<Block<M, K, B>>& blocks) {
-    for (const auto& block : blocks)
-      if (!inverse_effective_mass(block.J, block.W).allFinite())
-        throw NotFinite("JM⁻¹Jᵀ between body " + std::to_string(block.body1) + " and body " +
-                        std::to_string(block.body2) + " is not a finite number");
-  });
-  throw SingularSystem(
-      "the direct solve met a row that repeats or contradicts other rows, so that its impulses have no single "
-      "answer; remove what repeats, or set a regularisation above 0 (1e-9 is a good start)");
-}
-
 namespace {
 
-constexpr int largest_size = 6;  // of any model's rows or degrees of freedom
-
-template <int n>
-using Constant = std::integral_constant<int, n>;
-
-/// Calls f(the node's size), as a constant where all edges have S rows; S = 0 where they differ.
-template <int S, int dof, class F>
-inline void with_size(const Elimination::Node& node, F&& f) {
-  if constexpr (S == 0)
-    f(node.size);
-  else if (S == dof || node.edge >= 0)
-    f(Constant<S>());
-  else
-    f(Constant<dof>());
+/// Marks the rows whose λ is not at a bound.
+template <class M>
+void find_active(const System<M>& system, std::vector<char>& active) {
+  active.assign(system.rows(), 1);
+  system.for_each_run([&]<int K, Bound B>(std::span<const Block<M, K, B>> blocks) {
+    if constexpr (B != Bound::none)
+      for (const auto& block : blocks) {
+        const double *lambda = &system.lambda[block.row], upper = system.upper[block.row];
+        char* is_active = &active[block.row];
+        if constexpr (B == Bound::interval) {
+          is_active[0] = system.lower[block.row] < lambda[0] && lambda[0] < upper;
+        } else if constexpr (B == Bound::friction) {
+          const double radius = upper * system.lambda[block.normal_row];
+          std::fill_n(is_active, K, Eigen::Map<const Rows<K>>(lambda).norm() < radius);
+        } else {
+          is_active[0] = lambda[0] > 0;
+          is_active[1] = lambda[1] > 0;
+          is_active[2] = std::abs(lambda[2]) < upper * (lambda[0] + lambda[1]);
+        }
+      }
+  });
 }
 
-// Products of small row-major matrices. Sums run in ascending order.
+/// Solves for Δλ of the active rows and applies it.
+template <class M>
+void solve_change(const Direct& solver, System<M>& system, Bodies<M>& bodies, DirectWork<M>& work) {
+  for (int k = 0; k < system.rows(); ++k) work.offset[k] = system.bias[k] + system.gamma[k] * system.lambda[k];
+  solve_equations(solver, system, work.offset, bodies, work, work.change);
+  for (int k = 0; k < system.rows(); ++k) {
+    if (!work.active.empty() && !work.active[k]) work.change[k] = 0;
+    system.lambda[k] += work.change[k];
+  }
+  apply_all(system, work.change, bodies.velocity);
+}
 
-/// Σₖ a[k] b[k stride] of n >= 1 terms.
-template <class Size>
-inline double dot(const double* a, const double* b, Size n, int stride = 1) {
-  double sum = a[0] * b[0];
-  for (int k = 1; k < n; ++k) sum += a[k] * b[k * stride];
+/// Solves without bounds from the current λ. In space the inertia of a hub turns with its pose, while the rows may
+/// be those of an earlier pose. The error of this mismatch is small, and iteration removes it.
+template <class M>
+Solution solve_resumed(const Direct& solver, System<M>& system, Bodies<M>& bodies, DirectWork<M>& work) {
+  const auto& nodes = work.plan.nodes;
+  const bool turned = M::angular == 3 && solver.factorisation == Factorisation::structured &&
+                      std::any_of(nodes.begin(), nodes.end(), [](const auto& node) { return node.edge < 0; });
+  for (int round = 1;; ++round) {
+    solve_change(solver, system, bodies, work);
+    const bool converged = !turned || largest_of(work.change) <= 1e-14 * largest_of(system.lambda);
+    if (converged || round == solver.rounds)
+      return {0, round, std::numeric_limits<double>::quiet_NaN(), converged};
+  }
+}
+
+/// ½Δλᵀ(A + γ)Δλ + Δλᵀ(JV + b + γλ) for the Δλ since the solve began, from the velocities before and after.
+/// Impulses within their bounds minimise it, and it begins at zero: a positive value is energy that no bias asked
+/// for.
+template <class M>
+double objective(const System<M>& system, const std::vector<Velocity<M>>& velocity, DirectWork<M>& work) {
+  rates_of(system, work.velocity_before, work.offset);
+  rates_of(system, velocity, work.change);
+  double sum = 0;
+  for (int k = 0; k < system.rows(); ++k) {
+    const double rates = work.offset[k] + work.change[k], now = system.lambda[k], was = work.lambda_before[k];
+    sum += (now - was) * (0.5 * (rates + system.gamma[k] * (now + was)) + system.bias[k]);
+  }
   return sum;
 }
 
-/// C -= A Bᵀ, where A is m × n, B is r × n and C is m × r.
-template <class Rows, class Columns, class Terms>
-inline void subtract_product(double* C, const double* A, const double* B, Rows m, Columns r, Terms n) {
-  for (int i = 0; i < m; ++i)
-    for (int j = 0; j < r; ++j) C[i * r + j] -= dot(A + i * n, B + j * n, n);
-}
-
-/// Inverts a symmetric n × n matrix in place, by symmetric sweeps without pivoting: in the order of elimination
-/// every pivot is definite, positive for edges and negative for hubs. A row without effect, whose `diagonal` was
-/// zero before elimination, becomes zero and so gets no impulse. Returns whether every pivot is larger than this
-/// share of its diagonal.
-template <class Size>
-inline bool invert(double* A, const double* diagonal, double smallest_pivot, Size n) {
-  if constexpr (std::is_same_v<Size, Constant<2>>) {
-    const double determinant = A[0] * A[3] - A[1] * A[1];
-    if (std::abs(determinant) > smallest_pivot * std::abs(diagonal[0] * diagonal[1])) {
-      const double inverse = 1 / determinant, first = A[0];  // one division instead of two in sequence
-      A[0] = A[3] * inverse;
-      A[3] = first * inverse;
-      A[1] = A[2] = -A[1] * inverse;
-      return true;
-    }
-  }
-  if constexpr (std::is_same_v<Size, Constant<3>>) {
-    const double c00 = A[4] * A[8] - A[5] * A[5], c01 = A[5] * A[2] - A[1] * A[8], c02 = A[1] * A[5] - A[4] * A[2];
-    const double determinant = A[0] * c00 + A[1] * c01 + A[2] * c02;
-    if (std::abs(determinant) > smallest_pivot * std::abs(diagonal[0] * diagonal[1] * diagonal[2])) {
-      const double inverse = 1 / determinant;
-      const double c11 = A[0] * A[8] - A[2] * A[2], c12 = A[1] * A[2] - A[0] * A[5],
-                   c22 = A[0] * A[4] - A[1] * A[1];
-      A[0] = c00 * inverse;
-      A[4] = c11 * inverse;
-      A[8] = c22 * inverse;
-      A[1] = A[3] = c01 * inverse;
-      A[2] = A[6] = c02 * inverse;
-      A[5] = A[7] = c12 * inverse;
-      return true;
-    }
-  }
-  bool regular = true;
-  for (int p = 0; p < n; ++p) {
-    double* row = A + p * n;
-    const double pivot = row[p];
-    regular = regular && (std::abs(pivot) > smallest_pivot * std::abs(diagonal[p]) || diagonal[p] == 0);
-    const double inverse = diagonal[p] == 0 ? 0.0 : 1 / pivot;
-    for (int i = 0; i < n; ++i)
-      if (i != p) {
-        const double scale = A[i * n + p] * inverse;
-        for (int j = 0; j < n; ++j)
-          if (j != p) A[i * n + j] -= scale * row[j];
-      }
-    for (int i = 0; i < n; ++i)
-      if (i != p) A[i * n + p] = row[i] = -row[i] * inverse;
-    row[p] = -inverse;
-  }
-  for (int i = 0; i < n * n; ++i) A[i] = -A[i];
-  return regular;
-}
-
-/// -M of a hub: its unknown ΔV obeys Jᵀλ - M ΔV = 0.
+/// Solves the rows that are not at a bound, clamps λ, and lets sweeps find the rows that change sides. The bounds
+/// of friction follow the normal impulses with a delay. If the two drive each other up, sweeps start again from
+/// the beginning.
 template <class M>
-void write_minus_mass(const InverseMass<M>& inverse_mass, const Pose<M>& pose, double* D) {
-  Eigen::Map<Eigen::Matrix<double, M::dof, M::dof, Eigen::RowMajor>> mass(D);
-  mass.setZero();
-  mass.diagonal().template head<M::linear>().setConstant(-1 / inverse_mass.linear);
-  if constexpr (M::angular > 0)
-    mass.template bottomRightCorner<M::angular, M::angular>() = -inertia(inverse_mass, pose);
-}
-
-/// Fills the blocks with the matrix and the unknowns with the right-hand side.
-template <int S, class M>
-void assemble(const Direct& solver, const System<M>& system, const double* offset, const Bodies<M>& bodies,
-              DirectWork<M>& work) {
-  constexpr int dof = M::dof;
-  // Local copies: the compiler cannot know that no write changes the originals.
-  const auto* nodes = work.plan.nodes.data();
-  const auto* views = work.views.data();
-  const char* is_folded = work.plan.folded.data();
-  double *values = work.values.data(), *unknowns = work.unknowns.data(), *diagonals = work.diagonal.data();
-  const double *V = bodies.velocity.front().data(), *gamma = system.gamma.data(),
-               regularisation = solver.regularisation;
-  for (const auto& [first, count] : work.plan.fill_in) std::fill_n(values + first, count, 0.0);
-  for (const auto& node : work.plan.nodes) {
-    double *D = values + node.diagonal, *b = unknowns + node.row, *diagonal = diagonals + node.row;
-    if (node.edge < 0) {
-      write_minus_mass<M>(bodies.inverse_mass[node.hub], bodies.pose[node.hub], D);
-      for (int i = 0; i < dof; ++i) {
-        diagonal[i] = D[i * (dof + 1)];
-        b[i] = 0;
-      }
-      continue;
-    }
-    const auto view = views[node.edge];
-    const double *v1 = V + dof * view.body1, *v2 = V + dof * view.body2;
-    const bool folded1 = is_folded[view.body1], folded2 = is_folded[view.body2], folded = folded1 && folded2;
-    with_size<S, dof>(node, [&](auto n) {
-      for (int k = 0; k < n; ++k) {
-        const double* J = view.J + 2 * dof * k;
-        double rate = 0, late = offset[node.lambda + k];
-        for (int i = 0; i < dof; ++i) {
-          rate += J[i] * v1[i];
-          late += J[dof + i] * v2[i];
-        }
-        b[k] = -(rate + late);
-        for (int l = 0; l <= k; ++l) {
-          const double* W = view.W + 2 * dof * l;
-          const double by_body1 = dot(J, W, Constant<dof>()), by_body2 = dot(J + dof, W + dof, Constant<dof>());
-          const double whole = by_body1 + by_body2;
-          double entry = folded ? whole : (folded1 ? by_body1 : 0.0) + (folded2 ? by_body2 : 0.0);
-          if (k == l) {
-            const double soft = regularisation * whole + gamma[node.lambda + k];
-            diagonal[k] = whole + soft;
-            entry += soft;
-          }
-          D[k * n + l] = D[l * n + k] = entry;
-        }
-      }
-    });
+Solution solve_with_bounds(const Direct& solver, System<M>& system, Bodies<M>& bodies, DirectWork<M>& work,
+                           Begin begin) {
+  Prepared<M>& prepared = work.prepared;
+  prepare(system, BlockSolve::whole, 1.0, prepared);
+  prepare_to_watch(system, 1.0, prepared);
+  work.velocity_before = bodies.velocity;
+  work.lambda_before = system.lambda;
+  if (begin == Begin::step) {
+    apply_all(system, system.lambda, bodies.velocity);
+    std::fill(work.lambda_before.begin(), work.lambda_before.end(), 0.0);
   }
-  for (const auto& coupling : work.plan.couplings) {
-    const auto &earlier = nodes[coupling.earlier.node], &later = nodes[coupling.later.node];
-    const double* J = earlier.edge < 0 ? views[later.edge].J + dof * coupling.later.side
-                                       : views[earlier.edge].J + dof * coupling.earlier.side;
-    double* block = values + coupling.block;
-    with_size<S, dof>(earlier, [&](auto n) {
-      with_size<S, dof>(later, [&](auto m) {
-        for (int i = 0; i < m; ++i)
-          for (int k = 0; k < n; ++k) {
-            double& entry = block[i * n + k];
-            if (later.edge < 0) {
-              entry = J[2 * dof * k + i];
-            } else if (earlier.edge < 0) {
-              entry = J[2 * dof * i + k];
-            } else {
-              const double* W = views[later.edge].W + dof * coupling.later.side;
-              const double term = dot(W + 2 * dof * i, J + 2 * dof * k, Constant<dof>());
-              entry = coupling.adds ? entry + term : term;
-            }
-          }
-      });
-    });
-  }
-}
-
-//! [factor]
-/// Eliminates node after node: the blocks become L and the inverses of the pivots D, A = L D Lᵀ, and the unknowns
-/// become L⁻¹ times the right-hand side. Returns whether every pivot is larger than rounding.
-template <int S, int dof>
-bool eliminate(const Elimination& plan, double smallest_pivot, double* values, double* unknowns,
-               const double* diagonal) {
-  bool regular = true;
-  for (const auto& node : plan.nodes)
-    with_size<S, dof>(node, [&](auto n) {
-      double* D = values + node.diagonal;
-      regular = invert(D, diagonal + node.row, smallest_pivot, n) && regular;
-      for (int a = node.first; a < node.last; ++a) {
-        const auto& neighbour = plan.neighbours[a];
-        const auto& later = plan.nodes[neighbour.node];
-        with_size<S, dof>(later, [&](auto m) {
-          double *A = values + neighbour.block, L[largest_size * largest_size];
-          for (int i = 0; i < m; ++i)
-            for (int k = 0; k < n; ++k) L[i * n + k] = dot(A + i * n, D + k, n, n);
-          const int* target = &plan.targets[neighbour.targets];
-          for (int b = a; b < node.last; ++b, ++target)
-            with_size<S, dof>(plan.nodes[plan.neighbours[b].node], [&](auto r) {
-              subtract_product(values + *target, values + plan.neighbours[b].block, L, r, m, n);
-            });
-          subtract_product(unknowns + later.row, L, unknowns + node.row, m, Constant<1>(), n);
-          std::copy_n(L, m * n, A);
-        });
-      }
-    });
-  return regular;
-}
-//! [factor]
-
-/// From the last node back to the first: x = D⁻¹y - Lᵀ x_later. `change` becomes the x of the edges.
-template <int S, class M>
-void substitute_back(DirectWork<M>& work, double* change) {
-  const Elimination& plan = work.plan;
-  const double* values = work.values.data();
-  double* unknowns = work.unknowns.data();
-  for (auto node = plan.nodes.rbegin(); node != plan.nodes.rend(); ++node)
-    with_size<S, M::dof>(*node, [&](auto n) {
-      double *x = unknowns + node->row, solved[largest_size];
-      for (int k = 0; k < n; ++k) solved[k] = dot(values + node->diagonal + k * n, x, n);
-      for (int a = node->first; a < node->last; ++a) {
-        const auto& later = plan.nodes[plan.neighbours[a].node];
-        const double *L = values + plan.neighbours[a].block, *y = unknowns + later.row;
-        with_size<S, M::dof>(later, [&](auto m) {
-          for (int i = 0; i < m; ++i)
-            for (int k = 0; k < n; ++k) solved[k] -= L[i * n + k] * y[i];
-        });
-      }
-      std::copy_n(solved, +n, x);
-      if (node->edge >= 0) std::copy_n(solved, +n, change + node->lambda);
-    });
-}
-
-/// Finds J and M⁻¹Jᵀ of every edge. Of bounded blocks these are copies, with zeros in inactive rows.
-template <class M>
-void view_blocks(const System<M>& system, DirectWork<M>& work) {
-  const bool all_active = work.active.empty();
-  if (!all_active)
-    system.for_each_type([&]<int K, Bound B>(const std::vector<Block<M, K, B>>& blocks) {
-      if constexpr (B != Bound::none) {
-        auto& masked = std::get<block_type<M, K, B>()>(work.masked);
-        masked = blocks;
-        for (auto& block : masked)
-          for (int k = 0; k < K; ++k)
-            if (!work.active[block.row + k])
-              for (auto* matrix : {&block.J.matrix, &block.W.matrix}) matrix->row(k).setZero();
-      }
-    });
-  const auto viewed = [&]<int K, Bound B>(const std::vector<Block<M, K, B>>& blocks) -> const auto& {
-    return B == Bound::none || all_active ? blocks : std::get<block_type<M, K, B>()>(work.masked);
+  int passes = 0, round = 0;
+  const auto swept = [&](int most) {
+    Solution solution = sweep_until(solver.tolerance, most, 1, system, prepared, bodies);
+    solution.passes = passes += solution.passes;
+    solution.rounds = round;
+    return solution;
   };
-  work.views.resize(work.plan.order.size());
-  auto* view = work.views.data();
-  for (const Run& run : system.runs)
-    for_type<M>(run.type, [&](auto type) {
-      for (const auto& block : part(viewed(std::get<type>(system.blocks)), run))
-        *view++ = {block.J.matrix.data(), block.W.matrix.data(), block.body1, block.body2};
-    });
+  while (round < solver.rounds) {
+    ++round;
+    find_active(system, work.active);
+    solve_change(solver, system, bodies, work);
+    work.change = system.lambda;
+    hold_within_bounds(system, system.lambda);
+    for (int k = 0; k < system.rows(); ++k) work.change[k] = system.lambda[k] - work.change[k];
+    apply_all(system, work.change, bodies.velocity);
+    if (const Solution solution = swept(3); solution.converged) return solution;
+  }
+  if (!(objective(system, bodies.velocity, work) <= 0)) {
+    system.lambda = work.lambda_before;
+    bodies.velocity = work.velocity_before;
+  }
+  return swept(100 * solver.rounds);
 }
 
 }  // namespace
 
 template <class M>
-void solve_equations(const Direct& solver, const System<M>& system, const std::vector<double>& offset,
-                     const Bodies<M>& bodies, DirectWork<M>& work, std::vector<double>& change) {
-  if (solver.factorisation == Factorisation::dense)
-    return solve_dense(solver, system, offset, bodies, work.active, change);
-  const Elimination& plan = work.plan;
-  work.values.resize(plan.values);
-  work.unknowns.resize(plan.unknowns);
-  work.diagonal.resize(plan.unknowns);
-  view_blocks(system, work);
-  const auto structured = [&]<int S>(Constant<S>) {
-    assemble<S>(solver, system, offset.data(), bodies, work);
-    if (!eliminate<S, M::dof>(plan, solver.smallest_pivot, work.values.data(), work.unknowns.data(),
-                              work.diagonal.data()))
-      refuse_singular(system, bodies);
-    substitute_back<S>(work, change.data());
-  };
-  if (plan.edge_size == 1)
-    structured(Constant<1>());
-  else if (plan.edge_size == M::linear)
-    structured(Constant<M::linear>());
-  else if (M::dof == 3 && plan.edge_size == 3)  // welds and faces
-    structured(Constant<3>());
-  else
-    structured(Constant<0>());
-  for (int row = plan.edge_rows; row < system.rows(); ++row)  // between fixed bodies only softness can give way
-    change[row] = system.gamma[row] > 0 ? -offset[row] / system.gamma[row] : 0.0;
+std::vector<int> Direct::order(const Graph& graph, DirectWork<M>& work) const {
+  return factorisation == Factorisation::structured ? elimination_order(graph, M::dof, work.plan)
+                                                    : order_of(Layout::natural, graph);
 }
 
 template <class M>
-void solve_again(const std::vector<double>& offset, DirectWork<M>& work, std::vector<double>& change) {
-  const Elimination& plan = work.plan;
-  std::fill(change.begin(), change.end(), 0.0);
-  for (const auto& node : plan.nodes)
-    for (int k = 0; k < node.size; ++k)
-      work.unknowns[node.row + k] = node.edge < 0 ? 0.0 : -offset[node.lambda + k];
-  for (const auto& node : plan.nodes)  // L⁻¹ times the right-hand side
-    for (int a = node.first; a < node.last; ++a) {
-      const auto& later = plan.nodes[plan.neighbours[a].node];
-      const double* L = &work.values[plan.neighbours[a].block];
-      for (int i = 0; i < later.size; ++i)
-        for (int k = 0; k < node.size; ++k)
-          work.unknowns[later.row + i] -= L[i * node.size + k] * work.unknowns[node.row + k];
-    }
-  substitute_back<0>(work, change.data());
+Solution Direct::solve(System<M>& system, Bodies<M>& bodies, DirectWork<M>& work, Begin begin) const {
+  if (system.rows() == 0) return {};
+  work.offset.resize(system.rows());
+  work.change.resize(system.rows());
+  const auto solved = [&]() -> Solution {
+    if (system.bounded) return solve_with_bounds(*this, system, bodies, work, begin);
+    work.active.clear();
+    if (begin == Begin::resume) return solve_resumed(*this, system, bodies, work);
+    solve_equations(*this, system, system.bias, bodies, work, system.lambda);
+    apply_all(system, system.lambda, bodies.velocity);
+    return {0, 1, std::numeric_limits<double>::quiet_NaN()};
+  };
+  Solution solution = solved();
+  solution.row_solves = solution.rounds * direct_row_solves(*this, work.plan, system.rows(), M::dof);
+  return solution;
 }
 
-long long direct_row_solves(const Direct& solver, const Elimination& plan, long long rows, int dof) {
-  const long long dense = rows * rows * rows / 6 + rows * rows;
-  return (solver.factorisation == Factorisation::dense ? dense : plan.multiplications) / (4 * dof) + 1;
-}
-
-#define BYHAND_INSTANTIATE(M)                                                                                  \
-  template void refuse_singular(const System<M>&, const Bodies<M>&);                                           \
-  template void solve_again(const std::vector<double>&, DirectWork<M>&, std::vector<double>&);                 \
-  template void solve_equations(const Direct&, const System<M>&, const std::vector<double>&, const Bodies<M>&, \
-                                DirectWork<M>&, std::vector<double>&)
+#define BYHAND_INSTANTIATE(M)                                                  \
+  template std::vector<int> Direct::order(const Graph&, DirectWork<M>&) const; \
+  template Solution Direct::solve(System<M>&, Bodies<M>&, DirectWork<M>&, Begin) const
 BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);
 #undef BYHAND_INSTANTIATE
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 #include <set>
+#include <stdexcept>
+#include <string>
 #include <tuple>
 #include <utility>
 
@@ -271,6 +273,29 @@ Elimination plan_elimination(const Graph& graph, int dof, long long most) {
   }
   plan.multiplications += plan.multiplications_again;
   return plan;
+}
+
+std::vector<int> natural_order(int edges) {
+  std::vector<int> order(edges);
+  std::iota(order.begin(), order.end(), 0);
+  return order;
+}
+
+std::vector<int> order_of(Layout layout, const Graph& graph) {
+  if (layout == Layout::coloured) return coloured_order(graph);
+  std::vector<int> order = natural_order(static_cast<int>(graph.edges.size()));
+  if (layout == Layout::reverse) std::reverse(order.begin(), order.end());
+  return order;
+}
+
+std::vector<int> elimination_order(const Graph& graph, int dof, Elimination& plan) {
+  const long long most = most_multiplications(graph);
+  plan = plan_elimination(graph, dof, most);
+  if (plan.multiplications > most)
+    throw std::invalid_argument("a direct solve of these " + std::to_string(graph.edges.size()) +
+                                " constraints would take more than " + std::to_string(most) +
+                                " multiplications a step, so many loops do they make; conjugate sweeps would do");
+  return plan.order;
 }
 
 }  // namespace byhand

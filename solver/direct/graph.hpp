@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include "solver/rows/row_solver.hpp"
+
 namespace byhand {
 
 /// A constraint as an edge between bodies. A fixed body transmits no impulse and is `no_body`.
@@ -17,6 +19,7 @@ struct Edge {
 struct Graph {
   int bodies = 0;
   std::vector<Edge> edges;
+  bool bounded = false;  // whether any row has a bound
 };
 
 /// The rows of all edges.
@@ -29,6 +32,10 @@ bool has_no_loops(const Graph& graph);
 /// Edge numbers sorted by colour, where edges of one colour share no moving body: a greedy colouring in natural
 /// order. A chain becomes red–black.
 std::vector<int> coloured_order(const Graph& graph);
+
+/// Edge numbers as they were added, reversed, or sorted by colour.
+std::vector<int> natural_order(int edges);
+std::vector<int> order_of(Layout layout, const Graph& graph);
 
 /// The plan of a sparse block elimination, which depends on the graph alone.
 ///
@@ -82,5 +89,12 @@ struct Elimination {
 /// folded or eliminated: the others are deferred, and a mesh of hubs would fill up. `dof` is the size of a hub.
 /// Gives up once it counts more than so many `multiplications`; nothing else of such a plan is of use.
 Elimination plan_elimination(const Graph& graph, int dof, long long most);
+
+/// The multiplications that a direct solve may take in a step.
+inline long long most_multiplications(const Graph& graph) { return (1 << 25) + 500LL * row_count(graph); }
+
+/// Places of constraints in the order of elimination, whose `plan` it writes. Throws std::invalid_argument where a
+/// direct solve would take too long, which no chain, tree or sheet of 100 × 100 does.
+std::vector<int> elimination_order(const Graph& graph, int dof, Elimination& plan);
 
 }  // namespace byhand

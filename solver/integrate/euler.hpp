@@ -4,10 +4,6 @@
 
 namespace byhand {
 
-/// When positions move: with the new velocities (symplectic, also called semi-implicit), or with the old ones
-/// (explicit), which gains energy and is here to be seen.
-enum class Euler { symplectic, explicit_ };
-
 /// (1 - exp(-x))/x for x >= 0: the mean of exp(-xs) over 0 <= s <= 1. By its series and by doubling x, for libm's
 /// exp differs from processor to processor.
 double mean_decay(double x);

@@ -1,11 +1,10 @@
 #include "solver/rows/conjugate_sweeps.hpp"
 
-namespace byhand {
+#include "solver/rows/operators.hpp"
+#include "solver/rows/prepared.hpp"
+#include "solver/support/each_model.hpp"
 
-void require_valid(const ConjugateSweeps& solver) {
-  require(solver.sweeps >= 1, "number of sweeps", solver.sweeps, "at least 1");
-  require_valid_tolerance(solver.tolerance);
-}
+namespace byhand {
 
 namespace {
 
@@ -35,12 +34,12 @@ void move_on(double share, std::size_t size, const double* before, double* now, 
 
 //! [conjugate]
 template <class M>
-Solution solve(const ConjugateSweeps& solver, System<M>& system, std::vector<Velocity<M>>& velocities,
-               Prepared<M>& prepared, Begin begin) {
+Solution ConjugateSweeps::solve(System<M>& system, Bodies<M>& bodies, Prepared<M>& prepared, Begin begin) const {
+  std::vector<Velocity<M>>& velocities = bodies.velocity;
   prepare(system, BlockSolve::whole, 1.0, prepared);
   prepare_to_watch(system, 1.0, prepared);
-  begin_sweeps(system, solver.warm_start, begin, velocities);
-  const int ways = byhand::ways(solver.order);
+  begin_sweeps(system, warm_start, begin, bodies);
+  const int passes = byhand::passes(order);
   const double speed = fastest(system, velocities);
   prepared.direction.reserve(system.rows());
   prepared.V_direction.reserve(velocities.size());
@@ -48,10 +47,9 @@ Solution solve(const ConjugateSweeps& solver, System<M>& system, std::vector<Vel
   for (int k = 1;; ++k) {
     prepared.lambda_before = system.lambda;
     prepared.V_before = velocities;
-    const Residual reached = watched_sweep(system, prepared, system.lambda.data(), numbers<M>(velocities), ways);
-    const bool converged = reached.within(solver.tolerance, speed);
-    if (converged || !(reached.largest >= 0) || k == solver.sweeps)
-      return {ways * k, 0, reached.largest, converged};
+    const Residual reached = watched_sweep(system, prepared, system.lambda.data(), numbers<M>(velocities), passes);
+    const bool converged = reached.within(tolerance, speed);
+    if (converged || !(reached.largest >= 0) || k == sweeps) return {passes * k, 0, reached.largest, converged};
     if (k == 1) {
       prepared.direction.assign(system.rows(), 0.0);
       prepared.V_direction.assign(velocities.size(), Velocity<M>::Zero());
@@ -69,7 +67,7 @@ Solution solve(const ConjugateSweeps& solver, System<M>& system, std::vector<Vel
 //! [conjugate]
 
 #define BYHAND_INSTANTIATE(M) \
-  template Solution solve(const ConjugateSweeps&, System<M>&, std::vector<Velocity<M>>&, Prepared<M>&, Begin)
+  template Solution ConjugateSweeps::solve(System<M>&, Bodies<M>&, Prepared<M>&, Begin) const
 BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);
 #undef BYHAND_INSTANTIATE
 

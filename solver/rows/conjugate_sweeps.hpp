@@ -20,12 +20,22 @@ struct ConjugateSweeps {
   bool warm_start = true;                   // begin with the λ of the last step
   SweepOrder order = SweepOrder::coloured;  // the same in every sweep, or there is no gradient
   double tolerance = 1e-5;                  // as of GaussSeidel; 0: stop when nothing is left
+
+  template <class M>
+  using Work = Prepared<M>;
+  Layout layout() const { return layout_for(order); }
+  template <class M>
+  Solution solve(System<M>& system, Bodies<M>& bodies, Prepared<M>& prepared, Begin begin = Begin::step) const;
 };
 
-void require_valid(const ConjugateSweeps& solver);
+inline void require_valid(const ConjugateSweeps& solver) {
+  require(solver.sweeps >= 1, "number of sweeps", solver.sweeps, "at least 1");
+  require_valid_tolerance(solver.tolerance);
+}
 
-template <class M>
-Solution solve(const ConjugateSweeps& solver, System<M>& system, std::vector<Velocity<M>>& velocities,
-               Prepared<M>& prepared, Begin begin = Begin::step);
+/// The reference for rows with bounds: conjugate sweeps until the residual is within 1e-12 of the largest λ.
+/// Unlike a direct solve it allows rows that depend on each other. Where friction wedges it may not come so far:
+/// `converged` of the Solution says so.
+inline ConjugateSweeps exact_sweeps() { return {.sweeps = 1000000, .tolerance = 1e-12}; }
 
 }  // namespace byhand

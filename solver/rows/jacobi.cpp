@@ -1,5 +1,10 @@
 #include "solver/rows/jacobi.hpp"
 
+#include "solver/rows/gauss_seidel.hpp"
+#include "solver/rows/operators.hpp"
+#include "solver/rows/prepared.hpp"
+#include "solver/support/each_model.hpp"
+
 namespace byhand {
 namespace {
 
@@ -47,25 +52,18 @@ void sweep(System<M>& system, Prepared<M>& prepared, double* V) {
 
 }  // namespace
 
-void require_valid(const Jacobi& solver) {
-  require(solver.sweeps >= 1, "number of sweeps", solver.sweeps, "at least 1");
-  require_inside("relaxation", solver.relaxation, 0, 2);
-}
-
 template <class M>
-Solution solve(const Jacobi& solver, System<M>& system, std::vector<Velocity<M>>& velocities,
-               Prepared<M>& prepared, Begin begin) {
-  prepare(system, solver.block_solve, solver.relaxation, prepared);
+Solution Jacobi::solve(System<M>& system, Bodies<M>& bodies, Prepared<M>& prepared, Begin begin) const {
+  prepare(system, block_solve, relaxation, prepared);
   prepared.change.resize(system.rows());
-  begin_sweeps(system, solver.warm_start, begin, velocities);
-  for (int i = 0; i < solver.sweeps; ++i)
-    prepared.soft ? sweep<true>(system, prepared, numbers<M>(velocities))
-                  : sweep<false>(system, prepared, numbers<M>(velocities));
-  return {solver.sweeps, 0, std::numeric_limits<double>::quiet_NaN(), false};
+  begin_sweeps(system, warm_start, begin, bodies);
+  double* V = numbers<M>(bodies.velocity);
+  for (int i = 0; i < sweeps; ++i)
+    prepared.soft ? sweep<true>(system, prepared, V) : sweep<false>(system, prepared, V);
+  return {sweeps, 0, std::numeric_limits<double>::quiet_NaN(), false};
 }
 
-#define BYHAND_INSTANTIATE(M) \
-  template Solution solve(const Jacobi&, System<M>&, std::vector<Velocity<M>>&, Prepared<M>&, Begin)
+#define BYHAND_INSTANTIATE(M) template Solution Jacobi::solve(System<M>&, Bodies<M>&, Prepared<M>&, Begin) const
 BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);
 #undef BYHAND_INSTANTIATE
 

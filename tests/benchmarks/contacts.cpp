@@ -3,7 +3,9 @@
 #include "lessons/scenes/boxes.hpp"
 #include "lessons/scenes/bridge.hpp"
 #include "lessons/scenes/ragdoll.hpp"
+#include "solver/direct/equations.hpp"
 #include "solver/measure.hpp"
+#include "solver/rows/operators.hpp"
 
 // What a step with contacts costs, the whole of it and its parts, and what it leaves: a quick step that lets boxes
 // sink or creep would be no step. What stands is kicked sideways to begin with, 0.02 m/s at the top.
@@ -77,6 +79,9 @@ BENCHMARK(ragdolls)->Arg(1)->Arg(10)->Unit(benchmark::kMillisecond);
 BENCHMARK(bridge_directly)->Arg(50)->Unit(benchmark::kMillisecond);
 
 using Boxed = Simulation<PlaneBody>;
+Prepared<PlaneBody>& prepared(Boxed& s) {
+  return std::any_cast<ByGraphWork<PlaneBody>&>(s.work.solver).direct.prepared;
+}
 
 /// One part of a step of a scene at rest.
 void part(benchmark::State& state, Scene<PlaneBody> scene, void (*run)(Boxed&)) {
@@ -96,9 +101,9 @@ void find_contacts_of_all_that_moves(Boxed& s) {
   nothing_known.find(s.scene);
 }
 void write_rows(Boxed& s) { s.scene.write_rows(s.work.system, h); }
-void prepare_rows(Boxed& s) { prepare(s.work.system, BlockSolve::whole, 1.0, s.work.prepared); }
+void prepare_rows(Boxed& s) { prepare(s.work.system, BlockSolve::whole, 1.0, prepared(s)); }
 void sweep_once(Boxed& s) {
-  sweep(s.work.system, s.work.prepared, s.work.system.lambda.data(), numbers<PlaneBody>(s.scene.state().velocity));
+  sweep(s.work.system, prepared(s), s.work.system.lambda.data(), numbers<PlaneBody>(s.scene.state().velocity));
 }
 void solve_all_rows(Boxed& s) {
   const auto velocity = s.scene.bodies().velocity;

@@ -3,6 +3,8 @@
 #include "lessons/scenes/branches.hpp"
 #include "lessons/scenes/chain.hpp"
 #include "solver/measure.hpp"
+#include "solver/rows/operators.hpp"
+#include "solver/rows/prepared.hpp"
 
 // What a row, a joint and a step cost. The counters are seconds per row or per joint: "4.7n" is 4.7 ns.
 namespace {
@@ -29,7 +31,7 @@ void sweep_chain(benchmark::State& state, SweepOrder order) {
   Simulation<M> simulation{links<M>(static_cast<int>(state.range(0))), {GaussSeidel{.sweeps = 1, .order = order}}};
   simulation.step(step);
   auto& system = simulation.work.system;
-  auto& prepared = simulation.work.prepared;
+  auto& prepared = std::any_cast<Prepared<M>&>(simulation.work.solver);
   for (auto _ : state) {
     sweep(system, prepared, system.lambda.data(), numbers<M>(simulation.scene.state().velocity));
     benchmark::ClobberMemory();

@@ -4,9 +4,9 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "lessons/methods/row_solvers.hpp"
 #include "lessons/scenes/box_pile.hpp"
 #include "solver/byhand.hpp"
-#include "solver/rows/accelerated_gradient.hpp"
 
 // Writes random piles as friction problems, with the answers of the row solvers, one pile a line of JSON. What the
 // numbers mean stands in tests/referee/judge, which reads them.
@@ -17,7 +17,7 @@ constexpr double step = 1.0 / 60;  // [s]
 
 struct Contestant {
   const char* name;
-  RowSolver solver;
+  AnyRowSolver solver;
 };
 
 /// Each with a tolerance of 1e-10 and as many sweeps as it takes.
@@ -60,9 +60,9 @@ void write_pile(std::uint64_t seed) {
   const Scene<M> scene = pile<M>(seed);
   nlohmann::json line{{"seed", seed}, {"dof", M::dof}};
   for (const Contestant& contestant : contestants()) {
-    VelocityStepping method{contestant.solver, Baumgarte{.slop = 0.001}};
+    AnyStepping method{contestant.solver, Baumgarte{.slop = 0.001}};
     method.gyroscopic = Gyroscopic::none;
-    Simulation<M> simulation{scene, method};
+    Simulation<M, AnyStepping> simulation{scene, method};
     simulation.step(step);
     const System<M>& system = simulation.work.system;
     if (!line.contains("rows")) {

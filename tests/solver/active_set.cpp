@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "lessons/scenes/boxes.hpp"
+#include "solver/direct/graph.hpp"
 #include "solver/measure.hpp"
 #include "tests/solver/random.hpp"
 

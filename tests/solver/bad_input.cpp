@@ -280,7 +280,7 @@ TEST(Step, MustHaveATimeAndChoicesWithinTheirRange) {
     auto scene = rod_chain<M>({.links = 2, .angle = 1});
     const auto before = scene;
     Work<M> work;
-    const auto refuses = [&](double h, const VelocityStepping& method, const std::string& name_and_value,
+    const auto refuses = [&](double h, const AnyStepping& method, const std::string& name_and_value,
                              const std::string& allowed) {
       expect_refusal([&] { advance(scene, method, h, work); }, name_and_value, allowed);
       EXPECT_EQ(numbers_of<M>(scene.bodies().velocity), numbers_of<M>(before.bodies().velocity));
@@ -317,7 +317,7 @@ TEST(Step, MustHaveATimeAndChoicesWithinTheirRange) {
     refuses(0.1, {GaussSeidel{}, SoftConstraints{.speed_cap = nan}}, "speed cap is nan", "[m/s]");
     refuses(0.1, {Direct{Factorisation::structured, -1}}, "regularisation is -1", "between 0 and 1");
     refuses(0.1, {Direct{.smallest_pivot = 1.5}}, "smallest pivot is 1.5", "between 0 and 1");
-    VelocityStepping method;
+    AnyStepping method;
     method.substeps = 0;
     refuses(0.1, method, "number of substeps is 0", "at least 1");
   });

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "solver/row.hpp"
+#include "solver/support/each_model.hpp"
 #include "tests/solver/dual.hpp"
 
 // Templates of the solver that many tests call, compiled once, in compiled_rows.cpp and compiled_poses.cpp.

@@ -1,3 +1,4 @@
+#include "solver/support/each_model.hpp"
 #include "tests/solver/compiled.hpp"
 
 namespace byhand {

@@ -14,20 +14,22 @@ using Rods = Scene<M>;
 
 Rods hanging(int links) { return rod_chain<M, NormalisedDistance>({.links = links}); }
 
-VelocityStepping cured_by(const DriftCure& cure, const RowSolver& solver = GaussSeidel{}, int substeps = 1) {
-  VelocityStepping method{solver, cure};
+AnyStepping cured_by(const DriftCure& cure, const AnyRowSolver& solver = GaussSeidel{}, int substeps = 1) {
+  AnyStepping method{solver, cure};
   method.substeps = substeps;
   return method;
 }
 
 /// A bob that rests in weightlessness with its rod stretched by `error` [m].
-Simulation<M> stretched(double error, const DriftCure& cure) {
-  Simulation<M> simulation{pendulum<M, NormalisedDistance>(0.4, 2, 3), cured_by(cure)};
+Simulation<M, AnyStepping> stretched(double error, const DriftCure& cure) {
+  Simulation<M, AnyStepping> simulation{pendulum<M, NormalisedDistance>(0.4, 2, 3), cured_by(cure)};
   simulation.scene.gravity.setZero();
   simulation.scene.state().pose[1].position *= 1 + error / 2;
   return simulation;
 }
-double stretch(const Simulation<M>& simulation) { return simulation.scene.bodies().pose[1].position.norm() - 2; }
+double stretch(const Simulation<M, AnyStepping>& simulation) {
+  return simulation.scene.bodies().pose[1].position.norm() - 2;
+}
 
 TEST(SplitImpulse, AStepLeavesOneMinusBetaOfTheErrorAndNoVelocity) {
   for (const double beta : {0.0, 0.1, 0.2, 1.0, 1.5, 2.5}) {
@@ -41,12 +43,12 @@ TEST(SplitImpulse, AStepLeavesOneMinusBetaOfTheErrorAndNoVelocity) {
 }
 
 /// A unit box on the ground, `overlap` [m] within it.
-Simulation<PlaneBody> sunk(double overlap, const DriftCure& cure) {
-  Simulation<PlaneBody> simulation{stack(1), cured_by(cure)};
+Simulation<PlaneBody, AnyStepping> sunk(double overlap, const DriftCure& cure) {
+  Simulation<PlaneBody, AnyStepping> simulation{stack(1), cured_by(cure)};
   simulation.scene.state().pose[1].position.y() -= overlap;
   return simulation;
 }
-double height(const Simulation<PlaneBody>& simulation) {
+double height(const Simulation<PlaneBody, AnyStepping>& simulation) {
   return simulation.scene.bodies().pose[1].position.y() - 0.5;
 }
 
@@ -79,7 +81,7 @@ TEST(SplitImpulse, StillLetsAContactCloseItsGapAndBounce) {
   add_ground(scene, {0, 0.5});
   add_unit_box(scene, 0, 0.51, 1, {0, 0.5});
   scene.state().velocity[1].y() = -6;
-  Simulation<PlaneBody> simulation{scene, cured_by(SplitImpulse{})};
+  Simulation<PlaneBody, AnyStepping> simulation{scene, cured_by(SplitImpulse{})};
   simulation.step(time_step);
   EXPECT_NEAR(height(simulation), 0, 1e-14);
   // As restitution.hpp derives: half the speed at which the parabola of the fall meets the ground.
@@ -92,7 +94,8 @@ TEST(SplitImpulse, StillLetsAContactCloseItsGapAndBounce) {
 TEST(SplitImpulse, OneWarmSweepIsEnoughAtAnyBeta) {
   for (const double beta : {0.2, 0.5, 1.0, 1.9})
     for (const bool warm : {false, true}) {
-      Simulation<M> split{hanging(10), cured_by(SplitImpulse{.beta = beta, .warm_start = warm}, GaussSeidel{1})},
+      Simulation<M, AnyStepping> split{hanging(10),
+                                       cured_by(SplitImpulse{.beta = beta, .warm_start = warm}, GaussSeidel{1})},
           baumgarte{hanging(10), cured_by(Baumgarte{beta}, GaussSeidel{1})};
       for (int i = 0; i < 6000; ++i) {
         split.step(time_step);
@@ -105,7 +108,7 @@ TEST(SplitImpulse, OneWarmSweepIsEnoughAtAnyBeta) {
 
 TEST(SplitImpulse, ReachesThePosesSoonerFromTheLastCorrection) {
   const auto steps = [](bool warm) {
-    Simulation<M> chain{hanging(10), cured_by(SplitImpulse{.warm_start = warm}, GaussSeidel{1})};
+    Simulation<M, AnyStepping> chain{hanging(10), cured_by(SplitImpulse{.warm_start = warm}, GaussSeidel{1})};
     for (int i = 1; i <= 10; ++i) chain.scene.state().pose[i].position.y() -= 0.01 * i;
     int count = 0;
     do chain.step(time_step), ++count;
@@ -147,7 +150,8 @@ struct Bob {
 
 /// Energy that a pendulum of 90° has lost after 10 s, in units of m g L.
 double energy_lost(const DriftCure& cure) {
-  Simulation<M> simulation{pendulum<M, NormalisedDistance>(std::acos(-1.0) / 2, 1, 1), cured_by(cure)};
+  Simulation<M, AnyStepping> simulation{pendulum<M, NormalisedDistance>(std::acos(-1.0) / 2, 1, 1),
+                                        cured_by(cure)};
   const double before = energy(simulation.scene);
   for (int i = 0; i < 600; ++i) simulation.step(time_step);
   return (before - energy(simulation.scene)) / 9.81;
@@ -193,8 +197,8 @@ TEST(SoftConstraints, SagByTheirLoadOverTheirStiffness) {
   for (const bool relax : {false, true})
     for (const double frequency : {10.0, 40.0, 200.0})
       for (const double ratio : {0.5, 1.0, 10.0}) {
-        Simulation<M> simulation{pendulum<M, NormalisedDistance>(0, 1, 3),
-                                 cured_by(SoftConstraints{frequency, ratio, relax})};
+        Simulation<M, AnyStepping> simulation{pendulum<M, NormalisedDistance>(0, 1, 3),
+                                              cured_by(SoftConstraints{frequency, ratio, relax})};
         for (int i = 0; i < 6000; ++i) simulation.step(time_step);
         EXPECT_NEAR(position_error(simulation.scene).max * frequency * frequency / 9.81, 1, 1e-9);
         EXPECT_NEAR(simulation.work.system.lambda[0], -3 * 9.81 * time_step, 1e-9);
@@ -232,16 +236,16 @@ TEST(SoftConstraints, AreSpringsOfTheRowsOwnMass) {
   Work<M> work1, work2;
   for (int i = 0; i < 50; ++i) {
     advance(soft, cured_by(SoftConstraints{30, 0.7, false}), time_step, work1);
-    advance(spring, {}, time_step, work2);
+    advance(spring, AnyStepping{}, time_step, work2);
     ASSERT_LE((soft.bodies().pose[1].position - spring.bodies().pose[1].position).norm(), 1e-12) << i;
   }
 }
 
 TEST(SoftConstraints, LeaveNoSpeedAlongTheRowsOnceTheyAreRelaxed) {
-  for (const RowSolver& solver : {RowSolver(Direct{}), RowSolver(GaussSeidel{2000})})
+  for (const AnyRowSolver& solver : {AnyRowSolver(Direct{}), AnyRowSolver(GaussSeidel{2000})})
     for (const bool refresh : {false, true}) {
-      Simulation<M> simulation{rod_chain<M, NormalisedDistance>({.links = 5, .angle = 1}),
-                               cured_by(SoftConstraints{.refresh = refresh}, solver)};
+      Simulation<M, AnyStepping> simulation{rod_chain<M, NormalisedDistance>({.links = 5, .angle = 1}),
+                                            cured_by(SoftConstraints{.refresh = refresh}, solver)};
       for (int i = 0; i < 20; ++i) simulation.step(time_step);
       const auto& bodies = simulation.scene.bodies();
       EXPECT_LE(residual(simulation.work.system, bodies.velocity), 1e-9);
@@ -261,7 +265,7 @@ double lag(bool refresh) {
   auto scene = pendulum<M, NormalisedDistance>(0, 1, 1);
   scene.gravity.setZero();
   scene.state().velocity[1].x() = speed;
-  Simulation<M> simulation{scene, cured_by(SoftConstraints{.refresh = refresh}, GaussSeidel{1}, 4)};
+  Simulation<M, AnyStepping> simulation{scene, cured_by(SoftConstraints{.refresh = refresh}, GaussSeidel{1}, 4)};
   double angle = 0;
   for (int i = 0; i < 600; ++i) {
     const Linear<M> before = simulation.scene.bodies().pose[1].position;
@@ -286,18 +290,18 @@ const DriftCure cures[] = {NoDriftCure{},
                            SoftConstraints{.relax = false}};
 
 TEST(Cures, KeepMomentumAndBoundsInSubstepsOfOneSweep) {
-  const RowSolver solvers[] = {GaussSeidel{1},     GaussSeidel{1, true, SweepOrder::symmetric},
-                               Direct{},           ConjugateGradients{5},
-                               ConjugateSweeps{2}, AcceleratedGradient{2}};
+  const AnyRowSolver solvers[] = {GaussSeidel{1},     GaussSeidel{1, true, SweepOrder::symmetric},
+                                  Direct{},           ConjugateGradients{5},
+                                  ConjugateSweeps{2}, AcceleratedGradient{2}};
   for (const DriftCure& cure : cures)
-    for (const RowSolver& solver : solvers) {
+    for (const AnyRowSolver& solver : solvers) {
       Random random;
       Rods free = hanging(6);
       free.gravity.setZero();
       free.set_mass(0, with_mass<M>(2));
       free = with_random_velocities(free, random);
       const Linear<M> before = linear_momentum(free.bodies());
-      Simulation<M> simulation{free, cured_by(cure, solver, 8)};
+      Simulation<M, AnyStepping> simulation{free, cured_by(cure, solver, 8)};
       for (int i = 0; i < 300; ++i) {
         simulation.step(time_step);
         ASSERT_LE((linear_momentum(simulation.scene.bodies()) - before).norm(), 1e-10)
@@ -312,7 +316,7 @@ TEST(Cures, KeepMomentumAndBoundsInSubstepsOfOneSweep) {
 
 TEST(Cures, HoldAStackOfThree) {
   for (const DriftCure& cure : cures) {
-    Simulation<PlaneBody> simulation{stack(3), cured_by(cure, GaussSeidel{4}, 4)};
+    Simulation<PlaneBody, AnyStepping> simulation{stack(3), cured_by(cure, GaussSeidel{4}, 4)};
     for (int i = 0; i < 300; ++i) simulation.step(time_step);
     EXPECT_LE(position_error(simulation.scene).max, 0.01) << cure.index();
     EXPECT_NEAR(simulation.scene.bodies().pose[3].position.y(), 2.5, 0.02) << cure.index();
@@ -325,7 +329,7 @@ TEST(Cures, LeaveMotorsAndSpringsTheirOwn) {
   scene.add_body({0, 0}, fixed<M>());
   scene.add_body({0, -1.2}, with_mass<M>(2));
   scene.add(Spring<M>{{0, 1}, 1, {50, 3}});
-  Simulation<M> none{scene, cured_by(NoDriftCure{})};
+  Simulation<M, AnyStepping> none{scene, cured_by(NoDriftCure{})};
   auto split = none, soft = none;
   split.method.drift = SplitImpulse{};
   soft.method.drift = SoftConstraints{};

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "lessons/methods/row_solvers.hpp"
 #include "lessons/scenes/branches.hpp"
 #include "lessons/scenes/chain.hpp"
 #include "solver/constraints/contact.hpp"
@@ -35,8 +36,8 @@ Scene<M> sliding_stack() {
   return scene;
 }
 
-VelocityStepping with_substeps(const RowSolver& solver, int substeps) {
-  VelocityStepping method{solver};
+AnyStepping with_substeps(const AnyRowSolver& solver, int substeps) {
+  AnyStepping method{solver};
   method.substeps = substeps;
   return method;
 }
@@ -98,7 +99,8 @@ const Case cases[] = {
      },
      0x8a3b58e844d3bc13},
     {"SpaceStackAcceleratedGradient",
-     [] { return after_ten_seconds(sliding_stack<SpaceBody>(), {AcceleratedGradient{}}); }, 0x9fff2eb9de3aa033},
+     [] { return after_ten_seconds(sliding_stack<SpaceBody>(), AnyStepping{AcceleratedGradient{}}); },
+     0x9fff2eb9de3aa033},
     {"PlaneBodiesSymmetricSplitImpulse",
      [] {
        return after_ten_seconds(pinned_chain<PlaneBody>(swinging),

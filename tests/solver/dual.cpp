@@ -1,4 +1,5 @@
 #include "tests/solver/dual.hpp"
+#include "solver/support/each_model.hpp"
 
 namespace byhand {
 

@@ -290,10 +290,10 @@ TEST(Equation21, BiasIsTheRateThatRemains) {
 }
 
 TEST(Equation22, IsBetaOverHTimesC) {
-  EXPECT_DOUBLE_EQ(correction(Baumgarte{0.2}, 1.0 / 60).rate * 0.1, 0.2 * 60 * 0.1);
-  EXPECT_DOUBLE_EQ(correction(Baumgarte{0.2, BetaReading::literal}, 1.0 / 60).rate * 0.1, 0.02)
+  EXPECT_DOUBLE_EQ(Baumgarte{0.2}.correction(1.0 / 60).per_second * 0.1, 0.2 * 60 * 0.1);
+  EXPECT_DOUBLE_EQ((Baumgarte{0.2, BetaReading::literal}.correction(1.0 / 60).per_second) * 0.1, 0.02)
       << "as it is printed";
-  EXPECT_EQ(correction(NoDriftCure{}, 1.0 / 60).rate, 0);
+  EXPECT_EQ(Correction{}.per_second, 0);
 }
 
 /// J of `rows` random rows of which the last repeats the first, and its JM⁻¹Jᵀ.

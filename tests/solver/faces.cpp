@@ -2,6 +2,8 @@
 
 #include "lessons/scenes/boxes.hpp"
 #include "solver/constraints/contact_manifold.hpp"
+#include "solver/rows/operators.hpp"
+#include "solver/rows/prepared.hpp"
 #include "solver/step.hpp"
 #include "tests/solver/dual.hpp"
 #include "tests/solver/random.hpp"
@@ -52,6 +54,7 @@ TEST(ContactManifold, WithoutASecondEndIsAContactWithItsFriction) {
 struct Face {
   Scene<M> scene;
   Work<M> work;
+  Prepared<M> prepared;
 
   explicit Face(Random& random) {
     const auto pair = random_pair<M>(random);
@@ -86,8 +89,8 @@ TEST(ContactManifold, OneSweepLeavesEachEndEitherPressingOrParting) {
     face.work.system.upper[0] = face.work.system.lambda[2] = 0;
     if (i % 2)
       for (int k = 0; k < 2; ++k) face.work.system.gamma[k] = random.uniform(0.1, 1);
-    prepare(face.work.system, BlockSolve::whole, 1.0, face.work.prepared);
-    sweep(face.work.system, face.work.prepared, face.work.system.lambda.data(),
+    prepare(face.work.system, BlockSolve::whole, 1.0, face.prepared);
+    sweep(face.work.system, face.prepared, face.work.system.lambda.data(),
           numbers<M>(face.scene.state().velocity));
     const auto& lambda = face.work.system.lambda;
     EXPECT_EQ(lambda[2], 0);
@@ -115,7 +118,7 @@ TEST(ContactManifold, ManySweepsLeaveComplementaryEndsAndFrictionWithinWhatTheyP
       // Above this friction a point can jam, where Coulomb's law has no answer or several.
       face.work.system.upper[0] = std::min(face.work.system.upper[0], 0.3);
       GaussSeidel solver{.sweeps = 3000, .block_solve = way};
-      solve(solver, face.work.system, face.scene.state().velocity, face.work.prepared, Begin::resume);
+      solver.solve(face.work.system, face.scene.state(), face.prepared, Begin::resume);
       const auto& lambda = face.work.system.lambda;
       const Rows<3> rate = face.rate();
       const double radius = face.work.system.upper[0] * (lambda[0] + lambda[1]);

@@ -20,10 +20,10 @@ template <class F>
 void with_velocity_stepping(F&& f) {
   for (const DriftCure& cure : {DriftCure(Baumgarte{.slop = 1e-3}), DriftCure(Projection{}),
                                 DriftCure(SplitImpulse{}), DriftCure(SoftConstraints{})})
-    for (const RowSolver& solver : {RowSolver(GaussSeidel{}), RowSolver(Direct{.regularisation = 1e-9}),
-                                    RowSolver(ByGraph{}), RowSolver(AcceleratedGradient{})}) {
+    for (const AnyRowSolver& solver : {AnyRowSolver(GaussSeidel{}), AnyRowSolver(Direct{.regularisation = 1e-9}),
+                                       AnyRowSolver(ByGraph{}), AnyRowSolver(AcceleratedGradient{})}) {
       SCOPED_TRACE(testing::Message() << "cure " << cure.index() << ", solver " << solver.index());
-      f(VelocityStepping{solver, cure});
+      f(AnyStepping{solver, cure});
     }
 }
 template <class F>
@@ -34,8 +34,7 @@ void with_methods_of_contacts(F&& f) {
 }
 template <class F>
 void with_all_methods(F&& f) {
-  f(VelocityStepping{ConjugateGradients{}});
-  f(VelocityStepping{.euler = Euler::explicit_});
+  f(AnyStepping{ConjugateGradients{}});
   with_methods_of_contacts(f);
   f(Rattle{});
   for (const Scheme scheme : {Scheme::explicit_euler, Scheme::rk4, Scheme::implicit_midpoint})
@@ -99,9 +98,9 @@ TEST(Crank, ABodyThatIsWeldedToATurningOneCirclesWithItAndPullsByItsCentripetalF
       });
       EXPECT_EQ(simulation.scene.bodies().velocity[crank], turning);
     };
-    for (const RowSolver& solver :
-         {RowSolver(GaussSeidel{30}), RowSolver(Direct{}), RowSolver(ConjugateGradients{})})
-      check(VelocityStepping{solver}, 1e-4);
+    for (const AnyRowSolver& solver :
+         {AnyRowSolver(GaussSeidel{30}), AnyRowSolver(Direct{}), AnyRowSolver(ConjugateGradients{})})
+      check(AnyStepping{solver}, 1e-4);
     check(Xpbd{.substeps = 2}, 1e-4);
     check(Avbd{}, 1e-4);
     check(Rattle{}, 1e-9);
@@ -134,7 +133,7 @@ TEST(Crank, APistonFollowsItsClosedForm) {
     return error;
   };
   EXPECT_LT(worst(Rattle{}, 1.0 / 60), 1e-9) << "the crank's place is exact, and so is C = 0";
-  const VelocityStepping stepping{Direct{}, Baumgarte{1}};
+  const AnyStepping stepping{Direct{}, Baumgarte{1}};
   const double coarse = worst(stepping, 1.0 / 240), fine = worst(stepping, 1.0 / 480);
   EXPECT_LT(fine, 2e-4);
   EXPECT_NEAR(order(coarse, fine), 2, 0.2);
@@ -143,7 +142,7 @@ TEST(Crank, APistonFollowsItsClosedForm) {
 TEST(Crank, TurnedSteadilyMovesAPistonAsAMotorOfAnyStrengthDoes) {
   const SliderCrankOptions options{
       .piston_mass = 50, .strength = std::numeric_limits<double>::infinity(), .angle = 0.3};
-  const VelocityStepping method{Direct{}, Baumgarte{1}};
+  const AnyStepping method{Direct{}, Baumgarte{1}};
   Simulation turned{turned_crank(options), method}, driven{slider_crank(options), method};
   run(turned, 2, 1.0 / 480, [&] {
     driven.step(1.0 / 480);
@@ -211,7 +210,7 @@ TEST(Platform, ThatSpeedsUpCarriesABoxUpToTheAccelerationOfFriction) {
   using M = PlaneBody;
   constexpr double mu = 0.4, g = 9.81;
   for (const double share : {0.5, 0.99, 1.01, 2.0}) {
-    Simulation<M> simulation{carried<M>(platforms<M>()[0], Velocity<M>::Zero(), {.friction = mu})};
+    Simulation<M, AnyStepping> simulation{carried<M>(platforms<M>()[0], Velocity<M>::Zero(), {.friction = mu})};
     run(simulation, 1, time_step,
         [&] { simulation.scene.set_velocity(0, share * mu * g * simulation.time * Velocity<M>::Unit(0)); });
     const double last = share * mu * g * (simulation.time - time_step),
@@ -236,8 +235,8 @@ TEST(Paddle, ThrowsABallBackWithTwiceItsOwnSpeedBesides) {
       EXPECT_EQ(simulation.scene.bodies().velocity[paddle][0], 2);
       EXPECT_NEAR(kinetic_energy(simulation.scene.bodies()), 12.5, 1e-8) << "of the ball alone";
     };
-    check(VelocityStepping{});
-    check(VelocityStepping{GaussSeidel{}});
+    check(AnyStepping{});
+    check(AnyStepping{GaussSeidel{}});
     check(Xpbd{});
     check(Avbd{});
   });

@@ -59,24 +59,19 @@ TEST(LawA1, ErrorsScaleAsDimensionsSay) {
   EXPECT_NEAR((energy(tall.scene) - energy(start.scene)) / (3 * g * 4), small.energy_gain, 1e-12);
 }
 
-// In small swings, where the drift of the rod is of second order, explicit Euler multiplies the energy of the
-// sideways oscillation by 1 + (ωh)² a step; symplectic Euler only lets it ripple by ωh.
-TEST(LawA1, ExplicitEulerGainsEnergyAndSymplecticDoesNot) {
+// In small swings, where the drift of the rod is of second order, symplectic Euler only lets the energy of the
+// sideways oscillation ripple by ωh, where explicit Euler would multiply it by 1 + (ωh)² a step.
+TEST(LawA1, SymplecticEulerOnlyLetsTheEnergyRipple) {
   const double length = 2, omega = std::sqrt(g / length), h = 1.0 / 60;
-  const int steps = 300;
-  const auto gain = [&](Euler euler) {
-    Simulation<PlaneParticle> simulation{pendulum<PlaneParticle, NormalisedDistance>(1e-5, length, 3),
-                                         {Direct{}, NoDriftCure{}, euler}};
-    const Bodies<PlaneParticle>& bodies = simulation.scene.bodies();
-    const auto sideways = [&] {
-      return std::pow(bodies.velocity[1].x(), 2) + std::pow(omega * bodies.pose[1].position.x(), 2);
-    };
-    const double start = sideways();
-    for (int i = 0; i < steps; ++i) simulation.step(h);
-    return sideways() / start;
+  Simulation<PlaneParticle> simulation{pendulum<PlaneParticle, NormalisedDistance>(1e-5, length, 3),
+                                       {Direct{}, NoDriftCure{}}};
+  const Bodies<PlaneParticle>& bodies = simulation.scene.bodies();
+  const auto sideways = [&] {
+    return std::pow(bodies.velocity[1].x(), 2) + std::pow(omega * bodies.pose[1].position.x(), 2);
   };
-  EXPECT_NEAR(gain(Euler::explicit_) / std::pow(1 + omega * omega * h * h, steps), 1, 1e-6);
-  EXPECT_NEAR(gain(Euler::symplectic), 1, omega * h);
+  const double start = sideways();
+  for (int i = 0; i < 300; ++i) simulation.step(h);
+  EXPECT_NEAR(sideways() / start, 1, omega * h);
 }
 
 template <class M>

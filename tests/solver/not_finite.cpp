@@ -18,25 +18,24 @@ constexpr double h = 1.0 / 60;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN(),
                  infinity = std::numeric_limits<double>::infinity();
 
-const Method methods[] = {
-    VelocityStepping{GaussSeidel{}},
-    VelocityStepping{GaussSeidel{.tolerance = 1e-9}},
-    VelocityStepping{Jacobi{.relaxation = 0.5}, Projection{}},
-    VelocityStepping{Direct{.regularisation = 1e-9}},
-    VelocityStepping{Direct{.factorisation = Factorisation::dense, .regularisation = 1e-9}},
-    VelocityStepping{ConjugateSweeps{}, SplitImpulse{}},
-    VelocityStepping{exact_sweeps()},
-    VelocityStepping{ByGraph{}, SoftConstraints{}},
-    VelocityStepping{ConjugateGradients{}},
-    VelocityStepping{AcceleratedGradient{}},
-    VelocityStepping{.euler = Euler::explicit_, .substeps = 2, .gyroscopic = Gyroscopic::implicit},
-    Accelerations{Scheme::explicit_euler},
-    Accelerations{Scheme::rk4, 2},
-    Accelerations{Scheme::implicit_midpoint},
-    Rattle{2},
-    Xpbd{},
-    Xpbd{1},
-    Avbd{}};
+const Method methods[] = {AnyStepping{GaussSeidel{}},
+                          AnyStepping{GaussSeidel{.tolerance = 1e-9}},
+                          AnyStepping{Jacobi{.relaxation = 0.5}, Projection{}},
+                          AnyStepping{Direct{.regularisation = 1e-9}},
+                          AnyStepping{Direct{.factorisation = Factorisation::dense, .regularisation = 1e-9}},
+                          AnyStepping{ConjugateSweeps{}, SplitImpulse{}},
+                          AnyStepping{exact_sweeps()},
+                          AnyStepping{ByGraph{}, SoftConstraints{}},
+                          AnyStepping{ConjugateGradients{}},
+                          AnyStepping{AcceleratedGradient{}},
+                          AnyStepping{.substeps = 2, .gyroscopic = Gyroscopic::implicit},
+                          Accelerations{Scheme::explicit_euler},
+                          Accelerations{Scheme::rk4, 2},
+                          Accelerations{Scheme::implicit_midpoint},
+                          Rattle{2},
+                          Xpbd{},
+                          Xpbd{1},
+                          Avbd{}};
 
 /// All numbers of a scene's state, bit by bit, for NaN is not itself.
 template <class M>
@@ -164,7 +163,7 @@ TEST(NotFinite, LeavesTheSceneAsItWasWhateverOverflows) {
 TEST(NotFinite, NamesTheConstraintOrItsBodiesWhereItsRowsOverflow) {
   auto scene = rod_chain<PlaneParticle>({.links = 4, .angle = 1});
   scene.set_position(3, {1e200, 0});  // its square is infinite
-  Simulation<PlaneParticle> swept{scene, {GaussSeidel{}}}, direct{scene, {Direct{}}};
+  Simulation<PlaneParticle, AnyStepping> swept{scene, {GaussSeidel{}}}, direct{scene, {Direct{}}};
   EXPECT_THAT([&] { swept.step(h); },
               testing::ThrowsMessage<NotFinite>(testing::HasSubstr("constraint 2 has a value")));
   EXPECT_THAT([&] { direct.step(h); },
@@ -174,7 +173,7 @@ TEST(NotFinite, NamesTheConstraintOrItsBodiesWhereItsRowsOverflow) {
 TEST(NotFinite, IsNotBlamedOnRowsThatRepeat) {
   in_all_models([]<class M>(Random&) {
     for (const auto factorisation : {Factorisation::structured, Factorisation::dense}) {
-      Simulation<M> simulation{rod_chain<M>({.links = 4, .angle = 1}), {Direct{factorisation}}};
+      Simulation<M, AnyStepping> simulation{rod_chain<M>({.links = 4, .angle = 1}), {Direct{factorisation}}};
       simulation.scene.state().pose[3].position[0] = nan;
       EXPECT_THROW(simulation.step(h), NotFinite);
     }
@@ -190,13 +189,33 @@ TEST(Larger, IsNotANumberIfEitherIsNone) {
 
 TEST(Singular, AndNoConvergenceLeaveTheSceneAsItWas) {
   auto scene = rod_chain<PlaneParticle>({.links = 2, .angle = 1});
-  Simulation<PlaneParticle> simulation{scene, {Direct{}}};
+  Simulation<PlaneParticle, AnyStepping> simulation{scene, {Direct{}}};
   simulation.step(h);
   simulation.scene.add(Distance<PlaneParticle>{{0, 1}, 1});
   const auto before = bits(simulation.scene);
   EXPECT_THROW(simulation.step(h), SingularSystem);
   EXPECT_EQ(bits(simulation.scene), before);
   EXPECT_EQ(simulation.time, h);
+}
+
+TEST(Step, OfABallThatIsTooFastForItsContactToBeFoundLeavesNumbersOrThrows) {
+  using M = SpaceBody;
+  Scene<M> scene;
+  const int ground = scene.add_body(Linear<M>(0, 0, 0), fixed<M>());
+  scene.set_shape(ground, HalfSpace<M>{{0, 1, 0}});
+  const Velocity<M> velocity = 1e160 * (Velocity<M>::Unit(0) - Velocity<M>::Unit(1));
+  const int body = scene.add_body(Linear<M>(0, 0.1, 0), ball<M>(1, 0.1), velocity);
+  scene.set_shape(body, Ball<M>{0.1});
+  for (const AnyStepping& method : {AnyStepping{}, AnyStepping{ByGraph{}, Projection{}},
+                                    AnyStepping{GaussSeidel{}, SoftConstraints{}}, AnyStepping{.substeps = 2}}) {
+    Simulation simulation{scene, method};
+    try {
+      simulation.step(0.01);
+    } catch (const NotFinite&) {
+      EXPECT_EQ(simulation.scene.bodies().pose[body].position, scene.bodies().pose[body].position);
+    }
+    EXPECT_TRUE(are_finite(simulation.scene.bodies().pose, simulation.scene.bodies().velocity));
+  }
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include "tests/solver/random.hpp"
+#include "solver/support/each_model.hpp"
 
 namespace byhand {
 

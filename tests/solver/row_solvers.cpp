@@ -16,7 +16,7 @@ Rods hanging(int links, double end_mass = 1) {
   return rod_chain<PlaneParticle, NormalisedDistance>({.links = links, .end_mass = end_mass});
 }
 
-const RowSolver patient[] = {
+const AnyRowSolver patient[] = {
     GaussSeidel{3000},
     GaussSeidel{1500, true, SweepOrder::symmetric},
     GaussSeidel{.sweeps = 3000, .order = SweepOrder::coloured, .relaxation = 1.3},
@@ -33,7 +33,7 @@ TEST(RowSolvers, MeetTheDenseDirectSolveOnEveryGraph) {
       []<class M>(Random& random) {
         const auto scene = random_graph<M>(random, 8, 12);
         const auto exact = solved(scene, Direct{Factorisation::dense});
-        for (const RowSolver& solver : patient) {
+        for (const AnyRowSolver& solver : patient) {
           const auto answer = solved(scene, solver);
           EXPECT_LE(difference(answer.velocity, exact.velocity), 1e-9 * (1 + largest(exact.velocity)))
               << "solver " << solver.index();
@@ -59,20 +59,24 @@ TEST(ConjugateGradients, SolveAChainInAsManyIterationsAsItHasLinksAndNoFewer) {
 TEST(ConjugateGradients, StopOnTheirToleranceAndAtOnceWhereNothingIsLeft) {
   auto scene = hanging(40);
   Work<PlaneParticle> work;
-  advance(scene, {ConjugateGradients{.iterations = 1000, .tolerance = 1e-6}, NoDriftCure{}}, time_step, work);
+  advance(scene, AnyStepping{ConjugateGradients{.iterations = 1000, .tolerance = 1e-6}, NoDriftCure{}}, time_step,
+          work);
   EXPECT_LE(residual(work.system, scene.bodies().velocity), 1.01e-6);
   EXPECT_LE(work.row_solves, 41 * 40);
   for (int i = 0; i < 5; ++i)
-    advance(scene, {ConjugateGradients{.iterations = 1000, .tolerance = 1e-6}, NoDriftCure{}}, time_step, work);
+    advance(scene, AnyStepping{ConjugateGradients{.iterations = 1000, .tolerance = 1e-6}, NoDriftCure{}},
+            time_step, work);
   const long long before = work.row_solves;
-  advance(scene, {ConjugateGradients{.iterations = 1000, .tolerance = 1e-5}, NoDriftCure{}}, time_step, work);
+  advance(scene, AnyStepping{ConjugateGradients{.iterations = 1000, .tolerance = 1e-5}, NoDriftCure{}}, time_step,
+          work);
   EXPECT_EQ(work.row_solves, before) << "a warm start has the answer";
 }
 
 TEST(ConjugateGradients, StayWithTheAnswerHoweverManyIterationsMayFollow) {
-  Simulation<PlaneParticle> swinging{rod_chain<PlaneParticle, NormalisedDistance>({.links = 2, .angle = 1.57}),
-                                     VelocityStepping{ConjugateGradients{.iterations = 1000, .tolerance = 0}}};
-  Simulation<PlaneParticle> exact = swinging;
+  Simulation<PlaneParticle, AnyStepping> swinging{
+      rod_chain<PlaneParticle, NormalisedDistance>({.links = 2, .angle = 1.57}),
+      AnyStepping{ConjugateGradients{.iterations = 1000, .tolerance = 0}}};
+  Simulation<PlaneParticle, AnyStepping> exact = swinging;
   exact.method.solver = Direct{};
   for (int i = 0; i < 60; ++i) {
     swinging.step(time_step);
@@ -89,16 +93,16 @@ TEST(ConjugateGradients, RefuseScenesWithBoundsInOneSentence) {
   Scene<PlaneBody> contact;
   contact.add_body({0, 0}, fixed<PlaneBody>());
   contact.add_body({0, 1}, ball<PlaneBody>(1, 1));
-  EXPECT_EQ(refusal(contact, VelocityStepping{ConjugateGradients{}}), "");
+  EXPECT_EQ(refusal(contact, AnyStepping{ConjugateGradients{}}), "");
   contact.add(Contact<PlaneBody>{{0, 1}});
-  EXPECT_NE(refusal(contact, VelocityStepping{ConjugateGradients{}}), "");
-  EXPECT_EQ(refusal(boxes, VelocityStepping{GaussSeidel{}}), "");
+  EXPECT_NE(refusal(contact, AnyStepping{ConjugateGradients{}}), "");
+  EXPECT_EQ(refusal(boxes, AnyStepping{GaussSeidel{}}), "");
   Work<PlaneBody> work;
   try {
-    advance(boxes, VelocityStepping{ConjugateGradients{}}, time_step, work);
+    advance(boxes, AnyStepping{ConjugateGradients{}}, time_step, work);
     FAIL();
   } catch (const std::invalid_argument& error) {
-    EXPECT_EQ(error.what(), refusal(boxes, VelocityStepping{ConjugateGradients{}}));
+    EXPECT_EQ(error.what(), refusal(boxes, AnyStepping{ConjugateGradients{}}));
   }
 }
 
@@ -121,8 +125,8 @@ TEST(SymmetricSweeps, LeaveOfASlowWaveWhatTwoSweepsLeave) {
 TEST(SymmetricSweeps, CountAsTwo) {
   auto once = hanging(7), twice = once;
   Work<PlaneParticle> work1, work2;
-  advance(once, {GaussSeidel{3, false, SweepOrder::symmetric}}, time_step, work1);
-  advance(twice, {GaussSeidel{3, false}}, time_step, work2);
+  advance(once, AnyStepping{GaussSeidel{3, false, SweepOrder::symmetric}}, time_step, work1);
+  advance(twice, AnyStepping{GaussSeidel{3, false}}, time_step, work2);
   EXPECT_EQ(work1.row_solves, 2 * work2.row_solves);
 }
 
@@ -144,15 +148,16 @@ Scene<PlaneBody> random_boxes(Random& random, double friction) {
   return scene;
 }
 
-const RowSolver with_bounds[] = {GaussSeidel{.sweeps = 1000000, .tolerance = 1e-13},
-                                 GaussSeidel{.sweeps = 500000, .order = SweepOrder::symmetric, .tolerance = 1e-13},
-                                 AcceleratedGradient{.iterations = 100000, .tolerance = 1e-12}};
+const AnyRowSolver with_bounds[] = {
+    GaussSeidel{.sweeps = 1000000, .tolerance = 1e-13},
+    GaussSeidel{.sweeps = 500000, .order = SweepOrder::symmetric, .tolerance = 1e-13},
+    AcceleratedGradient{.iterations = 100000, .tolerance = 1e-12}};
 
 /// Whether no row of the faces' ends repeats others: the rank of all J that can move something is their number.
 bool independent(const Scene<PlaneBody>& scene) {
   Scene<PlaneBody> copy = scene;
   Work<PlaneBody> work;
-  advance(copy, {GaussSeidel{1}}, time_step, work);
+  advance(copy, AnyStepping{GaussSeidel{1}}, time_step, work);
   Eigen::MatrixXd J(0, 3 * scene.bodies().size());
   for (const auto& face : std::get<block_type<PlaneBody, 3, Bound::manifold>()>(work.system.blocks))
     for (int k = 0; k < 2; ++k) {
@@ -176,7 +181,7 @@ TEST(RowSolvers, MeetTheReferenceOnRandomBoxesWithoutFriction) {
         const Scene<PlaneBody> scene = random_boxes(random, 0);
         const auto exact = solved(scene, exact_sweeps());
         EXPECT_TRUE(exact.converged);
-        for (const RowSolver& solver : with_bounds)
+        for (const AnyRowSolver& solver : with_bounds)
           EXPECT_LE(difference(solved(scene, solver).velocity, exact.velocity), 1e-9)
               << "solver " << solver.index();
         try {
@@ -201,7 +206,7 @@ TEST(RowSolvers, EachFindAnAnswerOnRandomBoxesWithFriction) {
       [&]<class M>(Random& random) {
         const Scene<PlaneBody> scene = random_boxes(random, 0.8);
         const auto exact = solved(scene, exact_sweeps());
-        for (const RowSolver& solver : with_bounds) {
+        for (const AnyRowSolver& solver : with_bounds) {
           const auto answer = solved(scene, solver);
           EXPECT_TRUE(answer.converged) << "solver " << solver.index();
           EXPECT_LE(answer.residual, 1e-11 * (1 + largest(answer.lambda))) << "solver " << solver.index();
@@ -214,11 +219,12 @@ TEST(RowSolvers, EachFindAnAnswerOnRandomBoxesWithFriction) {
 
 TEST(RowSolvers, MeetTheReferenceOnRandomPiles) {
   for (int seed = 0; seed < 8; ++seed) {
-    Simulation<PlaneBody> pile{box_pile<PlaneBody>(seed, {.count = 6, .speed = 3, .decades = 1, .surface = {}}),
-                               VelocityStepping{GaussSeidel{50}}};
+    Simulation<PlaneBody, AnyStepping> pile{
+        box_pile<PlaneBody>(seed, {.count = 6, .speed = 3, .decades = 1, .surface = {}}),
+        AnyStepping{GaussSeidel{50}}};
     for (int i = 0; i < 90; ++i) pile.step(time_step);
     const auto exact = solved(pile.scene, exact_sweeps());
-    for (const RowSolver& solver : {with_bounds[0], with_bounds[2]})
+    for (const AnyRowSolver& solver : {with_bounds[0], with_bounds[2]})
       EXPECT_LE(difference(solved(pile.scene, solver).velocity, exact.velocity), 1e-9)
           << "solver " << solver.index() << ", pile " << seed;
   }
@@ -230,7 +236,7 @@ TEST(AcceleratedGradient, KeepsEveryBoundAtWhateverIterationItStops) {
     kick(scene, 2);
     Work<PlaneBody> work;
     for (int i = 0; i < 20; ++i) {
-      advance(scene, VelocityStepping{AcceleratedGradient{.iterations = iterations}}, time_step, work);
+      advance(scene, AnyStepping{AcceleratedGradient{.iterations = iterations}}, time_step, work);
       for (std::size_t k = 0; k < work.system.lambda.size(); k += 3) {
         const double* lambda = &work.system.lambda[k];
         ASSERT_GE(std::min(lambda[0], lambda[1]), 0);
@@ -248,7 +254,8 @@ TEST(AcceleratedGradient, TakesInProportionToAChainsLinksWhatSweepsTakeBySquare)
   for (const int links : {10, 20, 40, 80, 160}) {
     auto scene = hanging(links);
     Work<PlaneParticle> work;
-    advance(scene, {AcceleratedGradient{.iterations = 100000, .tolerance = tolerance, .warm_start = false}},
+    advance(scene,
+            AnyStepping{AcceleratedGradient{.iterations = 100000, .tolerance = tolerance, .warm_start = false}},
             time_step, work);
     const double push = 2 * (links - 1) * 9.81 * time_step;  // of the second rod, between two bobs
     EXPECT_LE(residual(work.system, scene.bodies().velocity), tolerance * push);
@@ -282,8 +289,8 @@ Scene<M> linkage(Random& random, int bodies, int loops, int times) {
 }
 /// The largest separation of its pins in a second; infinite if the solver throws.
 template <class M>
-double largest_separation(const Scene<M>& scene, const RowSolver& solver) {
-  Simulation<M> simulation{scene, {solver, Baumgarte{0.2}}};
+double largest_separation(const Scene<M>& scene, const AnyRowSolver& solver) {
+  Simulation<M, AnyStepping> simulation{scene, {solver, Baumgarte{0.2}}};
   double largest = 0;
   try {
     for (int i = 0; i < 60; ++i) {
@@ -321,10 +328,10 @@ TEST(ByGraph, ChoosesAsAfreshWhenTheSolverWasAnother) {
   auto scene = linkage<PlaneBody>(random, 6, 2, 1), fresh = scene;
   Work<PlaneBody> work, none;
   auto probe = scene;
-  advance(probe, {GaussSeidel{.order = SweepOrder::coloured}}, time_step, work);
+  advance(probe, AnyStepping{GaussSeidel{.order = SweepOrder::coloured}}, time_step, work);
   std::fill(work.system.lambda.begin(), work.system.lambda.end(), 0.0);
-  advance(scene, {ByGraph{}}, time_step, work);
-  advance(fresh, {ByGraph{}}, time_step, none);
+  advance(scene, AnyStepping{ByGraph{}}, time_step, work);
+  advance(fresh, AnyStepping{ByGraph{}}, time_step, none);
   EXPECT_EQ(scene.bodies().velocity, fresh.bodies().velocity);
 }
 
@@ -336,8 +343,8 @@ TEST(Direct, GoesOnFromTheImpulsesThatStand) {
           const RowSolver direct = Direct{factorisation};
           Work<M> work;
           auto copy = scene;
-          advance(copy, {.solver = direct, .drift = NoDriftCure{}, .gyroscopic = Gyroscopic::none}, time_step,
-                  work);
+          advance(copy, VelocityStepping{.solver = direct, .drift = NoDriftCure{}, .gyroscopic = Gyroscopic::none},
+                  time_step, work);
           auto& system = work.system;
           const auto V = copy.bodies().velocity;
           const auto lambda = system.lambda;

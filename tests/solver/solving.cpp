@@ -1,4 +1,5 @@
 #include "tests/solver/solving.hpp"
+#include "solver/support/each_model.hpp"
 
 namespace byhand {
 
@@ -39,9 +40,9 @@ std::vector<double> natural_lambda(const Scene<M>& scene, const System<M>& syste
 }
 
 template <class M>
-Answer<M> solved(Scene<M> scene, const RowSolver& solver, const DriftCure& cure) {
+Answer<M> solved(Scene<M> scene, const AnyRowSolver& solver, const DriftCure& cure) {
   Work<M> work;
-  advance(scene, {.solver = solver, .drift = cure, .gyroscopic = Gyroscopic::none}, time_step, work);
+  advance(scene, AnyStepping{.solver = solver, .drift = cure, .gyroscopic = Gyroscopic::none}, time_step, work);
   return {numbers_of<M>(scene.bodies().velocity), natural_lambda(scene, work.system),
           residual(work.system, scene.bodies().velocity), work.solution.converged};
 }
@@ -126,7 +127,7 @@ Scene<M> mixed_chain(Random& random, int links) {
   template std::vector<double> numbers_of<M>(const std::vector<Velocity<M>>&);       \
   template Scene<M> bodies_alone<M>(const Scene<M>&);                                \
   template std::vector<double> natural_lambda<M>(const Scene<M>&, const System<M>&); \
-  template Answer<M> solved<M>(Scene<M>, const RowSolver&, const DriftCure&);        \
+  template Answer<M> solved<M>(Scene<M>, const AnyRowSolver&, const DriftCure&);     \
   template Scene<M> with_random_velocities<M>(Scene<M>, Random&);                    \
   template Scene<M> random_graph<M>(Random&, int, int);                              \
   template Scene<M> grid<M>(Random&, int);                                           \

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "lessons/methods/row_solvers.hpp"
 #include "solver/constraints/contact.hpp"
 #include "solver/constraints/distance.hpp"
 #include "solver/constraints/pin.hpp"
@@ -47,7 +48,12 @@ std::vector<double> natural_lambda(const Scene<M>& scene, const System<M>& syste
 
 /// What the rows leave after one step, without the gyroscopic term; the scene itself stays as it is.
 template <class M>
-Answer<M> solved(Scene<M> scene, const RowSolver& solver, const DriftCure& cure = Baumgarte{});
+Answer<M> solved(Scene<M> scene, const AnyRowSolver& solver, const DriftCure& cure = Baumgarte{});
+
+/// A row solver of the library among those of all.
+inline AnyRowSolver any(const RowSolver& solver) {
+  return std::visit([](const auto& choice) { return AnyRowSolver(choice); }, solver);
+}
 
 template <class M>
 Scene<M> with_random_velocities(Scene<M> scene, Random& random);

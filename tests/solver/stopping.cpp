@@ -5,6 +5,7 @@
 #include "lessons/scenes/chain.hpp"
 #include "solver/constraints/friction.hpp"
 #include "solver/constraints/motor.hpp"
+#include "solver/rows/residual.hpp"
 #include "tests/solver/solving.hpp"
 
 // When solvers stop: on one residual, that of the natural map, as a share of the largest push.
@@ -34,7 +35,7 @@ TEST(Stopping, IsNotFooledByVelocitiesThatReturnWhileLambdaRuns) {
       Scene<SpaceBody> scene = box_on_twisted_ground(speed, twist);
       const double rise = 0.2 * twist / time_step;
       Work<SpaceBody> work;
-      advance(scene, {exact_sweeps()}, time_step, work);
+      advance(scene, AnyStepping{exact_sweeps()}, time_step, work);
       EXPECT_TRUE(work.solution.converged);
       EXPECT_LE(residual(work.system, scene.bodies().velocity), 1e-11 * speed);
       EXPECT_NEAR(scene.bodies().velocity[1][1], rise, 1e-10 * speed);
@@ -99,17 +100,17 @@ Scene<M> in_units(const Scene<M>& scene, double metre, double kilogram, double s
   return result;
 }
 
-const RowSolver by_tolerance[] = {GaussSeidel{.sweeps = 3000, .tolerance = 1e-7},
-                                  GaussSeidel{.sweeps = 3000, .relaxation = 1.25, .tolerance = 1e-7},
-                                  ConjugateSweeps{.sweeps = 3000},
-                                  AcceleratedGradient{.iterations = 3000},
-                                  Direct{.regularisation = 0x1p-30},
-                                  ConjugateGradients{.iterations = 3000}};
+const AnyRowSolver by_tolerance[] = {GaussSeidel{.sweeps = 3000, .tolerance = 1e-7},
+                                     GaussSeidel{.sweeps = 3000, .relaxation = 1.25, .tolerance = 1e-7},
+                                     ConjugateSweeps{.sweeps = 3000},
+                                     AcceleratedGradient{.iterations = 3000},
+                                     Direct{.regularisation = 0x1p-30},
+                                     ConjugateGradients{.iterations = 3000}};
 
 /// All units are powers of two, so that no bit may differ.
 template <class M>
-void expect_the_same_in_all_units(const Scene<M>& scene, const RowSolver& solver) {
-  const VelocityStepping method{solver};
+void expect_the_same_in_all_units(const Scene<M>& scene, const AnyRowSolver& solver) {
+  const AnyStepping method{solver};
   if (!refusal(scene, method).empty()) return;
   Scene<M> own = scene;
   Work<M> work;
@@ -139,7 +140,7 @@ TEST(Stopping, IsAtTheSameSweepInEveryUnit) {
           const int contact = resting.add(Contact<M>{{i - 1, i}, Linear<M>::Unit(1)});
           resting.add(Friction<M>{{i - 1, i}, tangents_of<M>(Linear<M>::Unit(1)), 0.5, contact});
         }
-        for (const RowSolver& solver : by_tolerance) {
+        for (const AnyRowSolver& solver : by_tolerance) {
           SCOPED_TRACE(solver.index());
           expect_the_same_in_all_units(resting, solver);
           expect_the_same_in_all_units(mixed_chain<M>(random, 6), solver);
@@ -156,7 +157,7 @@ TEST(Solution, ConvergesOnlyWithinTheTolerance) {
   in_models<PlaneBody, SpaceBody>(
       [&]<class M>(Random& random) {
         for (const double tolerance : {1e-3, 1e-6, 1e-9})
-          for (RowSolver solver : by_tolerance) {
+          for (AnyRowSolver solver : by_tolerance) {
             std::visit(
                 [&](auto& choice) {
                   if constexpr (requires { choice.tolerance; }) choice.tolerance = tolerance;
@@ -165,8 +166,8 @@ TEST(Solution, ConvergesOnlyWithinTheTolerance) {
             Scene<M> scene = stack<M>(3, 1, {0.5});
             for (int i = 1; i < scene.bodies().size(); ++i) scene.set_velocity(i, 10 * random.velocity<M>());
             Work<M> work;
-            if (!refusal(scene, VelocityStepping{solver}).empty()) continue;
-            advance(scene, {solver}, time_step, work);
+            if (!refusal(scene, AnyStepping{solver}).empty()) continue;
+            advance(scene, AnyStepping{solver}, time_step, work);
             RowScales scales;
             find_scales(work.system, scales);
             double push = 0;
@@ -184,8 +185,8 @@ TEST(Solution, ConvergesOnlyWithinTheTolerance) {
 
 TEST(Solution, SaysWhatAStepTook) {
   const auto scene = pinned_chain<PlaneBody>({.links = 10, .angle = 1});
-  const auto after = [&](const VelocityStepping& method) {
-    Simulation<PlaneBody> simulation{scene, method};
+  const auto after = [&](const AnyStepping& method) {
+    Simulation<PlaneBody, AnyStepping> simulation{scene, method};
     for (int i = 0; i < 3; ++i) simulation.step(time_step);
     return simulation.work.solution;
   };
@@ -198,7 +199,7 @@ TEST(Solution, SaysWhatAStepTook) {
   EXPECT_EQ(direct.rounds, 1);
   EXPECT_TRUE(direct.converged);
 
-  VelocityStepping substeps{Direct{}};
+  AnyStepping substeps{Direct{}};
   substeps.substeps = 3;
   EXPECT_EQ(after(substeps).rounds, 3);
 
@@ -218,10 +219,11 @@ TEST(Stopping, EndsAtOnceWhereAllDriftsAtOneSpeed) {
       V.setZero();
       V[0] = 100.3, V[1] = 17.7;
     }
-    for (const RowSolver& solver :
-         {RowSolver(exact_sweeps()), RowSolver(GaussSeidel{.sweeps = 100, .tolerance = 1e-12}),
-          RowSolver(AcceleratedGradient{.tolerance = 1e-12}), RowSolver(ConjugateGradients{.tolerance = 1e-12})}) {
-      Simulation<M> simulation{scene, {solver, NoDriftCure{}}};
+    for (const AnyRowSolver& solver :
+         {AnyRowSolver(exact_sweeps()), AnyRowSolver(GaussSeidel{.sweeps = 100, .tolerance = 1e-12}),
+          AnyRowSolver(AcceleratedGradient{.tolerance = 1e-12}),
+          AnyRowSolver(ConjugateGradients{.tolerance = 1e-12})}) {
+      Simulation<M, AnyStepping> simulation{scene, {solver, NoDriftCure{}}};
       simulation.step(time_step);
       EXPECT_TRUE(simulation.work.solution.converged) << solver.index();
       EXPECT_LE(simulation.work.solution.passes, 2) << solver.index();
@@ -236,7 +238,7 @@ TEST(ActiveSet, IsAcceptedByTheResidual) {
         Scene<M> scene = stack<M>(3, 1, {0.3});
         for (int i = 1; i < scene.bodies().size(); ++i) scene.set_velocity(i, random.velocity<M>());
         Work<M> work;
-        advance(scene, {Direct{.regularisation = 1e-9}}, time_step, work);
+        advance(scene, AnyStepping{Direct{.regularisation = 1e-9}}, time_step, work);
         const double left = residual(work.system, scene.bodies().velocity);
         EXPECT_EQ(work.solution.converged, left <= 1e-8);
         converged += work.solution.converged;

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "lessons/scenes/chain.hpp"
+#include "solver/direct/graph.hpp"
 #include "tests/solver/compiled.hpp"
 #include "tests/solver/solving.hpp"
 

@@ -3,6 +3,7 @@
 #include "lessons/methods/accelerations.hpp"
 #include "lessons/methods/avbd.hpp"
 #include "lessons/methods/rattle.hpp"
+#include "lessons/methods/row_solvers.hpp"
 #include "lessons/methods/xpbd.hpp"
 #include "lessons/scenes/box_pile.hpp"
 #include "lessons/scenes/chain.hpp"
@@ -106,9 +107,9 @@ void expect_same_in_all_units(const char* name, const Scene<M>& scene, F&& metho
 
 template <class M>
 void expect_velocity_stepping_same(const char* scene_name, const Scene<M>& scene) {
-  const auto expect_same = [&](const char* name, const RowSolver& solver, auto&& cure) {
+  const auto expect_same = [&](const char* name, const AnyRowSolver& solver, auto&& cure) {
     expect_same_in_all_units((std::string(scene_name) + ", " + name).c_str(), scene, [&](const Units& units) {
-      return VelocityStepping{
+      return AnyStepping{
           .solver = solver, .drift = cure(units), .substeps = 2, .bounce_threshold = 0.5 * units.speed()};
     });
   };
@@ -147,9 +148,9 @@ void expect_equalities_same(const char* name, const Scene<M>& scene) {
     expect_same_in_all_units((std::string(name) + ", " + method_name).c_str(), scene,
                              [&](const Units&) { return method; });
   };
-  unit_free("direct", VelocityStepping{.solver = Direct{}});
-  unit_free("dense", VelocityStepping{.solver = Direct{Factorisation::dense}});
-  unit_free("conjugate gradients", VelocityStepping{.solver = ConjugateGradients{}});
+  unit_free("direct", AnyStepping{.solver = Direct{}});
+  unit_free("dense", AnyStepping{.solver = Direct{Factorisation::dense}});
+  unit_free("conjugate gradients", AnyStepping{.solver = ConjugateGradients{}});
   unit_free("RATTLE", Rattle{});
   for (const Scheme scheme : {Scheme::explicit_euler, Scheme::rk4, Scheme::implicit_midpoint})
     unit_free("accelerations", Accelerations{.scheme = scheme});
@@ -203,8 +204,7 @@ TEST(Units, Springs) {
 TEST(Units, Tops) {
   const auto top = free_top({1, 2, 3}, {0.1, 8, 0.2});
   for (const Gyroscopic gyroscopic : {Gyroscopic::none, Gyroscopic::implicit})
-    expect_same_in_all_units("free top", top,
-                             [&](const Units&) { return VelocityStepping{.gyroscopic = gyroscopic}; });
+    expect_same_in_all_units("free top", top, [&](const Units&) { return AnyStepping{.gyroscopic = gyroscopic}; });
   expect_equalities_same("free top", top);
 }
 

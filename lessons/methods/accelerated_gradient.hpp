@@ -1,6 +1,7 @@
 #pragma once
 
-#include "solver/rows/gauss_seidel.hpp"
+#include "solver/rows/residual.hpp"
+#include "solver/rows/row_solver.hpp"
 
 // Accelerated projected gradient descent (APGD). The answer is the λ within its bounds that minimises
 //
@@ -26,15 +27,6 @@
 // row, as a sweep does, and a repeated step as much again.
 namespace byhand {
 
-/// Accelerated projected gradient descent on all rows.
-struct AcceleratedGradient {
-  int iterations = 50;      // >= 1
-  double tolerance = 1e-6;  // stop when the residual is at most this share of the largest push, in [0, 1]
-  bool warm_start = true;   // begin with the λ of the last step
-};
-
-void require_valid(const AcceleratedGradient& solver);
-
 /// Scratch, by row and by body.
 template <class M>
 struct AcceleratedGradientWork {
@@ -43,8 +35,18 @@ struct AcceleratedGradientWork {
   std::vector<Velocity<M>> q;
 };
 
-template <class M>
-Solution solve(const AcceleratedGradient& solver, System<M>& system, std::vector<Velocity<M>>& velocities,
-               AcceleratedGradientWork<M>& work, Begin begin = Begin::step);
+/// Accelerated projected gradient descent on all rows.
+struct AcceleratedGradient {
+  int iterations = 50;      // >= 1
+  double tolerance = 1e-6;  // stop when the residual is at most this share of the largest λ, in [0, 1]
+  bool warm_start = true;   // begin with the λ of the last step
+
+  template <class M>
+  using Work = AcceleratedGradientWork<M>;
+  template <class M>
+  Solution solve(System<M>& system, Bodies<M>& bodies, Work<M>& work, Begin begin = Begin::step) const;
+};
+
+void require_valid(const AcceleratedGradient& solver);
 
 }  // namespace byhand

@@ -1,6 +1,10 @@
-#include "solver/rows/conjugate_gradients.hpp"
+#include "lessons/methods/conjugate_gradients.hpp"
 
 #include <numeric>
+
+#include "solver/rows/gauss_seidel.hpp"
+#include "solver/rows/operators.hpp"
+#include "solver/support/each_model.hpp"
 
 namespace byhand {
 namespace {
@@ -38,15 +42,16 @@ void require_valid(const ConjugateGradients& solver) {
 }
 
 template <class M>
-Solution solve(const ConjugateGradients& solver, System<M>& system, std::vector<Velocity<M>>& velocities,
-               ConjugateGradientWork<M>& work, Begin begin) {
+Solution ConjugateGradients::solve(System<M>& system, Bodies<M>& bodies, ConjugateGradientWork<M>& work,
+                                   Begin begin) const {
+  std::vector<Velocity<M>>& velocities = bodies.velocity;
   const int rows = system.rows();
   auto& [inverses, scales, r, z, p, Ap, q] = work;
   for (auto* numbers : {&r, &z, &p, &Ap}) numbers->assign(rows, 0.0);
   q.resize(velocities.size());
   invert_blocks(system, work);
   find_scales(system, scales);
-  begin_sweeps(system, solver.warm_start, begin, velocities);
+  begin_sweeps(system, warm_start, begin, bodies);
   const double speed = fastest(system, velocities);
   errors_of(system, velocities, system.lambda, r);
   for (double& error : r) error = -error;
@@ -56,9 +61,8 @@ Solution solve(const ConjugateGradients& solver, System<M>& system, std::vector<
     const double rz = sum_of_products(r, z);
     if (k == 0) rz_first = rz;
     const Residual reached = residual(system, system.lambda, r, scales);
-    const bool converged = reached.within(solver.tolerance, speed);
-    if (converged || !(rz > rounding * rz_first) || k == solver.iterations)
-      return {k, 0, reached.largest, converged};
+    const bool converged = reached.within(tolerance, speed);
+    if (converged || !(rz > rounding * rz_first) || k == iterations) return {k, 0, reached.largest, converged};
     const double share = k == 0 ? 0.0 : rz / rz_before;
     for (int i = 0; i < rows; ++i) p[i] = z[i] + share * p[i];
     multiply(system, p, q, Ap);
@@ -72,9 +76,8 @@ Solution solve(const ConjugateGradients& solver, System<M>& system, std::vector<
   }
 }
 
-#define BYHAND_INSTANTIATE(M)                                                               \
-  template Solution solve(const ConjugateGradients&, System<M>&, std::vector<Velocity<M>>&, \
-                          ConjugateGradientWork<M>&, Begin)
+#define BYHAND_INSTANTIATE(M) \
+  template Solution ConjugateGradients::solve(System<M>&, Bodies<M>&, ConjugateGradientWork<M>&, Begin) const
 BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);
 #undef BYHAND_INSTANTIATE
 

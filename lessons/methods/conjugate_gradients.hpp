@@ -1,6 +1,7 @@
 #pragma once
 
-#include "solver/rows/gauss_seidel.hpp"
+#include "solver/rows/residual.hpp"
+#include "solver/rows/row_solver.hpp"
 
 // All rows at once by conjugate gradients, for rows without bounds:
 //
@@ -22,15 +23,6 @@
 // 49, 1952. An iteration costs JV and M⁻¹Jᵀλ once for each row, as a sweep does.
 namespace byhand {
 
-/// Conjugate gradients on the rows of a scene without bounds.
-struct ConjugateGradients {
-  int iterations = 50;      // >= 1
-  double tolerance = 1e-9;  // stop when the residual is at most this share of the largest push, in [0, 1]
-  bool warm_start = true;   // begin with the λ of the last step
-};
-
-void require_valid(const ConjugateGradients& solver);
-
 /// Scratch.
 template <class M>
 struct ConjugateGradientWork {
@@ -43,8 +35,19 @@ struct ConjugateGradientWork {
   std::vector<Velocity<M>> q;       // by body
 };
 
-template <class M>
-Solution solve(const ConjugateGradients& solver, System<M>& system, std::vector<Velocity<M>>& velocities,
-               ConjugateGradientWork<M>& work, Begin begin = Begin::step);
+/// Conjugate gradients on the rows of a scene without bounds.
+struct ConjugateGradients {
+  int iterations = 50;      // >= 1
+  double tolerance = 1e-9;  // stop when the residual is at most this share of the largest λ, in [0, 1]
+  bool warm_start = true;   // begin with the λ of the last step
+
+  template <class M>
+  using Work = ConjugateGradientWork<M>;
+  static constexpr bool holds_bounds = false;
+  template <class M>
+  Solution solve(System<M>& system, Bodies<M>& bodies, Work<M>& work, Begin begin = Begin::step) const;
+};
+
+void require_valid(const ConjugateGradients& solver);
 
 }  // namespace byhand

@@ -1,6 +1,10 @@
-#include "solver/rows/accelerated_gradient.hpp"
+#include "lessons/methods/accelerated_gradient.hpp"
 
 #include <cmath>
+
+#include "solver/rows/gauss_seidel.hpp"
+#include "solver/rows/operators.hpp"
+#include "solver/support/each_model.hpp"
 
 namespace byhand {
 namespace {
@@ -71,17 +75,18 @@ void require_valid(const AcceleratedGradient& solver) {
 }
 
 template <class M>
-Solution solve(const AcceleratedGradient& solver, System<M>& system, std::vector<Velocity<M>>& velocities,
-               AcceleratedGradientWork<M>& work, Begin begin) {
+Solution AcceleratedGradient::solve(System<M>& system, Bodies<M>& bodies, AcceleratedGradientWork<M>& work,
+                                    Begin begin) const {
+  std::vector<Velocity<M>>& velocities = bodies.velocity;
   for (auto* numbers : {&work.g, &work.next, &work.change}) numbers->resize(system.rows());
   work.q.resize(velocities.size());
-  begin_sweeps(system, solver.warm_start, begin, velocities);
+  begin_sweeps(system, warm_start, begin, bodies);
   find_scales(system, work.scales);
   const double speed = fastest(system, velocities);
   errors_of(system, velocities, system.lambda, work.g);
   Solution solution;
   do {
-    solution.passes += descend(solver, solver.iterations - solution.passes, speed, system, work);
+    solution.passes += descend(*this, iterations - solution.passes, speed, system, work);
     for (int i = 0; i < system.rows(); ++i) work.change[i] = work.best[i] - system.lambda[i];
     system.lambda = work.best;
     apply_all(system, work.change, velocities);
@@ -89,14 +94,13 @@ Solution solve(const AcceleratedGradient& solver, System<M>& system, std::vector
     errors_of(system, velocities, system.lambda, work.g);
     const Residual reached = residual(system, system.lambda, work.g, work.scales);
     solution.residual = reached.largest;
-    solution.converged = reached.within(solver.tolerance, speed);
-  } while (!solution.converged && !std::isnan(solution.residual) && solution.passes < solver.iterations);
+    solution.converged = reached.within(tolerance, speed);
+  } while (!solution.converged && !std::isnan(solution.residual) && solution.passes < iterations);
   return solution;
 }
 
-#define BYHAND_INSTANTIATE(M)                                                                \
-  template Solution solve(const AcceleratedGradient&, System<M>&, std::vector<Velocity<M>>&, \
-                          AcceleratedGradientWork<M>&, Begin)
+#define BYHAND_INSTANTIATE(M) \
+  template Solution AcceleratedGradient::solve(System<M>&, Bodies<M>&, AcceleratedGradientWork<M>&, Begin) const
 BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);
 #undef BYHAND_INSTANTIATE
 

@@ -1,0 +1,167 @@
+#pragma once
+
+#include "solver/contact/restitution.hpp"
+#include "solver/direct/equations.hpp"
+#include "solver/integrate/euler.hpp"
+#include "solver/step.hpp"
+#include "solver/support/attempt.hpp"
+#include "solver/support/kept.hpp"
+
+// One step of velocity stepping. It asks row solver and cure, and knows none by name.
+namespace byhand {
+namespace detail {
+
+/// Calls f with a choice, or with the one that a variant holds.
+template <class Choice, class F>
+decltype(auto) with_choice(const Choice& choice, F&& f) {
+  return f(choice);
+}
+template <class... Choices, class F>
+decltype(auto) with_choice(const std::variant<Choices...>& choices, F&& f) {
+  return std::visit(f, choices);
+}
+
+template <class M, class Solver>
+struct WorkOf {
+  using type = NoWork;
+};
+template <class M, class Solver>
+requires requires { typename Solver::template Work<M>; }
+struct WorkOf<M, Solver> {
+  using type = typename Solver::template Work<M>;
+};
+
+template <class Solver, class Own>
+Layout layout_of(const Solver& solver, const Own& own) {
+  if constexpr (requires { solver.layout(own); })
+    return solver.layout(own);
+  else if constexpr (requires { solver.layout(); })
+    return solver.layout();
+  else
+    return Layout::natural;
+}
+
+template <class M, class Solver, class Own>
+std::vector<int> order_of(const Scene<M>& scene, const Solver& solver, Own& own) {
+  if constexpr (requires { solver.order(Graph(), own); })
+    return solver.order(scene.graph(), own);
+  else if (const Layout layout = layout_of(solver, own); layout != Layout::natural)
+    return byhand::order_of(layout, scene.graph());
+  else
+    return natural_order(scene.count());
+}
+
+template <class Solver>
+constexpr bool holds_bounds() {
+  if constexpr (requires { Solver::holds_bounds; }) return Solver::holds_bounds;
+  return true;
+}
+
+template <class M, class Solver>
+void lay_out(const Scene<M>& scene, const Solver& solver, Work<M>& work) {
+  with_choice(solver, [&]<class Choice>(const Choice& choice) {
+    using Own = typename WorkOf<M, Choice>::type;
+    const bool same_solver = std::any_cast<Own>(&work.solver);
+    Own& own = kept_as<Own>(work.solver);
+    if (same_solver && work.version == scene.version() && work.layout == layout_of(choice, own)) return;
+    scene.lay_out(order_of(scene, choice, own), work.system);
+    work.layout = layout_of(choice, own);
+    work.version = scene.version();
+  });
+}
+
+template <class M, class Solver>
+void solve_rows(const Solver& solver, Bodies<M>& bodies, Work<M>& work, Begin begin) {
+  const Solution solution = with_choice(solver, [&]<class Choice>(const Choice& choice) {
+    auto& own = kept_as<typename WorkOf<M, Choice>::type>(work.solver);
+    return choice.solve(work.system, bodies, own, begin);
+  });
+  work.row_solves += static_cast<long long>(solution.passes) * work.system.rows() + solution.row_solves;
+  work.solution += solution;
+}
+
+}  // namespace detail
+
+template <class Solver, class Cure>
+void require_valid(const VelocitySteppingWith<Solver, Cure>& method) {
+  detail::with_choice(method.solver, [](const auto& solver) { require_valid(solver); });
+  detail::with_choice(method.drift, [](const auto& cure) { require_valid(cure); });
+  require(method.substeps >= 1, "number of substeps", method.substeps, "at least 1");
+  require_in("bounce threshold", method.bounce_threshold, 0, 1e300, "m/s");
+}
+
+template <class M, class Solver, class Cure>
+std::string refusal(const Scene<M>& scene, const VelocitySteppingWith<Solver, Cure>& method) {
+  const bool holds_bounds = detail::with_choice(
+      method.solver, []<class Choice>(const Choice&) { return detail::holds_bounds<Choice>(); });
+  if (holds_bounds || (scene.colliders().shapes.empty() && !scene.bounded())) return {};
+  return "this row solver holds no bounds, and this scene has contacts or other rows with bounds: conjugate "
+         "sweeps "
+         "would";
+}
+
+/// The cure before the rows are solved: b of (21), and what else it begins with.
+template <class M, class Cure>
+void begin_cure(const Cure& cure, Stage<M>& stage) {
+  detail::with_choice(cure, [&](const auto& choice) {
+    Correction correction;
+    if constexpr (requires { choice.correction(stage.h); }) correction = choice.correction(stage.h);
+    set_bias(correction, stage.h, stage.work.system);
+    if constexpr (requires { choice.begin(stage); }) choice.begin(stage);
+  });
+}
+
+/// The cure after the poses have moved.
+template <class M, class Cure>
+void end_cure(const Cure& cure, Stage<M>& stage) {
+  detail::with_choice(cure, [&](const auto& choice) {
+    if constexpr (requires { choice.after_move(stage); }) choice.after_move(stage);
+  });
+}
+
+/// Solves bouncing contacts a second time, after the poses have moved.
+template <class M>
+void bounce(Stage<M>& stage) {
+  if (!set_bounce(stage.work.parting, stage.work.system)) return;
+  stage.solve_rows_again();
+  forget_bounce(stage.work.parting, stage.work.system);
+}
+
+//! [step]
+template <class M, class Solver, class Cure>
+void advance(Scene<M>& scene, const VelocitySteppingWith<Solver, Cure>& method, double step, Work<M>& work) {
+  require_steppable(scene, method, step);
+  Attempt attempt(scene, work);
+  work.solution = {};
+  work.contacts.find(scene, step);  // the article's n, P1 and P2, from shapes
+  detail::lay_out(scene, method.solver, work);
+  work.contacts.write_impulses(work.system);
+  Bodies<M>& bodies = scene.state();
+  const double h = step / method.substeps;
+  const auto again = [&] { detail::solve_rows(method.solver, bodies, work, Begin::resume); };
+  Stage<M> stage{scene, work, h, work.cure, std::ref(again)};
+  for (int i = 0; i < method.substeps; ++i) {
+    write_rows(scene, h, work);       // J, C, M⁻¹Jᵀ at the current poses
+    begin_cure(method.drift, stage);  // b of (21), (22)
+    note_parting(scene, h, method.bounce_threshold, work.system, work.parting);
+    damp(bodies, h);
+    begin_turn(method.gyroscopic, bodies, h);
+    add_gravity(bodies, scene.gravity, h);                         // before λ, or the rows cannot answer it
+    rescale_impulses(work, h);                                     // λ of last step, for the warm start
+    detail::solve_rows(method.solver, bodies, work, Begin::step);  // (17) and (20) over all rows
+    advance_poses(bodies, h);
+    end_cure(method.drift, stage);
+    end_turn(method.gyroscopic, bodies, h);
+    bounce(stage);
+  }
+  work.contacts.read_impulses(work.system);
+  attempt.finish();
+}
+//! [step]
+
+/// Compiles the step with other row solvers or cures for one model; a source of theirs does so once.
+#define BYHAND_STEPPING(M, Solver, Cure)                                                    \
+  template std::string refusal(const Scene<M>&, const VelocitySteppingWith<Solver, Cure>&); \
+  template void advance(Scene<M>&, const VelocitySteppingWith<Solver, Cure>&, double, Work<M>&)
+
+}  // namespace byhand

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "solver/contact/contact_manager.hpp"
+#include "solver/rows/row_solver.hpp"
+#include "solver/scene.hpp"
+
+namespace byhand {
+
+/// Poses and velocities of all bodies.
+template <class M>
+struct State {
+  std::vector<Pose<M>> pose;
+  std::vector<Velocity<M>> velocity;
+};
+
+/// What every method keeps between steps. λ of `system` is the impulse of the last substep, so that λ/h is the
+/// mean force in it.
+template <class M>
+struct StepWork {
+  BYHAND_DECLARE_COPIES(StepWork);
+
+  System<M> system;
+  ContactManager<M> contacts;
+  std::vector<double> parting;  // by row, the least rate that a bounce leaves
+  Layout layout = Layout::none;
+  std::uint64_t version = 0;  // of the scene when it was laid out
+  double h = 0;               // the substep that λ belongs to [s]
+  long long row_solves = 0;   // total cost; a direct solve counts as the row solves of as many multiplications
+  State<M> start;             // at the start of the step
+};
+
+/// Writes all rows at the present poses for a substep h [s], contacts of balls where these touch now.
+template <class M>
+void write_rows(Scene<M>& scene, double h, StepWork<M>& work) {
+  work.contacts.follow_balls(scene, work.system);
+  scene.write_rows(work.system, h);
+}
+
+/// λ is force times h: a new time step rescales it, so that the warm start keeps the forces.
+template <class M>
+void rescale_impulses(StepWork<M>& work, double h) {
+  if (work.h > 0 && work.h != h)
+    for (double& lambda : work.system.lambda) lambda *= h / work.h;
+  work.h = h;
+}
+
+}  // namespace byhand
