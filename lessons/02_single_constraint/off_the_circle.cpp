@@ -1,5 +1,6 @@
 #include "lessons/02_single_constraint/steps.hpp"
 #include "lessons/02_single_constraint/swing.hpp"
+#include "lessons/laws/closed_forms.hpp"
 #include "lessons/page/rounding.hpp"
 #include "lessons/pictures/rods_and_bobs.hpp"
 
@@ -105,7 +106,7 @@ void off_the_circle(const Setting& setting, Page& page) {
   const Swing round = swing(weightless(setting), h, second);
   const Sample& last = round.back();
   const double radius = last.position.norm(), momentum = cross(last.position, last.velocity)[0];
-  const double grown = length * std::pow(1 + 2 * speed * speed * h * second / (length * length), 0.25);
+  const double grown = laws::drifted_radius(length, speed, h, second);
   page.text(
       R"(After one second the rod is @ mm too long, and the bob is slower by @ m/s: each impulse acts along the rod, so
       it does not change the angular momentum, speed times length.)",

@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "lessons/03_iterations/knobs.hpp"
-#include "lessons/03_iterations/textbook.hpp"
+#include "lessons/laws/closed_forms.hpp"
 #include "lessons/pictures/held_scene.hpp"
 
 namespace byhand::iterations {
@@ -13,7 +13,7 @@ course::Hold in_hand(const Knobs& knobs) {
         chain.angle = knobs.angle() * M_PI / 180;
         const bool warm = knobs.warm() == 1;
         const double beta = knobs.beta, whole = chain.links * chain.length,
-                     q = std::pow(chain_factor(chain.links), knobs.sweeps()), limit = std::min((1 - q) / q, 2.0);
+                     limit = laws::largest_beta(laws::left_by_sweeps(chain.links, knobs.sweeps()));
         return pictures::in_hand<PlaneParticle>(
             {.start = {rod_chain<PlaneParticle>(chain),
                        {GaussSeidel{.sweeps = knobs.sweeps, .warm_start = warm}, Baumgarte{beta}}},

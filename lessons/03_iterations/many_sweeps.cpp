@@ -7,6 +7,7 @@
 #include "lessons/03_iterations/held_step.hpp"
 #include "lessons/03_iterations/knobs.hpp"
 #include "lessons/03_iterations/textbook.hpp"
+#include "lessons/laws/closed_forms.hpp"
 #include "solver/measure.hpp"
 #include "solver/step.hpp"
 
@@ -72,7 +73,7 @@ renderer::Curve theory(std::string label, double factor, const std::vector<int>&
 
 void many_sweeps(Page& page, const Knobs& knobs) {
   const ChainOptions chain = knobs.chain();
-  const double rho = chain_factor(knobs.links), digit = sweeps_per_digit(rho), h = knobs.h;
+  const double rho = laws::left_by_a_sweep(knobs.links), digit = sweeps_per_digit(rho), h = knobs.h;
   std::array<double, 3> digits{};
   for (int i = 0; i < 3; ++i) digits[i] = sweeps_per_digit(measured_factor(orders[i].solver, chain, h));
   const double jacobi = sweeps_per_digit(measured_factor(Jacobi{.warm_start = false}, chain, h));

@@ -6,6 +6,7 @@
 
 #include "lessons/03_iterations/knobs.hpp"
 #include "lessons/03_iterations/textbook.hpp"
+#include "lessons/laws/closed_forms.hpp"
 #include "lessons/pictures/growing.hpp"
 #include "lessons/pictures/rods_and_bobs.hpp"
 #include "lessons/pictures/runs.hpp"
@@ -76,7 +77,7 @@ double settled_stretch(const Knobs& knobs, int sweeps) {
   Chain chain = swinging(knobs, sweeps, 0);
   // The slow wave's errors follow z² - (1 + q - (1 - q)β)z + q = 0; for a link that is far too long C/|d| is half
   // its stretch, and β half as large.
-  const double q = std::pow(chain_factor(knobs.links), sweeps), beta = 0.5 * knobs.beta,
+  const double q = laws::left_by_sweeps(knobs.links, sweeps), beta = 0.5 * knobs.beta,
                trace = 1 + q - (1 - q) * beta;
   const double root = trace * trace - 4 * q;
   const double z = root > 0 ? (trace + std::sqrt(root)) / 2 : std::sqrt(q);
@@ -177,10 +178,8 @@ void side_by_side(Page& page, const Knobs& knobs) {
   const bool softer = worst(fewest) > 1.1 * worst(direct);
   if (knobs.warm()) {
     std::vector<double> limits;
-    for (const int sweeps : compared_sweeps) {
-      const double q = std::pow(chain_factor(knobs.links), sweeps);
-      limits.push_back(std::min((1 - q) / q, 2.0));
-    }
+    for (const int sweeps : compared_sweeps)
+      limits.push_back(laws::largest_beta(laws::left_by_sweeps(knobs.links, sweeps)));
     const auto beyond = std::count_if(limits.begin(), limits.end(), [&](double at) { return at < knobs.beta; });
     page.text(
         R"(For warm starts the limit of step 6 decides, (1 − q)/q or 2: @ for these sweeps. Here β = @: @)",

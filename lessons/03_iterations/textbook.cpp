@@ -3,7 +3,6 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <cmath>
-#include <numbers>
 
 namespace byhand::iterations {
 
@@ -39,11 +38,6 @@ Eigen::VectorXd textbook_cold_errors(const ChainOptions& chain, int sweeps, doub
   const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(chain.links, chain.links);
   // r = Gᵏ(r + what gravity adds)
   return (identity - all).partialPivLu().solve(all * (fall * Eigen::VectorXd::Unit(chain.links, 0)));
-}
-
-double chain_factor(int links) {
-  const double cosine = std::cos(std::numbers::pi / (2 * links));
-  return cosine * cosine;
 }
 
 double sweeps_per_digit(double factor) { return std::log(10.0) / -std::log(factor); }

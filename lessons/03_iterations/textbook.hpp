@@ -23,9 +23,6 @@ double textbook_jacobi_factor(const Eigen::MatrixXd& A);
 /// gravity adds `fall` [m/s] to the first row's error in each step.
 Eigen::VectorXd textbook_cold_errors(const ChainOptions& chain, int sweeps, double fall);
 
-/// cos²(π/2N): what one Gauss–Seidel sweep leaves of the slowest error of a chain of N equal links.
-double chain_factor(int links);
-
 /// How many sweeps take one decimal digit off the error.
 double sweeps_per_digit(double factor);
 

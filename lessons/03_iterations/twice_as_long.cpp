@@ -4,7 +4,7 @@
 
 #include "lessons/03_iterations/held_step.hpp"
 #include "lessons/03_iterations/knobs.hpp"
-#include "lessons/03_iterations/textbook.hpp"
+#include "lessons/laws/closed_forms.hpp"
 
 namespace byhand::iterations {
 namespace {
@@ -132,7 +132,7 @@ void twice_as_long(Page& page, const Knobs& knobs) {
       "Sweeps for one more digit against the number of links, both logarithmic: a slope of 2 for long chains.",
       digits_over_links(knobs));
   page.claim(say("sweeps for a digit, @ links over @", 2 * knobs.links, knobs.links), twice / once, "1",
-             is(std::log(chain_factor(knobs.links)) / std::log(chain_factor(2 * knobs.links)),
+             is(std::log(laws::left_by_a_sweep(knobs.links)) / std::log(laws::left_by_a_sweep(2 * knobs.links)),
                 "ρ = cos²(π/2N); 4 for long chains", relative(1e-6)));
   page.claim("width of the error after 16 sweeps of half a step", widths[1], "joints",
              is(std::sqrt(16 * half), "a walk that moves every other time: √(n/2)", relative(1e-6)));

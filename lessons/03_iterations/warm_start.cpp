@@ -6,6 +6,7 @@
 #include "lessons/03_iterations/held_step.hpp"
 #include "lessons/03_iterations/knobs.hpp"
 #include "lessons/03_iterations/textbook.hpp"
+#include "lessons/laws/closed_forms.hpp"
 #include "lessons/page/rounding.hpp"
 #include "lessons/pictures/growing.hpp"
 #include "lessons/pictures/rods_and_bobs.hpp"
@@ -118,7 +119,7 @@ void draw_chains(renderer::Canvas& canvas, const Chain& cold, const Chain& warm,
 
 void warm_start(Page& page, const Knobs& knobs) {
   const int k = knobs.sweeps, n = knobs.links;
-  const double q = std::pow(chain_factor(n), k), fall = knobs.fall(), seconds = 3;
+  const double q = laws::left_by_sweeps(n, k), fall = knobs.fall(), seconds = 3;
   const Condition visible = Quantity("q", q) >= 0.01;
   // λ is kept per metre of a rod that meanwhile changes its length; what that does to √q is of second order in
   // this.
@@ -241,13 +242,12 @@ void warm_start(Page& page, const Knobs& knobs) {
         R"(After one second of warm steps the slow wave is down to @ of where it began. Cold, that would take about @ in
         every step.)",
         small_error(arrived), several(std::max(1L, std::lround(0.5 * k / knobs.h)), "sweep"));
-  const auto limit = [](double left) { return std::min((1 - left) / left, 2.0); };
   page.text(
       R"(**The price.** The warm error does not only fall, it *rings*: the roots z are complex. λ keeps what the last
       step added to it. Once positions are corrected too (lesson 4), with a share β in each step, λ also keeps the
       correction and applies it again: the ringing then grows unless β < (1 − q)/q and β < 2. Here the limit is @, for
       one sweep a step @.)",
-      Value(limit(q), 3), Value(limit(chain_factor(n)), 3));
+      Value(laws::largest_beta(q), 3), Value(laws::largest_beta(laws::left_by_a_sweep(n)), 3));
 
   if (stretches) page.measure("largest error of the cold chain", rate / fall, "gh");
   page.claim("warm: what a step leaves of the slow wave", lawful ? std::sqrt(measured_q(knobs, q)) : 0, "1",

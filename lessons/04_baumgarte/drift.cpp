@@ -4,6 +4,7 @@
 
 #include "lessons/04_baumgarte/runs.hpp"
 #include "lessons/04_baumgarte/steps.hpp"
+#include "lessons/laws/closed_forms.hpp"
 #include "lessons/pictures/growing.hpp"
 #include "lessons/pictures/rods_and_bobs.hpp"
 #include "renderer/canvas.hpp"
@@ -27,11 +28,6 @@ std::vector<double> radii(double radius, double speed, double h, int steps) {
 
 /// The angle of one step round the circle at first, ωh [1].
 double turn_of(const Setting& setting) { return setting.speed() * setting.h() / setting.length(); }
-
-/// The same for small steps [m].
-double law(double radius, double speed, double h, double time) {
-  return radius * std::pow(1 + 2 * h * speed * speed * time / (radius * radius), 0.25);
-}
 
 struct SpiralFilm {
   Track run;
@@ -74,7 +70,7 @@ Chart law_of_drift(const Setting& setting) {
       measured.x.push_back(sample.time);
       measured.y.push_back(sample.position.norm() / length - 1);
       expected.x.push_back(sample.time);
-      expected.y.push_back(law(length, speed, h, sample.time) / length - 1);
+      expected.y.push_back(laws::drifted_radius(length, speed, h, sample.time) / length - 1);
     }
     chart.curves.push_back(measured);
     chart.curves.push_back(expected);
@@ -105,7 +101,7 @@ void drift(const Setting& setting, Page& page) {
   Curve expected{.label = "law", .style = CurveStyle::theory};
   for (int i = 0; i <= 60; ++i) {
     expected.x.push_back(i * spiral_seconds / 60);
-    expected.y.push_back(100 * (law(length, speed, h, expected.x.back()) - length));
+    expected.y.push_back(100 * (laws::drifted_radius(length, speed, h, expected.x.back()) - length));
   }
   const Chart beside{
       .x = {.label = "time (s)"}, .y = {.label = "C = |d| − L (cm)"}, .curves = {measured, expected}};
@@ -172,7 +168,7 @@ void drift(const Setting& setting, Page& page) {
   page.claim(say("rod after @ s", spiral_seconds), run.back().position.norm(), "m",
              is(exact.back(), "|d|² grows by (h|v|)², |v||d| stays", relative(rounding)));
   page.claim("the same from the fourth root", run.back().position.norm(), "m",
-             is(law(length, speed, h, steps * h), "law of drift: L(1 + 2hv₀²t/L²)^¼",
+             is(laws::drifted_radius(length, speed, h, steps * h), "law of drift: L(1 + 2hv₀²t/L²)^¼",
                 relative((std::pow(turn, 4) + turn * turn * std::log(spread) / 2) / (4 * spread) + rounding)));
   page.claim("growth of C in the first step", (run[1].position.norm() - length) / h, "m/s",
              is(h * speed * speed / (2 * length), "law of drift: hv²/2L",

@@ -6,6 +6,7 @@
 
 #include "lessons/04_baumgarte/runs.hpp"
 #include "lessons/04_baumgarte/steps.hpp"
+#include "lessons/laws/closed_forms.hpp"
 
 namespace byhand::baumgarte {
 namespace {
@@ -27,8 +28,6 @@ Spin settled(const Setting& setting, double beta, double turn) {
   return {std::atan2(before.x() * after.y() - before.y() * after.x(), before.dot(after)),
           after.norm() / setting.length() - 1};
 }
-
-double law(const Spin& spin, double beta) { return spin.turn * spin.turn / (2 * beta); }
 
 }  // namespace
 
@@ -67,7 +66,7 @@ void steady_spin(const Setting& setting, Page& page) {
       "βC = ½(ωh)²L   ⟹   C/L = (ωh)²/(2β) = @ for ωh = @",
       R"(\beta C = \tfrac12(\omega h)^2 L \quad\Rightarrow\quad \frac{C}{L} = \frac{(\omega h)^2}{2\beta} = @
                   \text{ for } \omega h = @)",
-      law(spin, beta), spin.turn);
+      laws::stretch_of_a_spinning_rod(spin.turn, beta), spin.turn);
   if (!small)
     page.text(R"(The law is the first term of an expansion in ωh, and this ωh is too large for it: the rod in fact
               stays too long by C/L = @.)",
@@ -107,8 +106,9 @@ void steady_spin(const Setting& setting, Page& page) {
 
   // Next in the expansion are ½β(C/L)² and ⅓(ωh)⁴ beside (ωh)².
   page.claim("settled stretch, over L", spin.stretch, "1",
-             is(law(spin, beta), "law of the spinning rod: (ωh)²/(2β), ω settled",
-                relative(spin.turn * spin.turn * (0.5 + 1 / beta) + 2e-15 / (law(spin, beta) * beta))),
+             is(laws::stretch_of_a_spinning_rod(spin.turn, beta), "law of the spinning rod: (ωh)²/(2β), ω settled",
+                relative(spin.turn * spin.turn * (0.5 + 1 / beta) +
+                         2e-15 / (laws::stretch_of_a_spinning_rod(spin.turn, beta) * beta))),
              small);
 }
 

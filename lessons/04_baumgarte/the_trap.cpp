@@ -5,6 +5,7 @@
 
 #include "lessons/04_baumgarte/steps.hpp"
 #include "lessons/04_baumgarte/warm_chain.hpp"
+#include "lessons/laws/closed_forms.hpp"
 #include "lessons/pictures/growing.hpp"
 #include "lessons/pictures/runs.hpp"
 #include "renderer/canvas.hpp"
@@ -33,8 +34,7 @@ Chart map(const Setting& setting, int links) {
   Curve law{.label = "β = (1 − q)/q, and 2", .style = CurveStyle::theory};
   for (int i = 0; i <= 60; ++i) {
     const double sweeps = std::pow(64, i / 60.0);
-    const double q = std::pow(slow_wave(links, 1), sweeps);
-    const double limit = std::min(2.0, (1 - q) / q);
+    const double limit = laws::largest_beta(laws::left_by_sweeps(links, sweeps));
     if (limit < grows.y.front()) continue;
     law.x.push_back(sweeps);
     law.y.push_back(limit);
@@ -158,7 +158,7 @@ std::string fate_of_error(double growth) {
 
 void the_trap(const Setting& setting, Page& page) {
   const int links = setting.links, sweeps = setting.sweeps;
-  const double beta = setting.beta(), q = slow_wave(links, sweeps), limit = limit_of_beta(links, sweeps);
+  const double beta = setting.beta(), q = laws::left_by_sweeps(links, sweeps), limit = laws::largest_beta(q);
   const double growth = measured_growth({links, sweeps, beta}, setting.h, 2000),
                cold = measured_growth({links, sweeps, beta, false}, setting.h, 2000);
   const bool dies_out = growth < 1;
@@ -246,7 +246,7 @@ void the_trap(const Setting& setting, Page& page) {
       - a direct solve of the chain: then q = 0, and the limit is 2;
       - a correction that λ does not remember: split impulse (lesson 5) and soft constraints (lesson 6).)",
       limit < 2 ? say("with @ the limit is @", several(10 * sweeps, "sweep"),
-                      Value(limit_of_beta(links, 10 * sweeps), 3))
+                      Value(laws::largest_beta(laws::left_by_sweeps(links, 10 * sweeps)), 3))
                 : "here there are already enough");
   page.measure("growth of an error in a step", growth, "1");
 

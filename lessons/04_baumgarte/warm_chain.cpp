@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <random>
 
+#include "lessons/laws/closed_forms.hpp"
 #include "lessons/scenes/chain.hpp"
 #include "solver/measure.hpp"
 
@@ -87,18 +87,11 @@ double measured_growth(const Sweeping& sweeping, double h, int steps) {
   return std::exp((means[1] - means[0]) / steps);
 }
 
-double slow_wave(int links, int sweeps) { return std::pow(std::cos(std::numbers::pi / (2 * links)), 2 * sweeps); }
-
-double limit_of_beta(int links, int sweeps) {
-  const double q = slow_wave(links, sweeps);
-  return std::min(2.0, (1 - q) / q);
-}
-
 double growth_law(const Sweeping& sweeping) {
   const int n = sweeping.links;
   double largest = std::abs(1 - sweeping.beta);  // q = 0: the waves that a sweep removes at once
   for (int j = 1; 2 * j - 1 <= n; ++j) {
-    const double q = std::pow(std::cos((2 * j - 1) * std::numbers::pi / (2 * n)), 2 * sweeping.sweeps);
+    const double q = laws::left_by_sweeps(n, sweeping.sweeps, j);
     largest = std::max(largest, sweeping.warm ? growth_of_wave(q, sweeping.beta) : cold_growth(q, sweeping.beta));
   }
   return largest;

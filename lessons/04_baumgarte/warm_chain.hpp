@@ -28,11 +28,6 @@ double growth_law(const Sweeping& sweeping);
 /// The same of one wave with a warm start: the largest |z| of that cubic.
 double growth_of_wave(double q, double beta);
 
-/// What k sweeps leave of the slowest wave, q = cos²ᵏ(π/2N).
-double slow_wave(int links, int sweeps);
-/// The largest β at which every wave dies out with a warm start: (1 − q)/q, but never more than 2.
-double limit_of_beta(int links, int sweeps);
-
 /// A chain hanging from an anchor under its weight; its lowest rod begins too long by the share `start_error`.
 class HangingChain {
  public:

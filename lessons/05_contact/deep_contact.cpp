@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lessons/05_contact/steps.hpp"
+#include "lessons/laws/closed_forms.hpp"
 #include "lessons/pictures/boxes.hpp"
 #include "lessons/pictures/growing.hpp"
 #include "lessons/pictures/runs.hpp"
@@ -40,9 +41,6 @@ double peak(Simulation<PlaneBody> simulation, double h) {
   return highest < 1e-11 ? 0 : highest;
 }
 
-/// The depth from which it leaves the ground if steps are many [m].
-double law_of_pop(double beta, double h) { return (1 - beta / 2) * 2 * gravity * h * h / (beta * beta); }
-
 /// The same step by step [m]: after n steps a throw at v = βd/h is at −d + h(nv − ghn(n − 1)/2), and the least d
 /// that brings it above the ground at some n counts.
 double pop_by_steps(double beta, double h) {
@@ -56,7 +54,7 @@ double pop_by_steps(double beta, double h) {
 double harmless_speed(double beta, double h) { return beta / h * pop_by_steps(beta, h); }
 
 double measured_pop(double beta, double h) {
-  double stays = 0.5 * law_of_pop(beta, h), pops = 1.5 * law_of_pop(beta, h);
+  double stays = 0.5 * laws::popping_overlap(beta, h), pops = 1.5 * laws::popping_overlap(beta, h);
   for (int i = 0; i < 30; ++i) {
     const double middle = 0.5 * (stays + pops);
     (peak(sunk(middle, Baumgarte{beta}), h) > 0 ? pops : stays) = middle;
@@ -139,7 +137,7 @@ Chart peaks(const Setting& setting) {
 
 void deep_contact(const Setting& setting, Page& page) {
   const double h = setting.h(), beta = setting.beta(), depth = setting.depth(), cap = setting.cap();
-  const double law = law_of_pop(beta, h), by_steps = pop_by_steps(beta, h), speed = beta * depth / h;
+  const double law = laws::popping_overlap(beta, h), by_steps = pop_by_steps(beta, h), speed = beta * depth / h;
   const Simulation<PlaneBody> free_run = sunk(depth, Baumgarte{beta}),
                               capped = sunk(depth, Baumgarte{.beta = beta, .speed_cap = cap}),
                               split = sunk(depth, SplitImpulse{.beta = beta});

@@ -6,6 +6,7 @@
 
 #include "lessons/05_contact/column.hpp"
 #include "lessons/05_contact/steps.hpp"
+#include "lessons/laws/closed_forms.hpp"
 #include "lessons/pictures/boxes.hpp"
 #include "lessons/pictures/growing.hpp"
 #include "lessons/pictures/runs.hpp"
@@ -69,9 +70,9 @@ Chart forces(const Setting& setting) {
   return chart;
 }
 
-/// Law B18: a stiff column topples at σ² = 3g/2N, and a share (1 − q)/q above (σh)² of the bending has to go.
+/// Law 18 with the numbers of this page: a stiff column tips at σ² = 3g/2N, and a sweep takes 2/N⁴ of its bending.
 double law_of_standing(int boxes, double h) {
-  return std::log1p(1.5 * gravity * h * h / boxes) / -std::log1p(-2 / std::pow(boxes, 4));
+  return laws::sweeps_to_stand(1.5 * gravity / boxes, 1 - 2 / std::pow(boxes, 4), h);
 }
 
 /// The fewest warm sweeps a step with which a kicked stack stands, 64 at most; infinity if not even those will do.
@@ -257,7 +258,7 @@ void stack_of_boxes(const Setting& setting, Page& page) {
                .hints = {"How far along the chain did the weight come in as many sweeps?",
                          "A sweep leaves the share cos²(π/2N) of the slowest wave (lesson 3).",
                          say("@ leave @ of it.", several(sweeps, "sweep"),
-                             without_rounding(std::pow(std::cos(pi / (2 * n)), 2 * sweeps), 1e3))}});
+                             without_rounding(laws::left_by_sweeps(n, sweeps), 1e3))}});
   page.figure("layers",
               say("What each contact carries, with @ a step, and solved at once.", several(sweeps, "sweep")),
               forces(setting));
@@ -271,7 +272,7 @@ void stack_of_boxes(const Setting& setting, Page& page) {
     }
     return layer_forces(resting, h).front() / gravity;
   };
-  const double q = std::pow(std::cos(pi / (2 * n)), 2 * sweeps), after_ten = lowest_after(10, left_alone);
+  const double after_ten = lowest_after(10, left_alone);
   if (after_ten < 0)
     page.text(
         R"(With a warm start each step continues where the last one stopped. Here that is too slow: within ten
@@ -290,7 +291,7 @@ void stack_of_boxes(const Setting& setting, Page& page) {
       : std::abs(corrected / n - 1) < 0.02
           ? say("it would carry @ after ten seconds", Value(corrected, 4))
           : say("it would carry @ after ten seconds, and not come to rest", Value(corrected, 4)),
-      Value(std::min(2.0, (1 - q) / q), 2));
+      Value(laws::largest_beta(laws::left_by_sweeps(n, sweeps)), 2));
   page.text("Now kick it sideways: @ m/s at the top, and less below in proportion to the height.", 0.02);
   std::vector<NamedPile> runs{{several(sweeps, "sweep"), column(n, sweeping(sweeps, true))},
                               {say("@ sweeps", 2 * sweeps), column(n, sweeping(2 * sweeps, true))},

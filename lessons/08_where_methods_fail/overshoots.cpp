@@ -6,6 +6,7 @@
 #include "lessons/08_where_methods_fail/film.hpp"
 #include "lessons/08_where_methods_fail/map.hpp"
 #include "lessons/08_where_methods_fail/steps.hpp"
+#include "lessons/laws/closed_forms.hpp"
 #include "lessons/laws/warm_start.hpp"
 #include "lessons/pictures/rods_and_bobs.hpp"
 #include "lessons/scenes/chain.hpp"
@@ -17,9 +18,7 @@ namespace {
 using namespace course;
 using laws::Outcome;
 
-double limit_of_beta(int links, double sweeps) {
-  return laws::largest_beta(std::pow(laws::left_by_a_sweep(links), sweeps));
-}
+double limit_of_beta(int links, double sweeps) { return laws::largest_beta(laws::left_by_sweeps(links, sweeps)); }
 
 /// The smallest β with which errors do not die out, by bisection.
 double beta_that_rings(int links, int sweeps) {

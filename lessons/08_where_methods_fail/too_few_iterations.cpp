@@ -5,6 +5,7 @@
 #include "lessons/08_where_methods_fail/map.hpp"
 #include "lessons/08_where_methods_fail/stack_film.hpp"
 #include "lessons/08_where_methods_fail/steps.hpp"
+#include "lessons/laws/closed_forms.hpp"
 #include "lessons/laws/column.hpp"
 #include "lessons/laws/creep.hpp"
 
@@ -15,10 +16,8 @@ using namespace course;
 using laws::Column;
 using laws::Outcome;
 
-/// The sweeps from which a column stands: (σh)² < (1 − q)/q, q = ρᵏ.
 double sweeps_to_stand(double boxes, double h = step) {
-  const int n = static_cast<int>(boxes);
-  return std::log1p(laws::tipping_rate_squared(n, gravity) * h * h) / -std::log(laws::bending_left_by_a_sweep(n));
+  return laws::sweeps_to_stand(static_cast<int>(boxes), gravity, h);
 }
 
 bool stands(int boxes, int sweeps) {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "lessons/laws/closed_forms.hpp"
 #include "lessons/laws/creep.hpp"
-#include "lessons/laws/warm_start.hpp"
 
 namespace byhand {
 namespace {
@@ -69,7 +69,7 @@ double left_by_a_sweep(const Problem& problem, double relaxation) {
   double rho = laws::left_by_a_sweep(links);
   if (links > 1) {
     const double r = problem["end_mass"] / problem["mass"];
-    rho = std::max(rho, links == 2 ? r / (1 + r) : 1 - 1 / (r * (links - 1)));
+    rho = std::max(rho, laws::left_above_a_heavy_end(links, r));
   }
   // Young: of Jacobi's μ = √ρ a relaxation leaves λ with λ + ω - 1 = √λ ωμ.
   const double half = relaxation * std::sqrt(rho) / 2, root = half * half - (relaxation - 1);

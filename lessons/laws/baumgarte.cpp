@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "lessons/laws/closed_forms.hpp"
 #include "lessons/laws/numbers.hpp"
 #include "lessons/laws/record.hpp"
 #include "lessons/scenes/circle.hpp"
@@ -28,7 +29,7 @@ namespace byhand::laws {
 namespace {
 
 /// C/L of a particle that has gone round for long, by `turn` [rad] a step at first.
-double stretch_of_a_spinning_rod(double beta, double turn) {
+double measured_stretch(double beta, double turn) {
   Simulation<PlaneParticle> simulation{particle_on_a_circle<PlaneParticle>(1, turn / sixtieth, 1),
                                        {GaussSeidel{}, Baumgarte{beta}}};
   for (int i = 0; i < 300; ++i) simulation.step(sixtieth);
@@ -74,8 +75,9 @@ Law one_row() {
                   }}));
   for (const double beta : {0.1, 0.2, 0.5, 1.0}) {
     const double turn = 0.02;
-    law.boundaries.push_back({"C/L", "", fmt::format("β {}, {} rad a step", beta, turn), turn * turn / (2 * beta),
-                              0.01, [=] { return stretch_of_a_spinning_rod(beta, turn); }});
+    law.boundaries.push_back({"C/L", "", fmt::format("β {}, {} rad a step", beta, turn),
+                              stretch_of_a_spinning_rod(turn, beta), 0.01,
+                              [=] { return measured_stretch(beta, turn); }});
   }
   return law;
 }
@@ -89,7 +91,7 @@ Law uncorrected_drift() {
           {}};
   for (const auto& [speed, rate] : {std::pair{1, 60}, {3, 60}, {10, 60}, {30, 60}, {30, 240}})
     law.boundaries.push_back({"R/R0 after 1 s", "", fmt::format("{} m/s on 1 m, {} Hz", speed, rate),
-                              std::pow(1 + 2.0 * speed * speed / rate, 0.25), 0.01,
+                              drifted_radius(1, speed, 1.0 / rate, 1), 0.01,
                               [speed = speed, rate = rate] { return spread(speed, 1.0 / rate); }});
   return law;
 }

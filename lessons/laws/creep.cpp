@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "lessons/laws/closed_forms.hpp"
 #include "lessons/laws/column.hpp"
 
 // Law 18. A column that leans by x tips over at x'' = σ²x, where its contacts do not hold it. Let k sweeps leave q
@@ -39,16 +40,6 @@
 //
 // Both derived for this course.
 namespace byhand::laws {
-namespace {
-
-constexpr double cantilever = 12.362;  // 1.8751⁴, where cos x cosh x = -1
-
-}  // namespace
-
-double bending_left_by_a_sweep(int boxes) { return 1 - cantilever / (6 * std::pow(boxes, 4)); }
-
-double tipping_rate_squared(int boxes, double gravity) { return 1.571 * gravity / boxes; }
-
 double gravity_that_sweeps_hold(int boxes, int sweeps, double step) {
   const double q = std::pow(bending_left_by_a_sweep(boxes), sweeps);
   return (1 - q) / q / (step * step * tipping_rate_squared(boxes, 1));

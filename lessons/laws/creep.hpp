@@ -4,12 +4,6 @@
 
 namespace byhand::laws {
 
-/// What of the slowest bending of a column of unit boxes a sweep leaves, face by face: 1 - 2.06/N⁴.
-double bending_left_by_a_sweep(int boxes);
-
-/// σ² at which a column of so many unit boxes tips over by itself [1/s²].
-double tipping_rate_squared(int boxes, double gravity);
-
 /// The gravity [m/s²] up to which so many sweeps of a time step [s] hold a column of unit boxes.
 double gravity_that_sweeps_hold(int boxes, int sweeps, double step);
 

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "lessons/laws/closed_forms.hpp"
 #include "lessons/laws/column.hpp"
-#include "lessons/laws/warm_start.hpp"
 
 // Law 19. Law 6's slow mode, v(n) = 2q v(n-1) - q v(n-2) - (1 - q) b, C(n+1) = C(n) + h v(n), has b = βC/h where
 // boxes overlap. Where they have parted, a contact may close its gap within the step, and not more: b = C/h, as if
@@ -46,7 +46,9 @@ double largest_beta_of_contacts(double q) {
 }
 
 double heaviest_top(int sweeps, double beta) {
-  const auto bears = [=](double mass) { return comes_to_rest(std::pow(mass / (1 + mass), sweeps), beta); };
+  const auto bears = [=](double mass) {
+    return comes_to_rest(std::pow(left_above_a_heavy_end(2, mass), sweeps), beta);
+  };
   return bisect(bears, 2.0 * sweeps, 5.0 * sweeps, 1e-4);
 }
 
@@ -86,7 +88,7 @@ Law hopping() {
     law.boundaries.push_back(bisected({"β",
                                        "",
                                        fmt::format("{} boxes, {}", boxes, counted(sweeps, "sweep")),
-                                       largest_beta_of_contacts(std::pow(left_by_a_sweep(boxes), sweeps)),
+                                       largest_beta_of_contacts(left_by_sweeps(boxes, sweeps)),
                                        0.04,
                                        {},
                                        settles(column, &Column::beta, hop)}));

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "lessons/laws/closed_forms.hpp"
 #include "lessons/laws/column.hpp"
 
 // Law 2. An overlap d is left at v = βd/h in the first step. The row can push but not pull, so the body keeps that
@@ -12,10 +13,6 @@
 //
 // A cap on the speed lowers the jump; a split impulse has none.
 namespace byhand::laws {
-
-double popping_overlap(double beta, double step) {
-  return (1 - beta / 2) * 2 * 9.81 * step * step / (beta * beta);
-}
 
 Law pop() {
   Law law{2,

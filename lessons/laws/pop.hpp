@@ -4,9 +4,6 @@
 
 namespace byhand::laws {
 
-/// The overlap [m] above which a corrected contact throws its body off.
-double popping_overlap(double beta, double step);
-
 /// Law 2: contacts pop.
 Law pop();
 

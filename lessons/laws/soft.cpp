@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "lessons/laws/closed_forms.hpp"
 #include "lessons/laws/numbers.hpp"
 #include "lessons/laws/record.hpp"
 #include "lessons/laws/warm_start.hpp"

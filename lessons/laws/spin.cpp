@@ -6,9 +6,9 @@
 #include <numbers>
 
 #include "lessons/exact/simple_pendulum.hpp"
+#include "lessons/laws/closed_forms.hpp"
 #include "lessons/laws/numbers.hpp"
 #include "lessons/laws/record.hpp"
-#include "lessons/laws/warm_start.hpp"
 #include "lessons/scenes/box_on_an_arm.hpp"
 #include "lessons/scenes/top.hpp"
 #include "solver/step.hpp"

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "lessons/laws/closed_forms.hpp"
 #include "lessons/laws/numbers.hpp"
 #include "lessons/scenes/box_on_contacts.hpp"
 #include "lessons/scenes/chain.hpp"
@@ -81,19 +82,18 @@ Law slow_sweeps() {
                               [chain] { return digits_to_sweeps(left_by_a_sweep(chain)); }});
   };
   for (const int links : {3, 10, 30, 60})
-    add(fmt::format("{} links, anchored", links), std::pow(std::cos(std::numbers::pi / (2 * links)), 2),
-        {.links = links}, 0.01);
+    add(fmt::format("{} links, anchored", links), left_by_a_sweep(links), {.links = links}, 0.01);
   for (const int links : {10, 30})
     add(fmt::format("{} links, free", links), std::pow(std::cos(std::numbers::pi / (links + 1)), 2),
         {.links = links, .anchored = false}, 0.01);
   for (const double mass : {10.0, 1000.0})
-    add(fmt::format("2 links, end mass {}", mass), mass / (1 + mass), {.links = 2, .end_mass = mass}, 0.01);
+    add(fmt::format("2 links, end mass {}", mass), left_above_a_heavy_end(2, mass), {.links = 2, .end_mass = mass},
+        0.01);
   for (const int links : {5, 10})
-    add(fmt::format("{} links, end mass 1000", links), 1 - 1 / (1000.0 * (links - 1)),
+    add(fmt::format("{} links, end mass 1000", links), left_above_a_heavy_end(links, 1000),
         {.links = links, .end_mass = 1000}, 0.01);
   for (const int links : {3, 10}) {
-    const double jacobi_leaves = std::cos(std::numbers::pi / (2 * links));
-    const double best = 2 / (1 + std::sqrt(1 - jacobi_leaves * jacobi_leaves)), beyond = 0.5 * (best + 2);
+    const double best = 2 / (1 + std::sqrt(1 - left_by_a_sweep(links))), beyond = 0.5 * (best + 2);
     add(fmt::format("{} links, SOR with {:.3f}", links, beyond), beyond - 1,
         {.links = links, .relaxation = beyond}, 0.02);
   }

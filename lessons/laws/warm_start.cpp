@@ -2,10 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
+#include "lessons/laws/closed_forms.hpp"
 #include "lessons/laws/numbers.hpp"
 #include "lessons/laws/record.hpp"
 #include "lessons/scenes/chain.hpp"
@@ -27,13 +24,6 @@
 //
 // Derived for this course; nobody seems to have printed it.
 namespace byhand::laws {
-
-double left_by_a_sweep(int links) {
-  const double c = std::cos(std::numbers::pi / (2 * links));
-  return c * c;
-}
-
-double largest_beta(double q) { return std::min(2.0, (1 - q) / q); }
 
 Outcome run(const WarmChain& chain) {
   using M = PlaneParticle;
@@ -68,7 +58,7 @@ Law warm_start() {
   for (const auto& [links, sweeps] :
        {Setting{5, 1}, {5, 4}, {10, 1}, {10, 4}, {10, 10}, {10, 30}, {20, 10}, {20, 30}}) {
     const WarmChain chain{.links = links, .sweeps = sweeps};
-    const double law_says = largest_beta(std::pow(left_by_a_sweep(links), sweeps));
+    const double law_says = largest_beta(left_by_sweeps(links, sweeps));
     law.boundaries.push_back(bisected({"β",
                                        "",
                                        fmt::format("{} links, {}", links, counted(sweeps, "sweep")),

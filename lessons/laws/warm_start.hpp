@@ -19,12 +19,6 @@ struct WarmChain {
 };
 Outcome run(const WarmChain& chain);
 
-/// What of the slowest mode's error a sweep leaves on a straight anchored chain of equal links: cos²(π/2N).
-double left_by_a_sweep(int links);
-
-/// (1 - q)/q, but at most 2.
-double largest_beta(double q);
-
 /// Law 6: warm start with Baumgarte.
 Law warm_start();
 
