@@ -36,39 +36,33 @@ void expect_none_after_the_first_step(Scene<M> scene, const AnyRowSolver& solver
             0);
 }
 
-TEST(Allocation, HappensInNoStepAfterTheFirst) {
-  in_all_models([]<class M>(Random& random) {
-    for (const auto& solver : solvers) {
-      SCOPED_TRACE(solver.index());
-      expect_none_after_the_first_step(rod_chain<M>({.links = 10, .angle = 1}), solver);
-      expect_none_after_the_first_step(random_graph<M>(random, 10, 25), solver);
-      if constexpr (M::angular > 0) expect_none_after_the_first_step(pinned_star<M>(9), solver);
-    }
-  });
+TEST_IN_ALL_MODELS(Allocation, HappensInNoStepAfterTheFirst) {
+  for (const auto& solver : solvers) {
+    SCOPED_TRACE(solver.index());
+    expect_none_after_the_first_step(rod_chain<M>({.links = 10, .angle = 1}), solver);
+    expect_none_after_the_first_step(random_graph<M>(random, 10, 25), solver);
+    if constexpr (M::angular > 0) expect_none_after_the_first_step(pinned_star<M>(9), solver);
+  }
 }
 
-TEST(Allocation, HappensInNoStepOfAnyCureAfterTheFirst) {
-  in_all_models([]<class M>(Random&) {
-    for (const DriftCure& cure : {DriftCure(Projection{}), DriftCure(SplitImpulse{}), DriftCure(SoftConstraints{}),
-                                  DriftCure(SoftConstraints{.refresh = false})})
-      for (const AnyRowSolver& solver : {AnyRowSolver(GaussSeidel{}), AnyRowSolver(Direct{})})
-        expect_none_after_the_first_step(rod_chain<M>({.links = 10, .angle = 1}), solver, cure);
-  });
+TEST_IN_ALL_MODELS(Allocation, HappensInNoStepOfAnyCureAfterTheFirst) {
+  for (const DriftCure& cure : {DriftCure(Projection{}), DriftCure(SplitImpulse{}), DriftCure(SoftConstraints{}),
+                                DriftCure(SoftConstraints{.refresh = false})})
+    for (const AnyRowSolver& solver : {AnyRowSolver(GaussSeidel{}), AnyRowSolver(Direct{})})
+      expect_none_after_the_first_step(rod_chain<M>({.links = 10, .angle = 1}), solver, cure);
 }
 
-TEST(Allocation, HappensInNoStepWithContactsAfterTheFirst) {
-  in_all_models([]<class M>(Random& random) {
-    for (const auto& solver : {solvers[0], solvers[2], solvers[3], solvers[5], solvers[7]}) {
-      Scene<M> scene;
-      const int ground = scene.add_body(random.pose<M>(), fixed<M>());
-      for (int i = 0; i < 4; ++i) {
-        const int body = scene.add_body(random.pose<M>(), random.mass<M>());
-        const int contact = scene.add(Contact<M>{{ground, body}, Linear<M>::Unit(1)});
-        scene.add(Friction<M>{{ground, body}, tangents_of<M>(Linear<M>::Unit(1)), 0.5, contact});
-      }
-      expect_none_after_the_first_step(scene, solver);
+TEST_IN_ALL_MODELS(Allocation, HappensInNoStepWithContactsAfterTheFirst) {
+  for (const auto& solver : {solvers[0], solvers[2], solvers[3], solvers[5], solvers[7]}) {
+    Scene<M> scene;
+    const int ground = scene.add_body(random.pose<M>(), fixed<M>());
+    for (int i = 0; i < 4; ++i) {
+      const int body = scene.add_body(random.pose<M>(), random.mass<M>());
+      const int contact = scene.add(Contact<M>{{ground, body}, Linear<M>::Unit(1)});
+      scene.add(Friction<M>{{ground, body}, tangents_of<M>(Linear<M>::Unit(1)), 0.5, contact});
     }
-  });
+    expect_none_after_the_first_step(scene, solver);
+  }
 }
 
 template <class M, class Method>
@@ -109,40 +103,38 @@ TEST(Allocation, HappensInNoStepWhileTheSameContactsAreFound) {
   }
 }
 
-TEST(Allocation, HappensOnlyToPlanWhenAGraphIsLaidAgainWithinItsLargestSize) {
-  in_all_models([]<class M>(Random&) {
-    // Laying out anew needs a new order; the rows, blocks and scratch it is written to have their room already.
-    for (const auto& solver : solvers) {
-      SCOPED_TRACE(solver.index());
-      auto scene = rod_chain<M>({.links = 40, .angle = 1});
-      Work<M> work;
-      advance(scene, AnyStepping{solver}, time_step, work);
-      work.layout = Layout::none;
-      const auto* rows = work.system.lambda.data();
-      const auto factor = [&]() -> const double* {
-        const auto* direct = std::any_cast<DirectWork<M>>(&work.solver);
-        return direct ? direct->values.data() : nullptr;
-      };
-      const double* values = factor();
-      const auto* blocks = std::get<0>(work.system.blocks).data();
-      ASSERT_NE(rows, nullptr);
-      ASSERT_NE(blocks, nullptr);
-      EXPECT_EQ(values != nullptr, std::holds_alternative<Direct>(solver));
-      const long planning = allocations_in([&] {
-        const Graph graph = scene.graph();
-        Elimination plan;
-        if (std::holds_alternative<Direct>(solver))
-          elimination_order(graph, M::dof, plan);
-        else
-          order_of(Layout::coloured, graph);
-      });
-      // And two for what is carried over: the λ of constraints that stay, and where it stood.
-      EXPECT_LE(allocations_in([&] { advance(scene, AnyStepping{solver}, time_step, work); }), planning + 2);
-      EXPECT_EQ(work.system.lambda.data(), rows);
-      EXPECT_EQ(factor(), values);
-      EXPECT_EQ(std::get<0>(work.system.blocks).data(), blocks);
-    }
-  });
+TEST_IN_ALL_MODELS(Allocation, HappensOnlyToPlanWhenAGraphIsLaidAgainWithinItsLargestSize) {
+  // Laying out anew needs a new order; the rows, blocks and scratch it is written to have their room already.
+  for (const auto& solver : solvers) {
+    SCOPED_TRACE(solver.index());
+    auto scene = rod_chain<M>({.links = 40, .angle = 1});
+    Work<M> work;
+    advance(scene, AnyStepping{solver}, time_step, work);
+    work.layout = Layout::none;
+    const auto* rows = work.system.lambda.data();
+    const auto factor = [&]() -> const double* {
+      const auto* direct = std::any_cast<DirectWork<M>>(&work.solver);
+      return direct ? direct->values.data() : nullptr;
+    };
+    const double* values = factor();
+    const auto* blocks = std::get<0>(work.system.blocks).data();
+    ASSERT_NE(rows, nullptr);
+    ASSERT_NE(blocks, nullptr);
+    EXPECT_EQ(values != nullptr, std::holds_alternative<Direct>(solver));
+    const long planning = allocations_in([&] {
+      const Graph graph = scene.graph();
+      Elimination plan;
+      if (std::holds_alternative<Direct>(solver))
+        elimination_order(graph, M::dof, plan);
+      else
+        order_of(Layout::coloured, graph);
+    });
+    // And two for what is carried over: the λ of constraints that stay, and where it stood.
+    EXPECT_LE(allocations_in([&] { advance(scene, AnyStepping{solver}, time_step, work); }), planning + 2);
+    EXPECT_EQ(work.system.lambda.data(), rows);
+    EXPECT_EQ(factor(), values);
+    EXPECT_EQ(std::get<0>(work.system.blocks).data(), blocks);
+  }
 }
 
 }  // namespace

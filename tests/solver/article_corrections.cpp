@@ -33,39 +33,28 @@ TEST(Transpose, IsNoInverse) {
       draws);
 }
 
-TEST(Transpose, MadeInverseByTheMasses) {
-  in_all_models(
-      []<class M>(Random& random) {
-        const auto pair = random_pair<M>(random);
-        const auto J = unit_row(pair), W = weighted(J, pair);
-        const auto pseudo_inverse = W.matrix.transpose() / inverse_effective_mass(J, W)(0, 0);
-        EXPECT_NEAR((J.matrix * pseudo_inverse)(0, 0), 1, 1e-14);
-      },
-      draws);
+TEST_IN_ALL_MODELS(Transpose, MadeInverseByTheMasses, draws) {
+  const auto pair = random_pair<M>(random);
+  const auto J = unit_row(pair), W = weighted(J, pair);
+  const auto pseudo_inverse = W.matrix.transpose() / inverse_effective_mass(J, W)(0, 0);
+  EXPECT_NEAR((J.matrix * pseudo_inverse)(0, 0), 1, 1e-14);
 }
 
-TEST(Transpose, GivesAForceThatDoesNoWorkOnMotionsThatObey) {
-  in_all_models(
-      []<class M>(Random& random) {
-        auto pair = random_pair<M>(random);
-        const auto J = unit_row(pair), W = weighted(J, pair);
-        apply_impulse(W, Rows<1>(impulse(J, W, pair.V1, pair.V2, 0)), pair.V1, pair.V2);
-        const Eigen::Matrix<double, 2 * M::dof, 1> force = random.uniform(-9, 9) * J.matrix.transpose();
-        EXPECT_NEAR(force.template head<M::dof>().dot(pair.V1) + force.template tail<M::dof>().dot(pair.V2), 0,
-                    1e-12);
-      },
-      draws);
+TEST_IN_ALL_MODELS(Transpose, GivesAForceThatDoesNoWorkOnMotionsThatObey, draws) {
+  auto pair = random_pair<M>(random);
+  const auto J = unit_row(pair), W = weighted(J, pair);
+  apply_impulse(W, Rows<1>(impulse(J, W, pair.V1, pair.V2, 0)), pair.V1, pair.V2);
+  const Eigen::Matrix<double, 2 * M::dof, 1> force = random.uniform(-9, 9) * J.matrix.transpose();
+  EXPECT_NEAR(force.template head<M::dof>().dot(pair.V1) + force.template tail<M::dof>().dot(pair.V2), 0, 1e-12);
 }
 
-TEST(Impulse, DividedByTheStepIsTheWeightForEveryStep) {
-  in_all_models([]<class M>(Random&) {
-    for (const double h : {1.0 / 10, 1.0 / 60, 1.0 / 1000}) {
-      auto scene = pendulum<M, NormalisedDistance>(0, 2, 3);
-      Work<M> work;
-      advance(scene, {GaussSeidel{1}, NoDriftCure{}}, h, work);
-      EXPECT_NEAR(-work.system.lambda[0] / h, 3 * 9.81, 1e-11) << "h = " << h;
-    }
-  });
+TEST_IN_ALL_MODELS(Impulse, DividedByTheStepIsTheWeightForEveryStep) {
+  for (const double h : {1.0 / 10, 1.0 / 60, 1.0 / 1000}) {
+    auto scene = pendulum<M, NormalisedDistance>(0, 2, 3);
+    Work<M> work;
+    advance(scene, {GaussSeidel{1}, NoDriftCure{}}, h, work);
+    EXPECT_NEAR(-work.system.lambda[0] / h, 3 * 9.81, 1e-11) << "h = " << h;
+  }
 }
 
 TEST(Gravity, IsInTheVelocityBeforeTheRowIsSolvedOrTheBobSinksAtGTimesH) {
@@ -109,19 +98,15 @@ TEST(WorldInertia, KeepsAngularMomentumWhichTheInertiaOfTheBodyFrameDoesNot) {
       draws);
 }
 
-TEST(SquaredAndNormalisedRod, GiveTheSameImpulseWithoutBias) {
-  in_all_models(
-      []<class M>(Random& random) {
-        const auto pair = random_pair<M>(random);
-        const auto squared = Distance<M>{pair.at, 1}.jacobian(pair.pose1, pair.pose2), unit = unit_row(pair);
-        const double by_squared = impulse(squared, weighted(squared, pair), pair.V1, pair.V2, 0);
-        const double by_unit = impulse(unit, weighted(unit, pair), pair.V1, pair.V2, 0);
-        const double distance = (pair.P2() - pair.P1()).norm();
-        EXPECT_NEAR(by_squared * distance, by_unit, 1e-12 * std::max(1.0, std::abs(by_unit)));
-        EXPECT_LE(difference(squared.matrix * by_squared, unit.matrix * by_unit),
-                  1e-12 * std::max(1.0, std::abs(by_unit)));
-      },
-      draws);
+TEST_IN_ALL_MODELS(SquaredAndNormalisedRod, GiveTheSameImpulseWithoutBias, draws) {
+  const auto pair = random_pair<M>(random);
+  const auto squared = Distance<M>{pair.at, 1}.jacobian(pair.pose1, pair.pose2), unit = unit_row(pair);
+  const double by_squared = impulse(squared, weighted(squared, pair), pair.V1, pair.V2, 0);
+  const double by_unit = impulse(unit, weighted(unit, pair), pair.V1, pair.V2, 0);
+  const double distance = (pair.P2() - pair.P1()).norm();
+  EXPECT_NEAR(by_squared * distance, by_unit, 1e-12 * std::max(1.0, std::abs(by_unit)));
+  EXPECT_LE(difference(squared.matrix * by_squared, unit.matrix * by_unit),
+            1e-12 * std::max(1.0, std::abs(by_unit)));
 }
 
 /// C of the squared rod beside J of the normalised one: what must not be mixed.

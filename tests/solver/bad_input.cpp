@@ -127,66 +127,58 @@ TEST(Body, MustBeSomewhereFiniteWithAMassThatIsPositiveOrNone) {
                 "squared length of the rotation is nan", "1");
 }
 
-TEST(Constraint, MustJoinTwoBodiesOfTheScene) {
-  in_all_models([]<class M>(Random&) {
-    Subject<M> subject;
-    auto& scene = subject.scene;
-    const std::string allowed = "at least 0 and less than 2, the number of bodies";
-    subject.refuses([&] { scene.add(Distance<M>{{0, 2}}); }, "body index is 2", allowed);
-    subject.refuses([&] { scene.add(NormalisedDistance<M>{{-1, 0}}); }, "body index is -1", allowed);
-    subject.refuses([&] { scene.add(Pin<M>{{7, 0}}); }, "body index is 7", allowed);
-    subject.refuses([&] { scene.add(Contact<M>{{0, 3}}); }, "body index is 3", allowed);
-    subject.refuses([&] { scene.add(Pin<M>{{1, 1}}); }, "body index is 1", "another one");
-    subject.refuses([&] { pin<M>(scene.bodies(), 0, 5, Linear<M>::Zero()); }, "body index is 5", allowed);
-    if constexpr (M::angular > 0) {
-      Pin<M> far{{0, 1}};
-      far.at.arms.second[1] = infinity;
-      subject.refuses([&] { scene.add(far); }, "arm is inf", "finite number [m]");
-    }
-  });
+TEST_IN_ALL_MODELS(Constraint, MustJoinTwoBodiesOfTheScene) {
+  Subject<M> subject;
+  auto& scene = subject.scene;
+  const std::string allowed = "at least 0 and less than 2, the number of bodies";
+  subject.refuses([&] { scene.add(Distance<M>{{0, 2}}); }, "body index is 2", allowed);
+  subject.refuses([&] { scene.add(NormalisedDistance<M>{{-1, 0}}); }, "body index is -1", allowed);
+  subject.refuses([&] { scene.add(Pin<M>{{7, 0}}); }, "body index is 7", allowed);
+  subject.refuses([&] { scene.add(Contact<M>{{0, 3}}); }, "body index is 3", allowed);
+  subject.refuses([&] { scene.add(Pin<M>{{1, 1}}); }, "body index is 1", "another one");
+  subject.refuses([&] { pin<M>(scene.bodies(), 0, 5, Linear<M>::Zero()); }, "body index is 5", allowed);
+  if constexpr (M::angular > 0) {
+    Pin<M> far{{0, 1}};
+    far.at.arms.second[1] = infinity;
+    subject.refuses([&] { scene.add(far); }, "arm is inf", "finite number [m]");
+  }
 }
 
-TEST(Rod, MustHaveALengthAndADirection) {
-  in_all_models([]<class M>(Random&) {
-    Subject<M> subject;
-    auto& scene = subject.scene;
-    for (const double bad : {0.0, -1.0, infinity, nan}) {
-      const std::string name = fmt::format("length is {}", bad);
-      subject.refuses([&] { scene.add(Distance<M>{{0, 1}, bad}); }, name, "positive finite number [m]");
-      subject.refuses([&] { scene.add(NormalisedDistance<M>{{0, 1}, bad}); }, name, "positive finite number [m]");
-    }
-    scene.state().pose[1] = scene.bodies().pose[0];
-    const std::string name = "distance between the rod's ends is 0";
-    subject.refuses([&] { scene.add(Distance<M>{{0, 1}, 1}); }, name, "above zero [m]");
-    subject.refuses([&] { scene.add(NormalisedDistance<M>{{0, 1}, 1}); }, name, "above zero [m]");
-  });
+TEST_IN_ALL_MODELS(Rod, MustHaveALengthAndADirection) {
+  Subject<M> subject;
+  auto& scene = subject.scene;
+  for (const double bad : {0.0, -1.0, infinity, nan}) {
+    const std::string name = fmt::format("length is {}", bad);
+    subject.refuses([&] { scene.add(Distance<M>{{0, 1}, bad}); }, name, "positive finite number [m]");
+    subject.refuses([&] { scene.add(NormalisedDistance<M>{{0, 1}, bad}); }, name, "positive finite number [m]");
+  }
+  scene.state().pose[1] = scene.bodies().pose[0];
+  const std::string name = "distance between the rod's ends is 0";
+  subject.refuses([&] { scene.add(Distance<M>{{0, 1}, 1}); }, name, "above zero [m]");
+  subject.refuses([&] { scene.add(NormalisedDistance<M>{{0, 1}, 1}); }, name, "above zero [m]");
 }
 
-TEST(Softness, MustNotBeNegative) {
-  in_all_models([]<class M>(Random&) {
-    Subject<M> subject;
-    auto& scene = subject.scene;
-    for (const double bad : {-1.0, infinity, nan}) {
-      const std::string name = fmt::format("softness is {}", bad);
-      subject.refuses([&] { scene.add(Distance<M>{{0, 1}, 1, bad}); }, name, "between 0 and");
-      subject.refuses([&] { scene.add(NormalisedDistance<M>{{0, 1}, 1, bad}); }, name, "between 0 and");
-      subject.refuses([&] { scene.add(Pin<M>{{0, 1}, bad}); }, name, "between 0 and");
-      subject.refuses([&] { scene.add(Contact<M>{{0, 1}, Linear<M>::Unit(0), bad}); }, name, "between 0 and");
-    }
-  });
+TEST_IN_ALL_MODELS(Softness, MustNotBeNegative) {
+  Subject<M> subject;
+  auto& scene = subject.scene;
+  for (const double bad : {-1.0, infinity, nan}) {
+    const std::string name = fmt::format("softness is {}", bad);
+    subject.refuses([&] { scene.add(Distance<M>{{0, 1}, 1, bad}); }, name, "between 0 and");
+    subject.refuses([&] { scene.add(NormalisedDistance<M>{{0, 1}, 1, bad}); }, name, "between 0 and");
+    subject.refuses([&] { scene.add(Pin<M>{{0, 1}, bad}); }, name, "between 0 and");
+    subject.refuses([&] { scene.add(Contact<M>{{0, 1}, Linear<M>::Unit(0), bad}); }, name, "between 0 and");
+  }
 }
 
-TEST(Contact, MustHaveAUnitNormal) {
-  in_all_models([]<class M>(Random&) {
-    Subject<M> subject;
-    auto& scene = subject.scene;
-    for (const double bad : {0.0, 2.0, nan})
-      subject.refuses(
-          [&] {
-            scene.add(Contact<M>{{0, 1}, bad * Linear<M>::Unit(0)});
-          },
-          fmt::format("length of the normal is {}", bad), "between 0.999999999 and 1.000000001");
-  });
+TEST_IN_ALL_MODELS(Contact, MustHaveAUnitNormal) {
+  Subject<M> subject;
+  auto& scene = subject.scene;
+  for (const double bad : {0.0, 2.0, nan})
+    subject.refuses(
+        [&] {
+          scene.add(Contact<M>{{0, 1}, bad * Linear<M>::Unit(0)});
+        },
+        fmt::format("length of the normal is {}", bad), "between 0.999999999 and 1.000000001");
 }
 
 TEST(BodyForces, AreOfABodyOfTheScene) {
@@ -222,105 +214,101 @@ TEST(Margin, MustBePositiveAndFinite) {
                     "positive finite number [m]");
 }
 
-TEST(Friction, MustFollowAContactWithUnitTangentsAndACoefficient) {
-  in_all_models([]<class M>(Random&) {
-    Subject<M> subject;
-    auto& scene = subject.scene;
-    const auto tangents = tangents_of<M>(Linear<M>::Unit(1));
-    const std::string allowed = "the handle of a contact that was added before";
-    subject.refuses(
+TEST_IN_ALL_MODELS(Friction, MustFollowAContactWithUnitTangentsAndACoefficient) {
+  Subject<M> subject;
+  auto& scene = subject.scene;
+  const auto tangents = tangents_of<M>(Linear<M>::Unit(1));
+  const std::string allowed = "the handle of a contact that was added before";
+  subject.refuses(
+      [&] {
+        scene.add(Friction<M>{{0, 1}, tangents, 0.5, 0});
+      },
+      "contact of a friction is 0", allowed);
+  const int rod = scene.add(Distance<M>{{0, 1}, 1});
+  const int contact = scene.add(Contact<M>{{0, 1}, Linear<M>::Unit(1)});
+  subject.refuses(
+      [&] {
+        scene.add(Friction<M>{{0, 1}, tangents, 0.5, rod});
+      },
+      "contact of a friction is 0", allowed);
+  subject.refuses(
+      [&] {
+        scene.add(Friction<M>{{0, 1}, tangents, 0.5, -1});
+      },
+      "contact of a friction is -1", allowed);
+  subject.refuses(
+      [&] {
+        scene.add(Friction<M>{{0, 1}, tangents, 0.5, 2});
+      },
+      "contact of a friction is 2", allowed);
+  if constexpr (M::angular > 0) {
+    Turn<M> turn{0, 1};
+    if constexpr (M::angular == 3) turn.axis = Linear<M>::Unit(0);
+    const int drive = scene.add(motor(turn, 1, 1));  // its λ may be of either sign: no friction is bounded by it
+    expect_refusal(
         [&] {
-          scene.add(Friction<M>{{0, 1}, tangents, 0.5, 0});
-        },
-        "contact of a friction is 0", allowed);
-    const int rod = scene.add(Distance<M>{{0, 1}, 1});
-    const int contact = scene.add(Contact<M>{{0, 1}, Linear<M>::Unit(1)});
-    subject.refuses(
-        [&] {
-          scene.add(Friction<M>{{0, 1}, tangents, 0.5, rod});
-        },
-        "contact of a friction is 0", allowed);
-    subject.refuses(
-        [&] {
-          scene.add(Friction<M>{{0, 1}, tangents, 0.5, -1});
-        },
-        "contact of a friction is -1", allowed);
-    subject.refuses(
-        [&] {
-          scene.add(Friction<M>{{0, 1}, tangents, 0.5, 2});
+          scene.add(Friction<M>{{0, 1}, tangents, 0.5, drive});
         },
         "contact of a friction is 2", allowed);
-    if constexpr (M::angular > 0) {
-      Turn<M> turn{0, 1};
-      if constexpr (M::angular == 3) turn.axis = Linear<M>::Unit(0);
-      const int drive = scene.add(motor(turn, 1, 1));  // its λ may be of either sign: no friction is bounded by it
-      expect_refusal(
-          [&] {
-            scene.add(Friction<M>{{0, 1}, tangents, 0.5, drive});
-          },
-          "contact of a friction is 2", allowed);
-      scene.remove(drive);
-    }
-    subject.refuses(
-        [&] {
-          scene.add(Friction<M>{{0, 1}, tangents, -0.5, contact});
-        },
-        "friction coefficient is -0.5", "between 0 and");
-    subject.refuses(
-        [&] {
-          scene.add(Friction<M>{{0, 1}, 2 * tangents, 0.5, contact});
-        },
-        "distance of the tangents from orthonormal is", "between 0 and");
-    EXPECT_NO_THROW(scene.add(Friction<M>{{0, 1}, tangents, 0.5, contact}));
-  });
+    scene.remove(drive);
+  }
+  subject.refuses(
+      [&] {
+        scene.add(Friction<M>{{0, 1}, tangents, -0.5, contact});
+      },
+      "friction coefficient is -0.5", "between 0 and");
+  subject.refuses(
+      [&] {
+        scene.add(Friction<M>{{0, 1}, 2 * tangents, 0.5, contact});
+      },
+      "distance of the tangents from orthonormal is", "between 0 and");
+  EXPECT_NO_THROW(scene.add(Friction<M>{{0, 1}, tangents, 0.5, contact}));
 }
 
-TEST(Step, MustHaveATimeAndChoicesWithinTheirRange) {
-  in_all_models([]<class M>(Random&) {
-    auto scene = rod_chain<M>({.links = 2, .angle = 1});
-    const auto before = scene;
-    Work<M> work;
-    const auto refuses = [&](double h, const AnyStepping& method, const std::string& name_and_value,
-                             const std::string& allowed) {
-      expect_refusal([&] { advance(scene, method, h, work); }, name_and_value, allowed);
-      EXPECT_EQ(numbers_of<M>(scene.bodies().velocity), numbers_of<M>(before.bodies().velocity));
-      EXPECT_EQ(difference(scene.bodies().pose[2].position, before.bodies().pose[2].position), 0);
-    };
-    for (const double bad : {0.0, -1.0, infinity, nan})
-      refuses(bad, {}, fmt::format("time step is {}", bad), "positive finite number [s]");
-    for (const double bad : {-0.1, 3.1, nan})
-      refuses(0.1, {GaussSeidel{}, Baumgarte{bad}}, fmt::format("beta is {}", bad), "between 0 and 3");
-    refuses(0.1, {GaussSeidel{}, Baumgarte{-1, BetaReading::literal}}, "beta is -1", "[1/s]");
-    refuses(0.1, {GaussSeidel{}, Baumgarte{1.1e6, BetaReading::literal}}, "beta is 1", "[1/s]");
-    refuses(0.1, {GaussSeidel{0}}, "number of sweeps is 0", "at least 1");
-    refuses(0.1, {GaussSeidel{.tolerance = -1}}, "tolerance is -1", "between 0 and");
-    refuses(0.1, {Jacobi{-2}}, "number of sweeps is -2", "at least 1");
-    for (const double bad : {0.0, 2.0, nan}) {
-      GaussSeidel sweeps;
-      sweeps.relaxation = bad;
-      refuses(0.1, {sweeps}, fmt::format("relaxation is {}", bad), "above 0 and below 2");
-      Jacobi jacobi;
-      jacobi.relaxation = bad;
-      refuses(0.1, {jacobi}, fmt::format("relaxation is {}", bad), "above 0 and below 2");
-    }
-    refuses(0.1, {ConjugateGradients{0}}, "number of iterations is 0", "at least 1");
-    refuses(0.1, {ConjugateGradients{1, -1}}, "tolerance is -1", "between 0 and");
-    refuses(0.1, {AcceleratedGradient{-1}}, "number of iterations is -1", "at least 1");
-    refuses(0.1, {AcceleratedGradient{1, nan}}, "tolerance is nan", "between 0 and");
-    refuses(0.1, {GaussSeidel{}, SplitImpulse{3.1}}, "beta is 3.1", "between 0 and 3");
-    refuses(0.1, {GaussSeidel{}, SplitImpulse{.slop = -1}}, "slop is -1", "[m]");
-    refuses(0.1, {GaussSeidel{}, SplitImpulse{.speed_cap = 0}}, "speed cap is 0", "[m/s]");
-    for (const double bad : {0.0, -1.0, infinity, nan})
-      refuses(0.1, {GaussSeidel{}, SoftConstraints{bad}}, fmt::format("frequency is {}", bad), "[rad/s]");
-    refuses(0.1, {GaussSeidel{}, SoftConstraints{1, -0.1}}, "damping ratio is -0.1", "between 0 and");
-    refuses(0.1, {GaussSeidel{}, SoftConstraints{.slop = nan}}, "slop is nan", "[m]");
-    refuses(0.1, {GaussSeidel{}, SoftConstraints{.speed_cap = nan}}, "speed cap is nan", "[m/s]");
-    refuses(0.1, {Direct{Factorisation::structured, -1}}, "regularisation is -1", "between 0 and 1");
-    refuses(0.1, {Direct{.smallest_pivot = 1.5}}, "smallest pivot is 1.5", "between 0 and 1");
-    AnyStepping method;
-    method.substeps = 0;
-    refuses(0.1, method, "number of substeps is 0", "at least 1");
-  });
+TEST_IN_ALL_MODELS(Step, MustHaveATimeAndChoicesWithinTheirRange) {
+  auto scene = rod_chain<M>({.links = 2, .angle = 1});
+  const auto before = scene;
+  Work<M> work;
+  const auto refuses = [&](double h, const AnyStepping& method, const std::string& name_and_value,
+                           const std::string& allowed) {
+    expect_refusal([&] { advance(scene, method, h, work); }, name_and_value, allowed);
+    EXPECT_EQ(numbers_of<M>(scene.bodies().velocity), numbers_of<M>(before.bodies().velocity));
+    EXPECT_EQ(difference(scene.bodies().pose[2].position, before.bodies().pose[2].position), 0);
+  };
+  for (const double bad : {0.0, -1.0, infinity, nan})
+    refuses(bad, {}, fmt::format("time step is {}", bad), "positive finite number [s]");
+  for (const double bad : {-0.1, 3.1, nan})
+    refuses(0.1, {GaussSeidel{}, Baumgarte{bad}}, fmt::format("beta is {}", bad), "between 0 and 3");
+  refuses(0.1, {GaussSeidel{}, Baumgarte{-1, BetaReading::literal}}, "beta is -1", "[1/s]");
+  refuses(0.1, {GaussSeidel{}, Baumgarte{1.1e6, BetaReading::literal}}, "beta is 1", "[1/s]");
+  refuses(0.1, {GaussSeidel{0}}, "number of sweeps is 0", "at least 1");
+  refuses(0.1, {GaussSeidel{.tolerance = -1}}, "tolerance is -1", "between 0 and");
+  refuses(0.1, {Jacobi{-2}}, "number of sweeps is -2", "at least 1");
+  for (const double bad : {0.0, 2.0, nan}) {
+    GaussSeidel sweeps;
+    sweeps.relaxation = bad;
+    refuses(0.1, {sweeps}, fmt::format("relaxation is {}", bad), "above 0 and below 2");
+    Jacobi jacobi;
+    jacobi.relaxation = bad;
+    refuses(0.1, {jacobi}, fmt::format("relaxation is {}", bad), "above 0 and below 2");
+  }
+  refuses(0.1, {ConjugateGradients{0}}, "number of iterations is 0", "at least 1");
+  refuses(0.1, {ConjugateGradients{1, -1}}, "tolerance is -1", "between 0 and");
+  refuses(0.1, {AcceleratedGradient{-1}}, "number of iterations is -1", "at least 1");
+  refuses(0.1, {AcceleratedGradient{1, nan}}, "tolerance is nan", "between 0 and");
+  refuses(0.1, {GaussSeidel{}, SplitImpulse{3.1}}, "beta is 3.1", "between 0 and 3");
+  refuses(0.1, {GaussSeidel{}, SplitImpulse{.slop = -1}}, "slop is -1", "[m]");
+  refuses(0.1, {GaussSeidel{}, SplitImpulse{.speed_cap = 0}}, "speed cap is 0", "[m/s]");
+  for (const double bad : {0.0, -1.0, infinity, nan})
+    refuses(0.1, {GaussSeidel{}, SoftConstraints{bad}}, fmt::format("frequency is {}", bad), "[rad/s]");
+  refuses(0.1, {GaussSeidel{}, SoftConstraints{1, -0.1}}, "damping ratio is -0.1", "between 0 and");
+  refuses(0.1, {GaussSeidel{}, SoftConstraints{.slop = nan}}, "slop is nan", "[m]");
+  refuses(0.1, {GaussSeidel{}, SoftConstraints{.speed_cap = nan}}, "speed cap is nan", "[m/s]");
+  refuses(0.1, {Direct{Factorisation::structured, -1}}, "regularisation is -1", "between 0 and 1");
+  refuses(0.1, {Direct{.smallest_pivot = 1.5}}, "smallest pivot is 1.5", "between 0 and 1");
+  AnyStepping method;
+  method.substeps = 0;
+  refuses(0.1, method, "number of substeps is 0", "at least 1");
 }
 
 TEST(Scenes, RefuseWhatTheyCannotBuild) {

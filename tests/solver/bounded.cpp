@@ -37,41 +37,35 @@ Linear<M> after_a_step(Scene<M> scene, const RowSolver& solver = GaussSeidel{}) 
   return scene.bodies().velocity[1].template head<M::linear>();
 }
 
-TEST(Contact, PushesAndNeverPulls) {
-  in_all_models([]<class M>(Random&) {
-    for (const RowSolver& solver : {RowSolver(GaussSeidel{}), RowSolver(Jacobi{})}) {
-      auto scene = on_the_ground<M>(0, 0);
-      EXPECT_NEAR(after_a_step<M>(scene, solver)[1], 0, 1e-15) << "it carries what falls on it";
-      scene.state().velocity[1][1] = 2;
-      EXPECT_NEAR(after_a_step<M>(scene, solver)[1], 2 - 9.81 * time_step, 1e-15) << "it lets go";
-    }
-  });
-}
-
-TEST(Contact, CarriesTheWeight) {
-  in_all_models([]<class M>(Random&) {
+TEST_IN_ALL_MODELS(Contact, PushesAndNeverPulls) {
+  for (const RowSolver& solver : {RowSolver(GaussSeidel{}), RowSolver(Jacobi{})}) {
     auto scene = on_the_ground<M>(0, 0);
-    Work<M> work;
-    for (int i = 0; i < 10; ++i) advance(scene, {GaussSeidel{}}, time_step, work);
-    EXPECT_NEAR(work.system.lambda[0], 3 * 9.81 * time_step, 1e-12);
-    EXPECT_NEAR(scene.bodies().pose[1].position[1], 0, 1e-13);
-  });
+    EXPECT_NEAR(after_a_step<M>(scene, solver)[1], 0, 1e-15) << "it carries what falls on it";
+    scene.state().velocity[1][1] = 2;
+    EXPECT_NEAR(after_a_step<M>(scene, solver)[1], 2 - 9.81 * time_step, 1e-15) << "it lets go";
+  }
 }
 
-TEST(Contact, ClosesItsGapInAStepAndNotMore) {
-  in_all_models([]<class M>(Random&) {
-    for (const double beta : {0.0, 0.2, 1.0}) {
-      auto scene = on_the_ground<M>(0.1, 0);
-      scene.state().velocity[1][1] = -30;
-      Work<M> work;
-      advance(scene, {GaussSeidel{}, Baumgarte{beta}}, time_step, work);
-      EXPECT_NEAR(scene.bodies().pose[1].position[1], 0, 1e-15) << "30 m/s would have gone 0.5 m";
-      auto slow = on_the_ground<M>(0.1, 0);
-      slow.state().velocity[1][1] = -1;
-      advance(slow, {GaussSeidel{}, Baumgarte{beta}}, time_step, work = {});
-      EXPECT_NEAR(slow.bodies().velocity[1][1], -1 - 9.81 * time_step, 1e-14) << "what does not reach is not held";
-    }
-  });
+TEST_IN_ALL_MODELS(Contact, CarriesTheWeight) {
+  auto scene = on_the_ground<M>(0, 0);
+  Work<M> work;
+  for (int i = 0; i < 10; ++i) advance(scene, {GaussSeidel{}}, time_step, work);
+  EXPECT_NEAR(work.system.lambda[0], 3 * 9.81 * time_step, 1e-12);
+  EXPECT_NEAR(scene.bodies().pose[1].position[1], 0, 1e-13);
+}
+
+TEST_IN_ALL_MODELS(Contact, ClosesItsGapInAStepAndNotMore) {
+  for (const double beta : {0.0, 0.2, 1.0}) {
+    auto scene = on_the_ground<M>(0.1, 0);
+    scene.state().velocity[1][1] = -30;
+    Work<M> work;
+    advance(scene, {GaussSeidel{}, Baumgarte{beta}}, time_step, work);
+    EXPECT_NEAR(scene.bodies().pose[1].position[1], 0, 1e-15) << "30 m/s would have gone 0.5 m";
+    auto slow = on_the_ground<M>(0.1, 0);
+    slow.state().velocity[1][1] = -1;
+    advance(slow, {GaussSeidel{}, Baumgarte{beta}}, time_step, work = {});
+    EXPECT_NEAR(slow.bodies().velocity[1][1], -1 - 9.81 * time_step, 1e-14) << "what does not reach is not held";
+  }
 }
 
 TEST(Contact, AccumulatesSoThatAnEarlyPushCanBeTakenBack) {
@@ -89,27 +83,23 @@ TEST(Contact, AccumulatesSoThatAnEarlyPushCanBeTakenBack) {
   EXPECT_GT(after_one.lambda[0], 0.6 * 9.81 * time_step) << "row 1 gave too much before row 2 spoke";
 }
 
-TEST(Friction, HoldsUpToMuTimesTheNormalImpulseAndSlidesBeyond) {
-  in_all_models([]<class M>(Random&) {
-    const double mu = 0.4, held = mu * 9.81 * time_step;
-    const auto slide = [&](double push) {
-      auto scene = on_the_ground<M>(0, mu);
-      scene.state().velocity[1][0] = push;
-      return after_a_step<M>(scene)[0];
-    };
-    EXPECT_NEAR(slide(0.999 * held), 0, 1e-15);
-    EXPECT_NEAR(slide(-0.999 * held), 0, 1e-15);
-    EXPECT_NEAR(slide(2 * held), held, 1e-14);
-    EXPECT_NEAR(slide(-2 * held), -held, 1e-14);
-  });
+TEST_IN_ALL_MODELS(Friction, HoldsUpToMuTimesTheNormalImpulseAndSlidesBeyond) {
+  const double mu = 0.4, held = mu * 9.81 * time_step;
+  const auto slide = [&](double push) {
+    auto scene = on_the_ground<M>(0, mu);
+    scene.state().velocity[1][0] = push;
+    return after_a_step<M>(scene)[0];
+  };
+  EXPECT_NEAR(slide(0.999 * held), 0, 1e-15);
+  EXPECT_NEAR(slide(-0.999 * held), 0, 1e-15);
+  EXPECT_NEAR(slide(2 * held), held, 1e-14);
+  EXPECT_NEAR(slide(-2 * held), -held, 1e-14);
 }
 
-TEST(Friction, DoesNothingWhereNothingPresses) {
-  in_all_models([]<class M>(Random&) {
-    auto scene = on_the_ground<M>(1, 10);
-    scene.state().velocity[1][0] = 1;
-    EXPECT_EQ(after_a_step<M>(scene)[0], 1);
-  });
+TEST_IN_ALL_MODELS(Friction, DoesNothingWhereNothingPresses) {
+  auto scene = on_the_ground<M>(1, 10);
+  scene.state().velocity[1][0] = 1;
+  EXPECT_EQ(after_a_step<M>(scene)[0], 1);
 }
 
 TEST(Friction, InSpaceHoldsAlikeInEveryDirection) {
@@ -127,62 +117,54 @@ TEST(Friction, InSpaceHoldsAlikeInEveryDirection) {
   });
 }
 
-TEST(Friction, StaysWithinItsBallOnEveryRandomScene) {
-  in_all_models(
-      []<class M>(Random& random) {
-        Scene<M> scene;
-        for (int i = 0; i < 6; ++i)
-          scene.add_body(random.pose<M>(), i == 0 ? fixed<M>() : random.mass<M>(),
-                         i == 0 ? Velocity<M>(Velocity<M>::Zero()) : random.velocity<M>());
-        for (int i = 0; i < 8; ++i) {
-          const int body1 = random.index(6), body2 = (body1 + 1 + random.index(5)) % 6;
-          const Anchors<M> at{body1, body2, random.arms<M>()};
-          const Linear<M> n = random.direction<M>();
-          const int contact = scene.add(Contact<M>{at, n});
-          scene.add(Friction<M>{at, tangents_of<M>(n), random.uniform(0, 1), contact});
-        }
-        for (const auto order : {SweepOrder::natural, SweepOrder::reverse, SweepOrder::coloured}) {
-          Work<M> work;
-          auto copy = scene;
-          advance(copy, {GaussSeidel{40, true, order}, NoDriftCure{}}, time_step, work);
-          for (const auto& friction : scene.template all<Friction>()) {
-            const double pressing = work.system.lambda[work.system.row_of[scene.place(friction.contact)]];
-            const int row = work.system.row_of[scene.place(friction.contact) + 1];
-            const Eigen::Map<const Rows<Friction<M>::rows>> rubbing(&work.system.lambda[row]);
-            EXPECT_GE(pressing, 0);
-            // In the other orders a contact may still give way after its friction was held within it.
-            if (order == SweepOrder::natural) {
-              EXPECT_LE(rubbing.norm(), friction.coefficient * pressing + 1e-12);
-            }
-          }
-        }
-      },
-      30);
+TEST_IN_ALL_MODELS(Friction, StaysWithinItsBallOnEveryRandomScene, 30) {
+  Scene<M> scene;
+  for (int i = 0; i < 6; ++i)
+    scene.add_body(random.pose<M>(), i == 0 ? fixed<M>() : random.mass<M>(),
+                   i == 0 ? Velocity<M>(Velocity<M>::Zero()) : random.velocity<M>());
+  for (int i = 0; i < 8; ++i) {
+    const int body1 = random.index(6), body2 = (body1 + 1 + random.index(5)) % 6;
+    const Anchors<M> at{body1, body2, random.arms<M>()};
+    const Linear<M> n = random.direction<M>();
+    const int contact = scene.add(Contact<M>{at, n});
+    scene.add(Friction<M>{at, tangents_of<M>(n), random.uniform(0, 1), contact});
+  }
+  for (const auto order : {SweepOrder::natural, SweepOrder::reverse, SweepOrder::coloured}) {
+    Work<M> work;
+    auto copy = scene;
+    advance(copy, {GaussSeidel{40, true, order}, NoDriftCure{}}, time_step, work);
+    for (const auto& friction : scene.template all<Friction>()) {
+      const double pressing = work.system.lambda[work.system.row_of[scene.place(friction.contact)]];
+      const int row = work.system.row_of[scene.place(friction.contact) + 1];
+      const Eigen::Map<const Rows<Friction<M>::rows>> rubbing(&work.system.lambda[row]);
+      EXPECT_GE(pressing, 0);
+      // In the other orders a contact may still give way after its friction was held within it.
+      if (order == SweepOrder::natural) {
+        EXPECT_LE(rubbing.norm(), friction.coefficient * pressing + 1e-12);
+      }
+    }
+  }
 }
 
-TEST(Friction, SolvedBeforeItsContactDoesNothingOnAColdStart) {
-  in_all_models([]<class M>(Random&) {
-    auto scene = on_the_ground<M>(0, 0.4);
-    scene.state().velocity[1][0] = 1;
-    EXPECT_EQ(after_a_step<M>(scene, GaussSeidel{1, false, SweepOrder::reverse})[0], 1);
-    EXPECT_LT(after_a_step<M>(scene, GaussSeidel{1, false, SweepOrder::natural})[0], 1);
-    EXPECT_LT(after_a_step<M>(scene, GaussSeidel{2, false, SweepOrder::reverse})[0], 1);
-  });
+TEST_IN_ALL_MODELS(Friction, SolvedBeforeItsContactDoesNothingOnAColdStart) {
+  auto scene = on_the_ground<M>(0, 0.4);
+  scene.state().velocity[1][0] = 1;
+  EXPECT_EQ(after_a_step<M>(scene, GaussSeidel{1, false, SweepOrder::reverse})[0], 1);
+  EXPECT_LT(after_a_step<M>(scene, GaussSeidel{1, false, SweepOrder::natural})[0], 1);
+  EXPECT_LT(after_a_step<M>(scene, GaussSeidel{2, false, SweepOrder::reverse})[0], 1);
 }
 
-TEST(BoundedRows, MeetAtTheSameAnswerInEveryOrder) {
-  in_all_models([]<class M>(Random&) {
-    auto scene = on_the_ground<M>(0, 0.4);
-    scene.state().velocity[1][0] = 1;
-    scene.state().velocity[1][1] = -2;
-    const Linear<M> expected = after_a_step<M>(scene, GaussSeidel{50, false});
-    for (const auto order : {SweepOrder::reverse, SweepOrder::coloured})
-      EXPECT_LE(difference(after_a_step<M>(scene, GaussSeidel{50, false, order}), expected), 1e-14);
-    Jacobi jacobi{200, false};
-    jacobi.relaxation = 0.7;
-    EXPECT_LE(difference(after_a_step<M>(scene, jacobi), expected), 1e-13);
-    EXPECT_LE(solved(scene, GaussSeidel{50, false}).residual, 1e-13);
-  });
+TEST_IN_ALL_MODELS(BoundedRows, MeetAtTheSameAnswerInEveryOrder) {
+  auto scene = on_the_ground<M>(0, 0.4);
+  scene.state().velocity[1][0] = 1;
+  scene.state().velocity[1][1] = -2;
+  const Linear<M> expected = after_a_step<M>(scene, GaussSeidel{50, false});
+  for (const auto order : {SweepOrder::reverse, SweepOrder::coloured})
+    EXPECT_LE(difference(after_a_step<M>(scene, GaussSeidel{50, false, order}), expected), 1e-14);
+  Jacobi jacobi{200, false};
+  jacobi.relaxation = 0.7;
+  EXPECT_LE(difference(after_a_step<M>(scene, jacobi), expected), 1e-13);
+  EXPECT_LE(solved(scene, GaussSeidel{50, false}).residual, 1e-13);
 }
 
 // Newton's step of methods on positions, held against the conditions of its complementarity problem: first of the
@@ -219,16 +201,14 @@ TEST(BoundedNewton, OfAManifoldSolvesBothNormalsAndThenFriction) {
   EXPECT_GT(slipping, 500);
 }
 
-TEST(BoundedRows, AreSolvedDirectlyAsSweepsEnd) {
-  in_all_models([]<class M>(Random& random) {
-    for (const double mu : {0.0, 0.1, 0.4, 2.0}) {
-      auto scene = on_the_ground<M>(0, mu);
-      scene.state().velocity[1] = random.velocity<M>();
-      const Linear<M> swept = after_a_step<M>(scene, GaussSeidel{5000});
-      for (const RowSolver& solver : {RowSolver(Direct{}), RowSolver(ConjugateSweeps{5000}), RowSolver(ByGraph{})})
-        EXPECT_LE((after_a_step<M>(scene, solver) - swept).norm(), 1e-6) << mu;
-    }
-  });
+TEST_IN_ALL_MODELS(BoundedRows, AreSolvedDirectlyAsSweepsEnd) {
+  for (const double mu : {0.0, 0.1, 0.4, 2.0}) {
+    auto scene = on_the_ground<M>(0, mu);
+    scene.state().velocity[1] = random.velocity<M>();
+    const Linear<M> swept = after_a_step<M>(scene, GaussSeidel{5000});
+    for (const RowSolver& solver : {RowSolver(Direct{}), RowSolver(ConjugateSweeps{5000}), RowSolver(ByGraph{})})
+      EXPECT_LE((after_a_step<M>(scene, solver) - swept).norm(), 1e-6) << mu;
+  }
 }
 
 }  // namespace

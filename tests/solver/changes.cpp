@@ -320,31 +320,29 @@ TEST(AnyChanges, OfAvbd) { expect_steps_as_built_anew<Avbd>(); }
 TEST(AnyChanges, OfRattle) { expect_steps_as_built_anew<Rattle>(standard / 5); }
 TEST(AnyChanges, OfAccelerations) { expect_steps_as_built_anew<Accelerations>(); }
 
-TEST(MovedScene, LeavesAnEmptyOneThatStepsAndIsFilledAnew) {
-  in_all_models([]<class M>(Random& random) {
-    const auto check = [&](const auto& method) {
-      Simulation simulation{rod_chain<M>({.links = 3, .angle = 1}), method};
-      simulation.step(time_step);
-      const Scene<M> taken = std::move(simulation.scene);
-      EXPECT_EQ(taken.count(), 3);
-      EXPECT_EQ(simulation.scene.bodies().size(), 0);
-      EXPECT_EQ(simulation.scene.count(), 0);
-      simulation.step(time_step);
-      simulation.scene.add_body(random.pose<M>(), random.mass<M>());
-      simulation.step(time_step);
-      simulation.scene = taken;
-      forget_impulses(simulation.work);
-      Simulation fresh{built_anew(taken), method};
-      EXPECT_EQ(step(simulation), step(fresh));
-      EXPECT_EQ(difference(state_of(simulation.scene), state_of(fresh.scene)), 0);
-    };
-    check(AnyStepping{});
-    check(AnyStepping{GaussSeidel{}});
-    check(Xpbd{});
-    check(Avbd{});
-    check(Rattle{});
-    check(Accelerations{});
-  });
+TEST_IN_ALL_MODELS(MovedScene, LeavesAnEmptyOneThatStepsAndIsFilledAnew) {
+  const auto check = [&](const auto& method) {
+    Simulation simulation{rod_chain<M>({.links = 3, .angle = 1}), method};
+    simulation.step(time_step);
+    const Scene<M> taken = std::move(simulation.scene);
+    EXPECT_EQ(taken.count(), 3);
+    EXPECT_EQ(simulation.scene.bodies().size(), 0);
+    EXPECT_EQ(simulation.scene.count(), 0);
+    simulation.step(time_step);
+    simulation.scene.add_body(random.pose<M>(), random.mass<M>());
+    simulation.step(time_step);
+    simulation.scene = taken;
+    forget_impulses(simulation.work);
+    Simulation fresh{built_anew(taken), method};
+    EXPECT_EQ(step(simulation), step(fresh));
+    EXPECT_EQ(difference(state_of(simulation.scene), state_of(fresh.scene)), 0);
+  };
+  check(AnyStepping{});
+  check(AnyStepping{GaussSeidel{}});
+  check(Xpbd{});
+  check(Avbd{});
+  check(Rattle{});
+  check(Accelerations{});
 }
 
 /// A ball that rests on the ground.
@@ -355,22 +353,20 @@ int add_resting_ball(Scene<M>& scene, double mass) {
   return body;
 }
 
-TEST(ContactImpulses, AreNotHandedToABodyThatTakesTheNumberOfAnother) {
-  in_both_bodies([]<class M>(Random&) {
-    Scene<M> scene;
-    scene.set_shape(scene.add_body(Linear<M>(Linear<M>::Zero()), fixed<M>()), HalfSpace<M>{Linear<M>::Unit(1)});
-    add_resting_ball(scene, 1e3);
-    Simulation<M, AnyStepping> simulation{scene, {GaussSeidel{.sweeps = 1, .relaxation = 0.5}}};
-    for (int i = 0; i < 10; ++i) simulation.step(time_step);
-    Simulation<M, AnyStepping> replaced = simulation, assigned = simulation;
-    replaced.scene.remove_body(1);
-    ASSERT_EQ(add_resting_ball(replaced.scene, 1e-3), 1);
-    assigned.scene = built_anew(replaced.scene);
-    Simulation<M, AnyStepping> fresh{built_anew(replaced.scene), simulation.method};
-    for (auto* it : {&replaced, &assigned, &fresh}) it->step(time_step);
-    EXPECT_EQ(difference(state_of(replaced.scene), state_of(fresh.scene)), 0);
-    EXPECT_EQ(difference(state_of(assigned.scene), state_of(fresh.scene)), 0);
-  });
+TEST_IN_BOTH_BODIES(ContactImpulses, AreNotHandedToABodyThatTakesTheNumberOfAnother) {
+  Scene<M> scene;
+  scene.set_shape(scene.add_body(Linear<M>(Linear<M>::Zero()), fixed<M>()), HalfSpace<M>{Linear<M>::Unit(1)});
+  add_resting_ball(scene, 1e3);
+  Simulation<M, AnyStepping> simulation{scene, {GaussSeidel{.sweeps = 1, .relaxation = 0.5}}};
+  for (int i = 0; i < 10; ++i) simulation.step(time_step);
+  Simulation<M, AnyStepping> replaced = simulation, assigned = simulation;
+  replaced.scene.remove_body(1);
+  ASSERT_EQ(add_resting_ball(replaced.scene, 1e-3), 1);
+  assigned.scene = built_anew(replaced.scene);
+  Simulation<M, AnyStepping> fresh{built_anew(replaced.scene), simulation.method};
+  for (auto* it : {&replaced, &assigned, &fresh}) it->step(time_step);
+  EXPECT_EQ(difference(state_of(replaced.scene), state_of(fresh.scene)), 0);
+  EXPECT_EQ(difference(state_of(assigned.scene), state_of(fresh.scene)), 0);
 }
 
 TEST(AddedConstraint, MayBeOneThatTheSceneAlreadyHas) {

@@ -73,27 +73,23 @@ Solid<M> scaled(Solid<M> solid, double unit) {
   return solid;
 }
 
-TEST(CollideLaws, AnotherUnitOfLengthGivesTheSameAnswerBitForBit) {
-  in_all_models(
-      []<class M>(Random& random) {
-        const bool degenerate = random.index(2) == 0;
-        const auto first = any_solid<M>(random, degenerate), second = any_solid<M>(random, degenerate);
-        const std::uint32_t hint = random.index(16);
-        const auto plain = touch(first, second, 0.5, hint);
-        for (const double unit : {0x1p-10, 0x1p10, 0x1p20}) {
-          const auto other = touch(scaled(first, unit), scaled(second, unit), 0.5 * unit, hint);
-          ASSERT_EQ(other.size, plain.size);
-          EXPECT_EQ(other.reference, plain.reference);
-          if (plain.size == 0) continue;
-          EXPECT_EQ(other.normal, plain.normal);
-          for (int i = 0; i < plain.size; ++i) {
-            EXPECT_EQ(other.points[i].feature, plain.points[i].feature);
-            EXPECT_EQ(other.points[i].separation, unit * plain.points[i].separation);
-            EXPECT_EQ(other.points[i].p1, unit * plain.points[i].p1);
-          }
-        }
-      },
-      2000);
+TEST_IN_ALL_MODELS(CollideLaws, AnotherUnitOfLengthGivesTheSameAnswerBitForBit, 2000) {
+  const bool degenerate = random.index(2) == 0;
+  const auto first = any_solid<M>(random, degenerate), second = any_solid<M>(random, degenerate);
+  const std::uint32_t hint = random.index(16);
+  const auto plain = touch(first, second, 0.5, hint);
+  for (const double unit : {0x1p-10, 0x1p10, 0x1p20}) {
+    const auto other = touch(scaled(first, unit), scaled(second, unit), 0.5 * unit, hint);
+    ASSERT_EQ(other.size, plain.size);
+    EXPECT_EQ(other.reference, plain.reference);
+    if (plain.size == 0) continue;
+    EXPECT_EQ(other.normal, plain.normal);
+    for (int i = 0; i < plain.size; ++i) {
+      EXPECT_EQ(other.points[i].feature, plain.points[i].feature);
+      EXPECT_EQ(other.points[i].separation, unit * plain.points[i].separation);
+      EXPECT_EQ(other.points[i].p1, unit * plain.points[i].p1);
+    }
+  }
 }
 
 TEST(CollideLaws, PartingAlongTheNormalPartsByAsMuch) {

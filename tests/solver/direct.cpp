@@ -72,11 +72,9 @@ TEST(StructuredDirect, IsTheDenseSolveOnChains) {
   });
 }
 
-TEST(StructuredDirect, IsTheDenseSolveOnTrees) {
-  in_both_bodies([]<class M>(Random& random) {
-    for (const int levels : {1, 2, 5})
-      expect_structured_is_dense(with_random_velocities(pinned_tree<M>(levels), random));
-  });
+TEST_IN_BOTH_BODIES(StructuredDirect, IsTheDenseSolveOnTrees) {
+  for (const int levels : {1, 2, 5})
+    expect_structured_is_dense(with_random_velocities(pinned_tree<M>(levels), random));
 }
 
 TEST(StructuredDirect, IsTheDenseSolveOnStars) {
@@ -88,61 +86,49 @@ TEST(StructuredDirect, IsTheDenseSolveOnStars) {
   expect_structured_is_dense(with_random_velocities(pinned_star<PlaneBody>(200), random));
 }
 
-TEST(StructuredDirect, IsTheDenseSolveOnRings) {
-  in_all_models([]<class M>(Random& random) {
-    for (const int links : {4, 5, 12}) expect_structured_is_dense(ring<M>(random, links));
-  });
+TEST_IN_ALL_MODELS(StructuredDirect, IsTheDenseSolveOnRings) {
+  for (const int links : {4, 5, 12}) expect_structured_is_dense(ring<M>(random, links));
 }
 
-TEST(StructuredDirect, IsTheDenseSolveOnGridsOfHubs) {
-  in_all_models([]<class M>(Random& random) {
-    for (const int n : {2, 3, 4, 6}) expect_structured_is_dense(grid<M>(random, n));
-  });
+TEST_IN_ALL_MODELS(StructuredDirect, IsTheDenseSolveOnGridsOfHubs) {
+  for (const int n : {2, 3, 4, 6}) expect_structured_is_dense(grid<M>(random, n));
 }
 
-TEST(StructuredDirect, IsTheDenseSolveWhereALineOfRodsJoinsTwoHubs) {
-  in_all_models([]<class M>(Random& random) {
-    Scene<M> scene;
-    const int hubs[] = {0, 2};
-    for (int i = 0; i < 3; ++i)
-      scene.add_body(Linear<M>(2.0 * i * Linear<M>::Unit(0)), random.mass<M>(), random.velocity<M>());
-    for (const int hub : hubs) {
-      scene.add(Distance<M>{{hub, 1}, 2});
-      for (int i = 0; i < 4; ++i)
-        scene.add(Distance<M>{{hub, scene.add_body(random.pose<M>(), random.mass<M>(), random.velocity<M>())}});
-    }
-    expect_structured_is_dense(scene);
-  });
+TEST_IN_ALL_MODELS(StructuredDirect, IsTheDenseSolveWhereALineOfRodsJoinsTwoHubs) {
+  Scene<M> scene;
+  const int hubs[] = {0, 2};
+  for (int i = 0; i < 3; ++i)
+    scene.add_body(Linear<M>(2.0 * i * Linear<M>::Unit(0)), random.mass<M>(), random.velocity<M>());
+  for (const int hub : hubs) {
+    scene.add(Distance<M>{{hub, 1}, 2});
+    for (int i = 0; i < 4; ++i)
+      scene.add(Distance<M>{{hub, scene.add_body(random.pose<M>(), random.mass<M>(), random.velocity<M>())}});
+  }
+  expect_structured_is_dense(scene);
 }
 
-TEST(StructuredDirect, IsTheDenseSolveWhereALinkJoinsTwoHubs) {
-  in_both_bodies([]<class M>(Random& random) {
-    Scene<M> scene;
-    const auto body = [&] { return scene.add_body(random.pose<M>(), random.mass<M>(), random.velocity<M>()); };
-    const auto join = [&](int a, int b) {
-      scene.add(pin<M>(scene.bodies(), a, b, Linear<M>(random.vector<M::linear>(2))));
-    };
-    const int link = body();
-    for (const int hub : {body(), body()}) {
-      join(hub, link);
-      for (int i = 0; i < 4; ++i) join(hub, body());
-    }
-    expect_structured_is_dense(scene);
-  });
+TEST_IN_BOTH_BODIES(StructuredDirect, IsTheDenseSolveWhereALinkJoinsTwoHubs) {
+  Scene<M> scene;
+  const auto body = [&] { return scene.add_body(random.pose<M>(), random.mass<M>(), random.velocity<M>()); };
+  const auto join = [&](int a, int b) {
+    scene.add(pin<M>(scene.bodies(), a, b, Linear<M>(random.vector<M::linear>(2))));
+  };
+  const int link = body();
+  for (const int hub : {body(), body()}) {
+    join(hub, link);
+    for (int i = 0; i < 4; ++i) join(hub, body());
+  }
+  expect_structured_is_dense(scene);
 }
 
 TEST(StructuredDirect, IsTheDenseSolveOnMixedKinds) {
   in_all_models([]<class M>(Random& random) { expect_structured_is_dense(mixed_chain<M>(random, 20)); }, 5);
 }
 
-TEST(StructuredDirect, IsTheDenseSolveOnRandomGraphs) {
-  in_all_models(
-      []<class M>(Random& random) {
-        const int bodies = 3 + random.index(12);
-        expect_structured_is_dense(random_graph<M>(random, bodies, 1 + random.index(3 * bodies)));
-        expect_structured_is_dense(random_graph<M>(random, bodies, 1 + random.index(3 * bodies)), 1e-3);
-      },
-      50);
+TEST_IN_ALL_MODELS(StructuredDirect, IsTheDenseSolveOnRandomGraphs, 50) {
+  const int bodies = 3 + random.index(12);
+  expect_structured_is_dense(random_graph<M>(random, bodies, 1 + random.index(3 * bodies)));
+  expect_structured_is_dense(random_graph<M>(random, bodies, 1 + random.index(3 * bodies)), 1e-3);
 }
 
 TEST(Direct, DividesByARegularisedDiagonal) {
@@ -189,28 +175,24 @@ Scene<M> doubled_rod(double length1, double length2) {
   return scene;
 }
 
-TEST(SingularSystem, IsRefusedInASentenceAndLeavesTheVelocities) {
-  in_all_models([]<class M>(Random&) {
-    for (const auto factorisation : {Factorisation::structured, Factorisation::dense}) {
-      auto scene = doubled_rod<M>(1, 1);
-      scene.gravity.setZero();
-      scene.state().velocity[1][0] = 1;
-      Work<M> work;
-      EXPECT_THAT([&] { advance(scene, {Direct{factorisation}}, time_step, work); },
-                  testing::ThrowsMessage<SingularSystem>(testing::HasSubstr("regularisation above 0")));
-      EXPECT_EQ(scene.bodies().velocity[1], Velocity<M>(Velocity<M>::Unit(0)));
-    }
-  });
+TEST_IN_ALL_MODELS(SingularSystem, IsRefusedInASentenceAndLeavesTheVelocities) {
+  for (const auto factorisation : {Factorisation::structured, Factorisation::dense}) {
+    auto scene = doubled_rod<M>(1, 1);
+    scene.gravity.setZero();
+    scene.state().velocity[1][0] = 1;
+    Work<M> work;
+    EXPECT_THAT([&] { advance(scene, {Direct{factorisation}}, time_step, work); },
+                testing::ThrowsMessage<SingularSystem>(testing::HasSubstr("regularisation above 0")));
+    EXPECT_EQ(scene.bodies().velocity[1], Velocity<M>(Velocity<M>::Unit(0)));
+  }
 }
 
-TEST(SingularSystem, WithRegularisationHasTheRightSumOfImpulses) {
-  in_all_models([]<class M>(Random&) {
-    for (const auto factorisation : {Factorisation::structured, Factorisation::dense}) {
-      const auto answer = solved(doubled_rod<M>(1, 1), Direct{factorisation, 1e-9});
-      EXPECT_NEAR(answer.lambda[0] + answer.lambda[1], -3 * 9.81 * time_step, 1e-8);
-      EXPECT_NEAR(answer.lambda[0], answer.lambda[1], 1e-6) << "two equal rods share";
-    }
-  });
+TEST_IN_ALL_MODELS(SingularSystem, WithRegularisationHasTheRightSumOfImpulses) {
+  for (const auto factorisation : {Factorisation::structured, Factorisation::dense}) {
+    const auto answer = solved(doubled_rod<M>(1, 1), Direct{factorisation, 1e-9});
+    EXPECT_NEAR(answer.lambda[0] + answer.lambda[1], -3 * 9.81 * time_step, 1e-8);
+    EXPECT_NEAR(answer.lambda[0], answer.lambda[1], 1e-6) << "two equal rods share";
+  }
 }
 
 TEST(SingularSystem, IsFoundWhateverTheUnitOfMass) {
@@ -225,17 +207,15 @@ TEST(SingularSystem, IsFoundWhateverTheUnitOfMass) {
   }
 }
 
-TEST(Direct, LetsASpringBetweenFixedBodiesPullByHookesLaw) {
-  in_all_models([]<class M>(Random&) {
-    Scene<M> scene;
-    const int first = scene.add_body(Linear<M>(Linear<M>::Zero()), fixed<M>());
-    const int second = scene.add_body(Linear<M>(1.5 * Linear<M>::Unit(0)), fixed<M>());
-    const double stiffness = 1e6, stretch = 0.5;
-    const auto spring = scene.add(Spring<M>{{first, second}, 1, {stiffness}});
-    Simulation simulation{scene, {Direct{}}};
-    simulation.step(0.1);
-    EXPECT_NEAR(simulation.reaction(spring).force[0], -stiffness * stretch, 1e-6);
-  });
+TEST_IN_ALL_MODELS(Direct, LetsASpringBetweenFixedBodiesPullByHookesLaw) {
+  Scene<M> scene;
+  const int first = scene.add_body(Linear<M>(Linear<M>::Zero()), fixed<M>());
+  const int second = scene.add_body(Linear<M>(1.5 * Linear<M>::Unit(0)), fixed<M>());
+  const double stiffness = 1e6, stretch = 0.5;
+  const auto spring = scene.add(Spring<M>{{first, second}, 1, {stiffness}});
+  Simulation simulation{scene, {Direct{}}};
+  simulation.step(0.1);
+  EXPECT_NEAR(simulation.reaction(spring).force[0], -stiffness * stretch, 1e-6);
 }
 
 TEST(SingularSystem, OfALoopWithoutFreedomIsFound) {
@@ -262,56 +242,50 @@ double conflict(const RowSolver& solver, double softness, int steps) {
   return std::max(std::abs(work.system.lambda[0]), std::abs(work.system.lambda[1]));
 }
 
-TEST(ConflictingRods, GrowWithoutBoundUnderWarmStart) {
-  in_all_models([]<class M>(Random&) {
-    const double at_300 = conflict<M>(GaussSeidel{}, 0, 300), at_600 = conflict<M>(GaussSeidel{}, 0, 600),
-                 at_900 = conflict<M>(GaussSeidel{}, 0, 900);
-    EXPECT_GT(at_600, 1.5 * at_300);
-    EXPECT_NEAR(at_900 - at_600, at_600 - at_300, 1e-3 * at_300) << "linearly";
-  });
+TEST_IN_ALL_MODELS(ConflictingRods, GrowWithoutBoundUnderWarmStart) {
+  const double at_300 = conflict<M>(GaussSeidel{}, 0, 300), at_600 = conflict<M>(GaussSeidel{}, 0, 600),
+               at_900 = conflict<M>(GaussSeidel{}, 0, 900);
+  EXPECT_GT(at_600, 1.5 * at_300);
+  EXPECT_NEAR(at_900 - at_600, at_600 - at_300, 1e-3 * at_300) << "linearly";
 }
 
-TEST(ConflictingRods, AreBoundedBySoftnessAndByARegularisedDirectSolve) {
-  in_all_models([]<class M>(Random&) {
-    const double softness = 1e-2 / 3;  // a hundredth of JM⁻¹Jᵀ
-    EXPECT_NEAR(conflict<M>(GaussSeidel{}, softness, 900), conflict<M>(GaussSeidel{}, softness, 1800), 0.1);
-    const Direct direct{Factorisation::structured, 1e-2};
-    EXPECT_NEAR(conflict<M>(direct, 0, 300), conflict<M>(direct, 0, 600), 1e-6);
-    EXPECT_LE(conflict<M>(direct, 0, 900), 1.1 * 0.2 * 0.05 / time_step / softness)
-        << "half of the conflict, β/h · 0.05 m, over the softness";
-  });
+TEST_IN_ALL_MODELS(ConflictingRods, AreBoundedBySoftnessAndByARegularisedDirectSolve) {
+  const double softness = 1e-2 / 3;  // a hundredth of JM⁻¹Jᵀ
+  EXPECT_NEAR(conflict<M>(GaussSeidel{}, softness, 900), conflict<M>(GaussSeidel{}, softness, 1800), 0.1);
+  const Direct direct{Factorisation::structured, 1e-2};
+  EXPECT_NEAR(conflict<M>(direct, 0, 300), conflict<M>(direct, 0, 600), 1e-6);
+  EXPECT_LE(conflict<M>(direct, 0, 900), 1.1 * 0.2 * 0.05 / time_step / softness)
+      << "half of the conflict, β/h · 0.05 m, over the softness";
 }
 
-TEST(RowsWithoutEffect, GetNoImpulseInAnySolver) {
-  in_all_models([]<class M>(Random& random) {
-    Scene<M> scene;
-    const int post1 = scene.add_body(random.pose<M>(), fixed<M>());
-    const int post2 = scene.add_body(random.pose<M>(), fixed<M>());
-    const int bob = scene.add_body(random.pose<M>(), random.mass<M>(), random.velocity<M>());
-    scene.add(Distance<M>{{post1, post2}, 1});
-    scene.add(Distance<M>{{post1, bob}, 1});
-    scene.add(Pin<M>{{post2, post1}});
-    for (const RowSolver& solver :
-         {RowSolver(GaussSeidel{}), RowSolver(GaussSeidel{5, true, SweepOrder::coloured}),
-          RowSolver(GaussSeidel{5, true, SweepOrder::natural, BlockSolve::row_by_row}), RowSolver(Jacobi{}),
-          RowSolver(Direct{}), RowSolver(Direct{Factorisation::dense})}) {
-      const auto answer = solved(scene, any(solver));
-      EXPECT_EQ(answer.lambda[0], 0);
-      EXPECT_NE(answer.lambda[1], 0);
-      for (int k = 0; k < M::linear; ++k) EXPECT_EQ(answer.lambda[2 + k], 0);
-      EXPECT_LT(largest(answer.velocity), 1e3);
-    }
-    // A rod whose ends have come together since it was added: J is zero.
-    Scene<M> vanishing;
-    vanishing.add_body(Linear<M>(Linear<M>::Zero()), fixed<M>());
-    vanishing.add_body(Linear<M>(Linear<M>::Unit(0)), random.mass<M>());
-    vanishing.add(Distance<M>{{0, 1}, 1});
-    vanishing.add(NormalisedDistance<M>{{0, 1}, 1});
-    vanishing.state().pose[1].position.setZero();
-    for (const RowSolver& solver : {RowSolver(GaussSeidel{}), RowSolver(Jacobi{}), RowSolver(Direct{}),
-                                    RowSolver(Direct{Factorisation::dense})})
-      EXPECT_EQ(largest(solved(vanishing, any(solver)).lambda), 0);
-  });
+TEST_IN_ALL_MODELS(RowsWithoutEffect, GetNoImpulseInAnySolver) {
+  Scene<M> scene;
+  const int post1 = scene.add_body(random.pose<M>(), fixed<M>());
+  const int post2 = scene.add_body(random.pose<M>(), fixed<M>());
+  const int bob = scene.add_body(random.pose<M>(), random.mass<M>(), random.velocity<M>());
+  scene.add(Distance<M>{{post1, post2}, 1});
+  scene.add(Distance<M>{{post1, bob}, 1});
+  scene.add(Pin<M>{{post2, post1}});
+  for (const RowSolver& solver :
+       {RowSolver(GaussSeidel{}), RowSolver(GaussSeidel{5, true, SweepOrder::coloured}),
+        RowSolver(GaussSeidel{5, true, SweepOrder::natural, BlockSolve::row_by_row}), RowSolver(Jacobi{}),
+        RowSolver(Direct{}), RowSolver(Direct{Factorisation::dense})}) {
+    const auto answer = solved(scene, any(solver));
+    EXPECT_EQ(answer.lambda[0], 0);
+    EXPECT_NE(answer.lambda[1], 0);
+    for (int k = 0; k < M::linear; ++k) EXPECT_EQ(answer.lambda[2 + k], 0);
+    EXPECT_LT(largest(answer.velocity), 1e3);
+  }
+  // A rod whose ends have come together since it was added: J is zero.
+  Scene<M> vanishing;
+  vanishing.add_body(Linear<M>(Linear<M>::Zero()), fixed<M>());
+  vanishing.add_body(Linear<M>(Linear<M>::Unit(0)), random.mass<M>());
+  vanishing.add(Distance<M>{{0, 1}, 1});
+  vanishing.add(NormalisedDistance<M>{{0, 1}, 1});
+  vanishing.state().pose[1].position.setZero();
+  for (const RowSolver& solver : {RowSolver(GaussSeidel{}), RowSolver(Jacobi{}), RowSolver(Direct{}),
+                                  RowSolver(Direct{Factorisation::dense})})
+    EXPECT_EQ(largest(solved(vanishing, any(solver)).lambda), 0);
 }
 
 }  // namespace

@@ -50,40 +50,33 @@ const std::vector<RowSolver>& direct_solvers() {
   return solvers;
 }
 
-TEST(Momentum, IsKeptByEverySolverAfterAnyNumberOfSweeps) {
-  in_all_models(
-      []<class M>(Random& random) {
-        const auto expect_kept = [](Scene<M> scene, const RowSolver& solver) {
-          const auto linear = linear_momentum(scene.bodies());
-          const auto angular = angular_momentum(scene.bodies());
-          Work<M> work;
-          const auto poses = scene.bodies().pose;
-          advance(scene, {.solver = solver, .drift = NoDriftCure{}, .gyroscopic = Gyroscopic::none}, time_step,
-                  work);
-          EXPECT_GT(largest(work.system.lambda), 0.01) << "something was solved";
-          EXPECT_LE(difference(linear_momentum(scene.bodies()), linear), 1e-11);
-          // Of the velocities at the poses where the rows were written: moving the poses is not the solver's.
-          scene.state().pose = poses;
-          EXPECT_LE(difference(angular_momentum(scene.bodies()), angular), 1e-11);
-        };
-        const auto free = cluster<M>(random, false), bounded = cluster<M>(random);
-        for (const auto& solver : sweeping_solvers()) expect_kept(bounded, solver);
-        for (const auto& solver : direct_solvers()) expect_kept(free, solver);
-      },
-      10);
+TEST_IN_ALL_MODELS(Momentum, IsKeptByEverySolverAfterAnyNumberOfSweeps, 10) {
+  const auto expect_kept = [](Scene<M> scene, const RowSolver& solver) {
+    const auto linear = linear_momentum(scene.bodies());
+    const auto angular = angular_momentum(scene.bodies());
+    Work<M> work;
+    const auto poses = scene.bodies().pose;
+    advance(scene, {.solver = solver, .drift = NoDriftCure{}, .gyroscopic = Gyroscopic::none}, time_step, work);
+    EXPECT_GT(largest(work.system.lambda), 0.01) << "something was solved";
+    EXPECT_LE(difference(linear_momentum(scene.bodies()), linear), 1e-11);
+    // Of the velocities at the poses where the rows were written: moving the poses is not the solver's.
+    scene.state().pose = poses;
+    EXPECT_LE(difference(angular_momentum(scene.bodies()), angular), 1e-11);
+  };
+  const auto free = cluster<M>(random, false), bounded = cluster<M>(random);
+  for (const auto& solver : sweeping_solvers()) expect_kept(bounded, solver);
+  for (const auto& solver : direct_solvers()) expect_kept(free, solver);
 }
 
-TEST(LinearMomentum, IsKeptOverASecondWithDriftAndItsCure) {
-  in_all_models([]<class M>(Random& random) {
-    for (const auto& solver : sweeping_solvers()) {
-      auto scene = cluster<M>(random);
-      const auto before = linear_momentum(scene.bodies());
-      Work<M> work;
-      for (int i = 0; i < 60; ++i) advance(scene, {solver}, time_step, work);
-      EXPECT_LE(difference(linear_momentum(scene.bodies()), before),
-                1e-12 * (1 + std::sqrt(kinetic_energy(scene.bodies()))) * 60);
-    }
-  });
+TEST_IN_ALL_MODELS(LinearMomentum, IsKeptOverASecondWithDriftAndItsCure) {
+  for (const auto& solver : sweeping_solvers()) {
+    auto scene = cluster<M>(random);
+    const auto before = linear_momentum(scene.bodies());
+    Work<M> work;
+    for (int i = 0; i < 60; ++i) advance(scene, {solver}, time_step, work);
+    EXPECT_LE(difference(linear_momentum(scene.bodies()), before),
+              1e-12 * (1 + std::sqrt(kinetic_energy(scene.bodies()))) * 60);
+  }
 }
 
 TEST(AngularMomentum, OfParticlesIsKeptOverASecond) {
@@ -140,32 +133,27 @@ struct View {
   }
 };
 
-TEST(Translation, AndRotationOfTheWholeSceneChangeOnlyTheView) {
-  in_all_models(
-      []<class M>(Random& random) {
-        const View<M> view(random);
-        for (const auto& solver : sweeping_solvers()) {
-          auto scene = cluster<M>(random);
-          if (!std::get_if<Jacobi>(&solver)) scene.gravity = random.vector<M::linear>(10);
-          // A pin solved row by row depends on its axes, as any order of rows does.
-          if (const auto* sweeps = std::get_if<GaussSeidel>(&solver);
-              sweeps && sweeps->block_solve == BlockSolve::row_by_row && M::angular > 0)
-            continue;
-          auto elsewhere = view.of(scene);
-          Work<M> work, work_elsewhere;
-          for (int i = 0; i < 5; ++i) {
-            advance(scene, {solver}, time_step, work);
-            advance(elsewhere, {solver}, time_step, work_elsewhere);
-          }
-          for (int i = 0; i < scene.bodies().size(); ++i) {
-            const Velocity<M> expected = view.of(scene.bodies().velocity[i]);
-            EXPECT_LE(difference(elsewhere.bodies().velocity[i], expected), 1e-8 * (1 + expected.norm()));
-            EXPECT_LE(difference(elsewhere.bodies().pose[i].position, view.of(scene.bodies().pose[i]).position),
-                      1e-8);
-          }
-        }
-      },
-      5);
+TEST_IN_ALL_MODELS(Translation, AndRotationOfTheWholeSceneChangeOnlyTheView, 5) {
+  const View<M> view(random);
+  for (const auto& solver : sweeping_solvers()) {
+    auto scene = cluster<M>(random);
+    if (!std::get_if<Jacobi>(&solver)) scene.gravity = random.vector<M::linear>(10);
+    // A pin solved row by row depends on its axes, as any order of rows does.
+    if (const auto* sweeps = std::get_if<GaussSeidel>(&solver);
+        sweeps && sweeps->block_solve == BlockSolve::row_by_row && M::angular > 0)
+      continue;
+    auto elsewhere = view.of(scene);
+    Work<M> work, work_elsewhere;
+    for (int i = 0; i < 5; ++i) {
+      advance(scene, {solver}, time_step, work);
+      advance(elsewhere, {solver}, time_step, work_elsewhere);
+    }
+    for (int i = 0; i < scene.bodies().size(); ++i) {
+      const Velocity<M> expected = view.of(scene.bodies().velocity[i]);
+      EXPECT_LE(difference(elsewhere.bodies().velocity[i], expected), 1e-8 * (1 + expected.norm()));
+      EXPECT_LE(difference(elsewhere.bodies().pose[i].position, view.of(scene.bodies().pose[i]).position), 1e-8);
+    }
+  }
 }
 
 /// The cluster's rods with both bodies of each in the other order.
@@ -182,74 +170,62 @@ Scene<M> rods_of(const Scene<M>& scene, bool swapped) {
   return rods;
 }
 
-TEST(SwappedBodies, GiveTheMirroredAnswer) {
-  in_all_models(
-      []<class M>(Random& random) {
-        const auto scene = cluster<M>(random);
-        for (const auto& solver : {sweeping_solvers()[0], sweeping_solvers()[4], direct_solvers()[0]}) {
-          const auto straight = solved(rods_of(scene, false), any(solver)),
-                     swapped = solved(rods_of(scene, true), any(solver));
-          EXPECT_LE(difference(straight.velocity, swapped.velocity), 1e-11);
-          EXPECT_LE(difference(straight.lambda, swapped.lambda), 1e-11) << "a rod pulls both ends alike";
-        }
-        if constexpr (M::angular > 0) {
-          Pin<M> pin = scene.template all<Pin>()[0], turned = pin;
-          std::swap(turned.at.body1, turned.at.body2);
-          std::swap(turned.at.arms.first, turned.at.arms.second);
-          Scene<M> straight = bodies_alone(scene), swapped = straight;
-          straight.add(pin);
-          swapped.add(turned);
-          auto expected = solved(straight, GaussSeidel{1}), answer = solved(swapped, GaussSeidel{1});
-          for (double& lambda : expected.lambda) lambda = -lambda;
-          EXPECT_LE(difference(expected.lambda, answer.lambda), 1e-11) << "the impulse on the other body";
-          EXPECT_LE(difference(expected.velocity, answer.velocity), 1e-11);
-        }
-      },
-      10);
+TEST_IN_ALL_MODELS(SwappedBodies, GiveTheMirroredAnswer, 10) {
+  const auto scene = cluster<M>(random);
+  for (const auto& solver : {sweeping_solvers()[0], sweeping_solvers()[4], direct_solvers()[0]}) {
+    const auto straight = solved(rods_of(scene, false), any(solver)),
+               swapped = solved(rods_of(scene, true), any(solver));
+    EXPECT_LE(difference(straight.velocity, swapped.velocity), 1e-11);
+    EXPECT_LE(difference(straight.lambda, swapped.lambda), 1e-11) << "a rod pulls both ends alike";
+  }
+  if constexpr (M::angular > 0) {
+    Pin<M> pin = scene.template all<Pin>()[0], turned = pin;
+    std::swap(turned.at.body1, turned.at.body2);
+    std::swap(turned.at.arms.first, turned.at.arms.second);
+    Scene<M> straight = bodies_alone(scene), swapped = straight;
+    straight.add(pin);
+    swapped.add(turned);
+    auto expected = solved(straight, GaussSeidel{1}), answer = solved(swapped, GaussSeidel{1});
+    for (double& lambda : expected.lambda) lambda = -lambda;
+    EXPECT_LE(difference(expected.lambda, answer.lambda), 1e-11) << "the impulse on the other body";
+    EXPECT_LE(difference(expected.velocity, answer.velocity), 1e-11);
+  }
 }
 
-TEST(Masses, ScaledTogetherScaleTheImpulsesAndNotTheMotion) {
-  in_all_models(
-      []<class M>(Random& random) {
-        for (const auto& solver : sweeping_solvers()) {
-          const auto scene = cluster<M>(random);
-          auto heavy = scene;
-          for (int i = 0; i < heavy.bodies().size(); ++i) {
-            InverseMass<M> mass = heavy.bodies().inverse_mass[i];
-            mass.linear /= 8;
-            if constexpr (M::angular > 0) mass.angular /= 8;
-            heavy.set_mass(i, mass);
-          }
-          const auto light_answer = solved(scene, any(solver)), heavy_answer = solved(heavy, any(solver));
-          EXPECT_LE(difference(light_answer.velocity, heavy_answer.velocity), 1e-10);
-          auto expected = light_answer.lambda;
-          for (double& lambda : expected) lambda *= 8;
-          EXPECT_LE(difference(heavy_answer.lambda, expected), 1e-10 * (1 + largest(expected)));
-        }
-      },
-      10);
+TEST_IN_ALL_MODELS(Masses, ScaledTogetherScaleTheImpulsesAndNotTheMotion, 10) {
+  for (const auto& solver : sweeping_solvers()) {
+    const auto scene = cluster<M>(random);
+    auto heavy = scene;
+    for (int i = 0; i < heavy.bodies().size(); ++i) {
+      InverseMass<M> mass = heavy.bodies().inverse_mass[i];
+      mass.linear /= 8;
+      if constexpr (M::angular > 0) mass.angular /= 8;
+      heavy.set_mass(i, mass);
+    }
+    const auto light_answer = solved(scene, any(solver)), heavy_answer = solved(heavy, any(solver));
+    EXPECT_LE(difference(light_answer.velocity, heavy_answer.velocity), 1e-10);
+    auto expected = light_answer.lambda;
+    for (double& lambda : expected) lambda *= 8;
+    EXPECT_LE(difference(heavy_answer.lambda, expected), 1e-10 * (1 + largest(expected)));
+  }
 }
 
-TEST(Boost, OfTheWholeSceneRidesAlong) {
-  in_all_models(
-      []<class M>(Random& random) {
-        const Linear<M> boost = random.vector<M::linear>(5);
-        for (const auto& solver : sweeping_solvers()) {
-          auto scene = cluster<M>(random), riding = scene;
-          for (auto& V : riding.state().velocity) V.template head<M::linear>() += boost;
-          Work<M> work, riding_work;
-          for (int i = 0; i < 5; ++i) {
-            advance(scene, {solver}, time_step, work);
-            advance(riding, {solver}, time_step, riding_work);
-          }
-          for (int i = 0; i < scene.bodies().size(); ++i) {
-            Velocity<M> expected = scene.bodies().velocity[i];
-            expected.template head<M::linear>() += boost;
-            EXPECT_LE(difference(riding.bodies().velocity[i], expected), 1e-8 * (1 + expected.norm()));
-          }
-        }
-      },
-      5);
+TEST_IN_ALL_MODELS(Boost, OfTheWholeSceneRidesAlong, 5) {
+  const Linear<M> boost = random.vector<M::linear>(5);
+  for (const auto& solver : sweeping_solvers()) {
+    auto scene = cluster<M>(random), riding = scene;
+    for (auto& V : riding.state().velocity) V.template head<M::linear>() += boost;
+    Work<M> work, riding_work;
+    for (int i = 0; i < 5; ++i) {
+      advance(scene, {solver}, time_step, work);
+      advance(riding, {solver}, time_step, riding_work);
+    }
+    for (int i = 0; i < scene.bodies().size(); ++i) {
+      Velocity<M> expected = scene.bodies().velocity[i];
+      expected.template head<M::linear>() += boost;
+      EXPECT_LE(difference(riding.bodies().velocity[i], expected), 1e-8 * (1 + expected.norm()));
+    }
+  }
 }
 
 }  // namespace

@@ -75,61 +75,49 @@ void expect_derivatives(const Kind& kind, const Pair<M>& pair) {
               });
 }
 
-TEST(BiasAcceleration, IsTheSecondDerivativeAtConstantVelocityOfRods) {
-  in_all_models(
-      []<class M>(Random& random) {
-        const auto pair = random_pair<M>(random);
-        expect_derivatives(Distance<M>{pair.at, 1.3}, pair);
-        if ((pair.P2() - pair.P1()).norm() > 0.5) expect_derivatives(NormalisedDistance<M>{pair.at, 1.3}, pair);
-      },
-      20);
+TEST_IN_ALL_MODELS(BiasAcceleration, IsTheSecondDerivativeAtConstantVelocityOfRods, 20) {
+  const auto pair = random_pair<M>(random);
+  expect_derivatives(Distance<M>{pair.at, 1.3}, pair);
+  if ((pair.P2() - pair.P1()).norm() > 0.5) expect_derivatives(NormalisedDistance<M>{pair.at, 1.3}, pair);
 }
 
-TEST(BiasAcceleration, IsTheSecondDerivativeAtConstantVelocityOfJoints) {
-  in_both_bodies(
-      []<class M>(Random& random) {
-        const auto pair = random_pair<M>(random);
-        const Bodies<M> bodies = pair.bodies();
-        const Linear<M> point = random.vector<M::linear>(2), axis = random.direction<M>();
-        auto moved = pair;  // from where the joint holds
-        move<M, double>(moved.pose1, pair.V2, 0.1);
-        move<M, double>(moved.pose2, pair.V1, 0.1);
-        expect_derivatives(pin<M>(bodies, 0, 1, point), moved);
-        expect_derivatives(weld<M>(bodies, 0, 1, point), moved);
-        expect_derivatives(slider<M>(bodies, 0, 1, point, axis), moved);
-        if constexpr (M::angular == 3) expect_derivatives(hinge<M>(bodies, 0, 1, point, axis), moved);
-      },
-      20);
+TEST_IN_BOTH_BODIES(BiasAcceleration, IsTheSecondDerivativeAtConstantVelocityOfJoints, 20) {
+  const auto pair = random_pair<M>(random);
+  const Bodies<M> bodies = pair.bodies();
+  const Linear<M> point = random.vector<M::linear>(2), axis = random.direction<M>();
+  auto moved = pair;  // from where the joint holds
+  move<M, double>(moved.pose1, pair.V2, 0.1);
+  move<M, double>(moved.pose2, pair.V1, 0.1);
+  expect_derivatives(pin<M>(bodies, 0, 1, point), moved);
+  expect_derivatives(weld<M>(bodies, 0, 1, point), moved);
+  expect_derivatives(slider<M>(bodies, 0, 1, point, axis), moved);
+  if constexpr (M::angular == 3) expect_derivatives(hinge<M>(bodies, 0, 1, point, axis), moved);
 }
 
 // C = ½(d² - L²): C̈ = |ḋ|² + d·d̈, and d̈ is the arms' ω × (ω × r) alone.
-TEST(BiasAcceleration, OfARodIsItsEndsSpeedSquaredAndTheirPullInwards) {
-  in_all_models(
-      []<class M>(Random& random) {
-        const auto pair = random_pair<M>(random);
-        const Paths<M> paths(pair);
-        const Linear<M> d = pair.P2() - pair.P1();
-        Linear<M> d_rate = pair.V2.template head<M::linear>() - pair.V1.template head<M::linear>();
-        Linear<M> d_bend = Linear<M>::Zero();
-        const auto turn = [&](const auto& r, const Velocity<M>& V, double sign) {
-          if constexpr (M::angular == 1) {
-            const double w = V[2];
-            d_rate += sign * w * Linear<M>(-r.y(), r.x());
-            d_bend -= sign * w * w * r;
-          }
-          if constexpr (M::angular == 3) {
-            const Linear<M> w = V.template tail<3>();
-            d_rate += sign * w.cross(r);
-            d_bend += sign * w.cross(w.cross(r));
-          }
-        };
-        turn(pair.r2(), pair.V2, 1);
-        turn(pair.r1(), pair.V1, -1);
-        const double expected = d_rate.squaredNorm() + d.dot(d_bend);
-        const double bias = bias_acceleration<Distance<M>, M>({pair.at}, paths.first, paths.second)[0];
-        EXPECT_NEAR(bias, expected, 1e-12 * (1 + std::abs(expected)));
-      },
-      50);
+TEST_IN_ALL_MODELS(BiasAcceleration, OfARodIsItsEndsSpeedSquaredAndTheirPullInwards, 50) {
+  const auto pair = random_pair<M>(random);
+  const Paths<M> paths(pair);
+  const Linear<M> d = pair.P2() - pair.P1();
+  Linear<M> d_rate = pair.V2.template head<M::linear>() - pair.V1.template head<M::linear>();
+  Linear<M> d_bend = Linear<M>::Zero();
+  const auto turn = [&](const auto& r, const Velocity<M>& V, double sign) {
+    if constexpr (M::angular == 1) {
+      const double w = V[2];
+      d_rate += sign * w * Linear<M>(-r.y(), r.x());
+      d_bend -= sign * w * w * r;
+    }
+    if constexpr (M::angular == 3) {
+      const Linear<M> w = V.template tail<3>();
+      d_rate += sign * w.cross(r);
+      d_bend += sign * w.cross(w.cross(r));
+    }
+  };
+  turn(pair.r2(), pair.V2, 1);
+  turn(pair.r1(), pair.V1, -1);
+  const double expected = d_rate.squaredNorm() + d.dot(d_bend);
+  const double bias = bias_acceleration<Distance<M>, M>({pair.at}, paths.first, paths.second)[0];
+  EXPECT_NEAR(bias, expected, 1e-12 * (1 + std::abs(expected)));
 }
 
 }  // namespace

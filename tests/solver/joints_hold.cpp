@@ -20,45 +20,39 @@ Velocity<M> velocity(const Linear<M>& v) {
   return V;
 }
 
-TEST(Weld, CarriesABoxByItsWeightAndItsMoment) {
-  in_both_bodies([]<class M>(Random& random) {
-    for (const RowSolver& solver : {RowSolver(Direct{}), RowSolver(GaussSeidel{.sweeps = 1})}) {
-      Simulation<M> simulation{{}, {solver}};
-      auto& scene = simulation.scene;
-      scene.add_body(random.pose<M>(), fixed<M>());
-      Pose<M> pose = random.pose<M>();
-      pose.position = 3 * Linear<M>::Unit(0);
-      scene.add_body(pose, box<M>(2, Linear<M>::Constant(0.4)));
-      scene.add(weld<M>(scene.bodies(), 0, 1, Linear<M>(Linear<M>::Zero())));
-      run(simulation, 5, h);
-      EXPECT_LT((scene.bodies().pose[1].position - pose.position).norm(), 1e-12);
-      Rows<M::dof> expected = Rows<M::dof>::Zero();
-      expected[1] = 2 * g;  // along y, and about z, 3 m from the wall, where it is clamped
-      expected[M::dof - 1] = 3 * 2 * g;
-      for (int k = 0; k < M::dof; ++k) EXPECT_NEAR(force(simulation.work, 0, k), expected[k], 1e-9) << "row " << k;
-    }
-  });
+TEST_IN_BOTH_BODIES(Weld, CarriesABoxByItsWeightAndItsMoment) {
+  for (const RowSolver& solver : {RowSolver(Direct{}), RowSolver(GaussSeidel{.sweeps = 1})}) {
+    Simulation<M> simulation{{}, {solver}};
+    auto& scene = simulation.scene;
+    scene.add_body(random.pose<M>(), fixed<M>());
+    Pose<M> pose = random.pose<M>();
+    pose.position = 3 * Linear<M>::Unit(0);
+    scene.add_body(pose, box<M>(2, Linear<M>::Constant(0.4)));
+    scene.add(weld<M>(scene.bodies(), 0, 1, Linear<M>(Linear<M>::Zero())));
+    run(simulation, 5, h);
+    EXPECT_LT((scene.bodies().pose[1].position - pose.position).norm(), 1e-12);
+    Rows<M::dof> expected = Rows<M::dof>::Zero();
+    expected[1] = 2 * g;  // along y, and about z, 3 m from the wall, where it is clamped
+    expected[M::dof - 1] = 3 * 2 * g;
+    for (int k = 0; k < M::dof; ++k) EXPECT_NEAR(force(simulation.work, 0, k), expected[k], 1e-9) << "row " << k;
+  }
 }
 
-TEST(Slider, LetsABoxFallAlongItAsIfNothingHeldIt) {
-  in_both_bodies(
-      []<class M>(Random& random) {
-        Simulation<M> simulation{{}, {Direct{}}};
-        auto& scene = simulation.scene;
-        scene.add_body(random.pose<M>(), fixed<M>());
-        scene.add_body(random.pose<M>(), random.mass<M>());
-        const Linear<M> axis = random.direction<M>(), start = scene.bodies().pose[1].position;
-        const Pose<M> upright = scene.bodies().pose[1];
-        scene.add(slider<M>(scene.bodies(), 0, 1, random.vector<M::linear>(1), axis));
-        for (int n = 1; n <= 120; ++n) {
-          simulation.step(h);
-          const Linear<M> gone = -g * axis.y() * h * h * n * (n + 1) / 2 * axis;
-          ASSERT_LT((scene.bodies().pose[1].position - start - gone).norm(), 1e-11);
-        }
-        const auto off = orientation<M>(scene.bodies(), 0, 1);
-        EXPECT_LT(off.value(scene.bodies().pose[0], upright).norm(), 1e-12);
-      },
-      5);
+TEST_IN_BOTH_BODIES(Slider, LetsABoxFallAlongItAsIfNothingHeldIt, 5) {
+  Simulation<M> simulation{{}, {Direct{}}};
+  auto& scene = simulation.scene;
+  scene.add_body(random.pose<M>(), fixed<M>());
+  scene.add_body(random.pose<M>(), random.mass<M>());
+  const Linear<M> axis = random.direction<M>(), start = scene.bodies().pose[1].position;
+  const Pose<M> upright = scene.bodies().pose[1];
+  scene.add(slider<M>(scene.bodies(), 0, 1, random.vector<M::linear>(1), axis));
+  for (int n = 1; n <= 120; ++n) {
+    simulation.step(h);
+    const Linear<M> gone = -g * axis.y() * h * h * n * (n + 1) / 2 * axis;
+    ASSERT_LT((scene.bodies().pose[1].position - start - gone).norm(), 1e-11);
+  }
+  const auto off = orientation<M>(scene.bodies(), 0, 1);
+  EXPECT_LT(off.value(scene.bodies().pose[0], upright).norm(), 1e-12);
 }
 
 TEST(Hinge, IsACompoundPendulumsAxis) {
@@ -123,31 +117,26 @@ Lost lost_after_two_seconds(Simulation<M> simulation, double step) {
 // Impulses of joints are internal. A slider's act along one line even while it is off; those of a weld act C
 // apart, and turn the whole by C × λ at most. What turns in space has its gyroscopic moment from an implicit Euler
 // of order one. The gap that is left is what a step turns too far out, by (ωh)², over β: of order two.
-TEST(Joints, KeepTheMomentumOfWhatFloats) {
-  in_both_bodies(
-      []<class M>(Random& random) {
-        Simulation<M> simulation{{}, {Direct{}, Baumgarte{0.2}}};
-        auto& scene = simulation.scene;
-        scene.gravity.setZero();
-        simulation.method.gyroscopic = Gyroscopic::implicit;
-        for (int i = 0; i < 3; ++i) scene.add_body(random.pose<M>(), random.mass<M>(), random.velocity<M>());
-        scene.add(slider<M>(scene.bodies(), 0, 1, random.vector<M::linear>(1), random.direction<M>()));
-        scene.add(weld<M>(scene.bodies(), 1, 2, random.vector<M::linear>(1)));
-        const double energy_at_first = kinetic_energy(scene.bodies());
-        auto first = simulation;
-        first.step(h);
-        EXPECT_LT(kinetic_energy(first.scene.bodies()), energy_at_first);  // the joints were not yet kept by V
-        const Lost coarse = lost_after_two_seconds(simulation, 1e-3),
-                   fine = lost_after_two_seconds(simulation, 5e-4);
-        EXPECT_LT(coarse.linear, 2000 * 3 * 10 * 0x1p-53);  // 2,000 steps of three momenta of some 10 kg m/s
-        if (M::linear == 2) {
-          EXPECT_LT(coarse.angular, coarse.by_gaps + 1e-11);
-        } else {
-          EXPECT_LT(fine.angular, 0.55 * coarse.angular + coarse.by_gaps + fine.by_gaps);
-        }
-        EXPECT_NEAR(coarse.gap / fine.gap, 4, 0.05);
-      },
-      5);
+TEST_IN_BOTH_BODIES(Joints, KeepTheMomentumOfWhatFloats, 5) {
+  Simulation<M> simulation{{}, {Direct{}, Baumgarte{0.2}}};
+  auto& scene = simulation.scene;
+  scene.gravity.setZero();
+  simulation.method.gyroscopic = Gyroscopic::implicit;
+  for (int i = 0; i < 3; ++i) scene.add_body(random.pose<M>(), random.mass<M>(), random.velocity<M>());
+  scene.add(slider<M>(scene.bodies(), 0, 1, random.vector<M::linear>(1), random.direction<M>()));
+  scene.add(weld<M>(scene.bodies(), 1, 2, random.vector<M::linear>(1)));
+  const double energy_at_first = kinetic_energy(scene.bodies());
+  auto first = simulation;
+  first.step(h);
+  EXPECT_LT(kinetic_energy(first.scene.bodies()), energy_at_first);  // the joints were not yet kept by V
+  const Lost coarse = lost_after_two_seconds(simulation, 1e-3), fine = lost_after_two_seconds(simulation, 5e-4);
+  EXPECT_LT(coarse.linear, 2000 * 3 * 10 * 0x1p-53);  // 2,000 steps of three momenta of some 10 kg m/s
+  if (M::linear == 2) {
+    EXPECT_LT(coarse.angular, coarse.by_gaps + 1e-11);
+  } else {
+    EXPECT_LT(fine.angular, 0.55 * coarse.angular + coarse.by_gaps + fine.by_gaps);
+  }
+  EXPECT_NEAR(coarse.gap / fine.gap, 4, 0.05);
 }
 
 }  // namespace

@@ -35,28 +35,24 @@ void expect_gradient(const Kind& kind, const Pair<M>& pair, double tolerance) {
                       gradient_by_duals(kind, pair.pose1, pair.pose2), tolerance);
 }
 
-TEST(Joints, JacobiansAreGradientsOfCAtEveryPose) {
-  in_both_bodies(
-      []<class M>(Random& random) {
-        const auto made = random_pair<M>(random), moved = random_pair<M>(random);
-        const Bodies<M> bodies = made.bodies();
-        const Linear<M> point = random.vector<M::linear>(2), axis = random.direction<M>();
-        expect_gradient(weld<M>(bodies, 0, 1, point), moved, 1e-12);
-        expect_gradient(slider<M>(bodies, 0, 1, point, axis), moved, 1e-12);
-        expect_gradient(motor<M>(slide<M>(bodies, 0, 1, point, axis), 1, 1), moved, 1e-12);
-        if constexpr (M::angular == 3) {
-          expect_gradient(hinge<M>(bodies, 0, 1, point, axis), moved, 1e-12);
-          // Where the axes are parallel an angle has no gradient: 1/sin ψ tells how near.
-          const auto cone = at_most<M>(1, swing<M>(bodies, 0, 1, axis));
-          const double psi = 1 - cone.template value<double>(moved.pose1, moved.pose2)[0];
-          expect_gradient(cone, moved, 1e-13 / std::sin(psi));
-        }
-        // Near half a turn across its axis an angle has no gradient: 1/(w² + z²) tells how near.
-        const auto spin = motor<M>(random_turn(random, bodies), 1, 1);
-        const double steep = Dense(spin.jacobian(moved.pose1, moved.pose2).matrix).largest();
-        expect_gradient(spin, moved, 1e-13 * std::max(10.0, steep * steep));
-      },
-      draws);
+TEST_IN_BOTH_BODIES(Joints, JacobiansAreGradientsOfCAtEveryPose, draws) {
+  const auto made = random_pair<M>(random), moved = random_pair<M>(random);
+  const Bodies<M> bodies = made.bodies();
+  const Linear<M> point = random.vector<M::linear>(2), axis = random.direction<M>();
+  expect_gradient(weld<M>(bodies, 0, 1, point), moved, 1e-12);
+  expect_gradient(slider<M>(bodies, 0, 1, point, axis), moved, 1e-12);
+  expect_gradient(motor<M>(slide<M>(bodies, 0, 1, point, axis), 1, 1), moved, 1e-12);
+  if constexpr (M::angular == 3) {
+    expect_gradient(hinge<M>(bodies, 0, 1, point, axis), moved, 1e-12);
+    // Where the axes are parallel an angle has no gradient: 1/sin ψ tells how near.
+    const auto cone = at_most<M>(1, swing<M>(bodies, 0, 1, axis));
+    const double psi = 1 - cone.template value<double>(moved.pose1, moved.pose2)[0];
+    expect_gradient(cone, moved, 1e-13 / std::sin(psi));
+  }
+  // Near half a turn across its axis an angle has no gradient: 1/(w² + z²) tells how near.
+  const auto spin = motor<M>(random_turn(random, bodies), 1, 1);
+  const double steep = Dense(spin.jacobian(moved.pose1, moved.pose2).matrix).largest();
+  expect_gradient(spin, moved, 1e-13 * std::max(10.0, steep * steep));
 }
 
 }  // namespace

@@ -35,35 +35,26 @@ void expect_one_jacobian(const Freedom& freedom, const Pair<M>& pair) {
   expect(at_most<M>(0.4, freedom), -1, 0.4);
 }
 
-TEST(Joints, LimitsMotorsAndServosOfAFreedomShareItsJacobian) {
-  in_both_bodies(
-      []<class M>(Random& random) {
-        const auto made = random_pair<M>(random), moved = random_pair<M>(random);
-        expect_one_jacobian(random_turn(random, made.bodies()), moved);
-        expect_one_jacobian(slide<M>(made.bodies(), 0, 1, random.vector<M::linear>(2), random.direction<M>()),
-                            moved);
-      },
-      draws);
+TEST_IN_BOTH_BODIES(Joints, LimitsMotorsAndServosOfAFreedomShareItsJacobian, draws) {
+  const auto made = random_pair<M>(random), moved = random_pair<M>(random);
+  expect_one_jacobian(random_turn(random, made.bodies()), moved);
+  expect_one_jacobian(slide<M>(made.bodies(), 0, 1, random.vector<M::linear>(2), random.direction<M>()), moved);
 }
 
-TEST(Joints, HoldWhereTheyAreMade) {
-  in_both_bodies(
-      []<class M>(Random& random) {
-        const auto pair = random_pair<M>(random);
-        const auto at_rest = [&](const auto& joint) {
-          return joint.template value<double>(pair.pose1, pair.pose2).cwiseAbs().maxCoeff();
-        };
-        const Linear<M> point = random.vector<M::linear>(2), axis = random.direction<M>();
-        const Bodies<M> bodies = pair.bodies();
-        EXPECT_LE(at_rest(weld<M>(bodies, 0, 1, point)), 1e-14);
-        EXPECT_LE(at_rest(slider<M>(bodies, 0, 1, point, axis)), 1e-14);
-        EXPECT_LE(at_rest(motor<M>(slide<M>(bodies, 0, 1, point, axis), 1, 1)), 1e-14);
-        EXPECT_LE(at_rest(motor<M>(random_turn(random, bodies), 1, 1)), 1e-14);
-        if constexpr (M::angular == 3) {
-          EXPECT_LE(at_rest(hinge<M>(bodies, 0, 1, point, axis)), 1e-14);
-        }
-      },
-      draws);
+TEST_IN_BOTH_BODIES(Joints, HoldWhereTheyAreMade, draws) {
+  const auto pair = random_pair<M>(random);
+  const auto at_rest = [&](const auto& joint) {
+    return joint.template value<double>(pair.pose1, pair.pose2).cwiseAbs().maxCoeff();
+  };
+  const Linear<M> point = random.vector<M::linear>(2), axis = random.direction<M>();
+  const Bodies<M> bodies = pair.bodies();
+  EXPECT_LE(at_rest(weld<M>(bodies, 0, 1, point)), 1e-14);
+  EXPECT_LE(at_rest(slider<M>(bodies, 0, 1, point, axis)), 1e-14);
+  EXPECT_LE(at_rest(motor<M>(slide<M>(bodies, 0, 1, point, axis), 1, 1)), 1e-14);
+  EXPECT_LE(at_rest(motor<M>(random_turn(random, bodies), 1, 1)), 1e-14);
+  if constexpr (M::angular == 3) {
+    EXPECT_LE(at_rest(hinge<M>(bodies, 0, 1, point, axis)), 1e-14);
+  }
 }
 
 /// The pair with body 2 moved as a joint lets it: turned about an axis of body 1's at a world point, or gone along
@@ -81,48 +72,40 @@ Pose<M> turned_about(const Pose<M>& pose, const Linear<M>& point, const Angular<
   return result;
 }
 
-TEST(Joints, AngleIsHowFarBody2HasTurnedAnticlockwise) {
-  in_both_bodies(
-      []<class M>(Random& random) {
-        const auto pair = random_pair<M>(random);
-        const double angle = random.uniform(-3.14, 3.14);
-        Angular<M> axis;
-        Turn<M> measured;
-        if constexpr (M::angular == 1) {
-          axis = Angular<M>(1);
-          measured = turn<M>(pair.bodies(), 0, 1);
-        } else {
-          axis = random.direction<M>();
-          measured = turn<M>(pair.bodies(), 0, 1, 7 * axis);
-        }
-        const Linear<M> point = random.vector<M::linear>(2);
-        const Pose<M> turned = turned_about<M>(pair.pose2, point, angle * axis);
-        EXPECT_NEAR(measured.value(pair.pose1, turned), angle, 2e-13 / (3.15 - std::abs(angle)));
-        // Both turned and carried together, nothing is seen.
-        const Angular<M> any = random.vector<M::angular>(2);
-        EXPECT_NEAR(measured.value(turned_about<M>(pair.pose1, point, any), turned_about<M>(turned, point, any)),
-                    angle, 2e-13 / (3.15 - std::abs(angle)));
-        if constexpr (M::angular == 3) {
-          const auto door = hinge<M>(pair.bodies(), 0, 1, point, axis);
-          EXPECT_LE(door.value(pair.pose1, turned).norm(), 1e-13);
-        }
-      },
-      draws);
+TEST_IN_BOTH_BODIES(Joints, AngleIsHowFarBody2HasTurnedAnticlockwise, draws) {
+  const auto pair = random_pair<M>(random);
+  const double angle = random.uniform(-3.14, 3.14);
+  Angular<M> axis;
+  Turn<M> measured;
+  if constexpr (M::angular == 1) {
+    axis = Angular<M>(1);
+    measured = turn<M>(pair.bodies(), 0, 1);
+  } else {
+    axis = random.direction<M>();
+    measured = turn<M>(pair.bodies(), 0, 1, 7 * axis);
+  }
+  const Linear<M> point = random.vector<M::linear>(2);
+  const Pose<M> turned = turned_about<M>(pair.pose2, point, angle * axis);
+  EXPECT_NEAR(measured.value(pair.pose1, turned), angle, 2e-13 / (3.15 - std::abs(angle)));
+  // Both turned and carried together, nothing is seen.
+  const Angular<M> any = random.vector<M::angular>(2);
+  EXPECT_NEAR(measured.value(turned_about<M>(pair.pose1, point, any), turned_about<M>(turned, point, any)), angle,
+              2e-13 / (3.15 - std::abs(angle)));
+  if constexpr (M::angular == 3) {
+    const auto door = hinge<M>(pair.bodies(), 0, 1, point, axis);
+    EXPECT_LE(door.value(pair.pose1, turned).norm(), 1e-13);
+  }
 }
 
-TEST(Joints, WayIsHowFarBody2HasGoneAlongTheAxis) {
-  in_both_bodies(
-      []<class M>(Random& random) {
-        auto pair = random_pair<M>(random);
-        const Linear<M> point = random.vector<M::linear>(2), axis = random.direction<M>();
-        const auto way = slide<M>(pair.bodies(), 0, 1, point, 5 * axis);
-        const auto guide = slider<M>(pair.bodies(), 0, 1, point, axis);
-        const double gone = random.uniform(-3, 3);
-        pair.pose2.position += gone * axis;
-        EXPECT_NEAR(way.value(pair.pose1, pair.pose2), gone, 1e-13);
-        EXPECT_LE(guide.value(pair.pose1, pair.pose2).norm(), 1e-13);
-      },
-      draws);
+TEST_IN_BOTH_BODIES(Joints, WayIsHowFarBody2HasGoneAlongTheAxis, draws) {
+  auto pair = random_pair<M>(random);
+  const Linear<M> point = random.vector<M::linear>(2), axis = random.direction<M>();
+  const auto way = slide<M>(pair.bodies(), 0, 1, point, 5 * axis);
+  const auto guide = slider<M>(pair.bodies(), 0, 1, point, axis);
+  const double gone = random.uniform(-3, 3);
+  pair.pose2.position += gone * axis;
+  EXPECT_NEAR(way.value(pair.pose1, pair.pose2), gone, 1e-13);
+  EXPECT_LE(guide.value(pair.pose1, pair.pose2).norm(), 1e-13);
 }
 
 TEST(Joints, AWeldMeasuresAWholeTurnAndItsJacobianNeverGoesFlat) {

@@ -54,118 +54,106 @@ Scene<M> thrown(const Velocity<M>& velocity, double gravity) {
   return scene;
 }
 
-TEST(Damping, SlowsAFreeBodyExponentially) {
-  in_all_models([]<class M>(Random& random) {
-    const Velocity<M> V = random.velocity<M>();
-    const auto worst = [&](const auto& method, double linear, double angular) {
-      Simulation simulation{thrown<M>(V, 0), method};
-      simulation.scene.set_damping(0, linear, angular);
-      double error = 0;
-      run(simulation, 1, time_step, [&] {
-        Velocity<M> exact = V;
-        exact.template head<M::linear>() *= std::exp(-linear * simulation.time);
-        exact.template tail<M::angular>() *= std::exp(-angular * simulation.time);
-        error = std::max(error, (simulation.scene.bodies().velocity[0] - exact).norm());
-      });
-      return error;
-    };
-    for (const auto& [linear, angular] : {std::pair(0.3, 2.0), {5.0, 0.0}, {0.0, 20.0}}) {
-      with_exact_methods([&, linear = linear, angular = angular](const auto& method) {
-        EXPECT_LT(worst(method, linear, angular), 1e-11);
-      });
-      const double share = std::max(linear, angular) * time_step;  // ch
-      EXPECT_LT(worst(Accelerations{}, linear, angular), V.norm() * std::pow(share, 4) / 120);
-      EXPECT_LT(worst(Accelerations{Scheme::implicit_midpoint}, linear, angular), V.norm() * share * share / 12);
-    }
-  });
+TEST_IN_ALL_MODELS(Damping, SlowsAFreeBodyExponentially) {
+  const Velocity<M> V = random.velocity<M>();
+  const auto worst = [&](const auto& method, double linear, double angular) {
+    Simulation simulation{thrown<M>(V, 0), method};
+    simulation.scene.set_damping(0, linear, angular);
+    double error = 0;
+    run(simulation, 1, time_step, [&] {
+      Velocity<M> exact = V;
+      exact.template head<M::linear>() *= std::exp(-linear * simulation.time);
+      exact.template tail<M::angular>() *= std::exp(-angular * simulation.time);
+      error = std::max(error, (simulation.scene.bodies().velocity[0] - exact).norm());
+    });
+    return error;
+  };
+  for (const auto& [linear, angular] : {std::pair(0.3, 2.0), {5.0, 0.0}, {0.0, 20.0}}) {
+    with_exact_methods([&, linear = linear, angular = angular](const auto& method) {
+      EXPECT_LT(worst(method, linear, angular), 1e-11);
+    });
+    const double share = std::max(linear, angular) * time_step;  // ch
+    EXPECT_LT(worst(Accelerations{}, linear, angular), V.norm() * std::pow(share, 4) / 120);
+    EXPECT_LT(worst(Accelerations{Scheme::implicit_midpoint}, linear, angular), V.norm() * share * share / 12);
+  }
 }
 
-TEST(Damping, IsStableHoweverStrongItIs) {
-  in_all_models([]<class M>(Random& random) {
-    const Velocity<M> V = random.velocity<M>();
-    for (double share = 1e-3; share <= 1e6; share *= 10)
-      with_exact_methods([&](const auto& method) {
-        Simulation simulation{thrown<M>(V, 0), method};
-        simulation.scene.set_damping(0, share / time_step, share / time_step);
-        for (int i = 0; i < 20; ++i) {
-          const Velocity<M> before = simulation.scene.bodies().velocity[0];
-          simulation.step(time_step);
-          const Velocity<M> now = simulation.scene.bodies().velocity[0];
-          ASSERT_LE(now.norm(), before.norm() * (1 + 1e-12) + 1e-12) << "ch = " << share;
-          ASSERT_GE(now.dot(before), -1e-12) << "it does not turn round";
-        }
-      });
-  });
+TEST_IN_ALL_MODELS(Damping, IsStableHoweverStrongItIs) {
+  const Velocity<M> V = random.velocity<M>();
+  for (double share = 1e-3; share <= 1e6; share *= 10)
+    with_exact_methods([&](const auto& method) {
+      Simulation simulation{thrown<M>(V, 0), method};
+      simulation.scene.set_damping(0, share / time_step, share / time_step);
+      for (int i = 0; i < 20; ++i) {
+        const Velocity<M> before = simulation.scene.bodies().velocity[0];
+        simulation.step(time_step);
+        const Velocity<M> now = simulation.scene.bodies().velocity[0];
+        ASSERT_LE(now.norm(), before.norm() * (1 + 1e-12) + 1e-12) << "ch = " << share;
+        ASSERT_GE(now.dot(before), -1e-12) << "it does not turn round";
+      }
+    });
 }
 
 // A step damps what it finds and then adds gh: the speed tends to gh/(1 - exp(-ch)), which is g/c to the first
 // order of ch, and gh where ch is large. RATTLE does both in two halves.
-TEST(Damping, LeadsToTheTerminalSpeed) {
-  in_all_models([]<class M>(Random&) {
-    constexpr double half = 0.5;  // of gravity
-    for (const double rate : {2.0, 50.0, 6e5}) {
-      const auto terminal = [&](const auto& method) {
-        Simulation simulation{thrown<M>(Velocity<M>::Zero(), g), method};
-        simulation.scene.set_damping(0, rate);
-        simulation.scene.set_gravity_scale(0, half);
-        run(simulation, 20, time_step);
-        return -simulation.scene.bodies().velocity[0][1];
-      };
-      EXPECT_NEAR(terminal(VelocityStepping{}) * -std::expm1(-rate * time_step) / (half * g * time_step), 1, 1e-9);
-      with_exact_methods([&](const auto& method) {
-        EXPECT_GE(terminal(method), half * g / rate * (1 - 1e-6));
-        EXPECT_LE(terminal(method), half * g * (1 / rate + time_step) * (1 + 1e-6));
-      });
-      if (rate * time_step > 1) continue;
-      EXPECT_NEAR(terminal(Accelerations{}) * rate / (half * g), 1, 1e-6);
-    }
-  });
+TEST_IN_ALL_MODELS(Damping, LeadsToTheTerminalSpeed) {
+  constexpr double half = 0.5;  // of gravity
+  for (const double rate : {2.0, 50.0, 6e5}) {
+    const auto terminal = [&](const auto& method) {
+      Simulation simulation{thrown<M>(Velocity<M>::Zero(), g), method};
+      simulation.scene.set_damping(0, rate);
+      simulation.scene.set_gravity_scale(0, half);
+      run(simulation, 20, time_step);
+      return -simulation.scene.bodies().velocity[0][1];
+    };
+    EXPECT_NEAR(terminal(VelocityStepping{}) * -std::expm1(-rate * time_step) / (half * g * time_step), 1, 1e-9);
+    with_exact_methods([&](const auto& method) {
+      EXPECT_GE(terminal(method), half * g / rate * (1 - 1e-6));
+      EXPECT_LE(terminal(method), half * g * (1 / rate + time_step) * (1 + 1e-6));
+    });
+    if (rate * time_step > 1) continue;
+    EXPECT_NEAR(terminal(Accelerations{}) * rate / (half * g), 1, 1e-6);
+  }
 }
 
-TEST(Damping, LeavesAHangingBodyItsWeight) {
-  in_all_models([]<class M>(Random&) {
-    with_all_methods([](const auto& method) {
-      Simulation simulation{pendulum<M>(0, 1, 2), method};
-      simulation.scene.set_damping(1, 7);
-      run(simulation, 1, time_step);
-      const double weight = g / simulation.scene.bodies().inverse_mass[1].linear;
-      EXPECT_NEAR(simulation.reaction(0).force.norm(), weight, 1e-3 * weight);
-    });
+TEST_IN_ALL_MODELS(Damping, LeavesAHangingBodyItsWeight) {
+  with_all_methods([](const auto& method) {
+    Simulation simulation{pendulum<M>(0, 1, 2), method};
+    simulation.scene.set_damping(1, 7);
+    run(simulation, 1, time_step);
+    const double weight = g / simulation.scene.bodies().inverse_mass[1].linear;
+    EXPECT_NEAR(simulation.reaction(0).force.norm(), weight, 1e-3 * weight);
   });
 }
 
 // θ'' + cθ' + (g/L)θ = 0.
-TEST(Damping, OfAPendulumIsThatOfALinearOscillator) {
-  in_all_models([]<class M>(Random&) {
-    constexpr double rate = 1, small = 1e-3, h = 1e-3;
-    const double omega = std::sqrt(g - rate * rate / 4);
-    with_all_methods([&](const auto& method) {
-      Simulation simulation{pendulum<M>(small, 1, 2), method};
-      simulation.scene.set_damping(1, rate);
-      run(simulation, 3, h);
-      const double t = 3, exact = small * std::exp(-rate * t / 2) *
-                                  (std::cos(omega * t) + rate / (2 * omega) * std::sin(omega * t));
-      EXPECT_NEAR(rod_angle(simulation.scene, 0, 1), exact, 0.02 * small);
-    });
+TEST_IN_ALL_MODELS(Damping, OfAPendulumIsThatOfALinearOscillator) {
+  constexpr double rate = 1, small = 1e-3, h = 1e-3;
+  const double omega = std::sqrt(g - rate * rate / 4);
+  with_all_methods([&](const auto& method) {
+    Simulation simulation{pendulum<M>(small, 1, 2), method};
+    simulation.scene.set_damping(1, rate);
+    run(simulation, 3, h);
+    const double t = 3, exact = small * std::exp(-rate * t / 2) *
+                                (std::cos(omega * t) + rate / (2 * omega) * std::sin(omega * t));
+    EXPECT_NEAR(rod_angle(simulation.scene, 0, 1), exact, 0.02 * small);
   });
 }
 
-TEST(GravityScale, OfAllBodiesIsThatOfTheScene) {
-  in_all_models([]<class M>(Random&) {
-    with_all_methods([]<class Method>(const Method& method) {
-      const Scene<M> scene = rod_chain<M>({.links = 4, .angle = 1});
-      for (const double scale : {-1.0, 0.0, 0.25}) {
-        Simulation own{scene, method}, whole{scene, method};
-        for (int i = 0; i <= 4; ++i) own.scene.set_gravity_scale(i, scale);
-        whole.scene.gravity *= scale;
-        EXPECT_NEAR(energy(own.scene), energy(whole.scene), 1e-12);
-        run(own, 1, time_step, [&] {
-          whole.step(time_step);
-          for (int i = 0; i <= 4; ++i)
-            ASSERT_EQ(own.scene.bodies().pose[i].position, whole.scene.bodies().pose[i].position);
-        });
-      }
-    });
+TEST_IN_ALL_MODELS(GravityScale, OfAllBodiesIsThatOfTheScene) {
+  with_all_methods([]<class Method>(const Method& method) {
+    const Scene<M> scene = rod_chain<M>({.links = 4, .angle = 1});
+    for (const double scale : {-1.0, 0.0, 0.25}) {
+      Simulation own{scene, method}, whole{scene, method};
+      for (int i = 0; i <= 4; ++i) own.scene.set_gravity_scale(i, scale);
+      whole.scene.gravity *= scale;
+      EXPECT_NEAR(energy(own.scene), energy(whole.scene), 1e-12);
+      run(own, 1, time_step, [&] {
+        whole.step(time_step);
+        for (int i = 0; i <= 4; ++i)
+          ASSERT_EQ(own.scene.bodies().pose[i].position, whole.scene.bodies().pose[i].position);
+      });
+    }
   });
 }
 

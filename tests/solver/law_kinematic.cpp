@@ -52,61 +52,57 @@ Scene<M> seen_in_motion(Scene<M> scene, const Linear<M>& velocity) {
   return scene;
 }
 
-TEST(Galilei, AChainThatHangsFromAMovingPivotSwingsAsFromOneAtRest) {
-  in_all_models([]<class M>(Random& random) {
-    const Linear<M> velocity = random.vector<M::linear>(2);
-    const auto check = [&](const Scene<M>& scene) {
-      with_all_methods([&](const auto& method) {
-        Simulation at_rest{scene, method}, moving{seen_in_motion(scene, velocity), method};
-        for (int i = 1; i <= 60; ++i) {
-          at_rest.step(time_step);
-          moving.step(time_step);
-          for (int body = 0; body < scene.bodies().size(); ++body) {
-            const Linear<M> way =
-                moving.scene.bodies().pose[body].position - at_rest.scene.bodies().pose[body].position;
-            ASSERT_LT((way - i * time_step * velocity).norm(), 1e-8) << "body " << body << " in step " << i;
-          }
+TEST_IN_ALL_MODELS(Galilei, AChainThatHangsFromAMovingPivotSwingsAsFromOneAtRest) {
+  const Linear<M> velocity = random.vector<M::linear>(2);
+  const auto check = [&](const Scene<M>& scene) {
+    with_all_methods([&](const auto& method) {
+      Simulation at_rest{scene, method}, moving{seen_in_motion(scene, velocity), method};
+      for (int i = 1; i <= 60; ++i) {
+        at_rest.step(time_step);
+        moving.step(time_step);
+        for (int body = 0; body < scene.bodies().size(); ++body) {
+          const Linear<M> way =
+              moving.scene.bodies().pose[body].position - at_rest.scene.bodies().pose[body].position;
+          ASSERT_LT((way - i * time_step * velocity).norm(), 1e-8) << "body " << body << " in step " << i;
         }
-        EXPECT_EQ(moving.scene.bodies().velocity[0].template head<M::linear>(), velocity);
-      });
-    };
-    check(rod_chain<M>({.links = 3, .angle = 1}));
-    if constexpr (M::angular > 0) check(pinned_chain<M>({.links = 3, .angle = 1}));
-  });
+      }
+      EXPECT_EQ(moving.scene.bodies().velocity[0].template head<M::linear>(), velocity);
+    });
+  };
+  check(rod_chain<M>({.links = 3, .angle = 1}));
+  if constexpr (M::angular > 0) check(pinned_chain<M>({.links = 3, .angle = 1}));
 }
 
-TEST(Crank, ABodyThatIsWeldedToATurningOneCirclesWithItAndPullsByItsCentripetalForce) {
-  in_both_bodies([]<class M>(Random&) {
-    constexpr double omega = 2, radius = 1.5, mass = 3;
-    Velocity<M> turning = Velocity<M>::Zero(), circling = Velocity<M>::Zero();
-    turning[M::dof - 1] = circling[M::dof - 1] = omega;
-    circling[1] = omega * radius;
-    Scene<M> scene;
-    scene.gravity.setZero();
-    const int crank = scene.add_body(Linear<M>(Linear<M>::Zero()), fixed<M>(), turning);
-    const Linear<M> out = radius * Linear<M>::Unit(0);
-    const int body = scene.add_body(out, box<M>(mass, Linear<M>(Linear<M>::Ones())), circling);
-    const int held = scene.add(weld<M>(scene.bodies(), crank, body, out));
-    const auto check = [&](const auto& method, double tolerance) {
-      Simulation simulation{scene, method};
-      run(simulation, 3, 1e-3, [&] {
-        const auto [sin, cos] = sin_cos(omega * simulation.time);
-        const Linear<M> place = radius * (cos * Linear<M>::Unit(0) + sin * Linear<M>::Unit(1));
-        ASSERT_LT((simulation.scene.bodies().pose[body].position - place).norm(), tolerance);
-        if (simulation.time < 0.1) return;  // a correction has to settle
-        ASSERT_NEAR(simulation.reaction(held).force.norm() / (mass * omega * omega * radius), 1, 0.01);
-      });
-      EXPECT_EQ(simulation.scene.bodies().velocity[crank], turning);
-    };
-    for (const AnyRowSolver& solver :
-         {AnyRowSolver(GaussSeidel{30}), AnyRowSolver(Direct{}), AnyRowSolver(ConjugateGradients{})})
-      check(AnyStepping{solver}, 1e-4);
-    check(Xpbd{.substeps = 2}, 1e-4);
-    check(Avbd{}, 1e-4);
-    check(Rattle{}, 1e-9);
-    check(Accelerations{}, 1e-8);
-    check(Accelerations{Scheme::implicit_midpoint}, 1e-4);
-  });
+TEST_IN_BOTH_BODIES(Crank, ABodyThatIsWeldedToATurningOneCirclesWithItAndPullsByItsCentripetalForce) {
+  constexpr double omega = 2, radius = 1.5, mass = 3;
+  Velocity<M> turning = Velocity<M>::Zero(), circling = Velocity<M>::Zero();
+  turning[M::dof - 1] = circling[M::dof - 1] = omega;
+  circling[1] = omega * radius;
+  Scene<M> scene;
+  scene.gravity.setZero();
+  const int crank = scene.add_body(Linear<M>(Linear<M>::Zero()), fixed<M>(), turning);
+  const Linear<M> out = radius * Linear<M>::Unit(0);
+  const int body = scene.add_body(out, box<M>(mass, Linear<M>(Linear<M>::Ones())), circling);
+  const int held = scene.add(weld<M>(scene.bodies(), crank, body, out));
+  const auto check = [&](const auto& method, double tolerance) {
+    Simulation simulation{scene, method};
+    run(simulation, 3, 1e-3, [&] {
+      const auto [sin, cos] = sin_cos(omega * simulation.time);
+      const Linear<M> place = radius * (cos * Linear<M>::Unit(0) + sin * Linear<M>::Unit(1));
+      ASSERT_LT((simulation.scene.bodies().pose[body].position - place).norm(), tolerance);
+      if (simulation.time < 0.1) return;  // a correction has to settle
+      ASSERT_NEAR(simulation.reaction(held).force.norm() / (mass * omega * omega * radius), 1, 0.01);
+    });
+    EXPECT_EQ(simulation.scene.bodies().velocity[crank], turning);
+  };
+  for (const AnyRowSolver& solver :
+       {AnyRowSolver(GaussSeidel{30}), AnyRowSolver(Direct{}), AnyRowSolver(ConjugateGradients{})})
+    check(AnyStepping{solver}, 1e-4);
+  check(Xpbd{.substeps = 2}, 1e-4);
+  check(Avbd{}, 1e-4);
+  check(Rattle{}, 1e-9);
+  check(Accelerations{}, 1e-8);
+  check(Accelerations{Scheme::implicit_midpoint}, 1e-4);
 }
 
 /// A slider-crank whose crank, body 1, is a wheel that turns steadily, with the rod pinned to it.
@@ -167,43 +163,38 @@ std::array<Shape<M>, 2> platforms() {
   return {Box<M>{sides}, HalfSpace<M>{Linear<M>::Unit(1)}};
 }
 
-TEST(Lift, ABoxStandsOnItAndPressesWithItsWeight) {
-  in_both_bodies([]<class M>(Random&) {
-    for (const auto& platform : platforms<M>())
-      for (const double speed : {-3.0, 2.0})
-        with_methods_of_contacts([&](const auto& method) {
-          Simulation simulation{carried<M>(platform, speed * Velocity<M>::Unit(1)), method};
-          simulation.scene.set_velocity(1, speed * Velocity<M>::Unit(1));
-          run(simulation, 2, time_step);
-          const Bodies<M>& bodies = simulation.scene.bodies();
-          EXPECT_NEAR(bodies.pose[1].position.y() - 2 * speed, 0.5, 2e-3);
-          EXPECT_NEAR(bodies.velocity[1][1], speed, 1e-3);
-          EXPECT_EQ(bodies.velocity[0][1], speed);
-          double push = 0;
-          for (int place = 0; place < simulation.scene.count(); ++place)
-            push += simulation.reaction(simulation.scene.entries()[place].id).force.y();
-          EXPECT_NEAR(push, 2 * 9.81, 2e-3 * 2 * 9.81);
-        });
-  });
+TEST_IN_BOTH_BODIES(Lift, ABoxStandsOnItAndPressesWithItsWeight) {
+  for (const auto& platform : platforms<M>())
+    for (const double speed : {-3.0, 2.0})
+      with_methods_of_contacts([&](const auto& method) {
+        Simulation simulation{carried<M>(platform, speed * Velocity<M>::Unit(1)), method};
+        simulation.scene.set_velocity(1, speed * Velocity<M>::Unit(1));
+        run(simulation, 2, time_step);
+        const Bodies<M>& bodies = simulation.scene.bodies();
+        EXPECT_NEAR(bodies.pose[1].position.y() - 2 * speed, 0.5, 2e-3);
+        EXPECT_NEAR(bodies.velocity[1][1], speed, 1e-3);
+        EXPECT_EQ(bodies.velocity[0][1], speed);
+        double push = 0;
+        for (int place = 0; place < simulation.scene.count(); ++place)
+          push += simulation.reaction(simulation.scene.entries()[place].id).force.y();
+        EXPECT_NEAR(push, 2 * 9.81, 2e-3 * 2 * 9.81);
+      });
 }
 
-TEST(Platform, ThatSetsOffDragsABoxByFrictionUntilBothAreEquallyFast) {
-  in_both_bodies([]<class M>(Random&) {
-    constexpr double mu = 0.4, g = 9.81, speed = 3;
-    for (const auto& platform : platforms<M>())
-      with_methods_of_contacts([&](const auto& method) {
-        Simulation simulation{carried<M>(platform, speed * Velocity<M>::Unit(0), {.friction = mu}), method};
-        run(simulation, 2, time_step, [&] {
-          const double exact = std::min(mu * g * simulation.time, speed);
-          ASSERT_NEAR(simulation.scene.bodies().velocity[1][0], exact, 0.05 * speed)
-              << "after " << simulation.time << " s";
-        });
-        EXPECT_NEAR(simulation.scene.bodies().velocity[1][0] / speed, 1, 1e-3);
-        EXPECT_NEAR(simulation.scene.bodies().pose[0].position.x(), 2 * speed, 1e-9);
-        EXPECT_NEAR(simulation.scene.bodies().pose[1].position.x(), 2 * speed - speed * speed / (2 * mu * g),
-                    0.05);
+TEST_IN_BOTH_BODIES(Platform, ThatSetsOffDragsABoxByFrictionUntilBothAreEquallyFast) {
+  constexpr double mu = 0.4, g = 9.81, speed = 3;
+  for (const auto& platform : platforms<M>())
+    with_methods_of_contacts([&](const auto& method) {
+      Simulation simulation{carried<M>(platform, speed * Velocity<M>::Unit(0), {.friction = mu}), method};
+      run(simulation, 2, time_step, [&] {
+        const double exact = std::min(mu * g * simulation.time, speed);
+        ASSERT_NEAR(simulation.scene.bodies().velocity[1][0], exact, 0.05 * speed)
+            << "after " << simulation.time << " s";
       });
-  });
+      EXPECT_NEAR(simulation.scene.bodies().velocity[1][0] / speed, 1, 1e-3);
+      EXPECT_NEAR(simulation.scene.bodies().pose[0].position.x(), 2 * speed, 1e-9);
+      EXPECT_NEAR(simulation.scene.bodies().pose[1].position.x(), 2 * speed - speed * speed / (2 * mu * g), 0.05);
+    });
 }
 
 TEST(Platform, ThatSpeedsUpCarriesABoxUpToTheAccelerationOfFriction) {
@@ -219,27 +210,25 @@ TEST(Platform, ThatSpeedsUpCarriesABoxUpToTheAccelerationOfFriction) {
   }
 }
 
-TEST(Paddle, ThrowsABallBackWithTwiceItsOwnSpeedBesides) {
-  in_both_bodies([]<class M>(Random&) {
-    const auto check = [](const auto& method) {
-      Scene<M> scene;
-      scene.gravity.setZero();
-      const Surface hard{.friction = 0, .restitution = 1};
-      const int paddle = scene.add_body(Linear<M>(Linear<M>::Zero()), fixed<M>(), 2 * Velocity<M>::Unit(0));
-      scene.set_shape(paddle, Box<M>{Linear<M>::Ones()}, hard);
-      const int it = scene.add_body(Linear<M>(3 * Linear<M>::Unit(0)), ball<M>(1, 0.1), -Velocity<M>::Unit(0));
-      scene.set_shape(it, Ball<M>{0.1}, hard);
-      Simulation simulation{scene, method};
-      run(simulation, 2, time_step);
-      EXPECT_NEAR(simulation.scene.bodies().velocity[it][0], 5, 1e-9);
-      EXPECT_EQ(simulation.scene.bodies().velocity[paddle][0], 2);
-      EXPECT_NEAR(kinetic_energy(simulation.scene.bodies()), 12.5, 1e-8) << "of the ball alone";
-    };
-    check(AnyStepping{});
-    check(AnyStepping{GaussSeidel{}});
-    check(Xpbd{});
-    check(Avbd{});
-  });
+TEST_IN_BOTH_BODIES(Paddle, ThrowsABallBackWithTwiceItsOwnSpeedBesides) {
+  const auto check = [](const auto& method) {
+    Scene<M> scene;
+    scene.gravity.setZero();
+    const Surface hard{.friction = 0, .restitution = 1};
+    const int paddle = scene.add_body(Linear<M>(Linear<M>::Zero()), fixed<M>(), 2 * Velocity<M>::Unit(0));
+    scene.set_shape(paddle, Box<M>{Linear<M>::Ones()}, hard);
+    const int it = scene.add_body(Linear<M>(3 * Linear<M>::Unit(0)), ball<M>(1, 0.1), -Velocity<M>::Unit(0));
+    scene.set_shape(it, Ball<M>{0.1}, hard);
+    Simulation simulation{scene, method};
+    run(simulation, 2, time_step);
+    EXPECT_NEAR(simulation.scene.bodies().velocity[it][0], 5, 1e-9);
+    EXPECT_EQ(simulation.scene.bodies().velocity[paddle][0], 2);
+    EXPECT_NEAR(kinetic_energy(simulation.scene.bodies()), 12.5, 1e-8) << "of the ball alone";
+  };
+  check(AnyStepping{});
+  check(AnyStepping{GaussSeidel{}});
+  check(Xpbd{});
+  check(Avbd{});
 }
 
 }  // namespace

@@ -39,19 +39,17 @@ TEST(Model, GivesAParticleNoArms) {
   EXPECT_EQ(sizeof(Distance<SpaceBody>), bodies + length_and_softness + 6 * sizeof(double));
 }
 
-TEST(Scene, CarriesNoByteForKindsThatItDoesNotHave) {
-  in_all_models([]<class M>(Random&) {
-    const std::size_t two_vectors = 2 * sizeof(std::vector<int>);
-    EXPECT_LE(sizeof(Scene<M>), sizeof(Bodies<M>) + sizeof(Linear<M>) + sizeof(Colliders<M>) + two_vectors +
-                                    2 * sizeof(int) + 2 * sizeof(std::uint64_t) + alignof(Scene<M>))
-        << "bodies, gravity, shapes, stores, entries, two counters, identity and version";
-    Simulation<M> simulation{rod_chain<M>({.links = 4})};
-    simulation.step(1.0 / 60);
-    EXPECT_TRUE(simulation.scene.template all<Pin>().empty());
-    int blocks = 0;
-    simulation.work.system.for_each_type([&](const auto& of_a_type) { blocks += of_a_type.capacity() > 0; });
-    EXPECT_EQ(blocks, 1) << "only rods are laid out";
-  });
+TEST_IN_ALL_MODELS(Scene, CarriesNoByteForKindsThatItDoesNotHave) {
+  const std::size_t two_vectors = 2 * sizeof(std::vector<int>);
+  EXPECT_LE(sizeof(Scene<M>), sizeof(Bodies<M>) + sizeof(Linear<M>) + sizeof(Colliders<M>) + two_vectors +
+                                  2 * sizeof(int) + 2 * sizeof(std::uint64_t) + alignof(Scene<M>))
+      << "bodies, gravity, shapes, stores, entries, two counters, identity and version";
+  Simulation<M> simulation{rod_chain<M>({.links = 4})};
+  simulation.step(1.0 / 60);
+  EXPECT_TRUE(simulation.scene.template all<Pin>().empty());
+  int blocks = 0;
+  simulation.work.system.for_each_type([&](const auto& of_a_type) { blocks += of_a_type.capacity() > 0; });
+  EXPECT_EQ(blocks, 1) << "only rods are laid out";
 }
 
 TEST(Scene, NumbersConstraintsOfAllKindsInTheOrderInWhichTheyCome) {
@@ -75,24 +73,22 @@ double times_moved(const Pose<M>& a, const Pose<M>& b) {
   return moved;
 }
 
-TEST(FixedBody, NeverMoves) {
-  in_all_models([]<class M>(Random& random) {
-    for (const RowSolver& solver :
-         {RowSolver(GaussSeidel{3}), RowSolver(Jacobi{3}), RowSolver(Direct{}),
-          RowSolver(Direct{Factorisation::dense}), RowSolver(GaussSeidel{3, true, SweepOrder::coloured})}) {
-      Simulation simulation{rod_chain<M>({.links = 4, .angle = 1}), VelocityStepping{solver}};
-      const Pose<M> held = random.pose<M>();
-      auto& scene = simulation.scene;
-      const int post = scene.add_body(held, fixed<M>());
-      scene.add(Distance<M>{{post, 4}, (scene.bodies().pose[4].position - held.position).norm()});
-      const Pose<M> end = scene.bodies().pose[2];
-      for (int i = 0; i < 30; ++i) simulation.step(1.0 / 60);
-      EXPECT_EQ(times_moved<M>(scene.bodies().pose[post], held), 0);
-      EXPECT_EQ(times_moved<M>(scene.bodies().pose[0], {}), 0);
-      EXPECT_TRUE(scene.bodies().velocity[post].isZero(0));
-      EXPECT_GT(times_moved<M>(scene.bodies().pose[2], end), 1e-3) << "what is not fixed moves";
-    }
-  });
+TEST_IN_ALL_MODELS(FixedBody, NeverMoves) {
+  for (const RowSolver& solver :
+       {RowSolver(GaussSeidel{3}), RowSolver(Jacobi{3}), RowSolver(Direct{}),
+        RowSolver(Direct{Factorisation::dense}), RowSolver(GaussSeidel{3, true, SweepOrder::coloured})}) {
+    Simulation simulation{rod_chain<M>({.links = 4, .angle = 1}), VelocityStepping{solver}};
+    const Pose<M> held = random.pose<M>();
+    auto& scene = simulation.scene;
+    const int post = scene.add_body(held, fixed<M>());
+    scene.add(Distance<M>{{post, 4}, (scene.bodies().pose[4].position - held.position).norm()});
+    const Pose<M> end = scene.bodies().pose[2];
+    for (int i = 0; i < 30; ++i) simulation.step(1.0 / 60);
+    EXPECT_EQ(times_moved<M>(scene.bodies().pose[post], held), 0);
+    EXPECT_EQ(times_moved<M>(scene.bodies().pose[0], {}), 0);
+    EXPECT_TRUE(scene.bodies().velocity[post].isZero(0));
+    EXPECT_GT(times_moved<M>(scene.bodies().pose[2], end), 1e-3) << "what is not fixed moves";
+  }
 }
 
 /// Where the end of a swinging chain of rods is after a second.
@@ -111,18 +107,16 @@ TEST(FourModels, MoveAChainHeldByTheCentresAlike) {
   }
 }
 
-TEST(Simulation, IsAValueSoThatACopyIsAWayBack) {
-  in_all_models([]<class M>(Random&) {
-    Simulation simulation{rod_chain<M>({.links = 3, .angle = 1}), VelocityStepping{}};
-    for (int i = 0; i < 10; ++i) simulation.step(1.0 / 60);
-    auto before = simulation;
-    for (int i = 0; i < 10; ++i) simulation.step(1.0 / 60);
-    const Linear<M> end = simulation.scene.bodies().pose[3].position;
-    EXPECT_NE(end, before.scene.bodies().pose[3].position);
-    for (int i = 0; i < 10; ++i) before.step(1.0 / 60);
-    EXPECT_EQ(end, before.scene.bodies().pose[3].position);
-    EXPECT_EQ(simulation.time, before.time);
-  });
+TEST_IN_ALL_MODELS(Simulation, IsAValueSoThatACopyIsAWayBack) {
+  Simulation simulation{rod_chain<M>({.links = 3, .angle = 1}), VelocityStepping{}};
+  for (int i = 0; i < 10; ++i) simulation.step(1.0 / 60);
+  auto before = simulation;
+  for (int i = 0; i < 10; ++i) simulation.step(1.0 / 60);
+  const Linear<M> end = simulation.scene.bodies().pose[3].position;
+  EXPECT_NE(end, before.scene.bodies().pose[3].position);
+  for (int i = 0; i < 10; ++i) before.step(1.0 / 60);
+  EXPECT_EQ(end, before.scene.bodies().pose[3].position);
+  EXPECT_EQ(simulation.time, before.time);
 }
 
 }  // namespace

@@ -76,29 +76,27 @@ void for_each_case(F&& f) {
         any);
 }
 
-TEST(NotFinite, IsThrownWhereABodyBeginsSo) {
-  in_all_models([]<class M>(Random&) {
-    for_each_case<M>([](const Scene<M>& scene, const auto& method) {
-      for (const double bad : {nan, infinity, -infinity})
-        for (const int what : {0, 1, 2}) {
-          if (what == 2 && M::angular == 0) continue;
-          Simulation simulation{scene, method};
-          simulation.step(h);
-          Bodies<M>& bodies = simulation.scene.state();
-          if (what == 0) bodies.pose[2].position[1] = bad;
-          if (what == 1) bodies.velocity[2][0] = bad;
-          if constexpr (M::angular == 1)
-            if (what == 2) bodies.pose[2].rotation.sin = bad;
-          if constexpr (M::angular == 3)
-            if (what == 2) bodies.pose[2].rotation.x() = bad;
-          const auto before = bits(simulation.scene);
-          const double time = simulation.time;
-          EXPECT_THAT([&] { simulation.step(h); },
-                      testing::ThrowsMessage<NotFinite>(testing::ContainsRegex("body [0-9] has")));
-          EXPECT_EQ(bits(simulation.scene), before);
-          EXPECT_EQ(simulation.time, time);
-        }
-    });
+TEST_IN_ALL_MODELS(NotFinite, IsThrownWhereABodyBeginsSo) {
+  for_each_case<M>([](const Scene<M>& scene, const auto& method) {
+    for (const double bad : {nan, infinity, -infinity})
+      for (const int what : {0, 1, 2}) {
+        if (what == 2 && M::angular == 0) continue;
+        Simulation simulation{scene, method};
+        simulation.step(h);
+        Bodies<M>& bodies = simulation.scene.state();
+        if (what == 0) bodies.pose[2].position[1] = bad;
+        if (what == 1) bodies.velocity[2][0] = bad;
+        if constexpr (M::angular == 1)
+          if (what == 2) bodies.pose[2].rotation.sin = bad;
+        if constexpr (M::angular == 3)
+          if (what == 2) bodies.pose[2].rotation.x() = bad;
+        const auto before = bits(simulation.scene);
+        const double time = simulation.time;
+        EXPECT_THAT([&] { simulation.step(h); },
+                    testing::ThrowsMessage<NotFinite>(testing::ContainsRegex("body [0-9] has")));
+        EXPECT_EQ(bits(simulation.scene), before);
+        EXPECT_EQ(simulation.time, time);
+      }
   });
 }
 
@@ -140,23 +138,21 @@ TEST(NotFinite, NamesTheBodyThatBeganIt) {
         any);
 }
 
-TEST(NotFinite, LeavesTheSceneAsItWasWhateverOverflows) {
-  in_all_models([]<class M>(Random&) {
-    for_each_case<M>([](const Scene<M>& scene, const auto& method) {
-      SCOPED_TRACE(typeid(method).name());
-      for (const double huge : {1e100, 1e154, 1e200, 1e300}) {
-        expect_survived(Simulation{scene, method}, huge, scene);
-        Scene<M> heavy = scene;
-        heavy.gravity *= huge;
-        expect_survived(Simulation{heavy, method}, h, scene);
-        Scene<M> fast = scene;
-        for (int i = 1; i < fast.bodies().size(); ++i) fast.state().velocity[i][i % M::dof] = huge;
-        expect_survived(Simulation{fast, method}, h, scene);
-        Scene<M> far = scene;
-        far.state().pose[2].position[0] = huge;
-        expect_survived(Simulation{far, method}, h, scene);
-      }
-    });
+TEST_IN_ALL_MODELS(NotFinite, LeavesTheSceneAsItWasWhateverOverflows) {
+  for_each_case<M>([](const Scene<M>& scene, const auto& method) {
+    SCOPED_TRACE(typeid(method).name());
+    for (const double huge : {1e100, 1e154, 1e200, 1e300}) {
+      expect_survived(Simulation{scene, method}, huge, scene);
+      Scene<M> heavy = scene;
+      heavy.gravity *= huge;
+      expect_survived(Simulation{heavy, method}, h, scene);
+      Scene<M> fast = scene;
+      for (int i = 1; i < fast.bodies().size(); ++i) fast.state().velocity[i][i % M::dof] = huge;
+      expect_survived(Simulation{fast, method}, h, scene);
+      Scene<M> far = scene;
+      far.state().pose[2].position[0] = huge;
+      expect_survived(Simulation{far, method}, h, scene);
+    }
   });
 }
 
@@ -170,14 +166,12 @@ TEST(NotFinite, NamesTheConstraintOrItsBodiesWhereItsRowsOverflow) {
               testing::ThrowsMessage<NotFinite>(testing::ContainsRegex("between body [23] and body [34]")));
 }
 
-TEST(NotFinite, IsNotBlamedOnRowsThatRepeat) {
-  in_all_models([]<class M>(Random&) {
-    for (const auto factorisation : {Factorisation::structured, Factorisation::dense}) {
-      Simulation<M, AnyStepping> simulation{rod_chain<M>({.links = 4, .angle = 1}), {Direct{factorisation}}};
-      simulation.scene.state().pose[3].position[0] = nan;
-      EXPECT_THROW(simulation.step(h), NotFinite);
-    }
-  });
+TEST_IN_ALL_MODELS(NotFinite, IsNotBlamedOnRowsThatRepeat) {
+  for (const auto factorisation : {Factorisation::structured, Factorisation::dense}) {
+    Simulation<M, AnyStepping> simulation{rod_chain<M>({.links = 4, .angle = 1}), {Direct{factorisation}}};
+    simulation.scene.state().pose[3].position[0] = nan;
+    EXPECT_THROW(simulation.step(h), NotFinite);
+  }
 }
 
 TEST(Larger, IsNotANumberIfEitherIsNone) {

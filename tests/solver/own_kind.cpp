@@ -49,16 +49,12 @@ struct OnLine {
   }
 };
 
-TEST(OwnKind, HasTheGradientOfItsValue) {
-  in_all_models(
-      []<class M>(Random& random) {
-        const auto pair = random_pair<M>(random);
-        const OnLine<M> line{pair.at, random.direction<M>()};
-        EXPECT_LE(difference(line.jacobian(pair.pose1, pair.pose2).matrix,
-                             gradient_by_duals(line, pair.pose1, pair.pose2)),
-                  1e-13);
-      },
-      100);
+TEST_IN_ALL_MODELS(OwnKind, HasTheGradientOfItsValue, 100) {
+  const auto pair = random_pair<M>(random);
+  const OnLine<M> line{pair.at, random.direction<M>()};
+  EXPECT_LE(
+      difference(line.jacobian(pair.pose1, pair.pose2).matrix, gradient_by_duals(line, pair.pose1, pair.pose2)),
+      1e-13);
 }
 
 /// A body of 2 kg on a line that falls off to the right by `slope` [rad].
@@ -134,24 +130,22 @@ TEST(OwnKind, KeepsItsOrderAndItsHandleAmongThoseOfTheLibrary) {
 }
 
 // The carrier turns too: momentum of the two together stays.
-TEST(OwnKind, KeepsTheMomentumOfTwoThatFloat) {
-  in_all_models([]<class M>(Random& random) {
-    auto pair = random_pair<M>(random);
-    Scene<M> scene = pair.scene();
-    scene.gravity.setZero();
-    scene.add(OnLine<M>{pair.at, random.direction<M>()});
-    const auto linear = linear_momentum(scene.bodies());
-    const auto angular = angular_momentum(scene.bodies());
-    Work<M> work;
-    const auto poses = scene.bodies().pose;
-    advance(scene, {.solver = GaussSeidel{3}, .drift = NoDriftCure{}, .gyroscopic = Gyroscopic::none}, h, work);
-    EXPECT_GT(std::abs(work.system.lambda[0]), 1e-3);
-    scene.state().pose = poses;  // where the row was written
-    EXPECT_LE(difference(linear_momentum(scene.bodies()), linear), 1e-12);
-    if constexpr (M::angular > 0) {
-      EXPECT_LE(difference(angular_momentum(scene.bodies()), angular), 1e-12);
-    }
-  });
+TEST_IN_ALL_MODELS(OwnKind, KeepsTheMomentumOfTwoThatFloat) {
+  auto pair = random_pair<M>(random);
+  Scene<M> scene = pair.scene();
+  scene.gravity.setZero();
+  scene.add(OnLine<M>{pair.at, random.direction<M>()});
+  const auto linear = linear_momentum(scene.bodies());
+  const auto angular = angular_momentum(scene.bodies());
+  Work<M> work;
+  const auto poses = scene.bodies().pose;
+  advance(scene, {.solver = GaussSeidel{3}, .drift = NoDriftCure{}, .gyroscopic = Gyroscopic::none}, h, work);
+  EXPECT_GT(std::abs(work.system.lambda[0]), 1e-3);
+  scene.state().pose = poses;  // where the row was written
+  EXPECT_LE(difference(linear_momentum(scene.bodies()), linear), 1e-12);
+  if constexpr (M::angular > 0) {
+    EXPECT_LE(difference(angular_momentum(scene.bodies()), angular), 1e-12);
+  }
 }
 
 }  // namespace

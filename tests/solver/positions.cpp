@@ -55,35 +55,29 @@ TEST(PositionRows, AServoObeysHookesLawAtTheEndOfTheStepWithinItsStrength) {
   EXPECT_NEAR(angle, target, 1e-3);
 }
 
-TEST(PositionRows, ARopePullsOnlyWhereItIsTaut) {
-  in_all_models([]<class M>(Random& random) {
-    Scene<M> scene;
-    scene.add_body(Linear<M>(Linear<M>::Zero()), fixed<M>());
-    scene.add_body(Linear<M>(-0.5 * Linear<M>::Unit(1)), random.mass<M>());
-    scene.add(Rope<M>{{0, 1}, 1});
-    Simulation simulation{scene, Xpbd{1, 1}};
-    for (int n = 1; n <= 60; ++n) {
-      simulation.step(h);
-      const double fallen = 0.5 + 9.81 * h * h * n * (n + 1) / 2;
-      ASSERT_NEAR(-simulation.scene.bodies().pose[1].position.y(), std::min(fallen, 1.0), 1e-12);
-      if (fallen < 1) {
-        ASSERT_EQ(simulation.work.system.lambda[0], 0);
-      }
+TEST_IN_ALL_MODELS(PositionRows, ARopePullsOnlyWhereItIsTaut) {
+  Scene<M> scene;
+  scene.add_body(Linear<M>(Linear<M>::Zero()), fixed<M>());
+  scene.add_body(Linear<M>(-0.5 * Linear<M>::Unit(1)), random.mass<M>());
+  scene.add(Rope<M>{{0, 1}, 1});
+  Simulation simulation{scene, Xpbd{1, 1}};
+  for (int n = 1; n <= 60; ++n) {
+    simulation.step(h);
+    const double fallen = 0.5 + 9.81 * h * h * n * (n + 1) / 2;
+    ASSERT_NEAR(-simulation.scene.bodies().pose[1].position.y(), std::min(fallen, 1.0), 1e-12);
+    if (fallen < 1) {
+      ASSERT_EQ(simulation.work.system.lambda[0], 0);
     }
-    const double weight = 9.81 / simulation.scene.bodies().inverse_mass[1].linear;
-    EXPECT_NEAR(simulation.work.system.lambda[0] / h, weight, 1e-9);
-  });
+  }
+  const double weight = 9.81 / simulation.scene.bodies().inverse_mass[1].linear;
+  EXPECT_NEAR(simulation.work.system.lambda[0] / h, weight, 1e-9);
 }
 
-TEST(PositionRows, VelocityBetweenPosesIsWhatMovesOneToTheOther) {
-  in_all_models(
-      []<class M>(Random& random) {
-        const Pose<M> before = random.pose<M>();
-        const Velocity<M> V = random.velocity<M>();
-        EXPECT_LT((velocity_between<M>(before, moved<M, double>(before, V, h), h) - V).norm(), 1e-12);
-        EXPECT_LT(velocity_between<M>(before, before, h).norm(), 1e-13);
-      },
-      20);
+TEST_IN_ALL_MODELS(PositionRows, VelocityBetweenPosesIsWhatMovesOneToTheOther, 20) {
+  const Pose<M> before = random.pose<M>();
+  const Velocity<M> V = random.velocity<M>();
+  EXPECT_LT((velocity_between<M>(before, moved<M, double>(before, V, h), h) - V).norm(), 1e-12);
+  EXPECT_LT(velocity_between<M>(before, before, h).norm(), 1e-13);
 }
 
 // |Λ| <= radius, and the slip that is left opposes it: A Λ - b = -s Λ with s >= 0, s = 0 inside.

@@ -50,27 +50,23 @@ Linear<M> centre_of_mass(const Bodies<M>& bodies) {
   return sum / mass;
 }
 
-TEST(Projection, ClosesPinsAndMovesNeitherVelocitiesNorTheCentreOfMass) {
-  in_both_bodies([]<class M>(Random& random) {
-    auto scene = torn_chain<M>(random);
-    const auto before = scene;
-    EXPECT_EQ(project(Projection{.sweeps = 400}, scene), 400 * 4 * M::linear);
-    EXPECT_GT(position_error(before).max, 0.1);
-    EXPECT_LT(position_error(scene).max, 1e-9);
-    EXPECT_LT((centre_of_mass(scene.bodies()) - centre_of_mass(before.bodies())).norm(), 1e-13);
-    for (int i = 0; i < 5; ++i) EXPECT_EQ(scene.bodies().velocity[i], before.bodies().velocity[i]);
-  });
+TEST_IN_BOTH_BODIES(Projection, ClosesPinsAndMovesNeitherVelocitiesNorTheCentreOfMass) {
+  auto scene = torn_chain<M>(random);
+  const auto before = scene;
+  EXPECT_EQ(project(Projection{.sweeps = 400}, scene), 400 * 4 * M::linear);
+  EXPECT_GT(position_error(before).max, 0.1);
+  EXPECT_LT(position_error(scene).max, 1e-9);
+  EXPECT_LT((centre_of_mass(scene.bodies()) - centre_of_mass(before.bodies())).norm(), 1e-13);
+  for (int i = 0; i < 5; ++i) EXPECT_EQ(scene.bodies().velocity[i], before.bodies().velocity[i]);
 }
 
-TEST(Projection, RemovesItsShareOfARodsError) {
-  in_all_models([]<class M>(Random&) {
-    auto scene = pendulum<M, NormalisedDistance>(0.5, 2, 3);
-    scene.state().pose[1].position *= 1.1;
-    for (const double left : {0.15, 0.1125}) {
-      project(Projection{.sweeps = 1, .share = 0.25}, scene);
-      EXPECT_NEAR(position_error(scene).max, left, 1e-14);
-    }
-  });
+TEST_IN_ALL_MODELS(Projection, RemovesItsShareOfARodsError) {
+  auto scene = pendulum<M, NormalisedDistance>(0.5, 2, 3);
+  scene.state().pose[1].position *= 1.1;
+  for (const double left : {0.15, 0.1125}) {
+    project(Projection{.sweeps = 1, .share = 0.25}, scene);
+    EXPECT_NEAR(position_error(scene).max, left, 1e-14);
+  }
 }
 
 TEST(Projection, PushesBoxesApartAsFarAsTheSlopAndNeverPullsThem) {

@@ -96,6 +96,20 @@ void in_both_bodies(F&& f, int draws = 1) {
   in_models<PlaneBody, SpaceBody>(f, draws);
 }
 
+/// A test whose body is run in each model M, with `random`, as often as a third argument says:
+///
+///   TEST_IN_ALL_MODELS(Equation17, MakesTheRowVanish, draws) { const auto pair = random_pair<M>(random); … }
+#define TEST_IN_ALL_MODELS(suite, name, ...) BYHAND_TEST_IN(in_all_models, suite, name, __VA_ARGS__)
+#define TEST_IN_BOTH_BODIES(suite, name, ...) BYHAND_TEST_IN(in_both_bodies, suite, name, __VA_ARGS__)
+#define BYHAND_TEST_IN(models, suite, name, ...)                                                   \
+  template <class M>                                                                               \
+  void suite##_##name(Random& random);                                                             \
+  TEST(suite, name) {                                                                              \
+    models([]<class M>(Random& random) { suite##_##name<M>(random); } __VA_OPT__(, ) __VA_ARGS__); \
+  }                                                                                                \
+  template <class M>                                                                               \
+  void suite##_##name([[maybe_unused]] Random& random)
+
 class PrintsTheSeed : public testing::Environment {
   void SetUp() override { std::cout << "random seed " << seed << '\n'; }
 };

@@ -28,20 +28,16 @@ const AnyRowSolver patient[] = {
     AcceleratedGradient{.iterations = 5000, .tolerance = 1e-12},
 };
 
-TEST(RowSolvers, MeetTheDenseDirectSolveOnEveryGraph) {
-  in_all_models(
-      []<class M>(Random& random) {
-        const auto scene = random_graph<M>(random, 8, 12);
-        const auto exact = solved(scene, Direct{Factorisation::dense});
-        for (const AnyRowSolver& solver : patient) {
-          const auto answer = solved(scene, solver);
-          EXPECT_LE(difference(answer.velocity, exact.velocity), 1e-9 * (1 + largest(exact.velocity)))
-              << "solver " << solver.index();
-          EXPECT_LE(difference(answer.lambda, exact.lambda), 1e-9 * (1 + largest(exact.lambda)))
-              << "solver " << solver.index();
-        }
-      },
-      4);
+TEST_IN_ALL_MODELS(RowSolvers, MeetTheDenseDirectSolveOnEveryGraph, 4) {
+  const auto scene = random_graph<M>(random, 8, 12);
+  const auto exact = solved(scene, Direct{Factorisation::dense});
+  for (const AnyRowSolver& solver : patient) {
+    const auto answer = solved(scene, solver);
+    EXPECT_LE(difference(answer.velocity, exact.velocity), 1e-9 * (1 + largest(exact.velocity)))
+        << "solver " << solver.index();
+    EXPECT_LE(difference(answer.lambda, exact.lambda), 1e-9 * (1 + largest(exact.lambda)))
+        << "solver " << solver.index();
+  }
 }
 
 TEST(ConjugateGradients, SolveAChainInAsManyIterationsAsItHasLinksAndNoFewer) {
@@ -304,23 +300,21 @@ double largest_separation(const Scene<M>& scene, const AnyRowSolver& solver) {
 }
 // Some of them come to a singular pose within the second, where a direct solve throws and what follows is chance:
 // there the choice may do worse than sweeps, but not on the whole.
-TEST(ByGraph, HoldsLinkagesWithLoopsAtLeastAsWellAsSweepsOrADirectSolve) {
-  in_both_bodies([]<class M>(Random& random) {
-    for (const int times : {1, 2}) {
-      double logarithms = 0;  // of the separation in units of that of sweeps
-      for (int draw = 0; draw < 50; ++draw) {
-        const int bodies = 3 + random.index(10);
-        const auto scene = linkage<M>(random, bodies, 1 + random.index(bodies * (M::dof - 1) / 5), times);
-        const double chosen = largest_separation(scene, ByGraph{}), direct = largest_separation(scene, Direct{}),
-                     sweeps = largest_separation(scene, ConjugateSweeps{});
-        const double worst = std::isinf(direct) ? sweeps : std::max(direct, sweeps);
-        // Of pins that are a metre apart neither holds any, and what follows is chance as well.
-        EXPECT_LT(chosen, (std::isinf(direct) || worst > 1 ? 10 : 1.1) * worst) << "draw " << draw;
-        logarithms += std::log(chosen / sweeps);
-      }
-      EXPECT_LT(std::exp(logarithms / 50), 0.6) << "each closing pin " << times << " times";
+TEST_IN_BOTH_BODIES(ByGraph, HoldsLinkagesWithLoopsAtLeastAsWellAsSweepsOrADirectSolve) {
+  for (const int times : {1, 2}) {
+    double logarithms = 0;  // of the separation in units of that of sweeps
+    for (int draw = 0; draw < 50; ++draw) {
+      const int bodies = 3 + random.index(10);
+      const auto scene = linkage<M>(random, bodies, 1 + random.index(bodies * (M::dof - 1) / 5), times);
+      const double chosen = largest_separation(scene, ByGraph{}), direct = largest_separation(scene, Direct{}),
+                   sweeps = largest_separation(scene, ConjugateSweeps{});
+      const double worst = std::isinf(direct) ? sweeps : std::max(direct, sweeps);
+      // Of pins that are a metre apart neither holds any, and what follows is chance as well.
+      EXPECT_LT(chosen, (std::isinf(direct) || worst > 1 ? 10 : 1.1) * worst) << "draw " << draw;
+      logarithms += std::log(chosen / sweeps);
     }
-  });
+    EXPECT_LT(std::exp(logarithms / 50), 0.6) << "each closing pin " << times << " times";
+  }
 }
 
 TEST(ByGraph, ChoosesAsAfreshWhenTheSolverWasAnother) {
@@ -335,30 +329,26 @@ TEST(ByGraph, ChoosesAsAfreshWhenTheSolverWasAnother) {
   EXPECT_EQ(scene.bodies().velocity, fresh.bodies().velocity);
 }
 
-TEST(Direct, GoesOnFromTheImpulsesThatStand) {
-  in_all_models(
-      []<class M>(Random& random) {
-        auto scene = random_graph<M>(random, 8, 12);
-        for (const auto factorisation : {Factorisation::structured, Factorisation::dense}) {
-          const RowSolver direct = Direct{factorisation};
-          Work<M> work;
-          auto copy = scene;
-          advance(copy, VelocityStepping{.solver = direct, .drift = NoDriftCure{}, .gyroscopic = Gyroscopic::none},
-                  time_step, work);
-          auto& system = work.system;
-          const auto V = copy.bodies().velocity;
-          const auto lambda = system.lambda;
-          solve_rows(direct, copy.state(), work, Begin::resume);
-          EXPECT_LE(difference(system.lambda, lambda), 1e-10 * (1 + largest(lambda))) << "nothing is left to do";
-          for (int i = 0; i < system.rows(); ++i) {
-            system.bias[i] += random.uniform(-1, 1);
-            system.gamma[i] = random.uniform(0.01, 0.1);
-          }
-          solve_rows(direct, copy.state(), work, Begin::resume);
-          EXPECT_LE(residual(system, copy.bodies().velocity), 1e-9) << "another bias and softness";
-        }
-      },
-      5);
+TEST_IN_ALL_MODELS(Direct, GoesOnFromTheImpulsesThatStand, 5) {
+  auto scene = random_graph<M>(random, 8, 12);
+  for (const auto factorisation : {Factorisation::structured, Factorisation::dense}) {
+    const RowSolver direct = Direct{factorisation};
+    Work<M> work;
+    auto copy = scene;
+    advance(copy, VelocityStepping{.solver = direct, .drift = NoDriftCure{}, .gyroscopic = Gyroscopic::none},
+            time_step, work);
+    auto& system = work.system;
+    const auto V = copy.bodies().velocity;
+    const auto lambda = system.lambda;
+    solve_rows(direct, copy.state(), work, Begin::resume);
+    EXPECT_LE(difference(system.lambda, lambda), 1e-10 * (1 + largest(lambda))) << "nothing is left to do";
+    for (int i = 0; i < system.rows(); ++i) {
+      system.bias[i] += random.uniform(-1, 1);
+      system.gamma[i] = random.uniform(0.01, 0.1);
+    }
+    solve_rows(direct, copy.state(), work, Begin::resume);
+    EXPECT_LE(residual(system, copy.bodies().velocity), 1e-9) << "another bias and softness";
+  }
 }
 
 }  // namespace

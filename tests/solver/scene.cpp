@@ -226,62 +226,56 @@ TEST(Change, TakesEffectInTheNextStepAndKeepsTheWarmStart) {
   EXPECT_NEAR(simulation.scene.bodies().pose[1].position.norm(), 2.5, 1e-14);
 }
 
-TEST(Change, ToWhatIsInvalidThrowsAndLeavesTheSceneAsItWas) {
-  in_all_models([]<class M>(Random&) {
-    Scene<M> scene = rod_chain<M>({.links = 3});
-    const Handle<Distance<M>> rod{scene.entries()[1].id};
-    const auto refused = [&](auto change, const std::string& start, const std::string& allowed) {
-      expect_refusal(
-          scene, [&] { scene.change(rod, change); }, start, allowed);
-      EXPECT_EQ(scene.get(rod).length, 1);
-      EXPECT_EQ(scene.get(rod).at.body1, 1);
-      EXPECT_EQ(scene.get(rod).at.body2, 2);
-    };
-    refused([](auto& it) { it.length = -1; }, "length is -1", "positive");
-    refused([](auto& it) { it.at.body1 = 0; }, "first body of a changed constraint is 0", "1, as it was");
-    refused([](auto& it) { it.at.body2 = 3; }, "second body of a changed constraint is 3", "2, as it was");
-    const auto halve_but_the_last = [&](auto& it) { it.length = it.at.body2 == 3 ? 0.0 : 0.5; };
+TEST_IN_ALL_MODELS(Change, ToWhatIsInvalidThrowsAndLeavesTheSceneAsItWas) {
+  Scene<M> scene = rod_chain<M>({.links = 3});
+  const Handle<Distance<M>> rod{scene.entries()[1].id};
+  const auto refused = [&](auto change, const std::string& start, const std::string& allowed) {
     expect_refusal(
-        scene, [&] { scene.template change_all<Distance>(halve_but_the_last); }, "length is 0", "positive");
-    for (const auto& each : scene.template all<Distance>()) EXPECT_EQ(each.length, 1) << "all or none";
+        scene, [&] { scene.change(rod, change); }, start, allowed);
+    EXPECT_EQ(scene.get(rod).length, 1);
+    EXPECT_EQ(scene.get(rod).at.body1, 1);
+    EXPECT_EQ(scene.get(rod).at.body2, 2);
+  };
+  refused([](auto& it) { it.length = -1; }, "length is -1", "positive");
+  refused([](auto& it) { it.at.body1 = 0; }, "first body of a changed constraint is 0", "1, as it was");
+  refused([](auto& it) { it.at.body2 = 3; }, "second body of a changed constraint is 3", "2, as it was");
+  const auto halve_but_the_last = [&](auto& it) { it.length = it.at.body2 == 3 ? 0.0 : 0.5; };
+  expect_refusal(
+      scene, [&] { scene.template change_all<Distance>(halve_but_the_last); }, "length is 0", "positive");
+  for (const auto& each : scene.template all<Distance>()) EXPECT_EQ(each.length, 1) << "all or none";
 
-    const Linear<M> up = Linear<M>::Unit(1);
-    const auto contact = scene.add(Contact<M>{{0, 1}, up}), other = scene.add(Contact<M>{{0, 2}, up});
-    const auto friction = scene.add(Friction<M>{{0, 1}, tangents_of<M>(up), 0.5, contact});
-    expect_refusal(
-        scene, [&] { scene.change(friction, [&](auto& it) { it.contact = other; }); },
-        "contact of a changed constraint is 4", "3, as it was");
-    EXPECT_EQ(scene.get(friction).contact, static_cast<int>(contact));
-  });
+  const Linear<M> up = Linear<M>::Unit(1);
+  const auto contact = scene.add(Contact<M>{{0, 1}, up}), other = scene.add(Contact<M>{{0, 2}, up});
+  const auto friction = scene.add(Friction<M>{{0, 1}, tangents_of<M>(up), 0.5, contact});
+  expect_refusal(
+      scene, [&] { scene.change(friction, [&](auto& it) { it.contact = other; }); },
+      "contact of a changed constraint is 4", "3, as it was");
+  EXPECT_EQ(scene.get(friction).contact, static_cast<int>(contact));
 }
 
-TEST(WarmStart, KeepsTheImpulsesOfThoseThatStayAndGivesNoneToThoseThatCome) {
-  in_all_models([]<class M>(Random& random) {
-    for (const RowSolver& solver :
-         {RowSolver(GaussSeidel{}), RowSolver(GaussSeidel{.order = SweepOrder::coloured}),
-          RowSolver(GaussSeidel{.order = SweepOrder::reverse})}) {
-      Scene<M> scene = random_graph<M>(random, 9, 15);
-      Work<M> work;
+TEST_IN_ALL_MODELS(WarmStart, KeepsTheImpulsesOfThoseThatStayAndGivesNoneToThoseThatCome) {
+  for (const RowSolver& solver : {RowSolver(GaussSeidel{}), RowSolver(GaussSeidel{.order = SweepOrder::coloured}),
+                                  RowSolver(GaussSeidel{.order = SweepOrder::reverse})}) {
+    Scene<M> scene = random_graph<M>(random, 9, 15);
+    Work<M> work;
+    advance(scene, {solver}, time_step, work);
+    for (int round = 0; round < 20; ++round) {
+      std::vector<std::pair<int, double>> before;  // identity and λ of the first row
+      for (int place = 0; place < scene.count(); ++place)
+        before.push_back({scene.entries()[place].id, work.system.lambda[work.system.row_of[place]]});
+      scene.remove(scene.entries()[random.index(scene.count())].id);
+      const int body = random.index(9);
+      const int come = random.index(2) == 0 ? static_cast<int>(scene.add(Distance<M>{{body, (body + 1) % 9}, 1}))
+                                            : static_cast<int>(scene.add(Pin<M>{{body, (body + 1) % 9}}));
+      if (round % 5 == 0) scene.set_mass(random.index(9), random.mass<M>());
+      lay_out(scene, solver, work);
+      const auto lambda = [&](int id) { return work.system.lambda[work.system.row_of[scene.place(id)]]; };
+      for (const auto& [id, kept] : before) ASSERT_EQ(scene.has(id) ? lambda(id) : kept, kept);
+      ASSERT_EQ(lambda(come), 0);
       advance(scene, {solver}, time_step, work);
-      for (int round = 0; round < 20; ++round) {
-        std::vector<std::pair<int, double>> before;  // identity and λ of the first row
-        for (int place = 0; place < scene.count(); ++place)
-          before.push_back({scene.entries()[place].id, work.system.lambda[work.system.row_of[place]]});
-        scene.remove(scene.entries()[random.index(scene.count())].id);
-        const int body = random.index(9);
-        const int come = random.index(2) == 0 ? static_cast<int>(scene.add(Distance<M>{{body, (body + 1) % 9}, 1}))
-                                              : static_cast<int>(scene.add(Pin<M>{{body, (body + 1) % 9}}));
-        if (round % 5 == 0) scene.set_mass(random.index(9), random.mass<M>());
-        lay_out(scene, solver, work);
-        const auto lambda = [&](int id) { return work.system.lambda[work.system.row_of[scene.place(id)]]; };
-        for (const auto& [id, kept] : before) ASSERT_EQ(scene.has(id) ? lambda(id) : kept, kept);
-        ASSERT_EQ(lambda(come), 0);
-        advance(scene, {solver}, time_step, work);
-        ASSERT_EQ(std::count(work.system.lambda.begin(), work.system.lambda.end(), 0.0) < work.system.rows(),
-                  true);
-      }
+      ASSERT_EQ(std::count(work.system.lambda.begin(), work.system.lambda.end(), 0.0) < work.system.rows(), true);
     }
-  });
+  }
 }
 
 TEST(WarmStart, OfAChainAtRestOutlivesChangesElsewhere) {
@@ -320,86 +314,80 @@ const VelocityStepping cold_methods[] = {{Direct{}},
                                          {Direct{}, SplitImpulse{.warm_start = false}},
                                          {GaussSeidel{10, false}, SoftConstraints{}}};
 
-TEST(Bodies, FreedFixedOrMadeHeavierMoveAsInASceneThatIsBuiltSo) {
-  in_all_models([]<class M>(Random& random) {
-    for (const VelocityStepping& method : cold_methods) {
-      Simulation<M> simulation{rod_chain<M>({.links = 6, .angle = 1}), method};
-      Scene<M>& scene = simulation.scene;
-      const auto expect_as_built = [&] {
-        expect_same_motion(simulation, Simulation<M>{built_anew(scene), method});
-        run(simulation, 0.2, time_step);
-      };
-      run(simulation, 0.2, time_step);
-      scene.set_mass(3, fixed<M>());
-      EXPECT_TRUE(scene.bodies().velocity[3].isZero(0));
-      expect_as_built();
-      scene.set_mass(3, random.mass<M>());
-      scene.set_mass(0, random.mass<M>());
-      expect_as_built();
-      InverseMass<M> heavy = scene.bodies().inverse_mass[6];
-      heavy.linear /= 50;
-      if constexpr (M::angular > 0) heavy.angular /= 50;
-      scene.set_mass(6, heavy);
-      expect_as_built();
-    }
-  });
-}
-
-TEST(Bodies, FreedFixedMadeHeavierOrRemovedWithinAStackMoveAsInOneThatIsBuiltSo) {
-  in_both_bodies([]<class M>(Random&) {
-    Simulation<M> simulation{stack<M>(4), {GaussSeidel{60, false}}};
+TEST_IN_ALL_MODELS(Bodies, FreedFixedOrMadeHeavierMoveAsInASceneThatIsBuiltSo) {
+  for (const VelocityStepping& method : cold_methods) {
+    Simulation<M> simulation{rod_chain<M>({.links = 6, .angle = 1}), method};
     Scene<M>& scene = simulation.scene;
-    // Of boxes in space two faces may draw, and then what was seen before decides which one's points are taken.
-    if constexpr (M::linear == 3)
-      for (int i = 1; i <= 4; ++i) scene.set_shape(i, Ball<M>{0.5});
     const auto expect_as_built = [&] {
-      expect_same_motion(simulation, Simulation<M>{built_anew(scene), simulation.method}, 1e-9);
-      run(simulation, 0.3, time_step);
+      expect_same_motion(simulation, Simulation<M>{built_anew(scene), method});
+      run(simulation, 0.2, time_step);
     };
     run(simulation, 0.2, time_step);
-    scene.set_mass(2, fixed<M>());
+    scene.set_mass(3, fixed<M>());
+    EXPECT_TRUE(scene.bodies().velocity[3].isZero(0));
     expect_as_built();
-    scene.set_mass(1, box<M>(3, Linear<M>::Ones()));
+    scene.set_mass(3, random.mass<M>());
+    scene.set_mass(0, random.mass<M>());
     expect_as_built();
-    scene.set_mass(2, box<M>(5, Linear<M>::Ones()));
+    InverseMass<M> heavy = scene.bodies().inverse_mass[6];
+    heavy.linear /= 50;
+    if constexpr (M::angular > 0) heavy.angular /= 50;
+    scene.set_mass(6, heavy);
     expect_as_built();
-    scene.remove_body(3);
-    run(simulation, 3, time_step);
-    EXPECT_NEAR(scene.bodies().pose[4].position.y(), 2.5, 0.02) << "the topmost fell onto the second";
-    EXPECT_EQ(scene.add_body(Linear<M>(3 * Linear<M>::Unit(0)), box<M>(1, Linear<M>::Ones())), 3);
-    const int contacts = scene.count();
-    simulation.step(time_step);
-    EXPECT_EQ(scene.count(), contacts) << "what takes the place of a body does not take its shape";
-  });
+  }
+}
+
+TEST_IN_BOTH_BODIES(Bodies, FreedFixedMadeHeavierOrRemovedWithinAStackMoveAsInOneThatIsBuiltSo) {
+  Simulation<M> simulation{stack<M>(4), {GaussSeidel{60, false}}};
+  Scene<M>& scene = simulation.scene;
+  // Of boxes in space two faces may draw, and then what was seen before decides which one's points are taken.
+  if constexpr (M::linear == 3)
+    for (int i = 1; i <= 4; ++i) scene.set_shape(i, Ball<M>{0.5});
+  const auto expect_as_built = [&] {
+    expect_same_motion(simulation, Simulation<M>{built_anew(scene), simulation.method}, 1e-9);
+    run(simulation, 0.3, time_step);
+  };
+  run(simulation, 0.2, time_step);
+  scene.set_mass(2, fixed<M>());
+  expect_as_built();
+  scene.set_mass(1, box<M>(3, Linear<M>::Ones()));
+  expect_as_built();
+  scene.set_mass(2, box<M>(5, Linear<M>::Ones()));
+  expect_as_built();
+  scene.remove_body(3);
+  run(simulation, 3, time_step);
+  EXPECT_NEAR(scene.bodies().pose[4].position.y(), 2.5, 0.02) << "the topmost fell onto the second";
+  EXPECT_EQ(scene.add_body(Linear<M>(3 * Linear<M>::Unit(0)), box<M>(1, Linear<M>::Ones())), 3);
+  const int contacts = scene.count();
+  simulation.step(time_step);
+  EXPECT_EQ(scene.count(), contacts) << "what takes the place of a body does not take its shape";
 }
 
 // Both scenes have as many bodies, constraints and rows.
-TEST(AssignedScene, LeavesNoRowOfTheOneBefore) {
-  in_all_models([]<class M>(Random&) {
-    const Scene<M> first = rod_chain<M>({.links = 5, .angle = 1});
-    const Scene<M> second =
-        rod_chain<M, NormalisedDistance>({.links = 5, .length = 0.5, .end_mass = 9, .angle = 0.3});
-    const Scene<M> third = rod_chain<M>({.links = 5, .length = 2, .angle = -2});
-    const auto check = [&](const auto& method) {
-      Simulation simulation{first, method};
-      for (const Scene<M>& next : {second, third, first}) {
-        for (int i = 0; i < 3; ++i) simulation.step(time_step);
-        simulation.scene = next;
-        expect_same_motion(simulation, Simulation{next, method});
-      }
-    };
-    for (const DriftCure& cure : {DriftCure(Baumgarte{}), DriftCure(Projection{}), DriftCure(SplitImpulse{}),
-                                  DriftCure(SoftConstraints{.refresh = false})})
-      for (const RowSolver& solver : {RowSolver(GaussSeidel{}), RowSolver(Direct{}), RowSolver(ByGraph{}),
-                                      RowSolver(GaussSeidel{.order = SweepOrder::coloured})}) {
-        SCOPED_TRACE(testing::Message() << "cure " << cure.index() << ", solver " << solver.index());
-        check(VelocityStepping{solver, cure});
-      }
-    check(Xpbd{});
-    check(Avbd{});
-    check(Rattle{});
-    check(Accelerations{});
-  });
+TEST_IN_ALL_MODELS(AssignedScene, LeavesNoRowOfTheOneBefore) {
+  const Scene<M> first = rod_chain<M>({.links = 5, .angle = 1});
+  const Scene<M> second =
+      rod_chain<M, NormalisedDistance>({.links = 5, .length = 0.5, .end_mass = 9, .angle = 0.3});
+  const Scene<M> third = rod_chain<M>({.links = 5, .length = 2, .angle = -2});
+  const auto check = [&](const auto& method) {
+    Simulation simulation{first, method};
+    for (const Scene<M>& next : {second, third, first}) {
+      for (int i = 0; i < 3; ++i) simulation.step(time_step);
+      simulation.scene = next;
+      expect_same_motion(simulation, Simulation{next, method});
+    }
+  };
+  for (const DriftCure& cure : {DriftCure(Baumgarte{}), DriftCure(Projection{}), DriftCure(SplitImpulse{}),
+                                DriftCure(SoftConstraints{.refresh = false})})
+    for (const RowSolver& solver : {RowSolver(GaussSeidel{}), RowSolver(Direct{}), RowSolver(ByGraph{}),
+                                    RowSolver(GaussSeidel{.order = SweepOrder::coloured})}) {
+      SCOPED_TRACE(testing::Message() << "cure " << cure.index() << ", solver " << solver.index());
+      check(VelocityStepping{solver, cure});
+    }
+  check(Xpbd{});
+  check(Avbd{});
+  check(Rattle{});
+  check(Accelerations{});
 }
 
 TEST(AssignedScene, ThatIsAnotherCopyDoesNotTakeItsImpulses) {
@@ -468,37 +456,35 @@ TEST(Copy, OfASimulationRunsOnBitForBitAndByItself) {
   });
 }
 
-TEST(Removal, OfAContactTakesItsFriction) {
-  in_all_models([]<class M>(Random& random) {
-    Scene<M> scene = free_bodies<M>(random, 4);
-    const Linear<M> up = Linear<M>::Unit(1);
-    const auto press = [&](int body1, int body2) { return scene.add(Contact<M>{{body1, body2}, up}); };
-    const auto rub = [&](int body1, int body2, int contact) {
-      return scene.add(Friction<M>{{body1, body2}, tangents_of<M>(up), 0.5, contact});
-    };
-    const auto first = press(0, 1), second = press(0, 2);
-    const auto of_first = rub(0, 1, first), of_second = rub(0, 2, second), also_of_first = rub(0, 3, first);
-    const auto expect_runs = [&] {
-      Work<M> work;
-      Scene<M> copy = scene;
-      EXPECT_NO_THROW(advance(copy, {GaussSeidel{}}, time_step, work));
-    };
-    scene.remove(of_second);
-    EXPECT_TRUE(scene.has(second)) << "a contact stays without its friction";
-    expect_runs();
-    Scene<M> without_body = scene;
-    scene.remove(first);
-    EXPECT_FALSE(scene.has(of_first));
-    EXPECT_FALSE(scene.has(also_of_first));
-    EXPECT_EQ(scene.count(), 1);
-    expect_runs();
-    // Also where the contact goes with a body that the friction does not hold.
-    without_body.remove_body(1);
-    EXPECT_FALSE(without_body.has(also_of_first));
-    EXPECT_EQ(without_body.count(), 1);
-    scene = without_body;
-    expect_runs();
-  });
+TEST_IN_ALL_MODELS(Removal, OfAContactTakesItsFriction) {
+  Scene<M> scene = free_bodies<M>(random, 4);
+  const Linear<M> up = Linear<M>::Unit(1);
+  const auto press = [&](int body1, int body2) { return scene.add(Contact<M>{{body1, body2}, up}); };
+  const auto rub = [&](int body1, int body2, int contact) {
+    return scene.add(Friction<M>{{body1, body2}, tangents_of<M>(up), 0.5, contact});
+  };
+  const auto first = press(0, 1), second = press(0, 2);
+  const auto of_first = rub(0, 1, first), of_second = rub(0, 2, second), also_of_first = rub(0, 3, first);
+  const auto expect_runs = [&] {
+    Work<M> work;
+    Scene<M> copy = scene;
+    EXPECT_NO_THROW(advance(copy, {GaussSeidel{}}, time_step, work));
+  };
+  scene.remove(of_second);
+  EXPECT_TRUE(scene.has(second)) << "a contact stays without its friction";
+  expect_runs();
+  Scene<M> without_body = scene;
+  scene.remove(first);
+  EXPECT_FALSE(scene.has(of_first));
+  EXPECT_FALSE(scene.has(also_of_first));
+  EXPECT_EQ(scene.count(), 1);
+  expect_runs();
+  // Also where the contact goes with a body that the friction does not hold.
+  without_body.remove_body(1);
+  EXPECT_FALSE(without_body.has(also_of_first));
+  EXPECT_EQ(without_body.count(), 1);
+  scene = without_body;
+  expect_runs();
 }
 
 TEST(FoundContacts, AreNotChangedRemovedOrLeantOn) {

@@ -10,51 +10,44 @@ namespace {
 
 using namespace byhand;
 
-TEST(Softness, LeavesEachRowAtMinusGammaLambda) {
-  in_all_models(
-      []<class M>(Random& random) {
-        const auto scene = random_graph<M>(random, 8, 12);
-        for (const RowSolver& solver :
-             {RowSolver(GaussSeidel{.sweeps = 30000, .warm_start = false, .tolerance = 1e-14}),
-              RowSolver(Direct{}), RowSolver(Direct{Factorisation::dense})}) {
-          auto copy = scene;
-          Work<M> work;
-          advance(copy, {.solver = solver, .gyroscopic = Gyroscopic::none}, time_step, work);
-          double worst = 0, largest_term = 0;
-          for_each_of<Distance, Pin>(scene, [&](const auto& constraint, int place) {
-            const int b1 = constraint.at.body1, b2 = constraint.at.body2, row = work.system.row_of[place];
-            const auto J = constraint.jacobian(scene.bodies().pose[b1], scene.bodies().pose[b2]);
-            const auto C = constraint.template value<double>(scene.bodies().pose[b1], scene.bodies().pose[b2]);
-            if (!moves(scene.bodies().inverse_mass[b1]) && !moves(scene.bodies().inverse_mass[b2])) return;
-            const auto JV = dot(J, copy.bodies().velocity[b1], copy.bodies().velocity[b2]);
-            for (int k = 0; k < JV.size(); ++k) {
-              const double given = constraint.softness * work.system.lambda[row + k];
-              worst = std::max(worst, std::abs(JV[k] + 0.2 / time_step * C[k] + given));
-              largest_term = std::max(largest_term, std::abs(given));
-            }
-          });
-          EXPECT_LE(worst, 1e-9);
-          EXPECT_GT(largest_term, 0.01) << "softness mattered";
-        }
-      },
-      10);
+TEST_IN_ALL_MODELS(Softness, LeavesEachRowAtMinusGammaLambda, 10) {
+  const auto scene = random_graph<M>(random, 8, 12);
+  for (const RowSolver& solver : {RowSolver(GaussSeidel{.sweeps = 30000, .warm_start = false, .tolerance = 1e-14}),
+                                  RowSolver(Direct{}), RowSolver(Direct{Factorisation::dense})}) {
+    auto copy = scene;
+    Work<M> work;
+    advance(copy, {.solver = solver, .gyroscopic = Gyroscopic::none}, time_step, work);
+    double worst = 0, largest_term = 0;
+    for_each_of<Distance, Pin>(scene, [&](const auto& constraint, int place) {
+      const int b1 = constraint.at.body1, b2 = constraint.at.body2, row = work.system.row_of[place];
+      const auto J = constraint.jacobian(scene.bodies().pose[b1], scene.bodies().pose[b2]);
+      const auto C = constraint.template value<double>(scene.bodies().pose[b1], scene.bodies().pose[b2]);
+      if (!moves(scene.bodies().inverse_mass[b1]) && !moves(scene.bodies().inverse_mass[b2])) return;
+      const auto JV = dot(J, copy.bodies().velocity[b1], copy.bodies().velocity[b2]);
+      for (int k = 0; k < JV.size(); ++k) {
+        const double given = constraint.softness * work.system.lambda[row + k];
+        worst = std::max(worst, std::abs(JV[k] + 0.2 / time_step * C[k] + given));
+        largest_term = std::max(largest_term, std::abs(given));
+      }
+    });
+    EXPECT_LE(worst, 1e-9);
+    EXPECT_GT(largest_term, 0.01) << "softness mattered";
+  }
 }
 
-TEST(Substeps, AreAsManyStepsOfAShareOfTheTime) {
-  in_all_models([]<class M>(Random&) {
-    for (const RowSolver& solver : {RowSolver(GaussSeidel{2}), RowSolver(Direct{})}) {
-      auto whole = rod_chain<M>({.links = 4, .angle = 1}), parts = whole;
-      Work<M> whole_work, parts_work;
-      VelocityStepping method{solver};
-      method.substeps = 4;
-      for (int i = 0; i < 5; ++i) {
-        advance(whole, method, time_step, whole_work);
-        for (int j = 0; j < 4; ++j) advance(parts, {solver}, time_step / 4, parts_work);
-      }
-      EXPECT_EQ(numbers_of<M>(whole.bodies().velocity), numbers_of<M>(parts.bodies().velocity));
-      EXPECT_EQ(whole_work.row_solves, parts_work.row_solves);
+TEST_IN_ALL_MODELS(Substeps, AreAsManyStepsOfAShareOfTheTime) {
+  for (const RowSolver& solver : {RowSolver(GaussSeidel{2}), RowSolver(Direct{})}) {
+    auto whole = rod_chain<M>({.links = 4, .angle = 1}), parts = whole;
+    Work<M> whole_work, parts_work;
+    VelocityStepping method{solver};
+    method.substeps = 4;
+    for (int i = 0; i < 5; ++i) {
+      advance(whole, method, time_step, whole_work);
+      for (int j = 0; j < 4; ++j) advance(parts, {solver}, time_step / 4, parts_work);
     }
-  });
+    EXPECT_EQ(numbers_of<M>(whole.bodies().velocity), numbers_of<M>(parts.bodies().velocity));
+    EXPECT_EQ(whole_work.row_solves, parts_work.row_solves);
+  }
 }
 
 /// Height of a free body after n steps from rest.
@@ -68,11 +61,9 @@ double fallen(int steps) {
   return -scene.bodies().pose[0].position[1];
 }
 
-TEST(Euler, FallsHalfAStepAhead) {
-  in_all_models([]<class M>(Random&) {
-    const double gh2 = 9.81 * time_step * time_step;
-    for (const int n : {1, 2, 60}) EXPECT_NEAR(fallen<M>(n), gh2 * n * (n + 1) / 2, 1e-12);
-  });
+TEST_IN_ALL_MODELS(Euler, FallsHalfAStepAhead) {
+  const double gh2 = 9.81 * time_step * time_step;
+  for (const int n : {1, 2, 60}) EXPECT_NEAR(fallen<M>(n), gh2 * n * (n + 1) / 2, 1e-12);
 }
 
 TEST(Euler, GainsNoEnergyOnAPendulum) {
@@ -92,17 +83,15 @@ TEST(Residual, IsZeroForASolvedSystemAndTheRateOfAnUnsolvedOne) {
   EXPECT_NEAR(residual(work.system, scene.bodies().velocity), 0.25, 1e-15);
 }
 
-TEST(AlgebraicError, IsTheDistanceFromTheDirectSolve) {
-  in_all_models([]<class M>(Random&) {
-    const auto scene = rod_chain<M, NormalisedDistance>({.links = 2});
-    const auto error = [&](const RowSolver& solver) {
-      return algebraic_error(Simulation{scene, VelocityStepping{solver, NoDriftCure{}}}, time_step);
-    };
-    EXPECT_NEAR(error(Direct{}), 0, 1e-14);
-    EXPECT_NEAR(error(GaussSeidel{1, false}), 9.81 * time_step / 2, 1e-12) << "half of what the second bob fell";
-    EXPECT_GT(error(GaussSeidel{5, false}), error(GaussSeidel{10, false}));
-    EXPECT_LE(error(GaussSeidel{200, false}), 1e-12);
-  });
+TEST_IN_ALL_MODELS(AlgebraicError, IsTheDistanceFromTheDirectSolve) {
+  const auto scene = rod_chain<M, NormalisedDistance>({.links = 2});
+  const auto error = [&](const RowSolver& solver) {
+    return algebraic_error(Simulation{scene, VelocityStepping{solver, NoDriftCure{}}}, time_step);
+  };
+  EXPECT_NEAR(error(Direct{}), 0, 1e-14);
+  EXPECT_NEAR(error(GaussSeidel{1, false}), 9.81 * time_step / 2, 1e-12) << "half of what the second bob fell";
+  EXPECT_GT(error(GaussSeidel{5, false}), error(GaussSeidel{10, false}));
+  EXPECT_LE(error(GaussSeidel{200, false}), 1e-12);
 }
 
 TEST(RowSolves, CountSweepsTimesRows) {

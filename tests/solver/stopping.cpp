@@ -211,24 +211,22 @@ TEST(Solution, SaysWhatAStepTook) {
 }
 
 // λ vanishes, and what sweeps change is rounding: of velocities of 100 m/s it is never within 1e-12 of λ.
-TEST(Stopping, EndsAtOnceWhereAllDriftsAtOneSpeed) {
-  in_all_models([]<class M>(Random& random) {
-    Scene<M> scene = ring<M>(random, 8);
-    scene.gravity.setZero();
-    for (auto& V : scene.state().velocity) {
-      V.setZero();
-      V[0] = 100.3, V[1] = 17.7;
-    }
-    for (const AnyRowSolver& solver :
-         {AnyRowSolver(exact_sweeps()), AnyRowSolver(GaussSeidel{.sweeps = 100, .tolerance = 1e-12}),
-          AnyRowSolver(AcceleratedGradient{.tolerance = 1e-12}),
-          AnyRowSolver(ConjugateGradients{.tolerance = 1e-12})}) {
-      Simulation<M, AnyStepping> simulation{scene, {solver, NoDriftCure{}}};
-      simulation.step(time_step);
-      EXPECT_TRUE(simulation.work.solution.converged) << solver.index();
-      EXPECT_LE(simulation.work.solution.passes, 2) << solver.index();
-    }
-  });
+TEST_IN_ALL_MODELS(Stopping, EndsAtOnceWhereAllDriftsAtOneSpeed) {
+  Scene<M> scene = ring<M>(random, 8);
+  scene.gravity.setZero();
+  for (auto& V : scene.state().velocity) {
+    V.setZero();
+    V[0] = 100.3, V[1] = 17.7;
+  }
+  for (const AnyRowSolver& solver :
+       {AnyRowSolver(exact_sweeps()), AnyRowSolver(GaussSeidel{.sweeps = 100, .tolerance = 1e-12}),
+        AnyRowSolver(AcceleratedGradient{.tolerance = 1e-12}),
+        AnyRowSolver(ConjugateGradients{.tolerance = 1e-12})}) {
+    Simulation<M, AnyStepping> simulation{scene, {solver, NoDriftCure{}}};
+    simulation.step(time_step);
+    EXPECT_TRUE(simulation.work.solution.converged) << solver.index();
+    EXPECT_LE(simulation.work.solution.passes, 2) << solver.index();
+  }
 }
 
 TEST(ActiveSet, IsAcceptedByTheResidual) {

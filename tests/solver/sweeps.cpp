@@ -81,80 +81,64 @@ Scene<M> single_rows(Random& random) {
   return scene;
 }
 
-TEST(GaussSeidel, IsEquations17And20RowAfterRow) {
-  in_all_models(
-      []<class M>(Random& random) {
-        const auto scene = single_rows<M>(random);
-        const int count = scene.count();
-        std::vector<int> forward = natural_order(count), backward(forward.rbegin(), forward.rend());
-        const auto expect = [&](SweepOrder order, const std::vector<int>& by_hand, double relaxation) {
-          GaussSeidel solver{7, false, order};
-          solver.relaxation = relaxation;
-          const auto expected = swept_by_hand(scene, by_hand, 7, relaxation);
-          EXPECT_LE(difference(solved(scene, solver).velocity, expected), 1e-12 * (1 + largest(expected)));
-        };
-        expect(SweepOrder::natural, forward, 1);
-        expect(SweepOrder::reverse, backward, 1);
-        expect(SweepOrder::coloured, coloured_order(scene.graph()), 1);
-        expect(SweepOrder::natural, forward, 0.7);
-        expect(SweepOrder::natural, forward, 1.3);
-      },
-      20);
+TEST_IN_ALL_MODELS(GaussSeidel, IsEquations17And20RowAfterRow, 20) {
+  const auto scene = single_rows<M>(random);
+  const int count = scene.count();
+  std::vector<int> forward = natural_order(count), backward(forward.rbegin(), forward.rend());
+  const auto expect = [&](SweepOrder order, const std::vector<int>& by_hand, double relaxation) {
+    GaussSeidel solver{7, false, order};
+    solver.relaxation = relaxation;
+    const auto expected = swept_by_hand(scene, by_hand, 7, relaxation);
+    EXPECT_LE(difference(solved(scene, solver).velocity, expected), 1e-12 * (1 + largest(expected)));
+  };
+  expect(SweepOrder::natural, forward, 1);
+  expect(SweepOrder::reverse, backward, 1);
+  expect(SweepOrder::coloured, coloured_order(scene.graph()), 1);
+  expect(SweepOrder::natural, forward, 0.7);
+  expect(SweepOrder::natural, forward, 1.3);
 }
 
-TEST(GaussSeidel, RowByRowSolvesTheRowsOfABlockOneAtATime) {
-  in_all_models(
-      []<class M>(Random& random) {
-        const auto scene = random_graph<M>(random, 8, 12);
-        GaussSeidel solver{5, false};
-        solver.block_solve = BlockSolve::row_by_row;
-        const auto expected = swept_by_hand(scene, natural_order(scene.count()), 5);
-        EXPECT_LE(difference(solved(scene, solver).velocity, expected), 1e-12 * (1 + largest(expected)));
-        solver.block_solve = BlockSolve::whole;
-        EXPECT_GE(difference(solved(scene, solver).velocity, expected), M::angular == 0 ? 0.0 : 1e-6)
-            << "a block is another method where turning couples its rows";
-      },
-      20);
+TEST_IN_ALL_MODELS(GaussSeidel, RowByRowSolvesTheRowsOfABlockOneAtATime, 20) {
+  const auto scene = random_graph<M>(random, 8, 12);
+  GaussSeidel solver{5, false};
+  solver.block_solve = BlockSolve::row_by_row;
+  const auto expected = swept_by_hand(scene, natural_order(scene.count()), 5);
+  EXPECT_LE(difference(solved(scene, solver).velocity, expected), 1e-12 * (1 + largest(expected)));
+  solver.block_solve = BlockSolve::whole;
+  EXPECT_GE(difference(solved(scene, solver).velocity, expected), M::angular == 0 ? 0.0 : 1e-6)
+      << "a block is another method where turning couples its rows";
 }
 
-TEST(GaussSeidel, SolvesABlockWholeAtOnce) {
-  in_all_models(
-      []<class M>(Random& random) {
-        const auto pair = random_pair<M>(random);
-        Scene<M> scene = pair.scene();
-        scene.add(Pin<M>{pair.at});
-        const auto answer = solved(scene, GaussSeidel{1, false});
-        EXPECT_LE(answer.residual, 1e-11);
-        EXPECT_LE(difference(answer.lambda, solved(scene, Direct{Factorisation::dense}).lambda), 1e-11);
-      },
-      50);
+TEST_IN_ALL_MODELS(GaussSeidel, SolvesABlockWholeAtOnce, 50) {
+  const auto pair = random_pair<M>(random);
+  Scene<M> scene = pair.scene();
+  scene.add(Pin<M>{pair.at});
+  const auto answer = solved(scene, GaussSeidel{1, false});
+  EXPECT_LE(answer.residual, 1e-11);
+  EXPECT_LE(difference(answer.lambda, solved(scene, Direct{Factorisation::dense}).lambda), 1e-11);
 }
 
-TEST(GaussSeidel, OrdersDifferOnTheWayAndMeetAtTheEnd) {
-  in_all_models([]<class M>(Random& random) {
-    const auto scene = with_random_velocities(rod_chain<M>({.links = 6, .angle = 1}), random);
-    const auto exact = solved(scene, Direct{Factorisation::dense});
-    std::set<double> after_one_sweep;
-    for (const auto order : {SweepOrder::natural, SweepOrder::reverse, SweepOrder::coloured}) {
-      after_one_sweep.insert(solved(scene, GaussSeidel{1, false, order}).residual);
-      const auto answer = solved(scene, GaussSeidel{2000, false, order});
-      EXPECT_LE(difference(answer.velocity, exact.velocity), 1e-10);
-      EXPECT_LE(difference(answer.lambda, exact.lambda), 1e-10);
-    }
-    EXPECT_EQ(after_one_sweep.size(), 3);
-  });
+TEST_IN_ALL_MODELS(GaussSeidel, OrdersDifferOnTheWayAndMeetAtTheEnd) {
+  const auto scene = with_random_velocities(rod_chain<M>({.links = 6, .angle = 1}), random);
+  const auto exact = solved(scene, Direct{Factorisation::dense});
+  std::set<double> after_one_sweep;
+  for (const auto order : {SweepOrder::natural, SweepOrder::reverse, SweepOrder::coloured}) {
+    after_one_sweep.insert(solved(scene, GaussSeidel{1, false, order}).residual);
+    const auto answer = solved(scene, GaussSeidel{2000, false, order});
+    EXPECT_LE(difference(answer.velocity, exact.velocity), 1e-10);
+    EXPECT_LE(difference(answer.lambda, exact.lambda), 1e-10);
+  }
+  EXPECT_EQ(after_one_sweep.size(), 3);
 }
 
-TEST(GaussSeidel, WarmAndColdMeetAtTheEnd) {
-  in_all_models([]<class M>(Random&) {
-    auto warm = rod_chain<M>({.links = 6, .angle = 1}), cold = warm;
-    Work<M> warm_work, cold_work;
-    for (int i = 0; i < 10; ++i) {
-      advance(warm, {GaussSeidel{1000, true}}, time_step, warm_work);
-      advance(cold, {GaussSeidel{1000, false}}, time_step, cold_work);
-    }
-    EXPECT_LE(difference(numbers_of<M>(warm.bodies().velocity), numbers_of<M>(cold.bodies().velocity)), 1e-8);
-  });
+TEST_IN_ALL_MODELS(GaussSeidel, WarmAndColdMeetAtTheEnd) {
+  auto warm = rod_chain<M>({.links = 6, .angle = 1}), cold = warm;
+  Work<M> warm_work, cold_work;
+  for (int i = 0; i < 10; ++i) {
+    advance(warm, {GaussSeidel{1000, true}}, time_step, warm_work);
+    advance(cold, {GaussSeidel{1000, false}}, time_step, cold_work);
+  }
+  EXPECT_LE(difference(numbers_of<M>(warm.bodies().velocity), numbers_of<M>(cold.bodies().velocity)), 1e-8);
 }
 
 TEST(GaussSeidel, WarmStartBeginsWithTheImpulsesOfTheLastStep) {
@@ -170,18 +154,16 @@ TEST(GaussSeidel, WarmStartBeginsWithTheImpulsesOfTheLastStep) {
   EXPECT_LT(residual_after_a_step(time_step / 2), 1e-10) << "λ is an impulse and halves with the step";
 }
 
-TEST(ColdStart, ForgetsWhatLambdaWasBefore) {
-  in_all_models([]<class M>(Random&) {
-    for (const RowSolver& solver : {RowSolver(GaussSeidel{3, false}), RowSolver(Jacobi{3, false})}) {
-      auto scene = rod_chain<M>({.links = 5, .angle = 1});
-      Work<M> used, none;
-      for (int i = 0; i < 5; ++i) advance(scene, {solver}, time_step, used);
-      auto fresh = scene;
-      advance(scene, {solver}, time_step, used);
-      advance(fresh, {solver}, time_step, none);
-      EXPECT_EQ(used.system.lambda, none.system.lambda);
-    }
-  });
+TEST_IN_ALL_MODELS(ColdStart, ForgetsWhatLambdaWasBefore) {
+  for (const RowSolver& solver : {RowSolver(GaussSeidel{3, false}), RowSolver(Jacobi{3, false})}) {
+    auto scene = rod_chain<M>({.links = 5, .angle = 1});
+    Work<M> used, none;
+    for (int i = 0; i < 5; ++i) advance(scene, {solver}, time_step, used);
+    auto fresh = scene;
+    advance(scene, {solver}, time_step, used);
+    advance(fresh, {solver}, time_step, none);
+    EXPECT_EQ(used.system.lambda, none.system.lambda);
+  }
 }
 
 TEST(GaussSeidel, RelaxesFasterAtTheBestFactor) {
@@ -193,32 +175,27 @@ TEST(GaussSeidel, RelaxesFasterAtTheBestFactor) {
   EXPECT_LT(solved(scene, relaxed).residual, 1e-3 * solved(scene, solver).residual);
 }
 
-TEST(Colouring, SharesNoMovingBodyWithinAColour) {
-  in_all_models(
-      []<class M>(Random& random) {
-        const auto graph = random_graph<M>(random, 12, 30).graph();
-        const auto order = coloured_order(graph);
-        EXPECT_EQ(std::set<int>(order.begin(), order.end()).size(), graph.edges.size());
-        // Cut at every meeting of two edges at a body; an order that is not by colours falls into many groups.
-        std::set<int> taken;
-        int groups = 1;
-        std::vector<int> degree(graph.bodies);
-        for (const int e : order) {
-          const auto& edge = graph.edges[e];
-          if (taken.count(edge.body1) || taken.count(edge.body2)) {
-            taken.clear();
-            ++groups;
-          }
-          for (const int body : {edge.body1, edge.body2})
-            if (body != Edge::no_body) {
-              taken.insert(body);
-              ++degree[body];
-            }
-        }
-        EXPECT_LE(groups, 2 * *std::max_element(degree.begin(), degree.end()) - 1)
-            << "what a greedy colouring needs";
-      },
-      30);
+TEST_IN_ALL_MODELS(Colouring, SharesNoMovingBodyWithinAColour, 30) {
+  const auto graph = random_graph<M>(random, 12, 30).graph();
+  const auto order = coloured_order(graph);
+  EXPECT_EQ(std::set<int>(order.begin(), order.end()).size(), graph.edges.size());
+  // Cut at every meeting of two edges at a body; an order that is not by colours falls into many groups.
+  std::set<int> taken;
+  int groups = 1;
+  std::vector<int> degree(graph.bodies);
+  for (const int e : order) {
+    const auto& edge = graph.edges[e];
+    if (taken.count(edge.body1) || taken.count(edge.body2)) {
+      taken.clear();
+      ++groups;
+    }
+    for (const int body : {edge.body1, edge.body2})
+      if (body != Edge::no_body) {
+        taken.insert(body);
+        ++degree[body];
+      }
+  }
+  EXPECT_LE(groups, 2 * *std::max_element(degree.begin(), degree.end()) - 1) << "what a greedy colouring needs";
 }
 
 TEST(Colouring, TakesAChainInTwoColoursAndPinsToTheGroundInOne) {
@@ -233,37 +210,31 @@ TEST(Colouring, TakesAChainInTwoColoursAndPinsToTheGroundInOne) {
   EXPECT_EQ(coloured_order(scene.graph()), natural_order(6));
 }
 
-TEST(Jacobi, SolvesEveryRowFromTheSameVelocities) {
-  in_all_models(
-      []<class M>(Random& random) {
-        const auto scene = random_graph<M>(random, 8, 12);
-        Jacobi solver{1, false};
-        solver.relaxation = 0.8;
-        solver.block_solve = BlockSolve::row_by_row;
-        // One sweep from rest of λ is the sum of what every constraint would do alone.
-        std::vector<double> expected, before;
-        {
-          auto free = scene;
-          add_gravity(free.state(), free.gravity, time_step);
-          before = expected = numbers_of<M>(free.bodies().velocity);
-        }
-        for (int number = 0; number < scene.count(); ++number) {
-          const auto alone = swept_by_hand(scene, {number}, 1);
-          for (std::size_t i = 0; i < expected.size(); ++i) expected[i] += 0.8 * (alone[i] - before[i]);
-        }
-        EXPECT_LE(difference(solved(scene, solver).velocity, expected), 1e-12 * (1 + largest(expected)));
-      },
-      20);
+TEST_IN_ALL_MODELS(Jacobi, SolvesEveryRowFromTheSameVelocities, 20) {
+  const auto scene = random_graph<M>(random, 8, 12);
+  Jacobi solver{1, false};
+  solver.relaxation = 0.8;
+  solver.block_solve = BlockSolve::row_by_row;
+  // One sweep from rest of λ is the sum of what every constraint would do alone.
+  std::vector<double> expected, before;
+  {
+    auto free = scene;
+    add_gravity(free.state(), free.gravity, time_step);
+    before = expected = numbers_of<M>(free.bodies().velocity);
+  }
+  for (int number = 0; number < scene.count(); ++number) {
+    const auto alone = swept_by_hand(scene, {number}, 1);
+    for (std::size_t i = 0; i < expected.size(); ++i) expected[i] += 0.8 * (alone[i] - before[i]);
+  }
+  EXPECT_LE(difference(solved(scene, solver).velocity, expected), 1e-12 * (1 + largest(expected)));
 }
 
-TEST(Jacobi, ConvergesToTheSameAnswerUnderRelaxation) {
-  in_all_models([]<class M>(Random& random) {
-    const auto scene = with_random_velocities(rod_chain<M>({.links = 6, .angle = 1}), random);
-    Jacobi solver{4000, false};
-    solver.relaxation = 0.9;
-    const auto exact = solved(scene, Direct{Factorisation::dense});
-    EXPECT_LE(difference(solved(scene, solver).lambda, exact.lambda), 1e-9);
-  });
+TEST_IN_ALL_MODELS(Jacobi, ConvergesToTheSameAnswerUnderRelaxation) {
+  const auto scene = with_random_velocities(rod_chain<M>({.links = 6, .angle = 1}), random);
+  Jacobi solver{4000, false};
+  solver.relaxation = 0.9;
+  const auto exact = solved(scene, Direct{Factorisation::dense});
+  EXPECT_LE(difference(solved(scene, solver).lambda, exact.lambda), 1e-9);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "lessons/laws/buckling.hpp"
+#include "lessons/laws/closed_forms.hpp"
 #include "lessons/laws/column.hpp"
 #include "lessons/laws/creep.hpp"
 #include "lessons/laws/hopping.hpp"
@@ -120,7 +121,7 @@ TEST(Law6, AColdStartIsStableToTwo) {
 }
 
 TEST(Law6, TheLimitHoldsForEveryOrderOfSolving) {
-  const double limit = largest_beta(std::pow(left_by_a_sweep(8), 3));
+  const double limit = largest_beta(left_by_sweeps(8, 3));
   for (const auto order : {SweepOrder::natural, SweepOrder::reverse, SweepOrder::coloured}) {
     WarmChain chain{.links = 8, .sweeps = 3, .beta = 0.97 * limit, .order = order};
     EXPECT_EQ(run(chain), Outcome::settles);
@@ -130,7 +131,7 @@ TEST(Law6, TheLimitHoldsForEveryOrderOfSolving) {
 }
 
 TEST(Law6, TheAtlasLimitsOfTenLinks) {
-  const auto limit = [](int sweeps) { return largest_beta(std::pow(left_by_a_sweep(10), sweeps)); };
+  const auto limit = [](int sweeps) { return largest_beta(left_by_sweeps(10, sweeps)); };
   EXPECT_NEAR(limit(1), 0.0251, 5e-5);
   EXPECT_NEAR(limit(10), 0.281, 5e-4);
   EXPECT_NEAR(limit(30), 1.103, 5e-3);

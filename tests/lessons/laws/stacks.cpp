@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "lessons/laws/creep.hpp"
+#include "lessons/laws/closed_forms.hpp"
 #include "lessons/scenes/boxes.hpp"
 #include "solver/constraints/contact.hpp"
 #include "solver/constraints/friction.hpp"
@@ -24,18 +24,12 @@ double stands(int count, const VelocityStepping& method, double time, double top
   return simulation.time;
 }
 
-/// The sweeps that a column of N unit boxes needs without correction, by law 18.
-double sweeps_to_stand(int count) {
-  return std::log1p(h * h * laws::tipping_rate_squared(count, g)) /
-         -std::log(laws::bending_left_by_a_sweep(count));
-}
-
 TEST(LawB18, AColumnStandsIffItIsSweptOftenEnough) {
   struct Case {
     int count, falls, stands;
   };
   for (const auto [count, falling, standing] : {Case{8, 1, 2}, {10, 2, 3}, {15, 6, 8}, {20, 14, 19}}) {
-    const double law = sweeps_to_stand(count);
+    const double law = laws::sweeps_to_stand(count, g, h);
     EXPECT_TRUE(falling < law && law < standing) << count << " boxes: " << law;
     EXPECT_LT(stands(count, {GaussSeidel{falling}, NoDriftCure{}}, 30), 30) << count << " boxes";
     EXPECT_GE(stands(count, {GaussSeidel{standing}, NoDriftCure{}}, 30), 30) << count << " boxes";
