@@ -11,47 +11,25 @@ constexpr double pi = std::numbers::pi;
 Solid<M> box(double width, double height, const Vector2d& at, double angle = 0) {
   return {Box<M>{{width, height}}, {at, plane_rotation(angle)}};
 }
-Solid<M> random_box_solid(Random& random) { return {random_box<M>(random), random.pose<M>()}; }
-
-template <class F>
-void in_random_pairs(F&& f, int draws) {
-  Random random;
-  for (int draw = 0; draw < draws && !testing::Test::HasFatalFailure(); ++draw) {
-    SCOPED_TRACE(testing::Message() << "draw " << draw << ", seed " << seed);
-    f(random, random_box_solid(random), random_box_solid(random));
-  }
-}
 
 TEST(CollidePlane, SeparationIsTheLeastTranslationThatParts) {
   int overlaps = 0;
-  in_random_pairs(
-      [&](Random&, const auto& first, const auto& second) {
-        const auto manifold = touch(first, second, 0);
-        ASSERT_NO_FATAL_FAILURE(expect_sound(first, second, 0, manifold));
-        const double truth = largest_gap(first, second);
-        if (manifold.empty()) {
-          EXPECT_GT(truth, -1e-4) << "they overlap";
-          return;
-        }
-        ++overlaps;
-        EXPECT_NEAR(gap_along<M>(first, second, manifold.normal), least_separation(manifold), rounding);
-        EXPECT_GE(least_separation(manifold), truth - rounding) << "a shorter way out";
-      },
-      3000);
+  on_box_pairs<M>(3000, [&](Random&, const auto& first, const auto& second) {
+    const auto manifold = touch(first, second, 0);
+    ASSERT_NO_FATAL_FAILURE(expect_sound(first, second, 0, manifold));
+    const double truth = largest_gap(first, second);
+    if (manifold.empty()) {
+      EXPECT_GT(truth, -1e-4) << "they overlap";
+      return;
+    }
+    ++overlaps;
+    EXPECT_NEAR(gap_along<M>(first, second, manifold.normal), least_separation(manifold), rounding);
+    EXPECT_GE(least_separation(manifold), truth - rounding) << "a shorter way out";
+  });
   EXPECT_GT(overlaps, 500);
 }
 
-TEST(CollidePlane, FeaturesStayWhileTheBoxesHardlyMove) {
-  in_random_pairs(
-      [](Random& random, const auto& first, Solid<M> second) {
-        const auto before = touch(first, second, 0.5);
-        move<M>(second.pose, Velocity<M>(random.vector<3>(1)), 1e-7);
-        const auto after = touch(first, second, 0.5, before.reference);
-        ASSERT_EQ(before.size, after.size);
-        for (int i = 0; i < before.size; ++i) EXPECT_EQ(before.points[i].feature, after.points[i].feature);
-      },
-      3000);
-}
+TEST(CollidePlane, FeaturesStayWhileTheBoxesHardlyMove) { expect_lasting_features<M>(); }
 
 TEST(CollidePlane, FeaturesOfEqualBoxesOnEachOtherOutlastSwayAndTilt) {
   const Solid<M> below = box(1, 1, {0, 0});
@@ -122,18 +100,16 @@ TEST(CollidePlane, AnOldReferenceNeverSaysThatBoxesApartOverlapNorTheReverse) {
   EXPECT_EQ(past_it.normal, Vector2d(1, 0));
   EXPECT_NEAR(least_separation(past_it), 0.001, rounding);
 
-  in_random_pairs(
-      [](Random&, const auto& first, const auto& second) {
-        const auto plain = touch(first, second, 1);
-        for (std::uint32_t hint = 1; hint <= 4; ++hint) {
-          const auto hinted = touch(first, second, 1, hint);
-          ASSERT_NO_FATAL_FAILURE(expect_sound(first, second, 1, hinted));
-          EXPECT_EQ(least_separation(hinted) > 0, least_separation(plain) > 0);
-          if (least_separation(plain) > 0) continue;
-          EXPECT_NEAR(least_separation(hinted), least_separation(plain), hysteresis_of(first, second));
-        }
-      },
-      3000);
+  on_box_pairs<M>(3000, [](Random&, const auto& first, const auto& second) {
+    const auto plain = touch(first, second, 1);
+    for (std::uint32_t hint = 1; hint <= 4; ++hint) {
+      const auto hinted = touch(first, second, 1, hint);
+      ASSERT_NO_FATAL_FAILURE(expect_sound(first, second, 1, hinted));
+      EXPECT_EQ(least_separation(hinted) > 0, least_separation(plain) > 0);
+      if (least_separation(plain) > 0) continue;
+      EXPECT_NEAR(least_separation(hinted), least_separation(plain), hysteresis_of(first, second));
+    }
+  });
 }
 
 TEST(CollidePlane, ABoxOnABoxTouchesAtBothEndsOfTheOverlap) {
@@ -159,44 +135,26 @@ TEST(CollidePlane, BoxesWithOneCentrePartAlongTheFirstsShorterWayOut) {
   EXPECT_EQ(least_separation(manifold), -1);
 }
 
-/// Places and turns that meet exactly, or miss by a rounding error.
-Solid<M> degenerate(Random& random) {
-  const double noise[] = {0, 0, 0, 1e-300, 1e-17, -1e-16, 1e-15, 1e-12, -1e-9};
-  const auto off = [&] { return noise[random.index(9)]; };
-  const double sizes[] = {0.5, 1, 2, 1e-6, 1e3};
-  const double width = sizes[random.index(5)], height = sizes[random.index(5)];
-  return box(width, height, Vector2d(0.25 * random.index(5) + off(), 0.25 * random.index(5) + off()),
-             pi / 4 * random.index(8) + off());
-}
-
 TEST(CollidePlane, DegenerateBoxesGiveSoundAnswers) {
-  Random random;
-  int touching = 0;
-  for (int draw = 0; draw < 100'000; ++draw) {
-    SCOPED_TRACE(testing::Message() << "draw " << draw << ", seed " << seed);
-    const auto first = degenerate(random), second = degenerate(random);
-    const double margin = random.index(2) * 0.02;
-    const auto manifold = touch(first, second, margin, random.index(6));
-    const double size = reach<M>(first, {1, 0}) + reach<M>(second, {1, 0}) + 1;
-    ASSERT_TRUE(manifold.size == 0 || std::abs(manifold.normal.norm() - 1) < rounding);
-    for (const auto& point : manifold) {
-      ASSERT_LE(point.separation, margin);
-      ASSERT_LE(std::abs(height_over(first, point.p1)), rounding * size);
-      ASSERT_LE(std::abs(height_over(second, point.p2)), rounding * size);
-      ASSERT_LE(std::abs(point.separation - (point.p2 - point.p1).dot(manifold.normal)), rounding * size);
-    }
+  const auto degenerate = [](Random& random) {
+    const auto place = [&] { return 0.25 * random.index(5) + off_by_rounding(random); };
+    const double width = degenerate_side(random), height = degenerate_side(random), x = place(), y = place();
+    return box(width, height, Vector2d(x, y), pi / 4 * random.index(8) + off_by_rounding(random));
+  };
+  const auto matches_the_gap = [](const Solid<M>& first, const Solid<M>& second, const Manifold<M>& manifold) {
     double gap = -1e9;
     for (const auto& u :
          {Vector2d(1, 0), Vector2d(0, 1), Vector2d(1, 1).normalized().eval(), Vector2d(1, -1).normalized().eval()})
       gap = std::max({gap, gap_along<M>(first, second, u), gap_along<M>(first, second, -u)});
     // These are all the normals there are, to the noise.
-    if (gap < -1e-5) {
-      ASSERT_FALSE(manifold.empty());
-      ASSERT_LE(std::abs(least_separation(manifold) - gap), hysteresis_of(first, second) + 1e-5);
-    }
-    touching += !manifold.empty();
-  }
-  EXPECT_GT(touching, 30'000);
+    if (gap >= -1e-5) return;
+    ASSERT_FALSE(manifold.empty());
+    ASSERT_LE(std::abs(least_separation(manifold) - gap), hysteresis_of(first, second) + 1e-5);
+  };
+  const auto size = [](const Solid<M>& first, const Solid<M>& second) {
+    return reach<M>(first, {1, 0}) + reach<M>(second, {1, 0}) + 1;
+  };
+  expect_sound_where_degenerate<M>(degenerate, 6, size, matches_the_gap);
 }
 
 }  // namespace

@@ -11,60 +11,28 @@ constexpr double pi = std::numbers::pi;
 Solid<M> box(const Vector3d& sides, const Vector3d& at, const Vector3d& turn = Vector3d::Zero()) {
   return {Box<M>{sides}, {at, space_rotation<double>(turn)}};
 }
-Solid<M> random_box_solid(Random& random) {
-  Solid<M> result{random_box<M>(random), random.pose<M>()};
-  result.pose.position /= 2;
-  return result;
-}
-
-bool has_feature(const Manifold<M>& manifold, std::uint32_t feature) {
-  return std::any_of(manifold.begin(), manifold.end(),
-                     [&](const auto& point) { return point.feature == feature; });
-}
-
-template <class F>
-void in_random_pairs(F&& f, int draws) {
-  Random random;
-  for (int draw = 0; draw < draws && !testing::Test::HasFatalFailure(); ++draw) {
-    SCOPED_TRACE(testing::Message() << "draw " << draw << ", seed " << seed);
-    f(random, random_box_solid(random), random_box_solid(random));
-  }
-}
-
 TEST(CollideSpace, SeparationIsTheLeastTranslationThatPartsToTheHysteresis) {
   int overlaps = 0, several = 0;
-  in_random_pairs(
-      [&](Random&, const auto& first, const auto& second) {
-        const auto manifold = touch(first, second, 0);
-        ASSERT_NO_FATAL_FAILURE(expect_sound(first, second, 0, manifold));
-        const double truth = largest_gap(first, second);
-        if (manifold.empty()) {
-          EXPECT_GT(truth, -1e-3) << "they overlap";
-          return;
-        }
-        ++overlaps;
-        several += manifold.size > 1;
-        const double along = gap_along<M>(first, second, manifold.normal);
-        EXPECT_GE(along, truth - hysteresis_of(first, second) - rounding) << "a shorter way out";
-        EXPECT_GE(least_separation(manifold), along - rounding);
-        EXPECT_LE(least_separation(manifold), along + 2 * hysteresis_of(first, second));
-      },
-      2000);
+  on_box_pairs<M>(2000, [&](Random&, const auto& first, const auto& second) {
+    const auto manifold = touch(first, second, 0);
+    ASSERT_NO_FATAL_FAILURE(expect_sound(first, second, 0, manifold));
+    const double truth = largest_gap(first, second);
+    if (manifold.empty()) {
+      EXPECT_GT(truth, -1e-3) << "they overlap";
+      return;
+    }
+    ++overlaps;
+    several += manifold.size > 1;
+    const double along = gap_along<M>(first, second, manifold.normal);
+    EXPECT_GE(along, truth - hysteresis_of(first, second) - rounding) << "a shorter way out";
+    EXPECT_GE(least_separation(manifold), along - rounding);
+    EXPECT_LE(least_separation(manifold), along + 2 * hysteresis_of(first, second));
+  });
   EXPECT_GT(overlaps, 500);
   EXPECT_GT(several, 200);
 }
 
-TEST(CollideSpace, FeaturesStayWhileTheBoxesHardlyMove) {
-  in_random_pairs(
-      [](Random& random, const auto& first, Solid<M> second) {
-        const auto before = touch(first, second, 0.5);
-        move<M>(second.pose, Velocity<M>(random.vector<6>(1)), 1e-7);
-        const auto after = touch(first, second, 0.5, before.reference);
-        ASSERT_EQ(before.size, after.size);
-        for (const auto& point : before) EXPECT_TRUE(has_feature(after, point.feature));
-      },
-      3000);
-}
+TEST(CollideSpace, FeaturesStayWhileTheBoxesHardlyMove) { expect_lasting_features<M>(); }
 
 TEST(CollideSpace, FeaturesOfEqualBoxesOnEachOtherOutlastSwayAndTilt) {
   Random random;
@@ -177,39 +145,18 @@ TEST(CollideSpace, ATurnAboutOneAxisIsThePlane) {
   }
 }
 
-/// Places and turns that meet exactly, or miss by a rounding error.
-Solid<M> degenerate(Random& random) {
-  const double noise[] = {0, 0, 0, 1e-300, 1e-17, -1e-16, 1e-15, 1e-12, -1e-9};
-  const auto off = [&] { return noise[random.index(9)]; };
-  const double sizes[] = {0.5, 1, 2, 1e-6, 1e3};
-  const auto size = [&] { return sizes[random.index(5)]; };
-  const auto place = [&] { return 0.25 * random.index(5) + off(); };
-  Solid<M> result = box({size(), size(), size()}, {place(), place(), place()});
-  for (int axis = 0; axis < 3; ++axis)
-    result.pose.rotation =
-        rotated_by<double>(result.pose.rotation, Vector3d::Unit(axis) * (pi / 4 * random.index(8) + off()));
-  return result;
-}
-
 TEST(CollideSpace, DegenerateBoxesGiveSoundAnswers) {
-  Random random;
-  int touching = 0;
-  for (int draw = 0; draw < 100'000; ++draw) {
-    SCOPED_TRACE(testing::Message() << "draw " << draw << ", seed " << seed);
-    const auto first = degenerate(random), second = degenerate(random);
-    const double margin = random.index(2) * 0.02;
-    const auto manifold = touch(first, second, margin, random.index(17));
-    const double size = 4000;
-    ASSERT_TRUE(manifold.size == 0 || std::abs(manifold.normal.norm() - 1) < rounding);
-    for (const auto& point : manifold) {
-      ASSERT_LE(point.separation, margin);
-      ASSERT_LE(std::abs(height_over(first, point.p1)), rounding * size);
-      ASSERT_LE(std::abs(height_over(second, point.p2)), rounding * size);
-      ASSERT_LE(std::abs(point.separation - (point.p2 - point.p1).dot(manifold.normal)), rounding * size);
-    }
-    touching += !manifold.empty();
-  }
-  EXPECT_GT(touching, 30'000);
+  const auto degenerate = [](Random& random) {
+    const auto side = [&] { return degenerate_side(random); };
+    const auto place = [&] { return 0.25 * random.index(5) + off_by_rounding(random); };
+    Solid<M> result = box({side(), side(), side()}, {place(), place(), place()});
+    for (int axis = 0; axis < 3; ++axis)
+      result.pose.rotation = rotated_by<double>(
+          result.pose.rotation, Vector3d::Unit(axis) * (pi / 4 * random.index(8) + off_by_rounding(random)));
+    return result;
+  };
+  const auto size = [](const auto&, const auto&) { return 4000.0; };
+  expect_sound_where_degenerate<M>(degenerate, 17, size, [](const auto&, const auto&, const auto&) {});
 }
 
 }  // namespace

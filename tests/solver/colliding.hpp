@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "solver/contact/manifold.hpp"
 #include "tests/solver/random.hpp"
 
@@ -183,6 +185,70 @@ Pose<M> carried(const Pose<M>& by, const Pose<M>& pose) {
   result.position = to_world<M>(by, pose.position);
   if constexpr (M::angular > 0) result.rotation = by.rotation * pose.rotation;
   return result;
+}
+
+/// Calls f on pairs of random boxes, and says on failure which draw it was.
+template <class M, class F>
+void on_box_pairs(int draws, F&& f) {
+  Random random;
+  const auto any_box = [&] {
+    Solid<M> box{random_box<M>(random), random.pose<M>()};
+    if (M::linear == 3) box.pose.position /= 2;
+    return box;
+  };
+  for (int draw = 0; draw < draws && !testing::Test::HasFatalFailure(); ++draw) {
+    SCOPED_TRACE(testing::Message() << "draw " << draw << ", seed " << seed);
+    const Solid<M> second = any_box(), first = any_box();
+    f(random, first, second);
+  }
+}
+
+template <class M>
+bool has_feature(const Manifold<M>& manifold, std::uint32_t feature) {
+  return std::any_of(manifold.begin(), manifold.end(),
+                     [&](const auto& point) { return point.feature == feature; });
+}
+
+/// Features are the same after boxes have moved hardly at all.
+template <class M>
+void expect_lasting_features() {
+  on_box_pairs<M>(3000, [](Random& random, const auto& first, Solid<M> second) {
+    const auto before = touch(first, second, 0.5);
+    move<M>(second.pose, Velocity<M>(random.vector<M::dof>(1)), 1e-7);
+    const auto after = touch(first, second, 0.5, before.reference);
+    ASSERT_EQ(before.size, after.size);
+    for (const auto& point : before) EXPECT_TRUE(has_feature(after, point.feature));
+  });
+}
+
+/// A side of a box, a place or a part of a turn, such that surfaces meet exactly or miss by a rounding error.
+inline double degenerate_side(Random& random) { return std::array{0.5, 1.0, 2.0, 1e-6, 1e3}[random.index(5)]; }
+inline double off_by_rounding(Random& random) {
+  return std::array{0.0, 0.0, 0.0, 1e-300, 1e-17, -1e-16, 1e-15, 1e-12, -1e-9}[random.index(9)];
+}
+
+/// Sound answers for pairs of such boxes, with rounding in proportion to `size_of` them [m]; `look` sees each pair
+/// with its manifold.
+template <class M, class Make, class Size, class Look>
+void expect_sound_where_degenerate(Make&& degenerate, int hints, Size&& size_of, Look&& look) {
+  Random random;
+  int touching = 0;
+  for (int draw = 0; draw < 100'000 && !testing::Test::HasFatalFailure(); ++draw) {
+    SCOPED_TRACE(testing::Message() << "draw " << draw << ", seed " << seed);
+    const Solid<M> first = degenerate(random), second = degenerate(random);
+    const double margin = random.index(2) * 0.02, size = size_of(first, second);
+    const auto manifold = touch(first, second, margin, random.index(hints));
+    ASSERT_TRUE(manifold.size == 0 || std::abs(manifold.normal.norm() - 1) < rounding);
+    for (const auto& point : manifold) {
+      ASSERT_LE(point.separation, margin);
+      ASSERT_LE(std::abs(height_over(first, point.p1)), rounding * size);
+      ASSERT_LE(std::abs(height_over(second, point.p2)), rounding * size);
+      ASSERT_LE(std::abs(point.separation - (point.p2 - point.p1).dot(manifold.normal)), rounding * size);
+    }
+    look(first, second, manifold);
+    touching += !manifold.empty();
+  }
+  EXPECT_GT(touching, 30'000);
 }
 
 }  // namespace byhand

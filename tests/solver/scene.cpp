@@ -17,8 +17,8 @@ using testing::AllOf, testing::HasSubstr, testing::StartsWith, testing::ThrowsMe
 
 /// Expects one sentence that begins so and says what is allowed, and a scene that is laid out as before.
 template <class M>
-void expect_refusal(Scene<M>& scene, const std::function<void()>& call, const std::string& start,
-                    const std::string& allowed) {
+void expect_refusal(Scene<M>& scene, const std::string& start, const std::string& allowed,
+                    const std::function<void()>& call) {
   const auto version = scene.version();
   const int count = scene.count();
   EXPECT_THAT(call, ThrowsMessage<std::invalid_argument>(
@@ -120,24 +120,18 @@ TEST(Handles, OfWhatIsGoneUnknownOrAnotherKindAreRefused) {
   for (const int id : {static_cast<int>(gone), 77, -1}) {
     const std::string start = name + std::to_string(id);
     const Handle<Distance<M>> handle{id};
-    expect_refusal(
-        scene, [&] { scene.remove(id); }, start, added);
-    expect_refusal(
-        scene, [&] { scene.change(handle, [](auto&) {}); }, start, added);
-    expect_refusal(
-        scene, [&] { scene.get(handle); }, start, "one that this scene has");
-    expect_refusal(
-        scene, [&] { scene.place(id); }, start, "one that this scene has");
-    expect_refusal(
-        scene, [&] { simulation.reaction(id); }, start, "one that this scene has");
+    expect_refusal(scene, start, added, [&] { scene.remove(id); });
+    expect_refusal(scene, start, added, [&] { scene.change(handle, [](auto&) {}); });
+    expect_refusal(scene, start, "one that this scene has", [&] { scene.get(handle); });
+    expect_refusal(scene, start, "one that this scene has", [&] { scene.place(id); });
+    expect_refusal(scene, start, "one that this scene has", [&] { simulation.reaction(id); });
   }
   const Handle<Pin<M>> wrong{rod};
-  expect_refusal(
-      scene, [&] { scene.get(wrong); }, "constraint is 3", "of the kind of its handle");
-  expect_refusal(
-      scene, [&] { scene.change(wrong, [](auto&) {}); }, "constraint is 3", "of the kind of its handle");
-  expect_refusal(
-      scene, [&] { simulation.reaction(rod); }, "constraint is 3", "one that took part in the last step");
+  expect_refusal(scene, "constraint is 3", "of the kind of its handle", [&] { scene.get(wrong); });
+  expect_refusal(scene, "constraint is 3", "of the kind of its handle",
+                 [&] { scene.change(wrong, [](auto&) {}); });
+  expect_refusal(scene, "constraint is 3", "one that took part in the last step",
+                 [&] { simulation.reaction(rod); });
   simulation.step(time_step);
   EXPECT_NO_THROW(simulation.reaction(rod));
 }
@@ -148,67 +142,27 @@ TEST(BodyIndices, OfWhatIsGoneOrUnknownAreRefused) {
   scene.remove_body(2);
   const auto refused = [&](int body, const std::string& allowed) {
     const std::string start = "body index is " + std::to_string(body);
-    expect_refusal(
-        scene, [&] { scene.remove_body(body); }, start, allowed);
-    expect_refusal(
-        scene, [&] { scene.set_pose(body, {}); }, start, allowed);
-    expect_refusal(
-        scene,
-        [&] {
-          scene.set_position(body, {0, 0});
-        },
-        start, allowed);
-    expect_refusal(
-        scene,
-        [&] {
-          scene.set_velocity(body, {0, 0, 0});
-        },
-        start, allowed);
-    expect_refusal(
-        scene, [&] { scene.set_mass(body, fixed<M>()); }, start, allowed);
-    expect_refusal(
-        scene, [&] { scene.set_shape(body, Ball<M>{1}); }, start, allowed);
-    expect_refusal(
-        scene,
-        [&] {
-          scene.add(Pin<M>{{body, 1}});
-        },
-        start, allowed);
-    expect_refusal(
-        scene,
-        [&] {
-          pin<M>(scene.bodies(), 1, body, {0, 0});
-        },
-        start, allowed);
+    expect_refusal(scene, start, allowed, [&] { scene.remove_body(body); });
+    expect_refusal(scene, start, allowed, [&] { scene.set_pose(body, {}); });
+    expect_refusal(scene, start, allowed, [&] { scene.set_position(body, {0, 0}); });
+    expect_refusal(scene, start, allowed, [&] { scene.set_velocity(body, {0, 0, 0}); });
+    expect_refusal(scene, start, allowed, [&] { scene.set_mass(body, fixed<M>()); });
+    expect_refusal(scene, start, allowed, [&] { scene.set_shape(body, Ball<M>{1}); });
+    expect_refusal(scene, start, allowed, [&] { scene.add(Pin<M>{{body, 1}}); });
+    expect_refusal(scene, start, allowed, [&] { pin<M>(scene.bodies(), 1, body, {0, 0}); });
   };
   refused(2, "that of a body that was not removed");
   Scene<M> empty;
   empty.add_body({0, 0}, ball<M>(1, 1));
   empty.remove_body(0);
-  expect_refusal(
-      empty, [&] { empty.remove_body(0); }, "body index is 0", "that of a body that was not removed");
+  expect_refusal(empty, "body index is 0", "that of a body that was not removed", [&] { empty.remove_body(0); });
   refused(4, "at least 0 and less than 4, the number of bodies");
   refused(-1, "at least 0 and less than 4, the number of bodies");
   const Pose<M> before = scene.bodies().pose[1];
   const double nan = std::nan("");
-  expect_refusal(
-      scene,
-      [&] {
-        scene.set_position(1, {nan, 0});
-      },
-      "position is nan", "finite");
-  expect_refusal(
-      scene,
-      [&] {
-        scene.set_velocity(1, {0, 0, nan});
-      },
-      "velocity is nan", "finite");
-  expect_refusal(
-      scene,
-      [&] {
-        scene.set_mass(1, {-1, Angular<M>(1)});
-      },
-      "inverse mass is -1", "positive");
+  expect_refusal(scene, "position is nan", "finite", [&] { scene.set_position(1, {nan, 0}); });
+  expect_refusal(scene, "velocity is nan", "finite", [&] { scene.set_velocity(1, {0, 0, nan}); });
+  expect_refusal(scene, "inverse mass is -1", "positive", [&] { scene.set_mass(1, {-1, Angular<M>(1)}); });
   EXPECT_EQ(scene.bodies().pose[1].position, before.position);
   EXPECT_TRUE(scene.bodies().velocity[1].isZero(0));
   EXPECT_GT(scene.bodies().inverse_mass[1].linear, 0);
@@ -230,8 +184,7 @@ TEST_IN_ALL_MODELS(Change, ToWhatIsInvalidThrowsAndLeavesTheSceneAsItWas) {
   Scene<M> scene = rod_chain<M>({.links = 3});
   const Handle<Distance<M>> rod{scene.entries()[1].id};
   const auto refused = [&](auto change, const std::string& start, const std::string& allowed) {
-    expect_refusal(
-        scene, [&] { scene.change(rod, change); }, start, allowed);
+    expect_refusal(scene, start, allowed, [&] { scene.change(rod, change); });
     EXPECT_EQ(scene.get(rod).length, 1);
     EXPECT_EQ(scene.get(rod).at.body1, 1);
     EXPECT_EQ(scene.get(rod).at.body2, 2);
@@ -240,16 +193,15 @@ TEST_IN_ALL_MODELS(Change, ToWhatIsInvalidThrowsAndLeavesTheSceneAsItWas) {
   refused([](auto& it) { it.at.body1 = 0; }, "first body of a changed constraint is 0", "1, as it was");
   refused([](auto& it) { it.at.body2 = 3; }, "second body of a changed constraint is 3", "2, as it was");
   const auto halve_but_the_last = [&](auto& it) { it.length = it.at.body2 == 3 ? 0.0 : 0.5; };
-  expect_refusal(
-      scene, [&] { scene.template change_all<Distance>(halve_but_the_last); }, "length is 0", "positive");
+  expect_refusal(scene, "length is 0", "positive",
+                 [&] { scene.template change_all<Distance>(halve_but_the_last); });
   for (const auto& each : scene.template all<Distance>()) EXPECT_EQ(each.length, 1) << "all or none";
 
   const Linear<M> up = Linear<M>::Unit(1);
   const auto contact = scene.add(Contact<M>{{0, 1}, up}), other = scene.add(Contact<M>{{0, 2}, up});
   const auto friction = scene.add(Friction<M>{{0, 1}, tangents_of<M>(up), 0.5, contact});
-  expect_refusal(
-      scene, [&] { scene.change(friction, [&](auto& it) { it.contact = other; }); },
-      "contact of a changed constraint is 4", "3, as it was");
+  expect_refusal(scene, "contact of a changed constraint is 4", "3, as it was",
+                 [&] { scene.change(friction, [&](auto& it) { it.contact = other; }); });
   EXPECT_EQ(scene.get(friction).contact, static_cast<int>(contact));
 }
 
@@ -496,17 +448,13 @@ TEST(FoundContacts, AreNotChangedRemovedOrLeantOn) {
   ASSERT_LT(found, 0);
   EXPECT_TRUE(scene.has(found));
   const std::string start = "constraint is " + std::to_string(found), added = "one that was added";
-  expect_refusal(
-      scene, [&] { scene.remove(found); }, start, added);
-  expect_refusal(
-      scene, [&] { scene.change(Handle<Contact<M>>{found}, [](auto&) {}); }, start, added);
+  expect_refusal(scene, start, added, [&] { scene.remove(found); });
+  expect_refusal(scene, start, added, [&] { scene.change(Handle<Contact<M>>{found}, [](auto&) {}); });
   const Linear<M> up(0, 1);
-  expect_refusal(
-      scene,
-      [&] {
-        scene.add(Friction<M>{{0, 1}, tangents_of<M>(up), 0.5, found});
-      },
-      "contact of a friction is " + std::to_string(found), "a contact that was added before");
+  expect_refusal(scene, "contact of a friction is " + std::to_string(found), "a contact that was added before",
+                 [&] {
+                   scene.add(Friction<M>{{0, 1}, tangents_of<M>(up), 0.5, found});
+                 });
   const int rod = scene.add(Distance<M>{{0, 2}, 1.5});
   EXPECT_EQ(scene.count(), 1) << "those that were found are looked for again";
   simulation.step(time_step);
