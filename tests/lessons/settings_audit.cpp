@@ -301,10 +301,15 @@ TEST(Audit, FindsAStepThatThrowsAndAParameterThatChangesNothing) {
 
 TEST(Audit, RunsAStepOnceForEachSettingThatChangesIt) {
   Knobs knobs([](double a, double b) { return a + b; });
-  const Audit audit(knobs.lesson, {.random = 10, .base = {{"b", "0.125"}}});
+  const Audit audit(knobs.lesson, {.random = 10});
   EXPECT_THAT(audit.failures(), IsEmpty());
   EXPECT_THAT(audit.left_out(), IsEmpty());
   EXPECT_EQ(knobs.other_runs, 1 + 6 + 9) << "the base, six ends, and ten random settings, one of which is an end";
+  Knobs based([](double a, double b) {
+    EXPECT_TRUE(a == 0.125 || a == 0 || a == 1) << a << " is random";
+    return a + b;
+  });
+  EXPECT_THAT(based.failures({.random = 20, .base = {{"a", "0.125"}}}), IsEmpty());
 }
 
 TEST(Audit, FindsAParameterThatAnotherStepLooksAtToo) {

@@ -25,8 +25,12 @@ TEST(Law4, ASweepInAnyOrderLeavesCosineSquaredOfPiOverTwiceTheLinks) {
 TEST(Law4, ASweepOfAFreeChainInAnyOrderLeavesCosineSquaredOfPiOverItsBodies) {
   for (const int links : {2, 3, 5, 10, 20, 50})
     for (const SweepOrder order : orders) {
-      const double law = std::pow(std::cos(std::numbers::pi / (links + 1)), 2),
-                   left = left_by_a_sweep({.links = links, .anchored = false, .order = order});
+      const double law = std::pow(std::cos(std::numbers::pi / (links + 1)), 2);
+      auto scene = scene_of({.links = links, .anchored = false});
+      // The pattern of scene_of is antisymmetric on three links, which one coloured sweep solves.
+      for (int i = 0; i <= links; ++i) scene.state().velocity[i].y() = 1.0 / (i + 1);
+      const double left = left_by_a_sweep(scene, GaussSeidel{.sweeps = 1, .warm_start = false, .order = order},
+                                          40 + links * links, 50);
       EXPECT_NEAR((1 - left) / (1 - law), 1, 0.01) << links << " links, order " << static_cast<int>(order);
     }
 }

@@ -46,7 +46,6 @@ Audit::Audit(course::Lesson& lesson, Extent extent) : lesson_(lesson), extent_(s
   try_ends();
   until_ = INFINITY;
   try_all(extent_.also);
-  until_ = 0.6 * extent_.seconds;
   try_all(suggestions(lesson_.closing()));
   until_ = 0.9 * extent_.seconds;
   try_random();
