@@ -9,7 +9,7 @@
 #include "tests/solver/equalities.hpp"
 #include "tests/solver/swing.hpp"
 
-namespace {
+namespace accelerations_test {
 
 using namespace byhand;
 constexpr double pi = std::numbers::pi, g = 9.81, h = 1.0 / 60;
@@ -167,4 +167,4 @@ TEST(Accelerations, RefusesAnImplicitStepThatIsTooLongAndLeavesTheSceneAlone) {
   expect_no_convergence(pendulum<PlaneParticle>(2, 2, 3), midpoint, 10);
 }
 
-}  // namespace
+}  // namespace accelerations_test

@@ -5,7 +5,7 @@
 #include "solver/measure.hpp"
 #include "tests/solver/random.hpp"
 
-namespace {
+namespace active_set_test {
 
 using namespace byhand;
 using M = PlaneBody;
@@ -127,4 +127,4 @@ TEST(Tolerance, StopsSweepsThatHaveNothingMoreToDo) {
   EXPECT_LT(work2.row_solves, work1.row_solves / 4);
 }
 
-}  // namespace
+}  // namespace active_set_test

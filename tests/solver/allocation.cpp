@@ -10,7 +10,7 @@
 #include "tests/solver/allocations.hpp"
 #include "tests/solver/solving.hpp"
 
-namespace {
+namespace allocation_test {
 
 using namespace byhand;
 
@@ -137,4 +137,4 @@ TEST_IN_ALL_MODELS(Allocation, HappensOnlyToPlanWhenAGraphIsLaidAgainWithinItsLa
   }
 }
 
-}  // namespace
+}  // namespace allocation_test

@@ -9,7 +9,7 @@
 #include "tests/solver/random.hpp"
 
 // Where the article speaks loosely: each statement that is true instead, as a check.
-namespace {
+namespace article_corrections_test {
 
 using namespace byhand;
 
@@ -158,4 +158,4 @@ TEST(OneScalarFormula, IsOneRowAndNotASystem) {
   EXPECT_NEAR(residual(exact_work.system, exact.bodies().velocity), 0, 1e-15);
 }
 
-}  // namespace
+}  // namespace article_corrections_test

@@ -5,7 +5,7 @@
 #include "lessons/scenes/top.hpp"
 #include "tests/solver/position_laws.hpp"
 
-namespace {
+namespace avbd_test {
 
 using namespace byhand;
 constexpr double h = 1.0 / 60;
@@ -155,4 +155,4 @@ TEST(Avbd, RefusesChoicesOutsideTheirRange) {
   refuses({.stiffest = -1}, "stiffest is -1, but it must be a positive finite number [N/m]");
 }
 
-}  // namespace
+}  // namespace avbd_test

@@ -14,7 +14,7 @@
 
 // Bad input is refused where it enters, in one sentence with the value and what is allowed, and leaves nothing
 // behind.
-namespace {
+namespace bad_input_test {
 
 using namespace byhand;
 using testing::AllOf, testing::HasSubstr, testing::StartsWith, testing::ThrowsMessage;
@@ -304,4 +304,4 @@ TEST(Scenes, RefuseWhatTheyCannotBuild) {
   expect_refusal("number of arms is 0", "at least 1", [] { pinned_star<PlaneBody>(0); });
 }
 
-}  // namespace
+}  // namespace bad_input_test

@@ -6,7 +6,7 @@
 #include "tests/solver/solving.hpp"
 
 // Contacts push and never pull; friction holds no more than the contact presses.
-namespace {
+namespace bounded_test {
 
 using namespace byhand;
 
@@ -211,4 +211,4 @@ TEST_IN_ALL_MODELS(BoundedRows, AreSolvedDirectlyAsSweepsEnd) {
   }
 }
 
-}  // namespace
+}  // namespace bounded_test

@@ -12,7 +12,7 @@
 #include "tests/solver/solving.hpp"
 
 // Whatever is done to a scene while it runs, its next step is that of a simulation built anew from the same state.
-namespace {
+namespace changes_test {
 
 using namespace byhand;
 
@@ -404,4 +404,4 @@ TEST(ChangedConstraint, IsTheOneThatWasNamedEvenIfOthersComeOrGoMeanwhile) {
   EXPECT_EQ(scene.all<Distance>().back().length, 7);
 }
 
-}  // namespace
+}  // namespace changes_test

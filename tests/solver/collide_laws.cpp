@@ -1,7 +1,7 @@
 #include "tests/solver/colliding.hpp"
 
 // Laws that hold whatever touches whatever.
-namespace {
+namespace collide_laws_test {
 
 using namespace byhand;
 
@@ -176,4 +176,4 @@ TEST(CollideLaws, TouchOnlyWithinTheMargin) {
       2000);
 }
 
-}  // namespace
+}  // namespace collide_laws_test

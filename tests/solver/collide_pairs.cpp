@@ -4,7 +4,7 @@
 
 #include "tests/solver/random.hpp"
 
-namespace {
+namespace collide_pairs_test {
 
 using namespace byhand;
 
@@ -136,4 +136,4 @@ TEST(SweepAndPrune, KeepsItsMemory) {
   EXPECT_EQ(sweep.overlapping(boxes).data(), memory);
 }
 
-}  // namespace
+}  // namespace collide_pairs_test

@@ -1,6 +1,6 @@
 #include "tests/solver/colliding.hpp"
 
-namespace {
+namespace collide_plane_test {
 
 using namespace byhand;
 using Eigen::Vector2d;
@@ -157,4 +157,4 @@ TEST(CollidePlane, DegenerateBoxesGiveSoundAnswers) {
   expect_sound_where_degenerate<M>(degenerate, 6, size, matches_the_gap);
 }
 
-}  // namespace
+}  // namespace collide_plane_test

@@ -2,7 +2,7 @@
 
 #include "tests/solver/colliding.hpp"
 
-namespace {
+namespace collide_shapes_test {
 
 using namespace byhand;
 using testing::HasSubstr, testing::ThrowsMessage;
@@ -162,4 +162,4 @@ TEST_IN_BOTH_BODIES(CollideBoxAndBall, PartByTheNearestSideWhenTheCentreIsInside
       << "one centre: the first axis of the box";
 }
 
-}  // namespace
+}  // namespace collide_shapes_test

@@ -1,6 +1,6 @@
 #include "tests/solver/colliding.hpp"
 
-namespace {
+namespace collide_space_test {
 
 using namespace byhand;
 using Eigen::Vector3d, Eigen::Quaterniond;
@@ -159,4 +159,4 @@ TEST(CollideSpace, DegenerateBoxesGiveSoundAnswers) {
   expect_sound_where_degenerate<M>(degenerate, 17, size, [](const auto&, const auto&, const auto&) {});
 }
 
-}  // namespace
+}  // namespace collide_space_test

@@ -4,7 +4,7 @@
 #include "lessons/scenes/chain.hpp"
 #include "solver/measure.hpp"
 
-namespace {
+namespace conjugate_sweeps_test {
 
 using namespace byhand;
 
@@ -77,4 +77,4 @@ TEST(ConjugateSweeps, LetAKickedWallComeToRest) {
   EXPECT_LT((wall.scene.bodies().pose.back().position - scene.bodies().pose.back().position).norm(), 0.004);
 }
 
-}  // namespace
+}  // namespace conjugate_sweeps_test

@@ -6,7 +6,7 @@
 #include "tests/solver/solving.hpp"
 
 // Cures of drift beside Baumgarte's: what each leaves in the poses, and what in the velocities.
-namespace {
+namespace cures_test {
 
 using namespace byhand;
 using M = PlaneParticle;
@@ -342,4 +342,4 @@ TEST(Cures, LeaveMotorsAndSpringsTheirOwn) {
   }
 }
 
-}  // namespace
+}  // namespace cures_test

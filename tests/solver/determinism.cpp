@@ -10,7 +10,7 @@
 // The same scene and method give the same bits whatever the compiler, its options and the processor: each run of
 // ten seconds ends in a number that is written down here. A test that
 // fails prints the new one, for changes that are meant to change the arithmetic.
-namespace {
+namespace determinism_test {
 
 using namespace byhand;
 
@@ -135,4 +135,4 @@ TEST_P(Determinism, EndsInTheNumberWrittenDown) { expect_hash(GetParam()); }
 INSTANTIATE_TEST_SUITE_P(, Determinism, testing::ValuesIn(cases),
                          [](const auto& one) { return std::string(one.param.name); });
 
-}  // namespace
+}  // namespace determinism_test

@@ -5,7 +5,7 @@
 #include "tests/solver/hash.hpp"
 
 // As determinism.cpp, for scenes whose contacts are found.
-namespace {
+namespace determinism_contacts_test {
 
 using namespace byhand;
 
@@ -38,4 +38,4 @@ TEST_P(ContactDeterminism, EndsInTheNumberWrittenDown) { expect_hash(GetParam())
 INSTANTIATE_TEST_SUITE_P(, ContactDeterminism, testing::ValuesIn(cases),
                          [](const auto& one) { return std::string(one.param.name); });
 
-}  // namespace
+}  // namespace determinism_contacts_test

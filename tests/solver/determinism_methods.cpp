@@ -10,7 +10,7 @@
 
 // As determinism.cpp, for the families that do not step velocities. They cost more a step, and a bit that differs
 // shows at once: two seconds are enough.
-namespace {
+namespace determinism_methods_test {
 
 using namespace byhand;
 
@@ -49,4 +49,4 @@ TEST_P(DeterminismOfMethods, EndsInTheNumberWrittenDown) { expect_hash(GetParam(
 INSTANTIATE_TEST_SUITE_P(, DeterminismOfMethods, testing::ValuesIn(cases),
                          [](const auto& one) { return std::string(one.param.name); });
 
-}  // namespace
+}  // namespace determinism_methods_test

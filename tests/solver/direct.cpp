@@ -8,7 +8,7 @@
 #include "tests/solver/solving.hpp"
 
 // The structured direct solve is held against the dense one on every shape of graph that could break it.
-namespace {
+namespace direct_test {
 
 using namespace byhand;
 
@@ -288,4 +288,4 @@ TEST_IN_ALL_MODELS(RowsWithoutEffect, GetNoImpulseInAnySolver) {
     EXPECT_EQ(largest(solved(vanishing, any(solver)).lambda), 0);
 }
 
-}  // namespace
+}  // namespace direct_test

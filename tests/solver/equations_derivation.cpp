@@ -10,7 +10,7 @@
 #include "tests/solver/random.hpp"
 
 // Equations (1)-(4), (9)-(16) and (23): from C to its J.
-namespace {
+namespace equations_derivation_test {
 
 using namespace byhand;
 
@@ -349,4 +349,4 @@ TEST_IN_ALL_MODELS(Pin, HoldsTheWorldPointItWasMadeAt, draws) {
   EXPECT_LE(difference(anchor_by_matrix<M>(pair.pose2, made.at.arms.second), point), rounding);
 }
 
-}  // namespace
+}  // namespace equations_derivation_test

@@ -13,7 +13,7 @@
 #include "tests/solver/random.hpp"
 
 // Equations (5)-(8) and (17)-(22): from J to impulses, and the bias.
-namespace {
+namespace equations_impulse_test {
 
 using namespace byhand;
 
@@ -302,4 +302,4 @@ TEST_IN_ALL_MODELS(Equation22, ReadLiterallyAStepLeavesOneMinusBetaTimesItsDurat
     }
 }
 
-}  // namespace
+}  // namespace equations_impulse_test

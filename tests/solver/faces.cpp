@@ -8,7 +8,7 @@
 #include "tests/solver/dual.hpp"
 #include "tests/solver/random.hpp"
 
-namespace {
+namespace faces_test {
 
 using namespace byhand;
 using M = PlaneBody;
@@ -145,4 +145,4 @@ TEST(ContactManifold, ManySweepsLeaveComplementaryEndsAndFrictionWithinWhatTheyP
   }
 }
 
-}  // namespace
+}  // namespace faces_test

@@ -7,7 +7,7 @@
 #include "tests/solver/solving.hpp"
 
 // What no method may change: momentum, and the answer when the same scene is looked at from elsewhere.
-namespace {
+namespace invariance_test {
 
 using namespace byhand;
 
@@ -228,4 +228,4 @@ TEST_IN_ALL_MODELS(Boost, OfTheWholeSceneRidesAlong, 5) {
   }
 }
 
-}  // namespace
+}  // namespace invariance_test

@@ -7,7 +7,7 @@
 #include "tests/solver/random.hpp"
 
 // The same scene, its bodies in another order or looked at from elsewhere, moves alike.
-namespace {
+namespace invariance_contacts_test {
 
 using namespace byhand;
 using M = PlaneBody;
@@ -120,4 +120,4 @@ TEST(ContactInvariance, SweepsThatStopEarlyDependOnTheOrderOfBodies) {
             1e-6);
 }
 
-}  // namespace
+}  // namespace invariance_contacts_test

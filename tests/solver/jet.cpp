@@ -11,7 +11,7 @@
 #include "tests/solver/compiled.hpp"
 #include "tests/solver/random.hpp"
 
-namespace {
+namespace jet_test {
 
 using namespace byhand;
 
@@ -120,4 +120,4 @@ TEST_IN_ALL_MODELS(BiasAcceleration, OfARodIsItsEndsSpeedSquaredAndTheirPullInwa
   EXPECT_NEAR(bias, expected, 1e-12 * (1 + std::abs(expected)));
 }
 
-}  // namespace
+}  // namespace jet_test

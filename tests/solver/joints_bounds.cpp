@@ -9,7 +9,7 @@
 #include "tests/solver/law_motion.hpp"
 
 // Limits, motors and servos of a hinged rod of 1 m and 2 kg, held level at first: gravity turns it down.
-namespace {
+namespace joints_bounds_test {
 
 using namespace byhand;
 using M = PlaneBody;
@@ -190,4 +190,4 @@ TEST(BadInput, OfLimitsMotorsAndServosIsRefusedInOneSentence) {
   refused(motor<M>(bad, 1, 1), "squared length of the rotation is 4");
 }
 
-}  // namespace
+}  // namespace joints_bounds_test

@@ -8,7 +8,7 @@
 #include "tests/solver/random.hpp"
 
 // What welds, sliders and hinges hold, and what they leave free.
-namespace {
+namespace joints_hold_test {
 
 using namespace byhand;
 constexpr double h = 1.0 / 60, g = 9.81;
@@ -139,4 +139,4 @@ TEST_IN_BOTH_BODIES(Joints, KeepTheMomentumOfWhatFloats, 5) {
   EXPECT_NEAR(coarse.gap / fine.gap, 4, 0.05);
 }
 
-}  // namespace
+}  // namespace joints_hold_test

@@ -10,7 +10,7 @@
 #include "tests/solver/random.hpp"
 
 // J of every joint, derived by hand, against its C by dual numbers: at any pose, far from where the joint holds.
-namespace {
+namespace joints_jacobians_test {
 
 using namespace byhand;
 constexpr int draws = 200;
@@ -55,4 +55,4 @@ TEST_IN_BOTH_BODIES(Joints, JacobiansAreGradientsOfCAtEveryPose, draws) {
   expect_gradient(spin, moved, 1e-13 * std::max(10.0, steep * steep));
 }
 
-}  // namespace
+}  // namespace joints_jacobians_test

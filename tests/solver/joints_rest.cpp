@@ -8,7 +8,7 @@
 #include "tests/solver/random.hpp"
 
 // What the C of joints measures.
-namespace {
+namespace joints_rest_test {
 
 using namespace byhand;
 constexpr int draws = 200;
@@ -137,4 +137,4 @@ TEST(Joints, AnglesAreLibmsToAFewUlps) {
   EXPECT_NEAR(principal_angle<double>({0, -1}), -M_PI / 2, 1e-15);
 }
 
-}  // namespace
+}  // namespace joints_rest_test

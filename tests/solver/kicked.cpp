@@ -6,7 +6,7 @@
 
 // What stands only as long as nobody looks is unmasked by a kick: sideways, at random between nothing and 0.02 m/s
 // times the height over the topmost one's, from twenty seeds.
-namespace {
+namespace kicked_test {
 
 using namespace byhand;
 
@@ -52,4 +52,4 @@ TEST(Kicked, AWallOfTwoHundredAndTenBoxesKeepsItsTopWithinFourMillimetres) {
   }
 }
 
-}  // namespace
+}  // namespace kicked_test

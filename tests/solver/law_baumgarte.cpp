@@ -10,7 +10,7 @@
 #include "tests/solver/random.hpp"
 
 // Laws 1 and 3 where their own boundaries, equation (22) and the claims of lesson 4 do not reach.
-namespace {
+namespace law_baumgarte_test {
 
 using namespace byhand;
 constexpr double g = 9.81, h = 1.0 / 60, length = 2, mass = 3;
@@ -120,4 +120,4 @@ TEST(LawB3, BaumgarteTakesEnergyAsTheCubeOfTheStep) {
     }
 }
 
-}  // namespace
+}  // namespace law_baumgarte_test

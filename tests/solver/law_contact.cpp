@@ -5,7 +5,7 @@
 #include "tests/solver/law_motion.hpp"
 
 // Atlas A8, A9 and B2: what a contact carries, gives back and pushes out.
-namespace {
+namespace law_contact_test {
 
 using namespace byhand;
 constexpr double g = 9.81, h = 1.0 / 60;
@@ -156,4 +156,4 @@ TEST(LawB2, SlopIsLeftAlone) {
   EXPECT_NEAR(simulation.scene.bodies().pose[1].position.y() - 0.5, -0.002, 1e-9);
 }
 
-}  // namespace
+}  // namespace law_contact_test

@@ -4,7 +4,7 @@
 #include "tests/solver/law_motion.hpp"
 
 // Atlas A10: what a cradle of touching balls does depends on who is asked first.
-namespace {
+namespace law_cradle_test {
 
 using namespace byhand;
 using M = PlaneBody;
@@ -90,4 +90,4 @@ TEST(LawA10, BallsThatAreApartHandTheSpeedOnAsNatureDoes) {
   }
 }
 
-}  // namespace
+}  // namespace law_cradle_test

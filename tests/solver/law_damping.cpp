@@ -7,7 +7,7 @@
 #include "tests/solver/random.hpp"
 
 // Damping v' = -cv and gravity of each body's own: against their closed forms, alike in every method.
-namespace {
+namespace law_damping_test {
 
 using namespace byhand;
 using testing::AllOf, testing::HasSubstr, testing::StartsWith, testing::ThrowsMessage;
@@ -197,4 +197,4 @@ TEST(OwnForces, OutsideOfTheirRangeAreRefused) {
   EXPECT_NO_THROW(simulation.step(time_step));
 }
 
-}  // namespace
+}  // namespace law_damping_test

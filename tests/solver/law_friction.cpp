@@ -4,7 +4,7 @@
 #include "tests/solver/law_motion.hpp"
 
 // Atlas A7 and B10 in the plane: a box on a slope, found as a face or as two points with friction each.
-namespace {
+namespace law_friction_test {
 
 using namespace byhand;
 constexpr double g = 9.81, h = 1.0 / 60, mu = 0.5;
@@ -92,4 +92,4 @@ TEST(LawB10, AWarmStartGivesTheFrictionThatComesFirstItsBound) {
   EXPECT_LT(distance(true), 1.2 * 9 / (2 * mu * g));
 }
 
-}  // namespace
+}  // namespace law_friction_test

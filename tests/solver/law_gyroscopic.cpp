@@ -9,7 +9,7 @@
 #include "tests/solver/law_motion.hpp"
 #include "tests/solver/random.hpp"
 
-namespace {
+namespace law_gyroscopic_test {
 
 using namespace byhand;
 using M = SpaceBody;
@@ -268,4 +268,4 @@ TEST(LawHeavyTop, WithoutTheGyroscopicTermItPrecessesAsABallWould) {
   EXPECT_GT(rate / gyroscope.precession(1.2)[0], 1.1);
 }
 
-}  // namespace
+}  // namespace law_gyroscopic_test

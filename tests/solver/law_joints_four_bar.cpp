@@ -6,7 +6,7 @@
 #include "lessons/scenes/four_bar.hpp"
 #include "tests/solver/law_motion.hpp"
 
-namespace {
+namespace law_joints_four_bar_test {
 
 using namespace byhand;
 constexpr double pi = std::numbers::pi, g = 9.81;
@@ -72,4 +72,4 @@ TEST(LawA11, AThirdParallelArmRepeatsARowAndMovesAllTheSame) {
               3e-5);
 }
 
-}  // namespace
+}  // namespace law_joints_four_bar_test

@@ -4,7 +4,7 @@
 #include "lessons/scenes/slider_crank.hpp"
 #include "tests/solver/law_motion.hpp"
 
-namespace {
+namespace law_joints_slider_crank_test {
 
 using namespace byhand;
 using Machine = Simulation<PlaneBody>;
@@ -82,4 +82,4 @@ TEST(LawSliderCrank, AMotorThatIsTooWeakGivesAllItHasAndNoMore) {
   EXPECT_TRUE(slower);
 }
 
-}  // namespace
+}  // namespace law_joints_slider_crank_test

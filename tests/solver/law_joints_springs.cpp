@@ -5,7 +5,7 @@
 #include "solver/constraints/spring.hpp"
 #include "tests/solver/law_motion.hpp"
 
-namespace {
+namespace law_joints_springs_test {
 
 using namespace byhand;
 using M = PlaneParticle;
@@ -108,4 +108,4 @@ TEST(LawRope, LetsGoWhereItWouldHaveToPush) {
   }
 }
 
-}  // namespace
+}  // namespace law_joints_springs_test

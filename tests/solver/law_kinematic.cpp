@@ -10,7 +10,7 @@
 #include "tests/solver/random.hpp"
 
 // Kinematic bodies: a fixed body with a velocity keeps it, whatever leans on it.
-namespace {
+namespace law_kinematic_test {
 
 using namespace byhand;
 
@@ -231,4 +231,4 @@ TEST_IN_BOTH_BODIES(Paddle, ThrowsABallBackWithTwiceItsOwnSpeedBesides) {
   check(Avbd{});
 }
 
-}  // namespace
+}  // namespace law_kinematic_test

@@ -9,7 +9,7 @@
 #include "lessons/scenes/conical_pendulum.hpp"
 #include "tests/solver/swing.hpp"
 
-namespace {
+namespace law_pendulums_test {
 
 using namespace byhand;
 constexpr double pi = std::numbers::pi, g = 9.81;
@@ -157,4 +157,4 @@ TEST(LawA4, ADoublePendulumConvergesWithOrderOneToTheCertifiedAnswer) {
   }
 }
 
-}  // namespace
+}  // namespace law_pendulums_test

@@ -6,7 +6,7 @@
 #include "lessons/scenes/pendulum.hpp"
 #include "tests/solver/law_motion.hpp"
 
-namespace {
+namespace law_redundant_rows_test {
 
 using namespace byhand;
 using Pendulum = Scene<PlaneParticle>;
@@ -108,4 +108,4 @@ TEST(LawB8, SoftnessRegularisationOrAColdStartBoundsThePulls) {
     EXPECT_NEAR(growth(Direct{factorisation, 1e-6}, 0), 1, 1e-3);
 }
 
-}  // namespace
+}  // namespace law_redundant_rows_test

@@ -7,7 +7,7 @@
 
 // Discs in the plane and balls in space that roll and slide, by every family of methods that takes contacts. The
 // moment of inertia is k m r², k = 1/2 for the disc and 2/5 for the ball; closed forms from Coulomb's friction.
-namespace {
+namespace law_rolling_test {
 
 using namespace byhand;
 constexpr double g = 9.81, h = 1.0 / 60, r = 0.3, mass = 2;
@@ -135,4 +135,4 @@ TYPED_TEST(Rolling, AFastSpinPullsTheBallForwardByFrictionAlone) {
     });
 }
 
-}  // namespace
+}  // namespace law_rolling_test

@@ -4,7 +4,7 @@
 #include "lessons/scenes/spherical_pendulum.hpp"
 #include "tests/solver/law_motion.hpp"
 
-namespace {
+namespace law_spherical_pendulum_test {
 
 using namespace byhand;
 constexpr double angle = 1.2, azimuth_rate = 2.5, length = 1.5, g = 9.81;
@@ -50,4 +50,4 @@ void expect_exact() {
 TEST(LawA3, AParticleOnARodNutatesBetweenItsCones) { expect_exact<SpaceParticle>(); }
 TEST(LawA3, SoDoesABodyThatTheRodHoldsByItsCentre) { expect_exact<SpaceBody>(); }
 
-}  // namespace
+}  // namespace law_spherical_pendulum_test

@@ -7,7 +7,7 @@
 
 // What stands beside law 6, whose limit is among the laws' boundaries: where it does not bind, and what it does
 // not say.
-namespace {
+namespace law_stability_test {
 
 using namespace byhand;
 constexpr double h = 1.0 / 60;
@@ -49,4 +49,4 @@ TEST(LawB6, WithoutBaumgarteAWarmStartIsStable) {
   }
 }
 
-}  // namespace
+}  // namespace law_stability_test

@@ -7,7 +7,7 @@
 #include "lessons/scenes/slack_chain.hpp"
 #include "tests/solver/law_motion.hpp"
 
-namespace {
+namespace law_tensions_test {
 
 using namespace byhand;
 constexpr double g = 9.81;
@@ -146,4 +146,4 @@ TEST(LawA6, ASlackChainTendsToTheCatenaryAsTheSquareOfItsLinks) {
   }
 }
 
-}  // namespace
+}  // namespace law_tensions_test

@@ -4,7 +4,7 @@
 #include "tests/solver/law_motion.hpp"
 
 // What stands beside law 16, whose limit is among the laws' boundaries.
-namespace {
+namespace law_tunnelling_test {
 
 using namespace byhand;
 using M = PlaneBody;
@@ -49,4 +49,4 @@ TEST(LawB16, AHalfSpaceIsNeverPassed) {
   }
 }
 
-}  // namespace
+}  // namespace law_tunnelling_test

@@ -6,7 +6,7 @@
 #include "lessons/scenes/pendulum.hpp"
 #include "tests/solver/law_motion.hpp"
 
-namespace {
+namespace law_turning_bodies_test {
 
 using namespace byhand;
 constexpr double h = 1.0 / 60;
@@ -67,4 +67,4 @@ TEST(LawB15, RowByRowItDriftsTwentyTimesAsFarAtTheUsualSweeps) {
   EXPECT_NEAR(row_by_row(3000, false), 0.012, 5e-4);
 }
 
-}  // namespace
+}  // namespace law_turning_bodies_test

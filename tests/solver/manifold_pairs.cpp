@@ -5,7 +5,7 @@
 
 // Sweeps solve two manifolds at once where they share no moving body. Nobody may notice.
 namespace byhand {
-namespace {
+namespace manifold_pairs_test {
 
 using M = PlaneBody;
 
@@ -63,5 +63,5 @@ TEST(PairsOfManifolds, AreNotMadeOfManifoldsThatShareABox) {
   for (int i = 1; i <= 6; ++i) EXPECT_NEAR(V[i].y(), by_hand[i], 1e-12) << "box " << i;
 }
 
-}  // namespace
+}  // namespace manifold_pairs_test
 }  // namespace byhand

@@ -9,7 +9,7 @@
 #include "solver/constraints/normalised_distance.hpp"
 
 // What a solve reports of itself, on scenes small enough to know the answer.
-namespace {
+namespace measure_test {
 
 using namespace byhand;
 
@@ -103,4 +103,4 @@ TEST(Rows, BetweenFixedBodiesGetNoImpulse) {
   EXPECT_THAT(simulation.work.system.lambda, testing::Each(0));
 }
 
-}  // namespace
+}  // namespace measure_test

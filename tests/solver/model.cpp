@@ -11,7 +11,7 @@
 #include "solver/step.hpp"
 #include "tests/solver/random.hpp"
 
-namespace {
+namespace model_test {
 
 using namespace byhand;
 
@@ -119,4 +119,4 @@ TEST_IN_ALL_MODELS(Simulation, IsAValueSoThatACopyIsAWayBack) {
   EXPECT_EQ(simulation.time, before.time);
 }
 
-}  // namespace
+}  // namespace model_test

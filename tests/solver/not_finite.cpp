@@ -10,7 +10,7 @@
 #include "tests/solver/random.hpp"
 
 // NaN and infinity: a step that would leave one in the scene throws, and the scene stays as it was.
-namespace {
+namespace not_finite_test {
 
 using namespace byhand;
 
@@ -212,4 +212,4 @@ TEST(Step, OfABallThatIsTooFastForItsContactToBeFoundLeavesNumbersOrThrows) {
   }
 }
 
-}  // namespace
+}  // namespace not_finite_test

@@ -15,7 +15,7 @@
 
 // The order of each method: the slope of its error over its step, fitted over four steps, of particles and bodies,
 // in the plane and in space, wherever the exact motion is known.
-namespace {
+namespace orders_test {
 
 using namespace byhand;
 constexpr double g = 9.81, pi = std::numbers::pi;
@@ -105,4 +105,4 @@ TEST(Orders, OfAFreeBodyInSpace) {
   EXPECT_NEAR(order_of(rk4, 1.0 / 100), 4, 0.15);
 }
 
-}  // namespace
+}  // namespace orders_test

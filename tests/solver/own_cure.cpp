@@ -8,7 +8,7 @@
 
 // A cure of drift that a program adds is one struct: the step asks it and knows none by name.
 namespace byhand {
-namespace {
+namespace own_cure_test {
 
 /// Baumgarte's correction with an integral: b = (β/h) (C + ι ΣC), so that a steady pull leaves no error.
 struct WithIntegral {
@@ -74,5 +74,5 @@ TEST(OwnCure, StandsInAListWithThoseOfTheLibrary) {
     EXPECT_EQ(listed.scene.bodies().pose[i].position, library.scene.bodies().pose[i].position);
 }
 
-}  // namespace
+}  // namespace own_cure_test
 }  // namespace byhand

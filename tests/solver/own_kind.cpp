@@ -10,7 +10,7 @@
 
 // A kind of constraint that the library does not know: a program defines it as a plain struct and adds it to a
 // scene.
-namespace {
+namespace own_kind_test {
 
 using namespace byhand;
 constexpr double g = 9.81, h = 1.0 / 60;
@@ -148,4 +148,4 @@ TEST_IN_ALL_MODELS(OwnKind, KeepsTheMomentumOfTwoThatFloat) {
   }
 }
 
-}  // namespace
+}  // namespace own_kind_test

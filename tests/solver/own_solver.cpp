@@ -9,7 +9,7 @@
 
 // A row solver that a program adds is one struct: the step asks it and knows none by name.
 namespace byhand {
-namespace {
+namespace own_solver_test {
 
 /// Steepest descent: the rows' own errors are the direction, and it goes as far as the error falls,
 /// α = (r·r)/(r·(A + γ)r), for rows without bounds.
@@ -96,5 +96,5 @@ TEST(OwnSolver, StandsInAListWithThoseOfTheLibrary) {
   EXPECT_LE(residual(simulation.work.system, simulation.scene.bodies().velocity), 1e-9);
 }
 
-}  // namespace
+}  // namespace own_solver_test
 }  // namespace byhand

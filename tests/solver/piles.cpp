@@ -5,7 +5,7 @@
 
 // Whatever is thrown together: no number that is none, impulses within their bounds, and no more energy than was
 // put in.
-namespace {
+namespace piles_test {
 
 using namespace byhand;
 constexpr double h = 1.0 / 60;
@@ -152,4 +152,4 @@ TEST(Piles, KeepEveryImpulseWithinItsBound) {
   EXPECT_GT(pressing, 1000) << "there was something to keep";
 }
 
-}  // namespace
+}  // namespace piles_test

@@ -5,7 +5,7 @@
 
 // Random piles in space. See piles.cpp for the plane, where energy can be told to the last step: in space a
 // spinning box whose gyroscopic moments are left out changes its energy by itself.
-namespace {
+namespace piles_space_test {
 
 using namespace byhand;
 using M = SpaceBody;
@@ -83,4 +83,4 @@ TEST(PilesInSpace, KeepEveryImpulseWithinItsBound) {
   EXPECT_GT(sliding, 100) << "friction came to its bound";
 }
 
-}  // namespace
+}  // namespace piles_space_test

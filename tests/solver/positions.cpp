@@ -8,7 +8,7 @@
 #include "tests/solver/random.hpp"
 
 // Rows without a C, and one-sided ones, solved on positions.
-namespace {
+namespace positions_test {
 
 using namespace byhand;
 constexpr double h = 1.0 / 60;
@@ -99,4 +99,4 @@ TEST(PositionRows, FrictionWithinItsDiscOpposesTheSlipHoweverTheMassesAreSpread)
   EXPECT_TRUE((within_disc<2>(Eigen::Matrix2d::Identity(), {1, 1}, 0).isZero(0)));
 }
 
-}  // namespace
+}  // namespace positions_test

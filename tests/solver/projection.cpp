@@ -8,7 +8,7 @@
 #include "tests/solver/random.hpp"
 #include "tests/solver/swing.hpp"
 
-namespace {
+namespace projection_test {
 
 using namespace byhand;
 constexpr double h = 1.0 / 60;
@@ -107,4 +107,4 @@ TEST(Projection, RefusesChoicesOutsideTheirRange) {
   refuses({.slop = -1}, "slop is -1, but it must be between 0 and");
 }
 
-}  // namespace
+}  // namespace projection_test

@@ -5,7 +5,7 @@
 #include "tests/solver/equalities.hpp"
 #include "tests/solver/swing.hpp"
 
-namespace {
+namespace rattle_test {
 
 using namespace byhand;
 constexpr double pi = std::numbers::pi, h = 1.0 / 60;
@@ -125,4 +125,4 @@ TEST(Rattle, RefusesAStepThatIsTooLongAndLeavesTheSceneAlone) {
   expect_no_convergence(particle_on_a_circle<PlaneParticle, Distance>(2, 5, 3), Rattle{}, 1);
 }
 
-}  // namespace
+}  // namespace rattle_test

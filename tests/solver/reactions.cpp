@@ -9,7 +9,7 @@
 #include "tests/solver/solving.hpp"
 
 // The force and the torques of a constraint, whatever method moves the scene.
-namespace {
+namespace reactions_test {
 
 using namespace byhand;
 
@@ -147,4 +147,4 @@ TEST(Reaction, OfTheContactsOfABoxIsItsWeight) {
   expect_weight_of_a_box(Xpbd{}, 1e-6);
 }
 
-}  // namespace
+}  // namespace reactions_test

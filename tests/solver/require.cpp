@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace {
+namespace require_test {
 
 using namespace byhand;
 using testing::StrEq, testing::ThrowsMessage;
@@ -43,4 +43,4 @@ TEST(Require, RefusesWhatIsNotFinite) {
   EXPECT_THROW(require_positive("x", 0.0), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace require_test

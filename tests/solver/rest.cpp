@@ -5,7 +5,7 @@
 #include "tests/solver/law_motion.hpp"
 
 // What stands stays: a minute of it, by how fast anything is in its second half and how far anything has gone.
-namespace {
+namespace rest_test {
 
 using namespace byhand;
 constexpr double h = 1.0 / 60;
@@ -87,4 +87,4 @@ TEST(Dominoes, FallOneAfterTheOtherWhenTheFirstIsTipped) {
   EXPECT_NEAR(apart.scene.bodies().pose[2].rotation.sin, 0, 1e-9) << "too far to be reached";
 }
 
-}  // namespace
+}  // namespace rest_test

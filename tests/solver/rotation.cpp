@@ -6,7 +6,7 @@
 #include <random>
 #include <unsupported/Eigen/AutoDiff>
 
-namespace {
+namespace rotation_test {
 
 using namespace byhand;
 using Eigen::Vector2d, Eigen::Vector3d, Eigen::Quaterniond;
@@ -252,4 +252,4 @@ TEST(Rotation, GivesTheSameBitsEverywhere) {
   EXPECT_EQ(hash, 12402617023114809402u);
 }
 
-}  // namespace
+}  // namespace rotation_test

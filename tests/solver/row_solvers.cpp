@@ -7,7 +7,7 @@
 
 // Every way to solve rows against one exact answer: without bounds the dense direct solve, with bounds conjugate
 // sweeps that go on until nothing changes.
-namespace {
+namespace row_solvers_test {
 
 using namespace byhand;
 using Rods = Scene<PlaneParticle>;
@@ -351,4 +351,4 @@ TEST_IN_ALL_MODELS(Direct, GoesOnFromTheImpulsesThatStand, 5) {
   }
 }
 
-}  // namespace
+}  // namespace row_solvers_test

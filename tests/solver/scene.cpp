@@ -10,7 +10,7 @@
 #include "tests/solver/solving.hpp"
 
 // A scene that is changed while it runs: handles, warm start, and no row of what is gone.
-namespace {
+namespace scene_test {
 
 using namespace byhand;
 using testing::AllOf, testing::HasSubstr, testing::StartsWith, testing::ThrowsMessage;
@@ -462,4 +462,4 @@ TEST(FoundContacts, AreNotChangedRemovedOrLeantOn) {
   EXPECT_EQ(scene.lasting(), 1);
 }
 
-}  // namespace
+}  // namespace scene_test

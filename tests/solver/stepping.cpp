@@ -6,7 +6,7 @@
 #include "tests/solver/solving.hpp"
 
 // Softness, substeps, integrators and what the measures say.
-namespace {
+namespace stepping_test {
 
 using namespace byhand;
 
@@ -144,4 +144,4 @@ TEST(Energy, IsTheSumOverTheBodiesThatMove) {
   EXPECT_NEAR(energy(scene), kinetic_energy(scene.bodies()) + potential_energy(scene), 1e-12);
 }
 
-}  // namespace
+}  // namespace stepping_test

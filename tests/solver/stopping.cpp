@@ -9,7 +9,7 @@
 #include "tests/solver/solving.hpp"
 
 // When solvers stop: on one residual, that of the natural map, as a share of the largest push.
-namespace {
+namespace stopping_test {
 
 using namespace byhand;
 
@@ -245,4 +245,4 @@ TEST(ActiveSet, IsAcceptedByTheResidual) {
   EXPECT_GE(converged, 38);
 }
 
-}  // namespace
+}  // namespace stopping_test

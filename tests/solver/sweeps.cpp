@@ -10,7 +10,7 @@
 #include "tests/solver/solving.hpp"
 
 // Gauss–Seidel and Jacobi: the fused loops against (17) and (20) as the article writes them, orders, warm start.
-namespace {
+namespace sweeps_test {
 
 using namespace byhand;
 
@@ -237,4 +237,4 @@ TEST_IN_ALL_MODELS(Jacobi, ConvergesToTheSameAnswerUnderRelaxation) {
   EXPECT_LE(difference(solved(scene, solver).lambda, exact.lambda), 1e-9);
 }
 
-}  // namespace
+}  // namespace sweeps_test

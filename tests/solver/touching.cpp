@@ -7,7 +7,7 @@
 
 // Contacts that are found: what becomes of them in a scene, and that their impulses are handed on from step to
 // step.
-namespace {
+namespace touching_test {
 
 using namespace byhand;
 using M = PlaneBody;
@@ -164,4 +164,4 @@ TEST(Touching, TakesACopyOfTheSimulationAsAWayBack) {
     EXPECT_EQ(copy.scene.bodies().velocity[i], simulation.scene.bodies().velocity[i]) << i;
 }
 
-}  // namespace
+}  // namespace touching_test

@@ -14,7 +14,7 @@
 // No absolute length, mass or time hides in a method: the same scene in other units moves the same way. Units are
 // powers of four here, and so are the same to the last bit: products of powers of two are exact, and so are the
 // square roots of masses that some solvers take.
-namespace {
+namespace units_test {
 
 using namespace byhand;
 
@@ -218,4 +218,4 @@ TEST(Units, Piles) {
   expect_velocity_stepping_same("stack", stack<PlaneBody>(6, 10));
 }
 
-}  // namespace
+}  // namespace units_test

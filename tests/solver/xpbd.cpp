@@ -6,7 +6,7 @@
 #include "lessons/scenes/top.hpp"
 #include "tests/solver/position_laws.hpp"
 
-namespace {
+namespace xpbd_test {
 
 using namespace byhand;
 constexpr double h = 1.0 / 60;
@@ -144,4 +144,4 @@ TEST(Xpbd, RefusesChoicesOutsideTheirRange) {
   refuses({.bounce_threshold = -1}, "bounce threshold is -1, but it must be between 0 and");
 }
 
-}  // namespace
+}  // namespace xpbd_test

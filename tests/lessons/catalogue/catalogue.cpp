@@ -8,7 +8,7 @@
 #include "lessons/exact/swinging_chain.hpp"
 
 // Scenes by name: what they are held against, and that every method runs them or says why not.
-namespace {
+namespace catalogue_test {
 
 using namespace byhand;
 using testing::HasSubstr;
@@ -231,4 +231,4 @@ TEST(Problem, RefusesWhatItDoesNotHave) {
               ThrowsMessage<std::invalid_argument>(HasSubstr("model is jelly")));
 }
 
-}  // namespace
+}  // namespace catalogue_test

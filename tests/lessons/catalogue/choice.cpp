@@ -12,7 +12,7 @@
 #include "lessons/catalogue/tidy.hpp"
 
 // Work against precision, and the choice that follows from it.
-namespace {
+namespace choice_test {
 
 using namespace byhand;
 using testing::HasSubstr;
@@ -337,4 +337,4 @@ TEST_P(ThirtyRequests, NeverFailAndAreWithinAThirdOfTheCheapestThatBruteForceFin
                   << cheaper->cost;
 }
 
-}  // namespace
+}  // namespace choice_test

@@ -11,7 +11,7 @@
 #include "lessons/laws/transverse.hpp"
 
 // What counts as a run, what it costs, and how methods are tuned.
-namespace {
+namespace runs_test {
 
 using namespace byhand;
 using testing::HasSubstr;
@@ -208,4 +208,4 @@ TEST(Tuned, MovesNoConclusionWithOtherInitialConditions) {
   EXPECT_EQ(chain.variation(0, 2)["angle"], chain["angle"]);
 }
 
-}  // namespace
+}  // namespace runs_test

@@ -8,7 +8,7 @@
 #include "lessons/laws/transverse.hpp"
 
 namespace byhand {
-namespace {
+namespace spectrum_test {
 
 constexpr double h = 1.0 / 60, passes_one = 1 + 1e-4;
 
@@ -52,5 +52,5 @@ TEST(LongestStep, IsWhereAMethodStopsBeingStable) {
   EXPECT_TRUE(std::isinf(longest_step([](double) { return true; }, 0.1)));
 }
 
-}  // namespace
+}  // namespace spectrum_test
 }  // namespace byhand

@@ -11,7 +11,7 @@
 // A wrong adapter would slander an engine. Each engine reproduces what any engine has to, at a step that is short
 // enough.
 namespace byhand::engines {
-namespace {
+namespace adapters_test {
 
 using M = PlaneBody;
 constexpr int short_steps = 64;  // a frame
@@ -107,5 +107,5 @@ TEST(Engines, EachIsThereOrNamedAsMissing) {
   }
 }
 
-}  // namespace
+}  // namespace adapters_test
 }  // namespace byhand::engines

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace {
+namespace certified_integration_test {
 
 using namespace byhand;
 
@@ -42,4 +42,4 @@ TEST(CertifiedIntegration, RefusesTimesThatRunBackwardsAndStartsThatAreNoNumbers
   EXPECT_THROW(certified_integration(growth, {INFINITY}, 1), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace certified_integration_test

@@ -7,7 +7,7 @@
 
 #include "lessons/exact/certified_integration.hpp"
 
-namespace {
+namespace compound_pendulum_test {
 
 using namespace byhand;
 using Eigen::Vector2d;
@@ -89,4 +89,4 @@ TEST(CompoundPendulum, RefusesARodThatIsNone) {
   EXPECT_THROW(CompoundPendulum(1, 2, 3, 9.81).pivot_force(INFINITY), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace compound_pendulum_test

@@ -9,7 +9,7 @@
 #include "lessons/exact/certified_integration.hpp"
 #include "lessons/exact/simple_pendulum.hpp"
 
-namespace {
+namespace double_pendulum_test {
 
 using namespace byhand;
 using Eigen::Vector2d;
@@ -135,4 +135,4 @@ TEST(DoublePendulum, RefusesBadNumbers) {
   EXPECT_THROW(DoublePendulum({{1, 1}, still}, ones, ones, gravity).at(-1), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace double_pendulum_test

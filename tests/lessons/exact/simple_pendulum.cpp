@@ -8,7 +8,7 @@
 
 #include "lessons/exact/certified_integration.hpp"
 
-namespace {
+namespace simple_pendulum_test {
 
 using namespace byhand;
 using Eigen::Vector2d;
@@ -131,4 +131,4 @@ TEST(SimplePendulum, RefusesWhatHasNoPeriod) {
   EXPECT_THROW(pendulum.energy(-2), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace simple_pendulum_test

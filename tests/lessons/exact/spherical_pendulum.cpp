@@ -10,7 +10,7 @@
 #include "lessons/exact/conical_pendulum.hpp"
 #include "lessons/exact/simple_pendulum.hpp"
 
-namespace {
+namespace spherical_pendulum_test {
 
 using namespace byhand;
 using Eigen::Vector3d;
@@ -112,4 +112,4 @@ TEST(SphericalPendulum, RefusesBadNumbers) {
   EXPECT_THROW(SphericalPendulum(1, 1, length, gravity).energy(0), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace spherical_pendulum_test

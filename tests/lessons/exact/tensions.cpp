@@ -7,7 +7,7 @@
 #include "lessons/exact/conical_pendulum.hpp"
 #include "lessons/exact/hanging_chain.hpp"
 
-namespace {
+namespace tensions_test {
 
 using namespace byhand;
 using testing::DoubleEq, testing::ElementsAre, testing::HasSubstr, testing::IsEmpty, testing::ThrowsMessage;
@@ -80,4 +80,4 @@ TEST(HangingChain, RefusesALinkWithoutMass) {
   EXPECT_THROW(hanging_chain_tensions(good, 0), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace tensions_test

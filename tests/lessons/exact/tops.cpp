@@ -5,7 +5,7 @@
 #include "lessons/exact/free_top.hpp"
 #include "lessons/exact/heavy_top.hpp"
 
-namespace {
+namespace tops_test {
 
 using namespace byhand;
 
@@ -69,4 +69,4 @@ TEST(HeavyTop, FallsBelowItsLeastSpin) {
   EXPECT_EQ(top.least_spin(2), 0);
 }
 
-}  // namespace
+}  // namespace tops_test

@@ -6,7 +6,7 @@
 
 // Atlas A7 and B10 in space: friction has two axes there, and what the solver holds within a disc it may also hold
 // within a square, axis by axis.
-namespace {
+namespace friction_in_space_test {
 
 using namespace byhand;
 using M = SpaceBody;
@@ -66,4 +66,4 @@ TEST(LawB10, InTheSquareADiagonalSlideKeepsItsHeadingForBothAxesStopTogether) {
   EXPECT_NEAR(laws::slide(laws::FrictionBound::square, 45 * degree, 3).heading, 45 * degree, 1e-12);
 }
 
-}  // namespace
+}  // namespace friction_in_space_test

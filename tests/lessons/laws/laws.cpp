@@ -17,7 +17,7 @@
 #include "solver/rows/gauss_seidel.hpp"
 
 // Each law of lesson 8: where it says, on both sides of that, and where its experiment finds it.
-namespace {
+namespace laws_test {
 
 using namespace byhand::laws;
 using byhand::SweepOrder;
@@ -193,4 +193,4 @@ TEST(Law13, ImplicitlyAWobbleStays) {
   for (const int axis : {0, 2}) EXPECT_NEAR(wobble_growth(axis, 30, 1.0 / 60, 10, true), 1, 1e-3) << axis;
 }
 
-}  // namespace
+}  // namespace laws_test

@@ -7,7 +7,7 @@
 #include "tests/solver/law_motion.hpp"
 
 // Atlas B9, B18 and B20: what makes columns sink, lean and fall, and what does not.
-namespace {
+namespace stacks_test {
 
 using namespace byhand;
 using M = PlaneBody;
@@ -106,4 +106,4 @@ TEST(LawB9, FacesHaveNoLeftAndNoRight) {
   for (int i = 1; i <= 5; ++i) EXPECT_NEAR(simulation.scene.bodies().pose[i].position.x(), 0, 1e-14) << i;
 }
 
-}  // namespace
+}  // namespace stacks_test

@@ -5,7 +5,7 @@
 #include "renderer/svg_canvas.hpp"
 
 namespace byhand::pictures {
-namespace {
+namespace acts_test {
 
 TEST(Eased, BeginsAndEndsAtRestAndNeverTurnsBack) {
   EXPECT_EQ(eased(-1), 0);
@@ -68,5 +68,5 @@ TEST_F(ThreeActs, TheTextsKeepTheirPlaces) {
   for (const auto& label : first) EXPECT_LE(label.box.right(), 1200) << label.text;
 }
 
-}  // namespace
+}  // namespace acts_test
 }  // namespace byhand::pictures

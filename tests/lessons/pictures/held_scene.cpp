@@ -12,7 +12,7 @@
 #include "tests/solver/dual.hpp"
 
 namespace byhand::pictures {
-namespace {
+namespace held_scene_test {
 
 using renderer::Point;
 using testing::HasSubstr;
@@ -273,5 +273,5 @@ TEST(HeldScene, AStepFromRestShowsGravityItsPartAlongTheRodAndTheImpulse) {
   shows(5, 1000 * h * gain * std::sin(angle));
 }
 
-}  // namespace
+}  // namespace held_scene_test
 }  // namespace byhand::pictures

@@ -5,7 +5,7 @@
 #include "lessons/scenes/ragdoll.hpp"
 #include "tests/solver/law_motion.hpp"
 
-namespace {
+namespace bridge_and_ragdoll_test {
 
 using namespace byhand;
 using M = PlaneBody;
@@ -68,4 +68,4 @@ TEST(Ragdoll, FallsOnAStairAndLiesThereWithinItsLimits) {
   for (int i = torso; i < scene.bodies().size(); ++i) EXPECT_GT(scene.bodies().pose[i].position.y(), 0);
 }
 
-}  // namespace
+}  // namespace bridge_and_ragdoll_test
