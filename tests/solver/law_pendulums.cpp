@@ -49,7 +49,7 @@ TEST(LawA1, ThePeriodConvergesWithOrderTwo) {
 }
 
 TEST(LawA1, ErrorsScaleAsDimensionsSay) {
-  const Swing small = swing<NormalisedDistance>(with(Baumgarte{0.2}), 1.0 / 60);
+  const SwingErrors small = swing<NormalisedDistance>(with(Baumgarte{0.2}), 1.0 / 60);
   const Simulation<PlaneParticle> start{pendulum<PlaneParticle, NormalisedDistance>(pi / 2, 4, 3),
                                         {Direct{}, Baumgarte{0.2}}};
   auto tall = start;

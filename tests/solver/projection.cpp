@@ -14,7 +14,7 @@ using namespace byhand;
 constexpr double h = 1.0 / 60;
 
 TEST(LawA1, WithPosesProjectedThePendulumErrsAsTheAtlasSays) {
-  const Swing row = swing<NormalisedDistance>(VelocityStepping{GaussSeidel{1}, Projection{}}, h);
+  const SwingErrors row = swing<NormalisedDistance>(VelocityStepping{GaussSeidel{1}, Projection{}}, h);
   expect_two_digits(row.period_error, -3.3e-2, "period");
   expect_two_digits(row.angle_error, 7.6e-2, "angle after 1 s");
   expect_two_digits(row.energy_gain, -0.53, "energy");
@@ -22,8 +22,8 @@ TEST(LawA1, WithPosesProjectedThePendulumErrsAsTheAtlasSays) {
 }
 
 TEST(Stable, IsNotAccurate) {
-  const Swing positions = swing<NormalisedDistance>(Xpbd{1, 1}, h);
-  const Swing velocities = swing<NormalisedDistance>(VelocityStepping{GaussSeidel{1}, Baumgarte{1}}, h);
+  const SwingErrors positions = swing<NormalisedDistance>(Xpbd{1, 1}, h);
+  const SwingErrors velocities = swing<NormalisedDistance>(VelocityStepping{GaussSeidel{1}, Baumgarte{1}}, h);
   EXPECT_LT(positions.stretch, 1e-12 * velocities.stretch) << "it holds the rod as nothing else does";
   EXPECT_LT(positions.energy_gain, -0.89) << "and yet nine tenths of the energy are gone";
   EXPECT_GT(velocities.energy_gain, -0.02);

@@ -12,7 +12,7 @@ constexpr double pi = std::numbers::pi, h = 1.0 / 60;
 
 // The atlas gives one digit of the angle, -8e-4; its energy's 1e-3 is the largest of the ten seconds.
 TEST(LawA1, RattleErrsAsTheAtlasSays) {
-  const Swing measured = swing<Distance>(Rattle{}, h);
+  const SwingErrors measured = swing<Distance>(Rattle{}, h);
   expect_two_digits(measured.period_error, -3.9e-4, "period");
   expect_two_digits(measured.angle_error, -8.1e-4, "angle after 1 s");
   expect_two_digits(measured.energy_gain, -9.5e-4, "energy");

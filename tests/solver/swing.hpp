@@ -11,7 +11,7 @@
 // What the rows of table A1 are measured by, for any method.
 namespace byhand {
 
-struct Swing {
+struct SwingErrors {
   double period_error;  // relative, of the first swing through the bottom and back
   double angle_error;   // after 1 s [rad]
   double stretch;       // of the rod, at most [m]
@@ -20,12 +20,12 @@ struct Swing {
 
 /// Ten seconds of a pendulum from rest at 90°, against the elliptic functions.
 template <template <class> class Rod, class Method>
-Swing swing(const Method& method, double h, double length = 1, double mass = 1) {
+SwingErrors swing(const Method& method, double h, double length = 1, double mass = 1) {
   constexpr double level = std::numbers::pi / 2;
   Simulation<PlaneParticle, Method> simulation{pendulum<PlaneParticle, Rod>(level, length, mass), method};
   const double g = -simulation.scene.gravity.y(), start = energy(simulation.scene);
   const SimplePendulum exact(level, length, g);
-  Swing result{};
+  SwingErrors result{};
   ZeroCrossings bottom(level);
   run(simulation, 10, h, [&] {
     const double angle = rod_angle(simulation.scene, 0, 1);
@@ -44,7 +44,7 @@ inline void expect_two_digits(double measured, double atlas, const char* what) {
   const double unit = std::pow(10, std::floor(std::log10(std::abs(atlas))) - 1);
   EXPECT_NEAR(measured, atlas, unit) << what;
 }
-inline void expect_row(const Swing& measured, const Swing& atlas) {
+inline void expect_row(const SwingErrors& measured, const SwingErrors& atlas) {
   expect_two_digits(measured.period_error, atlas.period_error, "period");
   expect_two_digits(measured.angle_error, atlas.angle_error, "angle after 1 s");
   expect_two_digits(measured.stretch, atlas.stretch, "stretch");
