@@ -19,7 +19,7 @@ Avbd with_iterations(int iterations) {
 // Both minimise the same function of the poses: converged, a step is implicit Euler's, and so is XPBD's with one
 // substep.
 TEST(Avbd, ErrsOnAPendulumAsPositionBasedDynamicsDoes) {
-  const Swing row = swing<NormalisedDistance>(with_iterations(30), h);
+  const SwingErrors row = swing<NormalisedDistance>(with_iterations(30), h);
   expect_two_digits(row.period_error, -7.2e-2, "period");
   expect_two_digits(row.angle_error, 0.23, "angle after 1 s");
   expect_two_digits(row.energy_gain, -0.90, "energy");
@@ -27,7 +27,8 @@ TEST(Avbd, ErrsOnAPendulumAsPositionBasedDynamicsDoes) {
 }
 
 TEST(Avbd, ConvergesWithOrderOneInItsStep) {
-  const Swing coarse = swing<NormalisedDistance>(Avbd{}, h / 16), fine = swing<NormalisedDistance>(Avbd{}, h / 32);
+  const SwingErrors coarse = swing<NormalisedDistance>(Avbd{}, h / 16),
+                    fine = swing<NormalisedDistance>(Avbd{}, h / 32);
   EXPECT_NEAR(order(coarse.period_error, fine.period_error), 1, 0.05);
   EXPECT_NEAR(order(coarse.angle_error, fine.angle_error), 1, 0.05);
 }

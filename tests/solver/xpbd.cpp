@@ -12,7 +12,7 @@ using namespace byhand;
 constexpr double h = 1.0 / 60;
 
 TEST(LawA1, ExtendedPositionBasedDynamicsErrsAsTheAtlasSays) {
-  const Swing row = swing<NormalisedDistance>(Xpbd{1, 1}, h);
+  const SwingErrors row = swing<NormalisedDistance>(Xpbd{1, 1}, h);
   expect_two_digits(row.period_error, -7.2e-2, "period");
   expect_two_digits(row.angle_error, 0.23, "angle after 1 s");
   expect_two_digits(row.energy_gain, -0.90, "energy");
@@ -20,7 +20,8 @@ TEST(LawA1, ExtendedPositionBasedDynamicsErrsAsTheAtlasSays) {
 }
 
 TEST(Xpbd, ConvergesWithOrderOneInItsSubsteps) {
-  const Swing coarse = swing<NormalisedDistance>(Xpbd{16, 1}, h), fine = swing<NormalisedDistance>(Xpbd{32, 1}, h);
+  const SwingErrors coarse = swing<NormalisedDistance>(Xpbd{16, 1}, h),
+                    fine = swing<NormalisedDistance>(Xpbd{32, 1}, h);
   EXPECT_NEAR(order(coarse.period_error, fine.period_error), 1, 0.05);
   EXPECT_NEAR(order(coarse.angle_error, fine.angle_error), 1, 0.05);
 }
