@@ -7,7 +7,7 @@
 
 namespace byhand {
 
-/// What a random pile is drawn from, the same everywhere for the same seed.
+/// What a random pile is drawn from, the same everywhere for the same draw.
 struct PileOptions {
   int count = 10;     // of balls and boxes
   double speed = 10;  // each component of v [m/s] and ω [rad/s] is at most this
@@ -18,8 +18,8 @@ struct PileOptions {
 /// Balls and boxes of 0.2 to 2 m, turned and moving anyhow, dropped where they come, also into each other, onto
 /// the ground. Body 0 is the ground.
 template <class M>
-Scene<M> box_pile(std::uint64_t seed, const PileOptions& pile = {}) {
-  std::mt19937_64 bits(seed);
+Scene<M> box_pile(std::uint64_t draw, const PileOptions& pile = {}) {
+  std::mt19937_64 bits(draw);
   const auto uniform = [&](double low, double high) {
     return low + (high - low) * static_cast<double>(bits() >> 11) * 0x1p-53;
   };
