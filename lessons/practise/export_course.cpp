@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "lessons/files/atomic_file.hpp"
+#include "lessons/practise/handout.hpp"
 #include "lessons/site/course/zip.hpp"
 
 namespace byhand::practise {
@@ -23,12 +24,6 @@ void require_empty(const fs::path& folder) {
 void copy_into(const fs::path& from, const fs::path& to) {
   fs::create_directories(to.parent_path());
   fs::copy(from, to, fs::copy_options::recursive);
-}
-
-/// The task without what a learner is not to read before solving it.
-std::string statement(const Exercise& exercise) {
-  const std::string text = contents_of(exercise.folder() / "task.md");
-  return text.substr(0, text.find("## Hint"));
 }
 
 void copy_judge(const fs::path& source, const std::vector<const Exercise*>& wanted) {
@@ -53,37 +48,55 @@ std::string html(const std::string& text) {
   return escaped;
 }
 
+/// FNV-1a.
+std::uint64_t hash(const std::string& text) {
+  std::uint64_t value = 14695981039346656037u;
+  for (const char c : text) value = (value ^ static_cast<unsigned char>(c)) * 1099511628211u;
+  return value;
+}
+
+/// Another for other exercises or another seed: two questions of one course may not share it.
+std::string uuid(const std::vector<const Exercise*>& wanted, std::uint64_t seed) {
+  std::string what = std::to_string(seed);
+  for (const Exercise* exercise : wanted) what += " " + exercise->name;
+  const std::uint64_t high = hash(what), low = hash(what + " again");
+  return fmt::format("{:08x}-{:04x}-4{:03x}-a{:03x}-{:012x}", high >> 32, high >> 16 & 0xffff, high & 0xfff,
+                     low >> 48 & 0xfff, low & 0xffffffffffff);
+}
+
 /// What PrairieLearn needs to show the question; its image is built from the same folder.
-void write_question(const fs::path& folder, const std::vector<const Exercise*>& wanted) {
-  std::string page = "<pl-question-panel>\n";
+void write_question(const fs::path& folder, const std::vector<const Exercise*>& wanted, std::uint64_t seed) {
+  std::string page = fmt::format("<pl-question-panel>\n<pre>{}</pre>\n", html(given_types()));
   for (const Exercise* exercise : wanted) {
     page += fmt::format(
-        "<pre>{}\n{}</pre>\n<pl-file-editor file-name=\"{}.cpp\" ace-mode=\"ace/mode/c_cpp\" "
-        "source-file-name=\"{}.cpp\"></pl-file-editor>\n",
-        html(statement(*exercise)), html(contents_of(exercise->folder() / "signature.hpp")), exercise->name,
-        exercise->name);
+        "<pre>{}\nThe equations it rests on\n{}\n{}</pre>\n<pl-file-editor file-name=\"{}.cpp\" "
+        "ace-mode=\"ace/mode/c_cpp\" source-file-name=\"{}.cpp\"></pl-file-editor>\n",
+        html(statement(*exercise)), html(equations_of(*exercise)),
+        html(contents_of(exercise->folder() / "signature.hpp")), exercise->name, exercise->name);
     course::write_whole(folder / "question" / (exercise->name + ".cpp"),
                         contents_of(exercise->folder() / "stub.cpp"));
   }
   page +=
       "</pl-question-panel>\n<pl-submission-panel>\n<pl-external-grader-results></pl-external-grader-results>\n"
-      "</pl-submission-panel>\n";
+      "<pl-file-preview></pl-file-preview>\n</pl-submission-panel>\n";
   course::write_whole(folder / "question" / "question.html", page);
+  const std::string title = wanted.size() == 1 ? task(*wanted.front()).title : "Constraints by hand";
   course::write_whole(folder / "question" / "info.json",
-                      R"({
-  "uuid": "5c0e1a4e-6d0f-4d4b-9a39-2f9c1b7e6a10",
-  "title": "Constraints by hand",
+                      fmt::format(R"({{
+  "uuid": "{}",
+  "title": "{}",
   "topic": "Constraints",
   "type": "v3",
   "gradingMethod": "External",
-  "externalGradingOptions": {
+  "externalGradingOptions": {{
     "enabled": true,
     "image": "practise",
     "entrypoint": "/judge/grade.sh",
-    "timeout": 120
-  }
-}
-)");
+    "timeout": {}
+  }}
+}}
+)",
+                                  uuid(wanted, seed), title, 60 + 30 * wanted.size()));
 }
 
 void write_autograder(const fs::path& folder) {
@@ -105,12 +118,16 @@ void export_course(const std::string& kind, const fs::path& folder, std::uint64_
         fmt::format("--export {}: there are gradescope, classroom50, prairielearn, junit, moodle and qti", kind));
   require_empty(folder);
   copy_judge(folder / "source", wanted);
+  for (const Exercise* exercise : wanted) write_handout(folder / "handout" / exercise->name, *exercise);
   for (const Exercise* exercise : wanted)
     course::write_whole(folder / "keys" / (exercise->name + ".json"), to_json(key(*exercise, seed)));
   copy_into(practise_folder() / "export" / "build.sh", folder / "build.sh");
-  for (const auto& file : fs::directory_iterator(own)) copy_into(file.path(), folder / file.path().filename());
+  for (const auto& file : fs::directory_iterator(own))
+    if (file.path().filename() != "README.md") copy_into(file.path(), folder / file.path().filename());
+  course::write_whole(folder / "README.md",
+                      contents_of(own / "README.md") + contents_of(practise_folder() / "export" / "README.md"));
   if (kind != "gradescope") copy_into(practise_folder() / "export" / "Dockerfile", folder / "Dockerfile");
-  if (kind == "prairielearn") write_question(folder, wanted);
+  if (kind == "prairielearn") write_question(folder, wanted, seed);
   if (kind == "gradescope") write_autograder(folder);
 }
 

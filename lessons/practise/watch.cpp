@@ -10,6 +10,7 @@
 
 #include "lessons/files/atomic_file.hpp"
 #include "lessons/files/bookmark.hpp"
+#include "lessons/practise/handout.hpp"
 #include "lessons/practise/judge/comparison.hpp"
 #include "lessons/terminal/keyboard.hpp"
 #include "lessons/terminal/typeset.hpp"
@@ -101,7 +102,8 @@ std::string task_text(const Exercise& exercise) {
   const Task about = task(exercise);
   return toned(fmt::format("{}  {}", exercise.number(), about.title), Tone::title, style()) +
          fmt::format("   lesson {}, equations {}\n\n{}\n{}", about.lesson, about.equations,
-                     laid_out(about.statement), toned(code(signature(exercise)), Tone::code, style()));
+                     laid_out(about.statement), toned(code(signature(exercise)), Tone::code, style())) +
+         "\n" + given_types() + "The equations it rests on:\n" + equations_of(exercise);
 }
 
 std::string verdict_text(const Verdict& verdict) {

@@ -4,11 +4,20 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <linux/filter.h>
+#include <linux/seccomp.h>
+#include <sys/prctl.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <bit>
 #include <cctype>
 #include <nlohmann/json.hpp>
 
 #include "lessons/practise/judge/submission.hpp"
+#include "renderer/error.hpp"
 #include "tests/practise/learner.hpp"
 
 namespace byhand::tests {
@@ -97,9 +106,10 @@ TEST(Formats, Classroom50HasItsKeysAndIntegers) {
   for (const Json& test : result["tests"]) EXPECT_TRUE(test["max-score"].is_number_integer());
 }
 
-TEST(Formats, PrairieLearnTakesNoAttemptForWhatDoesNotCompile) {
+TEST(Formats, PrairieLearnNamesWhatDoesNotCompile) {
   const Json& results = here().prairielearn;
-  EXPECT_EQ(results["gradable"], false);
+  EXPECT_EQ(results["gradable"], true)
+      << "one exercise is right, so the one that does not compile costs only itself";
   EXPECT_EQ(results["format_errors"].size(), 1U);
   EXPECT_THAT(results["format_errors"][0], HasSubstr("03_inverse_effective_mass.cpp:3:"));
   EXPECT_LE(contents(here().folder / "p").size(), 1000000U);
@@ -122,6 +132,116 @@ TEST(Formats, GitHubMarksTheLine) {
   EXPECT_THAT(here().github,
               HasSubstr("::error file=04_impulse.cpp,line=1,title=4. The impulse λ::Without the minus"));
   EXPECT_EQ(std::count(here().github.begin(), here().github.end(), '\n'), 10);
+}
+
+/// Latin-1, halves of characters, escape codes, U+FFFE, and lines without an end.
+TEST(Formats, AreWellFormedForAnyBytes) {
+  const Folder folder;
+  const std::string code =
+      "double bias(double C, double beta, double h) { return beta * C / h }  // gr\xf6\xdf"
+      "er \xe2\x82 \x1b[31m \xef\xbf\xbe ";
+  put(folder / "08_bias.cpp", code + std::string(60000, 'y') + "\n");
+  put(folder / "04_impulse.cpp",
+      "#include \"practise.hpp\"\n#include <cstdio>\ndouble lambda(const BodyRow&, const Velocities&, double, "
+      "double) "
+      "{ std::fputs(\"\\xf6\\x01\\x1b]0;x\\x07&<\\xed\\xa0\\x80\", stdout); return 0; }\n");
+  const auto out = [&](const char* name) { return (folder / name).string(); };
+  const Finished finished =
+      run(fmt::format("{} --grade {} --report gradescope={} --report classroom50={} --report prairielearn={} "
+                      "--report junit={} --report github=-",
+                      BYHAND_PRACTISE, folder.path().string(), out("g"), out("c"), out("p"), out("j")));
+  EXPECT_EQ(finished.status, 1) << finished.complained;
+  for (const char* name : {"g", "c", "p"}) EXPECT_FALSE(Json::parse(contents(folder / name)).is_null()) << name;
+  EXPECT_LE(contents(folder / "p").size(), 1000000U);
+  EXPECT_EQ(Json::parse(contents(folder / "p"))["gradable"], true) << "exercise 4 runs";
+  EXPECT_THAT(contents(folder / "j"), AllOf(HasSubstr("gr??er ?"), Not(HasSubstr("\x1b"))));
+  EXPECT_THAT(finished.said, Not(HasSubstr("\x1b")));
+  if (run("xmllint --version").status != 0) GTEST_SKIP() << "xmllint is not installed";
+  const Finished checked = run("xmllint --noout " + out("j"));
+  EXPECT_EQ(checked.status, 0) << checked.complained;
+}
+
+TEST(Formats, TellNeitherTheSeedNorARightAnswer) {
+  const Folder folder;
+  put(folder / "08_bias.cpp",
+      "double bias(double C, double beta, double h) { return beta * C + 0 * h + 1e-3; }\n");
+  const std::string report = (folder / "g").string();
+  run(fmt::format("{} 8 --grade {} --seed 424243 --report gradescope={}", BYHAND_PRACTISE, folder.path().string(),
+                  report));
+  const std::string text = contents(report);
+  EXPECT_THAT(text, AllOf(HasSubstr("yours"), HasSubstr("C = "), Not(HasSubstr("expected")),
+                          Not(HasSubstr("424243")), Not(HasSubstr("seed")), Not(HasSubstr(" against "))));
+  for (const Sheet& sheet : key(exercise(8), 424243).right)
+    for (const Line& line : sheet)
+      if (line.kind == Line::Kind::answer)
+        EXPECT_THAT(text, Not(HasSubstr(fmt::format("{:.4g}", line.values[0]))));
+}
+
+TEST(Formats, WrongFoldersAreErrors) {
+  const Folder folder;
+  std::filesystem::create_directory(folder / "keys");
+  const auto grade = [&](const std::string& keys, const std::string& submission) {
+    return run(fmt::format("{} --keys {} --submission {}", BYHAND_GRADE, keys, submission));
+  };
+  EXPECT_EQ(grade("/nonexistent", folder.path().string()).status, 2);
+  EXPECT_THAT(grade((folder / "keys").string(), folder.path().string()).complained, HasSubstr("holds no key"));
+  put(folder / "keys" / "08_bias.json", to_json(key_of(8)));
+  const Finished none = grade((folder / "keys").string(), "/nonexistent");
+  EXPECT_EQ(none.status, 2);
+  EXPECT_THAT(none.complained, HasSubstr("/nonexistent is not a folder of submitted files"));
+  EXPECT_EQ(run(std::string(BYHAND_GRADE) + " --help").status, 0);
+}
+
+/// Answers Landlock's calls as an older kernel does, here and in what is started from here.
+void forget_landlock() {
+  sock_filter program[] = {BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),
+                           BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_landlock_create_ruleset, 0, 1),
+                           BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | ENOSYS),
+                           BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW)};
+  const sock_fprog filter{4, program};
+  prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
+  prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &filter);
+}
+
+TEST(Formats, WithoutLandlockNothingIsGradedUnlessAsked) {
+  const Folder folder;
+  put(folder / "keys" / "08_bias.json", to_json(key_of(8)));
+  put(folder / "mine" / "08_bias.cpp", text_of(8, "solution.cpp"));
+  const auto grade = [&](const char* option) {
+    const pid_t child = fork();
+    if (child == 0) {
+      forget_landlock();
+      const Finished finished = run(fmt::format("{} --keys {} --submission {} --report junit={} {}", BYHAND_GRADE,
+                                                (folder / "keys").string(), (folder / "mine").string(),
+                                                (folder / "j").string(), option));
+      _exit(finished.complained.find("has no Landlock") == std::string::npos ? 100 : finished.status);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    return WEXITSTATUS(status);
+  };
+  EXPECT_EQ(grade(""), 4);
+  EXPECT_FALSE(std::filesystem::exists(folder / "j"));
+  EXPECT_EQ(grade("--unconfined"), 0);
+  EXPECT_THAT(contents(folder / "j"), HasSubstr("failures=\"0\""));
+}
+
+TEST(Keys, OfAnotherJudgeAreRefused) {
+  Key key = key_of(8);
+  key.right[3][0].values[0] += 1e-9;
+  EXPECT_THROW((void)judge(exercise(8), key, exercise(8).variants[0].code), renderer::EnvironmentError);
+}
+
+/// What probes give follows from the seed alone, whatever compiler has built this: draws in a stated order.
+TEST(Keys, GiveTheSameNumbersWithEveryCompiler) {
+  std::uint64_t hash = 14695981039346656037u;
+  for (const Exercise& tried : exercises())
+    for (int index = 0; index < probes; ++index)
+      for (const Line& line : sheet(tried, tried.variants.front().code, 7, index))
+        if (line.kind == Line::Kind::given)
+          for (const double value : line.values)
+            hash = (hash ^ std::bit_cast<std::uint64_t>(value)) * 1099511628211u;
+  EXPECT_EQ(hash, 15342575226625377796u);
 }
 
 TEST(Formats, AnUnknownReportIsRefused) {
@@ -293,6 +413,11 @@ TEST(Courses, OthersGetTheirStarters) {
     EXPECT_EQ(run(fmt::format("{} 8 --export {} --to {}", BYHAND_PRACTISE, kind, to.string())).status, 0);
     EXPECT_TRUE(std::filesystem::exists(to / file)) << kind;
     EXPECT_TRUE(std::filesystem::exists(to / "Dockerfile")) << kind;
+    EXPECT_THAT(contents(to / "README.md"), AllOf(HasSubstr("# Exercises in "), HasSubstr("## Its limits")));
+    EXPECT_EQ(contents(to / "handout/08_bias/08_bias.cpp"), text_of(8, "stub.cpp"));
+    EXPECT_THAT(contents(to / "handout/08_bias/task.md"),
+                AllOf(HasSubstr("(21) the rate with a bias: lesson 4, step 2"), HasSubstr("Vec2 {x, y}"),
+                      Not(HasSubstr("Hint"))));
     EXPECT_EQ(std::distance(std::filesystem::directory_iterator(to / "keys"), {}), 1) << "exercise 8 alone";
   }
 }

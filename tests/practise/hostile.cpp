@@ -33,7 +33,7 @@ void expect_stopped(const Verdict& verdict, const std::string& why) {
 }
 
 TEST(Hostile, AnEndlessLoopIsStopped) {
-  expect_stopped(bias("for (volatile int i = 0;; i = i + 1) {}"), "did not return within 2 s of computing");
+  expect_stopped(bias("for (volatile unsigned i = 0;; i = i + 1) {}"), "did not return within 2 s of computing");
 }
 
 TEST(Hostile, EachEndHasItsOwnSentence) {

@@ -49,9 +49,7 @@ Verdict not_compiled(const std::string& sentence) {
   return verdict;
 }
 
-}  // namespace
-
-Verdict check(const Exercise& exercise, const Key& key, const fs::path& path) {
+Verdict checked(const Exercise& exercise, const Key& key, const fs::path& path) {
   const fs::path signature = exercise.folder() / "signature.hpp", header = practise_folder() / "learner",
                  library = child(exercise);
   if (!fs::exists(library)) throw course::EnvironmentError(library.string() + " is missing");
@@ -90,6 +88,17 @@ Verdict check(const Exercise& exercise, const Key& key, const fs::path& path) {
   verdict.printed = process.printed();
   if (!verdict.is_right() && verdict.kind != Verdict::Kind::not_written && !messages.warnings.empty())
     verdict.details += "The compiler warns\n" + messages.warnings;
+  return verdict;
+}
+
+}  // namespace
+
+Verdict check(const Exercise& exercise, const Key& key, const fs::path& path) {
+  Verdict verdict = checked(exercise, key, path);
+  // All of it may quote the learner's bytes.
+  verdict.sentence = legible(verdict.sentence, 1000);
+  verdict.details = legible(verdict.details, 8192);
+  verdict.printed = legible(verdict.printed, 2000);
   return verdict;
 }
 

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <nlohmann/json.hpp>
+#include <numeric>
 
 #include "lessons/practise/judge/submission.hpp"
 #include "renderer/data_url.hpp"
@@ -37,7 +38,7 @@ std::string output(const Verdict& verdict) {
   return text;
 }
 
-/// What a learner's code prints may be no UTF-8.
+/// Titles and sentences are UTF-8, and check() has made the rest so.
 std::string dump(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
 /// https://gradescope-autograders.readthedocs.io/en/latest/specs
@@ -88,8 +89,8 @@ std::string classroom50(const All& all) {
                {"tests", tests}});
 }
 
-/// https://prairielearn.readthedocs.io/en/latest/externalGrading: at most 1 MB. What does not compile costs no
-/// attempt.
+/// https://prairielearn.readthedocs.io/en/latest/externalGrading: at most 1 MB. It costs no attempt if nothing
+/// that was submitted compiles; one file that does not leaves the others gradable.
 std::string prairielearn(const All& all) {
   Json tests = Json::array(), mistakes = Json::array();
   std::size_t room = 700000;
@@ -108,8 +109,11 @@ std::string prairielearn(const All& all) {
     if (graded.verdict.kind == Verdict::Kind::does_not_compile)
       mistakes.push_back(graded.file + ": " + output(graded.verdict));
   }
-  Json results = {{"gradable", mistakes.empty()},
-                  {"score", all.empty() ? 0 : double(score(all)) / double(all.size())}};
+  const bool gradable = mistakes.empty() || std::any_of(all.begin(), all.end(), [](const Graded& graded) {
+                          return graded.verdict.kind != Verdict::Kind::does_not_compile &&
+                                 graded.verdict.kind != Verdict::Kind::not_written;
+                        });
+  Json results = {{"gradable", gradable}, {"score", all.empty() ? 0 : double(score(all)) / double(all.size())}};
   if (!mistakes.empty()) results["format_errors"] = mistakes;
   results["message"] = summary_line(all);
   results["tests"] = tests;
@@ -136,11 +140,14 @@ std::string junit(const All& all) {
   const auto failures = static_cast<int>(all.size()) - score(all);
   std::string text = fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n  <testsuite name=\"practise\" tests=\"{}\" "
-      "failures=\"{}\" errors=\"0\" skipped=\"0\" time=\"0\">\n",
-      all.size(), failures);
+      "failures=\"{}\" errors=\"0\" skipped=\"0\" time=\"{:.3f}\">\n",
+      all.size(), failures, std::accumulate(all.begin(), all.end(), 0.0, [](double sum, const Graded& graded) {
+        return sum + graded.seconds;
+      }));
   for (const Graded& graded : all) {
-    text += fmt::format("    <testcase classname=\"practise\" name=\"{}\" time=\"0\"", xml(title(graded)));
-    // What a learner printed may be no UTF-8, and it does not belong to the failure.
+    text += fmt::format("    <testcase classname=\"practise\" name=\"{}\" time=\"{:.3f}\"", xml(title(graded)),
+                        graded.seconds);
+    // What a learner printed does not belong to the failure.
     text += graded.verdict.is_right()
                 ? "/>\n"
                 : fmt::format(">\n      <failure message=\"{}\">{}</failure>\n    </testcase>\n",

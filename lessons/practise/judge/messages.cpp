@@ -82,4 +82,32 @@ std::string about_linking(const std::string& said, const std::string& text) {
                      other ? fmt::format(": your {} takes other types", called) : "");
 }
 
+std::string legible(const std::string& text, std::size_t most) {
+  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
+  std::string all;
+  for (std::size_t i = 0; i < text.size() && all.size() < most;) {
+    const unsigned first = byte(i);
+    const std::size_t size = first < 0x80                    ? 1
+                             : first >= 0xC2 && first < 0xE0 ? 2
+                             : first >= 0xE0 && first < 0xF0 ? 3
+                             : first >= 0xF0 && first < 0xF5 ? 4
+                                                             : 0;
+    unsigned point = size < 2 ? first : first & (0x7Fu >> size);
+    bool valid = size > 0;
+    for (std::size_t k = 1; k < size; ++k) {
+      valid = valid && (byte(i + k) & 0xC0) == 0x80;
+      point = point << 6 | (byte(i + k) & 0x3F);
+    }
+    constexpr unsigned least[] = {0, 0, 0x80, 0x800, 0x10000};
+    valid = valid && point >= least[size] && point < 0x110000 && (point < 0xD800 || point > 0xDFFF) &&
+            point != 0xFFFE && point != 0xFFFF;
+    if (!valid)
+      all += "?";
+    else if (point >= 0xA0 || (point >= 0x20 && point < 0x7F) || point == '\n' || point == '\t')
+      all += text.substr(i, size);
+    i += valid ? size : 1;
+  }
+  return all;
+}
+
 }  // namespace byhand::practise

@@ -15,4 +15,7 @@ struct Messages {
 /// Why a program could not be linked, as a sentence; `text` is the learner's.
 std::string about_linking(const std::string& said, const std::string& text);
 
+/// At most `most` bytes of a text, without what is no UTF-8, no character of XML or a control of the terminal.
+std::string legible(const std::string& text, std::size_t most);
+
 }  // namespace byhand::practise
