@@ -4,7 +4,7 @@
 
 #include <regex>
 
-#include "lessons/equations.hpp"
+#include "lessons/page/equation_places.hpp"
 #include "lessons/files/atomic_file.hpp"
 
 namespace byhand::practise {

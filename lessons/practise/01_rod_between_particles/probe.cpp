@@ -14,7 +14,7 @@ void probe(Probe& p, const Code& code) {
   p.answer("J.l1", "m", J.l1);
   p.answer("J.l2", "m", J.l2);
   p.law("J is the gradient of C, so JV = dC/dt", "m²/s", dot(J, v1, v2),
-        rate_of([&](double t) { return value(p1 + t * v1, p2 + t * v2, L); }));
+        rate_of([&, &C_at = value](double t) { return C_at(p1 + t * v1, p2 + t * v2, L); }));
   p.law("if both move together, JV = 0: l1·v = −l2·v", "m²/s", dot(J.l1, v1), -dot(J.l2, v1));
   p.law("if both are shifted, C stays", "m²", value(p1 + v1, p2 + v1, L), C);
   const Vec2 at_length = p1 + L / length(p2 - p1) * (p2 - p1);
