@@ -226,6 +226,10 @@ void inspection(course::Page& page, const Settings& set) {
       *The article says that J "always points towards the target". That is so only where C is negative.*)");
 
   say_swap(page, pair, row);
+  page.text(
+      R"(Now derive it yourself: `./lessons/run desk --task 2` begins with this C, holds each of your lines against the
+      one before, and says which is wrong and why. `./lessons/run desk --tasks` lists eleven more, from a pin to a
+      screw.)");
 
   Pair along = pair;  // both bodies moving along J
   along.V1 = row.head<3>().transpose();

@@ -95,7 +95,10 @@ class Modular {
   friend Modular operator+(Modular a, Modular b) { return raw((a.of_ + b.of_) % prime); }
   friend Modular operator-(Modular a, Modular b) { return a + -b; }
   friend Modular operator*(Modular a, Modular b) {
-    return raw(static_cast<std::uint64_t>(static_cast<Wide>(a.of_) * b.of_ % prime));
+    const Wide product = static_cast<Wide>(a.of_) * b.of_;  // 2⁶¹ is 1 modulo the prime
+    const std::uint64_t folded =
+        static_cast<std::uint64_t>(product & prime) + static_cast<std::uint64_t>(product >> 61);
+    return raw(folded >= prime ? folded - prime : folded);
   }
   /// b⁻¹ = b^(prime - 2), of Fermat.
   friend Modular operator/(Modular a, Modular b) {

@@ -1,5 +1,7 @@
 #include "lessons/desk/task.hpp"
 
+#include <algorithm>
+
 namespace byhand::desk {
 
 Task read_task(std::string_view file) {

@@ -75,25 +75,29 @@ std::string card(const Digest& lesson) {
 
 }  // namespace
 
-std::string contents_page(const std::vector<Digest>& lessons) {
+std::string contents_page(const std::vector<Digest>& lessons, bool desk) {
   std::string cards;
   int claims = 0;
   for (const Digest& lesson : lessons) {
     cards += card(lesson);
     claims += lesson.claims;
   }
-  return framed(
-      {.title = "Lessons",
-       .content = fmt::format(R"(<header class="cover">
+  return framed({.title = "Lessons",
+                 .content = fmt::format(R"(<header class="cover">
 <h1>Constraints by Hand</h1>
 <p class="summary">A course that derives physical constraints, solves them and keeps them stable, and shows where each method
 fails and what its accuracy costs. Every number in it was computed by the C++ that it quotes; {} of them are checked against
 independent answers.</p>
 <p><a class="start" href="{}">Begin with lesson {}</a></p>
-</header>
+{}</header>
 {})",
-                              claims, page_of(lessons.front().slug), std::stoi(lessons.front().slug), cards),
-       .here = "index.html"});
+                                        claims, page_of(lessons.front().slug), std::stoi(lessons.front().slug),
+                                        desk ? "<p><a href=\"desk.html\">The derivation desk</a>: derive a "
+                                               "constraint yourself, and be told which line "
+                                               "is wrong and why.</p>\n"
+                                             : "",
+                                        cards),
+                 .here = "index.html"});
 }
 
 std::string equations_page() {

@@ -9,7 +9,7 @@
 namespace byhand::site {
 
 /// The pages of the course that belong to no single lesson.
-std::string contents_page(const std::vector<Digest>& lessons);
+std::string contents_page(const std::vector<Digest>& lessons, bool desk = false);
 /// The article's equations, each with the place where the course displays it first.
 std::string equations_page();
 /// Every law that a lesson derives, with its place.

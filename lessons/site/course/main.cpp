@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -21,6 +22,7 @@
 #include "lessons/page/error.hpp"
 #include "lessons/site/course/book.hpp"
 #include "lessons/site/course/course_pages.hpp"
+#include "lessons/site/course/desk_page.hpp"
 #include "lessons/site/course/site_folder.hpp"
 #include "lessons/site/course/slides.hpp"
 #include "lessons/site/lesson_page.hpp"
@@ -82,6 +84,17 @@ void copy_assets(const fs::path& folder) {
   fs::copy(assets, folder / "assets", fs::copy_options::recursive);
 }
 
+/// The worked tasks of the derivation desk, in order.
+std::vector<desk::Task> desk_tasks() {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(fs::path(BYHAND_SITE_FOLDER) / ".." / "desk" / "tasks"))
+    files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  std::vector<desk::Task> tasks;
+  for (const fs::path& file : files) tasks.push_back(desk::read_task(renderer::read_whole(file).value_or("")));
+  return tasks;
+}
+
 /// Fetches reveal.js, then writes each lesson as slides.
 void write_slides(const fs::path& site, const std::vector<site::Digest>& lessons) {
   const fs::path folder = site / "slides", fetch = fs::path(BYHAND_SITE_FOLDER) / "fetch_reveal";
@@ -107,7 +120,9 @@ int run(const Wanted& wanted) {
     course::write_whole(folder.path() / name, bytes);
   };
   copy_assets(folder.path());
-  write("index.html", site::contents_page(lessons));
+  const bool desk = fs::exists(folder.path() / "live" / "desk.js");
+  write("index.html", site::contents_page(lessons, desk));
+  if (desk) write("desk.html", site::desk_page(desk_tasks()));
   write("equations.html", site::equations_page());
   write("laws.html", site::laws_page(lessons));
   write("teaching.html", site::teaching_page(lessons));

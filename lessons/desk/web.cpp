@@ -1,0 +1,86 @@
+// The derivation desk in a browser: the page writes its lines where `request` says, and reads what is said of them
+// where `answer` says, as lessons do (lessons/site/live/web.cpp).
+
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "lessons/desk/print.hpp"
+#include "lessons/desk/report.hpp"
+#include "lessons/page/html/mathml.hpp"
+
+namespace {
+
+using namespace byhand::desk;
+using nlohmann::json;
+
+std::string request_text, answer_text;
+
+/// Columns of a text in the letters of JavaScript, UTF-16.
+int letters(const std::string& text, int bytes) {
+  int count = 0;
+  for (int i = 0; i < bytes && i < static_cast<int>(text.size()); ++i) {
+    const auto c = static_cast<unsigned char>(text[static_cast<std::size_t>(i)]);
+    if ((c & 0xC0) != 0x80) count += c >= 0xF0 ? 2 : 1;
+  }
+  return count;
+}
+
+std::string head_in_latex(const std::string& head) {
+  if (head.starts_with("dC")) return "\\dot{C}" + (head.size() > 2 ? "_{" + head.substr(2) + "}" : "");
+  return latex_name(head);
+}
+
+json said(const Check& check) {
+  static const char* const outcomes[] = {"told", "right", "wrong", "unreadable"};
+  json result = {{"line", check.line - 1},
+                 {"outcome", outcomes[static_cast<int>(check.outcome)]},
+                 {"sentence", check.sentence},
+                 {"name", check.finding.name},
+                 {"numbers", check.numbers},
+                 {"hints", check.finding.hints},
+                 {"begin", letters(check.typed, check.where.begin)},
+                 {"end", letters(check.typed, check.where.end)}};
+  if (!check.latex.empty()) {
+    try {
+      result["mathml"] = byhand::site::display_mathml(head_in_latex(check.head) + " = " + check.latex);
+    } catch (const std::exception&) {
+      // A name that the course's LaTeX does not know stays in characters.
+    }
+    result["characters"] = check.head + " = " + check.characters;
+  }
+  return result;
+}
+
+std::string answer_to(const std::string& request) {
+  const json asked = json::parse(request);
+  Sheet sheet;
+  json checks = json::array();
+  for (const std::string line : asked.at("lines"))
+    for (const Check& check : sheet.add(line)) checks.push_back(said(check));
+  json all = {{"status", sheet.status()}, {"checks", checks}};
+  if (sheet.complete()) {
+    all["report"] = text_of(report(sheet));
+    all["code"] = cpp_struct(sheet);
+  }
+  return all.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+}  // namespace
+
+#define EXPORT(name) extern "C" __attribute__((export_name(#name)))
+
+EXPORT(request) char* request(int size) {
+  request_text.assign(static_cast<std::size_t>(size), '\0');
+  return request_text.data();
+}
+
+EXPORT(answer) const char* answer() {
+  try {
+    answer_text = answer_to(request_text);
+  } catch (const std::exception& error) {
+    answer_text = json{{"failure", error.what()}}.dump(-1, ' ', false, json::error_handler_t::replace);
+  }
+  return answer_text.data();
+}
+
+EXPORT(answer_size) int answer_size() { return static_cast<int>(answer_text.size()); }

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lessons/desk/task.hpp"
+
+namespace byhand::site {
+
+/// The page of the derivation desk with its tasks, desk.html. Its scripts are those that live/build wrote.
+std::string desk_page(const std::vector<desk::Task>& tasks);
+
+}  // namespace byhand::site

@@ -1,0 +1,79 @@
+// Each worked task starts right, reaches its goal, and runs.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "lessons/desk/report.hpp"
+#include "lessons/desk/scenes.hpp"
+#include "lessons/desk/task.hpp"
+
+namespace byhand::desk {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::pair<std::string, Task>> all_tasks() {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(BYHAND_DESK_TASKS)) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  std::vector<std::pair<std::string, Task>> all;
+  for (const fs::path& file : files) {
+    std::ostringstream text;
+    text << std::ifstream(file).rdbuf();
+    all.emplace_back(file.stem().string(), read_task(text.str()));
+  }
+  return all;
+}
+
+Sheet at_the_goal(const Task& task) {
+  Sheet sheet;
+  for (const auto* lines : {&task.before, &task.start, &task.goal})
+    for (const std::string& line : *lines)
+      for (const Check& check : sheet.add(line))
+        EXPECT_TRUE(check.outcome == Check::Outcome::right || check.outcome == Check::Outcome::told)
+            << task.title << "\n"
+            << line << "\n"
+            << check.sentence;
+  return sheet;
+}
+
+TEST(DeskTasks, AreTwelveWithAStartAndAGoal) {
+  const auto tasks = all_tasks();
+  EXPECT_EQ(tasks.size(), 12u);
+  for (const auto& [name, task] : tasks) {
+    EXPECT_FALSE(task.title.empty()) << name;
+    EXPECT_FALSE(task.text.empty()) << name;
+    EXPECT_FALSE(task.start.empty()) << name;
+    EXPECT_TRUE(at_the_goal(task).complete()) << name;
+  }
+}
+
+TEST(DeskTasks, RunInTheSolver) {
+  for (const auto& [name, task] : all_tasks()) {
+    const Sheet sheet = at_the_goal(task);
+    const Ran ran = run_in(sheet, "pendulum");
+    EXPECT_LT(ran.largest_C, 0.02) << name;
+    EXPECT_GT(ran.rows, 0) << name;
+  }
+}
+
+TEST(DeskTasks, ARodRunsInEveryScene) {
+  for (const char* world : {"in the plane", "in space"}) {
+    Sheet sheet;
+    for (const char* line : {world, "C = |d| - L", "J = [-d/|d|, -(r1 x d)/|d|, d/|d|, r2 x d/|d|]"})
+      sheet.add(line);
+    for (const char* scene : {"pendulum", "chain", "box"}) {
+      const Ran ran = run_in(sheet, scene);
+      EXPECT_EQ(ran.rows, std::string(scene) == "chain" ? 2 : 1);
+      EXPECT_LT(ran.largest_C, 0.01) << world << " " << scene;
+      EXPECT_GT(ran.largest_C, 0) << "it moves";
+    }
+    EXPECT_NE(run_scene(sheet, "moon").find("There is no scene"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace byhand::desk
