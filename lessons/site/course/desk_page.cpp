@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "lessons/page/html/markup.hpp"
+#include "lessons/page/html/escaped.hpp"
 #include "lessons/site/frame.hpp"
 
 namespace byhand::site {
