@@ -15,12 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void require_empty(const fs::path& folder) {
-  if (fs::exists(folder) && !fs::is_empty(folder))
-    throw std::invalid_argument(
-        fmt::format("{} holds something; --to names a new or empty folder", folder.string()));
-}
-
 void copy_into(const fs::path& from, const fs::path& to) {
   fs::create_directories(to.parent_path());
   fs::copy(from, to, fs::copy_options::recursive);
@@ -110,13 +104,22 @@ void write_autograder(const fs::path& folder) {
 
 }  // namespace
 
+void require_empty(const fs::path& folder) {
+  std::error_code error;
+  const fs::file_status there = fs::status(folder, error);
+  if (fs::exists(there) && !fs::is_directory(there))
+    throw std::invalid_argument(fmt::format("{} is no folder; --to names a new or empty one", folder.string()));
+  if (fs::exists(there) && !fs::is_empty(folder))
+    throw std::invalid_argument(
+        fmt::format("{} holds something; --to names a new or empty folder", folder.string()));
+}
+
 void export_course(const std::string& kind, const fs::path& folder, std::uint64_t seed,
                    const std::vector<const Exercise*>& wanted) {
   const fs::path own = practise_folder() / "export" / kind;
   if (kind.empty() || !fs::is_directory(own))
     throw std::invalid_argument(
         fmt::format("--export {}: there are gradescope, classroom50, prairielearn, junit, moodle and qti", kind));
-  require_empty(folder);
   copy_judge(folder / "source", wanted);
   for (const Exercise* exercise : wanted) write_handout(folder / "handout" / exercise->name, *exercise);
   for (const Exercise* exercise : wanted)

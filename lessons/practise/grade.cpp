@@ -6,10 +6,12 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <stdexcept>
+#include <system_error>
 
 #include "lessons/practise/judge/submission.hpp"
 
@@ -50,6 +52,9 @@ int run(const std::vector<std::string>& arguments) {
       throw std::invalid_argument(arguments[i - 1] + " is no option; see --help");
   }
   if (keys.empty() || submission.empty()) throw std::invalid_argument("--keys and --submission name folders");
+  std::error_code error;
+  if (!std::filesystem::is_directory(keys, error))
+    throw std::invalid_argument(fmt::format("{} is not a folder of keys", keys.string()));
 
   std::vector<const Exercise*> wanted;
   const auto key_file = [&](const Exercise& exercise) { return keys / (exercise.name + ".json"); };
@@ -67,7 +72,9 @@ int run(const std::vector<std::string>& arguments) {
 
 int main(int argc, char** argv) {
   try {
-    return run({argv + 1, argv + argc});
+    const int status = run({argv + 1, argv + argc});
+    if (std::fflush(stdout) != 0) throw std::system_error(errno, std::generic_category(), "standard output");
+    return status;
   } catch (const std::invalid_argument& bad) {
     fmt::print(stderr, "{}.\n", bad.what());
     return 2;

@@ -77,6 +77,135 @@ TEST(CommandLine, AMutantIsUnmaskedByNumbersThatShowIt) {
   EXPECT_EQ(practise_run("3 --unmask I1=much", state).status, 2);
 }
 
+void expect_refused(const Finished& finished, const std::string& line, const std::string& sentence = "") {
+  EXPECT_EQ(finished.status, 2) << line;
+  EXPECT_THAT(finished.said, testing::IsEmpty()) << line;
+  EXPECT_THAT(finished.complained, AllOf(HasSubstr(sentence), testing::Not(HasSubstr("\033")))) << line;
+  EXPECT_EQ(std::count(finished.complained.begin(), finished.complained.end(), '\n'), 1) << finished.complained;
+}
+
+TEST(CommandLine, OptionsThatExcludeEachOtherAreRefused) {
+  const Folder state;
+  const std::string file = (exercise(8).folder() / "stub.cpp").string(), folder = exercise(8).folder().string();
+  for (const std::string& line :
+       {"8 --check " + file + " --hint 1", "8 --check " + file + " --solution", "8 --solution --check missing",
+        std::string("8 --hint 1 --solution"), "8 --unmask --check " + file, "8 --grade " + folder + " --hint 1",
+        "--grade " + folder + " --export junit --to " + (state / "new").string(),
+        "8 --hint 1 --folder " + state.path().string()})
+    expect_refused(practise_run(line, state), line, "choose one of them");
+  for (const std::string& line : {"8 --film " + (state / "film").string(), std::string("8 --report junit=-"),
+                                  "8 --solution --to " + (state / "new").string()})
+    expect_refused(practise_run(line, state), line, "goes with");
+  expect_refused(practise_run("3 --export moodle --to " + (state / "new").string(), state), "3 moodle");
+}
+
+TEST(CommandLine, NumbersThatAreNoneAreRefused) {
+  const Folder state;
+  EXPECT_THAT(practise_run("0", state).complained, HasSubstr("There is no exercise 0; there are 1 to 11"));
+  const std::string file = " --check " + (exercise(8).folder() / "solution.cpp").string();
+  for (const std::string line : {"8 --seed 99999999999999999999", "8 --seed -1", "8 --seed x", "8 --seed 1.5",
+                                 "8 --hint 0", "8 --check ''", "8 --grade ''", "8 --unmask ''", "--export ''"})
+    expect_refused(practise_run(line + (line.find("--seed") == std::string::npos ? "" : file), state), line);
+  EXPECT_EQ(practise_run("8 --seed 18446744073709551615" + file, state).status, 0);
+}
+
+TEST(CommandLine, WordsAreRepeatedAsATerminalMayPrintThem) {
+  const Folder state;
+  for (const char* words : {"\\033[31m", "a\\nb", "--\\033", "1\\n2", "\\377\\376"})
+    expect_refused(practise_run(fmt::format("\"$(printf '{}')\"", words), state), words);
+  expect_refused(practise_run("8 --check \"$(printf 'x\\033[31m')\"", state), "--check");
+}
+
+TEST(CommandLine, AFullOrClosedOutputIsOneSentence) {
+  const Folder state;
+  for (const std::string& line : {std::string(""), std::string("--help"), check(8, "solution.cpp"),
+                                  std::string("8 --hint 1"), "--grade " + exercise(8).folder().string()})
+    for (const char* output : {" >/dev/full", " >&-"}) {
+      const Finished finished = practise_run(line + output, state);
+      EXPECT_EQ(finished.status, 4) << line << output;
+      EXPECT_THAT(finished.complained, HasSubstr("standard output")) << line << output;
+      EXPECT_EQ(std::count(finished.complained.begin(), finished.complained.end(), '\n'), 1)
+          << finished.complained;
+    }
+}
+
+TEST(CommandLine, AFileMayHaveAnyName) {
+  const Folder state;
+  for (const char* name :
+       {"answer.txt", "noext", "a.h", "a.c", "a.o", "a b;$(x).cpp", "-o", "@file", "übung.cc"}) {
+    std::ofstream(state / name) << text_of(8, "solution.cpp");
+    const Finished finished = run(fmt::format("cd {} && XDG_STATE_HOME=. {} 8 --check=./'{}'",
+                                              state.path().string(), BYHAND_PRACTISE, name));
+    EXPECT_EQ(finished.status, 0) << name << finished.said << finished.complained;
+  }
+}
+
+TEST(CommandLine, AFolderThatIsNotThereIsNotGraded) {
+  const Folder state;
+  std::ofstream(state / "file") << "no folder";
+  std::filesystem::create_symlink("circle", state / "circle");
+  for (const std::string& folder :
+       {std::string("/nonexistent"), (state / "file").string(), (state / "circle").string()}) {
+    const std::string report = (state / "report").string();
+    expect_refused(practise_run("--grade " + folder + " --report junit=" + report, state), folder, folder);
+    EXPECT_FALSE(std::filesystem::exists(report)) << folder;
+    expect_refused(run(fmt::format("{} --keys / --submission {}", BYHAND_GRADE, folder)), folder, folder);
+    expect_refused(run(fmt::format("{} --keys {} --submission /", BYHAND_GRADE, folder)), folder, folder);
+  }
+  for (const char* option : {"--check ", "--folder "}) {
+    const Finished finished = practise_run("8 " + (option + (state / "circle").string()), state);
+    EXPECT_THAT(finished.status, testing::AnyOf(2, 4));
+    EXPECT_THAT(finished.complained, testing::Not(HasSubstr("filesystem error")));
+    EXPECT_EQ(std::count(finished.complained.begin(), finished.complained.end(), '\n'), 1) << finished.complained;
+  }
+  for (const char* to : {"/dev/full", "/dev/null"})
+    for (const char* kind : {"junit", "moodle"})
+      expect_refused(practise_run(fmt::format("--export {} --to {}", kind, to), state), to, "no folder");
+}
+
+TEST(CommandLine, AReportGoesThroughDevicesAndPipesAndReplacesNone) {
+  namespace fs = std::filesystem;
+  const Folder state;
+  const std::string grade = "8 --grade " + exercise(8).folder().string() + " --report junit=";
+  const auto path = [&](const char* name) { return (state / name).string(); };
+  ASSERT_EQ(run("mkfifo " + path("pipe")).status, 0);
+  const Finished piped =
+      run(fmt::format("cat {} >{} & XDG_STATE_HOME={} timeout 20 {} {}{}; s=$?; wait; exit $s", path("pipe"),
+                      path("read"), path("s"), BYHAND_PRACTISE, grade, path("pipe")));
+  EXPECT_EQ(piped.status, 1) << piped.complained;
+  EXPECT_TRUE(fs::is_fifo(path("pipe")));
+  const std::string report = contents(path("read"));
+  EXPECT_THAT(report, StartsWith("<?xml"));
+  EXPECT_EQ(report.find("<?xml", 1), std::string::npos) << "one report, and none that nothing is finished";
+
+  EXPECT_EQ(practise_run(grade + "/dev/stdout", state).said, report);
+  EXPECT_EQ(run(fmt::format("XDG_STATE_HOME={} {} {}/dev/stdout | cat", path("s"), BYHAND_PRACTISE, grade)).said,
+            report);
+  EXPECT_EQ(practise_run(grade + "/dev/null", state).status, 1);
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+  const Finished full = practise_run(grade + "/dev/full", state);
+  EXPECT_EQ(full.status, 4);
+  EXPECT_THAT(full.complained, HasSubstr("/dev/full"));
+  EXPECT_TRUE(fs::is_character_file("/dev/full"));
+
+  std::ofstream(path("report.xml")) << "old";
+  fs::create_symlink("report.xml", state / "link");
+  EXPECT_EQ(practise_run(grade + path("link"), state).status, 1);
+  EXPECT_TRUE(fs::is_symlink(path("link")));
+  EXPECT_EQ(contents(path("report.xml")), report);
+}
+
+TEST(CommandLine, AReportMakesNoFolders) {
+  const Folder state;
+  const std::string grade = "8 --grade " + exercise(8).folder().string() + " --report junit=";
+  std::filesystem::create_symlink("nowhere", state / "dangling");
+  std::filesystem::create_symlink("circle", state / "circle");
+  for (const std::string& file : {(state / "mistyped/report.xml").string(), (state / "dangling").string(),
+                                  (state / "circle").string(), state.path().string(), std::string("")})
+    expect_refused(practise_run(grade + file, state), file, file);
+  EXPECT_FALSE(std::filesystem::exists(state / "mistyped"));
+}
+
 TEST(CommandLine, TheCourseKnowsIt) {
   EXPECT_THAT(run(std::string(BYHAND_REAL_COURSE) + " practise 8 --hint 1").said, StartsWith("Hint 1 of 3"));
 }

@@ -67,7 +67,7 @@ Verdict checked(const Exercise& exercise, const Key& key, const fs::path& path) 
        "-Werror=return-type", "-fmax-errors=3",
        "-fsanitize=integer-divide-by-zero,signed-integer-overflow,bounds,null,unreachable,float-cast-overflow",
        "-fno-sanitize-recover=all", "-ffile-prefix-map=" + scratch.path().string() + "/=", "-I" + header.string(),
-       "-include", signature.string(), "-c", file, "-o", object},
+       "-include", signature.string(), "-x", "c++", "-c", file, "-o", object},
       {signature, header}, scratch.path(), limits);
   const Messages messages(compiled.said, file);
   if (compiled.status != 0) {

@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <cstdio>
+#include <fstream>
 #include <stdexcept>
+#include <system_error>
 
 #include "lessons/files/atomic_file.hpp"
 #include "lessons/page/error.hpp"
@@ -16,6 +19,8 @@
 
 namespace byhand::practise {
 namespace {
+
+namespace fs = std::filesystem;
 
 std::string picture_of(const Film& yours, const Film& right) {
   try {
@@ -40,6 +45,38 @@ Graded judged(const Exercise& exercise, const std::filesystem::path& folder, con
   return graded;
 }
 
+/// Whether the report goes through what is there, as through a pipe or a device, and replaces no file.
+bool is_stream(const fs::path& file) {
+  std::error_code error;
+  const fs::file_status there = fs::status(file, error);
+  return file == "-" || (fs::exists(there) && !fs::is_regular_file(there));
+}
+
+void write_through(const fs::path& stream, const std::string& report) {
+  std::ofstream out(stream, std::ios::binary | std::ios::app);
+  out << report << std::flush;
+  if (!out)
+    throw course::EnvironmentError(
+        fmt::format("Cannot write {}: {}.", stream.string(), std::generic_category().message(errno)));
+}
+
+/// A link stands for the file that it names, and /dev/stdout for "-".
+fs::path file_of_report(const fs::path& typed) {
+  const auto refuse = [&](const std::string& why) {
+    throw std::invalid_argument(fmt::format("--report …={}: {}", typed.string(), why));
+  };
+  if (typed == "-") return typed;
+  if (typed.empty()) refuse("name a file, or - for the terminal");
+  std::error_code error;
+  const fs::file_status there = fs::status(typed, error);
+  if (fs::is_directory(there)) refuse("this is a folder; name a file");
+  if (fs::exists(there) && fs::equivalent(typed, "/proc/self/fd/1", error)) return "-";
+  if (fs::exists(there)) return fs::is_regular_file(there) ? fs::canonical(typed) : typed;
+  if (fs::is_symlink(fs::symlink_status(typed, error))) refuse("this is a link to a file that is not there");
+  if (!fs::is_directory(fs::absolute(typed).parent_path(), error)) refuse("there is no folder to put it into");
+  return typed;
+}
+
 }  // namespace
 
 void require_confinement(bool unconfined) {
@@ -57,23 +94,26 @@ Report parse_report(const std::string& words) {
     for (const auto& [name, format] : formats()) names += (names.empty() ? "" : ", ") + name;
     throw std::invalid_argument(fmt::format("--report {}: write FORMAT=FILE, with a FORMAT of {}", words, names));
   }
-  return {found->second, words.substr(equals + 1)};
+  return {found->second, file_of_report(words.substr(equals + 1))};
 }
 
 void write(const std::vector<Report>& reports, const std::vector<Graded>& graded) {
   for (const auto& [format, file] : reports)
     if (file == "-")
       fmt::print("{}", format(graded));
+    else if (is_stream(file))
+      write_through(file, format(graded));
     else
       course::write_whole(file, format(graded));
 }
 
 std::vector<Graded> grade(const std::vector<const Exercise*>& wanted, const std::filesystem::path& folder,
                           const Keys& keys, const std::vector<Report>& reports) {
-  if (!std::filesystem::is_directory(folder))
+  std::error_code error;
+  if (!fs::is_directory(folder, error))
     throw std::invalid_argument(fmt::format("{} is not a folder of submitted files", folder.string()));
   std::vector<Report> files = reports;
-  std::erase_if(files, [](const Report& report) { return report.file == "-"; });
+  std::erase_if(files, [](const Report& report) { return is_stream(report.file); });
   std::vector<Graded> all;
   for (const Exercise* exercise : wanted) {
     Graded waits{.exercise = exercise, .file = exercise->name + ".cpp"};

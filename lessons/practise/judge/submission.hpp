@@ -29,12 +29,14 @@ using Keys = std::function<Key(const Exercise&)>;
 using Format = std::string (*)(const std::vector<Graded>&);
 const std::map<std::string, Format>& formats();
 
-/// Writes all reports, NAME=FILE; throws std::invalid_argument for an unknown name.
 struct Report {
   Format format;
   std::filesystem::path file;  // "-": standard output
 };
+/// Reads NAME=FILE. Throws std::invalid_argument for an unknown name, a folder, or a file whose folder is not
+/// there.
 Report parse_report(const std::string& words);
+/// Writes each report: through a pipe or a device, which is never replaced, or as a whole file.
 void write(const std::vector<Report>& reports, const std::vector<Graded>& graded);
 
 /// Judges <folder>/<exercise>.cpp for each of these exercises with keys that stay secret, and writes the reports:
