@@ -259,12 +259,15 @@ std::optional<std::string> Keyboard::read_line(const std::string& prompt) {
 }
 
 std::optional<std::string> Keyboard::plain_line() {
+  constexpr size_t endless = 1 << 20;  // /dev/zero has no lines
   std::string line;
+  size_t passed = 0;
   const auto keep = [&](size_t end) { line.append(waiting_, 0, std::min(end, longest - line.size())); };
   while (waiting_.find('\n') == std::string::npos) {
     keep(waiting_.size());
+    passed += waiting_.size();
     waiting_.clear();
-    if (!wait(-1)) return std::nullopt;
+    if (passed > endless || !wait(-1)) return std::nullopt;
   }
   const auto end = waiting_.find('\n');
   keep(end);

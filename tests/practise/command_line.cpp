@@ -88,8 +88,9 @@ TEST(CommandLine, OptionsThatExcludeEachOtherAreRefused) {
   const Folder state;
   const std::string file = (exercise(8).folder() / "stub.cpp").string(), folder = exercise(8).folder().string();
   for (const std::string& line :
-       {"8 --check " + file + " --hint 1", "8 --check " + file + " --solution", "8 --solution --check missing",
-        std::string("8 --hint 1 --solution"), "8 --unmask --check " + file, "8 --grade " + folder + " --hint 1",
+       {"8 --check " + file + " --hint 1", "8 --check " + file + " --solution",
+        std::string("8 --solution --check missing"), std::string("8 --hint 1 --solution"),
+        "8 --unmask --check " + file, "8 --grade " + folder + " --hint 1",
         "--grade " + folder + " --export junit --to " + (state / "new").string(),
         "8 --hint 1 --folder " + state.path().string()})
     expect_refused(practise_run(line, state), line, "choose one of them");
@@ -103,8 +104,9 @@ TEST(CommandLine, NumbersThatAreNoneAreRefused) {
   const Folder state;
   EXPECT_THAT(practise_run("0", state).complained, HasSubstr("There is no exercise 0; there are 1 to 11"));
   const std::string file = " --check " + (exercise(8).folder() / "solution.cpp").string();
-  for (const std::string line : {"8 --seed 99999999999999999999", "8 --seed -1", "8 --seed x", "8 --seed 1.5",
-                                 "8 --hint 0", "8 --check ''", "8 --grade ''", "8 --unmask ''", "--export ''"})
+  for (const std::string& line :
+       std::vector<std::string>{"8 --seed 99999999999999999999", "8 --seed -1", "8 --seed x", "8 --seed 1.5",
+                                "8 --hint 0", "8 --check ''", "8 --grade ''", "--export ''"})
     expect_refused(practise_run(line + (line.find("--seed") == std::string::npos ? "" : file), state), line);
   EXPECT_EQ(practise_run("8 --seed 18446744073709551615" + file, state).status, 0);
 }
@@ -112,7 +114,7 @@ TEST(CommandLine, NumbersThatAreNoneAreRefused) {
 TEST(CommandLine, WordsAreRepeatedAsATerminalMayPrintThem) {
   const Folder state;
   for (const char* words : {"\\033[31m", "a\\nb", "--\\033", "1\\n2", "\\377\\376"})
-    expect_refused(practise_run(fmt::format("\"$(printf '{}')\"", words), state), words);
+    expect_refused(practise_run(fmt::format("\"$(printf -- '{}')\"", words), state), words);
   expect_refused(practise_run("8 --check \"$(printf 'x\\033[31m')\"", state), "--check");
 }
 

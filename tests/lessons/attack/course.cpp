@@ -246,6 +246,15 @@ TEST_F(AtATerminal, ControlSStopsNoLesson) {
   reader.leave();
 }
 
+TEST_F(PassedOn, InputWithoutAnyLineEnds) {
+  for (const char* input : {"/dev/zero", "/dev/null", "/"}) {
+    const Finished finished =
+        run(std::string("timeout 60 ") + BYHAND_FIXTURE + " --interactive --frames none --quality low --output '" +
+            (folder_ / "o").string() + "' <" + input);
+    EXPECT_EQ(finished.status, 0) << input << finished.complained;
+  }
+}
+
 TEST_F(AtATerminal, OptionsSurviveTheMenu) {
   for (const std::string& slug : slugs) lesson(slug, "echo $0 got \"$@\"; exit 4");  // 4: back to the menu
   Terminal reader(command({"2", "--plain", "--set", "h=1/120", "--output", "elsewhere", "--step", "1"}),
