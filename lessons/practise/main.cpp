@@ -135,7 +135,8 @@ int run(const Wanted& wanted) {
   } else {
     refuse_output(wanted.folder);
     const fs::path file = learners_file(exercise, wanted.folder);
-    if (isatty(STDIN_FILENO) && isatty(STDOUT_FILENO)) return watch(exercise, key(exercise, wanted.seed.value_or(1)), file);
+    if (isatty(STDIN_FILENO) && isatty(STDOUT_FILENO))
+      return watch(exercise, key(exercise, wanted.seed.value_or(1)), file);
     fmt::print("{}\nEdit {}, then: ./lessons/run practise {} --check {}\n", task_text(exercise),
                course::printable(file.string()), wanted.number, course::printable(file.string()));
   }
@@ -151,8 +152,10 @@ std::string only_one(const CLI::App& app) {
     if (!given.empty()) throw std::invalid_argument(fmt::format("{} and {}: choose one of them", given, option));
     given = option;
   }
-  for (const auto& [option, with] :
-       {std::pair{"--film", "--check"}, {"--report", "--grade"}, {"--unconfined", "--grade"}, {"--to", "--export"}})
+  for (const auto& [option, with] : {std::pair{"--film", "--check"},
+                                     {"--report", "--grade"},
+                                     {"--unconfined", "--grade"},
+                                     {"--to", "--export"}})
     if (app.count(option) > 0 && given != with)
       throw std::invalid_argument(fmt::format("{} needs {}", option, with));
   return given;
@@ -184,7 +187,8 @@ int command(int argc, const char* const* argv) {
   app.add_option("--film", wanted.film, "with --check: folder for the film of what the code does")
       ->type_name("DIR")
       ->check(nothing);
-  app.add_option("--seed", wanted.seed, "of the random probes (default 1; --export draws a secret one)")->check(not_a_seed);
+  app.add_option("--seed", wanted.seed, "of the random probes (default 1; --export draws a secret one)")
+      ->check(not_a_seed);
   app.add_option("--hint", wanted.hint, "hint 1, 2 or 3");
   app.add_flag("--solution", wanted.solution, "the solution and its derivation");
   app.add_option("--grade", wanted.grade, "judge all exercises in a folder, or exercise N of it")

@@ -96,7 +96,7 @@ TEST(CommandLine, OptionsThatExcludeEachOtherAreRefused) {
     expect_refused(practise_run(line, state), line, "choose one of them");
   for (const std::string& line : {"8 --film " + (state / "film").string(), std::string("8 --report junit=-"),
                                   "8 --solution --to " + (state / "new").string()})
-    expect_refused(practise_run(line, state), line, "goes with");
+    expect_refused(practise_run(line, state), line, "needs");
   expect_refused(practise_run("3 --export moodle --to " + (state / "new").string(), state), "3 moodle");
 }
 

@@ -63,11 +63,26 @@ Verdict checked(const Exercise& exercise, const Key& key, const fs::path& path) 
   course::write_whole(file, text);
   const Limits limits{.seconds = 10, .bytes = 1u << 30};
   const Finished compiled = run_confined(
-      {BYHAND_COMPILER, "-std=c++20", "-O1", "-ffp-contract=off", "-Wall", "-Wno-unknown-pragmas",
-       "-Werror=return-type", "-fmax-errors=3",
+      {BYHAND_COMPILER,
+       "-std=c++20",
+       "-O1",
+       "-ffp-contract=off",
+       "-Wall",
+       "-Wno-unknown-pragmas",
+       "-Werror=return-type",
+       "-fmax-errors=3",
        "-fsanitize=integer-divide-by-zero,signed-integer-overflow,bounds,null,unreachable,float-cast-overflow",
-       "-fno-sanitize-recover=all", "-ffile-prefix-map=" + scratch.path().string() + "/=", "-I" + header.string(),
-       "-include", signature.string(), "-x", "c++", "-c", file, "-o", object},
+       "-fno-sanitize-recover=all",
+       "-ffile-prefix-map=" + scratch.path().string() + "/=",
+       "-I" + header.string(),
+       "-include",
+       signature.string(),
+       "-x",
+       "c++",
+       "-c",
+       file,
+       "-o",
+       object},
       {signature, header}, scratch.path(), limits);
   const Messages messages(compiled.said, file);
   if (compiled.status != 0) {
