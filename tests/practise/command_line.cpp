@@ -151,7 +151,7 @@ TEST(CommandLine, AFolderThatIsNotThereIsNotGraded) {
     const std::string report = (state / "report").string();
     expect_refused(practise_run("--grade " + folder + " --report junit=" + report, state), folder, folder);
     EXPECT_FALSE(std::filesystem::exists(report)) << folder;
-    expect_refused(run(fmt::format("{} --keys / --submission {}", BYHAND_GRADE, folder)), folder, folder);
+    expect_refused(run(fmt::format("{} --keys / --submission {}", BYHAND_GRADE, folder)), folder);
     expect_refused(run(fmt::format("{} --keys {} --submission /", BYHAND_GRADE, folder)), folder, folder);
   }
   for (const char* option : {"--check ", "--folder "}) {
