@@ -133,7 +133,8 @@ State<double> constants_of(const Vocabulary& words) {
   int points = 0;
   for (const Symbol& s : words.all()) {
     Value<double>& value = all[static_cast<std::size_t>(s.id)] = Value<double>(s.shape);
-    if (s.is == Is::fixed && s.shape.scalar()) value[0] = 1;
+    if (s.is == Is::fixed && s.shape.scalar())
+      value[0] = s.name == "L" ? 2 : 1;  // L reaches from wheel to body too
     if (s.is == Is::fixed && s.shape.vector()) {
       if (s.axis >= 3)
         value[s.axis - 3] = 1;
@@ -148,7 +149,7 @@ State<double> constants_of(const Vocabulary& words) {
       if (s.arm)
         value[0] = s.body == 0 ? 0.25 : -0.25;
       else
-        value[0] = 1;
+        value[s.body] = 1;  // axes of the two bodies at right angles
     }
   }
   return all;
@@ -329,8 +330,8 @@ std::string run_scene(const Sheet& sheet, const std::string& scene) {
     return picture(ran) + "Five seconds at 240 steps a second, " + std::to_string(ran.rows) +
            (ran.rows == 1 ? " row: " : " rows: ") +
            (rates ? ""
-                  : (inequality ? "C went below 0 by at most " : "|C| stayed below ") + number_of(ran.largest_C)) +
-           (rates ? "|JV| stayed below " + number_of(ran.largest_rate) : "") +
+                  : (inequality ? "C went below 0 by at most " : "|C| was at most ") + number_of(ran.largest_C)) +
+           (rates ? "|JV| was at most " + number_of(ran.largest_rate) : "") +
            " (dots: the paths of the centres).\n";
   } catch (const std::exception& error) {
     return std::string(error.what()) + "\n";
