@@ -91,7 +91,7 @@ std::vector<desk::Task> desk_tasks() {
     files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   std::vector<desk::Task> tasks;
-  for (const fs::path& file : files) tasks.push_back(desk::read_task(renderer::read_whole(file).value_or("")));
+  for (const fs::path& file : files) tasks.push_back(desk::read_task(course::read_whole(file).value_or("")));
   return tasks;
 }
 
