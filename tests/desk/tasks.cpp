@@ -68,7 +68,9 @@ TEST(DeskTasks, ARodRunsInEveryScene) {
     for (const char* scene : {"pendulum", "chain", "box"}) {
       const Ran ran = run_in(sheet, scene);
       EXPECT_EQ(ran.rows, std::string(scene) == "chain" ? 2 : 1);
-      EXPECT_LT(ran.largest_C, 0.01) << world << " " << scene;
+      // A step off the arc of an arm, ½h²v²/r, of which Baumgarte takes β: at most with the energy of two links
+      // that fall by 8 m, v² = 2 · 2 · 9.81 · 8 m²/s², in one arm of 0.25 m.
+      EXPECT_LT(ran.largest_C, 0.5 / (240.0 * 240) * (2 * 2 * 9.81 * 8) / 0.25 / 0.2) << world << " " << scene;
       EXPECT_GT(ran.largest_C, 0) << "it moves";
     }
     EXPECT_NE(run_scene(sheet, "moon").find("There is no scene"), std::string::npos);
