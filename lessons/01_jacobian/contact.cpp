@@ -1,16 +1,10 @@
 #include "solver/constraints/contact.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "lessons/01_jacobian/picture.hpp"
 
 // (15): the same recipe along a normal, and the term that it drops.
 namespace byhand::lesson01 {
 namespace {
-
-using renderer::Point;
-namespace palette = renderer::palette;
 
 /// A tilted plank (body 1) and a box (body 2) whose corner touches it; the normal is the plank's.
 struct Touch {

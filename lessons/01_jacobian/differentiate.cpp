@@ -1,16 +1,8 @@
-#include <algorithm>
-#include <cmath>
-
 #include "lessons/01_jacobian/picture.hpp"
-#include "lessons/page/rounding.hpp"
-#include "lessons/pictures/growing.hpp"
 
 // (9) and (10): the rate of C, from the velocities of the two ends.
 namespace byhand::lesson01 {
 namespace {
-
-using renderer::Point;
-namespace palette = renderer::palette;
 
 /// Ċ of (9) for a bob that moves at `v` while the other end rests, from (8) [m²/s].
 double rate_of_bob(const Linear<PlaneParticle>& d, const Linear<PlaneParticle>& v, double length) {

@@ -1,18 +1,10 @@
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
 #include "lessons/01_jacobian/picture.hpp"
 #include "lessons/scenes/pendulum.hpp"
 #include "solver/constraints/normalised_distance.hpp"
-#include "solver/row.hpp"
 
 // (5): Jᵀ takes λ to a force. It is J's dual, not its inverse.
 namespace byhand::lesson01 {
 namespace {
-
-using renderer::Point;
-namespace palette = renderer::palette;
 
 struct Rod {
   Scene<PlaneParticle> scene;

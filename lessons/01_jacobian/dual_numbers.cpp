@@ -1,12 +1,9 @@
 #include <Eigen/Core>
 #include <unsupported/Eigen/AutoDiff>
 
-#include <algorithm>
-#include <cmath>
 #include <random>
 
 #include "lessons/01_jacobian/picture.hpp"
-#include "lessons/page/rounding.hpp"
 #include "solver/constraints/contact.hpp"
 #include "solver/constraints/friction.hpp"
 #include "solver/constraints/normalised_distance.hpp"
@@ -15,8 +12,6 @@
 // Dual numbers differentiate `value` to rounding; every J derived by hand is compared with them.
 namespace byhand::lesson01 {
 namespace {
-
-namespace palette = renderer::palette;
 
 /// J without a derivation: a dual number δ moves the bodies in one of the 2 dof ways after the other, and C(x + δ)
 /// holds that way's column.

@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <cmath>
-
 #include "lessons/01_jacobian/pair.hpp"
 #include "lessons/01_jacobian/picture.hpp"
 #include "lessons/01_jacobian/steps.hpp"
@@ -9,9 +6,6 @@
 // The film of the product rule: from the rate of C to the four parts of J.
 namespace byhand::lesson01 {
 namespace {
-
-using renderer::Point;
-namespace palette = renderer::palette;
 
 struct PartsFilm {
   pictures::Acts acts;

@@ -1,12 +1,6 @@
 #include "solver/constraints/friction.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
-
 #include "lessons/01_jacobian/picture.hpp"
-#include "lessons/page/rounding.hpp"
 #include "renderer/labels.hpp"
 #include "renderer/space.hpp"
 
@@ -15,7 +9,6 @@ namespace byhand::lesson01 {
 namespace {
 
 using Point3 = Eigen::Vector3d;
-namespace palette = renderer::palette;
 
 /// A box that slides and spins on a floor, held against it at one corner.
 struct Sliding {

@@ -1,17 +1,9 @@
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
-
 #include "lessons/01_jacobian/picture.hpp"
-#include "lessons/page/rounding.hpp"
 
 // (14): J read off (13), and why there is only one.
 namespace byhand::lesson01 {
 namespace {
 
-using renderer::Point;
-namespace palette = renderer::palette;
 using Entries = Eigen::Matrix<double, 1, 6>;
 
 constexpr int entries = 6;

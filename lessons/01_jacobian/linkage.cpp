@@ -1,15 +1,9 @@
-#include <algorithm>
-#include <cmath>
-
 #include "lessons/01_jacobian/picture.hpp"
-#include "lessons/pictures/rods_and_bobs.hpp"
 #include "lessons/scenes/chain.hpp"
 
 // Many rows, nearly all of their entries zero.
 namespace byhand::lesson01 {
 namespace {
-
-namespace palette = renderer::palette;
 
 Scene<PlaneBody> chain_of(const Settings& set) {
   return pinned_chain<PlaneBody>(

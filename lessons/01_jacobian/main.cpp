@@ -6,7 +6,7 @@ using namespace byhand;
 using namespace byhand::lesson01;
 
 int main(int argc, char** argv) {
-  course::Lesson lesson(course::contents().at(0));
+  course::Lesson lesson(course::lesson_of(__FILE__));
   const Settings set{
       lesson.parameter("length", 2.0, "m", {0.2, 20}, "length L of the rod"),
       lesson.parameter("stretch", 0.1, "m", {-0.1, 1}, "how much too long the rod is at first"),

@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <cmath>
-
 #include "lessons/01_jacobian/picture.hpp"
 
 // (3) to (8): a rate is linear in the velocities, and its coefficients are one row J with four parts.

@@ -1,9 +1,5 @@
 #include "lessons/01_jacobian/pair.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 namespace byhand::lesson01 {
 namespace {
 

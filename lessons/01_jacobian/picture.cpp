@@ -1,18 +1,8 @@
 #include "lessons/01_jacobian/picture.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <vector>
-
 #include "renderer/labels.hpp"
 
 namespace byhand::lesson01 {
-
-using renderer::Canvas;
-using renderer::Point;
-using renderer::Stroke;
-namespace palette = renderer::palette;
 
 course::Value vector(const Linear<PlaneBody>& v) { return course::say("(@, @)", v.x(), v.y()); }
 

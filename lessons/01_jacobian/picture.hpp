@@ -1,9 +1,6 @@
 #pragma once
 
-#include <string>
-
 #include "lessons/01_jacobian/pair.hpp"
-#include "renderer/canvas.hpp"
 
 namespace byhand::lesson01 {
 

@@ -1,14 +1,9 @@
-#include <cmath>
-
 #include "lessons/01_jacobian/picture.hpp"
 #include "solver/constraints/contact.hpp"
 
 // (23), read so that it can be computed.
 namespace byhand::lesson01 {
 namespace {
-
-using renderer::Point;
-namespace palette = renderer::palette;
 
 /// Two discs that overlap, each turned somehow; arms are kept in the discs' own frames.
 struct Discs {

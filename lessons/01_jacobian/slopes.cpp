@@ -1,13 +1,8 @@
-#include <algorithm>
-#include <cmath>
-
 #include "lessons/01_jacobian/picture.hpp"
 
 // The error of ΔC ≈ h JV is of second order in h; with a wrong sign in J it is of first order.
 namespace byhand::lesson01 {
 namespace {
-
-namespace palette = renderer::palette;
 
 /// |ΔC − h JV| for one step h, with a row that may be wrong.
 double left_over(const Pair& pair, const Jacobian<PlaneBody, 1>& J, double h) {

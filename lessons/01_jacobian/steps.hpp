@@ -1,9 +1,13 @@
 #pragma once
 
-#include "lessons/page/lesson.hpp"
+#include "lessons/pictures/prelude.hpp"
 
 // The steps of the lesson, one function each; the file of that name holds it.
 namespace byhand::lesson01 {
+
+using namespace course;
+using namespace renderer;
+using pictures::at, pictures::curve, pictures::each;
 
 /// What the reader may turn.
 struct Settings {

@@ -1,7 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numbers>
 #include <random>
 
 #include "lessons/01_jacobian/picture.hpp"
@@ -9,9 +5,6 @@
 // (11) to (13): how ω leaves the cross product.
 namespace byhand::lesson01 {
 namespace {
-
-using renderer::Point;
-namespace palette = renderer::palette;
 
 /// A body at the origin with its arm along x, and a rod whose other end is placed so that P₂ − P₁ is `d`.
 Pair arm_and_rod(const Point& r, const Point& d) {

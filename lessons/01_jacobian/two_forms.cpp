@@ -1,15 +1,9 @@
-#include <cmath>
-
 #include "lessons/01_jacobian/picture.hpp"
 #include "lessons/scenes/pendulum.hpp"
-#include "solver/row.hpp"
-#include "solver/step.hpp"
 
 // ½(d² − L²) or |d| − L: the same impulse, another λ, and what happens when C and J are taken from two of them.
 namespace byhand::lesson01 {
 namespace {
-
-namespace palette = renderer::palette;
 
 //! [mixed]
 /// A rod with the C of (2) and the J of |d| − L: each is right, but not together.

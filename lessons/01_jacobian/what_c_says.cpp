@@ -1,18 +1,9 @@
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
 #include "lessons/01_jacobian/picture.hpp"
-#include "lessons/page/rounding.hpp"
-#include "lessons/pictures/growing.hpp"
-#include "lessons/pictures/rods_and_bobs.hpp"
 #include "lessons/scenes/pendulum.hpp"
 
 // (1) and (2): C is one number that says how wrong things are.
 namespace byhand::lesson01 {
 namespace {
-
-using renderer::Point;
 
 constexpr double three_four_five = 0.6435011087932844;  // the angle whose sine is 0.6 and cosine 0.8
 

@@ -1,14 +1,8 @@
 #include "lessons/02_single_constraint/bob_picture.hpp"
 
-#include <algorithm>
-#include <array>
-#include <limits>
-
 #include "renderer/labels.hpp"
 
 namespace byhand::single_constraint {
-
-using namespace renderer;
 
 namespace {
 

@@ -1,10 +1,6 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "lessons/02_single_constraint/setting.hpp"
-#include "lessons/pictures/rods_and_bobs.hpp"
 
 namespace byhand::single_constraint {
 

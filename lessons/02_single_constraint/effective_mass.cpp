@@ -1,14 +1,8 @@
-#include <array>
-
 #include "lessons/02_single_constraint/plain.hpp"
 #include "lessons/02_single_constraint/steps.hpp"
-#include "renderer/canvas.hpp"
 
 namespace byhand::single_constraint {
 namespace {
-
-using namespace course;
-using namespace renderer;
 
 using Row4 = Eigen::RowVector4d;
 using Matrix4 = Eigen::Matrix4d;

@@ -4,8 +4,6 @@
 namespace byhand::single_constraint {
 namespace {
 
-using namespace course;
-
 enum class Gravity { before_the_solve, after_the_solve };
 
 /// How far below the rod's length a bob is that hung at rest [m], after the steps of that time [s].

@@ -1,19 +1,12 @@
-#include <cmath>
-
 #include "lessons/02_single_constraint/bob_picture.hpp"
 #include "lessons/02_single_constraint/steps.hpp"
 
 namespace byhand::single_constraint {
 
-using namespace course;
-using renderer::Canvas;
-namespace palette = renderer::palette;
-
 void gravity_first(const Setting& setting, Page& page) {
   const Pendulum scene = let_go(setting);
   const OneRow row = shown_row(setting);
   const double length = setting.length(), gain = gravity() * setting.h(), rate = row.JV / length;
-  const std::string change = row.JV > 0 ? "longer" : "shorter";
 
   page.text(
       R"(A bob of @ kg hangs on a rod of @ m. You hold it @° from straight down and let go. Within one time step of h
@@ -45,13 +38,17 @@ void gravity_first(const Setting& setting, Page& page) {
                   along which a rigid rod lets the bob move.)",
           rate == 0 ? ", which is zero here" : ""),
       [picture](Canvas& canvas) { draw(canvas, {picture}); });
-  if (rate != 0)
-    page.text(
-        R"(JV is @ m²/s. Divided by |d| it is @ m/s: at this rate the rod would get @, if nothing acted on the
-        bob.)",
-        row.JV, rate, change);
-  else
-    page.text("You let go level with the fixed point, where gravity lies along the tangent: JV is 0.");
+  const Quantity growth("JV/|d|", rate, "m/s"), along("cos θ", std::cos(radians(setting.angle())));
+  page.text(
+      "JV is @ m²/s; divided by |d| it is @ m/s. @", row.JV, rate,
+      page.verdict({{.when = growth > 0,
+                     .say = "At this rate the rod would get longer, if nothing acted on the bob.",
+                     .law = along > 0},
+                    {.when = growth < 0,
+                     .say = "At this rate the rod would get shorter, if nothing acted on the bob.",
+                     .law = along < 0},
+                    {.when = growth == 0,
+                     .say = "You let go level with the fixed point, where gravity lies along the tangent."}}));
 
   page.claim(
       "JV after gravity", OneRow(scene).JV, "m²/s",

@@ -1,14 +1,7 @@
-#include <algorithm>
-#include <cmath>
-
 #include "lessons/02_single_constraint/bob_picture.hpp"
 #include "lessons/02_single_constraint/steps.hpp"
 
 namespace byhand::single_constraint {
-
-using namespace course;
-using renderer::Canvas;
-namespace palette = renderer::palette;
 
 void lambda(const Setting& setting, Page& page) {
   const Pendulum scene = let_go(setting);
@@ -74,13 +67,17 @@ void lambda(const Setting& setting, Page& page) {
   push.arrows = {
       {push.second, unit * along / full * row.d / length, palette::force, "λ l₂", 4, renderer::Dash::solid, 16},
       {push.first, -unit * along / full * row.d / length, palette::force, "λ l₁", 4, renderer::Dash::solid, -16}};
+  const Quantity impulse("λ|d|", along, "N·s");
   page.figure(
       "lambda_sign",
       say(R"(Left: the row's two arrows, −d and d (drawn shorter than they are), point where C grows. Right: the
                   impulses λJᵀ on the bob and on the fixed point, which they do not move. @)",
-          pulls        ? "λ is negative: they are reversed, the rod pulls."
-          : along != 0 ? "λ is positive: they point the same way, the rod pushes."
-                       : "λ is zero: there are none."),
+          page.verdict({{.when = impulse<0, .say = "λ is negative: they are reversed, the rod pulls.",
+                                         .law = Quantity("JV", row.JV, "m²/s")> 0},
+                        {.when = impulse > 0,
+                         .say = "λ is positive: they point the same way, the rod pushes.",
+                         .law = Quantity("JV", row.JV, "m²/s") < 0},
+                        {.when = impulse == 0, .say = "λ is zero: there are none."}})),
       [row_picture, push](Canvas& canvas) {
         draw(canvas, {row_picture, push});
       });

@@ -1,13 +1,7 @@
 #include "lessons/02_single_constraint/steps.hpp"
-#include "lessons/page/rounding.hpp"
-#include "renderer/chart.hpp"
-#include "solver/measure.hpp"
 
 namespace byhand::single_constraint {
 namespace {
-
-using namespace course;
-using namespace renderer;
 
 /// Kinetic energy of the scene after an impulse λ along its row [J].
 double energy_after(const Pendulum& scene, const OneRow& row, double lambda) {

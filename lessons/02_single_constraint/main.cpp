@@ -6,7 +6,7 @@ int main(int argc, char** argv) {
   using namespace byhand;
   using namespace byhand::single_constraint;
 
-  course::Lesson lesson(course::contents().at(1));
+  course::Lesson lesson(course::lesson_of(__FILE__));
   const Setting setting{
       .length = lesson.parameter("length", 2.0, "m", {0.1, 20}, "length of the rod"),
       .mass = lesson.parameter("mass", 3.0, "kg", {0.01, 1000}, "mass of the bob"),

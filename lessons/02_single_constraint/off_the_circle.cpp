@@ -1,14 +1,9 @@
 #include "lessons/02_single_constraint/steps.hpp"
 #include "lessons/02_single_constraint/swing.hpp"
 #include "lessons/laws/closed_forms.hpp"
-#include "lessons/page/rounding.hpp"
-#include "lessons/pictures/rods_and_bobs.hpp"
 
 namespace byhand::single_constraint {
 namespace {
-
-using namespace course;
-using namespace renderer;
 
 constexpr double speed = 3;  // [m/s]
 

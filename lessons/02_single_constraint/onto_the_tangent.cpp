@@ -1,16 +1,8 @@
-#include <algorithm>
-
 #include "lessons/02_single_constraint/bob_picture.hpp"
 #include "lessons/02_single_constraint/steps.hpp"
 #include "lessons/02_single_constraint/within_a_step.hpp"
-#include "lessons/page/rounding.hpp"
-#include "solver/measure.hpp"
 
 namespace byhand::single_constraint {
-
-using namespace course;
-using renderer::Canvas;
-namespace palette = renderer::palette;
 
 void onto_the_tangent(const Setting& setting, Page& page) {
   const Pendulum scene = let_go(setting);

@@ -1,17 +1,10 @@
-#include <algorithm>
-
 #include "lessons/02_single_constraint/steps.hpp"
 #include "lessons/02_single_constraint/swing.hpp"
 #include "lessons/exact/compound_pendulum.hpp"
 #include "lessons/exact/simple_pendulum.hpp"
-#include "lessons/pictures/growing.hpp"
-#include "lessons/pictures/rods_and_bobs.hpp"
 
 namespace byhand::single_constraint {
 namespace {
-
-using namespace course;
-using namespace renderer;
 
 /// A rigid rod that swings from a hinge: what is seen of it at the beginning of a step.
 struct RodSample {
@@ -92,22 +85,12 @@ void rigid_rod(const Setting& setting, Page& page) {
   const double end = 1.05 * exact.period();
   const auto rod = swing_rod(setting, start, h, end);
   const Swing bobs = swing(setting, h, end);
-  Curve turned{.label = "rod", .colour = rigid}, swung{.label = "bob", .colour = palette::constraint};
-  for (const RodSample& sample : rod) {
-    turned.x.push_back(sample.time);
-    turned.y.push_back(sample.angle * 180 / pi);
-  }
-  swung.x = each(bobs, [](const Sample& s) { return s.time; });
-  swung.y = each(bobs, [](const Sample& s) { return s.angle() * 180 / pi; });
-  Curve rod_exact{.label = "exact", .style = CurveStyle::theory},
-      bob_exact{.label = "", .style = CurveStyle::theory};
-  for (int i = 0; i <= 200; ++i) {
-    const double time = end * i / 200;
-    rod_exact.x.push_back(time);
-    rod_exact.y.push_back(exact.angle(time) * 180 / pi);
-    bob_exact.x.push_back(time);
-    bob_exact.y.push_back(bob.angle(time) * 180 / pi);
-  }
+  Curve turned = curve("rod", rod, &RodSample::time, [](const RodSample&s) { return s.angle * 180 / pi; }),
+        swung = curve("bob", bobs, &Sample::time, [](const Sample&s) { return s.angle() * 180 / pi; });
+  turned.colour = rigid;
+  swung.colour = palette::constraint;
+  const Curve rod_exact = pictures::theory("exact", 0, end, [&](double t) { return exact.angle(t) * 180 / pi; }),
+              bob_exact = pictures::theory("", 0, end, [&](double t) { return bob.angle(t) * 180 / pi; });
   const Chart chart{
       .x = {.label = "time (s)"}, .y = {.label = "angle (°)"}, .curves = {turned, swung, rod_exact, bob_exact}};
   page.figure(
@@ -118,11 +101,8 @@ void rigid_rod(const Setting& setting, Page& page) {
   page.sequence(
       "rod_and_bob_swing",
       "The same length and mass, let go together: a bob on a massless rod (blue) and a rigid rod (olive).",
-      Seconds{std::min(end, 4.0)}, [=](Canvas& canvas, double time) {
-        const auto now = std::upper_bound(rod.begin(), rod.end(), time + 1e-9,
-                                          [](double t, const RodSample& sample) { return t < sample.time; });
-        draw_both(canvas, at(bobs, time), *(now - 1), length, chart);
-      });
+      Seconds{std::min(end, 4.0)},
+      [=](Canvas& canvas, double time) { draw_both(canvas, at(bobs, time), at(rod, time), length, chart); });
 
   using Point2 = PlaneParticle;
   using Rigid = PlaneBody;

@@ -1,12 +1,14 @@
 #pragma once
 
-#include "lessons/page/lesson.hpp"
-#include "lessons/page/rounding.hpp"
+#include "lessons/pictures/prelude.hpp"
 #include "lessons/scenes/pendulum.hpp"
 #include "solver/integrate/euler.hpp"
-#include "solver/row.hpp"
 
 namespace byhand::single_constraint {
+
+using namespace course;
+using namespace renderer;
+using pictures::at, pictures::curve, pictures::each;
 
 using Pendulum = Scene<PlaneParticle>;
 using Vector = Linear<PlaneParticle>;
@@ -15,9 +17,6 @@ using Vector = Linear<PlaneParticle>;
 struct Setting {
   course::Parameter<double> length, mass, h, angle, release;  // [m], [kg], [s], [deg], [deg]
 };
-
-inline constexpr double pi = 3.14159265358979323846;
-inline double radians(double degrees) { return degrees / 180 * pi; }
 
 /// The course's scenes fall with this [m/s²].
 inline double gravity() { return -Pendulum().gravity.y(); }

@@ -1,7 +1,5 @@
 #include "lessons/02_single_constraint/swing.hpp"
 
-#include "solver/measure.hpp"
-
 namespace byhand::single_constraint {
 
 Swing swing(Pendulum scene, double h, double seconds) {
@@ -23,12 +21,6 @@ Swing swing(Pendulum scene, double h, double seconds) {
 
 Swing swing(const Setting& setting, double h, double seconds) {
   return swing(pendulum<PlaneParticle>(radians(setting.release()), setting.length(), setting.mass()), h, seconds);
-}
-
-const Sample& at(const Swing& swing, double time) {
-  std::size_t i = 0;
-  while (i + 1 < swing.size() && swing[i + 1].time <= time + 1e-9) ++i;
-  return swing[i];
 }
 
 }  // namespace byhand::single_constraint

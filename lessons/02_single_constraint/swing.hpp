@@ -1,9 +1,6 @@
 #pragma once
 
-#include <vector>
-
 #include "lessons/02_single_constraint/setting.hpp"
-#include "solver/step.hpp"
 
 namespace byhand::single_constraint {
 
@@ -26,16 +23,5 @@ inline VelocityStepping one_row_solved() { return {GaussSeidel{.sweeps = 1, .war
 /// The bob let go at the lesson's `release` and stepped for `seconds` with time step h, the last moment included.
 Swing swing(const Setting& setting, double h, double seconds);
 Swing swing(Pendulum scene, double h, double seconds);
-
-/// The sample that shows at a time [s].
-const Sample& at(const Swing& swing, double time);
-
-/// A number of each sample, for a chart.
-template <class F>
-std::vector<double> each(const Swing& swing, F&& number) {
-  std::vector<double> numbers;
-  for (const Sample& sample : swing) numbers.push_back(number(sample));
-  return numbers;
-}
 
 }  // namespace byhand::single_constraint

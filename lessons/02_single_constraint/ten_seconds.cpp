@@ -2,15 +2,9 @@
 #include "lessons/02_single_constraint/steps.hpp"
 #include "lessons/02_single_constraint/swing.hpp"
 #include "lessons/exact/simple_pendulum.hpp"
-#include "lessons/page/rounding.hpp"
-#include "lessons/pictures/growing.hpp"
-#include "lessons/pictures/rods_and_bobs.hpp"
 
 namespace byhand::single_constraint {
 namespace {
-
-using namespace course;
-using namespace renderer;
 
 constexpr double seconds = 10;
 
@@ -67,12 +61,11 @@ void ten_seconds(const Setting& setting, Page& page) {
       seconds from @°, beside the exact pendulum, with C of (2) beneath.)",
       seconds, setting.release());
 
-  const Chart C{.x = {.label = "time (s)"},
-                .y = {.label = "C (m²)"},
-                .curves = {{.label = "C",
-                            .x = each(run, [](const Sample& s) { return s.time; }),
-                            .y = each(run, [](const Sample& s) { return s.C; }),
-                            .colour = palette::error}}};
+  const Chart C{
+      .x = {.label = "time (s)"},
+      .y = {.label = "C (m²)"},
+      .curves = {
+          {.label = "C", .x = each(run, &Sample::time), .y = each(run, &Sample::C), .colour = palette::error}}};
   page.sequence(
       "ten_seconds",
       say(R"(Blue: the article's step with b = 0. Dashed: the exact pendulum. C never falls, and grows fastest where the
@@ -117,7 +110,7 @@ void ten_seconds(const Setting& setting, Page& page) {
        {"the bob moves by hV′: gravity's work equals the loss of potential energy", "E′ − E = −½m|ΔV|²",
         R"(E' - E = -\tfrac12 m|\Delta V|^2)"}});
   Curve energy{.label = "the step with b = 0",
-               .x = each(run, [](const Sample& s) { return s.time; }),
+               .x = each(run, &Sample::time),
                .y = each(run, [&](const Sample& s) { return (s.energy - first.energy) / scale; }),
                .colour = palette::error};
   Curve still{.label = "exact", .x = {0, seconds}, .y = {0, 0}, .style = CurveStyle::theory};

@@ -1,17 +1,9 @@
-#include <cmath>
-
 #include "lessons/02_single_constraint/steps.hpp"
 #include "lessons/02_single_constraint/swing.hpp"
 #include "lessons/exact/simple_pendulum.hpp"
-#include "lessons/page/rounding.hpp"
-#include "lessons/pictures/growing.hpp"
-#include "lessons/pictures/rods_and_bobs.hpp"
 
 namespace byhand::single_constraint {
 namespace {
-
-using namespace course;
-using namespace renderer;
 
 /// The greatest tension on the first way through the lowest point [N].
 double peak_tension(const Setting& setting, double h, double period) {
@@ -21,16 +13,11 @@ double peak_tension(const Setting& setting, double h, double period) {
 }
 
 Chart tension_chart(const Swing& run, const SimplePendulum& exact, double mass, double end) {
-  Curve theory{.label = "exact", .style = CurveStyle::theory};
-  for (int i = 0; i <= 400; ++i) {
-    theory.x.push_back(end * i / 400);
-    theory.y.push_back(exact.tension(theory.x.back(), mass));
-  }
-  const Curve measured{.label = "−λ|d|/h",
-                       .x = each(run, [](const Sample& s) { return s.time; }),
-                       .y = each(run, [](const Sample& s) { return s.tension; }),
-                       .colour = palette::force};
-  return {.x = {.label = "time (s)"}, .y = {.label = "pull of the rod (N)"}, .curves = {theory, measured}};
+  const Curve law = pictures::theory(
+      "exact", 0, end, [&](double t) { return exact.tension(t, mass); }, 400);
+  Curve measured = curve("−λ|d|/h", run, &Sample::time, &Sample::tension);
+  measured.colour = palette::force;
+  return {.x = {.label = "time (s)"}, .y = {.label = "pull of the rod (N)"}, .curves = {law, measured}};
 }
 
 void draw_frame(Canvas& canvas, const Sample& now, const Swing& run, const Chart& chart, double weight) {
@@ -118,11 +105,12 @@ void tension(const Setting& setting, Page& page) {
   const double error = peak - lowest, half = peak_tension(setting, h / 2, period) / weight - lowest,
                step = std::sqrt(gravity() / length) * h;
   page.text(
-      R"(At the bottom the tension is @ m·g in this run and @ m·g exactly. @ of @ m·g is the error of the step, not of
-      the solver, which makes JV zero to rounding: with h/2 it is @ m·g. The next two steps show where it comes
-      from.)",
-      lowest + error, lowest, error < 0 ? "The lack" : "The excess", course::small_error(std::abs(error)),
-      course::small_error(std::abs(half)));
+      R"(At the bottom the tension is @ m·g in this run and @ m·g exactly. The difference of @ m·g is the error of the
+      step, not of the solver, which makes JV zero to rounding: with h/2 it is @ m·g. @ The next two steps show where
+      it comes from.)",
+      lowest + error, lowest, small_error(std::abs(error)), small_error(std::abs(half)),
+      page.verdict({{.when = within(1.8, Quantity("error with h, over that with h/2", error / half), 2.2),
+                     .say = "Half the step makes about half the error."}}));
   const Condition fine =
       where(Quantity("h·√(g/L)", step) <= 0.05, within(30, Quantity("release", setting.release, "°"), 120));
   page.claim("greatest tension, from h and h/2 towards h = 0", lowest + 2 * half - error, "m·g",

@@ -1,10 +1,6 @@
 #include "lessons/02_single_constraint/steps.hpp"
-#include "renderer/chart.hpp"
 
 namespace byhand::single_constraint {
-
-using namespace course;
-using namespace renderer;
 
 void why_velocity(const Setting& setting, Page& page) {
   const double length = setting.length(), stretched = 1.2;

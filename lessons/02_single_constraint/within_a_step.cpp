@@ -1,16 +1,9 @@
 #include "lessons/02_single_constraint/within_a_step.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "lessons/pictures/acts.hpp"
-#include "lessons/pictures/rods_and_bobs.hpp"
 
 namespace byhand::single_constraint {
 namespace {
-
-using namespace course;
-using namespace renderer;
 
 struct StepFilm {
   pictures::Acts acts;

@@ -1,19 +1,14 @@
 // Step 3: the matrix of all rows, its factor and its inverse.
 
 #include <Eigen/Cholesky>
-#include <algorithm>
-#include <cmath>
 
 #include "lessons/03_iterations/held_step.hpp"
 #include "lessons/03_iterations/knobs.hpp"
 #include "lessons/exact/hanging_chain.hpp"
-#include "renderer/canvas.hpp"
 #include "solver/direct/equations.hpp"
 
 namespace byhand::iterations {
 namespace {
-
-using namespace course;
 
 /// JM⁻¹Jᵀ [m²/kg] from the rows as the solver wrote them; the step must be in natural order.
 Eigen::MatrixXd matrix_of(const System<PlaneParticle>& system, int bodies) {

@@ -1,15 +1,11 @@
 // Deeper: a heavy bob at the end.
 
-#include <cmath>
-
 #include "lessons/03_iterations/held_step.hpp"
 #include "lessons/03_iterations/knobs.hpp"
 #include "lessons/03_iterations/textbook.hpp"
 
 namespace byhand::iterations {
 namespace {
-
-using namespace course;
 
 ChainOptions with_heavy_end(ChainOptions chain, double ratio) {
   chain.end_mass = ratio * chain.mass;
@@ -63,7 +59,7 @@ void heavy_end(Page& page, const Knobs& knobs) {
     const ChainOptions chain = with_heavy_end(knobs.chain(), r);
     for (renderer::Curve* curve : {&measured, &exact, &law}) curve->x.push_back(r);
     measured.y.push_back(measured_digit(chain, h));
-    measured.point_labels.push_back(number(measured.y.back(), 2));
+    measured.point_labels.push_back(course::number(measured.y.back(), 2));
     exact.y.push_back(textbook_digit(chain));
     law.y.push_back(std::log(10.0) * r * (n - 1));
   }

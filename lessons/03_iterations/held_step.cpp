@@ -1,7 +1,6 @@
 #include "lessons/03_iterations/held_step.hpp"
 
 #include "lessons/03_iterations/textbook.hpp"
-#include "solver/measure.hpp"
 #include "solver/rows/operators.hpp"
 
 namespace byhand::iterations {

@@ -1,11 +1,9 @@
 #pragma once
 
-#include <cmath>
-#include <vector>
+#include "lessons/03_iterations/knobs.hpp"
 
 #include "lessons/scenes/chain.hpp"
 #include "solver/rows/prepared.hpp"
-#include "solver/step.hpp"
 
 namespace byhand::iterations {
 

@@ -1,5 +1,3 @@
-#include <cmath>
-
 #include "lessons/03_iterations/knobs.hpp"
 #include "lessons/laws/closed_forms.hpp"
 #include "lessons/pictures/held_scene.hpp"

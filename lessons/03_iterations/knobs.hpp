@@ -1,9 +1,13 @@
 #pragma once
 
-#include "lessons/page/lesson.hpp"
+#include "lessons/pictures/prelude.hpp"
 #include "lessons/scenes/chain.hpp"
 
 namespace byhand::iterations {
+
+using namespace course;
+using namespace renderer;
+using pictures::at, pictures::curve, pictures::each;
 
 /// What a reader can turn in this lesson.
 struct Knobs {

@@ -1,17 +1,11 @@
 // Deeper: where Jacobi diverges.
 
-#include <cmath>
-
 #include "lessons/03_iterations/knobs.hpp"
 #include "renderer/palette.hpp"
 #include "solver/constraints/normalised_distance.hpp"
-#include "solver/measure.hpp"
-#include "solver/step.hpp"
 
 namespace byhand::iterations {
 namespace {
-
-using namespace course;
 
 /// Where `rods` parallel rods hold a box of unit width, from its middle.
 std::vector<double> places(int rods) {

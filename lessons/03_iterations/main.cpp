@@ -4,10 +4,9 @@
 
 using namespace byhand;
 using namespace byhand::iterations;
-using namespace byhand::course;
 
 int main(int argc, char** argv) {
-  Lesson lesson(contents().at(2));
+  Lesson lesson(lesson_of(__FILE__));
   const Knobs knobs{
       .links = lesson.parameter("links", 10, "1", {2, 40}, "links of the chain"),
       .length = lesson.parameter("length", 2.0, "m", {0.1, 10}, "length of a link"),

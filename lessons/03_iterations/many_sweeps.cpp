@@ -1,20 +1,12 @@
 // Step 4: how errors shrink from sweep to sweep.
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 #include "lessons/03_iterations/held_step.hpp"
 #include "lessons/03_iterations/knobs.hpp"
 #include "lessons/03_iterations/textbook.hpp"
 #include "lessons/laws/closed_forms.hpp"
-#include "solver/measure.hpp"
-#include "solver/step.hpp"
 
 namespace byhand::iterations {
 namespace {
-
-using namespace course;
 
 struct Named {
   std::string name;
@@ -136,18 +128,19 @@ void many_sweeps(Page& page, const Knobs& knobs) {
       "ρ = cos²(π/2N) = @ for N = @,   one more digit: ln 10 / −ln ρ = @ sweeps",
       R"(\rho = \cos^2\frac{\pi}{2N} = @ \text{ for } N = @, \qquad \frac{\ln 10}{-\ln\rho} = @ \text{ sweeps a digit})",
       rho, knobs.links, digit);
+  const Quantity guess("warm error/cold error", warm_first / cold_first);
   page.text(
       R"(A *warm start* begins with the λ of the step before instead of 0. @ In the long run each sweep leaves the
       same share of the error whatever λ it began with: a better guess begins lower, it does not fall faster. What it is worth over
       many steps comes in step 6.)",
       !warm_seen ? say("After @ s with @ a step nothing is left to be solved on this scale.", second,
                        several(knobs.sweeps, "warm sweep"))
-      : warm_first < cold_first
-          ? say("After one sweep its error is @ gh, the cold one's @ gh.", Value(warm_first, 2),
-                Value(cold_first, 2))
-          : say(R"(Here that guess is no better: after one sweep its error is @ gh, the cold one's @
-                                      gh, for so few sweeps leave oscillations (step 6).)",
-                Value(warm_first, 2), Value(cold_first, 2)));
+                 : say("After one sweep its error is @ gh, the cold one's @ gh. @", Value(warm_first, 2),
+                       Value(cold_first, 2),
+                       page.verdict({{.when = guess < 1, .say = "The guess is better than none."},
+                                     {.when = guess >= 1,
+                                      .say = "Here the guess is no better than none, because so few sweeps leave "
+                                             "oscillations (step 6)."}})));
   page.measure("sweeps for one more digit", digits[0], "1");
   for (int i = 0; i < 3; ++i)
     page.claim(say("sweeps for one more digit, @", orders[i].name), digits[i], "1",

@@ -1,19 +1,10 @@
 // Step 2: a chain and one sweep, row by row.
 
-#include <algorithm>
-#include <cmath>
-
 #include "lessons/03_iterations/held_step.hpp"
 #include "lessons/03_iterations/knobs.hpp"
-#include "lessons/pictures/rods_and_bobs.hpp"
-#include "renderer/canvas.hpp"
 
 namespace byhand::iterations {
 namespace {
-
-using namespace course;
-namespace palette = renderer::palette;
-using renderer::Point;
 
 struct Instant {
   std::string title;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vector>
+#include "lessons/03_iterations/knobs.hpp"
 
 #include "lessons/scenes/chain.hpp"
 

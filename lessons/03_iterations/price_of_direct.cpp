@@ -1,8 +1,5 @@
 // Deeper: what the direct solve of a chain costs.
 
-#include <algorithm>
-#include <cmath>
-
 #include "lessons/03_iterations/held_step.hpp"
 #include "lessons/03_iterations/knobs.hpp"
 #include "lessons/03_iterations/plain.hpp"
@@ -10,8 +7,6 @@
 
 namespace byhand::iterations {
 namespace {
-
-using namespace course;
 
 struct Price {
   double row_solves, error;  // error in gh

@@ -1,23 +1,12 @@
 // Step 7: the same chain with few sweeps, many and all at once.
 
-#include <algorithm>
-#include <cmath>
-#include <optional>
-
 #include "lessons/03_iterations/knobs.hpp"
 #include "lessons/03_iterations/textbook.hpp"
 #include "lessons/laws/closed_forms.hpp"
-#include "lessons/pictures/growing.hpp"
-#include "lessons/pictures/rods_and_bobs.hpp"
-#include "lessons/pictures/runs.hpp"
-#include "renderer/canvas.hpp"
-#include "solver/step.hpp"
 
 namespace byhand::iterations {
 namespace {
 
-using namespace course;
-namespace palette = renderer::palette;
 using Chain = Simulation<PlaneParticle>;
 
 constexpr double film_seconds = 5;

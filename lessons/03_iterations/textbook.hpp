@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include "lessons/03_iterations/knobs.hpp"
 #include "lessons/scenes/chain.hpp"
 
 // The hanging chain as a textbook writes it, from its masses alone: dense matrices that the lesson's measurements

@@ -1,15 +1,11 @@
 // Step 5: sweeps against the length of the chain.
 
-#include <cmath>
-
 #include "lessons/03_iterations/held_step.hpp"
 #include "lessons/03_iterations/knobs.hpp"
 #include "lessons/laws/closed_forms.hpp"
 
 namespace byhand::iterations {
 namespace {
-
-using namespace course;
 
 /// What is missing at each joint, after so many sweeps of Jacobi's, of a disturbance that began in the middle
 /// joint of a chain at rest, as a share of that beginning.
@@ -49,7 +45,7 @@ renderer::Chart digits_over_links(const Knobs& knobs) {
   for (const int links : {3, 5, 10, 20, 40, 80}) {
     measured.x.push_back(links);
     measured.y.push_back(measured_digit(knobs.chain(links), knobs.h));
-    measured.point_labels.push_back(number(measured.y.back(), 3));
+    measured.point_labels.push_back(course::number(measured.y.back(), 3));
     law.x.push_back(links);
     law.y.push_back(coefficient * links * links);
   }

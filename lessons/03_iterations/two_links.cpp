@@ -1,20 +1,11 @@
 // Step 1: two links, and each row changes the error of the other.
 
-#include <algorithm>
-#include <cmath>
-
 #include "lessons/03_iterations/held_step.hpp"
 #include "lessons/03_iterations/knobs.hpp"
 #include "lessons/03_iterations/plain.hpp"
-#include "lessons/pictures/rods_and_bobs.hpp"
-#include "renderer/canvas.hpp"
 
 namespace byhand::iterations {
 namespace {
-
-using namespace course;
-namespace palette = renderer::palette;
-using renderer::Point;
 
 /// What a panel shows: speeds and errors in units of gh.
 struct Panel {
@@ -35,7 +26,7 @@ Panel panel(std::string title, int solved, const HeldStep& step, double fall) {
 std::string in_falls(double value) {
   if (std::abs(value) < 1e-12) return "0";
   if (std::abs(value - 1) < 1e-12) return "gh";
-  return number(value, 3) + " gh";
+  return course::number(value, 3) + " gh";
 }
 
 void draw_panel(renderer::Canvas& canvas, const Panel& now, double length, const renderer::Rectangle& frame) {

@@ -1,24 +1,13 @@
 // Step 6: cold and warm over many steps.
 
-#include <algorithm>
-#include <cmath>
-
 #include "lessons/03_iterations/held_step.hpp"
 #include "lessons/03_iterations/knobs.hpp"
 #include "lessons/03_iterations/textbook.hpp"
 #include "lessons/laws/closed_forms.hpp"
-#include "lessons/page/rounding.hpp"
-#include "lessons/pictures/growing.hpp"
-#include "lessons/pictures/rods_and_bobs.hpp"
-#include "lessons/pictures/runs.hpp"
-#include "renderer/canvas.hpp"
-#include "solver/step.hpp"
 
 namespace byhand::iterations {
 namespace {
 
-using namespace course;
-namespace palette = renderer::palette;
 using Chain = Simulation<PlaneParticle>;
 
 /// The hanging chain without a cure for drift, so that only (17) and (20) are at work.
@@ -156,6 +145,14 @@ void warm_start(Page& page, const Knobs& knobs) {
                         of_warm = error_over_time("warm", warm, knobs, seconds);
   const double most = largest_from(0, of_warm), end = largest_from(seconds - 0.5, of_warm),
                cold_end = largest_from(seconds - 0.5, of_cold), lost_at = first_beyond(1e3, of_warm);
+  const Quantity compared("warm error/cold error", end / cold_end);
+  const auto helps = [&] {
+    return page.verdict({{.when = Quantity("error at the end/largest error", end / most) < 0.01,
+                          .say = "The warm start removes the error."},
+                         {.when = both(compared < 1, compared >= 0.5), .say = "The warm start helps a little."},
+                         {.when = compared < 0.5, .say = "The warm start helps."},
+                         {.when = compared >= 1, .say = "With so few sweeps a warm start takes long to help."}});
+  };
   page.text(
       "**Warm, each step begins where the last one stopped.** @",
       !stretches ? std::string("Here that has nothing to add.")
@@ -163,15 +160,8 @@ void warm_start(Page& page, const Knobs& knobs) {
           ? say(R"(Here the chain flies apart after @ s: the links change so much in one step that the λ of the last one
                 does not fit.)",
                 Value(lost_at, 2))
-      : end < 0.01 * most
-          ? say("Over @ s the error falls from @ gh to @ gh, while the cold chain's stays at @ gh.", seconds,
-                Value(most, 2), small_error(end), Value(cold_end, 2))
-      : end < cold_end
-          ? say("After @ s its error is up to @ gh and that of the cold chain @ gh.", seconds, Value(end, 2),
-                Value(cold_end, 2))
-          : say(R"(For so few sweeps that takes long to help: after @ s its error is up to @ gh, that of the
-                             cold chain @ gh.)",
-                seconds, Value(end, 2), Value(cold_end, 2)));
+          : say("After @ s its error is up to @ gh and that of the cold chain @ gh. @", seconds, small_error(end),
+                Value(cold_end, 2), helps()));
   page.text("For the slow wave, with sₙ the speed of stretching that step n leaves@:",
             slack < 0.1
                 ? std::string()

@@ -1,20 +1,13 @@
 // Part of step 1: a film of two rows that undo each other's work.
 
-#include <cmath>
 #include <utility>
-#include <vector>
 
 #include "lessons/03_iterations/held_step.hpp"
 #include "lessons/03_iterations/knobs.hpp"
 #include "lessons/pictures/acts.hpp"
-#include "lessons/pictures/rods_and_bobs.hpp"
 
 namespace byhand::iterations {
 namespace {
-
-using namespace course;
-using renderer::Point;
-namespace palette = renderer::palette;
 
 /// Two links after a row was solved: in units of gh, and of m·gh for the row's impulse.
 struct Moment {

@@ -1,7 +1,5 @@
 // Step 2: (21) and (22), where they act alone.
 
-#include <cmath>
-
 #include "lessons/04_baumgarte/rod_end.hpp"
 #include "lessons/04_baumgarte/runs.hpp"
 #include "lessons/04_baumgarte/steps.hpp"
@@ -9,9 +7,6 @@
 
 namespace byhand::baumgarte {
 namespace {
-
-using namespace course;
-using namespace renderer;
 
 constexpr int shown_steps = 5;
 

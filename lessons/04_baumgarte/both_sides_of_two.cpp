@@ -1,18 +1,11 @@
 // Step 3: stems for several β, and the factor on both sides of 2.
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 #include "lessons/04_baumgarte/rod_end.hpp"
 #include "lessons/04_baumgarte/runs.hpp"
 #include "lessons/04_baumgarte/steps.hpp"
 
 namespace byhand::baumgarte {
 namespace {
-
-using namespace course;
-using namespace renderer;
 
 constexpr int panel_steps = 10;
 constexpr std::array shown{0.1, 0.2, 0.3, 1.0, 1.5, 1.9, 2.1};

@@ -1,19 +1,11 @@
 // Step 1: drift, and the law of how it grows.
 
-#include <cmath>
-
 #include "lessons/04_baumgarte/runs.hpp"
 #include "lessons/04_baumgarte/steps.hpp"
 #include "lessons/laws/closed_forms.hpp"
-#include "lessons/pictures/growing.hpp"
-#include "lessons/pictures/rods_and_bobs.hpp"
-#include "renderer/canvas.hpp"
 
 namespace byhand::baumgarte {
 namespace {
-
-using namespace course;
-using namespace renderer;
 
 constexpr double spiral_seconds = 4;
 
@@ -94,15 +86,12 @@ void drift(const Setting& setting, Page& page) {
       for no more, and the tangent leaves the circle. This growing error is called *drift*. To see it alone, take
       gravity away: a bob goes round at @ m/s on a rod of @ m; h is @ s, and nothing corrects the drift (b = 0).)",
       speed, length, setting.h);
-  Curve measured{.label = "C",
-                 .x = each(run, [](const Sample& s) { return s.time; }),
-                 .y = each(run, [&](const Sample& s) { return 100 * (s.position.norm() - length); }),
-                 .colour = palette::error};
-  Curve expected{.label = "law", .style = CurveStyle::theory};
-  for (int i = 0; i <= 60; ++i) {
-    expected.x.push_back(i * spiral_seconds / 60);
-    expected.y.push_back(100 * (laws::drifted_radius(length, speed, h, expected.x.back()) - length));
-  }
+  Curve measured =
+      curve("C", run, &Sample::time, [&](const Sample& s) { return 100 * (s.position.norm() - length); });
+  measured.colour = palette::error;
+  const Curve expected = pictures::theory(
+      "law", 0, spiral_seconds,
+      [&](double t) { return 100 * (laws::drifted_radius(length, speed, h, t) - length); }, 60);
   const Chart beside{
       .x = {.label = "time (s)"}, .y = {.label = "C = |d| − L (cm)"}, .curves = {measured, expected}};
   page.sequence("growing_circle",
@@ -154,14 +143,18 @@ void drift(const Setting& setting, Page& page) {
       R"(At first the error grows in proportion to the time, to h and to the centripetal acceleration v²/L. Later
       it grows with the fourth root of time, because the bob slows down as it moves outward. Half the step gives
       half the early drift: smaller steps help, but they never remove it.)");
-  const double at_first = 2 * turn_of(setting) * turn_of(setting), at_last = 1000 * at_first;
-  page.figure("law_of_drift",
-              say("Error over time for three steps; points: runs, dashed: the law. @ @",
-                  at_first < 0.2 ? "At first the slope is 1, and a quarter of h lowers the error to a quarter."
-                                 : "The steps are so large that the curve with h bends from its first step on.",
-                  at_last > 2 ? "Later the curves bend towards the fourth root."
-                              : "The error stays so small that no bend is seen yet."),
-              law_of_drift(setting));
+  const double bend = 2 * turn_of(setting) * turn_of(setting);
+  const Quantity at_first("2(vh/L)²", bend), at_last("2v²ht/L² at the end", 1000 * bend);
+  page.figure(
+      "law_of_drift",
+      say("Error over time for three steps; points: runs, dashed: the law. @ @",
+          page.verdict({{.when = at_first < 0.2,
+                         .say = "At first the slope is 1, and a quarter of h lowers the error to a quarter."},
+                        {.when = at_first >= 0.2,
+                         .say = "The steps are so large that the curve with h bends from its first step on."}}),
+          page.verdict({{.when = at_last > 2, .say = "Later the curves bend towards the fourth root."},
+                        {.when = at_last <= 2, .say = "The error stays so small that no bend is seen yet."}})),
+      law_of_drift(setting));
   page.measure("C after four seconds", 100 * C, "cm");
 
   const double turn = turn_of(setting), spread = 1 + 2 * turn * turn * steps, rounding = 1e-12 * steps;

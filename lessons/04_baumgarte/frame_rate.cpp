@@ -1,15 +1,10 @@
 // Step 5: a number without unit may still depend on the frame rate.
 
-#include <cmath>
-
 #include "lessons/04_baumgarte/runs.hpp"
 #include "lessons/04_baumgarte/steps.hpp"
 
 namespace byhand::baumgarte {
 namespace {
-
-using namespace course;
-using namespace renderer;
 
 /// Half-time as a run shows it [s].
 double measured_half_time(const Setting& setting, double beta, double h) {
@@ -45,7 +40,8 @@ void frame_rate(const Setting& setting, Page& page) {
   const double beta = one_side ? setting.beta() : 0.2;
   const double half = measured_half_time(setting, beta, h), finer = measured_half_time(setting, beta, h / 2),
                kept = measured_half_time(setting, beta / 2, h / 2);
-  const bool nearly_kept = std::abs(kept / half - 1) < 0.15;
+  const Quantity changes("change of the half-time with h/β kept", std::abs(kept / half - 1));
+  const Condition nearly_kept = changes < 0.15;
 
   if (!one_side)
     page.text(
@@ -83,11 +79,11 @@ void frame_rate(const Setting& setting, Page& page) {
                   : say(R"((This β is too large for that rule. Exactly, (1 − β)^(1/h) must stay: half the step
                              needs β = 1 − √(1 − @) = @.))",
                         beta, Value(1 - std::sqrt(1 - beta), 3)));
-  page.figure(
-      "half_time_over_h",
-      say("Half-time over the time step. With β kept it is proportional to h (slope 1); with h/β kept it @.",
-          nearly_kept ? "stays nearly the same" : "changes much less"),
-      half_times(setting, beta));
+  page.figure("half_time_over_h",
+              say("Half-time over the time step. With β kept it is proportional to h (slope 1). @",
+                  page.verdict({{.when = changes < 0.15, .say = "With h/β kept it stays nearly the same."},
+                                {.when = changes < 0.5, .say = "With h/β kept it changes less."}})),
+              half_times(setting, beta));
   page.measure("half-time", 1000 * half, "ms");
 
   const Tolerance rounding = relative(1e-13 * length / e / (beta * (1 - beta)));

@@ -6,7 +6,7 @@ int main(int argc, char** argv) {
   using namespace byhand;
   using namespace byhand::baumgarte;
 
-  course::Lesson lesson(course::contents().at(3));
+  course::Lesson lesson(course::lesson_of(__FILE__));
   const Setting setting{
       .beta = lesson.parameter("beta", 0.2, "1", {0.01, 3}, "share of the error that a step takes away"),
       .h = lesson.parameter("h", 1.0 / 60, "s", {1e-3, 0.05}, "time step"),

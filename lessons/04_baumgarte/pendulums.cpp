@@ -1,17 +1,8 @@
 #include "lessons/04_baumgarte/pendulums.hpp"
 
-#include <cmath>
-
-#include "lessons/pictures/growing.hpp"
-#include "lessons/pictures/rods_and_bobs.hpp"
-#include "lessons/pictures/runs.hpp"
 #include "lessons/scenes/pendulum.hpp"
-#include "renderer/canvas.hpp"
 
 namespace byhand::baumgarte {
-
-using namespace renderer;
-using course::say;
 
 PendulumFilm::PendulumFilm(const Setting& setting)
     : betas_(film_betas(setting)),
@@ -25,7 +16,7 @@ PendulumFilm::PendulumFilm(const Setting& setting)
     runs_[i] = swinging(setting, cure, h, static_cast<int>(std::lround(film_seconds / h)));
     below_.curves.push_back(
         {.label = say("β = @", betas_[i]),
-         .x = each(runs_[i], [](const Sample& s) { return s.time; }),
+         .x = each(runs_[i], &Sample::time),
          .y = each(runs_[i], [&](const Sample& s) { return std::abs(s.position.norm() / length_ - 1); })});
   }
 }

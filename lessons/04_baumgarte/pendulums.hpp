@@ -1,10 +1,7 @@
 #pragma once
 
-#include <array>
-
 #include "lessons/04_baumgarte/runs.hpp"
 #include "lessons/exact/simple_pendulum.hpp"
-#include "renderer/chart.hpp"
 
 namespace byhand::baumgarte {
 

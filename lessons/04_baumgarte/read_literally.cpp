@@ -1,16 +1,10 @@
 // Step 4: (22) as it is printed, without 1/h.
 
-#include <algorithm>
-#include <cmath>
-
 #include "lessons/04_baumgarte/runs.hpp"
 #include "lessons/04_baumgarte/steps.hpp"
 
 namespace byhand::baumgarte {
 namespace {
-
-using namespace course;
-using namespace renderer;
 
 constexpr double decay_seconds = 10;
 
@@ -58,11 +52,8 @@ void read_literally(const Setting& setting, Page& page) {
 
   const Curve per_step = decay(setting, say("per step: −(β/h)C, β = @", setting.beta), {beta},
                                static_cast<int>(std::lround(1 / h)), 1);
-  Curve law{.label = "e^{−βt}", .style = CurveStyle::theory};
-  for (int i = 0; i <= 40; ++i) {
-    law.x.push_back(i * decay_seconds / 40);
-    law.y.push_back(100 * e * std::exp(-beta * law.x.back()));
-  }
+  const Curve law = pictures::theory(
+      "e^{−βt}", 0, decay_seconds, [&](double t) { return 100 * e * std::exp(-beta * t); }, 40);
   page.figure("literal_and_per_step",
               say("The same number β = @, read in two ways, over @ s. Read literally, @ at the end.", setting.beta,
                   decay_seconds,

@@ -2,8 +2,6 @@
 
 namespace byhand::baumgarte {
 
-using namespace renderer;
-
 void draw_rod_end(Canvas& canvas, const Rectangle& frame, double error, double reach, const std::string& words) {
   constexpr double radius = 11, line = 26;  // [points]
   const Rectangle scene{frame.x, frame.y + line, frame.width, frame.height - line};

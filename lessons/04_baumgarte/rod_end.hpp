@@ -1,8 +1,6 @@
 #pragma once
 
-#include <string>
-
-#include "renderer/canvas.hpp"
+#include "lessons/04_baumgarte/setting.hpp"
 
 namespace byhand::baumgarte {
 

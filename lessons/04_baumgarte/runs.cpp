@@ -1,10 +1,7 @@
 #include "lessons/04_baumgarte/runs.hpp"
 
-#include <cmath>
-
 #include "lessons/scenes/circle.hpp"
 #include "lessons/scenes/pendulum.hpp"
-#include "solver/measure.hpp"
 
 namespace byhand::baumgarte {
 namespace {
@@ -61,12 +58,6 @@ Track swinging(const Setting& setting, const DriftCure& cure, double h, int step
   return follow(
       pendulum<PlaneParticle, NormalisedDistance>(radians(setting.release()), setting.length(), setting.mass()),
       cure, h, steps);
-}
-
-const Sample& at(const Track& track, double time) {
-  std::size_t i = 0;
-  while (i + 1 < track.size() && track[i + 1].time <= time + 1e-9) ++i;
-  return track[i];
 }
 
 }  // namespace byhand::baumgarte

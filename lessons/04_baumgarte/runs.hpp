@@ -1,10 +1,6 @@
 #pragma once
 
-#include <vector>
-
 #include "lessons/04_baumgarte/setting.hpp"
-#include "solver/model.hpp"
-#include "solver/step.hpp"
 
 namespace byhand::baumgarte {
 
@@ -34,16 +30,5 @@ Track circling(const Setting& setting, double speed, const DriftCure& cure, doub
 /// A pendulum let go at the lesson's `release`: the beginning and every step, until its rod is a hundred times as
 /// long.
 Track swinging(const Setting& setting, const DriftCure& cure, double h, int steps);
-
-/// The sample that shows at a time [s].
-const Sample& at(const Track& track, double time);
-
-/// A number of each sample, for a chart.
-template <class F>
-std::vector<double> each(const Track& track, F&& number) {
-  std::vector<double> numbers;
-  for (const Sample& sample : track) numbers.push_back(number(sample));
-  return numbers;
-}
 
 }  // namespace byhand::baumgarte

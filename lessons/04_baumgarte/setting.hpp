@@ -1,10 +1,12 @@
 #pragma once
 
-#include <cmath>
-
-#include "lessons/page/lesson.hpp"
+#include "lessons/pictures/prelude.hpp"
 
 namespace byhand::baumgarte {
+
+using namespace course;
+using namespace renderer;
+using pictures::at, pictures::curve, pictures::each;
 
 /// The lesson's parameters.
 struct Setting {
@@ -14,9 +16,7 @@ struct Setting {
   course::Parameter<int> links, sweeps;           // of the chain
 };
 
-inline constexpr double gravity = 9.81;  // [m/s²], as Scene has it
-inline constexpr double pi = 3.14159265358979323846;
-inline double radians(double degrees) { return degrees / 180 * pi; }
+inline constexpr double gravity = standard_gravity;
 
 /// The value, or 0 where it is only rounding beside `scale`.
 inline double without_rounding(double value, double scale) { return std::abs(value) < 1e-9 * scale ? 0 : value; }

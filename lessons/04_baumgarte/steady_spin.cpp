@@ -1,18 +1,11 @@
 // Deeper: what stays wrong when the error is fed in every step.
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 #include "lessons/04_baumgarte/runs.hpp"
 #include "lessons/04_baumgarte/steps.hpp"
 #include "lessons/laws/closed_forms.hpp"
 
 namespace byhand::baumgarte {
 namespace {
-
-using namespace course;
-using namespace renderer;
 
 /// A bob that has gone round until its rod no longer changes.
 struct Spin {

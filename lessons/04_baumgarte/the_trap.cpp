@@ -1,20 +1,11 @@
 // Deeper: the limit that is not 2.
 
-#include <algorithm>
-#include <cmath>
-
 #include "lessons/04_baumgarte/steps.hpp"
 #include "lessons/04_baumgarte/warm_chain.hpp"
 #include "lessons/laws/closed_forms.hpp"
-#include "lessons/pictures/growing.hpp"
-#include "lessons/pictures/runs.hpp"
-#include "renderer/canvas.hpp"
 
 namespace byhand::baumgarte {
 namespace {
-
-using namespace course;
-using namespace renderer;
 
 constexpr double chain_seconds = 4, least_shown = 1e-5;  // [s], of |C|/L [1]
 
@@ -225,12 +216,13 @@ void the_trap(const Setting& setting, Page& page) {
        {"waves with q = 0, which one sweep removes, behave like one row", "β < 2", R"(\beta < 2)"}});
   page.formula("all waves die out  ⟺  β < min((1 − q)/q, 2) = @",
                R"(\text{all waves die out} \iff \beta < \min\Bigl(\frac{1-q}{q},\,2\Bigr) = @)", limit);
-  page.text(dies_out
-                ? R"(β = @ is below that. With few sweeps or many links the limit becomes very small, and the
-                       solver gives no error message: the chain only oscillates more and more.)"
-                : R"(β = @ is above that. The solver gives no error message: the chain only oscillates more and
-                       more.)",
-            setting.beta);
+  const Quantity share("β", beta), of_limit("limit", limit), step_growth("growth in a step", growth);
+  page.text(
+      R"(@ With few sweeps or many links the limit becomes very small, and the solver gives no error message: beyond
+      the limit the chain only oscillates more and more.)",
+      page.verdict(
+          {{.when = step_growth < 1, .say = "β is below the limit: errors die out.", .law = share < of_limit},
+           {.when = step_growth > 1, .say = "β is above the limit: errors grow.", .law = share > of_limit}}));
   page.figure(
       "beta_and_sweeps",
       say(R"(By how many decades errors along @ grow (red) or die out (blue) in a hundred steps. Dashed: the
@@ -251,7 +243,7 @@ void the_trap(const Setting& setting, Page& page) {
   page.measure("growth of an error in a step", growth, "1");
 
   // The waves that a sweep in chain order removes at once are coupled; in a long chain rounding feeds them.
-  const Quantity share("β", beta), length("links", links);
+  const Quantity length("links", links);
   const Condition pure = either(share <= 1.5, both(share <= 2, length <= 12));
   page.claim("growth in a step, warm", growth, "1",
              is(growth_law({links, sweeps, beta}), "largest root z over all waves", absolute(1e-3)), pure);

@@ -1,12 +1,9 @@
 #include "lessons/04_baumgarte/warm_chain.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <random>
 
 #include "lessons/laws/closed_forms.hpp"
 #include "lessons/scenes/chain.hpp"
-#include "solver/measure.hpp"
 
 namespace byhand::baumgarte {
 namespace {

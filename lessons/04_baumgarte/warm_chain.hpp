@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "lessons/pictures/rods_and_bobs.hpp"
+#include "lessons/04_baumgarte/setting.hpp"
 
 namespace byhand::baumgarte {
 

@@ -1,18 +1,11 @@
 // Step 6: drift, energy and period of a pendulum against β.
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 #include "lessons/04_baumgarte/pendulums.hpp"
 #include "lessons/04_baumgarte/steps.hpp"
 #include "lessons/exact/simple_pendulum.hpp"
 
 namespace byhand::baumgarte {
 namespace {
-
-using namespace course;
-using namespace renderer;
 
 constexpr int swings = 3;
 constexpr std::array betas{0.01, 0.02, 0.03, 0.05, 0.07, 0.1, 0.15, 0.2, 0.3,
@@ -183,9 +176,11 @@ void what_it_costs(const Setting& setting, Page& page) {
       R"(Of these β the drift is least at @, the loss of energy at @, the error of the period at @. (Where a curve
       dips, the error changes its sign; that β is not better for another scene.) @)",
       best_drift, best_energy, best_period,
-      std::min(best_drift, best_energy) > 0.3 && loses
-          ? "On *one* row, solved exactly, a large β costs little, and the usual 0.1 to 0.3 is cautious."
-          : "");
+      page.verdict({{.when = where(Quantity("best β for drift", best_drift) > 0.3,
+                                   Quantity("best β for energy", best_energy) > 0.3,
+                                   Quantity("the most energy gained", most, "mgL") <= rounding),
+                     .say = "On *one* row, solved exactly, a large β costs little, and the usual 0.1 to 0.3 is "
+                            "cautious."}}));
   page.text(
       R"(A large β has its price elsewhere:
 

@@ -1,17 +1,9 @@
 #include "lessons/04_baumgarte/within_two_steps.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 #include "lessons/pictures/acts.hpp"
-#include "lessons/pictures/rods_and_bobs.hpp"
 
 namespace byhand::baumgarte {
 namespace {
-
-using namespace course;
-using namespace renderer;
 
 constexpr double drawn_step = 0.6;  // hv as it is drawn, in lengths of the rod
 

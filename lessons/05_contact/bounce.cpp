@@ -1,19 +1,11 @@
 // Step 5: restitution, where it enters, and why a bounce on overlap gains energy.
 
-#include <algorithm>
-#include <cmath>
-
 #include "lessons/05_contact/steps.hpp"
 #include "lessons/pictures/boxes.hpp"
-#include "lessons/pictures/growing.hpp"
 #include "lessons/scenes/balls.hpp"
-#include "solver/step.hpp"
 
 namespace byhand::contact {
 namespace {
-
-using namespace course;
-using namespace renderer;
 
 constexpr double bounce_seconds = 3, ball_radius = 0.15;  // [s], of the ball [m]
 constexpr double bounce_threshold = 0.1;                  // slower contacts rest [m/s]

@@ -1,7 +1,5 @@
 #include "lessons/05_contact/column.hpp"
 
-#include <limits>
-
 namespace byhand::contact {
 
 std::vector<Pressed> pressed(const Pile& pile, double h) {

@@ -1,10 +1,8 @@
 #pragma once
 
-#include <string>
-#include <vector>
+#include "lessons/05_contact/setting.hpp"
 
 #include "lessons/scenes/boxes.hpp"
-#include "solver/measure.hpp"
 
 namespace byhand::contact {
 

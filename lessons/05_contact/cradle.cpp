@@ -1,18 +1,11 @@
 // Step 6: a row of balls, where rows cannot say what happens.
 
-#include <cmath>
-
 #include "lessons/05_contact/hanging_cradle.hpp"
 #include "lessons/05_contact/steps.hpp"
 #include "lessons/scenes/balls.hpp"
-#include "renderer/canvas.hpp"
-#include "solver/measure.hpp"
 
 namespace byhand::contact {
 namespace {
-
-using namespace course;
-using namespace renderer;
 
 using Row = Simulation<PlaneBody>;
 

@@ -1,21 +1,12 @@
 // Step 2: an overlap, and the speed at which it leaves.
 
-#include <algorithm>
-#include <cmath>
-
 #include "lessons/05_contact/steps.hpp"
 #include "lessons/laws/closed_forms.hpp"
 #include "lessons/pictures/boxes.hpp"
-#include "lessons/pictures/growing.hpp"
-#include "lessons/pictures/runs.hpp"
 #include "lessons/scenes/boxes.hpp"
-#include "solver/step.hpp"
 
 namespace byhand::contact {
 namespace {
-
-using namespace course;
-using namespace renderer;
 
 constexpr double pop_seconds = 1.5, deepest = 0.4;  // [s], [m]
 
@@ -204,8 +195,13 @@ void deep_contact(const Setting& setting, Page& page) {
        {"the largest root of x² + (1 − 2/β)x + ¼ = 0, without the small ¼", "x > 2/β − 1", R"(x > 2/\beta - 1)"},
        {"back to d", "d > (1 − β/2) 2gh²/β²", R"(d > (1-\tfrac{\beta}{2})\frac{2gh^2}{\beta^2})"}});
   page.text(R"(With whole numbers n the limit is @ m. @)", Value(by_steps, 4),
-            by_steps > deepest ? say("No overlap of this lesson, up to @ m, is as deep as that.", deepest)
-                               : "For small β, twice the β pops from a quarter of the depth.");
+            page.verdict({{.when = Quantity("limit", by_steps, "m") > Quantity("deepest overlap", deepest, "m"),
+                           .say = say("No overlap of this lesson, up to @ m, is as deep as that.", deepest)},
+                          {.when = within(3,
+                                          Quantity("limit/limit with twice the β",
+                                                   by_steps / pop_by_steps(std::min(1.0, 2 * beta), h)),
+                                          5),
+                           .say = "Twice the β pops from about a quarter of the depth."}}));
   if (pop_by_steps(std::min(1.0, 2 * beta), h) < deepest)
     page.figure(
         "pop_over_depth",

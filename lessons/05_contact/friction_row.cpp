@@ -1,19 +1,11 @@
 // Step 3: friction's row, why JV is computed again for it, and in which order rows are solved.
 
-#include <array>
-#include <cmath>
-
 #include "lessons/05_contact/on_a_corner.hpp"
 #include "lessons/05_contact/steps.hpp"
-#include "renderer/canvas.hpp"
 #include "solver/constraints/friction.hpp"
-#include "solver/step.hpp"
 
 namespace byhand::contact {
 namespace {
-
-using namespace course;
-using namespace renderer;
 
 /// Without what rounding leaves, to three digits.
 Value tidy(double value) { return {std::abs(value) < 1e-9 ? 0 : value, 3}; }
@@ -116,7 +108,6 @@ void friction_row(const Setting& setting, Page& page) {
     settled.solve_normal();
     settled.solve_friction();
   }
-  const bool sticks = std::abs(settled.slip()) < 1e-6 * speed;
 
   page.text(
       R"(Friction is (15) once more, with a tangent t in the place of n. It has no C to keep; it asks only for JV =
@@ -168,13 +159,18 @@ void friction_row(const Setting& setting, Page& page) {
         R"(A_{nn} = \frac1m + \frac{r_x^2}{I}, \qquad A_{tn} = -\frac{r_x r_y}{I})"}});
   within_the_cone(setting, page);
   const double lifted = rubbed.approach();
+  const Quantity slip("slip left/speed", std::abs(settled.slip()) / speed);
   page.text(
       R"(Friction's push has disturbed the normal in turn: the corner now moves @ at @ m/s. So another sweep follows,
       and another. @)",
       lifted > 0 ? "up" : "down", Value(std::abs(lifted), 3),
-      sticks ? say("In the end both rates are zero: with μ = @ the corner sticks.", setting.friction)
-             : say("In the end nothing changes any more: with μ = @ the bound is too small, and the corner slips.",
-                   setting.friction));
+      page.verdict(
+          {{.when = slip < 1e-6,
+            .say = say("In the end both rates are zero: with μ = @ the corner sticks.", setting.friction)},
+           {.when = slip >= 1e-6,
+            .say = say("In the end nothing changes any more: with μ = @ the bound is too small, and the "
+                       "corner slips.",
+                       setting.friction)}}));
   page.text(
       R"(Friction needs λₙ for its bound. Which of the two rows comes first? Take the simplest thing that slides, a
       particle of @ kg at @ m/s on level ground, μ = @: one contact, one row of friction.)",

@@ -1,10 +1,8 @@
 #pragma once
 
-#include <string>
+#include "lessons/05_contact/setting.hpp"
 
-#include "renderer/canvas.hpp"
 #include "solver/constraints/normalised_distance.hpp"
-#include "solver/step.hpp"
 
 namespace byhand::contact {
 

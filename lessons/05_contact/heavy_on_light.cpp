@@ -1,21 +1,13 @@
 // Deeper: a heavy box on a light one.
 
 #include <Eigen/LU>
-#include <algorithm>
-#include <cmath>
 
 #include "lessons/05_contact/column.hpp"
 #include "lessons/05_contact/steps.hpp"
-#include "lessons/page/rounding.hpp"
 #include "lessons/pictures/boxes.hpp"
-#include "lessons/pictures/growing.hpp"
-#include "lessons/pictures/runs.hpp"
 
 namespace byhand::contact {
 namespace {
-
-using namespace course;
-using namespace renderer;
 
 constexpr double pair_seconds = 2, settling = 8;  // [s]
 
@@ -147,18 +139,20 @@ void heavy_on_light(const Setting& setting, Page& page) {
   const auto [warm_low, warm_high] = range_of_sinking(pair(runs[1].pile.method.solver, ratio, beta), h);
   const auto [direct_low, direct_high] = range_of_sinking(pair(Direct{}, ratio, beta), h);
   const double law = textbook_sinking(ratio, sweeps, beta, h);
-  const bool settled = warm_high - warm_low < 1e-3 && warm_high < 0.5;
+  const Quantity still("movement in the eighth second", warm_high - warm_low, "m"), sunk("sunk", warm_high, "m");
   page.text(
       R"(Started cold, the boxes sink into each other until the correction of the overlap makes up for what the sweeps
       leave, like the soft chain of lesson 3: here @. Started warm, λ reaches the weight over many steps. But
       meanwhile the overlap has grown, and its correction is remembered as well (lesson 4); beyond a ratio of about 3
-      times the sweeps such a pair does not come to rest. Here it @. Solved directly, a ratio of masses is only a
-      number in A.)",
+      times the sweeps such a pair does not come to rest. @ Solved directly, a ratio of masses is only a number in
+      A.)",
       high < 0.5 ? say("by @ mm after @ s", Value(1000 * without_rounding(high, 1), 3), settling)
                  : "so deep that they no longer stand on each other",
-      settled ? say("has come to rest after @ s, @ mm below its place", settling,
-                    Value(1000 * without_rounding(warm_high, 1), 3))
-              : say("has not come to rest after @ s", settling));
+      page.verdict({{.when = where(still < 1e-3, sunk < 0.5),
+                     .say = say("Here it has come to rest after @ s, @ mm below its place.", settling,
+                                Value(1000 * without_rounding(warm_high, 1), 3))},
+                    {.when = either(still >= 1e-3, sunk >= 0.5),
+                     .say = say("Here it has not come to rest after @ s.", settling)}}));
   page.figure("over_ratio",
               say(R"(How far the upper box is from its place, at most, in the eighth second; @ a step. Dashed: from
           the matrices of Gauss–Seidel.)",

@@ -5,7 +5,7 @@ int main(int argc, char** argv) {
   using namespace byhand;
   using namespace byhand::contact;
 
-  course::Lesson lesson(course::contents().at(4));
+  course::Lesson lesson(course::lesson_of(__FILE__));
   const Setting setting{
       .h = lesson.parameter("h", 1.0 / 60, "s", {1e-3, 0.05}, "time step"),
       .beta = lesson.parameter("beta", 0.2, "1", {0.05, 1}, "share of an overlap that a step takes away"),

@@ -1,12 +1,8 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-
 #include "lessons/05_contact/setting.hpp"
 #include "solver/constraints/contact.hpp"
 #include "solver/constraints/friction.hpp"
-#include "solver/scene.hpp"
 
 namespace byhand::contact {
 

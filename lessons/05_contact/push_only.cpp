@@ -1,20 +1,12 @@
 // Step 1: an inequality, and what has to be kept at zero or above.
 
-#include <algorithm>
-#include <cmath>
-
 #include "lessons/05_contact/standing_box.hpp"
 #include "lessons/05_contact/steps.hpp"
 #include "lessons/pictures/boxes.hpp"
-#include "lessons/pictures/growing.hpp"
-#include "lessons/pictures/runs.hpp"
 #include "solver/constraints/contact.hpp"
 
 namespace byhand::contact {
 namespace {
-
-using namespace course;
-using namespace renderer;
 
 constexpr double stand_seconds = 2.3, lift = 0.3;  // [s], [m]
 constexpr int shown_sweeps = 8;

@@ -1,21 +1,14 @@
 // Step 7: a stack, and what it asks of a solver.
 
-#include <algorithm>
-#include <cmath>
 #include <map>
 
 #include "lessons/05_contact/column.hpp"
 #include "lessons/05_contact/steps.hpp"
 #include "lessons/laws/closed_forms.hpp"
 #include "lessons/pictures/boxes.hpp"
-#include "lessons/pictures/growing.hpp"
-#include "lessons/pictures/runs.hpp"
 
 namespace byhand::contact {
 namespace {
-
-using namespace course;
-using namespace renderer;
 
 constexpr double stack_seconds = 3.5, hurry = 4;  // of film [s]; seconds of the stack in one of the film
 constexpr double patience = 20;                   // how long a stack must stand [s]

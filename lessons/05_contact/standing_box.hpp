@@ -1,10 +1,8 @@
 #pragma once
 
-#include <array>
-#include <vector>
+#include "lessons/05_contact/setting.hpp"
 
 #include "solver/contact/contact_manager.hpp"
-#include "solver/scene.hpp"
 
 namespace byhand::contact {
 

@@ -1,19 +1,11 @@
 // Step 4: a box on a slope, on both sides of tanθ = μ.
 
-#include <cmath>
-
 #include "lessons/05_contact/steps.hpp"
 #include "lessons/pictures/boxes.hpp"
-#include "lessons/pictures/growing.hpp"
-#include "lessons/pictures/runs.hpp"
 #include "lessons/scenes/incline.hpp"
-#include "solver/step.hpp"
 
 namespace byhand::contact {
 namespace {
-
-using namespace course;
-using namespace renderer;
 
 constexpr double slide_seconds = 2;
 const Linear<PlaneBody> sides(0.8, 0.5);  // of the box [m]

@@ -1,17 +1,11 @@
 // Deeper: a pyramid, whose contacts make loops.
 
-#include <algorithm>
-#include <cmath>
-
 #include "lessons/05_contact/column.hpp"
 #include "lessons/05_contact/steps.hpp"
 #include "lessons/pictures/boxes.hpp"
 
 namespace byhand::contact {
 namespace {
-
-using namespace course;
-using namespace renderer;
 
 constexpr double wall_seconds = 5, slop = 0.001;  // [s], [m]
 

@@ -1,14 +1,8 @@
-#include <array>
-#include <vector>
-
 #include "lessons/05_contact/on_a_corner.hpp"
 #include "lessons/pictures/acts.hpp"
 
 namespace byhand::contact {
 namespace {
-
-using namespace course;
-using namespace renderer;
 
 /// The box after each row that was solved, and what that row asked for before it was clamped.
 struct Solved {

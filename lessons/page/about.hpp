@@ -1,6 +1,8 @@
 #pragma once
 
+#include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace byhand::course {
@@ -18,5 +20,14 @@ struct About {
 
 /// The lessons of the course, in order. Defined by each course.
 const std::vector<About>& contents();
+
+/// The lesson whose folder holds this source: `lesson_of(__FILE__)`. Throws std::out_of_range if the course has
+/// none of that name.
+inline const About& lesson_of(std::string_view source) {
+  const std::string_view folder = source.substr(0, source.find_last_of('/'));
+  for (const About& lesson : contents())
+    if (folder.ends_with(lesson.slug)) return lesson;
+  throw std::out_of_range("the course has no lesson for " + std::string(source));
+}
 
 }  // namespace byhand::course

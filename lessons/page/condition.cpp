@@ -49,6 +49,8 @@ Condition operator<=(const Quantity& a, double limit) { return compared(a.value 
 Condition operator>(const Quantity& a, double limit) { return compared(a.value > limit, a, ">", limit); }
 Condition operator>=(const Quantity& a, double limit) { return compared(a.value >= limit, a, "≥", limit); }
 
+Condition operator==(const Quantity& a, double limit) { return compared(a.value == limit, a, "=", limit); }
+
 Condition within(double low, const Quantity& a, double high) {
   return {low <= a.value && a.value <= high,
           fmt::format("{} ≤ {} ≤ {}", with_unit(low, a.unit), a.symbol, with_unit(high, a.unit)), found(a)};

@@ -36,6 +36,9 @@ Condition operator<=(const Quantity& a, double limit);
 Condition operator>(const Quantity& a, double limit);
 Condition operator>=(const Quantity& a, double limit);
 
+/// Exactly: a clamped or rounded value.
+Condition operator==(const Quantity& a, double limit);
+
 /// low ≤ a ≤ high
 Condition within(double low, const Quantity& a, double high);
 
