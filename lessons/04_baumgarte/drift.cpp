@@ -145,16 +145,17 @@ void drift(const Setting& setting, Page& page) {
       half the early drift: smaller steps help, but they never remove it.)");
   const double bend = 2 * turn_of(setting) * turn_of(setting);
   const Quantity at_first("2(vh/L)²", bend), at_last("2v²ht/L² at the end", 1000 * bend);
-  page.figure(
-      "law_of_drift",
-      say("Error over time for three steps; points: runs, dashed: the law. @ @",
-          page.verdict({{.when = at_first < 0.2,
-                         .say = "At first the slope is 1, and a quarter of h lowers the error to a quarter."},
-                        {.when = at_first >= 0.2,
-                         .say = "The steps are so large that the curve with h bends from its first step on."}}),
-          page.verdict({{.when = at_last > 2, .say = "Later the curves bend towards the fourth root."},
-                        {.when = at_last <= 2, .say = "The error stays so small that no bend is seen yet."}})),
-      law_of_drift(setting));
+  const std::string first =
+      page.verdict({{.when = at_first < 0.2,
+                     .say = "At first the slope is 1, and a quarter of h lowers the error to a quarter."},
+                    {.when = at_first >= 0.2,
+                     .say = "The steps are so large that the curve with h bends from its first step on."}});
+  const std::string later =
+      page.verdict({{.when = at_last > 2, .say = "Later the curves bend towards the fourth root."},
+                    {.when = at_last <= 2, .say = "The error stays so small that no bend is seen yet."}});
+  page.figure("law_of_drift",
+              say("Error over time for three steps; points: runs, dashed: the law. @ @", first, later),
+              law_of_drift(setting));
   page.measure("C after four seconds", 100 * C, "cm");
 
   const double turn = turn_of(setting), spread = 1 + 2 * turn * turn * steps, rounding = 1e-12 * steps;
