@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "lessons/page/words.hpp"
 
 namespace byhand::course {
@@ -12,7 +14,10 @@ std::string with_unit(double value, const std::string& unit) {
   return number(value) + (unit.empty() || unit == "1" ? "" : unit == "°" ? unit : " " + unit);
 }
 
-std::string found(const Quantity& a) { return fmt::format("{} = {}", a.symbol, with_unit(a.value, a.unit)); }
+std::string found(const Quantity& a) {
+  const bool rounding = a.value != 0 && std::abs(a.value) < 1e-11;
+  return fmt::format("{} = {}{}", a.symbol, with_unit(a.value, a.unit), rounding ? " (rounding)" : "");
+}
 
 Condition compared(bool met, const Quantity& a, const char* sign, double limit) {
   return {met, fmt::format("{} {} {}", a.symbol, sign, with_unit(limit, a.unit)), found(a)};

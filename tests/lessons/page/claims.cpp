@@ -35,6 +35,13 @@ TEST(Condition, PrintsUnits) {
   EXPECT_EQ((Quantity("C", -1e-5, "m") > -2e-5).words, "C > −2·10⁻⁵ m");
 }
 
+TEST(Condition, CallsRoundingByItsName) {
+  EXPECT_EQ((Quantity("slip", 4e-17) < 1e-6).found, "slip = 4·10⁻¹⁷ (rounding)");
+  EXPECT_EQ((Quantity("slip", 0) == 0).found, "slip = 0");
+  EXPECT_TRUE(Quantity("slip", 0) == 0);
+  EXPECT_FALSE(Quantity("slip", 4e-17) == 0);
+}
+
 TEST(Condition, ComparesWithALimitThatHasAName) {
   const Condition condition = Quantity("β", 0.2) < Quantity("(1 − q)/q", 0.5);
   EXPECT_TRUE(condition);
