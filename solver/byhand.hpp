@@ -14,3 +14,4 @@
 #include "solver/constraints/spring.hpp"
 #include "solver/constraints/weld.hpp"
 #include "solver/measure.hpp"
+#include "solver/support/compiled.hpp"

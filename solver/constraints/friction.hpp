@@ -21,7 +21,7 @@ struct FrictionAlong {
   static constexpr bool holds_where_found = true;
 
   Anchors<M> at;
-  Eigen::Matrix<double, M::linear, K> tangents;  // t_k, orthonormal columns in the world
+  Packed<double, M::linear, K> tangents;  // t_k, orthonormal columns in the world
   double coefficient = 0;                        // μ >= 0
   int contact = 0;                               // handle of the contact that gives λ_normal
   double softness = 0;                           // γ [1/kg] >= 0

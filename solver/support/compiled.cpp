@@ -1,0 +1,7 @@
+#include "solver/support/compiled.hpp"
+
+namespace byhand {
+
+BYHAND_COMPILED();
+
+}  // namespace byhand
