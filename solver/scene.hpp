@@ -92,6 +92,23 @@ class Scene {
   /// Multiplies the gravity on a body: 0 lets it float, a factor below 0 rise.
   void set_gravity_scale(int body, double factor);
 
+  /// Pushes a body at its centre of mass with a force [N] throughout the next step, with all others of that step.
+  void add_force(int body, const Linear<M>& force) { add_push(body, force, nullptr); }
+  /// Pushes it at a point of the world [m].
+  void add_force(int body, const Linear<M>& force, const Linear<M>& at) requires(M::angular > 0) {
+    add_push(body, force, &at);
+  }
+  /// Turns a body with a torque [N m] throughout the next step.
+  void add_torque(int body, const Angular<M>& torque) requires(M::angular > 0);
+  /// Strikes a body at its centre of mass: its velocity changes at once by impulse/m [N s].
+  void apply_impulse(int body, const Linear<M>& impulse) { strike(body, impulse, nullptr); }
+  /// Strikes it at a point of the world [m].
+  void apply_impulse(int body, const Linear<M>& impulse, const Linear<M>& at) requires(M::angular > 0) {
+    strike(body, impulse, &at);
+  }
+  /// Changes the angular velocity of a body at once by I⁻¹ impulse [N m s].
+  void apply_angular_impulse(int body, const Angular<M>& impulse) requires(M::angular > 0);
+
   /// Lets a body touch others. Throws std::invalid_argument for a shape or surface outside its range.
   void set_shape(int body, const Shape<M>& shape, const Surface& surface = {}) requires(M::angular > 0);
   /// Bodies nearer than margin + lookahead |v| h get a contact, v their relative velocity and h the step. Without
@@ -239,6 +256,9 @@ class Scene {
   void append(int kind, int body1, int body2, int id);
   std::vector<double> kept(const System<M>& system, const std::vector<double>& numbers) const;
   BodyForces& forces_of(int body);
+  Velocity<M> with_moment(int body, const char* name, const Linear<M>& push, const Linear<M>* at) const;
+  void add_push(int body, const Linear<M>& force, const Linear<M>* at);
+  void strike(int body, const Linear<M>& impulse, const Linear<M>* at);
   void forget_found();
   void prepare_to_add();
   void remove_place(int place);

@@ -25,6 +25,7 @@ void write_free_accelerations(const Bodies<M>& bodies, const Linear<M>& gravity,
     }
     if constexpr (M::angular > 0)
       a.template tail<M::angular>() -= own.angular_damping * V.template tail<M::angular>();
+    a += applied_acceleration(bodies, i);
   }
 }
 

@@ -201,6 +201,7 @@ void advance(Scene<M>& scene, const Avbd& method, double h, Avbd::Work<M>& work)
     warm_start(method, run.position_rows, block, work);
   });
   damp(bodies, h);
+  add_applied(bodies, h);
   advance_freely(method.gyroscopic, bodies, h, work);
   add_gravity(bodies, scene.gravity, h);
   work.free = bodies.pose;
