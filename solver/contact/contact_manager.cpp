@@ -117,6 +117,10 @@ template <class M>
 void ContactManager<M>::read_impulses(const System<M>& system) {
   for (Pair& pair : pairs_)
     for_each_row(pair, system.row_of, [&](int row, double& kept) { kept = system.lambda[row]; });
+  std::swap(pressed_, pressed_before_);
+  pressed_.clear();
+  for (const Pair& pair : pairs_)
+    if (pair.presses()) pressed_.push_back(pair.bodies);
 }
 
 /// Updates pose and bounds of all bodies or, in an unchanged scene, of those that have moved noticeably or will,
