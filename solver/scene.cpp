@@ -212,17 +212,21 @@ void Scene<M>::apply_angular_impulse(int body, const Angular<M>& impulse) requir
 }
 
 template <class M>
-void Scene<M>::set_shape(int body, const Shape<M>& shape, const Surface& surface) requires(M::angular > 0) {
+void Scene<M>::set_shape(int body, const Shape<M>& shape, const Surface& surface, const Layers& layers)
+  requires(M::angular > 0)
+{
   require_body(bodies_, body);
   require_valid<M>(shape);
   require_in("friction coefficient", surface.friction, 0, 1e300);
   require_in("restitution", surface.restitution, 0, 1);
   colliders_.shapes.resize(bodies_.size());
   colliders_.surfaces.resize(bodies_.size());
+  colliders_.layers.resize(bodies_.size());
   colliders_.stamps.resize(bodies_.size());
   if (std::holds_alternative<std::monostate>(colliders_.shapes[body])) colliders_.stamps[body] = new_stamp();
   colliders_.shapes[body] = shape;
   colliders_.surfaces[body] = surface;
+  colliders_.layers[body] = layers;
   changed();
 }
 

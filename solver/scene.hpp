@@ -21,6 +21,12 @@ struct Surface {
   double restitution = 0;  // e in [0, 1]
 };
 
+/// Whom a body can touch: two do where each meets a layer that the other is in, one bit a layer.
+struct Layers {
+  std::uint32_t in = 1, meets = ~std::uint32_t{};
+};
+inline bool meet(const Layers& a, const Layers& b) { return (a.meets & b.in) && (b.meets & a.in); }
+
 /// What bodies that touch become: in the plane one ContactManifold for both points; or a Contact for each point,
 /// with Friction where the surfaces have any. In space always the latter.
 enum class ContactRows { manifold, points };
@@ -30,6 +36,7 @@ template <class M>
 struct Colliders {
   std::vector<Shape<M>> shapes;
   std::vector<Surface> surfaces;
+  std::vector<Layers> layers;
   std::vector<std::uint64_t> stamps;  // of the body that has the shape: no other in any scene, but its copies
   // Bodies nearer than margin + lookahead |v| h get a contact, for they may touch within the step h.
   double margin = 0.02;  // [m]
@@ -110,7 +117,8 @@ class Scene {
   void apply_angular_impulse(int body, const Angular<M>& impulse) requires(M::angular > 0);
 
   /// Lets a body touch others. Throws std::invalid_argument for a shape or surface outside its range.
-  void set_shape(int body, const Shape<M>& shape, const Surface& surface = {}) requires(M::angular > 0);
+  void set_shape(int body, const Shape<M>& shape, const Surface& surface = {}, const Layers& layers = {})
+    requires(M::angular > 0);
   /// Bodies nearer than margin + lookahead |v| h get a contact, v their relative velocity and h the step. Without
   /// the lookahead what is fast passes thin walls unseen. margin [m] > 0, lookahead >= 0.
   void set_margin(double margin, double lookahead = 1);

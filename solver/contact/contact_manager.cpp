@@ -72,11 +72,12 @@ void ContactManager<M>::find(Scene<M>& scene, double step) {
   if (!update_bounds(scene, unchanged, time) && unchanged) return;
   const auto& masses = scene.bodies().inverse_mass;
   const auto& stamps = scene.colliders().stamps;
+  const auto& layers = scene.colliders().layers;
   found_.clear();
   auto before = pairs_.begin();
   for (const BodyPair& bodies : broad_phase_.overlapping(bounds_)) {
     const auto& [i, j] = bodies;
-    if (!moves(masses[i]) && !moves(masses[j])) continue;
+    if ((!moves(masses[i]) && !moves(masses[j])) || !meet(layers[i], layers[j])) continue;
     if (std::binary_search(joined_.begin(), joined_.end(), bodies)) continue;
     while (before != pairs_.end() && before->bodies < bodies) ++before;
     const bool cached =

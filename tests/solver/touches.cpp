@@ -106,6 +106,30 @@ TEST(Touches, AreNoneBeforeAStepAndNoneWhereNothingHasAShape) {
   EXPECT_TRUE(simulation.parted().empty());
 }
 
+TEST(Layers, LetABodyFallThroughWhatItDoesNotMeet) {
+  with_bodies([]<class M>() {
+    Scene<M> scene;
+    const int ground = scene.add_body(Linear<M>(Linear<M>::Zero()), fixed<M>());
+    scene.set_shape(ground, HalfSpace<M>{Linear<M>::Unit(1)});
+    // A box that meets the ground, one that meets neither the ground nor the third, and one in the same place that meets all.
+    const Layers layers[] = {{}, {.in = 2, .meets = ~5u}, {.in = 4}};
+    for (int i = 0; i < 3; ++i) {
+      const int crate = scene.add_body(Linear<M>(Linear<M>::Unit(1) + (i == 2 ? 1 : i) * 4 * Linear<M>::Unit(0)),
+                                       box<M>(1, Linear<M>::Ones()));
+      scene.set_shape(crate, Box<M>{Linear<M>::Ones()}, {}, layers[i]);
+    }
+    Simulation<M> simulation{std::move(scene)};
+    for (int i = 0; i < 120; ++i) simulation.step(h);
+    const auto height = [&](int body) { return simulation.scene.bodies().pose[body].position.y(); };
+    EXPECT_NEAR(height(1), 0.5, 2e-3);
+    EXPECT_NEAR(height(2), 1 - g * 2 * (2 + h) / 2, 1e-9) << "in free fall";
+    EXPECT_NEAR(height(3), 0.5, 2e-3) << "one that does not meet it is not met either";
+    simulation.scene.set_shape(1, Box<M>{Linear<M>::Ones()}, {}, {.meets = 0});
+    for (int i = 0; i < 60; ++i) simulation.step(h);
+    EXPECT_LT(height(1), -4) << "a change is noticed";
+  });
+}
+
 TEST(Impulse, OfARopeThatNeverHeldOrIsGoneIsRefusedOrZero) {
   using M = PlaneParticle;
   Scene<M> scene;
