@@ -6,6 +6,7 @@
 #   cmake -Dobjects=a.o;b.o… -Darchive=lib.a -Dobjdump=… -Dobjcopy=… -Dar=… -Dfolder=… -P own_names.cmake
 file(REMOVE_RECURSE ${folder})
 file(MAKE_DIRECTORY ${folder})
+list(FILTER objects INCLUDE REGEX "\\.o$")  # not a precompiled header
 set(renamed)
 foreach(object IN LISTS objects)
   list(LENGTH renamed number)
