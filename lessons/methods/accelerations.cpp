@@ -1,5 +1,6 @@
 #include "lessons/methods/accelerations.hpp"
 
+#include "solver/integrate/euler.hpp"
 #include "solver/support/each_model.hpp"
 
 namespace byhand {
