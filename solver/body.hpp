@@ -134,8 +134,8 @@ struct Bodies {
   std::vector<Pose<M>> pose;
   std::vector<Velocity<M>> velocity;
   InverseMasses<M> inverse_mass;
-  std::vector<int> removed;        // indices that no body has at present
-  std::vector<BodyForces> forces;  // by body; empty while all have the default
+  std::vector<int> removed;          // indices that no body has at present
+  std::vector<BodyForces> forces;    // by body; empty while all have the default
   std::vector<Velocity<M>> applied;  // force [N] and torque [N m] on each body throughout the next step; or empty
 
   int size() const { return static_cast<int>(pose.size()); }
@@ -152,8 +152,7 @@ bool in_motion(const Bodies<M>& bodies, int body) {
 
 /// Whether all of these are finite numbers: 0 x is zero for those, and not a number for the others.
 template <int L, int A>
-bool are_finite(const std::vector<Pose<Model<L, A>>>& pose,
-                const std::vector<Packed<double, L + A>>& velocity) {
+bool are_finite(const std::vector<Pose<Model<L, A>>>& pose, const std::vector<Packed<double, L + A>>& velocity) {
   Packed<double, L> x = decltype(x)::Zero();
   Packed<double, L + A> V = decltype(V)::Zero();
   Eigen::Matrix<double, A == 3 ? 4 : 2, 1> q = decltype(q)::Zero();

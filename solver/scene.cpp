@@ -212,9 +212,8 @@ void Scene<M>::apply_angular_impulse(int body, const Angular<M>& impulse) requir
 }
 
 template <class M>
-void Scene<M>::set_shape(int body, const Shape<M>& shape, const Surface& surface, const Layers& layers)
-  requires(M::angular > 0)
-{
+void Scene<M>::set_shape(int body, const Shape<M>& shape, const Surface& surface,
+                         const Layers& layers) requires(M::angular > 0) {
   require_body(bodies_, body);
   require_valid<M>(shape);
   require_in("friction coefficient", surface.friction, 0, 1e300);

@@ -117,8 +117,8 @@ class Scene {
   void apply_angular_impulse(int body, const Angular<M>& impulse) requires(M::angular > 0);
 
   /// Lets a body touch others. Throws std::invalid_argument for a shape or surface outside its range.
-  void set_shape(int body, const Shape<M>& shape, const Surface& surface = {}, const Layers& layers = {})
-    requires(M::angular > 0);
+  void set_shape(int body, const Shape<M>& shape, const Surface& surface = {},
+                 const Layers& layers = {}) requires(M::angular > 0);
   /// Bodies nearer than margin + lookahead |v| h get a contact, v their relative velocity and h the step. Without
   /// the lookahead what is fast passes thin walls unseen. margin [m] > 0, lookahead >= 0.
   void set_margin(double margin, double lookahead = 1);

@@ -47,8 +47,8 @@ Reaction<M> reaction(const Scene<M>& scene, const StepWork<M>& work, int constra
   return result;
 }
 
-#define BYHAND_INSTANTIATE(M)                                                                \
-  template std::span<const double> impulse(const Scene<M>&, const StepWork<M>&, int);        \
+#define BYHAND_INSTANTIATE(M)                                                         \
+  template std::span<const double> impulse(const Scene<M>&, const StepWork<M>&, int); \
   template Reaction<M> reaction(const Scene<M>&, const StepWork<M>&, int)
 BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);
 #undef BYHAND_INSTANTIATE

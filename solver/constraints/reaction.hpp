@@ -19,7 +19,8 @@ struct Reaction {
 template <class M>
 Reaction<M> reaction(const Scene<M>& scene, const StepWork<M>& work, int constraint);
 
-/// λ of the constraint's rows in the last substep, until the next step [N s, or what is conjugate to C]. Throws the same.
+/// λ of the constraint's rows in the last substep, until the next step [N s, or what is conjugate to C]. Throws
+/// the same.
 template <class M>
 std::span<const double> impulse(const Scene<M>& scene, const StepWork<M>& work, int constraint);
 

@@ -8,7 +8,8 @@
 namespace byhand {
 
 template <class M>
-std::vector<Touch<M>> touches(const Bodies<M>& bodies, const ContactManager<M>& contacts) requires(M::angular > 0) {
+std::vector<Touch<M>> touches(const Bodies<M>& bodies,
+                              const ContactManager<M>& contacts) requires(M::angular > 0) {
   std::vector<Touch<M>> result;
   for (const ContactPair<M>& pair : contacts.pairs()) {
     if (!pair.presses()) continue;
@@ -35,8 +36,8 @@ std::vector<BodyPair> parted(const ContactManager<M>& contacts) requires(M::angu
   return result;
 }
 
-#define BYHAND_INSTANTIATE(M)                                                             \
-  template std::vector<Touch<M>> touches(const Bodies<M>&, const ContactManager<M>&);     \
+#define BYHAND_INSTANTIATE(M)                                                         \
+  template std::vector<Touch<M>> touches(const Bodies<M>&, const ContactManager<M>&); \
   template std::vector<BodyPair> parted(const ContactManager<M>&)
 BYHAND_FOR_EACH_TURNING_MODEL(BYHAND_INSTANTIATE);
 #undef BYHAND_INSTANTIATE

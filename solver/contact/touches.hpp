@@ -8,15 +8,15 @@ namespace byhand {
 template <class M>
 struct Touch {
   struct Point {
-    Linear<M> at;            // half-way between the two surfaces, in the world [m]
-    double separation;       // [m], negative where they overlap
-    double normal_impulse;   // >= 0 [N s]
+    Linear<M> at;           // half-way between the two surfaces, in the world [m]
+    double separation;      // [m], negative where they overlap
+    double normal_impulse;  // >= 0 [N s]
   };
 
   int body1 = 0, body2 = 0;
-  Linear<M> normal;          // unit vector from the first body to the second, in the world
-  Linear<M> impulse;         // normal and friction, on the second body in the last substep [N s]
-  bool began = false;        // whether they did not press in the step before
+  Linear<M> normal;    // unit vector from the first body to the second, in the world
+  Linear<M> impulse;   // normal and friction, on the second body in the last substep [N s]
+  bool began = false;  // whether they did not press in the step before
   std::vector<Point> points = {};
 };
 

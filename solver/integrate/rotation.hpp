@@ -191,7 +191,8 @@ Quaternion<T> rotated_by(const Eigen::QuaternionBase<Q>& q, const Packed<T, 3>& 
 /// The world-frame components of a body-frame vector: v + 2w (q × v) + q × 2(q × v). Always inlined: it rotates
 /// every arm of every row.
 template <class Q, class Vector, class T = typename Q::Scalar>
-[[gnu::always_inline]] inline Packed<T, 3> rotate(const Eigen::QuaternionBase<Q>& q, const Eigen::MatrixBase<Vector>& v) {
+[[gnu::always_inline]] inline Packed<T, 3> rotate(const Eigen::QuaternionBase<Q>& q,
+                                                  const Eigen::MatrixBase<Vector>& v) {
   const Packed<T, 3>& u = v.template cast<T>();
   const T &x = q.x(), &y = q.y(), &z = q.z(), &w = q.w();
   const T a = y * u.z() - z * u.y(), b = z * u.x() - x * u.z(), c = x * u.y() - y * u.x();

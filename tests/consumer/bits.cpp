@@ -5,17 +5,18 @@
 
 #include "solver/byhand.hpp"
 
-// A program with Eigen settings and a processor of its own. It prints a hash of where bodies go under built-in kinds, and
-// no word of it may depend on how this file is compiled.
+// A program with Eigen settings and a processor of its own. It prints a hash of where bodies go under built-in
+// kinds, and no word of it may depend on how this file is compiled.
 using namespace byhand;
 
 // No type that the library and a program both touch is aligned, so that Eigen's settings cannot move its members.
 template <class M>
-constexpr bool unaligned =
-    alignof(Pose<M>) == 8 && alignof(Velocity<M>) == 8 && alignof(InverseMass<M>) == 8 && alignof(Shape<M>) == 8 &&
-    alignof(Distance<M>) == 8 && alignof(Pin<M>) == 8 && alignof(Reaction<M>) == 8 && alignof(Scene<M>) == 8 &&
-    alignof(Block<M, 1, Bound::none>) == 8 && alignof(Block<M, 2, Bound::none>) == 8;
-static_assert(unaligned<PlaneParticle> && unaligned<PlaneBody> && unaligned<SpaceParticle> && unaligned<SpaceBody>);
+constexpr bool unaligned = alignof(Pose<M>) == 8 && alignof(Velocity<M>) == 8 && alignof(InverseMass<M>) == 8 &&
+                           alignof(Shape<M>) == 8 && alignof(Distance<M>) == 8 && alignof(Pin<M>) == 8 &&
+                           alignof(Reaction<M>) == 8 && alignof(Scene<M>) == 8 &&
+                           alignof(Block<M, 1, Bound::none>) == 8 && alignof(Block<M, 2, Bound::none>) == 8;
+static_assert(unaligned<PlaneParticle> && unaligned<PlaneBody> && unaligned<SpaceParticle> &&
+              unaligned<SpaceBody>);
 static_assert(alignof(Block<SpaceBody, 4, Bound::none>) == 8 && alignof(Hinge<SpaceBody>) == 8);
 
 template <class M>

@@ -22,8 +22,7 @@ template <class M>
 Scene<M> in_a_void(Random& random, int bodies) {
   Scene<M> scene;
   scene.gravity.setZero();
-  for (int i = 0; i < bodies; ++i)
-    scene.add_body(random.pose<M>(), three_kilograms<M>(), random.velocity<M>());
+  for (int i = 0; i < bodies; ++i) scene.add_body(random.pose<M>(), three_kilograms<M>(), random.velocity<M>());
   return scene;
 }
 

@@ -15,7 +15,8 @@ Simulation<M> stack(int boxes) {
   scene.set_shape(scene.add_body(Linear<M>(Linear<M>::Zero()), fixed<M>()), HalfSpace<M>{Linear<M>::Unit(1)});
   for (int i = 0; i < boxes; ++i) {
     const Linear<M> sides = Linear<M>::Ones();
-    scene.set_shape(scene.add_body(Linear<M>((i + 0.5) * Linear<M>::Unit(1)), box<M>(i + 1, sides)), Box<M>{sides});
+    scene.set_shape(scene.add_body(Linear<M>((i + 0.5) * Linear<M>::Unit(1)), box<M>(i + 1, sides)),
+                    Box<M>{sides});
   }
   Simulation<M> simulation{std::move(scene)};
   for (int i = 0; i < 120; ++i) simulation.step(h);
@@ -111,7 +112,8 @@ TEST(Layers, LetABodyFallThroughWhatItDoesNotMeet) {
     Scene<M> scene;
     const int ground = scene.add_body(Linear<M>(Linear<M>::Zero()), fixed<M>());
     scene.set_shape(ground, HalfSpace<M>{Linear<M>::Unit(1)});
-    // A box that meets the ground, one that meets neither the ground nor the third, and one in the same place that meets all.
+    // A box that meets the ground, one that meets neither the ground nor the third, and one in the same place that
+    // meets all.
     const Layers layers[] = {{}, {.in = 2, .meets = ~5u}, {.in = 4}};
     for (int i = 0; i < 3; ++i) {
       const int crate = scene.add_body(Linear<M>(Linear<M>::Unit(1) + (i == 2 ? 1 : i) * 4 * Linear<M>::Unit(0)),
