@@ -1,4 +1,4 @@
-#include "solver/support/compiled.hpp"
+#include "solver/constraints/compiled.hpp"
 
 namespace byhand {
 
