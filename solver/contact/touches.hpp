@@ -20,7 +20,8 @@ struct Touch {
   std::vector<Point> points = {};
 };
 
-/// The pairs that pressed on each other in the last substep of the last step, in ascending order of bodies.
+/// The pairs that pressed on each other in the last substep of the last step, in ascending order of bodies. A
+/// bounce is over within its step and is not listed.
 template <class M>
 std::vector<Touch<M>> touches(const Bodies<M>& bodies, const ContactManager<M>& contacts) requires(M::angular > 0);
 

@@ -70,7 +70,7 @@ struct Universal {
 };
 
 TEST(OwnRows, OfTwoAndOfFourInSpaceHaveTheGradientOfTheirValue) {
-  Random random(1);
+  Random random;
   for (int i = 0; i < 100; ++i) {
     const auto pair = random_pair<M>(random);
     const Rail rail{pair.at, tangents_of<M>(random.direction<M>())};

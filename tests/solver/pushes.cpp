@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "lessons/methods/method.hpp"
+#include "solver/byhand.hpp"
 #include "tests/solver/compiled.hpp"
 #include "tests/solver/random.hpp"
 
