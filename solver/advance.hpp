@@ -146,7 +146,8 @@ void advance(Scene<M>& scene, const VelocitySteppingWith<Solver, Cure>& method, 
     note_parting(scene, h, method.bounce_threshold, work.system, work.parting);
     damp(bodies, h);
     begin_turn(method.gyroscopic, bodies, h);
-    add_gravity(bodies, scene.gravity, h);                         // before λ, or the rows cannot answer it
+    add_gravity(bodies, scene.gravity, h);  // before λ, or the rows cannot answer it
+    add_applied(bodies, h);
     rescale_impulses(work, h);                                     // λ of last step, for the warm start
     detail::solve_rows(method.solver, bodies, work, Begin::step);  // (17) and (20) over all rows
     advance_poses(bodies, h);

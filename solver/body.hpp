@@ -95,6 +95,16 @@ Eigen::Matrix<double, M::angular, M::angular> inertia(const InverseMass<M>& inve
   return inverse_inertia(mass, pose);
 }
 
+/// M⁻¹ of (18) times a force and torque [N, N m] or an impulse and angular impulse [N s, N m s].
+template <class M>
+Velocity<M> times_inverse_mass(const Velocity<M>& force, const InverseMass<M>& mass, const Pose<M>& pose) {
+  Velocity<M> gain;
+  gain.template head<M::linear>() = mass.linear * force.template head<M::linear>();
+  if constexpr (M::angular > 0)
+    gain.template tail<M::angular>() = inverse_inertia(mass, pose) * force.template tail<M::angular>();
+  return gain;
+}
+
 template <class M>
 class Scene;
 
@@ -124,8 +134,9 @@ struct Bodies {
   std::vector<Pose<M>> pose;
   std::vector<Velocity<M>> velocity;
   InverseMasses<M> inverse_mass;
-  std::vector<int> removed;        // indices that no body has at present
-  std::vector<BodyForces> forces;  // by body; empty while all have the default
+  std::vector<int> removed;          // indices that no body has at present
+  std::vector<BodyForces> forces;    // by body; empty while all have the default
+  std::vector<Velocity<M>> applied;  // force [N] and torque [N m] on each body throughout the next step; or empty
 
   int size() const { return static_cast<int>(pose.size()); }
   bool has(int body) const {
@@ -141,10 +152,9 @@ bool in_motion(const Bodies<M>& bodies, int body) {
 
 /// Whether all of these are finite numbers: 0 x is zero for those, and not a number for the others.
 template <int L, int A>
-bool are_finite(const std::vector<Pose<Model<L, A>>>& pose,
-                const std::vector<Eigen::Matrix<double, L + A, 1>>& velocity) {
-  Eigen::Matrix<double, L, 1> x = decltype(x)::Zero();
-  Eigen::Matrix<double, L + A, 1> V = decltype(V)::Zero();
+bool are_finite(const std::vector<Pose<Model<L, A>>>& pose, const std::vector<Packed<double, L + A>>& velocity) {
+  Packed<double, L> x = decltype(x)::Zero();
+  Packed<double, L + A> V = decltype(V)::Zero();
   Eigen::Matrix<double, A == 3 ? 4 : 2, 1> q = decltype(q)::Zero();
   for (std::size_t i = 0; i < pose.size(); ++i) {
     x += 0 * pose[i].position;

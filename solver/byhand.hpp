@@ -2,6 +2,7 @@
 
 // Everything that most users of the library need. Other families of methods are in lessons/methods/method.hpp.
 
+#include "solver/constraints/compiled.hpp"
 #include "solver/constraints/contact_manifold.hpp"
 #include "solver/constraints/distance.hpp"
 #include "solver/constraints/hinge.hpp"

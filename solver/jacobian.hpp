@@ -29,13 +29,13 @@ inline Pair sums_of_products(const double* a, const double* b) {
 
 /// One number for each of a constraint's K rows.
 template <int K, class T = double>
-using Rows = Eigen::Matrix<T, K, 1>;
+using Rows = Packed<T, K>;
 
 /// J of (4) for a constraint of K rows between two bodies: K × 2 dof numbers in the order of (6), l1 a1 l2
 /// a2.
 template <class M, int K>
 struct Jacobian {
-  Eigen::Matrix<double, K, 2 * M::dof, Eigen::RowMajor> matrix;
+  Packed<double, K, 2 * M::dof, Eigen::RowMajor> matrix;
 
   auto l1() const { return matrix.template leftCols<M::linear>(); }
   auto a1() const { return matrix.template middleCols<M::angular>(M::linear); }

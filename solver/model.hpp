@@ -1,7 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <Eigen/Geometry>
 #include <type_traits>
 
 #include "solver/integrate/rotation.hpp"
@@ -34,15 +32,15 @@ using SpaceBody = Model<3, 3>;
   ~T()
 /// A point or direction in the model's world: 2 or 3 numbers.
 template <class M, class T = double>
-using Linear = Eigen::Matrix<T, M::linear, 1>;
+using Linear = Packed<T, M::linear>;
 
 /// A rotation rate or moment: no number for a particle, one in the plane, three in space.
 template <class M, class T = double>
-using Angular = Eigen::Matrix<T, M::angular, 1>;
+using Angular = Packed<T, M::angular>;
 
 /// v and ω of one body packed into one vector, in that order [m/s, rad/s].
 template <class M, class T = double>
-using Velocity = Eigen::Matrix<T, M::dof, 1>;
+using Velocity = Packed<T, M::dof>;
 
 /// A particle has no arm and no orientation; these take their place and take no space.
 struct NoArm {};
@@ -54,7 +52,7 @@ using Arm = std::conditional_t<M::angular == 0, NoArm, Linear<M, T>>;
 
 template <class M, class T = double>
 using Rotation = std::conditional_t<M::angular == 0, NoRotation,
-                                    std::conditional_t<M::angular == 1, PlaneRotation<T>, Eigen::Quaternion<T>>>;
+                                    std::conditional_t<M::angular == 1, PlaneRotation<T>, Quaternion<T>>>;
 
 /// Where a body is: its centre of mass [m] and its orientation.
 template <class M, class T = double>
@@ -65,7 +63,7 @@ struct Pose {
  private:
   static Rotation<M, T> resting() {
     if constexpr (M::angular == 3)
-      return Eigen::Quaternion<T>(T(1), T(0), T(0), T(0));
+      return Quaternion<T>(T(1), T(0), T(0), T(0));
     else
       return {};
   }

@@ -71,7 +71,7 @@ int Scene<M>::add_body(const Pose<M>& pose, const InverseMass<M>& mass, const Ve
   require_valid<M>(pose);
   require_valid<M>(mass);
   require_valid<M>(velocity);
-  auto& [poses, velocities, masses, removed, forces] = bodies_;
+  auto& [poses, velocities, masses, removed, forces, applied] = bodies_;
   int body = bodies_.size();
   if (!removed.empty()) {
     body = removed.back();
@@ -84,6 +84,7 @@ int Scene<M>::add_body(const Pose<M>& pose, const InverseMass<M>& mass, const Ve
     make_room(velocities);
     make_room(masses.all_);
     if (!forces.empty()) forces.resize(body + 1);
+    if (!applied.empty()) applied.resize(body + 1, Velocity<M>::Zero());
     poses.push_back(pose);
     velocities.push_back(velocity);
     masses.all_.push_back(mass);
@@ -108,6 +109,7 @@ void Scene<M>::remove_body(int body) {
   set_mass(body, fixed<M>());
   if (body < static_cast<int>(colliders_.shapes.size())) colliders_.shapes[body] = {};
   if (!bodies_.forces.empty()) bodies_.forces[body] = {};
+  if (body < std::ssize(bodies_.applied)) bodies_.applied[body].setZero();
   bodies_.removed.push_back(body);
 }
 
@@ -165,18 +167,65 @@ void Scene<M>::set_gravity_scale(int body, double factor) {
   forces_of(body).gravity_scale = factor;
 }
 
+/// A force or impulse and its moment about the centre of mass, for a point of the world or for the centre.
 template <class M>
-void Scene<M>::set_shape(int body, const Shape<M>& shape, const Surface& surface) requires(M::angular > 0) {
+Velocity<M> Scene<M>::with_moment(int body, const char* name, const Linear<M>& push, const Linear<M>* at) const {
+  require_body(bodies_, body);
+  for (const double component : push) require_finite(name, component);
+  Velocity<M> result = Velocity<M>::Zero();
+  result.template head<M::linear>() = push;
+  if constexpr (M::angular > 0)
+    if (at) {
+      for (const double x : *at) require_finite("point of a push", x, "m");
+      result.template tail<M::angular>() = cross(Linear<M>(*at - bodies_.pose[body].position), push);
+    }
+  return result;
+}
+
+template <class M>
+void Scene<M>::add_push(int body, const Linear<M>& force, const Linear<M>* at) {
+  const Velocity<M> push = with_moment(body, "force", force, at);
+  bodies_.applied.resize(bodies_.size(), Velocity<M>::Zero());
+  bodies_.applied[body] += push;
+}
+
+template <class M>
+void Scene<M>::add_torque(int body, const Angular<M>& torque) requires(M::angular > 0) {
+  require_body(bodies_, body);
+  for (const double component : torque) require_finite("torque", component, "N m");
+  bodies_.applied.resize(bodies_.size(), Velocity<M>::Zero());
+  bodies_.applied[body].template tail<M::angular>() += torque;
+}
+
+template <class M>
+void Scene<M>::strike(int body, const Linear<M>& impulse, const Linear<M>* at) {
+  const Velocity<M> push = with_moment(body, "impulse", impulse, at);
+  bodies_.velocity[body] += times_inverse_mass<M>(push, bodies_.inverse_mass[body], bodies_.pose[body]);
+}
+
+template <class M>
+void Scene<M>::apply_angular_impulse(int body, const Angular<M>& impulse) requires(M::angular > 0) {
+  require_body(bodies_, body);
+  for (const double component : impulse) require_finite("angular impulse", component, "N m s");
+  bodies_.velocity[body].template tail<M::angular>() +=
+      inverse_inertia(bodies_.inverse_mass[body], bodies_.pose[body]) * impulse;
+}
+
+template <class M>
+void Scene<M>::set_shape(int body, const Shape<M>& shape, const Surface& surface,
+                         const Layers& layers) requires(M::angular > 0) {
   require_body(bodies_, body);
   require_valid<M>(shape);
   require_in("friction coefficient", surface.friction, 0, 1e300);
   require_in("restitution", surface.restitution, 0, 1);
   colliders_.shapes.resize(bodies_.size());
   colliders_.surfaces.resize(bodies_.size());
+  colliders_.layers.resize(bodies_.size());
   colliders_.stamps.resize(bodies_.size());
   if (std::holds_alternative<std::monostate>(colliders_.shapes[body])) colliders_.stamps[body] = new_stamp();
   colliders_.shapes[body] = shape;
   colliders_.surfaces[body] = surface;
+  colliders_.layers[body] = layers;
   changed();
 }
 

@@ -21,6 +21,12 @@ struct Surface {
   double restitution = 0;  // e in [0, 1]
 };
 
+/// Whom a body can touch: two do where each meets a layer that the other is in, one bit a layer.
+struct Layers {
+  std::uint32_t in = 1, meets = ~std::uint32_t{};
+};
+inline bool meet(const Layers& a, const Layers& b) { return (a.meets & b.in) && (b.meets & a.in); }
+
 /// What bodies that touch become: in the plane one ContactManifold for both points; or a Contact for each point,
 /// with Friction where the surfaces have any. In space always the latter.
 enum class ContactRows { manifold, points };
@@ -30,6 +36,7 @@ template <class M>
 struct Colliders {
   std::vector<Shape<M>> shapes;
   std::vector<Surface> surfaces;
+  std::vector<Layers> layers;
   std::vector<std::uint64_t> stamps;  // of the body that has the shape: no other in any scene, but its copies
   // Bodies nearer than margin + lookahead |v| h get a contact, for they may touch within the step h.
   double margin = 0.02;  // [m]
@@ -92,8 +99,26 @@ class Scene {
   /// Multiplies the gravity on a body: 0 lets it float, a factor below 0 rise.
   void set_gravity_scale(int body, double factor);
 
+  /// Pushes a body at its centre of mass with a force [N] throughout the next step, with all others of that step.
+  void add_force(int body, const Linear<M>& force) { add_push(body, force, nullptr); }
+  /// Pushes it at a point of the world [m].
+  void add_force(int body, const Linear<M>& force, const Linear<M>& at) requires(M::angular > 0) {
+    add_push(body, force, &at);
+  }
+  /// Turns a body with a torque [N m] throughout the next step.
+  void add_torque(int body, const Angular<M>& torque) requires(M::angular > 0);
+  /// Strikes a body at its centre of mass: its velocity changes at once by impulse/m [N s].
+  void apply_impulse(int body, const Linear<M>& impulse) { strike(body, impulse, nullptr); }
+  /// Strikes it at a point of the world [m].
+  void apply_impulse(int body, const Linear<M>& impulse, const Linear<M>& at) requires(M::angular > 0) {
+    strike(body, impulse, &at);
+  }
+  /// Changes the angular velocity of a body at once by I⁻¹ impulse [N m s].
+  void apply_angular_impulse(int body, const Angular<M>& impulse) requires(M::angular > 0);
+
   /// Lets a body touch others. Throws std::invalid_argument for a shape or surface outside its range.
-  void set_shape(int body, const Shape<M>& shape, const Surface& surface = {}) requires(M::angular > 0);
+  void set_shape(int body, const Shape<M>& shape, const Surface& surface = {},
+                 const Layers& layers = {}) requires(M::angular > 0);
   /// Bodies nearer than margin + lookahead |v| h get a contact, v their relative velocity and h the step. Without
   /// the lookahead what is fast passes thin walls unseen. margin [m] > 0, lookahead >= 0.
   void set_margin(double margin, double lookahead = 1);
@@ -239,6 +264,9 @@ class Scene {
   void append(int kind, int body1, int body2, int id);
   std::vector<double> kept(const System<M>& system, const std::vector<double>& numbers) const;
   BodyForces& forces_of(int body);
+  Velocity<M> with_moment(int body, const char* name, const Linear<M>& push, const Linear<M>* at) const;
+  void add_push(int body, const Linear<M>& force, const Linear<M>* at);
+  void strike(int body, const Linear<M>& impulse, const Linear<M>* at);
   void forget_found();
   void prepare_to_add();
   void remove_place(int place);

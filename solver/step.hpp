@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "solver/constraints/reaction.hpp"
+#include "solver/contact/touches.hpp"
 #include "solver/cures/baumgarte.hpp"
 #include "solver/cures/projection.hpp"
 #include "solver/cures/soft_constraints.hpp"
@@ -92,6 +93,13 @@ struct Simulation {
 
   /// The force and torque that a constraint exerted in the last substep. Throws as byhand::reaction.
   Reaction<M> reaction(int constraint) const { return byhand::reaction(scene, work, constraint); }
+  /// λ of a constraint's rows in the last substep. Throws the same.
+  std::span<const double> impulse(int constraint) const { return byhand::impulse(scene, work, constraint); }
+  /// Who pressed on whom in the last step, where and how hard, and who does so no longer.
+  std::vector<Touch<M>> touches() const requires(M::angular > 0) {
+    return byhand::touches(scene.bodies(), work.contacts);
+  }
+  std::vector<BodyPair> parted() const requires(M::angular > 0) { return byhand::parted(work.contacts); }
 };
 
 template <class M>

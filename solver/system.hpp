@@ -31,8 +31,8 @@ struct Block : BlockHeader {
   Jacobian<M, K> J, W;  // W = M⁻¹Jᵀ, row for row
 };
 
-/// The types of block of a model, as storage for one E per block. Bound::none: single rows, points, joints.
-/// Bound::interval: contacts and limits. Then friction and manifolds.
+/// The types of block of a model, as storage for one E per block. Bound::none: up to as many rows as a body has
+/// degrees of freedom. Bound::interval: contacts and limits. Then friction and manifolds.
 template <class M, template <int, Bound> class E>
 struct BlockTypes;
 template <template <int, Bound> class E>
@@ -48,16 +48,17 @@ struct BlockTypes<PlaneBody, E> {
 };
 template <template <int, Bound> class E>
 struct BlockTypes<SpaceParticle, E> {
-  using Storage = std::tuple<std::vector<E<1, Bound::none>>, std::vector<E<3, Bound::none>>,
-                             std::vector<E<1, Bound::interval>>, std::vector<E<1, Bound::friction>>,
-                             std::vector<E<2, Bound::friction>>>;
+  using Storage = std::tuple<std::vector<E<1, Bound::none>>, std::vector<E<2, Bound::none>>,
+                             std::vector<E<3, Bound::none>>, std::vector<E<1, Bound::interval>>,
+                             std::vector<E<1, Bound::friction>>, std::vector<E<2, Bound::friction>>>;
 };
 template <template <int, Bound> class E>
 struct BlockTypes<SpaceBody, E> {
   using Storage =
-      std::tuple<std::vector<E<1, Bound::none>>, std::vector<E<3, Bound::none>>, std::vector<E<5, Bound::none>>,
-                 std::vector<E<6, Bound::none>>, std::vector<E<1, Bound::interval>>,
-                 std::vector<E<1, Bound::friction>>, std::vector<E<2, Bound::friction>>>;
+      std::tuple<std::vector<E<1, Bound::none>>, std::vector<E<2, Bound::none>>, std::vector<E<3, Bound::none>>,
+                 std::vector<E<4, Bound::none>>, std::vector<E<5, Bound::none>>, std::vector<E<6, Bound::none>>,
+                 std::vector<E<1, Bound::interval>>, std::vector<E<1, Bound::friction>>,
+                 std::vector<E<2, Bound::friction>>>;
 };
 
 /// Storage for something per block, a vector for each type of block.
@@ -91,7 +92,8 @@ constexpr int block_type() {
     ((std::is_same_v<std::vector<BlockTag<K, B>>, Tags> ? void(found = index++) : void(++index)), ...);
     return found;
   }(static_cast<PerBlock<M, BlockTag>*>(nullptr));
-  static_assert(place >= 0, "this model has no blocks of so many rows with that bound: see BlockTypes");
+  static_assert(place >= 0,
+                "a kind has from 1 to M::dof rows without a bound, or a single row with Bound::interval");
   return place;
 }
 

@@ -9,7 +9,7 @@ constexpr double three_four_five = 0.6435011087932844;  // the angle whose sine 
 
 Scene<PlaneParticle> bob_at(const Point& place, double length, double mass) {
   Scene<PlaneParticle> scene = pendulum<PlaneParticle>(0, length, mass);
-  scene.state().pose[1].position = place;
+  scene.set_position(1, place);
   return scene;
 }
 

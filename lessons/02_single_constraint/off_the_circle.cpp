@@ -11,7 +11,7 @@ constexpr double speed = 3;  // [m/s]
 Pendulum weightless(const Setting& setting) {
   Pendulum scene = pendulum<PlaneParticle>(0, setting.length(), setting.mass());
   scene.gravity.setZero();
-  scene.state().velocity[1] = {speed, 0};
+  scene.set_velocity(1, {speed, 0});
   return scene;
 }
 

@@ -21,7 +21,7 @@ std::vector<RodSample> swing_rod(const Setting& setting, double angle, double h,
     const Vector centre = simulation.scene.bodies().pose[1].position;
     const PlaneRotation<double> rotation = simulation.scene.bodies().pose[1].rotation;
     simulation.step(h);
-    const auto& lambda = simulation.work.system.lambda;
+    const auto lambda = simulation.impulse(0);
     samples.push_back(
         {i * h, std::atan2(rotation.sin, rotation.cos), Vector(2 * centre), Vector(lambda[0], lambda[1]) / h});
   }

@@ -24,7 +24,7 @@ inline double gravity() { return -Pendulum().gravity.y(); }
 /// The bob held at the angle, at rest, with one step of gravity already in its velocity.
 inline Pendulum let_go(const Setting& setting) {
   Pendulum scene = pendulum<PlaneParticle>(radians(setting.angle()), setting.length(), setting.mass());
-  scene.state().pose[1].position = course::without_rounding(scene.state().pose[1].position);
+  scene.set_position(1, course::without_rounding(scene.bodies().pose[1].position));
   add_gravity(scene.state(), scene.gravity, setting.h());
   return scene;
 }

@@ -13,7 +13,7 @@ Swing swing(Pendulum scene, double h, double seconds) {
     const double C = rod.value<double>(bodies.pose[0], bodies.pose[1])[0], now = energy(simulation.scene);
     simulation.step(h);
     const double mass = 1 / bodies.inverse_mass[1].linear;
-    swing.push_back({i * h, position, velocity, C, now, -simulation.work.system.lambda[0] * position.norm() / h,
+    swing.push_back({i * h, position, velocity, C, now, -simulation.impulse(0)[0] * position.norm() / h,
                      0.5 * mass * (bodies.velocity[1] - velocity).squaredNorm()});
   }
   return swing;

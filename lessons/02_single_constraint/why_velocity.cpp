@@ -5,7 +5,7 @@ namespace byhand::single_constraint {
 void why_velocity(const Setting& setting, Page& page) {
   const double length = setting.length(), stretched = 1.2;
   Pendulum scene = pendulum<PlaneParticle>(radians(setting.angle()), length, setting.mass());
-  scene.state().pose[1].position *= stretched;
+  scene.set_position(1, stretched * scene.bodies().pose[1].position);
   const auto& rod = scene.all<Distance>().front();
   const auto error = [&] { return rod.value<double>(scene.bodies().pose[0], scene.bodies().pose[1])[0]; };
 
@@ -20,7 +20,7 @@ void why_velocity(const Setting& setting, Page& page) {
     left.x.push_back(i);
     left.y.push_back(std::abs(error()));
     distances.push_back(row.d.norm());
-    scene.state().pose[1].position += row.W.l2().transpose() * (-error() / row.K);
+    scene.set_position(1, scene.bodies().pose[1].position + row.W.l2().transpose() * (-error() / row.K));
   }
   page.figure(
       "why_velocity",

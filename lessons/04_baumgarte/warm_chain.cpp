@@ -70,7 +70,9 @@ double measured_growth(const Sweeping& sweeping, double h, int steps) {
   straight.scene.gravity.setZero();
   std::mt19937 random(20261121);
   for (int i = 1; i <= sweeping.links; ++i)
-    straight.scene.state().pose[i].position.y() += usual * (static_cast<double>(random()) / 4294967296.0 - 0.5);
+    straight.scene.set_position(
+        i, straight.scene.bodies().pose[i].position +
+               usual * (static_cast<double>(random()) / 4294967296.0 - 0.5) * Linear<PlaneParticle>::UnitY());
   double log_size = 0, means[2] = {};
   for (int i = 0; i < 3 * steps; ++i) {
     const double before = size(straight, h);

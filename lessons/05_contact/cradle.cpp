@@ -11,7 +11,8 @@ using Row = Simulation<PlaneBody>;
 
 Row row_of_balls(const Setting& setting, const RowSolver& solver, double gap = 0) {
   Row row{newtons_cradle<PlaneBody>(setting.balls, 1, setting.speed()), {solver}};
-  for (int i = 0; i < setting.balls; ++i) row.scene.state().pose[i].position.x() += gap * i;
+  for (int i = 0; i < setting.balls; ++i)
+    row.scene.set_position(i, row.scene.bodies().pose[i].position + Linear<PlaneBody>(gap * i, 0));
   return row;
 }
 

@@ -13,7 +13,7 @@ constexpr double pop_seconds = 1.5, deepest = 0.4;  // [s], [m]
 /// A unit box that begins `depth` [m] deep in the ground.
 Simulation<PlaneBody> sunk(double depth, const DriftCure& cure) {
   Simulation<PlaneBody> simulation{stack(1), {GaussSeidel{}, cure}};
-  simulation.scene.state().pose[1].position.y() -= depth;
+  simulation.scene.set_position(1, simulation.scene.bodies().pose[1].position - Linear<PlaneBody>(0, depth));
   return simulation;
 }
 

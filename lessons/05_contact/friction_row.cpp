@@ -63,7 +63,7 @@ const std::array<Order, 4> orders{{
 double rubbed_in_a_step(const Setting& setting, const GaussSeidel& solver) {
   Puck simulation = puck(setting, solver);
   simulation.step(setting.h);
-  return simulation.work.system.lambda[simulation.work.system.row_of[1]];
+  return simulation.impulse(1)[0];
 }
 
 Chart speeds(const Setting& setting) {

@@ -30,7 +30,8 @@ Held held_box(const Setting& setting, double side, double angle, int sweeps, Blo
 Point impulse_after(const Setting& setting, double side, int sweeps, BlockSolve solve) {
   Held box = held_box(setting, side, pi / 4, sweeps, solve, NoDriftCure{});
   box.step(setting.h);
-  return {box.work.system.lambda[0], box.work.system.lambda[1]};
+  const auto lambda = box.impulse(0);
+  return {lambda[0], lambda[1]};
 }
 
 /// r²m/I of the arm: how much more easily a push across its end turns the box than moves it.

@@ -30,7 +30,7 @@ Rods two_rods(const Setting& setting, double gap, const RowSolver& solver, doubl
   return rods;
 }
 
-double lambda(const Rods& rods, int rod) { return rods.work.system.lambda[rods.work.system.row_of[rod]]; }
+double lambda(const Rods& rods, int rod) { return rods.impulse(rod)[0]; }
 
 /// The impulse with which the two rods act against each other: half the difference of their λ [N s].
 double opposed(const Rods& rods) { return 0.5 * (lambda(rods, 1) - lambda(rods, 0)); }

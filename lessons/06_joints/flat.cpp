@@ -46,7 +46,7 @@ double self_pull(const Setting& setting, double share) {
   const Handle<Pin<PlaneBody>> right_pivot{2};
   linkage.scene.change(right_pivot, [](auto& pin) { pin.at.arms.first.x() += misfit; });
   linkage.step(setting.h);
-  return std::abs(linkage.work.system.lambda[linkage.work.system.row_of[0]]);
+  return std::abs(linkage.impulse(0)[0]);
 }
 
 /// The same by hand: the bars' rows along the line all say one thing, and ε Σ A of them is all that answers.

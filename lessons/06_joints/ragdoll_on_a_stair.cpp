@@ -32,7 +32,7 @@ Doll above_a_stair() {
     scene.set_shape(body, Box<PlaneBody>{{0.3, high}}, {0.6});
   }
   const int torso = add_ragdoll(scene, {0.2, 2.2});
-  scene.state().velocity[torso] = {1, 0, -2};
+  scene.set_velocity(torso, {1, 0, -2});
   return doll;
 }
 

@@ -28,7 +28,7 @@ Track track_of(Simulation<PlaneParticle> simulation, const Setting& setting, dou
   Track track;
   advance_to(simulation, seconds, h, [&] {
     const Point at = simulation.scene.bodies().pose[1].position;
-    const double lambda = simulation.work.system.lambda[0];
+    const double lambda = simulation.impulse(0)[0];
     track.time.push_back(simulation.time);
     // The throw starts along the tangent, without drift; the first steps build it up.
     track.pull.push_back(simulation.time < 20 * h ? NAN : std::abs(lambda) / weight);

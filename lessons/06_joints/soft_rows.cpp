@@ -111,7 +111,7 @@ void soft_rows(const Setting& setting, Page& page) {
     Hanging hanging = on_spring(setting, turn / h, 0, 0);
     hanging.scene.gravity.setZero();
     const double begin = 0.05 * length, k = hanging.scene.all<Spring>()[0].elastic.stiffness;
-    hanging.scene.state().pose[1].position.y() = -length - begin;
+    hanging.scene.set_position(1, {0, -length - begin});
     Curve curve{.label = say("ωh = @", turn), .x = {0}, .y = {1}};
     double energy = 0.5 * k * begin * begin;
     for (int i = 1; i <= 100; ++i) {

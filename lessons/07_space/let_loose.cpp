@@ -27,7 +27,7 @@ Loose on_the_ground(const Setting& setting, const Pose<SpaceBody>& pose, const V
   const Surface surface{.friction = setting.friction, .restitution = restitution};
   add_ground(loose.scene, surface);
   const int book = add_box(loose.scene, pose, setting.mass, Linear<SpaceBody>(book_sides()), surface);
-  loose.scene.state().velocity[book] = velocity;
+  loose.scene.set_velocity(book, velocity);
   return loose;
 }
 

@@ -5,7 +5,7 @@
 // For engines that know space alone: scenes in the plane lie at z = 0, their boxes are 1 m deep.
 namespace byhand::engines {
 
-inline Eigen::Vector3d in_space(const Eigen::Vector2d& v) { return {v.x(), v.y(), 0}; }
+inline Eigen::Vector3d in_space(const Linear<PlaneBody>& v) { return {v.x(), v.y(), 0}; }
 inline const Eigen::Vector3d& in_space(const Eigen::Vector3d& v) { return v; }
 
 inline Eigen::Vector3d sides_in_space(const Box<PlaneBody>& box) { return {box.sides.x(), box.sides.y(), 1}; }

@@ -49,7 +49,7 @@ double spread(double speed, double step) {
 Outcome stretched_rod(double beta, double step, bool literally) {
   const Baumgarte cure{beta, literally ? BetaReading::literal : BetaReading::per_step};
   Simulation<PlaneParticle> simulation{particle_on_a_circle<PlaneParticle>(1, 0, 1), {GaussSeidel{}, cure}};
-  simulation.scene.state().pose[1].position *= 1.001;
+  simulation.scene.set_position(1, 1.001 * simulation.scene.bodies().pose[1].position);
   Record record(1e-3, 1);
   for (int i = 0; i < 300; ++i) {
     simulation.step(step);

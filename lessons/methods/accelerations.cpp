@@ -1,5 +1,6 @@
 #include "lessons/methods/accelerations.hpp"
 
+#include "solver/integrate/euler.hpp"
 #include "solver/support/each_model.hpp"
 
 namespace byhand {
@@ -25,6 +26,7 @@ void write_free_accelerations(const Bodies<M>& bodies, const Linear<M>& gravity,
     }
     if constexpr (M::angular > 0)
       a.template tail<M::angular>() -= own.angular_damping * V.template tail<M::angular>();
+    a += applied_acceleration(bodies, i);
   }
 }
 

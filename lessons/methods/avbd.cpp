@@ -111,7 +111,7 @@ Rows<K> force(bool periodic, const Block<M, K, B>& block, const Avbd::Work<M>& w
 /// Solves Hx = b in place by H = L D Lᵀ, from the lower triangle of H. Without pivoting, for H is positive
 /// definite: it is M plus terms that are positive semidefinite.
 template <int n>
-void solve_definite(Eigen::Matrix<double, n, n>& H, Eigen::Matrix<double, n, 1>& b) {
+void solve_definite(Eigen::Matrix<double, n, n>& H, Packed<double, n>& b) {
   for (int j = 0; j < n; ++j) {
     const double inverse = 1 / H(j, j);
     for (int i = j + 1; i < n; ++i) {
@@ -201,6 +201,7 @@ void advance(Scene<M>& scene, const Avbd& method, double h, Avbd::Work<M>& work)
     warm_start(method, run.position_rows, block, work);
   });
   damp(bodies, h);
+  add_applied(bodies, h);
   advance_freely(method.gyroscopic, bodies, h, work);
   add_gravity(bodies, scene.gravity, h);
   work.free = bodies.pose;

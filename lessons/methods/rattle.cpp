@@ -54,6 +54,7 @@ void rattle(Scene<M>& scene, const Rattle& method, Rattle::Work<M>& work) {
   const auto kick = [&] {
     damp(bodies, work.h / 2);
     add_gravity(bodies, scene.gravity, work.h / 2);
+    add_applied(bodies, work.h / 2);
   };
   kick();
   work.kicked = bodies.velocity;

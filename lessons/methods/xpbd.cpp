@@ -56,6 +56,7 @@ void advance(Scene<M>& scene, const Xpbd& method, double step, PositionWork<M>& 
     std::fill(work.impulse.begin(), work.impulse.end(), 0.0);
     damp(bodies, h);
     add_gravity(bodies, scene.gravity, h);
+    add_applied(bodies, h);
     advance_freely(method.gyroscopic, bodies, h, work);
     work.free = bodies.pose;
     for (int i = 0; i < method.iterations; ++i)

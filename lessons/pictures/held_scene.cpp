@@ -200,8 +200,7 @@ void HeldScene<M>::step() {
   }
   const Bodies<M>& bodies = now_.scene.bodies();
   if (grip_)
-    for (int axis = 0; axis < 2; ++axis)
-      hand_impulse_[axis] += now_.work.system.lambda[now_.work.system.row_of[now_.scene.place(grip_->rows[axis])]];
+    for (int axis = 0; axis < 2; ++axis) hand_impulse_[axis] += now_.impulse(grip_->rows[axis])[0];
   double moved = 0;
   for (const Velocity<M>& V : bodies.velocity) moved = std::max(moved, given_.h * V.template head<2>().norm());
   if (moved > too_far * std::max(given_.view.width, given_.view.height))

@@ -29,7 +29,7 @@ Scene<M> newtons_cradle(int count, double restitution = 1, double speed = 1) {
     const int body = scene.add_body(Linear<M>(i * Linear<M>::Unit(0)), ball<M>(1, 0.5));
     scene.set_shape(body, Ball<M>{0.5}, {0, restitution});
   }
-  scene.state().velocity[0].x() = speed;
+  scene.set_velocity(0, speed * Velocity<M>::UnitX());
   return scene;
 }
 

@@ -68,11 +68,11 @@ Linear<M> axis_in(const Bodies<M>& bodies, int body, const Linear<M>& axis) {
 /// Unit vectors at right angles to a unit normal, as columns: in the plane n turned by -90°, in space two such
 /// that (t1, t2, n) is right-handed.
 template <class M>
-Eigen::Matrix<double, M::linear, M::linear - 1> tangents_of(const Linear<M>& normal) {
+Packed<double, M::linear, M::linear - 1> tangents_of(const Linear<M>& normal) {
   if constexpr (M::linear == 2) {
     return {normal.y(), -normal.x()};
   } else {
-    Eigen::Matrix<double, 3, 2> t;
+    Packed<double, 3, 2> t;
     const Eigen::Vector3d away = std::abs(normal.x()) < 0.6 ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitY();
     t.col(0) = (away - normal * normal.dot(away)).normalized();
     t.col(1) = normal.cross(t.col(0));

@@ -21,10 +21,10 @@ struct FrictionAlong {
   static constexpr bool holds_where_found = true;
 
   Anchors<M> at;
-  Eigen::Matrix<double, M::linear, K> tangents;  // t_k, orthonormal columns in the world
-  double coefficient = 0;                        // μ >= 0
-  int contact = 0;                               // handle of the contact that gives λ_normal
-  double softness = 0;                           // γ [1/kg] >= 0
+  Packed<double, M::linear, K> tangents;  // t_k, orthonormal columns in the world
+  double coefficient = 0;                 // μ >= 0
+  int contact = 0;                        // handle of the contact that gives λ_normal
+  double softness = 0;                    // γ [1/kg] >= 0
 
   template <class T>
   Rows<K, T> value(const Pose<M, T>& pose1, const Pose<M, T>& pose2) const {

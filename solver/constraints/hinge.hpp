@@ -21,10 +21,9 @@ struct Hinge {
   static constexpr int rows = 5;
 
   Anchors<M> at;
-  Eigen::Matrix<double, 3, 2> across =
-      tangents_of<M>(Linear<M>::UnitZ());  // t_k, as columns, in the frame of body 1
-  Linear<M> axis = Linear<M>::UnitZ();     // a2, in the frame of body 2
-  double softness = 0;                     // γ [1/kg] >= 0
+  Packed<double, 3, 2> across = tangents_of<M>(Linear<M>::UnitZ());  // t_k, as columns, in the frame of body 1
+  Linear<M> axis = Linear<M>::UnitZ();                               // a2, in the frame of body 2
+  double softness = 0;                                               // γ [1/kg] >= 0
 
   template <class T>
   Rows<rows, T> value(const Pose<M, T>& pose1, const Pose<M, T>& pose2) const {

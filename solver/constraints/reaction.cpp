@@ -4,9 +4,11 @@
 
 namespace byhand {
 
+namespace {
+
+/// The place in the system of a constraint that took part in the last step.
 template <class M>
-Reaction<M> reaction(const Scene<M>& scene, const StepWork<M>& work, int constraint) {
-  Reaction<M> result;
+int place_in_step(const Scene<M>& scene, const StepWork<M>& work, int constraint) {
   int place = scene.place(constraint);
   bool took_part = work.version == scene.version();
   if (!took_part && constraint >= 0) {  // other constraints have changed since: look for its stamp
@@ -17,7 +19,22 @@ Reaction<M> reaction(const Scene<M>& scene, const StepWork<M>& work, int constra
     place = static_cast<int>(at - stamps.begin());
   }
   require(took_part, "constraint", constraint, "one that took part in the last step");
-  const int row = work.system.row_of[place];
+  return place;
+}
+
+}  // namespace
+
+template <class M>
+std::span<const double> impulse(const Scene<M>& scene, const StepWork<M>& work, int constraint) {
+  const int row = work.system.row_of[place_in_step(scene, work, constraint)],
+            rows = scene.store(scene.entries()[scene.place(constraint)].kind).rows;
+  return std::span(work.system.lambda).subspan(row, rows);
+}
+
+template <class M>
+Reaction<M> reaction(const Scene<M>& scene, const StepWork<M>& work, int constraint) {
+  Reaction<M> result;
+  const int row = work.system.row_of[place_in_step(scene, work, constraint)];
   for_each_block(work.system, [&]<int K, Bound B>(const Block<M, K, B>& block, const Run&) {
     if (block.row != row) return;
     const Rows<K> force = Eigen::Map<const Rows<K>>(&work.system.lambda[row]) / work.h;
@@ -30,7 +47,9 @@ Reaction<M> reaction(const Scene<M>& scene, const StepWork<M>& work, int constra
   return result;
 }
 
-#define BYHAND_INSTANTIATE(M) template Reaction<M> reaction(const Scene<M>&, const StepWork<M>&, int)
+#define BYHAND_INSTANTIATE(M)                                                         \
+  template std::span<const double> impulse(const Scene<M>&, const StepWork<M>&, int); \
+  template Reaction<M> reaction(const Scene<M>&, const StepWork<M>&, int)
 BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);
 #undef BYHAND_INSTANTIATE
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "solver/work.hpp"
 
 namespace byhand {
@@ -16,5 +18,10 @@ struct Reaction {
 /// that the scene does not have or that took no part in the last step.
 template <class M>
 Reaction<M> reaction(const Scene<M>& scene, const StepWork<M>& work, int constraint);
+
+/// λ of the constraint's rows in the last substep, until the next step [N s, or what is conjugate to C]. Throws
+/// the same.
+template <class M>
+std::span<const double> impulse(const Scene<M>& scene, const StepWork<M>& work, int constraint);
 
 }  // namespace byhand

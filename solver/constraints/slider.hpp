@@ -18,7 +18,7 @@ struct Slider {
   static constexpr int rows = M::dof - 1;
 
   Anchors<M> at;
-  Eigen::Matrix<double, M::linear, M::linear - 1> across =
+  Packed<double, M::linear, M::linear - 1> across =
       tangents_of<M>(Linear<M>::Unit(0));  // t_k, as columns, in the frame of body 1
   Orientation<M> right = {};
   double softness = 0;  // γ [1/kg] >= 0

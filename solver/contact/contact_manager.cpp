@@ -72,11 +72,12 @@ void ContactManager<M>::find(Scene<M>& scene, double step) {
   if (!update_bounds(scene, unchanged, time) && unchanged) return;
   const auto& masses = scene.bodies().inverse_mass;
   const auto& stamps = scene.colliders().stamps;
+  const auto& layers = scene.colliders().layers;
   found_.clear();
   auto before = pairs_.begin();
   for (const BodyPair& bodies : broad_phase_.overlapping(bounds_)) {
     const auto& [i, j] = bodies;
-    if (!moves(masses[i]) && !moves(masses[j])) continue;
+    if ((!moves(masses[i]) && !moves(masses[j])) || !meet(layers[i], layers[j])) continue;
     if (std::binary_search(joined_.begin(), joined_.end(), bodies)) continue;
     while (before != pairs_.end() && before->bodies < bodies) ++before;
     const bool cached =
@@ -117,6 +118,10 @@ template <class M>
 void ContactManager<M>::read_impulses(const System<M>& system) {
   for (Pair& pair : pairs_)
     for_each_row(pair, system.row_of, [&](int row, double& kept) { kept = system.lambda[row]; });
+  std::swap(pressed_, pressed_before_);
+  pressed_.clear();
+  for (const Pair& pair : pairs_)
+    if (pair.presses()) pressed_.push_back(pair.bodies);
 }
 
 /// Updates pose and bounds of all bodies or, in an unchanged scene, of those that have moved noticeably or will,

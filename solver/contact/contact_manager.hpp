@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -32,6 +33,10 @@ struct ContactPair {
   double friction, restitution;
   Linear<M> normal;
   std::array<Point, Manifold<M>::capacity> points;
+
+  bool presses() const {
+    return std::any_of(points.begin(), points.begin() + size, [](const Point& p) { return p.normal_impulse > 0; });
+  }
 };
 
 /// Finds a scene's contacts from its shapes, adds them to the scene as constraints, and keeps their impulses for
@@ -52,6 +57,11 @@ class ContactManager {
   /// Keeps λ of found contacts for the next step.
   void read_impulses(const System<M>& system);
 
+  /// In ascending order of bodies, as are those that pressed in the last step and in the step before.
+  const std::vector<ContactPair<M>>& pairs() const { return pairs_; }
+  const std::vector<BodyPair>& pressed() const { return pressed_; }
+  const std::vector<BodyPair>& pressed_before() const { return pressed_before_; }
+
  private:
   using Pair = ContactPair<M>;
 
@@ -67,6 +77,7 @@ class ContactManager {
   std::vector<char> moved_;        // by body, whether its contacts are to be computed again
   std::vector<BodyPair> joined_;   // by constraints; sorted
   std::vector<Pair> pairs_, found_;
+  std::vector<BodyPair> pressed_, pressed_before_;
   std::uint64_t version_ = 0, written_ = 0;  // of the scene
 };
 

@@ -51,8 +51,8 @@ void note_parting(const Scene<M>& scene, double h, double threshold, const Syste
   parting.assign(system.rows(), 0.0);
   const std::vector<Velocity<M>>& V = scene.bodies().velocity;
   const auto fall = [&](int body, bool moves) {
-    Velocity<M> gain = Velocity<M>::Zero();
-    if (moves) gain.template head<M::linear>() = h * gravity_on(scene.bodies(), body, scene.gravity);
+    Velocity<M> gain = h * applied_acceleration(scene.bodies(), body);
+    if (moves) gain.template head<M::linear>() += h * gravity_on(scene.bodies(), body, scene.gravity);
     return gain;
   };
   system.for_each_run([&]<int K, Bound B>(std::span<const Block<M, K, B>> blocks) {

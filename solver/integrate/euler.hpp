@@ -37,6 +37,19 @@ void add_gravity(Bodies<M>& bodies, const Linear<M>& gravity, double h) {
 }
 //! [gravity]
 
+/// What applied forces add to a body's velocity in a second [m/s², rad/s²].
+template <class M>
+Velocity<M> applied_acceleration(const Bodies<M>& bodies, int body) {
+  if (bodies.applied.empty()) return Velocity<M>::Zero();
+  return times_inverse_mass<M>(bodies.applied[body], bodies.inverse_mass[body], bodies.pose[body]);
+}
+
+/// Applied forces into V, with gravity.
+template <class M>
+void add_applied(Bodies<M>& bodies, double h) {
+  for (int i = 0; i < std::ssize(bodies.applied); ++i) bodies.velocity[i] += h * applied_acceleration(bodies, i);
+}
+
 //! [advance]
 /// Poses along velocities for one time step h [s]; a rotation turns by exactly ωh.
 template <class M>

@@ -101,7 +101,7 @@ void for_each_turning(Bodies<SpaceBody>& bodies, F&& change) {
     const Vector& inverse = bodies.inverse_mass[i].angular;
     const double x = inverse.y() - inverse.z(), y = inverse.z() - inverse.x(), z = inverse.x() - inverse.y();
     if ((x == 0 && y == 0 && z == 0) || !moves(bodies.inverse_mass[i])) continue;
-    Eigen::Quaterniond& q = bodies.pose[i].rotation;
+    auto& q = bodies.pose[i].rotation;
     auto omega = bodies.velocity[i].tail<3>();
     const Vector spin = rotate(byhand::inverse(q), omega);
     if (x * spin.y() * spin.z() == 0 && y * spin.z() * spin.x() == 0 && z * spin.x() * spin.y() == 0) continue;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <cmath>
 
 #include "solver/jacobian.hpp"
@@ -36,8 +35,8 @@ inline Jet sqrt(const Jet& a) {  // from a = r²
 }
 
 /// q̇ = ½ω q of a body that turns at ω [rad/s] in world axes.
-inline Eigen::Quaterniond turning(const Eigen::Quaterniond& q, const Eigen::Vector3d& spin) {
-  return Eigen::Quaterniond(0, spin.x() / 2, spin.y() / 2, spin.z() / 2) * q;
+inline Quaternion<double> turning(const Quaternion<double>& q, const Packed<double, 3>& spin) {
+  return Quaternion<double>(0, spin.x() / 2, spin.y() / 2, spin.z() / 2) * q;
 }
 
 /// The path of a body with constant V at t = 0: its rotation has the derivatives ½ω q and -¼|ω|² q, in the plane
@@ -52,8 +51,8 @@ Pose<M, Jet> on_its_way(const Pose<M>& pose, const Velocity<M>& V) {
     path.rotation = {{cos, -spin * sin, -spin * spin * cos}, {sin, spin * cos, -spin * spin * sin}};
   }
   if constexpr (M::angular == 3) {
-    const Eigen::Quaterniond& q = pose.rotation;
-    const Eigen::Quaterniond rate = turning(q, V.template tail<3>());
+    const Quaternion<double>& q = pose.rotation;
+    const Quaternion<double> rate = turning(q, V.template tail<3>());
     const double bend = -0.25 * V.template tail<3>().squaredNorm();
     for (int i = 0; i < 4; ++i)
       path.rotation.coeffs()[i] = {q.coeffs()[i], rate.coeffs()[i], bend * q.coeffs()[i]};

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <Eigen/Geometry>
 #include <bit>
 #include <cmath>
 #include <cstdint>
+
+#include "solver/support/packed.hpp"
 
 // Rotations and angles by + − × ÷ and square roots alone, because libm's sine differs between processors.
 // Functions take double and any scalar with `.value()` (Jet, Eigen::AutoDiffScalar, also nested); they branch on
@@ -147,7 +147,7 @@ PlaneRotation<T> rotated_by(const PlaneRotation<T>& r, const T& angle) {
 
 /// The world-frame components of a body-frame vector.
 template <class T, class Vector>
-Eigen::Matrix<T, 2, 1> rotate(const PlaneRotation<T>& r, const Eigen::MatrixBase<Vector>& v) {
+Packed<T, 2> rotate(const PlaneRotation<T>& r, const Eigen::MatrixBase<Vector>& v) {
   const auto& u = v.eval();
   return {r.cos * u.x() - r.sin * u.y(), r.sin * u.x() + r.cos * u.y()};
 }
@@ -157,8 +157,8 @@ inline double angle(const PlaneRotation<>& r) { return std::atan2(r.sin, r.cos);
 
 /// exp(turn/2), the unit quaternion of the rotation by |turn| [rad] about `turn`.
 template <class T>
-Eigen::Quaternion<T> space_rotation(const Eigen::Matrix<T, 3, 1>& turn) {
-  const Eigen::Matrix<T, 3, 1> half = turn * T(0.5);
+Quaternion<T> space_rotation(const Packed<T, 3>& turn) {
+  const Packed<T, 3> half = turn * T(0.5);
   const T z = half.x() * half.x() + half.y() * half.y() + half.z() * half.z();
   T cos, sine_over_angle;
   if (detail::value_of(z) <= detail::quarter_pi * detail::quarter_pi) {
@@ -175,25 +175,25 @@ Eigen::Quaternion<T> space_rotation(const Eigen::Matrix<T, 3, 1>& turn) {
   return {cos, sine_over_angle * half.x(), sine_over_angle * half.y(), sine_over_angle * half.z()};
 }
 
-template <class T>
-Eigen::Quaternion<T> inverse(const Eigen::Quaternion<T>& q) {
+template <class Q>
+Quaternion<typename Q::Scalar> inverse(const Eigen::QuaternionBase<Q>& q) {
   return q.conjugate();
 }
 
 /// `q` turned further by `turn` = ω·h [rad] in world axes; |q| = 1 is kept as in the plane.
-template <class T>
-Eigen::Quaternion<T> rotated_by(const Eigen::Quaternion<T>& q, const Eigen::Matrix<T, 3, 1>& turn) {
-  Eigen::Quaternion<T> turned = space_rotation<T>(turn) * q;
+template <class T, class Q>
+Quaternion<T> rotated_by(const Eigen::QuaternionBase<Q>& q, const Packed<T, 3>& turn) {
+  Quaternion<T> turned = space_rotation<T>(turn) * q;
   turned.coeffs() *= T(1.5 - 0.5 * turned.squaredNorm());
   return turned;
 }
 
 /// The world-frame components of a body-frame vector: v + 2w (q × v) + q × 2(q × v). Always inlined: it rotates
 /// every arm of every row.
-template <class T, class Vector>
-[[gnu::always_inline]] inline Eigen::Matrix<T, 3, 1> rotate(const Eigen::Quaternion<T>& q,
-                                                            const Eigen::MatrixBase<Vector>& v) {
-  const Eigen::Matrix<T, 3, 1>& u = v.template cast<T>();
+template <class Q, class Vector, class T = typename Q::Scalar>
+[[gnu::always_inline]] inline Packed<T, 3> rotate(const Eigen::QuaternionBase<Q>& q,
+                                                  const Eigen::MatrixBase<Vector>& v) {
+  const Packed<T, 3>& u = v.template cast<T>();
   const T &x = q.x(), &y = q.y(), &z = q.z(), &w = q.w();
   const T a = y * u.z() - z * u.y(), b = z * u.x() - x * u.z(), c = x * u.y() - y * u.x();
   const T p = a + a, r = b + b, s = c + c;
@@ -215,10 +215,10 @@ T principal_angle(const PlaneRotation<T>& r) {
 
 /// The inverse of `space_rotation`, to a few ulps: the turn [rad] of a unit quaternion, at most π long, in world
 /// axes.
-inline Eigen::Vector3d turn_of(const Eigen::Quaterniond& q) {
+inline Packed<double, 3> turn_of(const Quaternion<double>& q) {
   const double sign = q.w() < 0 ? -1 : 1, sin = q.vec().norm();
-  return sin > 0 ? Eigen::Vector3d(sign * angle_from_half<double>({sin, sign * q.w()}) / sin * q.vec())
-                 : Eigen::Vector3d(2 * sign * q.vec());
+  return sin > 0 ? Packed<double, 3>(sign * angle_from_half<double>({sin, sign * q.w()}) / sin * q.vec())
+                 : Packed<double, 3>(2 * sign * q.vec());
 }
 
 }  // namespace byhand

@@ -44,6 +44,7 @@ class Attempt {
   void finish() {
     finished_ = true;
     if (!are_finite(scene_.bodies().pose, scene_.bodies().velocity)) refuse_not_finite(scene_, take_back());
+    scene_.state().applied.clear();
   }
 
  private:

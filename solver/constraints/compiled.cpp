@@ -1,0 +1,7 @@
+#include "solver/constraints/compiled.hpp"
+
+namespace byhand {
+
+BYHAND_COMPILED();
+
+}  // namespace byhand
