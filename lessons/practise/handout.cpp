@@ -4,8 +4,8 @@
 
 #include <regex>
 
-#include "lessons/page/equation_places.hpp"
 #include "lessons/files/atomic_file.hpp"
+#include "lessons/page/equation_places.hpp"
 
 namespace byhand::practise {
 

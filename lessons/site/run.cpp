@@ -1,4 +1,5 @@
-// Lesson::run of the programs page_01_jacobian …, which write a lesson's page for the web site: page_01_jacobian FOLDER
+// Lesson::run of the programs page_01_jacobian …, which write a lesson's page for the web site: page_01_jacobian
+// FOLDER
 // [--quiet]. The terminal's own stays in its library.
 
 #include <stdexcept>

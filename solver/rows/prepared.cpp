@@ -120,8 +120,9 @@ void prepare_run(std::span<const Block<M, K, B>> blocks, const System<M>& system
 }
 
 /// Two manifolds in a result where they share no moving body.
-inline void prepare_run(std::span<const Block<PlaneBody, 3, Bound::manifold>> blocks, const System<PlaneBody>& system,
-                 BlockSolve block_solve, double relaxation, double* D, std::span<PreparedManifold> results) {
+inline void prepare_run(std::span<const Block<PlaneBody, 3, Bound::manifold>> blocks,
+                        const System<PlaneBody>& system, BlockSolve block_solve, double relaxation, double* D,
+                        std::span<PreparedManifold> results) {
   std::size_t used = 0;
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     PreparedManifold& result = results[used++];
