@@ -1,20 +1,13 @@
 // Step 2: the rows of a joint together, or one after the other.
 
-#include <algorithm>
-#include <cmath>
-
 #include "lessons/06_joints/mechanism.hpp"
 #include "lessons/06_joints/runs.hpp"
 #include "lessons/06_joints/steps.hpp"
-#include "lessons/pictures/growing.hpp"
 #include "lessons/scenes/box_on_an_arm.hpp"
-#include "solver/measure.hpp"
 
 namespace byhand::joints {
 namespace {
 
-using namespace course;
-using namespace renderer;
 using Held = Simulation<PlaneBody>;
 
 constexpr double swing_seconds = 1.7, drift_seconds = 5;  // of the film, of the drift [s]

@@ -1,12 +1,8 @@
 // Step 5: stops and motors, which are one row between two bounds.
 
-#include <cmath>
-
 #include "lessons/06_joints/mechanism.hpp"
 #include "lessons/06_joints/runs.hpp"
 #include "lessons/06_joints/steps.hpp"
-#include "lessons/pictures/growing.hpp"
-#include "lessons/pictures/runs.hpp"
 #include "lessons/scenes/pendulum.hpp"
 #include "solver/constraints/limit.hpp"
 #include "solver/constraints/motor.hpp"
@@ -14,8 +10,6 @@
 namespace byhand::joints {
 namespace {
 
-using namespace course;
-using namespace renderer;
 using Held = Simulation<PlaneBody>;
 
 constexpr double bar_seconds = 1.6, bar_settles = 6;  // [s]

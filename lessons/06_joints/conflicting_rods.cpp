@@ -1,18 +1,12 @@
 // Step 7: rods that say the same, and rods that contradict each other.
 
-#include <cmath>
-
 #include "lessons/06_joints/runs.hpp"
 #include "lessons/06_joints/steps.hpp"
-#include "lessons/pictures/growing.hpp"
-#include "lessons/pictures/rods_and_bobs.hpp"
 #include "lessons/scenes/pendulum.hpp"
 
 namespace byhand::joints {
 namespace {
 
-using namespace course;
-using namespace renderer;
 using Rods = Simulation<PlaneParticle>;
 
 constexpr double conflict_seconds = 5;            // [s]

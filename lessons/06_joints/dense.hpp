@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "solver/scene.hpp"
+#include "lessons/06_joints/setting.hpp"
 
 // A scene's rows as a textbook writes them, as dense matrices: what the lesson counts and looks at.
 namespace byhand::joints {

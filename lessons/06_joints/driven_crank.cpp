@@ -1,19 +1,14 @@
 // Step 6: a motor, a crank, a rod and a piston.
 
-#include <cmath>
-
 #include "lessons/06_joints/mechanism.hpp"
 #include "lessons/06_joints/runs.hpp"
 #include "lessons/06_joints/steps.hpp"
 #include "lessons/exact/slider_crank.hpp"
-#include "lessons/pictures/growing.hpp"
 #include "lessons/scenes/slider_crank.hpp"
 
 namespace byhand::joints {
 namespace {
 
-using namespace course;
-using namespace renderer;
 using Machine = Simulation<PlaneBody>;
 
 constexpr double crank_turns = 1.5;  // of the crank, watched

@@ -1,20 +1,12 @@
 // Step 4: rows that repeat what others say, at one pose or at all of them.
 
-#include <cmath>
-
 #include "lessons/06_joints/dense.hpp"
 #include "lessons/06_joints/linkage.hpp"
 #include "lessons/06_joints/runs.hpp"
 #include "lessons/06_joints/steps.hpp"
-#include "lessons/pictures/growing.hpp"
-#include "lessons/pictures/rods_and_bobs.hpp"
-#include "solver/measure.hpp"
 
 namespace byhand::joints {
 namespace {
-
-using namespace course;
-using namespace renderer;
 
 constexpr double flat_seconds = 1.8, misfit = 1e-3;                // [s], [m]
 constexpr double shown_share = 1e-9, strict = 1e-6, loose = 1e-4;  // regularisations [1]

@@ -1,22 +1,14 @@
 // Step 3: three bodies and four pins that are one pendulum.
 
-#include <cmath>
-
 #include "lessons/06_joints/dense.hpp"
 #include "lessons/06_joints/linkage.hpp"
 #include "lessons/06_joints/runs.hpp"
 #include "lessons/06_joints/steps.hpp"
 #include "lessons/exact/simple_pendulum.hpp"
-#include "lessons/pictures/growing.hpp"
-#include "lessons/pictures/rods_and_bobs.hpp"
 #include "renderer/labels.hpp"
-#include "solver/measure.hpp"
 
 namespace byhand::joints {
 namespace {
-
-using namespace course;
-using namespace renderer;
 
 constexpr double four_bar_seconds = 2.5, measured_for = 10;  // [s]
 

@@ -1,18 +1,12 @@
 // Deeper: planks that hang from two anchors.
 
-#include <cmath>
-
 #include "lessons/06_joints/mechanism.hpp"
 #include "lessons/06_joints/steps.hpp"
-#include "lessons/pictures/rods_and_bobs.hpp"
 #include "lessons/scenes/bridge.hpp"
-#include "solver/step.hpp"
 
 namespace byhand::joints {
 namespace {
 
-using namespace course;
-using namespace renderer;
 using Bridge = Simulation<PlaneBody>;
 
 constexpr int planks = 10;

@@ -1,7 +1,5 @@
 #include "lessons/06_joints/linkage.hpp"
 
-#include <cmath>
-
 namespace byhand::joints {
 
 FourBarOptions bars_of(const Setting& setting, double angle, int arms) {

@@ -2,7 +2,6 @@
 
 #include "lessons/06_joints/setting.hpp"
 #include "lessons/scenes/four_bar.hpp"
-#include "solver/step.hpp"
 
 namespace byhand::joints {
 

@@ -5,7 +5,7 @@ int main(int argc, char** argv) {
   using namespace byhand;
   using namespace byhand::joints;
 
-  course::Lesson lesson(course::contents().at(5));
+  course::Lesson lesson(course::lesson_of(__FILE__));
   const Setting setting{
       .length = lesson.parameter("length", 2.0, "m", {0.5, 5}, "length of a bar or rod"),
       .mass = lesson.parameter("mass", 3.0, "kg", {0.1, 100}, "mass of a bar or bob"),

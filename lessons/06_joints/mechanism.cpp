@@ -1,12 +1,8 @@
 #include "lessons/06_joints/mechanism.hpp"
 
-#include <cmath>
-
 #include "lessons/06_joints/setting.hpp"
 
 namespace byhand::joints {
-
-using namespace renderer;
 
 namespace {
 

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "renderer/canvas.hpp"
-#include "solver/model.hpp"
+#include "lessons/06_joints/setting.hpp"
 
 // Parts of the lesson's machines, in the world of the canvas's camera.
 namespace byhand::joints {

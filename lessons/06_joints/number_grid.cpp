@@ -1,13 +1,6 @@
 #include "lessons/06_joints/number_grid.hpp"
 
-#include <algorithm>
-#include <string>
-
-#include "lessons/page/words.hpp"
-
 namespace byhand::joints {
-
-using namespace renderer;
 
 void draw_grid(Canvas& canvas, const Eigen::MatrixXd& matrix, const Point& at, const Point& cell,
                const GridLabels& labels) {

@@ -1,10 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <string>
-#include <vector>
 
-#include "renderer/canvas.hpp"
+#include "lessons/06_joints/setting.hpp"
 
 namespace byhand::joints {
 

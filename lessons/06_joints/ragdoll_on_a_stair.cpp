@@ -1,6 +1,5 @@
 // Deeper: everything at once.
 
-#include <cmath>
 #include <memory>
 #include <set>
 #include <utility>
@@ -10,13 +9,10 @@
 #include "lessons/pictures/boxes.hpp"
 #include "lessons/scenes/boxes.hpp"
 #include "lessons/scenes/ragdoll.hpp"
-#include "solver/measure.hpp"
 
 namespace byhand::joints {
 namespace {
 
-using namespace course;
-using namespace renderer;
 using Doll = Simulation<PlaneBody>;
 
 constexpr double fall_seconds = 2.7, doll_settles = 20, step = 1.0 / 120;  // [s]

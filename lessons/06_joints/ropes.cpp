@@ -1,18 +1,12 @@
 // Deeper: a rod with one sign of λ missing.
 
-#include <cmath>
-
 #include "lessons/06_joints/runs.hpp"
 #include "lessons/06_joints/steps.hpp"
-#include "lessons/pictures/rods_and_bobs.hpp"
 #include "lessons/scenes/pendulum.hpp"
 #include "solver/constraints/rope.hpp"
 
 namespace byhand::joints {
 namespace {
-
-using namespace course;
-using namespace renderer;
 
 constexpr int finer = 16;  // steps for one of the lesson's: the moment of letting go is known to a step
 

@@ -3,10 +3,6 @@
 #include "lessons/06_joints/rows_adding_up.hpp"
 
 #include <Eigen/LU>
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <vector>
 
 #include "lessons/06_joints/mechanism.hpp"
 #include "lessons/pictures/acts.hpp"
@@ -15,9 +11,6 @@
 
 namespace byhand::joints {
 namespace {
-
-using namespace course;
-using namespace renderer;
 
 constexpr double bar_angle = -0.3, seen_seconds = 0.9, motor_speed = 0.8;  // [rad], [s], [rad/s]
 constexpr int instants = 90;

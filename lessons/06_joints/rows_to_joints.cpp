@@ -1,7 +1,5 @@
 // Step 1: a joint is a system of constraints, and what else it does is a bound.
 
-#include <cmath>
-
 #include "lessons/06_joints/mechanism.hpp"
 #include "lessons/06_joints/number_grid.hpp"
 #include "lessons/06_joints/rows_adding_up.hpp"
@@ -14,9 +12,6 @@
 
 namespace byhand::joints {
 namespace {
-
-using namespace course;
-using namespace renderer;
 
 constexpr double first_angle = 0.35, second_angle = -0.9;  // of the two bars [rad]
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "solver/step.hpp"
+#include "lessons/06_joints/setting.hpp"
 
 namespace byhand::joints {
 

@@ -6,8 +6,6 @@
 
 namespace byhand::joints {
 
-using namespace renderer;
-
 namespace {
 
 constexpr double rail = 0.35;  // slope of the slider's rail [rad]

@@ -1,16 +1,12 @@
 #pragma once
 
-#include <array>
-
 #include "lessons/06_joints/setting.hpp"
-#include "renderer/canvas.hpp"
 #include "solver/constraints/limit.hpp"
 #include "solver/constraints/motor.hpp"
 #include "solver/constraints/pin.hpp"
 #include "solver/constraints/rope.hpp"
 #include "solver/constraints/slider.hpp"
 #include "solver/constraints/weld.hpp"
-#include "solver/step.hpp"
 
 namespace byhand::joints {
 

@@ -1,11 +1,12 @@
 #pragma once
 
-#include <cmath>
-
-#include "lessons/page/lesson.hpp"
-#include "solver/step.hpp"
+#include "lessons/pictures/prelude.hpp"
 
 namespace byhand::joints {
+
+using namespace course;
+using namespace renderer;
+using pictures::at, pictures::curve, pictures::each;
 
 /// The lesson's parameters.
 struct Setting {
@@ -18,10 +19,7 @@ struct Setting {
   course::Parameter<int> sweeps;                    // over rows in a step
 };
 
-inline constexpr double gravity = 9.81;  // [m/s²], as Scene has it
-inline constexpr double pi = 3.14159265358979323846;
-inline double radians(double degrees) { return degrees / 180 * pi; }
-inline double degrees(double radians) { return radians / pi * 180; }
+inline constexpr double gravity = standard_gravity;
 
 /// The value, or 0 where it is only rounding beside `scale`.
 inline double without_rounding(double value, double scale) { return std::abs(value) < 1e-9 * scale ? 0 : value; }

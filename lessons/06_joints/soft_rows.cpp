@@ -1,7 +1,5 @@
 // Deeper: springs as rows that give way.
 
-#include <cmath>
-
 #include "lessons/06_joints/runs.hpp"
 #include "lessons/06_joints/steps.hpp"
 #include "lessons/scenes/pendulum.hpp"
@@ -10,8 +8,6 @@
 namespace byhand::joints {
 namespace {
 
-using namespace course;
-using namespace renderer;
 using Hanging = Simulation<PlaneParticle>;
 
 /// A bob on a spring that is tuned to it by frequency [rad/s] and damping ratio, and below it, on a rod, a load of

@@ -1,7 +1,5 @@
 // Step 3: a bob that circles, and what its rod carries.
 
-#include <cmath>
-
 #include "lessons/07_space/rounds.hpp"
 #include "lessons/07_space/steps.hpp"
 #include "lessons/exact/conical_pendulum.hpp"
@@ -9,9 +7,6 @@
 
 namespace byhand::space {
 namespace {
-
-using namespace course;
-using namespace renderer;
 
 Chart over_angle(const Setting& setting) {
   const double weight = setting.mass * gravity;

@@ -1,20 +1,12 @@
 // Step 6: the gyroscopic term left out, explicit and implicit, against the elliptic answer.
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 #include "lessons/07_space/steps.hpp"
 #include "lessons/07_space/thrown.hpp"
 #include "lessons/exact/free_top.hpp"
-#include "lessons/pictures/growing.hpp"
 #include "lessons/pictures/space_scene.hpp"
 
 namespace byhand::space {
 namespace {
-
-using namespace course;
-using namespace renderer;
 
 constexpr double flip_seconds = 5, flight_seconds = 20;
 constexpr std::array choices{Gyroscopic::none, Gyroscopic::explicit_, Gyroscopic::implicit};

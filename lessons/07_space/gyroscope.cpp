@@ -1,17 +1,11 @@
 // Deeper: a top on its tip, whose axis is level.
 
-#include <cmath>
-
 #include "lessons/07_space/steps.hpp"
 #include "lessons/pictures/space_scene.hpp"
 #include "lessons/scenes/top.hpp"
-#include "solver/step.hpp"
 
 namespace byhand::space {
 namespace {
-
-using namespace course;
-using namespace renderer;
 
 constexpr double arm = 0.3, wheel = 0.25, wheel_rate = 60, precession_seconds = 4;  // [m], [m], [rad/s], [s]
 constexpr double level = pi / 2;

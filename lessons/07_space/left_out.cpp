@@ -1,8 +1,5 @@
 // Step 5: in space Iω stays, so ω must turn; and what happens if nobody turns it.
 
-#include <algorithm>
-#include <cmath>
-
 #include "lessons/07_space/steps.hpp"
 #include "lessons/07_space/thrown.hpp"
 #include "lessons/07_space/turning_with_the_body.hpp"
@@ -12,9 +9,6 @@
 
 namespace byhand::space {
 namespace {
-
-using namespace course;
-using namespace renderer;
 
 constexpr double term_seconds = 5, careless = 0.4;  // [s], share of the spin about the other axes
 

@@ -1,20 +1,13 @@
 // Deeper: found contacts in space: a box thrown along the ground.
 
-#include <algorithm>
-#include <cmath>
-
 #include "lessons/07_space/steps.hpp"
-#include "lessons/pictures/growing.hpp"
 #include "lessons/pictures/space_scene.hpp"
 #include "lessons/scenes/boxes.hpp"
 #include "solver/constraints/contact.hpp"
-#include "solver/measure.hpp"
 
 namespace byhand::space {
 namespace {
 
-using namespace course;
-using namespace renderer;
 using Loose = Simulation<SpaceBody>;
 
 constexpr double tumble_seconds = 3, patience = 30, slop = 1e-3;  // [s], [s], [m]

@@ -6,7 +6,7 @@ int main(int argc, char** argv) {
   using namespace byhand;
   using namespace byhand::space;
 
-  course::Lesson lesson(course::contents().at(6));
+  course::Lesson lesson(course::lesson_of(__FILE__));
   const Setting setting{
       .h = lesson.parameter("h", 1.0 / 60, "s", {1.0 / 480, 1.0 / 30}, "time step"),
       .length = lesson.parameter("length", 2.0, "m", {0.5, 10}, "length of the rods"),

@@ -1,20 +1,13 @@
 // Step 4: the spherical pendulum, that swings between two cones while it goes round.
 
-#include <cmath>
-
 #include "lessons/07_space/rounds.hpp"
 #include "lessons/07_space/steps.hpp"
 #include "lessons/exact/conical_pendulum.hpp"
 #include "lessons/exact/spherical_pendulum.hpp"
-#include "lessons/pictures/growing.hpp"
 #include "lessons/pictures/space_scene.hpp"
-#include "solver/measure.hpp"
 
 namespace byhand::space {
 namespace {
-
-using namespace course;
-using namespace renderer;
 
 constexpr double nod_seconds = 4;
 

@@ -1,15 +1,11 @@
 // Deeper: an orientation by unit quaternion, and how it is turned on.
 
-#include <cmath>
-
 #include "lessons/07_space/steps.hpp"
 #include "lessons/pictures/space_scene.hpp"
 
 namespace byhand::space {
 namespace {
 
-using namespace course;
-using namespace renderer;
 using Vector = Eigen::Vector3d;
 using Quaternion = Eigen::Quaterniond;
 

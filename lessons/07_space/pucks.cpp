@@ -1,10 +1,7 @@
 #include "lessons/07_space/pucks.hpp"
 
-#include <cmath>
-
 #include "solver/constraints/contact.hpp"
 #include "solver/constraints/friction.hpp"
-#include "solver/step.hpp"
 
 namespace byhand::space {
 namespace {

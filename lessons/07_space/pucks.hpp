@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "lessons/07_space/setting.hpp"
 
 namespace byhand::space {

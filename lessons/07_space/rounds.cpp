@@ -1,7 +1,5 @@
 #include "lessons/07_space/rounds.hpp"
 
-#include <cmath>
-
 #include "lessons/scenes/conical_pendulum.hpp"
 #include "lessons/scenes/spherical_pendulum.hpp"
 

@@ -2,7 +2,6 @@
 
 #include "lessons/07_space/setting.hpp"
 #include "solver/constraints/normalised_distance.hpp"
-#include "solver/step.hpp"
 
 namespace byhand::space {
 

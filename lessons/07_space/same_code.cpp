@@ -1,18 +1,11 @@
 // Step 1: what three dimensions change in the code, and what they do not.
 
-#include <cmath>
-
 #include "lessons/07_space/steps.hpp"
-#include "lessons/pictures/rods_and_bobs.hpp"
 #include "lessons/pictures/space_scene.hpp"
 #include "lessons/scenes/pendulum.hpp"
-#include "solver/step.hpp"
 
 namespace byhand::space {
 namespace {
-
-using namespace course;
-using namespace renderer;
 
 constexpr double rod_seconds = 2;
 

@@ -2,9 +2,13 @@
 
 #include <Eigen/Core>
 
-#include "lessons/page/lesson.hpp"
+#include "lessons/pictures/prelude.hpp"
 
 namespace byhand::space {
+
+using namespace course;
+using namespace renderer;
+using pictures::at, pictures::curve, pictures::each;
 
 /// The lesson's parameters.
 struct Setting {
@@ -16,10 +20,7 @@ struct Setting {
   course::Parameter<double> friction, speed, heading;  // μ [1], of the pucks [m/s], [deg]
 };
 
-inline constexpr double gravity = 9.81;  // [m/s²], as Scene has it
-inline constexpr double pi = 3.14159265358979323846;
-inline double radians(double degrees) { return degrees / 180 * pi; }
-inline double degrees(double radians) { return radians / pi * 180; }
+inline constexpr double gravity = standard_gravity;
 
 /// A thick book [m]: the moments about x, y and z differ, y is the middle one.
 inline Eigen::Vector3d book_sides() { return {1.2, 0.8, 0.2}; }

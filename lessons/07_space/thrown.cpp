@@ -1,7 +1,6 @@
 #include "lessons/07_space/thrown.hpp"
 
 #include "lessons/scenes/top.hpp"
-#include "solver/measure.hpp"
 
 namespace byhand::space {
 
@@ -32,12 +31,6 @@ Flight thrown(const Setting& setting, double wobble, Gyroscopic choice, double s
     book.step(h);
   }
   return flight;
-}
-
-const Instant& at(const Flight& flight, double time) {
-  std::size_t i = 0;
-  while (i + 1 < flight.size() && flight[i + 1].time <= time + 1e-9) ++i;
-  return flight[i];
 }
 
 bool flew_apart(const Flight& flight, double seconds) {

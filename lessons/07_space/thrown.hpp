@@ -1,10 +1,7 @@
 #pragma once
 
-#include <vector>
-
 #include "lessons/07_space/setting.hpp"
 #include "solver/integrate/gyroscopic.hpp"
-#include "solver/model.hpp"
 
 namespace byhand::space {
 
@@ -33,8 +30,6 @@ Flight thrown(const Setting& setting, double wobble, Gyroscopic choice, double s
 /// The same with steps of `h` [s].
 Flight thrown(const Setting& setting, double wobble, Gyroscopic choice, double seconds, double h);
 
-/// The last instant of a flight by `time` [s].
-const Instant& at(const Flight& flight, double time);
 /// Whether it ended before it should.
 bool flew_apart(const Flight& flight, double seconds);
 /// The times at which the spin about the middle axis changes sign [s].

@@ -1,18 +1,13 @@
 // Step 2: the inertia of (18) belongs to the body, and turns with it.
 
 #include <Eigen/LU>
-#include <cmath>
 
 #include "lessons/07_space/steps.hpp"
 #include "lessons/pictures/space_scene.hpp"
 #include "solver/constraints/pin.hpp"
-#include "solver/measure.hpp"
 
 namespace byhand::space {
 namespace {
-
-using namespace course;
-using namespace renderer;
 
 Eigen::Vector3d flight() { return {0, -3, 1.5}; }  // [m/s]
 

@@ -2,11 +2,6 @@
 
 #include "lessons/07_space/turning_with_the_body.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <vector>
-
 #include "lessons/07_space/thrown.hpp"
 #include "lessons/exact/free_top.hpp"
 #include "lessons/pictures/acts.hpp"
@@ -15,9 +10,6 @@
 
 namespace byhand::space {
 namespace {
-
-using namespace course;
-using namespace renderer;
 
 constexpr int stretches = 3, slow_steps = 120;  // of the motion, and the steps of each
 constexpr double stretch = 0.3, drawn = 0.55;   // in turns at the first spin; of the book's size

@@ -1,7 +1,5 @@
 // Step 7: friction in space has two axes, and one bound.
 
-#include <cmath>
-
 #include "lessons/07_space/pucks.hpp"
 #include "lessons/07_space/steps.hpp"
 #include "lessons/pictures/space_scene.hpp"
@@ -9,9 +7,6 @@
 
 namespace byhand::space {
 namespace {
-
-using namespace course;
-using namespace renderer;
 
 constexpr int pucks = 24;
 

@@ -1,18 +1,11 @@
 // The last core step: what all laws say beside what was found.
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 #include "lessons/08_where_methods_fail/steps.hpp"
 #include "lessons/laws/law.hpp"
-#include "renderer/canvas.hpp"
 
 namespace byhand::failures {
 namespace {
 
-using namespace course;
-using namespace renderer;
 using laws::Family;
 using laws::Law;
 

@@ -1,7 +1,5 @@
 #include "lessons/08_where_methods_fail/film.hpp"
 
-#include <algorithm>
-
 namespace byhand::failures {
 
 void draw_cell(renderer::Canvas& canvas, const renderer::Rectangle& cell, const renderer::Rectangle& view,

@@ -1,16 +1,8 @@
 #pragma once
 
-#include <cmath>
 #include <functional>
-#include <limits>
-#include <string>
-#include <vector>
 
-#include "lessons/page/page.hpp"
-#include "lessons/pictures/growing.hpp"
-#include "lessons/pictures/runs.hpp"
-#include "renderer/canvas.hpp"
-#include "solver/step.hpp"
+#include "lessons/08_where_methods_fail/setting.hpp"
 
 // Films of one scene that is run in several ways, beside each other; each stops where it fails.
 namespace byhand::failures {

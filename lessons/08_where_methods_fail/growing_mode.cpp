@@ -1,17 +1,9 @@
 #include "lessons/08_where_methods_fail/growing_mode.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <vector>
-
 #include "lessons/pictures/acts.hpp"
-#include "renderer/chart.hpp"
 
 namespace byhand::failures {
 namespace {
-
-using namespace course;
-using namespace renderer;
 
 constexpr double omega_h = 2.1;  // a little beyond the limit of 2
 constexpr int steps = 4;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lessons/page/lesson.hpp"
+#include "lessons/08_where_methods_fail/setting.hpp"
 
 namespace byhand::failures {
 

@@ -1,7 +1,5 @@
 // Deeper: a heavy box on a light one.
 
-#include <cmath>
-
 #include "lessons/08_where_methods_fail/map.hpp"
 #include "lessons/08_where_methods_fail/steps.hpp"
 #include "lessons/laws/column.hpp"
@@ -10,7 +8,6 @@
 namespace byhand::failures {
 namespace {
 
-using namespace course;
 using laws::Outcome;
 
 constexpr double pair_beta = 0.2;

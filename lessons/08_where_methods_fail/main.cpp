@@ -6,7 +6,7 @@ int main(int argc, char** argv) {
   using namespace byhand;
   using namespace byhand::failures;
 
-  course::Lesson lesson(course::contents().at(7));
+  course::Lesson lesson(course::lesson_of(__FILE__));
   const Setting setting{
       .resolution = lesson.parameter("resolution", 20, "1", {4, 64}, "cells a side of each map"),
       .boxes = lesson.parameter("boxes", 15, "1", {8, 24}, "of the stack that is filmed"),

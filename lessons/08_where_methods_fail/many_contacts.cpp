@@ -1,17 +1,12 @@
 // Deeper: Jacobi on many contacts of one box.
 
-#include <cmath>
-
 #include "lessons/08_where_methods_fail/map.hpp"
 #include "lessons/08_where_methods_fail/steps.hpp"
 #include "lessons/laws/sweeps.hpp"
 #include "lessons/scenes/box_on_contacts.hpp"
-#include "solver/measure.hpp"
-#include "solver/step.hpp"
 
 namespace byhand::failures {
 
-using namespace course;
 using laws::Outcome;
 
 /// What Gauss–Seidel leaves of the fall of a unit box on so many contacts, over gh.

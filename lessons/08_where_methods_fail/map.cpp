@@ -1,16 +1,11 @@
 #include "lessons/08_where_methods_fail/map.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "renderer/palette.hpp"
 
 namespace byhand::failures {
 namespace {
 
 using laws::Outcome;
-using renderer::Scale;
-namespace palette = renderer::palette;
 
 /// From one end of the outermost cells to the other, where a law is drawn.
 std::vector<double> along(const Knob& knob) {

@@ -1,15 +1,10 @@
 #pragma once
 
-#include <array>
 #include <functional>
 #include <map>
-#include <optional>
-#include <string>
-#include <vector>
 
+#include "lessons/08_where_methods_fail/setting.hpp"
 #include "lessons/laws/law.hpp"
-#include "lessons/page/page.hpp"
-#include "lessons/page/parameter.hpp"
 
 namespace byhand::failures {
 

@@ -1,21 +1,15 @@
 // Step 2: the correction overshoots.
 
-#include <algorithm>
-#include <cmath>
-
 #include "lessons/08_where_methods_fail/film.hpp"
 #include "lessons/08_where_methods_fail/map.hpp"
 #include "lessons/08_where_methods_fail/steps.hpp"
 #include "lessons/laws/closed_forms.hpp"
 #include "lessons/laws/warm_start.hpp"
-#include "lessons/pictures/rods_and_bobs.hpp"
 #include "lessons/scenes/chain.hpp"
-#include "solver/measure.hpp"
 
 namespace byhand::failures {
 namespace {
 
-using namespace course;
 using laws::Outcome;
 
 double limit_of_beta(int links, double sweeps) { return laws::largest_beta(laws::left_by_sweeps(links, sweeps)); }

@@ -1,8 +1,12 @@
 #pragma once
 
-#include "lessons/page/lesson.hpp"
+#include "lessons/pictures/prelude.hpp"
 
 namespace byhand::failures {
+
+using namespace course;
+using namespace renderer;
+using pictures::at, pictures::curve, pictures::each;
 
 /// The lesson's parameters.
 struct Setting {

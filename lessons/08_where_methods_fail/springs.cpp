@@ -1,7 +1,5 @@
 // Deeper: springs by hand.
 
-#include <cmath>
-
 #include "lessons/08_where_methods_fail/growing_mode.hpp"
 #include "lessons/08_where_methods_fail/map.hpp"
 #include "lessons/08_where_methods_fail/steps.hpp"
@@ -10,7 +8,6 @@
 namespace byhand::failures {
 namespace {
 
-using namespace course;
 using laws::Outcome;
 
 /// The largest ωh of an explicit spring.

@@ -1,7 +1,5 @@
 // Step 1: too few iterations.
 
-#include <cmath>
-
 #include "lessons/08_where_methods_fail/map.hpp"
 #include "lessons/08_where_methods_fail/stack_film.hpp"
 #include "lessons/08_where_methods_fail/steps.hpp"
@@ -12,7 +10,6 @@
 namespace byhand::failures {
 namespace {
 
-using namespace course;
 using laws::Column;
 using laws::Outcome;
 
@@ -156,7 +153,7 @@ void too_few_iterations(const Setting& setting, Page& page) {
       stack above @ with them. And a *direct solve* leaves no error that could creep: @ m is all that the top box
       above has moved.)",
       Value(cut / whole, 2), stacks.failed(1) ? "still falls" : "stands",
-      stacks.last(2) < 1e-11 ? "less than 10⁻¹¹" : number(stacks.last(2), 2));
+      stacks.last(2) < 1e-11 ? "less than 10⁻¹¹" : course::number(stacks.last(2), 2));
 
   claim_agreement(page, agreed, 0.9, "law of creep", setting.resolution);
   const Condition in_reach = within(1.5, Quantity("0.763 gh²N³", law), 40);

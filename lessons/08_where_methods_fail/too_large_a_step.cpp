@@ -1,20 +1,14 @@
 // Step 3: the step is too large.
 
-#include <algorithm>
-#include <cmath>
-
 #include "lessons/08_where_methods_fail/film.hpp"
 #include "lessons/08_where_methods_fail/map.hpp"
 #include "lessons/08_where_methods_fail/steps.hpp"
 #include "lessons/laws/transverse.hpp"
-#include "lessons/pictures/rods_and_bobs.hpp"
 #include "lessons/scenes/chain.hpp"
-#include "solver/measure.hpp"
 
 namespace byhand::failures {
 namespace {
 
-using namespace course;
 using laws::Outcome;
 using laws::TautChain;
 

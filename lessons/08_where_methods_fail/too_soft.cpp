@@ -1,21 +1,15 @@
 // Step 4: the contact is too soft.
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
 #include "lessons/08_where_methods_fail/map.hpp"
 #include "lessons/08_where_methods_fail/stack_film.hpp"
 #include "lessons/08_where_methods_fail/steps.hpp"
 #include "lessons/laws/buckling.hpp"
 #include "lessons/laws/column.hpp"
 #include "solver/constraints/contact.hpp"
-#include "solver/row.hpp"
 
 namespace byhand::failures {
 namespace {
 
-using namespace course;
 using laws::Outcome;
 
 // More than law 18 asks for. Solved exactly the boundary is the same, but what has buckled goes slowly.

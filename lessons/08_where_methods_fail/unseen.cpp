@@ -1,8 +1,5 @@
 // Deeper: what passes between two looks.
 
-#include <algorithm>
-#include <cmath>
-
 #include "lessons/08_where_methods_fail/map.hpp"
 #include "lessons/08_where_methods_fail/steps.hpp"
 #include "lessons/laws/tunnelling.hpp"
@@ -10,7 +7,6 @@
 namespace byhand::failures {
 namespace {
 
-using namespace course;
 using laws::FlyingBalls;
 
 constexpr double ball_radius = 0.05;  // [m]

@@ -1,8 +1,5 @@
 // Step 6: every failure with every knob.
 
-#include <cmath>
-#include <optional>
-
 #include "lessons/08_where_methods_fail/map.hpp"
 #include "lessons/08_where_methods_fail/steps.hpp"
 #include "lessons/laws/column.hpp"
@@ -13,7 +10,6 @@
 namespace byhand::failures {
 namespace {
 
-using namespace course;
 using laws::Outcome;
 
 enum Knobs { none, more_sweeps, direct, less_beta, substeps, stiffness, softness, how_many };

@@ -1,18 +1,14 @@
 // Step 5: the rows are wrong.
 
-#include <cmath>
-
 #include "lessons/08_where_methods_fail/film.hpp"
 #include "lessons/08_where_methods_fail/map.hpp"
 #include "lessons/08_where_methods_fail/steps.hpp"
 #include "lessons/laws/redundant.hpp"
-#include "lessons/pictures/rods_and_bobs.hpp"
 #include "lessons/scenes/circle.hpp"
 
 namespace byhand::failures {
 namespace {
 
-using namespace course;
 using laws::ConflictingRods;
 using laws::Outcome;
 

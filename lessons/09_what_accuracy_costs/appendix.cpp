@@ -1,14 +1,10 @@
 // Deeper, on request: the charts of all errors of a scene, and the scaling of cost to its ends.
 
-#include <algorithm>
-
 #include "lessons/09_what_accuracy_costs/steps.hpp"
 #include "lessons/09_what_accuracy_costs/survey.hpp"
 
 namespace byhand::accuracy {
 namespace {
-
-using namespace course;
 
 struct Chapter {
   std::string name;

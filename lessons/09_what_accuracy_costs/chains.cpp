@@ -1,8 +1,5 @@
 // Deeper: what a millimetre costs on chains that grow longer, and on chains whose end grows heavier.
 
-#include <algorithm>
-#include <cmath>
-
 #include "lessons/09_what_accuracy_costs/steps.hpp"
 #include "lessons/09_what_accuracy_costs/survey.hpp"
 #include "lessons/catalogue/chooser.hpp"
@@ -10,8 +7,6 @@
 
 namespace byhand::accuracy {
 namespace {
-
-using namespace course;
 
 constexpr double wanted = 1e-3;
 constexpr double angle = 30;     // [°]: from level a light chain whips, which has nothing to do with its length

@@ -2,10 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
 #include <set>
 #include <string_view>
 
@@ -14,8 +10,6 @@
 
 namespace byhand::accuracy {
 namespace {
-
-using namespace renderer;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double rounding = 1e-16;  // where an error of zero is drawn

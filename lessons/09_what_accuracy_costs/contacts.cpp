@@ -1,13 +1,9 @@
 // Step 5: stacks and pyramids, which have to stand before any error of theirs counts.
 
-#include <cmath>
-
 #include "lessons/09_what_accuracy_costs/steps.hpp"
 #include "lessons/09_what_accuracy_costs/survey.hpp"
 
 namespace byhand::accuracy {
-
-using namespace course;
 
 void contacts(Page& page) {
   const Problem stack("stack", {{"boxes", 10}, {"kick", 0.02}}), pyramid("pyramid", {{"base", 6}, {"kick", 0.02}});

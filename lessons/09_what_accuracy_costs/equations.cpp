@@ -7,8 +7,6 @@
 
 namespace byhand::accuracy {
 
-using namespace course;
-
 void equations(Page& page) {
   page.text(
       R"(The course was built from one article, R. Gaul, *Modelling and Solving Physical Constraints*, 2013. This is

@@ -5,8 +5,6 @@
 
 namespace byhand::accuracy {
 
-using namespace course;
-
 void five_errors(Page& page) {
   const Survey& simple = survey(page, Problem("pendulum", {{"length", 2}, {"mass", 3}}), swing_errors, swing_most);
   page.text(

@@ -5,8 +5,6 @@
 
 namespace byhand::accuracy {
 
-using namespace course;
-
 void in_space(Page& page) {
   const Survey& pendulum =
       survey(page, Problem("spherical_pendulum", {{"length", 2}, {"mass", 3}}), spin_errors, swing_most);

@@ -5,8 +5,6 @@
 
 namespace byhand::accuracy {
 
-using namespace course;
-
 void incline(Page& page) {
   const Problem problem("incline");
   const Survey& all = survey(page, problem, {Error::drift, Error::trajectory}, swing_most);

@@ -5,8 +5,6 @@
 
 namespace byhand::accuracy {
 
-using namespace course;
-
 void linkages(Page& page) {
   const Survey& all = survey(page, Problem("four_bar", {{"length", 2}, {"mass", 3}, {"coupler_mass", 3}}),
                              swing_errors, swing_most);

@@ -2,13 +2,12 @@
 
 #include "lessons/09_what_accuracy_costs/steps.hpp"
 #include "lessons/catalogue/catalogue.hpp"
-#include "lessons/page/lesson.hpp"
 
 int main(int argc, char** argv) {
   using namespace byhand;
   using namespace byhand::accuracy;
 
-  course::Lesson lesson(course::contents().at(8));
+  course::Lesson lesson(course::lesson_of(__FILE__));
   std::vector<std::string> scenes;
   for (const NamedScene& scene : catalogue()) scenes.push_back(scene.name);
   const accuracy::Setting setting{

@@ -1,15 +1,12 @@
 // Deeper: the same motion with more numbers than it needs.
 
 #include <chrono>
-#include <cmath>
 
 #include "lessons/09_what_accuracy_costs/runs.hpp"
 #include "lessons/09_what_accuracy_costs/steps.hpp"
 
 namespace byhand::accuracy {
 namespace {
-
-using namespace course;
 
 /// A scene of the catalogue as one model, and what it came to.
 struct Built {

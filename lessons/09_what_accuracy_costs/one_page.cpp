@@ -1,19 +1,13 @@
 // Step 6: what all charts say together: performance profiles, and one page of advice.
 
-#include <algorithm>
-#include <cmath>
-
 #include "lessons/09_what_accuracy_costs/steps.hpp"
 #include "lessons/09_what_accuracy_costs/survey.hpp"
 #include "lessons/catalogue/limits.hpp"
 #include "lessons/catalogue/profile.hpp"
 #include "lessons/catalogue/tidy.hpp"
-#include "renderer/canvas.hpp"
 
 namespace byhand::accuracy {
 namespace {
-
-using namespace course;
 
 struct Class {
   std::string name;

@@ -1,8 +1,5 @@
 // Step 2: how to read a work–precision chart.
 
-#include <cmath>
-#include <numbers>
-
 #include "lessons/09_what_accuracy_costs/runs.hpp"
 #include "lessons/09_what_accuracy_costs/steps.hpp"
 #include "lessons/09_what_accuracy_costs/survey.hpp"
@@ -11,8 +8,6 @@
 
 namespace byhand::accuracy {
 namespace {
-
-using namespace course;
 
 /// By how much halving the step divides an error, from four steps a frame on.
 template <class ErrorOf>

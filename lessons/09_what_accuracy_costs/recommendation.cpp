@@ -4,17 +4,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "lessons/09_what_accuracy_costs/steps.hpp"
 #include "lessons/09_what_accuracy_costs/survey.hpp"
 #include "lessons/catalogue/tidy.hpp"
 
 namespace byhand::accuracy {
 namespace {
-
-using namespace course;
 
 constexpr std::size_t shown = 4;                       // runners-up
 constexpr double finest_drift = 1e-9, finest = 1e-11;  // of drift [m] and of other errors: less is rounding

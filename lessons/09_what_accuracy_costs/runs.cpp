@@ -1,7 +1,5 @@
 #include "lessons/09_what_accuracy_costs/runs.hpp"
 
-#include <vector>
-
 namespace byhand::accuracy {
 
 double error_of(const Problem& problem, const byhand::Setting& setting, Error error) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "lessons/09_what_accuracy_costs/setting.hpp"
+
 #include "lessons/catalogue/run.hpp"
 
 // Single runs that several steps look at.

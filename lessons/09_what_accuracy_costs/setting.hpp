@@ -1,10 +1,12 @@
 #pragma once
 
-#include <string>
-
-#include "lessons/page/parameter.hpp"
+#include "lessons/pictures/prelude.hpp"
 
 namespace byhand::accuracy {
+
+using namespace course;
+using namespace renderer;
+using pictures::at, pictures::curve, pictures::each;
 
 /// What the chooser is asked. A number that the scene does not have is named and left aside.
 struct Setting {

@@ -1,16 +1,11 @@
 // Deeper: until which step each method is stable, by eigenvalues and by runs.
 
-#include <algorithm>
-#include <cmath>
-
 #include "lessons/09_what_accuracy_costs/steps.hpp"
 #include "lessons/09_what_accuracy_costs/survey.hpp"
 #include "lessons/catalogue/spectrum.hpp"
 
 namespace byhand::accuracy {
 namespace {
-
-using namespace course;
 
 constexpr double longest = 0.1;   // [s]
 constexpr double one = 1 + 1e-4;  // beyond which a spectral radius is no rounding

@@ -1,21 +1,12 @@
 // Step 3: errors that are kept apart, because a method may have one and not the other.
 
-#include <cmath>
-#include <numbers>
-#include <optional>
-
 #include "lessons/09_what_accuracy_costs/runs.hpp"
 #include "lessons/09_what_accuracy_costs/steps.hpp"
 #include "lessons/09_what_accuracy_costs/survey.hpp"
 #include "lessons/exact/simple_pendulum.hpp"
-#include "lessons/pictures/growing.hpp"
-#include "renderer/canvas.hpp"
 
 namespace byhand::accuracy {
 namespace {
-
-using namespace course;
-namespace palette = renderer::palette;
 
 constexpr double film_seconds = 6;
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "lessons/09_what_accuracy_costs/setting.hpp"
-#include "lessons/page/page.hpp"
 
 // The steps of this lesson, in order; each is a file of that name.
 namespace byhand::accuracy {

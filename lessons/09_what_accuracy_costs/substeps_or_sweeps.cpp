@@ -1,16 +1,11 @@
 // Step 4: what to do with a heavy chain: sweep longer, step more often, or solve all rows at once.
 
-#include <cmath>
-#include <limits>
-
 #include "lessons/09_what_accuracy_costs/runs.hpp"
 #include "lessons/09_what_accuracy_costs/steps.hpp"
 #include "lessons/09_what_accuracy_costs/survey.hpp"
 
 namespace byhand::accuracy {
 namespace {
-
-using namespace course;
 
 /// Least trajectory error over β for so many substeps of so many warm sweeps.
 double best_error(const Problem& problem, int substeps, int sweeps) {

@@ -1,9 +1,6 @@
 #include "lessons/09_what_accuracy_costs/survey.hpp"
 
 #include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
 #include <map>
 
 #include "lessons/catalogue/tidy.hpp"

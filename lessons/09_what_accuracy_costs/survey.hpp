@@ -1,14 +1,10 @@
 #pragma once
 
 #include <initializer_list>
-#include <optional>
-#include <string>
 #include <string_view>
-#include <vector>
 
+#include "lessons/09_what_accuracy_costs/setting.hpp"
 #include "lessons/catalogue/front.hpp"
-#include "lessons/page/page.hpp"
-#include "renderer/chart.hpp"
 
 // All ways to go about a scene, each tuned at every point, and drawn as a work–precision chart.
 namespace byhand::accuracy {

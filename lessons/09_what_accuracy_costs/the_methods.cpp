@@ -1,15 +1,10 @@
 // Step 1: the methods that the charts compare, those that no lesson before has had with their recipes.
 
-#include <algorithm>
-#include <cmath>
-
 #include "lessons/09_what_accuracy_costs/steps.hpp"
 #include "lessons/catalogue/run.hpp"
 
 namespace byhand::accuracy {
 namespace {
-
-using namespace course;
 
 struct Recipe {
   std::string_view name, source, idea;

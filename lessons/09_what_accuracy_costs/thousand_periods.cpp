@@ -1,17 +1,11 @@
 // Deeper: energy over a thousand periods.
 
-#include <cmath>
-#include <numbers>
-
 #include "lessons/09_what_accuracy_costs/steps.hpp"
 #include "lessons/09_what_accuracy_costs/survey.hpp"
 #include "lessons/exact/simple_pendulum.hpp"
-#include "renderer/chart.hpp"
 
 namespace byhand::accuracy {
 namespace {
-
-using namespace course;
 
 struct Kept {
   std::string name;

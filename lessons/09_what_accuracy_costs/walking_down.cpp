@@ -2,20 +2,12 @@
 
 #include "lessons/09_what_accuracy_costs/walking_down.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <vector>
-
 #include "lessons/09_what_accuracy_costs/survey.hpp"
 #include "lessons/pictures/acts.hpp"
-#include "lessons/pictures/rods_and_bobs.hpp"
 
 namespace byhand::accuracy {
 namespace {
 
-using namespace course;
-using namespace renderer;
 using Spot = renderer::Point;
 
 constexpr int halvings = 4;

@@ -1,7 +1,8 @@
 #pragma once
 
+#include "lessons/09_what_accuracy_costs/setting.hpp"
+
 #include "lessons/catalogue/catalogue.hpp"
-#include "lessons/page/page.hpp"
 
 namespace byhand::accuracy {
 

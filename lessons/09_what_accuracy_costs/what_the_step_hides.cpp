@@ -1,14 +1,10 @@
 // Deeper: the plateau: rows are solved better and better, but the error of the step stays.
 
-#include <cmath>
-
 #include "lessons/09_what_accuracy_costs/runs.hpp"
 #include "lessons/09_what_accuracy_costs/steps.hpp"
 #include "lessons/09_what_accuracy_costs/survey.hpp"
 
 namespace byhand::accuracy {
-
-using namespace course;
 
 void what_the_step_hides(Page& page) {
   const Problem problem("double_pendulum", {{"length", 2}, {"mass", 3}, {"end_mass", 3}});

@@ -1,7 +1,5 @@
 // Step 5: a block on a slope, a little steeper and a little less steep than friction holds.
 
-#include <cmath>
-
 #include "lessons/10_beside_the_engines/field.hpp"
 #include "lessons/10_beside_the_engines/steps.hpp"
 #include "lessons/scenes/incline.hpp"
@@ -9,7 +7,6 @@
 namespace byhand::beside {
 namespace {
 
-using namespace course;
 using M = PlaneBody;
 
 constexpr int slope_frames = 120;  // 2 s

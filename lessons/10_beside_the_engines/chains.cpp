@@ -1,7 +1,5 @@
 // Step 3: a level chain with a load at its end, and a tree.
 
-#include <cmath>
-
 #include "lessons/10_beside_the_engines/field.hpp"
 #include "lessons/10_beside_the_engines/steps.hpp"
 #include "lessons/scenes/branches.hpp"
@@ -10,8 +8,6 @@
 namespace byhand::beside {
 namespace {
 
-using namespace course;
-using namespace renderer;
 using M = PlaneBody;
 
 constexpr int chain_frames = 60, most_at_once = 60;

@@ -1,12 +1,8 @@
 #include "lessons/10_beside_the_engines/field.hpp"
 
-#include <cmath>
 #include <numeric>
 
 namespace byhand::beside {
-
-using namespace course;
-using namespace renderer;
 
 namespace {
 constexpr double rounding = 1e-9;  // [m, rad]: smaller errors are drawn there

@@ -1,12 +1,8 @@
 #pragma once
 
-#include <algorithm>
-#include <string>
-#include <vector>
+#include "lessons/10_beside_the_engines/setting.hpp"
 
 #include "lessons/engines/contest.hpp"
-#include "lessons/page/page.hpp"
-#include "solver/measure.hpp"
 
 // Who takes part in a contest, and the charts of its outcome.
 namespace byhand::beside {

@@ -1,12 +1,11 @@
 #include "lessons/10_beside_the_engines/steps.hpp"
-#include "lessons/page/lesson.hpp"
 
 // Beside the engines: the course's scenes in engines that other people use, measured by the same functions.
 int main(int argc, char** argv) {
   using namespace byhand;
   using namespace byhand::beside;
 
-  course::Lesson lesson(course::contents().at(9));
+  course::Lesson lesson(course::lesson_of(__FILE__));
   const Setting setting{
       .links = lesson.parameter("links", 50, "1", {2, 200}, "of the chain"),
       .end_mass = lesson.parameter("end_mass", 100.0, "kg", {1, 1000}, "of the chain, whose links weigh 1 kg"),

@@ -1,7 +1,5 @@
 // Step 2: a bob on a rod and a rod on a pin, against the elliptic integral.
 
-#include <cmath>
-
 #include "lessons/10_beside_the_engines/field.hpp"
 #include "lessons/10_beside_the_engines/steps.hpp"
 #include "lessons/exact/compound_pendulum.hpp"
@@ -10,7 +8,6 @@
 namespace byhand::beside {
 namespace {
 
-using namespace course;
 using M = PlaneBody;
 
 constexpr double released = 1, length = 1.5, mass = 2;

@@ -1,8 +1,12 @@
 #pragma once
 
-#include "lessons/page/parameter.hpp"
+#include "lessons/pictures/prelude.hpp"
 
 namespace byhand::beside {
+
+using namespace course;
+using namespace renderer;
+using pictures::at, pictures::curve, pictures::each;
 
 /// The parameters of this lesson.
 struct Setting {

@@ -1,7 +1,5 @@
 // Step 4: stacks with offsets, from rest and after a kick: until when they stand.
 
-#include <cmath>
-
 #include "lessons/10_beside_the_engines/field.hpp"
 #include "lessons/10_beside_the_engines/steps.hpp"
 #include "lessons/scenes/boxes.hpp"
@@ -9,8 +7,6 @@
 namespace byhand::beside {
 namespace {
 
-using namespace course;
-using namespace renderer;
 using M = PlaneBody;
 
 constexpr int stack_frames = 600;    // 10 s

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "lessons/10_beside_the_engines/setting.hpp"
-#include "lessons/page/page.hpp"
 
 // The steps of this lesson, in order; each is a file of that name.
 namespace byhand::beside {

@@ -1,7 +1,5 @@
 // Step 1: who takes part, and how an adapter is kept from slandering an engine.
 
-#include <cmath>
-
 #include "lessons/10_beside_the_engines/field.hpp"
 #include "lessons/10_beside_the_engines/steps.hpp"
 #include "lessons/exact/compound_pendulum.hpp"
@@ -10,7 +8,6 @@
 namespace byhand::beside {
 namespace {
 
-using namespace course;
 using M = PlaneBody;
 
 /// How far a box that is let go has fallen in a second [m].

@@ -7,8 +7,6 @@
 namespace byhand::beside {
 namespace {
 
-using namespace course;
-
 constexpr double wall_kick = 0.02, slop = 0.001, slop_of_box2d = 0.005;  // [m/s], [m], [m]
 
 template <class M>
