@@ -96,8 +96,7 @@ std::string refusal(const Scene<M>& scene, const VelocitySteppingWith<Solver, Cu
       method.solver, []<class Choice>(const Choice&) { return detail::holds_bounds<Choice>(); });
   if (holds_bounds || (scene.colliders().shapes.empty() && !scene.bounded())) return {};
   return "this row solver holds no bounds, and this scene has contacts or other rows with bounds: conjugate "
-         "sweeps "
-         "would";
+         "sweeps would";
 }
 
 /// The cure before the rows are solved: b of (21), and what else it begins with.
