@@ -291,7 +291,7 @@ class Search {
     if (auto found = of_terms()) return found;
     if (auto found = of_a_length()) return found;
     if (auto found = of_a_part()) return found;
-    return where_C_vanishes();
+    return where_constraint_vanishes();
   }
 
   /// The terms that one side has and the other has not.
@@ -490,8 +490,7 @@ class Search {
       int seen = 0;
       Expression of, wrong;
       const std::function<Expression(const Expression&)> copy = [&](const Expression& e) -> Expression {
-        const Expression open = e->symbol && e->symbol->definition ? e->symbol->definition : e;
-        const Expression other = change(open == e ? e : e);
+        const Expression other = change(e);
         if (other && (seen++ == at || at < 0)) {
           if (!of) of = e, wrong = other;
           return other;
@@ -619,7 +618,7 @@ class Search {
   }
 
   /// Whether the lines agree at states that fulfil C = 0, reached by changing a constant or a place.
-  std::optional<Finding> where_C_vanishes() const {
+  std::optional<Finding> where_constraint_vanishes() const {
     if (!C_ || !C_->shape.scalar()) return std::nullopt;
     const Vocabulary& words = judge_.words();
     const Symbol* knob = nullptr;
@@ -685,7 +684,7 @@ std::string part_name(const Vocabulary& words, std::size_t part) {
   return std::string(w.is == Is::spin ? "a" : "l") + std::to_string(w.body + 1);
 }
 
-Expression JV(const Vocabulary& words, const std::vector<Expression>& parts, Shape C, Span where) {
+Expression rate_by(const Vocabulary& words, const std::vector<Expression>& parts, Shape C, Span where) {
   const auto all = velocities(words);
   if (parts.size() != all.size())
     throw Misfit(where,
@@ -868,7 +867,7 @@ std::optional<Finding> of_parts(const Judge& judge, const std::vector<Expression
 Finding why_not_the_parts(const Judge& judge, const Expression& rate, const std::vector<Expression>& parts,
                           const Expression& C) {
   const Vocabulary& words = judge.words();
-  const Expression typed = JV(words, parts, rate->shape, {});
+  const Expression typed = rate_by(words, parts, rate->shape, {});
   if (rate->shape.scalar()) {
     std::vector<Expression> right;
     for (const Symbol* w : velocities(words)) right.push_back(coefficient(rate, *w));

@@ -43,6 +43,6 @@ std::vector<const Symbol*> velocities(const Vocabulary& words);
 /// "l1", "a1", "l2", "a2"
 std::string part_name(const Vocabulary& words, std::size_t part);
 /// JV of (8). Throws Misfit, pointing at the part, where a part does not fit its velocity.
-Expression JV(const Vocabulary& words, const std::vector<Expression>& parts, Shape C, Span where);
+Expression rate_by(const Vocabulary& words, const std::vector<Expression>& parts, Shape C, Span where);
 
 }  // namespace byhand::desk

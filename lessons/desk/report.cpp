@@ -140,7 +140,7 @@ std::vector<std::string> singularities(const Vocabulary& words, const Expression
       const auto value = evaluate(*C, environment<Tracked>(words, state));
       for (int k = 0; k < C->shape.size(); ++k) left = std::max(left, std::fabs(value[k].at));
     }
-    const std::string name = characters(e->symbol && e->symbol->definition ? e : e);
+    const std::string name = characters(e);
     if (all && vanishing.empty() && vanishing.insert(name).second)
       sentences.push_back("J vanishes where " + name + " = 0" +
                           (left > 1e-9
@@ -161,7 +161,7 @@ Report report(const Sheet& sheet) {
     Report::OfRow of{name, {}, ours(words, row.C), {}};
     const Shape shape = row.C ? row.C->shape : row.rate->shape;
     const Unit rate_unit = row.C ? row.C->unit * per_second : row.rate->unit;
-    const auto J = coefficients(words, state, JV(words, row.J, shape, {}));
+    const auto J = coefficients(words, state, rate_by(words, row.J, shape, {}));
     std::size_t column = 0;
     const auto which = velocities(words);
     for (std::size_t i = 0; i < which.size(); ++i) {

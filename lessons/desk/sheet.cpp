@@ -72,7 +72,8 @@ bool linear(const Vocabulary& words, const Expression& rate) {
 bool in_another_order(const Judge& judge, const std::vector<Expression>& parts, const Expression& rate) {
   if (parts.size() != 4) return false;
   try {
-    return judge.compare(JV(judge.words(), {parts[0], parts[2], parts[1], parts[3]}, rate->shape, {}), rate).equal;
+    return judge.compare(rate_by(judge.words(), {parts[0], parts[2], parts[1], parts[3]}, rate->shape, {}), rate)
+        .equal;
   } catch (const Misfit&) {
     return false;
   }
@@ -219,7 +220,7 @@ Check Sheet::check(const Line& line, std::size_t index, bool first) {
   }
   Row& row = rows_[head_.substr(rate ? 2 : 1)];
   if (C) {
-    check_C(row, side.parts[0], first, check);
+    check_constraint(row, side.parts[0], first, check);
     row.inequality = row.inequality || line.inequality;
     if (line.inequality) check.sentence += " An inequality: its λ is kept ≥ 0, and J is the same.";
   } else {
@@ -227,7 +228,7 @@ Check Sheet::check(const Line& line, std::size_t index, bool first) {
     if (rate)
       check_rate(row, side.parts[0], first, check);
     else
-      check_J(row, side, first, check);
+      check_parts(row, side, first, check);
   }
   return check;
 }
@@ -252,7 +253,7 @@ void Sheet::wrong(Check& check, const Expression& typed, const Expression& right
   check.finding = std::move(finding);
 }
 
-void Sheet::check_C(Row& row, const Expression& e, bool first, Check& check) {
+void Sheet::check_constraint(Row& row, const Expression& e, bool first, Check& check) {
   if (e->moving)
     throw Misfit(e->where, "C holds positions alone: a constraint on velocities has no C and begins with dC.");
   if (e->shape.cols > 1) throw Misfit(e->where, "C is a number or a vector of numbers, not a matrix.");
@@ -352,7 +353,7 @@ void Sheet::check_rate(Row& row, const Expression& e, bool first, Check& check) 
     row.right_rate = by_rule;
 }
 
-void Sheet::check_J(Row& row, const Side& side, bool first, Check& check) {
+void Sheet::check_parts(Row& row, const Side& side, bool first, Check& check) {
   if (!row.C && !row.rate)
     throw Complaint(side.where, "There is neither C nor dC yet from which this J could be read off.");
   const Judge judge(*words_);
@@ -361,7 +362,7 @@ void Sheet::check_J(Row& row, const Side& side, bool first, Check& check) {
   const Expression before = last_J_rate_ ? last_J_rate_ : row.rate ? row.rate : derivative(row.C, *words_);
   Expression typed;
   try {
-    typed = JV(*words_, side.parts, before->shape, side.where);
+    typed = rate_by(*words_, side.parts, before->shape, side.where);
   } catch (const Misfit&) {
     if (!in_another_order(judge, side.parts, before)) throw;
     const Error& order = error("parts in another order");

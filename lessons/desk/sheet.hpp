@@ -51,9 +51,9 @@ class Sheet {
  private:
   bool told(const std::string& line, std::vector<Check>& checks);
   Check check(const Line& line, std::size_t side, bool first);
-  void check_C(Row& row, const Expression& e, bool first, Check& check);
+  void check_constraint(Row& row, const Expression& e, bool first, Check& check);
   void check_rate(Row& row, const Expression& e, bool first, Check& check);
-  void check_J(Row& row, const Side& side, bool first, Check& check);
+  void check_parts(Row& row, const Side& side, bool first, Check& check);
   void judged(Check& check, const Verdict& verdict, const char* against) const;
   void wrong(Check& check, const Expression& typed, const Expression& right, Finding finding) const;
 

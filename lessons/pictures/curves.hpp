@@ -40,8 +40,8 @@ std::vector<double> each(const std::vector<Sample>& samples, F&& number) {
 
 /// `curve("rod", samples, &Sample::time, &Sample::angle)`
 template <class Sample, class X, class Y>
-renderer::Curve curve(std::string label, const std::vector<Sample>& samples, X&& x, Y&& y) {
-  return {.label = std::move(label), .x = each(samples, x), .y = each(samples, y)};
+renderer::Curve curve(const std::string& label, const std::vector<Sample>& samples, X&& x, Y&& y) {
+  return {.label = label, .x = each(samples, x), .y = each(samples, y)};
 }
 
 /// The last sample that is not later than `time` [s], the first if all are.

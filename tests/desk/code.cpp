@@ -71,7 +71,7 @@ TEST(DeskCode, CompilesAndHasTheTypedJ) {
       }
       const Pose<M> pose1 = pose_of<M>(words, state, "1"), pose2 = pose_of<M>(words, state, "2");
       const auto J = derived.jacobian(pose1, pose2);
-      const auto wanted = coefficients(words, state, JV(words, row.J, row.C->shape, {}));
+      const auto wanted = coefficients(words, state, rate_by(words, row.J, row.C->shape, {}));
       const auto C = derived.template value<double>(pose1, pose2);
       const auto C_wanted = evaluate(*row.C, environment<double>(words, state));
       for (int r = 0; r < Kind::rows; ++r) {
