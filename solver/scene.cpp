@@ -207,8 +207,9 @@ template <class M>
 void Scene<M>::apply_angular_impulse(int body, const Angular<M>& impulse) requires(M::angular > 0) {
   require_body(bodies_, body);
   for (const double component : impulse) require_finite("angular impulse", component, "N m s");
-  bodies_.velocity[body].template tail<M::angular>() +=
-      inverse_inertia(bodies_.inverse_mass[body], bodies_.pose[body]) * impulse;
+  Velocity<M> push = Velocity<M>::Zero();
+  push.template tail<M::angular>() = impulse;
+  bodies_.velocity[body] += times_inverse_mass<M>(push, bodies_.inverse_mass[body], bodies_.pose[body]);
 }
 
 template <class M>

@@ -151,10 +151,9 @@ bool Sheet::told(const std::string& line, std::vector<Check>& checks) {
 std::vector<Check> Sheet::add(const std::string& typed) {
   ++lines_;
   std::vector<Check> checks;
-  std::string text = typed;
   try {
-    if (told(text, checks)) return checks;
-    const Line line = parse(text, *words_);
+    if (told(typed, checks)) return checks;
+    const Line line = parse(typed, *words_);
     if (!line.head.empty()) head_ = line.head;
     if (head_.empty())
       throw Complaint({0, 1}, "A line that begins with = goes on with the one before, and there is none.");

@@ -357,7 +357,8 @@ double read_quantity(std::string_view text, const std::string& unit) {
   const TypedQuantity in = is_unit(unit) ? read_typed(unit) : TypedQuantity{.value = 1};
   if (!(read.dimension == in.dimension))
     throw std::invalid_argument(fmt::format("\"{}\" is not a number in {}", text, unit));
-  return in.value == 1 ? read.value : read.value / in.value;
+  // 30° is 30 degrees to the last bit.
+  return read.value == read.number * in.value ? read.number : read.value / in.value;
 }
 
 }  // namespace byhand::course

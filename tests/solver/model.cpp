@@ -19,7 +19,7 @@ TEST(Model, CarriesNoNumberThatItDoesNotMoveWith) {
   EXPECT_EQ(sizeof(Pose<PlaneParticle>), 16);
   EXPECT_EQ(sizeof(Pose<PlaneBody>), 32);
   EXPECT_EQ(sizeof(Pose<SpaceParticle>), 24);
-  EXPECT_EQ(sizeof(Pose<SpaceBody>), 64);
+  EXPECT_EQ(sizeof(Pose<SpaceBody>), 56);
   EXPECT_EQ(sizeof(InverseMass<PlaneParticle>), 8);
   EXPECT_EQ(sizeof(InverseMass<SpaceParticle>), 8);
   EXPECT_EQ(sizeof(InverseMass<PlaneBody>), 16);
