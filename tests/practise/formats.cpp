@@ -394,7 +394,8 @@ TEST_F(Course, GradesByKeysAsThisProgramDoes) {
 TEST_F(Course, ResultsExistEvenIfTheJudgeIsKilled) {
   const Folder submission;
   put(submission / "01_rod_between_particles.cpp",
-      "#include \"practise.hpp\"\ndouble value(Vec2, Vec2, double) { for (volatile unsigned i = 0;; i = i + 1) {} }\n"
+      "#include \"practise.hpp\"\ndouble value(Vec2, Vec2, double) { for (volatile unsigned i = 0;; i = i + 1) {} "
+      "}\n"
       "ParticleRow jacobian(Vec2, Vec2, double) { return {}; }\n");
   const std::string results = (submission / "results.json").string();
   run(fmt::format("timeout -s KILL 1.5 {} --keys {} --submission {} --report gradescope={}", BYHAND_GRADE,
