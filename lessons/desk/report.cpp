@@ -334,14 +334,15 @@ std::string cpp_struct(const Sheet& sheet) {
   if (inequality) text += "  static constexpr byhand::Bound bound = byhand::Bound::interval;  // λ >= 0\n";
   text += "\n  byhand::Anchors<M> at;\n" + members + "\n";
   text +=
-      "  template <class T>\n  byhand::Rows<rows, T> value(const byhand::Pose<M, T>& pose1, const byhand::Pose<M, "
-      "T>& pose2) const {\n    using std::abs, std::atan2, std::cos, std::sin, std::sqrt;\n" +
+      "  template <class T>\n  byhand::Rows<rows, T> value([[maybe_unused]] const byhand::Pose<M, T>& pose1,\n"
+      "                              [[maybe_unused]] const byhand::Pose<M, T>& pose2) const {\n"
+      "    using std::abs, std::atan2, std::cos, std::sin, std::sqrt;\n" +
       locals(used(words, C), world.dimension) + "    byhand::Rows<rows, T> C;\n" + value +
       "    return C;\n  }\n\n";
   text +=
-      "  byhand::Jacobian<M, rows> jacobian(const byhand::Pose<M>& pose1, const byhand::Pose<M>& pose2) const {\n "
-      "   using std::abs, std::atan2, std::cos, std::sin, std::sqrt;\n    using T = double;\n    (void)pose1, "
-      "(void)pose2;\n" +
+      "  byhand::Jacobian<M, rows> jacobian([[maybe_unused]] const byhand::Pose<M>& pose1,\n"
+      "                                     [[maybe_unused]] const byhand::Pose<M>& pose2) const {\n"
+      "    using std::abs, std::atan2, std::cos, std::sin, std::sqrt;\n    using T = double;\n" +
       locals(used(words, J), world.dimension) + "    byhand::Jacobian<M, rows> J;\n" + jacobian +
       "    return J;\n  }\n";
   // What the formulas call that Eigen does not have under one name.

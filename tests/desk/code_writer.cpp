@@ -28,7 +28,9 @@ int main(int, char** argv) {
     if (code.empty()) continue;
     const std::string name = "task_" + file.stem().string();
     out << "namespace " << name << " {\n"
-        << code << "\ntemplate <class Fill>\nvoid fill(Derived& derived, const Fill& of) {\n";
+        << code
+        << "\ntemplate <class Fill>\nvoid fill([[maybe_unused]] Derived& derived, [[maybe_unused]] const Fill& "
+           "of) {\n";
     std::smatch member;
     const std::regex members("(double|Linear<M>) (\\w+)_ = ");
     for (std::string rest = code; std::regex_search(rest, member, members); rest = member.suffix())

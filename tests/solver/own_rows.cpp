@@ -122,7 +122,9 @@ TEST(OwnRows, OfFourInSpaceMakeAUniversalJoint) {
     const double theta = speed * simulation.time, sine = std::sin(bend) * std::sin(theta);
     const double rate = simulation.scene.bodies().velocity[second].tail<3>().dot(shaft2);
     turned += rate * h;
-    if (i > 200) ASSERT_NEAR(rate, speed * std::cos(bend) / (1 - sine * sine), 5e-3) << "at " << theta;
+    if (i > 200) {
+      ASSERT_NEAR(rate, speed * std::cos(bend) / (1 - sine * sine), 5e-3) << "at " << theta;
+    }
   }
   const double theta = speed * simulation.time;
   EXPECT_NEAR(turned, std::atan2(std::cos(bend) * std::sin(theta), std::cos(theta)), 2e-3);
