@@ -541,26 +541,18 @@ class Search {
                      : nullptr;
         }))
       return f;
-    if (auto f = changed("square of a sum", [&](const E& e) -> E {
-          E base;
-          if (e->op == Op::dot && same(e->of[0], e->of[1])) base = e->of[0];
-          if (e->op == Op::power && e->number == 2) base = e->of[0]->op == Op::length ? e->of[0]->of[0] : e->of[0];
-          if (!base) return nullptr;
-          base = opened(base);
-          if (!is_sum(base)) return nullptr;
-          return make_or_none(base->op, {power(base->of[0], 2), power(base->of[1], 2)});
-        }))
-      return f;
-    if (auto f = changed("square of a sum", [&](const E& e) -> E {
-          E base;
-          if (e->op == Op::dot && same(e->of[0], e->of[1])) base = e->of[0];
-          if (e->op == Op::power && e->number == 2) base = e->of[0]->op == Op::length ? e->of[0]->of[0] : e->of[0];
-          if (!base) return nullptr;
-          base = opened(base);
-          if (!is_sum(base)) return nullptr;
-          return make_or_none(Op::add, {power(base->of[0], 2), power(base->of[1], 2)});
-        }))
-      return f;
+    for (const bool keeps_sign : {true, false})
+      if (auto f = changed("square of a sum", [&](const E& e) -> E {
+            E base;
+            if (e->op == Op::dot && same(e->of[0], e->of[1])) base = e->of[0];
+            if (e->op == Op::power && e->number == 2)
+              base = e->of[0]->op == Op::length ? e->of[0]->of[0] : e->of[0];
+            if (!base) return nullptr;
+            base = opened(base);
+            if (!is_sum(base)) return nullptr;
+            return make_or_none(keeps_sign ? base->op : Op::add, {power(base->of[0], 2), power(base->of[1], 2)});
+          }))
+        return f;
     for (const Op op : {Op::add, Op::subtract})
       if (auto f = changed("length of a sum", [&](const E& e) -> E {
             if (e->op != Op::length) return nullptr;
