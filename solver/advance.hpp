@@ -1,7 +1,7 @@
 #pragma once
 
 #include "solver/contact/restitution.hpp"
-#include "solver/direct/equations.hpp"
+#include "solver/direct/newton_work.hpp"
 #include "solver/integrate/euler.hpp"
 #include "solver/step.hpp"
 #include "solver/support/attempt.hpp"

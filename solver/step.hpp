@@ -12,6 +12,7 @@
 #include "solver/cures/split_impulse.hpp"
 #include "solver/direct/by_graph.hpp"
 #include "solver/direct/direct.hpp"
+#include "solver/direct/semismooth_newton.hpp"
 #include "solver/integrate/gyroscopic.hpp"
 #include "solver/rows/conjugate_sweeps.hpp"
 #include "solver/rows/gauss_seidel.hpp"
@@ -20,7 +21,7 @@
 
 namespace byhand {
 
-using RowSolver = std::variant<GaussSeidel, Jacobi, Direct, ConjugateSweeps, ByGraph>;
+using RowSolver = std::variant<GaussSeidel, Jacobi, Direct, ConjugateSweeps, SemismoothNewton, ByGraph>;
 using DriftCure = std::variant<NoDriftCure, Baumgarte, Projection, SplitImpulse, SoftConstraints>;
 
 /// What velocity stepping keeps between steps.

@@ -7,8 +7,8 @@
 namespace byhand {
 
 /// The row solvers of the library and those that compete with them.
-using AnyRowSolver =
-    std::variant<GaussSeidel, Jacobi, Direct, ConjugateSweeps, ByGraph, ConjugateGradients, AcceleratedGradient>;
+using AnyRowSolver = std::variant<GaussSeidel, Jacobi, Direct, ConjugateSweeps, SemismoothNewton, ByGraph,
+                                  ConjugateGradients, AcceleratedGradient>;
 using AnyStepping = VelocitySteppingWith<AnyRowSolver, DriftCure>;
 
 }  // namespace byhand

@@ -47,14 +47,6 @@ void solve_dense(const Direct& solver, const System<M>& system, const std::vecto
 template <class M>
 void solve_again(const std::vector<double>& offset, DirectWork<M>& work, std::vector<double>& change);
 
-/// What ByGraph keeps.
-template <class M>
-struct ByGraphWork {
-  DirectWork<M> direct;
-  bool loopless = false;  // whether the graph has no loops
-  bool directly = false;  // whether it is solved directly, loops or not
-};
-
 /// The cost of a direct solve in row-solves. A row-solve takes 2 dof multiplications for JV (8) and 2 dof for
 /// (20).
 inline long long direct_row_solves(const Direct& solver, const Elimination& plan, long long rows, int dof) {

@@ -3,7 +3,7 @@
 #include "lessons/scenes/boxes.hpp"
 #include "lessons/scenes/bridge.hpp"
 #include "lessons/scenes/ragdoll.hpp"
-#include "solver/direct/equations.hpp"
+#include "solver/direct/newton_work.hpp"
 #include "solver/measure.hpp"
 #include "solver/rows/operators.hpp"
 

@@ -25,6 +25,7 @@ const std::vector<Contestant>& contestants() {
   static const std::vector<Contestant> all = {
       {"sweeps", GaussSeidel{.sweeps = 200000, .order = SweepOrder::natural, .tolerance = 1e-10}},
       {"conjugate sweeps", ConjugateSweeps{.sweeps = 100000, .order = SweepOrder::natural, .tolerance = 1e-10}},
+      {"Newton", SemismoothNewton{.rounds = 1000, .tolerance = 1e-10}},
       {"accelerated gradient", AcceleratedGradient{.iterations = 200000, .tolerance = 1e-10}},
   };
   return all;

@@ -7,6 +7,7 @@
 #include "lessons/scenes/incline.hpp"
 #include "solver/constraints/friction.hpp"
 #include "solver/direct/equations.hpp"
+#include "solver/direct/newton_work.hpp"
 #include "tests/solver/allocations.hpp"
 #include "tests/solver/solving.hpp"
 
@@ -21,7 +22,8 @@ const AnyRowSolver solvers[] = {GaussSeidel{},
                                 Direct{},
                                 ConjugateSweeps{},
                                 ConjugateGradients{},
-                                AcceleratedGradient{}};
+                                AcceleratedGradient{},
+                                SemismoothNewton{}};
 
 template <class M>
 void expect_none_after_the_first_step(Scene<M> scene, const AnyRowSolver& solver,
@@ -53,7 +55,7 @@ TEST_IN_ALL_MODELS(Allocation, HappensInNoStepOfAnyCureAfterTheFirst) {
 }
 
 TEST_IN_ALL_MODELS(Allocation, HappensInNoStepWithContactsAfterTheFirst) {
-  for (const auto& solver : {solvers[0], solvers[2], solvers[3], solvers[5], solvers[7]}) {
+  for (const auto& solver : {solvers[0], solvers[2], solvers[3], solvers[5], solvers[7], solvers[8]}) {
     Scene<M> scene;
     const int ground = scene.add_body(random.pose<M>(), fixed<M>());
     for (int i = 0; i < 4; ++i) {
@@ -126,6 +128,8 @@ TEST_IN_ALL_MODELS(Allocation, HappensOnlyToPlanWhenAGraphIsLaidAgainWithinItsLa
       Elimination plan;
       if (std::holds_alternative<Direct>(solver))
         elimination_order(graph, M::dof, plan);
+      else if (std::holds_alternative<SemismoothNewton>(solver))
+        Envelope<M>().plan(work.system, scene.bodies().size());
       else
         order_of(Layout::coloured, graph);
     });
