@@ -9,8 +9,9 @@ namespace {
 using laws::Family;
 using laws::Law;
 
-constexpr std::array<const char*, 4> families{"too few iterations", "the correction overshoots",
-                                              "the step is too large", "the rows are wrong"};
+constexpr std::array<const char*, 5> families{"too few iterations", "the correction overshoots",
+                                              "the step is too large", "the model is too soft",
+                                              "the rows are wrong"};
 
 /// A limit: of which law, of what and where; what the law says and what was found.
 struct Line {

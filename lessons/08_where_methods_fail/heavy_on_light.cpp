@@ -49,15 +49,16 @@ void heavy_on_light(const Setting& setting, Page& page) {
   std::vector<double> limits(1);
   for (int k = 1; k <= 17; ++k) limits.push_back(laws::heaviest_top(k, pair_beta));
   const auto boundary = [&](double k) { return limits[std::min(17, static_cast<int>(std::lround(k)))]; };
-  page.figure(
-      "mass_and_sweeps", say("Each cell is a run of two boxes, β = @. Dashed: the law.", pair_beta),
-      chart(map, "about r = 3k", boundary, {"settles", "drifts", "goes on hopping", "flies off", "no solution"}));
-  const Agreement agreed = agreement(map, [&](double k, double ratio) { return ratio < boundary(k); });
+  page.figure("mass_and_sweeps", say("Each cell is a run of two boxes, β = @. Dashed: the law.", pair_beta),
+              chart(map, say("r of law 9 at β = @", pair_beta), boundary,
+                    {"settles", "drifts", "goes on hopping", "flies off", "no solution"}));
+  const Agreement agreed = agreement(map, boundary, Settles::below);
   page.text(
-      R"(@ Above the limit no box settles; somewhat below it some settle and some go on hopping, depending on how they
-      were put down. With the light box on top of the heavy one there is no such limit.)",
-      agreed.sentence());
-  claim_agreement(page, agreed, 0.9, "law of heavy on light", setting.resolution);
+      R"(@ The limit depends on β, too: a weaker correction lets heavier boxes settle (law 9 at β = 0.1: @ kg, at β = 0.5:
+      @ kg, with @ sweeps). With the light box on top of the heavy one there is no such limit.)",
+      agreed.sentence(), Value(laws::heaviest_top(sweeps, 0.1), 2), Value(laws::heaviest_top(sweeps, 0.5), 2),
+      sweeps);
+  claim_agreement(page, agreed, 0.15, "law of heavy on light", setting.resolution);
   page.claim(say("heaviest box that settles on one of 1 kg, @ sweeps, from above", sweeps), measured, "kg",
              is(law, "law of heavy on light", relative(0.05)));
   for (const double light : {0.5, 0.1, 0.01})

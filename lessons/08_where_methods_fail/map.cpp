@@ -1,5 +1,7 @@
 #include "lessons/08_where_methods_fail/map.hpp"
 
+#include <numbers>
+
 #include "renderer/palette.hpp"
 
 namespace byhand::failures {
@@ -42,21 +44,68 @@ Knob counting_knob(std::string label, double low, double high, int cells, Scale 
   return whole;
 }
 
-std::string Agreement::sentence() const { return course::say("The law predicts @ of @ runs.", right, runs); }
+/// Of the median of n numbers by the sign test: the largest rank r with P(fewer than r below) <= 0.025.
+std::size_t Agreement::rank() const {
+  const double n = static_cast<double>(factors.size());
+  double probability = std::pow(0.5, n), sum = probability;
+  std::size_t rank = 0;
+  while (sum <= 0.025) {
+    ++rank;
+    probability *= (n - static_cast<double>(rank) + 1) / static_cast<double>(rank);
+    sum += probability;
+  }
+  return rank == 0 ? 0 : rank - 1;
+}
 
-Agreement agreement(const Map& map, const std::function<bool(double x, double y)>& settles) {
-  const std::size_t columns = map.x.values.size();
-  Agreement result{0, static_cast<int>(map.outcomes.size())};
-  for (std::size_t i = 0; i < map.outcomes.size(); ++i)
-    result.right +=
-        (map.outcomes[i] == Outcome::settles) == settles(map.x.values[i % columns], map.y.values[i / columns]);
+std::string Agreement::sentence() const {
+  if (factors.empty()) return "No run of the map is near the law's limit.";
+  return course::say(
+      "Of the @ runs within a factor of 2 of the law's limit it predicts @. Fitted to the map, the limit "
+      "is @ of the law's (@ to @ with 95 % confidence, cells as they are).",
+      runs, right, Value(factor(), 3), Value(low(), 3), Value(high(), 3));
+}
+
+Agreement agreement(const Map& map, const std::function<double(double x)>& boundary, Settles side) {
+  const std::size_t columns = map.x.values.size(), rows = map.y.values.size();
+  Agreement result;
+  for (std::size_t column = 0; column < columns; ++column) {
+    const double limit = boundary(map.x.values[column]);
+    std::vector<std::pair<double, bool>> near;  // share of the limit; whether it went as below it
+    for (std::size_t row = 0; row < rows; ++row) {
+      const double share = map.y.values[row] / limit;
+      if (!(share > 0.5 && share < 2)) continue;
+      const bool settled = map.outcomes[row * columns + column] == Outcome::settles;
+      near.emplace_back(share, settled == (side == Settles::below));
+      result.right += (share < 1) == near.back().second;
+      ++result.runs;
+    }
+    // Where most runs lie on their side. Of a column that changes nowhere near the limit nothing is known but
+    // that.
+    std::size_t fewest = near.size() + 1;
+    double factor = NAN;
+    for (std::size_t split = 0; split <= near.size() && !near.empty(); ++split) {
+      std::size_t wrong = 0;
+      for (std::size_t i = 0; i < near.size(); ++i) wrong += (i < split) != near[i].second;
+      const double at = split == 0             ? near.front().first / std::numbers::sqrt2
+                        : split == near.size() ? near.back().first * std::numbers::sqrt2
+                                               : std::sqrt(near[split - 1].first * near[split].first);
+      const bool nearer = std::abs(std::log(at)) < std::abs(std::log(factor));
+      if (wrong < fewest || (wrong == fewest && nearer)) fewest = wrong, factor = at;
+    }
+    // Of a map that ends near the limit, its edge says nothing.
+    const bool within = !near.empty() && near.front().first < 0.8 && near.back().first > 1.25;
+    if (within) result.factors.push_back(factor);
+  }
+  std::sort(result.factors.begin(), result.factors.end());
   return result;
 }
 
-void claim_agreement(course::Page& page, const Agreement& agreement, double share, const std::string& law,
+void claim_agreement(course::Page& page, const Agreement& agreement, double tolerance, const std::string& law,
                      const course::Parameter<int>& resolution) {
-  page.claim("share of runs that end as the law says", agreement.share(), "1", is(share, law, course::at_least()),
-             Quantity("resolution", resolution) >= 10);
+  page.claim("limit fitted to the map, over the law's", agreement.factors.empty() ? NAN : agreement.factor(), "1",
+             is(1, law, course::relative(tolerance)),
+             both(Quantity("resolution", resolution) >= 10,
+                  Quantity("columns across the limit", static_cast<double>(agreement.factors.size())) >= 6));
 }
 
 renderer::HeatMap cells(std::vector<double> x, std::vector<double> y,

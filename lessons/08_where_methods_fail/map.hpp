@@ -44,17 +44,27 @@ const Map& kept(std::map<int, Map>& known, int resolution, const Make& make) {
   return place->second;
 }
 
-/// How many of the runs settle where a law says so, and do not settle where it does not.
+/// On which side of a law's limit runs settle.
+enum class Settles { below, above };
+
+/// How a map agrees with a law. Only runs within a factor of 2 of the limit count: far from it any law is right.
 struct Agreement {
   int right = 0, runs = 0;
+  std::vector<double> factors;  // by column, sorted: on which multiple of the law's limit the runs change sides
 
-  double share() const { return static_cast<double>(right) / runs; }
-  /// "The law predicts 337 of 340 runs."
+  /// Median over the columns, and the ends of its 95 % interval.
+  double factor() const { return factors[factors.size() / 2]; }
+  double low() const { return factors[rank()]; }
+  double high() const { return factors[factors.size() - 1 - rank()]; }
+  /// "Of the 120 runs within a factor of 2 …".
   std::string sentence() const;
+
+ private:
+  std::size_t rank() const;
 };
-Agreement agreement(const Map& map, const std::function<bool(double x, double y)>& settles);
-/// A claim that at least such a share of them agrees, for maps of 10 × 10 cells or more.
-void claim_agreement(course::Page& page, const Agreement& agreement, double share, const std::string& law,
+Agreement agreement(const Map& map, const std::function<double(double x)>& boundary, Settles side);
+/// A claim that the limit fitted to the map is the law's within `tolerance`, for maps of 10 × 10 cells or more.
+void claim_agreement(course::Page& page, const Agreement& agreement, double tolerance, const std::string& law,
                      const course::Parameter<int>& resolution);
 
 /// What the outcomes are called in a scene, in the order of laws::Outcome.

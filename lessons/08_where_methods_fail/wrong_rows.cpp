@@ -156,16 +156,16 @@ void wrong_rows(const Setting& setting, Page& page) {
               chart(map, "γ = βΔ/2h²F", softness_that_bounds,
                     {"holds", "holds, but λ still grows", "rings", "breaks", "no solution"}));
   const std::size_t columns = map.x.values.size();
-  Agreement agreed;
+  int right = 0, runs = 0;
   for (std::size_t i = 0; i < map.outcomes.size(); ++i) {
     if (map.outcomes[i] == Outcome::drifts) continue;
-    ++agreed.runs;
-    agreed.right += (map.outcomes[i] == Outcome::settles) ==
-                    (map.y.values[i / columns] > softness_that_bounds(map.x.values[i % columns]));
+    ++runs;
+    right += (map.outcomes[i] == Outcome::settles) ==
+             (map.y.values[i / columns] > softness_that_bounds(map.x.values[i % columns]));
   }
-  if (agreed.runs > 0)
-    page.text("Of the @ runs in which λ has stopped growing or a rod has broken, the law predicts @.", agreed.runs,
-              agreed.right);
+  if (runs > 0)
+    page.text("Of the @ runs in which λ has stopped growing or a rod has broken, the law predicts @.", runs,
+              right);
 
   const Film<PlaneParticle> circles = rounds();
   page.text(
@@ -196,7 +196,7 @@ void wrong_rows(const Setting& setting, Page& page) {
       diagonal in a direct solve. *Reorder*: solve normals before the friction that they bound. *Refresh*: write J
       again if bodies have moved between two solves. And if you can, remove a row that repeats another.)");
 
-  page.claim("share of ended runs that end as the law says", agreed.runs > 0 ? agreed.share() : 0, "1",
+  page.claim("share of ended runs that end as the law says", runs > 0 ? static_cast<double>(right) / runs : 0, "1",
              is_at_least(0.95, "law of conflicting rows"), Quantity("resolution", setting.resolution) >= 10);
   page.claim("pull after twice the time, over the first", whole / half, "1",
              is(2, "law of conflicting rows: it grows in proportion to time", relative(0.02)));

@@ -13,9 +13,13 @@ namespace byhand::laws {
 inline double stretch_of_a_spinning_rod(double turn, double beta) { return turn * turn / (2 * beta); }
 
 /// Law 2 (pop.cpp). The overlap [m] above which a contact that is corrected by β in (0, 1] throws its body off the
-/// ground: (1 − β/2) 2gh²/β².
+/// ground: the least over whole numbers n > 1/β of steps of gh² n(n − 1)/2(nβ − 1). It is at most (1 − β/2)
+/// 2gh²/β², which it is where 2/β is whole.
 inline double popping_overlap(double beta, double step, double gravity = 9.81) {
-  return (1 - beta / 2) * 2 * gravity * step * step / (beta * beta);
+  double least = INFINITY;
+  for (double n = std::floor(1 / beta) + 1; n <= 2 / beta + 1; ++n)
+    if (n * beta > 1) least = std::min(least, n * (n - 1) / (2 * (n * beta - 1)));
+  return gravity * step * step * least;
 }
 
 /// Law 3 (baumgarte.cpp). The radius [m] of a circle after a time [s] without drift cure, begun at a speed [m/s]
@@ -42,21 +46,31 @@ inline double left_above_a_heavy_end(int links, double ratio) {
 /// and its sweeps leave the share q > 0 of the slowest: min((1 − q)/q, 2).
 inline double largest_beta(double q) { return std::min((1 - q) / q, 2.0); }
 
-/// Law 18 (creep.cpp). The share of the slowest bending of a column of N unit boxes that a sweep leaves, face by
-/// face: 1 − 2.06/N⁴, compared with runs from N = 8 on.
-inline constexpr double cantilever = 12.362;  // eigenvalue of its slowest bending: 1.8751⁴, cos x cosh x = −1
-inline double bending_left_by_a_sweep(int boxes) { return 1 - cantilever / (6 * std::pow(boxes, 4)); }
+/// Width and height of the boxes of a column [m].
+struct BoxSize {
+  double width = 1, height = 1;
+};
 
-/// Law 18 (creep.cpp). σ² at which a column of N unit boxes tips over by itself: 1.571 g/N [1/s²].
-inline double tipping_rate_squared(int boxes, double gravity) { return 1.571 * gravity / boxes; }
+/// Law 18 (creep.cpp). The share of the slowest bending of a column of N boxes of width w and height a that a
+/// sweep leaves, face by face: 1 − 1.03 (1 + w²/a²)/N⁴, compared with runs from N = 8 on.
+inline constexpr double cantilever = 12.362;  // eigenvalue of its slowest bending: 1.8751⁴, cos x cosh x = −1
+inline double bending_left_by_a_sweep(int boxes, const BoxSize& size = {}) {
+  const double slender = size.width / size.height;
+  return 1 - cantilever * (1 + slender * slender) / (12 * std::pow(boxes, 4));
+}
+
+/// Law 18 (creep.cpp). σ² at which a column of N boxes tips over by itself: 1.571 g/Na [1/s²].
+inline double tipping_rate_squared(int boxes, double gravity, const BoxSize& size = {}) {
+  return 1.571 * gravity / (boxes * size.height);
+}
 
 /// Law 18 (creep.cpp). The sweeps k from which a column stands that tips at σ and of whose bending a sweep leaves
 /// ρ: (σh)² = (1 − ρᵏ)/ρᵏ.
 inline double sweeps_to_stand(double tipping_rate_squared, double left_by_a_sweep, double step) {
   return std::log1p(tipping_rate_squared * step * step) / -std::log(left_by_a_sweep);
 }
-inline double sweeps_to_stand(int boxes, double gravity, double step) {
-  return sweeps_to_stand(tipping_rate_squared(boxes, gravity), bending_left_by_a_sweep(boxes), step);
+inline double sweeps_to_stand(int boxes, double gravity, double step, const BoxSize& size = {}) {
+  return sweeps_to_stand(tipping_rate_squared(boxes, gravity, size), bending_left_by_a_sweep(boxes, size), step);
 }
 
 }  // namespace byhand::laws

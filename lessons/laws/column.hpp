@@ -1,12 +1,14 @@
 #pragma once
 
+#include "lessons/laws/closed_forms.hpp"
 #include "lessons/laws/law.hpp"
 
-// Columns of unit boxes of 1 kg, one upon the other, which laws 9, 17, 18, 19 and 20 are about.
+// Columns of boxes of 1 kg, one upon the other, which laws 9, 17, 18, 19 and 20 are about.
 namespace byhand::laws {
 
 struct Column {
   int boxes = 10;
+  BoxSize size = {};
   int sweeps = 10;         // of Gauss–Seidel from a warm start; 0 solves each step exactly, by an active set
   double beta = 0;         // Baumgarte's; 0 corrects nothing
   double gravity = 9.81;   // [m/s²]

@@ -21,17 +21,18 @@
 // which is law 6 with gravity for a β below zero. Below it a push dies out and leaves a small lean; above, it
 // grows.
 //
-// Moments M(x) along a column bend it as a beam: the rate of what its faces turn by is M''''/m, with M and M' zero
-// at the free top and M'' and M''' zero on the ground, which does not move. The slowest mode is a cantilever's,
-// with the eigenvalue 1.8751⁴ = 12.362/N⁴. Of the pair of impulses (1, -1)/√2 at the ends of a unit face this
-// makes a = 12.362/2N⁴ beside d = 6 on the diagonal (in 1/m), and a sweep leaves ρ = (1 - a/d)² of it, as Young
-// has it for what couples neighbours only:
+// Moments M(x) along a column of boxes of height a and width w bend it as a beam: the rate of what its faces turn
+// by is M''''/ma², with M and M' zero at the free top and M'' and M''' zero on the ground, which does not move.
+// The slowest mode is a cantilever's, with the eigenvalue 1.8751⁴ = 12.362/N⁴. Of the pair of impulses (1, -1)/√2
+// at the ends of a face this makes A = 12.362 w²/2a²N⁴ beside d = w²/I = 12w²/(w² + a²) on the diagonal (in 1/m),
+// and a sweep leaves ρ = (1 - A/d)² of it, as Young has it for what couples neighbours only:
 //
-//   ρ = 1 - 2.06/N⁴ face by face; row by row, where d = 5, 1 - 2.47/N⁴
+//   ρ = 1 - 1.03 (1 + w²/a²)/N⁴ face by face, 1 - 2.06/N⁴ for squares; row by row, where d = 5, 1 - 2.47/N⁴
 //
 // Stretch is a second difference (π²/4N²), bending a fourth. In a cantilever's mode φ gravity tips the column at
-// σ² = g ∫(N - x) φ'² / ∫φ² = 1.571 g/N (a stiff rod about its foot: 1.5). So a column twice as high needs eight
-// times the sweeps, k = 0.76 g h² N³, and a step half as long a quarter.
+// σ² = g ∫(N - x) φ'² / a∫φ² = 1.571 g/Na (a stiff rod about its foot: 1.5). So a column of twice as many boxes
+// needs eight times the sweeps, for squares k = 0.76 g h² N³/a, and a step half as long a quarter: small boxes
+// need more.
 //
 // Law 20. An exact solve has q = 0 and holds any column, whatever its friction and its masses. One that is
 // regularised, by a share r of the diagonal of JM⁻¹Jᵀ, and goes on from the last λ is one sweep of another kind:
@@ -40,9 +41,9 @@
 //
 // Both derived for this course.
 namespace byhand::laws {
-double gravity_that_sweeps_hold(int boxes, int sweeps, double step) {
-  const double q = std::pow(bending_left_by_a_sweep(boxes), sweeps);
-  return (1 - q) / q / (step * step * tipping_rate_squared(boxes, 1));
+double gravity_that_sweeps_hold(int boxes, int sweeps, double step, const BoxSize& size) {
+  const double q = std::pow(bending_left_by_a_sweep(boxes, size), sweeps);
+  return (1 - q) / q / (step * step * tipping_rate_squared(boxes, 1, size));
 }
 
 Law creep() {
@@ -50,20 +51,31 @@ Law creep() {
           Family::too_few_iterations,
           "creep of a stack",
           "sweeps remove bending slowly: a column leans faster than they can correct",
-          "(σh)² < (1 − q)/q, σ² = 1.571 g/N, q = (1 − 2.06/N⁴)ᵏ",
+          "(σh)² < (1 − q)/q, σ² = 1.571 g/Na, q = (1 − 1.03 (1 + w²/a²)/N⁴)ᵏ: k > 0.76 g h² N³/a of squares",
           {}};
   struct Setting {
-    int boxes, sweeps, rate;
+    int boxes;
+    BoxSize size;
+    int sweeps, rate;
   };
-  for (const auto& [boxes, sweeps, rate] :
-       {Setting{8, 1, 60}, {8, 4, 60}, {10, 2, 60}, {10, 2, 120}, {10, 8, 30}, {15, 7, 60}, {20, 16, 60}}) {
-    Column column{.boxes = boxes, .sweeps = sweeps, .step = 1.0 / rate};
-    const double left = std::pow(bending_left_by_a_sweep(boxes), sweeps);
+  for (const auto& [boxes, size, sweeps, rate] : {Setting{8, {}, 1, 60},
+                                                  {8, {}, 4, 60},
+                                                  {10, {}, 2, 60},
+                                                  {10, {}, 2, 120},
+                                                  {10, {}, 8, 30},
+                                                  {15, {}, 7, 60},
+                                                  {20, {}, 16, 60},
+                                                  {12, {0.1, 0.1}, 20, 60},
+                                                  {10, {1, 0.5}, 3, 60},
+                                                  {10, {0.3, 0.5}, 4, 60}}) {
+    Column column{.boxes = boxes, .size = size, .sweeps = sweeps, .step = 1.0 / rate};
+    const double left = std::pow(bending_left_by_a_sweep(boxes, size), sweeps);
     column.steps = static_cast<int>(4 / (1 - left)) + 1000;  // the other root of the two is q
     law.boundaries.push_back(bisected({"gravity",
                                        "m/s²",
-                                       fmt::format("{} boxes, {}, {} Hz", boxes, counted(sweeps, "sweep"), rate),
-                                       gravity_that_sweeps_hold(boxes, sweeps, column.step),
+                                       fmt::format("{} boxes of {} m × {} m, {}, {} Hz", boxes, size.width,
+                                                   size.height, counted(sweeps, "sweep"), rate),
+                                       gravity_that_sweeps_hold(boxes, sweeps, column.step, size),
                                        0.05,
                                        {},
                                        settles(column, &Column::gravity, lean)}));

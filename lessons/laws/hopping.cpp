@@ -15,9 +15,9 @@
 // q = ½. That is for a column that is put down. Two contacts and more have a kink each, and some disturbances hop
 // on below the limit too; above it nothing settles.
 //
-// Law 9. A box of 1 kg on the ground bears one of mass r: ρ = r/(1 + r), law 4's two bodies. At β = 0.2 the limit
-// stands at q = 0.73, and rᵏ/(1 + r)ᵏ reaches that at about r = 3k. Heavier
-// ones never settle; between 1.5k and 3k some masses do and some ring on.
+// Law 9. A box of 1 kg on the ground bears one of mass r: ρ = r/(1 + r), law 4's two bodies. The recurrence says
+// for each β at which q it stops to settle, and rᵏ/(1 + r)ᵏ reaches that at an r in proportion to k: 3k at β = 0.2
+// (q = 0.73). Heavier ones never settle.
 //
 // Both derived for this course; the factor and the 3 had been measured before.
 namespace byhand::laws {
@@ -49,27 +49,29 @@ double heaviest_top(int sweeps, double beta) {
   const auto bears = [=](double mass) {
     return comes_to_rest(std::pow(left_above_a_heavy_end(2, mass), sweeps), beta);
   };
-  return bisect(bears, 2.0 * sweeps, 5.0 * sweeps, 1e-4);
+  return bisect(bears, 0.2 * sweeps, 100.0 * sweeps, 1e-4);
 }
 
 Law heavy_on_light() {
   Law law{9,
           Family::too_few_iterations,
           "heavy on light",
-          "a box of more than about 3k times the mass below it does not settle with k warm sweeps",
-          "r < about 3k at β = 0.2",
+          "with k warm sweeps a box does not settle on one that is too light: of a 3k-th of its mass at β = 0.2",
+          "r < r(β) k, r(β) = 3 at β = 0.2",
           {}};
-  for (const int sweeps : {1, 2, 4, 8}) {
-    const double heaviest = heaviest_top(sweeps, 0.2);
-    law.boundaries.push_back(
-        {"heaviest that settles", "of the lower", "β 0.2, " + counted(sweeps, "sweep"), heaviest, 0.05, [=] {
-           double mass = 1.3 * heaviest;
-           while (hop({.boxes = 2, .sweeps = sweeps, .beta = 0.2, .top_mass = mass, .steps = 10'000}) !=
-                  Outcome::settles)
-             mass /= 1.01;
-           return mass;
-         }});
-  }
+  for (const double beta : {0.1, 0.2, 0.5})
+    for (const int sweeps : {1, 2, 4, 8}) {
+      const double heaviest = heaviest_top(sweeps, beta);
+      law.boundaries.push_back(
+          {"heaviest that settles", "of the lower", fmt::format("β {}, {}", beta, counted(sweeps, "sweep")),
+           heaviest, 0.05, [=] {
+             double mass = 1.3 * heaviest;
+             while (hop({.boxes = 2, .sweeps = sweeps, .beta = beta, .top_mass = mass, .steps = 10'000}) !=
+                    Outcome::settles)
+               mass /= 1.01;
+             return mass;
+           }});
+    }
   return law;
 }
 

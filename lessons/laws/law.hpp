@@ -24,8 +24,8 @@ struct Boundary {
                                            // the boundary and not above. Empty where the law has no two sides.
 };
 
-/// The four families of failures.
-enum class Family { too_few_iterations, overshooting_correction, too_large_a_step, wrong_rows };
+/// The five families of failures.
+enum class Family { too_few_iterations, overshooting_correction, too_large_a_step, too_soft, wrong_rows };
 
 struct Law {
   int number;
