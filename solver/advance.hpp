@@ -65,6 +65,7 @@ void lay_out(const Scene<M>& scene, const Solver& solver, Work<M>& work) {
     Own& own = kept_as<Own>(work.solver);
     if (same_solver && work.version == scene.version() && work.layout == layout_of(choice, own)) return;
     scene.lay_out(order_of(scene, choice, own), work.system);
+    work.executed.laid_out_rows += work.system.rows();
     work.layout = layout_of(choice, own);
     work.version = scene.version();
   });
@@ -77,6 +78,9 @@ void solve_rows(const Solver& solver, Bodies<M>& bodies, Work<M>& work, Begin be
     return choice.solve(work.system, bodies, own, begin);
   });
   work.row_solves += static_cast<long long>(solution.passes) * work.system.rows() + solution.row_solves;
+  ++work.executed.solves;
+  work.executed.passes += solution.passes;
+  work.executed.prepared_rows += work.system.rows();
   work.solution += solution;
 }
 

@@ -13,6 +13,14 @@ struct State {
   std::vector<Velocity<M>> velocity;
 };
 
+/// What a method has done besides row-solves, counted where it is done.
+struct Executed {
+  long long laid_out_rows = 0;       // whenever the scene has changed
+  long long solves = 0, passes = 0;  // how often the rows were solved, and passes over them
+  long long prepared_rows = 0;       // made ready for a solve
+  long long projected_rows = 0;      // solved on positions; row-solves, too
+};
+
 /// What every method keeps between steps. λ of `system` is the impulse of the last substep, so that λ/h is the
 /// mean force in it.
 template <class M>
@@ -26,6 +34,7 @@ struct StepWork {
   std::uint64_t version = 0;  // of the scene when it was laid out
   double h = 0;               // the substep that λ belongs to [s]
   long long row_solves = 0;   // total cost; a direct solve counts as the row solves of as many multiplications
+  Executed executed;          // what else its time goes to
   State<M> start;             // at the start of the step
 };
 

@@ -9,7 +9,7 @@ namespace {
 struct Chapter {
   std::string name;
   std::vector<Problem> problems;
-  double most;  // cost a frame
+  double most;  // instructions a frame
   int runs;
 };
 
@@ -26,7 +26,7 @@ const std::vector<Chapter>& chapters() {
         {"spherical_pendulum", {Problem("spherical_pendulum", {{"length", 2}, {"mass", 3}})}, swing_most, 300},
         {"top", {Problem("top")}, swing_most, 300}};
     for (const double links : {10, 50, 200}) {
-      Chapter chains{say("chain_of_@", links), {}, 240 * links, 60};
+      Chapter chains{say("chain_of_@", links), {}, 12000 * links, 60};
       for (const double end_mass : {1, 100, 1000})
         chains.problems.emplace_back("chain", Values{{"links", links}, {"end_mass", end_mass}});
       made.push_back(chains);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double wanted = 1e-3;
 constexpr double angle = 30;     // [°]: from level a light chain whips, which has nothing to do with its length
-constexpr double per_row = 200;  // row-solves a row and substep of law 7, up to which it is looked for
+constexpr double per_row = 1e4;  // instructions a row and substep of law 7, up to which it is looked for
 const std::vector<std::string_view> compared{"Gauss–Seidel", "conjugate sweeps", "direct", "RATTLE", "RK4", "XPBD",
                                              "AVBD"};
 
@@ -43,16 +43,16 @@ Scaling scaling(const Page& page, const std::vector<double>& x, const std::funct
   return result;
 }
 
-/// The slope of log cost over log x from the first point to the last.
-double slope_of(const std::vector<double>& x, const std::vector<double>& cost) {
-  return std::log(cost.back() / cost.front()) / std::log(x.back() / x.front());
+/// "N to the power of 1 ± 0.1".
+std::string power_in_words(const char* of, const std::optional<Order>& power) {
+  return say("as @ to the power of @ ± @", of, Value(power->slope, 2), Value(power->uncertainty, 1));
 }
 
 renderer::Chart chart_of(const Scaling& scaling, const std::string& label, const std::vector<double>& slopes) {
   using namespace renderer;
   Chart chart{.title = "cost to a drift of 1 mm",
               .x = {.label = label, .scale = Scale::logarithmic},
-              .y = {.label = "cost (row-solves a frame, set-up included)", .scale = Scale::logarithmic}};
+              .y = {.label = "cost (instructions a frame)", .scale = Scale::logarithmic}};
   std::vector<const Family*> drawn;
   for (const std::string_view name : compared) drawn.push_back(&family_named(name));
   const std::vector<Colour> colours = colours_of(drawn);
@@ -74,7 +74,7 @@ renderer::Chart chart_of(const Scaling& scaling, const std::string& label, const
 
 }  // namespace
 
-void chains(Page& page) { cost_to_a_millimetre(page, {10, 20, 50, 100}, {1, 10, 100, 1e3, 1e4}, "millimetre"); }
+void chains(Page& page) { cost_to_a_millimetre(page, {10, 15, 22, 33, 50, 70, 100}, {1, 10, 100, 1e3, 1e4}, "millimetre"); }
 
 void cost_to_a_millimetre(Page& page, const std::vector<double>& lengths, const std::vector<double>& ratios,
                           const std::string& name) {
@@ -91,34 +91,35 @@ void cost_to_a_millimetre(Page& page, const std::vector<double>& lengths, const 
       wanted, lengths.front(), lengths.back(), angle);
   page.figure(name + "_by_length",
               R"(Cost of a drift of a millimetre against the number of links. Crosses: the search found no
-              choice of the method that reaches it for 200 row-solves, set-up included, a row and substep of law 7.)",
+              choice of the method that reaches it for 10 000 instructions a row and substep of law 7.)",
               chart_of(longer, "links", {1, 2}), longer.data);
-  const double by_length = slope_of(lengths, longer.of("direct"));
-  const double swept = slope_of(lengths, longer.of("Gauss–Seidel"));
+  const auto by_length = fitted_power(lengths, longer.of("direct")),
+             swept = fitted_power(lengths, longer.of("Gauss–Seidel"));
   page.text(
-      R"(A direct solve costs the same for each link: it grows as N to the power of @@. @)", Value(by_length, 2),
-      by_length > 1.05
-          ? ", where what is above 1 are the substeps that a longer chain needs for the same millimetre"
-          : "",
-      !std::isfinite(swept)
-          ? std::string("Gauss–Seidel does not reach the millimetre on the longest.")
-          : say(R"(Gauss–Seidel grows as N to the power of @. By law 4 a chain that starts cold needs sweeps in
-                proportion to N² for each digit, each of N rows: a power of 3. A warm start and a target of a millimetre
-                need few digits in a frame.)",
-                Value(swept, 2)));
+      R"(The cost of the direct solve grows @ (with the 95 % interval of the fit), @. @)",
+      by_length ? power_in_words("N", by_length) : "in no way that these runs show",
+      "where each link costs the same and what exceeds the power of 1 are the substeps of a longer chain",
+      !swept
+          ? std::string("Gauss–Seidel reaches the millimetre on too few of them for a fit.")
+          : say(R"(That of Gauss–Seidel grows @. By law 4 a chain that starts cold needs sweeps in proportion to N² for
+                each digit, each of N rows: a power of 3. A warm start and a target of a millimetre need few digits in a
+                frame.)",
+                power_in_words("N", swept)));
   page.text(
       R"(Now ten links with an end that is up to @ times as heavy as a link. By law 7 the step must shrink as the root of
       the tension, whatever solves the rows:)",
       ratios.back());
   page.figure(name + "_by_mass",
               R"(Cost of a drift of a millimetre against the mass of the end over that of a link. Crosses: the
-              search found no choice of the method that reaches it for 200 row-solves, set-up included, a row and
+              search found no choice of the method that reaches it for 10 000 instructions a row and
               substep of law 7.)",
               chart_of(heavier, "mass ratio", {0.5}), heavier.data);
-  const double by_mass = slope_of(ratios, heavier.of("direct"));
-  page.claim("direct, cost to a millimetre: power of the number of links", by_length, "1",
-             is(1, "a chain's factor has a block for each link", absolute(0.35)));
-  page.claim("direct, cost to a millimetre: power of the mass ratio", by_mass, "1",
+  const auto by_mass = fitted_power(ratios, heavier.of("direct"));
+  page.claim("direct, cost to a millimetre: power of the number of links, least of the 95 % interval",
+             by_length ? by_length->slope - by_length->uncertainty : NAN, "1",
+             is_at_most(1, "a chain's factor has a block for each link"));
+  page.claim("direct, cost to a millimetre: power of the mass ratio, least of the 95 % interval",
+             by_mass ? by_mass->slope - by_mass->uncertainty : NAN, "1",
              is_at_most(0.5, "law 7: its root, once the law asks for more than one substep"));
 }
 

@@ -14,8 +14,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double rounding = 1e-16;  // where an error of zero is drawn
 constexpr std::size_t most_curves = 7;
-constexpr int most_starts = 20;
-constexpr double budget = 1e9;  // counted cost of a chart's runs from all initial conditions
+constexpr double budget = 5e10;  // instructions of a chart's runs from all initial conditions
 
 std::string axis_label(Error error) {
   switch (error) {
@@ -31,7 +30,7 @@ std::string axis_label(Error error) {
 }
 
 std::string axis_label(Cost cost) {
-  return cost == Cost::wall_time ? "cost (µs a frame)" : "cost (row-solves a frame, set-up included)";
+  return cost == Cost::wall_time ? "cost (µs a frame)" : "cost (instructions a frame)";
 }
 
 double on_axis(const byhand::Point& point, Cost cost) {
@@ -84,8 +83,9 @@ struct Spread {
   std::vector<std::vector<double>> errors;  // by point, ascending; infinite where a run failed
 };
 
+/// What that share of all keeps.
 double quantile(const std::vector<double>& sorted, double share) {
-  return sorted[static_cast<std::size_t>(std::lround(share * static_cast<double>(sorted.size() - 1)))];
+  return sorted[static_cast<std::size_t>(std::ceil(share * static_cast<double>(sorted.size()))) - 1];
 }
 
 /// The fronts that are drawn, and from how many initial conditions.
@@ -100,7 +100,7 @@ Drawn drawn_of(const Survey& survey, Error error) {
   const double duration = survey.problem.scene().duration,
                bodies = survey.problem.start().degrees_of_freedom() / 3.0;
   const bool alone = needs_reference(error) && survey.problem.scene().chaotic && bodies * duration > 60;
-  const int starts = alone ? 1 : most_starts;
+  const int most = alone ? 1 : starts;
   Drawn drawn;
   for (const double spacing : {1.3, 2.0, 4.0}) {
     drawn.spreads.clear();
@@ -109,8 +109,8 @@ Drawn drawn_of(const Survey& survey, Error error) {
       drawn.spreads.push_back({family, thinned(survey.front(*family, error), spacing), {}});
       for (const byhand::Point& point : drawn.spreads.back().points) work += point.cost * duration / frame;
     }
-    drawn.starts = std::clamp(static_cast<int>(budget / work), 1, starts);
-    if (drawn.starts == starts) break;
+    drawn.starts = std::clamp(static_cast<int>(budget / work), 1, most);
+    if (drawn.starts == most) break;
   }
   return drawn;
 }
@@ -125,7 +125,7 @@ Drawn spread_of(const course::Page& page, const Survey& survey, Error error, std
   for (std::size_t s = 0; s < spreads.size(); ++s)
     for (std::size_t i = 0; i < spreads[s].points.size(); ++i) jobs.push_back({s, i});
   std::vector<Problem> problems;
-  for (int i = 0; i < starts; ++i) problems.push_back(survey.problem.variation(i));
+  for (int i = 0; i < starts; ++i) problems.push_back(survey.problem.variation(starts == 1 ? 0 : i + 1));
   const Watch watch{.reference = needs_reference(error), .algebraic = error == Error::algebraic};
   const auto runs = page.side_by_side(static_cast<int>(jobs.size()), [&](int i) {
     const Job& job = jobs[static_cast<std::size_t>(i)];
@@ -139,8 +139,9 @@ Drawn spread_of(const course::Page& page, const Survey& survey, Error error, std
     for (int start = 0; start < starts; ++start) {
       const byhand::Point& point = runs[i][static_cast<std::size_t>(start)];
       found.push_back(point.has(error) ? std::max(point[error], rounding) : infinity);
-      if (start > 0)
-        *data += tidy_rows(problems[static_cast<std::size_t>(start)], std::span(&point, 1), survey.watched, start);
+      if (starts > 1)
+        *data +=
+            tidy_rows(problems[static_cast<std::size_t>(start)], std::span(&point, 1), survey.watched, start + 1);
     }
     std::sort(found.begin(), found.end());
     spreads[jobs[i].spread].errors.push_back(std::move(found));
@@ -169,28 +170,24 @@ Chart work_precision(const Survey& survey, const std::vector<Spread>& spreads, E
   for (const Spread& spread : spreads) drawn.push_back(spread.family);
   const std::vector<Colour> colours = colours_of(drawn);
   for (const Spread& spread : spreads) {
-    Curve median{.label = spread.family->name,
-                 .style = CurveStyle::line_and_markers,
-                 .colour = colours[static_cast<std::size_t>(&spread - spreads.data())]};
-    Curve low{.colour = fade(*median.colour, 0.45)};
-    Curve high = low;
+    Curve kept{.label = spread.family->name,
+               .style = CurveStyle::line_and_markers,
+               .colour = colours[static_cast<std::size_t>(&spread - spreads.data())]};
+    Curve median{.colour = fade(*kept.colour, 0.45)};
     for (std::size_t i = 0; i < spread.points.size(); ++i) {
       const byhand::Point& point = spread.points[i];
-      const double y = on_axis(point, cost);
-      median.x.push_back(quantile(spread.errors[i], 0.5)), median.y.push_back(y);
-      low.x.push_back(quantile(spread.errors[i], 0.25)), low.y.push_back(y);
-      high.x.push_back(quantile(spread.errors[i], 0.75)), high.y.push_back(std::isfinite(high.x.back()) ? y : NAN);
-      if (!std::isfinite(low.x.back())) low.y.back() = NAN;
-      if (!std::isfinite(high.x.back())) high.x.back() = low.x.back();
+      const double y = on_axis(point, cost), error_kept = quantile(spread.errors[i], kept_share),
+                   error_median = quantile(spread.errors[i], 0.5);
+      kept.x.push_back(error_kept), kept.y.push_back(std::isfinite(error_kept) ? y : NAN);
+      median.x.push_back(error_median), median.y.push_back(std::isfinite(error_median) ? y : NAN);
       const bool ends = i == 0 || i + 1 == spread.points.size();
       const std::string knobs = spread.family->pass.empty()
                                     ? std::to_string(point.knobs.substeps)
                                     : fmt::format("{}×{}", point.knobs.substeps, point.knobs.passes);
-      median.point_labels.push_back(ends ? knobs : "");
+      kept.point_labels.push_back(ends ? knobs : "");
     }
-    if (spread.errors.front().size() > 1)
-      chart.curves.push_back(std::move(low)), chart.curves.push_back(std::move(high));
-    chart.curves.push_back(std::move(median));
+    if (spread.errors.front().size() > 1) chart.curves.push_back(std::move(median));
+    chart.curves.push_back(std::move(kept));
   }
   // Far below all errors it would only make the chart narrow; the caption names it too.
   const double uncertainty = survey.problem.reference().uncertainty;
@@ -226,10 +223,11 @@ std::string caption_of(const Survey& survey, Error error, int starts) {
     caption += course::say(" A small disturbance grows e-fold in @ s.", course::Value(growth, 2));
   caption +=
       starts > 1
-          ? course::say(R"( Each curve is the best a method can do with all its choices: the median over @ initial
-      conditions between thin quartiles.)",
-                        starts)
-          : std::string(" Each curve is the best a method can do with all its choices.");
+          ? course::say(
+                R"( Each curve is the best a method was found to do with all its choices: the error that @ of
+      @ initial conditions keep, on none of which it was tuned. Thin: their median.)",
+                static_cast<int>(std::ceil(kept_share * starts)), starts)
+          : std::string(" Each curve is the best a method was found to do with all its choices, from one start.");
   caption += R"( At its ends: substeps a frame × sweeps or iterations in each. Runs that failed do not count. All
       runs, with the choices of each, are in the data.)";
   return caption;

@@ -8,7 +8,7 @@ namespace byhand::accuracy {
 void contacts(Page& page) {
   const Problem stack("stack", {{"boxes", 10}, {"kick", 0.02}}), pyramid("pyramid", {{"base", 6}, {"kick", 0.02}});
   const std::vector<Error> watched{Error::drift, Error::trajectory, Error::contact};
-  const Survey &column = survey(page, stack, watched, 3000, 80), &wall = survey(page, pyramid, watched, 6000, 50);
+  const Survey &column = survey(page, stack, watched, 1.5e5, 80), &wall = survey(page, pyramid, watched, 3e5, 50);
   page.text(
       R"(Contacts have bounds, and the right motion is simple: none. Ten boxes stand on each other and get a slight push
       (the topmost @ m/s), because a stack that only looks settled does not survive one. What falls has few contacts left
@@ -39,18 +39,19 @@ void contacts(Page& page) {
   std::vector<std::string_view> others;
   for (const Family& family : families())
     if (family.name != "direct") others.push_back(family.name);
-  const double at = 1e-3, column_direct = least_cost(column, Error::trajectory, at, {"direct"}),
-               column_other = least_cost(column, Error::trajectory, at, others),
-               wall_direct = least_cost(wall, Error::drift, at, {"direct"}),
-               wall_other = least_cost(wall, Error::drift, at, others);
+  const double at = 1e-3, column_direct = least_cost(page, column, Error::trajectory, at, {"direct"}),
+               column_other = least_cost(page, column, Error::trajectory, at, others),
+               wall_direct = least_cost(page, wall, Error::drift, at, {"direct"}),
+               wall_other = least_cost(page, wall, Error::drift, at, others);
   const auto compared = [](double direct, double other) {
     if (!std::isfinite(direct) && !std::isfinite(other)) return std::string("no method on the chart reaches that");
     if (!std::isfinite(direct))
-      return say("only other methods than the direct solve reach that, from @ row-solves on", Value(other, 3));
+      return say("only methods other than the direct solve reach that, from @ instructions a frame on",
+                 Value(other, 3));
     if (!std::isfinite(other))
-      return say("only the direct solve reaches that, for @ row-solves a frame", Value(direct, 3));
+      return say("only the direct solve reaches that, for @ instructions a frame", Value(direct, 3));
     return direct < other
-               ? say("the direct solve costs @ row-solves, the best other method @ times as much",
+               ? say("the direct solve costs @ instructions a frame, the best other method @ times as much",
                      Value(direct, 3), Value(other / direct, 2))
                : say("the direct solve costs @ times as much as the best other method", Value(direct / other, 2));
   };

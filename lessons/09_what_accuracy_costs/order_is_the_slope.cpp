@@ -42,16 +42,20 @@ void order_is_the_slope(Page& page) {
       problem["mass"], problem["length"]);
   const Survey& all = survey(page, problem, swing_errors, swing_most);
   show(page, "pendulum_trajectory", all, Error::trajectory);
+  const Prices plane = prices_of(RowKind::bobs, "Gauss–Seidel"),
+               space = prices_of(RowKind::links_in_space, "Gauss–Seidel");
+  const auto projected = [](RowKind kind) { return prices_of(kind, name_of(Cure::projection)).projected_row; };
   page.text(
-      R"(Work is counted in *row-solves* of Gauss–Seidel, one use of (17) and (20) each. Whatever else a substep does is
-      charged too, at the instructions that it takes beside such a row-solve: a row that is written costs @ of them,
-      a row of contact that is found @, a row-solve of the direct solve @, one of conjugate sweeps @. Of bodies that turn in space a row-solve costs @ and a
-      row that is written @. So the count is
-      the same on every machine, and 64 substeps of one sweep cost more than one step of 64 sweeps, as they do by the
-      clock. The clock's chart comes next; no statement of this course depends on it.)",
-      Value(weights_of("Gauss–Seidel").row, 2), Value(weights_of("Gauss–Seidel").contact, 2),
-      Value(weights_of("direct").row_solve, 2), Value(weights_of("conjugate sweeps").row_solve, 2),
-      Value(weights_of("Gauss–Seidel", true).row_solve, 2), Value(weights_of("Gauss–Seidel", true).row, 2));
+      R"(Work is counted in the processor's *instructions*. Each method counts what it executes where it does so: rows
+      written, made ready and solved, bodies moved, contacts found, rows projected. Each count has a price in
+      instructions, measured for every method, cure and kind of row. For a bob in the plane a row-solve of Gauss–Seidel,
+      (17) and (20), takes @ instructions, and a row that a projection solves, which writes C and J anew, takes @. For
+      links in space the two take @ and @. So the count is the same on every machine.)",
+      Value(plane.row_solve, 2), Value(projected(RowKind::bobs), 2), Value(space.row_solve, 2),
+      Value(projected(RowKind::links_in_space), 2));
+  page.text(
+      R"(The clock's chart comes next. The two need not rank methods alike: where each instruction waits for the one
+      before, as in a sweep, an instruction takes longer.)");
   show_clocked(page, "pendulum_trajectory_clocked", all, Error::trajectory);
   page.text(
       R"(Both axes are logarithmic, so a power law is a straight line. Where the error falls as hᵖ and the work grows as

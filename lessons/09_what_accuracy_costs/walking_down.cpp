@@ -110,7 +110,7 @@ void walking_down(const Problem& problem, Page& page) {
                 .colours = {colours[0], colours[1]},
                 .exact = {},
                 .chart = {.x = {.label = "error of the place (m)", .scale = Scale::logarithmic},
-                          .y = {.label = "cost (row-solves a frame)", .scale = Scale::logarithmic}},
+                          .y = {.label = "cost (instructions a frame)", .scale = Scale::logarithmic}},
                 .length = problem["length"]};
   const auto exact = problem.scene().exact(problem);
   for (long i = 0; i <= std::lround(problem.compared_at() / frame); ++i)

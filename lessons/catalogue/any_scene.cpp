@@ -135,7 +135,7 @@ void AnyScene::step(double h) {
               advance(running.scene, family, h, work);
               const int substeps = substeps_of(family);
               effort_.substeps += substeps;
-              effort_.rows += static_cast<long long>(substeps) * work.system.rows();
+              effort_.written_rows += static_cast<long long>(substeps) * work.system.rows();
               effort_.bodies += static_cast<long long>(substeps) * running.bodies;
               if (!running.scene.colliders().shapes.empty()) effort_.contacts += work.system.rows();
             },
@@ -148,11 +148,11 @@ void AnyScene::step(double h) {
 
 Effort AnyScene::effort() const {
   Effort effort = effort_;
-  effort.row_solves = std::visit(
-      [](const auto& running) {
-        return std::visit([](const auto& work) { return work.row_solves; }, running.work);
-      },
-      running_->one);
+  const auto add = [&](const auto& work) {
+    effort.row_solves = work.row_solves - work.executed.projected_rows;
+    effort.executed = work.executed;
+  };
+  std::visit([&](const auto& running) { std::visit(add, running.work); }, running_->one);
   return effort;
 }
 
@@ -268,8 +268,14 @@ int AnyScene::degrees_of_freedom() const {
   });
 }
 
-bool AnyScene::turns_in_space() const {
-  return read([]<class M>(const Scene<M>&) { return M::angular == 3; });
+RowKind AnyScene::row_kind() const {
+  return read([]<class M>(const Scene<M>& scene) {
+    const bool pinned = !scene.template all<Pin>().empty();
+    if (M::linear == 3)
+      return M::angular == 0 ? RowKind::bobs_in_space : pinned ? RowKind::links_in_space : RowKind::balls_in_space;
+    if (M::angular == 0) return RowKind::bobs;
+    return pinned ? RowKind::links : scene.colliders().shapes.empty() ? RowKind::balls : RowKind::boxes;
+  });
 }
 
 int AnyScene::rows() const {

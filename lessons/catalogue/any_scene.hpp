@@ -18,11 +18,15 @@ struct Placement {
 /// What a method has done, in counts that are the same on every machine.
 struct Effort {
   long long row_solves = 0;  // uses of (17) and (20); a direct solve counts as those of as many multiplications
-  long long rows = 0;        // written: once in each substep
-  long long bodies = 0;      // moved: once in each substep
-  long long contacts = 0;    // rows of contacts, found once in each step
+  Executed executed;
+  long long written_rows = 0;  // once in each substep
+  long long bodies = 0;        // moved: once in each substep
+  long long contacts = 0;      // rows of contacts, found once in each step
   long long substeps = 0, steps = 0;
 };
+
+/// What a scene's rows act on; a scene of the catalogue has one kind.
+enum class RowKind { bobs, balls, links, boxes, bobs_in_space, balls_in_space, links_in_space };
 
 /// A scene of any model with any method, for programs that choose both as they run. A value: a copy is a way back.
 class AnyScene {
@@ -46,7 +50,7 @@ class AnyScene {
   /// What has been stepped so far [s].
   double time() const { return time_; }
   /// What the method has spent since it was chosen.
-  long long row_solves() const { return effort().row_solves; }
+  long long row_solves() const { return effort().row_solves + effort().executed.projected_rows; }
   Effort effort() const;
 
   /// How far the two points of any joint are apart, or a rod from its length, or two bodies in each other, at most
@@ -80,8 +84,8 @@ class AnyScene {
 
   /// Numbers that all moving bodies move with, without regard to what holds them.
   int degrees_of_freedom() const;
-  /// Whether its bodies turn in space.
-  bool turns_in_space() const;
+  /// What its rows act on.
+  RowKind row_kind() const;
   /// Rows of all constraints.
   int rows() const;
   /// Bytes of all poses, velocities, masses, shapes and constraints: what describes the scene.

@@ -9,7 +9,8 @@
 namespace byhand {
 namespace {
 
-constexpr double worth = 1.5;  // times the cheapest: what costs more is not looked for
+constexpr int most_attempts = 12;  // to find a candidate's choices that keep the wish from all starts
+constexpr double worth = 1.5;      // times the cheapest: what costs more is not looked for
 
 /// How long a run of the search is watched [s]: what stands only by chance is found out by the verification.
 double screening(const Problem& problem) {
@@ -169,14 +170,28 @@ class Variant {
 };
 
 void require_valid(const Problem& problem, const Wish& wish) {
-  require(!wish.limits.empty() || std::isfinite(wish.budget), "wish", "empty", "an accuracy or a budget");
-  if (std::isfinite(wish.budget)) require_positive("budget", wish.budget, "row-solves");
+  require(!wish.limits.empty() || wish.budget, "wish", "empty", "an accuracy or a budget");
+  if (wish.budget)
+    for (const Family& family : families())
+      if (const double budget = wish.budget(family); std::isfinite(budget))
+        require_positive("budget", budget, "instructions");
   for (const auto& [error, limit] : wish.limits) {
     require_positive("accuracy", limit, unit_of(error));
     require(has(problem.scene(), error), "error", name_of(error),
             "one that can be measured here: a " + problem.scene().title + " does not have it");
   }
 }
+
+/// From how many starts runs of that cost are verified.
+int starts_of(const Problem& problem, const Wish& wish, double cost, const Search& search) {
+  double work = cost * problem.scene().duration / frame;
+  if (asks_for_reference(wish.limits) && problem.scene().chaotic)
+    work =
+        std::max(work, search.verification / 160 * limit_of(problem).substeps);  // each has a reference of its own
+  return std::clamp(static_cast<int>(search.verification / work), std::min(4, search.starts), search.starts);
+}
+
+double budget_of(const Wish& wish, const Family& family) { return wish.budget ? wish.budget(family) : INFINITY; }
 
 /// The cheaper of two that reach a wish; without limits the more accurate.
 bool preferred(const Candidate& a, const Candidate& b, const Wish& wish) {
@@ -186,16 +201,69 @@ bool preferred(const Candidate& a, const Candidate& b, const Wish& wish) {
 
 /// The least drift within a budget.
 Candidate most_accurate(const Problem& problem, const Family& family, const Wish& wish, Spent* spent) {
-  Runs runs(problem, family, {.seconds = screening(problem), .reference = false, .most = wish.budget});
+  Runs runs(problem, family, {.seconds = screening(problem), .reference = false, .most = budget_of(wish, family)});
   explore(runs, std::array{Error::drift}, 80);
   *spent += {runs.count(), runs.work()};
   Candidate best;
   for (const Point& point : runs.points()) {
-    const bool reached = point.has(Error::drift) && point.cost <= wish.budget;
+    const bool reached = point.has(Error::drift) && point.cost <= budget_of(wish, family);
     if (!best.point.family || (reached && (!best.reached || point[Error::drift] < best.point[Error::drift])))
       best = {reached, point, reached ? point[Error::drift] : INFINITY};
   }
   return best;
+}
+
+/// After a start that a candidate did not keep: the same method tuned anew for that start, or with more substeps.
+Candidate strengthened(const Problem& problem, const Wish& wish, const Candidate& candidate, const Problem& start,
+                       Spent& spent) {
+  const Family& family = *candidate.point.family;
+  if (!wish.limits.empty()) {
+    const double most = std::min(10 * candidate.point.cost, budget_of(wish, family));
+    const Candidate tuned = cheapest(start, family, wish, most, &spent);
+    if (tuned.reached && tuned.point.cost > candidate.point.cost) return tuned;
+  }
+  Candidate more = candidate;
+  Knobs knobs = candidate.point.knobs;
+  more.reached = false;
+  for (int times = 0; times < 8 && !more.reached && more.point.cost <= budget_of(wish, family); ++times) {
+    knobs.substeps = std::max(knobs.substeps + 1, knobs.substeps * 5 / 4);
+    more.point = measure(problem, family, knobs, {.reference = asks_for_reference(wish.limits)});
+    more.excess = wish.limits.empty() ? more.point[Error::drift] : excess(more.point, wish.limits);
+    more.reached = more.point.outcome == Outcome::good && (wish.limits.empty() || more.excess <= 1) &&
+                   more.point.cost <= budget_of(wish, family);
+  }
+  return more;
+}
+
+/// Of candidates that reach the wish the cheapest that keep it from all starts over the whole time, by their
+/// costs: as many as are wanted. One that does not is strengthened, and so takes its place further back.
+/// `choice.verified` is that of the first.
+std::vector<Candidate> verified(const Problem& problem, const Wish& wish, std::vector<Candidate>& found,
+                                int starts, std::size_t wanted, const Search& search, Choice& choice) {
+  std::vector<Candidate> kept;
+  std::vector<int> attempts(found.size(), most_attempts);
+  while (kept.size() < wanted) {
+    Candidate* next = nullptr;
+    for (Candidate& candidate : found)
+      if (candidate.reached && (!next || preferred(candidate, *next, wish))) next = &candidate;
+    if (!next) break;
+    const double run = next->point.cost * problem.scene().duration / frame;
+    // From other starts after each failure: none of those for which it was tuned.
+    int& left = attempts[static_cast<std::size_t>(next - found.data())];
+    const int seed = 1 + most_attempts - left;
+    const Verification verification = verify(problem, next->point, wish, starts, search, seed, true);
+    choice.spent.runs += verification.starts;
+    choice.spent.work += verification.starts * run;
+    if (verification.kept()) {
+      if (kept.empty()) choice.verified = verification;
+      kept.push_back(*next);
+      next->reached = false;
+      continue;
+    }
+    *next = strengthened(problem, wish, *next, problem.variation(verification.worst, seed), choice.spent);
+    next->reached = next->reached && --left > 0;
+  }
+  return kept;
 }
 
 }  // namespace
@@ -227,18 +295,25 @@ Candidate cheapest(const Problem& problem, const Family& family, const Wish& wis
 }
 
 Verification verify(const Problem& problem, const Point& point, const Wish& wish, int starts, const Search& search,
-                    int seed) {
-  std::vector<Point> points(static_cast<std::size_t>(starts));
-  search.side_by_side(starts, [&](int i) {
-    points[static_cast<std::size_t>(i)] = measure(problem.variation(i, seed), *point.family, point.knobs,
-                                                  {.reference = asks_for_reference(wish.limits)});
-  });
-  Verification result{.starts = starts, .seconds = problem.scene().duration};
-  if (!points.empty()) result.excess = excess(points.front(), wish.limits);
-  for (const Point& one : points) {
-    result.good += one.outcome == Outcome::good;
-    result.within += excess(one, wish.limits) <= 1;
-    if (one.outcome != Outcome::good && result.first_failure.empty()) result.first_failure = one.reason;
+                    int seed, bool until_one_fails) {
+  Verification result{.seconds = problem.scene().duration};
+  // First a few, for most that fail do so soon.
+  for (int batch = until_one_fails ? 6 : starts; result.starts < starts; batch = starts) {
+    const int first = result.starts;
+    std::vector<Point> points(static_cast<std::size_t>(std::min(batch, starts - first)));
+    search.side_by_side(static_cast<int>(points.size()), [&](int i) {
+      points[static_cast<std::size_t>(i)] = measure(problem.variation(first + i, seed), *point.family, point.knobs,
+                                                    {.reference = asks_for_reference(wish.limits)});
+    });
+    for (const Point& one : points) {
+      ++result.starts;
+      result.good += one.outcome == Outcome::good;
+      const double over = excess(one, wish.limits);
+      result.within += over <= 1;
+      if (over > result.excess) result.excess = over, result.worst = result.starts - 1;
+      if (one.outcome != Outcome::good && result.first_failure.empty()) result.first_failure = one.reason;
+    }
+    if (until_one_fails && !result.kept()) break;
   }
   return result;
 }
@@ -251,17 +326,19 @@ Choice choose(const Problem& problem, const Wish& wish, const Search& search) {
   const auto& all = families();
   std::vector<Candidate> found(all.size());
   const auto by_preference = [&](const Candidate& a, const Candidate& b) { return preferred(a, b, wish); };
+  std::vector<char> settled(all.size());  // of which methods the answer is known
   std::vector<Spent> spent(all.size());
   const double rows = std::max(1, problem.start().degrees_of_freedom());
   double cheapest_yet = INFINITY;
   const auto look = [&](const std::vector<std::size_t>& which, double most) {
-    const double bound = std::min({most, wish.budget, worth * cheapest_yet});
+    const double bound = std::min(most, worth * cheapest_yet);
     search.side_by_side(static_cast<int>(which.size()), [&](int i) {
       const std::size_t at = which[static_cast<std::size_t>(i)];
-      if (found[at].reached || found[at].point.outcome == Outcome::refused) return;
+      if (found[at].reached || found[at].point.outcome == Outcome::refused || settled[at]) return;
       search.told(all[at].name);
-      found[at] = wish.limits.empty() ? most_accurate(problem, all[at], wish, &spent[at])
-                                      : cheapest(problem, all[at], wish, bound, &spent[at]);
+      found[at] = wish.limits.empty()
+                      ? most_accurate(problem, all[at], wish, &spent[at])
+                      : cheapest(problem, all[at], wish, std::min(bound, budget_of(wish, all[at])), &spent[at]);
     });
     for (const std::size_t at : which)
       if (found[at].reached) cheapest_yet = std::min(cheapest_yet, found[at].point.cost);
@@ -276,61 +353,54 @@ Choice choose(const Problem& problem, const Wish& wish, const Search& search) {
         .push_back(i);
   // Those that solve exactly have few choices, so that their search goes on when that of all others has cost
   // enough.
-  double level = wish.limits.empty() ? INFINITY : 20 * rows * choice.limit.substeps;
+  double level = wish.limits.empty() ? INFINITY : 1000 * rows * choice.limit.substeps;
   for (;; level *= 2.5) {
     look(first, level), look(second, level);
-    if (choice.spent.work <= search.enough) look(rest, level), choice.searched = std::min(level, wish.budget);
+    if (choice.spent.work <= search.enough) look(rest, level), choice.searched = level;
     choice.spent = {};
     for (const Spent& one : spent) choice.spent += one;
-    if (std::isfinite(cheapest_yet) || level >= wish.budget || choice.spent.work > 3 * search.enough) break;
+    const bool spent_all = std::all_of(all.begin(), all.end(),
+                                       [&](const Family& family) { return level >= budget_of(wish, family); });
+    if (std::isfinite(cheapest_yet) || spent_all || choice.spent.work > 3 * search.enough) break;
   }
-  choice.searched_exactly = std::min(level, wish.budget);
-  std::stable_sort(found.begin(), found.end(), by_preference);
-
-  // Twenty initial conditions decide, over the whole time: what fails one, or errs too much after the search has
-  // stopped watching, takes more substeps, or another method is tried.
-  const int dear = std::max(problem.start().degrees_of_freedom() / 300,
-                            asks_for_reference(wish.limits) ? choice.limit.substeps / 8 : 0);
-  const int starts = std::max(std::min(4, search.starts), search.starts / std::max(1, dear));
-  for (Candidate& candidate : found) {
-    if (!candidate.reached) continue;
-    for (int attempt = 0; attempt < 8; ++attempt) {
-      choice.verified = verify(problem, candidate.point, wish, starts, search);
-      choice.spent.runs += starts;
-      if (!wish.limits.empty()) candidate.excess = choice.verified.excess;
-      if (choice.verified.good == starts && choice.verified.excess <= 1) break;
-      Knobs more = candidate.point.knobs;
-      more.substeps = std::max(more.substeps + 1, more.substeps * 5 / 4);
-      candidate.point =
-          measure(problem, *candidate.point.family, more, {.reference = asks_for_reference(wish.limits)});
-      candidate.excess =
-          wish.limits.empty() ? candidate.point[Error::drift] : excess(candidate.point, wish.limits);
-    }
-    candidate.reached =
-        choice.verified.good == starts && candidate.excess <= 1 && candidate.point.cost <= wish.budget;
-    if (candidate.reached) {
-      const bool still = std::none_of(found.begin(), found.end(), [&](const Candidate& other) {
-        return other.reached && preferred(other, candidate, wish);
-      });
-      if (still) break;
-    }
+  choice.searched_exactly = level;
+  const int starts = std::isfinite(cheapest_yet) ? starts_of(problem, wish, cheapest_yet, search) : 0;
+  std::vector<Candidate> kept = verified(problem, wish, found, starts, 3, search, choice);
+  // What was left out as too dear beside a candidate that did not keep the wish.
+  if (!wish.limits.empty() && starts > 0 && (kept.empty() || kept.front().point.cost > 1.05 * cheapest_yet)) {
+    for (const Candidate& one : kept) settled[static_cast<std::size_t>(one.point.family - all.data())] = 1;
+    cheapest_yet = kept.empty() ? 10 * cheapest_yet : kept.front().point.cost / worth;
+    look(first, INFINITY), look(second, INFINITY);
+    if (choice.spent.work <= search.enough) look(rest, INFINITY);
+    const Verification of_first = choice.verified;
+    const std::vector<Candidate> more = verified(problem, wish, found, starts, 3, search, choice);
+    if (!kept.empty() && (more.empty() || !preferred(more.front(), kept.front(), wish)))
+      choice.verified = of_first;
+    kept.insert(kept.end(), more.begin(), more.end());
+    std::stable_sort(kept.begin(), kept.end(), by_preference);
+    if (kept.size() > 3) kept.resize(3);
   }
   std::stable_sort(found.begin(), found.end(), by_preference);
-  choice.best = found.front();
-  choice.reached = choice.best.reached;
-  if (!choice.reached && choice.best.point.outcome == Outcome::good) {  // so far it may have been watched in part
-    choice.best.point = measure(problem, *choice.best.point.family, choice.best.point.knobs);
-    choice.best.excess = excess(choice.best.point, wish.limits);
-  }
+  choice.reached = !kept.empty();
   if (choice.reached) {
-    choice.verified = verify(problem, choice.best.point, wish, starts, search);
+    choice.best = kept.front();
     choice.best.point = measure(problem, *choice.best.point.family, choice.best.point.knobs);  // with all errors
+    choice.runners_up.assign(kept.begin() + 1, kept.end());
+  } else {
+    choice.best = found.front();
+    if (choice.best.point.outcome == Outcome::good) {  // so far it may have been watched in part
+      choice.best.point = measure(problem, *choice.best.point.family, choice.best.point.knobs);
+      choice.best.excess = excess(choice.best.point, wish.limits);
+    }
   }
-  for (std::size_t i = 1; i < found.size(); ++i)
-    if (found[i].point.outcome == Outcome::good && std::isfinite(found[i].excess))
-      choice.runners_up.push_back(found[i]);
-    else if (found[i].point.family && found[i].point.outcome != Outcome::too_slow)
-      choice.passed.push_back(found[i].point);
+  for (const Candidate& candidate : found) {
+    const auto is_it = [&](const Candidate& one) { return one.point.family == candidate.point.family; };
+    if (is_it(choice.best) || std::any_of(kept.begin(), kept.end(), is_it)) continue;
+    if (candidate.point.outcome == Outcome::good && std::isfinite(candidate.excess))
+      choice.runners_up.push_back(candidate);
+    else if (candidate.point.family && candidate.point.outcome != Outcome::too_slow)
+      choice.passed.push_back(candidate.point);
+  }
   if (!choice.reached) return choice;
 
   if (const Knobs& best = choice.best.point.knobs; best.substeps > 1) {
@@ -339,13 +409,27 @@ Choice choose(const Problem& problem, const Wish& wish, const Search& search) {
     choice.coarser =
         measure(problem, *choice.best.point.family, fewer, {.reference = asks_for_reference(wish.limits)});
   }
-  if (search.finer && !wish.limits.empty()) {
-    Wish tenth = wish;
-    for (auto& [error, limit] : tenth.limits) limit /= 10;
-    tenth.budget = INFINITY;
-    const Candidate finer =
-        cheapest(problem, *choice.best.point.family, tenth, 100 * choice.best.point.cost, &choice.spent);
-    if (finer.reached) choice.finer = finer.point;
+  if (search.tighter && !wish.limits.empty()) {
+    const auto tighter = [&](double share) -> std::optional<Point> {
+      Wish tight = wish;
+      for (auto& [error, limit] : tight.limits) limit *= share;
+      tight.budget = nullptr;
+      if (verify(problem, choice.best.point, tight, starts, search, 1, true).kept()) return choice.best.point;
+      std::vector<Candidate> again(kept.size());
+      std::vector<Spent> work(kept.size());
+      search.side_by_side(static_cast<int>(kept.size()), [&](int i) {
+        const auto at = static_cast<std::size_t>(i);
+        again[at] = cheapest(problem, *kept[at].point.family, tight, 100 * choice.best.point.cost, &work[at]);
+      });
+      for (const Spent& one : work) choice.spent += one;
+      const Verification of_best = choice.verified;
+      const auto best = verified(problem, tight, again, starts, 1, search, choice);
+      choice.verified = of_best;
+      if (best.empty()) return {};
+      return measure(problem, *best.front().point.family, best.front().point.knobs);
+    };
+    choice.robust = tighter(0.5);
+    choice.finer = tighter(0.1);
   }
   auto limits = wish.limits;
   if (limits.empty()) limits[Error::drift] = 2 * choice.best.point[Error::drift];

@@ -17,8 +17,14 @@ namespace byhand {
 /// or both.
 struct Wish {
   std::map<Error, double> limits = {};  // in the unit of each error
-  double budget = INFINITY;             // counted cost a frame; without limits the least drift within it
+  // Instructions a frame that a method may take: a time allows each its own, by its own pace. Without limits the
+  // least drift within it is looked for.
+  std::function<double(const Family&)> budget = nullptr;
 };
+/// The same for every method.
+inline std::function<double(const Family&)> at_most(double instructions) {
+  return [=](const Family&) { return instructions; };
+}
 
 /// One method at its best.
 struct Candidate {
@@ -27,12 +33,20 @@ struct Candidate {
   double excess = INFINITY;  // the largest error over its limit
 };
 
+/// As many starts have to keep a wish, all of them, before more than 95 % of such starts do with 95 % confidence:
+/// 0.95⁵⁹ < 0.05.
+inline constexpr int certain = 59;
+
 /// A run from each of several initial conditions.
 struct Verification {
   int starts = 0, good = 0, within = 0;  // did their duty; had errors within the limits, too
   double seconds = 0;                    // of each
-  double excess = INFINITY;              // the largest error over its limit, from the scene's own start
+  double excess = 0;                     // the largest error of those over its limit; infinite where one failed
+  int worst = 0;                         // the start from which it was so
   std::string first_failure = {};        // "a joint opened …"; empty if all are good
+
+  bool kept() const { return within == starts; }
+  bool certified() const { return kept() && starts >= certain; }
 };
 
 /// What a search takes: runs, and their counted cost.
@@ -50,16 +64,18 @@ struct Spent {
 struct Choice {
   bool reached = false;
   Candidate best;                     // what is recommended; where nothing reaches the wish, what comes nearest
-  Verification verified;              // of what is recommended
+  Verification verified;              // of what is recommended, and of each other that is said to reach the wish
   Limit limit;                        // what the laws say
-  std::vector<Candidate> runners_up;  // the best of each other method, in the order of preference
+  std::vector<Candidate> runners_up;  // other methods: those that keep the wish from as many starts, by their
+                                      // costs, and what came near
   std::vector<Point> passed;          // what cannot run this scene or failed, one point a method
   std::optional<Point> coarser;       // the next coarser choice of the same method that was tried, and missed
-  std::optional<Point> finer;         // the same cure and method with a tenth of the error
-  double margin = NAN;                // see `margin`
-  Spent spent;                        // on the search
-  double searched = 0;                // up to which cost a frame all methods were tried
-  double searched_exactly = 0;        // and those that solve each step exactly, and XPBD
+  // The cheapest that keep half and a tenth of each limit from as many starts; `best` where that does.
+  std::optional<Point> robust, finer;
+  double margin = NAN;          // see `margin`
+  Spent spent;                  // on the search
+  double searched = 0;          // up to which cost a frame all methods were tried
+  double searched_exactly = 0;  // and those that solve each step exactly, and XPBD
 };
 
 struct Search {
@@ -69,9 +85,10 @@ struct Search {
       [](int count, const std::function<void(int)>& work) {
         for (int i = 0; i < count; ++i) work(i);
       };
-  int starts = 20;  // initial conditions of the verification
-  bool finer = true;
-  double enough = 4e8;  // counted cost after which only methods that solve each step exactly are tried further
+  int starts = certain;        // initial conditions of the verification
+  double verification = 3e10;  // instructions of one, beyond which it takes fewer
+  bool tighter = true;         // whether half and a tenth of the limits are looked for, too
+  double enough = 2e10;  // instructions after which only methods that solve each step exactly are tried further
 };
 
 /// Throws std::invalid_argument unless the wish has a limit or a budget, all above zero, and only errors that this
@@ -81,9 +98,9 @@ Choice choose(const Problem& problem, const Wish& wish, const Search& search = {
 /// The largest error over its limit; infinite unless the run did its duty and has all these errors.
 double excess(const Point& point, const std::map<Error, double>& limits);
 
-/// Runs a point's choices from other initial conditions, from the scene's own on.
+/// Runs a point's choices from other initial conditions, the scene's own first. `until_one_fails` leaves the rest.
 Verification verify(const Problem& problem, const Point& point, const Wish& wish, int starts,
-                    const Search& search = {}, int seed = 1);
+                    const Search& search = {}, int seed = 1, bool until_one_fails = false);
 
 /// The factor on the scene's stress parameter, at least 1 and within 5 %, at which this point's method no longer
 /// keeps within the limits; infinite if it does at the parameter's upper end and up to a thousand, NaN if the

@@ -4,25 +4,23 @@
 
 #include "lessons/catalogue/any_scene.hpp"
 
-// What a run costs, counted: the same on every machine. The unit is one row-solve of Gauss–Seidel, (17) and (20).
-// Whatever a substep sets up besides (rows written, bodies moved, contacts found) is charged what it takes in
-// instructions beside such a row-solve.
+// What a run costs, in instructions of the processor, so that it is the same whatever else runs. What a method
+// executes is counted where it is done, and each count has a price: what it takes in instructions as callgrind
+// counts them, with g++ 12.2 -O3 on x86-64.
 namespace byhand {
 
-/// Row-solves of Gauss–Seidel that each count of an Effort amounts to.
-struct Weights {
-  double row_solve = 1, row = 0, body = 0, contact = 0, substep = 0, step = 0;
+/// Instructions that one of each count of an Effort takes.
+struct Prices {
+  double row_solve = 0, laid_out_row = 0, solve = 0, pass = 0, prepared_row = 0, projected_row = 0,
+         written_row = 0, body = 0, contact = 0, substep = 0, step = 0;
 };
+Prices operator+(const Prices& a, const Prices& b);
 
-/// Of the family of that name, for bodies that turn in space or for all others; calibrated by
-/// tests/lessons/09_what_accuracy_costs/calibrate.cpp.
-Weights weights_of(std::string_view family, bool in_space = false);
+/// Of a part of a step: a family of methods by its name, for those that solve rows "stepping" besides, and a cure
+/// by its name. Nothing for a part that has no price. Measured by tests/lessons/catalogue/prices.cpp.
+Prices prices_of(RowKind kind, std::string_view part);
 
-inline double cost_of(const Effort& effort, const Weights& weights) {
-  return weights.row_solve * static_cast<double>(effort.row_solves) +
-         weights.row * static_cast<double>(effort.rows) + weights.body * static_cast<double>(effort.bodies) +
-         weights.contact * static_cast<double>(effort.contacts) +
-         weights.substep * static_cast<double>(effort.substeps) + weights.step * static_cast<double>(effort.steps);
-}
+/// Instructions.
+double cost_of(const Effort& effort, const Prices& prices);
 
 }  // namespace byhand

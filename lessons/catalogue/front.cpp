@@ -21,47 +21,51 @@ std::vector<Point> pareto_front(std::span<const Point> points, Error error, Cost
   return front;
 }
 
-double cost_to_reach(std::span<const Point> front, Error error, double wanted, Cost cost) {
-  const Point* finer = nullptr;
-  for (const Point& point : front) {
-    if (point[error] <= wanted) {
-      finer = &point;
-      continue;
-    }
-    if (!finer) return INFINITY;
-    // An error of rounding would stretch the line over decades in which there are no runs.
-    const double fine = std::max((*finer)[error], wanted / 100);
-    const double share = std::log(point[error] / wanted) / std::log(point[error] / fine);
-    return cost_of(point, cost) * std::pow(cost_of(*finer, cost) / cost_of(point, cost), share);
-  }
-  return finer ? cost_of(*finer, cost) : INFINITY;
+namespace {
+
+using LogPoint = std::pair<double, double>;  // log x, log y
+
+struct Fit {
+  Order order;
+  double scatter;  // root of the mean square about the line
+};
+
+/// Least squares through at least three points.
+Fit fitted(std::span<const LogPoint> points) {
+  double x = 0, y = 0, xx = 0, xy = 0, squares = 0;
+  for (const auto& [px, py] : points) x += px, y += py;
+  const double n = static_cast<double>(points.size());
+  x /= n, y /= n;
+  for (const auto& [px, py] : points) xx += (px - x) * (px - x), xy += (px - x) * (py - y);
+  const double slope = xy / xx;
+  for (const auto& [px, py] : points) squares += std::pow(py - y - slope * (px - x), 2);
+  constexpr double student[] = {12.71, 4.30, 3.18, 2.78, 2.57, 2.45, 2.36, 2.31};  // by degrees of freedom
+  const double t = student[std::min(points.size() - 3, std::size(student) - 1)];
+  return {{slope, t * std::sqrt(squares / (n - 2) / xx)}, std::sqrt(squares / n)};
+}
+
+}  // namespace
+
+std::optional<Order> fitted_power(std::span<const double> x, std::span<const double> y) {
+  std::vector<LogPoint> all;
+  for (std::size_t i = 0; i < x.size(); ++i)
+    if (y[i] > 0 && std::isfinite(y[i])) all.emplace_back(std::log(x[i]), std::log(y[i]));
+  if (all.size() < 4) return {};
+  return fitted(all).order;
 }
 
 std::optional<Order> fitted_order(std::span<const Point> points, Error error) {
   constexpr double rounding = 1e-12, line = 0.1;
-  std::vector<std::pair<double, double>> all;  // log h, log error; from the finest
+  std::vector<LogPoint> all;  // from the finest
   for (const Point& point : points)
     if (point.has(error) && point[error] > rounding)
       all.emplace_back(-std::log(static_cast<double>(point.knobs.substeps)), std::log(point[error]));
   std::sort(all.begin(), all.end());
-  const auto fit = [&](std::size_t count) {
-    double x = 0, y = 0, xx = 0, xy = 0, scatter = 0;
-    for (std::size_t i = 0; i < count; ++i) x += all[i].first, y += all[i].second;
-    const double n = static_cast<double>(count);
-    x /= n, y /= n;
-    for (std::size_t i = 0; i < count; ++i)
-      xx += std::pow(all[i].first - x, 2), xy += (all[i].first - x) * (all[i].second - y);
-    const double slope = xy / xx;
-    for (std::size_t i = 0; i < count; ++i) scatter += std::pow(all[i].second - y - slope * (all[i].first - x), 2);
-    constexpr double student[] = {12.71, 4.30, 3.18, 2.78, 2.57, 2.45, 2.36, 2.31};  // by degrees of freedom
-    const double t = student[std::min<std::size_t>(count - 3, std::size(student) - 1)];
-    return std::pair{Order{slope, t * std::sqrt(scatter / (n - 2) / xx)}, std::sqrt(scatter / n)};
-  };
   std::optional<Order> order;
   for (std::size_t count = 3; count <= all.size(); ++count) {
-    const auto [fitted, scatter] = fit(count);
-    if (scatter > line) break;
-    order = fitted;
+    const Fit fit = fitted(std::span(all).first(count));
+    if (fit.scatter > line) break;
+    order = fit.order;
   }
   return order;
 }

@@ -55,7 +55,7 @@ Limit limit_of(const Problem& problem) {
       limit.sweeps += std::max(1, limit.sweeps / 8);
     limit.law = 18;
     limit.number =
-        fmt::format("¾·g·h²·N³ = {:.2g}", 0.76 * problem["gravity"] * frame * frame * std::pow(boxes, 3));
+        fmt::format("¾·g·h²·N³/a = {:.2g}", 0.76 * problem["gravity"] * frame * frame * std::pow(boxes, 3));
   } else if (name == "top") {
     limit.law = 13;
     limit.number = fmt::format("ω·h = {:.2g} rad", problem["spin"] * frame);

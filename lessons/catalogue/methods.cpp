@@ -75,7 +75,7 @@ std::vector<Family> make_families() {
         k.substeps};
   };
 
-  std::vector<Family> all{
+  return {
       sweeps,
       symmetric,
       jacobi,
@@ -97,9 +97,6 @@ std::vector<Family> make_families() {
       xpbd,
       avbd,
   };
-  for (Family& family : all)
-    family.weights = weights_of(family.name), family.weights_in_space = weights_of(family.name, true);
-  return all;
 }
 
 }  // namespace
@@ -116,6 +113,11 @@ const Family& family_named(std::string_view name) {
   for (const Family& family : families()) names += (names.empty() ? "" : ", ") + family.name;
   require(false, "method", name, "one of " + names);
   return families().front();
+}
+
+Prices prices_of(RowKind kind, const Family& family, Cure cure) {
+  const Prices own = prices_of(kind, family.name);
+  return family.solves_rows ? own + prices_of(kind, "stepping") + prices_of(kind, name_of(cure)) : own;
 }
 
 std::string_view name_of(Cure cure) {

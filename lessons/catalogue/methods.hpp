@@ -40,13 +40,15 @@ struct Family {
   bool solves_rows = true;  // for velocities, so that laws 6 and 18 are about it
   bool exact = false;       // whether each solve is exact, so that neither law limits it
   std::function<Setting(const Knobs&)> setting;
-  Weights weights = {}, weights_in_space = {};
 };
 
 /// All of them.
 const std::vector<Family>& families();
 /// Throws std::invalid_argument for a name that is none of them.
 const Family& family_named(std::string_view name);
+
+/// What each count of a run of this method with this cure costs where the rows are of that kind.
+Prices prices_of(RowKind kind, const Family& family, Cure cure);
 
 /// The name of a cure, and the symbol of its strength: "Baumgarte", "β".
 std::string_view name_of(Cure cure);

@@ -82,7 +82,7 @@ void run(const Problem& problem, const Setting& setting, const Watch& watch, Poi
   scene.use(setting.method);
   const NamedScene& named = problem.scene();
   const double energy = scene.energy(), scale = scene.energy_scale(), spin = scene.angular_momentum().y();
-  const Weights& weights = scene.turns_in_space() ? point.family->weights_in_space : point.family->weights;
+  const Prices prices = prices_of(scene.row_kind(), *point.family, point.knobs.cure);
   const Judge judge(problem, scene);
   const auto at = [&](Error which) -> double& { return point.error[static_cast<int>(which)]; };
   at(Error::drift) = scene.separation();
@@ -95,7 +95,7 @@ void run(const Problem& problem, const Setting& setting, const Watch& watch, Poi
     advance_frame(scene, setting);
     point.seconds = static_cast<double>(i) * frame;
     point.row_solves = static_cast<double>(scene.row_solves()) / static_cast<double>(i);
-    point.cost = cost_of(scene.effort(), weights) / static_cast<double>(i);
+    point.cost = cost_of(scene.effort(), prices) / static_cast<double>(i);
     const double change = std::abs(scene.energy() - energy) / scale, apart = scene.separation();
     if (!scene.finite() || !(change < blown_up)) {
       point.outcome = Outcome::blew_up;

@@ -28,7 +28,7 @@ std::string described_parameters(const Problem& problem) {
 
 std::string tidy_head() {
   return "scene,parameters,model,method,substeps,passes,cure,strength,relaxation,regularisation,initial condition,"
-         "error kind,error,unit,cost (row-solves of Gauss–Seidel a frame),row-solves a frame,time (ns a frame),"
+         "error kind,error,unit,cost (instructions a frame),row-solves a frame,time (ns a frame),"
          "watched (s),outcome,reason\n";
 }
 

@@ -33,6 +33,13 @@ std::vector<Point> thinned(const std::vector<Point>& front, Error error) {
   return kept;
 }
 
+/// Two digits, as a person would set it.
+double rounded(double value) {
+  if (!(value > 0)) return value;
+  const double scale = std::pow(10, 1 - std::floor(std::log10(value)));
+  return std::round(value * scale) / scale;
+}
+
 }  // namespace
 
 const Point& Runs::at(const Knobs& knobs) {
@@ -54,7 +61,7 @@ std::vector<Point> Runs::points() const {
 Knobs within_laws(const Problem& problem, const Family& family, Knobs knobs) {
   knobs.substeps = std::clamp(knobs.substeps, 1, most_substeps);
   knobs.passes = family.pass.empty() ? 1 : std::clamp(knobs.passes, 1, family.pass == "digit" ? 12 : most_passes);
-  knobs.relaxation = std::clamp(knobs.relaxation, family.least_relaxation, family.most_relaxation);
+  knobs.relaxation = rounded(std::clamp(knobs.relaxation, family.least_relaxation, family.most_relaxation));
   switch (knobs.cure) {
     case Cure::none: knobs.strength = 0; break;
     case Cure::baumgarte: {
@@ -62,11 +69,12 @@ Knobs within_laws(const Problem& problem, const Family& family, Knobs knobs) {
       const double most = family.name == "AVBD" ? 1
                           : !swept              ? 1.9
                                                 : largest_beta(problem, knobs.passes, knobs.relaxation);
-      knobs.strength = std::clamp(knobs.strength, 0.0, 0.95 * most);
+      // Less is no cure; that is a choice of its own.
+      knobs.strength = std::min(rounded(std::max(knobs.strength, 0.01)), 0.95 * most);
       break;
     }
-    case Cure::split_impulse: knobs.strength = std::clamp(knobs.strength, 0.0, 1.9); break;
-    case Cure::soft: knobs.strength = std::clamp(knobs.strength, 1e-4, 1e4); break;
+    case Cure::split_impulse: knobs.strength = rounded(std::clamp(knobs.strength, 0.01, 1.9)); break;
+    case Cure::soft: knobs.strength = rounded(std::clamp(knobs.strength, 1e-4, 1e4)); break;
     case Cure::projection: knobs.strength = std::clamp(std::round(knobs.strength), 1.0, 256.0); break;
   }
   return knobs;

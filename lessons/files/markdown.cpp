@@ -73,7 +73,9 @@ class PageWriter {
   }
 
   void operator()(const Excerpt& excerpt) {
-    paragraph(fmt::format("`{}`, line {}:\n\n```cpp\n{}```\n", excerpt.file, excerpt.line, excerpt.code));
+    const std::string place =
+        excerpt.line > 0 ? fmt::format("`{}`, line {}", excerpt.file, excerpt.line) : excerpt.file;
+    paragraph(fmt::format("{}:\n\n```cpp\n{}```\n", place, excerpt.code));
   }
 
   void operator()(const course::Table& table) {

@@ -67,6 +67,8 @@ void solve_rows(double regularisation, const Bodies<M>& bodies, EqualitiesWork<M
   const Direct solver{.regularisation = regularisation};
   solve_equations(solver, work.system, work.offset, bodies, work.direct, work.change);
   work.row_solves += direct_row_solves(solver, work.direct.plan, work.system.rows(), M::dof);
+  ++work.executed.solves;
+  work.executed.prepared_rows += work.system.rows();
 }
 
 /// Makes a number of substeps.

@@ -45,6 +45,7 @@ bool lay_out_naturally(const Scene<M>& scene, StepWork<M>& work) {
   if (work.version == scene.version()) return false;
   work.version = scene.version();
   scene.lay_out(natural_order(scene.count()), work.system);
+  work.executed.laid_out_rows += work.system.rows();
   return true;
 }
 

@@ -62,6 +62,7 @@ void rattle(Scene<M>& scene, const Rattle& method, Rattle::Work<M>& work) {
   const auto correct = [&] {
     solve_again(work.offset, work.direct, work.change);
     work.row_solves += row_solves_again(work.direct.plan, M::dof);
+    ++work.executed.passes;
     add_impulses(work.kicked, work);
     move_kicked(bodies, work);
   };

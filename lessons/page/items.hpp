@@ -29,8 +29,8 @@ struct Equation {
 
 /// Lines of the compiled source, without markers and common indentation.
 struct Excerpt {
-  std::string file;  // path from the root of the repository
-  int line = 0;      // of the first line shown
+  std::string file;  // path from the root of the repository; of code for a reader's own program, what it is
+  int line = 0;      // of the first line shown; 0 where it is in no file
   std::string code;
 };
 

@@ -53,6 +53,9 @@ class Page {
   /// "solver/row.hpp"). Throws LessonError when the file or the pair of markers is missing.
   void excerpt(const std::string& file, const std::string& tag);
 
+  /// Code for a reader's own program, under a caption.
+  void code(std::string caption, std::string lines) { add(Excerpt{std::move(caption), 0, std::move(lines)}); }
+
   /// `page.table({"symbol", "meaning", "unit"}, {{"d", "P₂ − P₁", "m"}, …})`; cells may use emphasis.
   void table(std::vector<std::string> head, std::vector<std::vector<std::string>> rows);
 

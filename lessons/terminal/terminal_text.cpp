@@ -87,8 +87,8 @@ std::string item_text(const Equation& equation, const Style& style) {
 }
 
 std::string item_text(const Excerpt& excerpt, const Style& style) {
-  return toned(fmt::format("  {}:{}", excerpt.file, excerpt.line), Tone::quiet, style) + "\n" +
-         toned(folded(excerpt.code, style, 4), Tone::code, style);
+  const std::string place = excerpt.line > 0 ? fmt::format("{}:{}", excerpt.file, excerpt.line) : excerpt.file;
+  return toned("  " + place, Tone::quiet, style) + "\n" + toned(folded(excerpt.code, style, 4), Tone::code, style);
 }
 
 std::string item_text(const Table& table, const Style& style) {

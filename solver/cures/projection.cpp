@@ -52,7 +52,9 @@ long long project(const Projection& cure, Scene<M>& scene) {
 template <class M>
 void Projection::after_move(Stage<M>& stage) const {
   stage.work.contacts.follow_balls(stage.scene, stage.work.system);
-  stage.work.row_solves += project(*this, stage.scene);
+  const long long rows = project(*this, stage.scene);
+  stage.work.row_solves += rows;
+  stage.work.executed.projected_rows += rows;
 }
 
 #define BYHAND_INSTANTIATE(M)                               \

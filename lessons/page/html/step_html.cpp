@@ -65,10 +65,11 @@ class ItemWriter {
   }
 
   void operator()(const Excerpt& excerpt) {
-    child(fmt::format(
-        "<figure class=\"excerpt\" data-item=\"{}\"><figcaption><code>{}</code>, line {}</figcaption>{}"
-        "</figure>",
-        index_, escaped(excerpt.file), excerpt.line, code_html(excerpt.code)));
+    const std::string caption = excerpt.line > 0
+                                    ? fmt::format("<code>{}</code>, line {}", escaped(excerpt.file), excerpt.line)
+                                    : escaped(excerpt.file);
+    child(fmt::format("<figure class=\"excerpt\" data-item=\"{}\"><figcaption>{}</figcaption>{}</figure>", index_,
+                      caption, code_html(excerpt.code)));
   }
 
   void operator()(const course::Table& data) {

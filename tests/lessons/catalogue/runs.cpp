@@ -90,14 +90,35 @@ TEST_P(Cost, OfManyStepsAndOfManySweepsDiffersAsTheirTimesDo) {
   EXPECT_LT(std::abs(std::log(counted / timed)), std::log(1.5)) << counted << " and " << timed;
 }
 
-TEST(Weights, AreThoseOfTheModel) {
-  // A top is one body on three rows; a step of one sweep solves each once.
-  const Weights space = weights_of("Gauss–Seidel", true);
-  EXPECT_NEAR(measure(Problem("top"), sweeps(), {}, {.seconds = 0.5}).cost,
-              3 * (space.row_solve + space.row) + space.body + space.substep + space.step, 1e-9);
-  const Weights plane = weights_of("Gauss–Seidel");
-  EXPECT_NEAR(measure(Problem("pendulum"), sweeps(), {}, {.seconds = 0.5}).cost,
-              plane.row_solve + plane.row + plane.body + plane.substep + plane.step, 1e-9);
+TEST(Prices, ArePaidForWhatAStepExecutes) {
+  // A top is one body on three rows; a step of one sweep writes, prepares and solves each once. Its rows are laid
+  // out in the first of so many steps.
+  const Family& family = sweeps();
+  const double steps = 30;
+  const auto step = [&](RowKind kind, double rows) {
+    const Prices all = prices_of(kind, family, Cure::none);
+    return rows * (all.row_solve + all.prepared_row + all.written_row + all.laid_out_row / steps) + all.solve +
+           all.pass + all.body + all.substep + all.step;
+  };
+  const auto cost = [&](const char* scene) {
+    return measure(Problem(scene), family, {}, {.seconds = steps / 60}).cost;
+  };
+  EXPECT_NEAR(cost("top"), step(RowKind::links_in_space, 3), 1e-6);
+  EXPECT_NEAR(cost("pendulum"), step(RowKind::bobs, 1), 1e-6);
+}
+
+TEST(Prices, OfAProjectionAreChargedBySweepAndRow) {
+  // The review's finding: a sweep of a projection was charged as one row-solve, and it takes several.
+  const Problem chain("chain", {{"links", 50}, {"end_mass", 100}});
+  const auto cost = [&](double sweeps) {
+    return measure(chain, family_named("direct"), {.substeps = 3, .cure = Cure::projection, .strength = sweeps},
+                   {.seconds = 0.2, .reference = false})
+        .cost;
+  };
+  const double row = prices_of(RowKind::links, "projection").projected_row,
+               solve = prices_of(RowKind::links, "Gauss–Seidel").row_solve;
+  EXPECT_NEAR(cost(16) - cost(4), 3 * 12 * 100 * row, 1e-6 * cost(16));
+  EXPECT_GT(row, 3 * solve);
 }
 
 TEST(Limit, OfLaw7IsThatOfTheHangingChain) {
@@ -154,7 +175,7 @@ TEST_P(Tuned, IsNeverBeatenByADefault) {
   const std::array watched{Error::drift, Error::trajectory};
   for (const char* name : {"Gauss–Seidel", "direct", "XPBD"}) {
     const Family& family = family_named(name);
-    Runs runs(problem, family, {.most = 3000});
+    Runs runs(problem, family, {.most = 150000});
     explore(runs, watched, 300);
     std::vector<Knobs> defaults;
     for (const int substeps : {1, 4}) {
@@ -165,9 +186,11 @@ TEST_P(Tuned, IsNeverBeatenByADefault) {
     for (const Knobs& knobs : defaults) {
       const Point untuned = measure(problem, family, knobs);
       for (const Error error : watched)
-        if (untuned.has(error) && untuned[error] > 1e-12 && untuned.cost < 1500) {
-          EXPECT_LT(cost_to_reach(pareto_front(runs.points(), error), error, untuned[error]), 1.05 * untuned.cost)
-              << untuned.described() << ", " << name_of(error);
+        if (untuned.has(error) && untuned[error] > 1e-12 && untuned.cost < 75000) {
+          double least = INFINITY;
+          for (const Point& point : runs.points())
+            if (point.has(error) && point[error] <= untuned[error]) least = std::min(least, point.cost);
+          EXPECT_LT(least, 1.05 * untuned.cost) << untuned.described() << ", " << name_of(error);
         }
     }
   }
@@ -175,7 +198,7 @@ TEST_P(Tuned, IsNeverBeatenByADefault) {
 
 TEST_P(Tuned, NeitherFellNorViolatesALaw) {
   const Problem problem = problem_of(GetParam());
-  Runs runs(problem, sweeps(), {.most = 2000});
+  Runs runs(problem, sweeps(), {.most = 100000});
   explore(runs, std::array{Error::drift}, 150);
   const auto front = pareto_front(runs.points(), Error::drift);
   ASSERT_FALSE(front.empty());

@@ -1,0 +1,243 @@
+// What a row-solve, a row that is written, a body that is moved … takes in instructions: measures the prices of
+// lessons/catalogue/prices.inc, and holds costs that are counted with them against callgrind's count. Both draw
+// settings: every kind of rows, from one body to two hundred, every method and cure.
+//
+//   prices run COUNT SEED    under valgrind --tool=callgrind: runs that many settings, and has callgrind write the
+//                            instructions of each. Prints what each counted
+//   prices fit COUNTED DUMPS the prices, none below zero, with the least relative error, as a table of C++
+//   prices check COUNTED DUMPS  fails unless of 10 settings 9 are counted within 15 %, and of 100 at most one is more
+//                            than 30 % off: of one body, of accelerated gradients and of columns about to move
+//
+// prices.sh puts them together.
+
+#include <fmt/format.h>
+#include <valgrind/callgrind.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <numeric>
+#include <random>
+#include <sstream>
+
+#include "lessons/catalogue/run.hpp"
+
+namespace {
+
+using namespace byhand;
+
+constexpr const char* kind_names[] = {"bobs",          "balls",          "links",         "boxes",
+                                      "bobs_in_space", "balls_in_space", "links_in_space"};
+constexpr const char* bob_models[] = {"bobs in the plane", "balls in the plane", "links in the plane",
+                                      "bobs in space",     "balls in space",     "links in space"};
+
+constexpr int counts = 11;
+using Counts = std::array<double, counts>;  // in the order of Prices
+
+Counts counts_of(const Effort& effort) {
+  const auto number = [](long long count) { return static_cast<double>(count); };
+  const Executed& also = effort.executed;
+  return {number(effort.row_solves),   number(also.laid_out_rows), number(also.solves),
+          number(also.passes),         number(also.prepared_rows), number(also.projected_rows),
+          number(effort.written_rows), number(effort.bodies),      number(effort.contacts),
+          number(effort.substeps),     number(effort.steps)};
+}
+double paid(const Counts& all, const Prices& prices) {
+  const Counts each{prices.row_solve,    prices.laid_out_row,  prices.solve,       prices.pass,
+                    prices.prepared_row, prices.projected_row, prices.written_row, prices.body,
+                    prices.contact,      prices.substep,       prices.step};
+  return std::inner_product(all.begin(), all.end(), each.begin(), 0.0);
+}
+Cure cure_named(std::string_view name) {
+  for (const Cure cure : {Cure::baumgarte, Cure::projection, Cure::split_impulse, Cure::soft})
+    if (name_of(cure) == name) return cure;
+  return Cure::none;
+}
+
+/// Which counts a part of a step has a price for.
+std::array<bool, counts> paid_by(std::string_view part, bool solves_rows) {
+  // row-solve, laid out, solve, pass, prepared, projected, written, body, contact, substep, step
+  if (part == "stepping") return {0, 1, 0, 0, 0, 0, 1, 1, 1, 1, 1};
+  if (!solves_rows) return {1, 1, 1, 1, 1, 0, 1, 1, 1, 1, 1};
+  if (std::any_of(families().begin(), families().end(), [&](const Family& one) { return one.name == part; }))
+    return {1, 0, 1, 1, 1, 0, 0, 0, 0, 0, 0};
+  return {1, 0, 0, 0, 0, 1, 1, 1, 0, 1, 0};  // a cure
+}
+
+class Draws {
+ public:
+  explicit Draws(unsigned seed) : engine_(seed) {}
+  template <class T>
+  T one_of(std::initializer_list<T> all) {
+    return all.begin()[below(all.size())];
+  }
+  std::size_t below(std::size_t count) { return engine_() % count; }
+  double between(double low, double high) { return low * std::pow(high / low, (engine_() >> 5) / 134217728.0); }
+
+ private:
+  std::mt19937 engine_;
+};
+
+Problem drawn_problem(Draws& draws) {
+  const std::string model = bob_models[draws.below(6)];
+  const double links = draws.one_of({1.0, 2.0, 3.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0});
+  switch (draws.below(10)) {
+    case 0: return Problem("stack", {{"boxes", draws.one_of({2.0, 3.0, 5.0, 8.0, 12.0, 30.0})}, {"kick", 0.02}});
+    case 1: return Problem("pyramid", {{"base", draws.one_of({2.0, 3.0, 4.0, 6.0, 9.0, 12.0})}, {"kick", 0.02}});
+    case 2: return Problem(draws.one_of({"incline", "four_bar"}));
+    case 3: return Problem(draws.one_of({"top", "spherical_pendulum", "conical_pendulum"}));
+    case 4: return Problem("pendulum", {}, bob_models[draws.one_of<std::size_t>({0, 1, 3, 4})]);
+    case 5: return Problem("compound_pendulum", {}, bob_models[draws.one_of<std::size_t>({2, 5})]);
+    default: return Problem("chain", {{"links", links}}, model);
+  }
+}
+
+Knobs drawn_knobs(const Family& family, Draws& draws) {
+  Knobs knobs{.substeps = draws.one_of({1, 1, 2, 3, 4, 8, 14})};
+  if (!family.pass.empty()) knobs.passes = draws.one_of({1, 2, 4, 8, 20});
+  if (family.pass == "digit") knobs.passes = std::min(knobs.passes, 6);
+  knobs = with_cure(knobs, family.cures[draws.below(family.cures.size())]);
+  if (knobs.cure == Cure::projection)
+    knobs.strength = draws.one_of({1, 2, 4, 8, 16});
+  else if (knobs.cure != Cure::none)
+    knobs.strength = draws.between(0.02, 0.9);
+  if (family.most_relaxation > 1) knobs.relaxation = draws.one_of({1.0, 1.3, 1.7});
+  if (family.name == "Jacobi") knobs.relaxation = 0.4;
+  return knobs;
+}
+
+/// Prints a setting, its kind of rows and what ten frames of it counted; callgrind writes their instructions. Not of one
+/// that fails: its cost does not count, and numbers without end take any time.
+void run(const Problem& problem, const Family& family, const Knobs& knobs) {
+  const Setting setting = family.setting(knobs);
+  AnyScene scene = problem.start();
+  if (measure(problem, family, knobs, {.seconds = 20 * frame, .reference = false}).outcome != Outcome::good) return;
+  scene.use(setting.method);
+  const auto frames = [&](int count) {
+    for (int i = 0; i < count * setting.steps; ++i) scene.step(frame / setting.steps);
+  };
+  frames(10);
+  const Counts first = counts_of(scene.effort());
+  CALLGRIND_ZERO_STATS;
+  frames(10);
+  CALLGRIND_DUMP_STATS;
+  const Counts last = counts_of(scene.effort());
+  fmt::print("{};{};{};{} of {}{}", static_cast<int>(scene.row_kind()), family.name, name_of(knobs.cure),
+             problem.scene().name, scene.rows(), described_knobs(family, knobs));
+  for (std::size_t k = 0; k < counts; ++k) fmt::print(";{}", last[k] - first[k]);
+  fmt::print("\n");
+}
+
+void run(int count, unsigned seed) {
+  Draws draws(seed);
+  for (int i = 0; i < count; ++i) {
+    const Problem problem = drawn_problem(draws);
+    const Family& family = families()[draws.below(families().size())];
+    run(problem, family, drawn_knobs(family, draws));
+  }
+}
+
+struct Counted {
+  RowKind kind;
+  std::string family, cure, what;
+  Counts counts;
+  double instructions;
+};
+
+std::vector<Counted> read(const char* efforts, int count, char** dumps) {
+  std::vector<double> instructions;
+  for (int i = 0; i < count; ++i) {
+    std::ifstream dump(dumps[i]);
+    double total = 0, part = 0;
+    for (std::string word; dump >> word;) {
+      if (word == "part:") dump >> part;
+      if (word == "totals:" || word == "summary:") dump >> total;
+    }
+    if (static_cast<std::size_t>(part) > instructions.size()) instructions.resize(static_cast<std::size_t>(part));
+    if (part > 0) instructions[static_cast<std::size_t>(part) - 1] = total;
+  }
+  std::vector<Counted> all;
+  std::ifstream lines(efforts);
+  for (std::string line; std::getline(lines, line) && all.size() < instructions.size();) {
+    std::istringstream fields(line);
+    std::string field;
+    const auto next = [&] { return std::getline(fields, field, ';'), field; };
+    Counted one;
+    one.kind = static_cast<RowKind>(std::stoi(next()));
+    one.family = next(), one.cure = next(), one.what = next();
+    for (double& number : one.counts) number = std::stod(next());
+    one.instructions = instructions[all.size()];
+    all.push_back(one);
+  }
+  return all;
+}
+
+/// The prices of one kind of rows: each in turn the best while the others stay, until they do.
+void fit(RowKind kind, const std::vector<Counted>& all) {
+  std::map<std::string, Counts> prices;
+  std::vector<const Counted*> runs;
+  std::vector<double> rest;  // of each run, the share that is not paid for yet
+  const auto parts_of = [](const Counted& one) {
+    return family_named(one.family).solves_rows ? std::vector<std::string>{one.family, "stepping", one.cure}
+                                                : std::vector<std::string>{one.family};
+  };
+  std::map<std::string, std::vector<std::size_t>> users;
+  for (const Counted& one : all)
+    if (one.kind == kind) {
+      for (const std::string& part : parts_of(one)) users[part].push_back(runs.size()), prices[part] = {};
+      runs.push_back(&one), rest.push_back(1);
+    }
+  for (int round = 0; round < 4000; ++round)
+    for (auto& [part, own] : prices) {
+      const Family& user = family_named(runs[users[part].front()]->family);
+      const auto paid = paid_by(part, user.solves_rows);
+      for (std::size_t k = 0; k < counts; ++k) {
+        if (!paid[k]) continue;
+        double product = 0, square = 0;
+        for (const std::size_t i : users[part]) {
+          const double share = runs[i]->counts[k] / runs[i]->instructions;
+          product += (rest[i] + own[k] * share) * share, square += share * share;
+        }
+        const double best = square > 0 ? std::max(0.0, product / square) : 0;
+        for (const std::size_t i : users[part])
+          rest[i] -= (best - own[k]) * runs[i]->counts[k] / runs[i]->instructions;
+        own[k] = best;
+      }
+    }
+  for (const auto& [part, own] : prices) {
+    double worst = 0;
+    for (const std::size_t i : users[part]) worst = std::max(worst, std::abs(rest[i]));
+    fmt::print("{{RowKind::{}, \"{}\", {{", kind_names[static_cast<int>(kind)], part);
+    for (std::size_t k = 0; k < counts; ++k) fmt::print("{}{:.4g}", k ? ", " : "", own[k]);
+    fmt::print("}}}},\n");
+    std::cerr << fmt::format("{:>15} {:<32} {:4} runs, within {:.0f} %\n", kind_names[static_cast<int>(kind)],
+                             part, users[part].size(), 100 * worst);
+  }
+}
+
+int check(const std::vector<Counted>& all) {
+  int good = 0, bad = 0;
+  for (const Counted& one : all) {
+    const Prices prices = prices_of(one.kind, family_named(one.family), cure_named(one.cure));
+    const double off = paid(one.counts, prices) / one.instructions - 1;
+    good += std::abs(off) <= 0.15, bad += std::abs(off) > 0.3;
+    if (std::abs(off) > 0.15) fmt::print("{:+4.0f} %  {}: {}\n", 100 * off, one.family, one.what);
+  }
+  const double share = static_cast<double>(good) / static_cast<double>(all.size());
+  fmt::print("{} settings: {:.1f} % counted within 15 %, {} beyond 30 %\n", all.size(), 100 * share, bad);
+  return !all.empty() && share >= 0.9 && 100 * static_cast<std::size_t>(bad) <= all.size() ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::string command = argc > 1 ? argv[1] : "";
+  if (command == "run" && argc == 4) return run(std::stoi(argv[2]), static_cast<unsigned>(std::stoul(argv[3]))), 0;
+  if (argc < 4)
+    return std::cerr << "prices run COUNT SEED, prices fit COUNTED DUMPS, prices check COUNTED DUMPS\n", 2;
+  const auto all = read(argv[2], argc - 3, argv + 3);
+  if (command == "check") return check(all);
+  for (int kind = 0; kind < 7; ++kind) fit(static_cast<RowKind>(kind), all);
+  return 0;
+}
