@@ -48,6 +48,9 @@ std::string text_of(const ConjugateSweeps& solver) {
       .with("tolerance", solver.tolerance, ConjugateSweeps{}.tolerance)
       .text();
 }
+std::string text_of(const SemismoothNewton& solver) {
+  return Struct("SemismoothNewton").with("rounds", solver.rounds, SemismoothNewton{}.rounds).text();
+}
 std::string text_of(const ByGraph&) { return "ByGraph{}"; }
 template <class Iterative>
 std::string text_of_iterative(const char* name, const Iterative& solver) {
