@@ -22,11 +22,6 @@ namespace fs = std::filesystem;
 
 constexpr auto manifest_name = "manifest.json";
 
-std::string checksum(const fs::path& path) {
-  const auto bytes = read_whole(path);
-  return bytes ? sha256(*bytes) : "";
-}
-
 bool lies_below(const fs::path& name) {
   return name == name.lexically_normal() && name.has_filename() && name.is_relative() && *name.begin() != "..";
 }
@@ -178,7 +173,7 @@ void OutputFolder::check_in_place() const {
 void OutputFolder::check_written() const {
   check_in_place();
   for (const auto& [name, sum] : files_)
-    if (checksum(path_ / name) != sum)
+    if (sha256_of_file(path_ / name) != sum)
       throw EnvironmentError(
           fmt::format("{} was changed or removed by another program while the lesson wrote its files.",
                       (path_ / name).string()));
@@ -243,7 +238,7 @@ std::vector<std::string> differences(const fs::path& folder, int& files) {
         ++files;
         if (!fs::exists(fs::symlink_status(folder / name, ignored)))
           wrong.push_back(name + " is missing");
-        else if (checksum(folder / name) != sum)
+        else if (sha256_of_file(folder / name) != sum)
           wrong.push_back(name + " is not as it was written");
       }
   // A site keeps what its owner puts into it, as a CNAME.

@@ -4,6 +4,7 @@
 #include <glib.h>
 #include <histedit.h>
 #include <poll.h>
+#include <sys/ioctl.h>
 #include <termios.h>
 #include <unistd.h>
 
@@ -62,10 +63,17 @@ extern "C" void on_end(int signal) {
   raise(signal);
 }
 
+/// Whether libedit can draw a terminal of this size: it keeps every cell of it.
+bool can_be_edited() {
+  constexpr int most_cells = 1'000'000;
+  winsize size{};
+  return ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col * size.ws_row <= most_cells;
+}
+
 bool has_cursor() {
   const char* const terminal = std::getenv("TERM");
   return isatty(STDIN_FILENO) && isatty(STDOUT_FILENO) && terminal && *terminal &&
-         std::string_view(terminal) != "dumb";
+         std::string_view(terminal) != "dumb" && can_be_edited();
 }
 
 /// Keys are not echoed, and come one by one. Ctrl-S is a key like others: a lesson that it stopped would notice no
@@ -124,7 +132,7 @@ struct Keyboard::Editor {
     std::string& waiting = self.keyboard.waiting_;
     while (true) {
       if (std::exchange(resized, 0)) {
-        el_resize(line);
+        if (can_be_edited()) el_resize(line);
         if (self.redraw) self.redraw();
         *character = redisplay;
         return 1;

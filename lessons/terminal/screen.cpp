@@ -43,7 +43,7 @@ Style Screen::style() const {
   Style style;
   // Lines longer than 100 columns are hard to read, and shorter than 40 break formulas.
   style.width = std::clamp<int>(known ? size.ws_col : 80, 40, 100);
-  style.rows = std::max<int>(known ? size.ws_row : 24, 12);
+  style.rows = std::clamp<int>(known ? size.ws_row : 24, 12, 500);
   style.cursor = keyboard_.edits_lines();
   style.colours = style.cursor && !(no_colour && *no_colour);
   style.plain = plain_;

@@ -238,13 +238,16 @@ std::string character_picture(renderer::PixelCanvas& canvas, int columns, const 
 bool shows_images() { return pixel_mode() != CHAFA_PIXEL_MODE_SYMBOLS; }
 
 std::string image_sequence(const Image& image, int columns, int rows) {
+  // A terminal may say anything of its size; no letter is larger than this.
+  constexpr int least = 2, most = 64;
   winsize size{};
-  const bool known = ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_xpixel > 0 && size.ws_col > 0;
+  const bool told = ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 && size.ws_row > 0;
+  const int width = told ? size.ws_xpixel / size.ws_col : 0, height = told ? size.ws_ypixel / size.ws_row : 0;
+  const bool known = std::min(width, height) >= least && std::max(width, height) <= most;
   const Owned<ChafaCanvasConfig, chafa_canvas_config_unref> config(chafa_canvas_config_new());
   chafa_canvas_config_set_geometry(config.get(), columns, rows);
   chafa_canvas_config_set_pixel_mode(config.get(), pixel_mode());
-  chafa_canvas_config_set_cell_geometry(config.get(), known ? size.ws_xpixel / size.ws_col : 10,
-                                        known ? size.ws_ypixel / size.ws_row : 20);
+  chafa_canvas_config_set_cell_geometry(config.get(), known ? width : 10, known ? height : 20);
   const Owned<ChafaCanvas, chafa_canvas_unref> canvas(chafa_canvas_new(config.get()));
   chafa_canvas_draw_all_pixels(canvas.get(), CHAFA_PIXEL_RGB8, image.rgb.data(), image.width, image.height,
                                3 * image.width);

@@ -1,6 +1,8 @@
 #include <GL/osmesa.h>
 
 #include <array>
+#include <cstdlib>
+#include <string_view>
 
 #include "renderer/error.hpp"
 #include "renderer/opengl/offscreen.hpp"
@@ -23,6 +25,13 @@ namespace {
 class OSMesa : public Context {
  public:
   OSMesa() {
+    // Mesa crashes on a driver that it does not have.
+    const char* const driver = std::getenv("GALLIUM_DRIVER");
+    const std::string_view wanted = driver ? driver : "";
+    if (!wanted.empty() && wanted != "llvmpipe" && wanted != "softpipe")
+      throw Unavailable(
+          "The environment sets GALLIUM_DRIVER, but not to llvmpipe or softpipe, with which OSMesa "
+          "draws: unset GALLIUM_DRIVER.");
     const int attributes[] = {OSMESA_FORMAT,
                               OSMESA_RGBA,
                               OSMESA_DEPTH_BITS,

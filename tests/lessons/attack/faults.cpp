@@ -369,6 +369,13 @@ TEST_F(Faults, WithoutThreadsTheSamePicturesAreDrawn) {
   }
 }
 
+TEST_F(Faults, ADriverThatMesaDoesNotHaveIsNamed) {
+  const Finished finished = run(std::string("GALLIUM_DRIVER=nonsense ") + BYHAND_FIXTURE +
+                                " --quality low --output " + (folder_ / "output").string());
+  EXPECT_EQ(finished.status, 3) << finished.complained;
+  EXPECT_THAT(finished.complained, HasSubstr("unset GALLIUM_DRIVER"));
+}
+
 TEST_F(Faults, AClosedOutputIsNamed) {
   for (const char* closed : {" >&-", " >/dev/full"}) {
     for (const char* words : {" --check", " --list-parameters", " --help", " --questions"}) {

@@ -10,10 +10,12 @@
 #include <chrono>
 #include <csignal>
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "lessons/files/checksum.hpp"
 #include "lessons/page/error.hpp"
 
 namespace byhand::course {
@@ -38,6 +40,17 @@ TEST_F(AtomicFile, ReplacesAnOlderOneAndMakesFolders) {
   write_whole(path, "another");
   EXPECT_EQ(read_whole(path), "another");
   EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 1);
+}
+
+TEST_F(AtomicFile, HasTheChecksumOfItsBytesAtAnySize) {
+  for (const std::size_t size : {0, 1, (1 << 20) - 1, 1 << 20, (1 << 20) + 1, (2 << 20) + 7}) {
+    std::string bytes(size, 'a');
+    for (std::size_t i = 0; i < size; i += 97) bytes[i] = static_cast<char>(i);
+    std::ofstream(folder_ / "file", std::ios::binary) << bytes;
+    EXPECT_EQ(sha256_of_file(folder_ / "file"), sha256(bytes)) << size;
+  }
+  EXPECT_EQ(sha256_of_file(folder_ / "none"), "");
+  EXPECT_EQ(sha256_of_file("/dev/zero"), "");
 }
 
 TEST_F(AtomicFile, UnderAFileIsRefused) {

@@ -127,6 +127,16 @@ TEST_F(Keys, AnotherSizeWrapsTheStepAnew) {
   reader.expect("Yes.");
 }
 
+TEST_F(Keys, ATerminalMaySayAnythingOfItsSize) {
+  for (const Size size : {Size{65535, 65535}, Size{1, 1}}) {
+    std::filesystem::remove_all(folder_ / "state");
+    Terminal reader = open({}, size);
+    reader.expect("Your prediction in m");
+    reader.enter("0.033");
+    reader.expect("Yes.");
+  }
+}
+
 TEST_F(Keys, NoLineIsWiderThanTheTerminal) {
   for (const Size size : {Size{80, 24}, Size{100, 40}, Size{50, 24}, Size{200, 60}})
     for (const char* terminal : {"xterm-256color", "dumb"}) {
