@@ -157,7 +157,6 @@ void friction_row(const Setting& setting, Page& page) {
         R"(\text{slip} = \frac{A_{tn}}{A_{nn}}\,v)"},
        {"(19), with r from the centre to the corner", "Aₙₙ = 1/m + rₓ²/I,   Aₜₙ = −rₓ r_y/I",
         R"(A_{nn} = \frac1m + \frac{r_x^2}{I}, \qquad A_{tn} = -\frac{r_x r_y}{I})"}});
-  within_the_cone(setting, page);
   const double lifted = rubbed.approach();
   const Quantity slip("slip left/speed", std::abs(settled.slip()) / speed);
   page.text(
@@ -171,6 +170,7 @@ void friction_row(const Setting& setting, Page& page) {
             .say = say("In the end nothing changes any more: with μ = @ the bound is too small, and the "
                        "corner slips.",
                        setting.friction)}}));
+  within_the_cone(setting, page);
   page.text(
       R"(Friction needs λₙ for its bound. Which of the two rows comes first? Take the simplest thing that slides, a
       particle of @ kg at @ m/s on level ground, μ = @: one contact, one row of friction.)",
@@ -196,7 +196,8 @@ void friction_row(const Setting& setting, Page& page) {
       R"(With two sweeps the second finds the λₙ of the first, and a warm start keeps the λₙ of the step before: both
       hide the mistake, apart from the delay. With the normals first friction is right from the first sweep. But
       then no normal row follows to correct what friction disturbs, so bodies may sink a little where they rub.
-      Some engines, Box2D among them, therefore solve friction first and rely on the warm start.)");
+      Some engines, Box2D 2 among them, therefore solve friction first and rely on the warm start; Box2D 3 takes the
+      normals first.)");
 
   page.measure("slip after the normal's impulse", pressed.slip(), "m/s");
   page.measure("stopping distance", stopping_distance(setting, orders[0].solver), "m");

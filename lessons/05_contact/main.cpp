@@ -50,8 +50,8 @@ int main(int argc, char** argv) {
             "A bounce is b = e JV⁻, with JV⁻ where the fall meets the ground; reversed on overlap it gains h·v "
             "each time.",
             "Where many bodies touch at once, the rows have one result and nature has another.",
-            R"(Sweeps carry a stack's weight quickly, but not its bending: to stand it takes about ¾gh²N³ warm sweeps,
-            or a direct solve.)"},
+            R"(Sweeps carry a stack's weight quickly, but not its bending: a stack of N boxes of height a whose
+            overlaps are left uncorrected takes about ¾gh²N³/a warm sweeps to stand, or a direct solve.)"},
        .tries = {{"With each change clamped a square box stands and a slim one does not. Where does it begin?",
                   "./lessons/run contact --step 1 --set width=0.7"},
                  {"Half the step: which of the stacks stand now, with the same sweeps?",

@@ -193,7 +193,7 @@ void push_only(const Setting& setting, Page& page) {
       {say("@ × 1 m, sum clamped", width), width, {width, mass, h, setting.sweeps, Clamp::sum, lift}}};
   page.text(up > 0
                 ? R"(In a step of rest that is only @ m/s. But gh could be any speed: let boxes *fall* on their two
-               corners from @ m, and the same share of the speed of the fall is left over, together with a turn.)"
+               corners from @ m, and a share of what the rows take away is left over again, together with a turn.)"
                 : R"(Nothing is left over here (@ m/s), and the same holds for a fall: let boxes fall on their two
                corners from @ m.)",
             up * gravity * h, lift);

@@ -98,6 +98,17 @@ void within_the_cone(const Setting& setting, Page& page) {
       [shown = ConeFilm{film, states, setting.friction(), speed, unit}](Canvas& canvas, double time) {
         shown.draw(canvas, time);
       });
+  for (int sweep = 0; sweep < 60; ++sweep) {
+    box.solve_normal();
+    box.solve_friction();
+  }
+  const Quantity slip("slip/speed", std::abs(box.slip()) / speed);
+  page.text("@ @", "After many more sweeps nothing changes any more.",
+            page.verdict(
+                {{.when = slip < 1e-6, .say = "The corner sticks."},
+                 {.when = slip >= 1e-6,
+                  .say = say("With μ = @ the bound is too small for this box, and its corner slips on at @ m/s.",
+                             setting.friction, Value(std::abs(box.slip()), 3))}}));
 }
 
 }  // namespace byhand::contact

@@ -132,7 +132,10 @@ void bounds_on_turns(const Setting& setting, Page& page) {
              {{degrees(balance),
                R"(There its strength balances the weight's moment. But the bar arrives with speed, and needs more
                     way to lose it.)"},
-              {90, "So it would with some friction instead of the motor; the motor still pushes back there."},
+              {90,
+               "It would with a damper, whose torque vanishes at rest. A motor told to stand still, with a bound, "
+               "is dry "
+               "friction in the joint."},
               {0, "To hold it level takes mgl/2, and the motor has less."}},
          .hints = {"At its bound the motor is a brake of constant moment. Compare two energies.",
                    "Gravity's work is ½mgl sin φ; the brake's is τφ.",

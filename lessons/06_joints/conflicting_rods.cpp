@@ -113,10 +113,10 @@ void conflicting_rods(const Setting& setting, Page& page) {
   page.text(
       R"(
       - sweeps, started cold: the first row takes everything (@ and @ N·s), and the second finds no error left;
-      - sweeps, started warm from λ = (@, @): the difference stays (@ and @ N·s), because no row measures it;
+      - sweeps, started warm from pulls of @ and @ N·s: the difference stays (@ and @ N·s), because no row measures it;
       - directly with a regularisation: half each (@ and @ N·s), the solution with the smallest λ.)",
-      -lambda(first, 0), without_rounding(-lambda(first, 1), weight * h), m, -m, lambda(biased, 0),
-      lambda(biased, 1), -lambda(shared, 0), -lambda(shared, 1));
+      -lambda(first, 0), without_rounding(-lambda(first, 1), weight * h), -m, m, -lambda(biased, 0),
+      -lambda(biased, 1), -lambda(shared, 0), -lambda(shared, 1));
   for (const auto& [rods, name] :
        {std::pair{&first, "cold"}, std::pair{&biased, "warm, from opposed λ"}, std::pair{&shared, "regularised"}})
     // Two lengths.

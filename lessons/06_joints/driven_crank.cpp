@@ -121,7 +121,7 @@ void driven_crank(const Setting& setting, Page& page) {
   const Run run = run_of(options, h), fine = run_of(options, h / 2);
 
   page.text(
-      R"(Every joint of this lesson in one machine: a motor turns a crank of @ m at @ rad/s, a rod of @ m joins it by two
+      R"(Pins, a slider and a motor in one machine: the motor turns a crank of @ m at @ rad/s, a rod of @ m joins it by two
       pins to a piston, and a slider guides the piston. Three bodies of @ kg have nine numbers of velocity; three pins
       and a slider take eight of them, and the motor's row the last. The motion is fixed, so there is a closed form
       for all of it:)",

@@ -115,7 +115,8 @@ void left_out(const Setting& setting, Page& page) {
       [=, chart = off_over_time(flight)](Canvas& canvas) { draw_fan(canvas, flight, chart); });
   page.text(
       R"(It looks harmless: energy, ω and the length of Iω are all kept. But the *direction* of Iω is wrong by up to @°,
-      and a real book moves quite differently: it turns over every @ s, as the next step shows.)",
+      and a real book that is thrown like this moves quite differently: it turns over every @ s. The next step shows how,
+      with another throw.)",
       Value(degrees(turned), 3), Value(FreeTop(moments, spin).period() / 2, 3));
   page.measure("Iω off by up to", degrees(turned), "deg");
 

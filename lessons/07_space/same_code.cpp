@@ -119,7 +119,8 @@ void same_code(const Setting& setting, Page& page) {
               how_many());
   page.text(
       R"(A row has @ numbers instead of @, and the velocity of a body @ instead of @. So a sweep takes @ times as many
-      multiplications. Nothing else changes for sweeps, β and warm starts, because they see rows only.)",
+      multiplications. Nothing else changes for sweeps and β, because they see rows only. A warm start has one thing more to do: the
+      tangents of friction turn from step to step, and a remembered λₜ turns with them.)",
       space.row, plane.row, space.velocity, plane.velocity, space.row / plane.row);
 
   const Twins pair = twins(setting);
