@@ -185,6 +185,7 @@ std::string margin_in_words(const byhand::Choice& choice, const Problem& problem
 
 /// "all methods were tried up to 370 000 instructions a frame, …".
 std::string searched_in_words(const byhand::Choice& choice) {
+  if (std::isinf(choice.searched)) return "all methods were tried within the time that you allow";
   return say(
       "all methods were tried up to @ instructions a frame@", Value(choice.searched, 2),
       choice.searched_exactly > choice.searched

@@ -22,7 +22,7 @@ Simulation<PlaneBody> put_down(const Column& column, double overlap) {
   Simulation<PlaneBody> simulation{{}, method};
   Scene<PlaneBody>& scene = simulation.scene;
   scene.gravity = {0, -column.gravity};
-  const auto [width, height] = column.size;
+  const double width = column.size.width, height = column.size.height;
   scene.add_body({0, 0}, fixed<PlaneBody>());
   for (int i = 1; i <= column.boxes; ++i) {
     const double y = i * (height - overlap) - height / 2;
