@@ -74,7 +74,9 @@ renderer::Chart chart_of(const Scaling& scaling, const std::string& label, const
 
 }  // namespace
 
-void chains(Page& page) { cost_to_a_millimetre(page, {10, 15, 22, 33, 50, 70, 100}, {1, 10, 100, 1e3, 1e4}, "millimetre"); }
+void chains(Page& page) {
+  cost_to_a_millimetre(page, {10, 15, 22, 33, 50, 70, 100}, {1, 10, 100, 1e3, 1e4}, "millimetre");
+}
 
 void cost_to_a_millimetre(Page& page, const std::vector<double>& lengths, const std::vector<double>& ratios,
                           const std::string& name) {

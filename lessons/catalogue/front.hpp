@@ -22,8 +22,8 @@ struct Order {
 };
 /// y grows as that power of x; none where fewer than four points are above zero and finite.
 std::optional<Order> fitted_power(std::span<const double> x, std::span<const double> y);
-/// Log error over log substep, of runs that differ in their substeps alone, from the three finest above rounding (1e-12) on as many as lie on
-/// a line within a tenth; none where there are not three.
+/// Log error over log substep, of runs that differ in their substeps alone, from the three finest above rounding
+/// (1e-12) on as many as lie on a line within a tenth; none where there are not three.
 std::optional<Order> fitted_order(std::span<const Point> points, Error error);
 
 }  // namespace byhand

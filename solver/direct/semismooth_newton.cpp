@@ -110,7 +110,7 @@ class NewtonSolve {
   void write_rows(const Block<M, K, Bound::interval>& block) {
     const int row = block.row;
     const double now = system_.lambda[row], lower = system_.lower[row], upper = system_.upper[row];
-    const double wanted = now - error_over_D(row);
+    const double wanted = now - scaled_error(row);
     if (lower < wanted && wanted < upper)
       press_or_leave(row, block.J.matrix.row(0));
     else
@@ -122,7 +122,7 @@ class NewtonSolve {
     const double mu = system_.upper[row], radius = mu * normal_of(block), D = work_.scales.D[row];
     const Eigen::Map<const Rows<K>> now(&system_.lambda[row]);
     Rows<K> d;
-    for (int k = 0; k < K; ++k) d[k] = now[k] - error_over_D(row + k);
+    for (int k = 0; k < K; ++k) d[k] = now[k] - scaled_error(row + k);
     const double length = d.norm();
     if (length <= radius) {
       for (int k = 0; k < K; ++k) press_or_leave(row + k, block.J.matrix.row(k));
@@ -151,14 +151,14 @@ class NewtonSolve {
     const int row = block.row;
     const double* now = &system_.lambda[row];
     for (int k = 0; k < 2; ++k) {
-      if (now[k] - error_over_D(row + k) > 0)
+      if (now[k] - scaled_error(row + k) > 0)
         press_or_leave(row + k, block.J.matrix.row(k));
       else
         stop(row + k, -now[k]);
     }
     const double* normals = held_radius_ ? &work_.centre[row] : now;
     const double mu = system_.upper[row], radius = mu * (larger(0, normals[0]) + larger(0, normals[1]));
-    const double wanted = now[2] - error_over_D(row + 2);
+    const double wanted = now[2] - scaled_error(row + 2);
     if (std::abs(wanted) <= radius) return press_or_leave(row + 2, block.J.matrix.row(2));
     const double d = wanted > 0 ? 1 : -1, follows = held_radius_ ? 0 : mu * d;
     stop(row + 2, radius * d - now[2] + follows * (work_.h[row] + work_.h[row + 1]));
@@ -172,7 +172,8 @@ class NewtonSolve {
     else
       stop(row, 0);
   }
-  double error_over_D(int row) const {
+  /// The change of λ by which the row alone would lose its error, negated.
+  double scaled_error(int row) const {
     return work_.scales.D[row] > 0 ? work_.error[row] / work_.scales.D[row] : 0.0;
   }
 

@@ -5,7 +5,8 @@
 //   prices run COUNT SEED    under valgrind --tool=callgrind: runs that many settings, and has callgrind write the
 //                            instructions of each. Prints what each counted
 //   prices fit COUNTED DUMPS the prices, none below zero, with the least relative error, as a table of C++
-//   prices check COUNTED DUMPS  fails unless of 10 settings 9 are counted within 15 %, and of 100 at most one is more
+//   prices check COUNTED DUMPS  fails unless of 10 settings 9 are counted within 15 %, and of 100 at most one is
+//   more
 //                            than 30 % off: of one body, of accelerated gradients and of columns about to move
 //
 // prices.sh puts them together.
@@ -107,12 +108,13 @@ Knobs drawn_knobs(const Family& family, Draws& draws) {
   return knobs;
 }
 
-/// Prints a setting, its kind of rows and what ten frames of it counted; callgrind writes their instructions. Not of one
-/// that fails: its cost does not count, and numbers without end take any time.
+/// Prints a setting, its kind of rows and what ten frames of it counted; callgrind writes their instructions. Not
+/// of one that fails: its cost does not count, and numbers without end take any time.
 void run(const Problem& problem, const Family& family, const Knobs& knobs) {
   const Setting setting = family.setting(knobs);
   AnyScene scene = problem.start();
-  if (measure(problem, family, knobs, {.seconds = 20 * frame, .reference = false}).outcome != Outcome::good) return;
+  if (measure(problem, family, knobs, {.seconds = 20 * frame, .reference = false}).outcome != Outcome::good)
+    return;
   scene.use(setting.method);
   const auto frames = [&](int count) {
     for (int i = 0; i < count * setting.steps; ++i) scene.step(frame / setting.steps);
