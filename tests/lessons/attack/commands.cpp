@@ -251,6 +251,24 @@ TEST_F(Commands, ACheckoutThatCannotBeWrittenIsBuiltInTheCache) {
   EXPECT_EQ(run(cache + read_only("exec \"$0/lessons/run\" hello")).complained, "") << "once is enough";
 }
 
+TEST_F(Commands, WhatTheOwnerOfACheckoutBuiltServesWhoeverCannotWriteIt) {
+  ASSERT_EQ(start(checkout_, "verify").status, 0);
+  const std::string read_only =
+      "env -u HOME XDG_CACHE_HOME=" + quoted((folder_ / "cache").string()) +
+      " unshare --user --map-root-user --mount sh -c 'mount --bind \"$0\" \"$0\" && mount -o "
+      "remount,ro,bind \"$0\" && exec \"$0/lessons/run\" verify' " +
+      quoted(checkout_.string());
+  if (run("unshare --user --map-root-user --mount true").status != 0) GTEST_SKIP() << "mounts nothing for users";
+  const Finished served = run(read_only);
+  EXPECT_EQ(served.said, "version 1, verify\n");
+  EXPECT_EQ(served.complained, "");
+  EXPECT_FALSE(fs::exists(folder_ / "cache"));
+  write_course(checkout_, "2");
+  const Finished changed = run(read_only);
+  EXPECT_EQ(changed.said, "version 2, verify\n") << "an older program serves nobody";
+  EXPECT_THAT(changed.complained, HasSubstr("cannot be written, so it is built in"));
+}
+
 TEST_F(Commands, ACheckoutThatCannotBeWrittenIsNotBuiltWhereAnotherUserMayComeFirst) {
   fs::create_directory(checkout_ / "build");
   const std::string locked =
