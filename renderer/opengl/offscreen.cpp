@@ -1,6 +1,7 @@
 #include "renderer/opengl/offscreen.hpp"
 
 #include <fmt/format.h>
+#include <sys/mman.h>
 
 #include <algorithm>
 #include <condition_variable>
@@ -9,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+#include "renderer/error.hpp"
 #include "renderer/opengl/gl.hpp"
 #include "renderer/threads.hpp"
 
@@ -40,12 +42,22 @@ bool can_start(unsigned count) {
   return all;
 }
 
+bool can_reserve(size_t bytes) {
+  void* const reserved = mmap(nullptr, bytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  return reserved != MAP_FAILED && munmap(reserved, bytes) == 0;
+}
+
 }  // namespace
 
 std::unique_ptr<Context> Context::make() {
-  // Mesa waits without end for threads that the system refused to start. It asks for one per processor, 16 at
-  // most, and for a few that compile and keep shaders.
-  if (!can_start(std::clamp(std::thread::hardware_concurrency(), 1u, 16u) + 4)) setenv("LP_NUM_THREADS", "0", 1);
+  // Mesa starts a thread per processor, 16 at most, and a few that compile and keep shaders. It crashes where they
+  // find no memory (300 MiB for 6 of them), and waits without end for those that the system refused to start.
+  const unsigned threads = std::clamp(std::thread::hardware_concurrency(), 1u, 16u) + 4;
+  const size_t mebibytes = 256 + 32 * threads;
+  if (!can_reserve(mebibytes << 20))
+    throw Unavailable(
+        fmt::format("OSMesa needs {} MiB of memory to draw, and a limit leaves less: see ulimit -v.", mebibytes));
+  if (!can_start(threads)) setenv("LP_NUM_THREADS", "0", 1);
   return offered();
 }
 

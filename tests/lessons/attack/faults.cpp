@@ -193,6 +193,18 @@ TEST_F(Faults, AFileThatIsTooLargeIsReportedInsteadOfASignal) {
   EXPECT_THAT(temporary_files(), IsEmpty());
 }
 
+TEST_F(Faults, WhateverTheLimitOnMemoryARunEndsWellOrSaysSo) {
+  for (int mebibytes = 300; mebibytes <= 900; mebibytes += attempts(1) > 1 ? 6 : 60) {
+    const Finished finished =
+        run("ulimit -v " + std::to_string(mebibytes << 10) + "; exec " + BYHAND_FIXTURE +
+            " --quality low --quiet --output " + (folder_ / std::to_string(mebibytes)).string());
+    EXPECT_THAT(finished.status, testing::AnyOf(0, 3)) << mebibytes << finished.complained;
+    if (finished.status == 3) {
+      EXPECT_THAT(finished.complained, HasSubstr("memory")) << mebibytes;
+    }
+  }
+}
+
 TEST_F(Faults, OfTwoRunsInOneFolderOneIsRefused) {
   for (int i = 0; i < attempts(5); ++i) {
     Started one(command()), other(command());
