@@ -1,5 +1,6 @@
 // The derivation desk at a terminal and for files. Started by `lessons/run desk`.
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -36,16 +37,24 @@ struct Options {
   bool tasks = false, code = false, errors = false;
 };
 
+/// At most so much of a stream is read: a derivation has some lines, a device has no end.
+constexpr std::size_t longest_file = 1'000'000, longest_line = 2000;
+
+std::string read_all(std::istream& stream, const std::string& name) {
+  std::string text(longest_file + 1, '\0');
+  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  if (stream.bad() || !(stream || stream.eof())) throw std::invalid_argument(name + " cannot be read");
+  if (text.size() > longest_file)
+    throw std::invalid_argument(name + " has more than a million characters: a derivation has some lines");
+  return text;
+}
+
 std::string read_file(const fs::path& path) {
   if (fs::is_directory(path)) throw std::invalid_argument(path.string() + " is a folder, not a file of lines");
   std::ifstream stream(path, std::ios::binary);
   if (!stream) throw std::invalid_argument(path.string() + " cannot be read");
-  std::ostringstream text;
-  text << stream.rdbuf();
-  if (text.str().size() > 1'000'000)
-    throw std::invalid_argument(path.string() +
-                                " has more than a million characters: a derivation has some lines");
-  return text.str();
+  return read_all(stream, path.string());
 }
 
 std::vector<Task> tasks() {
@@ -88,21 +97,29 @@ std::string spoken(const Check& check, int hints, const Style& style) {
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> all;
   std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) all.push_back(line);
+  for (std::string line; std::getline(stream, line);) {
+    all.push_back(line);
+    if (line.size() > longest_line)
+      throw std::invalid_argument(
+          fmt::format("line {} has {} characters; a line may have {}", all.size(), line.size(), longest_line));
+  }
   return all;
 }
 
 int check_file(const Options& options) {
   const Style style{.width = 100, .colours = isatty(STDOUT_FILENO) != 0};
   Sheet sheet;
-  const std::string text =
-      options.file == "-" ? std::string(std::istreambuf_iterator<char>(std::cin), {}) : read_file(options.file);
+  const bool typed = options.file == "-";
+  const std::string text = typed ? read_all(std::cin, "standard input") : read_file(options.file);
+  bool empty = true;
   for (const std::string& line : lines_of(text)) {
     const auto checks = sheet.add(line);
+    empty = empty && checks.empty();
     if (options.code) continue;
     if (!checks.empty() || line.starts_with("#")) std::cout << "  " << byhand::course::printable(line) << "\n";
     for (const Check& check : checks) std::cout << spoken(check, options.hints, style);
   }
+  if (empty) throw std::invalid_argument((typed ? "standard input" : options.file) + " has no line to judge");
   if (options.code) {
     const std::string code = cpp_struct(sheet);
     if (sheet.status() != 0 || code.empty())
