@@ -212,6 +212,19 @@ TEST(Compiling, ItsTimeIsByTheClockAndItsOutputLimited) {
   EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count(), 15);
 }
 
+TEST(Compiling, OneThatTakesTheMemorySaysSo) {
+  std::string bomb = "#define A0 1,1,1,1,1,1,1,1\n";
+  for (int i = 1; i <= 12; ++i) {
+    const std::string b = "A" + std::to_string(i - 1);
+    bomb += "#define A" + std::to_string(i) + " " + b;
+    for (int k = 1; k < 8; ++k) bomb += "," + b;
+    bomb += "\n";
+  }
+  const Verdict verdict = verdict_on(8, bomb + "int x[] = {A12};\n");
+  EXPECT_EQ(verdict.kind, Kind::does_not_compile);
+  EXPECT_THAT(verdict.sentence, HasSubstr("memory"));
+}
+
 TEST(Compiling, OneThatNeverEndsIsStopped) {
   const Verdict verdict =
       bias("return loop<1>();",

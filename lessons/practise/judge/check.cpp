@@ -86,8 +86,10 @@ Verdict checked(const Exercise& exercise, const Key& key, const fs::path& path) 
       {signature, header}, scratch.path(), limits);
   const Messages messages(compiled.said, file);
   if (compiled.status != 0) {
-    Verdict verdict =
-        not_compiled(compiled.status < 0 ? "It does not compile within ten seconds." : "It does not compile.");
+    const bool out_of_memory = compiled.said.find("memory") != std::string::npos && messages.errors.empty();
+    Verdict verdict = not_compiled(compiled.status < 0 ? "It does not compile within ten seconds."
+                                   : out_of_memory     ? "It does not compile within a gigabyte of memory."
+                                                       : "It does not compile.");
     verdict.details = messages.errors;
     verdict.line = messages.line;
     return verdict;
