@@ -173,7 +173,8 @@ class Dialogue {
       std::cout << run_scene(*sheet_, behind.empty() ? "pendulum" : behind);
     } else if (line == "code") {
       const std::string code = cpp_struct(*sheet_);
-      std::cout << (code.empty() ? "Code follows once J stands, for constraints that have a C.\n" : code);
+      std::cout << (code.empty() ? "Code follows once J stands, for rows that all have a C or all have none.\n"
+                                 : code);
     } else if (line == "tasks") {
       int i = 0;
       for (const Task& task : tasks()) std::cout << "  " << ++i << "  " << task.title << "\n";

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
 
 #include "lessons/desk/print.hpp"
@@ -223,7 +224,7 @@ std::vector<const Symbol*> used(const Vocabulary& words, const std::vector<Expre
 }
 
 /// The lines that give the used symbols their values at two poses.
-std::string locals(const std::vector<const Symbol*>& symbols, int dimension) {
+std::string locals(const std::vector<const Symbol*>& symbols) {
   std::string text;
   for (const Symbol* s : symbols) {
     const std::string name = cpp_number(*s), pose = "pose" + std::to_string(s->body + 1);
@@ -257,7 +258,6 @@ std::string locals(const std::vector<const Symbol*>& symbols, int dimension) {
       case Is::spin: break;
     }
   }
-  (void)dimension;
   return text;
 }
 
@@ -268,13 +268,15 @@ std::string cpp_struct(const Sheet& sheet) {
   const Vocabulary& words = sheet.words();
   const World& world = words.world();
   std::vector<Expression> C, J;
-  int rows = 0;
+  std::vector<int> heights;
   for (const auto& [name, row] : sheet.rows()) {
-    if (!row.C) return "";
-    C.push_back(row.C);
-    rows += row.C->shape.rows;
+    if (row.C) C.push_back(row.C);
+    heights.push_back((row.C ? row.C : row.rate)->shape.rows);
     J.insert(J.end(), row.J.begin(), row.J.end());
   }
+  // Rows with a C come first in the solver; the desk does not order them.
+  if (!C.empty() && C.size() < heights.size()) return "";
+  const int rows = std::accumulate(heights.begin(), heights.end(), 0);
   std::vector<Expression> both = C;
   both.insert(both.end(), J.begin(), J.end());
   const bool inequality =
@@ -301,8 +303,8 @@ std::string cpp_struct(const Sheet& sheet) {
   }
   at = 0;
   const auto which = velocities(words);
-  for (std::size_t c = 0; c < C.size(); ++c) {
-    const int K = C[c]->shape.rows;
+  for (std::size_t c = 0; c < heights.size(); ++c) {
+    const int K = heights[c];
     int column = 0;
     for (std::size_t i = 0; i < which.size(); ++i) {
       const Expression& part = J[c * which.size() + i];
@@ -322,8 +324,11 @@ std::string cpp_struct(const Sheet& sheet) {
   const std::string n = std::to_string(world.dimension);
   std::string text = "// Derived at the desk:\n";
   for (const auto& [name, row] : sheet.rows()) {
-    text += "//   C" + name + " = " + characters(row.C) + (row.inequality ? " ≥ 0" : "") + "   [" +
-            text_of(row.C->unit) + "]\n//   J" + name + " = [";
+    text += row.C ? "//   C" + name + " = " + characters(row.C) + (row.inequality ? " ≥ 0" : "") + "   [" +
+                        text_of(row.C->unit) + "]\n"
+                  : "//   dC" + name + " = " + characters(row.rate) + "   [" + text_of(row.rate->unit) +
+                        "], with no C\n";
+    text += "//   J" + name + " = [";
     for (std::size_t i = 0; i < row.J.size(); ++i) text += (i ? ", " : "") + characters(row.J[i]);
     text += "]\n";
   }
@@ -331,20 +336,20 @@ std::string cpp_struct(const Sheet& sheet) {
           ";\n  template <class T>\n  using Vector = Eigen::Matrix<T, " + n +
           ", 1>;\n  template <class T>\n  using Matrix = Eigen::Matrix<T, " + n + ", " + n +
           ">;\n  static constexpr int rows = " + std::to_string(rows) + ";\n";
+  if (C.empty()) text += "  static constexpr int position_rows = 0;  // nothing drifts\n";
   if (inequality) text += "  static constexpr byhand::Bound bound = byhand::Bound::interval;  // λ >= 0\n";
   text += "\n  byhand::Anchors<M> at;\n" + members + "\n";
   text +=
       "  template <class T>\n  byhand::Rows<rows, T> value([[maybe_unused]] const byhand::Pose<M, T>& pose1,\n"
       "                              [[maybe_unused]] const byhand::Pose<M, T>& pose2) const {\n"
       "    using std::abs, std::atan2, std::cos, std::sin, std::sqrt;\n" +
-      locals(used(words, C), world.dimension) + "    byhand::Rows<rows, T> C;\n" + value +
+      locals(used(words, C)) + "    byhand::Rows<rows, T> C;\n" + (C.empty() ? "    C.setZero();\n" : value) +
       "    return C;\n  }\n\n";
   text +=
       "  byhand::Jacobian<M, rows> jacobian([[maybe_unused]] const byhand::Pose<M>& pose1,\n"
       "                                     [[maybe_unused]] const byhand::Pose<M>& pose2) const {\n"
       "    using std::abs, std::atan2, std::cos, std::sin, std::sqrt;\n    using T = double;\n" +
-      locals(used(words, J), world.dimension) + "    byhand::Jacobian<M, rows> J;\n" + jacobian +
-      "    return J;\n  }\n";
+      locals(used(words, J)) + "    byhand::Jacobian<M, rows> J;\n" + jacobian + "    return J;\n  }\n";
   // What the formulas call that Eigen does not have under one name.
   const auto calls = [&](const std::string& name) { return text.find(name) != std::string::npos; };
   std::string helpers;

@@ -25,7 +25,8 @@ struct Report {
 Report report(const Sheet& sheet);
 std::string text_of(const Report& report);
 
-/// The derived kind as a struct that the solver takes, with a row or more; nothing unless every row has a J.
+/// The derived kind as a struct that the solver takes, with a row or more; nothing unless every row has a J, and
+/// all have a C or none has.
 std::string cpp_struct(const Sheet& sheet);
 
 /// Where a formula of positions has no derivative, and where its J vanishes: a sentence each.

@@ -118,6 +118,37 @@ struct Typed {
 };
 
 constexpr double step = 1.0 / 240, seconds = 5;
+constexpr int steps_a_moment = 4;
+
+template <class M>
+Linear<M> sides() {
+  Linear<M> all = Linear<M>::Constant(0.2);
+  all[0] = 0.5;
+  return all;
+}
+
+/// Corners of a body's box; neighbours follow one another in the plane.
+template <class M>
+std::vector<Point> corners_of(const Pose<M>& pose) {
+  std::vector<Point> all;
+  for (const unsigned bits : {0U, 1U, 3U, 2U, 4U, 5U, 7U, 6U}) {
+    if (bits >= 1U << M::linear) break;
+    Linear<M> corner = 0.5 * sides<M>();
+    for (int i = 0; i < M::linear; ++i)
+      if (bits & 1U << i) corner[i] = -corner[i];
+    const Linear<M> at = pose.position + rotate(pose.rotation, corner);
+    all.push_back({at[0], at[1]});
+  }
+  return all;
+}
+
+/// The parts of the first row of J.
+template <class M, int K>
+void add_parts(const Jacobian<M, K>& J, std::size_t body1, std::size_t body2, std::vector<Parts>& parts) {
+  for (const int first : {0, M::dof})
+    parts.push_back(
+        {first ? body2 : body1, {J.matrix(0, first), J.matrix(0, first + 1)}, J.matrix(0, first + M::dof - 1)});
+}
 
 /// Whether J has parts of a body that are not nothing.
 bool acts_on(const Formulas& formulas, int body) {
@@ -162,11 +193,10 @@ Ran run_kind(const Formulas& formulas, const std::string& name) {
   simulation.method.drift = Baumgarte{0.2};
   Scene<M>& scene = simulation.scene;
   const auto body_at = [&](double x, double y, bool moves) {
-    Linear<M> at = Linear<M>::Zero(), sides = Linear<M>::Constant(0.2);
+    Linear<M> at = Linear<M>::Zero();
     at[0] = x;
     at[1] = y;
-    sides[0] = 0.5;
-    return scene.add_body(at, moves ? box<M>(1, sides) : fixed<M>());
+    return scene.add_body(at, moves ? box<M>(1, sides<M>()) : fixed<M>());
   };
   // Where J has no part of body 2, body 1 is the one that moves.
   const bool first_moves = !acts_on(formulas, 1);
@@ -220,13 +250,26 @@ Ran run_kind(const Formulas& formulas, const std::string& name) {
     }
   Ran ran;
   ran.rows = Kind::rows * static_cast<int>(handles.size());
-  ran.paths.resize(bodies.size());
-  for (int i = 0; i < static_cast<int>(seconds / step); ++i) {
-    simulation.step(step);
-    for (std::size_t b = 0; b < bodies.size(); ++b) {
-      const auto& x = scene.bodies().pose[bodies[b]].position;
-      ran.paths[b].push_back({x[0], x[1]});
+  for (const int body : bodies) ran.moves.push_back(moves(scene.bodies().inverse_mass[body]));
+  const auto look = [&] {
+    Moment moment;
+    for (const int body : bodies) {
+      const Pose<M>& pose = scene.bodies().pose[body];
+      moment.centres.push_back({pose.position[0], pose.position[1]});
+      moment.corners.push_back(corners_of<M>(pose));
     }
+    for_each([&](const Kind& kind, const Pose<M>& pose1, const Pose<M>& pose2) {
+      const auto place = [&](int body) {
+        return static_cast<std::size_t>(std::find(bodies.begin(), bodies.end(), body) - bodies.begin());
+      };
+      add_parts<M, Kind::rows>(kind.jacobian(pose1, pose2), place(kind.at.body1), place(kind.at.body2),
+                               moment.parts);
+    });
+    ran.moments.push_back(std::move(moment));
+  };
+  look();
+  for (int i = 1; i <= static_cast<int>(seconds / step); ++i) {
+    simulation.step(step);
     for_each([&](const Kind& kind, const Pose<M>& pose1, const Pose<M>& pose2) {
       const auto C = kind.template value<double>(pose1, pose2);
       const auto rate = dot(kind.jacobian(pose1, pose2), scene.bodies().velocity[kind.at.body1],
@@ -247,6 +290,7 @@ Ran run_kind(const Formulas& formulas, const std::string& name) {
                                 r.cos * std::cos(angle) + r.sin * std::sin(angle));
           }
         });
+    if (i % steps_a_moment == 0) look();
   }
   return ran;
 }
@@ -264,40 +308,111 @@ Ran run_model(const Formulas& formulas, int rows, bool inequality, const std::st
   throw std::invalid_argument("A scene runs one row, or equations with a C: two in the plane and three in space.");
 }
 
-/// Paths in braille, 60 columns wide.
-std::string picture(const Ran& ran) {
-  constexpr int columns = 60, rows = 20;
-  double low[2] = {-0.3, -0.3}, high[2] = {0.3, 0.3};
-  for (const auto& path : ran.paths)
-    for (const auto& point : path)
+/// Dots in braille, on a paper that holds what is drawn.
+class Paper {
+ public:
+  explicit Paper(const std::vector<Point>& holds) {
+    for (const Point& point : holds)
       for (std::size_t i = 0; i < 2; ++i)
-        low[i] = std::min(low[i], point[i]), high[i] = std::max(high[i], point[i]);
-  const double scale = std::min((columns * 2 - 1) / (high[0] - low[0]), (rows * 4 - 1) / (high[1] - low[1]));
-  std::vector<std::vector<unsigned>> dots(rows, std::vector<unsigned>(columns));
-  for (const auto& path : ran.paths)
-    for (const auto& point : path) {
-      const int x = static_cast<int>((point[0] - low[0]) * scale),
-                y = static_cast<int>((high[1] - point[1]) * scale);
-      if (x < 0 || y < 0 || x >= columns * 2 || y >= rows * 4) continue;
-      dots[static_cast<std::size_t>(y / 4)][static_cast<std::size_t>(x / 2)] |= course::braille_dot(x % 2, y % 4);
-    }
-  std::string text;
-  for (auto& row : dots) {
-    while (!row.empty() && row.back() == 0) row.pop_back();
-    text += "  ";
-    for (const unsigned cell : row) text += course::braille(cell);
-    text += "\n";
+        low_[i] = std::min(low_[i], point[i]), high_[i] = std::max(high_[i], point[i]);
+    scale_ = std::min((columns * 2 - 1) / (high_[0] - low_[0]), (rows * 4 - 1) / (high_[1] - low_[1]));
   }
+
+  void dot(const Point& at) {
+    const int x = static_cast<int>((at[0] - low_[0]) * scale_), y = static_cast<int>((high_[1] - at[1]) * scale_);
+    if (x < 0 || y < 0 || x >= columns * 2 || y >= rows * 4) return;
+    dots_[static_cast<std::size_t>(y / 4)][static_cast<std::size_t>(x / 2)] |= course::braille_dot(x % 2, y % 4);
+  }
+  void line(const Point& from, const Point& to) {
+    const int count = 1 + static_cast<int>(std::hypot(to[0] - from[0], to[1] - from[1]) * scale_);
+    for (int i = 0; i <= count; ++i) {
+      const double t = static_cast<double>(i) / count;
+      dot({from[0] + t * (to[0] - from[0]), from[1] + t * (to[1] - from[1])});
+    }
+  }
+  void arrow(const Point& from, const Point& by) {
+    const Point to = {from[0] + by[0], from[1] + by[1]};
+    line(from, to);
+    const double length = std::hypot(by[0], by[1]);
+    for (const double side : {-1.0, 1.0})
+      line(to, {to[0] - (4 * by[0] - side * 3 * by[1]) / (scale_ * length),
+                to[1] - (4 * by[1] + side * 3 * by[0]) / (scale_ * length)});
+  }
+
+  std::string text() const {
+    std::string all;
+    for (auto row : dots_) {
+      while (!row.empty() && row.back() == 0) row.pop_back();
+      all += "  ";
+      for (const unsigned cell : row) all += course::braille(cell);
+      all += "\n";
+    }
+    return all;
+  }
+
+ private:
+  static constexpr int columns = 60, rows = 20;
+  Point low_ = {-0.3, -0.3}, high_ = {0.3, 0.3};
+  double scale_ = 1;  // dots a metre
+  std::vector<std::vector<unsigned>> dots_{rows, std::vector<unsigned>(columns)};
+};
+
+/// The paths of the centres.
+std::string picture(const Ran& ran) {
+  std::vector<Point> all;
+  for (const Moment& moment : ran.moments) all.insert(all.end(), moment.centres.begin(), moment.centres.end());
+  Paper paper(all);
+  for (std::size_t i = 0; i + 1 < ran.moments.size(); ++i)
+    for (std::size_t b = 0; b < ran.moves.size(); ++b)
+      paper.line(ran.moments[i].centres[b], ran.moments[i + 1].centres[b]);
+  return paper.text();
+}
+
+std::string number_of(double x, const char* form = "%.1e") {
+  char text[40];
+  std::snprintf(text, sizeof text, form, x);
   return text;
 }
 
-std::string number_of(double x) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.1e", x);
-  return text;
+/// The bodies where the scene begins, with the linear parts of J as arrows, the longest 0.6 m, and the angular
+/// ones in words.
+std::string picture_of_parts(const Ran& ran) {
+  const Moment& begin = ran.moments.front();
+  double longest = 0;
+  for (const Parts& part : begin.parts) longest = std::max(longest, std::hypot(part.linear[0], part.linear[1]));
+  const double scale = longest > 0 ? 0.6 / longest : 0;
+  std::vector<Point> all;
+  for (const auto& corners : begin.corners) all.insert(all.end(), corners.begin(), corners.end());
+  for (const Parts& part : begin.parts) {
+    const Point& from = begin.centres[part.body];
+    all.push_back({from[0] + scale * part.linear[0], from[1] + scale * part.linear[1]});
+  }
+  Paper paper(all);
+  for (const auto& corners : begin.corners)
+    for (std::size_t i = 0; i < corners.size(); ++i)
+      for (std::size_t j = i + 1; j < corners.size(); ++j)
+        if (is_edge(i, j)) paper.line(corners[i], corners[j]);
+  std::string turning;
+  for (std::size_t i = 0; i < begin.parts.size(); ++i) {
+    const Parts& part = begin.parts[i];
+    if (std::hypot(part.linear[0], part.linear[1]) > 1e-9 * longest)
+      paper.arrow(begin.centres[part.body], {scale * part.linear[0], scale * part.linear[1]});
+    if (i < 2 && part.angular != 0)
+      turning += (turning.empty() ? "" : ", ") + std::string("body ") + (i ? "2 " : "1 ") +
+                 (part.angular > 0 ? "↺ " : "↻ ") + number_of(std::fabs(part.angular), "%.2g");
+  }
+  return paper.text() + "At the beginning: arrows are the linear parts of the first row of J" +
+         (turning.empty() ? "; no part turns a body.\n" : "; it turns " + turning + ".\n");
 }
 
 }  // namespace
+
+bool is_edge(std::size_t i, std::size_t j) {
+  // Corners stand in the order of a Gray code, in which neighbours differ in one bit.
+  const auto gray = [](std::size_t k) { return (k & 4U) | ((k ^ (k >> 1U)) & 3U); };
+  const std::size_t differ = gray(i) ^ gray(j);
+  return (differ & (differ - 1)) == 0;
+}
 
 Ran run_in(const Sheet& sheet, const std::string& scene) {
   if (scene != "pendulum" && scene != "chain" && scene != "box")
@@ -327,8 +442,8 @@ std::string run_scene(const Sheet& sheet, const std::string& scene) {
         std::any_of(sheet.rows().begin(), sheet.rows().end(), [](const auto& row) { return !row.second.C; });
     const bool inequality = std::any_of(sheet.rows().begin(), sheet.rows().end(),
                                         [](const auto& row) { return row.second.inequality; });
-    return picture(ran) + "Five seconds at 240 steps a second, " + std::to_string(ran.rows) +
-           (ran.rows == 1 ? " row: " : " rows: ") +
+    return picture_of_parts(ran) + picture(ran) + "Five seconds at 240 steps a second, " +
+           std::to_string(ran.rows) + (ran.rows == 1 ? " row: " : " rows: ") +
            (rates ? ""
                   : (inequality ? "C went below 0 by at most " : "|C| was at most ") + number_of(ran.largest_C)) +
            (rates ? "|JV| was at most " + number_of(ran.largest_rate) : "") +

@@ -1,4 +1,4 @@
-// Writes what the desk prints as code for every task that has a C, so that the build compiles it: see code.cpp.
+// Writes what the desk prints as code for every task, so that the build compiles it: see code.cpp.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>

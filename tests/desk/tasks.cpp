@@ -77,5 +77,47 @@ TEST(DeskTasks, ARodRunsInEveryScene) {
   }
 }
 
+TEST(DeskTasks, ARunBeginsWithThePartsOfJOnTheBodies) {
+  Sheet sheet;
+  for (const char* line : {"C = |p2 - p1|^2/2 - L^2/2", "J = [-d, -(r1 x d), d, r2 x d]"}) sheet.add(line);
+  const Ran ran = run_in(sheet, "chain");
+  EXPECT_EQ(ran.moments.size(), 1u + 5 * 60);
+  EXPECT_EQ(ran.moves, (std::vector<bool>{false, true, true}));
+  for (const Moment& moment : ran.moments) {
+    ASSERT_EQ(moment.parts.size(), 4u);
+    for (std::size_t rod = 0; rod < 2; ++rod) {
+      const Parts &first = moment.parts[2 * rod], &second = moment.parts[2 * rod + 1];
+      EXPECT_EQ(first.body, rod);
+      EXPECT_EQ(second.body, rod + 1);
+      EXPECT_EQ(first.linear[0], -second.linear[0]);
+      EXPECT_EQ(first.linear[1], -second.linear[1]);
+      // J's torque about any point vanishes: Σ x × l + a = 0.
+      double torque = 0;
+      for (const Parts& part : {first, second}) {
+        const Point& x = moment.centres[part.body];
+        torque += x[0] * part.linear[1] - x[1] * part.linear[0] + part.angular;
+      }
+      EXPECT_NEAR(torque, 0, 1e-12);
+      EXPECT_NEAR(std::hypot(second.linear[0], second.linear[1]), 2, 0.02) << "d is as long as the rod, 2 m";
+    }
+    for (const auto& corners : moment.corners) {
+      ASSERT_EQ(corners.size(), 4u);
+      EXPECT_NEAR(std::hypot(corners[0][0] - corners[2][0], corners[0][1] - corners[2][1]), std::hypot(0.5, 0.2),
+                  1e-12);
+    }
+  }
+}
+
+TEST(DeskTasks, ABoxHasFourEdgesInThePlaneAndTwelveInSpace) {
+  const auto edges = [](std::size_t corners) {
+    int count = 0;
+    for (std::size_t i = 0; i < corners; ++i)
+      for (std::size_t j = i + 1; j < corners; ++j) count += is_edge(i, j);
+    return count;
+  };
+  EXPECT_EQ(edges(4), 4);
+  EXPECT_EQ(edges(8), 12);
+}
+
 }  // namespace
 }  // namespace byhand::desk
