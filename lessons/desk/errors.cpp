@@ -161,10 +161,9 @@ const std::vector<Error>& errors() {
       {"arm copied", "{of} has the arm of the other body.", "Which arm ends at this body's anchor?",
        "a1 has r1, a2 has r2."},
       {"lever from the anchor",
-       "The lever of {of} reaches from the body's centre to where l acts, and yours ends at its anchor: u turns "
-       "with the body.",
+       "The lever of {of} reaches from the body's centre to where l acts, and yours ends at its anchor.",
        "Where does the force along l act, seen from the centre of this body?",
-       "(r + d) × u: the axis of body 1 acts on it at p2."},
+       "a = (p − x) × l at the point p at which l acts: an axis of body 1 acts on it at p2, (r1 + d) × u."},
       {"part in the body's frame", "{of} is given in the frame of the body; ω and J are those of the world.",
        "In which frame is ω?", "The world's vector is R times the body's."},
       {"ratio left out", "The parts of {body} lack the factor {wrong}.",

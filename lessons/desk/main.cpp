@@ -15,7 +15,7 @@
 #include "lessons/desk/print.hpp"
 #include "lessons/desk/report.hpp"
 #include "lessons/desk/scenes.hpp"
-#include "lessons/desk/task.hpp"
+#include "lessons/desk/task_files.hpp"
 #include "lessons/files/streams.hpp"
 #include "lessons/terminal/keyboard.hpp"
 #include "lessons/terminal/screen.hpp"
@@ -57,15 +57,7 @@ std::string read_file(const fs::path& path) {
   return read_all(stream, path.string());
 }
 
-std::vector<Task> tasks() {
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(fs::path(BYHAND_DESK_FOLDER) / "tasks"))
-    files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
-  std::vector<Task> all;
-  for (const fs::path& file : files) all.push_back(read_task(read_file(file)));
-  return all;
-}
+std::vector<Task> tasks() { return read_tasks(fs::path(BYHAND_DESK_FOLDER) / "tasks"); }
 
 /// The columns of a text in UTF-8 before a byte.
 int columns(const std::string& text, int bytes) {

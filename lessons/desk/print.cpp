@@ -120,7 +120,9 @@ std::string print(const Expression& e) {
     case Op::negate: return S::minus + within<S>(of[0], 3);
     case Op::add: return within<S>(of[0], 1) + " + " + within<S>(of[1], 2);
     case Op::subtract: return within<S>(of[0], 1) + " " + S::minus + " " + within<S>(of[1], 3);
-    case Op::multiply: return within<S>(of[0], 3) + " " + within<S>(of[1], of[1]->op == Op::number ? 6 : 4);
+    case Op::multiply:
+      return within<S>(of[0], of[0]->op == Op::dot ? 4 : 3) + " " +
+             within<S>(of[1], of[1]->op == Op::number ? 6 : 4);
     case Op::divide:
       if (S::fractions) return S::fraction(print<S>(of[0]), print<S>(of[1]));
       return S::fraction(within<S>(of[0], 3), within<S>(of[1], 5));

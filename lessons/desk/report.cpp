@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <set>
 
@@ -11,6 +12,7 @@ namespace byhand::desk {
 namespace {
 
 using Is = Symbol::Is;
+constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// The constraints of the course, in the desk's own words; u stands for any unit vector on body 1.
 struct Ours {
@@ -92,6 +94,60 @@ bool move_to_zero(const Vocabulary& words, State<double>& state, const Expressio
   return false;
 }
 
+/// Turns both bodies until the J of a C vanishes; false if that does not lead there.
+bool turn_to_zero(const Vocabulary& words, State<double>& state, const Expression& C) {
+  constexpr double by = 1e-6;
+  const auto J_at = [&](const State<double>& at) {
+    std::vector<double> all;
+    for (const auto& row : jacobian_by_duals(words, at, C)) all.insert(all.end(), row.begin(), row.end());
+    return all;
+  };
+  const int axes = words.world().dimension == 2 ? 1 : 3;
+  double before_ten = infinite;
+  for (int step = 0; step < 60; ++step) {
+    std::vector<double> J = J_at(state);
+    double size = 0;
+    for (const double x : J) size = std::isfinite(x) ? std::max(size, std::fabs(x)) : infinite;
+    if (size < 1e-10) return true;
+    if (size == infinite || (step % 10 == 5 && size > 0.1 * before_ten)) return false;
+    if (step % 10 == 5 || step == 0) before_ten = size;
+    // A step along the gradient of each number of J in turn (Kaczmarz), by central differences.
+    for (std::size_t k = 0; k < J.size(); ++k) {
+      if (std::fabs(J[k]) < 1e-12) continue;
+      double norm2 = 0;
+      std::vector<double> gradient;
+      for (int i = 0; i < 2 * axes; ++i) {
+        State<double> before = state, after = state;
+        turn(words, before, 1 + i / axes, i % axes, -by);
+        turn(words, after, 1 + i / axes, i % axes, by);
+        gradient.push_back((J_at(after)[k] - J_at(before)[k]) / (2 * by));
+        norm2 += gradient.back() * gradient.back();
+      }
+      if (!(norm2 > 1e-12)) continue;
+      const double now = J_at(state)[k];
+      for (int i = 0; i < 2 * axes; ++i)
+        turn(words, state, 1 + i / axes, i % axes, -now / norm2 * gradient[static_cast<std::size_t>(i)]);
+    }
+  }
+  return false;
+}
+
+/// Whether J vanishes at some angles, and whether C does there too, which leaves nothing to push with.
+std::string singular_angles(const Vocabulary& words, const Expression& C) {
+  Random random(7);
+  int found = 0;
+  for (int i = 0; i < 5; ++i) {
+    State<double> state = random_state(words, random);
+    if (!turn_to_zero(words, state, C)) continue;
+    ++found;
+    const auto value = evaluate(*C, environment<Tracked>(words, state));
+    double size = 0;
+    for (int k = 0; k < C->shape.size(); ++k) size = std::max(size, std::fabs(value[k].at));
+    if (size < 1e-9) return "J vanishes at angles at which C = 0: no impulse can act there, so choose another C.";
+  }
+  return found ? "J vanishes at some angles; there C is not 0." : "";
+}
+
 std::string join(const std::vector<std::string>& all, const char* between) {
   std::string text;
   for (const std::string& one : all) text += (text.empty() ? "" : between) + one;
@@ -148,6 +204,8 @@ std::vector<std::string> singularities(const Vocabulary& words, const Expression
                                ? "; there C is not 0."
                                : ", which is C = 0 itself: no impulse can act there, so choose another C."));
   }
+  if (vanishing.empty() && words.world().turning)
+    if (const std::string angles = singular_angles(words, C); !angles.empty()) sentences.push_back(angles);
   return sentences;
 }
 

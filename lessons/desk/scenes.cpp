@@ -435,19 +435,26 @@ Ran run_in(const Sheet& sheet, const std::string& scene) {
                                       : run_model<SpaceBody>(formulas, rows, inequality, scene);
 }
 
+std::string measured(const Sheet& sheet, const Ran& ran) {
+  const auto any = [&](const auto& has) {
+    return std::any_of(sheet.rows().begin(), sheet.rows().end(), [&](const auto& row) { return has(row.second); });
+  };
+  const bool rates = any([](const Row&row) { return !row.C; }),
+             inequality = any([](const Row&row) { return row.inequality; });
+  const Expression& C = sheet.rows().begin()->second.C;
+  const std::string unit = C && sheet.rows().size() == 1 && C->unit.known ? " " + text_of(C->unit) : "";
+  return "Five seconds at 240 steps a second, " + std::to_string(ran.rows) +
+         (ran.rows == 1 ? " row: " : " rows: ") +
+         (rates        ? "|JV| was at most " + number_of(ran.largest_rate)
+          : inequality ? "C went below 0 by at most " + number_of(ran.largest_C)
+                       : "|C| was at most " + number_of(ran.largest_C)) +
+         (rates ? "" : unit) + ".";
+}
+
 std::string run_scene(const Sheet& sheet, const std::string& scene) {
   try {
     const Ran ran = run_in(sheet, scene);
-    const bool rates =
-        std::any_of(sheet.rows().begin(), sheet.rows().end(), [](const auto& row) { return !row.second.C; });
-    const bool inequality = std::any_of(sheet.rows().begin(), sheet.rows().end(),
-                                        [](const auto& row) { return row.second.inequality; });
-    return picture_of_parts(ran) + picture(ran) + "Five seconds at 240 steps a second, " +
-           std::to_string(ran.rows) + (ran.rows == 1 ? " row: " : " rows: ") +
-           (rates ? ""
-                  : (inequality ? "C went below 0 by at most " : "|C| was at most ") + number_of(ran.largest_C)) +
-           (rates ? "|JV| was at most " + number_of(ran.largest_rate) : "") +
-           " (dots: the paths of the centres).\n";
+    return picture_of_parts(ran) + picture(ran) + "The paths of the centres. " + measured(sheet, ran) + "\n";
   } catch (const std::exception& error) {
     return std::string(error.what()) + "\n";
   }

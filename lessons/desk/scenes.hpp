@@ -35,5 +35,7 @@ struct Ran {
 /// Whether an edge of the box joins these two of its corners.
 bool is_edge(std::size_t i, std::size_t j);
 Ran run_in(const Sheet& sheet, const std::string& scene);
+/// What was measured, in a sentence.
+std::string measured(const Sheet& sheet, const Ran& ran);
 
 }  // namespace byhand::desk

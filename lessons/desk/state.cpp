@@ -45,7 +45,6 @@ Value<F> column(const Value<F>& R, int j) {
 /// A state from a source of rotations and of numbers for a symbol.
 template <class F, class Turn, class Number>
 State<F> state_of(const Vocabulary& words, Turn&& turn, Number&& number) {
-  const int n = words.world().dimension;
   State<F> state(words.all().size());
   const Value<F> frame = turn(nullptr);
   for (const Symbol& symbol : words.all()) {
@@ -63,7 +62,6 @@ State<F> state_of(const Vocabulary& words, Turn&& turn, Number&& number) {
       for (int i = 0; i < symbol.shape.size(); ++i) value[i] = number(symbol);
     }
   }
-  (void)n;
   return state;
 }
 
@@ -145,6 +143,23 @@ State<double> simple_state(const Vocabulary& words, Random& random) {
             std::atan2(R(1, 0), R(0, 0));
       }
   return state;
+}
+
+void turn(const Vocabulary& words, State<double>& state, int body, int axis, double angle) {
+  const std::string number = std::to_string(body);
+  if (words.world().dimension == 2) {
+    state[static_cast<std::size_t>(words.at("θ" + number).id)][0] += angle;
+    turn_by_angles(words, state);
+    return;
+  }
+  Value<double>& R = state[static_cast<std::size_t>(words.at("R" + number).id)];
+  const int i = (axis + 1) % 3, j = (axis + 2) % 3;
+  const double c = std::cos(angle), s = std::sin(angle);
+  for (int column = 0; column < 3; ++column) {
+    const double a = R(i, column), b = R(j, column);
+    R(i, column) = c * a - s * b;
+    R(j, column) = s * a + c * b;
+  }
 }
 
 }  // namespace byhand::desk

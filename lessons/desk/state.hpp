@@ -29,6 +29,9 @@ State<Modular> random_state_modulo(const Vocabulary& words, Random& random);
 /// One of small whole numbers and Pythagorean turns, to be shown.
 State<double> simple_state(const Vocabulary& words, Random& random);
 
+/// Turns a body, 1 or 2, about an axis of the world, 0 to 2 (in the plane the only one), by an angle.
+void turn(const Vocabulary& words, State<double>& state, int body, int axis, double angle);
+
 /// v and ω of both bodies as one degree of freedom after the other, all zero but number `moving`.
 template <class F>
 void move_along(const Vocabulary& words, State<F>& state, int moving) {

@@ -6,6 +6,7 @@
 
 #include "lessons/desk/print.hpp"
 #include "lessons/desk/report.hpp"
+#include "lessons/desk/scenes.hpp"
 #include "lessons/page/html/mathml.hpp"
 
 namespace {
@@ -51,6 +52,22 @@ json said(const Check& check) {
   return result;
 }
 
+/// What the page draws of a run: its edges by two corners each, and moments 60 a second.
+json drawn(const Ran& ran) {
+  json edges = json::array(), moments = json::array();
+  const std::size_t corners = ran.moments.front().corners.front().size();
+  for (std::size_t i = 0; i < corners; ++i)
+    for (std::size_t j = i + 1; j < corners; ++j)
+      if (is_edge(i, j)) edges.push_back({i, j});
+  for (const Moment& moment : ran.moments) {
+    json parts = json::array();
+    for (const Parts& part : moment.parts)
+      parts.push_back({{"body", part.body}, {"linear", part.linear}, {"angular", part.angular}});
+    moments.push_back({{"centres", moment.centres}, {"corners", moment.corners}, {"parts", parts}});
+  }
+  return {{"moves", ran.moves}, {"edges", edges}, {"moments", moments}};
+}
+
 std::string answer_to(const std::string& request) {
   const json asked = json::parse(request);
   Sheet sheet;
@@ -61,6 +78,15 @@ std::string answer_to(const std::string& request) {
   if (sheet.complete()) {
     all["report"] = text_of(report(sheet));
     all["code"] = cpp_struct(sheet);
+  }
+  if (asked.contains("scene")) {
+    try {
+      const Ran ran = run_in(sheet, asked.at("scene"));
+      all["ran"] = drawn(ran);
+      all["measured"] = measured(sheet, ran);
+    } catch (const std::exception& error) {
+      all["measured"] = error.what();
+    }
   }
   return all.dump(-1, ' ', false, json::error_handler_t::replace);
 }

@@ -116,6 +116,22 @@ TEST(DeskSheet, SaysWhereCHasNoDerivativeAndWhereJVanishes) {
   EXPECT_EQ(said("d . n"), "");
 }
 
+TEST(DeskSheet, SaysAtWhatAnglesJVanishes) {
+  const auto said = [](const World& world, const char* C) {
+    Vocabulary words(world);
+    std::string all;
+    for (const std::string& sentence : singularities(words, parse_expression(C, words))) all += sentence + "\n";
+    return all;
+  };
+  const World plane{2, true}, space{3, true};
+  EXPECT_NE(said(plane, "1 - cos(θ2 - θ1)").find("vanishes at angles at which C = 0"), std::string::npos);
+  EXPECT_NE(said(plane, "cos(θ2 - θ1)").find("vanishes at some angles; there C is not 0"), std::string::npos);
+  EXPECT_NE(said(space, "1 - u . (R2 ex)").find("vanishes at angles at which C = 0"), std::string::npos)
+      << said(space, "1 - u . (R2 ex)");
+  for (const char* never : {"θ2 - θ1", "u . d", "sin(θ2 - θ1) + 2 (θ2 - θ1)"})
+    EXPECT_EQ(said(plane, never), "") << never;
+}
+
 TEST(DeskSheet, InequalitiesSayWhatChanges) {
   Sheet sheet;
   EXPECT_NE(sheet.add("C = d . n >= 0")[0].sentence.find("λ is kept ≥ 0"), std::string::npos);

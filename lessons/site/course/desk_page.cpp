@@ -43,6 +43,13 @@ dC = (p2 - p1) . (v2 + w2 x r2 - v1 - w1 x r1)</textarea>
 <p id="verdict" role="status" aria-live="polite"></p>
 <ol id="said" aria-label="The verdict on each line"></ol>
 <section id="report" aria-label="The derived constraint"></section>
+<section id="run" aria-label="The derived constraint in a scene" hidden="hidden">
+<h2>It runs</h2>
+<p id="scenes" role="group" aria-label="Scenes"></p>
+<svg id="stage" role="img" aria-labelledby="told"></svg>
+<p><button type="button" id="play">Play</button> <label>Time <input type="range" id="time" min="0" max="5" step="any" value="0" /></label> <output id="clock" for="time"></output></p>
+<p id="told"></p>
+</section>
 <noscript><p>The desk runs in the page and needs JavaScript; ./lessons/run desk is the same at a terminal.</p></noscript>
 <h2>Tasks</h2>
 <ol class="tasks">

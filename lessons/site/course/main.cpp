@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "lessons/desk/task_files.hpp"
 #include "lessons/files/atomic_file.hpp"
 #include "lessons/files/child_process.hpp"
 #include "lessons/files/command_line.hpp"
@@ -84,17 +85,6 @@ void copy_assets(const fs::path& folder) {
   fs::copy(assets, folder / "assets", fs::copy_options::recursive);
 }
 
-/// The worked tasks of the derivation desk, in order.
-std::vector<desk::Task> desk_tasks() {
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(fs::path(BYHAND_SITE_FOLDER) / ".." / "desk" / "tasks"))
-    files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
-  std::vector<desk::Task> tasks;
-  for (const fs::path& file : files) tasks.push_back(desk::read_task(course::read_whole(file).value_or("")));
-  return tasks;
-}
-
 /// Fetches reveal.js, then writes each lesson as slides.
 void write_slides(const fs::path& site, const std::vector<site::Digest>& lessons) {
   const fs::path folder = site / "slides", fetch = fs::path(BYHAND_SITE_FOLDER) / "fetch_reveal";
@@ -122,7 +112,7 @@ int run(const Wanted& wanted) {
   copy_assets(folder.path());
   const bool desk = fs::exists(folder.path() / "live" / "desk.js");
   write("index.html", site::contents_page(lessons, desk));
-  if (desk) write("desk.html", site::desk_page(desk_tasks()));
+  if (desk) write("desk.html", site::desk_page(desk::read_tasks(fs::path(BYHAND_SITE_FOLDER) / "../desk/tasks")));
   write("equations.html", site::equations_page());
   write("laws.html", site::laws_page(lessons));
   write("teaching.html", site::teaching_page(lessons));

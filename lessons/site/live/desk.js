@@ -17,6 +17,8 @@
     return fail(error);
   }
 
+  const lines = () => sheet.value.split('\n');
+  const stage = deskStage(scene => ask({ lines: lines(), scene }));
   const words = { right: 'right', wrong: 'wrong', unreadable: 'cannot be read', told: '' };
   const marks = { right: '✓', wrong: '✗', unreadable: '✗', told: '' };
 
@@ -59,6 +61,7 @@
     foot.replaceChildren();
     if (report) foot.append(make('h2', { textContent: 'J stands' }), make('pre', { textContent: report }));
     if (code) foot.append(make('details', {}, make('summary', { textContent: 'As a struct that the solver takes' }), make('pre', { textContent: code })));
+    stage(Boolean(report));
     const bad = checks.filter(check => check.outcome === 'wrong' || check.outcome === 'unreadable');
     const last = checks.at(-1);
     document.getElementById('verdict').textContent = !checks.length ? '' : bad.length
@@ -69,7 +72,7 @@
   let waiting;
   const check = () => {
     try {
-      show(ask({ lines: sheet.value.split('\n') }));
+      show(ask({ lines: lines() }));
     } catch (error) {
       fail(error);
     }
