@@ -131,11 +131,23 @@
 
   // ---- One step of the page.
 
+  // A task of the derivation desk opens its page, which stands beside every live lesson.
+  function linkTheDesk(node) {
+    for (const code of node.querySelectorAll('code')) {
+      const task = /^\.\/lessons\/run desk --task (\d+)$/.exec(code.textContent);
+      if (!task || code.closest('a')) continue;
+      const link = make('a', { className: 'desk', href: `desk.html#task-${task[1]}` });
+      code.replaceWith(link);
+      link.append(code);
+    }
+  }
+
   // What must differ for a child to count as changed: not its picture, nor what this script added.
   function bare(node) {
     const copy = node.cloneNode(true);
     copy.querySelectorAll('.picture, .files, .player, .reply').forEach(part => part.replaceChildren());
     copy.querySelectorAll('.player, .versus').forEach(part => part.remove());
+    copy.querySelectorAll('a.desk').forEach(link => link.replaceWith(...link.childNodes));
     copy.querySelectorAll('details').forEach(part => part.removeAttribute('open'));
     copy.querySelectorAll('[tabindex]').forEach(part => part.removeAttribute('tabindex'));
     if (copy.matches('details')) copy.removeAttribute('open');
@@ -298,6 +310,7 @@
       before.after(next);
       if (old && picture !== undefined) next.querySelector('.picture').scrollLeft = scrolled;
       if (next.dataset.film) this.adopt(next);
+      linkTheDesk(next);
       for (const box of next.querySelectorAll('.formula, .scroll, .picture, pre'))  // as in site.js
         if (box.scrollWidth > box.clientWidth + 1) box.tabIndex = 0;
       this.mark(next);
@@ -683,6 +696,7 @@
     const { steps: reads } = JSON.parse(document.getElementById('parameters').textContent);
     steps = [...article.querySelectorAll('section[data-step]')].map(section => new Step(section, reads));
     readAddress();
+    linkTheDesk(article);
     steps.forEach(step => step.offerSettings());
     if (settings.size || versus) document.getElementById(decodeURIComponent(location.hash.slice(1)).split('&')[0])?.scrollIntoView();
     document.documentElement.classList.add('live');

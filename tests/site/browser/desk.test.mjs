@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { existsSync } from 'node:fs';
 import { after, test } from 'node:test';
 
-import { axe, launchFirefox, open, pages, quit, url } from './browser.mjs';
+import { axe, launchFirefox, lessons, live, open, pages, quit, url } from './browser.mjs';
 
 after(quit);
 
@@ -103,6 +103,16 @@ test('a task and a link bring their lines', { skip }, async () => {
   await tab.click('#task-7');
   await judged(tab, 'right');
   assert.match(await tab.$eval('#sheet', sheet => sheet.value), /θ1 \+ k θ2/);
+  await tab.close();
+});
+
+test('lesson 1 leads to the desk with its constraint', { skip: skip || !lessons.includes('01_jacobian') && 'this site has no lesson 1' }, async () => {
+  const tab = await live('01_jacobian');
+  const links = () => tab.$$eval('a.desk', links => links.map(link => link.getAttribute('href')));
+  assert.deepEqual(await links(), ['desk.html#task-2']);
+  await tab.click('a.desk');
+  await judged(tab, 'right');
+  assert.match(await tab.$eval('#sheet', sheet => sheet.value), /C = \|p2 - p1\|\^2\/2 - L\^2\/2/);
   await tab.close();
 });
 
