@@ -146,6 +146,9 @@ void contact(course::Page& page, const Settings& set) {
               course::Value(w1, 3), course::Value(dropped.slope, 3));
   else
     page.text("Here the plank does not turn, so (15) leaves out nothing wherever P₂ lies.");
+  page.text(
+      "`./lessons/run desk --task 5` derives (15) with a normal that is held, `--task 6` with an axis that "
+      "turns.");
 
   const double C = -0.02 * length;
   page.claim("C of the overlapping box", at.value(), "m",

@@ -84,7 +84,7 @@ void two_forms(course::Page& page, const Settings& set) {
   const double length = set.length;
   page.text(
       R"(One can also begin with C = |d| − L, an error in metres. Its l₂ is n = d/|d|: (14) divided by the length of
-      d. Both are right. Let a bob fly outwards and let the solver stop it at the end of its rod, once with each row
+      d (`./lessons/run desk --task 3` begins with it). Both are right. Let a bob fly outwards and let the solver stop it at the end of its rod, once with each row
       (by (17), the subject of lesson 2):)");
   const auto at = pendulum<PlaneParticle>(0.6, length, set.mass);
   const Pose<PlaneParticle>&anchor = at.bodies().pose[0], &bob = at.bodies().pose[1];

@@ -51,9 +51,11 @@ dC = (p2 - p1) . (v2 + w2 x r2 - v1 - w1 x r1)</textarea>
 <p id="told"></p>
 </section>
 <noscript><p>The desk runs in the page and needs JavaScript; ./lessons/run desk is the same at a terminal.</p></noscript>
+<section id="tasks" hidden="hidden">
 <h2>Tasks</h2>
 <ol class="tasks">
 {}</ol>
+</section>
 </div>
 )",
                                         items),

@@ -78,6 +78,7 @@
     }
     history.replaceState(null, '', '#' + encodeURIComponent(sheet.value));
   };
+  document.getElementById('tasks').hidden = false;
   sheet.oninput = () => {
     clearTimeout(waiting);
     waiting = setTimeout(check, 300);

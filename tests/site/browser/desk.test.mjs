@@ -1,6 +1,6 @@
 // The derivation desk in the page: typed by keyboard, judged line by line, run and drawn.
 import assert from 'node:assert/strict';
-import { existsSync } from 'node:fs';
+import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { after, test } from 'node:test';
 
 import { axe, launchFirefox, lessons, live, open, pages, quit, url } from './browser.mjs';
@@ -106,11 +106,35 @@ test('a task and a link bring their lines', { skip }, async () => {
   await tab.close();
 });
 
+// The derivations that tests/desk/transcripts.cpp judges natively.
+const transcripts = new URL('../../desk/transcripts/', import.meta.url);
+for (const file of readdirSync(transcripts))
+  test(`${file} is judged in the page as at a terminal`, { skip }, async () => {
+    const tab = await open(url('desk.html'));
+    await judged(tab, 'right');
+    const judge = lines => tab.evaluate(text => {
+      const sheet = document.getElementById('sheet');
+      sheet.value = text;
+      sheet.dispatchEvent(new Event('input'));
+      return new Promise(done => setTimeout(() => done([...document.querySelectorAll('#said strong')].map(strong => strong.textContent)), 600));
+    }, lines.join('\n'));
+    const right = [];
+    for (const line of readFileSync(new URL(file, transcripts), 'utf8').trim().split('\n').filter(line => !line.startsWith('#'))) {
+      const [, name, wrong] = /^wrong \((.*?)\): (.*)$/.exec(line) ?? [];
+      if (name) assert.equal((await judge([...right, wrong])).at(-1), `wrong: ${name}`);
+      else right.push(line);
+    }
+    assert.ok((await judge(right)).every(word => word === 'right'));
+    await judged(tab, 'J stands');
+    assert.ok(await tab.$$eval('#stage .part', parts => parts.length) > 0, 'no arrows');
+    await tab.close();
+  });
+
 test('lesson 1 leads to the desk with its constraint', { skip: skip || !lessons.includes('01_jacobian') && 'this site has no lesson 1' }, async () => {
   const tab = await live('01_jacobian');
   const links = () => tab.$$eval('a.desk', links => links.map(link => link.getAttribute('href')));
-  assert.deepEqual(await links(), ['desk.html#task-2']);
-  await tab.click('a.desk');
+  assert.deepEqual((await links()).sort(), [2, 3, 5].map(task => `desk.html#task-${task}`));
+  await tab.click('a.desk[href$="task-2"]');
   await judged(tab, 'right');
   assert.match(await tab.$eval('#sheet', sheet => sheet.value), /C = \|p2 - p1\|\^2\/2 - L\^2\/2/);
   await tab.close();
