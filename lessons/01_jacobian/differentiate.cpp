@@ -87,7 +87,7 @@ void differentiate(course::Page& page, const Settings& set) {
                 vector(pair.V2[2] * Linear<PlaneBody>(-pair.r2().y(), pair.r2().x())), vector(v1),
                 vector(pair.V1[2] * Linear<PlaneBody>(-pair.r1().y(), pair.r1().x())), pair.rate());
   page.text(
-      R"(Check every derivative. Here two boxes drift and spin for @ s; the rod only measures, it does not hold them
+      R"(Check every derivative. Here two boxes move for @ s; the rod only measures, it does not hold them
       yet. The curve is (10) at each moment. The dots do not use (10): they take C a little later and a little
       earlier, subtract, and divide by the time between, @ s.)",
       course::Value(time, 3), course::Value(2 * step, 3));

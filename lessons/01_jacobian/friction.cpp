@@ -115,7 +115,7 @@ void friction(course::Page& page, const Settings& set) {
   const double step = 1e-4 / (1 + std::abs(set.spin()));
   const Rows<2> measured = (at.slip(step) - at.slip(-step)) / (2 * step);
   page.text(
-      R"(The slip along t₁ and t₂ is @ m/s: JV, with the spin of the box in it. Any two perpendicular tangents will
+      R"(The slip along t₁ and t₂ is @ m/s: JV. Any two perpendicular tangents will
       do. Turn them about n and both numbers change, but not the length of the pair. A bound on each axis by itself
       makes friction depend on that choice; lesson 7 shows what that does to a slide.)",
       course::without_rounding(slip));

@@ -49,7 +49,7 @@ void slopes(course::Page& page, const Settings& set) {
        .right = course::say("The rest is exactly ½h²v², here @ m²: half the step, a quarter of it.", exact)});
   const double first_order = 2 * J.matrix(0, 5) * pair.V2[2];
   page.text(
-      R"(For the bob: ½(d + hv)² − ½d² = h d·v + ½h²v². For two turning boxes the rest is ½h²C̈ and terms of higher
+      R"(For the bob: ½(d + hv)² − ½d² = h d·v + ½h²v². For two boxes the rest is ½h²C̈ and terms of higher
       order. Now spoil the row: change the sign of a₂, the mistake that d × r would make. The rest gains 2h·a₂ω₂ =
       @·h, @.)",
       first_order, first_order != 0 ? "a term of *first* order" : "which is nothing, for ω₂ is 0 here");
@@ -90,10 +90,8 @@ void slopes(course::Page& page, const Settings& set) {
   const auto slope_tolerance = [](double part) { return part < 0.5 ? std::log2((1 + part) / (1 - part)) : 1.0; };
 
   const bool second_order = share < 0.2, first_order_seen = spoilt_share < 0.2;
-  const std::string of_right = second_order
-                                   ? "slope 2 for the right row"
-                                   : "for the right row no clear slope, as C̈ is nearly 0 here or the rest is "
-                                     "close to rounding",
+  const std::string of_right = second_order ? "slope 2 for the right row"
+                                            : "no slope for the right row over all of these steps",
                     of_spoilt = first_order == 0 ? "and the same for the spoilt row, as ω₂ = 0"
                                 : first_order_seen
                                     ? "slope 1 for the row with one wrong sign"

@@ -107,13 +107,14 @@ void two_forms(course::Page& page, const Settings& set) {
       - from |d| − L: λ = @ N·s, the impulse is @ N·s)",
       squared.lambda, vector(squared.on_bob), normalised.lambda, vector(normalised.on_bob));
   page.text(
-      R"(The impulse is the same. λ differs by the factor |d| and has another unit, N·s/m instead of N·s: never
-      compare the λ of one form with that of the other, nor with a bound meant for it.
+      R"(The impulse is the same. λ differs by the factor |d|, here @ m, and has another unit, N·s/m instead of N·s:
+      never compare the λ of one form with that of the other, nor with a bound meant for it.
 
       Mixing the forms goes wrong as soon as C is used too. A cure for drift (lesson 4) asks for JV = −(β/h)C: in
       each step a share β of the error. With C and J of the same form, that is nearly the share removed. With C from
       (2) and J from |d| − L, easily done when the article's C meets a normalised row, the share is β·L/(1 m): it
-      depends on the unit of length!)");
+      depends on the unit of length!)",
+      length);
   page.excerpt("lessons/01_jacobian/two_forms.cpp", "mixed");
   page.figure(
       "gains",

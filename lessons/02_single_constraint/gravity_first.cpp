@@ -2,6 +2,15 @@
 #include "lessons/02_single_constraint/steps.hpp"
 
 namespace byhand::single_constraint {
+namespace {
+
+std::string held(double degrees) {
+  if (degrees == 0) return "straight below the fixed point";
+  if (std::abs(degrees) == 180) return "straight above the fixed point";
+  return say("@° from straight down", degrees);
+}
+
+}  // namespace
 
 void gravity_first(const Setting& setting, Page& page) {
   const Pendulum scene = let_go(setting);
@@ -9,9 +18,9 @@ void gravity_first(const Setting& setting, Page& page) {
   const double length = setting.length(), gain = gravity() * setting.h(), rate = row.JV / length;
 
   page.text(
-      R"(A bob of @ kg hangs on a rod of @ m. You hold it @° from straight down and let go. Within one time step of h
+      R"(A bob of @ kg hangs on a rod of @ m. You hold it @ and let go. Within one time step of h
       = @ s gravity adds gh to its velocity, straight down.)",
-      setting.mass(), length, setting.angle(), setting.h);
+      setting.mass(), length, held(setting.angle()), setting.h);
   page.excerpt("solver/integrate/euler.hpp", "gravity");
   page.formula("v₂ = (0, −@)·@ = @ m/s", R"(v_2 = (0, -@)\cdot @ = @\ \mathrm{m/s})", gravity(), setting.h,
                row.v2);

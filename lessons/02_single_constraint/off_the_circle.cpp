@@ -70,7 +70,7 @@ void off_the_circle(const Setting& setting, Page& page) {
   const Swing steps = swing(weightless(setting), coarse, 8 * coarse);
   page.figure(
       "off_the_circle",
-      say(R"(The same bob in coarse steps of @ s. Each step is at right angles to the rod of that moment, so the rod
+      say(R"(The same bob in steps of @ s. Each step is at right angles to the rod of that moment, so the rod
           is longer after it; no step makes it shorter.)",
           coarse),
       [=](Canvas& canvas) { draw_steps(canvas, steps, length); });

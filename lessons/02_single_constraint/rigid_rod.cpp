@@ -116,8 +116,8 @@ void rigid_rod(const Setting& setting, Page& page) {
               stored("M⁻¹", sizeof(InverseMass<Point2>), sizeof(InverseMass<Rigid>)),
               stored("J", sizeof(Jacobian<Point2, 1>), sizeof(Jacobian<Rigid, 2>))});
   page.text(
-      R"(The larger model shows what the smaller cannot: a period of @ s instead of @ s, and a hinge that carries @
-      m·g at first. It costs @ numbers of J instead of @, a 2×2 effective mass instead of one number, and a sine and
+      R"(The larger model shows what the smaller cannot: an exact period of @ s instead of @ s, and a hinge that
+      carries @ m·g at first. It costs @ numbers of J instead of @, a 2×2 effective mass instead of one number, and a sine and
       cosine in every step. Use it where bodies turn.)",
       exact.period(), bob.period(), share, Jacobian<Rigid, 2>().matrix.size(),
       Jacobian<Point2, 1>().matrix.size());

@@ -18,6 +18,9 @@ void gravity_after(const Setting& setting, course::Page& page);
 void why_velocity(const Setting& setting, course::Page& page);
 void rigid_rod(const Setting& setting, course::Page& page);
 
+/// What the rest of the field calls what this lesson did.
+void say_where_else(course::Page& page);
+
 /// The bob that step 1 speaks of.
 course::Hold in_hand(const Setting& setting);
 

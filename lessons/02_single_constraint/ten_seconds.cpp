@@ -118,6 +118,7 @@ void ten_seconds(const Setting& setting, Page& page) {
               say("Change of energy in units of m·g·L; it never rises. After @ s it is −@.", seconds,
                   course::small_error(-change / scale, 4)),
               Chart{.x = {.label = "time (s)"}, .y = {.label = "ΔE/(m·g·L)"}, .curves = {energy, still}});
+  say_where_else(page);
   page.measure("rod after ten seconds", 100 * stretch, "% too long");
   page.measure("energy after ten seconds", change / scale, "m·g·L");
 

@@ -60,7 +60,9 @@ void within_a_step(const Setting& setting, Page& page) {
   const Pendulum scene = let_go(setting);
   const Vector bob = scene.bodies().pose[1].position, answer = row.lambda / setting.mass() * row.d;
   const double length = setting.length(), h = setting.h(), rate = row.JV / length, impulse = row.lambda * length;
-  const Vector left = course::without_rounding(Vector(row.v2 + answer));
+  const Vector sum = row.v2 + answer;
+  const Vector left(course::without_rounding(sum.x(), row.v2.norm()),
+                    course::without_rounding(sum.y(), row.v2.norm()));
   const std::string fate = rate > 0 ? "longer" : rate < 0 ? "shorter" : "";
   const pictures::Acts acts(
       {{say("V = gh = @ m/s", Value(row.v2.norm(), 3)), "Gravity adds gh to V, straight down.", palette::velocity},
@@ -77,8 +79,9 @@ void within_a_step(const Setting& setting, Page& page) {
                         : "Nothing is left of V.",
         palette::velocity},
        {say("|hV| = @ mm", Value(1000 * h * left.norm(), 3)),
-        say("The bob moves by hV, drawn @ times as far. The tangent leaves the circle.",
-            Value(0.75 * length / (gravity() * h * h), 2)),
+        left.norm() > 0 ? say("The bob moves by hV, drawn @ times as far. The tangent leaves the circle.",
+                              Value(0.75 * length / (gravity() * h * h), 2))
+                        : "The bob stays where it is.",
         palette::ink}});
   page.sequence(
       "within_a_step",

@@ -32,20 +32,20 @@ void heavy_end(Page& page, const Knobs& knobs) {
         {.ask =
              say(R"(With equal bobs one more digit takes @ sweeps. With this heavy end: fewer, as many, or more?)",
                  Value(light_digit, 3)),
-         .options =
-             {{"fewer",
-               "The last row's impulse moves mostly its light bob; the heavy one hardly changes its speed."},
-              {"as many", "Mass cancels in one pendulum, not between the two bobs of a row."},
-              {"more", say(R"(It takes @ sweeps, @ times as many. The last row's impulse hardly changes the speed
-                                  of the heavy bob, so the weight goes up the chain in small portions.)",
-                           Value(heavy_digit, 4), Value(change, 3))}},
+         .options = {{"fewer",
+                      "The last row's impulse moves mostly its light bob; the heavy one changes its speed less."},
+                     {"as many", "Mass cancels in one pendulum, not between the two bobs of a row."},
+                     {"more", say(R"(It takes @ sweeps, @ times as many. The last row's impulse gives the
+                                  heavy bob 1/(1 + r) of the change of speed, so the weight goes up the chain in
+                                  small portions.)",
+                                  Value(heavy_digit, 4), Value(change, 3))}},
          .answer = 2,
          .hints = {
              "The last row's impulse is the same for the light bob and the heavy one. Which of them does it move?",
              "(20): Δv = λl/m.", say("Of the difference in speed the heavy bob takes 1/(1 + @).", ratio)}});
   else
-    page.text("That is nearly equal: @ sweeps for one more digit, @ with equal bobs. Set `ratio` to 100.",
-              Value(heavy_digit, 4), Value(light_digit, 4));
+    page.text("One more digit takes @ sweeps, and @ with equal bobs. Set `ratio` to 100.", Value(heavy_digit, 4),
+              Value(light_digit, 4));
   page.text(
       R"(Let r be the ratio of the masses. The last row finds the heavy bob falling away from the light one and makes
       their speeds equal. The light bob takes the share r/(1 + r) of the change, @, the heavy one 1/(1 + r), @. And the

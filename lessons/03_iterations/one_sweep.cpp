@@ -145,10 +145,10 @@ void one_sweep(Page& page, const Knobs& knobs) {
         draw_instant(canvas, linkage, frames[static_cast<std::size_t>(at)]);
       });
   page.text(
-      R"(After the first sweep the @ joints carry the shares @ of the weight. Each row shares its error between two
+      R"(After the first sweep the @joints carry the shares @ of the weight. Each row shares its error between two
       equal bobs, so it passes *half* of it on to the next: gh, then gh/2, then gh/4. From bottom to top the result at
       the top is the same: every row but the top one finds its two bobs falling together, without an error.)",
-      knobs.links() <= 4 ? "" : "upper",
+      knobs.links() <= 4 ? "" : "upper ",
       std::vector<double>(shares.begin(), shares.begin() + std::min(4, knobs.links())));
   page.claim("share at the top joint, from top to bottom", shares.front(), "1",
              is(1.0 / knobs.links(), "its own bob's weight", relative(1e-12)));

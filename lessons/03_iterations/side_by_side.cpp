@@ -141,10 +141,13 @@ void side_by_side(Page& page, const Knobs& knobs) {
     right_length.emplace_back(knobs.links * L * from_straight_down<PlaneParticle>(part * M_PI / 2));
 
   page.text(
-      R"(Now let it swing for @ s from @°, with the correction of lesson 4 pulling stretched links back (β = @). Five
+      R"(Now let it swing for @ s from @°, @. Five
       times the same chain, started @; only the number of sweeps a step differs, and the last solves all rows at
       once.)",
-      film_seconds, knobs.angle, knobs.beta, knobs.warm() ? "warm" : "cold");
+      film_seconds, knobs.angle,
+      knobs.beta > 0 ? say("with the correction of lesson 4 pulling stretched links back (β = @)", knobs.beta)
+                     : "without any correction (β = 0)",
+      knobs.warm() ? "warm" : "cold");
   page.sequence(
       "sweeps_side_by_side",
       say(R"(The same chain of @ links with @, @, @ and @ sweeps a step, and solved directly. Below: the largest
@@ -176,7 +179,9 @@ void side_by_side(Page& page, const Knobs& knobs) {
         beyond == 0
             ? std::string("none of the four is beyond its limit.")
             : say("@ beyond the limit, where the correction makes the chain ring instead of bringing it to rest.",
-                  beyond == 1 ? std::string("one of the four is") : say("@ of the four are", beyond)));
+                  beyond == 1   ? std::string("one of the four is")
+                  : beyond == 4 ? std::string("all four are")
+                                : say("@ of the four are", beyond)));
   } else if (std::isfinite(direct.lost_at)) {
     page.text("Here even the chain whose rows are solved exactly flies apart, so sweeps are not the reason.");
   } else if (softer && knobs.beta > 0) {

@@ -44,10 +44,12 @@ void frame_rate(const Setting& setting, Page& page) {
   const Condition nearly_kept = changes < 0.15;
 
   if (!one_side)
-    page.text(
-        R"(With β = @ the error is gone within a few steps, or it changes sides: there is no half-time. This step
-        therefore uses β = 0.2.)",
-        setting.beta);
+    page.text(R"(With β = @ @: there is no half-time. This step therefore uses β = 0.2.)", setting.beta,
+              setting.beta() < 1    ? "most of the error goes in one step"
+              : setting.beta() == 1 ? "the error goes in one step"
+              : setting.beta() < 2  ? "the error changes sides in each step as it becomes smaller"
+              : setting.beta() == 2 ? "the error changes sides in each step and stays as large"
+                                    : "the error changes sides in each step and grows");
   page.text(
       R"(Divided by h, β is a share *per step*. It has no unit, as the article says, and still its effect depends on
       the number of steps in a second. With β = @ and h = @ s, half of the error is gone after @ ms.)",

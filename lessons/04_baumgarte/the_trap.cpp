@@ -234,7 +234,7 @@ void the_trap(const Setting& setting, Page& page) {
 
       - more sweeps: @;
       - a smaller β;
-      - a cold start, which settles for every β below 2, but sags;
+      - a cold start, whose errors die out for every β below 2 while they are small, but which sags;
       - a direct solve of the chain: then q = 0, and the limit is 2;
       - a correction that λ does not remember: split impulse (lesson 5) and soft constraints (lesson 6).)",
       limit < 2 ? say("with @ the limit is @", several(10 * sweeps, "sweep"),

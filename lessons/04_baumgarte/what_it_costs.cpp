@@ -173,9 +173,9 @@ void what_it_costs(const Setting& setting, Page& page) {
             .y = {.label = "error", .scale = Scale::logarithmic},
             .curves = with_points({drift, energy, time, drift_law, energy_law})});
   page.text(
-      R"(Of these β the drift is least at @, the loss of energy at @, the error of the period at @. (Where a curve
-      dips, the error changes its sign; that β is not better for another scene.) @)",
-      best_drift, best_energy, best_period,
+      R"(Of these β, up to @, the drift is least at @, the loss of energy at @, the error of the period at @. (Where a
+      curve dips, the error changes its sign; that β is not better for another scene.) @)",
+      betas.back(), best_drift, best_energy, best_period,
       page.verdict({{.when = where(Quantity("best β for drift", best_drift) > 0.3,
                                    Quantity("best β for energy", best_energy) > 0.3,
                                    Quantity("the most energy gained", most, "mgL") <= rounding),
