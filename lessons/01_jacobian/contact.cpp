@@ -107,9 +107,9 @@ void contact(course::Page& page, const Settings& set) {
   const Jacobian<PlaneBody, 1> J = at.row();
 
   page.text(
-      R"(The same steps, another constraint. Two bodies touch at P₁ and P₂ along a unit normal n and must not overlap.
-      C is the distance of P₂ from body 1 along n, C = (P₂ − P₁)·n, and it must not be negative. Differentiate,
-      isolate the velocities, look: n stands where d stood in (14).)");
+      R"(The same steps, another constraint. Two bodies touch at P₁ and P₂ along a unit normal n and must not
+      overlap. C is the distance of P₂ from body 1 along n, C = (P₂ − P₁)·n, and it must not be negative.
+      Differentiate, isolate the velocities, look: n stands where d stood in (14).)");
   page.equation(15, "J = [ @  @  @  @ ]", R"(J = \begin{bmatrix} @ & @ & @ & @ \end{bmatrix})",
                 vector(J.l1().transpose()), J.a1()(0, 0), vector(J.l2().transpose()), J.a2()(0, 0));
   page.excerpt("solver/constraints/contact.hpp", "jacobian");
@@ -138,9 +138,9 @@ void contact(course::Page& page, const Settings& set) {
   const double w1 = at.V1[2];
   page.text(
       R"(*What is left out?* C is a product of two things that change, so Ċ has two terms: (Ṗ₂ − Ṗ₁)·n, which is
-      (15), and (P₂ − P₁)·ṅ, which is dropped. When may it be? ṅ is perpendicular to n, so a gap or an overlap
-      along n adds nothing. Only where P₂ lies *beside* P₁ does the turning normal count, at ω₁ times the offset.
-      Contact points are chosen opposite each other, and there the dropped term is zero.)");
+      (15), and (P₂ − P₁)·ṅ, which is dropped. When is that allowed? ṅ is perpendicular to n, so a gap or an
+      overlap along n adds nothing. Only where P₂ lies *beside* P₁ does the turning normal count, at ω₁ times
+      the offset. Contact points are chosen opposite each other, and there the dropped term is zero.)");
   if (std::abs(w1) > 1e-6 * set.speed / length)
     page.text("Here the plank turns at @ rad/s: for each millimetre beside P₁, (15) leaves out @ mm/s.",
               course::Value(w1, 3), course::Value(dropped.slope, 3));
@@ -162,7 +162,7 @@ void contact(course::Page& page, const Settings& set) {
   const double speeds = set.speed + length * std::abs(set.spin());
   const double tolerance = 4 * speeds * turn * turn + 1e-14 * length / step;
   page.claim("what (15) drops, P₂ straight above or below P₁", dropped.straight_above, "m/s",
-             is(tolerance, "ṅ is square to n; the differences' own error", course::at_most()));
+             is(tolerance, "ṅ is perpendicular to n; the differences' own error", course::at_most()));
   page.claim("what (15) drops, per metre beside", dropped.slope, "(m/s)/m",
              is(-w1, "(P₂ − P₁)·ṅ with ṅ = ω₁ × n", course::absolute(20 * tolerance / length)));
 }

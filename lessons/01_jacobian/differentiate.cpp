@@ -4,7 +4,7 @@
 namespace byhand::lesson01 {
 namespace {
 
-/// Ċ of (9) for a bob that moves at `v` while the other end rests, from (8) [m²/s].
+/// Ċ of (9) for a bob that moves at `v` while the other end stays fixed, from (8) [m²/s].
 double rate_of_bob(const Linear<PlaneParticle>& d, const Linear<PlaneParticle>& v, double length) {
   const Distance<PlaneParticle> rod{{0, 1}, length};
   Pose<PlaneParticle> anchor, bob;

@@ -68,7 +68,7 @@ void four_parts(course::Page& page, const Settings& set) {
   page.sequence(
       "four_parts",
       course::say(R"(From the rate of C to the four parts of J, in @ s. Green: velocities, of the ends and of the
-                           centres; blue: the parts of J, l as arrows (drawn shorter) and a as bows.)",
+                           centres; blue: the parts of J, l as straight arrows (drawn shorter) and a as curved ones.)",
                   acts.seconds()),
       course::Seconds{acts.seconds()},
       [film = PartsFilm{acts, pair, box_sides(set), set.length(), 0.5 * set.length() / set.speed()}](

@@ -168,8 +168,8 @@ void inspection(course::Page& page, const Settings& set) {
                 });
 
   page.text(
-      R"(A row can be drawn on its bodies: l is an arrow at the body's centre, a is a bow around it. The two arrows
-      are equal and opposite.)");
+      R"(A row can be drawn on its bodies: l is an arrow at the body's centre, a is a curved arrow around it.
+      The two arrows are equal and opposite.)");
   page.figure(
       "row", "The four parts of J, drawn on the bodies that they belong to.", [=](renderer::Canvas& canvas) {
         canvas.look(
@@ -212,16 +212,16 @@ void inspection(course::Page& page, const Settings& set) {
   page.figure("field", "J's arrow on the bob points where C grows: outwards, also where the rod is too short.",
               [=](renderer::Canvas& canvas) { draw_field(canvas, length); });
   page.text(
-      R"(Move both bodies a little along J and C grows by |J|² times that little. Whether C has to grow or to shrink
-      is not in J: the sign of λ decides it (lesson 2).
+      R"(Move both bodies a little along J and C grows by |J|² times that little. Whether C has to grow or to
+      shrink is not in J: the sign of λ decides it (lesson 2).
 
       *The article says that J "always points towards the target". That is so only where C is negative.*)");
 
   say_swap(page, pair, row);
   page.text(
-      R"(Now derive it yourself: `./lessons/run desk --task 2` begins with this C, holds each of your lines against the
-      one before, and says which is wrong and why. `./lessons/run desk --tasks` lists eleven more, from a pin to a
-      screw.)");
+      R"(Now derive it yourself: `./lessons/run desk --task 2` begins with this C, holds each of your lines
+      against the one before, and says which is wrong and why. `./lessons/run desk --tasks` lists eleven more,
+      from a pin to a screw.)");
 
   Pair along = pair;  // both bodies moving along J
   along.V1 = row.head<3>().transpose();

@@ -71,9 +71,9 @@ constexpr int stored = decltype(Jacobian<Model, 1>::matrix)::ColsAtCompileTime;
 
 void linkage(course::Page& page, const Settings& set) {
   page.text(
-      R"(How many numbers has a row? Two times (l and a), for two bodies. In the plane a body turns in one way only,
-      so a is *one* number and a row has (2 + 1)·2 = @. In space it has (3 + 3)·2 = @. A bob that does not turn needs
-      @ in the plane and @ in space. The solver stores no more than that, and (8) reads:)",
+      R"(How many numbers are in a row? Two times (l and a), for two bodies. In the plane a body turns in one
+      way only, so a is *one* number and a row has (2 + 1)·2 = @. In space it has (3 + 3)·2 = @. A bob that does
+      not turn needs @ in the plane and @ in space. The solver stores no more than that, and (8) reads:)",
       stored<PlaneBody>, stored<SpaceBody>, stored<PlaneParticle>, stored<SpaceParticle>);
   page.excerpt("solver/jacobian.hpp", "8");
   page.text(R"(*The article's "two scalar values in 2D, and three scalar values in 3D" is true of l alone.*)");
@@ -83,8 +83,8 @@ void linkage(course::Page& page, const Settings& set) {
   const int links = set.links;
   const double zeros = double((J.array() == 0).count()) / double(J.size());
   page.text(
-      R"(Now @ links, pinned end to end. A pin is two constraints, so there are @ rows, and all bodies together have
-      @ components of velocity: a matrix of @ numbers. Entries that are exactly zero are left empty.)",
+      R"(Now @ links, pinned end to end. A pin is two constraints, so there are @ rows, and all bodies together
+      have @ components of velocity: a matrix of @ numbers. Entries that are exactly zero are left empty.)",
       links, J.rows(), J.cols(), J.size());
   const int chosen = links / 2;
   page.figure(
@@ -95,8 +95,8 @@ void linkage(course::Page& page, const Settings& set) {
       [=](renderer::Canvas& canvas) { draw_pin_and_rows(canvas, scene, J, chosen); });
   page.figure("matrix", "J of the chain. Empty cells are zero.", picture_of(J));
   page.text(
-      R"(@ % of the entries are zero, and @ % for a chain twice as long. So the solver does not build this matrix: it
-      keeps the rows, each with the numbers of its own two bodies, and (8) skips the rest.)",
+      R"(@ % of the entries are zero, and @ % for a chain twice as long. So the solver does not build this
+      matrix: it keeps the rows, each with the numbers of its own two bodies, and (8) skips the rest.)",
       course::Value(100 * zeros, 3), course::Value(100 * share_of_zeros(2 * links), 3));
 
   Eigen::VectorXd V = Eigen::VectorXd::Zero(J.cols());

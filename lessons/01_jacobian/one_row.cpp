@@ -46,8 +46,8 @@ void one_row(course::Page& page, const Settings& set) {
         R"((\dot q_1, \dots, \dot q_6) = V = (v_1, \omega_1, v_2, \omega_2))"},
        {"the slopes, in the same order, are the row J", "Ċ = JV", R"(\dot C = JV)"}});
   page.text(
-      R"(J is the *Jacobian* of C. V holds four kinds of velocity: linear and angular, of body 1 and of body 2. So J
-      has four parts, and the article calls them l₁, a₁, l₂, a₂. (In (1) the same letters meant positions and
+      R"(J is the *Jacobian* of C. V holds four kinds of velocity: linear and angular, of body 1 and of body 2.
+      So J has four parts, and the article calls them l₁, a₁, l₂, a₂. (In (1) the same letters meant positions and
       angles. From here on they are the parts of J.))");
   page.equation(6);
   page.equation(7);
@@ -59,10 +59,11 @@ void one_row(course::Page& page, const Settings& set) {
   const Linear<PlaneBody> slope = length * Linear<PlaneBody>(0.6, -0.8), v = Linear<PlaneBody>::Constant(speed);
   const double rate = slope.dot(v), step = 1e-3 * length / speed;
   page.predict(
-      {.ask = course::say(R"(A bob on a rod; the other end rests. Move the bob at 1 m/s along x and C changes by @
+      {.ask =
+           course::say(R"(A bob on a rod whose other end is fixed. Move the bob at 1 m/s along x and C changes by @
                          m²/s; at 1 m/s along y it changes by @ m²/s. Now it moves at (@, @) m/s. How large is
                          Ċ?)",
-                          slope.x(), slope.y(), speed, speed),
+                       slope.x(), slope.y(), speed, speed),
        .answer = rate,
        .unit = "m²/s",
        .tolerance = 0.02 * length * speed,
@@ -78,9 +79,9 @@ void one_row(course::Page& page, const Settings& set) {
       to push the bodies in order to change C, and one number λ says how hard:)");
   page.equation(5);
   page.text(
-      R"(So body 1 is pushed by λl₁ and turned by λa₁, body 2 by λl₂ and λa₂. How large λ must be is the question of
-      lesson 2. *The article calls Jᵀ "the inverse" of J; a row has no inverse, and the last deeper part of this
-      lesson says what Jᵀ is. What follows now is how to find J.*)");
+      R"(So body 1 is pushed by λl₁ and turned by λa₁, body 2 by λl₂ and λa₂. How large λ must be is the
+      question of lesson 2. *The article calls Jᵀ "the inverse" of J; a row has no inverse, and the last deeper
+      part of this lesson says what Jᵀ is. What follows now is how to find J.*)");
 
   const Pair pair = pair_of(set);
   const double speeds = pair.V1.norm() + pair.V2.norm();

@@ -29,8 +29,8 @@ void slopes(course::Page& page, const Settings& set) {
   wrong.matrix(0, 5) = -J.matrix(0, 5);
 
   page.text(
-      R"(J predicts how C changes over a small step h: ΔC ≈ h·JV. To test a row, look at what the prediction misses,
-      |ΔC − h·JV|. What is proportional to h is taken away.)");
+      R"(J predicts how C changes over a small step h: ΔC ≈ h·JV. To test a row, look at what the prediction
+      misses, |ΔC − h·JV|. What is proportional to h is taken away.)");
   const double at_h = left_over(bob, bob.row(), h), at_half = left_over(bob, bob.row(), h / 2);
   const double factor = at_h / at_half, exact = 0.5 * set.speed * set.speed * h * h;
   page.predict(
@@ -108,7 +108,7 @@ void slopes(course::Page& page, const Settings& set) {
       R"(This is the cheapest test that a constraint can have: it needs C and J and nothing else. It finds every
       wrong entry *that the motion uses*: with ω₂ = 0 a wrong a₂ goes unnoticed@, so test with every component of
       V at work.)",
-      first_order == 0 ? ", as in this run" : " (set `spin` to 0 and the two lines are one)");
+      first_order == 0 ? ", as in this run" : " (set `spin` to 0 and the two lines coincide)");
 
   if (second_order) page.measure("slope with (14)", measured_slope, "1");
   if (first_order_seen) page.measure("slope with a₂ of the wrong sign", spoilt_slope, "1");

@@ -104,12 +104,12 @@ void triple_product(course::Page& page, const Settings& set) {
   page.equation(12);
   page.text(
       R"(J has the coefficients of the velocities. v₁ and v₂ already stand alone behind theirs, −d and d. The two ω
-      are still inside a cross product. The scalar triple product takes them out: a·(b × c) is the volume that a,
-      b and c span, and it stays the same when the three change places in a cycle.)");
+      are still inside a cross product. The scalar triple product takes them out: a·(b × c) is the signed volume
+      that a, b and c span, and it stays the same when the three change places in a cycle.)");
   page.formula("d·(ω × r) = ω·(r × d)", R"(d \cdot (\omega \times r) = \omega \cdot (r \times d))");
   page.equation(13);
   page.text(
-      R"(Only a cyclic change keeps the sign: r × d and d × r differ by one, and this is where most Jacobians
+      R"(Only a cyclic change keeps the sign: r × d and d × r have opposite signs, and this is where most Jacobians
       derived by hand go wrong. In the plane r × d is one number, r_x d_y − r_y d_x: |d| times the lever arm with
       which d passes the centre.)");
   page.predict(
@@ -127,13 +127,15 @@ void triple_product(course::Page& page, const Settings& set) {
        .right = R"(Turn the body anticlockwise (ω₂ > 0) and P₂ rises, against d: the rod gets shorter, so the
                 entry is negative.)"});
   const Turning turning = entry_over_direction(arm, size);
-  page.figure("lever", "d acts on the body with a lever arm; a₂ is |d| times that arm, with a sign.",
-              [oblique = arm_and_rod({arm, 0}, size * Point(0.5, -std::sqrt(0.75)))](renderer::Canvas& canvas) {
-                draw_lever(canvas, canvas.page().inset(20), oblique);
-              });
+  page.figure(
+      "lever",
+      "The line of d passes the centre at the distance of the lever arm; a₂ is |d| times that arm, with a sign.",
+      [oblique = arm_and_rod({arm, 0}, size * Point(0.5, -std::sqrt(0.75)))](renderer::Canvas& canvas) {
+        draw_lever(canvas, canvas.page().inset(20), oblique);
+      });
   page.text(
-      R"(Turn d once round the tip of the arm. Where its line passes through the centre, at 0° and 180°, turning the
-      body does not change C, and a₂ is zero. At right angles to the arm it is largest, @ m². The dots turn the
+      R"(Turn d once round the tip of the arm. Where its line passes through the centre, at 0° and 180°, turning
+      the body does not change C, and a₂ is zero. At right angles to the arm it is largest, @ m². The dots turn the
       body a little and measure C.)",
       area);
   page.figure("entry", "a₂ while d turns round the tip of the arm.", turning.chart);

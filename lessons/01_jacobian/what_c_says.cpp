@@ -102,9 +102,9 @@ void what_c_says(course::Page& page, const Settings& set) {
       value_at(far * from_straight_down<PlaneParticle>(three_four_five), length, mass), length * length);
 
   page.text(
-      R"(This course follows one article: R. Gaul, *Modelling and Solving Physical Constraints* (2013). Its equations
-      keep their numbers here, (1) to (23). Each is derived, computed by the solver that comes with the course, and
-      checked; in this lesson (1) to (16) and (23). This is its example, a rod between two bodies:)");
+      R"(This course follows one article: R. Gaul, *Modelling and Solving Physical Constraints* (2013). Its
+      equations keep their numbers here, (1) to (23). Each is derived, computed by the solver that comes with
+      the course, and checked; in this lesson (1) to (16) and (23). The article's running example is a rod between two bodies:)");
   page.figure("rod",
               "Two bodies and a rod. P₁ and P₂ are its ends, r₁ and r₂ lead there from the centres of mass.",
               [pair = pair_of(set), sides = box_sides(set), length](renderer::Canvas& canvas) {
@@ -121,12 +121,12 @@ void what_c_says(course::Page& page, const Settings& set) {
               {"C", "value of the constraint; Ċ is its rate of change", "m² for this rod"},
               {"V", "all velocities in one column: v₁, ω₁, v₂, ω₂", ""},
               {"J", "Jacobian, the row of numbers with Ċ = JV", ""},
-              {"λ", "how hard the constraint pushes along J", ""},
+              {"λ", "the impulse along J, up to the length of J", ""},
               {"h", "time step", "s"}});
   page.text(
-      R"(A constraint is written as one number, C. It is zero where the constraint is met, and it says by how much
-      it is violated where not. It depends on where the two bodies are (l, for linear) and on how they are turned
-      (a, for angular):)");
+      R"(A constraint is written as one number, C. It is zero when the constraint is satisfied;
+      otherwise it measures the violation. It depends on where the two bodies are (l, for linear) and on how
+      they are turned (a, for angular):)");
   page.equation(1);
   page.text(
       R"(For the rod the article compares squares of lengths, so that no root stands in the way when we

@@ -54,7 +54,7 @@ void effective_mass(const Setting& setting, Page& page) {
                m2 = scene.bodies().inverse_mass[1].linear;
 
   page.text(
-      R"(How hard is it to change JV? Push with one unit of impulse along Jᵀ: JV then changes by JM⁻¹Jᵀ, the number
+      R"(How hard is it to change JV? Take λ = 1: JV then changes by JM⁻¹Jᵀ, the number
       that (17) will divide by. M⁻¹ has the bodies' inverse masses on its diagonal:)");
   page.equation(18);
   page.text(
@@ -72,21 +72,21 @@ void effective_mass(const Setting& setting, Page& page) {
   const double product = J * inverse_mass * J.transpose();
   page.figure(
       "no_matrix",
-      say(R"((19) as a product of matrices. The fixed point has an inverse mass of 0, as if it were infinitely heavy.
-          (19) needs @ multiplications, the product of matrices @.)",
+      say(R"((19) as a product of matrices. The fixed point has an inverse mass of 0, as if it were infinitely
+          heavy. (19) needs @ multiplications, the product of matrices @.)",
           2 * (PlaneParticle::linear + 1), 4 * 4 + 4),
       [=](Canvas& canvas) { draw_product(canvas, J, inverse_mass, product); });
 
   page.text(
-      R"(JM⁻¹Jᵀ is an *inverse* mass: heavier bodies make it smaller. 1/(JM⁻¹Jᵀ) = @ kg/m² is the effective mass for
-      JV. JV is |d| times the speed along the rod; for that speed the effective mass is |d|²/(JM⁻¹Jᵀ) = @ kg, the
-      bob's own mass, for nothing else moves.)",
+      R"(JM⁻¹Jᵀ is an *inverse* mass: heavier bodies make it smaller. 1/(JM⁻¹Jᵀ) = @ kg/m² is the effective mass
+      for JV. JV is |d| times the speed along the rod; for that speed the effective mass is |d|²/(JM⁻¹Jᵀ) = @
+      kg, the bob's own mass, because nothing else moves.)",
       1 / row.K, length * length / row.K);
   const Pendulum pair = two_free_bobs(setting);
   const double light = setting.mass(), heavy = 4 * light, together = length * length / OneRow(pair).K;
   page.text(
       R"(Let both ends of a rod move, @ kg at one and @ kg at the other, and the effective mass along it is @ kg:
-      less than the lighter one, for the other end moves too.
+      less than the lighter one, because the other end moves too.
 
       *The article calls M⁻¹ "the mass of the constraint" and JM⁻¹Jᵀ "the constraint mass". The first is the
       inverse mass matrix of the bodies, the second the inverse effective mass.*)",

@@ -25,7 +25,7 @@ void gravity_first(const Setting& setting, Page& page) {
   page.formula("v₂ = (0, −@)·@ = @ m/s", R"(v_2 = (0, -@)\cdot @ = @\ \mathrm{m/s})", gravity(), setting.h,
                row.v2);
   page.text(
-      R"(This goes into V *before* anything is solved, for the constraint can only cancel what is in V by then.
+      R"(This goes into V *before* anything is solved, because the constraint can only cancel what is in V by then.
 
       How fast would the rod change its length with this V? Ċ = JV says it (lesson 1). Body 1 is the fixed point,
       body 2 the bob. Neither turns, so the row (14) has two parts left, l₁ = −d and l₂ = d with d = P₂ − P₁ = @ m,

@@ -46,8 +46,8 @@ void off_the_circle(const Setting& setting, Page& page) {
       speed);
   page.excerpt("solver/integrate/euler.hpp", "advance");
   page.predict(
-      {.ask = say("It moves one step of h = @ s at @ m/s. By how much is the @ m rod wrong then?", setting.h,
-                  speed, length),
+      {.ask = say("It moves one step of h = @ s at @ m/s. How much too long is the @ m rod after that step?",
+                  setting.h, speed, length),
        .answer = one / millimetre,
        .unit = "mm",
        .tolerance = 0.1 * one / millimetre,
@@ -88,8 +88,8 @@ void off_the_circle(const Setting& setting, Page& page) {
   page.figure(
       "one_step",
       say(ratio <= 0.5 ? R"(How much too long the rod is after one step, over h. From h to h/2 the slope is @:
-                                  half the step, a quarter of the error. A second then has twice as many steps, so the
-                                  drift over a *time* halves.)"
+                                  half the step, a quarter of the error. A second then has twice as many steps,
+                                  so the drift over a *time* halves.)"
                        : R"(How much too long the rod is after one step, over h. From h to h/2 the slope is @;
                                   it becomes 2 where v·h is much smaller than L.)",
           Value(slope, 3)),
@@ -103,8 +103,8 @@ void off_the_circle(const Setting& setting, Page& page) {
   const double radius = last.position.norm(), momentum = cross(last.position, last.velocity)[0];
   const double grown = laws::drifted_radius(length, speed, h, second);
   page.text(
-      R"(After one second the rod is @ mm too long, and the bob is slower by @ m/s: each impulse acts along the rod, so
-      it does not change the angular momentum, speed times length.)",
+      R"(After one second the rod is @ mm too long, and the bob is slower by @ m/s: each impulse acts along the
+      rod, so it does not change the angular momentum, speed times length.)",
       (radius - length) / millimetre, course::small_error(speed - last.velocity.norm(), 3));
 
   page.derivation("How fast the rod grows, without gravity",
@@ -112,7 +112,7 @@ void off_the_circle(const Setting& setting, Page& page) {
                     "ℓ² grows by v²h² a step, by v²h a second", R"(\frac{d\ell^2}{dt} = v^2 h)"},
                    {"angular momentum, with v₀ at ℓ = L", "v = v₀L/ℓ", R"(v = v_0 L/\ell)"},
                    {"multiply by 2ℓ²", "ℓ⁴ grows by 2v₀²L²h a second", R"(\frac{d\ell^4}{dt} = 2v_0^2L^2h)"},
-                   {"add up over the time t", "ℓ = L(1 + 2v₀²ht/L²)^¼",
+                   {"integrate from 0 to t", "ℓ = L(1 + 2v₀²ht/L²)^¼",
                     R"(\ell = L\left(1 + \frac{2v_0^2ht}{L^2}\right)^{1/4})"}});
 
   page.claim("stretch after one step", one / millimetre, "mm",

@@ -60,8 +60,8 @@ void rigid_rod(const Setting& setting, Page& page) {
   const SimplePendulum bob(start, length, gravity());
   page.text(
       R"(A bob in the plane has two components of velocity. Spread the same @ kg evenly along the rod and it turns:
-      there is a third, ω, and an inertia I = mL²/12 about the centre. Its constraint is a pin of two rows (the hinge
-      may move neither along x nor along y), and its J has the arms of (14).)",
+      there is a third, ω, and an inertia I = mL²/12 about the centre. Its constraint is a pin of two rows (the
+      hinge may move neither along x nor along y), and its J has the arms of (14).)",
       mass);
   page.excerpt("solver/constraints/pin.hpp", "jacobian");
 
@@ -69,13 +69,14 @@ void rigid_rod(const Setting& setting, Page& page) {
   const double share = level[0].hinge_force.y() / (mass * gravity());
   page.predict(
       {.ask =
-           R"(The rod is held level and let go. Which force does the hinge carry in the first instant, in units of
-              the weight m·g?)",
+           R"(The rod is held level and let go. What force does the hinge carry at the moment of release, in
+              units of the weight m·g?)",
        .answer = share,
        .unit = "m·g",
        .tolerance = 0.02,
-       .wrong = {{0.5, say("Half holds a rod that is supported at both ends; here the centre falls with @ g.",
-                           1 - share)},
+       .wrong = {{0.5,
+                  say("Each end carries half when the rod is supported at both; here the centre falls with @ g.",
+                      1 - share)},
                  {1, "Then the centre would not fall."}},
        .hints = {"What the hinge does not carry makes the centre fall. How fast does the centre fall?",
                  "About the hinge: (mL²/3)·α = m·g·L/2. The centre is L/2 from the hinge.",
@@ -117,8 +118,8 @@ void rigid_rod(const Setting& setting, Page& page) {
               stored("J", sizeof(Jacobian<Point2, 1>), sizeof(Jacobian<Rigid, 2>))});
   page.text(
       R"(The larger model shows what the smaller cannot: an exact period of @ s instead of @ s, and a hinge that
-      carries @ m·g at first. It costs @ numbers of J instead of @, a 2×2 effective mass instead of one number, and a sine and
-      cosine in every step. Use it where bodies turn.)",
+      carries @ m·g at first. It costs @ numbers of J instead of @, a 2×2 effective mass instead of one number,
+      and a sine and cosine in every step. Use it where bodies turn.)",
       exact.period(), bob.period(), share, Jacobian<Rigid, 2>().matrix.size(),
       Jacobian<Point2, 1>().matrix.size());
 

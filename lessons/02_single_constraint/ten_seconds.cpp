@@ -68,8 +68,8 @@ void ten_seconds(const Setting& setting, Page& page) {
           {.label = "C", .x = each(run, &Sample::time), .y = each(run, &Sample::C), .colour = palette::error}}};
   page.sequence(
       "ten_seconds",
-      say(R"(Blue: the article's step with b = 0. Dashed: the exact pendulum. C never falls, and grows fastest where the
-          bob is fast; after @ s the rod is @ % too long.)",
+      say(R"(Blue: the article's step with b = 0. Dashed: the exact pendulum. C never falls, and grows fastest
+          where the bob is fast; after @ s the rod is @ % too long.)",
           seconds, course::small_error(100 * stretch, 4)),
       Seconds{seconds},
       [film = Film{run, exact, length, C}](Canvas& canvas, double time) { film.draw(canvas, time); });
@@ -97,7 +97,7 @@ void ten_seconds(const Setting& setting, Page& page) {
   page.text(
       R"(Both have an exact law. In each step C grows by ½|v|²h². And in each step the energy falls by ½m|ΔV|²,
       where ΔV is all that the step does to V, gravity and impulse together. Both are squares: with b = 0 this step
-      loses energy and *cannot* gain any. The angle after @ s is @ rad, the exact one @ rad.)",
+      loses energy and *cannot* gain any; several rods, warm starts and b ≠ 0 can. The angle after @ s is @ rad, the exact one @ rad.)",
       seconds, last.angle(), exact.angle(seconds));
   page.derivation(
       "What a step does to C and to the energy",

@@ -37,9 +37,9 @@ void price_of_direct(Page& page, const Knobs& knobs) {
   const double after_n = error_after(n, GaussSeidel{}, knobs.chain(), knobs.h) / knobs.fall();
 
   page.text(
-      R"(What do the two ways cost? One *row-solve*, (17) and (20) once, takes @ multiplications in this model: @ for
-      JV, as many for the impulse. The direct solve eliminates one joint after the other, a few multiplications each,
-      and goes back. For a chain, where A has numbers on its diagonal and next to it alone:)",
+      R"(What do the two ways cost? One *row-solve*, (17) and (20) once, takes @ multiplications in this model:
+      @ for JV, as many for the impulse. The direct solve eliminates one joint after the other, a few
+      multiplications each, and goes back. For a chain, where A has numbers on its diagonal and next to it alone:)",
       4 * PlaneParticle::dof, 2 * PlaneParticle::dof);
   page.excerpt("lessons/03_iterations/plain.cpp", "elimination");
   // J·W of a row itself and with its neighbour, JV and M⁻¹Jᵀλ, each a sum over the degrees of freedom of the
@@ -47,9 +47,9 @@ void price_of_direct(Page& page, const Knobs& knobs) {
   const double around = (2.0 + 1 + 2 + 2) * PlaneParticle::dof / (4 * PlaneParticle::dof);
   page.text(
       R"((The solver's `eliminate` in solver/direct/direct.cpp does this for any graph of bodies, with blocks for
-      numbers.) In units of one sweep, elimination costs @ for @ links and @ for @ links. Writing A down before and
-      putting the impulses into V afterwards cost another @. Then every row is right to rounding, while @ from λ = 0
-      leave an error of @ gh.
+      numbers.) In units of one sweep, elimination costs @ for @ links and @ for @ links. Setting up A
+      beforehand and applying the impulses afterwards costs another @. Then every row is right to rounding,
+      while @ from λ = 0 leave an error of @ gh.
 
       *The article says "iterative solvers are fast". One sweep is; the sweeps that a long chain needs are not.*)",
       Value(once.row_solves / n, 2), n, Value(twice.row_solves / (2 * n), 2), 2 * n, around, several(n, "sweep"),
@@ -71,13 +71,13 @@ void price_of_direct(Page& page, const Knobs& knobs) {
   page.figure(
       "price",
       R"(Error against cost, with A and the impulses included for the direct solve. Gauss–Seidel pays for every
-              digit, and more for a longer chain; the direct solve pays once and leaves rounding, drawn near the lower
-              edge.)",
+              digit, and more for a longer chain; the direct solve pays once and leaves rounding, drawn near the
+              lower edge.)",
       chart);
   page.text(
-      R"(Why then does anyone iterate? This is a chain. Rows with bounds (contacts, friction) are not one linear system;
-      loops and piles make the factor dense; and where a scene changes little from step to step, a few warm sweeps are
-      enough. The rule of this course: paths and trees directly, the rest by sweeps.)");
+      R"(Why then does anyone iterate? This is a chain. Rows with bounds (contacts, friction) are not one linear
+      system; loops and piles make the factor dense; and where a scene changes little from step to step, a few
+      warm sweeps are enough. The rule of this course: paths and trees directly, the rest by sweeps.)");
   HeldStep direct(knobs.chain(), knobs.h, Direct{});
   direct.solve();
   const Eigen::MatrixXd A = textbook_matrix(knobs.chain()) * knobs.length() * knobs.length();

@@ -80,13 +80,13 @@ void twice_as_long(Page& page, const Knobs& knobs) {
                     (exactly 4 times only for long chains).)",
                Value(twice / once, 3))});
   page.text(
-      R"(Take Jacobi, the simplest. Let eᵢ be what joint i's λ still lacks. Solving row i by (17) makes it right *for
-      what its neighbours do now*, so what it lacks afterwards is the mean of what they lack:)");
+      R"(Take Jacobi, the simplest. Let eᵢ be what joint i's λ still lacks. Solving row i by (17) makes it right
+      *for what its neighbours do now*, so what it lacks afterwards is the mean of what they lack:)");
   page.formula("eᵢ ← ½ (eᵢ₋₁ + eᵢ₊₁)", R"(e_i \leftarrow \tfrac{1}{2}\,(e_{i-1} + e_{i+1}))");
   page.text(
-      R"(This is a random walk: in each sweep every bit of error moves up or down by one joint, with equal shares. At
-      the anchor it turns back, at the free end it disappears. After n steps a random walk is about √n from where it
-      began, so to cross N joints takes about N² sweeps.)");
+      R"(This is a random walk: in each sweep every bit of error moves up or down by one joint, with equal
+      shares. At the anchor it turns back, at the free end it disappears. After n steps a random walk is about
+      √n from where it began, so to cross N joints takes about N² sweeps.)");
 
   constexpr int joints = 41;
   constexpr double half = 0.5;
@@ -103,15 +103,15 @@ void twice_as_long(Page& page, const Knobs& knobs) {
   }
   page.figure(
       "random_walk",
-      say(R"(One joint in the middle of @ was wrong: where that error is after some sweeps of Jacobi (each takes @ of
-          its change, else it is on odd and even joints by turns). Four times the sweeps, twice the standard deviation: @,
-          @, @ joints.)",
+      say(R"(One joint in the middle of @ was wrong: where that error is after some sweeps of Jacobi (each row
+          applies @ of its correction; with the whole, the error would sit on odd and on even joints
+          alternately). Four times the sweeps, twice the standard deviation: @, @, @ joints.)",
           joints, half, Value(widths[0], 3), Value(widths[1], 3), Value(widths[2], 3)),
       walk);
   page.text(
-      R"(The last error to disappear is the smoothest one, a quarter of a wave from anchor to free end. Jacobi leaves
-      the share cos(π/2N) of it. Gauss–Seidel uses each new value at once and does two of Jacobi's sweeps in one:
-      cos²(π/2N), in any order of the rows.)");
+      R"(The last error to disappear is the smoothest one, a quarter of a wave from anchor to free end. Jacobi
+      leaves the share cos(π/2N) of it. Gauss–Seidel uses each new value at once and does two of Jacobi's sweeps
+      in one: cos²(π/2N), in any order of the rows.)");
   page.derivation(
       "The rate cos(π/2N)",
       {{"try a wave, with the anchor's mirror image e₀ = e₂", "eᵢ = cos((i − 1)θ)",

@@ -71,8 +71,8 @@ void two_links(Page& page, const Knobs& knobs) {
   solve(0);
 
   page.text(
-      R"(In lesson 2 one constraint was solved once, and its JV was zero for the rest of the step. Hang a second link
-      below the first: the two rows *share a bob*, and solving one changes the JV of the other.
+      R"(In lesson 2 one constraint was solved once, and its JV was zero for the rest of the step. Hang a second
+      link below the first: the two rows *share a bob*, and solving one changes the JV of the other.
 
       Two bobs of @ kg hang on rods of @ m. Gravity is already in V, so in this step of @ s both fall at gh = @
       m/s. The upper rod is getting longer at that rate. The lower one is not, for its two ends fall together.)",
@@ -106,9 +106,9 @@ void two_links(Page& page, const Knobs& knobs) {
       });
   within_a_sweep(page, knobs);
   page.text(
-      R"(Row 2 has undone half of what row 1 did; solving row 1 again undoes half of what row 2 did. (17) is exact for
-      *one* row while the others wait. For many rows it is one step of a method that goes round and round:
-      *Gauss–Seidel*. One round over all rows is a *sweep*. In the plainest words, for a hanging chain:)");
+      R"(Row 2 has undone half of what row 1 did; solving row 1 again undoes half of what row 2 did. (17) is
+      exact for *one* row while the others wait. For many rows it is one step of a method that goes round and
+      round: *Gauss–Seidel*. One round over all rows is a *sweep*. In the plainest code, for a hanging chain:)");
   page.excerpt("lessons/03_iterations/plain.cpp", "sweep");
   page.text(
       R"(*The article calls the method Sequential Impulses, and writes (17) for "the system"; one (17) solves one

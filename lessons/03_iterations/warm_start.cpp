@@ -116,10 +116,10 @@ void warm_start(Page& page, const Knobs& knobs) {
   const Condition lawful = both(visible, Quantity("Ngh²/L", slack) < 0.1);
 
   page.text(
-      R"(A simulation does not take the sweeps that it needs: it takes @ a step and moves on. After k = @ the slow wave
-      of step 5 still has the share q = ρᵏ of its size, @. Let the chain hang like that for some seconds, without any
-      correction of positions, once *cold* (each step begins at λ = 0) and once *warm* (each begins with the λ of the
-      last).)",
+      R"(A simulation does not sweep until it has converged: it makes @ a step and moves on. After k = @ the
+      slow wave of step 5 still has the share q = ρᵏ of its size, @. Let the chain hang like that for some
+      seconds, without any correction of positions, once *cold* (each step begins at λ = 0) and once *warm*
+      (each begins with the λ of the last).)",
       k, several(k, "sweep"), small_error(q, 4));
 
   const Chain settled = settled_cold(knobs, visible ? q : 0.01);
@@ -131,14 +131,14 @@ void warm_start(Page& page, const Knobs& knobs) {
   const bool stretches = rate > 1e-9 * fall;
   if (stretches)
     page.text(
-        R"(**Cold, the chain keeps getting longer.** Every step lacks the same share of λ again, and the error that is
-        left stays in V and is added to the next. In the end the links part at a steady speed, the worst at @ m/s. The
-        joints then carry the weight (@ N of @ N at the top), but only because the rows see this speed.)",
+        R"(**Cold, the chain keeps getting longer.** Every step falls short by the same share of λ, and the
+        error that is left stays in V and is added to the next. In the end the links part at a steady speed, the
+        worst at @ m/s. The joints then carry the weight (@ N of @ N at the top), but only because this speed shows up in every row's JV.)",
         rate, carried, knobs.weight());
   else
     page.text(
-        R"(**Cold.** @ solve each step to rounding, so even without a memory the chain hangs as it should, with @ N of @
-        N at the top. The rest of this step is about fewer sweeps.)",
+        R"(**Cold.** @ solve each step to rounding, so even without a memory the chain hangs as it should, with
+        @ N of @ N at the top. The rest of this step is about fewer sweeps.)",
         several(k, "sweep"), carried, knobs.weight());
   const Chain cold = hanging(knobs, false), warm = hanging(knobs, true);
   const renderer::Curve of_cold = error_over_time("cold", cold, knobs, seconds),
@@ -157,8 +157,8 @@ void warm_start(Page& page, const Knobs& knobs) {
       "**Warm, each step begins where the last one stopped.** @",
       !stretches ? std::string("Here that has nothing to add.")
       : std::isfinite(lost_at)
-          ? say(R"(Here the chain flies apart after @ s: the links change so much in one step that the λ of the last one
-                does not fit.)",
+          ? say(R"(Here the chain flies apart after @ s: the links change so much in one step that the λ of the
+                last one does not fit.)",
                 Value(lost_at, 2))
           : say("After @ s its error is up to @ gh and that of the cold chain @ gh. @", seconds, small_error(end),
                 Value(cold_end, 2), helps()));
@@ -186,8 +186,8 @@ void warm_start(Page& page, const Knobs& knobs) {
        {"try sₙ = zⁿ", "z² − 2qz + q = 0, z = q ± i√(q(1 − q)), |z| = √q",
         R"(z^2 - 2qz + q = 0, \quad z = q \pm i\sqrt{q(1-q)}, \quad |z| = \sqrt q)"}});
   page.text(
-      R"(So one warm sweep shrinks it by √ρ, one cold sweep by ρ; but warm sweeps add up over the steps and cold ones do
-      not.)");
+      R"(So one warm sweep shrinks it by √ρ, one cold sweep by ρ; but warm sweeps add up over the steps and cold
+      ones do not.)");
 
   constexpr double lowest = 1e-6;  // on the chart [gh]
   renderer::Chart chart;
@@ -229,14 +229,14 @@ void warm_start(Page& page, const Knobs& knobs) {
   const double arrived = std::pow(q, 0.5 / knobs.h);
   if (lawful)
     page.text(
-        R"(After one second of warm steps the slow wave is down to @ of where it began. Cold, that would take about @ in
-        every step.)",
+        R"(After one second of warm steps the slow wave is down to @ of where it began. Cold, that would take
+        about @ in every step.)",
         small_error(arrived), several(std::max(1L, std::lround(0.5 * k / knobs.h)), "sweep"));
   page.text(
-      R"(**The price.** The warm error does not only fall, it *rings*: the roots z are complex. λ keeps what the last
-      step added to it. Once positions are corrected too (lesson 4), with a share β in each step, λ also keeps the
-      correction and applies it again: the ringing then grows unless β < (1 − q)/q and β < 2. Here the limit is @, for
-      one sweep a step @.)",
+      R"(**The price.** The warm error does not only fall, it *rings*: it changes sign again and again on its
+      way down (in the derivation, the roots z are complex). λ keeps what the last step added to it. Once
+      positions are corrected too (lesson 4), with a share β in each step, λ also keeps the correction and
+      applies it again: the ringing then grows unless β < (1 − q)/q and β < 2. Here the limit is @, for one sweep a step @.)",
       Value(laws::largest_beta(q), 3), Value(laws::largest_beta(laws::left_by_a_sweep(n)), 3));
 
   if (stretches) page.measure("largest error of the cold chain", rate / fall, "gh");

@@ -98,7 +98,7 @@ void both_sides_of_two(const Setting& setting, Page& page) {
        .hints = {"The step moves the bob by more than the error. On which side does it arrive?", "C′ = (1 − β)C.",
                  say("1 − β = @.", 1 - bold)},
        .right = "1 − β = −½: the step overshoots by half of the error, so the rod is now too short."});
-  page.choose({.ask = say("And if it goes on like that, with β = @, does it settle?", bold),
+  page.choose({.ask = say("If every step does this, with β = @, does the rod settle?", bold),
                .options = {{"yes", "Each step overshoots by half, and a half of a half of a half goes to zero."},
                            {"no", "Each step overshoots by half, and a half of a half of a half goes to zero."}},
                .answer = settles ? 0 : 1,
@@ -121,9 +121,9 @@ void both_sides_of_two(const Setting& setting, Page& page) {
   page.figure("stems_of_ten_steps", "The stems after ten steps.",
               [panels](Canvas& canvas) { draw_panels(canvas, panels, panel_steps); });
   page.text(
-      R"(Each step multiplies the error by 1 − β, so the size |1 − β| decides. Where |1 − β| < 1, that is 0 < β < 2,
-      the error shrinks; at β = 1 one step removes all of it; at β = 2 the bob jumps from one side to the other for
-      ever; beyond 2 the error grows.)");
+      R"(Each step multiplies the error by 1 − β, so the size |1 − β| decides. Where |1 − β| < 1, that is 0 < β
+      < 2, the error shrinks; at β = 1 one step removes all of it; at β = 2 the bob jumps from one side to the
+      other for ever; beyond 2 the error grows.)");
   page.figure("factor", "The measured factor of one step on both sides of 1 and of 2. Dashed: |1 − β|.",
               factors(setting));
   page.measure("what a step leaves", factor(setting, setting.beta()), "1");

@@ -82,9 +82,9 @@ void drift(const Setting& setting, Page& page) {
   const bool visible = C > 0.02 * length;
 
   page.text(
-      R"(In lesson 2 the rod became longer and longer. Each step moves the bob along the tangent, because JV = 0 asks
-      for no more, and the tangent leaves the circle. This growing error is called *drift*. To see it alone, take
-      gravity away: a bob goes round at @ m/s on a rod of @ m; h is @ s, and nothing corrects the drift (b = 0).)",
+      R"(In lesson 2 the rod became longer and longer. Each step moves the bob along the tangent, because JV = 0
+      asks for no more, and the tangent leaves the circle. This growing error is called *drift*. To see it
+      alone, take gravity away: a bob goes round at @ m/s on a rod of @ m; h is @ s, and nothing corrects the drift (b = 0).)",
       speed, length, setting.h);
   Curve measured =
       curve("C", run, &Sample::time, [&](const Sample& s) { return 100 * (s.position.norm() - length); });
@@ -104,7 +104,7 @@ void drift(const Setting& setting, Page& page) {
                   film.draw(canvas, time);
                 });
   page.choose(
-      {.ask = "The bob is now farther out than it should be. What has become of its kinetic energy?",
+      {.ask = "The bob is now farther out than it should be. What has happened to its kinetic energy?",
        .options = {{"risen",
                     R"(The bob moved outward, but nothing pushed it outward. The next impulse removes the outward
                     part of V, and its energy ½m·vᵣ² with it.)"},

@@ -51,8 +51,8 @@ void frame_rate(const Setting& setting, Page& page) {
               : setting.beta() == 2 ? "the error changes sides in each step and stays as large"
                                     : "the error changes sides in each step and grows");
   page.text(
-      R"(Divided by h, β is a share *per step*. It has no unit, as the article says, and still its effect depends on
-      the number of steps in a second. With β = @ and h = @ s, half of the error is gone after @ ms.)",
+      R"(Divided by h, β is a share *per step*. It has no unit, as the article says, and still its effect
+      depends on the number of steps in a second. With β = @ and h = @ s, half of the error is gone after @ ms.)",
       beta, setting.h, Value(1000 * half, 3));
   page.predict(
       {.ask = say("β = @ stays, h is halved. What becomes of the half-time of @ ms?", beta, Value(1000 * half, 3)),
@@ -73,7 +73,7 @@ void frame_rate(const Setting& setting, Page& page) {
                                     {"for small β, −ln(1 − β) ≈ β", "t ≈ ln 2 · h/β = 0.69 h/β",
                                      R"(t_{1/2} \approx 0.69\,\frac{h}{\beta})"}});
   page.text(
-      R"(So the time in β is h/β (here @ ms), for small β. A game that is tuned at one frame rate and runs at
+      R"(So β stands for a time, h/β (here @ ms), for small β. A game that is tuned at one frame rate and runs at
       another has stiffer or softer joints, although nobody touched β. To keep the half-time, keep h/β: with h
       halved *and* β halved, the half-time goes from @ ms to @ ms. @)",
       1000 * h / beta, Value(1000 * half, 3), Value(1000 * kept, 3),

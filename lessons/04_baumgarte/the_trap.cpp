@@ -156,8 +156,8 @@ void the_trap(const Setting& setting, Page& page) {
   const std::string shown_q = q < 1e-6 ? "less than 10⁻⁶" : say("@", Value(q, 4));
 
   page.text(
-      R"(One row, solved exactly, settles for every β below 2. Now the chain of lesson 3: @, and @ of Gauss–Seidel in
-      each step, as an engine would do it. β = @.)",
+      R"(One row, solved exactly, settles for every β below 2. Now the chain of lesson 3: @, and @ of
+      Gauss–Seidel in each step, as an engine would do it. β = @.)",
       several(links, "link"), several(sweeps, "warm sweep"), setting.beta);
   const std::string reason =
       dies_out ? say("β is below the limit, @.", limit)
@@ -165,12 +165,12 @@ void the_trap(const Setting& setting, Page& page) {
           ? "Beyond 2 even one row overshoots by more than its error."
           : R"(λ starts from last step's value, which holds last step's correction as well; the error is corrected
             twice.)";
-  page.choose({.ask = say("β = @, @, @ a step. Does an error of the rods die out?", setting.beta,
+  page.choose({.ask = say("β = @, @, @ a step. Does an error in the rods' lengths die out?", setting.beta,
                           several(links, "link"), several(sweeps, "warm sweep")),
                .options = {{"yes", say("It @. @", fate_of_error(growth), reason)},
                            {"no", say("It @. @", fate_of_error(growth), reason)}},
                .answer = dies_out ? 0 : 1,
-               .hints = {"λ starts from last step's value. What did that value contain beside the weight?",
+               .hints = {"λ starts from last step's value. What did that value contain besides the weight?",
                          "Of the slowest wave, k sweeps leave q = cos²ᵏ(π/2N) (lesson 3).",
                          say("Here q is @: compare β with (1 − q)/q, and with 2.", shown_q)}});
   ChainsFilm film = film_of(setting, beta);
@@ -184,16 +184,16 @@ void the_trap(const Setting& setting, Page& page) {
   };
   page.sequence(
       "warm_and_cold",
-      say(R"(The same chain of @ m with β = @ and @ a step, with warm and with cold start; its lowest rod begins @ %
-          too long. Within @ s the errors of the warm chain @, those of the cold chain @.)",
+      say(R"(The same chain of @ m with β = @ and @ a step, with warm and with cold start; its lowest rod begins
+          @ % too long. Within @ s the errors of the warm chain @, those of the cold chain @.)",
           links * setting.length(), setting.beta, several(sweeps, "sweep"), 100 * HangingChain::start_error,
           chain_seconds, ends(film.beside.curves[0], growth), ends(film.beside.curves[1], cold)),
       Seconds{chain_seconds},
       [film, h = setting.h()](Canvas& canvas, double time) mutable { film.draw(canvas, time, h); });
   page.text(
-      R"(Follow the slowest wave along the chain. k sweeps leave the share q = cos²ᵏ(π/2N) of it, which is @ here. A
-      warm step begins with all of last step's λ, and this λ includes last step's correction; the sweeps remove only
-      the share 1 − q of that surplus. As a program, with e for the wave of C, V for its rate, and A = h = 1:)",
+      R"(Follow the slowest wave along the chain. k sweeps leave the share q = cos²ᵏ(π/2N) of it, which is @
+      here. A warm step begins with all of last step's λ, and this λ includes last step's correction; the sweeps
+      remove only the share 1 − q of that surplus. As a program, with e for the wave of C, V for its rate, and A = h = 1:)",
       shown_q);
   page.excerpt("lessons/04_baumgarte/the_trap.cpp", "plain_wave");
   page.text("A step multiplies the wave by a root z of the cubic");
@@ -218,8 +218,8 @@ void the_trap(const Setting& setting, Page& page) {
                R"(\text{all waves die out} \iff \beta < \min\Bigl(\frac{1-q}{q},\,2\Bigr) = @)", limit);
   const Quantity share("β", beta), of_limit("limit", limit), step_growth("growth in a step", growth);
   page.text(
-      R"(@ With few sweeps or many links the limit becomes very small, and the solver gives no error message: beyond
-      the limit the chain only oscillates more and more.)",
+      R"(@ With few sweeps or many links the limit becomes very small, and the solver gives no error message:
+      beyond the limit the chain only oscillates more and more.)",
       page.verdict(
           {{.when = step_growth < 1, .say = "β is below the limit: errors die out.", .law = share < of_limit},
            {.when = step_growth > 1, .say = "β is above the limit: errors grow.", .law = share > of_limit}}));
