@@ -166,12 +166,7 @@ class NewtonSolve {
   }
 
   /// Rows without effect stay as they are.
-  void press_or_leave(int row, const auto& J) {
-    if (work_.scales.D[row] > 0)
-      press(row, J);
-    else
-      stop(row, 0);
-  }
+  void press_or_leave(int row, const auto& J) { work_.scales.D[row] > 0 ? press(row, J) : stop(row, 0); }
   /// The change of λ by which the row alone would lose its error, negated.
   double scaled_error(int row) const {
     return work_.scales.D[row] > 0 ? work_.error[row] / work_.scales.D[row] : 0.0;

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <ctime>
 
 #include "lessons/catalogue/cost.hpp"
 #include "lessons/catalogue/limits.hpp"
@@ -60,34 +59,6 @@ TEST(Outcome, OfABlockIsThatItSlidesAsItShould) {
     EXPECT_EQ(point.outcome, Outcome::good) << point.reason;
     EXPECT_LT(point[Error::trajectory], 0.01) << angle;
   }
-}
-
-class Cost : public testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(Catalogue, Cost, testing::Values("links in the plane", "links in space"));
-
-TEST_P(Cost, OfManyStepsAndOfManySweepsDiffersAsTheirTimesDo) {
-  const Problem chain("chain", {}, GetParam());
-  const Knobs often = with_beta(0.001, 64, 1), long_once = with_beta(0.001, 1, 64);
-  const auto run = [&](const Knobs& knobs) {
-    AnyScene scene = chain.start();
-    scene.use(sweeps().setting(knobs).method);
-    const std::clock_t start = std::clock();  // of the processor, which other programs do not lengthen
-    for (int i = 0; i < 40; ++i) scene.step(frame);
-    return static_cast<double>(std::clock() - start);
-  };
-  double least[2] = {1e9, 1e9};  // interleaved, so that what else runs slows both
-  for (int i = 0; i < 30; ++i) {
-    least[0] = std::min(least[0], run(often));
-    least[1] = std::min(least[1], run(long_once));
-  }
-  const auto cost = [&](const Knobs& knobs) {
-    return measure(chain, sweeps(), knobs, {.seconds = 0.5, .reference = false}).cost;
-  };
-  const double counted = cost(often) / cost(long_once), timed = least[0] / least[1];
-  EXPECT_GT(timed, 3);
-  // What writes rows runs more of its instructions at a time than a sweep, where each row waits for the one
-  // before.
-  EXPECT_LT(std::abs(std::log(counted / timed)), std::log(1.5)) << counted << " and " << timed;
 }
 
 TEST(Prices, ArePaidForWhatAStepExecutes) {
