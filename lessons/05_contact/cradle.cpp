@@ -68,7 +68,7 @@ Chart gaps(const Setting& setting) {
     last.x.push_back(share);
     last.y.push_back(speeds.back());
   }
-  return {.x = {.label = "h, in times that a ball takes to cross a gap", .scale = Scale::logarithmic},
+  return {.x = {.label = "h / (time to cross a gap)", .scale = Scale::logarithmic},
           .y = {.label = "speed after the blow (v)"},
           .curves = {first, last},
           .references = {{Reference::Across::x, 1, "h = gap/v"}}};
@@ -96,9 +96,10 @@ void cradle(const Setting& setting, Page& page) {
        .answer = direct.front(),
        .unit = "v",
        .tolerance = 0.04,
-       .wrong =
-           {{0, "So it is in nature. But here one impulse in each contact acts at the same instant on all balls."},
-            {-1, "Then the others together would have twice the momentum that came in."}},
+       .wrong = {{0,
+                  "That is what real balls do. But here one impulse in each contact acts at the same instant on "
+                  "all balls."},
+                 {-1, "Then the others together would have twice the momentum that came in."}},
        .hints = {"All other balls leave together, at one speed u: no pair among them may approach or separate.",
                  "momentum: v₁ + (N − 1)u = v;   separation of the first pair: u − v₁ = v.",
                  say("u = v + v₁, so v₁ + @(v + v₁) = v.", n - 1)},
@@ -106,25 +107,27 @@ void cradle(const Setting& setting, Page& page) {
            say("(2 − N)/N = @; all the others leave together at 2/N = @ v.", Value((2.0 - n) / n, 3), 2.0 / n)});
   const std::vector<double> one_forward = after_a_step(setting, forward),
                             one_backward = after_a_step(setting, backward);
-  std::vector<double> nature(static_cast<std::size_t>(n), 0.0);
-  nature.back() = 1;
+  std::vector<double> in_turn(static_cast<std::size_t>(n), 0.0);
+  in_turn.back() = 1;
   Chart bars{.x = {.label = "ball"}, .y = {.label = "speed after the blow (v)"}};
   for (int i = 1; i <= n; ++i) bars.bar_names.push_back(say("@", i));
   bars.bars = {{"all at once", direct, {}},
                {"one sweep, first contact first", one_forward, {}},
                {"one sweep, last contact first", one_backward, {}},
-               {"nature", nature, palette::muted}};
+               {"one collision after the other", in_turn, palette::muted}};
   page.figure(
       "cradle_speeds",
       say(R"(The speeds of @ balls after one step: solved at once, by one sweep in either direction (for the
-                  stop and for the bounce), and in nature.)",
+                  stop and for the bounce), and with one collision after the other.)",
           n),
       bars);
   page.text(
-      R"(Momentum is right in all of them, and solved at once the energy is right as well; but nature does something
-      else. One sweep gives a third result, and one sweep from the other end a fourth; the energy is then @ and @ of
-      what it was. More sweeps do not approach nature either. They approach the first result, in which every row has
-      what it asks for.)",
+      R"(Momentum is right in all of them, and solved at once the energy is right as well; but real balls do something
+      else, nearly the last of these: they collide one after the other. (Nearly, because balls that touch are springs
+      as well: their stiffness decides how much overlaps in time, and the others recoil a little.) One sweep gives
+      another result, and one sweep from the other end yet another; the energy is then @ and @ of what it was. More
+      sweeps do not approach real balls either. They approach the first result, in which every row has what it asks
+      for.)",
       Value(sum(one_forward, 2), 2), Value(sum(one_backward, 2), 2));
   page.derivation(
       "All contacts at once",
@@ -141,7 +144,7 @@ void cradle(const Setting& setting, Page& page) {
   page.figure(
       "cradle_gaps",
       R"(Balls a millimetre apart, all contacts solved at once in each step. Left, with steps shorter than the time
-      to cross a gap: as in nature. Right: all collisions in one step.)",
+      to cross a gap: one collision after the other. Right: all collisions in one step.)",
       gaps(setting));
   page.sequence(
       "two_cradles",
@@ -175,7 +178,7 @@ void cradle(const Setting& setting, Page& page) {
              largest_difference(after_a_step(setting, many), direct), "v", is(0, "one answer", absolute(1e-6)));
   const double gap = 0.001;
   page.claim("last ball, steps of half a gap's flight", after_the_blow(setting, gap, 0.5 * gap / v).back(), "v",
-             is(1, "nature: one collision after the other", absolute(1e-9)));
+             is(1, "one collision after the other", absolute(1e-9)));
 }
 
 }  // namespace byhand::contact

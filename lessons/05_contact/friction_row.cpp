@@ -110,7 +110,7 @@ void friction_row(const Setting& setting, Page& page) {
   }
 
   page.text(
-      R"(Friction is (15) once more, with a tangent t in the place of n. It has no C to keep; it asks only for JV =
+      R"(Friction is (15) once more, with a tangent t in the place of n. It has no C to keep at zero; it asks only for JV =
       0, no slip. What is new is its bound: by Coulomb's law friction is at most μ times the normal force, so its
       bound is another row's λ:)");
   page.equation(16);
@@ -125,14 +125,17 @@ void friction_row(const Setting& setting, Page& page) {
       say(R"(The push is straight up and passes to the left of the centre, so it turns the box
                                 clockwise, and a point below the centre then moves to the left: @ m/s.)",
           Value(std::abs(pressed.slip()), 3));
-  page.choose({.ask = "The normal's row stops the corner. Does the corner slip then, and which way?",
-               .options = {{"to the left", slips}, {"it does not slip", slips}, {"to the right", slips}},
-               .answer = pressed.slip() < 0   ? 0
-                         : pressed.slip() > 0 ? 2
-                                              : 1,
-               .hints = {"The push passes beside the centre of mass. What does it do besides stopping the corner?",
-                         "It changes ω by I⁻¹(r × n)λ, and the corner's velocity by that ω × r.",
-                         "The box turns clockwise. Which way does a point below its centre move?"}});
+  page.choose(
+      {.ask = "The normal's row stops the corner. Does the corner slip then, and which way?",
+       .options = {{"to the left", slips},
+                   {"it does not slip", "It did not slip before, but its two directions are coupled. " + slips},
+                   {"to the right", "It would, if the centre were to the left of the corner. " + slips}},
+       .answer = pressed.slip() < 0   ? 0
+                 : pressed.slip() > 0 ? 2
+                                      : 1,
+       .hints = {"The push passes beside the centre of mass. What does it do besides stopping the corner?",
+                 "It changes ω by I⁻¹(r × n)λ, and the corner's velocity by that ω × r.",
+                 "The box turns clockwise. Which way does a point below its centre move?"}});
   page.figure(
       "on_a_corner",
       R"(Left: the corner comes straight down. Middle: the normal's push (orange) has stopped it and made it slip.
@@ -195,9 +198,9 @@ void friction_row(const Setting& setting, Page& page) {
   page.text(
       R"(With two sweeps the second finds the λₙ of the first, and a warm start keeps the λₙ of the step before: both
       hide the mistake, apart from the delay. With the normals first friction is right from the first sweep. But
-      then no normal row follows to correct what friction disturbs, so bodies may sink a little where they rub.
-      Some engines, Box2D 2 among them, therefore solve friction first and rely on the warm start; Box2D 3 takes the
-      normals first.)");
+      the row that is solved last is the one that is satisfied best: after friction no normal row corrects what
+      friction has disturbed, and bodies may sink a little where they rub. Not to overlap matters more than not to
+      slip, so Box2D 2 solves friction first and relies on the warm start; Box2D 3 takes the normals first.)");
 
   page.measure("slip after the normal's impulse", pressed.slip(), "m/s");
   page.measure("stopping distance", stopping_distance(setting, orders[0].solver), "m");

@@ -49,7 +49,7 @@ int main(int argc, char** argv) {
             "A block sticks while tanθ ≤ μ; beyond, it slides by ½at(t + h).",
             "A bounce is b = e JV⁻, with JV⁻ where the fall meets the ground; reversed on overlap it gains h·v "
             "each time.",
-            "Where many bodies touch at once, the rows have one result and nature has another.",
+            "Where many bodies touch at once, the rows give one answer and real balls another.",
             R"(Sweeps carry a stack's weight quickly, but not its bending: a stack of N boxes of height a whose
             overlaps are left uncorrected takes about ¾gh²N³/a warm sweeps to stand, or a direct solve.)"},
        .tries = {{"With each change clamped a square box stands and a slim one does not. Where does it begin?",

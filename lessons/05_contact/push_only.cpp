@@ -8,10 +8,11 @@
 namespace byhand::contact {
 namespace {
 
-constexpr double stand_seconds = 2.3, lift = 0.3;  // [s], [m]
-constexpr int shown_sweeps = 8;
+constexpr double stand_seconds = 2.3, lift = 0.3;    // [s], [m]
+constexpr int shown_sweeps = 8, enough_sweeps = 10;  // with fewer a row has hardly time to take anything back
+constexpr double longest_arrow = 1.6;                // [mgh]; the blow of the landing is far beyond
 
-/// What a box is stood with, and what it is called.
+/// A box that is dropped, and its label.
 struct Stand {
   std::string name;
   double width;  // [m]
@@ -40,7 +41,7 @@ std::string fate(StandingBox box) {
   while (box.time() < stand_seconds) {
     box.step();
     const double below = box.scene().bodies().pose[1].position.y() - 0.5;
-    landed = landed || box.lambda().size() > 0;
+    landed = landed || std::any_of(box.lambda().begin(), box.lambda().end(), [](double push) { return push > 0; });
     if (landed) highest = std::max(highest, below);
   }
   const double lean = std::abs(box.scene().bodies().pose[1].rotation.sin);
@@ -112,7 +113,8 @@ void draw_stand(Canvas& canvas, const Stand& stand, const Rectangle& frame, doub
     const Point at =
         anchor<PlaneBody, double>(pose, in_world<PlaneBody, double>(pose, contacts[i].at.arms.second));
     if (stand.box.lambda()[i] > 0)
-      canvas.vector(at, Point(0, stand.box.lambda()[i] / weight), {palette::force, 0.7, "mgh"});
+      canvas.vector(at, Point(0, std::min(longest_arrow, stand.box.lambda()[i] / weight)),
+                    {palette::force, 0.7, "mgh"});
   }
   canvas.clip({});
   canvas.look_at_page();
@@ -158,7 +160,8 @@ void push_only(const Setting& setting, Page& page) {
       {.ask = R"(The box has stood still. Gravity has made its velocity −gh; now its two rows are swept, and
                       *each* change is clamped at zero. How does the box move after many sweeps?)",
        .options = {{"it still sinks", "A row that finds its corner sinking pushes until it no longer does."},
-                   {"it is at rest", explained},
+                   {"it is at rest",
+                    (up > 0 ? "Then the two would have given the weight exactly. " : "") + explained},
                    {"it rises", explained}},
        .answer = up > 0 ? 2 : 1,
        .hints = {"The first row finds all of the fall and stops its corner alone.",
@@ -187,23 +190,23 @@ void push_only(const Setting& setting, Page& page) {
         R"(\text{no further change})"},
        {"speed of the box", "(λ₁ + λ₂)/m − gh = s(1 − s)/(1 + s)² gh",
         R"(\frac{\lambda_1+\lambda_2}{m} - gh = \frac{s(1-s)}{(1+s)^2}\,gh)"}});
-  std::vector<Stand> stands{
-      {"1 × 1 m, each clamped", 1, {1, mass, h, setting.sweeps, Clamp::each, lift}},
-      {say("@ × 1 m, each clamped", width), width, {width, mass, h, setting.sweeps, Clamp::each, lift}},
-      {say("@ × 1 m, sum clamped", width), width, {width, mass, h, setting.sweeps, Clamp::sum, lift}}};
-  page.text(up > 0
-                ? R"(In a step of rest that is only @ m/s. But gh could be any speed: let boxes *fall* on their two
+  const int sweeps = std::max(enough_sweeps, setting.sweeps());
+  std::vector<Stand> stands{{"1 × 1 m, each clamped", 1, {1, mass, h, sweeps, Clamp::each, lift}}};
+  if (width != 1)
+    stands.push_back({say("@ × 1 m, each clamped", width), width, {width, mass, h, sweeps, Clamp::each, lift}});
+  stands.push_back({say("@ × 1 m, sum clamped", width), width, {width, mass, h, sweeps, Clamp::sum, lift}});
+  page.text(up > 0 ? R"(For a box at rest this is only @ mm/s. But gh could be any speed: drop boxes onto their two
                corners from @ m, and a share of what the rows take away is left over again, together with a turn.)"
-                : R"(Nothing is left over here (@ m/s), and the same holds for a fall: let boxes fall on their two
-               corners from @ m.)",
-            up * gravity * h, lift);
+                   : "Nothing is left over here (@ mm/s). Now drop boxes onto their two corners from @ m.",
+            1000 * up * gravity * h, lift);
+  std::string fates = say("the square box @", fate(stands[0].box));
+  if (width != 1) fates += say(" and the box of @ m @", width, fate(stands[1].box));
   page.sequence(
       "hop_and_tip",
-      say(R"(Three boxes fall flat from @ m, with @ a step. With each change clamped the square box @ and the box of
-          @ m @; with the sum clamped it @. Arrows: λ of the step (mgh is 0.7 m
-          long).)",
-          lift, several(setting.sweeps, "sweep"), fate(stands[0].box), width, fate(stands[1].box),
-          fate(stands[2].box)),
+      say(R"(Boxes fall flat from @ m, with @ a step. With each change clamped @; with the sum clamped @ @. Arrows: λ
+          of the step (mgh is 0.7 m long; more than @ mgh is drawn as that).)",
+          lift, several(sweeps, "sweep"), fates, width == 1 ? "it" : say("the box of @ m", width),
+          fate(stands.back().box), longest_arrow),
       Seconds{stand_seconds}, [stands, h, weight, turned = turns(stands)](Canvas& canvas, double time) mutable {
         const auto [above, under] = canvas.page().inset(16).split_rows(0.6, 10);
         const auto frames = above.cells(1, static_cast<int>(stands.size()), 16);

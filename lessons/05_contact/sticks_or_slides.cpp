@@ -30,6 +30,15 @@ double acceleration(double angle, double friction) {
   return std::max(0.0, gravity * (std::sin(angle) - friction * std::cos(angle)));
 }
 
+/// λₜ over its bound, for a box that rests [1].
+double share_of_bound(const Setting& setting, double angle) {
+  Simulation<PlaneBody> box = on_slope(setting, angle);
+  while (box.time < 0.5) box.step(setting.h);
+  const System<PlaneBody>& system = box.work.system;
+  const int row = system.row_of[0];  // the two normals, then friction
+  return std::abs(system.lambda[row + 2]) / (setting.friction() * (system.lambda[row] + system.lambda[row + 1]));
+}
+
 /// ½at(t + h) of symplectic Euler [m].
 double law_of_sliding(double angle, double friction, double time, double h) {
   return 0.5 * acceleration(angle, friction) * time * (time + h);
@@ -122,15 +131,22 @@ void sticks_or_slides(const Setting& setting, Page& page) {
       along it, and friction is at most μ times the first. Nothing in the solver says "static" or "kinetic": the same
       row, JV = 0 within ±μλₙ, sticks while its λ stays inside the bound and slides while λ is at the bound.)",
       setting.mass);
-  page.predict({.ask = say("μ = @. From which slope on does the box slide?", setting.friction),
-                .answer = degrees(measured_limit(setting)),
-                .unit = "°",
-                .tolerance = 0.4,
-                .wrong = {{degrees(std::asin(std::min(1.0, mu))),
-                           "That is sinθ = μ: the normal force is mg·cosθ, not mg."}},
-                .hints = {"Compare the force along the slope with the largest friction.",
-                          "mg·sinθ pulls, mg·cosθ presses.", say("sinθ = @ · cosθ.", setting.friction)},
-                .right = say("tanθ = μ, so θ = arctan @; the mass is on both sides.", setting.friction)});
+  const int gentle = static_cast<int>(degrees(limit) / 2);  // [deg]
+  const double used = std::tan(radians(gentle)) / mu;
+  page.predict(
+      {.ask = say(R"(μ = @, and the box stands on a slope of @°. What share of its bound μλₙ is friction's
+                           λₜ?)",
+                  setting.friction, gentle),
+       .answer = used,
+       .unit = "1",
+       .tolerance = 0.03,
+       .wrong = {{1, "That is the largest λₜ, not the one needed: the row asks for JV = 0 and no more."},
+                 {std::sin(radians(gentle)) / std::cos(radians(gentle)),
+                  "That is λₜ/λₙ; the bound is μ times λₙ."}},
+       .hints = {"The box stays at rest. How large is the force along the slope that friction cancels?",
+                 "λₜ = mgh·sinθ, λₙ = mgh·cosθ.", say("tan @° / @.", gentle, setting.friction)},
+       .right = R"(λₜ is only as large as JV = 0 needs: tanθ/μ of the bound. Where that reaches 1, at tanθ =
+                         μ, the box begins to slide; the mass cancels.)"});
   const double farthest = law_of_sliding(slope, mu, slide_seconds, h) + 0.9;
   const double steepest = std::max(slope, limit + radians(1)), fall = farthest * std::sin(steepest);
   const Rectangle world{-0.8, -0.4 - fall, 0.8 + farthest * std::cos(slope), 1.4 + fall};
@@ -170,6 +186,8 @@ void sticks_or_slides(const Setting& setting, Page& page) {
   const double time = std::round(1 / h) * h, beside = 0.001;
   page.measure("slid in 1 s on the third slope",
                without_rounding(slid_after(on_slope(setting, slope), slope, time, h), 1), "m");
+  page.claim(say("friction's λ over its bound at @°", gentle), share_of_bound(setting, radians(gentle)), "1",
+             is(used, "tanθ/μ", relative(1e-6)));
   page.claim("slope at which it begins to slide", degrees(measured_limit(setting)), "°",
              is(degrees(limit), "tanθ = μ", absolute(1e-5)));
   page.claim(

@@ -58,8 +58,15 @@ struct ConeFilm {
 };
 
 std::string at_the_corner(const OnACorner& box, double speed) {
-  return say("The corner moves at @\u00a0m/s along and @\u00a0m/s up.",
-             Value(without_rounding(box.slip(), speed), 2), Value(without_rounding(box.approach(), speed), 2));
+  const double along = without_rounding(box.slip(), speed), up = without_rounding(box.approach(), speed);
+  const auto towards = [](double rate, const char* positive, const char* negative) {
+    return say("@\u00a0m/s@", Value(std::abs(rate), 2), rate > 0 ? positive : rate < 0 ? negative : "");
+  };
+  if (along == 0 && up == 0) return "The corner is at rest.";
+  if (up == 0) return say("The corner moves at @.", towards(along, " to the right", " to the left"));
+  if (along == 0) return say("The corner moves at @.", towards(up, " up", " down"));
+  return say("The corner moves at @ and @.", towards(along, " to the right", " to the left"),
+             towards(up, " up", " down"));
 }
 
 }  // namespace
