@@ -46,7 +46,27 @@ double textbook_sinking(double ratio, int sweeps, double beta, double h) {
   return -bias.sum() * h / beta;
 }
 
-Chart over_ratio(const Setting& setting) {
+/// A pair comes to rest if it moves less than this in the eighth second, and has sunk less [m].
+constexpr double resting_range = 1e-3, resting_depth = 0.5;
+
+/// The ratio up to which a warm-started pair comes to rest, by bisection of its logarithm; `heaviest` if that
+/// does.
+constexpr double heaviest = 1000;
+double largest_resting_ratio(int sweeps, double beta, double h) {
+  const auto rests = [&](double ratio) {
+    const auto [low, high] = range_of_sinking(pair(GaussSeidel{.sweeps = sweeps}, ratio, beta), h);
+    return high - low < resting_range && high < resting_depth;
+  };
+  if (rests(heaviest)) return heaviest;
+  double low = 0, high = std::log(heaviest);
+  for (int i = 0; i < 8; ++i) {
+    const double middle = (low + high) / 2;
+    (rests(std::exp(middle)) ? low : high) = middle;
+  }
+  return std::exp(low);
+}
+
+Chart over_ratio(const Setting& setting, double limit) {
   const double h = setting.h(), beta = setting.beta();
   const int sweeps = setting.sweeps;
   Curve cold{.label = "cold", .style = CurveStyle::line_and_markers},
@@ -54,7 +74,7 @@ Chart over_ratio(const Setting& setting) {
       direct{.label = "direct", .style = CurveStyle::line_and_markers},
       law{.label = "cold, theory", .style = CurveStyle::theory};
   constexpr double least = 1e-7;
-  for (const double ratio : {1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0}) {
+  for (const double ratio : {1.0, 2.0, 5.0, 10.0, 15.0, 20.0, 25.0, 30.0, 40.0, 50.0, 70.0, 100.0, 200.0}) {
     const std::pair<Curve*, RowSolver> all[] = {{&cold, GaussSeidel{.sweeps = sweeps, .warm_start = false}},
                                                 {&warm, GaussSeidel{.sweeps = sweeps}},
                                                 {&direct, Direct{}}};
@@ -67,12 +87,14 @@ Chart over_ratio(const Setting& setting) {
     law.y.push_back(std::max(least, textbook_sinking(ratio, sweeps, beta, h)));
   }
   return {.x = {.label = "mass of the upper box over the lower", .scale = Scale::logarithmic},
-          .y = {.label = "upper box off its place after 7 s (m)", .scale = Scale::logarithmic},
+          .y = {.label = "upper box off its place in the eighth second (m)", .scale = Scale::logarithmic},
           .curves = {cold, warm, direct, law},
-          .references = {{.value = least, .label = "0.1 μm or less"}}};
+          .references = {{.value = least, .label = "0.1 μm or less"},
+                         {Reference::Across::x, std::min(limit, 200.0),
+                          limit > 200 ? "warm rests beyond" : say("warm rests up to @", Value(limit, 2))}}};
 }
 
-void draw_runs(Canvas& canvas, const std::vector<NamedPile>& runs, const Rectangle& frame) {
+void draw_runs(Canvas& canvas, const std::vector<NamedPile>& runs, double ratio, const Rectangle& frame) {
   const auto cells = frame.cells(1, static_cast<int>(runs.size()), 8);
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const Rectangle below{cells[i].x, cells[i].y, cells[i].width, cells[i].height - 44};
@@ -89,6 +111,9 @@ void draw_runs(Canvas& canvas, const std::vector<NamedPile>& runs, const Rectang
     }
     pictures::draw(canvas, shapes);
     canvas.line({-0.6, 2}, {0.6, 2}, {palette::muted, 1.5, Dash::dashed});
+    for (const int body : {1, 2})
+      canvas.text(runs[i].pile.scene.bodies().pose[body].position, say("@ kg", Value(body == 2 ? ratio : 1.0, 3)),
+                  {.size = 18, .halo = 3});
     canvas.clip({});
   }
   canvas.look_at_page();
@@ -103,13 +128,23 @@ void heavy_on_light(const Setting& setting, Page& page) {
       {say("@ cold", sweeps), pair(GaussSeidel{.sweeps = sweeps, .warm_start = false}, ratio, beta)},
       {say("@ warm", sweeps), pair(GaussSeidel{.sweeps = sweeps}, ratio, beta)},
       {"direct", pair(Direct{}, ratio, beta)}};
-  const double q = ratio / (1 + ratio);
+  const double q = ratio / (1 + ratio), missing = std::pow(q, sweeps);
 
   page.text(
-      R"(A box of @ kg stands on one of 1 kg. The upper row finds the heavy box moving towards the light one and makes
-      their speeds equal: mostly the light one gives way. The row below stops the light one again, and so on. Each
-      sweep leaves r/(1 + r) = @ of the error, and @ leave @ of it.)",
-      setting.ratio, Value(q, 4), several(sweeps, "sweep"), small_error(std::pow(q, sweeps), 3));
+      R"(A box of @ kg stands on one of 1 kg. The upper row finds the upper box moving towards the lower one and makes
+      their speeds equal: @. The row below stops the lower one again, and so on. Each sweep leaves r/(1 + r) = @ of the
+      error, and @ @ @ of it.)",
+      setting.ratio,
+      ratio == 1  ? std::string("each gives way by half")
+      : ratio < 3 ? say("the light one gives way by the share @", Value(q, 3))
+                  : "mostly the light one gives way",
+      Value(q, 4), several(sweeps, "sweep"), sweeps == 1 ? "leaves" : "leave", small_error(missing, 3));
+  const Condition nothing_left = Quantity("share left", missing) < 1e-6;
+  if (nothing_left)
+    page.text(
+        page.verdict({{.when = nothing_left,
+                       .say = R"(That is too little to be seen in what follows. Try fewer `sweeps` or a larger
+                                    `ratio`.)"}}));
   page.derivation("What a sweep leaves of a heavy box on a light one",
                   {{"the upper row: masses M above and m below, r = M/m",
                     "the common speed is vM/(M + m) = v r/(1 + r)", R"(v\,\frac{M}{M+m} = v\,\frac{r}{1+r})"},
@@ -132,32 +167,35 @@ void heavy_on_light(const Setting& setting, Page& page) {
                   for (NamedPile& run : runs)
                     while (run.pile.time < time - 0.5 * h) run.pile.step(h);
                   const auto [left, right] = canvas.page().inset(16).split_columns(0.56, 20);
-                  draw_runs(canvas, runs, left);
+                  draw_runs(canvas, runs, ratio, left);
                   renderer::draw(canvas, pictures::grown_to(chart, time), right.inset(0, 60));
                 });
   const auto [low, high] = range_of_sinking(pair(runs[0].pile.method.solver, ratio, beta), h);
   const auto [warm_low, warm_high] = range_of_sinking(pair(runs[1].pile.method.solver, ratio, beta), h);
   const auto [direct_low, direct_high] = range_of_sinking(pair(Direct{}, ratio, beta), h);
-  const double law = textbook_sinking(ratio, sweeps, beta, h);
+  const double law = textbook_sinking(ratio, sweeps, beta, h), limit = largest_resting_ratio(sweeps, beta, h);
   const Quantity still("movement in the eighth second", warm_high - warm_low, "m"), sunk("sunk", warm_high, "m");
   page.text(
       R"(Started cold, the boxes sink into each other until the correction of the overlap makes up for what the sweeps
       leave, like the soft chain of lesson 3: here @. Started warm, λ reaches the weight over many steps. But
-      meanwhile the overlap has grown, and its correction is remembered as well (lesson 4); beyond a ratio of about 3
-      times the sweeps such a pair does not come to rest. @ Solved directly, a ratio of masses is only a number in
-      A.)",
+      meanwhile the overlap has grown, and its correction is remembered as well (lesson 4). With @, β = @ and h = @ s
+      a pair comes to rest within @ s @. @ Solved directly, a ratio of masses is only a number in A.)",
       high < 0.5 ? say("by @ mm after @ s", Value(1000 * without_rounding(high, 1), 3), settling)
                  : "so deep that they no longer stand on each other",
-      page.verdict({{.when = where(still < 1e-3, sunk < 0.5),
-                     .say = say("Here it has come to rest after @ s, @ mm below its place.", settling,
+      several(sweeps, "sweep"), setting.beta, setting.h, settling,
+      limit < 1.05       ? "at no ratio above 1"
+      : limit < heaviest ? say("up to a ratio of about @", Value(limit, 2))
+                         : say("even at a ratio of @", heaviest),
+      page.verdict({{.when = where(still < resting_range, sunk < resting_depth),
+                     .say = say("This one has come to rest after @ s, @ mm below its place.", settling,
                                 Value(1000 * without_rounding(warm_high, 1), 3))},
-                    {.when = either(still >= 1e-3, sunk >= 0.5),
-                     .say = say("Here it has not come to rest after @ s.", settling)}}));
+                    {.when = either(still >= resting_range, sunk >= resting_depth),
+                     .say = say("This one has not come to rest after @ s.", settling)}}));
   page.figure("over_ratio",
               say(R"(How far the upper box is from its place, at most, in the eighth second; @ a step. Dashed: from
           the matrices of Gauss–Seidel.)",
                   several(sweeps, "sweep")),
-              over_ratio(setting));
+              over_ratio(setting, limit));
 
   // What a step leaves of the overlap's way to its rest is 1 − β(1 − qᵏ).
   const bool mild = law < 0.3 && std::pow(1 - beta * (1 - std::pow(q, sweeps)), settling / h) < 1e-3 &&
