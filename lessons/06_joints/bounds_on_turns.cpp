@@ -13,6 +13,7 @@ namespace {
 using Held = Simulation<PlaneBody>;
 
 constexpr double bar_seconds = 1.6, bar_settles = 6;  // [s]
+constexpr double weak_settles = 40;                   // √(L/g)
 constexpr double stop_at = pi / 3, enough = 0.6;      // below level [rad]; a motor that can hold [mgl]
 
 /// A uniform bar hinged at the origin, at rest at an angle below level [rad].
@@ -56,6 +57,31 @@ double braked_at(double strength) {
     (0.5 * std::sin(middle) > strength * middle ? low : high) = middle;
   }
   return (low + high) / 2;
+}
+
+/// Where a motor of that strength [mgl], told to stand still, holds a bar that was let go level [rad], and in how
+/// many half swings: from one turning point φ to the next, gravity gives ½(sin φ′ − sin φ) and the motor takes s
+/// |φ′ − φ|.
+struct Rest {
+  double angle = 0;
+  int half_swings = 0;
+};
+
+Rest rest_by_energy(double strength) {
+  Rest rest;
+  while (0.5 * std::abs(std::cos(rest.angle)) > strength) {
+    const double from = rest.angle, way = from < pi / 2 ? 1 : -1;                    // downwards
+    double near = way > 0 ? std::acos(2 * strength) : pi - std::acos(2 * strength);  // the fastest
+    double far = way > 0 ? pi : 0;
+    for (int i = 0; i < 60; ++i) {
+      const double middle = (near + far) / 2;
+      const double left = 0.5 * (std::sin(middle) - std::sin(from)) - strength * std::abs(middle - from);
+      (left > 0 ? near : far) = middle;
+    }
+    rest.angle = (near + far) / 2;
+    ++rest.half_swings;
+  }
+  return rest;
 }
 
 struct Shown {
@@ -112,48 +138,61 @@ void bounds_on_turns(const Setting& setting, Page& page) {
       setting.length, setting.mass, 0.5 * weight_moment(setting));
 
   const double law = braked_at(strength), balance = strength < 0.5 ? std::acos(2 * strength) : 0;
-  const Held weak = held(setting, strength), at_rest = after(weak, bar_settles, h);
-  const double rest = below_level(at_rest);
+  const double settles = weak_settles * std::sqrt(setting.length() / gravity);
+  const Held weak = held(setting, strength), at_rest = after(weak, settles, h);
+  const double found = below_level(at_rest);
+  const Rest rest = rest_by_energy(strength);
   const double needs = 0.5 * std::abs(std::cos(law));  // to hold the bar where the brake first stops it [mgl]
-  const bool holds_there = needs<0.98 * strength, swings_back = needs> 1.02 * strength;
-  const bool at_rest_now = std::abs(at_rest.scene.bodies().velocity[1][2]) < 1e-6;
-  const std::string where = say("½ sin φ = @ φ has the solution φ = @°; there the weight needs @ mgl.",
-                                setting.strength, Value(degrees(law), 4), Value(needs, 3));
-  if (holds_there)
-    page.predict(
-        {.ask = say(
-             R"(A motor of at most @ mgl is told to hold the bar (s = 0). It is too weak. How many degrees below
-                    level does the bar come to rest?)",
-             setting.strength),
-         .answer = degrees(rest),
-         .unit = "°",
-         .tolerance = 3,
-         .wrong =
-             {{degrees(balance),
-               R"(There its strength balances the weight's moment. But the bar arrives with speed, and needs more
-                    way to lose it.)"},
-              {90,
-               "It would with a damper, whose torque vanishes at rest. A motor told to stand still, with a bound, "
-               "is dry "
-               "friction in the joint."},
-              {0, "To hold it level takes mgl/2, and the motor has less."}},
-         .hints = {"At its bound the motor is a brake of constant moment. Compare two energies.",
-                   "Gravity's work is ½mgl sin φ; the brake's is τφ.",
-                   say("½ sin φ = @ φ, with φ in radians.", setting.strength)},
-         .right = where});
+  const double answer = degrees(rest.angle), tolerance = 3;
+  std::vector<WrongAnswer> wrong;
+  const auto expect = [&](double angle, const char* reply) {
+    if (std::abs(angle - answer) > 2 * tolerance) wrong.push_back({angle, reply});
+  };
+  expect(degrees(balance),
+         R"(There its strength balances the weight's torque. But the bar arrives at speed and needs
+                           farther to lose it.)");
+  expect(
+      90,
+      R"(It would with a damper, whose torque vanishes at rest. A motor told to stand still, with a bound, is dry
+             friction in the joint.)");
+  expect(0, "To hold it level takes mgl/2, and the motor has less.");
+  if (rest.half_swings > 1)
+    expect(degrees(law), "It stops there first, but there the weight needs more than the motor has.");
+  page.predict(
+      {.ask = say(
+           R"(A motor of at most @ mgl is told to hold the bar (s = 0). It is too weak. How many degrees below level
+           does the bar come to rest?)",
+           setting.strength),
+       .answer = answer,
+       .unit = "°",
+       .tolerance = tolerance,
+       .wrong = wrong,
+       .hints =
+           {"At its bound the motor is a brake of constant torque. Compare two energies.",
+            "Gravity's work is ½mgl sin φ; the brake's is τφ.",
+            rest.half_swings == 1
+                ? say("½ sin φ = @ φ, with φ in radians.", setting.strength)
+                : say(R"(½ sin φ = @ φ gives @°, and the bar swings back if ½|cos φ| > @ there. From one turning
+                           point φ to the next, φ′: ½(sin φ′ − sin φ) = @ |φ′ − φ|.)",
+                      setting.strength, Value(degrees(law), 4), setting.strength, setting.strength)},
+       .right = rest.half_swings == 1 ? say("½ sin φ = @ φ has the solution φ = @°; there the weight needs @ mgl.",
+                                            setting.strength, Value(degrees(law), 4), Value(needs, 3))
+                                      : say("It comes to rest after @ half swings, the first of them to @°.",
+                                            rest.half_swings, Value(degrees(law), 4))});
+  const Quantity needed("½|cos φ|", needs), available("τ/mgl", strength);
   page.text(
-      R"(All the way down its λ is at the bound, so the motor takes the energy τφ; gravity gives ½mgl sin φ. They are
-      equal at @°, @ the lowest point. There the weight needs @ mgl, @. If you *set the bar down gently*, the result
-      is different: it stays from arccos(2τ/mgl) = @° on.)",
+      R"(**A motor told to stand still, with a bound, is dry friction in the joint.** All the way down its λ is at the
+      bound, so it takes the energy τφ; gravity gives ½mgl sin φ. They are equal at @°, @ the lowest point. There the
+      weight needs @ mgl. @ If you *set the bar down gently*, the result is different: it stays from arccos(2τ/mgl) =
+      @° on.)",
       Value(degrees(law), 4), law > pi / 2 ? "beyond" : "short of", Value(needs, 3),
-      holds_there   ? "less than the motor has, so it holds the bar"
-      : swings_back ? "more than the motor has, so the bar swings back, less far each time"
-                    : "just about what the motor has",
+      page.verdict(
+          {{.when = needed <= available, .say = "That is not more than the motor has, so it holds the bar."},
+           {.when = needed > available,
+            .say = say(R"(That is more than the motor has, so the bar swings back, less far each time: it rests
+                                after @ half swings, at @°.)",
+                       rest.half_swings, Value(answer, 4))}}),
       Value(degrees(balance), 4));
-  if (!holds_there)
-    page.text(
-        at_rest_now ? "After @ s it is at rest, @° below level." : "After @ s it still moves, @° below level.",
-        bar_settles, Value(degrees(rest), 4));
   const std::vector<Shown> shown{{say("stop at @°", Value(degrees(stop_at), 3)), arm_on_stop(setting)},
                                  {say("motor of @ mgl", enough), held(setting, enough)},
                                  {say("motor of @ mgl", setting.strength), weak}};
@@ -161,17 +200,25 @@ void bounds_on_turns(const Setting& setting, Page& page) {
   for (const Shown& one : shown) {
     Curve curve{.label = one.name};
     Held now = one.arm;
+    constexpr double blow = 2;  // [mgl], beyond the chart
+    bool blown = false;
     advance_to(now, bar_seconds, h, [&] {
+      const double given = std::min(moment(now, setting), blow);
+      if (given == blow || blown) {  // upright, one step wide
+        curve.x.push_back(now.time - (blown ? h : 0));
+        curve.y.push_back(blown ? given : curve.y.back());
+      }
+      blown = given == blow;
       curve.x.push_back(now.time);
-      curve.y.push_back(std::min(moment(now, setting), 2.0));
+      curve.y.push_back(given);
     });
     chart.curves.push_back(curve);
   }
   chart.references.push_back({Reference::Across::y, 0.5, "the weight's moment, level"});
   page.sequence(
       "stop_and_motors",
-      R"(A bar let go level, and the moment that its stop or motor gives it (λ/h; the blow of the stop
-                goes off the chart). The arrows are that moment.)",
+      R"(A bar let go level, and the torque that its stop or motor gives it (λ/h; the blow of the stop
+                goes off the chart). The arrows are that torque.)",
       Seconds{bar_seconds},
       [film = BarsFilm{shown, setting, chart}](Canvas& canvas, double time) mutable { film.draw(canvas, time); });
 
@@ -179,13 +226,22 @@ void bounds_on_turns(const Setting& setting, Page& page) {
   page.text(
       R"(The stop gives nothing for @°, then one large impulse when the bar arrives, and then the moment of the bar's
       weight: ½mgl cos @° = @ mgl. The strong motor gives exactly the weight's moment and not its full strength: a
-      bound is only a limit. The weak one is at its limit.)",
+      bound is only a limit. The weak one is at its limit
+      while the bar moves.)",
       Value(degrees(stop_at), 3), Value(degrees(stop_at), 3), Value(moment(on_stop, setting), 4));
-  page.measure(say("the weak motor's bar after @ s, below level", bar_settles), degrees(rest), "°");
-  page.claim("where the weak motor stops the bar, below level", rest, "rad",
-             is(law, "½ sin φ = (τ/mgl) φ", absolute(2 * h * h * gravity / setting.length + 1e-3)),
-             both(Condition{holds_there, "a motor that can hold where it first stops the bar"},
-                  Quantity("gh²/L", h * h * gravity / setting.length) < 0.01));
+  page.table({"One row, seven machines", "JV", "asks for", "λ within"},
+             {{"dry friction in a joint", "ω₂ − ω₁", "0", "±τh"},
+              {"a conveyor belt", "slip along t at a contact", "the belt's speed", "±μλₙ"},
+              {"rolling resistance, with the lever a", "ω₂ − ω₁ of a wheel on the ground", "0", "±aλₙ"},
+              {"drilling resistance of a disc R in space", "n·(ω₂ − ω₁)", "0", "±⅔μRλₙ"},
+              {"two gears that mesh outside", "r₁ω₁ + r₂ω₂", "0", "±∞"},
+              {"a rack on its pinion", "t·v₂ − r₁ω₁", "0", "±∞"},
+              {"a screw of pitch p in space", "a·v − (p/2π) a·ω", "0", "±∞"}});
+  page.measure("the weak motor's bar, below level", degrees(found), "°");
+  page.claim("where the weak motor holds the bar, below level", found, "rad",
+             is(rest.angle, "½(sin φ′ − sin φ) = (τ/mgl) |φ′ − φ|, half swing by half swing",
+                absolute(rest.half_swings * (2 * h * h * gravity / setting.length + 1e-3))),
+             Quantity("gh²/L", h * h * gravity / setting.length) < 0.01);
   for (const double share : {0.98, 1.02}) {
     const double set_down = balance / share;
     const bool stays = share < 1;

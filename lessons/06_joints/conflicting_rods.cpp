@@ -114,9 +114,11 @@ void conflicting_rods(const Setting& setting, Page& page) {
       R"(
       - sweeps, started cold: the first row takes everything (@ and @ N·s), and the second finds no error left;
       - sweeps, started warm from pulls of @ and @ N·s: the difference stays (@ and @ N·s), because no row measures it;
-      - directly with a regularisation: half each (@ and @ N·s), the solution with the smallest λ.)",
+      - directly with a regularisation: half each, @ N·s, the solution with the smallest λ.)",
       -lambda(first, 0), without_rounding(-lambda(first, 1), weight * h), -m, m, -lambda(biased, 0),
-      -lambda(biased, 1), -lambda(shared, 0), -lambda(shared, 1));
+      -lambda(biased, 1), Value(-sum(shared) / 2, 5));
+  page.claim("the same rod twice, regularised: difference of λ over their sum",
+             (lambda(shared, 0) - lambda(shared, 1)) / sum(shared), "1", is(0, "half each", absolute(1e-3)));
   for (const auto& [rods, name] :
        {std::pair{&first, "cold"}, std::pair{&biased, "warm, from opposed λ"}, std::pair{&shared, "regularised"}})
     // Two lengths.
@@ -135,9 +137,9 @@ void conflicting_rods(const Setting& setting, Page& page) {
       {.ask = say("To carry the bob takes @ N·s a step. What does the λ of either rod do within @ s?", weight * h,
                   conflict_seconds),
        .options =
-           {{"it stays near that",
+           {{"it stays near the weight's share",
              "The weight is only a small part: in every sweep each row corrects what the other has just done."},
-            {say("it is some @ N·s, and stays so", Value(a_step, 3)),
+            {say("it stays near @ N·s", Value(a_step, 3)),
              "That is what one step adds, and the warm start keeps the sum of all steps."},
             {"it grows in proportion to time",
              say("Each step adds as much again, and the warm start keeps the sum: @ N·s after @ s, @ N·s after @ "

@@ -149,16 +149,16 @@ void flat(const Setting& setting, Page& page) {
       more, @ numbers and @ rows.)",
       static_cast<int>(three.cols()), rows_of_three);
   page.choose(
-      {.ask = say("@ − @ = @. Does it still move?", static_cast<int>(three.cols()), rows_of_three,
-                  static_cast<int>(three.cols()) - rows_of_three),
-       .options = {{"no",
-                    say(R"(One row repeats what the others say: the coupler is level already, and the third arm
+      {.ask = "Count again. Does it still move?",
+       .options =
+           {{"no",
+             say(R"(@ − @ = @, but one row repeats what the others say: the coupler is level already, and the third arm
                               asks for it again. The rank, the number of independent rows, is @.)",
-                        rank_of_three)},
-                   {"yes",
-                    say(R"(One row repeats what the others say: the coupler is level already, and the third arm
+                 three.cols(), rows_of_three, static_cast<int>(three.cols()) - rows_of_three, rank_of_three)},
+            {"yes",
+             say(R"(@ − @ = @, but one row repeats what the others say: the coupler is level already, and the third arm
                                asks for it again. The rank, the number of independent rows, is @.)",
-                        rank_of_three)}},
+                 three.cols(), rows_of_three, static_cast<int>(three.cols()) - rows_of_three, rank_of_three)}},
        .answer = static_cast<int>(three.cols()) > rank_of_three ? 1 : 0,
        .hints = {"Look at the coupler's motion with two arms. Does the third arm prevent it?",
                  "freedoms = numbers − rank, not numbers − rows.",
@@ -188,7 +188,7 @@ void flat(const Setting& setting, Page& page) {
   const std::vector<Way> ways{{"equal, 1 : 1", sent_off(setting, speed, 1)},
                               {say("crossed, 1 : −@", Value(-1 / ratio, 3)), sent_off(setting, speed, ratio)},
                               {"neither, 1 : −1", sent_off(setting, speed, -1)}};
-  Chart energies{.x = {.label = "time (s)"}, .y = {.label = "kinetic energy (of the start)", .range = {{0, 1.1}}}};
+  Chart energies{.x = {.label = "time (s)"}, .y = {.label = "kinetic energy / initial", .range = {{0, 1.1}}}};
   for (const Way& way : ways) energies.curves.push_back(energy_of(way, h));
   // The second lies on the first: marks at some of its points leave the line below to be seen.
   Curve& second = energies.curves[1];
@@ -202,11 +202,12 @@ void flat(const Setting& setting, Page& page) {
   second = sparse;
   const auto kept = [&](int way) { return energies.curves[way].y.back(); };
   page.text(
-      R"(One independent row less is one freedom more. In the flat pose the linkage has two, and *two motions lead
-      on*: it can stay a parallelogram, or fold into a crossed linkage, whose arms turn against each other, at first
+      R"(One independent row fewer, one degree of freedom more. In the flat pose the linkage has two, and *two motions
+      are possible from here*: it can stay a parallelogram, or fold into a crossed linkage, whose arms turn against each other, at first
       as (c + a) to (c − a), @ to 1. J does not decide between them; the velocities do. What if the velocities fit
       neither? J at the flat pose allows them, so the first step goes there, and the next one finds pins that have
-      parted: @ % of the energy is left after @ s.)",
+      parted: @ % of the energy is left after @ s. That share hardly depends on h or the bars' length; the masses set
+      it.)",
       Value(-1 / ratio, 3), Value(100 * kept(2), 2), flat_seconds);
   page.sequence(
       "ways_on",
@@ -228,7 +229,7 @@ void flat(const Setting& setting, Page& page) {
                   \text{ for } \varepsilon = @, \text{ where } mgh = @\,\mathrm{N\,s})",
                self_pull_by_hand(setting, strict), strict, setting.mass() * gravity * h);
   Chart price{.x = {.label = "regularisation ε", .scale = Scale::logarithmic},
-              .y = {.label = "pins part at (m/s)", .scale = Scale::logarithmic}};
+              .y = {.label = "speed at which pins separate (m/s)", .scale = Scale::logarithmic}};
   Chart gain{.x = price.x, .y = {.label = "pull of a misfit (N s)", .scale = Scale::logarithmic}};
   Curve parting{.style = CurveStyle::line_and_markers}, pull{.label = "measured", .style = CurveStyle::markers},
       law{.label = "law", .style = CurveStyle::theory};
@@ -257,7 +258,7 @@ void flat(const Setting& setting, Page& page) {
       enough not to be seen.)",
       loose, Value(1000 * parting_speed(setting, loose), 2), Value(self_pull(setting, loose), 3));
 
-  page.measure("energy left, sent off neither way", kept(2), "1");
+  page.measure("energy left, started along neither branch", kept(2), "1");
   page.claim("rank of the three-armed linkage", static_cast<double>(rank_of_three), "1",
              is(11, "twelve rows, one of them said twice", absolute(0)));
   page.claim("rank of the flat linkage", static_cast<double>(at_flat), "1",

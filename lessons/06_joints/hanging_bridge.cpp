@@ -66,8 +66,7 @@ void hanging_bridge(const Setting& setting, Page& page) {
     const auto& turn = scene.bodies().pose[i].rotation;
     worst_slope = std::max(worst_slope, std::abs(turn.sin / turn.cos - (i - 0.5 * (planks + 1)) * plank / pull));
   }
-  Chart chart{
-      .x = {.label = "pin"}, .y = {.label = "force (weight of the bridge)"}, .curves = {level, upright, law}};
+  Chart chart{.x = {.label = "pin"}, .y = {.label = "force / weight of bridge"}, .curves = {level, upright, law}};
   page.figure("bridge",
               R"(The bridge at rest; arrows: the force of each pin on the body to its right (the last one: on the
               anchor). Below: their horizontal parts, the same in all, and their vertical parts, the weight beyond.)",
@@ -82,7 +81,7 @@ void hanging_bridge(const Setting& setting, Page& page) {
                 draw(canvas, chart, lower);
               });
   page.text(
-      R"(The flatter the bridge, the larger H: an anchor of this one carries @ N, @ of the whole weight, and a level one
+      R"(The flatter the bridge, the larger H: each anchor here carries @ N, @ of the whole weight, and a level one
       would need an infinite pull. Therefore this one hangs in an arc. Its tension, all along the chain, makes bridges
       hard for sweeps (lesson 3).)",
       Value(force(bridge_now, 0).norm(), 4), Value(force(bridge_now, 0).norm() / weight, 3));

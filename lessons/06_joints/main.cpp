@@ -29,7 +29,7 @@ int main(int argc, char** argv) {
   lesson.step("Block or row", with(block_or_row));
   lesson.step("A four-bar linkage", with(four_bar_linkage));
   lesson.hold(in_hand(setting));
-  lesson.step("One row too many", with(flat));
+  lesson.step("Counting again", with(flat));
   lesson.step("Stops and motors are bounds", with(bounds_on_turns));
   lesson.step("A motor drives a slider-crank", with(driven_crank));
   lesson.step("Rods that repeat and rods that contradict", with(conflicting_rods));
@@ -43,6 +43,7 @@ int main(int argc, char** argv) {
       {.now_you_know =
            {R"(A joint is K rows of the kind you know: a pin two, a weld three, a slider two. A stop, a motor and a rope
             are one row within bounds.)",
+            "A motor told to stand still, with a bound, is dry friction in the joint.",
             "Rows that act through the same arm belong in one block; row by row a sweep leaves A₁₂²/(A₁₁A₂₂).",
             "Machines made of joints follow their closed forms: periods, pistons, moments.",
             R"(Degrees of freedom are numbers less *rank*. Where rows repeat, A is singular, and a regularisation makes λ

@@ -109,8 +109,8 @@ void ragdoll_on_a_stair(const Setting&, Page& page) {
         canvas.look_at_page();
       });
   page.text(
-      R"(A joint's stop is one more row that the sweeps have to bring together with all others, so an impact passes it:
-      by @° at most here. At rest only @° of that is left, no stop ever pulled, and the ground carries @ N, the doll's
+      R"(A joint's stop is one more row that the sweeps have to bring together with all others, so an impact can
+      drive a joint past its stop, here by up to @°. At rest only @° of that is left, no stop ever pulled, and the ground carries @ N, the doll's
       weight.)",
       Value(degrees(worst), 2), Value(degrees(at_rest), 2), Value(carried(doll), 5));
   page.claim("least λ of any stop in any step", least, "N m s", is_at_least(0, "its bound, kept exactly"));

@@ -49,7 +49,7 @@ Simulation<PlaneParticle> thrown(const Setting& setting, double speed) {
 
 void ropes(const Setting& setting, Page& page) {
   const double length = setting.length(), speed = std::sqrt(4 * gravity * length),
-               seconds = 3.2 * std::sqrt(length / gravity);
+               seconds = 4.6 * std::sqrt(length / gravity);
   const Track rope = track_of(thrown<Rope>(setting, speed), setting, seconds),
               rod = track_of(thrown<NormalisedDistance>(setting, speed), setting, seconds);
   page.text(
@@ -57,14 +57,15 @@ void ropes(const Setting& setting, Page& page) {
       the lowest point, and throw it at √(4gL) = @ m/s. That is just enough for a rod to carry it to the top.)",
       setting.mass, setting.length, Value(speed, 3));
   page.predict({.ask = "At which angle from straight down does the rope go slack, in degrees?",
-                .answer = degrees(std::acos(rope.let_go)),
+                .answer = degrees(std::acos(-2.0 / 3)),
                 .unit = "°",
                 .tolerance = 4,
                 .wrong = {{180, "The bob would have to arrive there with no speed, held up by the rope."},
                           {90, "There it is still fast: the rope has to turn it round, at twice the weight."}},
                 .hints = {"What does the rope have to pull for? The bob's turning, and a part of its weight.",
                           "T = m(v²/L + g cos θ), and v² = 4gL − 2gL(1 − cos θ).", "T = mg(2 + 3 cos θ) = 0."},
-                .right = "The pull mg(2 + 3 cos θ) becomes zero where cos θ = −2/3."});
+                .right = say("The pull mg(2 + 3 cos θ) becomes zero where cos θ = −2/3, at @°; in this run at @°.",
+                             Value(degrees(std::acos(-2.0 / 3)), 4), Value(degrees(std::acos(rope.let_go)), 4))});
   page.derivation("Where the pull ends", {{"energy, from the lowest point with v₀² = 4gL",
                                            "v² = 4gL − 2gL(1 − cos θ)", R"(v^2 = 4gL - 2gL\,(1-\cos\theta))"},
                                           {"along the rope: mass times v²/L towards the anchor",
@@ -77,26 +78,33 @@ void ropes(const Setting& setting, Page& page) {
   for (Curve& curve : chart.curves)
     for (double& pull : curve.y)
       if (pull > 6.5) pull = NAN;
-  page.figure("rope_and_rod",
-              R"(The same throw on a rope and on a rod. The rope's bob leaves the circle and flies a parabola until
-              it is caught; the rod pushes it on.)",
-              [=](Canvas& canvas) {
-                const auto [left, right] = canvas.page().inset(16).split_columns(0.5, 20);
-                canvas.look(fit({-1.2 * length, -1.2 * length, 2.4 * length, 2.4 * length}, left, 10));
-                std::vector<Point> circle;
-                for (int i = 0; i <= 120; ++i)
-                  circle.emplace_back(length * std::cos(i * pi / 60), length * std::sin(i * pi / 60));
-                canvas.path(circle, {palette::theory, 1.6, Dash::dashed});
-                canvas.path(rod.path, {palette::series(1), 3});
-                canvas.path(rope.path, {palette::series(0), 3});
-                canvas.anchor({0, 0});
-                canvas.line({0, 0}, rope.path.back(), {palette::series(0), 2.4, Dash::dotted});
-                canvas.rod({0, 0}, rod.path.back(), {palette::series(1), {palette::ink, 0}}, 6);
-                canvas.hinge({0, 0});
-                for (const Track* track : {&rod, &rope}) canvas.disc(track->path.back(), 0.07 * length);
-                canvas.look_at_page();
-                draw(canvas, chart, right.inset(0, 60));
-              });
+  page.sequence(
+      "rope_and_rod",
+      R"(The same throw on a rope and on a rod. The rope's bob leaves the circle and flies a parabola until it is
+      caught; the rod pushes it on.)",
+      Seconds{seconds}, [=](Canvas& canvas, double time) {
+        const auto [left, right] = canvas.page().inset(16).split_columns(0.5, 20);
+        canvas.look(fit({-1.2 * length, -1.2 * length, 2.4 * length, 2.4 * length}, left, 10));
+        std::vector<Point> circle;
+        for (int i = 0; i <= 120; ++i)
+          circle.emplace_back(length * std::cos(i * pi / 60), length * std::sin(i * pi / 60));
+        canvas.path(circle, {palette::theory, 1.6, Dash::dashed});
+        const auto now = [time](const Track& track) {
+          const auto passed = std::upper_bound(track.time.begin(), track.time.end(), time) - track.time.begin();
+          return std::vector<Point>(track.path.begin(), track.path.begin() + std::max<std::ptrdiff_t>(passed, 1));
+        };
+        const std::vector<Point> on_rope = now(rope), on_rod = now(rod);
+        if (on_rod.size() > 1) canvas.path(on_rod, {palette::series(1), 3});
+        if (on_rope.size() > 1) canvas.path(on_rope, {palette::series(0), 3});
+        canvas.anchor({0, 0});
+        const bool slack = on_rope.back().norm() < 0.999 * length;
+        canvas.line({0, 0}, on_rope.back(), {palette::series(0), 2.4, slack ? Dash::dotted : Dash::solid});
+        canvas.rod({0, 0}, on_rod.back(), {palette::series(1), {palette::ink, 0}}, 6);
+        canvas.hinge({0, 0});
+        for (const Point& bob : {on_rod.back(), on_rope.back()}) canvas.disc(bob, 0.07 * length);
+        canvas.look_at_page();
+        draw(canvas, pictures::grown_to(chart, time), right.inset(0, 60));
+      });
   page.text(
       R"(No code switches here. While the distance is shorter than the rope, the row lets it close the gap within the
       step and no more, JV ≥ −C/h; (17) would need a pushing λ to hold it back, which is clamped to zero, and the bob

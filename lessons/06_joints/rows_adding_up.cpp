@@ -172,7 +172,7 @@ void rows_adding_up(const Setting& setting, Page& page) {
   }
   page.sequence(
       "rows_adding_up",
-      say(R"(A bar of @ kg that flies by, held at one end by one row more in each act; each starts from the same
+      say(R"(A bar of @ kg that flies by, held at one end, by one more row in each act; each starts from the same
                     place and is shown for @ s. Green: the velocity of both ends. Orange: the impulse of the rows on the bar, and
                     as a bow its moment.)",
           setting.mass, seen_seconds),

@@ -146,9 +146,11 @@ void rows_to_joints(const Setting& setting, Page& page) {
       it is a **motor** of strength τ. A rod's row with λ ≥ 0 for its pull is a **rope**. All of them at work:)");
   page.sequence(
       "six_joints",
-      say(R"(What joints leave free. Above: equations; below: bounds. The stop is at @°, the motor turns once in @
-          s, the rope is slack at first. Arrows and bows: the force and the moment that the joint gives the bar (λ/h).)",
-          Value(degrees(sample_stop), 3), sample_seconds),
+      say(R"(What joints leave free. Above: equations; below: bounds. The stop is at @°, the motor turns once in the
+          film, the rope is slack at first.@ Arrows and bows: the force and the torque that the joint gives the bar
+          (λ/h).)",
+          Value(degrees(sample_stop), 3),
+          length == 2 ? "" : say(" Shown @ times as fast as it is.", Value(sample_pace(length), 2))),
       Seconds{sample_seconds},
       [samples = Samples(setting)](Canvas& canvas, double time) mutable { samples.draw(canvas, time); });
 

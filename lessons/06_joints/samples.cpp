@@ -35,6 +35,7 @@ Samples::Samples(const Setting& setting)
       h_(setting.h),
       simulation_{{}, VelocityStepping{.solver = Direct{}, .drift = Baumgarte{}}} {
   auto& scene = simulation_.scene;
+  const double seconds = sample_pace(length_) * sample_seconds;
   const Linear<PlaneBody> origin(0, 0), along(std::cos(rail), std::sin(rail));
   const int ground = scene.add_body(origin, fixed<PlaneBody>());
   for (int i = pinned; i <= roped; ++i) {
@@ -47,11 +48,11 @@ Samples::Samples(const Setting& setting)
   scene.add(weld<PlaneBody>(scene.bodies(), ground, body(welded), origin));
   scene.add(slider<PlaneBody>(scene.bodies(), ground, body(sliding), origin, along));
   scene.add(at_least<PlaneBody>(sample_stop, turn<PlaneBody>(scene.bodies(), ground, body(stopped))));
-  scene.add(motor<PlaneBody>(turn<PlaneBody>(scene.bodies(), ground, body(driven)), 2 * pi / sample_seconds, 1e9));
+  scene.add(motor<PlaneBody>(turn<PlaneBody>(scene.bodies(), ground, body(driven)), 2 * pi / seconds, 1e9));
   scene.add(Rope<PlaneBody>{
       between<PlaneBody>(scene.bodies(), ground, Linear<PlaneBody>(0, 0), body(roped), origin), 0.5 * length_});
-  const double up = gravity * std::sin(rail) * sample_seconds / 2;  // it comes back in that time
-  scene.state().velocity[body(sliding)].head<2>() = std::min(up, 2.5 * length_ / sample_seconds) * along;
+  const double up = gravity * std::sin(rail) * seconds / 2;  // it comes back in that time
+  scene.state().velocity[body(sliding)].head<2>() = std::min(up, 2.5 * length_ / seconds) * along;
 }
 
 std::array<Samples::Given, 6> Samples::given() const {
@@ -72,7 +73,7 @@ std::array<Samples::Given, 6> Samples::given() const {
 }
 
 void Samples::draw(Canvas& canvas, double time) {
-  advance_to(simulation_, time, h_);
+  advance_to(simulation_, sample_pace(length_) * time, h_);
   const std::array<Given, 6> reactions = given();
   const auto cells = canvas.page().inset(12).cells(2, 3, 8);
   for (int i = pinned; i <= roped; ++i) {

@@ -101,7 +101,7 @@ void soft_rows(const Setting& setting, Page& page) {
     sags.curves.push_back(law);
   }
   sags.references.push_back({Reference::Across::x, 1 / h, "ωh = 1"});
-  Chart rings{.x = {.label = "step"}, .y = {.label = "stretch over its start"}};
+  Chart rings{.x = {.label = "step"}, .y = {.label = "stretch / initial stretch"}};
   double worst = 0;
   for (const double turn : {0.1, 0.5, 2.0, 10.0}) {
     Hanging hanging = on_spring(setting, turn / h, 0, 0);
