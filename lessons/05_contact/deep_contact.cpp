@@ -148,18 +148,25 @@ void deep_contact(const Setting& setting, Page& page) {
   page.equation(22, "JV = −(β/h)·C = −(@/(@ s))·(−@ m) = @ m/s",
                 R"(JV = -\frac{\beta}{h}\,C = -\frac{@}{@\,\mathrm{s}}\cdot(-@\,\mathrm{m}) = @\,\mathrm{m/s})",
                 setting.beta, setting.h, setting.depth, speed);
-  const double throw_height = speed * speed / (2 * gravity);
+  const double throw_height = speed * speed / (2 * gravity), half_step = speed * h / 2;
+  // A throw in whole steps misses its top by up to gh²/8.
+  const double tolerance = highest > 0 ? std::max(0.02 * highest, std::min(gravity * h * h / 4, 0.4 * highest))
+                                       : 0.02 * depth + gravity * h * h / 4;
+  std::vector<WrongAnswer> wrong;
+  if (std::abs(throw_height - highest) > 2 * tolerance)
+    wrong.push_back({throw_height, say("The throw begins @ m below the ground.", setting.depth)});
   page.predict(
       {.ask = say(R"(A unit box begins @ m deep in the ground, at rest; β = @, h = @ s, and it leaves at the speed
                   above. How high does its lower side rise above the ground? (0 if it stays below.))",
                   setting.depth, setting.beta, setting.h),
        .answer = highest,
        .unit = "m",
-       .tolerance = 0.6 * beta * depth + 0.02 * std::min(highest, depth),  // half a step's way and a little
-       .wrong = {{throw_height, say("The throw begins @ m below the ground.", setting.depth)}},
-       .hints = {"It is thrown upwards from that depth. How high does a throw rise?", "v²/(2g), less the depth.",
-                 say("(@ m/s)²/(2 · 9.81 m/s²) = @ m, and it begins @ m deep.", Value(speed, 3),
-                     Value(throw_height, 3), setting.depth)},
+       .tolerance = tolerance,
+       .wrong = wrong,
+       .hints = {"It is thrown upwards from that depth. How high does a throw rise?",
+                 "v²/(2g) less the depth, and half a step's way more: a step moves at the speed of its end.",
+                 say("(@ m/s)²/(2 · 9.81 m/s²) + @ m = @ m, and it begins @ m deep.", Value(speed, 4),
+                     Value(half_step, 3), Value(throw_height + half_step, 4), setting.depth)},
        .right =
            highest > 0
                ? say(R"(Its lower side rises @ m above the ground: v²/(2g) less the depth, and half a step's way

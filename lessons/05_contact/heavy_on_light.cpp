@@ -139,7 +139,7 @@ void heavy_on_light(const Setting& setting, Page& page) {
       : ratio < 3 ? say("the light one gives way by the share @", Value(q, 3))
                   : "mostly the light one gives way",
       Value(q, 4), several(sweeps, "sweep"), sweeps == 1 ? "leaves" : "leave", small_error(missing, 3));
-  const Condition nothing_left = Quantity("share left", missing) < 1e-6;
+  const Condition nothing_left = Quantity("k ln(1 + 1/r)", -std::log(missing)) > 14;
   if (nothing_left)
     page.text(
         page.verdict({{.when = nothing_left,

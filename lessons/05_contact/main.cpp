@@ -7,7 +7,7 @@ int main(int argc, char** argv) {
 
   course::Lesson lesson(course::lesson_of(__FILE__));
   const Setting setting{
-      .h = lesson.parameter("h", 1.0 / 60, "s", {1e-3, 0.05}, "time step"),
+      .h = lesson.parameter("h", 1.0 / 60, "s", {1.0 / 480, 0.05}, "time step"),
       .beta = lesson.parameter("beta", 0.2, "1", {0.05, 1}, "share of an overlap that a step takes away"),
       .mass = lesson.parameter("mass", 3.0, "kg", {0.1, 100}, "mass of a single box"),
       .width = lesson.parameter("width", 0.2, "m", {0.1, 2}, "of the box that stands on two contacts, 1 m high"),

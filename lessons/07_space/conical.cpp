@@ -48,9 +48,16 @@ void draw_cone(Canvas& canvas, double angle, double tension) {
   const TextStyle style{
       .size = 20, .colour = palette::force, .anchor = renderer::Anchor::left, .halo = 3, .offset = {14, 12}};
   canvas.text(space.project(pull - 0.09 * bob), say("@ weights", Value(tension, 3)), style);
-  canvas.text(space.project(weight), "1 weight", style);
-  canvas.text(space.project({0, 0.5 * bob.y(), 0}), say("θ = @°", Value(degrees(angle), 3)),
-              {.size = 20, .anchor = renderer::Anchor::right, .halo = 3, .offset = {-10, 0}});
+  canvas.text(
+      space.project(weight), "1 weight",
+      {.size = 20, .colour = palette::force, .anchor = renderer::Anchor::left, .halo = 3, .offset = {14, -16}});
+  // Beside the axis, on the rod's side where there is room.
+  const bool wide = angle > radians(40);
+  canvas.text(space.project({0, 0.62 * bob.y(), 0}), say("θ = @°", Value(degrees(angle), 3)),
+              {.size = 20,
+               .anchor = wide ? renderer::Anchor::left : renderer::Anchor::right,
+               .halo = 3,
+               .offset = {wide ? 10.0 : -10.0, 0}});
 }
 
 }  // namespace
@@ -65,12 +72,12 @@ void conical(const Setting& setting, Page& page) {
       R"(A bob needs no orientation: it is a `SpaceParticle`, and its rod is the one row of lesson 2, now of six numbers.
       Start it sideways at the right speed, and it circles at a steady angle. That is the conical pendulum.)");
   page.predict(
-      {.ask = say("It circles on a cone at @° from straight down. How many times the weight of the bob does the "
-                  "rod pull with?",
-                  setting.angle),
-       .answer = fine.tension / weight,
+      {.ask =
+           say("It circles on a cone at @° from straight down. How hard does the rod pull, in weights of the bob?",
+               setting.angle),
+       .answer = exact.tension(setting.mass) / weight,
        .unit = "1",
-       .tolerance = 0.03 * measured,
+       .tolerance = 0.03 * exact.tension(setting.mass) / weight,
        .wrong = {{std::cos(angle),
                   "That is the part of the weight along the rod. But it is the *vertical* forces that balance: "
                   "T·cosθ = mg."},
@@ -78,7 +85,8 @@ void conical(const Setting& setting, Page& page) {
                  {std::tan(angle), "That is T·sinθ over mg, the part that keeps the bob on its circle."}},
        .hints = {"The bob stays at its height. Which part of the pull carries the weight?", "T·cosθ = mg",
                  say("T/mg = 1/cos @°", setting.angle)},
-       .right = say("1/cosθ. With steps of @ s the run has @.", setting.h, Value(measured, 4))});
+       .right = say("1/cosθ = @; with steps of @ s the run gives @.", Value(1 / std::cos(angle), 4), setting.h,
+                    Value(measured, 4))});
   page.formula("T·cosθ = mg,   T·sinθ = mω²L·sinθ   ⟹   T = mg/cosθ = @ N,   ω² = g/(L·cosθ)",
                R"(T\cos\theta = mg, \quad T\sin\theta = m\omega^2 L\sin\theta \quad\Rightarrow\quad )"
                R"(T = \frac{mg}{\cos\theta} = @\ \mathrm{N}, \quad \omega^2 = \frac{g}{L\cos\theta})",

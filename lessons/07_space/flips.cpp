@@ -136,8 +136,8 @@ void flips(const Setting& setting, Page& page) {
   page.text(
       R"(A real book turns over, again and again; try it, with a rubber band round it. A spin about the middle axis is
       unstable: the small part about the other axes grows until the book has flipped; then it spins steadily for a
-      while, and flips back. Euler's equations have an exact solution, an elliptic sine. By it this book flips every
-      @ s, half its period.)",
+      while, and flips back. Euler's equations have an exact solution, an elliptic sine. It says
+      that this book flips every @ s, half the period.)",
       half_period);
   page.text(
       R"(So the term has to be added. There are two ways. *Explicit*: from the spin at the start of the step. In the

@@ -95,21 +95,27 @@ void gyroscope(const Setting& setting, Page& page) {
       axle rests on a post, on a ball joint of three rows, @ m from the wheel. The axle is started at the steady rate at
       which it goes round the post; released from rest it would nod a little as well.)",
       setting.mass, wheel_rate, arm);
-  page.predict(
-      {.ask = say(R"(The wheel's Iω is mR²ω = @ kg m²/s along the axle, and the weight's moment is mga = @ N m. By
-                  how many rad/s does the axle go round?)",
-                  top.moment_along * wheel_rate, top.mass * gravity * arm),
-       .answer = exact,
-       .unit = "rad/s",
-       .tolerance = 0.03 * exact,
-       .wrong = {{0,
-                  "Then Iω would stay, in spite of the moment of the weight. That moment changes it, sideways."},
-                 {top.mass * gravity * arm / top.moment_across,
-                  "That is the angular acceleration with which it would begin to fall if it did not spin."}},
-       .hints = {"In which direction does the moment of the weight change Iω?",
+  HeavyTop twice = top;
+  twice.spin *= 2;
+  const double change = twice.precession(level)[0] / exact;
+  page.choose(
+      {.ask = "The weight pulls the wheel down, but the axle goes round. The wheel spins twice as fast: and the "
+              "axle?",
+       .options = {{"it goes round half as fast", "The same torque has twice the Iω to turn."},
+                   {"as fast as before", "The torque is the same, but what it turns, Iω, is twice as large."},
+                   {"twice as fast",
+                    "The spin is not handed on to the axle; it is what the weight's torque has to turn."},
+                   {"it falls", "The torque is level, so Iω, along the axle, turns within the level plane."}},
+       .answer = change < 0.75  ? 0
+                 : change < 1.5 ? 1
+                                : 2,
+       .hints = {"In which direction does the torque of the weight change Iω?",
                  "d(Iω)/dt = mga, level and at right angles to the axle; Iω turns at the rate φ̇.",
-                 "mR²ω · φ̇ = mga"},
-       .right = "mga/(mR²ω) = ga/(R²ω), for any mass."});
+                 "mR²ω · φ̇ = mga"}});
+  page.text(
+      R"(The wheel's Iω is mR²ω = @ kg m²/s along the axle, and the weight's torque is mga = @ N m. It points sideways, and
+      so Iω goes round:)",
+      top.moment_along * wheel_rate, top.mass * gravity * arm);
   page.formula(
       "d(Iω)/dt = mga   ⟹   rate = ga/(R²ω) = @ rad/s",
       R"(\frac{d(I\omega)}{dt} = mga \quad\Rightarrow\quad \dot\varphi = \frac{ga}{R^2\omega} = @\ \mathrm{rad/s})",

@@ -94,19 +94,25 @@ void left_out(const Setting& setting, Page& page) {
   turning_with_the_body(setting, careless, page);
   const auto flipped = flips_of(flight).size();
   page.choose(
-      {.ask =
-           say("The solver steps the book for @ s with the term left out. Does the book flip over?", term_seconds),
+      {.ask = say(
+           R"(The solver steps the book for @ s with the term left out; no force acts. Which of these does the run
+                  keep: the energy ½ω·Iω, the direction of Iω?)",
+           term_seconds),
        .options =
-           {{"never",
-             R"(Without ω × Iω nothing turns ω. The book spins on about the axis that it was given, and Iω, which
-                    should stay, goes round.)"},
-            {"every now and then",
-             R"(A real book does. But without ω × Iω nothing turns ω; it is the angular momentum that
-                    changes.)"},
-            {"once, and then it stays", "Then something would have to turn ω once. Nothing does."}},
-       .answer = flipped == 0 ? 0 : 1,
-       .hints = {"Which line of the step could change V?", "ω(n+1) = ω(n) if no row and no term changes it.",
-                 "For a flip the spin about y has to change its sign."}});
+           {{"both",
+             R"(Iω keeps its direction only if ω turns. Without the term ω stays, and the book carries I round
+                     with it.)"},
+            {"the energy", R"(ω stays in the world and turns about itself, so it stays in the body too, and with it
+                           ½ω·Iω. But Iω goes round ω, where it should stay.)"},
+            {"the direction of Iω", "That is what ω × Iω is for, and it is left out."},
+            {"neither",
+             "Look at ω in the axes of the body: it does not change, and there I does not change either."}},
+       .answer = energy > 1e-9   ? (turned > 1e-6 ? 3 : 2)
+                 : turned > 1e-6 ? 1
+                                 : 0,
+       .hints = {"Which line of the step could change ω?",
+                 "ω stays in the world, and the book turns about ω: what is ω in the axes of the book?",
+                 "In the book's axes ω and I both stay, and so does Iω there. And in the world?"}});
   page.figure(
       "left_out",
       say(R"(Without the gyroscopic term ω stays where it is, at @° from Iω, and Iω is carried round with the book:

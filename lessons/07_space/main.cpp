@@ -32,7 +32,7 @@ int main(int argc, char** argv) {
   lesson.step("The book that flips", with(flips));
   lesson.step("Two axes of friction", with(two_axes));
 
-  lesson.deeper("An orientation is four numbers", with(orientation));
+  lesson.deeper("Orientations and hinges", with(orientation));
   lesson.deeper("A gyroscope does not fall", with(gyroscope));
   lesson.deeper("A book thrown along the ground", with(let_loose));
 

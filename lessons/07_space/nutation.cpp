@@ -109,7 +109,7 @@ void nutation(const Setting& setting, Page& page) {
   page.formula("u̇² = 2(E/m + gLu)(1 − u²)/L² − (L_y/(mL²))²",
                R"(\dot u^2 = \frac{2}{L^2}\Bigl(\frac{E}{m} + gLu\Bigr)(1-u^2) - \Bigl(\frac{L_y}{mL^2}\Bigr)^2)");
   page.text(
-      R"(is a cubic in u. Its roots in reach are the two cones, at @° and @°, and the time from one to the other and back
+      R"(is a cubic in u. Two of its roots lie between −1 and 1: the two cones, at @° and @°; and the time from one to the other and back
       is an elliptic integral. One nutation takes @ s and leads @° round the vertical.)",
       setting.angle, degrees(pendulum.other_angle()), exact.period, degrees(exact.precession));
   page.derivation(

@@ -49,17 +49,19 @@ double by_exponential(double rate, double h) {
 
 Chart lag_over_rate(double h) {
   Chart chart{.x = {.label = "angle of one step ωh (rad)", .scale = Scale::logarithmic},
-              .y = {.label = "error after 1 s (rad)", .scale = Scale::logarithmic, .range = {{1e-17, 100}}}};
+              .y = {.label = "error after 1 s (rad)", .scale = Scale::logarithmic, .range = {{1e-17, 10}}}};
   Curve first{.label = "q + ½ωqh, made unit", .style = CurveStyle::markers},
       exact{.label = "exp(½ωh)q", .style = CurveStyle::markers},
       law{.label = "(ωh)³/12 a step", .style = CurveStyle::theory};
   for (double turn = 0.01; turn < 2; turn *= 1.6) {
     first.x.push_back(turn);
-    first.y.push_back(by_first_order(turn / h, h).lag);
+    // Beyond half a turn it is an error of counting.
+    const double lag = by_first_order(turn / h, h).lag;
+    first.y.push_back(lag < pi ? lag : NAN);
     exact.x.push_back(turn);
     exact.y.push_back(std::max(by_exponential(turn / h, h), 1e-16));
     law.x.push_back(turn);
-    law.y.push_back(std::pow(turn, 3) / 12 * static_cast<double>(std::lround(1 / h)));
+    law.y.push_back(lag < pi ? std::pow(turn, 3) / 12 * static_cast<double>(std::lround(1 / h)) : NAN);
   }
   chart.curves = {first, exact, law};
   return chart;
@@ -132,8 +134,10 @@ void orientation(const Setting& setting, Page& page) {
   page.figure(
       "lag",
       R"(Error of an orientation after a second of steady turning, over the angle of one step; the exponential has
-              rounding errors only. Dashed: the first term of ωh − 2·atan(½ωh).)",
+              rounding errors only. Dashed: the first term of ωh − 2·atan(½ωh), up to half a turn.)",
       lag_over_rate(h));
+
+  joints_in_space(setting, page);
 
   page.claim("angle between the two orders", apart, "rad",
              is(2 * pi / 3, "about a cube's diagonal", absolute(1e-12)));

@@ -26,7 +26,8 @@ Numbers numbers_of() {
 Chart how_many() {
   const std::array<Numbers, 4> models{numbers_of<PlaneParticle>(), numbers_of<PlaneBody>(),
                                       numbers_of<SpaceParticle>(), numbers_of<SpaceBody>()};
-  Chart chart{.y = {.label = "numbers"}, .bar_names = {"<2,0>", "<2,1>", "<3,0>", "<3,3>"}};
+  Chart chart{.y = {.label = "numbers"},
+              .bar_names = {"plane particle", "plane body", "space particle", "space body"}};
   const auto bars = [&](const char* label, double Numbers::*count) {
     Bars result{.label = label};
     for (const Numbers& model : models) result.values.push_back(model.*count);
@@ -73,17 +74,23 @@ Twins twins(const Setting& setting) {
 
 void draw_twins(Canvas& canvas, const Twins& twins, double length) {
   const auto [left, right] = canvas.page().inset(24).split_columns(0.5, 24);
+  // All rods, and the floor as far as at the defaults.
+  double low = -0.8 * length, high = 1.05 * length;
+  for (const Point& centre : twins.plane) {
+    low = std::min(low, 2 * centre.x() - 0.1 * length);
+    high = std::max(high, 2 * centre.x() + 0.1 * length);
+  }
   const Rectangle under{left.x, left.y, left.width, left.height - 50};
   const auto age = [&](std::size_t i) {
     return static_cast<double>(i + 1) / static_cast<double>(twins.plane.size());
   };
-  canvas.look(fit({-0.8 * length, -1.1 * length, 1.85 * length, 1.25 * length}, under, 10));
+  canvas.look(fit({low, -1.1 * length, high - low, 1.25 * length}, under, 10));
   for (std::size_t i = 0; i < twins.plane.size(); ++i)
     canvas.rod({0, 0}, 2 * twins.plane[i],
                {mix(palette::constraint, palette::paper, 0.85 * (1 - age(i))), {palette::ink, 0}}, 12);
   canvas.anchor({0, 0});
   canvas.look_at_page();
-  Space space(pictures::from_aside({0.1 * length, -0.55 * length, 0}, 0.85 * length,
+  Space space(pictures::from_aside({(low + high) / 2, -0.55 * length, 0}, 0.5 * (high - low),
                                    {right.x, right.y, right.width, under.height}));
   space.ground({0, -1.25 * length, 0}, 2.2 * length, 0.4 * length);
   for (std::size_t i = 0; i < twins.space.size(); ++i)

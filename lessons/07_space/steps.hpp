@@ -12,6 +12,8 @@ void nutation(const Setting& setting, course::Page& page);
 void left_out(const Setting& setting, course::Page& page);
 void flips(const Setting& setting, course::Page& page);
 void two_axes(const Setting& setting, course::Page& page);
+/// Part of `orientation`.
+void joints_in_space(const Setting& setting, course::Page& page);
 void orientation(const Setting& setting, course::Page& page);
 void gyroscope(const Setting& setting, course::Page& page);
 void let_loose(const Setting& setting, course::Page& page);

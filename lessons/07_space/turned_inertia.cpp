@@ -153,16 +153,16 @@ void turned_inertia(const Setting& setting, Page& page) {
       "It has to be computed again in every step in which the body has turned. With it, (18) is for one body");
   page.excerpt("lessons/07_space/turned_inertia.cpp", "18");
   page.text(
-      R"(What if R is forgotten? The book flies by at @ m/s, turned by @°, and the middle of its yellow side catches on a
+      R"(What if R is forgotten? The book flies by at @ m/s, @, and the middle of its yellow side catches on a
       nail: a pin, three rows, solved as one block. Here is that solve, with the mistake as an option:)",
-      flight(), setting.tilt);
+      flight(), setting.tilt == 0 ? std::string("not turned") : say("turned by @°", setting.tilt));
   page.excerpt("lessons/07_space/turned_inertia.cpp", "caught");
   const bool shows = wrong.lost() > 1e-9;
   page.choose(
       {.ask = say(
-           R"(The inertia is left in the body's axes, for this book that has turned by @°, and the rows are solved.
-                  By what can you notice it?)",
-           setting.tilt),
+           R"(The inertia is left in the body's axes, for this book that @, and the rows are solved.
+                  How would you notice?)",
+           setting.tilt == 0 ? std::string("has not turned") : say("has turned by @°", setting.tilt)),
        .options =
            {{"JV is not zero: the held point moves on",
              R"(λ is computed with the same M⁻¹ with which it is applied, so JV vanishes whatever M⁻¹ is. The
@@ -170,7 +170,7 @@ void turned_inertia(const Setting& setting, Page& page) {
             {"the angular momentum about the nail has changed",
              shows ? "The push acts at the nail, so it has no moment about the nail; a change is a mistake."
                    : "It would, if the book had turned. As long as R is the identity, RIRᵀ is I."},
-            {"by nothing", shows ? "The nail cannot change the angular momentum about itself. Compute that."
+            {"not at all", shows ? "The nail cannot change the angular momentum about itself. Compute that."
                                  : "The book has not turned, so R is the identity and RIRᵀ is I."}},
        .answer = shows ? 1 : 2,
        .hints = {"Compare what (17) and (20) do with M⁻¹, and ask which quantity the nail cannot change.",

@@ -149,10 +149,11 @@ void two_axes(const Setting& setting, Page& page) {
       Seconds{std::min(2.5, 1.15 * v / a)}, [film](Canvas& canvas, double time) { film.draw(canvas, time); });
   page.text(
       R"(Two things are wrong on the left. Between the axes the brake is stronger, by up to √2. And the velocity along one
-      axis ends before the other, so the path *bends*: v₁ ends after v₁/μg, v₂ after v₂/μg. For short steps, a puck that
-      sets out at the angle φ stops in the direction)");
+      axis ends before the other, so the path *bends*: v₁ ends after v₁/μg, v₂ after v₂/μg. @ For short steps, a puck that
+      sets out at the angle φ stops in the direction)",
+      setting.heading == 45 ? "(Only at 0°, 45° and 90° it does not.)" : "");
   page.formula("tan φ' = tan² φ:  from @° to @°", R"(\tan\varphi' = \tan^2\varphi: \quad @^\circ \to @^\circ)",
-               setting.heading, Value(degrees(std::atan(std::pow(std::tan(heading), 2))), 3));
+               setting.heading, Value(degrees(std::atan(std::pow(std::tan(heading), 2))), 4));
   page.derivation("Why tan φ' = tan² φ",
                   {{"each axis brakes with all of μg", "s₁ = (v cosφ)²/2μg,   s₂ = (v sinφ)²/2μg",
                     R"(s_1 = \frac{(v\cos\varphi)^2}{2\mu g}, \quad s_2 = \frac{(v\sin\varphi)^2}{2\mu g})"},
