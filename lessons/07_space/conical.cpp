@@ -48,16 +48,10 @@ void draw_cone(Canvas& canvas, double angle, double tension) {
   const TextStyle style{
       .size = 20, .colour = palette::force, .anchor = renderer::Anchor::left, .halo = 3, .offset = {14, 12}};
   canvas.text(space.project(pull - 0.09 * bob), say("@ weights", Value(tension, 3)), style);
-  canvas.text(
-      space.project(weight), "1 weight",
-      {.size = 20, .colour = palette::force, .anchor = renderer::Anchor::left, .halo = 3, .offset = {14, -16}});
-  // Beside the axis, on the rod's side where there is room.
-  const bool wide = angle > radians(40);
-  canvas.text(space.project({0, 0.62 * bob.y(), 0}), say("θ = @°", Value(degrees(angle), 3)),
-              {.size = 20,
-               .anchor = wide ? renderer::Anchor::left : renderer::Anchor::right,
-               .halo = 3,
-               .offset = {wide ? 10.0 : -10.0, 0}});
+  canvas.text(space.project(weight), "1 weight",
+              {.size = 20, .colour = palette::force, .halo = 3, .offset = {0, -42}});
+  canvas.text(space.project({0, 0.45 * bob.y(), 0}), "θ",
+              {.size = 22, .anchor = renderer::Anchor::left, .halo = 3, .offset = {8, 0}});
 }
 
 }  // namespace
@@ -93,8 +87,9 @@ void conical(const Setting& setting, Page& page) {
                exact.tension(setting.mass));
   page.figure(
       "cone",
-      R"(Forces on the bob (orange) in the run, and its velocity (green). The pull of the rod carries the weight
-              and keeps the bob on its circle.)",
+      say(R"(θ = @°. Forces on the bob (orange) in the run, and its velocity (green). The pull of the rod carries the
+          weight and keeps the bob on its circle.)",
+          setting.angle),
       [=](Canvas& canvas) { draw_cone(canvas, angle, measured); });
   page.figure(
       "tension_over_angle",
