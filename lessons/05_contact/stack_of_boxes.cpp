@@ -351,7 +351,7 @@ void stack_of_boxes(const Setting& setting, Page& page) {
         {{.when = any_will_do, .say = "That is less than one: by the law a single sweep is enough."}}));
   page.derivation(
       "How many sweeps a stack needs to stand",
-      {{"a stiff column of mass Nm, leaning by φ, its centre at N/2: moment of its weight", "τ = N m g (N/2) φ",
+      {{"a stiff column of mass Nm, leaning by φ, its centre at N/2: torque of its weight", "τ = N m g (N/2) φ",
         R"(\tau = N m g\,\tfrac N2\,\varphi)"},
        {"its moment of inertia about the base", "I = N m N²/3", R"(I = \tfrac13 N m N^2)"},
        {"Iφ̈ = τ: the lean grows as e^(σt)", "σ² = 3g/(2N)", R"(\sigma^2 = \frac{3g}{2N})"},

@@ -23,12 +23,12 @@ Held arm(const Setting& setting, double below) {
 
 Turn<PlaneBody> turn_of(const Held& arm) { return turn<PlaneBody>(arm.scene.bodies(), 0, 1); }
 
-double weight_moment(const Setting& setting) { return setting.mass() * gravity * setting.length(); }
+double weight_torque(const Setting& setting) { return setting.mass() * gravity * setting.length(); }
 
 /// An arm that a motor of some strength [mgl] tries to hold where it is.
 Held held(const Setting& setting, double strength, double below = 0) {
   Held held = arm(setting, below);
-  held.scene.add(motor<PlaneBody>(turn_of(held), 0, strength * weight_moment(setting)));
+  held.scene.add(motor<PlaneBody>(turn_of(held), 0, strength * weight_torque(setting)));
   return held;
 }
 
@@ -45,8 +45,8 @@ double below_level(const Held& arm) {
 }
 
 /// What the bounded row gives [mgl].
-double moment(const Held& arm, const Setting& setting) {
-  return arm.time == 0 ? 0 : arm.reaction(1).torque2[0] / weight_moment(setting);
+double torque(const Held& arm, const Setting& setting) {
+  return arm.time == 0 ? 0 : arm.reaction(1).torque2[0] / weight_torque(setting);
 }
 
 /// Where a brake of that strength [mgl] has used up what gravity gave: ½ sin φ = s φ [rad].
@@ -110,7 +110,7 @@ struct BarsFilm {
       draw_bar(canvas, {{0, 0}, 2 * arm.scene.bodies().pose[1].position}, 16,
                pictures::look_of_run(static_cast<int>(i)));
       canvas.hinge({0, 0});
-      const double given = std::min(moment(arm, setting), 1.0), phi = -below_level(arm),
+      const double given = std::min(torque(arm, setting), 1.0), phi = -below_level(arm),
                    aside = given > 0 ? -0.12 : 0.12;
       if (std::abs(given) > 0.01)
         draw_turn(canvas, {0, 0}, phi + aside - 3 * given, phi + aside, 0.42 * length, {palette::force, 4});
@@ -135,7 +135,7 @@ void bounds_on_turns(const Setting& setting, Page& page) {
       R"(The bound is on the *impulse* of a step, so a strength in N m is multiplied by h. (Without the h a motor would
       be twice as strong at twice the frame rate.) Take a bar of @ m and @ kg, hinged at one end and released level.
       To hold it there takes mgl/2 = @ N m.)",
-      setting.length, setting.mass, 0.5 * weight_moment(setting));
+      setting.length, setting.mass, 0.5 * weight_torque(setting));
 
   const double law = braked_at(strength), balance = strength < 0.5 ? std::acos(2 * strength) : 0;
   const double settles = weak_settles * std::sqrt(setting.length() / gravity);
@@ -196,14 +196,14 @@ void bounds_on_turns(const Setting& setting, Page& page) {
   const std::vector<Shown> shown{{say("stop at @°", Value(degrees(stop_at), 3)), arm_on_stop(setting)},
                                  {say("motor of @ mgl", enough), held(setting, enough)},
                                  {say("motor of @ mgl", setting.strength), weak}};
-  Chart chart{.x = {.label = "time (s)"}, .y = {.label = "moment (mgl)", .range = {{-0.25, 1}}}};
+  Chart chart{.x = {.label = "time (s)"}, .y = {.label = "torque (mgl)", .range = {{-0.25, 1}}}};
   for (const Shown& one : shown) {
     Curve curve{.label = one.name};
     Held now = one.arm;
     constexpr double blow = 2;  // [mgl], beyond the chart
     bool blown = false;
     advance_to(now, bar_seconds, h, [&] {
-      const double given = std::min(moment(now, setting), blow);
+      const double given = std::min(torque(now, setting), blow);
       if (given == blow || blown) {  // upright, one step wide
         curve.x.push_back(now.time - (blown ? h : 0));
         curve.y.push_back(blown ? given : curve.y.back());
@@ -214,7 +214,7 @@ void bounds_on_turns(const Setting& setting, Page& page) {
     });
     chart.curves.push_back(curve);
   }
-  chart.references.push_back({Reference::Across::y, 0.5, "the weight's moment, level"});
+  chart.references.push_back({Reference::Across::y, 0.5, "the weight's torque, level"});
   page.sequence(
       "stop_and_motors",
       R"(A bar let go level, and the torque that its stop or motor gives it (λ/h; the blow of the stop
@@ -224,11 +224,11 @@ void bounds_on_turns(const Setting& setting, Page& page) {
 
   const Held on_stop = after(shown[0].arm, bar_settles, h), holds = after(shown[1].arm, bar_settles, h);
   page.text(
-      R"(The stop gives nothing for @°, then one large impulse when the bar arrives, and then the moment of the bar's
-      weight: ½mgl cos @° = @ mgl. The strong motor gives exactly the weight's moment and not its full strength: a
+      R"(The stop gives nothing for @°, then one large impulse when the bar arrives, and then the torque of the bar's
+      weight: ½mgl cos @° = @ mgl. The strong motor gives exactly the weight's torque and not its full strength: a
       bound is only a limit. The weak one is at its limit
       while the bar moves.)",
-      Value(degrees(stop_at), 3), Value(degrees(stop_at), 3), Value(moment(on_stop, setting), 4));
+      Value(degrees(stop_at), 3), Value(degrees(stop_at), 3), Value(torque(on_stop, setting), 4));
   page.table({"One row, seven machines", "JV", "asks for", "λ within"},
              {{"dry friction in a joint", "ω₂ − ω₁", "0", "±τh"},
               {"a conveyor belt", "slip along t at a contact", "the belt's speed", "±μλₙ"},
@@ -252,10 +252,10 @@ void bounds_on_turns(const Setting& setting, Page& page) {
                   stays ? at_most() : at_least()),
                Quantity("strength", strength, "mgl") <= 0.45);
   }
-  page.claim("what the stop carries at rest", moment(on_stop, setting), "mgl",
+  page.claim("what the stop carries at rest", torque(on_stop, setting), "mgl",
              is(0.5 * std::cos(stop_at), "½ cos φ", absolute(1e-3)));
-  page.claim("what the strong motor gives", moment(holds, setting), "mgl",
-             is(0.5, "the weight's moment", absolute(1e-9)));
+  page.claim("what the strong motor gives", torque(holds, setting), "mgl",
+             is(0.5, "the weight's torque", absolute(1e-9)));
 }
 
 }  // namespace byhand::joints

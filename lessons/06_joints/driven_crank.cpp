@@ -39,8 +39,8 @@ double inertia_at(const SliderCrankOptions& machine, double angle) {
          machine.rod_mass * (middle.squaredNorm() + std::pow(machine.rod * rod_speed, 2) / 12);
 }
 
-/// The motor's moment at a steady speed: τω is what the kinetic energy gains [N m].
-double moment_at(const SliderCrankOptions& machine, double angle) {
+/// The motor's torque at a steady speed: τω is what the kinetic energy gains [N m].
+double torque_at(const SliderCrankOptions& machine, double angle) {
   const double d = 1e-5;
   return 0.5 * machine.speed * machine.speed * (inertia_at(machine, angle + d) - inertia_at(machine, angle - d)) /
          (2 * d);
@@ -48,8 +48,8 @@ double moment_at(const SliderCrankOptions& machine, double angle) {
 
 /// What the machine did, beside its closed form.
 struct Run {
-  Curve position{}, moment{};
-  double position_off = 0, moment_off = 0, speed_off = 0;  // largest [m], [N m], [rad/s]
+  Curve position{}, torque{};
+  double position_off = 0, torque_off = 0, speed_off = 0;  // largest [m], [N m], [rad/s]
 };
 
 Run run_of(const SliderCrankOptions& options, double h) {
@@ -60,17 +60,17 @@ Run run_of(const SliderCrankOptions& options, double h) {
   advance_to(machine, end, h, [&] {
     const double angle = options.angle + options.speed * machine.time;
     const double x = machine.scene.bodies().pose[piston].position.x();
-    const double moment = machine.reaction(motor_row).torque2[0];
+    const double torque = machine.reaction(motor_row).torque2[0];
     run.position_off = std::max(run.position_off, std::abs(x - exact.position(angle)));
     run.speed_off = std::max(run.speed_off, std::abs(machine.scene.bodies().velocity[crank][2] - options.speed));
     // An impulse changes V from the middle of the last step to that of this one. The run starts
     // without drift, and its first steps build it up.
     if (machine.time > 10 * h)
-      run.moment_off = std::max(run.moment_off, std::abs(moment - moment_at(options, angle - options.speed * h)));
+      run.torque_off = std::max(run.torque_off, std::abs(torque - torque_at(options, angle - options.speed * h)));
     run.position.x.push_back(machine.time);
     run.position.y.push_back(x);
-    run.moment.x.push_back(machine.time - h);  // the time of the poses whose rows were solved
-    run.moment.y.push_back(machine.time > 3.5 * h ? moment : NAN);
+    run.torque.x.push_back(machine.time - h);  // the time of the poses whose rows were solved
+    run.torque.y.push_back(machine.time > 3.5 * h ? torque : NAN);
   });
   return run;
 }
@@ -79,7 +79,7 @@ struct CrankFilm {
   Machine machine;
   SliderCrankOptions options;
   double h;
-  Chart position, moment;
+  Chart position, torque;
 
   void draw(Canvas& canvas, double time) {
     advance_to(machine, time, h);
@@ -97,7 +97,7 @@ struct CrankFilm {
     for (const Point& at : {bar_of(pose[crank], r).from, bar_of(pose[rod], l).from, bar_of(pose[rod], l).to})
       canvas.hinge(at);
     if (machine.time > 0) {
-      const double given = machine.reaction(motor_row).torque2[0], most = ranges(moment).y.second,
+      const double given = machine.reaction(motor_row).torque2[0], most = ranges(torque).y.second,
                    along = std::atan2(pose[crank].rotation.sin, pose[crank].rotation.cos);
       if (std::abs(given) > 0.02 * most)
         draw_turn(canvas, {0, 0}, along, along + std::clamp(2 * given / most, -1.4, 1.4), 0.6 * r,
@@ -107,7 +107,7 @@ struct CrankFilm {
     canvas.look_at_page();
     const auto charts = lower.cells(1, 2, 20);
     renderer::draw(canvas, pictures::grown_to(position, time), charts[0]);
-    renderer::draw(canvas, pictures::grown_to(moment, time), charts[1]);
+    renderer::draw(canvas, pictures::grown_to(torque, time), charts[1]);
   }
 };
 
@@ -131,7 +131,7 @@ void driven_crank(const Setting& setting, Page& page) {
   for (double angle = 0.005; angle < pi; angle += 0.01) {
     if (std::abs(exact.speed(angle + 0.005)) >= std::abs(exact.speed(angle - 0.005))) continue;
     ++slowing;
-    braking += moment_at(options, angle) < 0 ? 1 : 0;
+    braking += torque_at(options, angle) < 0 ? 1 : 0;
   }
   page.choose(
       {.ask = "There is no gravity here, and the crank's speed is kept. Where in the turn does the motor brake?",
@@ -152,31 +152,31 @@ void driven_crank(const Setting& setting, Page& page) {
       back.)",
       Value(options.crank_mass * r * r / 3, 3));
   page.derivation(
-      "The motor's moment",
+      "The motor's torque",
       {{"kinetic energy at a steady ω", "E = ½ I(θ) ω²", R"(E = \tfrac12\,I(\theta)\,\omega^2)"},
        {"the motor's power is the change of E (there is no gravity here)", "τω = dE/dt = ½ω² dI/dθ · ω",
         R"(\tau\,\omega = \dot E = \tfrac12\omega^2\,\frac{dI}{d\theta}\,\omega)"},
        {"divide by ω", "τ = ½ ω² dI/dθ", R"(\tau = \tfrac12\,\omega^2\,\frac{dI}{d\theta})"}});
 
   double peak = 0;
-  Curve position{.label = "closed form", .style = CurveStyle::theory}, moment = position;
+  Curve position{.label = "closed form", .style = CurveStyle::theory}, torque = position;
   for (int i = 0; i <= 240; ++i) {
     const double t = i * end / 240, angle = start + options.speed * t;
     position.x.push_back(t);
     position.y.push_back(exact.position(angle));
-    moment.x.push_back(t);
-    moment.y.push_back(moment_at(options, angle));
-    peak = std::max(peak, std::abs(moment.y.back()));
+    torque.x.push_back(t);
+    torque.y.push_back(torque_at(options, angle));
+    peak = std::max(peak, std::abs(torque.y.back()));
   }
   CrankFilm film{machine_of(options),
                  options,
                  h,
                  {.x = {.label = "time (s)"}, .y = {.label = "piston (m)"}, .curves = {run.position, position}},
                  {.x = {.label = "time (s)"},
-                  .y = {.label = "motor's moment (N m)", .range = {{-1.3 * peak, 1.3 * peak}}},
-                  .curves = {run.moment, moment}}};
+                  .y = {.label = "motor's torque (N m)", .range = {{-1.3 * peak, 1.3 * peak}}},
+                  .curves = {run.torque, torque}}};
   page.sequence("slider_crank",
-                R"(One turn and a half of the crank, all rows solved at once (β = 1). Orange: the motor's moment.
+                R"(One turn and a half of the crank, all rows solved at once (β = 1). Orange: the motor's torque.
                 Dashed: the closed forms.)",
                 Seconds{std::min(end, 3.0)},
                 [film](Canvas& canvas, double time) mutable { film.draw(canvas, time); });
@@ -208,8 +208,8 @@ void driven_crank(const Setting& setting, Page& page) {
              is(0, "r cos θ + √(l² − r² sin² θ)", absolute(turn * turn * r)), calm);
   page.claim("the same, h over h/2", run.position_off / fine.position_off, "1", is(4, "second order", absolute(1)),
              calm);
-  page.claim("motor's moment beside its closed form, after ten steps, largest difference over the peak",
-             run.moment_off / peak, "1", is(0, "½ω² dI/dθ", absolute(3 * turn * turn)), calm);
+  page.claim("motor's torque beside its closed form, after ten steps, largest difference over the peak",
+             run.torque_off / peak, "1", is(0, "½ω² dI/dθ", absolute(3 * turn * turn)), calm);
 }
 
 }  // namespace byhand::joints

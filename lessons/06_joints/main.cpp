@@ -45,7 +45,7 @@ int main(int argc, char** argv) {
             are one row within bounds.)",
             "A motor told to stand still, with a bound, is dry friction in the joint.",
             "Rows that act through the same arm belong in one block; row by row a sweep leaves A₁₂²/(A₁₁A₂₂).",
-            "Machines made of joints follow their closed forms: periods, pistons, moments.",
+            "Machines made of joints follow their closed forms: periods, pistons, torques.",
             R"(Degrees of freedom are numbers less *rank*. Where rows repeat, A is singular, and a regularisation makes λ
             unique.)",
             R"(With a warm start the λ of rows that contradict each other grows in every step while nothing moves: test

@@ -162,7 +162,7 @@ void rows_adding_up(const Setting& setting, Page& page) {
        {say("x, y:  λ = (@, @) N·s", Value(stages[2].lambda[0], 3), Value(stages[2].lambda[1], 3)),
         say("Two rows: a pin. One motion is left, the turn at @ rad/s.", Value(pinned, 3)), palette::force},
        {say("x, y, φ:  λ_φ = @ N·m·s", Value(stages[3].lambda[2], 3)),
-        "Three rows: a weld. Its moment (the bow) stops the turn. No motion is left.", palette::force},
+        "Three rows: a weld. Its torque (the bow) stops the turn. No motion is left.", palette::force},
        {say("φ to @ rad/s:  λ_φ = @ N·m·s", motor_speed, Value(stages[4].lambda[2], 3)),
         "The third row with a speed as its target: a motor, strong enough here.", palette::force}});
   double largest_push = 0, largest_turn = 0;
@@ -174,7 +174,7 @@ void rows_adding_up(const Setting& setting, Page& page) {
       "rows_adding_up",
       say(R"(A bar of @ kg that flies by, held at one end, by one more row in each act; each starts from the same
                     place and is shown for @ s. Green: the velocity of both ends. Orange: the impulse of the rows on the bar, and
-                    as a bow its moment.)",
+                    as a bow its torque.)",
           setting.mass, seen_seconds),
       Seconds{acts.seconds()},
       [film = RowsFilm{acts, stages, setting.length(), 0.6 * setting.length() / largest_push, 2.2 / largest_turn}](
@@ -183,7 +183,7 @@ void rows_adding_up(const Setting& setting, Page& page) {
   const Point r = bar.bodies.pose[1].position;
   page.claim("turn of the bar once its end is pinned", pinned, "rad/s",
              is((I * bar.V[2] + m * (r.x() * bar.V[1] - r.y() * bar.V[0])) / (I + m * r.squaredNorm()),
-                "the pin has no moment about itself: Iω + mr × v is kept", relative(1e-12)));
+                "the pin has no torque about itself: Iω + mr × v is kept", relative(1e-12)));
 }
 
 }  // namespace byhand::joints

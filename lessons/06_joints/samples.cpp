@@ -107,7 +107,7 @@ void Samples::draw(Canvas& canvas, double time) {
     const Given& of = reactions[i];
     if (of.force.norm() > 1e-3 * weight_)
       canvas.vector(bar.from, of.force, {palette::force, 0.3 * length_ / weight_});
-    // A couple of the weight's moment about the hinge is a bow over two radians. Rope and pin have none.
+    // A couple of the weight's torque about the hinge is a bow over two radians. Rope and pin have none.
     const double couple = of.couple / (0.5 * weight_ * length_);
     if (i != roped && i != pinned && std::abs(couple) > 0.02)
       draw_turn(canvas, bar.from, -pi / 2, -pi / 2 + std::clamp(2 * couple, -2.6, 2.6), 0.3 * length_,

@@ -84,7 +84,7 @@ void left_out(const Setting& setting, Page& page) {
                R"(\frac{d}{dt}(I\omega) = 0 \quad\Rightarrow\quad I\dot\omega = -\,\omega\times I\omega)");
   page.derivation(
       "Why Iω̇ = −ω × Iω",
-      {{"no moment acts", "d(Iω)/dt = 0", R"(\frac{d}{dt}(I\omega) = 0)"},
+      {{"no torque acts", "d(Iω)/dt = 0", R"(\frac{d}{dt}(I\omega) = 0)"},
        {"I turns with the body: dI/dt = [ω]I − I[ω], [ω]v = ω × v", "d(Iω)/dt = ω × Iω − I(ω × ω) + Iω̇",
         R"(\frac{d}{dt}(I\omega) = \omega\times I\omega - I(\omega\times\omega) + I\dot\omega)"},
        {"ω × ω = 0", "Iω̇ = −ω × Iω", R"(I\dot\omega = -\,\omega\times I\omega)"}});

@@ -148,7 +148,7 @@ void let_loose(const Setting& setting, Page& page) {
       R"(Friction at four corners also brakes a spin. If the book lies flat and only spins, at ω = @ rad/s, each corner
       slips at right angles to its arm r = @ m. (Four corners on a plane are one row too many, so their loads are not
       determined: lesson 6, step 4. This solver lets them share the weight equally.) Then the friction of each is
-      μmg/4. So the moment is μmgr, and with I = mr²/3)",
+      μmg/4. So the torque is μmgr, and with I = mr²/3)",
       Value(spin, 4), Value(half_diagonal, 4));
   page.formula(
       "ω̇ = −3μg/r   ⟹   it rests after ωr/(3μg) = @ s",

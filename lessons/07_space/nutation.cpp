@@ -137,13 +137,13 @@ void nutation(const Setting& setting, Page& page) {
        .options =
            {{"it has rounding errors only",
              R"(λ acts along d, which passes through the anchor; gravity acts along the vertical; and the position
-                    moves along v. None of the three has a moment about the vertical, at any h.)"},
+                    moves along v. None of the three has a torque about the vertical, at any h.)"},
             {"its error is about that of the angle",
              "What could change it in a step? λ acts along d, which passes through the anchor."},
             {"it has a small error, because J is held over the step",
              "J is d at the start of the step, and so is the arm of λ: d × d is zero at any h."}},
        .answer = std::abs(kept / given - 1) < 1e-9 ? 0 : 1,
-       .hints = {"Which of λ, gravity and the move has a moment about the vertical?",
+       .hints = {"Which of λ, gravity and the move has a torque about the vertical?",
                  "L = x × mv: v changes by hg and by a multiple of d = x, then x changes by hv.",
                  "x × x = 0, (x + hv) × v = x × v"}});
   const Errors coarse = errors(setting, exact, h / 16), fine = errors(setting, exact, h / 32);

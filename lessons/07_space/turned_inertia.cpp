@@ -168,7 +168,7 @@ void turned_inertia(const Setting& setting, Page& page) {
              R"(λ is computed with the same M⁻¹ with which it is applied, so JV vanishes whatever M⁻¹ is. The
                     joint shows nothing.)"},
             {"the angular momentum about the nail has changed",
-             shows ? "The push acts at the nail, so it has no moment about the nail; a change is a mistake."
+             shows ? "The push acts at the nail, so it has no torque about the nail; a change is a mistake."
                    : "It would, if the book had turned. As long as R is the identity, RIRᵀ is I."},
             {"not at all", shows ? "The nail cannot change the angular momentum about itself. Compute that."
                                  : "The book has not turned, so R is the identity and RIRᵀ is I."}},

@@ -98,7 +98,7 @@ void turning_with_the_body(const Setting& setting, double careless, Page& page) 
           Value(stretches * stretch * turn, 2), film.seconds(), Value(1000 * h, 2)),
       Seconds{film.seconds()},
       [shown = TurningFilm{film, flight, moments}](Canvas& canvas, double time) { shown.draw(canvas, time); });
-  page.claim("film of Iω: its largest relative change", largest, "1", is(0, "no moment acts", absolute(1e-11)));
+  page.claim("film of Iω: its largest relative change", largest, "1", is(0, "no torque acts", absolute(1e-11)));
   const Instant& last = flight.back();
   page.claim("film of Iω: the spin at its end, from Euler's equations",
              (last.spin() - FreeTop(moments, spin).at(last.time).value).norm(), "rad/s",
