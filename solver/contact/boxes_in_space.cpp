@@ -295,7 +295,7 @@ Manifold<SpaceBody> collide_boxes(const Box<SpaceBody>& box1, const Pose<SpaceBo
 
   // Faces before edges, for they give more points; taken is the first whose points are as near as the boxes are.
   const bool overlap = separation[best] <= 0;
-  const double least_gain = hysteresis(box1, box2);
+  const double least_gain = hysteresis(box1, box2), rounding = 1e-6 * least_gain;
   Manifold3 manifold;
   double nearest = infinity;
   for (const int axis : {static_cast<int>(hint) - 1, face, edge}) {
@@ -304,8 +304,8 @@ Manifold<SpaceBody> collide_boxes(const Box<SpaceBody>& box1, const Pose<SpaceBo
     manifold = collide_axis(boxes, axis);
     nearest = infinity;
     for (const ContactPoint3& point : manifold) nearest = std::min(nearest, point.separation);
-    if (overlap ? nearest <= std::min(0.0, separation[best] + least_gain) : clearly * nearest <= separation[best])
-      return within(margin, manifold);
+    const double far = overlap ? std::min(0.0, separation[best] + least_gain) : separation[best] / clearly;
+    if (nearest <= far + rounding) return within(margin, manifold);
   }
   if (manifold.reference == 0) manifold = collide_axis(boxes, best);  // for its normal, should edges touch
   return within(margin, closest_edges(boxes, clearly * nearest, manifold));

@@ -94,6 +94,22 @@ TEST(CollideSpace, ABoxThatLiesOnAnotherTouchesAtTheCornersOfTheOverlap) {
   }
 }
 
+// Rounding decides whether such boxes overlap or are apart, and by which of two axes.
+TEST(CollideSpace, BoxesThatMeetFaceToFaceTouchAtFourPointsWhereverTheyAre) {
+  Random random;
+  for (int draw = 0; draw < 2000; ++draw) {
+    const auto turn = random.pose<M>().rotation;
+    const auto a = Vector3d(random.vector<3>(0.4) + Vector3d::Ones()),
+               b = Vector3d(random.vector<3>(0.4) + Vector3d::Ones());
+    const Vector3d at = random.vector<3>(200),
+                   apart(random.uniform(-0.3, 0.3), 0.5 * (a.y() + b.y()), random.uniform(-0.3, 0.3));
+    const Solid<M> below{Box<M>{a}, {at, turn}}, above{Box<M>{b}, {at + rotate(turn, apart), turn}};
+    const auto manifold = touch(below, above, 0.02);
+    EXPECT_EQ(manifold.size, 4) << "draw " << draw;
+    EXPECT_NEAR(manifold.normal.dot(rotate(turn, Vector3d(0, 1, 0))), 1, 1e-12) << "draw " << draw;
+  }
+}
+
 TEST(CollideSpace, OfEightCornersFourAreKeptThatHoldTheMiddle) {
   const auto manifold = touch(box({1, 1, 1}, {0, 0, 0}), box({1, 1, 1}, {0, 0, 0.99}, {0, 0, pi / 4}), 0.02);
   ASSERT_EQ(manifold.size, 4);
