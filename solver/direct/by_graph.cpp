@@ -68,6 +68,11 @@ Solution ByGraph::solve_bounded_loops(System<M>& system, Bodies<M>& bodies, ByGr
   const auto pays = [&] {
     return newton_pays(work.unlike ? 0.5 : 0.125, loops, system, bodies.size(), work.newton);
   };
+  const auto all_sweeps = [&] {
+    ConjugateSweeps sweeps = loops;
+    if (work.unlike) sweeps.sweeps *= 10;
+    return sweeps;
+  };
   // What a solve without λ does depends on nothing that was before.
   const bool anew = work.laid_out != system.layout || largest_of(system.lambda) == 0;
   work.laid_out = system.layout;
@@ -75,16 +80,16 @@ Solution ByGraph::solve_bounded_loops(System<M>& system, Bodies<M>& bodies, ByGr
   work.by_newton = (work.by_newton && !anew) || (work.unlike && pays());
   Solution swept;
   if (!work.by_newton) {
-    ConjugateSweeps sweeps = loops;
-    if (work.unlike) sweeps.sweeps *= 10;
-    swept = sweeps.solve(system, bodies, work.direct.prepared, begin);
+    swept = all_sweeps().solve(system, bodies, work.direct.prepared, begin);
     if (swept.converged || !(swept.residual >= 0) || !pays()) return swept;
     work.by_newton = true;
     begin = Begin::resume;
   }
   Solution solution = stalled.solve(system, bodies, work.newton, begin);
-  if (!solution.converged && !work.unlike) {  // sweeps would be content with less
-    const Solution last = sweep_until(loops.tolerance, 1, 1, system, work.newton.prepared, bodies);
+  if (!solution.converged) {  // sweeps go on; where masses are alike they are content with less
+    ConjugateSweeps sweeps = all_sweeps();
+    if (work.unlike) sweeps.tolerance = stalled.tolerance;
+    const Solution last = sweeps.solve(system, bodies, work.newton.prepared, Begin::resume);
     solution.passes += last.passes;
     solution.residual = last.residual;
     solution.converged = last.converged;

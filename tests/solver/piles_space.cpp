@@ -15,8 +15,9 @@ constexpr double h = 1.0 / 60;
 // friction take more than all else gives: that the energy stays below its first value and the correction's share
 // is a law, though no single step has to lose some.
 // Restitution together with Coulomb's friction may make a little energy (Kane's paradox), friction alone does not.
+// A row that bounces forgets its λ besides, so that what its correction gave is not counted here.
 TEST(PilesInSpace, StayFiniteAndGainNoEnergy) {
-  for (const auto& [e, gain] : {std::pair{0.0, 1e-12}, {0.5, 1e-4}})
+  for (const auto& [e, gain] : {std::pair{0.0, 1e-12}, {0.5, 1e-3}})
     for (int seed = 1; seed <= 12; ++seed)
       for (const RowSolver& solver : {RowSolver(GaussSeidel{}), RowSolver(ByGraph{})}) {
         Simulation<M> simulation{box_pile<M>(seed, {.count = 8, .surface = {0.6, e}}), {solver}};
