@@ -86,7 +86,7 @@ void draw_runs(Canvas& canvas, const std::vector<NamedBox>& runs, const Rectangl
     const Rectangle below{cells[i].x, cells[i].y, cells[i].width, cells[i].height - 54};
     canvas.look_at_page();
     canvas.text({cells[i].centre().x(), cells[i].top() - 24}, runs[i].name,
-                {.size = 20, .colour = palette::series(static_cast<int>(i)), .bold = true});
+                {.size = 16, .colour = palette::series(static_cast<int>(i)), .bold = true});
     canvas.clip(below);
     canvas.look(fit({-0.7, -0.5, 1.4, top + 0.6}, below, 0));
     pictures::Shapes shapes = pictures::shapes_of(runs[i].box.scene);
@@ -131,11 +131,13 @@ void deep_contact(const Setting& setting, Page& page) {
   const double law = laws::popping_overlap(beta, h), by_steps = pop_by_steps(beta, h), speed = beta * depth / h;
   const Simulation<PlaneBody> free_run = sunk(depth, Baumgarte{beta}),
                               capped = sunk(depth, Baumgarte{.beta = beta, .speed_cap = cap}),
-                              split = sunk(depth, SplitImpulse{.beta = beta});
+                              split = sunk(depth, SplitImpulse{.beta = beta}),
+                              soft = sunk(depth, SoftConstraints{});
   Simulation<PlaneBody> first = free_run;
   first.step(h);
   const double leaves_at = first.scene.bodies().velocity[1].y();
-  const double highest = peak(free_run, h), highest_capped = peak(capped, h), highest_split = peak(split, h);
+  const double highest = peak(free_run, h), highest_capped = peak(capped, h), highest_split = peak(split, h),
+               highest_soft = peak(soft, h);
 
   page.text(
       R"(Where C is positive there is a gap: the row lets it close within the step and no further, b = C/h. Such a row
@@ -176,7 +178,8 @@ void deep_contact(const Setting& setting, Page& page) {
   const double shallow = std::min(0.8 * by_steps, deepest);
   std::vector<NamedBox> runs{{say("@ m deep", depth), free_run},
                              {say("@ m, ≤ @ m/s", depth, cap), capped},
-                             {say("@ m, split", depth), split}};
+                             {say("@ m, split", depth), split},
+                             {say("@ m, soft", depth), soft}};
   // A box that begins where it does not pop, unless that is too shallow to be seen.
   const bool seen = shallow >= 0.005;
   if (seen) runs.insert(runs.begin(), {say("@ m deep", Value(shallow, 2)), sunk(shallow, Baumgarte{beta})});
@@ -185,11 +188,12 @@ void deep_contact(const Setting& setting, Page& page) {
   page.sequence(
       "pop",
       say(R"(Boxes come out of the ground, β = @.@ From @ m a box rises @ m above it; with the speed of the correction
-          limited to @ m/s, @ m; with split impulse, @ m.)",
+          limited to @ m/s, @ m; with split impulse, @ m; with a soft contact, @ m.)",
           setting.beta,
           seen ? say(" From @ m a box rises @ m above it.", Value(shallow, 2), Value(peak(runs[0].box, h), 3))
                : "",
-          setting.depth, Value(highest, 3), setting.cap, Value(highest_capped, 3), Value(highest_split, 3)),
+          setting.depth, Value(highest, 3), setting.cap, Value(highest_capped, 3), Value(highest_split, 3),
+          Value(highest_soft, 3)),
       Seconds{pop_seconds}, [=, runs = runs](Canvas& canvas, double time) mutable {
         for (NamedBox& run : runs)
           while (run.box.time < time - 0.5 * h) run.box.step(h);
@@ -232,15 +236,18 @@ void deep_contact(const Setting& setting, Page& page) {
         say("How high a box rises above the ground against how deep it began, h = @ s. Lines: a throw at βd/h.",
             setting.h),
         peaks(setting));
-  page.text(R"(Three cures are in use.
+  page.text(R"(Four cures are in use.
 
             - A *smaller β*: the speed and the peak fall, but an overlap also lasts longer.
             - A *limit* on the speed that the correction may ask for: @.
-            - *Split impulse*, a method of its own.)",
+            - *Split impulse*, a method of its own.
+            - *Soft contacts*: the row is a damped spring of @ rad/s in place of β, and once the bodies have moved the
+              rows are solved again without it (lesson 6, step 7b; Box2D 3). That takes the spring's velocity back.)",
             by_steps > deepest
                 ? std::string("here no overlap needs one")
                 : say("below @ m/s, the speed at which the limiting depth leaves, no box rises above the ground",
-                      Value(harmless_speed(beta, h), 3)));
+                      Value(harmless_speed(beta, h), 3)),
+            SoftConstraints{}.frequency);
   page.text(
       R"(Split impulse keeps the correction out of V. Its recipe:
 
@@ -275,6 +282,8 @@ void deep_contact(const Setting& setting, Page& page) {
   page.claim("peak above the ground with the limit on the speed", highest_capped, "m",
              is_at_most(cap < harmless_speed(beta, h) ? 0 : cap * cap / (2 * gravity), "it stays down, or v²/2g"),
              Quantity("|limit/harmless − 1|", std::abs(cap / harmless_speed(beta, h) - 1)) > 0.05);
+  page.claim("peak above the ground with a soft contact", highest_soft, "m",
+             is(0, "the relaxed rows keep no velocity of the spring", absolute(1e-9)));
   page.claim("peak above the ground with split impulse", highest_split, "m",
              is(0, "no velocity of the correction is left", absolute(1e-9)));
 }

@@ -38,6 +38,7 @@ int main(int argc, char** argv) {
   lesson.step("A stack", with(stack_of_boxes));
   lesson.deeper("A pyramid", with(wall_of_boxes));
   lesson.deeper("A heavy box on a light one", with(heavy_on_light));
+  lesson.deeper("Where friction has no answer", with(no_answer));
 
   lesson.closing(
       {.now_you_know =

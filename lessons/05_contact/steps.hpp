@@ -14,6 +14,7 @@ void cradle(const Setting& setting, course::Page& page);
 void stack_of_boxes(const Setting& setting, course::Page& page);
 void wall_of_boxes(const Setting& setting, course::Page& page);
 void heavy_on_light(const Setting& setting, course::Page& page);
+void no_answer(const Setting& setting, course::Page& page);
 
 /// Boxes on the floor, with the friction of step 3.
 course::Hold in_hand(const Setting& setting);

@@ -196,7 +196,7 @@ void block_or_row(const Setting& setting, Page& page) {
                   .answer = halving,
                   .unit = "sweeps",
                   .tolerance = 0.1 * halving,
-                  .wrong = {{1, "That would be so if each row passed on half. Here they say nearly the same."}},
+                  .wrong = {{2, "A row leaves nearly all of the error for the other, c/(1 + c), not half of it."}},
                   .hints = hints,
                   .right = say("A sweep leaves @ of the error, and @ sweeps leave half of it.", Value(rho, 5),
                                Value(halving, 3))});
@@ -204,7 +204,7 @@ void block_or_row(const Setting& setting, Page& page) {
     page.predict({.ask = ask + "What share of the error does it leave?",
                   .answer = rho,
                   .unit = "1",
-                  .tolerance = 0.04,
+                  .tolerance = std::min(0.04, 0.4 * rho),
                   .wrong = wrong,
                   .hints = hints,
                   .right = say("A sweep leaves A₁₂²/(A₁₁A₂₂) = @.", Value(rho, 4))});
@@ -232,7 +232,7 @@ void block_or_row(const Setting& setting, Page& page) {
               : "On the right this lesson's box, whose lines cross as clearly.",
       left < 1e-15 ? say("@ leave nothing that a double can hold.", several(sweeps, "sweep"))
                    : say("@ @ @ of the error.", several(sweeps, "sweep"), sweeps == 1 ? "leaves" : "leave",
-                         Value(left, 3)));
+                         small_error(left, 3)));
   RivalsFilm film{
       {{"as a block", held_box(setting, side, pi / 2, sweeps, BlockSolve::whole, Baumgarte{beta})},
        {"row by row", held_box(setting, side, pi / 2, sweeps, BlockSolve::row_by_row, Baumgarte{beta})}},
@@ -265,9 +265,9 @@ void block_or_row(const Setting& setting, Page& page) {
             on_tangent ? R"( The block's error is the step's own tangent (lesson 4: r(ωh)²/2β, with ω² = 2g/r at
                               the bottom: gh²/β, whatever the arm); the rest is what the sweeps left.)"
                        : "");
-  // A pin that came off is worse than any that held.
-  const auto worst = [](const Drift& drift) { return std::isfinite(drift.broke) ? INFINITY : drift.worst; };
-  const double compared = std::isinf(worst(warm)) && std::isinf(worst(rows)) ? 1 : worst(warm) / worst(rows);
+  // A pin that came off was ten arms off.
+  const auto worst = [&](const Drift& drift) { return std::isfinite(drift.broke) ? 10 * length : drift.worst; };
+  const double compared = worst(warm) / worst(rows);
   const Quantity beside("pin off, warm/cold", compared);
   page.text(
       R"(Row by row with a warm start the pin @. @ @)", fate(warm),

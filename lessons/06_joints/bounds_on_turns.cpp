@@ -234,9 +234,9 @@ void bounds_on_turns(const Setting& setting, Page& page) {
               {"a conveyor belt", "slip along t at a contact", "the belt's speed", "±μλₙ"},
               {"rolling resistance, with the lever a", "ω₂ − ω₁ of a wheel on the ground", "0", "±aλₙ"},
               {"drilling resistance of a disc R in space", "n·(ω₂ − ω₁)", "0", "±⅔μRλₙ"},
-              {"two gears that mesh outside", "r₁ω₁ + r₂ω₂", "0", "±∞"},
-              {"a rack on its pinion", "t·v₂ − r₁ω₁", "0", "±∞"},
-              {"a screw of pitch p in space", "a·v − (p/2π) a·ω", "0", "±∞"}});
+              {"two gears that mesh outside", "r₁ω₁ + r₂ω₂", "0", "no bound"},
+              {"a rack on its pinion", "t·v₂ − r₁ω₁", "0", "no bound"},
+              {"a screw of pitch p in space", "a·v − (p/2π) a·ω", "0", "no bound"}});
   page.measure("the weak motor's bar, below level", degrees(found), "°");
   page.claim("where the weak motor holds the bar, below level", found, "rad",
              is(rest.angle, "½(sin φ′ − sin φ) = (τ/mgl) |φ′ − φ|, half swing by half swing",

@@ -150,7 +150,9 @@ void rows_to_joints(const Setting& setting, Page& page) {
           film, the rope is slack at first.@ Arrows and bows: the force and the torque that the joint gives the bar
           (λ/h).)",
           Value(degrees(sample_stop), 3),
-          length == 2 ? "" : say(" Shown @ times as fast as it is.", Value(sample_pace(length), 2))),
+          std::abs(sample_pace(length) - 1) < 0.05
+              ? ""
+              : say(" Shown @ times as fast as it is.", Value(sample_pace(length), 2))),
       Seconds{sample_seconds},
       [samples = Samples(setting)](Canvas& canvas, double time) mutable { samples.draw(canvas, time); });
 

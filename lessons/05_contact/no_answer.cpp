@@ -1,0 +1,137 @@
+// Deeper: a rod that slides on its tip, where friction's bound makes the two rows contradict each other.
+
+#include <Eigen/LU>
+
+#include "lessons/05_contact/steps.hpp"
+#include "lessons/scenes/rod.hpp"
+#include "solver/constraints/contact.hpp"
+#include "solver/constraints/friction.hpp"
+
+namespace byhand::contact {
+namespace {
+
+constexpr double steep = 2;  // tanθ of the rod that is looked at closely
+constexpr int most_sweeps = 400;
+
+/// A = JM⁻¹Jᵀ of the normal (0) and the tangent (1) at the lower tip of a rod of 1 m, inclined at θ to the right
+/// [1/kg].
+Eigen::Matrix2d at_the_tip(double angle, double mass) {
+  const PlaneRod rod({0, 0}, {std::cos(angle), std::sin(angle)}, mass);
+  Scene<PlaneBody> scene;
+  const int ground = scene.add_body(Pose<PlaneBody>(), fixed<PlaneBody>()),
+            body = scene.add_body(rod.pose, rod.mass);
+  const auto& pose = scene.bodies().pose;
+  const Contact<PlaneBody> contact{between<PlaneBody>(scene.bodies(), ground, {0, 0}, body, {0, 0})};
+  Eigen::Matrix<double, 2, 6> J;
+  J.row(0) = contact.jacobian(pose[0], pose[1]).matrix;
+  // To the right, whichever way the tangent of the solver points.
+  const auto tangent =
+      Friction<PlaneBody>{contact.at, tangents_of<PlaneBody>(contact.normal)}.jacobian(pose[0], pose[1]);
+  J.row(1) = (tangent.matrix(3) > 0 ? 1 : -1) * tangent.matrix;
+  Eigen::Matrix<double, 6, 1> over_mass = Eigen::Matrix<double, 6, 1>::Zero();
+  over_mass.tail<3>() << rod.mass.linear, rod.mass.linear, rod.mass.angular[0];
+  return J * over_mass.asDiagonal() * J.transpose();
+}
+
+/// By how much λₙ = 1 lifts the tip while it slides to the left and friction, at its bound, pushes to the right
+/// [1/kg].
+double lift(double angle, double friction, double mass) {
+  const Eigen::Matrix2d A = at_the_tip(angle, mass);
+  return A(0, 0) + friction * A(0, 1);
+}
+
+/// The μ from which on that is negative [1].
+double critical(double angle) {
+  const Eigen::Matrix2d A = at_the_tip(angle, 1);
+  return -A(0, 0) / A(0, 1);
+}
+
+/// What sweeps make of the two rows within one step.
+struct Swept {
+  Eigen::Vector2d lambda = Eigen::Vector2d::Zero(), rate;  // of the normal and the tangent [N s], [m/s]
+  int sweeps = 0;                                          // until nothing changes any more
+};
+
+Swept swept(const Eigen::Matrix2d& A, const Eigen::Vector2d& rate, double friction) {
+  Swept swept{.rate = rate};
+  const auto solve = [&](int row, double lower, double upper) {
+    const double wanted = swept.lambda[row] - swept.rate[row] / A(row, row);
+    const double change = std::clamp(wanted, lower, upper) - swept.lambda[row];
+    swept.lambda[row] += change;
+    swept.rate += change * A.col(row);
+    return std::abs(change);
+  };
+  for (double change = INFINITY; swept.sweeps < most_sweeps && change > 1e-13 * swept.lambda.norm();
+       ++swept.sweeps) {
+    change = solve(0, 0, INFINITY);
+    const double bound = friction * swept.lambda[0];
+    change += solve(1, -bound, bound);
+  }
+  return swept;
+}
+
+}  // namespace
+
+void no_answer(const Setting& setting, Page& page) {
+  const double mass = setting.mass(), h = setting.h(), angle = std::atan(steep), mu = critical(angle);
+  page.text(
+      R"(The bound of friction's row is another row's λ. Such a problem need not have one answer: it may have several, or
+      none. Painlevé found that in 1895. Let a rod slide on its lower tip to the left, leaning to the right, so that the
+      tip leads. Friction pushes the tip to the right, turns the rod, and so drives the tip into the ground.)");
+  page.formula("λₙ lifts the tip by A_nn − μ|A_nt| = (1 + 3cos²θ − 3μ sinθ cosθ)/m",
+               R"(A_{nn} - \mu\,|A_{nt}| = \frac{1 + 3\cos^2\theta - 3\mu\sin\theta\cos\theta}{m})");
+  page.predict(
+      {.ask = say("tanθ = @. From which μ on does the ground's push no longer lift the tip?", steep),
+       .answer = mu,
+       .unit = "1",
+       .tolerance = 0.04,
+       .wrong = {{steep, "That is tanθ = μ, where a ladder begins to slide; here it slides already."},
+                 {1 / steep, "That is μ = 1/tanθ: the push then passes through the centre and turns nothing."}},
+       .hints = {"How much does λₙ lift the tip by itself, and how much does μλₙ sink it?",
+                 "1 + 3cos²θ = 3μ sinθ cosθ.", "(1 + 3 · 0.2)/(3 · 0.4)."},
+       .right = "4/3, and no other angle needs less: rubber can reach that."});
+  Chart chart{.x = {.label = "θ from level (°)"}, .y = {.label = "lift of the tip for each unit of λₙ (1/m)"}};
+  for (const double friction : {0.5, 1.0, 4.0 / 3, 2.0}) {
+    Curve curve{.label = say("μ = @", Value(friction, 3))};
+    for (int degree = 2; degree <= 88; degree += 2) {
+      curve.x.push_back(degree);
+      curve.y.push_back(lift(radians(degree), friction, 1));
+    }
+    chart.curves.push_back(std::move(curve));
+  }
+  chart.references.push_back({.value = 0, .label = "pressing does not help"});
+  page.figure("lift_of_the_tip",
+              "What the ground's push does to the tip of a rod that slides, tip first. Below zero, "
+              "the more it presses, the faster the tip comes down.",
+              chart);
+
+  // It slides at the lesson's speed when gravity has acted for a step.
+  const double friction = 1.5 * mu;
+  const Eigen::Matrix2d A = at_the_tip(angle, mass);
+  const Eigen::Vector2d rate(-gravity * h, -setting.speed());
+  const Swept end = swept(A, rate, friction);
+  const Eigen::Vector2d sticking = -A.inverse() * rate;
+  const Quantity beside_weight("λₙ/mgh", end.lambda[0] / (mass * gravity * h)),
+      slip("slip left/speed", std::abs(end.rate[1]) / setting.speed());
+  page.text(
+      R"(Below zero no force holds the tip while it slides. Within a step there is an answer all the same, because a step
+      deals in impulses. With μ = @ the sweeps make λₙ larger by up to @ times each. @ That is what chalk does when it
+      hops over a blackboard.)",
+      Value(friction, 3), Value(friction / mu, 3),
+      page.verdict(
+          {{.when = where(slip<1e-6, beside_weight> 1),
+            .say = say(R"(They end, after @, when the slip has ended: the tip stands still with λₙ = @ N·s, @
+                                times mgh, an impact without a collision.)",
+                       several(end.sweeps, "sweep"), Value(end.lambda[0], 3), Value(beside_weight.value, 3))}}));
+
+  double least = INFINITY;
+  for (double at = 0.01; at < 0.5 * pi; at += 1e-3) least = std::min(least, critical(at));
+  page.claim("least μ with which pressing lowers the tip, of all angles", least, "1",
+             is(4.0 / 3, "the least of (1 + 3cos²θ)/(3 sinθ cosθ)", relative(1e-6)));
+  page.claim("λₙ at the end of the sweeps", end.lambda[0], "N s",
+             is(sticking[0], "both rates are zero: (17) for both rows as a block", relative(1e-9)));
+  page.claim("slip at the end of the sweeps", end.rate[1], "m/s",
+             is(0, "friction has stopped it", absolute(1e-9 * setting.speed())));
+}
+
+}  // namespace byhand::contact
