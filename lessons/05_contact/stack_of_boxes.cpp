@@ -243,6 +243,15 @@ void stack_of_boxes(const Setting& setting, Page& page) {
       two ends, solved together (one after the other they would take turns at tilting the box), and one row of
       friction.)",
       n);
+  page.text(
+      R"(Where do such contacts come from? For two boxes the solver takes three steps:
+
+      - *separating axes*: along each of the four face normals, how far are the boxes apart, or (negative) how deep in each other?
+        The largest of these numbers is C, and its normal is n (`solver/contact/boxes_in_plane.cpp`);
+      - *clipping*: the facing side of the other box is cut off at the ends of that face, and its two ends that remain
+        are the points P, each with its own C;
+      - *feature ids*: each point notes the two corners that made it. In the next step the same pair is the same
+        contact, and gets its λ back. Lose the ids, and every start is cold, whatever the solver's settings say.)");
   const double carried = first.front() / gravity, share = carried / n;
   const double missing = without_rounding(8 / (pi * pi) * laws::left_by_sweeps(n, sweeps), 1e3);
   // Bounds far enough from what the run gives that the hint's one wave decides between them.
@@ -333,7 +342,8 @@ void stack_of_boxes(const Setting& setting, Page& page) {
                   renderer::draw(canvas, pictures::grown_to(chart, hurry * time), right.inset(0, 50));
                 });
   const double cold = falls_at(column(n, sweeping(sweeps, false)), patience, h);
-  page.text(R"(With @ it @, with @ it @; solved directly it @. (With @ and a cold start in every step it @.))",
+  page.text(R"(With @ it @, with @ it @; solved directly it @. (With @ and a cold start
+      in every step, or with lost ids, it @.))",
             several(sweeps, "sweep"), fate(ends[0].fell), 2 * sweeps, fate(ends[1].fell), fate(ends[2].fell),
             several(sweeps, "sweep"), fate(cold));
   const double law = law_of_standing(n, h), needed_sweeps = sweeps_needed(n, h);
