@@ -189,9 +189,11 @@ void let_loose(const Setting& setting, Page& page) {
                newton = off_its_place(SemismoothNewton{}, setting.h);
   const Quantity with_sweeps("off its place, swept", swept, "m"), with_newton("by Newton's method", newton, "m");
   page.text(
-      R"(Boxes collide with boxes as well, with up to eight points to a pair. Lesson 5's heavy box on a light one (step
-      7b), as cubes of @ kg on 1 kg and with @ warm sweeps a step, is up to @ mm off its place in the eighth second. @)",
-      heavy, sweeps, Value(1000 * swept, 3),
+      R"(Boxes collide with boxes as well. Take lesson 5's heavy box on a light one (step 7b) as cubes of @ kg on 1 kg:
+      with @ warm sweeps a step the upper one @. @)",
+      heavy, sweeps,
+      swept < 0.5 ? say("is up to @ mm off its place in the eighth second", Value(1000 * swept, 3))
+                  : say("has left the lower one after @ s", settling),
       page.verdict(
           {{.when = where(with_newton < 1e-6, with_newton < with_sweeps),
             .say = R"(Solved by Newton's method (`SemismoothNewton`: rows and their bounds as one system of
