@@ -103,7 +103,8 @@ std::string neighbours(const std::string& slug) {
 std::string live_scripts(const std::string& slug) {
   std::string all;
   for (const std::string& name :
-       {std::string("worker"), std::string("files"), slug, std::string("hold"), std::string("live")})
+       {std::string("worker"), std::string("files"), slug, std::string("settings"), std::string("hold"),
+        std::string("live")})
     all += fmt::format("<script defer=\"defer\" src=\"live/{}.js\"></script>\n", name);
   return all;
 }

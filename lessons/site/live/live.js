@@ -4,6 +4,7 @@
 
 (() => {
   const style = new URL('live.css', document.currentScript.src).href;
+  const { readAddress, address, sliderValues, placeOf, symbol } = byhandSettings;
   const parts = globalThis.byhandParts ?? {};  // the lesson, its files and the worker, packed (see pack in build)
   const quick = 100, patience = 2500, rest = 350;  // ms: of a step; of a reader before a step needs a button; between changes
   const reduced = matchMedia('(prefers-reduced-motion: reduce)');
@@ -86,23 +87,44 @@
   let versus;  // as `settings`, or undefined
   let parameters = new Map();
 
-  function readAddress() {
+  const dropped = [];  // sentences about settings of the address that the lesson does not take
+
+  // Takes the settings of the address that the lesson accepts; one that it refuses does not hold up the others. An
+  // address that names no setting, as a link within the page, is a place alone: the settings stay as they are.
+  async function takeAddress() {
+    const said = readAddress(location.hash);
+    if (said.onlyPlace) return writeAddress();
+    const accepted = async pairs => {
+      const all = new Map();
+      for (const [name, value] of pairs) {
+        const answer = parameters.has(name) ? await atOnce.ask({ ask: 'check', settings: { [name]: value ?? '' } })
+          : { refused: `This lesson has no parameter ${name}.` };
+        if (answer.refused) dropped.push(answer.refused);
+        else all.set(name, answer.typed[name]);
+      }
+      return all;
+    };
+    dropped.length = 0;
+    const taken = await accepted(said.settings), beside = said.versus && await accepted(said.versus);
     settings.clear();
-    versus = undefined;
-    const known = ([name, value]) => value !== undefined && parameters.has(name);
-    for (const pair of decodeURIComponent(location.hash.slice(1)).split('&')) {
-      const [name, value] = pair.split('=');
-      if (known([name, value])) settings.set(name, value);
-      if (name === 'versus' && value) versus = new Map(value.split(',').map(one => one.split(':')).filter(known));
-    }
+    for (const [name, value] of taken) if (value !== parameters.get(name).typed) settings.set(name, value);
+    versus = beside?.size || said.versus?.length === 0 ? beside : undefined;
+    writeAddress();
   }
 
+  // Browsers limit how often the address may be written; where one refuses, it is only older than the page.
   function writeAddress() {
-    const anchor = decodeURIComponent(location.hash.slice(1)).split('&').filter(part => part && !part.includes('='));
-    const changed = [...settings].map(([name, value]) => `${name}=${value}`);
-    if (versus) changed.push('versus=' + ([...versus].map(pair => pair.join(':')).join(',') || 'defaults'));
-    const hash = [...anchor, ...changed].join('&');
-    history.replaceState(null, '', hash ? '#' + hash : location.pathname + location.search);
+    clearTimeout(writing);
+    writing = undefined;
+    const { place } = readAddress(location.hash), hash = address({ place, settings, versus });
+    try {
+      if (hash !== location.hash) history.replaceState(null, '', hash || location.pathname + location.search);
+    } catch {}
+  }
+  let writing;
+  function writeAddressLater() {
+    clearTimeout(writing);
+    writing = setTimeout(writeAddress, 300);
   }
 
   const asObject = map => Object.fromEntries(map);
@@ -111,23 +133,6 @@
   const valueIn = (map, name) => map.get(name) ?? parameters.get(name).typed;
   const differing = () => versus ? [...parameters.keys()].filter(name => valueIn(settings, name) !== valueIn(versus, name)) : [];
   const called = (map, names) => names.map(name => `${name} = ${valueIn(map, name)}`).join(', ');
-
-  // A slider's place, 0 to 1, for a value, and the value for a place: by ratio where a range spans two powers of ten.
-  function scale({ low, high, whole }) {
-    const byRatio = low > 0 && high / low >= 100;
-    const place = value => byRatio ? Math.log(value / low) / Math.log(high / low) : (value - low) / (high - low);
-    const at = share => {
-      const value = byRatio ? low * (high / low) ** share : low + share * (high - low);
-      const rounded = whole ? Math.round(value) : +value.toPrecision(byRatio ? 2 : 3);
-      return String(Math.min(high, Math.max(low, rounded)));
-    };
-    return { place, at, steps: whole && high - low <= 1000 && !byRatio ? high - low : 500 };
-  }
-
-  const number = typed => {
-    const [above, below = 1] = typed.replace('−', '-').split('/').map(Number);
-    return above / below;
-  };
 
   // ---- One step of the page.
 
@@ -382,12 +387,12 @@
       this.element.append(this.field);
       if (!choices.length && unit && unit !== '1') this.element.append(make('span', { className: 'unit', textContent: unit }));
       if (!choices.length) {
-        this.scale = scale(parameter);
+        this.values = sliderValues(parameter);
         this.slider = make('input', {
-          type: 'range', min: 0, max: this.scale.steps, step: 1,
+          type: 'range', min: 0, max: this.values.length - 1, step: 1,
           attributes: { 'aria-labelledby': title.id, 'aria-describedby': about.id },
         });
-        this.slider.oninput = () => change(name, this.scale.at(this.slider.value / this.scale.steps), this.slider);
+        this.slider.oninput = () => change(name, this.values[this.slider.value], this.slider);
         this.element.append(this.slider);
       }
       this.element.append(about, this.error);
@@ -401,8 +406,7 @@
       this.field.removeAttribute('aria-invalid');
       this.element.classList.toggle('changed', settings.has(this.parameter.name));
       if (!this.slider) return;
-      const value = number(typed);
-      if (this.slider !== moving && Number.isFinite(value)) this.slider.value = Math.round(this.scale.steps * this.scale.place(value));
+      if (this.slider !== moving) this.slider.value = placeOf(this.values, typed);
       this.slider.setAttribute('aria-valuetext', `${typed} ${this.parameter.unit === '1' ? '' : this.parameter.unit}`);
     }
 
@@ -444,7 +448,7 @@
     }
     value === typed ? settings.delete(name) : settings.set(name, value);
     controls(name).forEach(control => control.show(moving));
-    writeAddress();
+    moving ? writeAddressLater() : writeAddress();
     bar.show();
     queue.add(steps.filter(step => step.read.has(name)));
   }
@@ -629,6 +633,12 @@
 
   // ---- What the reader changed, at the foot of the window.
 
+  // Sets one parameter back.
+  function undo(name) {
+    const { typed } = parameters.get(name), words = `set ${name} back to ${typed}`;
+    return make('button', { type: 'button', className: 'undo', textContent: '×', title: words, onclick: () => change(name, typed), attributes: { 'aria-label': words } });
+  }
+
   const bar = {
     element: make('aside', { className: 'changes', hidden: true, attributes: { 'aria-label': 'Changed settings' } }),
 
@@ -636,7 +646,7 @@
       const reset = make('button', { type: 'button', className: 'reset', textContent: 'Reset', onclick: resetAll });
       const copy = make('button', { type: 'button', textContent: 'Copy link', onclick: () => this.copy(copy) });
       const changes = [...settings].map(([name, value]) =>
-        make('span', { className: 'change' }, `${name} = ${value}`, make('span', { className: 'was' }, ` (${parameters.get(name).typed})`)));
+        make('span', { className: 'change' }, `${name} = ${value}`, make('span', { className: 'was' }, ` (${parameters.get(name).typed})`), undo(name)));
       const button = (className, words, onclick) => make('button', { type: 'button', className, textContent: words, onclick });
       const pin = button('compare-with-this', 'Compare with this', () => compareWith(new Map(settings)));
       const atDefaults = !!versus && !versus.size;
@@ -644,13 +654,16 @@
       beside.setAttribute('aria-pressed', String(atDefaults));
       const there = versus?.size ? [make('span', { className: 'change' }, `beside ${called(versus, [...versus.keys()])}`),
         button('stop-comparing', 'Stop comparing', () => compareWith(undefined))] : [];
-      this.element.replaceChildren(...changes, ...there, reset, pin, beside, copy);
-      this.element.hidden = !settings.size && !versus;
+      const refused = dropped.length ? [make('span', { className: 'refused', attributes: { role: 'alert' } }, `Left out of the link: ${dropped.join(' ')}`)] : [];
+      this.element.replaceChildren(...refused, ...changes, ...there, reset, pin, beside, copy);
+      this.element.hidden = !settings.size && !versus && !dropped.length;
     },
 
     copy(button) {
-      navigator.clipboard?.writeText(location.href).then(() => { button.textContent = 'Copied'; },
-        () => { button.textContent = 'The link is in the address bar'; });
+      writeAddress();
+      const here = () => { button.textContent = 'The link is in the address bar'; };
+      if (!navigator.clipboard) return here();  // as on a page without https
+      navigator.clipboard.writeText(location.href).then(() => { button.textContent = 'Copied'; }, here);
     },
 
     fail(error) {
@@ -673,6 +686,7 @@
   function resetAll() {
     const names = [...settings.keys()];
     settings.clear();
+    dropped.length = 0;
     names.forEach(name => controls(name).forEach(control => control.show()));
     changed = performance.now();
     writeAddress();
@@ -695,24 +709,25 @@
     }
     const { steps: reads } = JSON.parse(document.getElementById('parameters').textContent);
     steps = [...article.querySelectorAll('section[data-step]')].map(section => new Step(section, reads));
-    readAddress();
+    await takeAddress();
     linkTheDesk(article);
     steps.forEach(step => step.offerSettings());
-    if (settings.size || versus) document.getElementById(decodeURIComponent(location.hash.slice(1)).split('&')[0])?.scrollIntoView();
+    if (settings.size || versus) document.getElementById(readAddress(location.hash).place)?.scrollIntoView();
     document.documentElement.classList.add('live');
     bar.show();
     if (settings.size) queue.add(steps.filter(step => [...settings.keys()].some(name => step.read.has(name))));
     compareAll();
     addEventListener('scroll', () => queue.advance(), { passive: true });
-    addEventListener('hashchange', () => {
+    const follow = async () => {
       const before = asObject(settings);
-      readAddress();
+      await takeAddress();
       const names = [...parameters.keys()].filter(name => before[name] !== settings.get(name));
       names.forEach(name => controls(name).forEach(control => control.show()));
       bar.show();
       queue.add(steps.filter(step => names.some(name => step.read.has(name))));
       compareAll();
-    });
+    };
+    addEventListener('hashchange', () => follow().catch(error => bar.fail(error)));
     takingTime.start().catch(error => bar.fail(error));
     document.documentElement.dataset.ready = '';
   }
@@ -720,7 +735,7 @@
   // For tests: the steps, whether all in reach are told at the present settings, and the bytes of the programs.
   globalThis.byhandPage = {
     get steps() { return steps; },
-    settled: () => !changing && performance.now() - changed > rest + 50 && !steps.some(step => step.telling)
+    settled: () => !changing && !writing && performance.now() - changed > rest + 50 && !steps.some(step => step.telling)
       && !queue.next(atOnce) && !queue.next(takingTime),
     memory: () => atOnce.memory + takingTime.memory + inHand.memory,
   };

@@ -107,3 +107,109 @@ test('reset restores the page as it was written', async () => {
   await tab.close();
 });
 
+
+// A lesson with "h", whose default is 1/60, and "length", and two numbers of it.
+const first = lessons[0];
+const field = (tab, name) => tab.$eval(`.setting[data-name="${name}"] input[type=text]`, field => field.value);
+const slide = (tab, name, place) => tab.$eval(`.setting[data-name="${name}"] input[type=range]`, (slider, place) => {
+  slider.value = place;
+  slider.dispatchEvent(new Event('input', { bubbles: true }));
+}, place);
+const barSays = tab => tab.$eval('.changes', bar => bar.hidden ? '' : bar.textContent);
+const inAddress = (tab, hash) => tab.waitForFunction(hash => decodeURIComponent(location.hash) === hash, {}, hash);
+
+test('a link within the page keeps the settings, and the address gets them too', async () => {
+  const tab = await live(first, { hash: '#length=1.5' });
+  await tab.$eval('.beside a[href="#step-3"]', link => link.click());
+  await inAddress(tab, '#step-3&length=1.5');
+  await settled(tab);
+  assert.equal(await field(tab, 'length'), '1.5');
+  assert.match(await barSays(tab), /length = 1\.5/);
+  assert.ok(Math.abs(await tab.$eval('#step-3', step => step.getBoundingClientRect().top)) < 100);
+  await tab.close();
+});
+
+test('a setting of the address that is refused is left out, named, and holds up no other', async () => {
+  for (const bad of ['length=9999', 'length=nan', 'length=', 'length=1e-400', 'length=<img src=x>', 'stepsize=3']) {
+    const tab = await live(first, { hash: `#${bad}&h=1/120` });
+    await inAddress(tab, '#h=1/120');
+    await settled(tab);
+    assert.match(await barSays(tab), new RegExp(`Left out of the link: .*${bad.split('=')[0]}`));
+    assert.deepEqual(await tab.$$eval('.changes .change', all => all.map(one => one.firstChild.data)), ['h = 1/120']);
+    assert.equal(await field(tab, 'h'), '1/120');
+    assert.deepEqual(tab.complaints, []);
+    await tab.close();
+  }
+});
+
+test('a stray percent sign in the address stops nothing', async () => {
+  for (const hash of ['#%E0%A4%A', '#step-2&length=1.5%']) {
+    const tab = await live(first, { hash });
+    assert.deepEqual(tab.complaints, []);
+    await tab.close();
+  }
+});
+
+test('a slider that is moved away and back has its default again, and one key is the next value', async () => {
+  const tab = await live(first);
+  for (const name of ['h', 'length']) {
+    const before = await field(tab, name);
+    const [place, most] = await tab.$eval(`.setting[data-name="${name}"] input[type=range]`, slider => [+slider.value, +slider.max]);
+    await slide(tab, name, 0);
+    await slide(tab, name, place);
+    await settled(tab);
+    assert.equal(await field(tab, name), before);
+    assert.equal(await barSays(tab), '');
+    const values = [];
+    for (let at = 0; at <= most; ++at) {
+      await slide(tab, name, at);
+      values.push(await field(tab, name));
+    }
+    assert.equal(new Set(values).size, values.length, `${name}: each place is another value`);
+    assert.ok(values.every(value => value.length <= 8), `${name}: ${values.filter(value => value.length > 8)}`);
+    if (name === 'h') for (const fraction of ['1/30', '1/60', '1/120']) assert.ok(values.includes(fraction), fraction);
+    await tab.click('.changes .reset');
+  }
+  await tab.close();
+});
+
+test('each changed parameter is set back alone', async () => {
+  const tab = await live(first, { hash: '#length=1.5&h=1/120' });
+  await tab.click('.changes .undo[aria-label^="set length"]');
+  await inAddress(tab, '#h=1/120');
+  await settled(tab);
+  assert.doesNotMatch(await barSays(tab), /length/);
+  assert.match(await barSays(tab), /h = 1\/120/);
+  await tab.close();
+});
+
+test('the address is written when a slider rests, and a browser that refuses it stops nothing', async () => {
+  const tab = await live(first, { before: tab => tab.evaluateOnNewDocument(() => {
+    globalThis.written = 0;
+    const { replaceState } = History.prototype;
+    History.prototype.replaceState = function (...all) {
+      if (++globalThis.written === 2) throw new DOMException('too many calls', 'SecurityError');
+      return replaceState.apply(this, all);
+    };
+  }) });
+  await tab.$eval('.setting[data-name="length"] input[type=range]', slider => {
+    for (slider.value = 1; slider.value < 20; ++slider.value) slider.dispatchEvent(new Event('input', { bubbles: true }));
+  });
+  await settled(tab);
+  assert.equal(await tab.evaluate(() => written), 1);
+  await slide(tab, 'length', 40);
+  await settled(tab);
+  assert.equal(await tab.evaluate(() => written), 2);
+  assert.doesNotMatch(await barSays(tab), /stopped/);
+  await tab.close();
+});
+
+test('without a clipboard the reader hears where the link is', async () => {
+  const tab = await live(first, { hash: '#length=1.5', before: tab => tab.evaluateOnNewDocument(() => {
+    Object.defineProperty(Navigator.prototype, 'clipboard', { get: () => undefined });
+  }) });
+  const copy = await tab.evaluateHandle(() => [...document.querySelectorAll('.changes button')].find(button => button.textContent === 'Copy link'));
+  await copy.click();
+  assert.equal(await copy.evaluate(button => button.textContent), 'The link is in the address bar');
+  await tab.close();
+});
