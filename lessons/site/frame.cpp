@@ -43,7 +43,7 @@ std::string framed(const Frame& frame) {
 <link rel="stylesheet" href="assets/style.css" />
 <script defer="defer" src="assets/equations.js"></script>
 <script defer="defer" src="assets/site.js"></script>
-</head>
+{7}</head>
 <body>
 <a class="skip" href="#content">Skip to the content</a>
 <header class="top">
@@ -62,7 +62,7 @@ std::string framed(const Frame& frame) {
 </html>
 )",
       escaped(frame.title), frame.lesson.empty() ? "" : fmt::format(" data-lesson=\"{}\"", frame.lesson),
-      navigation(frame.here), beside.empty() ? "" : " with-beside", beside, frame.content, frame.foot);
+      navigation(frame.here), beside.empty() ? "" : " with-beside", beside, frame.content, frame.foot, frame.head);
 }
 
 }  // namespace byhand::site

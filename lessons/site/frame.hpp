@@ -11,6 +11,7 @@ struct Frame {
   std::string content;         // of <main>
   std::string beside = {};     // of the column beside it, such as the list of steps; may be empty
   std::string lesson = {};     // slug of the lesson whose page it is; may be empty
+  std::string head = {};       // more elements at the end of <head>
   std::string foot = {};       // more elements at the end of <body>
   std::string_view here = {};  // the page among those of the navigation, "equations.html"; may be empty
 };

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <sstream>
 
 #include "lessons/page/html/markup.hpp"
 #include "lessons/site/digest.hpp"
@@ -64,7 +65,34 @@ std::string static_page(const Lesson& lesson) {
       lesson.number());
 }
 
-std::string closing(const Closing& closing) {
+/// The settings of "./lessons/run 6 --step 5 --set strength=0.4" as a link of the live page:
+/// "#step-5&strength=0.4". Without a step it leads to the first one that reads what is set.
+std::string settings_link(const std::string& command, const std::vector<RecordedStep>& steps) {
+  std::istringstream words(command);
+  std::string word, name, label, settings;
+  while (words >> word) {
+    if (word == "--step") words >> label;
+    if (word != "--set" || !(words >> word)) continue;
+    settings += "&" + word;
+    if (name.empty()) name = word.substr(0, word.find('='));
+  }
+  const auto reads_it = [&](const RecordedStep& step) {
+    return std::find(step.reads.begin(), step.reads.end(), name) != step.reads.end();
+  };
+  const auto first = std::find_if(steps.begin(), steps.end(), reads_it);
+  if (label.empty() && first != steps.end()) label = first->step->label;
+  return settings.empty() || label.empty() ? "" : "#step-" + label + settings;
+}
+
+std::string try_it(const Try& attempt, const std::vector<RecordedStep>& steps, bool live) {
+  const std::string link = live ? settings_link(attempt.command, steps) : "";
+  const std::string button =
+      link.empty() ? "" : fmt::format("<p><a class=\"try\" href=\"{}\">Try it here</a></p>\n", escaped(link));
+  return fmt::format("<p>{}</p>\n{}<pre><code>{}</code></pre>\n", inline_html(attempt.what), button,
+                     escaped(attempt.command));
+}
+
+std::string closing(const Closing& closing, const std::vector<RecordedStep>& steps, bool live) {
   std::string all;
   if (!closing.now_you_know.empty()) {
     all += "<section class=\"closing\" id=\"now-you-know\">\n<h2>What you now know</h2>\n<ul>\n";
@@ -73,9 +101,7 @@ std::string closing(const Closing& closing) {
   }
   if (!closing.tries.empty()) {
     all += "<section class=\"closing\" id=\"to-try\">\n<h2>To try</h2>\n";
-    for (const Try& attempt : closing.tries)
-      all += fmt::format("<p>{}</p>\n<pre><code>{}</code></pre>\n", inline_html(attempt.what),
-                         escaped(attempt.command));
+    for (const Try& attempt : closing.tries) all += try_it(attempt, steps, live);
     all += "</section>\n";
   }
   if (!closing.next.empty())
@@ -102,9 +128,8 @@ std::string neighbours(const std::string& slug) {
 /// The lesson's program with what it reads, its worker, and what makes the page live (see lessons/site/live).
 std::string live_scripts(const std::string& slug) {
   std::string all;
-  for (const std::string& name :
-       {std::string("worker"), std::string("files"), slug, std::string("settings"), std::string("hold"),
-        std::string("live")})
+  for (const std::string& name : {std::string("worker"), std::string("files"), slug, std::string("settings"),
+                                  std::string("hold"), std::string("live")})
     all += fmt::format("<script defer=\"defer\" src=\"live/{}.js\"></script>\n", name);
   return all;
 }
@@ -133,11 +158,12 @@ std::string lesson_page(const Lesson& lesson, const std::vector<RecordedStep>& s
                                     lesson.number(), escaped(about.title), inline_html(about.summary),
                                     in_words(reading_time(digest(lesson, steps))), live ? "" : static_page(lesson),
                                     goals(about), parameters(lesson));
-  content += sections + closing(lesson.closing()) + "</article>\n" + neighbours(about.slug);
+  content += sections + closing(lesson.closing(), steps, live) + "</article>\n" + neighbours(about.slug);
   return framed({.title = fmt::format("{}. {}", lesson.number(), about.title),
                  .content = content,
                  .beside = steps_beside(steps),
                  .lesson = about.slug,
+                 .head = live ? "<link rel=\"stylesheet\" href=\"live/live.css\" />\n" : "",
                  .foot = "<script type=\"application/json\" id=\"parameters\">" + parameters_json(lesson, steps) +
                          "</script>\n" + (live ? live_scripts(about.slug) : "")});
 }

@@ -7,6 +7,7 @@
 #include "lessons/files/picture_writer.hpp"
 #include "lessons/page/html/drawn.hpp"
 #include "lessons/page/html/step_html.hpp"
+#include "lessons/site/controls.hpp"
 #include "lessons/site/lesson_page.hpp"
 #include "lessons/site/page_json.hpp"
 #include "renderer/opengl/space_picture.hpp"
@@ -36,11 +37,9 @@ class Drawer {
   }
 
   Shown operator()(const Sequence& film) const {
-    const auto* seconds = std::get_if<Seconds>(&film.length);
-    const double last = seconds ? seconds->value : std::get<Frames>(film.length).value - 1;
     FrameDrawing draw = film.draw;
     return {drawn(
-        film.name, [&](renderer::Canvas& canvas) { draw(canvas, last); }, renderer::space_picture)};
+        film.name, [&](renderer::Canvas& canvas) { draw(canvas, 0); }, renderer::space_picture)};
   }
 
  private:
@@ -56,16 +55,19 @@ std::vector<RecordedStep> write_page(const Lesson& lesson, const fs::path& folde
   const std::string& slug = lesson.about().slug;
   const Drawer drawer(folder, slug);
   std::vector<RecordedStep> steps;
-  std::string sections;
+  std::vector<std::string> sections;
   for (const Step& step : lesson.steps()) {
     forget_reads(lesson);
     steps.push_back(record_step(lesson, step, quiet));
-    sections += step_html(steps.back(), {.figure = drawer, .film = drawer});
+    sections.push_back(step_html(steps.back(), {.figure = drawer, .film = drawer}));
     steps.back().reads = reads(lesson);
   }
   validate(steps);
-  course::write_whole(folder / page_of(slug),
-                      lesson_page(lesson, steps, sections, fs::exists(folder / "live" / (slug + ".js"))));
+  const bool live = fs::exists(folder / "live" / (slug + ".js"));
+  std::string all;
+  for (std::size_t i = 0; i < steps.size(); ++i)
+    all += live ? with_controls(sections[i], steps[i], steps) : sections[i];
+  course::write_whole(folder / page_of(slug), lesson_page(lesson, steps, all, live));
   course::write_whole(folder / (slug + ".json"), to_json(digest(lesson, steps)));
   return steps;
 }

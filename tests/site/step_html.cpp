@@ -164,15 +164,18 @@ struct Still final : Held {
   std::string words(std::optional<double>) const override { return "Energy 3 J."; }
 };
 
-TEST(StepHtml, ASceneToHoldComesLastAndSaysItsNumbers) {
+TEST(StepHtml, ASceneToHoldComesBeforeTheClaimsAndSaysItsNumbers) {
   Lesson lesson({.slug = "98_told"});
   EXPECT_THROW(lesson.hold({"bob", "A bob.", [] { return std::make_unique<Still>(); }}), LessonError);
-  lesson.step("One", [](Page& page) { page.text("Words."); });
+  lesson.step("One", [](Page& page) {
+    page.text("Words.");
+    page.claim(claim("a", 1));
+  });
   lesson.hold({"bob", "A *bob*.", [] { return std::make_unique<Still>(); }});
   const RecordedStep recorded = record_step(lesson, lesson.steps().front(), true);
   const Markup section = of_page(site::step_html(recorded, {}));
   EXPECT_EQ(section.mistake(), "");
-  EXPECT_THAT(section.all("/section/*/@data-item"), ElementsAre("0", "hold"));
+  EXPECT_THAT(section.all("/section/*/@data-item"), ElementsAre("0", "hold", "1"));
   EXPECT_THAT(section.all("//figure/@data-hold"), ElementsAre("bob"));
   EXPECT_THAT(section.all("//figure/div/@aria-label"), ElementsAre("A bob. Energy 3 J."));
   EXPECT_THAT(section.all("//figure/div/svg"), ElementsAre("still"));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "lessons/page/article_equations.hpp"
 #include "lessons/page/claim_words.hpp"
@@ -44,7 +45,9 @@ std::string table(const Head& head, const std::string& rows) {
 /// Writes the children of a step's section. A run of claims, or of measures, becomes one child.
 class ItemWriter {
  public:
-  ItemWriter(const RecordedStep& step, const Pictures& pictures) : step_(step), pictures_(pictures) {}
+  /// `held`: the figure of the step's scene to hold, which stands before its claims; empty without one.
+  ItemWriter(const RecordedStep& step, const Pictures& pictures, std::string held)
+      : step_(step), pictures_(pictures), held_(std::move(held)) {}
 
   std::string all() {
     for (const Item& item : step_.page.items()) {
@@ -52,7 +55,7 @@ class ItemWriter {
       ++index_;
     }
     close_run();
-    return html_;
+    return html_ + std::exchange(held_, {});
   }
 
   void operator()(const Text& text) { block("text", prose_html(text.words)); }
@@ -191,6 +194,7 @@ class ItemWriter {
     if (kind_ == Run::measures)
       html_ += fmt::format("<dl class=\"measures\" data-item=\"{}\">{}</dl>\n", first_, run_);
     if (kind_ == Run::claims) {
+      html_ += std::exchange(held_, {});
       constexpr std::array head{"claim", "measured", "expected", "according to", "verdict"};
       html_ += fmt::format(
           "<details class=\"claims\" data-item=\"{}\" data-false=\"{}\"{}><summary>{}</summary>{}</details>\n",
@@ -217,7 +221,7 @@ class ItemWriter {
 
   const RecordedStep& step_;
   const Pictures& pictures_;
-  std::string html_, run_;
+  std::string held_, html_, run_;
   Run kind_ = Run::none;
   int index_ = 0, first_ = 0, questions_ = 0, hold_ = 0, false_ = 0, not_claimed_ = 0;
 };
@@ -245,7 +249,7 @@ std::string step_html(const RecordedStep& recorded, const Pictures& pictures) {
 )",
       step.deeper ? " deeper" : "", step.label, inline_html(step.title),
       step.deeper ? " <span class=\"depth\">deeper</span>" : "",
-      with_colours(ItemWriter(recorded, pictures).all()) + (step.hold ? hold_figure(*step.hold) : ""));
+      with_colours(ItemWriter(recorded, pictures, step.hold ? hold_figure(*step.hold) : "").all()));
 }
 
 }  // namespace byhand::site

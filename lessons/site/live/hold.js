@@ -21,13 +21,14 @@
       this.stage.append(picture, this.hands);
       this.play = button('▶', 'play', () => this.playing ? this.stop() : this.run());
       this.once = button('One step', 'one step', () => this.advance());
-      this.slow = button(`Slow ×${slower}`, `a step slowed ${slower} times, part by part`, () => this.slowDown());
+      this.slow = button(`Slow ×${slower}`, `Slow ×${slower}: a step part by part`, () => this.slowDown());
       this.slow.setAttribute('aria-pressed', 'false');
       this.again = button('Reset', 'reset the scene', () => this.reset());
       this.reading = make('p', { className: 'reading', attributes: { role: 'status' } });
       this.hint = make('p', { className: 'hint' }, make('strong', {}, 'Hold it yourself. '),
         'Drag a body and let it go. With keys: Tab to a body, the arrow keys pull it, Enter takes it and lets it go, Escape lets it go.');
-      this.stage.after(make('div', { className: 'player' }, this.play, this.once, this.slow, this.again), this.reading, this.hint);
+      const controls = figure.querySelector('.controls');
+      controls.prepend(this.hint, make('div', { className: 'player' }, this.play, this.once, this.slow, this.again), this.reading);
       this.make = make;
       this.stage.addEventListener('pointerdown', event => this.#take(event));
       this.stage.addEventListener('pointermove', event => { if (this.pointer === event.pointerId) this.#move(this.#point(event)); });

@@ -3,7 +3,6 @@
 // the lesson's own C++ in two workers, one for steps that answer at once and one for the others.
 
 (() => {
-  const style = new URL('live.css', document.currentScript.src).href;
   const { readAddress, address, sliderValues, placeOf, symbol } = byhandSettings;
   const parts = globalThis.byhandParts ?? {};  // the lesson, its files and the worker, packed (see pack in build)
   const quick = 100, patience = 2500, rest = 350;  // ms: of a step; of a reader before a step needs a button; between changes
@@ -150,8 +149,8 @@
   // What must differ for a child to count as changed: not its picture, nor what this script added.
   function bare(node) {
     const copy = node.cloneNode(true);
-    copy.querySelectorAll('.picture, .files, .player, .reply').forEach(part => part.replaceChildren());
-    copy.querySelectorAll('.player, .versus').forEach(part => part.remove());
+    copy.querySelectorAll('.picture, .files, .reply').forEach(part => part.replaceChildren());
+    copy.querySelectorAll('.controls, .versus').forEach(part => part.remove());
     copy.querySelectorAll('a.desk').forEach(link => link.replaceWith(...link.childNodes));
     copy.querySelectorAll('details').forEach(part => part.removeAttribute('open'));
     copy.querySelectorAll('[tabindex]').forEach(part => part.removeAttribute('tabindex'));
@@ -168,10 +167,15 @@
       this.read = new Set(reads[this.label]);
       this.stale = false;
       this.written = section.cloneNode(true);  // at the defaults
-      this.controls = new Map();
-      this.settings = make('div', { className: 'settings' });
+      this.controls = [];
       this.state = make('p', { className: 'state', attributes: { role: 'status' } });
-      section.querySelector('h2').after(this.settings, this.state);
+      section.querySelector('h2').after(this.state);
+      section.querySelectorAll('.controls').forEach((place, i) => {
+        const knobs = this.controlsOf(place.dataset.knobs.split(' ').filter(Boolean), `-${i + 1}`);
+        place.append(make('div', { className: 'knobs' }, ...knobs.map(({ element }) => element)));
+      });
+      this.others = make('div', { className: 'settings' });
+      this.folded = make('details', {}, make('summary'), this.others);
       this.shown = new Map();  // by data-item: the child as it was last shown, bare, and its picture
       this.films = new Map();
       const held = section.querySelector('figure[data-hold]');
@@ -203,7 +207,7 @@
         if (told.error) return this.say(told.error);
         this.needsButton = false;
         this.read = new Set(told.reads);
-        this.offerSettings();
+        this.offerOthers();
         this.show(told.html);
         this.say('');
       } catch (error) {
@@ -298,7 +302,7 @@
     place(next, before) {
       const key = next.dataset.item;
       const old = this.section.querySelector(`:scope > [data-item="${key}"]`);
-      if (next.dataset.hold) return old;  // goes on by itself, and stays last
+      if (next.dataset.hold) return old;  // goes on by itself
       const picture = next.querySelector('.picture')?.innerHTML;
       const words = bare(next);
       const same = old && old.tagName === next.tagName && (this.shown.get(key)?.words ?? bare(old)).isEqualNode(words);
@@ -310,16 +314,30 @@
       }
       this.shown.set(key, { words, picture });
       this.carryOver(old, next);
-      const scrolled = old?.querySelector('.picture')?.scrollLeft;
+      if (old && old.id && old.id === next.id) return this.renew(old, next, before);
+      const controls = old?.querySelector('.controls');
+      if (controls) next.querySelector('.picture')?.after(controls);
       if (old) old.replaceWith(next);
       before.after(next);
-      if (old && picture !== undefined) next.querySelector('.picture').scrollLeft = scrolled;
       if (next.dataset.film) this.adopt(next);
       linkTheDesk(next);
       for (const box of next.querySelectorAll('.formula, .scroll, .picture, pre'))  // as in site.js
         if (box.scrollWidth > box.clientWidth + 1) box.tabIndex = 0;
       this.mark(next);
       return next;
+    }
+
+    // A figure stays where it is with its controls, one of which may be in the reader's hand: its picture and words change.
+    renew(old, next, before) {
+      const [here, there] = [old, next].map(figure => figure.querySelector('.picture'));
+      old.dataset.item = next.dataset.item;
+      here.setAttribute('aria-label', there.getAttribute('aria-label'));
+      this.draw(old, there.innerHTML);
+      old.querySelector('figcaption').replaceWith(next.querySelector('figcaption'));
+      if (before.nextElementSibling !== old) before.after(old);
+      linkTheDesk(old);
+      this.mark(old);
+      return old;
     }
 
     draw(figure, picture) {
@@ -349,31 +367,33 @@
       setTimeout(() => child.classList.remove('fresh'), 1600);
     }
 
-    // A slider for each parameter that the step reads. One that is there is not moved: it would lose the focus.
-    offerSettings() {
-      let before = null;
-      for (const [name, parameter] of parameters) {
-        if (!this.read.has(name)) {
-          this.controls.get(name)?.element.remove();
-          continue;
-        }
-        if (!this.controls.has(name)) this.controls.set(name, new Control(this, parameter));
-        const { element } = this.controls.get(name);
-        if (!element.isConnected) before ? before.after(element) : this.settings.prepend(element);
-        before = element;
-      }
+    controlsOf(names, place) {
+      const added = names.map(name => new Control(`${this.label}${place}-${name}`, parameters.get(name)));
+      this.controls.push(...added);
+      return added;
+    }
+
+    // At the foot of the step the parameters that it reads and no picture offers.
+    offerOthers() {
+      const offered = new Set(this.controls.map(control => control.parameter.name));
+      const more = this.controlsOf([...parameters.keys()].filter(name => this.read.has(name) && !offered.has(name)), '');
+      this.others.append(...more.map(({ element }) => element));
+      const count = this.others.children.length, place = this.section.querySelector('.others');
+      this.folded.firstChild.textContent = count === 1 ? 'One more parameter of this step' : `${count} more parameters of this step`;
+      if (count && place && !this.folded.isConnected) place.append(this.folded);
     }
   }
 
   // ---- A parameter beside a step.
 
   class Control {
-    constructor(step, parameter) {
+    constructor(place, parameter) {
       this.parameter = parameter;
       const { name, unit, meaning, choices, allowed } = parameter;
-      const id = `set-${step.label}-${name}`;
-      const title = make('span', { className: 'name', id: id + '-name', textContent: name });
-      const about = make('span', { className: 'meaning', id: id + '-meaning', textContent: meaning });
+      const id = `set-${place}`;
+      const sign = symbol(name) === name ? [] : [make('i', { textContent: symbol(name) }), ' '];
+      const title = make('span', { className: 'name', id: id + '-name' }, ...sign, name);
+      const about = make('span', { className: 'meaning', id: id + '-meaning', title: meaning, textContent: meaning });
       this.error = make('p', { className: 'refused', id: id + '-refused', attributes: { role: 'alert' } });
       const naming = { 'aria-labelledby': title.id, 'aria-describedby': `${about.id} ${this.error.id}` };
       this.element = make('div', { className: 'setting', data: { name } }, title);
@@ -424,7 +444,7 @@
   const apart = svg => svg.replaceAll(/(id="|url\(#|href="#)/g, '$1versus-');
 
   let steps = [];
-  const controls = name => steps.map(step => step.controls.get(name)).filter(Boolean);
+  const controls = name => steps.flatMap(step => step.controls).filter(control => control.parameter.name === name);
 
   function refuse({ refused, parameter }) { controls(parameter).forEach(control => control.refuse(refused)); }
 
@@ -513,37 +533,44 @@
       this.play = button('▶', 'play', () => this.playing ? this.stop() : this.run());
       this.back = button('‹', 'one frame back', () => this.jump(-1));
       this.ahead = button('›', 'one frame on', () => this.jump(1));
-      this.slider = make('input', { type: 'range', min: 0, max: 1, value: 1, attributes: { 'aria-label': 'time in the film' } });
+      this.slider = make('input', { type: 'range', min: 0, max: 1, value: 0, attributes: { 'aria-label': 'time in the film' } });
       this.slider.oninput = () => { this.stop(); this.show(+this.slider.value); };
       this.time = make('output');
-      this.player = make('div', { className: 'player' }, this.play, this.back, this.ahead, this.slider, this.time);
+      this.loop = make('button', { type: 'button', textContent: 'Loop', attributes: { 'aria-pressed': 'false' } });
+      this.loop.onclick = () => this.loop.setAttribute('aria-pressed', String(!this.looping));
+      this.speed = make('select', { attributes: { 'aria-label': 'speed' } },
+        ...[['1', '×1'], ['0.5', '×½'], ['0.25', '×¼'], ['0.1', '×1⁄10']].map(([value, textContent]) => make('option', { value, textContent })));
+      this.player = make('div', { className: 'player' }, this.play, this.back, this.ahead, this.slider, this.time, this.loop, this.speed);
       this.moveTo(figure);
     }
 
     moveTo(figure) {
       this.figure = figure;
-      figure.querySelector('.picture').after(this.player);
+      (figure.querySelector('.controls') ?? figure.querySelector('.picture')).prepend(this.player);
       this.retold();
     }
 
-    // The step was told again, and its last frame stands in the picture.
+    // The step was told again, and its first frame stands in the picture; the one that was shown follows.
     retold() {
       const screen = this.figure.querySelector('.picture .screen');
       if (!screen) return;
-      const wanted = this.frames > 1 && this.index !== undefined && this.index < this.frames - 1 ? this.index : undefined;
+      const wanted = this.index;
       this.frames = +screen.dataset.frames;
       this.rate = +screen.dataset.rate;
       this.slider.max = this.frames - 1;
-      this.index = this.frames - 1;
+      this.index = 0;
       this.slider.value = this.index;
       this.tellTime();
-      if (wanted !== undefined && !this.playing) this.show(Math.min(wanted, this.frames - 1));
+      if (wanted && !this.playing) this.show(Math.min(wanted, this.frames - 1));
     }
 
     tellTime() {
-      this.time.textContent = this.rate ? `${(this.index / this.rate).toFixed(2)} s` : `${this.index} of ${this.frames - 1}`;
+      const seconds = index => (index / this.rate).toFixed(2), last = this.frames - 1;
+      this.time.textContent = this.rate ? `${seconds(this.index)} of ${seconds(last)} s` : `${this.index} of ${last}`;
       this.slider.setAttribute('aria-valuetext', this.time.textContent);
     }
+
+    get looping() { return this.loop.getAttribute('aria-pressed') === 'true'; }
 
     async ready() {
       if (this.frames === undefined) await this.step.tell(true);
@@ -588,8 +615,14 @@
       this.play.textContent = '❚❚';
       this.play.setAttribute('aria-label', 'pause');
       await this.ready();
+      this.index ??= 0;
+      do await this.runOnce(); while (this.playing && this.looping);
+      this.stop();
+    }
+
+    async runOnce() {
       const first = this.index >= this.frames - 1 ? 0 : this.index, begin = performance.now();
-      const rate = this.rate || 3;  // frames that stand for steps: three a second
+      const rate = (this.rate || 3) * this.speed.value;  // frames that stand for steps: three a second
       this.drawn = 0;
       for (let index = first; this.playing; ++this.drawn) {
         await this.show(index);
@@ -598,7 +631,6 @@
         index = Math.min(this.frames - 1, Math.max(index, first + Math.floor((performance.now() - begin) / 1000 * rate)));
       }
       this.perSecond = this.drawn / ((performance.now() - begin) / 1000);
-      this.stop();
     }
 
     stop() {
@@ -699,7 +731,6 @@
   async function begin() {
     const article = document.querySelector('article.lesson');
     if (!article || !parts.lesson) return;
-    document.head.append(make('link', { rel: 'stylesheet', href: style }));
     document.body.append(bar.element);
     try {
       const about = await atOnce.start();
@@ -707,11 +738,11 @@
     } catch (error) {
       return bar.fail(error);
     }
+    await takeAddress();
     const { steps: reads } = JSON.parse(document.getElementById('parameters').textContent);
     steps = [...article.querySelectorAll('section[data-step]')].map(section => new Step(section, reads));
-    await takeAddress();
     linkTheDesk(article);
-    steps.forEach(step => step.offerSettings());
+    steps.forEach(step => step.offerOthers());
     if (settings.size || versus) document.getElementById(readAddress(location.hash).place)?.scrollIntoView();
     document.documentElement.classList.add('live');
     bar.show();
@@ -721,6 +752,7 @@
     const follow = async () => {
       const before = asObject(settings);
       await takeAddress();
+      document.getElementById(readAddress(location.hash).place)?.scrollIntoView();
       const names = [...parameters.keys()].filter(name => before[name] !== settings.get(name));
       names.forEach(name => controls(name).forEach(control => control.show()));
       bar.show();

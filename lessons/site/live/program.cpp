@@ -124,9 +124,9 @@ void Program::tell(Told& told) const {
   const auto figure = [&](const Figure& it) { return Shown{drawn(it, draw_window_)}; };
   const auto film = [&](const Sequence& it) {
     SeekableFilm& shown = told.films.at(it.name);
-    const auto last = [&](renderer::Canvas& canvas) { shown.draw(canvas, shown.frames() - 1); };
+    const auto first = [&](renderer::Canvas& canvas) { shown.draw(canvas, 0); };
     return Shown{fmt::format("<div class=\"screen\" data-frames=\"{}\" data-rate=\"{}\">{}</div>", shown.frames(),
-                             shown.in_real_time() ? SeekableFilm::rate : 0, drawn(it.name, last, draw_window_))};
+                             shown.in_real_time() ? SeekableFilm::rate : 0, drawn(it.name, first, draw_window_))};
   };
   told.html = step_html(told.recorded, {figure, film});
   told.recorded.reads = reads(lesson_);

@@ -143,7 +143,7 @@ test('one step is one h, and what it says is what the program says', async () =>
 test('slowed down a step shows its six parts, and then the next step begins', async () => {
   const tab = await withScene(bob);
   const rest = await reading(tab), parts = [];
-  await press(tab, 'a step slowed');
+  await press(tab, 'Slow ×100');
   for (let part = 0; part <= 6; ++part) {
     await tab.waitForFunction((figure, last) => ![last, ''].includes(document.querySelector(`${figure} .reading`).textContent), {}, figure, parts.at(-1) ?? rest);
     parts.push(await reading(tab));
@@ -155,7 +155,7 @@ test('slowed down a step shows its six parts, and then the next step begins', as
   await press(tab, 'play');
   await wait(400);
   await press(tab, 'pause');
-  await press(tab, 'a step slowed');
+  await press(tab, 'Slow ×100');
   await tab.waitForFunction(figure => document.querySelector(`${figure} .reading`).textContent.startsWith('Time'), {}, figure);
   assert.ok(await time(tab) < 0.06, 'a hundred times slower');
   await tab.close();

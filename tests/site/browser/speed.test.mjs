@@ -51,7 +51,7 @@ test('half of all answers to a slider come within 50 ms, in the step in view', a
   const { times, slowness } = await tab.evaluate(async () => {
     const step = byhandPage.steps.find(step => step.label === '2'), times = [], stints = [];
     step.section.scrollIntoView();
-    const slider = step.settings.querySelector('[data-name="beta"] input[type=range]');
+    const slider = step.section.querySelector('[data-name="beta"] input[type=range]');
     const stint = () => {
       const begin = performance.now();
       for (let i = 0, x = 1; i < 1e6; ++i) x = Math.sin(x) + i;

@@ -1,0 +1,77 @@
+#include "lessons/site/controls.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <tuple>
+#include <variant>
+
+#include "lessons/page/html/markup.hpp"
+
+namespace byhand::site {
+namespace {
+
+using namespace course;
+
+/// Whether the words name a parameter, as a text does: "β" or "beta", "end mass".
+bool name_it(const std::string& words, std::string name) {
+  if (name == "beta" && words.find("β") != std::string::npos) return true;
+  std::replace(name.begin(), name.end(), '_', ' ');
+  const auto letter = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; };
+  for (std::size_t at = words.find(name); at != std::string::npos; at = words.find(name, at + 1)) {
+    const std::size_t end = at + name.size();
+    if ((at == 0 || !letter(words[at - 1])) && (end == words.size() || !letter(words[end]))) return true;
+  }
+  return false;
+}
+
+/// What opens the figure of a picture, and the parameters below it.
+struct Place {
+  std::string id;
+  std::vector<std::string> knobs;
+};
+
+std::vector<Place> places(const RecordedStep& step, const std::vector<RecordedStep>& lesson) {
+  std::vector<Place> all;
+  const auto add = [&](const char* kind, const std::string& name, const std::string& caption) {
+    all.push_back({fmt::format("id=\"{}-{}\"", kind, name), knobs(step, caption, lesson)});
+  };
+  for (const Item& item : step.page.items()) {
+    if (const auto* figure = std::get_if<Figure>(&item)) add("figure", figure->name, figure->caption);
+    if (const auto* film = std::get_if<Sequence>(&item)) add("film", film->name, film->caption);
+  }
+  if (step.step->hold) add("hold", step.step->hold->name, step.step->hold->caption);
+  return all;
+}
+
+}  // namespace
+
+std::vector<std::string> knobs(const RecordedStep& step, const std::string& caption,
+                               const std::vector<RecordedStep>& lesson) {
+  const std::string words = plain_text(caption), title = plain_text(step.step->title);
+  const auto rank = [&](const std::string& name) {
+    const auto readers = std::count_if(lesson.begin(), lesson.end(), [&](const RecordedStep& other) {
+      return std::find(other.reads.begin(), other.reads.end(), name) != other.reads.end();
+    });
+    return std::tuple(!name_it(words, name), !name_it(title, name), readers);
+  };
+  std::vector<std::string> names = step.reads;
+  std::stable_sort(names.begin(), names.end(),
+                   [&](const std::string& a, const std::string& b) { return rank(a) < rank(b); });
+  names.resize(std::min<std::size_t>(2, names.size()));
+  return names;
+}
+
+std::string with_controls(std::string section, const RecordedStep& step, const std::vector<RecordedStep>& lesson) {
+  for (const auto& [id, names] : places(step, lesson)) {
+    const std::size_t figure = section.find(id), caption = section.find("<figcaption>", figure);
+    if (caption == std::string::npos) continue;
+    section.insert(caption, fmt::format("<div class=\"controls\" data-knobs=\"{}\" data-count=\"{}\"></div>",
+                                        fmt::join(names, " "), names.size()));
+  }
+  if (!step.reads.empty()) section.insert(section.rfind("</section>"), "<div class=\"others\"></div>\n");
+  return section;
+}
+
+}  // namespace byhand::site
