@@ -27,6 +27,7 @@ std::string content(const fs::path& page) {
   // Measured running times would make every copy another book.
   replace_all(text, "<div class=\"picture\" role=\"img\" aria-label=\"Chart of measured running times", "</div>",
               "<p>(Running times differ from run to run; the site has this chart.)</p>");
+  replace_all(text, "<details class=\"parameters\">", "</details>\n", "");  // there are no sliders
   // An attribute of SVG 2, which EPUB 3 knows as a style only.
   replace_all(text, "paint-order=\"stroke\"", "style=\"paint-order:stroke\"");
   replace_all(text, ".html#", ".xhtml#");

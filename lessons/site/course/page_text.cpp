@@ -27,6 +27,9 @@ std::string content_of_page(const std::filesystem::path& page) {
   replace_all(text, "<p class=\"answer\">", "</p>", "");
   replace_all(text, "<input class=\"answer\"", "/>", "");
   replace_all(text, "<p class=\"reply\"", "</p>", "");
+  replace_all(text, "<div class=\"controls\"", "</div>", "");
+  replace_all(text, "<div class=\"others\"", "</div>\n", "");
+  replace_all(text, "<p><a class=\"try\"", "</p>\n", "");
   replace_all(text, "<nav class=\"neighbours\"", "</nav>", "");
   return text;
 }
