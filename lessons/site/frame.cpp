@@ -25,6 +25,14 @@ std::string navigation(std::string_view here) {
   return all;
 }
 
+std::string described(const Frame& frame) {
+  if (frame.summary.empty()) return "";
+  return fmt::format(
+      "<meta name=\"description\" content=\"{0}\" />\n<meta property=\"og:title\" content=\"{1}\" />\n"
+      "<meta property=\"og:description\" content=\"{0}\" />\n",
+      escaped(plain_text(frame.summary)), escaped(frame.title));
+}
+
 }  // namespace
 
 std::string framed(const Frame& frame) {
@@ -40,6 +48,7 @@ std::string framed(const Frame& frame) {
 <meta name="viewport" content="width=device-width, initial-scale=1" />
 <meta name="color-scheme" content="light dark" />
 <title>{0} – Constraints by Hand</title>
+{8}<link rel="icon" type="image/svg+xml" href="assets/icon.svg" />
 <link rel="stylesheet" href="assets/style.css" />
 <script defer="defer" src="assets/equations.js"></script>
 <script defer="defer" src="assets/site.js"></script>
@@ -62,7 +71,8 @@ std::string framed(const Frame& frame) {
 </html>
 )",
       escaped(frame.title), frame.lesson.empty() ? "" : fmt::format(" data-lesson=\"{}\"", frame.lesson),
-      navigation(frame.here), beside.empty() ? "" : " with-beside", beside, frame.content, frame.foot, frame.head);
+      navigation(frame.here), beside.empty() ? "" : " with-beside", beside, frame.content, frame.foot, frame.head,
+      described(frame));
 }
 
 }  // namespace byhand::site

@@ -161,6 +161,7 @@ std::string lesson_page(const Lesson& lesson, const std::vector<RecordedStep>& s
   content += sections + closing(lesson.closing(), steps, live) + "</article>\n" + neighbours(about.slug);
   return framed({.title = fmt::format("{}. {}", lesson.number(), about.title),
                  .content = content,
+                 .summary = about.summary,
                  .beside = steps_beside(steps),
                  .lesson = about.slug,
                  .head = live ? "<link rel=\"stylesheet\" href=\"live/live.css\" />\n" : "",

@@ -145,11 +145,20 @@
   const load = () => index ??= new Promise((resolve, reject) => {
     const script = element('script', { src: 'assets/search.js' });
     script.onload = () => resolve(window.searchPages.flatMap(([page, lesson, steps]) =>
-      steps.map(([anchor, title, words]) => ({ href: `${page}#${anchor}`, lesson, title, words, low: words.toLowerCase(), heading: `${lesson} ${title}`.toLowerCase() }))));
+      steps.map(([anchor, title, words]) => ({ href: `${page}#${anchor}`, lesson, title, words, low: plain(words), heading: plain(`${lesson} ${title}`) }))));
     script.onerror = () => reject(new Error('assets/search.js cannot be loaded'));
     document.head.append(script);
   });
-  const occurrences = (text, word) => text.split(word).length - 1;
+  // As it is typed: without accents, any dash for a hyphen, a Greek letter or its name, a method by its other names.
+  const plain = text => text.normalize('NFD').replace(/\p{M}/gu, '').normalize('NFC').toLowerCase();
+  const greek = { alpha: 'α', beta: 'β', gamma: 'γ', delta: 'δ', zeta: 'ζ', theta: 'θ', lambda: 'λ', mu: 'μ', rho: 'ρ', phi: 'φ', omega: 'ω' };
+  const alsoCalled = { pgs: 'gauss.seidel', si: 'sequential impulses?', erp: 'baumgarte' };
+  const pattern = word => {
+    const letter = Object.entries(greek).find(pair => pair.includes(word)) ?? [];
+    const typed = word.replace(/[.*+?^${}()|[\]\\]/g, '\\$&').replace(/-/g, '[-\u2010-\u2015\u2212 ]');
+    return [typed, ...letter, ...alsoCalled[word] ? [alsoCalled[word]] : []].join('|');
+  };
+  const occurrences = (text, word) => text.match(new RegExp(pattern(word), 'g'))?.length ?? 0;
   const score = (entry, words) => {
     let sum = 0;
     for (const word of words) {
@@ -160,10 +169,10 @@
     return sum;
   };
   const excerpt = (entry, words) => {
-    const at = Math.max(0, ...words.map(word => entry.low.indexOf(word)).slice(0, 1));
+    const at = Math.max(0, entry.low.search(new RegExp(pattern(words[0]))));
     const begin = at < 60 ? 0 : entry.words.lastIndexOf(' ', at - 50) + 1;
     const text = entry.words.slice(begin, begin + 160);
-    const parts = text.split(new RegExp(`(${words.map(word => word.replace(/[.*+?^${}()|[\]\\]/g, '\\$&')).join('|')})`, 'i'));
+    const parts = text.split(new RegExp(`(${words.map(pattern).join('|')})`, 'i'));
     const line = element('span');
     parts.forEach((part, i) => line.append(i % 2 ? element('mark', {}, part) : part));
     line.prepend(begin ? '… ' : '');
@@ -171,7 +180,7 @@
     return line;
   };
   const search = async () => {
-    const words = input.value.toLowerCase().split(/\s+/).filter(Boolean);
+    const words = plain(input.value).split(/\s+/).filter(Boolean);
     const typed = input.value;
     if (words.length === 0) {
       results.replaceChildren();
@@ -185,7 +194,7 @@
       .sort((a, b) => b[0] - a[0]).slice(0, 12);
     results.replaceChildren(...found.map(([, entry]) => element('li', {},
       element('a', { href: entry.href }, element('strong', {}, `${entry.lesson}, step ${entry.title}`), excerpt(entry, words)))));
-    said.textContent = found.length ? `${found.length === 12 ? 'The first 12' : found.length} steps found` : `No step has ${words.join(' and ')}.`;
+    said.textContent = found.length ? found.length === 12 ? 'The first 12 steps found' : found.length === 1 ? '1 step found' : `${found.length} steps found` : `No step has ${words.join(' and ')}.`;
     said.hidden = found.length > 0;
   };
   input.addEventListener('focus', () => load().catch(() => {}));

@@ -82,6 +82,10 @@ std::string contents_page(const std::vector<Digest>& lessons, bool desk) {
     cards += card(lesson);
     claims += lesson.claims;
   }
+  constexpr auto summary =
+      "A course that derives physical constraints, solves them and keeps them stable, with the C++ that computes "
+      "every "
+      "figure live in the page.";
   return framed({.title = "Lessons",
                  .content = fmt::format(R"(<header class="cover">
 <h1>Constraints by Hand</h1>
@@ -97,6 +101,7 @@ independent answers.</p>
                                                "is wrong and why.</p>\n"
                                              : "",
                                         cards),
+                 .summary = summary,
                  .here = "index.html"});
 }
 

@@ -28,7 +28,8 @@
       this.hint = make('p', { className: 'hint' }, make('strong', {}, 'Hold it yourself. '),
         'Drag a body and let it go. With keys: Tab to a body, the arrow keys pull it, Enter takes it and lets it go, Escape lets it go.');
       const controls = figure.querySelector('.controls');
-      controls.prepend(this.hint, make('div', { className: 'player' }, this.play, this.once, this.slow, this.again), this.reading);
+      controls.prepend(make('div', { className: 'player' }, this.play, this.once, this.slow, this.again));
+      controls.append(this.reading, this.hint);
       this.make = make;
       this.stage.addEventListener('pointerdown', event => this.#take(event));
       this.stage.addEventListener('pointermove', event => { if (this.pointer === event.pointerId) this.#move(this.#point(event)); });

@@ -3,7 +3,7 @@
 // the lesson's own C++ in two workers, one for steps that answer at once and one for the others.
 
 (() => {
-  const { readAddress, address, sliderValues, placeOf, symbol } = byhandSettings;
+  const { readAddress, address, sliderValues, placeOf, symbol } = globalThis.byhandSettings ?? {};
   const parts = globalThis.byhandParts ?? {};  // the lesson, its files and the worker, packed (see pack in build)
   const quick = 100, patience = 2500, rest = 350;  // ms: of a step; of a reader before a step needs a button; between changes
   const reduced = matchMedia('(prefers-reduced-motion: reduce)');
@@ -648,8 +648,12 @@
     const reply = form.querySelector('.reply');
     const given = await step.lesson.ask(step.request({ ask: 'grade', question: +question, typed }));
     const verdict = !given.understood ? '' : given.right ? 'Yes. ' : 'No. ';
+    // A first wrong choice gets the hint and another try; the reply to it, which tells more, comes with the second.
+    const thought = form.dataset.kind === 'choice' && given.understood && !given.right && !form.dataset.tried;
+    if (thought) form.dataset.tried = 'once';
+    const hint = thought && (form.querySelector('.hint > p')?.textContent ?? 'Think it over and choose again.');
     reply.className = 'reply ' + (!given.understood ? '' : given.right ? 'right' : 'wrong');
-    reply.textContent = verdict + (given.reply ?? given.error);
+    reply.textContent = verdict + (hint || (given.reply ?? given.error).replace(/,? or `\?` for what else can be typed/, ''));
   }
 
   document.addEventListener('submit', event => {
@@ -704,6 +708,13 @@
       this.element.setAttribute('role', 'alert');
       this.element.replaceChildren(`The lesson's program stopped (${error.message}). The page stays readable; load it again to change settings.`);
     },
+
+    // Files of the site that could not be loaded.
+    lack() {
+      this.element.hidden = false;
+      this.element.setAttribute('role', 'alert');
+      this.element.replaceChildren('This page could not load its program: you can read it, but not change it.');
+    },
   };
 
   const compareAll = () => steps.filter(step => !step.stale).forEach(step => step.compare());
@@ -730,8 +741,9 @@
 
   async function begin() {
     const article = document.querySelector('article.lesson');
-    if (!article || !parts.lesson) return;
+    if (!article) return;
     document.body.append(bar.element);
+    if (!parts.lesson || !parts.files || !parts.worker || !globalThis.byhandHold || !globalThis.byhandSettings) return bar.lack();
     try {
       const about = await atOnce.start();
       parameters = new Map(about.parameters.map(parameter => [parameter.name, parameter]));

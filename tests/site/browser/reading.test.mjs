@@ -139,6 +139,42 @@ test('the keyboard alone suffices: to a slider, along it, into a film and a ques
   await tab.close();
 });
 
+for (const lost of ['files.js', 'worker.js', 'hold.js', 'settings.js'])
+  test(`a page without ${lost} says what it cannot do, and no more`, async () => {
+    const folder = mkdtempSync(join(tmpdir(), 'site-'));
+    cpSync(site, folder, { recursive: true });
+    rmSync(join(folder, 'live', lost));
+    const tab = await open(pathToFileURL(join(folder, `${baumgarte}.html`)).href);
+    await tab.waitForSelector('.changes[role="alert"]', { timeout: 30_000 });
+    assert.equal(await tab.$eval('.changes', bar => bar.textContent), 'This page could not load its program: you can read it, but not change it.');
+    assert.ok(tab.complaints.every(words => words.includes(lost) || words.includes('ERR_FILE_NOT_FOUND')), tab.complaints.join());
+    await tab.close();
+    rmSync(folder, { recursive: true });
+  });
+
+test('a first wrong choice gets a hint and a second try, and what is not understood gets no words of a terminal', async () => {
+  const tab = await live(baumgarte);
+  const form = await tab.$('form[data-kind="choice"]');
+  const hint = await form.evaluate(form => form.querySelector('.hint > p')?.textContent ?? 'Think it over and choose again.');
+  const replies = await form.evaluate(async form => {
+    const reply = form.querySelector('.reply'), replies = [];
+    for (const option of form.querySelectorAll('input[type=radio]')) {
+      reply.textContent = '';
+      option.click();
+      while (!reply.textContent) await new Promise(resolve => setTimeout(resolve, 20));
+      if (reply.classList.contains('wrong')) replies.push(reply.textContent);
+    }
+    return replies;
+  });
+  assert.equal(replies[0], `No. ${hint}`);
+  if (replies[1]) assert.notEqual(replies[1], replies[0]);
+  const number = await tab.$('form[data-kind="number"]');
+  await number.evaluate(form => { form.elements.typed.value = 'abc'; form.requestSubmit(); });
+  await tab.waitForFunction(form => form.querySelector('.reply').textContent, {}, number);
+  assert.doesNotMatch(await number.$eval('.reply', reply => reply.textContent), /`|what else can be typed/);
+  await tab.close();
+});
+
 for (const [what, damage] of [
   ['cut short', text => text.slice(0, text.length / 2).replace(/\\+$/, '') + '";\n'],
   ['another file', () => '(globalThis.byhandParts ??= {}).lesson = "aGVsbG8=";\n'],
