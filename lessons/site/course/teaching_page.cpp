@@ -54,6 +54,8 @@ steps can be left out: no core step needs one.</p>
 <p>Copy the folder to any web server, a learning platform's file area or a USB stick; its name and place do not matter. Open
 <code>index.html</code>. The whole course is also an e-book: <a href="constraints_by_hand.epub">constraints_by_hand.epub</a>.
 No page loads anything from another host, sets a cookie or stores what a student does.</p>
+<p>A server with a strict content security policy may use
+<code>default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; worker-src blob:</code>.</p>
 </section>
 <section id="linking">
 <h2>Linking</h2>

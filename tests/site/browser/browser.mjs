@@ -70,12 +70,13 @@ export async function move(tab, name, share) {
 }
 
 const types = { '.html': 'text/html; charset=utf-8', '.js': 'text/javascript', '.css': 'text/css', '.svg': 'image/svg+xml', '.png': 'image/png', '.woff2': 'font/woff2' };
-export async function serve(folder = site) {
+// `more`: further headers.
+export async function serve(folder = site, more = {}) {
   const server = createServer((request, response) => {
     const path = join(folder, decodeURIComponent(new URL(request.url, 'http://x').pathname));
     if (path.endsWith('favicon.ico')) return response.writeHead(204).end();  // browsers ask for it by themselves
     if (!path.startsWith(folder) || !existsSync(path) || !extname(path)) return response.writeHead(404).end();
-    response.writeHead(200, { 'content-type': types[extname(path)] ?? 'application/octet-stream' });
+    response.writeHead(200, { 'content-type': types[extname(path)] ?? 'application/octet-stream', ...more });
     createReadStream(path).pipe(response);
   });
   await new Promise(done => server.listen(0, '127.0.0.1', done));

@@ -43,6 +43,17 @@ test('the lessons are live from a server too', async () => {
   server.close();
 });
 
+test('a strict content security policy stops nothing', async () => {
+  const server = await serve(site, { 'content-security-policy': "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; worker-src blob:" });
+  const tab = await live(lessons[0], { address: `${server.address}${lessons[0]}.html`, hash: '#h=1/120' });
+  await tab.$eval('figure[data-hold], figure[data-film]', figure => figure.scrollIntoView());
+  await tab.$eval('figure[data-film] .player [aria-label="one frame on"]', button => button.click());
+  await tab.waitForFunction(() => +document.querySelector('figure[data-film] .player input').value === 1);
+  assert.deepEqual(tab.complaints, []);
+  await tab.close();
+  server.close();
+});
+
 for (const page of pages)
   test(`${page} is complete without JavaScript`, async () => {
     const tab = await open(url(page), { script: false });

@@ -1,0 +1,37 @@
+// Which parameters stand under a picture, and where a page keeps a place for them.
+#include "lessons/site/controls.hpp"
+
+#include <gmock/gmock.h>
+
+#include "lessons/page/lesson.hpp"
+
+namespace byhand::tests {
+namespace {
+
+using namespace course;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+const Step drift{"1", "Drift", false, {}}, share{"2", "A share β of the error", false, {}};
+
+std::vector<RecordedStep> lesson() {
+  return {{&drift, {}, {"beta", "h", "end_mass", "speed"}}, {&share, {}, {"beta", "h", "end_mass"}}};
+}
+
+TEST(Controls, WhatTheCaptionNamesComesFirstThenTheTitleThenWhatFewStepsRead) {
+  const auto steps = lesson();
+  EXPECT_THAT(site::knobs(steps[0], "The end mass swings.", steps), ElementsAre("end_mass", "speed"));
+  EXPECT_THAT(site::knobs(steps[1], "After h seconds.", steps), ElementsAre("h", "beta"));
+  EXPECT_THAT(site::knobs(steps[1], "The heights.", steps), ElementsAre("beta", "h"));
+}
+
+TEST(Controls, AStepThatReadsNothingHasNoPlaceForParameters) {
+  const std::vector<RecordedStep> steps{{&drift, {}, {}}};
+  EXPECT_THAT(site::with_controls("<section>\n</section>\n", steps[0], steps), Not(HasSubstr("others")));
+  EXPECT_THAT(site::with_controls("<section>\n</section>\n", lesson()[0], lesson()),
+              HasSubstr("<div class=\"others\"></div>\n</section>"));
+}
+
+}  // namespace
+}  // namespace byhand::tests
