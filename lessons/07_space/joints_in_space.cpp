@@ -33,7 +33,8 @@ struct Door {
   Simulation<SpaceBody> book;
   Hinge<SpaceBody> hinge;
 
-  Rows<5> C() const {
+  /// C of the hinge: the gap of its anchors [m], then two cosines between the axis and the directions across it.
+  Rows<5> error() const {
     const auto& pose = book.scene.bodies().pose;
     return hinge.value<double>(pose[0], pose[1]);
   }
@@ -59,7 +60,7 @@ void joints_in_space(const Setting& setting, Page& page) {
   double off_axis = 0;
   while (door.book.time < joint_seconds) {
     door.book.step(setting.h);
-    off_axis = std::max(off_axis, door.C().tail<2>().norm());
+    off_axis = std::max(off_axis, door.error().tail<2>().norm());
   }
 
   page.text(
