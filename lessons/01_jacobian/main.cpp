@@ -22,6 +22,7 @@ int main(int argc, char** argv) {
   };
 
   lesson.step("What C says", with(what_c_says));
+  lesson.hold(in_hand(set));
   lesson.step("A rate is a row times velocities", with(one_row));
   lesson.step("Differentiate", with(differentiate));
   lesson.step("The triple product", with(triple_product));

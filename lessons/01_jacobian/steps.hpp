@@ -30,6 +30,9 @@ void two_forms(course::Page& page, const Settings& set);
 void linkage(course::Page& page, const Settings& set);
 void dual_map(course::Page& page, const Settings& set);
 
+/// The scene of the first step: a bob on a rod in the reader's hand, which no constraint holds.
+course::Hold in_hand(const Settings& set);
+
 /// The film of the step by inspection.
 void four_parts(course::Page& page, const Settings& set);
 

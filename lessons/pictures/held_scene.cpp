@@ -264,11 +264,12 @@ std::string HeldScene<M>::words(std::optional<double> part) const {
     const PartInWords now = in_words(*terms, static_cast<int>(*part));
     return now.formula + ". " + now.words;
   }
-  const char* most = now_.scene.count() > (grip_ ? 3 : 1) ? "at most " : "";
+  const bool several = now_.scene.count() > (grip_ ? 3 : 1);
   const double error = course::without_rounding(position_error(now_.scene).max, 1);
-  return say("Time @ s: energy @ J, |C| @@ @, impulse λ|l₂| @@ N·s.", Value(now_.time, 4),
-             Value(energy(now_.scene), 4), most, Value(error, 3), given_.unit_of_C, most,
-             Value(largest_impulse(now_), 3));
+  return (given_.says ? given_.says(now_) + " " : "") +
+         say("Time @ s: energy @ J, @|C| @ @, @impulse λ|l₂| @ N·s.", Value(now_.time, 4),
+             Value(energy(now_.scene), 4), several ? "largest " : "", Value(error, 3), given_.unit_of_C,
+             several ? "largest " : "", Value(largest_impulse(now_), 3));
 }
 
 template class HeldScene<PlaneParticle>;

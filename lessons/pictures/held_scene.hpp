@@ -18,7 +18,8 @@ struct InHand {
   renderer::Rectangle view = {};  // what is to be seen of the world [m]
   std::string body = {};          // "bob"
   std::string unit_of_C = "m";
-  std::string law = {};  // what is said where it flies apart
+  std::string law = {};                                        // what is said where it flies apart
+  std::function<std::string(const Simulation<M>&)> says = {};  // a sentence before the numbers of every scene
 };
 
 /// A scene in the plane that a reader holds. The hand is two soft rows of the solver, tuned to the body that it

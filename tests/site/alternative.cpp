@@ -32,6 +32,10 @@ TEST(Alternative, CallsACurveWithoutANameACurveAndTellsItAfterTheOthers) {
   EXPECT_EQ(label(chart({{.x = {0, 1}, .y = {1, 2}}})), "Chart of error (m) over β (1). a curve: from 1 to 2");
   EXPECT_EQ(label(chart({{.x = {0, 1}, .y = {1, 2}}, {.label = "run", .x = {0, 1}, .y = {3, 4}}})),
             "Chart of error (m) over β (1). run: from 3 to 4; a curve: from 1 to 2");
+  EXPECT_EQ(
+      label(chart(
+          {{.x = {0, 1}, .y = {1, 2}}, {.x = {0, 1}, .y = {1, 3}}, {.label = "run", .x = {0, 1}, .y = {3, 4}}})),
+      "Chart of error (m) over β (1). run: from 3 to 4; 2 lines without a name");
 }
 
 TEST(Alternative, OfAMapOfClassesCountsTheCellsOfEach) {
@@ -70,8 +74,10 @@ TEST(Alternative, OfADrawingIsWhatIsWrittenInItWithoutTheNumbersOfAxes) {
                         "<svg><text x=\"1\">P<tspan>1</tspan></text><text>0.5</text><text>−10</text>"
                         "<text>C &lt; 0</text><text>C &lt; 0</text></svg>")
                 .label,
-            "Drawing with the words: P1; C < 0");
-  EXPECT_EQ(alternative(drawing, "<svg></svg>").label, "Drawing: caption");
+            "Written in it: P1; C < 0");
+  EXPECT_EQ(alternative(drawing, "<svg></svg>").label, "");
+  EXPECT_EQ(alternative(drawing, "<svg><text>The rod is at a right</text><text>angle to v.</text></svg>").label,
+            "Written in it: The rod is at a right angle to v.");
 }
 
 TEST(Alternative, OfRunningTimesHasNoNumbers) {

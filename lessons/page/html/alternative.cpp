@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -62,9 +63,17 @@ std::string label(const Chart& chart) {
   if (chart.heat_map)
     for (const auto& [name, cells] : course::cells_of_classes(*chart.heat_map))
       parts.push_back(fmt::format("{}: {}", name, course::several(cells, "cell")));
-  for (const bool named : {true, false})
-    for (const renderer::Curve& curve : chart.curves)
-      if (!curve.y.empty() && curve.label.empty() != named) parts.push_back(course(curve));
+  std::vector<const renderer::Curve*> unnamed;
+  for (const renderer::Curve& curve : chart.curves) {
+    if (curve.y.empty()) continue;
+    if (curve.label.empty())
+      unnamed.push_back(&curve);
+    else
+      parts.push_back(course(curve));
+  }
+  if (unnamed.size() == 1) parts.push_back(course(*unnamed.front()));
+  if (unnamed.size() > 1)
+    parts.push_back(course::several(static_cast<long>(unnamed.size()), "line") + " without a name");
   for (const renderer::Bars& bars : chart.bars)
     for (size_t i = 0; i < std::min(bars.values.size(), chart.bar_names.size()); ++i)
       parts.push_back(fmt::format("{}{}{}: {}", chart.bar_names[i], bars.label.empty() ? "" : ", ", bars.label,
@@ -87,6 +96,12 @@ std::string letters(std::string_view inside) {
   return all;
 }
 
+/// Whether a text is the next line of the one before: it begins with a word in small letters.
+bool goes_on(const std::string& text) {
+  return text.size() > 2 && std::islower(static_cast<unsigned char>(text[0])) != 0 &&
+         std::islower(static_cast<unsigned char>(text[1])) != 0;
+}
+
 /// What is written in a picture, without the numbers of its axes.
 std::string written(std::string_view svg) {
   constexpr std::string_view numbers = "0123456789.,−-·+ ⁰¹²³⁴⁵⁶⁷⁸⁹⁻½¼¾/π°";
@@ -99,15 +114,14 @@ std::string written(std::string_view svg) {
       continue;
     texts.push_back(text);
     if (all.size() + text.size() > most_letters) return all + " …";
-    all += (all.empty() ? "" : "; ") + text;
+    all += (all.empty() ? "" : goes_on(text) ? " " : "; ") + text;
   }
   return all;
 }
 
-Alternative of_drawing(const char* kind, const std::string& caption, std::string_view svg) {
+Alternative of_drawing(const char* where, std::string_view svg) {
   const std::string texts = written(svg);
-  return {texts.empty() ? fmt::format("{}: {}", kind, caption)
-                        : fmt::format("{} with the words: {}", kind, texts)};
+  return {texts.empty() ? "" : fmt::format("{}: {}", where, texts)};
 }
 
 }  // namespace
@@ -115,12 +129,12 @@ Alternative of_drawing(const char* kind, const std::string& caption, std::string
 Alternative alternative(const course::Figure& figure, std::string_view svg) {
   if (const auto* chart = std::get_if<Chart>(&figure.picture))
     return {label(*chart), course::chart_in_words(*chart)};
-  if (std::holds_alternative<course::Drawing>(figure.picture)) return of_drawing("Drawing", figure.caption, svg);
+  if (std::holds_alternative<course::Drawing>(figure.picture)) return of_drawing("Written in it", svg);
   return {"Chart of measured running times, different in every run; the numbers are in the CSV file."};
 }
 
-Alternative alternative(const course::Sequence& film, std::string_view svg) {
-  return of_drawing("Last picture of a film", film.caption, svg);
+Alternative alternative(const course::Sequence&, std::string_view svg) {
+  return of_drawing("Written in the film's first picture", svg);
 }
 
 }  // namespace byhand::site

@@ -45,7 +45,8 @@ std::string table(const Head& head, const std::string& rows) {
 /// Writes the children of a step's section. A run of claims, or of measures, becomes one child.
 class ItemWriter {
  public:
-  /// `held`: the figure of the step's scene to hold, which stands before its claims; empty without one.
+  /// `held`: the figure of the step's scene to hold, which stands before its claims, and in the course's first
+  /// step, which begins with it, after its first text; empty without one.
   ItemWriter(const RecordedStep& step, const Pictures& pictures, std::string held)
       : step_(step), pictures_(pictures), held_(std::move(held)) {}
 
@@ -53,6 +54,7 @@ class ItemWriter {
     for (const Item& item : step_.page.items()) {
       std::visit(*this, item);
       ++index_;
+      if (begins_with_it() && std::holds_alternative<Text>(item)) html_ += std::exchange(held_, {});
     }
     close_run();
     return html_ + std::exchange(held_, {});
@@ -147,6 +149,8 @@ class ItemWriter {
  private:
   enum class Run { none, measures, claims };
 
+  bool begins_with_it() const { return step_.step->label == "1"; }
+
   void child(const std::string& html) {
     close_run();
     html_ += html + "\n";
@@ -165,7 +169,8 @@ class ItemWriter {
         fmt::format("<figure class=\"{0}\" id=\"{0}-{1}\" data-item=\"{2}\" data-{0}=\"{1}\">"
                     "<div class=\"picture\" role=\"img\" "
                     "aria-label=\"{3}\">{4}</div><figcaption>{5}{6}{7}</figcaption></figure>",
-                    kind, it.name, index_, escaped(plain_text(other.label)), shown.markup, inline_html(it.caption),
+                    kind, it.name, index_, escaped(plain_text(it.caption + " " + other.label)), shown.markup,
+                    inline_html(it.caption),
                     fmt::format(" <span class=\"files\">{}{}</span>", in_page ? save : "", shown.links),
                     other.words.empty() ? "" : folded("words", "In words", prose_html(other.words))));
   }
@@ -226,16 +231,17 @@ class ItemWriter {
   int index_ = 0, first_ = 0, questions_ = 0, hold_ = 0, false_ = 0, not_claimed_ = 0;
 };
 
-/// The scene as it begins; a live page lets a reader hold it.
+/// The scene as it begins; a live page lets a reader hold it. data-parts: whether a step of it has parts to tell.
 std::string hold_figure(const course::Hold& hold) {
   const auto scene = hold.scene();
   const std::string svg = drawn(
       hold.name, [&](renderer::Canvas& canvas) { scene->draw(canvas); }, {}, course::Held::width);
-  return fmt::format(R"(<figure class="figure hold" id="hold-{0}" data-item="hold" data-hold="{0}">)"
-                     R"(<div class="picture" role="img" aria-label="{1} {2}">{3}</div>)"
-                     "<figcaption>{4}</figcaption></figure>\n",
-                     hold.name, escaped(plain_text(hold.caption)), escaped(scene->words()), svg,
-                     inline_html(hold.caption));
+  return fmt::format(
+      R"(<figure class="figure hold" id="hold-{0}" data-item="hold" data-hold="{0}" data-parts="{5}">)"
+      R"(<div class="picture" role="img" aria-label="{1} {2}">{3}</div>)"
+      "<figcaption>{4}</figcaption></figure>\n",
+      hold.name, escaped(plain_text(hold.caption)), escaped(scene->words()), svg, inline_html(hold.caption),
+      scene->words(0.0) == scene->words() ? "no" : "yes");
 }
 
 }  // namespace

@@ -10,7 +10,8 @@
   globalThis.byhandHold = class {
     #acts = []; #busy; #part = 1 - endOfPart; #scene; #handles = [];
 
-    constructor(figure, { make, lesson, request, reduced, fail }) {
+    // `plays`: it moves without being asked, where the reader has nothing against motion.
+    constructor(figure, { make, lesson, request, reduced, fail, plays }) {
       Object.assign(this, { figure, lesson, request, reduced, fail });
       const button = (words, label, onclick) => make('button', { type: 'button', textContent: words, onclick, attributes: { 'aria-label': label } });
       const picture = this.picture = figure.querySelector('.picture');
@@ -28,6 +29,7 @@
       this.hint = make('p', { className: 'hint' }, make('strong', {}, 'Hold it yourself. '),
         'Drag a body and let it go. With keys: Tab to a body, the arrow keys pull it, Enter takes it and lets it go, Escape lets it go.');
       const controls = figure.querySelector('.controls');
+      this.slow.hidden = figure.dataset.parts === 'no';
       controls.prepend(make('div', { className: 'player' }, this.play, this.once, this.slow, this.again));
       controls.append(this.reading, this.hint);
       this.make = make;
@@ -40,7 +42,7 @@
       new IntersectionObserver(([{ isIntersecting }], watch) => {
         if (!isIntersecting) return;
         watch.disconnect();
-        this.#ask();
+        this.#ask().then(() => { if (plays && !reduced.matches) this.run(); });
       }, { rootMargin: '50%' }).observe(figure);
     }
 
@@ -183,6 +185,7 @@
       this.slowed = !this.slowed;
       this.#part = 1 - endOfPart;
       this.slow.setAttribute('aria-pressed', String(this.slowed));
+      this.reading.classList.toggle('in-picture', this.slowed);  // which says the same
       this.once.textContent = this.slowed ? 'Next part' : 'One step';
       this.once.setAttribute('aria-label', this.slowed ? 'next part of the step' : 'one step');
       return this.#ask(['step', 0]);
