@@ -73,20 +73,45 @@
   addEventListener('load', scrollers);
   document.addEventListener('toggle', scrollers, true);
 
+  // At which edges of a picture more of it is out of sight.
+  const tellMore = picture => {
+    const left = picture.scrollLeft > 8, right = picture.scrollLeft + picture.clientWidth < picture.scrollWidth - 8;
+    picture.dataset.more = `${left ? 'left' : ''} ${right ? 'right' : ''}`.trim();
+  };
+  document.addEventListener('scroll', ({ target }) => { if (target instanceof Element && target.matches('.picture')) tellMore(target); }, { capture: true, passive: true });
+
   // What a narrow page shows of a wider figure at first: what is drawn farthest left, or all of it in the middle.
   const look = new IntersectionObserver(entries => {
     for (const { isIntersecting, target: picture } of entries) {
       if (!isIntersecting) continue;
       look.unobserve(picture);
       picture.dataset.placed = '';
+      tellMore(picture);
       if (picture.scrollWidth <= picture.clientWidth + 1) continue;
       const boxes = [...picture.querySelectorAll('svg :is(circle, text, path:not(svg > path:first-child))')].map(drawn => drawn.getBoundingClientRect());
       const begin = picture.getBoundingClientRect().left - picture.scrollLeft;
       const left = Math.min(...boxes.map(box => box.left)) - begin, right = Math.max(...boxes.map(box => box.right)) - begin;
       picture.scrollLeft = left - Math.max(8, (picture.clientWidth - (right - left)) / 2);
+      tellMore(picture);
     }
   }, { rootMargin: '50%' });
   document.querySelectorAll('.picture').forEach(picture => look.observe(picture));
+
+  // "04_baumgarte.html?only=drift" is that figure, film or scene alone, for a frame in another page, which is told its
+  // height: { byhand: 'drift', height: 612 }.
+  const only = new URLSearchParams(location.search).get('only');
+  const alone = only && ['figure', 'film', 'hold'].map(kind => document.getElementById(`${kind}-${only}`)).find(Boolean);
+  if (alone) {
+    alone.classList.add('alone');
+    document.documentElement.classList.add('only');
+    new ResizeObserver(() => {
+      const { height } = document.querySelector('.page').getBoundingClientRect();
+      parent.postMessage({ byhand: only, height: Math.ceil(height) }, '*');
+    }).observe(alone);
+  }
+
+  // What paper shows of the page's address.
+  document.querySelector('.printed')?.append(`, ${location.href.split('#')[0]}`);
 
   // A figure as it is shown, saved as SVG, or as PNG of 2560 × 1440 pixels.
   const save = (name, blob) => {
@@ -137,13 +162,13 @@
 
   // The search: every word typed is in the step, titles count most. Its index is loaded when somebody searches.
   const place = document.querySelector('.search');
-  const input = element('input', { type: 'search', 'aria-label': 'Search the course', placeholder: 'Search', autocomplete: 'off', spellcheck: 'false' });
+  const input = element('input', { type: 'search', 'aria-label': 'Search the course', placeholder: 'Search ( / )', autocomplete: 'off', spellcheck: 'false' });
   const results = element('ol', { 'aria-label': 'Results' });
   const said = element('p', { class: 'none', role: 'status', hidden: '' });
   place.append(input, said, results);
   let index;
   const load = () => index ??= new Promise((resolve, reject) => {
-    const script = element('script', { src: 'assets/search.js' });
+    const script = element('script', { src: place.dataset.index });
     script.onload = () => resolve(window.searchPages.flatMap(([page, lesson, steps]) =>
       steps.map(([anchor, title, words]) => ({ href: `${page}#${anchor}`, lesson, title, words, low: plain(words), heading: plain(`${lesson} ${title}`) }))));
     script.onerror = () => reject(new Error('assets/search.js cannot be loaded'));
@@ -197,6 +222,11 @@
     said.textContent = found.length ? found.length === 12 ? 'The first 12 steps found' : found.length === 1 ? '1 step found' : `${found.length} steps found` : `No step has ${words.join(' and ')}.`;
     said.hidden = found.length > 0;
   };
+  document.addEventListener('keydown', event => {
+    if (event.key !== '/' || event.ctrlKey || event.metaKey || event.altKey || event.target.matches('input, textarea, select')) return;
+    event.preventDefault();
+    input.focus();
+  });
   input.addEventListener('focus', () => load().catch(() => {}));
   input.addEventListener('input', search);
   place.addEventListener('keydown', event => {

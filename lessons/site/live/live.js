@@ -154,6 +154,7 @@
     copy.querySelectorAll('a.desk').forEach(link => link.replaceWith(...link.childNodes));
     copy.querySelectorAll('details').forEach(part => part.removeAttribute('open'));
     copy.querySelectorAll('[tabindex]').forEach(part => part.removeAttribute('tabindex'));
+    copy.querySelectorAll('.picture').forEach(({ dataset }) => { delete dataset.placed; delete dataset.more; });
     if (copy.matches('details')) copy.removeAttribute('open');
     copy.classList.remove('fresh', 'compared');
     if (!copy.classList.length) copy.removeAttribute('class');
@@ -169,7 +170,9 @@
       this.written = section.cloneNode(true);  // at the defaults
       this.controls = [];
       this.state = make('p', { className: 'state', attributes: { role: 'status' } });
-      section.querySelector('h2').after(this.state);
+      this.sceneAlone = section.dataset.only !== undefined;  // as on the cover: nothing of it is told again
+      const heading = section.querySelector('h2');
+      heading ? heading.after(this.state) : section.prepend(this.state);
       section.querySelectorAll('.controls').forEach((place, i) => {
         const knobs = this.controlsOf(place.dataset.knobs.split(' ').filter(Boolean), `-${i + 1}`);
         place.append(make('div', { className: 'knobs' }, ...knobs.map(({ element }) => element)));
@@ -179,12 +182,13 @@
       this.shown = new Map();  // by data-item: the child as it was last shown, bare, and its picture
       this.films = new Map();
       const held = section.querySelector('figure[data-hold]');
-      if (held) this.hold = new byhandHold(held, { make, lesson: inHand, request: () => this.request(), reduced, fail: error => bar.fail(error) });
+      if (held) this.hold = new byhandHold(held, { make, lesson: inHand, request: () => this.request(), reduced, fail: error => bar.fail(error), plays: this.sceneAlone });
       this.section.querySelectorAll('figure[data-film]').forEach(figure => this.films.set(figure.dataset.film, new Film(this, figure)));
     }
 
     get lesson() { return this.milliseconds < quick ? atOnce : takingTime; }
     get distance() {
+      if (!this.section.getClientRects().length) return Infinity;  // one figure is shown alone
       const { top, bottom } = this.section.getBoundingClientRect();
       return top > innerHeight ? top - innerHeight : bottom < 0 ? -bottom : 0;
     }
@@ -249,6 +253,7 @@
     // Beside each picture and each measured number what it is at the other settings, where the reader compares, and
     // below each text its sentences that differ.
     async compare() {
+      if (this.sceneAlone) return;
       this.uncompared = !!versus && this.distance > innerHeight;
       if (this.uncompared) return;
       const names = differing().filter(name => this.read.has(name)), turn = this.comparing = {};
@@ -262,13 +267,19 @@
         const picture = other.querySelector(`:scope > #${figure.id} .picture`);
         if (!picture) continue;
         figure.classList.add('compared');
-        const twin = make('div', { className: 'versus twin', innerHTML: apart(picture.innerHTML), attributes: { role: 'img', 'aria-label': `${there}: ${picture.ariaLabel ?? picture.getAttribute('aria-label')}` } });
-        figure.prepend(make('p', { className: 'versus there', textContent: there }), twin, make('p', { className: 'versus here', textContent: here }));
         const shown = figure.querySelector('.picture');
-        twin.onscroll = () => { shown.scrollLeft = twin.scrollLeft; };
+        const twin = make('div', { className: 'versus twin', innerHTML: apart(picture.innerHTML), attributes: { role: 'img', 'aria-label': `${there}: ${picture.getAttribute('aria-label')}` } });
+        const wipe = make('input', { className: 'versus wipe', type: 'range', min: 0, max: 100, value: 50, attributes: { 'aria-label': `how much is shown of ${there}`, 'aria-valuetext': '50 %' } });
+        wipe.oninput = () => {
+          figure.style.setProperty('--wipe', `${wipe.value}%`);
+          wipe.setAttribute('aria-valuetext', `${wipe.value} %`);
+        };
+        wipe.oninput();
+        figure.prepend(make('p', { className: 'versus legend' }, make('span', { className: 'there', textContent: there }), make('span', { className: 'here', textContent: here })));
+        shown.before(twin);
+        shown.after(wipe);
         shown.onscroll = () => { twin.scrollLeft = shown.scrollLeft; };
-        twin.scrollLeft = shown.scrollLeft;
-        if (twin.scrollWidth > twin.clientWidth + 1) twin.tabIndex = 0;
+        shown.onscroll();
       }
       const numbers = new Map([...other.querySelectorAll(':scope > .measures > div')].map(row =>
         [row.querySelector('dt').textContent, row.querySelector('dd').textContent]));
@@ -386,17 +397,22 @@
 
   // ---- A parameter beside a step.
 
+  // A parameter's meaning without the steps in which it counts, which a reader of the step knows.
+  const withoutPlaces = meaning => meaning.replace(/ \((?:[^()]*\bsteps? \d[^()]*|deeper)\)/, '');
+
   class Control {
     constructor(place, parameter) {
       this.parameter = parameter;
       const { name, unit, meaning, choices, allowed } = parameter;
       const id = `set-${place}`;
-      const sign = symbol(name) === name ? [] : [make('i', { textContent: symbol(name) }), ' '];
-      const title = make('span', { className: 'name', id: id + '-name' }, ...sign, name);
-      const about = make('span', { className: 'meaning', id: id + '-meaning', title: meaning, textContent: meaning });
+      const measured = unit && unit !== '1' && !choices.length ? [make('span', { className: 'unit', textContent: unit })] : [];
+      const sign = symbol(name) !== name ? [make('i', { textContent: symbol(name) }), ' ', name] : [make(name.length === 1 ? 'i' : 'span', { textContent: name })];
+      const title = make('span', { className: 'name', id: id + '-name' }, ...sign, ...measured.length ? [' in ', ...measured] : []);
+      const about = make('span', { className: 'meaning', id: id + '-meaning', title: meaning, textContent: withoutPlaces(meaning) });
+      this.undo = undo(name);
       this.error = make('p', { className: 'refused', id: id + '-refused', attributes: { role: 'alert' } });
       const naming = { 'aria-labelledby': title.id, 'aria-describedby': `${about.id} ${this.error.id}` };
-      this.element = make('div', { className: 'setting', data: { name } }, title);
+      this.element = make('div', { className: 'setting', data: { name } }, title, this.undo);
       if (choices.length) {
         this.field = make('select', { attributes: naming }, ...choices.map(choice => make('option', { textContent: choice })));
       } else {
@@ -405,7 +421,6 @@
       }
       this.field.onchange = () => change(name, this.field.value);
       this.element.append(this.field);
-      if (!choices.length && unit && unit !== '1') this.element.append(make('span', { className: 'unit', textContent: unit }));
       if (!choices.length) {
         this.values = sliderValues(parameter);
         this.slider = make('input', {
@@ -425,6 +440,7 @@
       this.field.value = typed;
       this.field.removeAttribute('aria-invalid');
       this.element.classList.toggle('changed', settings.has(this.parameter.name));
+      this.undo.hidden = !settings.has(this.parameter.name);
       if (!this.slider) return;
       if (this.slider !== moving) this.slider.value = placeOf(this.values, typed);
       this.slider.setAttribute('aria-valuetext', `${typed} ${this.parameter.unit === '1' ? '' : this.parameter.unit}`);
@@ -478,9 +494,10 @@
 
     add(stale) {
       for (const step of stale) {
+        step.hold?.retold();
+        if (step.sceneAlone) continue;
         step.stale = true;
         step.section.classList.add('stale');
-        step.hold?.retold();
         if (step.needsButton) step.offerRun();
       }
       this.advance();
@@ -540,7 +557,9 @@
       this.loop.onclick = () => this.loop.setAttribute('aria-pressed', String(!this.looping));
       this.speed = make('select', { attributes: { 'aria-label': 'speed' } },
         ...[['1', '×1'], ['0.5', '×½'], ['0.25', '×¼'], ['0.1', '×1⁄10']].map(([value, textContent]) => make('option', { value, textContent })));
-      this.player = make('div', { className: 'player' }, this.play, this.back, this.ahead, this.slider, this.time, this.loop, this.speed);
+      this.wide = button('⛶', 'full screen', () => document.fullscreenElement ? document.exitFullscreen() : this.figure.requestFullscreen());
+      this.wide.hidden = !document.fullscreenEnabled;
+      this.player = make('div', { className: 'player' }, this.play, this.back, this.ahead, this.slider, this.time, this.loop, this.speed, this.wide);
       this.moveTo(figure);
     }
 
@@ -566,7 +585,7 @@
 
     tellTime() {
       const seconds = index => (index / this.rate).toFixed(2), last = this.frames - 1;
-      this.time.textContent = this.rate ? `${seconds(this.index)} of ${seconds(last)} s` : `${this.index} of ${last}`;
+      this.time.textContent = this.rate ? `${seconds(this.index)} of ${seconds(last)} s` : `picture ${this.index} of ${last}`;
       this.slider.setAttribute('aria-valuetext', this.time.textContent);
     }
 

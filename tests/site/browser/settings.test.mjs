@@ -213,3 +213,24 @@ test('without a clipboard the reader hears where the link is', async () => {
   assert.equal(await copy.evaluate(button => button.textContent), 'The link is in the address bar');
   await tab.close();
 });
+
+test('beside a parameter that changed stands what sets it back', async () => {
+  const tab = await live(baumgarte, { hash: '#beta=1.9&h=1/120' });
+  await settled(tab);
+  const undo = '#step-2 .setting[data-name="beta"] .undo';
+  assert.equal(await tab.$eval(undo, button => button.ariaLabel ?? button.getAttribute('aria-label')), 'set beta back to 0.2');
+  await tab.$eval(undo, button => button.click());
+  await tab.waitForFunction(() => decodeURIComponent(location.hash) === '#h=1/120');
+  await settled(tab);
+  assert.equal(await tab.$eval('#step-2 .setting[data-name="beta"] input[type=text]', field => field.value), '0.2');
+  assert.ok(await tab.$eval(undo, button => button.hidden));
+  await tab.close();
+});
+
+test('a field is named with its unit and its symbol', async () => {
+  const tab = await live(baumgarte);
+  const names = await tab.$$eval('.setting', all => all.map(one => [one.dataset.name, one.querySelector('.name').textContent.trim()]));
+  assert.deepEqual([...new Set(names.filter(([name]) => name === 'h').map(([, words]) => words))], ['h in s']);
+  assert.deepEqual([...new Set(names.filter(([name]) => name === 'beta').map(([, words]) => words))], ['β beta']);
+  await tab.close();
+});

@@ -15,14 +15,17 @@ for (const lesson of lessons)
     test(`${lesson}: under each figure a slider is on one screen with it at ${width} × ${height}`, async context => {
       const tab = await live(lesson, { width, height });
       const spans = await tab.$$eval(pictures, figures => figures.map(figure => {
-        const { top } = figure.querySelector('.picture').getBoundingClientRect(), last = [...figure.querySelectorAll('.knobs .setting')].pop();
+        // On a phone three quarters of the figure are enough.
+        const { top: edge, height: whole } = figure.querySelector('.picture').getBoundingClientRect(), top = edge + (innerWidth < 480 ? whole / 4 : 0), last = [...figure.querySelectorAll('.knobs .setting')].pop();
         const reads = byhandPage.steps.find(step => step.section.contains(figure)).read.size;
         return { id: figure.id, reads, span: last && last.getBoundingClientRect().bottom - top };
       }));
+      // What stays in view takes its part: the bar of changes and, on a narrow page, the contents.
+      const room = height - 56 - await tab.$eval('.beside', beside => innerWidth < 1440 ? beside.getBoundingClientRect().height : 0);
       const offered = spans.filter(({ reads }) => reads > 0);
       assert.deepEqual(offered.filter(({ span }) => !span).map(({ id }) => id), [], 'figures without a slider');
-      context.diagnostic(`from a figure's top to its last slider at most ${Math.max(...offered.map(({ span }) => span)).toFixed()} of ${height} pixels`);
-      assert.deepEqual(offered.filter(({ span }) => span > height), []);
+      context.diagnostic(`from a figure's top to its last slider at most ${Math.max(...offered.map(({ span }) => span)).toFixed()} of ${room.toFixed()} pixels`);
+      assert.deepEqual(offered.filter(({ span }) => span > room), []);
       assert.equal((await tab.$$('.step > h2 ~ .settings')).length, 0);
       await tab.close();
     });
@@ -41,13 +44,62 @@ for (const lesson of lessons)
     });
   }
 
-test('a step begins with its first sentence', async () => {
+for (const lesson of lessons)
+  test(`${lesson}: every step begins with its first item, right below its title`, async () => {
+    const tab = await live(lesson);
+    const between = await tab.$$eval('.step', steps => steps.map(step =>
+      step.querySelector(':scope > [data-item]').getBoundingClientRect().top - step.querySelector('h2').getBoundingClientRect().bottom));
+    assert.ok(between.length > 4 && Math.max(...between) < 60, `${between.map(Math.round)} pixels`);
+    await tab.close();
+  });
+
+test('lesson 1 begins with a bob in the reader\'s hand: C, its rate and J follow it', { skip: !lessons.some(name => name.startsWith('01')) && 'without lesson 1' }, async () => {
   const tab = await live(lessons[0]);
-  const between = await tab.$$eval('.step', steps => steps.map(step => {
-    const text = step.querySelector(':scope > .text');
-    return text ? text.getBoundingClientRect().top - step.querySelector('h2').getBoundingClientRect().bottom : 0;
-  }));
-  assert.ok(Math.max(...between.slice(0, 1)) < 40, `${between} pixels`);
+  const figure = '#step-1 figure[data-hold]';
+  assert.equal(await tab.$eval('#step-1', step => step.querySelector('figure').dataset.hold), 'bob_in_hand', 'before every other figure');
+  await tab.$eval(figure, figure => figure.scrollIntoView({ block: 'center' }));
+  await tab.waitForSelector(`${figure} .hand`);
+  const said = () => tab.$eval(`${figure} .reading`, reading => reading.textContent);
+  const C = async () => +(await said()).match(/C = (\S+) m²/)[1].replace('−', '-');
+  assert.ok(Math.abs(await C() - 0.205) < 1e-9, await said());
+  assert.match(await said(), /Ċ = JV = 0 m²\/s: C does not change/);
+  const hand = await tab.$eval(`${figure} .hand`, hand => { const { x, y, width, height } = hand.getBoundingClientRect(); return { x: x + width / 2, y: y + height / 2 }; });
+  const stage = await tab.$eval(`${figure} .stage`, stage => { const { x, y, width, height } = stage.getBoundingClientRect(); return { x: x + width / 2, y: y + height / 2 }; });
+  await tab.mouse.move(hand.x, hand.y);
+  await tab.mouse.down();
+  await tab.mouse.move((hand.x + stage.x) / 2, (hand.y + stage.y) / 2, { steps: 8 });
+  await tab.waitForFunction(figure => / C falls\.$/.test(document.querySelector(`${figure} .reading`).textContent), {}, figure);
+  await tab.waitForFunction(figure => /too close to/.test(document.querySelector(`${figure} .reading`).textContent), {}, figure);
+  await tab.mouse.up();
+  assert.ok(await C() < 0, await said());
+  assert.equal(await tab.$eval(`${figure} .player`, player => [...player.children].filter(button => !button.hidden && button.textContent.startsWith('Slow')).length), 0, 'no parts of a step');
+  assert.deepEqual(tab.complaints, []);
+  await tab.close();
+});
+
+test('at 360 pixels the letters of a scene to hold are 11 pixels high', async () => {
+  const tab = await live(lessons.at(-1), { width: 360 });
+  const figure = 'figure[data-hold]';
+  await tab.$eval(figure, figure => figure.scrollIntoView({ block: 'center' }));
+  await tab.waitForSelector(`${figure} .hand`);
+  await tab.click(`${figure} .player [aria-label^="Slow"]`);
+  await tab.waitForSelector(`${figure} .picture svg text`);
+  const letters = await tab.$$eval(`${figure} .picture svg text`, texts => texts.map(text => parseFloat(getComputedStyle(text).fontSize) * text.ownerSVGElement.getBoundingClientRect().width / text.ownerSVGElement.viewBox.baseVal.width));
+  assert.ok(letters.length > 0 && Math.min(...letters) >= 11, letters.join());
+  await tab.close();
+});
+
+test('a film fills the screen and comes back', async () => {
+  const tab = await live(lessons.at(-1));
+  const film = await tab.$('figure[data-film]');
+  await film.$eval('.player', player => player.scrollIntoView({ block: 'center' }));
+  const button = await film.$('.player [aria-label="full screen"]');
+  await button.click();
+  await tab.waitForFunction(film => document.fullscreenElement === film, {}, film);
+  const { picture, player } = await film.evaluate(film => ({ picture: film.querySelector('.picture svg').getBoundingClientRect().toJSON(), player: film.querySelector('.player').getBoundingClientRect().toJSON() }));
+  assert.ok(picture.top >= 0 && player.bottom <= 901 && picture.width > 1000, JSON.stringify({ picture, player }));
+  await button.click();
+  await tab.waitForFunction(() => !document.fullscreenElement);
   await tab.close();
 });
 

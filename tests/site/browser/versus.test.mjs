@@ -102,18 +102,25 @@ test('a film shows both settings at the same moment', async () => {
   await tab.close();
 });
 
-for (const width of [360, 1440])
-  test(`the two stand one above the other at ${width} pixels, legible and without a horizontal bar`, async () => {
+for (const width of [360, 1440, 2560])
+  test(`the two lie ${width > 2304 ? 'side by side' : 'one over the other, with a wipe between them,'} at ${width} pixels, legible and without a horizontal bar`, async () => {
     const tab = await live(baumgarte, { width, hash: '#beta=1.5&versus=defaults' });
     await inView(tab);
     await compared(tab);
-    const [twin, picture] = await tab.$eval(figures, figure => ['.twin', '.picture'].map(part => {
+    const places = () => tab.$eval(figures, figure => ['.twin', '.picture'].map(part => {
       const svg = figure.querySelector(`${part} svg`);
-      return { ...figure.querySelector(part).getBoundingClientRect().toJSON(), letters: 15 * svg.getBoundingClientRect().width / svg.viewBox.baseVal.width };
+      return { ...figure.querySelector(part).getBoundingClientRect().toJSON(), clip: getComputedStyle(figure.querySelector(part)).clipPath, letters: 15 * svg.getBoundingClientRect().width / svg.viewBox.baseVal.width };
     }));
-    assert.ok(twin.y + twin.height <= picture.y);
-    assert.ok(Math.abs(twin.width - picture.width) < 2, `${twin.width} and ${picture.width}`);
+    const [twin, picture] = await places();
+    assert.ok(Math.abs(twin.y - picture.y) < 2 && Math.abs(twin.width - picture.width) < 2, JSON.stringify([twin, picture]));
     for (const { letters } of [twin, picture]) assert.ok(letters >= 11, `${letters}`);
+    if (width > 2304) {
+      assert.ok(twin.right <= picture.left, JSON.stringify([twin, picture]));
+    } else {
+      assert.ok(Math.abs(twin.x - picture.x) < 2);
+      await tab.$eval(`${figures} .wipe`, wipe => { wipe.value = 20; wipe.dispatchEvent(new Event('input')); });
+      assert.match((await places())[0].clip, /inset\(0px (80%|calc\(80%\)) 0px 0px\)|inset\(0px calc\(100% - 20%\) 0px 0px\)/);
+    }
     assert.ok(await tab.evaluate(() => document.documentElement.scrollWidth <= document.documentElement.clientWidth));
     await tab.close();
   });
