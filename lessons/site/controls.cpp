@@ -7,6 +7,7 @@
 #include <tuple>
 #include <variant>
 
+#include "lessons/files/commit.hpp"
 #include "lessons/page/html/markup.hpp"
 
 namespace byhand::site {
@@ -45,6 +46,14 @@ std::vector<Place> places(const RecordedStep& step, const std::vector<RecordedSt
   return all;
 }
 
+/// Why a step of a live page has nothing to change.
+std::string recorded() {
+  return fmt::format(
+      "This step reads no parameter: its numbers are those of the program that wrote this page, commit "
+      "{} of {}.",
+      escaped(std::string(commit()).substr(0, 12)), std::string(commit_time()).substr(0, 10));
+}
+
 }  // namespace
 
 std::vector<std::string> knobs(const RecordedStep& step, const std::string& caption,
@@ -70,7 +79,8 @@ std::string with_controls(std::string section, const RecordedStep& step, const s
     section.insert(caption, fmt::format("<div class=\"controls\" data-knobs=\"{}\" data-count=\"{}\"></div>",
                                         fmt::join(names, " "), names.size()));
   }
-  if (!step.reads.empty()) section.insert(section.rfind("</section>"), "<div class=\"others\"></div>\n");
+  section.insert(section.rfind("</section>"), step.reads.empty() ? "<p class=\"recorded\">" + recorded() + "</p>\n"
+                                                                 : "<div class=\"others\"></div>\n");
   return section;
 }
 

@@ -35,6 +35,7 @@ struct Collect {
   }
   void operator()(const Sequence& film) const {
     ++lesson.films;
+    ++step.films;
     add(film.caption);
   }
   void operator()(const Prediction& question) const {
@@ -60,6 +61,8 @@ Digest digest(const Lesson& lesson, const std::vector<RecordedStep>& steps) {
   for (const auto& [step, page, reads] : steps) {
     Digest::Step& here =
         all.steps.emplace_back(Digest::Step{.label = step->label, .title = step->title, .deeper = step->deeper});
+    here.scene = step->hold.has_value();
+    here.reads = reads;
     for (const Item& item : page.items()) std::visit(Collect{all, here}, item);
   }
   return all;

@@ -14,8 +14,10 @@ struct Digest {
     std::string label = {}, title = {};
     bool deeper = false;
     std::string words = {};  // prose, captions, questions, formulas, without marks
-    int questions = 0;
-    std::vector<std::string> laws = {};  // titles of its derivations
+    int questions = 0, films = 0;
+    bool scene = false;                   // there is one to hold
+    std::vector<std::string> reads = {};  // names of its parameters
+    std::vector<std::string> laws = {};   // titles of its derivations
   };
 
   std::string slug = {};

@@ -28,9 +28,13 @@ std::string navigation(std::string_view here) {
 std::string described(const Frame& frame) {
   if (frame.summary.empty()) return "";
   return fmt::format(
-      "<meta name=\"description\" content=\"{0}\" />\n<meta property=\"og:title\" content=\"{1}\" />\n"
-      "<meta property=\"og:description\" content=\"{0}\" />\n",
-      escaped(plain_text(frame.summary)), escaped(frame.title));
+             "<meta name=\"description\" content=\"{0}\" />\n<meta property=\"og:title\" content=\"{1}\" />\n"
+             "<meta property=\"og:description\" content=\"{0}\" />\n",
+             escaped(plain_text(frame.summary)), escaped(frame.title)) +
+         (frame.picture.empty() ? ""
+                                : fmt::format("<meta property=\"og:image\" content=\"{}\" />\n"
+                                              "<meta name=\"twitter:card\" content=\"summary_large_image\" />\n",
+                                              frame.picture));
 }
 
 }  // namespace
@@ -58,10 +62,11 @@ std::string framed(const Frame& frame) {
 <header class="top">
 <a class="course" href="index.html">Constraints by Hand</a>
 <nav aria-label="Course"><ul>{2}</ul></nav>
-<div class="search" role="search"></div>
+<div class="search" role="search" data-index="assets/search.js"></div>
 </header>
 <div class="page{3}">
 {4}<main id="content" tabindex="-1">
+<p class="printed">{0} – Constraints by Hand</p>
 {5}</main>
 </div>
 <footer class="bottom">

@@ -10,6 +10,7 @@ struct Frame {
   std::string title;           // of the page; the course's name follows it in <title>
   std::string content;         // of <main>
   std::string summary = {};    // what a preview of a link says; may be empty
+  std::string picture = {};    // beside that summary, a path in the site; may be empty
   std::string beside = {};     // of the column beside it, such as the list of steps; may be empty
   std::string lesson = {};     // slug of the lesson whose page it is; may be empty
   std::string head = {};       // more elements at the end of <head>

@@ -22,7 +22,7 @@ std::string steps_beside(const std::vector<RecordedStep>& steps) {
     all +=
         fmt::format("<li{0}><a href=\"#step-{1}\"><span>{1}</span> {2}</a></li>\n",
                     step->deeper ? " class=\"deeper\"" : "", step->label, inline_html(step->title, Links::none));
-  return "<p>In this lesson</p>\n<ol>\n" + all + "</ol>\n";
+  return "<details><summary>In this lesson</summary>\n<ol>\n" + all + "</ol>\n</details>\n";
 }
 
 std::string goals(const About& about) {
@@ -125,15 +125,6 @@ std::string neighbours(const std::string& slug) {
                        : "<nav class=\"neighbours\" aria-label=\"Neighbouring lessons\">" + links + "</nav>\n";
 }
 
-/// The lesson's program with what it reads, its worker, and what makes the page live (see lessons/site/live).
-std::string live_scripts(const std::string& slug) {
-  std::string all;
-  for (const std::string& name : {std::string("worker"), std::string("files"), slug, std::string("settings"),
-                                  std::string("hold"), std::string("live")})
-    all += fmt::format("<script defer=\"defer\" src=\"live/{}.js\"></script>\n", name);
-  return all;
-}
-
 }  // namespace
 
 std::string lesson_title(const std::string& slug) {
@@ -143,6 +134,16 @@ std::string lesson_title(const std::string& slug) {
 }
 
 std::string page_of(const std::string& slug) { return slug + ".html"; }
+
+std::string live_head() { return "<link rel=\"stylesheet\" href=\"live/live.css\" />\n"; }
+
+std::string live_scripts(const std::string& slug) {
+  std::string all;
+  for (const std::string& name : {std::string("worker"), std::string("files"), slug, std::string("settings"),
+                                  std::string("hold"), std::string("live")})
+    all += fmt::format("<script defer=\"defer\" src=\"live/{}.js\"></script>\n", name);
+  return all;
+}
 
 std::string lesson_page(const Lesson& lesson, const std::vector<RecordedStep>& steps, const std::string& sections,
                         bool live) {
@@ -162,9 +163,10 @@ std::string lesson_page(const Lesson& lesson, const std::vector<RecordedStep>& s
   return framed({.title = fmt::format("{}. {}", lesson.number(), about.title),
                  .content = content,
                  .summary = about.summary,
+                 .picture = about.slug + "/card.png",
                  .beside = steps_beside(steps),
                  .lesson = about.slug,
-                 .head = live ? "<link rel=\"stylesheet\" href=\"live/live.css\" />\n" : "",
+                 .head = live ? live_head() : "",
                  .foot = "<script type=\"application/json\" id=\"parameters\">" + parameters_json(lesson, steps) +
                          "</script>\n" + (live ? live_scripts(about.slug) : "")});
 }

@@ -21,6 +21,11 @@ namespace byhand::site {
 std::string lesson_page(const course::Lesson& lesson, const std::vector<course::RecordedStep>& steps,
                         const std::string& sections, bool live = false);
 
+/// In <head> and at the end of <body> of a page with the lesson's program: style sheet; program with what it
+/// reads, its worker, and what makes the page live (see lessons/site/live).
+std::string live_head();
+std::string live_scripts(const std::string& slug);
+
 std::string page_of(const std::string& slug);       // "04_baumgarte.html"
 std::string lesson_title(const std::string& slug);  // "4. Baumgarte", of a lesson in the contents
 

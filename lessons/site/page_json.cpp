@@ -49,6 +49,9 @@ std::string to_json(const Digest& digest) {
                      {"deeper", step.deeper},
                      {"words", step.words},
                      {"questions", step.questions},
+                     {"films", step.films},
+                     {"scene", step.scene},
+                     {"reads", step.reads},
                      {"laws", step.laws}});
   return Json{{"slug", digest.slug},
               {"steps", steps},
@@ -70,6 +73,9 @@ Digest digest_from_json(const std::string& text) {
                             .deeper = step.at("deeper"),
                             .words = step.at("words"),
                             .questions = step.at("questions"),
+                            .films = step.at("films"),
+                            .scene = step.at("scene"),
+                            .reads = step.at("reads"),
                             .laws = step.at("laws")});
   return digest;
 }
@@ -79,7 +85,10 @@ std::string search_script(const std::vector<Digest>& lessons) {
   for (const Digest& lesson : lessons) {
     Json steps = Json::array();
     for (const Digest::Step& step : lesson.steps)
-      steps.push_back({"step-" + step.label, step.label + " " + step.title, step.words});
+      // A search finds the parameters of a step too.
+      steps.push_back(
+          {"step-" + step.label, step.label + " " + step.title,
+           fmt::format("{}{}{}", step.words, step.reads.empty() ? "" : " ", fmt::join(step.reads, " "))});
     pages.push_back({page_of(lesson.slug), lesson_title(lesson.slug), steps});
   }
   return "'use strict';\nvar searchPages = " + pages.dump() + ";\n";

@@ -7,6 +7,7 @@
 #include "lessons/files/picture_writer.hpp"
 #include "lessons/page/html/drawn.hpp"
 #include "lessons/page/html/step_html.hpp"
+#include "lessons/site/card.hpp"
 #include "lessons/site/controls.hpp"
 #include "lessons/site/lesson_page.hpp"
 #include "lessons/site/page_json.hpp"
@@ -65,8 +66,14 @@ std::vector<RecordedStep> write_page(const Lesson& lesson, const fs::path& folde
   validate(steps);
   const bool live = fs::exists(folder / "live" / (slug + ".js"));
   std::string all;
-  for (std::size_t i = 0; i < steps.size(); ++i)
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    if (i + 1 < steps.size())
+      sections[i].insert(
+          sections[i].find("<h2>"),
+          fmt::format("<a class=\"skip\" href=\"#step-{0}\">Skip to step {0}</a>\n", steps[i + 1].step->label));
     all += live ? with_controls(sections[i], steps[i], steps) : sections[i];
+  }
+  write_card(steps, folder / slug);
   course::write_whole(folder / page_of(slug), lesson_page(lesson, steps, all, live));
   course::write_whole(folder / (slug + ".json"), to_json(digest(lesson, steps)));
   return steps;

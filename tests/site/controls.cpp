@@ -26,9 +26,11 @@ TEST(Controls, WhatTheCaptionNamesComesFirstThenTheTitleThenWhatFewStepsRead) {
   EXPECT_THAT(site::knobs(steps[1], "The heights.", steps), ElementsAre("beta", "h"));
 }
 
-TEST(Controls, AStepThatReadsNothingHasNoPlaceForParameters) {
+TEST(Controls, AStepThatReadsNothingHasNoPlaceForParametersAndSaysWhereItsNumbersComeFrom) {
   const std::vector<RecordedStep> steps{{&drift, {}, {}}};
-  EXPECT_THAT(site::with_controls("<section>\n</section>\n", steps[0], steps), Not(HasSubstr("others")));
+  const std::string section = site::with_controls("<section>\n</section>\n", steps[0], steps);
+  EXPECT_THAT(section, Not(HasSubstr("others")));
+  EXPECT_THAT(section, HasSubstr("<p class=\"recorded\">This step reads no parameter"));
   EXPECT_THAT(site::with_controls("<section>\n</section>\n", lesson()[0], lesson()),
               HasSubstr("<div class=\"others\"></div>\n</section>"));
 }

@@ -24,10 +24,18 @@ std::string contents_of(const fs::path& path) {
 
 std::string content(const fs::path& page) {
   std::string text = content_of_page(page);
-  // Measured running times would make every copy another book.
-  replace_all(text, "<div class=\"picture\" role=\"img\" aria-label=\"Chart of measured running times", "</div>",
-              "<p>(Running times differ from run to run; the site has this chart.)</p>");
-  replace_all(text, "<details class=\"parameters\">", "</details>\n", "");  // there are no sliders
+  // Measured running times, whose charts alone are files, would make every copy another book.
+  for (auto at = text.find("<img "); at != std::string::npos; at = text.find("<img ", at)) {
+    at = text.rfind("<div class=\"picture\"", at);
+    text.replace(at, text.find("</div>", at) + 6 - at,
+                 "<p>(Running times differ from run to run; the site has this chart.)</p>");
+  }
+  // A reader of books may not be able to unfold them.
+  if (const std::string answers = take_answers(text); !answers.empty())
+    text += "<section class=\"answers\"><h2>Hints and answers</h2>\n" + answers + "</section>\n";
+  // There are no sliders and no terminal.
+  replace_all(text, "<details class=\"parameters\">", "</details>\n", "");
+  replace_all(text, "<section class=\"closing\" id=\"to-try\">", "</section>\n", "");
   // An attribute of SVG 2, which EPUB 3 knows as a style only.
   replace_all(text, "paint-order=\"stroke\"", "style=\"paint-order:stroke\"");
   replace_all(text, ".html#", ".xhtml#");
@@ -46,7 +54,7 @@ std::string page(const std::string& title, const std::string& content) {
 <html xmlns="http://www.w3.org/1999/xhtml" xmlns:epub="http://www.idpf.org/2007/ops" lang="en" xml:lang="en">
 <head>
 <title>{}</title>
-<link rel="stylesheet" type="text/css" href="assets/style.css" />
+<link rel="stylesheet" type="text/css" href="assets/book.css" />
 </head>
 <body>
 {}
@@ -103,6 +111,7 @@ std::string package(const std::string& items, const std::string& spine) {
 <metadata xmlns:dc="http://purl.org/dc/elements/1.1/">
 <dc:identifier id="id">constraints-by-hand {0}</dc:identifier>
 <dc:title>Constraints by Hand</dc:title>
+<dc:creator>The authors of Constraints by Hand</dc:creator>
 <dc:language>en</dc:language>
 <dc:rights>MIT licence</dc:rights>
 <meta property="dcterms:modified">{1}</meta>
@@ -162,7 +171,12 @@ std::string book(const fs::path& site, const std::vector<Digest>& lessons) {
       items += item(fmt::format("f-{}", ++files), name, type);
     }
   };
-  add_files("assets", ".css", "text/css");
+  if (const auto cover = course::read_whole(site / "03_iterations" / "card.png")) {
+    zip.add("book/cover.png", *cover);
+    items += item("cover", "cover.png", "image/png", "cover-image");
+  }
+  zip.add("book/assets/book.css", contents_of(site / "assets" / "book.css"));
+  items += item("style", "assets/book.css", "text/css");
   add_files("assets/fonts", ".woff2", "font/woff2");
   add_files("assets/fonts", ".txt", "text/plain");
   zip.add("book/package.opf", package(items, spine));

@@ -9,6 +9,7 @@
 #include "lessons/page/equation_places.hpp"
 #include "lessons/page/html/markup.hpp"
 #include "lessons/page/html/mathml.hpp"
+#include "lessons/site/course/law_table.hpp"
 #include "lessons/site/frame.hpp"
 #include "lessons/site/lesson_page.hpp"
 #include "lessons/site/reading.hpp"
@@ -17,6 +18,9 @@ namespace byhand::site {
 namespace {
 
 using namespace course;
+
+constexpr auto article_address =
+    "https://gamedevelopment.tutsplus.com/tutorials/modelling-and-solving-physical-constraints--gamedev-12578";
 
 std::string list(const std::vector<std::string>& items) {
   std::string all = "<ul>";
@@ -51,18 +55,18 @@ std::string card(const Digest& lesson) {
     steps += fmt::format("<li{}>{}</li>\n", step.deeper ? " class=\"deeper\"" : "", step_link(lesson, step));
     questions += step.questions;
   }
-  return fmt::format(R"(<section class="card" id="{}">
-<p class="number">{}</p>
+  return fmt::format(R"(<section class="card" id="{0}">
+<img src="{0}/card.svg" alt="" width="1280" height="720" loading="lazy" />
 <div>
-<h2><a href="{}">{}</a></h2>
-<p class="summary">{}</p>
-<p class="facts">{}; {}, {}, {}, {}</p>
+<h2><a href="{2}">{1}. {3}</a></h2>
+<p class="summary">{4}</p>
+<p class="facts">{5}; {6}, {7}, {8}, {9}</p>
 <details><summary>Goals and steps</summary>
 <p>Afterwards you can</p>
-{}
-<p><strong>Before:</strong> {}</p>
+{10}
+<p><strong>Before:</strong> {11}</p>
 <ol class="steps">
-{}</ol>
+{12}</ol>
 </details>
 </div>
 </section>
@@ -75,33 +79,45 @@ std::string card(const Digest& lesson) {
 
 }  // namespace
 
-std::string contents_page(const std::vector<Digest>& lessons, bool desk) {
-  std::string cards;
+std::string contents_page(const std::vector<Digest>& lessons, const Cover& cover) {
+  std::string cards, links;
   int claims = 0;
   for (const Digest& lesson : lessons) {
     cards += card(lesson);
     claims += lesson.claims;
   }
+  const auto link = [&](const std::string& to, const char* words, const char* what) {
+    links += fmt::format("<li><a href=\"{}\">{}</a>{}</li>\n", escaped(to), words, what);
+  };
+  if (cover.desk)
+    link("desk.html", "The derivation desk", ": derive a constraint yourself, and be told which line is wrong");
+  link("constraints_by_hand.epub", "The whole course as an e-book", "");
+  if (!cover.repository.empty())
+    link(cover.repository, "The repository", ": its source, its tests, its exercises");
+  link(article_address, "The article", " that the course follows: R. Gaul, 2013");
   constexpr auto summary =
-      "A course that derives physical constraints, solves them and keeps them stable, with the C++ that computes "
-      "every "
-      "figure live in the page.";
+      "Derive a physical constraint by hand, solve it, break it, and see in the page what each choice costs.";
+  const About& first = about(lessons.front());
   return framed({.title = "Lessons",
-                 .content = fmt::format(R"(<header class="cover">
+                 .content = fmt::format(R"(<div class="cover">
+<header>
 <h1>Constraints by Hand</h1>
-<p class="summary">A course that derives physical constraints, solves them and keeps them stable, and shows where each method
-fails and what its accuracy costs. Every number in it was computed by the C++ that it quotes; {} of them are checked against
-independent answers.</p>
-<p><a class="start" href="{}">Begin with lesson {}</a></p>
-{}</header>
-{})",
-                                        claims, page_of(lessons.front().slug), std::stoi(lessons.front().slug),
-                                        desk ? "<p><a href=\"desk.html\">The derivation desk</a>: derive a "
-                                               "constraint yourself, and be told which line "
-                                               "is wrong and why.</p>\n"
-                                             : "",
-                                        cards),
+<p class="summary">{0}</p>
+</header>
+{4}<p class="begin"><a class="start" href="{1}">Begin with lesson {2}: {3}</a></p>
+</div>
+<div class="cards">
+{6}</div>
+<ul class="ways">
+{5}</ul>
+<p class="facts">{7} numbers of these pages are checked against independent answers whenever they are computed.</p>
+)",
+                                        summary, page_of(lessons.front().slug), std::stoi(lessons.front().slug),
+                                        escaped(first.title), cover.scene.section, links, cards, claims),
                  .summary = summary,
+                 .picture = cover.scene.section.empty() ? "" : "03_iterations/card.png",
+                 .head = cover.scene.head,
+                 .foot = cover.scene.foot,
                  .here = "index.html"});
 }
 
@@ -135,14 +151,18 @@ std::string laws_page(const std::vector<Digest>& lessons) {
       for (const std::string& law : step.laws)
         rows += fmt::format("<li><strong>{}</strong><br />{}</li>\n", inline_html(law), step_link(lesson, step));
     if (!rows.empty())
-      all += fmt::format("<section>\n<h2>{}</h2>\n<ul class=\"laws\">\n{}</ul>\n</section>\n",
+      all += fmt::format("<section>\n<h3>{}</h3>\n<ul class=\"laws\">\n{}</ul>\n</section>\n",
                          escaped(lesson_title(lesson.slug)), rows);
   }
-  return framed({.title = "Laws",
-                 .content = R"(<h1>Laws and derivations</h1>
-<p class="summary">What the lessons derive line by line, beyond the article. Each is held against what was measured.</p>
-)" + all,
-                 .here = "laws.html"});
+  return framed(
+      {.title = "Laws",
+       .content = "<h1>Laws of failure</h1>\n<p class=\"summary\">Where methods fail, derived before it was "
+                  "measured. In print the table is one page.</p>\n" +
+                  law_table(lessons) +
+                  "<section class=\"derivations\">\n<h2>Derivations</h2>\n<p>What the lessons derive line by "
+                  "line, beyond the article.</p>\n" +
+                  all + "</section>\n",
+       .here = "laws.html"});
 }
 
 }  // namespace byhand::site

@@ -1,20 +1,30 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
 #include "lessons/page/about.hpp"
+#include "lessons/site/course/cover_scene.hpp"
 #include "lessons/site/digest.hpp"
 
 namespace byhand::site {
 
+/// What the first page shows besides the lessons.
+struct Cover {
+  CoverScene scene = {};
+  bool desk = false;            // the site has the derivation desk
+  std::string repository = {};  // its address; empty where nobody gave it
+};
+
 /// The pages of the course that belong to no single lesson.
-std::string contents_page(const std::vector<Digest>& lessons, bool desk = false);
+std::string contents_page(const std::vector<Digest>& lessons, const Cover& cover = {});
 /// The article's equations, each with the place where the course displays it first.
 std::string equations_page();
 /// Every law that a lesson derives, with its place.
 std::string laws_page(const std::vector<Digest>& lessons);
-/// For those who teach with the course.
-std::string teaching_page(const std::vector<Digest>& lessons);
+/// For those who teach with the course. `exercises`: their numbers by lesson.
+std::string teaching_page(const std::vector<Digest>& lessons,
+                          const std::map<int, std::vector<int>>& exercises = {});
 
 }  // namespace byhand::site

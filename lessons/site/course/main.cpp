@@ -24,8 +24,11 @@
 #include "lessons/site/course/book.hpp"
 #include "lessons/site/course/course_pages.hpp"
 #include "lessons/site/course/desk_page.hpp"
+#include "lessons/site/course/downloads.hpp"
+#include "lessons/site/course/plan.hpp"
 #include "lessons/site/course/site_folder.hpp"
 #include "lessons/site/course/slides.hpp"
+#include "lessons/site/course/versions.hpp"
 #include "lessons/site/lesson_page.hpp"
 #include "lessons/site/page_json.hpp"
 
@@ -37,8 +40,8 @@ using namespace byhand;
 constexpr int fine = 0;
 
 struct Wanted {
-  std::string output = course::default_output().string();
-  bool quiet = false, slides = false;
+  std::string output = course::default_output().string(), repository;
+  bool quiet = false, slides = false, without_answers = false;
 };
 
 /// A program that this one started did not do its work; `status` is its exit status.
@@ -111,15 +114,21 @@ int run(const Wanted& wanted) {
   };
   copy_assets(folder.path());
   const bool desk = fs::exists(folder.path() / "live" / "desk.js");
-  write("index.html", site::contents_page(lessons, desk));
+  write("index.html", site::contents_page(lessons, {site::cover_scene(folder.path()), desk, wanted.repository}));
   if (desk) write("desk.html", site::desk_page(desk::read_tasks(fs::path(BYHAND_SITE_FOLDER) / "../desk/tasks")));
   write("equations.html", site::equations_page());
   write("laws.html", site::laws_page(lessons));
-  write("teaching.html", site::teaching_page(lessons));
+  write("teaching.html",
+        site::teaching_page(lessons, site::exercises_by_lesson(fs::path(BYHAND_SITE_FOLDER) / "../practise")));
+  if (!wanted.without_answers) write("answers.html", site::answer_key(folder.path(), lessons));
+  for (const site::Digest& lesson : lessons)
+    course::write_whole(folder.path() / "downloads" / (lesson.slug + "_figures.zip"),
+                        site::figures_of(folder.path(), lesson));
   write("assets/search.js", site::search_script(lessons));
   write("assets/equations.js", site::equations_script());
   write("constraints_by_hand.epub", site::book(folder.path(), lessons));
   if (wanted.slides) write_slides(folder.path(), lessons);
+  site::write_versions(folder.path());
   folder.finish();
   if (!wanted.quiet && !live)
     fmt::print("Its pages are static: what compiles the lessons for a browser is missing.\n");
@@ -139,7 +148,13 @@ int command(int argc, const char* const* argv) {
   app.add_option("--output", wanted.output, "folder that gets the folder site (default output/)")
       ->type_name("DIR")
       ->check(course::not_a_folder);
+  app.add_option("--repository", wanted.repository, "address of the source, to which the first page links")
+      ->type_name("URL")
+      ->check([](const std::string& address) {
+        return address.starts_with("https://") ? "" : "begins with https://, not \"" + address + "\"";
+      });
   app.add_flag("--slides", wanted.slides, "also each lesson as slides, in site/slides/; takes reveal.js from npm");
+  app.add_flag("--without-answers", wanted.without_answers, "without answers.html, the key to all questions");
   app.add_flag("--quiet", wanted.quiet, "no progress, only what is wrong");
   try {
     app.parse(argc, argv);

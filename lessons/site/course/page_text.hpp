@@ -10,6 +10,10 @@ namespace byhand::site {
 /// links to files.
 std::string content_of_page(const std::filesystem::path& page);
 
+/// Takes hints and answers out of the questions of a page, which link to them, and returns them, each in
+/// <section id="answer-3.1">. `page`: where the questions are, for links back; "" for the same page.
+std::string take_answers(std::string& text, const std::string& page = "");
+
 void replace_all(std::string& text, std::string_view what, std::string_view by);
 /// Replaces every stretch from `begin` to `end`.
 void replace_all(std::string& text, std::string_view begin, std::string_view end, std::string_view by);

@@ -2,6 +2,7 @@
 
 #include "lessons/page/html/markup.hpp"
 #include "lessons/site/course/course_pages.hpp"
+#include "lessons/site/course/plan.hpp"
 #include "lessons/site/frame.hpp"
 #include "lessons/site/lesson_page.hpp"
 #include "lessons/site/reading.hpp"
@@ -33,6 +34,45 @@ std::string schedule(const std::vector<Digest>& lessons) {
       rows, core, deeper);
 }
 
+/// A class of 90 minutes on each lesson.
+std::string classes(const std::vector<Digest>& lessons, const std::map<int, std::vector<int>>& exercises) {
+  std::string all;
+  for (const Digest& lesson : lessons) {
+    const auto found = exercises.find(std::stoi(lesson.slug));
+    std::string rows;
+    for (const PlannedPart& part : plan(lesson, found == exercises.end() ? std::vector<int>{} : found->second))
+      rows += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n", part.minutes,
+                          part.step.empty() ? ""
+                                            : fmt::format("<a href=\"{}#step-{}\">{}</a>", page_of(lesson.slug),
+                                                          part.step, part.step),
+                          part.show, part.ask);
+    all += fmt::format(
+        "<details class=\"class\"><summary>{} minutes on {}</summary>\n<table><thead><tr><th "
+        "scope=\"col\">minutes</th>"
+        "<th scope=\"col\">step</th><th scope=\"col\">show</th><th scope=\"col\">ask "
+        "first</th></tr></thead><tbody>\n{}"
+        "</tbody></table></details>\n",
+        minutes_of_a_class, escaped(lesson_title(lesson.slug)), rows);
+  }
+  return all;
+}
+
+/// What a teacher takes along.
+std::string downloads(const std::vector<Digest>& lessons) {
+  std::string figures;
+  for (const Digest& lesson : lessons)
+    figures += fmt::format("<li><a href=\"downloads/{0}_figures.zip\">{1}</a></li>\n", lesson.slug,
+                           escaped(lesson_title(lesson.slug)));
+  return "<section id=\"downloads\">\n<h2>To download</h2>\n<p>The figures of a lesson, as SVG and their data as "
+         "CSV:</p>\n<ul class=\"ways\">\n" +
+         figures + "</ul>\n</section>\n";
+}
+
+/// The scene of a lesson alone, or an address of that form where it has none.
+std::string embedded(const Digest& lesson) {
+  return fmt::format("<code>{}?only={}</code>", page_of(lesson.slug), "bob_in_hand");
+}
+
 std::string example(const Digest& lesson) {
   const std::string address = fmt::format("{}#step-{}", page_of(lesson.slug), lesson.steps.front().label);
   return fmt::format("<a href=\"{0}\">{0}</a>", address);
@@ -40,12 +80,12 @@ std::string example(const Digest& lesson) {
 
 }  // namespace
 
-std::string teaching_page(const std::vector<Digest>& lessons) {
+std::string teaching_page(const std::vector<Digest>& lessons, const std::map<int, std::vector<int>>& exercises) {
   std::string content =
       "<h1>Use this in your course</h1>\n"
       "<p class=\"summary\">The pages are a folder of files. Nothing in them needs a server or a network.</p>\n"
       "<section id=\"plan\">\n<h2>Plan</h2>\n" +
-      schedule(lessons) +
+      schedule(lessons) + classes(lessons, exercises) +
       R"(<p>Lessons 1 to 4 are the article's core; 5 to 7 build on it and can be chosen from; 8 to 10 suit a project. Deeper
 steps can be left out: no core step needs one.</p>
 </section>
@@ -64,7 +104,21 @@ No page loads anything from another host, sets a cookie or stores what a student
 link can carry settings too: <code>04_baumgarte.html#step-3&amp;beta=1.9</code> opens that step with β = 1.9, and with
 <code>&amp;versus=beta:0.2</code> after it, another setting stands beside.</p>
 </section>
-<section id="exercises">
+<section id="embedding">
+<h2>Embedding</h2>
+<p>A figure, a film or a scene stands alone in a frame of your page with <code>?only=</code> and its name, such as )" +
+      embedded(lessons.front()) + R"(. The
+frame is told its height:</p>
+<pre><code>&lt;iframe src="04_baumgarte.html?only=rod_in_hand" style="width: 100%; border: 0"&gt;&lt;/iframe&gt;
+&lt;script&gt;
+  addEventListener('message', ({ data, source }) =&gt; {
+    for (const frame of document.querySelectorAll('iframe'))
+      if (data.byhand &amp;&amp; frame.contentWindow === source) frame.height = data.height;
+  });
+&lt;/script&gt;</code></pre>
+</section>
+)" + downloads(lessons) +
+      R"(<section id="exercises">
 <h2>Exercises</h2>
 <p>Eleven exercises ask for one function of a step each and judge it with probes; frequent wrong derivations get their own reply.
 <code>./lessons/run practise</code> lists them. For a course:</p>
