@@ -1,0 +1,48 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "solver/byhand.hpp"
+
+// Scenes as files: JSON with comments, in SI units. `scene.schema.json` beside this header is its schema, in which
+// every member has its unit and meaning; lessons/scenes/*.json are examples.
+namespace byhand {
+
+/// A scene whose model is known only when it is read.
+using SceneOfAnyModel =
+    std::variant<Scene<PlaneParticle>, Scene<PlaneBody>, Scene<SpaceParticle>, Scene<SpaceBody>>;
+
+/// A scene and what its file says besides.
+struct SceneFile {
+  std::string title = {}, about = {};   // for people
+  SceneOfAnyModel scene = {};           // all bodies and constraints, in the file's order
+  std::vector<std::string> names = {};  // of the bodies; "" where a body has none
+  VelocityStepping method = default_method<VelocityStepping>();
+  double step = 1.0 / 60;  // h [s] > 0
+  double duration = 5;     // how long the scene is watched [s]
+  // What shall be accurate, and within how much, each in its own unit: see accuracy_names().
+  std::map<std::string, double> accuracy = {};
+
+  /// "body 3", or its name in quotes.
+  std::string name_of(int body) const;
+};
+
+/// The errors that a file may limit, with their units: drift [m], energy [1], …
+const std::map<std::string, std::string>& accuracy_names();
+
+/// Reads a file's text. Throws std::invalid_argument with one sentence: the line, the member, its value and what
+/// is allowed.
+SceneFile read_scene(std::string_view text);
+
+/// The file's text. It reads back to a scene that steps to the same bits. Throws std::invalid_argument for what a
+/// file cannot hold: a kind that is not the library's, forces that act in the next step.
+std::string write_scene(const SceneFile& file);
+
+/// The JSON schema of such files.
+std::string scene_schema();
+
+}  // namespace byhand
