@@ -303,7 +303,7 @@ int run(Arguments arguments) {
     std::erase(arguments, "--all");
     return run_all(slugs, arguments);
   }
-  for (const char* program : {"practise", "desk", "site"})
+  for (const char* program : {"practise", "desk", "site", "scene", "case"})
     if (arguments.front() == program)
       return status_of(build_and_run(program, {arguments.begin() + 1, arguments.end()}));
   const auto slug = find_lesson(slugs, arguments.front());

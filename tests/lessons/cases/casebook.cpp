@@ -1,0 +1,49 @@
+// The casebook: every number that the equations give is what the run gives.
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "lessons/cases/case.hpp"
+
+namespace byhand::cases {
+namespace {
+
+class Casebook : public testing::TestWithParam<int> {
+ protected:
+  const Folder& folder() const { return all()[static_cast<std::size_t>(GetParam())]; }
+  static void expect(const std::vector<Number>& numbers) {
+    ASSERT_FALSE(numbers.empty());
+    for (const Number& number : numbers)
+      EXPECT_LE(std::abs(number.found - number.predicted), number.within * std::abs(number.predicted))
+          << number.what << ": predicted " << number.predicted << ", found " << number.found;
+  }
+};
+TEST_P(Casebook, PredictsWhatTheRunGives) { expect(folder().make().numbers(scene_of(folder()))); }
+TEST_P(Casebook, PredictsTheCure) {
+  const Case told = folder().make();
+  expect(told.numbers_cured(told.cured(scene_of(folder()))));
+}
+TEST_P(Casebook, IsToldInFull) {
+  const Case told = folder().make();
+  for (const std::string& words : {told.title, told.report, told.link, told.why, told.equation.plain,
+                                   told.equation.latex, told.cure, told.takeaway})
+    EXPECT_FALSE(words.empty());
+  EXPECT_NE(told.link.find("https://"), std::string::npos);
+  for (const Number& number : told.numbers(scene_of(folder()))) {
+    EXPECT_LE(number.within, 0.1) << number.what;
+    EXPECT_FALSE(number.from.empty()) << number.what;
+  }
+}
+INSTANTIATE_TEST_SUITE_P(All, Casebook, testing::Range(0, static_cast<int>(all().size())),
+                         [](const auto& one) { return all()[static_cast<std::size_t>(one.param)].slug; });
+
+TEST(CasesInAll, AreAtLeastEightWithNumbersOfTheirOwn) {
+  std::set<std::string> numbers;
+  for (const Folder& folder : all()) numbers.insert(folder.slug.substr(0, 2));
+  EXPECT_EQ(numbers.size(), all().size());
+  EXPECT_GE(all().size(), 8U);
+}
+
+}  // namespace
+}  // namespace byhand::cases
