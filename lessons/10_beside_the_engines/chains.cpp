@@ -1,177 +1,254 @@
-// Step 3: a level chain with a load at its end, and a tree.
+// Step 3 and after it: a level chain with a load at its end, in the plane and in space.
 
 #include "lessons/10_beside_the_engines/field.hpp"
 #include "lessons/10_beside_the_engines/steps.hpp"
+#include "lessons/exact/swinging_chain.hpp"
 #include "lessons/scenes/branches.hpp"
 #include "lessons/scenes/chain.hpp"
 
 namespace byhand::beside {
 namespace {
 
-using M = PlaneBody;
+constexpr double level = std::numbers::pi / 2;
+constexpr int exact_frames = 120;  // 2 s
+constexpr int timed_frames = 120, timed_space_frames = 60;
+constexpr double most_work_of_chains = 100;  // iterations a frame that are tried in space
 
-constexpr int chain_frames = 60, most_at_once = 60;
-constexpr int substeps = 4, most_substeps = 16;
-constexpr double level = 1.57079632679489661923;
+/// Frames until the load has passed its lowest point, where the pull is greatest (law 7), and half of that time
+/// on: three eighths of a pendulum's period, let go level. At least 6 s.
+int frames_of(int links) {
+  const double quarter = 1.8541 * std::sqrt(links / gravity);  // [s], K(sin² 45°) √(L/g)
+  return static_cast<int>(std::ceil(std::max(6.0, 1.5 * quarter) / frame));
+}
 
-/// What a second has done to a chain; both are infinite once it has flown apart by more than its link.
+template <class M>
+Scene<M> chain_of(int links, double end_mass) {
+  return pinned_chain<M>({.links = links, .end_mass = end_mass, .angle = level});
+}
+
+/// The centres of the links after two seconds, from an integration in their angles to rounding.
+std::vector<Eigen::Vector2d> exact_places(int links, double end_mass) {
+  std::vector<SwingingChain::Link> all;
+  for (int i = 1; i <= links; ++i) {
+    const double mass = i == links ? end_mass : 1;
+    all.push_back({.length = 1, .centre = 0.5, .mass = mass, .inertia = mass * (1 + 0.01) / 12});
+  }
+  return SwingingChain(all, level, gravity).at(exact_frames * frame).positions;
+}
+
+/// What has come of a chain; all are infinite once it has flown apart by more than its link.
 struct Hung {
-  double gap = 0;     // the largest of a pin [m]
-  double gained = 0;  // energy at the end less that at first, over what gravity could do over its reach
+  double gap = 0;              // the largest of a pin [m]
+  double off = 0;              // after two seconds, of the link that is farthest from where it belongs [m]
+  double gained = 0;           // energy at the end less that at first, over what gravity could do over its reach
+  double gap_of_a_second = 0;  // the largest in the first second [m]
 };
 
-Hung hang(const Contestant<M>& contestant, const Scene<M>& scene) {
+template <class M>
+Hung hang(const Contestant<M>& contestant, const Scene<M>& scene, int frames,
+          const std::vector<Eigen::Vector2d>& exact = {}) {
   double scale = 0;
   for (int i = 0; i < scene.bodies().size(); ++i)
     if (moves(scene.bodies().inverse_mass[i]))
       scale += gravity * scene.bodies().pose[i].position.norm() / scene.bodies().inverse_mass[i].linear;
   Hung hung;
-  engines::run<M>(contestant, scene, chain_frames, [&](const Scene<M>& seen, double) {
+  engines::run<M>(contestant, scene, frames, [&](const Scene<M>& seen, double time) {
     hung.gap = larger(hung.gap, position_error(seen).max);
+    if (time < 1 + 0.5 * frame) hung.gap_of_a_second = hung.gap;
+    if (std::abs(time - exact_frames * frame) < 0.5 * frame)
+      for (std::size_t i = 0; i < exact.size(); ++i)
+        hung.off = larger(hung.off, (seen.bodies().pose[i + 1].position.template head<2>() - exact[i]).norm());
     hung.gained = (energy(seen) - energy(scene)) / scale;
   });
-  return hung.gap < 1 ? hung : Hung{INFINITY, INFINITY};
+  return hung.gap < 1 ? hung : Hung{INFINITY, INFINITY, INFINITY, INFINITY};
 }
 
-double gap(const Contestant<M>& contestant, const Scene<M>& scene) { return hang(contestant, scene).gap; }
+std::string in_per_cent(double share) {
+  return std::isfinite(share) ? say("@ %", Value(100 * share, 2)) : std::string("failed");
+}
 
-/// ODE solves all rows at once on a dense matrix, which takes the cube of their number.
-bool may(const Engine& engine, int links) { return !engine.knob.empty() || links <= most_at_once; }
+/// Energy of the rows that the gap is told of.
+std::vector<std::vector<std::string>> energies(const std::vector<Outcomes<Hung>>& all,
+                                               const std::vector<Errors>& gaps) {
+  std::vector<std::vector<std::string>> rows;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    rows.push_back({all[i].name, in_per_cent(all[i].by_setting[0].gained),
+                    in_per_cent(all[i].by_setting[1].gained),
+                    in_per_cent(all[i].by_setting[gaps[i].best_setting()].gained)});
+  return rows;
+}
 
 /// pinned_tree with the inertia of thin rods: links of 1 kg and about 1 m.
-Scene<M> tree(int levels) {
-  Scene<M> scene = pinned_tree<M>(levels);
-  for (int i = 1; i < scene.bodies().size(); ++i) scene.set_mass(i, with_mass<M>(1, Angular<M>(1.0 / 12)));
+Scene<PlaneBody> tree(int levels) {
+  Scene<PlaneBody> scene = pinned_tree<PlaneBody>(levels);
+  for (int i = 1; i < scene.bodies().size(); ++i)
+    scene.set_mass(i, with_mass<PlaneBody>(1, Angular<PlaneBody>(1.0 / 12)));
   return scene;
 }
 
-Scene<M> chain_of(int links, double end_mass) {
-  return pinned_chain<M>({.links = links, .end_mass = end_mass, .angle = level});
+/// An engine of soft joints: with the substeps alone, and with the joints' hertz as high as they let it be.
+template <class M>
+void stiffer_by_hertz(Page& page, const std::string& name, const Scene<M>& scene) {
+  const auto& all = engines::all_engines();
+  const auto engine = std::find_if(all.begin(), all.end(), [&](const Engine& e) { return e.name == name; });
+  if (engine == all.end()) return;
+  const auto gap = [&](int substeps, double hertz) {
+    const engines::Setting setting{.knobs = {{"substeps", substeps}, {"joint hertz", hertz}}};
+    return hang<M>(engines::contestant<M>(*engine, setting), scene, 60).gap;
+  };
+  constexpr double shipped = 60, quarter = 15;  // [Hz], a quarter of 60 substeps a second
+  std::vector<std::vector<std::string>> rows;
+  double first = 0, alone = 0, with = 0;
+  for (const int substeps : {4, 8, 16, 32}) {
+    alone = gap(substeps, shipped), with = gap(substeps, quarter * substeps);
+    if (substeps == 4) first = with;
+    rows.push_back({std::to_string(substeps), in_millimetres(alone),
+                    say("@ at @ Hz", in_millimetres(with), quarter * substeps)});
+  }
+  const double power = std::log(with / first) / std::log(32.0 / 4);
+  page.text(
+      R"(The joints of @ are springs of a given frequency, 60 Hz as shipped, and not stiffer than a quarter of the rate of
+      substeps. So more substeps alone buy @ and the frequency has to be turned with them. A spring of ω yields F/mω²: the
+      gap after a second should go with 1/hertz², and goes with hertz to the power of @.)",
+      name,
+      page.verdict({{.when = Quantity("gap with 32 substeps over that with 4", alone / first) > 0.5,
+                     .say = "next to nothing,"},
+                    {.when = Quantity("gap with 32 substeps over that with 4", alone / first) <= 0.5,
+                     .say = "something,"}}),
+      Value(power, 3));
+  page.table({"substeps of " + name, "60 Hz, as shipped", "a quarter of the substeps"}, rows);
+  page.claim("power of the hertz with which the gap goes, " + name, power, "1",
+             is(-2, "a spring yields F/mω²", absolute(0.15)));
 }
 
 }  // namespace
 
 void chains(const Setting& setting, Page& page) {
-  const int links = setting.links;
+  using M = PlaneBody;
+  const int links = setting.links, frames = frames_of(links);
   const double end_mass = setting.end_mass;
-  const auto field = [](int count, int most) {
-    return entrants<M>(substeps, most, [=](const Engine& engine) { return may(engine, count); });
-  };
+  const Scene<M> scene = chain_of<M>(links, end_mass);
   page.text(
       R"(A chain of @ pinned links of 1 m and 1 kg, the last of @ kg, is held level and let go. What holds a chain is a
       force that every link has to pass on, so that an iteration per link is the least it takes, and a heavy end makes
-      it worse (lesson 3). The error is the largest gap of a pin within @ s.)",
-      links, end_mass, chain_frames * frame);
+      it worse (lesson 3). It pulls hardest when the load has passed its lowest point, and a step that is too long for
+      that pull tears the chain (lesson 8, law 7). So it is watched for @ s. The gap is the largest of a pin.)",
+      links, end_mass, Value(frames * frame, 2));
 
-  const auto all = field(links, 4);
-  const Scene<M> scene = chain_of(links, end_mass);
-  const auto errors = errors_of(all, [&](const auto& who) { return gap(who, scene); });
-  double iterative = INFINITY;
-  for (const Errors& other : errors)
-    if (other.name != ours_name && other.name != "ODE direct") iterative = std::min(iterative, other.usual());
-  if (std::any_of(errors.begin(), errors.end(),
-                  [](const Errors& e) { return e.name != ours_name && e.name != "ODE direct"; })) {
-    const std::string reply = say("The best of them leaves a gap of @.", in_millimetres(iterative));
-    page.choose({.ask = "Those that iterate, with their defaults: what is the least gap that any of them leaves?",
-                 .options = {{"less than 1 mm", reply}, {"1 mm to 10 cm", reply}, {"more than 10 cm", reply}},
-                 .answer = iterative < 1e-3   ? 0
-                           : iterative <= 0.1 ? 1
-                                              : 2,
-                 .hints = {"How far does news of the load come up the chain in one frame?",
-                           "One sweep moves it by a link or two; a warm start goes on in the next frame.",
-                           say("@ links of 1 kg, and @ kg at the end.", links, end_mass)}});
-  }
+  const Field<M> field = field_of(scene, Kind::joints);
+  const auto exact = exact_places(links, end_mass);
+  const auto outcomes = outcomes_of(field, [&](const auto& who) { return hang<M>(who, scene, frames, exact); });
+  const auto gaps = errors_of(outcomes, &Hung::gap), offs = errors_of(outcomes, &Hung::off);
+  const double pull = 3 * end_mass * gravity;
+  page.predict(
+      {.ask =
+           say(R"(The load of @ kg alone, on a weightless rod, let go level: with what force does the rod pull at
+                the lowest point?)",
+               end_mass),
+       .answer = pull,
+       .unit = "N",
+       .tolerance = 0.03 * pull,
+       .wrong = {{end_mass * gravity, "It swings: there it has to be turned upwards, too."},
+                 {2 * end_mass * gravity, "mv²/L is 2mg, and the weight comes on top of it."}},
+       .hints = {"Energy gives v² at the lowest point.", "v² = 2gL", "F = mg + mv²/L"},
+       .right = say("mg + 2mg = @ N; law 7 wants T h²/ml below 1, which is @ at one step a frame.", Value(pull, 3),
+                    Value(pull * frame * frame, 2))});
+  page.table(head_of_three_rows, three_rows<M>(field, gaps, in_millimetres));
+  page.text("Left out: @. @", field.left_out.empty() ? "nobody" : field.left_out, judged(page, gaps));
   page.figure("chain_gap",
               say("The chain of @ with @ kg at its end: largest gap of a pin in @ s.", links, end_mass,
-                  chain_frames * frame),
-              compared(errors, "largest gap (m)"));
-  const Errors& ours = errors.front();
-  std::vector<std::vector<std::string>> equal;
-  for (std::size_t i = 1; i < errors.size(); ++i)
-    equal.push_back(
-        {errors[i].name, in_millimetres(errors[i].usual()), reached_with(all.front(), ours, errors[i].usual())});
-  if (!equal.empty()) {
-    page.text("How many substeps does this course need to be as exact as each engine is by default?");
-    page.table({"engine", "its gap by default", "this course leaves no more with"}, equal);
-  }
+                  Value(frames * frame, 2)),
+              compared(gaps, "largest gap (m)"));
   page.clocked(
       "chain_clocked",
-      R"(Gap and time of the same chain. The title compares this course with the fastest engine: what error it
-               has in that engine's time, and in what time it has that engine's error. Times of this machine, at the
-               moment of the run.)",
-      [=] { return against_time(all, errors, scene, chain_frames, "largest gap (m)"); });
+      say("Gap and time of the same chain. Times of this machine, at the moment of the run. @", settings_folder),
+      [=] { return against_time(field, gaps, scene, timed_frames, "largest gap (m)"); });
+  stiffer_by_hertz<M>(page, "Box2D 3", scene);
 
-  const std::vector<double> loads{1, 10, 100, 1000};
-  Chart by_load{.x = {.label = "mass of the end (kg)", .scale = Scale::logarithmic},
-                .y = {.label = "largest gap (m)", .scale = Scale::logarithmic}};
-  for (const Entrant<M>& entrant : field(links, 1)) {
-    Curve curve{.label = entrant.name, .style = CurveStyle::line_and_markers};
-    for (const double load : loads) {
-      curve.x.push_back(load);
-      curve.y.push_back(std::max(gap(entrant.settings.front(), chain_of(links, load)), 1e-9));
-    }
-    by_load.curves.push_back(std::move(curve));
-  }
-  page.figure("chain_load",
-              say("The same against the mass of the end, by default. A cross: a gap of more than @ m.", 1),
-              by_load);
+  page.text(
+      R"(A small gap is not the right motion. After @ s, long before the load is down, the link that is farthest from where
+      an integration in the links' angles has it is off by: @)",
+      exact_frames * frame, field.entrants.size() > 1 ? "" : "(this course alone)");
+  page.table(head_of_three_rows, three_rows<M>(field, offs, in_millimetres));
+  page.text("@", judged(page, offs));
+  page.clocked("chain_motion_clocked",
+               say("How far the worst link is off after 2 s, and the time of a frame. @", settings_folder),
+               [=] { return against_time(field, offs, scene, timed_frames, "off by (m)"); });
 
-  const std::vector<std::pair<std::string, Scene<M>>> others{{"chain of 10", chain_of(10, end_mass)},
-                                                             {say("chain of @", links), scene},
-                                                             {"chain of 200", chain_of(200, end_mass)},
+  page.text("The energy at the end, less that at first, over what gravity could do over the chain's reach:");
+  page.table({"", "as shipped", "as its manual advises", "with the least gap"}, energies(outcomes, gaps));
+
+  const std::vector<std::pair<std::string, Scene<M>>> others{{"chain of 10", chain_of<M>(10, end_mass)},
+                                                             {"chain of 200", chain_of<M>(200, end_mass)},
                                                              {"tree of 255", tree(8)}};
-  std::vector<std::string> gap_head{"largest gap"}, energy_head{"energy"};
-  for (const auto& [name, other] : others) gap_head.push_back(name), energy_head.push_back(name);
-  std::vector<std::vector<std::string>> gaps, energies;
-  double ours_most = 0, theirs_most = 0;  // of energy that was gained or lost
-  for (const Entrant<M>& entrant : field(most_at_once + 1, 1)) {
-    gaps.push_back({entrant.name});
-    energies.push_back({entrant.name});
-    for (const auto& [name, other] : others) {
-      const Hung hung = hang(entrant.settings.front(), other);
-      double& most = entrant.name == ours_name ? ours_most : theirs_most;
-      most = std::max(most, std::abs(hung.gained));
-      gaps.back().push_back(in_millimetres(hung.gap));
-      energies.back().push_back(std::isfinite(hung.gained) ? say("@ %", Value(100 * hung.gained, 2)) : "failed");
+  page.text("And chains of other lengths with that end, and a tree of links of 1 kg, as each manual advises:");
+  std::vector<std::string> head{"largest gap"};
+  std::vector<std::vector<std::string>> rows;
+  std::string out;
+  for (std::size_t o = 0; o < others.size(); ++o) {
+    const auto& [name, other] = others[o];
+    head.push_back(name);
+    const Field<M> some = field_of(other, Kind::joints, false, 0);
+    const int long_enough = o == 2 ? 360 : frames_of(o == 0 ? 10 : 200);
+    const auto all = errors_of(
+        outcomes_of(some, [&, &other = other](const auto& who) { return hang<M>(who, other, long_enough); }),
+        &Hung::gap);
+    for (const Errors& errors : all) {
+      auto row = std::find_if(rows.begin(), rows.end(), [&](const auto& r) { return r[0] == errors.name; });
+      if (row == rows.end()) rows.push_back({errors.name}), row = rows.end() - 1;
+      row->resize(o + 1, "–");
+      row->push_back(in_millimetres(errors.advised()));
     }
   }
-  page.text(
-      R"(By default, in chains of three lengths with that end and in a tree of 255 links of 1 kg (ODE's direct mode
-      would take a second a frame for 200 links, and is left out):)");
-  page.table(gap_head, gaps);
-  if (gaps.size() > 1) {
-    std::vector<Contest<M>> contests;
-    for (const auto& [name, other] : others) {
-      contests.push_back({name, other, field(most_at_once + 1, 4), {}});
-      contests.back().errors = errors_of(
-          contests.back().entrants, [&scene = contests.back().scene](const auto& who) { return gap(who, scene); });
-    }
-    page.clocked(
-        "chains_clocked",
-        R"(This course beside the engine that is fastest in each of them: the time of its cheapest setting that
-                 leaves no larger gap, over that engine's, and its least gap in no more than that engine's time, over
-                 that engine's. Times of this machine, at the moment of the run.)",
-        [=] { return at_equal_error(contests, chain_frames); });
-  }
-  page.text(
-      R"(And what the energy of each has changed by after @ s, over what gravity could do over its reach: above zero
-      an engine adds energy, below zero it takes it.)",
-      chain_frames * frame);
-  page.table(energy_head, energies);
-  if (gaps.size() > 1)
-    page.text("The largest change is @ % in this course and @ among the engines.", Value(100 * ours_most, 2),
-              std::isfinite(theirs_most) ? say("@ %", Value(100 * theirs_most, 2)) : std::string("a failure"));
+  for (auto& row : rows) row.resize(others.size() + 1, "–");
+  page.table(head, rows);
 
-  const std::string ahead = ahead_of_ours(errors);
-  page.text(
-      R"(This course's pins open by @@. It solves the @ pins at once, in a time proportional to their number (lesson 3),
-      so that what is left is the error of the step: @ substeps instead of @ leave @.)",
-      in_millimetres(ours.usual()),
-      ahead.empty() ? ", less than anyone else's" : say("; less is left by @", ahead), links, most_substeps,
-      substeps, in_millimetres(ours.by_setting.back()));
-  page.claim("the chain, this course with four substeps: largest gap", ours.usual(), "m",
+  page.claim("the chain, this course as advised: largest gap", gaps.front().advised(), "m",
              is_at_most(0.01, "a hundredth of a link: a direct solve leaves the drift of the step alone"),
              within(10, Quantity("links", links), 200));
+}
+
+void chain_in_space(const Setting& setting, Page& page) {
+  using M = SpaceBody;
+  const int links = setting.links, frames = frames_of(links);
+  const double end_mass = setting.end_mass;
+  const Scene<M> scene = chain_of<M>(links, end_mass);
+  const Field<M> field = field_of(scene, Kind::joints, false, most_work_of_chains);
+  const auto outcomes = outcomes_of(field, [&, exact = exact_places(links, end_mass)](const auto& who) {
+    return hang<M>(who, scene, frames, exact);
+  });
+  const auto gaps = errors_of(outcomes, &Hung::gap), offs = errors_of(outcomes, &Hung::off);
+  page.text(
+      R"(The same chain in space: a pin is three rows, a link moves with six numbers instead of three. Engines of space meet
+      this course's solver of space here; what a smaller model saves is a line of its own in the figure. Left out: @.)",
+      field.left_out.empty() ? "nobody" : field.left_out);
+  page.table(head_of_three_rows, three_rows<M>(field, gaps, in_millimetres));
+  page.text("@ The energy at the end, over what gravity could do:", judged(page, gaps));
+  page.table({"", "as shipped", "as its manual advises", "with the least gap"}, energies(outcomes, gaps));
+  page.clocked("space_chain_clocked",
+               say("Gap and time of the chain in space. Times of this machine, at the moment of the run. @",
+                   settings_folder),
+               [=] {
+                 Chart chart = against_time(field, gaps, scene, timed_space_frames, "largest gap (m)");
+                 const Scene<PlaneBody> flat = chain_of<PlaneBody>(links, end_mass);
+                 Field<PlaneBody> own = field_of(flat, Kind::joints);
+                 own.entrants.resize(1);
+                 const auto plane = errors_of(
+                     outcomes_of(own, [&](const auto& who) { return hang<PlaneBody>(who, flat, frames); }),
+                     &Hung::gap);
+                 Curve curve = against_time(own, plane, flat, timed_space_frames, "").curves.front();
+                 curve.label += ", in the plane";
+                 curve.style = CurveStyle::line;
+                 curve.colour = palette::series(0);
+                 chart.curves.push_back(curve);
+                 return chart;
+               });
+  page.text("How far the worst link is off after @ s:", exact_frames * frame);
+  page.table(head_of_three_rows, three_rows<M>(field, offs, in_millimetres));
+  page.text("@", judged(page, offs));
+  stiffer_by_hertz<M>(page, "Box3D", scene);
+  page.claim("the chain in space, this course as advised: largest gap", gaps.front().advised(), "m",
+             is_at_most(0.01, "a hundredth of a link"), within(10, Quantity("links", links), 200));
 }
 
 }  // namespace byhand::beside

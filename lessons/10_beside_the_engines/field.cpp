@@ -5,141 +5,169 @@
 namespace byhand::beside {
 
 namespace {
-constexpr double rounding = 1e-9;  // [m, rad]: smaller errors are drawn there
-}
 
-std::string in_millimetres(double metres) {
-  if (!std::isfinite(metres)) return "failed";
-  if (metres < rounding) return "rounding";
-  return say("@ mm", Value(1000 * metres, 2));
-}
-
-Chart by_name(const std::vector<std::string>& names, std::vector<Curve> curves, const std::string& label) {
-  Chart chart{.y = {.label = label, .scale = Scale::logarithmic}, .curves = std::move(curves)};
-  chart.x.range = {{-0.5, static_cast<double>(names.size()) - 0.5}};
-  for (std::size_t i = 0; i < names.size(); ++i) chart.x.ticks.push_back({static_cast<double>(i), names[i]});
-  for (Curve& curve : chart.curves) {
-    curve.style = CurveStyle::markers;
-    for (std::size_t i = 0; i < curve.y.size(); ++i) curve.x.push_back(static_cast<double>(i));
-  }
-  return chart;
-}
-
-Chart compared(const std::vector<Errors>& all, const std::string& label) {
-  std::vector<std::string> names;
-  Curve usual{.label = "by default"}, least{.label = "best of its settings"};
-  bool several_settings = false;
-  for (const Errors& errors : all) {
-    names.push_back(errors.name);
-    usual.y.push_back(std::max(errors.usual(), rounding));
-    least.y.push_back(std::max(errors.least(), rounding));
-    several_settings = several_settings || errors.by_setting.size() > 1;
-  }
-  std::vector<Curve> curves{usual};
-  if (several_settings) curves.push_back(least);
-  return by_name(names, curves, label);
-}
-
-namespace {
-
-/// How the course's settings compare with the engine that is fastest by default and did not fail.
-struct Comparison {
-  std::string engine;       // empty: none
-  double error = INFINITY;  // the least in no more than its time, over its error
-  double time = INFINITY;   // the least for no more than its error, over its time
-  bool exact = false;       // that error is rounding only
-};
-
-/// `seconds` has a time for each setting of each entrant.
-Comparison beside_the_fastest(const std::vector<Errors>& all, const std::vector<double>& seconds) {
-  Comparison result;
-  double its_time = INFINITY, its_error = 0;
-  const double* time = seconds.data() + all[0].by_setting.size();
-  for (std::size_t i = 1; i < all.size(); time += all[i++].by_setting.size())
-    if (std::isfinite(all[i].usual()) && *time < its_time)
-      its_time = *time, its_error = all[i].usual(), result.engine = all[i].name;
-  for (std::size_t i = 0; i < all[0].by_setting.size(); ++i) {
-    const double error = all[0].by_setting[i];
-    if (seconds[i] <= its_time) result.error = std::min(result.error, error / its_error);
-    if (error <= its_error) result.time = std::min(result.time, seconds[i] / its_time);
-  }
-  result.exact = result.error * its_error < rounding;
-  return result;
-}
-
-std::string verdict(const Comparison& found) {
-  const std::string in_its_time = !std::isfinite(found.error) ? "never as fast"
-                                  : found.exact               ? "in its time only rounding"
-                                                : say("in its time @ of its error", Value(found.error, 1)),
-                    for_its_error = std::isfinite(found.time)
-                                        ? say("for its error @ of its time", Value(found.time, 2))
-                                        : std::string("never as accurate");
-  return say("This course beside @, the fastest: @, @", found.engine, in_its_time, for_its_error);
+/// Iterations or substeps in a frame.
+double work(const engines::Setting& setting) {
+  double most = 1;
+  for (const char* name : {"substeps", "iterations", "velocity iterations"})
+    most = std::max(most, setting.knobs.value(name, 1));
+  return most * setting.steps;
 }
 
 template <class M>
-std::vector<double> times_of(const std::vector<Entrant<M>>& all, const Scene<M>& scene, int frames) {
-  std::vector<Contestant<M>> contestants;
-  for (const Entrant<M>& entrant : all)
-    contestants.insert(contestants.end(), entrant.settings.begin(), entrant.settings.end());
-  return engines::seconds_a_frame(contestants, scene, frames, 3);
+Entrant<M> entrant_of(const Engine& engine, Kind kind, double most_work) {
+  Entrant<M> entrant{engine.name, {}};
+  const auto& settings = kind == Kind::joints ? engine.settings.joints : engine.settings.contacts;
+  for (const engines::Setting& setting : settings)
+    if (setting.row != engines::Row::tuned || work(setting) <= most_work)
+      entrant.settings.push_back(engines::contestant<M>(engine, setting));
+  return entrant;
 }
 
 }  // namespace
 
 template <class M>
-std::string reached_with(const Entrant<M>& ours, const Errors& errors, double wanted) {
-  const Contestant<M>* least = nullptr;
-  for (std::size_t i = 0; i < ours.settings.size(); ++i)
-    if (errors.by_setting[i] <= 1.01 * wanted && (!least || ours.settings[i].effort < least->effort))
-      least = &ours.settings[i];
-  return least ? least->setting : "none of its settings";
+Field<M> field_of(const Scene<M>& scene, Kind kind, bool everybody, double most_work) {
+  if (engines::all_engines().empty()) most_work = 0;  // nobody to be best against
+  Field<M> field{{entrant_of<M>(engines::this_course(), kind, most_work)}};
+  std::vector<std::pair<std::string, std::string>> reasons;  // and whose
+  for (const Engine& engine : engines::all_engines()) {
+    std::string why = engines::refusal(engine, scene);
+    if (why.empty() && M::linear == 2 && engine.home == engines::Home::space && !everybody)
+      why = "at home in space, and compared there";
+    if (why.empty()) {
+      field.entrants.push_back(entrant_of<M>(engine, kind, most_work));
+      continue;
+    }
+    const auto same = std::find_if(reasons.begin(), reasons.end(), [&](const auto& r) { return r.first == why; });
+    if (same == reasons.end())
+      reasons.emplace_back(why, engine.name);
+    else
+      same->second += ", " + engine.name;
+  }
+  for (const auto& [why, names] : reasons)
+    field.left_out += say("@@ (@)", field.left_out.empty() ? "" : "; ", names, why);
+  return field;
+}
+
+std::string in_millimetres(double metres) {
+  if (!std::isfinite(metres)) return "failed";
+  return metres < 1e-9 ? std::string("0") : say("@ mm", Value(1000 * metres, 2));
 }
 
 template <class M>
-Chart against_time(const std::vector<Entrant<M>>& all, const std::vector<Errors>& errors, const Scene<M>& scene,
-                   int frames, const std::string& label) {
-  const std::vector<double> seconds = times_of(all, scene, frames);
-  Chart chart{.x = {.label = "processor time (µs a frame)", .scale = Scale::logarithmic},
-              .y = {.label = label, .scale = Scale::logarithmic}};
-  const double* time = seconds.data();
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const std::vector<double>& error = errors[i].by_setting;
-    std::vector<std::size_t> order(error.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::sort(order.begin(), order.end(), [&](auto a, auto b) { return time[a] < time[b]; });
-    Curve curve{.label = all[i].name, .style = CurveStyle::line_and_markers};
-    double least = INFINITY;
-    for (const std::size_t setting : order) {
-      if (!(error[setting] < least)) continue;
-      least = error[setting];
-      curve.x.push_back(1e6 * time[setting]);
-      curve.y.push_back(std::max(least, rounding));
+std::vector<std::vector<std::string>> three_rows(const Field<M>& field, const std::vector<Errors>& all,
+                                                 const std::function<std::string(double)>& words) {
+  std::vector<std::vector<std::string>> rows;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    rows.push_back({all[i].name, words(all[i].shipped()), words(all[i].advised()), words(all[i].best()),
+                    field.entrants[i].settings[all[i].best_setting()].words()});
+  return rows;
+}
+
+Chart compared(const std::vector<Errors>& all, const std::string& label) {
+  Chart chart{.y = {.label = label, .scale = Scale::logarithmic}};
+  chart.x.range = {{-0.5, static_cast<double>(all.size()) - 0.5}};
+  const std::pair<const char*, double (Errors::*)() const> rows[] = {{"as shipped", &Errors::shipped},
+                                                                     {"as its manual advises", &Errors::advised},
+                                                                     {"best of its settings", &Errors::best}};
+  for (const auto& [name, number] : rows) {
+    Curve curve{.label = name, .style = CurveStyle::markers};
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      curve.x.push_back(static_cast<double>(i));
+      curve.y.push_back(std::max((all[i].*number)(), margin));
     }
-    if (curve.x.empty()) curve.label += " (failed)";
     chart.curves.push_back(std::move(curve));
-    time += error.size();
   }
-  if (const Comparison found = beside_the_fastest(errors, seconds); !found.engine.empty())
-    chart.title = verdict(found);
+  for (std::size_t i = 0; i < all.size(); ++i) chart.x.ticks.push_back({static_cast<double>(i), all[i].name});
+  chart.references.push_back({.value = margin, .label = "or less"});
   return chart;
 }
 
+namespace {
+
+struct Point {
+  double time = 0, error = 0;  // [µs a frame, the error's unit]
+  std::string words = {};
+};
+
+/// The points that no other beats in both, from the quickest on.
+std::vector<Point> front(std::vector<Point> all) {
+  std::sort(all.begin(), all.end(), [](const Point& a, const Point& b) {
+    return std::pair(a.time, a.error) < std::pair(b.time, b.error);
+  });
+  std::vector<Point> kept;
+  for (const Point& point : all)
+    if (kept.empty() || point.error < kept.back().error) kept.push_back(point);
+  return kept;
+}
+
+/// All who take part anywhere: each keeps its place, and so its colour and marker, in every figure.
+std::vector<std::string> everybody() {
+  std::vector<std::string> names{ours_name};
+  for (const Engine& engine : engines::all_engines()) names.push_back(engine.name);
+  return names;
+}
+/// Their colours: the series', and two more.
+Colour colour_of(std::size_t place) {
+  constexpr std::size_t series = 8;
+  constexpr Colour further[] = {palette::muted, {0, 139, 160}};
+  return place < series ? palette::series(static_cast<int>(place)) : further[(place - series) % 2];
+}
+
+/// Whether some point of theirs is beaten by none of ours, in both.
+bool ahead_somewhere(const std::vector<Point>& theirs, const std::vector<Point>& ours) {
+  return std::any_of(theirs.begin(), theirs.end(), [&](const Point& point) {
+    return std::none_of(ours.begin(), ours.end(),
+                        [&](const Point& own) { return own.time <= point.time && own.error <= point.error; });
+  });
+}
+
+}  // namespace
+
 template <class M>
-Chart at_equal_error(const std::vector<Contest<M>>& contests, int frames) {
-  std::vector<std::string> names;
-  std::string fastest;
-  Curve times{.label = "time for no more than its error"}, errors{.label = "error in no more than its time"};
-  for (const Contest<M>& contest : contests) {
-    const Comparison found = beside_the_fastest(contest.errors, times_of(contest.entrants, contest.scene, frames));
-    names.push_back(contest.name);
-    fastest += say("@@", fastest.empty() ? "" : ", ", found.engine);
-    times.y.push_back(found.time);
-    errors.y.push_back(std::max(found.error, rounding));
+Chart against_time(const Field<M>& field, const std::vector<Errors>& errors, const Scene<M>& scene, int frames,
+                   const std::string& label) {
+  std::vector<Contestant<M>> contestants;  // without what failed
+  for (std::size_t i = 0; i < errors.size(); ++i)
+    for (std::size_t j = 0; j < errors[i].by_setting.size(); ++j)
+      if (std::isfinite(errors[i].by_setting[j])) contestants.push_back(field.entrants[i].settings[j]);
+  const std::vector<double> seconds = engines::seconds_a_frame(contestants, scene, frames, 3);
+  Chart chart{.x = {.label = "processor time (µs a frame)", .scale = Scale::logarithmic},
+              .y = {.label = label, .scale = Scale::logarithmic}};
+  std::vector<std::vector<Point>> fronts;
+  std::size_t place = 0;
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    std::vector<Point> points;
+    for (const double error : errors[i].by_setting) {
+      if (!std::isfinite(error)) continue;
+      points.push_back({1e6 * seconds[place], std::max(error, margin), contestants[place].words()});
+      ++place;
+    }
+    fronts.push_back(front(points));
   }
-  Chart chart = by_name(names, {times, errors}, "this course over that engine");
-  chart.title = "The fastest engine in each: " + fastest;
-  chart.references.push_back({.value = 1, .label = "as that engine"});
+  for (const std::string& name : everybody()) {
+    Curve curve{.label = name, .style = CurveStyle::line_and_markers, .colour = colour_of(chart.curves.size())};
+    const auto own = std::find_if(errors.begin(), errors.end(), [&](const Errors& e) { return e.name == name; });
+    if (own == errors.end()) {
+      curve.label += " (left out)";
+    } else {
+      for (const Point& point : fronts[own - errors.begin()]) {
+        curve.x.push_back(point.time);
+        curve.y.push_back(point.error);
+        curve.point_names.push_back(point.words);
+      }
+      if (curve.x.empty()) curve.label += " (failed)";
+    }
+    chart.curves.push_back(std::move(curve));
+  }
+  std::string ahead;
+  for (std::size_t i = 1; i < fronts.size(); ++i)
+    if (ahead_somewhere(fronts[i], fronts[0])) ahead += (ahead.empty() ? "" : ", ") + errors[i].name;
+  if (fronts.size() > 1)
+    chart.title = ahead.empty() ? "At no cost does any of them beat this course"
+                                : "Ahead of this course at some cost: " + ahead;
+  chart.references.push_back({.value = margin, .label = "or less"});
   return chart;
 }
 
@@ -150,29 +178,50 @@ double deepest_overlap(const Scene<M>& scene) {
   return position_error(touching).max;
 }
 
-template <class M>
-std::pair<int, int> first_and_last_sweeps(const Scene<M>& scene, int frames) {
-  Simulation<M> simulation{scene, best_method()};
-  simulation.step(frame);
-  const int first = simulation.work.solution.passes;
-  for (int i = 1; i < frames; ++i) simulation.step(frame);
-  return {first, simulation.work.solution.passes};
+namespace {
+
+/// As far as figures tell numbers apart.
+double told(double error) { return std::max(error, margin); }
+
+}  // namespace
+
+std::string judged(Page& page, const std::vector<Errors>& all) {
+  if (all.size() < 2) return "There is no engine here to compare with.";
+  std::string words;
+  const std::pair<const char*, double (Errors::*)() const> rows[] = {
+      {"As shipped", &Errors::shipped}, {"As advised", &Errors::advised}, {"At their best", &Errors::best}};
+  for (const auto& [name, number] : rows) {
+    const double own = told((all[0].*number)());
+    double theirs = INFINITY;
+    std::string ahead, level;
+    for (std::size_t i = 1; i < all.size(); ++i) {
+      const double error = told((all[i].*number)());
+      theirs = std::min(theirs, error);
+      if (1.01 * error < own)
+        ahead += (ahead.empty() ? "" : ", ") + all[i].name;
+      else if (std::isfinite(own) && error < 1.01 * own)
+        level += (level.empty() ? "" : ", ") + all[i].name;
+    }
+    const Quantity ours("this course", own), less("1.01 × the least of the engines", 1.01 * theirs),
+        more("1.01 × this course", 1.01 * own), least("the least of the engines", theirs);
+    words +=
+        say("@@", words.empty() ? "" : " ",
+            page.verdict({{.when = less < ours, .say = say("@ less is left by @.", name, ahead)},
+                          {.when = least > more, .say = say("@ no engine here leaves as little.", name)},
+                          {.when = least <= more,
+                           .say = level.empty() ? say("@ all fail.", name)
+                                                : say("@ none leaves less, and @ as little.", name, level)}}));
+  }
+  return words;
 }
 
-std::string ahead_of_ours(const std::vector<Errors>& all) {
-  std::string names;
-  for (std::size_t i = 1; i < all.size(); ++i)
-    if (all[i].usual() < all[0].usual()) names += (names.empty() ? "" : ", ") + all[i].name;
-  return names;
-}
-
-#define BYHAND_INSTANTIATE(M)                                                                                   \
-  template std::string reached_with(const Entrant<M>&, const Errors&, double);                                  \
-  template Chart against_time(const std::vector<Entrant<M>>&, const std::vector<Errors>&, const Scene<M>&, int, \
-                              const std::string&);                                                              \
-  template Chart at_equal_error(const std::vector<Contest<M>>&, int);                                           \
-  template double deepest_overlap(const Scene<M>&);                                                             \
-  template std::pair<int, int> first_and_last_sweeps(const Scene<M>&, int)
+#define BYHAND_INSTANTIATE(M)                                                                            \
+  template Field<M> field_of(const Scene<M>&, Kind, bool, double);                                       \
+  template std::vector<std::vector<std::string>> three_rows(const Field<M>&, const std::vector<Errors>&, \
+                                                            const std::function<std::string(double)>&);  \
+  template Chart against_time(const Field<M>&, const std::vector<Errors>&, const Scene<M>&, int,         \
+                              const std::string&);                                                       \
+  template double deepest_overlap(const Scene<M>&)
 BYHAND_INSTANTIATE(PlaneBody);
 BYHAND_INSTANTIATE(SpaceBody);
 #undef BYHAND_INSTANTIATE

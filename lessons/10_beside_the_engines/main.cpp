@@ -23,16 +23,19 @@ int main(int argc, char** argv) {
   lesson.step("A stack", with(stacks));
   lesson.step("A block on a slope", with(block_on_a_slope));
   lesson.step("A pyramid", with(wall_of_boxes));
+  lesson.deeper("The chain in space", with(chain_in_space));
+  lesson.deeper("Stacks in space", with(stacks_in_space));
   lesson.deeper("The pyramid in space", with(wall_in_space));
 
   lesson.closing(
       {.now_you_know =
-           {"Two engines can be compared only in the same scene, by the same measure, each with its own knob "
-            "turned.",
+           {"Two engines can be compared only in the same scene, by the same measure, for as long as its slowest "
+            "motion takes, each with its own knobs turned.",
             R"(An engine's defaults are a choice for games: the fall of a frame at a time, an overlap that is left, a
             few iterations. Each is a term of its error that you can compute.)",
-            R"(A short step reduces every error of a pendulum; a load on a chain needs a direct solve; a stack needs
-            either many iterations or a direct solve.)",
+            R"(The scheme makes the error of a single joint, whoever wrote it. A load on a chain needs a direct solve or
+            coordinates that cannot part; a stack needs either many iterations or a direct solve.)",
+            R"(More substeps stiffen nothing whose stiffness is given in hertz or in seconds: turn both.)",
             "A time belongs to one machine; the ratio of two times in one run says more."},
        .tries = {{"A short chain with a light end, which iterations can hold:",
                   "./lessons/run 10 --step 3 --set links=10 --set end_mass=1"},

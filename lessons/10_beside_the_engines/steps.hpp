@@ -12,6 +12,8 @@ void stacks(const Setting& setting, course::Page& page);
 void block_on_a_slope(const Setting& setting, course::Page& page);
 void wall_of_boxes(const Setting& setting, course::Page& page);
 
+void chain_in_space(const Setting& setting, course::Page& page);
+void stacks_in_space(const Setting& setting, course::Page& page);
 void wall_in_space(const Setting& setting, course::Page& page);
 
 }  // namespace byhand::beside

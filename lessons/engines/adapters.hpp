@@ -9,9 +9,12 @@ namespace byhand::engines {
 /// Each adds an engine, or several modes of it. Defined where the engine was found.
 void add_box2d_3(std::vector<Engine>& all);
 void add_box2d_2(std::vector<Engine>& all);
+void add_box3d(std::vector<Engine>& all);
 void add_chipmunk(std::vector<Engine>& all);
 void add_bullet(std::vector<Engine>& all);
+void add_bullet_multibody(std::vector<Engine>& all);
 void add_ode(std::vector<Engine>& all);
+void add_mujoco(std::vector<Engine>& all);
 
 inline std::string version_text(int major, int minor, int patch) {
   return std::to_string(major) + "." + std::to_string(minor) + "." + std::to_string(patch);

@@ -1,5 +1,4 @@
-// Box2D 2.4, in single precision. Its knob is the number of velocity iterations; there are three position
-// iterations for every eight of them, as its manual advises. A polygon has a skin of b2_polygonRadius outside its
+// Box2D 2.4, in single precision. A polygon has a skin of b2_polygonRadius outside its
 // sides, at which it touches; so the boxes are made smaller by it.
 
 #include <box2d/box2d.h>
@@ -15,7 +14,9 @@ b2Vec2 vector(const Eigen::Vector2d& v) { return {static_cast<float>(v.x()), sta
 
 class Box2d2 : public World<M> {
  public:
-  Box2d2(const Scene<M>& scene, int iterations) : iterations_(iterations), world_(vector(scene.gravity)) {
+  Box2d2(const Scene<M>& scene, const Knobs& knobs) : world_(vector(scene.gravity)) {
+    knobs.turn("velocity iterations", on_velocities_);
+    knobs.turn("position iterations", on_positions_);
     world_.SetAllowSleeping(false);
     for (int i = 0; i < scene.bodies().size(); ++i) add(scene.bodies(), i);
     for_each_shape(
@@ -49,7 +50,7 @@ class Box2d2 : public World<M> {
         });
   }
 
-  void step(double h) override { world_.Step(static_cast<float>(h), iterations_, (3 * iterations_ + 7) / 8); }
+  void step(double h) override { world_.Step(static_cast<float>(h), on_velocities_, on_positions_); }
 
   void read(Bodies<M>& bodies) const override {
     for (int i = 0; i < bodies.size(); ++i) {
@@ -57,6 +58,13 @@ class Box2d2 : public World<M> {
       bodies.pose[i].position = {body.GetPosition().x, body.GetPosition().y};
       bodies.pose[i].rotation = rotation_of(body.GetAngle());
       bodies.velocity[i] = {body.GetLinearVelocity().x, body.GetLinearVelocity().y, body.GetAngularVelocity()};
+    }
+  }
+
+  void set_velocities(const Bodies<M>& bodies) override {
+    for (int i = 0; i < bodies.size(); ++i) {
+      bodies_[i]->SetLinearVelocity(vector(bodies.velocity[i].head<2>()));
+      bodies_[i]->SetAngularVelocity(static_cast<float>(bodies.velocity[i][2]));
     }
   }
 
@@ -95,13 +103,13 @@ class Box2d2 : public World<M> {
     joint.localAnchorB = vector(at.arms.second);
   }
 
-  int iterations_;
+  int on_velocities_ = 6, on_positions_ = 2;  // iterations, of HelloWorld.cpp
   b2World world_;
   std::vector<b2Body*> bodies_;
 };
 
-std::unique_ptr<World<M>> build(const Scene<M>& scene, int iterations) {
-  return std::make_unique<Box2d2>(scene, iterations);
+std::unique_ptr<World<M>> build(const Scene<M>& scene, const Knobs& knobs) {
+  return std::make_unique<Box2d2>(scene, knobs);
 }
 
 }  // namespace
@@ -109,9 +117,11 @@ std::unique_ptr<World<M>> build(const Scene<M>& scene, int iterations) {
 void add_box2d_2(std::vector<Engine>& all) {
   all.push_back({.name = "Box2D 2.4",
                  .version = version_text(b2_version.major, b2_version.minor, b2_version.revision),
-                 .knob = "iterations",
-                 .usual = 8,
-                 .plane = true,
+                 .method = "Gauss–Seidel on velocities, then on positions",
+                 .file = "lessons/engines/settings/box2d_2.cpp",
+                 .home = Home::plane,
+                 .single = true,
+                 .settings = box2d_2_settings(),
                  .in_plane = build});
 }
 

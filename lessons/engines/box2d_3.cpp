@@ -1,4 +1,4 @@
-// Box2D 3, in C and single precision. Its knob is the number of substeps.
+// Box2D 3, in C and single precision.
 
 #include <box2d/box2d.h>
 
@@ -13,8 +13,11 @@ b2Vec2 vector(const Eigen::Vector2d& v) { return {static_cast<float>(v.x()), sta
 
 class Box2d3 : public World<M> {
  public:
-  Box2d3(const Scene<M>& scene, int substeps) : substeps_(substeps) {
+  Box2d3(const Scene<M>& scene, const Knobs& knobs) : knobs_(knobs) {
+    knobs.turn("substeps", substeps_);
     b2WorldDef def = b2DefaultWorldDef();
+    knobs.turn("contact hertz", def.contactHertz);
+    knobs.turn("contact damping", def.contactDampingRatio);
     def.gravity = vector(scene.gravity);
     def.enableSleep = false;
     world_ = b2CreateWorld(&def);
@@ -64,6 +67,13 @@ class Box2d3 : public World<M> {
     }
   }
 
+  void set_velocities(const Bodies<M>& bodies) override {
+    for (int i = 0; i < bodies.size(); ++i) {
+      b2Body_SetLinearVelocity(bodies_[i], vector(bodies.velocity[i].head<2>()));
+      b2Body_SetAngularVelocity(bodies_[i], static_cast<float>(bodies.velocity[i][2]));
+    }
+  }
+
  private:
   void add(const Bodies<M>& bodies, int i) {
     b2BodyDef def = b2DefaultBodyDef();
@@ -96,15 +106,18 @@ class Box2d3 : public World<M> {
     joint.bodyIdB = bodies_[at.body2];
     joint.localFrameA.p = vector(at.arms.first);
     joint.localFrameB.p = vector(at.arms.second);
+    knobs_.turn("joint hertz", joint.constraintHertz);
+    knobs_.turn("joint damping", joint.constraintDampingRatio);
   }
 
-  int substeps_;
+  Knobs knobs_;
+  int substeps_ = 4;  // "usually 4", says b2World_Step
   b2WorldId world_;
   std::vector<b2BodyId> bodies_;
 };
 
-std::unique_ptr<World<M>> build(const Scene<M>& scene, int substeps) {
-  return std::make_unique<Box2d3>(scene, substeps);
+std::unique_ptr<World<M>> build(const Scene<M>& scene, const Knobs& knobs) {
+  return std::make_unique<Box2d3>(scene, knobs);
 }
 
 }  // namespace
@@ -113,9 +126,11 @@ void add_box2d_3(std::vector<Engine>& all) {
   const b2Version version = b2GetVersion();
   all.push_back({.name = "Box2D 3",
                  .version = version_text(version.major, version.minor, version.revision),
-                 .knob = "substeps",
-                 .usual = 4,
-                 .plane = true,
+                 .method = "one sweep a substep, soft joints and contacts, then a relaxing sweep",
+                 .file = "lessons/engines/settings/box2d_3.cpp",
+                 .home = Home::plane,
+                 .single = true,
+                 .settings = box2d_3_settings(),
                  .in_plane = build});
 }
 

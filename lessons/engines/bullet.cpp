@@ -1,7 +1,7 @@
-// Bullet, in double precision. Its knob is the number of iterations. It knows space alone: in the plane boxes are
-// 1 m deep, and factors of zero hold them there. It multiplies the friction of two bodies, and has no rigid rod
-// between bodies that turn.
+// Bullet, in double precision. It knows space alone: in the plane boxes are 1 m deep, and factors of zero hold
+// them there. It multiplies the friction of two bodies, and has no rigid rod between bodies that turn.
 
+#include <BulletDynamics/ConstraintSolver/btNNCGConstraintSolver.h>
 #include <btBulletDynamicsCommon.h>
 
 #include "lessons/engines/in_space.hpp"
@@ -15,10 +15,17 @@ Eigen::Vector3d vector(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
 template <class M>
 class Bullet : public World<M> {
  public:
-  Bullet(const Scene<M>& scene, int iterations)
-      : dispatcher_(&configuration_), world_(&dispatcher_, &broad_phase_, &solver_, &configuration_) {
+  Bullet(const Scene<M>& scene, const Knobs& knobs)
+      : dispatcher_(&configuration_),
+        solver_(knobs.value("NNCG", 0) != 0 ? std::make_unique<btNNCGConstraintSolver>()
+                                            : std::make_unique<btSequentialImpulseConstraintSolver>()),
+        world_(&dispatcher_, &broad_phase_, solver_.get(), &configuration_) {
     world_.setGravity(vector(in_space(scene.gravity)));
-    world_.getSolverInfo().m_numIterations = iterations;
+    btContactSolverInfo& info = world_.getSolverInfo();
+    knobs.turn("iterations", info.m_numIterations);
+    knobs.turn("ERP", info.m_erp);
+    knobs.turn("contact ERP", info.m_erp2);
+    knobs.turn("CFM", info.m_globalCfm);
     std::vector<btCollisionShape*> shapes(scene.bodies().size(), keep(std::make_unique<btEmptyShape>()));
     std::vector<double> friction(shapes.size(), 0);
     for_each_shape(
@@ -57,6 +64,14 @@ class Bullet : public World<M> {
     }
   }
 
+  void set_velocities(const Bodies<M>& bodies) override {
+    for (int i = 0; i < bodies.size(); ++i) {
+      if (!moves(bodies.inverse_mass[i])) continue;
+      bodies_[i]->setLinearVelocity(vector(velocity_in_space<M>(bodies.velocity[i])));
+      bodies_[i]->setAngularVelocity(vector(spin_in_space<M>(bodies.velocity[i])));
+    }
+  }
+
  private:
   btCollisionShape* keep(std::unique_ptr<btCollisionShape> shape) {
     shapes_.push_back(std::move(shape));
@@ -90,7 +105,7 @@ class Bullet : public World<M> {
   btDefaultCollisionConfiguration configuration_;
   btCollisionDispatcher dispatcher_;
   btDbvtBroadphase broad_phase_;
-  btSequentialImpulseConstraintSolver solver_;
+  std::unique_ptr<btSequentialImpulseConstraintSolver> solver_;
   btDiscreteDynamicsWorld world_;
   std::vector<std::unique_ptr<btCollisionShape>> shapes_;
   std::vector<std::unique_ptr<btRigidBody>> bodies_;
@@ -98,8 +113,8 @@ class Bullet : public World<M> {
 };
 
 template <class M>
-std::unique_ptr<World<M>> build(const Scene<M>& scene, int iterations) {
-  return std::make_unique<Bullet<M>>(scene, iterations);
+std::unique_ptr<World<M>> build(const Scene<M>& scene, const Knobs& knobs) {
+  return std::make_unique<Bullet<M>>(scene, knobs);
 }
 
 }  // namespace
@@ -107,9 +122,12 @@ std::unique_ptr<World<M>> build(const Scene<M>& scene, int iterations) {
 void add_bullet(std::vector<Engine>& all) {
   all.push_back({.name = "Bullet",
                  .version = std::to_string(btGetVersion() / 100) + "." + std::to_string(btGetVersion() % 100),
-                 .knob = "iterations",
-                 .usual = 10,
-                 .rods = false,
+                 .method = "Gauss–Seidel on velocities",
+                 .file = "lessons/engines/settings/bullet.cpp",
+                 .settings = bullet_settings(),
+                 .refusal = [](const Asked& asked) -> std::string {
+                   return asked.rods > 0 ? "has no rigid rod between bodies that turn" : "";
+                 },
                  .in_plane = build<PlaneBody>,
                  .in_space = build<SpaceBody>});
 }

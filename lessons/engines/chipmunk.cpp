@@ -1,6 +1,4 @@
-// Chipmunk 7, in double precision. Its knob is the number of iterations. It leaves an overlap of 0.1 by default,
-// which is meant for lengths in pixels: here it leaves 1 mm, as ours does. It multiplies the friction of two
-// bodies.
+// Chipmunk 7, in double precision. It multiplies the friction of two bodies.
 
 #include <chipmunk/chipmunk.h>
 #include <fcntl.h>
@@ -37,10 +35,12 @@ cpSpace* new_space() {
 
 class Chipmunk : public World<M> {
  public:
-  Chipmunk(const Scene<M>& scene, int iterations) : space_(new_space()) {
+  Chipmunk(const Scene<M>& scene, const Knobs& knobs)
+      : space_(new_space()), joint_bias_(knobs.value("joint bias", 0.1)) {
     cpSpaceSetGravity(space_, vector(scene.gravity));
-    cpSpaceSetIterations(space_, iterations);
-    cpSpaceSetCollisionSlop(space_, 0.001);
+    cpSpaceSetIterations(space_, static_cast<int>(knobs.value("iterations", cpSpaceGetIterations(space_))));
+    cpSpaceSetCollisionSlop(space_, knobs.value("slop", cpSpaceGetCollisionSlop(space_)));
+    cpSpaceSetCollisionBias(space_, left_after_a_second(knobs.value("collision bias", 0.1)));
     for (int i = 0; i < scene.bodies().size(); ++i) add(scene.bodies(), i);
     for_each_shape(
         scene,
@@ -85,6 +85,14 @@ class Chipmunk : public World<M> {
     }
   }
 
+  void set_velocities(const Bodies<M>& bodies) override {
+    for (int i = 0; i < bodies.size(); ++i) {
+      if (!moves(bodies.inverse_mass[i])) continue;
+      cpBodySetVelocity(bodies_[i], vector(bodies.velocity[i].head<2>()));
+      cpBodySetAngularVelocity(bodies_[i], bodies.velocity[i][2]);
+    }
+  }
+
  private:
   void add(const Bodies<M>& bodies, int i) {
     const InverseMass<M>& mass = bodies.inverse_mass[i];
@@ -102,16 +110,22 @@ class Chipmunk : public World<M> {
     cpShapeSetElasticity(shape, surface.restitution);
     shapes_.push_back(cpSpaceAddShape(space_, shape));
   }
-  void add(cpConstraint* joint) { joints_.push_back(cpSpaceAddConstraint(space_, joint)); }
+  void add(cpConstraint* joint) {
+    cpConstraintSetErrorBias(joint, left_after_a_second(joint_bias_));
+    joints_.push_back(cpSpaceAddConstraint(space_, joint));
+  }
+  /// Chipmunk's measure of a bias, of which each sixtieth of a second takes a share.
+  static double left_after_a_second(double share) { return std::pow(1 - share, 60); }
 
   cpSpace* space_;
+  double joint_bias_;
   std::vector<cpBody*> bodies_;
   std::vector<cpShape*> shapes_;
   std::vector<cpConstraint*> joints_;
 };
 
-std::unique_ptr<World<M>> build(const Scene<M>& scene, int iterations) {
-  return std::make_unique<Chipmunk>(scene, iterations);
+std::unique_ptr<World<M>> build(const Scene<M>& scene, const Knobs& knobs) {
+  return std::make_unique<Chipmunk>(scene, knobs);
 }
 
 }  // namespace
@@ -119,9 +133,11 @@ std::unique_ptr<World<M>> build(const Scene<M>& scene, int iterations) {
 void add_chipmunk(std::vector<Engine>& all) {
   all.push_back({.name = "Chipmunk",
                  .version = version_text(CP_VERSION_MAJOR, CP_VERSION_MINOR, CP_VERSION_RELEASE),
-                 .knob = "iterations",
-                 .usual = 10,
-                 .plane = true,
+                 .method = "Gauss–Seidel on velocities, errors pushed out beside them",
+                 .file = "lessons/engines/settings/chipmunk.cpp",
+                 .home = Home::plane,
+                 .build = "Debian's is compiled with its checks on",
+                 .settings = chipmunk_settings(),
                  .in_plane = build});
 }
 

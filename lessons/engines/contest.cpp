@@ -6,20 +6,6 @@ namespace byhand::engines {
 namespace {
 
 template <class M>
-class Ours : public World<M> {
- public:
-  Ours(const Scene<M>& scene, const VelocityStepping& method) : simulation_{scene, method} {}
-  void step(double h) override { simulation_.step(h); }
-  void read(Bodies<M>& bodies) const override {
-    bodies.pose = simulation_.scene.bodies().pose;
-    bodies.velocity = simulation_.scene.bodies().velocity;
-  }
-
- private:
-  Simulation<M> simulation_;
-};
-
-template <class M>
 const auto& builder(const Engine& engine) {
   if constexpr (M::linear == 2)
     return engine.in_plane;
@@ -42,26 +28,40 @@ void run_frame(World<M>& world, int steps) {
 }  // namespace
 
 template <class M>
-Contestant<M> ours(std::string name, const VelocityStepping& method, int steps) {
-  return {std::move(name), [=](const Scene<M>& scene) { return std::make_unique<Ours<M>>(scene, method); }, steps};
+std::string Contestant<M>::words() const {
+  if (setting.steps == 1) return setting.knobs.words();
+  return (setting.knobs.turned().empty() ? std::string() : setting.knobs.words() + ", ") +
+         std::to_string(setting.steps) + " steps a frame";
 }
 
 template <class M>
-Contestant<M> theirs(const Engine& engine, int knob, int steps) {
-  return {engine.name, [=, build = builder<M>(engine)](const Scene<M>& scene) { return build(scene, knob); },
-          steps};
+Contestant<M> contestant(const Engine& engine, const Setting& setting) {
+  return {engine.name, setting, [build = builder<M>(engine), knobs = setting.knobs](const Scene<M>& scene) {
+            return build(scene, knobs);
+          }};
+}
+
+template <class M>
+void run_from_rest(const Contestant<M>& contestant, const Scene<M>& scene, int settling, int frames,
+                   const std::function<bool(Scene<M>&)>& begin,
+                   const std::function<void(const Scene<M>&, double)>& look) {
+  Scene<M> seen = scene;
+  const auto world = contestant.build(scene);
+  for (int i = 0; i < settling; ++i) run_frame(*world, contestant.setting.steps);
+  if (settling > 0) world->read(seen.state());
+  if (begin(seen)) world->set_velocities(seen.bodies());
+  for (int i = 1; i <= frames; ++i) {
+    run_frame(*world, contestant.setting.steps);
+    world->read(seen.state());
+    look(seen, i * frame);
+  }
 }
 
 template <class M>
 void run(const Contestant<M>& contestant, const Scene<M>& scene, int frames,
          const std::function<void(const Scene<M>&, double)>& look) {
-  Scene<M> seen = scene;
-  const auto world = contestant.build(scene);
-  for (int i = 1; i <= frames; ++i) {
-    run_frame(*world, contestant.steps);
-    world->read(seen.state());
-    look(seen, i * frame);
-  }
+  run_from_rest<M>(
+      contestant, scene, 0, frames, [](Scene<M>&) { return false; }, look);
 }
 
 template <class M>
@@ -72,17 +72,20 @@ std::vector<double> seconds_a_frame(const std::vector<Contestant<M>>& contestant
     for (std::size_t i = 0; i < contestants.size(); ++i) {
       const auto world = contestants[i].build(scene);
       const double begin = processor_seconds();
-      for (int j = 0; j < frames; ++j) run_frame(*world, contestants[i].steps);
+      for (int j = 0; j < frames; ++j) run_frame(*world, contestants[i].setting.steps);
       least[i] = std::min(least[i], (processor_seconds() - begin) / frames);
     }
   return least;
 }
 
-#define BYHAND_INSTANTIATE(M)                                             \
-  template Contestant<M> ours(std::string, const VelocityStepping&, int); \
-  template Contestant<M> theirs(const Engine&, int, int);                 \
-  template void run(const Contestant<M>&, const Scene<M>&, int,           \
-                    const std::function<void(const Scene<M>&, double)>&); \
+#define BYHAND_INSTANTIATE(M)                                                       \
+  template struct Contestant<M>;                                                    \
+  template Contestant<M> contestant(const Engine&, const Setting&);                 \
+  template void run(const Contestant<M>&, const Scene<M>&, int,                     \
+                    const std::function<void(const Scene<M>&, double)>&);           \
+  template void run_from_rest(const Contestant<M>&, const Scene<M>&, int, int,      \
+                              const std::function<bool(Scene<M>&)>&,                \
+                              const std::function<void(const Scene<M>&, double)>&); \
   template std::vector<double> seconds_a_frame(const std::vector<Contestant<M>>&, const Scene<M>&, int, int)
 BYHAND_INSTANTIATE(PlaneBody);
 BYHAND_INSTANTIATE(SpaceBody);

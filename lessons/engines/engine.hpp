@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "lessons/engines/settings.hpp"
 #include "solver/constraints/distance.hpp"
 #include "solver/constraints/pin.hpp"
 #include "solver/scene.hpp"
@@ -11,7 +12,7 @@
 // The same scene in other people's engines. An adapter is one file: it builds an engine's world from one of our
 // scenes (boxes, a half-space as ground, pins, rods), steps it, and reads poses and velocities back into the
 // scene's bodies, so that all are measured by the same functions. Sleeping is off. What an adapter sets besides,
-// because the engine counts otherwise than we do, stands in its file.
+// because the engine counts otherwise than we do, stands in its file; what is turned, in settings/.
 namespace byhand::engines {
 
 /// A scene that runs in an engine.
@@ -21,20 +22,42 @@ class World {
   virtual ~World() = default;
   virtual void step(double h) = 0;  // [s]
   virtual void read(Bodies<M>& bodies) const = 0;
+  /// Gives each body that moves the velocity that it has there.
+  virtual void set_velocities(const Bodies<M>& bodies) = 0;
 };
 
-/// An engine in one of its modes.
+/// How many of each a scene has, by which an engine may refuse it.
+struct Asked {
+  int pins = 0, rods = 0, boxes = 0;
+  int longest_path = 0;  // of bodies, each joined to the next
+};
+
+/// Where an engine is at home.
+enum class Home { plane, space, both };
+
+/// An engine in one of its modes. One of space runs a scene in the plane too, by what it has for holding bodies
+/// there; a contest of costs in the plane leaves it out.
 struct Engine {
-  std::string name;       // "Box2D 3"
-  std::string version;    // "3.2.0"
-  std::string knob = {};  // "substeps" or "iterations"; empty: it has none
-  int usual = 1;          // the knob's default
-  bool rods = true;       // whether it has a rigid rod between two bodies that turn
-  bool plane = false;     // whether it knows the plane alone
-  std::unique_ptr<World<PlaneBody>> (*in_plane)(const Scene<PlaneBody>&, int knob) = nullptr;
-  std::unique_ptr<World<SpaceBody>> (*in_space)(const Scene<SpaceBody>&, int knob) = nullptr;
+  std::string name;          // "Box2D 3"
+  std::string version = {};  // "3.2.0"; none of this course
+  std::string method = {};   // how it solves, in a few words
+  std::string file = {};     // of its settings, from the root of the repository
+  Home home = Home::space;
+  bool single = false;     // precision
+  std::string build = {};  // a remark on how it was compiled, if that matters
+  Settings settings = {};
+  /// Why it does not run such a scene, in one clause; empty if it does.
+  std::string (*refusal)(const Asked&) = nullptr;
+  std::unique_ptr<World<PlaneBody>> (*in_plane)(const Scene<PlaneBody>&, const Knobs&) = nullptr;
+  std::unique_ptr<World<SpaceBody>> (*in_space)(const Scene<SpaceBody>&, const Knobs&) = nullptr;
 };
 
+/// Why an engine does not run a scene; empty if it does.
+template <class M>
+std::string refusal(const Engine& engine, const Scene<M>& scene);
+
+/// This course's solver by velocities, as one more engine.
+const Engine& this_course();
 /// The engines that this program was built with.
 const std::vector<Engine>& all_engines();
 /// The names of those that it was built without.

@@ -1,6 +1,5 @@
-// The Open Dynamics Engine, in double precision, with its two solvers: QuickStep, whose knob is the number of
-// iterations, and the direct one. It knows space alone: in the plane boxes are 1 m deep, and a joint (Plane2D)
-// holds each there.
+// The Open Dynamics Engine, in double precision, with its two solvers: QuickStep and the direct one. It knows
+// space alone: in the plane boxes are 1 m deep, and a joint (Plane2D) holds each there.
 
 #include <ode/ode.h>
 
@@ -16,7 +15,7 @@ constexpr int most_points = 8;  // of two boxes
 template <class M, bool quick>
 class Ode : public World<M> {
  public:
-  Ode(const Scene<M>& scene, int iterations) {
+  Ode(const Scene<M>& scene, const Knobs& knobs) {
     static const bool begun = dInitODE2(0) != 0;
     if (!begun) throw std::runtime_error("ODE could not be initialised");
     dSetMessageHandler([](int, const char*, va_list) {});  // it warns on standard error
@@ -27,7 +26,11 @@ class Ode : public World<M> {
     const Eigen::Vector3d g = in_space(scene.gravity);
     dWorldSetGravity(world_, g.x(), g.y(), g.z());
     dWorldSetAutoDisableFlag(world_, 0);
-    dWorldSetQuickStepNumIterations(world_, iterations);
+    dWorldSetQuickStepNumIterations(
+        world_, static_cast<int>(knobs.value("iterations", dWorldGetQuickStepNumIterations(world_))));
+    dWorldSetERP(world_, knobs.value("ERP", dWorldGetERP(world_)));
+    dWorldSetCFM(world_, knobs.value("CFM", dWorldGetCFM(world_)));
+    dWorldSetContactSurfaceLayer(world_, knobs.value("layer", dWorldGetContactSurfaceLayer(world_)));
     for (int i = 0; i < scene.bodies().size(); ++i) add(scene.bodies(), i);
     friction_.assign(bodies_.size(), 0);
     for_each_shape(
@@ -86,6 +89,16 @@ class Ode : public World<M> {
     }
   }
 
+  void set_velocities(const Bodies<M>& bodies) override {
+    for (int i = 0; i < bodies.size(); ++i) {
+      if (!bodies_[i]) continue;
+      const Eigen::Vector3d v = velocity_in_space<M>(bodies.velocity[i]),
+                            spin = spin_in_space<M>(bodies.velocity[i]);
+      dBodySetLinearVel(bodies_[i], v.x(), v.y(), v.z());
+      dBodySetAngularVel(bodies_[i], spin.x(), spin.y(), spin.z());
+    }
+  }
+
  private:
   static Eigen::Vector3d at(const Scene<M>& scene, int body, const Arm<M>& arm) {
     const Pose<M>& pose = scene.bodies().pose[body];
@@ -140,8 +153,8 @@ class Ode : public World<M> {
 };
 
 template <class M, bool quick>
-std::unique_ptr<World<M>> build(const Scene<M>& scene, int iterations) {
-  return std::make_unique<Ode<M, quick>>(scene, iterations);
+std::unique_ptr<World<M>> build(const Scene<M>& scene, const Knobs& knobs) {
+  return std::make_unique<Ode<M, quick>>(scene, knobs);
 }
 
 }  // namespace
@@ -149,12 +162,21 @@ std::unique_ptr<World<M>> build(const Scene<M>& scene, int iterations) {
 void add_ode(std::vector<Engine>& all) {
   all.push_back({.name = "ODE QuickStep",
                  .version = "0.16",
-                 .knob = "iterations",
-                 .usual = 20,
+                 .method = "Gauss–Seidel with over-relaxation, rows in random order",
+                 .file = "lessons/engines/settings/ode.cpp",
+                 .settings = ode_quick_settings(),
                  .in_plane = build<PlaneBody, true>,
                  .in_space = build<SpaceBody, true>});
   all.push_back({.name = "ODE direct",
                  .version = "0.16",
+                 .method = "all rows at once: Lemke's method on a dense matrix",
+                 .file = "lessons/engines/settings/ode.cpp",
+                 .settings = ode_direct_settings(),
+                 .refusal = [](const Asked& asked) -> std::string {
+                   return std::max(asked.pins, 4 * asked.boxes) > 60
+                              ? "takes the cube of the number of rows, which is a second a frame here"
+                              : "";
+                 },
                  .in_plane = build<PlaneBody, false>,
                  .in_space = build<SpaceBody, false>});
 }

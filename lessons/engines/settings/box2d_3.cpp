@@ -1,0 +1,28 @@
+#include "lessons/engines/settings.hpp"
+
+// Box2D 3. Knobs: substeps (4); joint hertz (60) and joint damping (2), constraintHertz and constraintDampingRatio
+// of b2JointDef; contact hertz (30) and contact damping (10) of b2WorldDef. Joints are no stiffer than a quarter
+// of the rate of substeps and contacts than an eighth, which is where both stand at four substeps of 1/60 s:
+// without their hertz, more substeps buy nothing.
+namespace byhand::engines {
+
+Settings box2d_3_settings() {
+  const Setting advised{.row = Row::advised,
+                        .knobs = {{"substeps", 8}},
+                        .source = "box2d.h, b2World_Step: more substeps can increase accuracy, usually 4"};
+  Settings all{.joints = {{}, advised}, .contacts = {{}, advised}};
+  for (const int substeps : {4, 8, 16, 32, 64}) {
+    const double quarter = 15.0 * substeps, eighth = 7.5 * substeps;  // of the rate of substeps [Hz]
+    for (const double damping : {2.0, 0.5})
+      all.joints.push_back(
+          {.row = Row::tuned,
+           .knobs = {{"substeps", substeps}, {"joint hertz", quarter}, {"joint damping", damping}}});
+    for (const double damping : {10.0, 2.0})
+      all.contacts.push_back(
+          {.row = Row::tuned,
+           .knobs = {{"substeps", substeps}, {"contact hertz", eighth}, {"contact damping", damping}}});
+  }
+  return all;
+}
+
+}  // namespace byhand::engines

@@ -1,0 +1,29 @@
+#include "lessons/engines/settings.hpp"
+
+// Chipmunk. Knobs: iterations (10); slop [m] (0.1); joint bias and collision bias, the share of an error that a
+// sixtieth of a second takes back (0.1). Its slop is meant for lengths in pixels; cpSpace.h asks for as much as
+// does not show, which among boxes of 1 m is half a centimetre.
+namespace byhand::engines {
+
+Settings chipmunk_settings() {
+  Settings all{.joints = {{},
+                          {.row = Row::advised,
+                           .knobs = {{"iterations", 20}},
+                           .source = "manual, cpSpace: more iterations are more accurate"}},
+               .contacts = {{},
+                            {.row = Row::advised,
+                             .knobs = {{"iterations", 20}, {"slop", 0.005}},
+                             .source = "cpSpace.h: as much slop as does not show"}}};
+  for (const int steps : {1, 2, 4, 8, 16})
+    for (const int iterations : {10, 40, 160})
+      for (const double bias : {0.1, 0.5}) {
+        all.joints.push_back(
+            {.row = Row::tuned, .knobs = {{"iterations", iterations}, {"joint bias", bias}}, .steps = steps});
+        all.contacts.push_back({.row = Row::tuned,
+                                .knobs = {{"iterations", iterations}, {"slop", 0.001}, {"collision bias", bias}},
+                                .steps = steps});
+      }
+  return all;
+}
+
+}  // namespace byhand::engines
