@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "lessons/doctor/rows.hpp"
 #include "lessons/doctor/slow_mode.hpp"
@@ -142,7 +143,7 @@ class Examination {
     }
     if (!lags_.empty()) lag();
     Diagnosis diagnosis;
-    for (auto& [law, finding] : worst_) diagnosis.findings.push_back(std::move(finding));
+    for (auto& [key, finding] : worst_) diagnosis.findings.push_back(std::move(finding));
     std::stable_sort(diagnosis.findings.begin(), diagnosis.findings.end(), [](const Finding& a, const Finding& b) {
       if (a.grade != b.grade) return a.grade > b.grade;
       return a.grade == Grade::fails && a.time != b.time ? a.time < b.time : a.excess() > b.excess();
@@ -177,7 +178,7 @@ class Examination {
     finding.time = pilot_.time;
     if (finding.grade != Grade::fails)
       finding.grade = finding.excess() > 0.7 ? Grade::near_the_limit : Grade::fine;
-    const auto [place, is_new] = worst_.try_emplace(finding.law, finding);
+    const auto [place, is_new] = worst_.try_emplace({finding.law, finding.quantity}, finding);
     if (is_new || finding.excess() <= place->second.excess()) return;
     if (place->second.grade == Grade::fails) finding.time = place->second.time, finding.grade = Grade::fails;
     place->second = finding;
@@ -216,6 +217,7 @@ class Examination {
     write_rows(scene, treatment_.h, work);
     overlaps(scene, work.system);
     repeated(scene, work.system);
+    contradicting_limits(work.system);
   }
 
   void overlaps(const Scene<M>& scene, const System<M>& system) {
@@ -242,6 +244,38 @@ class Examination {
     deepest.knobs = {{"cure", 0, "cure = split_impulse"},
                      turn_to("beta", treatment_.beta * limit / deepest.number)};
     keep(deepest);
+  }
+
+  /// Two stops of one freedom, of which no motion reaches both sides.
+  void contradicting_limits(const System<M>& system) {
+    struct Stop {
+      int body1, body2;
+      double C;
+      Eigen::Matrix<double, 1, 2 * M::dof> J;
+    };
+    std::vector<Stop> stops;
+    for_each_block(system, [&]<int K, Bound B>(const Block<M, K, B>& block, const Run& run) {
+      if constexpr (B == Bound::interval)
+        if (run.position_rows == 1 && system.lower[block.row] == 0)
+          stops.push_back({block.body1, block.body2, system.C[block.row], block.J.matrix});
+    });
+    Finding worst{.law = 8, .quantity = "stops that contradict each other [m or rad]", .limit = 1e-9};
+    for (std::size_t i = 0; i < stops.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) {
+        const Stop &one = stops[i], &other = stops[j];
+        if (one.body1 != other.body1 || one.body2 != other.body2 || !(one.J + other.J).isZero(1e-9) ||
+            one.J.isZero(1e-9))
+          continue;
+        if (const double apart = -(one.C + other.C); apart > worst.number)
+          worst.number = apart, worst.bodies = moving(one.body1, one.body2);
+      }
+    if (worst.number <= worst.limit) return;
+    worst.grade = Grade::fails;
+    worst.sentence = fmt::format(
+        "The lower stop lies {:.3g} above the upper one: no motion obeys both, and λ grows without end.",
+        worst.number);
+    worst.knobs = {{"constraints", 0, "exchange at_least and at_most"}};
+    keep(worst);
   }
 
   /// Rows without bounds that depend on each other, by the eigenvalues of D^-½ A D^-½.
@@ -306,8 +340,11 @@ class Examination {
 
   void at_a_moment() {
     const Moment<M> moment = now();
+    turns(moment);
+    speeds(moment);
     if (moment.work.system.rows() == 0) return;
     transverse(moment);
+    cones(moment);
     if (treatment_.passes > 0) sweeps(moment);
   }
 
@@ -374,6 +411,84 @@ class Examination {
         pilot_.time, worst.number);
     worst.knobs = {more_substeps(1.2 * std::sqrt(worst.excess()))};
     keep(worst);
+  }
+
+  /// Law 10: contacts that hold by friction and are about to slip.
+  void cones(const Moment<M>& moment) {
+    const System<M>& system = moment.work.system;
+    Finding worst{.law = 10, .quantity = "share of the friction cone", .number = 0.9, .limit = 1};
+    for_each_block(system, [&]<int K, Bound B>(const Block<M, K, B>& block, const Run&) {
+      if constexpr (B == Bound::friction || B == Bound::manifold) {
+        double slip = 0, normal = 0;
+        for (int k = normals<K, B>; k < K; ++k) slip += std::pow(system.lambda[block.row + k], 2);
+        if constexpr (B == Bound::friction)
+          normal = system.lambda[block.normal_row];
+        else
+          normal = system.lambda[block.row] + system.lambda[block.row + 1];
+        const double bound = system.upper[block.row] * normal, share = bound > 0 ? std::sqrt(slip) / bound : 0;
+        if (share > worst.number && share < 0.999)
+          worst.number = share, worst.bodies = moving(block.body1, block.body2);
+      }
+    });
+    if (worst.bodies.empty()) return;
+    worst.sentence = fmt::format(
+        "At {:.2f} s friction carries {:.3g} of what its cone allows: a little less of μ, or a little more of "
+        "a load, and it slips.",
+        pilot_.time, worst.number);
+    worst.knobs = {{"friction", 0, "a larger μ of these bodies"}};
+    keep(worst);
+  }
+
+  /// Law 13: how far a body in space turns in a substep. Its axes are taken as they are at the beginning.
+  void turns(const Moment<M>& moment) {
+    if constexpr (M::angular == 3) {
+      const Bodies<M>& bodies = moment.scene.bodies();
+      Finding worst{.law = 13, .quantity = "turn in a substep [rad]", .limit = 0.5};
+      for (int i = 0; i < bodies.size(); ++i)
+        if (const double turn = bodies.velocity[i].template tail<3>().norm() * treatment_.h;
+            moves(bodies.inverse_mass[i]) && turn > worst.number)
+          worst.number = turn, worst.bodies = {i};
+      if (worst.number == 0) return;
+      worst.sentence = fmt::format(
+          "At {:.2f} s it turns by θ = {:.3g} rad in a substep: whatever is held off its axis is off by a share 1 "
+          "− cos θ = {:.3g} of "
+          "its arm, and spin and precession lose their pace.",
+          pilot_.time, worst.number, 1 - std::cos(worst.number));
+      worst.knobs = {more_substeps(worst.number / 0.1)};
+      keep(worst);
+    }
+  }
+
+  /// Law 16: where contacts are not looked for ahead, what moves by more than half a body's thickness in a substep
+  /// may pass it unseen.
+  void speeds(const Moment<M>& moment) {
+    if constexpr (M::angular > 0) {
+      const Colliders<M>& colliders = moment.scene.colliders();
+      if (colliders.lookahead >= 1) return;
+      double thinnest = INFINITY, fastest = 0;
+      int body = 0;
+      for (std::size_t i = 0; i < colliders.shapes.size(); ++i) {
+        if (const auto* block = std::get_if<Box<M>>(&colliders.shapes[i]))
+          thinnest = std::min(thinnest, block->sides.minCoeff());
+        if (const auto* round = std::get_if<Ball<M>>(&colliders.shapes[i]))
+          thinnest = std::min(thinnest, 2 * round->radius);
+        const double speed = moment.scene.bodies().velocity[i].template head<M::linear>().norm();
+        if (speed > fastest && !std::holds_alternative<std::monostate>(colliders.shapes[i]))
+          fastest = speed, body = static_cast<int>(i);
+      }
+      const double way = fastest * treatment_.h * (1 - colliders.lookahead);
+      if (std::isinf(thinnest) || way == 0) return;
+      keep({.law = 16,
+            .quantity = "way in a substep [m]",
+            .number = way,
+            .limit = thinnest / 2 + colliders.margin,
+            .bodies = {body},
+            .sentence = fmt::format("At {:.2f} s it moves {:.3g} m in a substep, and the thinnest shape is {:.3g} "
+                                    "m thick: beyond half of "
+                                    "that, and the margin, it may pass unseen.",
+                                    pilot_.time, way, thinnest),
+            .knobs = {{"contact_lookahead", 1, "contact_lookahead = 1"}, more_substeps(way / (thinnest / 2))}});
+    }
   }
 
   void sweeps(const Moment<M>& moment) {
@@ -486,6 +601,31 @@ class Examination {
           .knobs = {turn_to("beta", 0.5 * limit), exactly()}});
   }
 
+  /// Law 9: the heaviest body above a lighter one, along the paths of pushes. A warm start settles up to about
+  /// three times the sweeps, at β = 0.2.
+  void mass_ratios(const std::vector<std::vector<int>>& above, const Bodies<M>& bodies) {
+    Finding worst{.law = 9, .quantity = "mass ratio along a path of pushes", .limit = 3.0 * treatment_.passes};
+    for (int low = 0; low < bodies.size(); ++low) {
+      if (!moves(bodies.inverse_mass[low])) continue;
+      std::vector<int> path{low};
+      std::vector<char> seen(above.size(), 0);
+      for (std::size_t i = 0; i < path.size(); ++i)
+        for (const int high : above[static_cast<std::size_t>(path[i])]) {
+          if (std::exchange(seen[static_cast<std::size_t>(high)], 1)) continue;
+          path.push_back(high);
+          const double ratio = bodies.inverse_mass[low].linear / bodies.inverse_mass[high].linear;
+          if (ratio > worst.number) worst.number = ratio, worst.bodies = {low, high};
+        }
+    }
+    if (worst.number < 2) return;
+    worst.sentence = fmt::format(
+        "The upper body is {:.3g} times as heavy as one that carries it; {} warm sweeps settle at β = 0.2 up to "
+        "about {:.3g}.",
+        worst.number, treatment_.passes, worst.limit);
+    worst.knobs = {exactly(), more_sweeps(worst.excess())};
+    keep(worst);
+  }
+
   /// Law 4 from λ = 0: a sweep passes a weight down by one contact, so that the foot of a pile as high as this
   /// needs as many sweeps in every step.
   void cold_height(const std::vector<std::vector<int>>& above, const Bodies<M>& bodies) {
@@ -535,6 +675,7 @@ class Examination {
         below[static_cast<std::size_t>(high)].push_back(low);
       }
       if (!treatment_.warm_start) cold_height(above, bodies);
+      mass_ratios(above, bodies);
       for (int first = 0; first < bodies.size(); ++first) {
         const auto at = static_cast<std::size_t>(first);
         if (!moves(bodies.inverse_mass[first]) || below[at].size() != 1 ||
@@ -583,8 +724,8 @@ class Examination {
   int parts_ = 1;                      // steps of the pilot in one of the file
   std::vector<double> sizes_, loads_;  // of the bodies [m]; mean |λ|/h of all rows in each step [N]
   std::vector<int> hardest_;
-  std::map<int, Finding> worst_;
-  std::vector<double> openings_;  // of the joints, by row [m]
+  std::map<std::pair<int, std::string>, Finding> worst_;  // by law and quantity
+  std::vector<double> openings_;                          // of the joints, by row [m]
   std::vector<Lag> lags_;
 };
 

@@ -13,6 +13,8 @@
 #include "lessons/scenes/boxes.hpp"
 #include "lessons/scenes/chain.hpp"
 #include "lessons/scenes/four_bar.hpp"
+#include "lessons/scenes/incline.hpp"
+#include "lessons/scenes/top.hpp"
 #include "lessons/scenes/units.hpp"
 #include "tests/lessons/doctor/random_scenes.hpp"
 
@@ -98,6 +100,77 @@ TEST(Doctor, ForetellsThePopOfAnOverlap) {
   EXPECT_EQ(doctor::diagnose(file).law(), 2);
   std::get<Baumgarte>(file.method.drift).beta = 0.1;
   EXPECT_NE(doctor::diagnose(file).law(), 2);
+}
+
+TEST(Doctor, FindsStopsThatContradictEachOther) {
+  Scene<PlaneBody> scene;
+  const int ground = scene.add_body({0, 0}, fixed<PlaneBody>()),
+            door = scene.add_body({1, 0}, box<PlaneBody>(1, {2, 0.1}));
+  scene.add(pin<PlaneBody>(scene.bodies(), ground, door, {0, 0}));
+  const Turn<PlaneBody> angle = turn<PlaneBody>(scene.bodies(), ground, door);
+  scene.add(at_least<PlaneBody>(-0.5, angle));
+  scene.add(at_most<PlaneBody>(0.5, angle));
+  SceneFile file;
+  file.scene = scene;
+  file.duration = 0.5;
+  EXPECT_EQ(doctor::diagnose(file).law(), 0);
+  scene.add(at_most<PlaneBody>(-0.7, angle));
+  file.scene = scene;
+  EXPECT_EQ(doctor::diagnose(file).law(), 8);
+  EXPECT_NEAR(doctor::diagnose(file).findings.front().number, 0.2, 1e-12);
+}
+
+TEST(Doctor, WarnsOfABlockThatIsAboutToSlide) {
+  SceneFile file;
+  file.scene = box_on_incline(radians(20), 1.02 * std::tan(radians(20)));
+  file.duration = 0.5;
+  const Diagnosis near = doctor::diagnose(file);
+  ASSERT_TRUE(finding(near, 10));
+  EXPECT_NEAR(finding(near, 10)->number, 1 / 1.02, 1e-3);
+  EXPECT_EQ(near.law(), 0);
+  file.scene = box_on_incline(radians(20), 2.0);
+  EXPECT_FALSE(finding(doctor::diagnose(file), 10));
+}
+
+TEST(Doctor, WarnsOfWhatMayPassAWallUnseen) {
+  Scene<PlaneBody> scene;
+  scene.gravity.setZero();
+  const int wall = scene.add_body({10, 0}, fixed<PlaneBody>()),
+            ball_in_flight = scene.add_body({0, 0}, ball<PlaneBody>(1, 0.2), {60, 0, 0});
+  scene.set_shape(wall, Box<PlaneBody>{{0.1, 5}});
+  scene.set_shape(ball_in_flight, Ball<PlaneBody>{0.2});
+  SceneFile file;
+  file.duration = 0.1;
+  file.scene = scene;
+  EXPECT_FALSE(finding(doctor::diagnose(file), 16));
+  scene.set_margin(0.02, 0);
+  file.scene = scene;
+  const Diagnosis seen = doctor::diagnose(file);
+  ASSERT_TRUE(finding(seen, 16));
+  EXPECT_NEAR(finding(seen, 16)->number, 1, 1e-9);
+  EXPECT_EQ(finding(seen, 16)->bodies, std::vector<int>{ball_in_flight});
+}
+
+TEST(Doctor, WarnsOfABodyThatTurnsFarInAStep) {
+  SceneFile file;
+  file.scene = free_top({1, 2, 3}, {0, 0, 30});
+  file.duration = 0.5;
+  const Diagnosis diagnosis = doctor::diagnose(file);
+  ASSERT_TRUE(finding(diagnosis, 13));
+  EXPECT_NEAR(finding(diagnosis, 13)->number, 0.5, 1e-6);
+  EXPECT_EQ(finding(diagnosis, 13)->grade, Grade::near_the_limit);
+}
+
+TEST(Doctor, FindsTheMassRatioOfAPile) {
+  SceneFile file;
+  file.scene = stack(3, 40);
+  file.method.solver = GaussSeidel{.sweeps = 10};
+  file.duration = 0.5;
+  const Diagnosis diagnosis = doctor::diagnose(file);
+  const auto ratio = std::find_if(diagnosis.findings.begin(), diagnosis.findings.end(),
+                                  [](const Finding& one) { return one.quantity.starts_with("mass ratio"); });
+  ASSERT_NE(ratio, diagnosis.findings.end());
+  EXPECT_NEAR(ratio->number, 40, 1e-9);
 }
 
 /// The verdicts on random scenes beside their runs.
