@@ -16,7 +16,9 @@
 //
 // and stands while T - (mga/κ) D, from these two sums, has positive pivots only. For many boxes that is
 // mga/κ < 7.837/N³, Greenhill's column; N³ < 7.84 kw²/2mga, or a base that sags by at most 1.96 w²/aN². It is a
-// matter of statics: neither sweeps nor substeps nor shorter steps help, but stiffness does.
+// matter of statics: neither sweeps nor substeps nor shorter steps help, but stiffness does. All this while the
+// base sags by little of a box's height, w < 0.3 Na: flat boxes on contacts as soft as that sink into one another
+// first.
 //
 // Contacts tuned by a frequency have k = m_eff ω² with the row's own effective mass. At a corner of two boxes,
 // with I = m(w² + a²)/12, that is m/(2 + 6w²/(w² + a²)), m/5 if they are square, and twice that on the ground:

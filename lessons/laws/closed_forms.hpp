@@ -73,4 +73,8 @@ inline double sweeps_to_stand(int boxes, double gravity, double step, const BoxS
   return sweeps_to_stand(tipping_rate_squared(boxes, gravity, size), bending_left_by_a_sweep(boxes, size), step);
 }
 
+/// Law 21 (doubling.cpp). By how much one step and its two halves differ for an error C [m] that is corrected by β
+/// per step, whatever the step [m].
+inline double difference_of_a_doubled_step(double beta, double error) { return beta * (1 - beta) * error; }
+
 }  // namespace byhand::laws

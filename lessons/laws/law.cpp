@@ -9,6 +9,7 @@
 #include "lessons/laws/baumgarte.hpp"
 #include "lessons/laws/buckling.hpp"
 #include "lessons/laws/creep.hpp"
+#include "lessons/laws/doubling.hpp"
 #include "lessons/laws/friction.hpp"
 #include "lessons/laws/hopping.hpp"
 #include "lessons/laws/pop.hpp"
@@ -43,7 +44,8 @@ std::vector<Law> all() {
           buckling(),
           creep(),
           hopping(),
-          exact_columns()};
+          exact_columns(),
+          step_doubling()};
 }
 
 std::string counted(int count, const std::string& what) {
