@@ -97,7 +97,7 @@ TEST_F(Commands, NoInstallListsWhatIsMissingAndStops) {
 
 TEST_F(Commands, NoInstallListsWhatThatCommandWouldInstall) {
   only_installed("cmake");
-  for (const char* plain : {"--all", "2", "baumgarte", "practise", "verify", ""}) {
+  for (const char* plain : {"2", "baumgarte", "practise", "verify", ""}) {
     const Finished finished = start(checkout_, std::string(plain) + " --no-install", first_in_path());
     EXPECT_EQ(finished.status, 3) << plain;
     EXPECT_THAT(finished.complained, testing::AllOf(HasSubstr("libosmesa6-dev"), Not(HasSubstr("clang-19")),
@@ -106,7 +106,7 @@ TEST_F(Commands, NoInstallListsWhatThatCommandWouldInstall) {
   }
   EXPECT_THAT(start(checkout_, "site --no-install", first_in_path()).complained,
               testing::AllOf(HasSubstr("clang-19"), HasSubstr("wasi-libc"), HasSubstr("libosmesa6-dev")));
-  for (const char* engines : {"10", "beside_the_engines", "engine"})
+  for (const char* engines : {"10", "beside_the_engines", "engine", "--all", "site"})
     EXPECT_THAT(start(checkout_, std::string(engines) + " --no-install", first_in_path()).complained,
                 HasSubstr("libode-dev"))
         << engines;
