@@ -95,7 +95,7 @@ steps can be left out: no core step needs one.</p>
 <code>index.html</code>. The whole course is also an e-book: <a href="constraints_by_hand.epub">constraints_by_hand.epub</a>.
 No page loads anything from another host, sets a cookie or stores what a student does.</p>
 <p>A server with a strict content security policy may use
-<code>default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; worker-src blob:</code>.</p>
+<code>default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; worker-src blob:; img-src 'self' data:</code>.</p>
 </section>
 <section id="linking">
 <h2>Linking</h2>
