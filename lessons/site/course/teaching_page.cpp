@@ -65,7 +65,9 @@ std::string downloads(const std::vector<Digest>& lessons) {
                            escaped(lesson_title(lesson.slug)));
   return "<section id=\"downloads\">\n<h2>To download</h2>\n<p>The figures of a lesson, as SVG and their data as "
          "CSV:</p>\n<ul class=\"ways\">\n" +
-         figures + "</ul>\n</section>\n";
+         figures +
+         "</ul>\n<p>The key to all questions is <code>answers.html</code> beside this page, unless the site was "
+         "written with <code>--without-answers</code>.</p>\n</section>\n";
 }
 
 /// The scene of a lesson alone, or an address of that form where it has none.

@@ -134,3 +134,29 @@ for (const page of quick ? pages.filter(page => page.startsWith('04')) : pages)
       assert.deepEqual(violations.map(({ id, nodes }) => `${id}: ${nodes.slice(0, 3).map(node => node.html.slice(0, 160)).join(' | ')}`), []);
       await tab.close();
     });
+
+// Chromium writes one object of this type for each page.
+const printed = async tab => Buffer.from(await tab.pdf({ format: 'A4' })).toString('latin1').match(/\/Type *\/Page\b(?!s)/g).length;
+
+test('the table of all laws is one printed page', { skip: !pages.includes('laws.html') && 'only of the whole course' }, async () => {
+  const tab = await open(url('laws.html'));
+  await tab.$eval('.derivations', rest => rest.remove());
+  assert.equal(await printed(tab), 1);
+  await tab.close();
+});
+
+test('paper is white, says where the page is from, and shows no stubs of what is folded or held', async () => {
+  const tab = await open(url(`${lessons.at(-1)}.html`));
+  await tab.emulateMediaType('print');
+  const seen = await tab.evaluate(() => ({
+    paper: getComputedStyle(document.documentElement).getPropertyValue('--paper'),
+    address: document.querySelector('.printed').textContent,
+    shown: document.querySelector('.printed').checkVisibility(),
+    stubs: [...document.querySelectorAll('details.goals, details.parameters, details.hint, details.solution, .hold, .beside')].filter(one => one.checkVisibility()).length,
+    wide: [...document.querySelectorAll('.picture svg')].filter(svg => svg.getBoundingClientRect().right > document.documentElement.clientWidth + 1).length,
+  }));
+  assert.equal(seen.paper.trim(), '#fff');
+  assert.ok(seen.shown && seen.address.includes(lessons.at(-1)), seen.address);
+  assert.deepEqual([seen.stubs, seen.wide], [0, 0]);
+  await tab.close();
+});
