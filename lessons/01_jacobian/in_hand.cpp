@@ -74,7 +74,7 @@ class BobInHand final : public course::Held {
                   {.size = letters, .colour = colour, .anchor = Anchor::top_left, .halo = 5});
     };
     line(20, course::say("C = @ m²", Value(value(), 3)), palette::error);
-    line(66, course::say("Ċ = JV = @ m²/s", Value(JV(), 3)), palette::error);
+    line(66, course::say("Ċ = JV = @ m²/s", Value(rate(), 3)), palette::error);
   }
 
   std::string words(std::optional<double>) const override {
@@ -82,8 +82,8 @@ class BobInHand final : public course::Held {
     const std::string rod = off == 0 ? "the bob is on the circle"
                                      : course::say("the bob is @ m too @ the anchor", Value(std::abs(off), 3),
                                                    off > 0 ? "far from" : "close to");
-    const char* way = JV() == 0 ? "C does not change" : JV() > 0 ? "C grows" : "C falls";
-    return course::say("C = @ m²: @. Ċ = JV = @ m²/s: @.", Value(value(), 3), rod, Value(JV(), 3), way);
+    const char* way = rate() == 0 ? "C does not change" : rate() > 0 ? "C grows" : "C falls";
+    return course::say("C = @ m²: @. Ċ = JV = @ m²/s: @.", Value(value(), 3), rod, Value(rate(), 3), way);
   }
 
  private:
@@ -101,7 +101,7 @@ class BobInHand final : public course::Held {
     return course::without_rounding(rod().value<double>(scene_.bodies().pose[0], scene_.bodies().pose[1])[0],
                                     length_ * length_);
   }
-  double JV() const {
+  double rate() const {
     const double whole = dot(row(), scene_.bodies().velocity[0], scene_.bodies().velocity[1])[0];
     return course::without_rounding(whole, length_ * length_ * hand_rate);
   }

@@ -1,5 +1,6 @@
 #include "lessons/site/card.hpp"
 
+#include <cmath>
 #include <optional>
 #include <variant>
 
@@ -24,7 +25,8 @@ std::optional<Figure> first_drawing(const std::vector<RecordedStep>& steps) {
       }
       if (const auto* sequence = std::get_if<Sequence>(&item); sequence && !film) {
         const auto* seconds = std::get_if<Seconds>(&sequence->length);
-        const double middle = seconds ? seconds->value / 2 : std::get<Frames>(sequence->length).value / 2;
+        const double middle =
+            seconds ? seconds->value / 2 : std::floor(0.5 * std::get<Frames>(sequence->length).value);
         film = Figure{sequence->name, sequence->caption,
                       [draw = sequence->draw, middle](renderer::Canvas& canvas) { draw(canvas, middle); }};
       }
