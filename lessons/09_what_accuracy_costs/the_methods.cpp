@@ -33,7 +33,11 @@ const std::vector<Recipe> recipes{
       "Repeat for so many rounds (iterations).", "Read the velocity: v ← (x − x₀)/h."},
      "iterations; α is the share of an old error that a step leaves",
      R"(It holds rods, joints and contacts, hard ones and very soft ones. Momentum is kept only as far as the rounds
-     have converged, and an effect moves on by few bodies a round.)"},
+     have converged, and an effect moves on by few bodies a round. κ is two things at once: the stiffness of the
+     material, and the penalty of the iteration, whose start and growth decide whether it converges. With all masses
+     times 1000 its authors' own program is unstable (avbd-demo2d, issue 11). NVIDIA's engine Newton has deprecated it
+     for rigid bodies (newton, issue 3333 and pull request 3769, July 2026) in favour of an augmented Lagrangian method
+     in which stiffness and penalty are separate numbers.)"},
     {"RATTLE",
      "H. C. Andersen, 1983",
      R"(is the leapfrog with constraints: half a kick of gravity, a move, half a kick; and two sets of impulses, one
