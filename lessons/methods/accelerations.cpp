@@ -1,6 +1,5 @@
 #include "lessons/methods/accelerations.hpp"
 
-#include "solver/integrate/euler.hpp"
 #include "solver/support/each_model.hpp"
 
 namespace byhand {
@@ -10,24 +9,9 @@ namespace {
 template <class M>
 void write_free_accelerations(const Bodies<M>& bodies, const Linear<M>& gravity, Bodies<M>& accelerated) {
   accelerated = bodies;
-  for (int i = 0; i < bodies.size(); ++i) {
-    Velocity<M>& a = accelerated.velocity[i];
-    a.setZero();
-    if (!moves(bodies.inverse_mass[i])) continue;
-    const BodyForces own = bodies.forces.empty() ? BodyForces{} : bodies.forces[i];
-    const Velocity<M>& V = bodies.velocity[i];
-    a.template head<M::linear>() = own.gravity_scale * gravity - own.linear_damping * V.template head<M::linear>();
-    if constexpr (M::angular == 3) {  // Euler's equations, I Ω̇ = IΩ × Ω in the body's axes
-      const Eigen::Quaterniond& q = bodies.pose[i].rotation;
-      const Eigen::Vector3d &inverse_moments = bodies.inverse_mass[i].angular,
-                            spin = rotate(inverse(q), V.template tail<3>());
-      const Eigen::Vector3d momentum = spin.cwiseQuotient(inverse_moments);
-      a.template tail<3>() = rotate(q, momentum.cross(spin).cwiseProduct(inverse_moments));
-    }
-    if constexpr (M::angular > 0)
-      a.template tail<M::angular>() -= own.angular_damping * V.template tail<M::angular>();
-    a += applied_acceleration(bodies, i);
-  }
+  for (int i = 0; i < bodies.size(); ++i)
+    accelerated.velocity[i] =
+        moves(bodies.inverse_mass[i]) ? free_acceleration(bodies, i, gravity) : Velocity<M>(Velocity<M>::Zero());
 }
 
 /// Writes V̇ of all bodies into `work.accelerated`, and f [N, or what is conjugate to C] into `work.change`.
@@ -127,10 +111,7 @@ void advance(Scene<M>& scene, const Accelerations& method, double step, Accelera
   require_steppable(scene, method, step);
   Attempt attempt(scene, work);
   begin_equalities(scene, step / method.substeps, work);
-  for (const BodyForces& own : scene.bodies().forces)  // explicit stages and the iteration are stable below 2
-    for (const double rate : {own.linear_damping, own.angular_damping})
-      require(rate * work.h <= 1, "damping in a substep", rate * work.h,
-              "at most 1 for integration of accelerations; take smaller substeps or another method");
+  require_slow_damping(scene.bodies(), work.h);
   work.paths.resize(scene.bodies().size());
   work.sum.resize(scene.bodies().size());
   run_substeps(method.substeps, scene, work, [&] {

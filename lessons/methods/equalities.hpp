@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "solver/direct/equations.hpp"
+#include "solver/integrate/euler.hpp"
 #include "solver/rows/operators.hpp"
 #include "solver/support/attempt.hpp"
 
@@ -47,6 +48,35 @@ std::string refusal_unless_equalities(const Scene<M>& scene, const char* method)
     if (softness != 0) return refused(" is soft: it gives way by " + text_of(softness) + " in a step");
   }
   return {};
+}
+
+/// M⁻¹F of a body at its pose and velocity: weight, damping, applied forces and, in space, -ω × Iω [m/s², rad/s²].
+template <class M>
+Velocity<M> free_acceleration(const Bodies<M>& bodies, int body, const Linear<M>& gravity) {
+  const BodyForces own = bodies.forces.empty() ? BodyForces{} : bodies.forces[body];
+  const Velocity<M>& V = bodies.velocity[body];
+  Velocity<M> a = Velocity<M>::Zero();
+  a.template head<M::linear>() = own.gravity_scale * gravity - own.linear_damping * V.template head<M::linear>();
+  if constexpr (M::angular == 3) {  // Euler's equations, I Ω̇ = IΩ × Ω in the body's axes
+    const Eigen::Quaterniond& q = bodies.pose[body].rotation;
+    const Eigen::Vector3d &inverse_moments = bodies.inverse_mass[body].angular,
+                          spin = rotate(inverse(q), V.template tail<3>());
+    const Eigen::Vector3d momentum = spin.cwiseQuotient(inverse_moments);
+    a.template tail<3>() = rotate(q, momentum.cross(spin).cwiseProduct(inverse_moments));
+  }
+  if constexpr (M::angular > 0)
+    a.template tail<M::angular>() -= own.angular_damping * V.template tail<M::angular>();
+  return a + applied_acceleration(bodies, body);
+}
+
+/// Throws std::invalid_argument unless explicit stages and fixed-point iterations of h [s] follow every damping:
+/// they are stable below 2.
+template <class M>
+void require_slow_damping(const Bodies<M>& bodies, double h) {
+  for (const BodyForces& own : bodies.forces)
+    for (const double rate : {own.linear_damping, own.angular_damping})
+      require(rate * h <= 1, "damping in a substep", rate * h,
+              "at most 1 for integration of accelerations; take smaller substeps or another method");
 }
 
 /// Begins a step of substeps h [s]: if the scene has changed, lays the rows out in the order of elimination.

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "lessons/exact/slider_crank.hpp"
+#include "lessons/methods/generalised.hpp"
 #include "lessons/methods/method.hpp"
 #include "lessons/scenes/boxes.hpp"
 #include "lessons/scenes/chain.hpp"
@@ -39,6 +40,7 @@ void with_all_methods(F&& f) {
   f(Rattle{});
   for (const Scheme scheme : {Scheme::explicit_euler, Scheme::rk4, Scheme::implicit_midpoint})
     f(Accelerations{scheme});
+  for (const JointRule rule : {JointRule::semi_implicit_euler, JointRule::rk4}) f(Generalised{rule});
 }
 
 /// The same scene as someone sees it who moves with -`velocity` [m/s].

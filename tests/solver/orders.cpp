@@ -8,6 +8,7 @@
 #include "lessons/exact/simple_pendulum.hpp"
 #include "lessons/exact/spherical_pendulum.hpp"
 #include "lessons/methods/accelerations.hpp"
+#include "lessons/methods/generalised.hpp"
 #include "lessons/methods/rattle.hpp"
 #include "lessons/scenes/spherical_pendulum.hpp"
 #include "lessons/scenes/top.hpp"
@@ -49,6 +50,8 @@ void expect_orders(const Scene<M>& scene, F&& at_one_second) {
   EXPECT_NEAR(order_of(midpoint, 1.0 / 100), 2, 0.05);
   EXPECT_NEAR(order_of(Rattle{}, 1.0 / 100), 2, 0.05);
   EXPECT_NEAR(order_of(rk4, 1.0 / 50), 4, 0.15);
+  EXPECT_NEAR(order_of(Generalised{}, 1.0 / 50), 4, 0.15);
+  EXPECT_NEAR(order_of(Generalised{JointRule::semi_implicit_euler}, 1.0 / 500), 1, 0.05);
 }
 
 TEST(Orders, OfAParticleOnARodInThePlane) {
@@ -103,6 +106,7 @@ TEST(Orders, OfAFreeBodyInSpace) {
   EXPECT_NEAR(order_of(midpoint, 1.0 / 100), 2, 0.05);
   EXPECT_NEAR(order_of(Rattle{}, 1.0 / 100), 2, 0.05);
   EXPECT_NEAR(order_of(rk4, 1.0 / 100), 4, 0.15);
+  EXPECT_NEAR(order_of(Generalised{}, 1.0 / 100), 4, 0.15);
 }
 
 }  // namespace orders_test
