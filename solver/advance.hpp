@@ -5,7 +5,6 @@
 #include "solver/integrate/euler.hpp"
 #include "solver/step.hpp"
 #include "solver/support/attempt.hpp"
-#include "solver/support/kept.hpp"
 
 // One step of velocity stepping. It asks row solver and cure, and knows none by name.
 namespace byhand {
@@ -42,13 +41,14 @@ Layout layout_of(const Solver& solver, const Own& own) {
 }
 
 template <class M, class Solver, class Own>
-std::vector<int> order_of(const Scene<M>& scene, const Solver& solver, Own& own) {
+std::vector<int> order_of(const Scene<M>& scene, const ConstraintList<M>& contacts, const Solver& solver,
+                          Own& own) {
   if constexpr (requires { solver.order(Graph(), own); })
-    return solver.order(scene.graph(), own);
+    return solver.order(scene.graph(contacts), own);
   else if (const Layout layout = layout_of(solver, own); layout != Layout::natural)
-    return byhand::order_of(layout, scene.graph());
+    return byhand::order_of(layout, scene.graph(contacts));
   else
-    return natural_order(scene.count());
+    return natural_order(scene.count() + contacts.count());
 }
 
 template <class Solver>
@@ -61,10 +61,11 @@ template <class M, class Solver>
 void lay_out(const Scene<M>& scene, const Solver& solver, Work<M>& work) {
   with_choice(solver, [&]<class Choice>(const Choice& choice) {
     using Own = typename WorkOf<M, Choice>::type;
-    const bool same_solver = std::any_cast<Own>(&work.solver);
-    Own& own = kept_as<Own>(work.solver);
-    if (same_solver && work.version == scene.version() && work.layout == layout_of(choice, own)) return;
-    scene.lay_out(order_of(scene, choice, own), work.system);
+    Own* kept = std::any_cast<Own>(&work.solver);
+    if (kept && work.version == scene.version() && work.layout == layout_of(choice, *kept)) return;
+    Own& own = kept ? *kept : work.solver.template emplace<Own>();
+    const ConstraintList<M>& contacts = work.contacts.constraints();
+    scene.lay_out(order_of(scene, contacts, choice, own), work.system, contacts);
     work.executed.laid_out_rows += work.system.rows();
     work.layout = layout_of(choice, own);
     work.version = scene.version();
@@ -83,6 +84,16 @@ void solve_rows(const Solver& solver, Bodies<M>& bodies, Work<M>& work, Begin be
   work.executed.prepared_rows += work.system.rows();
   work.solution += solution;
 }
+
+template <class M, class Solver>
+struct StageOf final : Stage<M> {
+  StageOf(Scene<M>& s, Work<M>& w, double substep, const Solver& choice)
+      : Stage<M>(s, w, substep, w.cure), own(w), solver(choice) {}
+  void solve_rows_again() override { solve_rows(solver, this->scene.state(), own, Begin::resume); }
+
+  Work<M>& own;
+  const Solver& solver;
+};
 
 }  // namespace detail
 
@@ -136,13 +147,12 @@ void advance(Scene<M>& scene, const VelocitySteppingWith<Solver, Cure>& method, 
   require_steppable(scene, method, step);
   Attempt attempt(scene, work);
   work.solution = {};
-  work.contacts.find(scene, step);  // the article's n, P1 and P2, from shapes
+  find_contacts(scene, step, work);  // the article's n, P1 and P2, from shapes
   detail::lay_out(scene, method.solver, work);
   work.contacts.write_impulses(work.system);
   Bodies<M>& bodies = scene.state();
   const double h = step / method.substeps;
-  const auto again = [&] { detail::solve_rows(method.solver, bodies, work, Begin::resume); };
-  Stage<M> stage{scene, work, h, work.cure, std::ref(again)};
+  detail::StageOf<M, Solver> stage(scene, work, h, method.solver);
   for (int i = 0; i < method.substeps; ++i) {
     write_rows(scene, h, work);       // J, C, M⁻¹Jᵀ at the current poses
     begin_cure(method.drift, stage);  // b of (21), (22)

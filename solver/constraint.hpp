@@ -79,9 +79,8 @@ class ConstraintStore {
   virtual ~ConstraintStore() = default;
   virtual std::unique_ptr<ConstraintStore> clone() const = 0;
   virtual const std::type_info& kind() const = 0;
-  virtual int size() const = 0;
   virtual void erase(int index) = 0;
-  virtual void truncate(int size) = 0;
+  virtual void clear() = 0;
 
   /// Handle of the contact whose λ limits Bound::friction, else -1.
   virtual int contact_of(int index) const = 0;
@@ -130,9 +129,8 @@ class Store final : public Constraints<M, Kind> {
   }
   std::unique_ptr<ConstraintStore<M>> clone() const override { return std::make_unique<Store>(*this); }
   const std::type_info& kind() const override { return typeid(Kind); }
-  int size() const override { return static_cast<int>(this->all.size()); }
   void erase(int index) override { this->all.erase(this->all.begin() + index); }
-  void truncate(int size) override { this->all.erase(this->all.begin() + size, this->all.end()); }
+  void clear() override { this->all.clear(); }
 
   int contact_of(int index) const override {
     if constexpr (B == Bound::friction) return this->all[index].contact;

@@ -16,12 +16,11 @@ double residual(const System<M>& system, const std::vector<Velocity<M>>& V) {
 }
 
 template <class M>
-PositionError position_error(const Scene<M>& scene) {
+PositionError position_error(const Scene<M>& scene, const ContactManager<M>& contacts) {
   double largest = 0, sum = 0;
   int rows = 0;
-  for (const auto& entry : scene.entries()) {
-    const ConstraintStore<M>& store = scene.store(entry.kind);
-    if (store.position_rows == 0) continue;
+  for_each_constraint(scene, contacts, [&](const ConstraintStore<M>& store, const auto& entry) {
+    if (store.position_rows == 0) return;
     double C[most_rows<M>];
     store.write_value(entry.index, scene.bodies(), C);
     for (int k = 0; k < store.position_rows; ++k) {
@@ -30,12 +29,12 @@ PositionError position_error(const Scene<M>& scene) {
       sum += error * error;
       ++rows;
     }
-  }
+  });
   return {largest, rows > 0 ? std::sqrt(sum / rows) : 0.0};
 }
 
-#define BYHAND_INSTANTIATE(M)                             \
-  template PositionError position_error(const Scene<M>&); \
+#define BYHAND_INSTANTIATE(M)                                                       \
+  template PositionError position_error(const Scene<M>&, const ContactManager<M>&); \
   template double residual(const System<M>&, const std::vector<Velocity<M>>&)
 BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);
 #undef BYHAND_INSTANTIATE

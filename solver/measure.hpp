@@ -71,9 +71,15 @@ struct PositionError {
   double max = 0, rms = 0;  // of |C|, in the unit of C
 };
 
-/// |C| over all rows that have a C; of one-sided rows only overlap counts. NaN if any is.
+/// |C| over all rows that have a C, of a scene's constraints and of these contacts; of one-sided rows only overlap
+/// counts. NaN if any is.
 template <class M>
-PositionError position_error(const Scene<M>& scene);
+PositionError position_error(const Scene<M>& scene, const ContactManager<M>& contacts = {});
+/// The same with the contacts of the last step.
+template <class M, class Method>
+PositionError position_error(const Simulation<M, Method>& simulation) {
+  return position_error(simulation.scene, simulation.work.contacts);
+}
 
 /// The largest residual of the rows as last written and solved, at velocities V [m/s]: that of the natural map,
 /// see rows/residual.hpp. NaN if any is.

@@ -7,8 +7,6 @@ namespace byhand {
 
 namespace {
 
-constexpr std::uint64_t found_stamp = ~std::uint64_t{};  // of all that were found, which come last
-
 /// Makes room for one more, so that adding it cannot fail half-way.
 template <class T>
 void make_room(std::vector<T>& all) {
@@ -18,53 +16,19 @@ void make_room(std::vector<T>& all) {
 }  // namespace
 
 template <class M>
-Scene<M>::Scene() : version_(new_stamp()) {}
-
+Scene<M>::Scene() = default;
 template <class M>
-Scene<M>::Scene(const Scene& other)
-    : gravity(other.gravity),
-      bodies_(other.bodies_),
-      colliders_(other.colliders_),
-      entries_(other.entries_),
-      lasting_(other.lasting_),
-      next_id_(other.next_id_),
-      version_(other.version_),
-      written_(other.written_) {
-  for (const auto& store : other.stores_) stores_.push_back(store->clone());
-}
-
+Scene<M>::Scene(const Scene&) = default;
+template <class M>
+Scene<M>::Scene(Scene&&) noexcept = default;
+template <class M>
+Scene<M>& Scene<M>::operator=(Scene&&) noexcept = default;
 template <class M>
 Scene<M>& Scene<M>::operator=(const Scene& other) {
   return *this = Scene(other);
 }
-
-template <class M>
-Scene<M>::Scene(Scene&& other) noexcept : Scene() {
-  *this = std::move(other);
-}
-
-/// Swaps, so that the other is still a scene, and not one of no bodies with the version of this one.
-template <class M>
-Scene<M>& Scene<M>::operator=(Scene&& other) noexcept {
-  std::swap(gravity, other.gravity);
-  std::swap(bodies_, other.bodies_);
-  std::swap(colliders_, other.colliders_);
-  std::swap(stores_, other.stores_);
-  std::swap(entries_, other.entries_);
-  std::swap(lasting_, other.lasting_);
-  std::swap(next_id_, other.next_id_);
-  std::swap(version_, other.version_);
-  std::swap(written_, other.written_);
-  return *this;
-}
-
 template <class M>
 Scene<M>::~Scene() = default;
-
-template <class M>
-void Scene<M>::changed() {
-  version_ = new_stamp();
-}
 
 template <class M>
 int Scene<M>::add_body(const Pose<M>& pose, const InverseMass<M>& mass, const Velocity<M>& velocity) {
@@ -103,9 +67,8 @@ int Scene<M>::add_body(const Linear<M>& position, const InverseMass<M>& mass, co
 template <class M>
 void Scene<M>::remove_body(int body) {
   require_body(bodies_, body);
-  forget_found();
   for (int place = count() - 1; place >= 0; --place)
-    if (entries_[place].body1 == body || entries_[place].body2 == body) remove(entries_[place].id);
+    if (const Entry& entry = entries()[place]; entry.body1 == body || entry.body2 == body) remove(entry.id);
   set_mass(body, fixed<M>());
   if (body < static_cast<int>(colliders_.shapes.size())) colliders_.shapes[body] = {};
   if (!bodies_.forces.empty()) bodies_.forces[body] = {};
@@ -248,84 +211,29 @@ void Scene<M>::set_contact_rows(ContactRows rows) {
 }
 
 template <class M>
-void Scene<M>::prepare_to_add() {
-  forget_found();
-  make_room(entries_);
-}
-
-template <class M>
-void Scene<M>::append(int kind, int body1, int body2, int id) {
-  entries_.push_back({kind, stores_[kind]->size() - 1, id, body1, body2, id < 0 ? found_stamp : new_stamp()});
-  if (id < 0) return;
-  lasting_ = count();
-  changed();
-}
-
-template <class M>
-void Scene<M>::forget_found() {
-  if (count() == lasting_) return;
-  std::vector<int> sizes(stores_.size(), 0);
-  for (int place = 0; place < lasting_; ++place) ++sizes[entries_[place].kind];
-  for (std::size_t kind = 0; kind < stores_.size(); ++kind) stores_[kind]->truncate(sizes[kind]);
-  entries_.resize(lasting_);
-  changed();
-}
-
-template <class M>
-void Scene<M>::remove_place(int place) {
-  const Entry entry = entries_[place];
-  stores_[entry.kind]->erase(entry.index);
-  entries_.erase(entries_.begin() + place);
-  lasting_ = count();
-  for (Entry& other : entries_)
-    if (other.kind == entry.kind && other.index > entry.index) --other.index;
-  changed();
-}
-
-template <class M>
 void Scene<M>::remove(int id) {
-  const int at = added_place(id);
-  forget_found();
+  const int at = place(id);
   for (int other = count() - 1; other > at; --other)
-    if (store(entries_[other].kind).contact_of(entries_[other].index) == id) remove_place(other);
-  remove_place(at);
-}
-
-template <class M>
-int Scene<M>::find(int id) const {
-  if (id < 0) return id >= -count() && -1 - id >= lasting_ ? -1 - id : -1;
-  const auto end = entries_.begin() + lasting_;
-  const auto entry =
-      std::lower_bound(entries_.begin(), end, id, [](const Entry& e, int wanted) { return e.id < wanted; });
-  return entry != end && entry->id == id ? static_cast<int>(entry - entries_.begin()) : -1;
+    if (const Entry& entry = entries()[other]; store(entry.kind).contact_of(entry.index) == id)
+      constraints_.remove(other);
+  constraints_.remove(at);
+  changed();
 }
 
 template <class M>
 int Scene<M>::place(int id) const {
-  const int at = find(id);
+  const int at = constraints_.find(id);
   require(at >= 0, "constraint", id, "one that this scene has");
   return at;
 }
 
 template <class M>
-int Scene<M>::added_place(int id) const {
-  const int at = id < 0 ? -1 : find(id);
-  require(at >= 0, "constraint", id, "one that was added to this scene and not removed");
-  return at;
-}
-
-template <class M>
-void Scene<M>::require_kind(const Entry& entry, const std::type_info& kind) const {
-  require(store(entry.kind).kind() == kind, "constraint", entry.id, "of the kind of its handle");
-}
-
-template <class M>
 void Scene<M>::require_presses(int id) const {
-  const int at = id < 0 ? -1 : find(id);
+  const int at = constraints_.find(id);
   const auto presses = [](const ConstraintStore<M>& store) {  // a motor, which has no C, pulls as well
     return store.bound == Bound::interval && store.position_rows > 0;
   };
-  require(at >= 0 && presses(store(entries_[at].kind)), "contact of a friction", id,
+  require(at >= 0 && presses(store(entries()[at].kind)), "contact of a friction", id,
           "the handle of a contact that was added before");
 }
 
@@ -336,39 +244,44 @@ void Scene<M>::require_same(const char* name, int now, int before) {
 }
 
 template <class M>
-bool Scene<M>::bounded() const {
-  return std::ranges::any_of(entries_, [&](const Entry& entry) { return store(entry.kind).bound != Bound::none; });
+bool Scene<M>::bounded(const ConstraintList<M>& contacts) const {
+  return contacts.count() > 0 || std::ranges::any_of(entries(), [&](const Entry& entry) {
+           return store(entry.kind).bound != Bound::none;
+         });
 }
 
 template <class M>
-Graph Scene<M>::graph() const {
-  Graph graph{bodies_.size(), {}, bounded()};
-  graph.edges.reserve(entries_.size());
+Graph Scene<M>::graph(const ConstraintList<M>& contacts) const {
+  Graph graph{bodies_.size(), {}, bounded(contacts)};
+  graph.edges.reserve(count() + contacts.count());
   const auto end = [&](int body) { return moves(bodies_.inverse_mass[body]) ? body : Edge::no_body; };
-  for (const Entry& entry : entries_)
-    graph.edges.push_back({end(entry.body1), end(entry.body2), store(entry.kind).rows});
+  for (const ConstraintList<M>* list : {&constraints_, &contacts})
+    for (const Entry& entry : list->entries())
+      graph.edges.push_back({end(entry.body1), end(entry.body2), list->store(entry.kind).rows});
   return graph;
 }
 
 template <class M>
-void Scene<M>::lay_out(const std::vector<int>& order, System<M>& system) const {
-  const std::vector<double> old_lambda = kept(system, system.lambda),
-                            old_stiffness = kept(system, system.stiffness);
+void Scene<M>::lay_out(const std::vector<int>& order, System<M>& system, const ConstraintList<M>& contacts) const {
+  const std::vector<int> rows_before = rows_in(system);
+  const std::vector<double> lambda_before = system.lambda, stiffness_before = system.stiffness;
   std::apply([](auto&... blocks) { (blocks.clear(), ...); }, system.blocks);
   system.runs.clear();
-  system.row_of.assign(count(), 0);
+  system.row_of.assign(order.size(), 0);
   system.bounded = false;
   system.layout = new_stamp();
   system.inverse_mass.assign(bodies_.inverse_mass.begin(), bodies_.inverse_mass.end());
   int row = 0;
   for (const int place : order) {
-    const Entry& entry = entries_[place];
-    const ConstraintStore<M>& store = this->store(entry.kind);
+    const bool found = place >= count();
+    const ConstraintList<M>& list = found ? contacts : constraints_;
+    const Entry& entry = list.entries()[found ? place - count() : place];
+    const ConstraintStore<M>& store = list.store(entry.kind);
     for_type<M>(store.block_type, [&](auto type) {
       auto& blocks = std::get<type>(system.blocks);
-      if (system.runs.empty() || system.runs.back().kind != entry.kind)
+      if (system.runs.empty() || system.runs.back().kind != entry.kind || system.runs.back().found != found)
         system.runs.push_back(
-            {entry.kind, store.block_type, static_cast<int>(blocks.size()), 0, row, store.position_rows});
+            {found, entry.kind, store.block_type, static_cast<int>(blocks.size()), 0, row, store.position_rows});
       ++system.runs.back().count;
       BlockHeader& block = blocks.emplace_back();
       block.body1 = entry.body1;
@@ -385,44 +298,40 @@ void Scene<M>::lay_out(const std::vector<int>& order, System<M>& system) const {
   for (auto* numbers : {&system.lambda, &system.C, &system.bias, &system.gamma, &system.target_rate, &system.lower,
                         &system.upper, &system.restitution})
     numbers->assign(row, 0.0);
-  for (const Run& run : system.runs)
-    if (stores_[run.kind]->bound == Bound::friction)
-      for_type<M>(run.type, [&](auto type) {
-        for (auto& block : std::span(&std::get<type>(system.blocks)[run.first], run.count))
-          block.normal_row = system.row_of[place(stores_[run.kind]->contact_of(block.constraint))];
-      });
   system.stiffness.assign(system.stiffness.empty() ? 0 : row, 0.0);
+  for (const Run& run : system.runs) {
+    const ConstraintList<M>& list = run.found ? contacts : constraints_;
+    const ConstraintStore<M>& store = list.store(run.kind);
+    if (store.bound != Bound::friction) continue;
+    for_type<M>(run.type, [&](auto type) {
+      for (auto& block : part<type>(system.blocks, run))
+        block.normal_row =
+            system.row_of[(run.found ? count() : 0) + list.find(store.contact_of(block.constraint))];
+    });
+  }
   system.stamp_of.clear();
-  for (const Entry& entry : entries_) system.stamp_of.push_back(entry.stamp);
-  int from = 0;
-  for (int place = 0; place < lasting_; ++place) {
-    const int to = system.row_of[place], rows = store(entries_[place].kind).rows;
-    if (!old_lambda.empty()) std::copy_n(&old_lambda[from], rows, &system.lambda[to]);
-    if (!old_stiffness.empty()) std::copy_n(&old_stiffness[from], rows, &system.stiffness[to]);
-    from += rows;
+  for (int place = 0; place < count(); ++place) {
+    const Entry& entry = entries()[place];
+    system.stamp_of.push_back(entry.stamp);
+    if (rows_before[place] < 0) continue;
+    const int from = rows_before[place], to = system.row_of[place], rows = store(entry.kind).rows;
+    std::copy_n(&lambda_before[from], rows, &system.lambda[to]);
+    if (!stiffness_before.empty()) std::copy_n(&stiffness_before[from], rows, &system.stiffness[to]);
   }
 }
 
-/// Of one number a row: those of the constraints that were added, in natural order, where the system has them
-/// already, and 0 where it does not. Empty if there are no numbers yet.
+/// The first row that each constraint has in the system as it is laid out, -1 where it is new.
 template <class M>
-std::vector<double> Scene<M>::kept(const System<M>& system, const std::vector<double>& numbers) const {
-  std::vector<double> result;
-  if (numbers.empty()) return result;
-  int rows = 0;
-  for (int place = 0; place < lasting_; ++place) rows += store(entries_[place].kind).rows;
-  result.assign(rows, 0.0);
+std::vector<int> Scene<M>::rows_in(const System<M>& system) const {
+  std::vector<int> rows;
+  rows.reserve(count());
   std::size_t old = 0;
-  int to = 0;
-  for (int place = 0; place < lasting_; ++place) {
-    const Entry& entry = entries_[place];
+  for (const Entry& entry : entries()) {
     while (old < system.stamp_of.size() && system.stamp_of[old] < entry.stamp) ++old;
-    if (old == system.stamp_of.size()) break;
-    const int count = store(entry.kind).rows;
-    if (system.stamp_of[old] == entry.stamp) std::copy_n(&numbers[system.row_of[old]], count, &result[to]);
-    to += count;
+    const bool stays = old < system.stamp_of.size() && system.stamp_of[old] == entry.stamp;
+    rows.push_back(stays ? system.row_of[old] : -1);
   }
-  return result;
+  return rows;
 }
 
 #define BYHAND_INSTANTIATE(M) template class Scene<M>

@@ -1,19 +1,16 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "solver/constraint.hpp"
+#include "solver/constraint_list.hpp"
 #include "solver/contact/shape.hpp"
 
 namespace byhand {
 
 struct Graph;
-template <class M>
-class ContactManager;
 
 /// How a body's surface behaves. Two that touch have the friction √(μ1 μ2) and the larger restitution.
 struct Surface {
@@ -54,6 +51,9 @@ struct Handle {
 /// The bodies and constraints of one scene. The model is its type; kinds of constraint are not, and one that no
 /// constraint has costs nothing. Only the scene adds, changes and removes bodies and constraints, and `version`
 /// changes whenever that alters how rows are laid out. A call that throws leaves the scene as it was.
+///
+/// Contacts that are found from shapes are no constraints of the scene: a ContactManager keeps them from step to
+/// step. What lays out or writes rows is given them, and their rows follow those of the scene.
 template <class M>
 class Scene {
  public:
@@ -61,20 +61,13 @@ class Scene {
 
   Linear<M> gravity = -9.81 * Linear<M>::Unit(1);  // [m/s²]; y is up
 
-  /// A constraint by its kind's store and its index there, with its bodies; by its place in natural order.
-  struct Entry {
-    int kind = 0, index = 0;
-    int id = 0;  // negative for a constraint that was found
-    int body1 = 0, body2 = 0;
-    // No other constraint that was added to any scene has it; copies of the scene keep it.
-    std::uint64_t stamp = 0;
-  };
+  using Entry = typename ConstraintList<M>::Entry;
 
   Scene();
   Scene(const Scene& other);
+  Scene(Scene&& other) noexcept;
   Scene& operator=(const Scene& other);
-  Scene(Scene&&) noexcept;
-  Scene& operator=(Scene&&) noexcept;
+  Scene& operator=(Scene&& other) noexcept;
   ~Scene();
 
   const Bodies<M>& bodies() const { return bodies_; }
@@ -131,159 +124,120 @@ class Scene {
   Handle<Kind> add(Kind constraint) {
     require_valid(constraint, bodies_);
     if constexpr (bound_of<Kind>() == Bound::friction) require_presses(constraint.contact);
-    prepare_to_add();
-    const int kind = kind_to_add<Kind>();
-    constraints<Kind>(kind).all.push_back(constraint);
-    append(kind, constraint.at.body1, constraint.at.body2, next_id_);
+    constraints_.add(constraint, next_id_, new_stamp());
+    changed();
     return {next_id_++};
   }
   /// Removes a constraint, and with a contact the friction that it presses.
   void remove(int id);
-  bool has(int id) const { return find(id) >= 0; }
+  bool has(int id) const { return constraints_.find(id) >= 0; }
 
   template <class Kind>
   const Kind& get(const Handle<Kind>& handle) const {
-    const Entry& entry = entries_[place(handle)];
-    require_kind(entry, typeid(Kind));
-    return static_cast<const Constraints<M, Kind>&>(*stores_[entry.kind]).all[entry.index];
+    return constraints_.template of<Kind>(entry_of(handle));
   }
   /// The constraint at a place in natural order, or nullptr if it is of another kind.
   template <class Kind>
   const Kind* get_if(int place) const {
-    const Entry& entry = entries_[place];
-    if (stores_[entry.kind]->kind() != typeid(Kind)) return nullptr;
-    return &static_cast<const Constraints<M, Kind>&>(*stores_[entry.kind]).all[entry.index];
+    const Entry& entry = entries()[place];
+    return store(entry.kind).kind() == typeid(Kind) ? &constraints_.template of<Kind>(entry) : nullptr;
   }
   /// Calls change(constraint) on a copy, and takes that in its place if it is valid. Its bodies have to stay.
   template <class Kind, class F>
   void change(const Handle<Kind>& handle, F&& change) {
-    const Entry entry = entries_[added_place(handle)];
-    require_kind(entry, typeid(Kind));
-    Kind changed = constraints<Kind>(entry.kind).all[entry.index];
-    change_one(entry, change, changed);
-    replace(handle, changed);
+    const Entry entry = entry_of(handle);
+    const Kind changed = changed_one(entry, change, constraints_.template of<Kind>(entry));
+    constraints_.replace(entry_of(handle), changed);  // `change` may have added and removed others
   }
-  /// The same for all constraints of a kind that were added: all are changed, or none.
+  /// The same for all constraints of a kind: all are changed, or none.
   template <template <class> class Kind, class F>
   void change_all(F&& change) {
-    const int kind = kind_of<Kind<M>>();
-    if (kind < 0) return;
-    std::vector<Kind<M>> changed = constraints<Kind<M>>(kind).all;
-    std::vector<Entry> entries(entries_.begin(), entries_.begin() + lasting_);
-    std::erase_if(entries, [&](const Entry& entry) { return entry.kind != kind; });
-    for (const Entry& entry : entries) change_one(entry, change, changed[entry.index]);
-    for (const Entry& entry : entries) replace(entry.id, changed[entry.index]);
+    std::vector<Kind<M>> changed;
+    std::vector<Handle<Kind<M>>> handles;
+    for (const Entry& entry : entries())
+      if (store(entry.kind).kind() == typeid(Kind<M>)) handles.push_back({entry.id});
+    for (const auto& handle : handles) {
+      const Entry entry = entry_of(handle);
+      changed.push_back(changed_one(entry, change, constraints_.template of<Kind<M>>(entry)));
+    }
+    for (std::size_t i = 0; i < handles.size(); ++i) constraints_.replace(entry_of(handles[i]), changed[i]);
   }
 
   /// All constraints of a kind, in natural order.
   template <class Kind>
   std::span<const Kind> all() const {
-    const int kind = kind_of<Kind>();
-    if (kind < 0) return {};
-    return static_cast<const Constraints<M, Kind>&>(*stores_[kind]).all;
+    return constraints_.template all<Kind>();
   }
   template <template <class> class Kind>
   std::span<const Kind<M>> all() const {
     return all<Kind<M>>();
   }
 
-  /// How many constraints there are.
-  int count() const { return static_cast<int>(entries_.size()); }
-  /// How many of them, the first, were added; the others were found and last until contacts are looked for again.
-  int lasting() const { return lasting_; }
-  const std::vector<Entry>& entries() const { return entries_; }
+  const ConstraintList<M>& constraints() const { return constraints_; }
+  int count() const { return constraints_.count(); }
+  const std::vector<Entry>& entries() const { return constraints_.entries(); }
+  const ConstraintStore<M>& store(int kind) const { return constraints_.store(kind); }
   /// Where a constraint is in natural order. Throws std::invalid_argument if the scene does not have it.
   int place(int id) const;
-  const ConstraintStore<M>& store(int kind) const { return *stores_[kind]; }
 
-  /// Equal only if layout, masses and shapes are: of this scene, of a copy, or of any other.
-  std::uint64_t version() const { return version_; }
+  /// Equal only if layout, masses and shapes are: of this scene, of a copy, or of any other. See
+  /// support/stamp.hpp.
+  std::uint64_t version() const { return version_.stamp(); }
+
+  // What follows takes the rows of `contacts` after those of the scene's own constraints.
 
   /// Whether any row has a bound.
-  bool bounded() const;
+  bool bounded(const ConstraintList<M>& contacts = {}) const;
   /// What the order of solving depends on; a body that does not move takes no part.
-  Graph graph() const;
-  /// Lays the system's blocks out in this order of places. λ is kept for constraints that were added and stay.
-  void lay_out(const std::vector<int>& order, System<M>& system) const;
+  Graph graph(const ConstraintList<M>& contacts = {}) const;
+  /// Lays the system's blocks out in this order of places. λ is kept for the scene's own constraints that stay.
+  void lay_out(const std::vector<int>& order, System<M>& system, const ConstraintList<M>& contacts = {}) const;
+  /// The store of a run of the system.
+  const ConstraintStore<M>& store(const Run& run, const ConstraintList<M>& contacts) const {
+    return (run.found ? contacts : constraints_).store(run.kind);
+  }
   /// Writes J, M⁻¹Jᵀ, C, γ, bounds and what a row adds to its bias, at the current poses, for a time step h [s].
-  void write_rows(System<M>& system, double h) const {
-    for (const Run& run : system.runs) stores_[run.kind]->write_rows(run, bodies_, h, system);
+  void write_rows(System<M>& system, double h, const ConstraintList<M>& contacts = {}) const {
+    for (const Run& run : system.runs) store(run, contacts).write_rows(run, bodies_, h, system);
   }
   /// J̇V of all rows along the paths of the bodies.
   void write_bias_accelerations(const System<M>& system, const std::vector<Pose<M, Jet>>& paths,
-                                std::vector<double>& result) const {
-    for (const Run& run : system.runs) stores_[run.kind]->write_bias_accelerations(run, paths, system, result);
+                                std::vector<double>& result, const ConstraintList<M>& contacts = {}) const {
+    for (const Run& run : system.runs) store(run, contacts).write_bias_accelerations(run, paths, system, result);
   }
 
  private:
-  friend class ContactManager<M>;
-  using Stores = std::vector<std::unique_ptr<ConstraintStore<M>>>;
-
   template <class Kind>
-  int kind_of() const {
-    for (std::size_t kind = 0; kind < stores_.size(); ++kind)
-      if (stores_[kind]->kind() == typeid(Kind)) return static_cast<int>(kind);
-    return -1;
-  }
-  template <class Kind>
-  int kind_to_add() {
-    const int kind = kind_of<Kind>();
-    if (kind >= 0) return kind;
-    stores_.push_back(make_store<M, Kind>());
-    return static_cast<int>(stores_.size()) - 1;
-  }
-  template <class Kind>
-  Constraints<M, Kind>& constraints(int kind) {
-    return static_cast<Constraints<M, Kind>&>(*stores_[kind]);
+  const Entry& entry_of(const Handle<Kind>& handle) const {
+    const Entry& entry = entries()[place(handle)];
+    require(store(entry.kind).kind() == typeid(Kind), "constraint", handle.id, "of the kind of its handle");
+    return entry;
   }
   template <class Kind, class F>
-  void change_one(const Entry& entry, F& change, Kind& constraint) const {
+  Kind changed_one(const Entry& entry, F& change, Kind constraint) const {
     change(constraint);
     require_valid(constraint, bodies_);
     require_same("first body", constraint.at.body1, entry.body1);
     require_same("second body", constraint.at.body2, entry.body2);
     if constexpr (bound_of<Kind>() == Bound::friction)
       require_same("contact", constraint.contact, store(entry.kind).contact_of(entry.index));
+    return constraint;
   }
 
-  /// Looks for its place anew: what changed it may have added and removed others.
-  template <class Kind>
-  void replace(int id, const Kind& changed) {
-    const Entry& entry = entries_[added_place(id)];
-    constraints<Kind>(entry.kind).all[entry.index] = changed;
-  }
-
-  /// Adds a constraint that lasts until contacts are looked for again; returns its identity, -1 - its place.
-  template <class Kind>
-  int add_found(const Kind& constraint) {
-    const int kind = kind_to_add<Kind>(), id = -1 - count();
-    constraints<Kind>(kind).all.push_back(constraint);
-    append(kind, constraint.at.body1, constraint.at.body2, id);
-    return id;
-  }
-  void append(int kind, int body1, int body2, int id);
-  std::vector<double> kept(const System<M>& system, const std::vector<double>& numbers) const;
+  std::vector<int> rows_in(const System<M>& system) const;
   BodyForces& forces_of(int body);
   Velocity<M> with_moment(int body, const char* name, const Linear<M>& push, const Linear<M>* at) const;
   void add_push(int body, const Linear<M>& force, const Linear<M>* at);
   void strike(int body, const Linear<M>& impulse, const Linear<M>* at);
-  void forget_found();
-  void prepare_to_add();
-  void remove_place(int place);
-  int find(int id) const;
-  int added_place(int id) const;
-  void require_kind(const Entry& entry, const std::type_info& kind) const;
   void require_presses(int id) const;
   static void require_same(const char* name, int now, int before);
-  void changed();
+  void changed() { version_ = {}; }
 
   Bodies<M> bodies_;
   Colliders<M> colliders_;
-  Stores stores_;
-  std::vector<Entry> entries_;
-  int lasting_ = 0, next_id_ = 0;
-  std::uint64_t version_;
-  std::uint64_t written_ = 0;  // stamp of the contacts that were found last; copies of the scene keep it
+  ConstraintList<M> constraints_;
+  int next_id_ = 0;
+  Version version_;
 };
 
 }  // namespace byhand

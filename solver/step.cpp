@@ -3,6 +3,8 @@
 
 namespace byhand {
 
+BYHAND_DEFINE_COPIES(StepWork)
+
 template <class M>
 void advance(Scene<M>& scene, const VelocityStepping& method, double step, Work<M>& work) {
   advance<M, RowSolver, DriftCure>(scene, method, step, work);
@@ -22,6 +24,7 @@ template void require_valid(const VelocityStepping&);
 
 // Where it can be either, `advance` is that of VelocityStepping, which the general one follows.
 #define BYHAND_INSTANTIATE(M)                                         \
+  template struct StepWork<M>;                                        \
   BYHAND_STEPPING(M, RowSolver, DriftCure);                           \
   template void lay_out(const Scene<M>&, const RowSolver&, Work<M>&); \
   template void solve_rows(const RowSolver&, Bodies<M>&, Work<M>&, Begin)

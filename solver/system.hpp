@@ -99,10 +99,11 @@ constexpr int block_type() {
 
 /// Consecutive blocks of one type and one kind of constraint, in solve order.
 struct Run {
-  int kind;           // index of the scene's store; unused by the system
-  int type;           // index of the vector in PerBlock
-  int first, count;   // the blocks in that vector
-  int row;            // first row; a run's rows are contiguous
+  bool found;        // of contacts that were found, not of the scene's own constraints; unused by the system, like
+  int kind;          // the index of the store among theirs
+  int type;          // index of the vector in PerBlock
+  int first, count;  // the blocks in that vector
+  int row;           // first row; a run's rows are contiguous
   int position_rows;  // the first rows of each block have a C; the others only a rate
 };
 
@@ -135,8 +136,8 @@ struct System {
   // One number a row; with friction `upper` is μ.
   std::vector<double> lambda, C, bias, gamma, target_rate, lower, upper, restitution;
   std::vector<double> stiffness;  // k of AVBD, else empty; a new layout keeps it, and λ, of constraints that stay
-  std::vector<int> row_of;        // first row of each constraint, in natural order
-  std::vector<std::uint64_t> stamp_of;  // stamp of each constraint, in natural order, ascending
+  std::vector<int> row_of;        // first row of each constraint: the scene's in natural order, then contacts
+  std::vector<std::uint64_t> stamp_of;  // stamp of each constraint of the scene, in natural order, ascending
   std::uint64_t layout = 0;             // stamp of the layout
   bool bounded = false;                 // whether any row has a bound
 

@@ -31,18 +31,24 @@ struct StepWork {
   ContactManager<M> contacts;
   std::vector<double> parting;  // by row, the least rate that a bounce leaves
   Layout layout = Layout::none;
-  std::uint64_t version = 0;  // of the scene when it was laid out
+  std::uint64_t version = 0;  // of the scene when it was laid out; 0 to lay it out anew
   double h = 0;               // the substep that λ belongs to [s]
   long long row_solves = 0;   // total cost; a direct solve counts as the row solves of as many multiplications
   Executed executed;          // what else its time goes to
   State<M> start;             // at the start of the step
 };
 
+/// Finds the contacts of a step [s]. If they are others than before, rows are to be laid out anew.
+template <class M>
+void find_contacts(const Scene<M>& scene, double step, StepWork<M>& work) {
+  if (work.contacts.find(scene, step)) work.version = 0;
+}
+
 /// Writes all rows at the present poses for a substep h [s], contacts of balls where these touch now.
 template <class M>
-void write_rows(Scene<M>& scene, double h, StepWork<M>& work) {
+void write_rows(const Scene<M>& scene, double h, StepWork<M>& work) {
   work.contacts.follow_balls(scene, work.system);
-  scene.write_rows(work.system, h);
+  scene.write_rows(work.system, h, work.contacts.constraints());
 }
 
 /// λ is force times h: a new time step rescales it, so that the warm start keeps the forces.

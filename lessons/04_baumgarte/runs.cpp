@@ -14,8 +14,8 @@ std::vector<double> weightless(const Setting& setting, const Baumgarte& cure, do
   Simulation<PlaneParticle> simulation{pendulum<PlaneParticle, Rod>(0, setting.length(), setting.mass()),
                                        one_row(cure)};
   simulation.scene.gravity.setZero();
-  Vector& bob = simulation.scene.state().pose[1].position;
-  bob *= 1 + setting.error() / setting.length();
+  const Vector& bob = simulation.scene.bodies().pose[1].position;
+  simulation.scene.set_position(1, bob * (1 + setting.error() / setting.length()));
   std::vector<double> errors{setting.error()};
   for (int i = 0; i < steps; ++i) {
     simulation.step(h);

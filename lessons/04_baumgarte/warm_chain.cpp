@@ -103,7 +103,8 @@ struct HangingChain::State {
 
 HangingChain::HangingChain(const Sweeping& sweeping, double length, double mass, double h)
     : state_(new State{chain(sweeping, length, mass), length, h}) {
-  state_->chain.scene.state().pose.back().position.y() -= start_error * length;
+  const Linear<PlaneParticle>& last = state_->chain.scene.bodies().pose.back().position;
+  state_->chain.scene.set_position(sweeping.links, {last.x(), last.y() - start_error * length});
 }
 HangingChain::HangingChain(const HangingChain& other) : state_(new State(*other.state_)) {}
 HangingChain& HangingChain::operator=(const HangingChain& other) {
@@ -120,7 +121,7 @@ void HangingChain::step() {
 }
 bool HangingChain::broken_up() const { return !(largest_error() < 100 * state_->length); }
 double HangingChain::time() const { return state_->chain.time; }
-double HangingChain::largest_error() const { return position_error(state_->chain.scene).max; }
+double HangingChain::largest_error() const { return position_error(state_->chain).max; }
 pictures::Linkage HangingChain::linkage() const { return pictures::rods_and_bobs(state_->chain.scene); }
 
 }  // namespace byhand::baumgarte

@@ -4,11 +4,9 @@ namespace byhand::contact {
 
 std::vector<Pressed> pressed(const Pile& pile, double h) {
   std::vector<Pressed> all;
-  const System<PlaneBody>& system = pile.work.system;
-  for (int place = 0; place < pile.scene.count(); ++place) {
-    const auto& entry = pile.scene.entries()[place];
-    const int row = system.row_of[place];
-    all.push_back({entry.body1, entry.body2, (system.lambda[row] + system.lambda[row + 1]) / h});
+  for (const ContactPair<PlaneBody>& pair : pile.work.contacts.pairs()) {
+    const double impulse = pair.points[0].normal_impulse + pair.points[1].normal_impulse;
+    all.push_back({pair.bodies.first, pair.bodies.second, impulse / h});
   }
   return all;
 }

@@ -107,7 +107,7 @@ void draw_stand(Canvas& canvas, const Stand& stand, const Rectangle& frame, doub
   pictures::Shapes shapes = pictures::shapes_of(stand.box.scene());
   for (auto& box : shapes.boxes) box.look = pictures::look_of_run(number);
   pictures::draw(canvas, shapes);
-  const auto& contacts = stand.box.scene().all<Contact>();
+  const auto contacts = stand.box.contacts();
   for (std::size_t i = 0; i < stand.box.lambda().size(); ++i) {
     const Pose<PlaneBody>& pose = stand.box.scene().bodies().pose[contacts[i].at.body2];
     const Point at =

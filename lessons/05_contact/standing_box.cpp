@@ -1,7 +1,6 @@
 #include "lessons/05_contact/standing_box.hpp"
 
 #include "lessons/scenes/boxes.hpp"
-#include "solver/constraints/contact.hpp"
 #include "solver/cures/baumgarte.hpp"
 #include "solver/integrate/euler.hpp"
 
@@ -26,7 +25,7 @@ void StandingBox::sweep() {
   const auto& masses = scene_.bodies().inverse_mass;
   auto& velocities = scene_.state().velocity;
   for (std::size_t i = 0; i < lambda_.size(); ++i) {
-    const Contact<PlaneBody>& contact = scene_.all<Contact>()[i];
+    const Contact<PlaneBody>& contact = contacts()[i];
     const int one = contact.at.body1, two = contact.at.body2;
     const auto J = contact.jacobian(poses[one], poses[two]);
     const auto W = times_inverse_mass(J, masses[one], poses[one], masses[two], poses[two]);
@@ -46,7 +45,7 @@ void StandingBox::sweep() {
 std::vector<std::array<double, 2>> StandingBox::step() {
   contacts_.find(scene_);
   add_gravity(scene_.state(), scene_.gravity, h_);
-  lambda_.assign(scene_.all<Contact>().size(), 0.0);
+  lambda_.assign(contacts().size(), 0.0);
   std::vector<std::array<double, 2>> by_sweep;
   for (int i = 0; i < sweeps_; ++i) {
     sweep();

@@ -2,6 +2,7 @@
 
 #include "lessons/05_contact/setting.hpp"
 
+#include "solver/constraints/contact.hpp"
 #include "solver/contact/contact_manager.hpp"
 
 namespace byhand::contact {
@@ -20,6 +21,9 @@ class StandingBox {
   std::vector<std::array<double, 2>> step();
 
   const Scene<PlaneBody>& scene() const { return scene_; }
+  std::span<const Contact<PlaneBody>> contacts() const {
+    return contacts_.constraints().all<Contact<PlaneBody>>();
+  }
   double time() const { return time_; }
   /// λ of each contact in the last step [N s].
   const std::vector<double>& lambda() const { return lambda_; }

@@ -34,9 +34,9 @@ double acceleration(double angle, double friction) {
 double share_of_bound(const Setting& setting, double angle) {
   Simulation<PlaneBody> box = on_slope(setting, angle);
   while (box.time < 0.5) box.step(setting.h);
-  const System<PlaneBody>& system = box.work.system;
-  const int row = system.row_of[0];  // the two normals, then friction
-  return std::abs(system.lambda[row + 2]) / (setting.friction() * (system.lambda[row] + system.lambda[row + 1]));
+  const Touch<PlaneBody> ground = box.touches()[0];
+  const double normal = ground.impulse.dot(ground.normal), tangent = cross(ground.normal, ground.impulse)[0];
+  return std::abs(tangent) / (setting.friction() * normal);
 }
 
 /// ½at(t + h) of symplectic Euler [m].
@@ -74,8 +74,7 @@ void draw_slope(Canvas& canvas, const Slope& slope, const Rectangle& frame, cons
   for (auto& box : shapes.boxes) box.look = pictures::look_of_run(number);
   pictures::draw(canvas, shapes);
   if (slope.box.time > 0)
-    pictures::draw(canvas, pictures::pushes(slope.box.scene, slope.box.work.system),
-                   {palette::force, 0.9 / (weight * h), "mg"});
+    pictures::draw(canvas, pictures::pushes(slope.box), {palette::force, 0.9 / (weight * h), "mg"});
   canvas.vector(slope.box.scene.bodies().pose[1].position, Point(0, -weight), {palette::muted, 0.9 / weight, "N"});
   canvas.clip({});
   canvas.look_at_page();

@@ -27,7 +27,7 @@ Chart overlaps(int base, double h) {
     while (pile.time < wall_seconds - 0.5 * h) {
       pile.step(h);
       curve.x.push_back(pile.time);
-      curve.y.push_back(std::max(1e-3, 1000 * position_error(pile.scene).max));
+      curve.y.push_back(std::max(1e-3, 1000 * position_error(pile).max));
     }
     chart.curves.push_back(std::move(curve));
   }
@@ -44,8 +44,7 @@ void wall_of_boxes(const Setting& setting, Page& page) {
   const auto top = pile.scene.bodies().pose.back().position;
   while (pile.time < wall_seconds - 0.5 * h) pile.step(h);
 
-  const double left = position_error(pile.scene).max,
-               moved = (pile.scene.bodies().pose.back().position - top).norm();
+  const double left = position_error(pile).max, moved = (pile.scene.bodies().pose.back().position - top).norm();
   const bool stands = moved < 0.5;
 
   page.text(

@@ -63,10 +63,9 @@ FourBar sent_off(const Setting& setting, double speed, double ratio) {
   FourBar linkage{four_bar(bars), exactly(shown_share)};
   linkage.scene.gravity.setZero();
   const double left = bars.arm * speed * ratio, right = bars.arm * speed;  // of the arms' free ends, upwards
-  auto& V = linkage.scene.state().velocity;
-  V[1] = {0, left / 2, speed * ratio};
-  V[2] = {0, right / 2, speed};
-  V[3] = {0, (left + right) / 2, (right - left) / bars.coupler};
+  linkage.scene.set_velocity(1, {0, left / 2, speed * ratio});
+  linkage.scene.set_velocity(2, {0, right / 2, speed});
+  linkage.scene.set_velocity(3, {0, (left + right) / 2, (right - left) / bars.coupler});
   return linkage;
 }
 

@@ -18,7 +18,8 @@ Bridge at_rest(const Setting& setting) {
   const int steps = static_cast<int>(60 / setting.h);
   for (int i = 0; i < steps; ++i) {
     bridge_now.step(setting.h);
-    for (auto& V : bridge_now.scene.state().velocity) V *= 1 - 3 * setting.h;
+    for (int body = 0; body < bridge_now.scene.bodies().size(); ++body)
+      bridge_now.scene.set_velocity(body, (1 - 3 * setting.h) * bridge_now.scene.bodies().velocity[body]);
   }
   return bridge_now;
 }

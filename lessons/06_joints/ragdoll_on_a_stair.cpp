@@ -44,9 +44,9 @@ double passed(const Doll& doll) {
 /// The least λ of all stops as the last step left them [N m s].
 double least_of_stops(const Doll& doll) {
   double least = INFINITY;
-  const auto& [lambda, row_of] = std::tie(doll.work.system.lambda, doll.work.system.row_of);
-  for (int place = 0; place < doll.scene.lasting(); ++place)
-    if (doll.scene.get_if<Limit<PlaneBody, Turn>>(place)) least = std::min(least, lambda[row_of[place]]);
+  for (int place = 0; place < doll.scene.count(); ++place)
+    if (doll.scene.get_if<Limit<PlaneBody, Turn>>(place))
+      least = std::min(least, doll.impulse(doll.scene.entries()[place].id)[0]);
   return least;
 }
 
@@ -54,10 +54,9 @@ double least_of_stops(const Doll& doll) {
 std::set<std::pair<int, int>> pushing_stops(const Doll& doll) {
   std::set<std::pair<int, int>> joints;
   if (doll.time == 0) return joints;
-  const auto& [lambda, row_of] = std::tie(doll.work.system.lambda, doll.work.system.row_of);
-  for (int place = 0; place < doll.scene.lasting(); ++place) {
+  for (int place = 0; place < doll.scene.count(); ++place) {
     const auto& entry = doll.scene.entries()[place];
-    if (doll.scene.get_if<Limit<PlaneBody, Turn>>(place) && lambda[row_of[place]] > 0)
+    if (doll.scene.get_if<Limit<PlaneBody, Turn>>(place) && doll.impulse(entry.id)[0] > 0)
       joints.insert({entry.body1, entry.body2});
   }
   return joints;
@@ -66,8 +65,8 @@ std::set<std::pair<int, int>> pushing_stops(const Doll& doll) {
 /// What ground and stairs carry, upright [N].
 double carried(const Doll& doll) {
   double sum = 0;
-  for (const auto& entry : std::span(doll.scene.entries()).subspan(doll.scene.lasting()))  // contacts, all of them
-    if (!moves(doll.scene.bodies().inverse_mass[entry.body1])) sum += doll.reaction(entry.id).force.y();
+  for (const Touch<PlaneBody>& touch : doll.touches())
+    if (!moves(doll.scene.bodies().inverse_mass[touch.body1])) sum += touch.impulse.y() / doll.work.h;
   return sum;
 }
 

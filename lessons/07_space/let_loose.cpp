@@ -111,12 +111,11 @@ Tumble tumble(const Setting& setting) {
   tumble.rests = still > 0;
   tumble.film.beside = {
       .x = {.label = "time (s)", .range = {{0, tumble_seconds}}}, .y = {.label = "energy (J)"}, .curves = {total}};
-  const auto& system = book.work.system;
-  for (int place = 0; place < book.scene.count(); ++place)
-    if (book.scene.get_if<Contact<SpaceBody>>(place))
-      tumble.pressed += system.lambda[system.row_of[place]] / (setting.mass * gravity * setting.h);
+  for (const Touch<SpaceBody>& touch : book.touches())
+    for (const auto& point : touch.points)
+      tumble.pressed += point.normal_impulse / (setting.mass * gravity * setting.h);
   tumble.flatness = bodies.pose[1].rotation.toRotationMatrix().row(1).cwiseAbs().maxCoeff();
-  tumble.deepest = position_error(book.scene).max;
+  tumble.deepest = position_error(book).max;
   return tumble;
 }
 

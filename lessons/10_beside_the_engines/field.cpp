@@ -173,9 +173,9 @@ Chart against_time(const Field<M>& field, const std::vector<Errors>& errors, con
 
 template <class M>
 double deepest_overlap(const Scene<M>& scene) {
-  Scene<M> touching = scene;
-  ContactManager<M>().find(touching);
-  return position_error(touching).max;
+  ContactManager<M> contacts;
+  contacts.find(scene);
+  return position_error(scene, contacts).max;
 }
 
 namespace {

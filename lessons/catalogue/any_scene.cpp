@@ -43,17 +43,18 @@ void for_each_moving(const Bodies<M>& bodies, F&& f) {
     if (moves(bodies.inverse_mass[i])) f(i, 1 / bodies.inverse_mass[i].linear);
 }
 
-/// Bytes of all constraints: of every kind that scenes of the catalogue have.
+/// Bytes of all constraints and contacts: of every kind that scenes of the catalogue have.
 template <class M>
-std::size_t constraint_bytes(const Scene<M>& scene) {
+std::size_t constraint_bytes(const Scene<M>& scene, const ConstraintList<M>& contacts) {
   const auto rods = scene.template all<NormalisedDistance>();
   const auto pins = scene.template all<Pin>();
   std::size_t bytes = rods.size_bytes() + pins.size_bytes(), counted = rods.size() + pins.size();
   if constexpr (std::is_same_v<M, PlaneBody>) {
-    const auto manifolds = scene.template all<ContactManifold>();
+    const auto manifolds = contacts.template all<ContactManifold<M>>();
     bytes += manifolds.size_bytes(), counted += manifolds.size();
   }
-  require(counted == static_cast<std::size_t>(scene.count()), "constraints whose size is known", counted, "all");
+  require(counted == static_cast<std::size_t>(scene.count() + contacts.count()), "constraints whose size is known",
+          counted, "all");
   return bytes;
 }
 
@@ -92,6 +93,16 @@ struct AnyScene::Running {
 template <class F>
 auto AnyScene::read(F&& f) const {
   return std::visit([&](const auto& running) { return f(running.scene); }, running_->one);
+}
+
+/// Calls f(const Scene<M>&, const ContactManager<M>&).
+template <class F>
+auto AnyScene::read_with_contacts(F&& f) const {
+  return std::visit(
+      [&](const auto& running) {
+        return std::visit([&](const auto& work) { return f(running.scene, work.contacts); }, running.work);
+      },
+      running_->one);
 }
 
 template <class M>
@@ -157,18 +168,17 @@ Effort AnyScene::effort() const {
 }
 
 double AnyScene::separation() const {
-  return read([]<class M>(const Scene<M>& scene) {
+  return read_with_contacts([]<class M>(const Scene<M>& scene, const ContactManager<M>& contacts) {
     double largest = 0;
-    for (const auto& entry : scene.entries()) {
-      const ConstraintStore<M>& store = scene.store(entry.kind);
-      if (store.position_rows == 0) continue;
-      double C[6];  // no constraint has more rows
+    for_each_constraint(scene, contacts, [&](const ConstraintStore<M>& store, const auto& entry) {
+      if (store.position_rows == 0) return;
+      double C[most_rows<M>];
       store.write_value(entry.index, scene.bodies(), C);
       double apart = -*std::min_element(C, C + store.position_rows);  // of what touches
       if (store.bound == Bound::none)                                 // a rod has one row, a pin one for each axis
         apart = store.position_rows == 1 ? std::abs(C[0]) : Eigen::Map<const Linear<M>>(C).norm();
       largest = std::max(largest, apart);
-    }
+    });
     return largest;
   });
 }
@@ -279,32 +289,32 @@ RowKind AnyScene::row_kind() const {
 }
 
 int AnyScene::rows() const {
-  return read([](const auto& scene) {
+  return read_with_contacts([](const auto& scene, const auto& contacts) {
     int count = 0;
-    for (const auto& entry : scene.entries()) count += scene.store(entry.kind).rows;
+    for_each_constraint(scene, contacts, [&](const auto& store, const auto&) { count += store.rows; });
     return count;
   });
 }
 
 std::size_t AnyScene::scene_bytes() const {
-  return read([]<class M>(const Scene<M>& scene) {
+  return read_with_contacts([]<class M>(const Scene<M>& scene, const ContactManager<M>& contacts) {
     return scene.bodies().size() * (sizeof(Pose<M>) + sizeof(Velocity<M>) + sizeof(InverseMass<M>)) +
-           scene.colliders().shapes.size() * (sizeof(Shape<M>) + sizeof(Surface)) + constraint_bytes(scene);
+           scene.colliders().shapes.size() * (sizeof(Shape<M>) + sizeof(Surface)) +
+           constraint_bytes(scene, contacts.constraints());
   });
 }
 
 std::size_t AnyScene::row_bytes() const {
-  return read([]<class M>(const Scene<M>& scene) {
+  return read_with_contacts([]<class M>(const Scene<M>& scene, const ContactManager<M>& contacts) {
     constexpr std::size_t numbers = 8;  // λ, C, bias, γ, rate, two bounds, restitution
     std::size_t bytes = 0;
-    for (const auto& entry : scene.entries()) {
-      const ConstraintStore<M>& store = scene.store(entry.kind);
+    for_each_constraint(scene, contacts, [&](const ConstraintStore<M>& store, const auto&) {
       bytes += store.rows * numbers * sizeof(double);
       for_type<M>(store.block_type, [&](auto type) {
         using Blocks = std::tuple_element_t<type, decltype(System<M>::blocks)>;
         bytes += sizeof(typename Blocks::value_type);
       });
-    }
+    });
     return bytes;
   });
 }

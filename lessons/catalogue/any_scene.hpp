@@ -97,6 +97,8 @@ class AnyScene {
   struct Running;
   template <class F>
   auto read(F&& f) const;
+  template <class F>
+  auto read_with_contacts(F&& f) const;
 
   std::unique_ptr<Running> running_;
   double time_ = 0;  // [s]

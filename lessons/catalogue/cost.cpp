@@ -1,5 +1,10 @@
 #include "lessons/catalogue/cost.hpp"
 
+#include <algorithm>
+#include <bit>
+#include <functional>
+#include <numeric>
+
 namespace byhand {
 namespace {
 
@@ -16,17 +21,9 @@ constexpr Part parts[] = {
 }  // namespace
 
 Prices operator+(const Prices& a, const Prices& b) {
-  return {a.row_solve + b.row_solve,
-          a.laid_out_row + b.laid_out_row,
-          a.solve + b.solve,
-          a.pass + b.pass,
-          a.prepared_row + b.prepared_row,
-          a.projected_row + b.projected_row,
-          a.written_row + b.written_row,
-          a.body + b.body,
-          a.contact + b.contact,
-          a.substep + b.substep,
-          a.step + b.step};
+  Counts sum = std::bit_cast<Counts>(a);
+  std::ranges::transform(sum, std::bit_cast<Counts>(b), sum.begin(), std::plus());
+  return std::bit_cast<Prices>(sum);
 }
 
 Prices prices_of(RowKind kind, std::string_view part) {
@@ -35,15 +32,19 @@ Prices prices_of(RowKind kind, std::string_view part) {
   return {};
 }
 
-double cost_of(const Effort& effort, const Prices& prices) {
-  const auto paid = [](long long count, double price) { return price * static_cast<double>(count); };
+Counts counts_of(const Effort& effort) {
   const Executed& also = effort.executed;
-  return paid(effort.row_solves, prices.row_solve) + paid(also.laid_out_rows, prices.laid_out_row) +
-         paid(also.solves, prices.solve) + paid(also.passes, prices.pass) +
-         paid(also.prepared_rows, prices.prepared_row) + paid(also.projected_rows, prices.projected_row) +
-         paid(effort.written_rows, prices.written_row) + paid(effort.bodies, prices.body) +
-         paid(effort.contacts, prices.contact) + paid(effort.substeps, prices.substep) +
-         paid(effort.steps, prices.step);
+  Counts counts;
+  std::ranges::copy(std::array{effort.row_solves, also.laid_out_rows, also.solves, also.passes, also.prepared_rows,
+                               also.projected_rows, effort.written_rows, effort.bodies, effort.contacts,
+                               effort.substeps, effort.steps},
+                    counts.begin());
+  return counts;
+}
+
+double cost_of(const Counts& counts, const Prices& prices) {
+  const auto each = std::bit_cast<Counts>(prices);
+  return std::inner_product(counts.begin(), counts.end(), each.begin(), 0.0);
 }
 
 }  // namespace byhand

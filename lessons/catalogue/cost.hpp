@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string_view>
 
 #include "lessons/catalogue/any_scene.hpp"
@@ -16,11 +17,16 @@ struct Prices {
 };
 Prices operator+(const Prices& a, const Prices& b);
 
+/// The counts of an Effort, in the order of Prices.
+using Counts = std::array<double, sizeof(Prices) / sizeof(double)>;
+Counts counts_of(const Effort& effort);
+
 /// Of a part of a step: a family of methods by its name, for those that solve rows "stepping" besides, and a cure
 /// by its name. Nothing for a part that has no price. Measured by tests/lessons/catalogue/prices.cpp.
 Prices prices_of(RowKind kind, std::string_view part);
 
 /// Instructions.
-double cost_of(const Effort& effort, const Prices& prices);
+double cost_of(const Counts& counts, const Prices& prices);
+inline double cost_of(const Effort& effort, const Prices& prices) { return cost_of(counts_of(effort), prices); }
 
 }  // namespace byhand

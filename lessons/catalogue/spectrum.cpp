@@ -54,8 +54,9 @@ double spectral_radius(const ChainOptions& chain, const Method& method, double h
 bool stays(const ChainOptions& chain, const Method& method, double h) {
   return at_rest(chain, method, false, [&](auto simulation) {
     const double width = 1e-8 * chain.length;
-    auto& pose = simulation.scene.state().pose;
-    for (int i = 1; i <= chain.links; ++i) pose[i].position.x() = width * laws::uneven(i);
+    const auto& pose = simulation.scene.bodies().pose;
+    for (int i = 1; i <= chain.links; ++i)
+      simulation.scene.set_position(i, {width * laws::uneven(i), pose[i].position.y()});
     for (int i = 0; i < 1000; ++i) {
       simulation.step(h);
       for (const auto& at : pose)

@@ -397,17 +397,19 @@ std::string cpp_struct(const Sheet& sheet) {
   if (C.empty()) text += "  static constexpr int position_rows = 0;  // nothing drifts\n";
   if (inequality) text += "  static constexpr byhand::Bound bound = byhand::Bound::interval;  // λ >= 0\n";
   text += "\n  byhand::Anchors<M> at;\n" + members + "\n";
-  text +=
-      "  template <class T>\n  byhand::Rows<rows, T> value([[maybe_unused]] const byhand::Pose<M, T>& pose1,\n"
-      "                              [[maybe_unused]] const byhand::Pose<M, T>& pose2) const {\n"
-      "    using std::abs, std::atan2, std::cos, std::sin, std::sqrt;\n" +
-      locals(used(words, C)) + "    byhand::Rows<rows, T> C;\n" + (C.empty() ? "    C.setZero();\n" : value) +
-      "    return C;\n  }\n\n";
-  text +=
-      "  byhand::Jacobian<M, rows> jacobian([[maybe_unused]] const byhand::Pose<M>& pose1,\n"
-      "                                     [[maybe_unused]] const byhand::Pose<M>& pose2) const {\n"
-      "    using std::abs, std::atan2, std::cos, std::sin, std::sqrt;\n    using T = double;\n" +
-      locals(used(words, J)) + "    byhand::Jacobian<M, rows> J;\n" + jacobian + "    return J;\n  }\n";
+  const auto function = [&](const std::string& head, const std::string& pose, const std::vector<Expression>& uses,
+                            const std::string& body) {
+    const std::string parameter = "[[maybe_unused]] const byhand::Pose<" + pose + ">& pose";
+    text += head + parameter + "1,\n" + std::string(head.size(), ' ') + parameter +
+            "2) const {\n    using std::abs, std::atan2, std::cos, std::sin, std::sqrt;\n" +
+            (pose == "M" ? "    using T = double;\n" : "") + locals(used(words, uses)) + body + "  }\n";
+  };
+  text += "  template <class T>\n";
+  function("  byhand::Rows<rows, T> value(", "M, T", C,
+           "    byhand::Rows<rows, T> C;\n" + (C.empty() ? "    C.setZero();\n" : value) + "    return C;\n");
+  text += "\n";
+  function("  byhand::Jacobian<M, rows> jacobian(", "M", J,
+           "    byhand::Jacobian<M, rows> J;\n" + jacobian + "    return J;\n");
   // What the formulas call that Eigen does not have under one name.
   const auto calls = [&](const std::string& name) { return text.find(name) != std::string::npos; };
   std::string helpers;

@@ -384,7 +384,7 @@ class Examination {
   /// Law 13: each substep adds ½h²|J̇V| to a joint's gap, and β takes back a share.
   void follow_bends() {
     const System<M>& system = pilot_.work.system;
-    const std::vector<double> bend = bends(pilot_.scene, system);
+    const std::vector<double> bend = bends(pilot_.scene, pilot_.work);
     if (openings_.size() != bend.size()) openings_.assign(bend.size(), 0.0);
     const int count = file_.method.substeps;
     const double kept = std::pow(1 - std::min(1.0, treatment_.beta), count);

@@ -27,7 +27,7 @@ Moment<M> laid_out_for(Moment<M> moment, const RowSolver& solver, double h) {
   lay_out(moment.scene, solver, moment.work);
   moment.work.contacts.write_impulses(moment.work.system);
   rescale_impulses(moment.work, h);
-  moment.scene.write_rows(moment.work.system, h);
+  moment.scene.write_rows(moment.work.system, h, moment.work.contacts.constraints());
   moment.h = h;
   return moment;
 }
@@ -168,7 +168,7 @@ double largest_transverse_frequency(const Moment<M>& moment, int iterations = 16
     Scene<M> scene = moment.scene;
     for (int i = 0; i < count; ++i)
       if (moves(scene.bodies().inverse_mass[i])) move(scene.state().pose[i], u[i], by);
-    scene.write_rows(rows, moment.h);
+    scene.write_rows(rows, moment.h, moment.work.contacts.constraints());
     std::vector<Velocity<M>> a(static_cast<std::size_t>(count), Velocity<M>::Zero());
     apply_all(rows, force, a);
     return a;
@@ -225,12 +225,12 @@ double largest_transverse_frequency(const Moment<M>& moment, int iterations = 16
 
 /// J̇V by row of the system [units of C per s²].
 template <class M>
-std::vector<double> bends(const Scene<M>& scene, const System<M>& system) {
+std::vector<double> bends(const Scene<M>& scene, const StepWork<M>& work) {
   std::vector<Pose<M, Jet>> paths;
   const Bodies<M>& bodies = scene.bodies();
   for (int i = 0; i < bodies.size(); ++i) paths.push_back(on_its_way<M>(bodies.pose[i], bodies.velocity[i]));
-  std::vector<double> result(system.lambda.size(), 0.0);
-  scene.write_bias_accelerations(system, paths, result);
+  std::vector<double> result(work.system.lambda.size(), 0.0);
+  scene.write_bias_accelerations(work.system, paths, result, work.contacts.constraints());
   return result;
 }
 

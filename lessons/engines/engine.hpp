@@ -68,7 +68,7 @@ const std::vector<std::string>& missing();
 /// Calls pin(Pin) or rod(Distance) for each constraint of the scene. Throws std::invalid_argument for any other.
 template <class M, class OnPin, class OnRod>
 void for_each_joint(const Scene<M>& scene, OnPin&& pin, OnRod&& rod) {
-  for (int place = 0; place < scene.lasting(); ++place)
+  for (int place = 0; place < scene.count(); ++place)
     if (const auto* joint = scene.template get_if<Pin<M>>(place))
       pin(*joint);
     else if (const auto* distance = scene.template get_if<Distance<M>>(place))

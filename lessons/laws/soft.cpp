@@ -77,9 +77,10 @@ Outcome run(const SoftChain& chain) {
   Simulation<PlaneParticle> simulation{rod_chain<PlaneParticle, NormalisedDistance>({.links = chain.links}),
                                        {GaussSeidel{chain.sweeps}, soft}};
   simulation.scene.gravity.setZero();
-  auto& pose = simulation.scene.state().pose;
+  const auto& pose = simulation.scene.bodies().pose;
   const double size = 1e-7;
-  for (int i = 1; i <= chain.links; ++i) pose[i].position.y() += size * uneven(i);
+  for (int i = 1; i <= chain.links; ++i)
+    simulation.scene.set_position(i, {pose[i].position.x(), pose[i].position.y() + size * uneven(i)});
   Record record(size, 0.5);
   for (int i = 0; i < 4500; ++i) {
     simulation.step(sixtieth);

@@ -91,10 +91,10 @@ double spin_of_tenfold_wobble(int axis, double step, double time) {
 
 double hinge_error(double turn, double arm) {
   Simulation<PlaneBody> simulation{hinged_rod(0.8, 2 * arm, 1), {GaussSeidel{}, NoDriftCure{}}};
-  Bodies<PlaneBody>& bodies = simulation.scene.state();
+  const Bodies<PlaneBody>& bodies = simulation.scene.bodies();
   simulation.scene.gravity.setZero();
   const Eigen::Vector2d out = bodies.pose[1].position;
-  bodies.velocity[1] = turn / sixtieth * Eigen::Vector3d(-out.y(), out.x(), 1);
+  simulation.scene.set_velocity(1, turn / sixtieth * Eigen::Vector3d(-out.y(), out.x(), 1));
   simulation.step(sixtieth);
   return simulation.scene.all<Pin>()[0].value<double>(bodies.pose[0], bodies.pose[1]).norm();
 }
@@ -137,8 +137,8 @@ Outcome run(const LongArm& box) {
                                    {solver, Baumgarte{box.beta}}};
   simulation.scene.gravity.setZero();
   const double size = 1e-7;
-  auto& pose = simulation.scene.state().pose;
-  pose[1].position.x() += size;
+  const auto& pose = simulation.scene.bodies().pose;
+  simulation.scene.set_position(1, pose[1].position + size * Eigen::Vector2d::UnitX());
   Record record(size, 0.5 * box.arm);
   for (int i = 0; i < 6000; ++i) {
     simulation.step(sixtieth);

@@ -34,7 +34,7 @@ Scene<PlaneParticle> scene_of(const SweptChain& chain) {
   auto scene = rod_chain<M, NormalisedDistance>({.links = chain.links, .end_mass = chain.end_mass});
   scene.gravity.setZero();
   if (!chain.anchored) scene.set_mass(0, with_mass<M>(1));
-  for (int i = chain.anchored ? 1 : 0; i <= chain.links; ++i) scene.state().velocity[i].y() = uneven(i + 1);
+  for (int i = chain.anchored ? 1 : 0; i <= chain.links; ++i) scene.set_velocity(i, {0, uneven(i + 1)});
   return scene;
 }
 
@@ -58,7 +58,7 @@ Outcome jacobi(int contacts, double relaxation) {
   if (relaxation >= 2) return Outcome::explodes;  // as a single row does
   Simulation<PlaneBody> simulation{box_on_contacts(contacts),
                                    {Jacobi{.sweeps = 2000, .relaxation = relaxation}, NoDriftCure{}}};
-  simulation.scene.state().velocity[1] = {0, 0, 0.01};  // or the odd eigenvector would not be met
+  simulation.scene.set_velocity(1, {0, 0, 0.01});  // or the odd eigenvector would not be met
   const double h = 1.0 / 60;
   simulation.step(h);
   const double left = residual(simulation.work.system, simulation.scene.bodies().velocity) / (9.81 * h);

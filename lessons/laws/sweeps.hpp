@@ -20,7 +20,8 @@ double left_by_a_sweep(Scene<M> scene, const RowSolver& one_sweep, int settle, i
     // The residual of the rows before the last one, which is solved.
     const double error = residual(simulation.work.system, simulation.scene.bodies().velocity);
     if (error == 0) return 0;
-    for (auto& v : simulation.scene.state().velocity) v /= error;
+    for (int body = 0; body < simulation.scene.bodies().size(); ++body)
+      simulation.scene.set_velocity(body, simulation.scene.bodies().velocity[body] / error);
     if (i >= settle) log_sum += std::log(error);
   }
   return std::exp(log_sum / watch);

@@ -57,9 +57,10 @@ Outcome run(const TautChain& chain) {
       rod_chain<M, NormalisedDistance>(
           {.links = chain.links, .length = chain.length, .mass = chain.mass, .end_mass = chain.end_mass}),
       method};
-  auto& pose = simulation.scene.state().pose;
+  const auto& pose = simulation.scene.bodies().pose;
   const double size = 1e-8 * chain.length;
-  for (int i = 1; i <= chain.links; ++i) pose[i].position.x() = size * uneven(i);
+  for (int i = 1; i <= chain.links; ++i)
+    simulation.scene.set_position(i, {size * uneven(i), pose[i].position.y()});
   bool grown = false;
   for (int i = 0; i < 1000; ++i) {
     simulation.step(chain.step);

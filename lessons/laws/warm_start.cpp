@@ -35,8 +35,9 @@ Outcome run(const WarmChain& chain) {
   method.substeps = chain.substeps;
   Simulation<M> simulation{rod_chain<M, NormalisedDistance>({.links = chain.links}), method};
   simulation.scene.gravity.setZero();
-  auto& pose = simulation.scene.state().pose;
-  for (int i = 1; i <= chain.links; ++i) pose[i].position.y() += size * uneven(i);
+  const auto& pose = simulation.scene.bodies().pose;
+  for (int i = 1; i <= chain.links; ++i)
+    simulation.scene.set_position(i, {pose[i].position.x(), pose[i].position.y() + size * uneven(i)});
   Record record(size, 0.5);
   for (int i = 0; i < chain.steps; ++i) {
     simulation.step(1.0 / 60);

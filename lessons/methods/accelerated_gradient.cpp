@@ -2,8 +2,7 @@
 
 #include <cmath>
 
-#include "solver/rows/gauss_seidel.hpp"
-#include "solver/rows/operators.hpp"
+#include "lessons/methods/gradient.hpp"
 #include "solver/support/each_model.hpp"
 
 namespace byhand {
@@ -69,21 +68,15 @@ int descend(const AcceleratedGradient& solver, int iterations, double speed, con
 
 }  // namespace
 
-void require_valid(const AcceleratedGradient& solver) {
-  require(solver.iterations >= 1, "number of iterations", solver.iterations, "at least 1");
-  require_valid_tolerance(solver.tolerance);
-}
+void require_valid(const AcceleratedGradient& solver) { require_valid_descent(solver); }
 
 template <class M>
 Solution AcceleratedGradient::solve(System<M>& system, Bodies<M>& bodies, AcceleratedGradientWork<M>& work,
                                     Begin begin) const {
   std::vector<Velocity<M>>& velocities = bodies.velocity;
-  for (auto* numbers : {&work.g, &work.next, &work.change}) numbers->resize(system.rows());
+  for (auto* numbers : {&work.next, &work.change}) numbers->resize(system.rows());
   work.q.resize(velocities.size());
-  begin_sweeps(system, warm_start, begin, bodies);
-  find_scales(system, work.scales);
-  const double speed = fastest(system, velocities);
-  errors_of(system, velocities, system.lambda, work.g);
+  const double speed = begin_descent(system, warm_start, begin, bodies, work.scales, work.g);
   Solution solution;
   do {
     solution.passes += descend(*this, iterations - solution.passes, speed, system, work);

@@ -140,7 +140,7 @@ void descend(const Scene<M>& scene, int body, Bodies<M>& bodies, std::size_t& ne
   for (; next < work.holders.size() && work.holders[next].body == body; ++next) {
     const auto& holder = work.holders[next];
     const Run& run = work.system.runs[holder.run];
-    const ConstraintStore<M>& store = scene.store(run.kind);
+    const ConstraintStore<M>& store = scene.store(run, work.contacts.constraints());
     for_type<M>(run.type, [&](auto type) {
       auto& block = std::get<type>(work.system.blocks)[holder.block];
       constexpr int K = decltype(block.J.matrix)::RowsAtCompileTime;
@@ -197,7 +197,7 @@ void advance(Scene<M>& scene, const Avbd& method, double h, Avbd::Work<M>& work)
   rescale_impulses(work, h);
   write_targets(scene, h, method.bounce_threshold, work);
   for_each_block(work.system, [&](const auto& block, const Run& run) {
-    note_curvature(scene.store(run.kind), block, bodies, work);
+    note_curvature(scene.store(run, work.contacts.constraints()), block, bodies, work);
     warm_start(method, run.position_rows, block, work);
   });
   damp(bodies, h);
@@ -211,7 +211,7 @@ void advance(Scene<M>& scene, const Avbd& method, double h, Avbd::Work<M>& work)
     for (int body = 0; body < bodies.size(); ++body)
       if (moves(bodies.inverse_mass[body])) descend(scene, body, bodies, next, work);
     for_each_block(work.system, [&](const auto& block, const Run& run) {
-      update_rows(scene.store(run.kind), method, block, bodies, work);
+      update_rows(scene.store(run, work.contacts.constraints()), method, block, bodies, work);
     });
     work.row_solves += work.system.rows();
   }

@@ -2,8 +2,7 @@
 
 #include <numeric>
 
-#include "solver/rows/gauss_seidel.hpp"
-#include "solver/rows/operators.hpp"
+#include "lessons/methods/gradient.hpp"
 #include "solver/support/each_model.hpp"
 
 namespace byhand {
@@ -36,10 +35,7 @@ double sum_of_products(const std::vector<double>& a, const std::vector<double>& 
 
 }  // namespace
 
-void require_valid(const ConjugateGradients& solver) {
-  require(solver.iterations >= 1, "number of iterations", solver.iterations, "at least 1");
-  require_valid_tolerance(solver.tolerance);
-}
+void require_valid(const ConjugateGradients& solver) { require_valid_descent(solver); }
 
 template <class M>
 Solution ConjugateGradients::solve(System<M>& system, Bodies<M>& bodies, ConjugateGradientWork<M>& work,
@@ -47,13 +43,10 @@ Solution ConjugateGradients::solve(System<M>& system, Bodies<M>& bodies, Conjuga
   std::vector<Velocity<M>>& velocities = bodies.velocity;
   const int rows = system.rows();
   auto& [inverses, scales, r, z, p, Ap, q] = work;
-  for (auto* numbers : {&r, &z, &p, &Ap}) numbers->assign(rows, 0.0);
+  for (auto* numbers : {&z, &p, &Ap}) numbers->assign(rows, 0.0);
   q.resize(velocities.size());
   invert_blocks(system, work);
-  find_scales(system, scales);
-  begin_sweeps(system, warm_start, begin, bodies);
-  const double speed = fastest(system, velocities);
-  errors_of(system, velocities, system.lambda, r);
+  const double speed = begin_descent(system, warm_start, begin, bodies, scales, r);
   for (double& error : r) error = -error;
   double rz_before = 0, rz_first = 0;
   for (int k = 0;; ++k) {

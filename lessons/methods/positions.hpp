@@ -44,7 +44,8 @@ template <class M>
 bool lay_out_naturally(const Scene<M>& scene, StepWork<M>& work) {
   if (work.version == scene.version()) return false;
   work.version = scene.version();
-  scene.lay_out(natural_order(scene.count()), work.system);
+  const ConstraintList<M>& contacts = work.contacts.constraints();
+  scene.lay_out(natural_order(scene.count() + contacts.count()), work.system, contacts);
   work.executed.laid_out_rows += work.system.rows();
   return true;
 }
@@ -52,7 +53,7 @@ bool lay_out_naturally(const Scene<M>& scene, StepWork<M>& work) {
 /// Begins a step [s]: finds contacts and makes room for all rows. Returns whether the layout has changed.
 template <class M>
 bool begin_rows(Scene<M>& scene, double step, PositionWork<M>& work) {
-  work.contacts.find(scene, step);
+  find_contacts(scene, step, work);
   const bool changed = lay_out_naturally(scene, work);
   work.contacts.write_impulses(work.system);
   for (auto* numbers : {&work.impulse, &work.from, &work.target}) numbers->resize(work.system.rows());
@@ -67,7 +68,7 @@ void write_targets(Scene<M>& scene, double h, double threshold, PositionWork<M>&
   write_rows(scene, h, work);
   note_parting(scene, h, threshold, system, work.parting);
   for_each_block(system, [&](const BlockHeader& block, const Run& run) {
-    const ConstraintStore<M>& store = scene.store(run.kind);
+    const ConstraintStore<M>& store = scene.store(run, work.contacts.constraints());
     double C[most_rows<M>] = {};
     if (store.position_rows < store.rows && !store.holds_where_found)
       store.write_value(block.constraint, scene.bodies(), C);

@@ -17,7 +17,7 @@ namespace {
 template <class M>
 void limit_push(const Scene<M>& scene, double way, PositionWork<M>& work) {
   for_each_block(work.system, [&](const BlockHeader& block, const Run& run) {
-    if (scene.store(run.kind).bound == Bound::none) return;
+    if (scene.store(run, work.contacts.constraints()).bound == Bound::none) return;
     for (int row = block.row; row < block.row + run.position_rows; ++row)
       work.target[row] = std::max(0.0, -(work.system.C[row] + way));
   });
@@ -61,7 +61,7 @@ void advance(Scene<M>& scene, const Xpbd& method, double step, PositionWork<M>& 
     work.free = bodies.pose;
     for (int i = 0; i < method.iterations; ++i)
       for_each_block(work.system, [&](auto& block, const Run& run) {
-        solve_block(scene.store(run.kind), h, block, bodies, work);
+        solve_block(scene.store(run, work.contacts.constraints()), h, block, bodies, work);
       });
     end_substep(scene, h, work);
     work.row_solves += static_cast<long long>(method.iterations) * work.system.rows();

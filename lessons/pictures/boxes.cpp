@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "solver/constraints/contact_manifold.hpp"
-
 namespace byhand::pictures {
 
 using renderer::Canvas;
@@ -27,31 +25,11 @@ Shapes shapes_of(const Scene<M>& scene) {
   return shapes;
 }
 
-std::vector<Push> pushes(const Scene<M>& scene, const System<M>& system) {
+std::vector<Push> pushes(const Simulation<M>& simulation) {
   std::vector<Push> pushes;
-  for (int place = 0; place < scene.count(); ++place) {
-    const auto& entry = scene.entries()[place];
-    const std::type_info& kind = scene.store(entry.kind).kind();
-    const double* lambda = &system.lambda[system.row_of[place]];
-    const Pose<M>& pose = scene.bodies().pose[entry.body2];
-    const auto point = [&](const Arm<M>& arm) {
-      return Point(anchor<M, double>(pose, in_world<M, double>(pose, arm)));
-    };
-    if (kind == typeid(Contact<M>)) {
-      const Contact<M>& contact = scene.all<Contact>()[entry.index];
-      pushes.push_back({point(contact.at.arms.second), lambda[0] * contact.normal});
-    } else if (kind == typeid(Friction<M>)) {
-      const Friction<M>& friction = scene.all<Friction>()[entry.index];
-      pushes.push_back({point(friction.at.arms.second), lambda[0] * friction.tangents.col(0)});
-    } else if (kind == typeid(ContactManifold<M>)) {
-      const ContactManifold<M>& contact = scene.all<ContactManifold>()[entry.index];
-      const double first = lambda[0], second = lambda[1], both = first + second;
-      if (both <= 0) continue;
-      const Linear<M> n = contact.normal, t(n.y(), -n.x());
-      const Linear<M> unit = n + lambda[2] / both * t;
-      pushes.push_back({point(contact.at.arms.second), first * unit});
-      if (!contact.point) pushes.push_back({point(contact.second.second), second * unit});
-    }
+  for (const Touch<M>& touch : simulation.touches()) {
+    const Linear<M> per_normal = touch.impulse / touch.impulse.dot(touch.normal);
+    for (const auto& point : touch.points) pushes.push_back({point.at, point.normal_impulse * per_normal});
   }
   return pushes;
 }

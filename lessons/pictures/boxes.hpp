@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "renderer/canvas.hpp"
-#include "solver/scene.hpp"
+#include "solver/step.hpp"
 
 namespace byhand::pictures {
 
@@ -38,9 +38,9 @@ struct Push {
 /// Reads the shapes off a scene.
 Shapes shapes_of(const Scene<PlaneBody>& scene);
 
-/// The impulses of a scene's contacts as its last step left them, normal and friction together, at the points
-/// where they act: a manifold's friction at both its ends, in proportion to what they press.
-std::vector<Push> pushes(const Scene<PlaneBody>& scene, const System<PlaneBody>& system);
+/// The impulses of all contacts in the last step, normal and friction together, at the points where they act:
+/// friction in proportion to what the points press.
+std::vector<Push> pushes(const Simulation<PlaneBody>& simulation);
 
 /// Draws shapes in the world of the canvas's camera; the ground reaches to the edges of what it sees.
 void draw(renderer::Canvas& canvas, const Shapes& shapes);

@@ -59,7 +59,7 @@ double largest_impulse(const Simulation<M>& simulation) {
   double largest = 0;
   const System<M>& system = simulation.work.system;
   for_each_block(system, [&]<int K, Bound B>(const Block<M, K, B>& block, const Run& run) {
-    if (simulation.scene.store(run.kind).kind() == typeid(Pull<M>)) return;
+    if (simulation.scene.store(run, simulation.work.contacts.constraints()).kind() == typeid(Pull<M>)) return;
     for (int k = 0; k < K; ++k) {
       const double impulse = system.lambda[block.row + k] * block.J.l2().row(k).norm();
       if (std::abs(impulse) > std::abs(largest)) largest = impulse;
@@ -264,8 +264,9 @@ std::string HeldScene<M>::words(std::optional<double> part) const {
     const PartInWords now = in_words(*terms, static_cast<int>(*part));
     return now.formula + ". " + now.words;
   }
-  const bool several = now_.scene.count() > (grip_ ? 3 : 1);
-  const double error = course::without_rounding(position_error(now_.scene).max, 1);
+  const int constraints = now_.scene.count() + now_.work.contacts.constraints().count();
+  const bool several = constraints > (grip_ ? 3 : 1);
+  const double error = course::without_rounding(position_error(now_).max, 1);
   return (given_.says ? given_.says(now_) + " " : "") +
          say("Time @ s: energy @ J, @|C| @ @, @impulse λ|l₂| @ N·s.", Value(now_.time, 4),
              Value(energy(now_.scene), 4), several ? "largest " : "", Value(error, 3), given_.unit_of_C,

@@ -61,7 +61,7 @@ StepTerms terms_of(const Simulation<M>& now, const Simulation<M>& next, double h
   const System<M>& system = next.work.system;
   for_each_block(system, [&]<int K, Bound B>(const Block<M, K, B>& block, const Run& run) {
     const Rows<K> JV = dot(block.J, bodies.velocity[block.body1], bodies.velocity[block.body2]);
-    const bool hand = next.scene.store(run.kind).kind() == typeid(Pull<M>);
+    const bool hand = next.scene.store(run, next.work.contacts.constraints()).kind() == typeid(Pull<M>);
     std::vector<Linear<M>>& changed = hand ? pulled : pushed;
     Linear<M> rate = Linear<M>::Zero();
     for (int k = 0; k < K; ++k) {

@@ -275,7 +275,7 @@ std::string text_of_scene(const SceneFile& file, const Scene<M>& scene) {
   }
   parts.push_back(lines("bodies", all));
   all.clear();
-  for (int place = 0; place < scene.lasting(); ++place) all.push_back(constraint_text(scene, place, number_of));
+  for (int place = 0; place < scene.count(); ++place) all.push_back(constraint_text(scene, place, number_of));
   if (!all.empty()) parts.push_back(lines("constraints", all));
   std::string text;
   for (const std::string& part : parts) text += (text.empty() ? "" : ",\n") + part;

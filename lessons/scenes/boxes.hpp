@@ -58,12 +58,13 @@ Scene<M> pyramid(int base, const Surface& surface = {}) {
 /// a stack that merely looks settled does not survive it.
 template <class M>
 void kick(Scene<M>& scene, double speed) {
-  Bodies<M>& bodies = scene.state();
+  const Bodies<M>& bodies = scene.bodies();
   double top = 0;
   for (const auto& pose : bodies.pose) top = std::max(top, pose.position.y());
   require_positive("height of the topmost body", top, "m");
   for (int i = 0; i < bodies.size(); ++i)
-    if (moves(bodies.inverse_mass[i])) bodies.velocity[i].x() += speed * bodies.pose[i].position.y() / top;
+    if (moves(bodies.inverse_mass[i]))
+      scene.set_velocity(i, bodies.velocity[i] + speed * bodies.pose[i].position.y() / top * Velocity<M>::Unit(0));
 }
 
 }  // namespace byhand

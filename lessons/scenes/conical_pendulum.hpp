@@ -13,7 +13,7 @@ template <template <class> class Rod = NormalisedDistance>
 Scene<SpaceParticle> conical_pendulum(double angle, double length, double mass) {
   Scene<SpaceParticle> scene = pendulum<SpaceParticle, Rod>(angle, length, mass);
   const ConicalPendulum exact(angle, length, -scene.gravity.y());
-  scene.state().velocity[1].z() = exact.angular_velocity() * exact.radius();
+  scene.set_velocity(1, {0, 0, exact.angular_velocity() * exact.radius()});
   return scene;
 }
 

@@ -22,7 +22,9 @@ Scene<M> box_on_incline(double angle, double friction, double speed = 0,
   Scene<M> scene;
   add_ground(scene, {friction}, up);
   const int body = add_box(scene, lying, mass, sides, {friction});
-  scene.state().velocity[body].template head<M::linear>() = speed * down_the_slope;
+  Velocity<M> sliding = Velocity<M>::Zero();
+  sliding.template head<M::linear>() = speed * down_the_slope;
+  scene.set_velocity(body, sliding);
   return scene;
 }
 

@@ -11,7 +11,9 @@ template <class M, template <class> class Rod = NormalisedDistance>
 Scene<M> spherical_pendulum(double angle, double azimuth_rate, double length, double mass) {
   static_assert(M::linear == 3, "in the plane there is no vertical to go round");
   Scene<M> scene = pendulum<M, Rod>(angle, length, mass);
-  scene.state().velocity[1].z() = -azimuth_rate * scene.bodies().pose[1].position.x();
+  Velocity<M> round = Velocity<M>::Zero();
+  round.z() = -azimuth_rate * scene.bodies().pose[1].position.x();
+  scene.set_velocity(1, round);
   return scene;
 }
 

@@ -229,7 +229,7 @@ SceneLook look_of(const SceneOfAnyModel& any) {
   return std::visit(
       []<class M>(const Scene<M>& scene) {
         SceneLook look{.in_space = M::linear == 3};
-        for (int place = 0; place < scene.lasting(); ++place)
+        for (int place = 0; place < scene.count(); ++place)
           with_anchors(scene, place, [&](const Anchors<M>& at, TieLook::As as) {
             TieLook tie{as, at.body1, at.body2, arm_of<M>(at.arms.first), arm_of<M>(at.arms.second)};
             if (const auto* contact = scene.template get_if<Contact<M>>(place))

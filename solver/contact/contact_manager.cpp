@@ -22,9 +22,9 @@ double displacement(const Pose<M>& before, const Pose<M>& now, const Bounds<M>& 
   return turned > 0 ? way + 0.5 * bounds.diagonal().norm() * turned : way;  // bounds may be infinite
 }
 
-/// Calls put(constraint) for each constraint made from a pair; it returns the constraint's identity.
+/// Calls put(constraint) for each constraint made from a pair; it returns the constraint's place among contacts.
 template <class M>
-void for_each_constraint(const ContactPair<M>& pair, auto&& put) {
+void for_each_made_of(const ContactPair<M>& pair, auto&& put) {
   const auto& [first, second] = pair.bodies;
   if constexpr (std::is_same_v<M, PlaneBody>)
     if (pair.one_manifold)
@@ -36,8 +36,8 @@ void for_each_constraint(const ContactPair<M>& pair, auto&& put) {
                                          .restitution = pair.restitution}));
   for (int p = 0; p < pair.size; ++p) {
     const Anchors<M> at{first, second, pair.points[p].arms};
-    const int id = put(Contact<M>{.at = at, .normal = pair.normal, .restitution = pair.restitution});
-    if (pair.friction > 0) put(Friction<M>{at, tangents_of<M>(pair.normal), pair.friction, id});
+    const int place = put(Contact<M>{.at = at, .normal = pair.normal, .restitution = pair.restitution});
+    if (pair.friction > 0) put(Friction<M>{at, tangents_of<M>(pair.normal), pair.friction, place});
   }
 }
 
@@ -59,17 +59,22 @@ void for_each_row(auto& pair, const std::vector<int>& row_of, auto&& f) {
 }  // namespace
 
 template <class M>
-void ContactManager<M>::find(Scene<M>& scene, double step) {
-  if (scene.colliders().shapes.empty()) return pairs_.clear();
-  const bool unchanged = version_ == scene.version() && written_ == scene.written_;
+bool ContactManager<M>::find(const Scene<M>& scene, double step) {
+  if (scene.colliders().shapes.empty()) {
+    const bool had_any = !pairs_.empty();
+    pairs_.clear();
+    constraints_.clear();
+    version_ = 0;
+    return had_any;
+  }
+  const bool unchanged = version_ == scene.version();
   if (!unchanged) {
     joined_.clear();
-    for (int place = 0; place < scene.lasting(); ++place)
-      joined_.push_back(std::minmax(scene.entries()[place].body1, scene.entries()[place].body2));
+    for (const auto& entry : scene.entries()) joined_.push_back(std::minmax(entry.body1, entry.body2));
     std::sort(joined_.begin(), joined_.end());
   }
   const double time = scene.colliders().lookahead * step;
-  if (!update_bounds(scene, unchanged, time) && unchanged) return;
+  if (!update_bounds(scene, unchanged, time) && unchanged) return false;
   const auto& masses = scene.bodies().inverse_mass;
   const auto& stamps = scene.colliders().stamps;
   const auto& layers = scene.colliders().layers;
@@ -88,14 +93,15 @@ void ContactManager<M>::find(Scene<M>& scene, double step) {
       collide(scene, bodies, scene.colliders().margin, time, cached ? &*before : nullptr);
   }
   std::swap(pairs_, found_);
-  const auto same = [](const Pair& a, const Pair& b) { return a.bodies == b.bodies && a.size == b.size; };
-  write_constraints(unchanged && std::equal(pairs_.begin(), pairs_.end(), found_.begin(), found_.end(), same),
-                    scene);
+  const auto alike = [](const Pair& a, const Pair& b) { return a.bodies == b.bodies && a.size == b.size; };
+  const bool same = unchanged && std::equal(pairs_.begin(), pairs_.end(), found_.begin(), found_.end(), alike);
+  write_constraints(same, scene.count());
   version_ = scene.version();
+  return !same;
 }
 
 template <class M>
-void ContactManager<M>::follow_balls(Scene<M>& scene, System<M>& system) {
+void ContactManager<M>::follow_balls(const Scene<M>& scene, System<M>& system) {
   for (Pair& pair : pairs_) {
     if (!pair.round) continue;
     for_each_row(pair, system.row_of, [&](int row, double& kept) { kept = system.lambda[row]; });
@@ -103,7 +109,7 @@ void ContactManager<M>::follow_balls(Scene<M>& scene, System<M>& system) {
     collide(scene, pair.bodies, std::numeric_limits<double>::infinity(), 0, &pair);
     if (found_.empty()) continue;  // a pose is no number: the step's end says so
     pair = found_.front();
-    overwrite_constraints(pair, scene);
+    overwrite_constraints(pair, scene.count());
     for_each_row(pair, system.row_of, [&](int row, double kept) { system.lambda[row] = kept; });
   }
 }
@@ -194,32 +200,33 @@ void ContactManager<M>::collide(const Scene<M>& scene, const BodyPair& bodies, d
     }
 }
 
-/// Overwrites the found constraints that were made from a pair.
+/// Overwrites the constraints that were made from a pair; those of the scene stand `before` them.
 template <class M>
-void ContactManager<M>::overwrite_constraints(const Pair& pair, Scene<M>& scene) {
-  int place = pair.constraint;
-  for_each_constraint(pair, [&]<class Kind>(const Kind& constraint) {
-    const auto& entry = scene.entries()[place++];
-    scene.template constraints<Kind>(entry.kind).all[entry.index] = constraint;
-    return entry.id;
+void ContactManager<M>::overwrite_constraints(const Pair& pair, int before) {
+  int place = pair.constraint - before;
+  for_each_made_of(pair, [&](const auto& constraint) {
+    constraints_.replace(constraints_.entries()[place], constraint);
+    return place++;
   });
 }
 
-/// Replaces the scene's found constraints; if they are the `same` in number and kind, overwrites those of bodies
-/// that have moved.
+/// Makes the constraints anew or, if they are the `same` in number and kind, overwrites those of bodies that have
+/// moved. Those of the scene stand `before` them.
 template <class M>
-void ContactManager<M>::write_constraints(bool same, Scene<M>& scene) {
-  if (!same) scene.forget_found();
+void ContactManager<M>::write_constraints(bool same, int before) {
+  if (!same) constraints_.clear();
   for (Pair& pair : pairs_) {
     if (!same) {
-      pair.constraint = scene.count();
-      for_each_constraint(pair, [&](const auto& constraint) { return scene.add_found(constraint); });
+      pair.constraint = before + constraints_.count();
+      for_each_made_of(pair, [&](const auto& constraint) {
+        const int place = constraints_.count();
+        constraints_.add(constraint, place);
+        return place;
+      });
     } else if (moved_[pair.bodies.first] || moved_[pair.bodies.second]) {
-      overwrite_constraints(pair, scene);
+      overwrite_constraints(pair, before);
     }
   }
-  if (!same && !pairs_.empty()) scene.changed();
-  scene.written_ = written_ = new_stamp();
 }
 
 #define BYHAND_INSTANTIATE(M) template class ContactManager<M>

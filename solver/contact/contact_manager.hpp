@@ -27,7 +27,7 @@ struct ContactPair {
   std::array<std::uint64_t, 2> stamps;  // of both, as in Colliders
   int size;                             // of the manifold
   std::uint32_t reference;              // of the manifold
-  int constraint;                       // place of the first constraint made from it
+  int constraint;                       // place of the first constraint made from it, after those of the scene
   bool one_manifold;                    // one ContactManifold instead of a Contact for each point
   bool round;                           // whether one of them is a ball
   double friction, restitution;
@@ -39,24 +39,26 @@ struct ContactPair {
   }
 };
 
-/// Finds a scene's contacts from its shapes, adds them to the scene as constraints, and keeps their impulses for
-/// the warm start of the next step. Particles have no shapes and no contacts.
+/// Finds a scene's contacts from its shapes, and keeps the constraints made from them, whose rows follow those of
+/// the scene, and their impulses for the warm start of the next step. Particles have no shapes and no contacts.
 template <class M>
 class ContactManager {
  public:
-  /// Finds what may touch within `step` [s] >= 0 and makes it the scene's found constraints, as its ContactRows
-  /// say. Bodies joined by a constraint do not collide, nor do fixed ones with each other. A contact is computed
-  /// again only if one of its bodies has moved by more than a hundredth of the margin; until then its arms turn
-  /// with the bodies.
-  void find(Scene<M>& scene, double step = 0);
+  /// Finds what may touch within `step` [s] >= 0 and makes constraints of it, as the scene's ContactRows say.
+  /// Returns whether these are others than before, so that rows have to be laid out anew. Bodies joined by a
+  /// constraint do not collide, nor do fixed ones with each other. A contact is computed again only if one of its
+  /// bodies has moved by more than a hundredth of the margin; until then its arms turn with the bodies.
+  bool find(const Scene<M>& scene, double step = 0);
   /// Moves the contact points of balls to where these touch at the current poses: the arm of a ball that rolls
   /// would leave with its material. λ of their friction, in `system`, turns with the tangents.
-  void follow_balls(Scene<M>& scene, System<M>& system);
-  /// Sets λ of found contacts to their impulses of the last step.
+  void follow_balls(const Scene<M>& scene, System<M>& system);
+  /// Sets λ of the contacts to their impulses of the last step.
   void write_impulses(System<M>& system) const;
-  /// Keeps λ of found contacts for the next step.
+  /// Keeps λ of the contacts for the next step.
   void read_impulses(const System<M>& system);
 
+  /// The constraints that were made of the pairs; the friction of a Contact names its place.
+  const ConstraintList<M>& constraints() const { return constraints_; }
   /// In ascending order of bodies, as are those that pressed in the last step and in the step before.
   const std::vector<ContactPair<M>>& pairs() const { return pairs_; }
   const std::vector<BodyPair>& pressed() const { return pressed_; }
@@ -67,8 +69,8 @@ class ContactManager {
 
   bool update_bounds(const Scene<M>& scene, bool unchanged, double time);
   void collide(const Scene<M>& scene, const BodyPair& bodies, double margin, double time, const Pair* before);
-  void write_constraints(bool same, Scene<M>& scene);
-  void overwrite_constraints(const Pair& pair, Scene<M>& scene);
+  void write_constraints(bool same, int before);
+  void overwrite_constraints(const Pair& pair, int before);
 
   SweepAndPrune<M::linear> broad_phase_;
   std::vector<Pose<M>> poses_;     // by body, at which its contacts were computed
@@ -77,17 +79,31 @@ class ContactManager {
   std::vector<char> moved_;        // by body, whether its contacts are to be computed again
   std::vector<BodyPair> joined_;   // by constraints; sorted
   std::vector<Pair> pairs_, found_;
+  ConstraintList<M> constraints_;
   std::vector<BodyPair> pressed_, pressed_before_;
-  std::uint64_t version_ = 0, written_ = 0;  // of the scene
+  std::uint64_t version_ = 0;  // of the scene whose contacts these are
 };
 
 template <int L>
 class ContactManager<Model<L, 0>> {
+  using M = Model<L, 0>;
+
  public:
-  void find(Scene<Model<L, 0>>&, double = 0) {}
-  void follow_balls(Scene<Model<L, 0>>&, System<Model<L, 0>>&) {}
-  void write_impulses(System<Model<L, 0>>&) const {}
-  void read_impulses(const System<Model<L, 0>>&) {}
+  bool find(const Scene<M>&, double = 0) { return false; }
+  void follow_balls(const Scene<M>&, System<M>&) {}
+  void write_impulses(System<M>&) const {}
+  void read_impulses(const System<M>&) {}
+  const ConstraintList<M>& constraints() const { return none_; }
+
+ private:
+  ConstraintList<M> none_;
 };
+
+/// Calls f(store, entry) for each constraint of a scene in natural order, and then for each contact.
+template <class M, class F>
+void for_each_constraint(const Scene<M>& scene, const ContactManager<M>& contacts, F&& f) {
+  for (const ConstraintList<M>* list : {&scene.constraints(), &contacts.constraints()})
+    for (const auto& entry : list->entries()) f(list->store(entry.kind), entry);
+}
 
 }  // namespace byhand

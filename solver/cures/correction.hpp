@@ -1,7 +1,6 @@
 #pragma once
 
 #include <any>
-#include <functional>
 #include <limits>
 
 #include "solver/system.hpp"
@@ -43,9 +42,22 @@ struct Stage {
   Scene<M>& scene;
   StepWork<M>& work;
   double h;
-  std::any& kept;                          // what the cure keeps between steps
-  std::function<void()> solve_rows_again;  // by the step's row solver, from the current λ
+  std::any& kept;  // what the cure keeps between steps
+
+  /// By the step's row solver, from the current λ.
+  virtual void solve_rows_again() = 0;
+
+ protected:
+  Stage(Scene<M>& s, StepWork<M>& w, double substep, std::any& k) : scene(s), work(w), h(substep), kept(k) {}
+  ~Stage() = default;
 };
+
+/// The W in `kept`; a new one where it holds nothing or something else.
+template <class W>
+inline W& kept_as(std::any& kept) {
+  W* found = std::any_cast<W>(&kept);
+  return found ? *found : kept.emplace<W>();
+}
 
 /// Sets b of every row. A one-sided row that is open (C > 0) may close its gap within the step but not more: b =
 /// C/h, whatever the cure.

@@ -30,13 +30,12 @@ void project(const Projection&, const ConstraintStore<M>&, Block<M, K, Bound::fr
 }  // namespace
 
 template <class M>
-long long project(const Projection& cure, Scene<M>& scene) {
+long long project(const Projection& cure, Scene<M>& scene, const ContactManager<M>& contacts) {
   long long solved = 0;
   Bodies<M>& bodies = scene.state();
   for (int sweep = 0; sweep < cure.sweeps; ++sweep)
-    for (const auto& entry : scene.entries()) {
-      const ConstraintStore<M>& store = scene.store(entry.kind);
-      if (store.position_rows == 0) continue;
+    for_each_constraint(scene, contacts, [&](const ConstraintStore<M>& store, const auto& entry) {
+      if (store.position_rows == 0) return;
       for_type<M>(store.block_type, [&](auto type) {
         typename std::tuple_element_t<type, decltype(System<M>::blocks)>::value_type block;
         const bool moves1 = moves(bodies.inverse_mass[entry.body1]),
@@ -45,20 +44,20 @@ long long project(const Projection& cure, Scene<M>& scene) {
         project(cure, store, block, bodies);
       });
       solved += store.position_rows;
-    }
+    });
   return solved;
 }
 
 template <class M>
 void Projection::after_move(Stage<M>& stage) const {
   stage.work.contacts.follow_balls(stage.scene, stage.work.system);
-  const long long rows = project(*this, stage.scene);
+  const long long rows = project(*this, stage.scene, stage.work.contacts);
   stage.work.row_solves += rows;
   stage.work.executed.projected_rows += rows;
 }
 
-#define BYHAND_INSTANTIATE(M)                               \
-  template long long project(const Projection&, Scene<M>&); \
+#define BYHAND_INSTANTIATE(M)                                                         \
+  template long long project(const Projection&, Scene<M>&, const ContactManager<M>&); \
   template void Projection::after_move(Stage<M>&) const
 BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);
 #undef BYHAND_INSTANTIATE

@@ -12,6 +12,9 @@
 // not. Source of the idea: E. Catto's b2ContactSolver::SolvePositionConstraints, Box2D 2.4.
 namespace byhand {
 
+template <class M>
+class ContactManager;
+
 /// Corrects poses after each substep. Cost: its sweeps over all rows that have a C.
 struct Projection {
   int sweeps = 4;    // >= 1
@@ -28,8 +31,9 @@ inline void require_valid(const Projection& cure) {
   require_in("slop", cure.slop, 0, 1e300, "m");
 }
 
-/// Moves the scene's poses towards C = 0. Returns the number of rows solved.
+/// Moves the scene's poses towards C = 0 of its constraints and of these contacts. Returns the number of rows
+/// solved.
 template <class M>
-long long project(const Projection& cure, Scene<M>& scene);
+long long project(const Projection& cure, Scene<M>& scene, const ContactManager<M>& contacts = {});
 
 }  // namespace byhand

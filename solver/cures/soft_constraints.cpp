@@ -1,7 +1,6 @@
 #include "solver/cures/soft_constraints.hpp"
 
 #include "solver/support/each_model.hpp"
-#include "solver/support/kept.hpp"
 #include "solver/work.hpp"
 
 namespace byhand {

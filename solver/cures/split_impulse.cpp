@@ -3,7 +3,6 @@
 #include "solver/integrate/euler.hpp"
 #include "solver/rows/operators.hpp"
 #include "solver/support/each_model.hpp"
-#include "solver/support/kept.hpp"
 #include "solver/work.hpp"
 
 namespace byhand {

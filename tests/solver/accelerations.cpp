@@ -48,7 +48,7 @@ template <class M>
 double growth(const Scene<M>& scene) {
   Simulation<M, Accelerations> simulation{scene, rk4};
   double largest = 0;
-  const auto look = [&] { largest = std::max(largest, position_error(simulation.scene).max); };
+  const auto look = [&] { largest = std::max(largest, position_error(simulation).max); };
   run(simulation, 10, h, look);
   const double early = largest;
   run(simulation, 30, h, look);
@@ -67,7 +67,7 @@ template <class M>
 double midpoint_drift(const Scene<M>& scene, double time) {
   Simulation<M, Accelerations> simulation{scene, midpoint};
   double largest = 0;
-  run(simulation, time, h, [&] { largest = std::max(largest, position_error(simulation.scene).max); });
+  run(simulation, time, h, [&] { largest = std::max(largest, position_error(simulation).max); });
   return largest;
 }
 TEST(LawB3, TheDriftOfTheImplicitMidpointRuleStaysBoundedForAParticle) {

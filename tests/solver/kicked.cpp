@@ -32,7 +32,7 @@ TEST(Kicked, AStackOfThirtyStandsAlsoUnderTenAndAHundredTimesItsBoxes) {
       auto simulation = kicked(begin, random);
       for (int i = 0; i < 1800; ++i) simulation.step(h);
       ASSERT_LT(shift(simulation, begin), 0.02) << top_mass << ", seed " << seed;
-      ASSERT_LT(position_error(simulation.scene).max, 1e-4) << top_mass << ", seed " << seed;
+      ASSERT_LT(position_error(simulation).max, 1e-4) << top_mass << ", seed " << seed;
     }
   }
 }
@@ -45,7 +45,7 @@ TEST(Kicked, AWallOfTwoHundredAndTenBoxesKeepsItsTopWithinFourMillimetres) {
     double deepest = 0;
     for (int i = 0; i < 300; ++i) {
       simulation.step(h);
-      if (i % 10 == 0) deepest = std::max(deepest, position_error(simulation.scene).max);
+      if (i % 10 == 0) deepest = std::max(deepest, position_error(simulation).max);
     }
     ASSERT_LT(shift(simulation, begin), 0.004) << "seed " << seed;
     ASSERT_LT(deepest, 0.001) << "seed " << seed;

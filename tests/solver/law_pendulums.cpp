@@ -54,7 +54,7 @@ TEST(LawA1, ErrorsScaleAsDimensionsSay) {
                                         {Direct{}, Baumgarte{0.2}}};
   auto tall = start;
   double stretch = 0;
-  run(tall, 20, 1.0 / 30, [&] { stretch = std::max(stretch, position_error(tall.scene).max); });
+  run(tall, 20, 1.0 / 30, [&] { stretch = std::max(stretch, position_error(tall).max); });
   EXPECT_NEAR(stretch, 4 * small.stretch, 1e-12);
   EXPECT_NEAR((energy(tall.scene) - energy(start.scene)) / (3 * g * 4), small.energy_gain, 1e-12);
 }

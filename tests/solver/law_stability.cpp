@@ -29,9 +29,9 @@ Simulation<PlaneParticle> disturbed(int links, const GaussSeidel& solver, double
 TEST(LawB6, AColdSingleSweepMultipliesErrorsBeforeTheyDieOutIfBetaIsAboveOne) {
   const auto growth = [](int links, double beta) {
     Simulation<PlaneParticle> simulation = disturbed(links, {.sweeps = 1, .warm_start = false}, beta, 1e-9);
-    const double first = position_error(simulation.scene).rms;
+    const double first = position_error(simulation).rms;
     double largest = first;
-    run(simulation, 200 * h, h, [&] { largest = std::max(largest, position_error(simulation.scene).rms); });
+    run(simulation, 200 * h, h, [&] { largest = std::max(largest, position_error(simulation).rms); });
     return largest / first;
   };
   for (const int links : {5, 10, 20}) EXPECT_EQ(growth(links, 1), 1) << links;

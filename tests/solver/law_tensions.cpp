@@ -135,7 +135,7 @@ TEST(LawA6, ASlackChainTendsToTheCatenaryAsTheSquareOfItsLinks) {
     Simulation<PlaneParticle> simulation{slack_chain<PlaneParticle>(links, length, span),
                                          {Direct{}, Baumgarte{1}}};
     come_to_rest(simulation, 0.1 / links, 200 * links);
-    EXPECT_LT(position_error(simulation.scene).max, 1e-8);
+    EXPECT_LT(position_error(simulation).max, 1e-8);
     return -simulation.scene.bodies().pose[links / 2].position.y() - exact;
   };
   double coarse = error(8);

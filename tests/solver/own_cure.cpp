@@ -4,7 +4,6 @@
 #include "lessons/scenes/pendulum.hpp"
 #include "solver/advance.hpp"
 #include "solver/measure.hpp"
-#include "solver/support/kept.hpp"
 
 // A cure of drift that a program adds is one struct: the step asks it and knows none by name.
 namespace byhand {
@@ -48,7 +47,7 @@ TEST(OwnCure, ThatBeginsSetsTheBiasAndKeepsWhatItNeeds) {
   double own_error = 0, plain_error = 0;
   for (int i = 0; i < 300; ++i) {
     own.step(1.0 / 60), plain.step(1.0 / 60);
-    own_error += position_error(own.scene).max, plain_error += position_error(plain.scene).max;
+    own_error += position_error(own).max, plain_error += position_error(plain).max;
   }
   EXPECT_LT(own_error, 0.9 * plain_error);
   EXPECT_EQ(std::any_cast<std::vector<double>&>(own.work.cure).size(), 1u);

@@ -79,11 +79,8 @@ void expect_standing_stack(const Method& method, int boxes, double sunk, double 
   EXPECT_NEAR(top.y(), boxes - 0.5, sunk);
   EXPECT_NEAR(top.x(), 0, 1e-3);
   double carried = 0;
-  for (int place = 0; place < simulation.scene.count(); ++place) {
-    const auto& entry = simulation.scene.entries()[place];
-    const int pressing = entry.body1 == 0 ? simulation.scene.store(entry.kind).position_rows : 0;
-    for (int k = 0; k < pressing; ++k) carried += reaction(simulation.work, place, k);
-  }
+  for (const Touch<M>& touch : simulation.touches())
+    if (touch.body1 == 0) carried += touch.impulse.dot(touch.normal) / simulation.work.h;
   EXPECT_NEAR(carried / (boxes * 9.81), 1, tolerance);
 }
 

@@ -291,7 +291,7 @@ double largest_separation(const Scene<M>& scene, const AnyRowSolver& solver) {
   try {
     for (int i = 0; i < 60; ++i) {
       simulation.step(time_step);
-      largest = std::max(largest, position_error(simulation.scene).max);
+      largest = std::max(largest, position_error(simulation).max);
     }
   } catch (const SingularSystem&) {
     return std::numeric_limits<double>::infinity();

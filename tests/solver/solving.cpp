@@ -31,11 +31,13 @@ Scene<M> bodies_alone(const Scene<M>& scene) {
 }
 
 template <class M>
-std::vector<double> natural_lambda(const Scene<M>& scene, const System<M>& system) {
+std::vector<double> natural_lambda(const Scene<M>& scene, const StepWork<M>& work) {
   std::vector<double> result;
-  for (int place = 0; place < scene.count(); ++place)
-    for (int k = 0; k < scene.store(scene.entries()[place].kind).rows; ++k)
-      result.push_back(system.lambda[system.row_of[place] + k]);
+  auto row = work.system.row_of.begin();
+  for_each_constraint(scene, work.contacts, [&](const auto& store, const auto&) {
+    const auto first = work.system.lambda.begin() + *row++;
+    result.insert(result.end(), first, first + store.rows);
+  });
   return result;
 }
 
@@ -43,7 +45,7 @@ template <class M>
 Answer<M> solved(Scene<M> scene, const AnyRowSolver& solver, const DriftCure& cure) {
   Work<M> work;
   advance(scene, AnyStepping{.solver = solver, .drift = cure, .gyroscopic = Gyroscopic::none}, time_step, work);
-  return {numbers_of<M>(scene.bodies().velocity), natural_lambda(scene, work.system),
+  return {numbers_of<M>(scene.bodies().velocity), natural_lambda(scene, work),
           residual(work.system, scene.bodies().velocity), work.solution.converged};
 }
 
@@ -123,15 +125,15 @@ Scene<M> mixed_chain(Random& random, int links) {
   return scene;
 }
 
-#define INSTANTIATE(M)                                                               \
-  template std::vector<double> numbers_of<M>(const std::vector<Velocity<M>>&);       \
-  template Scene<M> bodies_alone<M>(const Scene<M>&);                                \
-  template std::vector<double> natural_lambda<M>(const Scene<M>&, const System<M>&); \
-  template Answer<M> solved<M>(Scene<M>, const AnyRowSolver&, const DriftCure&);     \
-  template Scene<M> with_random_velocities<M>(Scene<M>, Random&);                    \
-  template Scene<M> random_graph<M>(Random&, int, int);                              \
-  template Scene<M> grid<M>(Random&, int);                                           \
-  template Scene<M> ring<M>(Random&, int);                                           \
+#define INSTANTIATE(M)                                                                 \
+  template std::vector<double> numbers_of<M>(const std::vector<Velocity<M>>&);         \
+  template Scene<M> bodies_alone<M>(const Scene<M>&);                                  \
+  template std::vector<double> natural_lambda<M>(const Scene<M>&, const StepWork<M>&); \
+  template Answer<M> solved<M>(Scene<M>, const AnyRowSolver&, const DriftCure&);       \
+  template Scene<M> with_random_velocities<M>(Scene<M>, Random&);                      \
+  template Scene<M> random_graph<M>(Random&, int, int);                                \
+  template Scene<M> grid<M>(Random&, int);                                             \
+  template Scene<M> ring<M>(Random&, int);                                             \
   template Scene<M> mixed_chain<M>(Random&, int)
 
 BYHAND_FOR_EACH_MODEL(INSTANTIATE);

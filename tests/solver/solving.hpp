@@ -42,9 +42,9 @@ void for_each_of(const Scene<M>& scene, F&& f) {
 template <class M>
 Scene<M> bodies_alone(const Scene<M>& scene);
 
-/// λ of every row, constraint by constraint in natural order.
+/// λ of every row, constraint by constraint in natural order, then of contacts.
 template <class M>
-std::vector<double> natural_lambda(const Scene<M>& scene, const System<M>& system);
+std::vector<double> natural_lambda(const Scene<M>& scene, const StepWork<M>& work);
 
 /// What the rows leave after one step, without the gyroscopic term; the scene itself stays as it is.
 template <class M>

@@ -16,7 +16,7 @@ SceneFile with_first(const SceneFile& file, bool left) {
   auto& scene = std::get<Scene<M>>(other.scene);
   const auto contacts = std::get<Scene<M>>(file.scene).all<Contact>();
   const auto slips = std::get<Scene<M>>(file.scene).all<Friction>();
-  while (scene.lasting() > 0) scene.remove(scene.entries().front().id);
+  while (scene.count() > 0) scene.remove(scene.entries().front().id);
   for (const int corner : {1, 0}) {
     Friction<M> slip = slips[static_cast<std::size_t>(corner)];
     slip.contact = scene.add(contacts[static_cast<std::size_t>(corner)]);

@@ -33,23 +33,8 @@ constexpr const char* kind_names[] = {"bobs",          "balls",          "links"
 constexpr const char* bob_models[] = {"bobs in the plane", "balls in the plane", "links in the plane",
                                       "bobs in space",     "balls in space",     "links in space"};
 
-constexpr int counts = 11;
-using Counts = std::array<double, counts>;  // in the order of Prices
+constexpr int counts = std::tuple_size_v<Counts>;
 
-Counts counts_of(const Effort& effort) {
-  const auto number = [](long long count) { return static_cast<double>(count); };
-  const Executed& also = effort.executed;
-  return {number(effort.row_solves),   number(also.laid_out_rows), number(also.solves),
-          number(also.passes),         number(also.prepared_rows), number(also.projected_rows),
-          number(effort.written_rows), number(effort.bodies),      number(effort.contacts),
-          number(effort.substeps),     number(effort.steps)};
-}
-double paid(const Counts& all, const Prices& prices) {
-  const Counts each{prices.row_solve,    prices.laid_out_row,  prices.solve,       prices.pass,
-                    prices.prepared_row, prices.projected_row, prices.written_row, prices.body,
-                    prices.contact,      prices.substep,       prices.step};
-  return std::inner_product(all.begin(), all.end(), each.begin(), 0.0);
-}
 Cure cure_named(std::string_view name) {
   for (const Cure cure : {Cure::baumgarte, Cure::projection, Cure::split_impulse, Cure::soft})
     if (name_of(cure) == name) return cure;
@@ -222,7 +207,7 @@ int check(const std::vector<Counted>& all) {
   int good = 0, bad = 0;
   for (const Counted& one : all) {
     const Prices prices = prices_of(one.kind, family_named(one.family), cure_named(one.cure));
-    const double off = paid(one.counts, prices) / one.instructions - 1;
+    const double off = cost_of(one.counts, prices) / one.instructions - 1;
     good += std::abs(off) <= 0.15, bad += std::abs(off) > 0.3;
     if (std::abs(off) > 0.15) fmt::print("{:+4.0f} %  {}: {}\n", 100 * off, one.family, one.what);
   }

@@ -109,12 +109,12 @@ namespace {
 
 /// The largest gap of a joint or overlap of two bodies [m]. Limits are angles, and left out.
 template <class M>
-double gap_of(const Scene<M>& scene) {
+double gap_of(const Simulation<M>& simulation) {
+  const Scene<M>& scene = simulation.scene;
   double largest = 0;
-  for (const auto& entry : scene.entries()) {
-    const ConstraintStore<M>& store = scene.store(entry.kind);
+  for_each_constraint(scene, simulation.work.contacts, [&](const ConstraintStore<M>& store, const auto& entry) {
     const bool touches = store.holds_where_found;
-    if (store.position_rows == 0 || (store.bound != Bound::none && !touches)) continue;
+    if (store.position_rows == 0 || (store.bound != Bound::none && !touches)) return;
     double C[6], sum = 0;
     store.write_value(entry.index, scene.bodies(), C);
     for (int k = 0; k < std::min(store.position_rows, M::linear); ++k) {
@@ -122,7 +122,7 @@ double gap_of(const Scene<M>& scene) {
       sum += C[k] * C[k];
     }
     if (!touches) largest = std::max(largest, std::sqrt(sum));
-  }
+  });
   return largest;
 }
 
@@ -146,7 +146,7 @@ Run<M> run_of(const SceneFile& file, const VelocityStepping& method, double limi
       run.stopped = error.what();
       break;
     }
-    const double gap = gap_of(simulation.scene);
+    const double gap = gap_of(simulation);
     if (!(gap < limit) && run.when == 0) run.when = simulation.time;
     run.gap = larger(run.gap, gap);
     run.gained = larger(run.gained, energy(simulation.scene) - first);

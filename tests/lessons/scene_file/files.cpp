@@ -205,7 +205,7 @@ TYPED_TEST(EveryKind, StepsToTheSameBitsOnceReadBack) {
       [&](const auto& scene) {
         std::set<std::string> kinds;
         for (const auto& entry : scene.entries()) kinds.insert(scene.store(entry.kind).kind().name());
-        std::visit([&](const auto& original) { EXPECT_EQ(scene.count(), original.lasting()); }, file.scene);
+        std::visit([&](const auto& original) { EXPECT_EQ(scene.count(), original.count()); }, file.scene);
         EXPECT_GE(kinds.size(), 7U);
       },
       back.scene);
