@@ -26,7 +26,8 @@ void copy_judge(const fs::path& source, const std::vector<const Exercise*>& want
   for (const char* part :
        {"renderer", "lessons/files/atomic_file.hpp", "lessons/files/atomic_file.cpp", "lessons/page/error.hpp"})
     copy_into(root / part, source / part);
-  for (const char* part : {"CMakeLists.txt", "exercise.cpp.in", "grade.cpp", "judge", "learner"})
+  for (const char* part :
+       {"CMakeLists.txt", "exercises.cmake", "exercise.cpp.in", "grade.cpp", "judge", "learner"})
     copy_into(here / part, source / "lessons" / "practise" / part);
   for (const Exercise* exercise : wanted) {
     const fs::path folder = source / "lessons" / "practise" / exercise->name;

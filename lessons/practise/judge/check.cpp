@@ -9,15 +9,13 @@
 
 #include "lessons/files/atomic_file.hpp"
 #include "lessons/page/error.hpp"
-#include "lessons/practise/judge/messages.hpp"
+#include "lessons/practise/judge/compiled.hpp"
 #include "lessons/practise/judge/process.hpp"
 
 namespace byhand::practise {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::size_t most_text = 64u << 10;
 
 /// Where the build leaves child.cpp for each exercise: beside this program.
 fs::path child(const Exercise& exercise) {
@@ -36,20 +34,12 @@ std::string read_learners(const fs::path& path, std::string& text) {
   const ssize_t got = regular ? read(file, text.data(), text.size()) : -1;
   if (file >= 0) close(file);
   if (got < 0) return name + " is not a file that can be read: links, folders and devices are not judged.";
-  if (static_cast<std::size_t>(got) > most_text)
-    return fmt::format("{} has more than {} KB; a solution has less than one.", name, most_text >> 10);
+  if (static_cast<std::size_t>(got) > most_text) return too_long(name);
   text.resize(static_cast<std::size_t>(got));
   return "";
 }
 
-Verdict not_compiled(const std::string& sentence) {
-  Verdict verdict;
-  verdict.kind = Verdict::Kind::does_not_compile;
-  verdict.sentence = sentence;
-  return verdict;
-}
-
-Verdict checked(const Exercise& exercise, const Key& key, const fs::path& path) {
+Verdict checked(const Exercise& exercise, const Key& key, const fs::path& path, std::string& warnings) {
   const fs::path signature = exercise.folder() / "signature.hpp", header = practise_folder() / "learner",
                  library = child(exercise);
   if (!fs::exists(library)) throw course::EnvironmentError(library.string() + " is missing");
@@ -87,12 +77,10 @@ Verdict checked(const Exercise& exercise, const Key& key, const fs::path& path) 
   const Messages messages(compiled.said, file);
   if (compiled.status != 0) {
     const bool out_of_memory = compiled.said.find("memory") != std::string::npos && messages.errors.empty();
-    Verdict verdict = not_compiled(compiled.status < 0 ? "It does not compile within ten seconds."
-                                   : out_of_memory     ? "It does not compile within a gigabyte of memory."
-                                                       : "It does not compile.");
-    verdict.details = messages.errors;
-    verdict.line = messages.line;
-    return verdict;
+    return not_compiled(compiled.status < 0 ? "It does not compile within ten seconds."
+                        : out_of_memory     ? "It does not compile within a gigabyte of memory."
+                                            : "It does not compile.",
+                        messages);
   }
   const Finished linked = run_confined(
       {BYHAND_COMPILER, "-static", "-Wl,--undefined=byhand_child", object, library.string(), "-o", program},
@@ -103,19 +91,16 @@ Verdict checked(const Exercise& exercise, const Key& key, const fs::path& path) 
   Verdict verdict = judge(
       exercise, key, [&](std::size_t which, const Numbers& arguments) { return process.call(which, arguments); });
   verdict.printed = process.printed();
-  if (!verdict.is_right() && verdict.kind != Verdict::Kind::not_written && !messages.warnings.empty())
-    verdict.details += "The compiler warns\n" + messages.warnings;
+  warnings = messages.warnings;
   return verdict;
 }
 
 }  // namespace
 
 Verdict check(const Exercise& exercise, const Key& key, const fs::path& path) {
-  Verdict verdict = checked(exercise, key, path);
-  // All of it may quote the learner's bytes.
-  verdict.sentence = legible(verdict.sentence, 1000);
-  verdict.details = legible(verdict.details, 8192);
-  verdict.printed = legible(verdict.printed, 2000);
+  std::string warnings;
+  Verdict verdict = checked(exercise, key, path, warnings);
+  finish(verdict, warnings);
   return verdict;
 }
 

@@ -5,13 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string_view>
 #include <vector>
-
-#include "lessons/files/atomic_file.hpp"
-#include "renderer/frames.hpp"
-#include "renderer/opengl/pixel_canvas.hpp"
-#include "renderer/png.hpp"
 
 namespace byhand::practise {
 namespace {
@@ -124,17 +118,17 @@ Rectangle below_title(Canvas& canvas, const std::string& title) {
   return body;
 }
 
-/// How many of `most` frames tell a film: until a little after a body has left what is seen for good.
-int told_by(const Film& film, const Rectangle& seen, int most) {
-  int last = most;
+}  // namespace
+
+int frames_that_tell(const Film& film, const Film& right) {
+  const Rectangle seen = window_of(right);
+  int last = count(right);
   for (std::size_t i = 0; count(film) > 0 && i < film.frames[0].shapes.size(); ++i)
     if (const int since = gone_since(film, i, count(film) - 1, seen);
         since >= 0 && is_body(film.frames[0].shapes[i]))
       last = std::min(last, since + frames_per_second / 5);
   return last;
 }
-
-}  // namespace
 
 void draw(Canvas& canvas, const Film& yours, const Film& right, int index) {
   canvas.clear();
@@ -145,29 +139,14 @@ void draw(Canvas& canvas, const Film& yours, const Film& right, int index) {
   draw_panel(canvas, other, right, right, index, "right");
 }
 
-std::string still_png(const Film& yours, const Film& right) {
-  PixelCanvas canvas(1280, 720);
+void draw_instants(Canvas& canvas, const Film& yours, const Film& right, const std::vector<int>& instants) {
   canvas.clear();
   const auto cells = below_title(canvas, right.title).cells(2, 4, 10);
-  const std::vector<int> instants = spread(told_by(yours, window_of(right), count(right)), 4);
   for (std::size_t i = 0; i < instants.size(); ++i) {
     const double seconds = double(instants[i]) / frames_per_second;
     draw_panel(canvas, cells[i], yours, right, instants[i], fmt::format("your code, {:.2g} s", seconds));
     draw_panel(canvas, cells[4 + i], right, right, instants[i], fmt::format("right, {:.2g} s", seconds));
   }
-  return encode_png(canvas.image());
-}
-
-void write_film(const std::filesystem::path& folder, const Film& yours, const Film& right) {
-  PixelCanvas canvas(854, 480);
-  FrameEncoder encoder([&](int index, std::string_view png) {
-    course::write_whole(folder / fmt::format("{:04}.png", index), png);
-  });
-  for (int i = 0; i < count(right); ++i) {
-    draw(canvas, yours, right, i);
-    encoder.add(canvas.image());
-  }
-  encoder.finish();
 }
 
 }  // namespace byhand::practise

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "lessons/page/error.hpp"
-#include "lessons/practise/judge/process.hpp"
+#include "lessons/practise/judge/stopped.hpp"
 
 namespace byhand::practise {
 namespace {

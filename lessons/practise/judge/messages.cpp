@@ -68,13 +68,16 @@ Messages::Messages(const std::string& said, const std::string& file) {
 }
 
 std::string about_linking(const std::string& said, const std::string& text) {
-  if (said.find("multiple definition of `main'") != std::string::npos)
+  // As GNU's linker says it, or LLVM's.
+  if (said.find("multiple definition of `main'") != std::string::npos ||
+      said.find("duplicate symbol: main") != std::string::npos)
     return "Remove your main: the judge calls your functions from its own.";
-  constexpr const char* undefined = "undefined reference to `";
-  const auto at = said.find(undefined);
-  if (at == std::string::npos) return "It compiles, and cannot be linked with the judge.";
-  const auto begin = at + std::string(undefined).size();
-  std::string name = without(said.substr(begin, said.find('\'', begin) - begin), "plain::");
+  if (said.find("memory too large") != std::string::npos)
+    return "Your global variables need more memory than an exercise has.";
+  static const std::regex undefined("undefined (reference to `([^'\n]*)'|symbol: ([^\n]*))");
+  std::smatch found;
+  if (!std::regex_search(said, found, undefined)) return "It compiles, and cannot be linked with the judge.";
+  std::string name = without(found[2].matched ? found[2] : found[3], "plain::");
   name = std::regex_replace(name, std::regex(", 18446744073709551615ul"), "");  // of a span without a fixed size
   const std::string called = name.substr(0, name.find('('));
   const bool other = std::regex_search(text, std::regex("\\b" + called + "\\s*\\("));

@@ -21,7 +21,6 @@
 #include "lessons/page/error.hpp"
 #include "lessons/practise/judge/confine.hpp"
 #include "lessons/practise/judge/protocol.hpp"
-#include "lessons/practise/judge/undefined.hpp"
 
 namespace byhand::practise {
 namespace {
@@ -151,10 +150,8 @@ Numbers Process::call(std::size_t which, const Numbers& arguments) {
   if (count == too_deep) end("Your code calls itself without an end: the stack is full.");
   if (count == undefined) {
     const double kind = received(), line = received();
-    if (!(kind >= 0 && kind < static_cast<double>(std::size(undefined_words)) && line >= 0 && line < 1e6))
-      wrote_on_the_channel();
-    end(fmt::format("Your code {}{}.", undefined_words[static_cast<std::size_t>(kind)],
-                    line > 0 ? fmt::format(" in line {:.0f}", line) : ""));
+    if (!is_undefined(kind, line)) wrote_on_the_channel();
+    end(undefined_sentence(kind, line));
   }
   if (!(count >= 0 && count <= most_numbers && count == std::floor(count))) wrote_on_the_channel();
   Numbers answered(static_cast<std::size_t>(count));

@@ -7,15 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "lessons/practise/judge/stopped.hpp"
 #include "lessons/practise/judge/wire.hpp"
 
 namespace byhand::practise {
-
-/// A learner's process ended, or answered nothing that counts.
-struct Stopped {
-  std::string sentence;
-  bool not_written = false;  // the stub said so
-};
 
 struct Limits {
   double seconds = 2;  // of computing: a busy machine takes longer by the clock

@@ -91,6 +91,9 @@ std::string contents_page(const std::vector<Digest>& lessons, const Cover& cover
   };
   if (cover.desk)
     link("desk.html", "The derivation desk", ": derive a constraint yourself, and be told which line is wrong");
+  if (cover.exercises)
+    link("practise.html", "Write it yourself",
+         ": functions of the course in C++, compiled and judged in the page");
   link("constraints_by_hand.epub", "The whole course as an e-book", "");
   if (!cover.repository.empty())
     link(cover.repository, "The repository", ": its source, its tests, its exercises");

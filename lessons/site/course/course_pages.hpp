@@ -14,6 +14,7 @@ namespace byhand::site {
 struct Cover {
   CoverScene scene = {};
   bool desk = false;            // the site has the derivation desk
+  bool exercises = false;       // the site has the exercises
   std::string repository = {};  // its address; empty where nobody gave it
 };
 

@@ -41,7 +41,7 @@ constexpr int fine = 0;
 
 struct Wanted {
   std::string output = course::default_output().string(), repository;
-  bool quiet = false, slides = false, without_answers = false;
+  bool quiet = false, slides = false, without_answers = false, exercises = false;
 };
 
 /// A program that this one started did not do its work; `status` is its exit status.
@@ -64,6 +64,22 @@ bool write_live(const fs::path& folder) {
   const course::Ended ended = course::run_program(builder, {(folder / "live").string()}, course::Group::own);
   if (ended.by_signal) throw Failed("", ended);
   return ended.well();
+}
+
+/// The page in which exercises are compiled and judged. False without what that needs, such as a network.
+bool write_exercises(const fs::path& folder) {
+  const fs::path builder = fs::path(BYHAND_SITE_FOLDER) / "../practise/page/build";
+  const course::Ended ended = course::run_program(builder.string(), {folder.string()}, course::Group::own);
+  if (ended.by_signal) throw Failed("", ended);
+  if (!ended.well()) {
+    fs::remove_all(folder / "practise");
+    return false;
+  }
+  build("page_practise");
+  const fs::path program = fs::read_symlink("/proc/self/exe").parent_path() / "page_practise";
+  const course::Ended written = course::run_program(program.string(), {folder.string()}, course::Group::ours);
+  if (!written.well()) throw Failed("page_practise ended with an error", written);
+  return true;
 }
 
 /// Runs a lesson's program and returns the digest that it left in the folder.
@@ -114,7 +130,9 @@ int run(const Wanted& wanted) {
   };
   copy_assets(folder.path());
   const bool desk = fs::exists(folder.path() / "live" / "desk.js");
-  write("index.html", site::contents_page(lessons, {site::cover_scene(folder.path()), desk, wanted.repository}));
+  const bool exercises = wanted.exercises && write_exercises(folder.path());
+  write("index.html",
+        site::contents_page(lessons, {site::cover_scene(folder.path()), desk, exercises, wanted.repository}));
   if (desk) write("desk.html", site::desk_page(desk::read_tasks(fs::path(BYHAND_SITE_FOLDER) / "../desk/tasks")));
   write("equations.html", site::equations_page());
   write("laws.html", site::laws_page(lessons));
@@ -132,6 +150,8 @@ int run(const Wanted& wanted) {
   folder.finish();
   if (!wanted.quiet && !live)
     fmt::print("Its pages are static: what compiles the lessons for a browser is missing.\n");
+  if (wanted.exercises && !exercises)
+    fmt::print("It has no exercises: what compiles them in the page is missing, and is fetched by npm.\n");
   if (!wanted.quiet) fmt::print("The course as a web site: {}/index.html\n", course::printable(output.string()));
   return fine;
 }
@@ -155,6 +175,8 @@ int command(int argc, const char* const* argv) {
       });
   app.add_flag("--slides", wanted.slides, "also each lesson as slides, in site/slides/; takes reveal.js from npm");
   app.add_flag("--without-answers", wanted.without_answers, "without answers.html, the key to all questions");
+  app.add_flag("--exercises", wanted.exercises,
+               "also the exercises, compiled and judged in the page; takes clang from npm");
   app.add_flag("--quiet", wanted.quiet, "no progress, only what is wrong");
   try {
     app.parse(argc, argv);

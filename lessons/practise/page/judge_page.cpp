@@ -1,0 +1,215 @@
+// The judge of the exercises in a page. A worker writes a request where `request` says and reads where `answer`
+// says:
+//
+//     {"ask": "judge", "exercise": "08_bias", "said": the compiler's warnings}
+//                                              {"kind", "sentence", "details", "printed", "line", "frames"}
+//                                              and, of right code, "solution" and "derivation"
+//     {"ask": "refused", "exercise": "08_bias", "said": …, "text": …, "by": "clang" or "lld"}    the same
+//     {"ask": "picture", "index": 12}          {"svg"}: the code that was judged last beside the right one
+//     {"ask": "given", "exercise": "08_bias", "seed": 7}     numbers of all probes, which tests compare
+//
+// The learner's functions are in another module with a memory of its own; the worker copies numbers between them.
+
+#include <array>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <stdexcept>
+#include <string>
+
+#include "lessons/practise/judge/comparison.hpp"
+#include "lessons/practise/judge/compiled.hpp"
+#include "lessons/practise/judge/judge.hpp"
+#include "lessons/practise/judge/stopped.hpp"
+#include "renderer/svg_canvas.hpp"
+
+#define PAGE(name) extern "C" __attribute__((import_module("page"), import_name(#name)))
+
+/// Calls function `which` of the learner's module. Returns how many numbers it answers, which take() copies, or
+/// −1: it stopped, and stop() says why.
+PAGE(call) int page_call(int which, const double* in, int count);
+PAGE(take) void page_take(double* out);
+/// An index of `Why`, the learner's line or 0, and a number that belongs to the reason.
+PAGE(stop) void page_stop(double* why);
+/// What the learner's code printed.
+PAGE(printed_size) int page_printed_size();
+PAGE(printed) void page_printed(char* out);
+
+namespace {
+
+using namespace byhand::practise;
+using Json = nlohmann::json;
+
+constexpr int most_printed = 64, most_memory = 256;  // KB, MB: as judge_worker.js and commands.js have them
+
+std::string printed() {
+  std::string text(static_cast<std::size_t>(page_printed_size()), '\0');
+  page_printed(text.data());
+  return text;
+}
+
+/// Of a program that called abort(): what an assertion, its own or the library's, printed before.
+std::string aborted(double line) {
+  const std::string text = printed();
+  std::smatch found;
+  if (std::regex_search(text, found, std::regex("Assertion failed: (.*) \\([^()]*\\(?[^()]*\\)?[^()]*\\)")))
+    return fmt::format("Your assertion `{}' failed{}.", found[1].str(), in_line(line));
+  if (std::regex_search(text, found, std::regex("assertion .* failed: (.*)")))
+    return fmt::format("Your code crashed{}: {}.", in_line(line), found[1].str());
+  return fmt::format("Your code called abort(){}.", in_line(line));
+}
+
+/// Why a learner's code stopped, in the order that judge_worker.js has.
+enum class Why {
+  not_written,
+  undefined,
+  endless,
+  no_memory,
+  too_deep,
+  crashed,
+  aborted,
+  exited,
+  printed,
+  system,
+  answered
+};
+
+Stopped stopped() {
+  std::array<double, 3> said{};
+  page_stop(said.data());
+  const auto [why, line, more] = said;
+  switch (static_cast<Why>(why)) {
+    case Why::not_written: return {"Not written yet.", true};
+    case Why::undefined:
+      if (is_undefined(more, line)) return {undefined_sentence(more, line)};
+      break;
+    case Why::endless:
+      return {fmt::format("Your code did not return{}; look for a loop that never ends.", in_line(line))};
+    case Why::no_memory:
+      return {fmt::format("Your code asked for more than {} MB of memory{}.", most_memory, in_line(line))};
+    case Why::too_deep:
+      return {fmt::format("Your code calls itself without an end{}: the stack is full.", in_line(line))};
+    case Why::aborted: return {aborted(line)};
+    case Why::exited:
+      return {fmt::format("Your code ended the program with status {:.0f}{} instead of returning a value.", more,
+                          in_line(line))};
+    case Why::printed: return {fmt::format("Your code printed more than {} KB.", most_printed)};
+    case Why::system:
+      return {
+          "Your code asked the system for a file, a process, the time or the network; an exercise needs none."};
+    case Why::answered: return {"Your code answered more numbers than an exercise has."};
+    case Why::crashed: break;
+  }
+  return {fmt::format("Your code crashed{}: it used memory that is not its own. Look at pointers and indices.",
+                      in_line(line))};
+}
+
+Numbers call(std::size_t which, const Numbers& in) {
+  const int count = page_call(static_cast<int>(which), in.data(), static_cast<int>(in.size()));
+  if (count < 0) throw stopped();
+  Numbers out(static_cast<std::size_t>(count));
+  page_take(out.data());
+  return out;
+}
+
+std::string request_text, answer_text;
+std::map<std::string, Key> keys;
+Film yours, right;
+
+const Exercise& named(const std::string& name) {
+  for (const Exercise& exercise : exercises())
+    if (exercise.name == name) return exercise;
+  throw std::invalid_argument("There is no exercise " + name);
+}
+
+const Key& key_of(const Exercise& exercise) {
+  if (!keys.contains(exercise.name)) keys[exercise.name] = key(exercise, 1);
+  return keys[exercise.name];
+}
+
+const char* word(Verdict::Kind kind) {
+  constexpr const char* words[] = {"right",       "misconception", "wrong",
+                                   "not_written", "stopped",       "does_not_compile"};
+  return words[static_cast<std::size_t>(kind)];
+}
+
+Json told(const Verdict& verdict) {
+  return {{"kind", word(verdict.kind)},
+          {"sentence", verdict.sentence},
+          {"details", verdict.details},
+          {"printed", verdict.printed},
+          {"line", verdict.line}};
+}
+
+/// As the compilers know the learner's file.
+std::string file_of(const Exercise& exercise) { return "/learner/" + exercise.name + ".cpp"; }
+
+Json judged(const Exercise& exercise, const std::string& said) {
+  const Key& key = key_of(exercise);
+  Verdict verdict = judge(exercise, key, call);
+  verdict.printed = printed();
+  finish(verdict, Messages(said, file_of(exercise)).warnings);
+  yours = verdict.film;
+  right = key.film;
+  Json answer = told(verdict);
+  answer["frames"] = yours.frames.empty() ? 0 : right.frames.size();
+  if (verdict.is_right()) {
+    answer["solution"] = contents_of(exercise.folder() / "solution.cpp");
+    answer["derivation"] = task(exercise).derivation;
+  }
+  return answer;
+}
+
+Json refused(const Exercise& exercise, const Json& request) {
+  const std::string said = request.at("said"), text = request.at("text"), file = exercise.name + ".cpp";
+  Verdict verdict = text.size() > most_text ? not_compiled(too_long(file))
+                    : request.at("by") == "clang"
+                        ? not_compiled("It does not compile.", Messages(said, file_of(exercise)))
+                        : not_compiled(about_linking(said, text));
+  finish(verdict, "");
+  return told(verdict);
+}
+
+Json picture(int index) {
+  byhand::renderer::SvgCanvas canvas(1280, "judged");
+  draw(canvas, yours, right, index);
+  return {{"svg", canvas.svg("Your code beside the right one")}};
+}
+
+Json given(const Exercise& exercise, std::uint64_t seed) {
+  Json all = Json::array();
+  for (int i = 0; i < probes; ++i)
+    for (const Line& line : sheet(exercise, exercise.variants.front().code, seed, i))
+      if (line.kind == Line::Kind::given) all.push_back({line.name, line.values});
+  return all;
+}
+
+Json answered(const Json& request) {
+  const std::string ask = request.at("ask");
+  if (ask == "picture") return picture(request.at("index"));
+  const Exercise& exercise = named(request.at("exercise"));
+  if (ask == "judge") return judged(exercise, request.at("said"));
+  if (ask == "refused") return refused(exercise, request);
+  if (ask == "given") return given(exercise, request.at("seed"));
+  throw std::invalid_argument("Asked for " + ask);
+}
+
+}  // namespace
+
+#define EXPORT(name) extern "C" __attribute__((export_name(#name)))
+
+EXPORT(request) char* request(int size) {
+  request_text.assign(static_cast<std::size_t>(size), '\0');
+  return request_text.data();
+}
+
+EXPORT(answer) const char* answer() {
+  try {
+    answer_text = answered(Json::parse(request_text)).dump(-1, ' ', false, Json::error_handler_t::replace);
+  } catch (const std::exception& error) {
+    answer_text = Json{{"error", error.what()}}.dump();
+  }
+  return answer_text.data();
+}
+
+EXPORT(answer_size) int answer_size() { return static_cast<int>(answer_text.size()); }
