@@ -303,6 +303,10 @@ int run(Arguments arguments) {
     std::erase(arguments, "--all");
     return run_all(slugs, arguments);
   }
+  if (arguments.front() == "symptoms") {
+    arguments.front() = "--step=7";
+    arguments.insert(arguments.begin(), "04_baumgarte");
+  }
   for (const char* program : {"practise", "desk", "site", "scene", "case"})
     if (arguments.front() == program)
       return status_of(build_and_run(program, {arguments.begin() + 1, arguments.end()}));

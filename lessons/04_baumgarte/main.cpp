@@ -32,6 +32,7 @@ int main(int argc, char** argv) {
 
   lesson.deeper("The error that a spin leaves", with(steady_spin));
   lesson.deeper("Warm start, few sweeps and β", with(the_trap));
+  lesson.step("When it does not work", with(when_it_does_not_work));
 
   lesson.closing(
       {.now_you_know =
@@ -50,7 +51,7 @@ int main(int argc, char** argv) {
                  {"How many sweeps does the chain of ten links need at this β?",
                   "./lessons/run baumgarte --step 6b --set sweeps=8"}},
        .next =
-           R"(Write b yourself: `./lessons/run practise 8`.
+           R"(Write b yourself: `./lessons/run practise 8`. If a program of yours misbehaves: `./lessons/run symptoms`.
 
            The correction that shortens a rod also separates bodies that overlap. Contacts come next: rows that
            may only push, and friction, whose bound depends on them.)"});

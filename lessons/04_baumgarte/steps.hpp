@@ -13,6 +13,7 @@ void frame_rate(const Setting& setting, course::Page& page);
 void what_it_costs(const Setting& setting, course::Page& page);
 void steady_spin(const Setting& setting, course::Page& page);
 void the_trap(const Setting& setting, course::Page& page);
+void when_it_does_not_work(const Setting& setting, course::Page& page);
 
 /// A bob on the rod that step 2 corrects.
 course::Hold in_hand(const Setting& setting);

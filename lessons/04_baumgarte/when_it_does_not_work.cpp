@@ -1,0 +1,140 @@
+// Step 7: what a wrong step looks like, from the symptom to the line that is wrong.
+
+#include "lessons/04_baumgarte/steps.hpp"
+#include "lessons/04_baumgarte/symptoms.hpp"
+
+namespace byhand::baumgarte {
+namespace {
+
+constexpr double film_length = 2;  // [s]
+
+/// A run of a film: the rod in each step, until it leaves the view.
+struct Filmed {
+  std::string name;
+  std::vector<RodBetween> wrong, right;
+  Rectangle world;  // what is seen [m]
+  double h;
+};
+
+/// Half the size of a box, and of a bob about as large.
+constexpr double half_width = 0.3, half_height = 0.5;
+
+bool inside(const Rectangle& world, const RodBetween& rod) {
+  const Rectangle centres = world.inset(half_height);
+  const auto seen = [&](const Body& body) { return body.inverse_mass == 0 || centres.contains(body.x); };
+  return seen(rod.one) && seen(rod.two);
+}
+
+std::vector<RodBetween> track(RodBetween rod, const Recipe& recipe, const Rectangle& world) {
+  std::vector<RodBetween> all{rod};
+  for (int i = 0; i < static_cast<int>(std::lround(film_length / recipe.h)); ++i) {
+    advance(rod, recipe);
+    if (!inside(world, rod)) break;
+    all.push_back(rod);
+  }
+  return all;
+}
+
+Filmed filmed(const Symptom& symptom) {
+  const auto& [start, recipe] = *symptom.run;
+  Recipe right = recipe;
+  right.fault = Fault::none;
+  if (recipe.fault == Fault::none) right.beta = 0.2, right.h = 1.0 / 60;
+  const bool anchored = start.one.inverse_mass == 0;
+  const Rectangle world = anchored ? Rectangle{-3.2, -3.9, 6.4, 5.1} : Rectangle{-3.2, -2.4, 6.4, 4.8};
+  return {symptom.seen, track(start, recipe, world), track(start, right, world), world, recipe.h};
+}
+
+void draw(Canvas& canvas, const RodBetween& rod, bool ghost) {
+  const Look bodies = ghost ? Look{fade(palette::paper, 0), {palette::theory, 1.5, Dash::dashed}} : body_look;
+  const Point from = rod.one.x + rod.one.turned(rod.arm1), to = rod.two.x + rod.two.turned(rod.arm2);
+  if (ghost)
+    canvas.line(from, to, {palette::theory, 1.5, Dash::dashed});
+  else
+    canvas.rod(from, to, {palette::constraint, {palette::ink, 0}}, 4);
+  for (const Body* body : {&rod.one, &rod.two}) {
+    if (body->inverse_inertia > 0)
+      canvas.box(body->x, {2 * half_width, 2 * half_height}, angle(body->rotation), bodies);
+    else if (body->inverse_mass > 0)
+      canvas.disc(body->x, 0.2, bodies);
+    else if (!ghost)
+      canvas.anchor(body->x);
+  }
+}
+
+/// A panel for each run: the wrong step, and dashed the right one.
+void draw(Canvas& canvas, const std::vector<Filmed>& runs, double time) {
+  constexpr int columns = 4;
+  const int rows = (static_cast<int>(runs.size()) + columns - 1) / columns;
+  const auto panels = canvas.page().inset(12).cells(rows, columns, 10);
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const Filmed& run = runs[i];
+    const Rectangle panel = panels[i], below{panel.x, panel.y, panel.width, panel.height - 26};
+    canvas.look_at_page();
+    canvas.text({panel.centre().x(), panel.top() - 12}, run.name, {.size = 14, .bold = true});
+    canvas.rectangle(below, {palette::paper, {palette::grid, 1.5}});
+    canvas.look(fit(run.world, below, 0));
+    canvas.clip(below);
+    const auto now = [&](const std::vector<RodBetween>& all, double h) {
+      return all[std::min(all.size() - 1, static_cast<std::size_t>(std::lround(std::floor(time / h + 1e-9))))];
+    };
+    draw(canvas, now(run.wrong, run.h), false);
+    draw(canvas, now(run.right, 1.0 / 60), true);
+    canvas.clip(std::nullopt);
+  }
+}
+
+}  // namespace
+
+void when_it_does_not_work(const Setting&, Page& page) {
+  const std::vector<SymptomGroup> groups = all_symptoms();
+  const Symptom& sinks = groups.front().symptoms.front();
+
+  page.text(
+      R"(You have typed the seven lines of lesson 2 and the bias of this one, and something is wrong on the screen.
+      What you see usually tells you which line. Here each mistake was made on purpose in the same step: a bob or a box of 3 kg on a
+      rod of 2 m, 60 steps a second, β = 0.2. Find your symptom, make the test, and only then change the line.)");
+  page.choose(
+      {.ask =
+           say(R"(A bob hangs at rest, straight down, and yet it sinks: at @ m/s, steadily. With half the step it
+                  sinks half as fast, and its mass does not matter. What is wrong?)",
+               sinks.wrong),
+       .options =
+           {{"λ is multiplied by h", "Then the bob would fall almost freely, faster and faster."},
+            {"gravity is added after λ",
+             "The bob moves by a gh that the row has not seen; the next step removes it and adds the next."},
+            {"m⁻¹ is missing in (19)", "Then the speed would depend on the mass: (m − 1)gh, with m in kg."},
+            {"b is missing",
+             "Without b a rod grows only while its bob moves along the circle; this one is at rest."}},
+       .answer = 1,
+       .hints = {"Which speed is it, in terms of g and h?",
+                 "gh is what gravity adds in one step. Who should remove it?",
+                 "λ removes what it finds in V. Was gh there already?"}});
+
+  std::vector<Filmed> runs;
+  for (const auto& [title, symptoms] : groups) {
+    std::string list;
+    for (const Symptom& symptom : symptoms) {
+      list += say("\n- **@.** Measured: @, @ @; with the right step, @ @. *Cause:* @. *Test:* @. (@)",
+                  symptom.seen, symptom.quantity, symptom.wrong, symptom.unit, symptom.right, symptom.unit,
+                  symptom.cause, symptom.test, symptom.more);
+      if (symptom.run) runs.push_back(filmed(symptom));
+    }
+    page.text("*@*\n@", title, list);
+    for (const Symptom& symptom : symptoms)
+      page.claim(
+          symptom.quantity + " (" + symptom.seen + ")", symptom.wrong, symptom.unit,
+          is(symptom.law, symptom.source, absolute(symptom.tolerance * std::max(1.0, std::abs(symptom.law)))));
+  }
+  page.sequence(
+      "symptoms",
+      R"(The first two seconds of each rod: filled, the wrong step; dashed, the right one. What leaves its
+                panel stops at the edge.)",
+      Seconds{film_length}, [runs](Canvas& canvas, double time) { draw(canvas, runs, time); });
+  page.text(
+      R"(If your symptom is not listed: run one bob on one rod, without gravity, correction and warm start, and switch
+      them on one by one. Print C, JV + b before λ, λ, and JV + b after it. The last must be zero to rounding; if it is, the solver is
+      right, and C or J is wrong.)");
+}
+
+}  // namespace byhand::baumgarte
