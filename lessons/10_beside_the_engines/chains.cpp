@@ -207,7 +207,7 @@ void chains(const Setting& setting, Page& page) {
 
   page.claim("the chain, this course as advised: largest gap", gaps.front().advised(), "m",
              is_at_most(0.01, "a hundredth of a link: a direct solve leaves the drift of the step alone"),
-             within(10, Quantity("links", links), 200));
+             where(within(10, Quantity("links", links), 200), within(50, Quantity("end mass", end_mass), 300)));
 }
 
 void chain_in_space(const Setting& setting, Page& page) {
@@ -250,7 +250,8 @@ void chain_in_space(const Setting& setting, Page& page) {
   page.text("@", judged(page, offs));
   stiffer_by_hertz<M>(page, "Box3D", scene);
   page.claim("the chain in space, this course as advised: largest gap", gaps.front().advised(), "m",
-             is_at_most(0.01, "a hundredth of a link"), within(10, Quantity("links", links), 200));
+             is_at_most(0.01, "a hundredth of a link"),
+             where(within(10, Quantity("links", links), 200), within(50, Quantity("end mass", end_mass), 300)));
 }
 
 }  // namespace byhand::beside

@@ -66,11 +66,11 @@ void the_engines(const Setting&, Page& page) {
   for (const Engine* engine : everybody)
     rows.push_back({engine->name, engine->version, home_of(*engine), engine->single ? "single" : "double",
                     say("@@", engine->method, engine->build.empty() ? "" : say("; @", engine->build)),
-                    say("`@`", engine->file)});
+                    engine->file.substr(engine->file.rfind('/') + 1)});
   page.table({"engine", "version", "home", "precision", "how it solves", "its settings"}, rows);
   page.text(
       R"(Each takes part three times. *As shipped*: nothing is set that need not be. *As its manual advises*: the source of
-      the advice stands in the file of its settings. *Best of its settings*: every public knob that matters is turned, and
+      the advice stands in the file of its settings, in `lessons/engines/settings/`. *Best of its settings*: every public knob that matters is turned, and
       at each cost the best counts. This course is treated the same. A float has 24 bits: at 50 m its last one is 4 µm, so
       that engines in single precision have no smaller gaps there; figures end at 1 µm.)");
   page.text(

@@ -119,18 +119,20 @@ void read_joint(const Scene<M>& scene, Joint<M>& joint) {
     if constexpr (requires { constraint.length; }) joint.length = constraint.length;
     if constexpr (requires { constraint.right; })
       joint.rest = joint.reversed ? constraint.right.rest : inverse(constraint.right.rest);
-    if constexpr (std::is_same_v<Kind, Slider<M>>) {
-      joint.axis = across_all<M>(constraint.across);
-      if (joint.reversed) joint.axis = -rotate(joint.rest, joint.axis);
-    }
-    if constexpr (requires { constraint.axis; }) {
-      const Linear<M> axis1 = across_all<M>(constraint.across), &axis2 = constraint.axis;
-      const Bodies<M>& bodies = scene.bodies();
-      joint.axis = joint.reversed ? axis2 : axis1;
-      joint.rest = inverse(bodies.pose[joint.parent].rotation) * bodies.pose[joint.body].rotation;
-      const Linear<M> now = rotate(joint.rest, joint.reversed ? axis1 : axis2);
-      joint.rest = Rotation<M>(between_directions(now, joint.axis) * joint.rest).normalized();
-    }
+    if constexpr (M::angular > 0)
+      if constexpr (std::is_same_v<Kind, Slider<M>>) {
+        joint.axis = across_all<M>(constraint.across);
+        if (joint.reversed) joint.axis = -rotate(joint.rest, joint.axis);
+      }
+    if constexpr (M::angular == 3)
+      if constexpr (requires { constraint.axis; }) {
+        const Linear<M> axis1 = across_all<M>(constraint.across), &axis2 = constraint.axis;
+        const Bodies<M>& bodies = scene.bodies();
+        joint.axis = joint.reversed ? axis2 : axis1;
+        joint.rest = inverse(bodies.pose[joint.parent].rotation) * bodies.pose[joint.body].rotation;
+        const Linear<M> now = rotate(joint.rest, joint.reversed ? axis1 : axis2);
+        joint.rest = Rotation<M>(between_directions(now, joint.axis) * joint.rest).normalized();
+      }
   });
 }
 
@@ -205,14 +207,14 @@ JointFrame<M> place_body(const Joint<M>& joint, const JointState<M>& state, Bodi
       own += parent_spin;
     }
   frame.r2 = lever(pose, joint.arm);
-  const auto place = state.at.position, rate = state.rate.template head<M::linear>();
+  const Linear<M> place = state.at.position, rate = state.rate.template head<M::linear>();
   Linear<M> apart = Linear<M>::Zero(), parting = Linear<M>::Zero();  // of the two ends
   if (joint.kind == JointKind::rod)
     apart = joint.length * place, parting = joint.length * turning_of_rod<M>(state);
   if constexpr (M::angular > 0)
     if (joint.kind == JointKind::slider) {
-      apart = rotate(parent.rotation, Linear<M>(place));
-      parting = rotate(parent.rotation, Linear<M>(rate)) + turned<M>(parent_spin, apart);
+      apart = rotate(parent.rotation, place);
+      parting = rotate(parent.rotation, rate) + turned<M>(parent_spin, apart);
     }
   pose.position = parent.position + frame.r1 + apart - frame.r2;
   velocity.template tail<M::angular>() = own;
