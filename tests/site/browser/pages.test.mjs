@@ -63,7 +63,8 @@ for (const page of pages)
       return {
         heading: document.querySelector('h1')?.textContent.trim(),
         steps: document.querySelectorAll('section.step').length,
-        pictures: [...document.querySelectorAll('.picture')].filter(picture => !picture.querySelector('svg, img')).length,
+        // A hidden one waits for a script.
+        pictures: [...document.querySelectorAll('.picture')].filter(picture => !picture.closest('[hidden]') && !picture.querySelector('svg, img')).length,
         dead: [...document.querySelectorAll('main button, main input')].filter(visible).length,
       };
     });
