@@ -21,7 +21,7 @@ struct Symptom {
   std::string cause, test;
   std::string more;                   // the step and the exercise
   double wrong = 0, right = 0;        // measured, in `unit`
-  double tolerance = 1e-9;           // of the law, relative to the larger of it and 1
+  double tolerance = 1e-9;            // of the law, relative to the larger of it and 1
   std::optional<FaultyRun> run = {};  // to be filmed
 };
 
