@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "lessons/04_baumgarte/warm_chain.hpp"
+#include "lessons/laws/closed_forms.hpp"
 
 namespace byhand::baumgarte {
 namespace {
@@ -125,10 +126,7 @@ SymptomGroup of_one_row() {
        run({.seen = "The rod of a moving bob grows slowly",
             .quantity = "stretch after 2 s at 6 m/s",
             .unit = "m",
-            .law =
-                trial.length *
-                (std::pow(1 + 2 * trial.speed * trial.speed * trial.h * 2 / (trial.length * trial.length), 0.25) -
-                 1),
+            .law = laws::drifted_radius(trial.length, trial.speed, trial.h, 2) - trial.length,
             .source = "L(1 + 2v²ht/L²)^¼ − L",
             .cause = "nothing in the step is wrong: JV = 0 follows the tangent, and b is missing",
             .test = "halve h: the growth nearly halves",
