@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "solver/contact/manifold.hpp"
 
@@ -68,19 +69,17 @@ Polygon clipped(const Polygon& polygon, double reach, int side) {
 /// Four of more than four vertices that keep nearly all of the area: the deepest, the one furthest from it, the
 /// one furthest from the line between them, and the one furthest outside this triangle. Differences below `level`
 /// [m] do not count, so that the choice lasts; above it, vertices of a box go before crossings of parallel edges.
-std::array<int, 4> four_of(const Polygon& polygon, double level) {
+std::array<int, 4> four_of(const Polygon& polygon, std::span<const int> vertices, double level) {
   std::array<double, Polygon::capacity> handicap;
-  for (int i = 0; i < polygon.size; ++i) handicap[i] = polygon.before(i).side == polygon[i].side ? 2 * level : 0;
+  for (const int i : vertices) handicap[i] = polygon.before(i).side == polygon[i].side ? 2 * level : 0;
   const auto best = [&](auto&& distance) {
     std::array<double, Polygon::capacity> score;
     double most = -infinity;
-    for (int i = 0; i < polygon.size; ++i) {
+    for (const int i : vertices) {
       score[i] = distance(polygon[i].at) - handicap[i];
       most = std::max(most, score[i]);
     }
-    int chosen = 0;
-    while (score[chosen] < most - level) ++chosen;
-    return chosen;
+    return *std::find_if(vertices.begin(), vertices.end(), [&](int i) { return !(score[i] < most - level); });
   };
   const auto left_of = [](const Vector3d& from, const Vector3d& to) -> Vector2d {
     return Vector2d(from.y() - to.y(), to.x() - from.x()).normalized();
@@ -102,8 +101,9 @@ std::array<int, 4> four_of(const Polygon& polygon, double level) {
   return {deepest, furthest, aside, outside};
 }
 
-/// The contact points for a reference face: 0–2 are the axes of the first box, 3–5 of the second.
-Manifold3 collide_face(const Boxes& boxes, int reference) {
+/// The contact points within the margin, or else the nearest, for a reference face: 0–2 are the axes of the first
+/// box, 3–5 of the second.
+Manifold3 collide_face(const Boxes& boxes, int reference, double margin) {
   const bool second = reference >= 3;
   const OrientedBox &box = second ? boxes.second : boxes.first, &other = second ? boxes.first : boxes.second;
   const Matrix3d turn = second ? Matrix3d(boxes.turn.transpose()) : boxes.turn;
@@ -148,15 +148,25 @@ Manifold3 collide_face(const Boxes& boxes, int reference) {
   Manifold3 manifold;
   manifold.reference = reference + 1;
   manifold.normal = second ? Vector3d(-n) : n;
-  std::array<int, 4> chosen = {0, 1, 2, 3};
-  if (polygon.size > 4) chosen = four_of(polygon, 2e-4 * box.half.minCoeff());
-  for (int k = 0; k < std::min(polygon.size, 4); ++k) {
-    const Vertex& vertex = polygon[chosen[k]];
-    const double separation = vertex.at.z() - box.half[axis];
+  std::array<int, Polygon::capacity> near;
+  int size = 0;
+  const auto separation_of = [&](int i) { return polygon[i].at.z() - box.half[axis]; };
+  double nearest = infinity;
+  for (int i = 0; i < polygon.size; ++i) nearest = std::min(nearest, separation_of(i));
+  for (int i = 0; i < polygon.size; ++i)
+    if (separation_of(i) <= std::max(margin, nearest)) near[size++] = i;
+  if (size > 4) {
+    const auto four = four_of(polygon, {near.data(), near.data() + size}, 2e-4 * box.half.minCoeff());
+    std::copy(four.begin(), four.end(), near.begin());
+    size = 4;
+  }
+  for (int k = 0; k < size; ++k) {
+    const Vertex& vertex = polygon[near[k]];
+    const double separation = separation_of(near[k]);
     Vector3d own;
     own[sides[0]] = vertex.at.x(), own[sides[1]] = vertex.at.y(), own[axis] = side * vertex.at.z();
     const Vector3d q = box.centre + box.axes * own, p = q - separation * n;
-    int from = polygon.before(chosen[k]).side, to = vertex.side;
+    int from = polygon.before(near[k]).side, to = vertex.side;
     if (second == (facing_side > 0)) std::swap(from, to);  // as seen from the first box
     const std::uint32_t feature = (face1 * 6 + from) * 6 + to;
     manifold.add({second ? q : p, second ? p : q, separation, feature});
@@ -208,8 +218,8 @@ Manifold3 one_point(const Vector3d& n, ContactPoint3 point, std::uint32_t refere
 
 /// The contact points for one of the fifteen axes: faces as in `collide_face`, then 6 + 3i + j for edge directions
 /// i of the first box and j of the second.
-Manifold3 collide_axis(const Boxes& boxes, int axis) {
-  if (axis < 6) return collide_face(boxes, axis);
+Manifold3 collide_axis(const Boxes& boxes, int axis, double margin) {
+  if (axis < 6) return collide_face(boxes, axis, margin);
   const int i = (axis - 6) / 3, j = (axis - 6) % 3;
   Vector3d n = boxes.first.axes.col(i).cross(boxes.second.axes.col(j)).normalized();
   if (n.dot(boxes.apart) < 0) n = -n;
@@ -301,13 +311,13 @@ Manifold<SpaceBody> collide_boxes(const Box<SpaceBody>& box1, const Pose<SpaceBo
   for (const int axis : {static_cast<int>(hint) - 1, face, edge}) {
     if (axis < 0 || axis >= (overlap ? 15 : 6)) continue;
     if (separation[axis] < separation[best] - least_gain) continue;
-    manifold = collide_axis(boxes, axis);
+    manifold = collide_axis(boxes, axis, margin);
     nearest = infinity;
     for (const ContactPoint3& point : manifold) nearest = std::min(nearest, point.separation);
     const double far = overlap ? std::min(0.0, separation[best] + least_gain) : separation[best] / clearly;
     if (nearest <= far + rounding) return within(margin, manifold);
   }
-  if (manifold.reference == 0) manifold = collide_axis(boxes, best);  // for its normal, should edges touch
+  if (manifold.reference == 0) manifold = collide_axis(boxes, best, margin);  // for its normal, should edges touch
   return within(margin, closest_edges(boxes, clearly * nearest, manifold));
 }
 
