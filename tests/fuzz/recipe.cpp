@@ -25,7 +25,7 @@ template <class M>
 Scene<M> scene_of(const Recipe<M>& recipe) {
   Scene<M> scene;
   scene.gravity = recipe.gravity;
-  scene.set_margin(recipe.margin);
+  scene.set_margin(recipe.margin, recipe.lookahead);
   scene.set_contact_rows(recipe.rows);
   for (const auto& part : recipe.parts) {
     const int body = scene.add_body(part.pose, mass_of<M>(part), part.velocity);

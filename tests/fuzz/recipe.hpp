@@ -27,6 +27,7 @@ struct Recipe {
   Linear<M> gravity = -9.81 * Linear<M>::Unit(1);
   ContactRows rows = M::linear == 2 ? ContactRows::manifold : ContactRows::points;
   double margin = 0.02;  // [m]
+  double lookahead = 1;
   std::vector<Part> parts;
   std::vector<Link> links;
 };
