@@ -31,6 +31,7 @@ int main(int argc, char** argv) {
   lesson.step("Which knob?", with(which_knob));
   lesson.step("All laws", with(all_laws));
 
+  lesson.deeper("Which regime is my scene in?", with(regimes));
   lesson.deeper("A heavy box on a light one", with(heavy_on_light));
   lesson.deeper("Four contacts on one box", with(many_contacts));
   lesson.deeper("Springs by hand", with(springs));

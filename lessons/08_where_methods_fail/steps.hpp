@@ -11,6 +11,7 @@ void too_large_a_step(const Setting& setting, course::Page& page);
 void too_soft(const Setting& setting, course::Page& page);
 void wrong_rows(const Setting& setting, course::Page& page);
 void which_knob(const Setting& setting, course::Page& page);
+void regimes(const Setting& setting, course::Page& page);
 void all_laws(const Setting& setting, course::Page& page);
 
 void heavy_on_light(const Setting& setting, course::Page& page);
