@@ -20,11 +20,13 @@
 #include "lessons/laws/transverse.hpp"
 #include "lessons/laws/tunnelling.hpp"
 #include "lessons/laws/warm_start.hpp"
+#include "lessons/scenes/chain.hpp"
 #include "lessons/scenes/circle.hpp"
+#include "solver/measure.hpp"
 #include "solver/step.hpp"
 
 // Each law at twenty settings drawn at random, far from those by which it was found, lengths, masses, steps and
-// gravity // among them: no number of a law may hide a metre. A run on either side of the limit, 2 to 6 % away, of
+// gravity among them: no number of a law may hide a metre. A run on either side of the limit, 2 to 6 % away, of
 // law 20 25 %, so that a law whose constant is 1.5 times off fails.
 namespace off_defaults_test {
 
@@ -197,6 +199,44 @@ TEST(OffDefaults, Law11Springs) {
     const SoftChain chain{.links = links, .damping_ratio = 0.1 * (links - 14)};
     expect_limit(std::numbers::sqrt2 / (2 * std::numbers::pi), 0.03, settles(chain, &SoftChain::frequency, run));
   }
+}
+
+/// The largest stretch of a chain that swings for the time in which it falls twice its length [m].
+double stretch_of_a_swing(const ChainOptions& chain, double step, const VelocityStepping& method) {
+  Simulation<PlaneParticle> simulation{rod_chain<PlaneParticle, NormalisedDistance>(chain), method};
+  const double time = 2 * std::sqrt(chain.links * chain.length / 9.81);
+  double most = 0;
+  while (simulation.time < time) {
+    simulation.step(step);
+    most = std::max(most, position_error(simulation.scene).max);
+  }
+  return most;
+}
+
+TEST(OffDefaults, Law12SubstepsOrSweeps) {
+  twenty_times(12, [](Draw& draw) {
+    const ChainOptions chain{.links = draw.whole(1, 6),
+                             .length = draw.between(0.05, 20),
+                             .mass = draw.between(0.01, 100),
+                             .angle = draw.between(0.2, 1.2)};
+    const double beta = draw.between(0.1, 0.8), step = draw.between(0.02, 0.1) * std::sqrt(chain.length / 9.81);
+    const auto stretch = [&](const RowSolver& solver, int substeps) {
+      VelocityStepping method{solver, Baumgarte{beta}};
+      method.substeps = substeps;
+      return stretch_of_a_swing(chain, step, method);
+    };
+    const int factor = draw.whole(2, 5);
+    expect_value(1.0 / (factor * factor), 0.05, stretch(Direct{}, 8 * factor) / stretch(Direct{}, 8));
+    expect_value(1, 0.01, stretch(GaussSeidel{20 * chain.links * chain.links}, 1) / stretch(Direct{}, 1));
+  });
+}
+
+TEST(OffDefaults, Law12OneSweepInEachSubstep) {
+  twenty_times(112, [](Draw& draw) {
+    const int links = draw.whole(3, 12), substeps = draw.whole(2, 16);
+    const WarmChain chain{.links = links, .sweeps = 1, .substeps = substeps, .steps = 6000 / substeps};
+    expect_limit(largest_beta(left_by_a_sweep(links)), 0.03, settles(chain, &WarmChain::beta, run));
+  });
 }
 
 TEST(OffDefaults, Law13Hinges) {
