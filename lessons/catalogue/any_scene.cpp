@@ -64,8 +64,9 @@ struct SceneWithMethod {
   Scene<M> scene;
   Method method = {};
   int bodies = 0;  // that move
-  std::variant<AnyStepping::Work<M>, Accelerations::Work<M>, Rattle::Work<M>, Xpbd::Work<M>, Avbd::Work<M>> work =
-      {};  // that of the method's family
+  std::variant<AnyStepping::Work<M>, Accelerations::Work<M>, Rattle::Work<M>, Xpbd::Work<M>, Avbd::Work<M>,
+               Generalised::Work<M>>
+      work = {};  // that of the method's family
 
   explicit SceneWithMethod(Scene<M>&& given) : scene(std::move(given)) {
     for_each_moving(scene.bodies(), [&](int, double) { ++bodies; });

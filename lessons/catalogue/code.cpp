@@ -104,6 +104,12 @@ std::string text_of(const Avbd& method) {
       .text();
 }
 
+std::string text_of(const Generalised& method) {
+  Struct text("Generalised");
+  if (method.rule == JointRule::semi_implicit_euler) text.with("rule", "JointRule::semi_implicit_euler");
+  return text.with("substeps", method.substeps, Generalised{}.substeps).text();
+}
+
 }  // namespace
 
 std::string code_of(const Setting& setting) {

@@ -94,6 +94,8 @@ std::vector<Family> make_families() {
       by_substeps("implicit midpoint", Accelerations{Scheme::implicit_midpoint}),
       by_substeps("RK4", Accelerations{Scheme::rk4}),
       by_substeps("explicit Euler", Accelerations{Scheme::explicit_euler}),
+      by_substeps("generalised RK4", Generalised{}),
+      by_substeps("generalised Euler", Generalised{JointRule::semi_implicit_euler}),
       xpbd,
       avbd,
   };

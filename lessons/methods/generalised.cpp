@@ -326,6 +326,7 @@ void read_joints(const Scene<M>& scene, Work<M>& work) {
     read_joint(scene, work.joints[j]);
     work.state[j] = state_of(work.joints[j], scene.bodies());
   }
+  work.executed.prepared_rows += static_cast<long long>(work.joints.size());
 }
 
 }  // namespace

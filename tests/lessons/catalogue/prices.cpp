@@ -2,8 +2,9 @@
 // lessons/catalogue/prices.inc, and holds costs that are counted with them against callgrind's count. Both draw
 // settings: every kind of rows, from one body to two hundred, every method and cure.
 //
-//   prices run COUNT SEED    under valgrind --tool=callgrind: runs that many settings, and has callgrind write the
-//                            instructions of each. Prints what each counted
+//   prices run COUNT SEED [METHOD]
+//                            under valgrind --tool=callgrind: runs that many settings, of one method if it is
+//                            named, and has callgrind write the instructions of each. Prints what each counted
 //   prices fit COUNTED DUMPS the prices, none below zero, with the least relative error, as a table of C++
 //   prices check COUNTED DUMPS  fails unless of 10 settings 9 are counted within 15 %, and of 100 at most one is
 //   more
@@ -116,11 +117,12 @@ void run(const Problem& problem, const Family& family, const Knobs& knobs) {
   fmt::print("\n");
 }
 
-void run(int count, unsigned seed) {
+/// Of any method, or of one alone.
+void run(int count, unsigned seed, const char* method) {
   Draws draws(seed);
   for (int i = 0; i < count; ++i) {
     const Problem problem = drawn_problem(draws);
-    const Family& family = families()[draws.below(families().size())];
+    const Family& family = method ? family_named(method) : families()[draws.below(families().size())];
     run(problem, family, drawn_knobs(family, draws));
   }
 }
@@ -220,7 +222,8 @@ int check(const std::vector<Counted>& all) {
 
 int main(int argc, char** argv) {
   const std::string command = argc > 1 ? argv[1] : "";
-  if (command == "run" && argc == 4) return run(std::stoi(argv[2]), static_cast<unsigned>(std::stoul(argv[3]))), 0;
+  if (command == "run" && (argc == 4 || argc == 5))
+    return run(std::stoi(argv[2]), static_cast<unsigned>(std::stoul(argv[3])), argv[4]), 0;
   if (argc < 4)
     return std::cerr << "prices run COUNT SEED, prices fit COUNTED DUMPS, prices check COUNTED DUMPS\n", 2;
   const auto all = read(argv[2], argc - 3, argv + 3);
