@@ -25,10 +25,6 @@ std::vector<Token> tokens_of(const std::string& code) {
       at = end;
       continue;
     }
-    if (code.compare(at, 2, "//") == 0) {
-      at = std::min(code.find('\n', at), code.size());
-      continue;
-    }
     if (in_word(code[at])) {
       const bool number = std::isdigit(static_cast<unsigned char>(code[at]));
       while (end < code.size() && (in_word(code[end]) || (number && code[end] == '.'))) ++end;
@@ -43,11 +39,12 @@ std::vector<Token> tokens_of(const std::string& code) {
   return all;
 }
 
-std::string without_includes(const std::string& code) {
+/// Without #include lines, which an exercise has, and without comments, which no change touches.
+std::string bare(const std::string& code) {
   std::istringstream lines(code);
   std::string all;
   for (std::string line; std::getline(lines, line);)
-    if (!line.starts_with("#")) all += line + "\n";
+    if (!line.starts_with("#")) all += line.substr(0, line.find("//")) + "\n";
   return all;
 }
 
@@ -67,7 +64,7 @@ std::string lines_around(const std::string& text, std::size_t begin, std::size_t
 
 class Mutating {
  public:
-  explicit Mutating(const std::string& code) : code_(without_includes(code)), tokens_(tokens_of(code_)) {}
+  explicit Mutating(const std::string& code) : code_(bare(code)), tokens_(tokens_of(code_)) {}
 
   std::vector<Mutant> all() {
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
@@ -102,7 +99,8 @@ class Mutating {
   void replace(const Token& token, const std::string& instead) { add(token.at, token.size, instead); }
 
   void name(std::size_t i) {
-    static const std::set<std::string> words = {"const", "double", "return", "for", "std", "void"};
+    static const std::set<std::string> words = {"const",  "double", "int", "size_t",
+                                                "return", "for",    "std", "void"};
     const Token& token = tokens_[i];
     const bool called = text(i + 1) == "(";
     if (token.text == "return") return returned(i);
@@ -119,10 +117,17 @@ class Mutating {
     }
     if (text(i + 1) == "&" && text(i - 1) != "const") add(tokens_[i + 1].at, 1, " ");
     for (const std::string& other : others(i)) replace(token, other);
-    if (text(i - 1) == ".") return;
+    if (text(i - 1) == "." || counts(token.text)) return;
     const std::string whole = text(i + 1) == "." ? token.text + "." + text(i + 2) : token.text;
     for (const char* change : {"(-", "(2 * ", "(1.01 * ", "double(float("})
       add(token.at, whole.size(), change + whole + (change[0] == 'd' ? "))" : ")"));
+  }
+
+  /// Whether the code declares this name as a whole number: no factor changes an index that is compared with 0.
+  bool counts(const std::string& name) const {
+    for (std::size_t k = 1; k < tokens_.size(); ++k)
+      if (text(k) == name && (text(k - 1) == "int" || text(k - 1) == "size_t")) return true;
+    return false;
   }
 
   /// Names that may stand in this one's place: members for a member, else what the same function speaks of.
@@ -216,7 +221,7 @@ class Mutating {
     for (std::size_t i = 0; i < all.size(); ++i) {
       const auto [at, end] = all[i];
       const std::string here = code_.substr(at, end - at);
-      if (here.starts_with("return")) continue;
+      if (here == ";" || here.starts_with("return")) continue;
       add(at, end - at, ";");
       add(at, end - at, here + " " + here);
       if (i + 1 == all.size()) continue;

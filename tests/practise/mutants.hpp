@@ -8,7 +8,7 @@ namespace byhand::tests {
 /// A solution with one change.
 struct Mutant {
   std::string before, after;  // the changed line, blanks as one
-  std::string text;           // the whole code without its #include lines
+  std::string text;           // the whole code without #include lines and comments
 };
 
 /// Changes code in one place at a time: signs, operators, factors, names for other names of the same function

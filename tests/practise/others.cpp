@@ -45,8 +45,10 @@ constexpr Wrong wrongs[] = {
     {10, "accumulated - before;", "delta;"},
     {10, "std::max(0.0, before - dot(c.J_normal, V) / c.K_normal)",
      "std::fabs(before - dot(c.J_normal, V) / c.K_normal)"},
-    {11, "length(d1) + pulley.ratio * length(d2) - pulley.L", "length(d1) + length(d2) - pulley.L"},
-    {11, "cross(r2, u2)}", "-cross(r2, u2)}"},
+    {11, "dot(rod.d, bobs[i].v - above)", "dot(rod.d, bobs[i].v)"},
+    {11, "- setting.length * setting.length", "- setting.length"},
+    {12, "length(d1) + pulley.ratio * length(d2) - pulley.L", "length(d1) + length(d2) - pulley.L"},
+    {12, "cross(r2, u2)}", "-cross(r2, u2)}"},
 };
 
 class Others : public testing::TestWithParam<Wrong> {};
@@ -63,11 +65,75 @@ TEST_P(Others, GetAFailingProbe) {
   EXPECT_NE(verdict.details.find("Probe "), std::string::npos) << instead;
 }
 
+/// This of the chain of exercise 11, changed.
+std::string chain(const std::vector<std::pair<std::string, std::string>>& changes) {
+  std::string text = text_of(11, "solution.cpp");
+  for (const auto& [in_solution, instead] : changes) {
+    const auto at = text.find(in_solution);
+    EXPECT_NE(at, std::string::npos) << in_solution;
+    text.replace(at, in_solution.size(), instead);
+  }
+  return text;
+}
+
+TEST(Others, BreakTheLawOfTheChainThatIsTheirs) {
+  const std::string move = "bobs[i].p += setting.h * bobs[i].v;";
+  for (const auto& [in_solution, instead, law] : std::vector<std::array<std::string, 3>>{
+           {"setting.g * setting.h", "2 * setting.g * setting.h", "a step begins with gravity"},
+           {"+= setting.h * bobs[i].v", "+= setting.h / 2 * bobs[i].v", "a step ends with p += h·v"},
+           {"(i == 0 ? 1 : 2)", "2.5", "one sweep solves the row of a single rod"},
+           {"bobs[i - 1].v -= push", "bobs[i - 1].v -= 0.5 * push", "a rod pulls at both its bobs alike"},
+           {"bobs[i].v - above", "bobs[i].v - 0.9 * above", "many sweeps solve all rows"},
+           {"sweep < setting.sweeps", "sweep < 2 * setting.sweeps", "of two rods that hang, k = 1 sweeps leave"},
+           {"(i == 0 ? 1 : 2)", "(i == 0 ? 1 : i == 1 ? 2 : 2.2)", "a sweep leaves cos²(π/2N)"},
+           {move, move + " if (setting.beta == 0) bobs[i].p = setting.length / length(bobs[i].p) * bobs[i].p;",
+            "grows to L(1 + 2v₀²ht/L²)^¼"},
+           {"setting.beta / setting.h", "2 * setting.beta / setting.h",
+            "k = 1 steps leave (1 − β)ᵏ of a rod's error"},
+           {"-rods[i].lambda", "rods[i].lambda", "each rod of a hanging chain pulls with the weight below it"},
+           {"-rods[i].lambda / setting.h * length(rods[i].d)",
+            "setting.mass * setting.g * static_cast<double>(bobs.size() - i)", "(3 − 2cosθ₀)·m·g"}}) {
+    const Verdict verdict = verdict_on(11, chain({{in_solution, instead}}));
+    EXPECT_EQ(verdict.kind, Verdict::Kind::wrong) << instead;
+    EXPECT_NE(verdict.sentence.find(law), std::string::npos) << instead << ": " << verdict.sentence;
+  }
+}
+
+/// C = |d| − L with unit vectors, and a program that is laid out in another way.
+TEST(Others, MayHaveAChainOfTheirOwn) {
+  const std::string stretch =
+      chain({{"(dot(rod.d, rod.d) - setting.length * setting.length) / 2", "length(rod.d) - setting.length"},
+             {"  return rod;", "  rod.d = rod.d / length(rod.d);\n  return rod;"},
+             {"dot(rod.d, rod.d) * (i", "1.0 * (i"}});
+  EXPECT_TRUE(verdict_on(11, stretch).is_right()) << verdict_on(11, stretch).details;
+  const std::string in_one_piece = R"(#include "practise.hpp"
+void simulate(const Setting& s, std::span<Bob> bobs) {
+  const int n = static_cast<int>(bobs.size());
+  for (int k = 0; k < s.steps; ++k) {
+    for (int i = 0; i < n; ++i) bobs[i].v += s.h * Vec2{0, -s.g}, bobs[i].pull = 0;
+    for (int sweep = 0; sweep < s.sweeps; ++sweep)
+      for (int i = 0; i < n; ++i) {
+        Bob& lower = bobs[i];
+        Bob* const upper = i > 0 ? &bobs[i - 1] : nullptr;
+        const Vec2 rod = upper ? lower.p - upper->p : lower.p, along = rod / length(rod);
+        const double speed = dot(lower.v, along) - (upper ? dot(upper->v, along) : 0);
+        const double wanted = -s.beta * (length(rod) - s.length) / s.h, impulse = (wanted - speed) * s.mass / (upper ? 2 : 1);
+        lower.v += impulse / s.mass * along;
+        if (upper) upper->v -= impulse / s.mass * along;
+        lower.pull -= impulse / s.h;
+      }
+    for (Bob& bob : bobs) bob.p += s.h * bob.v;
+  }
+}
+)";
+  EXPECT_TRUE(verdict_on(11, in_one_piece).is_right()) << verdict_on(11, in_one_piece).details;
+}
+
 /// The pulley's laws, which accept any C, accept none whose gradient vanishes or is not its own.
 TEST(Others, HaveNoVanishingGradientOnThePulley) {
   const auto pulley = [](const std::string& C, const std::string& J) {
     return verdict_on(
-        11,
+        12,
         "#include \"practise.hpp\"\ndouble e(Vec2 p1, Vec2 r1, Vec2 p2, Vec2 r2, const Pulley& q) {\n"
         "  return length(p1 + r1 - q.wheel1) + q.ratio * length(p2 + r2 - q.wheel2) - q.L;\n}\n"
         "double value(Vec2 p1, Vec2 r1, Vec2 p2, Vec2 r2, const Pulley& q) {\n"
@@ -127,12 +193,12 @@ TEST(Others, AreToldByWhatTheyAreTooLarge) {
 
 /// C of the pulley may be any that vanishes with the rope's slack, for its laws hold.
 TEST(Others, ThatAreRightInAnotherWayPass) {
-  std::string half = text_of(11, "solution.cpp");
+  std::string half = text_of(12, "solution.cpp");
   half.replace(half.find("return length"), 6, "return 0.5 * (");
   half.replace(half.find("pulley.L;"), 9, "pulley.L);");
   half.replace(half.find("u1 = d1 /"), 9, "u1 = 0.5 * d1 /");
   half.replace(half.find("u2 = pulley.ratio /"), 19, "u2 = 0.5 * pulley.ratio /");
-  EXPECT_TRUE(verdict_on(11, half).is_right()) << verdict_on(11, half).details;
+  EXPECT_TRUE(verdict_on(12, half).is_right()) << verdict_on(11, half).details;
   EXPECT_TRUE(
       verdict_on(4,
                  "#include \"practise.hpp\"\ndouble lambda(const BodyRow& J, const Velocities& V, double b, "

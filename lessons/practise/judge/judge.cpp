@@ -25,10 +25,11 @@ double largest(const Sheet& sheet) {
   return most;
 }
 
-/// Two sides of a law differ by what rounding leaves of a difference quotient.
+/// Two sides of a law differ by what rounding leaves of a difference quotient, if the law says no more.
 bool obeyed(const Line& law, double most) {
   const double left = law.values[0], right = law.values[1];
-  return std::abs(left - right) <= 1e-8 * std::max(std::abs(left), std::abs(right)) + 1e-9 * most;
+  const double rounding = 1e-8 * std::max(std::abs(left), std::abs(right)) + 1e-9 * most;
+  return std::abs(left - right) <= (law.within > 0 ? law.within : rounding);
 }
 
 std::string words(const Numbers& values, int digits = 5) {

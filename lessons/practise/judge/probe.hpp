@@ -18,7 +18,8 @@ namespace byhand::practise {
 struct Line {
   enum class Kind { given, answer, law, sign } kind;
   std::string name, unit;
-  Numbers values;  // of a law: left, right; of a sign: the number, 1 or -1
+  Numbers values;     // of a law: left, right; of a sign: the number, 1 or -1
+  double within = 0;  // how far the sides of a law may be apart; 0: by rounding alone
 };
 
 using Sheet = std::vector<Line>;
@@ -52,9 +53,9 @@ class Probe {
     put(values, value);
     sheet_.push_back({Line::Kind::answer, name, unit, values});
   }
-  /// left = right, whatever the reference says.
-  void law(const std::string& name, const std::string& unit, double left, double right) {
-    sheet_.push_back({Line::Kind::law, name, unit, {left, right}});
+  /// left = right, whatever the reference says. They may be `within` of each other where the law is not exact.
+  void law(const std::string& name, const std::string& unit, double left, double right, double within = 0) {
+    sheet_.push_back({Line::Kind::law, name, unit, {left, right}, within});
   }
 
   /// value > 0 for a side of 1, value < 0 for -1, however small it is.

@@ -122,7 +122,8 @@ frame is told its height:</p>
 )" + downloads(lessons) +
       R"(<section id="exercises">
 <h2>Exercises</h2>
-<p>Eleven exercises ask for one function of a step each and judge it with probes; frequent wrong derivations get their own reply.
+<p>Ten exercises ask for one function of a step each, the eleventh for a whole program of some 45 lines, the last for a constraint that
+no lesson derives. All are judged with probes; frequent wrong derivations get their own reply.
 <code>./lessons/run practise</code> lists them. For a course:</p>
 <pre><code>./lessons/run practise --export gradescope --to FOLDER
 ./lessons/run practise --export classroom50 --to FOLDER

@@ -1,5 +1,5 @@
 #include "lessons/practise/judge/probe.hpp"
-#include "lessons/practise/11_pulley/signature.hpp"
+#include "lessons/practise/12_pulley/signature.hpp"
 #include "lessons/practise/judge/stage.hpp"
 
 // Several C are right, so no answer is compared: the laws judge.
