@@ -260,7 +260,7 @@ void model_cost(Page& page) {
        .wrong = {{1.5, "That is one axis more to move along. A body in space also turns, about three."},
                  {2, "Three axes to move along, and three to turn about."}},
        .hints = {"Count axes to move along and axes to turn about.", "numbers of a body = axes along + axes about",
-                 "Particle in the plane: 2 + 0. Body in space: 3 + 3."},
+                 "Particle in the plane: 2 + 0. Body in space: 3 + 3. As many: (3 + 3)/(2 + 0) = …"},
        .right = say("@ instead of @ a body.", most.degrees / links, least.degrees / links)});
   page.figure("models",
               R"(What one body of the chain takes in each model, with its rod: the numbers it moves with, its state

@@ -91,7 +91,7 @@ void stability(Page& page) {
        .unit = "1",
        .tolerance = 0.02,
        .wrong = {{4, "That is the number of its slopes, which is what the longer step costs."}},
-       .hints = {"Both have the same ω.", "2√2 over 2", "√2"},
+       .hints = {"Both have the same ω.", "2√2 over 2", "2√2/2 = …"},
        .right = say("√2. With an end of @ kg: @ beside @.", masses[middle], in_ms(rk4.eigenvalues[middle]),
                     in_ms(direct.eigenvalues[middle]))});
   page.figure(

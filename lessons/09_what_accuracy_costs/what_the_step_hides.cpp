@@ -32,6 +32,7 @@ void what_the_step_hides(Page& page) {
                   "After a few sweeps the rows are nearly solved; what is left is the error of the step."}},
        .hints = {"What would a direct solve of the same steps give?",
                  "error = error of the solver + error of the step", "The error of the solver is small already."},
+       .hinted = exact[Error::trajectory],
        .right =
            say(R"(It stays: this is the error of the step. The direct solve of the same steps is @ m off. Change
                     h, not the sweeps.)",

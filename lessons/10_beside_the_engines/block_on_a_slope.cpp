@@ -74,6 +74,7 @@ void block_on_a_slope(const Setting& setting, Page& page) {
                 .hints = {"What is left of gravity along the slope, less friction?", "a = g (sinθ − μ cosθ)",
                           say("a = 9.81 · (sin @° − @ · cos @°)", Value(steeper / degree, 4), mu,
                               Value(steeper / degree, 4))},
+                .hinted = 0.5 * gravity * (std::sin(steeper) - mu * std::cos(steeper)) * time * time,
                 .right = say("a = @ m/s², and ½at² = @ m.", Value(acceleration(steeper), 3), Value(way, 3))});
   const Field<M> field = field_of(box_on_incline(limit, mu), Kind::contacts, true, 0);
   const std::vector<double> aside{1, 0.1, -0.1, -1};

@@ -153,6 +153,7 @@ void chains(const Setting& setting, Page& page) {
        .wrong = {{end_mass * gravity, "It swings: there it has to be turned upwards, too."},
                  {2 * end_mass * gravity, "mv²/L is 2mg, and the weight comes on top of it."}},
        .hints = {"Energy gives v² at the lowest point.", "v² = 2gL", "F = mg + mv²/L"},
+       .hinted = 3 * end_mass * gravity,
        .right = say("mg + 2mg = @ N; law 7 wants T h²/ml below 1, which is @ at one step a frame.", Value(pull, 3),
                     Value(pull * frame * frame, 2))});
   page.table(head_of_three_rows, three_rows<M>(field, gaps, in_millimetres));

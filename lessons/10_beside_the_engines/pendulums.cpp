@@ -108,8 +108,9 @@ void pendulums(const Setting&, Page& page) {
        .hints = {"One joint needs no iterations: what is left is the error of the step.",
                  "The error of symplectic Euler is proportional to the step (lesson 9).",
                  "The step is four times as long."},
-       .right =
-           say("@ rad instead of @ rad: about four times, for the order is 1.", Value(once, 2), Value(four, 2))});
+       .hinted = 4,
+       .right = say("@ rad instead of @ rad: about four times, because the order is 1.", Value(once, 2),
+                    Value(four, 2))});
   page.text("The rod on a pin:");
   page.table(head_of_three_rows, three_rows<M>(with_pins, rods, in_radians));
   page.text("@", judged(page, rods));

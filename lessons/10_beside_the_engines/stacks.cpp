@@ -154,7 +154,7 @@ void stacks(const Setting& setting, Page& page) {
                 .answer = needed,
                 .unit = "1",
                 .tolerance = 0.03 * needed,
-                .hints = {"The law is in the text above.", "¾ g h² N³", "¾ · 9.81 · (1/60)² · 30³"},
+                .hints = {"The law is in the text above.", "¾ g h² N³", "0.75 · 9.81 · (1/60)² · 30³ = …"},
                 .right = say("¾ · 9.81/3600 · 27000 = @.", Value(needed, 3))});
   stacks_of<PlaneBody>(boxes, "stack_clocked", page);
 }

@@ -85,9 +85,9 @@ void the_engines(const Setting&, Page& page) {
        .answer = step_error,
        .unit = "m",
        .tolerance = 0.02 * step_error,
-       .wrong = {{gravity * frame, "In each step the error is ½gh², for part of the speed is right."}},
+       .wrong = {{gravity * frame, "In each step the error is ½gh², because part of the speed is right."}},
        .hints = {"Compare the velocity that a step uses with the mean velocity in that step.",
-                 "Each step is too far by h · ½gh.", "60 steps of ½ · 9.81 · (1/60)² m."},
+                 "Each step is too far by h · ½gh.", "60 steps: 60 · ½ · 9.81 · (1/60)² = …"},
        .right = say("½gh² a step makes ½gt·h = @ m in t = 1 s.", Value(step_error, 3))});
   std::vector<std::pair<std::string, double>> falls{
       {ours_name, fallen(engines::contestant<M>(engines::this_course(), {}))}};

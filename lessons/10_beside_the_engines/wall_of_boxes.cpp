@@ -97,7 +97,7 @@ void wall_of_boxes(const Setting& setting, Page& page) {
        .tolerance = 0.1 * 1000 * kept,
        .wrong = {{1000 * kept * boxes, "Only the contacts one above the other add up."}},
        .hints = {"How many contacts are between the top and the ground?", "rows × overlap",
-                 say("@ × @ mm", base, 1000 * kept)},
+                 say("@ × @ mm = …", base, 1000 * kept)},
        .right = say("@ contacts lie below the top, each with up to @ mm in @.", base, 1000 * kept, who)});
   walls_of<PlaneBody>(base, "wall_clocked", most_work_of_walls, page);
 }

@@ -82,7 +82,8 @@ Answer read_answer(const Prediction& question, std::string typed) {
 }
 
 bool near(const Prediction& question, double value) {
-  return std::abs(value - question.answer) <= question.tolerance;
+  return std::abs(value - question.answer) <= question.tolerance ||
+         std::abs(value - question.hinted) <= question.tolerance;
 }
 
 /// The unit in which this bare number would be right.
@@ -151,7 +152,7 @@ Grade grade(const Prediction& question, const std::string& typed, const std::vec
     const std::string_view kind = kind_of(*answer.wrong_dimension);
     const std::string asked = fmt::format("the answer is {}.", asked_for(question.unit));
     return {false, true,
-            fmt::format("{}{} {}", near(question, answer.number) ? "The number is right, its unit is not: " : "",
+            fmt::format("{}{} {}", near(question, answer.number) ? "The number is right, the unit is not. " : "",
                         kind.empty() ? "That unit is another one;" : fmt::format("That is {};", kind), asked)};
   }
   if (near(question, answer.value)) return {true, true, question.right};
@@ -165,7 +166,11 @@ Grade grade(const Prediction& question, const std::string& typed, const std::vec
                           question.unit.empty() || question.unit == "1" ? "a plain number" : question.unit)};
   const std::string missing = what_is_missing(question, answer.value, forgettable);
   if (!missing.empty()) return {false, true, missing};
-  return {false, true, answer.value < question.answer ? "It is more than that." : "It is less than that."};
+  const bool close =
+      betrays(question) && std::abs(answer.value - question.answer) < 0.1 * std::abs(question.answer);
+  return {false, true,
+          fmt::format("{} is {}{} than that.", close ? "Close: it" : "It", close ? "a little " : "",
+                      answer.value < question.answer ? "more" : "less")};
 }
 
 Grade grade(const Choice& question, const std::string& typed) {

@@ -131,7 +131,7 @@ void Lesson::set(const std::string& name, std::string_view value) {
     if (p.name == name) return p.set(value);
     names += (names.empty() ? "" : ", ") + p.name;
   }
-  throw std::invalid_argument(fmt::format("there is no parameter \"{}\" here, only {}", name, names));
+  throw std::invalid_argument(fmt::format("this lesson has no parameter \"{}\", only {}", name, names));
 }
 
 bool Lesson::at_defaults() const {

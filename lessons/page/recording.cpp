@@ -14,6 +14,7 @@ namespace {
 
 void drop_ambiguous_answers(Prediction& question, bool at_defaults) {
   std::vector<double> answers = {question.answer};
+  if (std::isfinite(question.hinted)) answers.push_back(question.hinted);
   std::vector<WrongAnswer> kept;
   for (WrongAnswer& wrong : question.wrong) {
     const auto meets = [&](double other) { return !(std::abs(wrong.value - other) > question.tolerance); };

@@ -86,7 +86,7 @@ TEST(Grading, ARightValueInAWrongUnitIsToldSo) {
   const Prediction area = asked(0.205, "m²", 0.001), angle = asked(30, "°", 0.1),
                    impulse = asked(-0.5, "N·s", 0.01);
   EXPECT_THAT(reply(area, "0.205 m"),
-              HasSubstr("The number is right, its unit is not: That is a length; the answer is in m², an area"));
+              HasSubstr("The number is right, the unit is not. That is a length; the answer is in m², an area"));
   EXPECT_THAT(reply(area, "7 m"), testing::Not(HasSubstr("The number is right")));
   EXPECT_THAT(reply(impulse, "-0.5 N"), HasSubstr("That is a force; the answer is in N·s, an impulse"));
   EXPECT_THAT(reply(area, "2050"), HasSubstr("The number is right in cm²"));
@@ -108,6 +108,11 @@ TEST(Grading, AWrongSignAndAMissingFactorAreToldSo) {
   EXPECT_THAT(reply(question, "1.2"), HasSubstr("A factor ½ is missing. The sign is wrong too."));
   EXPECT_THAT(reply(question, "-0.8"), HasSubstr("It is more than that."));
   EXPECT_THAT(reply(question, "-0.5"), HasSubstr("It is less than that."));
+  EXPECT_THAT(reply(question, "-0.63"), HasSubstr("Close: it is a little more than that."));
+  Prediction hinted = asked(24.1, "mm", 0.5);
+  hinted.hinted = 25;
+  EXPECT_TRUE(grade(hinted, "25").right);
+  EXPECT_FALSE(grade(hinted, "26").right);
 }
 
 TEST(Grading, NothingIsMissingInAnAnswerThatIsNearlyZeroOrLooselyKnown) {
