@@ -78,7 +78,7 @@ void differentiate(course::Page& page, const Settings& set) {
        .hints = {"Which part of the bob's velocity makes the rod longer?",
                  "(9) with Ṗ₁ = 0 and Ṗ₂ = v₂: multiply component by component, then add.",
                  course::say("@ · @ + (@) · 0 = …", place.x(), speed, place.y())},
-       .right = "Only the component along P₂ − P₁ counts. The unit is m²/s, for C is in m²."});
+       .right = "Only the component along P₂ − P₁ counts. And P₂ − P₁ is the l₂ that step 2 measured."});
   page.text(
       R"(An anchor point on a turning body moves for two reasons: the centre of its body moves, and the arm r from
       the centre to the point turns. In the plane ω × r is ω(−r_y, r_x).)");
@@ -94,26 +94,27 @@ void differentiate(course::Page& page, const Settings& set) {
   const Rates all = rates(pair, time, step);
   constexpr double seconds = 4;
   const Linear<PlaneBody> sides = box_sides(set);
-  page.sequence(
-      "motion",
-      course::say("Two boxes in @ s of flight, @. The dots are differences of C, the curve is (10).",
-                  course::Value(time, 3), time < seconds ? "slowed down" : "sped up"),
-      course::Seconds{seconds}, [=](renderer::Canvas& canvas, double at) {
-        const auto [left, right] = canvas.page().inset(16).split_columns(0.56);
-        const auto [upper, lower] = right.split_rows(0.5, 16);
-        const double now = time * at / seconds;
-        const Pair then = pair.after(now);
-        canvas.look(renderer::fit({-0.5 * length, -0.95 * length, 3.35 * length, 1.9 * length}, left, 0));
-        draw(canvas, then, sides, true);
-        const renderer::ArrowKind kind{palette::velocity, 0.25 * length / speed, "m/s"};
-        const Point p1 = then.pose1.position + then.r1(), p2 = then.pose2.position + then.r2();
-        canvas.vector(p1, then.V1.head<2>() + then.V1[2] * Point(-then.r1().y(), then.r1().x()), kind);
-        canvas.vector(p2, then.V2.head<2>() + then.V2[2] * Point(-then.r2().y(), then.r2().x()), kind);
-        canvas.arrow_key({left.x + 12, left.y + 16}, kind, "Ṗ");
-        renderer::draw(canvas, pictures::grown_to(all.value, now), upper);
-        renderer::draw(canvas, pictures::grown_to(all.rate, now), lower);
-      });
-  page.figure("rate", "Ċ of the two boxes: the formula and the differences along the motion.", all.rate);
+  const double per_speed = 0.3 * length / fastest(set), stretch = set.stretch;
+  page.sequence("motion",
+                course::say("Two boxes in @ s of flight, @. The dots are differences of C, the curve is (10).",
+                            course::Value(time, 3), time < seconds ? "slowed down" : "sped up"),
+                course::Seconds{seconds}, [=](renderer::Canvas& canvas, double at) {
+                  const auto [left, right] = canvas.page().inset(16).split_columns(0.56);
+                  const auto [upper, lower] = right.split_rows(0.5, 16);
+                  const double now = time * at / seconds;
+                  const Pair then = pair.after(now);
+                  canvas.look(renderer::fit({-0.5 * length, -0.95 * length, 3.35 * length + stretch, 1.9 * length},
+                                            left, 0));
+                  draw(canvas, then, sides, true);
+                  const renderer::ArrowKind kind{palette::velocity, per_speed, "m/s"};
+                  const Point p1 = then.pose1.position + then.r1(), p2 = then.pose2.position + then.r2();
+                  canvas.vector(p1, then.V1.head<2>() + then.V1[2] * Point(-then.r1().y(), then.r1().x()), kind);
+                  canvas.vector(p2, then.V2.head<2>() + then.V2[2] * Point(-then.r2().y(), then.r2().x()), kind);
+                  canvas.arrow_key({left.x + 12, left.y + 16}, kind, "Ṗ");
+                  renderer::draw(canvas, pictures::grown_to(all.value, now), upper);
+                  renderer::draw(canvas, pictures::grown_to(all.rate, now), lower);
+                });
+
   page.text(
       R"(The largest difference over the whole flight is @ m²/s. The error of the centred difference itself is at
       most @ m²/s: it falls with the square of its step until rounding takes over.)",

@@ -22,30 +22,18 @@ Rod rod_of(const Settings& set) {
   return rod;
 }
 
-/// The power of a pull of λ = −1 N on a bob that moves at 1 m/s, over the angle from the rod's direction to that
-/// motion.
-renderer::Chart power(const Jacobian<PlaneParticle, 1>& J, double& largest_difference) {
-  renderer::Curve of_force{.label = "F·V", .style = renderer::CurveStyle::markers, .colour = palette::force};
-  renderer::Curve of_row{.label = "λ·JV", .colour = palette::constraint};
-  largest_difference = 0;
+/// How far the power of a pull of λ = −1 N by its force may lie from λ·JV, over all directions of a bob that moves
+/// at 1 m/s [W].
+double largest_difference_of_power(const Jacobian<PlaneParticle, 1>& J) {
+  double largest = 0;
   const Linear<PlaneParticle> force = -J.l2().transpose();
   for (int degrees = 0; degrees <= 360; degrees += 6) {
     const double at = degrees * std::numbers::pi / 180;
     const Linear<PlaneParticle> along = J.l2().transpose(), across(-along.y(), along.x());
     const Velocity<PlaneParticle> V = std::cos(at) * along + std::sin(at) * across;
-    const double by_row = -dot(J, Velocity<PlaneParticle>(0, 0), V)[0];
-    of_row.x.push_back(degrees);
-    of_row.y.push_back(by_row);
-    of_force.x.push_back(degrees);
-    of_force.y.push_back(force.dot(V));
-    largest_difference = std::max(largest_difference, std::abs(force.dot(V) - by_row));
+    largest = std::max(largest, std::abs(force.dot(V) + dot(J, Velocity<PlaneParticle>(0, 0), V)[0]));
   }
-  return {.x = {.label = "from the rod's direction to the bob's motion (°)",
-                .range = std::pair{0.0, 360.0},
-                .ticks = {{0, "0"}, {90, "90"}, {180, "180"}, {270, "270"}, {360, "360"}}},
-          .y = {.label = "power of the rod's force (W)"},
-          .curves = {of_row, of_force},
-          .references = {{renderer::Reference::Across::y, 0, "no work"}}};
+  return largest;
 }
 
 void draw_force(renderer::Canvas& canvas, const Jacobian<PlaneParticle, 1>& J, double length) {
@@ -90,15 +78,8 @@ void dual_map(course::Page& page, const Settings& set) {
       R"(Jᵀ is the *dual* of J, as with a lever: what multiplies a speed divides a force, so that the power is the
       same on both sides, (λJᵀ)·V = λ(JV) for every V. This is why constraint forces point along J: where JV =
       0, the motions that the constraint allows, the force does no work. A rod neither drives nor brakes its bob.)");
-  double difference = 0;
-  const renderer::Chart chart = power(J, difference);
   page.figure("dual", "The rod's force is perpendicular to every motion that the rod allows.",
               [J, length = set.length()](renderer::Canvas& canvas) { draw_force(canvas, J, length); });
-  page.figure(
-      "power",
-      R"(Power of a pull of 1 N on a bob that moves at 1 m/s, over the angle between rod and motion: F·V and λ·JV
-              agree. At 90° and 270° the bob moves as the rod allows.)",
-      chart);
   const double back = (J.matrix * rod.W.matrix.transpose())(0, 0) / rod.inverse_mass;
   page.text(
       R"(What does lead from a wanted Ċ to velocities is M⁻¹Jᵀ(JM⁻¹Jᵀ)⁻¹: of all V with that Ċ it gives the one
@@ -111,7 +92,7 @@ void dual_map(course::Page& page, const Settings& set) {
   page.claim("JJᵀ of a unit row between two particles", JJt, "1", is(2, "n·n + n·n", course::absolute(1e-14)));
   page.claim("F·V along the circle at λ = 1 N", n.dot(allowed), "W",
              is(0, "the tangent is perpendicular to the rod", course::absolute(1e-15 * set.speed)));
-  page.claim("F·V − λ·JV over all directions, largest", difference, "W",
+  page.claim("F·V − λ·JV over all directions, largest", largest_difference_of_power(J), "W",
              is(1e-15, "Jᵀ is the dual map", course::at_most()));
   page.claim("J·M⁻¹Jᵀ(JM⁻¹Jᵀ)⁻¹", back, "1", is(1, "a right inverse", course::absolute(1e-15)));
 }

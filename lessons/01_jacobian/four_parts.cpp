@@ -11,11 +11,11 @@ struct PartsFilm {
   pictures::Acts acts;
   Pair pair;
   Linear<PlaneBody> sides;
-  double length, per_speed;  // [m], [s]
+  double length, stretch, per_speed;  // [m], [m], [s]
 
   void draw(renderer::Canvas& canvas, double time) const {
     const auto [left, right] = canvas.page().inset(20).split_columns(0.58, 24);
-    canvas.look(renderer::fit({-0.75 * length, -0.75 * length, 3.3 * length, 2 * length}, left, 4));
+    canvas.look(renderer::fit({-0.75 * length, -0.75 * length, 3.3 * length + stretch, 2 * length}, left, 4));
     byhand::lesson01::draw(canvas, pair, sides, true);
     const double ends = acts.share(0, time), split = acts.share(1, time), l = acts.share(2, time),
                  a = acts.share(3, time);
@@ -71,7 +71,8 @@ void four_parts(course::Page& page, const Settings& set) {
                            centres; blue: the parts of J, l as straight arrows (drawn shorter) and a as curved ones.)",
                   acts.seconds()),
       course::Seconds{acts.seconds()},
-      [film = PartsFilm{acts, pair, box_sides(set), set.length(), 0.5 * set.length() / set.speed()}](
+      [film =
+           PartsFilm{acts, pair, box_sides(set), set.length(), set.stretch(), 0.6 * set.length() / fastest(set)}](
           renderer::Canvas& canvas, double time) { film.draw(canvas, time); });
 }
 

@@ -60,12 +60,12 @@ renderer::Chart bars(const Entries& row, int shown) {
 }
 
 void draw_probe(renderer::Canvas& canvas, const Pair& pair, const Entries& row, const Linear<PlaneBody>& sides,
-                double length, double time, double each) {
+                double length, double stretch, double time, double each) {
   const int way = std::min(static_cast<int>(time / each), entries - 1);
   const double phase = std::min(time / each - way, 1.0);
   const auto [left, right] = canvas.page().inset(16).split_columns(0.56);
   const renderer::Camera camera =
-      renderer::fit({-0.55 * length, -0.85 * length, 2.5 * length, 1.7 * length}, left, 8);
+      renderer::fit({-0.55 * length, -0.85 * length, 2.5 * length + stretch, 1.7 * length}, left, 8);
   canvas.look(camera);
   const double size = way % 3 == 2 ? 0.5 : 0.22 * length;  // of the movement to be seen [rad or m]
   const Pair nudged = moving_in(pair, way).after(size * std::sin(2 * std::numbers::pi * phase));
@@ -101,18 +101,18 @@ void draw_field(renderer::Canvas& canvas, double length) {
       bob.position = radius * length * Point(std::cos(at), std::sin(at));
       const double C = rod.value<double>(anchor, bob)[0];
       canvas.vector(bob.position, rod.jacobian(anchor, bob).l2().transpose(), kind);
-      const renderer::Colour inside = radius == 1.0 ? palette::body : C > 0 ? palette::error : palette::velocity;
+      const renderer::Colour inside = radius == 1.0 ? palette::body : palette::diverging(C > 0 ? 0.7 : -0.7);
       canvas.disc(bob.position, 7 / canvas.camera().scale, {inside, {palette::ink, 1.2}});
     }
   canvas.anchor({0, 0});
   canvas.hinge({0, 0});
   canvas.look_at_page();
   const renderer::TextStyle style{.size = 19, .anchor = renderer::Anchor::left};
-  canvas.mark({40, 640}, renderer::Mark::disc, palette::error, 13);
+  canvas.mark({40, 640}, renderer::Mark::disc, palette::diverging(0.7), 13);
   canvas.text({56, 640}, "too long, C > 0", style);
   canvas.mark({40, 604}, renderer::Mark::disc, palette::body, 13);
   canvas.text({56, 604}, "on the circle, C = 0", style);
-  canvas.mark({40, 568}, renderer::Mark::disc, palette::velocity, 13);
+  canvas.mark({40, 568}, renderer::Mark::disc, palette::diverging(-0.7), 13);
   canvas.text({56, 568}, "too short, C < 0", style);
   canvas.look(renderer::fit({-2.75 * length, -1.8 * length, 5.5 * length, 3.6 * length}, canvas.page(), 10));
   canvas.arrow_key({40, 520}, kind, "l_2 = d,");
@@ -123,7 +123,7 @@ void say_swap(course::Page& page, const Pair& pair, const Entries& row) {
   page.text(
       R"(*What if the bodies are numbered the other way round?* Then d becomes −d and l₁, which was @, becomes @.
       But the new l₁ belongs to what was body 2: the two halves of the row have changed places, and each body keeps
-      its arrows. It has to be so, for (2) is the same from both ends.)",
+      its arrows. It must be so, because (2) is the same from both ends.)",
       vector(row.segment<2>(0).transpose()), vector(other.segment<2>(0).transpose()));
   page.claim("row after the swap − row with its blocks exchanged, relative",
              (other - exchanged(row)).norm() / row.norm(), "1",
@@ -133,7 +133,7 @@ void say_swap(course::Page& page, const Pair& pair, const Entries& row) {
 }  // namespace
 
 void inspection(course::Page& page, const Settings& set) {
-  const double length = set.length, step = 1e-3;
+  const double length = set.length, stretch = set.stretch, step = 1e-3;
   const Pair pair = pair_of(set);
   const Jacobian<PlaneBody, 1> J = pair.row();
   const Entries row = J.matrix, by_probe = probed(pair, step);
@@ -159,12 +159,12 @@ void inspection(course::Page& page, const Settings& set) {
   page.text("The solver writes this row, and later those of contacts and friction, with d replaced by u:");
   page.excerpt("solver/jacobian.hpp", "along");
   page.text(
-      R"("By inspection" is not guessing. Ċ = JV holds for *every* V, and that leaves one J only: let one
+      R"("By inspection" is not guessing. Ċ = JV holds for *every* V, and that leaves only one J: let one
       component of V be 1 and the others 0, and JV is one entry of J. Six such movements give six entries.)");
   constexpr double each = 1.4;
   page.sequence("probes", "Six movements give six numbers: each time Ċ is measured from C, without (14).",
                 course::Seconds{entries * each}, [=](renderer::Canvas& canvas, double time) {
-                  draw_probe(canvas, pair, by_probe, sides, length, time, each);
+                  draw_probe(canvas, pair, by_probe, sides, length, stretch, time, each);
                 });
 
   page.text(
@@ -172,8 +172,8 @@ void inspection(course::Page& page, const Settings& set) {
       The two arrows are equal and opposite.)");
   page.figure(
       "row", "The four parts of J, drawn on the bodies that they belong to.", [=](renderer::Canvas& canvas) {
-        canvas.look(
-            renderer::fit({-0.75 * length, -0.65 * length, 3.1 * length, 1.5 * length}, canvas.page(), 10));
+        canvas.look(renderer::fit({-0.75 * length, -0.65 * length, 3.3 * length + 1.6 * stretch, 1.5 * length},
+                                  canvas.page(), 10));
         draw(canvas, pair, sides, false);
         draw_row(canvas, J, pair.pose1.position, pair.pose2.position,
                  {.scale = 0.5 * length / J.l2().norm(),

@@ -84,16 +84,16 @@ void linkage(course::Page& page, const Settings& set) {
   const double zeros = double((J.array() == 0).count()) / double(J.size());
   page.text(
       R"(Now @ links, pinned end to end. A pin is two constraints, so there are @ rows, and all bodies together
-      have @ components of velocity: a matrix of @ numbers. Entries that are exactly zero are left empty.)",
+      have @ components of velocity: a matrix of @ numbers.)",
       links, J.rows(), J.cols(), J.size());
   const int chosen = links / 2;
   page.figure(
       "linkage",
-      course::say(R"(The chain and its J: pin @ joins two links, and its two rows are not zero in the columns
-                         of these two.)",
+      course::say(R"(The chain and its J: pin @ joins two links, and its two rows are not zero in the columns of
+                         these two. Empty cells are zero.)",
                   chosen + 1),
       [=](renderer::Canvas& canvas) { draw_pin_and_rows(canvas, scene, J, chosen); });
-  page.figure("matrix", "J of the chain. Empty cells are zero.", picture_of(J));
+
   page.text(
       R"(@ % of the entries are zero, and @ % for a chain twice as long. So the solver does not build this
       matrix: it keeps the rows, each with the numbers of its own two bodies, and (8) skips the rest.)",

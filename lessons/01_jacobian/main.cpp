@@ -8,14 +8,12 @@ using namespace byhand::lesson01;
 int main(int argc, char** argv) {
   course::Lesson lesson(course::lesson_of(__FILE__));
   const Settings set{
-      lesson.parameter("length", 2.0, "m", {0.2, 20}, "length L of the rod"),
-      lesson.parameter("stretch", 0.1, "m", {-0.1, 1}, "how much too long the rod is at first"),
+      lesson.parameter("length", 2.0, "m", {0.5, 10}, "length L of the rod"),
+      lesson.parameter("stretch", 0.1, "m", {-0.1, 0.3}, "how much too long the rod is at first"),
       lesson.parameter("speed", 3.0, "m/s", {0.1, 30}, "how fast bodies move"),
       lesson.parameter("spin", 2.0, "rad/s", {-20, 20}, "how fast bodies turn"),
-      lesson.parameter("mass", 3.0, "kg", {0.1, 100}, "mass of a bob or link"),
       lesson.parameter("h", 1.0 / 60, "s", {1e-4, 0.1}, "time step"),
       lesson.parameter("beta", 0.2, "1", {0.01, 1.5}, "share of the error that a step should remove"),
-      lesson.parameter("links", 10, "1", {2, 40}, "links of the chain"),
   };
   const auto with = [&](void (*step)(course::Page&, const Settings&)) {
     return [step, set](course::Page& page) { step(page, set); };

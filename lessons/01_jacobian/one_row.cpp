@@ -26,8 +26,8 @@ double rate_by_differences(const Linear<PlaneBody>& d, const Linear<PlaneBody>& 
 void one_row(course::Page& page, const Settings& set) {
   const double length = set.length, speed = set.speed;
   page.text(
-      R"(We want C = 0 at all times. C bends with the positions, so C = 0 is hard to solve for them. Its rate is
-      easier: if C is 0 now, and never changes, it stays 0.)");
+      R"(We want C = 0 at all times. C is not linear in the positions, so C = 0 is hard to solve for them. Its rate is
+      easier: if C is zero now and does not change, it stays zero.)");
   page.equation(3);
   page.text(
       R"(Why is the rate easier? C changes only because the bodies move. Move one of them along x at 1 m/s, alone,
@@ -71,7 +71,7 @@ void one_row(course::Page& page, const Settings& set) {
                  {slope.x() + slope.y(), "That is for 1 m/s along both axes."}},
        .hints = {"What does each component of the velocity contribute by itself?",
                  "(8) with v₁ = 0 and no turning: Ċ = l₂·v₂.",
-                 course::say("l₂ = (@, @) m; begin with @ · @.", slope.x(), slope.y(), slope.x(), speed)},
+                 course::say("@ · @ + (@) · @ = …", slope.x(), speed, slope.y(), speed)},
        .right = R"(The two measured rates are the part l₂ of the row. Once J is known, every motion's Ċ is a sum of
                 products.)"});
   page.text(

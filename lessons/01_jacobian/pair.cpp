@@ -52,6 +52,10 @@ Pair pair_of(const Settings& set) {
   return pair;
 }
 
+double fastest(const Settings& set) {
+  return 0.73 * set.speed() + std::abs(set.spin()) * box_sides(set).norm() / 2;
+}
+
 double watched(const Settings& set) {
   return std::min(set.length / set.speed, 4 / std::max(std::abs(set.spin()), 1e-3));
 }

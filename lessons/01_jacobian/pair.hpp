@@ -29,6 +29,9 @@ struct Pair {
 /// The pair of steps 2 to 5: the rod is `stretch` too long.
 Pair pair_of(const Settings& set);
 
+/// An upper bound of the speed of an end, of a centre and of the turning [m/s].
+double fastest(const Settings& set);
+
 /// How long the pair is watched [s]: it moves by about a rod's length and turns by less than a turn.
 double watched(const Settings& set);
 

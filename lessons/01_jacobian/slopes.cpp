@@ -30,7 +30,7 @@ void slopes(course::Page& page, const Settings& set) {
 
   page.text(
       R"(J predicts how C changes over a small step h: ΔC ≈ h·JV. To test a row, look at what the prediction
-      misses, |ΔC − h·JV|. What is proportional to h is taken away.)");
+      misses, |ΔC − h·JV|. The part proportional to h is gone.)");
   const double at_h = left_over(bob, bob.row(), h), at_half = left_over(bob, bob.row(), h / 2);
   const double factor = at_h / at_half, exact = 0.5 * set.speed * set.speed * h * h;
   page.predict(
@@ -46,6 +46,7 @@ void slopes(course::Page& page, const Settings& set) {
        .hints = {"Which power of h is left when the first power is taken away?",
                  "C of (2) after the step: ½(d + hv)² − ½L².",
                  "½(d + hv)² − ½d² = h d·v + ½h²v²; the first term is h·JV."},
+       .hinted = 4,
        .right = course::say("The rest is exactly ½h²v², here @ m²: half the step, a quarter of it.", exact)});
   const double first_order = 2 * J.matrix(0, 5) * pair.V2[2];
   page.text(
@@ -106,8 +107,7 @@ void slopes(course::Page& page, const Settings& set) {
        .curves = {spoilt, right, simple, first, second}});
   page.text(
       R"(This is the cheapest test that a constraint can have: it needs C and J and nothing else. It finds every
-      wrong entry *that the motion uses*: with ω₂ = 0 a wrong a₂ goes unnoticed@, so test with every component of
-      V at work.)",
+      wrong entry *that the motion uses*: with ω₂ = 0 a wrong a₂ goes unnoticed@, so test with every component of V different from zero.)",
       first_order == 0 ? ", as in this run" : " (set `spin` to 0 and the two lines coincide)");
 
   if (second_order) page.measure("slope with (14)", measured_slope, "1");

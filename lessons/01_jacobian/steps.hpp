@@ -11,8 +11,9 @@ using pictures::at, pictures::curve, pictures::each;
 
 /// What the reader may turn.
 struct Settings {
-  course::Parameter<double> length, stretch, speed, spin, mass, h, beta;
-  course::Parameter<int> links;
+  course::Parameter<double> length, stretch, speed, spin, h, beta;
+  double mass = 3;  // of a bob or link [kg]
+  int links = 10;   // of the chain
 };
 
 void what_c_says(course::Page& page, const Settings& set);

@@ -107,8 +107,8 @@ void what_c_says(course::Page& page, const Settings& set) {
       the course, and checked; in this lesson (1) to (16) and (23). The article's running example is a rod between two bodies:)");
   page.figure("rod",
               "Two bodies and a rod. P₁ and P₂ are its ends, r₁ and r₂ lead there from the centres of mass.",
-              [pair = pair_of(set), sides = box_sides(set), length](renderer::Canvas& canvas) {
-                canvas.look(renderer::fit({-0.5 * length, -0.5 * length, 2.8 * length, 1.3 * length},
+              [pair = pair_of(set), sides = box_sides(set), length, stretch](renderer::Canvas& canvas) {
+                canvas.look(renderer::fit({-0.5 * length, -0.5 * length, 2.8 * length + stretch, 1.3 * length},
                                           canvas.page().inset(12), 8));
                 draw(canvas, pair, sides, true);
               });

@@ -51,6 +51,7 @@ void lambda(const Setting& setting, Page& page) {
        .hints = {"Only the part of gravity along the rod is cancelled. Which angle does the rod make with it?",
                  "(17) times |d|: λ|d| = −(JV/|d|)·m, and JV/|d| is the speed along d.",
                  say("−@ · (@ · @ · cos @°) = …", setting.mass(), gravity(), setting.h, setting.angle())},
+       .hinted = -full * std::cos(radians(setting.angle())),
        .right = say("It is −m·g·h·cosθ: m·g·h is @ N·s, and the rod cancels its part along d.", full)});
 
   page.formula("λ = −(@ + 0) / @ = @ N·s/m, and λ·|d| = @ N·s",

@@ -55,7 +55,7 @@ void off_the_circle(const Setting& setting, Page& page) {
                  {speed * h / millimetre, "That is how far the bob moves; it moves at right angles to the rod."}},
        .hints = {"The bob moves v·h at right angles to the rod. How far is it from the fixed point then?",
                  "Pythagoras: √(L² + (vh)²) − L.",
-                 say("√(@² + @²) − @ = … (in metres)", length, Value(speed * h, 4), length)},
+                 say("√(@² + @²) m − @ m = …", length, Value(speed * h, 8), length)},
        .right =
            say(ratio <= 0.5 ? R"(The new length is the hypotenuse. For v·h much smaller than L the difference is
                                     close to (vh)²/2L, @ mm.)"

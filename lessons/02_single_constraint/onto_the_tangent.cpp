@@ -66,9 +66,7 @@ void onto_the_tangent(const Setting& setting, Page& page) {
                    {answer.second, per_speed * freed.bodies().velocity[1], palette::velocity, "v₂"}};
   blow.guides = answer.guides = false;
   page.text(
-      R"(−λd acts on the other end of the rod. The fixed point does not move; with two free bobs one sees what
-      −λd is for. Join a bob of @ kg to one of @ kg by the rod and strike the first: what one gains the other
-      loses, and the momentum stays @ kg·m/s.)",
+      R"(−λd acts on the other end of the rod. The fixed point does not move; two free bobs show what −λd is for. Join a bob of @ kg to one of @ kg by the rod and strike the first: the rod pulls both, and their momentum stays @ kg·m/s.)",
       setting.mass(), 4 * setting.mass(), course::without_rounding(after_momentum));
   page.figure(
       "momentum_kept",

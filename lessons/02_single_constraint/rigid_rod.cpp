@@ -81,6 +81,7 @@ void rigid_rod(const Setting& setting, Page& page) {
        .hints = {"What the hinge does not carry makes the centre fall. How fast does the centre fall?",
                  "About the hinge: (mL²/3)·α = m·g·L/2. The centre is L/2 from the hinge.",
                  "α = 3g/2L, so the centre falls with α·L/2 = ¾g."},
+       .hinted = 0.25,
        .right = say("The centre falls with @ g, so @ m·g of the weight is not held.", 1 - share, 1 - share)});
 
   const double end = 1.05 * exact.period();

@@ -85,6 +85,7 @@ void tension(const Setting& setting, Page& page) {
        .hints = {"What does the rod do at the lowest point besides holding the weight?",
                  "Tension = m·g + mv²/L, and energy gives v² = 2gL(1 − cosθ₀).",
                  say("1 + 2·(1 − cos @°) = …", setting.release())},
+       .hinted = 1 + 2 * (1 - std::cos(radians(setting.release()))),
        .right = say(R"(By energy mv²/L is 2(1 − cosθ₀) times m·g; with the weight that makes 3 − 2cosθ₀. The solver
                     measures @ m·g with this h.)",
                     peak)});

@@ -24,7 +24,7 @@ course::Hold in_hand(const Knobs& knobs) {
   return {
       "chain_in_hand", "The chain; it begins at the angle of its release.", [knobs] {
         ChainOptions chain = knobs.chain();
-        chain.angle = knobs.angle() * M_PI / 180;
+        chain.angle = knobs.angle * M_PI / 180;
         const bool warm = knobs.warm() == 1;
         const double beta = knobs.beta, whole = chain.links * chain.length,
                      limit = laws::largest_beta(laws::left_by_sweeps(chain.links, knobs.sweeps()));

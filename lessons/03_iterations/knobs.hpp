@@ -12,23 +12,25 @@ using pictures::at, pictures::curve, pictures::each;
 /// What a reader can turn in this lesson.
 struct Knobs {
   course::Parameter<int> links;
-  course::Parameter<double> length, mass, h;
+  course::Parameter<double> h;
   course::Parameter<int> sweeps;
-  course::Parameter<double> beta, angle;
+  course::Parameter<double> beta;
   course::Parameter<std::string> start;
   course::Parameter<double> ratio;
+  double length = 2, mass = 3;  // of a link [m], of a bob [kg]
+  double angle = 20;            // from which the chain of step 7 is released [°]
 
   /// The lesson's chain, hanging at rest, or as many links as are asked for.
   ChainOptions chain() const { return chain(links()); }
   ChainOptions chain(int count) const {
-    return {.links = count, .length = length(), .mass = mass(), .end_mass = mass()};
+    return {.links = count, .length = length, .mass = mass, .end_mass = mass};
   }
   /// Whether steps begin with the λ of the last one.
   bool warm() const { return start() == "warm"; }
   /// gh: how fast everything falls once gravity is in V [m/s].
   double fall() const { return gravity * h(); }
   /// Of the whole chain [N].
-  double weight() const { return links() * mass() * gravity; }
+  double weight() const { return links() * mass * gravity; }
 
   static constexpr double gravity = 9.81;  // [m/s²], as Scene has it
 };

@@ -9,13 +9,10 @@ int main(int argc, char** argv) {
   Lesson lesson(lesson_of(__FILE__));
   const Knobs knobs{
       .links = lesson.parameter("links", 10, "1", {2, 40}, "links of the chain"),
-      .length = lesson.parameter("length", 2.0, "m", {0.1, 10}, "length of a link"),
-      .mass = lesson.parameter("mass", 3.0, "kg", {0.1, 100}, "mass of a bob"),
       .h = lesson.parameter("h", 1.0 / 60, "s", {1e-3, 0.05}, "time step"),
       .sweeps =
           lesson.parameter("sweeps", 10, "1", {1, 100}, "sweeps a step (step 6, and the chain to hold in step 7)"),
       .beta = lesson.parameter("beta", 0.2, "1", {0, 1}, "share of the stretch that a step corrects (step 7)"),
-      .angle = lesson.parameter("angle", 20.0, "°", {1, 80}, "from which the chain is released (step 7)"),
       .start = lesson.parameter("start", "cold", {"cold", "warm"},
                                 "what sweeps begin with: λ = 0, or the λ of the last step (step 7)"),
       .ratio = lesson.parameter("ratio", 100.0, "1", {1, 1000}, "mass of the end bob over the others (deeper)")};

@@ -130,6 +130,7 @@ void one_sweep(Page& page, const Knobs& knobs) {
        .hints = {"When row 1 is solved, what has happened to the bobs below it so far?",
                  "Row 1 stops its own bob: λL = −m·gh. The whole weight times h is N·m·gh.",
                  say("m·gh / (@·m·gh) = …", knobs.links)},
+       .hinted = 1.0 / knobs.links(),
        .right = say("One bob out of @: row 1 was solved first, when no other row had pulled on its bob.",
                     knobs.links)});
 

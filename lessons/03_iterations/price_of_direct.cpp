@@ -80,11 +80,11 @@ void price_of_direct(Page& page, const Knobs& knobs) {
       warm sweeps are enough. The rule of this course: paths and trees directly, the rest by sweeps.)");
   HeldStep direct(knobs.chain(), knobs.h, Direct{});
   direct.solve();
-  const Eigen::MatrixXd A = textbook_matrix(knobs.chain()) * knobs.length() * knobs.length();
+  const Eigen::MatrixXd A = textbook_matrix(knobs.chain()) * knobs.length * knobs.length;
   std::vector<double> diagonal, beside, rate(static_cast<std::size_t>(n), 0.0);
   for (int i = 0; i < n; ++i) diagonal.push_back(A(i, i));
   for (int i = 1; i < n; ++i) beside.push_back(A(i, i - 1));
-  rate.front() = -knobs.length() * knobs.fall();
+  rate.front() = -knobs.length * knobs.fall();
   const std::vector<double> plain = plain_elimination(diagonal, beside, rate), solved = direct.lambda();
   double apart = 0;
   for (int i = 0; i < n; ++i) apart = std::max(apart, std::abs(plain[i] / solved[i] - 1));

@@ -191,7 +191,7 @@ void side_by_side(Page& page, const Knobs& knobs) {
         by a bias of the same size, (β/h)C/|d| = s. So the worst link is too long by about s·h/β.)");
   } else if (softer) {
     page.text(
-        R"(With β = 0 nothing pulls stretched links back: with few sweeps the links part at the speed s of step 6 and
+        R"(With β = 0 nothing pulls stretched links back: with few sweeps the links separate at the speed s of step 6 and
         keep parting.)");
   } else {
     page.text("On this chain even @ a step stretches it hardly more than the direct solve does.",
@@ -201,7 +201,7 @@ void side_by_side(Page& page, const Knobs& knobs) {
     const double smallest = 1e-6 * L;
     const bool cold = !knobs.warm() && knobs.beta >= 0.01;
     const double expected = cold ? textbook_stretch(knobs, sweeps) : 0;
-    const Condition claimed{expected > smallest, "cold, β ≥ 0.01, stretch above 10⁻⁶ L"};
+    const Condition claimed{expected > smallest && expected < L, "cold, β ≥ 0.01, stretch from 10⁻⁶ L to L"};
     page.claim(
         say("stretch at rest, sweeps a step: @", sweeps), claimed ? settled_stretch(knobs, sweeps) : 0, "m",
         is(claimed ? expected : 0, "(β/h) C/|d| = (1 − Sᵏ)⁻¹Sᵏ gh, S the matrix of a sweep", absolute(smallest)),

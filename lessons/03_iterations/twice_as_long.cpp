@@ -75,6 +75,7 @@ void twice_as_long(Page& page, const Knobs& knobs) {
        .hints = {"A row passes its error on to the joints above and below. How far does it get in n sweeps?",
                  "A random walk gets about √n joints far in n steps.",
                  "To get twice as far, √n must double: n grows by a factor of 4."},
+       .hinted = 4 * once,
        .right =
            say(R"(@ times as many: errors spread like a random walk, which needs about N² sweeps to cross N joints
                     (exactly 4 times only for long chains).)",

@@ -75,7 +75,7 @@ void two_links(Page& page, const Knobs& knobs) {
       link below the first: the two rows *share a bob*, and solving one changes the JV of the other.
 
       Two bobs of @ kg hang on rods of @ m. Gravity is already in V, so in this step of @ s both fall at gh = @
-      m/s. The upper rod is getting longer at that rate. The lower one is not, for its two ends fall together.)",
+      m/s. The upper rod is getting longer at that rate. The lower one is not, because its two ends fall together.)",
       m, L, knobs.h, fall);
   page.text(
       R"(Row 1 goes first. By (17) it stops the upper bob, and its error is zero. Now the lower bob falls away from
@@ -92,6 +92,7 @@ void two_links(Page& page, const Knobs& knobs) {
        .hints = {"Row 2's impulse acts on both bobs, equal and opposite, and both have the same mass.",
                  "After row 2 both bobs move at the same speed, and their total momentum is what it was: m·gh.",
                  "2m·v = m·gh. Row 1's error is the speed of the upper bob."},
+       .hinted = 0.5,
        .right =
            R"(The two bobs share the momentum m·gh: the lower one slows down to gh/2, the upper one is pulled down
                 at gh/2, and that is row 1's error.)"});
@@ -106,7 +107,7 @@ void two_links(Page& page, const Knobs& knobs) {
       });
   within_a_sweep(page, knobs);
   page.text(
-      R"(Row 2 has undone half of what row 1 did; solving row 1 again undoes half of what row 2 did. (17) is
+      R"(Row 2 has undone half of row 1's work; solving row 1 again undoes half of row 2's. (17) is
       exact for *one* row while the others wait. For many rows it is one step of a method that goes round and
       round: *Gauss–Seidel*. One round over all rows is a *sweep*. In the plainest code, for a hanging chain:)");
   page.excerpt("lessons/03_iterations/plain.cpp", "sweep");

@@ -132,7 +132,7 @@ void warm_start(Page& page, const Knobs& knobs) {
   if (stretches)
     page.text(
         R"(**Cold, the chain keeps getting longer.** Every step falls short by the same share of λ, and the
-        error that is left stays in V and is added to the next. In the end the links part at a steady speed, the
+        error that is left stays in V and is added to the next. In the end the links separate at a steady speed, the
         worst at @ m/s. The joints then carry the weight (@ N of @ N at the top), but only because this speed shows up in every row's JV.)",
         rate, carried, knobs.weight());
   else
@@ -214,7 +214,7 @@ void warm_start(Page& page, const Knobs& knobs) {
         "cold_and_warm",
         say(R"(The same chain with @ a step, cold and warm, without any correction of positions; both began at @ m.
           Right: the largest error over time@.)",
-            several(k, "sweep"), n * knobs.length(), law_shown ? ", dashed the law √qⁿ" : ""),
+            several(k, "sweep"), n * knobs.length, law_shown ? ", dashed the law √qⁿ" : ""),
         Seconds{seconds}, [=, cold = cold, warm = warm](renderer::Canvas& canvas, double time) mutable {
           while (cold.time < time - 0.5 * knobs.h) {
             cold.step(knobs.h);
@@ -236,8 +236,9 @@ void warm_start(Page& page, const Knobs& knobs) {
       R"(**The price.** The warm error does not only fall, it *rings*: it changes sign again and again on its
       way down (in the derivation, the roots z are complex). λ keeps what the last step added to it. Once
       positions are corrected too (lesson 4), with a share β in each step, λ also keeps the correction and
-      applies it again: the ringing then grows unless β < (1 − q)/q and β < 2. Here the limit is @, for one sweep a step @.)",
-      Value(laws::largest_beta(q), 3), Value(laws::largest_beta(laws::left_by_a_sweep(n)), 3));
+      applies it again: the ringing then grows unless β < (1 − q)/q and β < 2. Here the limit is @@.)",
+      Value(laws::largest_beta(q), 3),
+      k == 1 ? "" : say(", for one sweep a step @", Value(laws::largest_beta(laws::left_by_a_sweep(n)), 3)));
 
   if (stretches) page.measure("largest error of the cold chain", rate / fall, "gh");
   page.claim("warm: what a step leaves of the slow wave", lawful ? std::sqrt(measured_q(knobs, q)) : 0, "1",

@@ -63,7 +63,7 @@ struct SweepFilm {
 }  // namespace
 
 void within_a_sweep(Page& page, const Knobs& knobs) {
-  const double fall = knobs.fall(), unit = knobs.mass() * fall / knobs.length();
+  const double fall = knobs.fall(), unit = knobs.mass * fall / knobs.length;
   HeldStep step(knobs.chain(2), knobs.h);
   const auto moment = [&](int row, double impulse) {
     Moment now{step.speeds(), step.errors(), row, impulse};
@@ -95,7 +95,7 @@ void within_a_sweep(Page& page, const Knobs& knobs) {
                     fast its rod is getting longer. Orange: the impulse of the row that is being solved (yellow).)",
           film.seconds()),
       Seconds{film.seconds()},
-      [shown = SweepFilm{film, linkage, moments, knobs.length()}](renderer::Canvas& canvas, double time) {
+      [shown = SweepFilm{film, linkage, moments, knobs.length}](renderer::Canvas& canvas, double time) {
         shown.draw(canvas, time);
       });
 }

@@ -27,7 +27,7 @@ void draw_steps(Canvas& canvas, const std::vector<double>& errors) {
 }  // namespace
 
 void a_share_of_the_error(const Setting& setting, Page& page) {
-  const double beta = setting.beta(), h = setting.h(), e = setting.error(), length = setting.length();
+  const double beta = setting.beta(), h = setting.h(), e = setting.error, length = setting.length;
   const std::vector<double> run = errors(setting, {beta}, h, shown_steps);
   const bool five = run.size() > shown_steps;  // else a step threw the bob through the anchor
   const double left = five ? without_rounding(run.back(), e) : NAN;
@@ -48,7 +48,7 @@ void a_share_of_the_error(const Setting& setting, Page& page) {
       - solve (17) for λ and apply it by (20), so that JV = −(β/h)C;
       - move the bodies by h·V.
 
-      Its only knob is β, the share of the error that one step removes. It needs no second solve. But it corrects
+      Its only knob is β, the share of the error that one step removes. It corrects
       *positions* with *velocities*, and after the step the bodies keep these velocities. The next steps show what
       follows from that.)");
   page.text(
@@ -73,6 +73,7 @@ void a_share_of_the_error(const Setting& setting, Page& page) {
                    "C′ = C + h·JV with JV = −(β/h)C.",
                    say("After one step @ cm are left; the next step starts from there.",
                        100 * e * without_rounding(1 - beta, 1))},
+         .hinted = 100 * e * std::pow(1 - beta, shown_steps),
          .right = say("Each step leaves the share 1 − β = @, so five leave (1 − β)⁵ = @.",
                       without_rounding(1 - beta, 1), without_rounding(std::pow(1 - beta, shown_steps), 1))});
   else
@@ -97,7 +98,7 @@ void a_share_of_the_error(const Setting& setting, Page& page) {
   page.text(
       "On the circle of step 1 the same happens to the drift of every step. Here is one of them, slowed down:");
   within_two_steps(setting, page);
-  const double push = 0.5 * setting.mass() * std::pow(beta * e / h, 2);
+  const double push = 0.5 * setting.mass * std::pow(beta * e / h, 2);
   const auto returned = [&] {
     if (beta < 1)
       return "Each further step finds a smaller error and asks for less speed, so the energy falls again.";
@@ -119,7 +120,7 @@ void a_share_of_the_error(const Setting& setting, Page& page) {
              is(e * (1 - beta * (length + e / 2) / (length + e)), "½(|d|² − L²)/|d| instead of |d| − L",
                 absolute(1e-12 * length)));
   const double moved = (run[1] - run[0]) / h, second = run.size() > 2 ? (run[2] - run[1]) / h : NAN;
-  page.claim("energy after the first step", 0.5 * setting.mass() * moved * moved, "J",
+  page.claim("energy after the first step", 0.5 * setting.mass * moved * moved, "J",
              is(push, "½m(βC/h)²", relative(1e-13 * length / (beta * e) + 1e-12)));
   page.claim("energy after the second step over that after the first", second * second / (moved * moved), "1",
              is((1 - beta) * (1 - beta), "law of the share: the speed is βC/h",

@@ -66,23 +66,10 @@ double factor(const Setting& setting, double beta) {
   return without_rounding(std::abs(run[1] / run[0]), 1);
 }
 
-Chart factors(const Setting& setting) {
-  Curve measured{.label = "measured", .style = CurveStyle::markers};
-  for (int i = 1; i <= 30; ++i) {
-    measured.x.push_back(i / 10.0);
-    measured.y.push_back(factor(setting, i / 10.0));
-  }
-  return {.x = {.label = "β", .range = {{0, 3.05}}},
-          .y = {.label = "|C after a step| / |C before|", .range = {{0, 2.1}}},
-          .curves = {measured, {.label = "|1 − β|", .x = {0, 1, 3}, .y = {1, 0, 2}, .style = CurveStyle::theory}},
-          .annotations = {{1, 0, "all of it at once"}, {2, 1, "beyond: it grows"}},
-          .references = {{Reference::Across::y, 1, "as wrong as before"}}};
-}
-
 }  // namespace
 
 void both_sides_of_two(const Setting& setting, Page& page) {
-  const double e = setting.error(), bold = 1.5;
+  const double e = setting.error, bold = 1.5;
   const Panel overshooting = panel(setting, bold);
   const double after = overshooting.errors[1];
   const bool settles = std::abs(overshooting.errors.back()) < std::abs(e);
@@ -96,20 +83,22 @@ void both_sides_of_two(const Setting& setting, Page& page) {
        .wrong = {{-100 * after, "The size is right, but the bob has passed its place: mind the sign."},
                  {-100 * e * bold, "That is by how much the step moves the bob, not where the bob arrives."}},
        .hints = {"The step moves the bob by more than the error. On which side does it arrive?", "C′ = (1 − β)C.",
-                 say("1 − β = @.", 1 - bold)},
+                 say("(1 − @) · @ cm = …", bold, 100 * e)},
        .right = "1 − β = −½: the step overshoots by half of the error, so the rod is now too short."});
-  page.choose({.ask = say("If every step does this, with β = @, does the rod settle?", bold),
-               .options = {{"yes", "Each step overshoots by half, and a half of a half of a half goes to zero."},
-                           {"no", "Each step overshoots by half, and a half of a half of a half goes to zero."}},
-               .answer = settles ? 0 : 1,
-               .hints = {"Follow the size of the error, not its side.", "Cₖ = (1 − β)ᵏC₀.",
-                         "What is left after two steps? After three?"}});
+  page.choose(
+      {.ask = say("If every step does this, with β = @, does the rod settle?", bold),
+       .options = {{"yes", "Each step overshoots by half, and a half of a half of a half goes to zero."},
+                   {"no", "It changes sides each time, but follow its size: a half, a quarter, an eighth …"}},
+       .answer = settles ? 0 : 1,
+       .hints = {"Follow the size of the error, not its side.", "Cₖ = (1 − β)ᵏC₀.",
+                 "What is left after two steps? After three?"}});
 
   std::vector<Panel> panels;
   panels.reserve(shown.size() + 1);
   for (const double beta : shown) panels.push_back(panel(setting, beta));
   const bool known = std::any_of(shown.begin(), shown.end(), [&](double b) { return b == setting.beta(); });
   if (!known) panels.push_back(panel(setting, setting.beta()));
+  std::ranges::sort(panels, {}, &Panel::beta);
   page.sequence(
       "stems",
       say(R"(The same rod with @ values of β, every step shown. Up to 1 the error shrinks from one side, between 1
@@ -118,24 +107,22 @@ void both_sides_of_two(const Setting& setting, Page& page) {
       Frames{panel_steps + 1}, [panels](Canvas& canvas, double time) {
         draw_panels(canvas, panels, static_cast<std::size_t>(std::lround(time)));
       });
-  page.figure("stems_of_ten_steps", "The stems after ten steps.",
-              [panels](Canvas& canvas) { draw_panels(canvas, panels, panel_steps); });
+
   page.text(
       R"(Each step multiplies the error by 1 − β, so the size |1 − β| decides. Where |1 − β| < 1, that is 0 < β
       < 2, the error shrinks; at β = 1 one step removes all of it; at β = 2 the bob jumps from one side to the
       other for ever; beyond 2 the error grows.)");
-  page.figure("factor", "The measured factor of one step on both sides of 1 and of 2. Dashed: |1 − β|.",
-              factors(setting));
+
   page.measure("what a step leaves", factor(setting, setting.beta()), "1");
 
-  page.claim("what a step leaves with this β", factor(setting, setting.beta()), "1",
-             is(std::abs(1 - setting.beta()), "law of the share: |1 − β|",
-                absolute(1e-14 * setting.length() / e + 1e-9)));
+  page.claim(
+      "what a step leaves with this β", factor(setting, setting.beta()), "1",
+      is(std::abs(1 - setting.beta()), "law of the share: |1 − β|", absolute(1e-14 * setting.length / e + 1e-9)));
   for (const double beta : {1.99, 2.0, 2.01})
-    page.claim(say("left after fifty steps, β = @", beta),
-               std::abs(errors(setting, {beta}, setting.h, 50).back() / e), "1",
-               is(std::pow(std::abs(1 - beta), 50), "law of the share: |1 − β|⁵⁰",
-                  absolute(1e-11 * setting.length() / e)));
+    page.claim(
+        say("left after fifty steps, β = @", beta), std::abs(errors(setting, {beta}, setting.h, 50).back() / e),
+        "1",
+        is(std::pow(std::abs(1 - beta), 50), "law of the share: |1 − β|⁵⁰", absolute(1e-11 * setting.length / e)));
 }
 
 }  // namespace byhand::baumgarte

@@ -19,7 +19,7 @@ std::vector<double> radii(double radius, double speed, double h, int steps) {
 }
 
 /// The angle of one step round the circle at first, ωh [1].
-double turn_of(const Setting& setting) { return setting.speed() * setting.h() / setting.length(); }
+double turn_of(const Setting& setting) { return setting.speed() * setting.h() / setting.length; }
 
 struct SpiralFilm {
   Track run;
@@ -49,7 +49,7 @@ struct SpiralFilm {
 };
 
 Chart law_of_drift(const Setting& setting) {
-  const double length = setting.length(), speed = setting.speed();
+  const double length = setting.length, speed = setting.speed();
   Chart chart{.x = {.label = "time (s)", .scale = Scale::logarithmic},
               .y = {.label = "C/L", .scale = Scale::logarithmic}};
   for (const int cut : {1, 4, 16}) {
@@ -73,7 +73,7 @@ Chart law_of_drift(const Setting& setting) {
 }  // namespace
 
 void drift(const Setting& setting, Page& page) {
-  const double length = setting.length(), speed = setting.speed(), mass = setting.mass(), h = setting.h();
+  const double length = setting.length, speed = setting.speed(), mass = setting.mass, h = setting.h();
   const int steps = static_cast<int>(std::lround(spiral_seconds / h));
   const Track run = circling(setting, speed, NoDriftCure{}, h, steps);
   const std::vector<double> exact = radii(length, speed, h, steps);
@@ -83,7 +83,7 @@ void drift(const Setting& setting, Page& page) {
 
   page.text(
       R"(In lesson 2 the rod became longer and longer. Each step moves the bob along the tangent, because JV = 0
-      asks for no more, and the tangent leaves the circle. This growing error is called *drift*. To see it
+      asks for no more, and the tangent leaves the circle. This growing error, here C = |d| − L in metres, is called *drift*. To see it
       alone, take gravity away: a bob goes round at @ m/s on a rod of @ m; h is @ s, and nothing corrects the drift (b = 0).)",
       speed, length, setting.h);
   Curve measured =
@@ -120,22 +120,11 @@ void drift(const Setting& setting, Page& page) {
                  "(20) with JV = 0 removes the part of V along the rod and leaves the part across it.",
                  "v² = v_across² + vᵣ², and the impulse sets vᵣ = 0."}});
   page.text(
-      R"(The law needs two facts. The displacement h·v is at right angles to d, so Pythagoras gives the new |d|².
-      The impulse points at the anchor, so the angular momentum m|v||d| stays.)");
+      R"(Lesson 2, step 6 derived the law from two facts. The displacement h·v is at right angles to d, so
+      Pythagoras gives the new |d|². The impulse points at the anchor, so the angular momentum m|v||d| stays.)");
   page.formula("|d|²  grows by  h²|v|²  a step,   |v||d| stays   ⟹   |d| ≈ L (1 + 2hv₀²t/L²)^¼",
                R"(|d|^2 \mathrel{+}= h^2|v|^2, \quad |v||d| = \text{const} \quad\Rightarrow\quad )"
                R"(|d| \approx L\,\bigl(1 + 2hv_0^2t/L^2\bigr)^{1/4})");
-  page.derivation(
-      "How a rod grows without correction",
-      {{"JV = d·v = 0, so h·v is at right angles to d", "|d′|² = |d|² + h²|v|²", R"(|d'|^2 = |d|^2 + h^2|v|^2)"},
-       {"the impulse points at the anchor, so angular momentum stays", "|v||d| = v₀L", R"(|v||d| = v_0 L)"},
-       {"insert |v| = v₀L/|d|", "|d′|² − |d|² = h²v₀²L²/|d|²", R"(|d'|^2 - |d|^2 = h^2 v_0^2 L^2/|d|^2)"},
-       {"divide by h; for small h the left side is a derivative", "|d|² · d(|d|²)/dt = h v₀²L²",
-        R"(|d|^2\,\frac{d|d|^2}{dt} = h\,v_0^2 L^2)"},
-       {"the left side is half the derivative of |d|⁴; integrate from |d| = L", "|d|⁴ = L⁴ + 2hv₀²L²t",
-        R"(|d|^4 = L^4 + 2hv_0^2L^2t)"},
-       {"fourth root", "|d| = L (1 + 2hv₀²t/L²)^¼", R"(|d| = L\,(1 + 2hv_0^2t/L^2)^{1/4})"},
-       {"for small t, (1 + x)^¼ ≈ 1 + x/4", "C ≈ hv₀²t/(2L)", R"(C \approx \frac{hv_0^2}{2L}\,t)"}});
   page.formula("at first  Ċ ≈ hv²/2L = @ cm/s",
                R"(\dot C \approx \frac{hv^2}{2L} = @\ \mathrm{cm/s} \text{ at first})",
                100 * h * speed * speed / (2 * length));

@@ -34,7 +34,7 @@ Chart half_times(const Setting& setting, double beta0) {
 }  // namespace
 
 void frame_rate(const Setting& setting, Page& page) {
-  const double h = setting.h(), length = setting.length(), e = setting.error();
+  const double h = setting.h(), length = setting.length, e = setting.error;
   const bool one_side = setting.beta() <= 0.95;
   // Beyond, the error has no half-time: what follows is then told for a usual β.
   const double beta = one_side ? setting.beta() : 0.2;
@@ -59,10 +59,11 @@ void frame_rate(const Setting& setting, Page& page) {
        .answer = 1000 * finer,
        .unit = "ms",
        .tolerance = 50 * half,
-       .wrong = {{1000 * half, "β is a share per step. The time is in h/β, and h has changed."},
+       .wrong = {{1000 * half, "β is a share per step, so the time is proportional to h, and h has changed."},
                  {2000 * half, "The steps are shorter, and each of them still removes the same share."}},
        .hints = {"Count in steps first, then in milliseconds.", "C after k steps = (1 − β)ᵏ C₀.",
                  "It takes the same number of steps. How long does each of them last now?"},
+       .hinted = 500 * half,
        .right = "The same number of steps, each half as long."});
   page.formula("half-time = h · ln 2/(−ln(1 − β)) = @ ms",
                R"(t_{1/2} = h\,\frac{\ln 2}{-\ln(1-\beta)} = @\ \mathrm{ms})", 1000 * half);

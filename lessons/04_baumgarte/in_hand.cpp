@@ -8,11 +8,11 @@ course::Hold in_hand(const Setting& setting) {
   return {
       "rod_in_hand", "A bob on a rod that is corrected by β; it begins at rest, 30° from straight down.",
       [setting] {
-        const double length = setting.length(), beta = setting.beta();
+        const double length = setting.length, beta = setting.beta();
         // One cold sweep, the hand's rows last: the rod answers the hand only in the next step, so that a pull of
         // the force F stretches it, by Fh²/(mβ).
         return pictures::in_hand<PlaneParticle>(
-            {.start = {pendulum<PlaneParticle, NormalisedDistance>(radians(30), length, setting.mass()),
+            {.start = {pendulum<PlaneParticle, NormalisedDistance>(radians(30), length, setting.mass),
                        {GaussSeidel{.sweeps = 1, .warm_start = false}, Baumgarte{beta}}},
              .h = setting.h(),
              .view = {-1.3 * length, -1.5 * length, 2.6 * length, 2.6 * length},

@@ -10,9 +10,6 @@ int main(int argc, char** argv) {
   const Setting setting{
       .beta = lesson.parameter("beta", 0.2, "1", {0.01, 3}, "share of the error that a step takes away"),
       .h = lesson.parameter("h", 1.0 / 60, "s", {1e-3, 0.05}, "time step"),
-      .length = lesson.parameter("length", 2.0, "m", {0.5, 20}, "length of a rod"),
-      .mass = lesson.parameter("mass", 3.0, "kg", {0.01, 1000}, "mass of a bob"),
-      .error = lesson.parameter("error", 0.1, "m", {0.001, 0.1}, "how much too long the rod begins"),
       .speed = lesson.parameter("speed", 6.0, "m/s", {0.5, 10}, "of the bob that goes round"),
       .release = lesson.parameter("release", 90.0, "deg", {5, 170}, "where the pendulum starts"),
       .links = lesson.parameter("links", 10, "1", {2, 30}, "links of the chain"),

@@ -6,8 +6,8 @@ namespace byhand::baumgarte {
 
 PendulumFilm::PendulumFilm(const Setting& setting)
     : betas_(film_betas(setting)),
-      exact_(radians(setting.release()), setting.length(), gravity),
-      length_(setting.length()) {
+      exact_(radians(setting.release()), setting.length, gravity),
+      length_(setting.length) {
   below_ = {.x = {.label = "time (s)"},
             .y = {.label = "|C|/L", .scale = Scale::logarithmic, .range = {{1e-6, 2}}}};
   const double h = setting.h();

@@ -14,7 +14,7 @@ Curve decay(const Setting& setting, std::string label, const Baumgarte& cure, in
   for (std::size_t i = 0; i < run.size(); i += every) {
     curve.x.push_back(static_cast<double>(i) * setting.h);
     curve.y.push_back(100 * std::abs(run[i]));
-    if (curve.y.back() < 1e-3 * setting.error()) break;
+    if (curve.y.back() < 1e-3 * setting.error) break;
   }
   return curve;
 }
@@ -22,7 +22,7 @@ Curve decay(const Setting& setting, std::string label, const Baumgarte& cure, in
 }  // namespace
 
 void read_literally(const Setting& setting, Page& page) {
-  const double beta = setting.beta(), h = setting.h(), e = setting.error(), length = setting.length();
+  const double beta = setting.beta(), h = setting.h(), e = setting.error, length = setting.length;
   const int steps = static_cast<int>(std::lround(decay_seconds / h));
   const Baumgarte literal{beta, BetaReading::literal};
   const std::vector<double> run = errors(setting, literal, h, steps);
@@ -44,8 +44,10 @@ void read_literally(const Setting& setting, Page& page) {
       .wrong = {{1 / beta, "By then the share 1/e, about a third, is left; half is left a little sooner."},
                 {0.5 / beta, "The rate falls as the error falls: e^(−βt), not 1 − βt."}},
       .hints = {"β is now a rate per second, so the number of steps does not matter.", "C = C₀ e^(−βt).",
-                "e^(−βt) = ½, so βt = ln 2 = 0.693."},
-      .right = say("ln 2/β = @ s; the step h changes it only a little.", Value(std::log(2) / beta, 3))};
+                say("e^(−βt) = ½, so βt = ln 2 = 0.693: 0.693/@ = …", setting.beta)},
+      .hinted = std::log(2) / beta,
+      .right = say("ln 2/β = @ s; in steps of @ s, half is gone after @ s.", Value(std::log(2) / beta, 3),
+                   setting.h, Value(half, 3))};
   if (beta < 1)
     question.wrong.push_back({half_time(1 - beta, h), "Without 1/h, β is a rate per second, not per step."});
   page.predict(question);

@@ -11,16 +11,16 @@ VelocityStepping one_row(const DriftCure& cure) { return {GaussSeidel{.sweeps = 
 
 template <template <class> class Rod>
 std::vector<double> weightless(const Setting& setting, const Baumgarte& cure, double h, int steps) {
-  Simulation<PlaneParticle> simulation{pendulum<PlaneParticle, Rod>(0, setting.length(), setting.mass()),
+  Simulation<PlaneParticle> simulation{pendulum<PlaneParticle, Rod>(0, setting.length, setting.mass),
                                        one_row(cure)};
   simulation.scene.gravity.setZero();
   const Vector& bob = simulation.scene.bodies().pose[1].position;
-  simulation.scene.set_position(1, bob * (1 + setting.error() / setting.length()));
-  std::vector<double> errors{setting.error()};
+  simulation.scene.set_position(1, bob * (1 + setting.error / setting.length));
+  std::vector<double> errors{setting.error};
   for (int i = 0; i < steps; ++i) {
     simulation.step(h);
-    if (-bob.y() < 0.05 * setting.length()) break;
-    errors.push_back(-bob.y() - setting.length());
+    if (-bob.y() < 0.05 * setting.length) break;
+    errors.push_back(-bob.y() - setting.length);
   }
   return errors;
 }
@@ -51,13 +51,13 @@ double error_in_squared_form(const Setting& setting) {
 double half_time(double factor, double h) { return h * std::log(0.5) / std::log(factor); }
 
 Track circling(const Setting& setting, double speed, const DriftCure& cure, double h, int steps) {
-  return follow(particle_on_a_circle<PlaneParticle>(setting.length(), speed, setting.mass()), cure, h, steps);
+  return follow(particle_on_a_circle<PlaneParticle>(setting.length, speed, setting.mass), cure, h, steps);
 }
 
 Track swinging(const Setting& setting, const DriftCure& cure, double h, int steps) {
   return follow(
-      pendulum<PlaneParticle, NormalisedDistance>(radians(setting.release()), setting.length(), setting.mass()),
-      cure, h, steps);
+      pendulum<PlaneParticle, NormalisedDistance>(radians(setting.release()), setting.length, setting.mass), cure,
+      h, steps);
 }
 
 }  // namespace byhand::baumgarte

@@ -10,10 +10,10 @@ using pictures::at, pictures::curve, pictures::each;
 
 /// The lesson's parameters.
 struct Setting {
-  course::Parameter<double> beta, h;              // [1], [s]
-  course::Parameter<double> length, mass, error;  // of the rod [m], of the bob [kg], at the start [m]
-  course::Parameter<double> speed, release;       // round the circle [m/s], of the pendulum [deg]
-  course::Parameter<int> links, sweeps;           // of the chain
+  course::Parameter<double> beta, h;         // [1], [s]
+  course::Parameter<double> speed, release;  // round the circle [m/s], of the pendulum [deg]
+  course::Parameter<int> links, sweeps;      // of the chain
+  double length = 2, mass = 3, error = 0.1;  // of the rod [m], of the bob [kg], at the start [m]
 };
 
 inline constexpr double gravity = standard_gravity;

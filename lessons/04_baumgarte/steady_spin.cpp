@@ -16,10 +16,10 @@ struct Spin {
 Spin settled(const Setting& setting, double beta, double turn) {
   const int steps = 100 + static_cast<int>(30 / std::clamp(std::min(beta, 2 - beta), 0.01, 1.0));
   const double h = setting.h();
-  const Track run = circling(setting, turn / h * setting.length(), Baumgarte{beta}, h, steps);
+  const Track run = circling(setting, turn / h * setting.length, Baumgarte{beta}, h, steps);
   const Vector before = run[run.size() - 2].position, after = run.back().position;
   return {std::atan2(before.x() * after.y() - before.y() * after.x(), before.dot(after)),
-          after.norm() / setting.length() - 1};
+          after.norm() / setting.length - 1};
 }
 
 }  // namespace
@@ -27,7 +27,7 @@ Spin settled(const Setting& setting, double beta, double turn) {
 void steady_spin(const Setting& setting, Page& page) {
   const bool settles = setting.beta() <= 1.95;
   // Beyond, the rod does not settle, or takes too long: what follows is then told for a usual β.
-  const double length = setting.length(), beta = settles ? setting.beta() : 0.2,
+  const double length = setting.length, beta = settles ? setting.beta() : 0.2,
                turn = setting.speed() * setting.h() / length;
   const Spin spin = settled(setting, beta, turn);
   const Condition small = Quantity("ωh", turn) <= 0.1;
@@ -53,8 +53,13 @@ void steady_spin(const Setting& setting, Page& page) {
          .wrong = {{one_step, "That is what one step adds; the removed share β of the error must be as much."},
                    {0, "Then there would be no error of which β could remove a share."}},
          .hints = {"Once the rod has settled, a step adds as much error as it removes.",
-                   "added: ½(ωh)²L; removed: βC.", say("@ · C = @ mm.", beta, Value(one_step, 4))},
-         .right = "C = ½(ωh)²L/β, with the settled ω: on the longer rod the bob goes round more slowly."});
+                   "added: ½(ωh)²L; removed: βC.",
+                   say("@ · C = @ mm: @ mm/@ = …", beta, Value(one_step, 4), Value(one_step, 4), beta)},
+         .hinted = one_step / beta,
+         .right = say(
+             R"(With ω as it begins, C = ½(ωh)²L/β = @ mm. On the longer rod the bob goes round more slowly: the run
+                     settles at @ mm.)",
+             Value(one_step / beta, 4), Value(answer, 4))});
   page.formula(
       "βC = ½(ωh)²L   ⟹   C/L = (ωh)²/(2β) = @ for ωh = @",
       R"(\beta C = \tfrac12(\omega h)^2 L \quad\Rightarrow\quad \frac{C}{L} = \frac{(\omega h)^2}{2\beta} = @

@@ -91,7 +91,7 @@ struct ChainsFilm {
 };
 
 ChainsFilm film_of(const Setting& setting, double beta) {
-  const double h = setting.h(), length = setting.length();
+  const double h = setting.h(), length = setting.length;
   const auto hanging = [&](bool warm) {
     return HangingChain({setting.links, setting.sweeps, beta, warm}, length, setting.mass, h);
   };
@@ -167,8 +167,10 @@ void the_trap(const Setting& setting, Page& page) {
             twice.)";
   page.choose({.ask = say("β = @, @, @ a step. Does an error in the rods' lengths die out?", setting.beta,
                           several(links, "link"), several(sweeps, "warm sweep")),
-               .options = {{"yes", say("It @. @", fate_of_error(growth), reason)},
-                           {"no", say("It @. @", fate_of_error(growth), reason)}},
+               .options = {{"yes", say("@ @. @", dies_out ? "It" : "Not with so few sweeps for this β: it",
+                                       fate_of_error(growth), reason)},
+                           {"no", say("@ @. @", dies_out ? "The sweeps are enough for this β: it" : "It",
+                                      fate_of_error(growth), reason)}},
                .answer = dies_out ? 0 : 1,
                .hints = {"λ starts from last step's value. What did that value contain besides the weight?",
                          "Of the slowest wave, k sweeps leave q = cos²ᵏ(π/2N) (lesson 3).",
@@ -182,12 +184,15 @@ void the_trap(const Setting& setting, Page& page) {
     if (std::isnan(last)) return std::string("become smaller than 10⁻⁵ L");
     return say(last > HangingChain::start_error ? "settle at @ L (it sags)" : "come down to @ L", Value(last, 2));
   };
+  const std::string of_warm = ends(film.beside.curves[0], growth), of_cold = ends(film.beside.curves[1], cold);
   page.sequence(
       "warm_and_cold",
       say(R"(The same chain of @ m with β = @ and @ a step, with warm and with cold start; its lowest rod begins
-          @ % too long. Within @ s the errors of the warm chain @, those of the cold chain @.)",
-          links * setting.length(), setting.beta, several(sweeps, "sweep"), 100 * HangingChain::start_error,
-          chain_seconds, ends(film.beside.curves[0], growth), ends(film.beside.curves[1], cold)),
+          @ % too long. Within @ s the errors of @.)",
+          links * setting.length, setting.beta, several(sweeps, "sweep"), 100 * HangingChain::start_error,
+          chain_seconds,
+          of_warm == of_cold ? "both chains " + of_warm
+                             : say("the warm chain @, those of the cold chain @", of_warm, of_cold)),
       Seconds{chain_seconds},
       [film, h = setting.h()](Canvas& canvas, double time) mutable { film.draw(canvas, time, h); });
   page.text(

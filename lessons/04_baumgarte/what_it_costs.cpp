@@ -45,14 +45,14 @@ double measured_period(const Track& run) {
 }
 
 Errors measure(const Setting& setting, double beta, double period) {
-  const double h = setting.h(), length = setting.length();
+  const double h = setting.h(), length = setting.length;
   const int steps_a_swing = static_cast<int>(std::lround(period / h));
   const Track run = swinging(setting, Baumgarte{beta}, h, swings * steps_a_swing);
   Errors errors;
   for (const Sample& sample : run)
     errors.drift = std::max(errors.drift, std::abs(sample.position.norm() / length - 1));
   const std::vector<double> means = mean_energies(run, steps_a_swing, swings);
-  errors.energy = (means.back() - means.front()) / (setting.mass() * gravity * length);
+  errors.energy = (means.back() - means.front()) / (setting.mass * gravity * length);
   errors.period = measured_period(run) / period - 1;
   return errors;
 }
@@ -66,7 +66,7 @@ double law_of_loss(const Setting& setting, const SimplePendulum& exact, double b
     const double time = exact.period() * i / samples;
     integral += 6 * std::pow(gravity * std::sin(exact.angle(time)) * exact.angular_velocity(time), 2) / samples;
   }
-  return h * h * h * (2 - beta) / (4 * beta * beta) * integral * exact.period() / (gravity * setting.length());
+  return h * h * h * (2 - beta) / (4 * beta * beta) * integral * exact.period() / (gravity * setting.length);
 }
 
 /// When the rod of a pendulum is first half as long again, or as short, as it should be [s]; infinity if it never
@@ -74,13 +74,13 @@ double law_of_loss(const Setting& setting, const SimplePendulum& exact, double b
 double breaks_at(const Setting& setting, double beta, double period) {
   const int steps = static_cast<int>(swings * period / setting.h());
   for (const Sample& sample : swinging(setting, Baumgarte{beta}, setting.h, steps))
-    if (!(std::abs(sample.position.norm() / setting.length() - 1) < 0.5)) return sample.time;
+    if (!(std::abs(sample.position.norm() / setting.length - 1) < 0.5)) return sample.time;
   return INFINITY;
 }
 
 /// The time in β, h/β, against that of the pendulum [1]: the laws want it small.
 double lag(const Setting& setting, double beta) {
-  return setting.h() / beta * std::sqrt(gravity / setting.length());
+  return setting.h() / beta * std::sqrt(gravity / setting.length);
 }
 
 /// Those of the curves that have a point.
@@ -94,13 +94,13 @@ std::vector<Curve> with_points(std::vector<Curve> curves) {
 /// The largest stretch, (ωh)²/(2β) where the bob is fastest.
 double law_of_drift(const Setting& setting, double beta) {
   const double h = setting.h();
-  return gravity * h * h * (1 - std::cos(radians(setting.release()))) / (beta * setting.length());
+  return gravity * h * h * (1 - std::cos(radians(setting.release()))) / (beta * setting.length);
 }
 
 }  // namespace
 
 void what_it_costs(const Setting& setting, Page& page) {
-  const double length = setting.length(), h = setting.h(), beta = setting.beta();
+  const double length = setting.length, h = setting.h(), beta = setting.beta();
   const SimplePendulum exact(radians(setting.release()), length, gravity);
   const double period = exact.period();
 
@@ -160,7 +160,7 @@ void what_it_costs(const Setting& setting, Page& page) {
                           : "With so few steps a swing, or so small a swing, the sign depends on β."}},
        .answer = loses ? 1 : 2,
        .hints = {"Without correction it lost. Does the correction add more than it takes back?",
-                 "The work of the tension is −∮ T Ċ dt over a swing.",
+                 "The tension T does the work −∮ T Ċ dt over a swing.",
                  "The stretch C follows the speed, but some steps late."}});
   const bool left_out = std::any_of(energy.y.begin(), energy.y.end(), [](double y) { return std::isnan(y); });
   page.figure(
@@ -173,9 +173,11 @@ void what_it_costs(const Setting& setting, Page& page) {
             .y = {.label = "error", .scale = Scale::logarithmic},
             .curves = with_points({drift, energy, time, drift_law, energy_law})});
   page.text(
-      R"(Of these β, up to @, the drift is least at @, the loss of energy at @, the error of the period at @. (Where a
-      curve dips, the error changes its sign; that β is not better for another scene.) @)",
-      betas.back(), best_drift, best_energy, best_period,
+      R"(@ (Where a curve dips, the error changes its sign; that β is not better for another scene.) @)",
+      best_drift == betas.back() && best_energy == betas.back()
+          ? say("The drift and the lost energy keep falling up to the end of the range, β = @.", betas.back())
+          : say("Of these β, up to @, the drift is least at @ and the loss of energy at @.", betas.back(),
+                best_drift, best_energy),
       page.verdict({{.when = where(Quantity("best β for drift", best_drift) > 0.3,
                                    Quantity("best β for energy", best_energy) > 0.3,
                                    Quantity("the most energy gained", most, "mgL") <= rounding),
@@ -184,10 +186,14 @@ void what_it_costs(const Setting& setting, Page& page) {
   page.text(
       R"(A large β has its price elsewhere:
 
-      - A sudden error leaves at the speed β·C/h: @ cm at @ m/s for β = 1, at @ m/s for β = @.
+      - A sudden error leaves at the speed β·C/h: @ cm at @ m/s for β = 1@.
       - Beyond 1 the correction of a sudden error overshoots, and the next step has to turn the bob round.
       - Where rows are *not* solved exactly, the limit can be far below 2: the last step shows it.)",
-      100 * setting.error(), setting.error() / h, beta * setting.error() / h, setting.beta);
+      100 * setting.error, setting.error / h,
+      beta == 1 ? "" : say(", at @ m/s for β = @", beta * setting.error / h, setting.beta));
+  page.text(
+      R"(How much does a swing lose? With T the tension of the rod and u = v²/L the centripetal acceleration, small
+      steps lose per swing)");
   page.formula(
       "energy lost in a swing ≈ h³(2 − β)/(4β²) · ∮ Ṫ u̇ dt,   u = v²/L",
       R"(\Delta E \approx -\frac{h^3(2-\beta)}{4\beta^2}\oint \dot T\,\dot u\,dt, \qquad u = \frac{v^2}{L})");
@@ -235,7 +241,7 @@ void what_it_costs(const Setting& setting, Page& page) {
   const std::vector<double> means =
       mean_energies(swinging(setting, Baumgarte{own_beta}, period / fine, 2 * fine), fine, 2);
   page.claim(say("energy that one swing of @ steps loses, β = @", fine, own_beta),
-             (means[0] - means[1]) / (setting.mass() * gravity * length), "mgL",
+             (means[0] - means[1]) / (setting.mass * gravity * length), "mgL",
              is(law_of_loss(setting, exact, own_beta, period / fine),
                 "law of lost energy: h³(2 − β)/(4β²)·∮ Ṫu̇ dt", relative(0.01)),
              wide);

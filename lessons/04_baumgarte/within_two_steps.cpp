@@ -52,7 +52,7 @@ struct CorrectionFilm {
 }  // namespace
 
 void within_two_steps(const Setting& setting, Page& page) {
-  const double length = setting.length(), h = setting.h(), beta = setting.beta(), way = h * setting.speed();
+  const double length = setting.length, h = setting.h(), beta = setting.beta(), way = h * setting.speed();
   const double C = std::hypot(length, way) - length, left = without_rounding(1 - beta, 1);
   const std::string fate = beta < 1    ? "The same share of it is left in each step."
                            : beta == 1 ? "Nothing of it is left."

@@ -160,18 +160,18 @@ Chart peaks_over_bounces(const Setting& setting) {
   Curve law{.label = "e²ⁿ", .style = CurveStyle::theory};
   for (int n = 1; n <= shown; ++n) {
     law.x.push_back(n);
-    law.y.push_back(setting.drop() * std::pow(e * e, n));
+    law.y.push_back(setting.drop * std::pow(e * e, n));
     chart.x.ticks.push_back({static_cast<double>(n), say("@", n)});
   }
   chart.curves.push_back(law);
-  chart.y.range = {0.2 * law.y.back(), 2 * setting.drop()};
+  chart.y.range = {0.2 * law.y.back(), 2 * setting.drop};
   return chart;
 }
 
 }  // namespace
 
 void bounce(const Setting& setting, Page& page) {
-  const double e = setting.restitution, h = setting.h(), drop = setting.drop();
+  const double e = setting.restitution, h = setting.h(), drop = setting.drop;
 
   page.text(
       R"(Until now a contact stopped what approached. Let it return some of the speed: the share e, the

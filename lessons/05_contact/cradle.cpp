@@ -10,7 +10,7 @@ namespace {
 using Row = Simulation<PlaneBody>;
 
 Row row_of_balls(const Setting& setting, const RowSolver& solver, double gap = 0) {
-  Row row{newtons_cradle<PlaneBody>(setting.balls, 1, setting.speed()), {solver}};
+  Row row{newtons_cradle<PlaneBody>(setting.balls, 1, setting.speed), {solver}};
   for (int i = 0; i < setting.balls; ++i)
     row.scene.set_position(i, row.scene.bodies().pose[i].position + Linear<PlaneBody>(gap * i, 0));
   return row;
@@ -32,7 +32,7 @@ std::vector<double> after_a_step(const Setting& setting, const RowSolver& solver
 /// Once the blow has run through balls that are `gap` [m] apart, in steps of h [s].
 std::vector<double> after_the_blow(const Setting& setting, double gap, double h) {
   Row row = row_of_balls(setting, Direct{}, gap);
-  const double end = (setting.balls + 2) * (gap / setting.speed() + 2 * h);
+  const double end = (setting.balls + 2) * (gap / setting.speed + 2 * h);
   while (row.time < end) row.step(h);
   return speeds(row, setting.speed);
 }
@@ -59,7 +59,7 @@ double largest_difference(const std::vector<double>& one, const std::vector<doub
 Chart gaps(const Setting& setting) {
   Curve first{.label = "first ball", .style = CurveStyle::line_and_markers},
       last{.label = "last ball", .style = CurveStyle::line_and_markers};
-  const double gap = 0.001, crossing = gap / setting.speed();
+  const double gap = 0.001, crossing = gap / setting.speed;
   for (int i = -6; i <= 14; ++i) {
     const double share = std::pow(2, 0.5 * i);
     const std::vector<double> speeds = after_the_blow(setting, gap, share * crossing);
@@ -78,7 +78,7 @@ Chart gaps(const Setting& setting) {
 
 void cradle(const Setting& setting, Page& page) {
   const int n = setting.balls;
-  const double v = setting.speed();
+  const double v = setting.speed;
   const std::vector<double> direct = after_a_step(setting, Direct{});
   const GaussSeidel forward{.sweeps = 1, .warm_start = false},
       backward{.sweeps = 1, .warm_start = false, .order = SweepOrder::reverse},
@@ -103,6 +103,7 @@ void cradle(const Setting& setting, Page& page) {
        .hints = {"All other balls leave together, at one speed u: no pair among them may approach or separate.",
                  "momentum: v₁ + (N − 1)u = v;   separation of the first pair: u − v₁ = v.",
                  say("u = v + v₁, so v₁ + @(v + v₁) = v.", n - 1)},
+       .hinted = (2.0 - n) / n,
        .right =
            say("(2 − N)/N = @; all the others leave together at 2/N = @ v.", Value((2.0 - n) / n, 3), 2.0 / n)});
   const std::vector<double> one_forward = after_a_step(setting, forward),

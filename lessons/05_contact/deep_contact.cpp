@@ -127,7 +127,7 @@ Chart peaks(const Setting& setting) {
 }  // namespace
 
 void deep_contact(const Setting& setting, Page& page) {
-  const double h = setting.h(), beta = setting.beta(), depth = setting.depth(), cap = setting.cap();
+  const double h = setting.h(), beta = setting.beta(), depth = setting.depth, cap = setting.cap;
   const double law = laws::popping_overlap(beta, h), by_steps = pop_by_steps(beta, h), speed = beta * depth / h;
   const Simulation<PlaneBody> free_run = sunk(depth, Baumgarte{beta}),
                               capped = sunk(depth, Baumgarte{.beta = beta, .speed_cap = cap}),
@@ -169,6 +169,7 @@ void deep_contact(const Setting& setting, Page& page) {
                  "v²/(2g) less the depth, and half a step's way more: a step moves at the speed of its end.",
                  say("(@ m/s)²/(2 · 9.81 m/s²) + @ m = @ m, and it begins @ m deep.", Value(speed, 4),
                      Value(half_step, 3), Value(throw_height + half_step, 4), setting.depth)},
+       .hinted = std::max(0.0, throw_height + half_step - depth),
        .right =
            highest > 0
                ? say(R"(Its lower side rises @ m above the ground: v²/(2g) less the depth, and half a step's way

@@ -40,7 +40,7 @@ Puck puck(const Setting& setting, const GaussSeidel& solver) {
   Scene<PlaneParticle> scene;
   const int ground = scene.add_body(Linear<PlaneParticle>(0, 0), fixed<PlaneParticle>());
   const int puck =
-      scene.add_body(Linear<PlaneParticle>(0, 0), with_mass<PlaneParticle>(setting.mass()), {setting.speed(), 0});
+      scene.add_body(Linear<PlaneParticle>(0, 0), with_mass<PlaneParticle>(setting.mass), {setting.speed, 0});
   const Contact<PlaneParticle> contact{{ground, puck}};
   const auto pressing = scene.add(contact);
   scene.add(Friction<PlaneParticle>{contact.at, tangents_of<PlaneParticle>(contact.normal), setting.friction(),
@@ -67,13 +67,13 @@ double rubbed_in_a_step(const Setting& setting, const GaussSeidel& solver) {
 }
 
 Chart speeds(const Setting& setting) {
-  const double stop = setting.speed() / (setting.friction() * gravity);
+  const double stop = setting.speed / (setting.friction() * gravity);
   Chart chart{.x = {.label = "time (s)"}, .y = {.label = "speed (m/s)"}};
   for (std::size_t i = 0; i < orders.size(); ++i) {
     Puck simulation = puck(setting, orders[i].solver);
     Curve curve{.label = orders[i].name,
                 .x = {0},
-                .y = {setting.speed()},
+                .y = {setting.speed},
                 .style = i == 0 ? CurveStyle::line : CurveStyle::markers};
     const int every = std::max(1, static_cast<int>(stop / setting.h() / 16));
     for (int step = 1; simulation.time < 1.3 * stop; ++step) {
@@ -89,7 +89,7 @@ Chart speeds(const Setting& setting) {
 
 double stopping_distance(const Setting& setting, const GaussSeidel& solver) {
   Puck simulation = puck(setting, solver);
-  while (simulation.time < 1.1 * setting.speed() / (setting.friction() * gravity) + 2 * setting.h())
+  while (simulation.time < 1.1 * setting.speed / (setting.friction() * gravity) + 2 * setting.h())
     simulation.step(setting.h);
   return simulation.scene.bodies().pose[1].position.x();
 }
@@ -97,7 +97,7 @@ double stopping_distance(const Setting& setting, const GaussSeidel& solver) {
 }  // namespace
 
 void friction_row(const Setting& setting, Page& page) {
-  const double mass = setting.mass(), speed = setting.speed(), mu = setting.friction(), h = setting.h();
+  const double mass = setting.mass, speed = setting.speed, mu = setting.friction(), h = setting.h();
   const OnACorner before(mass, speed, mu);
   OnACorner pressed = before;
   pressed.solve_normal();
@@ -190,6 +190,7 @@ void friction_row(const Setting& setting, Page& page) {
                  {-full, "Its bound is μ times a normal impulse, and that one is still zero."}},
        .hints = {"In which order are the two rows visited?", "|λₜ| ≤ μ λₙ.",
                  "What is λₙ when friction's turn comes?"},
+       .hinted = 0,
        .right = "λₙ is still zero when friction's turn comes, so the bound is zero too."});
   page.figure("order_of_rows",
               say("A particle slides at @ m/s, μ = @. One cold sweep with friction first never slows it.",

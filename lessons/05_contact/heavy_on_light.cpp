@@ -122,7 +122,7 @@ void draw_runs(Canvas& canvas, const std::vector<NamedPile>& runs, double ratio,
 }  // namespace
 
 void heavy_on_light(const Setting& setting, Page& page) {
-  const double ratio = setting.ratio(), beta = setting.beta(), h = setting.h();
+  const double ratio = setting.ratio, beta = setting.beta(), h = setting.h();
   const int sweeps = setting.sweeps;
   std::vector<NamedPile> runs{
       {say("@ cold", sweeps), pair(GaussSeidel{.sweeps = sweeps, .warm_start = false}, ratio, beta)},

@@ -9,20 +9,10 @@ int main(int argc, char** argv) {
   const Setting setting{
       .h = lesson.parameter("h", 1.0 / 60, "s", {1.0 / 480, 0.05}, "time step"),
       .beta = lesson.parameter("beta", 0.2, "1", {0.05, 1}, "share of an overlap that a step takes away"),
-      .mass = lesson.parameter("mass", 3.0, "kg", {0.1, 100}, "mass of a single box"),
       .width = lesson.parameter("width", 0.2, "m", {0.1, 2}, "of the box that stands on two contacts, 1 m high"),
-      .depth = lesson.parameter("depth", 0.3, "m", {0.01, 0.4}, "overlap with which a box begins"),
-      .cap = lesson.parameter("cap", 1.0, "m/s", {0.1, 10}, "limit on the speed with which overlap is cured"),
       .friction = lesson.parameter("friction", 0.4, "1", {0.05, 1}, "coefficient μ"),
-      .slope = lesson.parameter("slope", 25.0, "deg", {5, 40}, "of the incline"),
-      .speed = lesson.parameter("speed", 3.0, "m/s", {1, 10}, "of the box that is pushed along"),
-      .restitution = lesson.parameter("e", 0.5, "1", {0.3, 0.95}, "restitution of the ball"),
-      .drop = lesson.parameter("drop", 1.0, "m", {0.3, 5}, "height from which the ball falls"),
-      .balls = lesson.parameter("balls", 5, "1", {3, 10}, "of the cradle"),
       .boxes = lesson.parameter("boxes", 20, "1", {2, 30}, "of the stack"),
       .sweeps = lesson.parameter("sweeps", 10, "1", {1, 100}, "sweeps over the stack in a step"),
-      .base = lesson.parameter("base", 10, "1", {2, 20}, "boxes in the pyramid's lowest row"),
-      .ratio = lesson.parameter("ratio", 100.0, "1", {1, 1000}, "mass of the upper box over that of the lower"),
   };
   const auto with = [setting](void (*step)(const Setting&, course::Page&)) {
     return [=](course::Page& page) { step(setting, page); };

@@ -73,7 +73,7 @@ Swept swept(const Eigen::Matrix2d& A, const Eigen::Vector2d& rate, double fricti
 }  // namespace
 
 void no_answer(const Setting& setting, Page& page) {
-  const double mass = setting.mass(), h = setting.h(), angle = std::atan(steep), mu = critical(angle);
+  const double mass = setting.mass, h = setting.h(), angle = std::atan(steep), mu = critical(angle);
   page.text(
       R"(The bound of friction's row is another row's λ. Such a problem need not have one answer: it may have several, or
       none. Painlevé found that in 1895. Let a rod slide on its lower tip to the left, leaning to the right, so that the
@@ -88,7 +88,7 @@ void no_answer(const Setting& setting, Page& page) {
        .wrong = {{steep, "That is tanθ = μ, where a ladder begins to slide; here it slides already."},
                  {1 / steep, "That is μ = 1/tanθ: the push then passes through the centre and turns nothing."}},
        .hints = {"How much does λₙ lift the tip by itself, and how much does μλₙ sink it?",
-                 "1 + 3cos²θ = 3μ sinθ cosθ.", "(1 + 3 · 0.2)/(3 · 0.4)."},
+                 "1 + 3cos²θ = 3μ sinθ cosθ.", "(1 + 3 · 0.2)/(3 · 0.4) = …"},
        .right = "4/3, and no other angle needs less: rubber can reach that."});
   Chart chart{.x = {.label = "θ from level (°)"}, .y = {.label = "lift of the tip for each unit of λₙ (1/m)"}};
   for (const double friction : {0.5, 1.0, 4.0 / 3, 2.0}) {
@@ -108,11 +108,11 @@ void no_answer(const Setting& setting, Page& page) {
   // It slides at the lesson's speed when gravity has acted for a step.
   const double friction = 1.5 * mu;
   const Eigen::Matrix2d A = at_the_tip(angle, mass);
-  const Eigen::Vector2d rate(-gravity * h, -setting.speed());
+  const Eigen::Vector2d rate(-gravity * h, -setting.speed);
   const Swept end = swept(A, rate, friction);
   const Eigen::Vector2d sticking = -A.inverse() * rate;
   const Quantity beside_weight("λₙ/mgh", end.lambda[0] / (mass * gravity * h)),
-      slip("slip left/speed", std::abs(end.rate[1]) / setting.speed());
+      slip("slip left/speed", std::abs(end.rate[1]) / setting.speed);
   page.text(
       R"(Below zero no force holds the tip while it slides. Within a step there is an answer all the same, because a step
       deals in impulses. With μ = @ the sweeps make λₙ larger by up to @ times each. @ That is what chalk does when it
@@ -131,7 +131,7 @@ void no_answer(const Setting& setting, Page& page) {
   page.claim("λₙ at the end of the sweeps", end.lambda[0], "N s",
              is(sticking[0], "both rates are zero: (17) for both rows as a block", relative(1e-9)));
   page.claim("slip at the end of the sweeps", end.rate[1], "m/s",
-             is(0, "friction has stopped it", absolute(1e-9 * setting.speed())));
+             is(0, "friction has stopped it", absolute(1e-9 * setting.speed)));
 }
 
 }  // namespace byhand::contact

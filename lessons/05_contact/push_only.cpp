@@ -66,7 +66,7 @@ Chart over_sweeps(const Setting& setting) {
                   .style = CurveStyle::line_and_markers};
       for (std::size_t i = 0; i < by_sweep.size(); ++i) {
         curve.x.push_back(static_cast<double>(i + 1));
-        curve.y.push_back(by_sweep[i][corner] / (setting.mass() * gravity * setting.h()));
+        curve.y.push_back(by_sweep[i][corner] / (setting.mass * gravity * setting.h()));
       }
       chart.curves.push_back(std::move(curve));
     }
@@ -123,7 +123,7 @@ void draw_stand(Canvas& canvas, const Stand& stand, const Rectangle& frame, doub
 }  // namespace
 
 void push_only(const Setting& setting, Page& page) {
-  const double h = setting.h(), mass = setting.mass(), width = setting.width(), weight = mass * gravity * h;
+  const double h = setting.h(), mass = setting.mass, width = setting.width(), weight = mass * gravity * h;
   const double s = leverage(width), up = speed_after_a_step(setting, width, Clamp::each);
 
   page.text(
@@ -162,7 +162,8 @@ void push_only(const Setting& setting, Page& page) {
        .options = {{"it still sinks", "A row that finds its corner sinking pushes until it no longer does."},
                    {"it is at rest",
                     (up > 0 ? "Then the two would have given the weight exactly. " : "") + explained},
-                   {"it rises", explained}},
+                   {"it rises",
+                    (up > 0 ? "" : "Then one of the two would have given more than its share. ") + explained}},
        .answer = up > 0 ? 2 : 1,
        .hints = {"The first row finds all of the fall and stops its corner alone.",
                  R"(A push at one corner changes the rate of the other by A₁₂ λ, A₁₂ = (1 − s)/m with s =

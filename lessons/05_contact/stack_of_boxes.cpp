@@ -154,13 +154,22 @@ std::string fate(double fell) {
   return std::isinf(fell) ? say("still stands after @ s", patience) : say("is down after @ s", Value(fell, 2));
 }
 
+/// The same as a condition, for a verdict that says it.
+Condition has_fate(const std::string& solved, double fell) {
+  const Quantity time("time stood, " + solved, std::min(fell, patience), "s");
+  return std::isinf(fell) ? time >= patience : time < patience;
+}
+
 /// Why the stack fell or may fall, of the three that can be told apart.
-std::string why_it_falls(int boxes, const GaussSeidel& solver, double fell, double h) {
+std::string why_it_falls(Page& page, int boxes, const GaussSeidel& solver, double fell, double h) {
   const double by_itself = falls_by_itself(boxes, solver, h);
   if (std::isfinite(by_itself))
-    return say(R"(With @ it comes down even without a kick, after @ s: the warm start does not bring λ up to the
-               weight in time. With a few more sweeps the weight is carried, and there is another reason to fall.)",
-               several(solver.sweeps, "sweep"), Value(by_itself, 2));
+    return page.verdict({{.when = has_fate("not kicked", by_itself),
+                          .say = say("With @ it comes down even without a kick, after @ s.",
+                                     several(solver.sweeps, "sweep"), Value(by_itself, 2))}}) +
+           " The warm start does not bring λ up to the weight in time; with enough sweeps the weight is carried, "
+           "and "
+           "there is another reason to fall.";
   if (std::isinf(fell))
     return R"(This stack stands. With fewer sweeps or more boxes it would fall although every contact carries its
            weight, and the reason is this.)";
@@ -168,11 +177,14 @@ std::string why_it_falls(int boxes, const GaussSeidel& solver, double fell, doub
   kick(sticky.scene, 0.02);
   const double glued = falls_at(sticky, patience, h);
   const std::string before = say("@ s", Value(fell, 3)), after = say("@ s", Value(glued, 3));
-  return say(
-      "Why does it fall, although every contact carries its weight? Friction is not the reason: with μ = 10⁴ @.",
-      std::isinf(glued) ? say("it stands for @ s", patience)
-      : after == before ? say("it falls at the same time, after @", after)
-                        : say("it falls after @ instead of @", after, before));
+  return "Why does it fall, although every contact carries its weight? " +
+         page.verdict({{.when = has_fate("μ = 10⁴", glued),
+                        .say = say("Friction is not the reason: with μ = 10⁴ @.",
+                                   std::isinf(glued) ? say("it stands for @ s", patience)
+                                   : after == before ? say("it falls at the same time, after @", after)
+                                                     : say("it falls after @ instead of @", after, before)),
+                        .law = Quantity("time stood, μ = 10⁴", std::min(glued, patience), "s") <=
+                               Quantity("1.2 times that", 1.2 * fell)}});
 }
 
 /// A kicked stack's end: it has fallen, or it stands after `patience`.
@@ -290,7 +302,7 @@ void stack_of_boxes(const Setting& setting, Page& page) {
     page.text(page.verdict(
         {{.when = overshoots,
           .say = say(R"(After 16 warm steps the lowest contact carries @ boxes, more than there are: the boxes have
-                     begun to fall, and to stop them takes more than to hold them.)",
+                     begun to fall, and stopping them takes more than holding them.)",
                      Value(sixteen, 3))}}));
   // What the lowest contact carries, in boxes, if the stack still stands.
   const auto lowest_after = [&](double time, const Baumgarte& cure) {
@@ -342,10 +354,15 @@ void stack_of_boxes(const Setting& setting, Page& page) {
                   renderer::draw(canvas, pictures::grown_to(chart, hurry * time), right.inset(0, 50));
                 });
   const double cold = falls_at(column(n, sweeping(sweeps, false)), patience, h);
-  page.text(R"(With @ it @, with @ it @; solved directly it @. (With @ and a cold start
-      in every step, or with lost ids, it @.))",
-            several(sweeps, "sweep"), fate(ends[0].fell), 2 * sweeps, fate(ends[1].fell), fate(ends[2].fell),
-            several(sweeps, "sweep"), fate(cold));
+  const std::string few = several(sweeps, "sweep"), twice = say("@ sweeps", 2 * sweeps);
+  page.text("@ (@)",
+            page.verdict({{.when = where(has_fate(few, ends[0].fell), has_fate(twice, ends[1].fell),
+                                         has_fate("solved directly", ends[2].fell)),
+                           .say = say("With @ it @, with @ it @; solved directly it @.", few, fate(ends[0].fell),
+                                      2 * sweeps, fate(ends[1].fell), fate(ends[2].fell))}}),
+            page.verdict({{.when = has_fate(few + ", cold", cold),
+                           .say = say("With @ and a cold start in every step, or with lost ids, it @.", few,
+                                      fate(cold))}}));
   const double law = law_of_standing(n, h), needed_sweeps = sweeps_needed(n, h);
   page.text(
       R"(@ A column that leans is pushed further by gravity, like a pencil on its tip, and its contacts resist by
@@ -353,7 +370,7 @@ void stack_of_boxes(const Setting& setting, Page& page) {
       of all for sweeps: a sweep removes the share 2/N⁴ of it, while it removes π²/4N² of an error in the weight.
       The warm steps add up. In each step gravity adds the share (σh)² to a lean, where σ² = 3g/2N for a stiff column
       of N unit boxes, and k sweeps remove the share k · 2/N⁴. The column stands if k · 2/N⁴ is the larger one:)",
-      why_it_falls(n, sweeping(sweeps, true), ends[0].fell, h));
+      why_it_falls(page, n, sweeping(sweeps, true), ends[0].fell, h));
   page.formula("k > ¾ gh²N³/a = @,   a = 1 m", R"(k > \tfrac34\, g h^2 N^3/a = @, \quad a = 1\,\mathrm{m})", law);
   const Condition any_will_do = Quantity("¾gh²N³/a", law) < 1;
   if (any_will_do)
@@ -395,10 +412,13 @@ void stack_of_boxes(const Setting& setting, Page& page) {
   const Baumgarte beyond_a_millimetre{.beta = setting.beta, .slop = 0.001};
   Pile corrected_pile = column(n, sweeping(more, true));
   corrected_pile.method.drift = beyond_a_millimetre;
+  const double fell_corrected = falls_at(corrected_pile, patience, h);
   page.text(
-      R"(The law is for a stack whose overlaps are left uncorrected, as here. A correction feeds the lean as well: with
-      overlaps beyond 1 mm corrected, β = @, and a fifth more sweeps than the law asks for, @, the stack @.)",
-      setting.beta, more, fate(falls_at(corrected_pile, patience, h)));
+      R"(The law is for a stack whose overlaps are left uncorrected, as here. A correction feeds the lean as well. @)",
+      page.verdict({{.when = has_fate("corrected", fell_corrected),
+                     .say = say(R"(With overlaps beyond 1 mm corrected, β = @, and a fifth more sweeps than the law
+                                asks for, @, the stack @.)",
+                                setting.beta, more, fate(fell_corrected))}}));
   page.figure(
       "sweeps_needed",
       say(R"(Upper points: sweeps for one more digit of a stack's slowest error. Lower lines: how many warm sweeps a

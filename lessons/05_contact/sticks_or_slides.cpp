@@ -11,7 +11,7 @@ constexpr double slide_seconds = 2;
 const Linear<PlaneBody> sides(0.8, 0.5);  // of the box [m]
 
 Simulation<PlaneBody> on_slope(const Setting& setting, double angle, double speed = 0) {
-  return {box_on_incline<PlaneBody>(angle, setting.friction(), speed, sides, setting.mass()),
+  return {box_on_incline<PlaneBody>(angle, setting.friction(), speed, sides, setting.mass),
           {GaussSeidel{.sweeps = 30, .tolerance = 1e-14}}};
 }
 
@@ -122,7 +122,7 @@ Chart distances(const Setting& setting, double limit) {
 }  // namespace
 
 void sticks_or_slides(const Setting& setting, Page& page) {
-  const double mu = setting.friction(), h = setting.h(), mass = setting.mass(), limit = std::atan(mu);
+  const double mu = setting.friction(), h = setting.h(), mass = setting.mass, limit = std::atan(mu);
   const double slope = radians(setting.slope);
 
   page.text(
@@ -144,6 +144,7 @@ void sticks_or_slides(const Setting& setting, Page& page) {
                   "That is λₜ/λₙ; the bound is μ times λₙ."}},
        .hints = {"The box stays at rest. How large is the force along the slope that friction cancels?",
                  "λₜ = mgh·sinθ, λₙ = mgh·cosθ.", say("tan @° / @.", gentle, setting.friction)},
+       .hinted = std::tan(radians(gentle)) / setting.friction(),
        .right = R"(λₜ is only as large as JV = 0 needs: tanθ/μ of the bound. Where that reaches 1, at tanθ =
                          μ, the box begins to slide; the mass cancels.)"});
   const double farthest = law_of_sliding(slope, mu, slide_seconds, h) + 0.9;

@@ -72,8 +72,8 @@ std::string at_the_corner(const OnACorner& box, double speed) {
 }  // namespace
 
 void within_the_cone(const Setting& setting, Page& page) {
-  const double speed = setting.speed();
-  OnACorner box(setting.mass(), speed, setting.friction(), -speed);
+  const double speed = setting.speed;
+  OnACorner box(setting.mass, speed, setting.friction(), -speed);
   std::vector<Solved> states{{box, impulse_of(box)}};
   std::vector<pictures::Acts::Act> acts{{"V", at_the_corner(box, speed), palette::velocity}};
   for (int sweep = 1; sweep <= 2; ++sweep) {

@@ -165,20 +165,23 @@ std::string fate(const Drift& drift) {
 }  // namespace
 
 void block_or_row(const Setting& setting, Page& page) {
-  const double side = setting.side(), length = setting.length(), h = setting.h(), beta = setting.beta();
+  const double side = setting.side(), length = setting.length, h = setting.h(), beta = setting.beta;
   const int sweeps = setting.sweeps();
   const double c = leverage(setting, side), rho = rate(setting, side), left = std::pow(rho, sweeps);
 
   const bool slender = c > 50;
+  const Quantity arm("r²m/I", c);
   page.text(
       R"(A pin's two rows could also be solved one by one: x by (17), then y by (17), and again. Often that makes no
       difference. It does for a body of small inertia on a long arm: take a box of @ m, pinned to the world by an arm
       of @ m. @)",
       setting.side, setting.length,
-      slender ? say(R"(It is so easy to turn and so hard to move (r²m/I = @) that a push along x or y alone hardly
-                    meets its mass: it only turns it.)",
-                    Value(c, 4))
-              : say("(This box is too large to show it: r²m/I = @ only.)", Value(c, 4)));
+      page.verdict(
+          {{.when = arm > 50,
+            .say = say(R"(It is so easy to turn and so hard to move (r²m/I = @) that a push along x or y alone
+                                hardly meets its mass.)",
+                       Value(c, 4))},
+           {.when = arm <= 50, .say = say("This box is too large to show it: r²m/I = @ only.", Value(c, 4))}}));
   const double halving = std::log(0.5) / std::log(rho);  // sweeps
   const std::string ask = R"(At 45°, solving x by (17) and then y by (17) is one sweep. )";
   const std::vector<std::string> hints{
@@ -186,7 +189,7 @@ void block_or_row(const Setting& setting, Page& page) {
       find again?)",
       "A sweep leaves (c/(1 + c))² with c = r²m/2I.",
       slender ? say("(@/@)² = @, to which power, is ½?", Value(c / 2, 5), Value(1 + c / 2, 5), Value(rho, 5))
-              : say("(@/@)².", Value(c / 2, 4), Value(1 + c / 2, 4))};
+              : say("(@/@)² = …", Value(c / 2, 4), Value(1 + c / 2, 4))};
   std::vector<WrongAnswer> wrong;
   if (std::sqrt(rho) - rho > 0.08)
     wrong.push_back(
@@ -198,6 +201,7 @@ void block_or_row(const Setting& setting, Page& page) {
                   .tolerance = 0.1 * halving,
                   .wrong = {{2, "A row leaves nearly all of the error for the other, c/(1 + c), not half of it."}},
                   .hints = hints,
+                  .hinted = std::log(0.5) / (2 * std::log(c / (2 + c))),
                   .right = say("A sweep leaves @ of the error, and @ sweeps leave half of it.", Value(rho, 5),
                                Value(halving, 3))});
   else
@@ -207,6 +211,7 @@ void block_or_row(const Setting& setting, Page& page) {
                   .tolerance = std::min(0.04, 0.4 * rho),
                   .wrong = wrong,
                   .hints = hints,
+                  .hinted = std::pow(c / (2 + c), 2),
                   .right = say("A sweep leaves A₁₂²/(A₁₁A₂₂) = @.", Value(rho, 4))});
   page.formula("at 45°:  A = (1/m) [1 + c, c; c, 1 + c],  c = r²m/2I = @;   one sweep leaves (c/(1 + c))² = @",
                R"(A = \frac1m\begin{bmatrix}1+c & c\\ c & 1+c\end{bmatrix},\quad c = \frac{r^2m}{2I} = @;

@@ -23,7 +23,7 @@ Held arm(const Setting& setting, double below) {
 
 Turn<PlaneBody> turn_of(const Held& arm) { return turn<PlaneBody>(arm.scene.bodies(), 0, 1); }
 
-double weight_torque(const Setting& setting) { return setting.mass() * gravity * setting.length(); }
+double weight_torque(const Setting& setting) { return setting.mass * gravity * setting.length; }
 
 /// An arm that a motor of some strength [mgl] tries to hold where it is.
 Held held(const Setting& setting, double strength, double below = 0) {
@@ -95,7 +95,7 @@ struct BarsFilm {
   Chart beside;
 
   void draw(Canvas& canvas, double time) {
-    const double length = setting.length(), h = setting.h();
+    const double length = setting.length, h = setting.h();
     const auto [upper, lower] = canvas.page().inset(14).split_rows(0.56, 8);
     const auto cells = upper.cells(1, static_cast<int>(shown.size()), 10);
     for (std::size_t i = 0; i < shown.size(); ++i) {
@@ -138,7 +138,7 @@ void bounds_on_turns(const Setting& setting, Page& page) {
       setting.length, setting.mass, 0.5 * weight_torque(setting));
 
   const double law = braked_at(strength), balance = strength < 0.5 ? std::acos(2 * strength) : 0;
-  const double settles = weak_settles * std::sqrt(setting.length() / gravity);
+  const double settles = weak_settles * std::sqrt(setting.length / gravity);
   const Held weak = held(setting, strength), at_rest = after(weak, settles, h);
   const double found = below_level(at_rest);
   const Rest rest = rest_by_energy(strength);
@@ -175,6 +175,7 @@ void bounds_on_turns(const Setting& setting, Page& page) {
                 : say(R"(½ sin φ = @ φ gives @°, and the bar swings back if ½|cos φ| > @ there. From one turning
                            point φ to the next, φ′: ½(sin φ′ − sin φ) = @ |φ′ − φ|.)",
                       setting.strength, Value(degrees(law), 4), setting.strength, setting.strength)},
+       .hinted = answer,
        .right = rest.half_swings == 1 ? say("½ sin φ = @ φ has the solution φ = @°; there the weight needs @ mgl.",
                                             setting.strength, Value(degrees(law), 4), Value(needs, 3))
                                       : say("It comes to rest after @ half swings, the first of them to @°.",

@@ -15,7 +15,7 @@ constexpr int frames = 36;
 
 /// A bob that hangs from two rods between the same two points, one longer by `gap` [m].
 Rods two_rods(const Setting& setting, double gap, const RowSolver& solver, double softness = 0) {
-  const double length = setting.length();
+  const double length = setting.length;
   Rods rods{pendulum<PlaneParticle, NormalisedDistance>(0, length, setting.mass),
             {solver, Baumgarte{setting.beta}}};
   auto& scene = rods.scene;
@@ -39,7 +39,7 @@ Curve over_time(const Cure& cure, const Setting& setting) {
   Rods rods = cure.rods;
   advance_to(rods, conflict_seconds, setting.h, [&] {
     curve.x.push_back(rods.time);
-    curve.y.push_back(opposed(rods) / setting.h / (setting.mass() * gravity));
+    curve.y.push_back(opposed(rods) / setting.h / (setting.mass * gravity));
   });
   return curve;
 }
@@ -92,8 +92,8 @@ struct ConflictFilm {
 }  // namespace
 
 void conflicting_rods(const Setting& setting, Page& page) {
-  const double h = setting.h(), beta = setting.beta(), m = setting.mass(), length = setting.length(),
-               gap = setting.gap(), weight = m * gravity;
+  const double h = setting.h(), beta = setting.beta, m = setting.mass, length = setting.length, gap = setting.gap,
+               weight = m * gravity;
   const int sweeps = setting.sweeps();
   const double softness = give / m;
   const GaussSeidel warm{.sweeps = sweeps}, cold{.sweeps = sweeps, .warm_start = false};

@@ -43,7 +43,7 @@ double self_pull(const Setting& setting, double share) {
 
 /// The same by hand: the bars' rows along the line all say one thing, and ε Σ A of them is all that answers.
 double self_pull_by_hand(const Setting& setting, double share) {
-  return setting.beta / setting.h * misfit / (share * (4 / setting.mass() + 2 / setting.coupler()));
+  return setting.beta / setting.h * misfit / (share * (4 / setting.mass + 2 / setting.coupler));
 }
 
 /// How fast the pins of a flat linkage part in the first step of its fall [m/s].
@@ -151,8 +151,7 @@ void flat(const Setting& setting, Page& page) {
       {.ask = "Count again. Does it still move?",
        .options =
            {{"no",
-             say(R"(@ − @ = @, but one row repeats what the others say: the coupler is level already, and the third arm
-                              asks for it again. The rank, the number of independent rows, is @.)",
+             say(R"(@ − @ = @ counts rows. Only @ of them are independent: that number is the rank.)",
                  three.cols(), rows_of_three, static_cast<int>(three.cols()) - rows_of_three, rank_of_three)},
             {"yes",
              say(R"(@ − @ = @, but one row repeats what the others say: the coupler is level already, and the third arm
@@ -204,8 +203,7 @@ void flat(const Setting& setting, Page& page) {
       R"(One independent row fewer, one degree of freedom more. In the flat pose the linkage has two, and *two motions
       are possible from here*: it can stay a parallelogram, or fold into a crossed linkage, whose arms turn against each other, at first
       as (c + a) to (c − a), @ to 1. J does not decide between them; the velocities do. What if the velocities fit
-      neither? J at the flat pose allows them, so the first step goes there, and the next one finds pins that have
-      parted: @ % of the energy is left after @ s. That share hardly depends on h or the bars' length; the masses set
+      neither? J at the flat pose allows them, so the first step goes there, and the next one finds pins that have separated: @ % of the energy is left after @ s. That share hardly depends on h or the bars' length; the masses set
       it.)",
       Value(-1 / ratio, 3), Value(100 * kept(2), 2), flat_seconds);
   page.sequence(
@@ -218,7 +216,7 @@ void flat(const Setting& setting, Page& page) {
       });
   page.text(
       R"(**Regularisation** lets the direct solve pass this pose: add a small share ε of A's own diagonal D to A, (A +
-      εD)λ = −(JV + b). It acts like softness γ = εD: each row may give way a little, by γλ. Its cost: pins part at a
+      εD)λ = −(JV + b). It acts like softness γ = εD: each row may give way a little, by γλ. Its cost: pins separate at a
       speed of about ε times what they carry. Its benefit: λ is bounded. Suppose the right-hand pivot is @ mm too far
       out. In the flat pose the bars cannot reach it, and their pull on each other moves nothing that could end it;
       only ε does:)",
@@ -226,7 +224,7 @@ void flat(const Setting& setting, Page& page) {
   page.formula("λ = (β/h) δ / (ε (4/m_a + 2/m_c)) = @ N·s for ε = @, where mgh = @ N·s",
                R"(\lambda = \frac{\beta\,\delta/h}{\varepsilon\,(4/m_a + 2/m_c)} = @\,\mathrm{N\,s}
                   \text{ for } \varepsilon = @, \text{ where } mgh = @\,\mathrm{N\,s})",
-               self_pull_by_hand(setting, strict), strict, setting.mass() * gravity * h);
+               self_pull_by_hand(setting, strict), strict, setting.mass * gravity * h);
   Chart price{.x = {.label = "regularisation ε", .scale = Scale::logarithmic},
               .y = {.label = "speed at which pins separate (m/s)", .scale = Scale::logarithmic}};
   Chart gain{.x = price.x, .y = {.label = "pull of a misfit (N s)", .scale = Scale::logarithmic}};
@@ -243,17 +241,18 @@ void flat(const Setting& setting, Page& page) {
   }
   price.curves = {parting};
   gain.curves = {pull, law};
-  page.figure("price_of_regularisation",
-              say(R"(Cost and benefit of ε, in the first step from flat. Left: how fast pins part when the linkage
+  page.figure(
+      "price_of_regularisation",
+      say(R"(Cost and benefit of ε, in the first step from flat. Left: how fast the pins separate when the linkage
                   falls. Right: the impulse along the bars when the pivots are @ mm too far apart.)",
-                  1000 * misfit),
-              [price, gain](Canvas& canvas) {
-                const auto cells = canvas.page().inset(14, 60).cells(1, 2, 24);
-                draw(canvas, price, cells[0]);
-                draw(canvas, gain, cells[1]);
-              });
+          1000 * misfit),
+      [price, gain](Canvas& canvas) {
+        const auto cells = canvas.page().inset(14, 60).cells(1, 2, 24);
+        draw(canvas, price, cells[0]);
+        draw(canvas, gain, cells[1]);
+      });
   page.text(
-      R"(With ε = @ pins part at @ mm/s and the pull is @ N·s. Where loops close, always use some regularisation, small
+      R"(With ε = @ the pins separate at @ mm/s and the pull is @ N·s. Where loops close, always use some regularisation, small
       enough not to be seen.)",
       loose, Value(1000 * parting_speed(setting, loose), 2), Value(self_pull(setting, loose), 3));
 
@@ -267,7 +266,7 @@ void flat(const Setting& setting, Page& page) {
              is(4, "square of the angle", absolute(0.01)));
   page.claim(say("pull of the misfit, ε = @", strict), self_pull(setting, strict), "N s",
              is(self_pull_by_hand(setting, strict), "βδ/(hε(4/m_a + 2/m_c))",
-                relative(4 * strict * (1 + setting.coupler() / setting.mass()))));
+                relative(4 * strict * (1 + setting.coupler / setting.mass))));
   page.claim(say("speed at which pins part, ε = @ over ε = @", loose, strict),
              parting_speed(setting, loose) / parting_speed(setting, strict), "1",
              is(loose / strict, "proportional to ε", absolute(0.5)));

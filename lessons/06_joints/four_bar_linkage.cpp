@@ -94,7 +94,7 @@ void four_bar_linkage(const Setting& setting, Page& page) {
                  {3, "That would be 9 − 6. There are four pins, and each is two rows."},
                  {5, "That is 9 − 4. A pin in the plane is two rows, not one."}},
        .hints = {"Count the velocities of the bodies that move, and the rows of the pins.", "numbers − rows.",
-                 "Three bodies with three numbers each; four pins with two rows each."},
+                 "3 · 3 − 4 · 2 = …"},
        .right = say("@ numbers less @ rows.", numbers, rows)});
   page.text(
       R"(A pendulum has one too, and this linkage *is* one. The coupler stays level, so it moves as if all its mass

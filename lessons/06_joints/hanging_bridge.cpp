@@ -31,7 +31,7 @@ Point force(const Bridge& bridge, int i) { return bridge.reaction(i).force; }
 
 void hanging_bridge(const Setting& setting, Page& page) {
   const Bridge bridge_now = at_rest(setting);
-  const double plank = setting.mass() * gravity, weight = planks * plank, pull = -force(bridge_now, 0).x();
+  const double plank = setting.mass * gravity, weight = planks * plank, pull = -force(bridge_now, 0).x();
   page.text(
       R"(@ planks of @ m and @ kg, pinned end to end between two anchors: @ rows in a path, which the direct solve takes
       at once. Two things about the state of rest follow from statics. Each anchor carries half the weight; and the
@@ -73,7 +73,7 @@ void hanging_bridge(const Setting& setting, Page& page) {
               anchor). Below: their horizontal parts, the same in all, and their vertical parts, the weight beyond.)",
               [=](Canvas& canvas) {
                 const auto [upper, lower] = canvas.page().inset(16).split_rows(0.48, 10);
-                const double span = planks * setting.length();
+                const double span = planks * setting.length;
                 canvas.look(fit({-0.04 * span, -0.22 * span, 1.04 * span, 0.3 * span}, upper, 8));
                 pictures::draw(canvas, pictures::rods_and_bobs(bridge_now.scene), {.link = 12});
                 for (const auto& [at, given] : arrows)

@@ -3,8 +3,8 @@
 namespace byhand::joints {
 
 FourBarOptions bars_of(const Setting& setting, double angle, int arms) {
-  const double length = setting.length();
-  return {length, 1.5 * length, setting.mass(), setting.coupler(), angle, arms};
+  const double length = setting.length;
+  return {length, 1.5 * length, setting.mass, setting.coupler, angle, arms};
 }
 
 double arm_angle(const FourBar& linkage, int arm) {

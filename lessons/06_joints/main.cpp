@@ -7,18 +7,12 @@ int main(int argc, char** argv) {
 
   course::Lesson lesson(course::lesson_of(__FILE__));
   const Setting setting{
-      .length = lesson.parameter("length", 2.0, "m", {0.5, 5}, "length of a bar or rod"),
-      .mass = lesson.parameter("mass", 3.0, "kg", {0.1, 100}, "mass of a bar or bob"),
       .h = lesson.parameter("h", 1.0 / 60, "s", {1.0 / 400, 0.03}, "time step"),
-      .beta = lesson.parameter("beta", 0.2, "1", {0.05, 1}, "share of the error that a step takes away"),
       .side = lesson.parameter("side", 0.2, "m", {0.05, 2}, "of the box on the arm (step 2)"),
       .angle = lesson.parameter("angle", 60.0, "deg", {5, 85}, "from which the four-bar is released (step 3)"),
-      .coupler = lesson.parameter("coupler", 2.0, "kg", {0.1, 100}, "mass of the four-bar's coupler (steps 3, 4)"),
       .strength =
           lesson.parameter("strength", 0.25, "mgl", {0.05, 0.48}, "of the motor that is too weak (step 5)"),
-      .crank = lesson.parameter("crank", 0.4, "m", {0.05, 0.45}, "length of the crank (step 6)"),
       .speed = lesson.parameter("speed", 6.0, "rad/s", {1, 20}, "of the motor (step 6)"),
-      .gap = lesson.parameter("gap", 0.2, "m", {0.01, 0.3}, "by which one rod is longer (step 7)"),
       .sweeps = lesson.parameter("sweeps", 10, "1", {1, 30}, "sweeps a step (steps 2, 7)"),
   };
   const auto with = [setting](void (*step)(const Setting&, course::Page&)) {

@@ -18,7 +18,7 @@ struct Track {
 };
 
 Track track_of(Simulation<PlaneParticle> simulation, const Setting& setting, double seconds) {
-  const double h = setting.h / finer, weight = setting.mass() * gravity * h;
+  const double h = setting.h / finer, weight = setting.mass * gravity * h;
   Track track;
   advance_to(simulation, seconds, h, [&] {
     const Point at = simulation.scene.bodies().pose[1].position;
@@ -35,7 +35,7 @@ Track track_of(Simulation<PlaneParticle> simulation, const Setting& setting, dou
 /// A bob at the lowest point with the speed that would take it just to the top.
 template <template <class> class Holder>
 Simulation<PlaneParticle> thrown(const Setting& setting, double speed) {
-  const double length = setting.length();
+  const double length = setting.length;
   Simulation<PlaneParticle> simulation{{}, {.solver = Direct{}, .drift = Baumgarte{setting.beta}}};
   auto& scene = simulation.scene;
   scene.add_body(Linear<PlaneParticle>(0, 0), fixed<PlaneParticle>());
@@ -48,7 +48,7 @@ Simulation<PlaneParticle> thrown(const Setting& setting, double speed) {
 }  // namespace
 
 void ropes(const Setting& setting, Page& page) {
-  const double length = setting.length(), speed = std::sqrt(4 * gravity * length),
+  const double length = setting.length, speed = std::sqrt(4 * gravity * length),
                seconds = 4.6 * std::sqrt(length / gravity);
   const Track rope = track_of(thrown<Rope>(setting, speed), setting, seconds),
               rod = track_of(thrown<NormalisedDistance>(setting, speed), setting, seconds);
@@ -63,7 +63,9 @@ void ropes(const Setting& setting, Page& page) {
                 .wrong = {{180, "The bob would have to arrive there with no speed, held up by the rope."},
                           {90, "There it is still fast: the rope has to turn it round, at twice the weight."}},
                 .hints = {"What does the rope have to pull for? The bob's turning, and a part of its weight.",
-                          "T = m(v²/L + g cos θ), and v² = 4gL − 2gL(1 − cos θ).", "T = mg(2 + 3 cos θ) = 0."},
+                          "T = m(v²/L + g cos θ), and v² = 4gL − 2gL(1 − cos θ).",
+                          "T = mg(2 + 3 cos θ), and it goes slack where T = 0."},
+                .hinted = degrees(std::acos(-2.0 / 3)),
                 .right = say("The pull mg(2 + 3 cos θ) becomes zero where cos θ = −2/3, at @°; in this run at @°.",
                              Value(degrees(std::acos(-2.0 / 3)), 4), Value(degrees(std::acos(rope.let_go)), 4))});
   page.derivation("Where the pull ends", {{"energy, from the lowest point with v₀² = 4gL",

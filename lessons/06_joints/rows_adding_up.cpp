@@ -174,10 +174,10 @@ void rows_adding_up(const Setting& setting, Page& page) {
       "rows_adding_up",
       say(R"(A bar of @ kg that flies by, held at one end, by one more row in each act; each starts from the same
                     place and is shown for @ s. Green: the velocity of both ends. Orange: the impulse of the rows on the bar, and
-                    as a bow its torque.)",
+                    as a curved arrow its torque.)",
           setting.mass, seen_seconds),
       Seconds{acts.seconds()},
-      [film = RowsFilm{acts, stages, setting.length(), 0.6 * setting.length() / largest_push, 2.2 / largest_turn}](
+      [film = RowsFilm{acts, stages, setting.length, 0.6 * setting.length / largest_push, 2.2 / largest_turn}](
           Canvas& canvas, double time) { film.draw(canvas, time); });
   const double m = setting.mass, I = 1 / bar.bodies.inverse_mass[1].angular[0];
   const Point r = bar.bodies.pose[1].position;

@@ -147,7 +147,7 @@ void rows_to_joints(const Setting& setting, Page& page) {
   page.sequence(
       "six_joints",
       say(R"(What joints leave free. Above: equations; below: bounds. The stop is at @°, the motor turns once in the
-          film, the rope is slack at first.@ Arrows and bows: the force and the torque that the joint gives the bar
+          film, the rope is slack at first.@ Straight and curved arrows: the force and the torque that the joint gives the bar
           (λ/h).)",
           Value(degrees(sample_stop), 3),
           std::abs(sample_pace(length) - 1) < 0.05

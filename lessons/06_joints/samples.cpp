@@ -31,7 +31,7 @@ constexpr Rectangle views[] = {swinging, swinging, {-0.7, -0.6, 2.8, 1.9},
 
 Samples::Samples(const Setting& setting)
     : length_(setting.length),
-      weight_(setting.mass() * gravity),
+      weight_(setting.mass * gravity),
       h_(setting.h),
       simulation_{{}, VelocityStepping{.solver = Direct{}, .drift = Baumgarte{}}} {
   auto& scene = simulation_.scene;

@@ -10,13 +10,17 @@ using pictures::at, pictures::curve, pictures::each;
 
 /// The lesson's parameters.
 struct Setting {
-  course::Parameter<double> length, mass, h, beta;  // of bars and rods [m], [kg], [s], [1]
-  course::Parameter<double> side;                   // of the box on the arm [m]
-  course::Parameter<double> angle, coupler;         // release of the four-bar [deg], its coupler's mass [kg]
-  course::Parameter<double> strength;               // of the motor that holds an arm [mgl]
-  course::Parameter<double> crank, speed;           // of the slider-crank [m], [rad/s]
-  course::Parameter<double> gap;                    // between the lengths of two rods [m]
-  course::Parameter<int> sweeps;                    // over rows in a step
+  course::Parameter<double> h;         // [s]
+  course::Parameter<double> side;      // of the box on the arm [m]
+  course::Parameter<double> angle;     // from which the four-bar is released [deg]
+  course::Parameter<double> strength;  // of the motor that holds an arm [mgl]
+  course::Parameter<double> speed;     // of the slider-crank [rad/s]
+  course::Parameter<int> sweeps;       // over rows in a step
+  double length = 2, mass = 3;         // of bars and rods [m], [kg]
+  double beta = 0.2;                   // share of an error that a step corrects
+  double coupler = 2;                  // mass of the four-bar's coupler [kg]
+  double crank = 0.4;                  // of the slider-crank [m]
+  double gap = 0.2;                    // between the lengths of two rods [m]
 };
 
 inline constexpr double gravity = standard_gravity;

@@ -13,7 +13,7 @@ using Hanging = Simulation<PlaneParticle>;
 /// A bob on a spring that is tuned to it by frequency [rad/s] and damping ratio, and below it, on a rod, a load of
 /// `load` bobs' weight if that is not zero.
 Hanging on_spring(const Setting& setting, double frequency, double damping_ratio, double load) {
-  const double length = setting.length(), mass = setting.mass();
+  const double length = setting.length, mass = setting.mass;
   Hanging hanging{{}, {.solver = Direct{}, .drift = Baumgarte{1}}};
   auto& scene = hanging.scene;
   scene.add_body(Linear<PlaneParticle>(0, 0), fixed<PlaneParticle>());
@@ -43,7 +43,7 @@ double sag(const Setting& setting, double frequency, double load) {
 }  // namespace
 
 void soft_rows(const Setting& setting, Page& page) {
-  const double h = setting.h(), length = setting.length(), heavy = 10, shown = 20;  // load [1], ω [rad/s]
+  const double h = setting.h(), length = setting.length, heavy = 10, shown = 20;  // load [1], ω [rad/s]
   page.text(
       R"(Let a row give way on purpose. Ask for the impulse that a spring and a damper would give, λ/h = −(kC + cĊ),
       both taken at the *end* of the step, where C has become C + h JV. Solve for JV, and it is a row again, with a
@@ -74,9 +74,10 @@ void soft_rows(const Setting& setting, Page& page) {
       body exactly; and with few sweeps on a long chain it has a limit of its own (lesson 8).)");
   const double light = sag(setting, shown, 0), loaded = sag(setting, shown, heavy);
   page.predict(
-      {.ask = say(R"(At ω = @ rad/s the bob hangs out by @ mm. Now hang one of @ times its mass below it. How far
-                  does the spring hang out?)",
-                  shown, Value(1000 * light, 3), heavy),
+      {.ask = say(
+           R"(At ω = @ rad/s the bob stretches the spring by @ mm. Now hang one of @ times its mass below it. How far does
+                  the spring stretch?)",
+           shown, Value(1000 * light, 3), heavy),
        .answer = 1000 * loaded,
        .unit = "mm",
        .tolerance = 200 * light,
@@ -84,7 +85,8 @@ void soft_rows(const Setting& setting, Page& page) {
                   "The spring was tuned to its own bob. What it carries is now more, and its stiffness is not."},
                  {1000 * heavy * light, "It still carries its own bob too."}},
        .hints = {"The stiffness was chosen for the first bob. What does the spring carry now?",
-                 "C = T/k, and k = m ω² with the first bob's m.", say("T is @ times as large.", heavy + 1)},
+                 "C = T/k, and k = m ω² with the first bob's m.",
+                 say("T is @ times as large: @ · @ mm = …", heavy + 1, heavy + 1, Value(1000 * light, 3))},
        .right = "C = T/(mω²), and T is the weight of both."});
   Chart sags{.x = {.label = "ω (rad/s)", .scale = Scale::logarithmic},
              .y = {.label = "sag (m)", .scale = Scale::logarithmic}};
@@ -113,7 +115,7 @@ void soft_rows(const Setting& setting, Page& page) {
     for (int i = 1; i <= 100; ++i) {
       hanging.step(h);
       const double C = stretch(hanging, length),
-                   now = 0.5 * k * C * C + 0.5 * setting.mass() * hanging.scene.bodies().velocity[1].squaredNorm();
+                   now = 0.5 * k * C * C + 0.5 * setting.mass * hanging.scene.bodies().velocity[1].squaredNorm();
       worst = std::max(worst, now / energy);
       energy = std::max(now, 1e-12);
       curve.x.push_back(i);
@@ -123,7 +125,7 @@ void soft_rows(const Setting& setting, Page& page) {
   }
   page.figure(
       "soft_rows",
-      R"(Left: how far a spring hangs out, tuned to its own bob; points are runs, dashed the law. Right: a spring
+      R"(Left: how far a spring stretches, tuned to its own bob; points are runs, dashed the law. Right: a spring
       without damping, pulled out and let go. The step itself damps it, the more the stiffer it is.)",
       [sags, rings](Canvas& canvas) {
         const auto cells = canvas.page().inset(14, 60).cells(1, 2, 24);

@@ -79,6 +79,7 @@ void conical(const Setting& setting, Page& page) {
                  {std::tan(angle), "That is T·sinθ over mg, the part that keeps the bob on its circle."}},
        .hints = {"The bob stays at its height. Which part of the pull carries the weight?", "T·cosθ = mg",
                  say("T/mg = 1/cos @°", setting.angle)},
+       .hinted = 1 / std::cos(angle),
        .right = say("1/cosθ = @; with steps of @ s the run gives @.", Value(1 / std::cos(angle), 4), setting.h,
                     Value(measured, 4))});
   page.formula("T·cosθ = mg,   T·sinθ = mω²L·sinθ   ⟹   T = mg/cosθ = @ N,   ω² = g/(L·cosθ)",

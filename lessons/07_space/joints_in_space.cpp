@@ -83,7 +83,7 @@ void joints_in_space(const Setting& setting, Page& page) {
   const Eigen::Quaterniond p = space_rotation(Vector(0, radians(twisted), 0)),
                            opposite(-p.w(), -p.x(), -p.y(), -p.z());
   page.text(
-      R"(The turns that a joint leaves are bounded by one row each, a stop as in lesson 6. *Swing* is the angle between
+      R"(Each turn that a joint leaves free is bounded by one row, a stop as in lesson 6. *Swing* is the angle between
       an axis of one body and an axis of the other: a stop at @° keeps a book on a ball joint within a cone, as a
       shoulder does an arm. *Twist* is the turn about the axis a. With p, the orientation of body 2 as body 1 sees it, it
       is φ = 2·atan2(p·a, p_w). Here is the classic mistake: p and −p are the same orientation, but where p says @°, −p

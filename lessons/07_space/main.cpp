@@ -9,16 +9,11 @@ int main(int argc, char** argv) {
   course::Lesson lesson(course::lesson_of(__FILE__));
   const Setting setting{
       .h = lesson.parameter("h", 1.0 / 60, "s", {1.0 / 480, 1.0 / 30}, "time step"),
-      .length = lesson.parameter("length", 2.0, "m", {0.5, 10}, "length of the rods"),
-      .mass = lesson.parameter("mass", 3.0, "kg", {0.1, 100}, "mass of each body"),
       .tilt = lesson.parameter("tilt", 60.0, "deg", {0, 90}, "how far the caught book is turned"),
       .angle = lesson.parameter("angle", 60.0, "deg", {20, 75}, "of the pendulums from straight down"),
-      .share = lesson.parameter("share", 0.5, "1", {0.3, 0.9}, "speed round the vertical over that of the cone"),
       .spin = lesson.parameter("spin", 10.0, "rad/s", {2, 15}, "of the book about its middle axis"),
       .wobble = lesson.parameter("wobble", 0.05, "1", {0.005, 0.3}, "share of the spin about each other axis"),
       .friction = lesson.parameter("friction", 0.3, "1", {0.1, 1}, "coefficient μ"),
-      .speed = lesson.parameter("speed", 4.0, "m/s", {1, 6}, "of what slides"),
-      .heading = lesson.parameter("heading", 30.0, "deg", {1, 89}, "of the puck that is looked at closely"),
   };
   const auto with = [setting](void (*step)(const Setting&, course::Page&)) {
     return [=](course::Page& page) { step(setting, page); };

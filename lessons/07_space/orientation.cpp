@@ -112,7 +112,7 @@ void orientation(const Setting& setting, Page& page) {
                  {90, "A quarter turn about an edge of the book does not do it; the axis is slanting."}},
        .hints = {"Follow where each axis of the book goes in either order.",
                  "The turn between them takes x to y, y to z and z to x: its axis is a diagonal of a cube.",
-                 "Three such turns are a full one."},
+                 "Three such turns are a full one: 360°/3 = …"},
        .right = "It is a third of a full turn about a diagonal of a cube, which takes each axis to the next."});
   page.figure("order_of_turns",
               R"(The same two quarter turns in either order (the yellow end is the book's +y). The results differ

@@ -126,7 +126,7 @@ void same_code(const Setting& setting, Page& page) {
               how_many());
   page.text(
       R"(A row has @ numbers instead of @, and the velocity of a body @ instead of @. So a sweep takes @ times as many
-      multiplications. Nothing else changes for sweeps and β, because they see rows only. A warm start has one thing more to do: the
+      multiplications. Nothing else changes for sweeps and β, because they see rows only. A warm start has one more thing to do: the
       tangents of friction turn from step to step, and a remembered λₜ turns with them.)",
       space.row, plane.row, space.velocity, plane.velocity, space.row / plane.row);
 
@@ -139,7 +139,7 @@ void same_code(const Setting& setting, Page& page) {
       "twins",
       R"(One scene in two models: a rod swings on a pin in the plane and on a ball joint in space; a tenth of a
               second from one position to the next.)",
-      [=, length = setting.length()](Canvas& canvas) { draw_twins(canvas, pair, length); });
+      [=, length = setting.length](Canvas& canvas) { draw_twins(canvas, pair, length); });
 
   const Eigen::Vector3d sides = book_sides();
   const double mass = setting.mass;
@@ -159,13 +159,13 @@ void same_code(const Setting& setting, Page& page) {
                           {8, "That is the mass alone; it is also twice as far from the axis."},
                           {growth_in_plane, "That is a plate in the plane: mass 4 times, distance² 4 times."}},
                 .hints = {"I is a sum of mass times distance squared. How does each of them grow?", "I = Σ m r²",
-                          "m grows 2³ times, r² grows 2² times."},
+                          "m grows 2³ times, r² grows 2² times: 2³ · 2² = …"},
                 .right = say("Mass 8 times, distance² 4 times. In the plane it is @.", growth_in_plane)});
 
   page.claim("numbers in a row", space.row, "1", is(2 * (3 + 3), "(6): l1 a1 l2 a2, three each", absolute(0)));
   page.claim("growth of I, sides doubled", growth, "1", is(std::pow(2, 5), "mass 2³, arm² 2²", relative(1e-12)));
   page.claim(say("rod in space from rod in the plane, over @ s", rod_seconds), pair.apart, "m",
-             is(0, "the same rod <2,1>", absolute(1e-10 * setting.length())));
+             is(0, "the same rod <2,1>", absolute(1e-10 * setting.length)));
 }
 
 }  // namespace byhand::space

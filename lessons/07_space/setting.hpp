@@ -12,12 +12,14 @@ using pictures::at, pictures::curve, pictures::each;
 
 /// The lesson's parameters.
 struct Setting {
-  course::Parameter<double> h;                         // [s]
-  course::Parameter<double> length, mass;              // of rods [m], of each body [kg]
-  course::Parameter<double> tilt;                      // of the book that is caught [deg]
-  course::Parameter<double> angle, share;              // of the cone [deg], of the speed that keeps it [1]
-  course::Parameter<double> spin, wobble;              // of the book [rad/s], beside its middle axis [1]
-  course::Parameter<double> friction, speed, heading;  // μ [1], of the pucks [m/s], [deg]
+  course::Parameter<double> h;             // [s]
+  course::Parameter<double> tilt;          // of the book that is caught [deg]
+  course::Parameter<double> angle;         // of the cone [deg]
+  course::Parameter<double> spin, wobble;  // of the book [rad/s], beside its middle axis [1]
+  course::Parameter<double> friction;      // μ [1]
+  double length = 2, mass = 3;             // of rods [m], of each body [kg]
+  double share = 0.5;                      // of the speed that keeps the cone [1]
+  double speed = 4, heading = 30;          // of the pucks [m/s], of the one that is looked at closely [deg]
 };
 
 inline constexpr double gravity = standard_gravity;

@@ -137,7 +137,7 @@ void turned_inertia(const Setting& setting, Page& page) {
   const Eigen::Vector3d moments = right.mass.angular.cwiseInverse();
 
   page.text(
-      R"(I⁻¹ stands in (18), and the article does not say about which axes. In the plane there is one axis, and it never
+      R"((18) contains I⁻¹, and the article does not say about which axes. In the plane there is one axis, and it never
       turns. A body in space has three: this book of @ m and @ kg has the moments @ kg m² about its own x, y and z, and
       these axes turn with the book. In the axes of the world its inertia is)",
       book_sides(), setting.mass, moments);
@@ -150,7 +150,7 @@ void turned_inertia(const Setting& setting, Page& page) {
                    {"its inverse, as Rᵀ = R⁻¹", "(R I Rᵀ)⁻¹ = R I⁻¹ Rᵀ",
                     R"((R\,I\,R^{\mathsf T})^{-1} = R\,I^{-1}R^{\mathsf T})"}});
   page.text(
-      "It has to be computed again in every step in which the body has turned. With it, (18) is for one body");
+      "It has to be computed again in every step in which the body has turned. With it, (18) for one body is");
   page.excerpt("lessons/07_space/turned_inertia.cpp", "18");
   page.text(
       R"(What if R is forgotten? The book flies by at @ m/s, @, and the middle of its yellow side catches on a

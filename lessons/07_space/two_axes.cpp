@@ -135,7 +135,7 @@ void two_axes(const Setting& setting, Page& page) {
        .wrong = {{1, "Both rows brake fully, at right angles to each other: together √2 times as much."},
                  {0.5, "Both rows brake fully, but at right angles: together √2 times as much, not twice."}},
        .hints = {"Each row brakes with all of μmg. How long is the sum of the two?", "v² = 2 a s, with a = √2 μg",
-                 "s₂/s₁ = a₁/a₂"},
+                 "s₂/s₁ = a₁/a₂: 1/√2 = …"},
        .right = say("1/√2 = @ for short steps; with steps of @ s it is @.", 1 / std::sqrt(2.0), setting.h,
                     Value(pyramid / disc, 3))});
   const std::vector<double> headings = all_round();

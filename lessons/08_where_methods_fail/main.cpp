@@ -12,12 +12,9 @@ int main(int argc, char** argv) {
       .boxes = lesson.parameter("boxes", 15, "1", {8, 24}, "of the stack that is filmed"),
       .sweeps =
           lesson.parameter("sweeps", 4, "1", {1, 30}, "sweeps a step, of the stack and of the chain that rings"),
-      .links = lesson.parameter("links", 10, "1", {3, 20}, "links of the chain that rings"),
       .beta = lesson.parameter("beta", 0.3, "1", {0.01, 1}, "share of an error that a step corrects"),
       .end_mass = lesson.parameter("end_mass", 600.0, "kg", {1, 1e5}, "of the chain whose links weigh 1 kg"),
       .hertz = lesson.parameter("hertz", 30.0, "Hz", {10, 60}, "of soft contacts"),
-      .conflict =
-          lesson.parameter("conflict", 0.1, "m", {1e-4, 0.5}, "difference in length of two rods of one bob"),
   };
   const auto with = [setting](void (*step)(const Setting&, course::Page&)) {
     return [=](course::Page& page) { step(setting, page); };

@@ -34,7 +34,7 @@ void many_contacts(const Setting& setting, Page& page) {
        .wrong = {{mu, "That is what the rows correct together. What is left of the error?"},
                  {1 - contacts, "If all rows were alike, yes. They lie apart, and share the turn of the box."}},
        .hints = {"How much of the error do all rows correct, and what is left?", "left = error − μ · error",
-                 say("1 − @", Value(mu, 3))},
+                 say("1 − @ = …", Value(mu, 4))},
        .right = "μ times the error is corrected, so 1 − μ of it is left: larger, and of the other sign."});
   page.text("With relaxation each row makes only the share ω of its correction:");
   page.formula("|1 − ω μ| < 1:   ω < 2/μ = 2/@ = @",

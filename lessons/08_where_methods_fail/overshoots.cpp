@@ -90,6 +90,7 @@ void overshoots(const Setting& setting, Page& page) {
                    {here, "The sweeps are as many, but they leave more of a wave that is twice as long."}},
          .hints = {"How much of a wave that is twice as long do the same sweeps leave?",
                    "The limit is (1 − q)/q, with q = cos²ᵏ(π/2N).", say("q = cos(π/@)^@", 4 * links, 2 * sweeps)},
+         .hinted = limit_of_beta(2 * links, sweeps),
          .right = say("(1 − q)/q is @ for @ links and @ for @; for long chains it falls with N².",
                       Value((1 - q) / q, 3), links, Value(limit_of_beta(2 * links, sweeps), 3), 2 * links)});
 

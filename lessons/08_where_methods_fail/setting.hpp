@@ -13,11 +13,11 @@ struct Setting {
   course::Parameter<int> resolution;  // cells a side of each map
   course::Parameter<int> boxes;       // of the stack that is filmed
   course::Parameter<int> sweeps;      // that are too few for it, and for the chain
-  course::Parameter<int> links;       // of the chains
   course::Parameter<double> beta;
   course::Parameter<double> end_mass;  // in masses of a link
   course::Parameter<double> hertz;     // of soft contacts
-  course::Parameter<double> conflict;  // of two rods between the same points [m]
+  int links = 10;                      // of the chain that rings
+  double conflict = 0.1;               // of two rods between the same points [m]
 };
 
 inline constexpr double gravity = 9.81, step = 1.0 / 60;  // of the scenes [m/s²], [s]

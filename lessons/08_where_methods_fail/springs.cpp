@@ -42,7 +42,7 @@ void springs(const Setting& setting, Page& page) {
                      reverses that velocity within one step.)"}},
        .hints = {"At the limit, what does the oscillation do from one step to the next?",
                  "z² − (2 − 2ζs − s²) z + (1 − 2ζs) = 0 with s = ωh, and z = −1 at the limit.",
-                 "z = −1: s² + 4ζs = 4"},
+                 "z = −1: s² + 4ζs = 4, so for ζ = 1: √8 − 2 = …"},
        .right = "2(√2 − 1): damping makes it worse."});
   page.formula(
       "ωh < 2(√(1 + ζ²) − ζ):   @ at ζ = 0, @ at ζ = 1",

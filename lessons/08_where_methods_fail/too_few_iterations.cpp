@@ -72,7 +72,7 @@ void too_few_iterations(const Setting& setting, Page& page) {
   page.text(
       R"(**Symptom of the first family:** things give way slowly, always in the same direction, and *more sweeps
       help*. Chains sag, heavy boxes sink into light ones, stacks lean and fall. Rows are solved one after the
-      other, and a sweep passes what a row has done on to its neighbours only.)");
+      other, and a sweep passes what a row has done only to its neighbours.)");
   page.text(
       R"(The slowest error of a chain of N links is a wave over its whole length, of which a sweep removes about
       π²/4N² (lesson 3). A stack has a slower one. When it leans, each contact must push harder on one side: the

@@ -104,7 +104,8 @@ void too_large_a_step(const Setting& setting, Page& page) {
                  {2 * limit, "ω grows with the square root of the tension, so ωh < 2 allows four times as much."}},
        .hints = {"Sideways the chain is an explicit spring. What is its ω?",
                  "ω² grows with T/(ml), and symplectic Euler needs ωh < 2.",
-                 "With h/2, ω may be twice as large, so T may be …"},
+                 "With h/2, ω may be twice as large, so ω² and T may be four times as large."},
+       .hinted = 4 * limit,
        .right = "T h² counts: half the step, four times the load."});
   page.formula(
       "ω_max h < 2, for a long light chain T h²/(m l) < 1:   @ kg at @ Hz",

@@ -72,7 +72,7 @@ void too_soft(const Setting& setting, Page& page) {
   page.text(
       R"(In 1881 A. G. Greenhill computed how tall a tree can grow before it buckles under its own weight. A column of
       N boxes on soft contacts is such a tree. A box of width w that turns by θ compresses one contact and stretches
-      the other, which turn it back with the moment kw²θ/2; the weight of all that stands above tips it further,
+      the other, which turn it back with the torque kw²θ/2; the weight of all that stands above tips it further,
       by the height a of each box. Which of the two is larger does not depend on the step. Here w = a = 1 m; square boxes
       of a tenth of that need contacts √10 times as stiff in frequency.)");
   page.predict(
@@ -84,8 +84,9 @@ void too_soft(const Setting& setting, Page& page) {
                  {4.0 * highest, "k is four times as large, but it is N³ that grows with k."},
                  {static_cast<double>(highest), "They are four times as stiff, and stiffness is what holds."}},
        .hints = {"How does the stiffness grow with the frequency, and what does it have to hold?",
-                 "k = m_eff ω², and the moment of the weight lets N³ grow with k only.",
+                 "k = m_eff ω², and the torque of the weight lets N³ grow with k only.",
                  say("N³ grows by a factor of 4: N = @ · 4^(1/3)", highest)},
+       .hinted = highest * std::cbrt(4.0),
        .right = "N grows with the cube root of 4, by a factor of 1.59, in whole boxes."});
   page.formula(
       "N³ < 7.84 k w²/(2 m g a),   k = m_eff ω²,   m_eff = m/5:   @ boxes at @ Hz",

@@ -42,7 +42,9 @@ void unseen(const Setting& setting, Page& page) {
                  {balls - passed, "These are the ones that are turned back."}},
        .hints = {"How far does a ball fly in a step, and over which distance can it be found?",
                  "Share that is found: (radius + margin + half the wall)/(v h).",
-                 say("(@ + @ + @)/@", ball_radius, FlyingBalls{}.margin, wall / 2, speed * step)},
+                 say("Of the step, (@ + @ + @)/@ finds it; the rest of the @ balls pass.", ball_radius,
+                     FlyingBalls{}.margin, wall / 2, speed * step, balls)},
+       .hinted = balls * share_by_law(speed, wall),
        .right = say("It can be found over @ m, and a step is @ m long; the others pass between two steps.",
                     Value(seen_for(wall), 3), speed * step)});
   const Knob speeds = knob("speed (m/s)", 2, 100, setting.resolution),

@@ -109,9 +109,9 @@ void wrong_rows(const Setting& setting, Page& page) {
       the warm start keeps the sum of all that. The picture stays calm: in @ s the bob moves by @ m at most.)",
       mass, setting.conflict, seconds, Value(moved, 2));
   page.predict(
-      {.ask = say(R"(After @ s the rods pull against each other with @ times the weight of the bob. With how
-                           many times its weight after @ s?)",
-                  seconds / 2, Value(half, 3), seconds),
+      {.ask = say(
+           R"(After @ s the rods pull against each other with @ times the weight of the bob. How many times its weight is it after @ s?)",
+           seconds / 2, Value(half, 3), seconds),
        .answer = whole,
        .unit = "1",
        .tolerance = 0.1 * whole,
@@ -121,7 +121,7 @@ void wrong_rows(const Setting& setting, Page& page) {
                  {4 * half, "The growth does not feed on itself: every step adds the same."}},
        .hints = {"The bob stays where it is. What does each step add to λ?",
                  "A step of k sweeps adds 2kmβΔ/h to the difference of the two λ, whatever they are.",
-                 say("@ · @/@", Value(half, 3), seconds, seconds / 2)},
+                 say("@ · @/@ = …", Value(half, 3), seconds, seconds / 2)},
        .right = "Every step adds the same, so the pull grows in proportion to time, without end."});
   page.figure("two_rods",
               say(R"(What two rods that differ by @ m pull against each other with: rigid, and with softness, in
