@@ -2,6 +2,8 @@
 // at which a lesson breaks one: without this a rule that finds nothing would look like a course without faults.
 
 #include "tests/lessons/settings/audit.hpp"
+#include "tests/lessons/settings/frame.hpp"
+#include "tests/lessons/settings/judgements.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -50,8 +52,15 @@ Item question(double answer, double wrong, double tolerance) {
   return Prediction{
       .ask = "How far?", .answer = answer, .unit = "m", .tolerance = tolerance, .wrong = {{wrong, "No."}}};
 }
+Item hinted(std::string hint, double answer, double gives = nan) {
+  return Prediction{.ask = "How far?",
+                    .answer = answer,
+                    .tolerance = 0.01,
+                    .hints = {"Look.", std::move(hint)},
+                    .hinted = gives};
+}
 Item choice(std::string first, std::string second) {
-  return Choice{.ask = "Which?", .options = {{std::move(first), ""}, {std::move(second), ""}}};
+  return Choice{.ask = "Which?", .options = {{std::move(first), "Yes."}, {std::move(second), "No."}}};
 }
 
 renderer::Chart chart(std::vector<double> y, renderer::CurveStyle style = renderer::CurveStyle::line) {
@@ -117,6 +126,13 @@ TEST(Rules, FindWhatBreaksThemAndPassItsNeighbour) {
       {same, choice("2 m", "2 m"), choice("2 m", "3 m")},
       {"zero is taken for the answer", question(0.003, 1, 0.02), question(0, 1, 0.02)},
       {"the answer is refused as it is printed", question(1.0 / 3, 1, 1e-20), question(1.0 / 3, 1, 1e-6)},
+      {"what the last hint gives is refused", hinted("½(2.1² − 2²) = …", 0.3), hinted("½(2.1² − 2²) = …", 0.205)},
+      {"what the last hint gives is refused", hinted("C is βC/β: 2.5/0.1 = …", 24),
+       hinted("Look: 2.4/0.1 = …", 24)},
+      {"nothing says what the last hint gives", hinted("Look at the sign.", 1), hinted("Look at the sign.", 1, 1)},
+      {"what the last hint gives is not the answer", hinted("m grows.", 1, 2), hinted("m grows.", 1, 1.2)},
+      {"two options have one reply", Choice{.ask = "Settles?", .options = {{"yes", "It is."}, {"no", "It is."}}},
+       choice("yes", "no")},
       {empty, figure(chart({})), figure(chart({3, 3}))},
       {empty, figure(chart({nan, nan})), figure(chart({3, infinity}))},  // a cross says that the run failed
       {empty, figure(chart({1})), figure(chart({1}, renderer::CurveStyle::markers))},  // a line needs two points
@@ -152,14 +168,14 @@ TEST(Rules, HoldForAllThatAPageSays) {
       Sequence{"name", bad, Frames{1}, {}},
       Prediction{.ask = bad, .answer = 1},
       Prediction{.ask = "How many?", .answer = 1e12},
-      Prediction{.ask = "How many?", .answer = 1, .hints = {"Look.", bad}},
+      Prediction{.ask = "How many?", .answer = 1, .hints = {"Look.", bad}, .hinted = 1},
       Prediction{.ask = "How many?", .answer = 1, .right = bad},
       Prediction{.ask = "How many?", .answer = 1, .wrong = {{1e12, "No."}}},
       Prediction{.ask = "How many?", .answer = 1, .wrong = {{2, bad}}},
       Choice{.ask = bad, .options = {{"a", ""}}},
-      Choice{.ask = "Which?", .options = {{"a", ""}, {bad, ""}}},
+      Choice{.ask = "Which?", .options = {{"a", ""}, {bad, "No."}}},
       Choice{.ask = "Which?", .options = {{"a", ""}, {"b", bad}}},
-      Choice{.ask = "Which?", .options = {{"a", ""}, {"b", ""}}, .hints = {bad}},
+      Choice{.ask = "Which?", .options = {{"a", ""}, {"b", "No."}}, .hints = {bad}},
       Claim{.quantity = bad, .source = "s"},
       Claim{.quantity = "q", .expected = 1e12, .source = "s", .measured = 1e12},
   };
@@ -182,6 +198,49 @@ TEST(Rules, APictureIsNotBlank) {
   };
   EXPECT_EQ(blanks(until(3)), 0U);
   EXPECT_EQ(blanks(until(2)), 1U) << "the last frame";
+}
+
+TEST(Rules, AFrameHoldsWhatItShows) {
+  const auto broken = [](const Drawing& draw) {
+    std::vector<std::string> rules;
+    for (const Finding& finding : out_of_frame(draw, "film: Caption.")) rules.push_back(finding.rule);
+    return rules;
+  };
+  const auto disc_at = [](double x, bool clipped) {
+    return [=](renderer::Canvas& canvas) {
+      if (clipped) canvas.clip(renderer::Rectangle{100, 100, 400, 300});
+      canvas.disc({x, 250}, 30);
+    };
+  };
+  EXPECT_THAT(broken(disc_at(300, true)), IsEmpty());
+  EXPECT_THAT(broken(disc_at(480, true)), ElementsAre("a body leaves its frame"));
+  EXPECT_THAT(broken(disc_at(480, false)), IsEmpty());
+  EXPECT_THAT(broken(disc_at(1270, false)), ElementsAre("a body leaves its frame"));
+  const auto words_at = [](double x, double y) {
+    return [=](renderer::Canvas& canvas) {
+      canvas.text({640, 300}, "first label");
+      canvas.text({x, y}, "second label");
+    };
+  };
+  EXPECT_THAT(broken(words_at(640, 330)), IsEmpty());
+  EXPECT_THAT(broken(words_at(660, 305)), ElementsAre("a label covers another"));
+  EXPECT_THAT(broken(words_at(1270, 100)), ElementsAre("a label leaves the page"));
+}
+
+TEST(Rules, AJudgementIsAVerdict) {
+  const auto judged = [](const std::string& words, const std::vector<std::string>& given = {}) {
+    return unclaimed_judgements(with(Text{words}), given).size();
+  };
+  EXPECT_EQ(judged("The stack stands for 20.5 s."), 1U);
+  EXPECT_EQ(judged("It is down after 9.3 s."), 1U);
+  EXPECT_EQ(judged("The error is about 3 times as large, 8.25 m."), 1U);
+  EXPECT_EQ(judged("The stack moves by 20.5 mm."), 0U) << "a number without a judgement";
+  EXPECT_EQ(judged("A stack at rest stands still."), 0U) << "a judgement of no number";
+  EXPECT_EQ(judged("It stands for 20.5 s.", {"20.5"}), 0U) << "the reader's own number";
+  EXPECT_EQ(judged("It stands by (17), as step 12 says."), 0U);
+  Page page;
+  page.text("@", page.verdict({{.when = Quantity("t", 20.5) > 20, .say = "The stack stands for 20.5 s."}}));
+  EXPECT_THAT(unclaimed_judgements(page, {}), IsEmpty());
 }
 
 TEST(Settings, NumbersAreReadAsLessonsPrintThem) {

@@ -10,6 +10,8 @@
 #include "lessons/files/chart_data.hpp"
 #include "lessons/page/html/step_html.hpp"
 #include "lessons/page/recording.hpp"
+#include "tests/lessons/settings/frame.hpp"
+#include "tests/lessons/settings/judgements.hpp"
 #include "tests/lessons/settings/numbers.hpp"
 #include "tests/lessons/settings/pictures.hpp"
 #include "tests/lessons/settings/watchdog.hpp"
@@ -173,6 +175,9 @@ std::vector<Finding> Audit::findings(const Step& step, const Setting& setting, s
     const auto no_picture = [](const auto&) { return site::Shown{}; };
     site::step_html(recorded, {.figure = no_picture, .film = no_picture});
     std::vector<Finding> found = broken_rules(recorded.page, given);
+    if (extent_.judgements)
+      std::ranges::move(unclaimed_judgements(recorded.page, given), std::back_inserter(found));
+    if (extent_.frames) std::ranges::move(out_of_frame(recorded.page), std::back_inserter(found));
     if (extent_.pictures) std::ranges::move(blank_pictures(recorded.page, pictures_), std::back_inserter(found));
     return found;
   } catch (const std::exception& error) {

@@ -22,6 +22,8 @@ struct Extent {
   double seconds = 1e9;               // of the processor for each step; what does not fit is left out and counted
   bool all_steps = true;              // also those that no parameter changes
   bool pictures = false;              // draw them, too
+  bool frames = false;                // what pictures show is inside them
+  bool judgements = false;            // sentences that judge are verdicts
   Setting base = {};                  // instead of defaults where nothing else is said; random settings keep it
   Setting beyond = {};                // values that take longer than a step has: left out and counted
   std::vector<Suggestion> also = {};  // settings to try besides, whatever the time

@@ -8,11 +8,8 @@ namespace byhand::tests {
 namespace {
 
 constexpr std::string_view commands[] = {
-    "./lessons/run 4 --step 2 --set h=0.05 --set length=0.5",
-    "./lessons/run 5 --step 5 --set h=0.0485 --set e=0.822 --set drop=1.15",
     "./lessons/run 5 --step 7 --set h=0.0365 --set boxes=7 --set sweeps=1",
-    "./lessons/run 7 --step 4 --set h=0.0129 --set length=2.36 --set mass=0.257 --set angle=72.8 --set "
-    "share=0.536",
+    "./lessons/run 7 --step 4 --set h=0.0129 --set angle=72.8",
     "./lessons/run 8 --step 1 --set resolution=4 --set boxes=9 --set sweeps=2",
     "./lessons/run 9 --step 7 --set links=100 --set end_mass=10 --set drift=0.003",
 };

@@ -176,6 +176,43 @@ bool shows_only_rounding(const renderer::Chart& chart, std::vector<double> value
   return tiny || (fitted && spread > 0 && spread < 1e-12 * size);
 }
 
+/// The calculation at the end of a hint, as a reader would type it: "½(2.1² − 2²) = …" of "(2): ½(2.1² − 2²) = …".
+string calculation(const string& hint) {
+  const string_view asks = " = …";
+  if (!hint.ends_with(asks)) return {};
+  const string all = hint.substr(0, hint.size() - asks.size());
+  const size_t colon = all.rfind(": ");
+  return colon == string::npos ? all : all.substr(colon + 2);
+}
+
+/// Whoever follows the hints is right.
+std::vector<Finding> hints_that_lead_astray(const Prediction& question) {
+  if (question.hints.empty()) return {};
+  const string& last = question.hints.back();
+  const auto found = [&](const char* rule) {
+    return std::vector<Finding>{{rule, fmt::format("{} {}: {}", question.ask, last, printed_answer(question))}};
+  };
+  const string typed = calculation(last);
+  const Grade graded = grade(question, typed);
+  if (!typed.empty() && graded.understood)
+    return graded.right ? std::vector<Finding>{} : found("what the last hint gives is refused");
+  if (!std::isfinite(question.hinted)) return found("nothing says what the last hint gives");
+  const double off = std::abs(question.hinted - question.answer);
+  if (off > std::max(0.3 * std::abs(question.answer), 1.01 * question.tolerance))
+    return found("what the last hint gives is not the answer");
+  return {};
+}
+
+/// A reader who chose another option learns why.
+std::vector<Finding> replies_alike(const Choice& question) {
+  std::vector<Finding> found;
+  std::set<string> replies;
+  for (const Option& option : question.options)
+    if (!replies.insert(option.reply).second)
+      found.push_back({"two options have one reply", fmt::format("{} {}", question.ask, option.reply)});
+  return found;
+}
+
 std::vector<Finding> answers_that_meet(const Prediction& question) {
   std::vector<Finding> found;
   const auto add_with = [&](const char* rule, const string& answer) {
@@ -291,8 +328,14 @@ std::vector<Finding> broken_rules(const Page& page, const std::vector<string>& g
   for (const Item& item : page.items()) {
     for (const string& words : passages(item)) add(found, broken_rules(words, given));
     if (const auto* claim = std::get_if<Claim>(&item)) add(found, broken_rules(*claim));
-    if (const auto* question = std::get_if<Prediction>(&item)) add(found, answers_that_meet(*question));
-    if (const auto* question = std::get_if<Choice>(&item)) add(found, answers_that_meet(*question));
+    if (const auto* question = std::get_if<Prediction>(&item)) {
+      add(found, answers_that_meet(*question));
+      add(found, hints_that_lead_astray(*question));
+    }
+    if (const auto* question = std::get_if<Choice>(&item)) {
+      add(found, answers_that_meet(*question));
+      add(found, replies_alike(*question));
+    }
     if (const auto* figure = std::get_if<Figure>(&item))
       if (const auto* chart = std::get_if<renderer::Chart>(&figure->picture))
         add(found, broken_rules(*chart, figure->caption));
