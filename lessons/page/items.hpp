@@ -104,8 +104,8 @@ struct WrongAnswer {
 /// Asks the reader to predict a number with its sign. An answer is right within `tolerance` (in `unit`); wrong
 /// answers are recognised within it too. A missing sign and factors ½, 2, h, g, L are recognised by themselves;
 /// `wrong` is for misconceptions with a sentence of their own. `hints` come one by one: what to look at, the
-/// equation, the first line of the answer; whoever follows them to `hinted` is right as well. A wrong answer within
-/// the tolerance of another answer is dropped; at the default parameters it is a LessonError.
+/// equation, the first line of the answer; whoever follows them to `hinted` is right as well. A wrong answer
+/// within the tolerance of another answer is dropped; at the default parameters it is a LessonError.
 struct Prediction {
   std::string ask = {};
   double answer = 0;
@@ -113,7 +113,7 @@ struct Prediction {
   double tolerance = 0;
   std::vector<WrongAnswer> wrong = {};
   std::vector<std::string> hints = {};
-  double hinted = std::numeric_limits<double>::quiet_NaN();  // by the last hint, where that does not print a result
+  double hinted = std::numeric_limits<double>::quiet_NaN();  // where the last hint leads, if it prints no sum
   std::string right = {};  // explains the answer: to a right answer, to a reader who passes, and on the page
 };
 

@@ -15,7 +15,7 @@ using std::string;
 /// Words that judge.
 const std::regex& judging() {
   static const std::regex words(
-      R"(\b(sticks|stuck|stands (for [0-9]|still|until|after|there)|still stands|stood|falls? (over|apart|after)|fell|)"
+      R"(\b(sticks|stuck|stands (for [0-9]+|still|until|after|there)|still stands|stood|falls? (over|apart|after)|fell|)"
       R"(is down after|settles?|settled|hardly|nearly|almost|barely|scarcely|better|worse|)"
       R"((less|more|fewer|smaller|larger|greater|faster|slower) than|about (twice|half|\S+ times)|)"
       R"(as the next step shows|at the same (time|speed)|enough|too (little|few|many|large|small|far)|agrees?)\b)");
@@ -86,7 +86,7 @@ std::vector<Finding> unclaimed_judgements(const course::Page& page, const std::v
   std::vector<Finding> found;
   const auto read = [&](const string& words) {
     for (const string& sentence : sentences(words)) {
-      const size_t first = sentence.find_first_not_of(" -)");
+      const size_t first = sentence.find_first_not_of(" -()");
       if (first == string::npos) continue;
       const string said = sentence.substr(first);
       const bool excepted = std::any_of(std::begin(sentences_that_may_judge), std::end(sentences_that_may_judge),
