@@ -186,7 +186,7 @@ void draw_page(renderer::Canvas& canvas, const std::vector<std::string>& head,
 }
 
 std::string law_of(const Problem& problem) {
-  const Limit limit = limit_of(problem);
+  const LawLimit limit = limit_of(problem);
   return limit.law == 0 ? "–" : say("@: @", limit.law, limit.number);
 }
 

@@ -94,7 +94,7 @@ std::string reached_in_words(const byhand::Point& point, const std::map<Error, d
   return text;
 }
 
-std::string law_18(const Limit& limit, const Knobs& knobs) {
+std::string law_18(const LawLimit& limit, const Knobs& knobs) {
   const double worth = static_cast<double>(knobs.passes) * knobs.substeps * knobs.substeps;
   return say("law 18: plain sweeps times substeps squared have to be more than @, and here they are @@",
              limit.number, worth,
@@ -105,7 +105,7 @@ std::string law_18(const Limit& limit, const Knobs& knobs) {
 
 /// Why the recommended run is not cheaper, by its law's number and by runs.
 std::string why(const byhand::Choice& choice, const std::map<Error, double>& limits) {
-  const Limit& limit = choice.limit;
+  const LawLimit& limit = choice.limit;
   const Knobs& knobs = choice.best.point.knobs;
   std::string text;
   if (limit.law == 7)

@@ -431,7 +431,10 @@ const NamedScene& named_scene(std::string_view name) {
 }
 
 Problem::Problem(std::string_view scene, const Values& values, std::string_view model)
-    : scene_(&named_scene(scene)), model_(model.empty() ? scene_->models.front() : model) {
+    : Problem(std::shared_ptr<const NamedScene>(std::shared_ptr<void>(), &named_scene(scene)), values, model) {}
+
+Problem::Problem(std::shared_ptr<const NamedScene> scene, const Values& values, std::string_view model)
+    : scene_(std::move(scene)), model_(model.empty() ? scene_->models.front() : model) {
   const auto& models = scene_->models;
   require(std::find(models.begin(), models.end(), model_) != models.end(), "model", model_,
           "one of " + listed(models, [](const auto& m) { return m; }));
@@ -450,7 +453,7 @@ Problem::Problem(std::string_view scene, const Values& values, std::string_view 
 Problem Problem::with(std::string_view parameter, double value) const {
   Values values = values_;
   values[std::string(parameter)] = value;
-  return Problem(scene_->name, values, model_);
+  return Problem(scene_, values, model_);
 }
 
 Problem Problem::variation(int i, int seed) const {

@@ -51,9 +51,10 @@ enum class Duty {
   hold,   // no joint opens by more than a tenth of a body
   stand,  // no box ends up more than half a box from its place
   slide,  // the block is never more than half a block from where it should be
+  keep,   // no joint opens, and nothing sinks in, by more than a tenth of a body; what rests stays in its place
 };
 
-/// A scene of the catalogue.
+/// A scene of the catalogue, or one of somebody's own.
 struct NamedScene {
   std::string name, title;
   std::vector<SceneParameter> parameters;
@@ -64,12 +65,14 @@ struct NamedScene {
   Duty duty = Duty::hold;
   bool keeps_energy = true;
   bool keeps_spin = false;  // angular momentum about the vertical through the origin
-  std::string size = {};    // the parameter that is the length of a body; empty: 1 m
+  std::string size = {};    // the parameter that is the length of a body; empty: `body`
+  double body = 1;          // that length where it is no parameter [m]
+  bool rests = false;       // whether a scene with Duty::keep stands still
   std::string varied = {};  // the parameter that differs between initial conditions
   bool chaotic = false;
   std::string reference;  // where the exact answer comes from
-  AnyScene (*make)(const Problem&);
-  std::function<ExactState(double time)> (*exact)(const Problem&);
+  std::function<AnyScene(const Problem&)> make;
+  std::function<std::function<ExactState(double time)>(const Problem&)> exact;
 };
 
 /// All of them.
@@ -85,6 +88,8 @@ class Problem {
   /// What is not in `values` has its initial value. Throws std::invalid_argument for a name that the scene does
   /// not have, a value outside its range and a model that it cannot be made of.
   explicit Problem(std::string_view scene, const Values& values = {}, std::string_view model = "");
+  /// The same with a scene that is not of the catalogue.
+  explicit Problem(NamedScene scene) : Problem(std::make_shared<const NamedScene>(std::move(scene)), {}, "") {}
 
   const NamedScene& scene() const { return *scene_; }
   const std::string& model() const { return model_; }
@@ -97,7 +102,7 @@ class Problem {
   Problem variation(int i, int seed = 1) const;
 
   /// Length of a body [m].
-  double size() const { return scene_->size.empty() ? 1 : (*this)[scene_->size]; }
+  double size() const { return scene_->size.empty() ? scene_->body : (*this)[scene_->size]; }
   /// The scene as it begins.
   AnyScene start() const { return scene_->make(*this); }
   /// When trajectory and reaction are held against the reference [s]: at scene().time, but of a chaotic scene
@@ -111,7 +116,9 @@ class Problem {
     std::once_flag once;
     Reference reference;
   };
-  const NamedScene* scene_;
+  Problem(std::shared_ptr<const NamedScene> scene, const Values& values, std::string_view model);
+
+  std::shared_ptr<const NamedScene> scene_;
   Values values_;
   std::string model_;
   std::shared_ptr<Known> known_ = std::make_shared<Known>();

@@ -40,8 +40,9 @@ Watch watch_of(const Problem& problem, const Wish& wish, double bound) {
 /// What one variant of a method (its cure, its passes) can do.
 class Variant {
  public:
-  Variant(const Problem& problem, const Family& family, const Wish& wish, double bound)
-      : problem_(problem), wish_(wish), runs_(problem, family, watch_of(problem, wish, bound)) {}
+  /// `most` instructions end its search.
+  Variant(const Problem& problem, const Family& family, const Wish& wish, double bound, double most)
+      : problem_(problem), wish_(wish), runs_(problem, family, watch_of(problem, wish, bound)), most_(most) {}
 
   /// The least substeps from the law's on with which some strength reaches the wish; then fewer passes.
   void search(Cure cure, int passes) {
@@ -51,7 +52,7 @@ class Variant {
     double before = INFINITY;
     while (!reaches(tuned(knobs))) {
       const Point& now = tuned(knobs);
-      if (now.outcome == Outcome::too_slow || knobs.substeps >= 4096) return;
+      if (now.outcome == Outcome::too_slow || knobs.substeps >= 4096 || ends()) return;
       if (now.outcome == Outcome::no_solution && runs_.family().name == "direct" && knobs.regularisation == 0) {
         knobs.regularisation = 1e-9;  // rows that repeat each other
         continue;
@@ -63,7 +64,7 @@ class Variant {
       knobs = now.knobs;
       knobs.substeps *= 2;
     }
-    for (int enough = knobs.substeps; enough - missed > std::max(1, enough / 16);) {
+    for (int enough = knobs.substeps; enough - missed > std::max(1, enough / 16) && !ends();) {
       knobs.substeps = missed + (enough - missed) / 2;
       (reaches(tuned(knobs)) ? enough : missed) = knobs.substeps;
     }
@@ -71,7 +72,7 @@ class Variant {
 
   /// Steps of single knobs that make the best cheaper and still reach the wish.
   void descend() {
-    for (bool gains = best_.reached; gains;) {
+    for (bool gains = best_.reached; gains && !ends();) {
       gains = false;
       const Knobs from = best_.point.knobs;
       for (const double share : {0.5, 0.7, 0.85}) {
@@ -102,6 +103,7 @@ class Variant {
 
  private:
   bool reaches(const Point& point) const { return excess(point, wish_.limits) <= 1; }
+  bool ends() const { return runs_.work() > most_; }
 
   /// A number that falls towards the wish also where a run ended early, beyond its limits or by a failure.
   double rank(const Point& point) const {
@@ -127,7 +129,7 @@ class Variant {
     if (const auto known = tuned_.find(key); known != tuned_.end()) return runs_.at(known->second);
     Knobs at = within_laws(problem_, runs_.family(), knobs);
     const Point* best = &run(at);
-    for (double stride = 4; stride > 1.1 && !reaches(*best) && best->outcome != Outcome::refused;) {
+    for (double stride = 4; stride > 1.1 && !reaches(*best) && best->outcome != Outcome::refused && !ends();) {
       bool moved = false;
       for (const Knobs& next : tried(at, stride)) {
         const Point& point = run(next);
@@ -165,6 +167,7 @@ class Variant {
   const Problem& problem_;
   const Wish& wish_;
   Runs runs_;
+  double most_;
   std::map<Knobs, Knobs> tuned_;
   Candidate best_;
 };
@@ -215,11 +218,11 @@ Candidate most_accurate(const Problem& problem, const Family& family, const Wish
 
 /// After a start that a candidate did not keep: the same method tuned anew for that start, or with more substeps.
 Candidate strengthened(const Problem& problem, const Wish& wish, const Candidate& candidate, const Problem& start,
-                       Spent& spent) {
+                       const Search& search, Spent& spent) {
   const Family& family = *candidate.point.family;
   if (!wish.limits.empty()) {
     const double most = std::min(10 * candidate.point.cost, budget_of(wish, family));
-    const Candidate tuned = cheapest(start, family, wish, most, &spent);
+    const Candidate tuned = cheapest(start, family, wish, most, &spent, search.most / 20);
     if (tuned.reached && tuned.point.cost > candidate.point.cost) return tuned;
   }
   Candidate more = candidate;
@@ -242,11 +245,12 @@ std::vector<Candidate> verified(const Problem& problem, const Wish& wish, std::v
                                 int starts, std::size_t wanted, const Search& search, Choice& choice) {
   std::vector<Candidate> kept;
   std::vector<int> attempts(found.size(), most_attempts);
+  const double until = std::max(search.most, choice.spent.work + search.most / 4);
   while (kept.size() < wanted) {
     Candidate* next = nullptr;
     for (Candidate& candidate : found)
       if (candidate.reached && (!next || preferred(candidate, *next, wish))) next = &candidate;
-    if (!next) break;
+    if (!next || choice.spent.work > until) break;
     const double run = next->point.cost * problem.scene().duration / frame;
     // From other starts after each failure: none of those for which it was tuned.
     int& left = attempts[static_cast<std::size_t>(next - found.data())];
@@ -260,7 +264,7 @@ std::vector<Candidate> verified(const Problem& problem, const Wish& wish, std::v
       next->reached = false;
       continue;
     }
-    *next = strengthened(problem, wish, *next, problem.variation(verification.worst, seed), choice.spent);
+    *next = strengthened(problem, wish, *next, problem.variation(verification.worst, seed), search, choice.spent);
     next->reached = next->reached && --left > 0;
   }
   return kept;
@@ -275,16 +279,21 @@ double excess(const Point& point, const std::map<Error, double>& limits) {
   return most;
 }
 
-Candidate cheapest(const Problem& problem, const Family& family, const Wish& wish, double bound, Spent* spent) {
+Candidate cheapest(const Problem& problem, const Family& family, const Wish& wish, double bound, Spent* spent,
+                   double most_work) {
   std::vector<std::unique_ptr<Variant>> variants;
   Variant* best = nullptr;
+  double work = 0;
   for (const Cure cure : family.cures)
     for (const int passes : {1, 2, 4, 8, 16, 64}) {
       if (passes > (family.pass == "digit" ? 4 : family.pass.empty() ? 1 : 64)) break;
+      if (best && work > most_work) break;
       const double most = best && best->best().reached ? best->best().point.cost : INFINITY;
-      variants.push_back(std::make_unique<Variant>(problem, family, wish, std::min(bound, most)));
+      variants.push_back(
+          std::make_unique<Variant>(problem, family, wish, std::min(bound, most), most_work - work));
       Variant& variant = *variants.back();
       variant.search(cure, passes);
+      work += variant.spent().work;
       if (!best || (variant.best().point.family && preferred(variant.best(), best->best(), wish))) best = &variant;
       if (variant.best().point.outcome == Outcome::refused) break;
     }
@@ -336,9 +345,9 @@ Choice choose(const Problem& problem, const Wish& wish, const Search& search) {
       const std::size_t at = which[static_cast<std::size_t>(i)];
       if (found[at].reached || found[at].point.outcome == Outcome::refused || settled[at]) return;
       search.told(all[at].name);
-      found[at] = wish.limits.empty()
-                      ? most_accurate(problem, all[at], wish, &spent[at])
-                      : cheapest(problem, all[at], wish, std::min(bound, budget_of(wish, all[at])), &spent[at]);
+      found[at] = wish.limits.empty() ? most_accurate(problem, all[at], wish, &spent[at])
+                                      : cheapest(problem, all[at], wish, std::min(bound, budget_of(wish, all[at])),
+                                                 &spent[at], search.most / 20);
     });
     for (const std::size_t at : which)
       if (found[at].reached) cheapest_yet = std::min(cheapest_yet, found[at].point.cost);
@@ -361,7 +370,9 @@ Choice choose(const Problem& problem, const Wish& wish, const Search& search) {
     for (const Spent& one : spent) choice.spent += one;
     const bool spent_all = std::all_of(all.begin(), all.end(),
                                        [&](const Family& family) { return level >= budget_of(wish, family); });
-    if (std::isfinite(cheapest_yet) || spent_all || choice.spent.work > 3 * search.enough) break;
+    if (std::isfinite(cheapest_yet) || spent_all ||
+        choice.spent.work > std::min(3 * search.enough, search.most))
+      break;
   }
   choice.searched_exactly = level;
   const int starts = std::isfinite(cheapest_yet) ? starts_of(problem, wish, cheapest_yet, search) : 0;
@@ -419,7 +430,8 @@ Choice choose(const Problem& problem, const Wish& wish, const Search& search) {
       std::vector<Spent> work(kept.size());
       search.side_by_side(static_cast<int>(kept.size()), [&](int i) {
         const auto at = static_cast<std::size_t>(i);
-        again[at] = cheapest(problem, *kept[at].point.family, tight, 100 * choice.best.point.cost, &work[at]);
+        again[at] =
+            cheapest(problem, *kept[at].point.family, tight, 100 * choice.best.point.cost, &work[at], search.most / 20);
       });
       for (const Spent& one : work) choice.spent += one;
       const Verification of_best = choice.verified;

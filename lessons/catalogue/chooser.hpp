@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -65,7 +66,7 @@ struct Choice {
   bool reached = false;
   Candidate best;                     // what is recommended; where nothing reaches the wish, what comes nearest
   Verification verified;              // of what is recommended, and of each other that is said to reach the wish
-  Limit limit;                        // what the laws say
+  LawLimit limit;                     // what the laws say
   std::vector<Candidate> runners_up;  // other methods: those that keep the wish from as many starts, by their
                                       // costs, and what came near
   std::vector<Point> passed;          // what cannot run this scene or failed, one point a method
@@ -89,6 +90,8 @@ struct Search {
   double verification = 3e10;  // instructions of one, beyond which it takes fewer
   bool tighter = true;         // whether half and a tenth of the limits are looked for, too
   double enough = 2e10;  // instructions after which only methods that solve each step exactly are tried further
+  // Instructions after which it shows what it has found; a method's search ends after a twentieth of them.
+  double most = std::numeric_limits<double>::infinity();
 };
 
 /// Throws std::invalid_argument unless the wish has a limit or a budget, all above zero, and only errors that this
@@ -107,8 +110,9 @@ Verification verify(const Problem& problem, const Point& point, const Wish& wish
 /// parameter is not above zero.
 double margin(const Problem& problem, const Point& point, const std::map<Error, double>& limits);
 
-/// The cheapest run of one method within the limits that costs at most `bound`, or what came nearest.
+/// The cheapest run of one method within the limits that costs at most `bound`, or what came nearest until `most`
+/// instructions were spent.
 Candidate cheapest(const Problem& problem, const Family& family, const Wish& wish, double bound,
-                   Spent* spent = nullptr);
+                   Spent* spent = nullptr, double most = std::numeric_limits<double>::infinity());
 
 }  // namespace byhand

@@ -41,9 +41,9 @@ int substeps_of_law_7(const Problem& problem) {
   return std::max(1, static_cast<int>(std::ceil(std::sqrt(pull_over_stiffness(problem)))));
 }
 
-Limit limit_of(const Problem& problem) {
+LawLimit limit_of(const Problem& problem) {
   const std::string& name = problem.scene().name;
-  Limit limit;
+  LawLimit limit;
   if (const double number = pull_over_stiffness(problem); number > 0) {
     limit.law = 7;
     limit.number = fmt::format("T·h²/(m·l) = {:.2g}", number);

@@ -8,13 +8,13 @@
 namespace byhand {
 
 /// The law that limits a problem, at one step a frame.
-struct Limit {
+struct LawLimit {
   int law = 0;         // its number; 0: none
   std::string number;  // what it asks about: "T·h²/(m·l) = 818"
   int substeps = 1;    // the fewest in a frame that it allows where J is held still over a step
   int sweeps = 1;      // the fewest of Gauss–Seidel in one step that it allows
 };
-Limit limit_of(const Problem& problem);
+LawLimit limit_of(const Problem& problem);
 
 /// By law 7: in how many parts a frame has to be cut. Nothing of a scene without joints.
 int substeps_of_law_7(const Problem& problem);

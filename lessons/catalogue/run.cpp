@@ -38,7 +38,7 @@ std::vector<Eigen::Vector3d> centres(const AnyScene& scene) {
 class Judge {
  public:
   Judge(const Problem& problem, const AnyScene& scene) : duty_(problem.scene().duty), size_(problem.size()) {
-    if (duty_ == Duty::stand) places_ = centres(scene);
+    if (duty_ == Duty::stand || problem.scene().rests) places_ = centres(scene);
     if (duty_ == Duty::slide) {
       size_ = problem["height"];
       exact_ = problem.scene().exact(problem);
@@ -48,15 +48,17 @@ class Judge {
   /// Whether it has failed by now; then how.
   bool failed(const AnyScene& scene, double apart, Point& point) const {
     const double now = scene.time();
-    if (duty_ == Duty::stand) {
-      if (const double away = scene.farthest_from(places_); away > 0.5)
-        return fail(point, Outcome::fell,
-                    fmt::format("it fell: a box was half a box from its place at {:.2g} s", now));
-    } else if (apart > size_ / 10) {
+    if (!places_.empty() && scene.farthest_from(places_) > size_ / 2)
+      return fail(point, Outcome::fell,
+                  fmt::format("it fell: {} from its place at {:.2g} s",
+                              duty_ == Duty::stand ? "a box was half a box" : "a body was half its length", now));
+    if (duty_ != Duty::stand && apart > size_ / 10)
       return fail(point, Outcome::opened,
                   fmt::format("{} by a tenth of a body at {:.2g} s",
-                              duty_ == Duty::hold ? "a joint opened" : "it sank in", now));
-    }
+                              duty_ == Duty::hold    ? "a joint opened"
+                              : duty_ == Duty::slide ? "it sank in"
+                                                     : "a joint opened, or a body sank in,",
+                              now));
     if (duty_ == Duty::slide && scene.farthest_from(exact_(now).positions) > 0.5)
       return fail(point, Outcome::strayed,
                   fmt::format("it was half its length from where it should be at {:.2g} s", now));
@@ -150,7 +152,7 @@ bool has(const NamedScene& scene, Error error) {
 
 std::string_view name_of(Outcome outcome, Duty duty) {
   switch (outcome) {
-    case Outcome::good: return duty == Duty::hold ? "held" : duty == Duty::stand ? "stood" : "slid";
+    case Outcome::good: return duty == Duty::stand ? "stood" : duty == Duty::slide ? "slid" : "held";
     case Outcome::refused: return "cannot";
     case Outcome::opened: return "opened";
     case Outcome::fell: return "fell";

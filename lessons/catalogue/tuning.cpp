@@ -81,7 +81,7 @@ Knobs within_laws(const Problem& problem, const Family& family, Knobs knobs) {
 }
 
 Knobs first_knobs(const Problem& problem, const Family& family, Cure cure, int passes) {
-  const Limit limit = limit_of(problem);
+  const LawLimit limit = limit_of(problem);
   Knobs knobs{.substeps = limit.substeps, .passes = family.pass.empty() ? 1 : passes};
   // Law 18: n substeps are worth n² sweeps.
   if (family.solves_rows && !family.exact && family.name == "Gauss–Seidel")

@@ -21,7 +21,8 @@ namespace fs = std::filesystem;
 using namespace byhand;
 using Arguments = std::vector<std::string>;
 
-constexpr auto help = R"(./lessons/run scene FILE [--doctor] [--method NAME] [--set NAME=VALUE] [OPTIONS]
+constexpr auto help =
+    R"(./lessons/run scene FILE [--doctor] [--choose] [--method NAME] [--set NAME=VALUE] [OPTIONS]
 
 Runs a scene that you wrote down, shows it, and says whether it will hold.
 
@@ -50,11 +51,14 @@ until they converge. Begin with a scene of the course and change it:
   ./lessons/run scene my.json --set h=1/120          with another step; --list-parameters lists the knobs
   ./lessons/run scene my.json --method gauss_seidel --set sweeps=4
   ./lessons/run scene my.json --doctor               which law breaks it, by how much, and which knob to turn
+  ./lessons/run scene my.json --choose               the cheapest method for what its "accuracy" asks, with its code
   ./lessons/run scene my.json --film webm            pictures and film in output/scenes/
   ./lessons/run scene --schema > scene.schema.json   every member, with unit, range and meaning
 
   FILE            a file, or the name of a scene of the course
   --doctor        only what the laws say of it, before it is run
+  --choose        only which method is the cheapest that is accurate enough: "accuracy": {"drift": 0.001} in the file;
+                  drift [m], trajectory [m], energy, momentum, reaction, contact [m/s]. It takes a minute or two
   --method NAME   gauss_seidel, jacobi, direct, conjugate_sweeps, newton, by_graph, rattle, midpoint, rk4, xpbd, avbd
   --write NEW     writes the scene with all members as they were understood
   OPTIONS         as of a lesson: --frames none, --quality high, --check, --output DIR, --step N, --plain, --quiet
@@ -149,13 +153,17 @@ int run(Arguments arguments) {
     arguments.push_back("--set");
     arguments.push_back("solver=" + method);
   }
-  if (std::erase(arguments, "--doctor") > 0)
-    arguments.insert(arguments.end(), {"--step", stage::doctors_step, "--no-interactive", "--frames", "none"});
+  const bool examine = std::erase(arguments, "--doctor") > 0, choose = std::erase(arguments, "--choose") > 0;
+  if (examine && choose)
+    throw std::invalid_argument("--doctor and --choose are two steps of a scene's page: one at a time");
+  if (examine || choose)
+    arguments.insert(arguments.end(), {"--step", choose ? stage::choosers_step : stage::doctors_step,
+                                       "--no-interactive", "--frames", "none"});
   if (!has(arguments, "--output"))
     arguments.insert(arguments.end(), {"--output", (course::default_output() / "scenes").string()});
   std::vector<const char*> words{"scene"};
   for (const std::string& argument : arguments) words.push_back(argument.c_str());
-  course::Lesson lesson = stage::page_of(file, folder_of(path));
+  course::Lesson lesson = stage::page_of(file, folder_of(path), choose);
   return lesson.run(static_cast<int>(words.size()), words.data());
 }
 

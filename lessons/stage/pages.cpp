@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "lessons/doctor/doctor.hpp"
+#include "lessons/stage/chosen.hpp"
 #include "lessons/stage/knobs.hpp"
 #include "lessons/stage/looks.hpp"
 
@@ -205,7 +206,7 @@ void show_cost(Page& page, const SceneFile& file, const std::shared_ptr<const Wa
 
 }  // namespace
 
-Lesson page_of(const SceneFile& given, const std::string& stem) {
+Lesson page_of(const SceneFile& given, const std::string& stem, bool with_chooser) {
   Lesson lesson({.slug = "00_" + stem,
                  .title = given.title.empty() ? stem : given.title,
                  .summary = "A scene from a file.",
@@ -217,6 +218,7 @@ Lesson page_of(const SceneFile& given, const std::string& stem) {
   lesson.step("Energy and drift", [=](Page& page) { show_numbers(page, knobs->file(), runs->now()); });
   lesson.step("The doctor", [=](Page& page) { show_doctor(page, knobs->file()); });
   lesson.step("What it costs", [=](Page& page) { show_cost(page, knobs->file(), runs->now(), knobs->method()); });
+  if (with_chooser) lesson.step("The chooser", [=](Page& page) { show_chosen(page, knobs->file()); });
   return lesson;
 }
 

@@ -107,6 +107,16 @@ TEST_F(SceneCommand, SaysWhichLawBreaksAScene) {
   EXPECT_THAT(ran.said, HasSubstr("expects the scene to fail by law"));
   EXPECT_THAT(ran.said, HasSubstr("What to turn, in this order: "));
 }
+TEST_F(SceneCommand, ChoosesAMethodForWhatTheFileWantsAccurate) {
+  std::string text = text_of(fs::path(BYHAND_SOURCE) / "lessons" / "scenes" / "pendulum.json");
+  text.insert(text.find('{') + 1, "\n\"accuracy\": {\"trajectory\": 0.001, \"energy\": 0.01},");
+  const Ran ran = scene_into(written(text).string() + " --choose");
+  EXPECT_EQ(ran.status, 0) << ran.said;
+  EXPECT_THAT(ran.said, HasSubstr("with trajectory of at most 0.001 m and\nenergy of at most 0.01?"));
+  EXPECT_THAT(ran.said, HasSubstr("ten times better"));
+  EXPECT_THAT(ran.said, HasSubstr("Simulation simulation{scene, "));
+  EXPECT_EQ(scene_into("pendulum --choose --doctor").status, 2);
+}
 
 TEST(CaseCommand, ListsTheCasesAndChecksOne) {
   EXPECT_THAT(run(BYHAND_CASE).said, HasSubstr("https://github.com/dartsim/dart/issues/3442"));

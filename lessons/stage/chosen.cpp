@@ -1,0 +1,153 @@
+#include "lessons/stage/chosen.hpp"
+
+#include <fmt/format.h>
+
+#include "lessons/catalogue/code.hpp"
+#include "lessons/stage/request.hpp"
+
+namespace byhand::stage {
+namespace {
+
+using course::Page;
+using course::Value;
+
+/// An answer of the chooser and what it is the answer to.
+struct Answer {
+  std::string asked;
+  Point point;
+};
+
+std::string number_of(double value, Error error) {
+  return course::say("@@", Value(value, 2), unit_of(error) == "1" ? "" : " " + std::string(unit_of(error)));
+}
+
+std::string asked_for(const std::map<Error, double>& limits) {
+  std::string text;
+  for (const auto& [error, limit] : limits)
+    text +=
+        (text.empty() ? "" : " and ") + fmt::format("{} of at most {}", name_of(error), number_of(limit, error));
+  return text;
+}
+
+std::string errors_of(const Point& point, const std::map<Error, double>& limits) {
+  std::string text;
+  for (const auto& [error, limit] : limits)
+    if (point.has(error))
+      text += (text.empty() ? "" : ", ") + fmt::format("{} {}", name_of(error), number_of(point[error], error));
+  return text;
+}
+
+std::vector<Answer> answers_of(const Choice& choice) {
+  std::vector<Answer> answers{{"cheapest", choice.best.point}};
+  if (choice.robust) answers.push_back({"robust: half of each limit", *choice.robust});
+  if (choice.finer) answers.push_back({"ten times better", *choice.finer});
+  return answers;
+}
+
+/// What a run gets wrong that was not asked about, by more than a tenth.
+std::string warnings_of(const Point& point, const Request& request) {
+  std::string text;
+  for (const Error error : errors) {
+    const bool length = error == Error::drift || error == Error::trajectory;
+    const double bad = length ? 0.1 * request.problem.size() : 0.1;
+    if (error != Error::contact && point.has(error) && point[error] > bad && !request.limits.contains(error))
+      text += (text.empty() ? "" : ", ") + fmt::format("{} {}", name_of(error), number_of(point[error], error));
+  }
+  return text;
+}
+
+void show_answers(Page& page, const Request& request, const Choice& choice) {
+  const std::vector<Answer> answers = answers_of(choice);
+  std::vector<std::vector<std::string>> rows;
+  for (const Answer& one : answers)
+    rows.push_back({one.asked, one.point.described(), errors_of(one.point, request.limits),
+                    course::say("@", Value(one.point.cost, 2))});
+  page.table({"asked for", "method, for 1/60 s", "its errors", "instructions"}, rows);
+  if (const std::string bad = warnings_of(choice.best.point, request); !bad.empty())
+    page.text(
+        "**Warning:** the cheapest does what is asked and gets other things wrong: @. Limit these in the file's "
+        "\"accuracy\" if they matter.",
+        bad);
+  for (const auto& [found, asked] : {std::pair{choice.robust.has_value(), "half of each limit"},
+                                     {choice.finer.has_value(), "a tenth of each limit"}})
+    if (!found)
+      page.text("No method was found that keeps @, within this search and a hundred times the cost.", asked);
+  page.text(
+      "Run for @ s from @ beginnings, the file's own and others whose @ differs by up to a twentieth, the "
+      "cheapest kept "
+      "what is asked in @. @ runs were made.",
+      Value(choice.verified.seconds, 3), choice.verified.starts,
+      request.problem.scene().varied == "speed" ? "first speed" : "gravity", choice.verified.within,
+      choice.spent.runs);
+  if (std::isfinite(choice.margin))
+    page.text("It no longer keeps it if @ is @ times as large.",
+              request.problem.scene().stress == "speed" ? "the first speed" : "gravity", Value(choice.margin, 2));
+  page.clocked("chosen", "Time for 1/60 s on this machine.", [=] {
+    renderer::Chart chart{.y = {.label = "time (µs)"}};
+    renderer::Bars bars;
+    for (const Answer& one : answers) {
+      chart.bar_names.push_back(one.asked.substr(0, one.asked.find(':')));
+      bars.values.push_back(
+          1e-3 * nanoseconds_a_frame(request.problem, one.point.family->setting(one.point.knobs), 0.05));
+    }
+    chart.bars = {bars};
+    return chart;
+  });
+  const Point* before = nullptr;
+  for (const Answer& one : answers) {
+    if (before && before->family == one.point.family && before->knobs == one.point.knobs) continue;
+    before = &one.point;
+    page.code("C++, " + one.asked, code_of(one.point.family->setting(one.point.knobs)));
+  }
+  std::string others;
+  for (const Candidate& one : choice.runners_up)
+    if (one.reached)
+      others +=
+          course::say("\n- @, × @", one.point.described(), Value(one.point.cost / choice.best.point.cost, 2));
+  if (!others.empty()) page.text("@", "What else keeps it, by cost:" + others);
+  page.claim("beginnings from which the cheapest keeps what is asked", static_cast<double>(choice.verified.within),
+             "1", course::is(static_cast<double>(choice.verified.starts), "all of them", course::absolute(0)));
+}
+
+/// What came nearest where no method keeps the request from all beginnings.
+std::string nearest_in_words(const Choice& choice) {
+  const Point& best = choice.best.point;
+  if (best.outcome != Outcome::good || !std::isfinite(choice.best.excess))
+    return best.reason.empty() ? "No run did its duty to the end."
+                               : fmt::format("The run by {}: {}.", best.described(), best.reason);
+  if (choice.best.excess <= 1)
+    return course::say(
+        "From the file's own beginning @ keeps it, with @ of the error that is allowed; from others, that differ "
+        "by up to "
+        "a twentieth, none was found that keeps it each time.",
+        best.described(), Value(choice.best.excess, 2));
+  return course::say("The nearest is @, with @ times the error that is asked for.", best.described(),
+                     Value(choice.best.excess, 2));
+}
+
+}  // namespace
+
+void show_chosen(Page& page, const SceneFile& file) {
+  const Request request = request_of(file);
+  for (const std::string& note : request.notes) page.text("@", note);
+  if (request.seconds < 0.99 * file.duration)
+    page.text("The scene is large: runs are watched for @ s of its @ s.", Value(request.seconds, 2),
+              file.duration);
+  page.text("**You ask:** which is the cheapest method with @?", asked_for(request.limits));
+  Search search{.starts = 12, .verification = 4e9, .enough = 3e10, .most = 1e11};
+  search.side_by_side = [&](int count, const std::function<void(int)>& work) {
+    page.side_by_side(count, [&](int i) { return work(i), 0; });
+  };
+  const Choice choice = choose(request.problem, {.limits = request.limits}, search);
+  if (choice.reached) {
+    show_answers(page, request, choice);
+  } else {
+    page.text("**No method was found that reaches that.** @", nearest_in_words(choice));
+  }
+  std::string refused;
+  for (const Point& point : choice.passed)
+    if (point.outcome == Outcome::refused) refused += fmt::format("\n- {}: {}", point.family->name, point.reason);
+  if (!refused.empty()) page.text("@", "Methods that cannot run this scene:" + refused);
+}
+
+}  // namespace byhand::stage

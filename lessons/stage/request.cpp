@@ -1,0 +1,189 @@
+#include "lessons/stage/request.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "lessons/doctor/doctor.hpp"
+
+namespace byhand::stage {
+namespace {
+
+constexpr double pilot_solves = 1e7;      // uses of (17) after which the pilot ends
+constexpr double reference_solves = 6e7;  // after which a reference is not refined further
+
+AnyScene any(const SceneFile& file) {
+  return std::visit([](const auto& scene) { return AnyScene(scene); }, file.scene);
+}
+
+/// A method for the true motion: RATTLE where it can, which is of second order, else exact solves.
+Method fine_method(const AnyScene& scene, int substeps) {
+  if (const Method rattle = Rattle{.substeps = substeps}; scene.refusal(rattle).empty()) return rattle;
+  AnyStepping exact{ByGraph{}, Baumgarte{.slop = 0}};
+  exact.substeps = substeps;
+  exact.gyroscopic = Gyroscopic::implicit;
+  return exact;
+}
+
+std::vector<Eigen::Vector3d> centres(const AnyScene& scene) {
+  std::vector<Eigen::Vector3d> all;
+  for (const Placement& body : scene.placements())
+    if (body.moves) all.push_back(body.position);
+  return all;
+}
+
+double smallest_body(const SceneFile& file) {
+  double smallest = INFINITY;
+  for (const double size : doctor::body_sizes(file))
+    if (size > 0) smallest = std::min(smallest, size);
+  return std::isinf(smallest) ? 1 : smallest;
+}
+
+/// What the true motion does, as far as the chooser asks.
+struct Pilot {
+  double seconds = 0;                                          // that it was watched
+  double energy_change = 0, spin_change = INFINITY, away = 0;  // by the scale of energy, by itself, [m]
+};
+Pilot watch_pilot(const SceneFile& file) {
+  AnyScene scene = any(file);
+  scene.use(fine_method(scene, 8));
+  const std::vector<Eigen::Vector3d> places = centres(scene);
+  const double energy = scene.energy(), scale = scene.energy_scale(), spin = scene.angular_momentum().y();
+  Pilot pilot;
+  if (spin != 0) pilot.spin_change = 0;
+  const long frames = std::max(2L, std::lround(file.duration / frame));
+  for (long i = 1; i <= frames; ++i) {
+    try {
+      scene.step(frame);
+    } catch (const std::runtime_error&) {
+      break;  // a step without an answer: the methods are watched until here
+    }
+    pilot.seconds = scene.time();
+    pilot.energy_change =
+        std::max(pilot.energy_change, scale > 0 ? std::abs(scene.energy() - energy) / scale : 0.0);
+    pilot.away = std::max(pilot.away, scene.farthest_from(places));
+    if (spin != 0)
+      pilot.spin_change = std::max(pilot.spin_change, std::abs(scene.angular_momentum().y() / spin - 1));
+    if (static_cast<double>(scene.row_solves()) > pilot_solves && scene.time() > 1) break;
+  }
+  pilot.seconds = std::max(pilot.seconds, 2 * frame);
+  return pilot;
+}
+
+struct Ended {
+  std::vector<Eigen::Vector3d> positions;
+  Eigen::Vector3d momentum = Eigen::Vector3d::Zero();
+  double solves = 0;
+};
+Ended run(AnyScene scene, int substeps, double time) {
+  scene.use(fine_method(scene, substeps));
+  const long frames = std::lround(time / frame);
+  for (long i = 0; i < frames; ++i) scene.step(frame);
+  return {centres(scene), scene.momentum(), static_cast<double>(scene.row_solves())};
+}
+
+/// Where the scene is at a time: its steps are halved until two runs agree, or cost too much.
+ExactState refined(const Problem& problem, double time) {
+  const AnyScene start = problem.start();
+  const double close = 1e-7 * problem.size();
+  ExactState state;
+  state.uncertainty = INFINITY;
+  Ended coarse = run(start, 8, time);
+  for (int substeps = 16; substeps <= 1024 && state.uncertainty > close; substeps *= 2) {
+    const Ended fine = run(start, substeps, time);
+    double apart = 0;
+    for (std::size_t i = 0; i < fine.positions.size(); ++i)
+      apart = std::max(apart, (fine.positions[i] - coarse.positions[i]).norm());
+    state = {fine.positions, fine.momentum, apart};
+    if (4 * fine.solves > reference_solves) break;
+    coarse = fine;
+  }
+  return state;
+}
+
+/// The file's scene with its gravity and its velocities times a factor each.
+AnyScene scaled(const SceneFile& file, double gravity, double speed) {
+  return std::visit(
+      [&](auto scene) {
+        scene.gravity *= gravity;
+        if (speed != 1)
+          for (auto& V : scene.state().velocity) V *= speed;
+        return AnyScene(std::move(scene));
+      },
+      file.scene);
+}
+
+bool begins_moving(const SceneFile& file) {
+  return std::visit(
+      [](const auto& scene) {
+        const auto& V = scene.bodies().velocity;
+        return std::any_of(V.begin(), V.end(), [](const auto& v) { return !v.isZero(0); });
+      },
+      file.scene);
+}
+bool has_weight(const SceneFile& file) {
+  return std::visit([](const auto& scene) { return !scene.gravity.isZero(0); }, file.scene);
+}
+
+NamedScene scene_of(const SceneFile& file, const Pilot& pilot) {
+  const bool moving = begins_moving(file);
+  NamedScene scene;
+  scene.name = "file";
+  scene.title = file.title.empty() ? "scene of this file" : file.title;
+  scene.parameters = {{"gravity", "1", "times that of the file", 1, 0.01, 1e3},
+                      {"speed", "1", "times the first velocities of the file", 1, 0.01, 1e3}};
+  scene.models = {"as in the file"};
+  scene.stress = has_weight(file) ? "gravity" : "speed";
+  scene.varied = moving ? "speed" : "gravity";
+  scene.duration = pilot.seconds;
+  scene.time = std::floor(std::min(1.0, pilot.seconds) / frame + 1e-9) * frame;
+  scene.duty = Duty::keep;
+  scene.body = smallest_body(file);
+  scene.rests = pilot.away < 0.1 * scene.body;
+  scene.keeps_energy = pilot.energy_change < 0.01;
+  scene.keeps_spin = pilot.spin_change < 1e-6;
+  scene.reference = "runs whose steps are halved until two agree";
+  scene.make = [file](const Problem& problem) { return scaled(file, problem["gravity"], problem["speed"]); };
+  scene.exact = [](const Problem& problem) { return [problem](double time) { return refined(problem, time); }; };
+  return scene;
+}
+
+}  // namespace
+
+Request request_of(const SceneFile& file) {
+  const Pilot pilot = watch_pilot(file);
+  Request request{.problem = Problem(scene_of(file, pilot)), .limits = {}, .seconds = pilot.seconds};
+  const NamedScene& scene = request.problem.scene();
+  for (const auto& [name, limit] : file.accuracy) {
+    const Error error = error_named(name);
+    if (error == Error::energy && !scene.keeps_energy)
+      request.notes.push_back(
+          fmt::format("The file limits the change of energy, but the true motion changes it by {:.2g} % of its "
+                      "scale: friction, "
+                      "bounces, dampers or motors do.",
+                      100 * pilot.energy_change));
+    else if (!has(scene, error))
+      request.notes.push_back(fmt::format(
+          "The file limits the error of {}, but the true motion of this scene does not keep it.", name));
+    else if ((error == Error::trajectory || error == Error::reaction) &&
+             !(request.problem.reference().uncertainty < 0.25 * (error == Error::trajectory ? limit : scene.body)))
+      request.notes.push_back(fmt::format(
+          "The file limits the error of {}, but after {:.2g} s the true motion is known to {:.2g} m only: a small "
+          "disturbance grows too fast, or the scene is too large to be refined further.",
+          name, scene.time, request.problem.reference().uncertainty));
+    else
+      request.limits[error] = limit;
+  }
+  if (request.limits.empty()) {
+    request.limits[Error::drift] = 0.01 * scene.body;
+    request.notes.push_back(fmt::format(
+        "{}, so gaps and overlaps of at most a hundredth of the smallest body are asked for, {:.2g} m.",
+        file.accuracy.empty() ? "The file does not say what shall be accurate"
+                              : "Nothing else is left of its \"accuracy\"",
+        0.01 * scene.body));
+  }
+  return request;
+}
+
+}  // namespace byhand::stage

@@ -1,0 +1,110 @@
+// Scenes from files as problems of the chooser.
+
+#include "lessons/stage/request.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+namespace byhand::stage {
+namespace {
+
+using testing::HasSubstr;
+
+SceneFile course_scene(const std::string& name) {
+  std::ifstream stream(std::string(BYHAND_SOURCE) + "/lessons/scenes/" + name + ".json");
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return read_scene(text.str());
+}
+AnyScene any(const SceneFile& file) {
+  return std::visit([](const auto& scene) { return AnyScene(scene); }, file.scene);
+}
+void expect_same(const AnyScene& one, const AnyScene& other, const std::string& name) {
+  const auto places = one.placements(), others = other.placements();
+  ASSERT_EQ(places.size(), others.size()) << name;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    EXPECT_EQ(places[i].position, others[i].position) << name;
+    EXPECT_EQ(places[i].rotation, others[i].rotation) << name;
+    EXPECT_EQ(places[i].moves, others[i].moves) << name;
+  }
+  EXPECT_EQ(one.momentum(), other.momentum()) << name;
+}
+
+TEST(Catalogue, HasAFileOfTheSameBitsForEachScene) {
+  for (const NamedScene& named : catalogue()) {
+    AnyScene from_file = any(course_scene(named.name)), from_name = Problem(named.name).start();
+    expect_same(from_file, from_name, named.name);
+    const AnyStepping method{GaussSeidel{}, Baumgarte{}};
+    from_file.use(method), from_name.use(method);
+    for (int i = 0; i < 30; ++i) from_file.step(frame), from_name.step(frame);
+    expect_same(from_file, from_name, named.name);
+  }
+}
+
+// The references of files are runs; those of the catalogue are closed forms and integrations in angles.
+TEST(Request, KnowsTheTrueMotion) {
+  for (const char* name : {"pendulum", "compound_pendulum", "double_pendulum", "four_bar", "spherical_pendulum",
+                           "conical_pendulum", "top", "stack", "incline"}) {
+    const Problem of_file = request_of(course_scene(name)).problem, of_name(name);
+    const double time = 30 * frame;
+    const ExactState found = of_file.scene().exact(of_file)(time), exact = of_name.scene().exact(of_name)(time);
+    ASSERT_EQ(found.positions.size(), exact.positions.size()) << name;
+    EXPECT_LT(found.uncertainty, 2e-3) << name;
+    for (std::size_t i = 0; i < found.positions.size(); ++i)
+      EXPECT_LE((found.positions[i] - exact.positions[i]).norm(), 1.5 * found.uncertainty + 1e-9) << name;
+  }
+}
+
+TEST(Request, TakesTheFilesAccuracy) {
+  SceneFile file = course_scene("pendulum");
+  file.accuracy = {{"drift", 1e-3}, {"energy", 0.01}, {"trajectory", 1e-4}};
+  const Request request = request_of(file);
+  EXPECT_TRUE(request.notes.empty());
+  EXPECT_EQ(request.limits,
+            (std::map<Error, double>{{Error::drift, 1e-3}, {Error::energy, 0.01}, {Error::trajectory, 1e-4}}));
+}
+TEST(Request, SaysWhichAccuracyTheSceneDoesNotHave) {
+  SceneFile file = course_scene("incline");  // friction takes the energy
+  file.accuracy = {{"energy", 0.01}, {"drift", 1e-3}};
+  Request request = request_of(file);
+  ASSERT_EQ(request.notes.size(), 1U);
+  EXPECT_THAT(request.notes[0], HasSubstr("the true motion changes it by"));
+  EXPECT_EQ(request.limits, (std::map<Error, double>{{Error::drift, 1e-3}}));
+  file.accuracy = {{"momentum", 0.01}};
+  request = request_of(file);
+  EXPECT_EQ(request.notes.size(), 2U);
+  EXPECT_EQ(request.limits, (std::map<Error, double>{{Error::drift, 0.01 * request.problem.size()}}));
+}
+TEST(Request, AsksWhatRestsToStayInItsPlace) {
+  EXPECT_TRUE(request_of(course_scene("stack")).problem.scene().rests);
+  EXPECT_FALSE(request_of(course_scene("dominoes")).problem.scene().rests);
+}
+
+TEST(Chooser, KeepsWhatAFileAsksFor) {
+  SceneFile file = course_scene("heavy_on_light");
+  file.accuracy = {{"drift", 1e-3}};
+  const Request request = request_of(file);
+  const Choice choice = choose(request.problem, {.limits = request.limits}, {.starts = 8, .enough = 5e8, .most = 2e9});
+  ASSERT_TRUE(choice.reached);
+  const Point again = measure(request.problem, *choice.best.point.family, choice.best.point.knobs);
+  EXPECT_EQ(again.outcome, Outcome::good);
+  EXPECT_LE(again[Error::drift], 1e-3);
+  // Ten cold sweeps sink, as the first case tells.
+  EXPECT_EQ(measure(request.problem, family_named("Jacobi"), {.passes = 4, .relaxation = 0.5}).outcome,
+            Outcome::opened);
+}
+TEST(Chooser, EndsWithWhatItHas) {
+  SceneFile file = course_scene("ragdoll");
+  file.accuracy = {{"drift", 1e-12}};  // which nothing reaches
+  const Request request = request_of(file);
+  const Choice choice = choose(request.problem, {.limits = request.limits}, {.starts = 4, .enough = 2e8, .most = 5e8});
+  EXPECT_FALSE(choice.reached);
+  EXPECT_LT(choice.spent.work, 3e9);
+  EXPECT_TRUE(choice.best.point.family);
+}
+
+}  // namespace
+}  // namespace byhand::stage
