@@ -26,6 +26,7 @@ struct Case {
   std::string title = {};
   std::string report = {};  // in one sentence, in our words
   std::string link = {};
+  int law = 0;                    // under which the doctor finds it
   std::string why = {};           // what the equations say of it, in words
   course::Formula equation = {};  // the prediction
   std::function<std::vector<Number>(const SceneFile&)> numbers = {};

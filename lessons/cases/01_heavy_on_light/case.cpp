@@ -31,6 +31,7 @@ Case make() {
               "With sequential impulses a heavy box sinks through a light one from mass ratios of about 100 on; "
               "the state stays finite, and nothing warns.",
           .link = "https://github.com/dartsim/dart/issues/3442",
+          .law = 4,
           .why =
               "The ground's row sees only the light box, the row between the boxes sees both. A sweep leaves r/(1 "
               "+ r) of the heavy box's speed. k sweeps from λ = 0 leave q = (r/(1 + r))ᵏ, so the box does not "

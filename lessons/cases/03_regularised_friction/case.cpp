@@ -23,6 +23,7 @@ Case make() {
       .link =
           "https://github.com/newton-physics/newton/issues/3943 and "
           "https://github.com/google-deepmind/mujoco/issues/3328",
+      .law = 10,
       .why =
           "A regularised friction row has a softness γ: it asks for JV + γλ = 0 and not for JV = 0. While it "
           "sticks, λ = Wh "

@@ -56,6 +56,7 @@ Case make() {
       .link =
           "https://github.com/bulletphysics/bullet3/issues/3049 and "
           "https://github.com/schteppe/cannon.js/issues/348",
+      .law = 4,
       .why =
           "A sweep solves the left corner before the right one. What it leaves is not symmetric, although the "
           "scene is, "

@@ -30,6 +30,7 @@ Case make() {
               "solver makes many "
               "iterations.",
           .link = "https://github.com/RandyGaul/qu3e/issues/54",
+          .law = 18,
           .why =
               "Gravity tips a leaning column over as σ² = 1.571 g/Na, as a negative β would. Sweeps take its "
               "bending back only "

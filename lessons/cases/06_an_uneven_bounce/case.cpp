@@ -32,6 +32,7 @@ Case make() {
       .title = "A symmetric box bounces to one side",
       .report = "A box that is dropped flat, on a symmetric floor, bounces up turning, always the same way.",
       .link = "https://github.com/dimforge/rapier/issues/668",
+      .law = 4,
       .why =
           "The left corner's row is solved first and stops the whole box by itself, which turns it. The right one "
           "then meets a "

@@ -22,6 +22,7 @@ Case make() {
           "A teacher's first example is a pendulum; with every friction and damping at zero it still comes to "
           "rest.",
       .link = "https://github.com/liabru/matter-js/issues/1250 (and godot#6323, dart#846, bepu#368)",
+      .law = 3,
       .why =
           "A step moves along a tangent, which leaves the circle outwards. The rod takes the outward speed away, "
           "and its work "

@@ -29,6 +29,7 @@ Case make() {
       .title = "Warm starting goes unstable",
       .report = "A user asks why warm starting, which helps everywhere, makes some scenes explode.",
       .link = "https://github.com/erincatto/solver2d/issues/8",
+      .law = 6,
       .why =
           "A warm start repeats the last λ, and with it the correction that λ contained. k sweeps leave the share "
           "q = ρᵏ of what is then wrong, so the correction is paid again and again. The slow mode obeys z³ − [1 + "

@@ -15,6 +15,7 @@ Case make() {
               "A Baumgarte bias fed energy into the scene: boxes that overlapped were thrown, stacks crawled, "
               "bounces gained speed; soft rows cured all three.",
           .link = "https://github.com/w0rm/elm-physics/pull/126",
+          .law = 2,
           .why =
               "(22) asks for the velocity −(β/h)C. The row has no other way to move a body than to give it that "
               "velocity, and the velocity stays when the overlap is gone. A box that begins d deep leaves the "

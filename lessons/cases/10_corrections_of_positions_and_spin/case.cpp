@@ -27,6 +27,7 @@ Case make() {
       .report =
           "A user of a position-based tutorial sees that turning bodies on joints lose their angular momentum.",
       .link = "https://github.com/matthias-research/pages/issues/5",
+      .law = 3,
       .why =
           "XPBD moves freely, pulls the body back onto the circle, and takes the velocity from the way between "
           "the two places. That "

@@ -19,6 +19,7 @@ Case make() {
           "and in the "
           "relaxation, after the bodies had moved.",
       .link = "https://github.com/erincatto/box2d/pull/981",
+      .law = 14,
       .why =
           "The relaxation asks for JV = 0 with J from before the move. The body has turned by φ = vh/R since, so "
           "the old tangent "

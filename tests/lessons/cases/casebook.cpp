@@ -5,6 +5,7 @@
 #include <set>
 
 #include "lessons/cases/case.hpp"
+#include "lessons/doctor/doctor.hpp"
 
 namespace byhand::cases {
 namespace {
@@ -34,6 +35,21 @@ TEST_P(Casebook, IsToldInFull) {
     EXPECT_LE(number.within, 0.1) << number.what;
     EXPECT_FALSE(number.from.empty()) << number.what;
   }
+}
+/// By how much the scene is beyond the case's law, as the doctor sees it before the run; 0 where it says nothing.
+double beyond(const SceneFile& file, int law) {
+  double worst = 0;
+  for (const doctor::Finding& one : doctor::diagnose(file).findings)
+    if (one.law == law) worst = std::max(worst, one.excess());
+  return worst;
+}
+TEST_P(Casebook, IsFoundByTheDoctorAndNotOnceItIsCured) {
+  const Case told = folder().make();
+  const SceneFile file = scene_of(folder());
+  const double reported = beyond(file, told.law), cured = beyond(told.cured(file), told.law);
+  EXPECT_GT(reported, 0);
+  EXPECT_LT(cured, 0.5 * reported);
+  EXPECT_LT(cured, 1);
 }
 INSTANTIATE_TEST_SUITE_P(All, Casebook, testing::Range(0, static_cast<int>(all().size())),
                          [](const auto& one) { return all()[static_cast<std::size_t>(one.param)].slug; });

@@ -5,8 +5,11 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <chrono>
+#include <algorithm>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
 
 #include "lessons/doctor/slow_mode.hpp"
 #include "lessons/laws/closed_forms.hpp"
@@ -173,65 +176,90 @@ TEST(Doctor, FindsTheMassRatioOfAPile) {
   EXPECT_NEAR(ratio->number, 40, 1e-9);
 }
 
-/// The verdicts on random scenes beside their runs.
+/// The verdicts on scenes beside their runs.
 struct Table {
   int scenes = 0, in_space = 0, right = 0, failing = 0, announced = 0, false_alarms = 0, cured = 0, named = 0;
-};
-Table verdicts(int first, int count, bool print) {
-  Table table;
-  for (int draw = first; draw < first + count; ++draw) {
-    const SceneFile file = random_scene(draw);
+
+  /// `row` heads its line, if one is printed.
+  void add(const SceneFile& file, const std::string& row) {
     const Diagnosis diagnosis = doctor::diagnose(file);
     const Ending ending = ending_of(file);
-    const bool announced = diagnosis.law() > 0;
-    ++table.scenes;
-    table.in_space += file.scene.index() >= 2;
-    table.failing += ending.fails;
-    table.announced += ending.fails && announced;
-    table.false_alarms += !ending.fails && announced;
-    bool cured = false;
-    if (ending.fails && announced) {
-      ++table.named;
+    const bool said = diagnosis.law() > 0;
+    ++scenes;
+    in_space += file.scene.index() >= 2;
+    failing += ending.fails;
+    announced += ending.fails && said;
+    false_alarms += !ending.fails && said;
+    bool holds = false;
+    if (ending.fails && said) {
+      ++named;
       SceneFile treated = file;  // as prescribed: the first knob of each law that fails
       for (const Finding& one : diagnosis.findings)
         if (one.grade == Grade::fails && !one.knobs.empty()) treated = doctor::turned(treated, one.knobs.front());
-      cured = !ending_of(treated).fails;
-      table.cured += cured;
+      holds = !ending_of(treated).fails;
+      cured += holds;
     }
-    table.right += ending.fails == announced && (!ending.fails || cured);
-    if (print) {
-      std::string all;
-      for (const Finding& one : diagnosis.findings)
-        all += fmt::format(" [{}: {:.3g}/{:.3g}]", one.law, one.number, one.limit);
-      fmt::print(
-          "{:3} {:24} solver {} sweeps {:2} warm {} sub {} cure {} β {:.2f} | says {:2} | {} | cured {} |{}\n",
-          draw, file.title, file.method.solver.index(),
-          std::holds_alternative<GaussSeidel>(file.method.solver)
-              ? std::get<GaussSeidel>(file.method.solver).sweeps
-              : 0,
-          std::holds_alternative<GaussSeidel>(file.method.solver) &&
-              std::get<GaussSeidel>(file.method.solver).warm_start,
-          file.method.substeps, file.method.drift.index(),
-          file.method.drift.index() == 1 ? std::get<Baumgarte>(file.method.drift).beta : 0.0, diagnosis.law(),
-          ending.fails ? ending.how : "holds", cured, all);
-    }
+    right += ending.fails == said && (!ending.fails || holds);
+    if (row.empty()) return;
+    std::string all;
+    for (const Finding& one : diagnosis.findings)
+      all += fmt::format(" [{}: {:.3g}/{:.3g}]", one.law, one.number, one.limit);
+    fmt::print("{} | says {:2} | {} | cured {} |{}\n", row, diagnosis.law(), ending.fails ? ending.how : "holds",
+               holds, all);
   }
-  return table;
+  void print() const {
+    fmt::print(
+        "{} scenes, {} in space: {} right; {} fail, {} of them announced; {} false alarms; as prescribed {} "
+        "of {} hold\n",
+        scenes, in_space, right, failing, announced, false_alarms, cured, named);
+  }
+};
+
+std::string method_of(const SceneFile& file) {
+  const auto* sweeps = std::get_if<GaussSeidel>(&file.method.solver);
+  const auto* bias = std::get_if<Baumgarte>(&file.method.drift);
+  return fmt::format("solver {} sweeps {:2} warm {} sub {} cure {} β {:.2f}", file.method.solver.index(),
+                     sweeps ? sweeps->sweeps : 0, sweeps && sweeps->warm_start, file.method.substeps,
+                     file.method.drift.index(), bias ? bias->beta : 0.0);
 }
 
 TEST(Doctor, SaysWhatThenHappensToRandomScenes) {
   const char* asked = std::getenv("BYHAND_DOCTOR");  // "FIRST COUNT" prints the table of those draws
   int first = 1000, count = 180;                     // that the doctor was not fitted to: those were 0 to 59
   if (asked) std::sscanf(asked, "%d %d", &first, &count);
-  const Table table = verdicts(first, count, asked != nullptr);
-  fmt::print(
-      "{} scenes, {} in space: {} right; {} fail, {} of them announced; {} false alarms; as prescribed {} "
-      "of {} hold\n",
-      table.scenes, table.in_space, table.right, table.failing, table.announced, table.false_alarms, table.cured,
-      table.named);
+  Table table;
+  for (int draw = first; draw < first + count; ++draw) {
+    const SceneFile file = random_scene(draw);
+    table.add(file, asked ? fmt::format("{:3} {:24} {}", draw, file.title, method_of(file)) : "");
+  }
+  table.print();
   EXPECT_GE(3 * table.in_space, table.scenes);
   EXPECT_GE(table.right, 0.9 * table.scenes);
   EXPECT_GE(table.announced, 0.95 * table.failing);
+}
+
+// Written as the sample folders of engines are, with methods as engines ship them, after the doctor was. It is
+// less sure of them than of random scenes: of those that it announces, what holds are straight bridges, whose
+// exact motion pulls without end (law 7), and impacts (laws 4 and 9). The numbers are what it reached, to be
+// beaten.
+TEST(Doctor, SaysWhatThenHappensToScenesOfSampleFolders) {
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(BYHAND_SAMPLES)) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  const bool printed = std::getenv("BYHAND_DOCTOR") != nullptr;
+  Table table;
+  for (const auto& path : files) {
+    std::ifstream stream(path);
+    std::ostringstream text;
+    text << stream.rdbuf();
+    const SceneFile file = read_scene(text.str());
+    table.add(file, printed ? fmt::format("{:34} {}", path.stem().string(), method_of(file)) : "");
+  }
+  table.print();
+  EXPECT_GE(table.scenes, 40);
+  EXPECT_GE(table.right, 33);
+  EXPECT_GE(table.announced, 21);
+  EXPECT_LE(table.false_alarms, 11);
 }
 
 }  // namespace
