@@ -370,8 +370,7 @@ Choice choose(const Problem& problem, const Wish& wish, const Search& search) {
     for (const Spent& one : spent) choice.spent += one;
     const bool spent_all = std::all_of(all.begin(), all.end(),
                                        [&](const Family& family) { return level >= budget_of(wish, family); });
-    if (std::isfinite(cheapest_yet) || spent_all ||
-        choice.spent.work > std::min(3 * search.enough, search.most))
+    if (std::isfinite(cheapest_yet) || spent_all || choice.spent.work > std::min(3 * search.enough, search.most))
       break;
   }
   choice.searched_exactly = level;
@@ -430,8 +429,8 @@ Choice choose(const Problem& problem, const Wish& wish, const Search& search) {
       std::vector<Spent> work(kept.size());
       search.side_by_side(static_cast<int>(kept.size()), [&](int i) {
         const auto at = static_cast<std::size_t>(i);
-        again[at] =
-            cheapest(problem, *kept[at].point.family, tight, 100 * choice.best.point.cost, &work[at], search.most / 20);
+        again[at] = cheapest(problem, *kept[at].point.family, tight, 100 * choice.best.point.cost, &work[at],
+                             search.most / 20);
       });
       for (const Spent& one : work) choice.spent += one;
       const Verification of_best = choice.verified;

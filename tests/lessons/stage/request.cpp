@@ -87,7 +87,8 @@ TEST(Chooser, KeepsWhatAFileAsksFor) {
   SceneFile file = course_scene("heavy_on_light");
   file.accuracy = {{"drift", 1e-3}};
   const Request request = request_of(file);
-  const Choice choice = choose(request.problem, {.limits = request.limits}, {.starts = 8, .enough = 5e8, .most = 2e9});
+  const Choice choice =
+      choose(request.problem, {.limits = request.limits}, {.starts = 8, .enough = 5e8, .most = 2e9});
   ASSERT_TRUE(choice.reached);
   const Point again = measure(request.problem, *choice.best.point.family, choice.best.point.knobs);
   EXPECT_EQ(again.outcome, Outcome::good);
@@ -100,7 +101,8 @@ TEST(Chooser, EndsWithWhatItHas) {
   SceneFile file = course_scene("ragdoll");
   file.accuracy = {{"drift", 1e-12}};  // which nothing reaches
   const Request request = request_of(file);
-  const Choice choice = choose(request.problem, {.limits = request.limits}, {.starts = 4, .enough = 2e8, .most = 5e8});
+  const Choice choice =
+      choose(request.problem, {.limits = request.limits}, {.starts = 4, .enough = 2e8, .most = 5e8});
   EXPECT_FALSE(choice.reached);
   EXPECT_LT(choice.spent.work, 3e9);
   EXPECT_TRUE(choice.best.point.family);
