@@ -9,7 +9,7 @@ Settings chipmunk_settings() {
   Settings all{.joints = {{},
                           {.row = Row::advised,
                            .knobs = {{"iterations", 20}},
-                           .source = "manual, cpSpace: more iterations are more accurate"}},
+                           .source = "manual, cpSpace, Iterations: each makes the solution more accurate"}},
                .contacts = {{},
                             {.row = Row::advised,
                              .knobs = {{"iterations", 20}, {"slop", 0.005}},
