@@ -53,15 +53,12 @@ renderer::Chart chart_of(const Scaling& scaling, const std::string& label, const
   Chart chart{.title = "cost to a drift of 1 mm",
               .x = {.label = label, .scale = Scale::logarithmic},
               .y = {.label = "cost (instructions a frame)", .scale = Scale::logarithmic}};
-  std::vector<const Family*> drawn;
-  for (const std::string_view name : compared) drawn.push_back(&family_named(name));
-  const std::vector<Colour> colours = colours_of(drawn);
   for (std::size_t i = 0; i < compared.size(); ++i)
     chart.curves.push_back({.label = std::string(compared[i]),
                             .x = scaling.x,
                             .y = scaling.cost[i],
                             .style = CurveStyle::line_and_markers,
-                            .colour = colours[i]});
+                            .colour = colour_of(family_named(compared[i]))});
   // Dashed lines end in the direct solve's last point.
   const double last = scaling.of("direct").back();
   for (const double slope : slopes)

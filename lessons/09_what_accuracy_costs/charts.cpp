@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <set>
 #include <string_view>
 
 #include "lessons/09_what_accuracy_costs/survey.hpp"
@@ -166,13 +165,9 @@ Chart work_precision(const Survey& survey, const std::vector<Spread>& spreads, E
     named = true;
     chart.curves.push_back(std::move(pale));
   }
-  std::vector<const Family*> drawn;
-  for (const Spread& spread : spreads) drawn.push_back(spread.family);
-  const std::vector<Colour> colours = colours_of(drawn);
   for (const Spread& spread : spreads) {
-    Curve kept{.label = spread.family->name,
-               .style = CurveStyle::line_and_markers,
-               .colour = colours[static_cast<std::size_t>(&spread - spreads.data())]};
+    Curve kept{
+        .label = spread.family->name, .style = CurveStyle::line_and_markers, .colour = colour_of(*spread.family)};
     Curve median{.colour = fade(*kept.colour, 0.45)};
     for (std::size_t i = 0; i < spread.points.size(); ++i) {
       const byhand::Point& point = spread.points[i];
@@ -235,24 +230,17 @@ std::string caption_of(const Survey& survey, Error error, int starts) {
 
 }  // namespace
 
-std::vector<renderer::Colour> colours_of(const std::vector<const Family*>& drawn) {
-  constexpr std::array<std::string_view, most_curves> own{"direct", "Gauss–Seidel", "RATTLE", "conjugate sweeps",
-                                                          "RK4",    "XPBD",         "AVBD"};
-  const auto own_index = [&](const Family* family) {
-    return static_cast<std::size_t>(std::find(own.begin(), own.end(), family->name) - own.begin());
-  };
-  std::set<std::size_t> taken;
-  for (const Family* family : drawn)
-    if (own_index(family) < own.size()) taken.insert(own_index(family));
-  std::vector<renderer::Colour> colours;
-  for (const Family* family : drawn) {
-    std::size_t index = own_index(family);
-    if (index == own.size())
-      for (index = 0; taken.contains(index);) ++index;
-    taken.insert(index);
-    colours.push_back(renderer::palette::series(static_cast<int>(index)));
+renderer::Colour colour_of(const Family& family) {
+  constexpr std::array<std::string_view, 8> bright{"direct", "Gauss–Seidel", "RATTLE", "conjugate sweeps",
+                                                   "RK4",    "XPBD",         "AVBD",   "generalised RK4"};
+  const auto own = std::find(bright.begin(), bright.end(), family.name);
+  if (own != bright.end()) return renderer::palette::series(static_cast<int>(own - bright.begin()));
+  int place = 0;
+  for (const Family& other : families()) {
+    if (&other == &family) break;
+    place += std::find(bright.begin(), bright.end(), other.name) == bright.end();
   }
-  return colours;
+  return renderer::mix(renderer::palette::series(place), renderer::palette::muted, 0.55);
 }
 
 std::string title_of(const Problem& problem) {

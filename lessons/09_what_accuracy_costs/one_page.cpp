@@ -9,6 +9,9 @@
 namespace byhand::accuracy {
 namespace {
 
+constexpr double most_ratio = 100;        // τ of a profile, at most
+constexpr std::size_t most_profiles = 7;  // that can be told apart
+
 struct Class {
   std::string name;
   Problem problem;
@@ -88,44 +91,55 @@ Tasks tasks_of(const Page& page, const std::vector<Class>& classes, Cost cost) {
   return all;
 }
 
-/// The profiles of the seven methods with the largest area under theirs.
-renderer::Chart profiles(const std::vector<Task>& tasks, Cost cost) {
-  using namespace renderer;
-  constexpr double most = 100;
-  struct Drawn {
-    std::size_t method;
-    double area;
-  };
-  std::vector<Drawn> drawn;
+/// All methods that do a task, by the area under their profiles, the largest first.
+std::vector<std::size_t> by_area(const std::vector<Task>& tasks) {
+  std::vector<std::pair<double, std::size_t>> areas;
   for (std::size_t i = 0; i < families().size(); ++i) {
     const Profile profile(tasks, i);
     double area = 0;
-    for (double tau = 1; tau < most; tau *= 1.05) area += profile(tau);
-    if (area > 0) drawn.push_back({i, area});
+    for (double tau = 1; tau < most_ratio; tau *= 1.05) area += profile(tau);
+    if (area > 0) areas.emplace_back(-area, i);
   }
-  std::stable_sort(drawn.begin(), drawn.end(), [](const Drawn& a, const Drawn& b) { return a.area > b.area; });
-  if (drawn.size() > 7) drawn.resize(7);
+  std::stable_sort(areas.begin(), areas.end());
+  std::vector<std::size_t> methods;
+  for (const auto& [area, method] : areas) methods.push_back(method);
+  return methods;
+}
+
+/// " Not drawn, with less area below: Jacobi. …": who has no curve, and why.
+std::string left_out(const std::vector<Task>& tasks) {
+  const std::vector<std::size_t> methods = by_area(tasks);
+  std::string less, none;
+  const auto add = [](std::string& list, const std::string& name) { list += (list.empty() ? "" : ", ") + name; };
+  for (std::size_t i = most_profiles; i < methods.size(); ++i) add(less, families()[methods[i]].name);
+  for (std::size_t i = 0; i < families().size(); ++i)
+    if (std::find(methods.begin(), methods.end(), i) == methods.end()) add(none, families()[i].name);
+  return (less.empty() ? "" : say(" Not drawn, with less area below: @.", less)) +
+         (none.empty() ? "" : say(" Within @ times the cheapest these do no task: @.", most_ratio, none));
+}
+
+/// The profiles of the methods with the largest area under theirs.
+renderer::Chart profiles(const std::vector<Task>& tasks, Cost cost) {
+  using namespace renderer;
+  std::vector<std::size_t> drawn = by_area(tasks);
+  if (drawn.size() > most_profiles) drawn.resize(most_profiles);
   Chart chart{.x = {.label = cost == Cost::wall_time ? "τ: at most so many times the time of the fastest"
                                                      : "τ: at most so many times the cost of the cheapest",
                     .scale = Scale::logarithmic,
-                    .range = {{1, most}}},
+                    .range = {{1, most_ratio}}},
               .y = {.label = "share of all tasks", .range = {{0, 1}}}};
-  std::vector<const Family*> shown;
-  for (const Drawn& one : drawn) shown.push_back(&families()[one.method]);
-  const std::vector<Colour> colours = colours_of(shown);
-  for (const Drawn& one : drawn) {
-    const Profile profile(tasks, one.method);
-    Curve curve{.label = families()[one.method].name,
-                .colour = colours[static_cast<std::size_t>(&one - drawn.data())]};
+  for (const std::size_t method : drawn) {
+    const Profile profile(tasks, method);
+    Curve curve{.label = families()[method].name, .colour = colour_of(families()[method])};
     double before = profile(1);
     curve.x = {1}, curve.y = {before};
     for (const double ratio : profile.ratios()) {
-      if (ratio <= 1 || ratio > most) continue;
+      if (ratio <= 1 || ratio > most_ratio) continue;
       curve.x.insert(curve.x.end(), {ratio, ratio});
       curve.y.insert(curve.y.end(), {before, profile(ratio)});
       before = profile(ratio);
     }
-    curve.x.push_back(most), curve.y.push_back(before);
+    curve.x.push_back(most_ratio), curve.y.push_back(before);
     chart.curves.push_back(std::move(curve));
   }
   return chart;
@@ -204,12 +218,14 @@ void one_page(Page& page) {
               touching = tasks_of(page, contact_scenes(), Cost::counted);
   page.figure("profile_equalities",
               say("Rods and joints: @ tasks, three targets for each error of each of @ scenes.",
-                  joints.tasks.size(), equalities().size()),
+                  joints.tasks.size(), equalities().size()) +
+                  left_out(joints.tasks),
               profiles(joints.tasks, Cost::counted), joints.data);
   page.text("Rods and joints. " + winners(joints.tasks));
   page.figure("profile_contacts",
               say("Contacts: @ tasks of @ scenes, which have to stand or slide first.", touching.tasks.size(),
-                  contact_scenes().size()),
+                  contact_scenes().size()) +
+                  left_out(touching.tasks),
               profiles(touching.tasks, Cost::counted), touching.data);
   page.text("Contacts. " + winners(touching.tasks));
   page.clocked("profile_equalities_clocked",

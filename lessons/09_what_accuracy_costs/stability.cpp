@@ -47,11 +47,8 @@ renderer::Chart chart_of(const std::vector<Limits>& methods) {
   using namespace renderer;
   Chart chart{.x = {.label = "mass of the end over that of a link", .scale = Scale::logarithmic},
               .y = {.label = "longest stable step (s)", .scale = Scale::logarithmic}};
-  std::vector<const Family*> drawn;
-  for (const Limits& method : methods) drawn.push_back(&family_named(method.name));
-  const std::vector<Colour> colours = colours_of(drawn);
   const auto curve = [&](std::size_t i, const std::vector<double>& steps, CurveStyle style) {
-    Curve made{.style = style, .colour = colours[i]};
+    Curve made{.style = style, .colour = colour_of(family_named(methods[i].name))};
     for (std::size_t j = 0; j < masses.size(); ++j)
       if (std::isfinite(steps[j])) made.x.push_back(masses[j]), made.y.push_back(steps[j]);
     return made;

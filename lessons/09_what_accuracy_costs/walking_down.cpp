@@ -104,10 +104,9 @@ struct WalkFilm {
 void walking_down(const Problem& problem, Page& page) {
   const std::array<const Family*, 2> families{&family_named("direct"), &family_named("RATTLE")};
   const std::array names{"symplectic Euler", "RATTLE"};
-  const std::vector<Colour> colours = colours_of({families[0], families[1]});
   WalkFilm film{.acts = pictures::Acts({}),
                 .methods = {},
-                .colours = {colours[0], colours[1]},
+                .colours = {colour_of(*families[0]), colour_of(*families[1])},
                 .exact = {},
                 .chart = {.x = {.label = "error of the place (m)", .scale = Scale::logarithmic},
                           .y = {.label = "cost (instructions a frame)", .scale = Scale::logarithmic}},
