@@ -2,21 +2,6 @@
 
 namespace byhand::iterations {
 
-//! [sweep]
-void plain_sweep(const ChainOptions& chain, std::vector<double>& v, std::vector<double>& lambda) {
-  const double L = chain.length, m = chain.mass;
-  for (int i = 0; i < chain.links; ++i) {
-    const double above = i == 0 ? 0 : v[i - 1];     // the fixed point does not move
-    const double JV = L * (v[i] - above);           // (8)
-    const double K = L * L * (i == 0 ? 1 : 2) / m;  // (19)
-    const double change = -JV / K;                  // (17)
-    lambda[i] += change;
-    v[i] += change * L / m;                 // (20), the bob below
-    if (i > 0) v[i - 1] -= change * L / m;  // (20), the bob above
-  }
-}
-//! [sweep]
-
 //! [elimination]
 std::vector<double> plain_elimination(std::vector<double> diagonal, const std::vector<double>& beside,
                                       std::vector<double> x) {

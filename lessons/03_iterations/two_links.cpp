@@ -2,7 +2,8 @@
 
 #include "lessons/03_iterations/held_step.hpp"
 #include "lessons/03_iterations/knobs.hpp"
-#include "lessons/03_iterations/plain.hpp"
+#include "lessons/03_iterations/plain_figure.hpp"
+#include "lessons/03_iterations/plain_sweep.hpp"
 
 namespace byhand::iterations {
 namespace {
@@ -110,7 +111,12 @@ void two_links(Page& page, const Knobs& knobs) {
       R"(Row 2 has undone half of row 1's work; solving row 1 again undoes half of row 2's. (17) is
       exact for *one* row while the others wait. For many rows it is one step of a method that goes round and
       round: *Gauss–Seidel*. One round over all rows is a *sweep*. In the plainest code, for a hanging chain:)");
-  page.excerpt("lessons/03_iterations/plain.cpp", "sweep");
+  page.excerpt("lessons/03_iterations/plain_sweep.cpp", "sweep");
+  page.figure(
+      "plain_sweep",
+      R"(What this code leaves, sweep by sweep, of the speed gh with which all bobs of a chain begin to fall:
+              how fast the fastest of them still is. Longer chains take more sweeps; how many more is step 4.)",
+      chart_of(plain_sweep));
   page.text(
       R"(*The article calls the method Sequential Impulses, and writes (17) for "the system"; one (17) solves one
       row.* The solver's loop does the same for rows of all kinds: `solve` is (17), `apply` is (20).)");
@@ -130,7 +136,7 @@ void two_links(Page& page, const Knobs& knobs) {
   double apart = 0;
   for (int i = 0; i < rounds; ++i) {
     solver.solve_sweep();
-    plain_sweep(longer, v, impulses);
+    plain_sweep(longer.length, longer.mass, v, impulses);
   }
   for (std::size_t i = 0; i < v.size(); ++i) apart = std::max(apart, std::abs(v[i] - solver.speeds()[i]) / fall);
   page.claim(say("the plain sweep against the solver, 5 links, @ sweeps", rounds), apart, "gh",

@@ -11,7 +11,7 @@ async function startCompiler(compiler, headers) {
 function compilerOf(module, files) {
   return (exercise, text) => {
     const own = new Map(files), source = `learner/${exercise}.cpp`;
-    own.set(source, new TextEncoder().encode(text));
+    own.set(source, new TextEncoder().encode(placed(exercise, text)));
     const compiled = runTool(module, ['llvm', ...compileCommand(exercise, `/${source}`, '/learner/object.o')], own);
     if (compiled.status !== 0) return { by: 'clang', said: compiled.said };
     const linked = runTool(module, ['llvm', ...linkCommand(exercise, '/learner/object.o', '/learner/program.wasm')], own);

@@ -5,6 +5,9 @@
 //                                              {"kind", "sentence", "details", "printed", "line", "frames"}
 //                                              and, of right code, "solution" and "derivation"
 //     {"ask": "refused", "exercise": "08_bias", "said": …, "text": …, "by": "clang" or "lld"}    the same
+//     {"ask": "excerpt", "exercise": "sweep", "said": …}    {"kind", "sentence", "details", "printed", "line",
+//     "svg"}: what
+//                                              lesson 3 draws with its plain sweep, beside the reader's
 //     {"ask": "picture", "index": 12}          {"svg"}: the code that was judged last beside the right one
 //     {"ask": "given", "exercise": "08_bias", "seed": 7}     numbers of all probes, which tests compare
 //
@@ -17,6 +20,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "lessons/03_iterations/plain_figure.hpp"
+#include "lessons/practise/excerpts/sweep.hpp"
 #include "lessons/practise/judge/comparison.hpp"
 #include "lessons/practise/judge/compiled.hpp"
 #include "lessons/practise/judge/judge.hpp"
@@ -142,13 +147,13 @@ Json told(const Verdict& verdict) {
 }
 
 /// As the compilers know the learner's file.
-std::string file_of(const Exercise& exercise) { return "/learner/" + exercise.name + ".cpp"; }
+std::string file_of(const std::string& exercise) { return "/learner/" + exercise + ".cpp"; }
 
 Json judged(const Exercise& exercise, const std::string& said) {
   const Key& key = key_of(exercise);
   Verdict verdict = judge(exercise, key, call);
   verdict.printed = printed();
-  finish(verdict, Messages(said, file_of(exercise)).warnings);
+  finish(verdict, Messages(said, file_of(exercise.name)).warnings);
   yours = verdict.film;
   right = key.film;
   Json answer = told(verdict);
@@ -160,14 +165,35 @@ Json judged(const Exercise& exercise, const std::string& said) {
   return answer;
 }
 
-Json refused(const Exercise& exercise, const Json& request) {
-  const std::string said = request.at("said"), text = request.at("text"), file = exercise.name + ".cpp";
+Json refused(const std::string& exercise, const Json& request) {
+  const std::string said = request.at("said"), text = request.at("text"), file = exercise + ".cpp";
   Verdict verdict = text.size() > most_text ? not_compiled(too_long(file))
                     : request.at("by") == "clang"
                         ? not_compiled("It does not compile.", Messages(said, file_of(exercise)))
                         : not_compiled(about_linking(said, text));
   finish(verdict, "");
   return told(verdict);
+}
+
+/// An excerpt is not judged: what it does is drawn.
+Json drawn(const std::string& said) {
+  Verdict verdict;
+  Json svg;
+  try {
+    const Code code = call;
+    const auto [sweep] = Functions<decltype(std::make_tuple(FUNCTIONS))>::of(code);
+    byhand::renderer::SvgCanvas canvas(1280, "excerpt");
+    byhand::renderer::draw(canvas, byhand::iterations::chart_beside_ours(sweep), canvas.page().inset(20));
+    svg = canvas.svg("Your sweep beside the lesson's");
+  } catch (const Stopped& stopped) {
+    verdict.kind = Verdict::Kind::stopped;
+    verdict.sentence = stopped.sentence;
+  }
+  verdict.printed = printed();
+  finish(verdict, Messages(said, file_of("sweep")).warnings);
+  Json answer = told(verdict);
+  if (!svg.is_null()) answer["svg"] = svg;
+  return answer;
 }
 
 Json picture(int index) {
@@ -187,9 +213,10 @@ Json given(const Exercise& exercise, std::uint64_t seed) {
 Json answered(const Json& request) {
   const std::string ask = request.at("ask");
   if (ask == "picture") return picture(request.at("index"));
+  if (ask == "excerpt") return drawn(request.at("said"));
+  if (ask == "refused") return refused(request.at("exercise"), request);
   const Exercise& exercise = named(request.at("exercise"));
   if (ask == "judge") return judged(exercise, request.at("said"));
-  if (ask == "refused") return refused(exercise, request);
   if (ask == "given") return given(exercise, request.at("seed"));
   throw std::invalid_argument("Asked for " + ask);
 }

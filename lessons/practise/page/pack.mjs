@@ -33,8 +33,11 @@ keep('lessons/practise/learner/practise.hpp', 'practise.hpp');
 for (const header of ['undefined', 'wire']) bring(`lessons/practise/judge/${header}.hpp`, `lessons/practise/judge/${header}.hpp`);
 bring('lessons/practise/page/learner_page.cpp', 'learner_page.cpp');
 const exercises = readdirSync(practise).filter(name => /^\d\d_/.test(name)).sort();
-for (const name of exercises) {
-  keep(`lessons/practise/${name}/signature.hpp`, `${name}/signature.hpp`);
+const excerpts = readdirSync(join(practise, 'excerpts')).map(file => file.replace('.hpp', '')).sort();
+for (const name of excerpts) keep(`lessons/practise/excerpts/${name}.hpp`, `${name}/signature.hpp`);
+keep('lessons/03_iterations/plain_sweep.hpp', 'lessons/03_iterations/plain_sweep.hpp');
+for (const name of exercises) keep(`lessons/practise/${name}/signature.hpp`, `${name}/signature.hpp`);
+for (const name of [...exercises, ...excerpts]) {
   run(wrapperCommand(name, '/learner_page.cpp', `/${name}/wrapper.o`));
   kept.push(`${name}/wrapper.o`);
 }

@@ -58,7 +58,7 @@ const compiler = () => compiling ??= (async () => {
 // The judge, which is ended when a learner's code does not come back, and then begins again.
 let judging, judgeFiles;
 const judge = () => judging ??= (async () => {
-  judgeFiles ??= Promise.all([workers(), load('judge').then(unpacked).then(bytes => WebAssembly.compile(bytes)), load('files').then(unpacked)]);
+  judgeFiles ??= Promise.all([workers(), load('judge').then(unpacked).then(bytes => WebAssembly.compile(bytes)), load('texts').then(unpacked)]);
   const [{ judging: source }, module, archive] = await judgeFiles;
   const started = await service(source);
   await started.ask({ start: { judge: module, archive } });
@@ -79,8 +79,8 @@ async function judged(message) {
   return Promise.race([service.ask(message), late]).finally(() => clearTimeout(timer));
 }
 
-// The verdict on a text, as the terminal gives it; `tell` hears what is being done.
-async function verdictOn(exercise, text, tell = () => {}) {
+// The verdict on a text, as the terminal gives it, or what else is asked of its program; `tell` hears what is being done.
+async function verdictOn(exercise, text, tell = () => {}, ask = 'judge') {
   const begin = performance.now();
   if (!compiling) tell('Loading the compiler, 23 MB …');
   const service = await compiler();
@@ -89,7 +89,7 @@ async function verdictOn(exercise, text, tell = () => {}) {
   const { program, by, said } = new TextEncoder().encode(text).length > 64 << 10 ? { by: 'clang', said: '' } : await service.ask({ exercise, text });
   const compiled = performance.now();
   tell('Judging …');
-  const verdict = await judged(program ? { request: { ask: 'judge', exercise, said }, program, file: `${exercise}.cpp` }
+  const verdict = await judged(program ? { request: { ask, exercise, said }, program, file: `${exercise}.cpp` }
     : { request: { ask: 'refused', exercise, said, text, by } });
   verdict.took = { load: loaded - begin, compile: compiled - loaded, judge: performance.now() - compiled };
   return verdict;

@@ -82,6 +82,13 @@ bool write_exercises(const fs::path& folder) {
   return true;
 }
 
+/// Lets the readers of a lesson change its plain algorithms, where the compiler of the exercises is there.
+void make_excerpts_live(const fs::path& page) {
+  std::string text = course::read_whole(page).value();
+  text.insert(text.rfind("</body>"), "<script defer=\"defer\" src=\"practise/excerpts.js\"></script>\n");
+  course::write_whole(page, text);
+}
+
 /// Runs a lesson's program and returns the digest that it left in the folder.
 site::Digest write_lesson(const std::string& slug, const fs::path& folder, const Wanted& wanted) {
   const fs::path program = fs::read_symlink("/proc/self/exe").parent_path() / ("page_" + slug);
@@ -131,6 +138,7 @@ int run(const Wanted& wanted) {
   copy_assets(folder.path());
   const bool desk = fs::exists(folder.path() / "live" / "desk.js");
   const bool exercises = wanted.exercises && write_exercises(folder.path());
+  if (exercises) make_excerpts_live(folder.path() / "03_iterations.html");
   write("index.html",
         site::contents_page(lessons, {site::cover_scene(folder.path()), desk, exercises, wanted.repository}));
   if (desk) write("desk.html", site::desk_page(desk::read_tasks(fs::path(BYHAND_SITE_FOLDER) / "../desk/tasks")));

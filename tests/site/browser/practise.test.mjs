@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { existsSync } from 'node:fs';
 import { after, test } from 'node:test';
 
-import { exercises, expected, text, variants } from '../live/practise.mjs';
+import { excerpt, exercises, expected, text, variants } from '../live/practise.mjs';
 import { axe, launchFirefox, open, pages, quick, quit, url } from './browser.mjs';
 
 after(quit);
@@ -46,6 +46,30 @@ test('a wrong line is selected', { skip, timeout: 300_000 }, async () => {
   await write(tab, '#include "practise.hpp"\n\ndouble bias(double C, double beta, double h) {\n  return beta / h * D;\n}\n');
   assert.equal(await checked(tab), 'It does not compile.');
   assert.equal(await tab.$eval('#code', sheet => sheet.value.slice(sheet.selectionStart, sheet.selectionEnd)), '  return beta / h * D;');
+  await tab.close();
+});
+
+test("lesson 3's sweep runs in its page, and Reset brings ours back", { skip: skip || !pages.includes('03_iterations.html') && 'this site has no lesson 3', timeout: 300_000 }, async () => {
+  const tab = await open(url('03_iterations.html'));
+  const picture = () => tab.$eval('#figure-plain_sweep .picture', picture => picture.innerHTML), ours = await picture();
+  const press = words => tab.$$eval('.excerpt button', (all, words) => all.find(one => one.textContent === words).click(), words);
+  const run = async change => {
+    await tab.$eval('.excerpt textarea', (code, [from, to]) => { code.value = code.value.replace(from, to); }, change);
+    await tab.$eval('.excerpt .state', state => { state.textContent = ''; });
+    await press('Run');
+    await tab.waitForFunction(() => /yours beside|^(Your|It|Excerpts)/.test(document.querySelector('.excerpt .state').textContent), { timeout: 120_000 });
+    return tab.$eval('.excerpt .state', state => state.textContent);
+  };
+  await press('Change it and run it');
+  assert.equal(await tab.$eval('.excerpt textarea', code => code.value.trim()), excerpt('lessons/03_iterations/plain_sweep.cpp', 'sweep').trim());
+  assert.match(await run(['-JV / K', '-1.6 * JV / K']), /^Drawn/);
+  assert.match(await picture(), /10 links, yours/);
+  assert.equal(await run(['JV / K', 'JV / X']), 'It does not compile.');
+  assert.match(await tab.$eval('.excerpt textarea', code => code.value.slice(code.selectionStart, code.selectionEnd)), /JV \/ X/);
+  await press('Reset');
+  assert.equal(await picture(), ours);
+  assert.equal(await tab.$('.excerpt textarea'), null);
+  assert.deepEqual(tab.complaints, []);
   await tab.close();
 });
 

@@ -17,27 +17,29 @@ export const firstComment = text => {
   const lines = text.split('\n');
   return lines.slice(0, lines.findIndex(line => !line.startsWith('// '))).map(line => line.slice(3)).join(' ');
 };
+// What a lesson shows of a file.
+export const excerpt = (file, tag) => readFileSync(join(root, file), 'utf8').split(`//! [${tag}]\n`)[1];
 // What the judge says of a file of the course.
 export const expected = (exercise, file) => file === 'solution.cpp' ? 'Right, on all 24 probes.'
   : file !== 'stub.cpp' ? firstComment(text(exercise, file))
   : /FUNCTIONS .*,/.test(text(exercise, 'signature.hpp')) ? `${/FUNCTIONS (\w+),/.exec(text(exercise, 'signature.hpp'))[1]} is not written yet.` : 'Not written yet.';
 
-// { verdict(exercise, text), ask(request) } of the page's own code.
+// { verdict(exercise, text, what to ask), ask(request) } of the page's own code.
 export async function page() {
   const context = vm.createContext({ ...globalThis, WebAssembly, TextEncoder, TextDecoder, Blob, Response, DecompressionStream, console, performance });
   context.globalThis = context;
   const run = (path, name) => vm.runInContext(readFileSync(path, 'utf8'), context, name);
   for (const name of ['wasi', 'program']) run(join(root, `lessons/site/live/${name}.js`), name);
   for (const name of ['toolchain', 'commands', 'compiler_worker', 'lines', 'judge_worker']) run(join(practise, `page/${name}.js`), name);
-  for (const name of ['compiler', 'headers', 'judge', 'files']) run(join(folder, `${name}.js`), name);
+  for (const name of ['compiler', 'headers', 'judge', 'texts']) run(join(folder, `${name}.js`), name);
   const parts = vm.runInContext('byhandParts', context);
   const compile = await context.startCompiler(parts.compiler, parts.headers);
-  const ask = context.startJudge(await WebAssembly.compile(await context.unpacked(parts.judge)), context.untar(await context.unpacked(parts.files)));
+  const ask = context.startJudge(await WebAssembly.compile(await context.unpacked(parts.judge)), context.untar(await context.unpacked(parts.texts)));
   return {
     ask: request => structuredClone(ask(request)),
-    verdict(exercise, text) {
+    verdict(exercise, text, what = 'judge') {
       const { program, by, said } = compile(exercise, text);
-      return structuredClone(program ? ask({ ask: 'judge', exercise, said }, context.startLearner(program, `${exercise}.cpp`))
+      return structuredClone(program ? ask({ ask: what, exercise, said }, context.startLearner(program, `${exercise}.cpp`))
         : ask({ ask: 'refused', exercise, said, text, by }));
     },
   };

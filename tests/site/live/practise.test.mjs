@@ -7,7 +7,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { test } from 'node:test';
 
-import { exercises, expected, packed, page, text, variants } from './practise.mjs';
+import { excerpt, exercises, expected, packed, page, text, variants } from './practise.mjs';
 
 const skip = !packed && 'this site has no exercises';
 const judge = packed && await page();
@@ -47,6 +47,25 @@ test('what is printed is shown, and the compiler names the line', { skip }, () =
   const { line, details } = judge.verdict('08_bias', bias('return beta / h * D;'));
   assert.equal(line, 4);
   assert.match(details, /^08_bias\.cpp:4:\d+: error: use of undeclared identifier 'D'/);
+});
+
+test("lesson 3's sweep is drawn as its reader changes it", { skip }, () => {
+  const sweep = excerpt('lessons/03_iterations/plain_sweep.cpp', 'sweep');
+  const run = (from, to) => {
+    assert.ok(sweep.includes(from));
+    return judge.verdict('sweep', sweep.replace(from, to), 'excerpt');
+  };
+  const ours = run('-JV / K', '-JV / K').svg, relaxed = run('-JV / K', '-1.6 * JV / K').svg;
+  assert.match(ours, /^<svg[^]*10 links, yours[^]*<\/svg>\s*$/);
+  assert.notEqual(relaxed, ours);
+  assert.match(run('-JV / K', '-9 * JV / K').svg, /^<svg/);
+  const unknown = run('-JV / K', '-JV / X');
+  assert.equal(unknown.sentence, 'It does not compile.');
+  assert.equal(unknown.line, 1 + sweep.slice(0, sweep.indexOf('-JV / K')).split('\n').length - 1);
+  assert.match(unknown.details, /^sweep\.cpp:\d+:\d+: error: use of undeclared identifier 'X'/);
+  assert.match(run('++i', 'i += 0').sentence, /^Your code did not return in line \d; look for a loop that never ends\.$/);
+  assert.match(run('v[i - 1];', 'v[i + 1];').sentence, /^Your code crashed in line 3/);
+  assert.match(run('plain_sweep', 'sweep').sentence, /plain_sweep\(.*\) is missing/);
 });
 
 // Built by two compilers, one judge gives what the other gives, so that a key serves both.
