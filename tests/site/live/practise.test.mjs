@@ -64,7 +64,8 @@ test("lesson 3's sweep is drawn as its reader changes it", { skip }, () => {
   assert.equal(unknown.line, 1 + sweep.slice(0, sweep.indexOf('-JV / K')).split('\n').length - 1);
   assert.match(unknown.details, /^sweep\.cpp:\d+:\d+: error: use of undeclared identifier 'X'/);
   assert.match(run('++i', 'i += 0').sentence, /^Your code did not return in line \d; look for a loop that never ends\.$/);
-  assert.match(run('v[i - 1];', 'v[i + 1];').sentence, /^Your code crashed in line 3/);
+  // Optimised code may check an index at the head of its loop, so the line may be that.
+  assert.match(run('v[i - 1];', 'v[i + 1];').sentence, /^Your code crashed in line [23]: .*index out of range\.$/);
   assert.match(run('plain_sweep', 'sweep').sentence, /plain_sweep\(.*\) is missing/);
 });
 
