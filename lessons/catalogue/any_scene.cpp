@@ -5,6 +5,7 @@
 #include <utility>
 #include <variant>
 
+#include "lessons/catalogue/separation.hpp"
 #include "solver/constraints/contact_manifold.hpp"
 #include "solver/constraints/normalised_distance.hpp"
 #include "solver/constraints/pin.hpp"
@@ -169,19 +170,8 @@ Effort AnyScene::effort() const {
 }
 
 double AnyScene::separation() const {
-  return read_with_contacts([]<class M>(const Scene<M>& scene, const ContactManager<M>& contacts) {
-    double largest = 0;
-    for_each_constraint(scene, contacts, [&](const ConstraintStore<M>& store, const auto& entry) {
-      if (store.position_rows == 0) return;
-      double C[most_rows<M>];
-      store.write_value(entry.index, scene.bodies(), C);
-      double apart = -*std::min_element(C, C + store.position_rows);  // of what touches
-      if (store.bound == Bound::none)                                 // a rod has one row, a pin one for each axis
-        apart = store.position_rows == 1 ? std::abs(C[0]) : Eigen::Map<const Linear<M>>(C).norm();
-      largest = std::max(largest, apart);
-    });
-    return largest;
-  });
+  return read_with_contacts(
+      [](const auto& scene, const auto& contacts) { return byhand::separation(scene, contacts); });
 }
 
 double AnyScene::energy() const {

@@ -16,10 +16,8 @@ using namespace renderer;
 using course::say;
 using course::Value;
 
-constexpr double slack = 12;         // how far beside a body it may be taken [points]
-constexpr double too_far = 0.5;      // of the picture, in one step: a scene where a body moves so has flown apart
-constexpr double hand_rate = 20;     // ω of the hand's springs [rad/s], damped critically
-constexpr double hand_weights = 10;  // the hand's strength, over the weight of all bodies
+constexpr double slack = 12;     // how far beside a body it may be taken [points]
+constexpr double too_far = 0.5;  // of the picture, in one step: a scene where a body moves so has flown apart
 
 template <class M>
 bool has_shapes(const Scene<M>& scene) {
@@ -75,19 +73,14 @@ HeldScene<M>::HeldScene(InHand<M> given)
     : given_(std::move(given)),
       now_(given_.start),
       camera_(fit(given_.view, {page.x, page.y + 36, page.width, page.height - 96}, 20)) {
-  Scene<M>& scene = given_.start.scene;
-  double mass = 0;
-  for (const InverseMass<M>& inverse : scene.bodies().inverse_mass)
-    if (moves(inverse)) mass += 1 / inverse.linear;
-  strength_ = hand_weights * mass * std::max(scene.gravity.norm(), 1.0);
-  hand_ = scene.add_body(Linear<M>(Linear<M>::Zero()), fixed<M>());
+  no_hand_ = Hand<M>(given_.start.scene);
   reset();
 }
 
 template <class M>
 void HeldScene<M>::reset() {
   now_ = given_.start;
-  grip_.reset();
+  hand_ = no_hand_;
   hand_impulse_.setZero();
   stopped_.clear();
 }
@@ -123,9 +116,9 @@ std::vector<course::Held::Body> HeldScene<M>::bodies() const {
 
 template <class M>
 int HeldScene<M>::held() const {
-  if (!grip_) return -1;
+  if (!hand_.grip()) return -1;
   const auto& mass = now_.scene.bodies().inverse_mass;
-  return static_cast<int>(std::count_if(mass.begin(), mass.begin() + grip_->body, moves<M>));
+  return static_cast<int>(std::count_if(mass.begin(), mass.begin() + hand_.grip()->body, moves<M>));
 }
 
 template <class M>
@@ -157,34 +150,21 @@ void HeldScene<M>::grab(const Point& at) {
   const int body = body_at(point);
   if (body < 0) return;
   if constexpr (M::angular > 0)
-    hold(body, has_shapes(now_.scene) ? arm_to<M>(now_.scene.bodies().pose[body], point) : Arm<M>(Arm<M>::Zero()),
-         point);
+    hand_.take(now_.scene, body,
+               has_shapes(now_.scene) ? arm_to<M>(now_.scene.bodies().pose[body], point) : Arm<M>(Arm<M>::Zero()),
+               point);
   else
-    hold(body, {}, point);
-}
-
-template <class M>
-void HeldScene<M>::hold(int body, const Arm<M>& arm, const Linear<M>& hand) {
-  now_.scene.set_position(hand_, hand);
-  grip_ = Grip{body, arm, {}};
-  for (int axis = 0; axis < 2; ++axis) {
-    Pull<M> pull{.at = {hand_, body}, .along = Linear<M>::Unit(axis), .strength = strength_ / std::sqrt(2.0)};
-    if constexpr (M::angular > 0) pull.at.arms.second = arm;
-    pull.elastic = tuned(now_.scene.bodies(), pull, hand_rate, 1);
-    grip_->rows[axis] = now_.scene.add(pull);
-  }
+    hand_.take(now_.scene, body, {}, point);
 }
 
 template <class M>
 void HeldScene<M>::move(const Point& to) {
-  if (grip_) now_.scene.set_position(hand_, camera_.to_world(to));
+  hand_.move(now_.scene, camera_.to_world(to));
 }
 
 template <class M>
 void HeldScene<M>::release() {
-  if (!grip_) return;
-  for (const auto& row : grip_->rows) now_.scene.remove(row);
-  grip_.reset();
+  hand_.release(now_.scene);
 }
 
 template <class M>
@@ -199,8 +179,8 @@ void HeldScene<M>::step() {
     return stop(say("the step failed: @", error.what()));
   }
   const Bodies<M>& bodies = now_.scene.bodies();
-  if (grip_)
-    for (int axis = 0; axis < 2; ++axis) hand_impulse_[axis] += now_.impulse(grip_->rows[axis])[0];
+  if (const auto& grip = hand_.grip())
+    for (int axis = 0; axis < 2; ++axis) hand_impulse_[axis] += now_.impulse(grip->rows[axis])[0];
   double moved = 0;
   for (const Velocity<M>& V : bodies.velocity) moved = std::max(moved, given_.h * V.template head<2>().norm());
   if (moved > too_far * std::max(given_.view.width, given_.view.height))
@@ -216,15 +196,17 @@ void HeldScene<M>::go_on_from(const Held& other) {
   now_.scene.state().velocity = that->now_.scene.bodies().velocity;
   now_.time = that->now_.time;
   hand_impulse_ = that->hand_impulse_;
-  if (that->grip_) hold(that->grip_->body, that->grip_->arm, now_.scene.bodies().pose[hand_].position);
+  if (const auto& grip = that->hand_.grip())
+    hand_.take(now_.scene, grip->body, grip->arm, that->now_.scene.bodies().pose[that->hand_.body()].position);
 }
 
 template <class M>
 void HeldScene<M>::draw_hand(Canvas& canvas) const {
-  if (!grip_) return;
-  const Pose<M>& pose = now_.scene.bodies().pose[grip_->body];
-  const Point hand = now_.scene.bodies().pose[hand_].position,
-              point = anchor<M, double>(pose, in_world<M, double>(pose, grip_->arm));
+  const auto& grip = hand_.grip();
+  if (!grip) return;
+  const Pose<M>& pose = now_.scene.bodies().pose[grip->body];
+  const Point hand = now_.scene.bodies().pose[hand_.body()].position,
+              point = anchor<M, double>(pose, in_world<M, double>(pose, grip->arm));
   canvas.line(point, hand, {palette::muted, 3, Dash::dashed});
   canvas.disc(hand, 9 / canvas.camera().scale, {fade(palette::highlight, 0.5), {palette::ink, 1.8}});
 }
@@ -265,7 +247,7 @@ std::string HeldScene<M>::words(std::optional<double> part) const {
     return now.formula + ". " + now.words;
   }
   const int constraints = now_.scene.count() + now_.work.contacts.constraints().count();
-  const bool several = constraints > (grip_ ? 3 : 1);
+  const bool several = constraints > (hand_.grip() ? 3 : 1);
   const double error = course::without_rounding(position_error(now_).max, 1);
   return (given_.says ? given_.says(now_) + " " : "") +
          say("Time @ s: energy @ J, @|C| @ @, @impulse λ|l₂| @ N·s.", Value(now_.time, 4),

@@ -1,10 +1,8 @@
 #pragma once
 
-#include <array>
-
 #include "lessons/page/held.hpp"
 #include "lessons/pictures/step_terms.hpp"
-#include "lessons/scenes/pull.hpp"
+#include "lessons/scenes/hand.hpp"
 #include "renderer/camera.hpp"
 #include "solver/step.hpp"
 
@@ -22,9 +20,7 @@ struct InHand {
   std::function<std::string(const Simulation<M>&)> says = {};  // a sentence before the numbers of every scene
 };
 
-/// A scene in the plane that a reader holds. The hand is two soft rows of the solver, tuned to the body that it
-/// holds, each of limited strength, so that it pulls with a spring's force and never with more than ten times the
-/// weight of all bodies.
+/// A scene in the plane that a reader holds.
 template <class M>
 class HeldScene final : public course::Held {
  public:
@@ -47,16 +43,9 @@ class HeldScene final : public course::Held {
   const Simulation<M>& simulation() const { return now_; }
   /// What the hand has given since the beginning [N s].
   const Linear<M>& hand_impulse() const { return hand_impulse_; }
-  double strength() const { return strength_; }  // [N]
+  double strength() const { return hand_.strength(); }  // [N]
 
  private:
-  struct Grip {
-    int body = 0;
-    Arm<M> arm = {};  // where it is held
-    std::array<Handle<Pull<M>>, 2> rows = {};
-  };
-
-  void hold(int body, const Arm<M>& arm, const Linear<M>& hand);
   /// The body that moves at a point of the world, or -1.
   int body_at(const Linear<M>& point) const;
   bool covers(int body, const Linear<M>& point) const;
@@ -68,9 +57,7 @@ class HeldScene final : public course::Held {
   InHand<M> given_;
   Simulation<M> now_;
   renderer::Camera camera_;
-  int hand_ = 0;  // the body that pulls; it is fixed, and moved by the reader
-  double strength_ = 0;
-  std::optional<Grip> grip_;
+  Hand<M> hand_, no_hand_;  // the latter as it begins, with nothing in it
   Linear<M> hand_impulse_ = Linear<M>::Zero();
   std::string stopped_;
 };

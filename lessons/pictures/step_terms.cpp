@@ -32,7 +32,7 @@ double arrow_scale(double most, double wanted) {
   return std::ldexp(0.5, power);
 }
 
-void draw_arrows(Canvas& canvas, const Arrows& arrows, double scale, double share, bool past) {
+void draw_list(Canvas& canvas, const Arrows& arrows, double scale, double share, bool past) {
   for (const StepTerms::Arrow& arrow : arrows)
     if (scale * canvas.camera().scale * arrow.by.norm() > 2)
       draw_growing(canvas, arrow.from, scale * arrow.by, share,
@@ -123,7 +123,7 @@ PartInWords in_words(const StepTerms& terms, int part) {
 
 double share_of(double part) { return eased((part - std::floor(part)) / 0.8); }
 
-void draw_part(Canvas& canvas, const StepTerms& terms, double part, double longest) {
+void draw_arrows(Canvas& canvas, const StepTerms& terms, double part, double longest) {
   const int present = static_cast<int>(part);
   const double least = 0.2 * terms.gain;  // or rest, which is rounding, would look like motion
   const double speeds = arrow_scale(std::max(longest_of({&terms.before, &terms.after}), least), longest),
@@ -132,7 +132,7 @@ void draw_part(Canvas& canvas, const StepTerms& terms, double part, double longe
   // Each comes in with its part and stays for a while, dashed.
   const auto term = [&](int first, int last, const Arrows& arrows, double scale) {
     if (first <= present && present <= last)
-      draw_arrows(canvas, arrows, scale, present == first ? share_of(part) : 1, present > first);
+      draw_list(canvas, arrows, scale, present == first ? share_of(part) : 1, present > first);
   };
   term(0, 4, terms.before, speeds);
   term(1, 2, terms.gravity, changes);
@@ -140,16 +140,21 @@ void draw_part(Canvas& canvas, const StepTerms& terms, double part, double longe
   term(3, 4, terms.changes, changes);
   term(4, 5, terms.after, speeds);
 
+  canvas.arrow_key({24, 20}, {palette::velocity, speeds, "m/s"}, "V:");
+  if (present >= 1 && present <= 4)
+    canvas.arrow_key({24, 46}, {in_words(terms, present).colour, changes, "m/s"}, "changes of V:");
+}
+
+void draw_part(Canvas& canvas, const StepTerms& terms, double part, double longest) {
+  draw_arrows(canvas, terms, part, longest);
   const Camera world = canvas.camera();
-  const auto [formula, words, colour] = in_words(terms, present);
+  const auto [formula, words, colour] = in_words(terms, static_cast<int>(part));
   canvas.look_at_page();
   const double top = canvas.page().top();
   canvas.text({24, top - 16}, formula,
               {.size = 30, .colour = colour, .anchor = Anchor::top_left, .bold = true, .halo = 5});
   canvas.text({24, top - 62}, words, {.size = 24, .anchor = Anchor::top_left, .halo = 5});
   canvas.look(world);
-  canvas.arrow_key({24, 20}, {palette::velocity, speeds, "m/s"}, "V:");
-  if (present >= 1 && present <= 4) canvas.arrow_key({24, 46}, {colour, changes, "m/s"}, "changes of V:");
 }
 
 }  // namespace byhand::pictures

@@ -44,8 +44,10 @@ PartInWords in_words(const StepTerms& terms, int part);
 /// How far a part, 2.3 for the third, has come: it moves, then holds.
 double share_of(double part);
 
-/// Draws the arrows of a part into the world of the canvas's camera, the longest about `longest` [m], and its
-/// words.
+/// Draws the arrows of a part into the world of the canvas's camera, the longest about `longest` [m], and their
+/// keys.
+void draw_arrows(renderer::Canvas& canvas, const StepTerms& terms, double part, double longest);
+/// The same with its words.
 void draw_part(renderer::Canvas& canvas, const StepTerms& terms, double part, double longest);
 
 }  // namespace byhand::pictures

@@ -1,6 +1,6 @@
 #include <algorithm>
-#include <charconv>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 
 #include "lessons/scene_file/members.hpp"
@@ -145,15 +145,24 @@ class Reader {
     if (*member.unit) words += std::string(" [") + member.unit + "]";
     return words;
   }
+  /// 30 of "30°"; what stands before the sign is a number as JSON has it.
+  static std::optional<double> degrees_in(std::string_view text) {
+    constexpr std::string_view sign = "°";
+    if (!text.ends_with(sign)) return std::nullopt;
+    try {
+      const Value number = json::parse(text.substr(0, text.size() - sign.size()));
+      return number.kind == Kind::number ? std::optional(number.number) : std::nullopt;
+    } catch (const std::invalid_argument&) {
+      return std::nullopt;
+    }
+  }
   static double number_in(const Value& value, const std::string& path, const Number& member) {
     double number = value.number;
     if (value.kind == Kind::text && member.may_be_infinite && value.text == "infinite") return endless;
     if (value.kind == Kind::text && member.angle) {
-      const std::string& text = value.text;
-      const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-      if (error != std::errc() || std::string(end, text.data() + text.size()) != "°")
-        refuse(value, path, allowed(member));
-      number = number / 180 * std::numbers::pi;
+      const std::optional<double> degrees = degrees_in(value.text);
+      if (!degrees) refuse(value, path, allowed(member));
+      number = *degrees / 180 * std::numbers::pi;
     } else if (value.kind != Kind::number) {
       refuse(value, path, allowed(member));
     }

@@ -12,7 +12,8 @@ namespace {
 struct Destination {
   std::string_view page, words;
 };
-constexpr std::array<Destination, 4> destinations{{{"index.html", "Lessons"},
+constexpr std::array<Destination, 5> destinations{{{"index.html", "Lessons"},
+                                                   {"playground.html", "Playground"},
                                                    {"equations.html", "Equations"},
                                                    {"laws.html", "Laws"},
                                                    {"teaching.html", "For teachers"}}};

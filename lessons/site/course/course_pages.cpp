@@ -89,6 +89,7 @@ std::string contents_page(const std::vector<Digest>& lessons, const Cover& cover
   const auto link = [&](const std::string& to, const char* words, const char* what) {
     links += fmt::format("<li><a href=\"{}\">{}</a>{}</li>\n", escaped(to), words, what);
   };
+  link("playground.html", "The playground", ": build a scene, throw it, and see which law breaks it");
   if (cover.desk)
     link("desk.html", "The derivation desk", ": derive a constraint yourself, and be told which line is wrong");
   if (cover.exercises)

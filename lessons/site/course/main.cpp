@@ -26,6 +26,7 @@
 #include "lessons/site/course/desk_page.hpp"
 #include "lessons/site/course/downloads.hpp"
 #include "lessons/site/course/plan.hpp"
+#include "lessons/site/course/playground_page.hpp"
 #include "lessons/site/course/site_folder.hpp"
 #include "lessons/site/course/slides.hpp"
 #include "lessons/site/course/versions.hpp"
@@ -142,6 +143,7 @@ int run(const Wanted& wanted) {
   write("index.html",
         site::contents_page(lessons, {site::cover_scene(folder.path()), desk, exercises, wanted.repository}));
   if (desk) write("desk.html", site::desk_page(desk::read_tasks(fs::path(BYHAND_SITE_FOLDER) / "../desk/tasks")));
+  write("playground.html", site::playground_page(fs::exists(folder.path() / "live" / "playground.js")));
   write("equations.html", site::equations_page());
   write("laws.html", site::laws_page(lessons));
   write("teaching.html",

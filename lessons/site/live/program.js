@@ -36,6 +36,7 @@ async function start({ program, files, progress = () => {}, canvas, complain = c
     const answer = lesson.answer();
     return JSON.parse(new TextDecoder().decode(new Uint8Array(lesson.memory.buffer, answer, lesson.answer_size())));
   };
+  ask.program = lesson;  // its other functions
   ask.memory = () => lesson.memory.buffer.byteLength;
   return ask;
 }

@@ -148,6 +148,14 @@ const std::vector<CourseScene>& course_scenes() {
          add_ragdoll(scene, {0, 2});
          return SceneOfAnyModel(scene);
        }},
+      {"cover_chain",
+       "The cover's chain",
+       "Ten bobs of 3 kg on rods of 2 m, let go at 20°; each step ends after ten sweeps.",
+       [] {
+         return SceneOfAnyModel(rod_chain<PlaneParticle>({10, 2, 3, 3, radians(20)}));
+       },
+       10,
+       {GaussSeidel{.sweeps = 10, .warm_start = false}, Baumgarte{}}},
       {"thrown_book", "A thrown book", "It turns about its middle axis, and flips.",
        [] {
          return SceneOfAnyModel(free_top({1, 2, 3}, {0.01, 10, 0}));

@@ -17,7 +17,10 @@ const files = {
   },
 };
 
+// ask(request) as the pages have it.
+export const started = (wasm, progress) => context.start({ program: readFileSync(wasm), files, progress });
+
 export async function lesson(wasm, progress) {
-  const ask = await context.start({ program: readFileSync(wasm), files, progress });
+  const ask = await started(wasm, progress);
   return request => structuredClone(ask(request));  // the context has an Object and an Array of its own
 }

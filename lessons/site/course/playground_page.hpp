@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string>
+
+namespace byhand::site {
+
+/// The page of the playground, playground.html. Its scripts are those that live/build wrote; where the site is
+/// written without them, `runs` is false and the page says so.
+std::string playground_page(bool runs);
+
+}  // namespace byhand::site
