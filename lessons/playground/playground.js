@@ -311,15 +311,13 @@
 
   // ---- The method's knobs, which the scene goes on with at once.
 
-  const knobs = { sweeps: 'whole', beta: 'real', substeps: 'whole', step: 'real' };
+  const knobs = { sweeps: 10, beta: 0.2, substeps: 1, step: 60 };  // where the file has none
   const swept = new Set(['gauss_seidel', 'jacobi', 'conjugate_sweeps']), biased = new Set(['baumgarte', 'split_impulse']);
   function showMethod() {
     const method = file.method ?? {};
     of('solver').value = method.solver ?? 'by_graph';
     of('cure').value = method.cure ?? 'baumgarte';
-    setKnob('sweeps', method.sweeps ?? (method.solver === 'conjugate_sweeps' ? 50 : 10));
-    setKnob('beta', method.beta ?? 0.2);
-    setKnob('substeps', method.substeps ?? 1);
+    for (const name of ['sweeps', 'beta', 'substeps']) setKnob(name, method[name] ?? (name === 'sweeps' && method.solver === 'conjugate_sweeps' ? 50 : knobs[name]));
     setKnob('step', Math.round(1 / file.step));
     of('warm').checked = method.warm_start ?? true;
     of('sweeps').closest('.knob').hidden = !swept.has(of('solver').value);
@@ -331,17 +329,15 @@
     if (document.activeElement !== input || +input.value !== value) input.value = value;
     of(name + '-value').textContent = name === 'step' ? `1/${value} s` : number(value);
   }
-  function readMethod() {
-    const solver = of('solver').value, cure = of('cure').value, method = { ...file.method, solver, cure };
-    // What only another solver or cure has goes.
-    if (file.method?.solver !== solver) for (const name of ['sweeps', 'warm_start', 'order', 'block', 'relaxation', 'tolerance', 'rounds', 'regularisation', 'unlike']) delete method[name];
-    if (file.method?.cure !== cure) for (const name of ['beta', 'slop', 'frequency', 'damping_ratio', 'relax', 'refresh', 'projection_sweeps']) delete method[name];
-    if (swept.has(solver)) method.sweeps = +of('sweeps').value;
-    if (['gauss_seidel', 'jacobi'].includes(solver)) method.warm_start = of('warm').checked;
-    if (biased.has(cure)) method.beta = +of('beta').value;
-    method.substeps = +of('substeps').value;
-    const step = Math.round(1 / file.step) === +of('step').value ? file.step : 1 / of('step').value;
-    setMethod({ ...file, method, step });
+  // What the reader has turned; all else stays as the file has it, beyond the ends of a slider too.
+  function readMethod({ target: { id, value, checked } }) {
+    const method = { solver: 'by_graph', cure: 'baumgarte', ...file.method };
+    const without = names => { for (const name of names) delete method[name]; };
+    if (id === 'solver') without(['sweeps', 'warm_start', 'order', 'block', 'relaxation', 'tolerance', 'rounds', 'regularisation', 'unlike']);
+    if (id === 'cure') without(['beta', 'slop', 'frequency', 'damping_ratio', 'relax', 'refresh', 'projection_sweeps']);
+    if (id === 'warm') method.warm_start = checked;
+    else if (id !== 'step') method[id] = id in knobs ? +value : value;
+    setMethod({ ...file, method, step: id === 'step' ? 1 / value : file.step });
   }
   // The scene goes on; its file begins as before, by the new method.
   function setMethod({ method, step, duration }) {

@@ -56,7 +56,14 @@ TEST_F(Site, HasItsPages) {
   std::vector<std::string> names;
   for (const auto& page : pages_) names.push_back(page.first);
   EXPECT_THAT(names, ElementsAre("99_fixture.html", "answers.html", "equations.html", "index.html", "laws.html",
-                                 "teaching.html"));
+                                 "playground.html", "teaching.html"));
+}
+
+TEST_F(Site, ThePlaygroundSaysWhatItNeeds) {
+  // The fixture's site has no WebAssembly.
+  EXPECT_THAT(pages_.at("playground.html").all("//main//p[@class='summary']"),
+              ElementsAre(HasSubstr("written without the compiler")));
+  EXPECT_THAT(pages_.at("playground.html").all("//main//button"), IsEmpty());
 }
 
 TEST_F(Site, EveryPageIsWellFormed) {

@@ -58,15 +58,37 @@ std::string chooser_of(std::string_view id, std::string_view words,
   return all + "</select></div>\n";
 }
 
-constexpr auto playground_content = R"(<link rel="stylesheet" href="live/playground.css" />
-<div class="opening" id="missing">
+std::string method_knobs() {
+  return chooser_of("solver", "solver",
+                    {{"by_graph", "by graph"},
+                     {"gauss_seidel", "Gauss–Seidel"},
+                     {"jacobi", "Jacobi"},
+                     {"direct", "directly"},
+                     {"conjugate_sweeps", "conjugate sweeps"},
+                     {"newton", "Newton"}}) +
+         slider("sweeps", "sweeps", 1, 100, 1) +
+         "<div class=\"knob\"><label for=\"warm\">warm start</label><input type=\"checkbox\" id=\"warm\" "
+         "/></div>\n" +
+         chooser_of("cure", "cure of drift",
+                    {{"baumgarte", "Baumgarte"},
+                     {"none", "none"},
+                     {"projection", "projection"},
+                     {"split_impulse", "split impulse"},
+                     {"soft", "soft constraints"}}) +
+         slider("beta", "β", 0, 2, 0.01) + slider("substeps", "substeps", 1, 20, 1) +
+         slider("step", "steps a second", 10, 480, 10);
+}
+
+constexpr auto opening = R"(<div class="opening" id="missing">
 <h1>Playground</h1>
-<p class="summary">A scene to build, throw, break and watch: {missing}</p>
+<p class="summary">A scene to build, throw, break and watch: {}</p>
 <noscript><p>The playground runs in the page and needs JavaScript; ./lessons/run scene FILE runs a scene at a terminal.</p></noscript>
 </div>
-<div id="playground" hidden="hidden">
+)";
+
+constexpr auto stage_and_panel = R"(<div id="playground" hidden="hidden">
 <div id="tools" role="group" aria-label="Tools">
-{tools}</div>
+{}</div>
 <div id="stage" tabindex="0" role="application" aria-label="The scene. Arrow keys move a cross, Enter uses the tool there." aria-describedby="how">
 <canvas id="picture" aria-hidden="true"></canvas>
 <div id="part" aria-hidden="true" hidden="hidden"></div>
@@ -97,7 +119,7 @@ constexpr auto playground_content = R"(<link rel="stylesheet" href="live/playgro
 <input type="text" id="address" aria-label="Link to this scene" readonly="readonly" hidden="hidden" />
 </section>
 <section id="selected" aria-labelledby="selected-name" hidden="hidden">
-<h2 id="selected-name"></h2>
+<h2 id="selected-name">Selected</h2>
 <div class="knob"><label for="mass">mass (kg)</label><input type="number" id="mass" min="0.001" step="any" /></div>
 <div class="knob"><label for="friction">friction μ</label><input type="number" id="friction" min="0" step="0.1" /></div>
 <div class="knob"><label for="restitution">bounce e</label><input type="number" id="restitution" min="0" max="1" step="0.1" /></div>
@@ -117,7 +139,7 @@ constexpr auto playground_content = R"(<link rel="stylesheet" href="live/playgro
 </section>
 <section aria-labelledby="method-head">
 <h2 id="method-head">Method</h2>
-{knobs}</section>
+{}</section>
 <details id="keys"><summary>Keys</summary>
 <p>In the scene: <kbd>arrow keys</kbd> move a cross, with Shift finely; <kbd>Enter</kbd> begins and ends what the tool does there; <kbd>Escape</kbd> leaves it. <kbd>Space</kbd> plays and pauses, <kbd>.</kbd> is one step, <kbd>Delete</kbd> removes what is selected, <kbd>+</kbd> and <kbd>−</kbd> zoom, <kbd>Ctrl Z</kbd> undoes. A wheel or two fingers zoom; drag the empty scene to move it.</p>
 </details>
@@ -128,32 +150,18 @@ constexpr auto playground_content = R"(<link rel="stylesheet" href="live/playgro
 }  // namespace
 
 std::string playground_page(bool runs) {
-  const std::string knobs =
-      chooser_of("solver", "solver",
-                 {{"by_graph", "by graph"},
-                  {"gauss_seidel", "Gauss–Seidel"},
-                  {"jacobi", "Jacobi"},
-                  {"direct", "directly"},
-                  {"conjugate_sweeps", "conjugate sweeps"},
-                  {"newton", "Newton"}}) +
-      slider("sweeps", "sweeps", 1, 100, 1) +
-      "<div class=\"knob\"><label for=\"warm\">warm start</label><input type=\"checkbox\" id=\"warm\" /></div>\n" +
-      chooser_of("cure", "cure of drift",
-                 {{"baumgarte", "Baumgarte"},
-                  {"none", "none"},
-                  {"projection", "projection"},
-                  {"split_impulse", "split impulse"},
-                  {"soft", "soft constraints"}}) +
-      slider("beta", "β", 0, 2, 0.01) + slider("substeps", "substeps", 1, 20, 1) +
-      slider("step", "steps a second", 10, 480, 10);
-  return framed({.title = "Playground",
-                 .content = fmt::format(
-                     fmt::runtime(playground_content), fmt::arg("tools", tool_buttons()), fmt::arg("knobs", knobs),
-                     fmt::arg("missing", runs ? "it is being loaded."
-                                              : "this site was written without the compiler that it needs.")),
-                 .summary = "Build a scene, throw it, break it, and see in the page which law it breaks.",
-                 .foot = runs ? "<script defer=\"defer\" src=\"live/playground.js\"></script>\n" : "",
-                 .here = "playground.html"});
+  Frame page{.title = "Playground",
+             .content = {},
+             .summary = "Build a scene, throw it, break it, and see in the page which law it breaks.",
+             .here = "playground.html"};
+  page.content = fmt::format(
+      opening, runs ? "it is being loaded." : "this site was written without the compiler that it needs.");
+  if (runs) {
+    page.content += fmt::format(stage_and_panel, tool_buttons(), method_knobs());
+    page.head = "<link rel=\"stylesheet\" href=\"live/playground.css\" />\n";
+    page.foot = "<script defer=\"defer\" src=\"live/playground.js\"></script>\n";
+  }
+  return framed(page);
 }
 
 }  // namespace byhand::site

@@ -293,29 +293,66 @@ test('a strict content security policy stops nothing of it', { skip }, async () 
   server.close();
 });
 
-// 24 rows of a pyramid. Other programs slow this machine down: the cost is that of the best half second.
-const pyramid = rows => ({ title: `${rows * (rows + 1) / 2} boxes`, model: 'plane',
-  bodies: [{ fixed: true, position: [0, 0], shape: { half_space: [0, 1] } },
-    ...Array.from({ length: rows }, (_, row) => Array.from({ length: rows - row }, (_, i) => ({ mass: 1, position: [(i - (rows - row - 1) / 2) * 1.1, row + 0.5], shape: { box: [1, 1] } }))).flat()] });
+// 300 boxes: at rest in a pyramid, and falling between two walls.
+const ground = { fixed: true, position: [0, 0], shape: { half_space: [0, 1] } };
+const pyramid = rows => ({ model: 'plane', bodies: [ground,
+  ...Array.from({ length: rows }, (_, row) => Array.from({ length: rows - row }, (_, i) => ({ mass: 1, position: [(i - (rows - row - 1) / 2) * 1.1, row + 0.5], shape: { box: [1, 1] } }))).flat()] });
+const rain = count => ({ model: 'plane', bodies: [ground, ...[-9, 9].map(x => ({ fixed: true, position: [x, 5], shape: { box: [0.4, 12] } })),
+  ...Array.from({ length: count }, (_, i) => ({ mass: 1, position: [i % 12 * 1.35 - 7.4 + 0.17 * (i * 7 % 5), 0.7 + Math.floor(i / 12) * 1.2], angle: i * 37 % 100 / 100, shape: { box: [0.8, 0.8] } }))] });
 
-test('300 boxes: a step takes at most 4 ms, and time is kept', { skip }, async context => {
+// Other programs slow a machine down: more is allowed where a fixed piece of computing takes longer than at its best.
+test('a step of 300 boxes takes at most 4 ms in the median, at rest and falling', { skip }, async context => {
   const tab = await ready();
-  await tab.evaluate(text => byhandPlayground.open(text, { fit: true }), JSON.stringify(pyramid(24)));
-  await tab.evaluate(() => {
-    globalThis.measured = [];
+  for (const [name, scene] of [['at rest', pyramid(24)], ['falling', rain(300)]]) {
+    assert.equal(scene.bodies.filter(body => !body.fixed).length, 300);
+    const { costs, slowness } = await tab.evaluate(text => {
+      byhandPlayground.open(text);
+      const timed = (what, count = 1) => { const began = performance.now(); what(); return (performance.now() - began) / count; };
+      const stint = () => { for (let i = 0, x = 1; i < 1e6; ++i) x = Math.sin(x) + i; };
+      const costs = [], stints = [];
+      for (let i = 0; i < 30; ++i) {
+        costs.push(timed(() => byhandPlayground.advance(20), 20));
+        stints.push(timed(stint));
+      }
+      costs.sort((a, b) => a - b);
+      stints.sort((a, b) => a - b);
+      return { costs, slowness: stints[15] / stints[0] };
+    }, JSON.stringify(scene));
+    context.diagnostic(`300 boxes ${name}: ${costs[15].toFixed(2)} ms a step in the median, ${costs[0].toFixed(2)} to ${costs[29].toFixed(2)}; this machine takes ${slowness.toFixed(1)} times as long as at its best`);
+    assert.ok(costs[15] <= 4 * slowness, `${costs[15]} ms ${name}`);
+  }
+  await tab.close();
+});
+
+test('with 300 boxes time is kept, and fewer than 50 frames a second are said', { skip }, async context => {
+  const tab = await ready();
+  const measured = await tab.evaluate(async text => {
+    const root = document.getElementById('playground'), measured = [];
+    byhandPlayground.open(text, { fit: true });
     byhandPlayground.play();
     const from = byhandPlayground.moment.time, began = performance.now();
-    new MutationObserver(() => measured.push({ cost: +document.getElementById('playground').dataset.cost, frames: +document.getElementById('playground').dataset.frames,
-      pace: (byhandPlayground.moment.time - from) / ((performance.now() - began) / 1000) })).observe(document.getElementById('playground'), { attributes: true, attributeFilter: ['data-frames'] });
-  });
-  await new Promise(resolve => setTimeout(resolve, 8000));
-  const measured = await tab.evaluate(() => measured), best = Math.min(...measured.map(({ cost }) => cost)), { pace } = measured.at(-1);
-  const frames = measured.map(({ frames }) => frames).toSorted((a, b) => a - b)[measured.length >> 1];
-  context.diagnostic(`a step of 300 boxes: ${best} ms at best, ${measured.map(({ cost }) => cost).join(' ')}; ${frames} frames a second in the median; the scene's time runs at ${(100 * pace).toFixed()} %`);
-  assert.ok(best <= 4, `${best} ms`);
-  const words = await tab.$eval('#speed', speed => speed.textContent);
-  if (pace < 0.9) assert.match(words, /too slow for this machine: time runs at \d+ %/);
-  else if (frames < 50) assert.match(words, /Time is kept/);
+    new MutationObserver(() => measured.push({ frames: +root.dataset.frames, words: document.getElementById('speed').textContent,
+      pace: (byhandPlayground.moment.time - from) / ((performance.now() - began) / 1000) })).observe(root, { attributes: true, attributeFilter: ['data-frames'] });
+    await new Promise(resolve => setTimeout(resolve, 8000));
+    return measured;
+  }, JSON.stringify(pyramid(24)));
+  const frames = measured.map(one => one.frames).toSorted((a, b) => a - b), { pace } = measured.at(-1);
+  context.diagnostic(`300 boxes: ${frames[frames.length >> 1]} frames a second in the median, ${frames[0]} to ${frames.at(-1)}; the scene's time runs at ${(100 * pace).toFixed()} %`);
+  for (const { frames, words } of measured) if (frames < 50) assert.match(words, /Time is kept|too slow for this machine: time runs at \d+ %/);
+  if (pace < 0.9) assert.ok(measured.some(({ words }) => /time runs at \d+ %/.test(words)), `${pace}`);
+  await tab.close();
+});
+
+test('a scene that is too much for the machine says at which share of its time it runs', { skip }, async () => {
+  const tab = await ready();
+  const words = await tab.evaluate(async text => {
+    byhandPlayground.open(text);
+    byhandPlayground.play();
+    await new Promise(resolve => setTimeout(resolve, 6000));
+    return document.getElementById('speed').textContent;
+  }, JSON.stringify({ ...rain(300), step: 1e-5 }));
+  const [, share] = /time runs at (\d+) % of its speed/.exec(words) ?? assert.fail(words);
+  assert.ok(+share < 90, words);
   await tab.close();
 });
 
