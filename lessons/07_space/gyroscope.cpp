@@ -1,16 +1,13 @@
 // Deeper: a top on its tip, whose axis is level.
 
+#include "lessons/07_space/gyroscope.hpp"
+
 #include "lessons/07_space/steps.hpp"
 #include "lessons/pictures/space_scene.hpp"
 #include "lessons/scenes/top.hpp"
 
 namespace byhand::space {
-namespace {
 
-constexpr double arm = 0.3, wheel = 0.25, wheel_rate = 60, precession_seconds = 4;  // [m], [m], [rad/s], [s]
-constexpr double level = pi / 2;
-
-/// A thin wheel at the end of an axle that stands on a post by its other end.
 HeavyTop gyroscope_of(double mass) {
   const double along = mass * wheel * wheel;
   return {.mass = mass,
@@ -20,6 +17,10 @@ HeavyTop gyroscope_of(double mass) {
           .spin = wheel_rate,
           .gravity = gravity};
 }
+
+namespace {
+
+constexpr double precession_seconds = 4;
 
 /// Where the axle points over time.
 struct Run {

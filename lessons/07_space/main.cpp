@@ -25,10 +25,12 @@ int main(int argc, char** argv) {
   lesson.step("A pendulum between two cones", with(nutation));
   lesson.step("ω turns without a force", with(left_out));
   lesson.step("The book that flips", with(flips));
+  lesson.hold(book_in_hand(setting));
   lesson.step("Two axes of friction", with(two_axes));
 
   lesson.deeper("Orientations and hinges", with(orientation));
   lesson.deeper("A gyroscope does not fall", with(gyroscope));
+  lesson.hold(gyroscope_in_hand(setting));
   lesson.deeper("A book thrown along the ground", with(let_loose));
 
   lesson.closing(

@@ -18,4 +18,7 @@ void orientation(const Setting& setting, course::Page& page);
 void gyroscope(const Setting& setting, course::Page& page);
 void let_loose(const Setting& setting, course::Page& page);
 
+course::Hold book_in_hand(const Setting& setting);
+course::Hold gyroscope_in_hand(const Setting& setting);
+
 }  // namespace byhand::space

@@ -21,8 +21,10 @@ int main(int argc, char** argv) {
   };
 
   lesson.step("Too few iterations", with(too_few_iterations));
+  lesson.hold(stack_in_hand(setting));
   lesson.step("The correction overshoots", with(overshoots));
   lesson.step("The step is too large", with(too_large_a_step));
+  lesson.hold(chain_in_hand(setting));
   lesson.step("The contact is too soft", with(too_soft));
   lesson.step("The rows are wrong", with(wrong_rows));
   lesson.step("Which knob?", with(which_knob));

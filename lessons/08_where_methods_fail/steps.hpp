@@ -19,4 +19,7 @@ void many_contacts(const Setting& setting, course::Page& page);
 void springs(const Setting& setting, course::Page& page);
 void unseen(const Setting& setting, course::Page& page);
 
+course::Hold stack_in_hand(const Setting& setting);
+course::Hold chain_in_hand(const Setting& setting);
+
 }  // namespace byhand::failures

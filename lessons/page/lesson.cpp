@@ -99,6 +99,7 @@ void Lesson::answers(const std::vector<std::string>& parameters) {
 void Lesson::hold(Hold hold) {
   if (steps_.empty())
     throw LessonError(fmt::format("there is no step yet that could offer {} to hold", hold.name));
+  hold.caption = unwrapped(hold.caption);
   steps_.back().hold = std::move(hold);
 }
 

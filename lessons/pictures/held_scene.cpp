@@ -35,18 +35,22 @@ LinkageStyle style_of(const Linkage& linkage, double points_per_metre) {
 
 template <class M>
 void draw_scene(Canvas& canvas, const Scene<M>& scene) {
-  if constexpr (M::angular > 0)
-    if (has_shapes(scene)) return pictures::draw(canvas, shapes_of(scene));
-  const Linkage linkage = rods_and_bobs(scene);
-  pictures::draw(canvas, linkage, style_of(linkage, canvas.camera().scale));
+  if constexpr (M::linear == 2) {
+    if constexpr (M::angular > 0)
+      if (has_shapes(scene)) return pictures::draw(canvas, shapes_of(scene));
+    const Linkage linkage = rods_and_bobs(scene);
+    pictures::draw(canvas, linkage, style_of(linkage, canvas.camera().scale));
+  }
 }
 
 template <class M>
 bool begin_alike(const Bodies<M>& one, const Bodies<M>& other) {
   return std::equal(one.pose.begin(), one.pose.end(), other.pose.begin(), other.pose.end(),
                     [](const Pose<M>& a, const Pose<M>& b) {
-                      if constexpr (M::angular > 0)
+                      if constexpr (M::angular == 1)
                         if (a.rotation.cos != b.rotation.cos || a.rotation.sin != b.rotation.sin) return false;
+                      if constexpr (M::angular == 3)
+                        if (a.rotation.coeffs() != b.rotation.coeffs()) return false;
                       return a.position == b.position;
                     });
 }
@@ -73,7 +77,7 @@ HeldScene<M>::HeldScene(InHand<M> given)
     : given_(std::move(given)),
       now_(given_.start),
       camera_(fit(given_.view, {page.x, page.y + 36, page.width, page.height - 96}, 20)) {
-  no_hand_ = Hand<M>(given_.start.scene);
+  no_hand_ = Hand<M>(given_.start.scene, given_.seen);
   reset();
 }
 
@@ -87,6 +91,7 @@ void HeldScene<M>::reset() {
 
 template <class M>
 double HeldScene<M>::reach(int body) const {
+  if (given_.reach > 0) return given_.reach;
   const Scene<M>& scene = now_.scene;
   if constexpr (M::angular > 0) {
     if (has_shapes(scene)) {
@@ -108,7 +113,7 @@ std::vector<course::Held::Body> HeldScene<M>::bodies() const {
   std::vector<Body> all;
   for (int i = 0; i < bodies.size(); ++i)
     if (moves(bodies.inverse_mass[i]))
-      all.push_back({given_.body, camera_.to_page(bodies.pose[i].position), reach(i) * camera_.scale});
+      all.push_back({given_.body, camera_.to_page(seen(bodies.pose[i].position)), reach(i) * camera_.scale});
   if (all.size() > 1)
     for (std::size_t i = 0; i < all.size(); ++i) all[i].name += " " + std::to_string(i + 1);
   return all;
@@ -122,21 +127,52 @@ int HeldScene<M>::held() const {
 }
 
 template <class M>
-bool HeldScene<M>::covers(int body, const Linear<M>& point) const {
-  const Pose<M>& pose = now_.scene.bodies().pose[body];
-  const double beside = slack / camera_.scale;
-  if constexpr (M::angular > 0)
-    if (has_shapes(now_.scene))
-      if (const auto* box = std::get_if<byhand::Box<M>>(&now_.scene.colliders().shapes[body]))
-        return ((arm_to<M>(pose, point).cwiseAbs() - box->half()).array() <= beside).all();
-  return (point - pose.position).norm() <= reach(body) + beside;
+Linear<M> HeldScene<M>::in_world_at(const Point& at, const Linear<M>& beside) const {
+  return beside + given_.seen.transpose() * Eigen::Vector2d(at - seen(beside));
 }
 
 template <class M>
-int HeldScene<M>::body_at(const Linear<M>& point) const {
+bool HeldScene<M>::covers(int body, const Point& point) const {
+  const Pose<M>& pose = now_.scene.bodies().pose[body];
+  const double beside = slack / camera_.scale;
+  if constexpr (M::angular == 1)
+    if (has_shapes(now_.scene))
+      if (const auto* box = std::get_if<byhand::Box<M>>(&now_.scene.colliders().shapes[body]))
+        return ((arm_to<M>(pose, point).cwiseAbs() - box->half()).array() <= beside).all();
+  return (point - seen(pose.position)).norm() <= reach(body) + beside;
+}
+
+template <class M>
+Arm<M> HeldScene<M>::arm_at(int body, const Point& point) const {
+  if constexpr (M::angular == 0) {
+    return {};
+  } else {
+    if (!has_shapes(now_.scene)) return Arm<M>::Zero();
+    const Pose<M>& pose = now_.scene.bodies().pose[body];
+    const Arm<M> arm = arm_to<M>(pose, in_world_at(point, pose.position));
+    if constexpr (M::angular == 3)
+      if (const auto* box = std::get_if<byhand::Box<M>>(&now_.scene.colliders().shapes[body])) {
+        // Where the line of sight leaves the box, between the two planes of each pair.
+        const Linear<M> right = given_.seen.row(0), up = given_.seen.row(1);
+        const Arm<M> sight = rotate(inverse(pose.rotation), Linear<M>(right.cross(up)));
+        double enters = -1e9, leaves = 1e9;  // [m]
+        for (int axis = 0; axis < 3; ++axis)
+          for (const double side : {-1, 1}) {
+            const double way = (side * box->half()[axis] - arm[axis]) / sight[axis];
+            if (side * sight[axis] > 0) leaves = std::min(leaves, way);
+            if (side * sight[axis] < 0) enters = std::max(enters, way);
+          }
+        if (enters < leaves) return arm + leaves * sight;
+      }
+    return arm;
+  }
+}
+
+template <class M>
+int HeldScene<M>::body_at(const Point& point) const {
   const Bodies<M>& bodies = now_.scene.bodies();
   int nearest = -1;
-  const auto distance = [&](int body) { return (point - bodies.pose[body].position).norm(); };
+  const auto distance = [&](int body) { return (point - seen(bodies.pose[body].position)).norm(); };
   for (int i = 0; i < bodies.size(); ++i)
     if (moves(bodies.inverse_mass[i]) && covers(i, point) && (nearest < 0 || distance(i) < distance(nearest)))
       nearest = i;
@@ -146,20 +182,18 @@ int HeldScene<M>::body_at(const Linear<M>& point) const {
 template <class M>
 void HeldScene<M>::grab(const Point& at) {
   release();
-  const Linear<M> point = camera_.to_world(at);
+  const Point point = camera_.to_world(at);
   const int body = body_at(point);
   if (body < 0) return;
-  if constexpr (M::angular > 0)
-    hand_.take(now_.scene, body,
-               has_shapes(now_.scene) ? arm_to<M>(now_.scene.bodies().pose[body], point) : Arm<M>(Arm<M>::Zero()),
-               point);
-  else
-    hand_.take(now_.scene, body, {}, point);
+  const Arm<M> arm = arm_at(body, point);
+  const Pose<M>& pose = now_.scene.bodies().pose[body];
+  hand_.take(now_.scene, body, arm, in_world_at(point, anchor<M, double>(pose, in_world<M, double>(pose, arm))));
 }
 
 template <class M>
 void HeldScene<M>::move(const Point& to) {
-  hand_.move(now_.scene, camera_.to_world(to));
+  if (hand_.grip())
+    hand_.move(now_.scene, in_world_at(camera_.to_world(to), now_.scene.bodies().pose[hand_.body()].position));
 }
 
 template <class M>
@@ -180,9 +214,11 @@ void HeldScene<M>::step() {
   }
   const Bodies<M>& bodies = now_.scene.bodies();
   if (const auto& grip = hand_.grip())
-    for (int axis = 0; axis < 2; ++axis) hand_impulse_[axis] += now_.impulse(grip->rows[axis])[0];
+    for (int axis = 0; axis < 2; ++axis)
+      hand_impulse_ += now_.impulse(grip->rows[axis])[0] * Linear<M>(given_.seen.row(axis).transpose());
   double moved = 0;
-  for (const Velocity<M>& V : bodies.velocity) moved = std::max(moved, given_.h * V.template head<2>().norm());
+  for (const Velocity<M>& V : bodies.velocity)
+    moved = std::max(moved, given_.h * V.template head<M::linear>().norm());
   if (moved > too_far * std::max(given_.view.width, given_.view.height))
     stop(say("the scene has flown apart: a body moves @ m in one step", Value(moved, 2)));
 }
@@ -205,14 +241,14 @@ void HeldScene<M>::draw_hand(Canvas& canvas) const {
   const auto& grip = hand_.grip();
   if (!grip) return;
   const Pose<M>& pose = now_.scene.bodies().pose[grip->body];
-  const Point hand = now_.scene.bodies().pose[hand_.body()].position,
-              point = anchor<M, double>(pose, in_world<M, double>(pose, grip->arm));
+  const Point hand = seen(now_.scene.bodies().pose[hand_.body()].position),
+              point = seen(anchor<M, double>(pose, in_world<M, double>(pose, grip->arm)));
   canvas.line(point, hand, {palette::muted, 3, Dash::dashed});
   canvas.disc(hand, 9 / canvas.camera().scale, {fade(palette::highlight, 0.5), {palette::ink, 1.8}});
 }
 
 template <class M>
-std::optional<StepTerms> HeldScene<M>::next_terms() const {
+auto HeldScene<M>::next() const -> std::optional<Next> {
   if (!stopped_.empty()) return {};
   Simulation<M> next = now_;
   try {
@@ -220,30 +256,27 @@ std::optional<StepTerms> HeldScene<M>::next_terms() const {
   } catch (const std::runtime_error&) {
     return {};
   }
-  return terms_of(now_, next, given_.h);
+  return Next{terms_of(now_, next, given_.h, given_.seen), next.scene.bodies().velocity};
 }
 
 template <class M>
 void HeldScene<M>::draw(Canvas& canvas, std::optional<double> part) const {
   canvas.clip(page);
   canvas.look(camera_);
-  const std::optional<StepTerms> terms = part ? next_terms() : std::nullopt;
-  Scene<M> seen = now_.scene;
-  if (terms && *part >= parts - 1)
-    for (const auto& [body, by, turn] : terms->moves) {
-      Pose<M>& pose = seen.state().pose[body];
-      pose.position += share_of(*part) * Linear<M>(by);
-      if constexpr (M::angular > 0) pose.rotation = rotated_by(pose.rotation, share_of(*part) * turn);
-    }
-  draw_scene(canvas, seen);
+  const std::optional<Next> coming = part ? next() : std::nullopt;
+  Scene<M> shown = now_.scene;
+  if (coming && *part >= parts - 1)
+    for (int i = 0; i < shown.bodies().size(); ++i)
+      byhand::move(shown.state().pose[i], coming->velocity[i], share_of(*part) * given_.h);
+  given_.draw ? given_.draw(canvas, shown) : draw_scene(canvas, shown);
   draw_hand(canvas);
-  if (terms) draw_part(canvas, *terms, *part, 0.2 * std::min(given_.view.width, given_.view.height));
+  if (coming) draw_part(canvas, coming->terms, *part, 0.2 * std::min(given_.view.width, given_.view.height));
 }
 
 template <class M>
 std::string HeldScene<M>::words(std::optional<double> part) const {
-  if (const std::optional<StepTerms> terms = part ? next_terms() : std::nullopt) {
-    const PartInWords now = in_words(*terms, static_cast<int>(*part));
+  if (const std::optional<Next> coming = part ? next() : std::nullopt) {
+    const PartInWords now = in_words(coming->terms, static_cast<int>(*part));
     return now.formula + ". " + now.words;
   }
   const int constraints = now_.scene.count() + now_.work.contacts.constraints().count();
@@ -257,5 +290,6 @@ std::string HeldScene<M>::words(std::optional<double> part) const {
 
 template class HeldScene<PlaneParticle>;
 template class HeldScene<PlaneBody>;
+template class HeldScene<SpaceBody>;
 
 }  // namespace byhand::pictures

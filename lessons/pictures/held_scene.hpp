@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "lessons/page/held.hpp"
 #include "lessons/pictures/step_terms.hpp"
 #include "lessons/scenes/hand.hpp"
@@ -13,14 +15,17 @@ template <class M>
 struct InHand {
   Simulation<M> start;
   double h = 1.0 / 60;            // [s]
-  renderer::Rectangle view = {};  // what is to be seen of the world [m]
+  renderer::Rectangle view = {};  // what is to be seen of the world, in directions `seen` [m]
   std::string body = {};          // "bob"
   std::string unit_of_C = "m";
   std::string law = {};                                        // what is said where it flies apart
   std::function<std::string(const Simulation<M>&)> says = {};  // a sentence before the numbers of every scene
+  double reach = 0;  // how far from its middle a body may be taken [m]; 0: as far as it is drawn
+  Seen<M> seen = Seen<M>::Identity();
+  std::function<void(renderer::Canvas&, const Scene<M>&)> draw = {};  // instead of rods, bobs and shapes
 };
 
-/// A scene in the plane that a reader holds.
+/// A scene that a reader holds, by a hand that pulls to the right and up in the picture.
 template <class M>
 class HeldScene final : public course::Held {
  public:
@@ -46,13 +51,22 @@ class HeldScene final : public course::Held {
   double strength() const { return hand_.strength(); }  // [N]
 
  private:
-  /// The body that moves at a point of the world, or -1.
-  int body_at(const Linear<M>& point) const;
-  bool covers(int body, const Linear<M>& point) const;
+  renderer::Point seen(const Linear<M>& point) const { return given_.seen * point; }
+  /// The point of the world that is seen at `at`, at the depth of `beside`.
+  Linear<M> in_world_at(const renderer::Point& at, const Linear<M>& beside) const;
+  /// The body that moves at a point of the picture, or -1.
+  int body_at(const renderer::Point& point) const;
+  bool covers(int body, const renderer::Point& point) const;
+  /// The arm to the point of a body's surface that is seen there; in the plane, and beside the body, to the point.
+  Arm<M> arm_at(int body, const renderer::Point& point) const;
   double reach(int body) const;  // [m]
   void draw_hand(renderer::Canvas& canvas) const;
   /// What the next step does; nothing where it would fail.
-  std::optional<StepTerms> next_terms() const;
+  struct Next {
+    StepTerms terms;
+    std::vector<Velocity<M>> velocity;
+  };
+  std::optional<Next> next() const;
 
   InHand<M> given_;
   Simulation<M> now_;

@@ -42,19 +42,19 @@ void draw_list(Canvas& canvas, const Arrows& arrows, double scale, double share,
 }  // namespace
 
 template <class M>
-StepTerms terms_of(const Simulation<M>& now, const Simulation<M>& next, double h) {
+StepTerms terms_of(const Simulation<M>& now, const Simulation<M>& next, double h, const Seen<M>& seen) {
   StepTerms terms{.gain = h * now.scene.gravity.norm()};
   Bodies<M> bodies = now.scene.bodies();
-  const auto linear = [](const Velocity<M>& V) { return Point(V.template head<2>()); };
+  const auto picture = [&](const Linear<M>& of) { return Point(seen * of); };
+  const auto linear = [&](const Velocity<M>& V) { return picture(V.template head<M::linear>()); };
   for (int i = 0; i < bodies.size(); ++i) {
     if (!moves(bodies.inverse_mass[i])) continue;
-    const Point at = bodies.pose[i].position, after = linear(next.scene.bodies().velocity[i]);
+    const Point at = picture(bodies.pose[i].position), after = linear(next.scene.bodies().velocity[i]);
     terms.before.push_back({at, linear(bodies.velocity[i]), palette::velocity});
-    terms.gravity.push_back({at, h * Point(gravity_on(bodies, i, now.scene.gravity)), palette::velocity});
+    terms.gravity.push_back(
+        {at, picture(h * Linear<M>(gravity_on(bodies, i, now.scene.gravity))), palette::velocity});
     terms.after.push_back({at, after, palette::velocity});
-    double turn = 0;
-    if constexpr (M::angular > 0) turn = h * next.scene.bodies().velocity[i][M::linear];
-    terms.moves.push_back({i, h * after, turn});
+    terms.way = std::max(terms.way, h * next.scene.bodies().velocity[i].template head<M::linear>().norm());
   }
   add_gravity(bodies, now.scene.gravity, h);
   std::vector<Linear<M>> pushed(bodies.size(), Linear<M>::Zero()), pulled = pushed;
@@ -80,22 +80,26 @@ StepTerms terms_of(const Simulation<M>& now, const Simulation<M>& next, double h
       terms.bias = system.bias[block.row + k] / length;
     }
     if (hand) return;
-    const int seen = block.moves2 ? block.body2 : block.body1;
-    terms.rates.push_back({bodies.pose[seen].position, block.moves2 ? rate : -rate, palette::error});
+    const int moving = block.moves2 ? block.body2 : block.body1;
+    terms.rates.push_back(
+        {picture(bodies.pose[moving].position), picture(block.moves2 ? rate : -rate), palette::error});
   });
   for (int i = 0; i < bodies.size(); ++i) {
-    terms.changes.push_back({bodies.pose[i].position, pushed[i], palette::force});
-    terms.changes.push_back({bodies.pose[i].position, pulled[i], palette::highlight});
+    const Point at = picture(bodies.pose[i].position);
+    terms.changes.push_back({at, picture(pushed[i]), palette::force});
+    terms.changes.push_back({at, picture(pulled[i]), palette::highlight});
   }
   return terms;
 }
-template StepTerms terms_of(const Simulation<PlaneParticle>&, const Simulation<PlaneParticle>&, double);
-template StepTerms terms_of(const Simulation<PlaneBody>&, const Simulation<PlaneBody>&, double);
+template StepTerms terms_of(const Simulation<PlaneParticle>&, const Simulation<PlaneParticle>&, double,
+                            const Seen<PlaneParticle>&);
+template StepTerms terms_of(const Simulation<PlaneBody>&, const Simulation<PlaneBody>&, double,
+                            const Seen<PlaneBody>&);
+template StepTerms terms_of(const Simulation<SpaceBody>&, const Simulation<SpaceBody>&, double,
+                            const Seen<SpaceBody>&);
 
 PartInWords in_words(const StepTerms& terms, int part) {
   const auto real = [&](double value) { return Value(course::without_rounding(value, 1e3 * terms.gain), 3); };
-  double way = 0;
-  for (const StepTerms::Move& move : terms.moves) way = std::max(way, 1000 * move.by.norm());
   switch (part) {
     case 0:
       return {"V", say("The velocities before the step, @ m/s at most.", real(longest_of({&terms.before}))),
@@ -117,7 +121,8 @@ PartInWords in_words(const StepTerms& terms, int part) {
       return {say("V + M⁻¹Jᵀλ, @ m/s at most", real(longest_of({&terms.after}))),
               "What is left: the velocities after the step.", palette::velocity};
     default:
-      return {say("hV, @ mm at most", real(way)), "The poses move along these velocities for h.", palette::ink};
+      return {say("hV, @ mm at most", real(1000 * terms.way)), "The poses move along these velocities for h.",
+              palette::ink};
   }
 }
 

@@ -10,9 +10,10 @@
 
 namespace byhand {
 
-/// A reader's hand in a scene: a fixed body without a shape that is tied to the body it holds by two soft rows.
-/// They are tuned to that body, each of limited strength, so that the hand pulls with a spring's force and never
-/// with more than ten times the weight of all bodies.
+/// A reader's hand in a scene: a fixed body without a shape that is tied to the body it holds by two soft rows,
+/// along two directions at right angles, such as the right and up of a picture. They are tuned to that body, each
+/// of limited strength, so that the hand pulls with a spring's force and never with more than ten times the weight
+/// of all bodies.
 template <class M>
 class Hand {
  public:
@@ -22,9 +23,11 @@ class Hand {
     std::array<Handle<Pull<M>>, 2> rows = {};
   };
 
+  using Directions = Eigen::Matrix<double, 2, M::linear>;  // one a row, of length 1
+
   Hand() = default;
   /// Adds the hand to the scene, where it holds nothing yet.
-  explicit Hand(Scene<M>& scene) {
+  explicit Hand(Scene<M>& scene, const Directions& along = Directions::Identity()) : along_(along) {
     double mass = 0;
     for (const InverseMass<M>& inverse : scene.bodies().inverse_mass)
       if (moves(inverse)) mass += 1 / inverse.linear;
@@ -42,7 +45,8 @@ class Hand {
     scene.set_position(body_, at);
     grip_ = Grip{body, arm, {}};
     for (int axis = 0; axis < 2; ++axis) {
-      Pull<M> pull{.at = {body_, body}, .along = Linear<M>::Unit(axis), .strength = strength_ / std::sqrt(2.0)};
+      Pull<M> pull{
+          .at = {body_, body}, .along = along_.row(axis).transpose(), .strength = strength_ / std::sqrt(2.0)};
       if constexpr (M::angular > 0) pull.at.arms.second = arm;
       pull.elastic = tuned(scene.bodies(), pull, rate, 1);
       grip_->rows[static_cast<std::size_t>(axis)] = scene.add(pull);
@@ -61,6 +65,7 @@ class Hand {
   static constexpr double rate = 20;     // ω of its springs [rad/s], damped critically
   static constexpr double weights = 10;  // its strength, over the weight of all bodies
 
+  Directions along_ = Directions::Identity();
   int body_ = -1;
   double strength_ = 0;
   std::optional<Grip> grip_;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "lessons/page/words.hpp"
+#include "lessons/pictures/faces.hpp"
 #include "lessons/scenes/boxes.hpp"
 #include "lessons/scenes/four_bar.hpp"
 #include "lessons/scenes/pendulum.hpp"
@@ -271,6 +272,61 @@ TEST(HeldScene, AStepFromRestShowsGravityItsPartAlongTheRodAndTheImpulse) {
   shows(3, -3 * along);
   shows(4, gain * std::sin(angle));
   shows(5, 1000 * h * gain * std::sin(angle));
+}
+
+// In space the hand pulls along the two directions of the picture alone.
+using Book = HeldScene<SpaceBody>;
+
+Book held_book(bool pinned, bool shape = true) {
+  Scene<SpaceBody> scene;
+  scene.gravity.setZero();
+  const int ground = scene.add_body(Linear<SpaceBody>(0, 0, 0), fixed<SpaceBody>());
+  const Linear<SpaceBody> sides(1.2, 0.8, 0.2);
+  const int book = scene.add_body(Linear<SpaceBody>(0, 0, 0), box<SpaceBody>(3, sides));
+  if (shape) scene.set_shape(book, Box<SpaceBody>{sides});
+  if (pinned) scene.add(pin<SpaceBody>(scene.bodies(), ground, book, Linear<SpaceBody>(0, 0, 0)));
+  VelocityStepping method{Direct{}, Baumgarte{0.2}};
+  method.gyroscopic = Gyroscopic::implicit;
+  return Book({.start = {std::move(scene), method},
+               .h = h,
+               .view = view,
+               .body = "book",
+               .seen = seen_from_aside(0.5, 0.35)});
+}
+
+TEST(HeldScene, InSpaceTheHandPullsInThePlaneOfThePicture) {
+  Book scene = held_book(false);
+  drag(scene, 0, {60, 40});
+  steps(scene, 40);
+  const Linear<SpaceBody> momentum = linear_momentum(scene.simulation().scene.bodies());
+  const auto seen = seen_from_aside(0.5, 0.35);
+  const Eigen::Vector3d right = seen.row(0), up = seen.row(1);
+  EXPECT_GT(momentum.norm(), 0.1);
+  EXPECT_LT((momentum - scene.hand_impulse()).norm(), 1e-12);
+  EXPECT_LT(std::abs(momentum.dot(right.cross(up))), 1e-12);
+}
+
+TEST(HeldScene, ABookPulledByItsMiddleFrontTurnsOnItsPin) {
+  Book scene = held_book(true);
+  drag(scene, 0, {80, 0});
+  steps(scene, 20);
+  scene.release();
+  const Bodies<SpaceBody>& bodies = scene.simulation().scene.bodies();
+  EXPECT_LT(bodies.pose[1].position.norm(), 1e-3);
+  // To the right on the side towards the viewer: about the picture's upward direction.
+  const Eigen::Vector3d omega = bodies.velocity[1].tail<3>(), up = seen_from_aside(0.5, 0.35).row(1);
+  EXPECT_GT(omega.dot(up), 0.5 * omega.norm());
+  const double whole = energy(scene.simulation().scene), momentum = angular_momentum(bodies).norm();
+  steps(scene, 600);
+  EXPECT_NEAR(energy(scene.simulation().scene), whole, 1e-9 * whole);
+  EXPECT_NEAR(angular_momentum(scene.simulation().scene.bodies()).norm(), momentum, 1e-9 * momentum);
+}
+
+TEST(HeldScene, WithoutAShapeABodyInSpaceIsHeldByItsMiddle) {
+  Book scene = held_book(true, false);
+  drag(scene, 0, {80, 0});
+  steps(scene, 20);
+  EXPECT_LT(scene.simulation().scene.bodies().velocity[1].tail<3>().norm(), 1e-12);
 }
 
 }  // namespace held_scene_test

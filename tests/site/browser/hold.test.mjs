@@ -6,7 +6,7 @@ import { axe, lessons, live, quick, quit, settled } from './browser.mjs';
 
 after(quit);
 
-const holding = lessons.filter(name => /^0[2-6]/.test(name));
+const holding = lessons.filter(name => /^0[2-8]/.test(name));
 const [bob, rod] = ['02', '04'].map(number => lessons.find(name => name.startsWith(number)));
 const figure = 'figure[data-hold]';
 
@@ -25,7 +25,7 @@ const moves = tab => tab.evaluate(() => { const { hold } = byhandPage.steps.find
 const middle = tab => tab.$eval(`${figure} .hand`, hand => { const { x, y, width, height } = hand.getBoundingClientRect(); return { x: x + width / 2, y: y + height / 2 }; });
 // In metres, kilograms and seconds, as the reading has them.
 const numbers = words => [...words.matchAll(/−?\d+(?:\.\d+)?(?:·10[⁻⁰¹²³⁴-⁹]+)?/g)].map(([number]) => number);
-const time = async tab => +numbers(await reading(tab))[0];
+const time = async tab => +(await reading(tab)).match(/Time (\S+) s/)[1];
 const wait = milliseconds => new Promise(resolve => setTimeout(resolve, milliseconds));
 
 for (const lesson of quick ? [bob, rod] : holding)
@@ -38,6 +38,34 @@ for (const lesson of quick ? [bob, rod] : holding)
     assert.deepEqual(tab.complaints, []);
     await tab.close();
   });
+
+// Every scene of lessons 7 and 8: a body of it is pulled and let go, then one step is watched part by part.
+for (const name of ['book_in_hand', 'gyroscope_in_hand', 'stack_in_hand', 'chain_in_hand']) {
+  const lesson = lessons.find(lesson => lesson.startsWith(/^(book|gyro)/.test(name) ? '07' : '08'));
+  test(`${name} is pulled, let go and watched within a step`, { skip: !lesson && 'without its lesson' }, async () => {
+    const tab = await live(lesson), figure = `#hold-${name}`;
+    const told = () => tab.$eval(`${figure} .reading`, reading => reading.textContent);
+    const press = label => tab.$eval(`${figure} .player [aria-label^="${label}"]`, button => button.click());
+    await tab.$eval(figure, figure => figure.scrollIntoView({ block: 'center' }));
+    await tab.waitForSelector(`${figure} .hand`);
+    const before = await told(), hand = await (await tab.$$(`${figure} .hand`)).at(-1).boundingBox();
+    await tab.mouse.move(hand.x + hand.width / 2, hand.y + hand.height / 2);
+    await tab.mouse.down();
+    await tab.waitForSelector(`${figure} .hand[aria-pressed=true]`);
+    await tab.mouse.move(hand.x + hand.width / 2 + 40, hand.y + hand.height / 2 + 15, { steps: 6 });
+    await tab.waitForFunction(figure => +document.querySelector(`${figure} .reading`).textContent.match(/Time (\S+) s/)[1] > 0.2, {}, figure);
+    await tab.mouse.up();
+    await tab.waitForSelector(`${figure} .hand[aria-pressed=true]`, { hidden: true });
+    assert.notEqual(await told(), before);
+    assert.doesNotMatch(await told(), /NaN|∞/);
+    await press('Slow');
+    await tab.waitForFunction(figure => document.querySelector(`${figure} .reading`).textContent.startsWith('V. '), {}, figure);
+    await press('next part');
+    await tab.waitForFunction(figure => document.querySelector(`${figure} .reading`).textContent.startsWith('V + gh'), {}, figure);
+    assert.deepEqual(tab.complaints, []);
+    await tab.close();
+  });
+}
 
 test('a body follows the mouse and goes on with its velocity when it is let go', async () => {
   const tab = await withScene(bob);
@@ -197,7 +225,7 @@ test('a scene that flies apart stops and says why', async () => {
 });
 
 test('it runs at the speed of the clock, and is drawn 30 times a second', { skip: quick }, async () => {
-  for (const lesson of holding) {
+  for (const lesson of lessons.filter(name => /^0[2-6]/.test(name))) {
     const tab = await withScene(lesson);
     await tab.evaluate(figure => {
       globalThis.drawn = 0;
