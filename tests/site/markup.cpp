@@ -17,8 +17,8 @@ TEST(Prose, MarksBecomeElementsAndTheRestIsEscaped) {
 
 TEST(Prose, AMarkWithoutAPartnerIsACharacter) {
   EXPECT_EQ(inline_html("2 * 3"), "2 * 3");
-  EXPECT_EQ(inline_html("a *b"), "a *b");
-  EXPECT_EQ(inline_html("a `b"), "a `b");
+  EXPECT_EQ(inline_html("one *two"), "one *two");
+  EXPECT_EQ(inline_html("one `two"), "one `two");
   EXPECT_EQ(inline_html("2 * 3 * 4"), "2 * 3 * 4");
 }
 
@@ -27,24 +27,45 @@ TEST(Prose, NumbersOfTheArticlesEquationsAreLinks) {
     return std::string("<a class=\"recall\" href=\"equations.html#equation-") + n + "\">(" + n + ")</a>";
   };
   EXPECT_EQ(inline_html("(17) and (1)–(23)"), link("17") + " and " + link("1") + "–" + link("23"));
-  for (const char* const other : {"(24)", "(0)", "(x)", "f(2)", "(2 m)", "(17", "()", "(1.5)", "(123)", "(−2)"})
+  for (const char* const other : {"(24)", "(0)", "(one)", "(2 m)", "(17", "()", "(1.5)", "(123)", "(−2)"})
     EXPECT_EQ(inline_html(other), other);
+  EXPECT_EQ(inline_html("f(2)"), "<math><mi>f</mi></math>(2)");
   EXPECT_EQ(inline_html("`(17)`"), "<code>(17)</code>");
   EXPECT_EQ(inline_html("*by (17)*"), "<em>by " + link("17") + "</em>");
   EXPECT_EQ(inline_html("by (17)", Links::none), "by (17)");
 }
 
 TEST(Prose, ALetterBelowAnotherIsASubscript) {
-  EXPECT_EQ(inline_html("ω(−r_y, r_x) and t_1"), "ω(−r<sub>y</sub>, r<sub>x</sub>) and t<sub>1</sub>");
-  for (const char* const name : {"at_once", "x_", "_x", "x_ y", "2_3", "a_b_c", "xy_z", "x_yz", "x__y"})
+  const auto quantity = [](const char* letter) { return std::string("<math><mi>") + letter + "</mi></math>"; };
+  EXPECT_EQ(inline_html("ω(−r_y, r_x) and t_1"), quantity("ω") + "(−" + quantity("r") + "<sub>y</sub>, " +
+                                                     quantity("r") + "<sub>x</sub>) and " + quantity("t") +
+                                                     "<sub>1</sub>");
+  for (const char* const name : {"at_once", "x_", "_x", "x_ one", "2_3", "a_b_c", "xy_z", "x_yz", "x__y"})
     EXPECT_EQ(inline_html(name), name);
   EXPECT_EQ(inline_html("`r_x`"), "<code>r_x</code>");
 }
 
+TEST(Prose, QuantitiesAreSetAsInADisplay) {
+  EXPECT_EQ(inline_html("JV = −(β/h)C"),
+            "<math><mi>J</mi><mi>V</mi></math> = −(<math><mi>β</mi></math>/<math><mi>h</mi></math>)"
+            "<math><mi>C</mi></math>");
+  const std::string rate = "<math><mover accent=\"true\"><mi>C</mi><mo stretchy=\"false\">˙</mo></mover></math>";
+  EXPECT_EQ(inline_html("Ċ"), rate);
+  EXPECT_EQ(inline_html("C\u0307"), rate);
+  EXPECT_EQ(inline_html("*h* is 2 s"), "<em><math><mi>h</mi></math></em> is 2 s");
+}
+
+TEST(Prose, OtherLettersAreNoQuantities) {
+  for (const char* const other : {"A step of a second", "see step 7b and steps 4c, 5", "in C++ and in 3D",
+                                  "R. Gaul, e.g. i.e.", "2 m/s, 3 N", "3.2·10⁻⁷ m of 4·10⁻¹⁵ kg m²/s",
+                                  "in N·s/m, m²/s, kg m² or 1/s", "Box2D", "the joint's", "`h` and `C`"})
+    EXPECT_EQ(inline_html(other).find("<math>"), std::string::npos) << inline_html(other);
+}
+
 TEST(Prose, HasParagraphsAndLists) {
   EXPECT_EQ(prose_html("one\n\ntwo"), "<p>one</p><p>two</p>");
-  EXPECT_EQ(prose_html("two:\n- a\n- b\n  of it\n\nend"),
-            "<p>two:</p><ul><li>a</li><li>b of it</li></ul><p>end</p>");
+  EXPECT_EQ(prose_html("two:\n- one\n- the other\n  of it\n\nend"),
+            "<p>two:</p><ul><li>one</li><li>the other of it</li></ul><p>end</p>");
   EXPECT_EQ(prose_html(""), "");
 }
 

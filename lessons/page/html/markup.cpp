@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cctype>
+#include <vector>
 
 #include "lessons/page/article_equations.hpp"
+#include "lessons/page/html/variables.hpp"
 
 namespace byhand::site {
 namespace {
@@ -21,11 +23,11 @@ int equation_at(std::string_view words) {
 /// Converts marks from left to right. A mark without a partner is a character like any other.
 class Inline {
  public:
-  Inline(std::string_view words, Links links) : words_(words), links_(links) {}
+  Inline(std::string_view words, Links links) : words_(words), links_(links), variables_(variables_in(words)) {}
 
   std::string html() {
     while (at_ < words_.size())
-      if (!code() && !span("**", "strong") && !span("*", "em") && !equation() && !below()) {
+      if (!code() && !span("**", "strong") && !span("*", "em") && !equation() && !below() && !variable()) {
         all_ += escaped(words_.substr(at_, 1));
         ++at_;
       }
@@ -83,8 +85,19 @@ class Inline {
     return true;
   }
 
+  /// JV: quantities are set as in a display.
+  bool variable() {
+    const auto found =
+        std::find_if(variables_.begin(), variables_.end(), [&](const Variables& one) { return one.begin == at_; });
+    if (found == variables_.end()) return false;
+    all_ += variables_html(words_.substr(at_, found->end - at_));
+    at_ = found->end;
+    return true;
+  }
+
   std::string_view words_;
   Links links_;
+  std::vector<Variables> variables_;
   size_t at_ = 0;
   std::string all_;
 };

@@ -48,7 +48,9 @@ struct Chapter {
   std::string content;
 };
 
-std::string page(const std::string& title, const std::string& content) {
+std::string page(const std::string& title, std::string content) {
+  // What HTML knows by its name, XML knows by its namespace.
+  replace_all(content, "<math>", R"(<math xmlns="http://www.w3.org/1998/Math/MathML">)");
   return fmt::format(R"(<?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE html>
 <html xmlns="http://www.w3.org/1999/xhtml" xmlns:epub="http://www.idpf.org/2007/ops" lang="en" xml:lang="en">
