@@ -66,6 +66,7 @@ std::vector<std::string> knobs(const RecordedStep& step, const std::string& capt
     return std::tuple(!name_it(words, name), !name_it(title, name), readers);
   };
   std::vector<std::string> names = step.reads;
+  std::erase(names, "resolution");  // of a map: how finely it is drawn, not what it shows
   std::stable_sort(names.begin(), names.end(),
                    [&](const std::string& a, const std::string& b) { return rank(a) < rank(b); });
   names.resize(std::min<std::size_t>(2, names.size()));

@@ -26,6 +26,12 @@ TEST(Controls, WhatTheCaptionNamesComesFirstThenTheTitleThenWhatFewStepsRead) {
   EXPECT_THAT(site::knobs(steps[1], "The heights.", steps), ElementsAre("beta", "h"));
 }
 
+TEST(Controls, HowFinelyAMapIsDrawnIsNotOffered) {
+  const std::vector<RecordedStep> steps{{&drift, {}, {"resolution", "beta"}}, {&drift, {}, {"resolution"}}};
+  EXPECT_THAT(site::knobs(steps[0], "A map of some resolution.", steps), ElementsAre("beta"));
+  EXPECT_THAT(site::knobs(steps[1], "A map.", steps), testing::IsEmpty());
+}
+
 TEST(Controls, AStepThatReadsNothingHasNoPlaceForParametersAndSaysWhereItsNumbersComeFrom) {
   const std::vector<RecordedStep> steps{{&drift, {}, {}}};
   const std::string section = site::with_controls("<section>\n</section>\n", steps[0], steps);

@@ -17,7 +17,8 @@ for (const lesson of lessons)
       const spans = await tab.$$eval(pictures, figures => figures.map(figure => {
         // On a phone three quarters of the figure are enough.
         const { top: edge, height: whole } = figure.querySelector('.picture').getBoundingClientRect(), top = edge + (innerWidth < 480 ? whole / 4 : 0), last = [...figure.querySelectorAll('.knobs .setting')].pop();
-        const reads = byhandPage.steps.find(step => step.section.contains(figure)).read.size;
+        // How finely a map is drawn stands at the foot of a step.
+        const reads = [...byhandPage.steps.find(step => step.section.contains(figure)).read].filter(name => name !== 'resolution').length;
         return { id: figure.id, reads, span: last && last.getBoundingClientRect().bottom - top };
       }));
       // What stays in view takes its part: the bar of changes and, on a narrow page, the contents.
@@ -52,6 +53,13 @@ for (const lesson of lessons)
     assert.ok(between.length > 4 && Math.max(...between) < 60, `${between.map(Math.round)} pixels`);
     await tab.close();
   });
+
+test('under no figure a slider asks how finely a map is drawn', { skip: !lessons.some(name => name.startsWith('08')) && 'without lesson 8' }, async () => {
+  const tab = await live(lessons.find(name => name.startsWith('08')));
+  assert.deepEqual(await tab.$$eval('.controls', all => all.map(one => one.dataset.knobs).filter(knobs => knobs.includes('resolution'))), []);
+  assert.ok(await tab.$$eval('.others .setting', all => all.some(one => one.dataset.name === 'resolution')), 'but at the foot of the step');
+  await tab.close();
+});
 
 test('lesson 1 begins with a bob in the reader\'s hand: C, its rate and J follow it', { skip: !lessons.some(name => name.startsWith('01')) && 'without lesson 1' }, async () => {
   const tab = await live(lessons[0]);
