@@ -78,8 +78,8 @@ TEST(StepHtml, ClaimsAreFoldedToOneLineThatCountsTheVerdicts) {
   EXPECT_THAT(in_short({claim("a", 1), claim("b", 1.05)}), ElementsAre("2 claims hold"));
   EXPECT_THAT(in_short({claim("a", 1), claim("b", 2)}), ElementsAre("1 claim holds, 1 is false"));
   EXPECT_THAT(in_short({claim("a", 1), claim("b", 2, false), claim("c", 2, false)}),
-              ElementsAre("1 claim holds, 2 are not claimed here"));
-  EXPECT_THAT(in_short({claim("a", 2, false)}), ElementsAre("1 claim is not claimed here"));
+              ElementsAre("1 claim holds, 2 are not made here"));
+  EXPECT_THAT(in_short({claim("a", 2, false)}), ElementsAre("1 claim is not made here"));
 }
 
 TEST(StepHtml, AFalseClaimIsOpen) {

@@ -210,7 +210,7 @@ class ItemWriter {
     hold_ = false_ = not_claimed_ = 0;
   }
 
-  /// "7 claims hold, 1 is false, 2 are not claimed here"
+  /// "7 claims hold, 1 is false, 2 are not made here"
   std::string claims_in_short() const {
     std::string words;
     const auto add = [&](int n, const char* one, const char* many) {
@@ -220,7 +220,7 @@ class ItemWriter {
     };
     add(hold_, "holds", "hold");
     add(false_, "is false", "are false");
-    add(not_claimed_, "is not claimed here", "are not claimed here");
+    add(not_claimed_, "is not made here", "are not made here");
     return words;
   }
 
