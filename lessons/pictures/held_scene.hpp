@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-
 #include "lessons/page/held.hpp"
 #include "lessons/pictures/step_terms.hpp"
 #include "lessons/scenes/hand.hpp"

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 #include <stdexcept>
 
 #include "lessons/files/atomic_file.hpp"
@@ -94,15 +93,6 @@ void write_question(const fs::path& folder, const std::vector<const Exercise*>& 
                                   uuid(wanted, seed), title, 60 + 30 * wanted.size()));
 }
 
-void write_autograder(const fs::path& folder) {
-  std::set<std::string> names;
-  for (const auto& entry : fs::recursive_directory_iterator(folder))
-    if (entry.is_regular_file()) names.insert(entry.path().lexically_relative(folder).string());
-  site::Zip archive;
-  for (const std::string& name : names) archive.add(name, contents_of(folder / name));
-  course::write_whole(folder / "autograder.zip", archive.finish());
-}
-
 }  // namespace
 
 void require_empty(const fs::path& folder) {
@@ -119,8 +109,8 @@ void export_course(const std::string& kind, const fs::path& folder, std::uint64_
                    const std::vector<const Exercise*>& wanted) {
   const fs::path own = practise_folder() / "export" / kind;
   if (kind.empty() || !fs::is_directory(own))
-    throw std::invalid_argument(
-        fmt::format("--export {}: there are gradescope, classroom50, prairielearn, junit, moodle and qti", kind));
+    throw std::invalid_argument(fmt::format(
+        "--export {}: there are gradescope, classroom50, prairielearn, junit, handouts, moodle and qti", kind));
   copy_judge(folder / "source", wanted);
   for (const Exercise* exercise : wanted) write_handout(folder / "handout" / exercise->name, *exercise);
   for (const Exercise* exercise : wanted)
@@ -132,7 +122,7 @@ void export_course(const std::string& kind, const fs::path& folder, std::uint64_
                       contents_of(own / "README.md") + contents_of(practise_folder() / "export" / "README.md"));
   if (kind != "gradescope") copy_into(practise_folder() / "export" / "Dockerfile", folder / "Dockerfile");
   if (kind == "prairielearn") write_question(folder, wanted, seed);
-  if (kind == "gradescope") write_autograder(folder);
+  if (kind == "gradescope") course::write_whole(folder / "autograder.zip", site::zip_of(folder));
 }
 
 }  // namespace byhand::practise

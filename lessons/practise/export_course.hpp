@@ -18,7 +18,9 @@ void export_course(const std::string& kind, const std::filesystem::path& folder,
 /// Throws std::invalid_argument unless the folder is empty or not there yet.
 void require_empty(const std::filesystem::path& folder);
 
-/// The predictions of all lessons as moodle (Moodle XML) or qti (QTI 2.1 items).
-void export_questions(const std::string& kind, const std::filesystem::path& folder);
+/// The predictions of all lessons as moodle (Moodle XML) or qti (QTI 2.1 items). `asked`: the folder with what
+/// each lesson prints under --questions, as 01_jacobian.json; where it is empty, the lessons are run.
+void export_questions(const std::string& kind, const std::filesystem::path& folder,
+                      const std::filesystem::path& asked = {});
 
 }  // namespace byhand::practise

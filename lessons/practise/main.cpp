@@ -20,6 +20,7 @@
 #include "lessons/files/streams.hpp"
 #include "lessons/page/error.hpp"
 #include "lessons/practise/export_course.hpp"
+#include "lessons/practise/handout.hpp"
 #include "lessons/practise/judge/comparison.hpp"
 #include "lessons/practise/watch.hpp"
 
@@ -34,7 +35,7 @@ enum ExitStatus { right = 0, wrong = 1, does_not_compile = 3, environment = 4 };
 struct Wanted {
   int number = 0, hint = 0;
   std::optional<std::uint64_t> seed;
-  std::string folder = "my_exercises", check, film, unmask, grade, course, to;
+  std::string folder = "my_exercises", check, film, unmask, grade, course, to, asked_in;
   std::vector<std::string> reports;
   bool solution = false, unconfined = false;
   std::string asked;  // which of the options that exclude each other was given: "--check"
@@ -104,7 +105,10 @@ int export_to(const Wanted& wanted) {
         fmt::format("--export {} takes the predictions of all lessons, and no exercise", wanted.course));
   require_empty(wanted.to);
   if (questions)
-    export_questions(wanted.course, wanted.to);
+    export_questions(wanted.course, wanted.to, wanted.asked_in);
+  else if (wanted.course == "handouts")
+    for (const Exercise* exercise : all_or(wanted.number))
+      write_handout(fs::path(wanted.to) / exercise->name, *exercise);
   else
     export_course(wanted.course, wanted.to, wanted.seed ? *wanted.seed : drawn_seed(), all_or(wanted.number));
   fmt::print("Written into {}\n", wanted.to);
@@ -155,7 +159,8 @@ std::string only_one(const CLI::App& app) {
   for (const auto& [option, with] : {std::pair{"--film", "--check"},
                                      {"--report", "--grade"},
                                      {"--unconfined", "--grade"},
-                                     {"--to", "--export"}})
+                                     {"--to", "--export"},
+                                     {"--questions", "--export"}})
     if (app.count(option) > 0 && given != with)
       throw std::invalid_argument(fmt::format("{} needs {}", option, with));
   return given;
@@ -200,10 +205,14 @@ int command(int argc, const char* const* argv) {
       ->type_name("FORMAT=FILE")
       ->take_all();
   app.add_option("--export", wanted.course,
-                 "for a course: gradescope, classroom50, prairielearn, junit; or the\n"
-                 "predictions of all lessons: moodle, qti")
+                 "for a course: gradescope, classroom50, prairielearn, junit; what its\n"
+                 "learners get: handouts; or the predictions of all lessons: moodle, qti")
       ->check(nothing);
   app.add_option("--to", wanted.to, "new folder for --export")->type_name("DIR");
+  app.add_option("--questions", wanted.asked_in,
+                 "with --export moodle or qti: what the lessons print under\n"
+                 "--questions, as DIR/01_jacobian.json and so on; they are run without it")
+      ->type_name("DIR");
   app.add_flag("--unconfined", wanted.unconfined,
                "with --grade: also where the system cannot keep a submission from\nreading the judge's files");
   app.add_option("--unmask", wanted.unmask, "choose numbers on which a wrong code is wrong")

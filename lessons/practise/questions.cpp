@@ -21,6 +21,22 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
+void add_to(std::vector<Json>& all, const std::string& asked) {
+  for (const Json& question : Json::parse(asked)) all.push_back(question);
+}
+
+/// Of files that the lessons wrote.
+std::vector<Json> questions_in(const fs::path& folder) {
+  std::vector<Json> all;
+  for (const course::About& lesson : course::contents()) {
+    const fs::path file = folder / (lesson.slug + ".json");
+    const auto text = course::read_whole(file);
+    if (!text) throw course::EnvironmentError(fmt::format("There is no {}.", file.string()));
+    add_to(all, *text);
+  }
+  return all;
+}
+
 /// Of the lessons beside this program, built first if `lessons/run` started it.
 std::vector<Json> questions() {
   if (const char* builder = std::getenv("BYHAND_BUILD"))
@@ -31,8 +47,7 @@ std::vector<Json> questions() {
   course::Progress progress("the predictions of all lessons", static_cast<int>(lessons.size()), false);
   std::vector<Json> all;
   for (const course::About& lesson : lessons) {
-    const std::string asked = course::printed_by((folder / lesson.slug).string(), {"--questions", "--quiet"});
-    for (const Json& question : Json::parse(asked)) all.push_back(question);
+    add_to(all, course::printed_by((folder / lesson.slug).string(), {"--questions", "--quiet"}));
     progress.advance();
   }
   return all;
@@ -175,8 +190,8 @@ void write_qti(const fs::path& folder, const std::vector<Json>& all) {
 
 }  // namespace
 
-void export_questions(const std::string& kind, const fs::path& folder) {
-  const std::vector<Json> all = questions();
+void export_questions(const std::string& kind, const fs::path& folder, const fs::path& asked) {
+  const std::vector<Json> all = asked.empty() ? questions() : questions_in(asked);
   if (kind == "moodle")
     course::write_whole(folder / "predictions.xml", moodle(all));
   else

@@ -4,6 +4,7 @@
 
 #include "lessons/files/atomic_file.hpp"
 #include "lessons/files/chart_data.hpp"
+#include "lessons/files/lesson_json.hpp"
 #include "lessons/files/picture_writer.hpp"
 #include "lessons/page/html/drawn.hpp"
 #include "lessons/page/html/step_html.hpp"
@@ -76,6 +77,7 @@ std::vector<RecordedStep> write_page(const Lesson& lesson, const fs::path& folde
   write_card(steps, folder / slug);
   course::write_whole(folder / page_of(slug), lesson_page(lesson, steps, all, live));
   course::write_whole(folder / (slug + ".json"), to_json(digest(lesson, steps)));
+  course::write_whole(folder / "questions" / (slug + ".json"), course::questions(lesson, steps));
   return steps;
 }
 

@@ -96,10 +96,26 @@ TEST(CommandLine, OptionsThatExcludeEachOtherAreRefused) {
         "--grade " + folder + " --export junit --to " + (state / "new").string(),
         "8 --hint 1 --folder " + state.path().string()})
     expect_refused(practise_run(line, state), line, "choose one of them");
-  for (const std::string& line : {"8 --film " + (state / "film").string(), std::string("8 --report junit=-"),
-                                  "8 --solution --to " + (state / "new").string()})
+  for (const std::string& line :
+       {"8 --film " + (state / "film").string(), std::string("8 --report junit=-"),
+        "8 --solution --to " + (state / "new").string(), "8 --solution --questions " + (state / "new").string()})
     expect_refused(practise_run(line, state), line, "needs");
   expect_refused(practise_run("3 --export moodle --to " + (state / "new").string(), state), "3 moodle");
+}
+
+TEST(CommandLine, AHandoutIsATaskAndAStubWithoutHintsAndSolution) {
+  const Folder state;
+  const std::filesystem::path to = state / "handouts";
+  ASSERT_EQ(practise_run("--export handouts --to " + to.string(), state).status, 0);
+  int tasks = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(to)) {
+    const std::string name = entry.path().filename();
+    EXPECT_NE(name, "solution.cpp");
+    if (name != "task.md") continue;
+    ++tasks;
+    EXPECT_EQ(contents(entry.path()).find("## Hint"), std::string::npos) << entry.path();
+  }
+  EXPECT_EQ(tasks, 11);
 }
 
 TEST(CommandLine, NumbersThatAreNoneAreRefused) {

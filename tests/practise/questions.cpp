@@ -44,11 +44,13 @@ class Course {
     }
   }
 
-  void export_as(const char* kind, const Folder& folder) const {
+  void export_as(const std::string& kind, const Folder& folder) const {
     const Finished finished =
         run(fmt::format("{} --export {} --to {}", (folder_ / "practise").string(), kind, folder.path().string()));
     EXPECT_EQ(finished.status, 0) << finished.complained;
   }
+  /// Where what the lessons say stands in files.
+  std::string files() const { return folder_.path().string(); }
 
  private:
   Folder folder_;
@@ -77,7 +79,7 @@ TEST(Questions, OfAllLessonsReachMoodleAndQtiWithTheirRepliesAndTheSameBytesEach
   EXPECT_GT(questions, 20U);
 
   const Course course(asked);
-  const Folder first, again, items;
+  const Folder first, again, from_files, items;
   course.export_as("moodle", first);
   const fs::path file = first / "predictions.xml";
   const std::string text = contents(file);
@@ -88,6 +90,9 @@ TEST(Questions, OfAllLessonsReachMoodleAndQtiWithTheirRepliesAndTheSameBytesEach
   EXPECT_EQ(count(text, "<question type=\"category\">"), asking);
   course.export_as("moodle", again);
   EXPECT_EQ(contents(again / "predictions.xml"), text);
+
+  course.export_as("moodle --questions " + course.files(), from_files);
+  EXPECT_EQ(contents(from_files / "predictions.xml"), text);
 
   course.export_as("qti", items);
   EXPECT_EQ(count(contents(items / "imsmanifest.xml"), "<resource "), questions);

@@ -9,8 +9,10 @@
 #include <regex>
 #include <set>
 
+#include "lessons/files/atomic_file.hpp"
 #include "lessons/files/checksum.hpp"
 #include "lessons/laws/law.hpp"
+#include "lessons/site/course/course_pages.hpp"
 #include "lessons/site/course/site_folder.hpp"
 #include "lessons/site/course/slides.hpp"
 #include "renderer/error.hpp"
@@ -25,7 +27,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-const std::string program = BYHAND_SITE_OF_FIXTURE;
+const std::string program = std::string(BYHAND_SITE_OF_FIXTURE) + " --without-slides";
 
 /// The site of the fixture, written once.
 class Site : public testing::Test {
@@ -144,6 +146,26 @@ TEST_F(Site, TheFiguresOfALessonCanBeTakenAlong) {
             0);
   EXPECT_EQ(of_page(contents(folder / "figure-errors.svg")).mistake(), "");
   EXPECT_EQ(contents(folder / "errors.csv"), contents(root() / "99_fixture/data/errors.csv"));
+}
+
+TEST_F(Site, TeachersAreOfferedWhatThereIsToDownload) {
+  const std::vector<site::Digest> lessons{{.slug = "99_fixture", .steps = {{.label = "1"}}}};
+  const Folder there;
+  for (const char* const file : {"slides/99_fixture.html", "downloads/exercises.zip"})
+    course::write_whole(there / file, "it");
+  EXPECT_THAT(of_page(site::teaching_page(lessons, {}, there.path())).all("//section[@id='downloads']//a/@href"),
+              ElementsAre("downloads/exercises.zip", "slides/99_fixture.html"));
+  EXPECT_THAT(pages_.at("teaching.html").all("//section[@id='downloads']//a/@href"),
+              ElementsAre("answers.html", "constraints_by_hand.epub", "downloads/99_fixture_figures.zip"));
+}
+
+TEST_F(Site, OnlyLessonsThatThereAreCanBeChosen) {
+  const Folder folder;
+  EXPECT_EQ(run(fmt::format("{} --quiet --lesson 98_none --output {}", program, folder.path().string())).status,
+            2);
+  ASSERT_EQ(run(fmt::format("{} --quiet --lesson 99_fixture --output {}", program, folder.path().string())).status,
+            0);
+  EXPECT_TRUE(fs::exists(folder / "site" / "99_fixture.html"));
 }
 
 TEST_F(Site, TheLawsAreOneTableWithAFormulaEach) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
@@ -24,8 +25,10 @@ std::string contents_page(const std::vector<Digest>& lessons, const Cover& cover
 std::string equations_page();
 /// Every law that a lesson derives, with its place.
 std::string laws_page(const std::vector<Digest>& lessons);
-/// For those who teach with the course. `exercises`: their numbers by lesson.
+/// For those who teach with the course. `exercises`: their numbers by lesson. It links to what there is to
+/// download in the folder `site`.
 std::string teaching_page(const std::vector<Digest>& lessons,
-                          const std::map<int, std::vector<int>>& exercises = {});
+                          const std::map<int, std::vector<int>>& exercises = {},
+                          const std::filesystem::path& site = {});
 
 }  // namespace byhand::site

@@ -18,6 +18,7 @@
 #include "lessons/files/child_process.hpp"
 #include "lessons/files/command_line.hpp"
 #include "lessons/files/options.hpp"
+#include "lessons/files/printed_by.hpp"
 #include "lessons/files/streams.hpp"
 #include "lessons/page/about.hpp"
 #include "lessons/page/error.hpp"
@@ -30,6 +31,7 @@
 #include "lessons/site/course/site_folder.hpp"
 #include "lessons/site/course/slides.hpp"
 #include "lessons/site/course/versions.hpp"
+#include "lessons/site/course/zip.hpp"
 #include "lessons/site/lesson_page.hpp"
 #include "lessons/site/page_json.hpp"
 
@@ -42,7 +44,8 @@ constexpr int fine = 0;
 
 struct Wanted {
   std::string output = course::default_output().string(), repository;
-  bool quiet = false, slides = false, without_answers = false, exercises = false;
+  std::vector<std::string> lessons;  // all if empty
+  bool quiet = false, without_slides = false, without_answers = false, exercises = false;
 };
 
 /// A program that this one started did not do its work; `status` is its exit status.
@@ -58,11 +61,15 @@ void build(const std::string& target) {
   if (!ended.well()) throw Failed("", ended);
 }
 
-/// Compiles the lessons for a browser, so that their pages are live. False without what that needs.
-bool write_live(const fs::path& folder) {
+/// Compiles these lessons, all if there is none, for a browser, so that their pages are live. False without what
+/// that needs.
+bool write_live(const fs::path& folder, const std::vector<std::string>& lessons) {
   const char* builder = std::getenv("BYHAND_LIVE");
   if (builder == nullptr) return false;
-  const course::Ended ended = course::run_program(builder, {(folder / "live").string()}, course::Group::own);
+  std::vector<std::string> arguments{(folder / "live").string()};
+  arguments.insert(arguments.end(), lessons.begin(), lessons.end());
+  if (!lessons.empty()) arguments.emplace_back("desk");
+  const course::Ended ended = course::run_program(builder, arguments, course::Group::own);
   if (ended.by_signal) throw Failed("", ended);
   return ended.well();
 }
@@ -112,23 +119,61 @@ void copy_assets(const fs::path& folder) {
   fs::copy(assets, folder / "assets", fs::copy_options::recursive);
 }
 
-/// Fetches reveal.js, then writes each lesson as slides.
-void write_slides(const fs::path& site, const std::vector<site::Digest>& lessons) {
+/// Fetches reveal.js, then writes each lesson as slides. False where it cannot be fetched.
+bool write_slides(const fs::path& site, const std::vector<site::Digest>& lessons) {
   const fs::path folder = site / "slides", fetch = fs::path(BYHAND_SITE_FOLDER) / "fetch_reveal";
   const course::Ended ended =
       course::run_program(fetch.string(), {(folder / "reveal").string()}, course::Group::own);
-  if (!ended.well()) throw Failed("reveal.js could not be fetched", ended);
+  if (ended.by_signal) throw Failed("", ended);
+  if (!ended.well()) return false;
   for (const site::Digest& lesson : lessons)
     course::write_whole(folder / site::page_of(lesson.slug), site::slides(site, lesson));
+  return true;
+}
+
+/// Quizzes and handouts, which the exercises' program makes from the questions that the lessons left. Nothing
+/// where that program does not stand beside this one.
+void write_for_a_class(const fs::path& site) {
+  build("practise");
+  const fs::path program = fs::read_symlink("/proc/self/exe").parent_path() / "practise",
+                 asked = site / "questions", made = site / "for_a_class";
+  if (fs::exists(program)) {
+    for (const std::string kind : {"moodle", "qti", "handouts"}) {
+      std::vector<std::string> arguments{"--export", kind, "--to", (made / kind).string()};
+      if (kind != "handouts") arguments.insert(arguments.end(), {"--questions", asked.string()});
+      course::printed_by(program.string(), arguments);
+    }
+    const fs::path downloads = site / "downloads";
+    course::write_whole(downloads / "predictions_moodle.xml",
+                        course::read_whole(made / "moodle" / "predictions.xml").value_or(""));
+    course::write_whole(downloads / "predictions_qti.zip", site::zip_of(made / "qti"));
+    course::write_whole(downloads / "exercises.zip", site::zip_of(made / "handouts"));
+  }
+  fs::remove_all(made);
+  fs::remove_all(asked);
+}
+
+/// The lessons of these names, in the course's order; all without a name.
+std::vector<course::About> chosen(const std::vector<std::string>& names) {
+  std::vector<course::About> all = course::contents();
+  for (const std::string& name : names)
+    if (std::none_of(all.begin(), all.end(), [&](const course::About& about) { return about.slug == name; }))
+      throw std::invalid_argument(fmt::format("--lesson {}: there is no such lesson", course::printable(name)));
+  if (!names.empty())
+    std::erase_if(all, [&](const course::About& about) {
+      return std::find(names.begin(), names.end(), about.slug) == names.end();
+    });
+  return all;
 }
 
 int run(const Wanted& wanted) {
   const fs::path output = fs::path(wanted.output) / "site";
   site::SiteFolder folder(output);
-  build("pages");
-  const bool live = write_live(folder.path());
+  const std::vector<course::About> contents = chosen(wanted.lessons);
+  if (wanted.lessons.empty()) build("pages");
+  for (const std::string& lesson : wanted.lessons) build("page_" + lesson);
+  const bool live = write_live(folder.path(), wanted.lessons);
   std::vector<site::Digest> lessons;
-  const auto& contents = course::contents();
   for (const course::About& lesson : contents) {
     if (!wanted.quiet) fmt::print(stderr, "{} of {}: {}\n", lessons.size() + 1, contents.size(), lesson.title);
     lessons.push_back(write_lesson(lesson.slug, folder.path(), wanted));
@@ -146,8 +191,6 @@ int run(const Wanted& wanted) {
   write("playground.html", site::playground_page(fs::exists(folder.path() / "live" / "playground.js")));
   write("equations.html", site::equations_page());
   write("laws.html", site::laws_page(lessons));
-  write("teaching.html",
-        site::teaching_page(lessons, site::exercises_by_lesson(fs::path(BYHAND_SITE_FOLDER) / "../practise")));
   if (!wanted.without_answers) write("answers.html", site::answer_key(folder.path(), lessons));
   for (const site::Digest& lesson : lessons)
     course::write_whole(folder.path() / "downloads" / (lesson.slug + "_figures.zip"),
@@ -155,11 +198,16 @@ int run(const Wanted& wanted) {
   write("assets/search.js", site::search_script(lessons));
   write("assets/equations.js", site::equations_script());
   write("constraints_by_hand.epub", site::book(folder.path(), lessons));
-  if (wanted.slides) write_slides(folder.path(), lessons);
+  const bool slides = wanted.without_slides || write_slides(folder.path(), lessons);
+  write_for_a_class(folder.path());
+  write("teaching.html",
+        site::teaching_page(lessons, site::exercises_by_lesson(fs::path(BYHAND_SITE_FOLDER) / "../practise"),
+                            folder.path()));
   site::write_versions(folder.path());
   folder.finish();
   if (!wanted.quiet && !live)
     fmt::print("Its pages are static: what compiles the lessons for a browser is missing.\n");
+  if (!wanted.quiet && !slides) fmt::print("It has no slides: they stand on reveal.js, which npm fetches.\n");
   if (wanted.exercises && !exercises)
     fmt::print("It has no exercises: what compiles them in the page is missing, and is fetched by npm.\n");
   if (!wanted.quiet) fmt::print("The course as a web site: {}/index.html\n", course::printable(output.string()));
@@ -183,7 +231,12 @@ int command(int argc, const char* const* argv) {
       ->check([](const std::string& address) {
         return address.starts_with("https://") ? "" : "begins with https://, not \"" + address + "\"";
       });
-  app.add_flag("--slides", wanted.slides, "also each lesson as slides, in site/slides/; takes reveal.js from npm");
+  app.add_option(
+         "--lesson", wanted.lessons,
+         "only this lesson, such as 04_baumgarte; may stand several times. Links to the others lead nowhere")
+      ->type_name("NAME");
+  app.add_flag("--without-slides", wanted.without_slides,
+               "without the lessons as slides, in site/slides/, which take reveal.js from npm");
   app.add_flag("--without-answers", wanted.without_answers, "without answers.html, the key to all questions");
   app.add_flag("--exercises", wanted.exercises,
                "also the exercises, compiled and judged in the page; takes clang from npm");

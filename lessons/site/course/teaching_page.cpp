@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <array>
+
 #include "lessons/page/html/markup.hpp"
 #include "lessons/site/course/course_pages.hpp"
 #include "lessons/site/course/plan.hpp"
@@ -57,17 +59,32 @@ std::string classes(const std::vector<Digest>& lessons, const std::map<int, std:
   return all;
 }
 
-/// What a teacher takes along.
-std::string downloads(const std::vector<Digest>& lessons) {
-  std::string figures;
+/// What a teacher takes along, as far as it is there.
+std::string downloads(const std::vector<Digest>& lessons, const std::filesystem::path& site) {
+  const auto link = [&](const std::string& file, const std::string& words) {
+    return std::filesystem::exists(site / file) ? fmt::format("<a href=\"{}\">{}</a>", file, words) : "";
+  };
+  std::string all, rows;
+  for (const auto& [file, words, about] :
+       {std::array{"answers.html", "Answers", "the key to all questions, with their hints"},
+        {"downloads/predictions_moodle.xml", "Moodle quiz",
+         "the predictions of all lessons; wrong answers get "
+         "their own reply"},
+        {"downloads/predictions_qti.zip", "QTI 2.1 package", "the same for Canvas, ILIAS, OLAT and others"},
+        {"downloads/exercises.zip", "Handouts", "the exercises: what each asks for, its frame and its types"},
+        {"constraints_by_hand.epub", "E-book", "all lessons, with answers at the end of each chapter"}})
+    if (const std::string found = link(file, words); !found.empty())
+      all += fmt::format("<li>{}: {}</li>\n", found, about);
   for (const Digest& lesson : lessons)
-    figures += fmt::format("<li><a href=\"downloads/{0}_figures.zip\">{1}</a></li>\n", lesson.slug,
-                           escaped(lesson_title(lesson.slug)));
-  return "<section id=\"downloads\">\n<h2>To download</h2>\n<p>The figures of a lesson, as SVG and their data as "
-         "CSV:</p>\n<ul class=\"ways\">\n" +
-         figures +
-         "</ul>\n<p>The key to all questions is <code>answers.html</code> beside this page, unless the site was "
-         "written with <code>--without-answers</code>.</p>\n</section>\n";
+    rows += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td></tr>\n",
+                        escaped(lesson_title(lesson.slug)), link("slides/" + page_of(lesson.slug), "slides"),
+                        link(fmt::format("downloads/{}_figures.zip", lesson.slug), "figures"));
+  return fmt::format(
+      "<section id=\"downloads\">\n<h2>To download</h2>\n<ul class=\"ways\">\n{}</ul>\n"
+      "<table><thead><tr><th scope=\"col\">lesson</th><th scope=\"col\">slides</th><th scope=\"col\">figures, SVG "
+      "and CSV</th></tr></thead><tbody>\n{}</tbody></table>\n"
+      "<p>Slides are shown by the browser: arrow keys to go on, S for the speaker's notes.</p>\n</section>\n",
+      all, rows);
 }
 
 /// The scene of a lesson alone, or an address of that form where it has none.
@@ -82,12 +99,13 @@ std::string example(const Digest& lesson) {
 
 }  // namespace
 
-std::string teaching_page(const std::vector<Digest>& lessons, const std::map<int, std::vector<int>>& exercises) {
+std::string teaching_page(const std::vector<Digest>& lessons, const std::map<int, std::vector<int>>& exercises,
+                          const std::filesystem::path& site) {
   std::string content =
       "<h1>Use this in your course</h1>\n"
-      "<p class=\"summary\">The pages are a folder of files. Nothing in them needs a server or a network.</p>\n"
-      "<section id=\"plan\">\n<h2>Plan</h2>\n" +
-      schedule(lessons) + classes(lessons, exercises) +
+      "<p class=\"summary\">The pages are a folder of files. Nothing in them needs a server or a network.</p>\n" +
+      downloads(lessons, site) + "<section id=\"plan\">\n<h2>Plan</h2>\n" + schedule(lessons) +
+      classes(lessons, exercises) +
       R"(<p>Lessons 1 to 4 are the article's core; 5 to 7 build on it and can be chosen from; 8 to 10 suit a project. Deeper
 steps can be left out: no core step needs one.</p>
 </section>
@@ -119,8 +137,7 @@ frame is told its height:</p>
   });
 &lt;/script&gt;</code></pre>
 </section>
-)" + downloads(lessons) +
-      R"(<section id="exercises">
+<section id="exercises">
 <h2>Exercises</h2>
 <p>Ten exercises ask for one function of a step each, the eleventh for a whole program of some 45 lines, the last for a constraint that
 no lesson derives. All are judged with probes; frequent wrong derivations get their own reply.
@@ -129,21 +146,15 @@ no lesson derives. All are judged with probes; frequent wrong derivations get th
 ./lessons/run practise --export classroom50 --to FOLDER
 ./lessons/run practise --export prairielearn --to FOLDER
 ./lessons/run practise --export junit --to FOLDER</code></pre>
-<p>write a judge without solutions, with probes of your own <code>--seed</code>. The predictions of all lessons as a quiz:</p>
-<pre><code>./lessons/run practise --export moodle --to FOLDER
-./lessons/run practise --export qti --to FOLDER</code></pre>
-</section>
-<section id="slides">
-<h2>Slides</h2>
-<pre><code>./lessons/run site --slides</code></pre>
-<p>adds <code>slides/</code>: a lesson's formulas, figures and questions, one a slide, with the text as speaker notes (press S). They
-work without a network; reveal.js is fetched once, by npm, when they are written.</p>
+<p>write a judge without solutions, with probes of your own <code>--seed</code>. What learners get with each exercise and the
+predictions as a quiz are ready <a href="#downloads">to download</a>.</p>
 </section>
 <section id="rebuilding">
 <h2>Rebuilding</h2>
 <pre><code>./lessons/run site</code></pre>
 <p>writes the site anew from the checkout. Apart from charts of measured running times, the same commit gives the same bytes;
-<code>manifest.json</code> lists the commit and the SHA-256 of each file.</p>
+<code>manifest.json</code> lists the commit and the SHA-256 of each file. The slides stand on reveal.js, which npm fetches once;
+without npm they are left out, as with <code>--without-slides</code>, and <code>--without-answers</code> leaves out the key.</p>
 </section>
 <section id="licence">
 <h2>Licence and citation</h2>

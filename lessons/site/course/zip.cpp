@@ -2,9 +2,13 @@
 
 #include <libdeflate.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <new>
+#include <vector>
+
+#include "lessons/files/atomic_file.hpp"
 
 namespace byhand::site {
 namespace {
@@ -52,6 +56,17 @@ std::string Zip::finish() {
   const std::string end = "PK\5\6" + two(0) + two(0) + two(entries) + two(entries) + four(directory_.size()) +
                           four(archive_.size()) + two(0);
   return std::move(archive_) + directory_ + end;
+}
+
+std::string zip_of(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+    if (entry.is_regular_file()) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  Zip zip;
+  for (const std::filesystem::path& file : files)
+    zip.add(file.lexically_relative(folder).generic_string(), course::read_whole(file).value_or(""));
+  return zip.finish();
 }
 
 }  // namespace byhand::site

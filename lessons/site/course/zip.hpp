@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -17,5 +18,8 @@ class Zip {
   std::string archive_, directory_;
   int entries_ = 0;
 };
+
+/// All files below a folder as an archive, in the order of their paths.
+std::string zip_of(const std::filesystem::path& folder);
 
 }  // namespace byhand::site
