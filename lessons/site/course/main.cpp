@@ -68,7 +68,7 @@ bool write_live(const fs::path& folder, const std::vector<std::string>& lessons)
   if (builder == nullptr) return false;
   std::vector<std::string> arguments{(folder / "live").string()};
   arguments.insert(arguments.end(), lessons.begin(), lessons.end());
-  if (!lessons.empty()) arguments.emplace_back("desk");
+  if (!lessons.empty()) arguments.insert(arguments.end(), {"desk", "playground"});
   const course::Ended ended = course::run_program(builder, arguments, course::Group::own);
   if (ended.by_signal) throw Failed("", ended);
   return ended.well();
