@@ -5,9 +5,10 @@
 namespace byhand::engines {
 
 Settings box2d_2_settings() {
-  const Setting advised{.row = Row::advised,
-                        .knobs = {{"velocity iterations", 8}, {"position iterations", 3}},
-                        .source = "manual of 2.4, Hello Box2D, Simulating the World: 8 for velocity and 3 for position"};
+  const Setting advised{
+      .row = Row::advised,
+      .knobs = {{"velocity iterations", 8}, {"position iterations", 3}},
+      .source = "manual of 2.4, Hello Box2D, Simulating the World: 8 for velocity and 3 for position"};
   std::vector<Setting> tried;
   for (const int steps : {1, 2, 4, 8, 16})
     for (const int iterations : {8, 32, 128})

@@ -9,8 +9,10 @@ Settings bullet_settings() {
   const Setting advised{.row = Row::advised,
                         .knobs = {{"iterations", 50}},
                         .steps = 4,
-                        .source = "PyBullet Quickstart Guide, setTimeStep and setPhysicsEngineParameter: 1/240 s and 50 iterations, for which "
-                                  "its other parameters are tuned"};
+                        .source =
+                            "PyBullet Quickstart Guide, setTimeStep and setPhysicsEngineParameter: 1/240 s and 50 "
+                            "iterations, for which "
+                            "its other parameters are tuned"};
   Settings all{.joints = {{}, advised}, .contacts = {{}, advised}};
   for (const int steps : {1, 2, 4, 8})
     for (const int iterations : {10, 50, 200})
@@ -29,7 +31,8 @@ Settings bullet_settings() {
 /// Knob: RK4 1, the classical Runge–Kutta rule in place of semi-implicit Euler.
 Settings bullet_multibody_settings() {
   std::vector<Setting> joints{
-      {}, {.row = Row::advised, .steps = 4, .source = "PyBullet Quickstart Guide, setTimeStep: best left at 1/240 s"}};
+      {},
+      {.row = Row::advised, .steps = 4, .source = "PyBullet Quickstart Guide, setTimeStep: best left at 1/240 s"}};
   for (const int steps : {1, 2, 4, 8, 16, 32})
     for (const int rk4 : {0, 1}) joints.push_back({.row = Row::tuned, .knobs = {{"RK4", rk4}}, .steps = steps});
   return {.joints = joints, .contacts = joints};

@@ -6,7 +6,8 @@ namespace byhand::engines {
 namespace {
 
 const std::string layer_source = "objects.h, dWorldSetContactSurfaceLayer: 0.001 can prevent jittering",
-                  step_source = "wiki, HOWTO make the simulation better: a smaller step is more accurate and more stable";
+                  step_source =
+                      "wiki, HOWTO make the simulation better: a smaller step is more accurate and more stable";
 
 }  // namespace
 
