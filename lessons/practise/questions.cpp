@@ -25,15 +25,16 @@ void add_to(std::vector<Json>& all, const std::string& asked) {
   for (const Json& question : Json::parse(asked)) all.push_back(question);
 }
 
-/// Of files that the lessons wrote.
+/// Of files that lessons wrote, in the course's order. Throws EnvironmentError if there is none.
 std::vector<Json> questions_in(const fs::path& folder) {
   std::vector<Json> all;
-  for (const course::About& lesson : course::contents()) {
-    const fs::path file = folder / (lesson.slug + ".json");
-    const auto text = course::read_whole(file);
-    if (!text) throw course::EnvironmentError(fmt::format("There is no {}.", file.string()));
-    add_to(all, *text);
-  }
+  bool found = false;
+  for (const course::About& lesson : course::contents())
+    if (const auto text = course::read_whole(folder / (lesson.slug + ".json"))) {
+      add_to(all, *text);
+      found = true;
+    }
+  if (!found) throw course::EnvironmentError(fmt::format("There is no lesson's file in {}.", folder.string()));
   return all;
 }
 
