@@ -115,7 +115,7 @@ TEST(CommandLine, AHandoutIsATaskAndAStubWithoutHintsAndSolution) {
     ++tasks;
     EXPECT_EQ(contents(entry.path()).find("## Hint"), std::string::npos) << entry.path();
   }
-  EXPECT_EQ(tasks, 11);
+  EXPECT_EQ(tasks, 12);
 }
 
 TEST(CommandLine, NumbersThatAreNoneAreRefused) {
