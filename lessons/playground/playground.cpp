@@ -84,13 +84,19 @@ class PlaygroundOf final : public Playground {
     } catch (const std::runtime_error&) {
       return {};
     }
-    const pictures::StepTerms terms = pictures::terms_of(now_, next, file_.step);
+    const pictures::StepTerms terms = pictures::terms_of(now_, next, file_.step, pictures::Seen<M>::Identity());
     pictures::draw_arrows(canvas, terms, part, longest);
     const pictures::PartInWords said = pictures::in_words(terms, static_cast<int>(part));
     Part result{said.formula, said.words, {}};
-    if (part >= poses_move)
-      for (const auto& [body, by, turn] : terms.moves)
-        result.moves.push_back({body, pictures::share_of(part) * by, pictures::share_of(part) * turn});
+    if (part < poses_move) return result;
+    const Bodies<M>& bodies = next.scene.bodies();
+    const double time = pictures::share_of(part) * file_.step;  // [s]
+    for (int i = 0; i < bodies.size(); ++i) {
+      if (!moves(bodies.inverse_mass[i])) continue;
+      double turn = 0;
+      if constexpr (M::angular > 0) turn = time * bodies.velocity[i][M::linear];
+      result.moves.push_back({i, time * bodies.velocity[i].template head<2>(), turn});
+    }
     return result;
   }
 
