@@ -1,5 +1,4 @@
-// The derivation desk in a browser: the page writes its lines where `request` says, and reads what is said of them
-// where `answer` says, as lessons do (lessons/site/live/web.cpp).
+// The derivation desk in a browser: a page asks with its lines, and is told what is said of them.
 
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -7,14 +6,13 @@
 #include "lessons/desk/print.hpp"
 #include "lessons/desk/report.hpp"
 #include "lessons/desk/scenes.hpp"
+#include "lessons/page/answered.hpp"
 #include "lessons/page/html/mathml.hpp"
 
 namespace {
 
 using namespace byhand::desk;
 using nlohmann::json;
-
-std::string request_text, answer_text;
 
 /// Columns of a text in the letters of JavaScript, UTF-16.
 int letters(const std::string& text, int bytes) {
@@ -93,20 +91,10 @@ std::string answer_to(const std::string& request) {
 
 }  // namespace
 
-#define EXPORT(name) extern "C" __attribute__((export_name(#name)))
-
-EXPORT(request) char* request(int size) {
-  request_text.assign(static_cast<std::size_t>(size), '\0');
-  return request_text.data();
-}
-
-EXPORT(answer) const char* answer() {
+std::string byhand::course::answered(const std::string& request) {
   try {
-    answer_text = answer_to(request_text);
+    return answer_to(request);
   } catch (const std::exception& error) {
-    answer_text = json{{"failure", error.what()}}.dump(-1, ' ', false, json::error_handler_t::replace);
+    return json{{"failure", error.what()}}.dump(-1, ' ', false, json::error_handler_t::replace);
   }
-  return answer_text.data();
 }
-
-EXPORT(answer_size) int answer_size() { return static_cast<int>(answer_text.size()); }

@@ -1,6 +1,4 @@
-// The playground in a browser: the page writes what it asks where `request` says, and reads the answer where
-// `answer` says, as lessons do (lessons/site/live/web.cpp). Frames, 60 of them a second, come by `advance` as
-// numbers.
+// The playground in a browser. Frames, 60 of them a second, come by `advance` as numbers; what else a page asks:
 //
 //     {"ask": "open", "text": "{…}"}       {"file": the same as it was understood, "look", "names", "step"}
 //     {"ask": "use", "text": "{…}"}        goes on by the method and with the step of this file
@@ -17,6 +15,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lessons/doctor/doctor.hpp"
+#include "lessons/page/answered.hpp"
 #include "lessons/playground/playground.hpp"
 #include "renderer/svg_canvas.hpp"
 
@@ -27,7 +26,7 @@ using nlohmann::json;
 using renderer::Point;
 
 std::unique_ptr<playground::Playground> now;
-std::string request_text, answer_text, stopped;
+std::string stopped;
 std::vector<double> moment;
 
 json pair_of(const Eigen::Vector3d& v) { return {v.x(), v.y()}; }
@@ -111,25 +110,17 @@ json answer_to(const json& asked) {
 
 }  // namespace
 
-#define EXPORT(name) extern "C" __attribute__((export_name(#name)))
-
-EXPORT(request) char* request(int size) {
-  request_text.assign(static_cast<std::size_t>(size), '\0');
-  return request_text.data();
-}
-
-EXPORT(answer) const char* answer() {
+std::string byhand::course::answered(const std::string& request) {
   json said;
   try {
-    said = answer_to(json::parse(request_text));
+    said = answer_to(json::parse(request));
   } catch (const std::exception& error) {
     said = {{"failure", error.what()}};
   }
-  answer_text = said.dump(-1, ' ', false, json::error_handler_t::replace);
-  return answer_text.data();
+  return said.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
-EXPORT(answer_size) int answer_size() { return static_cast<int>(answer_text.size()); }
+#define EXPORT(name) extern "C" __attribute__((export_name(#name)))
 
 /// Makes so many steps, fewer where one has no answer, and returns the numbers of the moment that is reached.
 EXPORT(advance) const double* advance(int steps) {

@@ -1,12 +1,11 @@
-// The judge of the exercises in a page. A worker writes a request where `request` says and reads where `answer`
-// says:
+// The judge of the exercises in a page. What a worker asks:
 //
 //     {"ask": "judge", "exercise": "08_bias", "said": the compiler's warnings}
 //                                              {"kind", "sentence", "details", "printed", "line", "frames"}
 //                                              and, of right code, "solution" and "derivation"
 //     {"ask": "refused", "exercise": "08_bias", "said": …, "text": …, "by": "clang" or "lld"}    the same
-//     {"ask": "excerpt", "exercise": "sweep", "said": …}    {"kind", "sentence", "details", "printed", "line",
-//     "svg"}: what
+//     {"ask": "excerpt", "exercise": "sweep", "said": …}
+//                                              {"kind", "sentence", "details", "printed", "line", "svg"}: what
 //                                              lesson 3 draws with its plain sweep, beside the reader's
 //     {"ask": "picture", "index": 12}          {"svg"}: the code that was judged last beside the right one
 //     {"ask": "given", "exercise": "08_bias", "seed": 7}     numbers of all probes, which tests compare
@@ -21,6 +20,7 @@
 #include <string>
 
 #include "lessons/03_iterations/plain_figure.hpp"
+#include "lessons/page/answered.hpp"
 #include "lessons/practise/excerpts/sweep.hpp"
 #include "lessons/practise/judge/comparison.hpp"
 #include "lessons/practise/judge/compiled.hpp"
@@ -117,7 +117,6 @@ Numbers call(std::size_t which, const Numbers& in) {
   return out;
 }
 
-std::string request_text, answer_text;
 std::map<std::string, Key> keys;
 Film yours, right;
 
@@ -210,7 +209,7 @@ Json given(const Exercise& exercise, std::uint64_t seed) {
   return all;
 }
 
-Json answered(const Json& request) {
+Json answer_to(const Json& request) {
   const std::string ask = request.at("ask");
   if (ask == "picture") return picture(request.at("index"));
   if (ask == "excerpt") return drawn(request.at("said"));
@@ -223,20 +222,10 @@ Json answered(const Json& request) {
 
 }  // namespace
 
-#define EXPORT(name) extern "C" __attribute__((export_name(#name)))
-
-EXPORT(request) char* request(int size) {
-  request_text.assign(static_cast<std::size_t>(size), '\0');
-  return request_text.data();
-}
-
-EXPORT(answer) const char* answer() {
+std::string byhand::course::answered(const std::string& request) {
   try {
-    answer_text = answered(Json::parse(request_text)).dump(-1, ' ', false, Json::error_handler_t::replace);
+    return answer_to(Json::parse(request)).dump(-1, ' ', false, Json::error_handler_t::replace);
   } catch (const std::exception& error) {
-    answer_text = Json{{"error", error.what()}}.dump();
+    return Json{{"error", error.what()}}.dump();
   }
-  return answer_text.data();
 }
-
-EXPORT(answer_size) int answer_size() { return static_cast<int>(answer_text.size()); }

@@ -1,8 +1,8 @@
-// The lesson in a browser: a worker writes a request where `request` says, and reads the answer where `answer`
-// says.
+// The lesson in a browser: a worker asks, and the lesson answers.
 
 #include <optional>
 
+#include "lessons/page/answered.hpp"
 #include "lessons/site/live/program.hpp"
 #include "lessons/site/live/space_window.hpp"
 
@@ -12,7 +12,6 @@ extern "C" int __main_argc_argv(int argc, char** argv);
 namespace {
 
 std::optional<byhand::site::Program> program;
-std::string request_text, answer_text;
 
 }  // namespace
 
@@ -22,17 +21,7 @@ int byhand::course::Lesson::run(int, const char* const*) {
   return 0;
 }
 
-#define EXPORT(name) extern "C" __attribute__((export_name(#name)))
-
-EXPORT(request) char* request(int size) {
-  request_text.assign(static_cast<std::size_t>(size), '\0');
-  return request_text.data();
-}
-
-EXPORT(answer) const char* answer() {
+std::string byhand::course::answered(const std::string& request) {
   if (!program) __main_argc_argv(0, nullptr);
-  answer_text = program->answer(request_text);
-  return answer_text.data();
+  return program->answer(request);
 }
-
-EXPORT(answer_size) int answer_size() { return static_cast<int>(answer_text.size()); }
