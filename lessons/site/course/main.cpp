@@ -184,7 +184,8 @@ int run(const Wanted& wanted) {
   copy_assets(folder.path());
   const bool desk = fs::exists(folder.path() / "live" / "desk.js");
   const bool exercises = wanted.exercises && write_exercises(folder.path());
-  if (exercises) make_excerpts_live(folder.path() / "03_iterations.html");
+  if (const fs::path page = folder.path() / "03_iterations.html"; exercises && fs::exists(page))
+    make_excerpts_live(page);
   write("index.html",
         site::contents_page(lessons, {site::cover_scene(folder.path()), desk, exercises, wanted.repository}));
   if (desk) write("desk.html", site::desk_page(desk::read_tasks(fs::path(BYHAND_SITE_FOLDER) / "../desk/tasks")));
