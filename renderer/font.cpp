@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/code_points.hpp"
 #include "renderer/error.hpp"
 #include "renderer/font_file.hpp"
 #include "renderer/mathematics.hpp"
@@ -20,22 +21,6 @@ constexpr int phases = 4;       // subpixel positions of a glyph
 constexpr int size_steps = 4;   // font sizes are multiples of a quarter of a pixel
 constexpr double small = 0.72;  // relative size of subscripts and superscripts
 constexpr double raise = 0.36, lower = 0.18;
-
-// Decodes the next code point of UTF-8; an invalid byte is returned as it is.
-char32_t next_code_point(std::string_view& text) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned char head = byte(0);
-  const std::size_t length = head >= 0xf0 ? 4 : head >= 0xe0 ? 3 : head >= 0xc0 ? 2 : 1;
-  char32_t code = head;
-  if (length > 1 && length <= text.size()) {
-    code = head & (0x7f >> length);
-    for (std::size_t i = 1; i < length; ++i) code = code << 6 | (byte(i) & 0x3f);
-    text.remove_prefix(length);
-  } else {
-    text.remove_prefix(1);
-  }
-  return code;
-}
 
 bool combines(char32_t c) { return (c >= 0x300 && c <= 0x36f) || (c >= 0x20d0 && c <= 0x20ff); }
 

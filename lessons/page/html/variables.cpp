@@ -6,6 +6,7 @@
 #include <array>
 #include <string>
 
+#include "renderer/code_points.hpp"
 #include "renderer/mathematics.hpp"
 
 namespace byhand::site {
@@ -18,14 +19,10 @@ struct Sign {
 
 std::vector<Sign> signs_of(std::string_view utf8) {
   std::vector<Sign> all;
-  for (std::size_t i = 0; i < utf8.size();) {
-    const auto byte = static_cast<unsigned char>(utf8[i]);
-    const std::size_t length = byte < 0x80 ? 1 : byte < 0xe0 ? 2 : byte < 0xf0 ? 3 : 4;
-    char32_t code = length == 1 ? byte : byte & (0xffU >> (length + 1));
-    for (std::size_t k = 1; k < length && i + k < utf8.size(); ++k)
-      code = code << 6U | (static_cast<unsigned char>(utf8[i + k]) & 0x3fU);
-    all.push_back({code, i, std::min(i + length, utf8.size())});
-    i += length;
+  for (std::string_view rest = utf8; !rest.empty();) {
+    const std::size_t begin = utf8.size() - rest.size();
+    const char32_t code = renderer::next_code_point(rest);
+    all.push_back({code, begin, utf8.size() - rest.size()});
   }
   return all;
 }
