@@ -87,9 +87,9 @@ function reasonOf(error, find) {
   const said = String(error?.message ?? error), stack = String(error?.stack ?? '');
   let { why, more = 0, line } = error;
   if (!why) why = error instanceof RangeError || /recursion|call stack/i.test(said) ? 'too_deep' : /unreachable/i.test(said) ? 'aborted' : 'crashed';
-  // A stack is full where a function begins; the call before it is to blame.
-  line ??= find(why === 'too_deep' ? stack.replace(/wasm-function\[\d+\]:0x[0-9a-f]+/, '') : stack);
-  return [reasons.indexOf(why), line, more];
+  // A stack is full where a function begins, or in what it calls first; the call that brought it there is to blame.
+  const [innermost = 0, before = innermost] = find(stack);
+  return [reasons.indexOf(why), line ?? (why === 'too_deep' ? before : innermost), more];
 }
 
 // What the learner's program may ask of its system: to print, and to read nothing.

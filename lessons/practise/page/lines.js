@@ -2,7 +2,7 @@
 // From a place in a program of WebAssembly to a line of its source: DWARF's table of lines, version 4.
 
 // `program`: the bytes of the module. `file`: the name of the source. Returns a function of an error's stack that gives the
-// line of the innermost call that lies in that source, or 0.
+// lines of the calls that lie in that source, the innermost first.
 function lineFinder(program, file) {
   const { code, lines } = sectionsOf(program);
   const sequences = lines ? sequencesOf(lines, file) : [];
@@ -11,13 +11,8 @@ function lineFinder(program, file) {
     // Code of a header that was put in line belongs to the line before it.
     return rows?.findLast(row => row.own && row.address <= address)?.line ?? 0;
   };
-  return stack => {
-    for (const [, place] of stack.matchAll(/wasm-function\[\d+\]:0x([0-9a-f]+)/g)) {
-      const line = lineAt(parseInt(place, 16) - code);
-      if (line) return line;
-    }
-    return 0;
-  };
+  return stack => [...stack.matchAll(/wasm-function\[\d+\]:0x([0-9a-f]+)/g)]
+    .map(([, place]) => lineAt(parseInt(place, 16) - code)).filter(line => line > 0);
 }
 
 // Reads numbers one after the other.
