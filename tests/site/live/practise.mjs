@@ -24,7 +24,8 @@ export const expected = (exercise, file) => file === 'solution.cpp' ? 'Right, on
   : file !== 'stub.cpp' ? firstComment(text(exercise, file))
   : /FUNCTIONS .*,/.test(text(exercise, 'signature.hpp')) ? `${/FUNCTIONS (\w+),/.exec(text(exercise, 'signature.hpp'))[1]} is not written yet.` : 'Not written yet.';
 
-// { verdict(exercise, text, what to ask), ask(request) } of the page's own code.
+// { verdict(exercise, text, what to ask), program(exercise, text), ask(request) } of the page's own code; a program is
+// compiled once and gives its verdict each time that it is called.
 export async function page() {
   const context = vm.createContext({ ...globalThis, WebAssembly, TextEncoder, TextDecoder, Blob, Response, DecompressionStream, console, performance });
   context.globalThis = context;
@@ -35,12 +36,10 @@ export async function page() {
   const parts = vm.runInContext('byhandParts', context);
   const compile = await context.startCompiler(parts.compiler, parts.headers);
   const ask = context.startJudge(await WebAssembly.compile(await context.unpacked(parts.judge)), context.untar(await context.unpacked(parts.texts)));
-  return {
-    ask: request => structuredClone(ask(request)),
-    verdict(exercise, text, what = 'judge') {
-      const { program, by, said } = compile(exercise, text);
-      return structuredClone(program ? ask({ ask: what, exercise, said }, context.startLearner(program, `${exercise}.cpp`))
-        : ask({ ask: 'refused', exercise, said, text, by }));
-    },
+  const program = (exercise, text, what = 'judge') => {
+    const { program, by, said } = compile(exercise, text);
+    return () => structuredClone(program ? ask({ ask: what, exercise, said }, context.startLearner(program, `${exercise}.cpp`))
+      : ask({ ask: 'refused', exercise, said, text, by }));
   };
+  return { ask: request => structuredClone(ask(request)), program, verdict: (...of) => program(...of)() };
 }

@@ -42,6 +42,13 @@ for (const [what, code, sentence] of [
     assert.notEqual(verdict.kind, 'right');
   });
 
+// A stack may be full where a function begins or in what it calls first: which of them, its depth decides.
+test('recursion is named by its call, wherever the stack is full', { skip }, () => {
+  const program = judge.program('08_bias', bias('volatile double b = 1;\nreturn bias(C + b, beta, h) + b;'));
+  const deeper = (left, ...filled) => left > 0 ? deeper(left - 1, left, ...filled) : program().sentence;
+  for (let depth = 0; depth < 60; ++depth) assert.match(deeper(depth), / in line 5: the stack is full\.$/, `depth ${depth}`);
+});
+
 test('what is printed is shown, and the compiler names the line', { skip }, () => {
   assert.match(judge.verdict('08_bias', bias('std::puts("score: 100");\nreturn 0;', '#include <cstdio>')).printed, /^score: 100\n/);
   const { line, details } = judge.verdict('08_bias', bias('return beta / h * D;'));
