@@ -20,6 +20,13 @@ const Stroke axis_line{palette::muted, 1.4};
 const Stroke grid_line{palette::grid, 1.2};
 const Stroke faint_line{fade(palette::grid, 0.55), 1};
 
+constexpr int shades = 129;  // of a map's colours: an odd number, so that one is in the middle
+
+Colour shade_of(const HeatMap& map, int shade) {
+  const double t = double(shade) / (shades - 1);
+  return map.diverging ? palette::diverging(2 * t - 1) : palette::sequential(t);
+}
+
 // Maps the values of an axis to 0 … 1, from its left or lower end.
 class Position {
  public:
@@ -562,8 +569,7 @@ void ChartDrawing::draw_heat_map() {
   const Position shade({.scale = map.scale}, value_range(map));
   const auto colour = [&](double value) {
     if (!map.classes.empty()) return map.classes[std::size_t(value)].colour;
-    const double t = shade(value);
-    return map.diverging ? palette::diverging(2 * t - 1) : palette::sequential(t);
+    return shade_of(map, int(std::lround(std::clamp(shade(value), 0.0, 1.0) * (shades - 1))));
   };
   const std::vector<double> xs = cell_edges(map.x, chart_.x.scale), ys = cell_edges(map.y, chart_.y.scale);
   for (std::size_t row = 0; row < map.y.size(); ++row) {
@@ -597,12 +603,9 @@ void ChartDrawing::draw_colour_bar() {
   const HeatMap& map = *chart_.heat_map;
   const auto range = value_range(map);
   const Rectangle bar{plot_.right() + 14, plot_.y, 16, plot_.height};
-  constexpr int shades = 128;
-  for (int i = 0; i < shades; ++i) {
-    const double t = (i + 0.5) / shades;
+  for (int i = 0; i < shades; ++i)
     canvas_.rectangle({bar.x, bar.y + bar.height * i / shades, bar.width, bar.height / shades},
-                      {map.diverging ? palette::diverging(2 * t - 1) : palette::sequential(t), {{}, 0}});
-  }
+                      {shade_of(map, i), {{}, 0}});
   canvas_.rectangle(bar, {fade(palette::paper, 0), {palette::muted, 1.2}});
   const Position place({.scale = map.scale}, range);
   const Ticks marks = ticks(map.scale, range.first, range.second, std::max(2, int(bar.height / 48)));

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
+#include <unordered_map>
 #include <utility>
 
-#include "renderer/data_url.hpp"
 #include "renderer/font.hpp"
 
 namespace byhand::renderer {
@@ -114,7 +114,7 @@ class SvgCanvas::Surface : public DrawingSurface {
       : size_(size), name_(std::move(name)), draw_window_(std::move(draw_window)) {}
 
   void clear(Colour paper) override {
-    body_.clear(), run_ = {}, clips_.clear(), windows_.clear();
+    body_.clear(), run_ = {}, cells_ = {}, clips_.clear(), windows_.clear();
     clipped_ = false;
     paper_ = paper;
   }
@@ -184,7 +184,7 @@ class SvgCanvas::Surface : public DrawingSurface {
     if (!draw_window_) return;
     end_run();
     body_ += fmt::format("<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" href=\"{}\"/>", frame.x, frame.y,
-                         frame.width, frame.height, data_url(draw_window_(windows_.back(), size_, paper_)));
+                         frame.width, frame.height, draw_window_(windows_.back(), size_, paper_));
   }
 
   const std::vector<Window>& windows() const { return windows_; }
@@ -207,54 +207,96 @@ class SvgCanvas::Surface : public DrawingSurface {
     if (!draw_window_)
       for (const Window& window : windows_) sheet += outline(window.frame);
     all += fmt::format("<path d=\"{}\"{} fill-rule=\"evenodd\"/>", sheet, paint("fill", paper_));
-    return all + body_ + run_.written() + (clipped_ ? "</g></svg>" : "</svg>");
+    return all + body_ + written() + (clipped_ ? "</g></svg>" : "</svg>");
   }
 
  private:
   // Neighbours that look alike: their common attributes are written once, in a group around them.
   struct Run {
     std::string look, alone, together;
-    std::string cell_begin;  // how the last element begins if it is a cell
-    PixelBox cell{};
     int size = 0;
 
     std::string written() const { return size > 1 ? "<g" + look + ">" + together + "</g>" : alone; }
   };
 
+  // Cells of a map or bars, on whole pixels, none above another: those of one colour are one path.
+  struct Cells {
+    struct Path {
+      std::string begin, outlines;
+      PixelBox last{};
+      std::size_t at = 0;  // where the last one's outline begins
+    };
+    std::vector<Path> paths;  // in the order in which their colours came
+    std::unordered_map<std::string, std::size_t> by_begin;
+    int top = 0, bottom = 0;  // of all rows but the last
+    PixelBox row{};           // the last row so far
+
+    /// Whether this cell follows in a row of its own height, or begins one beside all others.
+    bool goes_on(const PixelBox& box) {
+      if (paths.empty()) {
+        row = box, top = bottom = box.y;
+        return true;
+      }
+      if (box.y == row.y && box.height == row.height && box.x >= row.x + row.width) {
+        row.width = box.x + box.width - row.x;
+        return true;
+      }
+      const int above = std::min(top, row.y), below = std::max(bottom, row.y + row.height);
+      if (box.y < below && box.y + box.height > above) return false;
+      top = above, bottom = below, row = box;
+      return true;
+    }
+
+    /// A cell that touches the last one of its colour in its row makes it wider.
+    void add(const std::string& begin, PixelBox box) {
+      const auto [known, is_new] = by_begin.try_emplace(begin, paths.size());
+      if (is_new) paths.push_back({begin, {}, {}, 0});
+      Path& path = paths[known->second];
+      if (!is_new && box.y == path.last.y && box.height == path.last.height &&
+          box.x == path.last.x + path.last.width) {
+        box.x = path.last.x, box.width += path.last.width;
+        path.outlines.resize(path.at);
+      }
+      path.at = path.outlines.size();
+      path.outlines += outline(box);
+      path.last = box;
+    }
+
+    std::string written() const {
+      if (paths.empty()) return "";
+      std::string all = "<g shape-rendering=\"crispEdges\">";
+      for (const Path& path : paths) all += "<path" + path.begin + path.outlines + "\"/>";
+      return all + "</g>";
+    }
+  };
+
   // An element of three parts; `look`: attributes that it would inherit from a group.
   void add(const std::string& begin, const std::string& look, const std::string& end = "/>") {
-    if (look != run_.look) end_run();
+    if (look != run_.look || !cells_.paths.empty()) end_run();
     run_.look = look;
     if (++run_.size == 1) run_.alone = begin + look + end;
     run_.together += begin + end;
-    run_.cell_begin.clear();
   }
 
-  // A cell of a map or a bar, on whole pixels. Cells of one colour in a row are one path, and those side by side
-  // one rectangle of it.
   void add_cell(std::span<const Point> corners, Colour fill) {
     const auto [left, right] = std::ranges::minmax(corners, {}, [](const Point& p) { return p.x(); });
     const auto [top, bottom] = std::ranges::minmax(corners, {}, [](const Point& p) { return p.y(); });
     const auto pixels = [](double length) { return static_cast<int>(std::lround(length)); };
-    PixelBox box{pixels(left.x()), pixels(top.y()), pixels(right.x() - left.x()), pixels(bottom.y() - top.y())};
-    const std::string begin = paint("fill", fill) + " d=\"", end = "\"/>";
-    const bool goes_on = begin == run_.cell_begin;
-    const PixelBox& last = run_.cell;
-    std::string grown;  // the rectangle that it makes longer
-    if (goes_on && box.x == last.x + last.width && box.y == last.y && box.height == last.height) {
-      grown = outline(last);
-      box.x = last.x, box.width += last.width;
+    const PixelBox box{pixels(left.x()), pixels(top.y()), pixels(right.x() - left.x()),
+                       pixels(bottom.y() - top.y())};
+    if (!cells_.goes_on(box)) {
+      end_run();
+      cells_.goes_on(box);
     }
-    if (goes_on)
-      for (std::string* all : {&run_.alone, &run_.together})
-        all->replace(all->size() - end.size() - grown.size(), grown.size(), outline(box));
-    else
-      add("<path", " shape-rendering=\"crispEdges\"", begin + outline(box) + end);
-    run_.cell_begin = begin;
-    run_.cell = box;
+    cells_.add(paint("fill", fill) + " d=\"", box);
   }
 
-  void end_run() { body_ += std::exchange(run_, {}).written(); }
+  std::string written() const { return run_.written() + cells_.written(); }
+
+  void end_run() {
+    body_ += written();
+    run_ = {}, cells_ = {};
+  }
 
   static std::string outline(const PixelBox& box) {
     return fmt::format("M{} {}h{}v{}h{}z", box.x, box.y, box.width, box.height, -box.width);
@@ -284,7 +326,8 @@ class SvgCanvas::Surface : public DrawingSurface {
   DrawWindow draw_window_;
   Font font_;
   std::string body_;
-  Run run_;  // what follows it
+  Run run_;      // what follows it
+  Cells cells_;  // and these
   std::vector<PixelBox> clips_;
   std::vector<Window> windows_;
   bool clipped_ = false;

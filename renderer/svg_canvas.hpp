@@ -19,7 +19,7 @@ class SvgCanvas : public Canvas {
     Space scene;
     PixelBox frame;
   };
-  /// Draws it as a PNG file (renderer/opengl/space_picture.hpp).
+  /// Draws it and returns the address of the picture: of a file, or one that holds it (data_url.hpp).
   using DrawWindow = std::function<std::string(const Window&, const PageSize& page, Colour paper)>;
 
   /// A page of `width` × 720 points. `name` begins each id in the picture, so that several can be in one document.

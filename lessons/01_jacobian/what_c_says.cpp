@@ -45,7 +45,7 @@ renderer::Chart value_over_time(double length, double mass) {
 }
 
 renderer::Chart landscape(double length, double mass) {
-  constexpr int half = 60, cells = 2 * half + 1;  // along an axis
+  constexpr int half = 50, cells = 2 * half + 1;  // along an axis
   renderer::HeatMap map{
       .label = "C (m²)", .diverging = true, .range = std::pair{-length * length, length * length}, .square = true};
   for (int i = 0; i < cells; ++i) map.x.push_back(1.5 * length / half * (i - half));

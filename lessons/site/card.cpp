@@ -46,7 +46,7 @@ std::string without_letters(std::string svg) {
 void write_card(const std::vector<RecordedStep>& steps, const std::filesystem::path& folder) {
   const std::optional<Figure> picture = first_drawing(steps);
   if (!picture) return;
-  course::write_whole(folder / "card.svg", without_letters(drawn(*picture, renderer::space_picture)));
+  course::write_whole(folder / "card.svg", without_letters(drawn(*picture, renderer::space_picture_url)));
   PictureDrawer drawer({"share", 1280, 720, 30});
   course::write_whole(folder / "card.png",
                       renderer::encode_png(drawer.draw(*picture), renderer::Compression::thorough));

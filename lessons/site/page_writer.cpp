@@ -8,6 +8,7 @@
 #include "lessons/files/picture_writer.hpp"
 #include "lessons/page/html/drawn.hpp"
 #include "lessons/page/html/step_html.hpp"
+#include "lessons/site/bitmaps.hpp"
 #include "lessons/site/card.hpp"
 #include "lessons/site/controls.hpp"
 #include "lessons/site/lesson_page.hpp"
@@ -29,7 +30,7 @@ class Drawer {
     if (const auto* chart = chart_of(figure)) course::write_whole(site_ / data(figure), csv(*chart));
     const std::string link =
         std::holds_alternative<Drawing>(figure.picture) ? "" : fmt::format("<a href=\"{}\">CSV</a>", data(figure));
-    const std::string svg = drawn(figure, renderer::space_picture);
+    const std::string svg = loaded_when_seen(drawn(figure, in_files(figure.name)));
     if (!std::holds_alternative<TimedChart>(figure.picture)) return {svg, link};
     // What a clock measured stays out of the page, whose bytes are the same each time.
     const std::string path = folder_ + "figures/" + figure.name + ".svg";
@@ -40,11 +41,20 @@ class Drawer {
 
   Shown operator()(const Sequence& film) const {
     FrameDrawing draw = film.draw;
-    return {drawn(
-        film.name, [&](renderer::Canvas& canvas) { draw(canvas, 0); }, renderer::space_picture)};
+    return {loaded_when_seen(drawn(
+        film.name, [&](renderer::Canvas& canvas) { draw(canvas, 0); }, in_files(film.name)))};
   }
 
  private:
+  /// Draws what a picture shows in space into files beside the page.
+  renderer::SvgCanvas::DrawWindow in_files(const std::string& name) const {
+    return [this, name, count = 0](const auto& window, const auto& page, auto paper) mutable {
+      const std::string path = fmt::format("{}figures/{}-{}.png", folder_, name, ++count);
+      course::write_whole(site_ / path, renderer::space_picture(window, page, paper));
+      return path;
+    };
+  }
+
   std::string data(const Figure& figure) const { return folder_ + data_path(figure.name); }
 
   fs::path site_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "renderer/data_url.hpp"
 #include "renderer/opengl/pixel_canvas.hpp"
 #include "renderer/png.hpp"
 
@@ -17,6 +18,10 @@ std::string space_picture(const SvgCanvas::Window& window, const PageSize& page,
   for (int y = frame.y; y < frame.y + frame.height; ++y)
     part.rgb.insert(part.rgb.end(), whole.pixel(frame.x, y), whole.pixel(frame.x, y) + 3 * frame.width);
   return encode_png(part, Compression::thorough);
+}
+
+std::string space_picture_url(const SvgCanvas::Window& window, const PageSize& page, Colour paper) {
+  return data_url(space_picture(window, page, paper));
 }
 
 }  // namespace byhand::renderer

@@ -207,7 +207,7 @@ TEST(Chart, ACellOfAHeatMapHasTheColourOfItsValue) {
     return colour_at(image, pixel_of(canvas, at));
   };
   EXPECT_EQ(cell(0, 0), palette::sequential(0));
-  EXPECT_EQ(cell(1, 0), palette::sequential(1 / 3.0));
+  EXPECT_EQ(cell(1, 0), palette::sequential(43 / 128.0)) << "the nearest of 129 shades";
   EXPECT_EQ(cell(0, 1), palette::sequential(1));
   EXPECT_EQ(cell(1, 1), palette::paper) << "NaN is empty";
   EXPECT_EQ(cell(2, 1), palette::fixed) << "a failed run is crossed out";

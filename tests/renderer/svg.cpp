@@ -61,7 +61,7 @@ Parsed parse(const std::string& svg) {
 }
 
 std::string written(const scenes::Scene& scene, int width = 1280) {
-  SvgCanvas canvas(width, "figure", space_picture);
+  SvgCanvas canvas(width, "figure", space_picture_url);
   scene.draw(canvas);
   return canvas.svg("a scene");
 }
@@ -188,10 +188,23 @@ TEST(SvgCanvas, JoinsCellsOfOneColour) {
   cell(130, 620, palette::constraint);
   cell(140, 610, palette::constraint);
   cell(150, 610, palette::force);
-  EXPECT_THAT(
-      canvas.svg("title"),
-      testing::AllOf(HasSubstr(" d=\"M100 90h20v10h-20zM130 90h10v10h-10zM140 100h10v10h-10z\"/><path fill"),
-                     HasSubstr(" d=\"M150 100h10v10h-10z\"/></g>")));
+  cell(160, 610, palette::constraint);
+  EXPECT_THAT(canvas.svg("title"),
+              testing::AllOf(HasSubstr(" d=\"M100 90h20v10h-20zM130 90h10v10h-10zM140 100h10v10h-10z"
+                                       "M160 100h10v10h-10z\"/><path fill"),
+                             HasSubstr(" d=\"M150 100h10v10h-10z\"/></g></svg>")));
+}
+
+TEST(SvgCanvas, ACellAboveAnotherIsDrawnAfterIt) {
+  SvgCanvas canvas(1280, "a");
+  canvas.rectangle({100, 100, 40, 40}, {palette::constraint, {{}, 0}});
+  canvas.rectangle({110, 110, 20, 20}, {palette::force, {{}, 0}});
+  canvas.rectangle({115, 115, 5, 5}, {palette::constraint, {{}, 0}});
+  const std::string svg = canvas.svg("title");
+  const auto large = svg.find("h40v40"), middle = svg.find("h20v20"), small = svg.find("h5v5");
+  EXPECT_LT(large, middle);
+  EXPECT_LT(middle, small);
+  EXPECT_NE(small, std::string::npos);
 }
 
 TEST(SvgCanvas, RoundsAHalfAlikeWhereItMissesALittle) {
@@ -244,7 +257,7 @@ TEST(SvgCanvas, LeavesAHoleForASceneInSpaceUnlessItIsDrawn) {
   EXPECT_THAT(canvas.svg("title"), HasSubstr("M0 0h1280v720h-1280zM100 120h300v400h-300z"));
   EXPECT_THAT(canvas.svg("title"), Not(HasSubstr("<image")));
 
-  SvgCanvas drawn(1280, "a", space_picture);
+  SvgCanvas drawn(1280, "a", space_picture_url);
   drawn.draw(scene);
   EXPECT_THAT(drawn.svg("title"), Not(HasSubstr("M100 120h300v400h-300z")));
   EXPECT_EQ(parse(drawn.svg("title")).count.at("image"), 1);

@@ -119,9 +119,25 @@
     link.click();
     setTimeout(() => URL.revokeObjectURL(link.href), 1000);
   };
-  const asSvg = svg => new Blob([new XMLSerializer().serializeToString(svg)], { type: 'image/svg+xml' });
-  const asPng = svg => new Promise((resolve, reject) => {
-    const image = new Image(2560, 1440), address = URL.createObjectURL(asSvg(svg));
+  const asUrl = blob => new Promise((resolve, reject) => {
+    const reader = new FileReader();
+    reader.onload = () => resolve(reader.result);
+    reader.onerror = () => reject(reader.error);
+    reader.readAsDataURL(blob);
+  });
+  // One file: a bitmap beside the page comes into it. A page that was opened from the disk may not read that.
+  const asSvg = async svg => {
+    const whole = svg.cloneNode(true);
+    for (const frame of whole.querySelectorAll('foreignObject')) {
+      const image = document.createElementNS(svg.namespaceURI, 'image');
+      for (const { name, value } of frame.attributes) image.setAttribute(name, value);
+      image.setAttribute('href', await asUrl(await (await fetch(frame.querySelector('img').src)).blob()));
+      frame.replaceWith(image);
+    }
+    return new Blob([new XMLSerializer().serializeToString(whole)], { type: 'image/svg+xml' });
+  };
+  const asPng = blob => new Promise((resolve, reject) => {
+    const image = new Image(2560, 1440), address = URL.createObjectURL(blob);
     image.onerror = reject;
     image.onload = () => {
       const canvas = element('canvas', { width: image.width, height: image.height });
@@ -136,8 +152,13 @@
     const figure = button?.closest('figure'), svg = figure?.querySelector('.picture svg');
     if (!svg) return;
     const name = figure.dataset.figure ?? figure.dataset.film;
-    if (button.textContent === 'SVG') save(`${name}.svg`, asSvg(svg));
-    else save(`${name}.png`, await asPng(svg));
+    try {
+      const blob = await asSvg(svg);
+      if (button.textContent === 'SVG') save(`${name}.svg`, blob);
+      else save(`${name}.png`, await asPng(blob));
+    } catch {
+      button.replaceWith('(not from the disk)');
+    }
   });
 
   // The step in view is marked in the list of steps.

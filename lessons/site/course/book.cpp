@@ -179,6 +179,7 @@ std::string book(const fs::path& site, const std::vector<Digest>& lessons) {
   }
   zip.add("book/assets/book.css", contents_of(site / "assets" / "book.css"));
   items += item("style", "assets/book.css", "text/css");
+  for (const Digest& lesson : lessons) add_files(fs::path(lesson.slug) / "figures", ".png", "image/png");
   add_files("assets/fonts", ".woff2", "font/woff2");
   add_files("assets/fonts", ".txt", "text/plain");
   zip.add("book/package.opf", package(items, spine));

@@ -6,14 +6,32 @@
 
 #include "lessons/files/atomic_file.hpp"
 #include "lessons/page/html/markup.hpp"
+#include "lessons/site/bitmaps.hpp"
 #include "lessons/site/course/page_text.hpp"
 #include "lessons/site/course/zip.hpp"
 #include "lessons/site/frame.hpp"
 #include "lessons/site/lesson_page.hpp"
+#include "renderer/data_url.hpp"
 
 namespace byhand::site {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+/// A picture of a page as one file, with the bitmaps that stand beside the page.
+std::string whole(const fs::path& site, const std::string& svg) {
+  std::string all = loaded_at_once(svg);
+  constexpr std::string_view image = "<image ", address = " href=\"";
+  for (auto at = all.find(image); at != std::string::npos; at = all.find(image, at)) {
+    at = all.find(address, at) + address.size();
+    const auto size = all.find('"', at) - at;
+    all.replace(at, size, renderer::data_url(course::read_whole(site / all.substr(at, size)).value_or("")));
+  }
+  return all;
+}
+
+}  // namespace
 
 std::string answer_key(const fs::path& site, const std::vector<Digest>& lessons) {
   std::string all;
@@ -44,7 +62,7 @@ std::string figures_of(const fs::path& site, const Digest& lesson) {
                first = page.find(svg, at);
     if (first >= close) continue;
     zip.add(page.substr(name, page.find('"', name) - name) + ".svg",
-            page.substr(first, page.find(end, first) + end.size() - first));
+            whole(site, page.substr(first, page.find(end, first) + end.size() - first)));
   }
   std::vector<fs::path> data;
   if (fs::is_directory(site / lesson.slug / "data"))

@@ -4,6 +4,7 @@
 
 #include "lessons/files/atomic_file.hpp"
 #include "lessons/page/error.hpp"
+#include "lessons/site/bitmaps.hpp"
 
 namespace byhand::site {
 
@@ -48,7 +49,7 @@ std::string content_of_page(const std::filesystem::path& page) {
   if (!all) throw course::EnvironmentError(fmt::format("Cannot read {}.", page.string()));
   constexpr std::string_view main = "<main id=\"content\" tabindex=\"-1\">";
   const auto begin = all->find(main) + main.size();
-  std::string text = all->substr(begin, all->find("</main>") - begin);
+  std::string text = loaded_at_once(all->substr(begin, all->find("</main>") - begin));
   replace_all(text, " <span class=\"files\">", "</span>", "");
   replace_all(text, "<p class=\"answer\">", "</p>", "");
   replace_all(text, "<input class=\"answer\"", "/>", "");

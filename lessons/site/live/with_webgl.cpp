@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "lessons/site/live/space_window.hpp"
+#include "renderer/data_url.hpp"
 #include "renderer/opengl/gl.hpp"
 #include "renderer/opengl/offscreen.hpp"
 #include "renderer/opengl/pixel_canvas.hpp"
@@ -46,7 +47,7 @@ std::string draw(const renderer::SvgCanvas::Window& window, const renderer::Page
   static renderer::PixelCanvas canvas(page.width, page.height);
   canvas.clear(paper);
   canvas.draw(window.scene);
-  return bitmap(canvas.image(), window.frame);
+  return renderer::data_url(bitmap(canvas.image(), window.frame));
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ const skip = !space && 'the site is without lesson 7';
 test('without a change WebGL draws each scene as the page has it', { skip }, async context => {
   const tab = await live(space);
   const compared = await tab.evaluate(async () => {
-    const images = step => [...step.section.querySelectorAll('image')].map(image => image.getAttribute('href'));
+    const images = step => [...step.section.querySelectorAll(':is(image, foreignObject img)')].map(image => image.getAttribute('href') ?? image.src);
     const pixels = async href => {
       const image = new Image();
       image.src = href;
@@ -42,7 +42,7 @@ test('without a change WebGL draws each scene as the page has it', { skip }, asy
     for (const step of byhandPage.steps) {
       const written = images(step);
       if (!written.length) continue;
-      step.section.querySelectorAll('image').forEach(image => image.remove());  // so what is there is drawn anew
+      step.section.querySelectorAll(':is(image, foreignObject img)').forEach(image => image.remove());  // so what is there is drawn anew
       await step.tell(true);
       const drawn = images(step);
       for (let i = 0; i < written.length; ++i)
@@ -64,8 +64,8 @@ test('without a change WebGL draws each scene as the page has it', { skip }, asy
 test('a film in space moves', { skip }, async () => {
   const tab = await live(space);
   const frames = await tab.evaluate(async () => {
-    const step = byhandPage.steps.find(step => [...step.films.values()].some(film => film.figure.querySelector('image')));
-    const film = [...step.films.values()].find(film => film.figure.querySelector('image'));
+    const step = byhandPage.steps.find(step => [...step.films.values()].some(film => film.figure.querySelector('foreignObject, image')));
+    const film = [...step.films.values()].find(film => film.figure.querySelector('foreignObject, image'));
     const pictures = [];
     for (const index of [0, 10, 0]) {
       await film.show(index);
@@ -85,8 +85,8 @@ test('without WebGL a picture says why its window is empty', { skip }, async () 
     URL.createObjectURL = blob => createObjectURL.call(URL, new Blob(['OffscreenCanvas.prototype.getContext = () => null;', blob]));
   }) });
   const words = await tab.evaluate(async () => {
-    const step = byhandPage.steps.find(step => step.section.querySelector('image'));
-    step.section.querySelectorAll('image').forEach(image => image.remove());
+    const step = byhandPage.steps.find(step => step.section.querySelector('foreignObject, image'));
+    step.section.querySelectorAll(':is(image, foreignObject img)').forEach(image => image.remove());
     await step.tell(true);
     return step.section.textContent;
   });
