@@ -20,7 +20,7 @@ std::string steps_beside(const std::vector<RecordedStep>& steps) {
   std::string all;
   for (const auto& [step, page, reads] : steps)
     all +=
-        fmt::format("<li{0}><a href=\"#step-{1}\"><span>{1}</span> {2}</a></li>\n",
+        fmt::format("<li{0}><a href=\"#step-{1}\"><span>{1}</span> <span>{2}</span></a></li>\n",
                     step->deeper ? " class=\"deeper\"" : "", step->label, inline_html(step->title, Links::none));
   return "<details><summary>In this lesson</summary>\n<ol>\n" + all + "</ol>\n</details>\n";
 }

@@ -29,7 +29,7 @@ TEST(Prose, NumbersOfTheArticlesEquationsAreLinks) {
   EXPECT_EQ(inline_html("(17) and (1)–(23)"), link("17") + " and " + link("1") + "–" + link("23"));
   for (const char* const other : {"(24)", "(0)", "(one)", "(2 m)", "(17", "()", "(1.5)", "(123)", "(−2)"})
     EXPECT_EQ(inline_html(other), other);
-  EXPECT_EQ(inline_html("f(2)"), "<math><mi>f</mi></math>(2)");
+  EXPECT_EQ(inline_html("f(2)"), "<span class=\"whole\"><math><mi>f</mi></math>(2)</span>");
   EXPECT_EQ(inline_html("`(17)`"), "<code>(17)</code>");
   EXPECT_EQ(inline_html("*by (17)*"), "<em>by " + link("17") + "</em>");
   EXPECT_EQ(inline_html("by (17)", Links::none), "by (17)");
@@ -37,9 +37,10 @@ TEST(Prose, NumbersOfTheArticlesEquationsAreLinks) {
 
 TEST(Prose, ALetterBelowAnotherIsASubscript) {
   const auto quantity = [](const char* letter) { return std::string("<math><mi>") + letter + "</mi></math>"; };
-  EXPECT_EQ(inline_html("ω(−r_y, r_x) and t_1"), quantity("ω") + "(−" + quantity("r") + "<sub>y</sub>, " +
-                                                     quantity("r") + "<sub>x</sub>) and " + quantity("t") +
-                                                     "<sub>1</sub>");
+  const auto whole = [](const std::string& word) { return "<span class=\"whole\">" + word + "</span>"; };
+  EXPECT_EQ(inline_html("ω(−r_y, r_x) and t_1"), whole(quantity("ω") + "(−" + quantity("r") + "<sub>y</sub>,") +
+                                                     " " + whole(quantity("r") + "<sub>x</sub>)") + " and " +
+                                                     whole(quantity("t") + "<sub>1</sub>"));
   for (const char* const name : {"at_once", "x_", "_x", "x_ one", "2_3", "a_b_c", "xy_z", "x_yz", "x__y"})
     EXPECT_EQ(inline_html(name), name);
   EXPECT_EQ(inline_html("`r_x`"), "<code>r_x</code>");
@@ -47,12 +48,22 @@ TEST(Prose, ALetterBelowAnotherIsASubscript) {
 
 TEST(Prose, QuantitiesAreSetAsInADisplay) {
   EXPECT_EQ(inline_html("JV = −(β/h)C"),
-            "<math><mi>J</mi><mi>V</mi></math> = −(<math><mi>β</mi></math>/<math><mi>h</mi></math>)"
-            "<math><mi>C</mi></math>");
+            "<math><mi>J</mi><mi>V</mi></math> = <span class=\"whole\">−(<math><mi>β</mi></math>/<math><mi>h</mi>"
+            "</math>)<math><mi>C</mi></math></span>");
   const std::string rate = "<math><mover accent=\"true\"><mi>C</mi><mo stretchy=\"false\">˙</mo></mover></math>";
   EXPECT_EQ(inline_html("Ċ"), rate);
   EXPECT_EQ(inline_html("C\u0307"), rate);
   EXPECT_EQ(inline_html("*h* is 2 s"), "<em><math><mi>h</mi></math></em> is 2 s");
+}
+
+TEST(Prose, AQuantityStaysInOneLineWithWhatTouchesIt) {
+  const std::string h = "<math><mi>h</mi></math>", begin = "<span class=\"whole\">", end = "</span>";
+  EXPECT_EQ(inline_html("with h, and (h)."), "with " + h + ", and " + begin + "(" + h + ")." + end);
+  EXPECT_EQ(inline_html("in |h|/2 of"), "in " + begin + "|" + h + "|/2" + end + " of");
+  EXPECT_EQ(inline_html("**h in bold**/2"), "<strong>" + h + " in bold</strong>/2");
+  EXPECT_EQ(inline_html("a word of **h/2**"), "a word of <strong>" + begin + h + "/2" + end + "</strong>");
+  EXPECT_EQ(inline_html("1/(1+h+1/2+1/3+1/4+1/5+1/6+1/7+1/8+1/9)").find("whole"), std::string::npos)
+      << "what is longer than a phone is wide may break";
 }
 
 TEST(Prose, OtherLettersAreNoQuantities) {

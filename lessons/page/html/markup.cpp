@@ -28,13 +28,24 @@ class Inline {
   std::string html() {
     while (at_ < words_.size())
       if (!code() && !span("**", "strong") && !span("*", "em") && !equation() && !below() && !variable()) {
+        if (words_[at_] == ' ') end_word();
         all_ += escaped(words_.substr(at_, 1));
-        ++at_;
+        if (words_[at_++] == ' ') word_ = {all_.size(), at_};
       }
+    end_word();
     return all_;
   }
 
  private:
+  /// "−λ|d|/h" stays in one line, where its letters alone would let it break; what is longer than a phone may.
+  void end_word() {
+    const std::string_view word = words_.substr(word_.from, at_ - word_.from);
+    const bool short_enough = word.size() <= 36 && word.find(' ') == std::string_view::npos;
+    if (word_.variables == 0 || word_.variables == word.find_last_not_of(".,:;)") + 1 || !short_enough) return;
+    all_.insert(word_.begin, "<span class=\"whole\">");
+    all_ += "</span>";
+  }
+
   std::string_view rest() const { return words_.substr(at_); }
   char before() const { return at_ == 0 ? ' ' : words_[at_ - 1]; }
 
@@ -91,6 +102,7 @@ class Inline {
         std::find_if(variables_.begin(), variables_.end(), [&](const Variables& one) { return one.begin == at_; });
     if (found == variables_.end()) return false;
     all_ += variables_html(words_.substr(at_, found->end - at_));
+    word_.variables += found->end - at_;
     at_ = found->end;
     return true;
   }
@@ -100,6 +112,10 @@ class Inline {
   std::vector<Variables> variables_;
   size_t at_ = 0;
   std::string all_;
+  struct Word {
+    size_t begin = 0, from = 0;  // in the HTML and in the words
+    size_t variables = 0;        // bytes of it
+  } word_;
 };
 
 /// Calls `line` with each line, and with an empty one at the end.
