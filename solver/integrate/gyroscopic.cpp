@@ -125,7 +125,7 @@ void end_turn(Gyroscopic choice, Bodies<SpaceBody>& bodies, double h) {
     Vector now = body.after(spin, h), before = spin;
     if (double left = h - body.part(spin, h); left > 0) {
       const double angle = h * spin.norm();
-      require(angle <= 1e5, "turn of a body in a step", angle, "at most 100000 rad: take a smaller step");
+      if (!(angle <= 1e5)) throw NotFinite("a step turns a body by " + text_of(angle) + " rad, more than 100000");
       const auto turn = [&](const Vector& by, double time) { q = rotated_by(q, Vector(rotate(q, time * by))); };
       turn(spin, -left);  // the poses have moved for the whole of h
       while (left > 0) {

@@ -39,7 +39,7 @@ enum class Gyroscopic { none, explicit_, implicit };
 /// Before the rows are solved: changes velocities from Ω₀ to Ω, with which the poses turn for a step h [s].
 void begin_turn(Gyroscopic choice, Bodies<SpaceBody>& bodies, double h);
 /// After the poses have moved: changes velocities from Ω to Ω₁, and where a body turns by more than 1 rad its
-/// rotation too. Throws std::invalid_argument for more than 100,000 rad.
+/// rotation too. Throws NotFinite for more than 100,000 rad.
 void end_turn(Gyroscopic choice, Bodies<SpaceBody>& bodies, double h);
 template <class M>
 void begin_turn(Gyroscopic, Bodies<M>&, double) {}
