@@ -230,8 +230,8 @@ int Scene<M>::place(int id) const {
 template <class M>
 void Scene<M>::require_presses(int id) const {
   const int at = constraints_.find(id);
-  const auto presses = [](const ConstraintStore<M>& store) {  // a motor, which has no C, pulls as well
-    return store.bound == Bound::interval && store.position_rows > 0;
+  const auto presses = [](const ConstraintStore<M>& store) {  // a motor has no C; ropes and stops are never found
+    return store.bound == Bound::interval && store.position_rows > 0 && store.holds_where_found;
   };
   require(at >= 0 && presses(store(entries()[at].kind)), "contact of a friction", id,
           "the handle of a contact that was added before");

@@ -9,6 +9,7 @@
 #include "solver/constraints/limit.hpp"
 #include "solver/constraints/motor.hpp"
 #include "solver/constraints/normalised_distance.hpp"
+#include "solver/constraints/rope.hpp"
 #include "solver/constraints/spring.hpp"
 #include "tests/solver/solving.hpp"
 
@@ -228,14 +229,18 @@ TEST_IN_ALL_MODELS(Friction, MustFollowAContactWithUnitTangentsAndACoefficient) 
   subject.refuses("contact of a friction is 2", allowed, [&] {
     scene.add(Friction<M>{{0, 1}, tangents, 0.5, 2});
   });
+  const auto expect_leads_none = [&](int id) {
+    expect_refusal(fmt::format("contact of a friction is {}", id), allowed, [&] {
+      scene.add(Friction<M>{{0, 1}, tangents, 0.5, id});
+    });
+    scene.remove(id);
+  };
+  expect_leads_none(scene.add(Rope<M>{{0, 1}, 1}));  // pulls
   if constexpr (M::angular > 0) {
     Turn<M> turn{0, 1};
     if constexpr (M::angular == 3) turn.axis = Linear<M>::Unit(0);
-    const int drive = scene.add(motor(turn, 1, 1));  // its λ may be of either sign: no friction is bounded by it
-    expect_refusal("contact of a friction is 2", allowed, [&] {
-      scene.add(Friction<M>{{0, 1}, tangents, 0.5, drive});
-    });
-    scene.remove(drive);
+    expect_leads_none(scene.add(motor(turn, 1, 1)));     // its λ may be of either sign
+    expect_leads_none(scene.add(at_least(-1.0, turn)));  // presses no surface
   }
   subject.refuses("friction coefficient is -0.5", "between 0 and", [&] {
     scene.add(Friction<M>{{0, 1}, tangents, -0.5, contact});
