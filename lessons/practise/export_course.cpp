@@ -74,6 +74,7 @@ void write_question(const fs::path& folder, const std::vector<const Exercise*>& 
       "</pl-question-panel>\n<pl-submission-panel>\n<pl-external-grader-results></pl-external-grader-results>\n"
       "<pl-file-preview></pl-file-preview>\n</pl-submission-panel>\n";
   course::write_whole(folder / "question" / "question.html", page);
+  constexpr std::size_t longest = 40;  // [s] of an exercise: to compile 10, to link 10, to run 20
   const std::string title = wanted.size() == 1 ? task(*wanted.front()).title : "Constraints by hand";
   course::write_whole(folder / "question" / "info.json",
                       fmt::format(R"({{
@@ -90,7 +91,7 @@ void write_question(const fs::path& folder, const std::vector<const Exercise*>& 
   }}
 }}
 )",
-                                  uuid(wanted, seed), title, 60 + 30 * wanted.size()));
+                                  uuid(wanted, seed), title, 60 + longest * wanted.size()));
 }
 
 }  // namespace

@@ -162,6 +162,21 @@ TEST(Formats, AreWellFormedForAnyBytes) {
   EXPECT_EQ(checked.status, 0) << checked.complained;
 }
 
+/// What a learner names and prints is neither markup nor turns a line round.
+TEST(Formats, TakeNoMarkupFromALearner) {
+  const Folder folder;
+  put(folder / "08_bias.cpp",
+      "#include <cassert>\n#include <cstdio>\ndouble bias(double, double, double) {\n"
+      "  std::puts(\"\\u202eright\\u2066\");\n  bool link = false;\n"
+      "  assert((link, \"<img src=x>|[a](http://x)\", false));\n  return 0;\n}\n");
+  const auto out = [&](const char* name) { return (folder / name).string(); };
+  run(fmt::format("{} 8 --grade {} --report gradescope={} --report summary={}", BYHAND_PRACTISE,
+                  folder.path().string(), out("g"), out("s")));
+  EXPECT_THAT(contents(folder / "g"), AllOf(HasSubstr("printed:\\nright"), HasSubstr("Your assertion `")));
+  EXPECT_THAT(contents(folder / "s"),
+              AllOf(HasSubstr("\\<img src=x\\>\\|\\[a\\](http"), Not(HasSubstr("\u202e"))));
+}
+
 TEST(Formats, TellNeitherTheSeedNorARightAnswer) {
   const Folder folder;
   put(folder / "08_bias.cpp",
@@ -370,7 +385,7 @@ TEST_F(Course, OfTheSameSeedIsTheSameBytes) {
 /// As in the image that a platform builds from the folder, but that the packages are there.
 TEST_F(Course, BuildsItsJudgeFromTheExportedFolderAlone) {
   const std::string build = (*folder_ / "built").string(), source = (course() / "source").string();
-  const Finished configured = run(fmt::format("cmake -S {} -B {} -DCMAKE_BUILD_TYPE=Debug", source, build));
+  const Finished configured = run(fmt::format("cmake -S {} -B {} -DCMAKE_BUILD_TYPE=None", source, build));
   ASSERT_EQ(configured.status, 0) << configured.complained;
   const Finished built = run(fmt::format("cmake --build {} --target grade", build));
   ASSERT_EQ(built.status, 0) << built.said << built.complained;

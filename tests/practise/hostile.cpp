@@ -1,5 +1,6 @@
 // Code that does anything but answer earns nothing, and one sentence.
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -69,6 +70,14 @@ TEST(Hostile, WaitingEndsByTheClock) {
   // Nothing to read is no wait.
   EXPECT_EQ(bias("double x = 5; return std::cin >> x ? 0 : beta / h * C;", "#include <iostream>").kind,
             Kind::right);
+}
+
+/// Each nap is short, all together are not.
+TEST(Hostile, NapsAddUp) {
+  expect_stopped(bias("const timespec pause{0, 90000000};\nint word = 0; syscall(SYS_futex, &word, FUTEX_WAIT, 0, "
+                      "&pause, 0, 0); return beta / h * C;",
+                      "#include <linux/futex.h>\n#include <sys/syscall.h>\n#include <ctime>\n#include <unistd.h>"),
+                 "waits for something that never comes");
 }
 
 TEST(Hostile, TheEnvironmentIsEmpty) {
@@ -188,6 +197,36 @@ TEST(Compiling, AnotherSignatureIsNamed) {
       "bias(double, double, double) is missing; keep the signature of the task: your bias takes other types.");
   EXPECT_EQ(verdict_on(8, "").sentence, sentence);
   EXPECT_EQ(verdict_on(8, "float bias(double, double, double) { return 0; }\n").line, 1);
+}
+
+/// Names of any letters and any length, which a regular expression would not survive.
+TEST(Compiling, AnyNameMayBeMissing) {
+  const std::string missing = " is missing; keep the signature of the task.";
+  EXPECT_EQ(bias("return g();", "double g() asm(\"\\\"a[*\\\"\");").sentence, "a[*" + missing);
+  EXPECT_EQ(bias("return g();", "double g() asm(\"" + std::string(50000, 'a') + "\");").sentence,
+            std::string(200, 'a') + missing);
+  EXPECT_THAT(
+      bias("return 0;",
+           "asm(\".macro d n, k\\n.if \\\\k\\nd \\\\n\\\\n, \\\\k-1\\n.else\\n.quad \\\\n\\n.endif\\n.endm\\n"
+           ".data\\nd aaaaaaaa, 18\\n.text\");")
+          .sentence,
+      HasSubstr("aaaaaaaa" + missing));
+}
+
+TEST(Compiling, WarningsAreReadToTheFirstMegabyte) {
+  std::string warnings = "#define W0 _Pragma(\"GCC warning \\\"w\\\"\")\n";
+  for (int i = 1; i <= 5; ++i) {
+    warnings += fmt::format("#define W{}", i);
+    for (int k = 0; k < 10; ++k) warnings += fmt::format(" W{}", i - 1);
+    warnings += "\n";
+  }
+  const Folder folder;
+  std::ofstream(folder / "w.cpp") << warnings << "W5\n";
+  const practise::Finished compiled =
+      run_confined({BYHAND_TEST_COMPILER, "-c", (folder / "w.cpp").string(), "-o", "/dev/null"}, {folder.path()},
+                   folder.path(), {.seconds = 20, .bytes = 1u << 30});
+  EXPECT_EQ(compiled.status, 0);
+  EXPECT_EQ(compiled.said.size(), 1u << 20);
 }
 
 TEST(Compiling, AnOwnMainIsNotTakenForTheJudges) {

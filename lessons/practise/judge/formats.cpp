@@ -179,16 +179,22 @@ std::string github(const All& all) {
   return text;
 }
 
+/// A sentence may name what the learner named: no character of it is markup.
+std::string markdown(const std::string& sentence) {
+  std::string safe;
+  for (const char c : sentence) {
+    if (std::string_view("\\`*_[]<>|~#&!").find(c) != std::string_view::npos) safe += '\\';
+    safe += c;
+  }
+  return safe;
+}
+
 /// For $GITHUB_STEP_SUMMARY.
 std::string summary(const All& all) {
   std::string text = "| exercise | | |\n|---|---|---|\n";
-  for (const Graded& graded : all) {
-    std::string sentence = graded.verdict.sentence;
-    for (auto at = sentence.find('|'); at != std::string::npos; at = sentence.find('|', at + 2))
-      sentence.insert(at, "\\");
+  for (const Graded& graded : all)
     text += fmt::format("| {} | {} | {} |\n", title(graded), graded.verdict.is_right() ? "right" : "not yet",
-                        sentence);
-  }
+                        markdown(graded.verdict.sentence));
   return text + "\n" + summary_line(all) + "\n";
 }
 

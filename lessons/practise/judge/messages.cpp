@@ -2,19 +2,47 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cstdlib>
-#include <regex>
 #include <sstream>
 
 namespace byhand::practise {
 namespace {
 
-std::string without(std::string text, const std::string& part) {
-  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at)) text.erase(at, part.size());
-  return text;
+std::string without(const std::string& text, const std::string& part) {
+  std::string rest;
+  std::size_t from = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, from)) {
+    rest.append(text, from, at - from);
+    from = at + part.size();
+  }
+  return rest.append(text, from);
 }
 
 std::string folder_of(const std::string& file) { return file.substr(0, file.rfind('/') + 1); }
+
+/// What GNU's linker or LLVM's misses first. Learners name what they like, at any length, so no regular expression
+/// is made of it or sees it.
+std::string undefined_name(const std::string& said) {
+  for (const std::string words : {"undefined reference to `", "undefined symbol: "})
+    if (const auto at = said.find(words); at != std::string::npos) {
+      const auto begin = at + words.size(), end = std::min(said.find_first_of("'\n", begin), said.size());
+      return said.substr(begin, std::min<std::size_t>(end - begin, 200));
+    }
+  return "";
+}
+
+/// Whether `name` and a parenthesis stand in a text.
+bool has_function(const std::string& text, const std::string& name) {
+  if (name.empty()) return false;
+  const auto in_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
+  for (auto at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) {
+    const auto next = text.find_first_not_of(" \t\n", at + name.size());
+    if ((at == 0 || !in_word(text[at - 1])) && next != std::string::npos && text[next] == '(') return true;
+  }
+  return false;
+}
 
 /// Each line at most 200 characters and 4 KB in all, without the path of `file`.
 std::string shortened(const std::string& text, const std::string& file) {
@@ -58,7 +86,18 @@ std::string about_a_header(const std::string& said, const std::string& file, int
   return error.empty() ? "" : shortened(from + error + "\n", file);
 }
 
+/// Whether a character lets what follows be read from the right to the left, or stands for none.
+bool turns_the_line(unsigned point) {
+  return (point >= 0x200B && point <= 0x200F) || (point >= 0x2028 && point <= 0x202E) ||
+         (point >= 0x2060 && point <= 0x206F) || point == 0xFEFF;
+}
+
 }  // namespace
+
+std::string rest_of_line(const std::string& text, const std::string& before) {
+  const auto at = text.rfind(before);
+  return at == std::string::npos ? "" : text.substr(at + before.size(), text.find('\n', at) - at - before.size());
+}
 
 Messages::Messages(const std::string& said, const std::string& file) {
   errors = about_own_lines(said, file, " error: ", line);
@@ -74,15 +113,13 @@ std::string about_linking(const std::string& said, const std::string& text) {
     return "Remove your main: the judge calls your functions from its own.";
   if (said.find("memory too large") != std::string::npos)
     return "Your global variables need more memory than an exercise has.";
-  static const std::regex undefined("undefined (reference to `([^'\n]*)'|symbol: ([^\n]*))");
-  std::smatch found;
-  if (!std::regex_search(said, found, undefined)) return "It compiles, and cannot be linked with the judge.";
-  std::string name = without(found[2].matched ? found[2] : found[3], "plain::");
-  name = std::regex_replace(name, std::regex(", 18446744073709551615ul"), "");  // of a span without a fixed size
+  const std::string undefined = undefined_name(said);
+  if (undefined.empty()) return "It compiles, and cannot be linked with the judge.";
+  // Of a span without a fixed size.
+  const std::string name = without(without(undefined, "plain::"), ", 18446744073709551615ul");
   const std::string called = name.substr(0, name.find('('));
-  const bool other = std::regex_search(text, std::regex("\\b" + called + "\\s*\\("));
   return fmt::format("{} is missing; keep the signature of the task{}.", name,
-                     other ? fmt::format(": your {} takes other types", called) : "");
+                     has_function(text, called) ? fmt::format(": your {} takes other types", called) : "");
 }
 
 std::string legible(const std::string& text, std::size_t most) {
@@ -106,7 +143,8 @@ std::string legible(const std::string& text, std::size_t most) {
             point != 0xFFFE && point != 0xFFFF;
     if (!valid)
       all += "?";
-    else if (point >= 0xA0 || (point >= 0x20 && point < 0x7F) || point == '\n' || point == '\t')
+    else if ((point >= 0xA0 && !turns_the_line(point)) || (point >= 0x20 && point < 0x7F) || point == '\n' ||
+             point == '\t')
       all += text.substr(i, size);
     i += valid ? size : 1;
   }

@@ -15,7 +15,11 @@ struct Messages {
 /// Why a program could not be linked, as a sentence; `text` is the learner's.
 std::string about_linking(const std::string& said, const std::string& text);
 
-/// At most `most` bytes of a text, without what is no UTF-8, no character of XML or a control of the terminal.
+/// What follows the last `before` in a text, to the end of the line.
+std::string rest_of_line(const std::string& text, const std::string& before);
+
+/// At most `most` bytes of a text, without what is no UTF-8, no character of XML, a control of the terminal or one
+/// of the direction of writing.
 std::string legible(const std::string& text, std::size_t most);
 
 }  // namespace byhand::practise

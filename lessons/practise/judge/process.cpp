@@ -20,6 +20,7 @@
 
 #include "lessons/page/error.hpp"
 #include "lessons/practise/judge/confine.hpp"
+#include "lessons/practise/judge/messages.hpp"
 #include "lessons/practise/judge/protocol.hpp"
 
 namespace byhand::practise {
@@ -32,8 +33,10 @@ constexpr std::size_t most_printed = 64u << 10;
 constexpr double most_numbers = 1e6;
 constexpr double most_clock = 20;  // [s] for all answers on a machine however busy
 
+/// At most the first megabyte: what a compiler says of a learner's file may be any number of warnings.
 std::string whole(int file) {
-  std::string text(static_cast<std::size_t>(std::max<off_t>(0, lseek(file, 0, SEEK_END))), '\0');
+  constexpr off_t most = 1 << 20;
+  std::string text(static_cast<std::size_t>(std::clamp<off_t>(lseek(file, 0, SEEK_END), 0, most)), '\0');
   text.resize(static_cast<std::size_t>(std::max<ssize_t>(0, pread(file, text.data(), text.size(), 0))));
   return text;
 }
@@ -88,12 +91,6 @@ bool sleeps(pid_t process) {
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   const auto name_ends = text.rfind(") ");
   return name_ends != std::string::npos && text.substr(name_ends + 2, 1) == "S";
-}
-
-/// What follows the last `before` in a text, to the end of the line.
-std::string rest_of_line(const std::string& text, const std::string& before) {
-  const auto at = text.rfind(before);
-  return at == std::string::npos ? "" : text.substr(at + before.size(), text.find('\n', at) - at - before.size());
 }
 
 /// Of a program that called abort(): its own doing, or what the C++ library prints before it does so.
@@ -171,10 +168,12 @@ void Process::receive(void* bytes, std::size_t count) {
   const auto begun = Clock::now();
   const auto waited = [&] { return waited_ + std::chrono::duration<double>(Clock::now() - begun).count(); };
   for (auto* at = static_cast<char*>(bytes); count > 0;) {
+    if (waited() > most_clock) end(fmt::format("Your code did not return within {} s.", most_clock));
+    constexpr int moment = 10;  // [ms]
     pollfd readable{socket_, POLLIN, 0};
-    if (poll(&readable, 1, 100) <= 0) {
-      if (waited() > limits_.seconds && sleeps(child_)) end("Your code waits for something that never comes.");
-      if (waited() > most_clock) end(fmt::format("Your code did not return within {} s.", most_clock));
+    if (poll(&readable, 1, moment) <= 0) {
+      if (sleeps(child_)) slept_ += 1e-3 * moment;
+      if (slept_ > limits_.seconds) end("Your code waits for something that never comes.");
       continue;
     }
     const ssize_t got = recv(socket_, at, count, 0);

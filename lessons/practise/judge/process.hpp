@@ -26,8 +26,8 @@ class Process {
   Process& operator=(const Process&) = delete;
   ~Process();
 
-  /// Throws Stopped if no answer comes. All calls together may compute for `limits.seconds`; a process that sleeps
-  /// instead is ended after as many by the clock.
+  /// Throws Stopped if no answer comes. All calls together may compute for `limits.seconds`, and sleep for as
+  /// many.
   Numbers call(std::size_t which, const Numbers& arguments);
 
   /// The first lines that the learner's code printed.
@@ -41,8 +41,8 @@ class Process {
   [[noreturn]] void end(const std::string& sentence);
 
   Limits limits_;
-  double waited_ = 0;   // for answers [s]
-  bool ready_ = false;  // its main has begun
+  double waited_ = 0, slept_ = 0;  // for answers, and how long it slept meanwhile [s]
+  bool ready_ = false;             // its main has begun
   pid_t child_ = -1;
   int socket_ = -1, print_ = -1;
 };
