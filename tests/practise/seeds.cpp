@@ -1,6 +1,7 @@
 // No grade depends on the seed: what is right is right with any, and every change of a solution is found with any.
 
 #include <dlfcn.h>
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -77,16 +78,23 @@ std::set<int> named_in(const std::string& errors) {
 }
 
 /// Whether each of `count` seeds grades code right, asked in a process of its own, which may crash or hang: that
-/// is not.
+/// is not. What such a process says is no word of this test, nor does an exception carry on with it elsewhere.
 std::vector<char> in_a_process(std::size_t count, const std::function<bool(std::size_t)>& right) {
   int ends[2];
   if (pipe(ends) != 0) std::abort();
+  std::fflush(nullptr);
   const pid_t child = fork();
   if (child == 0) {
+    const int nothing = open("/dev/null", O_WRONLY);
+    dup2(nothing, STDOUT_FILENO);
+    dup2(nothing, STDERR_FILENO);
     alarm(60);
-    for (std::size_t i = 0; i < count; ++i) {
-      const char grade = right(i) ? 1 : 0;
-      if (write(ends[1], &grade, 1) != 1) break;
+    try {
+      for (std::size_t i = 0; i < count; ++i) {
+        const char grade = right(i) ? 1 : 0;
+        if (write(ends[1], &grade, 1) != 1) break;
+      }
+    } catch (...) {
     }
     _exit(0);
   }
@@ -106,6 +114,21 @@ std::set<std::string> equivalents(const Exercise& tried) {
   for (std::string line; std::getline(file, line);)
     if (line.starts_with(tried.name + " | ")) all.insert(line.substr(0, line.rfind(" | ")));
   return all;
+}
+
+TEST(Processes, ThatCrashOrThrowSayNothingHere) {
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  const auto grades = in_a_process(4, [](std::size_t i) {
+    fmt::print("Right\n");
+    std::fflush(stdout);
+    if (i == 2) throw std::runtime_error("thrown");
+    return true;
+  });
+  const auto crashed = in_a_process(2, [](std::size_t i) { return i == 0 ? true : (std::abort(), true); });
+  EXPECT_EQ(testing::internal::GetCapturedStdout() + testing::internal::GetCapturedStderr(), "");
+  EXPECT_EQ(grades, (std::vector<char>{1, 1, 0, 0}));
+  EXPECT_EQ(crashed, (std::vector<char>{1, 0}));
 }
 
 TEST_P(Seeds, FindEveryChangeOfASolution) {
