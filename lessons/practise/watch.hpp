@@ -4,6 +4,7 @@
 #include <string>
 
 #include "lessons/practise/judge/check.hpp"
+#include "lessons/practise/judge/unmask.hpp"
 
 // What a learner sees at a terminal.
 namespace byhand::practise {
@@ -33,9 +34,5 @@ int watch(const Exercise& exercise, const Key& key, const std::filesystem::path&
 
 /// The code of the mutant and the test that it passes.
 std::string unmask_text(const Exercise& exercise);
-
-/// Whether the mutant answers wrongly on these numbers, "m1=2 I1=3"; all others are those of the test it passes.
-/// Throws std::invalid_argument for an unknown name.
-bool unmask(const Exercise& exercise, const std::string& numbers, std::string& report);
 
 }  // namespace byhand::practise

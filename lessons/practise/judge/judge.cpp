@@ -168,13 +168,6 @@ std::string multiples(const Compared& probe, const std::vector<Sheet>& sheets, c
   return all.empty() ? "" : all + ", on every probe.";
 }
 
-Numbers numbers_of(const Frame& frame) {
-  Numbers all{frame.reading};
-  for (const Shape& shape : frame.shapes)
-    all.insert(all.end(), {shape.at.x, shape.at.y, shape.to.x, shape.to.y, shape.angle});
-  return all;
-}
-
 /// Of each number of a frame, its largest size in the film.
 Numbers sizes(const Film& film) {
   Numbers most;
@@ -255,6 +248,13 @@ void require_same_probe(const Sheet& sheet, const Sheet& right, const std::strin
 }
 
 }  // namespace
+
+Numbers numbers_of(const Frame& frame) {
+  Numbers all{frame.reading};
+  for (const Shape& shape : frame.shapes)
+    all.insert(all.end(), {shape.at.x, shape.at.y, shape.to.x, shape.to.y, shape.angle});
+  return all;
+}
 
 Sheet sheet(const Exercise& exercise, const Code& code, std::uint64_t seed, int index) {
   Probe probe(seed, index);

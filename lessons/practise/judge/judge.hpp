@@ -48,6 +48,9 @@ struct Verdict {
 /// Throws course::EnvironmentError if the key was made for other probes than these.
 Verdict judge(const Exercise& exercise, const Key& key, const Code& code);
 
+/// All that a frame shows: its reading, then of each shape two points and an angle.
+Numbers numbers_of(const Frame& frame);
+
 /// Whether both say the same on a probe, within what rounding explains.
 bool same_sheet(const Sheet& one, const Sheet& other, const std::vector<Numbers>& tolerance);
 
