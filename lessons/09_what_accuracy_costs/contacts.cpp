@@ -17,10 +17,6 @@ void contacts(Page& page) {
       stack["kick"], stack.scene().duration, stack.scene().time);
   show(page, "stack_trajectory", column, Error::trajectory);
   page.text("How the runs ended:\n" + failures(column));
-  page.text(
-      R"(The same runs by what a solver of contacts is for: how far the rows are from complementarity (a contact pushes
-      or it opens) and from the friction cone after a step.)");
-  show(page, "stack_contact", column, Error::contact);
 
   int swept = 0, standing = 0;
   for (const byhand::Point& point : wall.points())
@@ -34,7 +30,6 @@ void contacts(Page& page) {
       repeat each other, so that it needs a regularisation.)",
       swept, standing);
   show(page, "pyramid_drift", wall, Error::drift);
-  show_clocked(page, "pyramid_drift_clocked", wall, Error::drift);
   page.text("How the runs ended:\n" + failures(wall));
   std::vector<std::string_view> others;
   for (const Family& family : families())

@@ -35,25 +35,19 @@ int main(int argc, char** argv) {
 
   lesson.step("The methods that compete", the_methods);
   lesson.step("Order is the slope", order_is_the_slope);
-  lesson.deeper("The pendulums in full", five_errors);
   lesson.step("Stable is not accurate", stable_is_not_accurate);
   lesson.deeper("Until which step a method is stable", stability);
-  lesson.deeper("Energy over a thousand periods", thousand_periods);
-  lesson.deeper("Motion about the vertical", in_space);
   lesson.step("Substeps or sweeps", substeps_or_sweeps);
-  lesson.deeper("Chains, longer and heavier", chains);
-  lesson.deeper("A loop of bars", linkages);
   lesson.deeper("The error that sweeps do not reduce", what_the_step_hides);
   lesson.step("Stacks and pyramids", contacts);
-  lesson.deeper("A block on a slope", incline);
   lesson.step("One picture and one page", one_page);
   lesson.step("Ask the program", [=](course::Page& page) { recommendation(page, setting); });
   lesson.answers({"scene", "drift", "trajectory", "energy", "momentum", "reaction", "budget", "links", "end_mass",
                   "mass", "length", "boxes", "top_mass", "base"});
   lesson.deeper("What the model costs", model_cost);
-  lesson.deeper("Appendix: further charts", [=](course::Page& page) { appendix(page, charts_of); });
+  lesson.deeper("Appendix: further charts, and where the equations are",
+                [=](course::Page& page) { appendix(page, charts_of); });
   lesson.answers({"appendix"});
-  lesson.deeper("Where the article's equations are", equations);
 
   lesson.closing(
       {.now_you_know =

@@ -80,9 +80,7 @@ void stable_is_not_accurate(Page& page) {
       each body from where it should be? *Energy* and *momentum*: how much was lost or gained, over mgL and over the
       true momentum? *Reaction force*: is the force in a joint right? And, of a solver alone, the *algebraic* error:
       how far are the rows from solved? A method may be very good in one and very bad in another. Here are the same
-      methods by drift, each tuned for least drift:)");
-  show(page, "pendulum_drift", all, Error::drift);
-  page.text("And here they are by energy, tuned for that:");
+      methods by energy, each tuned for that:)");
   show(page, "pendulum_energy", all, Error::energy);
 
   const byhand::Point once = measure(problem, xpbd, {}), symmetric = measure(problem, rattle, {});
@@ -132,8 +130,8 @@ void stable_is_not_accurate(Page& page) {
              is_at_most(0.01, "it swings about the true energy and keeps near it"));
   page.text(
       R"(So decide first which error your scene must not have. A rope bridge in a game must not come apart: drift. A
-      clock must keep time: trajectory and energy. A crane must not break its bolts: the reaction force. The deeper
-      steps have a chart for each error, scene by scene.)");
+      clock must keep time: trajectory and energy. A crane must not break its bolts: the reaction force. The
+      appendix draws a chart for each error, scene by scene.)");
 }
 
 }  // namespace byhand::accuracy

@@ -108,7 +108,6 @@ void substeps_or_sweeps(Page& page) {
       sweeps helps where the step is too long for light links under tension. All methods on it:)",
       heavy["links"], heavy["end_mass"] / heavy["mass"]);
   show(page, "chain_50_100_drift", all, Error::drift);
-  show_clocked(page, "chain_50_100_drift_clocked", all, Error::drift);
 
   page.text("Runs that failed:\n" + failures(all));
   const double wanted = 1e-4;

@@ -36,9 +36,9 @@ const Survey& survey(const course::Page& page, const Problem& problem, std::vect
 inline constexpr int starts = 20;
 inline constexpr double kept_share = 0.95;
 
-/// The error that 95 % of twenty initial conditions keep with the choices of this run, none of them the one on
-/// which they were tuned; infinite where more than one in twenty fails.
-double kept(const course::Page& page, const Survey& survey, const byhand::Point& point, Error error);
+/// Whether the error of this run's choices stays below `at_most` from 95 % of twenty initial conditions, none of
+/// them the one on which they were tuned. A run that fails has missed it.
+bool kept(const course::Page& page, const Survey& survey, const byhand::Point& point, Error error, double at_most);
 /// The cheapest run of one family whose error stays below `at_most` from 95 % of them; none if none does.
 std::optional<byhand::Point> best(const course::Page& page, const Survey& survey, const Family& family,
                                   Error error, double at_most);

@@ -70,7 +70,7 @@ const std::vector<Recipe> recipes{
       "x₁ = x₀ + hV_m, V₁ = V₀ + h a(X_m, V_m)"},
      "substeps",
      R"(It is of order 2; of particles on rods, energy and C keep near their values for tens of periods, and then leave
-     them (see the thousand periods). A step that is too long does not converge.)"},
+     them (`--set appendix=thousand_periods` shows it). A step that is too long does not converge.)"},
     {"Generalised coordinates",
      "R. Featherstone, 1983, the articulated body algorithm",
      R"(keep one number for each hinge, its angle, and no constraint at all. Where a body is follows from its parent's

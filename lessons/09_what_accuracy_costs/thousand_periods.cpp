@@ -1,4 +1,4 @@
-// Deeper: energy over a thousand periods.
+// A chapter of the appendix: energy over a thousand periods.
 
 #include "lessons/09_what_accuracy_costs/steps.hpp"
 #include "lessons/09_what_accuracy_costs/survey.hpp"

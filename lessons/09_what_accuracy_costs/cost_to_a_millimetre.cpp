@@ -1,4 +1,5 @@
-// Deeper: what a millimetre costs on chains that grow longer, and on chains whose end grows heavier.
+// A chapter of the appendix: what a millimetre costs on chains that grow longer, and on chains whose end grows
+// heavier.
 
 #include "lessons/09_what_accuracy_costs/steps.hpp"
 #include "lessons/09_what_accuracy_costs/survey.hpp"
@@ -71,12 +72,8 @@ renderer::Chart chart_of(const Scaling& scaling, const std::string& label, const
 
 }  // namespace
 
-void chains(Page& page) {
-  cost_to_a_millimetre(page, {10, 15, 22, 33, 50, 70, 100}, {1, 10, 100, 1e3, 1e4}, "millimetre");
-}
-
-void cost_to_a_millimetre(Page& page, const std::vector<double>& lengths, const std::vector<double>& ratios,
-                          const std::string& name) {
+void cost_to_a_millimetre(Page& page) {
+  const std::vector<double> lengths{10, 22, 50, 100, 300, 1000}, ratios{1, 10, 100, 1e3, 1e4, 1e5, 1e6};
   const Scaling longer = scaling(page, lengths,
                                  [](double n) {
                                    return Problem("chain", {{"links", n}, {"angle", angle}});
@@ -88,7 +85,7 @@ void cost_to_a_millimetre(Page& page, const std::vector<double>& lengths, const 
       R"(What does a millimetre cost? For each chain the program looks for the cheapest run of each method whose joints
       never open by more than @ m, with all choices free. First chains of @ to @ equal links, let go at @° from straight down:)",
       wanted, lengths.front(), lengths.back(), angle);
-  page.figure(name + "_by_length",
+  page.figure("appendix_millimetre_by_length",
               R"(Cost of a drift of a millimetre against the number of links. Crosses: the search found no
               choice of the method that reaches it for 10 000 instructions a row and substep of law 7.)",
               chart_of(longer, "links", {1, 2}), longer.data);
@@ -108,7 +105,7 @@ void cost_to_a_millimetre(Page& page, const std::vector<double>& lengths, const 
       R"(Now ten links with an end that is up to @ times as heavy as a link. By law 7 the step must shrink as the root of
       the tension, whatever solves the rows:)",
       ratios.back());
-  page.figure(name + "_by_mass",
+  page.figure("appendix_millimetre_by_mass",
               R"(Cost of a drift of a millimetre against the mass of the end over that of a link. Crosses: the
               search found no choice of the method that reaches it for 10 000 instructions a row and
               substep of law 7.)",
