@@ -11,6 +11,7 @@ const toBody = ({ x, y, cos, sin }, [px, py]) => [cos * (px - x) + sin * (py - y
 const distance = ([ax, ay], [bx, by]) => Math.hypot(bx - ax, by - ay);
 
 class Picture {
+  fitted = false;  // whether the camera shows all as it was when the scene was opened
   camera = { x: 0, y: 0, scale: 50 };  // the middle of the picture [m], pixels per metre
 
   constructor(canvas) {
@@ -53,9 +54,11 @@ class Picture {
     const air = 0.18 * Math.max(high[0] - low[0], high[1] - low[1], 0.5);
     const scale = Math.min(this.width / (high[0] - low[0] + 2 * air), this.height / (high[1] - low[1] + 2 * air), 160);
     Object.assign(this.camera, { x: (low[0] + high[0]) / 2, y: (low[1] + high[1]) / 2, scale });
+    this.fitted = true;
   }
 
   zoom(factor, around = [this.width / 2, this.height / 2]) {
+    this.fitted = false;
     const before = this.point(around);
     this.camera.scale = Math.min(4000, Math.max(2, this.camera.scale * factor));
     const after = this.point(around);

@@ -13,7 +13,7 @@
   const still = matchMedia('(prefers-reduced-motion: reduce)'), dark = matchMedia('(prefers-color-scheme: dark)');
   const slower = 100, parts = 6, endOfPart = 1e-3;
   const signed = text => text.replace('-', '−');
-  const number = (value, digits = 3) => signed(String(Math.abs(value) >= 1e5 || (value && Math.abs(value) < 1e-3) ? value.toExponential(digits - 1) : +value.toPrecision(digits)));
+  const number = (value, digits = 3) => signed(Math.abs(value) >= 1e5 || (value && Math.abs(value) < 1e-3) ? String(value.toExponential(digits - 1)) : (+value.toPrecision(digits)).toLocaleString('en', { maximumSignificantDigits: digits }));
 
   // ---- The program, and the doctor's.
 
@@ -71,7 +71,7 @@
 
   const energyLine = new RunningLine(of('energy'), of('energy-value'), value => `${number(value, 4)} J`, false);
   const gapLine = new RunningLine(of('gap'), of('gap-value'), value => lengthWords(value), true);
-  const lengthWords = metres => metres < 1e-9 ? '0' : metres < 1e-3 ? `${number(1e6 * metres)} µm` : metres < 1 ? `${number(1e3 * metres)} mm` : `${number(metres)} m`;
+  const lengthWords = metres => metres < 1e-9 ? '0' : metres < 0.9995e-3 ? `${number(1e6 * metres)} µm` : metres < 0.9995 ? `${number(1e3 * metres)} mm` : `${number(metres)} m`;
 
   function advance(steps) {
     const at = ask.program.advance(steps), numbers = new Float64Array(ask.program.memory.buffer, at, ask.program.moment_size());
@@ -129,16 +129,21 @@
     if (!did) return;
     const before = text;
     if (!open(JSON.stringify(changed), { words: did[0].toUpperCase() + did.slice(1) + '.' })) return;
+    turning = false;
     done.push(before);
     undone = [];
     showUndo();
   }
   function undo(from, to) {
     if (!from.length) return;
+    const then = from.pop(), words = from === done ? 'Undone.' : 'Done again.';
     to.push(text);
-    open(from.pop(), { words: from === done ? 'Undone.' : 'Done again.' });
+    // A method that was turned is turned back, and the scene goes on.
+    if (apartFromMethod(then) === apartFromMethod(text)) useMethod(JSON.parse(then), words);
+    else open(then, { words });
     showUndo();
   }
+  const apartFromMethod = given => JSON.stringify({ ...JSON.parse(given), method: 0, step: 0, duration: 0 });
   function showUndo() {
     of('undo').disabled = !done.length;
     of('redo').disabled = !undone.length;
@@ -289,6 +294,7 @@
           const turned = ask({ ask: 'turn', text, name: knob.name, value: knob.value });
           if (turned.failure) return tell(turned.failure);
           setMethod(JSON.parse(turned.file));
+          turning = false;
         };
         return button;
       }));
@@ -311,23 +317,25 @@
 
   // ---- The method's knobs, which the scene goes on with at once.
 
-  const knobs = { sweeps: 10, beta: 0.2, substeps: 1, step: 60 };  // where the file has none
+  const knobs = { sweeps: 10, beta: 0.2, slop: 0.001, frequency: 90, substeps: 1, step: 60 };  // where the file has none
   const swept = new Set(['gauss_seidel', 'jacobi', 'conjugate_sweeps']), biased = new Set(['baumgarte', 'split_impulse']);
   function showMethod() {
     const method = file.method ?? {};
     of('solver').value = method.solver ?? 'by_graph';
     of('cure').value = method.cure ?? 'baumgarte';
-    for (const name of ['sweeps', 'beta', 'substeps']) setKnob(name, method[name] ?? (name === 'sweeps' && method.solver === 'conjugate_sweeps' ? 50 : knobs[name]));
+    for (const name of ['sweeps', 'beta', 'slop', 'frequency', 'substeps']) setKnob(name, method[name] ?? (name === 'sweeps' && method.solver === 'conjugate_sweeps' ? 50 : knobs[name]));
     setKnob('step', Math.round(1 / file.step));
     of('warm').checked = method.warm_start ?? true;
     of('sweeps').closest('.knob').hidden = !swept.has(of('solver').value);
     of('warm').closest('.knob').hidden = !['gauss_seidel', 'jacobi'].includes(of('solver').value);
     of('beta').closest('.knob').hidden = !biased.has(of('cure').value);
+    of('slop').closest('.knob').hidden = of('cure').value === 'none';
+    of('frequency').closest('.knob').hidden = of('cure').value !== 'soft';
   }
   function setKnob(name, value) {
     const input = of(name);
     if (document.activeElement !== input || +input.value !== value) input.value = value;
-    of(name + '-value').textContent = name === 'step' ? `1/${value} s` : number(value);
+    of(name + '-value').textContent = name === 'step' ? `1/${value} s` : name === 'slop' ? lengthWords(value) : name === 'frequency' ? `${number(value)} /s` : number(value);
   }
   // What the reader has turned; all else stays as the file has it, beyond the ends of a slider too.
   function readMethod({ target: { id, value, checked } }) {
@@ -339,13 +347,24 @@
     else if (id !== 'step') method[id] = id in knobs ? +value : value;
     setMethod({ ...file, method, step: id === 'step' ? 1 / value : file.step });
   }
+  // The changes of one slider until it is let go are one to undo.
+  let turning = false;
+  function setMethod(given) {
+    const before = text;
+    if (!useMethod(given) || turning) return;
+    turning = true;
+    done.push(before);
+    undone = [];
+    showUndo();
+  }
   // The scene goes on; its file begins as before, by the new method.
-  function setMethod({ method, step, duration }) {
+  function useMethod({ method, step, duration }, because = `Goes on by ${(method?.solver ?? 'by_graph').replaceAll('_', ' ')}.`) {
     const changed = { ...JSON.parse(text), method, step, duration }, as = JSON.stringify(changed);
     const answer = ask({ ask: 'use', text: as });
     if (answer.failure) {
       tell(answer.failure);
-      return showMethod();
+      showMethod();
+      return false;
     }
     text = JSON.stringify(changed, null, 1);
     file = { ...changed, constraints: changed.constraints ?? [] };
@@ -353,10 +372,14 @@
     showMethod();
     consult();
     relink();
-    tell(`Goes on by ${method.solver.replaceAll('_', ' ')}.`);
+    tell(because);
     if (slowed) showPart();
+    return true;
   }
-  for (const name of [...Object.keys(knobs), 'solver', 'cure', 'warm']) of(name).addEventListener('input', readMethod);
+  for (const name of [...Object.keys(knobs), 'solver', 'cure', 'warm']) {
+    of(name).addEventListener('input', readMethod);
+    of(name).addEventListener('change', () => { turning = false; });
+  }
 
   // ---- What is selected.
 
@@ -507,6 +530,7 @@
       picture.zoom(distance(at, other) / Math.max(1, distance(last, other)), other);
       redraw();
     } else if (panning) {
+      picture.fitted = false;
       picture.camera.x -= (at[0] - panning[0]) / picture.camera.scale;
       picture.camera.y += (at[1] - panning[1]) / picture.camera.scale;
       panning = at;
@@ -613,13 +637,23 @@
     event.preventDefault();
     if (event.dataTransfer.files[0]) openFile(event.dataTransfer.files[0]);
   });
-  of('shoot').onclick = () => {
+  // The arrows of a part of a step lie above the canvas, as SVG.
+  async function arrows() {
+    const drawn = new Image(), svg = new DOMParser().parseFromString(shown.svg, 'image/svg+xml').documentElement;
+    svg.setAttribute('width', canvas.width);
+    svg.setAttribute('height', canvas.height);
+    drawn.src = 'data:image/svg+xml,' + encodeURIComponent(new XMLSerializer().serializeToString(svg));
+    await drawn.decode();
+    return drawn;
+  }
+  of('shoot').onclick = async () => {
     const { canvas: { width, height }, ratio, colours } = picture, strip = Math.round(40 * ratio);
     paint();
     const sheet = make('canvas', { width, height: height + strip }), context = sheet.getContext('2d');
     Object.assign(context, { fillStyle: colours.paper });
     context.fillRect(0, 0, width, height + strip);
     context.drawImage(canvas, 0, 0);
+    if (slowed && shown) context.drawImage(await arrows(), 0, 0, width, height);
     Object.assign(context, { fillStyle: colours.ink, font: `${Math.round(16 * ratio)}px "Course Sans", system-ui, sans-serif`, textBaseline: 'middle' });
     context.fillText(`${file.title || 'A scene'}, after ${moment.time.toFixed(2)} s. Constraints by Hand`, 14 * ratio, height + strip / 2);
     sheet.toBlob(blob => download(`${fileName()}.png`, blob), 'image/png');
@@ -674,6 +708,7 @@
   new ResizeObserver(() => {
     const first = !moment;
     picture.resize();
+    if (!first && picture.fitted) picture.fit(scene, moment);
     if (!first) redraw(), slowed && showPart();
   }).observe(canvas);
   dark.addEventListener('change', () => { picture.dress(); redraw(); });

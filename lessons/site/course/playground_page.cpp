@@ -75,7 +75,8 @@ std::string method_knobs() {
                      {"projection", "projection"},
                      {"split_impulse", "split impulse"},
                      {"soft", "soft constraints"}}) +
-         slider("beta", "β", 0, 2, 0.01) + slider("substeps", "substeps", 1, 20, 1) +
+         slider("beta", "β", 0, 2, 0.01) + slider("slop", "slop", 0, 0.05, 0.001) +
+         slider("frequency", "frequency", 10, 240, 1) + slider("substeps", "substeps", 1, 20, 1) +
          slider("step", "steps a second", 10, 480, 10);
 }
 
@@ -134,12 +135,14 @@ constexpr auto stage_and_panel = R"(<div id="playground" hidden="hidden">
 </section>
 <section aria-labelledby="doctor-head">
 <h2 id="doctor-head">The doctor</h2>
+<p class="aside">It judges the scene as its file begins; Begin here makes this moment the beginning.</p>
 <p id="verdict">is looking at the scene</p>
 <ol id="diagnosis" aria-busy="true"></ol>
 </section>
 <section aria-labelledby="method-head">
 <h2 id="method-head">Method</h2>
-{}</section>
+{}<p class="aside">The playground steps by velocities. XPBD, AVBD and RATTLE run the same file at a terminal: ./lessons/run scene FILE --method xpbd.</p>
+</section>
 <details id="keys"><summary>Keys</summary>
 <p>In the scene: <kbd>arrow keys</kbd> move a cross, with Shift finely; <kbd>Enter</kbd> begins and ends what the tool does there; <kbd>Escape</kbd> leaves it. <kbd>Space</kbd> plays and pauses, <kbd>.</kbd> is one step, <kbd>Delete</kbd> removes what is selected, <kbd>+</kbd> and <kbd>−</kbd> zoom, <kbd>Ctrl Z</kbd> undoes. A wheel or two fingers zoom; drag the empty scene to move it.</p>
 </details>

@@ -168,6 +168,16 @@ test('the method is turned live, and the doctor names its law, its bodies and it
   await set('step', '120');
   const { method, step } = await file(tab);
   assert.deepEqual([method.solver, method.sweeps, method.warm_start, method.cure, method.beta, method.substeps, step], ['gauss_seidel', 3, false, 'baumgarte', 0.35, 2, 1 / 120]);
+  // It is undone without a jump: the scene goes on from where it is.
+  await set('step', '120', 'change');
+  await set('cure', 'soft');
+  await set('frequency', '120');
+  assert.equal((await file(tab)).method.frequency, 120);
+  await set('frequency', '120', 'change');
+  const later = (await moment(tab)).time;
+  await press(tab, '#undo');
+  assert.equal((await file(tab)).method.beta, 0.35);
+  assert.ok((await moment(tab)).time >= later);
   await tab.close();
 });
 
@@ -281,6 +291,39 @@ for (const { name, ...screen } of screens)
       assert.ok(await tab.evaluate(() => document.documentElement.scrollWidth <= document.documentElement.clientWidth));
       await tab.close();
     });
+
+// Fingers on the screen: from where to where each of them goes.
+async function fingers(tab, paths) {
+  const client = await tab.createCDPSession();
+  const at = share => paths.map(([[x0, y0], [x1, y1]], id) => ({ id, x: x0 + share * (x1 - x0), y: y0 + share * (y1 - y0) }));
+  await client.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: at(0) });
+  for (const share of [0.25, 0.5, 0.75, 1]) await client.send('Input.dispatchTouchEvent', { type: 'touchMove', touchPoints: at(share) });
+  await client.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
+  await client.detach();
+}
+
+test('a finger moves a body, and two fingers zoom', { skip }, async () => {
+  const tab = await ready({ hash: '#01_heavy_on_light', ...screens[1] });
+  await tab.evaluate(() => byhandPlayground.pause());
+  await press(tab, '#again');
+  await tab.evaluate(() => byhandPlayground.pause());
+  const stage = await tab.$eval('#stage', element => { const { left, top, width, height } = element.getBoundingClientRect(); return { left, top, width, height }; });
+  // Both boxes are within the picture.
+  for (const corner of [[-0.5, 0], [0.5, 0], [-0.5, 2], [0.5, 2]]) {
+    const [x, y] = await onScreen(tab, corner);
+    assert.ok(x > stage.left && x < stage.left + stage.width && y > stage.top && y < stage.top + stage.height, `${corner}: ${x}, ${y}`);
+  }
+  const a = await onScreen(tab, [0, 1.5]), b = await onScreen(tab, [0.5, 2.5]);
+  await fingers(tab, [[a, b]]);
+  const [x, y] = await place(tab, 2);
+  assert.ok(Math.abs(x - 0.5) < 0.1 && Math.abs(y - 2.5) < 0.1, `${x}, ${y}`);
+  const metre = async () => (await onScreen(tab, [1, 0]))[0] - (await onScreen(tab, [0, 0]))[0], before = await metre();
+  const middle = [stage.left + stage.width / 2, stage.top + stage.height / 2], beside = by => [middle[0] + by, middle[1]];
+  await fingers(tab, [[beside(-40), beside(-80)], [beside(40), beside(80)]]);
+  const after = await metre();
+  assert.ok(Math.abs(after / before - 2) < 0.1, `${after / before}`);
+  await tab.close();
+});
 
 test('a strict content security policy stops nothing of it', { skip }, async () => {
   const server = await serve(site, { 'content-security-policy': "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; worker-src blob:; img-src 'self' data:" });
