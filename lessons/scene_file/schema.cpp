@@ -203,10 +203,8 @@ std::string scene_schema() {
     accuracy.put(name, "largest " + name + " that is accepted", {{"type", "number"}, {"exclusiveMinimum", 0}},
                  unit);
   scene.put("accuracy", "what shall be accurate", accuracy.object());
-  scene.put("contact_margin", "bodies nearer than this get a contact",
-            {{"type", "number"}, {"exclusiveMinimum", 0}, {"default", 0.02}}, "m");
-  scene.put("contact_lookahead", "plus so many steps of their speed",
-            {{"type", "number"}, {"minimum", 0}, {"default", 1}});
+  scene.number(contact_margin, 0);
+  scene.number(contact_lookahead, 0);
   scene.put("contact_rows", "in the plane: one manifold for both points of a face, or a contact for each",
             {{"enum", {"manifold", "points"}}, {"default", "manifold"}});
   scene.put("bodies", "all bodies, numbered from 0",

@@ -261,8 +261,9 @@ std::string text_of_scene(const SceneFile& file, const Scene<M>& scene) {
   }
   if constexpr (M::angular > 0) {
     const Colliders<M>& colliders = scene.colliders();
-    if (colliders.margin != 0.02) put("contact_margin", exact(colliders.margin));
-    if (colliders.lookahead != 1) put("contact_lookahead", exact(colliders.lookahead));
+    if (colliders.margin != *contact_margin.otherwise) put(contact_margin.name, exact(colliders.margin));
+    if (colliders.lookahead != *contact_lookahead.otherwise)
+      put(contact_lookahead.name, exact(colliders.lookahead));
     if (M::linear == 2 && colliders.rows == ContactRows::points) put("contact_rows", quoted("points"));
   }
   std::vector<int> number_of(static_cast<std::size_t>(bodies.size()), -1);
