@@ -20,7 +20,8 @@ inline constexpr double share_of_a_body = 0.1;  // a gap of this share of a body
 
 inline Grade beyond(double number, double limit) { return number > limit ? Grade::fails : Grade::fine; }
 inline Knob turn_to(const std::string& name, double value) {
-  return {name, value, fmt::format("{} = {:.3g}", name, value)};
+  const std::string shown = value >= 1000 ? fmt::format("{:.0f}", value) : fmt::format("{:.3g}", value);
+  return {name, value, name + " = " + shown};
 }
 inline Knob exactly() { return {"solver", 0, "solver = by_graph"}; }
 

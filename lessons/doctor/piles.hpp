@@ -119,8 +119,11 @@ void columns(Notes<M>& notes, const Moment<M>& moment, double pressed) {
       if (!moves(bodies.inverse_mass[first]) || below[at].size() != 1 || moves(bodies.inverse_mass[below[at][0]]))
         continue;
       std::vector<int> column{first};
-      while (above[static_cast<std::size_t>(column.back())].size() == 1 && column.size() <= count)
-        column.push_back(above[static_cast<std::size_t>(column.back())][0]);
+      while (above[static_cast<std::size_t>(column.back())].size() == 1 && column.size() <= count) {
+        const int next = above[static_cast<std::size_t>(column.back())][0];
+        if (below[static_cast<std::size_t>(next)].size() != 1) break;  // it leans on another, too
+        column.push_back(next);
+      }
       if (column.size() < 3 || !above[static_cast<std::size_t>(column.back())].empty()) continue;
       const double height = (bodies.pose[column.back()].position - bodies.pose[first].position).dot(up) /
                             static_cast<double>(column.size() - 1);

@@ -42,10 +42,14 @@ double size_of(const Scene<M>& scene, const std::vector<Velocity<M>>& V) {
 
 /// Leaves only the rows that hold the bodies now: a contact or limit that carries nothing, a motor at its strength
 /// and friction that slides are held where they are. All others get the bias with which V = 0 solves them. Calls
-/// f(row) for each that holds.
+/// f(row) for each that holds. What pushes less than the share `least` of the largest λ counts as nothing.
 template <class M, class F>
-void linearise(System<M>& system, F&& f) {
+void linearise(System<M>& system, double least, F&& f) {
   constexpr double open = 1e9;  // a rate at which no contact closes [m/s]
+  double largest = 0;
+  for (const double one : system.lambda) largest = std::max(largest, std::abs(one));
+  for (double& one : system.lambda)
+    if (std::abs(one) < least * largest) one = 0;
   const std::vector<double> lambda = system.lambda;
   const auto hold = [&](int row) {
     system.bias[row] = -system.gamma[row] * lambda[row];
@@ -91,19 +95,48 @@ struct Slowest {
   double load = 0;             // λ of the moment in that unit
 };
 
-/// Power iteration with the sweep itself: the rows are those that hold now, λ is moved off its place by too little
-/// for any to reach a bound.
+/// Whether a row that holds has come to its bound: then the sweeps are not linear about these λ.
 template <class M>
-Slowest<M> slowest_mode(const Moment<M>& moment, const RowSolver& one_sweep, int sweeps = 60) {
+bool leaves_its_bounds(const System<M>& system, const std::vector<double>& held) {
+  bool left = false;
+  for_each_block(system, [&]<int K, Bound B>(const Block<M, K, B>& block, const Run&) {
+    const int row = block.row;
+    if constexpr (B == Bound::interval) {
+      left = left || (system.lower[row] < system.upper[row] &&
+                      (system.lambda[row] <= system.lower[row] || system.lambda[row] >= system.upper[row]));
+    } else if constexpr (B != Bound::none) {
+      double slip = 0, normal = 0;
+      for (int k = normals<K, B>; k < K; ++k) slip += system.lambda[row + k] * system.lambda[row + k];
+      if constexpr (B == Bound::friction)
+        normal = system.lambda[block.normal_row];
+      else
+        for (int k = 0; k < normals<K, B>; ++k) {
+          normal += system.lambda[row + k];
+          left = left || (held[row + k] > 0 && system.lambda[row + k] <= 0);
+        }
+      left =
+          left || (system.upper[row] > 0 && normal > 0 && std::sqrt(slip) >= 0.9999 * system.upper[row] * normal);
+    }
+  });
+  return left;
+}
+
+/// Power iteration with the sweep itself: the rows are those that hold now, λ is moved off its place by too little
+/// for any to reach a bound. Where one does, rows that push little are left out, and it is tried again.
+template <class M>
+Slowest<M> slowest_mode(const Moment<M>& moment, const RowSolver& one_sweep, double least = 1e-6) {
+  constexpr int sweeps = 60;
   System<M> system = moment.work.system;
   Bodies<M> bodies = moment.scene.bodies();
   for (auto& v : bodies.velocity) v.setZero();
   std::vector<double> off(system.lambda.size(), 0.0);
   std::mt19937 bits(1);
-  linearise(system, [&](int row) { off[row] = 1 + static_cast<double>(bits() % 1000) / 1000; });
+  linearise(system, least, [&](int row) { off[row] = 1 + static_cast<double>(bits() % 1000) / 1000; });
   const std::vector<double> held = system.lambda;
+  apply_all(system, held, bodies.velocity);
+  const double tiny = 1e-8 * size_of(moment.scene, bodies.velocity);  // of what the rows hold [m/s √kg]
+  for (auto& v : bodies.velocity) v.setZero();
   apply_all(system, off, bodies.velocity);
-  constexpr double tiny = 1e-7;  // [m/s √kg]
   const auto rescale = [&](double factor) {
     for (auto& v : bodies.velocity) v *= factor;
     for (std::size_t row = 0; row < held.size(); ++row) {
@@ -114,7 +147,7 @@ Slowest<M> slowest_mode(const Moment<M>& moment, const RowSolver& one_sweep, int
   Slowest<M> result;
   result.rates.assign(held.size(), 0.0);
   double size = size_of(moment.scene, bodies.velocity);
-  if (!(size > 0)) return result;
+  if (!(size > 0) || !(tiny > 0)) return result;
   rescale(tiny / size);
   double log_sum = 0;
   int watched = 0;
@@ -137,6 +170,8 @@ Slowest<M> slowest_mode(const Moment<M>& moment, const RowSolver& one_sweep, int
         }
       },
       one_sweep);
+  if (leaves_its_bounds(system, held))
+    return least < 0.01 ? slowest_mode(moment, one_sweep, 10 * least) : Slowest<M>{};
   if (watched > 0) result.left_by_a_sweep = std::exp(log_sum / watched);
   double own = 0, load = 0;
   for (std::size_t row = 0; row < result.lambda.size(); ++row) {

@@ -31,6 +31,24 @@ void first_step(Notes<M>& notes) {
                   notes.treatment.passes, notes.treatment.passes == 1 ? "" : "s", kick.speed,
                   notes.treatment.warm_start ? "" : " Without a warm start every step does so again."),
               .knobs = {exactly(), notes.more_sweeps(10)}});
+  if (notes.treatment.warm_start) return;
+  const Kick drift = drift_across_gravity(notes.scene, notes.file.method, notes.file.step);
+  if (drift.body < 0) return;
+  const double its_size = notes.sizes[static_cast<std::size_t>(drift.body)],
+               number = drift.speed * notes.file.duration / (its_size > 0 ? its_size : 1);
+  constexpr double limit = 0.5;  // half a body: then it is no longer in its place
+  notes.keep(
+      {.law = 4,
+       .grade = beyond(number, limit),
+       .quantity = "drift by sweeps that begin at λ = 0 [bodies]",
+       .number = number,
+       .limit = limit,
+       .bodies = {drift.body},
+       .sentence = fmt::format(
+           "Sweeps that begin at λ = 0 leave it {:.3g} m/s to one side in every step. No row takes that back: "
+           "over the run it goes {:.3g} of a body.",
+           drift.speed, number),
+       .knobs = {exactly(), notes.more_sweeps(10)}});
 }
 
 /// Law 2: what begins in each other is thrown apart by the correction.
@@ -60,6 +78,53 @@ void overlaps(Notes<M>& notes, const System<M>& system) {
   deepest.knobs = {{"cure", 0, "cure = split_impulse"},
                    turn_to("beta", notes.treatment.beta * limit / deepest.number)};
   notes.keep(deepest);
+}
+
+/// Law 2 of cures that move poses: the bodies are moved apart at once, and what lies upon others is lifted. The
+/// motion is the smallest that obeys all rows, in the metric of the masses.
+template <class M>
+void lifted(Notes<M>& notes, Scene<M> scene, Work<M> work) {
+  if (notes.treatment.adds_velocity || notes.treatment.beta <= 0 || scene.gravity.isZero(0)) return;
+  lay_out(scene, RowSolver(ByGraph{}), work);
+  write_rows(scene, notes.treatment.h, work);
+  System<M>& system = work.system;
+  bool any = false;
+  for_each_block(system, [&]<int K, Bound B>(const Block<M, K, B>& block, const Run& run) {
+    if constexpr (B == Bound::friction || B == Bound::manifold) system.upper[block.row] = 0;
+    for (int k = 0; k < run.position_rows; ++k) {
+      double& bias = system.bias[block.row + k];
+      bias = 0;
+      if (!one_sided(system, block, k)) continue;
+      const double overlap = -system.C[block.row + k] - notes.treatment.slop;
+      bias = -overlap;
+      any = any || overlap > 0;
+    }
+  });
+  if (!any) return;
+  Bodies<M> bodies = scene.bodies();
+  for (auto& v : bodies.velocity) v.setZero();
+  solve_rows<M>(RowSolver(ByGraph{}), bodies, work);
+  double rise = 0, weight = 0, smallest = INFINITY, highest = 0;
+  Finding finding{.law = 2, .quantity = "rise by overlaps [bodies]", .limit = 0.25};
+  for (int i = 0; i < bodies.size(); ++i) {
+    if (!moves(bodies.inverse_mass[i])) continue;
+    const double up = -bodies.velocity[i].template head<M::linear>().dot(scene.gravity);  // [m · m/s²]
+    rise += up / bodies.inverse_mass[i].linear;
+    weight += scene.gravity.norm() / bodies.inverse_mass[i].linear;
+    if (const double size = notes.sizes[static_cast<std::size_t>(i)]; size > 0)
+      smallest = std::min(smallest, size);
+    if (up > highest) highest = up, finding.bodies = {i};
+  }
+  if (!(rise > 0) || std::isinf(smallest)) return;
+  finding.number = rise / weight / smallest;
+  finding.grade = beyond(finding.number, finding.limit);
+  finding.sentence = fmt::format(
+      "Bodies begin in each other. The cure moves them apart without a velocity, but what lies above is lifted: "
+      "{:.3g} "
+      "J from nowhere.",
+      rise);
+  finding.knobs = {{"bodies", 0, "bodies that do not overlap"}, turn_to("beta", 0)};
+  notes.keep(finding);
 }
 
 /// Two stops of one freedom, of which no motion reaches both sides.

@@ -207,6 +207,8 @@ struct Table {
     fmt::print("{} | says {:2} | {} | cured {} |{}\n", row, diagnosis.law(), ending.fails ? ending.how : "holds",
                holds, all);
   }
+  /// On how many it was right that they hold or fail.
+  int verdicts() const { return scenes - false_alarms - (failing - announced); }
   void print() const {
     fmt::print(
         "{} scenes, {} in space: {} right; {} fail, {} of them announced; {} false alarms; as prescribed {} "
@@ -238,13 +240,11 @@ TEST(Doctor, SaysWhatThenHappensToRandomScenes) {
   EXPECT_GE(table.announced, 0.95 * table.failing);
 }
 
-// Written as the sample folders of engines are, with methods as engines ship them, after the doctor was. It is
-// less sure of them than of random scenes: of those that it announces, what holds are straight bridges, whose
-// exact motion pulls without end (law 7), and impacts (laws 4 and 9). The numbers are what it reached, to be
-// beaten.
-TEST(Doctor, SaysWhatThenHappensToScenesOfSampleFolders) {
+/// Of the scenes in a folder below this one.
+Table table_of(const std::string& folder) {
   std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(BYHAND_SAMPLES)) files.push_back(entry.path());
+  for (const auto& entry : std::filesystem::directory_iterator(std::string(BYHAND_SAMPLES) + "/" + folder))
+    files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   const bool printed = std::getenv("BYHAND_DOCTOR") != nullptr;
   Table table;
@@ -256,10 +256,23 @@ TEST(Doctor, SaysWhatThenHappensToScenesOfSampleFolders) {
     table.add(file, printed ? fmt::format("{:34} {}", path.stem().string(), method_of(file)) : "");
   }
   table.print();
+  return table;
+}
+
+// Written as the sample folders of engines are, with methods as engines ship them.
+TEST(Doctor, SaysWhatThenHappensToScenesOfSampleFolders) {
+  const Table table = table_of("samples");
   EXPECT_GE(table.scenes, 40);
-  EXPECT_GE(table.right, 33);
-  EXPECT_GE(table.announced, 21);
-  EXPECT_LE(table.false_alarms, 11);
+  EXPECT_GE(table.verdicts(), 0.9 * table.scenes);
+  EXPECT_GE(table.announced, 0.95 * table.failing);
+}
+// Written beforehand and not looked at while the doctor was mended: it is less sure of them. The numbers are what
+// it reached (32 verdicts of 42, 11 of 16 that fail), less a few for what a better contact search may change.
+TEST(Doctor, SaysWhatThenHappensToScenesHeldOut) {
+  const Table table = table_of("held_out");
+  EXPECT_GE(table.scenes, 40);
+  EXPECT_GE(table.verdicts(), 30);
+  EXPECT_GE(table.announced, 10);
 }
 
 }  // namespace
