@@ -157,6 +157,9 @@ void overshoots(const Setting& setting, Page& page) {
       with it what a warm start is for. It is better to keep corrections out of λ: correct positions separately
       (split impulse, projection) or relax soft constraints (lesson 6). A direct solve has q = 0, so its limit is
       2.)");
+  page.text(
+      R"(From the casebook: a warm start that goes unstable, `./lessons/run case 8`; a correction that feeds energy,
+      `./lessons/run case 9`.)");
 
   claim_agreement(page, agreed, 0.15, "law of warm starts with Baumgarte", setting.resolution);
   page.claim(say("β from which @ links ring, by bisection", links), here, "1",

@@ -155,6 +155,10 @@ void too_few_iterations(const Setting& setting, Page& page) {
       above has moved.)",
       Value(cut / whole, 2), stacks.failed(1) ? "still falls" : "stands",
       stacks.last(2) < 1e-11 ? "less than 10⁻¹¹" : course::number(stacks.last(2), 2));
+  page.text(
+      R"(Users of engines met this family, and the casebook predicts what they saw: a heavy box that sinks through a
+      light one, `./lessons/run case 1`; a box at rest that walks, `./lessons/run case 4`; a stack that falls after
+      some seconds, `./lessons/run case 5`; a box that bounces to one side, `./lessons/run case 6`.)");
 
   claim_agreement(page, agreed, 0.15, "law of creep", setting.resolution);
   const Condition in_reach = within(1.5, Quantity("0.763 gh²N³/a", law), 40);

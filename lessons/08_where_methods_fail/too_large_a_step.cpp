@@ -149,6 +149,9 @@ void too_large_a_step(const Setting& setting, Page& page) {
       R"(**Which knob?** A shorter step, most cheaply by substeps: 4 of them bear about @ kg. Heavier or longer links
       help as well. More sweeps, a smaller β or another solver of the same rows do not.)",
       Value(heaviest_at(4 * rate), 3));
+  page.text(
+      R"(From the casebook, what the step does although each is solved exactly: a pendulum that loses energy,
+      `./lessons/run case 7`; corrections of positions that lose spin, `./lessons/run case 10`.)");
 
   claim_agreement(page, agreed, 0.15, "law of transverse instability", setting.resolution);
   for (const double hz : {rate, 2 * rate})

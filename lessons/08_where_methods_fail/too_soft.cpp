@@ -144,6 +144,10 @@ void too_soft(const Setting& setting, Page& page) {
       R"(**Which knob?** Stiffness, or fewer boxes. Engines limit the frequency of a contact to a share of the rate of
       their steps (Box2D 3.2: an eighth); so their substeps help after all, where they allow stiffer contacts. Hard contacts
       do not buckle; they have the limit of the first family only.)");
+  page.text(
+      R"(From the casebook, rows that are softer than their users thought: joints that do not stiffen,
+      `./lessons/run case 2`; friction that cannot hold, `./lessons/run case 3`; a contact that sinks when it is told to
+      be stiff, `./lessons/run case 12`.)");
 
   claim_agreement(page, agreed, 0.15, "law of buckling", setting.resolution);
   const Condition in_reach = within(8, Quantity("boxes", highest), 30);

@@ -195,6 +195,7 @@ void wrong_rows(const Setting& setting, Page& page) {
       R"(**Which knob?** Neither sweeps nor the step. *Regularise*: give the rows a softness, or add a share of the
       diagonal in a direct solve. *Reorder*: solve normals before the friction that they bound. *Refresh*: write J
       again if bodies have moved between two solves. And if you can, remove a row that repeats another.)");
+  page.text("From the casebook: a joint that works with a stale J, `./lessons/run case 11`.");
 
   page.claim("share of ended runs that end as the law says", runs > 0 ? static_cast<double>(right) / runs : 0, "1",
              is_at_least(0.95, "law of conflicting rows"), Quantity("resolution", setting.resolution) >= 10);

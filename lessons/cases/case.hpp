@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,6 +23,13 @@ struct Number {
   double within = 0.1;    // share by which they may differ; of closed forms 1e-6
 };
 
+/// What engines are asked about a case's scene, where they have all that is in it.
+struct Question {
+  std::string what, unit;
+  double seconds = 1;  // of their run
+  std::function<double(const Scene<PlaneBody>&)> read;
+};
+
 struct Case {
   std::string title = {};
   std::string report = {};  // in one sentence, in our words
@@ -30,6 +38,7 @@ struct Case {
   std::string why = {};           // what the equations say of it, in words
   course::Formula equation = {};  // the prediction
   std::function<std::vector<Number>(const SceneFile&)> numbers = {};
+  std::optional<Question> engines = {};
   std::string cure = {};
   std::function<SceneFile(SceneFile)> cured = {};  // the scene with the cure
   std::function<std::vector<Number>(const SceneFile&)> numbers_cured = {};

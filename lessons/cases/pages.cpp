@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "lessons/doctor/doctor.hpp"
+#include "lessons/engines/contest.hpp"
 #include "lessons/stage/looks.hpp"
 #include "lessons/stage/watched.hpp"
 
@@ -34,6 +35,23 @@ void film(Page& page, const std::string& name, const SceneFile& file,
 double row_solves_a_step(const stage::Watched& run) {
   return static_cast<double>(run.effort.row_solves + run.effort.executed.projected_rows) /
          std::max(1.0, static_cast<double>(run.effort.steps));
+}
+
+/// The case's question to each engine that this program was built with, as it is shipped.
+void ask_engines(Page& page, const Question& question, const SceneFile& file) {
+  const auto& scene = std::get<Scene<PlaneBody>>(file.scene);
+  std::vector<std::vector<std::string>> rows;
+  for (const engines::Engine& engine : engines::all_engines()) {
+    if (!engine.in_plane || !refusal(engine, scene).empty()) continue;
+    double found = 0;
+    engines::run<PlaneBody>(engines::contestant<PlaneBody>(engine, engine.settings.contacts.front()), scene,
+                            static_cast<int>(std::lround(question.seconds / engines::frame)),
+                            [&](const Scene<PlaneBody>& seen, double) { found = question.read(seen); });
+    rows.push_back({engine.name, engine.version, course::number(found, 3)});
+  }
+  if (rows.empty()) return;
+  page.text("The same scene in other engines, as each is shipped:");
+  page.table({"engine", "version", fmt::format("{} ({})", question.what, question.unit)}, rows);
 }
 
 /// What both runs of a case share between its steps.
@@ -80,6 +98,7 @@ course::Lesson page_of(const Folder& folder) {
     film(page, "as_reported", known->file, known->run);
     page.text("Each line is predicted from the equations before the run.");
     show(page, known->told.numbers(known->file));
+    if (known->told.engines) ask_engines(page, *known->told.engines, known->file);
     const doctor::Diagnosis diagnosis = doctor::diagnose(known->file);
     if (diagnosis.law() > 0) page.text("The doctor says before the run: @", diagnosis.findings.front().sentence);
   });

@@ -63,18 +63,22 @@ class Drawer {
 
 }  // namespace
 
-std::vector<RecordedStep> write_page(const Lesson& lesson, const fs::path& folder, bool quiet) {
-  const std::string& slug = lesson.about().slug;
-  const Drawer drawer(folder, slug);
-  std::vector<RecordedStep> steps;
-  std::vector<std::string> sections;
+Told told(const Lesson& lesson, const fs::path& folder, bool quiet) {
+  const Drawer drawer(folder, lesson.about().slug);
+  Told all;
   for (const Step& step : lesson.steps()) {
     forget_reads(lesson);
-    steps.push_back(record_step(lesson, step, quiet));
-    sections.push_back(step_html(steps.back(), {.figure = drawer, .film = drawer}));
-    steps.back().reads = reads(lesson);
+    all.steps.push_back(record_step(lesson, step, quiet));
+    all.sections.push_back(step_html(all.steps.back(), {.figure = drawer, .film = drawer}));
+    all.steps.back().reads = reads(lesson);
   }
-  validate(steps);
+  validate(all.steps);
+  return all;
+}
+
+std::vector<RecordedStep> write_page(const Lesson& lesson, const fs::path& folder, bool quiet) {
+  const std::string& slug = lesson.about().slug;
+  auto [steps, sections] = told(lesson, folder, quiet);
   const bool live = fs::exists(folder / "live" / (slug + ".js"));
   std::string all;
   for (std::size_t i = 0; i < steps.size(); ++i) {

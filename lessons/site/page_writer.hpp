@@ -1,11 +1,21 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "lessons/page/recording.hpp"
 
 namespace byhand::site {
+
+/// The steps of a told lesson, each as HTML (see step_html).
+struct Told {
+  std::vector<course::RecordedStep> steps;
+  std::vector<std::string> sections;
+};
+
+/// Runs the whole lesson; the data of its charts go into slug/data in the folder of the site.
+Told told(const course::Lesson& lesson, const std::filesystem::path& folder, bool quiet);
 
 /// Runs the whole lesson and writes its page, NN_slug.html, into the folder of the site, with the data of its
 /// charts in NN_slug/data and its digest for the site's other pages in NN_slug.json. Returns what was recorded.

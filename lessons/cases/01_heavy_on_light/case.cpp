@@ -50,6 +50,8 @@ Case make() {
                                             sunk(m, r, g, sweeps, h, steps), found, "(17) for two rows", 1e-6},
                                            {"the same by the slow mode alone", "m", fallen, found, "law 4", 0.1}};
               },
+          .engines = Question{"how far the heavy box has sunk after 0.2 s", "m", 0.2,
+                              [](const Scene<M>& scene) { return 1.5 - scene.bodies().pose[2].position.y(); }},
           .cure =
               "Solve the rows exactly: a column is a tree, which a direct solve with an active set takes in one "
               "pass. A warm start alone does not do it: by law 9 it limits the ratio, too.",

@@ -49,6 +49,8 @@ Case make() {
                                        {"spin, the right corner first", "rad/s", spin_by_hand(3, 0.5, false),
                                         spin_of(reversed), "(17), two rows", 1e-6}};
           },
+      .engines = Question{"spin after the bounce", "rad/s", 0.1,
+                          [](const Scene<M>& scene) { return scene.bodies().velocity[1][2]; }},
       .cure = "Solve both corners as one block, or sweep until nothing changes: then the box goes up straight.",
       .cured =
           [](SceneFile file) {

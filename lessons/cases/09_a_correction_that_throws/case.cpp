@@ -28,6 +28,8 @@ Case make() {
                 return std::vector<Number>{{"speed after the first step", "m/s", beta * depth / file.step,
                                             speed_after_a_step(file), "(22)", 1e-6}};
               },
+          .engines = Question{"height of the box's middle after 0.25 s", "m", 0.25,
+                              [](const Scene<M>& scene) { return scene.bodies().pose[1].position.y(); }},
           .cure =
               "Split impulse: the correction moves the poses by a velocity of its own, which is forgotten. A cap "
               "on the bias makes the jump lower; soft rows relax it away in the same step.",

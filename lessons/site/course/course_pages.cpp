@@ -90,6 +90,8 @@ std::string contents_page(const std::vector<Digest>& lessons, const Cover& cover
     links += fmt::format("<li><a href=\"{}\">{}</a>{}</li>\n", escaped(to), words, what);
   };
   link("playground.html", "The playground", ": build a scene, throw it, and see which law breaks it");
+  if (cover.cases)
+    link("cases.html", "The casebook", ": reports of engines' users, predicted from the equations, run and cured");
   if (cover.desk)
     link("desk.html", "The derivation desk", ": derive a constraint yourself, and be told which line is wrong");
   if (cover.exercises)

@@ -16,6 +16,7 @@ struct Cover {
   CoverScene scene = {};
   bool desk = false;            // the site has the derivation desk
   bool exercises = false;       // the site has the exercises
+  bool cases = false;           // the site has the casebook
   std::string repository = {};  // its address; empty where nobody gave it
 };
 

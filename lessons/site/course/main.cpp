@@ -111,6 +111,17 @@ site::Digest write_lesson(const std::string& slug, const fs::path& folder, const
   return site::digest_from_json(*text);
 }
 
+/// The casebook, a page for each case. False where its program does not stand beside this one.
+bool write_cases(const fs::path& folder, bool quiet) {
+  const fs::path program = fs::read_symlink("/proc/self/exe").parent_path() / "page_cases";
+  if (!fs::exists(program)) return false;
+  std::vector<std::string> arguments{folder.string()};
+  if (quiet) arguments.emplace_back("--quiet");
+  const course::Ended ended = course::run_program(program.string(), arguments, course::Group::ours);
+  if (!ended.well()) throw Failed(fmt::format("page_cases ended with status {}", ended.status), ended);
+  return true;
+}
+
 void copy_assets(const fs::path& folder) {
   const fs::path assets = fs::path(BYHAND_SITE_FOLDER) / "assets";
   if (!fs::is_directory(assets))
@@ -172,6 +183,7 @@ int run(const Wanted& wanted) {
   const std::vector<course::About> contents = chosen(wanted.lessons);
   if (wanted.lessons.empty()) build("pages");
   for (const std::string& lesson : wanted.lessons) build("page_" + lesson);
+  if (!wanted.lessons.empty()) build("page_cases");
   const bool live = write_live(folder.path(), wanted.lessons);
   std::vector<site::Digest> lessons;
   for (const course::About& lesson : contents) {
@@ -181,13 +193,14 @@ int run(const Wanted& wanted) {
   const auto write = [&](const char* name, const std::string& bytes) {
     course::write_whole(folder.path() / name, bytes);
   };
+  const bool cases = write_cases(folder.path(), wanted.quiet);
   copy_assets(folder.path());
   const bool desk = fs::exists(folder.path() / "live" / "desk.js");
   const bool exercises = wanted.exercises && write_exercises(folder.path());
   if (const fs::path page = folder.path() / "03_iterations.html"; exercises && fs::exists(page))
     make_excerpts_live(page);
   write("index.html",
-        site::contents_page(lessons, {site::cover_scene(folder.path()), desk, exercises, wanted.repository}));
+        site::contents_page(lessons, {site::cover_scene(folder.path()), desk, exercises, cases, wanted.repository}));
   if (desk) write("desk.html", site::desk_page(desk::read_tasks(fs::path(BYHAND_SITE_FOLDER) / "../desk/tasks")));
   write("playground.html", site::playground_page(fs::exists(folder.path() / "live" / "playground.js")));
   write("equations.html", site::equations_page());

@@ -135,15 +135,20 @@
 
   // ---- One step of the page.
 
-  // A task of the derivation desk opens its page, which stands beside every live lesson.
-  function linkTheDesk(node) {
-    for (const code of node.querySelectorAll('code')) {
-      const task = /^\.\/lessons\/run desk --task (\d+)$/.exec(code.textContent);
-      if (!task || code.closest('a')) continue;
-      const link = make('a', { className: 'desk', href: `desk.html#task-${task[1]}` });
-      code.replaceWith(link);
-      link.append(code);
-    }
+  // A task of the derivation desk opens its page, a case its own; both stand beside every live lesson.
+  const pages = [
+    { kind: 'desk', command: /^\.\/lessons\/run desk --task (\d+)$/, page: number => `desk.html#task-${number}` },
+    { kind: 'case', command: /^\.\/lessons\/run case (\d+)$/, page: number => `case_${number.padStart(2, '0')}.html` },
+  ];
+  function linkPages(node) {
+    for (const code of node.querySelectorAll('code'))
+      for (const { kind, command, page } of pages) {
+        const called = command.exec(code.textContent);
+        if (!called || code.closest('a')) continue;
+        const link = make('a', { className: kind, href: page(called[1]) });
+        code.replaceWith(link);
+        link.append(code);
+      }
   }
 
   // What must differ for a child to count as changed: not its picture, nor what this script added.
@@ -151,7 +156,7 @@
     const copy = node.cloneNode(true);
     copy.querySelectorAll('.picture, .files, .reply').forEach(part => part.replaceChildren());
     copy.querySelectorAll('.controls, .versus').forEach(part => part.remove());
-    copy.querySelectorAll('a.desk').forEach(link => link.replaceWith(...link.childNodes));
+    copy.querySelectorAll('a.desk, a.case').forEach(link => link.replaceWith(...link.childNodes));
     copy.querySelectorAll('details').forEach(part => part.removeAttribute('open'));
     copy.querySelectorAll('[tabindex]').forEach(part => part.removeAttribute('tabindex'));
     copy.querySelectorAll('.picture').forEach(({ dataset }) => { delete dataset.placed; delete dataset.more; });
@@ -331,7 +336,7 @@
       if (old) old.replaceWith(next);
       before.after(next);
       if (next.dataset.film) this.adopt(next);
-      linkTheDesk(next);
+      linkPages(next);
       for (const box of next.querySelectorAll('.formula, .scroll, .picture, pre'))  // as in site.js
         if (box.scrollWidth > box.clientWidth + 1) box.tabIndex = 0;
       this.mark(next);
@@ -346,7 +351,7 @@
       this.draw(old, there.innerHTML);
       old.querySelector('figcaption').replaceWith(next.querySelector('figcaption'));
       if (before.nextElementSibling !== old) before.after(old);
-      linkTheDesk(old);
+      linkPages(old);
       this.mark(old);
       return old;
     }
@@ -772,7 +777,7 @@
     await takeAddress();
     const { steps: reads } = JSON.parse(document.getElementById('parameters').textContent);
     steps = [...article.querySelectorAll('section[data-step]')].map(section => new Step(section, reads));
-    linkTheDesk(article);
+    linkPages(article);
     steps.forEach(step => step.offerOthers());
     if (settings.size || versus) document.getElementById(readAddress(location.hash).place)?.scrollIntoView();
     document.documentElement.classList.add('live');

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
 #include <set>
+#include <sstream>
 
 #include "lessons/cases/case.hpp"
 #include "lessons/doctor/doctor.hpp"
@@ -51,14 +54,25 @@ TEST_P(Casebook, IsFoundByTheDoctorAndNotOnceItIsCured) {
   EXPECT_LT(cured, 0.5 * reported);
   EXPECT_LT(cured, 1);
 }
+TEST_P(Casebook, IsNamedByAStepOfLessonEight) {
+  const std::string command = "`./lessons/run case " + std::to_string(std::stoi(folder().slug)) + "`";
+  bool named = false;
+  for (const auto& entry : std::filesystem::directory_iterator(BYHAND_LESSON_8)) {
+    std::ifstream stream(entry.path());
+    std::ostringstream text;
+    text << stream.rdbuf();
+    named = named || text.str().find(command) != std::string::npos;
+  }
+  EXPECT_TRUE(named) << command;
+}
 INSTANTIATE_TEST_SUITE_P(All, Casebook, testing::Range(0, static_cast<int>(all().size())),
                          [](const auto& one) { return all()[static_cast<std::size_t>(one.param)].slug; });
 
-TEST(CasesInAll, AreAtLeastEightWithNumbersOfTheirOwn) {
+TEST(CasesInAll, AreAtLeastTwelveWithNumbersOfTheirOwn) {
   std::set<std::string> numbers;
   for (const Folder& folder : all()) numbers.insert(folder.slug.substr(0, 2));
   EXPECT_EQ(numbers.size(), all().size());
-  EXPECT_GE(all().size(), 8U);
+  EXPECT_GE(all().size(), 12U);
 }
 
 }  // namespace
