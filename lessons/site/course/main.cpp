@@ -199,8 +199,8 @@ int run(const Wanted& wanted) {
   const bool exercises = wanted.exercises && write_exercises(folder.path());
   if (const fs::path page = folder.path() / "03_iterations.html"; exercises && fs::exists(page))
     make_excerpts_live(page);
-  write("index.html",
-        site::contents_page(lessons, {site::cover_scene(folder.path()), desk, exercises, cases, wanted.repository}));
+  write("index.html", site::contents_page(
+                          lessons, {site::cover_scene(folder.path()), desk, exercises, cases, wanted.repository}));
   if (desk) write("desk.html", site::desk_page(desk::read_tasks(fs::path(BYHAND_SITE_FOLDER) / "../desk/tasks")));
   write("playground.html", site::playground_page(fs::exists(folder.path() / "live" / "playground.js")));
   write("equations.html", site::equations_page());
