@@ -27,6 +27,10 @@ for (const page of pages.filter(page => /^\d\d_/.test(page) && !lessons.includes
     await tab.close();
   });
 
+// The maps of lesson 1 and the bitmaps of lesson 7 made pages of a megabyte.
+for (const lesson of lessons.filter(name => /^0[1-478]/.test(name)))
+  test(`${lesson}.html is at most 400 KB`, () => assert.ok(statSync(join(site, `${lesson}.html`)).size <= 400e3));
+
 test('the whole site is at most 16 MB without what a teacher downloads', { skip: quick && 'only of the whole course' }, context => {
   const size = path => statSync(path).isDirectory()
     ? readdirSync(path).reduce((sum, name) => sum + size(join(path, name)), 0) : statSync(path).size;
