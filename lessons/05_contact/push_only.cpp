@@ -1,5 +1,7 @@
 // Step 1: an inequality, and what has to be kept at zero or above.
 
+#include "lessons/05_contact/plain_clamp.hpp"
+#include "lessons/05_contact/plain_figure.hpp"
 #include "lessons/05_contact/standing_box.hpp"
 #include "lessons/05_contact/steps.hpp"
 #include "lessons/pictures/boxes.hpp"
@@ -227,7 +229,15 @@ void push_only(const Setting& setting, Page& page) {
                1 - s);
   page.text(
       R"(So **the sum is clamped**. A row may take back what it gave, down to zero; a later change may pull, as long
-      as the sum of all pushes. Every bound is an interval for the sum λ: a contact has the interval from 0 to ∞, a
+      as the sum of all pushes. For one row at rest, in the plainest code:)");
+  page.excerpt("lessons/05_contact/plain_clamp.cpp", "clamp");
+  page.figure(
+      "plain_clamp",
+      R"(λ of the two rows of a box of ½ × 1 m, sweep by sweep in units of mgh, by these two lines: the first
+              row takes back what it gave too much.)",
+      chart_of(plain_change));
+  page.text(
+      R"(Every bound is an interval for the sum λ: a contact has the interval from 0 to ∞, a
       rod from −∞ to ∞, and friction has one that moves:)");
   page.excerpt("lessons/05_contact/on_a_corner.hpp", "bounded");
 
@@ -239,6 +249,14 @@ void push_only(const Setting& setting, Page& page) {
              is(0, "A₁₂ < 0: no change is ever negative", absolute(1e-9)));
   page.claim("speed after one step, the sum clamped", speed_after_a_step(setting, width, Clamp::sum), "gh",
              is(0, "it stands", absolute(1e-9)));
+  const auto solver = StandingBox(width, mass, h, shown_sweeps, Clamp::sum).step();
+  const auto plain = plain_sweeps(plain_change, s, shown_sweeps);
+  double apart = 0;
+  for (std::size_t i = 0; i < plain.size(); ++i)
+    for (std::size_t row = 0; row < 2; ++row)
+      apart = std::max(apart, std::abs(solver[i][row] / weight - plain[i][row]));
+  page.claim(say("λ of @ by the two lines against the solver", several(shown_sweeps, "sweep")), apart, "mgh",
+             is_at_most(1e-9, "the same arithmetic: rounding"));
 }
 
 }  // namespace byhand::contact

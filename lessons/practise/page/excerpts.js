@@ -1,7 +1,12 @@
 'use strict';
 // Excerpts of a lesson that its reader may change: the lesson's figure is drawn with the reader's beside its own.
 
-const excerpts = [{ name: 'sweep', file: 'lessons/03_iterations/plain_sweep.cpp', figure: 'plain_sweep' }];
+const excerpts = [
+  { name: 'step', file: 'lessons/02_single_constraint/plain_step.cpp', figure: 'plain_step' },
+  { name: 'sweep', file: 'lessons/03_iterations/plain_sweep.cpp', figure: 'plain_sweep' },
+  { name: 'bias', file: 'lessons/04_baumgarte/plain_bias.cpp', figure: 'plain_bias' },
+  { name: 'clamp', file: 'lessons/05_contact/plain_clamp.cpp', figure: 'plain_clamp' },
+];
 
 const element = (name, properties = {}, ...inside) => {
   const made = Object.assign(document.createElement(name), properties);
