@@ -190,25 +190,27 @@ double difference(const Frame& one, const Frame& other, const Numbers& sizes) {
   return most;
 }
 
-/// Each frame may differ by a millionth, and by a hundred times what changes if each number that the code returns
-/// changes by 1e-13 of itself.
-std::vector<double> film_tolerance(const Exercise& exercise, const Code& solution, const Film& film) {
+}  // namespace
+
+std::vector<double> film_tolerance(const Exercise& exercise, const Code& code, const Film& film) {
   const Numbers size = sizes(film);
   std::vector<double> tolerance(film.frames.size(), 1e-6);
   for (std::uint64_t shake = 1; shake <= 4; ++shake) {
     std::mt19937_64 random(shake);
     Film shaken;
     exercise.film(shaken, [&](std::size_t which, const Numbers& arguments) {
-      Numbers answered = solution(which, arguments);
+      Numbers answered = code(which, arguments);
       for (double& value : answered)
         value *= 1 + 1e-13 * (2 * (static_cast<double>(random() >> 11) * 0x1p-53) - 1);
       return answered;
     });
-    for (std::size_t i = 0; i < film.frames.size(); ++i)
+    for (std::size_t i = 0; i < std::min(film.frames.size(), shaken.frames.size()); ++i)
       tolerance[i] = std::max(tolerance[i], 100 * difference(shaken.frames[i], film.frames[i], size));
   }
   return tolerance;
 }
+
+namespace {
 
 /// The laws of an exercise without answers leave several codes right, so that only where the film ends counts:
 /// within a hundredth.

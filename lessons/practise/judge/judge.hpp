@@ -61,4 +61,8 @@ bool same_answers(const Sheet& one, const Sheet& other);
 /// number changes by 1e-13 of itself, but at least 1e-12 of the largest value.
 std::vector<Numbers> tolerance(const Exercise& exercise, const Code& solution, std::uint64_t seed, int index);
 
+/// How far each frame of the film that this code made may differ, as a share of each number's largest value: by a
+/// millionth, and by a hundred times what changes if each number that the code returns changes by 1e-13 of itself.
+std::vector<double> film_tolerance(const Exercise& exercise, const Code& code, const Film& film);
+
 }  // namespace byhand::practise

@@ -25,7 +25,7 @@ const learners = `-ferror-limit 3 -fno-finite-loops -fsanitize-coverage-type=3 -
 const words = text => text.split(/\s+/);
 
 // An excerpt of a lesson stands in its namespace, and its lines are numbered as they are shown.
-const spaces = { sweep: 'byhand::iterations' };
+const spaces = { step: 'byhand::single_constraint', sweep: 'byhand::iterations', bias: 'byhand::baumgarte', clamp: 'byhand::contact' };
 const placed = (name, text) => spaces[name] ? `namespace ${spaces[name]} {\n#line 1\n${text}\n}\n` : text;
 
 // The learner's `file` of exercise `name`.

@@ -5,27 +5,36 @@
 //                                              and, of right code, "solution" and "derivation"
 //     {"ask": "refused", "exercise": "08_bias", "said": …, "text": …, "by": "clang" or "lld"}    the same
 //     {"ask": "excerpt", "exercise": "sweep", "said": …}
-//                                              {"kind", "sentence", "details", "printed", "line", "svg"}: what
-//                                              lesson 3 draws with its plain sweep, beside the reader's
+//                                              {"kind", "sentence", "details", "printed", "line", "svg"}: what a
+//                                              lesson draws with its plain function, beside the reader's
+//     {"ask": "masked", "exercise": "08_bias"} {"code", "test"}: a wrong code, and a test that it passes
+//     {"ask": "unmask", "exercise": "08_bias", "numbers": "h=0.5"}    {"unmasked", "report"}
 //     {"ask": "picture", "index": 12}          {"svg"}: the code that was judged last beside the right one
 //     {"ask": "given", "exercise": "08_bias", "seed": 7}     numbers of all probes, which tests compare
+//     {"ask": "film"}                          numbers of each frame of the code that was judged last, likewise
 //
 // The learner's functions are in another module with a memory of its own; the worker copies numbers between them.
 
 #include <array>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <regex>
 #include <stdexcept>
 #include <string>
 
+#include "lessons/02_single_constraint/plain_figure.hpp"
+#include "lessons/02_single_constraint/plain_step.hpp"
 #include "lessons/03_iterations/plain_figure.hpp"
+#include "lessons/03_iterations/plain_sweep.hpp"
+#include "lessons/04_baumgarte/plain_bias.hpp"
+#include "lessons/04_baumgarte/plain_figure.hpp"
+#include "lessons/05_contact/plain_clamp.hpp"
+#include "lessons/05_contact/plain_figure.hpp"
 #include "lessons/page/answered.hpp"
-#include "lessons/practise/excerpts/sweep.hpp"
 #include "lessons/practise/judge/comparison.hpp"
 #include "lessons/practise/judge/compiled.hpp"
 #include "lessons/practise/judge/judge.hpp"
 #include "lessons/practise/judge/stopped.hpp"
+#include "lessons/practise/judge/unmask.hpp"
 #include "renderer/svg_canvas.hpp"
 
 #define PAGE(name) extern "C" __attribute__((import_module("page"), import_name(#name)))
@@ -56,11 +65,10 @@ std::string printed() {
 /// Of a program that called abort(): what an assertion, its own or the library's, printed before.
 std::string aborted(double line) {
   const std::string text = printed();
-  std::smatch found;
-  if (std::regex_search(text, found, std::regex("Assertion failed: (.*) \\([^()]*\\(?[^()]*\\)?[^()]*\\)")))
-    return fmt::format("Your assertion `{}' failed{}.", found[1].str(), in_line(line));
-  if (std::regex_search(text, found, std::regex("assertion .* failed: (.*)")))
-    return fmt::format("Your code crashed{}: {}.", in_line(line), found[1].str());
+  if (const std::string own = rest_of_line(text, "Assertion failed: "); !own.empty())
+    return fmt::format("Your assertion `{}' failed{}.", own.substr(0, own.rfind(" (")), in_line(line));
+  if (const std::string library = rest_of_line(text, " failed: "); !library.empty())
+    return fmt::format("Your code crashed{}: {}.", in_line(line), library);
   return fmt::format("Your code called abort(){}.", in_line(line));
 }
 
@@ -174,22 +182,32 @@ Json refused(const std::string& exercise, const Json& request) {
   return told(verdict);
 }
 
+/// What a lesson draws with its plain function, beside the reader's.
+template <auto ours, auto chart_beside_ours>
+byhand::renderer::Chart beside(const Code& readers) {
+  return chart_beside_ours(Function<decltype(ours)>(readers, 0));
+}
+const std::map<std::string, byhand::renderer::Chart (*)(const Code&)> excerpts = {
+    {"step", beside<&byhand::single_constraint::plain_step, &byhand::single_constraint::chart_beside_ours>},
+    {"sweep", beside<&byhand::iterations::plain_sweep, &byhand::iterations::chart_beside_ours>},
+    {"bias", beside<&byhand::baumgarte::plain_bias, &byhand::baumgarte::chart_beside_ours>},
+    {"clamp", beside<&byhand::contact::plain_change, &byhand::contact::chart_beside_ours>}};
+
 /// An excerpt is not judged: what it does is drawn.
-Json drawn(const std::string& said) {
+Json drawn(const std::string& name, const std::string& said) {
   Verdict verdict;
   Json svg;
   try {
-    const Code code = call;
-    const auto [sweep] = Functions<decltype(std::make_tuple(FUNCTIONS))>::of(code);
+    const byhand::renderer::Chart chart = excerpts.at(name)(call);
     byhand::renderer::SvgCanvas canvas(1280, "excerpt");
-    byhand::renderer::draw(canvas, byhand::iterations::chart_beside_ours(sweep), canvas.page().inset(20));
-    svg = canvas.svg("Your sweep beside the lesson's");
+    byhand::renderer::draw(canvas, chart, canvas.page().inset(20));
+    svg = canvas.svg("Yours beside the lesson's");
   } catch (const Stopped& stopped) {
     verdict.kind = Verdict::Kind::stopped;
     verdict.sentence = stopped.sentence;
   }
   verdict.printed = printed();
-  finish(verdict, Messages(said, file_of("sweep")).warnings);
+  finish(verdict, Messages(said, file_of(name)).warnings);
   Json answer = told(verdict);
   if (!svg.is_null()) answer["svg"] = svg;
   return answer;
@@ -199,6 +217,22 @@ Json picture(int index) {
   byhand::renderer::SvgCanvas canvas(1280, "judged");
   draw(canvas, yours, right, index);
   return {{"svg", canvas.svg("Your code beside the right one")}};
+}
+
+Json unmasked(const Exercise& exercise, const std::string& numbers) {
+  std::string report;
+  try {
+    const bool wrong = unmask(exercise, numbers, report);
+    return {{"unmasked", wrong}, {"report", report}};
+  } catch (const std::invalid_argument& bad) {
+    return {{"unmasked", false}, {"report", std::string(bad.what()) + ".\n"}};
+  }
+}
+
+Json film_of(const Film& film) {
+  Json all = Json::array();
+  for (const Frame& frame : film.frames) all.push_back(numbers_of(frame));
+  return all;
 }
 
 Json given(const Exercise& exercise, std::uint64_t seed) {
@@ -212,11 +246,14 @@ Json given(const Exercise& exercise, std::uint64_t seed) {
 Json answer_to(const Json& request) {
   const std::string ask = request.at("ask");
   if (ask == "picture") return picture(request.at("index"));
-  if (ask == "excerpt") return drawn(request.at("said"));
+  if (ask == "film") return film_of(yours);
+  if (ask == "excerpt") return drawn(request.at("exercise"), request.at("said"));
   if (ask == "refused") return refused(request.at("exercise"), request);
   const Exercise& exercise = named(request.at("exercise"));
   if (ask == "judge") return judged(exercise, request.at("said"));
   if (ask == "given") return given(exercise, request.at("seed"));
+  if (ask == "masked") return {{"code", masked_code(exercise)}, {"test", blind_test(exercise)}};
+  if (ask == "unmask") return unmasked(exercise, request.at("numbers"));
   throw std::invalid_argument("Asked for " + ask);
 }
 

@@ -34,8 +34,15 @@ for (const header of ['undefined', 'wire']) bring(`lessons/practise/judge/${head
 bring('lessons/practise/page/learner_page.cpp', 'learner_page.cpp');
 const exercises = readdirSync(practise).filter(name => /^\d\d_/.test(name)).sort();
 const excerpts = readdirSync(join(practise, 'excerpts')).map(file => file.replace('.hpp', '')).sort();
-for (const name of excerpts) keep(`lessons/practise/excerpts/${name}.hpp`, `${name}/signature.hpp`);
-keep('lessons/03_iterations/plain_sweep.hpp', 'lessons/03_iterations/plain_sweep.hpp');
+for (const name of excerpts) {
+  const signature = `lessons/practise/excerpts/${name}.hpp`;
+  keep(signature, `${name}/signature.hpp`);
+  for (const [, header] of readFileSync(join(root, signature), 'utf8').matchAll(/#include "(lessons\/[^"]*)"/g)) keep(header, header);
+}
+// Lessons know it by its path; here it is one file.
+const types = 'lessons/practise/learner/practise.hpp';
+system.set(types, new TextEncoder().encode('#include "/practise.hpp"\n'));
+kept.push(types);
 for (const name of exercises) keep(`lessons/practise/${name}/signature.hpp`, `${name}/signature.hpp`);
 for (const name of [...exercises, ...excerpts]) {
   run(wrapperCommand(name, '/learner_page.cpp', `/${name}/wrapper.o`));

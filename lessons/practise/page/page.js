@@ -33,6 +33,8 @@
       code.setAttribute('aria-label', `Your file, ${exercise}.cpp`);
       clear();
       number();
+      $('numbers_given').value = '';
+      maskedCode();
     }
     mark();
   }
@@ -154,6 +156,27 @@
       checking = false;
     }
   }
+
+  // ---- A wrong code, to be unmasked by numbers; for this the judge alone is loaded.
+
+  async function maskedCode() {
+    $('unmasked').textContent = '';
+    if (!$('unmask').open) return;
+    try {
+      const asked = exercise, { code, test } = await judged({ request: { ask: 'masked', exercise: asked } });
+      if (asked !== exercise) return;
+      $('masked').textContent = code;
+      $('test').textContent = test;
+    } catch (error) {
+      $('unmasked').textContent = `The exercises do not run here: ${error.message ?? error}`;
+    }
+  }
+  $('unmask').ontoggle = maskedCode;
+  $('guess').onsubmit = async event => {
+    event.preventDefault();
+    const { report } = await judged({ request: { ask: 'unmask', exercise, numbers: $('numbers_given').value } });
+    $('unmasked').textContent = report;
+  };
 
   // ---- The film.
 

@@ -100,6 +100,11 @@ probes; a frequent mistake is told what it is.</p>
 <figure id="film" hidden="hidden"><div class="picture"></div>
 <figcaption><button type="button" id="play">Play</button> <label>Time <input type="range" id="time" min="0" max="1" step="1" value="0" /></label></figcaption></figure>
 <section id="solution" hidden="hidden"><h3>A solution and its derivation</h3><pre><code></code></pre><p></p></section>
+<details id="unmask"><summary>Unmask a wrong code</summary>
+<p>This code is wrong, and it passes the test below. Choose numbers on which it is wrong; those that you leave out stay.</p>
+<pre id="masked"></pre><p>The test: <code id="test"></code></p>
+<form id="guess"><label for="numbers_given">Your numbers, such as NAME=1 or NAME=1,2</label> <input id="numbers_given" spellcheck="false" autocapitalize="off" autocomplete="off" /> <button>Try</button></form>
+<pre id="unmasked" role="status"></pre></details>
 </div>
 <footer class="about"><p>The first check loads clang 22 and its headers, 23 MB, once; nothing is sent anywhere. Drafts stay in this browser.
 <a href="practise/LICENCES.txt">Licences</a> of the compiler and its libraries.</p>

@@ -90,11 +90,21 @@ bool write_exercises(const fs::path& folder) {
   return true;
 }
 
-/// Lets the readers of a lesson change its plain algorithms, where the compiler of the exercises is there.
-void make_excerpts_live(const fs::path& page) {
-  std::string text = course::read_whole(page).value();
-  text.insert(text.rfind("</body>"), "<script defer=\"defer\" src=\"practise/excerpts.js\"></script>\n");
-  course::write_whole(page, text);
+/// Where the exercises are there, each page leads to them, and the readers of a lesson may change its plain
+/// algorithms.
+void link_exercises(const fs::path& folder) {
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (entry.path().extension() != ".html") continue;
+    std::string text = course::read_whole(entry.path()).value();
+    const auto next = text.find("<li><a href=\"equations.html\"");
+    if (next == std::string::npos) continue;
+    const bool here = entry.path().filename() == "practise.html";
+    text.insert(next, fmt::format("<li><a href=\"practise.html\"{}>Exercises</a></li>",
+                                  here ? " aria-current=\"page\"" : ""));
+    if (text.find("<code>lessons/") != std::string::npos && text.find("/plain_") != std::string::npos)
+      text.insert(text.rfind("</body>"), "<script defer=\"defer\" src=\"practise/excerpts.js\"></script>\n");
+    course::write_whole(entry.path(), text);
+  }
 }
 
 /// Runs a lesson's program and returns the digest that it left in the folder.
@@ -197,8 +207,6 @@ int run(const Wanted& wanted) {
   copy_assets(folder.path());
   const bool desk = fs::exists(folder.path() / "live" / "desk.js");
   const bool exercises = wanted.exercises && write_exercises(folder.path());
-  if (const fs::path page = folder.path() / "03_iterations.html"; exercises && fs::exists(page))
-    make_excerpts_live(page);
   write("index.html", site::contents_page(
                           lessons, {site::cover_scene(folder.path()), desk, exercises, cases, wanted.repository}));
   if (desk) write("desk.html", site::desk_page(desk::read_tasks(fs::path(BYHAND_SITE_FOLDER) / "../desk/tasks")));
@@ -217,6 +225,7 @@ int run(const Wanted& wanted) {
   write("teaching.html",
         site::teaching_page(lessons, site::exercises_by_lesson(fs::path(BYHAND_SITE_FOLDER) / "../practise"),
                             folder.path()));
+  if (exercises) link_exercises(folder.path());
   site::write_versions(folder.path());
   folder.finish();
   if (!wanted.quiet && !live)

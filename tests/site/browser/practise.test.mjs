@@ -4,7 +4,7 @@ import { existsSync } from 'node:fs';
 import { after, test } from 'node:test';
 
 import { excerpt, exercises, expected, text, variants } from '../live/practise.mjs';
-import { axe, launchFirefox, open, pages, quick, quit, url } from './browser.mjs';
+import { axe, launchFirefox, open, pages, quick, quit, serve, url } from './browser.mjs';
 
 after(quit);
 
@@ -49,29 +49,92 @@ test('a wrong line is selected', { skip, timeout: 300_000 }, async () => {
   await tab.close();
 });
 
-test("lesson 3's sweep runs in its page, and Reset brings ours back", { skip: skip || !pages.includes('03_iterations.html') && 'this site has no lesson 3', timeout: 300_000 }, async () => {
-  const tab = await open(url('03_iterations.html'));
-  const picture = () => tab.$eval('#figure-plain_sweep .picture', picture => picture.innerHTML), ours = await picture();
-  const press = words => tab.$$eval('.excerpt button', (all, words) => all.find(one => one.textContent === words).click(), words);
-  const run = async change => {
-    await tab.$eval('.excerpt textarea', (code, [from, to]) => { code.value = code.value.replace(from, to); }, change);
-    await tab.$eval('.excerpt .state', state => { state.textContent = ''; });
-    await press('Run');
-    await tab.waitForFunction(() => /yours beside|^(Your|It|Excerpts)/.test(document.querySelector('.excerpt .state').textContent), { timeout: 120_000 });
-    return tab.$eval('.excerpt .state', state => state.textContent);
+test('each page leads to the exercises', { skip }, async () => {
+  const tab = await open(url('practise.html'));
+  assert.equal(await tab.$eval('nav[aria-label="Course"] [aria-current="page"]', link => link.textContent), 'Exercises');
+  for (const page of pages) {
+    await tab.goto(url(page), { waitUntil: 'domcontentloaded' });
+    const links = await tab.$$eval('nav[aria-label="Course"] a', all => all.map(link => link.getAttribute('href')));
+    assert.equal(links.filter(link => link === 'practise.html').length, links.length ? 1 : 0, page);
+  }
+  await tab.close();
+});
+
+test('a check asks nobody: the first takes scripts of the site, later ones nothing', { skip, timeout: 300_000 }, async () => {
+  const { address, close } = await serve();
+  const tab = await open(`${address}practise.html#08_bias`);
+  const asked = [];
+  tab.on('request', request => asked.push(request.url()));
+  await write(tab, text('08_bias', 'solution.cpp'));
+  assert.equal(await checked(tab), 'Right, on all 24 probes.');
+  const own = name => new RegExp(`^${address}practise/${name}\\.js`);
+  for (const name of ['compiler', 'headers', 'judge', 'texts', 'workers']) assert.equal(asked.filter(one => own(name).test(one)).length, 1, `${name} in ${asked}`);
+  assert.deepEqual(asked.filter(one => !one.startsWith(`${address}practise/`) && !one.startsWith('blob:')), []);
+  asked.length = 0;
+  for (const file of ['mutants/minus.cpp', 'stub.cpp', 'solution.cpp']) {
+    await write(tab, text('08_bias', file));
+    assert.equal(await checked(tab), expected('08_bias', file));
+  }
+  await tab.$eval('#time', time => { time.value = 5; time.dispatchEvent(new Event('input')); });
+  await tab.$eval('#unmask', unmask => { unmask.open = true; });
+  await tab.waitForFunction(() => document.getElementById('test').textContent);
+  assert.deepEqual(asked, []);
+  assert.deepEqual(tab.complaints, []);
+  await tab.close();
+  await close();
+});
+
+test('a wrong code is unmasked by numbers', { skip, timeout: 60_000 }, async () => {
+  const tab = await open(at('03_inverse_effective_mass'));
+  const guess = async (numbers, answer) => {
+    await tab.$eval('#numbers_given', (input, numbers) => { input.value = numbers; }, numbers);
+    await tab.focus('#numbers_given');
+    await tab.keyboard.press('Enter');
+    await tab.waitForFunction(answer => document.getElementById('unmasked').textContent.startsWith(answer), {}, answer);
   };
-  await press('Change it and run it');
-  assert.equal(await tab.$eval('.excerpt textarea', code => code.value.trim()), excerpt('lessons/03_iterations/plain_sweep.cpp', 'sweep').trim());
-  assert.match(await run(['-JV / K', '-1.6 * JV / K']), /^Drawn/);
-  assert.match(await picture(), /10 links, yours/);
-  assert.equal(await run(['JV / K', 'JV / X']), 'It does not compile.');
-  assert.match(await tab.$eval('.excerpt textarea', code => code.value.slice(code.selectionStart, code.selectionEnd)), /JV \/ X/);
-  await press('Reset');
-  assert.equal(await picture(), ours);
-  assert.equal(await tab.$('.excerpt textarea'), null);
+  await tab.click('#unmask summary');
+  await tab.waitForFunction(() => document.getElementById('test').textContent.includes('I1=1'));
+  assert.match(await tab.$eval('#masked', code => code.textContent), /^#include[^]*J\.a1 \* J\.a1 \+/);
+  await guess('m1=7', 'It passes this test too');
+  await guess('I3=1', '"I3" is not given; these are: ');
+  await guess('I1=0.5', 'Unmasked. Look at the units');
+  assert.equal(await tab.$$eval('script[src^="practise/compiler"]', scripts => scripts.length), 0);
+  await tab.evaluate(() => { location.hash = '08_bias'; });
+  await tab.waitForFunction(() => document.getElementById('test').textContent.includes('beta='));
+  assert.equal(await tab.$eval('#unmasked', part => part.textContent), '');
   assert.deepEqual(tab.complaints, []);
   await tab.close();
 });
+
+for (const [page, name, file, [from, to], yours] of [
+  ['02_single_constraint', 'step', 'plain_step', ['-JV / K', '-0.9 * JV / K'], /C\/L², yours/],
+  ['03_iterations', 'sweep', 'plain_sweep', ['-JV / K', '-1.6 * JV / K'], /10 links, yours/],
+  ['04_baumgarte', 'bias', 'plain_bias', ['beta / h * C', 'beta * C'], /β = 1.5, yours/],
+  ['05_contact', 'clamp', 'plain_clamp', ['std::fmax(0.0, lambda + change) - lambda', 'std::fmax(0.0, change)'], /second row, yours/],
+])
+  test(`${page}'s ${name} runs in its page, and Reset brings ours back`, { skip: skip || !pages.includes(`${page}.html`) && `this site has no ${page}`, timeout: 300_000 }, async () => {
+    const tab = await open(url(`${page}.html`));
+    const picture = () => tab.$eval(`#figure-${file} .picture`, picture => picture.innerHTML), ours = await picture();
+    const press = words => tab.$$eval('.excerpt button', (all, words) => all.find(one => one.textContent === words).click(), words);
+    const run = async change => {
+      await tab.$eval('.excerpt textarea', (code, [from, to]) => { code.value = code.value.replace(from, to); }, change);
+      await tab.$eval('.excerpt .state', state => { state.textContent = ''; });
+      await press('Run');
+      await tab.waitForFunction(() => /yours beside|^(Your|It|Excerpts)/.test(document.querySelector('.excerpt .state').textContent), { timeout: 120_000 });
+      return tab.$eval('.excerpt .state', state => state.textContent);
+    };
+    await press('Change it and run it');
+    assert.equal(await tab.$eval('.excerpt textarea', code => code.value.trim()), excerpt(`lessons/${page}/${file}.cpp`, name).trim());
+    assert.match(await run([from, to]), /^Drawn/);
+    assert.match((await picture()).replaceAll(/<[^>]*>/g, ''), yours);
+    assert.equal(await run([to, 'nothing']), 'It does not compile.');
+    assert.match(await tab.$eval('.excerpt textarea', code => code.value.slice(code.selectionStart, code.selectionEnd)), /nothing/);
+    await press('Reset');
+    assert.equal(await picture(), ours);
+    assert.equal(await tab.$('.excerpt textarea'), null);
+    assert.deepEqual(tab.complaints, []);
+    await tab.close();
+  });
 
 test('a phone is asked first', { skip }, async () => {
   const tab = await open(at('08_bias'), { width: 390, height: 844, touch: true,

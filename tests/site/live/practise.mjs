@@ -24,10 +24,19 @@ export const expected = (exercise, file) => file === 'solution.cpp' ? 'Right, on
   : file !== 'stub.cpp' ? firstComment(text(exercise, file))
   : /FUNCTIONS .*,/.test(text(exercise, 'signature.hpp')) ? `${/FUNCTIONS (\w+),/.exec(text(exercise, 'signature.hpp'))[1]} is not written yet.` : 'Not written yet.';
 
-// { verdict(exercise, text, what to ask), program(exercise, text), ask(request) } of the page's own code; a program is
-// compiled once and gives its verdict each time that it is called.
+// { verdict(exercise, text, what to ask), program(exercise, text), ask(request), memories() } of the page's own code; a
+// program is compiled once and gives its verdict each time that it is called. memories() has the bytes of each memory of
+// WebAssembly that nothing has let go of: the judge's, and of what ran last.
 export async function page() {
-  const context = vm.createContext({ ...globalThis, WebAssembly, TextEncoder, TextDecoder, Blob, Response, DecompressionStream, console, performance });
+  const begun = [];
+  class Instance extends WebAssembly.Instance {
+    constructor(...of) {
+      super(...of);
+      begun.push(new WeakRef(this));
+    }
+  }
+  const counted = Object.create(WebAssembly, { Instance: { value: Instance } });
+  const context = vm.createContext({ ...globalThis, WebAssembly: counted, TextEncoder, TextDecoder, Blob, Response, DecompressionStream, console, performance });
   context.globalThis = context;
   const run = (path, name) => vm.runInContext(readFileSync(path, 'utf8'), context, name);
   for (const name of ['wasi', 'program']) run(join(root, `lessons/site/live/${name}.js`), name);
@@ -41,5 +50,8 @@ export async function page() {
     return () => structuredClone(program ? ask({ ask: what, exercise, said }, context.startLearner(program, `${exercise}.cpp`))
       : ask({ ask: 'refused', exercise, said, text, by }));
   };
-  return { ask: request => structuredClone(ask(request)), program, verdict: (...of) => program(...of)() };
+  return {
+    ask: request => structuredClone(ask(request)), program, verdict: (...of) => program(...of)(),
+    memories: () => begun.map(one => one.deref()).filter(one => one).map(one => one.exports.memory.buffer.byteLength),
+  };
 }

@@ -2,10 +2,12 @@
 // BYHAND_PRACTISE: the native program.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { mkdtempSync, readFileSync, readdirSync, rmSync, statSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { test } from 'node:test';
+import { setFlagsFromString } from 'node:v8';
+import vm from 'node:vm';
 
 import { excerpt, exercises, expected, packed, page, text, variants } from './practise.mjs';
 
@@ -56,24 +58,97 @@ test('what is printed is shown, and the compiler names the line', { skip }, () =
   assert.match(details, /^08_bias\.cpp:4:\d+: error: use of undeclared identifier 'D'/);
 });
 
-test("lesson 3's sweep is drawn as its reader changes it", { skip }, () => {
+// A film's numbers may differ by their last digits, and by what the code makes of these: told_exercises shakes it.
+test("details and film are the terminal's, number by number", { skip: skip || !process.env.BYHAND_PROGRAMS && 'no native programs' }, () => {
+  const told = execFileSync(join(process.env.BYHAND_PROGRAMS, 'told_exercises'), { encoding: 'utf8', maxBuffer: 1 << 28 });
+  for (const { exercise, file, sentence, details, film = [], tolerance = [] } of told.trim().split('\n').map(line => JSON.parse(line))) {
+    const verdict = judge.verdict(exercise, text(exercise, file));
+    assert.equal(verdict.sentence, sentence, `${exercise}/${file}`);
+    assert.equal(verdict.details.split('The compiler warns')[0], details, `${exercise}/${file}`);
+    const own = judge.ask({ ask: 'film' });
+    assert.equal(own.length, film.length, `${exercise}/${file}`);
+    const sizes = film[0]?.map((_, k) => Math.max(1e-3, ...film.map(frame => Math.abs(frame[k] ?? 0))));
+    own.forEach((frame, i) => frame.forEach((number, k) => {
+      const right = film[i][k];
+      // JSON has null for what is not finite.
+      const near = right === null ? !Number.isFinite(number) : number === right || Math.abs(number - right) <= (tolerance[i] ?? Infinity) * sizes[k];
+      assert.ok(near, `${exercise}/${file}, frame ${i}, number ${k}: ${number}, ${right} at the terminal`);
+    }));
+  }
+});
+
+// Of each: a change that is drawn, and an unknown name.
+for (const [name, file, [from, to], ours] of [
+  ['step', 'lessons/02_single_constraint/plain_step.cpp', ['-JV / K', '-0.9 * JV / K'], /ΔE\/\(m·g·L\), yours/],
+  ['sweep', 'lessons/03_iterations/plain_sweep.cpp', ['-JV / K', '-1.6 * JV / K'], /10 links, yours/],
+  ['bias', 'lessons/04_baumgarte/plain_bias.cpp', ['beta / h * C', 'beta * C'], /β = 1.5, yours/],
+  ['clamp', 'lessons/05_contact/plain_clamp.cpp', ['std::fmax(0.0, lambda + change) - lambda', 'std::fmax(0.0, change)'], /second row, yours/],
+])
+  test(`the lesson's ${name} is drawn as its reader changes it`, { skip }, () => {
+    const written = excerpt(file, name), run = code => judge.verdict(name, code, 'excerpt');
+    assert.ok(written.includes(from));
+    const drawn = run(written).svg, changed = run(written.replace(from, to)).svg;
+    assert.match(drawn, /^<svg[^]*<\/svg>\s*$/);
+    assert.match(drawn.replaceAll(/<[^>]*>/g, ''), ours);
+    assert.notEqual(changed, drawn);
+    const unknown = run(written.replace(from, 'nothing'));
+    assert.equal(unknown.sentence, 'It does not compile.');
+    assert.equal(unknown.line, written.slice(0, written.indexOf(from)).split('\n').length);
+    assert.match(unknown.details, new RegExp(`^${name}\\.cpp:\\d+:\\d+: error: use of undeclared identifier 'nothing'`));
+  });
+
+test("lesson 3's sweep diverges, never ends, or leaves its chain, and is told so", { skip }, () => {
   const sweep = excerpt('lessons/03_iterations/plain_sweep.cpp', 'sweep');
-  const run = (from, to) => {
-    assert.ok(sweep.includes(from));
-    return judge.verdict('sweep', sweep.replace(from, to), 'excerpt');
-  };
-  const ours = run('-JV / K', '-JV / K').svg, relaxed = run('-JV / K', '-1.6 * JV / K').svg;
-  assert.match(ours, /^<svg[^]*10 links, yours[^]*<\/svg>\s*$/);
-  assert.notEqual(relaxed, ours);
+  const run = (from, to) => judge.verdict('sweep', sweep.replace(from, to), 'excerpt');
   assert.match(run('-JV / K', '-9 * JV / K').svg, /^<svg/);
-  const unknown = run('-JV / K', '-JV / X');
-  assert.equal(unknown.sentence, 'It does not compile.');
-  assert.equal(unknown.line, 1 + sweep.slice(0, sweep.indexOf('-JV / K')).split('\n').length - 1);
-  assert.match(unknown.details, /^sweep\.cpp:\d+:\d+: error: use of undeclared identifier 'X'/);
   assert.match(run('++i', 'i += 0').sentence, /^Your code did not return in line \d; look for a loop that never ends\.$/);
   // Optimised code may check an index at the head of its loop, so the line may be that.
   assert.match(run('v[i - 1];', 'v[i + 1];').sentence, /^Your code crashed in line [23]: .*index out of range\.$/);
   assert.match(run('plain_sweep', 'sweep').sentence, /plain_sweep\(.*\) is missing/);
+});
+
+test("a wrong code is unmasked as at the terminal", { skip: skip || !process.env.BYHAND_PRACTISE && 'no native program' }, () => {
+  const terminal = (...of) => {
+    try { return execFileSync(process.env.BYHAND_PRACTISE, of, { encoding: 'utf8', env: { ...process.env, XDG_STATE_HOME: tmpdir() } }); } catch (ended) { return ended.stdout; }
+  };
+  const words = text => text.split(/\s+/).join(' ');
+  for (const exercise of exercises) {
+    const number = String(parseInt(exercise)), { code, test } = judge.ask({ ask: 'masked', exercise }), shown = words(terminal(number, '--unmask'));
+    assert.ok(test.includes('=') && shown.includes(words(test)), `${exercise}: ${test}`);
+    assert.ok(shown.includes(words(code).trim()), exercise);
+    assert.deepEqual(judge.ask({ ask: 'unmask', exercise, numbers: test }).unmasked, false, exercise);
+  }
+  for (const numbers of ['I1=0.5', 'm1=7'])
+    assert.equal(judge.ask({ ask: 'unmask', exercise: exercises[2], numbers }).report, terminal('3', '--unmask', numbers));
+  for (const [numbers, why] of [['I3=1', /"I3" is not given; these are: /], ['I1=much', /no NAME=NUMBER/], ['J.l1=1', /J.l1 has 2 number/]])
+    assert.match(judge.ask({ ask: 'unmask', exercise: exercises[2], numbers }).report, why);
+});
+
+test('fifty verdicts keep no more memory than ten', { skip }, async () => {
+  setFlagsFromString('--expose-gc');
+  const collect = vm.runInNewContext('gc'), kept = async () => {
+    await new Promise(setImmediate);  // what a job has seen of a WeakRef lives until its end
+    collect();
+    return judge.memories().sort((a, b) => a - b);
+  };
+  const programs = ['solution.cpp', 'mutants/minus.cpp'].map(file => judge.program('08_bias', text('08_bias', file)));
+  programs.push(judge.program('08_bias', bias('double* const many = new double[1u << 20]();\nreturn many[static_cast<int>(h)];')),
+    judge.program('08_bias', bias('volatile double b = 1;\nreturn bias(C + b, beta, h) + b;')));
+  const verdicts = count => { for (let i = 0; i < count; ++i) programs[i % programs.length](); };
+  verdicts(10);
+  for (let i = 0; i < 3; ++i) judge.verdict('08_bias', text('08_bias', 'stub.cpp'));
+  const ten = await kept();
+  verdicts(40);
+  for (let i = 0; i < 3; ++i) judge.verdict('08_bias', text('08_bias', 'stub.cpp'));
+  const fifty = await kept();
+  assert.ok(ten.length <= 3, `${ten.length} memories of WebAssembly are alive: the judge's, and ${ten}`);
+  assert.deepEqual(fifty, ten);
+});
+
+test('the exercises add at most 32 MB to the site', { skip }, () => {
+  const folder = join(process.env.BYHAND_SITE, 'practise');
+  const bytes = readdirSync(folder).reduce((sum, file) => sum + statSync(join(folder, file)).size, 0);
+  assert.ok(bytes <= 32e6, `${bytes} bytes`);
 });
 
 // Built by two compilers, one judge gives what the other gives, so that a key serves both.
