@@ -41,6 +41,16 @@ void solve_block(const ConstraintStore<M>& store, double h, Block<M, K, B>& bloc
   });
 }
 
+/// Solves the rows of friction, or all others. With each point's friction right after its push, the points of a
+/// face would be moved by what the next ones undo: a box at rest would creep, and a stack would rock.
+template <class M>
+void sweep(Scene<M>& scene, double h, bool friction, PositionWork<M>& work) {
+  for_each_block(work.system, [&](auto& block, const Run& run) {
+    const ConstraintStore<M>& store = scene.store(run, work.contacts.constraints());
+    if ((store.bound == Bound::friction) == friction) solve_block(store, h, block, scene.state(), work);
+  });
+}
+
 }  // namespace
 
 template <class M>
@@ -59,10 +69,10 @@ void advance(Scene<M>& scene, const Xpbd& method, double step, PositionWork<M>& 
     add_applied(bodies, h);
     advance_freely(method.gyroscopic, bodies, h, work);
     work.free = bodies.pose;
-    for (int i = 0; i < method.iterations; ++i)
-      for_each_block(work.system, [&](auto& block, const Run& run) {
-        solve_block(scene.store(run, work.contacts.constraints()), h, block, bodies, work);
-      });
+    for (int i = 0; i < method.iterations; ++i) {
+      sweep(scene, h, false, work);
+      if (work.system.bounded) sweep(scene, h, true, work);
+    }
     end_substep(scene, h, work);
     work.row_solves += static_cast<long long>(method.iterations) * work.system.rows();
   }

@@ -6,7 +6,7 @@
 // by constraint, and takes the velocities from the displacement:
 //
 //   x* = x₀ + h (v₀ + h g)           free poses
-//   C(x* + M⁻¹JᵀΛ) + γΛ = 0          each constraint in turn, by positions.hpp, from Λ = 0
+//   C(x* + M⁻¹JᵀΛ) + γΛ = 0          each constraint in turn, friction last, by positions.hpp, from Λ = 0
 //   v₁ = v₀ + h g + (x₁ - x*)/h      = (x₁ - x₀)/h, a chord, not a tangent
 //
 // A chord leaves the constraint by twice as much as a tangent, and correcting that shortens the path: a particle

@@ -104,6 +104,25 @@ TEST(Xpbd, LetsAStackStand) {
   // it creeps, by 2 mm in 10 s with 40 substeps of 10 iterations, unless the iterations converge.
   expect_standing_stack<SpaceBody>(Xpbd{10, 100}, 3, 1e-5, 1e-6);
 }
+// Friction after each point's push would turn a box at rest a little in every substep: it crept by a millimetre a
+// second, and stacks of five fell.
+TEST(Xpbd, LetsABoxInSpaceRestWhereItIs) {
+  for (const double friction : {0.6, 0.1}) {
+    Simulation simulation{stack<SpaceBody>(1, 1, {friction, 0}), Xpbd{}};
+    run(simulation, 1, h);
+    const Linear<SpaceBody> before = simulation.scene.bodies().pose[1].position;
+    run(simulation, 10, h);
+    EXPECT_LE((simulation.scene.bodies().pose[1].position - before).norm(), 1e-5)
+        << "1e-6 m/s, friction " << friction;
+  }
+}
+
+TEST(Xpbd, LetsFiveBoxesInSpaceStand) {
+  Simulation simulation{stack<SpaceBody>(5), Xpbd{}};
+  run(simulation, 12, h);
+  EXPECT_GT(simulation.scene.bodies().pose[5].position.y(), 4.4);
+}
+
 TEST(Xpbd, BouncesABallByItsRestitution) { expect_bounces(Xpbd{}, h / 4); }
 
 TEST(Xpbd, PushesAnOverlapOutNoFasterThanItsPushSpeed) {
