@@ -13,7 +13,8 @@ void add_curves(renderer::Chart& chart, const Change& change, const std::string&
   constexpr double s = 0.6;  // 3w²/(w² + 1) for w = ½
   const auto lambdas = plain_sweeps(change, s, 8);
   for (std::size_t row = 0; row < 2; ++row) {
-    renderer::Curve curve{.label = (row == 0 ? "first row" : "second row") + whose, .style = style};
+    renderer::Curve curve{
+        .label = (row == 0 ? "first row" : "second row") + whose, .x = {0}, .y = {0}, .style = style};
     for (std::size_t i = 0; i < lambdas.size(); ++i) {
       curve.x.push_back(static_cast<double>(i + 1));
       curve.y.push_back(lambdas[i][row]);
