@@ -89,10 +89,11 @@ std::string circle(const Graph& graph) {
 bool is_in(const std::string& file, const std::string& folder) { return file.rfind(folder + "/", 0) == 0; }
 
 /// The room of a file: solver, renderer, a folder of lessons/; "lesson" for those of all lessons, "course" for the
-/// files at the root of lessons/.
+/// files at the root of lessons/, "learner" for what a learner's file includes, which knows nothing of the course.
 std::string room(const std::string& file) {
   const std::size_t slash = file.find('/');
   if (!is_in(file, "lessons")) return file.substr(0, slash);
+  if (is_in(file, "lessons/practise/learner")) return "learner";
   const std::size_t next = file.find('/', slash + 1);
   if (next == std::string::npos) return "course";
   return std::isdigit(static_cast<unsigned char>(file[slash + 1])) ? "lesson"
