@@ -60,8 +60,9 @@ test('each page leads to the exercises', { skip }, async () => {
   await tab.close();
 });
 
-test('a check asks nobody: the first takes scripts of the site, later ones nothing', { skip, timeout: 300_000 }, async () => {
+test('a check asks nobody: the first takes scripts of the site, later ones nothing', { skip, timeout: 300_000 }, async t => {
   const { address, close } = await serve();
+  t.after(close);
   const tab = await open(`${address}practise.html#08_bias`);
   const asked = [];
   tab.on('request', request => asked.push(request.url()));
@@ -83,7 +84,6 @@ test('a check asks nobody: the first takes scripts of the site, later ones nothi
   assert.deepEqual(elsewhere(), []);
   assert.deepEqual(tab.complaints, []);
   await tab.close();
-  await close();
 });
 
 test('a wrong code is unmasked by numbers', { skip, timeout: 60_000 }, async () => {
