@@ -80,5 +80,5 @@ export async function serve(folder = site, more = {}) {
     createReadStream(path).pipe(response);
   });
   await new Promise(done => server.listen(0, '127.0.0.1', done));
-  return { address: `http://127.0.0.1:${server.address().port}/`, close: () => server.close() };
+  return { address: `http://127.0.0.1:${server.address().port}/`, close: () => { server.close(); server.closeAllConnections(); } };
 }
