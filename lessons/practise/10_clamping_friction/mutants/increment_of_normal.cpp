@@ -5,7 +5,7 @@
 
 double clamp_friction(double& accumulated, double delta, double mu, double normal) {
   const double before = accumulated;
-  accumulated = std::clamp(before + delta, -mu * normal, mu * normal);
+  accumulated = std::max(-mu * normal, std::min(before + delta, mu * normal));
   return accumulated - before;
 }
 
