@@ -7,9 +7,12 @@
 #include <vector>
 
 #include "lessons/03_iterations/plain_sweep.hpp"
+#include "lessons/pictures/plain_chart.hpp"
 
 namespace byhand::iterations {
 namespace {
+
+constexpr auto curve_style = renderer::CurveStyle::line_and_markers;
 
 /// Of the fastest; NaN for a chain that rests, which a logarithm does not show.
 double speed_of(const std::vector<double>& v) {
@@ -19,18 +22,20 @@ double speed_of(const std::vector<double>& v) {
   return most > 0 ? most : std::numeric_limits<double>::quiet_NaN();
 }
 
-void add_curves(renderer::Chart& chart, const Sweep& sweep, const std::string& whose, renderer::CurveStyle style) {
+std::vector<renderer::Curve> curves_of(const Sweep& sweep) {
   constexpr int sweeps = 20;
+  std::vector<renderer::Curve> curves;
   for (const int links : {2, 5, 10}) {
-    renderer::Curve curve{.label = std::to_string(links) + " links" + whose, .style = style};
+    renderer::Curve curve{.label = std::to_string(links) + " links"};
     std::vector<double> v(static_cast<std::size_t>(links), 1), lambda(v.size(), 0);
     for (int done = 0; done <= sweeps; ++done) {
       curve.x.push_back(done);
       curve.y.push_back(speed_of(v));
       sweep(0.5, 2, v, lambda);
     }
-    chart.curves.push_back(std::move(curve));
+    curves.push_back(std::move(curve));
   }
+  return curves;
 }
 
 renderer::Chart empty_chart() {
@@ -45,16 +50,11 @@ renderer::Chart empty_chart() {
 }  // namespace
 
 renderer::Chart chart_of(const Sweep& sweep) {
-  renderer::Chart chart = empty_chart();
-  add_curves(chart, sweep, "", renderer::CurveStyle::line_and_markers);
-  return chart;
+  return pictures::with_curves(empty_chart(), curves_of(sweep), curve_style);
 }
 
 renderer::Chart chart_beside_ours(const Sweep& readers) {
-  renderer::Chart chart = empty_chart();
-  add_curves(chart, plain_sweep, "", renderer::CurveStyle::theory);
-  add_curves(chart, readers, ", yours", renderer::CurveStyle::line_and_markers);
-  return chart;
+  return pictures::beside_ours(empty_chart(), curves_of(plain_sweep), curves_of(readers), curve_style);
 }
 
 }  // namespace byhand::iterations

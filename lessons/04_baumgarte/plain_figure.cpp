@@ -2,27 +2,32 @@
 
 #include <fmt/format.h>
 
-#include <string>
 #include <utility>
+#include <vector>
 
 #include "lessons/04_baumgarte/plain_bias.hpp"
+#include "lessons/pictures/plain_chart.hpp"
 
 namespace byhand::baumgarte {
 namespace {
 
-void add_curves(renderer::Chart& chart, const Bias& bias, const std::string& whose, renderer::CurveStyle style) {
+constexpr auto curve_style = renderer::CurveStyle::line_and_markers;
+
+std::vector<renderer::Curve> curves_of(const Bias& bias) {
   constexpr double h = 1.0 / 60;
   constexpr int steps = 10;
+  std::vector<renderer::Curve> curves;
   for (const double beta : {0.2, 0.6, 1.5}) {
-    renderer::Curve curve{.label = fmt::format("β = {}{}", beta, whose), .style = style};
+    renderer::Curve curve{.label = fmt::format("β = {}", beta)};
     double C = 0.1;
     for (int done = 0; done <= steps; ++done) {
       curve.x.push_back(done);
       curve.y.push_back(100 * C);
       C -= h * bias(C, beta, h);  // one step at the rate JV = −b
     }
-    chart.curves.push_back(std::move(curve));
+    curves.push_back(std::move(curve));
   }
+  return curves;
 }
 
 renderer::Chart empty_chart() {
@@ -36,16 +41,11 @@ renderer::Chart empty_chart() {
 }  // namespace
 
 renderer::Chart chart_of(const Bias& bias) {
-  renderer::Chart chart = empty_chart();
-  add_curves(chart, bias, "", renderer::CurveStyle::line_and_markers);
-  return chart;
+  return pictures::with_curves(empty_chart(), curves_of(bias), curve_style);
 }
 
 renderer::Chart chart_beside_ours(const Bias& readers) {
-  renderer::Chart chart = empty_chart();
-  add_curves(chart, plain_bias, "", renderer::CurveStyle::theory);
-  add_curves(chart, readers, ", yours", renderer::CurveStyle::line_and_markers);
-  return chart;
+  return pictures::beside_ours(empty_chart(), curves_of(plain_bias), curves_of(readers), curve_style);
 }
 
 }  // namespace byhand::baumgarte

@@ -1,26 +1,28 @@
 #include "lessons/05_contact/plain_figure.hpp"
 
-#include <string>
 #include <utility>
 
 #include "lessons/05_contact/plain_clamp.hpp"
+#include "lessons/pictures/plain_chart.hpp"
 
 namespace byhand::contact {
 namespace {
 
-void add_curves(renderer::Chart& chart, const Change& change, const std::string& whose,
-                renderer::CurveStyle style) {
+constexpr auto curve_style = renderer::CurveStyle::line_and_markers;
+
+std::vector<renderer::Curve> curves_of(const Change& change) {
   constexpr double s = 0.6;  // 3w²/(w² + 1) for w = ½
   const auto lambdas = plain_sweeps(change, s, 8);
+  std::vector<renderer::Curve> curves;
   for (std::size_t row = 0; row < 2; ++row) {
-    renderer::Curve curve{
-        .label = (row == 0 ? "first row" : "second row") + whose, .x = {0}, .y = {0}, .style = style};
+    renderer::Curve curve{.label = row == 0 ? "first row" : "second row", .x = {0}, .y = {0}};
     for (std::size_t i = 0; i < lambdas.size(); ++i) {
       curve.x.push_back(static_cast<double>(i + 1));
       curve.y.push_back(lambdas[i][row]);
     }
-    chart.curves.push_back(std::move(curve));
+    curves.push_back(std::move(curve));
   }
+  return curves;
 }
 
 renderer::Chart empty_chart() {
@@ -48,16 +50,11 @@ std::vector<std::array<double, 2>> plain_sweeps(const Change& change, double s, 
 }
 
 renderer::Chart chart_of(const Change& change) {
-  renderer::Chart chart = empty_chart();
-  add_curves(chart, change, "", renderer::CurveStyle::line_and_markers);
-  return chart;
+  return pictures::with_curves(empty_chart(), curves_of(change), curve_style);
 }
 
 renderer::Chart chart_beside_ours(const Change& readers) {
-  renderer::Chart chart = empty_chart();
-  add_curves(chart, plain_change, "", renderer::CurveStyle::theory);
-  add_curves(chart, readers, ", yours", renderer::CurveStyle::line_and_markers);
-  return chart;
+  return pictures::beside_ours(empty_chart(), curves_of(plain_change), curves_of(readers), curve_style);
 }
 
 }  // namespace byhand::contact
