@@ -102,20 +102,22 @@ void stacks_of(int boxes, const std::string& figure, Page& page) {
   page.table({"", tries[0].name, tries[1].name, tries[2].name, tries[3].name, "sunk at rest, 30"}, rows);
   const auto down =
       std::count_if(ours.begin(), ours.end(), [](const Standing& s) { return std::isfinite(s.fell); });
-  page.text("Left out: @. @@", field.left_out.empty() ? "nobody" : field.left_out,
-            page.verdict({{.when = Quantity("fallen", static_cast<double>(down)) < 1,
-                           .say = "In this course all stand, as shipped and as advised."},
-                          {.when = Quantity("fallen", static_cast<double>(down)) >= 1,
-                           .say = say("In this course @ of @ fall.", down, ours.size())}}),
-            theirs == 0
-                ? std::string()
-                : say(" " +
-                      page.verdict({{.when = Quantity("fallen", fallen) >= 1,
-                                     .say = say("Of the @ runs of the engines @ end in a fall.", theirs, fallen)},
-                                    {.when = Quantity("fallen", fallen) < 1,
-                                     .say = say("Of the @ runs of the engines none ends in a fall.", theirs)}}) +
-                      R"( Engines put a resting stack to sleep after half a second, which hides a fall in a game
-                                  and not here.)"));
+  // One after the other, so that each compiler lists them in this order.
+  const std::string fate_of_ours = page.verdict({{.when = Quantity("fallen", static_cast<double>(down)) < 1,
+                                                  .say = "In this course all stand, as shipped and as advised."},
+                                                 {.when = Quantity("fallen", static_cast<double>(down)) >= 1,
+                                                  .say = say("In this course @ of @ fall.", down, ours.size())}});
+  const std::string fate_of_theirs =
+      theirs == 0
+          ? std::string()
+          : say(" " +
+                page.verdict({{.when = Quantity("fallen", fallen) >= 1,
+                               .say = say("Of the @ runs of the engines @ end in a fall.", theirs, fallen)},
+                              {.when = Quantity("fallen", fallen) < 1,
+                               .say = say("Of the @ runs of the engines none ends in a fall.", theirs)}}) +
+                R"( Engines put a resting stack to sleep after half a second, which hides a fall in a game
+                                  and not here.)");
+  page.text("Left out: @. @@", field.left_out.empty() ? "nobody" : field.left_out, fate_of_ours, fate_of_theirs);
 
   const auto outcomes =
       outcomes_of(field, [&](const auto& who) { return stand(who, tries[3].scene, stack_kick); });
