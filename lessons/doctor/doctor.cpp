@@ -517,10 +517,6 @@ class Examination {
   std::vector<Lag> lags_;
 };
 
-}  // namespace
-
-namespace {
-
 bool fails_by(const Diagnosis& diagnosis, int law) {
   return std::any_of(diagnosis.findings.begin(), diagnosis.findings.end(),
                      [=](const Finding& one) { return one.law == law && one.grade == Grade::fails; });
