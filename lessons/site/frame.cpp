@@ -20,9 +20,7 @@ constexpr std::array<Destination, 5> destinations{{{"index.html", "Lessons"},
 
 std::string navigation(std::string_view here) {
   std::string all;
-  for (const Destination& to : destinations)
-    all += fmt::format("<li><a href=\"{}\"{}>{}</a></li>", to.page,
-                       to.page == here ? " aria-current=\"page\"" : "", to.words);
+  for (const Destination& to : destinations) all += destination(to.page, to.words, here);
   return all;
 }
 
@@ -39,6 +37,11 @@ std::string described(const Frame& frame) {
 }
 
 }  // namespace
+
+std::string destination(std::string_view page, std::string_view words, std::string_view here) {
+  return fmt::format("<li><a href=\"{}\"{}>{}</a></li>", page, page == here ? " aria-current=\"page\"" : "",
+                     words);
+}
 
 std::string framed(const Frame& frame) {
   const std::string beside =

@@ -20,4 +20,7 @@ struct Frame {
 
 std::string framed(const Frame& frame);
 
+/// A link of the navigation: to a page, in these words, or to the page that is `here`.
+std::string destination(std::string_view page, std::string_view words, std::string_view here);
+
 }  // namespace byhand::site

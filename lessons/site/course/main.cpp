@@ -32,6 +32,7 @@
 #include "lessons/site/course/slides.hpp"
 #include "lessons/site/course/versions.hpp"
 #include "lessons/site/course/zip.hpp"
+#include "lessons/site/frame.hpp"
 #include "lessons/site/lesson_page.hpp"
 #include "lessons/site/page_json.hpp"
 
@@ -98,9 +99,7 @@ void link_exercises(const fs::path& folder) {
     std::string text = course::read_whole(entry.path()).value();
     const auto next = text.find("<li><a href=\"equations.html\"");
     if (next == std::string::npos) continue;
-    const bool here = entry.path().filename() == "practise.html";
-    text.insert(next, fmt::format("<li><a href=\"practise.html\"{}>Exercises</a></li>",
-                                  here ? " aria-current=\"page\"" : ""));
+    text.insert(next, site::destination("practise.html", "Exercises", entry.path().filename().string()));
     if (text.find("<code>lessons/") != std::string::npos && text.find("/plain_") != std::string::npos)
       text.insert(text.rfind("</body>"), "<script defer=\"defer\" src=\"practise/excerpts.js\"></script>\n");
     course::write_whole(entry.path(), text);
