@@ -12,9 +12,11 @@
 #include "lessons/doctor/rows.hpp"
 #include "lessons/doctor/slow_mode.hpp"
 #include "lessons/doctor/start.hpp"
+#include "lessons/doctor/trial.hpp"
 
 // The scene is first moved by a method that solves each step exactly, with short steps. At moments of that motion
-// the laws ask the rows what the file's own method and step would make of them.
+// the laws ask the rows what the file's own method and step would make of them, and trials take a few of its
+// steps.
 namespace byhand::doctor {
 namespace {
 
@@ -23,17 +25,20 @@ constexpr double pilot_beta = 0.2;
 template <class M>
 class Examination {
  public:
-  /// Joints of its pilot give way by the share `give` of a body where law 7 ends.
-  Examination(const SceneFile& file, const Scene<M>& scene, double give)
+  /// Its pilot takes `parts` steps in one of the file. Its joints give way by the share `give` of a body where
+  /// law 7 ends.
+  Examination(const SceneFile& file, const Scene<M>& scene, double give, int parts)
       : file_(file),
         notes_{file, scene},
+        trials_(notes_),
         pilot_{scene, {ByGraph{}, Baumgarte{.beta = pilot_beta, .slop = 0.001}}},
-        parts_(std::max(4, static_cast<int>(std::ceil(file.step * 240)))) {
+        parts_(parts) {
     give_way(give);
   }
 
   Diagnosis findings() {
     at_the_start();
+    trials_.begin();
     const long steps = std::max(1L, std::lround(file_.duration / file_.step));
     const long every = every_ = std::max(1L, steps / 24);
     bool moving = true;
@@ -55,8 +60,10 @@ class Examination {
       note_pressing();
       if (!pilot_.work.system.lambda.empty()) follow_bends();
       if (i % every == 0 || i == 3) at_a_moment();
+      trials_.at(now(), i);
     }
     if (!lags_.empty()) lag();
+    try_findings();
     Diagnosis diagnosis;
     for (auto& [key, finding] : notes_.worst) diagnosis.findings.push_back(std::move(finding));
     std::stable_sort(diagnosis.findings.begin(), diagnosis.findings.end(), [](const Finding& a, const Finding& b) {
@@ -65,6 +72,9 @@ class Examination {
     });
     return diagnosis;
   }
+
+  /// ω·h of the pilot's own steps: they are short enough only below law 7's limit.
+  double pilots_transverse() const { return transverse_ * file_.step / parts_; }
 
  private:
   /// The slowest mode of the sweeps at one moment.
@@ -178,6 +188,7 @@ class Examination {
     });
     if (gap.number > 0) {
       gap.grade = beyond(gap.number, gap.limit);
+      gap.shows = Shows::at_once;
       gap.sentence = fmt::format(
           "A soft row of ω = {:.3g} /s gives way by T·JM⁻¹Jᵀ/ω², under {:.3g} N by {:.3g} of a body, however many "
           "substeps "
@@ -189,6 +200,7 @@ class Examination {
     }
     if (sag.number > 0) {
       sag.grade = beyond(sag.number, sag.limit);
+      sag.shows = Shows::at_once;
       sag.sentence = fmt::format(
           "A row with a softness γ is a spring: under {:.3g} N it gives way by γFh²/β, {:.3g} of a body, however "
           "many sweeps there are.",
@@ -224,9 +236,20 @@ class Examination {
                  .knobs = {notes_.more_substeps(share / 0.02)}});
   }
 
+  void try_findings() {
+    for (auto& [key, finding] : notes_.worst)
+      if (finding.grade == Grade::fails && trials_.refute(finding)) {
+        finding.grade = Grade::near_the_limit;
+        finding.sentence += trials_.shown(finding);
+      }
+    notes_.time = trials_.time();
+    notes_.keep(trials_.finding(transverse_ * notes_.treatment.h));
+  }
+
   void transverse(const Moment<M>& moment) {
     const double frequency = largest_transverse_frequency(moment);
     if (frequency == 0) return;
+    transverse_ = std::max(transverse_, frequency);
     const double number = frequency * notes_.treatment.h, limit = 2;
     const double hardest = strongest(moment);
     notes_.keep(
@@ -281,6 +304,7 @@ class Examination {
     });
     if (worst.number == 0) return;
     worst.grade = beyond(worst.number, worst.limit);
+    worst.shows = Shows::at_once;
     worst.sentence = fmt::format(
         "At {:.2f} s a joint bends its way so fast that it stands open by {:.3g} of a body: a substep adds "
         "½h²|J̇V|, "
@@ -444,7 +468,7 @@ class Examination {
   void lag() {
     ModeState state;
     const Lag *at = &lags_.front(), *worst = at;
-    double gap = 0, high = 0, low = 0, when = 0;  // of it, and of its last quarter [bodies]
+    double gap = 0, high = 0, low = 0, by_half = 0;  // of it, its last quarter and its first half [bodies]
     const long steps = std::lround(file_.duration / notes_.treatment.h);
     for (long i = 0; i < steps && gap < 1e3; ++i) {
       const double time = static_cast<double>(i) * notes_.treatment.h;
@@ -454,7 +478,7 @@ class Examination {
       state.step(mode_of(*at), load_in(frame, !at->joint) * at->load_share);
       const double now = state.C / at->size;
       if (std::abs(now) > gap) gap = std::abs(now), worst = at;
-      if (gap > share_of_a_body && when == 0) when = time;
+      if (2 * time < file_.duration) by_half = gap * (worst->joint ? 1 : 2);
       if (4 * i > 3 * steps) high = std::max(high, now), low = std::min(low, now);
     }
     const Lag& most = *worst;
@@ -480,7 +504,9 @@ class Examination {
                                 notes_.treatment.beta, limit, growth)
                   : fmt::format("Under its load the mode opens by {:.3g} of a body before the sweeps catch up.",
                                 gap)),
-         .knobs = knobs});
+         .knobs = knobs,
+         .shows = Shows::in_time,
+         .by_half = by_half});
     if (!notes_.treatment.warm_start || !notes_.treatment.adds_velocity) return;
     if (!most.joint)
       notes_.keep(
@@ -494,7 +520,9 @@ class Examination {
                sweeps +
                fmt::format("Warm start and β = {:.3g} make the bodies hop on each other, by {:.3g} of a body.",
                            notes_.treatment.beta, high - low),
-           .knobs = knobs});
+           .knobs = knobs,
+           .shows = Shows::in_time,
+           .by_half = by_half});
     notes_.keep({.law = 6,
                  .quantity = "β·q/(1 − q)",
                  .number = notes_.treatment.beta / limit,
@@ -506,11 +534,13 @@ class Examination {
 
   const SceneFile& file_;
   Notes<M> notes_;
+  Trials<M> trials_;
   Simulation<M> pilot_;
   int parts_;                                            // steps of the pilot in one of the file
   std::vector<double> loads_;                            // mean |λ|/h of all rows in each step [N]
   std::vector<std::set<std::pair<int, int>>> pressing_;  // bodies that press on each other after each step
   std::vector<int> hardest_;
+  double transverse_ = 0;               // the largest ω [1/s]
   long every_ = 1;                      // steps of the file between moments
   double taken_ = 0, most_motion_ = 0;  // by turning rows, of the motion [J]
   std::vector<double> openings_;        // of the joints, by row [m]
@@ -530,12 +560,21 @@ Diagnosis diagnose(const SceneFile& file) {
         if (const std::string reason = refusal(scene, file.method); !reason.empty())
           throw std::invalid_argument(reason);
         constexpr double unseen = 0.002;
-        Diagnosis diagnosis = Examination<M>(file, scene, unseen).findings();
+        int parts = std::max(4, static_cast<int>(std::ceil(file.step * 240)));
+        const auto examine = [&](double give) {
+          Examination<M> examination(file, scene, give, parts);
+          const Diagnosis diagnosis = examination.findings();
+          const double transverse = examination.pilots_transverse();
+          if (transverse <= 1) return diagnosis;
+          parts = std::min(8 * parts, static_cast<int>(std::ceil(1.5 * transverse * parts)));
+          return Examination<M>(file, scene, give, parts).findings();
+        };
+        Diagnosis diagnosis = examine(unseen);
         // Law 7 says that bodies begin to swing. They stop where their swing has let the joints open so far that
         // they pull less: it fails only what pulls too hard even when they have opened as far as counts as a
         // failure.
         if (fails_by(diagnosis, 7)) {
-          const Diagnosis open = Examination<M>(file, scene, share_of_a_body).findings();
+          const Diagnosis open = examine(share_of_a_body);
           if (!fails_by(open, 7)) diagnosis = open;
         }
         return diagnosis;

@@ -11,6 +11,9 @@ namespace byhand::doctor {
 
 enum class Grade { fine, near_the_limit, fails };
 
+/// Where a run shows what a finding foresees: in gaps within a few steps, in gaps after a while, or elsewhere.
+enum class Shows { elsewhere, at_once, in_time };
+
 /// What to turn, and how far.
 struct Knob {
   std::string name;   // of a member of the file's method, or "step"
@@ -28,6 +31,8 @@ struct Finding {
   std::vector<int> bodies = {};  // that it is about
   std::string sentence = {};     // the number, by how much, what happens and when
   std::vector<Knob> knobs = {};  // in the order in which to turn them
+  Shows shows = Shows::elsewhere;
+  double by_half = 1;  // the number that it foresees for half of the run, of Shows::in_time
 
   /// By how much the number is beyond its limit.
   double excess() const { return limit > 0 ? number / limit : 0; }

@@ -92,9 +92,13 @@ Kick drift_across_gravity(const Scene<M>& scene, const VelocityStepping& method,
     if (B == Bound::none) held[block.body1] = held[block.body2] = 1;
   });
   const std::vector<Linear<M>> after = apart();
+  const auto rests = [&](std::size_t i) {
+    const int body = static_cast<int>(i);
+    return exactly.scene.bodies().velocity[body].template head<M::linear>().norm() < 0.1 * gravity * step;
+  };
   for (std::size_t i = 0; i < before.size(); ++i)
     if (const double speed = (after[i] - before[i]).norm() / ((end - begin) * step);
-        !held[i] && speed > worst.speed)
+        !held[i] && rests(i) && speed > worst.speed)
       worst = {static_cast<int>(i), speed};
   return worst;
 }

@@ -10,13 +10,11 @@
 #include <vector>
 
 #include "lessons/doctor/doctor.hpp"
-#include "lessons/doctor/sizes.hpp"
+#include "lessons/doctor/opening.hpp"
 #include "lessons/doctor/treatment.hpp"
 
 // What is noted of a scene while it is examined.
 namespace byhand::doctor {
-
-inline constexpr double share_of_a_body = 0.1;  // a gap of this share of a body is a failure
 
 inline Grade beyond(double number, double limit) { return number > limit ? Grade::fails : Grade::fine; }
 inline Knob turn_to(const std::string& name, double value) {
@@ -32,13 +30,10 @@ struct Notes {
   Treatment treatment = treatment_of(file);
   std::vector<double> sizes = doctor::sizes(scene);           // of the bodies [m]
   double time = 0;                                            // of what is noted [s]
+  double kick = 0;                                            // what the first step's sweeps leave [m/s]
   std::map<std::pair<int, std::string>, Finding> worst = {};  // by law and quantity
 
-  double size_of_pair(int body1, int body2) const {
-    const double one = sizes[static_cast<std::size_t>(body1)], two = sizes[static_cast<std::size_t>(body2)];
-    const double both = one > 0 && two > 0 ? std::min(one, two) : std::max(one, two);
-    return both > 0 ? both : 1;
-  }
+  double size_of_pair(int body1, int body2) const { return size_of_both(sizes, body1, body2); }
   std::vector<int> moving(int body1, int body2) const {
     std::vector<int> all;
     for (const int body : {body1, body2})

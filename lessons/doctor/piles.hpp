@@ -32,7 +32,8 @@ void mass_ratios(Notes<M>& notes, const std::vector<std::vector<int>>& above, co
       }
   }
   if (worst.number < 2) return;
-  worst.grade = beyond(worst.excess(), 5);  // the limit holds within a factor: it depends on β and the load
+  worst.grade = beyond(worst.excess(), 1.5);  // the limit holds within a factor: it depends on β and the load
+  worst.shows = Shows::in_time;
   worst.sentence = fmt::format(
       "The upper body is {:.3g} times as heavy as one that carries it; {} warm sweeps settle at β = 0.2 up to "
       "about {:.3g}.",
@@ -138,7 +139,7 @@ void columns(Notes<M>& notes, const Moment<M>& moment, double pressed) {
       const SlowMode lean{
           .left = q, .tipping = std::sqrt(tipping2), .step = h, .warm_start = notes.treatment.warm_start};
       const double growth = lean.growth();
-      double push = 1e-9;
+      double push = std::max(1e-9, notes.kick * h);  // the sweeps' own, too: they are not symmetric
       for (const int body : column)
         push = std::max(push, bodies.velocity[body].template head<M::linear>().norm() * h);
       const double falls = growth > 1 + 1e-9 ? std::log(0.5 * height / push) / std::log(growth) * h : INFINITY;

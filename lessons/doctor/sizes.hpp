@@ -46,4 +46,11 @@ std::vector<double> sizes(const Scene<M>& scene) {
   return all;
 }
 
+/// The smaller of two bodies' sizes [m]; the other's where one has none, 1 where none has.
+inline double size_of_both(const std::vector<double>& sizes, int body1, int body2) {
+  const double one = sizes[static_cast<std::size_t>(body1)], two = sizes[static_cast<std::size_t>(body2)];
+  const double both = one > 0 && two > 0 ? std::min(one, two) : std::max(one, two);
+  return both > 0 ? both : 1;
+}
+
 }  // namespace byhand::doctor

@@ -17,6 +17,7 @@ void first_step(Notes<M>& notes) {
   if (notes.treatment.passes == 0) return;
   const Kick kick = left_by_the_first_step(notes.scene, notes.file.method, notes.file.step, notes.sizes);
   if (kick.body < 0) return;
+  notes.kick = kick.speed;
   const double size = notes.sizes[static_cast<std::size_t>(kick.body)],
                way = kick.speed * (notes.treatment.warm_start ? notes.file.step : notes.file.duration);
   notes.keep({.law = 4,
@@ -70,6 +71,7 @@ void overlaps(Notes<M>& notes, const System<M>& system) {
   if (deepest.number <= notes.treatment.slop) return;
   const double speed = notes.treatment.beta * deepest.number / notes.treatment.h;
   deepest.grade = beyond(deepest.number, limit);
+  deepest.shows = Shows::at_once;
   deepest.sentence = fmt::format(
       "They begin {:.3g} m in each other. The correction drives them apart at βd/h = {:.3g} m/s, which stays: "
       "they leave "

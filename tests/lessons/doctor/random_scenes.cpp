@@ -6,6 +6,7 @@
 #include <random>
 
 #include "lessons/doctor/doctor.hpp"
+#include "lessons/doctor/opening.hpp"
 #include "lessons/scenes/box_on_an_arm.hpp"
 #include "lessons/scenes/boxes.hpp"
 #include "lessons/scenes/branches.hpp"
@@ -107,47 +108,31 @@ SceneFile random_scene(int seed) {
 
 namespace {
 
-/// The largest gap of a joint or overlap of two bodies [m]. Limits are angles, and left out.
-template <class M>
-double gap_of(const Simulation<M>& simulation) {
-  const Scene<M>& scene = simulation.scene;
-  double largest = 0;
-  for_each_constraint(scene, simulation.work.contacts, [&](const ConstraintStore<M>& store, const auto& entry) {
-    const bool touches = store.holds_where_found;
-    if (store.position_rows == 0 || (store.bound != Bound::none && !touches)) return;
-    double C[6], sum = 0;
-    store.write_value(entry.index, scene.bodies(), C);
-    for (int k = 0; k < std::min(store.position_rows, M::linear); ++k) {
-      if (touches) largest = std::max(largest, -C[k]);
-      sum += C[k] * C[k];
-    }
-    if (!touches) largest = std::max(largest, std::sqrt(sum));
-  });
-  return largest;
-}
-
 template <class M>
 struct Run {
   std::string stopped = {};
-  double gap = 0, when = 0;  // largest [m], and when it was beyond the limit first [s]
-  double gained = 0;         // largest energy above that of the beginning [J]
+  doctor::Opening worst = {};
+  double when = 0;    // it had opened too far [s]; 0: never
+  double gained = 0;  // largest energy above that of the beginning [J]
   std::vector<Pose<M>> end = {};
 };
-template <class M>
-bool is_driven(const Scene<M>& scene) {
-  if constexpr (M::angular > 0)
-    return !scene.template all<Motor<M, Turn>>().empty() || !scene.template all<Motor<M, Slide>>().empty() ||
-           !scene.template all<Servo<M, Turn>>().empty() || !scene.template all<Servo<M, Slide>>().empty();
-  return false;
+
+double slop_of(const VelocityStepping& method) {
+  double slop = 0;
+  std::visit(
+      [&](const auto& cure) {
+        if constexpr (requires { cure.slop; }) slop = cure.slop;
+      },
+      method.drift);
+  return slop;
 }
+
 template <class M>
-Run<M> run_of(const SceneFile& file, const VelocityStepping& method, double limit) {
+Run<M> run_of(const SceneFile& file, const VelocityStepping& method) {
   Simulation<M> simulation{std::get<Scene<M>>(file.scene), method};
+  doctor::Watch<M> watch(simulation.scene, slop_of(method), file.step);
   Run<M> run;
   const double first = energy(simulation.scene);
-  Simulation<M> begun = simulation;
-  begun.work.contacts.find(begun.scene, file.step);
-  limit = std::max(limit, 1.001 * gap_of(begun));  // what overlaps from the beginning is not the method's doing
   const long steps = std::lround(file.duration / file.step);
   for (long i = 0; i < steps; ++i) {
     try {
@@ -156,11 +141,10 @@ Run<M> run_of(const SceneFile& file, const VelocityStepping& method, double limi
       run.stopped = error.what();
       break;
     }
-    const double gap = gap_of(simulation);
-    if (!(gap < limit) && run.when == 0) run.when = simulation.time;
-    run.gap = larger(run.gap, gap);
+    if (watch.look(simulation.scene) && run.when == 0) run.when = simulation.time;
     run.gained = larger(run.gained, energy(simulation.scene) - first);
   }
+  run.worst = watch.worst();
   run.end = simulation.scene.bodies().pose;
   return run;
 }
@@ -173,21 +157,19 @@ Ending ending_of(const SceneFile& file) {
     if (size > 0) smallest = std::min(smallest, size);
   return std::visit(
       [&]<class M>(const Scene<M>& scene) -> Ending {
-        const Run<M> run = run_of<M>(file, file.method, 0.1 * smallest);
+        const Run<M> run = run_of<M>(file, file.method);
         if (!run.stopped.empty()) return {true, run.stopped};
         if (run.when > 0)
-          return {true, fmt::format("opens by a tenth of a body at {:.2f} s, by {:.2g} at most", run.when,
-                                    run.gap / smallest)};
+          return {true, fmt::format("{} by a tenth of a body at {:.2f} s, by {:.2g} at most",
+                                    run.worst.joint ? "opens" : "sinks in", run.when, run.worst.share)};
         // Nothing drives what has no motor, so that it cannot gain energy.
-        double weight = 0;
-        for (const InverseMass<M>& mass : scene.bodies().inverse_mass)
-          if (moves(mass)) weight += scene.gravity.norm() / mass.linear;
-        if (run.gained > 0.25 * weight * smallest && weight > 0 && !is_driven(scene))
+        const double lift = doctor::energy_of_a_lift(scene);
+        if (run.gained > 0.25 * lift && lift > 0 && !doctor::is_driven(scene))
           return {true, fmt::format("gains {:.2g} J", run.gained)};
         // Bodies that an exact run leaves where they are should be left there.
         VelocityStepping exact = default_method<VelocityStepping>();
         exact.substeps = 8;
-        const Run<M> reference = run_of<M>(file, exact, 0.1 * smallest);
+        const Run<M> reference = run_of<M>(file, exact);
         double moved = 0, apart = 0;
         for (int i = 0; i < scene.bodies().size(); ++i) {
           const auto at = static_cast<std::size_t>(i);
