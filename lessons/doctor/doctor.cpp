@@ -60,7 +60,7 @@ class Examination {
       note_pressing();
       if (!pilot_.work.system.lambda.empty()) follow_bends();
       if (i % every == 0 || i == 3) at_a_moment();
-      trials_.at(now(), i);
+      if (trials_.due(i)) trials_.at(now(), i);
     }
     if (!lags_.empty()) lag();
     try_findings();

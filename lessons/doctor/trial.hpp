@@ -50,20 +50,24 @@ Trial tried(Simulation<M>& own, double step, int steps, Watch<M> watch) {
 template <class M>
 class Trials {
  public:
-  static constexpr int steps = 20, every = 10;  // of the file
+  static constexpr int steps = 20;  // of the file
 
   explicit Trials(const Notes<M>& notes)
-      : notes_(notes), watch_(notes.scene, notes.treatment.slop, notes.file.step), half_(half_of(notes.file)) {}
+      : notes_(notes),
+        watch_(notes.scene, notes.treatment.slop, notes.file.step),
+        every_(notes.scene.bodies().size() > 100 ? steps : steps / 2),
+        half_(half_of(notes.file)) {}
 
   /// From the beginning of the scene.
   void begin() {
     const auto from = [&](const VelocityStepping& method) { return Simulation<M>{notes_.scene, method}; };
     try_from(from, 0);
   }
-  /// From where the exact motion is after `frame` steps of the file, with the λ that hold it there.
+  /// Whether a trial begins after `frame` steps of the file.
+  bool due(long frame) const { return frame % every_ == 0 || frame == half_; }
+  /// From where the exact motion is then, with the λ that hold it there.
   void at(const Moment<M>& moment, long frame) {
     if (frame == half_) exact_at_half_ = moment.scene.bodies().pose;
-    if (frame % every != 0) return;
     const auto from = [&](const VelocityStepping& method) {
       Moment<M> laid = laid_out_for(moment, method.solver, notes_.treatment.h);
       return Simulation<M>{std::move(laid.scene), method, std::move(laid.work)};
@@ -150,6 +154,7 @@ class Trials {
 
   const Notes<M>& notes_;
   Watch<M> watch_;
+  int every_;  // steps between trials: in large scenes they do not overlap
   long half_;  // of the run [steps]
   Trial worst_;
   double from_ = 0, with_exact_solves_ = 0;  // where the worst began [s], and its opening with exact solves
