@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "lessons/files/atomic_file.hpp"
+#include "lessons/files/checksum.hpp"
 #include "lessons/practise/handout.hpp"
 #include "lessons/site/course/zip.hpp"
 
@@ -42,20 +43,14 @@ std::string html(const std::string& text) {
   return escaped;
 }
 
-/// FNV-1a.
-std::uint64_t hash(const std::string& text) {
-  std::uint64_t value = 14695981039346656037u;
-  for (const char c : text) value = (value ^ static_cast<unsigned char>(c)) * 1099511628211u;
-  return value;
-}
-
-/// Another for other exercises or another seed: two questions of one course may not share it.
+/// Another for other exercises or another seed: two questions of one course may not share it. Learners may see it,
+/// and no seed follows from it but one that is small enough to be guessed.
 std::string uuid(const std::vector<const Exercise*>& wanted, std::uint64_t seed) {
   std::string what = std::to_string(seed);
   for (const Exercise* exercise : wanted) what += " " + exercise->name;
-  const std::uint64_t high = hash(what), low = hash(what + " again");
-  return fmt::format("{:08x}-{:04x}-4{:03x}-a{:03x}-{:012x}", high >> 32, high >> 16 & 0xffff, high & 0xfff,
-                     low >> 48 & 0xfff, low & 0xffffffffffff);
+  const std::string digest = course::sha256(what);
+  const auto digits = [&](std::size_t from, std::size_t count) { return digest.substr(from, count); };
+  return fmt::format("{}-{}-4{}-a{}-{}", digits(0, 8), digits(8, 4), digits(12, 3), digits(15, 3), digits(18, 12));
 }
 
 /// What PrairieLearn needs to show the question; its image is built from the same folder.

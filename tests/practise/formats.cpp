@@ -16,6 +16,7 @@
 #include <cctype>
 #include <nlohmann/json.hpp>
 #include <regex>
+#include <set>
 
 #include "lessons/page/error.hpp"
 #include "lessons/practise/judge/submission.hpp"
@@ -441,6 +442,23 @@ TEST(Courses, OthersGetTheirStarters) {
                       Not(HasSubstr("Hint"))));
     EXPECT_EQ(std::distance(std::filesystem::directory_iterator(to / "keys"), {}), 1) << "exercise 8 alone";
   }
+}
+
+/// Two questions of one PrairieLearn course may not share it; one that is exported again keeps its own.
+TEST(Courses, HaveAUuidOfTheirExercisesAndSeed) {
+  const Folder folder;
+  int exported = 0;
+  const auto uuid = [&](const std::string& what) {
+    const auto to = folder / std::to_string(++exported);
+    EXPECT_EQ(run(fmt::format("{} {} --export prairielearn --to {}", BYHAND_PRACTISE, what, to.string())).status,
+              0);
+    return Json::parse(contents(to / "question/info.json"))["uuid"].get<std::string>();
+  };
+  const std::string one = uuid("8 --seed 5");
+  EXPECT_THAT(one, testing::MatchesRegex("[0-9a-f]{8}-[0-9a-f]{4}-4[0-9a-f]{3}-[89ab][0-9a-f]{3}-[0-9a-f]{12}"));
+  EXPECT_EQ(uuid("8 --seed 5"), one);
+  const std::set<std::string> all{one, uuid("8 --seed 77"), uuid("9 --seed 5"), uuid("8"), uuid("8")};
+  EXPECT_EQ(all.size(), 5U) << "without --seed one is drawn";
 }
 
 }  // namespace
