@@ -201,7 +201,7 @@ TEST(Compiling, AnotherSignatureIsNamed) {
 
 /// Names of any letters and any length, which a regular expression would not survive.
 TEST(Compiling, AnyNameMayBeMissing) {
-  const std::string missing = " is missing; keep the signature of the task.";
+  const std::string missing = " is used, and nothing here defines it.";
   EXPECT_EQ(bias("return g();", "double g() asm(\"\\\"a[*\\\"\");").sentence, "a[*" + missing);
   EXPECT_EQ(bias("return g();", "double g() asm(\"" + std::string(50000, 'a') + "\");").sentence,
             std::string(200, 'a') + missing);
@@ -211,6 +211,14 @@ TEST(Compiling, AnyNameMayBeMissing) {
            ".data\\nd aaaaaaaa, 18\\n.text\");")
           .sentence,
       HasSubstr("aaaaaaaa" + missing));
+}
+
+/// What C, a variable or an assembler leaves out is no function of the task.
+TEST(Compiling, OnlyAFunctionOfTheTaskIsToldToKeepItsSignature) {
+  EXPECT_EQ(bias("return tick(0);", "extern \"C\" double tick(double);").sentence,
+            "tick is used, and nothing here defines it.");
+  EXPECT_EQ(bias("return rate * C;", "extern double rate;").sentence,
+            "rate is used, and nothing here defines it.");
 }
 
 TEST(Compiling, WarningsAreReadToTheFirstMegabyte) {

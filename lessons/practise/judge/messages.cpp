@@ -115,6 +115,8 @@ std::string about_linking(const std::string& said, const std::string& text) {
     return "Your global variables need more memory than an exercise has.";
   const std::string undefined = undefined_name(said);
   if (undefined.empty()) return "It compiles, and cannot be linked with the judge.";
+  // Functions of C++ are named with their types; this is one of C, a variable, or what an assembler calls.
+  if (undefined.find('(') == std::string::npos) return undefined + " is used, and nothing here defines it.";
   // Of a span without a fixed size.
   const std::string name = without(without(undefined, "plain::"), ", 18446744073709551615ul");
   const std::string called = name.substr(0, name.find('('));
