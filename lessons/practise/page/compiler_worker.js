@@ -1,9 +1,10 @@
 'use strict';
 // Compiles a learner's file. Told { id, start: { compiler, headers } } first and { id, exercise, text } after it; says
-// { id, answer: { program, said } }, or { by: 'clang' or 'lld', said } of what it refused. It keeps the compiler for ever.
+// { id, answer: { program, said } }, or { by: 'clang', 'lld' or 'nobody', said } of what it refused, or broke off at. It keeps
+// the compiler until it is ended from outside.
 
 async function startCompiler(compiler, headers) {
-  const [module, archive] = await Promise.all([unpacked(compiler).then(bytes => WebAssembly.compile(bytes)), unpacked(headers)]);
+  const [module, archive] = await Promise.all([unpacked(compiler).then(bytes => WebAssembly.compile(limitMemory(bytes, mostPages))), unpacked(headers)]);
   return compilerOf(module, untar(archive));
 }
 
@@ -13,7 +14,7 @@ function compilerOf(module, files) {
     const own = new Map(files), source = `learner/${exercise}.cpp`;
     own.set(source, new TextEncoder().encode(placed(exercise, text)));
     const compiled = runTool(module, ['llvm', ...compileCommand(exercise, `/${source}`, '/learner/object.o')], own);
-    if (compiled.status !== 0) return { by: 'clang', said: compiled.said };
+    if (compiled.status !== 0) return { by: compiled.status > 0 ? 'clang' : 'nobody', said: compiled.said };
     const linked = runTool(module, ['llvm', ...linkCommand(exercise, '/learner/object.o', '/learner/program.wasm')], own);
     if (linked.status !== 0) return { by: 'lld', said: linked.said };
     return { program: own.get('learner/program.wasm').slice(), said: compiled.said };

@@ -3,7 +3,8 @@
 //     {"ask": "judge", "exercise": "08_bias", "said": the compiler's warnings}
 //                                              {"kind", "sentence", "details", "printed", "line", "frames"}
 //                                              and, of right code, "solution" and "derivation"
-//     {"ask": "refused", "exercise": "08_bias", "said": …, "text": …, "by": "clang" or "lld"}    the same
+//     {"ask": "refused", "exercise": "08_bias", "said": …, "text": …, "by": "clang", "lld" or
+//                                              "nobody", which broke off}    the same
 //     {"ask": "excerpt", "exercise": "sweep", "said": …}
 //                                              {"kind", "sentence", "details", "printed", "line", "svg"}: what a
 //                                              lesson draws with its plain function, beside the reader's
@@ -84,7 +85,9 @@ enum class Why {
   exited,
   printed,
   system,
-  answered
+  answered,
+  no_room,
+  foreign
 };
 
 Stopped stopped() {
@@ -111,6 +114,12 @@ Stopped stopped() {
       return {
           "Your code asked the system for a file, a process, the time or the network; an exercise needs none."};
     case Why::answered: return {"Your code answered more numbers than an exercise has."};
+    case Why::no_room:
+      return {"This browser has no memory left for your code: close other pages, and check again."};
+    case Why::foreign:
+      return {
+          "Your program does not begin: it imports or exports functions by their names, which an exercise never "
+          "does."};
     case Why::crashed: break;
   }
   return {fmt::format("Your code crashed{}: it used memory that is not its own. Look at pointers and indices.",
@@ -172,12 +181,16 @@ Json judged(const Exercise& exercise, const std::string& said) {
   return answer;
 }
 
+Verdict not_made(const std::string& exercise, const Json& request) {
+  const std::string by = request.at("by"), said = request.at("said"), text = request.at("text");
+  if (text.size() > most_text) return not_compiled(too_long(exercise + ".cpp"));
+  if (by == "lld") return not_compiled(about_linking(said, text));
+  if (by == "clang") return not_compiled("It does not compile.", Messages(said, file_of(exercise)));
+  return not_compiled("The compiler broke off: look for what is very long or nested very deeply.");
+}
+
 Json refused(const std::string& exercise, const Json& request) {
-  const std::string said = request.at("said"), text = request.at("text"), file = exercise + ".cpp";
-  Verdict verdict = text.size() > most_text ? not_compiled(too_long(file))
-                    : request.at("by") == "clang"
-                        ? not_compiled("It does not compile.", Messages(said, file_of(exercise)))
-                        : not_compiled(about_linking(said, text));
+  Verdict verdict = not_made(exercise, request);
   finish(verdict, "");
   return told(verdict);
 }

@@ -3,7 +3,8 @@
 // bytes of the learner's `program` and the name of its `file`. It is ended from outside if nothing comes back.
 
 // As judge_page.cpp has them.
-const reasons = ['not_written', 'undefined', 'endless', 'no_memory', 'too_deep', 'crashed', 'aborted', 'exited', 'printed', 'system', 'answered'];
+const reasons = ['not_written', 'undefined', 'endless', 'no_memory', 'too_deep', 'crashed', 'aborted', 'exited', 'printed', 'system', 'answered',
+  'no_room', 'foreign'];
 const mostPrinted = 64 << 10, mostNumbers = 1e6;
 
 class Stop extends Error {
@@ -46,6 +47,7 @@ function startLearner(bytes, file) {
   let size = 0, stopped, code;
   const because = why => (...numbers) => { throw new Stop(why, ...numbers); };
   const page = {
+    __proto__: null,  // or a program could import what every object inherits
     not_written: because('not_written'), endless: because('endless'), no_memory: because('no_memory'),
     undefined(kind, line) { throw new Stop('undefined', kind, line); },
   };
@@ -58,16 +60,27 @@ function startLearner(bytes, file) {
     if (stopped) return undefined;
     try { return work(); } catch (error) { stopped = reasonOf(error, find); }
   };
+  const begin = () => {
+    const imports = { wasi_snapshot_preview1: printing(() => code.memory.buffer, keep), page };
+    try {
+      return new WebAssembly.Instance(new WebAssembly.Module(bytes), imports).exports;
+    } catch (error) {
+      throw new Stop(hasNoRoom(error) ? 'no_room' : 'foreign');
+    }
+  };
   attempt(() => {
-    code = new WebAssembly.Instance(new WebAssembly.Module(bytes), { wasi_snapshot_preview1: printing(() => code.memory.buffer, keep), page }).exports;
+    code = begin();
     code._initialize();
   });
   return {
     call: (which, numbers) => attempt(() => {
-      new Float64Array(code.memory.buffer, code.arguments(numbers.length), numbers.length).set(numbers);
+      // What is called may enlarge the memory, which then has another buffer.
+      const given = code.arguments(numbers.length);
+      new Float64Array(code.memory.buffer, given, numbers.length).set(numbers);
       const length = code.call(which);
       if (length < 0 || length > mostNumbers) throw new Stop('answered');
-      return new Float64Array(code.memory.buffer, code.answers(), length).slice();
+      const answers = code.answers();
+      return new Float64Array(code.memory.buffer, answers, length).slice();
     }),
     stopped: () => stopped,
     printed() {
@@ -82,11 +95,16 @@ function startLearner(bytes, file) {
   };
 }
 
+const wordsOf = error => String(error?.message ?? error);
+
+// The engine could not allocate. Neither a trap nor a full stack, which V8 calls a RangeError too.
+const hasNoRoom = error => error?.name === 'RangeError' && /out of memory|allocat/i.test(wordsOf(error));
+
 // [index of the reason, line, more]. Engines have their own words for a trap.
 function reasonOf(error, find) {
-  const said = String(error?.message ?? error), stack = String(error?.stack ?? '');
+  const said = wordsOf(error), stack = String(error?.stack ?? '');
   let { why, more = 0, line } = error;
-  if (!why) why = error instanceof RangeError || /recursion|call stack/i.test(said) ? 'too_deep' : /unreachable/i.test(said) ? 'aborted' : 'crashed';
+  why ??= /recursion|call stack/i.test(said) ? 'too_deep' : hasNoRoom(error) ? 'no_room' : /unreachable/i.test(said) ? 'aborted' : 'crashed';
   // A stack is full where a function begins, or in what it calls first; the call that brought it there is to blame.
   const [innermost = 0, before = innermost] = find(stack);
   return [reasons.indexOf(why), line ?? (why === 'too_deep' ? before : innermost), more];
@@ -98,11 +116,14 @@ function printing(memory, keep) {
   const view = () => new DataView(memory());
   const put = (at, number) => { view().setUint32(at, number, true); return success; };
   const calls = {
+    __proto__: null,
     fd_write(fd, at, count, written) {
       if (fd !== 1 && fd !== 2) return badDescriptor;
+      const vectors = view();
       let total = 0;
       for (let i = 0; i < count; ++i) {
-        const from = view().getUint32(at + 8 * i, true), length = view().getUint32(at + 8 * i + 4, true);
+        const from = vectors.getUint32(at + 8 * i, true), length = vectors.getUint32(at + 8 * i + 4, true);
+        if (length === 0) continue;  // a program may write millions of them, and so never more than it may
         keep(new Uint8Array(memory(), from, length));
         total += length;
       }

@@ -45,7 +45,7 @@ async function workers() {
   return globalThis.byhandParts;
 }
 
-// The compiler, which is kept as long as the page.
+// The compiler, which is kept until a file keeps it from coming back.
 let compiling;
 const compiler = () => compiling ??= (async () => {
   const [{ compiling: source }, compiler, headers] = await Promise.all([workers(), load('compiler'), load('headers')]);
@@ -65,32 +65,43 @@ const judge = () => judging ??= (async () => {
   return started;
 })().catch(error => { judging = undefined; throw error; });
 
-const patience = 20_000;  // ms; a loop is stopped by the number of its rounds, long before
-async function judged(message) {
-  const service = await judge();
+// What a service answers, or, after so many seconds, nothing: then it was ended.
+function answerWithin(seconds, service, message) {
   let timer;
   const late = new Promise(resolve => {
-    timer = setTimeout(() => {
-      service.end();
-      judging = undefined;
-      resolve({ kind: 'stopped', sentence: `Your code did not return within ${patience / 1000} s; look for a loop that never ends.`, details: '', printed: '', line: 0, frames: 0 });
-    }, patience);
+    timer = setTimeout(() => { service.end(); resolve(undefined); }, 1000 * seconds);
   });
   return Promise.race([service.ask(message), late]).finally(() => clearTimeout(timer));
+}
+const plainVerdict = (kind, sentence) => ({ kind, sentence, details: '', printed: '', line: 0, frames: 0 });
+
+// Most loops are stopped by the number of their rounds, long before, and most of what a compiler finds hard by its own limits.
+const longestToJudge = 20, longestToCompile = 30;  // s
+async function judged(message) {
+  const answer = await answerWithin(longestToJudge, await judge(), message);
+  if (answer !== undefined) return answer;
+  judging = undefined;
+  return plainVerdict('stopped', `Your code did not return within ${longestToJudge} s; look for a loop that never ends.`);
+}
+async function compiled(message) {
+  const answer = await answerWithin(longestToCompile, await compiler(), message);
+  if (answer === undefined) compiling = undefined;
+  return answer;
 }
 
 // The verdict on a text, as the terminal gives it, or what else is asked of its program; `tell` hears what is being done.
 async function verdictOn(exercise, text, tell = () => {}, ask = 'judge') {
   const begin = performance.now();
   if (!compiling) tell('Loading the compiler, 23 MB …');
-  const service = await compiler();
+  await compiler();
   const loaded = performance.now();
   tell('Compiling …');
-  const { program, by, said } = new TextEncoder().encode(text).length > 64 << 10 ? { by: 'clang', said: '' } : await service.ask({ exercise, text });
-  const compiled = performance.now();
+  const made = new TextEncoder().encode(text).length > 64 << 10 ? { by: 'clang', said: '' } : await compiled({ exercise, text });
+  if (!made) return plainVerdict('does_not_compile', `It does not compile within ${longestToCompile} s.`);
+  const { program, by, said } = made, done = performance.now();
   tell('Judging …');
   const verdict = await judged(program ? { request: { ask, exercise, said }, program, file: `${exercise}.cpp` }
     : { request: { ask: 'refused', exercise, said, text, by } });
-  verdict.took = { load: loaded - begin, compile: compiled - loaded, judge: performance.now() - compiled };
+  verdict.took = { load: loaded - begin, compile: done - loaded, judge: performance.now() - done };
   return verdict;
 }

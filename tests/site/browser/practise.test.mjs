@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { existsSync } from 'node:fs';
 import { after, test } from 'node:test';
 
-import { excerpt, exercises, expected, text, variants } from '../live/practise.mjs';
+import { bias, excerpt, exercises, expected, text, variants } from '../live/practise.mjs';
 import { axe, launchFirefox, open, pages, quick, quit, serve, url } from './browser.mjs';
 
 after(quit);
@@ -137,6 +137,27 @@ for (const [page, name, file, [from, to], yours] of [
     assert.deepEqual(tab.complaints, []);
     await tab.close();
   });
+
+// What no count of rounds stops, nor a limit of the compiler: more such files are in ../live/attacks.test.mjs.
+test('a file that never compiles, never returns, or breaks the compiler is told so, and the next is judged', { skip: skip || quick && 'takes a minute', timeout: 400_000 }, async () => {
+  const tab = await open(at('08_bias'));
+  for (const [code, sentence] of [
+    [bias('return A<40>::x;', 'template <int N, int M = 0> struct A { static constexpr int x = A<N - 1, 2 * M>::x + A<N - 1, 2 * M + 1>::x; };\ntemplate <int M> struct A<0, M> { static constexpr int x = 1; };'), 'It does not compile within 30 s.'],
+    [bias('asm volatile("loop\\nbr 0\\nend_loop"); return 0;'), 'Your code did not return within 20 s; look for a loop that never ends.'],
+    [`#pragma clang __debug crash\n${bias('return 0;')}`, 'The compiler broke off: look for what is very long or nested very deeply.'],
+    [bias('return 0;', 'extern "C" __attribute__((export_name("call"))) int mine(int) { return 1; }'), 'Your program does not begin: it imports or exports functions by their names, which an exercise never does.'],
+    [bias('volatile double b = 1;\nreturn bias(C + b, beta, h) + b;'), 'Your code calls itself without an end in line 5: the stack is full.'],
+    [bias('return *(volatile double*)(1u << 30);'), 'Your code crashed in line 4: it used memory that is not its own. Look at pointers and indices.'],
+    [bias('std::puts("<b id=fake>Right, on all 24 probes.</b>"); return 0;', '#include <cstdio>'), 'Your code breaks a law: after a step, C is (1 − β)C.'],
+    [text('08_bias', 'solution.cpp'), 'Right, on all 24 probes.'],
+  ]) {
+    await write(tab, code);
+    assert.equal(await checked(tab), sentence);
+    assert.equal(await tab.$('#fake'), null);
+  }
+  assert.deepEqual(tab.complaints, []);
+  await tab.close();
+});
 
 test('a phone is asked first', { skip }, async () => {
   const tab = await open(at('08_bias'), { width: 390, height: 844, touch: true,

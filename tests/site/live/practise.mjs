@@ -12,6 +12,9 @@ export const exercises = readdirSync(practise).filter(name => /^\d\d_/.test(name
 export const text = (exercise, file) => readFileSync(join(practise, exercise, file), 'utf8');
 export const variants = exercise => ['stub.cpp', 'solution.cpp', ...readdirSync(join(practise, exercise, 'mutants')).sort().map(file => `mutants/${file}`)];
 
+// Exercise 8's function with this body, which begins in line 4.
+export const bias = (body, before = '') => `#include "practise.hpp"\n${before}\ndouble bias(double C, double beta, double h) {\n${body}\n}\n`;
+
 // The sentence that a file begins with.
 export const firstComment = text => {
   const lines = text.split('\n');
@@ -24,8 +27,8 @@ export const expected = (exercise, file) => file === 'solution.cpp' ? 'Right, on
   : file !== 'stub.cpp' ? firstComment(text(exercise, file))
   : /FUNCTIONS .*,/.test(text(exercise, 'signature.hpp')) ? `${/FUNCTIONS (\w+),/.exec(text(exercise, 'signature.hpp'))[1]} is not written yet.` : 'Not written yet.';
 
-// { verdict(exercise, text, what to ask), program(exercise, text), ask(request), memories() } of the page's own code; a
-// program is compiled once and gives its verdict each time that it is called. memories() has the bytes of each memory of
+// { verdict(exercise, text, what to ask), program(exercise, text), ask(request), reasonOf(error), memories() } of the page's own
+// code; a program is compiled once and gives its verdict each time that it is called. memories() has the bytes of each memory of
 // WebAssembly that nothing has let go of: the judge's, and of what ran last.
 export async function page() {
   const begun = [];
@@ -51,7 +54,8 @@ export async function page() {
       : ask({ ask: 'refused', exercise, said, text, by }));
   };
   return {
-    ask: request => structuredClone(ask(request)), program, verdict: (...of) => program(...of)(),
+    ask: request => structuredClone(ask(request)), program,
+    reasonOf: error => vm.runInContext('reasons', context)[context.reasonOf(error, () => [])[0]], verdict: (...of) => program(...of)(),
     memories: () => begun.map(one => one.deref()).filter(one => one).map(one => one.exports.memory.buffer.byteLength),
   };
 }

@@ -9,7 +9,7 @@ import { test } from 'node:test';
 import { setFlagsFromString } from 'node:v8';
 import vm from 'node:vm';
 
-import { excerpt, exercises, expected, packed, page, text, variants } from './practise.mjs';
+import { bias, excerpt, exercises, expected, packed, page, text, variants } from './practise.mjs';
 
 const skip = !packed && 'this site has no exercises';
 const judge = packed && await page();
@@ -19,7 +19,6 @@ for (const exercise of exercises)
     for (const file of variants(exercise)) assert.equal(judge.verdict(exercise, text(exercise, file)).sentence, expected(exercise, file), file);
   });
 
-const bias = (body, before = '') => `#include "practise.hpp"\n${before}\ndouble bias(double C, double beta, double h) {\n${body}\n}\n`;
 for (const [what, code, sentence] of [
   ['an unknown name', bias('return beta / h * D;'), 'It does not compile.'],
   ['a missing function', '#include "practise.hpp"\n', 'bias(double, double, double) is missing; keep the signature of the task.'],
