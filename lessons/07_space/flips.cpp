@@ -55,9 +55,9 @@ FlipsFilm film_of(const Setting& setting) {
     film.below.curves.push_back(std::move(curve));
   }
   Curve theory{.label = "exact", .style = CurveStyle::theory};
-  for (int i = 0; i <= 100; ++i) {
-    theory.x.push_back(i * flip_seconds / 100);
-    theory.y.push_back(exact.at(theory.x.back()).value.y());
+  for (const Eigen::Vector3d& spin : exact.path(flip_seconds, 100)) {
+    theory.x.push_back(static_cast<double>(theory.x.size()) * flip_seconds / 100);
+    theory.y.push_back(spin.y());
   }
   film.below.curves.push_back(std::move(theory));
   const double shown = std::min(fastest, 3 * setting.spin());

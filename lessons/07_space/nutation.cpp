@@ -58,9 +58,9 @@ NutationFilm film_of(const Setting& setting, const SphericalPendulum& exact) {
     run.x.push_back(bob.time);
     run.y.push_back(degrees(from_down(bob)));
   }
-  for (int i = 0; i <= 60; ++i) {
-    theory.x.push_back(i * nod_seconds / 60);
-    theory.y.push_back(degrees(exact.at(theory.x.back()).angle));
+  for (const double angle : exact.angles(nod_seconds, 60)) {
+    theory.x.push_back(static_cast<double>(theory.x.size()) * nod_seconds / 60);
+    theory.y.push_back(degrees(angle));
   }
   film.beside = {
       .x = {.label = "time (s)"}, .y = {.label = "angle from straight down (deg)"}, .curves = {run, theory}};

@@ -41,4 +41,11 @@ Certified certified_integration(const Rate& rate, const std::vector<double>& sta
   return result;
 }
 
+std::vector<std::vector<double>> integrated_path(const Rate& rate, const std::vector<double>& start, double end,
+                                                 int parts) {
+  std::vector<std::vector<double>> path{start};
+  for (int i = 0; i < parts; ++i) path.push_back(certified_integration(rate, path.back(), end / parts).state);
+  return path;
+}
+
 }  // namespace byhand

@@ -24,4 +24,9 @@ struct Certified {
 Certified certified_integration(const Rate& rate, const std::vector<double>& start, double time,
                                 double tolerance = 1e-17);
 
+/// The states after 0, end/parts, … `end` [s], each integrated so from the one before, whose error goes on: for a
+/// curve, in the time of few integrations.
+std::vector<std::vector<double>> integrated_path(const Rate& rate, const std::vector<double>& start, double end,
+                                                 int parts);
+
 }  // namespace byhand

@@ -10,6 +10,16 @@
 #include "solver/support/require.hpp"
 
 namespace byhand {
+namespace {
+
+Rate eulers_equations(const Eigen::Vector3d& moments) {
+  const long double I1 = moments[0], I2 = moments[1], I3 = moments[2];
+  return [=](const ExtendedState& w, ExtendedState& dwdt) {
+    dwdt = {(I2 - I3) / I1 * w[1] * w[2], (I3 - I1) / I2 * w[2] * w[0], (I1 - I2) / I3 * w[0] * w[1]};
+  };
+}
+
+}  // namespace
 
 FreeTop::FreeTop(const Eigen::Vector3d& moments, const Eigen::Vector3d& spin) : moments_(moments), spin_(spin) {
   for (const double moment : moments) require_positive("moment of inertia", moment, "kg m²");
@@ -46,12 +56,15 @@ double FreeTop::period() const {
 }
 
 FreeTop::Spin FreeTop::at(double time) const {
-  const long double I1 = moments_[0], I2 = moments_[1], I3 = moments_[2];
-  const auto rate = [=](const ExtendedState& w, ExtendedState& dwdt) {
-    dwdt = {(I2 - I3) / I1 * w[1] * w[2], (I3 - I1) / I2 * w[2] * w[0], (I1 - I2) / I3 * w[0] * w[1]};
-  };
-  const Certified end = certified_integration(rate, {spin_[0], spin_[1], spin_[2]}, time);
+  const Certified end = certified_integration(eulers_equations(moments_), {spin_[0], spin_[1], spin_[2]}, time);
   return {{end.state[0], end.state[1], end.state[2]}, end.uncertainty};
+}
+
+std::vector<Eigen::Vector3d> FreeTop::path(double end, int parts) const {
+  std::vector<Eigen::Vector3d> spins;
+  for (const auto& state : integrated_path(eulers_equations(moments_), {spin_[0], spin_[1], spin_[2]}, end, parts))
+    spins.emplace_back(state[0], state[1], state[2]);
+  return spins;
 }
 
 }  // namespace byhand

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 namespace byhand {
 
@@ -24,6 +25,8 @@ class FreeTop {
   double period() const;
   /// The spin after `time` [s] >= 0.
   Spin at(double time) const;
+  /// The spins after 0, end/parts, … `end` [s], in the body's axes [rad/s]: for a curve (see integrated_path).
+  std::vector<Eigen::Vector3d> path(double end, int parts) const;
 
  private:
   Eigen::Vector3d moments_, spin_;

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "lessons/exact/certified_integration.hpp"
 #include "solver/support/require.hpp"
 
 namespace byhand {
@@ -45,18 +44,31 @@ double SphericalPendulum::nutation_period() const {
          boost::math::ellint_1(std::sqrt(std::abs(u0 - other) / span));
 }
 
-// θ̈ = φ̇²·sinθ·cosθ − (g/L)·sinθ with φ̇ from the angular momentum, which gravity cannot change.
-SphericalPendulum::State SphericalPendulum::at(double time) const {
-  const long double sine0 = std::sin(static_cast<long double>(angle_)), momentum = sine0 * sine0 * azimuth_rate_;
-  const long double g_over_l = static_cast<long double>(gravity_) / length_;
-  const auto rate = [=](const ExtendedState& x, ExtendedState& dxdt) {
+long double SphericalPendulum::momentum() const {
+  const long double sine = std::sin(static_cast<long double>(angle_));
+  return sine * sine * azimuth_rate_;
+}
+
+// θ̈ = φ̇²·sinθ·cosθ − (g/L)·sinθ with φ̇ from the angular momentum.
+Rate SphericalPendulum::rate() const {
+  const long double g_over_l = static_cast<long double>(gravity_) / length_, momentum = this->momentum();
+  return [=](const ExtendedState& x, ExtendedState& dxdt) {
     const long double sine = std::sin(x[0]), azimuth_rate = momentum / (sine * sine);
     dxdt = {x[2], azimuth_rate, sine * (azimuth_rate * azimuth_rate * std::cos(x[0]) - g_over_l)};
   };
-  const Certified end = certified_integration(rate, {angle_, 0, 0}, time);
+}
+
+SphericalPendulum::State SphericalPendulum::at(double time) const {
+  const Certified end = certified_integration(rate(), {angle_, 0, 0}, time);
   const double sine = std::sin(end.state[0]);
-  return {end.state[0], end.state[1], end.state[2], static_cast<double>(momentum) / (sine * sine),
+  return {end.state[0], end.state[1], end.state[2], static_cast<double>(momentum()) / (sine * sine),
           end.uncertainty};
+}
+
+std::vector<double> SphericalPendulum::angles(double end, int parts) const {
+  std::vector<double> all;
+  for (const auto& state : integrated_path(rate(), {angle_, 0, 0}, end, parts)) all.push_back(state[0]);
+  return all;
 }
 
 double SphericalPendulum::energy(double mass) const {

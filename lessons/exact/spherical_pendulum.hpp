@@ -1,5 +1,9 @@
 #pragma once
 
+#include <vector>
+
+#include "lessons/exact/certified_integration.hpp"
+
 namespace byhand {
 
 /// A bob on a massless rod in space, started sideways. With u = cosθ, u̇² = (u − u0)·(2(g/L)·(1 − u²) −
@@ -23,12 +27,19 @@ class SphericalPendulum {
   double nutation_period() const;
   /// The state after `time` [s] >= 0.
   State at(double time) const;
+  /// The angles from straight down after 0, end/parts, … `end` [s]: for a curve (see integrated_path).
+  std::vector<double> angles(double end, int parts) const;
   /// Kinetic and potential energy of a bob of `mass` [kg], zero at rest at the pivot's height [J].
   double energy(double mass) const;
   /// About the upward vertical, of a bob of `mass` [kg]: m·L²·sin²θ·φ̇ [kg·m²/s]
   double angular_momentum(double mass) const;
 
  private:
+  /// Of angle, azimuth and angle_rate.
+  Rate rate() const;
+  /// sin²θ·φ̇, which gravity cannot change.
+  long double momentum() const;
+
   double angle_, azimuth_rate_, length_, gravity_;
 };
 

@@ -66,6 +66,13 @@ TEST(SphericalPendulum, KeepsEnergyAndAngularMomentum) {
 }
 
 // With E and L_z for L = 1 as in the atlas: u̇² = 2(E + g·u)(1 − u²) − L_z².
+TEST(SphericalPendulum, ItsPathHasTheAngleAtEachTime) {
+  const SphericalPendulum pendulum(1.9, 1.3, length, gravity);
+  const auto angles = pendulum.angles(4, 60);
+  ASSERT_EQ(angles.size(), 61U);
+  for (const int i : {0, 1, 23, 60}) EXPECT_NEAR(angles[i], pendulum.at(4.0 * i / 60).angle, 1e-12) << i;
+}
+
 TEST(SphericalPendulum, ObeysTheEquationOfItsHeight) {
   const SphericalPendulum pendulum(1.9, 1.3, 1, gravity);
   const double energy = pendulum.energy(1), momentum = pendulum.angular_momentum(1);

@@ -35,6 +35,13 @@ TEST(FreeTop, KeepsEnergyAndMomentum) {
   }
 }
 
+TEST(FreeTop, ItsPathHasTheSpinAtEachTime) {
+  const FreeTop top({1, 2, 3}, {0.5, 10, 0.5});
+  const auto path = top.path(5, 100);
+  ASSERT_EQ(path.size(), 101U);
+  for (const int i : {0, 1, 37, 100}) EXPECT_LT((path[i] - top.at(5 * i / 100.0).value).norm(), 1e-11) << i;
+}
+
 // Near its middle axis for ever longer: the period grows as the logarithm of what is off.
 TEST(FreeTop, TheNearerTheMiddleAxisTheLongerItWaits) {
   const auto period = [](double off) { return FreeTop({1, 2, 3}, {off, 10, off}).period(); };
