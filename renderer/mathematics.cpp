@@ -26,8 +26,9 @@ bool is_one_of(const std::array<Words, n>& list, Words word) {
 }
 
 // Products of quantities that look like words.
-constexpr std::array<Words, 18> products{U"JV",  U"JM", U"gh", U"mg", U"mgh", U"mgL", U"gL", U"vh", U"kw",
-                                         U"RIR", U"RI", U"hv", U"hV", U"hg",  U"mL",  U"rN", U"dt", U"ml"};
+constexpr std::array<Words, 24> products{U"JV", U"JM",  U"gh", U"mg", U"mgh", U"mgL", U"gL",  U"vh",
+                                         U"kw", U"RIR", U"RI", U"hv", U"hV",  U"hg",  U"mL",  U"rN",
+                                         U"dt", U"ml",  U"mR", U"mr", U"mv",  U"mga", U"mgl", U"Fh"};
 constexpr std::array<Words, 8> functions{U"arctan", U"sin", U"cos", U"tan", U"exp", U"log", U"ln", U"max"};
 constexpr std::array<Words, 20> units{U"m",  U"s",  U"N",  U"J",  U"W",   U"kg",  U"mm", U"cm", U"km", U"ms",
                                       U"μs", U"μm", U"Hz", U"kN", U"rad", U"deg", U"mJ", U"kJ", U"ns", U"\xb5s"};

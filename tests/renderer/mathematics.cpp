@@ -26,6 +26,9 @@ TEST(Mathematics, QuantitiesAreItalic) {
   EXPECT_EQ(marked("N³ = 7.84 kw²/2mg"), "⟨N⟩³ = 7.84 ⟨kw⟩²/2⟨mg⟩");
   EXPECT_EQ(marked("x_i"), "⟨x⟩⟨i⟩");
   EXPECT_EQ(marked("C(t)"), "⟨C⟩(⟨t⟩)");
+  EXPECT_EQ(marked("mR²ω = mga"), "⟨mR⟩²⟨ω⟩ = ⟨mga⟩");
+  EXPECT_EQ(marked("torque (mgl)"), "torque (⟨mgl⟩)");
+  EXPECT_EQ(marked("½mv²"), "½⟨mv⟩²");
   EXPECT_EQ(marked("largest error (gh)"), "largest error (⟨gh⟩)");
 }
 
