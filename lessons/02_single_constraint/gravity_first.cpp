@@ -18,7 +18,7 @@ void gravity_first(const Setting& setting, Page& page) {
   const double length = setting.length(), gain = gravity() * setting.h(), rate = row.JV / length;
 
   page.text(
-      R"(A bob of @ kg hangs on a rod of @ m. You hold it @ and let go. Within one time step of h
+      R"(A bob of @ kg is at the end of a rod of @ m. You hold it @ and let go. Within one time step of h
       = @ s gravity adds gh to its velocity, straight down.)",
       setting.mass(), length, held(setting.angle()), setting.h);
   page.excerpt("solver/integrate/euler.hpp", "gravity");

@@ -95,9 +95,9 @@ void drift(const Setting& setting, Page& page) {
   const Chart beside{
       .x = {.label = "time (s)"}, .y = {.label = "C = |d| − L (cm)"}, .curves = {measured, expected}};
   page.sequence("growing_circle",
-                say(visible ? R"(A bob on a rod without mass, b = 0. The circle opens into a spiral: after @ s the
+                say(visible ? R"(A bob on a massless rod, b = 0. The circle opens into a spiral: after @ s the
                               rod is @ cm too long. Right: the error C; dashed, the law below.)"
-                            : R"(A bob on a rod without mass, b = 0. After @ s the rod is @ cm too long, which is
+                            : R"(A bob on a massless rod, b = 0. After @ s the rod is @ cm too long, which is
                               too little to see on the left. Right: the error C; dashed, the law below.)",
                     spiral_seconds, Value(100 * C, 3)),
                 Seconds{spiral_seconds}, [film = SpiralFilm{run, length, beside}](Canvas& canvas, double time) {
