@@ -123,7 +123,7 @@ TEST(StepHtml, AFigureHasItsPictureCaptionLinksAndWords) {
   });
   EXPECT_THAT(section.all("//figure/@data-figure"), ElementsAre("errors"));
   EXPECT_THAT(section.all("//figure/div[@class='picture']/svg"), ElementsAre(""));
-  EXPECT_THAT(section.all("//figcaption"), ElementsAre(HasSubstr("The error. SVG PNG LINK")));
+  EXPECT_THAT(section.all("//figcaption"), ElementsAre(HasSubstr("The error. SaveSVG PNG LINK")));
   EXPECT_THAT(section.all("//figure/figcaption/details[@class='words']"), ElementsAre(HasSubstr("3")));
 }
 

@@ -171,7 +171,8 @@ class ItemWriter {
                     "aria-label=\"{3}\">{4}</div><figcaption>{5}{6}{7}</figcaption></figure>",
                     kind, it.name, index_, escaped(plain_text(it.caption + " " + other.label)), shown.markup,
                     inline_html(it.caption),
-                    fmt::format(" <span class=\"files\">{}{}</span>", in_page ? save : "", shown.links),
+                    fmt::format(" <details class=\"files\"><summary>Save</summary>{}{}</details>",
+                                in_page ? save : "", shown.links),
                     other.words.empty() ? "" : folded("words", "In words", prose_html(other.words))));
   }
 

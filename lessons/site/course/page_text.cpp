@@ -50,7 +50,7 @@ std::string content_of_page(const std::filesystem::path& page) {
   constexpr std::string_view main = "<main id=\"content\" tabindex=\"-1\">";
   const auto begin = all->find(main) + main.size();
   std::string text = loaded_at_once(all->substr(begin, all->find("</main>") - begin));
-  replace_all(text, " <span class=\"files\">", "</span>", "");
+  replace_all(text, " <details class=\"files\">", "</details>", "");
   replace_all(text, "<p class=\"answer\">", "</p>", "");
   replace_all(text, "<input class=\"answer\"", "/>", "");
   replace_all(text, "<p class=\"reply\"", "</p>", "");
