@@ -3,15 +3,14 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <stdexcept>
 
 #include "lessons/cases/pages.hpp"
 #include "lessons/files/atomic_file.hpp"
 #include "lessons/files/exit_status.hpp"
 #include "lessons/files/streams.hpp"
-#include "lessons/page/html/drawn.hpp"
 #include "lessons/page/html/markup.hpp"
+#include "lessons/site/film_file.hpp"
 #include "lessons/site/frame.hpp"
 #include "lessons/site/page_writer.hpp"
 #include "lessons/terminal/claim_table.hpp"
@@ -24,24 +23,7 @@ using site::escaped;
 
 std::string page_name(const Folder& folder) { return fmt::format("case_{:02}.html", std::stoi(folder.slug)); }
 
-/// A film as one picture that plays by itself: each frame is shown for its share of the time, over and over.
-std::string moving_picture(const course::Sequence& film) {
-  constexpr int frames = 24;
-  const double seconds = std::get<course::Seconds>(film.length).value;
-  course::FrameDrawing draw = film.draw;
-  std::string all;
-  for (int i = 0; i < frames; ++i)
-    all += fmt::format(
-        "<g visibility=\"hidden\"><animate attributeName=\"visibility\" calcMode=\"discrete\" "
-        "values=\"hidden;visible;hidden\" keyTimes=\"0;{:.4f};{:.4f}\" dur=\"{:.3f}s\" "
-        "repeatCount=\"indefinite\" />{}</g>\n",
-        static_cast<double>(i) / frames, (i + 1.0) / frames, std::max(seconds, 1.0),
-        site::drawn(fmt::format("{}_{}", film.name, i),
-                    [&](renderer::Canvas& canvas) { draw(canvas, seconds * i / frames); }));
-  return fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 1280 720\"><title>{}</title>\n{}</svg>\n",
-      escaped(film.caption), all);
-}
+constexpr int pictures = 24;  // of a film
 
 /// Writes the films of a step, and links to them at the end of its section.
 std::string with_films(std::string section, const course::RecordedStep& step, const fs::path& site,
@@ -49,7 +31,7 @@ std::string with_films(std::string section, const course::RecordedStep& step, co
   for (const course::Item& item : step.page.items())
     if (const auto* film = std::get_if<course::Sequence>(&item)) {
       const std::string path = fmt::format("cases/{}_{}.svg", folder.slug, film->name);
-      course::write_whole(site / path, moving_picture(*film));
+      course::write_whole(site / path, site::film_file(*film, pictures));
       section.insert(section.rfind("</section>"),
                      fmt::format("<p class=\"facts\"><a href=\"{}\">Play the film</a></p>\n", path));
     }

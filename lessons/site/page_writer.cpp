@@ -7,10 +7,12 @@
 #include "lessons/files/lesson_json.hpp"
 #include "lessons/files/picture_writer.hpp"
 #include "lessons/page/html/drawn.hpp"
+#include "lessons/page/html/seekable_film.hpp"
 #include "lessons/page/html/step_html.hpp"
 #include "lessons/site/bitmaps.hpp"
 #include "lessons/site/card.hpp"
 #include "lessons/site/controls.hpp"
+#include "lessons/site/film_file.hpp"
 #include "lessons/site/lesson_page.hpp"
 #include "lessons/site/page_json.hpp"
 #include "renderer/opengl/space_picture.hpp"
@@ -40,9 +42,9 @@ class Drawer {
   }
 
   Shown operator()(const Sequence& film) const {
-    FrameDrawing draw = film.draw;
-    return {loaded_when_seen(drawn(
-        film.name, [&](renderer::Canvas& canvas) { draw(canvas, 0); }, in_files(film.name)))};
+    SeekableFilm shown(film);
+    const auto first = [&](renderer::Canvas& canvas) { shown.draw(canvas, 0); };
+    return {shown.screen(loaded_when_seen(drawn(film.name, first, in_files(film.name))))};
   }
 
  private:
@@ -60,6 +62,14 @@ class Drawer {
   fs::path site_;
   std::string folder_;
 };
+
+/// For the archive that a teacher takes along.
+void write_films(const std::vector<RecordedStep>& steps, const fs::path& folder) {
+  for (const RecordedStep& step : steps)
+    for (const Item& item : step.page.items())
+      if (const auto* film = std::get_if<Sequence>(&item))
+        course::write_whole(folder / ("film-" + film->name + ".svg"), film_file(*film));
+}
 
 }  // namespace
 
@@ -89,6 +99,7 @@ std::vector<RecordedStep> write_page(const Lesson& lesson, const fs::path& folde
     all += live ? with_controls(sections[i], steps[i], steps) : sections[i];
   }
   write_card(steps, folder / slug);
+  write_films(steps, folder / slug / "films");
   course::write_whole(folder / page_of(slug), lesson_page(lesson, steps, all, live));
   course::write_whole(folder / (slug + ".json"), to_json(digest(lesson, steps)));
   course::write_whole(folder / "questions" / (slug + ".json"), course::questions(lesson, steps));

@@ -145,6 +145,13 @@ TEST_F(Site, TheFiguresOfALessonCanBeTakenAlong) {
                 .status,
             0);
   EXPECT_EQ(of_page(contents(folder / "figure-errors.svg")).mistake(), "");
+  // All pictures of the film, which follow one another.
+  const Markup film = of_page(contents(folder / "film-settling.svg"));
+  EXPECT_EQ(film.mistake(), "");
+  const auto begins = film.all("/svg/svg/@style");
+  ASSERT_GT(begins.size(), 2U);
+  EXPECT_NE(film.all("/svg/svg[1]/*//@*"), film.all("/svg/svg[last()]/*//@*"));
+  EXPECT_EQ(begins[1], "animation-delay:0.333s");
   EXPECT_EQ(contents(folder / "errors.csv"), contents(root() / "99_fixture/data/errors.csv"));
 }
 

@@ -61,8 +61,9 @@ std::string figures_of(const fs::path& site, const Digest& lesson) {
     const auto name = page.find(id, at) + id.size(), close = page.find("</figure>", at),
                first = page.find(svg, at);
     if (first >= close) continue;
-    zip.add(page.substr(name, page.find('"', name) - name) + ".svg",
-            whole(site, page.substr(first, page.find(end, first) + end.size() - first)));
+    const std::string file = page.substr(name, page.find('"', name) - name) + ".svg";
+    const auto film = course::read_whole(site / lesson.slug / "films" / file);
+    zip.add(file, film ? *film : whole(site, page.substr(first, page.find(end, first) + end.size() - first)));
   }
   std::vector<fs::path> data;
   if (fs::is_directory(site / lesson.slug / "data"))

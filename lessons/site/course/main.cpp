@@ -213,9 +213,11 @@ int run(const Wanted& wanted) {
   write("equations.html", site::equations_page());
   write("laws.html", site::laws_page(lessons));
   if (!wanted.without_answers) write("answers.html", site::answer_key(folder.path(), lessons));
-  for (const site::Digest& lesson : lessons)
+  for (const site::Digest& lesson : lessons) {
     course::write_whole(folder.path() / "downloads" / (lesson.slug + "_figures.zip"),
                         site::figures_of(folder.path(), lesson));
+    fs::remove_all(folder.path() / lesson.slug / "films");
+  }
   write("assets/search.js", site::search_script(lessons));
   write("assets/equations.js", site::equations_script());
   write("constraints_by_hand.epub", site::book(folder.path(), lessons));

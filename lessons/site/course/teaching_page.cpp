@@ -78,12 +78,14 @@ std::string downloads(const std::vector<Digest>& lessons, const std::filesystem:
   for (const Digest& lesson : lessons)
     rows += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td></tr>\n",
                         escaped(lesson_title(lesson.slug)), link("slides/" + page_of(lesson.slug), "slides"),
-                        link(fmt::format("downloads/{}_figures.zip", lesson.slug), "figures"));
+                        link(fmt::format("downloads/{}_figures.zip", lesson.slug), "figures and films"));
   return fmt::format(
       "<section id=\"downloads\">\n<h2>To download</h2>\n<ul class=\"ways\">\n{}</ul>\n"
-      "<table><thead><tr><th scope=\"col\">lesson</th><th scope=\"col\">slides</th><th scope=\"col\">figures, SVG "
-      "and CSV</th></tr></thead><tbody>\n{}</tbody></table>\n"
-      "<p>Slides are shown by the browser: arrow keys to go on, S for the speaker's notes.</p>\n</section>\n",
+      "<table><thead><tr><th scope=\"col\">lesson</th><th scope=\"col\">slides</th><th scope=\"col\">figures and "
+      "films, SVG and CSV</th></tr></thead><tbody>\n{}</tbody></table>\n"
+      "<p>Slides are shown by the browser: arrow keys to go on, S for the speaker's notes. A film is an SVG file "
+      "that plays in a browser or on "
+      "such a slide.</p>\n</section>\n",
       all, rows);
 }
 

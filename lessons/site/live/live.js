@@ -175,6 +175,7 @@
       this.written = section.cloneNode(true);  // at the defaults
       this.controls = [];
       this.state = make('p', { className: 'state', attributes: { role: 'status' } });
+      this.inSpace = !!section.querySelector('.picture :is(foreignObject, image)');
       this.sceneAlone = section.dataset.only !== undefined;  // as on the cover: nothing of it is told again
       const heading = section.querySelector('h2');
       heading ? heading.after(this.state) : section.prepend(this.state);
@@ -200,18 +201,21 @@
 
     request(more) { return { ...more, step: this.label, settings: asObject(settings) }; }
 
-    // Tells the step at the present settings. Without `willing`, only if it does not take long.
+    // Tells the step at the present settings. Without `willing`, only if it does not take long. While the reader changes
+    // them, what is in space is drawn small; once they rest, it is drawn again.
     async tell(willing = false) {
+      const again = this.small && !this.stale;
       this.stale = false;
+      this.small = this.inSpace && performance.now() - changed <= rest;
       this.telling = true;
       const begin = performance.now();
       const bar = setTimeout(() => this.say('computing …'), 300);
       try {
-        const told = await this.lesson.ask(this.request({ ask: 'tell' }), {
+        const told = await this.lesson.ask(this.request({ ask: 'tell', small: this.small }), {
           milliseconds: willing ? undefined : patience,
           progress: (done, total) => this.sayProgress(done, total),
         });
-        this.milliseconds = performance.now() - begin;
+        if (!again) this.milliseconds = performance.now() - begin;
         if (told.refused) return refuse(told);
         if (told.error) return this.say(told.error);
         this.needsButton = false;
@@ -222,6 +226,7 @@
       } catch (error) {
         if (!(error instanceof Stopped)) throw error;
         this.milliseconds = Infinity;
+        this.small = false;
         this.needsButton = true;
         this.offerRun();
       } finally {
@@ -385,6 +390,9 @@
 
     controlsOf(names, place) {
       const added = names.map(name => new Control(`${this.label}${place}-${name}`, parameters.get(name)));
+      // The Tab key comes to a parameter's number once in a step, and to each of its sliders.
+      for (const { parameter, slider, field } of added)
+        if (slider && this.controls.some(control => control.parameter === parameter)) field.tabIndex = -1;
       this.controls.push(...added);
       return added;
     }
@@ -511,7 +519,7 @@
     next(lesson) {
       const rested = performance.now() - changed > rest;
       return steps
-        .filter(step => step.stale && !step.telling && !step.needsButton && step.lesson === lesson)
+        .filter(step => (step.stale || step.small && rested) && !step.telling && !step.needsButton && step.lesson === lesson)
         .map(step => ({ step, distance: step.distance }))
         .filter(({ distance, step }) => distance <= (rested ? innerHeight : 0) && (rested || step.milliseconds === undefined || step.milliseconds < 4 * quick))
         .sort((a, b) => a.distance - b.distance)[0]?.step;
@@ -521,7 +529,7 @@
       for (const lesson of [atOnce, takingTime]) this.serve(lesson);
       steps.filter(step => step.uncompared && !step.stale && step.distance <= innerHeight).forEach(step => step.compare());
       clearTimeout(this.later);
-      if (steps.some(step => step.stale)) this.later = setTimeout(() => this.advance(), rest + 20);
+      if (steps.some(step => step.stale || step.small)) this.later = setTimeout(() => this.advance(), rest + 20);
     },
 
     async serve(lesson) {
@@ -555,6 +563,7 @@
       this.play = button('▶', 'play', () => this.playing ? this.stop() : this.run());
       this.back = button('‹', 'one frame back', () => this.jump(-1));
       this.ahead = button('›', 'one frame on', () => this.jump(1));
+      this.back.tabIndex = this.ahead.tabIndex = -1;  // what the arrow keys do at the slider
       this.slider = make('input', { type: 'range', min: 0, max: 1, value: 0, attributes: { 'aria-label': 'time in the film' } });
       this.slider.oninput = () => { this.stop(); this.show(+this.slider.value); };
       this.time = make('output');
@@ -562,7 +571,8 @@
       this.loop.onclick = () => this.loop.setAttribute('aria-pressed', String(!this.looping));
       this.speed = make('select', { attributes: { 'aria-label': 'speed' } },
         ...[['1', '×1'], ['0.5', '×½'], ['0.25', '×¼'], ['0.1', '×1⁄10']].map(([value, textContent]) => make('option', { value, textContent })));
-      this.wide = button('⛶', 'full screen', () => document.fullscreenElement ? document.exitFullscreen() : this.figure.requestFullscreen());
+      this.wide = button('', 'full screen', () => document.fullscreenElement ? document.exitFullscreen() : this.figure.requestFullscreen());
+      this.wide.innerHTML = '<svg viewBox="0 0 16 16" aria-hidden="true"><path d="M2 6V2h4M10 2h4v4M14 10v4h-4M6 14H2v-4" /></svg>';
       this.wide.hidden = !document.fullscreenEnabled;
       this.player = make('div', { className: 'player' }, this.play, this.back, this.ahead, this.slider, this.time, this.loop, this.speed, this.wide);
       this.moveTo(figure);
@@ -594,13 +604,17 @@
       this.slider.setAttribute('aria-valuetext', this.time.textContent);
     }
 
+    // What is shown was drawn small, and need not be any longer.
+    get smaller() { return this.small && !this.playing && !this.step.small; }
+
     get looping() { return this.loop.getAttribute('aria-pressed') === 'true'; }
 
     async ready() {
-      if (this.frames === undefined) await this.step.tell(true);
+      if (this.step.milliseconds === undefined) await this.step.tell(true);
     }
 
-    // Draws frame `index`; if others are asked for meanwhile, the last of them after it.
+    // Draws frame `index`; if others are asked for meanwhile, the last of them after it. While the film plays, what is in
+    // space is drawn small.
     async show(index) {
       this.wanted = index;
       if (this.drawing) return this.drawing;
@@ -608,14 +622,15 @@
         await this.ready();
         do {
           index = this.wanted;
-          const { svg, error } = await this.step.lesson.ask(this.step.request({ ask: 'frame', film: this.name, index }));
+          this.small = this.step.inSpace && (!!this.playing || this.step.small);
+          const { svg, error } = await this.step.lesson.ask(this.step.request({ ask: 'frame', film: this.name, index, small: this.small }));
           if (error) return this.step.say(error);
           this.figure.querySelector('.picture .screen').innerHTML = svg;
           await this.showVersus(index);
           this.index = index;
           this.slider.value = index;
           this.tellTime();
-        } while (this.wanted !== index);
+        } while (this.wanted !== index || this.smaller);
       })().catch(error => bar.fail(error)).finally(() => { this.drawing = undefined; });
       return this.drawing;
     }
@@ -623,7 +638,7 @@
     async showVersus(index) {
       const twin = this.figure.querySelector('.twin');
       if (!twin) return;
-      const request = this.step.request({ ask: 'frame', film: this.name, index });
+      const request = this.step.request({ ask: 'frame', film: this.name, index, small: this.small });
       const { svg } = await this.step.lesson.ask({ ...request, settings: asObject(versus) });
       if (svg) twin.innerHTML = apart(svg);
     }
@@ -661,6 +676,7 @@
       this.playing = false;
       this.play.textContent = '▶';
       this.play.setAttribute('aria-label', 'play');
+      if (this.smaller) this.show(this.index);
     }
   }
 

@@ -102,34 +102,36 @@ const Step& Program::step(const std::string& label) const {
   throw std::invalid_argument(fmt::format("There is no step {}.", label));
 }
 
-Program::Told& Program::told(const Step& step) {
+Program::Told& Program::told(const Step& step, bool small) {
   std::list<Told>& pages = told_[step.label];
   const std::string now = settings();
   const auto found =
       std::find_if(pages.begin(), pages.end(), [&](const Told& told) { return told.settings == now; });
   if (found != pages.end()) {
     pages.splice(pages.begin(), pages, found);
+    if (pages.front().small && !small) tell(pages.front(), small);
     return pages.front();
   }
   forget_reads(lesson_);
   pages.push_front({now, record_step(lesson_, step, true)});
-  tell(pages.front());
+  tell(pages.front(), small);
+  pages.front().recorded.reads = reads(lesson_);
   if (pages.size() > kept) pages.pop_back();
   return pages.front();
 }
 
-void Program::tell(Told& told) const {
+void Program::tell(Told& told, bool small) const {
+  const renderer::SvgCanvas::DrawWindow& in_space = draw_window(small);
   for (const Item& item : told.recorded.page.items())
     if (const auto* sequence = std::get_if<Sequence>(&item)) told.films.try_emplace(sequence->name, *sequence);
-  const auto figure = [&](const Figure& it) { return Shown{drawn(it, draw_window_)}; };
+  const auto figure = [&](const Figure& it) { return Shown{drawn(it, in_space)}; };
   const auto film = [&](const Sequence& it) {
     SeekableFilm& shown = told.films.at(it.name);
     const auto first = [&](renderer::Canvas& canvas) { shown.draw(canvas, 0); };
-    return Shown{fmt::format("<div class=\"screen\" data-frames=\"{}\" data-rate=\"{}\">{}</div>", shown.frames(),
-                             shown.in_real_time() ? SeekableFilm::rate : 0, drawn(it.name, first, draw_window_))};
+    return Shown{shown.screen(drawn(it.name, first, in_space))};
   };
   told.html = step_html(told.recorded, {figure, film});
-  told.recorded.reads = reads(lesson_);
+  told.small = small;
 }
 
 Held& Program::in_hand(const Step& step) {
@@ -149,19 +151,20 @@ std::string Program::answer(const std::string& request) {
     const Json asked = Json::parse(request);
     apply(asked.value("settings", std::map<std::string, std::string>{}));
     const std::string what = asked.at("ask");
+    const bool small = asked.value("small", false);
     const auto asked_step = [&]() -> const Step& { return step(asked.at("step")); };
     if (what == "describe") {
       reply = described(lesson_);
     } else if (what == "check") {
       for (const ParameterRecord& p : lesson_.parameters()) reply["typed"][p.name] = p.typed(p.value);
     } else if (what == "tell") {
-      const Told& page = told(asked_step());
+      const Told& page = told(asked_step(), small);
       reply = {{"html", page.html}, {"reads", page.recorded.reads}};
     } else if (what == "frame") {
-      SeekableFilm& film = told(asked_step()).films.at(asked.at("film"));
+      SeekableFilm& film = told(asked_step(), true).films.at(asked.at("film"));
       const std::string name = asked.at("film");
       const auto frame = [&](renderer::Canvas& canvas) { film.draw(canvas, asked.at("index")); };
-      reply["svg"] = drawn(name, frame, draw_window_);
+      reply["svg"] = drawn(name, frame, draw_window(small));
     } else if (what == "hold") {
       const Step& step = asked_step();
       Held& scene = in_hand(step);
@@ -172,7 +175,8 @@ std::string Program::answer(const std::string& request) {
       const auto draw = [&](renderer::Canvas& canvas) { scene.draw(canvas, part); };
       reply["svg"] = drawn(step.hold->name, draw, {}, Held::width);
     } else if (what == "grade") {
-      reply = graded(lesson_, question(told(asked_step()).recorded.page, asked.at("question")), asked.at("typed"));
+      reply = graded(lesson_, question(told(asked_step(), true).recorded.page, asked.at("question")),
+                     asked.at("typed"));
     } else {
       throw std::invalid_argument(fmt::format("\"{}\" is no request.", what));
     }

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "renderer/svg_canvas.hpp"
+#include "lessons/site/live/program.hpp"
 
 namespace byhand::site {
 
-/// What draws scenes in space into the pictures of this page; none for a lesson in the plane.
-renderer::SvgCanvas::DrawWindow space_window();
+/// What draws scenes in space into the pictures of this page; nothing for a lesson in the plane.
+DrawWindows space_windows();
 
 }  // namespace byhand::site

@@ -17,7 +17,7 @@ std::optional<byhand::site::Program> program;
 
 /// The main of a lesson fills it and calls this at its end.
 int byhand::course::Lesson::run(int, const char* const*) {
-  program.emplace(std::move(*this), site::space_window());
+  program.emplace(std::move(*this), site::space_windows());
   return 0;
 }
 

@@ -7,7 +7,7 @@
 #include "renderer/data_url.hpp"
 #include "renderer/opengl/gl.hpp"
 #include "renderer/opengl/offscreen.hpp"
-#include "renderer/opengl/pixel_canvas.hpp"
+#include "renderer/opengl/space_image.hpp"
 
 __attribute__((import_module("page"), import_name("has_webgl"))) int has_webgl();
 
@@ -22,40 +22,41 @@ class WebGl : public renderer::Context {
   const char* name() const override { return "WebGL 2"; }
 };
 
-/// A part of an image as a BMP file, which costs no compression; browsers tell the format by the bytes.
-std::string bitmap(const renderer::Image& image, const renderer::PixelBox& part) {
-  const std::uint32_t row = (3u * std::uint32_t(part.width) + 3) / 4 * 4, size = row * std::uint32_t(part.height);
+/// An image as a BMP file, which costs no compression; browsers tell the format by the bytes.
+std::string bitmap(const renderer::Image& image) {
+  const std::uint32_t row = (3u * std::uint32_t(image.width) + 3) / 4 * 4,
+                      size = row * std::uint32_t(image.height);
   std::string file = "BM";
   const auto put = [&](std::uint32_t number, int bytes) {
     for (int i = 0; i < bytes; ++i) file += static_cast<char>(number >> (8 * i) & 0xff);
   };
   put(54 + size, 4), put(0, 4), put(54, 4);  // sizes of the file, nothing, of the headers
-  put(40, 4), put(std::uint32_t(part.width), 4), put(std::uint32_t(part.height), 4);
+  put(40, 4), put(std::uint32_t(image.width), 4), put(std::uint32_t(image.height), 4);
   put(1, 2), put(24, 2), put(0, 4), put(size, 4), put(2835, 4), put(2835, 4), put(0, 8);
-  for (int y = part.y + part.height - 1; y >= part.y; --y) {
-    for (int x = part.x; x < part.x + part.width; ++x) {
+  for (int y = image.height - 1; y >= 0; --y) {
+    for (int x = 0; x < image.width; ++x) {
       const auto* rgb = image.pixel(x, y);
       for (const int channel : {2, 1, 0}) file += static_cast<char>(rgb[channel]);
     }
-    file.append(row - 3u * std::uint32_t(part.width), '\0');
+    file.append(row - 3u * std::uint32_t(image.width), '\0');
   }
   return file;
 }
 
+/// Draws with one pixel for `shrink` × `shrink` of the page's.
+template <int shrink>
 std::string draw(const renderer::SvgCanvas::Window& window, const renderer::PageSize& page,
                  renderer::Colour paper) {
-  static renderer::PixelCanvas canvas(page.width, page.height);
-  canvas.clear(paper);
-  canvas.draw(window.scene);
-  return renderer::data_url(bitmap(canvas.image(), window.frame));
+  static renderer::PixelCanvas canvas(page.width / shrink, page.height / shrink);
+  return renderer::data_url(bitmap(renderer::space_image(canvas, window, page, paper)));
 }
 
 }  // namespace
 
 std::unique_ptr<renderer::Context> renderer::Context::make() { return std::make_unique<WebGl>(); }
 
-renderer::SvgCanvas::DrawWindow site::space_window() {
-  if (has_webgl()) return draw;
+site::DrawWindows site::space_windows() {
+  if (has_webgl()) return {draw<1>, draw<4>};
   return {};
 }
 

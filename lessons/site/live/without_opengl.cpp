@@ -2,6 +2,6 @@
 
 namespace byhand::site {
 
-renderer::SvgCanvas::DrawWindow space_window() { return {}; }
+DrawWindows space_windows() { return {}; }
 
 }  // namespace byhand::site

@@ -32,7 +32,7 @@ test('each page has its report, its numbers, two films and its scene in the play
     assert.equal(films.length, 2, name);
     for (const film of films) {
       assert.ok(existsSync(join(site, film)), film);
-      const frames = readFileSync(join(site, film), 'utf8').match(/<animate /g) ?? [];
+      const frames = readFileSync(join(site, film), 'utf8').match(/<svg style="animation-delay:/g) ?? [];
       assert.equal(frames.length, 24, film);
     }
     assert.ok(width <= 0, name);

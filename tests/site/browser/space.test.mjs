@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
 
-import { lessons, live, quit } from './browser.mjs';
+import { lessons, live, quit, settled } from './browser.mjs';
 
 after(quit);
 
@@ -57,6 +57,31 @@ test('without a change WebGL draws each scene as the page has it', { skip }, asy
     assert.ok(anew, `${place} is drawn by the browser: ${said}`);
     assert.ok(most < 48 && mean < 0.5, `${place}: ${most} at most, ${mean} in the mean, of 255`);
   }
+  assert.deepEqual(tab.complaints, []);
+  await tab.close();
+});
+
+test('while a slider moves a scene is drawn with fewer pixels, and in full once it rests', { skip }, async () => {
+  const tab = await live(space);
+  const figure = await tab.evaluateHandle(() => document.querySelector('figure[data-figure]:has(foreignObject)'));
+  const width = () => figure.evaluate(async figure => {
+    const image = new Image();
+    image.src = figure.querySelector('image').getAttribute('href');
+    await image.decode();
+    return image.naturalWidth;
+  });
+  await figure.evaluate(figure => {
+    figure.scrollIntoView();
+    const step = byhandPage.steps.find(step => step.section.contains(figure)), slider = figure.querySelector('.knobs input[type=range]');
+    const told = new Promise(resolve => { step.show = html => { delete step.show; step.show(html); resolve(); }; });
+    slider.value = slider.max / 3;
+    slider.dispatchEvent(new Event('input', { bubbles: true }));
+    return told;
+  });
+  const small = await width();
+  await settled(tab);
+  const full = await width();
+  assert.ok(full >= 4 * small - 4 && full <= 4 * small + 4 && small > 50, `${small} and ${full} pixels wide`);
   assert.deepEqual(tab.complaints, []);
   await tab.close();
 });

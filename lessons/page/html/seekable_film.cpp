@@ -1,4 +1,6 @@
-#include "lessons/site/live/seekable_film.hpp"
+#include "lessons/page/html/seekable_film.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,6 +21,11 @@ void SeekableFilm::draw(renderer::Canvas& canvas, int index) {
   if (index < last_) drawing_ = sequence_->draw;
   last_ = index;
   drawing_(canvas, in_real_time() ? static_cast<double>(index) / rate : index);
+}
+
+std::string SeekableFilm::screen(const std::string& svg) const {
+  return fmt::format("<div class=\"screen\" data-frames=\"{}\" data-rate=\"{}\">{}</div>", frames(),
+                     in_real_time() ? rate : 0, svg);
 }
 
 }  // namespace byhand::site

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "lessons/page/items.hpp"
 
 namespace byhand::site {
@@ -15,6 +17,8 @@ class SeekableFilm {
   int frames() const;
   bool in_real_time() const;
   void draw(renderer::Canvas& canvas, int index);
+  /// One of its frames as a page has it, with how many there are and how many a second.
+  std::string screen(const std::string& svg) const;
 
  private:
   const course::Sequence* sequence_;
