@@ -159,8 +159,9 @@ std::string book(const fs::path& site, const std::vector<Digest>& lessons) {
                   properties_of(chapter.content));
     spine += fmt::format("<itemref idref=\"c-{}\"/>\n", chapter.file);
   }
-  zip.add("book/contents.xhtml", page("Contents", table_of_contents(chapters, lessons)));
-  items += item("contents", "contents.xhtml", "application/xhtml+xml", "nav");
+  const std::string contents = table_of_contents(chapters, lessons), has = properties_of(contents);
+  zip.add("book/contents.xhtml", page("Contents", contents));
+  items += item("contents", "contents.xhtml", "application/xhtml+xml", has.empty() ? "nav" : "nav " + has);
   int files = 0;
   const auto add_files = [&](const fs::path& folder, const char* extension, const char* type) {
     if (!fs::is_directory(site / folder)) return;

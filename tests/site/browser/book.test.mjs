@@ -1,13 +1,13 @@
 // The e-book, as a reader of 375, 600 or 800 pixels shows its chapters.
 import assert from 'node:assert/strict';
-import { execFileSync } from 'node:child_process';
+import { execFileSync, spawnSync } from 'node:child_process';
 import { existsSync, mkdtempSync, readdirSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
 
-import { open, quit, site } from './browser.mjs';
+import { open, quick, quit, site } from './browser.mjs';
 
 after(quit);
 
@@ -32,4 +32,12 @@ test('every figure of the e-book fits its page', { skip: !existsSync(book) && 'o
   context.diagnostic(`${figures / 3} figures`);
   assert.ok(figures > 0);
   rmSync(folder, { recursive: true });
+});
+
+const judge = '/usr/share/java/epubcheck.jar';
+const missing = !existsSync(book) ? 'only of the whole course' : quick ? 'of some lessons, to whose others it leads' : !existsSync(judge) && 'epubcheck is not installed';
+
+test('epubcheck finds nothing in the e-book', { skip: missing }, () => {
+  const { stdout, stderr } = spawnSync('java', ['-jar', judge, book], { encoding: 'utf8' });
+  assert.match(stdout + stderr, /0 fatals \/ 0 errors \/ 0 warnings/);
 });
