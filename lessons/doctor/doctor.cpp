@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 
 #include "lessons/doctor/motion.hpp"
@@ -36,7 +37,8 @@ class Examination {
     give_way(give);
   }
 
-  Diagnosis findings() {
+  /// Empty as soon as the rows swing faster than `most_transverse` [1/s].
+  Diagnosis findings(double most_transverse) {
     at_the_start();
     trials_.begin();
     const long steps = std::max(1L, std::lround(file_.duration / file_.step));
@@ -60,6 +62,7 @@ class Examination {
       note_pressing();
       if (!pilot_.work.system.lambda.empty()) follow_bends();
       if (i % every == 0 || i == 3) at_a_moment();
+      if (transverse_ > most_transverse) return {};
       if (trials_.due(i)) trials_.at(now(), i);
     }
     if (!lags_.empty()) lag();
@@ -73,8 +76,8 @@ class Examination {
     return diagnosis;
   }
 
-  /// ω·h of the pilot's own steps: they are short enough only below law 7's limit.
-  double pilots_transverse() const { return transverse_ * file_.step / parts_; }
+  /// The largest transverse ω [1/s] that it has met.
+  double transverse() const { return transverse_; }
 
  private:
   /// The slowest mode of the sweeps at one moment.
@@ -536,7 +539,8 @@ class Examination {
   Notes<M> notes_;
   Trials<M> trials_;
   Simulation<M> pilot_;
-  int parts_;                                            // steps of the pilot in one of the file
+  int parts_;  // steps of the pilot in one of the file
+  bool may_refine_;
   std::vector<double> loads_;                            // mean |λ|/h of all rows in each step [N]
   std::vector<std::set<std::pair<int, int>>> pressing_;  // bodies that press on each other after each step
   std::vector<int> hardest_;
@@ -559,24 +563,28 @@ Diagnosis diagnose(const SceneFile& file) {
       [&]<class M>(const Scene<M>& scene) {
         if (const std::string reason = refusal(scene, file.method); !reason.empty())
           throw std::invalid_argument(reason);
-        constexpr double unseen = 0.002;
         int parts = std::max(4, static_cast<int>(std::ceil(file.step * 240)));
-        const auto examine = [&](double give) {
-          Examination<M> examination(file, scene, give, parts);
-          const Diagnosis diagnosis = examination.findings();
-          const double transverse = examination.pilots_transverse();
-          if (transverse <= 1) return diagnosis;
-          parts = std::min(8 * parts, static_cast<int>(std::ceil(1.5 * transverse * parts)));
-          return Examination<M>(file, scene, give, parts).findings();
+        const int most_parts = 4 * parts;
+        // Nothing, if the rows swing faster than that.
+        const auto examine = [&](double give, double most_transverse) -> std::optional<Diagnosis> {
+          for (;;) {
+            // The pilot's own steps are short enough only well below law 7's limit.
+            const double resolved = parts < most_parts ? parts / file.step : INFINITY;
+            Examination<M> examination(file, scene, give, parts);
+            Diagnosis diagnosis = examination.findings(std::min(resolved, most_transverse));
+            if (examination.transverse() > most_transverse) return std::nullopt;
+            if (examination.transverse() <= resolved) return diagnosis;
+            parts = std::min(most_parts, static_cast<int>(std::ceil(1.25 * examination.transverse() * file.step)));
+          }
         };
-        Diagnosis diagnosis = examine(unseen);
+        constexpr double unseen = 0.002;
+        Diagnosis diagnosis = *examine(unseen, INFINITY);
         // Law 7 says that bodies begin to swing. They stop where their swing has let the joints open so far that
         // they pull less: it fails only what pulls too hard even when they have opened as far as counts as a
         // failure.
-        if (fails_by(diagnosis, 7)) {
-          const Diagnosis open = examine(share_of_a_body);
-          if (!fails_by(open, 7)) diagnosis = open;
-        }
+        if (fails_by(diagnosis, 7))
+          if (auto open = examine(share_of_a_body, 2 * file.method.substeps / file.step))
+            diagnosis = *std::move(open);
         return diagnosis;
       },
       file.scene);

@@ -363,5 +363,14 @@ TEST(Doctor, SaysWhatThenHappensToScenesOfASecondHand) {
   EXPECT_GE(table.announced, 0.95 * table.failing);
 }
 
+// Written by a third hand while the doctor was mended, and not looked at before its last change: 57 verdicts of
+// 60, 23 of 24 that fail. One of them, which takes long to move exactly, is left out.
+TEST(Doctor, SaysWhatThenHappensToScenesOfAThirdHand) {
+  const Table table = table_of("unseen");
+  EXPECT_GE(table.scenes, 59);
+  EXPECT_GE(table.verdicts(), 0.9 * table.scenes);
+  EXPECT_GE(table.announced, 0.95 * table.failing);
+}
+
 }  // namespace
 }  // namespace byhand::test
