@@ -1,5 +1,7 @@
 // Deeper: the limit that is not 2.
 
+#include <optional>
+
 #include "lessons/04_baumgarte/steps.hpp"
 #include "lessons/04_baumgarte/warm_chain.hpp"
 #include "lessons/laws/closed_forms.hpp"
@@ -12,16 +14,34 @@ constexpr double chain_seconds = 4, least_shown = 1e-5;  // [s], of |C|/L [1]
 /// Decades that errors grow by in a hundred steps.
 double decades(double growth) { return 100 * std::log10(std::max(growth, 1e-30)); }
 
-Chart map(const Setting& setting, int links) {
+HeatMap growth_map(int links, double h) {
   constexpr double far = 4;  // decades: what is farther has the colour of the end
   HeatMap grows{.label = "growth in 100 steps (decades)", .diverging = true, .range = {{-far, far}}};
   grows.x = {1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64};
   for (int i = 0; i < 24; ++i) grows.y.push_back(0.01 * std::pow(250, i / 23.0));
   for (const double beta : grows.y)
     for (const double sweeps : grows.x) {
-      const double growth = measured_growth({links, static_cast<int>(sweeps), beta}, setting.h, 300);
+      const double growth = measured_growth({links, static_cast<int>(sweeps), beta}, h, 300);
       grows.values.push_back(std::clamp(decades(growth), -far, far));
     }
+  return grows;
+}
+
+/// The last such map, as long as it is the same: while a reader moves β or the number of sweeps, nobody waits for
+/// it.
+const HeatMap& remembered_map(int links, double h) {
+  struct Map {
+    int links;
+    double h;
+    HeatMap grows;
+  };
+  static std::optional<Map> last;
+  if (!last || last->links != links || last->h != h) last = Map{links, h, growth_map(links, h)};
+  return last->grows;
+}
+
+Chart map(const Setting& setting, int links) {
+  const HeatMap& grows = remembered_map(links, setting.h);
   Curve law{.label = "β = (1 − q)/q, and 2", .style = CurveStyle::theory};
   for (int i = 0; i <= 60; ++i) {
     const double sweeps = std::pow(64, i / 60.0);

@@ -1,5 +1,6 @@
 // Step 7: a stack, and what it asks of a solver.
 
+#include <array>
 #include <map>
 
 #include "lessons/05_contact/column.hpp"
@@ -75,6 +76,10 @@ double law_of_standing(int boxes, double h) {
 /// The fewest warm sweeps a step with which a kicked stack stands; infinity if more than `most_tried` are needed.
 /// The search begins at the law's number, from which it goes away in growing strides.
 double sweeps_needed(int boxes, double h, const Baumgarte& cure = left_alone) {
+  // A reader who moves another slider does not wait for it again.
+  static std::map<std::array<double, 4>, double> known;
+  const std::array<double, 4> asked{static_cast<double>(boxes), h, cure.beta, cure.slop};
+  if (const auto found = known.find(asked); found != known.end()) return found->second;
   int falls = 0, stands = most_tried + 1;
   const auto run = [&](int sweeps) {
     Pile pile = column(boxes, sweeping(sweeps, true));
@@ -87,7 +92,7 @@ double sweeps_needed(int boxes, double h, const Baumgarte& cure = left_alone) {
     next += stands == next ? -stride : stride;
   }
   while (stands - falls > 1) run((falls + stands) / 2);
-  return stands <= most_tried ? stands : INFINITY;
+  return known[asked] = stands <= most_tried ? stands : INFINITY;
 }
 
 /// Velocities of a stack at rest that is nudged, too little for any end of a contact to open, after so many sweeps
