@@ -28,7 +28,7 @@ TEST(Prose, NumbersOfTheArticlesEquationsAreLinks) {
   };
   EXPECT_EQ(inline_html("(17) and (1)–(23)"), link("17") + " and " + link("1") + "–" + link("23"));
   for (const char* const other : {"(24)", "(0)", "(one)", "(2 m)", "(17", "()", "(1.5)", "(123)", "(−2)"})
-    EXPECT_EQ(inline_html(other), other);
+    EXPECT_EQ(inline_html(other, Links::none), other);
   EXPECT_EQ(inline_html("f(2)"), "<span class=\"whole\"><math><mi>f</mi></math>(2)</span>");
   EXPECT_EQ(inline_html("`(17)`"), "<code>(17)</code>");
   EXPECT_EQ(inline_html("*by (17)*"), "<em>by " + link("17") + "</em>");
@@ -44,6 +44,15 @@ TEST(Prose, ALetterBelowAnotherIsASubscript) {
   for (const char* const name : {"at_once", "x_", "_x", "x_ one", "2_3", "a_b_c", "xy_z", "x_yz", "x__y"})
     EXPECT_EQ(inline_html(name), name);
   EXPECT_EQ(inline_html("`r_x`"), "<code>r_x</code>");
+}
+
+TEST(Prose, AnExponentInBracketsIsRaised) {
+  EXPECT_EQ(inline_html("4^(1/3)"), "4<sup>1/3</sup>");
+  EXPECT_EQ(inline_html("(2)^(3)", Links::none), "(2)<sup>3</sup>");
+  EXPECT_EQ(inline_html("e^(−βt)"),
+            "<span class=\"whole\"><math><mi>e</mi></math><sup>"
+            "<span class=\"whole\">−<math><mi>β</mi><mi>t</mi></math></span></sup></span>");
+  for (const char* const other : {"^(", "2 ^(3)", "2^(3"}) EXPECT_EQ(inline_html(other, Links::none), other);
 }
 
 TEST(Prose, QuantitiesAreSetAsInADisplay) {

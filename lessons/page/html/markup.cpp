@@ -27,7 +27,8 @@ class Inline {
 
   std::string html() {
     while (at_ < words_.size())
-      if (!code() && !span("**", "strong") && !span("*", "em") && !equation() && !below() && !variable()) {
+      if (!code() && !span("**", "strong") && !span("*", "em") && !equation() && !below() && !raised() &&
+          !variable()) {
         if (words_[at_] == ' ') end_word();
         all_ += escaped(words_.substr(at_, 1));
         if (words_[at_++] == ' ') word_ = {all_.size(), at_};
@@ -93,6 +94,15 @@ class Inline {
       return false;
     all_ += fmt::format("<sub>{}</sub>", words_[at_ + 1]);
     at_ += 2;
+    return true;
+  }
+
+  /// e^(−βt)
+  bool raised() {
+    const auto end = words_.find(')', at_);
+    if (!rest().starts_with("^(") || before() == ' ' || end == std::string_view::npos) return false;
+    all_ += "<sup>" + Inline(words_.substr(at_ + 2, end - at_ - 2), Links::none).html() + "</sup>";
+    at_ = end + 1;
     return true;
   }
 
