@@ -39,6 +39,20 @@ TEST(Zip, KeepsAFileAsItIsIfAsked) {
   EXPECT_THAT(zip.finish(), testing::HasSubstr("mimetype" + std::string(50, 'x')));
 }
 
+TEST(Zip, KeepsWhatMayBeExecuted) {
+  const Folder folder;
+  std::filesystem::create_directory(folder / "in");
+  for (const char* name : {"data", "program"}) std::ofstream(folder / "in" / name) << "#!/bin/sh\n";
+  std::filesystem::permissions(folder / "in" / "program", std::filesystem::perms::owner_all);
+  std::ofstream(folder / "a.zip", std::ios::binary) << site::zip_of(folder / "in");
+  const Finished read =
+      run("/usr/bin/python3 -c \"import zipfile; print([oct(i.external_attr >> 16) for i in "
+          "zipfile.ZipFile('" +
+          (folder / "a.zip").string() + "').infolist()])\"");
+  if (read.status == 127) GTEST_SKIP() << "python3 is not installed";
+  EXPECT_EQ(read.said, "['0o100644', '0o100755']\n") << read.complained;
+}
+
 TEST(Zip, IsTheSameEachTime) { EXPECT_EQ(archive({{"a", "b"}}), archive({{"a", "b"}})); }
 
 }  // namespace

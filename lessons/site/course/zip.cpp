@@ -36,16 +36,17 @@ std::string deflated(std::string_view bytes) {
 
 }  // namespace
 
-void Zip::add(const std::string& name, std::string_view bytes, Store store) {
+void Zip::add(const std::string& name, std::string_view bytes, Store store, bool runs) {
   const std::string packed = store == Store::compressed ? deflated(bytes) : "";
   const bool is_packed = !packed.empty();
-  constexpr size_t version = 20, first_of_january_1980 = 33;
+  constexpr size_t version = 20, of_unix = 3 << 8, first_of_january_1980 = 33;
+  const size_t mode = runs ? 0100755 : 0100644;
   const std::string_view stored = is_packed ? std::string_view(packed) : bytes;
   const std::string about = two(version) + two(0) + two(is_packed ? 8 : 0) + two(0) + two(first_of_january_1980) +
                             four(libdeflate_crc32(0, bytes.data(), bytes.size())) + four(stored.size()) +
                             four(bytes.size()) + two(name.size()) + two(0);
-  directory_ +=
-      "PK\1\2" + two(version) + about + two(0) + two(0) + two(0) + four(0) + four(archive_.size()) + name;
+  directory_ += "PK\1\2" + two(of_unix + version) + about + two(0) + two(0) + two(0) + four(mode << 16) +
+                four(archive_.size()) + name;
   archive_ += "PK\3\4" + about + name;
   archive_ += stored;
   ++entries_;
@@ -64,8 +65,12 @@ std::string zip_of(const std::filesystem::path& folder) {
     if (entry.is_regular_file()) files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   Zip zip;
-  for (const std::filesystem::path& file : files)
-    zip.add(file.lexically_relative(folder).generic_string(), course::read_whole(file).value_or(""));
+  for (const std::filesystem::path& file : files) {
+    using std::filesystem::perms;
+    const bool runs = (std::filesystem::status(file).permissions() & perms::owner_exec) != perms::none;
+    zip.add(file.lexically_relative(folder).generic_string(), course::read_whole(file).value_or(""),
+            Zip::Store::compressed, runs);
+  }
   return zip.finish();
 }
 
