@@ -68,14 +68,15 @@ std::string write(std::size_t place, const fs::path& site, bool quiet) {
       site::inline_html(told.takeaway));
   if (place > 0) content += link(all()[place - 1], "prev", "Previous");
   if (place + 1 < all().size()) content += link(all()[place + 1], "next", "Next");
-  course::write_whole(
-      site / page_name(folder),
-      site::framed(
-          {.title = told.title, .content = content + "</nav>\n", .summary = told.report, .here = "cases.html"}));
+  course::write_whole(site / page_name(folder), site::framed({.title = told.title,
+                                                              .content = content + "</nav>\n",
+                                                              .summary = told.report,
+                                                              .here = "cases.html",
+                                                              .exercises = site::has_exercises(site)}));
   return course::false_claims(lesson, page.steps);
 }
 
-std::string casebook() {
+std::string casebook(const fs::path& site) {
   std::string rows;
   for (const Folder& folder : all()) {
     const Case told = folder.make();
@@ -91,7 +92,8 @@ std::string casebook() {
 )",
                            rows),
                        .summary = "Reports of engines' users: predicted from the equations, run, cured.",
-                       .here = "cases.html"});
+                       .here = "cases.html",
+                       .exercises = site::has_exercises(site)});
 }
 
 int run(const std::vector<std::string>& words) {
@@ -101,7 +103,7 @@ int run(const std::vector<std::string>& words) {
   const fs::path site = words.front();
   std::string wrong;
   for (std::size_t place = 0; place < all().size(); ++place) wrong += write(place, site, quiet);
-  course::write_whole(site / "cases.html", casebook());
+  course::write_whole(site / "cases.html", casebook(site));
   course::complain(wrong);
   return wrong.empty() ? course::fine : course::false_claim;
 }

@@ -12,15 +12,20 @@ namespace {
 struct Destination {
   std::string_view page, words;
 };
-constexpr std::array<Destination, 5> destinations{{{"index.html", "Lessons"},
+constexpr std::string_view exercises = "practise.html";
+constexpr std::array<Destination, 6> destinations{{{"index.html", "Lessons"},
                                                    {"playground.html", "Playground"},
+                                                   {exercises, "Exercises"},
                                                    {"equations.html", "Equations"},
                                                    {"laws.html", "Laws"},
                                                    {"teaching.html", "For teachers"}}};
 
-std::string navigation(std::string_view here) {
+std::string navigation(const Frame& frame) {
   std::string all;
-  for (const Destination& to : destinations) all += destination(to.page, to.words, here);
+  for (const auto& [page, words] : destinations)
+    if (page != exercises || frame.exercises)
+      all += fmt::format("<li><a href=\"{}\"{}>{}</a></li>", page,
+                         page == frame.here ? " aria-current=\"page\"" : "", words);
   return all;
 }
 
@@ -38,10 +43,7 @@ std::string described(const Frame& frame) {
 
 }  // namespace
 
-std::string destination(std::string_view page, std::string_view words, std::string_view here) {
-  return fmt::format("<li><a href=\"{}\"{}>{}</a></li>", page, page == here ? " aria-current=\"page\"" : "",
-                     words);
-}
+bool has_exercises(const std::filesystem::path& site) { return std::filesystem::exists(site / "practise"); }
 
 std::string framed(const Frame& frame) {
   const std::string beside =
@@ -80,7 +82,7 @@ std::string framed(const Frame& frame) {
 </html>
 )",
       escaped(frame.title), frame.lesson.empty() ? "" : fmt::format(" data-lesson=\"{}\"", frame.lesson),
-      navigation(frame.here), beside.empty() ? "" : " with-beside", beside, frame.content, frame.foot, frame.head,
+      navigation(frame), beside.empty() ? "" : " with-beside", beside, frame.content, frame.foot, frame.head,
       described(frame));
 }
 

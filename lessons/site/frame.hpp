@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -16,11 +17,12 @@ struct Frame {
   std::string head = {};       // more elements at the end of <head>
   std::string foot = {};       // more elements at the end of <body>
   std::string_view here = {};  // the page among those of the navigation, "equations.html"; may be empty
+  bool exercises = false;      // the site has them, so that the navigation leads there
 };
 
 std::string framed(const Frame& frame);
 
-/// A link of the navigation: to a page, in these words, or to the page that is `here`.
-std::string destination(std::string_view page, std::string_view words, std::string_view here);
+/// Whether a site has the exercises: what compiles them lies in its folder before any page does.
+bool has_exercises(const std::filesystem::path& site);
 
 }  // namespace byhand::site

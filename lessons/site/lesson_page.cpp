@@ -146,8 +146,9 @@ std::string live_scripts(const std::string& slug) {
 }
 
 std::string lesson_page(const Lesson& lesson, const std::vector<RecordedStep>& steps, const std::string& sections,
-                        bool live) {
+                        bool live, bool exercises) {
   const About& about = lesson.about();
+  const bool excerpts = exercises && sections.find("/plain_") != std::string::npos;
   std::string content = fmt::format(R"(<article class="lesson">
 <header class="lesson">
 <p class="number">Lesson {}</p>
@@ -168,7 +169,9 @@ std::string lesson_page(const Lesson& lesson, const std::vector<RecordedStep>& s
                  .lesson = about.slug,
                  .head = live ? live_head() : "",
                  .foot = "<script type=\"application/json\" id=\"parameters\">" + parameters_json(lesson, steps) +
-                         "</script>\n" + (live ? live_scripts(about.slug) : "")});
+                         "</script>\n" + (live ? live_scripts(about.slug) : "") +
+                         (excerpts ? "<script defer=\"defer\" src=\"practise/excerpts.js\"></script>\n" : ""),
+                 .exercises = exercises});
 }
 
 }  // namespace byhand::site

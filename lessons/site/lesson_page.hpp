@@ -16,10 +16,11 @@ namespace byhand::site {
 ///      "steps": {"1": ["h", …], …}}
 ///
 /// `sections` are those of the steps (see step_html). `live`: with the scripts in live/ (see lessons/site/live).
+/// `exercises`: on a site that has them, where readers may change a lesson's plain algorithm.
 /// `typed` is the initial value as a reader types it; of a choice, low, high and initial mean nothing but the
 /// index.
 std::string lesson_page(const course::Lesson& lesson, const std::vector<course::RecordedStep>& steps,
-                        const std::string& sections, bool live = false);
+                        const std::string& sections, bool live, bool exercises);
 
 /// In <head> and at the end of <body> of a page with the lesson's program: style sheet; program with what it
 /// reads, its worker, and what makes the page live (see lessons/site/live).

@@ -13,6 +13,7 @@
 #include "lessons/site/card.hpp"
 #include "lessons/site/controls.hpp"
 #include "lessons/site/film_file.hpp"
+#include "lessons/site/frame.hpp"
 #include "lessons/site/lesson_page.hpp"
 #include "lessons/site/page_json.hpp"
 #include "renderer/opengl/space_picture.hpp"
@@ -100,7 +101,7 @@ std::vector<RecordedStep> write_page(const Lesson& lesson, const fs::path& folde
   }
   write_card(steps, folder / slug);
   write_films(steps, folder / slug / "films");
-  course::write_whole(folder / page_of(slug), lesson_page(lesson, steps, all, live));
+  course::write_whole(folder / page_of(slug), lesson_page(lesson, steps, all, live, has_exercises(folder)));
   course::write_whole(folder / (slug + ".json"), to_json(digest(lesson, steps)));
   course::write_whole(folder / "questions" / (slug + ".json"), course::questions(lesson, steps));
   return steps;

@@ -15,6 +15,7 @@
 #include "lessons/site/course/course_pages.hpp"
 #include "lessons/site/course/site_folder.hpp"
 #include "lessons/site/course/slides.hpp"
+#include "lessons/site/frame.hpp"
 #include "renderer/error.hpp"
 #include "tests/lessons/terminal/process.hpp"
 #include "tests/site/markup.hpp"
@@ -66,6 +67,14 @@ TEST_F(Site, ThePlaygroundSaysWhatItNeeds) {
   EXPECT_THAT(pages_.at("playground.html").all("//main//p[@class='summary']"),
               ElementsAre(HasSubstr("written without the compiler")));
   EXPECT_THAT(pages_.at("playground.html").all("//main//button"), IsEmpty());
+}
+
+TEST(Frames, LeadToTheExercisesOfASiteThatHasThem) {
+  const auto links = [](const site::Frame& frame) {
+    return of_page(site::framed(frame)).all("//nav[@aria-label='Course']//a[@href='practise.html']");
+  };
+  EXPECT_THAT(links({.title = "Laws", .content = ""}), IsEmpty());
+  EXPECT_THAT(links({.title = "Laws", .content = "", .exercises = true}), ElementsAre("Exercises"));
 }
 
 TEST_F(Site, EveryPageIsWellFormed) {

@@ -115,7 +115,8 @@ probes; a frequent mistake is told what it is.</p>
                        .summary = "Exercises of the course in C++, compiled and judged in the page.",
                        .foot = R"(<script defer="defer" src="practise/page.js"></script>
 )",
-                       .here = "practise.html"});
+                       .here = "practise.html",
+                       .exercises = true});
 }
 
 }  // namespace byhand::practise

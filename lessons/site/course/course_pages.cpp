@@ -124,10 +124,11 @@ std::string contents_page(const std::vector<Digest>& lessons, const Cover& cover
                  .picture = cover.scene.section.empty() ? "" : "03_iterations/card.png",
                  .head = cover.scene.head,
                  .foot = cover.scene.foot,
-                 .here = "index.html"});
+                 .here = "index.html",
+                 .exercises = cover.exercises});
 }
 
-std::string equations_page() {
+std::string equations_page(bool exercises) {
   std::string rows;
   for (int i = 1; i <= article_equations; ++i) {
     const EquationPlace& place = equation_places[static_cast<size_t>(i - 1)];
@@ -146,10 +147,11 @@ std::string equations_page() {
 cites one, its number brings it back.</p>
 {})",
                                         article_equations, rows),
-                 .here = "equations.html"});
+                 .here = "equations.html",
+                 .exercises = exercises});
 }
 
-std::string laws_page(const std::vector<Digest>& lessons) {
+std::string laws_page(const std::vector<Digest>& lessons, bool exercises) {
   std::string all;
   for (const Digest& lesson : lessons) {
     std::string rows;
@@ -168,7 +170,8 @@ std::string laws_page(const std::vector<Digest>& lessons) {
                   "<section class=\"derivations\">\n<h2>Derivations</h2>\n<p>What the lessons derive line by "
                   "line, beyond the article.</p>\n" +
                   all + "</section>\n",
-       .here = "laws.html"});
+       .here = "laws.html",
+       .exercises = exercises});
 }
 
 }  // namespace byhand::site

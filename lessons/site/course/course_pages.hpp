@@ -20,12 +20,12 @@ struct Cover {
   std::string repository = {};  // its address; empty where nobody gave it
 };
 
-/// The pages of the course that belong to no single lesson.
+/// The pages of the course that belong to no single lesson. `exercises`: the site has them.
 std::string contents_page(const std::vector<Digest>& lessons, const Cover& cover = {});
 /// The article's equations, each with the place where the course displays it first.
-std::string equations_page();
+std::string equations_page(bool exercises);
 /// Every law that a lesson derives, with its place.
-std::string laws_page(const std::vector<Digest>& lessons);
+std::string laws_page(const std::vector<Digest>& lessons, bool exercises);
 /// For those who teach with the course. `exercises`: their numbers by lesson. It links to what there is to
 /// download in the folder `site`.
 std::string teaching_page(const std::vector<Digest>& lessons,

@@ -17,7 +17,7 @@ std::string attribute(const std::vector<std::string>& lines) {
 
 }  // namespace
 
-std::string desk_page(const std::vector<desk::Task>& tasks) {
+std::string desk_page(const std::vector<desk::Task>& tasks, bool exercises) {
   std::string items;
   int number = 0;
   for (const desk::Task& task : tasks) {
@@ -61,7 +61,8 @@ dC = (p2 - p1) . (v2 + w2 x r2 - v1 - w1 x r1)</textarea>
                                         items),
                  .foot = R"(<script defer="defer" src="live/desk.js"></script>
 )",
-                 .here = "desk.html"});
+                 .here = "desk.html",
+                 .exercises = exercises});
 }
 
 }  // namespace byhand::site

@@ -8,6 +8,7 @@
 namespace byhand::site {
 
 /// The page of the derivation desk with its tasks, desk.html. Its scripts are those that live/build wrote.
-std::string desk_page(const std::vector<desk::Task>& tasks);
+/// `exercises`: the site has them.
+std::string desk_page(const std::vector<desk::Task>& tasks, bool exercises);
 
 }  // namespace byhand::site

@@ -50,7 +50,8 @@ std::string answer_key(const fs::path& site, const std::vector<Digest>& lessons)
                   "with the parameters that the pages begin with. Delete this file, "
                   "<code>answers.html</code>, from a site for students, or write the site with "
                   "<code>--without-answers</code>.</p>\n" +
-                  all});
+                  all,
+       .exercises = has_exercises(site)});
 }
 
 std::string figures_of(const fs::path& site, const Digest& lesson) {

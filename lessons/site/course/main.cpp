@@ -32,7 +32,6 @@
 #include "lessons/site/course/slides.hpp"
 #include "lessons/site/course/versions.hpp"
 #include "lessons/site/course/zip.hpp"
-#include "lessons/site/frame.hpp"
 #include "lessons/site/lesson_page.hpp"
 #include "lessons/site/page_json.hpp"
 
@@ -75,7 +74,8 @@ bool write_live(const fs::path& folder, const std::vector<std::string>& lessons)
   return ended.well();
 }
 
-/// The page in which exercises are compiled and judged. False without what that needs, such as a network.
+/// The page in which exercises are compiled and judged, to which all others lead (see has_exercises). False
+/// without what that needs, such as a network.
 bool write_exercises(const fs::path& folder) {
   const fs::path builder = fs::path(BYHAND_SITE_FOLDER) / "../practise/page/build";
   const course::Ended ended = course::run_program(builder.string(), {folder.string()}, course::Group::own);
@@ -89,21 +89,6 @@ bool write_exercises(const fs::path& folder) {
   const course::Ended written = course::run_program(program.string(), {folder.string()}, course::Group::ours);
   if (!written.well()) throw Failed("page_practise ended with an error", written);
   return true;
-}
-
-/// Where the exercises are there, each page leads to them, and the readers of a lesson may change its plain
-/// algorithms.
-void link_exercises(const fs::path& folder) {
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    if (entry.path().extension() != ".html") continue;
-    std::string text = course::read_whole(entry.path()).value();
-    const auto next = text.find("<li><a href=\"equations.html\"");
-    if (next == std::string::npos) continue;
-    text.insert(next, site::destination("practise.html", "Exercises", entry.path().filename().string()));
-    if (text.find("<code>lessons/") != std::string::npos && text.find("/plain_") != std::string::npos)
-      text.insert(text.rfind("</body>"), "<script defer=\"defer\" src=\"practise/excerpts.js\"></script>\n");
-    course::write_whole(entry.path(), text);
-  }
 }
 
 /// Runs a lesson's program and returns the digest that it left in the folder.
@@ -194,6 +179,7 @@ int run(const Wanted& wanted) {
   for (const std::string& lesson : wanted.lessons) build("page_" + lesson);
   if (!wanted.lessons.empty()) build("page_cases");
   const bool live = write_live(folder.path(), wanted.lessons);
+  const bool exercises = wanted.exercises && write_exercises(folder.path());
   std::vector<site::Digest> lessons;
   for (const course::About& lesson : contents) {
     if (!wanted.quiet) fmt::print(stderr, "{} of {}: {}\n", lessons.size() + 1, contents.size(), lesson.title);
@@ -205,13 +191,13 @@ int run(const Wanted& wanted) {
   const bool cases = write_cases(folder.path(), wanted.quiet);
   copy_assets(folder.path());
   const bool desk = fs::exists(folder.path() / "live" / "desk.js");
-  const bool exercises = wanted.exercises && write_exercises(folder.path());
   write("index.html", site::contents_page(
                           lessons, {site::cover_scene(folder.path()), desk, exercises, cases, wanted.repository}));
-  if (desk) write("desk.html", site::desk_page(desk::read_tasks(fs::path(BYHAND_SITE_FOLDER) / "../desk/tasks")));
-  write("playground.html", site::playground_page(fs::exists(folder.path() / "live" / "playground.js")));
-  write("equations.html", site::equations_page());
-  write("laws.html", site::laws_page(lessons));
+  const fs::path tasks = fs::path(BYHAND_SITE_FOLDER) / "../desk/tasks";
+  if (desk) write("desk.html", site::desk_page(desk::read_tasks(tasks), exercises));
+  write("playground.html", site::playground_page(fs::exists(folder.path() / "live" / "playground.js"), exercises));
+  write("equations.html", site::equations_page(exercises));
+  write("laws.html", site::laws_page(lessons, exercises));
   if (!wanted.without_answers) write("answers.html", site::answer_key(folder.path(), lessons));
   for (const site::Digest& lesson : lessons) {
     course::write_whole(folder.path() / "downloads" / (lesson.slug + "_figures.zip"),
@@ -226,7 +212,6 @@ int run(const Wanted& wanted) {
   write("teaching.html",
         site::teaching_page(lessons, site::exercises_by_lesson(fs::path(BYHAND_SITE_FOLDER) / "../practise"),
                             folder.path()));
-  if (exercises) link_exercises(folder.path());
   site::write_versions(folder.path());
   folder.finish();
   if (!wanted.quiet && !live)

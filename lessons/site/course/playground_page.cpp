@@ -152,11 +152,12 @@ constexpr auto stage_and_panel = R"(<div id="playground" hidden="hidden">
 
 }  // namespace
 
-std::string playground_page(bool runs) {
+std::string playground_page(bool runs, bool exercises) {
   Frame page{.title = "Playground",
              .content = {},
              .summary = "Build a scene, throw it, break it, and see in the page which law it breaks.",
-             .here = "playground.html"};
+             .here = "playground.html",
+             .exercises = exercises};
   page.content = fmt::format(
       opening, runs ? "it is being loaded." : "this site was written without the compiler that it needs.");
   if (runs) {

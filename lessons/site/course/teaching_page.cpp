@@ -165,7 +165,10 @@ them, in <code>assets/fonts</code>. To cite the course: see <code>CITATION.cff</
 R. Gaul, <cite>Modelling and Solving Physical Constraints</cite>, 2013.</p>
 </section>
 )";
-  return framed({.title = "Use this in your course", .content = content, .here = "teaching.html"});
+  return framed({.title = "Use this in your course",
+                 .content = content,
+                 .here = "teaching.html",
+                 .exercises = has_exercises(site)});
 }
 
 }  // namespace byhand::site
