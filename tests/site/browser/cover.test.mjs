@@ -66,7 +66,7 @@ test('fewer sweeps stretch the chain of the cover more', only, async () => {
 test('each lesson has a picture of its own, and no summary cites an equation', only, async () => {
   const tab = await open(url('index.html'));
   const cards = await tab.$$eval('.card', cards => cards.map(card => ({ source: card.querySelector('img')?.getAttribute('src'), summary: card.querySelector('.summary').textContent })));
-  assert.equal(cards.length, lessons.length);
+  assert.equal(cards.length, pages.filter(page => /^\d\d_/.test(page)).length);
   assert.equal(new Set(cards.map(({ source }) => source)).size, cards.length);
   for (const { source, summary } of cards) {
     assert.ok(existsSync(join(site, source)), source);
