@@ -23,7 +23,7 @@ using site::escaped;
 
 std::string page_name(const Folder& folder) { return fmt::format("case_{:02}.html", std::stoi(folder.slug)); }
 
-constexpr int pictures = 24;  // of a film
+constexpr int pictures = 14;  // of a film at most
 
 /// Writes the films of a step, and links to them at the end of its section.
 std::string with_films(std::string section, const course::RecordedStep& step, const fs::path& site,
