@@ -67,7 +67,7 @@
 
   const picture = new Picture(canvas);
   let text = '', file, scene, moment, names = [], h = 1 / 60, running = false, slowed = false, part = 0, shown, stoppedBy = '';
-  let undone = [], done = [], selected = -1, consulted = 0, findings = [], pressed, cursor, hot = -1, tool = 'hand', pendingLink, cost = 0, consulting;
+  let undone = [], done = [], selected = -1, consulted = 0, judged, findings = [], pressed, cursor, hot = -1, tool = 'hand', pendingLink, cost = 0, consulting;
 
   const energyLine = new RunningLine(of('energy'), of('energy-value'), value => `${number(value, 4)} J`, false);
   const gapLine = new RunningLine(of('gap'), of('gap-value'), value => lengthWords(value), true);
@@ -233,6 +233,7 @@
   function pause() {
     running = false;
     showClock();
+    if (moment.time !== judged?.time) consult();
   }
   function showClock() {
     const button = of('play');
@@ -274,16 +275,19 @@
 
   // ---- The doctor.
 
+  // It judges what will become of the scene as it is now.
   function consult() {
     clearTimeout(consulting);
     of('diagnosis').setAttribute('aria-busy', 'true');
-    consulting = setTimeout(async () => (await doctor).postMessage({ id: ++consulted, text }), 400);
+    judged = { time: moment.time, text: ask({ ask: 'now' }).file ?? text };
+    consulting = setTimeout(async () => (await doctor).postMessage({ id: ++consulted, text: judged.text }), 400);
   }
   function showFindings({ findings: all = [], failure }) {
     const list = of('diagnosis');
     list.setAttribute('aria-busy', 'false');
     findings = all.filter(finding => finding.grade !== 'fine');
     const fails = findings.filter(finding => finding.grade === 'fails').length;
+    of('judged').textContent = judged.time > 0 ? `of the scene as it is at ${judged.time.toFixed(2)} s` : 'of the scene as it begins';
     of('verdict').textContent = failure ? `The doctor cannot say: ${failure}` : fails ? `will fail by law ${findings[0].law}` : findings.length ? 'will hold, near a limit' : 'will hold: nothing is near a limit';
     of('verdict').className = fails ? 'fails' : findings.length ? 'near' : 'fine';
     list.replaceChildren(...findings.map((finding, i) => {

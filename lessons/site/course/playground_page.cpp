@@ -135,7 +135,7 @@ constexpr auto stage_and_panel = R"(<div id="playground" hidden="hidden">
 </section>
 <section aria-labelledby="doctor-head">
 <h2 id="doctor-head">The doctor</h2>
-<p class="aside">It judges the scene as its file begins; Begin here makes this moment the beginning.</p>
+<p class="aside">It speaks <span id="judged">of the scene as it begins</span>. Pause, and it judges that moment.</p>
 <p id="verdict">is looking at the scene</p>
 <ol id="diagnosis" aria-busy="true"></ol>
 </section>

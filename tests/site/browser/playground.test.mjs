@@ -146,6 +146,17 @@ test('one step, and slow: the parts of a step with their numbers', { skip }, asy
   await tab.close();
 });
 
+test('the doctor judges the moment at which the scene is paused', { skip }, async () => {
+  const tab = await ready({ hash: '#01_heavy_on_light' });
+  await press(tab, '#play');
+  await tab.waitForFunction(() => parseFloat(document.getElementById('time').textContent) > 0.3);
+  await press(tab, '#play');
+  await diagnosed(tab);
+  const time = (await moment(tab)).time.toFixed(2);
+  assert.equal(await tab.$eval('#judged', element => element.textContent), `of the scene as it is at ${time} s`);
+  await tab.close();
+});
+
 test('the method is turned live, and the doctor names its law, its bodies and its knob', { skip }, async () => {
   const tab = await ready({ hash: '#01_heavy_on_light' });
   await diagnosed(tab);
