@@ -230,7 +230,7 @@ void bounds_on_turns(const Setting& setting, Page& page) {
       bound is only a limit. The weak one is at its limit
       while the bar moves.)",
       Value(degrees(stop_at), 3), Value(degrees(stop_at), 3), Value(torque(on_stop, setting), 4));
-  page.table({"One row, seven machines", "JV", "asks for", "λ within"},
+  page.table({"One row, seven machines", "JV is", "asks for", "λ within"},
              {{"dry friction in a joint", "ω₂ − ω₁", "0", "±τh"},
               {"a conveyor belt", "slip along t at a contact", "the belt's speed", "±μλₙ"},
               {"rolling resistance, with the lever a", "ω₂ − ω₁ of a wheel on the ground", "0", "±aλₙ"},
