@@ -134,7 +134,7 @@ void show_chosen(Page& page, const SceneFile& file) {
     page.text("The scene is large: runs are watched for @ s of its @ s.", Value(request.seconds, 2),
               file.duration);
   page.text("**You ask:** which is the cheapest method with @?", asked_for(request.limits));
-  Search search{.starts = 12, .verification = 4e9, .enough = 3e10, .most = 1e11};
+  Search search{.starts = 12, .verification = 4e9, .enough = 1.2e10, .most = 4e10};
   search.side_by_side = [&](int count, const std::function<void(int)>& work) {
     page.side_by_side(count, [&](int i) { return work(i), 0; });
   };
@@ -144,6 +144,9 @@ void show_chosen(Page& page, const SceneFile& file) {
   } else {
     page.text("**No method was found that reaches that.** @", nearest_in_words(choice));
   }
+  if (choice.spent.work > search.most)
+    page.text("The search ended at its bound, after @ runs: what is shown is the best until then.",
+              choice.spent.runs);
   std::string refused;
   for (const Point& point : choice.passed)
     if (point.outcome == Outcome::refused) refused += fmt::format("\n- {}: {}", point.family->name, point.reason);
