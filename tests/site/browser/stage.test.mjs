@@ -86,7 +86,7 @@ test('lesson 1 begins with a bob in the reader\'s hand: C, its rate and J follow
 });
 
 test('at 360 pixels the letters of a scene to hold are 11 pixels high', async () => {
-  const tab = await live(lessons.at(-1), { width: 360 });
+  const tab = await live(lessons.find(name => name.startsWith('04')), { width: 360 });
   const figure = 'figure[data-hold]';
   await tab.$eval(figure, figure => figure.scrollIntoView({ block: 'center' }));
   await tab.waitForSelector(`${figure} .hand`);
