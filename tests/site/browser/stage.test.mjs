@@ -141,7 +141,7 @@ test('a film begins at its first frame, tells how long it is, and goes on in a l
 });
 
 test('"to try" sets the sliders and leads to the step that it is about', async () => {
-  const tab = await live(lessons.at(-1));
+  const tab = await live(usual);
   const [href, command] = await tab.$eval('#to-try .try', link => [link.getAttribute('href'), link.parentElement.nextElementSibling.textContent]);
   await tab.$eval('#to-try .try', link => link.click());
   await tab.waitForSelector('.changes .change');
