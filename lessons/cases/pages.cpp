@@ -107,7 +107,7 @@ course::Lesson page_of(const Folder& folder) {
     page.text("@", known->told.cure);
     film(page, "cured", known->cured, known->run_cured);
     show(page, known->told.numbers_cured(known->cured));
-    page.text("It costs @ uses of (17) and (20) a step; as reported it were @.",
+    page.text("It costs @ uses of (17) and (20) a step; the scene as reported costs @.",
               course::Value(row_solves_a_step(*known->run_cured), 2),
               course::Value(row_solves_a_step(*known->run), 2));
   });
