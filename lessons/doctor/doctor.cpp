@@ -539,8 +539,7 @@ class Examination {
   Notes<M> notes_;
   Trials<M> trials_;
   Simulation<M> pilot_;
-  int parts_;  // steps of the pilot in one of the file
-  bool may_refine_;
+  int parts_;                                            // steps of the pilot in one of the file
   std::vector<double> loads_;                            // mean |λ|/h of all rows in each step [N]
   std::vector<std::set<std::pair<int, int>>> pressing_;  // bodies that press on each other after each step
   std::vector<int> hardest_;

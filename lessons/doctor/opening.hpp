@@ -19,14 +19,7 @@ inline constexpr double obvious = 0.5;          // or if it is as large, however
 /// The thickness of each body's shape [m]; 0 without one, and of a half space.
 template <class M>
 std::vector<double> thicknesses(const Scene<M>& scene) {
-  std::vector<double> all(static_cast<std::size_t>(scene.bodies().size()), 0.0);
-  for (std::size_t i = 0; i < scene.colliders().shapes.size(); ++i) {
-    const Shape<M>& shape = scene.colliders().shapes[i];
-    if (const auto* round = std::get_if<Ball<M>>(&shape)) all[i] = 2 * round->radius;
-    if constexpr (M::angular > 0)
-      if (const auto* block = std::get_if<Box<M>>(&shape)) all[i] = block->sides.minCoeff();
-  }
-  return all;
+  return lengths_of_shapes(scene, [](const Linear<M>& sides) { return sides.minCoeff(); });
 }
 
 /// Whether something adds energy: motors, servos, springs, and fixed bodies that move.
@@ -44,11 +37,10 @@ bool is_driven(const Scene<M>& scene) {
 /// What it takes to lift all bodies by the length of the smallest [J]; 0 without gravity.
 template <class M>
 double energy_of_a_lift(const Scene<M>& scene) {
-  double weight = 0, smallest = INFINITY;
+  double weight = 0;
   for (const InverseMass<M>& mass : scene.bodies().inverse_mass)
     if (moves(mass)) weight += scene.gravity.norm() / mass.linear;
-  for (const double size : sizes(scene))
-    if (size > 0) smallest = std::min(smallest, size);
+  const double smallest = smallest_of(sizes(scene));
   return weight > 0 && std::isfinite(smallest) ? weight * smallest : 0;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <variant>
 #include <vector>
 
@@ -8,16 +9,24 @@
 
 namespace byhand::doctor {
 
-/// The length of each body [m]: of its shape, else twice its longest arm, else a rod's length.
-template <class M>
-std::vector<double> sizes(const Scene<M>& scene) {
+/// The length of each body's shape [m]: a ball's diameter, and what `of_sides` takes of a box's; 0 without one,
+/// and of a half-space.
+template <class M, class OfSides>
+std::vector<double> lengths_of_shapes(const Scene<M>& scene, OfSides&& of_sides) {
   std::vector<double> all(static_cast<std::size_t>(scene.bodies().size()), 0.0);
   for (std::size_t i = 0; i < scene.colliders().shapes.size(); ++i) {
     const Shape<M>& shape = scene.colliders().shapes[i];
     if (const auto* round = std::get_if<Ball<M>>(&shape)) all[i] = 2 * round->radius;
     if constexpr (M::angular > 0)
-      if (const auto* block = std::get_if<Box<M>>(&shape)) all[i] = block->sides.maxCoeff();
+      if (const auto* block = std::get_if<Box<M>>(&shape)) all[i] = of_sides(block->sides);
   }
+  return all;
+}
+
+/// The length of each body [m]: of its shape, else twice its longest arm, else a rod's length.
+template <class M>
+std::vector<double> sizes(const Scene<M>& scene) {
+  std::vector<double> all = lengths_of_shapes(scene, [](const Linear<M>& sides) { return sides.maxCoeff(); });
   const std::vector<double> shapes = all;
   const auto take = [&](int body, double length) {
     const auto at = static_cast<std::size_t>(body);
@@ -44,6 +53,14 @@ std::vector<double> sizes(const Scene<M>& scene) {
   if constexpr (M::angular == 3)
     for (const auto& one : scene.template all<Hinge<M>>()) holds(one);
   return all;
+}
+
+/// The smallest of all bodies that have a size [m]; infinity where none has.
+inline double smallest_of(const std::vector<double>& sizes) {
+  double smallest = INFINITY;
+  for (const double size : sizes)
+    if (size > 0) smallest = std::min(smallest, size);
+  return smallest;
 }
 
 /// The smaller of two bodies' sizes [m]; the other's where one has none, 1 where none has.

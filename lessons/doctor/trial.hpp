@@ -141,9 +141,8 @@ class Trials {
     Simulation<M> own{notes_.scene, notes_.file.method};
     by_half_ = tried(own, notes_.file.step, static_cast<int>(half_), watch_);
     // Bodies that the exact motion leaves where they are should be left there.
-    double smallest = INFINITY, moved = 0, apart = 0;
-    for (const double size : notes_.sizes)
-      if (size > 0) smallest = std::min(smallest, size);
+    const double smallest = smallest_of(notes_.sizes);
+    double moved = 0, apart = 0;
     for (std::size_t i = 0; i < exact_at_half_.size(); ++i) {
       const int body = static_cast<int>(i);
       moved = std::max(moved, (exact_at_half_[body].position - notes_.scene.bodies().pose[body].position).norm());
