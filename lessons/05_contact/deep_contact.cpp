@@ -143,7 +143,8 @@ void deep_contact(const Setting& setting, Page& page) {
       R"(Where C is positive there is a gap: the row lets it close within the step and no further, b = C/h. Such a row
       is called a *speculative contact*: it exists before the bodies touch, so even a fast body cannot pass through a
       thin wall between two steps. Its price is the ghost collision: the row knows a plane, not where the face ends,
-      and may stop a body that would have flown past the edge.)");
+      and would stop a body that flies past the edge. So a plane is taken only from shapes that will meet within the
+      step, and where they will meet.)");
   page.text(
       R"(Where C is negative, two bodies overlap, and (22) separates them by a share β a step, as it did with rods. But
       a rod is held on both sides; nothing holds a box that moves out of the ground.)");

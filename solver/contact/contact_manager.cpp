@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "solver/constraints/contact_manifold.hpp"
+#include "solver/contact/meeting.hpp"
+#include "solver/integrate/euler.hpp"
 #include "solver/support/each_model.hpp"
 
 namespace byhand {
@@ -20,6 +22,16 @@ double displacement(const Pose<M>& before, const Pose<M>& now, const Bounds<M>& 
   else
     turned = 2 * (now.rotation.coeffs() - before.rotation.coeffs()).norm();
   return turned > 0 ? way + 0.5 * bounds.diagonal().norm() * turned : way;  // bounds may be infinite
+}
+
+/// A body's velocity after `time` [s] of gravity, if nothing holds it.
+template <class M>
+Velocity<M> expected_velocity(const Scene<M>& scene, int body, double time) {
+  const Bodies<M>& bodies = scene.bodies();
+  Velocity<M> velocity = bodies.velocity[body];
+  if (moves(bodies.inverse_mass[body]))
+    velocity.template head<M::linear>() += time * gravity_on(bodies, body, scene.gravity);
+  return velocity;
 }
 
 /// Calls put(constraint) for each constraint made from a pair; it returns the constraint's place among contacts.
@@ -73,8 +85,8 @@ bool ContactManager<M>::find(const Scene<M>& scene, double step) {
     for (const auto& entry : scene.entries()) joined_.push_back(std::minmax(entry.body1, entry.body2));
     std::sort(joined_.begin(), joined_.end());
   }
-  const double time = scene.colliders().lookahead * step;
-  if (!update_bounds(scene, unchanged, time) && unchanged) return false;
+  time_ = scene.colliders().lookahead * step;
+  if (!update_bounds(scene, unchanged) && unchanged) return false;
   const auto& masses = scene.bodies().inverse_mass;
   const auto& stamps = scene.colliders().stamps;
   const auto& layers = scene.colliders().layers;
@@ -90,8 +102,9 @@ bool ContactManager<M>::find(const Scene<M>& scene, double step) {
     if (cached && !moved_[i] && !moved_[j])
       found_.push_back(*before);
     else
-      collide(scene, bodies, scene.colliders().margin, time, cached ? &*before : nullptr);
+      collide(scene, bodies, scene.colliders().margin, time_, cached ? &*before : nullptr);
   }
+  inner_edges_.drop(scene, found_);
   std::swap(pairs_, found_);
   const auto alike = [](const Pair& a, const Pair& b) { return a.bodies == b.bodies && a.size == b.size; };
   const bool same = unchanged && std::equal(pairs_.begin(), pairs_.end(), found_.begin(), found_.end(), alike);
@@ -105,8 +118,10 @@ void ContactManager<M>::follow_balls(const Scene<M>& scene, System<M>& system) {
   for (Pair& pair : pairs_) {
     if (!pair.round) continue;
     for_each_row(pair, system.row_of, [&](int row, double& kept) { kept = system.lambda[row]; });
+    for (const int body : {pair.bodies.first, pair.bodies.second}) expect_motion(scene, body);
     found_.clear();
-    collide(scene, pair.bodies, std::numeric_limits<double>::infinity(), 0, &pair);
+    collide(scene, pair.bodies, scene.colliders().margin, time_, &pair);
+    if (found_.empty()) collide(scene, pair.bodies, std::numeric_limits<double>::infinity(), 0, &pair);
     if (found_.empty()) continue;  // a pose is no number: the step's end says so
     pair = found_.front();
     overwrite_constraints(pair, scene.count());
@@ -130,21 +145,31 @@ void ContactManager<M>::read_impulses(const System<M>& system) {
     if (pair.presses()) pressed_.push_back(pair.bodies);
 }
 
-/// Updates pose and bounds of all bodies or, in an unchanged scene, of those that have moved noticeably or will,
-/// within `time` [s], by noticeably more than before. Returns whether there are any.
 template <class M>
-bool ContactManager<M>::update_bounds(const Scene<M>& scene, bool unchanged, double time) {
+void ContactManager<M>::expect_motion(const Scene<M>& scene, int body) {
+  velocities_[body] = expected_velocity(scene, body, time_);
+  rim_speeds_[body] = rim_speed<M>(scene.colliders().shapes[body], velocities_[body]);
+}
+
+/// Updates the expected motion of all bodies, and pose and bounds of all or, in an unchanged scene, of those that
+/// have moved noticeably or will, within the time that it looks ahead, by noticeably more than before. Returns
+/// whether there are any.
+template <class M>
+bool ContactManager<M>::update_bounds(const Scene<M>& scene, bool unchanged) {
   const auto& shapes = scene.colliders().shapes;
   const double margin = scene.colliders().margin, noticeable = 0.01 * margin;
   poses_.resize(shapes.size());
   bounds_.resize(shapes.size());
+  velocities_.resize(shapes.size());
+  rim_speeds_.resize(shapes.size());
   way_.resize(shapes.size());
   moved_.assign(shapes.size(), 0);
   bool any = false;
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     const Pose<M>& pose = scene.bodies().pose[i];
-    const double way = time * scene.bodies().velocity[i].template head<M::linear>().norm(),
-                 more = std::max(0.0, way - way_[i]);
+    expect_motion(scene, i);
+    const double way = time_ * (velocities_[i].template head<M::linear>().norm() + rim_speeds_[i]);
+    const double more = std::max(0.0, way - way_[i]);
     if (unchanged && displacement<M>(poses_[i], pose, bounds_[i]) + more < noticeable) continue;
     poses_[i] = pose;
     way_[i] = way;
@@ -160,30 +185,40 @@ bool ContactManager<M>::update_bounds(const Scene<M>& scene, bool unchanged, dou
 template <class M>
 void ContactManager<M>::collide(const Scene<M>& scene, const BodyPair& bodies, double margin, double time,
                                 const Pair* before) {
-  const auto& shapes = scene.colliders().shapes;
   const auto& surfaces = scene.colliders().surfaces;
   const auto& stamps = scene.colliders().stamps;
   const auto [body1, body2] = bodies;
-  const Pose<M>&pose1 = scene.bodies().pose[body1], &pose2 = scene.bodies().pose[body2];
-  const auto& V = scene.bodies().velocity;
-  const Linear<M> v = (V[body2] - V[body1]).template head<M::linear>();
-  const Manifold<M> manifold = byhand::collide<M>(shapes[body1], pose1, shapes[body2], pose2,
-                                                  margin + time * v.norm(), before ? before->reference : 0);
-  const double reach = margin + time * std::max(0.0, -v.dot(manifold.normal));
-  if (std::none_of(manifold.begin(), manifold.end(), [&](const auto& p) { return p.separation <= reach; })) return;
+  const auto mover = [&](int body) {
+    return Mover<M>{scene.colliders().shapes[body], scene.bodies().pose[body], velocities_[body],
+                    rim_speeds_[body]};
+  };
+  const Mover<M> first = mover(body1), second = mover(body2);
+  const double way = time * approach(first, second);
+  Manifold<M> manifold = byhand::collide<M>(first.shape, first.pose, second.shape, second.pose, margin + way,
+                                            before ? before->reference : 0);
+  const auto is_near = [&](const ContactPoint<M>& point) { return point.separation <= margin; };
+  // What is slow and near stays so, and with the plane that it has.
+  if (way > margin || std::none_of(manifold.begin(), manifold.end(), is_near))
+    move_to_meeting(first, second, time, margin, manifold);
+  const auto comes_near = [&](const ContactPoint<M>& point) {
+    return is_near(point) ||
+           point.separation <= margin + time * closing_speed(first, second, manifold.normal, point);
+  };
+  if (std::none_of(manifold.begin(), manifold.end(), comes_near)) return;
   Pair& pair = found_.emplace_back();
   pair.bodies = bodies;
   pair.stamps = {stamps[body1], stamps[body2]};
   pair.size = 0;
   pair.reference = manifold.reference;
   pair.one_manifold = scene.colliders().rows == ContactRows::manifold;
-  pair.round = std::holds_alternative<Ball<M>>(shapes[body1]) || std::holds_alternative<Ball<M>>(shapes[body2]);
+  pair.round = std::holds_alternative<Ball<M>>(first.shape) || std::holds_alternative<Ball<M>>(second.shape);
   pair.friction = std::sqrt(surfaces[body1].friction * surfaces[body2].friction);
   pair.restitution = std::max(surfaces[body1].restitution, surfaces[body2].restitution);
   pair.normal = manifold.normal;
   for (const ContactPoint<M>& point : manifold)
-    if (point.separation <= reach)
-      pair.points[pair.size++] = {point.feature, {arm_to<M>(pose1, point.p1), arm_to<M>(pose2, point.p2)}};
+    if (comes_near(point))
+      pair.points[pair.size++] = {point.feature,
+                                  {arm_to<M>(first.pose, point.p1), arm_to<M>(second.pose, point.p2)}};
   if (!before) return;
   pair.constraint = before->constraint;
   const Eigen::Matrix<double, Pair::tangents, Pair::tangents> turn =

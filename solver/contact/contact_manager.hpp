@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "solver/constraints/anchors.hpp"
+#include "solver/contact/inner_edges.hpp"
 #include "solver/contact/manifold.hpp"
 #include "solver/contact/sweep_and_prune.hpp"
 #include "solver/scene.hpp"
@@ -46,11 +47,13 @@ class ContactManager {
  public:
   /// Finds what may touch within `step` [s] >= 0 and makes constraints of it, as the scene's ContactRows say.
   /// Returns whether these are others than before, so that rows have to be laid out anew. Bodies joined by a
-  /// constraint do not collide, nor do fixed ones with each other. A contact is computed again only if one of its
-  /// bodies has moved by more than a hundredth of the margin; until then its arms turn with the bodies.
+  /// constraint do not collide, nor do fixed ones with each other. What lies ahead counts only if the shapes,
+  /// moved on as fast as now, will meet, and with the normal that they will meet with. A contact is computed again
+  /// only if one of its bodies has moved by more than a hundredth of the margin; until then its arms turn with the
+  /// bodies.
   bool find(const Scene<M>& scene, double step = 0);
-  /// Moves the contact points of balls to where these touch at the current poses: the arm of a ball that rolls
-  /// would leave with its material. λ of their friction, in `system`, turns with the tangents.
+  /// Moves the contact points of balls to where these touch, or will meet, from the current poses on: the arm of a
+  /// ball that rolls would leave with its material. λ of their friction, in `system`, turns with the tangents.
   void follow_balls(const Scene<M>& scene, System<M>& system);
   /// Sets λ of the contacts to their impulses of the last step.
   void write_impulses(System<M>& system) const;
@@ -67,20 +70,25 @@ class ContactManager {
  private:
   using Pair = ContactPair<M>;
 
-  bool update_bounds(const Scene<M>& scene, bool unchanged, double time);
+  void expect_motion(const Scene<M>& scene, int body);
+  bool update_bounds(const Scene<M>& scene, bool unchanged);
   void collide(const Scene<M>& scene, const BodyPair& bodies, double margin, double time, const Pair* before);
   void write_constraints(bool same, int before);
   void overwrite_constraints(const Pair& pair, int before);
 
   SweepAndPrune<M::linear> broad_phase_;
-  std::vector<Pose<M>> poses_;     // by body, at which its contacts were computed
-  std::vector<Bounds<M>> bounds_;  // at those poses, with a margin
-  std::vector<double> way_;        // that was added to them for each body's motion [m]
-  std::vector<char> moved_;        // by body, whether its contacts are to be computed again
-  std::vector<BodyPair> joined_;   // by constraints; sorted
+  InnerEdges<M> inner_edges_;
+  std::vector<Velocity<M>> velocities_;  // by body, expected within the time that is looked ahead
+  std::vector<double> rim_speeds_;       // of these
+  std::vector<Pose<M>> poses_;           // by body, at which its contacts were computed
+  std::vector<Bounds<M>> bounds_;        // at those poses, with a margin
+  std::vector<double> way_;              // that was added to them for each body's motion [m]
+  std::vector<char> moved_;              // by body, whether its contacts are to be computed again
+  std::vector<BodyPair> joined_;         // by constraints; sorted
   std::vector<Pair> pairs_, found_;
   ConstraintList<M> constraints_;
   std::vector<BodyPair> pressed_, pressed_before_;
+  double time_ = 0;            // that the last call of `find` looked ahead [s]
   std::uint64_t version_ = 0;  // of the scene whose contacts these are
 };
 
