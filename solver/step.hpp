@@ -32,14 +32,16 @@ struct Work : StepWork<M> {
 };
 
 /// The article's method, as choices, with row solvers and cures of any type: one, or a std::variant of several.
-/// Cost of a step: substeps × (rows written once + sweeps over them).
+/// Those of the library solve, if nothing else is chosen, chains, trees and columns directly and the rest by
+/// sweeps until they converge, and leave a slop so that resting bodies keep touching. Cost of a step: substeps ×
+/// (rows written once + sweeps over them).
 template <class Solver, class Cure>
 struct VelocitySteppingWith {
   template <class M>
   using Work = byhand::Work<M>;
 
-  Solver solver = GaussSeidel{};
-  Cure drift = Baumgarte{};
+  Solver solver = ByGraph{};
+  Cure drift = Baumgarte{.slop = 0.001};
   int substeps = 1;                              // equal parts of a step >= 1
   Gyroscopic gyroscopic = Gyroscopic::implicit;  // of bodies in space
   double bounce_threshold = 0.5;  // slower contacts do not bounce, or resting bodies would rattle [m/s] >= 0
@@ -67,22 +69,12 @@ void lay_out(const Scene<M>& scene, const RowSolver& solver, Work<M>& work);
 template <class M>
 void solve_rows(const RowSolver& solver, Bodies<M>& bodies, Work<M>& work, Begin begin = Begin::step);
 
-/// The method of a simulation that is given none. Velocity stepping solves chains, trees and columns directly and
-/// the rest by sweeps until they converge, and leaves a slop so that resting bodies keep touching.
-template <class Method>
-Method default_method() {
-  if constexpr (std::is_same_v<Method, VelocityStepping>)
-    return {ByGraph{}, Baumgarte{.slop = 0.001}};
-  else
-    return {};
-}
-
 /// A scene, its method and what that keeps between steps. It is a value: a copy saves the state. The method is a
 /// type (see lessons/methods/method.hpp), so that a simulation keeps only what its own method needs.
 template <class M, class Method = VelocityStepping>
 struct Simulation {
   Scene<M> scene;
-  Method method = default_method<Method>();
+  Method method = {};
   typename Method::template Work<M> work = {};
   double time = 0;  // [s]
 

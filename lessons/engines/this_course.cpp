@@ -36,7 +36,7 @@ class ThisCourse : public World<M> {
 };
 
 VelocityStepping by_velocities(const Knobs& knobs) {
-  auto method = default_method<VelocityStepping>();
+  VelocityStepping method;
   knobs.turn("substeps", method.substeps);
   knobs.turn("beta", std::get<Baumgarte>(method.drift).beta);
   auto& loops = std::get<ByGraph>(method.solver).loops;

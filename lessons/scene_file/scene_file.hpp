@@ -21,7 +21,7 @@ struct SceneFile {
   std::string title = {}, about = {};   // for people
   SceneOfAnyModel scene = {};           // all bodies and constraints, in the file's order
   std::vector<std::string> names = {};  // of the bodies; "" where a body has none
-  VelocityStepping method = default_method<VelocityStepping>();
+  VelocityStepping method;
   double step = 1.0 / 60;  // h [s] > 0
   double duration = 5;     // how long the scene is watched [s]
   // What shall be accurate, and within how much, each in its own unit: see accuracy_names().

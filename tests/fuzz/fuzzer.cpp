@@ -11,7 +11,7 @@ using namespace byhand;
 using namespace byhand::fuzz;
 using testing::HasSubstr, testing::Le, testing::SizeIs;
 
-const VelocityStepping by_default = default_method<VelocityStepping>();
+const VelocityStepping by_default{};
 
 template <class M>
 void expect_laws_kept() {

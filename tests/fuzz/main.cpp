@@ -40,7 +40,7 @@ int main(int count, char** arguments) {
   double seconds = 60;
   std::uint64_t seed = std::random_device{}();
   bool one = false;
-  VelocityStepping method = default_method<VelocityStepping>();
+  VelocityStepping method;
   for (int i = 1; i < count; ++i) {
     const std::string_view argument = arguments[i];
     const auto number = [&](std::string_view name) -> std::optional<std::uint64_t> {

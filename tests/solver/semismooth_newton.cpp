@@ -55,7 +55,7 @@ Seen seen(const Scene<M>& scene, const Method& method, double time) {
   return result;
 }
 Seen by_default(const Scene<M>& scene, double time) {
-  return seen(scene, default_method<VelocityStepping>(), time);
+  return seen(scene, VelocityStepping{}, time);
 }
 
 TEST(CubesOfUnlikeMass, DoNotSinkIntoEachOtherInEitherOrder) {

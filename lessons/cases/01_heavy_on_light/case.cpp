@@ -57,7 +57,7 @@ Case make() {
               "pass. A warm start alone does not do it: by law 9 it limits the ratio, too.",
           .cured =
               [](SceneFile file) {
-                file.method = default_method<VelocityStepping>();
+                file.method = VelocityStepping{};
                 return file;
               },
           .numbers_cured =

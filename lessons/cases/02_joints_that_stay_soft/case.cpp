@@ -48,7 +48,7 @@ Case make() {
           "joints hard: with an exact solve Baumgarte has no such limit.",
       .cured =
           [](SceneFile file) {
-            file.method = default_method<VelocityStepping>();
+            file.method = VelocityStepping{};
             file.method.substeps = 4;
             return file;
           },

@@ -167,7 +167,7 @@ Ending ending_of(const SceneFile& file) {
         if (run.gained > 0.25 * lift && lift > 0 && !doctor::is_driven(scene))
           return {true, fmt::format("gains {:.2g} J", run.gained)};
         // Bodies that an exact run leaves where they are should be left there.
-        VelocityStepping exact = default_method<VelocityStepping>();
+        VelocityStepping exact;
         exact.substeps = 8;
         const Run<M> reference = run_of<M>(file, exact);
         double moved = 0, apart = 0;
