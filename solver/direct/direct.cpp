@@ -1,6 +1,6 @@
 #include "solver/direct/direct.hpp"
 
-#include "solver/direct/equations.hpp"
+#include "solver/direct/correction_limit.hpp"
 #include "solver/rows/gauss_seidel.hpp"
 #include "solver/rows/operators.hpp"
 #include "solver/support/each_model.hpp"
@@ -130,8 +130,10 @@ Solution Direct::solve(System<M>& system, Bodies<M>& bodies, DirectWork<M>& work
     work.active.clear();
     if (begin == Begin::resume) return solve_resumed(*this, system, bodies, work);
     solve_equations(*this, system, system.bias, bodies, work, system.lambda);
+    const bool limited =
+        factorisation == Factorisation::structured && limit_correction(*this, system, bodies, work);
     apply_all(system, system.lambda, bodies.velocity);
-    return {0, 1, std::numeric_limits<double>::quiet_NaN()};
+    return {0, limited ? 2 : 1, std::numeric_limits<double>::quiet_NaN(), !limited};
   };
   Solution solution = solved();
   solution.row_solves = solution.rounds * direct_row_solves(*this, work.plan, system.rows(), M::dof);

@@ -127,9 +127,11 @@ void assemble(const Direct& solver, const System<M>& system, const double* offse
   const auto* nodes = work.plan.nodes.data();
   const auto* views = work.views.data();
   const char* is_folded = work.plan.folded.data();
-  double *values = work.values.data(), *unknowns = work.unknowns.data(), *diagonals = work.diagonal.data();
+  double *values = work.values.data(), *unknowns = work.unknowns.data(), *diagonals = work.diagonal.data(),
+         *right = work.right.data();
   const double *V = bodies.velocity.front().data(), *gamma = system.gamma.data(),
                regularisation = solver.regularisation;
+  double apart = 0;
   for (const auto& [first, count] : work.plan.fill_in) std::fill_n(values + first, count, 0.0);
   for (const auto& node : work.plan.nodes) {
     double *D = values + node.diagonal, *b = unknowns + node.row, *diagonal = diagonals + node.row;
@@ -152,7 +154,7 @@ void assemble(const Direct& solver, const System<M>& system, const double* offse
           rate += J[i] * v1[i];
           late += J[dof + i] * v2[i];
         }
-        b[k] = -(rate + late);
+        b[k] = right[node.lambda + k] = -(rate + late);
         for (int l = 0; l <= k; ++l) {
           const double* W = view.W + 2 * dof * l;
           const double by_body1 = dot(J, W, Constant<dof>()), by_body2 = dot(J + dof, W + dof, Constant<dof>());
@@ -162,12 +164,14 @@ void assemble(const Direct& solver, const System<M>& system, const double* offse
             const double soft = regularisation * whole + gamma[node.lambda + k];
             diagonal[k] = whole + soft;
             entry += soft;
+            apart += b[k] * b[k] / diagonal[k];
           }
           D[k * n + l] = D[l * n + k] = entry;
         }
       }
     });
   }
+  work.apart = apart;
   for (const auto& coupling : work.plan.couplings) {
     const auto &earlier = nodes[coupling.earlier.node], &later = nodes[coupling.later.node];
     const double* J = earlier.edge < 0 ? views[later.edge].J + dof * coupling.later.side
@@ -286,6 +290,7 @@ void solve_equations(const Direct& solver, const System<M>& system, const std::v
   work.values.resize(plan.values);
   work.unknowns.resize(plan.unknowns);
   work.diagonal.resize(plan.unknowns);
+  work.right.resize(system.rows());
   view_blocks(system, work);
   const auto structured = [&]<int S>(Constant<S>) {
     assemble<S>(solver, system, offset.data(), bodies, work);
@@ -302,8 +307,10 @@ void solve_equations(const Direct& solver, const System<M>& system, const std::v
     structured(Constant<3>());
   else
     structured(Constant<0>());
-  for (int row = plan.edge_rows; row < system.rows(); ++row)  // between fixed bodies only softness can give way
+  for (int row = plan.edge_rows; row < system.rows(); ++row) {  // between fixed bodies only softness can give way
     change[row] = system.gamma[row] > 0 ? -offset[row] / system.gamma[row] : 0.0;
+    work.right[row] = 0;
+  }
 }
 
 template <class M>

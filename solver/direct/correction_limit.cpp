@@ -1,0 +1,89 @@
+#include "solver/direct/correction_limit.hpp"
+
+#include <numeric>
+
+#include "solver/rows/operators.hpp"
+#include "solver/support/each_model.hpp"
+
+namespace byhand {
+namespace {
+
+constexpr double damping = 0.01;
+constexpr double most_amplified = 5;  // 1 / (2 √damping)
+
+/// Whether the rows' impulses together take so much more energy than one by one that near dependence may be why:
+/// λᵀAλ against Σ r²/Aₖₖ, for λ = A⁻¹r. A chain's ratio grows with the square of its length.
+template <class M>
+bool is_suspect(const System<M>& system, const DirectWork<M>& work) {
+  const double together = std::inner_product(work.right.begin(), work.right.end(), system.lambda.begin(), 0.0);
+  return together > 4.0 * system.rows() * system.rows() * work.apart;
+}
+
+/// How fast a change of velocity makes a body [m/s], with turning at its radius of gyration.
+template <class M>
+double speed(const Bodies<M>& bodies, int body, const Velocity<M>& V) {
+  double squares = V.template head<M::linear>().squaredNorm();
+  if constexpr (M::angular > 0) {
+    const InverseMass<M>& inverse = bodies.inverse_mass[body];
+    const Angular<M> w = V.template tail<M::angular>();
+    if (w.squaredNorm() > 0) squares += inverse.linear * w.dot(inertia(inverse, bodies.pose[body]) * w);
+  }
+  return std::sqrt(squares);
+}
+
+/// The largest speed that impulses give to a body.
+template <class M>
+double fastest(const System<M>& system, const Bodies<M>& bodies, const std::vector<double>& lambda,
+               std::vector<Velocity<M>>& V) {
+  V.assign(bodies.size(), Velocity<M>::Zero());
+  apply_all(system, lambda, V);
+  double result = 0;
+  for (int body = 0; body < bodies.size(); ++body) result = std::max(result, speed(bodies, body, V[body]));
+  return result;
+}
+
+/// The sum of the speeds that the rows would need one by one for c.
+template <class M>
+double asked(const System<M>& system, const Bodies<M>& bodies, const std::vector<double>& correction) {
+  double sum = 0;
+  for_each_block(system, [&]<int K, Bound B>(const Block<M, K, B>& block, const Run&) {
+    for (int k = 0; k < K; ++k) {
+      const auto W = block.W.matrix.row(k);
+      const double own = block.J.matrix.row(k).dot(W);
+      if (own <= 0) continue;
+      const double lambda = std::abs(correction[block.row + k]) / own;
+      double most = 0;
+      if (block.moves1) most = speed<M>(bodies, block.body1, lambda * block.W.side1().row(k).transpose());
+      if (block.moves2)
+        most = std::max(most, speed<M>(bodies, block.body2, lambda * block.W.side2().row(k).transpose()));
+      sum += most;
+    }
+  });
+  return sum;
+}
+
+}  // namespace
+
+template <class M>
+bool limit_correction(const Direct& solver, System<M>& system, const Bodies<M>& bodies, DirectWork<M>& work) {
+  if (!is_suspect(system, work)) return false;
+  std::vector<double>&correction = work.offset, &change = work.change;
+  for (int k = 0; k < system.rows(); ++k) correction[k] = system.bias[k] - system.target_rate[k];
+  solve_again(correction, work, change);
+  const double speeds = asked(system, bodies, correction);
+  if (fastest(system, bodies, change, work.velocity_before) <= most_amplified * speeds) return false;
+  for (int k = 0; k < system.rows(); ++k) system.lambda[k] -= change[k];
+  Direct damped = solver;
+  damped.regularisation = std::max(solver.regularisation, damping);
+  solve_equations(damped, system, correction, bodies, work, change);
+  solve_again(correction, work, change);
+  for (int k = 0; k < system.rows(); ++k) system.lambda[k] += change[k];
+  return true;
+}
+
+#define BYHAND_INSTANTIATE(M) \
+  template bool limit_correction(const Direct&, System<M>&, const Bodies<M>&, DirectWork<M>&)
+BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);
+#undef BYHAND_INSTANTIATE
+
+}  // namespace byhand

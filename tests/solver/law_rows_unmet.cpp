@@ -1,0 +1,145 @@
+#include <gtest/gtest.h>
+
+#include "tests/solver/law_motion.hpp"
+
+// Rows that cannot all be met: what their correction makes of the bodies stays in proportion to what the rows ask,
+// at any length, mass and step, and the step does not say that it has converged.
+namespace law_rows_unmet_test {
+
+using namespace byhand;
+
+struct Scale {
+  double length = 1, mass = 1, time = 1;
+};
+
+/// The largest speed in the last half of 1,200 steps, the sum of the speeds that its rods ask for one by one at
+/// their largest, (β/h)|C|/|J| on the lighter body, and the steps that did not converge.
+struct Seen {
+  double fastest = 0, asked = 0;
+  int unconverged = 0;
+};
+
+template <class M>
+struct Rods {
+  Scene<M> scene = {};
+  std::vector<Handle<Distance<M>>> rods = {};
+
+  void join(int from, int to, double length) { rods.push_back(scene.add(Distance<M>{{from, to}, length})); }
+};
+
+template <class M>
+Linear<M> point(double x, double y) {
+  return x * Linear<M>::Unit(0) + y * Linear<M>::Unit(1);
+}
+
+template <class M>
+Seen watch(const Rods<M>& at_rest, double h, auto&& before_step) {
+  Simulation<M> simulation{at_rest.scene};
+  Seen seen;
+  for (int i = 0; i < 1200; ++i) {
+    before_step(simulation.scene, i);
+    double asked = 0;
+    for (const auto& handle : at_rest.rods) {
+      const Distance<M>& rod = simulation.scene.get(handle);
+      const auto& pose = simulation.scene.bodies().pose;
+      const double d = (pose[rod.at.body2].position - pose[rod.at.body1].position).norm();
+      asked += 0.2 / h * std::abs(d * d - rod.length * rod.length) / (2 * d);
+    }
+    simulation.step(h);
+    if (i < 600) continue;
+    seen.unconverged += !simulation.work.solution.converged;
+    seen.asked = std::max(seen.asked, asked);
+    for (const auto& V : simulation.scene.bodies().velocity) seen.fastest = std::max(seen.fastest, V.norm());
+  }
+  return seen;
+}
+
+/// Three rods between anchors that are drawn apart for 300 steps.
+template <class M>
+Seen pulled_apart(double span, const Scale& scale = {}) {
+  Rods<M> chain;
+  chain.scene.gravity *= scale.length / (scale.time * scale.time);
+  const auto add = [&](double x, double y, const InverseMass<M>& mass) {
+    return chain.scene.add_body(Linear<M>(scale.length * point<M>(x, y)), mass);
+  };
+  const int left = add(0, 0, fixed<M>()), right = add(2.5, 0, fixed<M>()),
+            b = add(0.9, -0.3, with_mass<M>(scale.mass)), c = add(1.6, -0.3, with_mass<M>(scale.mass));
+  chain.join(left, b, scale.length);
+  chain.join(b, c, scale.length);
+  chain.join(c, right, scale.length);
+  return watch(chain, scale.time / 60, [&](Scene<M>& now, int i) {
+    if (i < 300) now.set_position(right, scale.length * point<M>(2.5 + (span - 2.5) * i / 299, 0));
+  });
+}
+
+template <class M>
+Seen triangle_that_is_none(const Scale& scale = {}) {
+  Rods<M> triangle;
+  triangle.scene.gravity.setZero();
+  for (const auto& position : {point<M>(0, 0), point<M>(1, 0), point<M>(0.4, 0.3)})
+    triangle.scene.add_body(Linear<M>(scale.length * position), with_mass<M>(scale.mass));
+  triangle.join(0, 1, scale.length);
+  triangle.join(1, 2, 0.4 * scale.length);
+  triangle.join(2, 0, 0.4 * scale.length);
+  return watch(triangle, scale.time / 60, [](Scene<M>&, int) {});
+}
+
+template <class M>
+class RowsThatCannotBeMet : public testing::Test {};
+using Particles = testing::Types<PlaneParticle, SpaceParticle>;
+TYPED_TEST_SUITE(RowsThatCannotBeMet, Particles);
+
+// The limit is five times what the rods ask; what one step leaves, the next takes up.
+TYPED_TEST(RowsThatCannotBeMet, ArePulledNoFasterThanTheyAsk) {
+  using M = TypeParam;
+  for (const double span : {3.0001, 3.003, 3.03, 3.3, 5.0}) {
+    const Seen seen = pulled_apart<M>(span);
+    EXPECT_LE(seen.fastest, 5.5 * seen.asked) << span;
+    EXPECT_GT(seen.unconverged, 0) << span;
+  }
+  EXPECT_LE(pulled_apart<M>(3.3).fastest, 10);
+  const Seen triangle = triangle_that_is_none<M>();
+  EXPECT_LE(triangle.fastest, 5.5 * triangle.asked);
+  EXPECT_GT(triangle.unconverged, 500);
+}
+
+// On the other side of the boundary the rods can be met.
+TYPED_TEST(RowsThatCannotBeMet, SlackRodsConverge) {
+  for (const double span : {2.5, 2.9, 2.99}) {
+    const Seen seen = pulled_apart<TypeParam>(span);
+    EXPECT_EQ(seen.unconverged, 0) << span;
+    EXPECT_LE(seen.fastest, 0.1) << span;
+  }
+}
+
+TYPED_TEST(RowsThatCannotBeMet, DoTheSameAtAnyLengthMassAndStep) {
+  using M = TypeParam;
+  const Seen triangle = triangle_that_is_none<M>(), rods = pulled_apart<M>(3.03);
+  for (const Scale scale :
+       {Scale{.length = 1024}, Scale{.mass = 1.0 / 512}, Scale{.time = 1.0 / 16}, Scale{1.0 / 64, 32, 4}}) {
+    const double speed = scale.length / scale.time;
+    EXPECT_NEAR(triangle_that_is_none<M>(scale).fastest / speed, triangle.fastest, 1e-6 * triangle.fastest);
+    EXPECT_NEAR(pulled_apart<M>(3.03, scale).fastest / speed, rods.fastest, 1e-3 * rods.fastest);
+  }
+}
+
+// A heavy bob at the end of light ones makes the rows nearly dependent by mass alone: its correction is exact.
+TYPED_TEST(RowsThatCannotBeMet, AHeavyBobIsCorrectedInFull) {
+  using M = TypeParam;
+  for (const double mass : {1.0, 100.0, 1e4}) {
+    Scene<M> scene;
+    scene.gravity.setZero();
+    scene.add_body(Linear<M>(Linear<M>::Zero()), fixed<M>());
+    for (int i = 1; i <= 5; ++i) {
+      scene.add_body(Linear<M>(1.01 * i * Linear<M>::Unit(0)), with_mass<M>(i == 5 ? mass : 1));
+      scene.add(Distance<M>{{i - 1, i}, 1});
+    }
+    Simulation<M> simulation{scene};
+    const double before = position_error(scene).max;
+    simulation.step(1.0 / 60);
+    EXPECT_TRUE(simulation.work.solution.converged);
+    EXPECT_NEAR(position_error(simulation.scene).max, 0.8 * before, 1e-3 * before) << mass;
+  }
+}
+
+}  // namespace law_rows_unmet_test
