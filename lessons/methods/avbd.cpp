@@ -7,10 +7,10 @@ namespace byhand {
 void require_valid(const Avbd& method) {
   require(method.iterations >= 1, "number of iterations", method.iterations, "at least 1");
   require_in("alpha", method.alpha, 0, 1);
-  require_in("beta", method.beta, 0, 1e300, "N/m²");
+  require_in("beta", method.beta, 0, 1e300, "1/m");
   require_in("memory", method.memory, 0, 1);
   require_positive("softest", method.softest);
-  require_positive("stiffest", method.stiffest, "N/m");
+  require_positive("stiffest", method.stiffest);
   require_in("bounce threshold", method.bounce_threshold, 0, 1e300, "m/s");
 }
 
@@ -50,9 +50,9 @@ void warm_start(const Avbd& method, int position_rows, const Block<M, K, B>& blo
       work.target[row] = -method.alpha * (B == Bound::none ? system.C[row] : std::min(system.C[row], 0.0));
     work.impulse[row] = hard ? method.alpha * method.memory * h * system.lambda[row] : 0.0;
     const double inverse_mass = inverse_effective_mass(block.J, block.W, k);
-    const double least = inverse_mass > 0 ? method.softest / (h * h * inverse_mass) : 0.0;
+    const double unit = work.unit[row] = inverse_mass > 0 ? 1 / (h * h * inverse_mass) : 0.0;
     double& stiffness = system.stiffness[row];
-    stiffness = hard ? std::min(std::max(method.memory * stiffness, least), method.stiffest)
+    stiffness = hard ? std::min(std::max(method.memory * stiffness, method.softest * unit), method.stiffest * unit)
                      : 1 / (h * h * system.gamma[row]);
   }
   share_stiffness<B, K>(&system.stiffness[block.row]);
@@ -176,9 +176,9 @@ void update_rows(const ConstraintStore<M>& store, const Avbd& method, const Bloc
   const Rows<K> F = force(store.periodic, block, work, C, unbounded);
   for (int k = 0, row = block.row; k < K; ++k, ++row) {
     const double gamma = work.system.gamma[row];
-    const double most = gamma == 0 ? method.stiffest : 1 / (work.h * work.h * gamma);
+    const double unit = work.unit[row], most = gamma == 0 ? method.stiffest * unit : 1 / (work.h * work.h * gamma);
     double& stiffness = work.system.stiffness[row];
-    if (F[k] == unbounded[k]) stiffness = std::min(stiffness + method.beta * std::abs(C[k]), most);
+    if (F[k] == unbounded[k]) stiffness = std::min(stiffness + method.beta * unit * std::abs(C[k]), most);
     work.impulse[row] = F[k];
   }
   share_stiffness<B, K>(&work.system.stiffness[block.row]);
@@ -194,6 +194,7 @@ void advance(Scene<M>& scene, const Avbd& method, double h, Avbd::Work<M>& work)
   if (begin_rows(scene, h, work)) list_holders(work);
   work.system.stiffness.resize(work.system.rows());
   work.curvature.resize(2 * M::dof * work.system.rows());
+  work.unit.resize(work.system.rows());
   rescale_impulses(work, h);
   write_targets(scene, h, method.bounce_threshold, work);
   for_each_block(work.system, [&](const auto& block, const Run& run) {

@@ -16,9 +16,10 @@
 //
 // A hard row's Λ is the multiplier of the augmented Lagrangian. After each round over the bodies
 //
-//   Λ ← Λ - κ C within bounds,    k ← k + β|C| while F is inside them,
+//   Λ ← Λ - κ C within bounds,    k ← k + β|C| m/h² while F is inside them,
 //
-// so that C vanishes although κ stays finite. From step to step k is scaled by a memory below 1 (the paper's γ)
+// so that C vanishes although κ stays finite; m is the row's effective mass (the paper's β is in N/m², and what is
+// heavy or slow needs another). From step to step k is scaled by a memory below 1 (the paper's γ)
 // and Λ by that and α. A hard row removes only the share 1 - α of its error C₀ at the start of a step, or the
 // correction would become speed; an open contact may close. A soft row (a spring, a softness) has the k of its
 // material, 1/(h²γ), and F = -κ C. (The paper lets that k grow as well; then 2 kg on 1e5 N/m sag 2.3 times as far
@@ -41,14 +42,15 @@ struct Avbd {
     };
     std::vector<Holder> holders;    // the constraints of each moving body, sorted by body
     std::vector<double> curvature;  // how fast J of each row changes with each of its 2 dof coordinates
+    std::vector<double> unit;       // of each row's k: its effective mass over h² [N/m]
   };
 
   int iterations = 10;    // >= 1
   double alpha = 0.95;    // share of a hard row's C₀ that stays, in [0, 1]
-  double beta = 1e6;      // growth of k per unit of C [N/m²] >= 0
+  double beta = 300;      // growth of k in the row's unit per unit of C [1/m] >= 0
   double memory = 0.99;   // share of k, and with α of Λ, kept from step to step, in [0, 1]
-  double softest = 1;     // smallest k of a hard row, in units of its effective mass over h² > 0
-  double stiffest = 1e9;  // largest k [N/m] > 0
+  double softest = 1;     // smallest k of a hard row, in the row's unit > 0
+  double stiffest = 3e5;  // largest > 0
   Gyroscopic gyroscopic = Gyroscopic::implicit;  // of bodies in space
   double bounce_threshold = 0.5;                 // slower contacts do not bounce [m/s] >= 0
 };
