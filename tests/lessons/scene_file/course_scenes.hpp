@@ -13,7 +13,7 @@ struct CourseScene {
   std::string name, title, about;
   SceneOfAnyModel (*make)();
   double duration = 5;  // [s]
-  VelocityStepping method;
+  VelocityStepping method = {};
   std::map<std::string, double> accuracy = {};
 
   SceneFile file() const { return {title, about, make(), {}, method, 1.0 / 60, duration, accuracy}; }
