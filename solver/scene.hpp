@@ -112,9 +112,9 @@ class Scene {
   /// Lets a body touch others. Throws std::invalid_argument for a shape or surface outside its range.
   void set_shape(int body, const Shape<M>& shape, const Surface& surface = {},
                  const Layers& layers = {}) requires(M::angular > 0);
-  /// Bodies get a contact where they are nearer than the margin, or will be within the next lookahead · h, moved on
-  /// as fast as now: h is the step. Without the lookahead what is fast passes thin walls unseen. margin [m] > 0,
-  /// lookahead >= 0.
+  /// Bodies get a contact where they are nearer than the margin, or will be within the next lookahead · h, moved
+  /// on as fast as now: h is the step. Without the lookahead what is fast passes thin walls unseen. margin [m] >
+  /// 0, lookahead >= 0.
   void set_margin(double margin, double lookahead = 1);
   void set_contact_rows(ContactRows rows);
   const Colliders<M>& colliders() const { return colliders_; }

@@ -198,7 +198,7 @@ void ContactManager<M>::collide(const Scene<M>& scene, const BodyPair& bodies, d
                                             before ? before->reference : 0);
   const auto is_near = [&](const ContactPoint<M>& point) { return point.separation <= margin; };
   // What is slow and near stays so, and with the plane that it has.
-  if (way > margin || std::none_of(manifold.begin(), manifold.end(), is_near))
+  if (way > 2 * margin || std::none_of(manifold.begin(), manifold.end(), is_near))
     move_to_meeting(first, second, time, margin, manifold);
   const auto comes_near = [&](const ContactPoint<M>& point) {
     return is_near(point) ||

@@ -99,7 +99,9 @@ const Case cases[] = {
      },
      0x8a3b58e844d3bc13},
     {"SpaceStackAcceleratedGradient",
-     [] { return after_ten_seconds(sliding_stack<SpaceBody>(), AnyStepping{AcceleratedGradient{}}); },
+     [] {
+       return after_ten_seconds(sliding_stack<SpaceBody>(), AnyStepping{AcceleratedGradient{}, Baumgarte{}});
+     },
      0x9fff2eb9de3aa033},
     {"PlaneBodiesSymmetricSplitImpulse",
      [] {
@@ -122,9 +124,15 @@ const Case cases[] = {
        return after_ten_seconds(pinned_chain<PlaneBody>(swinging), {Direct{}, SoftConstraints{}});
      },
      0xe97a456d521a07b6},
-    {"PlaneStackSlides", [] { return after_ten_seconds(sliding_stack<PlaneBody>(), {GaussSeidel{}}); },
+    {"PlaneStackSlides",
+     [] {
+       return after_ten_seconds(sliding_stack<PlaneBody>(), {GaussSeidel{}, Baumgarte{}});
+     },
      0x162fcdd7332ef549},
-    {"SpaceStackSlides", [] { return after_ten_seconds(sliding_stack<SpaceBody>(), {GaussSeidel{}}); },
+    {"SpaceStackSlides",
+     [] {
+       return after_ten_seconds(sliding_stack<SpaceBody>(), {GaussSeidel{}, Baumgarte{}});
+     },
      0x1c04bbac9e7a8766},
 };
 

@@ -16,18 +16,40 @@ Scene<PlaneBody> kicked_stack(int count) {
 }
 
 const Case cases[] = {
-    {"StackDirect", [] { return after_ten_seconds(kicked_stack(12), {Direct{}}); }, 0x16b06a801e7d0dc3},
+    {"StackDirect",
+     [] {
+       return after_ten_seconds(kicked_stack(12), {Direct{}, Baumgarte{}});
+     },
+     0x16b06a801e7d0dc3},
     {"StackRedBlack",
      [] {
-       return after_ten_seconds(kicked_stack(12), {GaussSeidel{20, true, SweepOrder::coloured}});
+       return after_ten_seconds(kicked_stack(12), {GaussSeidel{20, true, SweepOrder::coloured}, Baumgarte{}});
      },
-     0x4ec9482699f29caa},
-    {"PyramidByGraph", [] { return after_ten_seconds(pyramid(8), {ByGraph{}}); }, 0x9e314bf040371bff},
-    {"DominoesByGraph", [] { return after_ten_seconds(dominoes(8, 0.5, 1.5), {ByGraph{}}); }, 0x623675313a22544d},
-    {"PileBounces", [] { return after_ten_seconds(box_pile<PlaneBody>(7), {GaussSeidel{}}); }, 0x3fad85f06fe7735f},
-    {"SpacePileBounces", [] { return after_ten_seconds(box_pile<SpaceBody>(7), {GaussSeidel{}}); },
+     0x684a027b4e23b6ca},
+    {"PyramidByGraph",
+     [] {
+       return after_ten_seconds(pyramid(8), {ByGraph{}, Baumgarte{}});
+     },
+     0x9e314bf040371bff},
+    {"DominoesByGraph",
+     [] {
+       return after_ten_seconds(dominoes(8, 0.5, 1.5), {ByGraph{}, Baumgarte{}});
+     },
+     0xb1abebeaf0265586},
+    {"PileBounces",
+     [] {
+       return after_ten_seconds(box_pile<PlaneBody>(7), {GaussSeidel{}, Baumgarte{}});
+     },
+     0xd5f985d85e72aebd},
+    {"SpacePileBounces",
+     [] {
+       return after_ten_seconds(box_pile<SpaceBody>(7), {GaussSeidel{}, Baumgarte{}});
+     },
      0x403d2cfb1d459700},
-    {"SpacePileByGraph", [] { return after_ten_seconds(box_pile<SpaceBody>(8), {ByGraph{}}); },
+    {"SpacePileByGraph",
+     [] {
+       return after_ten_seconds(box_pile<SpaceBody>(8), {ByGraph{}, Baumgarte{}});
+     },
      0x0af78da479bb66c6},
 };
 
