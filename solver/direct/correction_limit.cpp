@@ -8,8 +8,9 @@
 namespace byhand {
 namespace {
 
-constexpr double damping = 0.01;
-constexpr double most_amplified = 5;  // 1 / (2 √damping)
+constexpr double damping = 0.04;
+constexpr double most_amplified = 2.5;  // 1 / (2 √damping)
+constexpr double negligible = 0.01;     // of what else the rows do
 
 /// Whether the rows' impulses together take so much more energy than one by one that near dependence may be why:
 /// λᵀAλ against Σ r²/Aₖₖ, for λ = A⁻¹r. A chain's ratio grows with the square of its length.
@@ -42,20 +43,23 @@ double fastest(const System<M>& system, const Bodies<M>& bodies, const std::vect
   return result;
 }
 
-/// The sum of the speeds that the rows would need one by one for c.
+/// The sum of the speeds that the rows ask for one by one: of the points that they hold, or of the bodies, should
+/// these have to be faster.
 template <class M>
 double asked(const System<M>& system, const Bodies<M>& bodies, const std::vector<double>& correction) {
   double sum = 0;
   for_each_block(system, [&]<int K, Bound B>(const Block<M, K, B>& block, const Run&) {
     for (int k = 0; k < K; ++k) {
-      const auto W = block.W.matrix.row(k);
-      const double own = block.J.matrix.row(k).dot(W);
+      const double c = std::abs(correction[block.row + k]), own = block.J.matrix.row(k).dot(block.W.matrix.row(k));
       if (own <= 0) continue;
-      const double lambda = std::abs(correction[block.row + k]) / own;
       double most = 0;
-      if (block.moves1) most = speed<M>(bodies, block.body1, lambda * block.W.side1().row(k).transpose());
-      if (block.moves2)
-        most = std::max(most, speed<M>(bodies, block.body2, lambda * block.W.side2().row(k).transpose()));
+      const auto ask = [&](int body, const auto& J, const auto& W) {
+        const double arm = J.template head<M::linear>().norm();
+        if (arm > 0) most = std::max(most, c / arm);
+        most = std::max(most, speed<M>(bodies, body, c / own * W.transpose()));
+      };
+      if (block.moves1) ask(block.body1, block.J.side1().row(k), block.W.side1().row(k));
+      if (block.moves2) ask(block.body2, block.J.side2().row(k), block.W.side2().row(k));
       sum += most;
     }
   });
@@ -72,12 +76,15 @@ bool limit_correction(const Direct& solver, System<M>& system, const Bodies<M>& 
   solve_again(correction, work, change);
   const double speeds = asked(system, bodies, correction);
   if (fastest(system, bodies, change, work.velocity_before) <= most_amplified * speeds) return false;
-  for (int k = 0; k < system.rows(); ++k) system.lambda[k] -= change[k];
+  std::vector<double>& rest = work.lambda_before;
+  rest.resize(system.rows());
+  for (int k = 0; k < system.rows(); ++k) rest[k] = system.lambda[k] - change[k];
+  if (speeds <= negligible * fastest(system, bodies, rest, work.velocity_before)) return false;
   Direct damped = solver;
   damped.regularisation = std::max(solver.regularisation, damping);
   solve_equations(damped, system, correction, bodies, work, change);
   solve_again(correction, work, change);
-  for (int k = 0; k < system.rows(); ++k) system.lambda[k] += change[k];
+  for (int k = 0; k < system.rows(); ++k) system.lambda[k] = rest[k] + change[k];
   return true;
 }
 

@@ -7,10 +7,10 @@
 // cure asks for with speeds that grow without limit, step after step.
 namespace byhand {
 
-/// Corrects by damped least squares, (A + 0.01 diag A)λ = -c, if the exact correction would make some body more
-/// than five times as fast as all rows together would by themselves. Then the energy of the correction is at most
-/// 25 times what the rows would need one by one, whatever the units. `system.lambda` is the last
-/// `solve_equations`' and not yet applied; returns whether it was changed. What else the rows do stays exact.
+/// Corrects by damped least squares, (A + 0.04 diag A)λ = -c, if the exact correction would make some body more
+/// than 2.5 times as fast as all rows together ask one by one. Then the energy of the correction is at most 6.25
+/// times what the rows would need one by one, whatever the units. `system.lambda` is the last `solve_equations`'
+/// and not yet applied; returns whether it was changed. What else the rows do stays exact.
 ///
 /// Source: Y. Nakamura, H. Hanafusa, Inverse Kinematic Solutions With Singularity Robustness, J. Dyn. Sys., Meas.,
 /// Control 108 (1986).

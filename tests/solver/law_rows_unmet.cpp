@@ -89,17 +89,17 @@ class RowsThatCannotBeMet : public testing::Test {};
 using Particles = testing::Types<PlaneParticle, SpaceParticle>;
 TYPED_TEST_SUITE(RowsThatCannotBeMet, Particles);
 
-// The limit is five times what the rods ask; what one step leaves, the next takes up.
+// The limit is 2.5 times what the rods ask; what one step leaves, the next takes up. Gravity adds its gh.
 TYPED_TEST(RowsThatCannotBeMet, ArePulledNoFasterThanTheyAsk) {
   using M = TypeParam;
-  for (const double span : {3.0001, 3.003, 3.03, 3.3, 5.0}) {
+  for (const double span : {3.003, 3.03, 3.3, 5.0}) {
     const Seen seen = pulled_apart<M>(span);
-    EXPECT_LE(seen.fastest, 5.5 * seen.asked) << span;
+    EXPECT_LE(seen.fastest, 4 * seen.asked + 0.17) << span;
     EXPECT_GT(seen.unconverged, 0) << span;
   }
-  EXPECT_LE(pulled_apart<M>(3.3).fastest, 10);
+  EXPECT_LE(pulled_apart<M>(3.3).fastest, 1);
   const Seen triangle = triangle_that_is_none<M>();
-  EXPECT_LE(triangle.fastest, 5.5 * triangle.asked);
+  EXPECT_LE(triangle.fastest, 4 * triangle.asked);
   EXPECT_GT(triangle.unconverged, 500);
 }
 
