@@ -54,9 +54,7 @@ Seen seen(const Scene<M>& scene, const Method& method, double time) {
                             (simulation.scene.bodies().pose[i].position - scene.bodies().pose[i].position).norm());
   return result;
 }
-Seen by_default(const Scene<M>& scene, double time) {
-  return seen(scene, VelocityStepping{}, time);
-}
+Seen by_default(const Scene<M>& scene, double time) { return seen(scene, VelocityStepping{}, time); }
 
 TEST(CubesOfUnlikeMass, DoNotSinkIntoEachOtherInEitherOrder) {
   for (const double ratio : {1.0, 49.0, 51.0, 1e2, 1e3, 1e4, 1e6})

@@ -35,7 +35,7 @@ TEST(Stopping, IsNotFooledByVelocitiesThatReturnWhileLambdaRuns) {
       Scene<SpaceBody> scene = box_on_twisted_ground(speed, twist);
       const double rise = 0.2 * twist / time_step;
       Work<SpaceBody> work;
-      advance(scene, AnyStepping{exact_sweeps()}, time_step, work);
+      advance(scene, AnyStepping{exact_sweeps(), Baumgarte{}}, time_step, work);
       EXPECT_TRUE(work.solution.converged);
       EXPECT_LE(residual(work.system, scene.bodies().velocity), 1e-11 * speed);
       EXPECT_NEAR(scene.bodies().velocity[1][1], rise, 1e-10 * speed);
