@@ -12,7 +12,7 @@ const Linear<PlaneBody> sides(0.8, 0.5);  // of the box [m]
 
 Simulation<PlaneBody> on_slope(const Setting& setting, double angle, double speed = 0) {
   return {box_on_incline<PlaneBody>(angle, setting.friction(), speed, sides, setting.mass),
-          {GaussSeidel{.sweeps = 30, .tolerance = 1e-14}}};
+          {GaussSeidel{.sweeps = 30, .tolerance = 1e-14}, Baumgarte{}}};
 }
 
 /// How far the box has come along the slope [m].

@@ -40,7 +40,7 @@ Slide slide(FrictionBound bound, double heading, double speed) {
     for (const Linear<M>& tangent : {Linear<M>(1, 0, 0), Linear<M>(0, 0, 1)})
       scene.add(AxisFriction<M>{{ground, particle}, tangent, mu, contact});
   }
-  Simulation<M> simulation{std::move(scene), {GaussSeidel{}}};
+  Simulation<M> simulation{std::move(scene), {GaussSeidel{}, Baumgarte{}}};
   const double stopped_by = speed / (mu * g) + 0.1;
   while (simulation.time < stopped_by) simulation.step(sixtieth);
   const Linear<M> gone = simulation.scene.bodies().pose[particle].position;

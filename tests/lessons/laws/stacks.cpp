@@ -54,7 +54,7 @@ TEST(LawB20, SolvedDirectlyThirtyBoxesStandAKickUnderAHundredTimesTheirWeight) {
 TEST(LawB9, AColdStackSinksTheMoreTheFewerItsSweeps) {
   double last = 1;
   for (const int sweeps : {2, 4, 8, 16, 32, 64}) {
-    Simulation<M> simulation{stack(5), {GaussSeidel{.sweeps = sweeps, .warm_start = false}}};
+    Simulation<M> simulation{stack(5), {GaussSeidel{.sweeps = sweeps, .warm_start = false}, Baumgarte{}}};
     run(simulation, 10, h);
     const double sunk = 4.5 - simulation.scene.bodies().pose[5].position.y();
     EXPECT_LT(sunk, 0.6 * last) << sweeps;
@@ -64,7 +64,7 @@ TEST(LawB9, AColdStackSinksTheMoreTheFewerItsSweeps) {
 }
 
 TEST(LawB9, AWarmStackDoesNotSink) {
-  Simulation<M> simulation{stack(5), {GaussSeidel{20}}};
+  Simulation<M> simulation{stack(5), {GaussSeidel{20}, Baumgarte{}}};
   run(simulation, 10, h);
   EXPECT_NEAR(simulation.scene.bodies().pose[5].position.y(), 4.5, 1e-3);
 }
@@ -86,8 +86,8 @@ Scene<M> stack_on_corners(int count, double first) {
 
 TEST(LawB9, TheOtherOrderOfSweepingMirrorsTheDriftToTheLastBit) {
   for (const int sweeps : {1, 10}) {
-    Simulation<M> left{stack_on_corners(5, -0.5), {GaussSeidel{sweeps}}},
-        right{stack_on_corners(5, 0.5), {GaussSeidel{sweeps}}};
+    Simulation<M> left{stack_on_corners(5, -0.5), {GaussSeidel{sweeps}, Baumgarte{}}},
+        right{stack_on_corners(5, 0.5), {GaussSeidel{sweeps}, Baumgarte{}}};
     run(left, 1, h);
     run(right, 1, h);
     for (int i = 1; i <= 5; ++i) {
