@@ -34,6 +34,7 @@ class Examination {
         trials_(notes_),
         pilot_{scene, {ByGraph{}, Baumgarte{.beta = pilot_beta, .slop = 0.001}}},
         parts_(parts) {
+    if (notes_.is_large()) std::get<ByGraph>(pilot_.method.solver).stalled.tolerance = 1e-6;
     give_way(give);
   }
 
@@ -64,6 +65,10 @@ class Examination {
       if (i % every == 0 || i == 3) at_a_moment();
       if (transverse_ > most_transverse) return {};
       if (trials_.due(i)) trials_.at(now(), i);
+      if (notes_.is_large() && rests()) {
+        trials_.rest(pilot_.scene);
+        break;
+      }
     }
     if (!lags_.empty()) lag();
     try_findings();
@@ -132,6 +137,17 @@ class Examination {
     pilot_.scene.template change_all<NormalisedDistance>(soften);
     if constexpr (M::angular > 0) pilot_.scene.template change_all<Weld>(soften);
     if constexpr (M::angular == 3) pilot_.scene.template change_all<Hinge>(soften);
+  }
+
+  /// Whether nothing has gone anywhere for half a second: no body as fast as a hundredth of its size in a second.
+  bool rests() {
+    const Bodies<M>& bodies = pilot_.scene.bodies();
+    bool moving = is_driven(pilot_.scene);
+    for (int i = 0; i < bodies.size() && !moving; ++i)
+      moving = moves(bodies.inverse_mass[i]) && !(bodies.velocity[i].template head<M::linear>().norm() <=
+                                                  0.01 * notes_.sizes[static_cast<std::size_t>(i)]);
+    if (moving) moved_at_ = pilot_.time;
+    return pilot_.time - moved_at_ > 0.5;
   }
 
   /// The pilot's moment with the file's own rows, which do not give way.
@@ -540,6 +556,7 @@ class Examination {
   Trials<M> trials_;
   Simulation<M> pilot_;
   int parts_;                                            // steps of the pilot in one of the file
+  double moved_at_ = 0;                                  // when anything last moved [s]
   std::vector<double> loads_;                            // mean |λ|/h of all rows in each step [N]
   std::vector<std::set<std::pair<int, int>>> pressing_;  // bodies that press on each other after each step
   std::vector<int> hardest_;
@@ -562,7 +579,8 @@ Diagnosis diagnose(const SceneFile& file) {
       [&]<class M>(const Scene<M>& scene) {
         if (const std::string reason = refusal(scene, file.method); !reason.empty())
           throw std::invalid_argument(reason);
-        int parts = std::max(4, static_cast<int>(std::ceil(file.step * 240)));
+        const bool large = scene.bodies().size() > 100;
+        int parts = std::max(large ? 2 : 4, static_cast<int>(std::ceil(file.step * (large ? 120 : 240))));
         const int most_parts = 4 * parts;
         // Nothing, if the rows swing faster than that.
         const auto examine = [&](double give, double most_transverse) -> std::optional<Diagnosis> {

@@ -33,6 +33,8 @@ struct Notes {
   double kick = 0;                                            // what the first step's sweeps leave [m/s]
   std::map<std::pair<int, std::string>, Finding> worst = {};  // by law and quantity
 
+  /// Whether it is followed with longer steps, so that findings take no longer than a reader waits.
+  bool is_large() const { return scene.bodies().size() > 100; }
   double size_of_pair(int body1, int body2) const { return size_of_both(sizes, body1, body2); }
   std::vector<int> moving(int body1, int body2) const {
     std::vector<int> all;

@@ -93,28 +93,27 @@ class Watch {
   /// Calls f with each joint and contact. Contacts are looked for where the bodies are now: those of a step were
   /// found where it began.
   template <class F>
-  void each_of(const Scene<M>& scene, F&& f) const {
-    Work<M> work;  // without contacts
-    lay_out(scene, RowSolver(GaussSeidel{}), work);
-    write_rows(scene, 1.0, work);
-    for_each_block(work.system, [&]<int K, Bound B>(const Block<M, K, B>& block, const Run& run) {
+  void each_of(const Scene<M>& scene, F&& f) {
+    lay_out(scene, RowSolver(GaussSeidel{}), joints_);
+    write_rows(scene, 1.0, joints_);
+    const System<M>& system = joints_.system;
+    for_each_block(system, [&]<int K, Bound B>(const Block<M, K, B>& block, const Run& run) {
       if (run.position_rows == 0) return;
       const double length = size_of_both(lengths_, block.body1, block.body2);
       double sum = 0;
       for (int k = 0; k < std::min(run.position_rows, M::linear); ++k) {
-        const double C = work.system.C[block.row + k];
+        const double C = system.C[block.row + k];
         const auto J = block.J.matrix.row(k);
         const bool turn =
             J.template segment<M::linear>(0).isZero(0) && J.template segment<M::linear>(M::dof).isZero(0);
         const double way = turn ? 0.5 * length * C : C;  // [m]: of an angle that of the body's end
-        if (!one_sided(work.system, block, k) || C < 0) sum += way * way;
+        if (!one_sided(system, block, k) || C < 0) sum += way * way;
       }
       f(Opening{std::sqrt(sum) / length, std::minmax<int>(block.body1, block.body2), true});
     });
-    ContactManager<M> contacts;
-    contacts.find(scene);
+    touching_.find(scene);
     if constexpr (M::angular > 0)
-      for (const ContactPair<M>& pair : contacts.pairs())
+      for (const ContactPair<M>& pair : touching_.pairs())
         for (int k = 0; k < pair.size; ++k) {
           const auto [one, two] = std::pair<int, int>(pair.bodies);
           const double apart = Anchors<M>{one, two, pair.points[static_cast<std::size_t>(k)].arms}
@@ -131,6 +130,8 @@ class Watch {
   std::map<Pair, double> begun_;         // shares in the beginning
   std::deque<double> last_;
   Opening worst_;
+  Work<M> joints_;              // without contacts
+  ContactManager<M> touching_;  // where the bodies are when it looks
 };
 
 }  // namespace byhand::doctor

@@ -55,7 +55,7 @@ class Trials {
   explicit Trials(const Notes<M>& notes)
       : notes_(notes),
         watch_(notes.scene, notes.treatment.slop, notes.file.step),
-        every_(notes.scene.bodies().size() > 100 ? steps : steps / 2),
+        every_(notes.is_large() ? steps : steps / 2),
         half_(half_of(notes.file)) {}
 
   /// From the beginning of the scene.
@@ -74,11 +74,16 @@ class Trials {
     };
     try_from(from, moment.time);
   }
+  /// The exact motion rests from here on.
+  void rest(const Scene<M>& scene) {
+    if (exact_at_half_.empty()) exact_at_half_ = scene.bodies().pose;
+  }
 
   /// Whether the file's own steps do not do what a law foresees: at once in any trial, or in time by half of the
   /// run.
   bool refute(const Finding& finding) {
-    if (finding.shows == Shows::at_once) return worst_.worst.share <= share_of_a_body && worst_.gained <= 0.25;
+    if (finding.shows == Shows::at_once)
+      return worst_.worst.share <= 0.7 * share_of_a_body && worst_.gained <= 0.25;
     if (finding.shows != Shows::in_time || finding.by_half < 0.3 * share_of_a_body) return false;
     if (!by_half_) try_half();
     return by_half_->worst.share < 0.7 * std::min(finding.by_half, share_of_a_body) && by_half_->gained < 0.2 &&
