@@ -50,7 +50,7 @@ double asked(const System<M>& system, const Bodies<M>& bodies, const std::vector
   double sum = 0;
   for_each_block(system, [&]<int K, Bound B>(const Block<M, K, B>& block, const Run&) {
     for (int k = 0; k < K; ++k) {
-      const double c = std::abs(correction[block.row + k]), own = block.J.matrix.row(k).dot(block.W.matrix.row(k));
+      const double c = std::abs(correction[block.row + k]), own = inverse_effective_mass(block.J, block.W, k);
       if (own <= 0) continue;
       double most = 0;
       const auto ask = [&](int body, const auto& J, const auto& W) {
