@@ -76,7 +76,7 @@ Scene<M> box_and_bob_on_rods(double length) {
 }
 TEST(Avbd, DoesTheSameAtAnyLength) {
   const auto method_of = [](double length) {
-    return Avbd{.beta = 300 / length, .bounce_threshold = 0.5 * length};  // what has a unit of length
+    return Avbd{.beta = Avbd{}.beta / length, .bounce_threshold = 0.5 * length};  // what has a unit of length
   };
   expect_same_at_any_length(
       [](double a) { return rod_chain<PlaneParticle, NormalisedDistance>({.links = 3, .length = a, .angle = 1}); },

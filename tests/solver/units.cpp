@@ -136,7 +136,7 @@ void expect_positions_same(const char* name, const Scene<M>& scene) {
     return Xpbd{.push_speed = units.speed(), .bounce_threshold = 0.5 * units.speed()};
   });
   expect_same_in_all_units((std::string(name) + ", AVBD").c_str(), scene, [](const Units& units) {
-    return Avbd{.beta = 300 / units.length, .bounce_threshold = 0.5 * units.speed()};
+    return Avbd{.beta = Avbd{}.beta / units.length, .bounce_threshold = 0.5 * units.speed()};
   });
 }
 
