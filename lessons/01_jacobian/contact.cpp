@@ -107,9 +107,9 @@ void contact(course::Page& page, const Settings& set) {
   const Jacobian<PlaneBody, 1> J = at.row();
 
   page.text(
-      R"(The same steps, another constraint. Two bodies touch at P₁ and P₂ along a unit normal n and must not
-      overlap. C is the distance of P₂ from body 1 along n, C = (P₂ − P₁)·n, and it must not be negative.
-      Differentiate, isolate the velocities, look: n stands where d stood in (14).)");
+      R"(The same steps, another constraint. Two bodies touch at P₁ and P₂ along a unit normal n and must not overlap. C
+      is the distance of P₂ from body 1 along n, C = (P₂ − P₁)·n, and must not be negative. Differentiate, isolate the
+      velocities, look: n takes the place of d in (14).)");
   page.equation(15, "J = [ @  @  @  @ ]", R"(J = \begin{bmatrix} @ & @ & @ & @ \end{bmatrix})",
                 vector(J.l1().transpose()), J.a1()(0, 0), vector(J.l2().transpose()), J.a2()(0, 0));
   page.excerpt("solver/constraints/contact.hpp", "jacobian");
@@ -131,16 +131,16 @@ void contact(course::Page& page, const Settings& set) {
   page.text(
       R"(*Which way does the normal point?* From body 1 to body 2. Then JV > 0 means that they separate, C < 0 that
       they overlap, and the push that keeps them apart has λ ≥ 0. Number the bodies the other way round and reverse
-      n with them: every arrow stays on its body. Forget to reverse n and the whole row changes sign; the solver
-      would then pull overlapping bodies together. A rod does not need this care, a contact does.)");
+      n as well, and every arrow stays on its body. Forget to reverse n and the whole row changes sign: the solver then
+      pulls overlapping bodies together. A rod does not need this care; a contact does.)");
 
   const Dropped dropped = dropped_term(set, step);
   const double w1 = at.V1[2];
   page.text(
-      R"(*What is left out?* C is a product of two things that change, so Ċ has two terms: (Ṗ₂ − Ṗ₁)·n, which is
-      (15), and (P₂ − P₁)·ṅ, which is dropped. When is that allowed? ṅ is perpendicular to n, so a gap or an
-      overlap along n adds nothing. Only where P₂ lies *beside* P₁ does the turning normal count, at ω₁ times
-      the offset. Contact points are chosen opposite each other, and there the dropped term is zero.)");
+      R"(*What is left out?* C is a product of two factors that change, so Ċ has two terms: (Ṗ₂ − Ṗ₁)·n, which is (15),
+      and (P₂ − P₁)·ṅ, which is dropped. When is that allowed? ṅ is perpendicular to n, so a gap or an overlap along n
+      adds nothing. The turning normal only counts where P₂ lies *beside* P₁, at ω₁ times the offset. Contact points
+      are chosen opposite each other, and there the dropped term is zero.)");
   if (std::abs(w1) > 1e-6 * set.speed / length)
     page.text("Here the plank turns at @ rad/s: for each millimetre beside P₁, (15) leaves out @ mm/s.",
               course::Value(w1, 3), course::Value(dropped.slope, 3));

@@ -60,13 +60,13 @@ void differentiate(course::Page& page, const Settings& set) {
       L is constant and drops out.)");
   page.equation(9);
   page.text(
-      R"(The product is a dot product: only the part of the velocity along P₂ − P₁ counts. Try it first on a bob,
-      which does not turn.)");
+      R"(The product is a dot product: only the part of the velocity along P₂ − P₁ counts. First a bob, which does not
+      turn.)");
   const Linear<PlaneParticle> place = length * Linear<PlaneParticle>(0.6, -0.8), moving(speed, 0);
   const double bob = rate_of_bob(place, moving, length);
   page.predict(
-      {.ask = course::say(R"(P₂ − P₁ is (@, @) m, the bob moves with v₂ = (@, 0) m/s and the anchor stands still.
-                         How large is Ċ of (9)?)",
+      {.ask = course::say(R"(P₂ − P₁ is (@, @) m, the bob moves at v₂ = (@, 0) m/s and the anchor is fixed. How
+                         large is Ċ of (9)?)",
                           place.x(), place.y(), speed),
        .answer = bob,
        .unit = "m²/s",
@@ -87,9 +87,9 @@ void differentiate(course::Page& page, const Settings& set) {
                 vector(pair.V2[2] * Linear<PlaneBody>(-pair.r2().y(), pair.r2().x())), vector(v1),
                 vector(pair.V1[2] * Linear<PlaneBody>(-pair.r1().y(), pair.r1().x())), pair.rate());
   page.text(
-      R"(Check every derivative. Here two boxes move for @ s; the rod only measures, it does not hold them
-      yet. The curve is (10) at each moment. The dots do not use (10): they take C a little later and a little
-      earlier, subtract, and divide by the time between, @ s.)",
+      R"(Check every derivative. Here two boxes move for @ s; the rod only measures, it does not hold them yet. The
+      curve is (10) at each moment. The dots do not use (10): they are C a little later minus C a little earlier,
+      divided by the time between, @ s.)",
       course::Value(time, 3), course::Value(2 * step, 3));
   const Rates all = rates(pair, time, step);
   constexpr double seconds = 4;

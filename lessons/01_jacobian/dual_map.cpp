@@ -68,23 +68,22 @@ void dual_map(course::Page& page, const Settings& set) {
   const Jacobian<PlaneParticle, 1>& J = rod.J;
   const double JJt = (J.matrix * J.matrix.transpose())(0, 0);
   page.text(
-      R"(J takes velocities to a rate of C, and (5) takes λ back to forces on the bodies by the transpose. Is
-      that the inverse of J, as the article says? A row has no inverse. JV = 0 on a whole hyperplane of V, so J
-      keeps one component and forgets the rest. And Jᵀ does not undo even that one. Take the row of |d| − L
-      between two particles, ask for Ċ = 1 with V = Jᵀ·1, and Ċ is JJᵀ = @. (With (14) it would be 2|d|², in
-      square metres; and where bodies turn, square metres would be added to metres to the fourth power.))",
+      R"(J takes velocities to a rate of C; (5) takes λ back to forces on the bodies, by the transpose. Is that the
+      inverse of J, as the article says? A row has no inverse: JV = 0 on a whole hyperplane of V, so J keeps one
+      component and forgets the rest. And Jᵀ does not undo even that one. Take the row of |d| − L between two
+      particles and ask for Ċ = 1 with V = Jᵀ·1: Ċ is JJᵀ = @. (With (14) it would be 2|d|², in square metres; where
+      bodies turn, square metres would be added to metres to the fourth power.))",
       JJt);
   page.text(
-      R"(Jᵀ is the *dual* of J, as with a lever: what multiplies a speed divides a force, so that the power is the
-      same on both sides, (λJᵀ)·V = λ(JV) for every V. This is why constraint forces point along J: where JV =
-      0, the motions that the constraint allows, the force does no work. A rod neither drives nor brakes its bob.)");
+      R"(Jᵀ is the *dual* of J, as with a lever: the factor that multiplies a speed divides a force, so that the power
+      is the same on both sides, (λJᵀ)·V = λ(JV) for every V. This is why constraint forces point along J: they do no
+      work in a motion that the constraint allows, where JV = 0. A rod neither drives nor brakes its bob.)");
   page.figure("dual", "The rod's force is perpendicular to every motion that the rod allows.",
               [J, length = set.length()](renderer::Canvas& canvas) { draw_force(canvas, J, length); });
   const double back = (J.matrix * rod.W.matrix.transpose())(0, 0) / rod.inverse_mass;
   page.text(
-      R"(What does lead from a wanted Ċ to velocities is M⁻¹Jᵀ(JM⁻¹Jᵀ)⁻¹: of all V with that Ċ it gives the one
-      with the least kinetic energy, and J times it is @. It needs the masses, and it is what (17) and (20) of
-      lesson 2 do together.)",
+      R"(M⁻¹Jᵀ(JM⁻¹Jᵀ)⁻¹ does lead from a wanted Ċ to velocities: it gives the V with the least kinetic energy of all
+      that have this Ċ, and J times it is @. It needs the masses. (17) and (20) of lesson 2 do this together.)",
       back);
 
   const Linear<PlaneParticle> n = J.l2().transpose();

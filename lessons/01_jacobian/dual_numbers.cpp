@@ -129,10 +129,10 @@ Accuracy accuracy(const Pair& pair) {
 void dual_numbers(course::Page& page, const Settings& set) {
   const Pair pair = pair_of(set);
   page.text(
-      R"(Differences have two errors: with a large step they miss the curvature of C, with a small one they are lost
-      in rounding. A program can also be differentiated to the last digit. Give every number a second part, its
-      derivative, (a, a′), and let + and × follow the rules of differentiation: (a, a′)(b, b′) = (ab, a′b + ab′).
-      These are dual numbers. The line of code that computes C, fed with dual numbers, returns J as well.)");
+      R"(Differences have two errors: a large step misses the curvature of C, and a small one drowns in rounding. But a
+      program can be differentiated to the last digit. Give every number a second part, its derivative, (a, a′), and
+      let + and × follow the rules of differentiation: (a, a′)(b, b′) = (ab, a′b + ab′). These are dual numbers. Fed
+      with them, the line of code that computes C returns J as well.)");
   page.excerpt("lessons/01_jacobian/dual_numbers.cpp", "gradient");
   const Accuracy all = accuracy(pair);
   page.figure("accuracy",
@@ -146,9 +146,9 @@ void dual_numbers(course::Page& page, const Settings& set) {
       rounding_only ? std::string("rounding alone") : course::say("@ m²/s", course::small_error(all.dual)));
   constexpr int draws = 200;
   page.text(
-      R"(So why derive by hand? The result shows what no table of numbers can: (14) is four short expressions, cheap
-      to compute, and one sees what they mean and when they vanish. Dual numbers are the check. Below, the J of five
-      kinds of constraint is compared with them at @ random poses, in all four models.)",
+      R"(So why derive by hand? (14) is four short expressions, cheap to compute, and it shows what no table of numbers
+      can: what they mean and when they vanish. Dual numbers are the check. Below they check the J of five kinds of
+      constraint at @ random poses, in all four models.)",
       draws);
   const double tolerance = 100 * std::numeric_limits<double>::epsilon();
   const auto claim = [&](const char* model, double difference) {

@@ -55,11 +55,11 @@ void four_parts(course::Page& page, const Settings& set) {
   const auto shown = [](double value) { return course::Value(std::abs(value) < 1e-12 ? 0 : value, 3); };
   const pictures::Acts acts(
       {{course::say("Ċ = d·(Ṗ_2 − Ṗ_1) = @ m²/s", shown(pair.rate())),
-        "The product rule on ½(d·d − L²): what the ends do along d counts.", palette::velocity},
+        "The product rule on ½(d·d − L²): only motion of the ends along d counts.", palette::velocity},
        {"Ṗ = v + ω × r", "Each end moves with its centre, and turns about it (dashed).", palette::velocity},
-       {"l_1 = −d,  l_2 = d", "What multiplies v₁ and v₂: d itself.", palette::constraint},
+       {"l_1 = −d,  l_2 = d", "The coefficients of v₁ and v₂: d itself.", palette::constraint},
        {course::say("a_1 = −r_1 × d = @,  a_2 = r_2 × d = @ m²", shown(a1), shown(a2)),
-        "What multiplies ω₁ and ω₂: the moments of d about the centres.", palette::constraint},
+        "The coefficients of ω₁ and ω₂: the moments of d about the centres.", palette::constraint},
        {"Ċ = l_1·v_1 + a_1ω_1 + l_2·v_2 + a_2ω_2 = JV",
         course::say("= (@) + (@) + (@) + (@) m²/s", shown(J.l1().transpose().dot(pair.V1.head<2>())),
                     shown(a1 * pair.V1[2]), shown(J.l2().transpose().dot(pair.V2.head<2>())),

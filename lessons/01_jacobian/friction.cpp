@@ -97,7 +97,7 @@ void friction(course::Page& page, const Settings& set) {
   const Sliding at = sliding(set, 0);
   const Jacobian<SpaceBody, 2> J = at.rows();
   page.text(
-      R"(Friction has no C. It has a *rate* that should be zero: how fast P₂ slides past P₁ along the surface.
+      R"(Friction has no C. It has a *rate* that should be zero: the speed at which P₂ slides past P₁ along the surface.
       Replace n in (15) by a tangent t.)");
   page.equation(16);
   page.text(
@@ -115,9 +115,9 @@ void friction(course::Page& page, const Settings& set) {
   const double step = 1e-4 / (1 + std::abs(set.spin()));
   const Rows<2> measured = (at.slip(step) - at.slip(-step)) / (2 * step);
   page.text(
-      R"(The slip along t₁ and t₂ is @ m/s: JV. Any two perpendicular tangents will
-      do. Turn them about n and both numbers change, but not the length of the pair. A bound on each axis by itself
-      makes friction depend on that choice; lesson 7 shows what that does to a slide.)",
+      R"(The slip along t₁ and t₂ is JV = @ m/s. Any two perpendicular tangents will do. Turn them about n and both
+      numbers change, but not the length of the pair. If each axis has a bound of its own, friction depends on that
+      choice; lesson 7 shows what that does to a slide.)",
       course::without_rounding(slip));
 
   double shortest = slip.norm(), longest = slip.norm();

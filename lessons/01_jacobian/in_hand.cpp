@@ -127,7 +127,7 @@ course::Hold in_hand(const Settings& set) {
   return {
       "bob_in_hand",
       R"(Drag the bob. C is one number: 0 on the dashed circle, whose radius is the length of the rod, positive outside
-          and negative inside. J points where C grows, and JV says how fast. The bob begins with the rod's stretch.)",
+          it and negative inside. J points where C grows, and JV says how fast. It starts at the rod's length plus the stretch.)",
       [set] { return std::make_unique<BobInHand>(set.length, set.stretch, set.mass); }};
 }
 

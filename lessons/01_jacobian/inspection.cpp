@@ -122,8 +122,8 @@ void say_swap(course::Page& page, const Pair& pair, const Entries& row) {
   const Entries other = swapped(pair).matrix;
   page.text(
       R"(*What if the bodies are numbered the other way round?* Then d becomes −d and l₁, which was @, becomes @.
-      But the new l₁ belongs to what was body 2: the two halves of the row have changed places, and each body keeps
-      its arrows. It must be so, because (2) is the same from both ends.)",
+      But the new l₁ belongs to the old body 2: the two halves of the row have changed places, and each body keeps its
+      arrows. It has to, because (2) is the same from both ends.)",
       vector(row.segment<2>(0).transpose()), vector(other.segment<2>(0).transpose()));
   page.claim("row after the swap − row with its blocks exchanged, relative",
              (other - exchanged(row)).norm() / row.norm(), "1",
@@ -140,8 +140,8 @@ void inspection(course::Page& page, const Settings& set) {
   const Linear<PlaneBody> sides = box_sides(set);
 
   page.text(
-      R"(The last step is to look. In (13) every velocity stands alone behind its coefficient. The coefficients, in
-      the order of V, are the four parts of J. For the two boxes:)");
+      R"(The last step is to look. In (13) every velocity has a coefficient of its own. The coefficients, in the order
+      of V, are the four parts of J. For the two boxes:)");
   page.equation(14, "J = [ @  @  @  @ ]", R"(J = \begin{bmatrix} @ & @ & @ & @ \end{bmatrix})",
                 vector(J.l1().transpose()), J.a1()(0, 0), vector(J.l2().transpose()), J.a2()(0, 0));
   page.derivation(
@@ -155,12 +155,34 @@ void inspection(course::Page& page, const Settings& set) {
         R"(\dot C = -d \cdot v_1 - (r_1 \times d) \cdot \omega_1 + d \cdot v_2 + (r_2 \times d) \cdot \omega_2)"},
        {"compare with (8)", "l₁ = −d, a₁ = −r₁ × d, l₂ = d, a₂ = r₂ × d",
         R"(l_1 = -d,\; a_1 = -r_1 \times d,\; l_2 = d,\; a_2 = r_2 \times d)"}});
+  // J's arrow on a bob of a rod with this pair's error, and the way out from the anchor.
+  const Distance<PlaneParticle> rod{{0, 1}, length};
+  Pose<PlaneParticle> anchor, bob;
+  bob.position = (length + set.stretch) * Linear<PlaneParticle>(0.6, -0.8);
+  const double C = course::without_rounding(rod.value<double>(anchor, bob)[0], length * length),
+               out = rod.jacobian(anchor, bob).l2().dot(bob.position);
+  const char *towards = "J is the gradient of C, so it points where C grows; nearer to the anchor C is smaller.",
+             *away = R"(J is the gradient of C. Farther from the anchor C is larger, whether the rod is too long or
+                     too short.)";
+  page.choose(
+      {.ask = course::say(R"(A rod from an anchor to a bob @: C = @ m². Draw l₂ as an arrow at the bob. Does it
+                                 point to the anchor or away from it?)",
+                          C > 0   ? "is too long"
+                          : C < 0 ? "is too short"
+                                  : "has the right length",
+                          C),
+       .options = {{"to the anchor", towards},
+                   {"away from the anchor", away},
+                   {"that depends on the sign of C", "(14) contains neither C nor L, only d."}},
+       .answer = out < 0 ? 0 : 1,
+       .hints = {"Which way must the bob move for C to grow?", "(14): l₂ = d = P₂ − P₁.",
+                 "P₁ is the anchor and P₂ the bob: d leads from P₁ to P₂."}});
   four_parts(page, set);
-  page.text("The solver writes this row, and later those of contacts and friction, with d replaced by u:");
+  page.text("The solver writes this row, and later the rows of contacts and friction, with u in place of d:");
   page.excerpt("solver/jacobian.hpp", "along");
   page.text(
-      R"("By inspection" is not guessing. Ċ = JV holds for *every* V, and that leaves only one J: let one
-      component of V be 1 and the others 0, and JV is one entry of J. Six such movements give six entries.)");
+      R"("By inspection" is not guessing. Ċ = JV holds for *every* V, and only one J does that: set one component of V
+      to 1 and the others to 0, and JV is one entry of J. Six such movements give six entries.)");
   constexpr double each = 1.4;
   page.sequence("probes", "Six movements give six numbers: each time Ċ is measured from C, without (14).",
                 course::Seconds{entries * each}, [=](renderer::Canvas& canvas, double time) {
@@ -187,41 +209,19 @@ void inspection(course::Page& page, const Settings& set) {
         canvas.arrow_key({40, 40}, {palette::constraint, 0.5 * length / J.l2().norm(), "m"}, "l:");
       });
 
-  // J's arrow on a bob of a rod with this pair's error, and the way out from the anchor.
-  const Distance<PlaneParticle> rod{{0, 1}, length};
-  Pose<PlaneParticle> anchor, bob;
-  bob.position = (length + set.stretch) * Linear<PlaneParticle>(0.6, -0.8);
-  const double C = course::without_rounding(rod.value<double>(anchor, bob)[0], length * length),
-               out = rod.jacobian(anchor, bob).l2().dot(bob.position);
-  const char *towards = "J is the gradient of C, so it points where C grows; nearer to the anchor C is smaller.",
-             *away = R"(J is the gradient of C. Farther from the anchor C is larger, whether the rod is too long or
-                     too short.)";
-  page.choose(
-      {.ask = course::say(R"(A rod from an anchor to a bob @: C = @ m². Does the arrow l₂ at the bob point to
-                                 the anchor or away from it?)",
-                          C > 0   ? "is too long"
-                          : C < 0 ? "is too short"
-                                  : "has its length",
-                          C),
-       .options = {{"to the anchor", towards},
-                   {"away from the anchor", away},
-                   {"that depends on the sign of C", "(14) contains neither C nor L, only d."}},
-       .answer = out < 0 ? 0 : 1,
-       .hints = {"Which way must the bob move for C to grow?", "(14): l₂ = d = P₂ − P₁.",
-                 "P₁ is the anchor and P₂ the bob: d leads from P₁ to P₂."}});
-  page.figure("field", "J's arrow on the bob points where C grows: outwards, also where the rod is too short.",
+  page.figure("field", "J's arrow on the bob points where C grows: outwards, even where the rod is too short.",
               [=](renderer::Canvas& canvas) { draw_field(canvas, length); });
   page.text(
-      R"(Move both bodies a little along J and C grows by |J|² times that little. Whether C has to grow or to
-      shrink is not in J: the sign of λ decides it (lesson 2).
+      R"(Move both bodies along J by a small ε and C grows by |J|²ε. J does not say whether C has to grow or to shrink:
+      the sign of λ decides that (lesson 2).
 
-      *The article says that J "always points towards the target". That is so only where C is negative.*)");
+      *The article says that J "always points towards the target". That is true only where C is negative.*)");
 
   say_swap(page, pair, row);
   page.text(
-      R"(Now derive it yourself: `./lessons/run desk --task 2` begins with this C, holds each of your lines
-      against the one before, and says which is wrong and why. `./lessons/run desk --tasks` lists eleven more,
-      from a pin to a screw.)");
+      R"(Now derive it yourself: `./lessons/run desk --task 2` begins with this C, checks each of your lines against
+      the one before, and says which is wrong and why. `./lessons/run desk --tasks` lists eleven more, from a pin to
+      a screw.)");
 
   Pair along = pair;  // both bodies moving along J
   along.V1 = row.head<3>().transpose();

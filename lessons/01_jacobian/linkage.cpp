@@ -71,9 +71,9 @@ constexpr int stored = decltype(Jacobian<Model, 1>::matrix)::ColsAtCompileTime;
 
 void linkage(course::Page& page, const Settings& set) {
   page.text(
-      R"(How many numbers are in a row? Two times (l and a), for two bodies. In the plane a body turns in one
-      way only, so a is *one* number and a row has (2 + 1)·2 = @. In space it has (3 + 3)·2 = @. A bob that does
-      not turn needs @ in the plane and @ in space. The solver stores no more than that, and (8) reads:)",
+      R"(How many numbers are in a row? An l and an a for each of two bodies. In the plane a body turns in one way only,
+      so a is *one* number and a row has (2 + 1)·2 = @. In space it has (3 + 3)·2 = @. A bob that does not turn needs @
+      in the plane and @ in space. The solver stores no more than that, and (8) reads:)",
       stored<PlaneBody>, stored<SpaceBody>, stored<PlaneParticle>, stored<SpaceParticle>);
   page.excerpt("solver/jacobian.hpp", "8");
   page.text(R"(*The article's "two scalar values in 2D, and three scalar values in 3D" is true of l alone.*)");
@@ -83,14 +83,14 @@ void linkage(course::Page& page, const Settings& set) {
   const int links = set.links;
   const double zeros = double((J.array() == 0).count()) / double(J.size());
   page.text(
-      R"(Now @ links, pinned end to end. A pin is two constraints, so there are @ rows, and all bodies together
-      have @ components of velocity: a matrix of @ numbers.)",
+      R"(Now pin @ links end to end. A pin is two constraints, so there are @ rows, and the bodies together have @
+      components of velocity: a matrix of @ numbers.)",
       links, J.rows(), J.cols(), J.size());
   const int chosen = links / 2;
   page.figure(
       "linkage",
-      course::say(R"(The chain and its J: pin @ joins two links, and its two rows are not zero in the columns of
-                         these two. Empty cells are zero.)",
+      course::say(R"(The chain and its J: pin @ joins two links, and its two rows are zero (empty) outside the
+                         columns of these two.)",
                   chosen + 1),
       [=](renderer::Canvas& canvas) { draw_pin_and_rows(canvas, scene, J, chosen); });
 

@@ -42,15 +42,15 @@ int main(int argc, char** argv) {
             "To find J: differentiate C, take ω out of the cross product, read the coefficients off.",
             "J points where C grows, whatever the sign of C. λJᵀ pushes the bodies along it.",
             "|ΔC − h·JV| falls like h²; with a wrong sign that the motion uses, only like h.",
-            "A contact's normal points from body 1 to body 2; exchange the bodies and it must be reversed."},
+            "A contact's normal points from body 1 to body 2; if you exchange the bodies, reverse it."},
        .tries = {{"A rod that is too short: watch the sign of C, and where J points.",
                   "./lessons/run jacobian --set stretch=-0.1"},
-                 {"Bodies that do not turn: the test does not find a wrong a₂.",
+                 {"Bodies that do not turn: the test misses a wrong a₂.",
                   "./lessons/run jacobian --set spin=0 --step 6"},
                  {"A rod of ten metres, C and J from two different forms.",
                   "./lessons/run jacobian --set length=10 --step 7d"}},
        .next =
-           R"(Write C and J yourself: `./lessons/run practise 1`, 2 and, for a constraint that no lesson derives, 11.
+           R"(Write C and J yourself: `./lessons/run practise 1`, 2 and, with a constraint that no lesson derives, 11.
 
            J says in which direction to push. Lesson 2 computes how hard: λ, from the rate JV and the masses.)"});
   return lesson.run(argc, argv);

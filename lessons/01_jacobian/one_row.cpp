@@ -26,15 +26,14 @@ double rate_by_differences(const Linear<PlaneBody>& d, const Linear<PlaneBody>& 
 void one_row(course::Page& page, const Settings& set) {
   const double length = set.length, speed = set.speed;
   page.text(
-      R"(We want C = 0 at all times. C is not linear in the positions, so C = 0 is hard to solve for them. Its rate is
+      R"(We want C = 0 at all times. C is not linear in the positions, so solving C = 0 for them is hard. Its rate is
       easier: if C is zero now and does not change, it stays zero.)");
   page.equation(3);
   page.text(
       R"(Why is the rate easier? C changes only because the bodies move. Move one of them along x at 1 m/s, alone,
-      and C changes at some rate; at 2 m/s it changes twice as fast. Move in two ways at once and the rates add.
-      So Ċ is a sum: each component of velocity, times a number that says how much C depends on it. Stack the
-      velocities in a column V = (v₁, ω₁, v₂, ω₂), the numbers in a row J in the same order, and the sum is their
-      product:)");
+      and C changes at some rate; at 2 m/s it changes twice as fast. If it moves in two ways at once, the rates add.
+      So Ċ is a sum: each component of velocity times a number that says how much C depends on it. Put the velocities
+      in a column V = (v₁, ω₁, v₂, ω₂) and the numbers, in the same order, in a row J: the sum is their product.)");
   page.equation(4);
   page.derivation(
       "Ċ = JV, by the chain rule",
@@ -46,9 +45,9 @@ void one_row(course::Page& page, const Settings& set) {
         R"((\dot q_1, \dots, \dot q_6) = V = (v_1, \omega_1, v_2, \omega_2))"},
        {"the slopes, in the same order, are the row J", "Ċ = JV", R"(\dot C = JV)"}});
   page.text(
-      R"(J is the *Jacobian* of C. V holds four kinds of velocity: linear and angular, of body 1 and of body 2.
-      So J has four parts, and the article calls them l₁, a₁, l₂, a₂. (In (1) the same letters meant positions and
-      angles. From here on they are the parts of J.))");
+      R"(J is the *Jacobian* of C. V holds four velocities, a linear and an angular one of each body. So J has four
+      parts, which the article calls l₁, a₁, l₂, a₂. (In (1) the same letters meant positions and angles. From here
+      on they are the parts of J.))");
   page.equation(6);
   page.equation(7);
   page.text(
@@ -75,13 +74,13 @@ void one_row(course::Page& page, const Settings& set) {
        .right = R"(The two measured rates are the part l₂ of the row. Once J is known, every motion's Ċ is a sum of
                 products.)"});
   page.text(
-      R"(The same row leads back. J says how velocities change C; turned into a column, Jᵀ says in which directions
-      to push the bodies in order to change C, and one number λ says how hard:)");
+      R"(The same row also leads back. J says how velocities change C; as a column, Jᵀ says in which directions to push
+      the bodies to change C, and one number λ says how hard:)");
   page.equation(5);
   page.text(
-      R"(So body 1 is pushed by λl₁ and turned by λa₁, body 2 by λl₂ and λa₂. How large λ must be is the
-      question of lesson 2. *The article calls Jᵀ "the inverse" of J; a row has no inverse, and the last deeper
-      part of this lesson says what Jᵀ is. What follows now is how to find J.*)");
+      R"(So λl₁ pushes body 1 and λa₁ turns it; λl₂ and λa₂ do the same to body 2. Lesson 2 asks how large λ must be.
+      *The article calls Jᵀ "the inverse" of J; a row has no inverse, and the last deeper part of this lesson says
+      what Jᵀ is. First we have to find J.*)");
 
   const Pair pair = pair_of(set);
   const double speeds = pair.V1.norm() + pair.V2.norm();

@@ -73,16 +73,16 @@ void separation(course::Page& page, const Settings& set) {
                at.value());
   page.text(
       R"(That is P₂ − P₁ along n: a length in metres, negative where the bodies overlap; the article's
-      "inter-penetration depth" is −C. Its rate with n held still is JV of (15). Two discs check it: their gap is
-      the distance of the centres less both radii.)");
+      "inter-penetration depth" is −C. With n held still its rate is JV of (15). Two discs check it: their gap is the
+      distance between the centres less both radii.)");
   page.figure("discs", "Two discs overlap. C is the short stretch between the tips of both arms, counted along n.",
               [=](renderer::Canvas& canvas) { draw_discs(canvas, at, length); });
   const auto& arms = at.contact.at.arms;
   const double literal =
       (at.second.position + arms.second - at.first.position - arms.first).dot(at.contact.normal);
   page.text(
-      R"(The arms must be those in the world. These discs have turned; with their arms as they are stored, in the
-      bodies' own frames, (23) would give @ m.)",
+      R"(The arms have to be in the world's frame. These discs have turned; with arms as they are stored, in the bodies'
+      own frames, (23) would give @ m.)",
       literal);
   page.claim("C of (23) for two overlapping discs", at.value(), "m",
              is(distance - at.radius1 - at.radius2, "distance less both radii", course::absolute(4e-15 * length)));

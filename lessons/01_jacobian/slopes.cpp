@@ -40,11 +40,10 @@ void slopes(course::Page& page, const Settings& set) {
        .answer = factor,
        .unit = "1",
        .tolerance = 0.2,
-       .wrong = {{2, "J already took the first-order part away; what is left is of second order."},
+       .wrong = {{2, "J already takes away the first-order part; the rest is of second order."},
                  {8, "That would be third order: C of (2) is a square, its second derivative is not zero."},
                  {1, "Then the rest would not depend on h at all."}},
-       .hints = {"Which power of h is left when the first power is taken away?",
-                 "C of (2) after the step: ½(d + hv)² − ½L².",
+       .hints = {"Which power of h is left without the first?", "C of (2) after the step: ½(d + hv)² − ½L².",
                  "½(d + hv)² − ½d² = h d·v + ½h²v²; the first term is h·JV."},
        .hinted = 4,
        .right = course::say("The rest is exactly ½h²v², here @ m²: half the step, a quarter of it.", exact)});
@@ -53,7 +52,7 @@ void slopes(course::Page& page, const Settings& set) {
       R"(For the bob: ½(d + hv)² − ½d² = h d·v + ½h²v². For two boxes the rest is ½h²C̈ and terms of higher
       order. Now spoil the row: change the sign of a₂, the mistake that d × r would make. The rest gains 2h·a₂ω₂ =
       @·h, @.)",
-      first_order, first_order != 0 ? "a term of *first* order" : "which is nothing, for ω₂ is 0 here");
+      first_order, first_order != 0 ? "a term of *first* order" : "which is zero, because ω₂ = 0 here");
 
   renderer::Curve right{
       .label = "(14), two boxes", .style = renderer::CurveStyle::line_and_markers, .colour = palette::constraint};
@@ -106,8 +105,8 @@ void slopes(course::Page& page, const Settings& set) {
        .y = {.label = "|ΔC − h·JV| (m²)", .scale = renderer::Scale::logarithmic},
        .curves = {spoilt, right, simple, first, second}});
   page.text(
-      R"(This is the cheapest test that a constraint can have: it needs C and J and nothing else. It finds every
-      wrong entry *that the motion uses*: with ω₂ = 0 a wrong a₂ goes unnoticed@, so test with every component of V different from zero.)",
+      R"(This is the cheapest test of a constraint: it needs C and J and nothing else. It finds every wrong entry *that
+      the motion uses*. With ω₂ = 0 a wrong a₂ goes unnoticed@, so test with no component of V zero.)",
       first_order == 0 ? ", as in this run" : " (set `spin` to 0 and the two lines coincide)");
 
   if (second_order) page.measure("slope with (14)", measured_slope, "1");

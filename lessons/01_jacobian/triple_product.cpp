@@ -99,23 +99,23 @@ void triple_product(course::Page& page, const Settings& set) {
   const Pair pair = arm_and_rod({arm, 0}, {0, -size});
   const double a2 = pair.row().a2()(0, 0);
 
-  page.text("The vector between the anchor points gets a name, and the brackets of (10) are opened.");
+  page.text("Name the vector between the anchor points, and multiply out (10).");
   page.equation(11);
   page.equation(12);
   page.text(
-      R"(J has the coefficients of the velocities. v₁ and v₂ already stand alone behind theirs, −d and d. The two ω
-      are still inside a cross product. The scalar triple product takes them out: a·(b × c) is the signed volume
-      that a, b and c span, and it stays the same when the three change places in a cycle.)");
+      R"(J has the coefficients of the velocities. v₁ and v₂ already have theirs, −d and d. The two ω are still inside a
+      cross product. The scalar triple product takes them out: a·(b × c) is the signed volume that a, b and c span,
+      and it stays the same when the three change places in a cycle.)");
   page.formula("d·(ω × r) = ω·(r × d)", R"(d \cdot (\omega \times r) = \omega \cdot (r \times d))");
   page.equation(13);
   page.text(
-      R"(Only a cyclic change keeps the sign: r × d and d × r have opposite signs, and this is where most Jacobians
-      derived by hand go wrong. In the plane r × d is one number, r_x d_y − r_y d_x: |d| times the lever arm with
-      which d passes the centre.)");
+      R"(Only a cyclic change keeps the sign: r × d and d × r have opposite signs, and that is where most Jacobians
+      derived by hand go wrong. In the plane r × d is one number, r_x d_y − r_y d_x: |d| times the lever arm, the
+      distance at which the line of d passes the centre.)");
   page.predict(
       {.ask = course::say(
-           R"(a₂ is the factor of ω₂ in (13). Body 2 has the arm r₂ = (@, 0) m, and d = (0, @) m. How large is
-                         a₂?)",
+           R"(a₂ is the coefficient of ω₂ in (13). Body 2 has the arm r₂ = (@, 0) m, and d = (0, @) m. How large
+                         is a₂?)",
            arm, -size),
        .answer = a2,
        .unit = "m²",
@@ -134,9 +134,9 @@ void triple_product(course::Page& page, const Settings& set) {
         draw_lever(canvas, canvas.page().inset(20), oblique);
       });
   page.text(
-      R"(Turn d once round the tip of the arm. Where its line passes through the centre, at 0° and 180°, turning
-      the body does not change C, and a₂ is zero. At right angles to the arm it is largest, @ m². The dots turn the
-      body a little and measure C.)",
+      R"(Turn d once round the tip of the arm. At 0° and 180° its line passes through the centre: turning the body does
+      not change C, and a₂ is zero. At right angles to the arm a₂ is largest, @ m². For the dots the body is turned a
+      little and C measured.)",
       area);
   page.figure("entry", "a₂ while d turns round the tip of the arm.", turning.chart);
   constexpr int draws = 1000;

@@ -45,7 +45,8 @@ double gain(double length, const Settings& set) {
   return 1 - stretch[1] / stretch[0];
 }
 
-/// The same on paper: of (2), C/d = e (2L + e) / (2(L + e)); of |d| − L, C = e; mixed, C = e (2L + e) / 2.
+/// The same on paper for a stretch s: (2) has C/d = s (2L + s) / (2(L + s)), |d| − L has C = s, mixed C = s (2L +
+/// s) / 2.
 double squared_on_paper(double beta) { return beta * (2 + share) / (2 * (1 + share)); }
 double mixed_on_paper(double beta, double length) { return beta * length * (2 + share) / 2; }
 
@@ -83,9 +84,9 @@ renderer::Chart gains(const Settings& set) {
 void two_forms(course::Page& page, const Settings& set) {
   const double length = set.length;
   page.text(
-      R"(One can also begin with C = |d| − L, an error in metres. Its l₂ is n = d/|d|: (14) divided by the length of
-      d (`./lessons/run desk --task 3` begins with it). Both are right. Let a bob fly outwards and let the solver stop it at the end of its rod, once with each row
-      (by (17), the subject of lesson 2):)");
+      R"(One can also begin with C = |d| − L, an error in metres (`./lessons/run desk --task 3`). Its l₂ is n = d/|d|:
+      (14) divided by the length of d. Both are right. A bob flies outwards and the solver stops it at the end of its
+      rod, once with each row (by (17) of lesson 2):)");
   const auto at = pendulum<PlaneParticle>(0.6, length, set.mass);
   const Pose<PlaneParticle>&anchor = at.bodies().pose[0], &bob = at.bodies().pose[1];
   const InverseMass<PlaneParticle>&m1 = at.bodies().inverse_mass[0], &m2 = at.bodies().inverse_mass[1];
@@ -107,18 +108,18 @@ void two_forms(course::Page& page, const Settings& set) {
       - from |d| − L: λ = @ N·s, the impulse is @ N·s)",
       squared.lambda, vector(squared.on_bob), normalised.lambda, vector(normalised.on_bob));
   page.text(
-      R"(The impulse is the same. λ differs by the factor |d|, here @ m, and has another unit, N·s/m instead of N·s:
-      never compare the λ of one form with that of the other, nor with a bound meant for it.
+      R"(The impulse is the same. λ differs by the factor |d|, here @ m, and in its unit, N·s/m instead of N·s: never
+      compare the λ of one form with the λ of the other, or with a bound meant for the other.
 
-      Mixing the forms goes wrong as soon as C is used too. A cure for drift (lesson 4) asks for JV = −(β/h)C: in
-      each step a share β of the error. With C and J of the same form, that is nearly the share removed. With C from
-      (2) and J from |d| − L, easily done when the article's C meets a normalised row, the share is β·L/(1 m): it
+      Mixing the forms goes wrong as soon as C is used too. A cure for drift (lesson 4) asks for JV = −(β/h)C, a share
+      β of the error in each step. With C and J of the same form, that is nearly the share removed. With C from (2)
+      and J from |d| − L, an easy mistake when the article's C meets a normalised row, the share is β·L/(1 m): it
       depends on the unit of length!)",
       length);
   page.excerpt("lessons/01_jacobian/two_forms.cpp", "mixed");
   page.figure(
       "gains",
-      course::say("Which share of a stretch one step removes, for rods of many lengths, at β = @.", set.beta),
+      course::say("The share of a stretch that one step removes, for rods of many lengths, at β = @.", set.beta),
       gains(set));
   const double diverges = 2 / set.beta;
   page.text(
@@ -134,11 +135,11 @@ void two_forms(course::Page& page, const Settings& set) {
   page.claim("λ of |d| − L over λ of (2)", normalised.lambda / squared.lambda, "m",
              is(length, "|d|", course::relative(1e-14)));
   page.claim("share removed, (2) with (14)", gain<Distance>(length, set), "1",
-             is(squared_on_paper(set.beta), "β(2L + e)/(2(L + e))", course::absolute(1e-11)));
+             is(squared_on_paper(set.beta), "β(2L + s)/(2(L + s)), s the stretch", course::absolute(1e-11)));
   page.claim("share removed, |d| − L with n", gain<NormalisedDistance>(length, set), "1",
              is(set.beta, "β", course::absolute(1e-11)));
   page.claim("share removed, (2) with n", gain<Mixed>(length, set), "1",
-             is(mixed_on_paper(set.beta, length), "βL(1 + e/(2L))", course::absolute(1e-11 * (1 + length))));
+             is(mixed_on_paper(set.beta, length), "βL(1 + s/(2L))", course::absolute(1e-11 * (1 + length))));
   page.claim("10 m rod at β = 0.2 after 20 steps, own J: share left", std::abs(own.back() / own.front()), "1",
              is(std::pow(1 - squared_on_paper(0.2), 20) * (1 + 1e-9), "the first step's share is the least",
                 course::at_most()));

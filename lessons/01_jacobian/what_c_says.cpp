@@ -102,9 +102,9 @@ void what_c_says(course::Page& page, const Settings& set) {
       value_at(far * from_straight_down<PlaneParticle>(three_four_five), length, mass), length * length);
 
   page.text(
-      R"(This course follows one article: R. Gaul, *Modelling and Solving Physical Constraints* (2013). Its
-      equations keep their numbers here, (1) to (23). Each is derived, computed by the solver that comes with
-      the course, and checked; in this lesson (1) to (16) and (23). The article's running example is a rod between two bodies:)");
+      R"(This course follows one article: R. Gaul, *Modelling and Solving Physical Constraints* (2013). Its equations
+      keep their numbers here, (1) to (23). Each is derived, computed by the course's solver and checked; this lesson
+      has (1) to (16) and (23). The article's running example is a rod between two bodies:)");
   page.figure("rod",
               "Two bodies and a rod. P₁ and P₂ are its ends, r₁ and r₂ lead there from the centres of mass.",
               [pair = pair_of(set), sides = box_sides(set), length, stretch](renderer::Canvas& canvas) {
@@ -124,13 +124,11 @@ void what_c_says(course::Page& page, const Settings& set) {
               {"λ", "the impulse along J, up to the length of J", ""},
               {"h", "time step", "s"}});
   page.text(
-      R"(A constraint is written as one number, C. It is zero when the constraint is satisfied;
-      otherwise it measures the violation. It depends on where the two bodies are (l, for linear) and on how
-      they are turned (a, for angular):)");
+      R"(A constraint is written as one number, C. It is zero when the constraint is satisfied; otherwise it measures
+      the violation. It depends on where the two bodies are (l, for linear) and how they are turned (a, for
+      angular):)");
   page.equation(1);
-  page.text(
-      R"(For the rod the article compares squares of lengths, so that no root stands in the way when we
-      differentiate:)");
+  page.text(R"(For the rod the article compares squared lengths, so that there is no root to differentiate:)");
   page.equation(2);
   page.text("The solver says the same in one line; `at.separation` is P₂ − P₁.");
   page.excerpt("solver/constraints/distance.hpp", "value");
@@ -148,20 +146,17 @@ void what_c_says(course::Page& page, const Settings& set) {
                   "That is the stretch in metres; (2) is half a difference of squares, in square metres."},
                  {2 * C, "That is d² − L²; the half in front cancels the 2 of the derivative."},
                  {-C, "d² comes first: a rod that is too long has C > 0, one that is too short C < 0."}},
-       .hints = {"Two lengths matter: the one that the rod has and the one that it should have.",
+       .hints = {"Two lengths matter: the rod's present length and the length it should have.",
                  "(2): C = ½(d² − L²).", course::say("½(@² − @²) = …", far, length)},
        .right =
            stretch == 0
-               ? "The rod has its length, so C is zero."
+               ? "The rod has the right length, so C is zero."
                : course::say(R"(With a stretch s it is L·s + ½s², here @ m² + @ m². C is not the stretch itself,
                                  and its unit is not the metre.)",
                              first_order, 0.5 * stretch * stretch)});
-  page.formula("C = ½(@² − @²) = @ m²", R"(C = \tfrac{1}{2}(@^2 - @^2) = @\,\mathrm{m^2})", far, length, C);
-
   page.text(
-      R"(Now move the bob by hand: out, back, along the circle, in, back. Watch C. Along the rod it changes, and
-      its sign tells too long from too short. Along the circle it does not change: that is the direction in which
-      the rod leaves the bob free.)");
+      R"(Now move the bob by hand: out, back, along the circle, in, back. Watch C. It changes along the rod, and its
+      sign tells too long from too short. It does not change along the circle, where the rod leaves the bob free.)");
   page.sequence(
       "nudge", "The bob is moved by hand. C is positive outside the circle, negative inside, zero on it.",
       course::Seconds{duration}, [=](renderer::Canvas& canvas, double time) {
@@ -182,9 +177,8 @@ void what_c_says(course::Page& page, const Settings& set) {
         renderer::draw(canvas, pictures::grown_to(whole, time), right);
       });
   page.text(
-      R"(Put the bob anywhere and colour the place by its C. The landscape is a bowl, −½L² deep at the anchor, and
-      the rod asks the bob to stay on one of its contours. This lesson is about the slope of that landscape under
-      the bob.)");
+      R"(Put the bob anywhere and colour the place by its C. The landscape is a bowl, −½L² deep at the anchor, and the
+      rod keeps the bob on one of its contours. This lesson is about the slope of the bowl under the bob.)");
   page.figure(
       "landscape",
       R"(C over the place of the bob. Red is too long, blue too short; on the dashed contour C = 0. Arrow: the
