@@ -41,7 +41,7 @@ void draw_product(Canvas& canvas, const Row4& J, const Matrix4& inverse_mass, do
   const auto zeros = (inverse_mass.array() == 0).count();
   canvas.text(
       {canvas.page().centre().x(), 130},
-      say("@ of the @ numbers of M⁻¹ are zero; what is left is m₂⁻¹, written twice.", zeros, inverse_mass.size()),
+      say("@ of the @ numbers of M⁻¹ are zero. Only m₂⁻¹ is left, written twice.", zeros, inverse_mass.size()),
       {.size = 22, .colour = palette::muted});
 }
 
@@ -54,8 +54,8 @@ void effective_mass(const Setting& setting, Page& page) {
                m2 = scene.bodies().inverse_mass[1].linear;
 
   page.text(
-      R"(How hard is it to change JV? Take λ = 1: JV then changes by JM⁻¹Jᵀ, the number
-      that (17) will divide by. M⁻¹ has the bodies' inverse masses on its diagonal:)");
+      R"(How hard is it to change JV? With λ = 1 JV changes by JM⁻¹Jᵀ, the number that (17) will divide by. M⁻¹ has
+      the bodies' inverse masses on its diagonal:)");
   page.equation(18);
   page.text(
       R"(No program needs this matrix. A particle has one number, m⁻¹; a body that turns has I⁻¹ as well. So a row
@@ -85,8 +85,8 @@ void effective_mass(const Setting& setting, Page& page) {
   const Pendulum pair = two_free_bobs(setting);
   const double light = setting.mass(), heavy = 4 * light, together = length * length / OneRow(pair).K;
   page.text(
-      R"(Let both ends of a rod move, @ kg at one and @ kg at the other, and the effective mass along it is @ kg:
-      less than the lighter one, because the other end moves too.
+      R"(If both ends of a rod can move, @ kg at one and @ kg at the other, the effective mass along it is @ kg: less
+      than the lighter one, because the other end moves too.
 
       *The article calls M⁻¹ "the mass of the constraint" and JM⁻¹Jᵀ "the constraint mass". The first is the
       inverse mass matrix of the bodies, the second the inverse effective mass.*)",

@@ -30,13 +30,12 @@ void gravity_after(const Setting& setting, Page& page) {
   const Sunk right = sinking(setting, Gravity::before_the_solve, second),
              wrong = sinking(setting, Gravity::after_the_solve, second);
   page.text(
-      R"(The article does not say when gravity enters. Let a bob hang at rest, straight down, and exchange the two
-      lines: solve first, then add gravity, then move. In the first step JV = 0, so λ = 0; gravity then makes the
-      bob fall at gh, and it moves. The next solve stops it, and gravity is added again after the solve. So in each
-      step the bob moves down at gh.)");
+      R"(The article does not say when gravity enters. Let a bob hang at rest and swap the two lines: solve first, then
+      add gravity, then move. In the first step JV = 0, so λ = 0; then gravity makes the bob fall at gh, and it moves.
+      The next solve stops it, but gravity comes after the solve again. So the bob moves down at gh in every step.)");
   page.text(
-      R"(With gravity before λ it hangs; with gravity after λ it sinks at gh = @ m/s: @ m in @ s. (17) is right each
-      time; the V that it is given lacks the gravity of that step.)",
+      R"(With gravity before λ it hangs; with gravity after λ it sinks at gh = @ m/s: @ m in @ s. (17) is right both
+      times, but here the V that it is given lacks the gravity of its step.)",
       gravity() * h, wrong.depth, wrong.time);
   // Each step may round the bob's place by one unit in its last digit.
   const double rounding = 2.3e-16 / h * (setting.length() + wrong.depth);

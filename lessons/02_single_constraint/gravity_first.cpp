@@ -18,18 +18,18 @@ void gravity_first(const Setting& setting, Page& page) {
   const double length = setting.length(), gain = gravity() * setting.h(), rate = row.JV / length;
 
   page.text(
-      R"(A bob of @ kg is at the end of a rod of @ m. You hold it @ and let go. Within one time step of h
-      = @ s gravity adds gh to its velocity, straight down.)",
+      R"(A bob of @ kg sits at the end of a rod of @ m. You hold it @ and let go. In one time step of h = @ s gravity adds gh
+      to its velocity, straight down.)",
       setting.mass(), length, held(setting.angle()), setting.h);
   page.excerpt("solver/integrate/euler.hpp", "gravity");
   page.formula("v₂ = (0, −@)·@ = @ m/s", R"(v_2 = (0, -@)\cdot @ = @\ \mathrm{m/s})", gravity(), setting.h,
                row.v2);
   page.text(
-      R"(This goes into V *before* anything is solved, because the constraint can only cancel what is in V by then.
+      R"(Gravity goes into V *before* anything is solved, because the constraint can only cancel what is already in V.
 
-      How fast would the rod change its length with this V? Ċ = JV says it (lesson 1). Body 1 is the fixed point,
-      body 2 the bob. Neither turns, so the row (14) has two parts left, l₁ = −d and l₂ = d with d = P₂ − P₁ = @ m,
-      and the fixed point has v₁ = 0.)",
+      How fast would the rod change its length with this V? At the rate Ċ = JV (lesson 1). Body 1 is the fixed point,
+      body 2 the bob. Neither turns, so two parts of the row (14) remain, l₁ = −d and l₂ = d with d = P₂ − P₁ = @ m.
+      The fixed point has v₁ = 0.)",
       row.d);
   page.formula("JV = d·v₂ = @·@ + (@)·(@) = @ m²/s",
                R"(JV = d\cdot v_2 = @\cdot @ + (@)\cdot(@) = @\ \mathrm{m^2/s})", row.d.x(), row.v2.x(), row.d.y(),

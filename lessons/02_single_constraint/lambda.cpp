@@ -11,8 +11,25 @@ void lambda(const Setting& setting, Page& page) {
   const bool pulls = row.lambda < 0;
 
   page.text(
-      R"(The impulse λJᵀ changes V by M⁻¹Jᵀλ and so JV by JM⁻¹Jᵀλ. Which λ makes JV + b zero? b is the bias; until
-      lesson 4 it is 0.)");
+      R"(The rod answers with an impulse λJᵀ: λd on the bob and −λd on the fixed point. How large is λ, and which
+      way does it point?)");
+  if (along != 0) {
+    const std::string
+        toward = "λd with λ < 0 points against d, to the fixed point: it keeps a rod from getting longer.",
+        away = "λd with λ > 0 points along d, away from the fixed point: it keeps a rod from getting shorter.";
+    page.choose({.ask = say("In the first step JV is @. Does the rod pull the bob or push it?",
+                            pulls ? "positive" : "negative"),
+                 .options = {{"pull: λ < 0", toward}, {"push: λ > 0", away}},
+                 .answer = pulls ? 0 : 1,
+                 .hints = {say("JV is @: would the rod get longer or shorter?", pulls ? "positive" : "negative"),
+                           "The impulse on the bob has to prevent that. d points from the fixed point to the bob.",
+                           say("It has to point @, and it is λd.", pulls ? "against d" : "along d")}});
+  } else {
+    page.text("You let go level with the fixed point, where JV is 0: λ is 0 as well.");
+  }
+  page.text(
+      R"(λJᵀ changes V by M⁻¹Jᵀλ, and so JV by JM⁻¹Jᵀλ. After it JV + b is to be zero, where b is the bias: 0 until
+      lesson 4.)");
   page.equation(17);
   page.derivation(
       "(17), line by line",
@@ -20,23 +37,6 @@ void lambda(const Setting& setting, Page& page) {
         R"(\Delta V = M^{-1}J^T\lambda)"},
        {"wanted: J(V + ΔV) + b = 0", "JV + JM⁻¹Jᵀλ + b = 0", R"(JV + JM^{-1}J^T\lambda + b = 0)"},
        {"JM⁻¹Jᵀ is one number, (19)", "λ = −(JV + b)/(JM⁻¹Jᵀ)", R"(\lambda = -\frac{JV + b}{JM^{-1}J^T})"}});
-  if (along != 0) {
-    const std::string
-        toward =
-            "The impulse on the bob is λd. With λ < 0 it points against d, to the fixed point: the rod pulls.",
-        away =
-            "The impulse on the bob is λd. With λ > 0 it points along d, away from the fixed point: the rod "
-            "pushes.";
-    page.choose({.ask = say("In the first step JV is @. Which sign has λ?", pulls ? "positive" : "negative"),
-                 .options = {{"negative", toward}, {"positive", away}},
-                 .answer = pulls ? 0 : 1,
-                 .hints = {"Which of the numbers in (17) can be negative?",
-                           "(17) with b = 0: λ = −JV/(JM⁻¹Jᵀ), and JM⁻¹Jᵀ is a sum of squares.",
-                           pulls ? "JV > 0, so −JV < 0." : "JV < 0, so −JV > 0."}});
-  } else {
-    page.text("You let go level with the fixed point, where JV is 0: λ is 0 as well.");
-  }
-
   page.predict(
       {.ask = say(
            R"(@ kg at @°, at rest, one step of gravity in V (g = @ m/s², h = @ s). λ is in N·s/m; multiply by |d| to
@@ -54,11 +54,10 @@ void lambda(const Setting& setting, Page& page) {
        .hinted = -full * std::cos(radians(setting.angle())),
        .right = say("It is −m·g·h·cosθ: m·g·h is @ N·s, and the rod cancels its part along d.", full)});
 
+  page.excerpt("solver/row.hpp", "17");
   page.formula("λ = −(@ + 0) / @ = @ N·s/m, and λ·|d| = @ N·s",
                R"(\lambda = \frac{-(@ + 0)}{@} = @\ \mathrm{N\,s/m}, \qquad \lambda\,|d| = @\ \mathrm{N\,s})",
                row.JV, row.K, row.lambda, along);
-  page.excerpt("solver/row.hpp", "17");
-
   BobPicture row_picture(scene), push(scene);
   const double unit = 0.5 * length;
   row_picture.title = "J: where C grows";

@@ -32,9 +32,9 @@ void least_change(const Setting& setting, Page& page) {
   const auto energy = [&](double lambda) { return energy_after(scene, row, lambda); };
 
   page.text(
-      R"((17) was found by asking for JV = 0. Ask something else: of all impulses λ along the row, which leaves the
-      least kinetic energy? The kinetic energy is a parabola in λ with the slope JV at λ = 0 and the curvature
-      JM⁻¹Jᵀ. So its lowest point is (17) again.)");
+      R"(We found (17) by asking for JV = 0. Ask instead which impulse λ along the row leaves the least kinetic energy.
+      The kinetic energy is a parabola in λ with slope JV at λ = 0 and curvature JM⁻¹Jᵀ, so its lowest point is (17)
+      again.)");
   page.derivation("The least kinetic energy",
                   {{"V becomes V + M⁻¹Jᵀλ", "T(λ) = ½(V + M⁻¹Jᵀλ)·M(V + M⁻¹Jᵀλ)",
                     R"(T(\lambda) = \tfrac12 (V + M^{-1}J^T\lambda)\cdot M(V + M^{-1}J^T\lambda))"},
@@ -70,9 +70,9 @@ void least_change(const Setting& setting, Page& page) {
   };
   const Eigen::Vector2d only1(0, 0), only2(speed, speed);
   page.text(
-      R"(But why push along Jᵀ at all? Other impulses make JV = 0 as well. Of two free bobs, @ kg and @ kg, the first
+      R"(But why push along Jᵀ at all? Other impulses make JV = 0 as well. Take two free bobs, @ kg and @ kg; the first
       moves at @ m/s along the rod towards the second. Stopping the first alone makes JV = 0, and so does speeding up
-      the second alone. Compare the changes by ½ΔV·MΔV:
+      the second alone. Measure each change by ½ΔV·MΔV:
 
       - push the first alone: @ J
       - push the second alone: @ J
@@ -84,9 +84,9 @@ void least_change(const Setting& setting, Page& page) {
              .colour = palette::constraint};
   page.figure(
       "least_change",
-      R"(Velocities along the rod. On the line JV = 0; on each ellipse ½ΔV·MΔV is constant. The solver's answer is
-      where the smallest ellipse that reaches the line touches it: the smallest change of V on the line, and the
-      only one that keeps the momentum.)",
+      R"(Velocities along the rod. On the line JV = 0; on each ellipse ½ΔV·MΔV is constant. The smallest ellipse that
+      reaches the line touches it at the solver's answer: the smallest change of V, and the only one that keeps the
+      momentum.)",
       Chart{.x = {.label = "u₁ (m/s)", .range = std::pair{-0.55 * speed, 2.25 * speed}},
             .y = {.label = "u₂ (m/s)", .range = std::pair{-0.3 * speed, 1.15 * speed}},
             .curves = {rule, equal_cost(before, solved, m1, m2), equal_cost(before, only1, m1, m2)},

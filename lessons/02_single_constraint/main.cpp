@@ -37,10 +37,10 @@ int main(int argc, char** argv) {
            {"Gravity goes into V first; JV then says how fast C would change.",
             "JM⁻¹Jᵀ is the inverse effective mass: a few products, no matrix.",
             "λ is an impulse. It is negative where the rod pulls, and −λ|d|/h is the tension, for every h.",
-            "After (20) JV = 0 to rounding. Of all impulses that do it, λJᵀ changes V least.",
+            "After (20) JV = 0 to rounding, and no other impulse would get there with a smaller change of V.",
             "JV = 0 keeps the rate zero, not the length: C grows by ½h²v² a step, and with b = 0 energy never "
             "rises."},
-       .tries = {{"Let go above the fixed point, where the rod must push: which sign has λ?",
+       .tries = {{"Let go above the fixed point, where the rod has to push: what sign does λ have?",
                   "./lessons/run single_constraint --set angle=120"},
                  {"A third of the step: compare the drift and the lost energy.",
                   "./lessons/run single_constraint --set h=1/180"},
@@ -49,7 +49,7 @@ int main(int argc, char** argv) {
        .next =
            R"(Write K, λ, the impulse and the step yourself: `./lessons/run practise 3` to 6.
 
-           One row is solved exactly by one formula. With two rods that share a bob, solving one row changes
-           the JV of the other: lesson 3. The drift that you saw is cured in lesson 4.)"});
+           One formula solves one row exactly. Where two rods share a bob, solving one row changes the JV of the
+           other: lesson 3. Lesson 4 cures the drift that you saw.)"});
   return lesson.run(argc, argv);
 }

@@ -62,19 +62,18 @@ void off_the_circle(const Setting& setting, Page& page) {
                             : R"(The new length is the hypotenuse. (vh)²/2L would be @ mm: that estimate needs
                                     v·h much smaller than L.)",
                law / millimetre)});
-  page.formula("√(L² + (vh)²) − L = @ mm,   (vh)²/2L = @ mm",
-               R"(\sqrt{L^2 + (vh)^2} - L = @\ \mathrm{mm}, \qquad \frac{(vh)^2}{2L} = @\ \mathrm{mm})",
-               one / millimetre, law / millimetre);
-
   const double coarse = 0.45 * length / speed;
   const Swing steps = swing(weightless(setting), coarse, 8 * coarse);
   page.figure(
       "off_the_circle",
-      say(R"(The same bob in steps of @ s. Each step is at right angles to the rod of that moment, so the rod
-          is longer after it; no step makes it shorter.)",
+      say(R"(The same bob in steps of @ s. Each step is at right angles to the rod as it then is, so every step makes
+          the rod longer.)",
           coarse),
       [=](Canvas& canvas) { draw_steps(canvas, steps, length); });
 
+  page.formula("√(L² + (vh)²) − L = @ mm,   (vh)²/2L = @ mm",
+               R"(\sqrt{L^2 + (vh)^2} - L = @\ \mathrm{mm}, \qquad \frac{(vh)^2}{2L} = @\ \mathrm{mm})",
+               one / millimetre, law / millimetre);
   Curve measured{.label = "one step of the solver", .style = CurveStyle::markers};
   Curve theory{.label = "(vh)²/2L", .style = CurveStyle::theory};
   for (int i = 0; i <= 6; ++i) {

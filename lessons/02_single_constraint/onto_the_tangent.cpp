@@ -36,15 +36,15 @@ void onto_the_tangent(const Setting& setting, Page& page) {
   const bool cancels = shown.lambda != 0, moves = left.norm() > 0;
   page.figure("onto_the_tangent",
               cancels && moves
-                  ? R"(The impulse is perpendicular to the velocity that it leaves behind: it takes away
-                                 the part along d and nothing else.)"
+                  ? R"(The impulse takes away the part of V along d and nothing else. The velocity that is left is
+                                 perpendicular to it.)"
               : moves ? "V lies along the tangent already; the impulse is zero."
                       : "V lies along d; the impulse takes all of it away.",
               [picture](Canvas& canvas) { draw(canvas, {picture}); });
 
   page.text(
-      R"(JV is now zero to rounding. One row by itself is solved *exactly* by one formula; nothing is iterated. And
-      the impulse does no work on the velocity that it leaves, P·V = λJV = 0.)");
+      R"(JV is now zero to rounding. One formula solves one row *exactly*; nothing is iterated. And the impulse does
+      no work on the velocity that is left: P·V = λJV = 0.)");
 
   within_a_step(setting, page);
 
@@ -66,7 +66,8 @@ void onto_the_tangent(const Setting& setting, Page& page) {
                    {answer.second, per_speed * freed.bodies().velocity[1], palette::velocity, "v₂"}};
   blow.guides = answer.guides = false;
   page.text(
-      R"(−λd acts on the other end of the rod. The fixed point does not move; two free bobs show what −λd is for. Join a bob of @ kg to one of @ kg by the rod and strike the first: the rod pulls both, and their momentum stays @ kg·m/s.)",
+      R"(−λd acts on the other end of the rod, which does not move here. To see what it does, join two free bobs of @ kg
+      and @ kg by the rod and strike the first: the rod pulls both, and their momentum stays @ kg·m/s.)",
       setting.mass(), 4 * setting.mass(), course::without_rounding(after_momentum));
   page.figure(
       "momentum_kept",

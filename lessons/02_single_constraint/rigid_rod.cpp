@@ -59,9 +59,9 @@ void rigid_rod(const Setting& setting, Page& page) {
   const CompoundPendulum exact(start, length, mass, gravity());
   const SimplePendulum bob(start, length, gravity());
   page.text(
-      R"(A bob in the plane has two components of velocity. Spread the same @ kg evenly along the rod and it turns:
-      there is a third, ω, and an inertia I = mL²/12 about the centre. Its constraint is a pin of two rows (the
-      hinge may move neither along x nor along y), and its J has the arms of (14).)",
+      R"(A bob in the plane has two components of velocity. Spread the same @ kg evenly along the rod and it can turn:
+      now there is a third component, ω, and an inertia I = mL²/12 about the centre. The constraint is a pin of two
+      rows (the hinge may move neither along x nor along y), and its J has the arms of (14).)",
       mass);
   page.excerpt("solver/constraints/pin.hpp", "jacobian");
 
@@ -78,9 +78,10 @@ void rigid_rod(const Setting& setting, Page& page) {
                   say("Each end carries half when the rod is supported at both; here the centre falls with @ g.",
                       1 - share)},
                  {1, "Then the centre would not fall."}},
-       .hints = {"What the hinge does not carry makes the centre fall. How fast does the centre fall?",
-                 "About the hinge: (mL²/3)·α = m·g·L/2. The centre is L/2 from the hinge.",
-                 "α = 3g/2L, so the centre falls with α·L/2 = ¾g."},
+       .hints =
+           {"The part of the weight that the hinge does not carry makes the centre fall. How fast does it fall?",
+            "About the hinge: (mL²/3)·α = m·g·L/2. The centre is L/2 from the hinge.",
+            "α = 3g/2L, so the centre falls with α·L/2 = ¾g."},
        .hinted = 0.25,
        .right = say("The centre falls with @ g, so @ m·g of the weight is not held.", 1 - share, 1 - share)});
 
@@ -118,8 +119,8 @@ void rigid_rod(const Setting& setting, Page& page) {
               stored("M⁻¹", sizeof(InverseMass<Point2>), sizeof(InverseMass<Rigid>)),
               stored("J", sizeof(Jacobian<Point2, 1>), sizeof(Jacobian<Rigid, 2>))});
   page.text(
-      R"(The larger model shows what the smaller cannot: an exact period of @ s instead of @ s, and a hinge that
-      carries @ m·g at first. It costs @ numbers of J instead of @, a 2×2 effective mass instead of one number,
+      R"(The larger model shows what the smaller one cannot: an exact period of @ s instead of @ s, and a hinge that
+      carries @ m·g at first. It costs @ numbers in J instead of @, a 2×2 effective mass instead of one number,
       and a sine and cosine in every step. Use it where bodies turn.)",
       exact.period(), bob.period(), share, Jacobian<Rigid, 2>().matrix.size(),
       Jacobian<Point2, 1>().matrix.size());

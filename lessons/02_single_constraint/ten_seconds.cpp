@@ -55,36 +55,13 @@ void ten_seconds(const Setting& setting, Page& page) {
   const Sample &first = run.front(), &last = run.back();
   const double stretch = last.position.norm() / length - 1, change = last.energy - first.energy;
 
-  page.text("Here is the article's whole step for the bob, in seven lines, each with its equation:");
+  page.text("The article's whole step for the bob, in seven lines, each with its equation:");
   page.excerpt("lessons/02_single_constraint/plain_step.cpp", "step");
-  page.figure(
-      "plain_step",
-      R"(What these seven lines do to a bob of 2 kg that is let go at 53° on a rod of 1 m, with h = 1/60 s: C
-              never falls, and the energy never rises.)",
-      chart_of(plain_step));
-  page.text(
-      R"(The solver does the same for any bodies and constraints (`advance` in solver/step.cpp). Let it run for @
-      seconds from @°, beside the exact pendulum, with C of (2) beneath.)",
-      seconds, setting.release());
-
-  const Chart C{
-      .x = {.label = "time (s)"},
-      .y = {.label = "C (m²)"},
-      .curves = {
-          {.label = "C", .x = each(run, &Sample::time), .y = each(run, &Sample::C), .colour = palette::error}}};
-  page.sequence(
-      "ten_seconds",
-      say(R"(Blue: the article's step with b = 0. Dashed: the exact pendulum. C never falls, and grows fastest
-          where the bob is fast; after @ s the rod is @ % too long.)",
-          seconds, course::small_error(100 * stretch, 4)),
-      Seconds{seconds},
-      [film = Film{run, exact, length, C}](Canvas& canvas, double time) { film.draw(canvas, time); });
-
   page.choose(
       {.ask = say(
-           R"(After @ s the rod has grown by @ %, so at the lowest point the bob is lower than it should be. Has
-                  the energy, kinetic and potential together, risen or fallen?)",
-           seconds, course::small_error(100 * stretch, 4)),
+           R"(Let the solver swing the bob for @ seconds from @°. The rod grows by @ %, so at the lowest point the bob
+                  is lower than it should be. Has the energy, kinetic and potential together, risen or fallen?)",
+           seconds, setting.release(), course::small_error(100 * stretch, 4)),
        .options = {{"risen",
                     R"(A rod cannot give energy: the impulse takes the part of V along d away, and with it the
                              kinetic energy of that part.)"},
@@ -95,15 +72,36 @@ void ten_seconds(const Setting& setting, Page& page) {
        .hints = {"What does an impulse that makes JV = 0 do to the part of V along d?",
                  "Kinetic energy is ½m(v_along² + v_across²).", "v_along becomes 0, v_across stays."}});
 
+  page.figure("plain_step",
+              R"(These seven lines swing a bob of 2 kg, let go at 53° on a rod of 1 m, with h = 1/60 s: C
+              never falls, and the energy never rises.)",
+              chart_of(plain_step));
+  page.text(
+      R"(The solver does the same for any bodies and constraints (`advance` in solver/step.cpp). Here are its @ seconds
+      from @°, with C of (2) beneath.)",
+      seconds, setting.release());
+
+  const Chart C{
+      .x = {.label = "time (s)"},
+      .y = {.label = "C (m²)"},
+      .curves = {
+          {.label = "C", .x = each(run, &Sample::time), .y = each(run, &Sample::C), .colour = palette::error}}};
+  page.sequence(
+      "ten_seconds",
+      R"(Blue: the article's step with b = 0. Dashed: the exact pendulum. C never falls, and grows fastest where the
+          bob is fast.)",
+      Seconds{seconds},
+      [film = Film{run, exact, length, C}](Canvas& canvas, double time) { film.draw(canvas, time); });
+
   double thrown = 0, squares = 0;
   for (std::size_t i = 0; i + 1 < run.size(); ++i) {
     thrown += run[i].thrown;
     squares += run[i + 1].velocity.squaredNorm();
   }
   page.text(
-      R"(Both have an exact law. In each step C grows by ½|v|²h². And in each step the energy falls by ½m|ΔV|²,
-      where ΔV is all that the step does to V, gravity and impulse together. Both are squares: with b = 0 this step
-      loses energy and *cannot* gain any; several rods, warm starts and b ≠ 0 can. The angle after @ s is @ rad, the exact one @ rad.)",
+      R"(Both follow an exact law. Each step makes C larger by ½|v|²h² and the energy smaller by ½m|ΔV|², where ΔV is
+      the whole change of V, by gravity and impulse together. Both are squares: with b = 0 this step loses energy and
+      *cannot* gain any. Several rods, warm starts and b ≠ 0 can. After @ s the angle is @ rad; exactly, @ rad.)",
       seconds, last.angle(), exact.angle(seconds));
   page.derivation(
       "What a step does to C and to the energy",

@@ -54,8 +54,8 @@ void tension(const Setting& setting, Page& page) {
   };
   const auto shown = [&](double step) { return course::without_rounding(pull(step), weight); };
   page.text(
-      R"(An impulse is a force times the time it acts: half the step, half the λ. So λ|d|/h is the force along d, and
-      −λ|d|/h the tension of the rod. In the first step from @°:
+      R"(An impulse is a force times the time for which it acts: half the step, half the λ. So λ|d|/h is the force along
+      d, and −λ|d|/h is the tension of the rod. In the first step from @°:
 
       - with h = @ s the tension is @ N
       - with h/4: @ N
@@ -80,8 +80,9 @@ void tension(const Setting& setting, Page& page) {
        .unit = "m·g",
        .tolerance = 0.1 * std::min(1.0, lowest - 1),
        .wrong = {{1,
-                  say("That only holds the weight; turning the bob round takes mv²/L = @ m·g more.", lowest - 1)},
-                 {lowest - 1, "That is the part that turns the bob; its weight comes on top."}},
+                  say("That only holds the weight. Bending the bob's path into a circle takes mv²/L = @ m·g more.",
+                      lowest - 1)},
+                 {lowest - 1, "That is the part that bends the path. The weight comes on top."}},
        .hints = {"What does the rod do at the lowest point besides holding the weight?",
                  "Tension = m·g + mv²/L, and energy gives v² = 2gL(1 − cosθ₀).",
                  say("1 + 2·(1 − cos @°) = …", setting.release())},
@@ -95,8 +96,8 @@ void tension(const Setting& setting, Page& page) {
   const Chart chart = tension_chart(run, exact, mass, end);
   page.figure(
       "tension_over_time",
-      say(R"(The tension by the solver's λ and that of the exact pendulum, m(g·cosθ + Lθ̇²), over @ s from @°. The
-          solver knows nothing of circles; it only makes JV = 0 in each step.)",
+      say(R"(The tension from the solver's λ, and m(g·cosθ + Lθ̇²) of the exact pendulum, over @ s from @°. The solver knows
+          nothing of circles: it only makes JV = 0 in each step.)",
           Value(end, 3), setting.release()),
       chart);
   page.sequence("swing", "The swing, the pull of the rod (orange), the weight (grey), and −λ|d|/h over time.",

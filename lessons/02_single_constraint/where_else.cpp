@@ -3,7 +3,7 @@
 namespace byhand::single_constraint {
 
 void say_where_else(Page& page) {
-  page.text(R"(Where you will meet this again: what this lesson did has other names elsewhere.)");
+  page.text(R"(Where you will meet this again, under other names:)");
   page.table(
       {"here", "in mechanics and optimisation", "in engines"},
       {{"λ", "the Lagrange multiplier of J(V + ΔV) = 0 where ½ΔVᵀMΔV is least; with bounds a KKT multiplier",

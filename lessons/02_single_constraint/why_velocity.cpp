@@ -30,10 +30,10 @@ void why_velocity(const Setting& setting, Page& page) {
             .y = {.label = "|C| (m²)", .scale = Scale::logarithmic},
             .curves = {left}});
   page.text(
-      R"(After one move @ m² of @ m² are left, after two @ m². That would do; but the bob keeps its velocity. If it
+      R"(After one move @ m² of @ m² are left, after two @ m². That would do, but the bob keeps its velocity. If it
       moves outwards, it is off the circle again one step later: moving the position removes the error, an impulse
-      prevents it. And with many rods each move changes its neighbours' C, where JV = 0 for all rows is a linear
-      system with one solution. So solve for V first, and correct C in addition (lesson 4).)",
+      prevents it. And with many rods each move changes the neighbours' C, while JV = 0 for all rows is a linear
+      system with one solution. So solve for V first and correct C as well (lesson 4).)",
       left.y[1], left.y[0], left.y[2]);
 
   const double C0 = left.y[0];

@@ -75,8 +75,7 @@ void within_a_step(const Setting& setting, Page& page) {
                   : say("λ takes away that part and no more: the rod @.", impulse < 0 ? "pulls" : "pushes"),
         palette::force},
        {say("V + M⁻¹J^Tλ = @ m/s", Value(left.norm(), 3)),
-        left.norm() > 0 ? "What is left of V lies on the tangent, at a right angle to d."
-                        : "Nothing is left of V.",
+        left.norm() > 0 ? "The rest of V lies on the tangent, at a right angle to d." : "Nothing is left of V.",
         palette::velocity},
        {say("|hV| = @ mm", Value(1000 * h * left.norm(), 3)),
         left.norm() > 0 ? say("The bob moves by hV, drawn @ times as far. The tangent leaves the circle.",
@@ -85,7 +84,7 @@ void within_a_step(const Setting& setting, Page& page) {
         palette::ink}});
   page.sequence(
       "within_a_step",
-      say(R"(One step of @ s, slowed to @ s: gravity, the part of V along the rod, λ, and what is left of V. All
+      say(R"(One step of @ s, slowed to @ s: gravity, the part of V along the rod, λ, and the rest of V. All
                     arrows are velocities at one scale; M⁻¹Jᵀλ is the change of velocity by the impulse.)",
           setting.h, acts.seconds()),
       Seconds{acts.seconds()},
