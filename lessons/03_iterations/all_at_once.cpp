@@ -60,8 +60,8 @@ void all_at_once(Page& page, const Knobs& knobs) {
   const Eigen::MatrixXd inverse = A.llt().solve(Eigen::MatrixXd::Identity(n, n));
 
   page.text(
-      R"(One can also solve all rows at once. Each row's impulse changes the JV of every row that shares a body
-      with it. Ask that JV + b be zero in all rows after all impulses together:)");
+      R"(We can also solve all rows at once. Each row's impulse changes the JV of every row that shares a body with it.
+      Require JV + b = 0 in every row after all impulses together:)");
   page.formula("A λ = −(JV + b),   A = JM⁻¹Jᵀ, @ × @",
                R"(A\,\lambda = -(JV + b), \qquad A = JM^{-1}J^T, \quad @ \times @)", n, n);
   page.derivation("One equation for all rows",
@@ -70,16 +70,16 @@ void all_at_once(Page& page, const Knobs& knobs) {
                    {"wanted in every row", "JV′ + b = 0", R"(JV' + b = 0)"},
                    {"insert", "JM⁻¹Jᵀ λ = −(JV + b)", R"(JM^{-1}J^T\,\lambda = -(JV + b))"}});
   page.text(
-      R"(The diagonal of A holds (19) of each row; next to it stands what a joint does to its neighbours through
-      the bob that they share. A joint has at most two neighbours, so each row of A has at most three numbers
-      that are not zero, 3N − 2 in all: @ of @@. Its inverse is *full*: every joint's λ depends on every row's
-      error. A column of A⁻¹ says what each joint must do if only that one row has an error: all joints above
-      pull with full strength, each joint below with what the bobs under it need.)",
+      R"(The diagonal of A holds (19) of each row; the entries beside it say what a joint does to its neighbours through
+      the bob that they share. A joint has at most two neighbours, so each row of A has at most three nonzero numbers,
+      3N − 2 in all: @ of @@. Its inverse is *full*: every joint's λ depends on every row's error. A column of A⁻¹ says
+      what each joint must do if only that one row has an error: every joint above pulls with full strength, each joint
+      below only as hard as the bobs under it need.)",
       nonzeros(A), n * n, n >= 6 ? "; A is *sparse*" : " (for long chains A is *sparse*)");
   page.figure(
       "matrices",
-      say(R"(Left: A, @ entries that are not zero. Middle: its Cholesky factor R, A = RRᵀ, with @. Right: its
-                  inverse, with @. Empty cells are zero.)",
+      say(R"(Left: A, with @ nonzero entries. Middle: its Cholesky factor R, A = RRᵀ, with @. Right: its inverse, with
+                  @. Empty cells are zero.)",
           nonzeros(A), nonzeros(factor), nonzeros(inverse)),
       [=](renderer::Canvas& canvas) {
         const auto cells = canvas.page().inset(16, 120).cells(1, 3, 18);
@@ -96,9 +96,9 @@ void all_at_once(Page& page, const Knobs& knobs) {
         }
       });
   page.text(
-      R"(Nobody needs the inverse. Eliminate one joint after the other: this needs only the factor in the
-      middle, which is as sparse as A. On a chain the direct solve stores @ numbers, about two a joint, and on a
-      tree as many; a deeper part of this lesson counts what it costs.
+      R"(Nobody needs the inverse. Eliminating one joint after the other needs only the factor in the middle, which is as
+      sparse as A. On a chain the direct solve stores @ numbers, about two a joint, and on a tree as many; a deeper part
+      of this lesson counts its cost.
 
       *The article calls solving all constraints simultaneously "very inefficient". For loops and piles it can be;
       for a chain it is not.*)",

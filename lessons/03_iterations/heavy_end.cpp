@@ -26,11 +26,12 @@ void heavy_end(Page& page, const Knobs& knobs) {
   const double light_digit = measured_digit(knobs.chain(), h), heavy_digit = measured_digit(heavy, h);
 
   const double change = heavy_digit / light_digit;
-  page.text("The same @ links. The mass of the bob at the end over that of each other bob is @.", n, ratio);
+  page.text("The same @ links, but the bob at the end has @ of each other bob.", n,
+            ratio == 1 ? std::string("the mass") : say("@ times the mass", ratio));
   if (change > 1.1)
     page.choose(
         {.ask =
-             say(R"(With equal bobs one more digit takes @ sweeps. With this heavy end: fewer, as many, or more?)",
+             say(R"(With equal bobs one more digit takes @ sweeps. Does this chain take fewer, as many, or more?)",
                  Value(light_digit, 3)),
          .options = {{"fewer",
                       "The last row's impulse moves mostly its light bob; the heavy one changes its speed less."},
@@ -42,14 +43,14 @@ void heavy_end(Page& page, const Knobs& knobs) {
          .answer = 2,
          .hints = {
              "The last row's impulse is the same for the light bob and the heavy one. Which of them does it move?",
-             "(20): Δv = λl/m.", say("Of the difference in speed the heavy bob takes 1/(1 + @).", ratio)}});
+             "(20): Δv = λl/m.", say("The heavy bob takes 1/(1 + @) of the difference in speed.", ratio)}});
   else
     page.text("One more digit takes @ sweeps, and @ with equal bobs. Set `ratio` to 100.", Value(heavy_digit, 4),
               Value(light_digit, 4));
   page.text(
       R"(Let r be the ratio of the masses. The last row finds the heavy bob falling away from the light one and makes
-      their speeds equal. The light bob takes the share r/(1 + r) of the change, @, the heavy one 1/(1 + r), @. And the
-      row above then corrects the light bob. For r much larger than N the result is ρ ≈ 1 − 1/(r(N − 1)):)",
+      their speeds equal. The light bob takes the share r/(1 + r) = @ of the change, the heavy one 1/(1 + r) = @. Then
+      the row above corrects the light bob. For r much larger than N, ρ ≈ 1 − 1/(r(N − 1)):)",
       Value(ratio / (1 + ratio), 4), Value(1 / (1 + ratio), 3));
   renderer::Curve measured{.label = "measured", .style = renderer::CurveStyle::markers};
   renderer::Curve exact{.label = "eigenvalues", .style = renderer::CurveStyle::theory};
@@ -74,8 +75,7 @@ void heavy_end(Page& page, const Knobs& knobs) {
   for (int i = 0; i < few; ++i) sweep.solve_sweep();
   direct.solve();
   page.text(
-      R"(After @ sweeps the top joint carries the share @ of the weight; with the direct solve of the same rows it is
-      @.)",
+      R"(After @ sweeps the top joint carries the share @ of the weight; after a direct solve of the same rows, @.)",
       few, sweep.shares().front(), direct.shares().front());
   page.claim("sweeps for one more digit, heavy end", heavy_digit, "1",
              is(textbook_digit(heavy), "largest eigenvalue of D⁻¹A, dense", relative(1e-4)));

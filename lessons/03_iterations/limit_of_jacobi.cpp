@@ -55,9 +55,9 @@ double mu(int rods) {
 
 void limit_of_jacobi(Page& page, const Knobs& knobs) {
   page.text(
-      R"(On a chain Jacobi is slow; on other scenes it can diverge. Hang *one* square box of @ kg on several parallel
-      rods. Each row sees the falling box and corrects all of its own error; then all impulses act at once. For two
-      rods that is bearable, for four it is far too much:)",
+      R"(On a chain Jacobi is slow; on other scenes it can diverge. Hang *one* square box of @ kg on several parallel rods.
+      Each row sees the falling box and corrects all of its own error; then all impulses act at once. With two rods
+      that still works, with four it is far too much:)",
       knobs.mass);
   renderer::Chart chart;
   chart.x.label = "sweeps";
@@ -82,16 +82,16 @@ void limit_of_jacobi(Page& page, const Knobs& knobs) {
   page.figure("limit_of_jacobi",
               "One box on 2, 3, 4 and 8 rods, Jacobi from λ = 0. Markers: measured; dashed: |1 − μ|ⁿ.", chart);
   page.derivation("Where Jacobi diverges",
-                  {{"e is what λ lacks; the rows see the error Ae, and each corrects it alone", "change = D⁻¹Ae",
+                  {{"e is the error of λ; the rows see Ae, and each corrects it alone", "change = D⁻¹Ae",
                     R"(\text{change} = D^{-1}Ae)"},
                    {"all changes at once", "e′ = e − D⁻¹Ae", R"(e' = e - D^{-1}Ae)"},
                    {"for an eigenvector, D⁻¹Ae = μe", "e′ = (1 − μ)e", R"(e' = (1 - \mu)\,e)"},
                    {"it shrinks if |1 − μ| < 1", "0 < μ < 2", R"(0 < \mu < 2)"}});
   page.text(
-      R"(What decides is μ, the largest eigenvalue of D⁻¹A, where D is the diagonal of A: each sweep multiplies that
-      error by 1 − μ, so for μ > 2 it grows. For the box μ is @ with 3 rods and @ with 4. On a chain μ is below 2. The
-      cure is to apply only a part w of each change (*relaxation*): w < 2/μ, which is @ for 4 rods. Gauss–Seidel needs
-      no cure: the second row sees what the first has done.)",
+      R"(The largest eigenvalue μ of D⁻¹A decides, where D is the diagonal of A: each sweep multiplies its error by 1 − μ,
+      so for μ > 2 it grows. For the box μ is @ with 3 rods and @ with 4. On a chain μ is below 2. The cure is to apply
+      only a part w of each change (*relaxation*): w < 2/μ, which is @ for 4 rods. Gauss–Seidel needs no cure: the
+      second row sees what the first has done.)",
       Value(mu(3), 3), Value(mu(4), 3), Value(2 / mu(4), 3));
   for (const int rods : {2, 3, 4, 8})
     page.claim(say("@ rods: growth of the error a sweep", rods), factor(Jacobi{}, rods, knobs), "1",

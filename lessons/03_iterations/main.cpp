@@ -42,7 +42,7 @@ int main(int argc, char** argv) {
             about four times as many sweeps.)",
             "A warm start lets sweeps add up over the steps; the error then falls by √q a step and rings.",
             "Too few sweeps make a chain soft, by an amount that can be computed.",
-            "All rows at once cost a chain as much as a few sweeps and leave only rounding."},
+            "Solving all rows of a chain at once costs as much as a few sweeps and leaves only rounding."},
        .tries = {{"A chain twice as long; look at the sweeps for a digit:", "./lessons/run 3 --set links=20"},
                  {"Start the swinging chains warm: with few sweeps the correction makes them ring.",
                   "./lessons/run iterations --step 7 --set start=warm"},
@@ -50,6 +50,6 @@ int main(int argc, char** argv) {
        .next =
            R"(Write the sweep yourself: `./lessons/run practise 7`.
 
-           Lesson 4 is about drift: what it costs to pull stretched links back, and for which β that is stable.)"});
+           Lesson 4 is about drift: the cost of pulling stretched links back, and the β for which that is stable.)"});
   return lesson.run(argc, argv);
 }

@@ -71,8 +71,8 @@ void many_sweeps(Page& page, const Knobs& knobs) {
   const double jacobi = sweeps_per_digit(measured_factor(Jacobi{.warm_start = false}, chain, h));
 
   page.text(
-      R"(How fast do sweeps converge? Solve the same step, hanging chain, gravity just in V, with 1, 2, 3, … sweeps,
-      and compare the largest error each time. Four ways, all from λ = 0:
+      R"(How fast do sweeps converge? Solve the same step, a hanging chain with gravity just in V, with 1, 2, 3, … sweeps
+      and compare the largest error each time. There are four ways, all from λ = 0:
 
       - *Jacobi*: every row sees the same V, then all act at once. It could run in parallel.
       - *Gauss–Seidel* top-down, bottom-up, or *red–black*: all odd rows, then all even ones (rows of one colour
@@ -81,7 +81,7 @@ void many_sweeps(Page& page, const Knobs& knobs) {
   const bool alike = std::abs(digits[1] / digits[0] - 1) < same && std::abs(digits[2] / digits[0] - 1) < same;
   const auto steepest = static_cast<int>(std::min_element(digits.begin(), digits.end()) - digits.begin());
   page.choose(
-      {.ask = "Top-down, bottom-up, red–black: whose error falls most steeply after many sweeps?",
+      {.ask = "After many sweeps, in which order does the error fall most steeply?",
        .options =
            {{"top-down",
              "It differs in the first sweeps only; later the error is smooth, and no order sees that better."},
@@ -121,18 +121,18 @@ void many_sweeps(Page& page, const Knobs& knobs) {
                             : std::string()),
               chart);
   page.text(
-      R"(On this scale a straight line means that each sweep leaves the same share of the error. For N equal links
-      hanging from an anchor that share is cos(π/2N) for Jacobi and its square for Gauss–Seidel in *any* order (the
-      next step derives it):)");
+      R"(On this scale a straight line means that each sweep leaves the same share of the error. For N equal links hung
+      from an anchor the share is cos(π/2N) for Jacobi and its square for Gauss–Seidel in *any* order (derived in the
+      next step):)");
   page.formula(
       "ρ = cos²(π/2N) = @ for N = @,   one more digit: ln 10 / −ln ρ = @ sweeps",
       R"(\rho = \cos^2\frac{\pi}{2N} = @ \text{ for } N = @, \qquad \frac{\ln 10}{-\ln\rho} = @ \text{ sweeps a digit})",
       rho, knobs.links, digit);
   const Quantity guess("warm error/cold error", warm_first / cold_first);
   page.text(
-      R"(A *warm start* begins with the λ of the step before instead of 0. @ In the long run each sweep leaves the
-      same share of the error whatever λ it began with: a better guess begins lower, it does not fall faster. What it is worth over
-      many steps comes in step 6.)",
+      R"(A *warm start* begins with the λ of the step before instead of 0. @ In the long run each sweep leaves the same
+      share of the error, whatever λ it began with: a better guess begins lower but does not fall faster. Step 6 shows
+      its worth over many steps.)",
       !warm_seen ? say("After @ s with @ a step nothing is left to be solved on this scale.", second,
                        several(knobs.sweeps, "warm sweep"))
                  : say("After one sweep its error is @ gh, the cold one's @ gh. @", Value(warm_first, 2),

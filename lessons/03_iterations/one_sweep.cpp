@@ -114,13 +114,13 @@ void one_sweep(Page& page, const Knobs& knobs) {
   const double right = 1.0;
 
   page.text(
-      R"(Now @ links, each with a bob of @ kg: @ N in all. The top joint must carry the whole weight, each joint below
-      one bob less; that is the dashed line in the pictures. λ is in N·s/m as in lesson 2, so the force of a joint is
+      R"(Now @ links, each with a bob of @ kg: @ N in all. The top joint must carry the whole weight, and each joint below
+      it one bob less: the dashed line in the pictures. λ is in N·s/m as in lesson 2, so the force of a joint is
       −λL/h.)",
       knobs.links, knobs.mass, knobs.weight());
   page.predict(
-      {.ask = say(R"(λ is zero everywhere. One sweep from top to bottom, each of the @ rows solved once. What share
-                  of the weight does the top joint carry?)",
+      {.ask = say(R"(λ is zero everywhere. One sweep from top to bottom solves each of the @ rows once. What share
+                  of the weight does the top joint carry then?)",
                   knobs.links),
        .answer = shares.front(),
        .unit = "1",
@@ -146,9 +146,9 @@ void one_sweep(Page& page, const Knobs& knobs) {
         draw_instant(canvas, linkage, frames[static_cast<std::size_t>(at)]);
       });
   page.text(
-      R"(After the first sweep the @joints carry the shares @ of the weight. Each row shares its error between two
-      equal bobs, so it passes *half* of it on to the next: gh, then gh/2, then gh/4. From bottom to top the result at
-      the top is the same: every row but the top one finds its two bobs falling together, without an error.)",
+      R"(After the first sweep the @joints carry the shares @ of the weight. Each row splits its error between two equal
+      bobs, so it passes *half* of it on to the next: gh, then gh/2, then gh/4. A sweep from bottom to top gives the
+      top joint the same share: every row but the top one finds its two bobs falling together, without an error.)",
       knobs.links() <= 4 ? "" : "upper ",
       std::vector<double>(shares.begin(), shares.begin() + std::min(4, knobs.links())));
   page.claim("share at the top joint, from top to bottom", shares.front(), "1",

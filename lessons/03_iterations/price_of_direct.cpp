@@ -37,19 +37,18 @@ void price_of_direct(Page& page, const Knobs& knobs) {
   const double after_n = error_after(n, GaussSeidel{}, knobs.chain(), knobs.h) / knobs.fall();
 
   page.text(
-      R"(What do the two ways cost? One *row-solve*, (17) and (20) once, takes @ multiplications in this model:
-      @ for JV, as many for the impulse. The direct solve eliminates one joint after the other, a few
-      multiplications each, and goes back. For a chain, where A has numbers on its diagonal and next to it alone:)",
+      R"(What do the two ways cost? One *row-solve*, (17) and (20) once, takes @ multiplications in this model: @ for JV
+      and as many for the impulse. The direct solve eliminates one joint after the other, with a few multiplications
+      each, and goes back. For a chain, where A is zero except on its diagonal and beside it:)",
       4 * PlaneParticle::dof, 2 * PlaneParticle::dof);
   page.excerpt("lessons/03_iterations/plain.cpp", "elimination");
   // J·W of a row itself and with its neighbour, JV and M⁻¹Jᵀλ, each a sum over the degrees of freedom of the
   // bodies.
   const double around = (2.0 + 1 + 2 + 2) * PlaneParticle::dof / (4 * PlaneParticle::dof);
   page.text(
-      R"((The solver's `eliminate` in solver/direct/direct.cpp does this for any graph of bodies, with blocks for
-      numbers.) In units of one sweep, elimination costs @ for @ links and @ for @ links. Setting up A
-      beforehand and applying the impulses afterwards costs another @. Then every row is right to rounding,
-      while @ from λ = 0 leave an error of @ gh.
+      R"((The solver's `eliminate` in solver/direct/direct.cpp does this for any graph of bodies, with blocks in place of
+      numbers.) In units of one sweep, elimination costs @ for @ links and @ for @ links. Setting up A and applying the
+      impulses costs another @. Then every row is right to rounding, while @ from λ = 0 leave an error of @ gh.
 
       *The article says "iterative solvers are fast". One sweep is; the sweeps that a long chain needs are not.*)",
       Value(once.row_solves / n, 2), n, Value(twice.row_solves / (2 * n), 2), 2 * n, around, several(n, "sweep"),
@@ -70,13 +69,12 @@ void price_of_direct(Page& page, const Knobs& knobs) {
   }
   page.figure(
       "price",
-      R"(Error against cost, with A and the impulses included for the direct solve. Gauss–Seidel pays for every
-              digit, and more for a longer chain; the direct solve pays once and leaves rounding, drawn near the
-              lower edge.)",
+      R"(Error against cost; for the direct solve A and the impulses are included. Gauss–Seidel pays for every digit, and
+              pays more on a longer chain; the direct solve pays once and leaves rounding, drawn near the lower edge.)",
       chart);
   page.text(
-      R"(Why then does anyone iterate? This is a chain. Rows with bounds (contacts, friction) are not one linear
-      system; loops and piles make the factor dense; and where a scene changes little from step to step, a few
+      R"(Why then does anyone iterate? Because not everything is a chain. Rows with bounds (contacts, friction) are not one
+      linear system; loops and piles make the factor dense; and where a scene changes little from step to step, a few
       warm sweeps are enough. The rule of this course: paths and trees directly, the rest by sweeps.)");
   HeldStep direct(knobs.chain(), knobs.h, Direct{});
   direct.solve();

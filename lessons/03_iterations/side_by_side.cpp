@@ -141,9 +141,8 @@ void side_by_side(Page& page, const Knobs& knobs) {
     right_length.emplace_back(knobs.links * L * from_straight_down<PlaneParticle>(part * M_PI / 2));
 
   page.text(
-      R"(Now let it swing for @ s from @°, @. Five
-      times the same chain, started @; only the number of sweeps a step differs, and the last solves all rows at
-      once.)",
+      R"(Now let it swing for @ s from @°, @. The same chain five times, started @; only the number of sweeps a step
+      differs, and the last one solves all rows at once.)",
       film_seconds, knobs.angle,
       knobs.beta > 0 ? say("with the correction of lesson 4 pulling stretched links back (β = @)", knobs.beta)
                      : "without any correction (β = 0)",
@@ -186,9 +185,9 @@ void side_by_side(Page& page, const Knobs& knobs) {
     page.text("Here even the chain whose rows are solved exactly flies apart, so sweeps are not the reason.");
   } else if (softer && knobs.beta > 0) {
     page.text(
-        R"(Few sweeps make the chain *soft*, like a rubber band. How soft can be computed. Where the chain hangs still,
-        the correction must make up in each step for what the sweeps leave: the speed of stretching s of step 6 is met
-        by a bias of the same size, (β/h)C/|d| = s. So the worst link is too long by about s·h/β.)");
+        R"(Few sweeps make the chain *soft*, like a rubber band, by an amount that can be computed. Where the chain hangs
+        still, the correction must make up in each step for what the sweeps leave: a bias of the same size meets the
+        speed of stretching s of step 6, (β/h)C/|d| = s. So the worst link is too long by about s·h/β.)");
   } else if (softer) {
     page.text(
         R"(With β = 0 nothing pulls stretched links back: with few sweeps the links separate at the speed s of step 6 and
@@ -209,13 +208,13 @@ void side_by_side(Page& page, const Knobs& knobs) {
   }
   if (std::isinf(direct.lost_at))
     page.text(
-        R"(Solved directly, each step's rows are satisfied to rounding. What still stretches the chain is the step itself,
-        which leaves the circle (lesson 2). So ask of a soft chain which of the two it is: more sweeps cure one, smaller
-        steps the other.)");
+        R"(Solved directly, each step's rows are satisfied to rounding. Only the step itself, which leaves the circle
+        (lesson 2), still stretches the chain. So ask which of the two makes a chain soft: more sweeps cure the one,
+        smaller steps the other.)");
   else
     page.text(
-        R"(What makes it fly apart is the time step: the tension turns light links into springs that are too stiff for h
-        (lesson 8). Smaller steps help, more sweeps do not.)");
+        R"(The time step makes it fly apart: the tension turns light links into springs that are too stiff for h (lesson 8).
+        Smaller steps help, more sweeps do not.)");
 }
 
 }  // namespace byhand::iterations

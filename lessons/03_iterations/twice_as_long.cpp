@@ -62,13 +62,13 @@ void twice_as_long(Page& page, const Knobs& knobs) {
   const double h = knobs.h;
   const double once = measured_digit(knobs.chain(), h), twice = measured_digit(knobs.chain(2 * knobs.links), h);
   page.predict(
-      {.ask = say("It takes @ sweeps for one more digit with @ links. How many with @ links?", Value(once, 3),
+      {.ask = say("One more digit takes @ sweeps with @ links. How many with @ links?", Value(once, 3),
                   knobs.links, 2 * knobs.links),
        .answer = twice,
        .unit = "sweeps",
        .tolerance = 0.12 * twice,
        .wrong = {{2 * once,
-                  "That would be so if an error moved along the chain in one direction; it goes up and down at "
+                  "It would, if an error moved along the chain in one direction; it goes up and down at "
                   "random."},
                  {once,
                   "Each sweep does touch every row once, but a row passes an error on only to its neighbours."}},
@@ -81,13 +81,13 @@ void twice_as_long(Page& page, const Knobs& knobs) {
                     (exactly 4 times only for long chains).)",
                Value(twice / once, 3))});
   page.text(
-      R"(Take Jacobi, the simplest. Let eᵢ be what joint i's λ still lacks. Solving row i by (17) makes it right
-      *for what its neighbours do now*, so what it lacks afterwards is the mean of what they lack:)");
+      R"(Take Jacobi, the simplest. Let eᵢ be the error of joint i's λ. Solving row i by (17) makes λᵢ right *for what its
+      neighbours do now*, so afterwards its error is the mean of theirs:)");
   page.formula("eᵢ ← ½ (eᵢ₋₁ + eᵢ₊₁)", R"(e_i \leftarrow \tfrac{1}{2}\,(e_{i-1} + e_{i+1}))");
   page.text(
-      R"(This is a random walk: in each sweep every bit of error moves up or down by one joint, with equal
-      shares. At the anchor it turns back, at the free end it disappears. After n steps a random walk is about
-      √n from where it began, so to cross N joints takes about N² sweeps.)");
+      R"(This is a random walk: in each sweep half of every bit of error moves up one joint and half moves down. At the
+      anchor it turns back, at the free end it disappears. After n steps a random walk is about √n from where it began,
+      so crossing N joints takes about N² sweeps.)");
 
   constexpr int joints = 41;
   constexpr double half = 0.5;
@@ -104,9 +104,9 @@ void twice_as_long(Page& page, const Knobs& knobs) {
   }
   page.figure(
       "random_walk",
-      say(R"(One joint in the middle of @ was wrong: where that error is after some sweeps of Jacobi (each row
-          applies @ of its correction; with the whole, the error would sit on odd and on even joints
-          alternately). Four times the sweeps, twice the standard deviation: @, @, @ joints.)",
+      say(R"(One joint in the middle of @ was wrong: the error after some sweeps of Jacobi (each row applies @ of its
+          correction; otherwise the error would sit on odd and on even joints alternately). Four times the sweeps,
+          twice the standard deviation: @, @, @ joints.)",
           joints, half, Value(widths[0], 3), Value(widths[1], 3), Value(widths[2], 3)),
       walk);
   page.text(

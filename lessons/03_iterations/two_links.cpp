@@ -72,15 +72,15 @@ void two_links(Page& page, const Knobs& knobs) {
   solve(0);
 
   page.text(
-      R"(In lesson 2 one constraint was solved once, and its JV was zero for the rest of the step. Hang a second
-      link below the first: the two rows *share a bob*, and solving one changes the JV of the other.
+      R"(In lesson 2 we solved one constraint once, and its JV stayed zero for the rest of the step. Hang a second link
+      below the first: now two rows *share a bob*, and solving one changes the JV of the other.
 
-      Two bobs of @ kg hang on rods of @ m. Gravity is already in V, so in this step of @ s both fall at gh = @
-      m/s. The upper rod is getting longer at that rate. The lower one is not, because its two ends fall together.)",
+      Two bobs of @ kg hang on rods of @ m. Gravity is already in V, so in this step of @ s both fall at gh = @ m/s.
+      The upper rod is getting longer at that rate. The lower one is not, because its two ends fall together.)",
       m, L, knobs.h, fall);
   page.text(
-      R"(Row 1 goes first. By (17) it stops the upper bob, and its error is zero. Now the lower bob falls away from
-      one that stands still. Row 2 is next:)");
+      R"(Row 1 goes first. By (17) it stops the upper bob, and its error is zero. Now the lower bob falls away from a
+      bob at rest. Row 2 is next:)");
   page.equation(17, "λ₂ = −(@ + 0) / (@²/@ + @²/@) = @ N·s/m",
                 R"(\lambda_2 = \frac{-(@ + 0)}{@^2/@ + @^2/@} = @\,\mathrm{N\,s/m})", rate, L, m, L, m, lambda);
   page.predict(
@@ -91,7 +91,7 @@ void two_links(Page& page, const Knobs& knobs) {
        .wrong = {{0, "Row 2 pulled on the bob that both rows share."},
                  {1, "Row 2's impulse is shared by two equal bobs, so it gives the upper one only half of gh."}},
        .hints = {"Row 2's impulse acts on both bobs, equal and opposite, and both have the same mass.",
-                 "After row 2 both bobs move at the same speed, and their total momentum is what it was: m·gh.",
+                 "After row 2 both bobs move at the same speed, and their total momentum is still m·gh.",
                  "2m·v = m·gh. Row 1's error is the speed of the upper bob."},
        .hinted = 0.5,
        .right =
@@ -108,14 +108,14 @@ void two_links(Page& page, const Knobs& knobs) {
       });
   within_a_sweep(page, knobs);
   page.text(
-      R"(Row 2 has undone half of row 1's work; solving row 1 again undoes half of row 2's. (17) is
-      exact for *one* row while the others wait. For many rows it is one step of a method that goes round and
-      round: *Gauss–Seidel*. One round over all rows is a *sweep*. In the plainest code, for a hanging chain:)");
+      R"(Row 2 has undone half of row 1's work; solving row 1 again undoes half of row 2's. (17) is exact for *one* row
+      while the others wait. For many rows it is one step of a method that goes round and round: *Gauss–Seidel*. One
+      round over all rows is a *sweep*. For a hanging chain, in the plainest code:)");
   page.excerpt("lessons/03_iterations/plain_sweep.cpp", "sweep");
   page.figure(
       "plain_sweep",
-      R"(What this code leaves, sweep by sweep, of the speed gh with which all bobs of a chain begin to fall:
-              how fast the fastest of them still is. Longer chains take more sweeps; how many more is step 4.)",
+      R"(All bobs of a chain begin to fall at gh. How fast the fastest one still falls after each sweep of this code.
+              Longer chains take more sweeps; step 5 asks how many more.)",
       chart_of(plain_sweep));
   page.text(
       R"(*The article calls the method Sequential Impulses, and writes (17) for "the system"; one (17) solves one
@@ -127,8 +127,8 @@ void two_links(Page& page, const Knobs& knobs) {
   for (int i = 0; i < rounds; ++i) many.solve_sweep();
   const double after = many.errors()[0] / fall;
   page.text(
-      R"(Each sweep halves the error. After @ sweeps @ gh remain, and the two rods carry @ and @ of the weight. It
-      converges; the question of this lesson is how fast.)",
+      R"(Each sweep halves the error. After @ sweeps @ gh remain, and the two rods carry @ and @ of the weight. Sweeps
+      converge; this lesson asks how fast.)",
       rounds, after, many.shares()[0], many.shares()[1]);
   const ChainOptions longer = knobs.chain(5);
   HeldStep solver(longer, h);

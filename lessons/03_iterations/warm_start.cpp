@@ -116,11 +116,11 @@ void warm_start(Page& page, const Knobs& knobs) {
   const Condition lawful = both(visible, Quantity("Ngh²/L", slack) < 0.1);
 
   page.text(
-      R"(A simulation does not sweep until it has converged: it makes @ a step and moves on. After k = @ the
-      slow wave of step 5 still has the share q = ρᵏ of its size, @. Let the chain hang like that for some
-      seconds, without any correction of positions, once *cold* (each step begins at λ = 0) and once *warm*
-      (each begins with the λ of the last).)",
-      k, several(k, "sweep"), small_error(q, 4));
+      R"(A simulation does not sweep until it has converged: it makes @ a step and moves on. The slow wave of step 5 then
+      still has the share q = ρᵏ of its size, with k = @ @. Let the chain hang like that for some seconds, without any
+      correction of positions, once *cold* (each step begins at λ = 0) and once *warm* (each begins with the λ of the
+      last).)",
+      several(k, "sweep"), k, small_error(q, 4));
 
   const Chain settled = settled_cold(knobs, visible ? q : 0.01);
   const double rate = largest(stretching(settled));
@@ -131,9 +131,9 @@ void warm_start(Page& page, const Knobs& knobs) {
   const bool stretches = rate > 1e-9 * fall;
   if (stretches)
     page.text(
-        R"(**Cold, the chain keeps getting longer.** Every step falls short by the same share of λ, and the
-        error that is left stays in V and is added to the next. In the end the links separate at a steady speed, the
-        worst at @ m/s. The joints then carry the weight (@ N of @ N at the top), but only because this speed shows up in every row's JV.)",
+        R"(**Cold, the chain keeps getting longer.** Every step falls short by the same share of λ, and the remaining
+        error stays in V for the next. In the end the links separate at a steady speed, the worst at @ m/s. The joints
+        then carry the weight (@ N of @ N at the top), but only because this speed shows up in every row's JV.)",
         rate, carried, knobs.weight());
   else
     page.text(
@@ -160,13 +160,13 @@ void warm_start(Page& page, const Knobs& knobs) {
           ? say(R"(Here the chain flies apart after @ s: the links change so much in one step that the λ of the
                 last one does not fit.)",
                 Value(lost_at, 2))
-          : say("After @ s its error is up to @ gh and that of the cold chain @ gh. @", seconds, small_error(end),
+          : say("After @ s its error is up to @ gh, and the cold chain's @ gh. @", seconds, small_error(end),
                 Value(cold_end, 2), helps()));
   page.text("For the slow wave, with sₙ the speed of stretching that step n leaves@:",
             slack < 0.1
                 ? std::string()
-                : say(R"( (and for N·g·h² much smaller than L; here it is @ L, so that λ, kept per metre of a
-                              rod that gets longer meanwhile, does not fit the next step)",
+                : say(R"( (and for N·g·h² much smaller than L; here it is @ L, so λ, kept per metre of a rod that
+                              gets longer meanwhile, does not fit the next step)",
                       Value(slack, 2)) +
                       ")");
   if (q > 1e-11)
@@ -186,8 +186,8 @@ void warm_start(Page& page, const Knobs& knobs) {
        {"try sₙ = zⁿ", "z² − 2qz + q = 0, z = q ± i√(q(1 − q)), |z| = √q",
         R"(z^2 - 2qz + q = 0, \quad z = q \pm i\sqrt{q(1-q)}, \quad |z| = \sqrt q)"}});
   page.text(
-      R"(So one warm sweep shrinks it by √ρ, one cold sweep by ρ; but warm sweeps add up over the steps and cold
-      ones do not.)");
+      R"(So a warm sweep shrinks the wave by √ρ, a cold sweep by ρ; but warm sweeps add up over the steps, and cold ones
+      do not.)");
 
   constexpr double lowest = 1e-6;  // on the chart [gh]
   renderer::Chart chart;
@@ -233,10 +233,10 @@ void warm_start(Page& page, const Knobs& knobs) {
         about @ in every step.)",
         small_error(arrived), several(std::max(1L, std::lround(0.5 * k / knobs.h)), "sweep"));
   page.text(
-      R"(**The price.** The warm error does not only fall, it *rings*: it changes sign again and again on its
-      way down (in the derivation, the roots z are complex). λ keeps what the last step added to it. Once
-      positions are corrected too (lesson 4), with a share β in each step, λ also keeps the correction and
-      applies it again: the ringing then grows unless β < (1 − q)/q and β < 2. Here the limit is @@.)",
+      R"(**The price.** The warm error does not just fall, it *rings*: it changes sign again and again on its way down (in
+      the derivation, the roots z are complex). λ remembers what the last step added to it. If positions are corrected
+      too (lesson 4), by a share β in each step, λ also remembers the correction and applies it again: the ringing then
+      grows unless β < (1 − q)/q and β < 2. Here the limit is @@.)",
       Value(laws::largest_beta(q), 3),
       k == 1 ? "" : say(", for one sweep a step @", Value(laws::largest_beta(laws::left_by_a_sweep(n)), 3)));
 
