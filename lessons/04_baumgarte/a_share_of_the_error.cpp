@@ -35,8 +35,7 @@ void a_share_of_the_error(const Setting& setting, Page& page) {
   const double left = five ? without_rounding(run.back(), e) : NAN;
 
   page.text(
-      R"(The cure asks for a rate other than zero. (21) adds a bias b to the rate, and (22) chooses b so that the
-      error shrinks:)");
+      R"(The cure asks for a rate other than zero. (21) adds a bias b, and (22) chooses b so that the error shrinks:)");
   page.equation(21);
   page.equation(22, "JV = −(β/h)·C = −(@/(@ s))·@ m = @ m/s",
                 R"(JV = -\frac{\beta}{h}\,C = -\frac{@}{@\,\mathrm{s}}\cdot @\,\mathrm{m} = @\,\mathrm{m/s})",
@@ -50,22 +49,11 @@ void a_share_of_the_error(const Setting& setting, Page& page) {
       - solve (17) for λ and apply it by (20), so that JV = −(β/h)C;
       - move the bodies by h·V.
 
-      Its only knob is β, the share of the error that one step removes. It corrects
-      *positions* with *velocities*, and after the step the bodies keep these velocities. The next steps show what
-      follows from that.)");
+      Its only knob is β, the share of the error that one step removes. It corrects *positions* with *velocities*, which
+      the bodies keep after the step. The next steps show the consequences.)");
   page.text(
-      R"(A side note: the article prints (22) without the 1/h. Then m/s would stand on the left and m on the right;
-      step 4 is about that. The choice between the two is one line, and (17) does the rest:)");
-  page.excerpt("lessons/04_baumgarte/plain_bias.cpp", "bias");
-  page.figure("plain_bias",
-              R"(What this line leaves of an error of 10 cm, step by step of 1/60 s, for three β. With β = 1.5 each
-              step overshoots.)",
-              chart_of(plain_bias));
-  page.text("The solver's line has both readings:");
-  page.excerpt("solver/cures/baumgarte.hpp", "bias");
-  page.text(
-      R"(Watch the correction alone, in weightlessness: a bob at rest on a rod of @ m that is @ m too long. C is |d|
-      − L here, in metres, and its J is (14) divided by |d|.)",
+      R"(Watch the correction alone, in weightlessness: a bob at rest on a rod of @ m that is @ m too long. Here C is
+      |d| − L, in metres, and J is (14) divided by |d|.)",
       length, e);
   if (five)
     page.predict(
@@ -75,7 +63,7 @@ void a_share_of_the_error(const Setting& setting, Page& page) {
          .unit = "cm",
          .tolerance = 100 * (left == 0 ? 0.015 * e : std::min(0.015 * e, 0.2 * std::abs(left))),
          .wrong = {{100 * e * (1 - shown_steps * beta),
-                    "Each step removes a share of what is left, not of the error at the start."},
+                    "Each step removes a share of the present error, not of the first one."},
                    {100 * e * (1 - beta), "That is the error after the first step; four more follow."}},
          .hints = {"A step lasts h. How far does the bob move in it at the rate JV of (22)?",
                    "C′ = C + h·JV with JV = −(β/h)C.",
@@ -89,6 +77,16 @@ void a_share_of_the_error(const Setting& setting, Page& page) {
         R"(With β = @ each step multiplies the error by 1 − β = @. After @ the error is larger than the rod, and the
         bob flies through its anchor.)",
         setting.beta, 1 - beta, several(static_cast<long>(run.size()), "step"));
+  page.text(
+      R"(A side note: the article prints (22) without the 1/h, with m/s on the left and m on the right; step 4 is about
+      that. The choice between the two is one line, and (17) does the rest:)");
+  page.excerpt("lessons/04_baumgarte/plain_bias.cpp", "bias");
+  page.figure("plain_bias",
+              R"(How this line shrinks an error of 10 cm in steps of 1/60 s, for three β. With β = 1.5 each step
+              overshoots.)",
+              chart_of(plain_bias));
+  page.text("The solver's line has both readings:");
+  page.excerpt("solver/cures/baumgarte.hpp", "bias");
   page.figure("five_steps",
               say(R"(The end of the rod, at first and after each of @ with β = @. Dashed: where the bob belongs.)",
                   several(static_cast<long>(run.size()) - 1, "step"), setting.beta),
@@ -103,8 +101,7 @@ void a_share_of_the_error(const Setting& setting, Page& page) {
                    {"(22) with β/h", "JV = −(β/h)C", R"(JV = -\tfrac{\beta}{h}\,C)"},
                    {"insert", "C′ = C − βC = (1 − β)C", R"(C' = C - \beta C = (1-\beta)\,C)"},
                    {"k steps", "Cₖ = (1 − β)ᵏC₀", R"(C_k = (1-\beta)^k\,C_0)"}});
-  page.text(
-      "On the circle of step 1 the same happens to the drift of every step. Here is one of them, slowed down:");
+  page.text("On the circle of step 1 the same happens to the drift of every step. Here is one, slowed down:");
   within_two_steps(setting, page);
   const double push = 0.5 * setting.mass * std::pow(beta * e / h, 2);
   const auto returned = [&] {
@@ -116,8 +113,8 @@ void a_share_of_the_error(const Setting& setting, Page& page) {
     return "Each further step turns the bob round at a higher speed: the energy grows without end.";
   };
   page.text(
-      R"(The article calls this "a small addition of energy", and here you see it: at first nothing moved, and after
-      one step the bob moves at @ m/s and has @ J. @ Step 6 measures what this adds up to on a pendulum.)",
+      R"(The article calls this "a small addition of energy", and here you see it: nothing moved at first, and after one
+      step the bob moves at @ m/s and has @ J. @ Step 6 measures the total on a pendulum.)",
       beta * e / h, push, returned());
   if (five) page.measure("error after five steps", 100 * left, "cm");
 

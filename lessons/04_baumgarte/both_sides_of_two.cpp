@@ -81,7 +81,7 @@ void both_sides_of_two(const Setting& setting, Page& page) {
        .unit = "cm",
        .tolerance = 100 * e * 0.03,
        .wrong = {{-100 * after, "The size is right, but the bob has passed its place: mind the sign."},
-                 {-100 * e * bold, "That is by how much the step moves the bob, not where the bob arrives."}},
+                 {-100 * e * bold, "The step moves the bob that far; the question is where it arrives."}},
        .hints = {"The step moves the bob by more than the error. On which side does it arrive?", "C′ = (1 − β)C.",
                  say("(1 − @) · @ cm = …", bold, 100 * e)},
        .right = "1 − β = −½: the step overshoots by half of the error, so the rod is now too short."});
@@ -109,9 +109,9 @@ void both_sides_of_two(const Setting& setting, Page& page) {
       });
 
   page.text(
-      R"(Each step multiplies the error by 1 − β, so the size |1 − β| decides. Where |1 − β| < 1, that is 0 < β
-      < 2, the error shrinks; at β = 1 one step removes all of it; at β = 2 the bob jumps from one side to the
-      other for ever; beyond 2 the error grows.)");
+      R"(Each step multiplies the error by 1 − β, so the size |1 − β| decides. For 0 < β < 2 it is below 1 and the error
+      shrinks; at β = 1 one step removes all of it; at β = 2 the bob jumps from side to side for ever; beyond 2 the
+      error grows.)");
 
   page.measure("what a step leaves", factor(setting, setting.beta()), "1");
 

@@ -82,10 +82,28 @@ void drift(const Setting& setting, Page& page) {
   const bool visible = C > 0.02 * length;
 
   page.text(
-      R"(In lesson 2 the rod became longer and longer. Each step moves the bob along the tangent, because JV = 0
-      asks for no more, and the tangent leaves the circle. This growing error, here C = |d| − L in metres, is called *drift*. To see it
-      alone, take gravity away: a bob goes round at @ m/s on a rod of @ m; h is @ s, and nothing corrects the drift (b = 0).)",
+      R"(In lesson 2 the rod grew longer and longer. Each step moves the bob along the tangent, because JV = 0 asks for
+      no more, and the tangent leaves the circle. This growing error, here C = |d| − L in metres, is called *drift*. To
+      see it alone, take gravity away: a bob goes round at @ m/s on a rod of @ m with h = @ s, and nothing corrects the
+      drift (b = 0).)",
       speed, length, setting.h);
+  page.choose(
+      {.ask =
+           "After some rounds the bob is farther out than it should be. What has happened to its kinetic energy?",
+       .options = {{"risen",
+                    R"(The bob moved outward, but nothing pushed it outward. The next impulse removes the outward
+                    part of V, and its energy ½m·vᵣ² with it.)"},
+                   {"the same",
+                    R"(The pull is along the rod and the bob moves across it, so no work is done: true in the limit
+                    h → 0. After a step of finite size the velocity points a little outward, and the next impulse
+                    removes that part.)"},
+                   {"fallen",
+                    say("The bob has lost @ %. Each impulse removes the outward part of V, and ½m·vᵣ² with it.",
+                        Value(100 * lost, 3))}},
+       .answer = lost > 0 ? 2 : 0,
+       .hints = {"Look at the direction of V just after a step, against the rod's new direction.",
+                 "(20) with JV = 0 removes the part of V along the rod and leaves the part across it.",
+                 "v² = v_across² + vᵣ², and the impulse sets vᵣ = 0."}});
   Curve measured =
       curve("C", run, &Sample::time, [&](const Sample& s) { return 100 * (s.position.norm() - length); });
   measured.colour = palette::error;
@@ -103,25 +121,9 @@ void drift(const Setting& setting, Page& page) {
                 Seconds{spiral_seconds}, [film = SpiralFilm{run, length, beside}](Canvas& canvas, double time) {
                   film.draw(canvas, time);
                 });
-  page.choose(
-      {.ask = "The bob is now farther out than it should be. What has happened to its kinetic energy?",
-       .options = {{"risen",
-                    R"(The bob moved outward, but nothing pushed it outward. The next impulse removes the outward
-                    part of V, and its energy ½m·vᵣ² with it.)"},
-                   {"the same",
-                    R"(The pull is along the rod and the bob moves across it, so no work is done: this is true in
-                    the limit h → 0. After a step of finite size the velocity points a little outward, and the next
-                    impulse removes that part.)"},
-                   {"fallen",
-                    say("The bob has lost @ %. Each impulse removes the outward part of V, and ½m·vᵣ² with it.",
-                        Value(100 * lost, 3))}},
-       .answer = lost > 0 ? 2 : 0,
-       .hints = {"Look at the direction of V just after a step, against the rod's new direction.",
-                 "(20) with JV = 0 removes the part of V along the rod and leaves the part across it.",
-                 "v² = v_across² + vᵣ², and the impulse sets vᵣ = 0."}});
   page.text(
-      R"(Lesson 2, step 6 derived the law from two facts. The displacement h·v is at right angles to d, so
-      Pythagoras gives the new |d|². The impulse points at the anchor, so the angular momentum m|v||d| stays.)");
+      R"(Lesson 2, step 6 derived the law from two facts. The displacement h·v is at right angles to d, so Pythagoras gives
+      the new |d|². The impulse points at the anchor, so the angular momentum m|v||d| stays the same.)");
   page.formula("|d|²  grows by  h²|v|²  a step,   |v||d| stays   ⟹   |d| ≈ L (1 + 2hv₀²t/L²)^¼",
                R"(|d|^2 \mathrel{+}= h^2|v|^2, \quad |v||d| = \text{const} \quad\Rightarrow\quad )"
                R"(|d| \approx L\,\bigl(1 + 2hv_0^2t/L^2\bigr)^{1/4})");
@@ -129,9 +131,9 @@ void drift(const Setting& setting, Page& page) {
                R"(\dot C \approx \frac{hv^2}{2L} = @\ \mathrm{cm/s} \text{ at first})",
                100 * h * speed * speed / (2 * length));
   page.text(
-      R"(At first the error grows in proportion to the time, to h and to the centripetal acceleration v²/L. Later
-      it grows with the fourth root of time, because the bob slows down as it moves outward. Half the step gives
-      half the early drift: smaller steps help, but they never remove it.)");
+      R"(At first the error is proportional to the time, to h and to the centripetal acceleration v²/L. Later it grows with
+      the fourth root of time, because the bob slows down as it moves outward. Half the step gives half the early
+      drift: smaller steps help, but they never remove it.)");
   const double bend = 2 * turn_of(setting) * turn_of(setting);
   const Quantity at_first("2(vh/L)²", bend), at_last("2v²ht/L² at the end", 1000 * bend);
   const std::string first =

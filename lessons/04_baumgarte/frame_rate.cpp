@@ -51,11 +51,11 @@ void frame_rate(const Setting& setting, Page& page) {
               : setting.beta() == 2 ? "the error changes sides in each step and stays as large"
                                     : "the error changes sides in each step and grows");
   page.text(
-      R"(Divided by h, β is a share *per step*. It has no unit, as the article says, and still its effect
-      depends on the number of steps in a second. With β = @ and h = @ s, half of the error is gone after @ ms.)",
+      R"(Divided by h, β is a share *per step*. It has no unit, as the article says, and yet its effect depends on the
+      number of steps in a second. With β = @ and h = @ s, half of the error is gone after @ ms.)",
       beta, setting.h, Value(1000 * half, 3));
   page.predict(
-      {.ask = say("β = @ stays, h is halved. What becomes of the half-time of @ ms?", beta, Value(1000 * half, 3)),
+      {.ask = say("Keep β = @ and halve h. What does the half-time of @ ms become?", beta, Value(1000 * half, 3)),
        .answer = 1000 * finer,
        .unit = "ms",
        .tolerance = 50 * half,
@@ -74,14 +74,15 @@ void frame_rate(const Setting& setting, Page& page) {
                                     {"for small β, −ln(1 − β) ≈ β", "t ≈ ln 2 · h/β = 0.69 h/β",
                                      R"(t_{1/2} \approx 0.69\,\frac{h}{\beta})"}});
   page.text(
-      R"(So β stands for a time, h/β (here @ ms), for small β. A game that is tuned at one frame rate and runs at
-      another has stiffer or softer joints, although nobody touched β. To keep the half-time, keep h/β: with h
-      halved *and* β halved, the half-time goes from @ ms to @ ms. @)",
+      R"(So a small β stands for a time, h/β (here @ ms). A game tuned at one frame rate and run at another has stiffer or
+      softer joints, although nobody touched β. To keep the half-time, keep h/β: with both h and β halved it goes from
+      @ ms to @ ms. @)",
       1000 * h / beta, Value(1000 * half, 3), Value(1000 * kept, 3),
-      nearly_kept ? ""
-                  : say(R"((This β is too large for that rule. Exactly, (1 − β)^(1/h) must stay: half the step
+      nearly_kept
+          ? ""
+          : say(R"((This β is too large for that rule. Exactly, (1 − β)^(1/h) must stay the same: half the step
                              needs β = 1 − √(1 − @) = @.))",
-                        beta, Value(1 - std::sqrt(1 - beta), 3)));
+                beta, Value(1 - std::sqrt(1 - beta), 3)));
   page.figure("half_time_over_h",
               say("Half-time over the time step. With β kept it is proportional to h (slope 1). @",
                   page.verdict({{.when = changes < 0.15, .say = "With h/β kept it stays nearly the same."},

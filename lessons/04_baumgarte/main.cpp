@@ -19,7 +19,7 @@ int main(int argc, char** argv) {
     return [=](course::Page& page) { step(setting, page); };
   };
 
-  lesson.step("Drift, and the law of how it grows", with(drift));
+  lesson.step("Drift and its law", with(drift));
   lesson.step("A share β of the error in each step", with(a_share_of_the_error));
   lesson.hold(in_hand(setting));
   lesson.step("More than all of the error", with(both_sides_of_two));
@@ -36,14 +36,14 @@ int main(int argc, char** argv) {
            {"JV = 0 follows the tangent: C grows, at first at hv²/2L, and the bob loses energy.",
             R"(JV = −(β/h)C leaves the share 1 − β of an error in each step: no overshoot up to β = 1, overshoot up to
             2, growth beyond.)",
-            "As printed, without 1/h, β is a rate in 1/s; with 1/h it is a share a step, and its time is h/β.",
+            "As printed, without 1/h, β is a rate in 1/s; with 1/h it is a share per step, and its time is h/β.",
             R"(On a pendulum the correction adds energy and takes it back; with small steps a swing loses energy for
             every β below 2.)",
             "A steady spin leaves C/L = (ωh)²/(2β).",
             "With a warm start the limit is min((1 − q)/q, 2); with few sweeps that can be far below 0.1."},
        .tries = {{"Just beyond the limit: what do the rod, the claims and the stems do?",
                   "./lessons/run baumgarte --set beta=2.1"},
-                 {"Twice the frame rate, and the time h/β kept.",
+                 {"Twice the frame rate, with the same time h/β.",
                   "./lessons/run baumgarte --set h=1/120 --set beta=0.1"},
                  {"How many sweeps does the chain of ten links need at this β?",
                   "./lessons/run baumgarte --step 6b --set sweeps=8"}},

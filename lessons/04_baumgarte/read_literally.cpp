@@ -33,15 +33,15 @@ void read_literally(const Setting& setting, Page& page) {
                 R"(JV = -@\,\mathrm{s}^{-1}\cdot @\,\mathrm{m} = @\,\mathrm{m/s})", setting.beta, setting.error,
                 -beta * e);
   page.text(
-      R"(For the units to agree, β must now be a *rate* in 1/s, so it is not "unit-less". A step leaves the share 1 −
-      βh of C, and for small βh that is a decay like e^(−βt), whatever the step.)");
+      R"(For the units to agree, β must now be a *rate* in 1/s, so it is not "unit-less". A step leaves the share 1 − βh of
+      C: for small βh a decay like e^(−βt), whatever the step.)");
   Prediction question{
       .ask =
           say("Read literally, with β = @ s⁻¹: after how many seconds is half of the error gone?", setting.beta),
       .answer = half,
       .unit = "s",
       .tolerance = 0.04 * half,
-      .wrong = {{1 / beta, "By then the share 1/e, about a third, is left; half is left a little sooner."},
+      .wrong = {{1 / beta, "By then about a third is left, 1/2.718; half is left a little sooner."},
                 {0.5 / beta, "The rate falls as the error falls: e^(−βt), not 1 − βt."}},
       .hints = {"β is now a rate per second, so the number of steps does not matter.", "C = C₀ e^(−βt).",
                 say("e^(−βt) = ½, so βt = ln 2 = 0.693: 0.693/@ = …", setting.beta)},
@@ -67,9 +67,8 @@ void read_literally(const Setting& setting, Page& page) {
                                      static_cast<std::size_t>(std::max(1, steps / 40))),
                                per_step, law}});
   page.text(
-      R"(Both readings are in use; you must know which one a program means. Per step the limit is β = 2; as printed
-      it is 2/h = @ s⁻¹. The solver of this course divides by h, and calls the other reading
-      `BetaReading::literal`.)",
+      R"(Both readings are in use; find out which one a program means. Per step the limit is β = 2; as printed it is
+      2/h = @ s⁻¹. The solver of this course divides by h, and calls the other reading `BetaReading::literal`.)",
       2 / h);
   page.measure("half-time as printed", half, "s");
 

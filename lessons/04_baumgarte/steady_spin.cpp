@@ -38,26 +38,27 @@ void steady_spin(const Setting& setting, Page& page) {
                   : "With β = @ the rod never settles. This step therefore uses β = 0.2.",
               setting.beta);
   page.text(
-      R"(β removes a share of the error. Where every step adds a new error, some error stays. Let the bob of step 1
-      go round again at @ m/s, now with β = @, until its rod no longer changes.)",
+      R"(β removes a share of the error. If every step also adds a new error, some error stays. Let the bob of step 1 go
+      round again at @ m/s, now with β = @, until its rod no longer changes.)",
       setting.speed(), beta);
   const double answer = 1000 * spin.stretch * length, one_step = 500 * turn * turn * length;
   if (small)
     page.predict(
-        {.ask = say(R"(In each step the tangent leaves the circle by ½(ωh)²L = @ mm. By how much is the rod
-                             too long once it has settled?)",
+        {.ask = say(R"(In each step the tangent leaves the circle by ½(ωh)²L = @ mm. How much too long
+                             is the rod once it has settled?)",
                     Value(one_step, 4)),
          .answer = answer,
          .unit = "mm",
          .tolerance = 0.03 * answer,
-         .wrong = {{one_step, "That is what one step adds; the removed share β of the error must be as much."},
-                   {0, "Then there would be no error of which β could remove a share."}},
+         .wrong = {{one_step,
+                    "One step adds that much; the share β of the error that it removes must be as large."},
+                   {0, "Then β would have no error to remove a share of."}},
          .hints = {"Once the rod has settled, a step adds as much error as it removes.",
                    "added: ½(ωh)²L; removed: βC.",
                    say("@ · C = @ mm: @ mm/@ = …", beta, Value(one_step, 4), Value(one_step, 4), beta)},
          .hinted = one_step / beta,
          .right = say(
-             R"(With ω as it begins, C = ½(ωh)²L/β = @ mm. On the longer rod the bob goes round more slowly: the run
+             R"(With the first ω, C = ½(ωh)²L/β = @ mm. On the longer rod the bob goes round more slowly: the run
                      settles at @ mm.)",
              Value(one_step / beta, 4), Value(answer, 4))});
   page.formula(
@@ -93,13 +94,14 @@ void steady_spin(const Setting& setting, Page& page) {
     chart.curves.push_back(expected);
   }
   chart.references.push_back({Reference::Across::x, 0.1, "ωh = 0.1"});
-  page.figure("steady_stretch",
-              R"(How much too long a spinning rod stays, over the angle that it turns in one step. Dashed: the law,
-              the first term of an expansion; to the right of the thin line the further terms are visible.)",
-              chart);
+  page.figure(
+      "steady_stretch",
+      R"(How much too long a spinning rod stays, over the angle that it turns in one step. Dashed: the law, the
+              first term of an expansion; right of the thin line the other terms show.)",
+      chart);
   page.text(
-      R"(For small ωh, half the step leaves a quarter of the stretch, while β changes it only in proportion. If you
-      keep h/β, as the half-time asks, the stretch is proportional to h.)");
+      R"(For small ωh, half the step leaves a quarter of the stretch, while the stretch only falls as 1/β. If you keep
+      h/β, to keep the half-time, the stretch is proportional to h.)");
   page.measure("settled stretch", 1000 * spin.stretch, "mm per m");
 
   // Next in the expansion are ½β(C/L)² and ⅓(ωh)⁴ beside (ωh)².

@@ -176,8 +176,8 @@ void the_trap(const Setting& setting, Page& page) {
   const std::string shown_q = q < 1e-6 ? "less than 10⁻⁶" : say("@", Value(q, 4));
 
   page.text(
-      R"(One row, solved exactly, settles for every β below 2. Now the chain of lesson 3: @, and @ of
-      Gauss–Seidel in each step, as an engine would do it. β = @.)",
+      R"(One row, solved exactly, settles for every β below 2. Now the chain of lesson 3: @, and @ of Gauss–Seidel in each
+      step, as in an engine. β = @.)",
       several(links, "link"), several(sweeps, "warm sweep"), setting.beta);
   const std::string reason =
       dies_out ? say("β is below the limit, @.", limit)
@@ -193,7 +193,7 @@ void the_trap(const Setting& setting, Page& page) {
                                       fate_of_error(growth), reason)}},
                .answer = dies_out ? 0 : 1,
                .hints = {"λ starts from last step's value. What did that value contain besides the weight?",
-                         "Of the slowest wave, k sweeps leave q = cos²ᵏ(π/2N) (lesson 3).",
+                         "k sweeps leave q = cos²ᵏ(π/2N) of the slowest wave (lesson 3).",
                          say("Here q is @: compare β with (1 − q)/q, and with 2.", shown_q)}});
   ChainsFilm film = film_of(setting, beta);
   const auto ends = [&](const Curve& curve, double a_step) {
@@ -212,13 +212,13 @@ void the_trap(const Setting& setting, Page& page) {
           links * setting.length, setting.beta, several(sweeps, "sweep"), 100 * HangingChain::start_error,
           chain_seconds,
           of_warm == of_cold ? "both chains " + of_warm
-                             : say("the warm chain @, those of the cold chain @", of_warm, of_cold)),
+                             : say("the warm chain @, the cold chain’s @", of_warm, of_cold)),
       Seconds{chain_seconds},
       [film, h = setting.h()](Canvas& canvas, double time) mutable { film.draw(canvas, time, h); });
   page.text(
-      R"(Follow the slowest wave along the chain. k sweeps leave the share q = cos²ᵏ(π/2N) of it, which is @
-      here. A warm step begins with all of last step's λ, and this λ includes last step's correction; the sweeps
-      remove only the share 1 − q of that surplus. As a program, with e for the wave of C, V for its rate, and A = h = 1:)",
+      R"(Follow the slowest wave along the chain. k sweeps leave the share q = cos²ᵏ(π/2N) of it, here @. A warm step begins
+      with all of last step's λ, including last step's correction; the sweeps remove only the share 1 − q of that
+      surplus. As a program, with e for the wave of C, V for its rate, and A = h = 1:)",
       shown_q);
   page.excerpt("lessons/04_baumgarte/the_trap.cpp", "plain_wave");
   page.text("A step multiplies the wave by a root z of the cubic");
@@ -243,8 +243,8 @@ void the_trap(const Setting& setting, Page& page) {
                R"(\text{all waves die out} \iff \beta < \min\Bigl(\frac{1-q}{q},\,2\Bigr) = @)", limit);
   const Quantity share("β", beta), of_limit("limit", limit), step_growth("growth in a step", growth);
   page.text(
-      R"(@ With few sweeps or many links the limit becomes very small, and the solver gives no error message:
-      beyond the limit the chain only oscillates more and more.)",
+      R"(@ With few sweeps or many links the limit becomes very small, and the solver gives no error message: beyond the
+      limit the chain just oscillates more and more.)",
       page.verdict(
           {{.when = step_growth < 1, .say = "β is below the limit: errors die out.", .law = share < of_limit},
            {.when = step_growth > 1, .say = "β is above the limit: errors grow.", .law = share > of_limit}}));
@@ -255,7 +255,7 @@ void the_trap(const Setting& setting, Page& page) {
           several(links, "link")),
       map(setting, links));
   page.text(
-      R"(What helps:
+      R"(Cures:
 
       - more sweeps: @;
       - a smaller β;

@@ -105,13 +105,12 @@ void what_it_costs(const Setting& setting, Page& page) {
   const double period = exact.period();
 
   page.text(
-      R"(Now with gravity: release the pendulum from @° and compare three of them: without correction, with β = @ and
-      with β = @.)",
+      R"(Now with gravity: release three pendulums from @°, one without correction, one with β = @ and one with β = @.)",
       setting.release(), Value(film_betas(setting)[1]), Value(film_betas(setting)[2]));
   page.sequence(
       "three_pendulums",
-      R"(Blue: the article's step; dashed: the exact pendulum. Below: by how much each rod is too long or too
-      short.)",
+      R"(In colour: the article's step; dashed: the exact pendulum. Below: how much too long or too short each rod
+      is.)",
       Seconds{film_seconds},
       [film = PendulumFilm(setting)](Canvas& canvas, double time) { film.draw(canvas, time); });
 
@@ -144,17 +143,19 @@ void what_it_costs(const Setting& setting, Page& page) {
 
   const bool loses = most <= rounding;
   page.choose(
-      {.ask = say(R"(The article calls Baumgarte an addition of energy, and in weightlessness it did add some. From
-                  the first swing to the third, for β from @ to @: does the pendulum gain energy or lose it?)",
-                  betas.front(), betas.back()),
+      {.ask = say(
+           R"(The article calls Baumgarte an addition of energy, and in weightlessness it did add some. Does the
+                  pendulum gain or lose energy from the first swing to the third, for β from @ to @?)",
+           betas.front(), betas.back()),
        .options = {{"it gains, for all of these β",
-                    R"(The correction pulls the bob in only by what the steps before let it out, and the outward
+                    R"(The correction only pulls the bob in as far as earlier steps let it out, and the outward
                     velocity of each step has been removed.)"},
                    {"it loses, for all of these β",
-                    loses ? R"(What the correction adds it takes back; what each step's outward velocity carried is
-                            removed. The stretch lags behind the tension, so the tension does negative work in every
-                            swing.)"
-                          : "Not here: with so few steps a swing, or so small a swing, some β gain."},
+                    loses
+                        ? R"(The correction takes back what it adds, and the energy of each step's outward velocity
+                            is removed. The stretch lags behind the tension, so the tension does negative work in
+                            every swing.)"
+                        : "Not here: with so few steps a swing, or so small a swing, some β gain."},
                    {"it gains for some and loses for others",
                     loses ? "How much it loses depends strongly on β. The sign does not."
                           : "With so few steps a swing, or so small a swing, the sign depends on β."}},
@@ -165,8 +166,8 @@ void what_it_costs(const Setting& setting, Page& page) {
   const bool left_out = std::any_of(energy.y.begin(), energy.y.end(), [](double y) { return std::isnan(y); });
   page.figure(
       "cost_of_beta",
-      say(R"(What β does to a pendulum from @°, with h = @ s: the largest drift, the energy lost from the first
-          swing to the third and the error of the period. Dashed: the laws for small steps. @)",
+      say(R"(A pendulum from @° with h = @ s, over β: the largest drift, the energy lost from the first swing to
+          the third, and the error of the period. Dashed: the laws for small steps. @)",
           setting.release(), setting.h,
           left_out ? "(Points where it gained, or changed by rounding only, are left out.)" : ""),
       Chart{.x = {.label = "β", .scale = Scale::logarithmic},
@@ -192,8 +193,8 @@ void what_it_costs(const Setting& setting, Page& page) {
       100 * setting.error, setting.error / h,
       beta == 1 ? "" : say(", at @ m/s for β = @", beta * setting.error / h, setting.beta));
   page.text(
-      R"(How much does a swing lose? With T the tension of the rod and u = v²/L the centripetal acceleration, small
-      steps lose per swing)");
+      R"(How much does a swing lose? With the rod's tension T and the centripetal acceleration u = v²/L, small steps lose
+      per swing)");
   page.formula(
       "energy lost in a swing ≈ h³(2 − β)/(4β²) · ∮ Ṫ u̇ dt,   u = v²/L",
       R"(\Delta E \approx -\frac{h^3(2-\beta)}{4\beta^2}\oint \dot T\,\dot u\,dt, \qquad u = \frac{v^2}{L})");
@@ -206,12 +207,12 @@ void what_it_costs(const Setting& setting, Page& page) {
         R"(C(t) = \frac{h^2}{2\beta}\,u(t-\tau),\qquad \tau = \frac{h(2-\beta)}{2\beta})"},
        {"the rod pulls inward with T, so over a swing it does the work", "W = −∮ T Ċ dt",
         R"(W = -\oint T\,\dot C\,dt)"},
-       {"T and u depend on the angle alone, so ∮ T u̇ dt = 0; what the delay leaves is",
+       {"T and u depend on the angle alone, so ∮ T u̇ dt = 0; the delay leaves",
         "W = h²/(2β) · τ ∮ T ü dt = −h²/(2β) · τ ∮ Ṫ u̇ dt",
         R"(W = \frac{h^2}{2\beta}\,\tau\oint T\,\ddot u\,dt = -\frac{h^2}{2\beta}\,\tau\oint \dot T\,\dot u\,dt)"},
        {"T = m(u + g cos θ), u̇ = −2g sin θ θ̇", "Ṫ u̇ = 6 m g² sin²θ θ̇² ≥ 0",
         R"(\dot T\,\dot u = 6\,m\,g^2\sin^2\theta\,\dot\theta^2 \ge 0)"},
-       {"so the sign of W is that of −(2 − β): a loss for every β below 2", "W = −h³(2 − β)/(4β²) ∮ Ṫ u̇ dt",
+       {"so W has the sign of −(2 − β): a loss for every β below 2", "W = −h³(2 − β)/(4β²) ∮ Ṫ u̇ dt",
         R"(W = -\frac{h^3(2-\beta)}{4\beta^2}\oint \dot T\,\dot u\,dt)"}});
 
   const double breaks = breaks_at(setting, beta, period);
@@ -221,9 +222,10 @@ void what_it_costs(const Setting& setting, Page& page) {
     page.measure("energy from the first swing to the third", without_rounding(own.energy, 1), "mgL");
     page.measure("error of the period", 100 * without_rounding(own.period, 1), "%");
   } else {
-    page.text(R"(With β = @ the rod does not keep its length even roughly: after @ s it is off by half of it, and
-              there is no swing to measure.)",
-              setting.beta, Value(breaks, 3));
+    page.text(
+        R"(With β = @ the rod does not even roughly keep its length: after @ s it is off by half of it, and there is
+              no swing to measure.)",
+        setting.beta, Value(breaks, 3));
   }
 
   const Condition wide = within(30, Quantity("release", setting.release, "°"), 120),

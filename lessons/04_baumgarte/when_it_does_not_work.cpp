@@ -91,9 +91,10 @@ void when_it_does_not_work(const Setting&, Page& page) {
   const Symptom& sinks = groups.front().symptoms.front();
 
   page.text(
-      R"(You have typed the seven lines of lesson 2 and the bias of this one, and something is wrong on the screen.
-      What you see usually tells you which line. Here each mistake was made on purpose in the same step: a bob or a box of 3 kg on a
-      rod of 2 m, 60 steps a second, β = 0.2. Find your symptom, make the test, and only then change the line.)");
+      R"(You have typed the seven lines of lesson 2 and the bias of this lesson, and something is wrong on the screen. What
+      you see usually tells you which line. Here each mistake was made on purpose in the same step: a bob or a box of
+      3 kg on a rod of 2 m, 60 steps a second, β = 0.2. Find your symptom, make the test, and only then change the
+      line.)");
   page.choose(
       {.ask =
            say(R"(A bob hangs at rest, straight down, and yet it sinks: at @ m/s, steadily. With half the step it
@@ -107,34 +108,34 @@ void when_it_does_not_work(const Setting&, Page& page) {
             {"b is missing",
              "Without b a rod grows only while its bob moves along the circle; this one is at rest."}},
        .answer = 1,
-       .hints = {"Which speed is it, in terms of g and h?",
-                 "gh is what gravity adds in one step. Who should remove it?",
+       .hints = {"Which speed is it, in terms of g and h?", "Gravity adds gh in one step. What should remove it?",
                  "λ removes what it finds in V. Was gh there already?"}});
 
   std::vector<Filmed> runs;
+  for (const SymptomGroup& group : groups)
+    for (const Symptom& symptom : group.symptoms)
+      if (symptom.run) runs.push_back(filmed(symptom));
+  page.sequence(
+      "symptoms",
+      R"(The first two seconds of each rod: filled, the wrong step; dashed, the right one. A rod that leaves its panel
+                stops at the edge.)",
+      Seconds{film_length}, [runs](Canvas& canvas, double time) { draw(canvas, runs, time); });
   for (const auto& [title, symptoms] : groups) {
     std::string list;
-    for (const Symptom& symptom : symptoms) {
+    for (const Symptom& symptom : symptoms)
       list += say("\n- **@.** Measured: @, @ @; with the right step, @ @. *Cause:* @. *Test:* @. (@)",
                   symptom.seen, symptom.quantity, symptom.wrong, symptom.unit, symptom.right, symptom.unit,
                   symptom.cause, symptom.test, symptom.more);
-      if (symptom.run) runs.push_back(filmed(symptom));
-    }
     page.text("*@*\n@", title, list);
     for (const Symptom& symptom : symptoms)
       page.claim(
           symptom.quantity + " (" + symptom.seen + ")", symptom.wrong, symptom.unit,
           is(symptom.law, symptom.source, absolute(symptom.tolerance * std::max(1.0, std::abs(symptom.law)))));
   }
-  page.sequence(
-      "symptoms",
-      R"(The first two seconds of each rod: filled, the wrong step; dashed, the right one. What leaves its
-                panel stops at the edge.)",
-      Seconds{film_length}, [runs](Canvas& canvas, double time) { draw(canvas, runs, time); });
   page.text(
-      R"(If your symptom is not listed: run one bob on one rod, without gravity, correction and warm start, and switch
-      them on one by one. Print C, JV + b before λ, λ, and JV + b after it. The last must be zero to rounding; if it is, the solver is
-      right, and C or J is wrong.)");
+      R"(If your symptom is not listed, run one bob on one rod, without gravity, correction and warm start, and switch them
+      on one by one. Print C, JV + b before λ, λ, and JV + b after it. The last must be zero to rounding; if it is, the
+      solver is right, and C or J is wrong.)");
 }
 
 }  // namespace byhand::baumgarte

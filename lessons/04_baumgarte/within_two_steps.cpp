@@ -56,7 +56,7 @@ void within_two_steps(const Setting& setting, Page& page) {
   const double C = std::hypot(length, way) - length, left = without_rounding(1 - beta, 1);
   const std::string fate = beta < 1    ? "The same share of it is left in each step."
                            : beta == 1 ? "Nothing of it is left."
-                           : beta < 2  ? "The bob goes past the circle; what is left is smaller than before."
+                           : beta < 2  ? "The bob goes past the circle, but less far off than before."
                            : beta == 2 ? "The bob goes past the circle and is as far off as before."
                                        : "The bob goes past the circle and is farther off than before.";
   const pictures::Acts acts(
@@ -72,8 +72,8 @@ void within_two_steps(const Setting& setting, Page& page) {
   const double enlarged = drawn_step * length / way;
   page.sequence(
       "within_two_steps",
-      say(R"(Tangent, drift, correction, slowed from two steps of @ s to @ s. The step is drawn @ long as it is; what the bob
-          does along the circle in the second step is left out.)",
+      say(R"(Tangent, drift, correction: two steps of @ s, slowed to @ s. The step is drawn @ long as it is; the second
+          step's motion along the circle is left out.)",
           setting.h, acts.seconds(), std::abs(enlarged - 1) < 0.05 ? "as" : say("@ times as", Value(enlarged, 2))),
       Seconds{acts.seconds()},
       [film = CorrectionFilm{acts, beta}](Canvas& canvas, double time) { film.draw(canvas, time); });
