@@ -174,12 +174,12 @@ void bounce(const Setting& setting, Page& page) {
   const double e = setting.restitution, h = setting.h(), drop = setting.drop;
 
   page.text(
-      R"(Until now a contact stopped what approached. Let it return some of the speed: the share e, the
-      *restitution*, of the rate at which the two approached, JV⁻.)");
+      R"(Until now a contact stopped a body that approached. Let it return some of the speed: the share e, the
+      *restitution*, of the rate of approach JV⁻.)");
   page.formula("JV⁺ = −e JV⁻,   that is (21) with b = e JV⁻", R"(JV^+ = -e\,JV^-, \qquad b = e\,JV^-)");
   page.text(
-      R"(It seems to take one line: where the ball is below the ground, reverse its speed. Here is that line in a
-      complete step:)");
+      R"(It seems to take one line: where the ball is below the ground, reverse its speed. That line in a complete
+      step:)");
   page.excerpt("lessons/05_contact/bounce.cpp", "on_overlap");
   const std::vector<double> overlap = peaks(on_overlap(setting, 1), h, bounces),
                             own = peaks(solved(setting, 1), h, bounces);
@@ -188,8 +188,7 @@ void bounce(const Setting& setting, Page& page) {
       {.ask = say("e = 1, dropped from @ m, reversed like this. Does the ball come back to the same height?",
                   setting.drop),
        .options = {{"higher", peaks_were + " When V is reversed, this step's gh is already in it."},
-                   {"to the same height",
-                    peaks_were + " |V| does not change, but which V is it that is reversed?"},
+                   {"to the same height", peaks_were + " |V| does not change, but which V is reversed?"},
                    {"lower", peaks_were + " Being below the ground costs it nothing here."}},
        .answer = overlap.front() > drop   ? 0
                  : overlap.front() < drop ? 2
@@ -205,25 +204,25 @@ void bounce(const Setting& setting, Page& page) {
       Seconds{bounce_seconds},
       [film = film(setting)](Canvas& canvas, double time) mutable { film.draw(canvas, time); });
   page.text(
-      R"(With e = 1 it should come back to @ m. Reversed on overlap its peaks are @ m: it *gains* energy. The reason:
-      V already holds this step's gravity when it is reversed, so the gh that pulled down now pushes up. The ball
-      starts up gh faster than it came down and climbs for one step longer; each peak is higher by about h·v,
-      the height of the last step's fall.)",
+      R"(With e = 1 it should come back to @ m. Reversed on overlap its peaks are @ m: it *gains* energy, because V already
+      holds this step's gravity when it is reversed, and the gh that pulled down now pushes up. The ball starts up gh
+      faster than it came down and climbs for one step longer; each peak is higher by about h·v, the height of the last
+      step's fall.)",
       setting.drop, overlap);
   page.text(
-      R"(The solver uses two solves. In the first the row closes the gap, as always (b = C/h), and the positions
-      move: the ball arrives *on* the ground. Then the rows are solved again with b = e JV⁻. Which speed is JV⁻? Not
-      the one before the step, which lacks the last part of the fall, nor the one after it, which has too much. The
-      heights of a falling ball lie on a parabola, and this parabola meets the ground within the step; its speed
-      there counts. For the way up to begin with e times that speed, V needs half of gh more. For one ball:)");
+      R"(The solver solves twice. In the first solve the row closes the gap, as always (b = C/h), and the positions move: the
+      ball arrives *on* the ground. Then the rows are solved again with b = e JV⁻. Which speed is JV⁻? Not the speed
+      before the step, which lacks the last part of the fall, nor the speed after it, which has too much. The heights of
+      a falling ball lie on a parabola that meets the ground within the step; JV⁻ is its speed there. For the ball to
+      start up at e times that speed, V needs another ½gh. For one ball:)");
   page.excerpt("lessons/05_contact/bounce.cpp", "two_solves");
   page.text(
-      R"(The threshold keeps a ball that only rests from rattling. The solver does the same for all contacts
-      together; its second solve continues from the λ of the first, so that the sum is clamped:)");
+      R"(The threshold keeps a resting ball from rattling. The solver does the same for all contacts together; its second
+      solve continues from the λ of the first, so that the sum is clamped:)");
   page.excerpt("solver/contact/restitution.hpp", "parting");
   page.text(
-      R"(Its peaks with e = 1 are @ m. The steps of a fall from rest lie on a parabola whose top is gh²/8 = @ m above
-      the start, so @ m is the height to return to, and a step may miss that top by as much again. With e = @ each
+      R"(The solver's peaks with e = 1 are @ m. The steps of a fall from rest lie on a parabola whose top is gh²/8 = @ m
+      above the start, so the ball should return to @ m, and a step may miss that top by as much again. With e = @ each
       bounce leaves e of the speed, and so e² of the height:)",
       own, Value(gravity * h * h / 8, 2), Value(drop + gravity * h * h / 8, 5), setting.restitution);
   page.figure("peaks",

@@ -85,9 +85,9 @@ void cradle(const Setting& setting, Page& page) {
       many{.sweeps = 200 * n, .warm_start = false};
 
   page.text(
-      R"(@ balls of equal mass hang in a row and just touch, e = 1; the first comes at @ m/s. You know what happens:
-      the last one leaves, and the others stay. Now ask (17), for all contacts at once. Only the first pair
-      approaches, so only this pair must separate, at v; no other pair may approach.)",
+      R"(@ balls of equal mass hang in a row and just touch, e = 1; the first comes at @ m/s. You know what happens: the
+      last one leaves, and the others stay. Now ask (17), for all contacts at once. Only the first pair approaches, so
+      only this pair must separate, at v; no other pair may approach.)",
       n, setting.speed);
   page.predict(
       {.ask = say(R"(@ balls, all contacts solved at once, e = 1. How fast is the first ball afterwards, in units
@@ -97,8 +97,8 @@ void cradle(const Setting& setting, Page& page) {
        .unit = "v",
        .tolerance = 0.04,
        .wrong = {{0,
-                  "That is what real balls do. But here one impulse in each contact acts at the same instant on "
-                  "all balls."},
+                  "Real balls do that. But here one impulse in each contact acts on all balls at the same "
+                  "instant."},
                  {-1, "Then the others together would have twice the momentum that came in."}},
        .hints = {"All other balls leave together, at one speed u: no pair among them may approach or separate.",
                  "momentum: v₁ + (N − 1)u = v;   separation of the first pair: u − v₁ = v.",
@@ -118,17 +118,16 @@ void cradle(const Setting& setting, Page& page) {
                {"one collision after the other", in_turn, palette::muted}};
   page.figure(
       "cradle_speeds",
-      say(R"(The speeds of @ balls after one step: solved at once, by one sweep in either direction (for the
-                  stop and for the bounce), and with one collision after the other.)",
+      say(R"(The speeds of @ balls after one step: solved at once, by one sweep in either direction (for the stop and
+                  for the bounce), and by one collision after the other.)",
           n),
       bars);
   page.text(
-      R"(Momentum is right in all of them, and solved at once the energy is right as well; but real balls do something
-      else, nearly the last of these: they collide one after the other. (Nearly, because balls that touch are springs
-      as well: their stiffness decides how much overlaps in time, and the others recoil a little.) One sweep gives
-      another result, and one sweep from the other end yet another; the energy is then @ and @ of what it was. More
-      sweeps do not approach real balls either. They approach the first result, in which every row has what it asks
-      for.)",
+      R"(Momentum is right in all of them, and solved at once the energy is right as well. But real balls do something
+      else, nearly the last of these: they collide one after the other. (Nearly, because touching balls are springs:
+      their stiffness decides how much the collisions overlap in time, and the other balls recoil a little.) One sweep
+      gives another result, and one sweep from the other end yet another; @ and @ of the energy are left. More sweeps do
+      not approach real balls either. They approach the first result, in which every row is satisfied.)",
       Value(sum(one_forward, 2), 2), Value(sum(one_backward, 2), 2));
   page.derivation(
       "All contacts at once",
@@ -137,10 +136,10 @@ void cradle(const Setting& setting, Page& page) {
        {"insert u", "N v₁ = (2 − N) v", "N\\,v_1 = (2-N)\\,v"},
        {"so", "v₁ = (2 − N)/N · v,   u = 2/N · v", R"(v_1 = \frac{2-N}{N}\,v, \qquad u = \frac{2}{N}\,v)"}});
   page.text(
-      R"(What do the rows not know? *When*. An impact runs through steel balls from one to the next and takes about
-      a ten-thousandth of a second for each. The rows treat all impacts as simultaneous, and then momentum and
-      energy are two equations for @ unknown speeds. The missing information can be given: leave a small gap between
-      the balls, and take steps so short that one collision is over before the next begins.)",
+      R"(The rows do not know *when*. An impact runs through steel balls from one to the next and takes about a
+      ten-thousandth of a second for each. The rows treat all impacts as simultaneous, and then momentum and energy are
+      two equations for @ unknown speeds. We can supply what is missing: leave a small gap between the balls, and take
+      steps so short that one collision is over before the next begins.)",
       n);
   page.figure(
       "cradle_gaps",
@@ -162,10 +161,10 @@ void cradle(const Setting& setting, Page& page) {
         apart.draw(canvas, lower, say("@ mm apart", 1000 * HangingCradle::gap));
       });
   page.text(
-      R"(So (17) alone does not say what a solver *should* do here; it is good to know what yours does. This one
-      follows Moreau: JV⁺ ≥ −e JV⁻ for all contacts at once, also for those that were separating when they were hit
-      (they may turn back with the share e). With one e for all contacts and without friction that cannot create
-      energy. Letting only those bounce that approached, and holding the others at JV⁺ ≥ 0, can.)");
+      R"(So (17) alone does not say what a solver *should* do here; know what yours does. This one follows Moreau:
+      JV⁺ ≥ −e JV⁻ for all contacts at once, even for those that were separating when they were hit (they may turn back
+      with the share e). With one e for all contacts and without friction, that cannot create energy. Bouncing only the
+      contacts that approached, and holding the others at JV⁺ ≥ 0, can.)");
 
   page.measure("first ball, all at once", direct.front(), "v");
   page.claim("largest difference from (2 − N)/N and 2/N, all at once", largest_difference(direct, shared(n)), "v",

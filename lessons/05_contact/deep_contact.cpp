@@ -140,14 +140,14 @@ void deep_contact(const Setting& setting, Page& page) {
                highest_soft = peak(soft, h);
 
   page.text(
-      R"(Where C is positive there is a gap: the row lets it close within the step and no further, b = C/h. Such a row
-      is called a *speculative contact*: it exists before the bodies touch, so even a fast body cannot pass through a
-      thin wall between two steps. Its price is the ghost collision: the row knows a plane, not where the face ends,
-      and would stop a body that flies past the edge. So a plane is taken only from shapes that will meet within the
-      step, and where they will meet.)");
+      R"(Where C is positive there is a gap: the row lets it close within the step and no further, b = C/h. Such a row is
+      called a *speculative contact*: it exists before the bodies touch, so even a fast body cannot pass through a thin
+      wall between two steps. Its price is the ghost collision: the row knows a plane but not where the face ends, and
+      would stop a body that flies past the edge. So the solver only takes a plane from shapes that will meet within
+      the step, and at the place where they will meet.)");
   page.text(
-      R"(Where C is negative, two bodies overlap, and (22) separates them by a share β a step, as it did with rods. But
-      a rod is held on both sides; nothing holds a box that moves out of the ground.)");
+      R"(Where C is negative, two bodies overlap, and (22) separates them by a share β a step, as it did with rods. But a
+      rod also pulls back; nothing pulls back a box that moves out of the ground.)");
   page.equation(22, "JV = −(β/h)·C = −(@/(@ s))·(−@ m) = @ m/s",
                 R"(JV = -\frac{\beta}{h}\,C = -\frac{@}{@\,\mathrm{s}}\cdot(-@\,\mathrm{m}) = @\,\mathrm{m/s})",
                 setting.beta, setting.h, setting.depth, speed);
@@ -159,24 +159,48 @@ void deep_contact(const Setting& setting, Page& page) {
   if (std::abs(throw_height - highest) > 2 * tolerance)
     wrong.push_back({throw_height, say("The throw begins @ m below the ground.", setting.depth)});
   page.predict(
-      {.ask = say(R"(A unit box begins @ m deep in the ground, at rest; β = @, h = @ s, and it leaves at the speed
-                  above. How high does its lower side rise above the ground? (0 if it stays below.))",
-                  setting.depth, setting.beta, setting.h),
+      {.ask = say(
+           R"(A unit box begins at rest, @ m deep in the ground; β = @, h = @ s, and it leaves at the speed above.
+                  How high does its lower side rise above the ground? (0 if it stays below.))",
+           setting.depth, setting.beta, setting.h),
        .answer = highest,
        .unit = "m",
        .tolerance = tolerance,
        .wrong = wrong,
        .hints = {"It is thrown upwards from that depth. How high does a throw rise?",
-                 "v²/(2g) less the depth, and half a step's way more: a step moves at the speed of its end.",
+                 "v²/(2g) less the depth, plus half a step: a step moves at the speed of its end.",
                  say("(@ m/s)²/(2 · 9.81 m/s²) + @ m = @ m, and it begins @ m deep.", Value(speed, 4),
                      Value(half_step, 3), Value(throw_height + half_step, 4), setting.depth)},
        .hinted = std::max(0.0, throw_height + half_step - depth),
        .right =
            highest > 0
-               ? say(R"(Its lower side rises @ m above the ground: v²/(2g) less the depth, and half a step's way
-                          more, because a step moves at the speed of its end.)",
+               ? say(R"(Its lower side rises @ m above the ground: v²/(2g) less the depth, plus half a step, because
+                          a step moves at the speed of its end.)",
                      Value(highest, 3))
                : "Gravity and the next corrections stop it at the surface or below."});
+  page.text(
+      R"(Once it moves freely the box is a stone thrown upwards at βd/h, d being its depth. In the first step it rises by
+      βd; after that gravity takes gh from its speed in each step. Its highest point is above the ground if)");
+  page.formula("d > (1 − β/2) · 2gh²/β² = @ m",
+               R"(d > \left(1-\tfrac{\beta}{2}\right)\frac{2 g h^2}{\beta^2} = @\,\mathrm{m})", law);
+  page.derivation(
+      "From which depth a box pops off the ground",
+      {{"(22): the speed after the first step", "v = βd/h", R"(v = \beta d/h)"},
+       {"after n steps, each with gh less", "y = −d + h(n v − gh n(n − 1)/2)",
+        R"(y = -d + h\Bigl(n v - gh\,\frac{n(n-1)}{2}\Bigr))"},
+       {"largest y, as if n = v/(gh) + ½ were a whole number", "y = −d + ½gh² (v/(gh) + ½)²",
+        R"(y = -d + \tfrac12 gh^2\Bigl(\frac{v}{gh} + \tfrac12\Bigr)^2)"},
+       {"insert v, and x = βd/(gh²)", "y > 0  ⟺  (x + ½)² > 2x/β", R"(y > 0 \iff (x+\tfrac12)^2 > 2x/\beta)"},
+       {"the largest root of x² + (1 − 2/β)x + ¼ = 0, without the small ¼", "x > 2/β − 1", R"(x > 2/\beta - 1)"},
+       {"back to d", "d > (1 − β/2) 2gh²/β²", R"(d > (1-\tfrac{\beta}{2})\frac{2gh^2}{\beta^2})"}});
+  page.text(R"(Counted in whole steps n the limit is @ m. @)", Value(by_steps, 4),
+            page.verdict({{.when = Quantity("limit", by_steps, "m") > Quantity("deepest overlap", deepest, "m"),
+                           .say = say("No overlap of this lesson, up to @ m, is as deep as that.", deepest)},
+                          {.when = within(3,
+                                          Quantity("limit/limit with twice the β",
+                                                   by_steps / pop_by_steps(std::min(1.0, 2 * beta), h)),
+                                          5),
+                           .say = "Doubling β makes a box pop from about a quarter of the depth."}}));
   const double shallow = std::min(0.8 * by_steps, deepest);
   std::vector<NamedBox> runs{{say("@ m deep", depth), free_run},
                              {say("@ m, ≤ @ m/s", depth, cap), capped},
@@ -203,29 +227,6 @@ void deep_contact(const Setting& setting, Page& page) {
         draw_runs(canvas, runs, left, top);
         renderer::draw(canvas, pictures::grown_to(chart, time), right.inset(0, 60));
       });
-  page.text(
-      R"(Once it moves freely it is a stone thrown upwards at βd/h. In the first step it rises by βd; after that
-      gravity takes gh from its speed in each step. Its highest point lies above the ground if)");
-  page.formula("d > (1 − β/2) · 2gh²/β² = @ m",
-               R"(d > \left(1-\tfrac{\beta}{2}\right)\frac{2 g h^2}{\beta^2} = @\,\mathrm{m})", law);
-  page.derivation(
-      "From which depth a box pops off the ground",
-      {{"(22): the speed after the first step", "v = βd/h", R"(v = \beta d/h)"},
-       {"after n steps, each with gh less", "y = −d + h(n v − gh n(n − 1)/2)",
-        R"(y = -d + h\Bigl(n v - gh\,\frac{n(n-1)}{2}\Bigr))"},
-       {"largest y: n = v/(gh) + ½, if it were no whole number", "y = −d + ½gh² (v/(gh) + ½)²",
-        R"(y = -d + \tfrac12 gh^2\Bigl(\frac{v}{gh} + \tfrac12\Bigr)^2)"},
-       {"insert v, and x = βd/(gh²)", "y > 0  ⟺  (x + ½)² > 2x/β", R"(y > 0 \iff (x+\tfrac12)^2 > 2x/\beta)"},
-       {"the largest root of x² + (1 − 2/β)x + ¼ = 0, without the small ¼", "x > 2/β − 1", R"(x > 2/\beta - 1)"},
-       {"back to d", "d > (1 − β/2) 2gh²/β²", R"(d > (1-\tfrac{\beta}{2})\frac{2gh^2}{\beta^2})"}});
-  page.text(R"(With whole numbers n the limit is @ m. @)", Value(by_steps, 4),
-            page.verdict({{.when = Quantity("limit", by_steps, "m") > Quantity("deepest overlap", deepest, "m"),
-                           .say = say("No overlap of this lesson, up to @ m, is as deep as that.", deepest)},
-                          {.when = within(3,
-                                          Quantity("limit/limit with twice the β",
-                                                   by_steps / pop_by_steps(std::min(1.0, 2 * beta), h)),
-                                          5),
-                           .say = "Doubling β makes a box pop from about a quarter of the depth."}}));
   const Condition cannon = Quantity("βd/h", speed, "m/s") > 20;
   if (cannon)
     page.text(page.verdict({{.when = cannon,
@@ -235,7 +236,7 @@ void deep_contact(const Setting& setting, Page& page) {
   if (pop_by_steps(std::min(1.0, 2 * beta), h) < deepest)
     page.figure(
         "pop_over_depth",
-        say("How high a box rises above the ground against how deep it began, h = @ s. Lines: a throw at βd/h.",
+        say("How high a box rises above the ground, over its depth at first, h = @ s. Lines: a throw at βd/h.",
             setting.h),
         peaks(setting));
   page.text(R"(Four cures are in use.
@@ -243,8 +244,8 @@ void deep_contact(const Setting& setting, Page& page) {
             - A *smaller β*: the speed and the peak fall, but an overlap also lasts longer.
             - A *limit* on the speed that the correction may ask for: @.
             - *Split impulse*, a method of its own.
-            - *Soft contacts*: the row is a damped spring of @ rad/s in place of β, and once the bodies have moved the
-              rows are solved again without it (lesson 6, step 7b; Box2D 3). That takes the spring's velocity back.)",
+            - *Soft contacts*: a damped spring of @ rad/s takes the place of β, and after the bodies have moved the rows
+              are solved again without it (lesson 6, step 7b; Box2D 3). That takes the spring's velocity back.)",
             by_steps > deepest
                 ? std::string("here no overlap needs one")
                 : say("below @ m/s, the speed at which the limiting depth leaves, no box rises above the ground",
@@ -255,16 +256,16 @@ void deep_contact(const Setting& setting, Page& page) {
 
       - solve the rows with b = 0 where bodies overlap (and b = C/h at a gap), as if there were nothing to correct;
       - keep a copy of V and λ;
-      - solve the rows again with b = (β/h)C: what that adds to V is a pseudo-velocity P;
+      - solve the rows again with b = (β/h)C: that adds a pseudo-velocity P to V;
       - move the bodies by h(V + P);
       - put the copies back: P is forgotten.
 
-      Its knob is β, as before. No overlap can throw a body, because no velocity of the correction is left after the
-      step, and a warm start does not remember it either. Its price is a second solve of all rows. It does not make
-      JV = 0 any more accurate, and it does not help where forces are too large for the step (lesson 8).)");
+      Its knob is β, as before. No overlap can throw a body, because none of the correction's velocity is left after the
+      step, and a warm start does not remember it either. The price is a second solve of all rows. Split impulse does
+      not make JV = 0 more accurate, and it does not help where forces are too large for the step (lesson 8).)");
   page.text(
-      R"(Engines also leave a few millimetres of overlap uncorrected, the *slop*. It has another purpose: a resting
-      contact that is corrected completely opens every few steps, and has to be found again.)");
+      R"(Engines also leave a few millimetres of overlap uncorrected, the *slop*, for another reason: a resting contact that
+      is corrected completely opens every few steps and has to be found again.)");
 
   page.measure("peak above the ground", highest, "m");
   page.claim("speed at which it leaves", leaves_at, "m/s", is(speed, "βd/h, (22)", relative(1e-12)));

@@ -110,16 +110,16 @@ void friction_row(const Setting& setting, Page& page) {
   }
 
   page.text(
-      R"(Friction is (15) once more, with a tangent t in the place of n. It has no C to keep at zero; it asks only for JV =
-      0, no slip. What is new is its bound: by Coulomb's law friction is at most μ times the normal force, so its
-      bound is another row's λ:)");
+      R"(Friction is (15) once more, with a tangent t in place of n. It has no C to keep at zero; it only asks for JV = 0,
+      no slip. Its bound is new: by Coulomb's law friction is at most μ times the normal force, so the bound is another
+      row's λ:)");
   page.equation(16);
   page.formula("−μ λₙ ≤ λₜ ≤ μ λₙ", R"(-\mu\,\lambda_n \le \lambda_t \le \mu\,\lambda_n)");
   page.text(
       R"(λₙ is the *accumulated* λ of the contact, and λₜ the accumulated λ of friction. The two rows act at the same
-      point of the same body, so why compute JV again for the second? Here is a box of @ kg that comes straight down
-      on its corner at @ m/s. It is turned by @°, its centre lies to the right of the corner, and it is not
-      rotating: the corner moves straight down and does not slip.)",
+      point of the same body, so why compute JV again for the second? A box of @ kg comes straight down on its corner at
+      @ m/s. It is tilted by @°, its centre is to the right of the corner, and it is not rotating: the corner moves
+      straight down and does not slip.)",
       setting.mass, setting.speed, tilt);
   const std::string slips =
       say(R"(The push is straight up and passes to the left of the centre, so it turns the box
@@ -138,8 +138,8 @@ void friction_row(const Setting& setting, Page& page) {
                  "The box turns clockwise. Which way does a point below its centre move?"}});
   page.figure(
       "on_a_corner",
-      R"(Left: the corner comes straight down. Middle: the normal's push (orange) has stopped it and made it slip.
-      Right: friction has acted on the slip that it found *then*. Green: the corner's velocity.)",
+      R"(Left: the corner comes straight down. Middle: the normal's push (orange) has stopped it and made it slip. Right:
+      friction has acted on that slip. Green: the corner's velocity.)",
       [=](Canvas& canvas) {
         const auto frames = canvas.page().inset(16).cells(1, 3, 12);
         draw_corner(canvas, before, speed, mass, "before", frames[0]);
@@ -147,10 +147,10 @@ void friction_row(const Setting& setting, Page& page) {
         draw_corner(canvas, rubbed, speed, mass, "after friction", frames[2]);
       });
   page.text(
-      R"(So JV is computed again for each row, from the V that the row before has left. That is what *sequential*
-      means in sequential impulses: with the old JV friction would have found 0 and given 0, and the corner would
-      slip at @ m/s. For the same reason the tangent needs an effective mass of its own. (19) is @/m along n and @/m
-      along t: the corner gives way sideways @ times as easily as upwards.)",
+      R"(So compute JV anew for each row, from the V that the row before has left. That is what *sequential* means in
+      sequential impulses: with the old JV friction would have found 0 and given 0, and the corner would slip at @ m/s.
+      For the same reason the tangent needs an effective mass of its own. (19) is @/m along n and @/m along t: the
+      corner gives way sideways @ times as easily as upwards.)",
       Value(std::abs(pressed.slip()), 3), Value(before.normal_share(mass), 3),
       Value(before.tangent_share(mass), 3), Value(before.tangent_share(mass) / before.normal_share(mass), 3));
   page.derivation(
@@ -163,8 +163,8 @@ void friction_row(const Setting& setting, Page& page) {
   const double lifted = rubbed.approach();
   const Quantity slip("slip left/speed", std::abs(settled.slip()) / speed);
   page.text(
-      R"(Friction's push has disturbed the normal in turn: the corner now moves @ at @ m/s. So another sweep follows,
-      and another. @)",
+      R"(Friction's push has disturbed the normal in turn: the corner now moves @ at @ m/s. So there is another sweep, and
+      another. @)",
       lifted > 0 ? "up" : "down", Value(std::abs(lifted), 3),
       page.verdict(
           {{.when = slip < 1e-6,
@@ -175,8 +175,8 @@ void friction_row(const Setting& setting, Page& page) {
                        setting.friction)}}));
   within_the_cone(setting, page);
   page.text(
-      R"(Friction needs λₙ for its bound. Which of the two rows comes first? Take the simplest thing that slides, a
-      particle of @ kg at @ m/s on level ground, μ = @: one contact, one row of friction.)",
+      R"(Friction needs λₙ for its bound. Which of the two rows should come first? Take a particle of @ kg that slides at
+      @ m/s on level ground, μ = @: one contact, one row of friction.)",
       setting.mass, setting.speed, setting.friction);
   const double full = mu * mass * gravity * h, first = rubbed_in_a_step(setting, orders[1].solver);
   page.predict(
@@ -193,15 +193,15 @@ void friction_row(const Setting& setting, Page& page) {
        .hinted = 0,
        .right = "λₙ is still zero when friction's turn comes, so the bound is zero too."});
   page.figure("order_of_rows",
-              say("A particle slides at @ m/s, μ = @. One cold sweep with friction first never slows it.",
+              say("The speed of that particle, from @ m/s with μ = @, by the order of its two rows.",
                   setting.speed, setting.friction),
               speeds(setting));
   page.text(
-      R"(With two sweeps the second finds the λₙ of the first, and a warm start keeps the λₙ of the step before: both
-      hide the mistake, apart from the delay. With the normals first friction is right from the first sweep. But
-      the row that is solved last is the one that is satisfied best: after friction no normal row corrects what
-      friction has disturbed, and bodies may sink a little where they rub. Not to overlap matters more than not to
-      slip, so Box2D 2 solves friction first and relies on the warm start; Box2D 3 takes the normals first.)");
+      R"(With friction first, one cold sweep never slows the particle. A second sweep finds the λₙ of the first, and a warm
+      start keeps the λₙ of the step before: both hide the mistake, apart from the delay. With the normals first
+      friction is right from the first sweep. But the row solved last is satisfied best: after friction no normal row
+      corrects what friction has disturbed, and bodies may sink a little where they rub. No overlap matters more than
+      no slip, so Box2D 2 solves friction first and relies on the warm start; Box2D 3 takes the normals first.)");
 
   page.measure("slip after the normal's impulse", pressed.slip(), "m/s");
   page.measure("stopping distance", stopping_distance(setting, orders[0].solver), "m");

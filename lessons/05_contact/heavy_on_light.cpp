@@ -131,9 +131,9 @@ void heavy_on_light(const Setting& setting, Page& page) {
   const double q = ratio / (1 + ratio), missing = std::pow(q, sweeps);
 
   page.text(
-      R"(A box of @ kg stands on one of 1 kg. The upper row finds the upper box moving towards the lower one and makes
-      their speeds equal: @. The row below stops the lower one again, and so on. Each sweep leaves r/(1 + r) = @ of the
-      error, and @ @ @ of it.)",
+      R"(A box of @ kg stands on a box of 1 kg. The upper row finds the upper box moving towards the lower one and makes
+      their speeds equal: @. The row below stops the lower box again, and so on. With the ratio r of the masses each
+      sweep leaves r/(1 + r) = @ of the error, and @ @ @ of it.)",
       setting.ratio,
       ratio == 1  ? std::string("each gives way by half")
       : ratio < 3 ? say("the light one gives way by the share @", Value(q, 3))
@@ -177,9 +177,9 @@ void heavy_on_light(const Setting& setting, Page& page) {
   const Quantity still("movement in the eighth second", warm_high - warm_low, "m"), sunk("sunk", warm_high, "m");
   page.text(
       R"(Started cold, the boxes sink into each other until the correction of the overlap makes up for what the sweeps
-      leave, like the soft chain of lesson 3: here @. Started warm, λ reaches the weight over many steps. But
-      meanwhile the overlap has grown, and its correction is remembered as well (lesson 4). With @, β = @ and h = @ s
-      a pair comes to rest within @ s @. @ Solved directly, a ratio of masses is only a number in A.)",
+      leave, like the soft chain of lesson 3: here @. Started warm, λ reaches the weight over many steps. But meanwhile
+      the overlap has grown, and λ remembers its correction too (lesson 4). With @, β = @ and h = @ s a pair comes to
+      rest within @ s @. @ Solved directly, a ratio of masses is just a number in A.)",
       high < 0.5 ? say("by @ mm after @ s", Value(1000 * without_rounding(high, 1), 3), settling)
                  : "so deep that they no longer stand on each other",
       several(sweeps, "sweep"), setting.beta, setting.h, settling,

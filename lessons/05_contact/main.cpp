@@ -43,16 +43,17 @@ int main(int argc, char** argv) {
             "Where many bodies touch at once, the rows give one answer and real balls another.",
             R"(Sweeps carry a stack's weight quickly, but not its bending: a stack of N boxes of height a whose
             overlaps are left uncorrected takes about ¾gh²N³/a warm sweeps to stand, or a direct solve.)"},
-       .tries = {{"With each change clamped a square box stands and a slim one does not. Where does it begin?",
+       .tries = {{"With each change clamped a square box stands and a slim one does not. At which width does that "
+                  "change?",
                   "./lessons/run contact --step 1 --set width=0.7"},
                  {"Half the step: which of the stacks stand now, with the same sweeps?",
                   "./lessons/run contact --step 7 --set h=1/120"},
-                 {"Half the step: which of the bounces come nearer to the law?",
+                 {"Half the step: which bounces come closer to the law?",
                   "./lessons/run contact --step 5 --set h=1/120"}},
        .next =
            R"(Write both clamps yourself: `./lessons/run practise 9` and 10.
 
-           Two rows made a contact with friction. Next, rows make joints: pins, welds, sliders, stops and
+           Two rows made a contact with friction. In lesson 6 rows make joints: pins, welds, sliders, stops and
            motors.)"});
   return lesson.run(argc, argv);
 }

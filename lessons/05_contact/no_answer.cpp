@@ -75,17 +75,17 @@ Swept swept(const Eigen::Matrix2d& A, const Eigen::Vector2d& rate, double fricti
 void no_answer(const Setting& setting, Page& page) {
   const double mass = setting.mass, h = setting.h(), angle = std::atan(steep), mu = critical(angle);
   page.text(
-      R"(The bound of friction's row is another row's λ. Such a problem need not have one answer: it may have several, or
-      none. Painlevé found that in 1895. Let a rod slide on its lower tip to the left, leaning to the right, so that the
-      tip leads. Friction pushes the tip to the right, turns the rod, and so drives the tip into the ground.)");
+      R"(The bound of friction's row is another row's λ. Such a problem may have one answer, several, or none, as Painlevé
+      found in 1895. Let a rod slide on its lower tip to the left, leaning to the right, so that the tip leads. Friction
+      pushes the tip to the right, turns the rod, and so drives the tip into the ground.)");
   page.formula("λₙ lifts the tip by A_nn − μ|A_nt| = (1 + 3cos²θ − 3μ sinθ cosθ)/m",
                R"(A_{nn} - \mu\,|A_{nt}| = \frac{1 + 3\cos^2\theta - 3\mu\sin\theta\cos\theta}{m})");
   page.predict(
-      {.ask = say("tanθ = @. From which μ on does the ground's push no longer lift the tip?", steep),
+      {.ask = say("tanθ = @. What is the smallest μ at which the ground's push no longer lifts the tip?", steep),
        .answer = mu,
        .unit = "1",
        .tolerance = 0.04,
-       .wrong = {{steep, "That is tanθ = μ, where a ladder begins to slide; here it slides already."},
+       .wrong = {{steep, "At μ = tanθ a box on a slope begins to slide; here the rod slides already."},
                  {1 / steep, "That is μ = 1/tanθ: the push then passes through the centre and turns nothing."}},
        .hints = {"How much does λₙ lift the tip by itself, and how much does μλₙ sink it?",
                  "1 + 3cos²θ = 3μ sinθ cosθ.", "(1 + 3 · 0.2)/(3 · 0.4) = …"},
@@ -101,8 +101,8 @@ void no_answer(const Setting& setting, Page& page) {
   }
   chart.references.push_back({.value = 0, .label = "pressing does not help"});
   page.figure("lift_of_the_tip",
-              "What the ground's push does to the tip of a rod that slides, tip first. Below zero, "
-              "the more it presses, the faster the tip comes down.",
+              "How the ground's push moves the tip of a rod that slides, tip first. Below zero a harder push "
+              "brings the tip down faster.",
               chart);
 
   // It slides at the lesson's speed when gravity has acted for a step.
@@ -114,9 +114,8 @@ void no_answer(const Setting& setting, Page& page) {
   const Quantity beside_weight("λₙ/mgh", end.lambda[0] / (mass * gravity * h)),
       slip("slip left/speed", std::abs(end.rate[1]) / setting.speed);
   page.text(
-      R"(Below zero no force holds the tip while it slides. Within a step there is an answer all the same, because a step
-      deals in impulses. With μ = @ the sweeps make λₙ larger by up to @ times each. @ That is what chalk does when it
-      hops over a blackboard.)",
+      R"(Below zero no force holds the tip while it slides. A step still has an answer, because it deals in impulses. With
+      μ = @ each sweep makes λₙ up to @ times larger. @ Chalk that hops over a blackboard does this.)",
       Value(friction, 3), Value(friction / mu, 3),
       page.verdict(
           {{.when = where(slip<1e-6, beside_weight> 1),

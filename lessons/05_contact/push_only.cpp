@@ -129,51 +129,52 @@ void push_only(const Setting& setting, Page& page) {
   const double s = leverage(width), up = speed_after_a_step(setting, width, Clamp::each);
 
   page.text(
-      R"(A rod pulls and pushes: its row is an equation, and λ may have either sign. The ground only pushes. The
-      article gives the C of a contact in (23). With P₁ = x₁ + r₁ and P₂ = x₂ + r₂, the two points that are about to
-      touch, C is the gap between them along the normal n:)");
+      R"(A rod pulls and pushes: its row is an equation, and λ may have either sign. The ground only pushes. The article
+      gives the C of a contact in (23). P₁ = x₁ + r₁ and P₂ = x₂ + r₂ are the points that are about to touch, and C is
+      the gap between them along the normal n:)");
   page.equation(23);
   page.text(
-      R"(n points from body 1 to body 2, so C is positive for a gap and negative for an overlap. Keep n fixed for the
-      length of a step and differentiate: the factors of v₁, ω₁, v₂, ω₂ are the row (15). (If you swap the bodies, n
-      turns round with them, and J, C and λ stay the same.))");
+      R"(n points from body 1 to body 2, so C is positive for a gap and negative for an overlap. Keep n fixed during a
+      step and differentiate: the coefficients of v₁, ω₁, v₂, ω₂ are the row (15). (If you swap the bodies, n is
+      reversed as well, and J, C and λ stay the same.))");
   page.equation(15);
   page.excerpt("solver/constraints/contact.hpp", "jacobian");
   page.text(
-      R"(A contact asks for no equation. The two bodies may separate; the row may push, but never pull; and where
-      they separate it does not push:)");
+      R"(A contact is not an equation. The two bodies may separate; the row may push but never pull; and where the bodies
+      separate it does not push:)");
   page.formula("JV + b ≥ 0,   λ ≥ 0,   and one of the two is zero",
                R"(JV + b \ge 0, \qquad \lambda \ge 0, \qquad \lambda\,(JV + b) = 0)");
   page.text(
-      R"(One such row is easy: solve (17), and if λ is negative, take 0. But a row is visited in every sweep, and each
-      time (17) gives a *change* of λ. Which of the two must stay at zero or above: each change, or the sum of all?
-      Here are both, as this lesson runs them:)");
-  page.excerpt("lessons/05_contact/standing_box.cpp", "clamp");
-  page.text("Try both on a box that stands on its two lower corners, @ kg, @ m wide and 1 m high.", setting.mass,
-            width);
+      R"(One such row is easy: solve (17), and if λ is negative, take 0. But every sweep visits the row again, and each
+      time (17) gives a *change* of λ. Which must stay at zero or above: each change, or the sum of all changes? Try
+      both on a box of @ kg, @ m wide and 1 m high, that stands on its two lower corners.)",
+      setting.mass, width);
   const std::string explained =
       up > 0
-          ? say(R"(The first row alone stops its corner: it gives @ of the weight. The second then still gives @.
-                   Both together are more than the weight, and neither may take anything back: the box rises at @ of
+          ? say(R"(The first row alone stops its corner: it gives @ of the weight. The second row then gives another @.
+                   Together that is more than the weight, and neither may take anything back: the box rises at @ of
                    gh.)",
                 Value(1 / (1 + s), 3), Value(2 * s / (1 + s) / (1 + s), 3), Value(up, 3))
-          : "This box is so broad that no row ever has to take anything back: the two come to the weight exactly.";
+          : "This box is so broad that no row ever has to take anything back: the two end at exactly the weight.";
   page.choose(
-      {.ask = R"(The box has stood still. Gravity has made its velocity −gh; now its two rows are swept, and
-                      *each* change is clamped at zero. How does the box move after many sweeps?)",
+      {.ask = R"(The box has stood still, and gravity has made its velocity −gh. Now sweep over its two rows with
+                      *each* change clamped at zero. How does the box move after many sweeps?)",
        .options = {{"it still sinks", "A row that finds its corner sinking pushes until it no longer does."},
                    {"it is at rest",
-                    (up > 0 ? "Then the two would have given the weight exactly. " : "") + explained},
+                    (up > 0 ? "Then the two would have given exactly the weight. " : "") + explained},
                    {"it rises",
                     (up > 0 ? "" : "Then one of the two would have given more than its share. ") + explained}},
        .answer = up > 0 ? 2 : 1,
-       .hints = {"The first row finds all of the fall and stops its corner alone.",
-                 R"(A push at one corner changes the rate of the other by A₁₂ λ, A₁₂ = (1 − s)/m with s =
+       .hints = {
+           "The first row finds all of the fall and stops its corner alone.",
+           R"(A push at one corner changes the rate of the other by A₁₂ λ, A₁₂ = (1 − s)/m with s =
                          r²m/I.)",
-                 say("Here s = @. When the second row has pushed too, does the first want to take back?",
-                     Value(s, 3))}});
+           say("Here s = @. After the second row has pushed too, does the first want to take something back?",
+               Value(s, 3))}});
+  page.text("Both ways to clamp, as this lesson runs them:");
+  page.excerpt("lessons/05_contact/standing_box.cpp", "clamp");
   page.figure("two_ways_to_clamp",
-              say(R"(λ of the two rows of a @ × 1 m box, sweep by sweep, in units of mgh. Clamped as a sum each
+              say(R"(λ of the two rows of a @ × 1 m box, sweep by sweep, in units of mgh. With the sum clamped each
           approaches half the weight.)",
                   width),
               over_sweeps(setting));
@@ -182,14 +183,14 @@ void push_only(const Setting& setting, Page& page) {
                   \quad(\text{nothing for } s \ge 1))",
                leftover(width), s);
   page.derivation(
-      "What is left over if each change is clamped",
+      "Left over if each change is clamped",
       {{"(19) of a corner, with the arm r of the vertical push", "A₁₁ = A₂₂ = (1 + s)/m",
         R"(A_{11} = A_{22} = \frac{1+s}{m})"},
        {"the arms of the two corners point to opposite sides", "A₁₂ = (1 − s)/m", R"(A_{12} = \frac{1-s}{m})"},
        {"row 1 finds the rate −gh", "λ₁ = mgh/(1 + s)", R"(\lambda_1 = \frac{mgh}{1+s})"},
        {"row 2 then finds −gh + A₁₂λ₁ = −2s gh/(1 + s)", "λ₂ = 2s mgh/(1 + s)²",
         R"(\lambda_2 = \frac{2s\,mgh}{(1+s)^2})"},
-       {"row 1 now finds A₁₂λ₂ ≥ 0 for s ≤ 1: it would take back, and may not", "no further change",
+       {"row 1 now finds A₁₂λ₂ ≥ 0 for s ≤ 1: it would take some back, and may not", "no further change",
         R"(\text{no further change})"},
        {"speed of the box", "(λ₁ + λ₂)/m − gh = s(1 − s)/(1 + s)² gh",
         R"(\frac{\lambda_1+\lambda_2}{m} - gh = \frac{s(1-s)}{(1+s)^2}\,gh)"}});
@@ -220,25 +221,25 @@ void push_only(const Setting& setting, Page& page) {
         renderer::draw(canvas, pictures::grown_to(turned, time), under);
       });
   page.text(
-      R"(A test with a square box would not find the mistake. A push at one corner of it turns it so much that the
-      other corner *falls faster*: each row makes the other ask for more, never for less, and no change is ever
-      negative. The entry of A = JM⁻¹Jᵀ between the two corners decides:)");
+      R"(A test with a square box would miss the mistake. A push at one of its corners turns it so much that the other
+      corner *falls faster*: each row makes the other ask for more, never for less, and no change is ever negative. The
+      entry of A = JM⁻¹Jᵀ between the two corners decides:)");
   page.formula("A₁₂ = (1 − r²m/I)/m = @/m,   positive for w < 0.71 · height",
                R"(A_{12} = \tfrac1m\left(1 - \tfrac{r^2 m}{I}\right) = \tfrac{@}{m}, \qquad
                   \text{positive for } w < \text{height}/\sqrt2)",
                1 - s);
   page.text(
-      R"(So **the sum is clamped**. A row may take back what it gave, down to zero; a later change may pull, as long
-      as the sum of all pushes. For one row at rest, in the plainest code:)");
+      R"(So **clamp the sum**. A row may take back what it gave, down to zero; a later change may pull as long as the sum
+      of all changes pushes. For one row at rest, in the plainest code:)");
   page.excerpt("lessons/05_contact/plain_clamp.cpp", "clamp");
   page.figure(
       "plain_clamp",
-      R"(λ of the two rows of a box of ½ × 1 m, sweep by sweep in units of mgh, by these two lines: the first
-              row takes back what it gave too much.)",
+      R"(λ of the two rows of a box of ½ × 1 m, sweep by sweep in units of mgh, by these two lines: the first row takes
+              back its excess.)",
       chart_of(plain_change));
   page.text(
-      R"(Every bound is an interval for the sum λ: a contact has the interval from 0 to ∞, a
-      rod from −∞ to ∞, and friction has one that moves:)");
+      R"(Every bound is an interval for the sum λ: from 0 to ∞ for a contact, from −∞ to ∞ for a rod; for friction the
+      interval moves:)");
   page.excerpt("lessons/05_contact/on_a_corner.hpp", "bounded");
 
   page.measure("speed upwards after one step, each clamped", up, "gh");

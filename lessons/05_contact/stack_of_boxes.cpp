@@ -176,8 +176,7 @@ std::string why_it_falls(Page& page, int boxes, const GaussSeidel& solver, doubl
            "and "
            "there is another reason to fall.";
   if (std::isinf(fell))
-    return R"(This stack stands. With fewer sweeps or more boxes it would fall although every contact carries its
-           weight, and the reason is this.)";
+    return R"(This stack stands. With fewer sweeps or more boxes it would fall, although every contact carries its weight. The reason:)";
   Pile sticky{stack(boxes, 1, {.friction = 1e4}), {solver, left_alone}};
   kick(sticky.scene, 0.02);
   const double glued = falls_at(sticky, patience, h);
@@ -255,20 +254,19 @@ void stack_of_boxes(const Setting& setting, Page& page) {
                             direct = forces_after(column(n, Direct{}, 0), 1, h);
 
   page.text(
-      R"(A stack is like lesson 3's chain upside down: @ unit boxes of 1 kg, and each contact has to carry all boxes
-      above it. From here on two boxes touch along a face, and a face is one block of three rows: the normals at its
-      two ends, solved together (one after the other they would take turns at tilting the box), and one row of
-      friction.)",
+      R"(A stack is lesson 3's chain upside down: @ unit boxes of 1 kg, and each contact has to carry all boxes above it.
+      From here on two boxes touch along a face, and a face is one block of three rows: the normals at its two ends,
+      solved together (one after the other they would tilt the box by turns), and one row of friction.)",
       n);
   page.text(
       R"(Where do such contacts come from? For two boxes the solver takes three steps:
 
-      - *separating axes*: along each of the four face normals, how far are the boxes apart, or (negative) how deep in each other?
-        The largest of these numbers is C, and its normal is n (`solver/contact/boxes_in_plane.cpp`);
-      - *clipping*: the facing side of the other box is cut off at the ends of that face, and its two ends that remain
-        are the points P, each with its own C;
-      - *feature ids*: each point notes the two corners that made it. In the next step the same pair is the same
-        contact, and gets its λ back. Lose the ids, and every start is cold, whatever the solver's settings say.)");
+      - *separating axes*: along each of the four face normals, how far apart are the boxes, or (negative) how deep do they
+        overlap? The largest of these numbers is C, and its normal is n (`solver/contact/boxes_in_plane.cpp`);
+      - *clipping*: the facing side of the other box is cut off at the ends of that face, and the ends of the rest are the
+        points P, each with its own C;
+      - *feature ids*: each point records the two corners that made it. In the next step the same pair is the same
+        contact and gets its λ back. Lose the ids, and every start is cold, whatever the solver's settings say.)");
   const double carried = first.front() / gravity, share = carried / n;
   const double missing = without_rounding(8 / (pi * pi) * laws::left_by_sweeps(n, sweeps), 1e3);
   // Bounds far enough from what the run gives that the hint's one wave decides between them.
@@ -283,7 +281,7 @@ void stack_of_boxes(const Setting& setting, Page& page) {
        .options =
            {{say("less than @", low),
              carries +
-                 R"( The error is a wave along the stack, as in lesson 3: word of the upper boxes travels down
+                 R"( The error is a wave along the stack, as in lesson 3: the weight of the upper boxes travels down
                             one contact per sweep, and each contact reflects half of it.)"},
             {say("@ or more, but less than @", low, high),
              carries +
@@ -299,16 +297,17 @@ void stack_of_boxes(const Setting& setting, Page& page) {
                  cos²(π/2N) of that wave (lesson 3).)",
            say("About 1 − (8/π²) cos²(π/@) to the power @ = @.", 2 * n, sweeps, Value(1 - missing, 3))}});
   page.figure("layers",
-              say("What each contact carries, with @ a step, and solved at once.", several(sweeps, "sweep")),
+              say("The load on each contact, with @ a step and solved at once.", several(sweeps, "sweep")),
               forces(setting));
   const double sixteen = forces_after(column(n, sweeping(sweeps, true), 0), 16, h).front() / gravity;
   const Condition overshoots = Quantity("load after 16 warm steps/weight", sixteen / n) > 1.05;
   if (overshoots)
     page.text(page.verdict(
         {{.when = overshoots,
-          .say = say(R"(After 16 warm steps the lowest contact carries @ boxes, more than there are: the boxes have
-                     begun to fall, and stopping them takes more than holding them.)",
-                     Value(sixteen, 3))}}));
+          .say = say(
+              R"(After 16 warm steps the lowest contact carries @ boxes, more than there are: the boxes have begun
+                     to fall, and stopping them takes more than holding them.)",
+              Value(sixteen, 3))}}));
   // What the lowest contact carries, in boxes, if the stack still stands.
   const auto lowest_after = [&](double time, const Baumgarte& cure) {
     Pile resting = column(n, sweeping(sweeps, true), 0);
@@ -339,7 +338,7 @@ void stack_of_boxes(const Setting& setting, Page& page) {
           ? say("it would carry @ after ten seconds", Value(corrected, 4))
           : say("it would carry @ after ten seconds, and not come to rest", Value(corrected, 4)),
       Value(laws::largest_beta(laws::left_by_sweeps(n, sweeps)), 2));
-  page.text("Now kick it sideways: @ m/s at the top, and less below in proportion to the height.", 0.02);
+  page.text("Now kick it sideways: @ m/s at the top, and in proportion to the height below.", 0.02);
   std::vector<NamedPile> runs{{several(sweeps, "sweep"), column(n, sweeping(sweeps, true))},
                               {say("@ sweeps", 2 * sweeps), column(n, sweeping(2 * sweeps, true))},
                               {"direct", column(n, Direct{})}};
@@ -372,11 +371,11 @@ void stack_of_boxes(const Setting& setting, Page& page) {
   page.text("@ (@)", warm_fates, cold_fate);
   const double law = law_of_standing(n, h), needed_sweeps = sweeps_needed(n, h);
   page.text(
-      R"(@ A column that leans is pushed further by gravity, like a pencil on its tip, and its contacts resist by
-      pressing more on one side. This resistance is a bending of the whole column, and bending is the slowest error
-      of all for sweeps: a sweep removes the share 2/N⁴ of it, while it removes π²/4N² of an error in the weight.
-      The warm steps add up. In each step gravity adds the share (σh)² to a lean, where σ² = 3g/2N for a stiff column
-      of N unit boxes, and k sweeps remove the share k · 2/N⁴. The column stands if k · 2/N⁴ is the larger one:)",
+      R"(@ Gravity pushes a leaning column further, like a pencil on its tip, and the contacts resist by pressing more on
+      one side. This resistance is a bending of the whole column, and bending is the slowest error of all for sweeps: a
+      sweep removes the share 2/N⁴ of it, but π²/4N² of an error in the weight. The warm steps add up. In each step
+      gravity adds the share (σh)² to a lean, where σ² = 3g/2N for a stiff column of N unit boxes, and k sweeps remove
+      the share k · 2/N⁴. The column stands if the second is the larger:)",
       why_it_falls(page, n, sweeping(sweeps, true), ends[0].fell, h));
   page.formula("k > ¾ gh²N³/a = @,   a = 1 m", R"(k > \tfrac34\, g h^2 N^3/a = @, \quad a = 1\,\mathrm{m})", law);
   const Condition any_will_do = Quantity("¾gh²N³/a", law) < 1;
@@ -385,13 +384,13 @@ void stack_of_boxes(const Setting& setting, Page& page) {
         {{.when = any_will_do, .say = "That is less than one: by the law a single sweep is enough."}}));
   page.derivation(
       "How many sweeps a stack needs to stand",
-      {{"a stiff column of mass Nm, leaning by φ, its centre at N/2: torque of its weight", "τ = N m g (N/2) φ",
+      {{"a stiff column of N unit boxes of mass m leans by φ: torque of its weight", "τ = N m g (N/2) φ",
         R"(\tau = N m g\,\tfrac N2\,\varphi)"},
        {"its moment of inertia about the base", "I = N m N²/3", R"(I = \tfrac13 N m N^2)"},
        {"Iφ̈ = τ: the lean grows as e^(σt)", "σ² = 3g/(2N)", R"(\sigma^2 = \frac{3g}{2N})"},
-       {"the sweeps leave q of the bending rate, counted with the warm start λ and gravity's part",
-        "V′ = q (V + λ + σ²h e)", R"(V' = q\,(V + \lambda + \sigma^2 h\,e))"},
-       {"λ is what the sweeps of the last step added, and e − e₋ = hV", "V′ = q ((2 + σ²h²) V − V₋)",
+       {"the sweeps leave q of the bending rate V = φ̇, counted with the warm start λ and gravity's part",
+        "V′ = q (V + λ + σ²h φ)", R"(V' = q\,(V + \lambda + \sigma^2 h\,\varphi))"},
+       {"λ is what the sweeps of the last step added, and φ − φ₋ = hV", "V′ = q ((2 + σ²h²) V − V₋)",
         R"(V' = q\,((2 + \sigma^2h^2)\,V - V_-))"},
        {"growth by z in a step", "z² − q(2 + σ²h²) z + q = 0", R"(z^2 - q\,(2 + \sigma^2h^2)\,z + q = 0)"},
        {"both roots stay within the unit circle until z = 1 is one of them", "(σh)² < (1 − q)/q",
@@ -421,7 +420,7 @@ void stack_of_boxes(const Setting& setting, Page& page) {
   corrected_pile.method.drift = beyond_a_millimetre;
   const double fell_corrected = falls_at(corrected_pile, patience, h);
   page.text(
-      R"(The law is for a stack whose overlaps are left uncorrected, as here. A correction feeds the lean as well. @)",
+      R"(The law is for a stack whose overlaps are left uncorrected. A correction adds to the lean as well. @)",
       page.verdict({{.when = has_fate("corrected", fell_corrected),
                      .say = say(R"(With overlaps beyond 1 mm corrected, β = @, and a fifth more sweeps than the law
                                 asks for, @, the stack @.)",

@@ -126,9 +126,9 @@ void sticks_or_slides(const Setting& setting, Page& page) {
   const double slope = radians(setting.slope);
 
   page.text(
-      R"(Put a box of @ kg on a slope. The part mg·cosθ of its weight presses on the slope, the part mg·sinθ pulls
-      along it, and friction is at most μ times the first. Nothing in the solver says "static" or "kinetic": the same
-      row, JV = 0 within ±μλₙ, sticks while its λ stays inside the bound and slides while λ is at the bound.)",
+      R"(Put a box of @ kg on a slope. The part mg·cosθ of its weight presses on the slope, the part mg·sinθ pulls along
+      it, and friction is at most μ times the first. Nothing in the solver says "static" or "kinetic": one row, JV = 0
+      within ±μλₙ, sticks while its λ is inside the bound and slides while λ is at the bound.)",
       setting.mass);
   const int gentle = static_cast<int>(degrees(limit) / 2);  // [deg]
   const double used = std::tan(radians(gentle)) / mu;
@@ -139,7 +139,7 @@ void sticks_or_slides(const Setting& setting, Page& page) {
        .answer = used,
        .unit = "1",
        .tolerance = 0.03,
-       .wrong = {{1, "That is the largest λₜ, not the one needed: the row asks for JV = 0 and no more."},
+       .wrong = {{1, "That would be the largest possible λₜ; the row only asks for JV = 0."},
                  {std::sin(radians(gentle)) / std::cos(radians(gentle)),
                   "That is λₜ/λₙ; the bound is μ times λₙ."}},
        .hints = {"The box stays at rest. How large is the force along the slope that friction cancels?",
@@ -155,9 +155,9 @@ void sticks_or_slides(const Setting& setting, Page& page) {
     slopes.push_back({angle, on_slope(setting, angle)});
   page.sequence(
       "three_slopes",
-      say(R"(μ = @: one degree below tanθ = μ, one degree above, and @°. Orange: the contacts' forces, normal and
-          friction in one; grey: the weight. Where the box sticks they cancel. Below: how far each has slid, dashed by
-          the formula below.)",
+      say(R"(μ = @: one degree below tanθ = μ, one degree above, and @°. Orange: the contacts' forces, normal and friction
+          together; grey: the weight. Where the box sticks they cancel. Below: how far each has slid; dashed, the
+          formula below.)",
           setting.friction, setting.slope),
       Seconds{slide_seconds},
       [slopes, ways = ways_over_time(slopes, mu, h), world, h, mass](Canvas& canvas, double time) mutable {
@@ -170,10 +170,10 @@ void sticks_or_slides(const Setting& setting, Page& page) {
         renderer::draw(canvas, pictures::grown_to(ways, time), under);
       });
   page.text(
-      R"(The limit is sharp. A thousandth below it the box has moved only by rounding after a second; a thousandth
-      above it slides, with the acceleration of the textbook, a = g(sinθ − μ·cosθ). Its velocity is exactly a·t,
-      because each step adds a·h. The distance is not ½at² but ½at(t + h): symplectic Euler moves with the velocity
-      of the *end* of each step.)");
+      R"(The limit is sharp. A thousandth below it the box has only moved by rounding after a second; a thousandth above it
+      slides with the textbook's acceleration, a = g(sinθ − μ·cosθ). Its velocity is exactly a·t, because each step
+      adds a·h. The distance is not ½at² but ½at(t + h): symplectic Euler moves with the velocity at the *end* of each
+      step.)");
   page.derivation("The distance in steps", {{"after k steps", "v = k a h", R"(v_k = k\,a\,h)"},
                                             {"each step moves by h times the new velocity",
                                              "s = h · ah (1 + 2 + … + n)", R"(s = a h^2\,(1 + 2 + \dots + n))"},

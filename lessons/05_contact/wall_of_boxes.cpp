@@ -48,26 +48,25 @@ void wall_of_boxes(const Setting& setting, Page& page) {
   const bool stands = moved < 0.5;
 
   page.text(
-      R"(In a pyramid every box rests on two others. The contacts form loops, and a direct solve would have to pay
-      for each of them. Sweeps do well here: the weight comes down over @ rows, not over @ boxes, and a broad base
-      does not bend as a column does. Two additions make them better still.)",
+      R"(In a pyramid every box rests on two others. The contacts form loops, and a direct solve would have to pay for each
+      of them. Sweeps do well here: the weight comes down through @ layers, not @ boxes, and a broad base does not bend
+      as a column does. Two additions make them better still.)",
       base, boxes);
   page.text(
       R"(**Colours.** Rows are sorted into groups, the colours, in which no two rows share a moving box. Rows of one
       colour do not disturb each other, so their order does not matter and they can be solved in parallel.)");
   page.text(
-      R"(**Conjugate sweeps** (NNCG, nonsmooth nonlinear conjugate gradients) use what the sweeps before have done.
-      The recipe:
+      R"(**Conjugate sweeps** (NNCG, nonsmooth nonlinear conjugate gradients) make use of the sweeps before. The recipe:
 
-      - do a sweep; the change that it makes to λ is called the gradient r;
-      - let s = |r|²/|r of the sweep before|², or 0 if that is above 1;
-      - move λ on by s·p along the last direction p;
-      - set the new direction to s·p + r;
+      - do a sweep; its change Δ of λ is called the gradient;
+      - let c = |Δ|²/|Δ of the sweep before|², or 0 if that is above 1;
+      - move λ on by c·p along the last direction p;
+      - set the new direction to c·p + Δ;
       - repeat; the last operation is a sweep, which puts λ within its bounds.
 
-      The knob is the tolerance: a sweep in which no impulse changes by more than that share of the largest is the
-      last of its step (here @). For slow errors the number of sweeps falls to about its square root. A bound that
-      begins or ceases to act makes the direction useless for a few sweeps.)",
+      The knob is the tolerance: a sweep in which no impulse changes by more than that share of the largest is the last
+      of its step (here @). For slow errors the number of sweeps falls to about its square root. When a bound begins or
+      ceases to act, the direction is useless for a few sweeps.)",
       solver.loops.tolerance);
   const std::vector<Pressed> contacts = pressed(pile, h);
   double most = 0, ground = 0;

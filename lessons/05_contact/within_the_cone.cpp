@@ -98,8 +98,9 @@ void within_the_cone(const Setting& setting, Page& page) {
   const pictures::Acts film(acts);
   page.sequence(
       "within_the_cone",
-      say(R"(The same box, which now also moves to the left at @ m/s: two sweeps within one step, slowed to @ s.
-                    Orange: the impulse at the corner so far; it stays in the cone |λₜ| ≤ μλₙ (dashed, μ = @). Green: the corner's velocity.)",
+      say(R"(The same box, now also moving to the left at @ m/s: two sweeps within one step, slowed to @ s. Orange: the
+                    impulse at the corner so far; it stays in the cone |λₜ| ≤ μλₙ (dashed, μ = @). Green: the corner's
+                    velocity.)",
           setting.speed, film.seconds(), setting.friction),
       Seconds{film.seconds()},
       [shown = ConeFilm{film, states, setting.friction(), speed, unit}](Canvas& canvas, double time) {
