@@ -173,7 +173,7 @@ void block_or_row(const Setting& setting, Page& page) {
   const Quantity arm("r²m/I", c);
   page.text(
       R"(A pin's two rows could also be solved one by one: x by (17), then y by (17), and again. Often that makes no
-      difference. It does for a body of small inertia on a long arm: take a box of @ m, pinned to the world by an arm
+      difference. It does for a body of small inertia on a long arm, such as a box of @ m pinned to the world by an arm
       of @ m. @)",
       setting.side, setting.length,
       page.verdict(
@@ -185,7 +185,7 @@ void block_or_row(const Setting& setting, Page& page) {
   const double halving = std::log(0.5) / std::log(rho);  // sweeps
   const std::string ask = R"(At 45°, solving x by (17) and then y by (17) is one sweep. )";
   const std::vector<std::string> hints{
-      R"(An impulse along x changes the rate along y by A₂₁, and the y row takes that back. What of it does the x row
+      R"(An impulse along x changes the rate along y by A₂₁, and the y row takes that back. How much of it does the x row
       find again?)",
       "A sweep leaves (c/(1 + c))² with c = r²m/2I.",
       slender ? say("(@/@)² = @, to which power, is ½?", Value(c / 2, 5), Value(1 + c / 2, 5), Value(rho, 5))
@@ -213,15 +213,11 @@ void block_or_row(const Setting& setting, Page& page) {
                   .hints = hints,
                   .hinted = std::pow(c / (2 + c), 2),
                   .right = say("A sweep leaves A₁₂²/(A₁₁A₂₂) = @.", Value(rho, 4))});
-  page.formula("at 45°:  A = (1/m) [1 + c, c; c, 1 + c],  c = r²m/2I = @;   one sweep leaves (c/(1 + c))² = @",
-               R"(A = \frac1m\begin{bmatrix}1+c & c\\ c & 1+c\end{bmatrix},\quad c = \frac{r^2m}{2I} = @;
-                  \qquad \Bigl(\frac{c}{1+c}\Bigr)^2 = @ \text{ is left by one sweep})",
-               Value(c / 2, 4), Value(rho, 5));
   page.figure(
       "two_rows",
-      R"(One step from rest at 45°, in the plane of the pin's two impulses. Dashed: where one row has JV = 0;
-              at their crossing both have. Row by row λ moves from one line to the other and back; the nearer the
-              lines, the shorter these moves.)",
+      R"(One step from rest at 45°, in the plane of the pin's two impulses. On a dashed line one row has JV = 0, at the
+              crossing both have. Row by row λ moves from one line to the other and back; where the lines are close
+              these moves are short.)",
       [slender, plump = way_of_sweeps(setting, length), small = way_of_sweeps(setting, side)](Canvas& canvas) {
         const auto cells = canvas.page().inset(14, 30).cells(1, 2, 24);
         draw(canvas, plump, cells[0]);
@@ -229,12 +225,17 @@ void block_or_row(const Setting& setting, Page& page) {
         if (slender)
           draw(canvas, seen_close(small), {plot.x + 12, plot.y + 34, 0.5 * plot.width, 0.42 * plot.height});
       });
+  page.formula("at 45°:  A = (1/m) [1 + c, c; c, 1 + c],  c = r²m/2I = @;   one sweep leaves (c/(1 + c))² = @",
+               R"(A = \frac1m\begin{bmatrix}1+c & c\\ c & 1+c\end{bmatrix},\quad c = \frac{r^2m}{2I} = @;
+                  \qquad \Bigl(\frac{c}{1+c}\Bigr)^2 = @ \text{ is left by one sweep})",
+               Value(c / 2, 4), Value(rho, 5));
   page.text(
-      R"(On the left a box as large as its arm: the rows ask for different things, and a few sweeps are enough. @ @
-      As a block one solve is enough for any box: the 2 × 2 matrix contains the entry off the diagonal.)",
-      slender ? R"(On the right the small box. Both rows say nearly the same ("do not turn"), and what matters ("do
-                not fall along the arm") is in their small difference, which the sweeps approach slowly.)"
-              : "On the right this lesson's box, whose lines cross as clearly.",
+      R"(On the left, a box as large as its arm: the rows ask for different things, and a few sweeps are enough. @ @ Solved
+      as a block, one solve is enough for any box: the 2 × 2 matrix contains the entry off the diagonal.)",
+      slender
+          ? R"(On the right, the small box. Both rows say nearly the same ("do not turn"), and the rest ("do not fall
+                along the arm") is in their small difference, which the sweeps approach slowly.)"
+          : "On the right this lesson's box, whose lines cross as clearly.",
       left < 1e-15 ? say("@ leave nothing that a double can hold.", several(sweeps, "sweep"))
                    : say("@ @ @ of the error.", several(sweeps, "sweep"), sweeps == 1 ? "leaves" : "leave",
                          small_error(left, 3)));
@@ -252,12 +253,13 @@ void block_or_row(const Setting& setting, Page& page) {
     film.beside.curves.push_back(drifts.back().curve);
   }
   const Drift &block = drifts[0], &rows = drifts[1];
-  page.sequence("block_and_row",
-                say(R"(Released level, @ a step, started cold, β = @. Purple: from the pin to the arm's end, which
-                    should be there.@)",
-                    several(sweeps, "sweep"), setting.beta,
-                    side < 0.15 * length ? " (The box is drawn larger than it is.)" : ""),
-                Seconds{swing_seconds}, [film](Canvas& canvas, double time) mutable { film.draw(canvas, time); });
+  page.sequence(
+      "block_and_row",
+      say(R"(Released level, @ a step, started cold, β = @. Purple: from the pin to the arm's end, which should
+                    be at the pin.@)",
+          several(sweeps, "sweep"), setting.beta,
+          side < 0.15 * length ? " (The box is drawn larger than it is.)" : ""),
+      Seconds{swing_seconds}, [film](Canvas& canvas, double time) mutable { film.draw(canvas, time); });
   const double tangent = gravity * h * h / beta;
   const Condition tame =
       both(within(0.1, Quantity("β", beta), 1), Quantity("gh²/L", gravity * h * h / length) < 0.02);
@@ -268,7 +270,7 @@ void block_or_row(const Setting& setting, Page& page) {
   page.text(R"(In @ s the pin @ with its rows solved as a block, and @ row by row.@)", drift_seconds, fate(block),
             fate(rows),
             on_tangent ? R"( The block's error is the step's own tangent (lesson 4: r(ωh)²/2β, with ω² = 2g/r at
-                              the bottom: gh²/β, whatever the arm); the rest is what the sweeps left.)"
+                              the bottom: gh²/β for any arm); the sweeps left the rest.)"
                        : "");
   // A pin that came off was ten arms off.
   const auto worst = [&](const Drift& drift) { return std::isfinite(drift.broke) ? 10 * length : drift.worst; };

@@ -125,16 +125,16 @@ struct BarsFilm {
 void bounds_on_turns(const Setting& setting, Page& page) {
   const double h = setting.h(), strength = setting.strength();
   page.text(
-      R"(A stop and a motor share one row, the turn's J = [0 −1 0 1]. They differ in the interval for λ and in the
-      speed that they ask for. The solver clamps the sum of λ to that interval, as lesson 5 did for a contact:)");
+      R"(A stop and a motor share one row, the turn's J = [0 −1 0 1]. They differ in the interval for λ and in the speed
+      they ask for. The solver clamps the sum of λ to that interval, as for a contact in lesson 5:)");
   page.excerpt("lessons/05_contact/on_a_corner.hpp", "bounded");
   page.formula("stop:  JV ≥ −(β/h)C,  0 ≤ λ        motor:  JV = s,  |λ| ≤ τh",
                R"(\text{stop: } JV \ge -\tfrac{\beta}{h}C,\ 0 \le \lambda \qquad
                   \text{motor: } JV = s,\ |\lambda| \le \tau h)");
   page.text(
-      R"(The bound is on the *impulse* of a step, so a strength in N m is multiplied by h. (Without the h a motor would
-      be twice as strong at twice the frame rate.) Take a bar of @ m and @ kg, hinged at one end and released level.
-      To hold it there takes mgl/2 = @ N m.)",
+      R"(The bound is on the *impulse* of a step, so a strength in N m is multiplied by h. (Without the h a motor would be
+      twice as strong at twice the frame rate.) Take a bar of @ m and @ kg, hinged at one end and released level.
+      Holding it there takes mgl/2 = @ N m.)",
       setting.length, setting.mass, 0.5 * weight_torque(setting));
 
   const double law = braked_at(strength), balance = strength < 0.5 ? std::acos(2 * strength) : 0;
@@ -155,7 +155,7 @@ void bounds_on_turns(const Setting& setting, Page& page) {
       90,
       R"(It would with a damper, whose torque vanishes at rest. A motor told to stand still, with a bound, is dry
              friction in the joint.)");
-  expect(0, "To hold it level takes mgl/2, and the motor has less.");
+  expect(0, "Holding it level takes mgl/2, and the motor has less.");
   if (rest.half_swings > 1)
     expect(degrees(law), "It stops there first, but there the weight needs more than the motor has.");
   page.predict(
@@ -180,20 +180,6 @@ void bounds_on_turns(const Setting& setting, Page& page) {
                                             setting.strength, Value(degrees(law), 4), Value(needs, 3))
                                       : say("It comes to rest after @ half swings, the first of them to @°.",
                                             rest.half_swings, Value(degrees(law), 4))});
-  const Quantity needed("½|cos φ|", needs), available("τ/mgl", strength);
-  page.text(
-      R"(**A motor told to stand still, with a bound, is dry friction in the joint.** All the way down its λ is at the
-      bound, so it takes the energy τφ; gravity gives ½mgl sin φ. They are equal at @°, @ the lowest point. There the
-      weight needs @ mgl. @ If you *set the bar down gently*, the result is different: it stays from arccos(2τ/mgl) =
-      @° on.)",
-      Value(degrees(law), 4), law > pi / 2 ? "beyond" : "short of", Value(needs, 3),
-      page.verdict(
-          {{.when = needed <= available, .say = "That is not more than the motor has, so it holds the bar."},
-           {.when = needed > available,
-            .say = say(R"(That is more than the motor has, so the bar swings back, less far each time: it rests
-                                after @ half swings, at @°.)",
-                       rest.half_swings, Value(answer, 4))}}),
-      Value(degrees(balance), 4));
   const std::vector<Shown> shown{{say("stop at @°", Value(degrees(stop_at), 3)), arm_on_stop(setting)},
                                  {say("motor of @ mgl", enough), held(setting, enough)},
                                  {say("motor of @ mgl", setting.strength), weak}};
@@ -218,17 +204,28 @@ void bounds_on_turns(const Setting& setting, Page& page) {
   chart.references.push_back({Reference::Across::y, 0.5, "the weight's torque, level"});
   page.sequence(
       "stop_and_motors",
-      R"(A bar let go level, and the torque that its stop or motor gives it (λ/h; the blow of the stop
-                goes off the chart). The arrows are that torque.)",
+      R"(A bar let go level, and the torque of its stop or motor (λ/h; the blow of the stop goes off the
+                chart). The arrows are that torque.)",
       Seconds{bar_seconds},
       [film = BarsFilm{shown, setting, chart}](Canvas& canvas, double time) mutable { film.draw(canvas, time); });
-
+  const Quantity needed("½|cos φ|", needs), available("τ/mgl", strength);
+  page.text(
+      R"(**A motor told to stand still, with a bound, is dry friction in the joint.** All the way down its λ is at the
+      bound, so it takes the energy τφ; gravity gives ½mgl sin φ. They are equal at @°, @ the lowest point. There the
+      weight needs @ mgl. @ If you *set the bar down gently*, it already stays from arccos(2τ/mgl) = @° on.)",
+      Value(degrees(law), 4), law > pi / 2 ? "beyond" : "short of", Value(needs, 3),
+      page.verdict(
+          {{.when = needed <= available, .say = "That is not more than the motor has, so it holds the bar."},
+           {.when = needed > available,
+            .say = say(R"(That is more than the motor has, so the bar swings back, less far each time: it rests
+                                after @ half swings, at @°.)",
+                       rest.half_swings, Value(answer, 4))}}),
+      Value(degrees(balance), 4));
   const Held on_stop = after(shown[0].arm, bar_settles, h), holds = after(shown[1].arm, bar_settles, h);
   page.text(
-      R"(The stop gives nothing for @°, then one large impulse when the bar arrives, and then the torque of the bar's
-      weight: ½mgl cos @° = @ mgl. The strong motor gives exactly the weight's torque and not its full strength: a
-      bound is only a limit. The weak one is at its limit
-      while the bar moves.)",
+      R"(The stop gives nothing for @°, one large impulse when the bar arrives, and then the torque of the bar's weight:
+      ½mgl cos @° = @ mgl. The strong motor gives exactly the weight's torque and not its full strength: a bound is just
+      a limit. The weak motor is at its limit while the bar moves.)",
       Value(degrees(stop_at), 3), Value(degrees(stop_at), 3), Value(torque(on_stop, setting), 4));
   page.table({"One row, seven machines", "JV is", "asks for", "λ within"},
              {{"dry friction in a joint", "ω₂ − ω₁", "0", "±τh"},

@@ -106,9 +106,9 @@ void conflicting_rods(const Setting& setting, Page& page) {
   for (Rods* rods : {&first, &biased, &shared}) advance_to(*rods, 1, h);
   const auto sum = [](const Rods& rods) { return lambda(rods, 0) + lambda(rods, 1); };
   page.text(
-      R"(Hang a bob of @ kg not from one rod of @ m but from two, between the same two points. Their rows are equal, and
-      A = (1/m)[1 1; 1 1] has no inverse. Only the *sum* of the two λ is determined: it carries the weight, mgh = @
-      N·s. How the two share it depends on the solver:)",
+      R"(Hang a bob of @ kg from two rods of @ m in place of one, between the same two points. Their rows are equal, and
+      A = (1/m)[1 1; 1 1] has no inverse. Only the *sum* of the two λ is determined: it carries the weight, mgh = @ N·s.
+      How the two share it depends on the solver:)",
       setting.mass, setting.length, weight * h);
   page.text(
       R"(
@@ -134,13 +134,13 @@ void conflicting_rods(const Setting& setting, Page& page) {
       gap, several(sweeps, "sweep"), setting.beta);
   const double halfway = lambda(after(start, conflict_seconds / 2, h), 1), doubled = lambda(end, 1) / halfway;
   page.choose(
-      {.ask = say("To carry the bob takes @ N·s a step. What does the λ of either rod do within @ s?", weight * h,
+      {.ask = say("Carrying the bob takes @ N·s a step. What does the λ of either rod do within @ s?", weight * h,
                   conflict_seconds),
        .options =
            {{"it stays near the weight's share",
-             "The weight is only a small part: in every sweep each row corrects what the other has just done."},
+             "The weight is only a small part: in every sweep each row undoes the other's correction."},
             {say("it stays near @ N·s", Value(a_step, 3)),
-             "That is what one step adds, and the warm start keeps the sum of all steps."},
+             "One step adds that much, and the warm start keeps the sum of all steps."},
             {"it grows in proportion to time",
              say("Each step adds as much again, and the warm start keeps the sum: @ N·s after @ s, @ N·s after @ "
                  "s.",
@@ -155,9 +155,9 @@ void conflicting_rods(const Setting& setting, Page& page) {
                  "Each row takes back what the other just gave: m β ΔL/h in a sweep.",
                  say("m β ΔL/h = @ N·s. Does a warm start forget it?", m * beta * gap / h)}});
   page.text(
-      R"(Follow one sweep. The short rod's row asks for a speed inwards, (β/h)C₁, and gets it by an impulse. For the
-      long rod's row this speed is an error, and it takes it back. The bob stands still where the *last* row wants it;
-      in every sweep the two have pushed against each other with)");
+      R"(Follow one sweep. The short rod's row asks for a speed inwards, (β/h)C₁, and gets it by an impulse. For the long
+      rod's row this speed is an error, and it takes it back. The bob stands still where the *last* row wants it, and
+      in every sweep the two push against each other with)");
   page.formula(
       "Δλ = m β ΔL/h = @ N·s,   times @ a step:   λ grows by @ N·s in each step",
       R"(\Delta\lambda = \frac{m\,\beta\,\Delta L}{h} = @\,\mathrm{N\,s},\qquad \text{times } @ \text{ a step: }
@@ -194,10 +194,10 @@ void conflicting_rods(const Setting& setting, Page& page) {
         film.draw(canvas, frame);
       });
   page.text(
-      R"(After @ s the rods act against each other with @ times the bob's weight, and nothing moves. What reads λ is then
-      wrong: a joint that breaks above some force, friction whose bound is μλ, an arrow in a debugger. And if one rod
-      is removed, the other starts its next step with all of that λ. So **test for conflicts by |λ|, not by looking**,
-      and bound the growth:)",
+      R"(After @ s the rods act against each other with @ times the bob's weight, and nothing moves. Everything that reads λ
+      is then wrong: a joint that breaks above some force, friction with its bound μλ, an arrow in a debugger. And if
+      one rod is removed, the other starts its next step with all of that λ. So **test for conflicts by |λ|, not by
+      looking**, and bound the growth:)",
       conflict_seconds, Value(grown / h / weight, 3));
   const Rods chilled = after(cures[1].rods, 2, h), soft = after(cures[2].rods, conflict_seconds, h),
              regularised = after(cures[3].rods, conflict_seconds, h);
@@ -205,7 +205,7 @@ void conflicting_rods(const Setting& setting, Page& page) {
                regularised_end = beta * gap * m / (2 * h * added_share);
   page.text(
       R"(
-      - a *cold start* forgets it in each step: @ N·s, what one step adds and half the weight;
+      - a *cold start* forgets it in each step: @ N·s, one step's addition and half the weight;
       - *softness* γ lets a rod give way by γλ, so that both rows can be satisfied at λ₂ − λ₁ = βΔL/(hγ): here ± @ N·s@
         for γ = @ 1/kg;
       - a *regularisation* ε is the same with γ = εA for each row: ± @ N·s for ε = @. The bob then stands halfway

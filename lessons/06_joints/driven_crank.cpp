@@ -122,9 +122,9 @@ void driven_crank(const Setting& setting, Page& page) {
 
   page.text(
       R"(Pins, a slider and a motor in one machine: the motor turns a crank of @ m at @ rad/s, a rod of @ m joins it by two
-      pins to a piston, and a slider guides the piston. Three bodies of @ kg have nine numbers of velocity; three pins
-      and a slider take eight of them, and the motor's row the last. The motion is fixed, so there is a closed form
-      for all of it:)",
+      pins to a piston, and a slider guides the piston. Three bodies of @ kg have nine velocities; three pins and a
+      slider take eight of them, and the motor's row takes the last. So the motion is fixed, and all of it has a closed
+      form.)",
       setting.crank, setting.speed, setting.length, setting.mass);
   // Whether the motor brakes, by its closed form, while the piston slows down.
   int braking = 0, slowing = 0;
@@ -134,7 +134,7 @@ void driven_crank(const Setting& setting, Page& page) {
     braking += torque_at(options, angle) < 0 ? 1 : 0;
   }
   page.choose(
-      {.ask = "There is no gravity here, and the crank's speed is kept. Where in the turn does the motor brake?",
+      {.ask = "There is no gravity, and the crank keeps its speed. Where in the turn does the motor brake?",
        .options = {{"while the piston speeds up", "There the motor has to give the energy that the piston gains."},
                    {"while the piston slows down",
                     "Its energy goes back through the rod and the crank into the motor."},
@@ -151,12 +151,11 @@ void driven_crank(const Setting& setting, Page& page) {
       piston that depends on the angle. Where I(θ) rises the motor gives energy, where it falls the motor takes it
       back.)",
       Value(options.crank_mass * r * r / 3, 3));
-  page.derivation(
-      "The motor's torque",
-      {{"kinetic energy at a steady ω", "E = ½ I(θ) ω²", R"(E = \tfrac12\,I(\theta)\,\omega^2)"},
-       {"the motor's power is the change of E (there is no gravity here)", "τω = dE/dt = ½ω² dI/dθ · ω",
-        R"(\tau\,\omega = \dot E = \tfrac12\omega^2\,\frac{dI}{d\theta}\,\omega)"},
-       {"divide by ω", "τ = ½ ω² dI/dθ", R"(\tau = \tfrac12\,\omega^2\,\frac{dI}{d\theta})"}});
+  page.derivation("The motor's torque",
+                  {{"kinetic energy at a steady ω", "E = ½ I(θ) ω²", R"(E = \tfrac12\,I(\theta)\,\omega^2)"},
+                   {"the motor's power is the change of E (without gravity)", "τω = dE/dt = ½ω² dI/dθ · ω",
+                    R"(\tau\,\omega = \dot E = \tfrac12\omega^2\,\frac{dI}{d\theta}\,\omega)"},
+                   {"divide by ω", "τ = ½ ω² dI/dθ", R"(\tau = \tfrac12\,\omega^2\,\frac{dI}{d\theta})"}});
 
   double peak = 0;
   Curve position{.label = "closed form", .style = CurveStyle::theory}, torque = position;
@@ -183,13 +182,13 @@ void driven_crank(const Setting& setting, Page& page) {
   const Condition calm = both(Quantity("ωh", turn) <= 0.15, Quantity("l/r", l / r) >= 1.5);
   const Quantity off("off/r", run.position_off / r);
   page.text(
-      R"((The first steps of the torque are not drawn: the run starts without drift, and these steps build it up.) The
-      crank turns at its speed but for rounding: a motor with enough strength is a row like any other. @)",
+      R"((The first steps of the torque are not drawn: the run starts without drift, and these steps build it up.) Apart
+      from rounding the crank turns at its speed: a motor with enough strength is a row like any other. @)",
       page.verdict(
           {{.when = both(calm, off < 0.1),
             .say = say(
-                R"(The piston is at most @ mm off, @ of that at half the step; that is the tangent of every step,
-                       which goes with (ωh)², and ωh = @.)",
+                R"(The piston is at most @ mm off, @ of that at half the step: the error of each step's tangent, which
+                       is proportional to (ωh)², and ωh = @.)",
                 Value(1000 * run.position_off, 3), Value(fine.position_off / run.position_off, 2),
                 Value(turn, 3))},
            {.when = off < 0.1,

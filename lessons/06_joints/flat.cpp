@@ -154,19 +154,19 @@ void flat(const Setting& setting, Page& page) {
              say(R"(@ − @ = @ counts rows. Only @ of them are independent: that number is the rank.)",
                  three.cols(), rows_of_three, static_cast<int>(three.cols()) - rows_of_three, rank_of_three)},
             {"yes",
-             say(R"(@ − @ = @, but one row repeats what the others say: the coupler is level already, and the third arm
-                               asks for it again. The rank, the number of independent rows, is @.)",
+             say(R"(@ − @ = @, but one row repeats the others: the coupler is level already, and the third arm asks for it
+                               again. The rank, the number of independent rows, is @.)",
                  three.cols(), rows_of_three, static_cast<int>(three.cols()) - rows_of_three, rank_of_three)}},
        .answer = static_cast<int>(three.cols()) > rank_of_three ? 1 : 0,
        .hints = {"Look at the coupler's motion with two arms. Does the third arm prevent it?",
-                 "freedoms = numbers − rank, not numbers − rows.",
+                 "degrees of freedom = velocities − rank, not velocities − rows.",
                  "The coupler stays level with two arms. What does the third arm ask of it?"}});
   page.text(
-      R"(So A has no inverse, and the direct solve says so instead of dividing by zero: "@". (A sweep does not notice:
-      it divides only by blocks of its own.)
+      R"(So A has no inverse, and the direct solve says so instead of dividing by zero: "@". (A sweep does not notice: it
+      only divides by the blocks on the diagonal.)
 
-      The linkage with two arms has such a moment too: *flat*, with all bars in one line. There the four pins' rows
-      along that line repeat one another, and the rank falls from @ to @:)",
+      With two arms there is such a moment too: *flat*, with all bars in one line. There the four pins' rows along that
+      line repeat one another, and the rank falls from @ to @:)",
       complaint(third, h), static_cast<int>(J.rows()), at_flat);
   Curve least{.label = "measured", .style = CurveStyle::line_and_markers},
       square{.label = "slope 2", .style = CurveStyle::theory};
@@ -200,11 +200,12 @@ void flat(const Setting& setting, Page& page) {
   second = sparse;
   const auto kept = [&](int way) { return energies.curves[way].y.back(); };
   page.text(
-      R"(One independent row fewer, one degree of freedom more. In the flat pose the linkage has two, and *two motions
-      are possible from here*: it can stay a parallelogram, or fold into a crossed linkage, whose arms turn against each other, at first
-      as (c + a) to (c − a), @ to 1. J does not decide between them; the velocities do. What if the velocities fit
-      neither? J at the flat pose allows them, so the first step goes there, and the next one finds pins that have separated: @ % of the energy is left after @ s. That share hardly depends on h or the bars' length; the masses set
-      it.)",
+      R"(One independent row fewer, one degree of freedom more. In the flat pose the linkage has two, and *two motions are
+      possible from here*: it can stay a parallelogram, or fold into a crossed linkage, whose arms turn against each
+      other, at first as (c + a) to (c − a), @ to 1. The velocities decide between them, not J. What if they fit
+      neither? J at the flat pose allows them, so the first step goes there, and the next one finds pins that have
+      separated: @ % of the energy is left after @ s. That share hardly depends on h or the bars' length; the masses
+      set it.)",
       Value(-1 / ratio, 3), Value(100 * kept(2), 2), flat_seconds);
   page.sequence(
       "ways_on",
@@ -216,10 +217,9 @@ void flat(const Setting& setting, Page& page) {
       });
   page.text(
       R"(**Regularisation** lets the direct solve pass this pose: add a small share ε of A's own diagonal D to A, (A +
-      εD)λ = −(JV + b). It acts like softness γ = εD: each row may give way a little, by γλ. Its cost: pins separate at a
-      speed of about ε times what they carry. Its benefit: λ is bounded. Suppose the right-hand pivot is @ mm too far
-      out. In the flat pose the bars cannot reach it, and their pull on each other moves nothing that could end it;
-      only ε does:)",
+      εD)λ = −(JV + b). It acts like softness γ = εD: each row may give way a little, by γλ. The cost: pins separate at
+      a speed of about ε times their load. The benefit: λ is bounded. Suppose the right-hand pivot is @ mm too far out.
+      In the flat pose the bars cannot reach it and pull at each other in vain; only ε limits that pull:)",
       1000 * misfit);
   page.formula("λ = (β/h) δ / (ε (4/m_a + 2/m_c)) = @ N·s for ε = @, where mgh = @ N·s",
                R"(\lambda = \frac{\beta\,\delta/h}{\varepsilon\,(4/m_a + 2/m_c)} = @\,\mathrm{N\,s}
@@ -243,8 +243,8 @@ void flat(const Setting& setting, Page& page) {
   gain.curves = {pull, law};
   page.figure(
       "price_of_regularisation",
-      say(R"(Cost and benefit of ε, in the first step from flat. Left: how fast the pins separate when the linkage
-                  falls. Right: the impulse along the bars when the pivots are @ mm too far apart.)",
+      say(R"(Cost and benefit of ε in the first step from flat. Left: how fast the pins separate when the linkage falls.
+                  Right: the impulse along the bars when the pivots are @ mm too far apart.)",
           1000 * misfit),
       [price, gain](Canvas& canvas) {
         const auto cells = canvas.page().inset(14, 60).cells(1, 2, 24);
@@ -252,15 +252,15 @@ void flat(const Setting& setting, Page& page) {
         draw(canvas, gain, cells[1]);
       });
   page.text(
-      R"(With ε = @ the pins separate at @ mm/s and the pull is @ N·s. Where loops close, always use some regularisation, small
-      enough not to be seen.)",
+      R"(With ε = @ the pins separate at @ mm/s and the pull is @ N·s. Where loops close, always use some regularisation,
+      small enough not to be seen.)",
       loose, Value(1000 * parting_speed(setting, loose), 2), Value(self_pull(setting, loose), 3));
 
   page.measure("energy left, started along neither branch", kept(2), "1");
   page.claim("rank of the three-armed linkage", static_cast<double>(rank_of_three), "1",
-             is(11, "twelve rows, one of them said twice", absolute(0)));
+             is(11, "twelve rows, one of them redundant", absolute(0)));
   page.claim("rank of the flat linkage", static_cast<double>(at_flat), "1",
-             is(7, "eight rows, one of them said twice", absolute(0)));
+             is(7, "eight rows, one of them redundant", absolute(0)));
   page.claim("least eigenvalue of A, at 1° over at 0.5°",
              least_at(setting, radians(1)) / least_at(setting, radians(0.5)), "1",
              is(4, "square of the angle", absolute(0.01)));

@@ -89,17 +89,17 @@ void four_bar_linkage(const Setting& setting, Page& page) {
        .answer = static_cast<double>(freedom),
        .unit = "1",
        .tolerance = 0.1,
-       .wrong = {{4,
-                  "That counts the ground as a body with three numbers: 12 − 8. It does not move and has none."},
-                 {3, "That would be 9 − 6. There are four pins, and each is two rows."},
-                 {5, "That is 9 − 4. A pin in the plane is two rows, not one."}},
-       .hints = {"Count the velocities of the bodies that move, and the rows of the pins.", "numbers − rows.",
+       .wrong =
+           {{4, "That counts the ground as a body with three velocities: 12 − 8. It does not move and has none."},
+            {3, "That would be 9 − 6. There are four pins, and each is two rows."},
+            {5, "That is 9 − 4. A pin in the plane is two rows, not one."}},
+       .hints = {"Count the velocities of the bodies that move, and the rows of the pins.", "velocities − rows.",
                  "3 · 3 − 4 · 2 = …"},
-       .right = say("@ numbers less @ rows.", numbers, rows)});
+       .right = say("@ velocities less @ rows.", numbers, rows)});
   page.text(
-      R"(A pendulum has one too, and this linkage *is* one. The coupler stays level, so it moves as if all its mass
-      were at the arms' ends; each arm is a uniform rod about its end, which counts ⅓ of its mass in the inertia and ½
-      in the weight. Two arms and a coupler therefore swing like a bob on a massless rod of the length)");
+      R"(This linkage *is* a pendulum. The coupler stays level, so it moves as if all its mass were at the arms' ends; each
+      arm is a uniform rod about its end, with ⅓ of its mass in the inertia and ½ in the weight. Two arms and a coupler
+      therefore swing like a bob on a massless rod of the length)");
   page.formula("ℓ = a (⅔ m_a + m_c)/(m_a + m_c) = @ m",
                R"(\ell = a\,\frac{\tfrac23 m_a + m_c}{m_a + m_c} = @\,\mathrm{m})", length);
   page.derivation("The length of the equivalent pendulum",
@@ -138,7 +138,7 @@ void four_bar_linkage(const Setting& setting, Page& page) {
                                   Condition{swings && std::abs(error) > 0.15 * turn * turn * pendulum.period(),
                                             "an error above 15 % of (ωh)²"});
   page.text(
-      R"(The solver does not know that formula. It knows @ rows; the pins' impulses along the bars keep the coupler
+      R"(The solver does not know that formula. It knows @ rows, and the pins' impulses along the bars keep the coupler
       level. Period: @ s measured over @ s, @ s by the elliptic integral. @)",
       rows, Value(swing.period, 6), measured_for, Value(pendulum.period(), 6),
       ordered
@@ -147,8 +147,8 @@ void four_bar_linkage(const Setting& setting, Page& page) {
   const Quantity ahead("arms beside the pendulum at t + h/2", degrees(swing.off), "°"),
       late("beside the pendulum at t", degrees(swing.off_at_t), "°");
   page.text(
-      R"(To compare the angles, note that symplectic Euler's positions are half a step ahead of the clock, because it
-      moves with the velocity of the step's *end*. @)",
+      R"(To compare the angles, note that symplectic Euler's positions are half a step ahead of the clock, because it moves
+      with the velocity at the step's *end*. @)",
       page.verdict(
           {{.when = where(ahead < 2, ahead < late),
             .say = say(R"(Compared with the pendulum at t + h/2 the arms are at most @° off in @ s; compared at
@@ -156,15 +156,14 @@ void four_bar_linkage(const Setting& setting, Page& page) {
                        Value(ahead.value, 2), measured_for, Value(late.value, 2))},
            {.when = ahead >= 2,
             .say =
-                say(R"(Here that is not what matters: the period is off by @ %, and in @ s the arms come to
-                                be @° off.)",
+                say(R"(Here the period matters more: it is off by @ %, and within @ s the arms are @° off.)",
                     Value(100 * std::abs(error) / pendulum.period(), 2), measured_for, Value(ahead.value, 2))}}));
 
   // The errors of a step go with the square of its angle, which is largest at the lowest point.
   const double fastest = std::max(1.0, 2 * (1 - std::cos(release)));
   page.measure("period", swing.period, "s");
   page.claim("degrees of freedom", static_cast<double>(freedom), "1",
-             is(1, "nine numbers less eight rows", absolute(0)));
+             is(1, "nine velocities less eight rows", absolute(0)));
   page.claim("period", swing.period, "s",
              is(pendulum.period(), "elliptic integral, ℓ = a(⅔m_a + m_c)/(m_a + m_c)",
                 relative(turn * turn / 3 * fastest)),

@@ -33,10 +33,10 @@ void hanging_bridge(const Setting& setting, Page& page) {
   const Bridge bridge_now = at_rest(setting);
   const double plank = setting.mass * gravity, weight = planks * plank, pull = -force(bridge_now, 0).x();
   page.text(
-      R"(@ planks of @ m and @ kg, pinned end to end between two anchors: @ rows in a path, which the direct solve takes
-      at once. Two things about the state of rest follow from statics. Each anchor carries half the weight; and the
-      horizontal part of the pull, H, is the same in every pin, because no other force is horizontal. So a plank
-      slopes as the weight between its middle and the lowest point of the bridge, over H:)",
+      R"(@ planks of @ m and @ kg, pinned end to end between two anchors: @ rows in a path, which the direct solve takes at
+      once. Statics tells two things about the state of rest. Each anchor carries half the weight; and the horizontal
+      part of the pull, H, is the same in every pin, because no other force is horizontal. So a plank's slope is the
+      weight between its middle and the lowest point of the bridge, over H:)",
       planks, setting.length, setting.mass, 2 * (planks + 1));
   page.formula(
       "tan θᵢ = (i − (n + 1)/2) w/H,   w = @ N, H = @ N",
@@ -68,23 +68,23 @@ void hanging_bridge(const Setting& setting, Page& page) {
     worst_slope = std::max(worst_slope, std::abs(turn.sin / turn.cos - (i - 0.5 * (planks + 1)) * plank / pull));
   }
   Chart chart{.x = {.label = "pin"}, .y = {.label = "force / weight of bridge"}, .curves = {level, upright, law}};
-  page.figure("bridge",
-              R"(The bridge at rest; arrows: the force of each pin on the body to its right (the last one: on the
-              anchor). Below: their horizontal parts, the same in all, and their vertical parts, the weight beyond.)",
-              [=](Canvas& canvas) {
-                const auto [upper, lower] = canvas.page().inset(16).split_rows(0.48, 10);
-                const double span = planks * setting.length;
-                canvas.look(fit({-0.04 * span, -0.22 * span, 1.04 * span, 0.3 * span}, upper, 8));
-                pictures::draw(canvas, pictures::rods_and_bobs(bridge_now.scene), {.link = 12});
-                for (const auto& [at, given] : arrows)
-                  canvas.vector(at, given, {palette::force, 0.08 * span / pull, "N"});
-                canvas.look_at_page();
-                draw(canvas, chart, lower);
-              });
+  page.figure(
+      "bridge",
+      R"(The bridge at rest; arrows: the force of each pin on the body to its right (the last one: on the anchor).
+              Below: their horizontal parts, all the same, and their vertical parts, the weight beyond the pin.)",
+      [=](Canvas& canvas) {
+        const auto [upper, lower] = canvas.page().inset(16).split_rows(0.48, 10);
+        const double span = planks * setting.length;
+        canvas.look(fit({-0.04 * span, -0.22 * span, 1.04 * span, 0.3 * span}, upper, 8));
+        pictures::draw(canvas, pictures::rods_and_bobs(bridge_now.scene), {.link = 12});
+        for (const auto& [at, given] : arrows) canvas.vector(at, given, {palette::force, 0.08 * span / pull, "N"});
+        canvas.look_at_page();
+        draw(canvas, chart, lower);
+      });
   page.text(
-      R"(The flatter the bridge, the larger H: each anchor here carries @ N, @ of the whole weight, and a level one
-      would need an infinite pull. Therefore this one hangs in an arc. Its tension, all along the chain, makes bridges
-      hard for sweeps (lesson 3).)",
+      R"(A flatter bridge has a larger H: each anchor here carries @ N, @ of the whole weight, and a level bridge would need
+      an infinite pull. That is why this one hangs in an arc. The tension all along the chain makes bridges hard for
+      sweeps (lesson 3).)",
       Value(force(bridge_now, 0).norm(), 4), Value(force(bridge_now, 0).norm() / weight, 3));
   const std::string source = "statics: the weight beyond the pin";
   page.claim("vertical force of each pin, largest difference over the weight", worst, "1",

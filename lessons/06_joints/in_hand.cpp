@@ -14,8 +14,7 @@ course::Hold in_hand(const Setting& setting) {
              .h = setting.h(),
              .view = {-1.2 * arm, -1.2 * arm, across, 2.4 * arm},
              .body = "bar",
-             .law =
-                 "Where the bars lie on one line, four pins say one thing twice, and λ is not unique (step 4)."});
+             .law = "Where the bars lie on one line, one row repeats the others, and λ is not unique (step 4)."});
       }};
 }
 

@@ -8,8 +8,9 @@ int main(int argc, char** argv) {
   course::Lesson lesson(course::lesson_of(__FILE__));
   const Setting setting{
       .h = lesson.parameter("h", 1.0 / 60, "s", {1.0 / 400, 0.03}, "time step"),
-      .side = lesson.parameter("side", 0.2, "m", {0.05, 2}, "of the box on the arm (step 2)"),
-      .angle = lesson.parameter("angle", 60.0, "deg", {5, 85}, "from which the four-bar is released (step 3)"),
+      .side = lesson.parameter("side", 0.2, "m", {0.05, 2}, "side of the box on the arm (step 2)"),
+      .angle =
+          lesson.parameter("angle", 60.0, "deg", {5, 85}, "from which the four-bar linkage is released (step 3)"),
       .strength =
           lesson.parameter("strength", 0.25, "mgl", {0.05, 0.48}, "of the motor that is too weak (step 5)"),
       .speed = lesson.parameter("speed", 6.0, "rad/s", {1, 20}, "of the motor (step 6)"),
@@ -40,13 +41,13 @@ int main(int argc, char** argv) {
             "A motor told to stand still, with a bound, is dry friction in the joint.",
             "Rows that act through the same arm belong in one block; row by row a sweep leaves A₁₂²/(A₁₁A₂₂).",
             "Machines made of joints follow their closed forms: periods, pistons, torques.",
-            R"(Degrees of freedom are numbers less *rank*. Where rows repeat, A is singular, and a regularisation makes λ
+            R"(Degrees of freedom are velocities less *rank*. Where rows repeat, A is singular, and a regularisation makes λ
             unique.)",
             R"(With a warm start the λ of rows that contradict each other grows in every step while nothing moves: test
             |λ|, not the picture.)"},
-       .tries = {{"A box as large as its arm: is there still a difference between block and row?",
+       .tries = {{"A box as large as its arm: does it still matter whether you solve a block or rows?",
                   "./lessons/run joints --step 2 --set side=2"},
-                 {"A motor that is a little stronger: where does the bar come to rest now?",
+                 {"A slightly stronger motor: where does the bar come to rest now?",
                   "./lessons/run joints --step 5 --set strength=0.4"},
                  {"One sweep a step: how fast does λ grow now?", "./lessons/run joints --step 7 --set sweeps=1"}},
        .next = "Lesson 7 leaves the plane: the same code with three axes of rotation."});

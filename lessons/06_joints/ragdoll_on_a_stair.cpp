@@ -85,8 +85,8 @@ void ragdoll_on_a_stair(const Setting&, Page& page) {
   const double at_rest = passed(doll);
 
   page.text(
-      R"(Ten boxes, nine pins, two stops to each pin, and contacts wherever something touches: a ragdoll of @ kg falls
-      on a stair. No line of the solver is about ragdolls. (@ a step of @ s, β = @, @ mm of slop.))",
+      R"(Ten boxes, nine pins, two stops on each pin, and contacts wherever something touches: a ragdoll of @ kg falls onto
+      a stair. No line of the solver is about ragdolls. (@ a step of @ s, β = @, @ mm of slop.))",
       Value(weight / gravity, 3), several(sweeps, "sweep"), Value(step, 3), 0.2, 1);
   page.sequence(
       "ragdoll",
@@ -108,9 +108,8 @@ void ragdoll_on_a_stair(const Setting&, Page& page) {
         canvas.look_at_page();
       });
   page.text(
-      R"(A joint's stop is one more row that the sweeps have to bring together with all others, so an impact can
-      drive a joint past its stop, here by up to @°. At rest only @° of that is left, no stop ever pulled, and the ground carries @ N, the doll's
-      weight.)",
+      R"(A joint's stop is one more row for the sweeps, so an impact can drive a joint past its stop, here by up to @°. At
+      rest only @° of that is left, no stop ever pulled, and the ground carries @ N, the doll's weight.)",
       Value(degrees(worst), 2), Value(degrees(at_rest), 2), Value(carried(doll), 5));
   page.claim("least λ of any stop in any step", least, "N m s", is_at_least(0, "its bound, kept exactly"));
   page.claim(say("what the ground and the stairs carry after @ s", doll_settles), carried(doll), "N",

@@ -60,9 +60,9 @@ void ropes(const Setting& setting, Page& page) {
                 .answer = degrees(std::acos(-2.0 / 3)),
                 .unit = "°",
                 .tolerance = 4,
-                .wrong = {{180, "The bob would have to arrive there with no speed, held up by the rope."},
-                          {90, "There it is still fast: the rope has to turn it round, at twice the weight."}},
-                .hints = {"What does the rope have to pull for? The bob's turning, and a part of its weight.",
+                .wrong = {{180, "The bob would arrive there without speed, held up by the rope."},
+                          {90, "There it is still fast: bending its path takes twice the weight."}},
+                .hints = {"The rope's pull bends the bob's path, and carries or lifts off a part of its weight.",
                           "T = m(v²/L + g cos θ), and v² = 4gL − 2gL(1 − cos θ).",
                           "T = mg(2 + 3 cos θ), and it goes slack where T = 0."},
                 .hinted = degrees(std::acos(-2.0 / 3)),
@@ -82,7 +82,7 @@ void ropes(const Setting& setting, Page& page) {
       if (pull > 6.5) pull = NAN;
   page.sequence(
       "rope_and_rod",
-      R"(The same throw on a rope and on a rod. The rope's bob leaves the circle and flies a parabola until it is
+      R"(The same throw on a rope and on a rod. On the rope the bob leaves the circle and flies a parabola until it is
       caught; the rod pushes it on.)",
       Seconds{seconds}, [=](Canvas& canvas, double time) {
         const auto [left, right] = canvas.page().inset(16).split_columns(0.5, 20);
@@ -108,9 +108,9 @@ void ropes(const Setting& setting, Page& page) {
         draw(canvas, pictures::grown_to(chart, time), right.inset(0, 60));
       });
   page.text(
-      R"(No code switches here. While the distance is shorter than the rope, the row lets it close the gap within the
-      step and no more, JV ≥ −C/h; (17) would need a pushing λ to hold it back, which is clamped to zero, and the bob
-      flies. When it would go beyond the length, the same row catches it.)");
+      R"(No code switches here. While the rope is slack, the row lets the bob close the gap within the step and no more,
+      JV ≥ −C/h. To hold it back, (17) would need a λ that pushes, which is clamped to zero, and the bob flies. When it
+      would go beyond the rope's length, the same row catches it.)");
   page.claim("cos θ where the rope goes slack", rope.let_go, "1",
              is(-2.0 / 3, "mg(2 + 3 cos θ) = 0", absolute(8 * setting.h / finer / std::sqrt(length) + 1e-3)));
 }

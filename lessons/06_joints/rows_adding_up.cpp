@@ -172,9 +172,9 @@ void rows_adding_up(const Setting& setting, Page& page) {
   }
   page.sequence(
       "rows_adding_up",
-      say(R"(A bar of @ kg that flies by, held at one end, by one more row in each act; each starts from the same
-                    place and is shown for @ s. Green: the velocity of both ends. Orange: the impulse of the rows on the bar, and
-                    as a curved arrow its torque.)",
+      say(R"(A bar of @ kg flies by and is held at one end, by one more row in each act; each act starts from the same
+                    place and lasts @ s. Green: the velocity of both ends. Orange: the impulse of the rows on the bar
+                    and, curved, its torque.)",
           setting.mass, seen_seconds),
       Seconds{acts.seconds()},
       [film = RowsFilm{acts, stages, setting.length, 0.6 * setting.length / largest_push, 2.2 / largest_turn}](

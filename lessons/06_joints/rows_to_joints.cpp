@@ -112,42 +112,42 @@ void rows_to_joints(const Setting& setting, Page& page) {
   const double length = setting.length;
 
   page.text(
-      R"(The article mentions it in one sentence: a system of constraints can form a joint. Put two bars of @ m and @
-      kg end to end and ask that the two ends, P₁ and P₂, stay together. That is C = P₂ − P₁ = 0, a *vector*: one row
-      for each axis of the world. Differentiate and isolate V, and each row has the form that (14), (15) and (16)
-      share, with e_x or e_y for its direction:)",
+      R"(The article says it in one sentence: a system of constraints can form a joint. Put two bars of @ m and @ kg end to
+      end and ask that the two ends, P₁ and P₂, stay together. That is C = P₂ − P₁ = 0, a *vector*: one row for each
+      axis of the world. Differentiate and isolate V, and each row has the form of (14), (15) and (16), along e_x or
+      e_y:)",
       setting.length, setting.mass);
   page.excerpt("solver/constraints/pin.hpp", "jacobian");
   page.text(
-      R"(That is a **pin**. Add φ̇ = ω₂ − ω₁ = 0, the row [0 −1 0 1], so that the bars do not turn against each other,
-      and it is a **weld**. Keep that row and one across a rail, and it is a **slider**, free along the rail. For K
+      R"(That is a **pin**. Add φ̇ = ω₂ − ω₁ = 0, the row [0 −1 0 1], so that the bars do not turn against each other, and
+      you have a **weld**. Keep that row and one across a rail, and you have a **slider**, free along the rail. For K
       rows (17) becomes K equations for K numbers, and the effective mass a K × K block: A = JM⁻¹Jᵀ is inverted as a
       whole.)");
   rows_adding_up(setting, page);
-  page.figure("joints",
-              say(R"(Two bars of @ m and @ kg, four ways to join them, and the numbers that say so: above J with a
-                  column for each of the two bodies' velocities, below A = JM⁻¹Jᵀ (1/kg, 1/(kg m) and 1/(kg m²)).
-                  Rows: x and y of the world, t across the rail, φ the turn.)",
-                  setting.length, setting.mass),
-              [=](Canvas& canvas) {
-                const auto cells = canvas.page().inset(18, 16).cells(1, 4, 22);
-                for (std::size_t i = 0; i < columns.size(); ++i)
-                  draw_column(canvas, columns[i], bodies, length, cells[i]);
-              });
+  page.figure(
+      "joints",
+      say(R"(Two bars of @ m and @ kg, four ways to join them, and their numbers: above J, with a column for each
+                  velocity of the two bodies, below A = JM⁻¹Jᵀ (1/kg, 1/(kg m) and 1/(kg m²)). Rows: x and y of the
+                  world, t across the rail, φ the turn.)",
+          setting.length, setting.mass),
+      [=](Canvas& canvas) {
+        const auto cells = canvas.page().inset(18, 16).cells(1, 4, 22);
+        for (std::size_t i = 0; i < columns.size(); ++i) draw_column(canvas, columns[i], bodies, length, cells[i]);
+      });
   page.text(
-      R"(Look at A. An entry off the diagonal says what one row does to the other: here @ 1/kg between the pin's x and
-      y. An impulse at one end along x also turns the bar, and so moves its end along y. For two pins at the
-      *centres* of two bodies these entries would be zero; the longer the arms and the smaller the inertia, the more
-      the rows disturb each other. The next step shows what that costs.)",
+      R"(Look at A. An entry off the diagonal says what one row does to the other: here @ 1/kg between the pin's x and y.
+      An impulse at one end along x also turns the bar, and so moves its end along y. For a pin at the *centres* of two
+      bodies these entries would be zero; with long arms and small inertia the rows disturb each other a lot. The next
+      step shows what that costs.)",
       Value(pin_A(0, 1), 3));
   page.text(
-      R"(The other parts of joints are *not rows but bounds*, as for a contact. The turn's row [0 −1 0 1] with 0 ≤ λ
-      is a **stop**: it pushes back at the end of the range, and never pulls. With a speed as its target and |λ| ≤ τh
-      it is a **motor** of strength τ. A rod's row with λ ≥ 0 for its pull is a **rope**. All of them at work:)");
+      R"(The other parts of joints are *bounds, not rows*, as for a contact. The turn's row [0 −1 0 1] with 0 ≤ λ is a
+      **stop**: it pushes back at the end of the range and never pulls. With a speed as its target and |λ| ≤ τh it is a
+      **motor** of strength τ. A rod's row with λ ≥ 0 for its pull is a **rope**. All of them at work:)");
   page.sequence(
       "six_joints",
-      say(R"(What joints leave free. Above: equations; below: bounds. The stop is at @°, the motor turns once in the
-          film, the rope is slack at first.@ Straight and curved arrows: the force and the torque that the joint gives the bar
+      say(R"(The motions that joints leave free. Above: equations; below: bounds. The stop is at @°, the motor turns once
+          in the film, the rope is slack at first.@ Straight and curved arrows: the joint's force and torque on the bar
           (λ/h).)",
           Value(degrees(sample_stop), 3),
           std::abs(sample_pace(length) - 1) < 0.05
@@ -158,8 +158,8 @@ void rows_to_joints(const Setting& setting, Page& page) {
 
   const std::vector<int> free{6 - static_cast<int>(pin_A.rows()), 6 - static_cast<int>(weld_A.rows())};
   page.text(
-      R"(Two bodies in the plane have six numbers of velocity. A pin takes two of them and leaves @; a weld takes
-      three and leaves @: the two bodies move as one.)",
+      R"(Two bodies in the plane have six velocities. A pin takes two of them and leaves @; a weld takes three and leaves
+      @: the two bodies move as one.)",
       free[0], free[1]);
   double slope_error = 0;
   for (const Column& column : columns) slope_error = std::max(slope_error, column.matrices.slope_error);

@@ -45,9 +45,9 @@ double sag(const Setting& setting, double frequency, double load) {
 void soft_rows(const Setting& setting, Page& page) {
   const double h = setting.h(), length = setting.length, heavy = 10, shown = 20;  // load [1], ω [rad/s]
   page.text(
-      R"(Let a row give way on purpose. Ask for the impulse that a spring and a damper would give, λ/h = −(kC + cĊ),
-      both taken at the *end* of the step, where C has become C + h JV. Solve for JV, and it is a row again, with a
-      bias and a softness γ:)");
+      R"(Let a row give way on purpose. Ask for the impulse of a spring and a damper, λ/h = −(kC + cĊ), both taken at the
+      *end* of the step, where C has become C + h JV. Solve for JV, and you have a row again, with a bias and a softness
+      γ:)");
   page.formula("JV + (k/(c + hk)) C + γλ = 0,   γ = 1/(h(c + hk))",
                R"(JV + \frac{k}{c + hk}\,C + \gamma\lambda = 0, \qquad \gamma = \frac{1}{h(c + hk)})");
   page.derivation("A spring and a damper as a row",
@@ -57,9 +57,9 @@ void soft_rows(const Setting& setting, Page& page) {
                    {"divide by c + hk", "JV + k/(c + hk) C + γλ = 0,   γ = 1/(h(c + hk))",
                     R"(JV + \frac{k}{c+hk}\,C + \gamma\lambda = 0,\qquad \gamma = \frac{1}{h(c+hk)})"}});
   page.text(
-      R"(Instead of k and c one gives a frequency ω and a damping ratio ζ, and takes k = m ω² and c = 2mζω with the
-      row's own effective mass m = 1/A of (19). A spring that carries only its own bob then stretches by g/ω²,
-      whatever the bob's mass. But m is the mass that *this row* sees, not what hangs below it.)");
+      R"(Instead of k and c, give a frequency ω and a damping ratio ζ, and take k = m ω² and c = 2mζω with the row's own
+      effective mass m = 1/A of (19). A spring that only carries its own bob then stretches by g/ω², whatever the bob's
+      mass. But m is the mass that *this row* sees, not the mass that hangs below it.)");
   page.text(
       R"(**Soft constraints** use this in place of Baumgarte's β, for every row. The recipe:
 
@@ -70,19 +70,19 @@ void soft_rows(const Setting& setting, Page& page) {
       - keep that λ, which contains no correction, for the next warm start.
 
       The knobs are ω and ζ. One row is stable for every ωh and ζ, and the relaxed λ does not ring as in lesson 4. The
-      price is a second solve. A soft row under load stretches by T/(mω²), so it cannot hold a heavy load on a light
-      body exactly; and with few sweeps on a long chain it has a limit of its own (lesson 8).)");
+      price is a second solve. A soft row stretches under load, so it cannot hold a heavy load on a light body exactly;
+      and with few sweeps on a long chain it has a limit of its own (lesson 8).)");
   const double light = sag(setting, shown, 0), loaded = sag(setting, shown, heavy);
   page.predict(
       {.ask = say(
-           R"(At ω = @ rad/s the bob stretches the spring by @ mm. Now hang one of @ times its mass below it. How far does
-                  the spring stretch?)",
+           R"(At ω = @ rad/s the bob stretches the spring by @ mm. Now hang a bob of @ times its mass below it. How far
+                  does the spring stretch?)",
            shown, Value(1000 * light, 3), heavy),
        .answer = 1000 * loaded,
        .unit = "mm",
        .tolerance = 200 * light,
        .wrong = {{1000 * light,
-                  "The spring was tuned to its own bob. What it carries is now more, and its stiffness is not."},
+                  "The spring was tuned to its own bob. Now its load is larger, but its stiffness is not."},
                  {1000 * heavy * light, "It still carries its own bob too."}},
        .hints = {"The stiffness was chosen for the first bob. What does the spring carry now?",
                  "C = T/k, and k = m ω² with the first bob's m.",
@@ -125,18 +125,18 @@ void soft_rows(const Setting& setting, Page& page) {
   }
   page.figure(
       "soft_rows",
-      R"(Left: how far a spring stretches, tuned to its own bob; points are runs, dashed the law. Right: a spring
-      without damping, pulled out and let go. The step itself damps it, the more the stiffer it is.)",
+      R"(Left: how far a spring stretches that is tuned to its own bob; points are runs, dashed the law. Right: a spring
+      without damping, pulled out and let go. The step itself damps it, a stiff spring more than a weak one.)",
       [sags, rings](Canvas& canvas) {
         const auto cells = canvas.page().inset(14, 60).cells(1, 2, 24);
         draw(canvas, sags, cells[0]);
         draw(canvas, rings, cells[1]);
       });
   page.text(
-      R"(A spring that is an explicit force, stepped by symplectic Euler, becomes unstable beyond ωh = 2. This row does
-      not, for any k, c and h, as long as it is solved exactly. It loses energy instead: at ωh = 2 not one swing is
-      left. A spring that is meant to swing needs ωh well below 1; one that is only meant to be *firm* may be as stiff
-      as you like, and its stretch is known beforehand.)");
+      R"(As an explicit force, stepped by symplectic Euler, a spring becomes unstable beyond ωh = 2. This row does not, for
+      any k, c and h, as long as it is solved exactly. It loses energy instead: at ωh = 2 not one swing is left. A
+      spring that is meant to swing needs ωh well below 1; a spring that is only meant to be *firm* may be as stiff as
+      you like, and you know its stretch beforehand.)");
   page.claim("sag of the bob alone", light, "m",
              is(gravity / (shown * shown), "law of the soft row: T/(m_eff ω²) = g/ω²", relative(1e-6)));
   page.claim(say("sag with @ times its mass below", heavy), loaded, "m",
