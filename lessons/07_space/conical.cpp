@@ -63,8 +63,8 @@ void conical(const Setting& setting, Page& page) {
   const double measured = turn.tension / weight;
 
   page.text(
-      R"(A bob needs no orientation: it is a `SpaceParticle`, and its rod is the one row of lesson 2, now of six numbers.
-      Start it sideways at the right speed, and it circles at a steady angle. That is the conical pendulum.)");
+      R"(A bob needs no orientation: it is a `SpaceParticle`, and its rod is the one row of lesson 2, now with six numbers.
+      Started sideways at the right speed it circles at a steady angle: a conical pendulum.)");
   page.predict(
       {.ask =
            say("It circles on a cone at @° from straight down. How hard does the rod pull, in weights of the bob?",
@@ -82,6 +82,11 @@ void conical(const Setting& setting, Page& page) {
        .hinted = 1 / std::cos(angle),
        .right = say("1/cosθ = @; with steps of @ s the run gives @.", Value(1 / std::cos(angle), 4), setting.h,
                     Value(measured, 4))});
+  page.figure(
+      "tension_over_angle",
+      R"(The pull of the rod over the angle of the cone: λ/h, mean of the third turn. The lower dashed line is the
+              part of the weight along the rod, which is not the pull.)",
+      over_angle(setting));
   page.formula("T·cosθ = mg,   T·sinθ = mω²L·sinθ   ⟹   T = mg/cosθ = @ N,   ω² = g/(L·cosθ)",
                R"(T\cos\theta = mg, \quad T\sin\theta = m\omega^2 L\sin\theta \quad\Rightarrow\quad )"
                R"(T = \frac{mg}{\cos\theta} = @\ \mathrm{N}, \quad \omega^2 = \frac{g}{L\cos\theta})",
@@ -92,11 +97,6 @@ void conical(const Setting& setting, Page& page) {
           weight and keeps the bob on its circle.)",
           setting.angle),
       [=](Canvas& canvas) { draw_cone(canvas, angle, measured); });
-  page.figure(
-      "tension_over_angle",
-      R"(The pull of the rod over the angle of the cone: λ/h, mean of the third turn. The lower dashed line is the
-              part of the weight along the rod, which is not the pull.)",
-      over_angle(setting));
   page.measure("tension over weight", measured, "1");
   page.measure("one turn", turn.period, "s");
 

@@ -135,22 +135,23 @@ void flips(const Setting& setting, Page& page) {
 
   page.text(
       R"(A real book turns over, again and again; try it, with a rubber band round it. A spin about the middle axis is
-      unstable: the small part about the other axes grows until the book has flipped; then it spins steadily for a
-      while, and flips back. Euler's equations have an exact solution, an elliptic sine. It says
-      that this book flips every @ s, half the period.)",
+      unstable: the small part about the other axes grows until the book flips; then it spins steadily for a while, and
+      flips back. By the exact solution of Euler's equations, an elliptic sine, this book flips every @ s, half the
+      period.)",
       half_period);
   page.text(
-      R"(So the term has to be added. There are two ways. *Explicit*: from the spin at the start of the step. In the
+      R"(So a step has to add the term. There are two ways. *Explicit*: from the spin at the start of the step. In the
       body's own axes, where I is three numbers:)");
   page.excerpt("lessons/07_space/flips.cpp", "explicit");
   page.text(
-      R"(*Implicit*: with the mean of the spins before and after, about which the book turns in the step. These are three
-      equations for three unknowns; repetition solves them for the short steps here, the solver uses Newton's method.)");
+      R"(*Implicit*: from the mean of the spins before and after, about which the book turns in the step. These are three
+      equations for three unknowns; with steps as short as here repetition solves them, and the solver uses Newton's
+      method.)");
   page.excerpt("lessons/07_space/flips.cpp", "implicit");
   page.sequence(
       "three_books",
-      R"(The same book thrown without the term, with the explicit and with the implicit one. The yellow end shows which
-      way up it is; the arrow is Iω, which should not move. Below: the spin about the book's own y, dashed the exact
+      R"(The same book thrown without the term, with the explicit term and with the implicit one. The yellow end shows which
+      way up it is; the arrow is Iω, which should not move. Below: the spin about the book's own y; dashed, the exact
       one.)",
       Seconds{flip_seconds}, [film = film_of(setting)](Canvas& canvas, double time) { film.draw(canvas, time); });
 
@@ -162,11 +163,11 @@ void flips(const Setting& setting, Page& page) {
               the energy do over many flips?)",
        .options =
            {{"it is conserved",
-             R"(The kick is at right angles to ω at the *start* of the step. A step along the tangent of a sphere leaves
-             the sphere, always outwards.)"},
+             R"(The kick is at right angles to ω at the *start* of the step. A step along the tangent of a sphere always
+             leaves the sphere outwards.)"},
             {"it rises",
              "Each step adds ½h²k·I⁻¹k with k = Iω × ω: the square of the kick, which is never negative."},
-            {"it falls", "Nothing is removed here, as a rod removes velocity; the kick is only added."}},
+            {"it falls", "A rod removes velocity; here the kick is only added."}},
        .answer = flights[1].back().energy > flights[1][0].energy ? 1 : 2,
        .hints = {"To which side of a circle does a step along its tangent lead?",
                  "E = ½ω·Iω, and ω' = ω + h I⁻¹k with k·ω = 0", "E' − E = h k·ω + ½h² k·I⁻¹k"}});

@@ -93,19 +93,21 @@ void gyroscope(const Setting& setting, Page& page) {
 
   page.text(
       R"(Now gravity acts on a spinning body: a thin wheel of @ kg on an axle, spinning at @ rad/s. The other end of the
-      axle rests on a post, on a ball joint of three rows, @ m from the wheel. The axle is started at the steady rate at
-      which it goes round the post; released from rest it would nod a little as well.)",
+      axle is held on a post by a ball joint of three rows, @ m from the wheel. The axle starts at the steady rate at
+      which it goes round the post; released from rest it would also nod a little.)",
       setting.mass, wheel_rate, arm);
   HeavyTop twice = top;
   twice.spin *= 2;
   const double change = twice.precession(level)[0] / exact;
   page.choose(
-      {.ask = "The weight pulls the wheel down, but the axle goes round. The wheel spins twice as fast: and the "
-              "axle?",
+      {.ask =
+           "The weight pulls the wheel down, but the axle goes round. If the wheel spins twice as fast, what does "
+           "the axle do?",
        .options = {{"it goes round half as fast", "The same torque has twice the Iω to turn."},
-                   {"as fast as before", "The torque is the same, but what it turns, Iω, is twice as large."},
-                   {"twice as fast",
-                    "The spin is not handed on to the axle; it is what the weight's torque has to turn."},
+                   {"it goes round as before",
+                    "The torque is the same, but the Iω that it turns is twice as large."},
+                   {"it goes round twice as fast",
+                    "The axle does not share the spin; the weight's torque has to turn it."},
                    {"it falls", "The torque is level, so Iω, along the axle, turns within the level plane."}},
        .answer = change < 0.75  ? 0
                  : change < 1.5 ? 1
@@ -114,8 +116,8 @@ void gyroscope(const Setting& setting, Page& page) {
                  "d(Iω)/dt = mga, level and at right angles to the axle; Iω turns at the rate φ̇.",
                  "mR²ω · φ̇ = mga"}});
   page.text(
-      R"(The wheel's Iω is mR²ω = @ kg m²/s along the axle, and the weight's torque is mga = @ N m. It points sideways, and
-      so Iω goes round:)",
+      R"(The wheel's Iω is mR²ω = @ kg m²/s along the axle, and the weight's torque is mga = @ N m. It points sideways, so
+      Iω goes round:)",
       top.moment_along * wheel_rate, top.mass * gravity * arm);
   page.formula(
       "d(Iω)/dt = mga   ⟹   rate = ga/(R²ω) = @ rad/s",
@@ -136,13 +138,13 @@ void gyroscope(const Setting& setting, Page& page) {
   curve("left out", without, as_ball);
   page.figure(
       "gyroscope",
-      say(R"(The gyroscope over @ s, from pale to dark: it does not fall, it goes round. Right: by what angle, with
-                  the gyroscopic term and without. Dashed: the exact rates of the wheel and of a ball.)",
+      say(R"(The gyroscope over @ s, from pale to dark: it does not fall, it goes round. Right: its angle, with the
+                  gyroscopic term and without. Dashed: the exact rates of the wheel and of a ball.)",
           precession_seconds),
       [=](Canvas& canvas) { draw_run(canvas, run, chart); });
   page.text(
-      R"(Without the gyroscopic term it goes round as well, and looks right, but at @ times the rate. The solver then
-      treats the wheel as a ball, all of whose moments are ½mR². No picture tells you that; a number does.)",
+      R"(Without the gyroscopic term it also goes round, and looks right, but at @ times the rate. The solver then treats the
+      wheel as a ball, all of whose moments are ½mR². No picture tells you that; a number does.)",
       Value(mean_rate(without) / mean_rate(run), 3));
 
   const double turned = wheel_rate * setting.h / 64;

@@ -76,9 +76,9 @@ void left_out(const Setting& setting, Page& page) {
   }
 
   page.text(
-      R"(Throw the book, spinning at @ rad/s about its middle axis and, because it is thrown carelessly, at @ of that
-      about each of the others. There is no gravity, no constraint and no row, so V stays as it is. Or does it? What has
-      to stay is the angular momentum Iω. In the plane that is the same thing. In space I turns:)",
+      R"(Throw the book, spinning at @ rad/s about its middle axis and, carelessly, at @ of that about each of the others.
+      There is no gravity, no constraint and no row, so V stays as it is. Or does it? The angular momentum Iω has to
+      stay. In the plane that is the same thing. In space I turns:)",
       setting.spin, careless);
   page.formula("d(Iω)/dt = 0   ⟹   Iω̇ = −ω × Iω",
                R"(\frac{d}{dt}(I\omega) = 0 \quad\Rightarrow\quad I\dot\omega = -\,\omega\times I\omega)");
@@ -89,22 +89,23 @@ void left_out(const Setting& setting, Page& page) {
         R"(\frac{d}{dt}(I\omega) = \omega\times I\omega - I(\omega\times\omega) + I\dot\omega)"},
        {"ω × ω = 0", "Iω̇ = −ω × Iω", R"(I\dot\omega = -\,\omega\times I\omega)"}});
   page.text(
-      R"(So ω turns without any force, unless Iω and ω have the same direction. That is the *gyroscopic term*. It is no
+      R"(So ω turns without any force, unless Iω and ω have the same direction. That is the *gyroscopic term*. It is not a
       constraint and has no row; a step must add it, as it adds gravity. The article's step does not.)");
   turning_with_the_body(setting, careless, page);
   const auto flipped = flips_of(flight).size();
   page.choose(
       {.ask = say(
-           R"(The solver steps the book for @ s with the term left out; no force acts. Which of these does the run
-                  keep: the energy ½ω·Iω, the direction of Iω?)",
+           R"(The solver steps the book for @ s without the term; no force acts. Does the run keep the energy ½ω·Iω,
+                  the direction of Iω, or both?)",
            term_seconds),
        .options =
            {{"both",
              R"(Iω keeps its direction only if ω turns. Without the term ω stays, and the book carries I round
                      with it.)"},
-            {"the energy", R"(ω stays in the world and turns about itself, so it stays in the body too, and with it
+            {"the energy",
+             R"(ω stays in the world, and the book turns about it, so ω stays in the book too, and so does
                            ½ω·Iω. But Iω goes round ω, where it should stay.)"},
-            {"the direction of Iω", "That is what ω × Iω is for, and it is left out."},
+            {"the direction of Iω", "ω × Iω would see to that, and it is left out."},
             {"neither",
              "Look at ω in the axes of the body: it does not change, and there I does not change either."}},
        .answer = energy > 1e-9   ? (turned > 1e-6 ? 3 : 2)
@@ -120,9 +121,9 @@ void left_out(const Setting& setting, Page& page) {
           Value(degrees(alpha), 3)),
       [=, chart = off_over_time(flight)](Canvas& canvas) { draw_fan(canvas, flight, chart); });
   page.text(
-      R"(It looks harmless: energy, ω and the length of Iω are all kept. But the *direction* of Iω is wrong by up to @°,
-      and a real book that is thrown like this moves quite differently: it turns over every @ s. The next step shows how,
-      with another throw.)",
+      R"(It looks harmless: energy, ω and the length of Iω are all kept. But the *direction* of Iω is wrong by up to @°, and
+      a real book thrown like this moves quite differently: it turns over every @ s. The next step shows how, with
+      another throw.)",
       Value(degrees(turned), 3), Value(FreeTop(moments, spin).period() / 2, 3));
   page.measure("Iω off by up to", degrees(turned), "deg");
 

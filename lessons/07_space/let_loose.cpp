@@ -138,13 +138,12 @@ double off_its_place(const RowSolver& solver, double h) {
 void let_loose(const Setting& setting, Page& page) {
   const Tumble thrown = tumble(setting);
   page.text(
-      R"(So far the contacts were given. Now the solver finds them: in every step it looks for the points where bodies
-      with shapes touch, and each point gets a contact and two rows of friction. Here is a book thrown along the ground
-      at @ m/s, μ = @.)",
+      R"(So far the contacts were given. Now the solver finds them: in every step it looks for the points where shapes touch,
+      and each point gets a contact and two rows of friction. Throw a book along the ground at @ m/s, μ = @.)",
       setting.speed, setting.friction);
   page.sequence("tumbling",
-                say(R"(A book thrown along the ground: it tumbles over corners and edges@. Below: its energy,
-                    velocities taken half a step on, which impacts and friction take away@.)",
+                say(R"(A book thrown along the ground: it tumbles over corners and edges@. Below: its energy (with
+                    velocities half a step on), which impacts and friction take away@.)",
                     thrown.rests ? ", and comes to rest in the end" : "",
                     thrown.rises > 1e-3 ? say("; where it rises, by up to @ % in a step, β pushes an overlap out",
                                               Value(100 * thrown.rises, 2))
@@ -158,18 +157,18 @@ void let_loose(const Setting& setting, Page& page) {
   const Stop straight = slid(setting, speed, 0), spinning = slid(setting, speed, spin),
              whirl = slid(setting, 0, spin);
   page.text(
-      R"(Friction at four corners also brakes a spin. If the book lies flat and only spins, at ω = @ rad/s, each corner
-      slips at right angles to its arm r = @ m. (Four corners on a plane are one row too many, so their loads are not
-      determined: lesson 6, step 4. This solver lets them share the weight equally.) Then the friction of each is
-      μmg/4. So the torque is μmgr, and with I = mr²/3)",
+      R"(Friction at four corners also brakes a spin. If the book lies flat and only spins, at ω = @ rad/s, each corner slips
+      at right angles to its arm r = @ m. (Four corners on a plane are one row too many, so their loads are not
+      determined: lesson 6, step 4. This solver lets them share the weight equally.) Then each has a friction of μmg/4,
+      the torque is μmgr, and with I = mr²/3)",
       Value(spin, 4), Value(half_diagonal, 4));
   page.formula(
       "ω̇ = −3μg/r   ⟹   it rests after ωr/(3μg) = @ s",
       R"(\dot\omega = -\frac{3\mu g}{r} \quad\Rightarrow\quad t = \frac{\omega r}{3\mu g} = @\ \mathrm{s})",
       spin * half_diagonal / (3 * a));
   page.choose(
-      {.ask = R"(The flat book slides at the same speed as before, once straight and once spinning as well. Which
-              gets farther?)",
+      {.ask =
+           R"(The flat book slides at that speed, once straight and once spinning as well. Which gets farther?)",
        .options =
            {{"the one that does not spin",
              "The friction of each corner is shared between slide and spin, so less of it brakes the slide."},
@@ -178,7 +177,7 @@ void let_loose(const Setting& setting, Page& page) {
                                        of it now acts against the spin.)",
                  spinning.distance, straight.distance)},
             {"both get equally far",
-             "That would be so if slide and spin each had a friction of their own, as axes have in a pyramid."}},
+             "They would, if slide and spin each had a friction of their own, as axes have in a pyramid."}},
        .answer = spinning.distance > straight.distance ? 1 : 0,
        .hints = {"Against what does the friction of each corner act?",
                  "Its length is μλ; its direction is against the slip v + ω × r of that corner.",
@@ -188,8 +187,8 @@ void let_loose(const Setting& setting, Page& page) {
                newton = off_its_place(SemismoothNewton{}, setting.h);
   const Quantity with_sweeps("off its place, swept", swept, "m"), with_newton("by Newton's method", newton, "m");
   page.text(
-      R"(Boxes collide with boxes as well. Take lesson 5's heavy box on a light one (step 7b) as cubes of @ kg on 1 kg:
-      with @ warm sweeps a step the upper one @. @)",
+      R"(Boxes also collide with boxes. Take lesson 5's heavy box on a light one (step 7b) as cubes of @ kg on 1 kg: with @
+      warm sweeps a step the upper one @. @)",
       heavy, sweeps,
       swept < 0.5 ? say("is up to @ mm off its place in the eighth second", Value(1000 * swept, 3))
                   : say("has left the lower one after @ s", settling),

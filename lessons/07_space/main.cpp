@@ -46,11 +46,11 @@ int main(int argc, char** argv) {
             "paths."},
        .tries = {{"A smaller wobble takes longer to grow into a flip:",
                   "./lessons/run space --step 6 --set wobble=0.005"},
-                 {"A faster spin, with which the explicit term gains energy sooner:",
+                 {"With a faster spin the explicit term gains energy sooner:",
                   "./lessons/run space --step 6 --set spin=15"},
                  {"A book that is not turned hides the mistake:", "./lessons/run space --step 2 --set tilt=0"}},
        .next =
-           R"(You now have all of the article in three dimensions. Lesson 8 shows where its methods fail, and lesson 9
-               what their accuracy costs.)"});
+           R"(You now have all of the article in three dimensions. Lesson 8 shows where its methods fail, lesson 9 what their
+               accuracy costs.)"});
   return lesson.run(argc, argv);
 }

@@ -103,14 +103,14 @@ void nutation(const Setting& setting, Page& page) {
   const Nutation run = nutation_of(set_out(setting), h);
 
   page.text(
-      R"(Give the bob @ of that speed, and it falls inward, moves out again, and so swings between two cones: *nutation*.
+      R"(Give the bob @ of that speed, and it falls inward and moves out again, so it swings between two cones: *nutation*.
       Meanwhile it goes round the vertical: *precession*. Both are known exactly. With u = cosθ,)",
       setting.share);
   page.formula("u̇² = 2(E/m + gLu)(1 − u²)/L² − (L_y/(mL²))²",
                R"(\dot u^2 = \frac{2}{L^2}\Bigl(\frac{E}{m} + gLu\Bigr)(1-u^2) - \Bigl(\frac{L_y}{mL^2}\Bigr)^2)");
   page.text(
-      R"(is a cubic in u. Two of its roots lie between −1 and 1: the two cones, at @° and @°; and the time from one to the other and back
-      is an elliptic integral. One nutation takes @ s and leads @° round the vertical.)",
+      R"(is a cubic in u. Two of its roots lie between −1 and 1: the two cones, at @° and @°. The time from one to the other
+      and back is an elliptic integral. One nutation takes @ s and goes @° round the vertical.)",
       setting.angle, degrees(pendulum.other_angle()), exact.period, degrees(exact.precession));
   page.derivation(
       "Why u̇² is a cubic in u",
@@ -132,15 +132,16 @@ void nutation(const Setting& setting, Page& page) {
   while (bob.time < nod_seconds) bob.step(h);
   const double kept = angular_momentum(bob.scene.bodies())[1], given = pendulum.angular_momentum(mass);
   page.choose(
-      {.ask = "The run has an error in its angle and in its energy. What about its angular momentum about the "
-              "vertical?",
+      {.ask =
+           "The run has an error in its angle and in its energy. How large is the error of its angular momentum "
+           "about the vertical?",
        .options =
-           {{"it has rounding errors only",
+           {{"rounding only",
              R"(λ acts along d, which passes through the anchor; gravity acts along the vertical; and the position
                     moves along v. None of the three has a torque about the vertical, at any h.)"},
-            {"its error is about that of the angle",
+            {"about as large as the angle's error",
              "What could change it in a step? λ acts along d, which passes through the anchor."},
-            {"it has a small error, because J is held over the step",
+            {"small, because J is held over the step",
              "J is d at the start of the step, and so is the arm of λ: d × d is zero at any h."}},
        .answer = std::abs(kept / given - 1) < 1e-9 ? 0 : 1,
        .hints = {"Which of λ, gravity and the move has a torque about the vertical?",
@@ -152,14 +153,14 @@ void nutation(const Setting& setting, Page& page) {
       halved > 0 ? say("they fall as h to the power of @ and @", Value(order, 3), Value(std::log2(halved), 3))
                  : say("the first falls as h to the power of @ and the second changes its sign", Value(order, 3));
   page.figure("errors_over_h",
-              say(R"(Error of the duration of one nutation and of the angle of its precession, over the time step.
+              say(R"(Errors of the duration of one nutation and of the angle of its precession, over the time step.
                   Between h/16 and h/32 @.)",
                   powers),
               over_h(setting, exact));
   page.text(
-      R"(The drift of lesson 4 fell with h only. Here the error falls with h², for two reasons: the velocities of
-      symplectic Euler are those of the leapfrog, a method of second order, half a step late; and this bob starts at a
-      turning point, where half a step makes no difference to first order.)");
+      R"(The drift of lesson 4 only fell with h. Here the error falls with h², for two reasons: the velocities of symplectic
+      Euler are those of the leapfrog, a second-order method, half a step late; and this bob starts at a turning point,
+      where half a step makes no difference to first order.)");
   page.measure("one nutation", run.period, "s");
   page.measure("precession in it", degrees(run.precession), "deg");
 

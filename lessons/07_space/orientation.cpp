@@ -102,39 +102,37 @@ void orientation(const Setting& setting, Page& page) {
   page.text("In the plane an orientation is an angle, and turns add up in any order. In space they do not.");
   page.predict(
       {.ask =
-           R"(Turn a book by 90° about x, then by 90° about y, and another book first about y, then about x. By what
-              angle do you have to turn the one to make it lie like the other?)",
+           R"(Turn a book by 90° about x, then by 90° about y; turn another book first about y, then about x. By what
+              angle do you have to turn the one book to make it lie like the other?)",
        .answer = degrees(apart),
        .unit = "deg",
        .tolerance = 2,
        .wrong = {{0, "Then the order would not matter. Try it with a book."},
-                 {180, "That is the sum of both turns; about a slanting axis a smaller turn is enough."},
-                 {90, "A quarter turn about an edge of the book does not do it; the axis is slanting."}},
+                 {180, "That is the sum of both turns; about an oblique axis a smaller turn is enough."},
+                 {90, "A quarter turn about an edge of the book does not do it; the axis is oblique."}},
        .hints = {"Follow where each axis of the book goes in either order.",
                  "The turn between them takes x to y, y to z and z to x: its axis is a diagonal of a cube.",
                  "Three such turns are a full one: 360°/3 = …"},
-       .right = "It is a third of a full turn about a diagonal of a cube, which takes each axis to the next."});
-  page.figure("order_of_turns",
-              R"(The same two quarter turns in either order (the yellow end is the book's +y). The results differ
-              by a third of a full turn.)",
+       .right = "A third of a full turn about a diagonal of a cube takes each axis to the next."});
+  page.figure("order_of_turns", R"(The same two quarter turns in either order (the yellow end is the book's +y).)",
               [](Canvas& canvas) { draw_orders(canvas); });
   page.text(
-      R"(So three angles that are added up are not enough. The solver keeps four numbers, a *unit quaternion*, q =
-      (cos ½θ, sin ½θ·n) for a turn by θ about n. The product of two quaternions is one turn after the other, and a step
-      of turning at a steady ω is)");
+      R"(So adding up three angles is not enough. The solver keeps four numbers, a *unit quaternion*, q =
+      (cos ½θ, sin ½θ·n) for a turn by θ about n. The product of two quaternions is one turn after the other, and one
+      step at a steady ω is)");
   page.formula(
       "q ← exp(½ωh) q,   exp(½ωh) = (cos ½|ω|h, sin ½|ω|h · ω/|ω|)",
       R"(q \leftarrow \exp(\tfrac12\omega h)\,q, \qquad )"
       R"(\exp(\tfrac12\omega h) = \bigl(\cos\tfrac12|\omega|h,\ \sin\tfrac12|\omega|h\ \tfrac{\omega}{|\omega|}\bigr))");
   page.text(
-      R"(Often q + ½ωqh is used instead, scaled to unit length afterwards: the first two terms of the series. It goes
-      along the tangent of a sphere, as the bob of lesson 2 along that of a circle, and turns by 2·atan(½ωh) instead of
-      ωh. At @ rad/s, @ rad a step, it is @° behind after a second; without scaling, |q| grows to @.)",
+      R"(Many programs use q + ½ωqh instead, the first two terms of the series, scaled to unit length afterwards. It follows
+      the tangent of a sphere, as the bob of lesson 2 follows the tangent of a circle, and turns by 2·atan(½ωh) instead
+      of ωh. At @ rad/s, @ rad a step, it is @° behind after a second; without scaling, |q| grows to @.)",
       setting.spin, Value(turn, 3), Value(degrees(first.lag), 3), Value(first.stretched, 6));
   page.figure(
       "lag",
-      R"(Error of an orientation after a second of steady turning, over the angle of one step; the exponential has
-              rounding errors only. Dashed: the first term of ωh − 2·atan(½ωh), up to half a turn.)",
+      R"(Error of an orientation after a second of steady turning, over the angle of one step; the exponential only has
+              rounding errors. Dashed: the first term of ωh − 2·atan(½ωh), up to half a turn.)",
       lag_over_rate(h));
 
   joints_in_space(setting, page);

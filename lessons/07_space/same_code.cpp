@@ -107,33 +107,34 @@ void draw_twins(Canvas& canvas, const Twins& twins, double length) {
 void same_code(const Setting& setting, Page& page) {
   const Numbers plane = numbers_of<PlaneBody>(), space = numbers_of<SpaceBody>();
   page.text(
-      R"(So far everything moved in the plane. Here is the row of lesson 1 as the solver writes it, and the product (8)
-      that each sweep needs. Look for a number of dimensions in them:)");
+      R"(So far everything moved in the plane. Here are the row of lesson 1 as the solver writes it, and the product (8)
+      that each sweep needs. Look for the number of dimensions in them:)");
   page.excerpt("solver/jacobian.hpp", "along");
   page.excerpt("solver/jacobian.hpp", "8");
   page.text(
-      R"(There is none. The type of a body says along how many axes it moves and about how many it turns: bodies in the
-      plane are `Model<2, 1>`, those of this lesson `Model<3, 3>`, and no code is written twice. Four things change,
-      and each has its step in this lesson:
+      R"(It is not there. A body's type says along how many axes it moves and about how many it turns: bodies in the plane
+      are `Model<2, 1>`, bodies in this lesson `Model<3, 3>`, and no code is written twice. Four things change, and each
+      has its step in this lesson:
 
       - r × n is one number in the plane (how much a push turns the body) and three in space (about which axis);
       - I is one number in the plane; in space it is three, along axes that turn with the body;
       - an orientation is a cosine and a sine in the plane and a quaternion in space;
       - Iω and ω may point in different directions, and then ω turns without any force.)");
-  page.figure("numbers",
-              R"(Numbers in a row of J (both bodies), in a body's pose, velocity and inertia, by model. A block of
-              three rows, a ball joint, is three times the first bar.)",
-              how_many());
+  page.figure(
+      "numbers",
+      R"(Numbers in a row of J (both bodies) and in a body's pose, velocity and inertia, by model. A ball joint, a
+              block of three rows, has three times the first bar.)",
+      how_many());
   page.text(
       R"(A row has @ numbers instead of @, and the velocity of a body @ instead of @. So a sweep takes @ times as many
-      multiplications. Nothing else changes for sweeps and β, because they see rows only. A warm start has one more thing to do: the
-      tangents of friction turn from step to step, and a remembered λₜ turns with them.)",
+      multiplications. Nothing else changes for sweeps and β, because they only see rows. A warm start has one more
+      task: the tangents of friction turn from step to step, and a remembered λₜ has to turn with them.)",
       space.row, plane.row, space.velocity, plane.velocity, space.row / plane.row);
 
   const Twins pair = twins(setting);
   page.text(
-      R"(To check that, let the same rod swing in both models: `hinged_rod<M>`, @ m long, @ kg, released at @°, held by
-      two rows in the plane and by three in space.)",
+      R"(To check that, let the same rod swing in both models: `hinged_rod<M>`, @ m long, @ kg, released at @°, held by two
+      rows in the plane and by three in space.)",
       setting.length, setting.mass, setting.angle);
   page.figure(
       "twins",
@@ -150,8 +151,8 @@ void same_code(const Setting& setting, Page& page) {
   };
   const double growth = inertia(SpaceBody(), 2) / inertia(SpaceBody(), 1),
                growth_in_plane = inertia(PlaneBody(), 2) / inertia(PlaneBody(), 1);
-  page.predict({.ask = R"(Every side of a box is doubled; it is made of the same wood. By what factor does each of
-                       its three moments of inertia grow?)",
+  page.predict({.ask = R"(Double every side of a box, in the same wood. By what factor does each of its three
+                       moments of inertia grow?)",
                 .answer = growth,
                 .unit = "1",
                 .tolerance = 0.02 * growth,

@@ -149,37 +149,35 @@ void turned_inertia(const Setting& setting, Page& page) {
                    {"turn that back into the axes of the world", "R I Rᵀ ω", R"(R\,I\,R^{\mathsf T}\omega)"},
                    {"its inverse, as Rᵀ = R⁻¹", "(R I Rᵀ)⁻¹ = R I⁻¹ Rᵀ",
                     R"((R\,I\,R^{\mathsf T})^{-1} = R\,I^{-1}R^{\mathsf T})"}});
-  page.text(
-      "It has to be computed again in every step in which the body has turned. With it, (18) for one body is");
+  page.text("It has to be computed again whenever the body has turned. With it, (18) for one body is");
   page.excerpt("lessons/07_space/turned_inertia.cpp", "18");
   page.text(
-      R"(What if R is forgotten? The book flies by at @ m/s, @, and the middle of its yellow side catches on a
-      nail: a pin, three rows, solved as one block. Here is that solve, with the mistake as an option:)",
+      R"(What if you forget R? The book flies by at @ m/s, @, and the middle of its yellow side catches on a nail: a pin,
+      three rows, solved as one block. That solve, with the mistake as an option:)",
       flight(), setting.tilt == 0 ? std::string("not turned") : say("turned by @°", setting.tilt));
   page.excerpt("lessons/07_space/turned_inertia.cpp", "caught");
   const bool shows = wrong.lost() > 1e-9;
   page.choose(
       {.ask = say(
-           R"(The inertia is left in the body's axes, for this book that @, and the rows are solved.
-                  How would you notice?)",
+           R"(Leave the inertia in the axes of this book, which @, and solve the rows. How would you
+                  notice?)",
            setting.tilt == 0 ? std::string("has not turned") : say("has turned by @°", setting.tilt)),
-       .options =
-           {{"JV is not zero: the held point moves on",
-             R"(λ is computed with the same M⁻¹ with which it is applied, so JV vanishes whatever M⁻¹ is. The
-                    joint shows nothing.)"},
-            {"the angular momentum about the nail has changed",
-             shows ? "The push acts at the nail, so it has no torque about the nail; a change is a mistake."
-                   : "It would, if the book had turned. As long as R is the identity, RIRᵀ is I."},
-            {"not at all", shows ? "The nail cannot change the angular momentum about itself. Compute that."
-                                 : "The book has not turned, so R is the identity and RIRᵀ is I."}},
+       .options = {{"JV is not zero: the held point keeps moving",
+                    R"(λ is computed and applied with the same M⁻¹, so JV vanishes whatever M⁻¹ is. The joint shows
+                    nothing.)"},
+                   {"the angular momentum about the nail has changed",
+                    shows ? "The push acts at the nail, so it has no torque about the nail; a change is a mistake."
+                          : "It would, if the book had turned. As long as R is the identity, RIRᵀ is I."},
+                   {"not at all", shows ? "The nail cannot change the angular momentum about itself. Compute that."
+                                        : "The book has not turned, so R is the identity and RIRᵀ is I."}},
        .answer = shows ? 1 : 2,
        .hints = {"Compare what (17) and (20) do with M⁻¹, and ask which quantity the nail cannot change.",
                  "(17) divides by JM⁻¹Jᵀ, (20) multiplies by M⁻¹Jᵀ; the push acts at the nail.",
                  "JV after = JV before + JM⁻¹Jᵀ λ"}});
   page.figure(
       "caught_on_a_nail",
-      say(R"(The book just caught, with I turned (left) and as it was (right). The held point rests in both. L is the
-          angular momentum about the nail, which the push of the nail cannot change; on the right it @.)",
+      say(R"(The book just caught, with I turned (left) and not turned (right). The held point rests in both. L is the
+          angular momentum about the nail, which the nail's push cannot change; on the right it @.)",
           shows ? say("has changed, by @ %", Value(100 * wrong.lost(), 3))
                 : "has not changed either, because this book has not turned"),
       [=](Canvas& canvas) {
@@ -188,14 +186,13 @@ void turned_inertia(const Setting& setting, Page& page) {
         draw_catch(canvas, wrong, "I⁻¹ in the body's axes", beside);
       });
   page.text(
-      R"(@ A body that has not turned does not show the mistake, nor does a ball or a cube, whose I is the same about
-      every axis. So test with a book, and turn it first.)",
+      R"(@ A body that has not turned hides the mistake, and so does a ball or a cube, whose I is the same about every axis.
+      So test with a book, and turn it first.)",
       shows ? "The joint looks right, but the body turns about a wrong axis and too fast or too slowly."
             : "Here joint and motion are right in spite of the mistake.");
-  page.figure(
-      "lost_by_tilt",
-      "How much of the angular momentum about the nail one solve changes, over how far the body was turned.",
-      over_tilt(mass, 90));
+  page.figure("lost_by_tilt",
+              "The share of the angular momentum about the nail that one solve changes, over the book's tilt.",
+              over_tilt(mass, 90));
   page.measure("change of L, I not turned", shows ? 100 * wrong.lost() : 0, "%");
 
   page.claim("speed of the held point, I not turned", wrong.slip, "m/s",

@@ -82,7 +82,7 @@ void turning_with_the_body(const Setting& setting, double careless, Page& page) 
     acts.push_back(
         {say("ω: @°, Iω: @°", Value(degrees(between(now.omega, first.omega)), 3),
              Value(std::round(1e6 * degrees(between(now.momentum, first.momentum))) / 1e6, 2)),
-         k == 0 ? "Angles from where both were. The axes have turned with the book, so I has; the parts still "
+         k == 0 ? "Angles from the start. The axes have turned with the book, and I with them; the parts still "
                   "add up to the same Iω. So ω must turn."
                 : "The book has turned further.",
          palette::error});
@@ -93,8 +93,8 @@ void turning_with_the_body(const Setting& setting, double careless, Page& page) 
   const pictures::Acts film(acts);
   page.sequence(
       "turning_with_the_body",
-      say(R"(The book with the term, as it really moves: @ s in @ s, in steps of @ ms. Green: ω and the path of its tip.
-                    Blue: the parts of Iω along the book's own axes. Purple: their sum Iω, which stays.)",
+      say(R"(The book with the term, as it really moves: @ s slowed to @ s, in steps of @ ms. Green: ω and the path of
+                    its tip. Blue: the parts of Iω along the book's own axes. Purple: their sum Iω, which stays.)",
           Value(stretches * stretch * turn, 2), film.seconds(), Value(1000 * h, 2)),
       Seconds{film.seconds()},
       [shown = TurningFilm{film, flight, moments}](Canvas& canvas, double time) { shown.draw(canvas, time); });

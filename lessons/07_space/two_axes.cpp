@@ -118,17 +118,18 @@ void two_axes(const Setting& setting, Page& page) {
   const double final_heading = std::atan2(closely.y(), closely.x());
 
   page.text(
-      R"(The article says at (16) that friction has one axis in the plane and two in space. So a contact in space has two
+      R"(At (16) the article says that friction has one axis in the plane and two in space. So a contact in space has two
       rows of (16), along t₁ and t₂ at right angles:)");
   page.equation(16);
   page.text(
       R"(Their bound is μ times the λ of the normal row (lesson 5). For one row that is an interval. The obvious way is to
-      bound each of the two rows by itself, which for all impulses together is a square (with the normal, a pyramid):)");
+      bound each of the two rows by itself. That bounds the impulse by a square (with the normal, a pyramid):)");
   page.excerpt("lessons/07_space/pucks.cpp", "pyramid");
   page.predict(
-      {.ask = say(R"(Pucks are pushed off at @ m/s, μ = @. One slides along t₁, and stops after some distance. The
-                  other slides at 45° between t₁ and t₂. How far does the second get, as a share of the first?)",
-                  setting.speed, setting.friction),
+      {.ask = say(
+           R"(Two pucks are pushed off at @ m/s, μ = @. One slides along t₁, the other at 45° between t₁ and t₂. How
+                  far does the second get, as a share of the first one's distance?)",
+           setting.speed, setting.friction),
        .answer = pyramid / disc,
        .unit = "1",
        .tolerance = 0.03,
@@ -143,14 +144,14 @@ void two_axes(const Setting& setting, Page& page) {
                        v * v / (2 * a), setting.friction};
   page.sequence(
       "pyramid_and_disc",
-      say(R"(@ pucks pushed off in all directions at @ m/s. Left: each axis bounded by itself. Right: the two
-                    impulses scaled together, so that no direction is special.)",
+      say(R"(@ pucks pushed off in all directions at @ m/s. Left: each axis bounded by itself. Right: both impulses
+                    scaled together, so that no direction is special.)",
           pucks, setting.speed),
       Seconds{std::min(2.5, 1.15 * v / a)}, [film](Canvas& canvas, double time) { film.draw(canvas, time); });
   page.text(
       R"(Two things are wrong on the left. Between the axes the brake is stronger, by up to √2. And the velocity along one
-      axis ends before the other, so the path *bends*: v₁ ends after v₁/μg, v₂ after v₂/μg. @ For short steps, a puck that
-      sets out at the angle φ stops in the direction)",
+      axis ends before the other, so the path *bends*: v₁ ends after v₁/μg, v₂ after v₂/μg. @ For short steps, a puck
+      that starts at the angle φ stops in the direction)",
       setting.heading == 45 ? "(Only at 0°, 45° and 90° it does not.)" : "");
   page.formula("tan φ' = tan² φ:  from @° to @°", R"(\tan\varphi' = \tan^2\varphi: \quad @^\circ \to @^\circ)",
                setting.heading, Value(degrees(std::atan(std::pow(std::tan(heading), 2))), 4));
@@ -162,8 +163,8 @@ void two_axes(const Setting& setting, Page& page) {
                    {"all these places", "s₁ + s₂ = v²/2μg: a square, not a circle",
                     R"(s_1 + s_2 = \frac{v^2}{2\mu g}: \text{ a square, not a circle})"}});
   page.text(
-      R"(And the axes are the solver's choice: turn t₁ and t₂ by 45°, and other pucks get farthest. Coulomb's law has one
-      bound, for the length of the impulse. So the two rows are one block, solved together and scaled together:)");
+      R"(And the solver chooses the axes: turn t₁ and t₂ by 45°, and other pucks get farthest. Coulomb's law has one bound,
+      for the length of the impulse. So the two rows are one block, solved together and scaled together:)");
   page.excerpt("lessons/07_space/two_axes.cpp", "disc");
   page.figure("where_they_stop",
               "Where the pucks of one half stop, seen from above. Dashed: the square and the circle of each bound "
