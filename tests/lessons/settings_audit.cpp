@@ -185,6 +185,33 @@ TEST(Rules, HoldForAllThatAPageSays) {
   }
 }
 
+TEST(Rules, AQuestionComesBeforeItsAnswer) {
+  const Item ask = question(0.4905, 2, 0.01), says_it = Text{"It is 0.4905 m."}, other = Text{"It is 0.52 m."};
+  const auto rules = [&](std::vector<Item> items, const std::vector<std::string>& given = {}) {
+    Page page;
+    page.items() = std::move(items);
+    return broken_by(page, given);
+  };
+  const std::string above = "the answer is above its question", below = "the answer is right below its question";
+  EXPECT_THAT(rules({says_it, other, ask}), ElementsAre(above));
+  EXPECT_THAT(rules({claim(0.4905, absolute(1)), ask}), testing::Contains(above));
+  EXPECT_THAT(rules({ask, says_it}), ElementsAre(below));
+  EXPECT_THAT(rules({other, ask, other, says_it}), IsEmpty());
+  EXPECT_THAT(rules({says_it, ask}, {"0.4905"}), IsEmpty()) << "the reader's own number";
+  EXPECT_THAT(rules({Text{"It is 2.5 m."}, question(2.5, 7, 0.01)}), IsEmpty()) << "too few digits to tell";
+}
+
+TEST(Rules, AFilmBeginsWithABody) {
+  const auto film = [](double begin) {
+    return out_of_frame(with(Sequence{"name", "Caption.", Seconds{2}, [=](renderer::Canvas& canvas, double time) {
+                                        if (time >= begin) canvas.disc(canvas.page().centre(), 30);
+                                      }}));
+  };
+  EXPECT_THAT(film(0), IsEmpty());
+  ASSERT_THAT(film(0.5), SizeIs(1));
+  EXPECT_EQ(film(0.5)[0].rule, "a film begins without a body");
+}
+
 TEST(Rules, APictureIsNotBlank) {
   PictureDrawer pictures(small_quality);
   const auto blanks = [&](Item item) { return blank_pictures(with(std::move(item)), pictures).size(); };

@@ -63,6 +63,7 @@ class Recorder : public renderer::DrawingSurface {
  public:
   void clear(Colour /*paper*/) override {
     shapes_.clear();
+    in_space_ = false;
     panel_ = {0, 0, page_width, page_height};
   }
   void clip(const PixelBox& box) override {
@@ -81,20 +82,22 @@ class Recorder : public renderer::DrawingSurface {
   double text_width(std::string_view line, double size, bool bold) const override {
     return font_.width(line, size, bold);
   }
-  void space(const renderer::Space& /*space*/, const PixelBox& /*frame*/) override {}
+  void space(const renderer::Space& /*space*/, const PixelBox& /*frame*/) override { in_space_ = true; }
 
   const std::vector<Shape>& shapes() const { return shapes_; }
+  bool shows_a_body() const { return in_space_ || !shapes_.empty(); }
 
  private:
   renderer::Font font_;
   std::vector<Shape> shapes_;
+  bool in_space_ = false;  // a scene in space is drawn, whose bodies are not looked at
   Rectangle panel_;
 };
 
 class RecordingCanvas : public renderer::Canvas {
  public:
   RecordingCanvas() : Canvas({page_width, page_height}, std::make_unique<Recorder>()) { list_labels(); }
-  const std::vector<Shape>& shapes() const { return static_cast<const Recorder&>(surface()).shapes(); }
+  const Recorder& recorded() const { return static_cast<const Recorder&>(surface()); }
 };
 
 /// How far [points] `inner` stands out of `outer`.
@@ -117,7 +120,7 @@ std::vector<Finding> findings(const RecordingCanvas& canvas, const std::string& 
     if (!excepted && rules.insert(rule).second)
       found.push_back({rule, fmt::format("{} [{}]", words, caption.substr(0, 90))});
   };
-  for (const Shape& shape : canvas.shapes())
+  for (const Shape& shape : canvas.recorded().shapes())
     if (const double out = beyond(shape.box, shape.panel); out > touching && !spans(shape.box, shape.panel))
       add("a body leaves its frame",
           fmt::format("by {:.0f} of {:.0f} × {:.0f} points", out, shape.box.width, shape.box.height));
@@ -131,6 +134,14 @@ std::vector<Finding> findings(const RecordingCanvas& canvas, const std::string& 
     }
   }
   return found;
+}
+
+/// Whether the first frame has more than curves, rods and letters.
+bool begins_with_a_body(const course::FrameDrawing& draw) {
+  RecordingCanvas canvas;
+  const course::FrameDrawing copy = draw;  // it may go on from frame to frame
+  copy(canvas, 0);
+  return canvas.recorded().shows_a_body();
 }
 
 }  // namespace
@@ -161,6 +172,8 @@ std::vector<Finding> out_of_frame(const course::Page& page) {
       std::set<std::string> rules;
       constexpr int looks = 8;
       int before = -1;
+      if (!begins_with_a_body(draw))
+        all.push_back({"a film begins without a body", film->name + ": " + film->caption});
       for (int i = 0; i <= looks; ++i) {
         const int frame = last * i / looks;
         if (std::exchange(before, frame) == frame) continue;

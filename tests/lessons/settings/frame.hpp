@@ -12,7 +12,7 @@ namespace byhand::tests {
 /// off, letters beyond the page, and labels that cover each other.
 std::vector<Finding> out_of_frame(const course::Drawing& draw, const std::string& caption);
 
-/// The same for all pictures of a page, and of each sequence for nine frames.
+/// The same for all pictures of a page, and of each sequence for nine frames, the first of which shows a body.
 std::vector<Finding> out_of_frame(const course::Page& page);
 
 }  // namespace byhand::tests

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <optional>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -245,6 +246,50 @@ string in_words(const Claim& claim) {
                      claim.source, claim.range.words.empty() ? "" : "; for " + claim.range.words);
 }
 
+/// The logarithm of a question's answer, if it has three digits, by which a reader recognises it: not 0.5, 2
+/// or 10.
+std::optional<double> telling_answer(const Item& item) {
+  const auto* question = std::get_if<Prediction>(&item);
+  if (!question) return {};
+  const string printed = number(question->answer);
+  const size_t first = std::min(printed.find_first_of("123456789"), printed.size());
+  if (std::ranges::count_if(printed.substr(first), [](char c) { return '0' <= c && c <= '9'; }) < 3) return {};
+  return std::log10(std::abs(question->answer));
+}
+
+/// A question comes before the formula, figure, film or claim that holds its answer, and the item right below it
+/// does not give it away.
+std::vector<Finding> answers_beside_questions(const Page& page, const std::vector<string>& given) {
+  std::vector<Finding> found;
+  const auto& items = page.items();
+  for (size_t at = 0; at < items.size(); ++at) {
+    const std::optional<double> answer = telling_answer(items[at]);
+    if (!answer) continue;
+    const auto shows_it = [&](const Item& item) {
+      constexpr double same = 1e-3;  // of the logarithm: three digits
+      const auto says_it = [&](const string& words) {
+        return std::ranges::any_of(numbers(words), [&](const Number& number) {
+          const bool set = std::ranges::any_of(given, [&](const string& value) {
+            const auto typed = numbers(value);
+            return typed.size() == 1 && std::abs(typed[0].magnitude - number.magnitude) < same;
+          });
+          return !set && std::abs(number.magnitude - *answer) < same;
+        });
+      };
+      return std::ranges::any_of(passages(item), says_it);
+    };
+    for (size_t other = 0; other < items.size() && other <= at + 1; ++other) {
+      const Item& item = items[other];
+      const bool a_question = std::holds_alternative<Prediction>(item) || std::holds_alternative<Choice>(item);
+      if (!a_question && shows_it(item))
+        found.push_back(
+            {other < at ? "the answer is above its question" : "the answer is right below its question",
+             std::get<Prediction>(items[at]).ask + " " + passages(item).front()});
+    }
+  }
+  return found;
+}
+
 std::vector<Finding> broken_rules(const Claim& claim) {
   if (claim.is_false()) return {{"a claim is false", in_words(claim)}};
   if (!claim.claimed()) return {};
@@ -324,7 +369,7 @@ std::vector<Finding> broken_rules(const renderer::Chart& chart, const string& ca
 }
 
 std::vector<Finding> broken_rules(const Page& page, const std::vector<string>& given) {
-  std::vector<Finding> found;
+  std::vector<Finding> found = answers_beside_questions(page, given);
   for (const Item& item : page.items()) {
     for (const string& words : passages(item)) add(found, broken_rules(words, given));
     if (const auto* claim = std::get_if<Claim>(&item)) add(found, broken_rules(*claim));
