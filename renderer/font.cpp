@@ -91,6 +91,9 @@ std::vector<Font::Piece> Font::pieces(std::string_view text) {
                      : sign.level > 0 ? raise
                                       : -lower,
                      sign.level == 0 ? 1 : small, italic[i]});
+    // A slanted letter leans on the bar behind it: |d| would look like |a|.
+    constexpr std::string_view hair_space = "\u200a";
+    if (i > 0 && italic[i - 1] && sign.bytes == "|") all.back().words += hair_space;
     all.back().words += sign.bytes;
   }
   return all;

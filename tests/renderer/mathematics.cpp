@@ -20,7 +20,7 @@ TEST(Mathematics, QuantitiesAreItalic) {
   EXPECT_EQ(marked("v"), "⟨v⟩");
   EXPECT_EQ(marked("λ̇_1^2"), "⟨λ̇⟩12");
   EXPECT_EQ(marked("Ċ = JV = ∇C·ẋ"), "⟨Ċ⟩ = ⟨JV⟩ = ∇⟨C⟩·⟨ẋ⟩");
-  EXPECT_EQ(marked("λ·|d| = −0.42 N·s"), "⟨λ⟩·|⟨d⟩| = −0.42 N·s");
+  EXPECT_EQ(marked("λ·|d| = −0.42 N·s"), "⟨λ⟩·|⟨d⟩\u200a| = −0.42 N·s");
   EXPECT_EQ(marked("a_2 = r_2 × n = −0.379 m"), "⟨a⟩2 = ⟨r⟩2 × ⟨n⟩ = −0.379 m");
   EXPECT_EQ(marked("(ωh)²/2β"), "(⟨ωh⟩)²/2⟨β⟩");
   EXPECT_EQ(marked("N³ = 7.84 kw²/2mg"), "⟨N⟩³ = 7.84 ⟨kw⟩²/2⟨mg⟩");
