@@ -170,7 +170,7 @@ std::string not_a_seed(const std::string& typed) {
   std::uint64_t seed = 0;
   const auto [end, error] = std::from_chars(typed.data(), typed.data() + typed.size(), seed);
   if (error == std::errc{} && end == typed.data() + typed.size()) return "";
-  return fmt::format("{} is no whole number from 0 to {}", course::shortened(typed),
+  return fmt::format("{} is not a whole number from 0 to {}", course::shortened(typed),
                      std::numeric_limits<std::uint64_t>::max());
 }
 

@@ -45,8 +45,7 @@ Case make() {
                 {"speed after 5 s", "m/s", 3, speed(file, 5), "v stays along the tangent", 0.02}};
           },
       .takeaway =
-          "A J is true at one pose. Who moves the bodies has to write it again, or to say what the old one "
-          "costs."};
+          "A J is true at one pose. If you move the bodies, write it again, or say what the old one costs."};
 }
 const bool told = tell(__FILE__, make);
 

@@ -82,8 +82,8 @@ std::string practise_page() {
                        .content = fmt::format(R"(<div class="practise">
 <link rel="stylesheet" href="practise/practise.css" />
 <h1>Write it yourself</h1>
-<p class="summary">Each exercise is a function or two of the course, in C++; the eleventh is a whole program. Your code is compiled here, in the page, and judged on 24 random
-probes; a frequent mistake is told what it is.</p>
+<p class="summary">Each exercise is a function or two of the course, in C++; the eleventh is a whole program. The page compiles your code and judges it on 24 random
+probes; if you made a frequent mistake, it says which.</p>
 <noscript><p>To compile and judge, the page needs JavaScript; <code>./lessons/run practise</code> is the same at a terminal.</p></noscript>
 <nav aria-label="Exercises"><ol class="exercises">
 {0}</ol></nav>
