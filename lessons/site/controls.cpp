@@ -33,10 +33,11 @@ struct Place {
   std::vector<std::string> knobs;
 };
 
-std::vector<Place> places(const RecordedStep& step, const std::vector<RecordedStep>& lesson) {
+std::vector<Place> places(const RecordedStep& step, const std::vector<RecordedStep>& lesson,
+                          const Changes& changes) {
   std::vector<Place> all;
   const auto add = [&](const char* kind, const std::string& name, const std::string& caption) {
-    all.push_back({fmt::format("id=\"{}-{}\"", kind, name), knobs(step, caption, lesson)});
+    all.push_back({fmt::format("id=\"{}-{}\"", kind, name), knobs(step, name, caption, lesson, changes)});
   };
   for (const Item& item : step.page.items()) {
     if (const auto* figure = std::get_if<Figure>(&item)) add("figure", figure->name, figure->caption);
@@ -56,8 +57,8 @@ std::string recorded() {
 
 }  // namespace
 
-std::vector<std::string> knobs(const RecordedStep& step, const std::string& caption,
-                               const std::vector<RecordedStep>& lesson) {
+std::vector<std::string> knobs(const RecordedStep& step, const std::string& picture, const std::string& caption,
+                               const std::vector<RecordedStep>& lesson, const Changes& changes) {
   const std::string words = plain_text(caption), title = plain_text(step.step->title);
   const auto rank = [&](const std::string& name) {
     const auto readers = std::count_if(lesson.begin(), lesson.end(), [&](const RecordedStep& other) {
@@ -69,12 +70,15 @@ std::vector<std::string> knobs(const RecordedStep& step, const std::string& capt
   std::erase(names, "resolution");  // of a map: how finely it is drawn, not what it shows
   std::stable_sort(names.begin(), names.end(),
                    [&](const std::string& a, const std::string& b) { return rank(a) < rank(b); });
-  names.resize(std::min<std::size_t>(2, names.size()));
-  return names;
+  std::vector<std::string> all;
+  for (const std::string& name : names)
+    if (all.size() < 2 && changes(picture, name)) all.push_back(name);
+  return all;
 }
 
-std::string with_controls(std::string section, const RecordedStep& step, const std::vector<RecordedStep>& lesson) {
-  for (const auto& [id, names] : places(step, lesson)) {
+std::string with_controls(std::string section, const RecordedStep& step, const std::vector<RecordedStep>& lesson,
+                          const Changes& changes) {
+  for (const auto& [id, names] : places(step, lesson, changes)) {
     const std::size_t figure = section.find(id), caption = section.find("<figcaption>", figure);
     if (caption == std::string::npos) continue;
     section.insert(caption, fmt::format("<div class=\"controls\" data-knobs=\"{}\" data-count=\"{}\"></div>",

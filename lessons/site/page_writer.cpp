@@ -16,6 +16,7 @@
 #include "lessons/site/frame.hpp"
 #include "lessons/site/lesson_page.hpp"
 #include "lessons/site/page_json.hpp"
+#include "lessons/site/turned_step.hpp"
 #include "renderer/opengl/space_picture.hpp"
 
 namespace byhand::site {
@@ -87,7 +88,7 @@ Told told(const Lesson& lesson, const fs::path& folder, bool quiet) {
   return all;
 }
 
-std::vector<RecordedStep> write_page(const Lesson& lesson, const fs::path& folder, bool quiet) {
+std::vector<RecordedStep> write_page(Lesson& lesson, const fs::path& folder, bool quiet) {
   const std::string& slug = lesson.about().slug;
   auto [steps, sections] = told(lesson, folder, quiet);
   const bool live = fs::exists(folder / "live" / (slug + ".js"));
@@ -97,7 +98,14 @@ std::vector<RecordedStep> write_page(const Lesson& lesson, const fs::path& folde
       sections[i].insert(
           sections[i].find("<h2>"),
           fmt::format("<a class=\"skip\" href=\"#step-{0}\">Skip to step {0}</a>\n", steps[i + 1].step->label));
-    all += live ? with_controls(sections[i], steps[i], steps) : sections[i];
+    if (!live) {
+      all += sections[i];
+      continue;
+    }
+    TurnedStep turned(lesson, *steps[i].step);
+    all += with_controls(sections[i], steps[i], steps, [&](const std::string& picture, const std::string& name) {
+      return turned.changes(picture, name);
+    });
   }
   write_card(steps, folder / slug);
   write_films(steps, folder / slug / "films");

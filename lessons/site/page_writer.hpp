@@ -19,8 +19,8 @@ Told told(const course::Lesson& lesson, const std::filesystem::path& folder, boo
 
 /// Runs the whole lesson and writes its page, NN_slug.html, into the folder of the site, with the data of its
 /// charts in NN_slug/data, its films, each one file, in NN_slug/films and its digest for the site's other pages in
-/// NN_slug.json. Returns what was recorded.
-std::vector<course::RecordedStep> write_page(const course::Lesson& lesson, const std::filesystem::path& folder,
+/// NN_slug.json. Returns what was recorded. Turns the lesson's parameters and puts them back.
+std::vector<course::RecordedStep> write_page(course::Lesson& lesson, const std::filesystem::path& folder,
                                              bool quiet);
 
 }  // namespace byhand::site

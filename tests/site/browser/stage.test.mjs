@@ -18,13 +18,13 @@ for (const lesson of lessons)
       const spans = await tab.$$eval(pictures, figures => figures.map(figure => {
         // On a phone three quarters of the figure are enough.
         const { top: edge, height: whole } = figure.querySelector('.picture').getBoundingClientRect(), top = edge + (innerWidth < 480 ? whole / 4 : 0), last = [...figure.querySelectorAll('.knobs .setting')].pop();
-        // How finely a map is drawn stands at the foot of a step.
-        const reads = [...byhandPage.steps.find(step => step.section.contains(figure)).read].filter(name => name !== 'resolution').length;
-        return { id: figure.id, reads, span: last && last.getBoundingClientRect().bottom - top };
+        // Parameters that do not change the picture stand at the foot of the step.
+        const knobs = +figure.querySelector('.controls').dataset.count;
+        return { id: figure.id, knobs, span: last && last.getBoundingClientRect().bottom - top };
       }));
       // What stays in view takes its part: the bar of changes and, on a narrow page, the contents.
       const room = height - 56 - await tab.$eval('.beside', beside => innerWidth < 1440 ? beside.getBoundingClientRect().height : 0);
-      const offered = spans.filter(({ reads }) => reads > 0);
+      const offered = spans.filter(({ knobs }) => knobs > 0);
       assert.deepEqual(offered.filter(({ span }) => !span).map(({ id }) => id), [], 'figures without a slider');
       context.diagnostic(`from a figure's top to its last slider at most ${Math.max(...offered.map(({ span }) => span)).toFixed()} of ${room.toFixed()} pixels`);
       assert.deepEqual(offered.filter(({ span }) => span > room), []);
