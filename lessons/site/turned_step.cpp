@@ -76,6 +76,7 @@ bool TurnedStep::changes(const std::string& picture, const std::string& paramete
   const auto& all = lesson_.parameters();
   const auto record =
       std::find_if(all.begin(), all.end(), [&](const ParameterRecord& p) { return p.name == parameter; });
+  if (!record->step.empty()) return true;
   const Images& now = images(picture, {});
   if (now.empty()) return true;
   for (const std::string& end : ends(*record)) {
@@ -109,7 +110,7 @@ const TurnedStep::Images& TurnedStep::images(const std::string& picture, const S
 }
 
 TurnedStep::Images TurnedStep::drawn(const std::string& picture, const RecordedStep& recorded) {
-  constexpr int looks = 4;  // at a film, after its beginning
+  constexpr int looks = 2;  // at a film, after its beginning
   for (const Item& item : recorded.page.items()) {
     if (const auto* figure = std::get_if<Figure>(&item); figure && figure->name == picture) {
       if (std::holds_alternative<TimedChart>(figure->picture)) return {};

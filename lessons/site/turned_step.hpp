@@ -25,8 +25,9 @@ class TurnedStep {
   ~TurnedStep();
   TurnedStep(TurnedStep&&) noexcept;
 
-  /// Whether the picture looks different at an end of the parameter's range, letters aside. Of a chart that a
-  /// clock measures nobody knows: true.
+  /// Whether the picture looks different at an end of the parameter's range, letters aside. True without a look
+  /// for a chart that a clock measures, and for a parameter that only this step reads (Lesson::answers): those ask
+  /// for long runs.
   bool changes(const std::string& picture, const std::string& parameter);
 
  private:
