@@ -9,6 +9,7 @@
 #include "solver/constraints/contact_manifold.hpp"
 #include "solver/constraints/normalised_distance.hpp"
 #include "solver/constraints/pin.hpp"
+#include "solver/direct/equations.hpp"
 #include "solver/measure.hpp"
 
 namespace byhand {
@@ -161,11 +162,17 @@ void AnyScene::step(double h) {
 
 Effort AnyScene::effort() const {
   Effort effort = effort_;
-  const auto add = [&](const auto& work) {
-    effort.row_solves = work.row_solves - work.executed.projected_rows;
-    effort.executed = work.executed;
+  const auto add = [&]<class M>(const SceneWithMethod<M>& running) {
+    std::visit(
+        [&](const StepWork<M>& work) {
+          effort.row_solves = work.row_solves - work.executed.projected_rows;
+          effort.executed = work.executed;
+        },
+        running.work);
+    if (const auto* work = std::get_if<AnyStepping::Work<M>>(&running.work))
+      if (const auto* direct = std::any_cast<DirectWork<M>>(&work->solver)) effort.planned = direct->planned;
   };
-  std::visit([&](const auto& running) { std::visit(add, running.work); }, running_->one);
+  std::visit(add, running_->one);
   return effort;
 }
 
@@ -271,11 +278,14 @@ int AnyScene::degrees_of_freedom() const {
 
 RowKind AnyScene::row_kind() const {
   return read([]<class M>(const Scene<M>& scene) {
-    const bool pinned = !scene.template all<Pin>().empty();
+    const bool pinned = !scene.template all<Pin>().empty(), touching = !scene.colliders().shapes.empty();
     if (M::linear == 3)
-      return M::angular == 0 ? RowKind::bobs_in_space : pinned ? RowKind::links_in_space : RowKind::balls_in_space;
+      return M::angular == 0 ? RowKind::bobs_in_space
+             : touching      ? RowKind::boxes_in_space
+             : pinned        ? RowKind::links_in_space
+                             : RowKind::balls_in_space;
     if (M::angular == 0) return RowKind::bobs;
-    return pinned ? RowKind::links : scene.colliders().shapes.empty() ? RowKind::balls : RowKind::boxes;
+    return pinned ? RowKind::links : touching ? RowKind::boxes : RowKind::balls;
   });
 }
 

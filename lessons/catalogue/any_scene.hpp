@@ -19,6 +19,7 @@ struct Placement {
 struct Effort {
   long long row_solves = 0;  // uses of (17) and (20); a direct solve counts as those of as many multiplications
   Executed executed;
+  long long planned = 0;       // operations of a direct solver's plans, whenever its rows are laid out anew
   long long written_rows = 0;  // once in each substep
   long long bodies = 0;        // moved: once in each substep
   long long contacts = 0;      // rows of contacts, found once in each step
@@ -26,7 +27,7 @@ struct Effort {
 };
 
 /// What a scene's rows act on; a scene of the catalogue has one kind.
-enum class RowKind { bobs, balls, links, boxes, bobs_in_space, balls_in_space, links_in_space };
+enum class RowKind { bobs, balls, links, boxes, bobs_in_space, balls_in_space, links_in_space, boxes_in_space };
 
 /// A scene of any model with any method, for programs that choose both as they run. A value: a copy is a way back.
 class AnyScene {

@@ -4,8 +4,6 @@
 #include <memory>
 #include <numbers>
 
-#include "lessons/catalogue/tuning.hpp"
-
 namespace byhand {
 namespace {
 
@@ -41,8 +39,11 @@ Watch watch_of(const Problem& problem, const Wish& wish, double bound) {
 class Variant {
  public:
   /// `most` instructions end its search.
-  Variant(const Problem& problem, const Family& family, const Wish& wish, double bound, double most)
-      : problem_(problem), wish_(wish), runs_(problem, family, watch_of(problem, wish, bound)), most_(most) {}
+  Variant(const Problem& problem, const Family& family, const Wish& wish, double bound, double most, Known* known)
+      : problem_(problem),
+        wish_(wish),
+        runs_(problem, family, watch_of(problem, wish, bound), known),
+        most_(most) {}
 
   /// The least substeps from the law's on with which some strength reaches the wish; then fewer passes.
   void search(Cure cure, int passes) {
@@ -99,7 +100,7 @@ class Variant {
   }
 
   const Candidate& best() const { return best_; }
-  Spent spent() const { return {runs_.count(), runs_.work()}; }
+  Spent spent() const { return {runs_.made(), runs_.work()}; }
 
  private:
   bool reaches(const Point& point) const { return excess(point, wish_.limits) <= 1; }
@@ -112,6 +113,8 @@ class Variant {
   }
 
   const Point& run(const Knobs& knobs) {
+    // What is left has to pay for all of the run.
+    runs_.watch().most = std::min(runs_.watch().most, (most_ - runs_.work()) * frame / runs_.seconds());
     const Point& point = runs_.at(knobs);
     const double over = excess(point, wish_.limits);
     const bool reached = over <= 1;
@@ -206,7 +209,7 @@ bool preferred(const Candidate& a, const Candidate& b, const Wish& wish) {
 Candidate most_accurate(const Problem& problem, const Family& family, const Wish& wish, Spent* spent) {
   Runs runs(problem, family, {.seconds = screening(problem), .reference = false, .most = budget_of(wish, family)});
   explore(runs, std::array{Error::drift}, 80);
-  *spent += {runs.count(), runs.work()};
+  *spent += {runs.made(), runs.work()};
   Candidate best;
   for (const Point& point : runs.points()) {
     const bool reached = point.has(Error::drift) && point.cost <= budget_of(wish, family);
@@ -218,19 +221,22 @@ Candidate most_accurate(const Problem& problem, const Family& family, const Wish
 
 /// After a start that a candidate did not keep: the same method tuned anew for that start, or with more substeps.
 Candidate strengthened(const Problem& problem, const Wish& wish, const Candidate& candidate, const Problem& start,
-                       const Search& search, Spent& spent) {
+                       double most_work, Spent& spent) {
   const Family& family = *candidate.point.family;
+  const double until = spent.work + most_work;
   if (!wish.limits.empty()) {
     const double most = std::min(10 * candidate.point.cost, budget_of(wish, family));
-    const Candidate tuned = cheapest(start, family, wish, most, &spent, search.most / 20);
+    const Candidate tuned = cheapest(start, family, wish, most, &spent, most_work);
     if (tuned.reached && tuned.point.cost > candidate.point.cost) return tuned;
   }
   Candidate more = candidate;
   Knobs knobs = candidate.point.knobs;
   more.reached = false;
-  for (int times = 0; times < 8 && !more.reached && more.point.cost <= budget_of(wish, family); ++times) {
+  for (int times = 0;
+       times < 8 && !more.reached && more.point.cost <= budget_of(wish, family) && spent.work <= until; ++times) {
     knobs.substeps = std::max(knobs.substeps + 1, knobs.substeps * 5 / 4);
     more.point = measure(problem, family, knobs, {.reference = asks_for_reference(wish.limits)});
+    spent += {1, work_of(more.point)};
     more.excess = wish.limits.empty() ? more.point[Error::drift] : excess(more.point, wish.limits);
     more.reached = more.point.outcome == Outcome::good && (wish.limits.empty() || more.excess <= 1) &&
                    more.point.cost <= budget_of(wish, family);
@@ -239,18 +245,22 @@ Candidate strengthened(const Problem& problem, const Wish& wish, const Candidate
 }
 
 /// Of candidates that reach the wish the cheapest that keep it from all starts over the whole time, by their
-/// costs: as many as are wanted. One that does not is strengthened, and so takes its place further back.
-/// `choice.verified` is that of the first.
+/// costs: as many as are wanted, and as are paid for until `until` instructions are spent. One that does not is
+/// strengthened, and so takes its place further back. `choice.verified` is that of the first.
 std::vector<Candidate> verified(const Problem& problem, const Wish& wish, std::vector<Candidate>& found,
-                                int starts, std::size_t wanted, const Search& search, Choice& choice) {
+                                int starts, std::size_t wanted, const Search& search, double until,
+                                Choice& choice) {
   std::vector<Candidate> kept;
   std::vector<int> attempts(found.size(), most_attempts);
-  const double until = std::max(search.most, choice.spent.work + search.most / 4);
   while (kept.size() < wanted) {
     Candidate* next = nullptr;
     for (Candidate& candidate : found)
       if (candidate.reached && (!next || preferred(candidate, *next, wish))) next = &candidate;
-    if (!next || choice.spent.work > until) break;
+    if (!next) break;
+    if (choice.spent.work > until) {
+      choice.at_its_bound = true;
+      break;
+    }
     const double run = next->point.cost * problem.scene().duration / frame;
     // From other starts after each failure: none of those for which it was tuned.
     int& left = attempts[static_cast<std::size_t>(next - found.data())];
@@ -264,7 +274,8 @@ std::vector<Candidate> verified(const Problem& problem, const Wish& wish, std::v
       next->reached = false;
       continue;
     }
-    *next = strengthened(problem, wish, *next, problem.variation(verification.worst, seed), search, choice.spent);
+    *next = strengthened(problem, wish, *next, problem.variation(verification.worst, seed),
+                         std::min(search.most / 20, until - choice.spent.work), choice.spent);
     next->reached = next->reached && --left > 0;
   }
   return kept;
@@ -280,7 +291,7 @@ double excess(const Point& point, const std::map<Error, double>& limits) {
 }
 
 Candidate cheapest(const Problem& problem, const Family& family, const Wish& wish, double bound, Spent* spent,
-                   double most_work) {
+                   double most_work, Known* known) {
   std::vector<std::unique_ptr<Variant>> variants;
   Variant* best = nullptr;
   double work = 0;
@@ -290,7 +301,7 @@ Candidate cheapest(const Problem& problem, const Family& family, const Wish& wis
       if (best && work > most_work) break;
       const double most = best && best->best().reached ? best->best().point.cost : INFINITY;
       variants.push_back(
-          std::make_unique<Variant>(problem, family, wish, std::min(bound, most), most_work - work));
+          std::make_unique<Variant>(problem, family, wish, std::min(bound, most), most_work - work, known));
       Variant& variant = *variants.back();
       variant.search(cure, passes);
       work += variant.spent().work;
@@ -336,19 +347,32 @@ Choice choose(const Problem& problem, const Wish& wish, const Search& search) {
   std::vector<Candidate> found(all.size());
   const auto by_preference = [&](const Candidate& a, const Candidate& b) { return preferred(a, b, wish); };
   std::vector<char> settled(all.size());  // of which methods the answer is known
-  std::vector<Spent> spent(all.size());
+  std::vector<Known> known(all.size());
   const double rows = std::max(1, problem.start().degrees_of_freedom());
   double cheapest_yet = INFINITY;
-  const auto look = [&](const std::vector<std::size_t>& which, double most) {
-    const double bound = std::min(most, worth * cheapest_yet);
+  // All of these methods that have not reached the wish yet, at a cost of at most `most` a frame, until `until`
+  // instructions are spent.
+  const auto look = [&](std::vector<std::size_t> which, double most, double until) {
+    std::erase_if(which, [&](std::size_t at) {
+      return found[at].reached || found[at].point.outcome == Outcome::refused || settled[at];
+    });
+    const double bound = std::min(most, worth * cheapest_yet),
+                 each = std::min(search.most / 20,
+                                 std::max(0.0, until - choice.spent.work) / static_cast<double>(which.size()));
+    std::vector<Spent> spent(which.size());
     search.side_by_side(static_cast<int>(which.size()), [&](int i) {
       const std::size_t at = which[static_cast<std::size_t>(i)];
-      if (found[at].reached || found[at].point.outcome == Outcome::refused || settled[at]) return;
       search.told(all[at].name);
-      found[at] = wish.limits.empty() ? most_accurate(problem, all[at], wish, &spent[at])
-                                      : cheapest(problem, all[at], wish, std::min(bound, budget_of(wish, all[at])),
-                                                 &spent[at], search.most / 20);
+      Spent& own = spent[static_cast<std::size_t>(i)];
+      const Candidate now = wish.limits.empty()
+                                ? most_accurate(problem, all[at], wish, &own)
+                                : cheapest(problem, all[at], wish, std::min(bound, budget_of(wish, all[at])), &own,
+                                           each, &known[at]);
+      // A search that may take little comes less near than one before.
+      if (!found[at].point.family || now.point.outcome == Outcome::refused || preferred(now, found[at], wish))
+        found[at] = now;
     });
+    for (const Spent& one : spent) choice.spent += one;
     for (const std::size_t at : which)
       if (found[at].reached) cheapest_yet = std::min(cheapest_yet, found[at].point.cost);
   };
@@ -362,44 +386,55 @@ Choice choose(const Problem& problem, const Wish& wish, const Search& search) {
         .push_back(i);
   // Those that solve exactly have few choices, so that their search goes on when that of all others has cost
   // enough.
+  constexpr double hopeless = 1e13;  // instructions a frame
   double level = wish.limits.empty() ? INFINITY : 1000 * rows * choice.limit.substeps;
   for (;; level *= 2.5) {
-    look(first, level), look(second, level);
-    if (choice.spent.work <= search.enough) look(rest, level), choice.searched = level;
-    choice.spent = {};
-    for (const Spent& one : spent) choice.spent += one;
+    const double half = search.most / 2;
+    look(first, level, half), look(second, level, half);
+    if (choice.spent.work <= search.enough) look(rest, level, half), choice.searched = level;
     const bool spent_all = std::all_of(all.begin(), all.end(),
                                        [&](const Family& family) { return level >= budget_of(wish, family); });
-    if (std::isfinite(cheapest_yet) || spent_all || choice.spent.work > std::min(3 * search.enough, search.most))
+    // Or a run at this cost is more than one method may take.
+    choice.at_its_bound =
+        choice.spent.work > 0.9 * half || level * screening(problem) / frame > 2.5 * search.most / 20;
+    if (std::isfinite(cheapest_yet) || spent_all || choice.at_its_bound || level > hopeless ||
+        choice.spent.work > 3 * search.enough)
       break;
   }
   choice.searched_exactly = level;
   const int starts = std::isfinite(cheapest_yet) ? starts_of(problem, wish, cheapest_yet, search) : 0;
-  std::vector<Candidate> kept = verified(problem, wish, found, starts, 3, search, choice);
+  std::vector<Candidate> kept = verified(problem, wish, found, starts, 3, search, 0.7 * search.most, choice);
   // What was left out as too dear beside a candidate that did not keep the wish.
-  if (!wish.limits.empty() && starts > 0 && (kept.empty() || kept.front().point.cost > 1.05 * cheapest_yet)) {
+  if (!wish.limits.empty() && starts > 0 && choice.spent.work < 0.7 * search.most &&
+      (kept.empty() || kept.front().point.cost > 1.05 * cheapest_yet)) {
     for (const Candidate& one : kept) settled[static_cast<std::size_t>(one.point.family - all.data())] = 1;
     cheapest_yet = kept.empty() ? 10 * cheapest_yet : kept.front().point.cost / worth;
-    look(first, INFINITY), look(second, INFINITY);
-    if (choice.spent.work <= search.enough) look(rest, INFINITY);
+    const double until = 0.7 * search.most;
+    look(first, INFINITY, until), look(second, INFINITY, until);
+    if (choice.spent.work <= search.enough) look(rest, INFINITY, until);
     const Verification of_first = choice.verified;
-    const std::vector<Candidate> more = verified(problem, wish, found, starts, 3, search, choice);
+    const std::vector<Candidate> more =
+        verified(problem, wish, found, starts, 3, search, 0.8 * search.most, choice);
     if (!kept.empty() && (more.empty() || !preferred(more.front(), kept.front(), wish)))
       choice.verified = of_first;
     kept.insert(kept.end(), more.begin(), more.end());
     std::stable_sort(kept.begin(), kept.end(), by_preference);
     if (kept.size() > 3) kept.resize(3);
   }
+  const auto measured_whole = [&](const Point& point) {
+    return measure(problem, *point.family, point.knobs,
+                   {.reference = search.all_errors || asks_for_reference(wish.limits)});
+  };
   std::stable_sort(found.begin(), found.end(), by_preference);
   choice.reached = !kept.empty();
   if (choice.reached) {
     choice.best = kept.front();
-    choice.best.point = measure(problem, *choice.best.point.family, choice.best.point.knobs);  // with all errors
+    choice.best.point = measured_whole(choice.best.point);
     choice.runners_up.assign(kept.begin() + 1, kept.end());
   } else {
     choice.best = found.front();
     if (choice.best.point.outcome == Outcome::good) {  // so far it may have been watched in part
-      choice.best.point = measure(problem, *choice.best.point.family, choice.best.point.knobs);
+      choice.best.point = measured_whole(choice.best.point);
       choice.best.excess = excess(choice.best.point, wish.limits);
     }
   }
@@ -420,58 +455,67 @@ Choice choose(const Problem& problem, const Wish& wish, const Search& search) {
         measure(problem, *choice.best.point.family, fewer, {.reference = asks_for_reference(wish.limits)});
   }
   if (search.tighter && !wish.limits.empty()) {
-    const auto tighter = [&](double share) -> std::optional<Point> {
+    const auto tighter = [&](double share, double until) -> std::optional<Point> {
       Wish tight = wish;
       for (auto& [error, limit] : tight.limits) limit *= share;
       tight.budget = nullptr;
-      if (verify(problem, choice.best.point, tight, starts, search, 1, true).kept()) return choice.best.point;
+      if (choice.spent.work > until) return {};
+      const Verification as_it_is = verify(problem, choice.best.point, tight, starts, search, 1, true);
+      choice.spent += {as_it_is.starts, as_it_is.starts * work_of(choice.best.point)};
+      if (as_it_is.kept()) return choice.best.point;
       std::vector<Candidate> again(kept.size());
       std::vector<Spent> work(kept.size());
       search.side_by_side(static_cast<int>(kept.size()), [&](int i) {
         const auto at = static_cast<std::size_t>(i);
         again[at] = cheapest(problem, *kept[at].point.family, tight, 100 * choice.best.point.cost, &work[at],
-                             search.most / 20);
+                             std::min(search.most / 20, std::max(0.0, until - choice.spent.work) / 2));
       });
       for (const Spent& one : work) choice.spent += one;
       const Verification of_best = choice.verified;
-      const auto best = verified(problem, tight, again, starts, 1, search, choice);
+      const auto best = verified(problem, tight, again, starts, 1, search, until, choice);
       choice.verified = of_best;
       if (best.empty()) return {};
-      return measure(problem, *best.front().point.family, best.front().point.knobs);
+      return measured_whole(best.front().point);
     };
-    choice.robust = tighter(0.5);
-    choice.finer = tighter(0.1);
+    choice.robust = tighter(0.5, 0.85 * search.most);
+    choice.finer = tighter(0.1, 0.95 * search.most);
   }
   auto limits = wish.limits;
   if (limits.empty()) limits[Error::drift] = 2 * choice.best.point[Error::drift];
-  choice.margin = margin(problem, choice.best.point, limits);
+  choice.margin = margin(problem, choice.best.point, limits, &choice.spent, search.most / 10);
   return choice;
 }
 
-double margin(const Problem& problem, const Point& point, const std::map<Error, double>& limits) {
+double margin(const Problem& problem, const Point& point, const std::map<Error, double>& limits, Spent* spent,
+              double most_work) {
   const NamedScene& scene = problem.scene();
   const auto parameter = std::find_if(scene.parameters.begin(), scene.parameters.end(),
                                       [&](const SceneParameter& one) { return one.name == scene.stress; });
   const double value = problem[scene.stress];
   Watch watch{.seconds = screening(problem), .reference = asks_for_reference(limits)};
   for (const auto& [error, limit] : limits) watch.limit[static_cast<std::size_t>(error)] = limit;
+  double work = 0;
   const auto holds = [&](double factor) {
     if (factor == 1) return true;
     // Times its largest factor the value may be above its upper end by rounding.
-    return excess(measure(problem.with(scene.stress, std::min(factor * value, parameter->high)), *point.family,
-                          point.knobs, watch),
-                  limits) <= 1;
+    const Point run = measure(problem.with(scene.stress, std::min(factor * value, parameter->high)), *point.family,
+                              point.knobs, watch);
+    work += work_of(run);
+    if (spent) *spent += {1, work_of(run)};
+    return excess(run, limits) <= 1;
   };
   if (!(value > 0)) return NAN;
   const double most = std::min(1000.0, parameter->high / value);
   double low = 1, high = 1;
   // In short strides: where steps are too long for a stiff scene, good bands follow bad ones.
   while (holds(high)) {
+    if (work > most_work) return NAN;
     low = high;
     if (high >= most) return INFINITY;
     high = std::min(std::numbers::sqrt2 * high, most);
   }
   while (high > 1.05 * low) {
+    if (work > most_work) return NAN;
     const double middle = std::sqrt(low * high);
     (holds(middle) ? low : high) = middle;
   }

@@ -9,6 +9,7 @@
 
 #include "lessons/catalogue/front.hpp"
 #include "lessons/catalogue/limits.hpp"
+#include "lessons/catalogue/tuning.hpp"
 
 // Which method is the cheapest that is accurate enough here? The laws leave out what cannot do it; the rest is
 // run.
@@ -74,7 +75,8 @@ struct Choice {
   // The cheapest that keep half and a tenth of each limit from as many starts; `best` where that does.
   std::optional<Point> robust, finer;
   double margin = NAN;          // see `margin`
-  Spent spent;                  // on the search
+  Spent spent;                  // on all of it
+  bool at_its_bound = false;    // whether the search ended because it had taken what it may
   double searched = 0;          // up to which cost a frame all methods were tried
   double searched_exactly = 0;  // and those that solve each step exactly, and XPBD
 };
@@ -90,8 +92,10 @@ struct Search {
   double verification = 3e10;  // instructions of one, beyond which it takes fewer
   bool tighter = true;         // whether half and a tenth of the limits are looked for, too
   double enough = 2e10;  // instructions after which only methods that solve each step exactly are tried further
-  // Instructions after which it shows what it has found; a method's search ends after a twentieth of them.
+  // Instructions that it may take; then it shows what it has found. Half are for the search among all methods, and
+  // of one method for a twentieth.
   double most = std::numeric_limits<double>::infinity();
+  bool all_errors = true;  // whether the answer's errors are measured that nobody asked for, too
 };
 
 /// Throws std::invalid_argument unless the wish has a limit or a budget, all above zero, and only errors that this
@@ -107,12 +111,14 @@ Verification verify(const Problem& problem, const Point& point, const Wish& wish
 
 /// The factor on the scene's stress parameter, at least 1 and within 5 %, at which this point's method no longer
 /// keeps within the limits; infinite if it does at the parameter's upper end and up to a thousand, NaN if the
-/// parameter is not above zero.
-double margin(const Problem& problem, const Point& point, const std::map<Error, double>& limits);
+/// parameter is not above zero, or this takes more than `most` instructions.
+double margin(const Problem& problem, const Point& point, const std::map<Error, double>& limits,
+              Spent* spent = nullptr, double most = std::numeric_limits<double>::infinity());
 
 /// The cheapest run of one method within the limits that costs at most `bound`, or what came nearest until `most`
-/// instructions were spent.
+/// instructions were spent. `known` are runs of earlier searches with the same limits.
 Candidate cheapest(const Problem& problem, const Family& family, const Wish& wish, double bound,
-                   Spent* spent = nullptr, double most = std::numeric_limits<double>::infinity());
+                   Spent* spent = nullptr, double most = std::numeric_limits<double>::infinity(),
+                   Known* known = nullptr);
 
 }  // namespace byhand

@@ -37,7 +37,7 @@ Counts counts_of(const Effort& effort) {
   Counts counts;
   std::ranges::copy(std::array{effort.row_solves, also.laid_out_rows, also.solves, also.passes, also.prepared_rows,
                                also.projected_rows, effort.written_rows, effort.bodies, effort.contacts,
-                               effort.substeps, effort.steps},
+                               effort.substeps, effort.steps, effort.planned},
                     counts.begin());
   return counts;
 }

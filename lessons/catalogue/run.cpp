@@ -105,7 +105,8 @@ void run(const Problem& problem, const Setting& setting, const Watch& watch, Poi
       return;
     }
     if (judge.failed(scene, apart, point)) return;
-    if (i >= 3 && point.cost > watch.most) {
+    // Of three frames at least, for the first may cost more.
+    if (point.cost * static_cast<double>(i) > watch.most * static_cast<double>(std::max(i, 3L))) {
       point.outcome = Outcome::too_slow;
       point.reason = "it costs more than is allowed here";
       return;

@@ -74,6 +74,11 @@ struct Point {
   }
 };
 
+/// The counted cost of a whole run.
+inline double work_of(const Point& point) {
+  return std::isfinite(point.cost) ? point.cost * point.seconds / frame : 0;
+}
+
 struct Watch {
   double seconds = 0;                                     // how long; 0: the scene's duration
   bool reference = true;                                  // whether trajectory and reaction are wanted

@@ -45,10 +45,15 @@ double rounded(double value) {
 const Point& Runs::at(const Knobs& knobs) {
   const Knobs allowed = within_laws(problem_, *family_, knobs);
   const auto [place, fresh] = known_.try_emplace(allowed);
-  if (fresh) {
-    place->second = measure(problem_, *family_, allowed, watch_);
-    if (std::isfinite(place->second.cost)) work_ += place->second.cost * place->second.seconds / frame;
-  }
+  if (!fresh) return place->second;
+  if (earlier_)
+    if (const auto run = earlier_->find(allowed);
+        run != earlier_->end() && (run->second.outcome != Outcome::too_slow || run->second.cost > watch_.most))
+      return place->second = run->second;
+  place->second = measure(problem_, *family_, allowed, watch_);
+  ++made_;
+  work_ += work_of(place->second);
+  if (earlier_) (*earlier_)[allowed] = place->second;
   return place->second;
 }
 

@@ -10,11 +10,15 @@
 // begin; from there the search goes wherever it gains, and ends where no step of any knob gains 5 %.
 namespace byhand {
 
-/// All runs of one family on one problem, each made once.
+/// Runs by their choices.
+using Known = std::map<Knobs, Point>;
+
+/// All runs of one family on one problem, each made once. `earlier` are those of another search of the same with
+/// the same watch but for its `most`: what they tell is not run again, and what is run is added to them.
 class Runs {
  public:
-  Runs(Problem problem, const Family& family, Watch watch = {})
-      : problem_(std::move(problem)), family_(&family), watch_(watch) {}
+  Runs(Problem problem, const Family& family, Watch watch = {}, Known* earlier = nullptr)
+      : problem_(std::move(problem)), family_(&family), watch_(watch), earlier_(earlier) {}
 
   const Problem& problem() const { return problem_; }
   const Family& family() const { return *family_; }
@@ -25,6 +29,8 @@ class Runs {
   /// How long a run is watched [s].
   double seconds() const { return watch_.seconds > 0 ? watch_.seconds : problem_.scene().duration; }
   int count() const { return static_cast<int>(known_.size()); }
+  /// Those that were not known from earlier.
+  int made() const { return made_; }
   /// The counted cost of all runs.
   double work() const { return work_; }
 
@@ -32,7 +38,9 @@ class Runs {
   Problem problem_;
   const Family* family_;
   Watch watch_;
-  std::map<Knobs, Point> known_;
+  Known* earlier_;
+  Known known_;
+  int made_ = 0;
   double work_ = 0;
 };
 

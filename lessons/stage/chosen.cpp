@@ -11,6 +11,9 @@ namespace {
 using course::Page;
 using course::Value;
 
+constexpr double pace = 4e9;  // instructions a second that a search is reckoned with
+constexpr double soon = 8;    // after which an answer is given if there is one [s]
+
 /// An answer of the chooser and what it is the answer to.
 struct Answer {
   std::string asked;
@@ -127,26 +130,37 @@ std::string nearest_in_words(const Choice& choice) {
 
 }  // namespace
 
-void show_chosen(Page& page, const SceneFile& file) {
+void show_chosen(Page& page, const SceneFile& file, double patience) {
   const Request request = request_of(file);
   for (const std::string& note : request.notes) page.text("@", note);
   if (request.seconds < 0.99 * file.duration)
     page.text("The scene is large: runs are watched for @ s of its @ s.", Value(request.seconds, 2),
               file.duration);
   page.text("**You ask:** which is the cheapest method with @?", asked_for(request.limits));
-  Search search{.starts = 12, .verification = 4e9, .enough = 1.2e10, .most = 4e10};
-  search.side_by_side = [&](int count, const std::function<void(int)>& work) {
-    page.side_by_side(count, [&](int i) { return work(i), 0; });
+  const auto chosen_within = [&](double seconds) {
+    Search search{.starts = 12, .most = seconds * pace, .all_errors = false};
+    search.verification = search.most / 10;
+    search.enough = search.most;
+    search.side_by_side = [&](int count, const std::function<void(int)>& work) {
+      page.side_by_side(count, [&](int i) { return work(i), 0; });
+    };
+    return choose(request.problem, {.limits = request.limits}, search);
   };
-  const Choice choice = choose(request.problem, {.limits = request.limits}, search);
+  double allowed = std::min(soon, patience);  // [s]
+  Choice choice = chosen_within(allowed);
+  // Nothing yet: it takes all that the reader allows.
+  if (!choice.reached && choice.at_its_bound && patience > 2 * soon)
+    choice = chosen_within(allowed = patience - soon);
   if (choice.reached) {
     show_answers(page, request, choice);
+  } else if (choice.at_its_bound) {
+    page.text(
+        "**Nothing was found yet that reaches that**, in @ runs, which is what @ s allow. @ With --set patience=@ "
+        "it looks further.",
+        choice.spent.runs, patience, nearest_in_words(choice), 10 * patience);
   } else {
     page.text("**No method was found that reaches that.** @", nearest_in_words(choice));
   }
-  if (choice.spent.work > search.most)
-    page.text("The search ended at its bound, after @ runs: what is shown is the best until then.",
-              choice.spent.runs);
   std::string refused;
   for (const Point& point : choice.passed)
     if (point.outcome == Outcome::refused) refused += fmt::format("\n- {}: {}", point.family->name, point.reason);

@@ -218,7 +218,11 @@ Lesson page_of(const SceneFile& given, const std::string& stem, bool with_choose
   lesson.step("Energy and drift", [=](Page& page) { show_numbers(page, knobs->file(), runs->now()); });
   lesson.step("The doctor", [=](Page& page) { show_doctor(page, knobs->file()); });
   lesson.step("What it costs", [=](Page& page) { show_cost(page, knobs->file(), runs->now(), knobs->method()); });
-  if (with_chooser) lesson.step("The chooser", [=](Page& page) { show_chosen(page, knobs->file()); });
+  if (with_chooser) {
+    const auto patience =
+        lesson.parameter("patience", 40.0, "s", {1, 1e5}, "how long the chooser looks for a method");
+    lesson.step("The chooser", [=](Page& page) { show_chosen(page, knobs->file(), patience()); });
+  }
   return lesson;
 }
 

@@ -116,8 +116,10 @@ Solution solve_with_bounds(const Direct& solver, System<M>& system, Bodies<M>& b
 
 template <class M>
 std::vector<int> Direct::order(const Graph& graph, DirectWork<M>& work) const {
-  return factorisation == Factorisation::structured ? elimination_order(graph, M::dof, work.plan)
-                                                    : order_of(Layout::natural, graph);
+  if (factorisation == Factorisation::dense) return order_of(Layout::natural, graph);
+  std::vector<int> order = elimination_order(graph, M::dof, work.plan);
+  work.planned += work.plan.planned;
+  return order;
 }
 
 template <class M>

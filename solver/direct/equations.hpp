@@ -22,6 +22,7 @@ struct DirectWork {
   };
 
   Elimination plan;
+  long long planned = 0;  // operations of all plans so far
   std::vector<double> values, unknowns, diagonal;
   std::vector<View> views;             // by edge, in the order of the plan
   std::vector<double> offset, change;  // b + γλ and Δλ, by row

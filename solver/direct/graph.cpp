@@ -46,6 +46,8 @@ class MinimumDegree {
     return true;
   }
   bool done() const { return queue_.empty(); }
+  /// Numbers of lists that have been gone through; what takes as long as several counts as so many.
+  long long operations() const { return operations_; }
 
   /// Eliminates the next eligible node and joins all its neighbours to each other.
   int eliminate() {
@@ -54,6 +56,7 @@ class MinimumDegree {
     gone_[node] = true;
     const auto is_gone = [&](int other) { return gone_[other]; };
     std::vector<int>& neighbours = adjacent_[node];
+    operations_ += 30 + static_cast<long long>(neighbours.size());
     std::erase_if(neighbours, is_gone);
     for (const int a : neighbours) {
       const std::size_t before = degree_[a];
@@ -61,6 +64,7 @@ class MinimumDegree {
         --degree_[a];  // the list of a hub stays as it is while its leaves go
       } else {
         joined_.clear();
+        operations_ += static_cast<long long>(adjacent_[a].size() + neighbours.size());
         std::set_union(adjacent_[a].begin(), adjacent_[a].end(), neighbours.begin(), neighbours.end(),
                        std::back_inserter(joined_));
         std::erase_if(joined_, [&](int other) { return other == a || is_gone(other); });
@@ -68,6 +72,7 @@ class MinimumDegree {
         degree_[a] = joined_.size();
       }
       if (!deferred_[a] && degree_[a] != before) {
+        operations_ += 15;
         queue_.erase({before, ticket_[a], a});
         enqueue(a);
       }
@@ -91,6 +96,7 @@ class MinimumDegree {
   std::vector<long> ticket_;
   std::set<std::tuple<std::size_t, long, int>> queue_;  // degree, ticket, node
   long next_ticket_ = 0;
+  long long operations_ = 0;
 };
 
 /// By edge: whether it gets a folded body of its own, when each body is given to one of its edges. Leaves are
@@ -199,6 +205,7 @@ Elimination plan_elimination(const Graph& graph, int dof, long long most) {
     long long columns = 0;
     for (const int other : game.later(node)) columns += size_of(other);
     plan.multiplications += size_of(node) * columns * columns / 2;
+    plan.planned = game.operations();
     if (plan.multiplications > most) return plan;
     place[node] = static_cast<int>(sequence.size());
     sequence.push_back(node);
@@ -272,6 +279,7 @@ Elimination plan_elimination(const Graph& graph, int dof, long long most) {
     }
   }
   plan.multiplications += plan.multiplications_again;
+  plan.planned += static_cast<long long>(30 * plan.couplings.size() + plan.targets.size());
   return plan;
 }
 

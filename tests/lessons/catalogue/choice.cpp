@@ -236,6 +236,17 @@ TEST(Chooser, KeepsAnAccuracyAndABudgetTogether) {
   EXPECT_LE(choice.best.point[Error::drift], 1e-3);
 }
 
+TEST(Chooser, TakesNoMoreThanItMayAndShowsWhatItHas) {
+  const Problem pyramid("pyramid", {{"base", 6}, {"kick", 0.02}});
+  for (const double most : {1e9, 4e9}) {
+    const Choice choice = choose(pyramid, {.limits = {{Error::drift, 1e-3}}},
+                                 {.starts = 4, .verification = most / 10, .most = most});
+    EXPECT_LE(choice.spent.work, 1.2 * most);
+    EXPECT_TRUE(choice.reached || choice.at_its_bound);
+    EXPECT_TRUE(choice.best.point.family);
+  }
+}
+
 TEST(Chooser, RefusesAWishThatIsNone) {
   const Problem problem = short_chain();
   EXPECT_THAT([&] { choose(problem, {}); },

@@ -8,6 +8,7 @@
 #include "lessons/catalogue/tuning.hpp"
 #include "lessons/laws/sweeps.hpp"
 #include "lessons/laws/transverse.hpp"
+#include "lessons/scenes/box_pile.hpp"
 
 // What counts as a run, what it costs, and how methods are tuned.
 namespace runs_test {
@@ -59,6 +60,21 @@ TEST(Outcome, OfABlockIsThatItSlidesAsItShould) {
     EXPECT_EQ(point.outcome, Outcome::good) << point.reason;
     EXPECT_LT(point[Error::trajectory], 0.01) << angle;
   }
+}
+
+TEST(Effort, CountsADirectSolversPlansAsOftenAsContactsChange) {
+  const auto planned = [](Scene<SpaceBody> scene, int steps) {
+    AnyScene any(std::move(scene));
+    any.use(AnyStepping{Direct{.regularisation = 1e-9}, Baumgarte{}});  // points of a face repeat each other
+    for (int i = 0; i < steps; ++i) any.step(frame);
+    return any.effort().planned;
+  };
+  const long long once = planned(stack<SpaceBody>(3), 1);
+  EXPECT_GT(once, 0);
+  EXPECT_EQ(planned(stack<SpaceBody>(3), 30), once);
+  // What falls over each other plans anew with each contact that comes or goes.
+  const long long at_first = planned(box_pile<SpaceBody>(1, {.count = 6, .decades = 0}), 1);
+  EXPECT_GT(planned(box_pile<SpaceBody>(1, {.count = 6, .decades = 0}), 120), 5 * std::max(at_first, 1LL));
 }
 
 TEST(Prices, ArePaidForWhatAStepExecutes) {
