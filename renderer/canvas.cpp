@@ -79,6 +79,21 @@ TextBlock lay_out(const DrawingSurface& surface, double scale, const Point& at, 
   return block;
 }
 
+/// A line with breaks at its blanks, so that each part `fits`, if its words do.
+template <class Fits>
+std::string broken(std::string line, const Fits& fits) {
+  std::size_t begin = 0, blank = 0;
+  for (std::size_t i = 1; i <= line.size(); ++i) {
+    if (i < line.size() && line[i] != ' ') continue;
+    if (blank > begin && !fits(std::string_view(line).substr(begin, i - begin))) {
+      line[blank] = '\n';
+      begin = blank + 1;
+    }
+    blank = i;
+  }
+  return line;
+}
+
 }  // namespace
 
 Mark series_mark(int i) {
@@ -93,7 +108,7 @@ struct Canvas::State {
   State(const PageSize& size, std::unique_ptr<DrawingSurface> surface_)
       : width(size.width), height(size.height), scale(height / page_height), surface(std::move(surface_)) {}
 
-  Rectangle page() const { return {0, 0, width / scale, page_height}; }
+  Rectangle page() const { return {0, bottom, width / scale, page_height - bottom}; }
   Point pixel(const Point& page_point) const { return {page_point.x() * scale, height - page_point.y() * scale}; }
   Point seen(const Point& world) const { return pixel(camera.to_page(world)); }
   std::vector<Point> seen(std::span<const Point> world) const {
@@ -115,6 +130,7 @@ struct Canvas::State {
   void restart() {
     surface->clear(paper);
     labels.clear();
+    bottom = 0;
     camera = {page(), page().centre(), 1};
     clip = {0, 0, width, height};
   }
@@ -182,7 +198,8 @@ struct Canvas::State {
   }
 
   int width, height;
-  double scale;  // pixels per point
+  double scale;       // pixels per point
+  double bottom = 0;  // of the page [points]
   std::unique_ptr<DrawingSurface> surface;
   Camera camera;
   PixelBox clip;
@@ -209,6 +226,12 @@ Canvas::~Canvas() = default;
 int Canvas::width() const { return state_->width; }
 int Canvas::height() const { return state_->height; }
 Rectangle Canvas::page() const { return state_->page(); }
+Rectangle Canvas::page(double most) {
+  State& s = *state_;
+  s.bottom = std::max(0.0, page_height - std::ceil(most * s.page().width));
+  if (s.bottom > 0) s.surface->cut(static_cast<int>(std::lround((page_height - s.bottom) * s.scale)));
+  return s.page();
+}
 DrawingSurface& Canvas::surface() const { return *state_->surface; }
 
 void Canvas::clear(Colour paper) {
@@ -221,7 +244,7 @@ void Canvas::look_at_page() { look({page(), page().centre(), 1}); }
 const Camera& Canvas::camera() const { return state_->camera; }
 
 void Canvas::clip(const std::optional<Rectangle>& rectangle) {
-  const PixelBox box = state_->box(rectangle.value_or(page()));
+  const PixelBox box = rectangle ? state_->box(*rectangle) : PixelBox{0, 0, state_->width, state_->height};
   if (box == state_->clip) return;
   state_->surface->clip(box);
   state_->clip = box;
@@ -374,13 +397,30 @@ void Canvas::dimension(const Point& a, const Point& b, std::string_view label, d
   look(before);
 }
 
-void Canvas::text(const Point& at, std::string_view text, const TextStyle& style) {
+void Canvas::text(const Point& at, std::string_view words, const TextStyle& wanted) {
   const Point where = camera().to_page(at);
-  if (!where.allFinite() || text.empty()) return;
+  if (!where.allFinite() || words.empty()) return;
   State& s = *state_;
-  const TextBlock block = lay_out(*s.surface, s.scale, where, text, style);
+  std::string text(words);
+  TextStyle style = wanted;
+  TextBlock block = lay_out(*s.surface, s.scale, where, text, style);
+  if (s.width < s.height && style.upright) {
+    constexpr double least = 16;  // size of letters that are made smaller, before a line is broken
+    const Rectangle page = s.page().inset(4);
+    if (block.box.width > page.width) {
+      style.size = std::min(style.size, std::max(least, style.size * page.width / block.box.width));
+      if (block.lines.size() == 1)
+        text = broken(text, [&](std::string_view part) {
+          return s.surface->text_width(part, style.size * s.scale, style.bold) <= page.width * s.scale;
+        });
+      block = lay_out(*s.surface, s.scale, where, text, style);
+    }
+    style.offset.x() += std::max(page.x - block.box.x, 0.0) + std::min(page.right() - block.box.right(), 0.0);
+    style.offset.y() += std::max(page.y - block.box.y, 0.0) + std::min(page.top() - block.box.top(), 0.0);
+    block = lay_out(*s.surface, s.scale, where, text, style);
+  }
   if (s.lists_labels) {
-    s.labels.push_back({std::string(text), block.box, style.colour});
+    s.labels.push_back({text, block.box, style.colour});
     return;
   }
   const Point held = share(style.anchor);

@@ -67,15 +67,18 @@ struct Label {
 
 /// A page, drawn on pixels (PixelCanvas) or as SVG (SvgCanvas). Positions and lengths are in world units of the
 /// current camera; widths of lines and sizes of text are in points. A page is always 720 points high, so a picture
-/// looks the same at any resolution. Later shapes cover earlier ones. Text is UTF-8: `_x`, `^x`, `_{…}`, `^{…}`
-/// are subscripts and superscripts (a backslash escapes `_`, `^` and `\`), combining marks (λ̇) are supported, and
-/// '\n' begins a new line. Coordinates that are not finite leave a gap.
+/// looks the same at any resolution; on one that is higher than wide no text crosses the edge. Later shapes cover
+/// earlier ones. Text is UTF-8: `_x`, `^x`, `_{…}`, `^{…}` are subscripts and superscripts (a backslash escapes
+/// `_`, `^` and `\`), combining marks (λ̇) are supported, and '\n' begins a new line. Coordinates that are not
+/// finite leave a gap.
 class Canvas {
  public:
   int width() const;  ///< pixels
   int height() const;
   /// The whole page in points: (0, 0) lower left, 720 high.
   Rectangle page() const;
+  /// The same for a picture of one panel: at most `most` times as high as wide, and what is below is cut off.
+  Rectangle page(double most);
 
   /// Empties the page, resets the camera to the page in points and removes the clipping.
   void clear(Colour paper = palette::paper);

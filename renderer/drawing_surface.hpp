@@ -52,6 +52,8 @@ class DrawingSurface {
 
   /// Empties the page and removes the clipping.
   virtual void clear(Colour paper) = 0;
+  /// The page ends so many pixels below its top; on a surface of pixels the rest stays empty.
+  virtual void cut(int /*height*/) {}
   /// Clips later shapes to `box`.
   virtual void clip(const PixelBox& box) = 0;
   /// A convex polygon. `sharp`: without antialiasing, because its edges lie between pixels.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -38,6 +39,21 @@ struct Rectangle {
   }
   /// `rows` × `columns` equal cells, row by row from the top left.
   std::vector<Rectangle> cells(int rows, int columns, double gap = 24) const;
+
+  // Layouts of a page that may be a phone's, which is higher than wide.
+  bool is_high() const { return height > width; }
+  /// Two panels side by side, the left one with `fraction` of the width; on a high page one above the other, the
+  /// upper one with `upper` of the height, which is `fraction` unless it is given.
+  std::pair<Rectangle, Rectangle> panels(double fraction, double gap = 24,
+                                         std::optional<double> upper = {}) const {
+    return is_high() ? split_rows(upper.value_or(fraction), gap) : split_columns(fraction, gap);
+  }
+  /// `cells`, on a high page with rows for columns.
+  std::vector<Rectangle> grid(int rows, int columns, double gap = 24) const {
+    return is_high() ? cells(columns, rows, gap) : cells(rows, columns, gap);
+  }
+  /// Without so much above and below if it is high, as a chart beside a scene need not be.
+  Rectangle lowered(double margin) const { return is_high() ? inset(0, margin) : *this; }
 };
 
 /// Bounding box of both.

@@ -117,7 +117,10 @@ class SvgCanvas::Surface : public DrawingSurface {
     body_.clear(), run_ = {}, cells_ = {}, clips_.clear(), windows_.clear();
     clipped_ = false;
     paper_ = paper;
+    height_ = size_.height;
   }
+
+  void cut(int height) override { height_ = height; }
 
   void clip(const PixelBox& box) override {
     end_run();
@@ -145,7 +148,7 @@ class SvgCanvas::Surface : public DrawingSurface {
   void path(std::span<const Point> points, const Pen& pen) override {
     const auto line = [&](std::span<const Point> part, double opacity) {
       const std::string data = path_data(part);
-      if (!data.empty()) add(fmt::format("<path d=\"{}\"", data), " fill=\"none\"" + pen_attributes(pen, opacity));
+      if (!data.empty()) add_line(data, " fill=\"none\"" + pen_attributes(pen, opacity));
     };
     if (pen.opacity_at_start == pen.opacity_at_end) return line(points, pen.opacity_at_end);
     // SVG has no gradient along a path: a few parts of one opacity each.
@@ -197,13 +200,13 @@ class SvgCanvas::Surface : public DrawingSurface {
     std::string all = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" {} "
         "font-family=\"'DejaVu Sans',sans-serif\" stroke-linejoin=\"round\" xml:space=\"preserve\">",
-        size_.width, size_.height, label);
+        size_.width, height_, label);
     if (!title.empty()) all += fmt::format("<title id=\"{}-title\">{}</title>", name_, escaped(title));
     if (!description.empty())
       all += fmt::format("<desc id=\"{}-description\">{}</desc>", name_, escaped(description));
     for (std::size_t i = 0; i < clips_.size(); ++i)
       all += fmt::format("<clipPath id=\"{}-clip{}\"><path d=\"{}\"/></clipPath>", name_, i, outline(clips_[i]));
-    std::string sheet = outline({0, 0, size_.width, size_.height});
+    std::string sheet = outline({0, 0, size_.width, height_});
     if (!draw_window_)
       for (const Window& window : windows_) sheet += outline(window.frame);
     all += fmt::format("<path d=\"{}\"{} fill-rule=\"evenodd\"/>", sheet, paint("fill", paper_));
@@ -215,8 +218,12 @@ class SvgCanvas::Surface : public DrawingSurface {
   struct Run {
     std::string look, alone, together;
     int size = 0;
+    std::string lines = {};  // instead of elements: opaque lines, which are one path
 
-    std::string written() const { return size > 1 ? "<g" + look + ">" + together + "</g>" : alone; }
+    std::string written() const {
+      if (!lines.empty()) return "<path d=\"" + lines + "\"" + look + "/>";
+      return size > 1 ? "<g" + look + ">" + together + "</g>" : alone;
+    }
   };
 
   // Cells of a map or bars, on whole pixels, none above another: those of one colour are one path.
@@ -272,10 +279,17 @@ class SvgCanvas::Surface : public DrawingSurface {
 
   // An element of three parts; `look`: attributes that it would inherit from a group.
   void add(const std::string& begin, const std::string& look, const std::string& end = "/>") {
-    if (look != run_.look || !cells_.paths.empty()) end_run();
+    if (look != run_.look || !run_.lines.empty() || !cells_.paths.empty()) end_run();
     run_.look = look;
     if (++run_.size == 1) run_.alone = begin + look + end;
     run_.together += begin + end;
+  }
+
+  void add_line(const std::string& data, const std::string& look) {
+    if (look.find("opacity") != std::string::npos) return add("<path d=\"" + data + "\"", look);
+    if (look != run_.look || run_.lines.empty() || !cells_.paths.empty()) end_run();
+    run_.look = look;
+    run_.lines += data;
   }
 
   void add_cell(std::span<const Point> corners, Colour fill) {
@@ -322,6 +336,7 @@ class SvgCanvas::Surface : public DrawingSurface {
   }
 
   PageSize size_;
+  int height_ = size_.height;  // down to where the page is cut
   std::string name_;
   DrawWindow draw_window_;
   Font font_;

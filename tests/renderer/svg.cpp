@@ -168,12 +168,10 @@ TEST(SvgCanvas, BeginsAllIdsWithItsNameAndUsesNoOthers) {
 TEST(SvgCanvas, WritesWhatNeighboursShareOnce) {
   SvgCanvas canvas(1280, "a");
   for (int i = 0; i < 3; ++i) canvas.line({100, 100.0 + i}, {200, 100.0 + i}, {palette::constraint, 4});
-  canvas.disc({50, 50}, 20);
+  for (int i = 0; i < 3; ++i) canvas.disc({50, 50.0 + i}, 20);
   canvas.line({100, 200}, {200, 200}, {palette::constraint, 4});
   const std::string svg = canvas.svg("title");
-  EXPECT_THAT(
-      svg,
-      HasSubstr("><path d=\"M100 620h100\"/><path d=\"M100 619h100\"/><path d=\"M100 618h100\"/></g><circle"));
+  EXPECT_THAT(svg, HasSubstr("<path d=\"M100 620h100M100 619h100M100 618h100\" fill=\"none\" stroke="));
   EXPECT_THAT(svg, HasSubstr("<path d=\"M100 520h100\" fill=\"none\" stroke="));
   EXPECT_EQ(parse(svg).count.at("g"), 1);
 }
@@ -276,6 +274,39 @@ TEST(SvgCanvas, FadesATrailFromNothingToFullColour) {
 TEST(SvgCanvas, RefusesAPageThatIsTooNarrowOrTooWide) {
   EXPECT_THROW(SvgCanvas(10, "a"), std::invalid_argument);
   EXPECT_THROW(SvgCanvas(10000, "a"), std::invalid_argument);
+}
+
+TEST(Svg, APageThatIsHigherThanWideStacksItsPanelsAndIsCutBelowTheLast) {
+  SvgCanvas phone(490, "phone"), screen(1280, "screen");
+  const auto [upper, lower] = phone.page().panels(0.6, 20, 0.5);
+  EXPECT_EQ(upper.width, 490);
+  EXPECT_EQ(upper.height, 350);
+  EXPECT_EQ(lower.top(), 350);
+  EXPECT_EQ(screen.page().panels(0.6, 20, 0.5).first.width, 756);
+  EXPECT_EQ(phone.page().grid(2, 3, 0)[1].width, 245);
+  EXPECT_EQ(screen.page().grid(2, 3, 0)[1].height, 360);
+  EXPECT_EQ(phone.page().lowered(60).height, 600);
+  EXPECT_EQ(screen.page().lowered(60).height, 720);
+  EXPECT_EQ(screen.page(0.8).height, 720);
+  EXPECT_THAT(screen.svg(""), HasSubstr("viewBox=\"0 0 1280 720\""));
+  EXPECT_EQ(phone.page(0.8).y, 328);
+  EXPECT_EQ(phone.page().height, 392);
+  EXPECT_THAT(phone.svg(""), HasSubstr("viewBox=\"0 0 490 392\""));
+}
+
+TEST(Svg, OnAPageThatIsHigherThanWideNoTextCrossesTheEdge) {
+  SvgCanvas canvas(490, "narrow");
+  canvas.list_labels();
+  canvas.text({480, 300}, "to the left", {.anchor = Anchor::left});
+  canvas.text({10, 718}, "lower", {.anchor = Anchor::centre});
+  canvas.text({245, 300},
+              "a sentence of many words, which has to be broken into several lines to be seen as a whole");
+  for (const Label& label : canvas.labels()) {
+    EXPECT_GE(label.box.x, 4 - 1e-9) << label.text;
+    EXPECT_LE(label.box.right(), 486 + 1e-9) << label.text;
+    EXPECT_LE(label.box.top(), 716 + 1e-9) << label.text;
+  }
+  EXPECT_THAT(canvas.labels()[2].text, HasSubstr("\n"));
 }
 
 }  // namespace
