@@ -73,8 +73,9 @@ void draw_touch(renderer::Canvas& canvas, const Settings& set) {
   const Touch at = touch(set, -0.02 * length, 0);
   const Point n = at.contact.normal, p1 = at.plank.position + rotate(at.plank.rotation, at.contact.at.arms.first);
   const Point p2 = at.box.position + rotate(at.box.rotation, at.contact.at.arms.second);
+  const bool narrow = canvas.page().is_high();
   canvas.look(
-      renderer::fit({-0.95 * length, -0.7 * length, 1.9 * length, 1.55 * length}, canvas.page().inset(10), 8));
+      renderer::fit({-0.95 * length, -0.7 * length, 1.9 * length, 1.55 * length}, canvas.page(0.95).inset(10), 8));
   canvas.box(at.plank.position, at.plank_sides, angle(at.plank.rotation), renderer::fixed_look);
   canvas.box(at.box.position, at.box_sides, angle(at.box.rotation));
   canvas.line(at.plank.position, p1, {palette::muted, 1.8, renderer::Dash::dashed});
@@ -88,7 +89,7 @@ void draw_touch(renderer::Canvas& canvas, const Settings& set) {
             .l2 = "l_2 = n",
             .a2 = course::say("a_2 = r_2 × n = @ m", course::Value(J.a2()(0, 0), 3)),
             .a1_aside = {-0.38 * length, -0.3 * length},
-            .a2_aside = {0.68 * length, -0.02 * length}});
+            .a2_aside = length * (narrow ? Point(0.35, 0.42) : Point(0.68, -0.02))});
   canvas.arrow(p2, p2 + 0.25 * length * n, {palette::ink, 3});
   renderer::TextStyle style{.size = 20, .anchor = renderer::Anchor::right, .halo = 3, .offset = {-10, 6}};
   canvas.text(p2 + 0.25 * length * n, "n", style);

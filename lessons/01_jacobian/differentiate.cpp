@@ -99,7 +99,7 @@ void differentiate(course::Page& page, const Settings& set) {
                 course::say("Two boxes in @ s of flight, @. The dots are differences of C, the curve is (10).",
                             course::Value(time, 3), time < seconds ? "slowed down" : "sped up"),
                 course::Seconds{seconds}, [=](renderer::Canvas& canvas, double at) {
-                  const auto [left, right] = canvas.page().inset(16).split_columns(0.56);
+                  const auto [left, right] = canvas.page().inset(16).panels(0.56, 24, 0.36);
                   const auto [upper, lower] = right.split_rows(0.5, 16);
                   const double now = time * at / seconds;
                   const Pair then = pair.after(now);

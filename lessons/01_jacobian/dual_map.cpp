@@ -38,7 +38,8 @@ double largest_difference_of_power(const Jacobian<PlaneParticle, 1>& J) {
 
 void draw_force(renderer::Canvas& canvas, const Jacobian<PlaneParticle, 1>& J, double length) {
   const Point n = J.l2().transpose(), along(-n.y(), n.x()), bob = length * n;
-  canvas.look(renderer::fit({-0.75 * length, -1.5 * length, 2.4 * length, 1.7 * length}, canvas.page(), 16));
+  const bool narrow = canvas.page().is_high();
+  canvas.look(renderer::fit({-0.75 * length, -1.5 * length, 2.4 * length, 1.7 * length}, canvas.page(1.05), 16));
   std::vector<Point> circle;
   for (int i = 0; i <= 60; ++i) circle.push_back(length * from_straight_down<PlaneParticle>(-0.6 + 2.2 * i / 60));
   canvas.path(circle, {palette::theory, 1.6, renderer::Dash::dashed});
@@ -57,6 +58,7 @@ void draw_force(renderer::Canvas& canvas, const Jacobian<PlaneParticle, 1>& J, d
   canvas.text(bob - 0.3 * length * n, "F = λJ^T, λ < 0", before);
   style.colour = palette::constraint;
   canvas.text(bob + 0.35 * length * n, "J", style);
+  if (narrow) style.anchor = renderer::Anchor::bottom, style.offset = {0, 24};
   style.colour = palette::velocity;
   canvas.text(bob + 0.5 * length * along, "V that the rod allows: JV = 0", style);
 }

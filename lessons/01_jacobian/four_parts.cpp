@@ -14,7 +14,7 @@ struct PartsFilm {
   double length, stretch, per_speed;  // [m], [m], [s]
 
   void draw(renderer::Canvas& canvas, double time) const {
-    const auto [left, right] = canvas.page().inset(20).split_columns(0.58, 24);
+    const auto [left, right] = canvas.page().inset(20).panels(0.58, 24, 0.8);
     canvas.look(renderer::fit({-0.75 * length, -0.75 * length, 3.3 * length + stretch, 2 * length}, left, 4));
     byhand::lesson01::draw(canvas, pair, sides, true);
     const double ends = acts.share(0, time), split = acts.share(1, time), l = acts.share(2, time),

@@ -54,7 +54,7 @@ void add_wire_box(renderer::Space& space, const Pose<SpaceBody>& pose, const Poi
 void draw_sliding(renderer::Canvas& canvas, const Settings& set) {
   const double length = set.length, shaft = 0.012 * length;
   const Sliding at = sliding(set, 0);
-  renderer::Space space(renderer::fit(at.box.position, 0.62 * length, {-0.55, 1, -0.5}, canvas.page()));
+  renderer::Space space(renderer::fit(at.box.position, 0.62 * length, {-0.55, 1, -0.5}, canvas.page(1)));
   space.ground({0, 0, 0}, 2 * length, length / 4);
   add_wire_box(space, at.box, length * Point3(0.5, 0.4, 0.3), 0.5 * shaft);
   const Rows<2> slip = dot(at.rows(), at.still, at.V);

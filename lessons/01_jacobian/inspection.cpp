@@ -63,7 +63,7 @@ void draw_probe(renderer::Canvas& canvas, const Pair& pair, const Entries& row, 
                 double length, double stretch, double time, double each) {
   const int way = std::min(static_cast<int>(time / each), entries - 1);
   const double phase = std::min(time / each - way, 1.0);
-  const auto [left, right] = canvas.page().inset(16).split_columns(0.56);
+  const auto [left, right] = canvas.page().inset(16).panels(0.56);
   const renderer::Camera camera =
       renderer::fit({-0.55 * length, -0.85 * length, 2.5 * length + stretch, 1.7 * length}, left, 8);
   canvas.look(camera);
@@ -85,7 +85,12 @@ void draw_probe(renderer::Canvas& canvas, const Pair& pair, const Entries& row, 
 
 /// Where J's arrow on the bob points, for bobs outside and inside the circle.
 void draw_field(renderer::Canvas& canvas, double length) {
-  canvas.look(renderer::fit({-2.75 * length, -1.8 * length, 5.5 * length, 3.6 * length}, canvas.page(), 10));
+  // On a narrow page the key is above the field.
+  const bool narrow = canvas.page().is_high();
+  const renderer::Rectangle frame = narrow ? canvas.page(1.1).split_rows(0.38, 0).second : canvas.page();
+  const renderer::Camera field =
+      renderer::fit({-2.75 * length, -1.8 * length, 5.5 * length, 3.6 * length}, frame, 10);
+  canvas.look(field);
   std::vector<Point> circle;
   for (int i = 0; i <= 120; ++i) {
     const double at = 2 * std::numbers::pi * i / 120;
@@ -114,7 +119,7 @@ void draw_field(renderer::Canvas& canvas, double length) {
   canvas.text({56, 604}, "on the circle, C = 0", style);
   canvas.mark({40, 568}, renderer::Mark::disc, palette::diverging(-0.7), 13);
   canvas.text({56, 568}, "too short, C < 0", style);
-  canvas.look(renderer::fit({-2.75 * length, -1.8 * length, 5.5 * length, 3.6 * length}, canvas.page(), 10));
+  canvas.look(field);
   canvas.arrow_key({40, 520}, kind, "l_2 = d,");
 }
 
@@ -195,7 +200,7 @@ void inspection(course::Page& page, const Settings& set) {
   page.figure(
       "row", "The four parts of J, drawn on the bodies that they belong to.", [=](renderer::Canvas& canvas) {
         canvas.look(renderer::fit({-0.75 * length, -0.65 * length, 3.3 * length + 1.6 * stretch, 1.5 * length},
-                                  canvas.page(), 10));
+                                  canvas.page(0.75), 10));
         draw(canvas, pair, sides, false);
         draw_row(canvas, J, pair.pose1.position, pair.pose2.position,
                  {.scale = 0.5 * length / J.l2().norm(),
@@ -206,7 +211,8 @@ void inspection(course::Page& page, const Settings& set) {
                   .a2 = course::say("a_2 = r_2 × d = @ m²", course::Value(J.a2()(0, 0), 3)),
                   .a1_aside = {0, -0.46 * length},
                   .a2_aside = {0, -0.5 * length}});
-        canvas.arrow_key({40, 40}, {palette::constraint, 0.5 * length / J.l2().norm(), "m"}, "l:");
+        canvas.arrow_key({40, canvas.page().y + 40}, {palette::constraint, 0.5 * length / J.l2().norm(), "m"},
+                         "l:");
       });
 
   page.figure("field", "J's arrow on the bob points where C grows: outwards, even where the rod is too short.",

@@ -45,7 +45,7 @@ renderer::Chart picture_of(const Eigen::MatrixXd& J) {
 /// The chain with one pin marked, beside the matrix with that pin's two rows framed where its links' columns are.
 void draw_pin_and_rows(renderer::Canvas& canvas, const Scene<PlaneBody>& scene, const Eigen::MatrixXd& J,
                        int pin) {
-  const auto [left, right] = canvas.page().inset(16).split_columns(0.42, 20);
+  const auto [left, right] = canvas.page().inset(16).panels(0.42, 20);
   const auto linkage = pictures::rods_and_bobs(scene);
   std::vector<renderer::Point> corners{{0, 0}};
   for (const auto& link : linkage.links) corners.push_back(link.to);

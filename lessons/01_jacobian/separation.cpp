@@ -29,8 +29,8 @@ Discs discs(double length, double distance) {
 }
 
 void draw_discs(renderer::Canvas& canvas, const Discs& at, double length) {
-  canvas.look(
-      renderer::fit({-0.45 * length, -0.42 * length, 1.35 * length, 1.05 * length}, canvas.page().inset(10), 8));
+  canvas.look(renderer::fit({-0.45 * length, -0.42 * length, 1.35 * length, 1.05 * length},
+                            canvas.page(0.85).inset(10), 8));
   const Point x1 = at.first.position, x2 = at.second.position, n = at.contact.normal;
   const Point p1 = x1 + at.radius1 * n, p2 = x2 - at.radius2 * n;
   canvas.disc(x1, at.radius1, {renderer::fade(palette::body, 0.8), {palette::ink, 1.8}});

@@ -131,7 +131,7 @@ void triple_product(course::Page& page, const Settings& set) {
       "lever",
       "The line of d passes the centre at the distance of the lever arm; a₂ is |d| times that arm, with a sign.",
       [oblique = arm_and_rod({arm, 0}, size * Point(0.5, -std::sqrt(0.75)))](renderer::Canvas& canvas) {
-        draw_lever(canvas, canvas.page().inset(20), oblique);
+        draw_lever(canvas, canvas.page(0.7).inset(20), oblique);
       });
   page.text(
       R"(Turn d once round the tip of the arm. At 0° and 180° its line passes through the centre: turning the body does

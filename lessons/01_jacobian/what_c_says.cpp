@@ -109,7 +109,7 @@ void what_c_says(course::Page& page, const Settings& set) {
               "Two bodies and a rod. P₁ and P₂ are its ends, r₁ and r₂ lead there from the centres of mass.",
               [pair = pair_of(set), sides = box_sides(set), length, stretch](renderer::Canvas& canvas) {
                 canvas.look(renderer::fit({-0.5 * length, -0.5 * length, 2.8 * length + stretch, 1.3 * length},
-                                          canvas.page().inset(12), 8));
+                                          canvas.page(0.6).inset(12), 8));
                 draw(canvas, pair, sides, true);
               });
   page.table({"symbol", "meaning", "unit"},
@@ -160,7 +160,7 @@ void what_c_says(course::Page& page, const Settings& set) {
   page.sequence(
       "nudge", "The bob is moved by hand. C is positive outside the circle, negative inside, zero on it.",
       course::Seconds{duration}, [=](renderer::Canvas& canvas, double time) {
-        const auto [left, right] = canvas.page().inset(16).split_columns(0.5);
+        const auto [left, right] = canvas.page().inset(16).panels(0.5);
         const renderer::Chart whole = value_over_time(length, mass);
         canvas.look(renderer::fit({-0.95 * length, -1.4 * length, 2.05 * length, 1.6 * length}, left));
         std::vector<Point> circle;
@@ -184,9 +184,9 @@ void what_c_says(course::Page& page, const Settings& set) {
       R"(C over the place of the bob. Red is too long, blue too short; on the dashed contour C = 0. Arrow: the
               slope of C under a bob at the end of its rod; it points along the rod. Right: C along that line.)",
       [map = landscape(length, mass), along = cut(length, mass)](renderer::Canvas& canvas) {
-        const auto [left, right] = canvas.page().inset(12).split_columns(0.6, 20);
+        const auto [left, right] = canvas.page().inset(12).panels(0.6, 20);
         renderer::draw(canvas, map, left);
-        renderer::draw(canvas, along, right.inset(0, 80));
+        renderer::draw(canvas, along, right.lowered(80));
       });
 
   double along = 0;

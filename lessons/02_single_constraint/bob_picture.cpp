@@ -55,7 +55,8 @@ BobPicture::BobPicture(const Pendulum& scene)
       second(scene.bodies().pose[1].position) {}
 
 void draw(Canvas& canvas, const std::vector<BobPicture>& pictures) {
-  const auto frames = canvas.page().inset(20).cells(1, static_cast<int>(pictures.size()));
+  const int count = static_cast<int>(pictures.size());
+  const auto frames = (count == 1 ? canvas.page(1.2) : canvas.page()).inset(20).grid(1, count);
   double scale = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < pictures.size(); ++i)
     scale = std::min(scale, fit(extent(pictures[i]), below_title(frames[i]), 30).scale);

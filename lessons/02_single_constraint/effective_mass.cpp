@@ -14,17 +14,17 @@ Matrix4 inverse_mass_matrix(const Pendulum& scene) {
   return Eigen::Vector4d(m1, m1, m2, m2).asDiagonal();
 }
 
-/// A matrix as cells with their numbers; zeros are pale. Returns the right edge.
-double draw_matrix(Canvas& canvas, const Eigen::MatrixXd& matrix, double x, double middle, const Colour& colour,
-                   const std::string& name) {
-  const double cell = 92, top = middle + cell * matrix.rows() / 2;
+/// A matrix as square cells of a side with their numbers; zeros are pale. Returns the right edge.
+double draw_matrix(Canvas& canvas, const Eigen::MatrixXd& matrix, double cell, double x, double middle,
+                   const Colour& colour, const std::string& name) {
+  const double top = middle + cell * matrix.rows() / 2;
   for (int i = 0; i < matrix.rows(); ++i)
     for (int j = 0; j < matrix.cols(); ++j) {
       const Rectangle box{x + j * cell, top - (i + 1) * cell, cell, cell};
       const bool zero = matrix(i, j) == 0;
       canvas.rectangle(box, {zero ? palette::paper : fade(colour, 0.25), {palette::grid, 1.5}});
       canvas.text(box.centre(), course::number(matrix(i, j), 3),
-                  {.size = 22, .colour = zero ? palette::muted : palette::ink});
+                  {.size = std::min(22.0, 0.27 * cell), .colour = zero ? palette::muted : palette::ink});
     }
   const double right = x + cell * matrix.cols();
   canvas.text({(x + right) / 2, top + 16}, name,
@@ -33,14 +33,18 @@ double draw_matrix(Canvas& canvas, const Eigen::MatrixXd& matrix, double x, doub
 }
 
 void draw_product(Canvas& canvas, const Row4& J, const Matrix4& inverse_mass, double K) {
-  const double middle = 400, gap = 30;
-  double x = draw_matrix(canvas, J, 40, middle, palette::constraint, "J") + gap;
-  x = draw_matrix(canvas, inverse_mass, x, middle, palette::force, "M⁻¹") + gap;
-  x = draw_matrix(canvas, J.transpose(), x, middle, palette::constraint, "Jᵀ") + gap;
-  canvas.text({x, middle}, say("= @ m²/kg", K), {.size = 26, .anchor = Anchor::left, .bold = true});
+  // On a narrow page J is above M⁻¹, and the result below it.
+  const bool narrow = canvas.page().is_high();
+  const double cell = narrow ? 80 : 92, left = narrow ? 30 : 40, middle = narrow ? 340 : 400, gap = 30;
+  double x = draw_matrix(canvas, J, cell, left, narrow ? 620 : middle, palette::constraint, "J") + gap;
+  if (narrow) x = left;
+  x = draw_matrix(canvas, inverse_mass, cell, x, middle, palette::force, "M⁻¹") + gap;
+  x = draw_matrix(canvas, J.transpose(), cell, x, middle, palette::constraint, "Jᵀ") + gap;
+  canvas.text(narrow ? Point(left, 130) : Point(x, middle), say("= @ m²/kg", K),
+              {.size = 26, .anchor = Anchor::left, .bold = true});
   const auto zeros = (inverse_mass.array() == 0).count();
   canvas.text(
-      {canvas.page().centre().x(), 130},
+      {canvas.page().centre().x(), narrow ? 70 : 130},
       say("@ of the @ numbers of M⁻¹ are zero. Only m₂⁻¹ is left, written twice.", zeros, inverse_mass.size()),
       {.size = 22, .colour = palette::muted});
 }

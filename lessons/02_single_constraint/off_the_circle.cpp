@@ -24,7 +24,7 @@ void draw_steps(Canvas& canvas, const Swing& run, double length) {
   std::vector<Point> circle, steps;
   for (int i = 0; i <= 200; ++i) circle.emplace_back(length * from_straight_down<PlaneParticle>(radians(1.8 * i)));
   for (const Sample& sample : run) steps.emplace_back(sample.position);
-  canvas.look(fit(united(bounds(steps), bounds(circle)), canvas.page().inset(20), 30));
+  canvas.look(fit(united(bounds(steps), bounds(circle)), canvas.page(1).inset(20), 30));
   canvas.path(circle, {palette::theory, 2, Dash::dashed});
   canvas.path(steps, {palette::velocity, 2});
   for (const Point& point : steps) canvas.line({0, 0}, point, {fade(palette::constraint, 0.25), 2});

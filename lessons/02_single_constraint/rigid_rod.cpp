@@ -43,7 +43,7 @@ double measured_period(const std::vector<RodSample>& samples) {
 }
 
 void draw_both(Canvas& canvas, const Sample& bob, const RodSample& rod, double length, const Chart& chart) {
-  const auto [scene, beside] = canvas.page().inset(20).split_columns(0.56);
+  const auto [scene, beside] = canvas.page().inset(20).panels(0.56);
   canvas.look(fit({-1.25 * length, -1.3 * length, 2.5 * length, 2.4 * length}, scene, 10));
   pictures::draw(canvas, {.bobs = {{bob.position, 1}}, .rods = {{{0, 0}, bob.position}}});
   pictures::draw(canvas, {.links = {{{0, 0}, rod.end}}, .anchors = {{0, 0}}},

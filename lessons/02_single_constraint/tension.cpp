@@ -21,11 +21,13 @@ Chart tension_chart(const Swing& run, const SimplePendulum& exact, double mass, 
 }
 
 void draw_frame(Canvas& canvas, const Sample& now, const Swing& run, const Chart& chart, double weight) {
-  const auto [scene, beside] = canvas.page().inset(20).split_columns(0.5);
+  const auto [scene, beside] = canvas.page().inset(20).panels(0.5);
   const double length = run.front().position.norm(), newton = 0.26 * length / weight;
   std::vector<Point> seen{{0, 0}, {-length, -1.35 * length}, {length, 0.1 * length}};
   for (const Sample& sample : run) seen.emplace_back(sample.position);
-  canvas.look(fit(bounds(seen), scene, 30));
+  // Where the scene is low, its words are above it.
+  const Rectangle below{scene.x, scene.y, scene.width, scene.height - (scene.is_high() ? 0 : 50)};
+  canvas.look(fit(bounds(seen), below, scene.is_high() ? 30 : 10));
   const ArrowKind force{palette::force, newton, "N"};
   pictures::draw(canvas, {.bobs = {{now.position, 1}}, .rods = {{{0, 0}, now.position}}, .anchors = {{0, 0}}});
   // Beside the rod, which it would cover.

@@ -12,7 +12,7 @@ struct StepFilm {
   double length;
 
   void draw(Canvas& canvas, double time) const {
-    const auto [left, right] = canvas.page().inset(20).split_columns(0.54, 30);
+    const auto [left, right] = canvas.page().inset(20).panels(0.54, 30, 0.8);
     const double scale = 0.75 * length / gain.norm();  // [s]
     const Vector along = bob / length, across(-along.y(), along.x()), V = scale * gain, change = scale * answer,
                  after = V + change;

@@ -82,7 +82,8 @@ void all_at_once(Page& page, const Knobs& knobs) {
                   @. Empty cells are zero.)",
           nonzeros(A), nonzeros(factor), nonzeros(inverse)),
       [=](renderer::Canvas& canvas) {
-        const auto cells = canvas.page().inset(16, 120).cells(1, 3, 18);
+        const renderer::Rectangle paper = canvas.page();
+        const auto cells = paper.inset(16, paper.is_high() ? 16 : 120).grid(1, 3, 18);
         const std::array maps{map_of(A, "A = JM⁻¹Jᵀ", "m²/kg", true),
                               map_of(factor, "its factor R", "m/√kg", true),
                               map_of(inverse, "A⁻¹", "kg/m²", false)};

@@ -138,8 +138,8 @@ void one_sweep(Page& page, const Knobs& knobs) {
   const auto frames = instants(chain, knobs.h, fall);
   page.sequence(
       "row_by_row",
-      say(R"(Two sweeps row by row, then whole sweeps in growing strides. Left: how fast each bob still falls.
-          Above: what each joint carries, as a share of all @ N (dashed: the weight below it). Below: each row's
+      say(R"(Two sweeps row by row, then whole sweeps in growing strides. Arrows: how fast each bob still falls.
+          Upper bars: what each joint carries, as a share of all @ N (dashed: the weight below it). Lower bars: each row's
           error. The row being solved is yellow: its error becomes zero, its neighbours' errors change.)",
           knobs.weight()),
       Frames{static_cast<int>(frames.size())}, [=](renderer::Canvas& canvas, double at) {

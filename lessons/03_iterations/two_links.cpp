@@ -103,7 +103,8 @@ void two_links(Page& page, const Knobs& knobs) {
           longer, its row's error. Yellow: the row just solved. gh = @ m/s.)",
           fall),
       [=](renderer::Canvas& canvas) {
-        const auto cells = canvas.page().inset(20).cells(1, 4, 10);
+        const renderer::Rectangle paper = canvas.page().inset(20);
+        const auto cells = paper.is_high() ? paper.cells(2, 2, 10) : paper.cells(1, 4, 10);
         for (std::size_t i = 0; i < cells.size(); ++i) draw_panel(canvas, panels[i], L, cells[i]);
       });
   within_a_sweep(page, knobs);

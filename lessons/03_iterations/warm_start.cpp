@@ -220,9 +220,9 @@ void warm_start(Page& page, const Knobs& knobs) {
             cold.step(knobs.h);
             warm.step(knobs.h);
           }
-          const auto [left, right] = canvas.page().inset(16).split_columns(0.36, 16);
+          const auto [left, right] = canvas.page().inset(16).panels(0.36, 16);
           draw_chains(canvas, cold, warm, depth, pitch, left);
-          draw(canvas, pictures::grown_to(chart, time), right.inset(0, 40));
+          draw(canvas, pictures::grown_to(chart, time), right.lowered(40));
         });
   else
     page.text("With @ a step neither chain shows an error worth drawing.", several(k, "sweep"));

@@ -23,7 +23,7 @@ struct SweepFilm {
   double length;
 
   void draw(renderer::Canvas& canvas, double time) const {
-    const auto [left, right] = canvas.page().inset(20).split_columns(0.54, 30);
+    const auto [left, right] = canvas.page().inset(20).panels(0.54, 30, 0.8);
     const renderer::Camera camera =
         renderer::fit({-1.1 * length, -2.75 * length, 2.2 * length, 2.9 * length}, left, 10);
     canvas.look(camera);

@@ -15,14 +15,14 @@ constexpr int shown_steps = 5;
 /// The rod's end at the beginning and after each step, side by side.
 void draw_steps(Canvas& canvas, const std::vector<double>& errors) {
   const Rectangle page = canvas.page().inset(24);
-  const auto frames = page.cells(1, static_cast<int>(errors.size()), 12);
+  const auto frames = page.cells(1, static_cast<int>(errors.size()), page.is_high() ? 4 : 12);
   double reach = 0;
   for (const double error : errors) reach = std::max(reach, std::abs(error));
   for (std::size_t i = 0; i < errors.size(); ++i) {
     const Rectangle frame{frames[i].x, frames[i].y, frames[i].width, frames[i].height - 50};
     draw_rod_end(canvas, frame, errors[i], 1.15 * reach, say("@ cm", Value(100 * errors[i], 3)));
     canvas.text({frame.centre().x(), page.top() - 16}, i == 0 ? "at first" : say("step @", i),
-                {.size = 22, .bold = true});
+                {.size = page.is_high() ? 17.0 : 22.0, .bold = true});
   }
 }
 

@@ -52,7 +52,7 @@ void draw_key(Canvas& canvas, const Rectangle& cell) {
 }
 
 void draw_panels(Canvas& canvas, const std::vector<Panel>& panels, std::size_t now) {
-  const auto cells = canvas.page().inset(14).cells(2, 4, 14);
+  const auto cells = canvas.page().inset(14).grid(2, 4, 14);
   for (std::size_t i = 0; i < cells.size(); ++i)
     if (i < panels.size())
       draw_panel(canvas, panels[i], now, cells[i]);

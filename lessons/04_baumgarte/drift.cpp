@@ -27,7 +27,7 @@ struct SpiralFilm {
   Chart beside;
 
   void draw(Canvas& canvas, double time) const {
-    const auto [left, right] = canvas.page().inset(20).split_columns(0.52, 20);
+    const auto [left, right] = canvas.page().inset(20).panels(0.52, 20);
     const double reach = 1.05 * run.back().position.norm();
     canvas.look(fit({-reach, -reach, 2 * reach, 2 * reach}, left, 24));
     std::vector<Point> circle, trail;
@@ -44,7 +44,7 @@ struct SpiralFilm {
                 {.size = 22, .anchor = Anchor::left, .bold = true});
     canvas.text({left.x, left.y + 12}, "dashed: the circle it should keep to",
                 {.size = 18, .colour = palette::theory, .anchor = Anchor::left});
-    renderer::draw(canvas, pictures::grown_to(beside, time), right.inset(0, 60));
+    renderer::draw(canvas, pictures::grown_to(beside, time), right.lowered(60));
   }
 };
 
@@ -116,7 +116,7 @@ void drift(const Setting& setting, Page& page) {
                 say(visible ? R"(A bob on a massless rod, b = 0. The circle opens into a spiral: after @ s the
                               rod is @ cm too long. Right: the error C; dashed, the law below.)"
                             : R"(A bob on a massless rod, b = 0. After @ s the rod is @ cm too long, which is
-                              too little to see on the left. Right: the error C; dashed, the law below.)",
+                              too little to see. Right: the error C; dashed, the law below.)",
                     spiral_seconds, Value(100 * C, 3)),
                 Seconds{spiral_seconds}, [film = SpiralFilm{run, length, beside}](Canvas& canvas, double time) {
                   film.draw(canvas, time);

@@ -86,7 +86,7 @@ struct ChainsFilm {
       warm.step();
       cold.step();
     }
-    const auto [left, right] = canvas.page().inset(16).split_columns(0.36, 16);
+    const auto [left, right] = canvas.page().inset(16).panels(0.36, 16);
     const auto frames = left.cells(1, 2, 8);
     const std::pair<const HangingChain*, const char*> both[] = {{&warm, "warm"}, {&cold, "cold"}};
     for (int i = 0; i < 2; ++i) {
@@ -106,7 +106,7 @@ struct ChainsFilm {
       canvas.text({frames[i].centre().x(), frames[i].y + 12}, largest_error_of(*chain, length),
                   {.size = 18, .colour = palette::error});
     }
-    renderer::draw(canvas, pictures::grown_to(beside, time), right.inset(0, 40));
+    renderer::draw(canvas, pictures::grown_to(beside, time), right.lowered(40));
   }
 };
 

@@ -2,6 +2,7 @@
 
 #include "lessons/04_baumgarte/steps.hpp"
 #include "lessons/04_baumgarte/symptoms.hpp"
+#include "lessons/pictures/acts.hpp"
 
 namespace byhand::baumgarte {
 namespace {
@@ -64,14 +65,18 @@ void draw(Canvas& canvas, const RodBetween& rod, bool ghost) {
 
 /// A panel for each run: the wrong step, and dashed the right one.
 void draw(Canvas& canvas, const std::vector<Filmed>& runs, double time) {
-  constexpr int columns = 4;
-  const int rows = (static_cast<int>(runs.size()) + columns - 1) / columns;
-  const auto panels = canvas.page().inset(12).cells(rows, columns, 10);
+  // On a narrow page names break.
+  const bool narrow = canvas.page().is_high();
+  const int columns = narrow ? 3 : 4, rows = (static_cast<int>(runs.size()) + columns - 1) / columns;
+  const double title = narrow ? 56 : 26;
+  const auto panels = canvas.page().inset(12).cells(rows, columns, narrow ? 6 : 10);
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const Filmed& run = runs[i];
-    const Rectangle panel = panels[i], below{panel.x, panel.y, panel.width, panel.height - 26};
+    const Rectangle panel = panels[i], below{panel.x, panel.y, panel.width, panel.height - title};
     canvas.look_at_page();
-    canvas.text({panel.centre().x(), panel.top() - 12}, run.name, {.size = 14, .bold = true});
+    const TextStyle bold{.size = 14, .bold = true};
+    canvas.text({panel.centre().x(), panel.top() - (title / 2 - 1)},
+                narrow ? pictures::wrapped(canvas, run.name, panel.width, bold) : run.name, bold);
     canvas.rectangle(below, {palette::paper, {palette::grid, 1.5}});
     canvas.look(fit(run.world, below, 0));
     canvas.clip(below);

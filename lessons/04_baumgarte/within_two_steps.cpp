@@ -13,7 +13,7 @@ struct CorrectionFilm {
 
   // In lengths of the rod, the anchor at the origin.
   void draw(Canvas& canvas, double time) const {
-    const auto [left, right] = canvas.page().inset(20).split_columns(0.54, 30);
+    const auto [left, right] = canvas.page().inset(20).panels(0.54, 30, 0.8);
     const Point start(std::sin(-0.35), -std::cos(-0.35)), along(-start.y(), start.x());
     const Point way = drawn_step * along, moved = start + way, d = moved.normalized();
     const double C = moved.norm() - 1, corrected = std::min(beta, 3.0) * C;

@@ -115,7 +115,7 @@ struct BounceFilm {
       coarse.step(h);
       for (int i = 0; i < fine; ++i) finer.step(h / fine);
     }
-    const auto [left, right] = canvas.page().inset(16).split_columns(0.42, 20);
+    const auto [left, right] = canvas.page().inset(16).panels(0.42, 20);
     canvas.look(fit({-1.2, -0.2, 2.4, top + 2 * ball_radius + 0.3}, left, 4));
     canvas.ground({-1.2, 0}, {1.2, 0});
     const double all[] = {height(overlap), height(coarse), height(finer)};
@@ -125,7 +125,7 @@ struct BounceFilm {
       canvas.text({x, -0.12}, chart.curves[i].label, {.size = 16, .colour = palette::series(i)});
     }
     canvas.look_at_page();
-    renderer::draw(canvas, pictures::grown_to(chart, time), right.inset(0, 60));
+    renderer::draw(canvas, pictures::grown_to(chart, time), right.lowered(60));
   }
 };
 

@@ -2,6 +2,7 @@
 
 #include "lessons/05_contact/steps.hpp"
 #include "lessons/laws/closed_forms.hpp"
+#include "lessons/pictures/acts.hpp"
 #include "lessons/pictures/boxes.hpp"
 #include "lessons/scenes/boxes.hpp"
 
@@ -85,8 +86,9 @@ void draw_runs(Canvas& canvas, const std::vector<NamedBox>& runs, const Rectangl
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const Rectangle below{cells[i].x, cells[i].y, cells[i].width, cells[i].height - 54};
     canvas.look_at_page();
-    canvas.text({cells[i].centre().x(), cells[i].top() - 24}, runs[i].name,
-                {.size = 16, .colour = palette::series(static_cast<int>(i)), .bold = true});
+    const TextStyle bold{.size = 16, .colour = palette::series(static_cast<int>(i)), .bold = true};
+    canvas.text({cells[i].centre().x(), cells[i].top() - 24},
+                pictures::wrapped(canvas, runs[i].name, cells[i].width, bold), bold);
     canvas.clip(below);
     canvas.look(fit({-0.7, -0.5, 1.4, top + 0.6}, below, 0));
     pictures::Shapes shapes = pictures::shapes_of(runs[i].box.scene);
@@ -223,9 +225,9 @@ void deep_contact(const Setting& setting, Page& page) {
       Seconds{pop_seconds}, [=, runs = runs](Canvas& canvas, double time) mutable {
         for (NamedBox& run : runs)
           while (run.box.time < time - 0.5 * h) run.box.step(h);
-        const auto [left, right] = canvas.page().inset(16).split_columns(0.6, 20);
+        const auto [left, right] = canvas.page().inset(16).panels(0.6, 20);
         draw_runs(canvas, runs, left, top);
-        renderer::draw(canvas, pictures::grown_to(chart, time), right.inset(0, 60));
+        renderer::draw(canvas, pictures::grown_to(chart, time), right.lowered(60));
       });
   const Condition cannon = Quantity("βd/h", speed, "m/s") > 20;
   if (cannon)

@@ -13,13 +13,18 @@ Value tidy(double value) { return {std::abs(value) < 1e-9 ? 0 : value, 3}; }
 /// A box on its corner: how its corner moves, and the impulses so far.
 void draw_corner(Canvas& canvas, const OnACorner& box, double speed, double mass, const std::string& words,
                  const Rectangle& frame) {
+  // Its words are above and below it, where the frame is low beside it.
+  const auto [picture, beside] = frame.split_columns(0.45, 10);
+  const bool low = !frame.is_high();
   canvas.look_at_page();
-  canvas.text({frame.centre().x(), frame.top() - 24}, words, {.size = 22, .bold = true});
+  canvas.text({(low ? beside : frame).centre().x(), frame.top() - (low ? 60 : 24)}, words,
+              {.size = 22, .bold = true});
   canvas.text(
-      {frame.centre().x(), frame.y + 20},
-      say("corner: @ m/s along, @ m/s up\nω = @ rad/s", tidy(box.slip()), tidy(box.approach()), tidy(box.spin())),
+      {(low ? beside : frame).centre().x(), frame.y + (low ? 60 : 20)},
+      say(low ? "corner:\n@ m/s along, @ m/s up\nω = @ rad/s" : "corner: @ m/s along, @ m/s up\nω = @ rad/s",
+          tidy(box.slip()), tidy(box.approach()), tidy(box.spin())),
       {.size = 18, .anchor = Anchor::bottom});
-  const Rectangle below{frame.x, frame.y + 78, frame.width, frame.height - 130};
+  const Rectangle below = low ? picture : Rectangle{frame.x, frame.y + 78, frame.width, frame.height - 130};
   canvas.clip(below);
   canvas.look(fit({-1.1, -0.75, 2.2, 2.2}, below, 0));
   canvas.ground({-1.1, 0}, {1.1, 0});
@@ -141,7 +146,7 @@ void friction_row(const Setting& setting, Page& page) {
       R"(Left: the corner comes straight down. Middle: the normal's push (orange) has stopped it and made it slip. Right:
       friction has acted on that slip. Green: the corner's velocity.)",
       [=](Canvas& canvas) {
-        const auto frames = canvas.page().inset(16).cells(1, 3, 12);
+        const auto frames = canvas.page().inset(16).grid(1, 3, 12);
         draw_corner(canvas, before, speed, mass, "before", frames[0]);
         draw_corner(canvas, pressed, speed, mass, "after the normal", frames[1]);
         draw_corner(canvas, rubbed, speed, mass, "after friction", frames[2]);

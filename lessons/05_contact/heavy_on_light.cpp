@@ -166,9 +166,9 @@ void heavy_on_light(const Setting& setting, Page& page) {
                 Seconds{pair_seconds}, [=, runs = runs](Canvas& canvas, double time) mutable {
                   for (NamedPile& run : runs)
                     while (run.pile.time < time - 0.5 * h) run.pile.step(h);
-                  const auto [left, right] = canvas.page().inset(16).split_columns(0.56, 20);
+                  const auto [left, right] = canvas.page().inset(16).panels(0.56, 20);
                   draw_runs(canvas, runs, ratio, left);
-                  renderer::draw(canvas, pictures::grown_to(chart, time), right.inset(0, 60));
+                  renderer::draw(canvas, pictures::grown_to(chart, time), right.lowered(60));
                 });
   const auto [low, high] = range_of_sinking(pair(runs[0].pile.method.solver, ratio, beta), h);
   const auto [warm_low, warm_high] = range_of_sinking(pair(runs[1].pile.method.solver, ratio, beta), h);

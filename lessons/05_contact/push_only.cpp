@@ -4,6 +4,7 @@
 #include "lessons/05_contact/plain_figure.hpp"
 #include "lessons/05_contact/standing_box.hpp"
 #include "lessons/05_contact/steps.hpp"
+#include "lessons/pictures/acts.hpp"
 #include "lessons/pictures/boxes.hpp"
 #include "solver/constraints/contact.hpp"
 
@@ -101,8 +102,9 @@ Chart turns(std::vector<Stand> stands) {
 void draw_stand(Canvas& canvas, const Stand& stand, const Rectangle& frame, double weight, int number) {
   const Rectangle below{frame.x, frame.y, frame.width, frame.height - 50};
   canvas.look_at_page();
-  canvas.text({frame.centre().x(), frame.top() - 26}, stand.name,
-              {.size = 21, .colour = palette::series(number), .bold = true});
+  const TextStyle bold{.size = frame.width < 200 ? 17.0 : 21.0, .colour = palette::series(number), .bold = true};
+  canvas.text({frame.centre().x(), frame.top() - 26}, pictures::wrapped(canvas, stand.name, frame.width, bold),
+              bold);
   canvas.clip(below);
   const double half = std::max(0.9, 0.6 * stand.width);
   canvas.look(fit({-half, -0.12, 2 * half, 1.5}, below, 0));

@@ -353,9 +353,9 @@ void stack_of_boxes(const Setting& setting, Page& page) {
                 Seconds{stack_seconds}, [=, runs = runs](Canvas& canvas, double time) mutable {
                   for (NamedPile& run : runs)
                     while (run.pile.time < hurry * time - 0.5 * h) run.pile.step(h);
-                  const auto [left, right] = canvas.page().inset(14).split_columns(0.62, 16);
+                  const auto [left, right] = canvas.page().inset(14).panels(0.62, 16);
                   draw_runs(canvas, runs, fell, left, n);
-                  renderer::draw(canvas, pictures::grown_to(chart, hurry * time), right.inset(0, 50));
+                  renderer::draw(canvas, pictures::grown_to(chart, hurry * time), right.lowered(50));
                 });
   const double cold = falls_at(column(n, sweeping(sweeps, false)), patience, h);
   const std::string few = several(sweeps, "sweep"), twice = say("@ sweeps", 2 * sweeps);

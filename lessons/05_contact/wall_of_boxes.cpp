@@ -84,7 +84,7 @@ void wall_of_boxes(const Setting& setting, Page& page) {
         std::vector<double> load(pose.size(), 0.0);
         for (const Pressed& contact : contacts) load[contact.body2] += contact.force;
         const double heaviest = *std::max_element(load.begin(), load.end());
-        canvas.look(fit({-0.58 * base, -0.06 * base, 1.16 * base, 1.08 * base}, canvas.page(), 16));
+        canvas.look(fit({-0.58 * base, -0.06 * base, 1.16 * base, 1.08 * base}, canvas.page(1), 16));
         for (auto& box : shapes.boxes) {
           box.look.fill = palette::sequential(0.55 * load[box.body] / heaviest);
           box.look.edge.width = 1;

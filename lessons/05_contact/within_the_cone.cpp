@@ -18,7 +18,7 @@ struct ConeFilm {
   double friction, speed, unit;  // [1], [m/s], the largest impulse [N s]
 
   void draw(Canvas& canvas, double time) const {
-    const auto [left, right] = canvas.page().inset(20).split_columns(0.54, 30);
+    const auto [left, right] = canvas.page().inset(20).panels(0.54, 30, 0.8);
     // The impulse so far, and the row that is being solved: first towards what it asks for, then clamped.
     const std::size_t present = acts.now(time);
     Point impulse = impulse_of(states[0].box), velocity = states[0].box.corner_velocity();

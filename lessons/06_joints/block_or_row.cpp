@@ -106,7 +106,7 @@ struct RivalsFilm {
   Chart beside;
 
   void draw(Canvas& canvas, double time) {
-    const auto [left, right] = canvas.page().inset(16).split_columns(0.48, 20);
+    const auto [left, right] = canvas.page().inset(16).panels(0.48, 20);
     const auto cells = left.cells(static_cast<int>(rivals.size()), 1, 10);
     for (std::size_t i = 0; i < rivals.size(); ++i) {
       Held& box = rivals[i].box;
@@ -130,7 +130,7 @@ struct RivalsFilm {
       canvas.clip({});
       canvas.look_at_page();
     }
-    renderer::draw(canvas, pictures::grown_to(beside, time), right.inset(0, 60));
+    renderer::draw(canvas, pictures::grown_to(beside, time), right.lowered(60));
   }
 };
 
@@ -219,7 +219,8 @@ void block_or_row(const Setting& setting, Page& page) {
               crossing both have. Row by row λ moves from one line to the other and back; where the lines are close
               these moves are short.)",
       [slender, plump = way_of_sweeps(setting, length), small = way_of_sweeps(setting, side)](Canvas& canvas) {
-        const auto cells = canvas.page().inset(14, 30).cells(1, 2, 24);
+        const Rectangle paper = canvas.page();
+        const auto cells = paper.inset(14, paper.is_high() ? 14 : 30).grid(1, 2, 24);
         draw(canvas, plump, cells[0]);
         const Rectangle plot = draw(canvas, small, cells[1]);
         if (slender)
@@ -230,12 +231,11 @@ void block_or_row(const Setting& setting, Page& page) {
                   \qquad \Bigl(\frac{c}{1+c}\Bigr)^2 = @ \text{ is left by one sweep})",
                Value(c / 2, 4), Value(rho, 5));
   page.text(
-      R"(On the left, a box as large as its arm: the rows ask for different things, and a few sweeps are enough. @ @ Solved
+      R"(First, a box as large as its arm: the rows ask for different things, and a few sweeps are enough. @ @ Solved
       as a block, one solve is enough for any box: the 2 × 2 matrix contains the entry off the diagonal.)",
-      slender
-          ? R"(On the right, the small box. Both rows say nearly the same ("do not turn"), and the rest ("do not fall
+      slender ? R"(Then the small box. Both rows say nearly the same ("do not turn"), and the rest ("do not fall
                 along the arm") is in their small difference, which the sweeps approach slowly.)"
-          : "On the right this lesson's box, whose lines cross as clearly.",
+              : "Then this lesson's box, whose lines cross as clearly.",
       left < 1e-15 ? say("@ leave nothing that a double can hold.", several(sweeps, "sweep"))
                    : say("@ @ @ of the error.", several(sweeps, "sweep"), sweeps == 1 ? "leaves" : "leave",
                          small_error(left, 3)));

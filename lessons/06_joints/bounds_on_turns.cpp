@@ -3,6 +3,7 @@
 #include "lessons/06_joints/mechanism.hpp"
 #include "lessons/06_joints/runs.hpp"
 #include "lessons/06_joints/steps.hpp"
+#include "lessons/pictures/acts.hpp"
 #include "lessons/scenes/pendulum.hpp"
 #include "solver/constraints/limit.hpp"
 #include "solver/constraints/motor.hpp"
@@ -101,8 +102,9 @@ struct BarsFilm {
     for (std::size_t i = 0; i < shown.size(); ++i) {
       Held& arm = shown[i].arm;
       advance_to(arm, time, h);
-      canvas.text({cells[i].centre().x(), cells[i].top() - 14}, shown[i].name,
-                  {.size = 20, .colour = palette::series(static_cast<int>(i)), .bold = true});
+      const TextStyle bold{.size = 20, .colour = palette::series(static_cast<int>(i)), .bold = true};
+      const std::string name = pictures::wrapped(canvas, shown[i].name, cells[i].width, bold);
+      canvas.text({cells[i].centre().x(), cells[i].top() - (name == shown[i].name ? 14 : 26)}, name, bold);
       const Rectangle below{cells[i].x, cells[i].y, cells[i].width, cells[i].height - 34};
       canvas.look(fit({-0.75 * length, -1.1 * length, 1.9 * length, 1.5 * length}, below, 4));
       if (i == 0) draw_stop(canvas, {0, 0}, -stop_at, length);

@@ -72,7 +72,7 @@ struct ConflictFilm {
   void draw(Canvas& canvas, double frame) {
     const double time = conflict_seconds * frame / (frames - 1);
     advance_to(rods, time, h);
-    const auto [left, right] = canvas.page().inset(16).split_columns(0.36, 20);
+    const auto [left, right] = canvas.page().inset(16).panels(0.36, 20);
     const Rectangle picture{left.x, left.y + 96, left.width, left.height - 96};
     draw_rods(canvas, rods, length, gap, picture);
     const bool begun = rods.work.system.rows() > 0;
@@ -85,7 +85,7 @@ struct ConflictFilm {
                 {.size = 24, .anchor = Anchor::left, .bold = true});
     canvas.text({left.x + 10, left.y + 40}, says(0), {.size = 19, .colour = short_rod, .anchor = Anchor::left});
     canvas.text({left.x + 10, left.y + 12}, says(1), {.size = 19, .colour = long_rod, .anchor = Anchor::left});
-    renderer::draw(canvas, pictures::grown_to(beside, time), right.inset(0, 40));
+    renderer::draw(canvas, pictures::grown_to(beside, time), right.lowered(40));
   }
 };
 

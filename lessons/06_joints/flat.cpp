@@ -4,6 +4,7 @@
 #include "lessons/06_joints/linkage.hpp"
 #include "lessons/06_joints/runs.hpp"
 #include "lessons/06_joints/steps.hpp"
+#include "lessons/pictures/acts.hpp"
 
 namespace byhand::joints {
 namespace {
@@ -119,8 +120,9 @@ struct FlatFilm {
       std::vector<Point>& trail = ways[i].trail;
       if (trail.empty()) trail.push_back(linkage.scene.bodies().pose[3].position);
       advance_to(linkage, time, h, [&] { trail.push_back(linkage.scene.bodies().pose[3].position); });
-      canvas.text({cells[i].centre().x(), cells[i].top() - 14}, ways[i].name,
-                  {.size = 22, .colour = palette::series(static_cast<int>(i)), .bold = true});
+      const TextStyle bold{.size = 22, .colour = palette::series(static_cast<int>(i)), .bold = true};
+      const std::string name = pictures::wrapped(canvas, ways[i].name, cells[i].width, bold);
+      canvas.text({cells[i].centre().x(), cells[i].top() - (name == ways[i].name ? 14 : 28)}, name, bold);
       const Rectangle below{cells[i].x, cells[i].y, cells[i].width, cells[i].height - 32};
       canvas.look(fit({-1.1 * a, -1.25 * a, c + 2.2 * a, 2.5 * a}, below, 4));
       canvas.clip(below);
@@ -247,7 +249,8 @@ void flat(const Setting& setting, Page& page) {
                   Right: the impulse along the bars when the pivots are @ mm too far apart.)",
           1000 * misfit),
       [price, gain](Canvas& canvas) {
-        const auto cells = canvas.page().inset(14, 60).cells(1, 2, 24);
+        const Rectangle paper = canvas.page();
+        const auto cells = paper.inset(14, paper.is_high() ? 14 : 60).grid(1, 2, 24);
         draw(canvas, price, cells[0]);
         draw(canvas, gain, cells[1]);
       });

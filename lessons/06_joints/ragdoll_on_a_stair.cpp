@@ -94,7 +94,7 @@ void ragdoll_on_a_stair(const Setting&, Page& page) {
       pushes.)",
       Seconds{fall_seconds}, [doll = start](Canvas& canvas, double time) mutable {
         advance_to(doll, time, step);
-        canvas.look(fit({-0.9, -0.15, 4.3, 3.3}, canvas.page(), 0));
+        canvas.look(fit({-0.9, -0.15, 4.3, 3.3}, canvas.page(0.8), 0));
         pictures::draw(canvas, pictures::shapes_of(doll.scene));
         const std::set<std::pair<int, int>> stopped = pushing_stops(doll);
         for (const auto& joint : doll.scene.all<Pin>()) {

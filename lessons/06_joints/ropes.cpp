@@ -85,7 +85,7 @@ void ropes(const Setting& setting, Page& page) {
       R"(The same throw on a rope and on a rod. On the rope the bob leaves the circle and flies a parabola until it is
       caught; the rod pushes it on.)",
       Seconds{seconds}, [=](Canvas& canvas, double time) {
-        const auto [left, right] = canvas.page().inset(16).split_columns(0.5, 20);
+        const auto [left, right] = canvas.page().inset(16).panels(0.5, 20);
         canvas.look(fit({-1.2 * length, -1.2 * length, 2.4 * length, 2.4 * length}, left, 10));
         std::vector<Point> circle;
         for (int i = 0; i <= 120; ++i)
@@ -105,7 +105,7 @@ void ropes(const Setting& setting, Page& page) {
         canvas.hinge({0, 0});
         for (const Point& bob : {on_rod.back(), on_rope.back()}) canvas.disc(bob, 0.07 * length);
         canvas.look_at_page();
-        draw(canvas, pictures::grown_to(chart, time), right.inset(0, 60));
+        draw(canvas, pictures::grown_to(chart, time), right.lowered(60));
       });
   page.text(
       R"(No code switches here. While the rope is slack, the row lets the bob close the gap within the step and no more,

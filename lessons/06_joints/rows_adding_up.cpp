@@ -84,7 +84,7 @@ struct RowsFilm {
   double length, force_scale, turn_scale;
 
   void draw(Canvas& canvas, double time) const {
-    const auto [left, right] = canvas.page().inset(20).split_columns(0.54, 30);
+    const auto [left, right] = canvas.page().inset(20).panels(0.54, 30, 0.8);
     const std::size_t present = acts.now(time);
     const Stage &now = stages[present], &before = stages[present == 0 ? 0 : present - 1];
     // The rows' impulse comes first, then the bar moves as it may.

@@ -131,7 +131,8 @@ void rows_to_joints(const Setting& setting, Page& page) {
                   world, t across the rail, φ the turn.)",
           setting.length, setting.mass),
       [=](Canvas& canvas) {
-        const auto cells = canvas.page().inset(18, 16).cells(1, 4, 22);
+        const Rectangle paper = canvas.page().inset(18, 16);
+        const auto cells = paper.is_high() ? paper.cells(2, 2, 22) : paper.cells(1, 4, 22);
         for (std::size_t i = 0; i < columns.size(); ++i) draw_column(canvas, columns[i], bodies, length, cells[i]);
       });
   page.text(
@@ -146,7 +147,7 @@ void rows_to_joints(const Setting& setting, Page& page) {
       **motor** of strength τ. A rod's row with λ ≥ 0 for its pull is a **rope**. All of them at work:)");
   page.sequence(
       "six_joints",
-      say(R"(The motions that joints leave free. Above: equations; below: bounds. The stop is at @°, the motor turns once
+      say(R"(The motions that joints leave free: three equations, then three bounds. The stop is at @°, the motor turns once
           in the film, the rope is slack at first.@ Straight and curved arrows: the joint's force and torque on the bar
           (λ/h).)",
           Value(degrees(sample_stop), 3),

@@ -75,7 +75,7 @@ std::array<Samples::Given, 6> Samples::given() const {
 void Samples::draw(Canvas& canvas, double time) {
   advance_to(simulation_, sample_pace(length_) * time, h_);
   const std::array<Given, 6> reactions = given();
-  const auto cells = canvas.page().inset(12).cells(2, 3, 8);
+  const auto cells = canvas.page().inset(12).grid(2, 3, 8);
   for (int i = pinned; i <= roped; ++i) {
     const Rectangle& cell = cells[i];
     canvas.look_at_page();

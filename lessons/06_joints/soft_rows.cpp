@@ -128,7 +128,8 @@ void soft_rows(const Setting& setting, Page& page) {
       R"(Left: how far a spring stretches that is tuned to its own bob; points are runs, dashed the law. Right: a spring
       without damping, pulled out and let go. The step itself damps it, a stiff spring more than a weak one.)",
       [sags, rings](Canvas& canvas) {
-        const auto cells = canvas.page().inset(14, 60).cells(1, 2, 24);
+        const Rectangle paper = canvas.page();
+        const auto cells = paper.inset(14, paper.is_high() ? 14 : 60).grid(1, 2, 24);
         draw(canvas, sags, cells[0]);
         draw(canvas, rings, cells[1]);
       });

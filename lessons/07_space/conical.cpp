@@ -30,7 +30,7 @@ Chart over_angle(const Setting& setting) {
 }
 
 void draw_cone(Canvas& canvas, double angle, double tension) {
-  const Rectangle frame = canvas.page().inset(10);
+  const Rectangle frame = canvas.page(1.1).inset(10);
   Space space(pictures::from_aside({0.1, -0.66, 0}, 1.0, frame, -0.7, 0.3));
   const Point3 bob(std::sin(angle), -std::cos(angle), 0);
   space.ground({0, -1.35, 0}, 2.4, 0.4);

@@ -184,7 +184,8 @@ void flips(const Setting& setting, Page& page) {
                   implicit one both, to rounding.)",
           flight_seconds),
       [=](Canvas& canvas) {
-        const auto [left, right] = canvas.page().inset(20, 60).split_columns(0.5, 24);
+        const Rectangle paper = canvas.page();
+        const auto [left, right] = paper.inset(20, paper.is_high() ? 20 : 60).panels(0.5, 24);
         renderer::draw(canvas, energy, left);
         renderer::draw(canvas, momentum, right);
       });

@@ -62,7 +62,7 @@ void draw_wheel(Space& space, const Point3& place, double shade) {
 }
 
 void draw_run(Canvas& canvas, const Run& run, const Chart& chart) {
-  const auto [left, right] = canvas.page().inset(20).split_columns(0.5, 16);
+  const auto [left, right] = canvas.page().inset(20).panels(0.5, 16);
   Space space(pictures::from_aside({0, -0.12, 0}, 0.68, left, 0.5, 0.4));
   space.ground({0, -0.6, 0}, 1.4, 0.2);
   space.rod({0, -0.6, 0}, {0, -0.02, 0}, 0.02, palette::fixed);
@@ -77,7 +77,7 @@ void draw_run(Canvas& canvas, const Run& run, const Chart& chart) {
               {.size = 20, .colour = palette::error, .halo = 3, .offset = {0, 20}});
   canvas.text(space.project(run.place[last] - Point3(0, 0.42, 0)), "mg",
               {.size = 20, .colour = palette::force, .halo = 3, .offset = {0, -16}});
-  renderer::draw(canvas, chart, right.inset(0, 70));
+  renderer::draw(canvas, chart, right.lowered(70));
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ Chart off_over_time(const Flight& flight) {
 }
 
 void draw_fan(Canvas& canvas, const Flight& flight, const Chart& chart) {
-  const auto [left, right] = canvas.page().inset(20).split_columns(0.55, 16);
+  const auto [left, right] = canvas.page().inset(20).panels(0.55, 16);
   Space space(pictures::from_aside({0, 0.42, 0}, 1.25, left, 0.6, 0.3));
   space.ground({0, -0.75, 0}, 2.4, 0.4);
   pictures::add_book(space, flight[0].pose, book_sides());
@@ -57,7 +57,7 @@ void draw_fan(Canvas& canvas, const Flight& flight, const Chart& chart) {
   labels.place(space.project(omega), "ω stays", {.size = 20, .colour = palette::velocity, .halo = 3}, 12);
   labels.place(space.project(tip(at(flight, turn / 2))), "Iω goes round",
                {.size = 20, .colour = palette::error, .halo = 3}, 24);
-  renderer::draw(canvas, chart, right.inset(0, 70));
+  renderer::draw(canvas, chart, right.lowered(70));
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ struct NutationFilm {
   Chart beside = {};
 
   void draw(Canvas& canvas, double now) const {
-    const auto [left, right] = canvas.page().inset(20).split_columns(0.58, 16);
+    const auto [left, right] = canvas.page().inset(20).panels(0.58, 16);
     Space space(pictures::from_aside({0, -0.55 * length, 0}, 1.12 * length, left, 0.5, 0.3));
     space.ground({0, -1.3 * length, 0}, 2.4 * length, 0.4 * length);
     for (const double cone : {angle, other})
@@ -44,7 +44,7 @@ struct NutationFilm {
     canvas.draw(space);
     canvas.text({left.x + 4, left.top() - 14}, say("@ s", Value(std::floor(now * 10 + 1e-6) / 10, 3)),
                 {.size = 22, .anchor = renderer::Anchor::left, .bold = true});
-    renderer::draw(canvas, pictures::grown_to(beside, now), right.inset(0, 70));
+    renderer::draw(canvas, pictures::grown_to(beside, now), right.lowered(70));
   }
 };
 

@@ -68,13 +68,15 @@ Chart lag_over_rate(double h) {
 }
 
 void draw_orders(Canvas& canvas) {
-  const auto cells = canvas.page().inset(16).cells(2, 3, 10);
+  const auto cells = canvas.page().inset(16).grid(2, 3, 10);
   const Quaternion x = quarter(Vector::UnitX()), y = quarter(Vector::UnitY());
   const std::array<Quaternion, 6> stages{Quaternion::Identity(), x, y * x, Quaternion::Identity(), y, x * y};
   const std::array<const char*, 6> names{"the book", "first about x", "then about y",
                                          "the book", "first about y", "then about x"};
   for (std::size_t i = 0; i < 6; ++i) {
-    const Rectangle frame{cells[i].x, cells[i].y, cells[i].width, cells[i].height - 32};
+    // An order of turns is a row, on a narrow page a column.
+    const Rectangle& cell = cells[canvas.page().is_high() ? i % 3 * 2 + i / 3 : i];
+    const Rectangle frame{cell.x, cell.y, cell.width, cell.height - 32};
     Space space(pictures::from_aside({0, 0, 0}, 0.95, frame, 0.5, 0.4));
     space.ground({0, -0.75, 0}, 1.9, 0.4);
     Pose<SpaceBody> pose;
@@ -86,7 +88,7 @@ void draw_orders(Canvas& canvas) {
     for (const auto& [name, tip] : axes)
       canvas.text(space.project(tip), name,
                   {.size = 18, .anchor = renderer::Anchor::left, .halo = 3, .offset = {8, 0}});
-    canvas.text({cells[i].centre().x(), cells[i].top() - 14}, names[i], {.size = 20, .bold = true});
+    canvas.text({cell.centre().x(), cell.top() - 14}, names[i], {.size = 20, .bold = true});
   }
 }
 

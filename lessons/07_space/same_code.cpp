@@ -73,7 +73,7 @@ Twins twins(const Setting& setting) {
 }
 
 void draw_twins(Canvas& canvas, const Twins& twins, double length) {
-  const auto [left, right] = canvas.page().inset(24).split_columns(0.5, 24);
+  const auto [left, right] = canvas.page().inset(24).panels(0.5, 24);
   // All rods, and the floor as far as at the defaults.
   double low = -0.8 * length, high = 1.05 * length;
   for (const Point& centre : twins.plane) {

@@ -176,12 +176,12 @@ void turned_inertia(const Setting& setting, Page& page) {
                  "JV after = JV before + JM⁻¹Jᵀ λ"}});
   page.figure(
       "caught_on_a_nail",
-      say(R"(The book just caught, with I turned (left) and not turned (right). The held point rests in both. L is the
-          angular momentum about the nail, which the nail's push cannot change; on the right it @.)",
+      say(R"(The book just caught, with I turned and with I in the body's axes. The held point rests in both. L is the
+          angular momentum about the nail, which the nail's push cannot change; in the second it @.)",
           shows ? say("has changed, by @ %", Value(100 * wrong.lost(), 3))
                 : "has not changed either, because this book has not turned"),
       [=](Canvas& canvas) {
-        const auto [left, beside] = canvas.page().inset(20).split_columns(0.5, 20);
+        const auto [left, beside] = canvas.page().inset(20).panels(0.5, 20);
         draw_catch(canvas, right, "I⁻¹ turned: RI⁻¹Rᵀ", left);
         draw_catch(canvas, wrong, "I⁻¹ in the body's axes", beside);
       });

@@ -24,7 +24,7 @@ struct TurningFilm {
   Eigen::Vector3d moments;
 
   void draw(Canvas& canvas, double time) const {
-    const auto [left, right] = canvas.page().inset(20).split_columns(0.54, 30);
+    const auto [left, right] = canvas.page().inset(20).panels(0.54, 30, 0.8);
     const std::size_t present = acts.now(time);
     const double share = acts.share(present, time);
     const double passed = present < 2 ? 0 : (static_cast<double>(present) - 2 + share) * slow_steps;

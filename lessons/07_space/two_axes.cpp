@@ -74,7 +74,7 @@ struct PucksFilm {
   }
 
   void draw(Canvas& canvas, double time) const {
-    const auto [left, right] = canvas.page().inset(14).split_columns(0.5, 10);
+    const auto [left, right] = canvas.page().inset(14).panels(0.5, 10);
     draw_ways(canvas, pyramid, "each axis by itself", left, time);
     draw_ways(canvas, disc, "both together: a disc", right, time);
     canvas.text({left.x + 8, left.y + 14}, say("@ s", Value(std::floor(time * 10 + 1e-9) / 10, 3)),
@@ -149,7 +149,7 @@ void two_axes(const Setting& setting, Page& page) {
           pucks, setting.speed),
       Seconds{std::min(2.5, 1.15 * v / a)}, [film](Canvas& canvas, double time) { film.draw(canvas, time); });
   page.text(
-      R"(Two things are wrong on the left. Between the axes the brake is stronger, by up to √2. And the velocity along one
+      R"(Two things are wrong with each axis by itself. Between the axes the brake is stronger, by up to √2. And the velocity along one
       axis ends before the other, so the path *bends*: v₁ ends after v₁/μg, v₂ after v₂/μg. @ For short steps, a puck
       that starts at the angle φ stops in the direction)",
       setting.heading == 45 ? "(Only at 0°, 45° and 90° it does not.)" : "");

@@ -147,9 +147,9 @@ void all_laws(const Setting&, Page& page) {
                   one setting of each law. All are in the table of claims below.)",
                   all.size(), laws.size()),
               [all](Canvas& canvas) {
-                const auto [left, right] = canvas.page().inset(14).split_columns(0.4, 16);
+                const auto [left, right] = canvas.page().inset(14).panels(0.4, 16);
                 renderer::draw(canvas, deviations(all), left.inset(0, 24));
-                draw_table(canvas, all, right.inset(0, 14));
+                draw_table(canvas, all, right.lowered(14));
               });
   for (const Line& line : all)
     page.claim(

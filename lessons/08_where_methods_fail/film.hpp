@@ -89,7 +89,7 @@ template <class M>
 course::FrameDrawing Film<M>::drawing() const {
   return [film = *this, takes = plan_.takes](renderer::Canvas& canvas, double time) mutable {
     const Shooting<M>& plan = film.plan_;
-    const auto [left, right] = canvas.page().inset(14).split_columns(0.64, 16);
+    const auto [left, right] = canvas.page().inset(14).panels(0.64, 16);
     const auto cells = left.cells(1, static_cast<int>(takes.size()), 8);
     for (int i = 0; i < static_cast<int>(takes.size()); ++i) {
       Simulation<M>& run = takes[i].run;
@@ -99,7 +99,7 @@ course::FrameDrawing Film<M>::drawing() const {
                 failed ? film.fate(i) : course::say("@ s", course::Value(run.time, 2)), failed,
                 [&] { plan.draw(canvas, run.scene, pictures::look_of_run(i)); });
     }
-    renderer::draw(canvas, pictures::grown_to(film.gauges_, plan.hurry * time + 1e-9), right.inset(0, 40));
+    renderer::draw(canvas, pictures::grown_to(film.gauges_, plan.hurry * time + 1e-9), right.lowered(40));
   };
 }
 

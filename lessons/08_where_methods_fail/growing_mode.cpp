@@ -30,7 +30,7 @@ struct ModeFilm {
   Chart sizes;
 
   void draw(Canvas& canvas, double time) const {
-    const auto [left, right] = canvas.page().inset(20).split_columns(0.56, 30);
+    const auto [left, right] = canvas.page().inset(20).panels(0.56, 30, 0.8);
     const auto [above, below] = left.split_rows(0.42, 20);
     const std::size_t step = acts.now(time);
     const Instant &now = run[step], &next = run[step + 1];

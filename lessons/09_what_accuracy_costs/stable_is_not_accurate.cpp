@@ -46,7 +46,7 @@ renderer::Chart energies(std::vector<Swing> swings, double start) {
 
 void draw_swings(renderer::Canvas& canvas, const std::vector<Swing>& swings, const renderer::Chart& chart,
                  const SimplePendulum& exact, double length, double time) {
-  const auto [left, right] = canvas.page().inset(20).split_columns(0.46, 20);
+  const auto [left, right] = canvas.page().inset(20).panels(0.46, 20);
   const auto cells = left.cells(static_cast<int>(swings.size()), 1, 8);
   for (std::size_t i = 0; i < swings.size(); ++i) {
     const Swing& swing = swings[i];

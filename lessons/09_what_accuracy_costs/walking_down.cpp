@@ -46,7 +46,7 @@ struct WalkFilm {
   double length;
 
   void draw(Canvas& canvas, double time) const {
-    const auto [left, right] = canvas.page().inset(20).split_columns(0.56, 30);
+    const auto [left, right] = canvas.page().inset(20).panels(0.56, 30, 0.8);
     const auto [above, below] = left.split_rows(0.45, 14);
     const std::size_t present = acts.now(time);
     const double share = acts.share(present, time);

@@ -7,9 +7,6 @@ namespace byhand::pictures {
 
 using namespace renderer;
 
-namespace {
-
-/// The text with breaks where it would leave `width` points.
 std::string wrapped(const Canvas& canvas, const std::string& text, double width, const TextStyle& style) {
   std::string all, line;
   for (std::size_t begin = 0; begin < text.size();) {
@@ -25,8 +22,6 @@ std::string wrapped(const Canvas& canvas, const std::string& text, double width,
   }
   return all + line;
 }
-
-}  // namespace
 
 double eased(double share) {
   const double s = std::clamp(share, 0.0, 1.0);
@@ -45,10 +40,14 @@ void Acts::draw(Canvas& canvas, const Rectangle& frame, double time) const {
   const Camera before = canvas.camera();
   canvas.look_at_page();
   const std::size_t present = now(time);
-  const double height = frame.height / static_cast<double>(acts_.size());
-  for (std::size_t i = 0; i < acts_.size(); ++i) {
+  // On a narrow page there is room for the present one alone.
+  constexpr double least = 90;
+  const bool alone = frame.height < least * static_cast<double>(acts_.size());
+  const std::size_t first = alone ? present : 0, end = alone ? present + 1 : acts_.size();
+  const double height = frame.height / static_cast<double>(end - first);
+  for (std::size_t i = first; i < end; ++i) {
     const bool comes = i > present;
-    const double top = frame.top() - static_cast<double>(i) * height;
+    const double top = frame.top() - static_cast<double>(i - first) * height;
     // What is to come is pale; its contrast is that of decoration, for it is not to be read yet.
     const auto tone = [&](Colour c) { return comes ? palette::grid : c; };
     if (i == present) canvas.rectangle({frame.x, top - height + 14, 5, height - 18}, {acts_[i].colour, {{}, 0}});

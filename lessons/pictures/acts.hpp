@@ -7,6 +7,10 @@
 
 namespace byhand::pictures {
 
+/// The text with breaks where it would be wider than so many points.
+std::string wrapped(const renderer::Canvas& canvas, const std::string& text, double width,
+                    const renderer::TextStyle& style);
+
 /// 0 … 1 with no speed at both ends: 3s² − 2s³, clamped.
 double eased(double share);
 
@@ -28,7 +32,8 @@ class Acts {
   /// The act at `time` [s].
   std::size_t now(double time) const;
 
-  /// Lists all acts: those to come are pale, the present one is bold. The places do not depend on the time.
+  /// Lists all acts: those to come are pale, the present one is bold. The places do not depend on the time. A low
+  /// frame gets the present one alone.
   void draw(renderer::Canvas& canvas, const renderer::Rectangle& frame, double time) const;
 
  private:
