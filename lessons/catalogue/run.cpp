@@ -189,6 +189,20 @@ Point measure(const Problem& problem, const Family& family, const Knobs& knobs, 
   return point;
 }
 
+namespace {
+
+/// What the clock tells apart [s]: some nanoseconds, in a browser a tenth of a millisecond, in which many frames
+/// pass. They are timed together.
+double tick() {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point begin = Clock::now();
+  Clock::time_point next = begin;
+  while (next == begin) next = Clock::now();
+  return std::chrono::duration<double>(next - begin).count();
+}
+
+}  // namespace
+
 double nanoseconds_a_frame(const Problem& problem, const Setting& setting, double seconds) {
   using Clock = std::chrono::steady_clock;
   const auto since = [](Clock::time_point start) {
@@ -198,16 +212,23 @@ double nanoseconds_a_frame(const Problem& problem, const Setting& setting, doubl
   const long frames = std::lround(std::min(5.0, problem.scene().duration) / frame);
   std::vector<double> times;
   const Clock::time_point begin = Clock::now();
+  const double enough = 50 * tick();
   do {
     AnyScene scene = problem.start();
     scene.use(setting.method);
-    for (long i = 0; i < frames; ++i) {
+    for (long i = 0; i < frames;) {
       const Clock::time_point start = Clock::now();
-      advance_frame(scene, setting);
-      if (i >= warm_up) times.push_back(since(start));
+      int together = 0;
+      double taken = 0;
+      do {
+        advance_frame(scene, setting);
+        ++together, ++i;
+        taken = since(start);
+      } while (taken < enough && i < frames);
+      if (i > warm_up && taken > 0) times.push_back(taken / together);
       if (i > 2 * warm_up && since(begin) > seconds) break;
     }
-  } while (since(begin) < seconds);
+  } while (since(begin) < seconds || times.empty());
   const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
   std::nth_element(times.begin(), middle, times.end());
   return 1e9 * *middle;
