@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 namespace byhand::course {
 namespace {
@@ -34,6 +35,24 @@ std::string within_relative(double size) {
 
 std::string quantity(double value, const std::string& unit, int digits) {
   return number(value, digits) + (unit.empty() || unit == "1" ? "" : " " + unit);
+}
+
+std::string in_plain_words(std::string words) {
+  constexpr std::string_view mark = " (rounding)", equals = " = ", between = " ± ";
+  for (auto end = words.find(mark); end != std::string::npos; end = words.find(mark, end)) {
+    const auto sign = words.rfind(equals, end);
+    const auto begin = sign == std::string::npos ? 0 : sign + equals.size();
+    const std::string number = words.substr(begin, end - begin);
+    std::string plain = "0";
+    if (const auto tolerance = number.find(between); tolerance != std::string::npos && !number.starts_with("0 ")) {
+      const auto unit = std::min(number.find(' ', tolerance + between.size()), number.size());
+      plain = number.substr(0, tolerance) + number.substr(unit);
+    }
+    plain += ", but for rounding";
+    words.replace(begin, end + mark.size() - begin, plain);
+    end = begin + plain.size();
+  }
+  return words;
 }
 
 std::string verdict(const Claim& claim) {

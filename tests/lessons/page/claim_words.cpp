@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "lessons/page/claim_words.hpp"
 #include "lessons/terminal/terminal_text.hpp"
 
 namespace byhand::tests {
@@ -35,6 +36,15 @@ TEST(Claim, CallsRoundingByItsName) {
   EXPECT_EQ(measurement(claim(0, 2e-11, absolute(0.001))), "2·10⁻¹¹ m");
   EXPECT_EQ(measurement(claim(5e-15, 2e-16, at_most())), "2·10⁻¹⁶ m (rounding)");
   EXPECT_EQ(measurement(claim(8e-20, 8e-20, relative(0.001))), "8·10⁻²⁰ m") << "what is expected is no rounding";
+}
+
+TEST(Claim, SaysInPlainWordsWhatIsRounding) {
+  EXPECT_EQ(in_plain_words("2·10⁻¹⁶ m (rounding)"), "0, but for rounding");
+  EXPECT_EQ(in_plain_words("≤ 5·10⁻¹⁵ m (rounding)"), "0, but for rounding");
+  EXPECT_EQ(in_plain_words("0 ± 10⁻¹⁵ N·s (rounding)"), "0, but for rounding");
+  EXPECT_EQ(in_plain_words("0.5 ± 9·10⁻¹² m (rounding)"), "0.5 m, but for rounding");
+  EXPECT_EQ(in_plain_words("slip = 4·10⁻¹⁷ (rounding), way = 2 m"), "slip = 0, but for rounding, way = 2 m");
+  EXPECT_EQ(in_plain_words("2.006 s ± 0.1 %"), "2.006 s ± 0.1 %");
 }
 
 TEST(Claim, SaysNoMeaninglessNumberWhereNothingIsClaimed) {
