@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "lessons/page/items.hpp"
 #include "lessons/page/words.hpp"
 #include "lessons/scene_file/scene_file.hpp"
 
@@ -20,7 +21,11 @@ struct Number {
   std::string what, unit;
   double predicted = 0, found = 0;
   std::string from = {};  // the equation or law of the prediction
-  double within = 0.1;    // share by which they may differ; of closed forms 1e-6
+  double within = 0.1;    // share by which they may differ, of 0 the difference; of closed forms 1e-6
+
+  course::Tolerance tolerance() const {
+    return predicted == 0 ? course::absolute(within) : course::relative(within);
+  }
 };
 
 /// What engines are asked about a case's scene, where they have all that is in it.

@@ -17,7 +17,7 @@ using course::Page;
 void show(Page& page, const std::vector<Number>& numbers) {
   for (const Number& number : numbers)
     page.claim(number.what, number.found, number.unit,
-               course::is(number.predicted, number.from, course::relative(number.within)));
+               course::is(number.predicted, number.from, number.tolerance()));
 }
 
 void film(Page& page, const std::string& name, const SceneFile& file,
@@ -26,7 +26,7 @@ void film(Page& page, const std::string& name, const SceneFile& file,
   const stage::View view = stage::view_of(look, run->instants);
   page.sequence(name, fmt::format("{}, {:.3g} s.", file.title, run->end()),
                 course::Seconds{std::max(run->end(), 0.04)}, [=](renderer::Canvas& canvas, double time) {
-                  draw(canvas, look, run->at(time), view, canvas.page().inset(24));
+                  draw(canvas, look, run->at(time), view, canvas.page(0.8).inset(24));
                   canvas.text({canvas.page().right() - 30, canvas.page().top() - 30},
                               fmt::format("{:.2f} s", time), {.anchor = renderer::Anchor::top_right});
                 });
@@ -86,7 +86,7 @@ course::Lesson page_of(const Folder& folder) {
     const std::vector<Placement> start =
         std::visit([](const auto& scene) { return AnyScene(scene).placements(); }, known->file.scene);
     page.figure("scene", known->file.title + ".", [=](renderer::Canvas& canvas) {
-      draw(canvas, look, start, stage::view_of(look, {start}), canvas.page().inset(24));
+      draw(canvas, look, start, stage::view_of(look, {start}), canvas.page(0.8).inset(24));
     });
   });
   lesson.step("What the equations say", [=](Page& page) {

@@ -19,7 +19,7 @@ class Casebook : public testing::TestWithParam<int> {
   static void expect(const std::vector<Number>& numbers) {
     ASSERT_FALSE(numbers.empty());
     for (const Number& number : numbers)
-      EXPECT_LE(std::abs(number.found - number.predicted), number.within * std::abs(number.predicted))
+      EXPECT_TRUE(number.tolerance().met(number.predicted, number.found))
           << number.what << ": predicted " << number.predicted << ", found " << number.found;
   }
 };
