@@ -128,25 +128,36 @@ class Reader {
     return all;
   }
 
-  /// The statements of a display, which \quad separates, and their parts from one relation to the next: lines may
-  /// break between them.
+  /// The statements of a display, which \quad separates, and their parts from one relation to the next, long ones
+  /// from one term of their sum to the next: lines may break between them.
   struct Part {
     std::string markup = {};
     bool begins_statement = true;
   };
   std::vector<Part> parts() {
+    constexpr int long_sum = 7;  // elements
     std::vector<Part> parts = {{}};
     bool related = false;
+    int elements = 0;
     operand_ = false;
     while (!ends()) {
       if (take_command("quad") || take_command("qquad")) {
         if (!parts.back().markup.empty()) parts.emplace_back();
         related = operand_ = false;
+        elements = 0;
       } else {
-        const bool relation = at_relation();
-        if (relation && related) parts.push_back({"", false});
+        const bool relation = at_relation(),
+                   term = elements >= long_sum && operand_ && (rest_.starts_with('+') || rest_.starts_with('-'));
+        if (term || (relation && related)) {
+          parts.push_back({"", false});
+          elements = 0;
+        }
         related = related || relation;
-        parts.back().markup += scripted();
+        std::string next = scripted();
+        // At the beginning of its element it would be a sign of what follows.
+        if (term) next.insert(next.find("<mo") + 3, " form=\"infix\"");
+        parts.back().markup += next;
+        ++elements;
       }
     }
     if (!rest_.empty()) fail("does not balance");
