@@ -23,7 +23,7 @@ using site::escaped;
 
 std::string page_name(const Folder& folder) { return fmt::format("case_{:02}.html", std::stoi(folder.slug)); }
 
-constexpr int pictures = 14;  // of a film at most
+constexpr int pictures = 12;  // of a film at most
 
 /// Writes the films of a step, and links to them at the end of its section.
 std::string with_films(std::string section, const course::RecordedStep& step, const fs::path& site,
@@ -49,6 +49,7 @@ std::string write(std::size_t place, const fs::path& site, bool quiet) {
   const Case told = folder.make();
   const course::Lesson lesson = page_of(folder);
   const site::Told page = site::told(lesson, site, quiet);
+  site::write_narrow(page.narrow, site, folder.slug);
   std::string content = fmt::format(
       R"(<article class="lesson">
 <header class="lesson">
@@ -71,6 +72,7 @@ std::string write(std::size_t place, const fs::path& site, bool quiet) {
   course::write_whole(site / page_name(folder), site::framed({.title = told.title,
                                                               .content = content + "</nav>\n",
                                                               .summary = told.report,
+                                                              .narrow = folder.slug,
                                                               .here = "cases.html",
                                                               .exercises = site::has_exercises(site)}));
   return course::false_claims(lesson, page.steps);

@@ -45,6 +45,8 @@ std::string described(const Frame& frame) {
 
 bool has_exercises(const std::filesystem::path& site) { return std::filesystem::exists(site / "practise"); }
 
+std::string narrow_pictures(const std::string& slug) { return slug + "/narrow.js"; }
+
 std::string framed(const Frame& frame) {
   const std::string beside =
       frame.beside.empty()
@@ -67,7 +69,7 @@ std::string framed(const Frame& frame) {
 <a class="skip" href="#content">Skip to the content</a>
 <header class="top">
 <a class="course" href="index.html">Constraints by Hand</a>
-<nav aria-label="Course"><ul>{2}</ul></nav>
+<nav aria-label="Course"><button class="menu" type="button" popovertarget="course-pages">Menu</button><ul id="course-pages" popover="auto">{2}</ul></nav>
 <div class="search" role="search" data-index="assets/search.js"></div>
 </header>
 <div class="page{3}">
@@ -81,7 +83,9 @@ std::string framed(const Frame& frame) {
 {6}</body>
 </html>
 )",
-      escaped(frame.title), frame.lesson.empty() ? "" : fmt::format(" data-lesson=\"{}\"", frame.lesson),
+      escaped(frame.title),
+      (frame.lesson.empty() ? "" : fmt::format(" data-lesson=\"{}\"", frame.lesson)) +
+          (frame.narrow.empty() ? "" : fmt::format(" data-narrow=\"{}\"", narrow_pictures(frame.narrow))),
       navigation(frame), beside.empty() ? "" : " with-beside", beside, frame.content, frame.foot, frame.head,
       described(frame));
 }

@@ -167,6 +167,7 @@ std::string lesson_page(const Lesson& lesson, const std::vector<RecordedStep>& s
                  .picture = about.slug + "/card.png",
                  .beside = steps_beside(steps),
                  .lesson = about.slug,
+                 .narrow = about.slug,
                  .head = live ? live_head() : "",
                  .foot = "<script type=\"application/json\" id=\"parameters\">" + parameters_json(lesson, steps) +
                          "</script>\n" + (live ? live_scripts(about.slug) : "") +

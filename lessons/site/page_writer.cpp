@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
 #include "lessons/files/atomic_file.hpp"
 #include "lessons/files/chart_data.hpp"
 #include "lessons/files/lesson_json.hpp"
@@ -25,34 +28,68 @@ namespace {
 namespace fs = std::filesystem;
 using namespace course;
 
+/// "<svg …" or "<img …" with room for the picture that a narrow page shows in its place: what has a width and a
+/// height has their ratio.
+std::string with_room_for(const std::string& narrow_one, std::string markup) {
+  constexpr std::string_view box = " viewBox=\"0 0 ";
+  const auto size = narrow_one.find(box) + box.size(), blank = narrow_one.find(' ', size);
+  const std::string width = narrow_one.substr(size, blank - size),
+                    height = narrow_one.substr(blank + 1, narrow_one.find('"', blank) - blank - 1);
+  const auto at = std::min(markup.find("<svg "), markup.find("<img ")) + 5;
+  return markup.insert(at, fmt::format("width=\"{}\" height=\"{}\" ", width, height));
+}
+
 /// Draws pictures into the page and writes their data beside it.
 class Drawer {
  public:
-  Drawer(const fs::path& site, const std::string& slug) : site_(site), folder_(slug + "/") {}
+  /// `narrow_ones` takes what a narrow page shows, by the id of the figure.
+  Drawer(const fs::path& site, const std::string& slug, std::map<std::string, std::string>& narrow_ones)
+      : site_(site), folder_(slug + "/"), narrow_(&narrow_ones) {}
 
   Shown operator()(const Figure& figure) const {
     if (const auto* chart = chart_of(figure)) course::write_whole(site_ / data(figure), csv(*chart));
     const std::string link =
         std::holds_alternative<Drawing>(figure.picture) ? "" : fmt::format("<a href=\"{}\">CSV</a>", data(figure));
-    const std::string svg = loaded_when_seen(drawn(figure, in_files(figure.name)));
-    if (!std::holds_alternative<TimedChart>(figure.picture)) return {svg, link};
+    const auto draw = [&](int width) { return drawn(figure, in_files(figure.name, width), width); };
+    const std::string id = "figure-" + figure.name;
+    if (!std::holds_alternative<TimedChart>(figure.picture)) return shown(id, draw, in_page, link);
     // What a clock measured stays out of the page, whose bytes are the same each time.
-    const std::string path = folder_ + "figures/" + figure.name + ".svg";
-    course::write_whole(site_ / path, svg);
-    return {fmt::format("<img src=\"{}\" alt=\"\" width=\"1280\" height=\"720\" />", path),
-            fmt::format("<a href=\"{}\">SVG</a> {}", path, link)};
+    const auto path = [&](int width) { return folder_ + "figures/" + named(figure.name, width) + ".svg"; };
+    const auto image = [&](const std::string& svg, int width) {
+      course::write_whole(site_ / path(width), svg);
+      return fmt::format("<img src=\"{}\" alt=\"\" />", path(width));
+    };
+    return shown(id, draw, image, fmt::format("<a href=\"{}\">SVG</a> {}", path(wide), link));
   }
 
   Shown operator()(const Sequence& film) const {
-    SeekableFilm shown(film);
-    const auto first = [&](renderer::Canvas& canvas) { shown.draw(canvas, 0); };
-    return {shown.screen(loaded_when_seen(drawn(film.name, first, in_files(film.name))))};
+    SeekableFilm seekable(film);
+    const auto first = [&](renderer::Canvas& canvas) { seekable.draw(canvas, 0); };
+    return shown(
+        "film-" + film.name, [&](int width) { return drawn(film.name, first, in_files(film.name, width), width); },
+        [&](const std::string& svg, int) { return seekable.screen(svg); });
   }
 
  private:
+  static std::string in_page(const std::string& svg, int /*width*/) { return svg; }
+
+  /// The picture that `draw` draws at a width, as `markup` puts it into the page.
+  template <class Draw, class Markup>
+  Shown shown(const std::string& id, const Draw& draw, const Markup& markup, const std::string& links = "") const {
+    const std::string on_phones = draw(narrow), here = markup(draw(wide), wide);
+    if (!is_legible(on_phones)) return {loaded_when_seen(here), links, true};
+    const auto roomy = [&](const std::string& it) { return loaded_when_seen(with_room_for(on_phones, it)); };
+    (*narrow_)[id] = roomy(markup(on_phones, narrow));
+    return {roomy(here), links};
+  }
+
+  static std::string named(const std::string& name, int width) {
+    return name + (width == narrow ? "-narrow" : "");
+  }
+
   /// Draws what a picture shows in space into files beside the page.
-  renderer::SvgCanvas::DrawWindow in_files(const std::string& name) const {
-    return [this, name, count = 0](const auto& window, const auto& page, auto paper) mutable {
+  renderer::SvgCanvas::DrawWindow in_files(const std::string& name, int width) const {
+    return [this, name = named(name, width), count = 0](const auto& window, const auto& page, auto paper) mutable {
       const std::string path = fmt::format("{}figures/{}-{}.png", folder_, name, ++count);
       course::write_whole(site_ / path, renderer::space_picture(window, page, paper));
       return path;
@@ -63,6 +100,7 @@ class Drawer {
 
   fs::path site_;
   std::string folder_;
+  std::map<std::string, std::string>* narrow_;
 };
 
 /// For the archive that a teacher takes along.
@@ -76,8 +114,8 @@ void write_films(const std::vector<RecordedStep>& steps, const fs::path& folder)
 }  // namespace
 
 Told told(const Lesson& lesson, const fs::path& folder, bool quiet) {
-  const Drawer drawer(folder, lesson.about().slug);
   Told all;
+  const Drawer drawer(folder, lesson.about().slug, all.narrow);
   for (const Step& step : lesson.steps()) {
     forget_reads(lesson);
     all.steps.push_back(record_step(lesson, step, quiet));
@@ -88,9 +126,14 @@ Told told(const Lesson& lesson, const fs::path& folder, bool quiet) {
   return all;
 }
 
+void write_narrow(const std::map<std::string, std::string>& pictures, const fs::path& folder,
+                  const std::string& slug) {
+  course::write_whole(folder / (narrow_pictures(slug) + "on"), nlohmann::json(pictures).dump());
+}
+
 std::vector<RecordedStep> write_page(Lesson& lesson, const fs::path& folder, bool quiet) {
   const std::string& slug = lesson.about().slug;
-  auto [steps, sections] = told(lesson, folder, quiet);
+  auto [steps, sections, narrow_ones] = told(lesson, folder, quiet);
   const bool live = fs::exists(folder / "live" / (slug + ".js"));
   std::string all;
   for (std::size_t i = 0; i < steps.size(); ++i) {
@@ -107,6 +150,7 @@ std::vector<RecordedStep> write_page(Lesson& lesson, const fs::path& folder, boo
       return turned.changes(picture, name);
     });
   }
+  write_narrow(narrow_ones, folder, slug);
   write_card(steps, folder / slug);
   write_films(steps, folder / slug / "films");
   course::write_whole(folder / page_of(slug), lesson_page(lesson, steps, all, live, has_exercises(folder)));

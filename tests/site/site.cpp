@@ -77,6 +77,17 @@ TEST(Frames, LeadToTheExercisesOfASiteThatHasThem) {
   EXPECT_THAT(links({.title = "Laws", .content = "", .exercises = true}), ElementsAre("Exercises"));
 }
 
+TEST_F(Site, ALessonHasPicturesForANarrowPageInAFileOfTheirOwn) {
+  const Markup& page = pages_.at("99_fixture.html");
+  const std::vector<std::string> files = page.all("/*/@data-narrow");
+  ASSERT_EQ(files.size(), 1U);
+  EXPECT_THAT(contents(root() / without_version(files[0])), testing::StartsWith("'use strict';\nbyhandNarrow('"));
+  EXPECT_FALSE(fs::exists(root() / "99_fixture" / "narrow.json"));
+  // Their ratio keeps the room for them.
+  EXPECT_THAT(page.all("//*[@class='picture']//*[local-name()='svg']/@width"),
+              testing::AllOf(testing::Not(IsEmpty()), testing::Each("490")));
+}
+
 TEST_F(Site, EveryPageIsWellFormed) {
   for (const auto& [name, page] : pages_) EXPECT_EQ(page.mistake(), "") << name;
 }

@@ -114,6 +114,15 @@ TEST(StepHtml, AQuestionKeepsItsAnswerFolded) {
   EXPECT_THAT(section.all("//input[@type='radio']/@value"), ElementsAre("1", "2"));
 }
 
+TEST(StepHtml, ACaptionSaysWhereAPanelIsOnScreensAndOnPhones) {
+  const Markup section = read([](Page& page) {
+    page.figure("two", "A bob. Right: its error.", [](renderer::Canvas&) {});
+    page.figure("one", "Right: its error.", renderer::Chart{.curves = {{.x = {0, 1}, .y = {0, 1}}}});
+  });
+  EXPECT_THAT(section.all("//figcaption/*[@class='on-screens']"), ElementsAre("Right"));
+  EXPECT_THAT(section.all("//figcaption/*[@class='on-phones']"), ElementsAre("Below"));
+}
+
 TEST(StepHtml, AFigureHasItsPictureCaptionLinksAndWords) {
   const Markup section = read([](Page& page) {
     page.figure("errors", "The *error*.",

@@ -1,5 +1,7 @@
 #include "lessons/page/html/drawn.hpp"
 
+#include <cstdlib>
+
 namespace byhand::site {
 namespace {
 
@@ -22,14 +24,24 @@ std::string drawn(const std::string& name, const course::Drawing& drawing,
   return canvas.svg("");
 }
 
-std::string drawn(const course::Figure& figure, const renderer::SvgCanvas::DrawWindow& draw_window) {
+std::string drawn(const course::Figure& figure, const renderer::SvgCanvas::DrawWindow& draw_window, int width) {
   const auto draw = [&](renderer::Canvas& canvas) {
     if (const auto* chart = course::chart_of(figure))
-      renderer::draw(canvas, *chart, canvas.page().inset(12));
+      renderer::draw(canvas, *chart, canvas.page(0.9).inset(12));
     else
       std::get<course::Drawing>(figure.picture)(canvas);
   };
-  return drawn(figure.name, draw, draw_window);
+  return drawn(figure.name, draw, draw_window, width);
+}
+
+bool is_legible(std::string_view svg) {
+  constexpr double least = 12.5;  // points
+  constexpr std::string_view size = " font-size=\"";
+  for (auto at = svg.find(size); at != std::string_view::npos; at = svg.find(size, at + 1)) {
+    const bool subscript = svg.substr(svg.rfind('<', at)).starts_with("<tspan");
+    if (!subscript && std::strtod(svg.data() + at + size.size(), nullptr) < least) return false;
+  }
+  return true;
 }
 
 }  // namespace byhand::site

@@ -28,6 +28,19 @@ std::string equation_line(const std::string& latex, int number) {
                      label);
 }
 
+/// A drawing's caption. Panels that are side by side on a screen are one above the other on a phone.
+std::string caption_html(const std::string& caption) {
+  std::string html = inline_html(caption);
+  for (const auto& [here, there] : {std::pair{"Left", "Above"}, {"Right", "Below"}}) {
+    const std::string place = std::string(here) + ":",
+                      both = fmt::format(
+                          "<span class=\"on-screens\">{}</span><span class=\"on-phones\">{}</span>:", here, there);
+    for (auto at = html.find(place); at != std::string::npos; at = html.find(place, at + both.size()))
+      html.replace(at, place.size(), both);
+  }
+  return html;
+}
+
 std::string folded(const std::string& css_class, const std::string& summary, const std::string& inside) {
   return fmt::format("<details class=\"{}\"><summary>{}</summary>{}</details>", css_class, summary, inside);
 }
@@ -101,8 +114,10 @@ class ItemWriter {
                         inline_html(measure.quantity), escaped(quantity(measure.value, measure.unit)));
   }
 
-  void operator()(const Figure& figure) { picture("figure", figure, pictures_.figure(figure)); }
-  void operator()(const Sequence& film) { picture("film", film, pictures_.film(film)); }
+  void operator()(const Figure& figure) {
+    picture("figure", figure, pictures_.figure(figure), std::holds_alternative<Drawing>(figure.picture));
+  }
+  void operator()(const Sequence& film) { picture("film", film, pictures_.film(film), true); }
 
   void operator()(const Prediction& question) {
     std::string answer = fmt::format("<p><strong>{}</strong>. {}</p>", escaped(printed_answer(question)),
@@ -141,8 +156,8 @@ class ItemWriter {
     const std::string said = verdict(claim);
     run_ += fmt::format(
         "<tr data-item=\"{}\" data-verdict=\"{}\"><td>{}{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>",
-        index_, said, inline_html(claim.quantity), range, escaped(measurement(claim)), escaped(expectation(claim)),
-        inline_html(claim.source), said);
+        index_, said, inline_html(claim.quantity), range, escaped(in_plain_words(measurement(claim))),
+        escaped(in_plain_words(expectation(claim))), inline_html(claim.source), said);
     ++(claim.is_false() ? false_ : claim.claimed() ? hold_ : not_claimed_);
   }
 
@@ -160,20 +175,21 @@ class ItemWriter {
   }
 
   template <class Drawn>
-  void picture(const char* kind, const Drawn& it, const Shown& shown) {
+  void picture(const char* kind, const Drawn& it, const Shown& shown, bool has_panels) {
     constexpr auto save =
         R"(<button type="button" aria-label="Save as SVG">SVG</button> <button type="button" aria-label="Save as PNG">PNG</button> )";
     const Alternative other = alternative(it, shown.markup);
     const bool in_page = shown.markup.find("<svg") != std::string::npos;
     child(
         fmt::format("<figure class=\"{0}\" id=\"{0}-{1}\" data-item=\"{2}\" data-{0}=\"{1}\">"
-                    "<div class=\"picture\" role=\"img\" "
+                    "<div class=\"picture\"{8} role=\"img\" "
                     "aria-label=\"{3}\">{4}</div><figcaption>{5}{6}{7}</figcaption></figure>",
                     kind, it.name, index_, escaped(plain_text(it.caption + " " + other.label)), shown.markup,
-                    inline_html(it.caption),
+                    has_panels ? caption_html(it.caption) : inline_html(it.caption),
                     fmt::format(" <details class=\"files\"><summary>Save</summary>{}{}</details>",
                                 in_page ? save : "", shown.links),
-                    other.words.empty() ? "" : folded("words", "In words", prose_html(other.words))));
+                    other.words.empty() ? "" : folded("words", "In words", prose_html(other.words)),
+                    shown.sideways ? " data-sideways=\"\"" : ""));
   }
 
   void ask(const char* kind, const std::string& words, const std::string& field,

@@ -10,6 +10,7 @@ namespace byhand::site {
 /// A picture in the page and, where there are files of it, the links to them (HTML, may be empty).
 struct Shown {
   std::string markup, links = {};
+  bool sideways = false;  // on a narrow page it stays as wide as on others, and scrolls
 };
 
 /// How the page shows what is drawn: as written files, or drawn in the page itself.
@@ -31,7 +32,8 @@ struct Pictures {
 ///
 ///     <figure data-figure="law_of_drift">         the picture in .picture, whose label is computed
 ///                                                 from it; readers of screens do not enter .picture, so nothing
-///                                                 to press belongs there
+///                                                 to press belongs there; data-sideways if a narrow page has
+///                                                 it no narrower
 ///     <figure data-film="growing_circle">         the same; the key frames, until it is played
 ///     <figure data-hold="bob_in_hand">            the step's scene to hold, last, with data-item="hold": its
 ///     picture

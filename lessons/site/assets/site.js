@@ -62,6 +62,39 @@
     } else if (touched && !link && !closest(event, '.recalled')) close();
   });
 
+  // Pictures for a narrow page come in a file of their own, packed (see pack_narrow_pictures), and take the place of the
+  // wide ones; a page that is turned gets those back. The media query is that of style.css.
+  const layout = globalThis.byhandLayout = {
+    narrow: matchMedia('(max-width: 40rem), (max-width: 58rem) and (orientation: portrait)'),
+    of(part) {
+      for (const figure of part.querySelectorAll('figure:is([data-figure], [data-film])')) {
+        const picture = figure.querySelector('.picture'), laidOut = narrowOnes[figure.id];
+        if (!laidOut) continue;
+        wideOnes[figure.id] ??= picture.innerHTML;
+        picture.innerHTML = layout.narrow.matches ? laidOut : wideOnes[figure.id];
+      }
+    },
+  };
+  const wideOnes = {};
+  let narrowOnes = {};
+  const unpacked = async packed => {
+    const bytes = Uint8Array.from(atob(packed), letter => letter.charCodeAt(0));
+    return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate-raw'))).json();
+  };
+  const layOut = async () => {
+    const file = document.documentElement.dataset.narrow;
+    if (layout.narrow.matches && file && !Object.keys(narrowOnes).length)
+      narrowOnes = await new Promise(resolve => {
+        globalThis.byhandNarrow = packed => resolve(unpacked(packed));
+        const script = element('script', { src: file });
+        script.onerror = () => resolve({});
+        document.head.append(script);
+      });
+    layout.of(document);
+  };
+  layout.done = layout.narrow.matches ? layOut().catch(() => {}) : Promise.resolve();
+  layout.narrow.addEventListener('change', () => layOut().then(() => document.dispatchEvent(new Event('laidout')), () => {}));
+
   // What is wider than the page can be scrolled with the keyboard.
   const scrollers = () => {
     for (const box of document.querySelectorAll('.formula, .scroll, .picture, pre')) {
@@ -113,7 +146,7 @@
   // What paper shows of the page's address.
   document.querySelector('.printed')?.append(`, ${location.href.split('#')[0]}`);
 
-  // A figure as it is shown, saved as SVG, or as PNG of 2560 × 1440 pixels.
+  // A figure as it is shown, saved as SVG, or as PNG of two pixels a point.
   const save = (name, blob) => {
     const link = element('a', { href: URL.createObjectURL(blob), download: name });
     link.click();
@@ -128,6 +161,8 @@
   // One file: a bitmap beside the page comes into it. A page that was opened from the disk may not read that.
   const asSvg = async svg => {
     const whole = svg.cloneNode(true);
+    whole.removeAttribute('width');  // of another, for which it keeps room
+    whole.removeAttribute('height');
     for (const frame of whole.querySelectorAll('foreignObject')) {
       const image = document.createElementNS(svg.namespaceURI, 'image');
       for (const { name, value } of frame.attributes) image.setAttribute(name, value);
@@ -136,8 +171,8 @@
     }
     return new Blob([new XMLSerializer().serializeToString(whole)], { type: 'image/svg+xml' });
   };
-  const asPng = blob => new Promise((resolve, reject) => {
-    const image = new Image(2560, 1440), address = URL.createObjectURL(blob);
+  const asPng = (blob, { width, height }) => new Promise((resolve, reject) => {
+    const image = new Image(2 * width, 2 * height), address = URL.createObjectURL(blob);
     image.onerror = reject;
     image.onload = () => {
       const canvas = element('canvas', { width: image.width, height: image.height });
@@ -155,7 +190,7 @@
     try {
       const blob = await asSvg(svg);
       if (button.textContent === 'SVG') save(`${name}.svg`, blob);
-      else save(`${name}.png`, await asPng(blob));
+      else save(`${name}.png`, await asPng(blob, svg.viewBox.baseVal));
     } catch {
       button.replaceWith('(not from the disk)');
     }
@@ -183,7 +218,7 @@
 
   // The search: every word typed is in the step, titles count most. Its index is loaded when somebody searches.
   const place = document.querySelector('.search');
-  const input = element('input', { type: 'search', 'aria-label': 'Search the course', placeholder: 'Search ( / )', autocomplete: 'off', spellcheck: 'false' });
+  const input = element('input', { type: 'search', 'aria-label': 'Search the course', placeholder: matchMedia('(max-width: 30rem)').matches ? 'Search' : 'Search ( / )', autocomplete: 'off', spellcheck: 'false' });
   const results = element('ol', { 'aria-label': 'Results' });
   const said = element('p', { class: 'none', role: 'status', hidden: '' });
   place.append(input, said, results);

@@ -22,6 +22,7 @@ namespace {
 /// A picture of a page as one file, with the bitmaps that stand beside the page.
 std::string whole(const fs::path& site, const std::string& svg) {
   std::string all = loaded_at_once(svg);
+  keep_no_room(all);
   constexpr std::string_view image = "<image ", address = " href=\"";
   for (auto at = all.find(image); at != std::string::npos; at = all.find(image, at)) {
     at = all.find(address, at) + address.size();

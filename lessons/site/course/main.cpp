@@ -26,6 +26,7 @@
 #include "lessons/site/course/course_pages.hpp"
 #include "lessons/site/course/desk_page.hpp"
 #include "lessons/site/course/downloads.hpp"
+#include "lessons/site/course/narrow.hpp"
 #include "lessons/site/course/plan.hpp"
 #include "lessons/site/course/playground_page.hpp"
 #include "lessons/site/course/site_folder.hpp"
@@ -189,6 +190,7 @@ int run(const Wanted& wanted) {
     course::write_whole(folder.path() / name, bytes);
   };
   const bool cases = write_cases(folder.path(), wanted.quiet);
+  site::pack_narrow_pictures(folder.path());
   copy_assets(folder.path());
   const bool desk = fs::exists(folder.path() / "live" / "desk.js");
   write("index.html", site::contents_page(

@@ -44,12 +44,18 @@ std::string take_answers(std::string& text, const std::string& page) {
   return all;
 }
 
+void keep_no_room(std::string& text) {
+  replace_all(text, "<svg width=\"", "viewBox", "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox");
+  replace_all(text, "<img width=\"", "src=", "<img width=\"1280\" height=\"720\" src=");
+}
+
 std::string content_of_page(const std::filesystem::path& page) {
   const auto all = course::read_whole(page);
   if (!all) throw course::EnvironmentError(fmt::format("Cannot read {}.", page.string()));
   constexpr std::string_view main = "<main id=\"content\" tabindex=\"-1\">";
   const auto begin = all->find(main) + main.size();
   std::string text = loaded_at_once(all->substr(begin, all->find("</main>") - begin));
+  keep_no_room(text);
   replace_all(text, " <details class=\"files\">", "</details>", "");
   replace_all(text, "<p class=\"answer\">", "</p>", "");
   replace_all(text, "<input class=\"answer\"", "/>", "");

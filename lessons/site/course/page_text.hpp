@@ -10,6 +10,9 @@ namespace byhand::site {
 /// links to files.
 std::string content_of_page(const std::filesystem::path& page);
 
+/// Takes from pictures the sizes that keep room for those of a narrow page.
+void keep_no_room(std::string& text);
+
 /// Takes hints and answers out of the questions of a page, which link to them, and returns them, each in
 /// <section id="answer-3.1">. `page`: where the questions are, for links back; "" for the same page.
 std::string take_answers(std::string& text, const std::string& page = "");

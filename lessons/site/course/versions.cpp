@@ -48,7 +48,8 @@ void write_versions(const fs::path& site) {
     if (after != before) course::write_whole(path, after);
   };
   for (const fs::path& sheet : sheets) rewrite(sheet, {{"url(", ')'}});
-  for (const fs::path& page : pages) rewrite(page, {{"src=\"", '"'}, {"href=\"", '"'}, {"data-index=\"", '"'}});
+  for (const fs::path& page : pages)
+    rewrite(page, {{"src=\"", '"'}, {"href=\"", '"'}, {"data-index=\"", '"'}, {"data-narrow=\"", '"'}});
 }
 
 }  // namespace byhand::site

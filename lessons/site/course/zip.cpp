@@ -23,7 +23,8 @@ std::string bytes_of(T number) {
 std::string two(size_t number) { return bytes_of(static_cast<std::uint16_t>(number)); }
 std::string four(size_t number) { return bytes_of(static_cast<std::uint32_t>(number)); }
 
-/// Empty if the bytes do not become fewer.
+}  // namespace
+
 std::string deflated(std::string_view bytes) {
   constexpr int best = 12;
   const std::unique_ptr<libdeflate_compressor, void (*)(libdeflate_compressor*)> compressor(
@@ -33,8 +34,6 @@ std::string deflated(std::string_view bytes) {
   out.resize(libdeflate_deflate_compress(compressor.get(), bytes.data(), bytes.size(), out.data(), out.size()));
   return out;
 }
-
-}  // namespace
 
 void Zip::add(const std::string& name, std::string_view bytes, Store store, bool runs) {
   const std::string packed = store == Store::compressed ? deflated(bytes) : "";

@@ -21,6 +21,9 @@ class Zip {
   int entries_ = 0;
 };
 
+/// Compressed as DEFLATE (RFC 1951); empty if the bytes do not become fewer.
+std::string deflated(std::string_view bytes);
+
 /// All files below a folder as an archive, in the order of their paths. What its owner may execute there may be
 /// executed where it is unpacked.
 std::string zip_of(const std::filesystem::path& folder);

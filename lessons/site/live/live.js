@@ -159,7 +159,7 @@
     copy.querySelectorAll('a.desk, a.case').forEach(link => link.replaceWith(...link.childNodes));
     copy.querySelectorAll('details').forEach(part => part.removeAttribute('open'));
     copy.querySelectorAll('[tabindex]').forEach(part => part.removeAttribute('tabindex'));
-    copy.querySelectorAll('.picture').forEach(({ dataset }) => { delete dataset.placed; delete dataset.more; });
+    copy.querySelectorAll('.picture').forEach(({ dataset }) => { delete dataset.placed; delete dataset.more; delete dataset.sideways; });
     if (copy.matches('details')) copy.removeAttribute('open');
     copy.classList.remove('fresh', 'compared');
     if (!copy.classList.length) copy.removeAttribute('class');
@@ -199,7 +199,7 @@
       return top > innerHeight ? top - innerHeight : bottom < 0 ? -bottom : 0;
     }
 
-    request(more) { return { ...more, step: this.label, settings: asObject(settings) }; }
+    request(more) { return { ...more, step: this.label, settings: asObject(settings), narrow: byhandLayout.narrow.matches }; }
 
     // Tells the step at the present settings. Without `willing`, only if it does not take long. While the reader changes
     // them, what is in space is drawn small; once they rest, it is drawn again.
@@ -791,6 +791,7 @@
       return bar.fail(error);
     }
     await takeAddress();
+    await byhandLayout.done;
     const { steps: reads } = JSON.parse(document.getElementById('parameters').textContent);
     steps = [...article.querySelectorAll('section[data-step]')].map(section => new Step(section, reads));
     linkPages(article);
@@ -811,6 +812,15 @@
       queue.add(steps.filter(step => names.some(name => step.read.has(name))));
       compareAll();
     };
+    // The page was turned: its pictures are those of the defaults, laid out anew.
+    document.addEventListener('laidout', () => {
+      for (const step of steps) {
+        byhandLayout.of(step.written);
+        step.shown.clear();
+        step.films.forEach(film => film.retold());
+      }
+      queue.add(steps.filter(step => [...settings.keys()].some(name => step.read.has(name))));
+    });
     addEventListener('hashchange', () => follow().catch(error => bar.fail(error)));
     takingTime.start().catch(error => bar.fail(error));
     document.documentElement.dataset.ready = '';

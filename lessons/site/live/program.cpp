@@ -52,6 +52,14 @@ Json graded(const Lesson& lesson, const Item& item, const std::string& typed) {
   return {{"right", given.right}, {"understood", given.understood}, {"reply", given.reply}};
 }
 
+/// A picture of that width; one whose letters would be too small on a narrow page is wide there too.
+template <class Draw>
+Shown fitted(int width, const Draw& draw) {
+  std::string svg = draw(width);
+  if (width == wide || is_legible(svg)) return {std::move(svg)};
+  return {.markup = draw(wide), .sideways = true};
+}
+
 void act(course::Held& scene, const Json& act) {
   const std::string what = act.at(0);
   const auto point = [&] { return renderer::Point(act.at(1), Held::page.top() - act.at(2).get<double>()); };
@@ -102,35 +110,39 @@ const Step& Program::step(const std::string& label) const {
   throw std::invalid_argument(fmt::format("There is no step {}.", label));
 }
 
-Program::Told& Program::told(const Step& step, bool small) {
+Program::Told& Program::told(const Step& step) {
   std::list<Told>& pages = told_[step.label];
   const std::string now = settings();
   const auto found =
       std::find_if(pages.begin(), pages.end(), [&](const Told& told) { return told.settings == now; });
   if (found != pages.end()) {
     pages.splice(pages.begin(), pages, found);
-    if (pages.front().small && !small) tell(pages.front(), small);
     return pages.front();
   }
   forget_reads(lesson_);
   pages.push_front({now, record_step(lesson_, step, true)});
-  tell(pages.front(), small);
   pages.front().recorded.reads = reads(lesson_);
+  for (const Item& item : pages.front().recorded.page.items())
+    if (const auto* film = std::get_if<Sequence>(&item)) pages.front().films.try_emplace(film->name, *film);
   if (pages.size() > kept) pages.pop_back();
   return pages.front();
 }
 
-void Program::tell(Told& told, bool small) const {
+void Program::draw(Told& told, int width, bool small) const {
+  if (told.width == width && (small || !told.small)) return;
   const renderer::SvgCanvas::DrawWindow& in_space = draw_window(small);
-  for (const Item& item : told.recorded.page.items())
-    if (const auto* sequence = std::get_if<Sequence>(&item)) told.films.try_emplace(sequence->name, *sequence);
-  const auto figure = [&](const Figure& it) { return Shown{drawn(it, in_space)}; };
+  const auto figure = [&](const Figure& it) {
+    return fitted(width, [&](int points) { return drawn(it, in_space, points); });
+  };
   const auto film = [&](const Sequence& it) {
-    SeekableFilm& shown = told.films.at(it.name);
-    const auto first = [&](renderer::Canvas& canvas) { shown.draw(canvas, 0); };
-    return Shown{shown.screen(drawn(it.name, first, in_space))};
+    SeekableFilm& frames = told.films.at(it.name);
+    const auto first = [&](renderer::Canvas& canvas) { frames.draw(canvas, 0); };
+    Shown picture = fitted(width, [&](int points) { return drawn(it.name, first, in_space, points); });
+    picture.markup = frames.screen(picture.markup);
+    return picture;
   };
   told.html = step_html(told.recorded, {figure, film});
+  told.width = width;
   told.small = small;
 }
 
@@ -152,19 +164,22 @@ std::string Program::answer(const std::string& request) {
     apply(asked.value("settings", std::map<std::string, std::string>{}));
     const std::string what = asked.at("ask");
     const bool small = asked.value("small", false);
+    const int width = asked.value("narrow", false) ? narrow : wide;
     const auto asked_step = [&]() -> const Step& { return step(asked.at("step")); };
     if (what == "describe") {
       reply = described(lesson_);
     } else if (what == "check") {
       for (const ParameterRecord& p : lesson_.parameters()) reply["typed"][p.name] = p.typed(p.value);
     } else if (what == "tell") {
-      const Told& page = told(asked_step(), small);
+      Told& page = told(asked_step());
+      draw(page, width, small);
       reply = {{"html", page.html}, {"reads", page.recorded.reads}};
     } else if (what == "frame") {
-      SeekableFilm& film = told(asked_step(), true).films.at(asked.at("film"));
+      SeekableFilm& film = told(asked_step()).films.at(asked.at("film"));
       const std::string name = asked.at("film");
       const auto frame = [&](renderer::Canvas& canvas) { film.draw(canvas, asked.at("index")); };
-      reply["svg"] = drawn(name, frame, draw_window(small));
+      reply["svg"] =
+          fitted(width, [&](int points) { return drawn(name, frame, draw_window(small), points); }).markup;
     } else if (what == "hold") {
       const Step& step = asked_step();
       Held& scene = in_hand(step);
@@ -175,8 +190,7 @@ std::string Program::answer(const std::string& request) {
       const auto draw = [&](renderer::Canvas& canvas) { scene.draw(canvas, part); };
       reply["svg"] = drawn(step.hold->name, draw, {}, Held::width);
     } else if (what == "grade") {
-      reply = graded(lesson_, question(told(asked_step(), true).recorded.page, asked.at("question")),
-                     asked.at("typed"));
+      reply = graded(lesson_, question(told(asked_step()).recorded.page, asked.at("question")), asked.at("typed"));
     } else {
       throw std::invalid_argument(fmt::format("\"{}\" is no request.", what));
     }

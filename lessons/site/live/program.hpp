@@ -29,7 +29,8 @@ struct DrawWindows {
 ///     {"ask": "hold", "step": "1", "acts": [["grab", 480, 300], ["step", 2], ["release"]]}
 ///         {"svg", "bodies": [{"name", "x", "y", "reach"}, …], "held", "h", "parts", "words", "stopped"}
 ///
-/// "tell" and "frame" with "small": true draw what is in space with fewer pixels.
+/// "tell" and "frame" with "small": true draw what is in space with fewer pixels, and any request with "narrow":
+/// true is about pictures for a narrow page.
 ///
 /// The scene that a step offers to hold goes on from one request to the next. Its acts are grab and move (to a
 /// point of its picture, y down), release, step (so many) and reset; "part": 2.5 draws it within its next step
@@ -47,7 +48,8 @@ class Program {
     std::string settings;  // at which it was told
     course::RecordedStep recorded;
     std::map<std::string, SeekableFilm> films = {};
-    std::string html = {};
+    std::string html = {};  // with pictures of `width`; empty before any are drawn
+    int width = 0;
     bool small = false;  // what is in space was drawn so
   };
 
@@ -60,10 +62,10 @@ class Program {
   void apply(const std::map<std::string, std::string>& settings);
   const course::Step& step(const std::string& label) const;
   std::string settings() const;
-  /// The step at the present settings, told now unless it was one of the latest. `small`: pictures that were drawn
-  /// so will do; else they are drawn again.
-  Told& told(const course::Step& step, bool small);
-  void tell(Told& told, bool small) const;
+  /// The step at the present settings, told now unless it was one of the latest.
+  Told& told(const course::Step& step);
+  /// Draws its pictures, unless they are there; `small`: those that were drawn so will do.
+  void draw(Told& told, int width, bool small) const;
   const renderer::SvgCanvas::DrawWindow& draw_window(bool small) const {
     return small ? draw_windows_.small : draw_windows_.full;
   }

@@ -17,14 +17,16 @@ async function unpacked(packed) {
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
-// `program`: the bytes of the .wasm. `files`: those that the lesson reads, by path. `progress(done, total)` hears of
-// work that takes its time.
-// `canvas()` makes one for WebGL; without it nothing is drawn in space.
-async function start({ program, files, progress = () => {}, canvas, complain = console.error }) {
+// `program`: the bytes of the .wasm. `files`: those that the lesson reads, by path. `progress(done, total)` hears
+// of work that takes its time. `canvas()` makes one for WebGL; without it nothing is drawn in space.
+async function start({program, files, progress = () => {}, canvas, complain = console.error}) {
   const system = wasi(files, complain);
   let memory;
-  const { instance } = await WebAssembly.instantiate(program,
-    { wasi_snapshot_preview1: system.calls, page: { progress, has_webgl: () => canvas ? 1 : 0 }, env: openGl(canvas, () => memory.buffer) });
+  const {instance} = await WebAssembly.instantiate(program, {
+    wasi_snapshot_preview1: system.calls,
+    page: {progress, has_webgl: () => canvas ? 1 : 0},
+    env: openGl(canvas, () => memory.buffer)
+  });
   const lesson = instance.exports;
   memory = lesson.memory;
   system.use(memory);
@@ -34,7 +36,8 @@ async function start({ program, files, progress = () => {}, canvas, complain = c
     const at = lesson.request(bytes.length);
     new Uint8Array(lesson.memory.buffer, at, bytes.length).set(bytes);
     const answer = lesson.answer();
-    return JSON.parse(new TextDecoder().decode(new Uint8Array(lesson.memory.buffer, answer, lesson.answer_size())));
+    return JSON.parse(
+        new TextDecoder().decode(new Uint8Array(lesson.memory.buffer, answer, lesson.answer_size())));
   };
   ask.program = lesson;  // its other functions
   ask.memory = () => lesson.memory.buffer.byteLength;

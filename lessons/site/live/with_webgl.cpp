@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 
 #include "lessons/site/live/space_window.hpp"
 #include "renderer/data_url.hpp"
@@ -47,8 +48,10 @@ std::string bitmap(const renderer::Image& image) {
 template <int shrink>
 std::string draw(const renderer::SvgCanvas::Window& window, const renderer::PageSize& page,
                  renderer::Colour paper) {
-  static renderer::PixelCanvas canvas(page.width / shrink, page.height / shrink);
-  return renderer::data_url(bitmap(renderer::space_image(canvas, window, page, paper)));
+  static std::optional<renderer::PixelCanvas> canvas;
+  const renderer::PageSize size(page.width / shrink, page.height / shrink);
+  if (!canvas || canvas->width() != size.width) canvas.emplace(size.width, size.height);
+  return renderer::data_url(bitmap(renderer::space_image(*canvas, window, page, paper)));
 }
 
 }  // namespace

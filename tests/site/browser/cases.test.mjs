@@ -33,7 +33,7 @@ test('each page has its report, its numbers, two films and its scene in the play
     for (const film of films) {
       assert.ok(existsSync(join(site, film)), film);
       const frames = readFileSync(join(site, film), 'utf8').match(/<svg style="animation-delay:/g) ?? [];
-      assert.ok(frames.length > 1 && frames.length <= 14, `${film}: ${frames.length} pictures`);
+      assert.ok(frames.length > 1 && frames.length <= 12, `${film}: ${frames.length} pictures`);
     }
     assert.ok(width <= 0, name);
     assert.match(await tab.$eval('#step-1', step => step.textContent), /https:\/\/github\.com\//);

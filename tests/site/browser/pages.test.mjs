@@ -96,6 +96,7 @@ for (const page of pages)
   for (const width of [360, 768, 1280, 1440])
     test(`${page} has letters of 11 pixels in its figures at ${width} pixels, and keys reach what is out of sight`, async () => {
       const tab = await open(url(page), { width });
+      await tab.evaluate(() => globalThis.byhandLayout?.done);
       const { letters, unreached } = await tab.$$eval(':is(.figure:not(.hold), .film) .picture', pictures => ({
         letters: pictures.flatMap(picture => [...picture.querySelectorAll('svg')]).map(svg => 15 * svg.getBoundingClientRect().width / svg.viewBox.baseVal.width),
         unreached: pictures.filter(picture => picture.scrollWidth > picture.clientWidth + 1 && picture.tabIndex !== 0).length,
@@ -105,22 +106,44 @@ for (const page of pages)
       await tab.close();
     });
 
-test('on a narrow page a figure begins where something is drawn, and the arrow keys scroll it', async () => {
-  const tab = await open(url(`${lessons[0]}.html`), { width: 360 });
-  const empty = [];
-  for (const picture of await tab.$$('.figure .picture')) {
-    await picture.evaluate(picture => picture.scrollIntoView({ block: 'center' }));
-    await tab.waitForFunction(picture => picture.dataset.placed !== undefined, {}, picture);
-    const [first, left] = await picture.evaluate(picture => [
-      Math.min(...[...picture.querySelectorAll('svg :is(circle, text, path:not(svg > path:first-child))')].map(drawn => drawn.getBoundingClientRect().left)),
-      picture.getBoundingClientRect().left]);
-    if (first - left > 180) empty.push(first - left);
-  }
-  assert.deepEqual(empty, [], 'pixels without a mark');
-  const picture = await tab.$('.figure:not(.hold) .picture'), at = () => picture.evaluate(picture => picture.scrollLeft), before = await at();
-  await picture.focus();
-  await tab.keyboard.press('ArrowRight');
-  await tab.waitForFunction((picture, before) => picture.scrollLeft > before, {}, picture, before);
+// A phone's page has pictures of its own; only tables of small letters scroll, and say so.
+for (const page of pages)
+  test(`at 390 × 844 ${page} hides nothing of its figures, formulas and listings, and its header is one row`, async () => {
+    const tab = await open(url(page), { width: 390, height: 844 });
+    await tab.evaluate(() => byhandLayout.done);
+    const seen = await tab.evaluate(() => {
+      document.querySelectorAll('details').forEach(fold => { fold.open = true; });
+      const wide = box => box.scrollWidth > box.clientWidth + 1;
+      const outside = svg => {
+        const { left, right } = svg.getBoundingClientRect();
+        return [...svg.querySelectorAll('text')].filter(text => { const box = text.getBoundingClientRect(); return box.left < left - 1 || box.right > right + 1; })
+          .map(text => text.textContent);
+      };
+      return {
+        scroll: [...document.querySelectorAll('.picture:not([data-sideways]), .formula, pre')].filter(wide).map(box => box.closest('[id]').id + ': ' + box.textContent.slice(0, 60)),
+        sideways: document.querySelectorAll('.picture[data-sideways]').length,
+        letters: [...document.querySelectorAll(':is(.figure:not(.hold), .film) .picture:not([data-sideways]) svg')].flatMap(outside),
+        header: document.querySelector('.top').getBoundingClientRect().height,
+      };
+    });
+    assert.deepEqual(seen.scroll, []);
+    assert.deepEqual(seen.letters, [], 'letters beyond the edge of their picture');
+    assert.ok(seen.sideways <= 2, `${seen.sideways} scroll`);
+    assert.ok(seen.header <= 56, `${seen.header} pixels`);
+    await tab.close();
+  });
+
+test('a phone that is turned has the wide pictures, and the narrow ones when it is turned back; what was changed stays', async () => {
+  const tab = await live(lessons.at(0), { width: 390, height: 844 });
+  const shapes = () => tab.$$eval(':is(.figure:not(.hold), .film) .picture:not([data-sideways]) svg', all => new Set(all.map(svg => svg.viewBox.baseVal.width)).size === 1 && all[0].viewBox.baseVal.width);
+  assert.equal(await shapes(), 490);
+  await tab.setViewport({ width: 844, height: 390 });
+  await tab.waitForFunction(() => document.querySelector('.figure:not(.hold) .picture svg').viewBox.baseVal.width === 1280);
+  assert.equal(await shapes(), 1280);
+  await tab.setViewport({ width: 390, height: 844 });
+  await tab.waitForFunction(() => document.querySelector('.figure:not(.hold) .picture svg').viewBox.baseVal.width === 490);
+  assert.equal(await shapes(), 490);
+  assert.deepEqual(tab.complaints, []);
   await tab.close();
 });
 

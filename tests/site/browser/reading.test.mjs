@@ -53,6 +53,21 @@ for (const lesson of chosen)
     await tab.close();
   });
 
+// A browser's clock ticks so seldom that a frame of lesson 9 takes no time by it.
+test('the first thing asked of a step may be a grade, and its chart of times has times', { skip: !lessons.some(name => name.startsWith('09')) && 'without lesson 9', timeout: 600_000 }, async () => {
+  const tab = await live(lessons.find(name => name.startsWith('09')));
+  await tab.$eval('form[data-question="2.1"]', form => form.querySelector('input[type=radio]').click());
+  await tab.waitForFunction(() => document.querySelector('form[data-question="2.1"] .reply').textContent, { timeout: 300_000 });
+  assert.match(await tab.$eval('form[data-question="2.1"] .reply', reply => reply.textContent), /^(Yes|No)\. /);
+  const told = await tab.evaluate(() => {
+    const step = byhandPage.steps.find(({ label }) => label === '2');
+    return step.lesson.ask(step.request({ ask: 'tell' }));
+  });
+  assert.equal(told.error, undefined);
+  assert.deepEqual(tab.complaints, []);
+  await tab.close();
+});
+
 test('a film plays, pauses, is scrubbed and goes frame by frame', async () => {
   const tab = await live(baumgarte);
   const first = 'figure[data-film]';  // telling its step may replace the figure

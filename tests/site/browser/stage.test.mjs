@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { after, test } from 'node:test';
 
-import { lessons, live, quit, settled } from './browser.mjs';
+import { lessons, live, move, quit, settled } from './browser.mjs';
 
 after(quit);
 
@@ -82,6 +82,20 @@ test('lesson 1 begins with a bob in the reader\'s hand: C, its rate and J follow
   await tab.mouse.up();
   assert.ok(await C() < 0, await said());
   assert.equal(await tab.$eval(`${figure} .player`, player => [...player.children].filter(button => !button.hidden && button.textContent.startsWith('Slow')).length), 0, 'no parts of a step');
+  assert.deepEqual(tab.complaints, []);
+  await tab.close();
+});
+
+test('on a phone sliders and films draw for its page', async () => {
+  const tab = await live(usual, { width: 390, height: 844 });
+  const widths = () => tab.$$eval(':is([data-figure], [data-film]) .picture:not([data-sideways]) svg', all => [...new Set(all.map(svg => svg.viewBox.baseVal.width))]);
+  const before = await tab.$$eval('[data-figure] .picture', all => all.map(one => one.innerHTML));
+  await move(tab, 'beta', 0.8);
+  assert.notDeepEqual(await tab.$$eval('[data-figure] .picture', all => all.map(one => one.innerHTML)), before);
+  assert.deepEqual(await widths(), [490]);
+  await tab.$eval('figure[data-film] .player [aria-label="one frame on"]', button => button.click());
+  await tab.waitForFunction(() => +document.querySelector('figure[data-film] .player input').value === 1);
+  assert.deepEqual(await widths(), [490]);
   assert.deepEqual(tab.complaints, []);
   await tab.close();
 });
