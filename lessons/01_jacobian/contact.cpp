@@ -89,7 +89,7 @@ void draw_touch(renderer::Canvas& canvas, const Settings& set) {
             .l2 = "l_2 = n",
             .a2 = course::say("a_2 = r_2 × n = @ m", course::Value(J.a2()(0, 0), 3)),
             .a1_aside = {-0.38 * length, -0.3 * length},
-            .a2_aside = length * (narrow ? Point(0.35, 0.42) : Point(0.68, -0.02))});
+            .a2_aside = length * (narrow ? Point(0.4, 0.3) : Point(0.68, -0.02))});
   canvas.arrow(p2, p2 + 0.25 * length * n, {palette::ink, 3});
   renderer::TextStyle style{.size = 20, .anchor = renderer::Anchor::right, .halo = 3, .offset = {-10, 6}};
   canvas.text(p2 + 0.25 * length * n, "n", style);

@@ -26,7 +26,7 @@ void draw_frame(Canvas& canvas, const Sample& now, const Swing& run, const Chart
   std::vector<Point> seen{{0, 0}, {-length, -1.35 * length}, {length, 0.1 * length}};
   for (const Sample& sample : run) seen.emplace_back(sample.position);
   // Where the scene is low, its words are above it.
-  const Rectangle below{scene.x, scene.y, scene.width, scene.height - (scene.is_high() ? 0 : 50)};
+  const Rectangle below{scene.x, scene.y, scene.width, scene.height - (scene.is_high() ? 0 : 80)};
   canvas.look(fit(bounds(seen), below, scene.is_high() ? 30 : 10));
   const ArrowKind force{palette::force, newton, "N"};
   pictures::draw(canvas, {.bobs = {{now.position, 1}}, .rods = {{{0, 0}, now.position}}, .anchors = {{0, 0}}});

@@ -3,6 +3,7 @@
 #include "lessons/03_iterations/knobs.hpp"
 #include "lessons/03_iterations/textbook.hpp"
 #include "lessons/laws/closed_forms.hpp"
+#include "lessons/pictures/acts.hpp"
 
 namespace byhand::iterations {
 namespace {
@@ -89,9 +90,11 @@ void draw_runs(renderer::Canvas& canvas, const std::vector<Run>& runs, const ren
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const renderer::Rectangle& cell = cells[i];
     canvas.look_at_page();
-    canvas.text({cell.centre().x(), cell.top() - 12}, runs[i].name,
-                {.size = 21, .colour = palette::series(static_cast<int>(i)), .bold = true});
-    const renderer::Rectangle below{cell.x, cell.y, cell.width, cell.height - 28};
+    const renderer::TextStyle bold{.size = 21, .colour = palette::series(static_cast<int>(i)), .bold = true};
+    const std::string name = pictures::wrapped(canvas, runs[i].name, cell.width, bold);
+    const double lines = name == runs[i].name ? 1 : 2;
+    canvas.text({cell.centre().x(), cell.top() - 14 * lines + 2}, name, bold);
+    const renderer::Rectangle below{cell.x, cell.y, cell.width, cell.height - 28 * lines};
     const renderer::Camera camera = renderer::fit(world, below, 4);
     canvas.clip(below);
     canvas.look(camera);

@@ -220,12 +220,12 @@ TEST(SvgCanvas, RoundsAHalfAlikeWhereItMissesALittle) {
 
 TEST(SvgCanvas, EndsAGroupWhereAClipBegins) {
   SvgCanvas canvas(1280, "a");
-  const auto two_lines = [&] {
-    for (int i = 0; i < 2; ++i) canvas.line({100, 100.0 + i}, {200, 100.0 + i}, {palette::constraint, 4});
+  const auto two_discs = [&] {
+    for (int i = 0; i < 2; ++i) canvas.disc({50, 50.0 + i}, 20);
   };
-  two_lines();
+  two_discs();
   canvas.clip(Rectangle{10, 10, 100, 100});
-  two_lines();
+  two_discs();
   canvas.clip(std::nullopt);
   const std::string svg = canvas.svg("title");
   EXPECT_EQ(parse(svg).error, "");
