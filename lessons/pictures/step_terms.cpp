@@ -95,6 +95,8 @@ template StepTerms terms_of(const Simulation<PlaneParticle>&, const Simulation<P
                             const Seen<PlaneParticle>&);
 template StepTerms terms_of(const Simulation<PlaneBody>&, const Simulation<PlaneBody>&, double,
                             const Seen<PlaneBody>&);
+template StepTerms terms_of(const Simulation<SpaceParticle>&, const Simulation<SpaceParticle>&, double,
+                            const Seen<SpaceParticle>&);
 template StepTerms terms_of(const Simulation<SpaceBody>&, const Simulation<SpaceBody>&, double,
                             const Seen<SpaceBody>&);
 

@@ -1,14 +1,23 @@
 'use strict';
 // Pictures of a scene in the plane: its bodies and what ties them, from the numbers of one moment.
 
-const momentOf = numbers => ({ time: numbers[0], energy: numbers[1], gap: numbers[2], count: (numbers.length - 3) / 4, numbers });
-const placeOf = (moment, i) => {
-  const [x, y, cos, sin] = moment.numbers.subarray(3 + 4 * i, 7 + 4 * i);
-  return { x, y, cos, sin };
+// A body has four numbers in the plane, in space twelve (playground.hpp).
+const momentOf = (numbers, each) => ({ time: numbers[0], energy: numbers[1], gap: numbers[2], each, count: (numbers.length - 3) / each, numbers });
+const placeOf = ({ numbers, each }, i) => {
+  const [x, y, ...rest] = numbers.subarray(3 + each * i, 3 + each * (i + 1));
+  return each === 4 ? { x, y, cos: rest[0], sin: rest[1] } : { x, y, z: rest[0], turn: rest.slice(1) };
 };
-const toWorld = ({ x, y, cos, sin }, [a, b]) => [x + cos * a - sin * b, y + sin * a + cos * b];
-const toBody = ({ x, y, cos, sin }, [px, py]) => [cos * (px - x) + sin * (py - y), cos * (py - y) - sin * (px - x)];
-const distance = ([ax, ay], [bx, by]) => Math.hypot(bx - ax, by - ay);
+const positionOf = ({ x, y, z }) => z === undefined ? [x, y] : [x, y, z];
+function toWorld({ x, y, z, cos, sin, turn: R }, [a, b, c]) {
+  if (R) return [x + R[0] * a + R[1] * b + R[2] * c, y + R[3] * a + R[4] * b + R[5] * c, z + R[6] * a + R[7] * b + R[8] * c];
+  return [x + cos * a - sin * b, y + sin * a + cos * b];
+}
+function toBody({ x, y, z, cos, sin, turn: R }, [px, py, pz]) {
+  const a = px - x, b = py - y, c = pz - z;
+  if (R) return [R[0] * a + R[3] * b + R[6] * c, R[1] * a + R[4] * b + R[7] * c, R[2] * a + R[5] * b + R[8] * c];
+  return [cos * a + sin * b, cos * b - sin * a];
+}
+const distance = (a, b) => Math.hypot(...a.map((x, k) => b[k] - x));
 
 class Picture {
   fitted = false;  // whether the camera shows all as it was when the scene was opened
@@ -37,6 +46,19 @@ class Picture {
 
   pixel([x, y]) { return [this.width / 2 + (x - this.camera.x) * this.camera.scale, this.height / 2 - (y - this.camera.y) * this.camera.scale]; }
   point([px, py]) { return [this.camera.x + (px - this.width / 2) / this.camera.scale, this.camera.y - (py - this.height / 2) / this.camera.scale]; }
+
+  // What a step's parts are drawn in: the middle of the picture along what lies to the right and up in it, and these axes,
+  // which in the plane are the world's.
+  get inSeen() { return [this.camera.x, this.camera.y]; }
+  get seen() { return undefined; }
+  // The point of a body that is seen at a point.
+  surfaceAt(_scene, _moment, _body, point) { return point; }
+
+  pan(x, y) {
+    this.fitted = false;
+    this.camera.x -= x / this.camera.scale;
+    this.camera.y += y / this.camera.scale;
+  }
 
   // Shows all that moves with some air around it.
   fit({ look, fixed }, moment) {
@@ -73,6 +95,16 @@ class Picture {
     context.fillStyle = colours.paper;
     context.fillRect(0, 0, width, height);
     context.lineJoin = context.lineCap = 'round';
+    this.drawScene({ scene, moment, marks, selected, hot });
+    for (const [i, words, colour] of labels) this.#label(this.pixel(positionOf(placeOf(moment, i))), words, colour);
+    if (hand) this.#hand(hand, moment);
+    if (draft) this.#draft(draft);
+    if (cursor) this.#cursor(this.pixel(cursor));
+    this.#scale();
+  }
+
+  drawScene({ scene, moment, marks, selected, hot }) {
+    const { colours } = this;
     scene.look.bodies.forEach((body, i) => { if (body.as === 'half_space') this.#ground(placeOf(moment, i), body.sides); });
     scene.look.ties.forEach(tie => { if (tie.as === 'surface') this.#surface(scene, moment, tie); });
     scene.look.bodies.forEach((body, i) => {
@@ -86,11 +118,6 @@ class Picture {
       if (body.as !== 'bob') return;
       this.#disc(this.pixel([placeOf(moment, i).x, placeOf(moment, i).y]), bobRadius(body, lightest), marks.get(i) ?? colours.body, i === selected || i === hot);
     });
-    for (const [i, words, colour] of labels) this.#label(this.pixel([placeOf(moment, i).x, placeOf(moment, i).y]), words, colour);
-    if (hand) this.#hand(hand, moment);
-    if (draft) this.#draft(draft);
-    if (cursor) this.#cursor(this.pixel(cursor));
-    this.#scale();
   }
 
   #stroke(colour, width = 1.5, dash = []) {

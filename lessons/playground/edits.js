@@ -8,6 +8,7 @@ const visible = new Set(['distance', 'normalised_distance', 'rope', 'spring', 'p
 const round = x => +x.toPrecision(6);
 const massOf = area => round(Math.max(0.01, density * area));
 const particles = file => file.model === 'plane particles';
+const inSpace = file => file.model.startsWith('space');
 const massIn = body => body.mass ?? 1 / (body.inverse_mass ?? 1);
 
 const edits = {
@@ -122,7 +123,7 @@ function groupOf(file, body) {
   return group;
 }
 
-const add = (a, b) => [a[0] + b[0], a[1] + b[1]];
+const add = (a, b) => a.map((x, k) => x + b[k]);
 
 // A body of the world that constraints are nailed to.
 function world(file) {

@@ -49,12 +49,13 @@
 
   // The start scenes by name, "stack" or "01_heavy_on_light", as options of the list.
   function startsOf(files) {
-    const groups = { 'Scenes': [], 'Cases from engines’ users': [] };
+    const groups = { 'Scenes': [], 'Scenes in space': [], 'Cases from engines’ users': [] };
     for (const [path, bytes] of files) {
       const text = new TextDecoder().decode(bytes), isCase = path.includes('cases/');
       const name = isCase ? path.split('/').at(-2) : path.split('/').at(-1).replace('.json', '');
       starts.set(name, text);
-      groups[isCase ? 'Cases from engines’ users' : 'Scenes'].push(make('option', { value: name, textContent: (isCase ? `${+name.slice(0, 2)}. ` : '') + titleOf(text) }));
+      const group = isCase ? 'Cases from engines’ users' : /"model":\s*"space/.test(text) ? 'Scenes in space' : 'Scenes';
+      groups[group].push(make('option', { value: name, textContent: (isCase ? `${+name.slice(0, 2)}. ` : '') + titleOf(text) }));
     }
     return Object.entries(groups).map(([label, options]) => {
       const group = make('optgroup', { label });
@@ -65,7 +66,8 @@
 
   // ---- The scene: `text` is the file that it began with; to build is to change the file.
 
-  const picture = new Picture(canvas);
+  const flat = new Picture(canvas), deep = new SpacePicture(canvas);
+  let picture = flat;
   let text = '', file, scene, moment, names = [], h = 1 / 60, running = false, slowed = false, part = 0, shown, stoppedBy = '';
   let undone = [], done = [], selected = -1, consulted = 0, judged, findings = [], pressed, cursor, hot = -1, tool = 'hand', pendingLink, cost = 0, consulting;
 
@@ -75,7 +77,7 @@
 
   function advance(steps) {
     const at = ask.program.advance(steps), numbers = new Float64Array(ask.program.memory.buffer, at, ask.program.moment_size());
-    moment = momentOf(numbers.slice());
+    moment = momentOf(numbers.slice(), picture === deep ? 12 : 4);
     if (steps && ask.program.has_stopped() && !stoppedBy) {
       stoppedBy = ask({ ask: 'stopped' }).stopped;
       pause();
@@ -85,13 +87,20 @@
     gapLine.add(moment.time, moment.gap);
   }
 
-  // Opens a file's text. Says why not, and returns false, where it is not a scene in the plane.
+  // Opens a file's text. Says why not, and returns false, where it is no scene.
   function open(given, { fit = false, words: because } = {}) {
     const answer = ask({ ask: 'open', text: given });
+    if (answer.look?.in_space && !deep.works) {
+      answer.failure = 'This browser has no WebGL, which draws scenes in space.';
+      ask({ ask: 'open', text });
+    }
     if (answer.failure) {
       tell(answer.failure);
       return false;
     }
+    const before = picture;
+    picture = answer.look.in_space ? deep : flat;
+    picture.resize();
     text = answer.file;
     file = JSON.parse(text);
     file.constraints ??= [];
@@ -106,10 +115,12 @@
     energyLine.clear();
     gapLine.clear();
     advance(0);
-    if (fit) picture.fit(scene, moment);
+    if (fit || picture !== before) picture.fit(scene, moment);
     of('title').textContent = file.title || 'Your scene';
-    for (const button of document.querySelectorAll('#tools [data-tool]')) button.disabled = particles(file) && ['box', 'wall', 'motor'].includes(button.dataset.tool);
-    if (particles(file) && ['box', 'wall', 'motor'].includes(tool)) choose('hand');
+    const refused = name => inSpace(file) ? name !== 'hand' : particles(file) && ['box', 'wall', 'motor'].includes(name);
+    for (const button of document.querySelectorAll('#tools [data-tool]')) button.disabled = refused(button.dataset.tool);
+    if (refused(tool) || picture !== before) choose('hand');
+    root.toggleAttribute('data-space', inSpace(file));
     if (because) tell(because);
     showMethod();
     showSelected();
@@ -207,18 +218,9 @@
     dirty = false;
     const { marks, labels } = marksOf();
     let seen = moment;
-    if (shown?.moves.length || pressed?.group) seen = { ...moment, numbers: moment.numbers.slice() };
-    for (const body of pressed?.group ?? []) for (const axis of [0, 1]) seen.numbers[3 + 4 * body + axis] += pressed.to[axis] - pressed.from[axis];
-    if (shown?.moves.length) {
-      for (const [body, x, y, turn] of shown.moves) {
-        const at = 3 + 4 * body, [, , c, s] = seen.numbers.subarray(at, at + 4);
-        if (at + 3 >= seen.numbers.length) continue;
-        seen.numbers[at] += x;
-        seen.numbers[at + 1] += y;
-        seen.numbers[at + 2] = c * Math.cos(turn) - s * Math.sin(turn);
-        seen.numbers[at + 3] = s * Math.cos(turn) + c * Math.sin(turn);
-      }
-    }
+    if (shown?.moved.length || pressed?.group) seen = { ...moment, numbers: moment.numbers.slice() };
+    for (const { body, numbers } of shown?.moved ?? []) if (body < moment.count) seen.numbers.set(numbers, 3 + moment.each * body);
+    for (const body of pressed?.group ?? []) pressed.to.forEach((x, axis) => { seen.numbers[3 + moment.each * body + axis] += x - pressed.from[axis]; });
     picture.draw({ scene, moment: seen, marks, labels, selected, hot, hand: pressed?.hand, draft: draftOf(), cursor });
     of('time').textContent = `${moment.time.toFixed(2)} s`;
   }
@@ -263,8 +265,8 @@
   }
   // J, JV, λ and the velocities within the next step, drawn as in the lessons.
   function showPart() {
-    const { width, height, camera } = picture, points = 720 / height;
-    const answer = ask({ ask: 'part', part: Math.min(part, parts - endOfPart), width: Math.round(width * points), camera: [camera.x, camera.y, camera.scale * points],
+    const { width, height, camera, seen, inSeen } = picture, points = 720 / height;
+    const answer = ask({ ask: 'part', part: Math.min(part, parts - endOfPart), width: Math.round(width * points), camera: [...inSeen, camera.scale * points], seen,
       longest: 0.2 * Math.min(width, height) / camera.scale });
     if (answer.failure) return tell(answer.failure);
     shown = answer;
@@ -405,7 +407,8 @@
       of(name).closest('.knob').hidden = !body.shape;
       of(name).value = body[name] ?? { friction: 0.6, restitution: 0 }[name];
     }
-    of('turn').hidden = particles(file);
+    of('turn').hidden = particles(file) || inSpace(file);
+    of('fixed').closest('.knob').hidden = inSpace(file);
   }
   const changeSelected = (what, value) => edit(now => edits.change(now, selected, what, value));
   for (const name of ['mass', 'friction', 'restitution']) of(name).addEventListener('change', event => {
@@ -427,7 +430,7 @@
     tool = name;
     cancel();
     for (const button of document.querySelectorAll('#tools [data-tool]')) button.setAttribute('aria-pressed', button.dataset.tool === name);
-    of('how').textContent = document.querySelector(`[data-tool="${name}"]`).dataset.how;
+    of('how').textContent = picture === deep ? 'Drag a body. Drag beside it to turn the view. In space nothing new is put down here: write it into the file.' : document.querySelector(`[data-tool="${name}"]`).dataset.how;
     stage.dataset.tool = name;
   }
   for (const button of document.querySelectorAll('#tools [data-tool]')) button.onclick = () => choose(button.dataset.tool);
@@ -454,8 +457,9 @@
     select(body);
     if (body >= 0 && !running) pressed.group = groupOf(file, body);
     if (body >= 0 && !scene.fixed[body] && running) {
-      ask({ ask: 'grab', body, at: point });
-      pressed.hand = { body, arm: scene.look.bodies[body].as === 'bob' ? [0, 0] : toBody(placeOf(moment, body), point), at: point };
+      const at = pressed.taken = picture.surfaceAt(scene, moment, body, point);
+      ask({ ask: 'grab', body, at, seen: picture.seen });
+      pressed.hand = { body, arm: scene.look.bodies[body].as === 'bob' ? [0, 0, 0] : toBody(placeOf(moment, body), at), at };
     }
     redraw();
   }
@@ -463,8 +467,8 @@
     if (!pressed) return;
     pressed.to = point;
     if (pressed.hand) {
-      pressed.hand.at = point;
-      ask({ ask: 'move', at: point });
+      const at = pressed.hand.at = pressed.taken.map((x, k) => x + point[k] - pressed.from[k]);  // as deep as it was taken
+      ask({ ask: 'move', at });
     }
     redraw();
   }
@@ -475,7 +479,7 @@
     redraw();
     if (hand) return void ask({ ask: 'release' });
     if (tool === 'hand') {
-      if (body >= 0 && distance(from, to) > 3 / picture.camera.scale) edit(now => edits.move(now, body, [to[0] - from[0], to[1] - from[1]]));
+      if (body >= 0 && distance(from, to) > 3 / picture.camera.scale) edit(now => edits.move(now, body, to.map((x, k) => x - from[k])));
       return;
     }
     const first = endAt(from), ends = [first, endAt(to), first.body >= 0 ? picture.bodyAt(scene, moment, from, { any: true, but: first.body }) : -1];
@@ -516,7 +520,7 @@
     }
     const point = picture.point(pointOf(event));
     if (event.button === 1 || (tool === 'hand' && picture.bodyAt(scene, moment, point) < 0)) {
-      panning = pointOf(event);
+      panning = { at: pointOf(event), turns: picture === deep && event.button === 0 && !event.shiftKey };
       select(-1);
     } else {
       press(point);
@@ -534,10 +538,9 @@
       picture.zoom(distance(at, other) / Math.max(1, distance(last, other)), other);
       redraw();
     } else if (panning) {
-      picture.fitted = false;
-      picture.camera.x -= (at[0] - panning[0]) / picture.camera.scale;
-      picture.camera.y += (at[1] - panning[1]) / picture.camera.scale;
-      panning = at;
+      const by = [at[0] - panning.at[0], at[1] - panning.at[1]];
+      panning.turns ? picture.orbit(...by) : picture.pan(...by);
+      panning.at = at;
       redraw();
     } else {
       move(picture.point(at));
@@ -561,14 +564,18 @@
   stage.addEventListener('keydown', event => {
     const way = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
     if (event.ctrlKey || event.metaKey || event.altKey) return;
-    if (way) {
-      cursor ??= [picture.camera.x, picture.camera.y];
-      const by = (event.shiftKey ? 4 : 20) / picture.camera.scale;
-      cursor = add(cursor, [by * way[0], by * way[1]]);
+    const turn = picture === deep && { a: [-20, 0], d: [20, 0], w: [0, 20], s: [0, -20] }[event.key];
+    const middle = [picture.width / 2, picture.height / 2];
+    if (turn) {
+      picture.orbit(...turn);
+      if (slowed) showPart();
+    } else if (way) {
+      const [x, y] = cursor ? picture.pixel(cursor) : middle, by = event.shiftKey ? 4 : 20;
+      cursor = picture.point([x + by * way[0], y - by * way[1]]);
       hot = picture.bodyAt(scene, moment, cursor);
       pressed ? move(cursor) : tell(hot >= 0 ? names[hot] : 'nothing here');
     } else if (event.key === 'Enter') {
-      cursor ??= [picture.camera.x, picture.camera.y];
+      cursor ??= picture.point(middle);
       pressed ? lift() : press(cursor);
       if (pressed && ['pin', 'motor', 'erase'].includes(tool)) lift();
       else if (pressed) tell(pressed.hand ? 'Held. The arrow keys pull it; Enter lets it go.' : 'Begun. Move with the arrow keys; Enter ends it, Escape leaves it.');
@@ -715,9 +722,10 @@
     if (!first && picture.fitted) picture.fit(scene, moment);
     if (!first) redraw(), slowed && showPart();
   }).observe(canvas);
-  dark.addEventListener('change', () => { picture.dress(); redraw(); });
+  dark.addEventListener('change', () => { flat.dress(), deep.dress(); redraw(); });
   picture.resize();
-  picture.dress();
+  flat.dress();
+  deep.dress();
   choose('hand');
   await follow();
   if (!still.matches) play();

@@ -3,14 +3,16 @@
 //     {"ask": "open", "text": "{…}"}       {"file": the same as it was understood, "look", "names", "step"}
 //     {"ask": "use", "text": "{…}"}        goes on by the method and with the step of this file
 //     {"ask": "now"}                       {"file": of this moment}
-//     {"ask": "grab", "body": 3, "at": [x, y]}, {"ask": "move", "at": [x, y]}, {"ask": "release"}
-//     {"ask": "part", "part": 2.5, "width": 960, "camera": [x, y, scale], "longest": 0.5}
-//                                          {"svg", "formula", "words", "moves"}: of the next step
+//     {"ask": "grab", "body": 3, "at": [x, y, z], "seen": [[1, 0, 0], [0, 1, 0]]},
+//     {"ask": "move", "at": [x, y, z]}, {"ask": "release"}
+//     {"ask": "part", "part": 2.5, "width": 960, "camera": [x, y, scale], "longest": 0.5, "seen": …}
+//                                          {"svg", "formula", "words", "moved"}: of the next step
 //     {"ask": "doctor", "text": "{…}"}     {"findings": […]}
 //     {"ask": "turn", "text": "{…}", "name": "substeps", "value": 4}     {"file": with this knob turned}
 //     {"ask": "stopped"}                   {"stopped": why `advance` made fewer steps than it was asked for}
 //
-// What cannot be answered is answered by {"failure": a sentence}.
+// z and "seen", what lies to the right and up in the picture, may be left out in the plane. What cannot be
+// answered is answered by {"failure": a sentence}.
 
 #include <nlohmann/json.hpp>
 
@@ -23,14 +25,21 @@ namespace {
 
 using namespace byhand;
 using nlohmann::json;
-using renderer::Point;
 
 std::unique_ptr<playground::Playground> now;
 std::string stopped;
 std::vector<double> moment;
 
-json pair_of(const Eigen::Vector3d& v) { return {v.x(), v.y()}; }
-Point point_in(const json& list) { return {list.at(0).get<double>(), list.at(1).get<double>()}; }
+json list_of(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+Eigen::Vector3d vector_in(const json& list) {
+  return {list.at(0).get<double>(), list.at(1).get<double>(), list.size() > 2 ? list.at(2).get<double>() : 0.0};
+}
+playground::Seen seen_in(const json& asked) {
+  playground::Seen seen = playground::Seen::Identity();
+  if (asked.contains("seen"))
+    for (int row = 0; row < 2; ++row) seen.row(row) = vector_in(asked.at("seen").at(row));
+  return seen;
+}
 
 json look_json(const stage::SceneLook& look) {
   static const char* const bodies_as[] = {"nothing", "disc", "box", "half_space", "link", "bob"};
@@ -38,16 +47,16 @@ json look_json(const stage::SceneLook& look) {
   json bodies = json::array(), ties = json::array();
   for (const stage::BodyLook& body : look.bodies)
     bodies.push_back({{"as", bodies_as[static_cast<int>(body.as)]},
-                      {"sides", pair_of(body.sides)},
-                      {"from", pair_of(body.from)},
-                      {"to", pair_of(body.to)},
+                      {"sides", list_of(body.sides)},
+                      {"from", list_of(body.from)},
+                      {"to", list_of(body.to)},
                       {"mass", body.mass}});
   for (const stage::TieLook& tie : look.ties)
     ties.push_back({{"as", ties_as[static_cast<int>(tie.as)]},
                     {"bodies", {tie.body1, tie.body2}},
-                    {"arms", {pair_of(tie.arm1), pair_of(tie.arm2)}},
-                    {"normal", pair_of(tie.normal)}});
-  return {{"bodies", bodies}, {"ties", ties}};
+                    {"arms", {list_of(tie.arm1), list_of(tie.arm2)}},
+                    {"normal", list_of(tie.normal)}});
+  return {{"in_space", look.in_space}, {"bodies", bodies}, {"ties", ties}};
 }
 
 json opened(const std::string& text) {
@@ -64,11 +73,12 @@ json drawn_part(const json& asked) {
   renderer::SvgCanvas canvas(width, "part");
   canvas.clear(renderer::fade(renderer::palette::paper, 0));
   const json& camera = asked.at("camera");
-  canvas.look({canvas.page(), point_in(camera), camera.at(2).get<double>()});
-  const auto part = now->draw_part(canvas, asked.at("part"), asked.at("longest"));
-  json moves = json::array();
-  for (const auto& [body, by, turn] : part.moves) moves.push_back({body, by.x(), by.y(), turn});
-  return {{"svg", canvas.svg("")}, {"formula", part.formula}, {"words", part.words}, {"moves", moves}};
+  canvas.look(
+      {canvas.page(), {camera.at(0).get<double>(), camera.at(1).get<double>()}, camera.at(2).get<double>()});
+  const auto part = now->draw_part(canvas, asked.at("part"), asked.at("longest"), seen_in(asked));
+  json moved = json::array();
+  for (const auto& [body, numbers] : part.moved) moved.push_back({{"body", body}, {"numbers", numbers}});
+  return {{"svg", canvas.svg("")}, {"formula", part.formula}, {"words", part.words}, {"moved", moved}};
 }
 
 json findings(const SceneFile& file) {
@@ -100,8 +110,8 @@ json answer_to(const json& asked) {
   if (!now) throw std::invalid_argument("no scene is open");
   if (what == "use") now->use(read_scene(asked.at("text").get<std::string>()));
   if (what == "now") return {{"file", write_scene(now->file())}};
-  if (what == "grab") now->grab(asked.at("body"), point_in(asked.at("at")));
-  if (what == "move") now->move(point_in(asked.at("at")));
+  if (what == "grab") now->grab(asked.at("body"), vector_in(asked.at("at")), seen_in(asked));
+  if (what == "move") now->move(vector_in(asked.at("at")));
   if (what == "release") now->release();
   if (what == "part") return drawn_part(asked);
   if (what == "stopped") return {{"stopped", stopped}};

@@ -144,7 +144,7 @@ constexpr auto stage_and_panel = R"(<div id="playground" hidden="hidden">
 {}<p class="aside">The playground steps by velocities. XPBD, AVBD and RATTLE run the same file at a terminal: ./lessons/run scene FILE --method xpbd.</p>
 </section>
 <details id="keys"><summary>Keys</summary>
-<p>In the scene: <kbd>arrow keys</kbd> move a cross, with Shift finely; <kbd>Enter</kbd> begins and ends what the tool does there; <kbd>Escape</kbd> leaves it. <kbd>Space</kbd> plays and pauses, <kbd>.</kbd> is one step, <kbd>Delete</kbd> removes what is selected, <kbd>+</kbd> and <kbd>−</kbd> zoom, <kbd>Ctrl Z</kbd> undoes. A wheel or two fingers zoom; drag the empty scene to move it.</p>
+<p>In the scene: <kbd>arrow keys</kbd> move a cross, with Shift finely; <kbd>Enter</kbd> begins and ends what the tool does there; <kbd>Escape</kbd> leaves it. <kbd>Space</kbd> plays and pauses, <kbd>.</kbd> is one step, <kbd>Delete</kbd> removes what is selected, <kbd>+</kbd> and <kbd>−</kbd> zoom, <kbd>Ctrl Z</kbd> undoes. A wheel or two fingers zoom; drag the empty scene to move it. In space that turns the view, as <kbd>A</kbd>, <kbd>D</kbd>, <kbd>W</kbd> and <kbd>S</kbd> do, and with Shift it moves it.</p>
 </details>
 </div>
 </div>

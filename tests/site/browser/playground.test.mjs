@@ -129,6 +129,49 @@ test('a body is pulled and thrown while the scene runs', { skip }, async () => {
   await tab.close();
 });
 
+for (const { name, ...screen } of screens)
+  test(`a scene in space is drawn, turned, stepped and diagnosed, ${name}`, { skip }, async () => {
+    const tab = await ready({ ...screen, hash: '#jenga' });
+    await tab.evaluate(() => byhandPlayground.pause());
+    await press(tab, '#again');
+    const pixels = () => tab.$eval('#picture', canvas => {
+      const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height), colours = new Map();
+      for (let i = 0; i < data.length; i += 4) colours.set(data[i] << 16 | data[i + 1] << 8 | data[i + 2], (colours.get(data[i] << 16 | data[i + 1] << 8 | data[i + 2]) ?? 0) + 1);
+      return { colours: colours.size, sum: data.reduce((sum, x, i) => (31 * sum + x * (i % 7 + 1)) % 1e9, 0) };
+    });
+    await tab.evaluate(() => new Promise(requestAnimationFrame));
+    const begun = await pixels();
+    assert.ok(begun.colours > 20, `${begun.colours} colours`);
+    // A drag beside the tower turns the view; the scene stays.
+    const box = await tab.$eval('#picture', element => { const { left, top, width, height } = element.getBoundingClientRect(); return { left, top, width, height }; });
+    const beside = [box.left + 0.06 * box.width, box.top + 0.9 * box.height], seen = await onScreen(tab, [0.05, 0.05, 0]);
+    await tab.mouse.move(...beside);
+    await tab.mouse.down();
+    await tab.mouse.move(beside[0] + 80, beside[1] - 20);
+    await tab.mouse.up();
+    await tab.evaluate(() => new Promise(requestAnimationFrame));
+    assert.notDeepEqual(await onScreen(tab, [0.05, 0.05, 0]), seen);
+    assert.notEqual((await pixels()).sum, begun.sum);
+    await press(tab, '#again');
+    assert.equal((await moment(tab)).time, 0);
+    await press(tab, '#once');
+    assert.ok(Math.abs((await moment(tab)).time - 1 / 60) < 1e-12);
+    await press(tab, '#slow');
+    assert.match(await tab.$eval('#words', element => element.textContent), /^V /);
+    await press(tab, '#slow');
+    await diagnosed(tab);
+    assert.match(await tab.$eval('#verdict', verdict => verdict.textContent), /^will /);
+    await tab.$eval('#solver', solver => { solver.value = 'by_graph'; solver.dispatchEvent(new Event('input', { bubbles: true })); });
+    assert.equal((await file(tab)).method.solver, 'by_graph');
+    // What is not offered in space is said, and a scene in the plane has it again.
+    assert.equal(await tab.$$eval('#tools [data-tool]:enabled', all => all.map(one => one.dataset.tool).join()), 'hand');
+    assert.match(await tab.$eval('#how', how => how.checkVisibility() && how.textContent), /In space nothing new is put down here/);
+    await press(tab, '#empty');
+    assert.equal(await tab.$$eval('#tools [data-tool]:enabled', all => all.length), 9);
+    assert.deepEqual(tab.complaints.filter(words => !/WebGL|Canvas2D/.test(words)), []);  // of drawing by software, and of reading it here
+    await tab.close();
+  });
+
 test('one step, and slow: the parts of a step with their numbers', { skip }, async () => {
   const tab = await ready({ hash: '#cover_chain' });
   await press(tab, '#once');

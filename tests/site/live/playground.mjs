@@ -11,7 +11,9 @@ const { BYHAND_PROGRAMS: programs, BYHAND_WASM: modules } = process.env;
 
 // The files that the playground begins with, as lessons/site/live/build packs them.
 export const startScenes = [
-  ...['stack', 'cover_chain', 'ragdoll', 'slider_crank', 'bridge', 'dominoes', 'card_house', 'pyramid', 'pile', 'cradle', 'heavy_on_light', 'heavy_chain'].map(name => `lessons/scenes/${name}.json`),
+  ...['stack', 'cover_chain', 'ragdoll', 'slider_crank', 'bridge', 'dominoes', 'card_house', 'pyramid', 'pile', 'cradle', 'heavy_on_light', 'heavy_chain',
+    'heavy_on_light_in_space', 'pile_in_space', 'chain_in_space'].map(name => `lessons/scenes/${name}.json`),
+  'tests/lessons/doctor/samples/jenga.json',
   ...readdirSync(join(root, 'lessons/cases')).filter(name => /^\d\d_/.test(name)).sort().map(name => `lessons/cases/${name}/scene.json`),
 ];
 

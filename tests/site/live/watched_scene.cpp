@@ -1,5 +1,5 @@
 // What a scene's file comes to at a terminal: watched_scene FILE STEPS prints x, y, cosine and sine of every body
-// after so many steps, as JSON.
+// after so many steps, as JSON; in space x, y, z and the rows of its rotation.
 
 #include <fstream>
 #include <iostream>
@@ -14,8 +14,13 @@ int main(int, char** argv) {
   file.duration = std::stod(argv[2]) * file.step;
   const byhand::stage::Watched run = byhand::stage::watch(file);
   nlohmann::json numbers = nlohmann::json::array();
-  for (const byhand::Placement& body : run.instants.back())
-    for (const double x : {body.position.x(), body.position.y(), body.rotation(0, 0), body.rotation(1, 0)})
-      numbers.push_back(x);
+  for (const auto& [position, rotation, moves] : run.instants.back())
+    if (file.scene.index() < 2) {
+      for (const double x : {position.x(), position.y(), rotation(0, 0), rotation(1, 0)}) numbers.push_back(x);
+    } else {
+      for (const double x : position) numbers.push_back(x);
+      for (const auto& row : rotation.rowwise())
+        for (const double x : row) numbers.push_back(x);
+    }
   std::cout << nlohmann::json{{"numbers", numbers}, {"stopped", run.stopped}} << "\n";
 }
