@@ -62,9 +62,9 @@ const std::vector<About>& contents() {
       {.slug = "08_where_methods_fail",
        .title = "Where methods fail",
        .summary =
-           "Four families of failures: their symptoms, maps of where they live, the laws behind, the knobs.",
+           "Five families of failures: their symptoms, their laws, maps of their limits, and the knobs that help.",
        .method = "symplectic Euler; Gauss–Seidel, NNCG or direct; Baumgarte, projection",
-       .goals = {"tell four families of failures apart by their symptoms",
+       .goals = {"tell five families of failures apart by their symptoms",
                  "predict where each begins from its law", "turn the knob that helps"},
        .before = "Lessons 1 to 6."},
       {.slug = "09_what_accuracy_costs",

@@ -130,8 +130,8 @@ void all_laws(const Setting&, Page& page) {
   for (const Line& line : all) worst = std::max(worst, std::abs(line.measured / line.predicted - 1));
 
   page.text(
-      R"(These are the @ laws of the course, by number, with the place of each limit; other lessons cite them by name.
-      The derivations are at the heads of the files in `lessons/laws`.)",
+      R"(The @ laws of the course and their limits. Other lessons cite them by number or name; their derivations are at
+      the heads of the files in `lessons/laws`.)",
       laws.size());
   std::vector<std::vector<std::string>> rows;
   for (const Law& law : laws)
@@ -139,18 +139,18 @@ void all_laws(const Setting&, Page& page) {
                     families[static_cast<std::size_t>(law.family)]});
   page.table({"", "law", "what it says", "limit", "family"}, rows);
   page.text(
-      R"(A law is worth what it predicts. So each is tried at several settings: the number that its derivation gives,
-      beside the one that bisection finds by running scenes on both sides of the limit.)");
-  page.figure("all_laws",
-              say(R"(@ limits of @ laws. Left: how far each measured limit lies from the predicted one, with
-                  the median and quartiles of each law. Right:
-                  one setting of each law. All are in the table of claims below.)",
-                  all.size(), laws.size()),
-              [all](Canvas& canvas) {
-                const auto [left, right] = canvas.page().inset(14).panels(0.4, 16);
-                renderer::draw(canvas, deviations(all), left.inset(0, 24));
-                draw_table(canvas, all, right.lowered(14));
-              });
+      R"(A law is worth what it predicts. So each is tested at several settings: the number that its derivation gives
+      beside the number that runs give, found for a limit by bisection between runs on either side of it.)");
+  page.figure(
+      "all_laws",
+      say(R"(@ limits of @ laws. Left: how far each measured limit lies from the predicted one, with the median
+                  and quartiles of each law. Right: one setting of each law. All are in the table of claims below.)",
+          all.size(), laws.size()),
+      [all](Canvas& canvas) {
+        const auto [left, right] = canvas.page().inset(14).panels(0.4, 16);
+        renderer::draw(canvas, deviations(all), left.inset(0, 24));
+        draw_table(canvas, all, right.lowered(14));
+      });
   for (const Line& line : all)
     page.claim(
         say("law @: @, @", line.law, line.quantity, line.setting), line.measured,

@@ -43,6 +43,9 @@ class Film {
   double seconds() const { return plan_.seconds; }
   double hurry() const { return plan_.hurry; }
   bool failed(int take) const { return std::isfinite(fails_at_[take]); }
+  /// Whether it fails, for a verdict that says so.
+  course::Condition fails(int take) const { return failure(take) >= 1; }
+  course::Condition holds(int take) const { return failure(take) < 1; }
   /// "falls after 2.4 s", or "stands".
   std::string fate(int take) const;
   /// What its gauge says at the end.
@@ -51,6 +54,9 @@ class Film {
 
  private:
   static constexpr double step = 1.0 / 60;
+  course::Quantity failure(int take) const {
+    return {course::say("failures of @", plan_.takes[take].name), failed(take) ? 1.0 : 0.0};
+  }
 
   Shooting<M> plan_;
   std::vector<double> fails_at_;  // [s]; infinity for a run that does not

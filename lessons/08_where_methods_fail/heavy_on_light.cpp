@@ -25,20 +25,20 @@ void heavy_on_light(const Setting& setting, Page& page) {
   while (two_boxes(sweeps, measured) != Outcome::settles) measured /= 1.01;
 
   page.text(
-      R"(This is the first family, with a little of the second. A box of r kg lies on a box of 1 kg, which lies on
-      the ground. The ground's row sees the light box only, the row between them sees both: a sweep leaves
-      r/(1 + r) of what is missing, k sweeps leave q = (r/(1 + r))ᵏ. A warm start adds up what the sweeps bring, and
-      the correction with it. And contacts are not rods: one that has opened closes its gap within one step, as if β
-      were 1. So boxes begin to hop on each other instead of coming to rest.)");
+      R"(This is the first family, with a little of the second. A box of r kg lies on a box of 1 kg, which lies on the
+      ground. The ground's row sees only the light box, the row between the two sees both: a sweep leaves r/(1 + r) of
+      what is missing, k sweeps leave q = (r/(1 + r))ᵏ. A warm start adds up what the sweeps bring, and the correction
+      with it. And contacts are not rods: one that has opened closes its gap within one step, as if β were 1. So the
+      boxes hop on each other instead of coming to rest.)");
   const double heavier = laws::heaviest_top(2 * sweeps, pair_beta) / law;
   page.choose(
-      {.ask = say(R"(With @ warm sweeps a step and β = @ the heaviest box that settles on one of 1 kg has @ kg.
-                          How heavy may it be with twice as many sweeps?)",
-                  sweeps, pair_beta, Value(measured, 2)),
+      {.ask = say(
+           R"(With @ warm sweeps a step and β = @, the heaviest box that settles on one of 1 kg weighs @ kg. How
+                          heavy may it be with twice as many sweeps?)",
+           sweeps, pair_beta, Value(measured, 2)),
        .options = {{"about as heavy", "Twice as many sweeps leave q², which is much less."},
                    {"about twice as heavy",
-                    "q = (r/(1 + r))ᵏ is about e^(−k/r): it is the same for twice the mass and twice the "
-                    "sweeps."},
+                    "q = (r/(1 + r))ᵏ is about e^(−k/r): the same for twice the mass with twice the sweeps."},
                    {"about four times as heavy", "N² is the law of long chains. Here there are two boxes."}},
        .answer = static_cast<int>(std::lround(std::log2(heavier))),
        .hints = {"What do k sweeps leave, and on which combination of k and r does it depend?",
@@ -49,15 +49,15 @@ void heavy_on_light(const Setting& setting, Page& page) {
   std::vector<double> limits(1);
   for (int k = 1; k <= 17; ++k) limits.push_back(laws::heaviest_top(k, pair_beta));
   const auto boundary = [&](double k) { return limits[std::min(17, static_cast<int>(std::lround(k)))]; };
-  page.figure("mass_and_sweeps", say("Each cell is a run of two boxes, β = @. Dashed: the law.", pair_beta),
+  page.figure("mass_and_sweeps", say("Each cell is one run of two boxes, β = @. Dashed: the law.", pair_beta),
               chart(map, say("r of law 9 at β = @", pair_beta), boundary,
                     {"settles", "drifts", "goes on hopping", "flies off", "no solution"}));
   const Agreement agreed = agreement(map, boundary, Settles::below);
   page.text(
-      R"(@ The limit depends on β, too: a weaker correction lets heavier boxes settle (law 9 at β = 0.1: @ kg, at β = 0.5:
-      @ kg, with @ sweeps). With the light box on top of the heavy one there is no such limit.)",
-      agreed.sentence(), Value(laws::heaviest_top(sweeps, 0.1), 2), Value(laws::heaviest_top(sweeps, 0.5), 2),
-      sweeps);
+      R"(@ The limit also depends on β: a weaker correction lets heavier boxes settle (by law 9 with @ sweeps, @ kg at
+      β = 0.1 and @ kg at β = 0.5). A light box on a heavy one has no such limit.)",
+      agreed.sentence(), sweeps, Value(laws::heaviest_top(sweeps, 0.1), 2),
+      Value(laws::heaviest_top(sweeps, 0.5), 2));
   claim_agreement(page, agreed, 0.15, "law of heavy on light", setting.resolution);
   page.claim(say("heaviest box that settles on one of 1 kg, @ sweeps, from above", sweeps), measured, "kg",
              is(law, "law of heavy on light", relative(0.05)));

@@ -12,7 +12,7 @@ course::Hold stack_in_hand(const Setting& setting) {
   return {
       "stack_in_hand",
       R"(The stack with few sweeps a step. Pull a box a little to one side and let it go: does the stack come back, or
-          does it lean on until it falls?)",
+          does it lean further until it falls?)",
       [setting] {
         const int top = setting.boxes;
         const double height = top;
@@ -33,8 +33,8 @@ course::Hold stack_in_hand(const Setting& setting) {
 course::Hold chain_in_hand(const Setting& setting) {
   return {
       "chain_in_hand",
-      R"(The chain with its end mass, solved exactly at 60 steps a second. Swing it: a light end swings, one that is
-          heavier than the limit tears it apart, the sooner the more it is pulled aside.)",
+      R"(The chain with its end mass, solved exactly at 60 steps a second. Swing it: a light end swings; an end heavier
+          than the limit tears the chain apart, sooner the further it is pulled aside.)",
       [setting] {
         const laws::TautChain chain{.end_mass = setting.end_mass};
         const double length = chain.links * chain.length, limit = laws::heaviest_end(chain);

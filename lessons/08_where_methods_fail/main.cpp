@@ -1,6 +1,6 @@
 #include "lessons/08_where_methods_fail/steps.hpp"
 
-// Where methods fail: four families, each with its symptom, its law, a map of the law's limit, and the knob that
+// Where methods fail: five families, each with its symptom, its law, a map of the law's limit, and the knob that
 // helps.
 int main(int argc, char** argv) {
   using namespace byhand;
@@ -8,13 +8,14 @@ int main(int argc, char** argv) {
 
   course::Lesson lesson(course::lesson_of(__FILE__));
   const Setting setting{
-      .resolution = lesson.parameter("resolution", 20, "1", {4, 64}, "cells a side of each map"),
-      .boxes = lesson.parameter("boxes", 15, "1", {8, 24}, "of the stack that is filmed"),
+      .resolution = lesson.parameter("resolution", 20, "1", {4, 64}, "cells along each side of a map"),
+      .boxes = lesson.parameter("boxes", 15, "1", {8, 24}, "in the stack of the film"),
       .sweeps =
-          lesson.parameter("sweeps", 4, "1", {1, 30}, "sweeps a step, of the stack and of the chain that rings"),
+          lesson.parameter("sweeps", 4, "1", {1, 30}, "sweeps a step, for the stack and for the chain that rings"),
       .beta = lesson.parameter("beta", 0.3, "1", {0.01, 1}, "share of an error that a step corrects"),
-      .end_mass = lesson.parameter("end_mass", 600.0, "kg", {1, 1e5}, "of the chain whose links weigh 1 kg"),
-      .hertz = lesson.parameter("hertz", 30.0, "Hz", {10, 60}, "of soft contacts"),
+      .end_mass =
+          lesson.parameter("end_mass", 600.0, "kg", {1, 1e5}, "at the end of the chain, whose links weigh 1 kg"),
+      .hertz = lesson.parameter("hertz", 30.0, "Hz", {10, 60}, "frequency of soft contacts"),
   };
   const auto with = [setting](void (*step)(const Setting&, course::Page&)) {
     return [=](course::Page& page) { step(setting, page); };
@@ -34,25 +35,27 @@ int main(int argc, char** argv) {
   lesson.deeper("A heavy box on a light one", with(heavy_on_light));
   lesson.deeper("Four contacts on one box", with(many_contacts));
   lesson.deeper("Springs by hand", with(springs));
-  lesson.deeper("Faster than it is seen", with(unseen));
+  lesson.deeper("Faster than contacts are found", with(unseen));
 
   lesson.closing(
       {.now_you_know =
-           {R"(It gives way slowly, in one direction, and more sweeps help: too few iterations. Chains need N² sweeps,
-            stacks N³; a direct solve needs none.)",
+           {R"(It gives way slowly, in one direction, and more sweeps help: too few iterations. The sweeps needed grow
+            as N² for chains and as N³ for stacks; a direct solve needs none.)",
             R"(It rings: the correction is too strong. From a warm start a chain needs β < (1 − q)/q, and never more
             than 2.)",
             R"(It flies apart, and more sweeps change nothing: the step is too long. Sideways a taut chain is an
-            explicit spring, ωh < 2. A stack on soft contacts buckles, whatever the step.)",
-            "It is calm while λ grows: the rows are wrong. Regularise, reorder, refresh.",
+            explicit spring, ωh < 2.)",
+            "It leans and falls, and neither sweeps nor substeps help: the model is too soft. A stack on soft "
+            "contacts buckles.",
+            "It is calm while λ grows: the rows are wrong. Regularise, reorder or refresh them.",
             "Look at the symptom first: no knob cures every failure."},
        .tries = {{"A finer map of where a warm start rings:", "./lessons/run 8 --step 2 --set resolution=40"},
-                 {"A taller stack, and nearly enough sweeps:",
+                 {"A taller stack, with more sweeps but not enough:",
                   "./lessons/run where_methods --step 1 --set boxes=20 --set sweeps=12"},
                  {"A lighter end, below the limit:", "./lessons/run 8 --step 3 --set end_mass=200"},
-                 {"Stiffer contacts and higher stacks:", "./lessons/run 8 --step 4 --set hertz=60"}},
+                 {"Stiffer contacts and taller stacks:", "./lessons/run 8 --step 4 --set hertz=60"}},
        .next =
-           R"(You know where each method ends. Lesson 9 asks what accuracy costs before that: error against work,
-               for every method.)"});
+           R"(You know where each method fails. Lesson 9 asks what accuracy costs before that: error against work, for
+               every method.)"});
   return lesson.run(argc, argv);
 }

@@ -21,22 +21,24 @@ void many_contacts(const Setting& setting, Page& page) {
   const double mu = laws::largest_eigenvalue(contacts);
 
   page.text(
-      R"(A box lies on @ points in a row. In Jacobi's method every row answers as if it were alone (lesson 3); they all
-      see the same fall, and then all push at once. For the slowest error, the fall of the whole box, all rows
-      together correct μ = @ times the error, where μ is the largest eigenvalue of D⁻¹A: A = JM⁻¹Jᵀ of all rows, D
-      its diagonal.)",
+      R"(A box lies on @ points in a row. In Jacobi's method every row answers as if it were alone (lesson 3): all see
+      the same fall, and all push at once. The fall of the whole box is the error that they overcorrect most: together
+      they correct it μ = @ times over. μ is the largest eigenvalue of D⁻¹A, with A = JM⁻¹Jᵀ of all rows and D its
+      diagonal.)",
       contacts, Value(mu, 3));
   page.predict(
       {.ask = "By which number does one iteration of Jacobi multiply this error? (Mind the sign.)",
        .answer = 1 - mu,
        .unit = "1",
        .tolerance = 0.05,
-       .wrong = {{mu, "That is what the rows correct together. What is left of the error?"},
-                 {1 - contacts, "If all rows were alike, yes. They lie apart, and share the turn of the box."}},
+       .wrong =
+           {{mu, "That is what the rows correct together. What is left of the error?"},
+            {1 - contacts,
+             "That would be so if all points were in one place. But they lie apart, and the box also turns."}},
        .hints = {"How much of the error do all rows correct, and what is left?", "left = error − μ · error",
                  say("1 − @ = …", Value(mu, 4))},
        .right = "μ times the error is corrected, so 1 − μ of it is left: larger, and of the other sign."});
-  page.text("With relaxation each row makes only the share ω of its correction:");
+  page.text("With relaxation each row makes only a share ω of its correction:");
   page.formula("|1 − ω μ| < 1:   ω < 2/μ = 2/@ = @",
                R"(|1 - \omega\mu| < 1: \quad \omega < \frac{2}{\mu} = \frac{2}{@} = @)", Value(mu, 3),
                Value(2 / mu, 3));
@@ -47,7 +49,7 @@ void many_contacts(const Setting& setting, Page& page) {
     return 2 / laws::largest_eigenvalue(std::max(2, static_cast<int>(std::lround(n))));
   };
   page.figure("contacts_and_relaxation",
-              "Each cell is a run of Jacobi on the contacts of one box. Dashed: ω = 2/μ.",
+              "Each cell is one run of Jacobi on the contacts of one box. Dashed: ω = 2/μ.",
               chart(map, "ω = 2/μ", boundary, {"converges", "drifts", "rings", "diverges", "no solution"}));
   const Agreement agreed = agreement(map, boundary, Settles::below);
   page.text(

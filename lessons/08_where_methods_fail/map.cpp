@@ -58,10 +58,10 @@ std::size_t Agreement::rank() const {
 }
 
 std::string Agreement::sentence() const {
-  if (factors.empty()) return "No run of the map is near the law's limit.";
+  if (factors.empty()) return "No run of the map is near the limit of the law.";
   return course::say(
-      "Of the @ runs within a factor of 2 of the law's limit it predicts @. Fitted to the map, the limit "
-      "is @ of the law's (@ to @ with 95 % confidence, cells as they are).",
+      "Of the @ runs within a factor of 2 of its limit the law predicts @. The limit fitted to the map, over the "
+      "law's, is @ (95 % confidence: @ to @).",
       runs, right, Value(factor(), 3), Value(low(), 3), Value(high(), 3));
 }
 

@@ -40,7 +40,7 @@ Film<PlaneParticle> film(int links, int sweeps, double beta) {
        .gauge = {.label = "largest |C| (m)", .scale = renderer::Scale::logarithmic, .range = {{1e-4, 2}}},
        .read = [](const Scene<PlaneParticle>& chain) { return position_error(chain).max; },
        .failed = [](const Scene<PlaneParticle>& chain) { return !(position_error(chain).max < 0.5); },
-       .failure = "is torn apart",
+       .failure = "breaks",
        .success = "holds",
        .draw =
            [](renderer::Canvas& canvas, const Scene<PlaneParticle>& chain, const renderer::Look& look) {
@@ -48,11 +48,11 @@ Film<PlaneParticle> film(int links, int sweeps, double beta) {
            }});
 }
 
-/// How a run of the film ends: "is torn apart after 1.2 s", or "is 0.013 m off at the end".
+/// How a run of the film ends: "breaks after 1.2 s", or "is 0.013 m off at the end".
 std::string end_of(const Film<PlaneParticle>& chains, int take) {
   if (chains.failed(take)) return chains.fate(take);
   const double off = chains.last(take);
-  return off < 1e-11 ? "is off by rounding only" : say("is @ m off at the end", Value(off, 2));
+  return off < 1e-11 ? "is off by rounding alone" : say("is @ m off at the end", Value(off, 2));
 }
 
 }  // namespace
@@ -61,59 +61,61 @@ void overshoots(const Setting& setting, Page& page) {
   const int links = setting.links, sweeps = setting.sweeps;
   const double beta = setting.beta, slowest = laws::left_by_a_sweep(links), q = std::pow(slowest, sweeps),
                limit = limit_of_beta(links, sweeps);
-  const bool by_warm_start = limit < 2;
 
   page.text(
-      R"(**Symptom of the second family:** an error changes sign again and again, and each swing is larger than the
-      one before. *It rings.* The rows are solved as well as they were before; the correction is too strong for
-      that.)");
+      R"(**Symptom of the second family:** an error changes sign again and again, each swing larger than the last. *It
+      rings.* The rows are solved no worse than before; the correction is too strong for that.)");
+  const std::string limit_in_words = page.verdict(
+      {{.when = Quantity("limit of β", limit) < 2, .say = "So a correction is applied a second and a third time."},
+       {.when = Quantity("limit of β", limit) >= 2,
+        .say = "That is little: with q below ⅓ the limit is 2, as for one row."}});
   page.text(
-      R"(One row solved exactly is stable for every β below 2 (lesson 4). A chain of @ links that is solved by @ a
-      step from a warm start is another matter. A step begins with all of the last step's λ, and that λ contains the
-      last step's correction. The sweeps should remove it again, but of the slowest wave they leave
-      q = cos²ᵏ(π/2N) = @. @)",
-      links, several(sweeps, "sweep"), Value(q, 3),
-      by_warm_start ? "So a correction is applied a second and a third time."
-                    : "That is little enough here: with q below ⅓ the limit is 2, as for one row.");
+      R"(One row solved exactly is stable for every β below 2 (lesson 4). A chain of @ links, solved by @ a step from a
+      warm start, is another matter. Each step begins with all of the last step's λ, which contains the last step's
+      correction. The sweeps should remove it again, but of the slowest wave they leave q = cos²ᵏ(π/2N) = @. @)",
+      links, several(sweeps, "sweep"), Value(q, 3), limit_in_words);
   const double here = beta_that_rings(links, sweeps), twice = beta_that_rings(2 * links, sweeps);
   if (limit_of_beta(2 * links, sweeps) < 1.9)
     page.predict(
-        {.ask = say("@ links, @ a step from a warm start: errors ring from β = @ on. From which β with @ "
-                    "links and as many sweeps?",
-                    links, several(sweeps, "sweep"), Value(here, 3), 2 * links),
+        {.ask = say(
+             R"(With @ links and @ a step from a warm start, errors ring from β = @ on. From which β do they ring with
+             @ links and as many sweeps?)",
+             links, several(sweeps, "sweep"), Value(here, 3), 2 * links),
          .answer = twice,
          .unit = "1",
          .tolerance = 0.15 * twice,
-         .wrong = {{here / 2,
-                    R"(An error spreads like a random walk: over twice the distance it takes four times as
-                             long, not twice.)"},
-                   {here, "The sweeps are as many, but they leave more of a wave that is twice as long."}},
-         .hints = {"How much of a wave that is twice as long do the same sweeps leave?",
+         .wrong =
+             {{here / 2,
+               R"(An error spreads like a random walk: twice the distance takes four times as long, not twice.)"},
+              {here, "The sweeps are as many, but they leave more of a wave twice as long."}},
+         .hints = {"How much of a wave twice as long do the same sweeps leave?",
                    "The limit is (1 − q)/q, with q = cos²ᵏ(π/2N).", say("q = cos(π/@)^@", 4 * links, 2 * sweeps)},
          .hinted = limit_of_beta(2 * links, sweeps),
-         .right = say("(1 − q)/q is @ for @ links and @ for @; for long chains it falls with N².",
+         .right = say("(1 − q)/q is @ for @ links and @ for @; for long chains it falls as 1/N².",
                       Value((1 - q) / q, 3), links, Value(limit_of_beta(2 * links, sweeps), 3), 2 * links)});
 
   const Film<PlaneParticle> chains = film(links, sweeps, beta);
   page.sequence(
       "ringing_chain",
-      say(R"(Three chains of @ links released at rest, β = @, @ a step. With a warm start the chain @, with
-                    a cold start it @, with split impulse, which corrects positions and leaves nothing of it in λ, it
-                    @.)",
+      say(R"(Three chains of @ links released at rest, β = @, @ a step. With a warm start the chain @; with a cold
+                    start it @; with split impulse, which corrects positions and leaves nothing in λ, it @.)",
           links, setting.beta, several(sweeps, "sweep"), end_of(chains, 0), end_of(chains, 1), end_of(chains, 2)),
       Seconds{chains.seconds()}, chains.drawing());
+  const Quantity chosen("β", beta), largest("limit of the warm chain", limit);
+  page.text(page.verdict(
+      {{.when = chosen > largest,
+        .say =
+            say("β = @ is above the warm chain's limit of @, so its error grows.", setting.beta, Value(limit, 3))},
+       {.when = both(chosen <= largest, largest < 2),
+        .say = say(
+            "β = @ is below the warm chain's limit of @, so its error dies out. Choose a larger β to see it ring.",
+            setting.beta, Value(limit, 3))},
+       {.when = largest >= 2,
+        .say =
+            say("The limit is @ here, above every β of this lesson. Take fewer sweeps to see the warm chain ring.",
+                limit)}}));
   page.text(
-      beta > limit ? say("β = @ is above the limit of @ for the warm chain, so its error grows.", setting.beta,
-                         Value(limit, 3))
-      : by_warm_start
-          ? say("β = @ is below the limit of @ for the warm chain, so its error dies out. Choose a larger β to "
-                "see it ring.",
-                setting.beta, Value(limit, 3))
-          : say("The limit is @ here, above every β of this lesson: take more links or fewer sweeps to see the "
-                "warm chain ring.",
-                limit));
-  page.text(
-      R"(Write C for the error of the slowest wave and v for its rate. What one warm step does to them is linear: it
+      R"(Write C for the error of the slowest wave and v for its rate. One warm step acts on them linearly: it
       multiplies them by a root z of)");
   page.formula(
       "z³ − [1 + 2q − (1 − q)β] z² + 3q z − q = 0:   the chain settles for β < min(2, (1 − q)/q) = @",
@@ -121,11 +123,11 @@ void overshoots(const Setting& setting, Page& page) {
       Value(limit, 3));
   page.derivation(
       "Why β < min(2, (1 − q)/q)",
-      {{"the exact λ* would give the slow wave the rate that Baumgarte asks for", "vₙ₋₁ + aλ* = −βCₙ/h",
-        R"(v_{n-1} + a\lambda^* = -\beta C_n/h)"},
+      {{"the exact λ* would give the slow wave the rate that Baumgarte asks for", "vₙ₋₁ + αλ* = −βCₙ/h",
+        R"(v_{n-1} + \alpha\lambda^* = -\beta C_n/h)"},
        {"from the last λ, k sweeps leave the share q of what is missing", "λₙ = λ* + q(λₙ₋₁ − λ*)",
         R"(\lambda_n = \lambda^* + q(\lambda_{n-1} - \lambda^*))"},
-       {"aλₙ is what the step changes v by, aλₙ₋₁ what the last one did",
+       {"this step changes v by αλₙ, the last one changed it by αλₙ₋₁",
         "vₙ = 2q vₙ₋₁ − q vₙ₋₂ − (1 − q) β Cₙ/h,   Cₙ₊₁ = Cₙ + h vₙ",
         R"(v_n = 2q\,v_{n-1} - q\,v_{n-2} - (1-q)\,\beta\,C_n/h, \quad C_{n+1} = C_n + h\,v_n)"},
        {"insert zⁿ for both", "(z² − 2qz + q)(z − 1) + (1 − q)β z² = 0",
@@ -143,20 +145,19 @@ void overshoots(const Setting& setting, Page& page) {
         return laws::run(laws::WarmChain{.links = links, .sweeps = static_cast<int>(k), .beta = b, .steps = 1500});
       });
   page.figure("beta_and_sweeps",
-              say("Each cell is a run of a chain of @ links. Dashed: β = (1 − q)/q, and 2.", links),
+              say("Each cell is one run of a chain of @ links. Dashed: β = (1 − q)/q, and 2.", links),
               chart(map, "β = (1 − q)/q, and 2", [links](double k) { return limit_of_beta(links, k); }));
   const Agreement agreed = agreement(
       map, [links](double k) { return limit_of_beta(links, k); }, Settles::below);
   const double needed = std::log(1 / 1.2) / std::log(slowest);  // sweeps at which the limit is 0.2
   page.text(
-      R"(@ The article's range of β, 0.1 to 0.3, is a horizontal band of this map: with @ links, β = 0.2 needs at
+      R"(@ The article's range of β, 0.1 to 0.3, is a horizontal band across this map: with @ links, β = 0.2 needs at
       least @ a step.)",
       agreed.sentence(), links, several(std::lround(std::ceil(needed)), "sweep"));
   page.text(
-      R"(**Which knob?** A smaller β helps at once. More sweeps help slowly. A cold start removes the memory, and
-      with it what a warm start is for. It is better to keep corrections out of λ: correct positions separately
-      (split impulse, projection) or relax soft constraints (lesson 6). A direct solve has q = 0, so its limit is
-      2.)");
+      R"(**Which knob?** A smaller β helps at once, more sweeps help slowly. A cold start removes the memory, and with
+      it the point of a warm start. It is better to keep corrections out of λ: correct positions separately (split
+      impulse, projection) or relax soft constraints (lesson 6). For a direct solve q = 0, so its limit is 2.)");
   page.text(
       R"(From the casebook: a warm start that goes unstable, `./lessons/run case 8`; a correction that feeds energy,
       `./lessons/run case 9`.)");

@@ -28,18 +28,19 @@ void springs(const Setting& setting, Page& page) {
   const double without = largest_omega_h(0), critical = largest_omega_h(1);
 
   page.text(
-      R"(Add −kx − cẋ to the forces before a step, as gravity is added: that is a spring by hand, or explicit spring.
-      Without damping it is stable while ωh < @. Damping removes energy, so a damped spring should bear a longer
-      step. Does it?)",
+      R"(Add −kx − cẋ to the forces before a step, as gravity is added: that is a spring by hand, or *explicit spring*.
+      Undamped, it is stable while ωh < @. Damping removes energy, so a damped spring should bear a longer step. Does
+      it?)",
       without);
   page.predict(
       {.ask = "Critically damped, ζ = 1: up to which ωh is an explicit spring stable?",
        .answer = measured(1),
        .unit = "1",
        .tolerance = 0.05,
-       .wrong = {{2, "That is without damping. The damping force is explicit as well, and overshoots as well."},
-                 {4, R"(Damping is explicit as well: it acts on the velocity of the last step, and too much of it
-                     reverses that velocity within one step.)"}},
+       .wrong = {{2, "That is without damping. The damping force is explicit too, and it too overshoots."},
+                 {4,
+                  R"(Damping is explicit too: it acts on the velocity of the last step, and too much of it reverses
+                     that velocity within one step.)"}},
        .hints = {"At the limit, what does the oscillation do from one step to the next?",
                  "z² − (2 − 2ζs − s²) z + (1 − 2ζs) = 0 with s = ωh, and z = −1 at the limit.",
                  "z = −1: s² + 4ζs = 4, so for ζ = 1: √8 − 2 = …"},
@@ -61,7 +62,7 @@ void springs(const Setting& setting, Page& page) {
                          knob("ωh", 0.1, 4, setting.resolution),
                          [](double zeta, double omega_h) { return laws::explicit_spring(omega_h, zeta); });
   const Agreement agreed = agreement(map, largest_omega_h, Settles::below);
-  page.figure("damping_and_frequency", "Each cell is a run of one mass on an explicit spring. Dashed: the law.",
+  page.figure("damping_and_frequency", "Each cell is one run of a mass on an explicit spring. Dashed: the law.",
               chart(map, "ωh = 2(√(1 + ζ²) − ζ)", largest_omega_h));
   page.text("@ Written as a soft row, γ = 1/(h(c + hk)), the same spring is stable for every ωh and ζ (lesson 6).",
             agreed.sentence());

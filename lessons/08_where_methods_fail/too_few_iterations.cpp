@@ -64,35 +64,39 @@ void too_few_iterations(const Setting& setting, Page& page) {
   const double law = sweeps_to_stand(boxes);
 
   page.text(
-      R"(Methods fail for different reasons, and each reason has its own cure. This lesson sorts failures into four
-      families by what has gone wrong: the rows are *not solved* well enough, a *correction* is too strong, the
-      *step* is too long, or the *rows* themselves are wrong. Each family has its symptom, and the symptom tells you
-      which knob to turn. (A fifth kind has no symptom that you could see: a method that is stable, holds every
-      joint and loses energy. Lesson 9 measures it.))");
+      R"(Methods fail for different reasons, and each reason has its own cure. This lesson sorts failures into five
+      families by what is wrong: the rows are *not solved* well enough, a *correction* is too strong, the *step* is too
+      long, the *model* is too soft, or the *rows* themselves are wrong. Each family has its symptom, and the symptom
+      tells you which knob to turn. (One more kind of failure has no visible symptom: a method that is stable, holds
+      every joint and loses energy. Lesson 9 measures it.))");
   page.text(
-      R"(**Symptom of the first family:** things give way slowly, always in the same direction, and *more sweeps
-      help*. Chains sag, heavy boxes sink into light ones, stacks lean and fall. Rows are solved one after the
-      other, and a sweep passes what a row has done only to its neighbours.)");
+      R"(**Symptom of the first family:** things give way slowly, always in the same direction, and *more sweeps help*.
+      Chains sag, heavy boxes sink into light ones, stacks lean and fall. Rows are solved one after another, and a
+      sweep passes on what a row has done only to its neighbours.)");
   page.text(
-      R"(The slowest error of a chain of N links is a wave over its whole length, of which a sweep removes about
-      π²/4N² (lesson 3). A stack has a slower one. When it leans, each contact must push harder on one side: the
-      column *bends* like a beam, and a sweep removes only about 2.06/N⁴ of a bending. Meanwhile gravity tips the
-      column over: a lean x grows as ẍ = σ²x, σ² = 1.571 g/N. The column stands if the sweeps are faster.)");
+      R"(The slowest error of a chain of N links is a wave over its whole length; a sweep removes about π²/4N² of it
+      (lesson 3). A stack has a slower one. When it leans, each contact must push harder on one side: the column
+      *bends* like a beam. Meanwhile gravity tips it over. The column stands if the sweeps win this race.)");
   constexpr int few = 10, twice = 20;
   const double ratio = sweeps_to_stand(twice) / sweeps_to_stand(few);
   page.choose(
-      {.ask = "A stack twice as high needs how many times as many sweeps in each step?",
+      {.ask = "How many times as many sweeps a step does a stack of twice the height need?",
        .options =
-           {{"twice as many", "There are twice as many contacts, but each sweep also removes 16 times less."},
-            {"4 times as many", "N² is the law of chains, which are stretched. A bending decays by 2.06/N⁴."},
+           {{"twice as many",
+             "There are twice as many contacts, but a sweep also removes only a sixteenth as much of the "
+             "bending."},
+            {"4 times as many",
+             "N² is the law of chains, which are stretched. A bending decays by only 2.06/N⁴ a sweep."},
             {"8 times as many",
-             "A sweep removes 16 times less of the bending; the higher column tips half as fast: 16/2."},
-            {"16 times as many", "That is what the sweeps lose. But the higher column also tips more slowly."}},
+             "A sweep removes a sixteenth as much of the bending, and the higher column tips half as fast: 16/2."},
+            {"16 times as many", "The sweeps do lose that much. But the higher column also tips more slowly."}},
        .answer = static_cast<int>(std::lround(std::log2(ratio))) - 1,
        .hints = {"What does a sweep remove of the lean, and what does gravity add to it?",
-                 "A sweep removes 2.06/N⁴ of it; a step of gravity adds (σh)², σ² = 1.571 g/N.",
-                 "Twice N: the first is 16 times smaller, the second is half as large."}});
-  page.text("With k sweeps a step from a warm start, a column of N boxes stands if");
+                 "A sweep removes 2.06/N⁴ of a bending; in a step gravity adds (σh)² to a lean, σ² = 1.571 g/N.",
+                 "For twice N, the first is a sixteenth as large and the second is half as large."}});
+  page.text(
+      R"(A sweep removes only about 2.06/N⁴ of a bending, and under gravity a lean x grows as ẍ = σ²x, σ² = 1.571 g/N.
+      With k sweeps a step from a warm start, a column of N boxes stands if)");
   page.formula(
       "(σh)² < (1 − q)/q,   q = (1 − 2.06/N⁴)ᵏ:   k > about 0.763 g h² N³/a, @ for @ boxes of a = 1 m",
       R"((\sigma h)^2 < \frac{1-q}{q}, \quad q = \left(1 - \tfrac{2.06}{N^4}\right)^k: \quad k \gtrsim 0.763\, g h^2 N^3/a, \; @ \text{ for } @ \text{ boxes of } a = 1\,\mathrm{m})",
@@ -100,9 +104,9 @@ void too_few_iterations(const Setting& setting, Page& page) {
   page.derivation(
       "Why (σh)² < (1 − q)/q",
       {{"k sweeps leave the share q of what λ lacks; λ* would stop the lean, whose speed is v",
-        "λₙ = λ* + q(λₙ₋₁ − λ*),   vₙ₋₁ + aλ* = 0",
-        R"(\lambda_n = \lambda^* + q(\lambda_{n-1} - \lambda^*), \quad v_{n-1} + a\lambda^* = 0)"},
-       {"aλ is what λ changes v by; the last λ balanced the last gravity, which has grown by σ²h²v",
+        "λₙ = λ* + q(λₙ₋₁ − λ*),   vₙ₋₁ + αλ* = 0",
+        R"(\lambda_n = \lambda^* + q(\lambda_{n-1} - \lambda^*), \quad v_{n-1} + \alpha\lambda^* = 0)"},
+       {"λ changes v by αλ; the last λ balanced the last pull of gravity, which has grown by σ²h²v",
         "vₙ = q(2 + σ²h²) vₙ₋₁ − q vₙ₋₂", R"(v_n = q(2 + \sigma^2h^2)\,v_{n-1} - q\,v_{n-2})"},
        {"insert vₙ = zⁿ", "z² − q(2 + σ²h²) z + q = 0", R"(z^2 - q(2 + \sigma^2h^2)\,z + q = 0)"},
        {"a root reaches z = 1 where", "1 + q = q(2 + σ²h²)   ⟹   (σh)² = (1 − q)/q",
@@ -114,23 +118,24 @@ void too_few_iterations(const Setting& setting, Page& page) {
 
   const Film<PlaneBody> stacks = film(boxes, sweeps);
   const double shown = stacks.hurry() * stacks.seconds();
-  page.sequence("leaning_stack",
-                say(R"(@, pushed sideways at the top with @ m/s, @ times as fast as it was. With @ a step the stack
-                    @; with conjugate sweeps it @; solved directly it @. Right: how far the top box has moved.)",
-                    several(boxes, "box", "boxes"), 0.02, stacks.hurry(), several(sweeps, "sweep"), stacks.fate(0),
-                    stacks.fate(1), stacks.fate(2)),
-                Seconds{stacks.seconds()}, stacks.drawing());
+  page.sequence(
+      "leaning_stack",
+      say(R"(@, pushed sideways at the top at @ m/s, shown at @ times the speed. With @ a step the stack @; with
+          conjugate sweeps it @; solved directly it @. Right: how far the top box has moved.)",
+          several(boxes, "box", "boxes"), 0.02, stacks.hurry(), several(sweeps, "sweep"), stacks.fate(0),
+          stacks.fate(1), stacks.fate(2)),
+      Seconds{stacks.seconds()}, stacks.drawing());
+  const Quantity made("sweeps", sweeps), needed("sweeps of the law", law);
   page.text(
-      stacks.failed(0)
-          ? say("The law asks for @ sweeps here. With @ the stack leans further and further until it falls.",
-                Value(law, 3), sweeps)
-      : sweeps < law
-          ? say(R"(The law asks for @ sweeps here. With @ the stack leans further and further; it takes more
-                      than these @ s to fall.)",
-                Value(law, 3), sweeps, shown)
-          : say(R"(The law asks for @ sweeps here, so with @ this stack stands. Take more boxes or fewer sweeps
-                      to see it fall.)",
-                Value(law, 3), sweeps));
+      "The law asks for @ sweeps here. @", Value(law, 3),
+      page.verdict(
+          {{.when = stacks.fails(0),
+            .say = say("With @ the stack leans further and further until it falls.", sweeps)},
+           {.when = made < needed,
+            .say = say("With @ the stack leans further and further, but takes more than these @ s to fall.",
+                       sweeps, shown)},
+           {.when = made >= needed,
+            .say = say("So with @ this stack stands. Take more boxes or fewer sweeps to see it fall.", sweeps)}}));
 
   static std::map<int, Map> maps;
   const Map& map = kept(maps, setting.resolution, [&] {
@@ -139,7 +144,7 @@ void too_few_iterations(const Setting& setting, Page& page) {
                     return laws::lean(Column{.boxes = static_cast<int>(n), .sweeps = static_cast<int>(k)});
                   });
   });
-  page.figure("boxes_and_sweeps", "Each cell is a run of a column after a slight push. Dashed: the law.",
+  page.figure("boxes_and_sweeps", "Each cell is one run of a column after a slight push. Dashed: the law.",
               chart(
                   map, "(σh)² = (1 − q)/q, about 0.763 gh²N³/a", [](double n) { return sweeps_to_stand(n); },
                   stack_outcomes));
@@ -147,17 +152,19 @@ void too_few_iterations(const Setting& setting, Page& page) {
       map, [](double n) { return sweeps_to_stand(n); }, Settles::above);
   page.text(agreed.sentence());
   static const double whole = gravity_held(1), cut = gravity_held(4);  // no knob changes them
+  const std::string with_conjugate_sweeps =
+      page.verdict({{.when = stacks.holds(1), .say = "With them the stack above stands."},
+                    {.when = stacks.fails(1), .say = "The stack above still falls."}});
   page.text(
       R"(**Which knob?** More sweeps, but their number grows with N³. Substeps are cheaper: with h/4, (σh)² is a
-      sixteenth, so 4 substeps of one sweep hold what needs @ sweeps of a whole step. Conjugate sweeps, which combine
-      each sweep with the direction of the last as conjugate gradients do (lesson 9), reach slow errors sooner: the
-      stack above @ with them. And a *direct solve* leaves no error that could creep: @ m is all that the top box
-      above has moved.)",
-      Value(cut / whole, 2), stacks.failed(1) ? "still falls" : "stands",
+      sixteenth, so 4 substeps of one sweep hold what takes @ sweeps of a whole step. Conjugate sweeps, which combine
+      each sweep with the direction of the last as conjugate gradients do (lesson 9), reach slow errors sooner. @ And
+      a *direct solve* leaves no error that could creep: @ m is all that the top box above has moved.)",
+      Value(cut / whole, 2), with_conjugate_sweeps,
       stacks.last(2) < 1e-11 ? "less than 10⁻¹¹" : course::number(stacks.last(2), 2));
   page.text(
-      R"(Users of engines met this family, and the casebook predicts what they saw: a heavy box that sinks through a
-      light one, `./lessons/run case 1`; a box at rest that walks, `./lessons/run case 4`; a stack that falls after
+      R"(Users of engines have met this family, and the casebook predicts what they saw: a heavy box that sinks through
+      a light one, `./lessons/run case 1`; a box at rest that walks, `./lessons/run case 4`; a stack that falls after
       some seconds, `./lessons/run case 5`; a box that bounces to one side, `./lessons/run case 6`.)");
 
   claim_agreement(page, agreed, 0.15, "law of creep", setting.resolution);

@@ -45,7 +45,7 @@ Film<PlaneParticle> film(double end_mass, int sweeps) {
        .gauge = {.label = "largest |C| (m)", .scale = renderer::Scale::logarithmic, .range = {{1e-6, 2}}},
        .read = [](const Scene<PlaneParticle>& scene) { return position_error(scene).max; },
        .failed = [](const Scene<PlaneParticle>& scene) { return !(position_error(scene).max < 0.5); },
-       .failure = "is torn apart",
+       .failure = "breaks",
        .success = "holds",
        .draw =
            [end_mass](renderer::Canvas& canvas, const Scene<PlaneParticle>& scene, const renderer::Look& look) {
@@ -55,23 +55,24 @@ Film<PlaneParticle> film(double end_mass, int sweeps) {
 }
 
 /// What the three runs of the film show.
-std::string seen(const Film<PlaneParticle>& chains, double end_mass, double limit, double limit_of_substeps) {
-  const bool exact = chains.failed(0), swept = chains.failed(1), cut = chains.failed(2);
-  const std::string substeps =
-      cut ? say("4 substeps do not hold it either: they bear @ kg.", Value(limit_of_substeps, 3))
-          : say("4 substeps hold it: they bear @ kg.", Value(limit_of_substeps, 3));
-  if (exact && swept)
-    return say("The limit is @ kg. With @ kg the chain is torn apart, however well its rows are solved. @",
-               Value(limit, 3), Value(end_mass, 6), substeps);
-  if (!exact && !swept && !cut)
-    return say(
-        R"(The limit is @ kg, and with @ kg at its end the chain holds in all three runs. Choose a heavier end
-               to see it fly apart.)",
-        Value(limit, 3), Value(end_mass, 6));
-  return say(
-      R"(The limit is @ kg for a chain at rest. With @ kg, on a chain that swings, the three runs do not agree:
-             so near to the limit, or so far beyond it, small differences decide.)",
-      Value(limit, 3), Value(end_mass, 6));
+std::string seen(Page& page, const Film<PlaneParticle>& chains, double end_mass, double limit_of_substeps) {
+  const std::string fate = page.verdict(
+      {{.when = where(chains.fails(0), chains.fails(1)),
+        .say = say("With @ kg the chain breaks, however well its rows are solved.", Value(end_mass, 6))},
+       {.when = where(chains.holds(0), chains.holds(1), chains.holds(2)),
+        .say = say("With @ kg at its end it holds in all three runs. Choose a heavier end to see it fly apart.",
+                   Value(end_mass, 6))},
+       {.when = either(chains.fails(0), either(chains.fails(1), chains.fails(2))),
+        .say =
+            say(R"(With @ kg, on a chain that swings, the runs differ: so near to the limit, or so far beyond it,
+                      small differences decide.)",
+                Value(end_mass, 6))}});
+  if (!chains.failed(0) || !chains.failed(1)) return fate;
+  return say("@ @", fate,
+             page.verdict({{.when = chains.holds(2),
+                            .say = say("4 substeps hold it: they bear @ kg.", Value(limit_of_substeps, 3))},
+                           {.when = chains.fails(2),
+                            .say = say("4 substeps break too: they bear @ kg.", Value(limit_of_substeps, 3))}}));
 }
 
 }  // namespace
@@ -84,23 +85,23 @@ void too_large_a_step(const Setting& setting, Page& page) {
                    chain.mass * chain.length / (chain.step * chain.step * gravity);  // T h²/(m l) = 1, T = Mg
 
   page.text(
-      R"(**Symptom of the third family:** the scene flies apart suddenly, and *more sweeps do not change it*. The rows
+      R"(**Symptom of the third family:** the scene flies apart suddenly, and *more sweeps change nothing*. The rows
       are solved well, perhaps exactly; but the time step is too long.)");
   page.text(
       R"(A light chain of @ links, 1 kg and 1 m each, carries @ kg at its end. Each step is solved directly, so its
-      rows hold to rounding. But J keeps the directions that the links had when the step began. A bob that is off to
-      the side is pulled back by the tension T of its two links, and that force belongs to where the bob *was*. So
-      sideways a taut chain is an explicit spring.)",
+      rows hold to rounding. But J keeps the directions that the links had when the step began. A bob off to one side
+      is pulled back by the tension T of its two links, with the force that belongs to where it *was*. So sideways a
+      taut chain is an explicit spring.)",
       chain.links, setting.end_mass);
   page.predict(
-      {.ask =
-           say(R"(Each step is solved exactly, and the chain flies apart from an end mass of @ kg on. h is halved.
-                  From which mass now?)",
-               Value(limit, 3)),
+      {.ask = say(
+           R"(Solved exactly in every step, the chain flies apart from an end mass of @ kg on. From which mass does
+                  it do so if h is halved?)",
+           Value(limit, 3)),
        .answer = halved,
        .unit = "kg",
        .tolerance = 0.1 * halved,
-       .wrong = {{limit, "The rows are solved exactly in both; but the spring sees a step half as long."},
+       .wrong = {{limit, "The rows are solved exactly in both, but the spring sees a step half as long."},
                  {2 * limit, "ω grows with the square root of the tension, so ωh < 2 allows four times as much."}},
        .hints = {"Sideways the chain is an explicit spring. What is its ω?",
                  "ω² grows with T/(ml), and symplectic Euler needs ωh < 2.",
@@ -135,23 +136,23 @@ void too_large_a_step(const Setting& setting, Page& page) {
                     @, solved exactly in 4 substeps it @.)",
           setting.end_mass, rate, chains.fate(0), many, chains.fate(1), chains.fate(2)),
       Seconds{chains.seconds()}, chains.drawing());
-  page.text(seen(chains, end_mass, limit, heaviest_at(4 * rate)));
+  page.text("The limit of a chain at rest is @ kg. @", Value(limit, 3),
+            seen(page, chains, end_mass, heaviest_at(4 * rate)));
 
   const Map map = map_of(page, knob("steps a second (Hz)", 30, 480, setting.resolution),
                          knob("end mass / mass of a link", 10, 1e5, setting.resolution),
                          [](double hz, double r) { return laws::run(TautChain{.end_mass = r, .step = 1 / hz}); });
   page.figure("mass_and_step",
-              say("Each cell is a run of an exactly solved chain of @ links. Dashed: ω_max h = 2.", chain.links),
+              say("Each cell is one run of an exactly solved chain of @ links. Dashed: ω_max h = 2.", chain.links),
               chart(map, "ω_{max} h = 2", heaviest_at));
   const Agreement agreed = agreement(map, heaviest_at, Settles::below);
   page.text(agreed.sentence());
   page.text(
-      R"(**Which knob?** A shorter step, most cheaply by substeps: 4 of them bear about @ kg. Heavier or longer links
-      help as well. More sweeps, a smaller β or another solver of the same rows do not.)",
-      Value(heaviest_at(4 * rate), 3));
+      R"(**Which knob?** A shorter step, most cheaply by substeps. Heavier or longer links help too. More sweeps, a
+      smaller β or another solver of the same rows do not.)");
   page.text(
-      R"(From the casebook, what the step does although each is solved exactly: a pendulum that loses energy,
-      `./lessons/run case 7`; corrections of positions that lose spin, `./lessons/run case 10`.)");
+      R"(From the casebook, faults of steps that are solved exactly: a pendulum that loses energy, `./lessons/run case
+      7`; corrections of positions that lose spin, `./lessons/run case 10`.)");
 
   claim_agreement(page, agreed, 0.15, "law of transverse instability", setting.resolution);
   for (const double hz : {rate, 2 * rate})

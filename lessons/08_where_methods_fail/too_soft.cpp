@@ -65,16 +65,16 @@ void too_soft(const Setting& setting, Page& page) {
   const int highest = tallest(hertz), filmed = highest + highest / 3 + 1, twice = tallest(2 * hertz);
 
   page.text(
-      R"(**The fourth family: the model is too soft.** Many engines make contacts soft: each is a damped spring (lesson 6) of
-      stiffness k = m_eff ω², tuned by a frequency ω/2π, where m_eff = 1/(JM⁻¹Jᵀ) is the row's effective mass
-      (lesson 2). One such row is stable at every ωh. Yet a stack of boxes on such contacts leans, bows and falls,
-      and *neither sweeps nor substeps move the limit*: the springs are solved well, but they are springs.)");
+      R"(**Symptom of the fourth family:** a stack leans, bows and falls, and *neither sweeps nor substeps move the
+      limit*. Its model is too soft. Many engines make contacts soft: each is a damped spring (lesson 6) of stiffness k
+      = m_eff ω², tuned by its frequency ω/2π, where m_eff = 1/(JM⁻¹Jᵀ) is the row's effective mass (lesson 2). One
+      such row is stable at every ωh. But a stack on springs, solved as well as you like, still stands on springs.)");
   page.text(
       R"(In 1881 A. G. Greenhill computed how tall a tree can grow before it buckles under its own weight. A column of
       N boxes on soft contacts is such a tree. A box of width w that turns by θ compresses one contact and stretches
-      the other, which turn it back with the torque kw²θ/2; the weight of all that stands above tips it further,
-      by the height a of each box. Which of the two is larger does not depend on the step. Here w = a = 1 m; square boxes
-      of a tenth of that need contacts √10 times as stiff in frequency.)");
+      the other, which turn it back with the torque kw²θ/2; the weight of all that stands above tips it further, by the
+      height a of each box. Which torque is larger does not depend on the step. Here w = a = 1 m; square boxes a tenth
+      as large need contacts of √10 times the frequency.)");
   page.predict(
       {.ask = say("Contacts of @ Hz hold @ boxes. How many do contacts of @ Hz hold?", hertz, highest, 2 * hertz),
        .answer = static_cast<double>(twice),
@@ -82,9 +82,10 @@ void too_soft(const Setting& setting, Page& page) {
        .tolerance = std::max(0.12 * twice, 1.6),
        .wrong = {{2.0 * highest, "k grows with the square of the frequency, and N with the cube root of k."},
                  {4.0 * highest, "k is four times as large, but it is N³ that grows with k."},
-                 {static_cast<double>(highest), "They are four times as stiff, and stiffness is what holds."}},
-       .hints = {"How does the stiffness grow with the frequency, and what does it have to hold?",
-                 "k = m_eff ω², and the torque of the weight lets N³ grow with k only.",
+                 {static_cast<double>(highest),
+                  "They are four times as stiff, and it is stiffness that holds a stack up."}},
+       .hints = {"How does the stiffness grow with the frequency, and what must it hold?",
+                 "k = m_eff ω², and by the torque of the weight N³ is in proportion to k.",
                  say("N³ grows by a factor of 4: N = @ · 4^(1/3)", highest)},
        .hinted = highest * std::cbrt(4.0),
        .right = "N grows with the cube root of 4, by a factor of 1.59, in whole boxes."});
@@ -94,7 +95,7 @@ void too_soft(const Setting& setting, Page& page) {
       highest, setting.hertz);
   page.derivation(
       "Why N³ < 7.84 kw²/2mga",
-      {{"a face that turns by θ moves its ends by wθ/2 each", "moment = 2 · k (wθ/2) · w/2 = κθ,   κ = kw²/2",
+      {{"a face that turns by θ moves its ends by wθ/2 each", "torque = 2 · k (wθ/2) · w/2 = κθ,   κ = kw²/2",
         R"(\kappa = \tfrac12 k w^2)"},
        {"energy of N boxes that lean by θ₁ … θ_N; the ground's contacts are twice as stiff",
         "½κ [2θ₁² + Σ (θᵢ − θᵢ₋₁)²] − ½mga Σ (N − i + ½) θᵢ²",
@@ -111,8 +112,8 @@ void too_soft(const Setting& setting, Page& page) {
   const Film<PlaneBody> stacks = film(filmed, hertz);
   page.sequence(
       "buckling_stack",
-      say(R"(@ boxes on soft contacts, @ sweeps a step, after a slight push, @ times as fast as it was. With contacts
-          of @ Hz the stack @, in 4 substeps it @; with contacts of @ Hz it @.)",
+      say(R"(@ boxes on soft contacts, @ sweeps a step, after a slight push, shown at @ times the speed. On contacts
+          of @ Hz the stack @, in 4 substeps it @; on contacts of @ Hz it @.)",
           filmed, sweeps_filmed, stacks.hurry(), hertz, stacks.fate(0), stacks.fate(1), 4 * hertz, stacks.fate(2)),
       Seconds{stacks.seconds()}, stacks.drawing());
 
@@ -121,9 +122,9 @@ void too_soft(const Setting& setting, Page& page) {
     return stacks.failed(take) ? std::string("has fallen") : say("is @ m off", Value(stacks.last(take), 2));
   };
   page.text(
-      R"(The law allows @ boxes on contacts of @ Hz, so these @ buckle. After @ s the top box @; in 4 substeps it
-            @; on the stiffer contacts it @.)",
-      highest, hertz, filmed, stacks.hurry() * stacks.seconds(), top(0), top(1), top(2));
+      R"(Contacts of @ Hz hold @ boxes, so these @ buckle. After @ s the top box @; in 4 substeps it @; on the stiffer
+      contacts it @.)",
+      hertz, highest, filmed, stacks.hurry() * stacks.seconds(), top(0), top(1), top(2));
 
   static std::map<int, Map> maps;
   const Map& map = kept(maps, setting.resolution, [&] {
@@ -132,22 +133,21 @@ void too_soft(const Setting& setting, Page& page) {
                   [](double n, double hz) { return nudged(static_cast<int>(n), hz); });
   });
   const auto boundary = [](double n) { return laws::softest_contacts(static_cast<int>(std::lround(n))); };
-  page.figure(
-      "boxes_and_stiffness",
-      say("Each cell is a run of a column after a slight push, at 60 Hz and with @ sweeps a step, more than "
-          "it needs. Dashed: the law for N boxes.",
-          sweeps),
-      chart(map, "N³ = 7.84 kw²/2mga", boundary, stack_outcomes));
+  page.figure("boxes_and_stiffness",
+              say("Each cell is one run of a column after a slight push, at 60 Hz with @ sweeps a step, more than "
+                  "it needs. Dashed: the law for N boxes.",
+                  sweeps),
+              chart(map, "N³ = 7.84 kw²/2mga", boundary, stack_outcomes));
   const Agreement agreed = agreement(map, boundary, Settles::above);
   page.text(agreed.sentence());
   page.text(
-      R"(**Which knob?** Stiffness, or fewer boxes. Engines limit the frequency of a contact to a share of the rate of
-      their steps (Box2D 3.2: an eighth); so their substeps help after all, where they allow stiffer contacts. Hard contacts
-      do not buckle; they have the limit of the first family only.)");
+      R"(**Which knob?** Stiffer contacts, or fewer boxes. Engines cap the frequency of a contact at a share of their
+      step rate (Box2D 3.2: an eighth), so their substeps help after all where they allow stiffer contacts. Hard
+      contacts do not buckle; only the limit of the first family applies to them.)");
   page.text(
-      R"(From the casebook, rows that are softer than their users thought: joints that do not stiffen,
-      `./lessons/run case 2`; friction that cannot hold, `./lessons/run case 3`; a contact that sinks when it is told to
-      be stiff, `./lessons/run case 12`.)");
+      R"(From the casebook, rows softer than their users thought: joints that do not stiffen, `./lessons/run case 2`;
+      friction that cannot hold, `./lessons/run case 3`; a contact that sinks when it is told to be stiff,
+      `./lessons/run case 12`.)");
 
   claim_agreement(page, agreed, 0.15, "law of buckling", setting.resolution);
   const Condition in_reach = within(8, Quantity("boxes", highest), 30);

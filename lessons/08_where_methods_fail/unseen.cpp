@@ -24,14 +24,15 @@ void unseen(const Setting& setting, Page& page) {
   const double passed = balls * laws::share_that_passes({.speed = speed, .wall = wall}, balls);
 
   page.text(
-      R"(The third family at its plainest. Contacts are looked for once a step, where the bodies are then. A ball of
-      radius @ m that flies at a wall is turned back if some step finds it between @ m before it touches the wall (the
-      margin of this scene) and the place where its centre has reached the middle of the wall.)",
+      R"(This is the third family at its plainest. Contacts are looked for once a step, where the bodies are at that
+      moment. A ball of radius @ m that flies at a wall is turned back if a step finds it within @ m of the wall (the
+      margin of this scene) or in it, before its centre has reached the middle of the wall.)",
       ball_radius, FlyingBalls{}.margin);
   page.predict(
-      {.ask = say(R"(@ such balls fly at @ m/s at a wall @ m thick, each a little later than the last; 60 steps a
-                  second. How many come through?)",
-                  balls, speed, wall),
+      {.ask =
+           say(R"(@ such balls fly at @ m/s at a wall @ m thick, each a little later than the last, at 60 steps a
+                  second. How many get through?)",
+               balls, speed, wall),
        .answer = passed,
        .unit = "balls",
        .tolerance = 0.06 * balls,
@@ -39,13 +40,13 @@ void unseen(const Setting& setting, Page& page) {
                   R"(Between two steps a ball moves by half a metre. No solver can solve a contact that it is never
                  told of.)"},
                  {static_cast<double>(balls), "Some of them are near the wall when a step looks."},
-                 {balls - passed, "These are the ones that are turned back."}},
+                 {balls - passed, "Those are turned back."}},
        .hints = {"How far does a ball fly in a step, and over which distance can it be found?",
                  "Share that is found: (radius + margin + half the wall)/(v h).",
                  say("Of the step, (@ + @ + @)/@ finds it; the rest of the @ balls pass.", ball_radius,
                      FlyingBalls{}.margin, wall / 2, speed * step, balls)},
        .hinted = balls * share_by_law(speed, wall),
-       .right = say("It can be found over @ m, and a step is @ m long; the others pass between two steps.",
+       .right = say("A ball can be found over @ m, and a step is @ m long; the rest pass between two steps.",
                     Value(seen_for(wall), 3), speed * step)});
   const Knob speeds = knob("speed (m/s)", 2, 100, setting.resolution),
              walls = knob("thickness of the wall (m)", 0.01, 1, setting.resolution);
@@ -66,13 +67,13 @@ void unseen(const Setting& setting, Page& page) {
     law.x.push_back(seen_for(law.y.back()) / step);
   }
   page.figure("speed_and_thickness",
-              "Each cell is 50 flights. Dashed: a step as long as the distance over which a ball can be found.",
+              "Each cell is 50 flights. Dashed: a step is as long as the distance over which a ball can be found.",
               renderer::Chart{.x = speeds.axis, .y = walls.axis, .curves = {law}, .heat_map = map});
   page.text(
       R"(**Which knob?** A shorter step, a thicker wall, a wider margin, or *speculative contacts*: for bodies that
-      approach at v the margin grows by vh, so their contact is found before they touch. A scene of this solver does
-      that unless it is told not to, as here; what flies straight at a wall is then stopped at any speed. A half-space
-      has no far side, so nothing passes it.)");
+      approach at v the margin grows by vh, so their contact is found before they touch. This solver does so by default
+      (it is switched off here), and then a ball that flies straight at a wall is stopped at any speed. A half-space
+      has no far side, so nothing passes through it.)");
   page.claim("balls that pass", passed, "1",
              is(balls * share_by_law(speed, wall), "law of tunnelling: 1 − (r + margin + w/2)/(vh)", absolute(2)));
   page.claim("largest deviation of a cell from the law", worst, "1", is_at_most(0.05, "law of tunnelling"));

@@ -99,58 +99,60 @@ void wrong_rows(const Setting& setting, Page& page) {
                moved = laws::bob_moves(rigid, seconds);
 
   page.text(
-      R"(**Symptom of the fourth family:** *the picture is calm*, and a number that nobody looks at is wrong. λ grows
+      R"(**Symptom of the fifth family:** *the picture is calm*, and a number that nobody looks at is wrong. λ grows
       without bound, a direct solve finds no solution, friction does not hold, something that goes round slows down.
-      The rows are solved well, in steps that are short enough; but they are the wrong rows. They repeat each other,
-      contradict each other, stand in the wrong order, or belong to where the bodies were a moment ago.)");
+      The rows are solved well, in short steps, but they are the wrong rows. They repeat each other, contradict each
+      other, come in the wrong order, or belong to where the bodies were a moment ago.)");
   page.text(
       R"(Two rods hold one bob of @ kg between the same two points, and one is @ m longer than the other. No λ
-      satisfies both. In each step each rod asks for β/h of its own error and so undoes the correction of the other;
-      the warm start keeps the sum of all that. The picture stays calm: in @ s the bob moves by @ m at most.)",
+      satisfies both. In each step each rod asks for β/h of its own error and so undoes the other's correction; the
+      warm start adds all this up. The picture stays calm: in @ s the bob moves by @ m at most.)",
       mass, setting.conflict, seconds, Value(moved, 2));
   page.predict(
       {.ask = say(
-           R"(After @ s the rods pull against each other with @ times the weight of the bob. How many times its weight is it after @ s?)",
+           R"(After @ s the rods pull against each other with @ times the weight of the bob. With how many times its
+           weight do they pull after @ s?)",
            seconds / 2, Value(half, 3), seconds),
        .answer = whole,
        .unit = "1",
        .tolerance = 0.1 * whole,
-       .wrong = {{half,
-                  R"(The bob is calm, but not λ: each step corrects the other rod's correction, and the
-                           warm start keeps the sum.)"},
-                 {4 * half, "The growth does not feed on itself: every step adds the same."}},
+       .wrong =
+           {{half,
+             R"(The bob is calm, but λ is not: each rod corrects the other's correction, and the warm start adds
+                           it all up.)"},
+            {4 * half, "The growth does not feed on itself: every step adds the same amount."}},
        .hints = {"The bob stays where it is. What does each step add to λ?",
                  "A step of k sweeps adds 2kmβΔ/h to the difference of the two λ, whatever they are.",
                  say("@ · @/@ = …", Value(half, 3), seconds, seconds / 2)},
-       .right = "Every step adds the same, so the pull grows in proportion to time, without end."});
-  page.figure("two_rods",
-              say(R"(What two rods that differ by @ m pull against each other with: rigid, and with softness, in
-                  shares of each row's own A = JM⁻¹Jᵀ. On logarithmic axes growth in proportion to time is a line of
-                  slope 1.)",
-                  setting.conflict),
-              over_time(conflict, {0, bound / 10, bound, 10 * bound}));
+       .right = "Every step adds the same amount, so the pull grows in proportion to time, without end."});
+  page.figure(
+      "two_rods",
+      say(R"(The pull against each other of two rods that differ by @ m: rigid, and with softness in shares of
+                  each row's own A = JM⁻¹Jᵀ. On logarithmic axes, growth in proportion to time is a line of slope 1.)",
+          setting.conflict),
+      over_time(conflict, {0, bound / 10, bound, 10 * bound}));
   page.text(
-      R"(A softness γ lets each row give way a little, JV + b + γλ = 0. The pulls stop growing where γ(λ₁ − λ₂) makes
-      up for the difference of the two biases. If a rod bears the force F, say @ weights of the bob, γ has to be at
-      least)",
+      R"(A softness γ lets each row give way a little: JV + b + γλ = 0. The pulls stop growing once γ(λ₁ − λ₂) makes up
+      for the difference of the two biases. If a rod bears the force F, say @ weights of the bob, it takes)",
       borne);
   page.formula("γ > β Δ/(2 h² F) = @ A", R"(\gamma > \frac{\beta\,\Delta}{2 h^2 F} = @\,A)", Value(bound, 3));
-  page.derivation("Why γ > βΔ/2h²F",
-                  {{"the biases of the two rows differ", "b₁ − b₂ = βΔ/h", R"(b_1 - b_2 = \beta\Delta/h)"},
-                   {"A = 1/m: each row, once solved, leaves the other short by this, which it makes up for",
-                    "Δλ = ∓ mβΔ/h for each row and sweep",
-                    R"(\Delta\lambda = \mp\,m\beta\Delta/h \text{ for each row and sweep})"},
-                   {"k sweeps a step, 1/h steps a second, over h for a force", "d|λ₁ − λ₂|/(h dt) = 2kmβΔ/h³",
-                    R"(\frac{d|\lambda_1 - \lambda_2|}{h\,dt} = \frac{2km\beta\Delta}{h^3})"},
-                   {"with softness both rows hold: JV + b₁ + γλ₁ = 0 and JV + b₂ + γλ₂ = 0", "γ|λ₁ − λ₂| = βΔ/h",
-                    R"(\gamma\,|\lambda_1 - \lambda_2| = \beta\Delta/h)"},
-                   {"each rod pulls with half of the difference", "F = |λ₁ − λ₂|/(2h) = βΔ/(2h²γ)",
-                    R"(F = \frac{|\lambda_1 - \lambda_2|}{2h} = \frac{\beta\Delta}{2h^2\gamma})"}});
+  page.derivation(
+      "Why γ > βΔ/2h²F",
+      {{"the biases of the two rows differ", "b₁ − b₂ = βΔ/h", R"(b_1 - b_2 = \beta\Delta/h)"},
+       {"A = 1/m: each row, once solved, leaves the other short by that, and the other makes up for it",
+        "Δλ = ∓ mβΔ/h for each row and sweep",
+        R"(\Delta\lambda = \mp\,m\beta\Delta/h \text{ for each row and sweep})"},
+       {"k sweeps a step, 1/h steps a second, over h for a force", "d|λ₁ − λ₂|/(h dt) = 2kmβΔ/h³",
+        R"(\frac{d|\lambda_1 - \lambda_2|}{h\,dt} = \frac{2km\beta\Delta}{h^3})"},
+       {"with softness both rows hold: JV + b₁ + γλ₁ = 0 and JV + b₂ + γλ₂ = 0", "γ|λ₁ − λ₂| = βΔ/h",
+        R"(\gamma\,|\lambda_1 - \lambda_2| = \beta\Delta/h)"},
+       {"each rod pulls with half of the difference", "F = |λ₁ − λ₂|/(2h) = βΔ/(2h²γ)",
+        R"(F = \frac{|\lambda_1 - \lambda_2|}{2h} = \frac{\beta\Delta}{2h^2\gamma})"}});
 
   const Map map = map_of(page, knob("difference of the lengths Δ (m)", 1e-4, 0.5, setting.resolution),
                          knob("softness γ / A", 1e-5, 1, setting.resolution), end_of_conflict);
   page.figure("conflict_and_softness",
-              say(R"(Each cell is a run of @ s. A rod breaks if it is pulled with more than @ weights of the bob.
+              say(R"(Each cell is one run of @ s. A rod breaks if it is pulled with more than @ weights of the bob.
                   Dashed: the law.)",
                   seconds, borne),
               chart(map, "γ = βΔ/2h²F", softness_that_bounds,
@@ -170,9 +172,9 @@ void wrong_rows(const Setting& setting, Page& page) {
   const Film<PlaneParticle> circles = rounds();
   page.text(
       R"(Rows can also be out of date. A particle goes round on a soft rod that is solved exactly. After each step its
-      row is *relaxed*: solved once more, rigid and without bias, so that the velocity of the correction does not
-      stay in V (lesson 6). Now the correction u along the rod is just what turns V into the new tangent. If the
-      relax pass still has the J of the start of the step, it removes u, and the particle slows down:)");
+      row is *relaxed*: solved once more, rigid and without bias, so that the velocity of the correction does not stay
+      in V (lesson 6). But the correction u along the rod is just what turns V into the new tangent. If the relax pass
+      still has the J of the start of the step, it removes u, and the particle slows down:)");
   page.formula("v = v₀ / √(1 + v₀² h t/R²)", R"(v = v_0 \left(1 + \frac{v_0^2\,h\,t}{R^2}\right)^{-1/2})");
   page.derivation(
       "Why a stale J slows it down",
@@ -187,14 +189,14 @@ void wrong_rows(const Setting& setting, Page& page) {
        {"integrated", "1/v² = 1/v₀² + ht/R²", R"(\frac1{v^2} = \frac1{v_0^2} + \frac{h\,t}{R^2})"}});
   page.sequence(
       "stale_rows",
-      say(R"(A particle that sets out at @ m/s on a soft rod, without gravity or friction. After @ s it has
-                    @ m/s with a stale J and @ m/s with a fresh one.)",
+      say(R"(A particle that starts at @ m/s on a soft rod, without gravity or friction. After @ s its speed is @ m/s
+                    with a stale J and @ m/s with a fresh one.)",
           circle_speed, circles.seconds(), Value(circles.last(0), 3), Value(circles.last(1), 3)),
       Seconds{circles.seconds()}, circles.drawing());
   page.text(
-      R"(**Which knob?** Neither sweeps nor the step. *Regularise*: give the rows a softness, or add a share of the
-      diagonal in a direct solve. *Reorder*: solve normals before the friction that they bound. *Refresh*: write J
-      again if bodies have moved between two solves. And if you can, remove a row that repeats another.)");
+      R"(**Which knob?** Neither sweeps nor the step. *Regularise*: give the rows a softness, or, in a direct solve,
+      add a share of the diagonal. *Reorder*: solve normals before the friction that they bound. *Refresh*: write J
+      again if bodies have moved between two solves. And where you can, remove a row that repeats another.)");
   page.text("From the casebook: a joint that works with a stale J, `./lessons/run case 11`.");
 
   page.claim("share of ended runs that end as the law says", runs > 0 ? static_cast<double>(right) / runs : 0, "1",

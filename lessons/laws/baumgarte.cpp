@@ -62,7 +62,7 @@ Law one_row() {
   Law law{1,
           Family::overshooting_correction,
           "drift correction of one row",
-          "a correction of more than the whole error overshoots; of more than twice the error, it grows",
+          "a correction of more than the error overshoots; of more than twice the error, the error grows",
           "β < 2; read literally β < 2/h; spinning C/L = (ωh)²/2β",
           {}};
   law.boundaries.push_back(bisected({"β", "", "per step", 2, 0.01, {}, [](double beta) {
@@ -86,7 +86,7 @@ Law uncorrected_drift() {
   Law law{3,
           Family::too_large_a_step,
           "drift without correction",
-          "without correction, whatever turns drifts outwards",
+          "without a correction, whatever goes round drifts outwards",
           "R = R₀ (1 + 2 v₀² h t/R₀²)^¼",
           {}};
   for (const auto& [speed, rate] : {std::pair{1, 60}, {3, 60}, {10, 60}, {30, 60}, {30, 240}})

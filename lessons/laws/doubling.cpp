@@ -40,7 +40,7 @@ Law step_doubling() {
   Law law{21,
           Family::overshooting_correction,
           "step doubling",
-          "a step and its two halves differ by β(1 − β)C however short they are: accuracy cannot be the input",
+          "a step and its two halves differ by β(1 − β)C however short they are: that is no measure of accuracy",
           "difference = β(1 − β)C; read literally (βh/2)²C",
           {}};
   for (const double beta : {0.1, 0.2, 0.5, 0.9})

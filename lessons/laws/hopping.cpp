@@ -56,7 +56,7 @@ Law heavy_on_light() {
   Law law{9,
           Family::too_few_iterations,
           "heavy on light",
-          "with k warm sweeps a box does not settle on one that is too light: of a 3k-th of its mass at β = 0.2",
+          "with k warm sweeps a box does not settle on one too light: at β = 0.2, on one of 1/3k of its mass",
           "r < r(β) k, r(β) = 3 at β = 0.2",
           {}};
   for (const double beta : {0.1, 0.2, 0.5})
@@ -79,7 +79,7 @@ Law hopping() {
   Law law{19,
           Family::overshooting_correction,
           "warm start of contacts",
-          "contacts ring earlier than rods: an open contact closes its gap within one step",
+          "contacts ring at a smaller β than rods: an open contact closes its gap within one step",
           "β < 0.35 to 0.45 times (1 − q)/q, q = cos²ᵏ(π/2N)",
           {}};
   struct Setting {

@@ -18,12 +18,13 @@
 namespace byhand::laws {
 
 Law pop() {
-  Law law{2,
-          Family::overshooting_correction,
-          "contact pop",
-          "a contact that is corrected through its velocity keeps that velocity: deep overlaps leave the ground",
-          "d < min gh² n(n − 1)/2(nβ − 1), at most (1 − β/2) 2gh²/β²",
-          {}};
+  Law law{
+      2,
+      Family::overshooting_correction,
+      "contact pop",
+      "a contact that is corrected through its velocity keeps that velocity: a deep overlap throws the body up",
+      "d < min gh² n(n − 1)/2(nβ − 1), at most (1 − β/2) 2gh²/β²",
+      {}};
   for (const auto& [beta, rate] : {std::pair{0.05, 60},
                                    {0.1, 60},
                                    {0.1, 120},

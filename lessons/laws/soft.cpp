@@ -157,7 +157,7 @@ Law stale_rows() {
   Law law{14,
           Family::wrong_rows,
           "stale Jacobian",
-          "rows relaxed with the J of the start of the step lose the turn of the velocity",
+          "rows relaxed with the J of the start of the step undo the turning of the velocity",
           "v = v₀ (1 + v₀² h t/R²)^−½; refreshed v = v₀",
           {}};
   for (const auto& [speed, rate] : {std::pair{1, 60}, {3, 60}, {10, 60}, {10, 240}})

@@ -103,7 +103,7 @@ Law spin() {
   Law law{13,
           Family::too_large_a_step,
           "rotation within a step",
-          "a step moves straight on, but points of a rotating body move on circles",
+          "a step moves points straight on, but those of a rotating body move on circles",
           "hinge error r√((θ − sinθ)² + (1 − cosθ)²); explicit wobble × 10 when (1 + Ω²h²)^(t/2h) = 10",
           {}};
   for (const double turn : {0.01, 0.1, 1.0, 3.0})

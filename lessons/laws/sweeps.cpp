@@ -69,7 +69,7 @@ Law slow_sweeps() {
   Law law{4,
           Family::too_few_iterations,
           "rate of Gauss–Seidel",
-          "a sweep passes an error on to the neighbouring rows only, so a chain needs N² sweeps",
+          "a sweep passes an error on to neighbouring rows only, so a chain needs sweeps in proportion to N²",
           "0.933 N² sweeps a digit on an anchored chain",
           {}};
   const auto add = [&](std::string setting, double rate, const SweptChain& chain, double tolerance) {
@@ -99,7 +99,7 @@ Law jacobi_overshoots() {
   Law law{5,
           Family::overshooting_correction,
           "relaxation of Jacobi",
-          "rows that correct the same error at the same time correct it too often",
+          "rows that correct the same error at the same time overcorrect it",
           "ω < 2/μ, μ the largest eigenvalue of D⁻¹A",
           {}};
   for (const int contacts : {2, 3, 4, 6, 8, 12})
