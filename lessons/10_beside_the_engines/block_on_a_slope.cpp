@@ -43,9 +43,9 @@ void slips_for_ever(Page& page, double slope, double friction) {
     rows.push_back({say("@", ratio), say("@ mm/s", Value(1000 * speeds.back(), 3))});
   }
   page.text(
-      R"(MuJoCo's friction is a damper that is strong but finite, up to μ times the normal force. So a block creeps on any
-      slope, at a constant speed, and what makes the damper stronger is `impratio`, against which shorter steps do nothing.
-      1° less steep than friction holds, with round cones:)");
+      R"(MuJoCo's friction is a strong but finite damper, up to μ times the normal force. So a block creeps on any
+      slope, at a constant speed. `impratio` makes the damper stronger; shorter steps do not. 1° less steep than
+      friction holds, with round cones:)");
   page.table({"impratio", "speed"}, rows);
   page.claim("MuJoCo: speed of slip at impratio 10 over that at 1", speeds[1] / speeds[0], "1",
              is(0.1, "∝ 1/impratio", relative(0.05)));
@@ -61,8 +61,8 @@ void block_on_a_slope(const Setting& setting, Page& page) {
     return std::max(0.0, gravity * (std::sin(slope) - mu * std::cos(slope)));
   };
   page.text(
-      R"(A block slides where tanθ > μ (lesson 5). With μ = @ the limit is @°. Here the slope is 1° and 0.1° to either side
-      of it; a block on the steeper ones slides by ½at² in @ s, on the others it stays.)",
+      R"(A block slides where tanθ > μ (lesson 5). With μ = @ the limit is @°. Here the slope is 1° and 0.1° to either
+      side of it; on the steeper slopes a block slides by ½at² in @ s, on the others it stays.)",
       mu, Value(limit / degree, 4), time);
   const double steeper = limit + degree, way = 0.5 * acceleration(steeper) * time * time;
   page.predict({.ask = say("1° steeper than the limit of @°: how far does the block slide in @ s?",
@@ -102,18 +102,19 @@ void block_on_a_slope(const Setting& setting, Page& page) {
       if (creeps) ++still_moving, creeping += (creeping.empty() ? "" : "; ") + name;
     }
   rows[0].push_back("0");
+  page.text(R"(In the first frames, before its contacts have an impulse to rub with, a block may slide a little. So
+      the last column is its speed in the last second:)");
   page.table(
-      {"slid in 2 s", "1° steeper", "0.1° steeper", "0.1° less steep", "1° less steep", "and there at last"},
+      {"slid in 2 s", "1° steeper", "0.1° steeper", "0.1° less steep", "1° less steep", "speed there at last"},
       rows);
   const Quantity moving("rows that creep", still_moving);
-  page.text(
-      R"(@ What a block slides in the first frames, before its contacts have an impulse to rub with, is over in a second; the
-      last column is the speed after it. Symplectic Euler slides by ½at(t + h), which is @ % too far.)",
-      theirs == 0 ? std::string("There is no other engine here to compare with.")
-                  : page.verdict({{.when = moving < 1, .say = "1° less steep all engines hold the block."},
-                                  {.when = moving >= 1,
-                                   .say = say("1° less steep these still creep after a second: @.", creeping)}}),
-      Value(100 * frame / time, 2));
+  page.text(R"(@ Symplectic Euler slides by ½at(t + h), which exceeds ½at² by @ %.)",
+            theirs == 0
+                ? std::string("There is no other engine here to compare with.")
+                : page.verdict({{.when = moving < 1, .say = "1° less steep all engines hold the block."},
+                                {.when = moving >= 1,
+                                 .say = say("1° less steep these still creep after a second: @.", creeping)}}),
+            Value(100 * frame / time, 2));
   slips_for_ever(page, limit - degree, mu);
   for (std::size_t i = 0; i < aside.size(); ++i)
     page.claim(say("this course as shipped, @° from the limit: slid", Value(aside[i], 2)), ours[i], "m",

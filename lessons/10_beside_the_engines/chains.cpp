@@ -108,9 +108,9 @@ void stiffer_by_hertz(Page& page, const std::string& name, const Scene<M>& scene
   }
   const double power = std::log(with / first) / std::log(32.0 / 4);
   page.text(
-      R"(The joints of @ are springs of a given frequency, 60 Hz as shipped, and not stiffer than a quarter of the rate of
-      substeps. So more substeps alone buy @ and the frequency has to be turned with them. A spring of ω yields F/mω²: the
-      gap after a second should go with 1/hertz², and goes with hertz to the power of @.)",
+      R"(The joints of @ are springs of a given frequency, 60 Hz as shipped, capped at a quarter of the substep rate.
+      So more substeps alone buy @ and the frequency has to be turned up with them. A spring of frequency ω yields by
+      F/mω²: the gap after a second should go as 1/hertz², and goes as hertz to the power of @.)",
       name,
       page.verdict({{.when = Quantity("gap with 32 substeps over that with 4", alone / first) > 0.5,
                      .say = "next to nothing,"},
@@ -130,11 +130,12 @@ void chains(const Setting& setting, Page& page) {
   const double end_mass = setting.end_mass;
   const Scene<M> scene = chain_of<M>(links, end_mass);
   page.text(
-      R"(A chain of @ pinned links of 1 m and 1 kg, the last of @ kg, is held level and let go. What holds a chain is a
-      force that every link has to pass on, so that an iteration per link is the least it takes, and a heavy end makes
-      it worse (lesson 3). It pulls hardest when the load has passed its lowest point, and a step that is too long for
-      that pull tears the chain (lesson 8, law 7). So it is watched for @ s. The gap is the largest of a pin. A run has failed if a pin opens by a whole link, or the
-      chain gains more energy than gravity could do over its reach.)",
+      R"(A chain of @ pinned links of 1 m and 1 kg, the last of @ kg, is held level and let go. Every link has to pass
+      on the force that holds the chain, so it takes an iteration per link at least, and more with a heavy end (lesson
+      3). The load pulls hardest at its lowest point, and a step too long for that pull tears the chain (lesson 8, law
+      7). So it is watched for @ s, until the load has passed that point. The gap is that of the worst pin. A run has
+      failed if a pin opens by a whole link, or if the chain gains more energy than gravity could give it over its
+      reach.)",
       links, end_mass, Value(frames * frame, 2));
 
   const Field<M> field = field_of(scene, Kind::joints);
@@ -150,41 +151,42 @@ void chains(const Setting& setting, Page& page) {
        .answer = pull,
        .unit = "N",
        .tolerance = 0.03 * pull,
-       .wrong = {{end_mass * gravity, "It swings: there it has to be turned upwards, too."},
+       .wrong = {{end_mass * gravity, "It swings, so the rod also has to turn it upwards."},
                  {2 * end_mass * gravity, "mv²/L is 2mg, and the weight comes on top of it."}},
        .hints = {"Energy gives v² at the lowest point.", "v² = 2gL", "F = mg + mv²/L"},
        .hinted = 3 * end_mass * gravity,
-       .right = say("mg + 2mg = @ N; law 7 wants T h²/ml below 1, which is @ at one step a frame.", Value(pull, 3),
-                    Value(pull * frame * frame, 2))});
+       .right = say("mg + 2mg = @ N. Law 7 wants T h²/(m l) below 1; at one step a frame the load alone makes it "
+                    "@, and the links add to that.",
+                    Value(pull, 3), Value(pull * frame * frame, 2))});
   page.table(head_of_three_rows, three_rows<M>(field, gaps, in_millimetres));
   page.text("Left out: @. @", field.left_out.empty() ? "nobody" : field.left_out, judged(page, gaps));
   page.figure("chain_gap",
               say("The chain of @ with @ kg at its end: largest gap of a pin in @ s.", links, end_mass,
                   Value(frames * frame, 2)),
               compared(gaps, "largest gap (m)"));
-  page.clocked(
-      "chain_clocked",
-      say("Gap and time of the same chain. Times of this machine, at the moment of the run. @", settings_folder),
-      [=] { return against_time(field, gaps, scene, timed_frames, "largest gap (m)"); });
+  page.clocked("chain_clocked",
+               say("Gap and time of the same chain, on this machine at the moment of the run. @", settings_folder),
+               [=] { return against_time(field, gaps, scene, timed_frames, "largest gap (m)"); });
   stiffer_by_hertz<M>(page, "Box2D 3", scene);
 
   page.text(
-      R"(A small gap is not the right motion. After @ s, long before the load is down, the link that is farthest from where
-      an integration in the links' angles has it is off by: @)",
-      exact_frames * frame, field.entrants.size() > 1 ? "" : "(this course alone)");
+      R"(A small gap is not yet the right motion. Where each link should be after @ s, long before the load is down, is
+      known from an integration in the links' angles. The worst link is off by:)",
+      exact_frames * frame);
   page.table(head_of_three_rows, three_rows<M>(field, offs, in_millimetres));
   page.text("@", judged(page, offs));
   page.clocked("chain_motion_clocked",
                say("How far the worst link is off after 2 s, and the time of a frame. @", settings_folder),
                [=] { return against_time(field, offs, scene, timed_frames, "off by (m)"); });
 
-  page.text("The energy at the end, less that at first, over what gravity could do over the chain's reach:");
+  page.text("The change of energy by the end, over what gravity could give the chain over its reach:");
   page.table({"", "as shipped", "as its manual advises", "with the least gap"}, energies(outcomes, gaps));
 
   const std::vector<std::pair<std::string, Scene<M>>> others{{"chain of 10", chain_of<M>(10, end_mass)},
                                                              {"chain of 200", chain_of<M>(200, end_mass)},
                                                              {"tree of 255", tree(8)}};
-  page.text("And chains of other lengths with that end, and a tree of links of 1 kg, as each manual advises:");
+  page.text(
+      "Chains of other lengths with that end, and a tree of links of 1 kg, each engine as its manual advises:");
   std::vector<std::string> head{"largest gap"};
   std::vector<std::vector<std::string>> rows;
   std::string out;
@@ -222,30 +224,30 @@ void chain_in_space(const Setting& setting, Page& page) {
   });
   const auto gaps = errors_of(outcomes, &Hung::gap), offs = errors_of(outcomes, &Hung::off);
   page.text(
-      R"(The same chain in space: a pin is three rows, a link moves with six numbers instead of three. Engines of space meet
-      this course's solver of space here; what a smaller model saves is a line of its own in the figure. Left out: @.)",
+      R"(The same chain in space: a pin is three rows, and a link moves with six numbers instead of three. Here the
+      engines of space meet this course in space; a line of its own in the figure shows what the smaller model saves.
+      Left out: @.)",
       field.left_out.empty() ? "nobody" : field.left_out);
   page.table(head_of_three_rows, three_rows<M>(field, gaps, in_millimetres));
-  page.text("@ The energy at the end, over what gravity could do:", judged(page, gaps));
+  page.text("@ The change of energy by the end, over what gravity could give:", judged(page, gaps));
   page.table({"", "as shipped", "as its manual advises", "with the least gap"}, energies(outcomes, gaps));
-  page.clocked("space_chain_clocked",
-               say("Gap and time of the chain in space. Times of this machine, at the moment of the run. @",
-                   settings_folder),
-               [=] {
-                 Chart chart = against_time(field, gaps, scene, timed_space_frames, "largest gap (m)");
-                 const Scene<PlaneBody> flat = chain_of<PlaneBody>(links, end_mass);
-                 Field<PlaneBody> own = field_of(flat, Kind::joints);
-                 own.entrants.resize(1);
-                 const auto plane = errors_of(
-                     outcomes_of(own, [&](const auto& who) { return hang<PlaneBody>(who, flat, frames); }),
-                     &Hung::gap);
-                 Curve curve = against_time(own, plane, flat, timed_space_frames, "").curves.front();
-                 curve.label += ", in the plane";
-                 curve.style = CurveStyle::line;
-                 curve.colour = palette::series(0);
-                 chart.curves.push_back(curve);
-                 return chart;
-               });
+  page.clocked(
+      "space_chain_clocked",
+      say("Gap and time of the chain in space, on this machine at the moment of the run. @", settings_folder),
+      [=] {
+        Chart chart = against_time(field, gaps, scene, timed_space_frames, "largest gap (m)");
+        const Scene<PlaneBody> flat = chain_of<PlaneBody>(links, end_mass);
+        Field<PlaneBody> own = field_of(flat, Kind::joints);
+        own.entrants.resize(1);
+        const auto plane = errors_of(
+            outcomes_of(own, [&](const auto& who) { return hang<PlaneBody>(who, flat, frames); }), &Hung::gap);
+        Curve curve = against_time(own, plane, flat, timed_space_frames, "").curves.front();
+        curve.label += ", in the plane";
+        curve.style = CurveStyle::line;
+        curve.colour = palette::series(0);
+        chart.curves.push_back(curve);
+        return chart;
+      });
   page.text("How far the worst link is off after @ s:", exact_frames * frame);
   page.table(head_of_three_rows, three_rows<M>(field, offs, in_millimetres));
   page.text("@", judged(page, offs));

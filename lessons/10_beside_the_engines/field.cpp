@@ -165,7 +165,7 @@ Chart against_time(const Field<M>& field, const std::vector<Errors>& errors, con
   for (std::size_t i = 1; i < fronts.size(); ++i)
     if (ahead_somewhere(fronts[i], fronts[0])) ahead += (ahead.empty() ? "" : ", ") + errors[i].name;
   if (fronts.size() > 1)
-    chart.title = ahead.empty() ? "At no cost does any of them beat this course"
+    chart.title = ahead.empty() ? "None of them beats this course at any cost"
                                 : "Ahead of this course at some cost: " + ahead;
   chart.references.push_back({.value = margin, .label = "or less"});
   return chart;
@@ -189,7 +189,7 @@ std::string judged(Page& page, const std::vector<Errors>& all) {
   if (all.size() < 2) return "There is no engine here to compare with.";
   std::string words;
   const std::pair<const char*, double (Errors::*)() const> rows[] = {
-      {"As shipped", &Errors::shipped}, {"As advised", &Errors::advised}, {"At their best", &Errors::best}};
+      {"As shipped,", &Errors::shipped}, {"As advised,", &Errors::advised}, {"At their best,", &Errors::best}};
   for (const auto& [name, number] : rows) {
     const double own = told((all[0].*number)());
     double theirs = INFINITY;
@@ -206,11 +206,12 @@ std::string judged(Page& page, const std::vector<Errors>& all) {
         more("1.01 × this course", 1.01 * own), least("the least of the engines", theirs);
     words +=
         say("@@", words.empty() ? "" : " ",
-            page.verdict({{.when = less < ours, .say = say("@ less is left by @.", name, ahead)},
-                          {.when = least > more, .say = say("@ no engine here leaves as little.", name)},
-                          {.when = least <= more,
-                           .say = level.empty() ? say("@ all fail.", name)
-                                                : say("@ none leaves less, and @ as little.", name, level)}}));
+            page.verdict(
+                {{.when = less < ours, .say = say("@ this course has more error than @.", name, ahead)},
+                 {.when = least > more, .say = say("@ this course has the least error.", name)},
+                 {.when = least <= more,
+                  .say = level.empty() ? say("@ all fail.", name)
+                                       : say("@ this course has the least error, level with @.", name, level)}}));
   }
   return words;
 }

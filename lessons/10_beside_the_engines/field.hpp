@@ -105,8 +105,7 @@ Chart against_time(const Field<M>& field, const std::vector<Errors>& errors, con
 
 /// Where the settings of a figure stand, for its caption.
 inline const std::string settings_folder =
-    "Each point is a setting; its words are in the figure's data, and all settings are in "
-    "`lessons/engines/settings/`.";
+    "Each point is one setting, named in the figure's data; all are in `lessons/engines/settings/`.";
 
 /// Who has less error than the course, by more than a hundredth and the margin: a verdict for each row.
 std::string judged(Page& page, const std::vector<Errors>& all);

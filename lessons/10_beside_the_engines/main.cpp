@@ -7,10 +7,11 @@ int main(int argc, char** argv) {
 
   course::Lesson lesson(course::lesson_of(__FILE__));
   const Setting setting{
-      .links = lesson.parameter("links", 50, "1", {2, 200}, "of the chain"),
-      .end_mass = lesson.parameter("end_mass", 100.0, "kg", {1, 1000}, "of the chain, whose links weigh 1 kg"),
+      .links = lesson.parameter("links", 50, "1", {2, 200}, "in the chain"),
+      .end_mass =
+          lesson.parameter("end_mass", 100.0, "kg", {1, 1000}, "at the end of the chain, whose links weigh 1 kg"),
       .base = lesson.parameter("base", 20, "1", {3, 20}, "boxes in the lowest row of the pyramid"),
-      .boxes = lesson.parameter("boxes", 10, "1", {2, 30}, "of the stack"),
+      .boxes = lesson.parameter("boxes", 10, "1", {2, 30}, "in the stack"),
       .friction = lesson.parameter("friction", 0.5, "1", {0.1, 0.9}, "μ of the block on a slope"),
   };
   const auto with = [setting](void (*step)(const Setting&, course::Page&)) {
@@ -31,11 +32,11 @@ int main(int argc, char** argv) {
       {.now_you_know =
            {"Two engines can be compared only in the same scene, by the same measure, for as long as its slowest "
             "motion takes, each with its own knobs turned.",
-            R"(An engine's defaults are a choice for games: the fall of a frame at a time, an overlap that is left, a
-            few iterations. Each is a term of its error that you can compute.)",
-            R"(The scheme makes the error of a single joint, whoever wrote it. A load on a chain needs a direct solve or
-            coordinates that cannot part; a stack needs either many iterations or a direct solve.)",
-            R"(More substeps stiffen nothing whose stiffness is given in hertz or in seconds: turn both.)",
+            R"(An engine's defaults are chosen for games: one step a frame, an overlap that is left, a few iterations.
+            Each is a term of its error that you can compute.)",
+            R"(The error of a single joint is that of its scheme, whoever wrote it. A load on a chain needs a direct
+            solve or coordinates that cannot part; a stack needs either many iterations or a direct solve.)",
+            R"(More substeps do not stiffen what has its stiffness in hertz or in seconds: turn both.)",
             "A time belongs to one machine; the ratio of two times in one run says more."},
        .tries = {{"A short chain with a light end, which iterations can hold:",
                   "./lessons/run 10 --step 3 --set links=10 --set end_mass=1"},

@@ -73,8 +73,7 @@ void by_scheme(Page& page, const Scene<M>& rod, const CompoundPendulum& exact) {
     }
   }
   page.text(
-      R"(What makes the error of a single joint is the scheme, not the engine. With four steps a frame for all, solved as far
-      as each solves:)");
+      R"(The error of a single joint comes from the scheme, not from the engine. With four steps a frame for all:)");
   page.table({"", "error of the angle"}, rows);
 }
 
@@ -91,8 +90,9 @@ void pendulums(const Setting&, Page& page) {
                               &Swung::error);
 
   page.text(
-      R"(Two pendulums of @ m, let go at @ rad: a bob on a massless rod (a distance joint, where an engine has one), and
-      a uniform rod on a pin. Their angles are known at any time. The error is the largest difference in @ s.)",
+      R"(Two pendulums of @ m, let go at @ rad: a bob on a massless rod (a distance joint, where an engine has one),
+      and a uniform rod on a pin. Their exact angles are known at any time; the error is the largest difference from
+      them in @ s.)",
       length, released, pendulum_frames * frame);
   const auto with_steps = [&](int steps) {
     return swing(engines::contestant<M>(engines::this_course(), {.steps = steps}), rod, exact_rod).error;
@@ -100,8 +100,8 @@ void pendulums(const Setting&, Page& page) {
   const double once = with_steps(1), four = with_steps(4), ratio = once / four;
   page.predict(
       {.ask =
-           R"(This course solves the pin exactly. With one step a frame, how many times as large is the error of the rod's
-           angle as with four?)",
+           R"(This course solves the pin exactly. With one step a frame, how many times as large is the error of the
+           rod's angle as with four?)",
        .answer = ratio,
        .unit = "1",
        .tolerance = 0.15 * ratio,
@@ -117,16 +117,16 @@ void pendulums(const Setting&, Page& page) {
   page.figure("pendulum_angle",
               say("The rod on a pin: largest error of its angle in @ s.", pendulum_frames * frame),
               compared(rods, "error of the angle (rad)"));
-  page.clocked("pendulum_clocked",
-               say("Error and time of the rod on a pin. Times of this machine, at the moment of the run. @",
-                   settings_folder),
-               [=] { return against_time(with_pins, rods, rod, pendulum_frames, "error of the angle (rad)"); });
+  page.clocked(
+      "pendulum_clocked",
+      say("Error and time of the rod on a pin, on this machine at the moment of the run. @", settings_folder),
+      [=] { return against_time(with_pins, rods, rod, pendulum_frames, "error of the angle (rad)"); });
   by_scheme(page, rod, exact_rod);
   page.text("The bob on a rod. Left out: @.", with_rods.left_out.empty() ? "nobody" : with_rods.left_out);
   page.table(head_of_three_rows, three_rows<M>(with_rods, bobs, in_radians));
   page.text(
-      R"(And what the energy of the rod on a pin has changed by, over that of the swing: above zero an engine adds energy,
-      below zero it takes it.)");
+      R"(And the change of energy of the rod on a pin, over the energy of the swing: above zero an engine adds energy,
+      below zero it takes it away.)");
   std::vector<std::vector<std::string>> rows;
   const auto cell = [](const Swung& swung) {
     return std::isfinite(swung.gained) ? say("@ %", Value(100 * swung.gained, 2)) : std::string("failed");

@@ -64,8 +64,8 @@ Standing stand(const Contestant<M>& contestant, const Scene<M>& scene, double sp
 
 std::string told(const Standing& standing) {
   if (std::isfinite(standing.fell))
-    return standing.fell == 0 ? std::string("fell before it was at rest")
-                              : say("fell at @ s", Value(standing.fell, 2));
+    return standing.fell == 0 ? std::string("fell before it came to rest")
+                              : say("fell after @ s", Value(standing.fell, 2));
   return say("leans @, sags @", in_millimetres(standing.lean), in_millimetres(std::max(standing.sag, 0.0)));
 }
 
@@ -115,8 +115,8 @@ void stacks_of(int boxes, const std::string& figure, Page& page) {
                                .say = say("Of the @ runs of the engines @ end in a fall.", theirs, fallen)},
                               {.when = Quantity("fallen", fallen) < 1,
                                .say = say("Of the @ runs of the engines none ends in a fall.", theirs)}}) +
-                R"( Engines put a resting stack to sleep after half a second, which hides a fall in a game
-                                  and not here.)");
+                R"( Engines put a resting stack to sleep after half a second, which in a game hides a fall; here nothing
+                                  sleeps.)");
   page.text("Left out: @. @@", field.left_out.empty() ? "nobody" : field.left_out, fate_of_ours, fate_of_theirs);
 
   const auto outcomes =
@@ -127,9 +127,8 @@ void stacks_of(int boxes, const std::string& figure, Page& page) {
   page.text("@", judged(page, leans));
   page.clocked(
       figure,
-      say(R"(The kicked stack of 30: how far its top leans after 10 s, from where the engine has it at rest, and
-               the mean time of a frame over all of them. Settings of more than @ iterations a frame are not tried. Times of
-               this machine, at the moment of the run. @)",
+      say(R"(The kicked stack of 30: how far its top leans after 10 s from its engine's own rest, and the mean time of
+               a frame, on this machine at the moment of the run. Settings of up to @ iterations a frame are tried. @)",
           most_work, settings_folder),
       [=, scene = tries[3].scene] {
         return against_time(field, leans, scene, settling + stack_frames, "leans by (m)");
@@ -145,26 +144,34 @@ void stacks_of(int boxes, const std::string& figure, Page& page) {
 void stacks(const Setting& setting, Page& page) {
   const int boxes = setting.boxes;
   page.text(
-      R"(A stack stands only if its contacts carry its weight *and* its bending, which takes ¾gh²N³ warm sweeps a step
-      (lesson 5). Stacks of @ and of 30 unit boxes: each box @ cm off to either side in turns, and straight. Each engine has
-      a second to come to its own rest, with whatever overlap it likes to keep; from there the straight stacks are kicked by
-      @ m/s at the top, and all are watched for @ s. Lean is how far the top has gone sideways from that rest, sag how far
-      down. A stack has fallen when a box has no box below its centre.)",
+      R"(A stack stands only if its contacts carry its weight *and* its bending, which takes more warm sweeps the
+      higher it is (lesson 5). Here are stacks of @ and of 30 unit boxes: with each box @ cm off, to alternate sides,
+      and straight. Each engine has a second to come to its own rest, with whatever overlap it keeps. From there the
+      straight stacks are kicked by @ m/s at the top, and all are watched for @ s. Lean is how far the top has moved
+      sideways from that rest, sag how far down. A stack has fallen when some box has no box below its centre.)",
       boxes, 100 * offset, stack_kick, stack_frames * frame);
   const double needed = 0.75 * gravity * frame * frame * 30 * 30 * 30;
-  page.predict({.ask = "A stack of 30, steps of 1/60 s: how many warm sweeps does lesson 5's law ask for?",
-                .answer = needed,
-                .unit = "1",
-                .tolerance = 0.03 * needed,
-                .hints = {"The law is in the text above.", "¾ g h² N³", "0.75 · 9.81 · (1/60)² · 30³ = …"},
-                .right = say("¾ · 9.81/3600 · 27000 = @.", Value(needed, 3))});
+  const double needed_by_ten = needed / 27;
+  page.predict(
+      {.ask = say(R"(In steps of 1/60 s a stack of 10 needs @ warm sweeps a step, by lesson 5's law. How many
+                does a stack of 30 need?)",
+                  Value(needed_by_ten, 3)),
+       .answer = needed,
+       .unit = "1",
+       .tolerance = 0.03 * needed,
+       .wrong = {{3 * needed_by_ten,
+                  "A stack three times as high tips more slowly, but a sweep removes far less of its bending."},
+                 {9 * needed_by_ten, "N² is the law of chains, which are stretched. A stack bends."}},
+       .hints = {"How do the sweeps that a stack needs grow with its height?", "They grow as N³: ¾ g h² N³.",
+                 say("3³ · @ = …", Value(needed_by_ten, 4))},
+       .right = say("¾ · 9.81/3600 · 27000 = @.", Value(needed, 3))});
   stacks_of<PlaneBody>(boxes, "stack_clocked", page);
 }
 
 void stacks_in_space(const Setting& setting, Page& page) {
   page.text(
-      R"(The same stacks in space, for the engines that know it: four contacts a face, two rows of friction for each, and
-      nothing that keeps a box in a plane.)");
+      R"(The same stacks in space, for the engines that know it: four contacts a face, two rows of friction for each,
+      and nothing that keeps a box in a plane.)");
   stacks_of<SpaceBody>(setting.boxes, "space_stack_clocked", page);
 }
 

@@ -46,9 +46,9 @@ const char* home_of(const Engine& engine) {
 void the_engines(const Setting&, Page& page) {
   const auto& all = engines::all_engines();
   page.text(
-      R"(How does what you have learnt compare with the engines that people use? This lesson puts the course's scenes into
-      @. Each gets the very same bodies, shapes and joints, and what it makes of them is read back and measured by the
-      functions that measure ours. Sleeping is switched off, building a world is not timed.)",
+      R"(How does what you have learnt compare with the engines that people use? This lesson puts the course's scenes
+      into @. Each gets the same bodies, shapes and joints, and its motion is read back and measured by the functions
+      that measure ours. Sleeping is switched off, and building a world is not timed.)",
       all.empty()
           ? "other engines"
           : several(static_cast<long>(all.size()), "engine or mode of an engine", "engines or modes of engines"));
@@ -56,8 +56,8 @@ void the_engines(const Setting&, Page& page) {
     std::string names;
     for (const std::string& name : engines::missing()) names += (names.empty() ? "" : ", ") + name;
     page.text(
-        R"(Not here: @. Those of Debian's packages are installed and built by `./lessons/run 10`; Box2D 3 and Box3D are
-        fetched by CMake if you configure with `-DBYHAND_BOX2D_3=ON` and `-DBYHAND_BOX3D=ON`.)",
+        R"(Not here: @. `./lessons/run 10` installs those that Debian has and builds with them; CMake fetches Box2D 3
+        and Box3D if you configure with `-DBYHAND_BOX2D_3=ON` and `-DBYHAND_BOX3D=ON`.)",
         names);
   }
   std::vector<const Engine*> everybody{&engines::this_course()};
@@ -69,19 +69,20 @@ void the_engines(const Setting&, Page& page) {
                     engine->file.substr(engine->file.rfind('/') + 1)});
   page.table({"engine", "version", "home", "precision", "how it solves", "its settings"}, rows);
   page.text(
-      R"(Each takes part three times. *As shipped*: nothing is set that need not be. *As its manual advises*: the source of
-      the advice stands in the file of its settings, in `lessons/engines/settings/`. *Best of its settings*: every public knob that matters is turned, and
-      at each cost the best counts. This course is treated the same. A float has 24 bits: at 50 m its last one is 4 µm, so
-      that engines in single precision have no smaller gaps there; figures end at 1 µm.)");
+      R"(Each takes part three times. *As shipped*: only what must be set is set. *As its manual advises*: the source
+      of the advice is named beside its settings, in `lessons/engines/settings/`. *Best of its settings*: every public
+      knob that matters is turned, and at each cost the best counts. This course is treated the same way. A float has
+      24 bits; at 50 m the last of them is 4 µm, so engines in single precision have no smaller gaps there. Figures end
+      at 1 µm.)");
   page.text(
-      R"(An adapter that gives an engine the wrong inertia would make it look wrong. So each one is tested first on what every
-      engine has to get right: free fall, and a rod on a pin, which follows an elliptic integral.)");
+      R"(An adapter that gave an engine the wrong inertia would make the engine look wrong. So each is first tested on
+      what every engine must get right: free fall, and a rod on a pin, whose angle is an elliptic integral.)");
 
   const double step_error = 0.5 * gravity * frame;
   page.predict(
       {.ask =
-           R"(Gravity first, then the positions: symplectic Euler, one step of 1/60 s a frame. A box is let go. By how
-              many metres has it fallen too far after a second?)",
+           R"(A box is let go in symplectic Euler (gravity first, then the positions), one step of 1/60 s a frame. By
+              how many metres has it fallen too far after a second?)",
        .answer = step_error,
        .unit = "m",
        .tolerance = 0.02 * step_error,
@@ -106,7 +107,8 @@ void the_engines(const Setting&, Page& page) {
   }
   page.table({"engine", "fallen", "too far by"}, table);
   if (std::any_of(all.begin(), all.end(), [](const Engine& engine) { return engine.name == "Chipmunk"; }))
-    page.text("Chipmunk moves the bodies first and then lets gravity act, so that it falls as much too little.");
+    page.text(
+        "Chipmunk moves the bodies first and lets gravity act afterwards, so its box falls short by as much.");
   for (const auto& [name, fall] : falls)
     page.claim("free fall in a second, " + name, fall, "m",
                is(exact, "½gt², within ½gt·h of a step of a frame", absolute(1.001 * step_error)));

@@ -64,12 +64,12 @@ void walls_of(int base, const std::string& figure, double most, Page& page) {
   page.text("@", judged(page, moved));
   page.clocked(
       figure,
-      say(R"(The wall: how far a box has come sideways after 5 s, and the mean time of a frame in the first two
-               seconds. Times of this machine, at the moment of the run. @)",
+      say(R"(The pyramid: how far a box has come sideways after 5 s, and the mean time of a frame in the first two
+               seconds, on this machine at the moment of the run. @)",
           settings_folder),
       [=] { return against_time(field, moved, scene, timed_wall_frames, "moved sideways (m)"); });
   for (std::size_t i = 0; i < ours.size(); ++i)
-    page.claim(say("this course @, the wall@: moved sideways", i < 2 ? "as shipped" : "as advised",
+    page.claim(say("this course @, the pyramid@: moved sideways", i < 2 ? "as shipped" : "as advised",
                    i % 2 == 0 ? "" : " after a kick"),
                ours[i].moved, "m", is_at_most(slop * base, "it stands: at most an overlap of 1 mm for each row"));
 }
@@ -79,9 +79,9 @@ void walls_of(int base, const std::string& figure, double most, Page& page) {
 void wall_of_boxes(const Setting& setting, Page& page) {
   const int base = setting.base, boxes = base * (base + 1) / 2;
   page.text(
-      R"(A wall of @ boxes that narrows upwards, a tenth of a box apart in each row. Each engine has a second to come to its
-      own rest; from there the wall is watched for @ s, once still and once after a kick of @ m/s at the top. The right
-      motion is none. Sideways is what tears a wall; down is what its contacts yield.)",
+      R"(A pyramid of @ boxes, a tenth of a box apart in each row. Each engine has a second to come to its own rest.
+      From there the pyramid is watched for @ s, once undisturbed and once after a kick of @ m/s at the top. The right
+      motion is none. Motion sideways tears a pyramid apart; motion down is what its contacts yield.)",
       boxes, wall_frames * frame, wall_kick);
   const auto& all = engines::all_engines();
   const bool box2d =
@@ -89,9 +89,10 @@ void wall_of_boxes(const Setting& setting, Page& page) {
   const double kept = box2d ? slop_of_box2d : slop;
   const std::string who = box2d ? "Box2D" : "this course";
   page.predict(
-      {.ask = say(R"(@ keeps an overlap of up to @ mm at each contact. By how many millimetres may the top of a
-                pyramid of @ rows sink, for that alone?)",
-                  box2d ? "Box2D" : "This course", 1000 * kept, base),
+      {.ask =
+           say(R"(@ keeps an overlap of up to @ mm at each contact. By how many millimetres may that alone let the
+                top of a pyramid of @ rows sink?)",
+               box2d ? "Box2D" : "This course", 1000 * kept, base),
        .answer = 1000 * kept * base,
        .unit = "mm",
        .tolerance = 0.1 * 1000 * kept,
@@ -104,9 +105,9 @@ void wall_of_boxes(const Setting& setting, Page& page) {
 
 void wall_in_space(const Setting& setting, Page& page) {
   page.text(
-      R"(The same boxes with a third axis: four contacts a face, two rows of friction for each, and nothing that keeps the
-      wall in its plane. Four contacts on a face are one more than a plane needs, so that their rows depend on each other
-      (lesson 8) and sweeps converge slowly.)");
+      R"(The same boxes with a third axis: four contacts a face, two rows of friction for each, and nothing that keeps
+      the pyramid in a plane. Four contacts on a face are one more than a plane needs, so their rows depend on each
+      other (lesson 6).)");
   walls_of<SpaceBody>(setting.base, "space_wall_clocked", 40, page);
 }
 
