@@ -62,7 +62,7 @@ const std::vector<Chapter>& chapters() {
 void equations(Page& page) {
   page.text(
       R"(The course was built from one article, R. Gaul, *Modelling and Solving Physical Constraints*, 2013. This is
-      where it displays each of the article's equations for the first time, where the equation is derived or used:)");
+      where it first displays each of the article's equations:)");
   std::vector<std::vector<std::string>> rows;
   for (std::size_t i = 0; i < equation_places.size(); ++i) {
     const EquationPlace& place = equation_places[i];
@@ -86,9 +86,9 @@ void appendix(Page& page, const std::string& scene) {
   for (const std::string& name : appendix_scenes())
     if (name != "none") names += (names.empty() ? "`" : ", `") + name + "`";
   page.text(
-      R"(The charts of all errors of a scene are drawn on request, by `--set appendix=` and one of @. `thousand_periods` is
-      the energy of a pendulum over so many. `millimetre` is the cost to a drift of a millimetre for up to 1000 links
-      and a mass ratio of up to a million; it takes minutes.)",
+      R"(The charts of all errors of a scene are drawn on request, by `--set appendix=` and one of @.
+      `thousand_periods` shows the energy of a pendulum over that time. `millimetre` shows the cost of a drift of a
+      millimetre for up to 1000 links and a mass ratio of up to a million; it takes minutes.)",
       names);
   for (const Chapter& chapter : chapters()) {
     if (chapter.name != scene) continue;

@@ -265,8 +265,8 @@ void show_clocked(course::Page& page, const std::string& name, const Survey& sur
   std::string ignored;
   page.clocked(
       name,
-      R"(The same methods against wall time: the median of a frame, from the first initial condition, measured
-               on the machine and at the moment of the run while nothing else of the lesson ran.)",
+      R"(The same methods against wall time: the median of a frame from the first initial condition, measured at the
+               moment of the run.)",
       [survey = Survey(survey), error] {
         std::vector<Spread> spreads;
         for (const Family* family : chosen(survey, error)) {

@@ -82,8 +82,8 @@ void cost_to_a_millimetre(Page& page) {
                   return Problem("chain", {{"links", 10}, {"end_mass", r}, {"angle", angle}});
                 });
   page.text(
-      R"(What does a millimetre cost? For each chain the program looks for the cheapest run of each method whose joints
-      never open by more than @ m, with all choices free. First chains of @ to @ equal links, let go at @° from straight down:)",
+      R"(What does a millimetre cost? For each chain the program looks for the cheapest run of each method, all choices
+      free, whose joints open by @ m at most. First, chains of @ to @ equal links, let go at @° from straight down:)",
       wanted, lengths.front(), lengths.back(), angle);
   page.figure("appendix_millimetre_by_length",
               R"(Cost of a drift of a millimetre against the number of links. Crosses: the search found no
@@ -92,9 +92,9 @@ void cost_to_a_millimetre(Page& page) {
   const auto by_length = fitted_power(lengths, longer.of("direct")),
              swept = fitted_power(lengths, longer.of("Gauss–Seidel"));
   page.text(
-      R"(The cost of the direct solve grows @ (with the 95 % interval of the fit), @. @)",
+      R"(The cost of the direct solve grows @ (with the 95 % interval of the fit): @. @)",
       by_length ? power_in_words("N", by_length) : "in no way that these runs show",
-      "where each link costs the same and what exceeds the power of 1 are the substeps of a longer chain",
+      "each link costs the same, and whatever exceeds the power of 1 is the substeps of a longer chain",
       !swept
           ? std::string("Gauss–Seidel reaches the millimetre on too few of them for a fit.")
           : say(R"(That of Gauss–Seidel grows @. By law 4 a chain that starts cold needs sweeps in proportion to N² for
@@ -102,8 +102,8 @@ void cost_to_a_millimetre(Page& page) {
                 frame.)",
                 power_in_words("N", swept)));
   page.text(
-      R"(Now ten links with an end that is up to @ times as heavy as a link. By law 7 the step must shrink as the root of
-      the tension, whatever solves the rows:)",
+      R"(Now ten links with an end that is up to @ times as heavy as a link. By law 7 the step must shrink as the root
+      of the tension, whatever solves the rows:)",
       ratios.back());
   page.figure("appendix_millimetre_by_mass",
               R"(Cost of a drift of a millimetre against the mass of the end over that of a link. Crosses: the

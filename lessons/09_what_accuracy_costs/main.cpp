@@ -11,9 +11,10 @@ int main(int argc, char** argv) {
   std::vector<std::string> scenes;
   for (const NamedScene& scene : catalogue()) scenes.push_back(scene.name);
   const accuracy::Setting setting{
-      .scene = lesson.parameter("scene", "chain", scenes, "what the chooser is asked about"),
-      .drift = lesson.parameter("drift", 0.0, "m", {0, 0.1},
-                                "largest separation or overlap that may be; 0: 1 mm if nothing else is asked for"),
+      .scene = lesson.parameter("scene", "chain", scenes, "scene for which a method is chosen"),
+      .drift =
+          lesson.parameter("drift", 0.0, "m", {0, 0.1},
+                           "largest separation or overlap allowed; 0: any, or 1 mm if nothing else is asked for"),
       .trajectory = lesson.parameter("trajectory", 0.0, "m", {0, 100}, "distance from the true motion; 0: any"),
       .energy = lesson.parameter("energy", 0.0, "1", {0, 100}, "change of energy over m·g·L of the scene; 0: any"),
       .momentum = lesson.parameter("momentum", 0.0, "1", {0, 100}, "change of angular momentum; 0: any"),
@@ -31,7 +32,7 @@ int main(int argc, char** argv) {
           lesson.parameter("top_mass", Initial::top_mass, "kg", {1e-3, 1e6}, "of the topmost box of the stack"),
       .base = lesson.parameter("base", Initial::base, "1", {1, 30}, "boxes in the lowest row of the pyramid")};
   const course::Parameter<std::string> charts_of =
-      lesson.parameter("appendix", "none", appendix_scenes(), "which further charts are drawn, in the appendix");
+      lesson.parameter("appendix", "none", appendix_scenes(), "which further charts the appendix draws");
 
   lesson.step("The methods that compete", the_methods);
   lesson.step("Order is the slope", order_is_the_slope);
@@ -53,22 +54,22 @@ int main(int argc, char** argv) {
       {.now_you_know =
            {R"(The order of a method is the slope of its error against the step on two logarithmic axes. Where a curve
             turns straight up, its knob no longer reduces the error.)",
-            R"(Drift, trajectory, energy, momentum, reaction force and algebraic error are six questions, and no method
-            is best in all.)",
-            R"(For the same row-solves, many short steps are more accurate than one that is solved well; but each writes
-            its rows again, which has to be counted.)",
-            "What falls or comes apart is cheap. So first a run has to stand or hold; then its errors count.",
-            "Solve scenes without loops directly, with substeps; solve others by sweeps.",
+            R"(Drift, trajectory, energy, momentum, reaction force and algebraic error are six different errors, and no
+            method is best in all.)",
+            R"(For the same row-solves, many short steps are more accurate than one step solved well; but each writes
+            its rows anew, and that must be counted.)",
+            "A run that falls or comes apart is cheap. It must stand or hold before its errors count.",
+            "Solve scenes without loops directly, with substeps, or in joint coordinates; solve others by sweeps.",
             "A model with more numbers than a scene needs gives the same motion for more bytes and more time."},
        .tries = {{"The heavy chain: what is cheapest for a millimetre?",
                   "./lessons/run 9 --set scene=chain --set links=50 --set end_mass=100 --set drift=1e-3"},
                  {"The other way round: what does a fifth of a millisecond a frame buy?",
                   "./lessons/run 9 --set scene=chain --set links=50 --set budget=200us"},
-                 {"Both at once: a drift, and a time that it may take:",
+                 {"Both at once: a drift within a time limit:",
                   "./lessons/run 9 --set scene=stack --set drift=5cm --set budget=1ms"},
                  {"A reaction force within one per cent, in a four-bar linkage:",
                   "./lessons/run 9 --set scene=four_bar --set reaction=0.01"},
-                 {"A tenth of a nanometre, for which the step's own error has to be tiny:",
+                 {"A tenth of a nanometre, for which the error of the step itself must be tiny:",
                   "./lessons/run 9 --set scene=spherical_pendulum --set trajectory=1e-10"}},
        .next = "Choose a scene of your own and ask the program. Lesson 10 puts these scenes into the engines that "
                "people use."});

@@ -50,7 +50,7 @@ std::vector<Built> build(std::string_view scene, const Values& values, const std
 }
 
 renderer::Chart numbers(const std::vector<Built>& models, double bodies) {
-  renderer::Chart chart{.y = {.label = "a body: numbers it moves with, and bytes of its state and rows over 8"}};
+  renderer::Chart chart{.y = {.label = "per body: degrees of freedom, and memory (8 bytes)"}};
   renderer::Bars degrees{.label = "degrees of freedom"}, scene{.label = "state and constraint (8 bytes)"},
       rows{.label = "its row, ready to solve (8 bytes)"};
   for (const Built& built : models) {
@@ -176,18 +176,18 @@ void reduced_model(Page& page) {
     apart = std::max(apart, one.by_joints[Error::trajectory] / one.by_forces[Error::trajectory]);
   }
   page.text(
-      R"(*Coordinates*: a link of a chain moves with three numbers in the plane, and its pin takes two of them back by two
-      rows. What is left is one number, its angle. **Generalised coordinates** integrate that one alone: no row, no
-      solve for λ, no drift. Here is RK4 both ways, with eight substeps a frame on chains that swing from @° with an
-      end of @ kg; numbers, rows and instructions are for each link.)",
+      R"(*Coordinates*: a link of a chain moves with three numbers in the plane, and the two rows of its pin take two
+      of them back. One number is left, its angle. **Generalised coordinates** integrate that number alone: no rows, no
+      λ, no drift. Here is RK4 both ways, with eight substeps a frame, on chains that swing from @° with an end of @
+      kg; numbers, rows and instructions are per link.)",
       all.front().problem["angle"], all.front().problem["end_mass"]);
   page.table({"model", "links", "numbers", "rows", "free", "instructions, by forces", "by joints",
               "trajectory (m), by forces", "by joints", "drift (m), by forces"},
              rows);
   page.text(
-      R"(For the same rule and step a frame takes @ to @ times fewer instructions by joints than by forces, and no joint
-      opens by more than rounding: @ m a link. But nobody has to take the same rule. Here each method has the fewest
-      substeps (1, 2, 4 … 512) that keep an error on ten such links, the direct solve with β = 0.2:)",
+      R"(With the same rule and step a frame takes @ to @ times as many instructions by forces as by joints, and joints
+      open by rounding alone: @ m a link. But the rule is yours to choose. Here each method takes the fewest substeps
+      (1, 2, 4 … 512) that keep an error on ten such links; the direct solve has β = 0.2:)",
       Value(least, 2), Value(most, 2), Value(opened, 2));
 
   const std::vector<Contest> asked = contests(page, all);
@@ -211,18 +211,29 @@ void reduced_model(Page& page) {
   page.table(head, rows);
   const Problem four_bar("four_bar"), stack("stack", {{"boxes", 3}});
   const Method method = family_named("generalised RK4").setting({}).method;
+  const std::string for_tight = page.verdict(
+      {{.when = Quantity("forces over joints, drift of 1e-6 m, least", tight.least) >= 2,
+        .say = say("**For a tight drift** they win, because they have none: forces cost @ to @ times as much.",
+                   Value(tight.least, 2), Value(tight.most, 2))}});
+  const std::string for_loose = page.verdict(
+      {{.when = Quantity("forces over joints, drift of 1e-2 m, largest", loose.most) <= 1,
+        .say = say("**For a loose drift** they lose: the direct solve with β costs @ to @ of what they do.",
+                   Value(loose.least, 2), Value(loose.most, 2))}});
+  const std::string for_place = page.verdict(
+      {{.when = Quantity("forces over joints, trajectory, largest", place.most) <= 2,
+        .say =
+            say(R"(**To be in the right place** they save little: forces cost @ to @ times as much. The rule alone
+                      decides how many steps it takes, and a direct solve in the order of the graph also works in
+                      proportion to the links.)",
+                Value(place.least, 3), Value(place.most, 3))}});
   page.text(
-      R"(By joints wins @ of these @. **For a tight drift** it wins by far, @ to @ times: there is none. **For a loose one**
-      it loses: with β the direct solve costs @ to @ of it. **To be in the right place** it saves little, @ to @ times, as
-      only the rule decides how many steps are needed, and the work of a direct solve in the order of the graph, too, is
-      in proportion to the links. Where joints cannot be used the program says so. A loop: *@*. A stack: *@*. Nor is a
-      motion exact for being reduced: its error is that of the rule, and semi-implicit Euler in joint angles, the default of
-      several engines for robots, has order 1.)",
-      wins, asked.size(), Value(tight.least, 2), Value(tight.most, 2), Value(loose.least, 2), Value(loose.most, 2),
-      Value(place.least, 3), Value(place.most, 3), four_bar.start().refusal(method),
+      R"(Joint coordinates win @ of these @. @ @ @ Where they cannot be used the program says so. A loop: *@*. A
+      stack: *@*. Nor is a reduced motion exact: its error is that of the rule, and semi-implicit Euler in joint
+      angles, the default of several robotics engines, has order 1.)",
+      wins, asked.size(), for_tight, for_loose, for_place, four_bar.start().refusal(method),
       stack.start().refusal(method));
   page.claim("generalised coordinates: largest opening of a joint, over the links", opened, "m",
-             is_at_most(1e-13, "C = 0 is how the scene is written down"));
+             is_at_most(1e-13, "C = 0 by construction"));
   page.claim("instructions by forces over those by joints, same rule and step, least", least, "1",
              is_at_least(1, "no rows are written, none is solved"));
   page.claim("trajectory error by joints over that by forces, largest", apart, "1",
@@ -247,39 +258,38 @@ void model_cost(Page& page) {
   const Built &least = models.front(), &most = models.back();
 
   page.text(
-      R"(Before a method costs anything, the *model* does. A bob on a rod needs two numbers to move with. As a body in
-      space it has six, and a quaternion and an inertia, though the rod holds its centre and nothing turns it. Here is
-      one chain of @ bobs and one pendulum, each in four models.)",
+      R"(Before a method costs anything, the *model* does. A bob on a rod can be a particle in the plane. It can also
+      be a body in space, with a quaternion and an inertia, though the rod holds its centre and nothing turns it. Here
+      is one chain of @ bobs and one pendulum, each in four models.)",
       links);
   page.predict(
-      {.ask = R"(The chain as bodies in space: how many times as many numbers does it move with as the chain of
-              particles in the plane?)",
+      {.ask =
+           R"(How many times as many degrees of freedom, counted without the rods, has the chain of bodies in space
+              as the chain of particles in the plane?)",
        .answer = static_cast<double>(most.degrees) / least.degrees,
        .unit = "1",
        .tolerance = 0.1,
-       .wrong = {{1.5, "That is one axis more to move along. A body in space also turns, about three."},
+       .wrong = {{1.5, "That is one more axis to move along. A body in space also turns, about three axes."},
                  {2, "Three axes to move along, and three to turn about."}},
        .hints = {"Count axes to move along and axes to turn about.", "numbers of a body = axes along + axes about",
                  "Particle in the plane: 2 + 0. Body in space: 3 + 3. As many: (3 + 3)/(2 + 0) = …"},
        .right = say("@ instead of @ a body.", most.degrees / links, least.degrees / links)});
   page.figure("models",
-              R"(What one body of the chain takes in each model, with its rod: the numbers it moves with, its state
-              (pose, velocity, inverse mass, constraint) and its row of (6), (18) with what is kept of it.)",
+              R"(One body of the chain with its rod, in each model: the numbers it moves with, its state (pose,
+              velocity, inverse mass, constraint), and its row of (6) and (18) with all that is kept of it.)",
               numbers(models, links));
   double chain_apart = 0, pendulum_apart = 0;
   for (const Built& built : models) chain_apart = std::max(chain_apart, built.apart);
   for (const Built& built : pendulums) pendulum_apart = std::max(pendulum_apart, built.apart);
   page.text(
       R"(A body's row takes @ bytes with particles in the plane and @ with bodies in space; a step takes @ and @
-      row-solves, the same rows in the same order. The motion is the same: after @ s all four chains agree @, the
+      row-solves, the same rows in the same order. The motion is the same: over @ s the four chains agree @, the
       pendulums @.)",
       least.row_bytes / links, most.row_bytes / links, least.row_solves, most.row_solves, 2.0,
       agreeing(chain_apart), agreeing(pendulum_apart));
-  page.clocked(
-      "models_clocked",
-      R"(The same four chains by the clock: one step of ten sweeps, over the number of bodies. Measured on the
-      machine and at the moment of the run.)",
-      [=] { return clocked("chain", values, held_by_centres, links); });
+  page.clocked("models_clocked",
+               R"(The same four chains by the clock: one step of ten sweeps, per body, at the moment of the run.)",
+               [=] { return clocked("chain", values, held_by_centres, links); });
   for (const Built& built : models)
     page.claim("numbers a body moves with, " + built.model, static_cast<double>(built.degrees) / links, "1",
                is(built.model == "bobs in the plane" ? 2.0
@@ -296,12 +306,11 @@ void model_cost(Page& page) {
   page.text(
       R"(Two more costs are easily overlooked. *Shapes*: as soon as a body has one, every step looks for contacts. Here
       one link has a shape and no contact is ever found; the two motions agree @. The clock shows what the search
-      costs. For one shape that is little; many shapes cost more.)",
+      costs:)",
       agreeing(linked[1].apart));
   page.clocked(
       "touch_clocked",
-      R"(The chain of stiff links, without a shape, with one, and in space. Measured on the machine and at the
-      moment of the run.)",
+      R"(The chain of stiff links without a shape, with one, and in space, by the clock at the moment of the run.)",
       [=] { return clocked("chain", values, with_and_without, links); });
   page.claim("links that could touch, from those that cannot", linked[1].apart, "m",
              is(0, "the same rows in the same order", absolute(0)));
@@ -311,8 +320,9 @@ void model_cost(Page& page) {
                rows = error_of(chain, by_sweeps(BlockSolve::row_by_row), Error::drift);
   page.text(
       R"(*Blocks*: a pin is two rows that share both bodies. Solved as one block, with a 2 × 2 inverse, the two cannot
-      undo each other. On @ such links, ten sweeps a step leave a largest separation of @ m that way and of @ m row by
-      row, for the same row-solves. (A body of small inertia at the end of an arm shows the difference better: lesson 6.))",
+      undo each other. On @ such links, ten sweeps a step leave a largest separation of @ m by blocks and of @ m row by
+      row, for the same row-solves. (A body of small inertia at the end of an arm shows the difference more clearly:
+      lesson 6.))",
       chain["links"], Value(whole, 3), Value(rows, 3));
   reduced_model(page);
   page.measure("drift, blocks of two rows", whole, "m");

@@ -114,8 +114,8 @@ std::string left_out(const std::vector<Task>& tasks) {
   for (std::size_t i = most_profiles; i < methods.size(); ++i) add(less, families()[methods[i]].name);
   for (std::size_t i = 0; i < families().size(); ++i)
     if (std::find(methods.begin(), methods.end(), i) == methods.end()) add(none, families()[i].name);
-  return (less.empty() ? "" : say(" Not drawn, with less area below: @.", less)) +
-         (none.empty() ? "" : say(" Within @ times the cheapest these do no task: @.", most_ratio, none));
+  return (less.empty() ? "" : say(" Not drawn, with less area under their curves: @.", less)) +
+         (none.empty() ? "" : say(" For up to @ times the least cost these do no task: @.", most_ratio, none));
 }
 
 /// The profiles of the methods with the largest area under theirs.
@@ -123,8 +123,8 @@ renderer::Chart profiles(const std::vector<Task>& tasks, Cost cost) {
   using namespace renderer;
   std::vector<std::size_t> drawn = by_area(tasks);
   if (drawn.size() > most_profiles) drawn.resize(most_profiles);
-  Chart chart{.x = {.label = cost == Cost::wall_time ? "τ: at most so many times the time of the fastest"
-                                                     : "τ: at most so many times the cost of the cheapest",
+  Chart chart{.x = {.label = cost == Cost::wall_time ? "τ: at most this many times the time of the fastest"
+                                                     : "τ: at most this many times the cost of the cheapest",
                     .scale = Scale::logarithmic,
                     .range = {{1, most_ratio}}},
               .y = {.label = "share of all tasks", .range = {{0, 1}}}};
@@ -154,7 +154,7 @@ std::string winners(const std::vector<Task>& tasks) {
     if (profile(1) > most) most = profile(1), best = families()[i].name;
     if (profile(1e300) > widest) widest = profile(1e300), steady = families()[i].name;
   }
-  return say("Cheapest most often: @, at @ % of the tasks. Most tasks at any cost: @, @ %.", best,
+  return say("Cheapest most often: @, in @ % of the tasks. Most tasks done at any cost: @, @ %.", best,
              Value(100 * most, 2), steady, Value(100 * widest, 2));
 }
 
@@ -208,12 +208,12 @@ std::string law_of(const Problem& problem) {
 
 void one_page(Page& page) {
   page.text(
-      R"(Many charts, and one decision. A *performance profile* (E. D. Dolan and J. J. Moré, 2002) puts all of them into
-      one picture. A task is a scene, an error and a target. For each method the curve says at which share of all tasks
-      it costs at most τ times as much as the cheapest method for that task; where it fails, it never does. A method does
-      a task if its error stays below the target from 19 of 20 initial conditions, on none of which it was tuned. So the
-      height at τ = 1 is how often a method is the cheapest, the height at the right how often it can do the task at
-      all. Below the first, ranks depend on who takes part (N. Gould and J. Scott, 2016).)");
+      R"(Many charts, and one decision. A *performance profile* (E. D. Dolan and J. J. Moré, 2002) puts all of them
+      into one picture. A task is a scene, an error and a target. A method does it if its error stays below the target
+      from 19 of 20 initial conditions, on none of which it was tuned. Each method's curve is the share of all tasks
+      that it does for at most τ times the cost of the cheapest method. So its height at τ = 1 says how often the
+      method is the cheapest, its height at the right edge how often it can do the task at all. Below the first place,
+      ranks depend on who takes part (N. Gould and J. Scott, 2016).)");
   const Tasks joints = tasks_of(page, equalities(), Cost::counted),
               touching = tasks_of(page, contact_scenes(), Cost::counted);
   page.figure("profile_equalities",
@@ -223,23 +223,25 @@ void one_page(Page& page) {
               profiles(joints.tasks, Cost::counted), joints.data);
   page.text("Rods and joints. " + winners(joints.tasks));
   page.figure("profile_contacts",
-              say("Contacts: @ tasks of @ scenes, which have to stand or slide first.", touching.tasks.size(),
+              say("Contacts: @ tasks in @ scenes, which first have to stand or slide.", touching.tasks.size(),
                   contact_scenes().size()) +
                   left_out(touching.tasks),
               profiles(touching.tasks, Cost::counted), touching.data);
   page.text("Contacts. " + winners(touching.tasks));
-  page.clocked("profile_equalities_clocked",
-               R"(Rods and joints by the clock: the same tasks and runs, the median time of a frame,
-               measured on the machine and at the moment of the run.)",
-               [] { return profiles(tasks_of(Page(), equalities(), Cost::wall_time).tasks, Cost::wall_time); });
+  page.clocked(
+      "profile_equalities_clocked",
+      R"(Rods and joints by the clock: the same tasks and runs, by the median time of a frame at the moment of
+               the run.)",
+      [] { return profiles(tasks_of(Page(), equalities(), Cost::wall_time).tasks, Cost::wall_time); });
   page.clocked("profile_contacts_clocked", R"(Contacts by the clock: the same tasks and runs.)", [] {
     return profiles(tasks_of(Page(), contact_scenes(), Cost::wall_time).tasks, Cost::wall_time);
   });
 
   page.text(
-      R"(And here is what to use, from the same runs: for each class of scene and each accuracy the cheapest run that
-      keeps it from 19 of 20 initial conditions, on none of which it was tuned, its choices, its cost in thousands of instructions a frame, and the law of lesson 8 that limits it, with its number at one
-      step a frame. Lengths are shares of a body's.)");
+      R"(And here is what to use, from the same runs. For each kind of scene and each accuracy: the cheapest run that
+      keeps it from 19 of 20 initial conditions, with its choices, its cost in thousands of instructions a frame, and
+      the law of lesson 8 that limits it, with that law's number at one step a frame. Accuracies are shares of a body's
+      length.)");
   const std::vector<std::string> head{
       "scene", "accuracy", "to keep it together (drift)", "cost", "to be in the right place (trajectory)",
       "cost",  "law"};
@@ -268,7 +270,7 @@ void one_page(Page& page) {
     }
   page.table(head, rows);
   page.figure(
-      "one_page", R"(The same page as a picture, to be printed.)",
+      "one_page", R"(The same page as a picture to print.)",
       [head, rows](renderer::Canvas& canvas) { draw_page(canvas, head, rows); }, data);
   page.claim("share of this page that some method does", 1 - static_cast<double>(empty) / asked, "1",
              is_at_least(0.9, "the targets are within reach"));

@@ -36,9 +36,9 @@ void order_is_the_slope(Page& page) {
   page.text(
       R"(A bob of @ kg on a rod of @ m is released level. Elliptic functions give its angle after a second to the last
       digit. Each curve below is one method with all its choices (substeps, sweeps, cure of drift and its strength,
-      relaxation): at each cost the least error that any of them has. The error grows to the right, the work grows
-      upwards; so **down and left is good**. A method counts only while it does its duty: a run in which the rod opens
-      by a tenth of its length is a failure, and not a cheap point.)",
+      relaxation): at each cost, the least error of any of them. Error grows to the right and work upwards, so **down
+      and left is good**. A run counts only if it does its duty: one in which the rod opens by a tenth of its length
+      has failed, however cheap it is.)",
       problem["mass"], problem["length"]);
   const Survey& all = survey(page, problem, swing_errors, swing_most);
   show(page, "pendulum_trajectory", all, Error::trajectory);
@@ -46,16 +46,16 @@ void order_is_the_slope(Page& page) {
                space = prices_of(RowKind::links_in_space, "Gauss–Seidel");
   const auto projected = [](RowKind kind) { return prices_of(kind, name_of(Cure::projection)).projected_row; };
   page.text(
-      R"(Work is counted in the processor's *instructions*. Each method counts what it executes where it does so: rows
-      written, made ready and solved, bodies moved, contacts found, rows projected. Each count has a price in
-      instructions, measured for every method, cure and kind of row. For a bob in the plane a row-solve of Gauss–Seidel,
-      (17) and (20), takes @ instructions, and a row that a projection solves, which writes C and J anew, takes @. For
-      links in space the two take @ and @. So the count is the same on every machine.)",
+      R"(Work is counted in *instructions* of the processor. Each method counts what it does: rows written, prepared
+      and solved, bodies moved, contacts found, rows projected. Each of these has a price in instructions, measured for
+      every method, cure and kind of row. For a bob in the plane, a row-solve of Gauss–Seidel, (17) and (20), takes @
+      instructions; a row-solve of a projection, which writes C and J anew, takes @. For links in space the two take @
+      and @. Counted like this, work is the same on every machine.)",
       Value(plane.row_solve, 2), Value(projected(RowKind::bobs), 2), Value(space.row_solve, 2),
       Value(projected(RowKind::links_in_space), 2));
   page.text(
-      R"(The clock's chart comes next. The two need not rank methods alike: where each instruction waits for the one
-      before, as in a sweep, an instruction takes longer.)");
+      R"(Next, the same by the clock. It need not rank methods alike: where each instruction waits for the one before,
+      as in a sweep, instructions take longer.)");
   show_clocked(page, "pendulum_trajectory_clocked", all, Error::trajectory);
   page.text(
       R"(Both axes are logarithmic, so a power law is a straight line. Where the error falls as hᵖ and the work grows as
@@ -66,15 +66,21 @@ void order_is_the_slope(Page& page) {
   const auto nearest = [](double ratio) { return std::log2(ratio) < 1.5 ? 2 : 4; };
   course::Choice question{
       .ask =
-          R"(Halve the time step. By what is the error of the bob's *place* after a second divided, with symplectic
-          Euler (direct, β = 1), and with RATTLE?)",
+          R"(Halve the time step. By how much does that divide the error of the bob's *place* after a second, with
+          symplectic Euler (direct, β = 1) and with RATTLE?)",
       .hints = {"Of which order is each method?", "error ∝ hᵖ", "(h/2)ᵖ = hᵖ/2ᵖ, with p = 1 and p = 2"}};
-  for (const auto& [one, two] : {std::pair{2, 2}, std::pair{2, 4}, std::pair{4, 4}}) {
+  struct Halved {
+    int one, two;
+    const char* reply;
+  };
+  for (const auto& [one, two, reply] :
+       {Halved{2, 2, "RATTLE is of order 2, so it gains 2²."},
+        Halved{2, 4, "Orders 1 and 2: the slopes on the chart."},
+        Halved{4, 4, "Symplectic Euler is of order 1 in place, so it gains 2¹."}}) {
     if (nearest(first) == one && nearest(second) == two)
       question.answer = static_cast<int>(question.options.size());
     question.options.push_back(
-        {say("@ and @", one, two),
-         say("Measured: @ and @. Order is the slope on the chart.", Value(first, 3), Value(second, 3))});
+        {say("@ and @", one, two), say("@ Measured: @ and @.", reply, Value(first, 3), Value(second, 3))});
   }
   page.choose(std::move(question));
   const double first_period = gain_in_period(problem, euler, whole),
@@ -93,9 +99,9 @@ void order_is_the_slope(Page& page) {
              is(4, "conjugate to leapfrog, of order 2", relative(0.05)));
   page.claim("the same, RATTLE", second_period, "1", is(4, "order 2", relative(0.05)));
   page.text(
-      R"(Two warnings. Errors of opposite sign cancel, so one point of a curve may lie much too far to the left: trust
-      the slope of many points, not one of them. And every curve ends, at rounding or at the uncertainty of the
-      reference (dotted where it is in sight).)");
+      R"(Two warnings. Errors of opposite sign cancel, so a single point of a curve may lie much too far to the left:
+      trust the slope of many. And every curve ends, at rounding or at the uncertainty of the reference (dotted where
+      it is in sight).)");
   struct Expected {
     const char *family, *source;
     double order;

@@ -96,11 +96,11 @@ std::string reached_in_words(const byhand::Point& point, const std::map<Error, d
 
 std::string law_18(const LawLimit& limit, const Knobs& knobs) {
   const double worth = static_cast<double>(knobs.passes) * knobs.substeps * knobs.substeps;
-  return say("law 18: plain sweeps times substeps squared have to be more than @, and here they are @@",
-             limit.number, worth,
+  return say("law 18: plain sweeps times substeps squared must exceed @, and here they are @@", limit.number,
+             worth,
              worth >= limit.sweeps   ? std::string()
              : knobs.relaxation != 1 ? say(", which is enough with ω = @", Value(knobs.relaxation, 3))
-                                     : std::string(", with which it stood all the same"));
+                                     : std::string(", and it stood all the same"));
 }
 
 /// Why the recommended run is not cheaper, by its law's number and by runs.
@@ -109,24 +109,24 @@ std::string why(const byhand::Choice& choice, const std::map<Error, double>& lim
   const Knobs& knobs = choice.best.point.knobs;
   std::string text;
   if (limit.law == 7)
-    text = say("law 7: @ at one step a frame, and a step holds up to 1, so @", limit.number,
-               limit.substeps == 1 ? std::string("one is enough for it to hold")
+    text = say("law 7: @ at one step a frame, where 1 is the limit, so by that law @", limit.number,
+               limit.substeps == 1 ? std::string("one step would do")
                                    : say("it takes about @ substeps to hold", limit.substeps));
   else if (limit.law == 18)
     text = choice.best.point.family->exact
-               ? say("law 18: sweeps would have to be more than @ a step of a frame; law 20: an exact solve holds "
+               ? say("law 18: it would take more than @ sweeps in a step of a frame; law 20: an exact solve holds "
                      "any column",
                      limit.number)
                : law_18(limit, knobs);
   else if (limit.law == 13)
     text = say("law 13: it turns by @ in a step of a frame", limit.number);
   else
-    text = "no law of lesson 8 limits this scene: it was found by runs";
+    text = "no law of lesson 8 limits this scene, so the answer was found by runs alone";
   if (choice.coarser) {
     const byhand::Point& coarser = *choice.coarser;
     text += coarser.outcome != Outcome::good
-                ? say(". With @: @", several(coarser.knobs.substeps, "substep"), coarser.reason)
-                : say(". With @: @", several(coarser.knobs.substeps, "substep"),
+                ? say(". In the run with @: @", several(coarser.knobs.substeps, "substep"), coarser.reason)
+                : say(". In the run with @: @", several(coarser.knobs.substeps, "substep"),
                       limits.empty() ? cost_in_words(coarser) : reached_in_words(coarser, limits));
   }
   return text;
@@ -145,7 +145,7 @@ void show_errors(Page& page, const byhand::Point& best, const Problem& problem) 
   }
   page.table({"error of this run", "how much", ""}, rows);
   if (!warnings.empty())
-    page.text("**Warning:** it does what you ask and is bad in: @. Ask for these too if they matter to you.",
+    page.text("**Warning:** it keeps what you ask, but is bad in: @. Ask for these too if they matter to you.",
               warnings);
 }
 
@@ -178,8 +178,8 @@ std::string margin_in_words(const byhand::Choice& choice, const Problem& problem
   const std::string& stress = problem.scene().stress;
   if (std::isnan(choice.margin)) return "";
   if (std::isinf(choice.margin))
-    return say("It still does with the largest @ that was tried, up to a thousand times as large.", stress);
-  return say("It no longer does if @ is @ (@).", stress, beside_one(choice.margin, "as large", "larger"),
+    return say("It still keeps that with the largest @ that was tried, up to a thousand times as large.", stress);
+  return say("It no longer keeps that if @ is @ (@).", stress, beside_one(choice.margin, "as large", "larger"),
              Value(choice.margin * problem[stress], 3));
 }
 
@@ -198,8 +198,8 @@ std::string searched_in_words(const byhand::Choice& choice) {
 std::string certainty(const byhand::Choice& choice, const std::map<Error, double>& limits) {
   const Verification& verified = choice.verified;
   std::string text =
-      say("Verified: run for @ s from @ initial conditions, its own and others within a twentieth, it @ "
-          "in all.",
+      say("Verified: run for @ s from @ initial conditions, its own and others within a twentieth of it, "
+          "it @ in all.",
           verified.seconds, verified.starts, limits.empty() ? "did its duty" : "kept what you ask");
   text +=
       verified.certified()
@@ -227,8 +227,11 @@ renderer::Chart chart_of(const byhand::Choice& choice, const Problem& problem,
   add(choice.best.point, choice.best.point.described());
   for (std::size_t i = 0; i < std::min(choice.runners_up.size(), shown); ++i)
     add(choice.runners_up[i].point, choice.runners_up[i].point.described());
-  if (choice.robust) add(*choice.robust, "half: " + choice.robust->described());
-  if (choice.finer) add(*choice.finer, "a tenth: " + choice.finer->described());
+  const auto another = [&](const std::optional<byhand::Point>& point) {
+    return point && !(point->knobs == choice.best.point.knobs && point->family == choice.best.point.family);
+  };
+  if (another(choice.robust)) add(*choice.robust, "half: " + choice.robust->described());
+  if (another(choice.finer)) add(*choice.finer, "a tenth: " + choice.finer->described());
   if (!limits.empty())
     chart.references.push_back(
         {.axis = renderer::Reference::Across::x, .value = limits.begin()->second, .label = "asked for"});
@@ -250,11 +253,11 @@ void recommendation(Page& page, const Setting& setting) {
   const auto [problem, ignored] = problem_of(setting);
   const std::map<Error, double> limits = limits_of(setting);
   page.text(
-      R"(No chart answers for *your* scene, but the program does. It begins with the laws of lesson 8, which say how many
-      substeps or sweeps it takes at least; from there on it runs every method with all its choices, and recommends the
-      cheapest that it has run.)");
+      R"(No chart answers for *your* scene, but the program does. It starts from the laws of lesson 8, which say how
+      many substeps or sweeps it takes at least. From there it runs every method with all its choices, and recommends
+      the cheapest run that keeps what you ask.)");
   for (const std::string& name : ignored)
-    page.text("A @ has no @: what you set is ignored here.", problem.scene().title, name);
+    page.text("A @ has no @: the value that you set is ignored.", problem.scene().title, name);
   for (const auto& [error, limit] : limits)
     if (!has(problem.scene(), error)) {
       page.text("Here the program has no answer: @ is not conserved by a @, so it has no such error.",
@@ -325,7 +328,7 @@ void recommendation(Page& page, const Setting& setting) {
                       ? std::string("the answer itself does.")
                   : tighter ? say("@, for @ (×@), from as many starts.", tighter->described(),
                                   cost_in_words(*tighter), Value(tighter->cost / best.cost, 2))
-                            : std::string("none of these methods was found to keep that from as many starts for a "
+                            : std::string("no method was found to keep that from as many starts for up to a "
                                           "hundred times the cost."));
     page.code("The answer for your own program", code_of(best.family->setting(best.knobs)));
   } else {
@@ -341,8 +344,8 @@ void recommendation(Page& page, const Setting& setting) {
 
   if (choice.reached) {
     const std::string caption =
-        R"(The cheapest run of each method that reaches it, and what comes near. Runs left of the dotted
-        line reach what was asked for.)";
+        R"(The cheapest run of each method that keeps what was asked for, and runs that come near. Those left of the
+        dotted line keep it.)";
     if (by_clock)
       page.clocked("choice", caption, [=, p = problem] { return chart_of(choice, p, limits); });
     else
@@ -359,8 +362,8 @@ void recommendation(Page& page, const Setting& setting) {
              "1", is(static_cast<double>(choice.verified.starts), "all of them", absolute(0)),
              Condition{choice.reached, "targets that are reached"});
   page.text(
-      R"(Ask again for your own scene: any scene of this lesson by name, any errors (`drift`, `trajectory`, `energy`,
-      `momentum`, `reaction`), one or several, and a `budget` of time a frame, such as 200us.)");
+      R"(Ask again for your own scene: any scene of this lesson by name, one or more errors (`drift`, `trajectory`,
+      `energy`, `momentum`, `reaction`), and a `budget` of time a frame, such as 200us.)");
 }
 
 }  // namespace byhand::accuracy

@@ -74,28 +74,32 @@ void stability(Page& page) {
   const std::vector<Limits> methods = limits(page);
   const Limits &direct = methods.front(), &rk4 = methods[3], &xpbd = methods.back();
   page.text(
-      R"(Before a method can be accurate it has to be stable. Take @ bobs of 1 kg on rods of 1 m that hang straight down,
-      the last of them heavier, and push them aside a little. To first order one step is then a matrix: it takes the
-      positions and velocities to the side from before the step to after it. If all its eigenvalues are within 1, a
-      disturbance stays; the largest modulus of them is the *spectral radius*. Where it passes 1 the method becomes
-      unstable, however well each step is solved.)",
+      R"(Before a method can be accurate it has to be stable. Take @ bobs of 1 kg on rods of 1 m that hang straight
+      down, the last of them heavier, and push them aside a little. To first order a step is then a matrix that takes
+      the sideways positions and velocities before it to those after it. The largest modulus of its eigenvalues is the
+      *spectral radius*. Up to 1 a disturbance does not grow; beyond 1 the method is unstable, however well each step
+      is solved.)",
       taut(1).links);
   page.predict(
       {.ask =
-           R"(Sideways the bobs are springs with frequencies ω. Steps of velocity first, position after, are stable
-              for ωh < 2, and RK4 for ωh < 2√2. How many times as long may a step of RK4 be as one of the direct solve?)",
+           R"(Sideways the bobs are springs with frequencies ω. The direct solve steps velocities first and then
+              positions, which is stable for ωh < 2 (lesson 8). How many times as long may a step of RK4 be, with its
+              four slopes?)",
        .answer = std::sqrt(2.0),
        .unit = "1",
        .tolerance = 0.02,
-       .wrong = {{4, "That is the number of its slopes, which is what the longer step costs."}},
-       .hints = {"Both have the same ω.", "2√2 over 2", "2√2/2 = …"},
-       .right = say("√2. With an end of @ kg: @ beside @.", masses[middle], in_ms(rk4.eigenvalues[middle]),
+       .wrong = {{4,
+                  "That is what a step costs, the number of its slopes. It need not bear a step as many times as "
+                  "long."}},
+       .hints = {"Both have the same ω, but RK4 has another limit of ωh.", "RK4 is stable for ωh < 2√2.",
+                 "2√2/2 = …"},
+       .right = say("√2: with an end of @ kg, @ instead of @.", masses[middle], in_ms(rk4.eigenvalues[middle]),
                     in_ms(direct.eigenvalues[middle]))});
   page.figure(
       "stability",
-      R"(The longest stable step against the mass of the end. Lines: where the spectral radius of one step passes 1. Dots:
-      up to which step a thousand steps leave a small disturbance below a thousand times its width, by bisection. Where a
-      line is missing, the limit is beyond 0.1 s.)",
+      R"(The longest stable step against the mass of the end. Lines: where the spectral radius of one step passes 1.
+      Dots: the longest step with which a small disturbance stays below a thousand times its size for a thousand steps.
+      Where a line is missing, the limit is beyond 0.1 s.)",
       chart_of(methods));
   std::vector<std::vector<std::string>> rows;
   std::string always;
@@ -112,13 +116,12 @@ void stability(Page& page) {
               heavy + ", runs"},
              rows);
   page.text(
-      R"(All limits fall as the root of the end's mass: this is law 7, which holds for every method whose forces act along
-      directions that are known before the step ends. Implicit midpoint takes them from the middle of the step, and
-      needs no limit in theory; but it finds that middle by repetition, which converges only where ωh < 2.@)",
-      always.empty() ? ""
-                     : say(" Stable at every step that was tried: @. What that costs in energy, the step before "
-                           "this one has shown.",
-                           always));
+      R"(All limits fall as one over the root of the end mass. This is law 7, which holds for every method whose forces
+      act along directions known before the step ends. Implicit midpoint takes them from the middle of the step and has
+      no limit in theory; but it finds that middle by repetition, which converges only where ωh < 2.@)",
+      always.empty()
+          ? ""
+          : say(" Stable at every step that was tried: @. Step 3 showed what that costs in energy.", always));
   page.claim("RK4 over direct, longest stable step", rk4.eigenvalues[middle] / direct.eigenvalues[middle], "1",
              is(std::sqrt(2.0), "2√2 over 2 on the imaginary axis", relative(0.01)));
   for (const Limits* method : {&direct, &methods[1], &methods[2], &rk4})
@@ -127,7 +130,7 @@ void stability(Page& page) {
                is(1, "a small disturbance follows the linearised step", relative(0.03)));
   page.claim(say("XPBD at a step of @ s, end of @ kg: spectral radius", longest, masses.back()),
              spectral_radius(taut(masses.back()), xpbd.method, longest), "1",
-             is_at_most(one, "it reads velocities off positions, which damps at every step"));
+             is_at_most(one, "it takes velocities from positions, which damps at every step"));
 }
 
 }  // namespace byhand::accuracy

@@ -79,27 +79,25 @@ void stable_is_not_accurate(Page& page) {
       R"("How accurate is it?" is several questions. *Drift*: how far is a joint from holding? *Trajectory*: how far is
       each body from where it should be? *Energy* and *momentum*: how much was lost or gained, over mgL and over the
       true momentum? *Reaction force*: is the force in a joint right? And, of a solver alone, the *algebraic* error:
-      how far are the rows from solved? A method may be very good in one and very bad in another. Here are the same
-      methods by energy, each tuned for that:)");
-  show(page, "pendulum_energy", all, Error::energy);
+      how far are the rows from solved? A method may be very good in one and very bad in another.)");
 
   const byhand::Point once = measure(problem, xpbd, {}), symmetric = measure(problem, rattle, {});
   const double left = 100 * (1 - once[Error::energy]);
   page.choose(
       {.ask = say(
-           R"(XPBD puts the bob back onto its circle in every step: over @ s the rod is never wrong by more than
-                  rounding. What happens to the energy mgL with which the bob sets out, at one step a frame?)",
+           R"(XPBD puts the bob back onto its circle in every step, so that over @ s the rod is wrong by rounding only.
+                  What happens to the energy mgL with which the bob starts, at one step a frame?)",
            problem.scene().duration),
-       .options = {{"it is kept within a few per cent",
-                    say(R"(The positions are right, but the velocity is the chord between
-                                                     two of them, which is too short: @ % is left.)",
-                        Value(left, 2))},
-                   {"about half of it is lost",
-                    say("More: every chord is too short, and @ % is left.", Value(left, 2))},
-                   {"most of it is lost",
-                    say(R"(The velocity is read off a chord of the circle, which is shorter than the
-                                       arc, in every step again: @ % is left.)",
-                        Value(left, 2))}},
+       .options =
+           {{"it is kept within a few per cent",
+             say(R"(The positions are right, but the velocity comes from the chord between two of them, which is
+                                                     too short: @ % is left.)",
+                 Value(left, 2))},
+            {"about half of it is lost", say("More: every chord is too short, and @ % is left.", Value(left, 2))},
+            {"most of it is lost",
+             say(R"(In every step the velocity comes from a chord of the circle, which is shorter than the arc:
+                                       @ % is left.)",
+                 Value(left, 2))}},
        .answer = left > 90   ? 0
                  : left > 40 ? 1
                              : 2,
@@ -114,12 +112,14 @@ void stable_is_not_accurate(Page& page) {
   const double start = problem.start().energy();
   page.sequence(
       "stable_and_wrong",
-      R"(Three stable methods at one step a frame. Dashed: the true motion. Right: the change of energy. The rod of
-      the uppermost has the right length to rounding throughout.)",
+      R"(Three stable methods at one step a frame. Dashed: the true motion. Right: the change of energy. At the top,
+      XPBD's rod has the right length to rounding throughout.)",
       Seconds{film_seconds}, [=, chart = energies(swings, start)](renderer::Canvas& canvas, double time) mutable {
         for (Swing& swing : swings) swing.go_on(time, start);
         draw_swings(canvas, swings, chart, exact, length, time);
       });
+  page.text("All methods by energy, each tuned for it:");
+  show(page, "pendulum_energy", all, Error::energy);
   page.claim("XPBD, largest drift", once[Error::drift], "m",
              is_at_most(1e-6 * length, "C = 0 is solved by Newton's method"));
   page.claim("XPBD, energy lost all the same", once[Error::energy], "1",
@@ -129,9 +129,9 @@ void stable_is_not_accurate(Page& page) {
   page.claim("RATTLE, largest change of energy, over XPBD's", symmetric[Error::energy] / once[Error::energy], "1",
              is_at_most(0.01, "it swings about the true energy and keeps near it"));
   page.text(
-      R"(So decide first which error your scene must not have. A rope bridge in a game must not come apart: drift. A
-      clock must keep time: trajectory and energy. A crane must not break its bolts: the reaction force. The
-      appendix draws a chart for each error, scene by scene.)");
+      R"(So first decide which error your scene must not have. A rope bridge in a game must not come apart: drift. A
+      clock must keep time: trajectory and energy. A crane must not break its bolts: the reaction force. The appendix
+      draws a chart for each error, scene by scene.)");
 }
 
 }  // namespace byhand::accuracy

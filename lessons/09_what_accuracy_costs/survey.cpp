@@ -93,6 +93,7 @@ std::vector<byhand::Point> refined(const Problem& problem, std::string_view fami
 
 std::string failures(const Survey& survey) {
   std::string text;
+  std::vector<std::pair<std::string, std::string>> refusals;  // why, and who
   for (const auto& runs : survey.runs) {
     if (runs.empty()) continue;
     std::map<std::string, int> ends;
@@ -105,15 +106,21 @@ std::string failures(const Survey& survey) {
       if (point.outcome != Outcome::good) ++ends[std::string(name_of(point.outcome, survey.problem.scene().duty))];
     }
     if (failed == 0) continue;
-    text += fmt::format("\n- {}: ", runs.front().family->name);
+    const std::string& name = runs.front().family->name;
     if (refused && good == 0) {
-      text += refused->reason;
+      const auto same = std::find_if(refusals.begin(), refusals.end(),
+                                     [&](const auto& one) { return one.first == refused->reason; });
+      if (same == refusals.end())
+        refusals.emplace_back(refused->reason, name);
+      else
+        same->second += ", " + name;
       continue;
     }
-    text +=
-        fmt::format("of {} runs {} {}", runs.size(), good, name_of(Outcome::good, survey.problem.scene().duty));
+    text += fmt::format("\n- {}: of {} runs {} {}", name, runs.size(), good,
+                        name_of(Outcome::good, survey.problem.scene().duty));
     for (const auto& [end, count] : ends) text += fmt::format(", {} {}", count, end);
   }
+  for (const auto& [why, who] : refusals) text += fmt::format("\n- {}: {}", who, why);
   return text;
 }
 

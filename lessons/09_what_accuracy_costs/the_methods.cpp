@@ -15,14 +15,14 @@ struct Recipe {
 const std::vector<Recipe> recipes{
     {"XPBD",
      "extended position-based dynamics, M. Müller and others, 2020",
-     R"(corrects *positions*. It lets the bodies move freely, moves them back until the constraints hold, and reads the
-     velocities off the distance that was covered.)",
+     R"(corrects *positions*. It lets the bodies move freely, moves them back until the constraints hold, and takes the
+     velocities from the distances covered.)",
      {"Move freely: v ← v₀ + hg, x ← x₀ + hv.", "Start every Λ at 0.",
       "For each constraint, at its present C: ΔΛ = −(C + γΛ)/(JM⁻¹Jᵀ + γ).", "Correct at once: x ← x + M⁻¹Jᵀ ΔΛ.",
       "Read the velocity: v ← (x − x₀)/h."},
      "substeps, with one pass over the constraints in each",
-     R"(It holds rods, joints and contacts, and is stable at every step. It does not hold energy: a chord of the path
-     is shorter than the path, so what swings slows down.)"},
+     R"(It holds rods, joints and contacts, and is stable at every step. It does not keep energy: a chord of the path
+     is shorter than the path, so a swing slows down.)"},
     {"AVBD",
      "augmented vertex block descent, C. Giles and others, 2025",
      R"(minimises, *body by body*, the energy of a step of implicit Euler, in which each constraint is a spring of
@@ -30,78 +30,79 @@ const std::vector<Recipe> recipes{
      {"Free motion: y = x₀ + h(v₀ + hg).",
       "For each body, with F = Λ − κC: (M + Σ κJᵀJ + G) Δx = −M(x − y) + Σ JᵀF.",
       "After each round over the bodies: Λ ← Λ − κC, and a larger κ where C is not zero.",
-      "Repeat for so many rounds (iterations).", "Read the velocity: v ← (x − x₀)/h."},
+      "Repeat for a number of rounds (iterations).", "Read the velocity: v ← (x − x₀)/h."},
      "iterations; α is the share of an old error that a step leaves",
      R"(It holds rods, joints and contacts, hard ones and very soft ones. Momentum is kept only as far as the rounds
-     have converged, and an effect moves on by few bodies a round. κ is two things at once: the stiffness of the
+     have converged, and an effect spreads by only a few bodies a round. κ is two things at once: the stiffness of the
      material, and the penalty of the iteration, whose start and growth decide whether it converges. With all masses
-     times 1000 its authors' own program is unstable (avbd-demo2d, issue 11). NVIDIA's engine Newton has deprecated it
-     for rigid bodies (newton, issue 3333 and pull request 3769, July 2026) in favour of an augmented Lagrangian method
-     in which stiffness and penalty are separate numbers.)"},
+     multiplied by 1000 its authors' own program is unstable (avbd-demo2d, issue 11). NVIDIA's engine Newton has
+     deprecated it for rigid bodies (newton, issue 3333 and pull request 3769, July 2026) in favour of an augmented
+     Lagrangian method in which stiffness and penalty are separate numbers.)"},
     {"RATTLE",
      "H. C. Andersen, 1983",
-     R"(is the leapfrog with constraints: half a kick of gravity, a move, half a kick; and two sets of impulses, one
-     for C = 0 after the move and one for JV = 0 after the kick.)",
-     {"V½ = V₀ + ½hg + M⁻¹J(x₀)ᵀλ", "x₁ = x₀ + hV½", "λ is such that C(x₁) = 0: Newton's method, with one factor.",
-      "V₁ = V½ + ½hg + M⁻¹J(x₁)ᵀμ", "μ is such that J(x₁)V₁ = 0."},
+     R"(is the leapfrog with constraints: half a kick of gravity, a move, half a kick. It has two sets of impulses, one
+     for C = 0 after the move and one for JV = 0 after the second kick.)",
+     {"V½ = V₀ + ½hg + M⁻¹J(x₀)ᵀλ", "x₁ = x₀ + hV½",
+      "Choose λ so that C(x₁) = 0, by Newton's method with one factor.", "V₁ = V½ + ½hg + M⁻¹J(x₁)ᵀμ",
+      "Choose μ so that J(x₁)V₁ = 0."},
      "substeps",
-     R"(It holds C and JV to rounding, is of order 2, and its error in energy stays bounded. It cannot do contacts or
-     rows that repeat each other, and a step that is too long has no solution.)"},
+     R"(It holds C and JV to rounding, is of order 2, and its energy error stays bounded. It cannot do contacts or rows
+     that repeat each other, and a step that is too long has no solution.)"},
     {"Accelerations (index 1)",
      "E. Hairer and G. Wanner, Solving Ordinary Differential Equations II",
-     R"(are not a method yet, but what the next three share. Differentiate C twice, solve for forces instead of
-     impulses, and an ordinary differential equation is left.)",
+     R"(are not a method yet, but the base of three: explicit Euler, RK4 and implicit midpoint. Differentiate C twice,
+     solve for forces instead of impulses, and an ordinary differential equation is left.)",
      {"C̈ = JV̇ + J̇V = 0", "Newton's law: MV̇ = F + Jᵀf", "So JM⁻¹Jᵀ f = −(JM⁻¹F + J̇V): (17) with forces.",
-      "V̇ = a(x, V) = M⁻¹(F + Jᵀf)", "Integrate ẋ = V and V̇ = a(x, V) by any rule; explicit Euler is the first."},
+      "V̇ = a(x, V) = M⁻¹(F + Jᵀf)",
+      "Integrate ẋ = V and V̇ = a(x, V) by any rule: explicit Euler is the simplest."},
      "substeps",
-     R"(The forces are exact for the present state. But only C̈ = 0 is enforced, so whatever error C has stays and
-     grows. No contacts.)"},
+     R"(The forces are exact for the present state. But they enforce only C̈ = 0, so C drifts. No contacts.)"},
     {"RK4",
      "the classical rule of C. Runge and W. Kutta, about 1900",
      R"(integrates these accelerations with four slopes a step, each the pair (V, a) at some state.)",
      {"k₁ at the start", "k₂ half a step along k₁", "k₃ half a step along k₂", "k₄ a whole step along k₃",
       "The step: h (k₁ + 2k₂ + 2k₃ + k₄)/6"},
      "substeps",
-     R"(It is of order 4: the most exact of all in a trajectory. Drift and energy errors are tiny and grow with time.)"},
+     R"(It is of order 4, the highest here. Its errors of drift and energy are small, but grow with time.)"},
     {"Implicit midpoint",
-     "a symmetric rule, the simplest of Gauss's",
-     R"(integrates the same accelerations with one slope a step, that of its own middle.)",
+     "symmetric in time, the simplest of Gauss's rules",
+     R"(integrates the same accelerations with one slope a step, that at its own middle.)",
      {"Guess V_m = V₀.", "X_m = x₀ + ½hV_m", "V_m ← V₀ + ½h a(X_m, V_m)", "Repeat the last two until V_m stays.",
       "x₁ = x₀ + hV_m, V₁ = V₀ + h a(X_m, V_m)"},
      "substeps",
-     R"(It is of order 2; of particles on rods, energy and C keep near their values for tens of periods, and then leave
+     R"(It is of order 2. For particles on rods, energy and C stay near their values for tens of periods and then leave
      them (`--set appendix=thousand_periods` shows it). A step that is too long does not converge.)"},
     {"Generalised coordinates",
      "R. Featherstone, 1983, the articulated body algorithm",
-     R"(keep one number for each hinge, its angle, and no constraint at all. Where a body is follows from its parent's
-     place and that number, so C = 0 is how the scene is written down.)",
-     {"A joint lets a body move as V = XV_p + Sq̇: X from its parent, S by its own numbers q.",
-      "From the free ends inwards: A, p of a body with all below it, so that the joint's force is f = AV̇ + p.",
-      "The joint does no work along S: Sᵀf = 0 gives q̈, and ĀXV̇_p + p̄ is what its parent carries.",
+     R"(keep one number for each hinge, its angle, and no constraint at all. A body's place follows from its parent's
+     place and that number, so C = 0 by construction.)",
+     {"A joint lets a body move with V = XV_p + Sq̇: X carries its parent's motion over, S adds that of its own "
+      "numbers q.",
+      "From the free ends inwards: A and p of a body with all below it, so that its joint's force is f = AV̇ + p.",
+      "The joint does no work along S: Sᵀf = 0 gives q̈, and ĀXV̇_p + p̄ is the force on its parent.",
       "From the root outwards: V̇ and q̈ of each joint.",
-      "Integrate q̇ and q̈ by any rule: semi-implicit Euler, as engines of robotics do, or RK4."},
+      "Integrate q̇ and q̈ by any rule: semi-implicit Euler, as robotics engines do, or RK4."},
      "substeps",
-     R"(It opens no joint at any step, its work is proportional to the joints, and RK4 keeps its order 4. It goes along
-     trees: no loops, no contacts, no bounds. Stable it is not: a step that is too long makes energy.)"},
+     R"(No joint opens at any step, the work is in proportion to the number of joints, and RK4 keeps its order 4. It
+     works on trees: no loops, contacts or bounds. It can be unstable: a step that is too long makes energy.)"},
     {"NNCG",
      "nonlinear conjugate gradients on sweeps, M. Silcowitz-Hansen and others, 2010; *conjugate sweeps* on the "
      "charts",
-     R"(speeds up Gauss–Seidel. What a sweep has changed is taken for a gradient, and λ goes on in the direction of the
-     changes before it.)",
+     R"(speeds up Gauss–Seidel. It takes the change of λ by a sweep for a gradient, and lets λ move on along earlier
+     changes too.)",
      {"One sweep: g = (λ after it) − (λ before it).", "s = |g|²/|g of the sweep before|², but 0 if g has grown.",
       "λ ← λ + s d, and V with it.", "d ← g + s d", "Repeat, and end with a sweep, so that λ keeps its bounds."},
      "sweeps",
-     R"(It holds all that Gauss–Seidel holds, contacts too. A slow error takes about the square root of the sweeps that
-     it would take otherwise. With bounds there is no proof, and on some stacks no gain.)"},
+     R"(It does all that Gauss–Seidel does, contacts too. A slow error takes about the square root of the sweeps that
+     it takes otherwise. With bounds there is no proof, and on some stacks no gain.)"},
     {"Accelerated gradient",
      "H. Mazhar and others, 2015, after Y. Nesterov, 1983",
-     R"(changes all λ at once down the gradient JV + b + γλ, clamps them to their bounds, and goes ahead with
-     momentum.)",
+     R"(moves all λ at once down the gradient JV + b + γλ, clamps them to their bounds, and goes on with momentum.)",
      {"g = JV + b + γλ at a point y ahead of λ", "λ' = y − D⁻¹g/L, clamped; D is the diagonal of JM⁻¹Jᵀ.",
       "L is doubled until it bounds the curvature on the way.",
       "y ← λ' + β(λ' − λ), with Nesterov's β; uphill β = 0", "Repeat; the best λ is kept."},
      "iterations",
-     R"(It holds all that Gauss–Seidel holds, in an order that does not matter. The error falls with the square of the
+     R"(It does all that Gauss–Seidel does, and the order of the rows does not matter. The error falls as 1/k² in k
      iterations.)"}};
 
 void introduce(Page& page, const Recipe& recipe) {
@@ -130,31 +131,33 @@ std::string answer(const std::string& refusal) { return refusal.empty() ? "yes" 
 
 void the_methods(Page& page) {
   page.text(
-      R"(Eight lessons have given you methods and their knobs. This one runs them all, on scenes whose true motion is
-      known, and compares the errors they make with the work they take. Some that compete here are new; each has a
-      paragraph, five lines and its knob.)");
-  for (const Recipe& recipe : recipes) introduce(page, recipe);
+      R"(Eight lessons have given you methods and their knobs. This one runs them all on scenes whose true motion is
+      known, and sets their errors against the work they take.)");
 
   const Problem pendulum("pendulum", {{"length", 2}, {"mass", 3}}), stack("stack", {{"boxes", 3}});
   const byhand::Setting rk4 = family_named("RK4").setting({});
   const double five = drift_within(pendulum, rk4, 5), ten = drift_within(pendulum, rk4, 10);
   page.choose(
-      {.ask = R"(RK4 has C̈ = 0 exactly, in each of its stages. What happens to the length of a pendulum's rod?)",
+      {.ask = R"(Some methods hold C̈ = 0 instead of JV = 0: they solve for forces and integrate the accelerations.
+          RK4 does so in each of its four stages. What happens to the length of a pendulum's rod?)",
        .options = {{"it stays right to rounding", "C̈ = 0 leaves C free to be any straight line in time."},
                    {"its error grows",
                     say(R"(Nothing pulls C back to zero, so every small error stays: @ m off after 5 s, @ m
                                     after 10 s.)",
                         Value(five, 2), Value(ten, 2))},
-                   {"its error swings about zero", "Something would have to pull C back. C̈ = 0 does not know C."}},
+                   {"its error swings about zero",
+                    "Something would have to pull C back, but C̈ = 0 does not contain C."}},
        .answer = ten > 1.3 * five ? 1 : 0,
        .hints = {"What does C̈ = 0 say about C itself?", "C̈ = 0 integrates to C = C₀ + Ċ₀ t.",
                  "Each step leaves a small error in C₀ or Ċ₀. What removes it?"}});
 
+  page.text("These are new here. Each has a paragraph, five lines and its knob.");
+  for (const Recipe& recipe : recipes) introduce(page, recipe);
   page.text(
-      R"(The charts also show what earlier lessons explained: Gauss–Seidel, its symmetric form and SOR, Jacobi,
-      conjugate gradients and direct solves (lesson 3), Baumgarte (lesson 4), split impulse, soft constraints and
-      projection. Any cure of drift goes with any solver of rows, and each chart finds the best of all of them at each of
-      its points. Not every method can do every scene:)");
+      R"(The charts also show methods of earlier lessons: Gauss–Seidel, its symmetric form and SOR, Jacobi, conjugate
+      gradients and direct solves (lesson 3), Baumgarte (lesson 4), split impulse, soft constraints and projection. Any
+      cure of drift goes with any solver of rows; each point of a chart is the best of their combinations. Not every
+      method can do every scene:)");
   std::vector<std::vector<std::string>> rows;
   int without_contacts = 0, refused = 0;
   for (const Family& family : families()) {

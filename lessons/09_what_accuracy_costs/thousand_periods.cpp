@@ -72,13 +72,14 @@ void thousand_periods(Page& page) {
                 Value(one.periods.back(), 4));
   }
   page.text(
-      R"(Ten seconds do not tell what becomes of a clock. So here is a pendulum for @ periods, one step a frame. A bounded
-      error swings about the true energy; a drifting one grows with time; the rest is damping that no one asked for.)",
+      R"(Ten seconds do not tell what becomes of a clock. So here is a pendulum for @ periods, one step a frame. A
+      bounded error swings about the true energy; a drifting one grows with time; the rest is damping that no one
+      asked for.)",
       periods);
   page.figure("thousand_periods",
-              say("Change of energy of a pendulum over @ periods, the largest between two points.", periods),
+              say("Change of energy of a pendulum over @ periods: the largest since the point before.", periods),
               chart);
-  page.text("What became of the energy:\n" + said);
+  page.text("What becomes of the energy:\n" + said);
   page.claim("RATTLE: change of energy at the end, over that of the first period",
              kept[0].change.back() / kept[0].change.front(), "1", is_at_most(2, "symmetric: bounded for good"));
   page.claim("implicit midpoint: change of energy at the end, over that of the first period",

@@ -141,8 +141,8 @@ void walking_down(const Problem& problem, Page& page) {
   const double seconds = film.acts.seconds();
   page.sequence(
       "walking_down",
-      say(R"(Along two work–precision curves, from one step a frame to @. Above: the pendulum by symplectic Euler,
-                    and what is around the bob's true place (grey) at one scale; purple: the error.)",
+      say(R"(A walk along two work–precision curves, from one step a frame to @. Above: the pendulum by symplectic
+                    Euler, and the surroundings of the bob's true place (grey) at a fixed scale; purple: the error.)",
           1 << halvings),
       Seconds{seconds}, [shown = std::move(film)](Canvas& canvas, double time) { shown.draw(canvas, time); });
 }

@@ -21,9 +21,10 @@ void what_the_step_hides(Page& page) {
       measure(problem, family_named("direct"), {.cure = Cure::baumgarte, .strength = beta});
 
   page.predict(
-      {.ask = say(R"(A double pendulum, one step a frame, @ sweeps in each, and its trajectory is @ m off after @
-                  s. With @ sweeps: how far off?)",
-                  some.knobs.passes, Value(some[Error::trajectory], 3), problem.scene().time, many.knobs.passes),
+      {.ask =
+           say(R"(A double pendulum, solved in one step a frame by @ sweeps, is @ m off its trajectory after @ s.
+                  How far off is it with @ sweeps?)",
+               some.knobs.passes, Value(some[Error::trajectory], 3), problem.scene().time, many.knobs.passes),
        .answer = many[Error::trajectory],
        .unit = "m",
        .tolerance = 0.03 * some[Error::trajectory],
@@ -33,10 +34,10 @@ void what_the_step_hides(Page& page) {
        .hints = {"What would a direct solve of the same steps give?",
                  "error = error of the solver + error of the step", "The error of the solver is small already."},
        .hinted = exact[Error::trajectory],
-       .right =
-           say(R"(It stays: this is the error of the step. The direct solve of the same steps is @ m off. Change
+       .right = say(
+           R"(Nothing changes: this is the error of the step. The direct solve of the same steps is @ m off. Change
                     h, not the sweeps.)",
-               Value(exact[Error::trajectory], 4))});
+           Value(exact[Error::trajectory], 4))});
   renderer::Chart chart{.title = title_of(problem) + "; one step a frame",
                         .x = {.label = "sweeps a step", .scale = renderer::Scale::logarithmic},
                         .y = {.label = "error (m, m/s)", .scale = renderer::Scale::logarithmic}};
@@ -53,13 +54,13 @@ void what_the_step_hides(Page& page) {
                        .label = "trajectory, solved directly"}};
   page.figure(
       "plateau",
-      R"(More sweeps a step. The rows are solved to rounding in the end; the trajectory stays where the direct solve of
-      the same steps is.)",
+      R"(Errors over the sweeps in a step. In the end the rows are solved to rounding; the trajectory stays as wrong as
+      that of the direct solve.)",
       chart);
   const double change = std::abs(points.front()[Error::trajectory] / exact[Error::trajectory] - 1);
   page.text(
-      R"(@ sweep a step already has a trajectory within @ % of that of the direct solve: a warm start does the rest. All
-      further sweeps improve only the solution of a step that is wrong itself. On a work–precision chart such a curve
+      R"(With @ sweep a step the trajectory's error is already within @ % of the direct solve's: a warm start does the
+      rest. All further sweeps only solve better a step that is itself wrong. On a work–precision chart such a curve
       turns straight up. So residuals alone do not compare simulations. What helps is a shorter step or a method of
       higher order.)",
       points.front().knobs.passes, Value(100 * change, 2));
