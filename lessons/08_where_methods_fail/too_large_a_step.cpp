@@ -151,8 +151,8 @@ void too_large_a_step(const Setting& setting, Page& page) {
       R"(**Which knob?** A shorter step, most cheaply by substeps. Heavier or longer links help too. More sweeps, a
       smaller β or another solver of the same rows do not.)");
   page.text(
-      R"(From the casebook, faults of steps that are solved exactly: a pendulum that loses energy, `./lessons/run case
-      7`; corrections of positions that lose spin, `./lessons/run case 10`.)");
+      R"(From the casebook, faults of steps that are solved exactly: a pendulum that loses energy,
+      `./lessons/run case 7`; corrections of positions that lose spin, `./lessons/run case 10`.)");
 
   claim_agreement(page, agreed, 0.15, "law of transverse instability", setting.resolution);
   for (const double hz : {rate, 2 * rate})
