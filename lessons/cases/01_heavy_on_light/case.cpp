@@ -28,14 +28,14 @@ Case make() {
   const int sweeps = 10;
   return {.title = "A heavy box sinks through a light one",
           .report =
-              "With sequential impulses a heavy box sinks through a light one from mass ratios of about 100 on; "
+              "With sequential impulses a heavy box sinks through a light one at mass ratios from about 100 on; "
               "the state stays finite, and nothing warns.",
           .link = "https://github.com/dartsim/dart/issues/3442",
           .law = 4,
           .why =
               "The ground's row sees only the light box, the row between the boxes sees both. A sweep leaves r/(1 "
-              "+ r) of the heavy box's speed. k sweeps from λ = 0 leave q = (r/(1 + r))ᵏ, so the box does not "
-              "fall freely, but comes to sink at gh q/(1 − q).",
+              "+ r) of the heavy box's speed, and k sweeps from λ = 0 leave q = (r/(1 + r))ᵏ. So the box does not "
+              "fall freely, but ends up sinking at gh q/(1 − q).",
           .equation = {"v(n+1) = q (v(n) − gh),  q = (r/(1 + r))ᵏ",
                        R"(v_{n+1} = q\,(v_n - gh), \quad q = \left(\frac{r}{1+r}\right)^k)"},
           .numbers =
@@ -53,8 +53,8 @@ Case make() {
           .engines = Question{"how far the heavy box has sunk after 0.2 s", "m", 0.2,
                               [](const Scene<M>& scene) { return 1.5 - scene.bodies().pose[2].position.y(); }},
           .cure =
-              "Solve the rows exactly: a column is a tree, which a direct solve with an active set takes in one "
-              "pass. A warm start alone does not do it: by law 9 it limits the ratio, too.",
+              "Solve the rows exactly: a column is a tree, which a direct solve with an active set does in one "
+              "pass. A warm start alone is no cure: by law 9 it limits the ratio, too.",
           .cured =
               [](SceneFile file) {
                 file.method = VelocityStepping{};
@@ -67,7 +67,7 @@ Case make() {
                                             boxes.scene.bodies().pose[2].position.y(), "C = 0", 1e-3}};
               },
           .takeaway =
-              "What sweeps need grows as the mass ratio. Heavy on light asks for an exact solve, not for more "
+              "The sweeps needed grow as the mass ratio. Heavy on light asks for an exact solve, not for more "
               "sweeps; light on heavy costs nothing."};
 }
 const bool told = tell(__FILE__, make);

@@ -17,17 +17,15 @@ Case make() {
   return {
       .title = "Joints do not stiffen with substeps",
       .report =
-          "A chain stretches by the same amount with 4 substeps and with 64, because soft joints have a frequency "
-          "of "
-          "their own, which the engine caps at 60 Hz.",
+          "A chain stretches as much with 64 substeps as with 4: its soft joints have a frequency of their own, "
+          "which the engine caps at 60 Hz.",
       .link = "https://github.com/Birch-san/box2d3-wasm/issues/49",
       .law = 11,
       .why =
           "A soft row of frequency ω acts as a spring with k = mω², m = 1/(JM⁻¹Jᵀ). Under a pull T it gives way "
-          "by "
-          "T/(mω²), whatever the substeps are. The second of five rods carries four bobs of 1 kg and has m = ½ "
-          "kg. A frequency four "
-          "times as high makes the gap 16 times as small.",
+          "by T/(mω²), whatever the number of substeps. The second of five rods carries four bobs of 1 kg and has "
+          "m = ½ "
+          "kg. Four times the frequency makes the gap a sixteenth as large.",
       .equation = {"C = T·JM⁻¹Jᵀ/ω²", R"(C = \frac{T\,JM^{-1}J^T}{\omega^2})"},
       .numbers =
           [](const SceneFile& file) {
@@ -44,8 +42,7 @@ Case make() {
           },
       .cure =
           "Raise the joint's frequency together with the substeps (in Box2D 3: b2JointDef::constraintHertz), or "
-          "hold the "
-          "joints hard: with an exact solve Baumgarte has no such limit.",
+          "make the joints hard: with an exact solve Baumgarte has no such limit.",
       .cured =
           [](SceneFile file) {
             file.method = VelocityStepping{};
@@ -56,7 +53,7 @@ Case make() {
           [](const SceneFile& file) {
             return std::vector<Number>{{"largest gap", "m", 0, largest_gap(file, 60), "C = 0 at rest", 1e-6}};
           },
-      .takeaway = "A soft joint has two limits: the step and its own frequency. Substeps move the first only."};
+      .takeaway = "A soft joint has two limits: the step and its own frequency. Substeps only move the first."};
 }
 const bool told = tell(__FILE__, make);
 

@@ -18,18 +18,16 @@ Case make() {
   return {
       .title = "No friction is large enough to hold a load",
       .report =
-          "A body that friction should hold many times over creeps, at the same speed for every μ; only another "
-          "parameter of the solver changes it.",
+          "A body creeps although friction should hold it many times over, at the same speed for every μ; only "
+          "another parameter of the solver changes that.",
       .link =
           "https://github.com/newton-physics/newton/issues/3943 and "
           "https://github.com/google-deepmind/mujoco/issues/3328",
       .law = 10,
       .why =
-          "A regularised friction row has a softness γ: it asks for JV + γλ = 0 and not for JV = 0. While it "
-          "sticks, λ = Wh "
-          "holds the load W, so the body moves at γWh. μ is only in the bound |λ| ≤ μλ_n, which is not reached: "
-          "it does not "
-          "appear.",
+          "A regularised friction row has a softness γ: it asks for JV + γλ = 0, not for JV = 0. While it sticks, "
+          "λ = Wh holds the load W, so the body moves at γWh. μ appears only in the bound |λ| ≤ μλ_n, which is "
+          "not reached.",
       .equation = {"v = γ·W·h", R"(v = \gamma W h)"},
       .numbers =
           [](const SceneFile& file) {
@@ -41,9 +39,8 @@ Case make() {
                 {"creep with μ = 1000", "m/s", expected, creep(file, 1000), "(17) with γ", 1e-6}};
           },
       .cure =
-          "A hard friction row, γ = 0, with its bound. Where a solver needs the regularisation, make it small "
-          "beside JM⁻¹Jᵀ: "
-          "the creep is in proportion to it.",
+          "A hard friction row, γ = 0, with its bound. Where a solver needs regularisation, make it small beside "
+          "JM⁻¹Jᵀ: the creep is in proportion to it.",
       .cured =
           [](SceneFile file) {
             std::get<Scene<M>>(file.scene).change_all<Friction>([](Friction<M>& slip) { slip.softness = 0; });

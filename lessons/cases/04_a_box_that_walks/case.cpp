@@ -59,10 +59,8 @@ Case make() {
       .law = 4,
       .why =
           "A sweep solves the left corner before the right one. What it leaves is not symmetric, although the "
-          "scene is, "
-          "and each step adds the same small push. In a mirror the scene is the same and the right corner comes "
-          "first: so "
-          "with the other order the box walks exactly as far to the other side.",
+          "scene is, and each step adds the same small push. Seen in a mirror the scene is the same, but the "
+          "right corner comes first. So in that order the box walks exactly as far to the other side.",
       .equation = {"x(right first) = −x(left first)", R"(x_{\mathrm{right\ first}} = -x_{\mathrm{left\ first}})"},
       .numbers =
           [](const SceneFile& file) {
@@ -88,8 +86,8 @@ Case make() {
             return std::vector<Number>{{"way in 1 s", "m", 0, way(file), "symmetry", 1e-9}};
           },
       .takeaway =
-          "A drift that always goes the same way is the order of the rows. Turn it round: if the sign turns, you "
-          "have found it."};
+          "A drift that always goes the same way is the order of the rows. Reverse it: if the drift reverses too, "
+          "you have found the cause."};
 }
 const bool told = tell(__FILE__, make);
 

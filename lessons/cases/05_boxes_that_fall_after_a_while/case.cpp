@@ -27,17 +27,15 @@ Case make() {
   return {
       .title = "A stack falls after some seconds",
       .report =
-          "A few boxes stand well for some seconds and then topple, although nothing touches them and the "
-          "solver makes many "
-          "iterations.",
+          "A few boxes stand for some seconds and then topple, although nothing touches them and the solver makes "
+          "many iterations.",
       .link = "https://github.com/RandyGaul/qu3e/issues/54",
       .law = 18,
       .why =
-          "Gravity tips a leaning column over as σ² = 1.571 g/Na, as a negative β would. Sweeps take its "
-          "bending back only "
-          "slowly: of N unit boxes one leaves ρ = 1 − 2.06/N⁴, k leave q = ρᵏ. The column stands while (σh)² "
-          "< (1 − q)/q. "
-          "Beyond, a push that nobody sees grows by a constant factor each step: that is the while.",
+          "Gravity tips a leaning column over: a lean x grows as ẍ = σ²x, σ² = 1.571 g/Na. Sweeps undo its "
+          "bending only slowly: with N square boxes one sweep leaves ρ = 1 − 2.06/N⁴ of it, k sweeps leave q = "
+          "ρᵏ. The column stands while (σh)² < (1 − q)/q. Beyond that, a push too small to see grows by a "
+          "constant factor in each step, which takes its time.",
       .equation = {"(σh)² = (1 − q)/q", R"((\sigma h)^2 = \frac{1-q}{q})"},
       .numbers =
           [](const SceneFile& file) {
@@ -51,9 +49,8 @@ Case make() {
       .engines = Question{"how far the top box has gone aside after 20 s", "m", 20,
                           [](const Scene<M>& scene) { return std::abs(scene.bodies().pose[10].position.x()); }},
       .cure =
-          "More sweeps, ¾gh²N³/a of them for squares of side a; or better n substeps, which are worth n² "
-          "sweeps; or an exact "
-          "solve, which stands at any height.",
+          "More sweeps: ¾gh²N³/a of them for squares of side a. Better, n substeps, which are worth n² sweeps. Or "
+          "an exact solve, with which a stack of any height stands.",
       .cured =
           [](SceneFile file) {
             file.method.substeps = 2;
@@ -64,7 +61,7 @@ Case make() {
             return std::vector<Number>{{"whether they stand for 60 s with two substeps", "1", 1,
                                         stands(file, 9.81, 60) ? 1.0 : 0.0, "law 18", 0}};
           },
-      .takeaway = "What falls late was falling from the beginning: look at the logarithm of its lean."};
+      .takeaway = "A stack that falls late was falling from the start: look at the logarithm of its lean."};
 }
 const bool told = tell(__FILE__, make);
 

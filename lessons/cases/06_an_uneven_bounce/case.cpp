@@ -30,14 +30,13 @@ double spin_of(const SceneFile& file) { return after<M>(file, file.step).scene.b
 Case make() {
   return {
       .title = "A symmetric box bounces to one side",
-      .report = "A box that is dropped flat, on a symmetric floor, bounces up turning, always the same way.",
+      .report = "A box dropped flat on a symmetric floor bounces up turning, always the same way.",
       .link = "https://github.com/dimforge/rapier/issues/668",
       .law = 4,
       .why =
-          "The left corner's row is solved first and stops the whole box by itself, which turns it. The right one "
-          "then meets a "
-          "box that already turns. After one sweep the corners' impulses differ. Two rows and (17) give the spin "
-          "by hand.",
+          "The left corner's row is solved first and stops the whole box by itself, which makes it turn. The "
+          "right corner then meets a box that is already turning. After one sweep the corners' impulses differ. "
+          "Two rows and (17) give the spin by hand.",
       .equation = {"Δλ = −(JV − e v)/K,  K = 1/m + s²/I",
                    R"(\Delta\lambda = -\frac{JV - e\,v}{K}, \quad K = \frac{1}{m} + \frac{s^2}{I})"},
       .numbers =
@@ -51,7 +50,7 @@ Case make() {
           },
       .engines = Question{"spin after the bounce", "rad/s", 0.1,
                           [](const Scene<M>& scene) { return scene.bodies().velocity[1][2]; }},
-      .cure = "Solve both corners as one block, or sweep until nothing changes: then the box goes up straight.",
+      .cure = "Solve both corners as one block, or sweep until nothing changes: then the box bounces straight up.",
       .cured =
           [](SceneFile file) {
             std::get<Scene<M>>(file.scene).set_contact_rows(ContactRows::manifold);

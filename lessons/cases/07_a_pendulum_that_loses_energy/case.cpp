@@ -19,17 +19,15 @@ Case make() {
   return {
       .title = "A pendulum loses energy with all damping off",
       .report =
-          "A teacher's first example is a pendulum; with every friction and damping at zero it still comes to "
-          "rest.",
+          "A teacher's first example is a pendulum. It comes to rest even with all friction and damping at zero.",
       .link = "https://github.com/liabru/matter-js/issues/1250 (and godot#6323, dart#846, bepu#368)",
       .law = 3,
       .why =
           "A step moves along a tangent, which leaves the circle outwards. The rod takes the outward speed away, "
           "and its work "
-          "is gone. Without gravity and without a cure of drift the angular momentum stays exactly, the radius "
-          "grows as "
-          "R(1 + 2v²ht/R²)^¼, so the energy falls as 1/R². It is linear in h at first: half the step, half the "
-          "loss.",
+          "is gone. Without gravity and without a cure of drift the angular momentum is kept exactly and the "
+          "radius grows as R(1 + 2v²ht/R²)^¼, so the energy falls as one over its square. At first the loss is "
+          "linear in h: half the step, half the loss.",
       .equation = {"E/E₀ = (1 + 2v²ht/R²)^(−½)", R"(\frac{E}{E_0} = \left(1 + \frac{2v^2ht}{R^2}\right)^{-1/2})"},
       .numbers =
           [](const SceneFile& file) {
@@ -50,7 +48,7 @@ Case make() {
             return std::vector<Number>{
                 {"energy kept after 1 s with 16 substeps", "1", predicted(file), kept(file), "law 3", 0.001}};
           },
-      .takeaway = "An energy loss that halves with the step is the method's, not the engine's hidden damping."};
+      .takeaway = "An energy loss that halves with the step comes from the method, not from hidden damping."};
 }
 const bool told = tell(__FILE__, make);
 

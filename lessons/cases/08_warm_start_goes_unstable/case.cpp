@@ -27,12 +27,13 @@ bool dies_out(const SceneFile& file, double beta) {
 Case make() {
   return {
       .title = "Warm starting goes unstable",
-      .report = "A user asks why warm starting, which helps everywhere, makes some scenes explode.",
+      .report = "A user asks why warm starting, which helps elsewhere, makes some scenes explode.",
       .link = "https://github.com/erincatto/solver2d/issues/8",
       .law = 6,
       .why =
           "A warm start repeats the last λ, and with it the correction that λ contained. k sweeps leave the share "
-          "q = ρᵏ of what is then wrong, so the correction is paid again and again. The slow mode obeys z³ − [1 + "
+          "q = ρᵏ of the resulting error, so the correction is applied again and again. The slow mode obeys z³ − "
+          "[1 + "
           "2q − (1 − q)β]z² + 3qz − q = 0, whose roots leave the unit circle at β = (1 − q)/q. A chain of N links "
           "has ρ = cos²(π/2N).",
       .equation = {"β < (1 − q)/q,  q = cos²ᵏ(π/2N)",
@@ -47,8 +48,8 @@ Case make() {
                                         "law 6", 0.05}};
           },
       .cure =
-          "A β below (1 − q)/q; or a correction that does not enter λ: split impulse is stable for every β up to "
-          "2. An exact solve has q = 0.",
+          "A β below (1 − q)/q, or a correction that stays out of λ: split impulse is stable for every β up to 2. "
+          "With an exact solve q = 0.",
       .cured =
           [](SceneFile file) {
             const double beta = std::get<Baumgarte>(file.method.drift).beta;
@@ -64,7 +65,8 @@ Case make() {
                                         position_error(chain.scene).max / first, "split impulse settles", 1e-3}};
           },
       .takeaway =
-          "Warm start and Baumgarte limit each other: more sweeps, or less β, or the correction kept out of λ."};
+          "Warm start and Baumgarte limit each other: take more sweeps or a smaller β, or keep the correction out "
+          "of λ."};
 }
 const bool told = tell(__FILE__, make);
 

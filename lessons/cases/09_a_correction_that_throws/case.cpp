@@ -18,8 +18,8 @@ Case make() {
           .law = 2,
           .why =
               "(22) asks for the velocity −(β/h)C. The row has no other way to move a body than to give it that "
-              "velocity, and the velocity stays when the overlap is gone. A box that begins d deep leaves the "
-              "ground at βd/h.",
+              "velocity, and the velocity stays when the overlap is gone. A box that starts at a depth d leaves "
+              "the ground at βd/h.",
           .equation = {"v = β·d/h", R"(v = \frac{\beta d}{h})"},
           .numbers =
               [](const SceneFile& file) {
@@ -31,8 +31,8 @@ Case make() {
           .engines = Question{"height of the box's middle after 0.25 s", "m", 0.25,
                               [](const Scene<M>& scene) { return scene.bodies().pose[1].position.y(); }},
           .cure =
-              "Split impulse: the correction moves the poses by a velocity of its own, which is forgotten. A cap "
-              "on the bias makes the jump lower; soft rows relax it away in the same step.",
+              "Split impulse: the correction moves the poses with a velocity of its own, which is then forgotten. "
+              "A cap on the bias lowers the jump; soft rows relax it away in the same step.",
           .cured =
               [](SceneFile file) {
                 file.method.drift = SplitImpulse{.beta = 0.2};

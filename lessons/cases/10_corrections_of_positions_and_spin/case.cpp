@@ -25,15 +25,14 @@ Case make() {
   return {
       .title = "Corrections of positions lose spin",
       .report =
-          "A user of a position-based tutorial sees that turning bodies on joints lose their angular momentum.",
+          "A user of a position-based tutorial sees that bodies turning on joints lose their angular momentum.",
       .link = "https://github.com/matthias-research/pages/issues/5",
       .law = 3,
       .why =
-          "XPBD moves freely, pulls the body back onto the circle, and takes the velocity from the way between "
-          "the two places. That "
-          "way is a chord, not a tangent: a body that turned by φ turns by φ₁ in the next step, tan φ₁ = sin φ/(2 "
-          "− cos φ), which is φ − φ³. "
-          "The spin about the nail falls as ω₀/√(1 + 2ω₀²ht), without any damping.",
+          "XPBD moves freely, pulls the body back onto the circle, and takes the velocity from the line between "
+          "the two places. That line is a chord, not a tangent: a body that turned by φ in one step turns by φ₁ "
+          "in the next, tan φ₁ = sin φ/(2 − cos φ), which is about φ − φ³. The spin about the nail falls as "
+          "ω₀/√(1 + 2ω₀²ht), without any damping.",
       .equation = {"ω(t) = ω₀/√(1 + 2ω₀²ht)", R"(\omega(t) = \frac{\omega_0}{\sqrt{1 + 2\omega_0^2 h t}})"},
       .numbers =
           [](const SceneFile& file) {
@@ -45,7 +44,7 @@ Case make() {
       .cure =
           "Substeps: the loss is in proportion to h. Methods on velocities keep this angular momentum exactly, "
           "whatever the step, "
-          "because an impulse along the rod has no moment about the nail.",
+          "because an impulse along the rod has no torque about the nail.",
       .cured =
           [](SceneFile file) {
             file.method = {Direct{}, Baumgarte{.beta = 0.2}, 1};
@@ -55,12 +54,11 @@ Case make() {
           [](const SceneFile& file) {
             Simulation<M> wheel = after<M>(file, 1);
             return std::vector<Number>{{"angular momentum after 1 s", "kg m²/s", 3,
-                                        angular_momentum(wheel.scene.bodies())[0], "the pull has no moment",
+                                        angular_momentum(wheel.scene.bodies())[0], "the pull has no torque",
                                         1e-6}};
           },
       .takeaway =
-          "Positions first is stable and lossy. Ask of a method what it conserves before you ask how stiff it "
-          "is."};
+          "Correcting positions is stable but lossy. Ask what a method conserves before you ask how stiff it is."};
 }
 const bool told = tell(__FILE__, make);
 

@@ -21,11 +21,9 @@ Case make() {
       .link = "https://github.com/erincatto/box2d/pull/981",
       .law = 14,
       .why =
-          "The relaxation asks for JV = 0 with J from before the move. The body has turned by φ = vh/R since, so "
-          "the old tangent "
-          "lets a share of the speed point along the rod; what the next step takes away is v(1 − cos φ), v φ²/2 "
-          "in each step: "
-          "dv/dt = −hv³/(2R²).",
+          "The relaxation asks for JV = 0 with the J from before the move. The body has turned by φ = vh/R since, "
+          "so the velocity along the old tangent points partly along the rod. The next step takes that part away, "
+          "and the speed falls by v(1 − cos φ), about vφ²/2 in each step: dv/dt = −hv³/(2R²).",
       .equation = {"v(t) = v₀/√(1 + h v₀² t/R²)", R"(v(t) = \frac{v_0}{\sqrt{1 + h v_0^2 t/R^2}})"},
       .numbers =
           [](const SceneFile& file) {
@@ -45,7 +43,7 @@ Case make() {
                 {"speed after 5 s", "m/s", 3, speed(file, 5), "v stays along the tangent", 0.02}};
           },
       .takeaway =
-          "A J is true at one pose. If you move the bodies, write it again, or say what the old one costs."};
+          "A J is right at one pose. If you move the bodies, write it again, or know what the old one costs."};
 }
 const bool told = tell(__FILE__, make);
 

@@ -34,15 +34,15 @@ Case make() {
   return {
       .title = "A contact that is told to be stiff sinks",
       .report =
-          "A box rests on its pedestal while contact stiffness and damping are left alone; with large numbers for "
-          "both it sinks into it.",
+          "A box rests on its pedestal as long as contact stiffness and damping are left alone; with large "
+          "numbers for both it sinks in.",
       .link = "https://github.com/bulletphysics/bullet3/issues/4428",
       .law = 11,
       .why =
           "Left alone, a contact is a hard row, γ = 0: as stiff as a row can be. Any k and c, however large, make "
           "it "
-          "a spring: γ = 1/(h(c + hk)) and β = hk/(c + hk). At rest JV = 0, so that βC/h = −γλ; with λ = mgh that "
-          "is C = −mg/k. The damping c is in both and drops out: it only says how slowly the box gets there.",
+          "a spring: γ = 1/(h(c + hk)) and β = hk/(c + hk). At rest JV = 0, so βC/h = −γλ; with λ = mgh that is C "
+          "= −mg/k. The damping c is in both and drops out: it only decides how slowly the box gets there.",
       .equation = {"C = −γ m g h²/β = −mg/k", R"(C = -\frac{\gamma\,m g h^2}{\beta} = -\frac{m g}{k})"},
       .numbers =
           [](const SceneFile& file) {
@@ -57,9 +57,8 @@ Case make() {
                  depth(with(file, 4 * k, c), 5), "mg/k", 1e-6}};
           },
       .cure =
-          "Leave the row hard. Where it has to be soft, begin with the depth that may be seen and take k = "
-          "mg/depth: "
-          "k counts beside the weight, so there is no number that is stiff for every box.",
+          "Leave the row hard. Where it has to be soft, start from the depth that may be seen and take k = "
+          "mg/depth. k counts against the weight, so no number is stiff for every box.",
       .cured =
           [](SceneFile file) {
             std::get<Scene<M>>(file.scene).change_all<Contact>([](Contact<M>& row) { row.softness = 0; });
@@ -70,7 +69,7 @@ Case make() {
             return std::vector<Number>{{"depth after 5 s", "m", 0, depth(file, 5), "C = 0", 1e-9}};
           },
       .takeaway =
-          "A stiffness softens a row that was rigid. It sinks by weight over stiffness, whatever the damping, the "
+          "A stiffness makes a rigid row soft. The box sinks by weight over stiffness, whatever the damping, the "
           "sweeps and the substeps."};
 }
 const bool told = tell(__FILE__, make);
