@@ -104,10 +104,9 @@ class Examination {
                    .quantity = "β",
                    .number = notes_.treatment.beta,
                    .limit = limit,
-                   .sentence = fmt::format(
-                       "A step takes back β = {:.3g} of an error; above 2 the error grows, by |1 − β| = {:.3g} "
-                       "each step.",
-                       notes_.treatment.beta, std::abs(1 - notes_.treatment.beta)),
+                   .sentence = fmt::format("A step corrects β = {:.3g} of an error. Above 2 the error grows, by a "
+                                           "factor of |1 − β| = {:.3g} in each step.",
+                                           notes_.treatment.beta, std::abs(1 - notes_.treatment.beta)),
                    .knobs = {turn_to("beta", 0.2)}});
     }
     Scene<M> scene = pilot_.scene;
@@ -209,9 +208,8 @@ class Examination {
       gap.grade = beyond(gap.number, gap.limit);
       gap.shows = Shows::at_once;
       gap.sentence = fmt::format(
-          "A soft row of ω = {:.3g} /s gives way by T·JM⁻¹Jᵀ/ω², under {:.3g} N by {:.3g} of a body, however many "
-          "substeps "
-          "there are.",
+          "A soft row of ω = {:.3g} /s gives way by T·JM⁻¹Jᵀ/ω²: under {:.3g} N by {:.3g} of a body, however many "
+          "substeps there are.",
           notes_.treatment.frequency, pull, gap.number);
       gap.knobs = {turn_to("frequency", notes_.treatment.frequency * std::sqrt(std::max(2.0, 2 * gap.excess()))),
                    exactly()};
@@ -229,7 +227,7 @@ class Examination {
     }
     if (creep.number > 0) {
       creep.sentence = fmt::format(
-          "A friction row with a softness γ sticks at a speed γ·W·h = {:.3g} m/s, whatever μ is.", speed);
+          "A friction row with a softness γ creeps at γ·W·h = {:.3g} m/s while it sticks, whatever μ is.", speed);
       creep.knobs = {{"constraints", 0, "softness = 0 of the friction"}};
       notes_.keep(creep);
     }
@@ -242,17 +240,17 @@ class Examination {
     most_motion_ = std::max(most_motion_, kinetic_energy(moment.scene.bodies()));
     if (!(most_motion_ > 0) || taken_ == 0) return;
     const double share = taken_ / most_motion_;
-    notes_.keep({.law = notes_.treatment.frequency > 0 ? 14 : 3,
-                 .quantity = "energy that turning rows take, by that of the motion",
-                 .number = share,
-                 .limit = 0.2,
-                 .bodies = hardest_,
-                 .sentence = fmt::format(
-                     "The velocities end along the rows as they were before the bodies moved. The next step "
-                     "takes away what points along the turned rows: over the run {:.3g} of the motion's "
-                     "energy.",
-                     1 - std::exp(-share)),
-                 .knobs = {notes_.more_substeps(share / 0.02)}});
+    notes_.keep(
+        {.law = notes_.treatment.frequency > 0 ? 14 : 3,
+         .quantity = "energy that turning rows take, by that of the motion",
+         .number = share,
+         .limit = 0.2,
+         .bodies = hardest_,
+         .sentence = fmt::format(
+             "A step makes the velocities fit the rows as they were before the bodies moved. The next step takes "
+             "away what does not fit the turned rows: over the run, {:.3g} of the motion's energy.",
+             1 - std::exp(-share)),
+         .knobs = {notes_.more_substeps(share / 0.02)}});
   }
 
   void try_findings() {
@@ -271,18 +269,17 @@ class Examination {
     transverse_ = std::max(transverse_, frequency);
     const double number = frequency * notes_.treatment.h, limit = 2;
     const double hardest = strongest(moment);
-    notes_.keep(
-        {.law = 7,
-         .grade = beyond(number, limit),
-         .quantity = "ω·h",
-         .number = number,
-         .limit = limit,
-         .bodies = hardest_,
-         .sentence = fmt::format("At {:.2f} s a joint pulls with {:.3g} N, which makes light bodies swing across "
-                                 "it at ω = {:.3g} /s: ω·h = {:.3g}, "
-                                 "and J that stands still over a step is stable up to 2. More sweeps cannot help.",
-                                 pilot_.time, hardest, frequency, number),
-         .knobs = {notes_.more_substeps(1.25 * number / limit)}});
+    notes_.keep({.law = 7,
+                 .grade = beyond(number, limit),
+                 .quantity = "ω·h",
+                 .number = number,
+                 .limit = limit,
+                 .bodies = hardest_,
+                 .sentence = fmt::format(
+                     "At {:.2f} s a joint pulls with {:.3g} N, so light bodies swing across it at ω = {:.3g} /s. "
+                     "ω·h = {:.3g}, and with a J held over a step 2 is the limit. More sweeps cannot help.",
+                     pilot_.time, hardest, frequency, number),
+                 .knobs = {notes_.more_substeps(1.25 * number / limit)}});
   }
   /// The largest force of a row without bounds [N], and its bodies.
   double strongest(const Moment<M>& moment) {
@@ -325,9 +322,8 @@ class Examination {
     worst.grade = beyond(worst.number, worst.limit);
     worst.shows = Shows::at_once;
     worst.sentence = fmt::format(
-        "At {:.2f} s a joint bends its way so fast that it stands open by {:.3g} of a body: a substep adds "
-        "½h²|J̇V|, "
-        "and β takes back a share.",
+        "At {:.2f} s the path of a joint bends so fast that the joint is open by {:.3g} of a body: a substep adds "
+        "½h²|J̇V|, and β takes back a share.",
         pilot_.time, worst.number);
     worst.knobs = {notes_.more_substeps(1.2 * std::sqrt(worst.excess()))};
     notes_.keep(worst);
@@ -352,8 +348,8 @@ class Examination {
     });
     if (worst.bodies.empty()) return;
     worst.sentence = fmt::format(
-        "At {:.2f} s friction carries {:.3g} of what its cone allows: a little less of μ, or a little more of "
-        "a load, and it slips.",
+        "At {:.2f} s friction carries {:.3g} of what its cone allows: with a little less μ or a little more load, "
+        "it slips.",
         pilot_.time, worst.number);
     worst.knobs = {{"friction", 0, "a larger μ of these bodies"}};
     notes_.keep(worst);
@@ -370,9 +366,8 @@ class Examination {
           worst.number = turn, worst.bodies = {i};
       if (worst.number == 0) return;
       worst.sentence = fmt::format(
-          "At {:.2f} s it turns by θ = {:.3g} rad in a substep: whatever is held off its axis is off by a share 1 "
-          "− cos θ = {:.3g} of "
-          "its arm, and spin and precession lose their pace.",
+          "At {:.2f} s it turns by θ = {:.3g} rad in a substep: a point held off its axis is off by 1 − cos θ = "
+          "{:.3g} of its arm, and spin and precession have the wrong rate.",
           pilot_.time, worst.number, 1 - std::cos(worst.number));
       worst.knobs = {notes_.more_substeps(worst.number / 0.1)};
       notes_.keep(worst);
@@ -405,8 +400,7 @@ class Examination {
            .limit = thinnest / 2 + colliders.margin,
            .bodies = {body},
            .sentence = fmt::format("At {:.2f} s it moves {:.3g} m in a substep, and the thinnest shape is {:.3g} "
-                                   "m thick: beyond half of "
-                                   "that, and the margin, it may pass unseen.",
+                                   "m thick: beyond half of that plus the margin, it may pass through unseen.",
                                    pilot_.time, way, thinnest),
            .knobs = {{"contact_lookahead", 1, "contact_lookahead = 1"},
                      notes_.more_substeps(way / (thinnest / 2))}});
@@ -537,18 +531,19 @@ class Examination {
            .bodies = most.bodies,
            .sentence =
                sweeps +
-               fmt::format("Warm start and β = {:.3g} make the bodies hop on each other, by {:.3g} of a body.",
+               fmt::format("A warm start with β = {:.3g} makes the bodies hop on each other, by {:.3g} of a body.",
                            notes_.treatment.beta, high - low),
            .knobs = knobs,
            .shows = Shows::in_time,
            .by_half = by_half});
-    notes_.keep({.law = 6,
-                 .quantity = "β·q/(1 − q)",
-                 .number = notes_.treatment.beta / limit,
-                 .limit = 1,
-                 .bodies = most.bodies,
-                 .sentence = fmt::format("β = {:.3g} beside (1 − q)/q = {:.3g}.", notes_.treatment.beta, limit),
-                 .knobs = {turn_to("beta", 0.5 * limit), exactly()}});
+    notes_.keep(
+        {.law = 6,
+         .quantity = "β·q/(1 − q)",
+         .number = notes_.treatment.beta / limit,
+         .limit = 1,
+         .bodies = most.bodies,
+         .sentence = fmt::format("β = {:.3g}, with a limit of (1 − q)/q = {:.3g}.", notes_.treatment.beta, limit),
+         .knobs = {turn_to("beta", 0.5 * limit), exactly()}});
   }
 
   const SceneFile& file_;

@@ -35,7 +35,7 @@ void mass_ratios(Notes<M>& notes, const std::vector<std::vector<int>>& above, co
   worst.grade = beyond(worst.excess(), 1.5);  // the limit holds within a factor: it depends on β and the load
   worst.shows = Shows::in_time;
   worst.sentence = fmt::format(
-      "The upper body is {:.3g} times as heavy as one that carries it; {} warm sweeps settle at β = 0.2 up to "
+      "The upper body is {:.3g} times as heavy as one that carries it; at β = 0.2, {} warm sweeps settle up to "
       "about {:.3g}.",
       worst.number, notes.treatment.passes, worst.limit);
   worst.knobs = {exactly(), notes.more_sweeps(worst.excess())};
@@ -67,10 +67,10 @@ void cold_height(Notes<M>& notes, const std::vector<std::vector<int>>& above, co
               .number = number,
               .limit = limit,
               .bodies = {top},
-              .sentence = fmt::format(
-                  "{} contacts lie between the ground and the top of the pile, and {} sweep{} from λ = 0 pass its "
-                  "weight down by as many.",
-                  highest, notes.treatment.passes, notes.treatment.passes == 1 ? "" : "s"),
+              .sentence = fmt::format("{} contacts lie between the ground and the top of the pile, but in {} "
+                                      "sweep{} from λ = 0 its "
+                                      "weight is passed down by only as many.",
+                                      highest, notes.treatment.passes, notes.treatment.passes == 1 ? "" : "s"),
               .knobs = {exactly(), notes.more_sweeps(static_cast<double>(highest) / notes.treatment.passes)}});
 }
 
@@ -151,10 +151,10 @@ void columns(Notes<M>& notes, const Moment<M>& moment, double pressed) {
            .limit = 1,
            .bodies = column,
            .sentence = fmt::format(
-               "A column of {} tips over at σ = {:.3g} /s by itself, and {} sweep{} leave q = {:.4g} of its "
+               "A column of {} tips over by itself at σ = {:.3g} /s, and {} sweep{} q = {:.4g} of its "
                "bending. {}",
-               column.size(), std::sqrt(tipping2), notes.treatment.passes, notes.treatment.passes == 1 ? "" : "s",
-               q,
+               column.size(), std::sqrt(tipping2), notes.treatment.passes,
+               notes.treatment.passes == 1 ? " leaves" : "s leave", q,
                std::isfinite(falls)
                    ? fmt::format("A push grows by {:.4g} a substep: it falls about {:.2g} s later.", growth, falls)
                    : "A push dies out."),

@@ -27,9 +27,9 @@ void first_step(Notes<M>& notes) {
               .limit = share_of_a_body,
               .bodies = {kick.body},
               .sentence = fmt::format(
-                  "The first step's {} sweep{} leave it {:.3g} m/s that an exact solve does not: the rows "
-                  "are solved in an order, and what they leave is not symmetric.{}",
-                  notes.treatment.passes, notes.treatment.passes == 1 ? "" : "s", kick.speed,
+                  "The first step's {} sweep{} it {:.3g} m/s that an exact solve does not "
+                  "leave: rows are solved in turn, and what they leave is not symmetric.{}",
+                  notes.treatment.passes, notes.treatment.passes == 1 ? " leaves" : "s leave", kick.speed,
                   notes.treatment.warm_start ? "" : " Without a warm start every step does so again."),
               .knobs = {exactly(), notes.more_sweeps(10)}});
   if (notes.treatment.warm_start) return;
@@ -38,18 +38,16 @@ void first_step(Notes<M>& notes) {
   const double its_size = notes.sizes[static_cast<std::size_t>(drift.body)],
                number = drift.speed * notes.file.duration / (its_size > 0 ? its_size : 1);
   constexpr double limit = 0.5;  // half a body: then it is no longer in its place
-  notes.keep(
-      {.law = 4,
-       .grade = beyond(number, limit),
-       .quantity = "drift by sweeps that begin at λ = 0 [bodies]",
-       .number = number,
-       .limit = limit,
-       .bodies = {drift.body},
-       .sentence = fmt::format(
-           "Sweeps that begin at λ = 0 leave it {:.3g} m/s to one side in every step. No row takes that back: "
-           "over the run it goes {:.3g} of a body.",
-           drift.speed, number),
-       .knobs = {exactly(), notes.more_sweeps(10)}});
+  notes.keep({.law = 4,
+              .grade = beyond(number, limit),
+              .quantity = "drift by sweeps that begin at λ = 0 [bodies]",
+              .number = number,
+              .limit = limit,
+              .bodies = {drift.body},
+              .sentence = fmt::format("Sweeps that begin at λ = 0 leave it {:.3g} m/s to one side in every step. "
+                                      "No row takes that back: over the run it moves by {:.3g} of a body.",
+                                      drift.speed, number),
+              .knobs = {exactly(), notes.more_sweeps(10)}});
 }
 
 /// Law 2: what begins in each other is thrown apart by the correction.
@@ -73,9 +71,8 @@ void overlaps(Notes<M>& notes, const System<M>& system) {
   deepest.grade = beyond(deepest.number, limit);
   deepest.shows = Shows::at_once;
   deepest.sentence = fmt::format(
-      "They begin {:.3g} m in each other. The correction drives them apart at βd/h = {:.3g} m/s, which stays: "
-      "they leave "
-      "each other if they overlap by more than {:.3g} m.",
+      "They start {:.3g} m inside each other. The correction drives them apart at βd/h = {:.3g} m/s, and that "
+      "speed stays: they part if they overlap by more than {:.3g} m.",
       deepest.number, speed, limit);
   deepest.knobs = {{"cure", 0, "cure = split_impulse"},
                    turn_to("beta", notes.treatment.beta * limit / deepest.number)};
@@ -121,9 +118,8 @@ void lifted(Notes<M>& notes, Scene<M> scene, Work<M> work) {
   finding.number = rise / weight / smallest;
   finding.grade = beyond(finding.number, finding.limit);
   finding.sentence = fmt::format(
-      "Bodies begin in each other. The cure moves them apart without a velocity, but what lies above is lifted: "
-      "{:.3g} "
-      "J from nowhere.",
+      "Bodies start inside each other. The cure moves them apart without a velocity, but lifts what lies above: "
+      "{:.3g} J from nowhere.",
       rise);
   finding.knobs = {{"bodies", 0, "bodies that do not overlap"}, turn_to("beta", 0)};
   notes.keep(finding);

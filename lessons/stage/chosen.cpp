@@ -76,14 +76,13 @@ void show_answers(Page& page, const Request& request, const Choice& choice) {
     if (!found)
       page.text("No method was found that keeps @, within this search and a hundred times the cost.", asked);
   page.text(
-      "Run for @ s from @ beginnings, the file's own and others whose @ differs by up to a twentieth, the "
-      "cheapest kept "
-      "what is asked in @. @ runs were made.",
+      "Run for @ s from @ starts (the file's own and others whose @ differs by up to a twentieth), the cheapest "
+      "kept what is asked in @. @ runs were made.",
       Value(choice.verified.seconds, 3), choice.verified.starts,
       request.problem.scene().varied == "speed" ? "first speed" : "gravity", choice.verified.within,
       choice.spent.runs);
   if (std::isfinite(choice.margin))
-    page.text("It no longer keeps it if @ is @ times as large.",
+    page.text("It no longer keeps that if @ is @ times as large.",
               request.problem.scene().stress == "speed" ? "the first speed" : "gravity", Value(choice.margin, 2));
   page.clocked("chosen", "Time for 1/60 s on this machine.", [=] {
     renderer::Chart chart{.y = {.label = "time (µs)"}};
@@ -107,8 +106,8 @@ void show_answers(Page& page, const Request& request, const Choice& choice) {
     if (one.reached)
       others +=
           course::say("\n- @, × @", one.point.described(), Value(one.point.cost / choice.best.point.cost, 2));
-  if (!others.empty()) page.text("@", "What else keeps it, by cost:" + others);
-  page.claim("beginnings from which the cheapest keeps what is asked", static_cast<double>(choice.verified.within),
+  if (!others.empty()) page.text("@", "Other methods that keep it, by cost:" + others);
+  page.claim("starts from which the cheapest keeps what is asked", static_cast<double>(choice.verified.within),
              "1", course::is(static_cast<double>(choice.verified.starts), "all of them", course::absolute(0)));
 }
 
@@ -120,9 +119,8 @@ std::string nearest_in_words(const Choice& choice) {
                                : fmt::format("The run by {}: {}.", best.described(), best.reason);
   if (choice.best.excess <= 1)
     return course::say(
-        "From the file's own beginning @ keeps it, with @ of the error that is allowed; from others, that differ "
-        "by up to "
-        "a twentieth, none was found that keeps it each time.",
+        "From the file's own start @ keeps it, with @ of the error that is allowed. No method was found that also "
+        "keeps it from each of the others, which differ by up to a twentieth.",
         best.described(), Value(choice.best.excess, 2));
   return course::say("The nearest is @, with @ times the error that is asked for.", best.described(),
                      Value(choice.best.excess, 2));

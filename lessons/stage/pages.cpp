@@ -86,7 +86,7 @@ void show_film(Page& page, const SceneFile& file, const std::shared_ptr<const Wa
   if (!run->stopped.empty())
     page.text("The run ended after @ s, because a step had no answer: @.", run->end(), run->stopped);
   else
-    page.text("The run came to its end, @ s.", run->end());
+    page.text("The run reached its end, @ s.", run->end());
 }
 
 void show_numbers(Page& page, const SceneFile& file, const std::shared_ptr<const Watched>& run) {

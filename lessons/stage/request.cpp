@@ -179,7 +179,7 @@ Request request_of(const SceneFile& file) {
     request.limits[Error::drift] = 0.01 * scene.body;
     request.notes.push_back(fmt::format(
         "{}, so gaps and overlaps of at most a hundredth of the smallest body are asked for, {:.2g} m.",
-        file.accuracy.empty() ? "The file does not say what shall be accurate"
+        file.accuracy.empty() ? "The file does not say what is to be accurate"
                               : "Nothing else is left of its \"accuracy\"",
         0.01 * scene.body));
   }
