@@ -15,7 +15,7 @@ const std::array<EquationPlace, 23> equation_places{{
     {1, "3", "with the velocities of the two points"},
     {1, "4", "d, from one point to the other"},
     {1, "4", "multiplied out"},
-    {1, "4", "with the velocities of turning isolated"},
+    {1, "4", "with the angular velocities isolated"},
     {1, "5", "J of the rod"},
     {1, "7", "J of a contact"},
     {1, "7b", "J of friction"},

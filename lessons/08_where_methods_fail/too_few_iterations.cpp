@@ -111,7 +111,8 @@ void too_few_iterations(const Setting& setting, Page& page) {
        {"insert vₙ = zⁿ", "z² − q(2 + σ²h²) z + q = 0", R"(z^2 - q(2 + \sigma^2h^2)\,z + q = 0)"},
        {"a root reaches z = 1 where", "1 + q = q(2 + σ²h²)   ⟹   (σh)² = (1 − q)/q",
         R"(1 + q = q(2 + \sigma^2h^2) \;\Rightarrow\; (\sigma h)^2 = \frac{1-q}{q})"},
-       {"the slowest bending of a cantilever has the eigenvalue 1.8751⁴/N⁴; a face has 6 on the diagonal",
+       {"the slowest bending of a cantilever has the eigenvalue 1.8751⁴/N⁴; the matrix of bending has 6 on its "
+        "diagonal",
         "1 − ρ = 1.8751⁴/(6N⁴) = 2.06/N⁴", R"(1 - \rho = \frac{1.8751^4}{6N^4} = \frac{2.06}{N^4})"},
        {"for many boxes (1 − q)/q ≈ 2.06 k/N⁴", "k > (N⁴/2.06) · 1.571 (g/Na) h² = 0.763 g h² N³/a",
         R"(k > \frac{N^4}{2.06}\cdot\frac{1.571\,g}{Na}h^2 = 0.763\,g h^2 N^3/a)"}});

@@ -72,9 +72,9 @@ void too_soft(const Setting& setting, Page& page) {
   page.text(
       R"(In 1881 A. G. Greenhill computed how tall a tree can grow before it buckles under its own weight. A column of
       N boxes on soft contacts is such a tree. A box of width w that turns by θ compresses one contact and stretches
-      the other, which turn it back with the torque kw²θ/2; the weight of all that stands above tips it further, by the
-      height a of each box. Which torque is larger does not depend on the step. Here w = a = 1 m; square boxes a tenth
-      as large need contacts of √10 times the frequency.)");
+      the other, which turn it back with the torque kw²θ/2; the weight W of all that stands above tips it further with
+      the torque Waθ, a being the height of a box. Which torque is larger does not depend on the step. Here w = a = 1
+      m; square boxes a tenth as large need contacts of √10 times the frequency.)");
   page.predict(
       {.ask = say("Contacts of @ Hz hold @ boxes. How many do contacts of @ Hz hold?", hertz, highest, 2 * hertz),
        .answer = static_cast<double>(twice),
@@ -118,13 +118,14 @@ void too_soft(const Setting& setting, Page& page) {
       Seconds{stacks.seconds()}, stacks.drawing());
 
   const auto off = [&](int take) { return stacks.failed(take) ? filmed : stacks.last(take); };
-  const auto top = [&](int take) {
-    return stacks.failed(take) ? std::string("has fallen") : say("is @ m off", Value(stacks.last(take), 2));
-  };
+  std::string standing;
+  for (const auto& [take, where] :
+       {std::pair{0, "on these contacts"}, {1, "in 4 substeps"}, {2, "on the stiffer ones"}})
+    if (!stacks.failed(take))
+      standing += say("@@ m off @", standing.empty() ? "" : ", ", Value(stacks.last(take), 2), where);
   page.text(
-      R"(Contacts of @ Hz hold @ boxes, so these @ buckle. After @ s the top box @; in 4 substeps it @; on the stiffer
-      contacts it @.)",
-      hertz, highest, filmed, stacks.hurry() * stacks.seconds(), top(0), top(1), top(2));
+      "Contacts of @ Hz hold @ boxes, so these @ buckle.@", hertz, highest, filmed,
+      standing.empty() ? "" : say(" After @ s the top box is @.", stacks.hurry() * stacks.seconds(), standing));
 
   static std::map<int, Map> maps;
   const Map& map = kept(maps, setting.resolution, [&] {

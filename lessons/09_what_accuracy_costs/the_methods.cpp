@@ -28,7 +28,7 @@ const std::vector<Recipe> recipes{
      R"(minimises, *body by body*, the energy of a step of implicit Euler, in which each constraint is a spring of
      stiffness κ plus a force Λ that makes up for what the spring lacks.)",
      {"Free motion: y = x₀ + h(v₀ + hg).",
-      "For each body, with F = Λ − κC: (M + Σ κJᵀJ + G) Δx = −M(x − y) + Σ JᵀF.",
+      "For each body, with F = Λ − κC and G for the curvature of C: (M + Σ κJᵀJ + G) Δx = −M(x − y) + Σ JᵀF.",
       "After each round over the bodies: Λ ← Λ − κC, and a larger κ where C is not zero.",
       "Repeat for a number of rounds (iterations).", "Read the velocity: v ← (x − x₀)/h."},
      "iterations; α is the share of an old error that a step leaves",

@@ -68,7 +68,7 @@ void show_answers(Page& page, const Request& request, const Choice& choice) {
   page.table({"asked for", "method, for 1/60 s", "its errors", "instructions"}, rows);
   if (const std::string bad = warnings_of(choice.best.point, request); !bad.empty())
     page.text(
-        "**Warning:** the cheapest does what is asked and gets other things wrong: @. Limit these in the file's "
+        "**Warning:** the cheapest keeps what is asked, but gets other things wrong: @. Limit these in the file's "
         "\"accuracy\" if they matter.",
         bad);
   for (const auto& [found, asked] : {std::pair{choice.robust.has_value(), "half of each limit"},
@@ -153,8 +153,9 @@ void show_chosen(Page& page, const SceneFile& file, double patience) {
     show_answers(page, request, choice);
   } else if (choice.at_its_bound) {
     page.text(
-        "**Nothing was found yet that reaches that**, in @ runs, which is what @ s allow. @ With --set patience=@ "
-        "it looks further.",
+        "**Nothing was found yet that reaches that**, in the @ runs that @ s allow. @ With --set patience=@ it "
+        "looks "
+        "further.",
         choice.spent.runs, patience, nearest_in_words(choice), 10 * patience);
   } else {
     page.text("**No method was found that reaches that.** @", nearest_in_words(choice));

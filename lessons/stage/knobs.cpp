@@ -73,7 +73,7 @@ Knobs::Knobs(course::Lesson& lesson, SceneFile file)
                                "over all rows, in a substep")),
       substeps_(lesson.parameter("substeps", file_.method.substeps, "1", {1, 1e4}, "equal parts of a step")),
       beta_(lesson.parameter("beta", beta_of(file_.method.drift), "1", {0, 3},
-                             "share of an error that a step takes back")),
+                             "share of an error that a step corrects")),
       slop_(lesson.parameter("slop", slop_of(file_.method.drift), "m", {0, 1e3}, "overlap that is not corrected")),
       frequency_(lesson.parameter("frequency", frequency_of(file_.method.drift), "rad/s", {1e-6, 1e9},
                                   "ω of soft constraints")),

@@ -66,18 +66,18 @@ void show_scene(Page& page, const SceneFile& file, const Knobs& knobs) {
                                  {"fixed bodies", std::to_string(counts.held)},
                                  {"constraints", std::to_string(counts.constraints)},
                                  {"their rows", std::to_string(counts.rows)}});
-  page.text("It is stepped by @, for @ s.", knobs.described(), file.duration);
+  page.text("It runs for @ s, stepped by @.", file.duration, knobs.described());
   const SceneLook look = look_of(file.scene);
   const std::vector<Placement> start =
       std::visit([](const auto& scene) { return AnyScene(scene).placements(); }, file.scene);
-  page.figure("scene", "How it begins.",
+  page.figure("scene", "The scene at the start.",
               [=](Canvas& canvas) { draw(canvas, look, start, view_of(look, {start}), canvas.page().inset(24)); });
 }
 
 void show_film(Page& page, const SceneFile& file, const std::shared_ptr<const Watched>& run) {
   const SceneLook look = look_of(file.scene);
   const View view = view_of(look, run->instants);
-  page.sequence("film", fmt::format("{:.3g} s of it.", run->end()), Seconds{std::max(run->end(), 0.04)},
+  page.sequence("film", fmt::format("{:.3g} s of the scene.", run->end()), Seconds{std::max(run->end(), 0.04)},
                 [=](Canvas& canvas, double time) {
                   draw(canvas, look, run->at(time), view, canvas.page().inset(24));
                   canvas.text({canvas.page().right() - 30, canvas.page().top() - 30},
@@ -101,7 +101,7 @@ void show_numbers(Page& page, const SceneFile& file, const std::shared_ptr<const
               Chart{.x = {.label = "time (s)"}, .y = {.label = "energy (J)"}, .curves = {energy}});
   const bool any_gap = run->largest_separation() > 0;
   if (any_gap)
-    page.figure("drift", "The largest gap of a joint, or overlap of two bodies.",
+    page.figure("drift", "The largest gap of a joint or overlap of two bodies.",
                 Chart{.x = {.label = "time (s)"},
                       .y = {.label = "gap (m)", .scale = renderer::Scale::logarithmic},
                       .curves = {gap}});
@@ -110,15 +110,15 @@ void show_numbers(Page& page, const SceneFile& file, const std::shared_ptr<const
     if (size > 0) smallest = std::min(smallest, size);
   if (std::isinf(smallest)) smallest = 1;
   const double gap_in_bodies = run->largest_separation() / smallest;
-  const Quantity open("largest gap by the smallest body", gap_in_bodies);
+  const Quantity open("largest gap over the smallest body", gap_in_bodies);
   page.text(
-      "@",
-      page.verdict({{.when = open < 0.1,
-                     .say = "No joint opens, and no two bodies overlap, by a tenth of the smallest body."},
-                    {.when = open >= 0.1,
-                     .say = "A joint opens, or two bodies overlap, by more than a tenth of the smallest body."}}));
+      "@", page.verdict(
+               {{.when = open < 0.1,
+                 .say = "No joint opens by a tenth of the smallest body, and no two bodies overlap by that much."},
+                {.when = open >= 0.1,
+                 .say = "A joint opens, or two bodies overlap, by more than a tenth of the smallest body."}}));
   page.measure("largest gap or overlap", run->largest_separation(), "m");
-  page.measure("largest change of energy, by its scale", run->energy_change(), "1");
+  page.measure("largest change of energy, over its scale", run->energy_change(), "1");
 }
 
 std::string words_of(const SceneFile& file, const std::vector<int>& bodies) {
