@@ -198,15 +198,13 @@ std::string caption_of(const Survey& survey, Error error, int starts) {
   const double uncertainty = survey.problem.reference().uncertainty, time = survey.problem.compared_at();
   std::string caption =
       error == Error::trajectory
-          ? course::say("Trajectory after @ s, held against a reference: @, @.", time, scene.reference,
+          ? course::say("Trajectory after @ s. Reference: @, @.", time, scene.reference,
                         uncertainty > 1e-11 ? course::say("uncertain by @ m", course::Value(uncertainty, 2))
                         : uncertainty > 0   ? std::string("known to rounding")
                                             : std::string("which is exact"))
       : error == Error::reaction
-          ? course::say(
-                R"(Force of what holds the scene, mean over the last frame before @ s, held against a reference:
-                @.)",
-                time, scene.reference)
+          ? course::say(R"(Force of what holds the scene, mean over the last frame before @ s. Reference: @.)",
+                        time, scene.reference)
       : error == Error::algebraic
           ? course::say("Velocities after one step at @ s, against those of the direct solve of the same step.",
                         time)
@@ -219,12 +217,11 @@ std::string caption_of(const Survey& survey, Error error, int starts) {
   caption +=
       starts > 1
           ? course::say(
-                R"( Each curve is the best a method was found to do with all its choices: the error that @ of
-      @ initial conditions keep, on none of which it was tuned. Thin: their median.)",
+                R"( Each curve is the best found for a method: the error that @ of @ initial conditions keep, none of
+                which it was tuned on. Thin: their median.)",
                 static_cast<int>(std::ceil(kept_share * starts)), starts)
-          : std::string(" Each curve is the best a method was found to do with all its choices, from one start.");
-  caption += R"( At its ends: substeps a frame × sweeps or iterations in each. Runs that failed do not count. All
-      runs, with the choices of each, are in the data.)";
+          : std::string(" Each curve is the best found for a method, from one start.");
+  caption += R"( At its ends: substeps a frame × sweeps or iterations in each. All runs are in the data.)";
   return caption;
 }
 

@@ -37,7 +37,7 @@ int main(int argc, char** argv) {
   lesson.step("The methods that compete", the_methods);
   lesson.step("Order is the slope", order_is_the_slope);
   lesson.step("Stable is not accurate", stable_is_not_accurate);
-  lesson.deeper("Until which step a method is stable", stability);
+  lesson.deeper("The longest stable step", stability);
   lesson.step("Substeps or sweeps", substeps_or_sweeps);
   lesson.deeper("The error that sweeps do not reduce", what_the_step_hides);
   lesson.step("Stacks and pyramids", contacts);

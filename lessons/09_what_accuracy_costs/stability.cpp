@@ -1,4 +1,4 @@
-// Deeper: until which step each method is stable, by eigenvalues and by runs.
+// Deeper: the longest step at which each method is stable, by eigenvalues and by runs.
 
 #include "lessons/09_what_accuracy_costs/steps.hpp"
 #include "lessons/09_what_accuracy_costs/survey.hpp"

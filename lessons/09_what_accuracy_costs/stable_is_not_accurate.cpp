@@ -76,10 +76,10 @@ void stable_is_not_accurate(Page& page) {
   const Family &xpbd = family_named("XPBD"), &rattle = family_named("RATTLE"), &direct = family_named("direct");
 
   page.text(
-      R"("How accurate is it?" is several questions. *Drift*: how far is a joint from holding? *Trajectory*: how far is
-      each body from where it should be? *Energy* and *momentum*: how much was lost or gained, over mgL and over the
-      true momentum? *Reaction force*: is the force in a joint right? And, of a solver alone, the *algebraic* error:
-      how far are the rows from solved? A method may be very good in one and very bad in another.)");
+      R"("How accurate is it?" is several questions. *Drift*: how far has a joint opened? *Trajectory*: how far is each
+      body from where it should be? *Energy* and *momentum*: how much was lost or gained, over mgL and over the true
+      momentum? *Reaction force*: is the force in a joint right? And, of a solver alone, the *algebraic* error: how far
+      are the rows from being solved? A method may be very good in one and very bad in another.)");
 
   const byhand::Point once = measure(problem, xpbd, {}), symmetric = measure(problem, rattle, {});
   const double left = 100 * (1 - once[Error::energy]);
