@@ -67,7 +67,7 @@ struct SceneWithMethod {
   Method method = {};
   int bodies = 0;  // that move
   std::variant<AnyStepping::Work<M>, Accelerations::Work<M>, Rattle::Work<M>, Xpbd::Work<M>, Avbd::Work<M>,
-               Generalised::Work<M>>
+               Generalised::Work<M>, Controlled<Rattle>::Work<M>, Controlled<Generalised>::Work<M>>
       work = {};  // that of the method's family
 
   explicit SceneWithMethod(Scene<M>&& given) : scene(std::move(given)) {
@@ -75,11 +75,13 @@ struct SceneWithMethod {
   }
 };
 
-/// Equal parts of a time step.
-template <class Family>
-int substeps_of(const Family& family) {
+/// Parts of a time step that was made with this work: equal ones, or as many as were tried.
+template <class Family, class Work>
+int substeps_of(const Family& family, const Work& work) {
   if constexpr (requires { family.substeps; })
     return family.substeps;
+  else if constexpr (requires { work.tried; })
+    return work.tried;
   else
     return 1;
 }
@@ -147,7 +149,7 @@ void AnyScene::step(double h) {
             [&]<class Family>(const Family& family) {
               auto& work = std::get<typename Family::template Work<M>>(running.work);
               advance(running.scene, family, h, work);
-              const int substeps = substeps_of(family);
+              const int substeps = substeps_of(family, work);
               effort_.substeps += substeps;
               effort_.written_rows += static_cast<long long>(substeps) * work.system.rows();
               effort_.bodies += static_cast<long long>(substeps) * running.bodies;

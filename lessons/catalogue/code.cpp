@@ -110,6 +110,15 @@ std::string text_of(const Generalised& method) {
   return text.with("substeps", method.substeps, Generalised{}.substeps).text();
 }
 
+template <class Base>
+std::string text_of_controlled(const char* name, const Controlled<Base>& method) {
+  return Struct(name).with("tolerance", fmt::format("{}", method.tolerance)).text();
+}
+std::string text_of(const Controlled<Rattle>& method) { return text_of_controlled("Controlled<Rattle>", method); }
+std::string text_of(const Controlled<Generalised>& method) {
+  return text_of_controlled("Controlled<Generalised>", method);
+}
+
 }  // namespace
 
 std::string code_of(const Setting& setting) {

@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 
+#include "lessons/methods/displacement.hpp"
 #include "solver/integrate/jet.hpp"
 #include "solver/support/each_model.hpp"
 
@@ -243,11 +244,25 @@ void evaluate(Scene<M>& scene, double time, Work<M>& work, std::vector<Slope<M>>
   ++work.executed.solves;
 }
 
-/// The classical rule of Runge and Kutta: when its slopes are, how far along the one before each, and their
-/// weights.
-constexpr int stages = Generalised::stages;
-constexpr double when[stages] = {0, 0.5, 0.5, 1}, along[stages][stages] = {{}, {0.5}, {0, 0.5}, {0, 0, 1}},
-                 weights[stages] = {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6};
+/// An explicit rule: when its slopes are, how far along those before each, and the weights of all.
+template <int stages>
+struct Tableau {
+  double when[stages], along[stages][stages], weights[stages];
+};
+/// The classical rule of Runge and Kutta.
+constexpr Tableau<4> classical{
+    {0, 0.5, 0.5, 1}, {{}, {0.5}, {0, 0.5}, {0, 0, 1}}, {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6}};
+/// Fehlberg's rule of order 4, whose sixth slope serves the weights of order 5 alone. E. Fehlberg, Low-order
+/// classical Runge–Kutta formulas with stepsize control, NASA TR R-315, 1969, formula 2 of RK4(5).
+constexpr Tableau<6> fehlbergs{{0, 1.0 / 4, 3.0 / 8, 12.0 / 13, 1, 1.0 / 2},
+                               {{},
+                                {1.0 / 4},
+                                {3.0 / 32, 9.0 / 32},
+                                {1932.0 / 2197, -7200.0 / 2197, 7296.0 / 2197},
+                                {439.0 / 216, -8, 3680.0 / 513, -845.0 / 4104},
+                                {-8.0 / 27, 2, -3544.0 / 2565, 1859.0 / 4104, -11.0 / 40}},
+                               {25.0 / 216, 0, 1408.0 / 2565, 2197.0 / 4104, -1.0 / 5}};
+constexpr double fehlbergs_fifth[] = {16.0 / 135, 0, 6656.0 / 12825, 28561.0 / 56430, -9.0 / 50, 2.0 / 55};
 
 /// A unit vector along a rod in space, and a rate across it.
 template <class M>
@@ -288,15 +303,14 @@ void go_along(std::span<const double> shares, double h, Work<M>& work) {
   }
 }
 
-/// One step from `time` [s] after the start of the whole, whose first slope is there.
-template <class M>
-void runge_kutta(Scene<M>& scene, double time, double h, Work<M>& work) {
+/// Writes the slopes of a step from `time` [s] after the start of the whole, the first of which is there.
+template <class M, int stages>
+void write_slopes(Scene<M>& scene, const Tableau<stages>& rule, double time, double h, Work<M>& work) {
   work.begin = work.state;
   for (int s = 1; s < stages; ++s) {
-    go_along<M>(along[s], h, work);
-    evaluate(scene, time + when[s] * h, work, work.slope[s]);
+    go_along<M>(std::span(rule.along[s], s), h, work);
+    evaluate(scene, time + rule.when[s] * h, work, work.slope[s]);
   }
-  go_along<M>(weights, h, work);
 }
 
 /// One step of semi-implicit Euler: q̇ by the accelerations at its start, then q by the new q̇.
@@ -310,11 +324,14 @@ void semi_implicit_euler(Scene<M>& scene, double time, double h, Work<M>& work) 
   }
 }
 
-/// Lays the joints out if the scene has changed, and reads their numbers.
+}  // namespace
+
 template <class M>
 void read_joints(const Scene<M>& scene, Work<M>& work) {
   require_finite<M>(scene.bodies().pose, scene.bodies().velocity, "");
   if (work.version != scene.version()) {
+    if (const std::string reason = refusal_unless_tree(scene); !reason.empty())
+      throw std::invalid_argument(reason);
     work.version = scene.version();
     work.joints = joints_of(scene);
     const std::size_t joints = work.joints.size(), bodies = static_cast<std::size_t>(scene.bodies().size());
@@ -329,16 +346,35 @@ void read_joints(const Scene<M>& scene, Work<M>& work) {
   work.executed.prepared_rows += static_cast<long long>(work.joints.size());
 }
 
-}  // namespace
+template <class M>
+double fehlberg(Scene<M>& scene, double time, double h, bool again, Work<M>& work) {
+  Bodies<M>& bodies = scene.state();
+  if (!again) evaluate(scene, time, work, work.slope[0]);
+  write_slopes(scene, fehlbergs, time, h, work);
+  go_along<M>(fehlbergs_fifth, h, work);
+  place_bodies(bodies, time + h, work);
+  work.other.pose = bodies.pose;
+  work.other.velocity = bodies.velocity;
+  go_along<M>(fehlbergs.weights, h, work);
+  place_bodies(bodies, time + h, work);
+  double error = 0;
+  for (const Joint<M>& joint : work.joints) {
+    const int body = joint.body;
+    const double own =
+        displacement<M>(bodies.inverse_mass[body], work.other.pose[body], bodies.pose[body]) +
+        h * difference<M>(bodies.inverse_mass[body], work.other.velocity[body], bodies.velocity[body]);
+    if (!(own <= error)) error = own;
+  }
+  return error;
+}
 
 template <class M>
 void advance(Scene<M>& scene, const Generalised& method, double step, Generalised::Work<M>& work) {
   require_positive("time step", step, "s");
   for (const double g : scene.gravity) require_finite("gravity", g, "m/s²");
   require_valid(method);
-  const std::string reason = work.version == scene.version() ? refusal_unless_equalities(scene, generalised_name)
-                                                             : refusal(scene, method);
-  if (!reason.empty()) throw std::invalid_argument(reason);
+  if (const std::string reason = refusal_unless_equalities(scene, Generalised::name); !reason.empty())
+    throw std::invalid_argument(reason);
   Attempt attempt(scene, work);
   read_joints(scene, work);
   const double h = step / method.substeps;
@@ -346,7 +382,8 @@ void advance(Scene<M>& scene, const Generalised& method, double step, Generalise
   for (int i = 0; i < method.substeps; ++i) {
     if (method.rule == JointRule::rk4) {
       evaluate(scene, i * h, work, work.slope[0]);
-      runge_kutta(scene, i * h, h, work);
+      write_slopes(scene, classical, i * h, h, work);
+      go_along<M>(classical.weights, h, work);
     } else {
       semi_implicit_euler(scene, i * h, h, work);
     }
@@ -355,7 +392,10 @@ void advance(Scene<M>& scene, const Generalised& method, double step, Generalise
   attempt.finish();
 }
 
-#define BYHAND_INSTANTIATE(M) template void advance(Scene<M>&, const Generalised&, double, Generalised::Work<M>&)
+#define BYHAND_INSTANTIATE(M)                                                          \
+  template void advance(Scene<M>&, const Generalised&, double, Generalised::Work<M>&); \
+  template void read_joints(const Scene<M>&, Generalised::Work<M>&);                   \
+  template double fehlberg(Scene<M>&, double, double, bool, Generalised::Work<M>&)
 BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);
 #undef BYHAND_INSTANTIATE
 

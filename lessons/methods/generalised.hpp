@@ -27,12 +27,11 @@
 // length at every stage. A joint counts as a row-solve in each slope, and as a prepared row in each step.
 namespace byhand {
 
-inline constexpr const char* generalised_name = "a method in generalised coordinates";
-
 enum class JointRule { semi_implicit_euler, rk4 };
 
 struct Generalised {
-  static constexpr int stages = 4;
+  static constexpr const char* name = "a method in generalised coordinates";
+  static constexpr int most_stages = 6;
 
   /// How a joint's numbers change; in space q̇ says how the rotation turns.
   template <class M>
@@ -57,7 +56,8 @@ struct Generalised {
     std::vector<JointFrame<M>> frame;
     std::vector<Articulated<M>> part;       // by body
     std::vector<Velocity<M>> acceleration;  // by body
-    std::array<std::vector<Slope<M>>, stages> slope;
+    std::array<std::vector<Slope<M>>, most_stages> slope;
+    State<M> other;  // of the bodies, by the formula of order 5
   };
 
   JointRule rule = JointRule::rk4;
@@ -67,12 +67,24 @@ struct Generalised {
 inline void require_valid(const Generalised& method) { require_valid_equalities(method.substeps, 0); }
 template <class M>
 std::string refusal(const Scene<M>& scene, const Generalised&) {
-  const std::string reason = refusal_unless_equalities(scene, generalised_name);
+  const std::string reason = refusal_unless_equalities(scene, Generalised::name);
   return reason.empty() ? refusal_unless_tree(scene) : reason;
 }
 
 /// A gap that a joint has at the start is closed.
 template <class M>
 void advance(Scene<M>& scene, const Generalised& method, double step, Generalised::Work<M>& work);
+
+// Its parts, for methods that choose their substeps.
+
+/// Lays the joints out if the scene has changed, and reads their numbers. Throws std::invalid_argument unless they
+/// are a tree.
+template <class M>
+void read_joints(const Scene<M>& scene, Generalised::Work<M>& work);
+/// One substep h [s] by Fehlberg's formula of order 4, begun at `time` [s] after the start of the whole; `again`
+/// if it begins where the last one did. Returns the largest displacement of a body from where the formula of order
+/// 5 puts it, and what the difference of velocities adds to that in as long a time [m].
+template <class M>
+double fehlberg(Scene<M>& scene, double time, double h, bool again, Generalised::Work<M>& work);
 
 }  // namespace byhand

@@ -39,25 +39,10 @@ void add_impulses(std::vector<Velocity<M>>& velocities, Rattle::Work<M>& work) {
   for (std::size_t row = 0; row < work.change.size(); ++row) work.system.lambda[row] += work.change[row];
 }
 
-/// Writes and factors the rows; finds the impulses that would make JV = 0.
+/// Moves the bodies with the velocities `kicked`, changed until C = 0.
 template <class M>
-void factor_rows(const Scene<M>& scene, double regularisation, Rattle::Work<M>& work) {
-  scene.write_rows(work.system, work.h);
-  std::fill(work.offset.begin(), work.offset.end(), 0.0);
-  solve_rows(regularisation, scene.bodies(), work);
-}
-
-/// One substep. The rows are written and factored at its start and again at its end.
-template <class M>
-void rattle(Scene<M>& scene, const Rattle& method, Rattle::Work<M>& work) {
+void reach_constraints(Scene<M>& scene, Rattle::Work<M>& work) {
   Bodies<M>& bodies = scene.state();
-  const auto kick = [&] {
-    damp(bodies, work.h / 2);
-    add_gravity(bodies, scene.gravity, work.h / 2);
-    add_applied(bodies, work.h / 2);
-  };
-  kick();
-  work.kicked = bodies.velocity;
   move_kicked(bodies, work);
   const auto correct = [&] {
     solve_again(work.offset, work.direct, work.change);
@@ -68,12 +53,46 @@ void rattle(Scene<M>& scene, const Rattle& method, Rattle::Work<M>& work) {
   };
   iterate(
       tolerance(bodies, work.h), [&] { return write_errors(scene, work); }, correct);
-  kick();
-  factor_rows(scene, method.regularisation, work);
-  add_impulses(bodies.velocity, work);
 }
 
 }  // namespace
+
+template <class M>
+void factor_rows(const Scene<M>& scene, double regularisation, Rattle::Work<M>& work) {
+  scene.write_rows(work.system, work.h);
+  std::fill(work.offset.begin(), work.offset.end(), 0.0);
+  solve_rows(regularisation, scene.bodies(), work);
+}
+
+template <class M>
+void rattle(Scene<M>& scene, double regularisation, Rattle::Work<M>& work) {
+  Bodies<M>& bodies = scene.state();
+  const auto kick = [&] {
+    damp(bodies, work.h / 2);
+    add_gravity(bodies, scene.gravity, work.h / 2);
+    add_applied(bodies, work.h / 2);
+  };
+  kick();
+  work.kicked = bodies.velocity;
+  reach_constraints(scene, work);
+  kick();
+  factor_rows(scene, regularisation, work);
+  add_impulses(bodies.velocity, work);
+}
+
+template <class M>
+void meet_constraints(Scene<M>& scene, double regularisation, Rattle::Work<M>& work) {
+  Bodies<M>& bodies = scene.state();
+  factor_rows(scene, regularisation, work);
+  if (write_errors(scene, work) > 1e-4 * tolerance(bodies, work.h)) {
+    work.begin = bodies;
+    work.kicked.assign(bodies.velocity.size(), Velocity<M>::Zero());
+    reach_constraints(scene, work);
+    bodies.velocity = work.begin.velocity;
+    factor_rows(scene, regularisation, work);
+  }
+  add_impulses(bodies.velocity, work);
+}
 
 template <class M>
 void advance(Scene<M>& scene, const Rattle& method, double step, Rattle::Work<M>& work) {
@@ -81,11 +100,15 @@ void advance(Scene<M>& scene, const Rattle& method, double step, Rattle::Work<M>
   Attempt attempt(scene, work);
   begin_equalities(scene, step / method.substeps, work);
   factor_rows(scene, method.regularisation, work);
-  run_substeps(method.substeps, scene, work, [&] { rattle(scene, method, work); });
+  run_substeps(method.substeps, scene, work, [&] { rattle(scene, method.regularisation, work); });
   attempt.finish();
 }
 
-#define BYHAND_INSTANTIATE(M) template void advance(Scene<M>&, const Rattle&, double, Rattle::Work<M>&)
+#define BYHAND_INSTANTIATE(M)                                                \
+  template void advance(Scene<M>&, const Rattle&, double, Rattle::Work<M>&); \
+  template void factor_rows(const Scene<M>&, double, Rattle::Work<M>&);      \
+  template void rattle(Scene<M>&, double, Rattle::Work<M>&);                 \
+  template void meet_constraints(Scene<M>&, double, Rattle::Work<M>&)
 BYHAND_FOR_EACH_MODEL(BYHAND_INSTANTIATE);
 #undef BYHAND_INSTANTIATE
 

@@ -20,6 +20,8 @@
 namespace byhand {
 
 struct Rattle {
+  static constexpr const char* name = "RATTLE";
+
   template <class M>
   struct Work : EqualitiesWork<M> {
     std::vector<Velocity<M>> kicked;  // V½
@@ -34,11 +36,24 @@ inline void require_valid(const Rattle& method) {
 }
 template <class M>
 std::string refusal(const Scene<M>& scene, const Rattle&) {
-  return refusal_unless_equalities(scene, "RATTLE");
+  return refusal_unless_equalities(scene, Rattle::name);
 }
 
 /// Throws also SingularSystem for repeated rows, NoConvergence for a step in which C = 0 cannot be reached.
 template <class M>
 void advance(Scene<M>& scene, const Rattle& method, double step, Rattle::Work<M>& work);
+
+// Its parts, for methods that choose their substeps.
+
+/// Writes and factors the rows; finds the impulses that would make JV = 0.
+template <class M>
+void factor_rows(const Scene<M>& scene, double regularisation, Rattle::Work<M>& work);
+/// One substep `work.h` [s] from `work.begin`. The rows are written and factored at its start and again at its
+/// end.
+template <class M>
+void rattle(Scene<M>& scene, double regularisation, Rattle::Work<M>& work);
+/// Puts the bodies where C = 0 and JV = 0, and factors the rows there.
+template <class M>
+void meet_constraints(Scene<M>& scene, double regularisation, Rattle::Work<M>& work);
 
 }  // namespace byhand

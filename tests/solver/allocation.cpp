@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "lessons/methods/accelerations.hpp"
+#include "lessons/methods/controlled.hpp"
 #include "lessons/methods/rattle.hpp"
 #include "lessons/scenes/branches.hpp"
 #include "lessons/scenes/chain.hpp"
@@ -82,6 +83,8 @@ TEST(Allocation, HappensInNoStepOfAccelerationsOrRattleAfterTheFirst) {
     for (const Scheme scheme : {Scheme::rk4, Scheme::implicit_midpoint})
       expect_none_after_the_first_step_by(scene, Accelerations{scheme, 2});
     expect_none_after_the_first_step_by(scene, Rattle{2});
+    expect_none_after_the_first_step_by(scene, Controlled<Rattle>{1e-5});
+    expect_none_after_the_first_step_by(scene, Controlled<Generalised>{1e-10});
   };
   expect_none(rod_chain<PlaneParticle>({.links = 10, .angle = 1}));
   expect_none(pinned_chain<SpaceBody>({.links = 10, .angle = 1}));

@@ -2,6 +2,7 @@
 
 #include "lessons/methods/accelerations.hpp"
 #include "lessons/methods/avbd.hpp"
+#include "lessons/methods/controlled.hpp"
 #include "lessons/methods/rattle.hpp"
 #include "lessons/methods/xpbd.hpp"
 #include "lessons/scenes/boxes.hpp"
@@ -40,6 +41,16 @@ const Case cases[] = {
      0xe93c30df572030d8},
     {"SpaceBodiesRattle", [] { return after(2, pinned_chain<SpaceBody>(swinging), Rattle{.substeps = 8}); },
      0xb268eee64deb30f2},
+    {"PlaneBodiesRattleToATolerance",
+     [] { return after(2, pinned_chain<PlaneBody>(swinging), Controlled<Rattle>{1e-3}); }, 0x9bf5b04c54984753},
+    {"SpaceBodiesRattleToATolerance",
+     [] { return after(2, pinned_chain<SpaceBody>(swinging), Controlled<Rattle>{1e-3}); }, 0x812f6c425235bfcf},
+    {"PlaneBodiesGeneralisedToATolerance",
+     [] { return after(2, pinned_chain<PlaneBody>(swinging), Controlled<Generalised>{1e-7}); },
+     0xff2b06fe2b6c59d8},
+    {"SpaceBodiesGeneralisedToATolerance",
+     [] { return after(2, pinned_chain<SpaceBody>(swinging), Controlled<Generalised>{1e-7}); },
+     0xe473666ec7827f40},
 };
 
 class DeterminismOfMethods : public testing::TestWithParam<Case> {};

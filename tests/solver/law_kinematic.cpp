@@ -41,6 +41,8 @@ void with_all_methods(F&& f) {
   for (const Scheme scheme : {Scheme::explicit_euler, Scheme::rk4, Scheme::implicit_midpoint})
     f(Accelerations{scheme});
   for (const JointRule rule : {JointRule::semi_implicit_euler, JointRule::rk4}) f(Generalised{rule});
+  f(Controlled<Rattle>{1e-3});
+  f(Controlled<Generalised>{1e-6});
 }
 
 /// The same scene as someone sees it who moves with -`velocity` [m/s].

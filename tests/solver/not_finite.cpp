@@ -33,6 +33,8 @@ const Method methods[] = {AnyStepping{GaussSeidel{}},
                           Accelerations{Scheme::rk4, 2},
                           Accelerations{Scheme::implicit_midpoint},
                           Rattle{2},
+                          Controlled<Rattle>{},
+                          Controlled<Generalised>{},
                           Xpbd{},
                           Xpbd{1},
                           Avbd{}};

@@ -165,16 +165,21 @@ TEST(Code, OfEachMethodAndCureIsCompiledByAProgramThatLinksTheLibrary) {
   std::filesystem::create_directories(folder);
   std::ofstream program(folder / "program.cpp");
   int count = 0;
+  const auto add = [&](const Setting& setting) {
+    const std::string code = code_of(setting);
+    const std::size_t body = code.find("using namespace byhand;");
+    program << code.substr(0, body) << "void run" << count++ << "(byhand::Scene<byhand::PlaneBody> scene) {\n"
+            << code.substr(body) << "}\n";
+  };
+  add({Controlled<Rattle>{1e-5}});
+  add({Controlled<Generalised>{1e-5}});
   for (const Family& family : families())
     for (const Cure cure : family.cures)
       for (const int substeps : {1, 3}) {
         Knobs knobs = with_cure({.substeps = substeps, .passes = 7}, cure);
         if (family.most_relaxation > 1) knobs.relaxation = 1.3;
         if (family.exact && family.solves_rows) knobs.regularisation = 1e-9;
-        const std::string code = code_of(family.setting(knobs));
-        const std::size_t body = code.find("using namespace byhand;");
-        program << code.substr(0, body) << "void run" << count++ << "(byhand::Scene<byhand::PlaneBody> scene) {\n"
-                << code.substr(body) << "}\n";
+        add(family.setting(knobs));
       }
   program.close();
   EXPECT_GT(count, 90);
