@@ -40,6 +40,7 @@ int main(int argc, char** argv) {
   lesson.deeper("The longest stable step", stability);
   lesson.step("Substeps or sweeps", substeps_or_sweeps);
   lesson.deeper("The error that sweeps do not reduce", what_the_step_hides);
+  lesson.deeper("A tolerance in place of a step", accuracy_as_the_input);
   lesson.step("Stacks and pyramids", contacts);
   lesson.step("One picture and one page", one_page);
   lesson.step("Ask the program", [=](course::Page& page) { recommendation(page, setting); });

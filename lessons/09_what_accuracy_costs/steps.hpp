@@ -10,6 +10,7 @@ void order_is_the_slope(course::Page& page);
 void stable_is_not_accurate(course::Page& page);
 void substeps_or_sweeps(course::Page& page);
 void what_the_step_hides(course::Page& page);
+void accuracy_as_the_input(course::Page& page);
 void contacts(course::Page& page);
 void one_page(course::Page& page);
 void recommendation(course::Page& page, const Setting& setting);
