@@ -1,11 +1,11 @@
 #include "lessons/catalogue/spectrum.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <limits>
 #include <variant>
 
 #include "lessons/laws/law.hpp"
 #include "lessons/laws/numbers.hpp"
+#include "lessons/laws/spectral_radius.hpp"
 
 namespace byhand {
 namespace {
@@ -47,7 +47,7 @@ double spectral_radius(const ChainOptions& chain, const Method& method, double h
     };
     Eigen::MatrixXd step(2 * n, 2 * n);
     for (int k = 0; k < 2 * n; ++k) step.col(k) = (after(k, nudge) - after(k, -nudge)) / (2 * nudge);
-    return step.allFinite() ? step.eigenvalues().cwiseAbs().maxCoeff() : infinity;
+    return step.allFinite() ? laws::spectral_radius(step) : infinity;
   });
 }
 

@@ -1,8 +1,9 @@
 #pragma once
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+
+#include "lessons/laws/spectral_radius.hpp"
 
 // How the slowest mode of a step's rows goes on from step to step.
 namespace byhand::doctor {
@@ -59,7 +60,7 @@ inline double SlowMode::growth() const {
     state.step(linear, 0);
     step_of.col(k) << state.C / step, state.rate, state.lambda;
   }
-  return step_of.eigenvalues().cwiseAbs().maxCoeff();
+  return laws::spectral_radius(step_of);
 }
 
 }  // namespace byhand::doctor
