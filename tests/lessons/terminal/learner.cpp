@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <regex>
 #include <sstream>
 #include <string>
@@ -22,10 +23,12 @@ using testing::HasSubstr;
 
 constexpr auto prompt = "▸ ";
 
+/// Those that compute for minutes, twice for a learner, only in the long run.
 std::vector<std::string> slugs() {
   std::vector<std::string> all;
   std::istringstream listed(BYHAND_LISTED);
-  for (std::string slug; std::getline(listed, slug, ',');) all.push_back(slug);
+  for (std::string slug; std::getline(listed, slug, ',');)
+    if (std::getenv("BYHAND_LONG") || !(slug.starts_with("08") || slug.starts_with("09"))) all.push_back(slug);
   return all;
 }
 
