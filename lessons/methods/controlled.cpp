@@ -10,10 +10,20 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-// Of each method: its order, how a step begins, a substep, which returns its error [m], and the way back from it.
+// Of each method: its order, what it refuses before the scene has been laid out, how a step begins, a substep,
+// which returns its error [m], and the way back from it.
 
 constexpr int order_of(const Rattle&) { return 2; }
 constexpr int order_of(const Generalised&) { return 4; }
+
+template <class M>
+std::string refusal_at_once(const Scene<M>& scene, const Rattle&) {
+  return refusal(scene, Controlled<Rattle>());
+}
+template <class M>
+std::string refusal_at_once(const Scene<M>& scene, const Generalised&) {
+  return refusal_unless_equalities(scene, Generalised::name);
+}
 
 template <class M>
 void begin_substeps(Scene<M>& scene, const Rattle& method, double step, Rattle::Work<M>& work) {
@@ -79,9 +89,9 @@ void advance(Scene<M>& scene, const Controlled<Method>& method, double step,
   require_positive("time step", step, "s");
   for (const double g : scene.gravity) require_finite("gravity", g, "m/s²");
   require_valid(method);
-  if (const std::string reason = refusal_unless_equalities(scene, Method::name); !reason.empty())
-    throw std::invalid_argument(reason);
   constexpr Method rule;
+  if (const std::string reason = refusal_at_once(scene, rule); !reason.empty())
+    throw std::invalid_argument(reason);
   constexpr int order = order_of(rule);
   Attempt attempt(scene, work);
   begin_substeps(scene, rule, step, work);
@@ -90,8 +100,8 @@ void advance(Scene<M>& scene, const Controlled<Method>& method, double step,
   work.tried = work.rejected = 0;
   for (double time = 0; time < step;) {
     const double left = step - time, parts = std::ceil(left / work.next), h = left / parts;
-    if (work.tried++ == method.most_substeps || parts > method.most_substeps)
-      throw NoConvergence("a tolerance of " + text_of(method.tolerance) + " m/s takes more than " +
+    if (work.tried++ == method.most_substeps || parts > 1e12)
+      throw NoConvergence("a tolerance of " + text_of(method.tolerance) + " m/s cannot be kept with " +
                           std::to_string(method.most_substeps) + " substeps in a step of " + text_of(step) +
                           " s; allow a larger error or more substeps");
     const double error = try_substep(scene, rule, time, h, again, work);

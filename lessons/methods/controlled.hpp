@@ -16,6 +16,8 @@
 // there. The first substep, and one after a substep that was taken back, has no r₋ and uses 0.9 h r^(1/p). If
 // Newton's method does not converge, e is infinite. The rest of a step is cut into equal parts that are no longer.
 //
+// A tolerance that rounding does not allow is refused, after few attempts: there e/h grows as h becomes smaller.
+//
 // e is a displacement of a body's points at its radius of gyration (displacement.hpp). It is estimated
 //
 //   for RATTLE          without a further solve: from where the substep has led to where the mean of the
@@ -53,13 +55,24 @@ void require_valid(const Controlled<Method>& method) {
   require_positive("tolerance", method.tolerance, "m/s");
   require(method.most_substeps >= 1, "largest number of substeps", method.most_substeps, "at least 1");
 }
-template <class M, class Method>
-std::string refusal(const Scene<M>& scene, const Controlled<Method>&) {
-  return refusal(scene, Method());
+template <class M>
+std::string refusal(const Scene<M>& scene, const Controlled<Generalised>&) {
+  return refusal(scene, Generalised());
+}
+/// RATTLE damps and then pulls, in both halves of a substep: that is of order 1, and the estimate does not see it.
+template <class M>
+std::string refusal(const Scene<M>& scene, const Controlled<Rattle>&) {
+  const Bodies<M>& bodies = scene.bodies();
+  for (int i = 0; i < std::ssize(bodies.forces); ++i)
+    if (moves(bodies.inverse_mass[i]) &&
+        (bodies.forces[i].linear_damping != 0 || bodies.forces[i].angular_damping != 0))
+      return "RATTLE keeps no tolerance where bodies are damped, and body " + std::to_string(i) +
+             " is; take generalised coordinates";
+  return refusal(scene, Rattle());
 }
 
-/// A start off the constraints is put onto them. Throws also NoConvergence for a tolerance that takes too many
-/// substeps, and SingularSystem as RATTLE does.
+/// A start off the constraints is put onto them. Throws also NoConvergence for a tolerance that cannot be kept
+/// with so many substeps, and SingularSystem as RATTLE does.
 template <class M, class Method>
 void advance(Scene<M>& scene, const Controlled<Method>& method, double step,
              typename Controlled<Method>::template Work<M>& work);

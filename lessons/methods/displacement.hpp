@@ -15,14 +15,15 @@ double gyration(const InverseMass<M>& mass) {
     return std::sqrt(mass.linear / mass.angular.minCoeff());
 }
 
-/// How far such points move between two poses, at most [m]; of a turn its chord counts.
+/// How far such points move between two poses, at most [m]; of a turn its chord counts. No less than what rounding
+/// hides.
 template <class M>
 double displacement(const InverseMass<M>& mass, const Pose<M>& from, const Pose<M>& to) {
   double chord = 0;
   if constexpr (M::angular == 1)
     chord = Linear<M>(to.rotation.cos - from.rotation.cos, to.rotation.sin - from.rotation.sin).norm();
   if constexpr (M::angular == 3) chord = 2 * (inverse(from.rotation) * to.rotation).vec().norm();
-  return (to.position - from.position).norm() + gyration<M>(mass) * chord;
+  return (to.position - from.position).norm() + gyration<M>(mass) * chord + 0x1p-52 * to.position.norm();
 }
 
 /// By how much their velocities change between two, at most [m/s].

@@ -361,12 +361,36 @@ TEST(Controlled, RefusesWhatItCannotRun) {
 }
 
 TEST(Controlled, SaysThatAToleranceTakesTooManySubsteps) {
-  const std::string words = " m/s takes more than 50 substeps in a step of 0.5 s; allow a larger error or more";
-  expect_thrown<NoConvergence>(twofold().scene, Controlled<Rattle>{1e-4, 50}, 0.5,
-                               "a tolerance of 0.0001" + words);
-  expect_thrown<NoConvergence>(twofold().scene, Controlled<Generalised>{1e-12, 50}, 0.5,
-                               "a tolerance of 1e-12" + words);
-  expect_thrown<NoConvergence>(twofold().scene, Controlled<Generalised>{1e-30}, 0.5, "more than 100000 substeps");
+  const auto words = [](const char* tolerance, int most) {
+    return std::string("a tolerance of ") + tolerance + " m/s cannot be kept with " + std::to_string(most) +
+           " substeps in a step of 0.5 s; allow a larger error or more substeps";
+  };
+  const auto scene = twofold().scene;
+  expect_thrown<NoConvergence>(scene, Controlled<Rattle>{1e-6, 50}, 0.5, words("1e-06", 50));
+  expect_thrown<NoConvergence>(scene, Controlled<Generalised>{1e-12, 50}, 0.5, words("1e-12", 50));
+  // Below rounding no substep is short enough, and few are tried.
+  expect_thrown<NoConvergence>(scene, Controlled<Rattle>{1e-30}, 0.5, words("1e-30", 100'000));
+  expect_thrown<NoConvergence>(scene, Controlled<Generalised>{1e-30}, 0.5, words("1e-30", 100'000));
+}
+
+// x = v₀(1 - exp(-ct))/c.
+TEST(Controlled, GeneralisedCoordinatesFollowADampingThatRattleRefuses) {
+  const double speed = 5, span = 0.5;
+  for (const double rate : {0.1, 10.0, 1000.0})
+    for (const double tolerance : {1e-4, 1e-6}) {
+      Scene<PlaneParticle> scene;
+      scene.gravity.setZero();
+      scene.add_body(Eigen::Vector2d(0, 0), with_mass<PlaneParticle>(2), {speed, 0});
+      scene.set_damping(0, rate, 0);
+      Simulation simulation{scene, Controlled<Generalised>{tolerance}};
+      simulation.step(span);
+      EXPECT_NEAR(simulation.scene.bodies().pose[0].position.x(), -speed * std::expm1(-rate * span) / rate,
+                  tolerance * span)
+          << rate << ", " << tolerance;
+      expect_thrown<std::invalid_argument>(
+          scene, Controlled<Rattle>{tolerance}, span,
+          "RATTLE keeps no tolerance where bodies are damped, and body 0 is; take generalised coordinates");
+    }
 }
 
 }  // namespace controlled_test

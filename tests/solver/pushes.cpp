@@ -98,6 +98,8 @@ TEST(AppliedForce, GivesAFreeBodyTheVelocityOfItsClosedForm) {
     expect_free_flight<M>(Xpbd{.substeps = 4}, h / 4, 1e-12);
     expect_free_flight<M>(Avbd{}, h, 1e-9);
     expect_free_flight<M>(Rattle{}, 0, 1e-13);
+    expect_free_flight<M>(Controlled<Rattle>{}, 0, 1e-13);
+    expect_free_flight<M>(Controlled<Generalised>{}, 0, 1e-13);
     expect_free_flight<M>(Accelerations{}, 0, 1e-13);
   });
 }
