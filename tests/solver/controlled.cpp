@@ -256,6 +256,15 @@ TEST(Controlled, RunsWhereFixedSubstepsAreRefused) {
   EXPECT_LT(farthest(places_of(controlled.scene), chain.path.back()), 1e-2 * time);
 }
 
+// With a tolerance that allows longer substeps than stability does, the controller stays at the limit of
+// stability.
+TEST(Controlled, RarelyTakesASubstepBackWhereStabilityLimitsIt) {
+  Simulation simulation{heavy_chain().scene, Controlled<Generalised>{1e-3}};
+  int tried = 0, rejected = 0;
+  run(simulation, time, between, [&] { tried += simulation.work.tried, rejected += simulation.work.rejected; });
+  EXPECT_LT(rejected, 0.03 * tried);
+}
+
 /// A run that begins with `substep` [s].
 template <class Method, class M>
 Simulation<M, Controlled<Method>> begun_with(double substep, const Scene<M>& scene, double tolerance,
