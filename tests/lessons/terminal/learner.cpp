@@ -5,13 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <regex>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "lessons/terminal/typeset.hpp"
+#include "tests/lessons/terminal/long_lessons.hpp"
 #include "tests/lessons/terminal/process.hpp"
 #include "tests/lessons/terminal/terminal.hpp"
 
@@ -23,12 +23,11 @@ using testing::HasSubstr;
 
 constexpr auto prompt = "▸ ";
 
-/// Those that compute for minutes, twice for a learner, only in the long run.
 std::vector<std::string> slugs() {
   std::vector<std::string> all;
   std::istringstream listed(BYHAND_LISTED);
   for (std::string slug; std::getline(listed, slug, ',');)
-    if (std::getenv("BYHAND_LONG") || !(slug.starts_with("08") || slug.starts_with("09"))) all.push_back(slug);
+    if (!takes_too_long(slug)) all.push_back(slug);
   return all;
 }
 
