@@ -27,7 +27,7 @@ for (const { name, width, height, touch } of [{ name: 'wide', width: 1440, heigh
     await tab.keyboard.type(`${rod[0]}\ndC = (p2 - p1) . (v2 + r2 x w2 - v1 - w1 x r1)`);
     await judged(tab, 'you wrote r × ω');
     assert.equal(await tab.$eval('#verdict', element => element.getAttribute('role')), 'status');
-    assert.equal(await tab.$$eval('#said math', formulas => formulas.length), 2);
+    assert.equal(await tab.$$eval('#said .formula', formulas => formulas.length), 2);
     // From the wrong line to its hint and to its place in the sheet.
     await tab.focus('#said .wrong .where');
     // A formula that is wider than the page takes the focus, so that keys scroll it.
