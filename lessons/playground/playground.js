@@ -163,10 +163,12 @@
     done = [];
     undone = [];
     selected = -1;
-    open(starts.get(name), { fit: true });
-    startTexts.set(name, text);
+    const opened = open(starts.get(name), { fit: true });
+    if (opened) startTexts.set(name, text);
     showUndo();
-    of('starts').value = name;
+    if (opened) of('starts').value = name;
+    else if (text) linkNow();
+    return opened;
   }
 
   function tell(sentence) { said.textContent = sentence; }
@@ -701,18 +703,21 @@
       tell('The link is in the field: copy it. It holds the whole scene.');
     }
   };
+  // Opens what the address names. Where that cannot be, opens a stack and returns what to say of it.
   async function follow() {
     const hash = decodeURIComponent(location.hash.slice(1));
-    if (hash.startsWith('scene='))
-      try {
-        done = [];
-        if (open(await fromLink(hash.slice(6)), { fit: true })) return;
-      } catch { tell('The link holds no whole scene.'); }
+    try {
+      done = [];
+      if (hash.startsWith('scene=') ? open(await fromLink(hash.slice(6)), { fit: true }) : begin(starts.has(hash) ? hash : 'stack')) return;
+    } catch { tell('The link holds no whole scene.'); }
     const refused = said.textContent;
-    begin(starts.has(hash) ? hash : 'stack');
-    if (refused && hash.startsWith('scene=')) tell(`${refused} Here is a stack instead.`);
+    begin('stack');
+    return `${refused} Here is a stack instead.`;
   }
-  addEventListener('hashchange', follow);
+  addEventListener('hashchange', async () => {
+    const refused = await follow();
+    if (refused) tell(refused);
+  });
 
   // ---- The page.
 
@@ -727,9 +732,10 @@
   flat.dress();
   deep.dress();
   choose('hand');
-  await follow();
+  const refused = await follow();
   if (!still.matches) play();
   else showClock();
+  if (refused) tell(refused);
   root.dataset.ready = '';
   // For tests: what is on the stage.
   globalThis.byhandPlayground = { get moment() { return moment; }, get file() { return JSON.parse(text); }, get text() { return text; }, pixel: point => picture.pixel(point), get selected() { return selected; }, open, advance, pause, play };

@@ -23,14 +23,13 @@ std::size_t count(const std::string& text, const std::string& part) {
   return found;
 }
 
-/// What the lessons beside the practise program ask, each told once.
+/// What the lessons beside the practise program ask, each told once; nothing of those that take too long.
 std::map<std::string, std::string> questions_of_all_lessons() {
   std::map<std::string, std::string> asked;
   for (const auto& entry : fs::directory_iterator(fs::path(BYHAND_PRACTISE).parent_path()))
     if (const std::string slug = entry.path().filename();
-        entry.is_regular_file() && std::regex_match(slug, std::regex("[0-9][0-9]_[a-z_]+")) &&
-        !takes_too_long(slug))
-      asked[slug] = run(entry.path().string() + " --questions --quiet").said;
+        entry.is_regular_file() && std::regex_match(slug, std::regex("[0-9][0-9]_[a-z_]+")))
+      asked[slug] = takes_too_long(slug) ? "[]" : run(entry.path().string() + " --questions --quiet").said;
   return asked;
 }
 

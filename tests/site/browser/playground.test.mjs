@@ -129,6 +129,20 @@ test('a body is pulled and thrown while the scene runs', { skip }, async () => {
   await tab.close();
 });
 
+test('a link to a scene in space opens a stack and says why where there is no WebGL', { skip }, async () => {
+  const tab = await ready({ hash: '#jenga', before: page => page.evaluateOnNewDocument(() => {
+    const { getContext } = HTMLCanvasElement.prototype;
+    HTMLCanvasElement.prototype.getContext = function (kind, ...more) { return kind.startsWith('webgl') ? null : getContext.call(this, kind, ...more); };
+  }) });
+  assert.equal(await said(tab), 'This browser has no WebGL, which draws scenes in space. Here is a stack instead.');
+  assert.equal(await tab.$eval('#starts', starts => starts.value), 'stack');
+  await tab.$eval('#starts', starts => { starts.value = 'jenga'; starts.dispatchEvent(new Event('change', { bubbles: true })); });
+  assert.match(await said(tab), /no WebGL/);
+  assert.equal(await tab.$eval('#starts', starts => starts.value), 'stack');
+  assert.deepEqual(tab.complaints, []);
+  await tab.close();
+});
+
 for (const { name, ...screen } of screens)
   test(`a scene in space is drawn, turned, stepped and diagnosed, ${name}`, { skip }, async () => {
     const tab = await ready({ ...screen, hash: '#jenga' });
