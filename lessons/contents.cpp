@@ -14,8 +14,8 @@ const std::vector<About>& contents() {
        .before = "Vectors in the plane: dot and cross product, derivatives of a product. No mechanics."},
       {.slug = "02_single_constraint",
        .title = "Single constraint",
-       .summary =
-           "One bob, one rod: compute the impulse that holds them, apply it, and see what it does not solve.",
+       .summary = "One bob, one rod: compute the impulse that keeps the rod's length, apply it, and see what it "
+                  "leaves wrong.",
        .method = "symplectic Euler; one row solved exactly by (17); no drift cure",
        .goals = {"compute JM⁻¹Jᵀ and λ of one row with numbers", "turn λ into the tension of a rod, with its sign",
                  "say what JV = 0 leaves uncorrected"},
@@ -30,7 +30,7 @@ const std::vector<About>& contents() {
            "Lessons 1 and 2; matrices and systems of linear equations. Eigenvalues help in the deeper steps."},
       {.slug = "04_baumgarte",
        .title = "Baumgarte",
-       .summary = "Why rods grow, how a correction pulls them back, and how much of it a scene can bear.",
+       .summary = "Why rods grow, how a correction pulls them back, and how much correction a scene can stand.",
        .method = "symplectic Euler; one row solved exactly by (17), or Gauss–Seidel; Baumgarte",
        .goals = {"predict how fast a rod drifts",
                  "choose β for a scene and a time step, and say where it becomes unstable",

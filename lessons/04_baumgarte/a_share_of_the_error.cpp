@@ -37,11 +37,15 @@ void a_share_of_the_error(const Setting& setting, Page& page) {
   page.text(
       R"(The cure asks for a rate other than zero. (21) adds a bias b, and (22) chooses b so that the error shrinks:)");
   page.equation(21);
-  page.equation(22, "JV = −(β/h)·C = −(@/(@ s))·@ m = @ m/s",
-                R"(JV = -\frac{\beta}{h}\,C = -\frac{@}{@\,\mathrm{s}}\cdot @\,\mathrm{m} = @\,\mathrm{m/s})",
-                setting.beta, setting.h, setting.error, -beta * e / h);
+  page.equation(22);
   page.text(
-      R"(This method is called *Baumgarte stabilisation*. Its recipe for a step of velocities:
+      R"(A step should remove the share β of the error. It lasts h, so the rate must be βC/h; the article prints (22) without
+      this 1/h (step 4 is about that). In this course (22) means)");
+  page.formula("JV = −(β/h)·C = −(@/(@ s))·@ m = @ m/s",
+               R"(JV = -\frac{\beta}{h}\,C = -\frac{@}{@\,\mathrm{s}}\cdot @\,\mathrm{m} = @\,\mathrm{m/s})",
+               setting.beta, setting.h, setting.error, -beta * e / h);
+  page.text(
+      R"(This method is called *Baumgarte stabilisation*. The recipe for one time step:
 
       - apply gravity to V;
       - write C and J at the present positions;
@@ -65,10 +69,11 @@ void a_share_of_the_error(const Setting& setting, Page& page) {
          .wrong = {{100 * e * (1 - shown_steps * beta),
                     "Each step removes a share of the present error, not of the first one."},
                    {100 * e * (1 - beta), "That is the error after the first step; four more follow."}},
-         .hints = {"A step lasts h. How far does the bob move in it at the rate JV of (22)?",
+         .hints = {"A step lasts h. How far does the bob move in it at the rate JV?",
                    "C′ = C + h·JV with JV = −(β/h)C.",
-                   say("After one step @ cm are left; the next step starts from there.",
-                       100 * e * without_rounding(1 - beta, 1))},
+                   beta == 1 ? "After one step nothing is left to correct."
+                             : say("After one step @ cm are left; the next step starts from there.",
+                                   100 * e * without_rounding(1 - beta, 1))},
          .hinted = 100 * e * std::pow(1 - beta, shown_steps),
          .right = say("Each step leaves the share 1 − β = @, so five leave (1 − β)⁵ = @.",
                       without_rounding(1 - beta, 1), without_rounding(std::pow(1 - beta, shown_steps), 1))});
@@ -77,15 +82,11 @@ void a_share_of_the_error(const Setting& setting, Page& page) {
         R"(With β = @ each step multiplies the error by 1 − β = @. After @ the error is larger than the rod, and the
         bob flies through its anchor.)",
         setting.beta, 1 - beta, several(static_cast<long>(run.size()), "step"));
-  page.text(
-      R"(A side note: the article prints (22) without the 1/h, with m/s on the left and m on the right; step 4 is about
-      that. The choice between the two is one line, and (17) does the rest:)");
+  page.text(R"(In code, b is one line, and (17) does the rest:)");
   page.excerpt("lessons/04_baumgarte/plain_bias.cpp", "bias");
-  page.figure("plain_bias",
-              R"(How this line shrinks an error of 10 cm in steps of 1/60 s, for three β. With β = 1.5 each step
-              overshoots.)",
+  page.figure("plain_bias", R"(How this line shrinks an error of 10 cm in steps of 1/60 s, for three β.)",
               chart_of(plain_bias));
-  page.text("The solver's line has both readings:");
+  page.text("The solver supports both readings (`slop` and `speed_cap` are for lesson 5):");
   page.excerpt("solver/cures/baumgarte.hpp", "bias");
   page.figure("five_steps",
               say(R"(The end of the rod, at first and after each of @ with β = @. Dashed: where the bob belongs.)",
@@ -94,11 +95,14 @@ void a_share_of_the_error(const Setting& setting, Page& page) {
   page.text(
       R"(A step with JV = −(β/h)C lasts h, so it moves the bob by h·JV = −βC along the rod. One step therefore
       leaves exactly)");
-  page.formula("C after a step = (1 − β) C before it = @ · C", R"(C_{k+1} = (1-\beta)\,C_k = @\; C_k)",
-               without_rounding(1 - beta, 1));
+  if (beta == 1)
+    page.formula("C after a step = (1 − β) C before it = 0", R"(C_{k+1} = (1-\beta)\,C_k = 0)");
+  else
+    page.formula("C after a step = (1 − β) C before it = @ · C", R"(C_{k+1} = (1-\beta)\,C_k = @\; C_k)",
+                 1 - beta);
   page.derivation("Why one step leaves the share 1 − β",
                   {{"one step of h moves C by h times its rate", "C′ = C + hJV", R"(C' = C + hJV)"},
-                   {"(22) with β/h", "JV = −(β/h)C", R"(JV = -\tfrac{\beta}{h}\,C)"},
+                   {"(22)", "JV = −(β/h)C", R"(JV = -\tfrac{\beta}{h}\,C)"},
                    {"insert", "C′ = C − βC = (1 − β)C", R"(C' = C - \beta C = (1-\beta)\,C)"},
                    {"k steps", "Cₖ = (1 − β)ᵏC₀", R"(C_k = (1-\beta)^k\,C_0)"}});
   page.text("On the circle of step 1 the same happens to the drift of every step. Here is one, slowed down:");
@@ -119,7 +123,7 @@ void a_share_of_the_error(const Setting& setting, Page& page) {
   if (five) page.measure("error after five steps", 100 * left, "cm");
 
   page.claim("error after five steps", run.back(), "m",
-             is(std::pow(1 - beta, shown_steps) * e, "law of the share: (1 − β)⁵ of it", absolute(1e-12 * length)),
+             is(std::pow(1 - beta, shown_steps) * e, "(1 − β)⁵ of it", absolute(1e-12 * length)),
              Condition{five, "a bob that stays on its side of the anchor"});
   double by_one_line = e;
   for (int step = 0; step < shown_steps; ++step) by_one_line -= h * plain_bias(by_one_line, beta, h);
@@ -132,9 +136,9 @@ void a_share_of_the_error(const Setting& setting, Page& page) {
   const double moved = (run[1] - run[0]) / h, second = run.size() > 2 ? (run[2] - run[1]) / h : NAN;
   page.claim("energy after the first step", 0.5 * setting.mass * moved * moved, "J",
              is(push, "½m(βC/h)²", relative(1e-13 * length / (beta * e) + 1e-12)));
-  page.claim("energy after the second step over that after the first", second * second / (moved * moved), "1",
-             is((1 - beta) * (1 - beta), "law of the share: the speed is βC/h",
-                absolute(1e-12 * length / (beta * e) + 1e-12)));
+  page.claim(
+      "energy after the second step over that after the first", second * second / (moved * moved), "1",
+      is((1 - beta) * (1 - beta), "(1 − β)²: the speed is βC/h", absolute(1e-12 * length / (beta * e) + 1e-12)));
 }
 
 }  // namespace byhand::baumgarte

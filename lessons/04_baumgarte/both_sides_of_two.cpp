@@ -88,9 +88,9 @@ void both_sides_of_two(const Setting& setting, Page& page) {
   page.choose(
       {.ask = say("If every step does this, with β = @, does the rod settle?", bold),
        .options = {{"yes", "Each step overshoots by half, and a half of a half of a half goes to zero."},
-                   {"no", "It changes sides each time, but follow its size: a half, a quarter, an eighth …"}},
+                   {"no", "It changes sign each time, but follow its size: a half, a quarter, an eighth …"}},
        .answer = settles ? 0 : 1,
-       .hints = {"Follow the size of the error, not its side.", "Cₖ = (1 − β)ᵏC₀.",
+       .hints = {"Watch the size of the error, not its sign.", "Cₖ = (1 − β)ᵏC₀.",
                  "What is left after two steps? After three?"}});
 
   std::vector<Panel> panels;
@@ -102,7 +102,7 @@ void both_sides_of_two(const Setting& setting, Page& page) {
   page.sequence(
       "stems",
       say(R"(The same rod with @ values of β, every step shown. Up to 1 the error shrinks from one side, between 1
-          and 2 it changes sides and shrinks, beyond 2 it changes sides and grows. Each chart has its own scale.)",
+          and 2 it changes sign and shrinks, beyond 2 it changes sign and grows. Each chart has its own scale.)",
           panels.size()),
       Frames{panel_steps + 1}, [panels](Canvas& canvas, double time) {
         draw_panels(canvas, panels, static_cast<std::size_t>(std::lround(time)));
@@ -115,14 +115,12 @@ void both_sides_of_two(const Setting& setting, Page& page) {
 
   page.measure("what a step leaves", factor(setting, setting.beta()), "1");
 
-  page.claim(
-      "what a step leaves with this β", factor(setting, setting.beta()), "1",
-      is(std::abs(1 - setting.beta()), "law of the share: |1 − β|", absolute(1e-14 * setting.length / e + 1e-9)));
+  page.claim("what a step leaves with this β", factor(setting, setting.beta()), "1",
+             is(std::abs(1 - setting.beta()), "|1 − β|", absolute(1e-14 * setting.length / e + 1e-9)));
   for (const double beta : {1.99, 2.0, 2.01})
-    page.claim(
-        say("left after fifty steps, β = @", beta), std::abs(errors(setting, {beta}, setting.h, 50).back() / e),
-        "1",
-        is(std::pow(std::abs(1 - beta), 50), "law of the share: |1 − β|⁵⁰", absolute(1e-11 * setting.length / e)));
+    page.claim(say("left after fifty steps, β = @", beta),
+               std::abs(errors(setting, {beta}, setting.h, 50).back() / e), "1",
+               is(std::pow(std::abs(1 - beta), 50), "|1 − β|⁵⁰", absolute(1e-11 * setting.length / e)));
 }
 
 }  // namespace byhand::baumgarte

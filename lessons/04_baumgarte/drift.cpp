@@ -84,12 +84,12 @@ void drift(const Setting& setting, Page& page) {
   page.text(
       R"(In lesson 2 the rod grew longer and longer. Each step moves the bob along the tangent, because JV = 0 asks for
       no more, and the tangent leaves the circle. This growing error, here C = |d| − L in metres, is called *drift*. To
-      see it alone, take gravity away: a bob goes round at @ m/s on a rod of @ m with h = @ s, and nothing corrects the
+      see it alone, take gravity away: a bob circles at @ m/s on a rod of @ m with h = @ s, and nothing corrects the
       drift (b = 0).)",
       speed, length, setting.h);
   page.choose(
-      {.ask =
-           "After some rounds the bob is farther out than it should be. What has happened to its kinetic energy?",
+      {.ask = "After a few revolutions the bob is farther out than it should be. What has happened to its kinetic "
+              "energy?",
        .options = {{"risen",
                     R"(The bob moved outward, but nothing pushed it outward. The next impulse removes the outward
                     part of V, and its energy ½m·vᵣ² with it.)"},
@@ -124,8 +124,8 @@ void drift(const Setting& setting, Page& page) {
   page.text(
       R"(Lesson 2, step 6 derived the law from two facts. The displacement h·v is at right angles to d, so Pythagoras gives
       the new |d|². The impulse points at the anchor, so the angular momentum m|v||d| stays the same.)");
-  page.formula("|d|²  grows by  h²|v|²  a step,   |v||d| stays   ⟹   |d| ≈ L (1 + 2hv₀²t/L²)^¼",
-               R"(|d|^2 \mathrel{+}= h^2|v|^2, \quad |v||d| = \text{const} \quad\Rightarrow\quad )"
+  page.formula("|d′|² = |d|² + h²|v|²,   |v||d| stays   ⟹   |d| ≈ L (1 + 2hv₀²t/L²)^¼",
+               R"(|d'|^2 = |d|^2 + h^2|v|^2, \quad |v||d| = \text{const} \quad\Rightarrow\quad )"
                R"(|d| \approx L\,\bigl(1 + 2hv_0^2t/L^2\bigr)^{1/4})");
   page.formula("at first  Ċ ≈ hv²/2L = @ cm/s",
                R"(\dot C \approx \frac{hv^2}{2L} = @\ \mathrm{cm/s} \text{ at first})",
@@ -136,14 +136,14 @@ void drift(const Setting& setting, Page& page) {
       drift: smaller steps help, but they never remove it.)");
   const double bend = 2 * turn_of(setting) * turn_of(setting);
   const Quantity at_first("2(vh/L)²", bend), at_last("2v²ht/L² at the end", 1000 * bend);
-  const std::string first =
-      page.verdict({{.when = at_first < 0.2,
-                     .say = "At first the slope is 1, and a quarter of h lowers the error to a quarter."},
-                    {.when = at_first >= 0.2,
-                     .say = "The steps are so large that the curve with h bends from its first step on."}});
-  const std::string later =
-      page.verdict({{.when = at_last > 2, .say = "Later the curves bend towards the fourth root."},
-                    {.when = at_last <= 2, .say = "The error stays so small that no bend is seen yet."}});
+  const std::string first = page.verdict(
+      {{.when = at_first < 0.2, .say = "At first the slope is 1, and dividing h by 4 divides the error by 4."},
+       {.when = at_first >= 0.2,
+        .say = "The steps are so large that the curve with h bends from its first step on."}});
+  const std::string later = page.verdict(
+      {{.when = at_last > 2, .say = "Later the curves bend towards the fourth root."},
+       {.when = both(at_last <= 2, at_last >= 0.2), .say = "At the end the uppermost curve begins to bend."},
+       {.when = at_last < 0.2, .say = "Within this time the curves stay straight."}});
   page.figure("law_of_drift",
               say("Error over time for three steps; points: runs, dashed: the law. @ @", first, later),
               law_of_drift(setting));

@@ -22,14 +22,14 @@ int main(int argc, char** argv) {
   lesson.step("Drift and its law", with(drift));
   lesson.step("A share β of the error in each step", with(a_share_of_the_error));
   lesson.hold(in_hand(setting));
-  lesson.step("More than all of the error", with(both_sides_of_two));
+  lesson.step("Correcting too much", with(both_sides_of_two));
   lesson.step("Read literally, (22) has no 1/h", with(read_literally));
-  lesson.step("No unit, and still a matter of frame rate", with(frame_rate));
+  lesson.step("Dimensionless, yet tied to the frame rate", with(frame_rate));
   lesson.step("What β costs on a pendulum", with(what_it_costs));
 
-  lesson.deeper("The error that a spin leaves", with(steady_spin));
+  lesson.deeper("Steady stretch of a spinning rod", with(steady_spin));
   lesson.deeper("Warm start, few sweeps and β", with(the_trap));
-  lesson.step("When it does not work", with(when_it_does_not_work));
+  lesson.step("When it does not work (reference)", with(when_it_does_not_work));
 
   lesson.closing(
       {.now_you_know =
@@ -41,9 +41,9 @@ int main(int argc, char** argv) {
             every β below 2.)",
             "A steady spin leaves C/L = (ωh)²/(2β).",
             "With a warm start the limit is min((1 − q)/q, 2); with few sweeps that can be far below 0.1."},
-       .tries = {{"Just beyond the limit: what do the rod, the claims and the stems do?",
+       .tries = {{"Just beyond the limit: what do the rod, the charts of step 3 and the claims do?",
                   "./lessons/run baumgarte --set beta=2.1"},
-                 {"Twice the frame rate, with the same time h/β.",
+                 {"Double the frame rate but keep h/β: which numbers stay?",
                   "./lessons/run baumgarte --set h=1/120 --set beta=0.1"},
                  {"How many sweeps does the chain of ten links need at this β?",
                   "./lessons/run baumgarte --step 6b --set sweeps=8"}},

@@ -36,7 +36,7 @@ void PendulumFilm::draw(Canvas& canvas, double time) const {
     const Point now = at(runs_[i], time).position;
     canvas.line({0, 0}, ghost, {palette::theory, 2, Dash::dashed});
     canvas.disc(ghost, 13 / canvas.camera().scale, {palette::paper, {palette::theory, 2}});
-    canvas.trail(trail, {palette::velocity, 3});
+    canvas.trail(trail, {palette::series(static_cast<int>(i)), 3});
     pictures::draw(canvas, {.bobs = {{now, 1}}, .rods = {{{0, 0}, now}}, .anchors = {{0, 0}}},
                    {.bob = 13, .bodies = pictures::look_of_run(static_cast<int>(i))});
     canvas.look_at_page();

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <initializer_list>
 #include <utility>
 #include <vector>
 
@@ -13,11 +14,11 @@ namespace {
 
 constexpr auto curve_style = renderer::CurveStyle::line_and_markers;
 
-std::vector<renderer::Curve> curves_of(const Bias& bias) {
+std::vector<renderer::Curve> curves_of(const Bias& bias, std::initializer_list<double> betas) {
   constexpr double h = 1.0 / 60;
   constexpr int steps = 10;
   std::vector<renderer::Curve> curves;
-  for (const double beta : {0.2, 0.6, 1.5}) {
+  for (const double beta : betas) {
     renderer::Curve curve{.label = fmt::format("β = {}", beta)};
     double C = 0.1;
     for (int done = 0; done <= steps; ++done) {
@@ -30,22 +31,24 @@ std::vector<renderer::Curve> curves_of(const Bias& bias) {
   return curves;
 }
 
-renderer::Chart empty_chart() {
+renderer::Chart empty_chart(double lowest) {
   renderer::Chart chart;
   chart.x.label = "steps";
   chart.y.label = "C (cm)";
-  chart.y.range = {{-12, 12}};
+  chart.y.range = {{lowest, 12}};
   return chart;
 }
 
 }  // namespace
 
 renderer::Chart chart_of(const Bias& bias) {
-  return pictures::with_curves(empty_chart(), curves_of(bias), curve_style);
+  return pictures::with_curves(empty_chart(-0.5), curves_of(bias, {0.1, 0.2, 0.6}), curve_style);
 }
 
 renderer::Chart chart_beside_ours(const Bias& readers) {
-  return pictures::beside_ours(empty_chart(), curves_of(plain_bias), curves_of(readers), curve_style);
+  const auto betas = {0.2, 0.6, 1.5};  // the last one overshoots
+  return pictures::beside_ours(empty_chart(-12), curves_of(plain_bias, betas), curves_of(readers, betas),
+                               curve_style);
 }
 
 }  // namespace byhand::baumgarte

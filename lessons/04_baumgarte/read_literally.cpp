@@ -26,7 +26,7 @@ void read_literally(const Setting& setting, Page& page) {
   const int steps = static_cast<int>(std::lround(decay_seconds / h));
   const Baumgarte literal{beta, BetaReading::literal};
   const std::vector<double> run = errors(setting, literal, h, steps);
-  const double half = half_time(run[1] / run[0], h), left = run.back() / e;
+  const double half = half_life(run[1] / run[0], h), left = run.back() / e;
 
   page.text("Now read (22) as it is printed:");
   page.equation(22, "JV = −@ s⁻¹ · @ m = @ m/s",
@@ -46,39 +46,50 @@ void read_literally(const Setting& setting, Page& page) {
       .hints = {"β is now a rate per second, so the number of steps does not matter.", "C = C₀ e^(−βt).",
                 say("e^(−βt) = ½, so βt = ln 2 = 0.693: 0.693/@ = …", setting.beta)},
       .hinted = std::log(2) / beta,
-      .right = say("ln 2/β = @ s; in steps of @ s, half is gone after @ s.", Value(std::log(2) / beta, 3),
-                   setting.h, Value(half, 3))};
+      .right = say("ln 2/β = @ s@.", Value(std::log(2) / beta, 3),
+                   std::abs(half * beta / std::log(2) - 1) < 0.01
+                       ? ""
+                       : say("; in steps of @ s, half is gone after @ s", setting.h, Value(half, 3)))};
   if (beta < 1)
-    question.wrong.push_back({half_time(1 - beta, h), "Without 1/h, β is a rate per second, not per step."});
+    question.wrong.push_back({half_life(1 - beta, h), "Without 1/h, β is a rate per second, not per step."});
   page.predict(question);
 
-  const Curve per_step = decay(setting, say("per step: −(β/h)C, β = @", setting.beta), {beta},
-                               static_cast<int>(std::lround(1 / h)), 1);
-  const Curve law = pictures::theory(
-      "e^{−βt}", 0, decay_seconds, [&](double t) { return 100 * e * std::exp(-beta * t); }, 40);
+  // The first second, in which the correction per step is over, and all of it.
+  const auto chart = [&](double end) {
+    const int taken = static_cast<int>(std::lround(end / h));
+    const Curve law = pictures::theory(
+        "e^{−βt}", 0, end, [&](double t) { return 100 * e * std::exp(-beta * t); }, 40);
+    return Chart{.x = {.label = "time (s)", .range = {{0, end}}},
+                 .y = {.label = "|C| (cm)", .scale = Scale::logarithmic, .range = {{1e-2 * e, 200 * e}}},
+                 .curves = {decay(setting, say("as printed: −βC, β = @ s⁻¹", setting.beta), literal, taken,
+                                  static_cast<std::size_t>(std::max(1, taken / 40))),
+                            decay(setting, say("per step: −(β/h)C, β = @", setting.beta), {beta},
+                                  static_cast<int>(std::lround(1 / h)), 1),
+                            law}};
+  };
   page.figure("literal_and_per_step",
               say("The same number β = @, read in two ways, over @ s. Read literally, @ at the end.", setting.beta,
                   decay_seconds,
                   left > 1e-9 ? say("@ % of the error is left", Value(100 * left, 3))
                               : "less than 10⁻⁷ % of the error is left"),
-              Chart{.x = {.label = "time (s)", .range = {{0, decay_seconds}}},
-                    .y = {.label = "|C| (cm)", .scale = Scale::logarithmic, .range = {{1e-2 * e, 200 * e}}},
-                    .curves = {decay(setting, say("as printed: −βC, β = @ s⁻¹", setting.beta), literal, steps,
-                                     static_cast<std::size_t>(std::max(1, steps / 40))),
-                               per_step, law}});
+              [first = chart(1), all = chart(decay_seconds)](Canvas& canvas) {
+                const auto [early, whole] = canvas.page().inset(12).panels(0.5, 20);
+                draw(canvas, first, early);
+                draw(canvas, all, whole);
+              });
   page.text(
       R"(Both readings are in use; find out which one a program means. Per step the limit is β = 2; as printed it is
       2/h = @ s⁻¹. The solver of this course divides by h, and calls the other reading `BetaReading::literal`.)",
       2 / h);
-  page.measure("half-time as printed", half, "s");
+  page.measure("half-life as printed", half, "s");
 
-  page.claim("half-time as printed", half, "s", is(std::log(2) / beta, "ln 2/β", relative(0.6 * beta * h)));
+  page.claim("half-life as printed", half, "s", is(std::log(2) / beta, "ln 2/β", relative(0.6 * beta * h)));
   page.claim(say("still there after @ s, as printed", decay_seconds), left, "1",
              is(std::pow(1 - beta * h, steps), "(1 − βh)ⁿ", absolute(1e-12 * length / e)));
   for (const double side : {1.99, 2.01})
     page.claim(say("left after fifty steps, β = @ s⁻¹ = @/h", side / h, side),
                std::abs(errors(setting, {side / h, BetaReading::literal}, h, 50).back() / e), "1",
-               is(std::pow(side - 1, 50), "law of the share: |1 − βh|⁵⁰", absolute(1e-11 * length / e)));
+               is(std::pow(side - 1, 50), "|1 − βh|⁵⁰", absolute(1e-11 * length / e)));
 }
 
 }  // namespace byhand::baumgarte

@@ -48,7 +48,7 @@ double error_in_squared_form(const Setting& setting) {
   return weightless<Distance>(setting, {setting.beta()}, setting.h, 1).back();
 }
 
-double half_time(double factor, double h) { return h * std::log(0.5) / std::log(factor); }
+double half_life(double factor, double h) { return h * std::log(0.5) / std::log(factor); }
 
 Track circling(const Setting& setting, double speed, const DriftCure& cure, double h, int steps) {
   return follow(particle_on_a_circle<PlaneParticle>(setting.length, speed, setting.mass), cure, h, steps);

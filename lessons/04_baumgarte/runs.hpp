@@ -15,7 +15,7 @@ std::vector<double> errors(const Setting& setting, const Baumgarte& cure, double
 double error_in_squared_form(const Setting& setting);
 
 /// How long an error takes to halve when a step of h leaves the share `factor` of it [s].
-double half_time(double factor, double h);
+double half_life(double factor, double h);
 
 /// A bob after a step.
 struct Sample {

@@ -38,8 +38,7 @@ void steady_spin(const Setting& setting, Page& page) {
                   : "With β = @ the rod never settles. This step therefore uses β = 0.2.",
               setting.beta);
   page.text(
-      R"(β removes a share of the error. If every step also adds a new error, some error stays. Let the bob of step 1 go
-      round again at @ m/s, now with β = @, until its rod no longer changes.)",
+      R"(β removes a share of the error. If every step also adds a new error, some error stays. Let the bob of step 1 circle again at @ m/s, now with β = @, until its rod no longer changes.)",
       setting.speed(), beta);
   const double answer = 1000 * spin.stretch * length, one_step = 500 * turn * turn * length;
   if (small)
@@ -55,7 +54,9 @@ void steady_spin(const Setting& setting, Page& page) {
                    {0, "Then β would have no error to remove a share of."}},
          .hints = {"Once the rod has settled, a step adds as much error as it removes.",
                    "added: ½(ωh)²L; removed: βC.",
-                   say("@ · C = @ mm: @ mm/@ = …", beta, Value(one_step, 4), Value(one_step, 4), beta)},
+                   beta == 1
+                       ? say("C = @ mm, since one step removes all of it.", Value(one_step, 4))
+                       : say("@ · C = @ mm: @ mm/@ = …", beta, Value(one_step, 4), Value(one_step, 4), beta)},
          .hinted = one_step / beta,
          .right = say(
              R"(With the first ω, C = ½(ωh)²L/β = @ mm. On the longer rod the bob goes round more slowly: the run
@@ -70,12 +71,14 @@ void steady_spin(const Setting& setting, Page& page) {
     page.text(R"(The law is the first term of an expansion in ωh, and this ωh is too large for it: the rod in fact
               stays too long by C/L = @.)",
               spin.stretch);
+  else
+    page.text("The run settles at C/L = @, a little more: the drift of a step is ½(ωh)²|d|, and |d| = L + C.",
+              spin.stretch);
   page.derivation(
       "The stretch of a spinning rod",
-      {{"the step h·v is at right angles to d (law of drift)", "|d′|² = |d|² + (h v)²",
-        R"(|d'|^2 = |d|^2 + (hv)^2)"},
+      {{"the step h·v is at right angles to d (step 1)", "|d′|² = |d|² + (h v)²", R"(|d'|^2 = |d|^2 + (hv)^2)"},
        {"square root, for small ωh = hv/L", "added to C: ½(ωh)²L", R"(\tfrac12(\omega h)^2 L)"},
-       {"law of the share", "removed from C: βC", R"(\beta C)"},
+       {"a step removes the share β (step 2)", "removed from C: βC", R"(\beta C)"},
        {"settled: added = removed", "C/L = (ωh)²/(2β)", R"(\frac{C}{L} = \frac{(\omega h)^2}{2\beta})"}});
 
   Chart chart{.x = {.label = "ωh, angle of one step (rad)", .scale = Scale::logarithmic},
@@ -96,17 +99,17 @@ void steady_spin(const Setting& setting, Page& page) {
   chart.references.push_back({Reference::Across::x, 0.1, "ωh = 0.1"});
   page.figure(
       "steady_stretch",
-      R"(How much too long a spinning rod stays, over the angle that it turns in one step. Dashed: the law, the
-              first term of an expansion; right of the thin line the other terms show.)",
+      R"(Steady stretch of a spinning rod against the angle it turns in one step. Dashed: the law; beyond the dotted
+              line the higher terms become visible.)",
       chart);
   page.text(
       R"(For small ωh, half the step leaves a quarter of the stretch, while the stretch only falls as 1/β. If you keep
-      h/β, to keep the half-time, the stretch is proportional to h.)");
+      h/β, to keep the half-life, the stretch is proportional to h.)");
   page.measure("settled stretch", 1000 * spin.stretch, "mm per m");
 
   // Next in the expansion are ½β(C/L)² and ⅓(ωh)⁴ beside (ωh)².
   page.claim("settled stretch, over L", spin.stretch, "1",
-             is(laws::stretch_of_a_spinning_rod(spin.turn, beta), "law of the spinning rod: (ωh)²/(2β), ω settled",
+             is(laws::stretch_of_a_spinning_rod(spin.turn, beta), "(ωh)²/(2β), ω settled",
                 relative(spin.turn * spin.turn * (0.5 + 1 / beta) +
                          2e-15 / (laws::stretch_of_a_spinning_rod(spin.turn, beta) * beta))),
              small);

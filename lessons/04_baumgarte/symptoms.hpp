@@ -19,10 +19,11 @@ struct Symptom {
   double law = 0;      // what the wrong step should give, in `unit`
   std::string source;  // of that number: "gh"
   std::string cause, test;
-  std::string more;                   // the step and the exercise
-  double wrong = 0, right = 0;        // measured, in `unit`
-  double tolerance = 1e-9;            // of the law, relative to the larger of it and 1
-  std::optional<FaultyRun> run = {};  // to be filmed
+  std::string more;                          // the step and the exercise
+  double wrong = 0, right = 0;               // measured, in `unit`
+  std::string compared = "correct program";  // what gave `right`
+  double tolerance = 1e-9;                   // of the law, relative to the larger of it and 1
+  std::optional<FaultyRun> run = {};         // to be filmed
 };
 
 /// Those of a rod that is not corrected, of its correction, of bodies that turn, and of several rows.

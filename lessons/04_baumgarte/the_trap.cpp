@@ -75,8 +75,9 @@ std::string largest_error_of(const HangingChain& chain, double length) {
   return error < least_shown ? "|C| below 10⁻⁵ L" : say("|C| up to @ L", Value(error, 2));
 }
 
+/// A cold chain and a warm one, in the colours of lesson 3, step 6.
 struct ChainsFilm {
-  HangingChain warm, cold;
+  HangingChain cold, warm;
   double length, view;  // [m]
   Chart beside;
   int bobs;
@@ -88,7 +89,7 @@ struct ChainsFilm {
     }
     const auto [left, right] = canvas.page().inset(16).panels(0.36, 16);
     const auto frames = left.cells(1, 2, 8);
-    const std::pair<const HangingChain*, const char*> both[] = {{&warm, "warm"}, {&cold, "cold"}};
+    const std::pair<const HangingChain*, const char*> both[] = {{&cold, "cold"}, {&warm, "warm"}};
     for (int i = 0; i < 2; ++i) {
       const auto& [chain, name] = both[i];
       const Rectangle below{frames[i].x, frames[i].y + 30, frames[i].width, frames[i].height - 70};
@@ -96,13 +97,19 @@ struct ChainsFilm {
                   {.size = 24, .colour = palette::series(i), .bold = true});
       canvas.look(fit({-0.1 * view, -view, 0.2 * view, 1.06 * view}, below, 6));
       const double spacing = length * canvas.camera().scale;
-      canvas.clip(below);
-      pictures::draw(canvas, chain->linkage(),
-                     {.bob = std::min(13.0, 0.3 * spacing),
-                      .rod = std::min(5.0, 0.15 * spacing),
-                      .bodies = pictures::look_of_run(i)});
-      canvas.clip({});
-      canvas.look_at_page();
+      if (chain->largest_error() < length) {
+        canvas.clip(below);
+        pictures::draw(canvas, chain->linkage(),
+                       {.bob = std::min(13.0, 0.3 * spacing),
+                        .rod = std::min(5.0, 0.15 * spacing),
+                        .bodies = pictures::look_of_run(i)});
+        canvas.clip({});
+        canvas.look_at_page();
+      } else {
+        canvas.look_at_page();
+        canvas.text(below.centre(), "beyond\nthe picture", {.size = 20});
+      }
+
       canvas.text({frames[i].centre().x(), frames[i].y + 12}, largest_error_of(*chain, length),
                   {.size = 18, .colour = palette::error});
     }
@@ -115,11 +122,11 @@ ChainsFilm film_of(const Setting& setting, double beta) {
   const auto hanging = [&](bool warm) {
     return HangingChain({setting.links, setting.sweeps, beta, warm}, length, setting.mass, h);
   };
-  ChainsFilm film{hanging(true), hanging(false), length, 0, {}, setting.links};
+  ChainsFilm film{hanging(false), hanging(true), length, 0, {}, setting.links};
   film.beside = {.x = {.label = "time (s)", .range = {{0, chain_seconds}}},
                  .y = {.label = "largest |C|/L", .scale = Scale::logarithmic}};
-  double depth = setting.links * length, most = 0.1;
-  for (const auto& [start, name] : {std::pair{&film.warm, "warm"}, std::pair{&film.cold, "cold"}}) {
+  double depth = setting.links * length, most = 0.1, least = 1e-3;
+  for (const auto& [start, name] : {std::pair{&film.cold, "cold"}, std::pair{&film.warm, "warm"}}) {
     HangingChain chain = *start;
     Curve curve{.label = name, .x = {0}, .y = {HangingChain::start_error}};
     while (chain.time() < chain_seconds) {
@@ -129,12 +136,13 @@ ChainsFilm film_of(const Setting& setting, double beta) {
       const double error = chain.largest_error() / length;
       curve.y.push_back(error > least_shown ? error : NAN);
       most = std::max(most, error);
+      if (error > least_shown) least = std::min(least, error);
     }
     const double lowest = -chain.linkage().bobs.back().at.y();
     if (start == &film.cold && lowest < 2 * depth) depth = std::max(depth, lowest);
     film.beside.curves.push_back(curve);
   }
-  film.beside.y.range = {least_shown, 2 * most};
+  film.beside.y.range = {std::pow(10, std::floor(std::log10(least))), 2 * most};
   film.view = 1.08 * depth;
   return film;
 }
@@ -159,10 +167,10 @@ double wave_growth_by_hand(double q, double beta, int steps) {
   return std::exp(log_size / steps);
 }
 
-/// "is multiplied by 1.0511 in a step", or what a reader should know instead.
+/// What becomes of an error, and a space.
 std::string fate_of_error(double growth) {
-  if (growth == 0) return "is gone after a few steps";
-  return say("is multiplied by @ in each step", Value(growth, 4));
+  if (growth == 0) return "The error is gone after a few steps. ";
+  return say("Each step multiplies the error by @. ", Value(growth, 4));
 }
 
 }  // namespace
@@ -180,21 +188,23 @@ void the_trap(const Setting& setting, Page& page) {
       step, as in an engine. β = @.)",
       several(links, "link"), several(sweeps, "warm sweep"), setting.beta);
   const std::string reason =
-      dies_out ? say("β is below the limit, @.", limit)
-      : beta >= 2
-          ? "Beyond 2 even one row overshoots by more than its error."
+      dies_out   ? say("β is below the limit, @.", limit)
+      : beta > 2 ? "Beyond 2 even one row overshoots by more than its error."
+      : beta == 2
+          ? R"(At β = 2 even one exactly solved row never settles; with the warm start the error is corrected twice and
+            grows.)"
           : R"(λ starts from last step's value, which holds last step's correction as well; the error is corrected
             twice.)";
-  page.choose({.ask = say("β = @, @, @ a step. Does an error in the rods' lengths die out?", setting.beta,
-                          several(links, "link"), several(sweeps, "warm sweep")),
-               .options = {{"yes", say("@ @. @", dies_out ? "It" : "Not with so few sweeps for this β: it",
-                                       fate_of_error(growth), reason)},
-                           {"no", say("@ @. @", dies_out ? "The sweeps are enough for this β: it" : "It",
-                                      fate_of_error(growth), reason)}},
-               .answer = dies_out ? 0 : 1,
-               .hints = {"λ starts from last step's value. What did that value contain besides the weight?",
-                         "k sweeps leave q = cos²ᵏ(π/2N) of the slowest wave (lesson 3).",
-                         say("Here q is @: compare β with (1 − q)/q, and with 2.", shown_q)}});
+  const std::string fate = fate_of_error(growth), few = beta < 2 ? " for so few sweeps" : "";
+  page.choose(
+      {.ask = say("β = @, @, @ a step. Does an error in the rods' lengths die out?", setting.beta,
+                  several(links, "link"), several(sweeps, "warm sweep")),
+       .options = {{"yes", dies_out ? fate + reason : say("This β is too large@. @@", few, fate, reason)},
+                   {"no", dies_out ? say("The sweeps are enough for this β. @@", fate, reason) : fate + reason}},
+       .answer = dies_out ? 0 : 1,
+       .hints = {"λ starts from last step's value. What did that value contain besides the weight?",
+                 "k sweeps leave q = cos²ᵏ(π/2N) of the slowest wave (lesson 3).",
+                 say("Here q is @: compare β with (1 − q)/q, and with 2.", shown_q)}});
   ChainsFilm film = film_of(setting, beta);
   const auto ends = [&](const Curve& curve, double a_step) {
     if (curve.x.empty() || curve.x.back() < chain_seconds - 1.5 * setting.h())
@@ -204,15 +214,15 @@ void the_trap(const Setting& setting, Page& page) {
     if (std::isnan(last)) return std::string("become smaller than 10⁻⁵ L");
     return say(last > HangingChain::start_error ? "settle at @ L (it sags)" : "come down to @ L", Value(last, 2));
   };
-  const std::string of_warm = ends(film.beside.curves[0], growth), of_cold = ends(film.beside.curves[1], cold);
+  const std::string of_cold = ends(film.beside.curves[0], cold), of_warm = ends(film.beside.curves[1], growth);
   page.sequence(
       "warm_and_cold",
       say(R"(The same chain of @ m with β = @ and @ a step, with warm and with cold start; its lowest rod begins
-          @ % too long. Within @ s the errors of @.)",
+          @ % too long. Within @ s @.)",
           links * setting.length, setting.beta, several(sweeps, "sweep"), 100 * HangingChain::start_error,
           chain_seconds,
-          of_warm == of_cold ? "both chains " + of_warm
-                             : say("the warm chain @, the cold chain’s @", of_warm, of_cold)),
+          of_warm == of_cold ? "the errors of both chains " + of_warm
+                             : say("the warm chain's errors @, while the cold chain's @", of_warm, of_cold)),
       Seconds{chain_seconds},
       [film, h = setting.h()](Canvas& canvas, double time) mutable { film.draw(canvas, time, h); });
   page.text(
@@ -228,13 +238,14 @@ void the_trap(const Setting& setting, Page& page) {
       "Where the cubic and its limit come from",
       {{"the sweeps leave q of the residual JV + (β/h)e, counted after the warm start",
         "V′ + (β/h)e = q (V + λ + (β/h)e)", R"(V' + \tfrac{\beta}{h}e = q\,(V + \lambda + \tfrac{\beta}{h}e))"},
-       {"λ is what the last step changed, V₋ the rate before it", "λ = V − V₋", R"(\lambda = V - V_-)"},
+       {"λ is what the last step changed, V₋ the rate before it (gravity and the λ that carries it cancel)",
+        "λ = V − V₋", R"(\lambda = V - V_-)"},
        {"positions move with the new rate", "e′ = e + hV′", R"(e' = e + hV')"},
        {"growth by z in a step: V′ = zV, V₋ = V/z; from the line before, e = hzV/(z − 1)",
         "z = q(2 − 1/z) − (1 − q)β z/(z − 1)", R"(z = q\,(2 - \tfrac1z) - (1-q)\,\beta\,\frac{z}{z-1})"},
        {"times z(z − 1)", "z³ − [1 + 2q − (1 − q)β]z² + 3qz − q = 0",
         R"(z^3 - [1 + 2q - (1-q)\beta]\,z^2 + 3q\,z - q = 0)"},
-       {"a pair of roots on the unit circle, z = e^(±iφ); the third root is then q, the product of all",
+       {"the product of all roots is q; with a pair on the unit circle, z = e^(±iφ), the third root is q",
         "sum of pairs: 1 + 2q cos φ = 3q;   sum: 2 cos φ + q = 1 + 2q − (1 − q)β",
         R"(1 + 2q\cos\varphi = 3q,\qquad 2\cos\varphi + q = 1 + 2q - (1-q)\beta)"},
        {"eliminate cos φ", "β = (1 − q)/q", R"(\beta = \frac{1-q}{q})"},
@@ -255,16 +266,15 @@ void the_trap(const Setting& setting, Page& page) {
           several(links, "link")),
       map(setting, links));
   page.text(
-      R"(Cures:
-
-      - more sweeps: @;
+      R"(Where β is above the limit, these help:
+@
       - a smaller β;
       - a cold start, whose errors die out for every β below 2 while they are small, but which sags;
       - a direct solve of the chain: then q = 0, and the limit is 2;
       - a correction that λ does not remember: split impulse (lesson 5) and soft constraints (lesson 6).)",
-      limit < 2 ? say("with @ the limit is @", several(10 * sweeps, "sweep"),
+      limit < 2 ? say("\n- more sweeps: with @ the limit is @;", several(10 * sweeps, "sweep"),
                       Value(laws::largest_beta(laws::left_by_sweeps(links, 10 * sweeps)), 3))
-                : "here there are already enough");
+                : "");
   page.measure("growth of an error in a step", growth, "1");
 
   // The waves that a sweep in chain order removes at once are coupled; in a long chain rounding feeds them.
@@ -277,8 +287,8 @@ void the_trap(const Setting& setting, Page& page) {
              pure);
   const Condition in_reach = both(within(0.02, Quantity("(1 − q)/q", limit), 1.9), length <= 20);
   page.claim("β at which an error neither grows nor dies out", in_reach ? measured_limit(setting, limit) : 0, "1",
-             is(limit, "law of warm start: (1 − q)/q", relative(0.02)), in_reach);
-  page.claim("growth of the slowest wave, the program's six lines", wave_growth_by_hand(q, beta, 4000), "1",
+             is(limit, "(1 − q)/q", relative(0.02)), in_reach);
+  page.claim("growth of the slowest wave, by the program above", wave_growth_by_hand(q, beta, 4000), "1",
              is(growth_of_wave(q, beta), "largest root of the cubic", absolute(2e-3)));
 }
 

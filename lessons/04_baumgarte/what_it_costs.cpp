@@ -109,8 +109,7 @@ void what_it_costs(const Setting& setting, Page& page) {
       setting.release(), Value(film_betas(setting)[1]), Value(film_betas(setting)[2]));
   page.sequence(
       "three_pendulums",
-      R"(In colour: the article's step; dashed: the exact pendulum. Below: how much too long or too short each rod
-      is.)",
+      R"(In colour: the article's step; dashed: the exact pendulum. Below: the size of each rod's error.)",
       Seconds{film_seconds},
       [film = PendulumFilm(setting)](Canvas& canvas, double time) { film.draw(canvas, time); });
 
@@ -118,7 +117,8 @@ void what_it_costs(const Setting& setting, Page& page) {
       energy{.label = "lost energy/mgL", .style = CurveStyle::line_and_markers, .colour = palette::force},
       time{.label = "|period error|", .style = CurveStyle::line_and_markers, .colour = palette::velocity},
       drift_law{.label = "(ωh)²/2β", .style = CurveStyle::theory},
-      energy_law{.label = "law of lost energy", .style = CurveStyle::theory};
+      energy_law{.label = "lost, small steps", .style = CurveStyle::theory};
+  double before = 0, turns = 0;  // the period's error at the last β, and β where its sign changes
   double most = -INFINITY, best_drift = 0, best_energy = 0, best_period = 0;
   std::array<double, 3> least{1e300, 1e300, 1e300};
   for (const double b : betas) {
@@ -132,6 +132,8 @@ void what_it_costs(const Setting& setting, Page& page) {
     const double lost = (swings - 1) * law_of_loss(setting, exact, b, h);
     energy_law.y.push_back(quick && lost > rounding ? lost : NAN);
     most = std::max(most, errors.energy);
+    if (before * errors.period < 0) turns = std::abs(before) < std::abs(errors.period) ? drift.x.end()[-2] : b;
+    before = errors.period;
     const std::array found{errors.drift, std::abs(errors.energy), std::abs(errors.period)};
     const std::array best{&best_drift, &best_energy, &best_period};
     for (std::size_t i = 0; i < 3; ++i)
@@ -166,19 +168,20 @@ void what_it_costs(const Setting& setting, Page& page) {
   const bool left_out = std::any_of(energy.y.begin(), energy.y.end(), [](double y) { return std::isnan(y); });
   page.figure(
       "cost_of_beta",
-      say(R"(A pendulum from @° with h = @ s, over β: the largest drift, the energy lost from the first swing to
-          the third, and the error of the period. Dashed: the laws for small steps. @)",
+      say(R"(Largest drift, energy lost from the first swing to the third, and period error against β, for a pendulum
+          released from @° with h = @ s. Dashed: the laws for small steps. @)",
           setting.release(), setting.h,
           left_out ? "(Points where it gained, or changed by rounding only, are left out.)" : ""),
       Chart{.x = {.label = "β", .scale = Scale::logarithmic},
             .y = {.label = "error", .scale = Scale::logarithmic},
             .curves = with_points({drift, energy, time, drift_law, energy_law})});
   page.text(
-      R"(@ (Where a curve dips, the error changes its sign; that β is not better for another scene.) @)",
+      "@ @ @",
       best_drift == betas.back() && best_energy == betas.back()
           ? say("The drift and the lost energy keep falling up to the end of the range, β = @.", betas.back())
           : say("Of these β, up to @, the drift is least at @ and the loss of energy at @.", betas.back(),
                 best_drift, best_energy),
+      turns > 0 ? say("(The period error dips near β = @ only because it changes sign there.)", turns) : "",
       page.verdict({{.when = where(Quantity("best β for drift", best_drift) > 0.3,
                                    Quantity("best β for energy", best_energy) > 0.3,
                                    Quantity("the most energy gained", most, "mgL") <= rounding),
@@ -187,24 +190,26 @@ void what_it_costs(const Setting& setting, Page& page) {
   page.text(
       R"(A large β has its price elsewhere:
 
-      - A sudden error leaves at the speed β·C/h: @ cm at @ m/s for β = 1@.
+      - A sudden error is pushed out at the speed βC/h: for @ cm that is @ m/s with β = 1@.
       - Beyond 1 the correction of a sudden error overshoots, and the next step has to turn the bob round.
-      - Where rows are *not* solved exactly, the limit can be far below 2: the last step shows it.)",
+      - Where rows are *not* solved exactly, the limit can be far below 2: step 6b shows it.)",
       100 * setting.error, setting.error / h,
-      beta == 1 ? "" : say(", at @ m/s for β = @", beta * setting.error / h, setting.beta));
+      beta == 1 ? "" : say(", and @ m/s with β = @", beta * setting.error / h, setting.beta));
   page.text(
-      R"(How much does a swing lose? With the rod's tension T and the centripetal acceleration u = v²/L, small steps lose
-      per swing)");
+      R"(How much energy does one swing, there and back, cost? (The figure shows two of them.) With the rod's tension T and
+      the centripetal acceleration u = v²/L, small steps change the energy per swing by)");
   page.formula(
-      "energy lost in a swing ≈ h³(2 − β)/(4β²) · ∮ Ṫ u̇ dt,   u = v²/L",
+      "ΔE ≈ −h³(2 − β)/(4β²) · ∮ Ṫ u̇ dt,   u = v²/L",
       R"(\Delta E \approx -\frac{h^3(2-\beta)}{4\beta^2}\oint \dot T\,\dot u\,dt, \qquad u = \frac{v^2}{L})");
   page.derivation(
       "Where the energy goes",
       {{"each step adds ½h²u to C, with u = v²/L, and removes βC", "C′ = (1 − β)C + ½h²u",
         R"(C' = (1-\beta)\,C + \tfrac12 h^2 u)"},
-       {"where u changes little in a step, C follows u, late by τ",
-        "C(t) = h²/(2β) · u(t − τ),   τ = h(2 − β)/(2β)",
-        R"(C(t) = \frac{h^2}{2\beta}\,u(t-\tau),\qquad \tau = \frac{h(2-\beta)}{2\beta})"},
+       {"the drift of j steps ago has the weight (1 − β)ʲ: on average (1 − β)/β steps old, and half a step to "
+        "happen; where "
+        "u changes little within h/β, C follows u, late by τ",
+        "C(t) = h²/(2β) · u(t − τ),   τ = h(1 − β)/β + h/2 = h(2 − β)/(2β)",
+        R"(C(t) = \frac{h^2}{2\beta}\,u(t-\tau),\qquad \tau = h\,\frac{1-\beta}{\beta} + \frac h2 = \frac{h(2-\beta)}{2\beta})"},
        {"the rod pulls inward with T, so over a swing it does the work", "W = −∮ T Ċ dt",
         R"(W = -\oint T\,\dot C\,dt)"},
        {"T and u depend on the angle alone, so ∮ T u̇ dt = 0; the delay leaves",
@@ -219,7 +224,7 @@ void what_it_costs(const Setting& setting, Page& page) {
   if (std::isinf(breaks)) {
     const Errors own = measure(setting, beta, period);
     page.measure("largest drift", 1000 * own.drift, "mm per m");
-    page.measure("energy from the first swing to the third", without_rounding(own.energy, 1), "mgL");
+    page.measure("energy change, first to third swing", without_rounding(own.energy, 1), "mgL");
     page.measure("error of the period", 100 * without_rounding(own.period, 1), "%");
   } else {
     page.text(
@@ -231,11 +236,11 @@ void what_it_costs(const Setting& setting, Page& page) {
   const Condition wide = within(30, Quantity("release", setting.release, "°"), 120),
                   usual = both(wide, Quantity("steps of a swing", period / h) >= 100);
   page.claim(say("the most energy that any β from @ to @ gained", betas.front(), betas.back()), most, "mgL",
-             is_at_most(rounding, "law of lost energy: none is gained, but for rounding"), usual);
+             is_at_most(rounding, "ΔE < 0 for β < 2, but for rounding"), usual);
   const double behind = lag(setting, beta);
   const Condition near = where(Quantity("h/β·√(g/L)", behind) <= 0.3, Quantity("β", beta) <= 1, usual);
   page.claim("largest drift, over L", near ? measure(setting, beta, period).drift : 0, "1",
-             is(law_of_drift(setting, beta), "law of the spinning rod, (ωh)²/(2β), at the lowest point",
+             is(law_of_drift(setting, beta), "(ωh)²/(2β) at the lowest point (step 6a)",
                 relative(0.05 + 2 * behind * behind)),
              near);
   const double own_beta = beta >= 0.2 && beta <= 1.9 ? beta : 0.2;
@@ -244,8 +249,7 @@ void what_it_costs(const Setting& setting, Page& page) {
       mean_energies(swinging(setting, Baumgarte{own_beta}, period / fine, 2 * fine), fine, 2);
   page.claim(say("energy that one swing of @ steps loses, β = @", fine, own_beta),
              (means[0] - means[1]) / (setting.mass * gravity * length), "mgL",
-             is(law_of_loss(setting, exact, own_beta, period / fine),
-                "law of lost energy: h³(2 − β)/(4β²)·∮ Ṫu̇ dt", relative(0.01)),
+             is(law_of_loss(setting, exact, own_beta, period / fine), "h³(2 − β)/(4β²)·∮ Ṫu̇ dt", relative(0.01)),
              wide);
 }
 

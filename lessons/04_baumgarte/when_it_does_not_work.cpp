@@ -63,7 +63,7 @@ void draw(Canvas& canvas, const RodBetween& rod, bool ghost) {
   }
 }
 
-/// A panel for each run: the wrong step, and dashed the right one.
+/// A panel for each run: the wrong program, and dashed the correct one.
 void draw(Canvas& canvas, const std::vector<Filmed>& runs, double time) {
   // On a narrow page names break.
   const bool narrow = canvas.page().is_high();
@@ -97,21 +97,21 @@ void when_it_does_not_work(const Setting&, Page& page) {
 
   page.text(
       R"(You have typed the seven lines of lesson 2 and the bias of this lesson, and something is wrong on the screen. What
-      you see usually tells you which line. Here each mistake was made on purpose in the same step: a bob or a box of
+      you see usually tells you which line. Each mistake below was put into the same program on purpose: a bob or a box of
       3 kg on a rod of 2 m, 60 steps a second, β = 0.2. Find your symptom, make the test, and only then change the
       line.)");
   page.choose(
-      {.ask =
-           say(R"(A bob hangs at rest, straight down, and yet it sinks: at @ m/s, steadily. With half the step it
+      {.ask = say(
+           R"(A bob on a vertical rod should hang still. Instead it sinks steadily at @ m/s. With half the time step it
                   sinks half as fast, and its mass does not matter. What is wrong?)",
-               sinks.wrong),
+           sinks.wrong),
        .options =
            {{"λ is multiplied by h", "Then the bob would fall almost freely, faster and faster."},
             {"gravity is added after λ",
              "The bob moves by a gh that the row has not seen; the next step removes it and adds the next."},
             {"m⁻¹ is missing in (19)", "Then the speed would depend on the mass: (m − 1)gh, with m in kg."},
             {"b is missing",
-             "Without b a rod grows only while its bob moves along the circle; this one is at rest."}},
+             "Without b a rod grows only while its bob moves along the circle; this one does not."}},
        .answer = 1,
        .hints = {"Which speed is it, in terms of g and h?", "Gravity adds gh in one step. What should remove it?",
                  "λ removes what it finds in V. Was gh there already?"}});
@@ -122,14 +122,14 @@ void when_it_does_not_work(const Setting&, Page& page) {
       if (symptom.run) runs.push_back(filmed(symptom));
   page.sequence(
       "symptoms",
-      R"(The first two seconds of each rod: filled, the wrong step; dashed, the right one. A rod that leaves its panel
+      R"(The first two seconds of each rod: filled, the wrong program; dashed, the correct one. A rod that leaves its panel
                 stops at the edge.)",
       Seconds{film_length}, [runs](Canvas& canvas, double time) { draw(canvas, runs, time); });
   for (const auto& [title, symptoms] : groups) {
     std::string list;
     for (const Symptom& symptom : symptoms)
-      list += say("\n- **@.** Measured: @, @ @; with the right step, @ @. *Cause:* @. *Test:* @. (@)",
-                  symptom.seen, symptom.quantity, symptom.wrong, symptom.unit, symptom.right, symptom.unit,
+      list += say("\n- **@.** Measured: @, @ @; @: @ @. *Cause:* @. *Test:* @. (@)", symptom.seen,
+                  symptom.quantity, symptom.wrong, symptom.unit, symptom.compared, symptom.right, symptom.unit,
                   symptom.cause, symptom.test, symptom.more);
     page.text("*@*\n@", title, list);
     for (const Symptom& symptom : symptoms)

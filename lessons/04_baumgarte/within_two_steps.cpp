@@ -54,7 +54,7 @@ struct CorrectionFilm {
 void within_two_steps(const Setting& setting, Page& page) {
   const double length = setting.length, h = setting.h(), beta = setting.beta(), way = h * setting.speed();
   const double C = std::hypot(length, way) - length, left = without_rounding(1 - beta, 1);
-  const std::string fate = beta < 1    ? "The same share of it is left in each step."
+  const std::string fate = beta < 1    ? "Each step leaves the same share, 1 − β."
                            : beta == 1 ? "Nothing of it is left."
                            : beta < 2  ? "The bob goes past the circle, but less far off than before."
                            : beta == 2 ? "The bob goes past the circle and is as far off as before."
@@ -72,9 +72,12 @@ void within_two_steps(const Setting& setting, Page& page) {
   const double enlarged = drawn_step * length / way;
   page.sequence(
       "within_two_steps",
-      say(R"(Tangent, drift, correction: two steps of @ s, slowed to @ s. The step is drawn @ long as it is; the second
+      say(R"(Tangent, drift, correction: two steps of @ s, slowed to @ s. The step is drawn @ long as it is@; the second
           step's motion along the circle is left out.)",
-          setting.h, acts.seconds(), std::abs(enlarged - 1) < 0.05 ? "as" : say("@ times as", Value(enlarged, 2))),
+          setting.h, acts.seconds(), std::abs(enlarged - 1) < 0.05 ? "as" : say("@ times as", Value(enlarged, 2)),
+          std::abs(enlarged - 1) < 0.05
+              ? ""
+              : say(", so the drift looks @ times as large", Value(enlarged * enlarged, 2))),
       Seconds{acts.seconds()},
       [film = CorrectionFilm{acts, beta}](Canvas& canvas, double time) { film.draw(canvas, time); });
 }
