@@ -76,30 +76,29 @@ void all_at_once(Page& page, const Knobs& knobs) {
       what each joint must do if only that one row has an error: every joint above pulls with full strength, each joint
       below only as hard as the bobs under it need.)",
       nonzeros(A), n * n, n >= 6 ? "; A is *sparse*" : " (for long chains A is *sparse*)");
-  page.figure(
-      "matrices",
-      say(R"(Left: A, with @ nonzero entries. Middle: its Cholesky factor R, A = RRᵀ, with @. Right: its inverse, with
+  page.figure("matrices",
+              say(R"(Left: A, with @ nonzero entries. Middle: its factor R, with @. Right: its inverse, with
                   @. Empty cells are zero.)",
-          nonzeros(A), nonzeros(factor), nonzeros(inverse)),
-      [=](renderer::Canvas& canvas) {
-        const renderer::Rectangle paper = canvas.page();
-        const auto cells = paper.inset(16, paper.is_high() ? 16 : 120).grid(1, 3, 18);
-        const std::array maps{map_of(A, "A = JM⁻¹Jᵀ", "m²/kg", true),
-                              map_of(factor, "its factor R", "m/√kg", true),
-                              map_of(inverse, "A⁻¹", "kg/m²", false)};
-        // All as large as the smallest, whose numbers beside the colours are the longest.
-        double side = cells[0].width;
-        for (const renderer::Chart& map : maps)
-          side = std::min(side, renderer::layout(canvas, map, cells[0]).width);
-        for (std::size_t i = 0; i < maps.size(); ++i) {
-          const double own = renderer::layout(canvas, maps[i], cells[i]).width;
-          draw(canvas, maps[i], {cells[i].x, cells[i].y, cells[i].width - (own - side), cells[i].height});
-        }
-      });
+                  nonzeros(A), nonzeros(factor), nonzeros(inverse)),
+              [=](renderer::Canvas& canvas) {
+                const renderer::Rectangle paper = canvas.page();
+                const auto cells = paper.inset(16, paper.is_high() ? 16 : 120).grid(1, 3, 18);
+                const std::array maps{map_of(A, "A = JM⁻¹Jᵀ", "m²/kg", true),
+                                      map_of(factor, "its factor R", "m/√kg", true),
+                                      map_of(inverse, "A⁻¹", "kg/m²", false)};
+                // All as large as the smallest, whose numbers beside the colours are the longest.
+                double side = cells[0].width;
+                for (const renderer::Chart& map : maps)
+                  side = std::min(side, renderer::layout(canvas, map, cells[0]).width);
+                for (std::size_t i = 0; i < maps.size(); ++i) {
+                  const double own = renderer::layout(canvas, maps[i], cells[i]).width;
+                  draw(canvas, maps[i], {cells[i].x, cells[i].y, cells[i].width - (own - side), cells[i].height});
+                }
+              });
   page.text(
-      R"(Nobody needs the inverse. Eliminating one joint after the other needs only the factor in the middle, which is as
-      sparse as A. On a chain the direct solve stores @ numbers, about two a joint, and on a tree as many; a deeper part
-      of this lesson counts its cost.
+      R"(Nobody needs the inverse. Elimination writes A as a lower triangular matrix times its transpose, A = RRᵀ (R is the
+      *Cholesky factor*). R has @ nonzero numbers, about two a joint, and is as sparse as A; that is all a direct solve
+      stores. Step 7b counts its cost.
 
       *The article calls solving all constraints simultaneously "very inefficient". For loops and piles it can be;
       for a chain it is not.*)",
@@ -115,9 +114,9 @@ void all_at_once(Page& page, const Knobs& knobs) {
     for (int j = 0; j < n; ++j)
       worst_inverse = std::max(worst_inverse, std::abs(inverse(i, j) * L * L / (m * (n - std::max(i, j))) - 1));
   }
-  page.text("Solved directly, once: the top joint carries @ N, the lowest @ N, and the error of every row is @.",
+  page.text("Solved directly, once: the top joint carries @ N, the lowest @ N, and every row's error is @.",
             direct.shares().front() * knobs.weight(), direct.shares().back() * knobs.weight(),
-            direct.error() <= 1e-12 * n * knobs.fall() ? std::string("rounding")
+            direct.error() <= 1e-12 * n * knobs.fall() ? std::string("at the level of rounding")
                                                        : say("up to @ gh", direct.error() / knobs.fall()));
   page.claim("largest relative error of the joints' forces", worst_tension, "1",
              is(0, "the weight below each joint", absolute(1e-12 * n)));

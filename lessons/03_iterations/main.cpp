@@ -10,8 +10,8 @@ int main(int argc, char** argv) {
   const Knobs knobs{
       .links = lesson.parameter("links", 10, "1", {2, 40}, "links of the chain"),
       .h = lesson.parameter("h", 1.0 / 60, "s", {1e-3, 0.05}, "time step"),
-      .sweeps =
-          lesson.parameter("sweeps", 10, "1", {1, 100}, "sweeps a step (step 6, and the chain to hold in step 7)"),
+      .sweeps = lesson.parameter("sweeps", 10, "1", {1, 100},
+                                 "sweeps a step in step 6 (and in step 7's interactive chain)"),
       .beta = lesson.parameter("beta", 0.2, "1", {0, 1}, "share of the stretch that a step corrects (step 7)"),
       .start = lesson.parameter("start", "cold", {"cold", "warm"},
                                 "what sweeps begin with: λ = 0, or the λ of the last step (step 7)"),
@@ -38,12 +38,12 @@ int main(int argc, char** argv) {
   lesson.closing(
       {.now_you_know =
            {"(17) is exact for one row; for rows that share bodies it is one step of Gauss–Seidel.",
-            R"(A sweep leaves the share cos²(π/2N) of a chain's slowest error, in any order: a chain twice as long needs
+            R"(A sweep multiplies a chain's slowest error by cos²(π/2N), in any order: a chain twice as long needs
             about four times as many sweeps.)",
-            "A warm start lets sweeps add up over the steps; the error then falls by √q a step and rings.",
+            "A warm start lets sweeps accumulate over the steps; the error then falls by √q a step and rings.",
             "Too few sweeps make a chain soft, by an amount that can be computed.",
-            "Solving all rows of a chain at once costs as much as a few sweeps and leaves only rounding."},
-       .tries = {{"A chain twice as long; look at the sweeps for a digit:", "./lessons/run 3 --set links=20"},
+            "Solving all rows of a chain at once costs as much as a few sweeps and leaves only rounding error."},
+       .tries = {{"A chain twice as long; look at the sweeps per digit:", "./lessons/run 3 --set links=20"},
                  {"Start the swinging chains warm: with few sweeps the correction makes them ring.",
                   "./lessons/run iterations --step 7 --set start=warm"},
                  {"One sweep a step, cold and warm:", "./lessons/run iterations --step 6 --set sweeps=1"}},

@@ -71,7 +71,7 @@ void many_sweeps(Page& page, const Knobs& knobs) {
   const double jacobi = sweeps_per_digit(measured_factor(Jacobi{.warm_start = false}, chain, h));
 
   page.text(
-      R"(How fast do sweeps converge? Solve the same step, a hanging chain with gravity just in V, with 1, 2, 3, … sweeps
+      R"(How fast do sweeps converge? Solve the same step (a hanging chain, gravity just added to V) with 1, 2, 3, … sweeps
       and compare the largest error each time. There are four ways, all from λ = 0:
 
       - *Jacobi*: every row sees the same V, then all act at once. It could run in parallel.
@@ -84,12 +84,13 @@ void many_sweeps(Page& page, const Knobs& knobs) {
       {.ask = "After many sweeps, in which order does the error fall most steeply?",
        .options =
            {{"top-down",
-             "It differs in the first sweeps only; later the error is smooth, and no order sees that better."},
-            {"bottom-up", R"(It follows the load and begins lower; later the error is smooth along the chain, and
-                                 no order sees that better.)"},
+             "It differs in the first sweeps only; later the error is smooth, and no order reduces it faster."},
+            {"bottom-up",
+             R"(It begins one sweep behind: its first sweep stops only the top bob (step 2). Later the error is
+                                 smooth along the chain, and no order reduces a smooth error faster.)"},
             {"red–black", "Its rows could run in parallel, which makes a sweep quicker, not more effective."},
-            {"all the same", R"(The first sweeps differ. Later only the smoothest error is left, a wave as long as
-                                    the chain, and every order leaves the same share of it.)"}},
+            {"all the same", R"(The first sweeps differ. Later only the smoothest error is left, a quarter of a
+                                    wave over the whole chain, and every order multiplies it by the same factor.)"}},
        .answer = alike ? 3 : steepest,
        .hints = {
            "After a few sweeps every order has smoothed the errors: neighbours are wrong by nearly the same.",
@@ -103,10 +104,19 @@ void many_sweeps(Page& page, const Knobs& knobs) {
   chart.y.label = "largest error (gh)";
   chart.y.scale = renderer::Scale::logarithmic;
   chart.y.range = {{1e-5, 2}};
-  chart.curves.push_back(curve_of("Jacobi", Jacobi{.warm_start = false}, knobs, counts));
-  for (const Named& order : orders) chart.curves.push_back(curve_of(order.name, order.solver, knobs, counts));
+  for (std::size_t i = 0; i < orders.size(); ++i) {
+    chart.curves.push_back(curve_of(orders[i].name, orders[i].solver, knobs, counts));
+    chart.curves.back().colour = renderer::palette::series(std::array{0, 2, 3}[i]);  // orange is for warm starts
+  }
+  chart.curves[1].style = renderer::CurveStyle::markers;  // top-down, a sweep later
+  std::vector<int> even;                                  // Jacobi's errors alternate
+  for (const int count : counts) even.push_back(2 * ((count + 1) / 2));
+  even.erase(std::unique(even.begin(), even.end()), even.end());
+  chart.curves.push_back(curve_of("Jacobi, every second sweep", Jacobi{.warm_start = false}, knobs, even));
+  chart.curves.back().colour = renderer::palette::series(6);
   renderer::Curve warm = warm_curve(second, knobs, counts);
-  const double cold_first = chart.curves[1].y.front(), warm_first = warm.y.front();
+  warm.colour = renderer::palette::series(1);
+  const double cold_first = chart.curves[0].y.front(), warm_first = warm.y.front();
   const bool warm_seen = warm_first > chart.y.range->first;
   if (warm_seen) chart.curves.push_back(std::move(warm));
   chart.curves.push_back(theory("cosⁿ(π/2N)", std::sqrt(rho), counts));
@@ -121,19 +131,18 @@ void many_sweeps(Page& page, const Knobs& knobs) {
                             : std::string()),
               chart);
   page.text(
-      R"(On this scale a straight line means that each sweep leaves the same share of the error. For N equal links hung
-      from an anchor the share is cos(π/2N) for Jacobi and its square for Gauss–Seidel in *any* order (derived in the
-      next step):)");
+      R"(On this scale a straight line means that each sweep multiplies the error by the same *convergence factor* ρ. For N
+      equal links hung from an anchor it is cos(π/2N) for Jacobi and its square for Gauss–Seidel in *any* order (derived
+      in the next step):)");
   page.formula(
       "ρ = cos²(π/2N) = @ for N = @,   one more digit: ln 10 / −ln ρ = @ sweeps",
-      R"(\rho = \cos^2\frac{\pi}{2N} = @ \text{ for } N = @, \qquad \frac{\ln 10}{-\ln\rho} = @ \text{ sweeps a digit})",
+      R"(\rho = \cos^2\frac{\pi}{2N} = @ \text{ for } N = @, \qquad \frac{\ln 10}{-\ln\rho} = @ \text{ sweeps per digit})",
       rho, knobs.links, digit);
   const Quantity guess("warm error/cold error", warm_first / cold_first);
   page.text(
-      R"(A *warm start* begins with the λ of the step before instead of 0. @ In the long run each sweep leaves the same
-      share of the error, whatever λ it began with: a better guess begins lower but does not fall faster. Step 6 shows
+      R"(A *warm start* begins with the λ of the step before instead of 0. @ In the long run each sweep multiplies the error by the same ρ, whatever λ it began with: a better guess begins lower but does not fall faster. Step 6 shows
       its worth over many steps.)",
-      !warm_seen ? say("After @ s with @ a step nothing is left to be solved on this scale.", second,
+      !warm_seen ? say("After @ s of @ a step the error is already below the bottom of this chart.", second,
                        several(knobs.sweeps, "warm sweep"))
                  : say("After one sweep its error is @ gh, the cold one's @ gh. @", Value(warm_first, 2),
                        Value(cold_first, 2),
@@ -141,10 +150,9 @@ void many_sweeps(Page& page, const Knobs& knobs) {
                                      {.when = guess >= 1,
                                       .say = "Here the guess is no better than none, because so few sweeps leave "
                                              "oscillations (step 6)."}})));
-  page.measure("sweeps for one more digit", digits[0], "1");
-  for (int i = 0; i < 3; ++i)
-    page.claim(say("sweeps for one more digit, @", orders[i].name), digits[i], "1",
-               is(digit, "ρ = cos²(π/2N), the rate of sweeps on a chain", relative(same)));
+  const double farthest = *std::ranges::max_element(digits, {}, [&](double of) { return std::abs(of - digit); });
+  page.claim("sweeps for one more digit, the farthest of three orders", farthest, "1",
+             is(digit, "ρ = cos²(π/2N)", relative(same)));
   page.claim("the same for Jacobi", jacobi, "1", is(2 * digit, "its factor is √ρ", relative(same)));
 }
 

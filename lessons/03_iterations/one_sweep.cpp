@@ -126,7 +126,7 @@ void one_sweep(Page& page, const Knobs& knobs) {
        .unit = "1",
        .tolerance = 0.2 / knobs.links(),
        .wrong = {{right,
-                  "When row 1 is solved, only its own bob pulls at it: the rows below have not acted yet."}},
+                  "When row 1 is solved, only its own bob pulls on it: the rows below have not acted yet."}},
        .hints = {"When row 1 is solved, what has happened to the bobs below it so far?",
                  "Row 1 stops its own bob: λL = −m·gh. The whole weight times h is N·m·gh.",
                  say("m·gh / (@·m·gh) = …", knobs.links)},
@@ -140,14 +140,14 @@ void one_sweep(Page& page, const Knobs& knobs) {
       "row_by_row",
       say(R"(Two sweeps row by row, then whole sweeps in growing strides. Arrows: how fast each bob still falls.
           Upper bars: what each joint carries, as a share of all @ N (dashed: the weight below it). Lower bars: each row's
-          error. The row being solved is yellow: its error becomes zero, its neighbours' errors change.)",
+          error. Yellow: the row being solved.)",
           knobs.weight()),
       Frames{static_cast<int>(frames.size())}, [=](renderer::Canvas& canvas, double at) {
         draw_instant(canvas, linkage, frames[static_cast<std::size_t>(at)]);
       });
   page.text(
       R"(After the first sweep the @joints carry the shares @ of the weight. Each row splits its error between two equal
-      bobs, so it passes *half* of it on to the next: gh, then gh/2, then gh/4. A sweep from bottom to top gives the
+      bobs, so it passes *half* of it on to the next: gh, then gh/2, and so on. A sweep from bottom to top gives the
       top joint the same share: every row but the top one finds its two bobs falling together, without an error.)",
       knobs.links() <= 4 ? "" : "upper ",
       std::vector<double>(shares.begin(), shares.begin() + std::min(4, knobs.links())));

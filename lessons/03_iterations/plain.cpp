@@ -12,7 +12,7 @@ std::vector<double> plain_elimination(std::vector<double> diagonal, const std::v
     x[i] -= part * x[i - 1];
   }
   x[n - 1] /= diagonal[n - 1];
-  for (int i = n - 2; i >= 0; --i) x[i] = (x[i] - beside[i] * x[i + 1]) / diagonal[i];  // and up again
+  for (int i = n - 2; i >= 0; --i) x[i] = (x[i] - beside[i] * x[i + 1]) / diagonal[i];  // substitute back
   return x;
 }
 //! [elimination]

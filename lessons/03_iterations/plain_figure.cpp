@@ -38,23 +38,23 @@ std::vector<renderer::Curve> curves_of(const Sweep& sweep) {
   return curves;
 }
 
-renderer::Chart empty_chart() {
+renderer::Chart empty_chart(double highest) {
   renderer::Chart chart;
   chart.x.label = "sweeps";
   chart.y.label = "speed of the fastest bob (gh)";
   chart.y.scale = renderer::Scale::logarithmic;
-  chart.y.range = {{1e-4, 10}};
+  chart.y.range = {{1e-6, highest}};
   return chart;
 }
 
 }  // namespace
 
 renderer::Chart chart_of(const Sweep& sweep) {
-  return pictures::with_curves(empty_chart(), curves_of(sweep), curve_style);
+  return pictures::with_curves(empty_chart(1.5), curves_of(sweep), curve_style);
 }
 
 renderer::Chart chart_beside_ours(const Sweep& readers) {
-  return pictures::beside_ours(empty_chart(), curves_of(plain_sweep), curves_of(readers), curve_style);
+  return pictures::beside_ours(empty_chart(10), curves_of(plain_sweep), curves_of(readers), curve_style);
 }
 
 }  // namespace byhand::iterations

@@ -38,8 +38,8 @@ void price_of_direct(Page& page, const Knobs& knobs) {
 
   page.text(
       R"(What do the two ways cost? One *row-solve*, (17) and (20) once, takes @ multiplications in this model: @ for JV
-      and as many for the impulse. The direct solve eliminates one joint after the other, with a few multiplications
-      each, and goes back. For a chain, where A is zero except on its diagonal and beside it:)",
+      and as many for the impulse. The direct solve eliminates one joint after another, a few multiplications each,
+      then substitutes back. For a chain, where A is zero except on its diagonal and beside it:)",
       4 * PlaneParticle::dof, 2 * PlaneParticle::dof);
   page.excerpt("lessons/03_iterations/plain.cpp", "elimination");
   // J·W of a row itself and with its neighbour, JV and M⁻¹Jᵀλ, each a sum over the degrees of freedom of the
@@ -48,7 +48,7 @@ void price_of_direct(Page& page, const Knobs& knobs) {
   page.text(
       R"((The solver's `eliminate` in solver/direct/direct.cpp does this for any graph of bodies, with blocks in place of
       numbers.) In units of one sweep, elimination costs @ for @ links and @ for @ links. Setting up A and applying the
-      impulses costs another @. Then every row is right to rounding, while @ from λ = 0 leave an error of @ gh.
+      impulses costs another @. Then every row is right to within rounding error, while N = @ from λ = 0 leave an error of @ gh.
 
       *The article says "iterative solvers are fast". One sweep is; the sweeps that a long chain needs are not.*)",
       Value(once.row_solves / n, 2), n, Value(twice.row_solves / (2 * n), 2), 2 * n, around, several(n, "sweep"),
@@ -70,7 +70,7 @@ void price_of_direct(Page& page, const Knobs& knobs) {
   page.figure(
       "price",
       R"(Error against cost; for the direct solve A and the impulses are included. Gauss–Seidel pays for every digit, and
-              pays more on a longer chain; the direct solve pays once and leaves rounding, drawn near the lower edge.)",
+              pays more on a longer chain; the direct solve pays once and leaves only rounding error, drawn near the lower edge.)",
       chart);
   page.text(
       R"(Why then does anyone iterate? Because not everything is a chain. Rows with bounds (contacts, friction) are not one
@@ -89,7 +89,7 @@ void price_of_direct(Page& page, const Knobs& knobs) {
   page.claim("the plain elimination against the solver, relative", apart, "1",
              is_at_most(1e-13 * n * n, "the same λ: rounding"));
   page.claim("direct solve, A and impulses included, in sweeps", once.row_solves / n + around, "1",
-             is_at_most(3, "a few: at most"));
+             is_at_most(3, "a few sweeps (upper bound)"));
   page.claim(say("cost of @ links over @", 2 * n, n), twice.row_solves / once.row_solves, "1",
              is(2, "O(N)", relative(2.0 / n)), Quantity("N", n) >= 8);
   page.claim("error that it leaves", once.error, "gh", is(0, "A λ = −JV", absolute(1e-13 * n)));

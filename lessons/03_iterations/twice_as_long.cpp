@@ -111,7 +111,7 @@ void twice_as_long(Page& page, const Knobs& knobs) {
       walk);
   page.text(
       R"(The last error to disappear is the smoothest one, a quarter of a wave from anchor to free end. Jacobi
-      leaves the share cos(π/2N) of it. Gauss–Seidel uses each new value at once and does two of Jacobi's sweeps
+      multiplies it by cos(π/2N). Gauss–Seidel uses each new value at once and does two of Jacobi's sweeps
       in one: cos²(π/2N), in any order of the rows.)");
   page.derivation(
       "The rate cos(π/2N)",
@@ -128,7 +128,7 @@ void twice_as_long(Page& page, const Knobs& knobs) {
       "digits_over_links",
       "Sweeps for one more digit against the number of links, both logarithmic: a slope of 2 for long chains.",
       digits_over_links(knobs));
-  page.claim(say("sweeps for a digit, @ links over @", 2 * knobs.links, knobs.links), twice / once, "1",
+  page.claim(say("ratio of sweeps per digit, @ links to @", 2 * knobs.links, knobs.links), twice / once, "1",
              is(std::log(laws::left_by_a_sweep(knobs.links)) / std::log(laws::left_by_a_sweep(2 * knobs.links)),
                 "ρ = cos²(π/2N); 4 for long chains", relative(1e-6)));
   page.claim("width of the error after 16 sweeps of half a step", widths[1], "joints",

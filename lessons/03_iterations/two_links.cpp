@@ -63,7 +63,8 @@ void two_links(Page& page, const Knobs& knobs) {
   std::vector<Panel> panels{panel("gravity is in V", -1, step, fall)};
   const auto solve = [&](int joint) {
     step.solve_row();
-    panels.push_back(panel(say("row @ solved", joint + 1), joint, step, fall));
+    panels.push_back(
+        panel(say(panels.size() > 2 ? "row @ solved again" : "row @ solved", joint + 1), joint, step, fall));
   };
   solve(0);
   const double rate = step.errors()[1] * L;
@@ -80,7 +81,9 @@ void two_links(Page& page, const Knobs& knobs) {
       m, L, knobs.h, fall);
   page.text(
       R"(Row 1 goes first. By (17) it stops the upper bob, and its error is zero. Now the lower bob falls away from a
-      bob at rest. Row 2 is next:)");
+      bob at rest. With C = ½(|d|² − L²) a row's JV is L times the speed at which its rod lengthens, here @ m · @ m/s =
+      @ m²/s. We quote errors as that speed, in units of gh. Row 2 is next:)",
+      L, fall, rate);
   page.equation(17, "λ₂ = −(@ + 0) / (@²/@ + @²/@) = @ N·s/m",
                 R"(\lambda_2 = \frac{-(@ + 0)}{@^2/@ + @^2/@} = @\,\mathrm{N\,s/m})", rate, L, m, L, m, lambda);
   page.predict(
@@ -115,13 +118,12 @@ void two_links(Page& page, const Knobs& knobs) {
   page.excerpt("lessons/03_iterations/plain_sweep.cpp", "sweep");
   page.figure(
       "plain_sweep",
-      R"(All bobs of a chain begin to fall at gh. How fast the fastest one still falls after each sweep of this code.
-              Longer chains take more sweeps; step 5 asks how many more.)",
+      R"(All bobs of a chain begin to fall at gh. How fast the fastest one still falls after each sweep of this code.)",
       chart_of(plain_sweep));
   page.text(
-      R"(*The article calls the method Sequential Impulses, and writes (17) for "the system"; one (17) solves one
-      row.* The solver's loop does the same for rows of all kinds: `solve` is (17), `apply` is (20).)");
-  page.excerpt("solver/rows/gauss_seidel.cpp", "sweep");
+      R"(*The article calls the method Sequential Impulses and offers (17) for "the system"; in fact one use of (17) solves
+      one row.* The solver's inner loop (`sweep_run` in solver/rows/gauss_seidel.cpp) does the same for rows of all
+      kinds.)");
 
   constexpr int rounds = 10;
   HeldStep many(knobs.chain(2), h);

@@ -116,11 +116,11 @@ void warm_start(Page& page, const Knobs& knobs) {
   const Condition lawful = both(visible, Quantity("Ngh²/L", slack) < 0.1);
 
   page.text(
-      R"(A simulation does not sweep until it has converged: it makes @ a step and moves on. The slow wave of step 5 then
-      still has the share q = ρᵏ of its size, with k = @ @. Let the chain hang like that for some seconds, without any
+      R"(A simulation does not sweep until it has converged: it makes @ a step and moves on. For k = @ the slow wave of step 5
+      then keeps the fraction q = ρᵏ@ of its size. Let the chain hang like that for some seconds, without any
       correction of positions, once *cold* (each step begins at λ = 0) and once *warm* (each begins with the λ of the
       last).)",
-      several(k, "sweep"), k, small_error(q, 4));
+      several(k, "sweep"), k, q < 1e-11 ? say(", less than 10⁻¹¹,") : say(" = @", Value(q, 4)));
 
   const Chain settled = settled_cold(knobs, visible ? q : 0.01);
   const double rate = largest(stretching(settled));
@@ -130,14 +130,25 @@ void warm_start(Page& page, const Knobs& knobs) {
   const double carried = settled.work.system.lambda.front() * -held / knobs.h;
   const bool stretches = rate > 1e-9 * fall;
   if (stretches)
+    page.choose(
+        {.ask = say("@ a step, each step from λ = 0. After some seconds, how do the links separate?",
+                    several(k, "sweep")),
+         .options = {{"not at all, the error dies out", "A cold step forgets λ, but what it leaves stays in V."},
+                     {"at a steady speed", "The remainder grows until the sweeps remove gh in a step."},
+                     {"faster and faster", "A larger JV makes the rows pull harder, up to the whole weight."}},
+         .answer = 1,
+         .hints = {"What does a step do with the error that the last one left in V?",
+                   "In a steady state each step removes as much speed as gravity adds."}});
+  if (stretches)
     page.text(
-        R"(**Cold, the chain keeps getting longer.** Every step falls short by the same share of λ, and the remaining
-        error stays in V for the next. In the end the links separate at a steady speed, the worst at @ m/s. The joints
-        then carry the weight (@ N of @ N at the top), but only because this speed shows up in every row's JV.)",
+        R"(**Cold, the chain keeps getting longer.** The sweeps of every step leave the same fraction of what they find, and
+        this remainder stays in V. It grows until what the sweeps remove in a step is exactly gh: in the end the links
+        separate at a steady speed, the worst at @ m/s. The joints then carry the weight (@ N of @ N at the top), but
+        only because this speed shows up in every row's JV.)",
         rate, carried, knobs.weight());
   else
     page.text(
-        R"(**Cold.** @ solve each step to rounding, so even without a memory the chain hangs as it should, with
+        R"(**Cold.** @ solve each step to within rounding error, so even without a memory the chain hangs as it should, with
         @ N of @ N at the top. The rest of this step is about fewer sweeps.)",
         several(k, "sweep"), carried, knobs.weight());
   const Chain cold = hanging(knobs, false), warm = hanging(knobs, true);
@@ -160,15 +171,16 @@ void warm_start(Page& page, const Knobs& knobs) {
           ? say(R"(Here the chain flies apart after @ s: the links change so much in one step that the λ of the
                 last one does not fit.)",
                 Value(lost_at, 2))
-          : say("After @ s its error is up to @ gh, and the cold chain's @ gh. @", seconds, small_error(end),
+          : say("After @ s its largest error is @ gh, against @ gh cold. @", seconds, small_error(end),
                 Value(cold_end, 2), helps()));
-  page.text("For the slow wave, with sₙ the speed of stretching that step n leaves@:",
-            slack < 0.1
-                ? std::string()
-                : say(R"( (and for N·g·h² much smaller than L; here it is @ L, so λ, kept per metre of a rod that
-                              gets longer meanwhile, does not fit the next step)",
-                      Value(slack, 2)) +
-                      ")");
+  page.text(
+      "For the slow wave, with sₙ the speed of stretching that step n leaves@:",
+      slack < 0.1
+          ? std::string()
+          : say(R"( (this assumes N·g·h² ≪ L; here it is @ L: the rods lengthen noticeably within a step, so last
+                              step's λ no longer fits)",
+                Value(slack, 2)) +
+                ")");
   if (q > 1e-11)
     page.formula("sₙ₊₁ = q (2sₙ − sₙ₋₁),   so |sₙ| falls by √q = @ a step",
                  R"(s_{n+1} = q\,(2s_n - s_{n-1}), \qquad |s_n| \sim \sqrt{q}^{\,n}, \quad \sqrt q = @)",
@@ -176,20 +188,19 @@ void warm_start(Page& page, const Knobs& knobs) {
   else
     page.formula("sₙ₊₁ = q (2sₙ − sₙ₋₁),   so |sₙ| falls by √q a step",
                  R"(s_{n+1} = q\,(2s_n - s_{n-1}), \qquad |s_n| \sim \sqrt{q}^{\,n})");
-  page.derivation(
-      "What a warm start leaves",
-      {{"step n: V brings sₙ₋₁ and gravity adds g′, the sweeps end with λₙ", "sₙ = sₙ₋₁ + g′ − Aλₙ",
-        R"(s_n = s_{n-1} + g' - A\lambda_n)"},
-       {"step n + 1 begins with sₙ in V and with λₙ", "before its sweeps: sₙ + g′ − Aλₙ = 2sₙ − sₙ₋₁",
-        R"(s_n + g' - A\lambda_n = 2s_n - s_{n-1})"},
-       {"the sweeps leave the share q of it", "sₙ₊₁ = q(2sₙ − sₙ₋₁)", R"(s_{n+1} = q(2s_n - s_{n-1}))"},
-       {"try sₙ = zⁿ", "z² − 2qz + q = 0, z = q ± i√(q(1 − q)), |z| = √q",
-        R"(z^2 - 2qz + q = 0, \quad z = q \pm i\sqrt{q(1-q)}, \quad |z| = \sqrt q)"}});
+  page.derivation("What a warm start leaves",
+                  {{"step n: V brings sₙ₋₁ and gravity adds g′, the sweeps end with λₙ", "sₙ = sₙ₋₁ + g′ − Aλₙ",
+                    R"(s_n = s_{n-1} + g' - A\lambda_n)"},
+                   {"step n + 1 begins with sₙ in V and with λₙ", "before its sweeps: sₙ + g′ − Aλₙ = 2sₙ − sₙ₋₁",
+                    R"(s_n + g' - A\lambda_n = 2s_n - s_{n-1})"},
+                   {"the sweeps multiply it by q", "sₙ₊₁ = q(2sₙ − sₙ₋₁)", R"(s_{n+1} = q(2s_n - s_{n-1}))"},
+                   {"try sₙ = zⁿ", "z² − 2qz + q = 0, z = q ± i√(q(1 − q)), |z| = √q",
+                    R"(z^2 - 2qz + q = 0, \quad z = q \pm i\sqrt{q(1-q)}, \quad |z| = \sqrt q)"}});
   page.text(
-      R"(So a warm sweep shrinks the wave by √ρ, a cold sweep by ρ; but warm sweeps add up over the steps, and cold ones
-      do not.)");
+      R"(So a warm sweep multiplies the wave by √ρ only, a cold one by ρ; but warm sweeps accumulate over the steps and cold
+      ones start again.)");
 
-  constexpr double lowest = 1e-6;  // on the chart [gh]
+  constexpr double lowest = 1e-9;  // on the chart [gh]
   renderer::Chart chart;
   chart.x.label = "time (s)";
   chart.y = {.label = "largest error (gh)", .scale = renderer::Scale::logarithmic, .range = {{lowest, 30}}};
@@ -233,19 +244,19 @@ void warm_start(Page& page, const Knobs& knobs) {
         about @ in every step.)",
         small_error(arrived), several(std::max(1L, std::lround(0.5 * k / knobs.h)), "sweep"));
   page.text(
-      R"(**The price.** The warm error does not just fall, it *rings*: it changes sign again and again on its way down (in
-      the derivation, the roots z are complex). λ remembers what the last step added to it. If positions are corrected
-      too (lesson 4), by a share β in each step, λ also remembers the correction and applies it again: the ringing then
-      grows unless β < (1 − q)/q and β < 2. Here the limit is @@.)",
-      Value(laws::largest_beta(q), 3),
-      k == 1 ? "" : say(", for one sweep a step @", Value(laws::largest_beta(laws::left_by_a_sweep(n)), 3)));
+      std::sqrt(q) < 0.05
+          ? R"(**The price.** With fewer sweeps the warm error would not just fall but *ring* (in the derivation, the roots z
+      are complex). With this many it is gone before it can ring.)"
+          : R"(**The price.** The warm error does not just fall, it *rings*: it changes sign again and again on its way down
+      (in the derivation, the roots z are complex). Lesson 4, step 6b shows what happens when a correction of positions
+      feeds this ringing.)");
 
   if (stretches) page.measure("largest error of the cold chain", rate / fall, "gh");
   page.claim("warm: what a step leaves of the slow wave", lawful ? std::sqrt(measured_q(knobs, q)) : 0, "1",
              is(lawful ? std::sqrt(q) : 0, "√q, q = cos²ᵏ(π/2N)", relative(1e-5 + slack * slack)), lawful);
-  page.claim("cold: the worst link's speed of parting", visible ? rate : 0, "m/s",
+  page.claim("cold: separation speed of the worst link", visible ? rate : 0, "m/s",
              is(visible ? textbook_cold_errors(knobs.chain(), k, fall).cwiseAbs().maxCoeff() : 0,
-                "(1 − Sᵏ)⁻¹Sᵏ gh, S the matrix of a sweep", relative(1e-6)),
+                "(1 − Sᵏ)⁻¹Sᵏ gh, S: the iteration matrix of one sweep", relative(1e-6)),
              visible);
   page.claim("cold: force at the top joint all the same", carried, "N",
              is(knobs.weight(), "nothing speeds up any more", relative(1e-6)));

@@ -82,17 +82,17 @@ void within_a_sweep(Page& page, const Knobs& knobs) {
     const double undone = moments.back().errors[other];
     step.solve_row();
     moments.push_back(moment(static_cast<int>(row), -(step.lambda()[row] - before) / unit));
-    acts.push_back({say("Δλ_@ |d| = @ mgh", row + 1, Value(-moments.back().impulse, 3)),
-                    say("Row @ pulls at its @. Its error is gone; row @'s goes from @ to @ gh.", row + 1,
-                        row == 0 ? "bob" : "two bobs", other + 1, Value(std::abs(undone) < 1e-12 ? 0 : undone, 3),
-                        Value(moments.back().errors[other], 3)),
-                    palette::force});
+    acts.push_back(
+        {say("Δλ_@ L = @ mgh@", row + 1, Value(-moments.back().impulse, 3), i == 0 ? " (λ < 0: it pulls)" : ""),
+         say("Row @ pulls on its @. Its error is gone; row @'s goes from @ to @ gh.", row + 1,
+             row == 0 ? "bob" : "two bobs", other + 1, Value(std::abs(undone) < 1e-12 ? 0 : undone, 3),
+             Value(moments.back().errors[other], 3)),
+         palette::force});
   }
   const pictures::Acts film(acts);
   page.sequence(
       "within_a_sweep",
-      say(R"(Two sweeps over two rows, slowed to @ s. Green: how fast each bob falls. Purple: each row's error, how
-                    fast its rod is getting longer. Orange: the impulse of the row that is being solved (yellow).)",
+      say(R"(Two sweeps over two rows, slowed to @ s. Orange: the impulse of the row being solved (yellow).)",
           film.seconds()),
       Seconds{film.seconds()},
       [shown = SweepFilm{film, linkage, moments, knobs.length}](renderer::Canvas& canvas, double time) {

@@ -142,7 +142,7 @@ ChainsFilm film_of(const Setting& setting, double beta) {
     if (start == &film.cold && lowest < 2 * depth) depth = std::max(depth, lowest);
     film.beside.curves.push_back(curve);
   }
-  film.beside.y.range = {std::pow(10, std::floor(std::log10(least))), 2 * most};
+  film.beside.y.range = {0.5 * least, 2 * most};
   film.view = 1.08 * depth;
   return film;
 }
